@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kernel: one organ, one needle, one fixed step. See kernel/README.md for the picture.
+//
+// Promises, from create to the end of the process: no allocation, lock, system call, exception or
+// log; a bounded number of operations per tick that does not depend on the data; the same bits for
+// every compiler, instruction set and optimisation level. One kernel belongs to one thread at a time;
+// any number of kernels may share an organ.
+// Units: SI. Frame: world, the organ's rest frame. Source: Tian et al., HAVE 2014 ("the paper").
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "stylet/limits.h"
+#include "stylet/organ.h"
+#include "stylet/status.h"
+#include "stylet/units.h"
+
+namespace stylet {
+
+// ==== Configuration ================================================================================
+
+enum class Mode : std::uint32_t {
+  kPhysical = 0,  // every parameter a physical quantity
+  kPaper = 1,     // the paper's rules: averaged goals, node puncture, whole-unit re-association
+};
+
+// The needle points along -z of the handle: tip = position + rotation * (0, 0, -length).
+struct NeedleConfig {
+  float length_m = 0.15F;
+  float outer_radius_m = 0.635e-3F;  // 18G
+  float unit_m = 5e-3F;              // sampling unit: shaft length one constraint particle stands for
+};
+
+struct Config {
+  Mode mode = Mode::kPhysical;
+  float period_s = 1e-3F;
+  std::uint32_t substeps = 1;
+  float tissue_damping_s = 2e-3F;    // Kelvin-Voigt time constant of the tissue
+  float hourglass_weight = 1.0F / 3.0F;  // physical mode; paper mode uses 1
+  float paper_alpha = 0.5F;          // paper mode: stiffness factor of the averaged goals, 0..1
+  NeedleConfig needle;
+};
+
+// ==== Memory and life ===============================================================================
+
+struct Sizes {
+  std::size_t model_bytes;    // derived from organ and config at creation, constant afterwards
+  std::size_t state_bytes;    // all that changes and matters
+  std::size_t scratch_bytes;  // content never influences a result
+};
+constexpr std::size_t kBlockAlignment = 64;
+
+struct Memory {
+  std::span<std::byte> model;
+  std::span<std::byte> state;
+  std::span<std::byte> scratch;
+};
+
+// Handle to the blocks; plain and copyable. Only the kernel's own functions look inside.
+struct Kernel {
+  const Organ* organ = nullptr;  // must outlive the kernel
+  std::byte* model = nullptr;
+  std::byte* state = nullptr;
+  std::byte* scratch = nullptr;
+  Sizes sizes = {};
+  void (*step)(const Kernel&) = nullptr;  // tissue step for this processor
+};
+
+// Exact: create uses these bytes and no others.
+Status sizes(const Organ& organ, const Config& config, Sizes& sizes_out);
+// On kMemoryTooSmall or kMemoryNotAligned nothing was written. Ends with reset.
+Status create(const Organ& organ, const Config& config, const Memory& memory, Kernel& kernel_out);
+// Back to tick 0: tissue at rest, needle away, no track.
+void reset(Kernel& kernel);
+
+// ==== One tick ======================================================================================
+
+struct Input {
+  Pose handle;             // pose of the needle's base
+  std::uint32_t valid;     // 0: no sample this tick; the last handle pose is kept and counted
+};
+
+enum class Phase : std::uint32_t { kFree = 0, kContact = 1, kInserted = 2, kRetracting = 3 };
+
+struct ForceByCause {  // each on the needle, world frame; their sum is Output::force_n
+  Vec3 stiffness_n;    // tip against a surface not yet punctured
+  Vec3 cutting_n;      // tip in the tissue, along the shaft
+  Vec3 friction_n;     // shaft, along the shaft
+  Vec3 clamping_n;     // tip and shaft, across the shaft
+  Vec3 obstacle_n;     // contact with obstacles
+};
+
+enum OutputFlag : std::uint32_t {
+  kFlagInputNotFinite = 1U << 0,   // a field was NaN or infinite; the last pose was kept
+  kFlagInputClamped = 1U << 1,     // too fast or too far; followed at the limit
+  kFlagInputMissing = 1U << 2,
+  kFlagCpPoolFull = 1U << 3,
+  kFlagCpVoxelPoolFull = 1U << 4,
+  kFlagContactBudget = 1U << 5,
+  kFlagFault = 1U << 31,           // latched: force is zero until reset
+};
+
+struct Output {
+  std::uint64_t tick;        // number of ticks since reset, this one included
+  Vec3 force_n;              // on the hand, at the handle
+  Vec3 torque_nm;            // about the handle's position
+  ForceByCause cause;
+  Vec3 tip_m;
+  float depth_m;             // needle length inside the tissue
+  Phase phase;
+  std::uint32_t layer;       // material under the tip; kNoLayer outside
+  std::uint32_t constraint_particles;
+  std::uint32_t flags;
+  std::uint32_t events;      // number of events since reset
+};
+constexpr std::uint32_t kNoLayer = 0xFFFFFFFFU;
+
+Output tick(Kernel& kernel, const Input& input);
+
+// ==== What happened =================================================================================
+
+enum class EventKind : std::uint32_t {
+  kContact = 0,
+  kRelease = 1,   // contact lost without puncture
+  kPuncture = 2,
+  kReentry = 3,   // entered an existing track
+  kExit = 4,
+  kLayer = 5,     // tip crossed into another material
+};
+const char* event_name(EventKind kind);
+
+struct Event {
+  std::uint64_t tick;
+  EventKind kind;
+  std::uint32_t layer;
+  float depth_m;
+  float force_n;  // magnitude along the shaft at the event
+};
+
+// Copies the newest events, oldest first; returns how many. Event i of the result has sequence
+// number (Output::events - returned + i).
+std::uint32_t events(const Kernel& kernel, std::span<Event> events_out);
+
+struct Pool {
+  std::uint32_t used, used_max, capacity;
+};
+struct Stats {
+  std::uint64_t ticks;
+  Pool constraint_particles;
+  Pool coupled_voxels;
+  Pool tracks;
+  std::uint64_t input_not_finite, input_clamped, input_missing;
+  std::uint64_t cp_pool_full, cp_voxel_pool_full, contact_budget, fault;
+  float coupling_shortfall;  // largest missing share of the stiffness asked of a constraint particle
+};
+Stats stats(const Kernel& kernel);
+
+// Mass added by the stability bound, per material: real mass and mass in the step, kg.
+struct MassReport {
+  float real_kg, stepped_kg;
+};
+MassReport mass_report(const Kernel& kernel, std::uint32_t material);
+
+struct ConstraintParticle {
+  Vec3 position_m, goal_m, force_on_needle_n;
+  float arc_length_m;  // from the tip
+  std::uint32_t is_tip;
+};
+std::uint32_t constraint_particles(const Kernel& kernel, std::span<ConstraintParticle> out);
+
+// Deformed surface: one position per organ vertex. Returns the number written.
+std::uint32_t surface(const Kernel& kernel, std::span<Vec3> positions_out);
+
+// Energies of the tissue, J (cold path, double precision inside).
+struct Energy {
+  double elastic, kinetic, coupling;
+  double work_by_hand;          // since reset
+  double friction, cutting, viscous;  // dissipated since reset
+};
+Energy energy(const Kernel& kernel);
+
+// ==== Save, restore, compare ========================================================================
+
+// A snapshot is the state block with a header; it fits any kernel of the same organ and config.
+std::size_t snapshot_bytes(const Kernel& kernel);
+Status snapshot(const Kernel& kernel, std::span<std::byte> out);
+Status restore(Kernel& kernel, std::span<const std::byte> in);
+
+// Canonical 64-bit hash of the state, field by field.
+std::uint64_t hash(const Kernel& kernel);
+
+struct Difference {
+  const char* field;  // nullptr: equal
+  std::uint64_t index;
+};
+// First field that differs; both kernels must have the same organ and config.
+Difference difference(const Kernel& a, const Kernel& b);
+
+}  // namespace stylet

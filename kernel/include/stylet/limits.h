@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every capacity and bound of the kernel, each with what happens when it is reached.
+#pragma once
+
+#include <cstdint>
+
+namespace stylet {
+
+// ---- organ: checked by organ_open, which refuses the file -------------------------------------
+constexpr std::uint32_t kMaxVoxels = 4'000'000;
+constexpr std::uint32_t kMaxMaterials = 64;
+constexpr std::uint32_t kMaxVertices = 8'000'000;
+constexpr std::uint32_t kMaxTriangles = 16'000'000;
+constexpr float kMinVoxelEdgeM = 1e-4F;
+constexpr float kMaxVoxelEdgeM = 0.1F;
+constexpr float kMaxPoissonRatio = 0.49F;
+constexpr float kMinYoungsModulusPa = 1.0F;
+constexpr float kMaxYoungsModulusPa = 1e9F;
+
+// ---- configuration: checked by sizes and create -------------------------------------------------
+constexpr std::uint32_t kMaxSubsteps = 32;
+constexpr float kMinPeriodS = 1e-5F;
+constexpr float kMaxPeriodS = 1e-2F;
+constexpr float kMaxNeedleLengthM = 0.5F;
+
+// ---- tick ----------------------------------------------------------------------------------------
+// Constraint particles alive at once. Full: the needle advances without a new one, so the friction
+// of that stretch of shaft is not felt; cp_pool_full is counted and flagged.
+constexpr std::uint32_t kMaxConstraintParticles = 128;
+// Voxels that hold a part of any constraint particle. Full: the part with no room is left out and
+// its weight goes to the others; cp_voxel_pool_full is counted.
+constexpr std::uint32_t kMaxCoupledVoxels = 512;
+// Voxels one constraint particle is shared by: the eight whose centres surround it.
+constexpr std::uint32_t kSharesPerParticle = 8;
+// Constraint particles placed in one tick. Reached by a needle that jumps: the rest follow in the
+// next ticks.
+constexpr std::uint32_t kMaxDropsPerTick = 8;
+// Events kept for the reader. Full: the oldest is overwritten; sequence numbers show the gap.
+constexpr std::uint32_t kMaxEvents = 64;
+// Tracks remembered in the tissue. Full: the oldest is forgotten and must be punctured again.
+constexpr std::uint32_t kMaxTracks = 16;
+// Sphere-tree nodes and triangles looked at in one tick. Reached: the contact of the last tick is
+// kept for one more (contact_budget is counted).
+constexpr std::uint32_t kMaxTreeVisits = 1024;
+constexpr std::uint32_t kMaxTreeDepth = 64;
+constexpr std::uint32_t kMaxTriangleTests = 128;
+// Motion of the handle accepted in one second; faster input is clamped, flagged and followed later.
+constexpr float kMaxHandleSpeedMPerS = 5.0F;
+constexpr float kMaxHandleSpinRadPerS = 60.0F;
+// Distance of the handle from the organ's origin; input beyond it is clamped.
+constexpr float kMaxHandleDistanceM = 2.0F;
+
+}  // namespace stylet

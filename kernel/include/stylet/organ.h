@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// An organ: read-only view of an organ file's bytes, checked once, then trusted.
+//
+// Promises: organ_open allocates nothing and keeps pointers into the caller's bytes, which must
+// outlive the Organ and every kernel made from it. Time is linear in the file's size. After kOk every
+// index is in range, every number finite and within limits.h, so no tick checks the organ again.
+// Units: SI; frame: world (the rest frame). Format: kernel/schema/organ.fbs.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "stylet/status.h"
+#include "stylet/units.h"
+
+namespace stylet {
+
+// Same bytes as the structs of the schema; organ.cpp asserts it.
+struct OrganRun {
+  std::uint16_t x, y, z, count;
+};
+struct OrganVertex {
+  std::uint32_t voxel;
+  std::uint16_t fx, fy, fz, reserved;
+};
+struct OrganTriangle {
+  std::uint32_t a, b, c;
+};
+struct OrganSphere {
+  float x, y, z, radius;
+  std::uint32_t first, count;  // count = 0: children first, first + 1; else triangles of a leaf
+};
+
+struct Material {
+  const char* name;
+  const char* source;
+  float density_kg_per_m3;
+  float youngs_modulus_pa;
+  float poisson_ratio;
+  float relaxing_fraction;
+  float relaxation_time_s;
+  float puncture_force_n;
+  float cutting_force_n;
+  float recut_fraction;
+  float coulomb_friction_n_per_m;
+  float static_friction_n_per_m;
+  float stribeck_velocity_m_per_s;
+  float viscous_friction_n_s_per_m2;
+};
+
+struct Organ {
+  const void* root = nullptr;  // the FlatBuffers table; only organ.cpp looks inside
+  const char* name = nullptr;
+  std::uint64_t hash = 0;  // of all bytes
+  float voxel_edge_m = 0;
+  Vec3 origin_m = {};
+  std::uint16_t size_x = 0, size_y = 0, size_z = 0;
+  std::uint32_t voxel_count = 0;
+  std::uint32_t material_count = 0;
+  std::span<const OrganRun> runs;
+  std::span<const std::uint8_t> voxel_material;
+  std::span<const std::uint8_t> voxel_fill;
+  std::span<const std::uint8_t> voxel_fixed;  // empty, or one per voxel
+  std::span<const OrganVertex> vertices;
+  std::span<const OrganTriangle> triangles;
+  std::span<const OrganSphere> spheres;
+};
+
+// Why a file was refused: where, which value, what was expected. Strings are static.
+struct OrganRefusal {
+  Status status = Status::kOk;
+  const char* place = "";
+  std::uint64_t index = 0;
+  double value = 0;
+  const char* expected = "";
+};
+
+Status organ_open(std::span<const std::byte> bytes, Organ& organ_out, OrganRefusal* refusal_out = nullptr);
+
+// `index` < organ.material_count.
+Material organ_material(const Organ& organ, std::uint32_t index);
+
+// First crossing of the rest surface along a ray (cold path: visits every triangle). False if none.
+// `direction` has unit length; `distance_out_m` >= 0.
+bool organ_raycast(const Organ& organ, Vec3 origin_m, Vec3 direction, float& distance_out_m);
+
+}  // namespace stylet

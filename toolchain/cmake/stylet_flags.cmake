@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: Apache-2.0
+# Compiler settings shared by all targets. stylet_flags is for everything; stylet_rt_flags adds the
+# rules of the real-time path (same bits everywhere, no exceptions, no RTTI).
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+# Assertions stay on in every build: they guard against programming errors, never against input.
+string(REPLACE "-DNDEBUG" "" CMAKE_CXX_FLAGS_RELEASE "${CMAKE_CXX_FLAGS_RELEASE}")
+string(REPLACE "-DNDEBUG" "" CMAKE_CXX_FLAGS_RELWITHDEBINFO "${CMAKE_CXX_FLAGS_RELWITHDEBINFO}")
+
+find_program(CCACHE ccache)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+add_library(stylet_flags INTERFACE)
+target_compile_options(stylet_flags INTERFACE
+  -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Wvla
+  -Wnon-virtual-dtor -Werror)
+
+add_library(stylet_rt_flags INTERFACE)
+target_link_libraries(stylet_rt_flags INTERFACE stylet_flags)
+target_compile_options(stylet_rt_flags INTERFACE
+  -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno -fvisibility=hidden)
