@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+// A block of voxels as the bytes of an organ file, made in memory for tests.
+//
+// The surface is the block's outside, two triangles a voxel face, outward; it is closed in space.
+// Vertices are not shared between voxels, so every leaf of the sphere tree (one a boundary voxel)
+// depends on that voxel's corners alone.
+// Units: SI. Frame: the low corner of the block is at `origin_m`.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "organ_generated.h"
+#include "stylet/units.h"
+
+namespace stylet::test {
+
+struct TinyMaterial {
+  std::string name = "gel";
+  float density_kg_per_m3 = 1000;
+  float youngs_modulus_pa = 5000;
+  float poisson_ratio = 0.45F;
+  float relaxing_fraction = 0;
+  float relaxation_time_s = 1;
+  float puncture_force_n = 0.5F;
+  float cutting_force_n = 0.2F;
+  float recut_fraction = 0.2F;
+  float coulomb_friction_n_per_m = 10;
+  float static_friction_n_per_m = 10;
+  float stribeck_velocity_m_per_s = 1e-3F;
+  float viscous_friction_n_s_per_m2 = 0;
+};
+
+enum Face : std::uint32_t { kLowX = 1, kHighX = 2, kLowY = 4, kHighY = 8, kLowZ = 16, kHighZ = 32 };
+
+struct TinyOrgan {
+  std::uint16_t nx = 8, ny = 8, nz = 8;
+  float voxel_edge_m = 0.005F;
+  Vec3 origin_m = {};
+  std::vector<TinyMaterial> materials = {TinyMaterial{}};
+  // Material of voxel (x, y, z); empty: material 0 everywhere.
+  std::function<std::uint8_t(std::uint16_t, std::uint16_t, std::uint16_t)> material_at;
+  std::uint32_t fixed_faces = 0;  // Face bits: the corners on these faces never move
+};
+
+namespace detail {
+
+struct Box {
+  float low[3], high[3];
+};
+
+struct Leaf {
+  Box box;
+  std::uint32_t first, count;
+};
+
+inline format::SphereNode sphere_of(const std::vector<Leaf>& leaves, std::size_t begin,
+                                    std::size_t end, std::uint32_t first, std::uint32_t count) {
+  Box box = leaves[begin].box;
+  for (std::size_t i = begin; i < end; ++i) {
+    for (int a = 0; a < 3; ++a) {
+      box.low[a] = std::min(box.low[a], leaves[i].box.low[a]);
+      box.high[a] = std::max(box.high[a], leaves[i].box.high[a]);
+    }
+  }
+  float centre[3], square = 0;
+  for (int a = 0; a < 3; ++a) {
+    centre[a] = 0.5F * (box.low[a] + box.high[a]);
+    const float half = 0.5F * (box.high[a] - box.low[a]);
+    square += half * half;
+  }
+  return {centre[0], centre[1], centre[2], std::sqrt(square) * 1.0001F, first, count};
+}
+
+// Median split along the widest axis; siblings next to each other, children behind their parent.
+inline void split(std::vector<Leaf>& leaves, std::size_t begin, std::size_t end, std::size_t at,
+                  std::vector<format::SphereNode>& nodes) {
+  if (end - begin == 1) {
+    nodes[at] = sphere_of(leaves, begin, end, leaves[begin].first, leaves[begin].count);
+    return;
+  }
+  const format::SphereNode whole = sphere_of(leaves, begin, end, 0, 0);
+  int axis = 0;
+  float widest = -1;
+  for (int a = 0; a < 3; ++a) {
+    float low = leaves[begin].box.low[a], high = leaves[begin].box.high[a];
+    for (std::size_t i = begin; i < end; ++i) {
+      low = std::min(low, leaves[i].box.low[a]);
+      high = std::max(high, leaves[i].box.high[a]);
+    }
+    if (high - low > widest) {
+      widest = high - low;
+      axis = a;
+    }
+  }
+  const std::size_t middle = begin + (end - begin) / 2;
+  const auto where = [](std::size_t i) { return static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(
+      leaves.begin() + where(begin), leaves.begin() + where(middle), leaves.begin() + where(end),
+      [axis](const Leaf& a, const Leaf& b) { return a.box.low[axis] < b.box.low[axis]; });
+  const auto children = static_cast<std::uint32_t>(nodes.size());
+  nodes.resize(nodes.size() + 2);
+  nodes[at] = {whole.x(), whole.y(), whole.z(), whole.radius(), children, 0};
+  split(leaves, begin, middle, children, nodes);
+  split(leaves, middle, end, children + 1, nodes);
+}
+
+struct Surface {
+  std::vector<format::Vertex> vertices;
+  std::vector<format::Triangle> triangles;
+  std::vector<format::SphereNode> nodes;
+};
+
+inline Surface surface_of(const TinyOrgan& organ) {
+  Surface surface;
+  std::vector<Leaf> leaves;
+  const std::uint16_t size[3] = {organ.nx, organ.ny, organ.nz};
+  const float origin[3] = {organ.origin_m.x, organ.origin_m.y, organ.origin_m.z};
+  std::uint32_t voxel = 0;
+  std::uint16_t at[3];
+  for (at[2] = 0; at[2] < size[2]; ++at[2]) {
+    for (at[1] = 0; at[1] < size[1]; ++at[1]) {
+      for (at[0] = 0; at[0] < size[0]; ++at[0], ++voxel) {
+        Leaf leaf{{}, static_cast<std::uint32_t>(surface.triangles.size()), 0};
+        for (int a = 0; a < 3; ++a) {
+          leaf.box.low[a] = origin[a] + static_cast<float>(at[a]) * organ.voxel_edge_m;
+          leaf.box.high[a] = leaf.box.low[a] + organ.voxel_edge_m;
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+          for (int side = 0; side < 2; ++side) {
+            if (side == 0 ? at[axis] != 0 : at[axis] + 1 != size[axis]) continue;
+            const auto base = static_cast<std::uint32_t>(surface.vertices.size());
+            const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+            for (int corner = 0; corner < 4; ++corner) {
+              std::uint16_t f[3];
+              f[axis] = side != 0 ? 65535 : 0;
+              f[u] = (corner == 1 || corner == 2) ? 65535 : 0;
+              f[v] = corner >= 2 ? 65535 : 0;
+              surface.vertices.emplace_back(voxel, f[0], f[1], f[2], std::uint16_t{0});
+            }
+            const std::uint32_t b = side != 0 ? 1 : 3, d = side != 0 ? 3 : 1;
+            surface.triangles.emplace_back(base, base + b, base + 2);
+            surface.triangles.emplace_back(base, base + 2, base + d);
+            leaf.count += 2;
+          }
+        }
+        if (leaf.count > 0) leaves.push_back(leaf);
+      }
+    }
+  }
+  surface.nodes.resize(1);
+  split(leaves, 0, leaves.size(), 0, surface.nodes);
+  return surface;
+}
+
+// Attached corners of one voxel, bit dx + 2 dy + 4 dz.
+inline std::uint8_t fixed_corners(const TinyOrgan& organ, std::uint16_t x, std::uint16_t y,
+                                  std::uint16_t z) {
+  std::uint32_t bits = 0;
+  for (std::uint32_t corner = 0; corner < 8; ++corner) {
+    const std::uint32_t cx = x + (corner & 1U), cy = y + ((corner >> 1U) & 1U),
+                        cz = z + (corner >> 2U);
+    const std::uint32_t on = (cx == 0 ? kLowX : 0U) | (cx == organ.nx ? kHighX : 0U) |
+                             (cy == 0 ? kLowY : 0U) | (cy == organ.ny ? kHighY : 0U) |
+                             (cz == 0 ? kLowZ : 0U) | (cz == organ.nz ? kHighZ : 0U);
+    if ((on & organ.fixed_faces) != 0) bits |= 1U << corner;
+  }
+  return static_cast<std::uint8_t>(bits);
+}
+
+}  // namespace detail
+
+inline std::vector<std::byte> tiny_organ(const TinyOrgan& organ) {
+  flatbuffers::FlatBufferBuilder builder;
+  const std::size_t count = std::size_t{organ.nx} * organ.ny * organ.nz;
+  std::vector<format::Run> runs;
+  std::vector<std::uint8_t> material, fixed, fill(count, 255);
+  for (std::uint16_t z = 0; z < organ.nz; ++z) {
+    for (std::uint16_t y = 0; y < organ.ny; ++y) {
+      runs.emplace_back(std::uint16_t{0}, y, z, organ.nx);
+      for (std::uint16_t x = 0; x < organ.nx; ++x) {
+        material.push_back(organ.material_at ? organ.material_at(x, y, z) : std::uint8_t{0});
+        fixed.push_back(detail::fixed_corners(organ, x, y, z));
+      }
+    }
+  }
+  if (organ.fixed_faces == 0) fixed.clear();
+  std::vector<flatbuffers::Offset<format::Material>> materials;
+  for (const TinyMaterial& m : organ.materials) {
+    materials.push_back(format::CreateMaterialDirect(
+        builder, m.name.c_str(), "test", m.density_kg_per_m3, m.youngs_modulus_pa, m.poisson_ratio,
+        m.relaxing_fraction, m.relaxation_time_s, m.puncture_force_n, m.cutting_force_n,
+        m.recut_fraction, m.coulomb_friction_n_per_m, m.static_friction_n_per_m,
+        m.stribeck_velocity_m_per_s, m.viscous_friction_n_s_per_m2));
+  }
+  const detail::Surface surface = detail::surface_of(organ);
+  format::FinishOrganBuffer(
+      builder,
+      format::CreateOrganDirect(builder, 1, "tiny", organ.voxel_edge_m, organ.origin_m.x,
+                                organ.origin_m.y, organ.origin_m.z, organ.nx, organ.ny, organ.nz,
+                                &runs, &material, &fill, fixed.empty() ? nullptr : &fixed,
+                                &materials, &surface.vertices, &surface.triangles, &surface.nodes));
+  const auto* bytes = reinterpret_cast<const std::byte*>(builder.GetBufferPointer());
+  return {bytes, bytes + builder.GetSize()};
+}
+
+}  // namespace stylet::test
