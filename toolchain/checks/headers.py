@@ -1,0 +1,30 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The kernel's public headers include nothing but each other and a few allocation-free headers.
+
+usage: headers.py FOLDER
+"""
+import pathlib
+import re
+import sys
+
+ALLOWED = {"<cstdint>", "<cstddef>", "<span>", "<bit>", "<type_traits>"}
+INCLUDE = re.compile(r'\s*#\s*include\s*(<[^>]*>|"[^"]*")')
+
+
+def faults(folder):
+    headers = sorted(pathlib.Path(folder).rglob("*.h"))
+    if not headers:
+        yield f"{folder}: no header found"
+    for header in headers:
+        for number, line in enumerate(header.read_text().splitlines(), 1):
+            match = INCLUDE.match(line)
+            if match and match[1] not in ALLOWED and not match[1].startswith('"stylet/'):
+                yield (f"{header}:{number}: includes {match[1]}; allowed are stylet/ headers and "
+                       f"{' '.join(sorted(ALLOWED))}")
+
+
+if __name__ == "__main__":
+    found = list(faults(sys.argv[1]))
+    print("\n".join(found))
+    sys.exit(bool(found))

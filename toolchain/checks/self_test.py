@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The checks, checked: each refuses bad samples with the right place, and accepts good ones."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+import headers  # noqa: E402
+import symbols  # noqa: E402
+import tidy  # noqa: E402
+
+APACHE = "// SPDX-License-Identifier: Apache-2.0\n"
+GPL = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
+
+
+class Sample(unittest.TestCase):
+    """A folder of its own for each case."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.top = pathlib.Path(folder.name)
+
+    def write(self, name, text):
+        path = self.top / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        return path
+
+    def expect_one(self, faults, *parts):
+        found = list(faults)
+        self.assertEqual(len(found), 1, found)
+        for part in parts:
+            self.assertIn(part, found[0])
+
+
+class Headers(Sample):
+    def test_accepts_allowed(self):
+        self.write("a.h", '#include <cstdint>\n#include "stylet/b.h"\n')
+        self.assertEqual(list(headers.faults(self.top)), [])
+
+    def test_refuses_others(self):
+        self.write("a.h", "#include <cstdint>\n#  include <vector>\n")
+        self.expect_one(headers.faults(self.top), "a.h:2", "<vector>")
+
+    def test_refuses_nothing_found(self):
+        self.expect_one(headers.faults(self.top), "no header")
+
+
+class Symbols(Sample):
+    def library(self, code):
+        source = self.write("a.cpp", code)
+        subprocess.run(["c++", "-O1", "-c", source, "-o", self.top / "a.o"], check=True)
+        subprocess.run(["ar", "rc", self.top / "a.a", self.top / "a.o"], check=True)
+        return [self.top / "a.a"]
+
+    def test_accepts_listed_and_own(self):
+        code = 'extern "C" int given(); int own() { return 1; } int f() { return given() + own(); }'
+        allowed = self.write("list.txt", "# why\ngiven  # here\n")
+        self.assertEqual(list(symbols.faults(allowed, self.library(code))), [])
+
+    def test_refuses_heap(self):
+        allowed = self.write("list.txt", "given\n")
+        self.expect_one(symbols.faults(allowed, self.library("int* f() { return new int; }")),
+                        "a.o", "operator new(unsigned long)")
+
+
+class Tidy(Sample):
+    def faults(self):
+        return tidy.faults(self.top)
+
+    def test_accepts_good(self):
+        self.write("kernel/src/a.cpp", APACHE + 'const char* kA = "new malloc(";  // no new here\n')
+        self.write("offline/src/a.cpp", GPL + "std::vector<int> v;\n")
+        self.assertEqual(list(self.faults()), [])
+
+    def test_refuses_long_line(self):
+        self.write("hal/a.cpp", APACHE + "// " + "a" * 98 + "\n")
+        self.expect_one(self.faults(), "hal/a.cpp:2", "101 columns")
+
+    def test_refuses_long_function(self):
+        body = "  f();\n" * 69
+        self.write("hal/a.cpp", APACHE + "void f(int a,\n       int b) {\n" + body + "}\n")
+        self.expect_one(self.faults(), "hal/a.cpp:2", "72 lines")
+
+    def test_long_namespace_and_table_are_no_function(self):
+        body = "  {1, 2},\n" * 80
+        self.write("hal/a.cpp", APACHE + "namespace a {\nint k[][2] = {\n" + body + "};\n}\n")
+        self.assertEqual(list(self.faults()), [])
+
+    def test_refuses_missing_or_wrong_licence(self):
+        self.write("offline/a.h", APACHE)
+        self.expect_one(self.faults(), "offline/a.h:1", "GPL-3.0-or-later")
+
+    def test_refuses_marks_and_paths_also_in_texts(self):
+        self.write("hal/README.md", "a TO" "DO\n" + "see /ho" "me/me/x\n")
+        found = list(self.faults())
+        self.assertEqual(len(found), 2, found)
+
+    def test_refuses_banned_words_only_on_the_real_time_path(self):
+        for statement in ["auto* p = new int;", "free(p);", "std::vector<int> v;", "throw 1;",
+                          "std::function<void()> f;", "virtual ~A();", 'printf("x");']:
+            with self.subTest(statement):
+                self.write("hal/src/other.cpp", APACHE + statement + "\n")
+                self.write("kernel/src/a.cpp", APACHE + statement + "\n")
+                self.expect_one(self.faults(), "kernel/src/a.cpp:2", "real-time path")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""What the kernel's libraries need from outside is on a list, so nothing else can be called.
+
+No heap, no exceptions, no streams, no threads: a symbol that is not on the list is a defect, or a
+new line on the list with its reason.
+
+usage: symbols.py ALLOW_LIST LIBRARY...
+"""
+import pathlib
+import subprocess
+import sys
+
+
+def read_list(path):
+    lines = pathlib.Path(path).read_text().splitlines()
+    return {line.split("#")[0].strip() for line in lines} - {""}
+
+
+def undefined(libraries):
+    """Symbol -> objects that need it and none of the libraries defines."""
+    wanted, defined = {}, set()
+    for library in libraries:
+        listing = subprocess.run(["nm", "--format=posix", "--print-file-name", library],
+                                 check=True, capture_output=True, text=True).stdout
+        for line in listing.splitlines():
+            place, symbol, kind = line.rsplit(": ", 1)[0], *line.rsplit(": ", 1)[1].split()[:2]
+            if kind in "Uw":
+                wanted.setdefault(symbol, set()).add(place)
+            else:
+                defined.add(symbol)
+    return {symbol: places for symbol, places in wanted.items() if symbol not in defined}
+
+
+def demangle(symbol):
+    return subprocess.run(["c++filt", symbol], capture_output=True, text=True).stdout.strip()
+
+
+def faults(allow_list, libraries):
+    allowed = read_list(allow_list)
+    for symbol, places in sorted(undefined(libraries).items()):
+        if symbol not in allowed:
+            yield f"{', '.join(sorted(places))}: needs {demangle(symbol)} ({symbol}), not allowed"
+
+
+if __name__ == "__main__":
+    found = list(faults(sys.argv[1], sys.argv[2:]))
+    print("\n".join(found))
+    sys.exit(bool(found))

@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""House style as a test: what CONTRIBUTING.md says and a machine can see.
+
+usage: tidy.py REPOSITORY
+"""
+import pathlib
+import re
+import sys
+
+FOLDERS = ["kernel", "hal", "offline", "tests", "toolchain", ".ci"]
+SOURCE = {".h", ".cpp", ".py", ".sh", ".cmake"}
+COLUMNS = 100
+FUNCTION_LINES = 70
+LEFT_OVER = re.compile(r"\b(TO" r"DO|FIX" r"ME|XX" r"X|HA" r"CK)\b")
+MACHINE_PATH = re.compile(r"(^|[^A-Za-z0-9_.}])/(work|root|home|farm)/")
+
+# The real-time path: the kernel, and the part of hal between the first tick and the last.
+REAL_TIME = ["kernel/src/*", "hal/src/loop.cpp", "hal/src/guard.cpp"]
+BANNED = {
+    r"\bnew\b": "new (the caller owns all memory)",
+    r"\b(malloc|calloc|realloc|free)\s*\(": "the heap (the caller owns all memory)",
+    r"\bstd::(vector|string|map|unordered_map|deque|list|any)\b": "a container that allocates",
+    r"\bstd::(shared_ptr|unique_ptr|make_\w+)\b": "an owning pointer (the caller owns all memory)",
+    r"\bstd::function\b": "std::function (allocates; use a function pointer)",
+    r"\b(throw|try|catch)\b": "exceptions (return a Status, or clamp, flag and count)",
+    r"\b(dynamic_cast|typeid)\b": "run-time type information",
+    r"\bvirtual\s+~": "a virtual destructor (it brings operator delete)",
+    r"\bstd::(cout|cerr|ofstream|ifstream)\b|\bf?printf\s*\(": "output (use counters and events)",
+    r"\bstd::(mutex|lock_guard|condition_variable)\b": "a lock",
+}
+
+
+def code_only(text):
+    """The text with comments and literals blanked, so that words in them do not count."""
+    token = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)
+    return token.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+
+
+def functions(code):
+    """(first line, last line) of each function at namespace level, as clang-format lays it out."""
+    start, body = None, False
+    for number, line in enumerate(code.splitlines(), 1):
+        if body:
+            if line.startswith("}"):
+                yield start, number
+                start, body = None, False
+            continue
+        if start is None and re.match(r"[A-Za-z_\[~]", line):
+            start, head = number, ""
+        if start is not None:
+            head += line.strip() + " "
+            if line.rstrip().endswith("{"):
+                body = "(" in head and not re.match(r"(namespace|extern|struct|class|enum)\b", head)
+                start = start if body else None
+            elif line.rstrip().endswith((";", "}", ":")) or not line.strip():
+                start = None
+
+
+def check_text(name, lines):
+    for number, line in enumerate(lines, 1):
+        if len(line) > COLUMNS:
+            yield f"{name}:{number}: {len(line)} columns, allowed are {COLUMNS}"
+        if LEFT_OVER.search(line):
+            yield f"{name}:{number}: a left-over mark; finish it, or write an issue"
+        if MACHINE_PATH.search(line):
+            yield f"{name}:{number}: a path of one machine"
+        if line != line.rstrip():
+            yield f"{name}:{number}: blanks at the end of the line"
+
+
+def check_licence(name, lines):
+    wanted = "GPL-3.0-or-later" if name.startswith("offline/") else "Apache-2.0"
+    if not any(f"SPDX-License-Identifier: {wanted}" in line for line in lines[:2]):
+        yield f"{name}:1: expected the line SPDX-License-Identifier: {wanted}"
+
+
+def check_code(name, text):
+    code = code_only(text)
+    for first, last in functions(code):
+        if last - first + 1 > FUNCTION_LINES:
+            yield (f"{name}:{first}: a function of {last - first + 1} lines, "
+                   f"allowed are {FUNCTION_LINES}")
+    if any(pathlib.PurePath(name).match(pattern) for pattern in REAL_TIME):
+        for number, line in enumerate(code.splitlines(), 1):
+            for pattern, reason in BANNED.items():
+                if re.search(pattern, line):
+                    yield f"{name}:{number}: on the real-time path: {reason}"
+
+
+def is_source(path):
+    return path.suffix in SOURCE or path.name == "CMakeLists.txt"
+
+
+def faults(repository):
+    top = pathlib.Path(repository)
+    files = [path for folder in FOLDERS for path in sorted((top / folder).rglob("*"))]
+    for path in files + sorted(top.glob("*.md")) + [top / "CMakeLists.txt"]:
+        if not path.is_file() or "__pycache__" in path.parts:
+            continue
+        name = path.relative_to(top).as_posix()
+        if is_source(path):
+            text = path.read_text()
+            yield from check_text(name, text.splitlines())
+            yield from check_licence(name, text.splitlines())
+            if path.suffix in {".h", ".cpp"}:
+                yield from check_code(name, text)
+        elif path.suffix in {".md", ".toml", ".fbs", ".txt", ""}:
+            lines = path.read_text().splitlines()
+            yield from (fault for fault in check_text(name, lines) if "columns" not in fault)
+
+
+if __name__ == "__main__":
+    found = list(faults(sys.argv[1]))
+    print("\n".join(found))
+    sys.exit(bool(found))

@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Installs what building, running and testing needs on Debian 12: the one list of packages.
+# Installs only what is missing, and asks for no right when nothing is.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+packages=(
+  # build
+  build-essential clang cmake ninja-build ccache pkg-config python3
+  # kernel
+  libeigen3-dev libflatbuffers-dev flatbuffers-compiler
+  # hal
+  libtomlplusplus-dev libcli11-dev libfmt-dev libspdlog-dev libhdf5-dev nlohmann-json3-dev
+  gnuplot-nox fonts-dejavu-core
+  # offline
+  libcgal-dev
+  # tests
+  libgtest-dev libgmock-dev libbenchmark-dev
+)
+
+missing_packages() {
+  local installed
+  installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' "${packages[@]}" 2>/dev/null |
+    awk '$2 == "installed" {print $1}') || true
+  local package
+  for package in "${packages[@]}"; do
+    grep -qxF "$package" <<<"$installed" || echo "$package"
+  done
+}
+
+check_debian() {
+  command -v apt-get >/dev/null && command -v dpkg-query >/dev/null ||
+    die "this script needs a Debian system (apt-get and dpkg-query were not found)" \
+      "Elsewhere, install what these packages hold, then run cmake --preset release:" \
+      "${packages[*]}"
+}
+
+as_root=()
+become_root() {
+  [ "$(id -u)" -ne 0 ] || return 0
+  command -v sudo >/dev/null ||
+    die "packages are missing, this user is not root, and there is no sudo" \
+      "Run as root:  apt-get install ${missing[*]}"
+  sudo -n true 2>/dev/null || [ -t 0 ] ||
+    die "packages are missing, and sudo asks for a password where there is no terminal" \
+      "Run once in a terminal:  sudo apt-get install ${missing[*]}"
+  as_root=(sudo)
+}
+
+# Runs apt-get with its output in the log, and one line for every tenth of the way.
+apt() {
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 apt-get -y \
+    -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 -o APT::Status-Fd=1 "$@" 2>&1 |
+    tee -a "$log" | show_progress
+}
+
+show_progress() {
+  local kind percent shown=""
+  while IFS=: read -r kind _ percent _; do
+    case $kind in dlstatus) kind=downloaded ;; pmstatus) kind=installed ;; *) continue ;; esac
+    [ "$kind ${percent%%.*}" != "$shown" ] || continue
+    shown="$kind ${percent%%.*}"
+    case $shown in *0) note "$shown %" ;; esac
+  done
+}
+
+install_missing() {
+  log=$(mktemp)
+  trap 'rm -f "$log"' EXIT
+  say "Installing ${#missing[@]} missing packages"
+  note "${missing[*]}"
+  apt update || true  # one unreachable source of many need not matter; the installation shows it
+  apt install --no-install-recommends "${missing[@]}" || {
+    grep -E '^(E|W|Err|Unable)' "$log" | sort -u | tail -n 15 >&2
+    grep -qE 'Temporary failure|Could not (resolve|connect)|Connection (failed|timed out)' "$log" &&
+      die "the packages could not be downloaded: no network, or the package source is down"
+    die "installing the packages failed, for the reason above"
+  }
+}
+
+check_debian
+mapfile -t missing < <(missing_packages)
+if [ ${#missing[@]} -gt 0 ]; then
+  become_root
+  install_missing
+  mapfile -t missing < <(missing_packages)
+  [ ${#missing[@]} -eq 0 ] || die "still missing after the installation: ${missing[*]}"
+fi
+say "All ${#packages[@]} packages are there"
