@@ -38,7 +38,10 @@ def code_only(text):
 
 
 def functions(code):
-    """(first line, last line) of each function at namespace level, as clang-format lays it out."""
+    """(first line, last line) of each function at namespace level, as clang-format lays it out.
+
+    A line with the template's parameters is not counted.
+    """
     start, body = None, False
     for number, line in enumerate(code.splitlines(), 1):
         if body:
@@ -46,7 +49,7 @@ def functions(code):
                 yield start, number
                 start, body = None, False
             continue
-        if start is None and re.match(r"[A-Za-z_\[~]", line):
+        if start is None and re.match(r"(?!template\b)[A-Za-z_\[]", line):
             start, head = number, ""
         if start is not None:
             head += line.strip() + " "

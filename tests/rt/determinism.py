@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The same bits from every compiler, optimisation level and instruction set.
+
+Builds the kernel and the program stylet_hash once per row of the table, runs it, and compares the
+hashes of every instruction set of every row with the first.
+
+usage: determinism.py REPOSITORY BUILD_FOLDER
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+
+ROWS = [("g++", "-O3"), ("g++", "-O2"), ("g++", "-O1"), ("g++", "-O0"), ("clang++", "-O2")]
+TICKS = "4500"  # one insertion with pause, pull and retraction, and the start of the next
+
+
+def call(*command):
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))}\n{done.stdout[-4000:]}\n{done.stderr[-4000:]}")
+    return done.stdout
+
+
+def build(repository, folder, compiler, level):
+    call("cmake", "-G", "Ninja", "-S", repository, "-B", folder, "-DCMAKE_BUILD_TYPE=Release",
+         f"-DCMAKE_CXX_COMPILER={compiler}", f"-DCMAKE_CXX_FLAGS_RELEASE={level}",
+         "-DSTYLET_WITH_HAL=OFF", "-DSTYLET_WITH_OFFLINE=OFF")
+    call("cmake", "--build", folder, "-j", "1", "--target", "stylet_hash")
+    return folder / "bin" / "stylet_hash"
+
+
+def hashes(program):
+    """(instruction set, mode) -> list of (tick, hash)."""
+    series = {}
+    for line in call(program, TICKS).splitlines():
+        variant, mode, tick, value = line.split()
+        series.setdefault((variant, mode), []).append((tick, value))
+    return series
+
+
+def compare(reference, series, name):
+    for mode in ("physical", "paper"):
+        expected = reference["baseline", mode]
+        for (variant, this_mode), values in series.items():
+            if this_mode != mode:
+                continue
+            for (tick, a), (_, b) in zip(expected, values, strict=True):
+                if a != b:
+                    yield f"{name} {variant} {mode}: differs first at tick {tick}: {b}, not {a}"
+                    break
+
+
+def main(repository, folder):
+    reference, found = None, []
+    for compiler, level in ROWS:
+        if shutil.which(compiler) is None:
+            print(f"skipped: {compiler} {level}: no such compiler here")
+            continue
+        name = f"{compiler} {level}"
+        place = pathlib.Path(folder) / (compiler + level)
+        series = hashes(build(repository, place, compiler, level))
+        reference = reference or series
+        found += compare(reference, series, name)
+        print(f"{name}: {len(series)} series, last hash {series['baseline', 'physical'][-1][1]}",
+              flush=True)
+    changing = {value for _, value in reference["baseline", "physical"]}
+    if len(changing) < len(reference["baseline", "physical"]):
+        found.append("the hash did not change in a hundred ticks, so it proves nothing")
+    print("\n".join(found))
+    return bool(found)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1], sys.argv[2]))

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kernel lives in the bytes it asked for: all of them, none beside them, and what it leaves in
+// scratch never matters.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "session.h"
+
+namespace stylet::test {
+namespace {
+
+constexpr std::uint64_t kTicks = 2 * kCycleTicks;
+
+class Blocks : public testing::TestWithParam<Mode> {
+ protected:
+  std::unique_ptr<OpenOrgan> opened_ = block_organ(6, 6, 8);
+  Config config_ = config_of(GetParam());
+
+  Sizes sizes_of() const {
+    Sizes bytes{};
+    EXPECT_EQ(sizes(opened_->organ, config_, bytes), Status::kOk);
+    return bytes;
+  }
+  std::uint64_t hash_after(std::uint64_t ticks) const {
+    Session session = make_session(opened_->organ, config_);
+    run(session.kernel, config_, 0, ticks);
+    return hash(session.kernel);
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Modes, Blocks, testing::Values(Mode::kPhysical, Mode::kPaper),
+                         [](const auto& instance) { return mode_name(instance.param); });
+
+// A block between two guards of the same size as its alignment, everything filled with one byte.
+struct Guarded {
+  Block whole;
+  std::size_t size;
+
+  std::span<std::byte> inner() const { return whole.span().subspan(kBlockAlignment, size); }
+  bool guards_hold(std::byte fill) const {
+    const auto all = whole.span();
+    const auto is_fill = [fill](std::byte b) { return b == fill; };
+    return std::all_of(all.begin(), all.begin() + kBlockAlignment, is_fill) &&
+           std::all_of(all.end() - kBlockAlignment, all.end(), is_fill);
+  }
+};
+
+Guarded make_guarded(std::size_t size, std::byte fill) {
+  return {make_block(size + 2 * kBlockAlignment, fill), size};
+}
+
+struct GuardedMemory {
+  Guarded model, state, scratch;
+  Memory memory() const { return {model.inner(), state.inner(), scratch.inner()}; }
+};
+
+GuardedMemory make_guarded_memory(const Sizes& bytes, std::byte fill) {
+  return {make_guarded(bytes.model_bytes, fill), make_guarded(bytes.state_bytes, fill),
+          make_guarded(bytes.scratch_bytes, fill)};
+}
+
+// The last byte that two runs over different fillings agree on was written by both.
+std::size_t written_size(std::span<const std::byte> a, std::span<const std::byte> b) {
+  std::size_t size = a.size();
+  while (size > 0 && a[size - 1] != b[size - 1]) --size;
+  return size;
+}
+
+TEST_P(Blocks, UsedAreWhatWasPredicted) {
+  const Sizes bytes = sizes_of();
+  constexpr std::byte kFills[2] = {std::byte{0xA5}, std::byte{0x5A}};
+  std::array<GuardedMemory, 2> used = {make_guarded_memory(bytes, kFills[0]),
+                                       make_guarded_memory(bytes, kFills[1])};
+  for (std::size_t i = 0; i < 2; ++i) {
+    Kernel kernel;
+    ASSERT_EQ(create(opened_->organ, config_, used[i].memory(), kernel), Status::kOk);
+    run(kernel, config_, 0, kTicks);
+    EXPECT_TRUE(used[i].model.guards_hold(kFills[i]));
+    EXPECT_TRUE(used[i].state.guards_hold(kFills[i]));
+    EXPECT_TRUE(used[i].scratch.guards_hold(kFills[i]));
+  }
+  // Nothing asked for in vain: the last written byte is in the last line of each block.
+  const auto expect_filled = [](const char* name, const Guarded& a, const Guarded& b) {
+    EXPECT_GT(written_size(a.inner(), b.inner()) + kBlockAlignment, a.size) << name;
+  };
+  expect_filled("model", used[0].model, used[1].model);
+  expect_filled("state", used[0].state, used[1].state);
+  expect_filled("scratch", used[0].scratch, used[1].scratch);
+}
+
+TEST_P(Blocks, TooSmallByOneByteAreRefusedUntouched) {
+  const Sizes bytes = sizes_of();
+  constexpr std::byte kFill{0xA5};
+  for (int which = 0; which < 3; ++which) {
+    const GuardedMemory given = make_guarded_memory(bytes, kFill);
+    Memory memory = given.memory();
+    std::span<std::byte>* spans[3] = {&memory.model, &memory.state, &memory.scratch};
+    *spans[which] = spans[which]->first(spans[which]->size() - 1);
+    Kernel kernel;
+    EXPECT_EQ(create(opened_->organ, config_, memory, kernel), Status::kMemoryTooSmall) << which;
+    for (const auto& span : {memory.model, memory.state, memory.scratch}) {
+      EXPECT_TRUE(std::all_of(span.begin(), span.end(), [](std::byte b) { return b == kFill; }));
+    }
+  }
+}
+
+TEST_P(Blocks, MisalignedAreRefused) {
+  const Sizes bytes = sizes_of();
+  for (int which = 0; which < 3; ++which) {
+    for (const std::size_t shift : {std::size_t{1}, std::size_t{4}, kBlockAlignment / 2}) {
+      const GuardedMemory given = make_guarded_memory(bytes, std::byte{0});
+      Memory memory = given.memory();
+      std::span<std::byte>* spans[3] = {&memory.model, &memory.state, &memory.scratch};
+      *spans[which] = {spans[which]->data() + shift, spans[which]->size()};
+      Kernel kernel;
+      EXPECT_EQ(create(opened_->organ, config_, memory, kernel), Status::kMemoryNotAligned)
+          << "block " << which << " shifted by " << shift;
+    }
+  }
+}
+
+TEST_P(Blocks, ScratchContentNeverMatters) {
+  const std::uint64_t expected = hash_after(kTicks);
+  const auto hash_with = [this](auto fill) {
+    Session session = make_session(opened_->organ, config_);
+    for (std::uint64_t i = 0; i < kTicks; ++i) {
+      fill(session.scratch.span());
+      run(session.kernel, config_, i, 1);
+    }
+    return hash(session.kernel);
+  };
+  EXPECT_EQ(hash_with([](auto scratch) { std::memset(scratch.data(), 0, scratch.size()); }),
+            expected);
+  EXPECT_EQ(hash_with([](auto scratch) { std::memset(scratch.data(), 0xFF, scratch.size()); }),
+            expected);
+  std::uint32_t random = 1;
+  EXPECT_EQ(hash_with([&random](auto scratch) {
+              for (std::byte& b : scratch) {
+                random = random * 1664525U + 1013904223U;
+                b = static_cast<std::byte>(random >> 24U);
+              }
+            }),
+            expected);
+}
+
+TEST_P(Blocks, HashSeesTheState) {
+  EXPECT_NE(hash_after(kCycleTicks / 2), hash_after(kCycleTicks / 2 + 1));
+}
+
+TEST_P(Blocks, SnapshotsContinueWithTheSameBits) {
+  Session original = make_session(opened_->organ, config_);
+  const std::uint64_t half = kCycleTicks / 2;  // the needle is in the tissue
+  run(original.kernel, config_, 0, half);
+  Block saved = make_block(snapshot_bytes(original.kernel));
+  ASSERT_EQ(snapshot(original.kernel, saved.span()), Status::kOk);
+  const std::uint64_t hash_saved = hash(original.kernel);
+
+  Session copy = make_session(opened_->organ, config_);
+  run(copy.kernel, config_, 77, 1234);  // somewhere else first
+  EXPECT_NE(difference(original.kernel, copy.kernel).field, nullptr);
+  ASSERT_EQ(restore(copy.kernel, saved.span()), Status::kOk);
+  EXPECT_EQ(hash(copy.kernel), hash_saved);
+  EXPECT_EQ(difference(original.kernel, copy.kernel).field, nullptr);
+  for (std::uint64_t i = half; i < half + kCycleTicks; ++i) {
+    const Input input = scripted_input(opened_->organ, config_, i);
+    const Output a = tick(original.kernel, input), b = tick(copy.kernel, input);
+    ASSERT_EQ(std::memcmp(&a.force_n, &b.force_n, sizeof a.force_n), 0) << "tick " << i;
+    ASSERT_EQ(hash(original.kernel), hash(copy.kernel)) << "tick " << i;
+  }
+  EXPECT_EQ(difference(original.kernel, copy.kernel).field, nullptr);
+}
+
+TEST_P(Blocks, SnapshotsOfAnotherConfigurationOrSizeAreRefused) {
+  Session here = make_session(opened_->organ, config_);
+  Config other_config = config_;
+  other_config.period_s = 0.5e-3F;
+  Session other = make_session(opened_->organ, other_config);
+  Block saved = make_block(snapshot_bytes(other.kernel));
+  ASSERT_EQ(snapshot(other.kernel, saved.span()), Status::kOk);
+  const std::uint64_t before = hash(here.kernel);
+  EXPECT_EQ(restore(here.kernel, saved.span()), Status::kSnapshotDoesNotMatch);
+  ASSERT_EQ(snapshot(here.kernel, saved.span()), Status::kOk);
+  EXPECT_NE(restore(here.kernel, saved.span().first(saved.size - 1)), Status::kOk);
+  EXPECT_NE(restore(here.kernel, saved.span().first(3)), Status::kOk);
+  EXPECT_NE(snapshot(here.kernel, saved.span().first(saved.size - 1)), Status::kOk);
+  EXPECT_EQ(hash(here.kernel), before);
+}
+
+TEST_P(Blocks, ResetIsTheBeginning) {
+  Session session = make_session(opened_->organ, config_);
+  const std::uint64_t at_start = hash(session.kernel);
+  run(session.kernel, config_, 0, kTicks);
+  EXPECT_NE(hash(session.kernel), at_start);
+  reset(session.kernel);
+  EXPECT_EQ(hash(session.kernel), at_start);
+  run(session.kernel, config_, 0, kTicks);
+  EXPECT_EQ(hash(session.kernel), hash_after(kTicks));
+}
+
+TEST_P(Blocks, KernelsShareAnOrganInTwoThreads) {
+  const std::uint64_t expected = hash_after(kTicks);
+  std::array<std::uint64_t, 2> seen{};
+  std::array<std::thread, 2> threads;
+  for (std::size_t i = 0; i < threads.size(); ++i) {
+    threads[i] = std::thread([this, i, &seen] { seen[i] = hash_after(kTicks); });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(seen[0], expected);
+  EXPECT_EQ(seen[1], expected);
+}
+
+}  // namespace
+}  // namespace stylet::test

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// A small organ, a kernel in memory of its own, and a scripted hand: what the real-time tests and
+// benchmarks run.
+//
+// Promises: the script is a function of the tick alone and uses only + - * / on floats, so it is
+// the same for every compiler; `run` neither allocates nor calls the system. Units: SI. Frame:
+// world; the block's low corner is the origin, the needle comes from +z.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "stylet/kernel.h"
+#include "tiny_organ.h"
+
+namespace stylet::test {
+
+// Bytes at an address that is a multiple of kBlockAlignment.
+struct Block {
+  struct Free {
+    void operator()(std::byte* owned) const { std::free(owned); }
+  };
+  std::unique_ptr<std::byte, Free> bytes;
+  std::size_t size = 0;
+
+  std::span<std::byte> span() const { return {bytes.get(), size}; }
+};
+
+inline Block make_block(std::size_t size, std::byte fill = std::byte{0}) {
+  const std::size_t rounded = (size + kBlockAlignment - 1) / kBlockAlignment * kBlockAlignment;
+  Block block;
+  block.bytes.reset(static_cast<std::byte*>(std::aligned_alloc(kBlockAlignment, rounded)));
+  block.size = size;
+  std::fill_n(block.bytes.get(), size, fill);
+  return block;
+}
+
+// One organ, opened, with the bytes it looks into.
+struct OpenOrgan {
+  std::vector<std::byte> bytes;
+  Organ organ;
+};
+
+inline std::unique_ptr<OpenOrgan> open_organ(std::vector<std::byte> bytes) {
+  auto opened = std::make_unique<OpenOrgan>();
+  opened->bytes = std::move(bytes);
+  if (organ_open(opened->bytes, opened->organ) != Status::kOk) std::abort();
+  return opened;
+}
+
+// A block of voxels of 5 mm that hangs on its low z face, with a stiffer layer of one voxel on top.
+inline std::unique_ptr<OpenOrgan> block_organ(std::uint16_t nx, std::uint16_t ny,
+                                              std::uint16_t nz) {
+  TinyOrgan tiny;
+  tiny.nx = nx;
+  tiny.ny = ny;
+  tiny.nz = nz;
+  tiny.fixed_faces = kLowZ;
+  TinyMaterial capsule;
+  capsule.name = "capsule";
+  capsule.youngs_modulus_pa = 20000;
+  capsule.relaxing_fraction = 0.3F;
+  TinyMaterial inside;
+  inside.relaxing_fraction = 0.3F;
+  inside.viscous_friction_n_s_per_m2 = 50;
+  tiny.materials = {inside, capsule};
+  tiny.material_at = [nz](std::uint16_t, std::uint16_t, std::uint16_t z) {
+    return static_cast<std::uint8_t>(z + 1 == nz ? 1 : 0);
+  };
+  return open_organ(tiny_organ(tiny));
+}
+
+struct Session {
+  Block model, state, scratch;
+  Kernel kernel;
+};
+
+inline Session make_session(const Organ& organ, const Config& config) {
+  Sizes bytes{};
+  if (sizes(organ, config, bytes) != Status::kOk) std::abort();
+  Session session{make_block(bytes.model_bytes),
+                  make_block(bytes.state_bytes),
+                  make_block(bytes.scratch_bytes),
+                  {}};
+  const Memory memory{session.model.span(), session.state.span(), session.scratch.span()};
+  if (create(organ, config, memory, session.kernel) != Status::kOk) std::abort();
+  return session;
+}
+
+// The hand: again and again 12 mm above the surface, 27 mm into the tissue at 26 mm/s, a pause that
+// ends with a sideways pull, and out; each time at another place, tilted a little. Now and then a
+// sample is missing or not a number.
+constexpr std::uint64_t kCycleTicks = 4000;
+
+inline Input scripted_input(const Organ& organ, const Config& config, std::uint64_t tick) {
+  const auto in_cycle = static_cast<float>(tick % kCycleTicks);
+  const std::uint64_t cycle = tick / kCycleTicks;
+  const float edge_m = organ.voxel_edge_m;
+  const float top_m = organ.origin_m.z + static_cast<float>(organ.size_z) * edge_m;
+  float depth_m = -0.012F;
+  float pull_m = 0;
+  if (in_cycle < 1500) {
+    depth_m += 26e-6F * in_cycle;
+  } else if (in_cycle < 2500) {
+    depth_m += 26e-6F * 1500;
+    pull_m = in_cycle > 2000 ? 4e-6F * (in_cycle - 2000) : 0;
+  } else {
+    depth_m += 26e-6F * (4000 - in_cycle);
+    pull_m = 4e-6F * (4000 - in_cycle) / 3;
+  }
+  const float tilt = 0.02F * (static_cast<float>(cycle % 7) - 3);  // half the angle, small
+  const float w = 1 - 0.5F * tilt * tilt;
+  const float middle_x_m = organ.origin_m.x + 0.5F * static_cast<float>(organ.size_x) * edge_m;
+  const float middle_y_m = organ.origin_m.y + 0.5F * static_cast<float>(organ.size_y) * edge_m;
+  const auto place_x = static_cast<float>(cycle % 5), place_y = static_cast<float>(cycle % 3);
+
+  Input input{};
+  input.handle.rotation = {w, tilt, 0, 0};
+  input.handle.position_m = {middle_x_m + pull_m + 0.37e-2F * (place_x - 2),
+                             middle_y_m + 0.31e-2F * (place_y - 1) - 2 * tilt * 0.1F,
+                             top_m + config.needle.length_m - depth_m};
+  input.valid = tick % 997 == 996 ? 0 : 1;
+  if (tick % 4999 == 4998) input.handle.position_m.y = std::numeric_limits<float>::quiet_NaN();
+  return input;
+}
+
+inline void run(Kernel& kernel, const Config& config, std::uint64_t first_tick,
+                std::uint64_t tick_count) {
+  for (std::uint64_t i = first_tick; i < first_tick + tick_count; ++i) {
+    tick(kernel, scripted_input(*kernel.organ, config, i));
+  }
+}
+
+inline const char* mode_name(Mode mode) {
+  return mode == Mode::kPhysical ? "physical" : "paper";
+}
+
+inline Config config_of(Mode mode) {
+  Config config;
+  config.mode = mode;
+  return config;
+}
+
+}  // namespace stylet::test
