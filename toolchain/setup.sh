@@ -16,7 +16,7 @@ packages=(
   # offline
   libcgal-dev
   # tests
-  libgtest-dev libgmock-dev libbenchmark-dev
+  libgtest-dev libgmock-dev libbenchmark-dev python3-h5py
 )
 
 missing_packages() {
@@ -61,7 +61,7 @@ show_progress() {
     case $kind in dlstatus) kind=downloaded ;; pmstatus) kind=installed ;; *) continue ;; esac
     [ "$kind ${percent%%.*}" != "$shown" ] || continue
     shown="$kind ${percent%%.*}"
-    case $shown in *0) note "$shown %" ;; esac
+    case $shown in *[1-9]0 | *100) note "$shown %" ;; esac
   done
 }
 

@@ -1,0 +1,212 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""From mesh to force curve through the two programs, as a user runs them.
+
+usage: cli_test.py [CASE]   with STYLET_BIN, STYLET_SOURCE and STYLET_DATA in the environment
+"""
+import json
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+
+import h5py
+import numpy as np
+
+import force_curve
+
+BIN = pathlib.Path(os.environ["STYLET_BIN"])
+SOURCE = pathlib.Path(os.environ["STYLET_SOURCE"])
+DATA = pathlib.Path(os.environ["STYLET_DATA"])
+SCENE = SOURCE / "hal/scenes/fig09-force-curve.toml"
+STAGES = ["approach", "contact", "puncture", "insertion", "hold", "retraction", "exit"]
+
+
+def call(program, *arguments, expect=0):
+    command = [str(part) for part in (BIN / program, *arguments)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=300)
+    if (done.returncode == 0) != (expect == 0):
+        raise AssertionError(f"{' '.join(command)}: exit code {done.returncode}\n"
+                             f"{done.stdout[-2000:]}\n{done.stderr[-2000:]}")
+    return done
+
+
+class Folder(unittest.TestCase):
+    """A folder of its own, and what the programs make in it."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.top = pathlib.Path(folder.name)
+
+    @classmethod
+    def make_phantom(cls):
+        organ = cls.top / "phantom.organ"
+        call("stylet-organ", "phantom", "liver", "--voxel-mm", "5", "-o", organ)
+        return organ
+
+    @classmethod
+    def make_openhelp(cls):
+        mesh = DATA / "organs/openhelp_Liver.stl"
+        if not mesh.exists():
+            raise unittest.SkipTest(f"{mesh} is not there; set STYLET_DATA")
+        organ = cls.top / "liver.organ"
+        call("stylet-organ", "build", mesh, "--units", "mm", "--voxel-mm", "5", "-o", organ)
+        return organ
+
+    @classmethod
+    def scene(cls, mode):
+        text, count = re.subn(r'(?m)^mode = "\w+"', f'mode = "{mode}"', SCENE.read_text())
+        if count != 1:
+            raise AssertionError(f"{SCENE}: expected one line that sets the mode")
+        path = cls.top / f"{mode}.toml"
+        path.write_text(text)
+        return path
+
+    @classmethod
+    def run_fast(cls, scene, organ, recording):
+        """The one object that `run --json` leaves on standard output."""
+        done = call("stylet", "run", scene, "--organ", organ, "--fast", "--json", "--record",
+                    recording)
+        return json.loads(done.stdout)
+
+
+def friction_of(organ):
+    """The friction the insertion's deepest layer has in the file, N/m at 10 mm/s."""
+    materials = json.loads(call("stylet-organ", "info", organ, "--json").stdout)["materials"]
+    inside = [m for m in materials if "capsule" not in m["name"]]
+    if len(inside) != 1:
+        raise AssertionError(f"expected one material beside the capsule, found {materials}")
+    return (inside[0]["coulomb_friction_n_per_m"] +
+            inside[0]["viscous_friction_n_s_per_m2"] * 0.01)
+
+
+class Insertion(Folder):
+    """Fig. 9 of the paper, in both modes."""
+
+    def check(self, organ, mode):
+        recording = self.top / f"{mode}.h5"
+        report = self.run_fast(self.scene(mode), organ, recording)
+        for key in ("phases", "events", "timing", "memory", "counters", "state_hash",
+                    "organ_hash"):
+            self.assertIn(key, report)
+        names = [row["name"] for row in report["phases"]]
+        self.assertEqual(names, STAGES, report["phases"])
+        for earlier, later in zip(report["phases"], report["phases"][1:]):
+            self.assertEqual(earlier["end_tick"], later["start_tick"])
+        memory = report["memory"]
+        self.assertEqual(memory["bytes_predicted"], memory["bytes_used"])
+        with h5py.File(recording) as file:
+            curve = force_curve.read_curve(file)
+            self.assertFalse(np.asarray(file["guard/fault"]).any(), "the guard latched a fault")
+        faults = force_curve.check_physical(curve) if mode == "physical" else \
+            force_curve.check_paper(curve)
+        self.assertEqual(faults, [])
+        if mode == "physical":
+            slope, _, _ = force_curve.insertion(curve)
+            self.assertAlmostEqual(slope / friction_of(organ), 1, delta=0.02)
+
+    def test_phantom_physical(self):
+        self.check(self.make_phantom(), "physical")
+
+    def test_phantom_paper(self):
+        self.check(self.make_phantom(), "paper")
+
+    def test_openhelp_physical(self):
+        self.check(self.make_openhelp(), "physical")
+
+    def test_openhelp_paper(self):
+        self.check(self.make_openhelp(), "paper")
+
+
+class Recording(Folder):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.organ = cls.make_phantom()
+        cls.recording = cls.top / "run.h5"
+        cls.report = cls.run_fast(SCENE, cls.organ, cls.recording)
+
+    def test_two_runs_have_the_same_bits(self):
+        again = self.run_fast(SCENE, self.organ, self.top / "again.h5")
+        self.assertEqual(again["state_hash"], self.report["state_hash"])
+        self.assertEqual(again["organ_hash"], self.report["organ_hash"])
+
+    def test_replay_has_the_same_bits(self):
+        call("stylet", "replay", self.recording)
+
+    def test_replay_names_what_differs(self):
+        changed = self.top / "changed.h5"
+        changed.write_bytes(self.recording.read_bytes())
+        with h5py.File(changed, "r+") as file:
+            force = file["output/force_n"]
+            middle = len(force) // 2
+            row = force[middle]
+            row[0] += 1
+            force[middle] = row
+            tick = int(file["output/tick"][middle])
+        done = call("stylet", "replay", changed, expect=1)
+        self.assertIn("force_n", done.stdout + done.stderr)
+        self.assertIn(str(tick), done.stdout + done.stderr)
+
+    def test_plots(self):
+        picture = self.top / "force.svg"
+        call("stylet", "plot", self.recording, "-o", picture)
+        text = picture.read_text()
+        self.assertIn("<svg", text[:1000])
+        self.assertGreater(len(text), 5000)
+        self.assertGreater(text.count("<path"), 5)
+        picture = self.top / "force.png"
+        call("stylet", "plot", self.recording, "-o", picture)
+        self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertGreater(picture.stat().st_size, 5000)
+
+
+class Refusals(Folder):
+    """A user's mistake ends in one line with the place, and leaves no file behind."""
+
+    def expect_refusal(self, words, program, *arguments):
+        done = call(program, *arguments, expect=1)
+        lines = [line for line in done.stderr.splitlines() if line.strip()]
+        self.assertLessEqual(len(lines), 2, done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+
+    def test_missing_organ(self):
+        self.expect_refusal(["nowhere.organ"], "stylet", "run", SCENE, "--fast", "--organ",
+                            self.top / "nowhere.organ")
+
+    def test_damaged_organ(self):
+        organ = self.make_phantom()
+        organ.write_bytes(organ.read_bytes()[:1000])
+        self.expect_refusal([organ.name], "stylet", "run", SCENE, "--fast", "--organ", organ)
+
+    def test_wrong_key_in_scene(self):
+        scene = self.top / "scene.toml"
+        scene.write_text(SCENE.read_text() + "\n[needel]\nlength_mm = 1\n")
+        line = scene.read_text().splitlines().index("[needel]") + 1
+        self.expect_refusal([scene.name, f":{line}", "needel"], "stylet", "run", scene, "--fast",
+                            "--organ", self.make_phantom())
+
+    def test_recording_that_is_none(self):
+        fake = self.top / "fake.h5"
+        fake.write_text("no recording")
+        self.expect_refusal([fake.name], "stylet", "replay", fake)
+        picture = self.top / "none.svg"
+        self.expect_refusal([fake.name], "stylet", "plot", fake, "-o", picture)
+        self.assertFalse(picture.exists())
+
+    def test_mesh_that_is_none(self):
+        mesh = self.top / "empty.stl"
+        mesh.write_text("")
+        organ = self.top / "none.organ"
+        self.expect_refusal([mesh.name], "stylet-organ", "build", mesh, "--units", "mm",
+                            "--voxel-mm", "5", "-o", organ)
+        self.assertEqual(list(self.top.glob("none.organ*")), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
