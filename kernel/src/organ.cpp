@@ -9,6 +9,7 @@
 
 #include "organ_generated.h"
 #include "stylet/limits.h"
+#include "triangle.h"
 
 namespace stylet {
 namespace {
@@ -97,8 +98,8 @@ bool check_voxels(Checker& check, const Organ& organ) {
   }
   for (std::size_t i = 0; i < count; ++i) {
     if (!check.require(organ.voxel_material[i] < organ.material_count,
-                       Status::kOrganIndexOutOfRange, "voxel_material", i,
-                       organ.voxel_material[i], "an index into materials") ||
+                       Status::kOrganIndexOutOfRange, "voxel_material", i, organ.voxel_material[i],
+                       "an index into materials") ||
         !check.require(organ.voxel_fill[i] > 0, Status::kOrganValueOutOfRange, "voxel_fill", i, 0,
                        "1 to 255")) {
       return false;
@@ -153,8 +154,31 @@ bool check_surface(Checker& check, const Organ& organ) {
   return true;
 }
 
-// Children behind their parent, so a walk ends; leaves inside the triangle list; depth bounded by
-// walking down from the root with the stack the tick has.
+// Walks the whole tree once with a stack of the tick's size: every node must be reached exactly
+// once and the stack must suffice.
+bool check_depth(Checker& check, const Organ& organ) {
+  std::uint32_t stack[kMaxTreeDepth];
+  std::uint32_t top = 0;
+  std::uint64_t visits = 0;
+  if (!organ.spheres.empty()) stack[top++] = 0;
+  while (top > 0 && visits <= organ.spheres.size()) {
+    const std::uint32_t index = stack[--top];
+    ++visits;
+    const OrganSphere& node = organ.spheres[index];
+    if (node.count > 0) continue;
+    if (!check.require(top + 2 <= kMaxTreeDepth, Status::kOrganValueOutOfRange, "sphere_nodes",
+                       index, top, "a tree at most 62 levels deep")) {
+      return false;
+    }
+    stack[top++] = node.first + 1;
+    stack[top++] = node.first;
+  }
+  return check.require(visits == organ.spheres.size(), Status::kOrganIndexOutOfRange,
+                       "sphere_nodes", visits, static_cast<double>(organ.spheres.size()),
+                       "every node the child of exactly one node");
+}
+
+// Children behind their parent, so a walk ends; leaves inside the triangle list.
 bool check_spheres(Checker& check, const Organ& organ) {
   const std::size_t count = organ.spheres.size();
   if (!check.require((count > 0) == !organ.triangles.empty(), Status::kOrganSizesDisagree,
@@ -175,28 +199,28 @@ bool check_spheres(Checker& check, const Organ& organ) {
       return false;
     }
   }
-  return true;
+  return check_depth(check, organ);
 }
 
 bool check_lattice_header(Checker& check, const Organ& organ) {
   const auto finite = [](float v) { return std::isfinite(v) && std::fabs(v) <= 100.0F; };
   return check.in_range(organ.voxel_edge_m, kMinVoxelEdgeM, kMaxVoxelEdgeM, "voxel_edge_m", 0,
                         "0.0001 to 0.1") &&
-         check.require(finite(organ.origin_m.x) && finite(organ.origin_m.y) &&
-                           finite(organ.origin_m.z),
-                       Status::kOrganValueOutOfRange, "origin_x_m", 0,
-                       static_cast<double>(organ.origin_m.x), "within 100 m") &&
+         check.require(
+             finite(organ.origin_m.x) && finite(organ.origin_m.y) && finite(organ.origin_m.z),
+             Status::kOrganValueOutOfRange, "origin_x_m", 0, static_cast<double>(organ.origin_m.x),
+             "within 100 m") &&
          check.require(organ.voxel_count > 0 && organ.voxel_count <= kMaxVoxels,
                        Status::kOrganValueOutOfRange, "voxel_material", 0, organ.voxel_count,
                        "1 to 4000000 voxels") &&
          check.require(organ.material_count > 0 && organ.material_count <= kMaxMaterials,
                        Status::kOrganValueOutOfRange, "materials", 0, organ.material_count,
                        "1 to 64 materials") &&
-         check.require(organ.vertices.size() <= kMaxVertices &&
-                           organ.triangles.size() <= kMaxTriangles,
-                       Status::kOrganValueOutOfRange, "vertices", 0,
-                       static_cast<double>(organ.vertices.size()),
-                       "at most 8000000 vertices, 16000000 triangles");
+         check.require(
+             organ.vertices.size() <= kMaxVertices && organ.triangles.size() <= kMaxTriangles,
+             Status::kOrganValueOutOfRange, "vertices", 0,
+             static_cast<double>(organ.vertices.size()),
+             "at most 8000000 vertices, 16000000 triangles");
 }
 
 Organ read(const format::Organ& root, std::span<const std::byte> bytes) {
@@ -227,7 +251,9 @@ Status organ_open(std::span<const std::byte> bytes, Organ& organ_out, OrganRefus
   Checker check;
   const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
   Organ organ;
-  if (check.require(bytes.size() >= 16, Status::kOrganTooSmall, "file", 0,
+  if (check.require(reinterpret_cast<std::uintptr_t>(data) % 8 == 0, Status::kMemoryNotAligned,
+                    "file", 0, 0, "bytes that start at a multiple of 8") &&
+      check.require(bytes.size() >= 16, Status::kOrganTooSmall, "file", 0,
                     static_cast<double>(bytes.size()), "at least 16 bytes") &&
       check.require(format::OrganBufferHasIdentifier(data), Status::kOrganNotAnOrganFile,
                     "identifier", 4, 0, "the letters STLO at byte 4")) {
@@ -266,6 +292,63 @@ Material organ_material(const Organ& organ, std::uint32_t index) {
           m.static_friction_n_per_m(),
           m.stribeck_velocity_m_per_s(),
           m.viscous_friction_n_s_per_m2()};
+}
+
+namespace {
+
+// Lattice coordinates of a voxel, by walking the runs: only a few triangles are ever asked for.
+Vec3 voxel_low_corner(const Organ& organ, std::uint32_t voxel) {
+  std::uint32_t first = 0;
+  for (const OrganRun& run : organ.runs) {
+    if (voxel < first + run.count) {
+      return {static_cast<float>(run.x + (voxel - first)), static_cast<float>(run.y),
+              static_cast<float>(run.z)};
+    }
+    first += run.count;
+  }
+  return {};
+}
+
+Vec3 vertex_rest(const Organ& organ, std::uint32_t index) {
+  const OrganVertex& v = organ.vertices[index];
+  return rest_place(organ, voxel_low_corner(organ, v.voxel), v);
+}
+
+bool near_ray(const OrganSphere& sphere, Vec3 origin_m, Vec3 direction) {
+  const Vec3 to = Vec3{sphere.x, sphere.y, sphere.z} - origin_m;
+  const float along = max_of(dot(to, direction), 0);
+  const Vec3 gap = to - along * direction;
+  return dot(gap, gap) <= sphere.radius * sphere.radius;
+}
+
+}  // namespace
+
+bool organ_raycast(const Organ& organ, Vec3 origin_m, Vec3 direction, float& distance_out_m) {
+  bool found = false;
+  std::uint32_t stack[kMaxTreeDepth];
+  std::uint32_t top = 0;
+  if (!organ.spheres.empty()) stack[top++] = 0;
+  while (top > 0) {
+    const OrganSphere& node = organ.spheres[stack[--top]];
+    if (!near_ray(node, origin_m, direction)) continue;
+    if (node.count == 0) {
+      stack[top++] = node.first + 1;
+      stack[top++] = node.first;
+      continue;
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      const OrganTriangle& t = organ.triangles[i];
+      float at = 0, u = 0, v = 0;
+      if (!hit_triangle(origin_m, direction, vertex_rest(organ, t.a), vertex_rest(organ, t.b),
+                        vertex_rest(organ, t.c), at, u, v) ||
+          at < 0 || (found && at >= distance_out_m)) {
+        continue;
+      }
+      found = true;
+      distance_out_m = at;
+    }
+  }
+  return found;
 }
 
 }  // namespace stylet

@@ -3,9 +3,9 @@
 //
 // Promises, from create to the end of the process: no allocation, lock, system call, exception or
 // log; a bounded number of operations per tick that does not depend on the data; the same bits for
-// every compiler, instruction set and optimisation level. One kernel belongs to one thread at a time;
-// any number of kernels may share an organ.
-// Units: SI. Frame: world, the organ's rest frame. Source: Tian et al., HAVE 2014 ("the paper").
+// every compiler, instruction set and optimisation level. One kernel belongs to one thread at a
+// time; any number of kernels may share an organ. Units: SI. Frame: world, the organ's rest frame.
+// Source: Tian et al., HAVE 2014 ("the paper").
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,8 @@
 
 namespace stylet {
 
-// ==== Configuration ================================================================================
+// ==== Configuration
+// ================================================================================
 
 enum class Mode : std::uint32_t {
   kPhysical = 0,  // every parameter a physical quantity
@@ -30,20 +31,21 @@ enum class Mode : std::uint32_t {
 struct NeedleConfig {
   float length_m = 0.15F;
   float outer_radius_m = 0.635e-3F;  // 18G
-  float unit_m = 5e-3F;              // sampling unit: shaft length one constraint particle stands for
+  float unit_m = 5e-3F;  // sampling unit: shaft length one constraint particle stands for
 };
 
 struct Config {
   Mode mode = Mode::kPhysical;
   float period_s = 1e-3F;
   std::uint32_t substeps = 1;
-  float tissue_damping_s = 2e-3F;    // Kelvin-Voigt time constant of the tissue
+  float tissue_damping_s = 2e-3F;        // Kelvin-Voigt time constant of the tissue
   float hourglass_weight = 1.0F / 3.0F;  // physical mode; paper mode uses 1
-  float paper_alpha = 0.5F;          // paper mode: stiffness factor of the averaged goals, 0..1
+  float paper_alpha = 0.5F;              // paper mode: stiffness factor of the averaged goals, 0..1
   NeedleConfig needle;
 };
 
-// ==== Memory and life ===============================================================================
+// ==== Memory and life
+// ===============================================================================
 
 struct Sizes {
   std::size_t model_bytes;    // derived from organ and config at creation, constant afterwards
@@ -75,11 +77,12 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
 // Back to tick 0: tissue at rest, needle away, no track.
 void reset(Kernel& kernel);
 
-// ==== One tick ======================================================================================
+// ==== One tick
+// ======================================================================================
 
 struct Input {
-  Pose handle;             // pose of the needle's base
-  std::uint32_t valid;     // 0: no sample this tick; the last handle pose is kept and counted
+  Pose handle;          // pose of the needle's base
+  std::uint32_t valid;  // 0: no sample this tick; the last handle pose is kept and counted
 };
 
 enum class Phase : std::uint32_t { kFree = 0, kContact = 1, kInserted = 2, kRetracting = 3 };
@@ -93,41 +96,42 @@ struct ForceByCause {  // each on the needle, world frame; their sum is Output::
 };
 
 enum OutputFlag : std::uint32_t {
-  kFlagInputNotFinite = 1U << 0,   // a field was NaN or infinite; the last pose was kept
-  kFlagInputClamped = 1U << 1,     // too fast or too far; followed at the limit
+  kFlagInputNotFinite = 1U << 0,  // a field was NaN or infinite; the last pose was kept
+  kFlagInputClamped = 1U << 1,    // too fast or too far; followed at the limit
   kFlagInputMissing = 1U << 2,
   kFlagCpPoolFull = 1U << 3,
   kFlagCpVoxelPoolFull = 1U << 4,
   kFlagContactBudget = 1U << 5,
-  kFlagFault = 1U << 31,           // latched: force is zero until reset
+  kFlagFault = 1U << 31,  // latched: force is zero until reset
 };
 
 struct Output {
-  std::uint64_t tick;        // number of ticks since reset, this one included
-  Vec3 force_n;              // on the hand, at the handle
-  Vec3 torque_nm;            // about the handle's position
+  std::uint64_t tick;  // number of ticks since reset, this one included
+  Vec3 force_n;        // on the hand, at the handle
+  Vec3 torque_nm;      // about the handle's position
   ForceByCause cause;
   Vec3 tip_m;
-  float depth_m;             // needle length inside the tissue
+  float depth_m;  // needle length inside the tissue
   Phase phase;
-  std::uint32_t layer;       // material under the tip; kNoLayer outside
+  std::uint32_t layer;  // material under the tip; kNoLayer outside
   std::uint32_t constraint_particles;
   std::uint32_t flags;
-  std::uint32_t events;      // number of events since reset
+  std::uint32_t events;  // number of events since reset
 };
 constexpr std::uint32_t kNoLayer = 0xFFFFFFFFU;
 
 Output tick(Kernel& kernel, const Input& input);
 
-// ==== What happened =================================================================================
+// ==== What happened
+// =================================================================================
 
 enum class EventKind : std::uint32_t {
   kContact = 0,
-  kRelease = 1,   // contact lost without puncture
+  kRelease = 1,  // contact lost without puncture
   kPuncture = 2,
-  kReentry = 3,   // entered an existing track
+  kReentry = 3,  // entered an existing track
   kExit = 4,
-  kLayer = 5,     // tip crossed into another material
+  kLayer = 5,  // tip crossed into another material
 };
 const char* event_name(EventKind kind);
 
@@ -153,7 +157,8 @@ struct Stats {
   Pool tracks;
   std::uint64_t input_not_finite, input_clamped, input_missing;
   std::uint64_t cp_pool_full, cp_voxel_pool_full, contact_budget, fault;
-  float coupling_shortfall;  // largest missing share of the stiffness asked of a constraint particle
+  float
+      coupling_shortfall;  // largest missing share of the stiffness asked of a constraint particle
 };
 Stats stats(const Kernel& kernel);
 
@@ -176,12 +181,13 @@ std::uint32_t surface(const Kernel& kernel, std::span<Vec3> positions_out);
 // Energies of the tissue, J (cold path, double precision inside).
 struct Energy {
   double elastic, kinetic, coupling;
-  double work_by_hand;          // since reset
-  double friction, cutting, viscous;  // dissipated since reset
+  double work_by_hand;                   // since reset
+  double friction, cutting, relaxation;  // dissipated since reset, by constraint particles
 };
 Energy energy(const Kernel& kernel);
 
-// ==== Save, restore, compare ========================================================================
+// ==== Save, restore, compare
+// ========================================================================
 
 // A snapshot is the state block with a header; it fits any kernel of the same organ and config.
 std::size_t snapshot_bytes(const Kernel& kernel);

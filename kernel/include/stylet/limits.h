@@ -23,7 +23,8 @@ constexpr float kMinPeriodS = 1e-5F;
 constexpr float kMaxPeriodS = 1e-2F;
 constexpr float kMaxNeedleLengthM = 0.5F;
 
-// ---- tick ----------------------------------------------------------------------------------------
+// ---- tick
+// ----------------------------------------------------------------------------------------
 // Constraint particles alive at once. Full: the needle advances without a new one, so the friction
 // of that stretch of shaft is not felt; cp_pool_full is counted and flagged.
 constexpr std::uint32_t kMaxConstraintParticles = 128;

@@ -2,9 +2,9 @@
 // An organ: read-only view of an organ file's bytes, checked once, then trusted.
 //
 // Promises: organ_open allocates nothing and keeps pointers into the caller's bytes, which must
-// outlive the Organ and every kernel made from it. Time is linear in the file's size. After kOk every
-// index is in range, every number finite and within limits.h, so no tick checks the organ again.
-// Units: SI; frame: world (the rest frame). Format: kernel/schema/organ.fbs.
+// outlive the Organ and every kernel made from it. Time is linear in the file's size. After kOk
+// every index is in range, every number finite and within limits.h, so no tick checks the organ
+// again. Units: SI; frame: world (the rest frame). Format: kernel/schema/organ.fbs.
 #pragma once
 
 #include <cstddef>
@@ -76,7 +76,8 @@ struct OrganRefusal {
   const char* expected = "";
 };
 
-Status organ_open(std::span<const std::byte> bytes, Organ& organ_out, OrganRefusal* refusal_out = nullptr);
+Status organ_open(std::span<const std::byte> bytes, Organ& organ_out,
+                  OrganRefusal* refusal_out = nullptr);
 
 // `index` < organ.material_count.
 Material organ_material(const Organ& organ, std::uint32_t index);

@@ -7,23 +7,23 @@
 namespace stylet {
 
 // Numbers are part of recordings and logs: they never change meaning.
-enum class [[nodiscard]] Status : std::uint16_t {
-  kOk = 0,
-  // 100..199: the organ file.
-  kOrganTooSmall = 100,
-  kOrganNotAnOrganFile = 101,
-  kOrganVersionUnknown = 102,
-  kOrganStructureDamaged = 103,
-  kOrganValueOutOfRange = 104,
-  kOrganIndexOutOfRange = 105,
-  kOrganSizesDisagree = 106,
-  kOrganOrderWrong = 107,
-  // 200..299: the configuration.
-  kConfigValueOutOfRange = 200,
-  // 300..399: the memory.
-  kMemoryTooSmall = 300,
-  kMemoryNotAligned = 301,
-  kSnapshotDoesNotMatch = 302,
+enum class [[nodiscard]] Status : std::uint16_t{
+    kOk = 0,
+    // 100..199: the organ file.
+    kOrganTooSmall = 100,
+    kOrganNotAnOrganFile = 101,
+    kOrganVersionUnknown = 102,
+    kOrganStructureDamaged = 103,
+    kOrganValueOutOfRange = 104,
+    kOrganIndexOutOfRange = 105,
+    kOrganSizesDisagree = 106,
+    kOrganOrderWrong = 107,
+    // 200..299: the configuration.
+    kConfigValueOutOfRange = 200,
+    // 300..399: the memory.
+    kMemoryTooSmall = 300,
+    kMemoryNotAligned = 301,
+    kSnapshotDoesNotMatch = 302,
 };
 
 const char* status_name(Status status);

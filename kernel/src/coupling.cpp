@@ -1,0 +1,732 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "coupling.h"
+
+#include "lattice.h"
+#include "rotation.h"
+
+namespace stylet {
+namespace {
+
+constexpr float kPi = 3.14159265F;
+// Compliance of the lattice under one stiff CP, in 1 / (G h), inside and at the surface (measured:
+// tests/fidelity).
+constexpr float kLatticeComplianceInside = 0.20F;
+constexpr float kLatticeComplianceSurface = 0.28F;
+// Radius over which the far field of a needle dies out: half of an organ's usual thickness.
+constexpr float kFarFieldM = 0.025F;
+constexpr float kHugeN = 1e30F;
+
+struct Corners {
+  Vec3 mean_m;        // displacement
+  float gradient[9];  // of the displacement, row-major
+};
+
+// Sums over the eight corners of a voxel, displacements u.
+Corners sum_corners(const View& view, std::uint32_t slot, std::uint32_t row_index) {
+  const Row& row = view.model.row[row_index];
+  const std::uint32_t along = slot - row.slot;
+  const float scale = view.model.head->inverse_edge_per_m * 0.25F;
+  const float* u[3] = {view.state.ux, view.state.uy, view.state.uz};
+  Corners out = {};
+  float mean[3] = {};
+  for (int c = 0; c < 3; ++c) {
+    float low[4], high[4];
+    for (int n = 0; n < 4; ++n) {
+      low[n] = u[c][row.node[n] + along];
+      high[n] = u[c][row.node[n] + along + 1];
+    }
+    const float s0 = low[0] + high[0], s1 = low[1] + high[1];
+    const float s2 = low[2] + high[2], s3 = low[3] + high[3];
+    const float d0 = high[0] - low[0], d1 = high[1] - low[1];
+    const float d2 = high[2] - low[2], d3 = high[3] - low[3];
+    mean[c] = ((s0 + s1) + (s2 + s3)) * 0.125F;
+    out.gradient[3 * c] = ((d0 + d1) + (d2 + d3)) * scale;
+    out.gradient[3 * c + 1] = ((s1 - s0) + (s3 - s2)) * scale;
+    out.gradient[3 * c + 2] = ((s2 + s3) - (s0 + s1)) * scale;
+  }
+  out.mean_m = {mean[0], mean[1], mean[2]};
+  return out;
+}
+
+Vec3 rest_centre(const View& view, std::uint32_t slot, const Row& row) {
+  const ModelHead& head = *view.model.head;
+  return head.origin_m + head.edge_m * Vec3{static_cast<float>(row.x0 + (slot - row.slot)) + 0.5F,
+                                            static_cast<float>(row.y) + 0.5F,
+                                            static_cast<float>(row.z) + 0.5F};
+}
+
+// Best rotation of a matrix near `start`.
+Quat rotation_of(const float a[9], Quat start) {
+  Quat q = start;
+  for (int i = 0; i < 2; ++i) {
+    rotation_step<1>(a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], q.w, q.x, q.y, q.z);
+  }
+  return q;
+}
+
+Quat corner_rotation(const View& view, std::uint32_t slot, const Corners& corners) {
+  const float* g = corners.gradient;
+  const float a[9] = {1 + g[0], g[1], g[2], g[3], 1 + g[4], g[5], g[6], g[7], 1 + g[8]};
+  return rotation_of(
+      a, {view.state.qw[slot], view.state.qx[slot], view.state.qy[slot], view.state.qz[slot]});
+}
+
+// ---- stiffness of a CP
+// ----------------------------------------------------------------------------
+
+// Lateral stiffness per length of a rigid cylinder of radius a in an elastic annulus, over G.
+float line_stiffness(float radius_m, float poisson) {
+  const float a2 = radius_m * radius_m, b2 = kFarFieldM * kFarFieldM;
+  const float n = 3 - 4 * poisson;
+  const float ratio = max_of(kFarFieldM / radius_m, 1.5F);
+  return 8 * kPi * (1 - poisson) * n / (n * n * natural_log(ratio) - (b2 - a2) / (b2 + a2));
+}
+
+enum class Place { kSurface, kTip, kShaft };
+
+// Spring that makes lattice and CP together as stiff as a needle of this radius in this material:
+// flat punch at the surface, rigid sphere at the inserted tip, cylinder along the shaft. Where the
+// lattice alone is softer, the largest weight is used and the shortfall reported.
+void set_stiffness(const View& view, Particle& particle, Place place) {
+  const ModelHead& head = *view.model.head;
+  const MaterialModel& m = head.material[particle.material];
+  const float k = m.shear_pa * head.edge_m;
+  const float a = head.config.needle.outer_radius_m;
+  const float nu = m.poisson_ratio;
+  const float unit = head.config.needle.unit_m;
+  float target = 0, lattice_compliance = 0;
+  switch (place) {
+    case Place::kSurface:
+      target = 4 * m.shear_pa * a / (1 - nu);
+      lattice_compliance = kLatticeComplianceSurface / k;
+      break;
+    case Place::kTip:
+      target = 24 * kPi * m.shear_pa * a * (1 - nu) / (5 - 6 * nu);
+      lattice_compliance = kLatticeComplianceInside / k;
+      break;
+    case Place::kShaft:
+      target = m.shear_pa * unit * line_stiffness(a, nu);
+      lattice_compliance =
+          (1 / line_stiffness(0.68F * head.edge_m, nu) + 0.125F) / (m.shear_pa * unit);
+      break;
+  }
+  const float largest = kMaxCpWeight * k * (place == Place::kShaft ? unit / head.edge_m : 1.0F);
+  const float own_compliance = max_of(1 / target - lattice_compliance, 1 / largest);
+  particle.stiffness_n_per_m = 1 / own_compliance;
+  if (head.config.mode == Mode::kPaper) particle.stiffness_n_per_m = k;
+  const float reached = 1 / (own_compliance + lattice_compliance);
+  view.state.head->coupling_shortfall =
+      max_of(view.state.head->coupling_shortfall, 1 - reached / target);
+  // The relaxing share of the whole force falls on the CP's spring alone: choose its share and time
+  // so that CP and lattice in series relax as the material says.
+  const float c = particle.stiffness_n_per_m * lattice_compliance;  // lattice over CP compliance
+  const float kept = 1 / ((1 + c) / (1 - m.relaxing_fraction) - c);
+  particle.memory_share = head.config.mode == Mode::kPaper ? 0.0F : 1 - kept;
+  const float time_s = m.relaxation_time_s * (1 - particle.memory_share * c / (1 + c));
+  particle.memory_keep = exp_minus(head.config.period_s / max_of(time_s, head.config.period_s));
+}
+
+// ---- residuals and forces
+// -------------------------------------------------------------------------
+
+// Mean of needle point minus goal over the shares.
+Vec3 residual(const Particle& p) {
+  Vec3 sum = {};
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    sum = sum + p.share[i].weight * (p.position_m - p.share[i].goal_m);
+  }
+  return sum;
+}
+
+Vec3 force_on_tissue(const Particle& p) {
+  if (p.share_count == 0) return {};
+  return p.stiffness_n_per_m * (residual(p) - p.memory_share * p.memory_m);
+}
+
+std::uint32_t heaviest(const Particle& p) {
+  std::uint32_t best = 0;
+  for (std::uint32_t i = 1; i < p.share_count; ++i) {
+    if (p.share[i].weight > p.share[best].weight) best = i;
+  }
+  return best;
+}
+
+// Takes the voxels around the CP's rest place. A voxel that is kept keeps its offset; a new one is
+// given the residual the CP has, so that the force does not change.
+void renew_shares(const View& view, Particle& p, Vec3 residual_m) {
+  Share found[kSharesPerParticle];
+  const std::uint32_t count = find_shares(view, p.rest_m, found);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    Share& share = found[i];
+    bool kept = false;
+    for (std::uint32_t old = 0; old < p.share_count; ++old) {
+      if (p.share[old].slot != share.slot) continue;
+      share.offset_m = p.share[old].offset_m;
+      share.goal_m = p.share[old].goal_m;
+      kept = true;
+    }
+    if (kept) continue;
+    const VoxelFrame frame = voxel_frame(view, share.slot, share.row);
+    share.goal_m = p.position_m - residual_m;
+    share.offset_m = transposed_times(frame.rotation, share.goal_m - frame.centre_m);
+  }
+  for (std::uint32_t i = 0; i < count; ++i) p.share[i] = found[i];
+  p.share_count = count;
+  if (count > 0) p.material = view.model.slot_material[p.share[heaviest(p)].slot];
+}
+
+// Puts a CP at a rest place with its goals at `place_m` (rigid pull-back: fits, goals and energy of
+// all voxels stay as they are when the needle holds it there).
+Particle new_particle(const View& view, Vec3 rest_m, Vec3 place_m, float track_m, float arc_m,
+                      Place place) {
+  Particle p = {};
+  p.rest_m = rest_m;
+  p.position_m = place_m;
+  p.track_m = track_m;
+  p.arc_m = arc_m;
+  renew_shares(view, p, {});
+  set_stiffness(view, p, place);
+  return p;
+}
+
+// Moves the tissue that the tip holds forward by `move_m` along the needle.
+void advance_tip(const View& view, Particle& tip, Vec3 direction, float move_m) {
+  Vec3 rest_step = direction;
+  for (std::uint32_t i = 0; i < tip.share_count; ++i) {
+    Share& share = tip.share[i];
+    const Quat q = {view.state.qw[share.slot], view.state.qx[share.slot], view.state.qy[share.slot],
+                    view.state.qz[share.slot]};
+    const Vec3 step = transposed_times(rotation_matrix(q), direction);
+    share.offset_m = share.offset_m + move_m * step;
+    share.goal_m = share.goal_m + move_m * direction;
+    if (i == heaviest(tip)) rest_step = step;
+  }
+  tip.rest_m = tip.rest_m + move_m * rest_step;
+  tip.track_m += move_m;
+}
+
+// ---- the return map
+// -------------------------------------------------------------------------------
+
+// How far the CP must move for its axial force to come back between the limits. Paper mode: whole
+// needle units, once the point is more than one unit away from its goal.
+float overshoot(const View& view, const Particle& p, float axial_n, float low_n, float high_n) {
+  const ModelHead& head = *view.model.head;
+  if (head.config.mode == Mode::kPaper) {
+    const float unit = head.config.needle.unit_m;
+    const float away = axial_n / p.stiffness_n_per_m;
+    const float steps = static_cast<float>(static_cast<std::int32_t>(clamp(away / unit, -64, 64)));
+    return steps * unit;
+  }
+  const float excess =
+      axial_n > high_n ? axial_n - high_n : (axial_n < low_n ? axial_n - low_n : 0);
+  return excess / p.stiffness_n_per_m;
+}
+
+// Sets the relaxed part of the residual and books what the Maxwell branch dissipates by it.
+void set_memory(StateHead& state, Particle& p, Vec3 memory_m) {
+  const Vec3 change = memory_m - p.memory_m;
+  const Vec3 stretch = residual(p) - p.memory_m;
+  state.relaxation_j += static_cast<double>(p.stiffness_n_per_m * p.memory_share *
+                                            (dot(stretch, change) - 0.5F * dot(change, change)));
+  p.memory_m = memory_m;
+}
+
+void relax(StateHead& state, Particle& p) {
+  const Vec3 d = residual(p);
+  set_memory(state, p, d + p.memory_keep * (p.memory_m - d));
+}
+
+// Sliding brings fresh tissue to the needle, which has relaxed nothing yet.
+void note_slip(const View& view, Particle& p, float slip_m) {
+  const ModelHead& head = *view.model.head;
+  const float size = slip_m < 0 ? -slip_m : slip_m;
+  const float speed = size / head.config.period_s;
+  p.slip_m_per_s = speed + head.velocity_keep * (p.slip_m_per_s - speed);
+  set_memory(*view.state.head, p, (kRenewalLengthM / (kRenewalLengthM + size)) * p.memory_m);
+}
+
+// Friction per metre of shaft at a slip speed: Coulomb, static (Stribeck), viscous.
+float friction_n_per_m(const MaterialModel& m, float speed_m_per_s) {
+  const float s = speed_m_per_s * m.inverse_stribeck_s_per_m;
+  return m.coulomb_n_per_m +
+         (m.static_n_per_m - m.coulomb_n_per_m) * exp_minus(min_of(s * s, 80.0F)) +
+         m.viscous_n_s_per_m2 * speed_m_per_s;
+}
+
+void slip_shaft(const View& view, const Needle& needle) {
+  const ModelHead& head = *view.model.head;
+  StateHead& state = *view.state.head;
+  const float tip_track = view.state.tip->track_m;
+  for (std::uint32_t i = 0; i < state.shaft_count; ++i) {
+    Particle& p = view.state.shaft[i];
+    relax(state, p);
+    const float length = clamp(tip_track - p.track_m, 0, head.config.needle.unit_m);
+    const float limit = friction_n_per_m(head.material[p.material], p.slip_m_per_s) * length;
+    const float axial = dot(force_on_tissue(p), needle.direction);
+    const float slip = overshoot(view, p, axial, -limit, limit);
+    p.arc_m += slip;
+    p.position_m = p.position_m - slip * needle.direction;
+    note_slip(view, p, slip);
+    const float after = dot(force_on_tissue(p), needle.direction);
+    state.friction_j += static_cast<double>(after) * static_cast<double>(slip);
+  }
+}
+
+// Length and force the tip may carry: nothing when pulled, the cutting force when pushed into new
+// tissue, a fraction of it in a track that exists.
+void cut_tip(const View& view, const Needle& needle, float moved_m) {
+  const ModelHead& head = *view.model.head;
+  StateHead& state = *view.state.head;
+  Particle& tip = *view.state.tip;
+  const MaterialModel& m = head.material[tip.material];
+  float move = moved_m;  // outside the tissue the tip carries nothing and follows the needle
+  if (tip.share_count > 0) {
+    relax(state, tip);
+    const bool in_track = tip.track_m < state.track_end_m;
+    const float limit = m.cutting_n * (in_track ? m.recut_fraction : 1.0F);
+    const float axial = dot(force_on_tissue(tip), needle.direction);
+    move = overshoot(view, tip, axial, 0, limit);
+  }
+  advance_tip(view, tip, needle.direction, move);
+  note_slip(view, tip, move);
+  const Vec3 before = residual(tip);
+  renew_shares(view, tip, before);
+  const float after = dot(force_on_tissue(tip), needle.direction);
+  state.cutting_j += static_cast<double>(after) * static_cast<double>(move);
+  state.track_end_m = max_of(state.track_end_m, tip.track_m);
+  if (move > 0) state.phase = Phase::kInserted;
+  if (move < 0) state.phase = Phase::kRetracting;
+}
+
+// ---- adding and removing
+// --------------------------------------------------------------------------
+
+std::uint32_t push_shaft(const View& view, const Particle& p) {
+  StateHead& state = *view.state.head;
+  if (state.shaft_count == kMaxConstraintParticles) {
+    ++state.cp_pool_full;
+    return kFlagCpPoolFull;
+  }
+  view.state.shaft[state.shaft_count++] = p;
+  state.shaft_max = state.shaft_count > state.shaft_max ? state.shaft_count : state.shaft_max;
+  return 0;
+}
+
+// One shaft CP for each unit of track the tip has left behind.
+std::uint32_t drop_shaft(const View& view, const Needle& needle) {
+  StateHead& state = *view.state.head;
+  const Particle& tip = *view.state.tip;
+  const float unit = view.model.head->config.needle.unit_m;
+  for (std::uint32_t drop = 0; drop < kMaxDropsPerTick; ++drop) {
+    const float last = view.state.shaft[state.shaft_count - 1].track_m;
+    const float behind = tip.track_m - last - unit;
+    if (behind < 0) return 0;
+    Vec3 rest_direction = needle.direction;
+    if (tip.share_count > 0) {
+      const Share& share = tip.share[heaviest(tip)];
+      rest_direction =
+          transposed_times(voxel_frame(view, share.slot, share.row).rotation, needle.direction);
+    }
+    const Vec3 place = needle.tip_m - behind * needle.direction;
+    const Particle p = new_particle(view, tip.rest_m - behind * rest_direction, place, last + unit,
+                                    behind, Place::kShaft);
+    if (p.share_count == 0) return 0;  // the stretch lies outside the tissue
+    const std::uint32_t flags = push_shaft(view, p);
+    if (flags != 0) return flags;
+  }
+  return 0;
+}
+
+void end_insertion(const View& view) {
+  StateHead& state = *view.state.head;
+  add_event(view, EventKind::kExit, 0);
+  if (state.track_current != kNoTrack) {
+    view.state.track[state.track_current].length_m = state.track_end_m;
+  }
+  state.track_current = kNoTrack;
+  state.shaft_count = 0;
+  state.tip_alive = 0;
+  state.phase = Phase::kFree;
+  state.layer = kNoLayer;
+}
+
+// The track this contact enters, if the tissue remembers one here.
+std::uint32_t find_track(const View& view, Vec3 rest_m, Vec3 rest_direction) {
+  const StateHead& state = *view.state.head;
+  const float reach = 3 * view.model.head->config.needle.outer_radius_m;
+  for (std::uint32_t i = 0; i < state.track_count; ++i) {
+    const Track& track = view.state.track[i];
+    const Vec3 gap = track.entry_rest_m - rest_m;
+    if (dot(gap, gap) < reach * reach && dot(track.direction_rest, rest_direction) > 0.95F) {
+      return i;
+    }
+  }
+  return kNoTrack;
+}
+
+std::uint32_t remember_track(const View& view, Vec3 rest_m, Vec3 rest_direction) {
+  StateHead& state = *view.state.head;
+  const std::uint32_t index = state.track_next;
+  view.state.track[index] = {rest_m, rest_direction, 0};
+  state.track_next = (index + 1) % kMaxTracks;
+  if (state.track_count < kMaxTracks) ++state.track_count;
+  state.track_max = state.track_count;
+  return index;
+}
+
+// Contact -> inserted: the entry becomes the first shaft CP, the tip starts to cut.
+void begin_insertion(const View& view, const Needle& needle, std::uint32_t track, float force_n) {
+  StateHead& state = *view.state.head;
+  Particle& tip = *view.state.tip;
+  const VoxelFrame frame =
+      voxel_frame(view, tip.share[heaviest(tip)].slot, tip.share[heaviest(tip)].row);
+  const Vec3 rest_direction = transposed_times(frame.rotation, needle.direction);
+  const bool again = track != kNoTrack;
+  state.track_current = again ? track : remember_track(view, tip.rest_m, rest_direction);
+  state.track_end_m = again ? view.state.track[track].length_m : 0;
+  tip.track_m = 0;
+  state.shaft_count = 0;
+  const Vec3 place = tip.position_m;
+  (void)push_shaft(view, new_particle(view, tip.rest_m, place, 0, 0, Place::kShaft));
+  set_stiffness(view, tip, Place::kTip);
+  tip.memory_m = {};
+  state.phase = Phase::kInserted;
+  state.layer = tip.material;
+  add_event(view, again ? EventKind::kReentry : EventKind::kPuncture, force_n);
+}
+
+// Contact holds, ends, or becomes a puncture.
+void update_contact(const View& view, const Needle& needle) {
+  StateHead& state = *view.state.head;
+  const ModelHead& head = *view.model.head;
+  Particle& tip = *view.state.tip;
+  const float felt = dot(tip.force_n, needle.direction);
+  const float away = dot(residual(tip), needle.direction);
+  if (away < 0) {
+    add_event(view, EventKind::kRelease, 0);
+    state.phase = Phase::kFree;
+    state.tip_alive = 0;
+    return;
+  }
+  relax(state, tip);
+  const VoxelFrame frame =
+      voxel_frame(view, tip.share[heaviest(tip)].slot, tip.share[heaviest(tip)].row);
+  const std::uint32_t track =
+      find_track(view, tip.rest_m, transposed_times(frame.rotation, needle.direction));
+  const bool node_inside = away > head.config.needle.unit_m;
+  const bool through = head.config.mode == Mode::kPaper
+                           ? node_inside
+                           : felt >= head.material[tip.material].puncture_n;
+  if (through || track != kNoTrack) begin_insertion(view, needle, track, felt);
+}
+
+void update_layer(const View& view) {
+  StateHead& state = *view.state.head;
+  const Particle& tip = *view.state.tip;
+  const std::uint32_t layer = tip.share_count > 0 ? tip.material : kNoLayer;
+  if (layer == state.layer) return;
+  state.layer = layer;
+  add_event(view, EventKind::kLayer, 0);
+}
+
+}  // namespace
+
+VoxelFrame voxel_frame(const View& view, std::uint32_t slot, std::uint32_t row) {
+  const Corners corners = sum_corners(view, slot, row);
+  const Vec3 rest = rest_centre(view, slot, view.model.row[row]);
+  return {rotation_matrix(corner_rotation(view, slot, corners)), rest + corners.mean_m, rest};
+}
+
+std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kSharesPerParticle]) {
+  const ModelHead& head = *view.model.head;
+  const Vec3 g = head.inverse_edge_per_m * (rest_m - head.origin_m) - Vec3{0.5F, 0.5F, 0.5F};
+  // Truncation of a shifted value: floor without libm. Points this far out have no voxel anyway.
+  const auto whole = [](float v) {
+    return static_cast<std::int32_t>(clamp(v, -2, 70000) + 4.0F) - 4;
+  };
+  const std::int32_t x0 = whole(g.x), y0 = whole(g.y), z0 = whole(g.z);
+  const float fx = clamp(g.x - static_cast<float>(x0), 0, 1);
+  const float fy = clamp(g.y - static_cast<float>(y0), 0, 1);
+  const float fz = clamp(g.z - static_cast<float>(z0), 0, 1);
+  std::uint32_t count = 0;
+  float sum = 0;
+  for (std::int32_t corner = 0; corner < 8; ++corner) {
+    const std::int32_t dx = corner & 1, dy = (corner >> 1) & 1, dz = corner >> 2;
+    const std::int32_t x = x0 + dx, y = y0 + dy, z = z0 + dz;
+    if (x < 0 || y < 0 || z < 0 || x >= head.size_x || y >= head.size_y || z >= head.size_z) {
+      continue;
+    }
+    const std::uint32_t row_index =
+        view.model.row_of[static_cast<std::uint32_t>(z * head.size_y + y)];
+    if (row_index == kNoRow) continue;
+    const Row& row = view.model.row[row_index];
+    if (x < row.x0 || x >= row.x0 + row.count) continue;
+    const std::uint32_t slot = row.slot + static_cast<std::uint32_t>(x - row.x0);
+    const float tent = (dx != 0 ? fx : 1 - fx) * (dy != 0 ? fy : 1 - fy) * (dz != 0 ? fz : 1 - fz);
+    const float weight = tent * view.model.slot_fill[slot];
+    if (!(view.model.slot_k[slot] > 0) || !(weight > 0)) continue;
+    shares_out[count++] = {slot, row_index, weight, {}, {}};
+    sum = sum + weight;
+  }
+  if (count > 0 && head.config.mode == Mode::kPaper) {  // one voxel, as in the paper
+    std::uint32_t best = 0;
+    for (std::uint32_t i = 1; i < count; ++i) {
+      if (shares_out[i].weight > shares_out[best].weight) best = i;
+    }
+    shares_out[0] = shares_out[best];
+    count = 1;
+    sum = shares_out[0].weight;
+  }
+  for (std::uint32_t i = 0; i < count; ++i) shares_out[i].weight = shares_out[i].weight / sum;
+  return count;
+}
+
+void begin_contact(const View& view, const Needle& needle, Vec3 rest_m, Vec3 place_m) {
+  StateHead& state = *view.state.head;
+  const Particle tip = new_particle(view, rest_m, place_m, 0, 0, Place::kSurface);
+  if (tip.share_count == 0) return;
+  *view.state.tip = tip;
+  view.state.tip->position_m = needle.tip_m;
+  state.tip_alive = 1;
+  state.phase = Phase::kContact;
+  state.layer = tip.material;
+  add_event(view, EventKind::kContact, 0);
+}
+
+std::uint32_t couple_needle(const View& view, const Needle& needle) {
+  StateHead& state = *view.state.head;
+  if (state.tip_alive == 0) return 0;
+  Particle& tip = *view.state.tip;
+  const float moved = dot(needle.tip_m - tip.position_m, needle.direction);
+  tip.position_m = needle.tip_m;
+  for (std::uint32_t i = 0; i < state.shaft_count; ++i) {
+    Particle& p = view.state.shaft[i];
+    p.position_m = needle.tip_m - p.arc_m * needle.direction;
+  }
+  if (state.phase == Phase::kContact) update_contact(view, needle);
+  if (state.phase == Phase::kFree || state.phase == Phase::kContact) return 0;
+  cut_tip(view, needle, moved);
+  slip_shaft(view, needle);
+  while (state.shaft_count > 0 && tip.track_m <= view.state.shaft[state.shaft_count - 1].track_m) {
+    --state.shaft_count;
+  }
+  if (state.shaft_count == 0) {
+    end_insertion(view);
+    return 0;
+  }
+  update_layer(view);
+  return drop_shaft(view, needle);
+}
+
+namespace {
+
+// Voxel of a share in this tick's list, entered if new; kMaxCoupledVoxels when the list is full.
+// The mark of a slot is trusted only if the list entry it names points back, so stale marks do no
+// harm.
+std::uint32_t coupled_index(const View& view, const Share& share) {
+  ScratchHead& head = *view.scratch.head;
+  const std::uint32_t mark = view.scratch.slot_mark[share.slot];
+  if (mark < head.coupled_count && view.scratch.coupled[mark].slot == share.slot) return mark;
+  if (head.coupled_count == kMaxCoupledVoxels) return kMaxCoupledVoxels;
+  const std::uint32_t index = head.coupled_count++;
+  view.scratch.coupled[index] = {share.slot, share.row, 0, 0};
+  view.scratch.slot_mark[share.slot] = index;
+  return index;
+}
+
+Particle& particle_at(const View& view, std::uint32_t index) {
+  return index == kMaxConstraintParticles ? *view.state.tip : view.state.shaft[index];
+}
+
+template <typename Visit>
+void for_each_particle(const View& view, Visit visit) {
+  for (std::uint32_t i = 0; i < view.state.head->shaft_count; ++i) visit(i);
+  if (view.state.head->tip_alive != 0) visit(kMaxConstraintParticles);
+}
+
+// Coupled voxels in the order of their planes: plane_order[plane_first[z]] .. plane_first[z + 1].
+void sort_by_plane(const View& view) {
+  const std::uint32_t planes = view.model.head->counts.planes;
+  std::uint32_t* first = view.scratch.plane_first;
+  for (std::uint32_t z = 0; z < planes + 2; ++z) first[z] = 0;
+  const std::uint32_t count = view.scratch.head->coupled_count;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    ++first[view.model.row[view.scratch.coupled[i].row].z + 2U];
+  }
+  for (std::uint32_t z = 2; z < planes + 2; ++z) first[z] += first[z - 1];
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t z = view.model.row[view.scratch.coupled[i].row].z;
+    view.scratch.plane_order[first[z + 1U]++] = i;
+  }
+}
+
+}  // namespace
+
+std::uint32_t gather_coupled(const View& view) {
+  StateHead& state = *view.state.head;
+  ScratchHead& head = *view.scratch.head;
+  head.coupled_count = 0;
+  std::uint32_t flags = 0;
+  for_each_particle(view, [&](std::uint32_t index) {
+    Particle& p = particle_at(view, index);
+    for (std::uint32_t s = 0; s < p.share_count; ++s) {
+      const std::uint32_t voxel = coupled_index(view, p.share[s]);
+      if (voxel == kMaxCoupledVoxels) {
+        p.share[s].weight = 0;
+        ++state.cp_voxel_pool_full;
+        flags = kFlagCpVoxelPoolFull;
+      } else {
+        ++view.scratch.coupled[voxel].member_count;
+      }
+    }
+  });
+  std::uint32_t members = 0;
+  for (std::uint32_t i = 0; i < head.coupled_count; ++i) {
+    view.scratch.coupled[i].first_member = members;
+    members += view.scratch.coupled[i].member_count;
+    view.scratch.coupled[i].member_count = 0;
+  }
+  for_each_particle(view, [&](std::uint32_t index) {
+    const Particle& p = particle_at(view, index);
+    for (std::uint32_t s = 0; s < p.share_count; ++s) {
+      const std::uint32_t voxel = coupled_index(view, p.share[s]);
+      if (voxel == kMaxCoupledVoxels) continue;
+      CoupledVoxel& c = view.scratch.coupled[voxel];
+      view.scratch.member[c.first_member + c.member_count++] = {static_cast<std::uint16_t>(index),
+                                                                static_cast<std::uint16_t>(s)};
+    }
+  });
+  sort_by_plane(view);
+  state.coupled_max =
+      head.coupled_count > state.coupled_max ? head.coupled_count : state.coupled_max;
+  return flags;
+}
+
+namespace {
+
+// Sums over the CPs of one voxel; positions relative to the mean of the corners.
+struct CpSums {
+  float stiffness;
+  Vec3 place, offset;  // weighted sums
+  float product[9];    // sum of place * offset^T, weighted
+  float offset_square;
+};
+
+CpSums sum_members(const View& view, const CoupledVoxel& voxel, Vec3 centre_m) {
+  CpSums s = {};
+  for (std::uint32_t i = 0; i < voxel.member_count; ++i) {
+    const Member member = view.scratch.member[voxel.first_member + i];
+    const Particle& p = particle_at(view, member.particle);
+    const Share& share = p.share[member.share];
+    const float w = p.stiffness_n_per_m * share.weight;
+    const Vec3 x = (p.position_m - p.memory_share * p.memory_m) - centre_m;
+    const Vec3 r = share.offset_m;
+    s.stiffness = s.stiffness + w;
+    s.place = s.place + w * x;
+    s.offset = s.offset + w * r;
+    s.offset_square = s.offset_square + w * dot(r, r);
+    const float xs[3] = {x.x, x.y, x.z}, rs[3] = {r.x, r.y, r.z};
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) s.product[3 * a + b] += w * xs[a] * rs[b];
+    }
+  }
+  return s;
+}
+
+// Matrix whose rotation is the fit of corners and CPs together, scaled to be near the identity at
+// rest. It must be scaled by a number only: rot(A Aqq^-1) is not the minimiser when CPs make Aqq
+// anisotropic.
+void fit_matrix(const Corners& corners, const CpSums& s, float k, float edge_m, float a_out[9]) {
+  const float whole = 8 * k + s.stiffness;
+  const float corner = 2 * k * edge_m * edge_m;
+  const float trace = 3 * corner + (s.offset_square - dot(s.offset, s.offset) / whole);
+  const float scale = 3 / trace;
+  const float place[3] = {s.place.x, s.place.y, s.place.z};
+  const float offset[3] = {s.offset.x, s.offset.y, s.offset.z};
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) {
+      const float unit = a == b ? 1.0F : 0.0F;
+      a_out[3 * a + b] = scale * (corner * (unit + corners.gradient[3 * a + b]) +
+                                  (s.product[3 * a + b] - place[a] * offset[b] / whole));
+    }
+  }
+}
+
+void couple_voxel(const View& view, const CoupledVoxel& voxel, const Plane& plane) {
+  const ModelHead& head = *view.model.head;
+  const Corners corners = sum_corners(view, voxel.slot, voxel.row);
+  const Vec3 centre = rest_centre(view, voxel.slot, view.model.row[voxel.row]) + corners.mean_m;
+  const float k = view.model.slot_k[voxel.slot];
+  const CpSums s = sum_members(view, voxel, centre);
+  float a[9];
+  fit_matrix(corners, s, k, head.edge_m, a);
+  const Quat plain = corner_rotation(view, voxel.slot, corners);
+  const Mat3 r8 = rotation_matrix(plain);
+  const Mat3 r = rotation_matrix(rotation_of(a, plain));
+  const float whole = 8 * k + s.stiffness;
+  // The cluster's translation moves by this against the mean of the corners.
+  const Vec3 shift = (1 / whole) * (s.place - r * s.offset);
+  for (std::uint32_t i = 0; i < voxel.member_count; ++i) {
+    const Member member = view.scratch.member[voxel.first_member + i];
+    Share& share = particle_at(view, member.particle).share[member.share];
+    share.goal_m = (centre + shift) + r * share.offset_m;
+  }
+  // Corners feel the change of translation and rotation, k ((t' - t) + (R' - R) q).
+  const std::uint32_t at = voxel.slot - plane.slot_begin;
+  const std::size_t stride = head.counts.slots_per_plane;
+  const float shift_k[3] = {k * shift.x, k * shift.y, k * shift.z};
+  const float turn_k = k * head.edge_m * 0.5F;
+  for (std::size_t c = 0; c < 3; ++c) {
+    view.scratch.sums[c * stride + at] += shift_k[c];
+    for (std::size_t j = 0; j < 3; ++j) {
+      view.scratch.sums[(3 + 3 * c + j) * stride + at] += turn_k * (r.m[c][j] - r8.m[c][j]);
+    }
+  }
+}
+
+}  // namespace
+
+void couple_plane(const View& view, std::uint32_t plane) {
+  for (std::uint32_t i = view.scratch.plane_first[plane]; i < view.scratch.plane_first[plane + 1];
+       ++i) {
+    couple_voxel(view, view.scratch.coupled[view.scratch.plane_order[i]], view.model.plane[plane]);
+  }
+}
+
+void measure_forces(const View& view) {
+  for_each_particle(view, [&](std::uint32_t index) {
+    Particle& p = particle_at(view, index);
+    p.force_n = force_on_tissue(p);
+  });
+}
+
+void sum_forces(const View& view, const Needle& needle, Output& out) {
+  const StateHead& state = *view.state.head;
+  for_each_particle(view, [&](std::uint32_t index) {
+    const Particle& p = particle_at(view, index);
+    const Vec3 on_needle = -1.0F * p.force_n;
+    const Vec3 axial = dot(on_needle, needle.direction) * needle.direction;
+    if (index == kMaxConstraintParticles && state.phase == Phase::kContact) {
+      out.cause.stiffness_n = out.cause.stiffness_n + on_needle;
+    } else if (index == kMaxConstraintParticles) {
+      out.cause.cutting_n = out.cause.cutting_n + axial;
+      out.cause.clamping_n = out.cause.clamping_n + (on_needle - axial);
+    } else {
+      out.cause.friction_n = out.cause.friction_n + axial;
+      out.cause.clamping_n = out.cause.clamping_n + (on_needle - axial);
+    }
+    out.force_n = out.force_n + on_needle;
+    out.torque_nm = out.torque_nm + cross(p.position_m - needle.base_m, on_needle);
+  });
+}
+
+void add_event(const View& view, EventKind kind, float force_n) {
+  StateHead& state = *view.state.head;
+  const float depth = state.tip_alive != 0 ? view.state.tip->track_m : 0;
+  view.state.event[state.event_count % kMaxEvents] = {state.tick, kind, state.layer, depth,
+                                                      force_n};
+  ++state.event_count;
+}
+
+}  // namespace stylet

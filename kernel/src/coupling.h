@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Needle and tissue: constraint particles (CPs), puncture, cutting, slip, retraction.
+//
+// A CP is a material point of the tissue held by the needle (paper section IV.A). It is shared by
+// the eight voxels whose centres surround it, with weights that change smoothly along its way, so
+// that a tip running along a voxel face, or crossing one, is not felt; in paper mode it belongs to
+// one voxel. Each voxel's fit includes its CPs exactly; ghost particles sit on their goals and drop
+// out in closed form. Slip and cutting are one rule: a CP's axial force has a limit; beyond it the
+// CP moves exactly so far that the force is back on the limit (passive for any step).
+//
+// A shaft CP stands for the stretch of track from its own place towards the tip, at most one needle
+// unit: its friction grows from zero as the tip moves on and shrinks back to zero as the tip
+// returns, so adding and removing one is never felt. Shaft CPs are a stack ordered along the track.
+//
+// Promises: bounded by limits.h, no allocation, fixed order. Units SI, world frame.
+#pragma once
+
+#include "layout.h"
+#include "math.h"
+
+namespace stylet {
+
+// Time constant of the low pass on slip velocities: they choose friction, never force directly.
+constexpr float kSlipFilterS = 0.02F;
+// Sliding this far renews the tissue a CP touches, and with it the relaxed part of its force.
+constexpr float kRenewalLengthM = 1e-3F;
+// Partly filled voxels count at least this much, else thin slivers have no stiffness of their own.
+constexpr float kMinFill = 0.1F;
+// Largest spring of a CP, in voxel springs k: stiffer changes nothing but the numbers' condition.
+constexpr float kMaxCpWeight = 32.0F;
+constexpr std::uint32_t kNoRow = 0xFFFFFFFFU;
+constexpr std::uint32_t kNoTrack = 0xFFFFFFFFU;
+
+// The rigid needle of this tick.
+struct Needle {
+  Vec3 base_m, direction, tip_m;
+};
+
+// Moves CPs with the needle, lets them slip and cut, adds and removes; needs the goals of the last
+// fit. Returns output flags.
+std::uint32_t couple_needle(const View& view, const Needle& needle);
+
+// Lists the coupled voxels of this tick for couple_plane. Returns output flags.
+std::uint32_t gather_coupled(const View& view);
+
+// Forces of all CPs from the goals of the fit just made.
+void measure_forces(const View& view);
+
+// Sum over CPs: force and torque on the hand, by cause.
+void sum_forces(const View& view, const Needle& needle, Output& out);
+
+// Starts contact: the tip holds the surface point `rest_m` (rest frame), now at `place_m`.
+void begin_contact(const View& view, const Needle& needle, Vec3 rest_m, Vec3 place_m);
+
+void add_event(const View& view, EventKind kind, float force_n);
+
+// Frame of a voxel from its corners alone: x = rotation * rest offset + centre.
+struct VoxelFrame {
+  Mat3 rotation;
+  Vec3 centre_m;  // now
+  Vec3 rest_centre_m;
+};
+VoxelFrame voxel_frame(const View& view, std::uint32_t slot, std::uint32_t row);
+
+// Tent weights, times fill, of the voxels around a rest point; 0 shares outside the tissue.
+std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kSharesPerParticle]);
+
+}  // namespace stylet

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: Apache-2.0
+// Life of a kernel: sizes, creation (everything derived from organ and config), reset, snapshots.
+// What happens in a tick is in tick.cpp.
+
+#include "stylet/kernel.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "coupling.h"
+#include "lattice.h"
+#include "layout.h"
+#include "math.h"
+
+namespace stylet {
+namespace {
+
+bool config_good(const Config& c) {
+  const auto within = [](float v, float low, float high) { return v >= low && v <= high; };
+  return (c.mode == Mode::kPhysical || c.mode == Mode::kPaper) &&
+         within(c.period_s, kMinPeriodS, kMaxPeriodS) && c.substeps >= 1 &&
+         c.substeps <= kMaxSubsteps && within(c.tissue_damping_s, 0, 1) &&
+         within(c.hourglass_weight, 0.05F, 1) && within(c.paper_alpha, 1e-3F, 1) &&
+         within(c.needle.length_m, 1e-3F, kMaxNeedleLengthM) &&
+         within(c.needle.outer_radius_m, 1e-5F, 0.01F) && within(c.needle.unit_m, 1e-4F, 0.05F);
+}
+
+// What the sweep needs of a material: in paper mode every voxel has the stiffness that the averaged
+// goals with factor alpha have at this step, and no volume term (physics: Mueller et al. 2005).
+MaterialModel material_model(const Material& m, const Config& config, float edge_m,
+                             float substep_s) {
+  MaterialModel out = {};
+  out.shear_pa = m.youngs_modulus_pa / (2 * (1 + m.poisson_ratio));
+  out.poisson_ratio = m.poisson_ratio;
+  if (config.mode == Mode::kPaper) {
+    const float mass_share = m.density_kg_per_m3 * edge_m * edge_m * edge_m / 8;
+    out.shear_pa = config.paper_alpha * mass_share / (substep_s * substep_s) / edge_m;
+    out.poisson_ratio = 0;
+  }
+  out.puncture_n = m.puncture_force_n;
+  out.cutting_n = m.cutting_force_n;
+  out.recut_fraction = m.recut_fraction;
+  out.coulomb_n_per_m = m.coulomb_friction_n_per_m;
+  out.static_n_per_m = m.static_friction_n_per_m;
+  out.inverse_stribeck_s_per_m = 1 / m.stribeck_velocity_m_per_s;
+  out.viscous_n_s_per_m2 = m.viscous_friction_n_s_per_m2;
+  out.relaxing_fraction = m.relaxing_fraction;
+  out.relaxation_time_s = m.relaxation_time_s;
+  return out;
+}
+
+float volume_ratio(const MaterialModel& m) {  // lambda / (2 G)
+  return m.poisson_ratio / (1 - 2 * m.poisson_ratio);
+}
+
+void fill_head(const Organ& organ, const Config& config, const Counts& counts, ModelHead& head) {
+  head.config = config;
+  head.counts = counts;
+  head.organ_hash = organ.hash;
+  head.edge_m = organ.voxel_edge_m;
+  head.inverse_edge_per_m = 1 / organ.voxel_edge_m;
+  head.origin_m = organ.origin_m;
+  head.size_x = organ.size_x;
+  head.size_y = organ.size_y;
+  head.size_z = organ.size_z;
+  head.substep_s = config.period_s / static_cast<float>(config.substeps);
+  head.hourglass_weight = config.mode == Mode::kPaper ? 1.0F : config.hourglass_weight;
+  head.velocity_keep = exp_minus(config.period_s / kSlipFilterS);
+  head.material_count = organ.material_count;
+  for (std::uint32_t i = 0; i < organ.material_count; ++i) {
+    head.material[i] =
+        material_model(organ_material(organ, i), config, head.edge_m, head.substep_s);
+  }
+}
+
+// Rows, planes and the places of particles, in the order the sweep walks them.
+void fill_topology(const Organ& organ, const ModelView& model, const Counts& counts) {
+  std::uint32_t slot = 0, particle = 0, row = 0;
+  for (std::uint32_t i = 0; i < counts.row_grid; ++i) model.row_of[i] = kNoRow;
+  for (std::uint32_t z = 0; z <= counts.planes; ++z) {
+    Plane& plane = model.plane[z];
+    plane.row_begin = row;
+    plane.slot_begin = slot;
+    plane.particle_begin = particle;
+    slot += z < counts.planes ? 1 : 0;
+    particle += kLanes;
+    for (std::uint32_t y = 0; y <= organ.size_y; ++y) {
+      const Extent nodes = node_extent(organ, y, z);
+      // Give each voxel row around these nodes the place of its first node.
+      for (std::uint32_t corner = 0; corner < 4; ++corner) {
+        const std::uint32_t dy = corner & 1U, dz = corner >> 1U;
+        if (y < dy || z < dz || y - dy >= organ.size_y || z - dz >= organ.size_z) continue;
+        const std::uint32_t at = (z - dz) * organ.size_y + (y - dy);
+        const Extent voxels = voxel_extent(organ, y - dy, z - dz);
+        if (voxels.begin == voxels.end) continue;
+        if (corner == 0) {
+          model.row_of[at] = row;
+          model.row[row] = {slot,
+                            static_cast<std::uint16_t>(voxels.end - voxels.begin),
+                            static_cast<std::uint16_t>(voxels.begin),
+                            static_cast<std::uint16_t>(y),
+                            static_cast<std::uint16_t>(z),
+                            {}};
+          slot += voxels.end - voxels.begin + 1;
+          ++row;
+        }
+        model.row[model.row_of[at]].node[corner] = particle + voxels.begin - nodes.begin;
+      }
+      particle += nodes.end - nodes.begin;
+    }
+    plane.row_end = row;
+    slot = (slot + kLanes - 1) / kLanes * kLanes;
+    particle = (particle + kLanes - 1) / kLanes * kLanes;
+    plane.slot_end = slot;
+    plane.particle_end = particle;
+  }
+}
+
+// Stiffness of the slots; sums of mass and stiffness of the particles.
+void fill_voxels(const Organ& organ, const ModelView& model, const Counts& counts) {
+  const ModelHead& head = *model.head;
+  const float corner_m3 = head.edge_m * head.edge_m * head.edge_m / 8;
+  for (std::uint32_t i = 0; i < counts.slots; ++i) {
+    model.slot_k[i] = model.slot_volume[i] = model.slot_fill[i] = 0;
+    model.slot_material[i] = 0;
+  }
+  for (std::uint32_t i = 0; i < counts.particles; ++i) {
+    model.particle_kg[i] = model.hold[i] = model.step_per_mass[i] = 0;
+  }
+  std::uint32_t voxel = 0;
+  for (const OrganRun& run : organ.runs) {
+    const std::uint32_t row_index = model.row_of[run.z * organ.size_y + run.y];
+    const Row& row = model.row[row_index];
+    for (std::uint32_t x = run.x; x < static_cast<std::uint32_t>(run.x) + run.count; ++x, ++voxel) {
+      const std::uint32_t slot = row.slot + x - row.x0;
+      const std::uint8_t material = organ.voxel_material[voxel];
+      const MaterialModel& m = head.material[material];
+      const float fill = max_of(static_cast<float>(organ.voxel_fill[voxel]) / 255.0F, kMinFill);
+      model.voxel_slot[voxel] = slot;
+      model.voxel_row[voxel] = row_index;
+      model.slot_k[slot] = m.shear_pa * head.edge_m * fill;
+      model.slot_volume[slot] = volume_ratio(m);
+      model.slot_fill[slot] = fill;
+      model.slot_material[slot] = material;
+      const float density = organ_material(organ, material).density_kg_per_m3;
+      for (std::uint32_t corner = 0; corner < 8; ++corner) {
+        const std::uint32_t p = row.node[corner >> 1U] + x - row.x0 + (corner & 1U);
+        model.particle_kg[p] += density * fill * corner_m3;
+        model.hold[p] += model.slot_k[slot] * head.hourglass_weight;
+        model.step_per_mass[p] += model.slot_k[slot] * (1 + 3 * model.slot_volume[slot]);
+      }
+    }
+  }
+}
+
+// The mass of the step: real mass, or what keeps the explicit step stable, whichever is more.
+// Attached particles get none of the motion.
+void fill_masses(const Organ& organ, const ModelView& model, const Counts& counts) {
+  ModelHead& head = *model.head;
+  const float dt = head.substep_s;
+  const float bound = dt * dt * 0.5F * (1 + 2 * head.config.tissue_damping_s / dt);
+  for (std::uint32_t i = 0; i < counts.particles; ++i) {
+    const float least_kg = bound * model.step_per_mass[i];
+    const float real_kg = model.particle_kg[i];
+    const float kg = max_of(real_kg, least_kg);
+    model.step_per_mass[i] = kg > 0 ? dt / kg : 0;
+  }
+  for (std::uint32_t voxel = 0; voxel < counts.voxels; ++voxel) {
+    const Row& row = model.row[model.voxel_row[voxel]];
+    const std::uint32_t slot = model.voxel_slot[voxel];
+    MaterialModel& m = head.material[model.slot_material[slot]];
+    const float density = organ_material(organ, model.slot_material[slot]).density_kg_per_m3;
+    const float share_kg =
+        density * model.slot_fill[slot] * head.edge_m * head.edge_m * head.edge_m / 8;
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+      const std::uint32_t p = row.node[corner >> 1U] + slot - row.slot + (corner & 1U);
+      m.real_kg += share_kg;
+      m.stepped_kg += share_kg * (dt / (model.step_per_mass[p] * model.particle_kg[p]));
+    }
+  }
+  for (std::uint32_t voxel = 0; voxel < organ.voxel_fixed.size(); ++voxel) {
+    const Row& row = model.row[model.voxel_row[voxel]];
+    const std::uint32_t slot = model.voxel_slot[voxel];
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+      if (((organ.voxel_fixed[voxel] >> corner) & 1U) == 0) continue;
+      model.step_per_mass[row.node[corner >> 1U] + slot - row.slot + (corner & 1U)] = 0;
+    }
+  }
+}
+
+bool aligned(std::span<const std::byte> block) {
+  return reinterpret_cast<std::uintptr_t>(block.data()) % kBlockAlignment == 0;
+}
+
+struct SnapshotHeader {
+  std::uint64_t magic, organ_hash, config_hash, state_bytes;
+};
+constexpr std::uint64_t kSnapshotMagic = 0x31504E5354595453ULL;
+
+SnapshotHeader snapshot_header(const Kernel& kernel) {
+  const auto& head = *reinterpret_cast<const ModelHead*>(kernel.model);
+  std::uint64_t config_hash = 0xcbf29ce484222325ULL;
+  const auto* bytes = reinterpret_cast<const unsigned char*>(&head.config);
+  for (std::size_t i = 0; i < sizeof(Config); ++i) {
+    config_hash = (config_hash ^ bytes[i]) * 0x100000001b3ULL;
+  }
+  return {kSnapshotMagic, head.organ_hash, config_hash, kernel.sizes.state_bytes};
+}
+
+}  // namespace
+
+Status sizes(const Organ& organ, const Config& config, Sizes& sizes_out) {
+  if (organ.root == nullptr || !config_good(config)) return Status::kConfigValueOutOfRange;
+  sizes_out = block_sizes(count_lattice(organ));
+  return Status::kOk;
+}
+
+Status create(const Organ& organ, const Config& config, const Memory& memory, Kernel& kernel_out) {
+  Sizes need = {};
+  const Status status = sizes(organ, config, need);
+  if (status != Status::kOk) return status;
+  if (memory.model.size() < need.model_bytes || memory.state.size() < need.state_bytes ||
+      memory.scratch.size() < need.scratch_bytes) {
+    return Status::kMemoryTooSmall;
+  }
+  if (!aligned(memory.model) || !aligned(memory.state) || !aligned(memory.scratch)) {
+    return Status::kMemoryNotAligned;
+  }
+  const Counts counts = count_lattice(organ);
+  std::memset(memory.model.data(), 0, need.model_bytes);
+  const ModelView model = model_view(memory.model.data(), counts);
+  fill_head(organ, config, counts, *model.head);
+  fill_topology(organ, model, counts);
+  fill_voxels(organ, model, counts);
+  fill_masses(organ, model, counts);
+  kernel_out = {&organ,
+                memory.model.data(),
+                memory.state.data(),
+                memory.scratch.data(),
+                need,
+                lattice_step_for_this_processor()};
+  reset(kernel_out);
+  return Status::kOk;
+}
+
+void reset(Kernel& kernel) {
+  std::memset(kernel.state, 0, kernel.sizes.state_bytes);
+  const View view = view_of(kernel);
+  const Counts& counts = view.model.head->counts;
+  for (std::uint32_t i = 0; i < counts.slots; ++i) view.state.qw[i] = 1;
+  StateHead& head = *view.state.head;
+  head.handle.rotation = {1, 0, 0, 0};
+  head.layer = kNoLayer;
+  head.track_current = kNoTrack;
+}
+
+std::size_t snapshot_bytes(const Kernel& kernel) {
+  return sizeof(SnapshotHeader) + kernel.sizes.state_bytes;
+}
+
+Status snapshot(const Kernel& kernel, std::span<std::byte> out) {
+  if (out.size() < snapshot_bytes(kernel)) return Status::kMemoryTooSmall;
+  const SnapshotHeader header = snapshot_header(kernel);
+  std::memcpy(out.data(), &header, sizeof(header));
+  std::memcpy(out.data() + sizeof(header), kernel.state, kernel.sizes.state_bytes);
+  return Status::kOk;
+}
+
+Status restore(Kernel& kernel, std::span<const std::byte> in) {
+  const SnapshotHeader mine = snapshot_header(kernel);
+  if (in.size() < snapshot_bytes(kernel) || std::memcmp(in.data(), &mine, sizeof(mine)) != 0) {
+    return Status::kSnapshotDoesNotMatch;
+  }
+  std::memcpy(kernel.state, in.data() + sizeof(mine), kernel.sizes.state_bytes);
+  return Status::kOk;
+}
+
+std::uint64_t hash(const Kernel& kernel) {
+  return hash_state(kernel);
+}
+
+Difference difference(const Kernel& a, const Kernel& b) {
+  return first_difference(a, b);
+}
+
+MassReport mass_report(const Kernel& kernel, std::uint32_t material) {
+  const auto& head = *reinterpret_cast<const ModelHead*>(kernel.model);
+  if (material >= head.material_count) return {0, 0};
+  return {head.material[material].real_kg, head.material[material].stepped_kg};
+}
+
+}  // namespace stylet

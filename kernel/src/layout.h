@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where everything lives: three pointer-free blocks, each a list of parallel arrays.
+//
+// One table per block (the STYLET_..._FIELDS macros) gives the view, the size, the reset, the hash
+// and the field-by-field difference; nobody else computes an offset. Every array starts on a cache
+// line. Units: SI, displacements from the rest place in metres.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "stylet/kernel.h"
+#include "stylet/limits.h"
+#include "stylet/organ.h"
+
+namespace stylet {
+
+// Lanes of the lattice sweep: the unit of padding on every instruction set, so that memory and bits
+// do not depend on it.
+constexpr std::uint32_t kLanes = 16;
+
+// All sizes of arrays, from the organ alone.
+struct Counts {
+  std::uint32_t voxels;
+  std::uint32_t planes;           // voxel planes; there is one more plane of particles
+  std::uint32_t rows;             // voxel rows along x that hold a voxel
+  std::uint32_t row_grid;         // size_y * size_z
+  std::uint32_t slots;            // padded voxels
+  std::uint32_t slots_per_plane;  // the most
+  std::uint32_t particles;        // padded particles
+  std::uint32_t particles_per_plane;
+};
+
+// A voxel row: voxels x0 .. x0 + count - 1 at (y, z); holes are slots without stiffness. The slot
+// before the first and the one behind the last are empty, so a node sees zeros beyond the ends.
+struct Row {
+  std::uint32_t slot;
+  std::uint16_t count, x0, y, z;
+  std::uint32_t node[4];  // particle at (x0, y + dy, z + dz), index dy + 2 dz
+};
+
+struct Plane {
+  std::uint32_t row_begin, row_end;
+  std::uint32_t slot_begin, slot_end;          // multiples of kLanes
+  std::uint32_t particle_begin, particle_end;  // of the particles at the plane's low side
+};
+
+// What the tick needs of a material; derived once.
+struct MaterialModel {
+  float shear_pa, poisson_ratio;
+  float puncture_n, cutting_n, recut_fraction;
+  float coulomb_n_per_m, static_n_per_m, inverse_stribeck_s_per_m, viscous_n_s_per_m2;
+  float relaxing_fraction, relaxation_time_s;
+  float real_kg, stepped_kg;
+};
+
+struct ModelHead {
+  Config config;
+  Counts counts;
+  std::uint64_t organ_hash;
+  float edge_m, inverse_edge_per_m;
+  Vec3 origin_m;
+  std::uint16_t size_x, size_y, size_z, padding;
+  float substep_s;
+  float hourglass_weight;
+  float velocity_keep;  // of the slip velocity's low pass, per tick
+  std::uint32_t material_count;
+  MaterialModel material[kMaxMaterials];
+};
+
+// One voxel's share of a constraint particle.
+struct Share {
+  std::uint32_t slot, row;
+  float weight;   // shares of one particle add up to 1
+  Vec3 offset_m;  // rest offset from the voxel's centre
+  Vec3 goal_m;    // from the last fit
+};
+
+struct Particle {   // a constraint particle
+  Vec3 rest_m;      // place in the rest frame; chooses the voxels
+  Vec3 position_m;  // the needle's point that holds it
+  Vec3 memory_m;    // relaxed part of the residual (Maxwell branch)
+  Vec3 force_n;     // on the tissue, from the last fit
+  float track_m;    // track coordinate: length from the entry
+  float arc_m;      // arc length on the needle, from the tip
+  float stiffness_n_per_m;
+  float memory_share;  // relaxing share of the spring's own stiffness
+  float memory_keep;   // of the difference, per tick
+  float slip_m_per_s;  // low-passed
+  std::uint32_t material;
+  std::uint32_t share_count;
+  Share share[kSharesPerParticle];
+};
+
+struct Track {
+  Vec3 entry_rest_m, direction_rest;
+  float length_m;
+};
+
+struct StateHead {
+  std::uint64_t tick;
+  Pose handle;
+  Vec3 needle_direction;
+  Phase phase;
+  std::uint32_t layer;
+  std::uint32_t latched_fault;
+  std::uint32_t shaft_count;
+  std::uint32_t tip_alive;
+  float track_end_m;        // length of the current track
+  float track_max_depth_m;  // deepest tip of this insertion
+  std::uint32_t track_count, track_next, track_current;
+  float max_displacement_m;
+  float coupling_shortfall;
+  std::uint32_t event_count;
+  std::uint32_t shaft_max, coupled_max, track_max;
+  std::uint64_t input_not_finite, input_clamped, input_missing;
+  std::uint64_t cp_pool_full, cp_voxel_pool_full, contact_budget, fault_count;
+  double work_by_hand_j, friction_j, cutting_j, relaxation_j;
+  Vec3 last_force_n, last_torque_nm;
+  std::uint32_t handle_known;
+  std::uint32_t padding;
+};
+
+// A voxel coupled to the needle in this tick.
+struct CoupledVoxel {
+  std::uint32_t slot, row, first_member, member_count;
+};
+struct Member {  // (particle, share); particle kMaxConstraintParticles is the tip
+  std::uint16_t particle, share;
+};
+constexpr std::uint32_t kMaxMembers = (kMaxConstraintParticles + 1) * kSharesPerParticle;
+
+struct ScratchHead {
+  std::uint32_t coupled_count;
+  std::uint32_t padding[15];
+};
+
+// F(name, type, count); `c` is Counts.
+#define STYLET_MODEL_FIELDS(F)            \
+  F(head, ModelHead, 1)                   \
+  F(plane, Plane, c.planes + 1)           \
+  F(row, Row, c.rows)                     \
+  F(row_of, std::uint32_t, c.row_grid)    \
+  F(voxel_slot, std::uint32_t, c.voxels)  \
+  F(voxel_row, std::uint32_t, c.voxels)   \
+  F(slot_k, float, c.slots)               \
+  F(slot_volume, float, c.slots)          \
+  F(slot_fill, float, c.slots)            \
+  F(slot_material, std::uint8_t, c.slots) \
+  F(step_per_mass, float, c.particles)    \
+  F(particle_kg, float, c.particles)      \
+  F(hold, float, c.particles)
+
+#define STYLET_STATE_FIELDS(F)                \
+  F(head, StateHead, 1)                       \
+  F(ux, float, c.particles)                   \
+  F(uy, float, c.particles)                   \
+  F(uz, float, c.particles)                   \
+  F(vx, float, c.particles)                   \
+  F(vy, float, c.particles)                   \
+  F(vz, float, c.particles)                   \
+  F(ex, float, c.particles)                   \
+  F(ey, float, c.particles)                   \
+  F(ez, float, c.particles)                   \
+  F(qw, float, c.slots)                       \
+  F(qx, float, c.slots)                       \
+  F(qy, float, c.slots)                       \
+  F(qz, float, c.slots)                       \
+  F(shaft, Particle, kMaxConstraintParticles) \
+  F(tip, Particle, 1)                         \
+  F(track, Track, kMaxTracks)                 \
+  F(event, Event, kMaxEvents)
+
+#define STYLET_SCRATCH_FIELDS(F)                   \
+  F(head, ScratchHead, 1)                          \
+  F(sums, float, 12 * c.slots_per_plane)           \
+  F(force, float, 9 * c.particles_per_plane)       \
+  F(coupled, CoupledVoxel, kMaxCoupledVoxels)      \
+  F(member, Member, kMaxMembers)                   \
+  F(plane_first, std::uint32_t, c.planes + 2)      \
+  F(plane_order, std::uint32_t, kMaxCoupledVoxels) \
+  F(slot_mark, std::uint32_t, c.slots)
+
+#define STYLET_FIELD_POINTER(name, type, count) type* name;
+struct ModelView {
+  STYLET_MODEL_FIELDS(STYLET_FIELD_POINTER)
+};
+struct StateView {
+  STYLET_STATE_FIELDS(STYLET_FIELD_POINTER)
+};
+struct ScratchView {
+  STYLET_SCRATCH_FIELDS(STYLET_FIELD_POINTER)
+};
+#undef STYLET_FIELD_POINTER
+
+// Spread of a voxel row, from its first voxel to behind its last, holes included; empty: begin =
+// end.
+struct Extent {
+  std::uint32_t begin, end;
+};
+Extent voxel_extent(const Organ& organ, std::uint32_t y, std::uint32_t z);
+// Spread of the particles at (y, z): what the four voxel rows around them need.
+Extent node_extent(const Organ& organ, std::uint32_t y, std::uint32_t z);
+
+Counts count_lattice(const Organ& organ);
+Sizes block_sizes(const Counts& counts);
+const Counts& counts_of(const Kernel& kernel);
+
+ModelView model_view(std::byte* block, const Counts& counts);
+StateView state_view(std::byte* block, const Counts& counts);
+ScratchView scratch_view(std::byte* block, const Counts& counts);
+
+// All three at once, as the tick uses them.
+struct View {
+  const Organ& organ;
+  ModelView model;
+  StateView state;
+  ScratchView scratch;
+};
+View view_of(const Kernel& kernel);
+
+std::uint64_t hash_state(const Kernel& kernel);
+Difference first_difference(const Kernel& a, const Kernel& b);
+
+}  // namespace stylet

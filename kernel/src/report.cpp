@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a caller may ask between ticks: counters, events, constraint particles, energies. Cold path.
+
+#include "coupling.h"
+#include "layout.h"
+#include "math.h"
+
+namespace stylet {
+
+const char* event_name(EventKind kind) {
+  switch (kind) {
+    case EventKind::kContact:
+      return "contact";
+    case EventKind::kRelease:
+      return "release";
+    case EventKind::kPuncture:
+      return "puncture";
+    case EventKind::kReentry:
+      return "re-entry";
+    case EventKind::kExit:
+      return "exit";
+    case EventKind::kLayer:
+      return "layer";
+  }
+  return "unknown";
+}
+
+std::uint32_t events(const Kernel& kernel, std::span<Event> events_out) {
+  const View view = view_of(kernel);
+  const std::uint32_t all = view.state.head->event_count;
+  std::uint32_t count = all < kMaxEvents ? all : kMaxEvents;
+  if (count > events_out.size()) count = static_cast<std::uint32_t>(events_out.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    events_out[i] = view.state.event[(all - count + i) % kMaxEvents];
+  }
+  return count;
+}
+
+Stats stats(const Kernel& kernel) {
+  const StateHead& s = *view_of(kernel).state.head;
+  Stats out = {};
+  out.ticks = s.tick;
+  out.constraint_particles = {s.shaft_count, s.shaft_max, kMaxConstraintParticles};
+  out.coupled_voxels = {0, s.coupled_max, kMaxCoupledVoxels};
+  out.tracks = {s.track_count, s.track_max, kMaxTracks};
+  out.input_not_finite = s.input_not_finite;
+  out.input_clamped = s.input_clamped;
+  out.input_missing = s.input_missing;
+  out.cp_pool_full = s.cp_pool_full;
+  out.cp_voxel_pool_full = s.cp_voxel_pool_full;
+  out.contact_budget = s.contact_budget;
+  out.fault = s.fault_count;
+  out.coupling_shortfall = s.coupling_shortfall;
+  return out;
+}
+
+std::uint32_t constraint_particles(const Kernel& kernel, std::span<ConstraintParticle> out) {
+  const View view = view_of(kernel);
+  const StateHead& s = *view.state.head;
+  std::uint32_t count = 0;
+  for (std::uint32_t i = 0; i <= s.shaft_count && count < out.size(); ++i) {
+    const bool is_tip = i == s.shaft_count;
+    if (is_tip && s.tip_alive == 0) break;
+    const Particle& p = is_tip ? *view.state.tip : view.state.shaft[i];
+    Vec3 goal = {};
+    for (std::uint32_t j = 0; j < p.share_count; ++j) {
+      goal = goal + p.share[j].weight * p.share[j].goal_m;
+    }
+    out[count++] = {p.position_m, goal, -1.0F * p.force_n, is_tip ? 0 : p.arc_m, is_tip ? 1U : 0U};
+  }
+  return count;
+}
+
+namespace {
+
+// Energy of a voxel without its CPs: stretch, hourglass part and volume, as in lattice.h.
+double voxel_energy(const View& view, const Row& row, std::uint32_t slot) {
+  const ModelHead& head = *view.model.head;
+  const double h = static_cast<double>(head.edge_m);
+  const double k = static_cast<double>(view.model.slot_k[slot]);
+  const Mat3 r = rotation_matrix(
+      {view.state.qw[slot], view.state.qx[slot], view.state.qy[slot], view.state.qz[slot]});
+  const std::uint32_t along = slot - row.slot;
+  const float* u[3] = {view.state.ux, view.state.uy, view.state.uz};
+  double stretch = 0, hourglass = 0, trace = 0;
+  for (int c = 0; c < 3; ++c) {
+    double value[8], mean = 0, gradient[3] = {};
+    for (unsigned i = 0; i < 8; ++i) {
+      value[i] = static_cast<double>(u[c][row.node[i >> 1U] + along + (i & 1U)]);
+      mean += value[i] / 8;
+      for (unsigned j = 0; j < 3; ++j) {
+        gradient[j] += ((i >> j) & 1U) != 0 ? value[i] / (4 * h) : -value[i] / (4 * h);
+      }
+    }
+    for (unsigned i = 0; i < 8; ++i) {
+      double rest = value[i] - mean;
+      for (unsigned j = 0; j < 3; ++j) {
+        rest -= gradient[j] * (((i >> j) & 1U) != 0 ? h / 2 : -h / 2);
+      }
+      hourglass += rest * rest;
+    }
+    for (int j = 0; j < 3; ++j) {
+      const double f = gradient[j] + (c == j ? 1.0 : 0.0);
+      const double off = f - static_cast<double>(r.m[c][j]);
+      stretch += off * off;
+      trace += f * static_cast<double>(r.m[c][j]);
+    }
+  }
+  const double chi = static_cast<double>(head.hourglass_weight);
+  const double volume = static_cast<double>(view.model.slot_volume[slot]);
+  return k * h * h * (stretch + volume * (trace - 3) * (trace - 3)) + 0.5 * k * chi * hourglass;
+}
+
+double kinetic_energy(const View& view) {
+  const ModelHead& head = *view.model.head;
+  double sum = 0;
+  for (std::uint32_t i = 0; i < head.counts.particles; ++i) {
+    if (!(view.model.step_per_mass[i] > 0)) continue;
+    const double vx = static_cast<double>(view.state.vx[i]);
+    const double vy = static_cast<double>(view.state.vy[i]);
+    const double vz = static_cast<double>(view.state.vz[i]);
+    sum += 0.5 * static_cast<double>(head.substep_s / view.model.step_per_mass[i]) *
+           (vx * vx + vy * vy + vz * vz);
+  }
+  return sum;
+}
+
+// Springs of the CPs, with their Maxwell branch: k/2 ((1 - s) d^2 + s (d - y)^2). What the fit of a
+// coupled voxel adds to its corners' energy is left out; it is the part of the lattice.
+double coupling_energy(const View& view) {
+  const StateHead& s = *view.state.head;
+  double sum = 0;
+  for (std::uint32_t i = 0; i <= s.shaft_count; ++i) {
+    if (i == s.shaft_count && s.tip_alive == 0) break;
+    const Particle& p = i == s.shaft_count ? *view.state.tip : view.state.shaft[i];
+    for (std::uint32_t j = 0; j < p.share_count; ++j) {
+      const Vec3 d = p.position_m - p.share[j].goal_m;
+      const Vec3 y = d - p.memory_m;
+      const float share = p.memory_share;
+      sum += 0.5 * static_cast<double>(p.stiffness_n_per_m * p.share[j].weight *
+                                       ((1 - share) * dot(d, d) + share * dot(y, y)));
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+Energy energy(const Kernel& kernel) {
+  const View view = view_of(kernel);
+  const StateHead& s = *view.state.head;
+  Energy out = {};
+  for (std::uint32_t r = 0; r < view.model.head->counts.rows; ++r) {
+    const Row& row = view.model.row[r];
+    for (std::uint32_t slot = row.slot; slot < row.slot + row.count; ++slot) {
+      if (view.model.slot_k[slot] > 0) out.elastic += voxel_energy(view, row, slot);
+    }
+  }
+  out.kinetic = kinetic_energy(view);
+  out.coupling = coupling_energy(view);
+  out.work_by_hand = s.work_by_hand_j;
+  out.friction = s.friction_j;
+  out.cutting = s.cutting_j;
+  out.relaxation = s.relaxation_j;
+  return out;
+}
+
+}  // namespace stylet

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rotation of a cluster: one step of a warm-started, always-safe eigenvector iteration.
+//
+// The best rotation of A (paper section IV, Mueller et al. 2005) is the largest eigenvector of
+// Davenport's 4 x 4 matrix K(A). Seen from the last rotation R, with B = R^T A, K has the corner
+// rho = tr B, the side a = axial vector of B and the block S = B + B^T - rho I. For a shift lambda
+// the correction quaternion is (det M, adj(M) a), M = lambda I - S: exact for lambda = lambda_max,
+// and with any lambda above it a contraction towards the answer, never away from it.
+//
+// The shift is the larger eigenvalue of [[rho, |a|], [|a|, mu]], mu an upper bound of the block's
+// largest eigenvalue (mean plus sqrt(2/3) of the deviator's norm). It is an upper bound of
+// lambda_max that is too large only by O(|a|^2), so the error shrinks with the third power.
+// Measured against double-precision SVD, stretches 0.2 to 2, start 0.1 rad away: one step 9e-5 rad
+// (median), two steps 1e-7 rad in float. The simpler bound sqrt(3) |A| leaves half of the error for
+// strong stretch; Newton without a bound locks 180 degrees wrong in violent motion.
+//
+// Promise: no branch, no iteration count, finite for finite A, collapsed and inverted clusters
+// included. A must be scaled so that the rest state is near the identity.
+#pragma once
+
+namespace stylet {
+
+// Internal linkage throughout: this header is compiled for several instruction sets, and the linker
+// must not merge their copies.
+static inline float root(float x) {
+  return __builtin_sqrtf(x);
+}
+static inline double root(double x) {
+  return __builtin_sqrt(x);
+}
+
+// `Refinements`: Rayleigh quotients taken to sharpen lambda before the step (0 in the lattice
+// sweep, 1 where constraint particles make the fit anisotropic).
+template <int Refinements, typename T>
+static inline void rotation_step(T a00, T a01, T a02, T a10, T a11, T a12, T a20, T a21, T a22,
+                                 T& qw, T& qx, T& qy, T& qz) {
+  const T x2 = qx + qx, y2 = qy + qy, z2 = qz + qz;
+  const T xx = qx * x2, yy = qy * y2, zz = qz * z2;
+  const T xy = qx * y2, xz = qx * z2, yz = qy * z2;
+  const T wx = qw * x2, wy = qw * y2, wz = qw * z2;
+  const T r00 = 1 - (yy + zz), r01 = xy - wz, r02 = xz + wy;
+  const T r10 = xy + wz, r11 = 1 - (xx + zz), r12 = yz - wx;
+  const T r20 = xz - wy, r21 = yz + wx, r22 = 1 - (xx + yy);
+
+  const T b00 = r00 * a00 + r10 * a10 + r20 * a20;
+  const T b01 = r00 * a01 + r10 * a11 + r20 * a21;
+  const T b02 = r00 * a02 + r10 * a12 + r20 * a22;
+  const T b10 = r01 * a00 + r11 * a10 + r21 * a20;
+  const T b11 = r01 * a01 + r11 * a11 + r21 * a21;
+  const T b12 = r01 * a02 + r11 * a12 + r21 * a22;
+  const T b20 = r02 * a00 + r12 * a10 + r22 * a20;
+  const T b21 = r02 * a01 + r12 * a11 + r22 * a21;
+  const T b22 = r02 * a02 + r12 * a12 + r22 * a22;
+
+  const T ax = b21 - b12, ay = b02 - b20, az = b10 - b01;
+  const T rho = b00 + b11 + b22;
+  const T sx = b00 + b00 - rho, sy = b11 + b11 - rho, sz = b22 + b22 - rho;
+  const T sxy = b01 + b10, sxz = b02 + b20, syz = b12 + b21;
+
+  const T mean = rho * T(-1.0 / 3.0);
+  const T dx = sx - mean, dy = sy - mean, dz = sz - mean;
+  const T deviator = dx * dx + dy * dy + dz * dz + T(2) * (sxy * sxy + sxz * sxz + syz * syz);
+  const T mu = mean + root(deviator * T(2.0 / 3.0));
+  const T half = (rho - mu) * T(0.5);
+  // The constant keeps M regular when the cluster has collapsed to a point.
+  T lambda = (rho + mu) * T(0.5) + root(half * half + (ax * ax + ay * ay + az * az)) + T(1e-5);
+
+  T w = 0, vx = 0, vy = 0, vz = 0;
+  for (int refinement = 0; refinement <= Refinements; ++refinement) {
+    const T mxx = lambda - sx, myy = lambda - sy, mzz = lambda - sz;
+    const T cxx = myy * mzz - syz * syz;
+    const T cxy = sxz * syz + sxy * mzz;
+    const T cxz = sxy * syz + sxz * myy;
+    const T cyy = mxx * mzz - sxz * sxz;
+    const T cyz = sxy * sxz + syz * mxx;
+    const T czz = mxx * myy - sxy * sxy;
+    w = mxx * cxx - (sxy * cxy + sxz * cxz);
+    vx = cxx * ax + cxy * ay + cxz * az;
+    vy = cxy * ax + cyy * ay + cyz * az;
+    vz = cxz * ax + cyz * ay + czz * az;
+    if (refinement < Refinements) {
+      // Rayleigh quotient; K (w, v) = (rho w + a.v, lambda v) because M v = w a.
+      const T vv = vx * vx + vy * vy + vz * vz;
+      const T av = ax * vx + ay * vy + az * vz;
+      const T quotient = (w * (rho * w + av) + lambda * vv) / (w * w + vv);
+      // A bound from below may fall under S: never closer to it than to the old shift.
+      lambda = quotient > mu ? quotient + (lambda - quotient) * T(1e-6) : lambda;
+    }
+  }
+  const T inverse = 1 / root(w * w + vx * vx + vy * vy + vz * vz);
+  w *= inverse;
+  vx *= inverse;
+  vy *= inverse;
+  vz *= inverse;
+  const T pw = qw * w - (qx * vx + qy * vy + qz * vz);
+  const T px = qw * vx + qx * w + (qy * vz - qz * vy);
+  const T py = qw * vy + qy * w + (qz * vx - qx * vz);
+  const T pz = qw * vz + qz * w + (qx * vy - qy * vx);
+  qw = pw;
+  qx = px;
+  qy = py;
+  qz = pz;
+}
+
+}  // namespace stylet

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface.h"
+
+#include "triangle.h"
+
+namespace stylet {
+namespace {
+
+// Length of needle behind the tip that is searched: longer than any tick's motion.
+constexpr float kContactReachM = 0.02F;
+// The tip must be this far behind the surface: keeps a tip that just left from touching rounding.
+constexpr float kContactSkinM = 2e-5F;
+
+struct Segment {
+  Vec3 from_m, direction;
+  float length_m;
+};
+
+struct Vertex {
+  Vec3 rest_m, place_m;
+};
+
+// Trilinear: rest place plus the weighted displacements of the voxel's corners.
+Vertex deformed(const View& view, const OrganVertex& v) {
+  constexpr float kScale = 1.0F / 65535.0F;
+  const std::uint32_t slot = view.model.voxel_slot[v.voxel];
+  const Row& row = view.model.row[view.model.voxel_row[v.voxel]];
+  const std::uint32_t along = slot - row.slot;
+  const float fx = static_cast<float>(v.fx) * kScale;
+  const float fy = static_cast<float>(v.fy) * kScale;
+  const float fz = static_cast<float>(v.fz) * kScale;
+  Vertex out = {};
+  out.rest_m = rest_place(
+      view.organ,
+      {static_cast<float>(row.x0 + along), static_cast<float>(row.y), static_cast<float>(row.z)},
+      v);
+  Vec3 moved = {};
+  for (std::uint32_t corner = 0; corner < 8; ++corner) {
+    const std::uint32_t p = row.node[corner >> 1U] + along + (corner & 1U);
+    const float weight = ((corner & 1U) != 0 ? fx : 1 - fx) * ((corner & 2U) != 0 ? fy : 1 - fy) *
+                         ((corner & 4U) != 0 ? fz : 1 - fz);
+    moved = moved + weight * Vec3{view.state.ux[p], view.state.uy[p], view.state.uz[p]};
+  }
+  out.place_m = out.rest_m + moved;
+  return out;
+}
+
+bool near(const OrganSphere& sphere, const Segment& s, float grow_m) {
+  const Vec3 to = Vec3{sphere.x, sphere.y, sphere.z} - s.from_m;
+  const float along = clamp(dot(to, s.direction), 0, s.length_m);
+  const Vec3 gap = to - along * s.direction;
+  const float reach = sphere.radius + grow_m;
+  return dot(gap, gap) <= reach * reach;
+}
+
+struct Search {
+  Segment segment;
+  float grow_m;
+  float best_m;
+  Vec3 rest_m, place_m;
+  bool found;
+  std::uint32_t triangles_left;
+};
+
+// Tests the triangles of a leaf; false when the triangle budget is spent.
+bool search_leaf(const View& view, const OrganSphere& leaf, Search& search) {
+  for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
+    if (search.triangles_left == 0) return false;
+    --search.triangles_left;
+    const OrganTriangle& t = view.organ.triangles[i];
+    const Vertex a = deformed(view, view.organ.vertices[t.a]);
+    const Vertex b = deformed(view, view.organ.vertices[t.b]);
+    const Vertex c = deformed(view, view.organ.vertices[t.c]);
+    float at = 0, u = 0, v = 0;
+    const Segment& segment = search.segment;
+    if (!hit_triangle(segment.from_m, segment.direction, a.place_m, b.place_m, c.place_m, at, u,
+                      v) ||
+        at < 0 || at > segment.length_m || (search.found && at <= search.best_m)) {
+      continue;
+    }
+    search.found = true;
+    search.best_m = at;
+    search.place_m = search.segment.from_m + at * search.segment.direction;
+    search.rest_m = a.rest_m + u * (b.rest_m - a.rest_m) + v * (c.rest_m - a.rest_m);
+  }
+  return true;
+}
+
+// Depth-first over the tree with a fixed stack; false when a bound was reached.
+bool search_tree(const View& view, Search& search) {
+  std::uint32_t stack[kMaxTreeDepth];
+  std::uint32_t top = 0;
+  if (view.organ.spheres.empty()) return true;
+  stack[top++] = 0;
+  for (std::uint32_t visit = 0; visit < kMaxTreeVisits; ++visit) {
+    if (top == 0) return true;
+    const OrganSphere& node = view.organ.spheres[stack[--top]];
+    if (!near(node, search.segment, search.grow_m)) continue;
+    if (node.count > 0) {
+      if (!search_leaf(view, node, search)) return false;
+      continue;
+    }
+    if (top + 2 > kMaxTreeDepth) return false;
+    stack[top++] = node.first + 1;
+    stack[top++] = node.first;
+  }
+  return top == 0;
+}
+
+}  // namespace
+
+bool find_contact(const View& view, const Needle& needle, Vec3& rest_out_m, Vec3& place_out_m,
+                  std::uint32_t& flags_out) {
+  const float reach = min_of(kContactReachM, view.model.head->config.needle.length_m);
+  Search search = {};
+  search.segment = {needle.tip_m - reach * needle.direction, needle.direction,
+                    reach - kContactSkinM};
+  // sqrt(3): the displacement bound is per axis.
+  search.grow_m = 1.7320509F * view.state.head->max_displacement_m;
+  search.triangles_left = kMaxTriangleTests;
+  if (!search_tree(view, search)) {
+    ++view.state.head->contact_budget;
+    flags_out |= kFlagContactBudget;
+    return false;
+  }
+  rest_out_m = search.rest_m;
+  place_out_m = search.place_m;
+  return search.found;
+}
+
+std::uint32_t surface(const Kernel& kernel, std::span<Vec3> positions_out) {
+  const View view = view_of(kernel);
+  const std::size_t count = view.organ.vertices.size() < positions_out.size()
+                                ? view.organ.vertices.size()
+                                : positions_out.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    positions_out[i] = deformed(view, view.organ.vertices[i]).place_m;
+  }
+  return static_cast<std::uint32_t>(count);
+}
+
+}  // namespace stylet

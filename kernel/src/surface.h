@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The embedded surface: where it is now, and where the needle first meets it.
+//
+// The sphere tree stays at rest. Every vertex is a convex combination of corner displacements, so
+// no point of the surface is farther from its rest place than the largest displacement of any
+// particle; the query is grown by that much and the tree never refitted. Only triangles of the
+// leaves reached are deformed. This replaces the per-voxel refit of leaf spheres: it needs no
+// per-leaf work and is exact for a tissue at rest, which is when first contact happens.
+//
+// Promises: at most kMaxTreeVisits nodes and kMaxTriangleTests triangles. Units SI, world frame.
+#pragma once
+
+#include "coupling.h"
+
+namespace stylet {
+
+// Looks for the surface along the needle's front part. True: found, with the rest and present place
+// of the crossing nearest the tip. Sets kFlagContactBudget in flags_out when the bound was reached
+// (then false: asked again next tick).
+bool find_contact(const View& view, const Needle& needle, Vec3& rest_out_m, Vec3& place_out_m,
+                  std::uint32_t& flags_out);
+
+}  // namespace stylet
