@@ -21,6 +21,7 @@ class Blocks : public testing::TestWithParam<Mode> {
  protected:
   std::unique_ptr<OpenOrgan> opened_ = block_organ(6, 6, 8);
   Config config_ = config_of(GetParam());
+  Script script_ = block_script(opened_->organ, config_);
 
   Sizes sizes_of() const {
     Sizes bytes{};
@@ -29,7 +30,7 @@ class Blocks : public testing::TestWithParam<Mode> {
   }
   std::uint64_t hash_after(std::uint64_t ticks) const {
     Session session = make_session(opened_->organ, config_);
-    run(session.kernel, config_, 0, ticks);
+    run(session.kernel, script_, 0, ticks);
     return hash(session.kernel);
   }
 };
@@ -80,7 +81,7 @@ TEST_P(Blocks, UsedAreWhatWasPredicted) {
   for (std::size_t i = 0; i < 2; ++i) {
     Kernel kernel;
     ASSERT_EQ(create(opened_->organ, config_, used[i].memory(), kernel), Status::kOk);
-    run(kernel, config_, 0, kTicks);
+    run(kernel, script_, 0, kTicks);
     EXPECT_TRUE(used[i].model.guards_hold(kFills[i]));
     EXPECT_TRUE(used[i].state.guards_hold(kFills[i]));
     EXPECT_TRUE(used[i].scratch.guards_hold(kFills[i]));
@@ -131,7 +132,7 @@ TEST_P(Blocks, ScratchContentNeverMatters) {
     Session session = make_session(opened_->organ, config_);
     for (std::uint64_t i = 0; i < kTicks; ++i) {
       fill(session.scratch.span());
-      run(session.kernel, config_, i, 1);
+      run(session.kernel, script_, i, 1);
     }
     return hash(session.kernel);
   };
@@ -156,19 +157,19 @@ TEST_P(Blocks, HashSeesTheState) {
 TEST_P(Blocks, SnapshotsContinueWithTheSameBits) {
   Session original = make_session(opened_->organ, config_);
   const std::uint64_t half = kCycleTicks / 2;  // the needle is in the tissue
-  run(original.kernel, config_, 0, half);
+  run(original.kernel, script_, 0, half);
   Block saved = make_block(snapshot_bytes(original.kernel));
   ASSERT_EQ(snapshot(original.kernel, saved.span()), Status::kOk);
   const std::uint64_t hash_saved = hash(original.kernel);
 
   Session copy = make_session(opened_->organ, config_);
-  run(copy.kernel, config_, 77, 1234);  // somewhere else first
+  run(copy.kernel, script_, 77, 1234);  // somewhere else first
   EXPECT_NE(difference(original.kernel, copy.kernel).field, nullptr);
   ASSERT_EQ(restore(copy.kernel, saved.span()), Status::kOk);
   EXPECT_EQ(hash(copy.kernel), hash_saved);
   EXPECT_EQ(difference(original.kernel, copy.kernel).field, nullptr);
   for (std::uint64_t i = half; i < half + kCycleTicks; ++i) {
-    const Input input = scripted_input(opened_->organ, config_, i);
+    const Input input = scripted_input(script_, i);
     const Output a = tick(original.kernel, input), b = tick(copy.kernel, input);
     ASSERT_EQ(std::memcmp(&a.force_n, &b.force_n, sizeof a.force_n), 0) << "tick " << i;
     ASSERT_EQ(hash(original.kernel), hash(copy.kernel)) << "tick " << i;
@@ -195,11 +196,11 @@ TEST_P(Blocks, SnapshotsOfAnotherConfigurationOrSizeAreRefused) {
 TEST_P(Blocks, ResetIsTheBeginning) {
   Session session = make_session(opened_->organ, config_);
   const std::uint64_t at_start = hash(session.kernel);
-  run(session.kernel, config_, 0, kTicks);
+  run(session.kernel, script_, 0, kTicks);
   EXPECT_NE(hash(session.kernel), at_start);
   reset(session.kernel);
   EXPECT_EQ(hash(session.kernel), at_start);
-  run(session.kernel, config_, 0, kTicks);
+  run(session.kernel, script_, 0, kTicks);
   EXPECT_EQ(hash(session.kernel), hash_after(kTicks));
 }
 

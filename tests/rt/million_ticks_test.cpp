@@ -31,6 +31,7 @@ class MillionTicks : public testing::TestWithParam<Mode> {
  protected:
   std::unique_ptr<OpenOrgan> opened_ = block_organ(6, 6, 8);
   Config config_ = config_of(GetParam());
+  Script script_ = block_script(opened_->organ, config_);
   Session session_ = make_session(opened_->organ, config_);
 
   // The script is no proof of anything unless the needle really went in and out.
@@ -57,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, MillionTicks, testing::Values(Mode::kPhysical, M
 
 TEST_P(MillionTicks, CallNoHeap) {
   arm_allocation_trap();
-  run(session_.kernel, config_, 0, kTicks);
+  run(session_.kernel, script_, 0, kTicks);
   EXPECT_EQ(disarm_allocation_trap(), 0U);
   expect_needle_was_busy();
 }
@@ -82,9 +83,9 @@ long page_faults() {
 TEST_P(MillionTicks, CausePageFaultsNever) {
   // As the loop does: everything locked where that is allowed, and once through the script.
   mlockall(MCL_CURRENT);
-  run(session_.kernel, config_, 0, kCycleTicks);
+  run(session_.kernel, script_, 0, kCycleTicks);
   const long before = page_faults();
-  run(session_.kernel, config_, kCycleTicks, kTicks);
+  run(session_.kernel, script_, kCycleTicks, kTicks);
   EXPECT_EQ(page_faults() - before, 0);
   munlockall();
   expect_needle_was_busy();
@@ -138,13 +139,13 @@ bool seccomp_missing(const ChildEnd& end) {
 
 TEST_P(MillionTicks, CallNoSystem) {
   const ChildEnd end = run_without_system_calls([this] {
-    run(session_.kernel, config_, 0, kTicks);
+    run(session_.kernel, script_, 0, kTicks);
     return hash(session_.kernel);
   });
   if (seccomp_missing(end)) GTEST_SKIP() << "this host has no seccomp";
   ASSERT_TRUE(WIFEXITED(end.status)) << "killed by signal " << WTERMSIG(end.status);
   ASSERT_TRUE(end.has_value);
-  run(session_.kernel, config_, 0, kTicks);
+  run(session_.kernel, script_, 0, kTicks);
   EXPECT_EQ(end.value, hash(session_.kernel));
   expect_needle_was_busy();
 }

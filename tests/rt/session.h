@@ -3,8 +3,8 @@
 // benchmarks run.
 //
 // Promises: the script is a function of the tick alone and uses only + - * / on floats, so it is
-// the same for every compiler; `run` neither allocates nor calls the system. Units: SI. Frame:
-// world; the block's low corner is the origin, the needle comes from +z.
+// the same for every compiler; `run` neither allocates nor calls the system.
+// Units: SI. Frame: world; the needle comes from +z.
 #pragma once
 
 #include <algorithm>
@@ -98,43 +98,53 @@ inline Session make_session(const Organ& organ, const Config& config) {
 // ends with a sideways pull, and out; each time at another place, tilted a little. Now and then a
 // sample is missing or not a number.
 constexpr std::uint64_t kCycleTicks = 4000;
+constexpr std::uint64_t kPauseBegin = 1500, kPauseEnd = 2500;  // needle at its deepest
 
-inline Input scripted_input(const Organ& organ, const Config& config, std::uint64_t tick) {
-  const auto in_cycle = static_cast<float>(tick % kCycleTicks);
-  const std::uint64_t cycle = tick / kCycleTicks;
+struct Script {
+  Vec3 entry_m;  // on the surface, the tissue below
+  float needle_length_m;
+};
+
+// Middle of the top of a block.
+inline Script block_script(const Organ& organ, const Config& config) {
   const float edge_m = organ.voxel_edge_m;
-  const float top_m = organ.origin_m.z + static_cast<float>(organ.size_z) * edge_m;
+  return {{organ.origin_m.x + 0.5F * static_cast<float>(organ.size_x) * edge_m,
+           organ.origin_m.y + 0.5F * static_cast<float>(organ.size_y) * edge_m,
+           organ.origin_m.z + static_cast<float>(organ.size_z) * edge_m},
+          config.needle.length_m};
+}
+
+inline Input scripted_input(const Script& script, std::uint64_t tick) {
+  constexpr float kStepM = 26e-6F, kPullM = 4e-6F;
+  const std::uint64_t cycle = tick / kCycleTicks, at = tick % kCycleTicks;
+  const auto steps = [](std::uint64_t count) { return static_cast<float>(count); };
   float depth_m = -0.012F;
   float pull_m = 0;
-  if (in_cycle < 1500) {
-    depth_m += 26e-6F * in_cycle;
-  } else if (in_cycle < 2500) {
-    depth_m += 26e-6F * 1500;
-    pull_m = in_cycle > 2000 ? 4e-6F * (in_cycle - 2000) : 0;
+  if (at < kPauseBegin) {
+    depth_m += kStepM * steps(at);
+  } else if (at < kPauseEnd) {
+    depth_m += kStepM * steps(kPauseBegin);
+    pull_m = at > 2000 ? kPullM * steps(at - 2000) : 0;
   } else {
-    depth_m += 26e-6F * (4000 - in_cycle);
-    pull_m = 4e-6F * (4000 - in_cycle) / 3;
+    depth_m += kStepM * steps(kCycleTicks - at);
+    pull_m = kPullM * steps(kCycleTicks - at) / 3;
   }
-  const float tilt = 0.02F * (static_cast<float>(cycle % 7) - 3);  // half the angle, small
-  const float w = 1 - 0.5F * tilt * tilt;
-  const float middle_x_m = organ.origin_m.x + 0.5F * static_cast<float>(organ.size_x) * edge_m;
-  const float middle_y_m = organ.origin_m.y + 0.5F * static_cast<float>(organ.size_y) * edge_m;
-  const auto place_x = static_cast<float>(cycle % 5), place_y = static_cast<float>(cycle % 3);
-
+  const float tilt = 0.02F * (steps(cycle % 7) - 3);  // half the angle, small
   Input input{};
-  input.handle.rotation = {w, tilt, 0, 0};
-  input.handle.position_m = {middle_x_m + pull_m + 0.37e-2F * (place_x - 2),
-                             middle_y_m + 0.31e-2F * (place_y - 1) - 2 * tilt * 0.1F,
-                             top_m + config.needle.length_m - depth_m};
+  input.handle.rotation = {1 - 0.5F * tilt * tilt, tilt, 0, 0};
+  input.handle.position_m = {
+      script.entry_m.x + pull_m + 3.7e-3F * (steps(cycle % 5) - 2),
+      script.entry_m.y + 3.1e-3F * (steps(cycle % 3) - 1) - 2 * tilt * script.needle_length_m,
+      script.entry_m.z + script.needle_length_m - depth_m};
   input.valid = tick % 997 == 996 ? 0 : 1;
   if (tick % 4999 == 4998) input.handle.position_m.y = std::numeric_limits<float>::quiet_NaN();
   return input;
 }
 
-inline void run(Kernel& kernel, const Config& config, std::uint64_t first_tick,
+inline void run(Kernel& kernel, const Script& script, std::uint64_t first_tick,
                 std::uint64_t tick_count) {
   for (std::uint64_t i = first_tick; i < first_tick + tick_count; ++i) {
-    tick(kernel, scripted_input(*kernel.organ, config, i));
+    tick(kernel, scripted_input(script, i));
   }
 }
 
