@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program's subcommands: options in, exit code out. A mistake of the user is an exception whose
+// text is the one line that main prints.
+#pragma once
+
+#include <string>
+
+namespace stylet::app {
+
+// What the program's exit code means.
+enum ExitCode : int {
+  kExitOk = 0,
+  kExitRefused = 1,    // scene, organ, recording or host file: not what it should be
+  kExitUsage = 2,      // command line
+  kExitTrouble = 3,    // run: a guard fault or lost records; replay: other bits
+  kExitHostUnfit = 4,  // the machine does not grant what the real-time loop needs
+};
+
+struct RunOptions {
+  std::string scene;
+  std::string organ;      // instead of the scene's
+  std::string record;     // empty: none
+  std::string mode;       // empty: the scene's
+  double duration_s = 0;  // 0: as long as the hand's script
+  bool fast = false;
+  bool json = false;
+  bool allow_non_rt = false;
+};
+int run(const RunOptions& options);
+
+struct ReplayOptions {
+  std::string recording;
+  std::string organ;
+};
+int replay_recording(const ReplayOptions& options);
+
+struct PlotOptions {
+  std::string recording;
+  std::string output;  // .svg or .png
+};
+int plot(const PlotOptions& options);
+
+}  // namespace stylet::app

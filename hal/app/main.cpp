@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program stylet: command line in, one line of error or a report out.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "commands.h"
+
+#ifdef STYLET_WITH_BENCH
+int bench_main(int argc, char** argv);
+#endif
+
+namespace stylet::app {
+namespace {
+
+void add_run(CLI::App& program, RunOptions& options) {
+  CLI::App& run = *program.add_subcommand("run", "Run a scene on the real-time loop");
+  run.footer("Example: stylet run fig09-force-curve.toml --organ liver.organ --record out.h5");
+  run.add_option("scene", options.scene, "Scene file (TOML)")->required();
+  run.add_option("--organ", options.organ, "Organ file, instead of the scene's");
+  run.add_option("--record", options.record, "Write a recording (HDF5)");
+  run.add_option("--mode", options.mode, "Instead of the scene's")
+      ->check(CLI::IsMember({"physical", "paper"}));
+  run.add_option("--duration-s", options.duration_s, "Simulated time, instead of the script's")
+      ->check(CLI::Range(1e-3, 86400.0));
+  run.add_flag("--fast", options.fast, "Virtual clock: same bits, as fast as the machine goes");
+  run.add_flag("--json", options.json, "One JSON object on standard output, nothing else");
+  run.add_flag("--allow-non-rt", options.allow_non_rt,
+               "Go on with a warning where the machine refuses real-time rights");
+}
+
+void add_replay(CLI::App& program, ReplayOptions& options) {
+  CLI::App& replay =
+      *program.add_subcommand("replay", "Check that a recording gives the same bits");
+  replay.footer("Example: stylet replay out.h5");
+  replay.add_option("recording", options.recording, "Recording (HDF5)")->required();
+  replay.add_option("--organ", options.organ, "Organ file, instead of the recorded path");
+}
+
+void add_plot(CLI::App& program, PlotOptions& options) {
+  CLI::App& plot = *program.add_subcommand("plot", "Draw the force curves of a recording");
+  plot.footer("Example: stylet plot out.h5 -o force.svg");
+  plot.add_option("recording", options.recording, "Recording (HDF5)")->required();
+  plot.add_option("-o,--output", options.output, "Picture to write, .svg or .png")->required();
+}
+
+int dispatch(int argc, char** argv) {
+  CLI::App program("Haptic needle insertion: run scenes, replay and plot recordings");
+  program.set_version_flag("--version", STYLET_VERSION);
+  program.require_subcommand(1);
+  program.footer(
+      "Exit codes: 0 ok, 1 a file was refused, 2 command line, 3 fault or other bits, "
+      "4 machine not fit for real time");
+  RunOptions run_options;
+  ReplayOptions replay_options;
+  PlotOptions plot_options;
+  add_run(program, run_options);
+  add_replay(program, replay_options);
+  add_plot(program, plot_options);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? kExitOk : kExitUsage;
+  }
+  if (program.got_subcommand("run")) return run(run_options);
+  if (program.got_subcommand("replay")) return replay_recording(replay_options);
+  return plot(plot_options);
+}
+
+}  // namespace
+}  // namespace stylet::app
+
+int main(int argc, char** argv) {
+#ifdef STYLET_WITH_BENCH
+  if (argc > 1 && std::string_view(argv[1]) == "bench") return bench_main(argc - 1, argv + 1);
+#endif
+  try {
+    return stylet::app::dispatch(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "stylet: {}\n", error.what());
+    return stylet::app::kExitRefused;
+  }
+}

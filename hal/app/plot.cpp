@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+// Force curves by gnuplot. Script and data go to its standard input, the picture comes from its
+// standard output: no shell, no file name that it has to read.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "stylet/hal/phases.h"
+#include "stylet/hal/recording.h"
+
+extern char** environ;
+
+namespace stylet::app {
+namespace {
+
+constexpr std::size_t kMaxPoints = 3000;  // more than a printed page can show
+
+// Colours of Okabe and Ito: told apart with every kind of colour vision.
+struct Cause {
+  const char* name;
+  const char* colour;
+  Vec3 ForceByCause::*force;
+};
+constexpr std::array kCauses = {Cause{"stiffness", "#E69F00", &ForceByCause::stiffness_n},
+                                Cause{"cutting", "#D55E00", &ForceByCause::cutting_n},
+                                Cause{"friction", "#0072B2", &ForceByCause::friction_n},
+                                Cause{"clamping", "#009E73", &ForceByCause::clamping_n},
+                                Cause{"obstacle", "#CC79A7", &ForceByCause::obstacle_n}};
+
+struct Curve {
+  std::vector<hal::TrackPoint> track;
+  std::vector<std::array<float, kCauses.size()>> causes;  // axial, same sign as the track
+  std::vector<hal::PhaseRow> phases;
+  double period_s = 1e-3;
+};
+
+Curve read_curve(const hal::RecordingReader& recording) {
+  const hal::RecordingInfo& info = recording.info();
+  Curve curve;
+  curve.period_s = static_cast<double>(info.config.period_s);
+  std::vector<hal::TickRecord> block;
+  for (std::uint64_t first = 0; first < recording.ticks(); first += block.size()) {
+    block.resize(std::min<std::uint64_t>(4096, recording.ticks() - first));
+    recording.read(first, block);
+    for (const hal::TickRecord& record : block) {
+      curve.track.push_back(hal::track_point(record, info.entry_m, info.direction));
+      auto& causes = curve.causes.emplace_back();
+      for (std::size_t c = 0; c < kCauses.size(); ++c) {
+        const Vec3 f = record.output.cause.*kCauses[c].force;
+        causes[c] = -(f.x * info.direction.x + f.y * info.direction.y + f.z * info.direction.z);
+      }
+    }
+  }
+  curve.phases = hal::find_phases(curve.track, curve.period_s, info.config.needle.unit_m);
+  return curve;
+}
+
+// Every n-th tick, and the ticks around a change of phase, where curves have their corners.
+std::vector<std::size_t> shown_points(const Curve& curve) {
+  std::vector<std::size_t> shown;
+  const std::size_t stride = curve.track.size() / kMaxPoints + 1;
+  for (std::size_t i = 0; i < curve.track.size(); i += stride) shown.push_back(i);
+  std::size_t start = 0;
+  for (const hal::PhaseRow& row : curve.phases) {
+    if (start > 0) shown.push_back(start - 1);
+    shown.push_back(start);
+    start += row.end_tick - row.start_tick;
+  }
+  shown.push_back(curve.track.size() - 1);
+  std::sort(shown.begin(), shown.end());
+  shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
+  return shown;
+}
+
+bool felt(const Curve& curve, std::size_t cause) {
+  return std::any_of(curve.causes.begin(), curve.causes.end(),
+                     [cause](const auto& f) { return std::fabs(f[cause]) > 1e-3F; });
+}
+
+const hal::PhaseRow& phase_of(const Curve& curve, std::uint64_t tick) {
+  for (const hal::PhaseRow& row : curve.phases) {
+    if (tick < row.end_tick) return row;
+  }
+  return curve.phases.back();
+}
+
+// One data block a curve: "time travel force" for the total by stage, "time force" for the causes.
+std::string data_blocks(const Curve& curve) {
+  std::string total = "$total << EOD\n", causes = "$causes << EOD\n";
+  std::string in = "$in << EOD\n", hold = "$hold << EOD\n", out = "$out << EOD\n";
+  for (const std::size_t i : shown_points(curve)) {
+    const hal::TrackPoint& p = curve.track[i];
+    const double time_s = static_cast<double>(p.tick) * curve.period_s;
+    const double travel_mm = static_cast<double>(p.travel_m) * 1e3;
+    const double force_n = static_cast<double>(p.axial_n);
+    total += fmt::format("{:.6g} {:.6g}\n", time_s, force_n);
+    causes += fmt::format("{:.6g}", time_s);
+    for (const float f : curve.causes[i]) causes += fmt::format(" {:.6g}", static_cast<double>(f));
+    causes += '\n';
+    const hal::Stage stage = phase_of(curve, p.tick).stage;
+    const bool back = stage == hal::Stage::kRetraction || stage == hal::Stage::kExit;
+    std::string& by_depth = stage == hal::Stage::kHold ? hold : back ? out : in;
+    by_depth += fmt::format("{:.6g} {:.6g}\n", travel_mm, force_n);
+  }
+  const std::string end = "EOD\n";
+  const auto some = [&end](const std::string& block) {
+    return block +
+           (block.back() == '\n' && block.find('\n') + 1 == block.size() ? "NaN NaN\n" : "") + end;
+  };
+  return some(total) + some(causes) + some(in) + some(hold) + some(out);
+}
+
+// Shaded and named; a phase too short for its name hands it to the margin above with a slant.
+std::string phase_shades(const Curve& curve) {
+  constexpr std::array kTints = {"#F2F2F2", "#E4EDF6", "#FBE3D6", "#EAF3E6",
+                                 "#FFF6D6", "#F3E6F1", "#F2F2F2"};
+  std::string script;
+  int object = 1;
+  for (const hal::PhaseRow& row : curve.phases) {
+    const double from = static_cast<double>(row.start_tick) * curve.period_s;
+    const double to = static_cast<double>(row.end_tick) * curve.period_s;
+    script += fmt::format(
+        "set object {} rectangle from first {:.6g}, graph 0 to first {:.6g}, graph 1 behind "
+        "fillcolor rgb '{}' fillstyle solid 1 noborder\n",
+        object, from, to, kTints[static_cast<std::size_t>(row.stage)]);
+    script += fmt::format(
+        "set label {} '{}' at first {:.6g}, graph 1.02 left rotate by 35 "
+        "font ',11' textcolor rgb '#333333'\n",
+        object, hal::stage_name(row.stage), 0.5 * (from + to));
+    ++object;
+  }
+  return script;
+}
+
+std::string legend_text(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    safe += (c >= ' ' && c <= '~' && c != '\'' && c != '\\' && c != '"') ? c : '_';
+  }
+  return safe;
+}
+
+std::string script_of(const Curve& curve, const hal::RecordingInfo& info, bool svg) {
+  std::string script =
+      svg ? "set terminal svg size 900,820 font 'DejaVu Sans,13' background rgb 'white'\n"
+          : "set terminal pngcairo size 1800,1640 fontscale 1 font 'DejaVu Sans,26' linewidth 2\n";
+  script += data_blocks(curve);
+  script +=
+      "set encoding utf8\nset multiplot\nset border 3 linewidth 1\nset tics nomirror out\n"
+      "set grid ytics linewidth 0.5 linecolor rgb '#CCCCCC'\nset lmargin screen 0.10\n"
+      "set rmargin screen 0.97\nset xzeroaxis linewidth 0.8 linecolor rgb '#777777'\n"
+      "set ylabel 'Axial force on the needle / N' offset 0.5\n";
+  script +=
+      "set tmargin screen 0.90\nset bmargin screen 0.56\nset xlabel 'Time / s'\n"
+      "set key inside top right opaque box linewidth 0.5 spacing 1.1\n";
+  script += phase_shades(curve);
+  script += fmt::format("set xrange [0:{:.6g}]\n",
+                        static_cast<double>(curve.track.back().tick) * curve.period_s);
+  std::string plot =
+      "plot $total using 1:2 with lines linewidth 2.4 linecolor rgb '#000000' "
+      "title 'total'";
+  for (std::size_t c = 0; c < kCauses.size(); ++c) {
+    if (!felt(curve, c)) continue;
+    plot += fmt::format(
+        ", $causes using 1:{} with lines linewidth 1.6 linecolor rgb '{}' "
+        "title '{}'",
+        c + 2, kCauses[c].colour, kCauses[c].name);
+  }
+  script += plot + "\n";
+  for (std::size_t i = 1; i <= curve.phases.size(); ++i) {
+    script += fmt::format("unset object {0}\nunset label {0}\n", i);
+  }
+  script +=
+      "set tmargin screen 0.46\nset bmargin screen 0.10\nset autoscale x\n"
+      "set xlabel 'Tip travel beyond the first contact / mm'\nset key top left\n"
+      "plot $in using 1:2 with lines linewidth 2.2 linecolor rgb '#0072B2' title 'way in', "
+      "$hold using 1:2 with lines linewidth 2.2 linecolor rgb '#E69F00' title 'hold', "
+      "$out using 1:2 with lines linewidth 2.2 linecolor rgb '#D55E00' title 'way out'\n";
+  script += fmt::format(
+      "set label 99 '{}, {} mode, {:.2f} mm needle' at screen 0.97, screen 0.015 right font ',10' "
+      "noenhanced textcolor rgb '#555555'\n",
+      legend_text(info.organ_name), info.config.mode == Mode::kPaper ? "paper" : "physical",
+      2e3 * static_cast<double>(info.config.needle.outer_radius_m));
+  return script;
+}
+
+// Runs gnuplot with `script` on its input and `output_fd` as its output.
+void run_gnuplot(const std::string& script, int output_fd) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("gnuplot: no pipe to it");
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, output_fd, STDOUT_FILENO);
+  std::string name = "gnuplot";
+  char* arguments[] = {name.data(), nullptr};
+  pid_t child = 0;
+  const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  close(ends[0]);
+  if (error != 0) {
+    close(ends[1]);
+    throw std::runtime_error(
+        fmt::format("gnuplot: {}: expected the program of the package "
+                    "gnuplot-nox",
+                    std::strerror(error)));
+  }
+  signal(SIGPIPE, SIG_IGN);  // a gnuplot that dies is reported by its exit status
+  for (std::size_t done = 0; done < script.size();) {
+    const ssize_t part = write(ends[1], script.data() + done, script.size() - done);
+    if (part < 0 && errno != EINTR) break;
+    if (part > 0) done += static_cast<std::size_t>(part);
+  }
+  close(ends[1]);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    throw std::runtime_error("gnuplot: failed; its own message is above");
+  }
+}
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+}  // namespace
+
+int plot(const PlotOptions& options) {
+  const bool svg = ends_with(options.output, ".svg");
+  if (!svg && !ends_with(options.output, ".png")) {
+    throw std::runtime_error(
+        fmt::format("{}: expected a name that ends in .svg or .png", options.output));
+  }
+  const hal::RecordingReader recording(options.recording);
+  if (recording.ticks() == 0) {
+    throw hal::RecordingError(fmt::format("{}: ticks: 0: nothing to draw", options.recording));
+  }
+  const std::string script = script_of(read_curve(recording), recording.info(), svg);
+  const std::string temporary = fmt::format("{}.{}.tmp", options.output, getpid());
+  const int output = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (output < 0) {
+    throw std::runtime_error(
+        fmt::format("{}: cannot be written: {}", options.output, std::strerror(errno)));
+  }
+  try {
+    run_gnuplot(script, output);
+  } catch (...) {
+    close(output);
+    std::remove(temporary.c_str());
+    throw;
+  }
+  close(output);
+  if (std::rename(temporary.c_str(), options.output.c_str()) != 0) {
+    std::remove(temporary.c_str());
+    throw std::runtime_error(
+        fmt::format("{}: cannot be written: {}", options.output, std::strerror(errno)));
+  }
+  fmt::print("{}\n", options.output);
+  return kExitOk;
+}
+
+}  // namespace stylet::app

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace stylet::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Lines = std::vector<std::pair<const char*, std::uint64_t>>;
+
+// Not a number is null in JSON; seven digits are what a float has.
+Json number(float value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::stod(fmt::format("{:.7g}", static_cast<double>(value)));
+}
+
+std::string hex(std::uint64_t hash) {
+  return fmt::format("{:016x}", hash);
+}
+
+// Every counter once, for the table and for the object.
+Lines counters(const RunReport& report) {
+  const hal::GuardCounters& guard = report.loop->guard.counters;
+  const Stats& stats = report.stats;
+  return {{"input_not_finite", stats.input_not_finite},
+          {"input_clamped", stats.input_clamped},
+          {"input_missing", stats.input_missing},
+          {"cp_pool_full", stats.cp_pool_full},
+          {"cp_voxel_pool_full", stats.cp_voxel_pool_full},
+          {"contact_budget", stats.contact_budget},
+          {"kernel_fault", stats.fault},
+          {"samples_used", guard.samples_used},
+          {"samples_missing", guard.samples_missing},
+          {"samples_repeated", guard.samples_repeated},
+          {"samples_lost", guard.samples_lost},
+          {"samples_old", guard.samples_old},
+          {"samples_not_finite", guard.samples_not_finite},
+          {"samples_absurd", guard.samples_absurd},
+          {"force_not_finite", guard.force_not_finite},
+          {"force_limited", guard.force_limited},
+          {"slew_limited", guard.slew_limited},
+          {"guard_faults", guard.faults},
+          {"lost_records", report.loop->lost_records},
+          {"lost_events", report.loop->lost_events}};
+}
+
+Json json_of(const hal::Histogram& histogram) {
+  return {{"p50_us", hal::histogram_quantile_us(histogram, 0.5)},
+          {"p99_us", hal::histogram_quantile_us(histogram, 0.99)},
+          {"p99_9_us", hal::histogram_quantile_us(histogram, 0.999)},
+          {"max_us", static_cast<double>(histogram.max_ns) * 1e-3}};
+}
+
+Json json_of(const Pool& pool) {
+  return {{"used", pool.used}, {"high_water", pool.used_max}, {"capacity", pool.capacity}};
+}
+
+Json json_of(const hal::PhaseRow& row) {
+  return {{"name", hal::stage_name(row.stage)},
+          {"start_tick", row.start_tick},
+          {"end_tick", row.end_tick},
+          {"depth_m", number(row.depth_m)},
+          {"travel_m", number(row.travel_m)},
+          {"peak_force_n", number(row.peak_force_n)},
+          {"mean_force_n", number(row.mean_force_n)},
+          {"start_force_n", number(row.start_force_n)},
+          {"end_force_n", number(row.end_force_n)},
+          {"slope_n_per_mm", number(row.slope_n_per_mm)}};
+}
+
+Json json_of(const Event& event) {
+  return {{"tick", event.tick},
+          {"kind", event_name(event.kind)},
+          {"layer", event.layer == kNoLayer ? Json(nullptr) : Json(event.layer)},
+          {"depth_m", number(event.depth_m)},
+          {"force_n", number(event.force_n)}};
+}
+
+Json json_of(std::size_t predicted, std::size_t used) {
+  return {{"predicted_bytes", predicted}, {"used_bytes", used}};
+}
+
+// What the eye looks for in each phase.
+std::string remark(const hal::PhaseRow& row) {
+  const double start = static_cast<double>(row.start_force_n);
+  const double end = static_cast<double>(row.end_force_n);
+  switch (row.stage) {
+    case hal::Stage::kContact:
+      return fmt::format("punctures at {:.3f} N, {:.2f} mm in", end,
+                         static_cast<double>(row.travel_m) * 1e3);
+    case hal::Stage::kPuncture:
+    case hal::Stage::kHold:
+      if (std::fabs(start) < 1e-3) return "";
+      return fmt::format("force {} {:.0f} %", row.stage == hal::Stage::kHold ? "relaxes" : "drops",
+                         100 * (1 - end / start));
+    default:
+      return "";
+  }
+}
+
+std::string phase_table(const RunReport& report) {
+  std::string text =
+      fmt::format("{:<11}{:>9}{:>9}{:>11}{:>10}{:>9}{:>9}{:>11}  {}\n", "phase", "from s", "to s",
+                  "travel mm", "depth mm", "peak N", "mean N", "slope N/mm", "");
+  for (const hal::PhaseRow& row : report.phases) {
+    const std::string slope = std::isfinite(row.slope_n_per_mm)
+                                  ? fmt::format("{:.5f}", static_cast<double>(row.slope_n_per_mm))
+                                  : "";
+    text += fmt::format(
+        "{:<11}{:>9.3f}{:>9.3f}{:>11.2f}{:>10.2f}{:>9.3f}{:>9.3f}{:>11}  {}\n",
+        hal::stage_name(row.stage), static_cast<double>(row.start_tick) * report.period_s,
+        static_cast<double>(row.end_tick) * report.period_s,
+        static_cast<double>(row.travel_m) * 1e3, static_cast<double>(row.depth_m) * 1e3,
+        static_cast<double>(row.peak_force_n), static_cast<double>(row.mean_force_n), slope,
+        remark(row));
+  }
+  return text;
+}
+
+std::string timing_row(const char* name, const hal::Histogram& histogram) {
+  return fmt::format(
+      "{:<20}{:>10.1f}{:>10.1f}{:>10.1f}{:>10.1f}\n", name,
+      hal::histogram_quantile_us(histogram, 0.5), hal::histogram_quantile_us(histogram, 0.99),
+      hal::histogram_quantile_us(histogram, 0.999), static_cast<double>(histogram.max_ns) * 1e-3);
+}
+
+std::string timing_table(const RunReport& report) {
+  const hal::LoopState& loop = *report.loop;
+  std::string text =
+      fmt::format("{:<20}{:>10}{:>10}{:>10}{:>10}\n", "timing, us", "p50", "p99", "p99.9", "max");
+  text += timing_row("tick", loop.tick_time);
+  if (!report.fast) text += timing_row("wake-up lateness", loop.lateness);
+  text += fmt::format(
+      "ticks {}, missed {}, page faults {}, preempted {} times; {:.2f} s for {:.2f} s simulated\n",
+      loop.ticks, loop.missed_ticks, report.thread.minor_faults + report.thread.major_faults,
+      report.thread.involuntary_switches, report.wall_s,
+      static_cast<double>(loop.ticks) * report.period_s);
+  return text;
+}
+
+std::string counter_table(const RunReport& report) {
+  std::string text;
+  for (const auto& [name, value] : counters(report)) {
+    if (value != 0) text += fmt::format("  {:<20}{:>12}\n", name, value);
+  }
+  const auto pool = [](const char* name, const Pool& p) {
+    return fmt::format("  {:<24}{:>6} of {}\n", name, p.used_max, p.capacity);
+  };
+  return "counters (those not zero)\n" + text + "pools, most ever used\n" +
+         pool("constraint particles", report.stats.constraint_particles) +
+         pool("coupled voxels", report.stats.coupled_voxels) + pool("tracks", report.stats.tracks);
+}
+
+}  // namespace
+
+std::string json_text(const RunReport& report) {
+  const hal::LoopState& loop = *report.loop;
+  Json out = {{"scene", report.scene_file},
+              {"mode", report.mode},
+              {"organ", report.organ_file},
+              {"recording", report.recording.empty() ? Json(nullptr) : Json(report.recording)},
+              {"fast", report.fast},
+              {"interrupted", report.interrupted},
+              {"period_s", std::stod(fmt::format("{:.7g}", report.period_s))},
+              {"phases", Json::array()},
+              {"events", Json::array()}};
+  for (const hal::PhaseRow& row : report.phases) out["phases"].push_back(json_of(row));
+  for (const Event& event : report.events) out["events"].push_back(json_of(event));
+  out["timing"] = {{"tick", json_of(loop.tick_time)},
+                   {"wake_up_lateness", json_of(loop.lateness)},
+                   {"ticks", loop.ticks},
+                   {"missed_ticks", loop.missed_ticks},
+                   {"page_faults", report.thread.minor_faults + report.thread.major_faults},
+                   {"involuntary_switches", report.thread.involuntary_switches},
+                   {"wall_s", report.wall_s}};
+  const Stats& stats = report.stats;
+  out["memory"] = {{"model", json_of(report.predicted.model_bytes, report.used.model_bytes)},
+                   {"state", json_of(report.predicted.state_bytes, report.used.state_bytes)},
+                   {"scratch", json_of(report.predicted.scratch_bytes, report.used.scratch_bytes)},
+                   {"pools",
+                    {{"constraint_particles", json_of(stats.constraint_particles)},
+                     {"coupled_voxels", json_of(stats.coupled_voxels)},
+                     {"tracks", json_of(stats.tracks)}}}};
+  out["counters"] = Json::object();
+  for (const auto& [name, value] : counters(report)) out["counters"][name] = value;
+  out["coupling_shortfall"] = number(stats.coupling_shortfall);
+  out["fault"] = hal::fault_name(loop.guard.fault);
+  out["host"] = {{"lacks", report.host.lacks}, {"notes", report.host.notes}};
+  out["state_hash"] = hex(report.state_hash);
+  out["organ_hash"] = hex(report.organ_hash);
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string human_text(const RunReport& report) {
+  std::string text =
+      phase_table(report) + "\n" + timing_table(report) + "\n" + counter_table(report);
+  const auto row = [](const char* name, std::size_t predicted, std::size_t used) {
+    return fmt::format("  {:<10}{:>14}{:>14}\n", name, predicted, used);
+  };
+  text += fmt::format("{:<12}{:>14}{:>14}\n", "memory, B", "predicted", "used");
+  text += row("model", report.predicted.model_bytes, report.used.model_bytes) +
+          row("state", report.predicted.state_bytes, report.used.state_bytes) +
+          row("scratch", report.predicted.scratch_bytes, report.used.scratch_bytes);
+  text += fmt::format("\nstate hash  {}\norgan hash  {}\norgan       {}\n", hex(report.state_hash),
+                      hex(report.organ_hash), report.organ_file);
+  if (!report.recording.empty()) text += fmt::format("recording   {}\n", report.recording);
+  if (report.interrupted) text += "interrupted before the end of the script\n";
+  if (report.loop->guard.fault != hal::Fault::kNone) {
+    text += fmt::format("guard fault: {}: force was taken to zero and stayed there\n",
+                        hal::fault_name(report.loop->guard.fault));
+  }
+  return text;
+}
+
+}  // namespace stylet::app

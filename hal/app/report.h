@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a run has to say, for people and for machines.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stylet/hal/host.h"
+#include "stylet/hal/loop.h"
+#include "stylet/hal/phases.h"
+#include "stylet/kernel.h"
+
+namespace stylet::app {
+
+struct RunReport {
+  std::string scene_file, organ_file, organ_name, mode, recording;
+  std::uint64_t organ_hash = 0, state_hash = 0;
+  double period_s = 1e-3;
+  bool fast = false, interrupted = false;
+  double wall_s = 0;
+  std::vector<hal::PhaseRow> phases;
+  std::vector<Event> events;
+  const hal::LoopState* loop = nullptr;
+  hal::ThreadUse thread = {};
+  hal::HostReport host;
+  Sizes predicted = {}, used = {};
+  Stats stats = {};
+};
+
+std::string json_text(const RunReport& report);
+std::string human_text(const RunReport& report);
+
+}  // namespace stylet::app

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "commands.h"
+#include "report.h"
+#include "stylet/hal/instance.h"
+#include "stylet/hal/recorder.h"
+#include "stylet/hal/replay.h"
+#include "stylet/hal/replay_device.h"
+#include "stylet/hal/scene.h"
+
+namespace stylet::app {
+namespace {
+
+// Eight seconds at 1 kHz: longer than any disk makes the recorder wait.
+constexpr std::size_t kRecordRing = 8192;
+constexpr std::size_t kEventRing = 1024;
+constexpr int kWarmUpTicks = 200;
+
+std::atomic<std::atomic<bool>*> g_stop{nullptr};
+static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free);
+
+void on_signal(int /*number*/) {
+  if (std::atomic<bool>* stop = g_stop.load(); stop != nullptr) stop->store(true);
+}
+
+// Ctrl-C ends the loop after a tick, so that the recording is completed.
+struct StopOnSignal {
+  explicit StopOnSignal(std::atomic<bool>& stop) {
+    g_stop.store(&stop);
+    struct sigaction action {};
+    action.sa_handler = on_signal;
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+  }
+  ~StopOnSignal() { g_stop.store(nullptr); }
+  StopOnSignal(const StopOnSignal&) = delete;
+  StopOnSignal& operator=(const StopOnSignal&) = delete;
+};
+
+// Everything of one run, in the order in which it has to exist.
+struct Session {
+  RunOptions options;
+  hal::Scene scene;
+  hal::OrganFile organ;
+  hal::Placement placement;
+  std::unique_ptr<hal::KernelInstance> instance;
+  hal::SimulatedHand hand;
+  hal::ReplayDevice replayed;
+  hal::Device device;
+  hal::LoopConfig config;
+  hal::LoopState state;
+  hal::Ring<hal::TickRecord> records{kRecordRing};
+  hal::Ring<Event> events{kEventRing};
+  std::unique_ptr<hal::RecordingWriter> writer;
+  std::unique_ptr<hal::Recorder> recorder;
+  hal::HostState host;
+  hal::ThreadUse thread = {};
+  bool host_fit = true;
+  std::exception_ptr failure;
+};
+
+std::string beside(const std::string& file, const std::string& path) {
+  return (std::filesystem::path(file).parent_path() / path).string();
+}
+
+void load(Session& s) {
+  s.scene = hal::read_scene(s.options.scene);
+  if (!s.options.mode.empty()) {
+    s.scene.config.mode = s.options.mode == "paper" ? Mode::kPaper : Mode::kPhysical;
+  }
+  if (s.options.organ.empty() && s.scene.organ_path.empty()) {
+    throw hal::SceneError(
+        fmt::format("{}: organ.path: missing: an organ file, here or by --organ", s.scene.file));
+  }
+  s.organ = hal::load_organ(!s.options.organ.empty() ? s.options.organ
+                                                     : beside(s.scene.file, s.scene.organ_path));
+  s.placement = hal::place_needle(s.scene, s.organ.organ);
+  s.instance = std::make_unique<hal::KernelInstance>(s.organ.organ, s.scene.config);
+}
+
+void open_device(Session& s) {
+  const double period_s = static_cast<double>(s.scene.config.period_s);
+  s.config.period_ns = std::llround(period_s * 1e9);
+  s.config.mapping = s.placement.mapping;
+  s.config.guard = s.scene.guard;
+  s.config.hash_every_ticks = s.scene.hash_every_ticks;
+  if (s.scene.device == "replay") {
+    const hal::RecordingReader recording(beside(s.scene.file, s.scene.replay_path));
+    s.replayed.samples = hal::read_samples(recording);
+    s.config.ticks = s.replayed.samples.size();
+    s.device = hal::replay_device(s.replayed, s.scene.limits);
+  } else {
+    s.hand.config = s.scene.hand;
+    s.hand.period_s = static_cast<double>(s.config.period_ns) * 1e-9;
+    s.hand.script = hal::make_script(s.scene.waypoints, s.scene.approach.start_m);
+    s.config.ticks = hal::script_ticks(s.hand.script, s.hand.period_s);
+    s.device = hal::simulated_hand_device(s.hand, s.scene.limits);
+  }
+  if (s.options.duration_s > 0) {
+    s.config.ticks = static_cast<std::uint64_t>(std::ceil(s.options.duration_s / period_s - 1e-6));
+  }
+}
+
+void open_recording(Session& s) {
+  if (!s.options.record.empty()) {
+    hal::RecordingInfo info;
+    info.stylet_version = STYLET_VERSION;
+    info.scene_file = s.scene.file;
+    info.scene_text = s.scene.text;
+    info.organ_file = std::filesystem::absolute(s.organ.path).string();
+    info.organ_name = s.organ.organ.name;
+    info.organ_hash = s.organ.organ.hash;
+    info.config = s.scene.config;
+    info.entry_m = s.placement.entry_m;
+    info.direction = s.placement.direction;
+    s.writer = std::make_unique<hal::RecordingWriter>(s.options.record, info);
+  }
+  s.recorder = std::make_unique<hal::Recorder>(s.records, s.events, s.writer.get(),
+                                               s.placement.entry_m, s.placement.direction);
+}
+
+// The thread of the loop, from its rights to the last tick.
+void servo(Session& s) try {
+  if (!s.options.fast) {
+    hal::prepare_thread(s.scene.cpu, s.scene.rt_priority, s.host.report);
+    s.host_fit = s.host.report.lacks.empty() || s.options.allow_non_rt;
+    if (!s.host_fit) return;
+  }
+  const Pose start = hal::to_world(s.config.mapping, {{}, {1, 0, 0, 0}});
+  hal::warm_up(s.instance->kernel, start, kWarmUpTicks);
+  hal::VirtualTime time;
+  const hal::Clock clock = s.options.fast ? hal::virtual_clock(time) : hal::monotonic_clock();
+  const hal::Outlets outlets = {&s.records, &s.events, nullptr, s.options.fast};
+  const hal::ThreadUse before = hal::thread_use();
+  hal::run_loop(s.config, s.instance->kernel, s.device, clock, outlets, s.state);
+  const hal::ThreadUse after = hal::thread_use();
+  s.thread = {after.minor_faults - before.minor_faults, after.major_faults - before.major_faults,
+              after.voluntary_switches - before.voluntary_switches,
+              after.involuntary_switches - before.involuntary_switches};
+} catch (...) {
+  s.failure = std::current_exception();
+}
+
+// A line that rewrites itself, where somebody looks at it.
+void show_progress(const Session& s, const std::atomic<bool>& done) {
+  const bool show = isatty(STDERR_FILENO) != 0 && !s.options.json;
+  while (!done.load()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(s.options.fast ? 20 : 100));
+    if (!show) continue;
+    const double ticks = static_cast<double>(s.recorder->ticks());
+    fmt::print(stderr, "\r{:6.2f} of {:.2f} s  {:3.0f} %",
+               ticks * static_cast<double>(s.scene.config.period_s),
+               static_cast<double>(s.config.ticks) * static_cast<double>(s.scene.config.period_s),
+               100 * ticks / static_cast<double>(s.config.ticks));
+  }
+  if (show) fmt::print(stderr, "\r\033[K");
+}
+
+void run_threads(Session& s) {
+  const StopOnSignal stop_on_signal(s.state.stop);
+  std::atomic<bool> done{false};
+  std::thread loop([&s, &done] {
+    servo(s);
+    done.store(true);
+  });
+  show_progress(s, done);
+  loop.join();
+  s.device.close(s.device.self);
+  s.recorder->stop();
+  if (s.failure) std::rethrow_exception(s.failure);
+}
+
+const char* mode_name(const Session& s) {
+  return s.scene.config.mode == Mode::kPaper ? "paper" : "physical";
+}
+
+RunReport report_of(const Session& s, double wall_s) {
+  RunReport report;
+  report.scene_file = s.scene.file;
+  report.organ_file = s.organ.path;
+  report.organ_name = s.organ.organ.name;
+  report.mode = mode_name(s);
+  report.recording = s.options.record;
+  report.organ_hash = s.organ.organ.hash;
+  report.state_hash = hash(s.instance->kernel);
+  report.period_s = static_cast<double>(s.scene.config.period_s);
+  report.fast = s.options.fast;
+  report.interrupted = s.state.stop.load();
+  report.wall_s = wall_s;
+  report.phases =
+      hal::find_phases(s.recorder->track(), report.period_s, s.scene.config.needle.unit_m);
+  report.events = s.recorder->events();
+  report.loop = &s.state;
+  report.thread = s.thread;
+  report.host = s.host.report;
+  report.predicted = s.instance->predicted;
+  report.used = s.instance->kernel.sizes;
+  report.stats = stats(s.instance->kernel);
+  return report;
+}
+
+void announce(const Session& s) {
+  if (s.options.json) return;
+  fmt::print(
+      "{} in {} mode, organ \"{}\": {} voxels of {:g} mm; {:.2f} s of {} at {:g} us a tick, "
+      "{}\n\n",
+      s.scene.file, mode_name(s), s.organ.organ.name, s.organ.organ.voxel_count,
+      static_cast<double>(s.organ.organ.voxel_edge_m) * 1e3,
+      static_cast<double>(s.config.ticks) * static_cast<double>(s.scene.config.period_s),
+      s.scene.device == "replay" ? "a recorded hand" : "the simulated hand",
+      static_cast<double>(s.config.period_ns) * 1e-3,
+      s.options.fast ? "virtual clock" : "real time");
+  std::fflush(stdout);
+}
+
+void warn(const Session& s, const char* kind, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    fmt::print(stderr, "stylet: {}: {}: {}\n", s.options.scene, kind, line);
+  }
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  const auto session = std::make_unique<Session>();
+  Session& s = *session;
+  s.options = options;
+  load(s);
+  open_device(s);
+  if (!options.fast) hal::prepare_process(s.host);
+  open_recording(s);
+  announce(s);
+  const std::int64_t start_ns = hal::monotonic_now_ns();
+  run_threads(s);
+  const double wall_s = static_cast<double>(hal::monotonic_now_ns() - start_ns) * 1e-9;
+  warn(s, "note", s.host.report.notes);
+  warn(s, s.host_fit ? "warning" : "not fit for real time", s.host.report.lacks);
+  if (!s.host_fit) {
+    fmt::print(stderr,
+               "stylet: nothing was run; --allow-non-rt goes on without these rights, "
+               "--fast needs none\n");
+    return kExitHostUnfit;
+  }
+  const RunReport report = report_of(s, wall_s);
+  if (s.writer != nullptr && s.recorder->error().empty()) {
+    s.writer->finish(report.state_hash, s.state.lost_records);
+  }
+  fmt::print("{}", options.json ? json_text(report) : human_text(report));
+  if (!s.recorder->error().empty()) throw hal::RecordingError(s.recorder->error());
+  if (s.state.lost_records > 0) {
+    fmt::print(stderr, "stylet: {} records lost: the recorder fell more than {} ticks behind\n",
+               s.state.lost_records, kRecordRing);
+  }
+  const bool trouble = s.state.guard.fault != hal::Fault::kNone || s.state.lost_records > 0;
+  return trouble ? kExitTrouble : kExitOk;
+}
+
+int replay_recording(const ReplayOptions& options) {
+  const hal::RecordingReader recording(options.recording);
+  const hal::RecordingInfo& info = recording.info();
+  const hal::OrganFile organ =
+      hal::load_organ(hal::find_recorded_organ(options.recording, info, options.organ));
+  if (organ.organ.hash != info.organ_hash) {
+    throw hal::LoadError(fmt::format("{}: organ hash: {:016x}: expected {:016x}, that of \"{}\"",
+                                     organ.path, organ.organ.hash, info.organ_hash,
+                                     info.organ_name));
+  }
+  if (info.lost_records > 0) {
+    throw hal::RecordingError(
+        fmt::format("{}: lost_records: {}: a recording with gaps cannot be "
+                    "replayed",
+                    options.recording, info.lost_records));
+  }
+  hal::KernelInstance instance(organ.organ, info.config);
+  const bool show = isatty(STDERR_FILENO) != 0;
+  const auto progress = [&](std::uint64_t ticks) {
+    if (show) fmt::print(stderr, "\r{} of {} ticks", ticks, recording.ticks());
+  };
+  const hal::ReplayResult result = hal::replay(recording, instance.kernel, progress);
+  if (show) fmt::print(stderr, "\r\033[K");
+  if (result.same) {
+    fmt::print("same bits: {} ticks, state hash {:016x}\n", result.ticks, result.state_hash);
+    return kExitOk;
+  }
+  fmt::print("differs: tick {}, {}: recorded {}, replayed {}\n", result.tick, result.field,
+             result.recorded, result.replayed);
+  return kExitTrouble;
+}
+
+}  // namespace stylet::app

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// A haptic device, as the loop sees it: four functions and a pointer.
+//
+// Promises asked of a device: read and write return at once, allocate nothing, take no lock and may
+// be called from one real-time thread; open (each device's own function) and close may do anything.
+// Units: SI. Frame: x right, y up, z toward the operator; the scene maps it to the world.
+#pragma once
+
+#include <cstdint>
+
+#include "stylet/units.h"
+
+namespace stylet::hal {
+
+// One measurement. `seq` grows by one with every new measurement, so that a repeat and a loss show.
+struct Sample {
+  std::uint64_t seq;
+  std::int64_t t_ns;      // when it was taken, on the loop's clock
+  Pose pose;              // of the handle
+  std::uint32_t buttons;  // bit i: button i is pressed
+};
+
+struct Command {
+  Vec3 force_n;  // on the operator's hand
+};
+
+struct DeviceInfo {
+  const char* name;
+  float max_force_n;
+  float max_slew_n_per_s;
+};
+
+struct Device {
+  void* self = nullptr;
+  DeviceInfo info = {};
+  // False: no answer this time; `sample_out` is untouched. `now_ns` is the time of this tick: a
+  // device without a clock of its own uses it as the time of its sample.
+  bool (*read)(void* self, std::int64_t now_ns, Sample& sample_out) = nullptr;
+  void (*write)(void* self, const Command& command) = nullptr;
+  void (*close)(void* self) = nullptr;  // leaves the device without force
+};
+
+}  // namespace stylet::hal

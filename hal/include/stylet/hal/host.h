@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Making the machine fit for the loop, and saying plainly what it refuses.
+//
+// Order: prepare_process (locks memory, keeps the processor awake), then in the thread of the loop
+// prepare_thread (pins, priority, touches the stack). Neither throws; what was not granted is in
+// the lists, one line each with the remedy. `lacks`: the loop cannot keep its promise. `notes`: it
+// can, but the machine makes it harder.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace stylet::hal {
+
+struct HostReport {
+  std::vector<std::string> lacks;
+  std::vector<std::string> notes;
+};
+
+struct HostState {
+  HostState() = default;
+  ~HostState();
+  HostState(const HostState&) = delete;
+  HostState& operator=(const HostState&) = delete;
+  HostReport report;
+  int latency_fd = -1;  // held open: closing it lets the processor sleep deeply again
+};
+
+void prepare_process(HostState& host);
+// `cpu` -1: the last one this process may use.
+void prepare_thread(int cpu, int priority, HostReport& report);
+
+// Of the calling thread, since it started.
+struct ThreadUse {
+  std::int64_t minor_faults, major_faults, voluntary_switches, involuntary_switches;
+};
+ThreadUse thread_use();
+
+}  // namespace stylet::hal

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// An organ file in memory, and a kernel with the memory it asked for.
+// Promise: LoadError is one line with file, place, value and what was expected. Before the loop
+// only.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "stylet/kernel.h"
+
+namespace stylet::hal {
+
+struct LoadError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct OrganFile {
+  std::string path;
+  std::vector<std::byte> bytes;
+  Organ organ;  // points into bytes
+};
+OrganFile load_organ(const std::string& path);
+
+// Blocks of exactly the predicted size, every page of them touched, and the kernel in them.
+class KernelInstance {
+ public:
+  KernelInstance(const Organ& organ, const Config& config);
+  KernelInstance(const KernelInstance&) = delete;
+  KernelInstance& operator=(const KernelInstance&) = delete;
+
+  Kernel kernel;
+  Sizes predicted = {};
+
+ private:
+  struct Aligned {
+    void operator()(std::byte* block) const;
+  };
+  using Block = std::unique_ptr<std::byte, Aligned>;
+  static Block touched_block(std::size_t bytes);
+  Block model_, state_, scratch_;
+};
+
+// Same state from the same start: ticks a fresh kernel at `handle` to warm caches and pages, resets
+// it, and throws LoadError if the state's hash is not what it was.
+void warm_up(Kernel& kernel, const Pose& handle, int ticks);
+
+}  // namespace stylet::hal

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// The servo loop: one tick a period, from the device's pose to the device's force.
+//
+// Promises, from the first tick to the last: no allocation, lock or log; no system call but
+// clock_gettime and clock_nanosleep and what the device itself needs. A late tick is counted and
+// the loop goes on at the next grid point; it never runs ticks back to back to catch up. The kernel
+// sees inputs only, never the clock: missed ticks change no bit of what it computes. Units: SI,
+// times in ns. Frames: the device's outside, the world inside.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+#include "stylet/hal/channel.h"
+#include "stylet/hal/clock.h"
+#include "stylet/hal/device.h"
+#include "stylet/hal/guard.h"
+#include "stylet/hal/mapping.h"
+#include "stylet/hal/record.h"
+#include "stylet/kernel.h"
+
+namespace stylet::hal {
+
+// Missed ticks in a row after which the guard latches Fault::kTooLate.
+constexpr std::uint32_t kMaxMissedInARow = 20;
+
+// Durations in bins of 1 us; the last bin holds everything longer.
+struct Histogram {
+  static constexpr std::size_t kBins = 5001;
+  std::array<std::uint64_t, kBins> count{};
+  std::uint64_t total = 0;
+  std::int64_t max_ns = 0;
+};
+void histogram_add(Histogram& histogram, std::int64_t ns);
+// Upper edge of the bin that holds the share `fraction` of all entries, us; the maximum for entries
+// beyond the last bin.
+double histogram_quantile_us(const Histogram& histogram, double fraction);
+
+// The newest state, for displays.
+struct Published {
+  Pose handle;
+  Output output;
+  Vec3 command_n;
+  Fault fault;
+};
+
+struct Outlets {
+  Ring<TickRecord>* records = nullptr;  // may be null
+  Ring<Event>* events = nullptr;
+  Latest<Published>* latest = nullptr;
+  bool wait_for_room = false;  // virtual time only: rather wait than lose a record
+};
+
+struct LoopConfig {
+  std::int64_t period_ns = 1'000'000;
+  std::uint64_t ticks = 0;
+  std::uint32_t hash_every_ticks = 0;  // 0: never
+  Mapping mapping;
+  GuardConfig guard;
+};
+
+// Everything the loop changes beside the kernel. Large: keep it out of the stack.
+struct LoopState {
+  std::atomic<bool> stop{false};  // set by another thread or a signal: end after this tick
+  GuardState guard = guard_start();
+  Sample sample = {};
+  Pose handle = {};  // last usable one, world
+  bool have_handle = false;
+  std::uint32_t events_seen = 0;
+  std::uint32_t missed_in_a_row = 0;
+  std::uint64_t ticks = 0;
+  std::uint64_t missed_ticks = 0;  // grid points passed over
+  std::uint64_t lost_records = 0;
+  std::uint64_t lost_events = 0;
+  Histogram tick_time;  // from reading the device to the force being written
+  Histogram lateness;   // of the wake-up
+};
+
+void run_loop(const LoopConfig& config, Kernel& kernel, const Device& device, const Clock& clock,
+              const Outlets& outlets, LoopState& state);
+
+}  // namespace stylet::hal

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The phases of an insertion, read off a force curve: approach, contact, puncture, insertion, hold,
+// retraction, exit.
+//
+// Pure function over plain data, so that a run, a plot and a test see the same phases.
+// Units: SI, slopes in N/mm as in the literature. Axial force: positive where the tissue resists
+// the needle's way in.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "stylet/hal/record.h"
+#include "stylet/kernel.h"
+
+namespace stylet::hal {
+
+enum class Stage : std::uint32_t {
+  kApproach,
+  kContact,
+  kPuncture,
+  kInsertion,
+  kHold,
+  kRetraction,
+  kExit
+};
+const char* stage_name(Stage stage);
+
+// One tick of a curve.
+struct TrackPoint {
+  std::uint64_t tick;
+  float axial_n;
+  float depth_m;   // needle length in the tissue
+  float travel_m;  // of the tip beyond the first contact with the organ at rest
+  Phase phase;
+};
+TrackPoint track_point(const TickRecord& record, Vec3 entry_m, Vec3 direction);
+
+struct PhaseRow {
+  Stage stage;
+  std::uint64_t start_tick, end_tick;  // [start, end)
+  float depth_m;                       // largest needle length in the tissue
+  float travel_m;                      // at the end
+  float peak_force_n;                  // axial force furthest from zero, with its sign
+  float mean_force_n;
+  float start_force_n, end_force_n;
+  float slope_n_per_mm;  // least squares of axial force over depth; NaN where depth hardly changes
+};
+
+// `unit_m`: sampling unit of the needle; the slope leaves out the first unit after the puncture.
+std::vector<PhaseRow> find_phases(std::span<const TrackPoint> track, double period_s, float unit_m);
+
+}  // namespace stylet::hal

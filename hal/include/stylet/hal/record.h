@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is kept of one tick, and the one list of its columns: recorder, replay and README follow it.
+// Promise: plain data; a column added here is written, read and compared without more code.
+// Units: SI. Frames: input and output in the world, device in the device's frame.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "stylet/hal/device.h"
+#include "stylet/hal/guard.h"
+#include "stylet/kernel.h"
+
+namespace stylet::hal {
+
+struct TickRecord {
+  Input input;
+  Output output;
+  Sample sample;             // as the device gave it; the last one if it did not answer
+  std::uint32_t answered;    // the device gave a sample
+  Vec3 command_n;            // after the guard
+  Fault fault;               // of the guard
+  std::uint32_t tick_ns;     // from reading the device to the force being written
+  std::uint32_t late_ns;     // wake-up after the grid point
+  std::uint64_t state_hash;  // 0: not taken in this tick
+};
+
+enum class ColumnType : std::uint32_t { kFloat32, kUint32, kUint64, kInt64 };
+std::size_t column_bytes(ColumnType type);
+
+struct Column {
+  const char* name;  // path in the file
+  ColumnType type;
+  std::uint32_t width;  // numbers a row
+  std::size_t offset;   // in the struct
+};
+
+std::span<const Column> tick_columns();
+std::span<const Column> event_columns();
+
+}  // namespace stylet::hal

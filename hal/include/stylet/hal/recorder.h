@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The other end of the rings: a thread without priority that keeps what the loop did.
+//
+// It always keeps the curve that phases are read from (24 bytes a tick), and writes the full
+// records where a recording is asked for. If writing fails the run goes on; the reason is in
+// `error`.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "stylet/hal/channel.h"
+#include "stylet/hal/phases.h"
+#include "stylet/hal/recording.h"
+
+namespace stylet::hal {
+
+class Recorder {
+ public:
+  // `writer` may be null. Rings and writer must outlive the recorder.
+  Recorder(Ring<TickRecord>& records, Ring<Event>& events, RecordingWriter* writer, Vec3 entry_m,
+           Vec3 direction);
+  ~Recorder();
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  // Takes what is left in the rings and ends the thread. The loop must have ended.
+  void stop();
+  // After stop().
+  const std::vector<TrackPoint>& track() const { return track_; }
+  const std::vector<Event>& events() const { return events_; }
+  const std::string& error() const { return error_; }
+
+  // Ticks taken so far, for a progress line.
+  std::uint64_t ticks() const { return ticks_.load(std::memory_order_relaxed); }
+
+ private:
+  void work();
+  std::size_t drain();
+
+  Ring<TickRecord>& record_ring_;
+  Ring<Event>& event_ring_;
+  RecordingWriter* writer_;
+  Vec3 entry_m_, direction_;
+  std::vector<TickRecord> block_;
+  std::vector<TrackPoint> track_;
+  std::vector<Event> events_;
+  std::string error_;
+  std::atomic<std::uint64_t> ticks_{0};
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+}  // namespace stylet::hal

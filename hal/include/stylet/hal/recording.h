@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// A recording: the exact inputs and outputs of every tick in one HDF5 file. Layout: hal/README.md.
+//
+// Promises: the file appears under its name only when finish() succeeded; a file that is damaged,
+// cut short or of another kind is refused with RecordingError, one line with file, place and
+// reason. Never called from the real-time thread. Units: SI. Frame: world.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "stylet/hal/record.h"
+#include "stylet/kernel.h"
+
+namespace stylet::hal {
+
+struct RecordingError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct RecordingInfo {
+  std::string stylet_version;
+  std::string scene_file;
+  std::string scene_text;
+  std::string organ_file;  // full path at the time of recording
+  std::string organ_name;
+  std::uint64_t organ_hash = 0;
+  Config config;
+  Vec3 entry_m = {};    // first contact of the tip with the organ at rest
+  Vec3 direction = {};  // of insertion
+  std::uint64_t final_state_hash = 0;
+  std::uint64_t lost_records = 0;
+};
+
+class RecordingWriter {
+ public:
+  RecordingWriter(const std::string& path, const RecordingInfo& info);
+  ~RecordingWriter();  // without finish(): removes the temporary file
+  RecordingWriter(const RecordingWriter&) = delete;
+  RecordingWriter& operator=(const RecordingWriter&) = delete;
+
+  void append(std::span<const TickRecord> records);
+  void append(std::span<const Event> events);
+  void finish(std::uint64_t final_state_hash, std::uint64_t lost_records);
+
+ private:
+  struct File;
+  std::unique_ptr<File> file_;
+};
+
+class RecordingReader {
+ public:
+  explicit RecordingReader(const std::string& path);
+  ~RecordingReader();
+  RecordingReader(const RecordingReader&) = delete;
+  RecordingReader& operator=(const RecordingReader&) = delete;
+
+  const RecordingInfo& info() const;
+  std::uint64_t ticks() const;
+  // Rows [first, first + out.size()), which must exist.
+  void read(std::uint64_t first, std::span<TickRecord> out) const;
+  std::uint64_t event_count() const;
+  void read(std::uint64_t first, std::span<Event> out) const;
+
+ private:
+  struct File;
+  std::unique_ptr<File> file_;
+};
+
+}  // namespace stylet::hal

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene: one TOML file that says what is run and how. Every key is listed in hal/README.md.
+//
+// Promise: an unknown key, a wrong type, a missing or an impossible value throws SceneError with
+// one line "file:line: key: value: what is allowed". May allocate; never called from the loop.
+// Units: the file's are in its keys, the struct's are SI.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "stylet/hal/guard.h"
+#include "stylet/hal/mapping.h"
+#include "stylet/hal/simulated_hand.h"
+#include "stylet/kernel.h"
+
+namespace stylet::hal {
+
+struct SceneError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Where the needle starts and where it goes: along `direction`, through a point of the organ.
+struct Approach {
+  Vec3 direction = {1, 0, 0};     // unit length
+  std::optional<Vec3> through_m;  // none: the centroid of the organ's voxels
+  float start_m = 0.01F;          // tip outside the surface
+};
+
+struct Scene {
+  std::string file;
+  std::string text;
+  std::string organ_path;  // as written; relative to the scene's folder
+  Config config;
+  int rt_priority = 80;
+  int cpu = -1;  // -1: the last one the process may use
+  std::uint32_t hash_every_ticks = 1000;
+  Approach approach;
+  std::string device = "simulated";
+  std::string replay_path;  // device "replay"
+  DeviceInfo limits = {"simulated hand", 8, 2000};
+  GuardConfig guard;
+  SimulatedHandConfig hand;
+  std::vector<Waypoint> waypoints;
+};
+
+Scene read_scene(const std::string& path);
+// `file` is only for messages.
+Scene parse_scene(std::string_view text, const std::string& file);
+
+// Start pose of the needle for an organ. Throws SceneError if the line misses the organ.
+struct Placement {
+  Vec3 entry_m;     // first point of the surface along the line
+  Vec3 direction;   // of insertion, unit length
+  Mapping mapping;  // device at rest = needle's base at the start; device -z = direction
+};
+Placement place_needle(const Scene& scene, const Organ& organ);
+
+}  // namespace stylet::hal

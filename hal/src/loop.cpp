@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stylet/hal/loop.h"
+
+#include <algorithm>
+#include <limits>
+#include <thread>
+
+namespace stylet::hal {
+namespace {
+
+std::uint32_t clamped_ns(std::int64_t ns) {
+  return static_cast<std::uint32_t>(
+      std::clamp<std::int64_t>(ns, 0, std::numeric_limits<std::uint32_t>::max()));
+}
+
+// read device -> guard -> map: the kernel's input, with the last usable pose where there is none.
+Input next_input(const LoopConfig& config, const Device& device, LoopState& state,
+                 std::int64_t now_ns, TickRecord& record) {
+  record.answered = device.read(device.self, now_ns, state.sample) ? 1 : 0;
+  record.sample = state.sample;
+  const bool usable =
+      guard_sample(config.guard, state.guard, record.answered != 0, state.sample, now_ns);
+  if (usable) state.handle = to_world(config.mapping, state.sample.pose);
+  if (!usable && !state.have_handle) state.handle = to_world(config.mapping, {{}, {1, 0, 0, 0}});
+  state.have_handle = true;
+  return {state.handle, usable ? 1U : 0U};
+}
+
+// guard -> device.
+Vec3 send_force(const LoopConfig& config, const Device& device, LoopState& state,
+                const Output& output) {
+  if ((output.flags & kFlagFault) != 0) guard_trip(state.guard, Fault::kKernelFault);
+  const Vec3 force =
+      guard_force(config.guard, state.guard, to_device(config.mapping, output.force_n));
+  device.write(device.self, {force});
+  return force;
+}
+
+template <typename T>
+void push(Ring<T>* ring, const T& item, bool wait_for_room, std::uint64_t& lost) {
+  if (ring == nullptr) return;
+  bool done = ring->push(item);
+  while (!done && wait_for_room) {
+    std::this_thread::yield();
+    done = ring->push(item);
+  }
+  if (!done) ++lost;
+}
+
+void publish(const Outlets& outlets, const Kernel& kernel, const TickRecord& record,
+             LoopState& state) {
+  if (outlets.latest != nullptr) {
+    outlets.latest->publish({record.input.handle, record.output, record.command_n, record.fault});
+  }
+  if (record.output.events != state.events_seen) {
+    std::array<Event, kMaxEvents> buffer;
+    const std::uint32_t fresh = record.output.events - state.events_seen;
+    const std::uint32_t count =
+        events(kernel, std::span(buffer).first(std::min(fresh, kMaxEvents)));
+    state.lost_events += fresh - count;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      push(outlets.events, buffer[i], outlets.wait_for_room, state.lost_events);
+    }
+    state.events_seen = record.output.events;
+  }
+  push(outlets.records, record, outlets.wait_for_room, state.lost_records);
+}
+
+// The next grid point after `now_ns`; grid points passed over are counted.
+std::int64_t next_grid_point(const LoopConfig& config, LoopState& state, std::int64_t grid_ns,
+                             std::int64_t now_ns) {
+  const std::int64_t next_ns = grid_ns + config.period_ns;
+  if (now_ns <= next_ns) {
+    state.missed_in_a_row = 0;
+    return next_ns;
+  }
+  const std::int64_t missed = (now_ns - next_ns + config.period_ns - 1) / config.period_ns;
+  state.missed_ticks += static_cast<std::uint64_t>(missed);
+  state.missed_in_a_row += static_cast<std::uint32_t>(std::min<std::int64_t>(missed, 1'000'000));
+  if (state.missed_in_a_row >= kMaxMissedInARow) guard_trip(state.guard, Fault::kTooLate);
+  return next_ns + missed * config.period_ns;
+}
+
+}  // namespace
+
+void histogram_add(Histogram& histogram, std::int64_t ns) {
+  const std::int64_t bin = std::clamp<std::int64_t>(ns / 1000, 0, Histogram::kBins - 1);
+  ++histogram.count[static_cast<std::size_t>(bin)];
+  ++histogram.total;
+  histogram.max_ns = std::max(histogram.max_ns, ns);
+}
+
+double histogram_quantile_us(const Histogram& histogram, double fraction) {
+  const double wanted = fraction * static_cast<double>(histogram.total);
+  const double max_us = static_cast<double>(histogram.max_ns) * 1e-3;
+  std::uint64_t seen = 0;
+  for (std::size_t bin = 0; bin + 1 < Histogram::kBins; ++bin) {
+    seen += histogram.count[bin];
+    if (static_cast<double>(seen) >= wanted) {
+      return std::min(static_cast<double>(bin + 1), max_us);
+    }
+  }
+  return max_us;
+}
+
+void run_loop(const LoopConfig& config, Kernel& kernel, const Device& device, const Clock& clock,
+              const Outlets& outlets, LoopState& state) {
+  std::int64_t grid_ns = clock.now_ns(clock.self) + config.period_ns;
+  while (state.ticks < config.ticks && !state.stop.load(std::memory_order_relaxed)) {
+    clock.sleep_until_ns(clock.self, grid_ns);
+    const std::int64_t late_ns = clock.now_ns(clock.self) - grid_ns;
+    const std::int64_t start_ns = monotonic_now_ns();
+    TickRecord record{};
+    record.input = next_input(config, device, state, grid_ns, record);
+    record.output = tick(kernel, record.input);
+    record.command_n = send_force(config, device, state, record.output);
+    record.fault = state.guard.fault;
+    const std::int64_t tick_ns = monotonic_now_ns() - start_ns;
+    record.tick_ns = clamped_ns(tick_ns);
+    record.late_ns = clamped_ns(late_ns);
+    ++state.ticks;
+    if (config.hash_every_ticks != 0 && state.ticks % config.hash_every_ticks == 0) {
+      record.state_hash = hash(kernel);
+    }
+    publish(outlets, kernel, record, state);
+    histogram_add(state.tick_time, tick_ns);
+    histogram_add(state.lateness, late_ns);
+    grid_ns = next_grid_point(config, state, grid_ns, clock.now_ns(clock.self));
+  }
+  device.write(device.self, {});
+}
+
+}  // namespace stylet::hal

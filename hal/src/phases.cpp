@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stylet/hal/phases.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stylet::hal {
+namespace {
+
+constexpr double kSpeedWindowS = 0.05;     // over which the tip's speed is taken
+constexpr double kHoldSpeedMPerS = 5e-4;   // slower is standing still
+constexpr double kPunctureWindowS = 0.05;  // in which the force falls after the puncture
+constexpr double kShortestStageS = 0.1;    // of those told apart by speed
+constexpr double kSlopeRangeM = 1e-3;      // less change of depth gives no slope
+
+bool inside(Phase phase) {
+  return phase == Phase::kInserted || phase == Phase::kRetracting;
+}
+
+bool by_speed(Stage stage) {
+  return stage == Stage::kInsertion || stage == Stage::kHold || stage == Stage::kRetraction;
+}
+
+Stage stage_inside(std::span<const TrackPoint> track, std::size_t i, std::size_t half_window,
+                   double period_s) {
+  const std::size_t low = i > half_window ? i - half_window : 0;
+  const std::size_t high = std::min(i + half_window, track.size() - 1);
+  const double way =
+      static_cast<double>(track[high].travel_m) - static_cast<double>(track[low].travel_m);
+  const double speed = way / (static_cast<double>(std::max<std::size_t>(high - low, 1)) * period_s);
+  if (std::fabs(speed) < kHoldSpeedMPerS) return Stage::kHold;
+  return speed > 0 ? Stage::kInsertion : Stage::kRetraction;
+}
+
+// The stage of every tick on its own, the puncture as the fall of the force after the entry.
+std::vector<Stage> classify(std::span<const TrackPoint> track, double period_s) {
+  std::vector<Stage> stages(track.size(), Stage::kApproach);
+  const auto half_window = static_cast<std::size_t>(kSpeedWindowS / period_s / 2) + 1;
+  const auto fall_ticks = static_cast<std::size_t>(kPunctureWindowS / period_s) + 1;
+  bool was_inside = false;
+  for (std::size_t i = 0; i < track.size(); ++i) {
+    const Phase phase = track[i].phase;
+    if (inside(phase)) {
+      const bool entered = i == 0 || !inside(track[i - 1].phase);
+      was_inside = true;
+      if (entered && i > 0 && track[i - 1].phase == Phase::kContact) {
+        std::size_t end = i, lowest = i;
+        for (; end < track.size() && end < i + fall_ticks && inside(track[end].phase); ++end) {
+          if (track[end].axial_n < track[lowest].axial_n) lowest = end;
+        }
+        for (; i < lowest; ++i) stages[i] = Stage::kPuncture;
+        stages[i] = Stage::kPuncture;
+        continue;
+      }
+      stages[i] = stage_inside(track, i, half_window, period_s);
+    } else if (phase == Phase::kContact) {
+      stages[i] = Stage::kContact;
+    } else {
+      stages[i] = was_inside ? Stage::kExit : Stage::kApproach;
+    }
+  }
+  return stages;
+}
+
+// A stage told by speed that is shorter than a person would call one joins the one before it.
+void merge_short(std::vector<Stage>& stages, double period_s) {
+  const auto shortest = static_cast<std::size_t>(kShortestStageS / period_s);
+  std::size_t begin = 0;
+  while (begin < stages.size()) {
+    std::size_t end = begin;
+    while (end < stages.size() && stages[end] == stages[begin]) ++end;
+    const bool follows = begin > 0 && by_speed(stages[begin - 1]);
+    if (by_speed(stages[begin]) && follows && end - begin < shortest) {
+      std::fill(stages.begin() + static_cast<std::ptrdiff_t>(begin),
+                stages.begin() + static_cast<std::ptrdiff_t>(end), stages[begin - 1]);
+    }
+    begin = end;
+  }
+}
+
+float slope(std::span<const TrackPoint> part, float skip_below_m) {
+  double n = 0, sum_x = 0, sum_y = 0;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  const auto used = [&](const TrackPoint& p) { return p.depth_m > 0 && p.depth_m >= skip_below_m; };
+  for (const TrackPoint& p : part) {
+    if (!used(p)) continue;
+    const double x = static_cast<double>(p.depth_m) * 1e3;
+    n += 1;
+    sum_x += x;
+    sum_y += static_cast<double>(p.axial_n);
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+  if (n < 3 || high - low < kSlopeRangeM * 1e3) return std::numeric_limits<float>::quiet_NaN();
+  double xx = 0, xy = 0;
+  for (const TrackPoint& p : part) {
+    if (!used(p)) continue;
+    const double x = static_cast<double>(p.depth_m) * 1e3 - sum_x / n;
+    xx += x * x;
+    xy += x * (static_cast<double>(p.axial_n) - sum_y / n);
+  }
+  return static_cast<float>(xy / xx);
+}
+
+PhaseRow row_of(Stage stage, std::span<const TrackPoint> part, float unit_m) {
+  PhaseRow row{};
+  row.stage = stage;
+  row.start_tick = part.front().tick;
+  row.end_tick = part.back().tick + 1;
+  double sum = 0;
+  for (const TrackPoint& p : part) {
+    row.depth_m = std::max(row.depth_m, p.depth_m);
+    if (std::fabs(p.axial_n) > std::fabs(row.peak_force_n)) row.peak_force_n = p.axial_n;
+    sum += static_cast<double>(p.axial_n);
+  }
+  row.travel_m = part.back().travel_m;
+  row.mean_force_n = static_cast<float>(sum / static_cast<double>(part.size()));
+  row.start_force_n = part.front().axial_n;
+  row.end_force_n = part.back().axial_n;
+  const bool moving = stage == Stage::kInsertion || stage == Stage::kRetraction;
+  row.slope_n_per_mm = moving ? slope(part, stage == Stage::kInsertion ? unit_m : 0)
+                              : std::numeric_limits<float>::quiet_NaN();
+  return row;
+}
+
+}  // namespace
+
+const char* stage_name(Stage stage) {
+  switch (stage) {
+    case Stage::kApproach:
+      return "approach";
+    case Stage::kContact:
+      return "contact";
+    case Stage::kPuncture:
+      return "puncture";
+    case Stage::kInsertion:
+      return "insertion";
+    case Stage::kHold:
+      return "hold";
+    case Stage::kRetraction:
+      return "retraction";
+    case Stage::kExit:
+      return "exit";
+  }
+  return "unknown";
+}
+
+TrackPoint track_point(const TickRecord& record, Vec3 entry_m, Vec3 direction) {
+  const Output& out = record.output;
+  const Vec3 way = {out.tip_m.x - entry_m.x, out.tip_m.y - entry_m.y, out.tip_m.z - entry_m.z};
+  const auto dot = [&direction](Vec3 v) {
+    return v.x * direction.x + v.y * direction.y + v.z * direction.z;
+  };
+  return {out.tick, -dot(out.force_n), out.depth_m, dot(way), out.phase};
+}
+
+std::vector<PhaseRow> find_phases(std::span<const TrackPoint> track, double period_s,
+                                  float unit_m) {
+  std::vector<Stage> stages = classify(track, period_s);
+  merge_short(stages, period_s);
+  std::vector<PhaseRow> rows;
+  for (std::size_t begin = 0; begin < track.size();) {
+    std::size_t end = begin;
+    while (end < track.size() && stages[end] == stages[begin]) ++end;
+    rows.push_back(row_of(stages[begin], track.subspan(begin, end - begin), unit_m));
+    begin = end;
+  }
+  return rows;
+}
+
+}  // namespace stylet::hal

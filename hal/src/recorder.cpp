@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stylet/hal/recorder.h"
+
+#include <chrono>
+
+namespace stylet::hal {
+namespace {
+
+constexpr std::size_t kBlock = 1024;
+constexpr std::chrono::milliseconds kPause{2};
+
+}  // namespace
+
+Recorder::Recorder(Ring<TickRecord>& records, Ring<Event>& events, RecordingWriter* writer,
+                   Vec3 entry_m, Vec3 direction)
+    : record_ring_(records),
+      event_ring_(events),
+      writer_(writer),
+      entry_m_(entry_m),
+      direction_(direction),
+      thread_(&Recorder::work, this) {}
+
+Recorder::~Recorder() {
+  stop();
+}
+
+void Recorder::stop() {
+  stop_.store(true, std::memory_order_release);
+  if (thread_.joinable()) thread_.join();
+}
+
+void Recorder::work() {
+  for (;;) {
+    const bool last = stop_.load(std::memory_order_acquire);
+    if (drain() == 0) {
+      if (last) return;
+      std::this_thread::sleep_for(kPause);
+    }
+  }
+}
+
+std::size_t Recorder::drain() {
+  block_.clear();
+  TickRecord record;
+  while (block_.size() < kBlock && record_ring_.pop(record)) {
+    block_.push_back(record);
+    track_.push_back(track_point(record, entry_m_, direction_));
+  }
+  const std::size_t events_before = events_.size();
+  Event event;
+  while (event_ring_.pop(event)) events_.push_back(event);
+  if (writer_ != nullptr && error_.empty()) {
+    try {
+      writer_->append(block_);
+      writer_->append(std::span(events_).subspan(events_before));
+    } catch (const RecordingError& failure) {
+      error_ = failure.what();
+    }
+  }
+  ticks_.fetch_add(block_.size(), std::memory_order_relaxed);
+  return block_.size() + events_.size() - events_before;
+}
+
+}  // namespace stylet::hal

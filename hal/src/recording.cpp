@@ -1,0 +1,428 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stylet/hal/recording.h"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace stylet::hal {
+namespace {
+
+constexpr const char* kFormatName = "stylet-recording";
+constexpr std::uint32_t kFormatVersion = 1;
+constexpr hsize_t kChunkRows = 4096;
+constexpr unsigned kDeflateLevel = 1;
+
+// An HDF5 identifier and how to give it back.
+struct Handle {
+  hid_t id = -1;
+  herr_t (*close)(hid_t) = nullptr;
+  Handle(hid_t id_in, herr_t (*close_in)(hid_t)) : id(id_in), close(close_in) {}
+  ~Handle() {
+    if (id >= 0) close(id);
+  }
+  Handle(Handle&& other) noexcept : id(other.id), close(other.close) { other.id = -1; }
+  Handle& operator=(Handle&&) = delete;
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+};
+
+[[noreturn]] void fail(const std::string& path, const std::string& place, const std::string& why) {
+  throw RecordingError(fmt::format("{}: {}: {}", path, place, why));
+}
+
+hid_t memory_type(ColumnType type) {
+  switch (type) {
+    case ColumnType::kFloat32:
+      return H5T_NATIVE_FLOAT;
+    case ColumnType::kUint32:
+      return H5T_NATIVE_UINT32;
+    case ColumnType::kUint64:
+      return H5T_NATIVE_UINT64;
+    case ColumnType::kInt64:
+      return H5T_NATIVE_INT64;
+  }
+  return -1;
+}
+
+hid_t file_type(ColumnType type) {
+  switch (type) {
+    case ColumnType::kFloat32:
+      return H5T_IEEE_F32LE;
+    case ColumnType::kUint32:
+      return H5T_STD_U32LE;
+    case ColumnType::kUint64:
+      return H5T_STD_U64LE;
+    case ColumnType::kInt64:
+      return H5T_STD_I64LE;
+  }
+  return -1;
+}
+
+// The named attributes of a recording, each a plain number or a text. One list for both directions.
+template <typename Visitor, typename Info>
+void visit_attributes(Visitor& visit, Info& info) {
+  visit.text("stylet_version", info.stylet_version);
+  visit.text("scene_file", info.scene_file);
+  visit.text("scene_text", info.scene_text);
+  visit.text("organ_file", info.organ_file);
+  visit.text("organ_name", info.organ_name);
+  visit.number("organ_hash", ColumnType::kUint64, 1, &info.organ_hash);
+  visit.number("config_mode", ColumnType::kUint32, 1, &info.config.mode);
+  visit.number("config_period_s", ColumnType::kFloat32, 1, &info.config.period_s);
+  visit.number("config_substeps", ColumnType::kUint32, 1, &info.config.substeps);
+  visit.number("config_tissue_damping_s", ColumnType::kFloat32, 1, &info.config.tissue_damping_s);
+  visit.number("config_hourglass_weight", ColumnType::kFloat32, 1, &info.config.hourglass_weight);
+  visit.number("config_paper_alpha", ColumnType::kFloat32, 1, &info.config.paper_alpha);
+  visit.number("config_needle_length_m", ColumnType::kFloat32, 1, &info.config.needle.length_m);
+  visit.number("config_needle_outer_radius_m", ColumnType::kFloat32, 1,
+               &info.config.needle.outer_radius_m);
+  visit.number("config_needle_unit_m", ColumnType::kFloat32, 1, &info.config.needle.unit_m);
+  visit.number("entry_m", ColumnType::kFloat32, 3, &info.entry_m);
+  visit.number("direction", ColumnType::kFloat32, 3, &info.direction);
+}
+
+Handle number_space(std::uint32_t width) {
+  const hsize_t size = width;
+  return {width == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &size, nullptr), H5Sclose};
+}
+
+struct AttributeWriter {
+  hid_t file;
+  const std::string& path;
+
+  void number(const char* name, ColumnType type, std::uint32_t width, const void* value) {
+    const Handle space = number_space(width);
+    const Handle attribute(
+        H5Acreate2(file, name, file_type(type), space.id, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    if (attribute.id < 0 || H5Awrite(attribute.id, memory_type(type), value) < 0) {
+      fail(path, name, "attribute cannot be written");
+    }
+  }
+
+  // As a dataset: an attribute holds 64 KiB at most.
+  void text(const char* name, const std::string& value) {
+    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    H5Tset_size(type.id, std::max<std::size_t>(value.size(), 1));
+    H5Tset_cset(type.id, H5T_CSET_UTF8);
+    H5Tset_strpad(type.id, H5T_STR_NULLPAD);
+    const std::string padded = value.empty() ? std::string(1, '\0') : value;
+    const Handle set(
+        H5Dcreate2(file, name, type.id, space.id, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+    if (set.id < 0 || H5Dwrite(set.id, type.id, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()) < 0) {
+      fail(path, name, "text cannot be written");
+    }
+  }
+};
+
+struct AttributeReader {
+  hid_t file;
+  const std::string& path;
+
+  void number(const char* name, ColumnType type, std::uint32_t width, void* value) {
+    if (H5Aexists(file, name) <= 0) fail(path, name, "attribute missing");
+    const Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose);
+    if (attribute.id < 0) fail(path, name, "attribute damaged");
+    const Handle space(H5Aget_space(attribute.id), H5Sclose);
+    const Handle stored(H5Aget_type(attribute.id), H5Tclose);
+    if (H5Sget_simple_extent_npoints(space.id) != static_cast<hssize_t>(width) ||
+        H5Tequal(stored.id, file_type(type)) <= 0) {
+      fail(path, name, fmt::format("attribute has another type: expected {} number(s)", width));
+    }
+    if (H5Aread(attribute.id, memory_type(type), value) < 0) fail(path, name, "attribute damaged");
+  }
+
+  void text(const char* name, std::string& value) {
+    constexpr std::size_t kMaxBytes = 1U << 24U;
+    if (H5Lexists(file, name, H5P_DEFAULT) <= 0) fail(path, name, "text missing");
+    const Handle set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
+    if (set.id < 0) fail(path, name, "text damaged");
+    const Handle type(H5Dget_type(set.id), H5Tclose);
+    const Handle space(H5Dget_space(set.id), H5Sclose);
+    const std::size_t size = H5Tget_size(type.id);
+    if (H5Tget_class(type.id) != H5T_STRING || H5Tis_variable_str(type.id) > 0 ||
+        H5Sget_simple_extent_npoints(space.id) != 1 || size == 0 || size > kMaxBytes) {
+      fail(path, name, "text of another type: expected one string of at most 16 MiB");
+    }
+    value.assign(size, '\0');
+    if (H5Dread(set.id, type.id, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data()) < 0) {
+      fail(path, name, "text damaged");
+    }
+    value.resize(std::min(value.size(), value.find('\0')));
+  }
+};
+
+// Columns of one struct type, each a dataset that grows by rows.
+class Table {
+ public:
+  Table(hid_t file, const std::string& path, std::span<const Column> columns)
+      : file_(file), path_(path), columns_(columns) {}
+
+  void create() {
+    for (const Column& column : columns_) {
+      const hsize_t size[2] = {0, column.width}, limit[2] = {H5S_UNLIMITED, column.width};
+      const hsize_t chunk[2] = {kChunkRows, column.width};
+      const int rank = column.width == 1 ? 1 : 2;
+      const Handle space(H5Screate_simple(rank, size, limit), H5Sclose);
+      const Handle create_list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+      const Handle link_list(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+      H5Pset_create_intermediate_group(link_list.id, 1);
+      H5Pset_chunk(create_list.id, rank, chunk);
+      H5Pset_shuffle(create_list.id);
+      H5Pset_deflate(create_list.id, kDeflateLevel);
+      H5Pset_fletcher32(create_list.id);
+      sets_.emplace_back(H5Dcreate2(file_, column.name, file_type(column.type), space.id,
+                                    link_list.id, create_list.id, H5P_DEFAULT),
+                         H5Dclose);
+      if (sets_.back().id < 0) fail(path_, column.name, "column cannot be made");
+    }
+  }
+
+  void open() {
+    for (const Column& column : columns_) {
+      if (!exists(column.name)) fail(path_, column.name, "column missing");
+      sets_.emplace_back(H5Dopen2(file_, column.name, H5P_DEFAULT), H5Dclose);
+      if (sets_.back().id < 0) fail(path_, column.name, "column damaged");
+      const std::uint64_t rows = check(column, sets_.back().id);
+      if (&column == columns_.data()) rows_ = rows;
+      if (rows != rows_) {
+        fail(path_, column.name,
+             fmt::format("{} rows: expected {} as in {}", rows, rows_, columns_.front().name));
+      }
+    }
+  }
+
+  std::uint64_t rows() const { return rows_; }
+
+  void append(const std::byte* structs, std::size_t stride, std::size_t count) {
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+      const Column& column = columns_[c];
+      const std::size_t bytes = column.width * column_bytes(column.type);
+      buffer_.resize(bytes * count);
+      for (std::size_t i = 0; i < count; ++i) {
+        std::memcpy(&buffer_[i * bytes], structs + i * stride + column.offset, bytes);
+      }
+      const hsize_t size[2] = {rows_ + count, column.width};
+      if (H5Dset_extent(sets_[c].id, size) < 0 || !transfer(c, rows_, count, /*write=*/true)) {
+        fail(path_, column.name, "column cannot be written (disk full?)");
+      }
+    }
+    rows_ += count;
+  }
+
+  void read(std::uint64_t first, std::byte* structs, std::size_t stride, std::size_t count) {
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+      const Column& column = columns_[c];
+      const std::size_t bytes = column.width * column_bytes(column.type);
+      buffer_.resize(bytes * count);
+      if (!transfer(c, first, count, /*write=*/false)) {
+        fail(path_, column.name,
+             fmt::format("rows {} to {} cannot be read: file damaged or cut short", first,
+                         first + count));
+      }
+      for (std::size_t i = 0; i < count; ++i) {
+        std::memcpy(structs + i * stride + column.offset, &buffer_[i * bytes], bytes);
+      }
+    }
+  }
+
+ private:
+  // Every group on the way, too: HDF5 reports a missing group as an error, not as "no".
+  bool exists(const std::string& name) const {
+    for (std::size_t at = name.find('/'); at != std::string::npos; at = name.find('/', at + 1)) {
+      if (H5Lexists(file_, name.substr(0, at).c_str(), H5P_DEFAULT) <= 0) return false;
+    }
+    return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0;
+  }
+
+  std::uint64_t check(const Column& column, hid_t set) const {
+    const Handle type(H5Dget_type(set), H5Tclose);
+    const Handle space(H5Dget_space(set), H5Sclose);
+    hsize_t size[2] = {0, 1};
+    const int rank = column.width == 1 ? 1 : 2;
+    if (H5Tequal(type.id, file_type(column.type)) <= 0 ||
+        H5Sget_simple_extent_ndims(space.id) != rank ||
+        H5Sget_simple_extent_dims(space.id, size, nullptr) < 0 || size[1] != column.width) {
+      fail(path_, column.name,
+           fmt::format("column has another type: expected {} x {} byte number(s)", column.width,
+                       column_bytes(column.type)));
+    }
+    return size[0];
+  }
+
+  bool transfer(std::size_t c, std::uint64_t first, std::size_t count, bool write) {
+    const Column& column = columns_[c];
+    const hsize_t start[2] = {first, 0}, size[2] = {count, column.width};
+    const Handle space(H5Dget_space(sets_[c].id), H5Sclose);
+    const Handle memory(H5Screate_simple(column.width == 1 ? 1 : 2, size, nullptr), H5Sclose);
+    const hid_t type = memory_type(column.type);
+    if (H5Sselect_hyperslab(space.id, H5S_SELECT_SET, start, nullptr, size, nullptr) < 0)
+      return false;
+    return write
+               ? H5Dwrite(sets_[c].id, type, memory.id, space.id, H5P_DEFAULT, buffer_.data()) >= 0
+               : H5Dread(sets_[c].id, type, memory.id, space.id, H5P_DEFAULT, buffer_.data()) >= 0;
+  }
+
+  hid_t file_;
+  const std::string& path_;
+  std::span<const Column> columns_;
+  std::vector<Handle> sets_;
+  std::vector<std::byte> buffer_;
+  std::uint64_t rows_ = 0;
+};
+
+// We report errors ourselves; the library's own stack print is not for users.
+void silence_library() {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+}  // namespace
+
+// ---- writing
+// ---------------------------------------------------------------------------------------
+
+struct RecordingWriter::File {
+  std::string path, temporary;
+  Handle file;
+  Table ticks, events;
+  std::vector<TickRecord> waiting;  // less than a chunk
+
+  File(const std::string& path_in, const std::string& temporary_in, hid_t id)
+      : path(path_in),
+        temporary(temporary_in),
+        file(id, H5Fclose),
+        ticks(id, path, tick_columns()),
+        events(id, path, event_columns()) {}
+  ~File() {
+    if (!temporary.empty()) std::remove(temporary.c_str());
+  }
+};
+
+RecordingWriter::RecordingWriter(const std::string& path, const RecordingInfo& info) {
+  silence_library();
+  const std::string temporary = fmt::format("{}.{}.tmp", path, getpid());
+  const hid_t id = H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  if (id < 0) fail(path, "file", "cannot be created: expected a folder that can be written");
+  file_ = std::make_unique<File>(path, temporary, id);
+  AttributeWriter writer{id, file_->path};
+  writer.text("format", kFormatName);
+  writer.number("format_version", ColumnType::kUint32, 1, &kFormatVersion);
+  visit_attributes(writer, info);
+  file_->ticks.create();
+  file_->events.create();
+}
+
+RecordingWriter::~RecordingWriter() = default;
+
+void RecordingWriter::append(std::span<const TickRecord> records) {
+  std::vector<TickRecord>& waiting = file_->waiting;
+  waiting.insert(waiting.end(), records.begin(), records.end());
+  while (waiting.size() >= kChunkRows) {
+    file_->ticks.append(reinterpret_cast<const std::byte*>(waiting.data()), sizeof(TickRecord),
+                        kChunkRows);
+    waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(kChunkRows));
+  }
+}
+
+void RecordingWriter::append(std::span<const Event> events) {
+  if (events.empty()) return;
+  file_->events.append(reinterpret_cast<const std::byte*>(events.data()), sizeof(Event),
+                       events.size());
+}
+
+void RecordingWriter::finish(std::uint64_t final_state_hash, std::uint64_t lost_records) {
+  std::vector<TickRecord>& waiting = file_->waiting;
+  if (!waiting.empty()) {
+    file_->ticks.append(reinterpret_cast<const std::byte*>(waiting.data()), sizeof(TickRecord),
+                        waiting.size());
+    waiting.clear();
+  }
+  AttributeWriter writer{file_->file.id, file_->path};
+  const std::uint64_t ticks = file_->ticks.rows();
+  writer.number("lost_records", ColumnType::kUint64, 1, &lost_records);
+  writer.number("final_state_hash", ColumnType::kUint64, 1, &final_state_hash);
+  writer.number("ticks", ColumnType::kUint64, 1, &ticks);  // last: a file that has it is whole
+  const std::string path = file_->path;
+  const std::string temporary = std::exchange(file_->temporary, "");
+  const bool flushed = H5Fflush(file_->file.id, H5F_SCOPE_LOCAL) >= 0;
+  file_.reset();
+  if (!flushed || std::rename(temporary.c_str(), path.c_str()) != 0) {
+    std::remove(temporary.c_str());
+    fail(path, "file", "cannot be completed (disk full, or the name is taken by a folder?)");
+  }
+}
+
+// ---- reading
+// ---------------------------------------------------------------------------------------
+
+struct RecordingReader::File {
+  std::string path;
+  Handle file;
+  RecordingInfo info;
+  mutable Table ticks, events;
+
+  File(const std::string& path_in, hid_t id)
+      : path(path_in),
+        file(id, H5Fclose),
+        ticks(id, path, tick_columns()),
+        events(id, path, event_columns()) {}
+};
+
+RecordingReader::RecordingReader(const std::string& path) {
+  silence_library();
+  if (access(path.c_str(), R_OK) != 0) fail(path, "file", "cannot be read");
+  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (id < 0) fail(path, "file", "not an HDF5 file, or damaged, or cut short");
+  file_ = std::make_unique<File>(path, id);
+  AttributeReader reader{id, file_->path};
+  std::string format;
+  reader.text("format", format);
+  if (format != kFormatName)
+    fail(path, "format", "another kind of HDF5 file: expected a recording");
+  std::uint32_t version = 0;
+  reader.number("format_version", ColumnType::kUint32, 1, &version);
+  if (version != kFormatVersion) {
+    fail(path, "format_version", fmt::format("{}: expected {}", version, kFormatVersion));
+  }
+  visit_attributes(reader, file_->info);
+  std::uint64_t ticks = 0;
+  reader.number("ticks", ColumnType::kUint64, 1, &ticks);
+  reader.number("lost_records", ColumnType::kUint64, 1, &file_->info.lost_records);
+  reader.number("final_state_hash", ColumnType::kUint64, 1, &file_->info.final_state_hash);
+  file_->ticks.open();
+  file_->events.open();
+  if (file_->ticks.rows() != ticks) {
+    fail(path, "ticks", fmt::format("{} rows: expected {}", file_->ticks.rows(), ticks));
+  }
+}
+
+RecordingReader::~RecordingReader() = default;
+
+const RecordingInfo& RecordingReader::info() const {
+  return file_->info;
+}
+std::uint64_t RecordingReader::ticks() const {
+  return file_->ticks.rows();
+}
+std::uint64_t RecordingReader::event_count() const {
+  return file_->events.rows();
+}
+
+void RecordingReader::read(std::uint64_t first, std::span<TickRecord> out) const {
+  file_->ticks.read(first, reinterpret_cast<std::byte*>(out.data()), sizeof(TickRecord),
+                    out.size());
+}
+
+void RecordingReader::read(std::uint64_t first, std::span<Event> out) const {
+  file_->events.read(first, reinterpret_cast<std::byte*>(out.data()), sizeof(Event), out.size());
+}
+
+}  // namespace stylet::hal
