@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program stylet: command line in, one line of error or a report out.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <filesystem>
+#include <stdexcept>
+#include <string_view>
 
 #include "commands.h"
-
-#ifdef STYLET_WITH_BENCH
-int bench_main(int argc, char** argv);
-#endif
 
 namespace stylet::app {
 namespace {
@@ -46,6 +48,17 @@ void add_plot(CLI::App& program, PlotOptions& options) {
   plot.add_option("-o,--output", options.output, "Picture to write, .svg or .png")->required();
 }
 
+// The benchmarks are a program of their own, next to this one.
+[[noreturn]] void bench(char** arguments) {
+  const auto program =
+      std::filesystem::read_symlink("/proc/self/exe").replace_filename("stylet-bench");
+  execv(program.c_str(), arguments);
+  throw std::runtime_error(
+      fmt::format("{}: {}: expected the benchmarks, which are built with the "
+                  "tests",
+                  program.string(), std::strerror(errno)));
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App program("Haptic needle insertion: run scenes, replay and plot recordings");
   program.set_version_flag("--version", STYLET_VERSION);
@@ -73,10 +86,8 @@ int dispatch(int argc, char** argv) {
 }  // namespace stylet::app
 
 int main(int argc, char** argv) {
-#ifdef STYLET_WITH_BENCH
-  if (argc > 1 && std::string_view(argv[1]) == "bench") return bench_main(argc - 1, argv + 1);
-#endif
   try {
+    if (argc > 1 && std::string_view(argv[1]) == "bench") stylet::app::bench(argv + 1);
     return stylet::app::dispatch(argc, argv);
   } catch (const std::exception& error) {
     fmt::print(stderr, "stylet: {}\n", error.what());

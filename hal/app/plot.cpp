@@ -125,7 +125,7 @@ std::string data_blocks(const Curve& curve) {
 }
 
 // Shaded and named; a phase too short for its name hands it to the margin above with a slant.
-std::string phase_shades(const Curve& curve) {
+std::string phase_shades(const Curve& curve, int font_size) {
   constexpr std::array kTints = {"#F2F2F2", "#E4EDF6", "#FBE3D6", "#EAF3E6",
                                  "#FFF6D6", "#F3E6F1", "#F2F2F2"};
   std::string script;
@@ -139,8 +139,8 @@ std::string phase_shades(const Curve& curve) {
         object, from, to, kTints[static_cast<std::size_t>(row.stage)]);
     script += fmt::format(
         "set label {} '{}' at first {:.6g}, graph 1.02 left rotate by 35 "
-        "font ',11' textcolor rgb '#333333'\n",
-        object, hal::stage_name(row.stage), 0.5 * (from + to));
+        "font ',{}' textcolor rgb '#333333'\n",
+        object, hal::stage_name(row.stage), 0.5 * (from + to), font_size);
     ++object;
   }
   return script;
@@ -166,8 +166,9 @@ std::string script_of(const Curve& curve, const hal::RecordingInfo& info, bool s
       "set ylabel 'Axial force on the needle / N' offset 0.5\n";
   script +=
       "set tmargin screen 0.90\nset bmargin screen 0.56\nset xlabel 'Time / s'\n"
-      "set key inside top right opaque box linewidth 0.5 spacing 1.1\n";
-  script += phase_shades(curve);
+      "set key inside top right opaque box linewidth 0.5 spacing 1.1\n"
+      "set offsets graph 0, graph 0, graph 0.06, graph 0.04\n";
+  script += phase_shades(curve, svg ? 11 : 22);
   script += fmt::format("set xrange [0:{:.6g}]\n",
                         static_cast<double>(curve.track.back().tick) * curve.period_s);
   std::string plot =
@@ -191,10 +192,10 @@ std::string script_of(const Curve& curve, const hal::RecordingInfo& info, bool s
       "$hold using 1:2 with lines linewidth 2.2 linecolor rgb '#E69F00' title 'hold', "
       "$out using 1:2 with lines linewidth 2.2 linecolor rgb '#D55E00' title 'way out'\n";
   script += fmt::format(
-      "set label 99 '{}, {} mode, {:.2f} mm needle' at screen 0.97, screen 0.015 right font ',10' "
+      "set label 99 '{}, {} mode, {:.2f} mm needle' at screen 0.97, screen 0.015 right font ',{}' "
       "noenhanced textcolor rgb '#555555'\n",
       legend_text(info.organ_name), info.config.mode == Mode::kPaper ? "paper" : "physical",
-      2e3 * static_cast<double>(info.config.needle.outer_radius_m));
+      2e3 * static_cast<double>(info.config.needle.outer_radius_m), svg ? 10 : 20);
   return script;
 }
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <iterator>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <utility>
 
 namespace stylet::app {
@@ -87,28 +87,29 @@ Json json_of(std::size_t predicted, std::size_t used) {
 }
 
 // What the eye looks for in each phase.
-std::string remark(const hal::PhaseRow& row) {
+std::string remark(std::span<const hal::PhaseRow> rows, std::size_t i) {
+  const hal::PhaseRow& row = rows[i];
   const double start = static_cast<double>(row.start_force_n);
   const double end = static_cast<double>(row.end_force_n);
-  switch (row.stage) {
-    case hal::Stage::kContact:
-      return fmt::format("punctures at {:.3f} N, {:.2f} mm in", end,
-                         static_cast<double>(row.travel_m) * 1e3);
-    case hal::Stage::kPuncture:
-    case hal::Stage::kHold:
-      if (std::fabs(start) < 1e-3) return "";
-      return fmt::format("force {} {:.0f} %", row.stage == hal::Stage::kHold ? "relaxes" : "drops",
-                         100 * (1 - end / start));
-    default:
-      return "";
+  const bool punctured = i + 1 < rows.size() && rows[i + 1].stage == hal::Stage::kPuncture;
+  if (row.stage == hal::Stage::kContact && punctured) {
+    return fmt::format("punctured at {:.3f} N, {:.2f} mm in", end,
+                       static_cast<double>(row.travel_m) * 1e3);
   }
+  if (std::fabs(start) < 1e-3) return "";
+  if (row.stage == hal::Stage::kPuncture)
+    return fmt::format("drops {:.0f} %", 100 * (1 - end / start));
+  if (row.stage == hal::Stage::kHold)
+    return fmt::format("relaxes {:.0f} %", 100 * (1 - end / start));
+  return "";
 }
 
 std::string phase_table(const RunReport& report) {
   std::string text =
       fmt::format("{:<11}{:>9}{:>9}{:>11}{:>10}{:>9}{:>9}{:>11}  {}\n", "phase", "from s", "to s",
                   "travel mm", "depth mm", "peak N", "mean N", "slope N/mm", "");
-  for (const hal::PhaseRow& row : report.phases) {
+  for (std::size_t i = 0; i < report.phases.size(); ++i) {
+    const hal::PhaseRow& row = report.phases[i];
     const std::string slope = std::isfinite(row.slope_n_per_mm)
                                   ? fmt::format("{:.5f}", static_cast<double>(row.slope_n_per_mm))
                                   : "";
@@ -118,7 +119,7 @@ std::string phase_table(const RunReport& report) {
         static_cast<double>(row.end_tick) * report.period_s,
         static_cast<double>(row.travel_m) * 1e3, static_cast<double>(row.depth_m) * 1e3,
         static_cast<double>(row.peak_force_n), static_cast<double>(row.mean_force_n), slope,
-        remark(row));
+        remark(report.phases, i));
   }
   return text;
 }

@@ -116,7 +116,6 @@ PhaseRow row_of(Stage stage, std::span<const TrackPoint> part, float unit_m) {
   }
   row.travel_m = part.back().travel_m;
   row.mean_force_n = static_cast<float>(sum / static_cast<double>(part.size()));
-  row.start_force_n = part.front().axial_n;
   row.end_force_n = part.back().axial_n;
   const bool moving = stage == Stage::kInsertion || stage == Stage::kRetraction;
   row.slope_n_per_mm = moving ? slope(part, stage == Stage::kInsertion ? unit_m : 0)
@@ -164,6 +163,7 @@ std::vector<PhaseRow> find_phases(std::span<const TrackPoint> track, double peri
     std::size_t end = begin;
     while (end < track.size() && stages[end] == stages[begin]) ++end;
     rows.push_back(row_of(stages[begin], track.subspan(begin, end - begin), unit_m));
+    rows.back().start_force_n = track[begin > 0 ? begin - 1 : 0].axial_n;
     begin = end;
   }
   return rows;

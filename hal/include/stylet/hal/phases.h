@@ -44,7 +44,8 @@ struct PhaseRow {
   float travel_m;                      // at the end
   float peak_force_n;                  // axial force furthest from zero, with its sign
   float mean_force_n;
-  float start_force_n, end_force_n;
+  float start_force_n;   // at the last tick before
+  float end_force_n;     // at the last tick of the phase
   float slope_n_per_mm;  // least squares of axial force over depth; NaN where depth hardly changes
 };
 
