@@ -14,7 +14,10 @@ constexpr float kLatticeComplianceInside = 0.20F;
 constexpr float kLatticeComplianceSurface = 0.28F;
 // Radius over which the far field of a needle dies out: half of an organ's usual thickness.
 constexpr float kFarFieldM = 0.025F;
-constexpr float kHugeN = 1e30F;
+// The tip finds the material at its goal within this distance of travel.
+constexpr float kMaterialPullM = 1e-3F;
+// A shaft CP keeps at least this part of its spring, so that forces can be divided by it.
+constexpr float kLeastPart = 0.01F;
 
 struct Corners {
   Vec3 mean_m;        // displacement
@@ -114,6 +117,7 @@ void set_stiffness(const View& view, Particle& particle, Place place) {
   const float own_compliance = max_of(1 / target - lattice_compliance, 1 / largest);
   particle.stiffness_n_per_m = 1 / own_compliance;
   if (head.config.mode == Mode::kPaper) particle.stiffness_n_per_m = k;
+  particle.full_stiffness_n_per_m = particle.stiffness_n_per_m;
   const float reached = 1 / (own_compliance + lattice_compliance);
   view.state.head->coupling_shortfall =
       max_of(view.state.head->coupling_shortfall, 1 - reached / target);
@@ -189,20 +193,82 @@ Particle new_particle(const View& view, Vec3 rest_m, Vec3 place_m, float track_m
   return p;
 }
 
-// Moves the tissue that the tip holds forward by `move_m` along the needle.
+// Deformation of the tissue around a CP: displacement gradient, averaged over its shares.
+struct Gradient {
+  Vec3 c0, c1, c2;  // columns of I + gradient
+  float det;
+};
+
+Gradient gradient_around(const View& view, const Particle& p) {
+  float f[9] = {};
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    const Corners corners = sum_corners(view, p.share[i].slot, p.share[i].row);
+    for (int j = 0; j < 9; ++j) f[j] += p.share[i].weight * corners.gradient[j];
+  }
+  Gradient g = {{1 + f[0], f[3], f[6]}, {f[1], 1 + f[4], f[7]}, {f[2], f[5], 1 + f[8]}, 0};
+  g.det = dot(g.c0, cross(g.c1, g.c2));
+  return g;
+}
+
+// Rest-frame image of a step in deformed tissue. Rest places must follow the material, not the
+// rotation alone: else a needle that leaves strained tissue does not find its way back to its
+// entry.
+Vec3 pull_back(const Gradient& g, Vec3 step) {
+  if (!(g.det > 0.05F)) return step;  // crushed or inverted: no direction is better than another
+  return (1 / g.det) * Vec3{dot(step, cross(g.c1, g.c2)), dot(step, cross(g.c2, g.c0)),
+                            dot(step, cross(g.c0, g.c1))};
+}
+
+// Present place of a rest point, trilinear in the voxel that holds it; false outside the tissue.
+bool present_place(const View& view, Vec3 rest_m, Vec3& place_out_m) {
+  const ModelHead& head = *view.model.head;
+  const Vec3 g = head.inverse_edge_per_m * (rest_m - head.origin_m);
+  if (!(g.x >= 0 && g.y >= 0 && g.z >= 0 && g.x < static_cast<float>(head.size_x) &&
+        g.y < static_cast<float>(head.size_y) && g.z < static_cast<float>(head.size_z))) {
+    return false;
+  }
+  const auto x = static_cast<std::uint32_t>(g.x), y = static_cast<std::uint32_t>(g.y);
+  const auto z = static_cast<std::uint32_t>(g.z);
+  const std::uint32_t row_index = view.model.row_of[z * head.size_y + y];
+  if (row_index == kNoRow) return false;
+  const Row& row = view.model.row[row_index];
+  if (x < row.x0 || x >= static_cast<std::uint32_t>(row.x0) + row.count) return false;
+  const Vec3 f = g - Vec3{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+  place_out_m = rest_m;
+  for (std::uint32_t corner = 0; corner < 8; ++corner) {
+    const std::uint32_t p = row.node[corner >> 1U] + x - row.x0 + (corner & 1U);
+    const float weight = ((corner & 1U) != 0 ? f.x : 1 - f.x) *
+                         ((corner & 2U) != 0 ? f.y : 1 - f.y) *
+                         ((corner & 4U) != 0 ? f.z : 1 - f.z);
+    place_out_m = place_out_m + weight * Vec3{view.state.ux[p], view.state.uy[p], view.state.uz[p]};
+  }
+  return true;
+}
+
+// Moves the tissue that the tip holds forward by `move_m` along the needle. The step is integrated
+// in the rest frame; while it moves, the tip's rest place is drawn to the material that really lies
+// at its goal, so that errors of the integration do not pile up.
 void advance_tip(const View& view, Particle& tip, Vec3 direction, float move_m) {
-  Vec3 rest_step = direction;
+  const Gradient g = gradient_around(view, tip);
+  const Vec3 along = tip.share_count > 0 ? pull_back(g, direction) : direction;
+  const float length = norm(along);
+  Vec3 goal = {};
   for (std::uint32_t i = 0; i < tip.share_count; ++i) {
     Share& share = tip.share[i];
     const Quat q = {view.state.qw[share.slot], view.state.qx[share.slot], view.state.qy[share.slot],
                     view.state.qz[share.slot]};
-    const Vec3 step = transposed_times(rotation_matrix(q), direction);
-    share.offset_m = share.offset_m + move_m * step;
+    share.offset_m = share.offset_m + move_m * transposed_times(rotation_matrix(q), direction);
     share.goal_m = share.goal_m + move_m * direction;
-    if (i == heaviest(tip)) rest_step = step;
+    goal = goal + share.weight * share.goal_m;
   }
-  tip.rest_m = tip.rest_m + move_m * rest_step;
-  tip.track_m += move_m;
+  tip.rest_m = tip.rest_m + move_m * along;
+  tip.track_m += move_m * length;
+  Vec3 present = {};
+  if (tip.share_count == 0 || !present_place(view, tip.rest_m, present)) return;
+  const float size = move_m < 0 ? -move_m : move_m;
+  const Vec3 miss = (size / (size + kMaterialPullM)) * pull_back(g, goal - present);
+  tip.rest_m = tip.rest_m + miss;
+  tip.track_m += dot(miss, along) / length;
 }
 
 // ---- the return map
@@ -246,6 +312,17 @@ void note_slip(const View& view, Particle& p, float slip_m) {
   set_memory(*view.state.head, p, (kRenewalLengthM / (kRenewalLengthM + size)) * p.memory_m);
 }
 
+// Shaft length a CP stands for now, and its spring in proportion: both vanish when the tip comes
+// back to it, so that neither friction nor clamping jumps when it is added or removed.
+float stand_for(const View& view, Particle& p, float tip_track_m) {
+  const ModelHead& head = *view.model.head;
+  const float unit = head.config.needle.unit_m;
+  const float length = clamp(tip_track_m - p.track_m, 0, unit);
+  const float part = head.config.mode == Mode::kPaper ? 1.0F : max_of(length / unit, kLeastPart);
+  p.stiffness_n_per_m = part * p.full_stiffness_n_per_m;
+  return length;
+}
+
 // Friction per metre of shaft at a slip speed: Coulomb, static (Stribeck), viscous.
 float friction_n_per_m(const MaterialModel& m, float speed_m_per_s) {
   const float s = speed_m_per_s * m.inverse_stribeck_s_per_m;
@@ -260,8 +337,8 @@ void slip_shaft(const View& view, const Needle& needle) {
   const float tip_track = view.state.tip->track_m;
   for (std::uint32_t i = 0; i < state.shaft_count; ++i) {
     Particle& p = view.state.shaft[i];
+    const float length = stand_for(view, p, tip_track);
     relax(state, p);
-    const float length = clamp(tip_track - p.track_m, 0, head.config.needle.unit_m);
     const float limit = friction_n_per_m(head.material[p.material], p.slip_m_per_s) * length;
     const float axial = dot(force_on_tissue(p), needle.direction);
     const float slip = overshoot(view, p, axial, -limit, limit);
@@ -322,12 +399,9 @@ std::uint32_t drop_shaft(const View& view, const Needle& needle) {
     const float last = view.state.shaft[state.shaft_count - 1].track_m;
     const float behind = tip.track_m - last - unit;
     if (behind < 0) return 0;
-    Vec3 rest_direction = needle.direction;
-    if (tip.share_count > 0) {
-      const Share& share = tip.share[heaviest(tip)];
-      rest_direction =
-          transposed_times(voxel_frame(view, share.slot, share.row).rotation, needle.direction);
-    }
+    const Vec3 rest_direction = tip.share_count > 0
+                                    ? pull_back(gradient_around(view, tip), needle.direction)
+                                    : needle.direction;
     const Vec3 place = needle.tip_m - behind * needle.direction;
     const Particle p = new_particle(view, tip.rest_m - behind * rest_direction, place, last + unit,
                                     behind, Place::kShaft);
@@ -349,6 +423,7 @@ void end_insertion(const View& view) {
   state.tip_alive = 0;
   state.phase = Phase::kFree;
   state.layer = kNoLayer;
+  state.leaving = 1;
 }
 
 // The track this contact enters, if the tissue remembers one here.

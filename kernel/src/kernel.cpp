@@ -20,8 +20,8 @@ bool config_good(const Config& c) {
   return (c.mode == Mode::kPhysical || c.mode == Mode::kPaper) &&
          within(c.period_s, kMinPeriodS, kMaxPeriodS) && c.substeps >= 1 &&
          c.substeps <= kMaxSubsteps && within(c.tissue_damping_s, 0, 1) &&
-         within(c.hourglass_weight, 0.05F, 1) && within(c.paper_alpha, 1e-3F, 1) &&
-         within(c.needle.length_m, 1e-3F, kMaxNeedleLengthM) &&
+         within(c.surround_drag_per_s, 0, 100) && within(c.hourglass_weight, 0.05F, 1) &&
+         within(c.paper_alpha, 1e-3F, 1) && within(c.needle.length_m, 1e-3F, kMaxNeedleLengthM) &&
          within(c.needle.outer_radius_m, 1e-5F, 0.01F) && within(c.needle.unit_m, 1e-4F, 0.05F);
 }
 

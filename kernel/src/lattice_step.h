@@ -18,6 +18,23 @@ namespace {
 constexpr float kQuantum = 1.52587890625e-05F;  // 2^-16: displacements and velocities to 2e-12
 constexpr float kQuantumTurn = 1.953125e-3F;    // 2^-9: quaternion parts to 2e-10
 
+// The loops below run over whole groups of lanes and do not overlap; they stay functions of their
+// own so that the compiler sees that.
+#if defined(__clang__)
+#define STYLET_LANES(count)            \
+  (count) = (count) / kLanes * kLanes; \
+  _Pragma("clang loop vectorize(assume_safety)")
+#else
+#define STYLET_LANES(count)            \
+  (count) = (count) / kLanes * kLanes; \
+  _Pragma("GCC ivdep")
+#endif
+#define STYLET_KEEP_APART __attribute__((noinline))
+
+std::uint32_t whole_lanes(std::uint32_t count) {
+  return (count + kLanes - 1) / kLanes * kLanes;
+}
+
 struct Sums {          // twelve arrays over the slots of a plane
   float* mean[3];      // 1: mean displacement; 2: force vector T
   float* gradient[9];  // 1: displacement gradient, row-major; 2: X, Y, Z (3 each)
@@ -38,24 +55,22 @@ Sums sums_of(const ScratchView& scratch, const Counts& counts) {
 }
 
 // Stage 1 for one component of one row. Slot i of the arrays is the empty one before the row.
-void sum_corners(const float* __restrict n0, const float* __restrict n1, const float* __restrict n2,
-                 const float* __restrict n3, std::uint32_t blocks, float inverse_edge_4,
-                 float* __restrict mean, float* __restrict gx, float* __restrict gy,
-                 float* __restrict gz) {
-  for (std::uint32_t block = 0; block < blocks; ++block) {
-    const std::uint32_t base = block * kLanes;
-    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-      const std::uint32_t i = base + lane;
-      const float s0 = n0[i] + n0[i + 1], d0 = n0[i + 1] - n0[i];
-      const float s1 = n1[i] + n1[i + 1], d1 = n1[i + 1] - n1[i];
-      const float s2 = n2[i] + n2[i + 1], d2 = n2[i + 1] - n2[i];
-      const float s3 = n3[i] + n3[i + 1], d3 = n3[i + 1] - n3[i];
-      const float low = s0 + s1, high = s2 + s3;
-      mean[i] = (low + high) * 0.125F;
-      gx[i] = ((d0 + d1) + (d2 + d3)) * inverse_edge_4;
-      gy[i] = ((s1 - s0) + (s3 - s2)) * inverse_edge_4;
-      gz[i] = (high - low) * inverse_edge_4;
-    }
+STYLET_KEEP_APART void sum_corners(const float* __restrict n0, const float* __restrict n1,
+                                   const float* __restrict n2, const float* __restrict n3,
+                                   std::uint32_t lanes, float inverse_edge_4,
+                                   float* __restrict mean, float* __restrict gx,
+                                   float* __restrict gy, float* __restrict gz) {
+  STYLET_LANES(lanes)
+  for (std::uint32_t i = 0; i < lanes; ++i) {
+    const float s0 = n0[i] + n0[i + 1], d0 = n0[i + 1] - n0[i];
+    const float s1 = n1[i] + n1[i + 1], d1 = n1[i + 1] - n1[i];
+    const float s2 = n2[i] + n2[i + 1], d2 = n2[i + 1] - n2[i];
+    const float s3 = n3[i] + n3[i + 1], d3 = n3[i + 1] - n3[i];
+    const float low = s0 + s1, high = s2 + s3;
+    mean[i] = (low + high) * 0.125F;
+    gx[i] = ((d0 + d1) + (d2 + d3)) * inverse_edge_4;
+    gy[i] = ((s1 - s0) + (s3 - s2)) * inverse_edge_4;
+    gz[i] = (high - low) * inverse_edge_4;
   }
 }
 
@@ -66,11 +81,11 @@ void sum_plane(const View& view, const Plane& plane, const Sums& sums) {
   for (std::uint32_t r = plane.row_begin; r < plane.row_end; ++r) {
     const Row& row = view.model.row[r];
     const std::uint32_t at = row.slot - 1 - plane.slot_begin;
-    const std::uint32_t blocks = (row.count + 1U + kLanes - 1) / kLanes;
+    const std::uint32_t lanes = whole_lanes(row.count + 1U);
     end = at + row.count + 1;
     for (int c = 0; c < 3; ++c) {
       sum_corners(e[c] + row.node[0] - 1, e[c] + row.node[1] - 1, e[c] + row.node[2] - 1,
-                  e[c] + row.node[3] - 1, blocks, inverse_edge_4, sums.mean[c] + at,
+                  e[c] + row.node[3] - 1, lanes, inverse_edge_4, sums.mean[c] + at,
                   sums.gradient[3 * c] + at, sums.gradient[3 * c + 1] + at,
                   sums.gradient[3 * c + 2] + at);
     }
@@ -83,104 +98,98 @@ void sum_plane(const View& view, const Plane& plane, const Sums& sums) {
   }
 }
 
-// Stage 2, in place: mean -> T = k chi t, gradient -> columns of k (h / 2) H.
-void fit_plane(const View& view, const Plane& plane, const Sums& sums) {
-  const float chi = view.model.head->hourglass_weight;
-  const float half_edge = view.model.head->edge_m * 0.5F;
-  const float* __restrict stiffness = view.model.slot_k + plane.slot_begin;
-  const float* __restrict volume = view.model.slot_volume + plane.slot_begin;
-  float* __restrict qw = view.state.qw + plane.slot_begin;
-  float* __restrict qx = view.state.qx + plane.slot_begin;
-  float* __restrict qy = view.state.qy + plane.slot_begin;
-  float* __restrict qz = view.state.qz + plane.slot_begin;
-  float* __restrict t0 = sums.mean[0];
-  float* __restrict t1 = sums.mean[1];
-  float* __restrict t2 = sums.mean[2];
-  float* __restrict g0 = sums.gradient[0];
-  float* __restrict g1 = sums.gradient[1];
-  float* __restrict g2 = sums.gradient[2];
-  float* __restrict g3 = sums.gradient[3];
-  float* __restrict g4 = sums.gradient[4];
-  float* __restrict g5 = sums.gradient[5];
-  float* __restrict g6 = sums.gradient[6];
-  float* __restrict g7 = sums.gradient[7];
-  float* __restrict g8 = sums.gradient[8];
-  const std::uint32_t blocks = (plane.slot_end - plane.slot_begin) / kLanes;
-  for (std::uint32_t block = 0; block < blocks; ++block) {
-    const std::uint32_t base = block * kLanes;
-    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-      const std::uint32_t i = base + lane;
-      const float d00 = g0[i], d01 = g1[i], d02 = g2[i];
-      const float d10 = g3[i], d11 = g4[i], d12 = g5[i];
-      const float d20 = g6[i], d21 = g7[i], d22 = g8[i];
-      float w = qw[i], x = qx[i], y = qy[i], z = qz[i];
-      rotation_step<0>(1 + d00, d01, d02, d10, 1 + d11, d12, d20, d21, 1 + d22, w, x, y, z);
-      x = (x + kQuantumTurn) - kQuantumTurn;
-      y = (y + kQuantumTurn) - kQuantumTurn;
-      z = (z + kQuantumTurn) - kQuantumTurn;
-      const float k = stiffness[i];
-      const bool alive = k > 0;
-      qw[i] = alive ? w : 1.0F;
-      qx[i] = alive ? x : 0.0F;
-      qy[i] = alive ? y : 0.0F;
-      qz[i] = alive ? z : 0.0F;
-      // R - I, written so that small rotations keep their digits.
-      const float x2 = x + x, y2 = y + y, z2 = z + z;
-      const float xx = x * x2, yy = y * y2, zz = z * z2;
-      const float xy = x * y2, xz = x * z2, yz = y * z2;
-      const float wx = w * x2, wy = w * y2, wz = w * z2;
-      const float r00 = -(yy + zz), r01 = xy - wz, r02 = xz + wy;
-      const float r10 = xy + wz, r11 = -(xx + zz), r12 = yz - wx;
-      const float r20 = xz - wy, r21 = yz + wx, r22 = -(xx + yy);
-      const float trace = ((r00 + r11) + r22) + ((d00 + d11) + d22);
-      const float inner = ((r00 * d00 + r01 * d01) + (r02 * d02 + r10 * d10)) +
-                          ((r11 * d11 + r12 * d12) + (r20 * d20 + r21 * d21)) + r22 * d22;
-      const float p = volume[i] * (trace + inner);
-      const float a = 1 - p;
-      const float b = 1 - chi;
-      const float s = k * half_edge;
-      const float tk = k * chi;
-      t0[i] = tk * t0[i];
-      t1[i] = tk * t1[i];
-      t2[i] = tk * t2[i];
-      g0[i] = s * ((a * r00 - p) - b * d00);
-      g1[i] = s * (a * r01 - b * d01);
-      g2[i] = s * (a * r02 - b * d02);
-      g3[i] = s * (a * r10 - b * d10);
-      g4[i] = s * ((a * r11 - p) - b * d11);
-      g5[i] = s * (a * r12 - b * d12);
-      g6[i] = s * (a * r20 - b * d20);
-      g7[i] = s * (a * r21 - b * d21);
-      g8[i] = s * ((a * r22 - p) - b * d22);
-    }
+// Stage 2, in place over all slots of a plane: `t` mean displacement -> T = k chi t, `g` gradient,
+// row-major -> columns of k (h / 2) H. The twelve arrays lie `stride` apart from `sums` on.
+STYLET_KEEP_APART void fit_slots(std::uint32_t lanes, std::size_t stride, float chi,
+                                 float half_edge, const float* __restrict stiffness,
+                                 const float* __restrict volume, float* __restrict qw,
+                                 float* __restrict qx, float* __restrict qy, float* __restrict qz,
+                                 float* __restrict sums) {
+  float* t0 = sums;
+  float* t1 = sums + stride;
+  float* t2 = sums + 2 * stride;
+  float* g0 = sums + 3 * stride;
+  float* g1 = sums + 4 * stride;
+  float* g2 = sums + 5 * stride;
+  float* g3 = sums + 6 * stride;
+  float* g4 = sums + 7 * stride;
+  float* g5 = sums + 8 * stride;
+  float* g6 = sums + 9 * stride;
+  float* g7 = sums + 10 * stride;
+  float* g8 = sums + 11 * stride;
+  STYLET_LANES(lanes)
+  for (std::uint32_t i = 0; i < lanes; ++i) {
+    const float d00 = g0[i], d01 = g1[i], d02 = g2[i];
+    const float d10 = g3[i], d11 = g4[i], d12 = g5[i];
+    const float d20 = g6[i], d21 = g7[i], d22 = g8[i];
+    float w = qw[i], x = qx[i], y = qy[i], z = qz[i];
+    rotation_step<0>(1 + d00, d01, d02, d10, 1 + d11, d12, d20, d21, 1 + d22, w, x, y, z);
+    x = (x + kQuantumTurn) - kQuantumTurn;
+    y = (y + kQuantumTurn) - kQuantumTurn;
+    z = (z + kQuantumTurn) - kQuantumTurn;
+    const float k = stiffness[i];
+    // Empty slots stay upright, whatever their neighbours do.
+    qw[i] = k > 0 ? w : 1.0F;
+    qx[i] = k > 0 ? x : 0.0F;
+    qy[i] = k > 0 ? y : 0.0F;
+    qz[i] = k > 0 ? z : 0.0F;
+    // R - I, written so that small rotations keep their digits.
+    const float x2 = x + x, y2 = y + y, z2 = z + z;
+    const float xx = x * x2, yy = y * y2, zz = z * z2;
+    const float xy = x * y2, xz = x * z2, yz = y * z2;
+    const float wx = w * x2, wy = w * y2, wz = w * z2;
+    const float r00 = -(yy + zz), r01 = xy - wz, r02 = xz + wy;
+    const float r10 = xy + wz, r11 = -(xx + zz), r12 = yz - wx;
+    const float r20 = xz - wy, r21 = yz + wx, r22 = -(xx + yy);
+    const float trace = ((r00 + r11) + r22) + ((d00 + d11) + d22);
+    const float inner = ((r00 * d00 + r01 * d01) + (r02 * d02 + r10 * d10)) +
+                        ((r11 * d11 + r12 * d12) + (r20 * d20 + r21 * d21)) + r22 * d22;
+    const float p = volume[i] * (trace + inner);
+    const float a = 1 - p;
+    const float b = 1 - chi;
+    const float s = k * half_edge;
+    const float tk = k * chi;
+    t0[i] = tk * t0[i];
+    t1[i] = tk * t1[i];
+    t2[i] = tk * t2[i];
+    g0[i] = s * ((a * r00 - p) - b * d00);
+    g1[i] = s * (a * r01 - b * d01);
+    g2[i] = s * (a * r02 - b * d02);
+    g3[i] = s * (a * r10 - b * d10);
+    g4[i] = s * ((a * r11 - p) - b * d11);
+    g5[i] = s * (a * r12 - b * d12);
+    g6[i] = s * (a * r20 - b * d20);
+    g7[i] = s * (a * r21 - b * d21);
+    g8[i] = s * ((a * r22 - p) - b * d22);
   }
+}
+
+void fit_plane(const View& view, const Plane& plane) {
+  const ModelHead& head = *view.model.head;
+  const std::uint32_t at = plane.slot_begin;
+  fit_slots(plane.slot_end - plane.slot_begin, head.counts.slots_per_plane, head.hourglass_weight,
+            head.edge_m * 0.5F, view.model.slot_k + at, view.model.slot_volume + at,
+            view.state.qw + at, view.state.qx + at, view.state.qy + at, view.state.qz + at,
+            view.scratch.sums);
 }
 
 // Stage 3 for one component of one row: `t`, `x`, `y`, `z` start at the empty slot before the row,
 // node arrays at its first node. Lanes behind the last node add zero to somebody else's node.
-void spread_row(const float* __restrict t, const float* __restrict x, const float* __restrict y,
-                const float* __restrict z, std::uint32_t nodes, float* __restrict f0,
-                float* __restrict f1, float* __restrict f2, float* __restrict f3) {
-  const std::uint32_t blocks = (nodes + kLanes - 1) / kLanes;
-  for (std::uint32_t block = 0; block < blocks; ++block) {
-    const std::uint32_t base = block * kLanes;
-    const std::uint32_t left = nodes - base;
-    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-      const std::uint32_t i = base + lane;
-      const float along_x = (t[i] + x[i]) + (t[i + 1] - x[i + 1]);
-      const float along_y = y[i] + y[i + 1];
-      const float along_z = z[i] + z[i + 1];
-      const bool mine = lane < left;
-      const float low = along_x - along_z, high = along_x + along_z;
-      const float a = mine ? low - along_y : 0.0F;
-      const float b = mine ? low + along_y : 0.0F;
-      const float c = mine ? high - along_y : 0.0F;
-      const float d = mine ? high + along_y : 0.0F;
-      f0[i] += a;
-      f1[i] += b;
-      f2[i] += c;
-      f3[i] += d;
-    }
+STYLET_KEEP_APART void spread_row(const float* __restrict t, const float* __restrict x,
+                                  const float* __restrict y, const float* __restrict z,
+                                  std::uint32_t nodes, std::uint32_t lanes, float* __restrict f0,
+                                  float* __restrict f1, float* __restrict f2,
+                                  float* __restrict f3) {
+  STYLET_LANES(lanes)
+  for (std::uint32_t i = 0; i < lanes; ++i) {
+    const float along_x = (t[i] + x[i]) + (t[i + 1] - x[i + 1]);
+    const float along_y = y[i] + y[i + 1];
+    const float along_z = z[i] + z[i + 1];
+    const float low = along_x - along_z, high = along_x + along_z;
+    f0[i] += i < nodes ? low - along_y : 0.0F;
+    f1[i] += i < nodes ? low + along_y : 0.0F;
+    f2[i] += i < nodes ? high - along_y : 0.0F;
+    f3[i] += i < nodes ? high + along_y : 0.0F;
   }
 }
 
@@ -195,7 +204,7 @@ void spread_plane(const View& view, const Plane& plane, const Plane& above, cons
     const std::uint32_t at = row.slot - 1 - plane.slot_begin;
     for (int c = 0; c < 3; ++c) {
       spread_row(sums.mean[c] + at, sums.gradient[3 * c] + at, sums.gradient[3 * c + 1] + at,
-                 sums.gradient[3 * c + 2] + at, row.count + 1U,
+                 sums.gradient[3 * c + 2] + at, row.count + 1U, whole_lanes(row.count + 1U),
                  low.axis[c] + (row.node[0] - plane.particle_begin),
                  low.axis[c] + (row.node[1] - plane.particle_begin),
                  high.axis[c] + (row.node[2] - above.particle_begin),
@@ -204,45 +213,49 @@ void spread_plane(const View& view, const Plane& plane, const Plane& above, cons
   }
 }
 
-// Moves the particles of a plane; returns the largest squared displacement.
+// Moves the particles of a plane along one axis; returns the largest displacement's bits (as
+// integers, because the order of floats above zero is the order of their bits).
+STYLET_KEEP_APART std::uint32_t move_axis(std::uint32_t lanes, float dt, float tau, float keep,
+                                          const float* __restrict per_mass,
+                                          const float* __restrict hold,
+                                          const float* __restrict f_below,
+                                          const float* __restrict f_here, float* __restrict u,
+                                          float* __restrict v, float* __restrict e) {
+  std::uint32_t largest = 0;
+  STYLET_LANES(lanes)
+  for (std::uint32_t i = 0; i < lanes; ++i) {
+    const float force = (f_below[i] + f_here[i]) - hold[i] * e[i];
+    float velocity = keep * v[i] + per_mass[i] * force;
+    velocity = (velocity + kQuantum) - kQuantum;
+    float place = u[i] + dt * velocity;
+    place = (place + kQuantum) - kQuantum;
+    v[i] = velocity;
+    u[i] = place;
+    e[i] = place + tau * velocity;
+    const std::uint32_t size = __builtin_bit_cast(std::uint32_t, place) & 0x7FFFFFFFU;
+    largest = largest > size ? largest : size;
+  }
+  return largest;
+}
+
 float move_particles(const View& view, const Plane& plane, const Forces& below,
                      const Forces& here) {
-  const std::uint32_t begin = plane.particle_begin;
-  const std::uint32_t blocks = (plane.particle_end - begin) / kLanes;
+  const std::uint32_t at = plane.particle_begin;
+  const std::uint32_t lanes = plane.particle_end - at;
   const float dt = view.model.head->substep_s;
   const float tau = view.model.head->config.tissue_damping_s;
-  const float* __restrict per_mass = view.model.step_per_mass + begin;
-  const float* __restrict hold = view.model.hold + begin;
-  float largest[kLanes] = {};
-  float* u[3] = {view.state.ux + begin, view.state.uy + begin, view.state.uz + begin};
-  float* v[3] = {view.state.vx + begin, view.state.vy + begin, view.state.vz + begin};
-  float* e[3] = {view.state.ex + begin, view.state.ey + begin, view.state.ez + begin};
+  const float keep = 1 - dt * view.model.head->config.surround_drag_per_s;
+  float* u[3] = {view.state.ux, view.state.uy, view.state.uz};
+  float* v[3] = {view.state.vx, view.state.vy, view.state.vz};
+  float* e[3] = {view.state.ex, view.state.ey, view.state.ez};
+  std::uint32_t largest = 0;
   for (int c = 0; c < 3; ++c) {
-    float* __restrict uc = u[c];
-    float* __restrict vc = v[c];
-    float* __restrict ec = e[c];
-    const float* __restrict f_below = below.axis[c];
-    const float* __restrict f_here = here.axis[c];
-    for (std::uint32_t block = 0; block < blocks; ++block) {
-      const std::uint32_t base = block * kLanes;
-      for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-        const std::uint32_t i = base + lane;
-        const float force = (f_below[i] + f_here[i]) - hold[i] * ec[i];
-        float velocity = vc[i] + per_mass[i] * force;
-        velocity = (velocity + kQuantum) - kQuantum;
-        float place = uc[i] + dt * velocity;
-        place = (place + kQuantum) - kQuantum;
-        vc[i] = velocity;
-        uc[i] = place;
-        ec[i] = place + tau * velocity;
-        const float size = place < 0 ? -place : place;
-        largest[lane] = largest[lane] > size ? largest[lane] : size;
-      }
-    }
+    const std::uint32_t size =
+        move_axis(lanes, dt, tau, keep, view.model.step_per_mass + at, view.model.hold + at,
+                  below.axis[c], here.axis[c], u[c] + at, v[c] + at, e[c] + at);
+    largest = largest > size ? largest : size;
   }
-  float all = 0;
-  for (const float one : largest) all = all > one ? all : one;
-  return all;
+  return __builtin_bit_cast(float, largest);
 }
 
 void clear(const Forces& forces, std::uint32_t count) {
@@ -274,7 +287,7 @@ void STYLET_LATTICE_STEP(const Kernel& kernel) {
     if (z < counts.planes) {
       clear(above, counts.particles_per_plane);
       sum_plane(view, plane, sums);
-      fit_plane(view, plane, sums);
+      fit_plane(view, plane);
       couple_plane(view, z);
       spread_plane(view, plane, view.model.plane[z + 1], sums, here, above);
     }

@@ -76,17 +76,18 @@ struct Share {
   Vec3 goal_m;    // from the last fit
 };
 
-struct Particle {   // a constraint particle
-  Vec3 rest_m;      // place in the rest frame; chooses the voxels
-  Vec3 position_m;  // the needle's point that holds it
-  Vec3 memory_m;    // relaxed part of the residual (Maxwell branch)
-  Vec3 force_n;     // on the tissue, from the last fit
-  float track_m;    // track coordinate: length from the entry
-  float arc_m;      // arc length on the needle, from the tip
-  float stiffness_n_per_m;
-  float memory_share;  // relaxing share of the spring's own stiffness
-  float memory_keep;   // of the difference, per tick
-  float slip_m_per_s;  // low-passed
+struct Particle {                // a constraint particle
+  Vec3 rest_m;                   // place in the rest frame; chooses the voxels
+  Vec3 position_m;               // the needle's point that holds it
+  Vec3 memory_m;                 // relaxed part of the residual (Maxwell branch)
+  Vec3 force_n;                  // on the tissue, from the last fit
+  float track_m;                 // track coordinate: length from the entry
+  float arc_m;                   // arc length on the needle, from the tip
+  float stiffness_n_per_m;       // of the stretch it stands for now
+  float full_stiffness_n_per_m;  // of a whole unit
+  float memory_share;            // relaxing share of the spring's own stiffness
+  float memory_keep;             // of the difference, per tick
+  float slip_m_per_s;            // low-passed
   std::uint32_t material;
   std::uint32_t share_count;
   Share share[kSharesPerParticle];
@@ -118,7 +119,7 @@ struct StateHead {
   double work_by_hand_j, friction_j, cutting_j, relaxation_j;
   Vec3 last_force_n, last_torque_nm;
   std::uint32_t handle_known;
-  std::uint32_t padding;
+  std::uint32_t leaving;  // the tip has left a track but not yet the surface around it
 };
 
 // A voxel coupled to the needle in this tick.

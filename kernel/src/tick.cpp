@@ -95,10 +95,16 @@ Needle place_needle(const View& view) {
           state.handle.position_m + view.model.head->config.needle.length_m * direction};
 }
 
+// A tip that has just left its track lies in the mouth of the hole: it must come clear of the
+// surface before it can touch it again.
 void seek_contact(const View& view, const Needle& needle, std::uint32_t& flags) {
-  if (view.state.head->phase != Phase::kFree || view.state.head->handle_known == 0) return;
+  StateHead& state = *view.state.head;
+  if (state.phase != Phase::kFree || state.handle_known == 0) return;
   Vec3 rest = {}, place = {};
-  if (find_contact(view, needle, rest, place, flags)) begin_contact(view, needle, rest, place);
+  const std::uint32_t before = flags;
+  const bool found = find_contact(view, needle, rest, place, flags);
+  if (found && state.leaving == 0) begin_contact(view, needle, rest, place);
+  if (!found && flags == before) state.leaving = 0;
 }
 
 // Work of the hand since the last tick: mean of the forces at both ends times the motion.

@@ -28,4 +28,5 @@ target_compile_options(stylet_flags INTERFACE
 add_library(stylet_rt_flags INTERFACE)
 target_link_libraries(stylet_rt_flags INTERFACE stylet_flags)
 target_compile_options(stylet_rt_flags INTERFACE
-  -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno -fvisibility=hidden)
+  -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno -fno-trapping-math
+  -fvisibility=hidden)

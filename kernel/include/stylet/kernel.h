@@ -37,8 +37,10 @@ struct NeedleConfig {
 struct Config {
   Mode mode = Mode::kPhysical;
   float period_s = 1e-3F;
-  std::uint32_t substeps = 1;
-  float tissue_damping_s = 2e-3F;        // Kelvin-Voigt time constant of the tissue
+  std::uint32_t substeps = 2;
+  float tissue_damping_s = 0.25e-3F;  // Kelvin-Voigt time constant of the tissue
+  float surround_drag_per_s =
+      8.0F;  // drag of what surrounds the organ, per mass; 0 for a free body
   float hourglass_weight = 1.0F / 3.0F;  // physical mode; paper mode uses 1
   float paper_alpha = 0.5F;              // paper mode: stiffness factor of the averaged goals, 0..1
   NeedleConfig needle;
