@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program stylet-organ: build, phantom, info, check. Exit codes: 0 done, 1 input refused or
+// file damaged, 2 wrong usage.
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "build.h"
+#include "file.h"
+#include "info.h"
+#include "phantom.h"
+#include "progress_bar.h"
+#include "refusal.h"
+
+namespace stylet::bake {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kToolVersion = "stylet-organ " STYLET_VERSION;
+constexpr int kExitRefused = 1;
+constexpr int kExitUsage = 2;
+
+// ---- what the command line says -----------------------------------------------------------------
+
+struct CommonArguments {  // of build and phantom
+  std::string output;
+  std::string name;
+  double voxel_mm = 5;
+  std::uint32_t voxels_across = 0;
+  std::string capsule;
+  std::vector<std::string> fix = kDefaultFix;
+  std::string materials;
+  bool json = false;
+};
+
+struct BuildArguments : CommonArguments {
+  std::vector<std::string> inputs;
+  std::string units = "mm";
+  double scale = 1;
+  bool wrap = false;
+};
+
+struct PhantomArguments : CommonArguments {
+  std::string kind;
+  std::vector<double> size_mm{100, 60, 60};
+  double diameter_mm = 60;
+  std::string tissue;
+  std::vector<std::string> layers;
+  std::string mesh_out;
+};
+
+struct FileArguments {
+  std::string file;
+  bool json = false;
+};
+
+const std::map<std::string, double> kMetresPerUnit{
+    {"mm", 1e-3}, {"cm", 1e-2}, {"dm", 1e-1}, {"m", 1.0}};
+
+void add_common(CLI::App& command, CommonArguments& a) {
+  command.add_option("-o,--output", a.output, "Organ file to write")->required();
+  command.add_option("--name", a.name, "Name of the organ (default: that of the first input)");
+  auto* edge = command.add_option("--voxel-mm", a.voxel_mm, "Voxel edge")->capture_default_str();
+  command.add_option("--voxels-across", a.voxels_across, "Voxels along the longest side")
+      ->check(CLI::Range(1U, 65535U))
+      ->excludes(edge);
+  command.add_option("--capsule", a.capsule, "Tissue of the voxels at the outer surface");
+  command
+      .add_option("--fix", a.fix,
+                  "What is held in space, repeatable: x>MM, x<MM (or y, z; MM may be N%), "
+                  "box:X0,Y0,Z0,X1,Y1,Z1, touching:MESH, or none")
+      ->allow_extra_args(false)
+      ->capture_default_str();
+  command.add_option("--materials", a.materials, "TOML file with tissues of your own");
+  command.add_flag("--json", a.json, "Report as one JSON object on standard output");
+}
+
+// ---- build and phantom --------------------------------------------------------------------------
+
+std::string joined(const std::vector<std::string>& texts) {
+  std::string text;
+  for (const std::string& t : texts) text += (text.empty() ? "" : " ") + t;
+  return text;
+}
+
+// Without folders, so that the bytes do not depend on where the files lie.
+std::string without_folder(const std::string& fix) {
+  const std::string word = "touching:";
+  if (!fix.starts_with(word)) return fix;
+  return word + std::filesystem::path(fix.substr(word.size())).filename().string();
+}
+
+BuildOptions common_options(const CommonArguments& a, double metres_per_unit) {
+  BuildOptions options;
+  options.name = a.name;
+  options.voxel_edge_m = a.voxel_mm * 1e-3;
+  options.voxels_across = a.voxels_across;
+  options.capsule = a.capsule;
+  options.held = parse_regions(a.fix, metres_per_unit);
+  if (!a.materials.empty()) options.own_tissues = read_tissues(a.materials);
+  options.tool_version = kToolVersion;
+  options.options_text = a.voxels_across > 0 ? fmt::format("--voxels-across {}", a.voxels_across)
+                                             : fmt::format("--voxel-mm {}", a.voxel_mm);
+  if (!a.capsule.empty()) options.options_text += " --capsule " + a.capsule;
+  for (const std::string& fix : a.fix) options.options_text += " --fix " + without_folder(fix);
+  if (!a.materials.empty()) {
+    options.options_text +=
+        " --materials " + std::filesystem::path(a.materials).filename().string();
+  }
+  return options;
+}
+
+// Builds, writes and reports.
+void finish(std::vector<Input> inputs, const BuildOptions& options, const CommonArguments& a) {
+  Built built;
+  {
+    const Progress progress = progress_bar();
+    built = build(std::move(inputs), options, progress);
+  }
+  write_file(a.output, built.bytes);
+  for (const std::string& warning : built.report.warnings) {
+    fmt::print(stderr, "stylet-organ: warning: {}\n", warning);
+  }
+  const Organ organ = open_organ(a.output, built.bytes);
+  Json facts = build_facts(built.report);
+  facts["output"] = a.output;
+  facts["organ"] = organ_facts(organ, built.bytes);
+  if (a.json) {
+    fmt::print("{}\n", facts.dump(2));
+  } else {
+    fmt::print("{}{}wrote         {}\n", build_text(facts), organ_text(facts["organ"]), a.output);
+  }
+}
+
+// PATH[:TISSUE[:PRIORITY]]; a file that has colons in its name is taken as it is.
+Input parse_input(const std::string& text) {
+  Input input;
+  input.path = text;
+  input.tissue = "liver";
+  std::error_code error;
+  if (std::filesystem::exists(text, error)) return input;
+  const std::size_t first = text.find(':', text.find_last_of('/') + 1);
+  if (first == std::string::npos) return input;
+  input.path = text.substr(0, first);
+  const std::size_t second = text.find(':', first + 1);
+  input.tissue = text.substr(first + 1, second == std::string::npos ? second : second - first - 1);
+  if (second != std::string::npos &&
+      !CLI::detail::lexical_cast(text.substr(second + 1), input.priority)) {
+    refuse("{}: priority '{}': expected a whole number", text, text.substr(second + 1));
+  }
+  return input;
+}
+
+void run_build(const BuildArguments& a) {
+  constexpr double kLeastScale = 1e-9, kMostScale = 1e9;
+  if (!(a.scale >= kLeastScale && a.scale <= kMostScale)) {
+    refuse("--scale {}: expected {} to {}", a.scale, kLeastScale, kMostScale);
+  }
+  const double metres_per_unit = kMetresPerUnit.at(a.units) * a.scale;
+  BuildOptions options = common_options(a, metres_per_unit);
+  options.wrap = a.wrap;
+  options.options_text +=
+      fmt::format(" --units {} --scale {}{}", a.units, a.scale, a.wrap ? " --wrap" : "");
+  std::vector<Input> inputs;
+  for (const std::string& text : a.inputs) {
+    inputs.push_back(parse_input(text));
+    (void)find_tissue(options.own_tissues, inputs.back().tissue);
+    inputs.back().metres_per_unit = metres_per_unit;
+    inputs.back().read = read_mesh(inputs.back().path);
+  }
+  if (options.name.empty()) {
+    options.name = std::filesystem::path(inputs.front().path).stem().string();
+  }
+  finish(std::move(inputs), options, a);
+}
+
+Mesh make_phantom(const PhantomArguments& a, double facet_m) {
+  constexpr double kMostMm = 2000;
+  const auto in_range = [](double mm) { return mm > 0 && mm <= kMostMm; };
+  if (a.kind == "ball") {
+    if (!in_range(a.diameter_mm)) refuse("--diameter-mm {}: expected 0 to 2000", a.diameter_mm);
+    return ball_phantom(a.diameter_mm * 1e-3, std::min(facet_m, a.diameter_mm * 1e-3 / 4));
+  }
+  if (a.kind == "liver") return liver_phantom(facet_m);
+  for (const double mm : a.size_mm) {
+    if (!in_range(mm)) refuse("--size-mm {}: expected three lengths of 0 to 2000", mm);
+  }
+  return block_phantom(Vec{a.size_mm[0], a.size_mm[1], a.size_mm[2]} * 1e-3, facet_m);
+}
+
+std::vector<Layer> parse_layers(const std::vector<std::string>& texts) {
+  std::vector<Layer> layers;
+  for (const std::string& text : texts) {
+    const std::size_t colon = text.find(':');
+    double mm = 0;
+    if (colon == std::string::npos || !CLI::detail::lexical_cast(text.substr(colon + 1), mm) ||
+        !(mm > 0)) {
+      refuse("--layer '{}': expected TISSUE:THICKNESS_MM", text);
+    }
+    layers.push_back({mm * 1e-3, text.substr(0, colon)});
+  }
+  return layers;
+}
+
+void run_phantom(PhantomArguments a) {
+  if (a.kind == "liver" && a.capsule.empty()) a.capsule = "liver_capsule";
+  if (a.kind == "layered" && a.layers.empty())
+    a.layers = {"skin:5", "fat:10", "muscle:15", "liver:70"};
+  if (a.kind != "layered" && !a.layers.empty()) refuse("--layer: expected only with layered");
+  if (a.tissue.empty()) a.tissue = a.kind == "liver" ? "liver" : "gel";
+  BuildOptions options = common_options(a, 1e-3);
+  options.layers = parse_layers(a.layers);
+  if (options.name.empty()) options.name = a.kind + " phantom";
+  Input input;
+  input.path = a.kind + "-phantom";
+  input.tissue = options.layers.empty() ? a.tissue : options.layers.front().tissue;
+  input.metres_per_unit = 1;
+  // Facets about as large as voxels: finer ones would move with the same voxel anyway.
+  const double edge_m = a.voxels_across > 0 ? 0.2 / a.voxels_across : a.voxel_mm * 1e-3;
+  constexpr double kFinest = 5e-4;
+  input.read.mesh = make_phantom(a, std::max(edge_m, kFinest));
+  const std::string off = off_text(input.read.mesh);
+  input.read.sha256 = sha256_hex(off);
+  options.options_text += a.kind == "ball"    ? fmt::format(" --diameter-mm {}", a.diameter_mm)
+                          : a.kind == "liver" ? ""
+                                              : fmt::format(" --size-mm {},{},{}", a.size_mm[0],
+                                                            a.size_mm[1], a.size_mm[2]);
+  if (!a.layers.empty()) options.options_text += " --layer " + joined(a.layers);
+  if (!a.mesh_out.empty()) write_file(a.mesh_out, std::as_bytes(std::span(off)));
+  finish({std::move(input)}, options, a);
+}
+
+// ---- info and check -----------------------------------------------------------------------------
+
+void run_info(const FileArguments& a) {
+  const std::string bytes = read_file(a.file);
+  const auto view = std::as_bytes(std::span(bytes));
+  const Json facts = organ_facts(open_organ(a.file, view), view);
+  fmt::print("{}", a.json ? facts.dump(2) + "\n" : organ_text(facts));
+}
+
+void run_check(const FileArguments& a) {
+  const std::string bytes = read_file(a.file);
+  const Organ organ = open_organ(a.file, std::as_bytes(std::span(bytes)));
+  fmt::print("{}: ok: {} voxels, hash {:016x}\n", a.file, organ.voxel_count, organ.hash);
+}
+
+// ---- commands -----------------------------------------------------------------------------------
+
+void add_build(CLI::App& app, BuildArguments& a) {
+  CLI::App* command = app.add_subcommand("build", "Make an organ file from meshes");
+  command->footer(
+      "Examples:\n"
+      "  stylet-organ build Liver.stl --units mm --voxel-mm 5 -o liver.organ\n"
+      "  stylet-organ build wall.stl:muscle Liver.stl:liver:1 --capsule liver_capsule -o "
+      "torso.organ\n"
+      "  stylet-organ build scan.ply --voxels-across 60 --fix 'x>95%' --wrap -o scan.organ");
+  command
+      ->add_option("inputs", a.inputs,
+                   "Meshes (.obj .stl .ply .off), each PATH[:TISSUE[:PRIORITY]]; tissue liver and "
+                   "priority 0 unless given; the higher priority wins a voxel")
+      ->required();
+  command->add_option("--units", a.units, "Unit of the meshes")
+      ->check(CLI::IsMember(kMetresPerUnit))
+      ->capture_default_str();
+  command->add_option("--scale", a.scale, "Factor on top of the unit")->capture_default_str();
+  command->add_flag("--wrap", a.wrap,
+                    "Last resort: replace each mesh by a closed skin around it (adds volume)");
+  add_common(*command, a);
+  command->callback([&a] { run_build(a); });
+}
+
+void add_phantom(CLI::App& app, PhantomArguments& a) {
+  CLI::App* command = app.add_subcommand("phantom", "Make an organ file of a test body");
+  command->footer(
+      "Examples:\n"
+      "  stylet-organ phantom liver --voxel-mm 5 -o liver-phantom.organ\n"
+      "  stylet-organ phantom block --size-mm 100,60,60 --tissue gel -o block.organ\n"
+      "  stylet-organ phantom layered --layer skin:5 --layer fat:10 --layer liver:85 -o "
+      "layers.organ");
+  command->add_option("kind", a.kind, "block, layered, ball or liver")
+      ->required()
+      ->check(CLI::IsMember({"block", "layered", "ball", "liver"}));
+  command->add_option("--size-mm", a.size_mm, "Block: lengths along x, y, z")
+      ->delimiter(',')
+      ->expected(3)
+      ->capture_default_str();
+  command->add_option("--diameter-mm", a.diameter_mm, "Ball")->capture_default_str();
+  command->add_option("--tissue", a.tissue, "Tissue (default: gel; of liver: liver)");
+  command
+      ->add_option("--layer", a.layers,
+                   "Layered: TISSUE:THICKNESS_MM along +x, repeatable; the last fills the rest")
+      ->allow_extra_args(false);
+  command->add_option("--mesh-out", a.mesh_out, "Also write the surface, in metres, as OFF");
+  add_common(*command, a);
+  command->callback([&a] { run_phantom(a); });
+}
+
+void add_info_and_check(CLI::App& app, FileArguments& info, FileArguments& check) {
+  CLI::App* show = app.add_subcommand("info", "What an organ file holds and needs");
+  show->add_option("file", info.file, "Organ file")->required();
+  show->add_flag("--json", info.json, "As one JSON object");
+  show->footer("Example:\n  stylet-organ info liver.organ --json");
+  show->callback([&info] { run_info(info); });
+  CLI::App* test = app.add_subcommand("check", "Whether the kernel accepts an organ file");
+  test->add_option("file", check.file, "Organ file")->required();
+  test->footer("Example:\n  stylet-organ check liver.organ");
+  test->callback([&check] { run_check(check); });
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Makes and inspects organ files, the anatomy that stylet runs on."};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", kToolVersion);
+  app.footer("Exit codes: 0 done, 1 input refused or file damaged, 2 wrong usage.");
+  BuildArguments build_arguments;
+  PhantomArguments phantom_arguments;
+  FileArguments info_arguments, check_arguments;
+  add_build(app, build_arguments);
+  add_phantom(app, phantom_arguments);
+  add_info_and_check(app, info_arguments, check_arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kExitUsage;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr,
+               "stylet-organ: out of memory: expected a coarser voxel edge or a smaller mesh\n");
+    return kExitRefused;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "stylet-organ: {}\n", error.what());
+    return kExitRefused;
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace stylet::bake
+
+int main(int argc, char** argv) {
+  return stylet::bake::run(argc, argv);
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "progress_bar.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+namespace stylet::bake {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Bar {
+  Clock::time_point start = Clock::now();
+  bool shown = false;
+
+  Bar() = default;
+  Bar(const Bar&) = delete;
+  Bar& operator=(const Bar&) = delete;
+  ~Bar() {
+    if (shown) fmt::print(stderr, "\r\x1b[K");
+  }
+};
+
+}  // namespace
+
+Progress progress_bar() {
+  if (::isatty(STDERR_FILENO) == 0) return [](const char*, double) {};
+  const auto bar = std::make_shared<Bar>();
+  return [bar](const char* stage, double fraction) {
+    if (Clock::now() - bar->start < std::chrono::seconds(1)) return;
+    constexpr std::size_t kWidth = 30;
+    const auto done = static_cast<std::size_t>(fraction * kWidth);
+    fmt::print(stderr, "\r\x1b[K[{}{}] {}", std::string(done, '#'), std::string(kWidth - done, ' '),
+               stage);
+    std::fflush(stderr);
+    bar->shown = true;
+  };
+}
+
+}  // namespace stylet::bake

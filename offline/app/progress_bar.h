@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A bar on standard error, only where that is a terminal and only once a second has passed.
+#pragma once
+
+#include "progress.h"
+
+namespace stylet::bake {
+
+// The bar wipes itself when the last copy of the returned function goes.
+Progress progress_bar();
+
+}  // namespace stylet::bake

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "build.h"
+
+#include <bit>
+#include <filesystem>
+
+#include "refusal.h"
+#include "stylet/limits.h"
+#include "wrap.h"
+#include "write_organ.h"
+
+namespace stylet::bake {
+namespace {
+
+constexpr double kSmallestPlausibleM = 5e-3;
+constexpr double kLargestPlausibleM = 2.0;
+
+void warn_of_size(const Box& box, std::vector<std::string>& warnings) {
+  const double side = longest_side(box);
+  if (side < kSmallestPlausibleM || side > kLargestPlausibleM) {
+    warnings.push_back(fmt::format(
+        "the longest side is {:.4g} mm: expected 5 mm to 2 m for an organ; check --units and "
+        "--scale",
+        side * 1e3));
+  }
+}
+
+double choose_edge(const Box& box, const BuildOptions& options) {
+  const double edge =
+      options.voxels_across > 0 ? longest_side(box) / options.voxels_across : options.voxel_edge_m;
+  // The limits are floats; what rounds to them is within them.
+  const auto rounded = static_cast<float>(edge);
+  if (!(rounded >= kMinVoxelEdgeM && rounded <= kMaxVoxelEdgeM)) {
+    refuse("voxel edge {:.6g} mm: expected 0.1 to 100 mm", edge * 1e3);
+  }
+  return edge;
+}
+
+// All meshes to metres, repaired; wrapped first where that was asked for.
+std::vector<Solid> make_solids(std::vector<Input>& inputs, const BuildOptions& options,
+                               double& edge_m_out, Box& box_out, const Progress& progress) {
+  for (Input& input : inputs) {
+    for (Vec& p : input.read.mesh.points) p = p * input.metres_per_unit;
+  }
+  std::vector<Solid> solids;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    progress("repairing", static_cast<double>(i) / static_cast<double>(inputs.size()));
+    solids.push_back(repair(std::move(inputs[i].read.mesh)));
+    if (solids.back().surface.triangles.empty()) {
+      refuse("{}: all {} triangles are degenerate: expected a surface", inputs[i].path,
+             solids.back().counts.triangles_read);
+    }
+    for (const Vec& p : solids.back().surface.points) grow(box_out, p);
+  }
+  edge_m_out = choose_edge(box_out, options);
+  if (!options.wrap) return solids;
+  constexpr double kOffsetOfEdge = 0.1;
+  const double offset_m = edge_m_out * kOffsetOfEdge;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    progress("wrapping", static_cast<double>(i) / static_cast<double>(solids.size()));
+    const RepairCounts counts = solids[i].counts;
+    solids[i] = repair(alpha_wrap(solids[i].surface, edge_m_out, offset_m));
+    solids[i].counts = counts;
+    for (const Vec& p : solids[i].surface.points) grow(box_out, p);
+  }
+  return solids;
+}
+
+InputReport report_of(const Input& input, const Solid& solid, const Occupancy& occupancy,
+                      const Grid& grid) {
+  InputReport report{input.path,
+                     input.tissue,
+                     input.read.counts,
+                     solid.counts,
+                     solid.closed,
+                     solid.oriented,
+                     0,
+                     0,
+                     occupancy.decided_by_winding};
+  const Box box = bounds(solid.surface);
+  report.mesh_volume_m3 =
+      signed_volume(solid.surface.points, solid.boundary, (box.low + box.high) * 0.5);
+  std::size_t samples = 0;
+  for (const std::uint64_t bits : occupancy.inside) {
+    samples += static_cast<std::size_t>(std::popcount(bits));
+  }
+  const double edge = grid.edge_m;
+  report.filled_volume_m3 = static_cast<double>(samples) / 64 * edge * edge * edge;
+  return report;
+}
+
+// Material numbers by tissue name, in order of first mention.
+struct MaterialList {
+  const std::vector<Tissue>& own;
+  std::vector<Tissue> tissues;
+};
+
+std::uint8_t number_of(MaterialList& list, const std::string& name) {
+  for (std::size_t i = 0; i < list.tissues.size(); ++i) {
+    if (list.tissues[i].name == name) return static_cast<std::uint8_t>(i);
+  }
+  if (list.tissues.size() >= kMaxMaterials) refuse("more than {} tissues", kMaxMaterials);
+  list.tissues.push_back(find_tissue(list.own, name));
+  return static_cast<std::uint8_t>(list.tissues.size() - 1);
+}
+
+std::uint8_t layer_at(const std::vector<Layer>& layers, const std::vector<std::uint8_t>& numbers,
+                      double depth_m) {
+  std::size_t i = 0;
+  while (i + 1 < layers.size() && depth_m >= layers[i].thickness_m) {
+    depth_m -= layers[i].thickness_m;
+    ++i;
+  }
+  return numbers[i];
+}
+
+std::vector<std::uint8_t> voxel_materials(const Claims& claims, const Lattice& lattice,
+                                          const std::vector<Input>& inputs,
+                                          const BuildOptions& options, MaterialList& list) {
+  std::vector<std::uint8_t> of_input, of_layer;
+  if (options.layers.empty()) {
+    for (const Input& input : inputs) of_input.push_back(number_of(list, input.tissue));
+  }
+  for (const Layer& layer : options.layers) of_layer.push_back(number_of(list, layer.tissue));
+  const std::uint8_t capsule = options.capsule.empty() ? 0 : number_of(list, options.capsule);
+  const Grid& grid = lattice.grid;
+  std::vector<std::uint8_t> materials;
+  for (const std::uint32_t cell : lattice.cell_of_voxel) {
+    const std::uint32_t x = cell % grid.size[0], row = cell / grid.size[0];
+    const bool is_capsule =
+        !options.capsule.empty() && is_skin(claims, x, row % grid.size[1], row / grid.size[1]);
+    materials.push_back(is_capsule ? capsule
+                        : of_layer.empty()
+                            ? of_input[claims.owner[cell]]
+                            : layer_at(options.layers, of_layer, (x + 0.5) * grid.edge_m));
+  }
+  return materials;
+}
+
+std::vector<std::uint8_t> fixed_corners(const Lattice& lattice, const Box& box,
+                                        const std::vector<Region>& held_regions) {
+  if (held_regions.empty()) return {};
+  const Grid& grid = lattice.grid;
+  const std::vector<std::uint8_t> held = held_corners(grid, box, held_regions);
+  std::vector<std::uint8_t> fixed;
+  bool any = false;
+  for (const std::uint32_t cell : lattice.cell_of_voxel) {
+    const std::uint32_t x = cell % grid.size[0], row = cell / grid.size[0];
+    const std::uint32_t y = row % grid.size[1], z = row / grid.size[1];
+    std::uint32_t bits = 0;
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+      const std::size_t at =
+          corner_index(grid, x + (corner & 1U), y + (corner >> 1U & 1U), z + (corner >> 2U));
+      bits |= static_cast<std::uint32_t>(held[at]) << corner;
+    }
+    any = any || bits != 0;
+    fixed.push_back(static_cast<std::uint8_t>(bits));
+  }
+  if (!any)
+    refuse("--fix: no corner of the organ lies in these regions: expected at least one, or none");
+  return fixed;
+}
+
+Mesh join(const std::vector<Solid>& solids) {
+  Mesh all;
+  for (const Solid& solid : solids) {
+    const auto base = static_cast<std::uint32_t>(all.points.size());
+    all.points.insert(all.points.end(), solid.surface.points.begin(), solid.surface.points.end());
+    for (const Triangle& t : solid.surface.triangles) {
+      all.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+    }
+    if (all.points.size() > kMaxVertices || all.triangles.size() > kMaxTriangles) {
+      refuse("{} surface points and {} triangles: expected at most {} and {}", all.points.size(),
+             all.triangles.size(), kMaxVertices, kMaxTriangles);
+    }
+  }
+  return all;
+}
+
+void embed_surface(const Mesh& mesh, OrganParts& parts) {
+  Surface surface = embed(parts.lattice, mesh.points, mesh.triangles);
+  SphereTree tree = sphere_tree(surface.rest_m, mesh.triangles, surface.voxel_of);
+  for (const std::uint32_t i : tree.order) parts.triangles.push_back(mesh.triangles[i]);
+  parts.vertices = std::move(surface.vertices);
+  parts.spheres = std::move(tree.nodes);
+}
+
+std::vector<SourceRecord> source_records(const std::vector<Input>& inputs,
+                                         const BuildReport& report) {
+  std::vector<SourceRecord> records;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    records.push_back({std::filesystem::path(inputs[i].path).filename().string(), inputs[i].tissue,
+                       inputs[i].read.sha256, inputs[i].metres_per_unit, inputs[i].priority,
+                       static_cast<std::uint32_t>(report.inputs[i].repair.triangles_read)});
+  }
+  return records;
+}
+
+Claims claim_voxels(const Grid& grid, const std::vector<Input>& inputs,
+                    const std::vector<Solid>& solids, BuildReport& report,
+                    const Progress& progress) {
+  Claims claims = no_claims(grid);
+  std::vector<int> priorities;
+  for (const Input& input : inputs) priorities.push_back(input.priority);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const Occupancy occupancy = voxelize(grid, solids[i], progress);
+    report.inputs.push_back(report_of(inputs[i], solids[i], occupancy, grid));
+    if (report.inputs.back().filled_volume_m3 <= 0) {
+      refuse(
+          "{}: encloses no volume at a voxel edge of {:.6g} mm: expected a surface with an "
+          "inside, a finer voxel edge, or --wrap",
+          inputs[i].path, grid.edge_m * 1e3);
+    }
+    add_claim(claims, occupancy, static_cast<std::uint16_t>(i), priorities);
+  }
+  return claims;
+}
+
+}  // namespace
+
+Built build(std::vector<Input> inputs, const BuildOptions& options, const Progress& progress) {
+  Built built;
+  constexpr std::size_t kMostInputs = 1000;
+  if (inputs.empty() || inputs.size() > kMostInputs) {
+    refuse("{} inputs: expected 1 to {}", inputs.size(), kMostInputs);
+  }
+  double edge_m = 0;
+  Box box;
+  const std::vector<Solid> solids = make_solids(inputs, options, edge_m, box, progress);
+  warn_of_size(box, built.report.warnings);
+  const Grid grid = make_grid(box, edge_m);
+  Claims claims = claim_voxels(grid, inputs, solids, built.report, progress);
+
+  const Mesh mesh = join(solids);
+  progress("embedding surface", 0);
+  OrganParts parts;
+  parts.name = options.name;
+  parts.lattice = make_lattice(claims, mesh.points);
+  MaterialList materials{options.own_tissues, {}};
+  parts.voxel_material = voxel_materials(claims, parts.lattice, inputs, options, materials);
+  parts.materials = std::move(materials.tissues);
+  parts.voxel_fixed = fixed_corners(parts.lattice, box, options.held);
+  embed_surface(mesh, parts);
+  parts.tool_version = options.tool_version;
+  parts.options = options.options_text;
+  parts.sources = source_records(inputs, built.report);
+  progress("writing", 0);
+  built.bytes = write_organ(parts);
+  return built;
+}
+
+}  // namespace stylet::bake

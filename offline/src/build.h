@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Meshes to the bytes of an organ file: repair, voxelise, combine, attach, embed, bound, write.
+// The order of the stages is here and nowhere else; each stage has its own file.
+//
+// Promises: the same inputs and options give the same bytes; the bytes have passed the kernel's own
+// organ_open; what cannot be built is refused with one line. Units: metres.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "attach.h"
+#include "materials.h"
+#include "progress.h"
+#include "read_mesh.h"
+#include "repair.h"
+
+namespace stylet::bake {
+
+struct Input {
+  std::string path;  // for messages; only the file name is kept in the organ
+  std::string tissue;
+  int priority = 0;  // the higher one wins a voxel; the larger filled volume among equals
+  double metres_per_unit = 1e-3;
+  ReadMesh read;  // in file units
+};
+
+// Slabs along +x from the low side of the organ; voxels take the tissue at their centre. They
+// override the inputs' tissues; the last slab has no end.
+struct Layer {
+  double thickness_m = 0;
+  std::string tissue;
+};
+
+struct BuildOptions {
+  std::string name;
+  double voxel_edge_m = 5e-3;
+  std::uint32_t voxels_across = 0;  // along the longest side; replaces voxel_edge_m unless 0
+  std::string capsule;              // tissue of the voxels at the outer surface; empty: none
+  bool wrap = false;                // replace each input by a closed skin around it
+  std::vector<Region> held;
+  std::vector<Layer> layers;
+  std::vector<Tissue> own_tissues;
+  std::string options_text;  // what provenance says of all this
+  std::string tool_version;
+};
+
+struct InputReport {
+  std::string path;
+  std::string tissue;
+  ReadCounts read;
+  RepairCounts repair;
+  bool closed = false;
+  bool oriented = false;
+  double mesh_volume_m3 = 0;    // signed volume after repair; of an open mesh only a hint
+  double filled_volume_m3 = 0;  // sum of fill fractions before inputs are combined
+  std::size_t decided_by_winding = 0;
+};
+
+struct BuildReport {
+  std::vector<InputReport> inputs;
+  std::vector<std::string> warnings;
+};
+
+struct Built {
+  std::vector<std::byte> bytes;
+  BuildReport report;
+};
+
+Built build(std::vector<Input> inputs, const BuildOptions& options, const Progress& progress);
+
+}  // namespace stylet::bake

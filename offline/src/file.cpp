@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "file.h"
+
+#include <fcntl.h>
+#include <openssl/evp.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "refusal.h"
+
+namespace stylet::bake {
+namespace {
+
+constexpr std::uintmax_t kMaxFileBytes = 4ULL << 30U;
+
+// Writes, syncs and renames; false leaves errno set.
+bool write_and_rename(int file, std::span<const std::byte> bytes, const std::string& temporary,
+                      const std::filesystem::path& path) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return ::fsync(file) == 0 && ::rename(temporary.c_str(), path.c_str()) == 0;
+}
+
+}  // namespace
+
+std::string read_file(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) {
+    refuse("{}: {}: expected a readable file", path.string(),
+           std::filesystem::exists(path, error) ? "not a regular file" : "no such file");
+  }
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error || size > kMaxFileBytes) {
+    refuse("{}: {} bytes: expected at most {}", path.string(), size, kMaxFileBytes);
+  }
+  std::ifstream stream(path, std::ios::binary);
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!stream || stream.gcount() != static_cast<std::streamsize>(bytes.size())) {
+    refuse("{}: cannot be read: {}", path.string(), std::strerror(errno));
+  }
+  return bytes;
+}
+
+void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  std::string temporary = path.string() + ".part-XXXXXX";
+  const int file = ::mkstemp(temporary.data());
+  if (file < 0) refuse("{}: cannot be written: {}", path.string(), std::strerror(errno));
+  constexpr mode_t kOwnerWritesAllRead = 0644;
+  const bool good =
+      ::fchmod(file, kOwnerWritesAllRead) == 0 && write_and_rename(file, bytes, temporary, path);
+  const int error = errno;
+  ::close(file);
+  if (!good) {
+    ::unlink(temporary.c_str());
+    refuse("{}: cannot be written: {}", path.string(), std::strerror(error));
+  }
+}
+
+std::string sha256_hex(std::string_view bytes) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned int size = 0;
+  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1) {
+    throw std::runtime_error("SHA-256 is not available in libcrypto");
+  }
+  std::string text;
+  for (unsigned int i = 0; i < size; ++i) text += fmt::format("{:02x}", digest[i]);
+  return text;
+}
+
+}  // namespace stylet::bake

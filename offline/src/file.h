@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whole files in and out, and their SHA-256. What goes wrong is refused with one line.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace stylet::bake {
+
+std::string read_file(const std::filesystem::path& path);
+
+// All or nothing: the bytes go to a temporary beside `path`, which takes the name only when they
+// are complete and on the disk.
+void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+std::string sha256_hex(std::string_view bytes);
+
+}  // namespace stylet::bake

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lattice.h"
+
+#include <bit>
+#include <tuple>
+
+#include "refusal.h"
+#include "stylet/limits.h"
+
+namespace stylet::bake {
+namespace {
+
+constexpr std::uint64_t kFull = ~std::uint64_t{0};
+
+struct CellPlace {
+  std::uint32_t x, y, z;
+};
+
+std::uint32_t nearest_cell(double at, std::uint32_t size) {
+  return static_cast<std::uint32_t>(std::clamp(std::floor(at), 0.0, size - 1.0));
+}
+
+// The cells a place may be said to lie in along one axis: its own, and a neighbour it nearly
+// touches.
+std::size_t cells_along(double at, std::uint32_t size, std::uint32_t (&cells)[2]) {
+  const std::uint32_t own = nearest_cell(at, size);
+  cells[0] = own;
+  const double fraction = at - own;
+  if (own > 0 && fraction < 2 * kTouch) {
+    cells[1] = own - 1;
+    return 2;
+  }
+  if (own + 1 < size && fraction > 1 - 2 * kTouch) {
+    cells[1] = own + 1;
+    return 2;
+  }
+  return 1;
+}
+
+// The first cell around `at` for which `keeps` holds; its own first.
+template <typename Keeps>
+std::optional<CellPlace> find_cell(const Grid& grid, Vec at, Keeps keeps) {
+  std::uint32_t xs[2], ys[2], zs[2];
+  const std::size_t nx = cells_along(at.x, grid.size[0], xs);
+  const std::size_t ny = cells_along(at.y, grid.size[1], ys);
+  const std::size_t nz = cells_along(at.z, grid.size[2], zs);
+  for (std::size_t k = 0; k < nz; ++k) {
+    for (std::size_t j = 0; j < ny; ++j) {
+      for (std::size_t i = 0; i < nx; ++i) {
+        if (keeps(cell_index(grid, xs[i], ys[j], zs[k]))) return CellPlace{xs[i], ys[j], zs[k]};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::uint8_t fill_of(std::uint64_t inside) {
+  const auto samples = static_cast<unsigned>(std::popcount(inside));
+  return static_cast<std::uint8_t>(std::max(1U, (samples * 255U + 32U) / 64U));
+}
+
+std::uint16_t quantised(double fraction) {
+  return static_cast<std::uint16_t>(std::floor(std::clamp(fraction, 0.0, 1.0) * 65535 + 0.5));
+}
+
+Vec rest_position(const Grid& grid, CellPlace cell, const OrganVertex& v) {
+  constexpr double kStep = 1.0 / 65535;
+  return grid.origin_m +
+         Vec{cell.x + v.fx * kStep, cell.y + v.fy * kStep, cell.z + v.fz * kStep} * grid.edge_m;
+}
+
+}  // namespace
+
+Claims no_claims(const Grid& grid) {
+  const std::size_t cells = cell_count(grid);
+  return {grid, std::vector<std::uint64_t>(cells, 0), std::vector<std::uint8_t>(cells, 0),
+          std::vector<std::uint16_t>(cells, 0), std::vector<std::uint8_t>(cells, 0)};
+}
+
+void add_claim(Claims& claims, const Occupancy& occupancy, std::uint16_t input,
+               const std::vector<int>& priorities) {
+  for (std::size_t cell = 0; cell < claims.inside.size(); ++cell) {
+    const auto fill = static_cast<std::uint8_t>(std::popcount(occupancy.inside[cell]));
+    if (fill == 0 && occupancy.pierced[cell] == 0) continue;
+    const std::uint16_t owner = claims.owner[cell];
+    const std::uint8_t owner_fill = claims.owner_fill[cell];
+    const auto rank = std::make_tuple(fill > 0, priorities[input], fill);
+    const auto owner_rank = std::make_tuple(owner_fill > 0, priorities[owner], owner_fill);
+    if (!is_kept(claims, cell) || rank > owner_rank) {
+      claims.owner[cell] = input;
+      claims.owner_fill[cell] = fill;
+    }
+    claims.inside[cell] |= occupancy.inside[cell];
+    claims.pierced[cell] |= occupancy.pierced[cell];
+  }
+}
+
+bool is_kept(const Claims& claims, std::size_t cell) {
+  return claims.inside[cell] != 0 || claims.pierced[cell] != 0;
+}
+
+bool is_skin(const Claims& claims, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+  const Grid& grid = claims.grid;
+  bool bare_face = false;
+  bool all_full = true;
+  for (std::uint32_t dz = 0; dz < 3; ++dz) {
+    for (std::uint32_t dy = 0; dy < 3; ++dy) {
+      for (std::uint32_t dx = 0; dx < 3; ++dx) {
+        const std::uint32_t nx = x + dx, ny = y + dy, nz = z + dz;  // one ahead of the neighbour
+        const bool in_grid = nx >= 1 && ny >= 1 && nz >= 1 && nx <= grid.size[0] &&
+                             ny <= grid.size[1] && nz <= grid.size[2];
+        const std::size_t cell = in_grid ? cell_index(grid, nx - 1, ny - 1, nz - 1) : 0;
+        const bool across_face = (dx != 1 ? 1 : 0) + (dy != 1 ? 1 : 0) + (dz != 1 ? 1 : 0) == 1;
+        all_full = all_full && in_grid && claims.inside[cell] == kFull;
+        bare_face = bare_face || (across_face && !(in_grid && is_kept(claims, cell)));
+      }
+    }
+  }
+  return !all_full && (bare_face || claims.pierced[cell_index(grid, x, y, z)] != 0);
+}
+
+Lattice make_lattice(Claims& claims, const std::vector<Vec>& points_m) {
+  const Grid& grid = claims.grid;
+  for (const Vec& point_m : points_m) {
+    const Vec at = to_lattice(grid, point_m);
+    const auto kept = [&](std::size_t cell) { return is_kept(claims, cell); };
+    if (find_cell(grid, at, kept)) continue;
+    claims.pierced[cell_index(grid, nearest_cell(at.x, grid.size[0]),
+                              nearest_cell(at.y, grid.size[1]), nearest_cell(at.z, grid.size[2]))] =
+        1;
+  }
+  Lattice lattice{grid, std::vector<std::uint32_t>(cell_count(grid), kNoVoxel), {}, {}, {}};
+  bool row_goes_on = false;
+  for (std::size_t cell = 0; cell < cell_count(grid); ++cell) {
+    const std::size_t x = cell % grid.size[0];
+    row_goes_on = row_goes_on && x > 0;
+    if (!is_kept(claims, cell)) {
+      row_goes_on = false;
+      continue;
+    }
+    if (!row_goes_on) {
+      lattice.runs.push_back({static_cast<std::uint16_t>(x),
+                              static_cast<std::uint16_t>(cell / grid.size[0] % grid.size[1]),
+                              static_cast<std::uint16_t>(cell / grid.size[0] / grid.size[1]), 0});
+      row_goes_on = true;
+    }
+    ++lattice.runs.back().count;
+    lattice.voxel_of_cell[cell] = static_cast<std::uint32_t>(lattice.cell_of_voxel.size());
+    lattice.cell_of_voxel.push_back(static_cast<std::uint32_t>(cell));
+    lattice.fill.push_back(fill_of(claims.inside[cell]));
+  }
+  if (lattice.cell_of_voxel.size() > kMaxVoxels) {
+    refuse("voxel edge {:.6g} mm: {} voxels: expected at most {}: choose a larger voxel edge",
+           grid.edge_m * 1e3, lattice.cell_of_voxel.size(), kMaxVoxels);
+  }
+  return lattice;
+}
+
+Surface embed(const Lattice& lattice, const std::vector<Vec>& points_m,
+              const std::vector<Triangle>& triangles) {
+  const Grid& grid = lattice.grid;
+  const auto exists = [&](std::size_t cell) { return lattice.voxel_of_cell[cell] != kNoVoxel; };
+  Surface surface;
+  for (const Vec& point_m : points_m) {
+    const Vec at = to_lattice(grid, point_m);
+    const CellPlace cell = find_cell(grid, at, exists).value();
+    const std::uint32_t voxel = lattice.voxel_of_cell[cell_index(grid, cell.x, cell.y, cell.z)];
+    surface.vertices.push_back(
+        {voxel, quantised(at.x - cell.x), quantised(at.y - cell.y), quantised(at.z - cell.z), 0});
+    surface.rest_m.push_back(rest_position(grid, cell, surface.vertices.back()));
+  }
+  for (const Triangle& t : triangles) {
+    const Vec sum = surface.rest_m[t[0]] + surface.rest_m[t[1]] + surface.rest_m[t[2]];
+    const auto cell = find_cell(grid, to_lattice(grid, sum * (1.0 / 3)), exists);
+    surface.voxel_of.push_back(
+        cell ? lattice.voxel_of_cell[cell_index(grid, cell->x, cell->y, cell->z)]
+             : surface.vertices[t[0]].voxel);
+  }
+  return surface;
+}
+
+}  // namespace stylet::bake

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The kept voxels of all inputs together, numbered in file order, and the surface embedded in them.
+// Units: lattice coordinates for cells and places, metres where the name says so.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stylet/organ.h"
+#include "voxelize.h"
+
+namespace stylet::bake {
+
+// What the inputs say about each cell, combined one input after the other.
+struct Claims {
+  Grid grid;
+  std::vector<std::uint64_t> inside;  // union of the samples of all inputs
+  std::vector<std::uint8_t> pierced;
+  std::vector<std::uint16_t> owner;      // input that gives the tissue
+  std::vector<std::uint8_t> owner_fill;  // samples of the owner in the cell
+};
+
+Claims no_claims(const Grid& grid);
+// `priorities` of all inputs; `input` is the one that `occupancy` belongs to.
+void add_claim(Claims& claims, const Occupancy& occupancy, std::uint16_t input,
+               const std::vector<int>& priorities);
+
+bool is_kept(const Claims& claims, std::size_t cell);
+// At the outer surface: pierced or bare on one face, and not in the midst of full voxels.
+bool is_skin(const Claims& claims, std::uint32_t x, std::uint32_t y, std::uint32_t z);
+
+struct Lattice {
+  Grid grid;
+  std::vector<std::uint32_t> voxel_of_cell;  // kNoVoxel where there is none
+  std::vector<std::uint32_t> cell_of_voxel;
+  std::vector<OrganRun> runs;
+  std::vector<std::uint8_t> fill;  // 1..255
+};
+constexpr std::uint32_t kNoVoxel = 0xFFFFFFFF;
+
+// Keeps each cell that a point of the surface needs, then numbers the kept ones.
+Lattice make_lattice(Claims& claims, const std::vector<Vec>& points_m);
+
+struct Surface {
+  std::vector<OrganVertex> vertices;
+  std::vector<Vec> rest_m;              // as the file gives them back
+  std::vector<std::uint32_t> voxel_of;  // per triangle: the voxel of its centroid
+};
+Surface embed(const Lattice& lattice, const std::vector<Vec>& points_m,
+              const std::vector<Triangle>& triangles);
+
+}  // namespace stylet::bake

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "materials.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+#include "file.h"
+#include "refusal.h"
+#include "stylet/limits.h"
+
+namespace stylet::bake {
+namespace {
+
+// One key of a tissue table: where it goes, its unit, and what is allowed (in the key's unit).
+struct Key {
+  const char* name;
+  double Tissue::*member;
+  double si_per_unit;
+  double low, high;
+};
+
+constexpr Key kKeys[] = {
+    {"density_kg_per_m3", &Tissue::density_kg_per_m3, 1, 1, 20000},
+    {"youngs_modulus_kpa", &Tissue::youngs_modulus_pa, 1e3,
+     static_cast<double>(kMinYoungsModulusPa) * 1e-3,
+     static_cast<double>(kMaxYoungsModulusPa) * 1e-3},
+    {"poisson_ratio", &Tissue::poisson_ratio, 1, 0, 0.49},
+    {"relaxing_fraction", &Tissue::relaxing_fraction, 1, 0, 0.95},
+    {"relaxation_time_s", &Tissue::relaxation_time_s, 1, 1e-3, 1e5},
+    {"puncture_force_n", &Tissue::puncture_force_n, 1, 0, 1000},
+    {"cutting_force_n", &Tissue::cutting_force_n, 1, 0, 1000},
+    {"recut_fraction", &Tissue::recut_fraction, 1, 0, 1},
+    {"coulomb_friction_n_per_mm", &Tissue::coulomb_friction_n_per_m, 1e3, 0, 10},
+    {"static_friction_n_per_mm", &Tissue::static_friction_n_per_m, 1e3, 0, 10},
+    {"stribeck_velocity_mm_per_s", &Tissue::stribeck_velocity_m_per_s, 1e-3, 1e-3, 1e4},
+    {"viscous_friction_n_s_per_m2", &Tissue::viscous_friction_n_s_per_m2, 1, 0, 1e6},
+};
+
+std::string known_keys() {
+  std::string text;
+  for (const Key& key : kKeys) text += fmt::format("{}, ", key.name);
+  return text + "source";
+}
+
+std::string place_of(const std::string& file, const toml::node& node) {
+  return fmt::format("{}:{}", file, node.source().begin.line);
+}
+
+double read_number(const std::string& file, const Key& key, const toml::node& node) {
+  const std::optional<double> value = node.value<double>();
+  if (!node.is_number() || !value) {
+    refuse("{}: {}: expected a number from {} to {}", place_of(file, node), key.name, key.low,
+           key.high);
+  }
+  if (!(*value >= key.low && *value <= key.high)) {
+    refuse("{}: {} = {}: expected {} to {}", place_of(file, node), key.name, *value, key.low,
+           key.high);
+  }
+  return *value * key.si_per_unit;
+}
+
+Tissue read_tissue(const std::string& file, const std::string& name, const toml::table& table) {
+  const auto& presets = preset_tissues();
+  const auto base = std::find_if(presets.begin(), presets.end(),
+                                 [&](const Tissue& preset) { return preset.name == name; });
+  const bool has_base = base != presets.end();
+  Tissue tissue = has_base ? *base : Tissue{};
+  tissue.name = name;
+  tissue.source = file;
+  for (const auto& [toml_key, node] : table) {
+    const std::string key_name(toml_key.str());
+    if (key_name == "source") {
+      if (!node.is_string()) refuse("{}: source: expected a string", place_of(file, node));
+      tissue.source = *node.value<std::string>();
+      continue;
+    }
+    const auto* key = std::find_if(std::begin(kKeys), std::end(kKeys),
+                                   [&](const Key& k) { return key_name == k.name; });
+    if (key == std::end(kKeys)) {
+      refuse("{}: {}: unknown key: expected one of {}", place_of(file, node), key_name,
+             known_keys());
+    }
+    tissue.*(key->member) = read_number(file, *key, node);
+  }
+  for (const Key& key : kKeys) {
+    if (!has_base && !table.contains(key.name)) {
+      refuse("{}: {}: {} is missing: expected a number from {} to {}", place_of(file, table), name,
+             key.name, key.low, key.high);
+    }
+  }
+  if (tissue.static_friction_n_per_m < tissue.coulomb_friction_n_per_m) {
+    refuse(
+        "{}: {}: static_friction_n_per_mm = {}: expected at least coulomb_friction_n_per_mm = {}",
+        place_of(file, table), name, tissue.static_friction_n_per_m * 1e-3,
+        tissue.coulomb_friction_n_per_m * 1e-3);
+  }
+  return tissue;
+}
+
+}  // namespace
+
+const std::vector<Tissue>& preset_tissues() {
+  static const std::vector<Tissue> kPresets = {
+      {"liver",
+       "effective modulus at needle scale, G = 8 kPa (Gokgol 2012; small-strain G is 1.8 kPa); "
+       "forces and friction for 18G within Okamura, Simone, O'Leary 2004",
+       1060, 23200, 0.45, 0.5, 1.0, 0.7, 0.3, 0.1, 10, 12, 1e-3, 20},
+      {"liver_capsule",
+       "liver with its capsule smeared over one voxel: twice the modulus; capsule puncture by 18G "
+       "takes 0.5 to 3 N",
+       1060, 46400, 0.45, 0.5, 1.0, 0.8, 0.3, 0.1, 10, 12, 1e-3, 20},
+      {"kidney",
+       "cortex E 5 to 15 kPa at small strain, scaled to needle scale as liver; density 1050 (Kaye "
+       "and Laby); friction 0.005 to 0.05 N/mm for 17G to 18G",
+       1050, 30000, 0.45, 0.5, 1.0, 1.0, 0.4, 0.1, 12, 15, 1e-3, 20},
+      {"fat",
+       "E 1 to 20 kPa, typical 3.3 (Samani 2007), doubled at needle scale; density 901 to 923 "
+       "(Kaye "
+       "and Laby); forces below those of muscle by judgement",
+       911, 6600, 0.45, 0.4, 0.8, 0.3, 0.1, 0.1, 5, 6, 1e-3, 10},
+      {"muscle",
+       "relaxed, across fibres: E 10 to 50 kPa; density 1047 (Kaye and Laby); shaft friction 0.03 "
+       "to "
+       "0.12 N/mm",
+       1047, 40000, 0.45, 0.4, 1.0, 1.2, 0.6, 0.1, 40, 50, 1e-3, 30},
+      {"skin",
+       "E 50 to 200 kPa in vivo by indentation; density 1150 (Kaye and Laby); puncture by 21G to "
+       "27G "
+       "0.3 to 2 N, 18G at the upper end",
+       1150, 100000, 0.45, 0.3, 1.0, 2.0, 0.8, 0.1, 40, 50, 1e-3, 30},
+      {"gel",
+       "gelatin and PVC phantoms E 5 to 100 kPa; needle in agarose: mu 0.255, radial stress 248 Pa "
+       "at "
+       "1.8 mm/s, so 0.25 N/m for 18G",
+       1000, 10000, 0.45, 0.0, 1.0, 0.3, 0.2, 0.1, 0.25, 0.29, 1e-3, 5},
+      {"bone",
+       "a stop, not a model of bone: as stiff and as strong as the format carries comfortably",
+       1900, 1e8, 0.3, 0.0, 1.0, 500, 500, 1.0, 1000, 1200, 1e-3, 1000},
+  };
+  return kPresets;
+}
+
+std::vector<Tissue> read_tissues(const std::filesystem::path& toml_file) {
+  const std::string file = toml_file.string();
+  const std::string text = read_file(toml_file);
+  std::vector<Tissue> tissues;
+  try {
+    const toml::table root = toml::parse(text, file);
+    for (const auto& [name, node] : root) {
+      if (!node.is_table()) {
+        refuse("{}: {}: expected a table [{}] of tissue properties", place_of(file, node),
+               name.str(), name.str());
+      }
+      tissues.push_back(read_tissue(file, std::string(name.str()), *node.as_table()));
+    }
+  } catch (const toml::parse_error& error) {
+    refuse("{}:{}: {}", file, error.source().begin.line, error.description());
+  }
+  return tissues;
+}
+
+const Tissue& find_tissue(const std::vector<Tissue>& own, const std::string& name) {
+  std::string known;
+  for (const auto* list : {&own, &preset_tissues()}) {
+    for (const Tissue& tissue : *list) {
+      if (tissue.name == name) return tissue;
+      known += (known.empty() ? "" : ", ") + tissue.name;
+    }
+  }
+  refuse("tissue '{}': expected one of {}", name, known);
+}
+
+}  // namespace stylet::bake

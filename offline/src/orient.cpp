@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+
+#include "repair.h"
+
+namespace stylet::bake {
+namespace {
+
+using CgalPoint = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+
+// True where `turned` runs round the points of `original` the other way.
+bool opposite(const Triangle& original, const Triangle& turned) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (turned[i] == original[0]) return turned[(i + 1) % 3] != original[1];
+  }
+  return false;
+}
+
+}  // namespace
+
+void orient_neighbours(const std::vector<Vec>& points, std::vector<Triangle>& triangles) {
+  std::vector<CgalPoint> soup_points;
+  soup_points.reserve(points.size());
+  for (const Vec& p : points) soup_points.emplace_back(p.x, p.y, p.z);
+  std::vector<std::vector<std::size_t>> soup;
+  soup.reserve(triangles.size());
+  for (const Triangle& t : triangles) soup.push_back({t[0], t[1], t[2]});
+
+  CGAL::Polygon_mesh_processing::orient_polygon_soup(soup_points, soup);
+
+  // The soup may have been cut by doubling points, which are appended at equal coordinates; only
+  // the direction of each triangle is taken over.
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    Triangle turned{};
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const CgalPoint& p = soup_points[soup[i][corner]];
+      for (const std::uint32_t original : triangles[i]) {
+        if (points[original] == Vec{p.x(), p.y(), p.z()}) turned[corner] = original;
+      }
+    }
+    if (opposite(triangles[i], turned)) std::swap(triangles[i][1], triangles[i][2]);
+  }
+}
+
+}  // namespace stylet::bake

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "phantom.h"
+
+#include <CGAL/Complex_2_in_triangulation_3.h>
+#include <CGAL/IO/facets_in_complex_2_to_triangle_mesh.h>
+#include <CGAL/Implicit_surface_3.h>
+#include <CGAL/Random.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_default_triangulation_3.h>
+#include <CGAL/make_surface_mesh.h>
+
+#include <functional>
+#include <map>
+
+namespace stylet::bake {
+namespace {
+
+using Triangulation = CGAL::Surface_mesh_default_triangulation_3;
+using Kernel = Triangulation::Geom_traits;
+using Function = std::function<double(Kernel::Point_3)>;  // negative inside
+using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+
+Mesh to_mesh(const Surface& surface) {
+  Mesh mesh;
+  for (const auto vertex : surface.vertices()) {
+    const Kernel::Point_3& p = surface.point(vertex);
+    mesh.points.push_back({p.x(), p.y(), p.z()});
+  }
+  for (const auto face : surface.faces()) {
+    Triangle t{};
+    std::size_t corner = 0;
+    for (const auto vertex : surface.vertices_around_face(surface.halfedge(face))) {
+      t[corner++] = vertex.idx();
+    }
+    mesh.triangles.push_back(t);
+  }
+  return mesh;
+}
+
+// The sphere of `reach` around `inside` must hold the whole surface, `inside` be a point within it.
+Mesh mesh_implicit(const Function& function, Vec inside, double reach, double facet) {
+  CGAL::get_default_random() = CGAL::Random(0);  // the mesher draws its first points from it
+  constexpr double kSmallestAngleDegrees = 30;
+  constexpr double kFarthestOfFacet = 0.03;  // distance between facet and surface
+  const Kernel::Sphere_3 bound(Kernel::Point_3(inside.x, inside.y, inside.z), reach * reach);
+  const CGAL::Implicit_surface_3<Kernel, Function> implicit(function, bound, 1e-7);
+  const CGAL::Surface_mesh_default_criteria_3<Triangulation> criteria(
+      kSmallestAngleDegrees, facet * 0.7, facet * kFarthestOfFacet);
+  Triangulation triangulation;
+  CGAL::Complex_2_in_triangulation_3<Triangulation> complex(triangulation);
+  CGAL::make_surface_mesh(complex, implicit, criteria, CGAL::Manifold_tag());
+  Surface surface;
+  CGAL::facets_in_complex_2_to_triangle_mesh(complex, surface);
+  return to_mesh(surface);
+}
+
+double ellipsoid(Vec p, Vec centre, Vec radii) {
+  const Vec from = p - centre;
+  const Vec once{from.x / radii.x, from.y / radii.y, from.z / radii.z};
+  const Vec twice{once.x / radii.x, once.y / radii.y, once.z / radii.z};
+  const double slope = length(twice);
+  const double level = length(once);
+  return slope > 0 ? level * (level - 1) / slope : -std::min({radii.x, radii.y, radii.z});
+}
+
+// The smaller of two distances, rounded off where they differ by less than `width`.
+double blend(double a, double b, double width) {
+  const double closeness = std::max(width - std::abs(a - b), 0.0) / width;
+  return std::min(a, b) - closeness * closeness * width / 4;
+}
+
+// In millimetres.
+double liver_shape(Vec p) {
+  const double right = ellipsoid(p, {0, -30, 0}, {58, 58, 66});
+  const double left = ellipsoid(p, {-10, 40, 14}, {36, 52, 30});
+  const double gallbladder = ellipsoid(p, {-14, 2, -46}, {22, 16, 30});
+  return -blend(-blend(right, left, 30), gallbladder, 8);
+}
+
+}  // namespace
+
+Mesh block_phantom(Vec size_m, double facet_m) {
+  std::array<std::uint32_t, 3> cells{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    cells[axis] =
+        static_cast<std::uint32_t>(std::clamp(std::round(size_m[axis] / facet_m), 1.0, 500.0));
+  }
+  Mesh mesh;
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> known;
+  const auto point = [&](std::array<std::uint32_t, 3> at) {
+    const auto [entry, is_new] = known.try_emplace(at, mesh.points.size());
+    if (is_new) {
+      mesh.points.push_back({size_m.x * at[0] / cells[0],
+                             size_m.y * at[1] / cells[1] - size_m.y / 2,
+                             size_m.z * at[2] / cells[2] - size_m.z / 2});
+    }
+    return entry->second;
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (const bool far_side : {false, true}) {
+      for (std::uint32_t i = 0; i < cells[u]; ++i) {
+        for (std::uint32_t j = 0; j < cells[v]; ++j) {
+          const auto corner = [&](std::uint32_t du, std::uint32_t dv) {
+            std::array<std::uint32_t, 3> at{};
+            at[axis] = far_side ? cells[axis] : 0;
+            at[u] = i + du;
+            at[v] = j + dv;
+            return point(at);
+          };
+          const std::uint32_t a = corner(0, 0), b = corner(1, 0), c = corner(1, 1),
+                              d = corner(0, 1);
+          mesh.triangles.push_back(far_side ? Triangle{a, b, c} : Triangle{a, c, b});
+          mesh.triangles.push_back(far_side ? Triangle{a, c, d} : Triangle{a, d, c});
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+Mesh ball_phantom(double diameter_m, double facet_m) {
+  const double radius = diameter_m / 2;
+  const Function sphere = [radius](const Kernel::Point_3& p) {
+    return length(Vec{p.x(), p.y(), p.z()}) - radius;
+  };
+  return mesh_implicit(sphere, {}, radius * 1.2, facet_m);
+}
+
+Mesh liver_phantom(double facet_m) {
+  constexpr double kMmPerMetre = 1e3;
+  const Function shape = [](const Kernel::Point_3& p) {
+    return liver_shape(Vec{p.x(), p.y(), p.z()});
+  };
+  Mesh mesh = mesh_implicit(shape, {0, -20, 0}, 150, facet_m * kMmPerMetre);
+  for (Vec& p : mesh.points) p = p * (1 / kMmPerMetre);
+  return mesh;
+}
+
+}  // namespace stylet::bake

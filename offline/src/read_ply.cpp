@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// PLY 1.0, text and binary of either byte order, with any layout of elements and properties. Of all
+// of them only x, y, z of "vertex" and the list vertex_indices (or vertex_index) of "face" are
+// kept.
+#include <bit>
+#include <cstring>
+
+#include "mesh_text.h"
+
+namespace stylet::bake {
+namespace {
+
+enum class Kind { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64 };
+constexpr std::size_t kKindBytes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+std::size_t bytes_of(Kind kind) {
+  return kKindBytes[static_cast<std::size_t>(kind)];
+}
+
+struct Property {
+  std::string name;
+  Kind kind = Kind::kFloat32;
+  bool is_list = false;
+  Kind count_kind = Kind::kUint8;
+};
+
+struct Element {
+  std::string name;
+  std::size_t count = 0;
+  std::vector<Property> properties;
+};
+
+enum class Encoding { kText, kLittle, kBig };
+
+struct Header {
+  Encoding encoding = Encoding::kText;
+  std::vector<Element> elements;
+};
+
+Kind parse_kind(const Lines& lines, std::string_view token) {
+  constexpr std::pair<std::string_view, Kind> kNames[] = {
+      {"char", Kind::kInt8},      {"int8", Kind::kInt8},       {"uchar", Kind::kUint8},
+      {"uint8", Kind::kUint8},    {"short", Kind::kInt16},     {"int16", Kind::kInt16},
+      {"ushort", Kind::kUint16},  {"uint16", Kind::kUint16},   {"int", Kind::kInt32},
+      {"int32", Kind::kInt32},    {"uint", Kind::kUint32},     {"uint32", Kind::kUint32},
+      {"float", Kind::kFloat32},  {"float32", Kind::kFloat32}, {"double", Kind::kFloat64},
+      {"float64", Kind::kFloat64}};
+  for (const auto& [name, kind] : kNames) {
+    if (token == name) return kind;
+  }
+  refuse_at(lines, token, "a type: char, uchar, short, ushort, int, uint, float or double");
+}
+
+Property parse_property(Lines& lines) {
+  Property property;
+  std::string_view type = next_token(lines);
+  if (type == "list") {
+    property.is_list = true;
+    property.count_kind = parse_kind(lines, next_token(lines));
+    if (property.count_kind >= Kind::kFloat32) refuse_at(lines, "list", "an integer as its count");
+    type = next_token(lines);
+  }
+  property.kind = parse_kind(lines, type);
+  property.name = next_token(lines);
+  return property;
+}
+
+Encoding parse_encoding(Lines& lines) {
+  const std::string_view token = next_token(lines);
+  if (token == "ascii") return Encoding::kText;
+  if (token == "binary_little_endian") return Encoding::kLittle;
+  if (token == "binary_big_endian") return Encoding::kBig;
+  refuse_at(lines, token, "ascii, binary_little_endian or binary_big_endian");
+}
+
+// Lines that begin with no keyword of the format are skipped: exporters put free text there.
+Header read_header(Lines& lines) {
+  Header header;
+  if (!next_line(lines) || next_token(lines) != "ply") refuse_at(lines, "", "the word ply");
+  while (next_line(lines)) {
+    const std::string_view keyword = next_token(lines);
+    if (keyword == "end_header") return header;
+    if (keyword == "format") {
+      header.encoding = parse_encoding(lines);
+    } else if (keyword == "element") {
+      const std::string name(next_token(lines));
+      // A row takes at least one byte, so no count can exceed the file.
+      const std::int64_t count =
+          require_integer(lines, next_token(lines), 0, static_cast<std::int64_t>(lines.text.size()),
+                          "a number of elements");
+      header.elements.push_back({name, static_cast<std::size_t>(count), {}});
+    } else if (keyword == "property") {
+      if (header.elements.empty()) refuse_at(lines, keyword, "an element before its properties");
+      header.elements.back().properties.push_back(parse_property(lines));
+    }
+  }
+  refuse_at(lines, "end of file", "end_header");
+}
+
+// The values behind the header, one after the other, whatever the encoding.
+struct Values {
+  Lines lines;         // text
+  std::size_t at = 0;  // binary: next byte
+  Encoding encoding = Encoding::kText;
+
+  std::string place() const {
+    return encoding == Encoding::kText ? fmt::format("{}", lines.number)
+                                       : fmt::format(" byte {}", at);
+  }
+};
+
+template <typename T>
+double load(const char* bytes, bool swapped) {
+  char copy[sizeof(T)];
+  std::memcpy(copy, bytes, sizeof(T));
+  if (swapped) std::reverse(copy, copy + sizeof(T));
+  T value;
+  std::memcpy(&value, copy, sizeof(T));
+  return static_cast<double>(value);
+}
+
+double next_binary(Values& values, Kind kind) {
+  const std::size_t size = bytes_of(kind);
+  if (values.lines.text.size() - values.at < size) {
+    refuse("{}: byte {}: end of file: expected more elements, as the header says",
+           values.lines.file, values.lines.text.size());
+  }
+  const char* bytes = values.lines.text.data() + values.at;
+  const bool swapped = values.encoding == Encoding::kBig;
+  values.at += size;
+  switch (kind) {
+    case Kind::kInt8:
+      return load<std::int8_t>(bytes, swapped);
+    case Kind::kUint8:
+      return load<std::uint8_t>(bytes, swapped);
+    case Kind::kInt16:
+      return load<std::int16_t>(bytes, swapped);
+    case Kind::kUint16:
+      return load<std::uint16_t>(bytes, swapped);
+    case Kind::kInt32:
+      return load<std::int32_t>(bytes, swapped);
+    case Kind::kUint32:
+      return load<std::uint32_t>(bytes, swapped);
+    case Kind::kFloat32:
+      return load<float>(bytes, swapped);
+    case Kind::kFloat64:
+      return load<double>(bytes, swapped);
+  }
+  return 0;
+}
+
+double next_value(Values& values, Kind kind) {
+  if (values.encoding != Encoding::kText) return next_binary(values, kind);
+  return parse_number(token_across_lines(values.lines, "more elements, as the header says"));
+}
+
+std::int64_t next_integer(Values& values, Kind kind, std::int64_t high, const char* expected) {
+  const std::string place = values.encoding == Encoding::kText ? "" : values.place();
+  const double value = next_value(values, kind);
+  if (!(value >= 0 && value <= static_cast<double>(high)) || value != std::floor(value)) {
+    refuse("{}:{}: {}: expected {} from 0 to {}", values.lines.file,
+           place.empty() ? values.place() : place, value, expected, high);
+  }
+  return static_cast<std::int64_t>(value);
+}
+
+void skip(Values& values, const Property& property) {
+  std::int64_t count = 1;
+  if (property.is_list) {
+    count = next_integer(values, property.count_kind,
+                         static_cast<std::int64_t>(values.lines.text.size()), "a list length");
+  }
+  for (std::int64_t i = 0; i < count; ++i) (void)next_value(values, property.kind);
+}
+
+void read_points(Values& values, const Element& element, Collector& collector) {
+  for (std::size_t row = 0; row < element.count; ++row) {
+    double xyz[3] = {NAN, NAN, NAN};
+    const std::string start = values.place();
+    for (const Property& property : element.properties) {
+      if (!property.is_list && property.name.size() == 1 && property.name[0] >= 'x' &&
+          property.name[0] <= 'z') {
+        xyz[property.name[0] - 'x'] = next_value(values, property.kind);
+      } else {
+        skip(values, property);
+      }
+    }
+    const Vec point{xyz[0], xyz[1], xyz[2]};
+    add_point(collector, point, values.encoding == Encoding::kText ? values.place() : start);
+  }
+}
+
+void read_faces(Values& values, const Element& element, std::size_t points, Collector& collector) {
+  std::vector<std::uint32_t> corners;
+  for (std::size_t row = 0; row < element.count; ++row) {
+    for (const Property& property : element.properties) {
+      if (!property.is_list ||
+          (property.name != "vertex_indices" && property.name != "vertex_index")) {
+        skip(values, property);
+        continue;
+      }
+      const std::int64_t n =
+          next_integer(values, property.count_kind,
+                       static_cast<std::int64_t>(values.lines.text.size()), "a number of corners");
+      corners.clear();
+      for (std::int64_t i = 0; i < n; ++i) {
+        corners.push_back(static_cast<std::uint32_t>(next_integer(
+            values, property.kind, static_cast<std::int64_t>(points) - 1, "a point index")));
+      }
+      add_polygon(collector, corners);
+    }
+  }
+}
+
+}  // namespace
+
+ReadMesh read_ply(std::string_view file, std::string_view bytes) {
+  Values values{.lines = {.text = bytes, .file = file}};
+  const Header header = read_header(values.lines);
+  values.encoding = header.encoding;
+  values.at = std::min(values.lines.next, bytes.size());
+  values.lines.rest = {};
+  std::size_t points = 0;
+  for (const Element& element : header.elements) {
+    if (element.name == "vertex") points = element.count;
+  }
+  Collector collector{.file = file};
+  for (const Element& element : header.elements) {
+    if (element.properties.empty()) continue;
+    if (element.name == "vertex") {
+      read_points(values, element, collector);
+    } else if (element.name == "face") {
+      read_faces(values, element, points, collector);
+    } else {
+      for (std::size_t row = 0; row < element.count; ++row) {
+        for (const Property& property : element.properties) skip(values, property);
+      }
+    }
+  }
+  if (collector.mesh.points.size() != points) {
+    refuse("{}: {} points without coordinates: expected properties x, y, z", file, points);
+  }
+  return finish(std::move(collector));
+}
+
+}  // namespace stylet::bake

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// STL, text and binary. Which one it is follows from the size that a binary header's count implies,
+// not from the word "solid", which many binary files begin with too.
+#include <bit>
+#include <cctype>
+#include <cstring>
+
+#include "mesh_text.h"
+
+namespace stylet::bake {
+namespace {
+
+constexpr std::size_t kHeaderBytes = 84;
+constexpr std::size_t kFacetBytes = 50;
+constexpr std::size_t kNormalBytes = 12;
+
+template <typename T>
+T load(std::string_view bytes, std::size_t at) {
+  static_assert(std::endian::native == std::endian::little);
+  T value;
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return value;
+}
+
+bool is_text(std::string_view bytes) {
+  if (bytes.size() >= kHeaderBytes &&
+      bytes.size() == kHeaderBytes + kFacetBytes * std::size_t{load<std::uint32_t>(bytes, 80)}) {
+    return false;
+  }
+  const std::size_t start = bytes.find_first_not_of(" \t\r\n");
+  constexpr std::size_t kProbe = 512;
+  return start != std::string_view::npos && bytes.substr(start, 5) == "solid" &&
+         bytes.substr(0, kProbe).find('\0') == std::string_view::npos;
+}
+
+ReadMesh read_binary(std::string_view file, std::string_view bytes) {
+  if (bytes.size() < kHeaderBytes) {
+    refuse("{}: {} bytes: expected the word solid, or at least {} bytes of a binary STL", file,
+           bytes.size(), kHeaderBytes);
+  }
+  const std::uint32_t claimed = load<std::uint32_t>(bytes, 80);
+  const std::size_t room = (bytes.size() - kHeaderBytes) / kFacetBytes;
+  if (claimed > room) {
+    refuse("{}: byte 80: {}: expected at most {} triangles, for which {} bytes have room", file,
+           claimed, room, bytes.size());
+  }
+  Collector collector{.file = file};
+  collector.mesh.points.reserve(std::size_t{claimed} * 3);
+  for (std::size_t i = 0; i < claimed; ++i) {
+    const auto first = static_cast<std::uint32_t>(collector.mesh.points.size());
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const std::size_t at = kHeaderBytes + i * kFacetBytes + kNormalBytes + corner * 12;
+      add_point(collector,
+                Vec{static_cast<double>(load<float>(bytes, at)),
+                    static_cast<double>(load<float>(bytes, at + 4)),
+                    static_cast<double>(load<float>(bytes, at + 8))},
+                fmt::format(" byte {}", at));
+    }
+    collector.mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  return finish(std::move(collector));
+}
+
+std::string lower(std::string_view token) {
+  std::string text(token.substr(0, 16));
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+ReadMesh read_text(std::string_view file, std::string_view bytes) {
+  Lines lines{.text = bytes, .file = file};
+  Collector collector{.file = file};
+  std::vector<std::uint32_t> corners;
+  while (next_line(lines)) {
+    const std::string_view token = next_token(lines);
+    const std::string keyword = lower(token);
+    if (keyword == "vertex") {
+      const std::string_view x = next_token(lines), y = next_token(lines), z = next_token(lines);
+      corners.push_back(static_cast<std::uint32_t>(collector.mesh.points.size()));
+      add_point(collector, {x, y, z}, lines.number);
+    } else if (keyword == "endloop") {
+      add_polygon(collector, corners);
+      corners.clear();
+    } else if (!keyword.empty() && keyword != "solid" && keyword != "endsolid" &&
+               keyword != "facet" && keyword != "outer" && keyword != "endfacet") {
+      refuse_at(lines, token, "solid, facet, outer loop, vertex, endloop, endfacet or endsolid");
+    }
+  }
+  if (!corners.empty()) refuse_at(lines, "end of file", "endloop");
+  return finish(std::move(collector));
+}
+
+}  // namespace
+
+ReadMesh read_stl(std::string_view file, std::string_view bytes) {
+  return is_text(bytes) ? read_text(file, bytes) : read_binary(file, bytes);
+}
+
+}  // namespace stylet::bake

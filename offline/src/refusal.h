@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one way a stage says no: a single line for the user, naming file, place, value and what was
+// expected. The program prints it and ends with exit code 1.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace stylet::bake {
+
+struct Refusal : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+template <typename... Args>
+[[noreturn]] void refuse(fmt::format_string<Args...> format, Args&&... args) {
+  throw Refusal(fmt::format(format, std::forward<Args>(args)...));
+}
+
+}  // namespace stylet::bake
