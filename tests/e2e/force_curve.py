@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The force curve of an insertion with hold and retraction, held against what is known of real ones.
+"""The force curve of an insertion, hold and retraction, held against what is known of real ones.
 
 Six phases: rise, puncture, insertion, hold, retraction, exit. Bands: force levels of 18G needles in
 liver in the literature (Okamura, Simone and O'Leary 2004 and others), for 60 mm at 10 mm/s and 3 s
@@ -39,7 +39,8 @@ def read_curve(recording):
     kinds, at = np.asarray(recording["events/kind"]), np.asarray(recording["events/tick"])
 
     def first(kind, after=0):
-        hits = [int(np.searchsorted(tick, t)) for k, t in zip(kinds, at) if k == kind and t >= after]
+        hits = [int(np.searchsorted(tick, t)) for k, t in zip(kinds, at)
+                if k == kind and t >= after]
         if not hits:
             raise AssertionError(f"no event of kind {kind}; events: {list(zip(kinds, at))}")
         return hits[0]
@@ -96,7 +97,8 @@ def check_rise(curve, faults):
     peak = rise[-1]
     indentation = curve.travel_m[curve.puncture]
     faults.within("force of contact", curve.force_n[curve.contact - 2], -0.001, 0.001, "N")
-    faults.expect(np.all(rise >= np.maximum.accumulate(rise) - 0.01 * peak), "the rise is not monotone")
+    faults.expect(np.all(rise >= np.maximum.accumulate(rise) - 0.01 * peak),
+                  "the rise is not monotone")
     half = int(np.searchsorted(curve.travel_m[curve.contact:curve.puncture], indentation / 2))
     faults.expect(rise[half] <= 0.55 * peak, f"the rise is concave: {rise[half]:.3f} N half-way to "
                   f"{peak:.3f} N")
@@ -171,7 +173,7 @@ def check_physical(curve):
 
 
 def check_paper(curve):
-    """The phases the paper's own rules give: forces go in whole units, so levels are not compared."""
+    """What the paper's own rules give: forces go in whole units, so levels are not compared."""
     faults = Faults()
     peak = curve.force_n[curve.puncture - 1]
     after = curve.force_n[curve.puncture:curve.puncture + 50]

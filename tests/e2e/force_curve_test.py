@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The judge of force curves, judged: an ideal curve passes, and every kind of wrong one is named."""
+"""The judge of force curves, judged: an ideal curve passes, each kind of wrong one is named."""
 import dataclasses
 import unittest
 
