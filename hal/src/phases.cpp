@@ -8,8 +8,8 @@
 namespace stylet::hal {
 namespace {
 
-constexpr double kSpeedWindowS = 0.05;     // over which the tip's speed is taken
-constexpr double kHoldSpeedMPerS = 5e-4;   // slower is standing still
+constexpr double kSpeedWindowS = 0.025;    // over which the tip's speed is taken
+constexpr double kHoldSpeedMPerS = 3e-4;   // slower is standing still
 constexpr double kPunctureWindowS = 0.05;  // in which the force falls after the puncture
 constexpr double kShortestStageS = 0.1;    // of those told apart by speed
 constexpr double kSlopeRangeM = 1e-3;      // less change of depth gives no slope
@@ -22,21 +22,28 @@ bool by_speed(Stage stage) {
   return stage == Stage::kInsertion || stage == Stage::kHold || stage == Stage::kRetraction;
 }
 
-Stage stage_inside(std::span<const TrackPoint> track, std::size_t i, std::size_t half_window,
+// Still if the tip was still a moment before or will be a moment after: so a hold begins and ends
+// with its first and last still tick, and the force of a hold never counts as retraction.
+Stage stage_inside(std::span<const TrackPoint> track, std::size_t i, std::size_t window,
                    double period_s) {
-  const std::size_t low = i > half_window ? i - half_window : 0;
-  const std::size_t high = std::min(i + half_window, track.size() - 1);
-  const double way =
-      static_cast<double>(track[high].travel_m) - static_cast<double>(track[low].travel_m);
-  const double speed = way / (static_cast<double>(std::max<std::size_t>(high - low, 1)) * period_s);
-  if (std::fabs(speed) < kHoldSpeedMPerS) return Stage::kHold;
-  return speed > 0 ? Stage::kInsertion : Stage::kRetraction;
+  const std::size_t low = i > window ? i - window : 0;
+  const std::size_t high = std::min(i + window, track.size() - 1);
+  const auto speed = [&](std::size_t from, std::size_t to) {
+    const double way =
+        static_cast<double>(track[to].travel_m) - static_cast<double>(track[from].travel_m);
+    return to > from ? way / (static_cast<double>(to - from) * period_s) : 0.0;
+  };
+  const double before = speed(low, i), after = speed(i, high);
+  const bool still = (i > low && std::fabs(before) < kHoldSpeedMPerS) ||
+                     (high > i && std::fabs(after) < kHoldSpeedMPerS);
+  if (still) return Stage::kHold;
+  return (high > i ? after : before) > 0 ? Stage::kInsertion : Stage::kRetraction;
 }
 
 // The stage of every tick on its own, the puncture as the fall of the force after the entry.
 std::vector<Stage> classify(std::span<const TrackPoint> track, double period_s) {
   std::vector<Stage> stages(track.size(), Stage::kApproach);
-  const auto half_window = static_cast<std::size_t>(kSpeedWindowS / period_s / 2) + 1;
+  const auto window = static_cast<std::size_t>(kSpeedWindowS / period_s) + 1;
   const auto fall_ticks = static_cast<std::size_t>(kPunctureWindowS / period_s) + 1;
   bool was_inside = false;
   for (std::size_t i = 0; i < track.size(); ++i) {
@@ -53,7 +60,7 @@ std::vector<Stage> classify(std::span<const TrackPoint> track, double period_s) 
         stages[i] = Stage::kPuncture;
         continue;
       }
-      stages[i] = stage_inside(track, i, half_window, period_s);
+      stages[i] = stage_inside(track, i, window, period_s);
     } else if (phase == Phase::kContact) {
       stages[i] = Stage::kContact;
     } else {

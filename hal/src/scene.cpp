@@ -155,8 +155,8 @@ float si(double value, double unit) {
 }
 
 void read_loop(Section loop, Scene& scene) {
-  const double low_us = static_cast<double>(kMinPeriodS) * 1e6;
-  const double high_us = static_cast<double>(kMaxPeriodS) * 1e6;
+  const double low_us = std::round(static_cast<double>(kMinPeriodS) * 1e6);
+  const double high_us = std::round(static_cast<double>(kMaxPeriodS) * 1e6);
   scene.config.period_s = si(loop.number("period_us", 1000, low_us, high_us), 1e-6);
   scene.config.substeps = static_cast<std::uint32_t>(loop.integer("substeps", 1, 1, kMaxSubsteps));
   scene.rt_priority = static_cast<int>(loop.integer("rt_priority", 80, 1, 98));
@@ -177,7 +177,7 @@ void read_needle(Section needle, NeedleConfig& config) {
   }
   outer_mm = needle.number("outer_diameter_mm", outer_mm, 0.05, 10);
   config.outer_radius_m = si(outer_mm, 0.5e-3);
-  const double max_mm = static_cast<double>(kMaxNeedleLengthM) * 1e3;
+  const double max_mm = std::round(static_cast<double>(kMaxNeedleLengthM) * 1e3);
   config.length_m = si(needle.number("length_mm", 150, 1, max_mm), 1e-3);
   config.unit_m = si(needle.number("unit_mm", 5, 0.1, 100), 1e-3);
   needle.finish();

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stylet/hal/guard.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+
+namespace stylet::hal {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr Quat kUpright = {1, 0, 0, 0};
+constexpr std::int64_t kMs = 1'000'000;
+
+// No ramp, so that a force comes through as it is.
+GuardConfig plain() {
+  return {1e-3F, 8, 2000, 0, 3e-3F};
+}
+
+double size(Vec3 v) {
+  return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
+}
+
+Vec3 minus(Vec3 a, Vec3 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+Sample sample(std::uint64_t seq, std::int64_t t_ns = 0) {
+  return {seq, t_ns, {{}, kUpright}, 0};
+}
+
+GuardState pushed_to(const GuardConfig& config, Vec3 force) {
+  GuardState state = guard_start();
+  for (int i = 0; i < 100; ++i) (void)guard_force(config, state, force);
+  return state;
+}
+
+TEST(GuardForce, SmallForcesPassUnchanged) {
+  GuardState state = guard_start();
+  const Vec3 out = guard_force(plain(), state, {0.5F, -0.25F, 1});
+  EXPECT_EQ(out.x, 0.5F);
+  EXPECT_EQ(out.y, -0.25F);
+  EXPECT_EQ(out.z, 1.0F);
+  EXPECT_EQ(state.counters.force_limited, 0U);
+  EXPECT_EQ(state.counters.slew_limited, 0U);
+}
+
+TEST(GuardForce, LargeForcesKeepTheirDirection) {
+  const GuardConfig config = plain();
+  const GuardState state = pushed_to(config, {30, -40, 0});
+  EXPECT_NEAR(size(state.force_n), 8, 1e-5);
+  EXPECT_NEAR(static_cast<double>(state.force_n.x), 4.8, 1e-5);
+  EXPECT_NEAR(static_cast<double>(state.force_n.y), -6.4, 1e-5);
+  EXPECT_EQ(state.counters.force_limited, 100U);
+}
+
+TEST(GuardForce, JumpsAreSpreadOverTicks) {
+  const GuardConfig config = plain();
+  GuardState state = guard_start();
+  for (int tick = 1; tick <= 4; ++tick) {
+    EXPECT_NEAR(size(guard_force(config, state, {0, 0, 7})), std::min(2 * tick, 7), 1e-5);
+  }
+  EXPECT_EQ(state.counters.slew_limited, 3U);
+}
+
+TEST(GuardForce, RampRisesToOneAndNotBefore) {
+  GuardConfig config = plain();
+  config.ramp_s = 0.1F;
+  GuardState state = guard_start();
+  for (int tick = 1; tick <= 100; ++tick) {
+    EXPECT_NEAR(size(guard_force(config, state, {1, 0, 0})), tick / 100.0, 1e-6);
+  }
+  EXPECT_NEAR(size(guard_force(config, state, {1, 0, 0})), 1, 1e-6);
+}
+
+TEST(GuardForce, NotANumberIsZeroAtOnceAndLatched) {
+  for (const Vec3 bad : {Vec3{kNan, 0, 0}, Vec3{0, kInf, 0}, Vec3{0, 0, -kInf}}) {
+    const GuardConfig config = plain();
+    GuardState state = pushed_to(config, {5, 0, 0});
+    EXPECT_EQ(size(guard_force(config, state, bad)), 0);
+    EXPECT_EQ(state.fault, Fault::kForceNotFinite);
+    EXPECT_EQ(size(guard_force(config, state, {5, 0, 0})), 0);
+    EXPECT_EQ(state.counters.force_not_finite, 1U);
+    EXPECT_EQ(state.counters.faults, 1U);
+  }
+}
+
+TEST(GuardForce, NotANumberDuringAFadeEndsTheFade) {
+  const GuardConfig config = plain();
+  GuardState state = pushed_to(config, {5, 0, 0});
+  guard_trip(state, Fault::kTooLate);
+  EXPECT_GT(size(guard_force(config, state, {5, 0, 0})), 4);
+  EXPECT_EQ(size(guard_force(config, state, {kNan, 0, 0})), 0);
+  EXPECT_EQ(size(guard_force(config, state, {5, 0, 0})), 0);
+  EXPECT_EQ(state.fault, Fault::kTooLate);
+}
+
+TEST(GuardForce, FaultFadesStraightToZeroInTwentyMilliseconds) {
+  const GuardConfig config = plain();
+  GuardState state = pushed_to(config, {0, 8, 0});
+  guard_trip(state, Fault::kTooLate);
+  for (int tick = 1; tick <= 25; ++tick) {
+    EXPECT_NEAR(size(guard_force(config, state, {0, 8, 0})), std::max(0.0, 8 - 0.4 * tick), 1e-5);
+  }
+}
+
+TEST(GuardForce, FadeEndsInTimeForEveryPeriod) {
+  for (const float period_s : {1e-5F, 1e-4F, 2.5e-4F, 1e-3F, 7e-3F, 1e-2F}) {
+    GuardConfig config = plain();
+    config.period_s = period_s;
+    GuardState state = pushed_to(config, {0.1F, 0, 0});
+    guard_trip(state, Fault::kDeviceSilent);
+    const auto ticks = static_cast<int>(0.02 / static_cast<double>(period_s) + 1e-3);
+    Vec3 force{};
+    for (int i = 0; i < ticks; ++i) force = guard_force(config, state, {0.1F, 0, 0});
+    EXPECT_EQ(size(force), 0) << period_s;
+  }
+}
+
+struct SampleCase {
+  const char* name;
+  Sample sample;
+  bool usable;
+  std::uint64_t GuardCounters::*counter;
+};
+
+TEST(GuardSample, TruthTable) {
+  Sample nan_position = sample(6), inf_rotation = sample(6), far = sample(6), flat = sample(6);
+  nan_position.pose.position_m.y = kNan;
+  inf_rotation.pose.rotation.z = kInf;
+  far.pose.position_m.x = 1e30F;
+  flat.pose.rotation = {0, 0, 0, 0};
+  const SampleCase cases[] = {
+      {"next", sample(6), true, &GuardCounters::samples_used},
+      {"repeat", sample(5), false, &GuardCounters::samples_repeated},
+      {"older", sample(2), false, &GuardCounters::samples_repeated},
+      {"gap", sample(9), true, &GuardCounters::samples_used},
+      {"late", sample(6, -4 * kMs), false, &GuardCounters::samples_old},
+      {"from the future", sample(6, 4 * kMs), true, &GuardCounters::samples_used},
+      {"NaN", nan_position, false, &GuardCounters::samples_not_finite},
+      {"infinite", inf_rotation, false, &GuardCounters::samples_not_finite},
+      {"1e30", far, false, &GuardCounters::samples_absurd},
+      {"no rotation", flat, false, &GuardCounters::samples_absurd}};
+  for (const SampleCase& each : cases) {
+    GuardState state = guard_start();
+    ASSERT_TRUE(guard_sample(plain(), state, true, sample(5), 0));
+    const std::uint64_t before = state.counters.*each.counter;
+    EXPECT_EQ(guard_sample(plain(), state, true, each.sample, 0), each.usable) << each.name;
+    EXPECT_EQ(state.counters.*each.counter, before + 1) << each.name;
+    EXPECT_EQ(state.fault, Fault::kNone) << each.name;
+  }
+}
+
+TEST(GuardSample, GapsAreCounted) {
+  GuardState state = guard_start();
+  for (const std::uint64_t seq : {5U, 6U, 9U, 10U, 15U}) {
+    EXPECT_TRUE(guard_sample(plain(), state, true, sample(seq), 0));
+  }
+  EXPECT_EQ(state.counters.samples_lost, 2U + 4U);
+}
+
+TEST(GuardSample, WatchdogNamesWhatIsWrong) {
+  for (const bool answered : {false, true}) {
+    GuardState state = guard_start();
+    ASSERT_TRUE(guard_sample(plain(), state, true, sample(1), 0));
+    for (int tick = 1; tick <= 3; ++tick) {
+      EXPECT_EQ(state.fault, Fault::kNone);
+      EXPECT_FALSE(guard_sample(plain(), state, answered, sample(1), 0));
+    }
+    EXPECT_EQ(state.fault, answered ? Fault::kStaleSamples : Fault::kDeviceSilent);
+  }
+}
+
+TEST(GuardSample, OneGoodSampleQuietsTheWatchdog) {
+  GuardState state = guard_start();
+  for (std::uint64_t seq = 1; seq < 100; ++seq) {
+    EXPECT_EQ(guard_sample(plain(), state, seq % 3 == 0, sample(seq), 0), seq % 3 == 0);
+  }
+  EXPECT_EQ(state.fault, Fault::kNone);
+}
+
+TEST(GuardRearm, OnlyByNameAndOnlyAtZero) {
+  GuardConfig config = plain();
+  config.ramp_s = 0.1F;
+  GuardState state = pushed_to(config, {5, 0, 0});
+  EXPECT_FALSE(guard_rearm(state, Fault::kNone));
+  guard_trip(state, Fault::kStaleSamples);
+  guard_trip(state, Fault::kTooLate);  // the first one stays
+  EXPECT_FALSE(guard_rearm(state, Fault::kStaleSamples));
+  for (int i = 0; i < 20; ++i) (void)guard_force(config, state, {5, 0, 0});
+  EXPECT_FALSE(guard_rearm(state, Fault::kTooLate));
+  EXPECT_TRUE(guard_rearm(state, Fault::kStaleSamples));
+  EXPECT_NEAR(size(guard_force(config, state, {5, 0, 0})), 0.05, 1e-6);
+  EXPECT_EQ(state.counters.rearms, 1U);
+}
+
+// Any bits as forces and samples: what comes out keeps every promise.
+TEST(Guard, HoldsItsPromisesForAnyBits) {
+  std::mt19937 engine(7);
+  const auto random = [&engine] { return static_cast<std::uint32_t>(engine()); };
+  GuardConfig config = plain();
+  config.ramp_s = 0.05F;
+  const auto any_float = [&random] {
+    const std::uint32_t bits = random();
+    float value;
+    static_assert(sizeof value == sizeof bits);
+    __builtin_memcpy(&value, &bits, sizeof value);
+    return value;
+  };
+  GuardState state = guard_start();
+  Vec3 last{};
+  for (int i = 0; i < 200'000; ++i) {
+    Sample s = {random() % 1000, static_cast<std::int64_t>(random()), {}, random()};
+    s.pose = {{any_float(), any_float(), any_float()},
+              {any_float(), any_float(), any_float(), any_float()}};
+    (void)guard_sample(config, state, random() % 4 != 0, random() % 2 != 0 ? sample(random()) : s,
+                       0);
+    const bool mild = random() % 8 != 0;
+    const Vec3 wanted = mild ? Vec3{static_cast<float>(random() % 20) - 10, 3, -4}
+                             : Vec3{any_float(), any_float(), any_float()};
+    const bool number =
+        std::isfinite(wanted.x) && std::isfinite(wanted.y) && std::isfinite(wanted.z);
+    const Vec3 force = guard_force(config, state, wanted);
+    ASSERT_TRUE(std::isfinite(size(force)));
+    ASSERT_LE(size(force), 8 * (1 + 1e-6));
+    if (number) {
+      ASSERT_LE(size(minus(force, last)), 2 * (1 + 1e-5));
+    }
+    last = force;
+    if (i % 64 == 0) (void)guard_rearm(state, state.fault);
+  }
+  EXPECT_GT(state.counters.faults, 100U);
+  EXPECT_GT(state.counters.force_limited, 100U);
+}
+
+}  // namespace
+}  // namespace stylet::hal

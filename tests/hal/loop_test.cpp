@@ -1,0 +1,404 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole loop on a virtual clock: kernel, guard, devices that misbehave, recorder and replay.
+#include "stylet/hal/loop.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "stylet/hal/instance.h"
+#include "stylet/hal/recorder.h"
+#include "stylet/hal/recording.h"
+#include "stylet/hal/replay.h"
+#include "stylet/hal/replay_device.h"
+#include "stylet/hal/scene.h"
+#include "tiny_organ.h"
+
+namespace stylet::hal {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInf = std::numeric_limits<float>::infinity();
+
+double size(Vec3 v) {
+  return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
+}
+Vec3 minus(Vec3 a, Vec3 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+// A stiff little block, held at its far side, and a needle that starts at its surface.
+struct Rig {
+  std::vector<std::byte> bytes;
+  Organ organ;
+  Scene scene;
+  std::unique_ptr<KernelInstance> instance;
+  SimulatedHand hand;
+  LoopConfig config;
+  LoopState state;
+  Ring<TickRecord> records{4096};
+  Ring<Event> events{64};
+  Latest<Published> latest;
+  VirtualTime time;
+
+  Rig() {
+    test::TinyOrgan tiny;
+    tiny.nx = tiny.ny = tiny.nz = 4;
+    tiny.fixed_faces = test::kHighX;
+    tiny.materials[0].youngs_modulus_pa = 20000;
+    tiny.materials[0].puncture_force_n = 0.2F;
+    bytes = test::tiny_organ(tiny);
+    EXPECT_EQ(organ_open(bytes, organ), Status::kOk);
+    scene.approach.start_m = 0.001F;
+    scene.guard.ramp_s = 0;
+    scene.guard.max_force_n = 2;
+    scene.guard.max_slew_n_per_s = 200;
+    scene.waypoints = {Waypoint{.travel_m = 0.018F, .speed_m_per_s = 0.1F, .hold_s = 0.05F}};
+    const Placement placement = place_needle(scene, organ);
+    instance = std::make_unique<KernelInstance>(organ, scene.config);
+    config.mapping = placement.mapping;
+    config.guard = scene.guard;
+    hand.script = make_script(scene.waypoints, scene.approach.start_m);
+    config.ticks = script_ticks(hand.script, 1e-3);
+  }
+
+  std::vector<TickRecord> run(const Device& device) {
+    run_loop(config, instance->kernel, device, virtual_clock(time), {&records, &events, &latest},
+             state);
+    std::vector<TickRecord> all;
+    for (TickRecord record; records.pop(record);) all.push_back(record);
+    return all;
+  }
+
+  Device device() { return simulated_hand_device(hand, scene.limits); }
+};
+
+// Stands between the loop and a good device, and spoils what passes.
+struct Spoiler {
+  Device inner;
+  std::function<bool(std::uint64_t, Sample&)> spoil;  // tick from 1; false: no answer
+  std::uint64_t tick = 0;
+  Vec3 written = {};
+};
+
+Device spoiled(Spoiler& spoiler) {
+  const auto read = [](void* self, std::int64_t now_ns, Sample& out) {
+    Spoiler& s = *static_cast<Spoiler*>(self);
+    Sample sample{};
+    bool answered = s.inner.read(s.inner.self, now_ns, sample);
+    answered = s.spoil(++s.tick, sample) && answered;
+    if (answered) out = sample;
+    return answered;
+  };
+  const auto write = [](void* self, const Command& command) {
+    Spoiler& s = *static_cast<Spoiler*>(self);
+    s.written = command.force_n;
+    s.inner.write(s.inner.self, command);
+  };
+  return {&spoiler, spoiler.inner.info, read, write, [](void*) {}};
+}
+
+void expect_safe(const std::vector<TickRecord>& records, const GuardConfig& guard) {
+  Vec3 last{};
+  const double max_change =
+      static_cast<double>(guard.max_slew_n_per_s) * static_cast<double>(guard.period_s);
+  for (const TickRecord& record : records) {
+    const Vec3 force = record.command_n;
+    ASSERT_TRUE(std::isfinite(size(force))) << record.output.tick;
+    ASSERT_LE(size(force), static_cast<double>(guard.max_force_n) * (1 + 1e-6));
+    ASSERT_LE(size(minus(force, last)), max_change * (1 + 1e-5)) << record.output.tick;
+    ASSERT_TRUE(std::isfinite(size(record.output.force_n)));
+    last = force;
+  }
+}
+
+TEST(Loop, ForcePushesTheHandBack) {
+  Rig rig, without;
+  rig.config.ticks = without.config.ticks = 1500;  // until everything is at rest
+  const auto felt = rig.run(rig.device());
+  Spoiler numb{without.device(), [](std::uint64_t, Sample&) { return true; }};
+  Device deaf = spoiled(numb);
+  deaf.write = [](void*, const Command&) {};
+  const auto unfelt = without.run(deaf);
+  ASSERT_EQ(felt.size(), rig.config.ticks);
+  double peak = 0;
+  for (const TickRecord& record : felt) peak = std::max(peak, size(record.command_n));
+  EXPECT_GT(peak, 0.15);
+  // The tissue's push leaves the hand short of its target by force over stiffness.
+  const double lag = static_cast<double>(felt.back().sample.pose.position_m.z) -
+                     static_cast<double>(unfelt.back().sample.pose.position_m.z);
+  EXPECT_NEAR(lag, size(felt.back().command_n) / 2000, 1e-7);
+  expect_safe(felt, rig.config.guard);
+}
+
+TEST(Loop, PublishesTheNewestAndEveryEvent) {
+  Rig rig;
+  const auto records = rig.run(rig.device());
+  Published published{};
+  ASSERT_TRUE(rig.latest.take(published));
+  EXPECT_EQ(published.output.tick, records.back().output.tick);
+  std::uint32_t count = 0;
+  for (Event event; rig.events.pop(event);) ++count;
+  EXPECT_GT(count, 0U);
+  EXPECT_EQ(count, records.back().output.events);
+}
+
+TEST(Loop, AFullRingIsCountedNotWaitedFor) {
+  Rig rig;
+  Ring<TickRecord> small(10);
+  run_loop(rig.config, rig.instance->kernel, rig.device(), virtual_clock(rig.time),
+           {&small, nullptr, nullptr}, rig.state);
+  EXPECT_EQ(rig.state.ticks, rig.config.ticks);
+  EXPECT_EQ(rig.state.lost_records, rig.config.ticks - 10);
+}
+
+TEST(Loop, StopEndsItAfterTheTickWithZeroForce) {
+  Rig rig;
+  Spoiler spoiler{rig.device(), [&rig](std::uint64_t tick, Sample&) {
+                    if (tick == 50) rig.state.stop = true;
+                    return true;
+                  }};
+  EXPECT_EQ(rig.run(spoiled(spoiler)).size(), 50U);
+  EXPECT_EQ(size(spoiler.written), 0);
+}
+
+// ---- late ticks
+// ------------------------------------------------------------------------------------
+
+TEST(LateTicks, AreSkippedOnTheGridAndChangeNoBit) {
+  Rig rig, late;
+  const auto expected = rig.run(rig.device());
+  std::vector<std::int64_t> reads;
+  Spoiler spoiler{late.device(), [&](std::uint64_t tick, Sample&) {
+                    reads.push_back(late.time.now_ns);
+                    if (tick % 10 == 0) late.time.now_ns += 3'500'000;
+                    return true;
+                  }};
+  const auto records = late.run(spoiled(spoiler));
+  EXPECT_EQ(late.state.missed_ticks, 3 * (late.config.ticks / 10));
+  EXPECT_EQ(late.state.guard.fault, Fault::kNone);
+  for (std::size_t i = 1; i < reads.size(); ++i) {
+    const std::int64_t gap = reads[i] - reads[i - 1];
+    EXPECT_EQ(gap, i % 10 == 0 ? 4'000'000 : 1'000'000);
+  }
+  ASSERT_EQ(records.size(), expected.size());
+  EXPECT_EQ(hash(late.instance->kernel), hash(rig.instance->kernel));
+  EXPECT_EQ(records.back().output.force_n.x, expected.back().output.force_n.x);
+}
+
+TEST(LateTicks, TwentyInARowLatch) {
+  for (const int late_ticks : {19, 20}) {
+    Rig rig;
+    Spoiler spoiler{rig.device(), [&](std::uint64_t tick, Sample&) {
+                      const bool late =
+                          tick > 100 && tick <= 100U + static_cast<unsigned>(late_ticks);
+                      if (late) rig.time.now_ns += 1'500'000;
+                      return true;
+                    }};
+    const auto records = rig.run(spoiled(spoiler));
+    EXPECT_EQ(rig.state.guard.fault, late_ticks == 20 ? Fault::kTooLate : Fault::kNone);
+    expect_safe(records, rig.config.guard);
+    if (late_ticks == 20) {
+      EXPECT_EQ(size(records.back().command_n), 0);
+    }
+  }
+}
+
+TEST(LateTicks, HistogramHoldsThem) {
+  Histogram histogram;
+  for (int i = 0; i < 990; ++i) histogram_add(histogram, 10'500);
+  for (int i = 0; i < 9; ++i) histogram_add(histogram, 200'000);
+  histogram_add(histogram, 80'000'000);
+  histogram_add(histogram, -5);
+  EXPECT_EQ(histogram.total, 1001U);
+  EXPECT_EQ(histogram_quantile_us(histogram, 0.5), 11);
+  EXPECT_EQ(histogram_quantile_us(histogram, 0.995), 201);
+  EXPECT_EQ(histogram_quantile_us(histogram, 1), 80'000);
+}
+
+// ---- devices that misbehave
+// --------------------------------------------------------------------------
+
+using Spoil = std::function<bool(Sample&)>;
+
+std::vector<Spoil> single_faults() {
+  std::vector<Spoil> faults;
+  for (const float bad : {kNan, kInf, -kInf, 1e30F, -1e30F}) {
+    for (const int field : {0, 1, 2, 3, 4, 5, 6}) {
+      faults.push_back([bad, field](Sample& s) {
+        float* fields[] = {&s.pose.position_m.x, &s.pose.position_m.y, &s.pose.position_m.z,
+                           &s.pose.rotation.w,   &s.pose.rotation.x,   &s.pose.rotation.y,
+                           &s.pose.rotation.z};
+        *fields[field] = bad;
+        return true;
+      });
+    }
+  }
+  faults.push_back([](Sample&) { return false; });
+  faults.push_back([](Sample& s) {
+    --s.seq;
+    return true;
+  });
+  faults.push_back([](Sample& s) {
+    s.seq = 0;
+    return true;
+  });
+  faults.push_back([](Sample& s) {
+    s.t_ns -= 1'000'000'000;
+    return true;
+  });
+  return faults;
+}
+
+TEST(BadDevice, OneBadSampleAtEveryTickIsCountedAndHarmless) {
+  const std::vector<Spoil> faults = single_faults();
+  for (std::uint64_t at = 1; at <= 240; ++at) {
+    Rig rig;
+    const Spoil& fault = faults[at % faults.size()];
+    Spoiler spoiler{rig.device(), [&](std::uint64_t tick, Sample& sample) {
+                      return tick == at ? fault(sample) : true;
+                    }};
+    const auto records = rig.run(spoiled(spoiler));
+    expect_safe(records, rig.config.guard);
+    const GuardCounters& count = rig.state.guard.counters;
+    EXPECT_EQ(count.samples_missing + count.samples_repeated + count.samples_old +
+                  count.samples_not_finite + count.samples_absurd,
+              1U)
+        << at;
+    EXPECT_EQ(rig.state.guard.fault, Fault::kNone) << at;
+    EXPECT_EQ(stats(rig.instance->kernel).input_missing, 1U) << at;
+  }
+}
+
+TEST(BadDevice, AJumpOf300MmIsBoundedAndCounted) {
+  for (const std::uint64_t at : {2U, 20U, 60U, 100U, 150U, 200U}) {
+    Rig rig;
+    Spoiler spoiler{rig.device(), [&](std::uint64_t tick, Sample& sample) {
+                      if (tick >= at) sample.pose.position_m.x += 0.3F;
+                      return true;
+                    }};
+    const auto records = rig.run(spoiled(spoiler));
+    expect_safe(records, rig.config.guard);
+    EXPECT_GT(stats(rig.instance->kernel).input_clamped, 0U) << at;
+  }
+}
+
+TEST(BadDevice, LossAtAnyTickIsZeroForceWithin25Milliseconds) {
+  const std::vector<Spoil> faults = single_faults();
+  std::size_t next = 0;
+  for (std::uint64_t at = 1; at + 26 < 240; ++at) {
+    Rig rig;
+    const Spoil& fault = faults[next++ % faults.size()];
+    std::uint64_t stuck = 0;
+    Spoiler spoiler{rig.device(), [&](std::uint64_t tick, Sample& sample) {
+                      if (tick < at) {
+                        stuck = sample.seq;
+                        return true;
+                      }
+                      const bool answered = fault(sample);
+                      sample.seq = std::min(sample.seq, std::max<std::uint64_t>(stuck, 1));
+                      return answered && tick > 1;
+                    }};
+    const auto records = rig.run(spoiled(spoiler));
+    expect_safe(records, rig.config.guard);
+    EXPECT_NE(rig.state.guard.fault, Fault::kNone) << at;
+    for (std::uint64_t tick = at + 25; tick <= records.size(); ++tick) {
+      ASSERT_EQ(size(records[tick - 1].command_n), 0) << at << " " << tick;
+    }
+  }
+}
+
+TEST(BadDevice, TissueComesToRestAfterTheStorm) {
+  Rig rig;
+  rig.config.ticks = 6000;
+  Spoiler spoiler{rig.device(), [&](std::uint64_t tick, Sample& sample) {
+                    if (tick < 200) {
+                      sample.pose.position_m.z += tick % 2 == 0 ? 0.3F : -0.3F;
+                    } else {
+                      sample.pose.position_m.z = 0.15F;  // far outside
+                    }
+                    return true;
+                  }};
+  expect_safe(rig.run(spoiled(spoiler)), rig.config.guard);
+  std::vector<Vec3> now(rig.organ.vertices.size()), rest(rig.organ.vertices.size());
+  ASSERT_EQ(surface(rig.instance->kernel, now), now.size());
+  reset(rig.instance->kernel);
+  ASSERT_EQ(surface(rig.instance->kernel, rest), rest.size());
+  for (std::size_t i = 0; i < now.size(); ++i) EXPECT_LT(size(minus(now[i], rest[i])), 1e-6) << i;
+}
+
+// ---- recording and replay
+// ----------------------------------------------------------------------------
+
+class ReplayTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    path_ = (std::filesystem::temp_directory_path() /
+             ("stylet-loop-" + std::to_string(getpid()) + ".h5"))
+                .string();
+    RecordingInfo info;
+    info.config = rig_.scene.config;
+    RecordingWriter writer(path_, info);
+    rig_.config.hash_every_ticks = 50;
+    {
+      Recorder recorder(rig_.records, rig_.events, &writer, {}, {1, 0, 0});
+      run_loop(rig_.config, rig_.instance->kernel, rig_.device(), virtual_clock(rig_.time),
+               {&rig_.records, &rig_.events, nullptr, true}, rig_.state);
+      recorder.stop();
+      EXPECT_EQ(recorder.error(), "");
+      EXPECT_EQ(recorder.track().size(), rig_.config.ticks);
+    }
+    writer.finish(hash(rig_.instance->kernel), 0);
+  }
+  void TearDown() override { std::filesystem::remove(path_); }
+
+  Rig rig_;
+  std::string path_;
+};
+
+TEST_F(ReplayTest, GivesTheSameBits) {
+  const RecordingReader recording(path_);
+  Rig fresh;
+  const ReplayResult result = replay(recording, fresh.instance->kernel);
+  EXPECT_TRUE(result.same) << result.field << " at tick " << result.tick;
+  EXPECT_EQ(result.ticks, rig_.config.ticks);
+  EXPECT_EQ(result.state_hash, hash(rig_.instance->kernel));
+}
+
+TEST_F(ReplayTest, NamesTheFirstTickAndFieldThatDiffer) {
+  const RecordingReader recording(path_);
+  Rig other;
+  for (int i = 0; i < 3; ++i) (void)tick(other.instance->kernel, {{}, 0});  // not fresh
+  const ReplayResult result = replay(recording, other.instance->kernel);
+  EXPECT_FALSE(result.same);
+  EXPECT_EQ(result.tick, 1U);
+  EXPECT_EQ(result.field, "output/tick");
+  EXPECT_EQ(result.recorded, "1");
+  EXPECT_EQ(result.replayed, "4");
+}
+
+TEST_F(ReplayTest, RecordedDeviceGivesTheSameRun) {
+  const RecordingReader recording(path_);
+  ReplayDevice replayed{read_samples(recording)};
+  Rig fresh;
+  const auto records = fresh.run(replay_device(replayed, fresh.scene.limits));
+  ASSERT_EQ(records.size(), recording.ticks());
+  EXPECT_EQ(hash(fresh.instance->kernel), hash(rig_.instance->kernel));
+  EXPECT_EQ(fresh.state.guard.fault, Fault::kNone);
+}
+
+TEST_F(ReplayTest, MissingOrganIsNamed) {
+  RecordingInfo info;
+  info.organ_file = "/nowhere/liver.organ";
+  EXPECT_THROW((void)find_recorded_organ(path_, info, ""), LoadError);
+  EXPECT_EQ(find_recorded_organ(path_, info, "given.organ"), "given.organ");
+}
+
+}  // namespace
+}  // namespace stylet::hal

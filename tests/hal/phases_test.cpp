@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// Curves made by formula, so that every number of a phase is known.
+#include "stylet/hal/phases.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace stylet::hal {
+namespace {
+
+constexpr double kPeriodS = 1e-3;
+constexpr float kUnitM = 5e-3F;
+constexpr int kContact = 1000, kPuncture = 1800, kLowest = 1820, kHold = 7000, kRetract = 10000,
+              kOut = 16000, kEnd = 17000;
+
+// 10 mm/s in from 10 mm outside, puncture 8 mm deep at 0.8 N, 0.01 N/mm, 3 s of rest, and back.
+TrackPoint point(int tick) {
+  const double travel_mm =
+      tick < kRetract ? std::min((tick - kContact) * 0.01, 60.0) : 60 - (tick - kRetract) * 0.01;
+  const bool in = tick >= kPuncture && tick < kOut;
+  const double depth_mm = in ? travel_mm : 0;
+  double force = 0;
+  Phase phase = Phase::kFree;
+  if (tick >= kContact && tick < kPuncture) {
+    force = 0.1 * travel_mm;
+    phase = Phase::kContact;
+  } else if (in && tick < kHold) {
+    const double fall = tick < kLowest ? 0.4 * (kLowest - tick) / 20.0 : 0;
+    force = 0.2 + 0.01 * depth_mm + fall;
+    phase = Phase::kInserted;
+  } else if (in && tick < kRetract) {
+    force = 0.8 - 0.2 * (1 - std::exp(-(tick - kHold) * 1e-3 / 0.5));
+    phase = Phase::kInserted;
+  } else if (in) {
+    force = -0.01 * depth_mm;
+    phase = Phase::kRetracting;
+  }
+  return {static_cast<std::uint64_t>(tick) + 1, static_cast<float>(force),
+          static_cast<float>(depth_mm * 1e-3), static_cast<float>(travel_mm * 1e-3), phase};
+}
+
+std::vector<TrackPoint> curve(int begin = 0, int end = kEnd) {
+  std::vector<TrackPoint> track;
+  for (int tick = begin; tick < end; ++tick) track.push_back(point(tick));
+  return track;
+}
+
+std::vector<Stage> stages(const std::vector<PhaseRow>& rows) {
+  std::vector<Stage> list;
+  for (const PhaseRow& row : rows) list.push_back(row.stage);
+  return list;
+}
+
+TEST(Phases, AllSevenInOrderWithoutGaps) {
+  const auto rows = find_phases(curve(), kPeriodS, kUnitM);
+  ASSERT_THAT(stages(rows), testing::ElementsAre(Stage::kApproach, Stage::kContact,
+                                                 Stage::kPuncture, Stage::kInsertion, Stage::kHold,
+                                                 Stage::kRetraction, Stage::kExit));
+  EXPECT_EQ(rows.front().start_tick, 1U);
+  EXPECT_EQ(rows.back().end_tick, static_cast<std::uint64_t>(kEnd) + 1);
+  for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_EQ(rows[i].start_tick, rows[i - 1].end_tick);
+}
+
+TEST(Phases, BoundariesAreWhereTheCurveChanges) {
+  const auto rows = find_phases(curve(), kPeriodS, kUnitM);
+  ASSERT_EQ(rows.size(), 7U);
+  const auto start = [&rows](int i) {
+    return static_cast<double>(rows[static_cast<std::size_t>(i)].start_tick) - 1;
+  };
+  EXPECT_EQ(start(1), kContact);
+  EXPECT_EQ(start(2), kPuncture);
+  EXPECT_NEAR(start(3), kLowest, 1);
+  EXPECT_NEAR(start(4), kHold, 3);
+  EXPECT_NEAR(start(5), kRetract, 3);
+  EXPECT_EQ(start(6), kOut);
+}
+
+TEST(Phases, NumbersAreThoseOfTheFormula) {
+  const auto rows = find_phases(curve(), kPeriodS, kUnitM);
+  ASSERT_EQ(rows.size(), 7U);
+  const PhaseRow &contact = rows[1], &puncture = rows[2], &insertion = rows[3], &hold = rows[4],
+                 &retraction = rows[5];
+  EXPECT_NEAR(static_cast<double>(contact.peak_force_n), 0.8, 0.002);
+  EXPECT_NEAR(static_cast<double>(contact.mean_force_n), 0.4, 0.002);
+  EXPECT_NEAR(static_cast<double>(contact.travel_m), 8e-3, 2e-5);
+  EXPECT_NEAR(static_cast<double>(puncture.start_force_n), 0.8, 0.002);
+  EXPECT_NEAR(static_cast<double>(puncture.end_force_n), 0.282, 0.002);
+  EXPECT_NEAR(static_cast<double>(insertion.slope_n_per_mm), 0.01, 1e-4);
+  EXPECT_NEAR(static_cast<double>(insertion.depth_m), 60e-3, 1e-4);
+  EXPECT_NEAR(static_cast<double>(hold.end_force_n), 0.6, 0.002);
+  EXPECT_NEAR(static_cast<double>(retraction.slope_n_per_mm), -0.01, 1e-4);
+  EXPECT_NEAR(static_cast<double>(retraction.peak_force_n), -0.6, 0.01);
+  EXPECT_TRUE(std::isnan(hold.slope_n_per_mm));
+}
+
+TEST(Phases, ShortPausesAreNoHold) {
+  std::vector<TrackPoint> track = curve();
+  for (int i = 4000; i < 4060; ++i) {
+    track[static_cast<std::size_t>(i)].travel_m = track[4000].travel_m;
+  }
+  EXPECT_EQ(find_phases(track, kPeriodS, kUnitM).size(), 7U);
+}
+
+TEST(Phases, ContactThatLetsGoIsApproachAgain) {
+  std::vector<TrackPoint> track = curve(900, 1700);
+  for (std::size_t i = 600; i < track.size(); ++i) track[i].phase = Phase::kFree;
+  EXPECT_THAT(stages(find_phases(track, kPeriodS, kUnitM)),
+              testing::ElementsAre(Stage::kApproach, Stage::kContact, Stage::kApproach));
+}
+
+TEST(Phases, AnyPieceOfACurveIsFine) {
+  EXPECT_TRUE(find_phases({}, kPeriodS, kUnitM).empty());
+  for (int begin = 0; begin < kEnd; begin += 613) {
+    for (const int length : {1, 2, 30, 700}) {
+      const auto track = curve(begin, std::min(begin + length, kEnd));
+      const auto rows = find_phases(track, kPeriodS, kUnitM);
+      ASSERT_FALSE(rows.empty());
+      EXPECT_EQ(rows.front().start_tick, track.front().tick);
+      EXPECT_EQ(rows.back().end_tick, track.back().tick + 1);
+    }
+  }
+}
+
+TEST(TrackPoint, ResistanceIsPositiveAndTravelCountsFromTheEntry) {
+  TickRecord record{};
+  record.output.tick = 7;
+  record.output.force_n = {0, 0.5F, 0};
+  record.output.tip_m = {1, 1.96F, 1};
+  const TrackPoint p = track_point(record, {1, 2, 1}, {0, -1, 0});
+  EXPECT_EQ(p.tick, 7U);
+  EXPECT_EQ(p.axial_n, 0.5F);
+  EXPECT_NEAR(static_cast<double>(p.travel_m), 0.04, 1e-6);
+}
+
+}  // namespace
+}  // namespace stylet::hal

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stylet/hal/recording.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <vector>
+
+namespace stylet::hal {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RecordingTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("stylet-recording-" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string path(const char* name = "r.h5") const { return (folder_ / name).string(); }
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
+  }
+  fs::path folder_;
+};
+
+// Random bits in every column, NaN and denormals among them.
+std::vector<TickRecord> any_records(std::size_t count) {
+  std::mt19937 random(3);
+  std::vector<TickRecord> records(count);
+  for (TickRecord& record : records) {
+    for (const Column& column : tick_columns()) {
+      auto* at = reinterpret_cast<unsigned char*>(&record) + column.offset;
+      const std::size_t bytes = column.width * column_bytes(column.type);
+      for (std::size_t i = 0; i < bytes; ++i) at[i] = static_cast<unsigned char>(random());
+    }
+  }
+  return records;
+}
+
+bool same(std::span<const Column> columns, const void* a, const void* b) {
+  for (const Column& column : columns) {
+    if (std::memcmp(static_cast<const char*>(a) + column.offset,
+                    static_cast<const char*>(b) + column.offset,
+                    column.width * column_bytes(column.type)) != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+RecordingInfo some_info() {
+  RecordingInfo info;
+  info.stylet_version = "0.1.0";
+  info.scene_file = "scene.toml";
+  info.scene_text = std::string(100'000, 'x') + "\nkey = \"\xC3\xA9\"\n";
+  info.organ_file = "/somewhere/liver.organ";
+  info.organ_hash = 0xFEDCBA9876543210ULL;
+  info.config.mode = Mode::kPaper;
+  info.config.period_s = 5e-4F;
+  info.config.needle.unit_m = 4e-3F;
+  info.entry_m = {1, 2, 3};
+  info.direction = {0, 0, -1};
+  return info;
+}
+
+std::string refusal(const std::string& path) {
+  try {
+    const RecordingReader reader(path);
+    std::vector<TickRecord> all(reader.ticks());
+    reader.read(0, all);
+  } catch (const RecordingError& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+TEST_F(RecordingTest, EveryBitComesBack) {
+  const auto records = any_records(10'000);  // more than two chunks, and not a whole number of them
+  const std::vector<Event> events = {{1, EventKind::kContact, 0, 0, 0.5F},
+                                     {99, EventKind::kPuncture, 1, 0.25F, -1}};
+  {
+    RecordingWriter writer(path(), some_info());
+    writer.append(std::span(records).first(17));
+    writer.append(std::span(records).subspan(17, 8000));
+    writer.append(events);
+    writer.append(std::span(records).subspan(8017));
+    EXPECT_FALSE(fs::exists(path()));
+    writer.finish(42, 7);
+  }
+  EXPECT_EQ(files(), 1U);
+  const RecordingReader reader(path());
+  const RecordingInfo& info = reader.info();
+  EXPECT_EQ(info.scene_text, some_info().scene_text);
+  EXPECT_EQ(info.organ_file, "/somewhere/liver.organ");
+  EXPECT_EQ(info.organ_name, "");
+  EXPECT_EQ(info.organ_hash, 0xFEDCBA9876543210ULL);
+  EXPECT_EQ(info.config.mode, Mode::kPaper);
+  EXPECT_EQ(info.config.period_s, 5e-4F);
+  EXPECT_EQ(info.config.needle.unit_m, 4e-3F);
+  EXPECT_EQ(info.entry_m.y, 2);
+  EXPECT_EQ(info.final_state_hash, 42U);
+  EXPECT_EQ(info.lost_records, 7U);
+  ASSERT_EQ(reader.ticks(), records.size());
+  std::vector<TickRecord> back(records.size() - 5);
+  reader.read(5, back);
+  for (std::size_t i = 0; i < back.size(); ++i) {
+    ASSERT_TRUE(same(tick_columns(), &records[i + 5], &back[i])) << i;
+  }
+  ASSERT_EQ(reader.event_count(), 2U);
+  std::vector<Event> events_back(2);
+  reader.read(0, events_back);
+  EXPECT_TRUE(same(event_columns(), &events[1], &events_back[1]));
+}
+
+TEST_F(RecordingTest, UnfinishedLeavesNothing) {
+  {
+    RecordingWriter writer(path(), some_info());
+    writer.append(any_records(5000));
+    EXPECT_EQ(files(), 1U);
+  }
+  EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(RecordingTest, UnwritableFolderIsNamed) {
+  EXPECT_THROW(RecordingWriter("/nowhere/at/all.h5", some_info()), RecordingError);
+}
+
+TEST_F(RecordingTest, OtherFilesAreRefused) {
+  EXPECT_THAT(refusal(path("none.h5")), testing::HasSubstr("none.h5: file: cannot be read"));
+  std::ofstream(path("text.h5")) << "hello";
+  EXPECT_THAT(refusal(path("text.h5")), testing::HasSubstr("not an HDF5 file"));
+  std::ofstream(path("empty.h5")).flush();
+  EXPECT_THAT(refusal(path("empty.h5")), testing::HasSubstr("not an HDF5 file"));
+}
+
+TEST_F(RecordingTest, CutShortIsRefused) {
+  {
+    RecordingWriter writer(path(), some_info());
+    writer.append(any_records(9000));
+    writer.finish(1, 0);
+  }
+  const auto size = fs::file_size(path());
+  for (const double share : {0.999, 0.9, 0.5, 0.1, 0.01}) {
+    fs::copy_file(path(), path("cut.h5"), fs::copy_options::overwrite_existing);
+    fs::resize_file(path("cut.h5"), static_cast<std::uintmax_t>(static_cast<double>(size) * share));
+    EXPECT_THAT(refusal(path("cut.h5")), testing::HasSubstr("cut.h5: ")) << share;
+  }
+}
+
+TEST_F(RecordingTest, AFlippedBitInTheDataIsRefused) {
+  {
+    RecordingWriter writer(path(), some_info());
+    writer.append(any_records(9000));
+    writer.finish(1, 0);
+  }
+  std::ifstream in(path(), std::ios::binary);
+  std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
+  // Random records do not compress: nearly all of the file is column data.
+  for (const double share : {0.4, 0.6, 0.8}) {
+    std::vector<char> bad = bytes;
+    char& byte = bad[static_cast<std::size_t>(static_cast<double>(bad.size()) * share)];
+    byte = static_cast<char>(byte ^ 16);
+    std::ofstream out(path("bad.h5"), std::ios::binary);
+    out.write(bad.data(), static_cast<std::streamsize>(bad.size()));
+    out.close();
+    EXPECT_THAT(refusal(path("bad.h5")), testing::HasSubstr("damaged")) << share;
+  }
+}
+
+}  // namespace
+}  // namespace stylet::hal

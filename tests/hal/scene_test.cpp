@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stylet/hal/scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tiny_organ.h"
+
+namespace stylet::hal {
+namespace {
+
+const std::string kGood = R"(mode = "paper"
+[organ]
+path = "liver.organ"
+[loop]
+period_us = 500
+substeps = 2
+cpu = 1
+[tissue]
+damping_ms = 1.5
+[paper]
+alpha = 0.25
+[needle]
+preset = "22G"
+length_mm = 120
+unit_mm = 4
+[approach]
+direction = [0, 0, -2]
+point_mm = [10, 20, 30]
+start_mm = 5
+[device]
+max_force_n = 4
+[guard]
+max_force_n = 6
+ramp_ms = 100
+[hand]
+mass_g = 300
+[[hand.waypoint]]
+travel_mm = 40
+speed_mm_s = 10
+hold_s = 1
+[[hand.waypoint]]
+lateral_mm = [2, -1]
+time_s = 0.5
+)";
+
+std::string changed(const std::string& from, const std::string& to) {
+  std::string text = kGood;
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+int line_of(const std::string& text, const std::string& part) {
+  const std::size_t at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part;
+  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n'));
+}
+
+std::string error_of(const std::string& text) {
+  try {
+    (void)parse_scene(text, "s.toml");
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+double of(float value) {
+  return static_cast<double>(value);
+}
+
+TEST(Scene, EveryValueArrivesInSi) {
+  const Scene scene = parse_scene(kGood, "s.toml");
+  EXPECT_EQ(scene.config.mode, Mode::kPaper);
+  EXPECT_EQ(scene.organ_path, "liver.organ");
+  EXPECT_NEAR(of(scene.config.period_s), 5e-4, 1e-10);
+  EXPECT_EQ(scene.config.substeps, 2U);
+  EXPECT_EQ(scene.cpu, 1);
+  EXPECT_NEAR(of(scene.config.tissue_damping_s), 1.5e-3, 1e-9);
+  EXPECT_NEAR(of(scene.config.paper_alpha), 0.25, 1e-9);
+  EXPECT_NEAR(of(scene.config.needle.outer_radius_m), 0.3588e-3, 1e-9);
+  EXPECT_NEAR(of(scene.config.needle.length_m), 0.12, 1e-8);
+  EXPECT_NEAR(of(scene.config.needle.unit_m), 4e-3, 1e-9);
+  EXPECT_NEAR(of(scene.approach.direction.z), -1, 1e-7);
+  ASSERT_TRUE(scene.approach.through_m.has_value());
+  EXPECT_NEAR(of(scene.approach.through_m->y), 0.02, 1e-8);
+  EXPECT_NEAR(of(scene.approach.start_m), 5e-3, 1e-9);
+  EXPECT_EQ(scene.guard.max_force_n, 4.0F);  // the smaller one
+  EXPECT_NEAR(of(scene.guard.ramp_s), 0.1, 1e-8);
+  EXPECT_EQ(scene.guard.period_s, scene.config.period_s);
+  EXPECT_NEAR(of(scene.hand.mass_kg), 0.3, 1e-7);
+  ASSERT_EQ(scene.waypoints.size(), 2U);
+  EXPECT_NEAR(of(scene.waypoints[0].speed_m_per_s), 0.01, 1e-9);
+  EXPECT_NEAR(of(scene.waypoints[1].travel_m), 0.04, 1e-8);  // stays where it was
+  EXPECT_NEAR(of(scene.waypoints[1].right_m), 2e-3, 1e-9);
+  EXPECT_NEAR(of(scene.waypoints[1].up_m), -1e-3, 1e-9);
+}
+
+struct Mistake {
+  const char* from;
+  const char* to;
+  const char* line_with;  // the line that must be named
+  const char* says;
+  int up = 0;  // that many lines above it: a missing key is shown at its table
+};
+
+TEST(Scene, EveryMistakeNamesItsLineAndWhatIsAllowed) {
+  const Mistake mistakes[] = {
+      {"substeps = 2", "substep = 2",
+       "substep =", "loop.substep: 2: unknown key; allowed here: cpu"},
+      {"[tissue]", "[tisue]", "[tisue]", "unknown key; allowed here: approach"},
+      {"substeps = 2", "substeps = 2.5", "2.5", "loop.substeps: 2.5: a whole number from 1 to 32"},
+      {"substeps = 2", "substeps = 0", "substeps", "0: a whole number from 1 to 32"},
+      {"period_us = 500", "period_us = \"fast\"", "period_us", "a number from 10 to 10000"},
+      {"period_us = 500", "period_us = nan", "period_us", "nan: a number from 10 to 10000"},
+      {"period_us = 500", "period_us = inf", "period_us", "a number from 10 to 10000"},
+      {"alpha = 0.25", "alpha = 1.25", "alpha", "paper.alpha: 1.25: a number from 0 to 1"},
+      {"mode = \"paper\"", "mode = \"fast\"", "mode", "\"physical\" or \"paper\""},
+      {"mode = \"paper\"", "mode = 1", "mode", "mode: 1: a text in quotes"},
+      {"preset = \"22G\"", "preset = \"21G\"", "21G", "\"18G\" or \"20G\""},
+      {"unit_mm = 4", "unit_mm = 4\nouter_diameter_mm = 1", "preset",
+       "either preset or outer_diameter_mm"},
+      {"[0, 0, -2]", "[0, 0]", "direction", "approach.direction: [ 0, 0 ]: a list of 3 numbers"},
+      {"[0, 0, -2]", "[0, 0, 0]", "direction", "a direction that is not zero"},
+      {"[0, 0, -2]", "[0, 0, \"x\"]", "direction", "a number from -1000 to 1000"},
+      {"start_mm = 5", "start_mm = 5\nthrough = \"centroid\"", "through",
+       "either through or point_mm"},
+      {"max_force_n = 4", "max_force_n = -4", "max_force_n = -4", "a number from 0.01 to 100"},
+      {"max_force_n = 4", "max_force_n = 4\nmax_slew_n_per_s = 100", "max_slew_n_per_s",
+       "100: at least 200"},
+      {"max_force_n = 4", "kind = \"omni\"", "omni", "\"simulated\" or \"replay\""},
+      {"max_force_n = 4", "kind = \"replay\"", "[device]", "device.recording: missing"},
+      {"ramp_ms = 100", "watchdog_ms = 50", "watchdog_ms", "a number from 1 to 5"},
+      {"time_s = 0.5", "", "lateral_mm", "either speed_mm_s or time_s", 1},
+      {"time_s = 0.5", "time_s = 0.5\nspeed_mm_s = 3", "speed_mm_s = 3",
+       "either speed_mm_s or time_s"},
+      {"lateral_mm = [2, -1]", "", "time_s", "needs a place to go", 2},
+      {"[hand]", "[hand", "[hand", "not TOML"},
+  };
+  for (const Mistake& each : mistakes) {
+    const std::string text = changed(each.from, each.to);
+    const std::string error = error_of(text);
+    EXPECT_THAT(error, testing::HasSubstr(each.says)) << each.to;
+    const int line = line_of(text, each.line_with) - each.up;
+    EXPECT_THAT(error, testing::StartsWith("s.toml:" + std::to_string(line) + ": ")) << each.to;
+  }
+  EXPECT_THAT(error_of("loop = 3\n"), testing::StartsWith("s.toml:1: loop: 3: a table"));
+}
+
+TEST(Scene, SimulatedHandNeedsAScript) {
+  EXPECT_THAT(error_of("[hand]\nmass_g = 100\n"),
+              testing::HasSubstr("hand.waypoint: missing: at least one"));
+}
+
+TEST(Scene, MissingFileIsNamed) {
+  try {
+    (void)read_scene("/nowhere/s.toml");
+    FAIL();
+  } catch (const SceneError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("/nowhere/s.toml: cannot be read"));
+  }
+}
+
+TEST(Scene, ProjectScenesLoad) {
+  const Scene scene = read_scene(STYLET_SCENES "/fig09-force-curve.toml");
+  EXPECT_EQ(scene.waypoints.size(), 2U);
+  EXPECT_EQ(script_ticks(make_script(scene.waypoints, scene.approach.start_m), 1e-3), 18000U);
+}
+
+// ---- from the scene to the world
+// -------------------------------------------------------------------
+
+struct Block {
+  std::vector<std::byte> bytes;
+  Organ organ;
+};
+
+// 40 x 40 x 60 mm with its low corner at (100, 0, -20) mm.
+Block block() {
+  Block result;
+  test::TinyOrgan tiny;
+  tiny.nz = 12;
+  tiny.origin_m = {0.1F, 0, -0.02F};
+  result.bytes = test::tiny_organ(tiny);
+  EXPECT_EQ(organ_open(result.bytes, result.organ), Status::kOk);
+  return result;
+}
+
+TEST(Placement, TipStartsOutsideTheSurfaceAndPointsIn) {
+  const Block b = block();
+  const float half = std::sqrt(0.5F);
+  for (const Vec3 d : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{0, 0, -1},
+                       Vec3{half, 0, half}, Vec3{0, -half, -half}}) {
+    Scene scene;
+    scene.approach.direction = d;
+    scene.approach.start_m = 0.01F;
+    const Placement placed = place_needle(scene, b.organ);
+    const Pose start = to_world(placed.mapping, {{}, {1, 0, 0, 0}});
+    const Vec3 needle = rotate(start.rotation, {0, 0, -scene.config.needle.length_m});
+    // Tip = entry - start * direction, and the needle lies along the direction.
+    EXPECT_NEAR(of(start.position_m.x + needle.x), of(placed.entry_m.x - 0.01F * d.x), 1e-6);
+    EXPECT_NEAR(of(start.position_m.y + needle.y), of(placed.entry_m.y - 0.01F * d.y), 1e-6);
+    EXPECT_NEAR(of(start.position_m.z + needle.z), of(placed.entry_m.z - 0.01F * d.z), 1e-6);
+    EXPECT_NEAR(of(needle.x), of(0.15F * d.x), 1e-6);
+    EXPECT_NEAR(of(needle.y), of(0.15F * d.y), 1e-6);
+    EXPECT_NEAR(of(needle.z), of(0.15F * d.z), 1e-6);
+    // A push of the device along -z goes in; a force of the tissue comes back along +z.
+    const Pose pushed = to_world(placed.mapping, {{0, 0, -0.02F}, {1, 0, 0, 0}});
+    EXPECT_NEAR(of(pushed.position_m.x - start.position_m.x), of(0.02F * d.x), 1e-6);
+    EXPECT_NEAR(of(to_device(placed.mapping, {-d.x, -d.y, -d.z}).z), 1, 1e-6);
+  }
+}
+
+TEST(Placement, EntryIsOnTheFaceTowardsTheNeedle) {
+  const Block b = block();
+  Scene scene;
+  EXPECT_NEAR(of(place_needle(scene, b.organ).entry_m.x), 0.1, 1e-6);
+  scene.approach.direction = {-1, 0, 0};
+  EXPECT_NEAR(of(place_needle(scene, b.organ).entry_m.x), 0.14, 1e-6);
+  scene.approach.direction = {0, 0, -1};
+  scene.approach.through_m = Vec3{0.11F, 0.01F, 0};
+  const Vec3 entry = place_needle(scene, b.organ).entry_m;
+  EXPECT_NEAR(of(entry.x), 0.11, 1e-6);
+  EXPECT_NEAR(of(entry.y), 0.01, 1e-6);
+  EXPECT_NEAR(of(entry.z), 0.04, 1e-6);
+}
+
+TEST(Placement, ALineThatMissesIsRefused) {
+  const Block b = block();
+  Scene scene;
+  scene.file = "s.toml";
+  scene.approach.through_m = Vec3{0.1F, 0.5F, 0};
+  EXPECT_THROW((void)place_needle(scene, b.organ), SceneError);
+}
+
+}  // namespace
+}  // namespace stylet::hal
