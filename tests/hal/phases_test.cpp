@@ -32,7 +32,7 @@ TrackPoint point(int tick) {
     const double fall = tick < kLowest ? 0.4 * (kLowest - tick) / 20.0 : 0;
     force = 0.2 + 0.01 * depth_mm + fall;
     phase = Phase::kInserted;
-  } else if (in && tick < kRetract) {
+  } else if (in && tick <= kRetract) {
     force = 0.8 - 0.2 * (1 - std::exp(-(tick - kHold) * 1e-3 / 0.5));
     phase = Phase::kInserted;
   } else if (in) {
