@@ -41,7 +41,7 @@ Mesh to_mesh(const Surface& surface) {
 Mesh mesh_implicit(const Function& function, Vec inside, double reach, double facet) {
   CGAL::get_default_random() = CGAL::Random(0);  // the mesher draws its first points from it
   constexpr double kSmallestAngleDegrees = 30;
-  constexpr double kFarthestOfFacet = 0.03;  // distance between facet and surface
+  constexpr double kFarthestOfFacet = 0.015;  // distance between facet and surface
   const Kernel::Sphere_3 bound(Kernel::Point_3(inside.x, inside.y, inside.z), reach * reach);
   const CGAL::Implicit_surface_3<Kernel, Function> implicit(function, bound, 1e-7);
   const CGAL::Surface_mesh_default_criteria_3<Triangulation> criteria(

@@ -141,9 +141,15 @@ EdgeCounts count_edges(const std::vector<Edge>& edges) {
 
 struct Piece {
   std::vector<std::uint32_t> triangles;
-  double volume = 0;
+  double volume = 0;  // of a closed piece
   bool open = false;
 };
+
+std::vector<Triangle> select(const std::vector<Triangle>& triangles, const Piece& piece) {
+  std::vector<Triangle> own;
+  for (const std::uint32_t i : piece.triangles) own.push_back(triangles[i]);
+  return own;
+}
 
 std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
   while (parent[i] != i) i = parent[i] = parent[parent[i]];
@@ -179,13 +185,8 @@ std::vector<Piece> find_pieces(const std::vector<Vec>& points,
     piece.open = piece.open || open[i];
   }
   for (Piece& piece : pieces) {
-    std::vector<Triangle> own;
-    Box box;
-    for (const std::uint32_t i : piece.triangles) {
-      own.push_back(triangles[i]);
-      for (const std::uint32_t corner : triangles[i]) grow(box, points[corner]);
-    }
-    piece.volume = signed_volume(points, own, (box.low + box.high) * 0.5);
+    const Vec centre = points[triangles[piece.triangles.front()][0]];
+    piece.volume = signed_volume(points, select(triangles, piece), centre);
   }
   return pieces;
 }
@@ -207,21 +208,68 @@ bool is_cavity(const std::vector<Vec>& points, const std::vector<Triangle>& tria
   return std::abs(winding_number(triangle_tree(points, others), probe)) > 0.5;
 }
 
-// Outside is the side that gives a positive volume: for each closed piece by itself; for open
-// pieces of a file whose faces agreed, all together, because their relative sides mean something.
-void turn_outward(const std::vector<Vec>& points, std::vector<Triangle>& triangles,
-                  const std::vector<Piece>& pieces, bool faces_agreed) {
-  double open_volume = 0;
-  for (const Piece& piece : pieces) open_volume += piece.open ? piece.volume : 0;
+// An open surface has no volume to tell its sides by, but it winds round the points it half
+// encloses: positively when it faces outward. `sum` over points spread through its box; `enclosed`
+// counts those that it winds round more than half.
+struct Evidence {
+  double sum = 0;
+  int enclosed = 0;
+};
+
+Evidence look_around(const std::vector<Vec>& points, const std::vector<Triangle>& triangles) {
+  Box box;
+  for (const Triangle& t : triangles) {
+    for (const std::uint32_t corner : t) grow(box, points[corner]);
+  }
+  const TriangleTree tree = triangle_tree(points, triangles);
+  constexpr int kPerAxis = 12;
+  const Vec step = (box.high - box.low) * (1.0 / kPerAxis);
+  Evidence evidence;
+  for (int z = 0; z < kPerAxis; ++z) {
+    for (int y = 0; y < kPerAxis; ++y) {
+      for (int x = 0; x < kPerAxis; ++x) {
+        const Vec offset{(x + 0.5) * step.x, (y + 0.5) * step.y, (z + 0.5) * step.z};
+        const double winding = winding_number(tree, box.low + offset);
+        evidence.sum += winding;
+        evidence.enclosed += std::abs(winding) > 0.5 ? 1 : 0;
+      }
+    }
+  }
+  return evidence;
+}
+
+// Open pieces that enclose something by themselves, or whose faces had to be reoriented, are judged
+// alone; the others all together, because in a file whose faces agreed their relative sides mean
+// something.
+void turn_open(const std::vector<Vec>& points, std::vector<Triangle>& triangles,
+               const std::vector<Piece>& pieces, bool faces_agreed) {
+  std::vector<Triangle> rest;
+  std::vector<const Piece*> rest_pieces;
+  for (const Piece& piece : pieces) {
+    if (!piece.open) continue;
+    const std::vector<Triangle> own = select(triangles, piece);
+    const Evidence evidence = look_around(points, own);
+    if (!faces_agreed || evidence.enclosed > 0) {
+      if (evidence.sum < 0) turn(triangles, piece);
+    } else {
+      rest.insert(rest.end(), own.begin(), own.end());
+      rest_pieces.push_back(&piece);
+    }
+  }
+  if (rest.empty() || look_around(points, rest).sum >= 0) return;
+  for (const Piece* piece : rest_pieces) turn(triangles, *piece);
+}
+
+// A closed piece is turned where its volume is negative, unless it is a cavity of another.
+void turn_closed(const std::vector<Vec>& points, std::vector<Triangle>& triangles,
+                 const std::vector<Piece>& pieces, bool faces_agreed) {
   constexpr std::size_t kMostCavities = 64;  // bounds the time spent on looking for them
   std::size_t probed = 0;
   for (const Piece& piece : pieces) {
-    if (piece.open && faces_agreed ? open_volume >= 0 : piece.volume >= 0) continue;
-    if (faces_agreed && !piece.open && pieces.size() > 1 && probed++ < kMostCavities &&
-        is_cavity(points, triangles, piece)) {
-      continue;
-    }
-    turn(triangles, piece);
+    if (piece.open || piece.volume >= 0) continue;
+    const bool cavity = faces_agreed && pieces.size() > 1 && probed++ < kMostCavities &&
+                        is_cavity(points, triangles, piece);
+    if (!cavity) turn(triangles, piece);
   }
 }
 
@@ -246,7 +294,9 @@ Solid repair(Mesh mesh) {
   const std::vector<Edge> edges = sorted_edges(solid.boundary);
   const std::vector<Piece> pieces = find_pieces(mesh.points, solid.boundary, edges);
   counts.pieces = pieces.size();
-  turn_outward(mesh.points, solid.boundary, pieces, before.inconsistent == 0);
+  const bool faces_agreed = before.inconsistent == 0;
+  turn_open(mesh.points, solid.boundary, pieces, faces_agreed);
+  turn_closed(mesh.points, solid.boundary, pieces, faces_agreed);
   const EdgeCounts after = count_edges(sorted_edges(solid.boundary));
   solid.oriented = after.inconsistent == 0;
   solid.closed = after.open == 0;
