@@ -62,7 +62,10 @@ std::vector<Stage> classify(std::span<const TrackPoint> track, double period_s) 
       }
       stages[i] = stage_inside(track, i, window, period_s);
     } else if (phase == Phase::kContact) {
-      stages[i] = Stage::kContact;
+      // A tip that grazes the surface on its way out is leaving, not arriving.
+      const bool leaving =
+          was_inside && stage_inside(track, i, window, period_s) == Stage::kRetraction;
+      stages[i] = leaving ? Stage::kExit : Stage::kContact;
     } else {
       stages[i] = was_inside ? Stage::kExit : Stage::kApproach;
     }

@@ -112,6 +112,12 @@ TEST(Phases, ContactThatLetsGoIsApproachAgain) {
               testing::ElementsAre(Stage::kApproach, Stage::kContact, Stage::kApproach));
 }
 
+TEST(Phases, GrazingTheSurfaceOnTheWayOutIsExit) {
+  std::vector<TrackPoint> track = curve();
+  for (std::size_t i = kOut + 4; i < kOut + 40; ++i) track[i].phase = Phase::kContact;
+  EXPECT_EQ(find_phases(track, kPeriodS, kUnitM).size(), 7U);
+}
+
 TEST(Phases, AnyPieceOfACurveIsFine) {
   EXPECT_TRUE(find_phases({}, kPeriodS, kUnitM).empty());
   for (int begin = 0; begin < kEnd; begin += 613) {
