@@ -14,6 +14,12 @@ constexpr float kLatticeComplianceInside = 0.20F;
 constexpr float kLatticeComplianceSurface = 0.28F;
 // Radius over which the far field of a needle dies out: half of an organ's usual thickness.
 constexpr float kFarFieldM = 0.025F;
+// Tissue this many times softer than the CP's spring is as good as all of the compliance.
+constexpr float kLargestCompliance = 100.0F;
+// Slower than this a CP sticks.
+constexpr float kSlidingMPerS = 1e-4F;
+// Part of a new measure of the compliance that is taken over in a tick.
+constexpr float kComplianceGain = 0.02F;
 // The tip finds the material at its goal within this distance of travel.
 constexpr float kMaterialPullM = 1e-3F;
 // A shaft CP keeps at least this part of its spring, so that forces can be divided by it.
@@ -85,6 +91,18 @@ float line_stiffness(float radius_m, float poisson) {
   return 8 * kPi * (1 - poisson) * n / (n * n * natural_log(ratio) - (b2 - a2) / (b2 + a2));
 }
 
+// The Maxwell branch sits in the CP's own spring, but the whole force must relax as the material
+// says, as it does when all of the tissue relaxes alike. With c the compliance of the tissue around
+// over that of the spring, this share and time of the spring alone give that whole.
+void set_relaxation(const ModelHead& head, Particle& p) {
+  if (head.config.mode == Mode::kPaper) return;
+  const MaterialModel& m = head.material[p.material];
+  const float c = p.tissue_compliance;
+  p.memory_share = 1 - 1 / ((1 + c) / (1 - m.relaxing_fraction) - c);
+  const float time_s = m.relaxation_time_s * (1 - p.memory_share * c / (1 + c));
+  p.memory_keep = exp_minus(head.config.period_s / max_of(time_s, head.config.period_s));
+}
+
 enum class Place { kSurface, kTip, kShaft };
 
 // Spring that makes lattice and CP together as stiff as a needle of this radius in this material:
@@ -121,13 +139,7 @@ void set_stiffness(const View& view, Particle& particle, Place place) {
   const float reached = 1 / (own_compliance + lattice_compliance);
   view.state.head->coupling_shortfall =
       max_of(view.state.head->coupling_shortfall, 1 - reached / target);
-  // The relaxing share of the whole force falls on the CP's spring alone: choose its share and time
-  // so that CP and lattice in series relax as the material says.
-  const float c = particle.stiffness_n_per_m * lattice_compliance;  // lattice over CP compliance
-  const float kept = 1 / ((1 + c) / (1 - m.relaxing_fraction) - c);
-  particle.memory_share = head.config.mode == Mode::kPaper ? 0.0F : 1 - kept;
-  const float time_s = m.relaxation_time_s * (1 - particle.memory_share * c / (1 + c));
-  particle.memory_keep = exp_minus(head.config.period_s / max_of(time_s, head.config.period_s));
+  set_relaxation(head, particle);
 }
 
 // ---- residuals and forces
@@ -298,18 +310,32 @@ void set_memory(StateHead& state, Particle& p, Vec3 memory_m) {
   p.memory_m = memory_m;
 }
 
-void relax(StateHead& state, Particle& p) {
+// While a CP slides, its tissue has given way by the force the CP carries (and by that of its
+// neighbours): that is the compliance set_relaxation needs.
+void measure_compliance(const View& view, Particle& p, Vec3 direction) {
+  if (!(p.slip_m_per_s > kSlidingMPerS)) return;
   const Vec3 d = residual(p);
-  set_memory(state, p, d + p.memory_keep * (p.memory_m - d));
+  const float spring_m = dot(d - p.memory_share * p.memory_m, direction);
+  const float tissue_m = dot((p.position_m - d) - p.rest_m, direction);
+  const float c = tissue_m * spring_m > 0 ? min_of(tissue_m / spring_m, kLargestCompliance) : 0.0F;
+  p.tissue_compliance += kComplianceGain * (c - p.tissue_compliance);
+  set_relaxation(*view.model.head, p);
 }
 
-// Sliding brings fresh tissue to the needle, which has relaxed nothing yet.
-void note_slip(const View& view, Particle& p, float slip_m) {
-  const ModelHead& head = *view.model.head;
-  const float size = slip_m < 0 ? -slip_m : slip_m;
-  const float speed = size / head.config.period_s;
+// Everything of a CP that changes with time and not with the needle: its residual relaxes; sliding
+// brings fresh tissue, which has relaxed nothing yet. Comes before the return map, so that the map
+// has the last word on the force.
+void relax(const View& view, Particle& p, Vec3 direction) {
+  measure_compliance(view, p, direction);
+  const Vec3 d = residual(p);
+  const float slid_m = p.slip_m_per_s * view.model.head->config.period_s;
+  const float kept = kRenewalLengthM / (kRenewalLengthM + slid_m);
+  set_memory(*view.state.head, p, kept * (d + p.memory_keep * (p.memory_m - d)));
+}
+
+void note_slip(const ModelHead& head, Particle& p, float slip_m) {
+  const float speed = (slip_m < 0 ? -slip_m : slip_m) / head.config.period_s;
   p.slip_m_per_s = speed + head.velocity_keep * (p.slip_m_per_s - speed);
-  set_memory(*view.state.head, p, (kRenewalLengthM / (kRenewalLengthM + size)) * p.memory_m);
 }
 
 // Shaft length a CP stands for now, and its spring in proportion: both vanish when the tip comes
@@ -338,13 +364,13 @@ void slip_shaft(const View& view, const Needle& needle) {
   for (std::uint32_t i = 0; i < state.shaft_count; ++i) {
     Particle& p = view.state.shaft[i];
     const float length = stand_for(view, p, tip_track);
-    relax(state, p);
+    relax(view, p, needle.direction);
     const float limit = friction_n_per_m(head.material[p.material], p.slip_m_per_s) * length;
     const float axial = dot(force_on_tissue(p), needle.direction);
     const float slip = overshoot(view, p, axial, -limit, limit);
     p.arc_m += slip;
     p.position_m = p.position_m - slip * needle.direction;
-    note_slip(view, p, slip);
+    note_slip(head, p, slip);
     const float after = dot(force_on_tissue(p), needle.direction);
     state.friction_j += static_cast<double>(after) * static_cast<double>(slip);
   }
@@ -359,14 +385,14 @@ void cut_tip(const View& view, const Needle& needle, float moved_m) {
   const MaterialModel& m = head.material[tip.material];
   float move = moved_m;  // outside the tissue the tip carries nothing and follows the needle
   if (tip.share_count > 0) {
-    relax(state, tip);
+    relax(view, tip, needle.direction);
     const bool in_track = tip.track_m < state.track_end_m;
     const float limit = m.cutting_n * (in_track ? m.recut_fraction : 1.0F);
     const float axial = dot(force_on_tissue(tip), needle.direction);
     move = overshoot(view, tip, axial, 0, limit);
   }
   advance_tip(view, tip, needle.direction, move);
-  note_slip(view, tip, move);
+  note_slip(head, tip, move);
   const Vec3 before = residual(tip);
   renew_shares(view, tip, before);
   const float after = dot(force_on_tissue(tip), needle.direction);
@@ -379,12 +405,13 @@ void cut_tip(const View& view, const Needle& needle, float moved_m) {
 // ---- adding and removing
 // --------------------------------------------------------------------------
 
-std::uint32_t push_shaft(const View& view, const Particle& p) {
+std::uint32_t push_shaft(const View& view, Particle p) {
   StateHead& state = *view.state.head;
   if (state.shaft_count == kMaxConstraintParticles) {
     ++state.cp_pool_full;
     return kFlagCpPoolFull;
   }
+  (void)stand_for(view, p, view.state.tip->track_m);
   view.state.shaft[state.shaft_count++] = p;
   state.shaft_max = state.shaft_count > state.shaft_max ? state.shaft_count : state.shaft_max;
   return 0;
@@ -484,7 +511,7 @@ void update_contact(const View& view, const Needle& needle) {
     state.tip_alive = 0;
     return;
   }
-  relax(state, tip);
+  relax(view, tip, needle.direction);
   const VoxelFrame frame =
       voxel_frame(view, tip.share[heaviest(tip)].slot, tip.share[heaviest(tip)].row);
   const std::uint32_t track =

@@ -85,6 +85,7 @@ struct Particle {                // a constraint particle
   float arc_m;                   // arc length on the needle, from the tip
   float stiffness_n_per_m;       // of the stretch it stands for now
   float full_stiffness_n_per_m;  // of a whole unit
+  float tissue_compliance;       // of the tissue around, over that of the spring
   float memory_share;            // relaxing share of the spring's own stiffness
   float memory_keep;             // of the difference, per tick
   float slip_m_per_s;            // low-passed
