@@ -102,6 +102,8 @@ const hal::PhaseRow& phase_of(const Curve& curve, std::uint64_t tick) {
 std::string data_blocks(const Curve& curve) {
   std::string total = "$total << EOD\n", causes = "$causes << EOD\n";
   std::string in = "$in << EOD\n", hold = "$hold << EOD\n", out = "$out << EOD\n";
+  std::string* last_block = &in;
+  std::string last_row;
   for (const std::size_t i : shown_points(curve)) {
     const hal::TrackPoint& p = curve.track[i];
     const double time_s = static_cast<double>(p.tick) * curve.period_s;
@@ -114,7 +116,10 @@ std::string data_blocks(const Curve& curve) {
     const hal::Stage stage = phase_of(curve, p.tick).stage;
     const bool back = stage == hal::Stage::kRetraction || stage == hal::Stage::kExit;
     std::string& by_depth = stage == hal::Stage::kHold ? hold : back ? out : in;
-    by_depth += fmt::format("{:.6g} {:.6g}\n", travel_mm, force_n);
+    if (&by_depth != last_block) by_depth += last_row;  // no gap where the colour changes
+    last_block = &by_depth;
+    last_row = fmt::format("{:.6g} {:.6g}\n", travel_mm, force_n);
+    by_depth += last_row;
   }
   const std::string end = "EOD\n";
   const auto some = [&end](const std::string& block) {
@@ -166,7 +171,7 @@ std::string script_of(const Curve& curve, const hal::RecordingInfo& info, bool s
       "set ylabel 'Axial force on the needle / N' offset 0.5\n";
   script +=
       "set tmargin screen 0.90\nset bmargin screen 0.56\nset xlabel 'Time / s'\n"
-      "set key inside top right opaque box linewidth 0.5 spacing 1.1\n"
+      "set key inside top right opaque box linewidth 0.5 spacing 1.1 Left reverse\n"
       "set offsets graph 0, graph 0, graph 0.06, graph 0.04\n";
   script += phase_shades(curve, svg ? 11 : 22);
   script += fmt::format("set xrange [0:{:.6g}]\n",
@@ -185,17 +190,17 @@ std::string script_of(const Curve& curve, const hal::RecordingInfo& info, bool s
   for (std::size_t i = 1; i <= curve.phases.size(); ++i) {
     script += fmt::format("unset object {0}\nunset label {0}\n", i);
   }
-  script +=
-      "set tmargin screen 0.46\nset bmargin screen 0.10\nset autoscale x\n"
-      "set xlabel 'Tip travel beyond the first contact / mm'\nset key top left\n"
-      "plot $in using 1:2 with lines linewidth 2.2 linecolor rgb '#0072B2' title 'way in', "
-      "$hold using 1:2 with lines linewidth 2.2 linecolor rgb '#E69F00' title 'hold', "
-      "$out using 1:2 with lines linewidth 2.2 linecolor rgb '#D55E00' title 'way out'\n";
   script += fmt::format(
       "set label 99 '{}, {} mode, {:.2f} mm needle' at screen 0.97, screen 0.015 right font ',{}' "
       "noenhanced textcolor rgb '#555555'\n",
       legend_text(info.organ_name), info.config.mode == Mode::kPaper ? "paper" : "physical",
       2e3 * static_cast<double>(info.config.needle.outer_radius_m), svg ? 10 : 20);
+  script +=
+      "set tmargin screen 0.47\nset bmargin screen 0.125\nset autoscale x\n"
+      "set xlabel 'Tip travel beyond the first contact / mm'\nset key top left\n"
+      "plot $in using 1:2 with lines linewidth 2.2 linecolor rgb '#0072B2' title 'way in', "
+      "$hold using 1:2 with lines linewidth 2.2 linecolor rgb '#E69F00' title 'hold', "
+      "$out using 1:2 with lines linewidth 2.2 linecolor rgb '#D55E00' title 'way out'\n";
   return script;
 }
 

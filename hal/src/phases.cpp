@@ -9,7 +9,8 @@ namespace stylet::hal {
 namespace {
 
 constexpr double kSpeedWindowS = 0.025;    // over which the tip's speed is taken
-constexpr double kHoldSpeedMPerS = 3e-4;   // slower is standing still
+constexpr double kSlowShare = 0.1;         // of the fastest: the hand has stopped
+constexpr double kRestingShare = 0.03;     // of the fastest: and has not begun to move
 constexpr double kPunctureWindowS = 0.05;  // in which the force falls after the puncture
 constexpr double kShortestStageS = 0.1;    // of those told apart by speed
 constexpr double kSlopeRangeM = 1e-3;      // less change of depth gives no slope
@@ -22,28 +23,47 @@ bool by_speed(Stage stage) {
   return stage == Stage::kInsertion || stage == Stage::kHold || stage == Stage::kRetraction;
 }
 
-// Still if the tip was still a moment before or will be a moment after: so a hold begins and ends
-// with its first and last still tick, and the force of a hold never counts as retraction.
-Stage stage_inside(std::span<const TrackPoint> track, std::size_t i, std::size_t window,
-                   double period_s) {
-  const std::size_t low = i > window ? i - window : 0;
-  const std::size_t high = std::min(i + window, track.size() - 1);
-  const auto speed = [&](std::size_t from, std::size_t to) {
-    const double way =
-        static_cast<double>(track[to].travel_m) - static_cast<double>(track[from].travel_m);
-    return to > from ? way / (static_cast<double>(to - from) * period_s) : 0.0;
-  };
-  const double before = speed(low, i), after = speed(i, high);
-  const bool still = (i > low && std::fabs(before) < kHoldSpeedMPerS) ||
-                     (high > i && std::fabs(after) < kHoldSpeedMPerS);
-  if (still) return Stage::kHold;
+double speed(std::span<const TrackPoint> track, std::size_t from, std::size_t to, double period_s) {
+  const double way =
+      static_cast<double>(track[to].travel_m) - static_cast<double>(track[from].travel_m);
+  return to > from ? way / (static_cast<double>(to - from) * period_s) : 0.0;
+}
+
+// Motion of the tip, looked at over a window of ticks.
+struct Motion {
+  std::span<const TrackPoint> track;
+  std::size_t window;
+  double period_s;
+  double fastest_m_per_s = 0;
+};
+
+Motion motion_of(std::span<const TrackPoint> track, double period_s) {
+  Motion motion{track, static_cast<std::size_t>(kSpeedWindowS / period_s) + 1, period_s};
+  for (std::size_t i = motion.window; i < track.size(); ++i) {
+    motion.fastest_m_per_s =
+        std::max(motion.fastest_m_per_s, std::fabs(speed(track, i - motion.window, i, period_s)));
+  }
+  return motion;
+}
+
+// Still if the tip will be slow a moment after, or was all but resting a moment before: so a hold
+// begins where the hand stops, though it creeps while the force relaxes, and ends with the last
+// resting tick: no force of retraction counts as hold.
+Stage stage_inside(const Motion& motion, std::size_t i) {
+  const std::size_t low = i > motion.window ? i - motion.window : 0;
+  const std::size_t high = std::min(i + motion.window, motion.track.size() - 1);
+  const double before = speed(motion.track, low, i, motion.period_s);
+  const double after = speed(motion.track, i, high, motion.period_s);
+  const bool slow = high > i && std::fabs(after) <= kSlowShare * motion.fastest_m_per_s;
+  const bool resting = i > low && std::fabs(before) <= kRestingShare * motion.fastest_m_per_s;
+  if (slow || resting) return Stage::kHold;
   return (high > i ? after : before) > 0 ? Stage::kInsertion : Stage::kRetraction;
 }
 
 // The stage of every tick on its own, the puncture as the fall of the force after the entry.
 std::vector<Stage> classify(std::span<const TrackPoint> track, double period_s) {
   std::vector<Stage> stages(track.size(), Stage::kApproach);
-  const auto window = static_cast<std::size_t>(kSpeedWindowS / period_s) + 1;
+  const Motion motion = motion_of(track, period_s);
   const auto fall_ticks = static_cast<std::size_t>(kPunctureWindowS / period_s) + 1;
   bool was_inside = false;
   for (std::size_t i = 0; i < track.size(); ++i) {
@@ -60,11 +80,10 @@ std::vector<Stage> classify(std::span<const TrackPoint> track, double period_s) 
         stages[i] = Stage::kPuncture;
         continue;
       }
-      stages[i] = stage_inside(track, i, window, period_s);
+      stages[i] = stage_inside(motion, i);
     } else if (phase == Phase::kContact) {
       // A tip that grazes the surface on its way out is leaving, not arriving.
-      const bool leaving =
-          was_inside && stage_inside(track, i, window, period_s) == Stage::kRetraction;
+      const bool leaving = was_inside && stage_inside(motion, i) == Stage::kRetraction;
       stages[i] = leaving ? Stage::kExit : Stage::kContact;
     } else {
       stages[i] = was_inside ? Stage::kExit : Stage::kApproach;
