@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// V22: friction of the shaft, measured on the hand. One shaft CP in one attached voxel has a closed
+// form: its spring w in series with the eight corner springs k = G h, K_t = 8 k w / (8 k + w).
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "rig.h"
+
+namespace stylet::test {
+namespace {
+
+constexpr float kEdgeM = 4e-3F, kUnitM = 5e-3F;
+constexpr double kUnit = 5e-3;  // same, for expected values
+constexpr float kSpring = 50;
+constexpr double kStiffness = 80.0 * 50 / (80 + 50);  // k = 2500 Pa * 4 mm = 10 N/m
+constexpr double kTolerance = 0.01;
+
+TinyMaterial rubbing(float coulomb, float fixed, float viscous) {
+  TinyMaterial m;
+  m.youngs_modulus_pa = 5000;
+  m.poisson_ratio = 0;
+  m.coulomb_friction_n_per_m = coulomb;
+  m.static_friction_n_per_m = fixed;
+  m.viscous_friction_n_s_per_m2 = viscous;
+  m.stribeck_velocity_m_per_s = 1e-3F;
+  return m;
+}
+
+Config short_needle() {
+  Config config;
+  config.needle.length_m = 0.05F;
+  config.needle.unit_m = kUnitM;
+  return config;
+}
+
+struct OneParticle {
+  Rig rig;
+  Vec3 tip_m;
+
+  double force_at(double advance_m) {
+    const Vec3 tip = {static_cast<float>(static_cast<double>(tip_m.x) + advance_m), tip_m.y,
+                      tip_m.z};
+    return -static_cast<double>(move_tip(rig, tip).force_n.x);
+  }
+};
+
+OneParticle one_particle(const TinyMaterial& material) {
+  TinyOrgan tiny;
+  tiny.nx = tiny.ny = tiny.nz = 1;
+  tiny.voxel_edge_m = kEdgeM;
+  tiny.materials = {material};
+  OneParticle one = {make_rig(tiny, short_needle(), Tissue::kFixed), {}};
+  one.tip_m = hold_one_shaft_particle(one.rig, {kEdgeM / 2, kEdgeM / 2, kEdgeM / 2}, kSpring);
+  return one;
+}
+
+// Advances at a speed until the force is steady; the force then.
+double slide(OneParticle& one, double speed, double way_m, double* peak_out = nullptr) {
+  const int ticks = static_cast<int>(way_m / (std::fabs(speed) * 1e-3));
+  double force = 0, peak = 0;
+  for (int i = 1; i <= ticks; ++i) {
+    force = one.force_at(speed * 1e-3 * i);
+    peak = std::max(peak, std::fabs(force));
+  }
+  if (peak_out != nullptr) *peak_out = peak;
+  return force;
+}
+
+TEST(V22Friction, StickingSlopeIsTheSeriesStiffness) {
+  for (const double direction : {1.0, -1.0}) {
+    OneParticle one = one_particle(rubbing(10, 12, 0));
+    std::vector<double> x, f;
+    for (int i = 0; i <= 800; ++i) {  // to 0.41 of static friction
+      x.push_back(direction * 1e-6 * i);
+      f.push_back(one.force_at(x.back()));
+    }
+    EXPECT_NEAR(fit_line(x, f).slope / kStiffness, 1, kTolerance);
+    EXPECT_NEAR(f.back() / (kStiffness * x.back()), 1, kTolerance);
+  }
+}
+
+TEST(V22Friction, BreaksAwayAtStaticFriction) {
+  for (const double direction : {1.0, -1.0}) {
+    OneParticle one = one_particle(rubbing(10, 14, 0));
+    double peak = 0;
+    slide(one, direction * 1e-4, 4e-3, &peak);
+    EXPECT_NEAR(peak / (14.0 * kUnit), 1, kTolerance);
+  }
+}
+
+TEST(V22Friction, SlidesAtCoulombPlusViscousFriction) {
+  for (const double speed : {5e-3, 10e-3, 50e-3, -5e-3, -10e-3, -50e-3}) {
+    OneParticle one = one_particle(rubbing(10, 14, 20));
+    const double expected = (10 + 20 * std::fabs(speed)) * kUnit;
+    const double way = std::fabs(speed) > 0.02 ? 15e-3 : 8e-3;
+    EXPECT_NEAR(slide(one, speed, way) / std::copysign(expected, speed), 1, kTolerance)
+        << "at " << speed << " m/s";
+  }
+}
+
+// Near the Stribeck velocity the static part has decayed by exp(-(v / v_s)^2). The viscous part is
+// large enough that friction grows with speed: else sliding on a spring is stick-slip, not steady.
+TEST(V22Friction, StribeckPartDecaysWithTheSlipSpeed) {
+  for (const double ratio : {0.25, 0.5, 1.0, 2.0}) {
+    TinyMaterial material = rubbing(10, 14, 400);
+    material.stribeck_velocity_m_per_s = 1e-2F;
+    OneParticle one = one_particle(material);
+    const double expected = (10 + 4 * std::exp(-ratio * ratio) + 4 * ratio) * kUnit;
+    EXPECT_NEAR(slide(one, 1e-2 * ratio, 12e-3) / expected, 1, kTolerance) << "v / v_s " << ratio;
+  }
+}
+
+TEST(V22Friction, HysteresisLoopHasTheAreaOfDrySliding) {
+  OneParticle one = one_particle(rubbing(10, 10, 0));
+  const double most = 10.0 * kUnit, presliding = most / kStiffness;
+  const double amplitude = 4e-3;
+  constexpr int kTicks = 20000;
+  double area = 0, last_x = 0, last_f = 0;
+  for (int i = 1; i <= 2 * kTicks; ++i) {
+    const double x = amplitude * std::sin(2 * std::numbers::pi * i / kTicks);
+    const double f = one.force_at(x);
+    if (i > kTicks) area += 0.5 * (f + last_f) * (x - last_x);
+    last_x = x;
+    last_f = f;
+  }
+  EXPECT_NEAR(area / (4 * most * (amplitude - presliding)), 1, kTolerance);
+}
+
+TEST(V22Friction, DoesNotDriftUnderAForceBelowStaticFriction) {
+  OneParticle one = one_particle(rubbing(10, 12, 0));
+  const double amplitude = 0.9 * 12.0 * kUnit / kStiffness;
+  const float arc_before = one.rig.view().state.shaft[0].arc_m;
+  const double force_before = one.force_at(0);
+  double largest = 0;
+  for (int i = 1; i <= 60000; ++i) {  // 60 s at 1 Hz
+    largest = std::max(largest,
+                       std::fabs(one.force_at(amplitude * std::sin(2e-3 * std::numbers::pi * i))));
+  }
+  EXPECT_NEAR(largest / (0.9 * 12.0 * kUnit), 1, kTolerance);
+  const double drift =
+      static_cast<double>(one.rig.view().state.shaft[0].arc_m) - static_cast<double>(arc_before);
+  EXPECT_LT(std::fabs(drift), 1e-9);
+  // The place of the tissue against the needle, from the force: the handle's float is 4e-9 m.
+  EXPECT_LT(std::fabs(one.force_at(0) - force_before) / kStiffness, 1e-9);
+}
+
+// A needle in a block of 40 mm that offers nothing but friction.
+Rig friction_block() {
+  TinyOrgan tiny;
+  tiny.nx = 8;
+  tiny.ny = tiny.nz = 3;
+  tiny.materials = {rubbing(10, 14, 20)};
+  tiny.materials[0].cutting_force_n = 0;
+  tiny.materials[0].puncture_force_n = 0.01F;
+  return make_rig(tiny, Config{}, Tissue::kFixed);
+}
+constexpr Vec3 kBeforeBlock = {-2e-3F, 7.5e-3F, 7.5e-3F};
+
+TEST(V22Friction, NeedleInTheTissueIsHeldByItsDepth) {
+  Rig rig = friction_block();
+  const Output out = drive(rig, kBeforeBlock, 33e-3F, 10e-3F);
+  const double expected = (10 + 20 * 10e-3) * static_cast<double>(out.depth_m);
+  EXPECT_NEAR(static_cast<double>(out.depth_m), 33e-3, 1e-3);
+  EXPECT_NEAR(-static_cast<double>(out.cause.friction_n.x) / expected, 1, kTolerance);
+}
+
+TEST(V22Friction, NeedleThroughTheOrganIsHeldByTheLengthInTissue) {
+  Rig rig = friction_block();
+  const Output out = drive(rig, kBeforeBlock, 70e-3F, 10e-3F);
+  const double expected = (10 + 20 * 10e-3) * 8 * 5e-3;
+  EXPECT_NEAR(-static_cast<double>(out.force_n.x) / expected, 1, kTolerance);
+}
+
+// The same rule when the needle rests and the tissue moves. Attached particles that are given a
+// velocity keep it (no force, no drag): the organ is then carried past the needle.
+TEST(V22Friction, TissueThatMovesOverARestingNeedleSlidesByTheSameRule) {
+  for (const float speed : {10e-3F, -10e-3F}) {
+    TinyOrgan tiny;
+    tiny.nx = tiny.ny = tiny.nz = 1;
+    tiny.voxel_edge_m = kEdgeM;
+    tiny.materials = {rubbing(10, 14, 20)};
+    Config config = short_needle();
+    config.surround_drag_per_s = 0;
+    OneParticle one = {make_rig(tiny, config, Tissue::kFixed), {}};
+    one.tip_m = hold_one_shaft_particle(one.rig, {kEdgeM / 2, kEdgeM / 2, kEdgeM / 2}, kSpring);
+    const View view = one.rig.view();
+    std::fill_n(view.state.vx, view.model.head->counts.particles, speed);
+    double force = 0;
+    for (int i = 0; i < 800; ++i) force = -one.force_at(0);
+    const double expected = std::copysign((10 + 20 * 10e-3) * kUnit, static_cast<double>(speed));
+    EXPECT_NEAR(force / expected, 1, kTolerance) << "tissue at " << speed << " m/s";
+  }
+}
+
+}  // namespace
+}  // namespace stylet::test
