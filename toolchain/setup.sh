@@ -11,10 +11,10 @@ packages=(
   # kernel
   libeigen3-dev libflatbuffers-dev flatbuffers-compiler
   # hal
-  libtomlplusplus-dev libcli11-dev libfmt-dev libspdlog-dev libhdf5-dev nlohmann-json3-dev
+  libtomlplusplus-dev libcli11-dev libfmt-dev libhdf5-dev nlohmann-json3-dev
   gnuplot-nox fonts-dejavu-core
   # offline
-  libcgal-dev
+  libcgal-dev libssl-dev
   # tests
   libgtest-dev libgmock-dev libbenchmark-dev python3-h5py
 )

@@ -65,12 +65,12 @@ class Folder(unittest.TestCase):
 
 
 def friction_of(organ):
-    """The friction the insertion's deepest layer has in the file, N/m at 10 mm/s."""
+    """The friction that the material inside has in the file, N/m at 10 mm/s."""
     materials = json.loads(call("stylet-organ", "info", organ, "--json").stdout)["materials"]
     inside = [m for m in materials if "capsule" not in m["name"]]
     if len(inside) != 1:
         raise AssertionError(f"expected one material beside the capsule, found {materials}")
-    return (inside[0]["coulomb_friction_n_per_m"] +
+    return (1e3 * inside[0]["coulomb_friction_n_per_mm"] +
             inside[0]["viscous_friction_n_s_per_m2"] * 0.01)
 
 
@@ -84,7 +84,9 @@ class Insertion(Folder):
                     "organ_hash"):
             self.assertIn(key, report)
         names = [row["name"] for row in report["phases"]]
-        self.assertEqual(names, STAGES, report["phases"])
+        # On its way out the tip may brush the surface once more.
+        self.assertEqual(names[:len(STAGES)], STAGES, report["phases"])
+        self.assertLessEqual(set(names[len(STAGES):]), {"contact", "exit"}, report["phases"])
         for earlier, later in zip(report["phases"], report["phases"][1:]):
             self.assertEqual(earlier["end_tick"], later["start_tick"])
         memory = report["memory"]
@@ -96,7 +98,7 @@ class Insertion(Folder):
             self.assertFalse(np.asarray(file["guard/fault"]).any(), "the guard latched a fault")
         faults = force_curve.check_physical(curve) if mode == "physical" else \
             force_curve.check_paper(curve)
-        self.assertEqual(faults, [])
+        self.assertFalse(faults, "\n" + "\n".join(faults))
         if mode == "physical":
             slope, _, _ = force_curve.insertion(curve)
             self.assertAlmostEqual(slope / friction_of(organ), 1, delta=0.02)
