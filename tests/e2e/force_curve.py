@@ -167,7 +167,7 @@ def check_physical(curve):
     check_drop(curve, faults)
     check_insertion(curve, faults, ripple_share=0.02)
     check_hold(curve, faults)
-    check_retraction(curve, faults, presliding_m=5e-3)
+    check_retraction(curve, faults, presliding_m=1e-3)
     check_exit(curve, faults)
     return faults
 

@@ -25,7 +25,7 @@ def ideal():
     relaxed = 0.9 * (1 - 0.4 * (1 - np.exp(-hold_time)))
     force[HOLD:RETRACTION] = relaxed[HOLD:RETRACTION]
     back = (tick - RETRACTION) * 1e-5
-    force[RETRACTION:EXIT] = np.maximum(force[RETRACTION - 1] - 500 * back,
+    force[RETRACTION:EXIT] = np.maximum(force[RETRACTION - 1] - 1000 * back,
                                         -friction)[RETRACTION:EXIT]
     return force_curve.Curve(tick * 1e-3, force, travel, depth, friction, CONTACT, PUNCTURE,
                              *force_curve.resting_part(travel, PUNCTURE, EXIT), EXIT)

@@ -18,7 +18,7 @@ MACHINE_PATH = re.compile(r"(^|[^A-Za-z0-9_.}])/(work|root|home|farm)/")
 # The real-time path: the kernel, and the part of hal between the first tick and the last.
 REAL_TIME = ["kernel/src/*", "hal/src/loop.cpp", "hal/src/guard.cpp"]
 BANNED = {
-    r"\bnew\b": "new (the caller owns all memory)",
+    r"\bnew\b(?!\s*\((?!std::nothrow))": "new (the caller owns all memory; placement is fine)",
     r"\b(malloc|calloc|realloc|free)\s*\(": "the heap (the caller owns all memory)",
     r"\bstd::(vector|string|map|unordered_map|deque|list|any)\b": "a container that allocates",
     r"\bstd::(shared_ptr|unique_ptr|make_\w+)\b": "an owning pointer (the caller owns all memory)",
