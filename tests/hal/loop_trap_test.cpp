@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// The loop on the real clock: no call of the heap, no page fault, no system call but sleeping.
+// Each trap is also shown to fire.
+#include <gtest/gtest.h>
+#include <seccomp.h>
+#include <sys/mman.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "allocation_trap.h"
+#include "rig.h"
+#include "stylet/hal/host.h"
+
+namespace stylet::hal {
+namespace {
+
+constexpr std::int64_t kPeriodNs = 200'000;
+
+void run_on_real_clock(Rig& rig, const Device& device) {
+  rig.config.period_ns = kPeriodNs;
+  run_loop(rig.config, rig.instance->kernel, device, monotonic_clock(),
+           {&rig.records, &rig.events, &rig.latest}, rig.state);
+}
+
+// The same hand, whose `write` also does something a loop must not do.
+struct Sinner {
+  Device inner;
+  void (*sin)();
+};
+
+Device sinning(Sinner& sinner) {
+  const auto read = [](void* self, std::int64_t now_ns, Sample& sample) {
+    const Device& inner = static_cast<Sinner*>(self)->inner;
+    return inner.read(inner.self, now_ns, sample);
+  };
+  const auto write = [](void* self, const Command& command) {
+    const Sinner& s = *static_cast<Sinner*>(self);
+    s.inner.write(s.inner.self, command);
+    s.sin();
+  };
+  return {&sinner, sinner.inner.info, read, write, [](void*) {}};
+}
+
+TEST(LoopTrap, CallsNoHeapAndCausesNoPageFault) {
+  Rig rig;
+  mlockall(MCL_CURRENT);
+  warm_up(rig.instance->kernel, to_world(rig.config.mapping, {{}, {1, 0, 0, 0}}), 50);
+  const ThreadUse before = thread_use();
+  test::arm_allocation_trap();
+  run_on_real_clock(rig, rig.device());
+  EXPECT_EQ(test::disarm_allocation_trap(), 0U);
+  const ThreadUse after = thread_use();
+  munlockall();
+  EXPECT_EQ(after.minor_faults + after.major_faults, before.minor_faults + before.major_faults);
+  EXPECT_EQ(rig.state.ticks, rig.config.ticks);
+  EXPECT_GT(rig.state.events_seen, 0U);
+}
+
+TEST(LoopTrap, HeapTrapFires) {
+  Rig rig;
+  Sinner sinner{rig.device(), [] {
+                  int* volatile number = new int(1);  // volatile: else the pair is optimised away
+                  delete number;
+                }};
+  test::arm_allocation_trap();
+  run_on_real_clock(rig, sinning(sinner));
+  EXPECT_GE(test::disarm_allocation_trap(), rig.config.ticks);
+}
+
+// How a child ended that ran the loop and might only sleep, look at the clock and exit.
+int status_of_confined_run(void (*sin)()) {
+  Rig rig;
+  Sinner sinner{rig.device(), sin};
+  const pid_t child = fork();
+  if (child == 0) {
+    const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_KILL_PROCESS);
+    for (const int call : {SYS_clock_nanosleep, SYS_clock_gettime, SYS_exit_group}) {
+      if (seccomp_rule_add(filter, SCMP_ACT_ALLOW, call, 0) != 0) _exit(77);
+    }
+    if (seccomp_load(filter) != 0) _exit(77);
+    run_on_real_clock(rig, sinning(sinner));
+    _exit(rig.state.ticks == rig.config.ticks ? 0 : 1);
+  }
+  int status = 0;
+  EXPECT_EQ(waitpid(child, &status, 0), child);
+  return status;
+}
+
+bool no_seccomp(int status) {
+  return WIFEXITED(status) && WEXITSTATUS(status) == 77;
+}
+
+TEST(LoopTrap, MakesNoSystemCallButSleep) {
+  const int status = status_of_confined_run([] {});
+  if (no_seccomp(status)) GTEST_SKIP() << "this host has no seccomp";
+  ASSERT_TRUE(WIFEXITED(status)) << "killed by signal " << WTERMSIG(status);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+TEST(LoopTrap, SystemCallTrapFires) {
+  const int status = status_of_confined_run([] { (void)syscall(SYS_getppid); });
+  if (no_seccomp(status)) GTEST_SKIP() << "this host has no seccomp";
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(WTERMSIG(status), SIGSYS);
+}
+
+}  // namespace
+}  // namespace stylet::hal
