@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// V28: a CP is displaced in one step and held; its force decays as the material says. With attached
+// corners a CP of spring s is in series with the corner springs 8 k, so the decay has a closed
+// form:
+//   F(t) = F_inf + (F_0 - F_inf) exp(-t / T),
+// F_0 with the spring s, F_inf with its lasting part s (1 - m), T stretched by the series.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "rig.h"
+
+namespace stylet::test {
+namespace {
+
+constexpr double kTolerance = 0.02;
+constexpr float kFraction = 0.4F, kTimeS = 0.8F;
+constexpr float kEdgeM = 4e-3F;  // less than the needle unit: one CP only
+
+TinyMaterial relaxing() {
+  TinyMaterial m;
+  m.youngs_modulus_pa = 20000;
+  m.poisson_ratio = 0.45F;
+  m.puncture_force_n = 1000;
+  m.relaxing_fraction = kFraction;
+  m.relaxation_time_s = kTimeS;
+  return m;
+}
+
+struct Decay {
+  double fraction, time_s, worst;  // worst: off the exponential, of the first force
+};
+
+// Fits F = F_inf + (F_0 - F_inf) exp(-t / T) by the force at 0, T0 and 10 T0.
+Decay decay_of(const std::vector<double>& force, double period_s) {
+  const double first = force.front(), last = force.back();
+  Decay decay = {1 - last / first, 0, 0};
+  std::vector<double> time, logarithm;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const double left = (force[i] - last) / (first - last);
+    if (left < 0.1) break;
+    time.push_back(period_s * static_cast<double>(i));
+    logarithm.push_back(std::log(left));
+  }
+  decay.time_s = -1 / fit_line(time, logarithm).slope;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const double model =
+        last + (first - last) * std::exp(-period_s * static_cast<double>(i) / decay.time_s);
+    decay.worst = std::max(decay.worst, std::fabs(force[i] - model) / first);
+  }
+  return decay;
+}
+
+std::vector<double> forces_held(Rig& rig, Vec3 tip_m, int ticks) {
+  std::vector<double> force;
+  for (int i = 0; i < ticks; ++i) {
+    force.push_back(-static_cast<double>(move_tip(rig, tip_m).force_n.x));
+  }
+  return force;
+}
+
+// Contact at the surface, pressed in within a few ticks and held.
+std::vector<double> press_and_hold(Rig& rig, int ticks) {
+  const Vec3 centre = {-1e-3F, 0.5F * kEdgeM, 0.5F * kEdgeM};
+  drive(rig, centre, 2e-3F, 2.0F);
+  return forces_held(rig, {2e-3F, centre.y, centre.z}, ticks);
+}
+
+// A needle so thin that the lattice's compliance is nothing beside its own: what is left is the
+// material's fraction and time.
+TEST(V28Relaxation, DecaysByTheFractionAndTimeWritten) {
+  TinyOrgan tiny;
+  tiny.nx = 4;
+  tiny.ny = tiny.nz = 1;
+  tiny.materials = {relaxing()};
+  Config config;
+  config.needle.outer_radius_m = 1e-5F;
+  Rig rig = make_rig(tiny, config, Tissue::kFixed);
+  const Decay decay = decay_of(press_and_hold(rig, 8000), 1e-3);
+  EXPECT_NEAR(decay.fraction / static_cast<double>(kFraction), 1, kTolerance);
+  EXPECT_NEAR(decay.time_s / static_cast<double>(kTimeS), 1, kTolerance);
+  EXPECT_LT(decay.worst, kTolerance);
+}
+
+// Any spring and Maxwell branch, one CP in the middle of one voxel: the exact series.
+TEST(V28Relaxation, StepOfOneShaftParticleFollowsTheSeriesFormula) {
+  for (const double share : {0.2, 0.5, 0.8}) {
+    TinyOrgan tiny;
+    tiny.nx = tiny.ny = tiny.nz = 1;
+    tiny.voxel_edge_m = kEdgeM;
+    tiny.materials = {relaxing()};
+    tiny.materials[0].coulomb_friction_n_per_m = 1000;
+    tiny.materials[0].static_friction_n_per_m = 1000;
+    Rig rig = make_rig(tiny, Config{}, Tissue::kFixed);
+    const double corner = 8 * 20000 / 2.9 * static_cast<double>(kEdgeM), spring = 100, time_s = 0.5;
+    const Vec3 tip = hold_one_shaft_particle(rig, {kEdgeM / 2, kEdgeM / 2, kEdgeM / 2}, 100);
+    Particle& p = rig.view().state.shaft[0];
+    p.memory_share = static_cast<float>(share);
+    p.memory_keep = static_cast<float>(std::exp(-1e-3 / time_s));
+    const double step = 1e-3;
+    const std::vector<double> force = forces_held(rig, tip + Vec3{1e-3F, 0, 0}, 10000);
+    const auto series = [corner](double s) { return s * corner / (s + corner); };
+    const double first = series(spring) * step, last = series(spring * (1 - share)) * step;
+    // dy/dt = (d - y) / time with d = X - F / corner: the series slows it by this.
+    const double slower = (corner + spring) / (corner + spring * (1 - share));
+    EXPECT_NEAR(force.front() / first, 1, kTolerance);
+    EXPECT_NEAR(force.back() / last, 1, kTolerance);
+    for (std::size_t i = 0; i < force.size(); i += 100) {
+      const double model =
+          last + (first - last) * std::exp(-1e-3 * static_cast<double>(i) / (time_s * slower));
+      ASSERT_NEAR(force[i] / model, 1, kTolerance) << "share " << share << ", tick " << i;
+    }
+  }
+}
+
+// An 18G needle pressed on tissue that gives: CP and lattice together must relax as written.
+TEST(V28Relaxation, WholeContactRelaxesAsWritten) {
+  TinyOrgan tiny;
+  tiny.nx = tiny.ny = tiny.nz = 9;
+  tiny.materials = {relaxing()};
+  tiny.fixed_faces = kHighX;
+  Rig rig = make_rig(tiny, Config{});
+  const Vec3 centre = {-1e-3F, 22.5e-3F, 22.5e-3F};
+  drive(rig, centre, 2e-3F, 0.2F);
+  std::vector<double> force = forces_held(rig, {2e-3F, centre.y, centre.z}, 6000);
+  force.erase(force.begin(), force.begin() + 50);  // the tissue's own motion
+  const Decay decay = decay_of(force, 1e-3);
+  const double missed = 1 - std::exp(-0.06 / static_cast<double>(kTimeS));  // relaxed before
+  const double all = static_cast<double>(kFraction);
+  EXPECT_NEAR(decay.fraction, 1 - (1 - all) / (1 - all * missed), 0.1 * all);
+  EXPECT_NEAR(decay.time_s / static_cast<double>(kTimeS), 1, 0.1);
+}
+
+// The same for a needle that has been pushed in and rests: tip and shaft together.
+TEST(V28Relaxation, InsertedNeedleRelaxesAsWritten) {
+  TinyOrgan tiny;
+  tiny.nx = 12;
+  tiny.ny = tiny.nz = 9;
+  tiny.materials = {relaxing()};
+  tiny.materials[0].puncture_force_n = 0.3F;
+  tiny.fixed_faces = kHighX | kLowY | kHighY | kLowZ | kHighZ;
+  Rig rig = make_rig(tiny, Config{});
+  const Vec3 start = {-1e-3F, 22e-3F, 23e-3F};
+  drive(rig, start, 40e-3F, 20e-3F);
+  const std::vector<double> force = forces_held(rig, {40e-3F, start.y, start.z}, 6000);
+  const Decay decay = decay_of(force, 1e-3);
+  EXPECT_NEAR(decay.fraction / static_cast<double>(kFraction), 1, 0.1);
+  EXPECT_NEAR(decay.time_s / static_cast<double>(kTimeS), 1, 0.1);
+}
+
+}  // namespace
+}  // namespace stylet::test
