@@ -173,23 +173,21 @@ void fit_plane(const View& view, const Plane& plane) {
             view.scratch.sums);
 }
 
-// Stage 3 for one component of one row: `t`, `x`, `y`, `z` start at the empty slot before the row,
-// node arrays at its first node. Lanes behind the last node add zero to somebody else's node.
+// Stage 3 for one component of one row and one side along y (`side` -1 or +1): `t`, `x`, `y`, `z`
+// start at the empty slot before the row, `low` and `high` at the first node of its particle rows
+// in the plane below and above. Lanes behind the last node add zero to somebody else's node; one
+// side at a time, because the rows of both sides may lie within a group of lanes of each other.
 STYLET_KEEP_APART void spread_row(const float* __restrict t, const float* __restrict x,
-                                  const float* __restrict y, const float* __restrict z,
-                                  std::uint32_t nodes, std::uint32_t lanes, float* __restrict f0,
-                                  float* __restrict f1, float* __restrict f2,
-                                  float* __restrict f3) {
+                                  const float* __restrict y, const float* __restrict z, float side,
+                                  std::uint32_t nodes, std::uint32_t lanes, float* __restrict low,
+                                  float* __restrict high) {
   STYLET_LANES(lanes)
   for (std::uint32_t i = 0; i < lanes; ++i) {
     const float along_x = (t[i] + x[i]) + (t[i + 1] - x[i + 1]);
-    const float along_y = y[i] + y[i + 1];
     const float along_z = z[i] + z[i + 1];
-    const float low = along_x - along_z, high = along_x + along_z;
-    f0[i] += i < nodes ? low - along_y : 0.0F;
-    f1[i] += i < nodes ? low + along_y : 0.0F;
-    f2[i] += i < nodes ? high - along_y : 0.0F;
-    f3[i] += i < nodes ? high + along_y : 0.0F;
+    const float across = side * (y[i] + y[i + 1]);
+    low[i] += i < nodes ? (along_x - along_z) + across : 0.0F;
+    high[i] += i < nodes ? (along_x + along_z) + across : 0.0F;
   }
 }
 
@@ -202,13 +200,14 @@ void spread_plane(const View& view, const Plane& plane, const Plane& above, cons
   for (std::uint32_t r = plane.row_begin; r < plane.row_end; ++r) {
     const Row& row = view.model.row[r];
     const std::uint32_t at = row.slot - 1 - plane.slot_begin;
+    const std::uint32_t nodes = row.count + 1U;
     for (int c = 0; c < 3; ++c) {
-      spread_row(sums.mean[c] + at, sums.gradient[3 * c] + at, sums.gradient[3 * c + 1] + at,
-                 sums.gradient[3 * c + 2] + at, row.count + 1U, whole_lanes(row.count + 1U),
-                 low.axis[c] + (row.node[0] - plane.particle_begin),
-                 low.axis[c] + (row.node[1] - plane.particle_begin),
-                 high.axis[c] + (row.node[2] - above.particle_begin),
-                 high.axis[c] + (row.node[3] - above.particle_begin));
+      for (std::uint32_t dy = 0; dy < 2; ++dy) {
+        spread_row(sums.mean[c] + at, sums.gradient[3 * c] + at, sums.gradient[3 * c + 1] + at,
+                   sums.gradient[3 * c + 2] + at, dy == 0 ? -1.0F : 1.0F, nodes, whole_lanes(nodes),
+                   low.axis[c] + (row.node[dy] - plane.particle_begin),
+                   high.axis[c] + (row.node[2 + dy] - above.particle_begin));
+      }
     }
   }
 }

@@ -25,20 +25,30 @@ static_assert(sizeof(stylet_vec3) == sizeof(Vec3));
 static_assert(sizeof(stylet_organ) >= sizeof(Organ) && alignof(stylet_organ) >= alignof(Organ));
 static_assert(sizeof(stylet_kernel) >= sizeof(Kernel) && alignof(stylet_kernel) >= alignof(Kernel));
 
-const Organ& in(const stylet_organ* organ) { return *reinterpret_cast<const Organ*>(organ); }
-const Kernel& in(const stylet_kernel* kernel) { return *reinterpret_cast<const Kernel*>(kernel); }
-Kernel& in(stylet_kernel* kernel) { return *reinterpret_cast<Kernel*>(kernel); }
+const Organ& in(const stylet_organ* organ) {
+  return *reinterpret_cast<const Organ*>(organ);
+}
+const Kernel& in(const stylet_kernel* kernel) {
+  return *reinterpret_cast<const Kernel*>(kernel);
+}
+Kernel& in(stylet_kernel* kernel) {
+  return *reinterpret_cast<Kernel*>(kernel);
+}
 
 std::span<std::byte> block(void* data, std::size_t bytes) {
   return {static_cast<std::byte*>(data), bytes};
 }
-std::uint16_t number(Status status) { return static_cast<std::uint16_t>(status); }
+std::uint16_t number(Status status) {
+  return static_cast<std::uint16_t>(status);
+}
 
 }  // namespace
 
 extern "C" {
 
-std::uint32_t stylet_c_version(void) { return STYLET_C_VERSION; }
+std::uint32_t stylet_c_version(void) {
+  return STYLET_C_VERSION;
+}
 
 const char* stylet_status_name(std::uint16_t status) {
   return status_name(static_cast<Status>(status));
@@ -79,7 +89,9 @@ std::uint16_t stylet_kernel_create(const stylet_organ* organ, const stylet_confi
   return number(status);
 }
 
-void stylet_kernel_reset(stylet_kernel* kernel) { reset(in(kernel)); }
+void stylet_kernel_reset(stylet_kernel* kernel) {
+  reset(in(kernel));
+}
 
 void stylet_kernel_tick(stylet_kernel* kernel, const stylet_input* input,
                         stylet_output* output_out) {
@@ -97,7 +109,9 @@ std::uint32_t stylet_kernel_surface(const stylet_kernel* kernel, stylet_vec3* ou
   return surface(in(kernel), {reinterpret_cast<Vec3*>(out), capacity});
 }
 
-std::uint64_t stylet_kernel_hash(const stylet_kernel* kernel) { return hash(in(kernel)); }
+std::uint64_t stylet_kernel_hash(const stylet_kernel* kernel) {
+  return hash(in(kernel));
+}
 
 std::size_t stylet_kernel_snapshot_bytes(const stylet_kernel* kernel) {
   return snapshot_bytes(in(kernel));
