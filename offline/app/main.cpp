@@ -97,6 +97,7 @@ BuildOptions common_options(const CommonArguments& a, double metres_per_unit) {
   BuildOptions options;
   options.name = a.name;
   options.voxel_edge_m = a.voxel_mm * 1e-3;
+  require_voxel_edge(options.voxel_edge_m);
   options.voxels_across = a.voxels_across;
   options.capsule = a.capsule;
   options.held = parse_regions(a.fix, metres_per_unit);
@@ -177,18 +178,28 @@ void run_build(const BuildArguments& a) {
   finish(std::move(inputs), options, a);
 }
 
-Mesh make_phantom(const PhantomArguments& a, double facet_m) {
+// Facets about as large as voxels, since finer ones would move with the same voxel anyway; but no
+// more than a few thousand of them.
+double facet_size(const PhantomArguments& a, double longest_m) {
+  constexpr double kMostAcross = 40;
+  const double edge_m = a.voxels_across > 0 ? longest_m / a.voxels_across : a.voxel_mm * 1e-3;
+  return std::clamp(edge_m, longest_m / kMostAcross, longest_m / 4);
+}
+
+Mesh make_phantom(const PhantomArguments& a) {
   constexpr double kMostMm = 2000;
   const auto in_range = [](double mm) { return mm > 0 && mm <= kMostMm; };
   if (a.kind == "ball") {
     if (!in_range(a.diameter_mm)) refuse("--diameter-mm {}: expected 0 to 2000", a.diameter_mm);
-    return ball_phantom(a.diameter_mm * 1e-3, std::min(facet_m, a.diameter_mm * 1e-3 / 4));
+    const double diameter_m = a.diameter_mm * 1e-3;
+    return ball_phantom(diameter_m, facet_size(a, diameter_m));
   }
-  if (a.kind == "liver") return liver_phantom(facet_m);
+  if (a.kind == "liver") return liver_phantom(facet_size(a, kLiverPhantomLengthM));
   for (const double mm : a.size_mm) {
     if (!in_range(mm)) refuse("--size-mm {}: expected three lengths of 0 to 2000", mm);
   }
-  return block_phantom(Vec{a.size_mm[0], a.size_mm[1], a.size_mm[2]} * 1e-3, facet_m);
+  const Vec size_m = Vec{a.size_mm[0], a.size_mm[1], a.size_mm[2]} * 1e-3;
+  return block_phantom(size_m, facet_size(a, std::max({size_m.x, size_m.y, size_m.z})));
 }
 
 std::vector<Layer> parse_layers(const std::vector<std::string>& texts) {
@@ -218,10 +229,7 @@ void run_phantom(PhantomArguments a) {
   input.path = a.kind + "-phantom";
   input.tissue = options.layers.empty() ? a.tissue : options.layers.front().tissue;
   input.metres_per_unit = 1;
-  // Facets about as large as voxels: finer ones would move with the same voxel anyway.
-  const double edge_m = a.voxels_across > 0 ? 0.2 / a.voxels_across : a.voxel_mm * 1e-3;
-  constexpr double kFinest = 5e-4;
-  input.read.mesh = make_phantom(a, std::max(edge_m, kFinest));
+  input.read.mesh = make_phantom(a);
   const std::string off = off_text(input.read.mesh);
   input.read.sha256 = sha256_hex(off);
   options.options_text += a.kind == "ball"    ? fmt::format(" --diameter-mm {}", a.diameter_mm)

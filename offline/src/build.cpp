@@ -26,14 +26,10 @@ void warn_of_size(const Box& box, std::vector<std::string>& warnings) {
 }
 
 double choose_edge(const Box& box, const BuildOptions& options) {
-  const double edge =
+  const double edge_m =
       options.voxels_across > 0 ? longest_side(box) / options.voxels_across : options.voxel_edge_m;
-  // The limits are floats; what rounds to them is within them.
-  const auto rounded = static_cast<float>(edge);
-  if (!(rounded >= kMinVoxelEdgeM && rounded <= kMaxVoxelEdgeM)) {
-    refuse("voxel edge {:.6g} mm: expected 0.1 to 100 mm", edge * 1e3);
-  }
-  return edge;
+  require_voxel_edge(edge_m);
+  return edge_m;
 }
 
 // All meshes to metres, repaired; wrapped first where that was asked for.
@@ -217,6 +213,14 @@ Claims claim_voxels(const Grid& grid, const std::vector<Input>& inputs,
 }
 
 }  // namespace
+
+void require_voxel_edge(double edge_m) {
+  // The limits are floats; what rounds to them is within them.
+  const auto rounded = static_cast<float>(edge_m);
+  if (!(rounded >= kMinVoxelEdgeM && rounded <= kMaxVoxelEdgeM)) {
+    refuse("voxel edge {:.6g} mm: expected 0.1 to 100 mm", edge_m * 1e3);
+  }
+}
 
 Built build(std::vector<Input> inputs, const BuildOptions& options, const Progress& progress) {
   Built built;

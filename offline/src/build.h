@@ -68,6 +68,9 @@ struct Built {
   BuildReport report;
 };
 
+// Refuses what the organ format does not allow.
+void require_voxel_edge(double edge_m);
+
 Built build(std::vector<Input> inputs, const BuildOptions& options, const Progress& progress);
 
 }  // namespace stylet::bake

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "phantom.h"
 
-#include <CGAL/Complex_2_in_triangulation_3.h>
-#include <CGAL/IO/facets_in_complex_2_to_triangle_mesh.h>
-#include <CGAL/Implicit_surface_3.h>
-#include <CGAL/Random.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Labeled_mesh_domain_3.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_default_triangulation_3.h>
-#include <CGAL/make_surface_mesh.h>
+#include <CGAL/facets_in_complex_3_to_triangle_mesh.h>
+#include <CGAL/make_mesh_3.h>
 
 #include <functional>
 #include <map>
@@ -15,9 +17,11 @@
 namespace stylet::bake {
 namespace {
 
-using Triangulation = CGAL::Surface_mesh_default_triangulation_3;
-using Kernel = Triangulation::Geom_traits;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Function = std::function<double(Kernel::Point_3)>;  // negative inside
+using Domain = CGAL::Labeled_mesh_domain_3<Kernel>;
+using Triangulation = CGAL::Mesh_triangulation_3<Domain>::type;
+using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 
 Mesh to_mesh(const Surface& surface) {
@@ -38,19 +42,23 @@ Mesh to_mesh(const Surface& surface) {
 }
 
 // The sphere of `reach` around `inside` must hold the whole surface, `inside` be a point within it.
-Mesh mesh_implicit(const Function& function, Vec inside, double reach, double facet) {
-  CGAL::get_default_random() = CGAL::Random(0);  // the mesher draws its first points from it
+// CGAL's volume mesher, of which only the boundary is kept: it orders by time of creation, where
+// the surface mesher orders by address and gives another mesh on every call.
+Mesh mesh_implicit(const Function& function, Vec inside, double reach, double facet,
+                   double tolerance) {
+  namespace parameters = CGAL::parameters;
   constexpr double kSmallestAngleDegrees = 30;
-  constexpr double kFarthestOfFacet = 0.015;  // distance between facet and surface
   const Kernel::Sphere_3 bound(Kernel::Point_3(inside.x, inside.y, inside.z), reach * reach);
-  const CGAL::Implicit_surface_3<Kernel, Function> implicit(function, bound, 1e-7);
-  const CGAL::Surface_mesh_default_criteria_3<Triangulation> criteria(
-      kSmallestAngleDegrees, facet * 0.7, facet * kFarthestOfFacet);
-  Triangulation triangulation;
-  CGAL::Complex_2_in_triangulation_3<Triangulation> complex(triangulation);
-  CGAL::make_surface_mesh(complex, implicit, criteria, CGAL::Manifold_tag());
+  const Domain domain =
+      Domain::create_implicit_mesh_domain(function, bound, parameters::relative_error_bound = 1e-7);
+  const CGAL::Mesh_criteria_3<Triangulation> criteria(
+      parameters::facet_angle = kSmallestAngleDegrees, parameters::facet_size = facet * 0.7,
+      parameters::facet_distance = tolerance);
+  const Complex complex = CGAL::make_mesh_3<Complex>(domain, criteria, parameters::no_perturb(),
+                                                     parameters::no_exude());
   Surface surface;
-  CGAL::facets_in_complex_2_to_triangle_mesh(complex, surface);
+  CGAL::facets_in_complex_3_to_triangle_mesh(complex, surface);
+  CGAL::Polygon_mesh_processing::orient(surface);
   return to_mesh(surface);
 }
 
@@ -124,15 +132,17 @@ Mesh ball_phantom(double diameter_m, double facet_m) {
   const Function sphere = [radius](const Kernel::Point_3& p) {
     return length(Vec{p.x(), p.y(), p.z()}) - radius;
   };
-  return mesh_implicit(sphere, {}, radius * 1.2, facet_m);
+  constexpr double kToleranceOfRadius = 0.0025;  // inscribed facets lose three times that in volume
+  return mesh_implicit(sphere, {}, radius * 1.2, facet_m, radius * kToleranceOfRadius);
 }
 
 Mesh liver_phantom(double facet_m) {
   constexpr double kMmPerMetre = 1e3;
+  constexpr double kToleranceMm = 0.2;
   const Function shape = [](const Kernel::Point_3& p) {
     return liver_shape(Vec{p.x(), p.y(), p.z()});
   };
-  Mesh mesh = mesh_implicit(shape, {0, -20, 0}, 150, facet_m * kMmPerMetre);
+  Mesh mesh = mesh_implicit(shape, {0, -20, 0}, 150, facet_m * kMmPerMetre, kToleranceMm);
   for (Vec& p : mesh.points) p = p * (1 / kMmPerMetre);
   return mesh;
 }

@@ -16,6 +16,7 @@ Mesh ball_phantom(double diameter_m, double facet_m);
 
 // Shaped like a liver: a thick right lobe (low y) that tapers into a left one (high y), a hollow
 // for the gallbladder below. 180 mm along y; a needle meets the front on its way along +x.
+constexpr double kLiverPhantomLengthM = 0.18;
 Mesh liver_phantom(double facet_m);
 
 }  // namespace stylet::bake

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "voxelize.h"
 
-#include <bit>
+#include <numeric>
+#include <span>
 
 #include "refusal.h"
+#include "sample_cell.h"
 #include "stylet/limits.h"
-#include "triangle_tree.h"
 
 namespace stylet::bake {
 namespace {
@@ -101,44 +102,6 @@ std::array<Vec, 3> corners_of(const std::vector<Vec>& points, const Triangle& t)
   return {points[t[0]], points[t[1]], points[t[2]]};
 }
 
-// ---- inside or not ------------------------------------------------------------------------------
-
-// 64 points of a rank-1 lattice: along each axis they have 64 different, evenly spread coordinates,
-// so a face parallel to the grid is measured to 1/64 too, where a 4 x 4 x 4 grid would see 1/4.
-Vec sample_point(std::uint32_t i) {
-  constexpr std::uint32_t kStepY = 5, kStepZ = 19, kCount = 64;
-  return Vec{i + 0.5, (i * kStepY) % kCount + 0.5, (i * kStepZ) % kCount + 0.5} * (1.0 / kCount);
-}
-
-struct InsideTest {
-  const TriangleTree& tree;
-  bool by_winding;
-};
-
-// The axes, the face diagonals and the space diagonals of a cube, each turned a little so that rays
-// do not run along the faces that meshes like to have.
-constexpr std::array<Vec, 13> kRays{
-    Vec{1, 0.0131, 0.0173},  Vec{0.0151, 1, 0.0127},  Vec{0.0119, 0.0163, 1},
-    Vec{1, 1.0137, 0.0149},  Vec{1, -1.0113, 0.0171}, Vec{1, 0.0141, 1.0157},
-    Vec{1, 0.0129, -1.0167}, Vec{0.0147, 1, 1.0133},  Vec{0.0153, 1, -1.0121},
-    Vec{1, 1.0143, 1.0161},  Vec{1, 1.0123, -1.0159}, Vec{1, -1.0139, 1.0117},
-    Vec{-1, 1.0109, 1.0169}};
-
-bool is_inside(const InsideTest& test, Vec point) {
-  if (test.by_winding) return winding_number(test.tree, point) > 0.5;
-  std::size_t votes = 0;
-  for (const Vec& ray : kRays) votes += crossings(test.tree, point, ray) % 2 != 0 ? 1 : 0;
-  return votes > kRays.size() / 2;
-}
-
-std::uint64_t sample_cell(const InsideTest& test, Vec low_corner) {
-  std::uint64_t bits = 0;
-  for (std::uint32_t i = 0; i < 64; ++i) {
-    if (is_inside(test, low_corner + sample_point(i))) bits |= std::uint64_t{1} << i;
-  }
-  return bits;
-}
-
 // ---- flood --------------------------------------------------------------------------------------
 
 enum class Cell : std::uint8_t { kUnknown, kSurface, kOutside, kInside };
@@ -200,6 +163,31 @@ void flood(const Grid& grid, std::vector<Cell>& cells, const Solid& solid, const
   });
 }
 
+// The boundary's triangles by the cells they touch: those of cell i are [first[i], first[i + 1]).
+struct NearTriangles {
+  std::vector<std::uint32_t> first;
+  std::vector<std::array<Vec, 3>> corners;
+};
+
+NearTriangles near_triangles(const Grid& grid, const Solid& solid) {
+  NearTriangles near;
+  near.first.assign(cell_count(grid) + 1, 0);
+  const auto visit_all = [&](auto visit) {
+    for (const Triangle& t : solid.boundary) {
+      const std::array<Vec, 3> corners = corners_of(solid.surface.points, t);
+      each_touched_cell(grid, corners, [&](std::size_t cell, double) { visit(cell, corners); });
+    }
+  };
+  visit_all([&](std::size_t cell, const std::array<Vec, 3>&) { ++near.first[cell + 1]; });
+  std::partial_sum(near.first.begin(), near.first.end(), near.first.begin());
+  near.corners.resize(near.first.back());
+  std::vector<std::uint32_t> next(near.first.begin(), near.first.end() - 1);
+  visit_all([&](std::size_t cell, const std::array<Vec, 3>& corners) {
+    near.corners[next[cell]++] = corners;
+  });
+  return near;
+}
+
 Solid in_lattice_units(const Grid& grid, const Solid& solid) {
   Solid scaled = solid;
   for (Vec& p : scaled.surface.points) p = to_lattice(grid, p);
@@ -254,12 +242,18 @@ Occupancy voxelize(const Grid& grid, const Solid& solid_m, const Progress& progr
   const InsideTest test{tree, solid.oriented};
   flood(grid, cells, solid, test);
   const bool flood_is_proof = solid.closed && solid.oriented;
+  const NearTriangles near = flood_is_proof ? near_triangles(grid, solid) : NearTriangles{};
   each_cell(grid, [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     const std::size_t i = cell_index(grid, x, y, z);
     if (x == 0 && y == 0) progress("sampling", static_cast<double>(z) / grid.size[2]);
     if (cells[i] == Cell::kSurface) {
       const Vec low_corner{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-      occupancy.inside[i] = sample_cell(test, low_corner);
+      occupancy.inside[i] =
+          flood_is_proof
+              ? sample_cell(test, low_corner,
+                            std::span(near.corners)
+                                .subspan(near.first[i], near.first[i + 1] - near.first[i]))
+              : sample_cell(test, low_corner);
     } else if (cells[i] == Cell::kInside) {
       occupancy.inside[i] = kAll;
     } else if (!flood_is_proof && is_inside(test, centre_of(x, y, z))) {

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shared by the organ-building tests: where the data is, a scratch folder, quick builds.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "build.h"
+#include "stylet/organ.h"
+
+namespace stylet::test {
+
+inline std::filesystem::path data_folder() {
+  const char* from_environment = std::getenv("STYLET_DATA");
+  return from_environment != nullptr ? from_environment : STYLET_DATA_DEFAULT;
+}
+
+// Leaves the calling test with a plain line where the shared data is not there.
+#define SKIP_WITHOUT(path)                                              \
+  if (!std::filesystem::exists(path)) {                                 \
+    GTEST_SKIP() << (path).string() << " is missing (set STYLET_DATA)"; \
+  }
+
+// A folder of its own that goes with the test.
+struct Scratch {
+  std::filesystem::path folder;
+
+  Scratch() {
+    std::string name = (std::filesystem::temp_directory_path() / "stylet-bake-XXXXXX").string();
+    folder = ::mkdtemp(name.data());
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() { std::filesystem::remove_all(folder); }
+
+  std::filesystem::path write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(folder / name, std::ios::binary) << bytes;
+    return folder / name;
+  }
+};
+
+inline std::string slurp(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+inline bake::Input input_of(const bake::Mesh& mesh, double metres_per_unit,
+                            const std::string& tissue = "liver", int priority = 0) {
+  bake::Input input;
+  input.path = "test.off";
+  input.tissue = tissue;
+  input.priority = priority;
+  input.metres_per_unit = metres_per_unit;
+  input.read.mesh = mesh;
+  return input;
+}
+
+inline bake::Built build_quietly(std::vector<bake::Input> inputs,
+                                 const bake::BuildOptions& options) {
+  return bake::build(std::move(inputs), options, [](const char*, double) {});
+}
+
+inline Organ opened(const std::vector<std::byte>& bytes) {
+  Organ organ;
+  EXPECT_EQ(organ_open(bytes, organ), Status::kOk);
+  return organ;
+}
+
+// Filled volume of all voxels, m^3.
+inline double volume_m3(const Organ& organ) {
+  const double edge = static_cast<double>(organ.voxel_edge_m);
+  double fill = 0;
+  for (const std::uint8_t f : organ.voxel_fill) fill += f / 255.0;
+  return fill * edge * edge * edge;
+}
+
+}  // namespace stylet::test

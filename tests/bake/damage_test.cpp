@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// A damaged organ file is opened or explained, never a crash; and what is opened keeps its
+// promises.
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "bake_support.h"
+#include "info.h"
+#include "phantom.h"
+#include "refusal.h"
+
+namespace stylet::test {
+namespace {
+
+std::vector<std::byte> small_organ() {
+  bake::BuildOptions options;
+  options.held = bake::parse_regions(bake::kDefaultFix, 1);
+  return build_quietly({input_of(bake::block_phantom({0.02, 0.015, 0.01}, 0.005), 1)}, options)
+      .bytes;
+}
+
+// True if refused; the refusal must be one line with a place.
+bool refused(std::span<const std::byte> bytes) {
+  try {
+    (void)bake::open_organ("a.organ", bytes);
+    return false;
+  } catch (const bake::Refusal& refusal) {
+    const std::string what = refusal.what();
+    EXPECT_TRUE(what.starts_with("a.organ: ")) << what;
+    EXPECT_NE(what.find("expected"), std::string::npos) << what;
+    EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+    return true;
+  }
+}
+
+// Touches every value that a tick would index by.
+void walk(const Organ& organ) {
+  std::size_t voxels = 0;
+  for (const OrganRun& run : organ.runs) voxels += run.count;
+  ASSERT_EQ(voxels, organ.voxel_count);
+  for (const std::uint8_t m : organ.voxel_material) ASSERT_LT(m, organ.material_count);
+  for (const OrganVertex& v : organ.vertices) ASSERT_LT(v.voxel, organ.voxel_count);
+  for (const OrganTriangle& t : organ.triangles) {
+    ASSERT_LT(std::max({t.a, t.b, t.c}), organ.vertices.size());
+  }
+  for (std::uint32_t i = 0; i < organ.material_count; ++i) {
+    ASSERT_NE(organ_material(organ, i).name, nullptr);
+  }
+}
+
+TEST(Damage, EveryCutIsRefused) {
+  const std::vector<std::byte> whole = small_organ();
+  ASSERT_FALSE(refused(whole));
+  for (std::size_t size = 0; size < whole.size(); size += size < 256 ? 1 : 37) {
+    // A copy of its own, so that a read behind the end is a read behind the allocation.
+    const std::vector<std::byte> cut(whole.begin(), whole.begin() + static_cast<long>(size));
+    ASSERT_TRUE(refused(cut)) << size;
+  }
+}
+
+TEST(Damage, NoFlippedByteCrashes) {
+  std::vector<std::byte> bytes = small_organ();
+  std::size_t refusals = 0;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    for (const std::byte mask : {std::byte{0xFF}, std::byte{0x80}, std::byte{0x01}}) {
+      bytes[i] ^= mask;
+      Organ organ;
+      if (refused(bytes)) {
+        ++refusals;
+      } else if (organ_open(bytes, organ) == Status::kOk) {
+        walk(organ);
+        (void)bake::organ_text(bake::organ_facts(organ, bytes));
+      }
+      bytes[i] ^= mask;
+    }
+  }
+  EXPECT_GT(refusals, bytes.size() / 10);
+}
+
+TEST(Damage, WordsSetToExtremesDoNotCrash) {
+  std::vector<std::byte> bytes = small_organ();
+  for (std::size_t i = 0; i + 4 <= bytes.size(); i += 4) {
+    std::byte saved[4];
+    std::memcpy(saved, bytes.data() + i, 4);
+    for (const std::uint32_t word : {0U, 1U, 0x7FFFFFFFU, 0x80000000U, 0xFFFFFFFFU, 0x7FC00000U}) {
+      std::memcpy(bytes.data() + i, &word, 4);
+      Organ organ;
+      if (!refused(bytes) && organ_open(bytes, organ) == Status::kOk) walk(organ);
+    }
+    std::memcpy(bytes.data() + i, saved, 4);
+  }
+}
+
+}  // namespace
+}  // namespace stylet::test

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an organ file promises: the volume of the mesh, surface and sphere tree that fit, few bytes,
+// the same bytes every time; on phantoms and on every real organ.
+#include <numbers>
+
+#include "bake_support.h"
+#include "phantom.h"
+#include "refusal.h"
+#include "stylet/limits.h"
+#include "voxelize.h"
+
+namespace stylet::test {
+namespace {
+
+using bake::BuildOptions;
+using bake::Built;
+using bake::Vec;
+
+struct Cell {
+  std::uint32_t x, y, z;
+};
+
+std::vector<Cell> cells_of(const Organ& organ) {
+  std::vector<Cell> cells;
+  for (const OrganRun& run : organ.runs) {
+    for (std::uint32_t i = 0; i < run.count; ++i) cells.push_back({run.x + i, run.y, run.z});
+  }
+  return cells;
+}
+
+std::vector<Vec> positions_of(const Organ& organ) {
+  const std::vector<Cell> cells = cells_of(organ);
+  const double edge = static_cast<double>(organ.voxel_edge_m);
+  std::vector<Vec> positions;
+  for (const OrganVertex& v : organ.vertices) {
+    const Cell& c = cells[v.voxel];
+    positions.push_back(
+        Vec{static_cast<double>(organ.origin_m.x), static_cast<double>(organ.origin_m.y),
+            static_cast<double>(organ.origin_m.z)} +
+        Vec{c.x + v.fx / 65535.0, c.y + v.fy / 65535.0, c.z + v.fz / 65535.0} * edge);
+  }
+  return positions;
+}
+
+Vec centre_of(const OrganSphere& s) {
+  return {static_cast<double>(s.x), static_cast<double>(s.y), static_cast<double>(s.z)};
+}
+
+// Every triangle in exactly one leaf and inside it; every sphere inside its parent; depth in
+// bounds.
+void expect_tree_holds(const Organ& organ) {
+  const std::vector<Vec> positions = positions_of(organ);
+  std::vector<int> covered(organ.triangles.size(), 0);
+  std::vector<std::uint32_t> depth(organ.spheres.size(), 1);
+  for (std::size_t i = 0; i < organ.spheres.size(); ++i) {
+    const OrganSphere& s = organ.spheres[i];
+    ASSERT_LE(depth[i], kMaxTreeDepth);
+    for (std::uint32_t t = s.first; t < s.first + s.count; ++t) {
+      ++covered[t];
+      const OrganTriangle& triangle = organ.triangles[t];
+      for (const std::uint32_t corner : {triangle.a, triangle.b, triangle.c}) {
+        ASSERT_LE(bake::length(positions[corner] - centre_of(s)), static_cast<double>(s.radius));
+      }
+    }
+    for (std::uint32_t child = s.first; s.count == 0 && child < s.first + 2; ++child) {
+      depth[child] = depth[i] + 1;
+      const OrganSphere& c = organ.spheres[child];
+      ASSERT_LE(bake::length(centre_of(c) - centre_of(s)) + static_cast<double>(c.radius),
+                static_cast<double>(s.radius) * (1 + 1e-6) + 1e-7);
+    }
+  }
+  for (const int times : covered) ASSERT_EQ(times, 1);
+}
+
+// Embedded positions are those of the mesh to half a quantum along each axis, however far they are
+// from it; the order of vertices is that of first use.
+void expect_surface_fits(const Organ& organ, const bake::Mesh& mesh, double metres_per_unit) {
+  const bake::Solid solid = bake::repair(mesh);
+  const std::vector<Vec> positions = positions_of(organ);
+  ASSERT_EQ(positions.size(), solid.surface.points.size());
+  const double half_quantum = static_cast<double>(organ.voxel_edge_m) * 0.5 / 65535;
+  const double rounding = 1e-12;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Vec error = positions[i] - solid.surface.points[i] * metres_per_unit;
+    ASSERT_LE(std::max({std::abs(error.x), std::abs(error.y), std::abs(error.z)}),
+              half_quantum + rounding);
+  }
+}
+
+void expect_few_bytes(const Organ& organ) {
+  const std::size_t lattice = organ.runs.size_bytes() + organ.voxel_material.size_bytes() +
+                              organ.voxel_fill.size_bytes() + organ.voxel_fixed.size_bytes();
+  EXPECT_LE(lattice, std::size_t{12} * organ.voxel_count);
+  EXPECT_LE(sizeof(OrganVertex), 16U);
+}
+
+// ---- real organs --------------------------------------------------------------------------------
+
+struct RealOrgan {
+  const char* file;
+  double metres_per_unit;
+  bool closed;
+};
+
+class RealOrganTest : public testing::TestWithParam<RealOrgan> {};
+
+TEST_P(RealOrganTest, BecomesAnOrgan) {
+  const auto path = data_folder() / "organs" / GetParam().file;
+  SKIP_WITHOUT(path);
+  bake::Input input;
+  input.path = path.string();
+  input.tissue = "liver";
+  input.metres_per_unit = GetParam().metres_per_unit;
+  input.read = bake::read_mesh(path);
+  const bake::Mesh mesh = input.read.mesh;
+  BuildOptions options;
+  options.held = bake::parse_regions(bake::kDefaultFix, 1);
+  const Built built = build_quietly({input}, options);
+  const Organ organ = opened(built.bytes);
+  const bake::InputReport& report = built.report.inputs[0];
+  EXPECT_EQ(report.closed, GetParam().closed);
+  if (GetParam().closed) {
+    const bake::Box box = bake::bounds(mesh);
+    const double exact = bake::signed_volume(mesh.points, mesh.triangles, box.low) *
+                         std::pow(GetParam().metres_per_unit, 3);
+    EXPECT_NEAR(volume_m3(organ), exact, 0.02 * exact);
+  }
+  expect_surface_fits(organ, mesh, GetParam().metres_per_unit);
+  expect_tree_holds(organ);
+  expect_few_bytes(organ);
+  EXPECT_FALSE(organ.voxel_fixed.empty());
+}
+
+// Units as the data's README gives them; where it knows none, a factor that makes the organ life
+// size.
+INSTANTIATE_TEST_SUITE_P(All, RealOrganTest,
+                         testing::Values(RealOrgan{"openhelp_Liver.stl", 1e-3, true},
+                                         RealOrgan{"openhelp_Kidney_left.stl", 1e-3, true},
+                                         RealOrgan{"openhelp_Spleen.stl", 1e-3, true},
+                                         RealOrgan{"openhelp_Stomach.stl", 1e-3, true},
+                                         RealOrgan{"openhelp_Pancreas.stl", 1e-3, true},
+                                         RealOrgan{"openhelp_Abdominal_wall.stl", 1e-3, true},
+                                         RealOrgan{"sofa_liver.obj", 0.03, true},
+                                         RealOrgan{"sofa_liver-smooth.obj", 0.03, true},
+                                         RealOrgan{"sofa_pelvis_f.obj", 0.1, true},
+                                         RealOrgan{"sofa_aneurysm3D_1.off", 1e-3, true},
+                                         RealOrgan{"sofa_tongue.obj", 0.03, true},
+                                         RealOrgan{"sofa_teeth_demo.obj", 0.01, false},
+                                         RealOrgan{"sofaenv_organs_cut_open.stl", 1e-3, false},
+                                         RealOrgan{"sofaenv_tissue_slab.obj", 1.0, true},
+                                         RealOrgan{"cgal_femur.off", 0.4, true}),
+                         [](const auto& instance) {
+                           std::string name = instance.param.file;
+                           for (char& c : name) {
+                             if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+                           }
+                           return name;
+                         });
+
+// ---- phantoms and choices -----------------------------------------------------------------------
+
+TEST(Phantom, LiverHasCapsuleAndParenchymaAndItsSize) {
+  const bake::Mesh mesh = bake::liver_phantom(5e-3);
+  const bake::Box box = bake::bounds(mesh);
+  EXPECT_NEAR(box.high.y - box.low.y, 0.18, 2e-3);
+  BuildOptions options;
+  options.capsule = "liver_capsule";
+  const Built built = build_quietly({input_of(mesh, 1)}, options);
+  const Organ organ = opened(built.bytes);
+  ASSERT_EQ(organ.material_count, 2U);
+  EXPECT_STREQ(organ_material(organ, 0).name, "liver");
+  EXPECT_STREQ(organ_material(organ, 1).name, "liver_capsule");
+  // The capsule is where the surface is: every voxel that holds a vertex.
+  for (const OrganVertex& v : organ.vertices) ASSERT_EQ(organ.voxel_material[v.voxel], 1);
+  expect_tree_holds(organ);
+  expect_surface_fits(organ, mesh, 1);
+}
+
+TEST(Phantom, LayersLieAlongX) {
+  BuildOptions options;
+  options.layers = {{0.005, "skin"}, {0.010, "fat"}, {0.001, "liver"}};
+  const Organ organ = opened(
+      build_quietly({input_of(bake::block_phantom({0.04, 0.02, 0.02}, 0.005), 1)}, options).bytes);
+  const std::vector<Cell> cells = cells_of(organ);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const int expected = cells[i].x < 1 ? 0 : cells[i].x < 3 ? 1 : 2;
+    ASSERT_EQ(organ.voxel_material[i], expected);
+  }
+}
+
+TEST(Inputs, HigherPriorityWinsAVoxelAndVolumesDoNotAddTwice) {
+  const bake::Mesh outer = bake::block_phantom({0.04, 0.04, 0.04}, 0.005);
+  bake::Mesh inner = bake::block_phantom({0.01, 0.01, 0.01}, 0.005);
+  for (Vec& p : inner.points) p = p + Vec{0.01, 0, 0};
+  for (const int priority : {-1, 1}) {
+    const Built built =
+        build_quietly({input_of(outer, 1, "liver"), input_of(inner, 1, "kidney", priority)}, {});
+    const Organ organ = opened(built.bytes);
+    std::size_t kidney = 0;
+    for (const std::uint8_t m : organ.voxel_material) kidney += m == 1 ? 1 : 0;
+    EXPECT_EQ(kidney, priority > 0 ? 8U : 0U);
+    EXPECT_NEAR(volume_m3(organ) * 1e6, 64, 1e-5);
+  }
+}
+
+TEST(Attachments, HoldExactlyTheCornersOfTheRegion) {
+  const bake::Mesh block = bake::block_phantom({0.02, 0.02, 0.02}, 0.005);
+  const bake::Mesh plate = bake::block_phantom({0.001, 0.02, 0.02}, 0.005);
+  const auto held = [&](const std::vector<bake::Region>& regions) {
+    BuildOptions options;
+    options.held = regions;
+    const Organ organ = opened(build_quietly({input_of(block, 1)}, options).bytes);
+    const std::vector<Cell> cells = cells_of(organ);
+    std::size_t at_low_x = 0, others = 0;
+    for (std::size_t i = 0; i < organ.voxel_fixed.size(); ++i) {
+      for (std::uint32_t c = 0; c < 8; ++c) {
+        if ((organ.voxel_fixed[i] >> c & 1U) == 0) continue;
+        (cells[i].x + (c & 1U) == 0 ? at_low_x : others) += 1;
+      }
+    }
+    return std::pair{at_low_x, others};
+  };
+  const std::pair<std::size_t, std::size_t> low_face{16 * 4, 0}, none{0, 0};
+  EXPECT_EQ(held(bake::parse_regions({"x<0"}, 1)), low_face);
+  EXPECT_EQ(held(bake::parse_regions({"x<3%"}, 1)), low_face);
+  EXPECT_EQ(held(bake::parse_regions({"box:-1,-99,-99,1,99,99"}, 1)), low_face);
+  EXPECT_EQ(held(bake::parse_regions({"none"}, 1)), none);
+  EXPECT_EQ(held(bake::parse_regions({"x>15", "y>99%"}, 1)).first, 16U);
+  bake::Region touching;
+  touching.kind = bake::Region::Kind::kTouching;
+  touching.mesh_m = plate;
+  EXPECT_EQ(held({touching}).first, 16U * 4);
+  for (const char* bad : {"", "x", "w>3", "x>", "x>3mm", "box:1,2,3", "box:2,0,0,1,1,1", "x>nan"}) {
+    EXPECT_THROW((void)bake::parse_regions({bad}, 1), bake::Refusal) << bad;
+  }
+}
+
+TEST(Build, SameInputSameBytes) {
+  BuildOptions options;
+  options.capsule = "liver_capsule";
+  options.held = bake::parse_regions(bake::kDefaultFix, 1);
+  const auto once = build_quietly({input_of(bake::liver_phantom(8e-3), 1)}, options);
+  const auto again = build_quietly({input_of(bake::liver_phantom(8e-3), 1)}, options);
+  EXPECT_EQ(once.bytes, again.bytes);
+}
+
+}  // namespace
+}  // namespace stylet::test

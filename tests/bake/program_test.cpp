@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+// stylet-organ as users call it: exit codes, one line for what it refuses, no file left behind,
+// bounded memory.
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "bake_support.h"
+
+namespace stylet::test {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Result {
+  int exit_code = -1;  // 128 + signal if killed
+  std::string out, err;
+  long peak_kib = 0;
+};
+
+// Runs the program with its address space limited, as a child of its own.
+Result run(const std::vector<std::string>& arguments, rlim_t memory_bytes = 1ULL << 30U) {
+  const Scratch scratch;
+  const std::string out = (scratch.folder / "out").string();
+  const std::string err = (scratch.folder / "err").string();
+  std::vector<std::string> words{STYLET_ORGAN};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const rlimit limit{memory_bytes, memory_bytes};
+    const rlimit seconds{120, 120};
+    if (::setrlimit(RLIMIT_AS, &limit) != 0 || ::setrlimit(RLIMIT_CPU, &seconds) != 0 ||
+        std::freopen(out.c_str(), "w", stdout) == nullptr ||
+        std::freopen(err.c_str(), "w", stderr) == nullptr) {
+      ::_exit(126);
+    }
+    ::execv(argv[0], argv.data());
+    ::_exit(127);
+  }
+  int status = 0;
+  rusage usage{};
+  ::wait4(child, &status, 0, &usage);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), slurp(out), slurp(err),
+          usage.ru_maxrss};
+}
+
+std::size_t files_in(const std::filesystem::path& folder) {
+  return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
+}
+
+void expect_one_line(const std::string& text, const std::string& word) {
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+  EXPECT_NE(text.find(word), std::string::npos) << text;
+}
+
+// ---- ill-formed input ---------------------------------------------------------------------------
+
+// Files with a closed or nearly closed surface must become organs; these have none, or are damaged,
+// and must be refused. Any other file may end either way.
+const std::vector<std::string> kMustBuild{"cgal_elephant-with-holes.off",
+                                          "cgal_pig.stl",
+                                          "cgal_head.off",
+                                          "cgal_blobby-shuffled.off",
+                                          "cgal_tet-shuffled.off",
+                                          "cgal_cube-ouvert.off",
+                                          "assimp_box_longline.obj",
+                                          "assimp_testmixed.obj",
+                                          "assimp_Spider_binary.stl",
+                                          "assimp_sphereWithHole.stl",
+                                          "assimp_Wuson.ply",
+                                          "trimesh_joined_tetrahedra.obj",
+                                          "trimesh_multibody.stl",
+                                          "trimesh_wallhole.obj",
+                                          "trimesh_whitespace.off",
+                                          "sofa_canapVM.obj",
+                                          "sofa_c_open.obj"};
+const std::vector<std::string> kMustRefuse{"assimp_OutOfMemory.off",
+                                           "assimp_empty.obj",
+                                           "assimp_empty.off",
+                                           "assimp_malformed.obj",
+                                           "assimp_testline.obj",
+                                           "cgal_triangle.off",
+                                           "trimesh_empty.stl",
+                                           "tinyobj_test-nan.obj",
+                                           "nibabel_example4d.nii.gz",
+                                           "trimesh_ply_empty_header.ply",
+                                           "tinyobj_issue-140-zero-face-idx.obj"};
+
+TEST(Broken, EveryFileEndsAsAnOrganOrAsOneLine) {
+  const auto folder = data_folder() / "broken";
+  SKIP_WITHOUT(folder);
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name == "README.md") continue;
+    ++files;
+    SCOPED_TRACE(name);
+    const Scratch scratch;
+    const std::string organ = (scratch.folder / "a.organ").string();
+    const Result r = run(
+        {"build", entry.path().string(), "--units", "cm", "--voxels-across", "20", "-o", organ});
+    const auto listed = [&](const auto& list) {
+      return std::find(list.begin(), list.end(), name) != list.end();
+    };
+    if (listed(kMustBuild)) {
+      EXPECT_EQ(r.exit_code, 0) << r.err;
+    }
+    if (listed(kMustRefuse)) {
+      EXPECT_EQ(r.exit_code, 1);
+    }
+    if (r.exit_code == 0) {
+      EXPECT_EQ(run({"check", organ}).exit_code, 0);
+      EXPECT_EQ(files_in(scratch.folder), 1U);
+    } else {
+      EXPECT_EQ(r.exit_code, 1);
+      expect_one_line(r.err, "expected");
+      EXPECT_EQ(files_in(scratch.folder), 0U);
+    }
+  }
+  EXPECT_EQ(files, 42U);
+}
+
+TEST(Broken, AHeaderCannotClaimMemory) {
+  const auto path = data_folder() / "broken" / "assimp_OutOfMemory.off";
+  SKIP_WITHOUT(path);
+  const Scratch scratch;
+  const Result r =
+      run({"build", path.string(), "-o", (scratch.folder / "a.organ").string()}, 100ULL << 20U);
+  EXPECT_EQ(r.exit_code, 1);
+  expect_one_line(r.err, "353535235358");
+  EXPECT_LT(r.peak_kib, 64 * 1024);
+}
+
+TEST(Broken, CutRealFilesAreRefused) {
+  const auto path = data_folder() / "organs" / "openhelp_Kidney_left.stl";
+  SKIP_WITHOUT(path);
+  const std::string whole = slurp(path);
+  const Scratch scratch;
+  for (const std::size_t size :
+       {std::size_t{10}, std::size_t{84}, whole.size() / 2, whole.size() - 1}) {
+    const auto cut = scratch.write("cut.stl", whole.substr(0, size));
+    const Result r = run({"build", cut.string(), "-o", (scratch.folder / "a.organ").string()});
+    EXPECT_EQ(r.exit_code, 1);
+    expect_one_line(r.err, "cut.stl");
+    EXPECT_EQ(files_in(scratch.folder), 1U);
+  }
+}
+
+// ---- a real liver -------------------------------------------------------------------------------
+
+TEST(Liver, BuildsInTwentySecondsAndOneGibibyte) {
+  const auto path = data_folder() / "organs" / "openhelp_Liver.stl";
+  SKIP_WITHOUT(path);
+  const Scratch scratch;
+  const std::string organ = (scratch.folder / "liver.organ").string();
+  const auto start = std::chrono::steady_clock::now();
+  const Result r = run({"build", path.string(), "--units", "mm", "--voxel-mm", "5", "-o", organ});
+  const auto took = std::chrono::steady_clock::now() - start;
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_LT(took, std::chrono::seconds(20));
+  EXPECT_LT(r.peak_kib, 1024 * 1024);
+  const Json info = Json::parse(run({"info", organ, "--json"}).out);
+  EXPECT_LE(info["bytes"]["lattice_per_voxel"].get<double>(), 12);
+  EXPECT_LE(info["bytes"]["per_vertex"].get<int>(), 16);
+  EXPECT_NEAR(info["volume_ml"].get<double>(), 1817.7, 0.02 * 1817.7);
+  EXPECT_EQ(info["provenance"]["sources"][0]["path"], "openhelp_Liver.stl");
+  EXPECT_EQ(info["provenance"]["sources"][0]["sha256"],
+            "491391f279e0acaabee46f1d094b4595101e80cf8b1d8f138305a28c4a5449f5");
+  EXPECT_EQ(info["kernel_memory"]["status"], "ok");
+  EXPECT_GT(info["kernel_memory"]["state_bytes"].get<std::size_t>(), 0U);
+}
+
+// ---- commands -----------------------------------------------------------------------------------
+
+TEST(Program, PhantomsOfAllKinds) {
+  const Scratch scratch;
+  for (const std::string kind : {"block", "layered", "ball", "liver"}) {
+    const std::string organ = (scratch.folder / (kind + ".organ")).string();
+    const std::string mesh = (scratch.folder / (kind + ".off")).string();
+    const Result r = run({"phantom", kind, "--voxel-mm", "8", "-o", organ, "--mesh-out", mesh});
+    ASSERT_EQ(r.exit_code, 0) << r.err;
+    EXPECT_EQ(run({"check", organ}).exit_code, 0);
+    const std::string again = (scratch.folder / "again.organ").string();
+    EXPECT_EQ(run({"build", mesh, "--units", "m", "--voxel-mm", "8", "-o", again}).exit_code, 0);
+  }
+}
+
+TEST(Program, SameCommandSameBytes) {
+  const Scratch scratch;
+  const auto one = scratch.folder / "one.organ", two = scratch.folder / "two.organ";
+  ASSERT_EQ(run({"phantom", "liver", "-o", one.string()}).exit_code, 0);
+  ASSERT_EQ(run({"phantom", "liver", "-o", two.string()}).exit_code, 0);
+  EXPECT_EQ(slurp(one), slurp(two));
+}
+
+TEST(Program, WrongUsageIsTwoRefusalIsOne) {
+  const Scratch scratch;
+  const std::string organ = (scratch.folder / "a.organ").string();
+  EXPECT_EQ(run({}).exit_code, 2);
+  EXPECT_EQ(run({"bake"}).exit_code, 2);
+  EXPECT_EQ(run({"phantom", "cone", "-o", organ}).exit_code, 2);
+  EXPECT_EQ(run({"phantom", "ball"}).exit_code, 2);
+  EXPECT_EQ(run({"--help"}).exit_code, 0);
+  EXPECT_NE(run({"build", "--help"}).out.find("Examples"), std::string::npos);
+  const std::vector<std::vector<std::string>> refused{
+      {"phantom", "ball", "--tissue", "cheese", "-o", organ},
+      {"phantom", "ball", "--fix", "x>", "-o", organ},
+      {"phantom", "ball", "--fix", "box:900,900,900,901,901,901", "-o", organ},
+      {"phantom", "ball", "--voxel-mm", "0.01", "-o", organ},
+      {"phantom", "ball", "--voxel-mm", "-1", "-o", organ},
+      {"phantom", "ball", "--voxel-mm", "nan", "-o", organ},
+      {"phantom", "ball", "--diameter-mm", "nan", "-o", organ},
+      {"phantom", "ball", "-o", (scratch.folder / "no" / "such" / "folder.organ").string()},
+      {"build", (scratch.folder / "none.stl").string(), "-o", organ},
+      {"build", scratch.folder.string(), "-o", organ}};
+  for (const auto& arguments : refused) {
+    const Result r = run(arguments);
+    EXPECT_EQ(r.exit_code, 1) << arguments[3];
+    EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
+    EXPECT_EQ(files_in(scratch.folder), 0U);
+  }
+}
+
+TEST(Program, WarnsOfImplausibleSize) {
+  const Scratch scratch;
+  const std::string mesh = (scratch.folder / "a.off").string();
+  const std::string organ = (scratch.folder / "a.organ").string();
+  ASSERT_EQ(run({"phantom", "ball", "-o", organ, "--mesh-out", mesh}).exit_code, 0);
+  const Result wrong = run({"build", mesh, "--units", "mm", "--voxel-mm", "0.1", "-o", organ});
+  EXPECT_EQ(wrong.exit_code, 0) << wrong.err;
+  expect_one_line(wrong.err, "warning: the longest side is 0.0");
+  EXPECT_EQ(run({"build", mesh, "--units", "m", "-o", organ}).err, "");
+}
+
+TEST(Program, OwnTissuesReplacePresetsOrSayWhatIsWrong) {
+  const Scratch scratch;
+  const std::string organ = (scratch.folder / "a.organ").string();
+  const auto build_with = [&](const std::string& toml) {
+    const auto file = scratch.write("own.toml", toml);
+    return run({"phantom", "ball", "--tissue", "gel", "--materials", file.string(), "-o", organ});
+  };
+  ASSERT_EQ(build_with("[gel]\nyoungs_modulus_kpa = 12.5\nsource = \"lab\"\n").exit_code, 0);
+  const Json info = Json::parse(run({"info", organ, "--json"}).out);
+  EXPECT_DOUBLE_EQ(info["materials"][0]["youngs_modulus_kpa"].get<double>(), 12.5);
+  EXPECT_EQ(info["materials"][0]["source"], "lab");
+  expect_one_line(build_with("[gel]\n\nyoung = 3\n").err, "own.toml:3: young: unknown key");
+  expect_one_line(build_with("[gel]\npoisson_ratio = 0.5\n").err,
+                  "own.toml:2: poisson_ratio = 0.5: expected 0 to 0.49");
+  expect_one_line(build_with("[gel]\npoisson_ratio = \"a\"\n").err, "own.toml:2");
+  expect_one_line(build_with("[gel]\nstatic_friction_n_per_mm = 0.0\n").err, "at least coulomb");
+  expect_one_line(build_with("gel = 3\n").err, "expected a table");
+  expect_one_line(build_with("[gel\n").err, "own.toml:1");
+  expect_one_line(build_with("[jelly]\ndensity_kg_per_m3 = 1000\n").err, "is missing");
+}
+
+TEST(Program, ChecksExplainDamage) {
+  const Scratch scratch;
+  const std::string organ = (scratch.folder / "a.organ").string();
+  ASSERT_EQ(run({"phantom", "ball", "-o", organ}).exit_code, 0);
+  const std::string whole = slurp(organ);
+  for (const std::string& bytes : {std::string(), std::string("hello"), whole.substr(0, 1000)}) {
+    const auto bad = scratch.write("bad.organ", bytes);
+    for (const std::string command : {"check", "info"}) {
+      const Result r = run({command, bad.string()});
+      EXPECT_EQ(r.exit_code, 1);
+      expect_one_line(r.err, "expected");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stylet::test

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each reader on the spellings of its format, on what it must refuse, and on the words it does it
+// in.
+#include <gmock/gmock.h>
+
+#include <cstring>
+
+#include "bake_support.h"
+#include "mesh_text.h"
+#include "read_mesh.h"
+#include "refusal.h"
+
+namespace stylet::test {
+namespace {
+
+using bake::Mesh;
+using bake::ReadMesh;
+using bake::Vec;
+using testing::HasSubstr;
+
+ReadMesh read(const std::string& name, const std::string& bytes) {
+  const Scratch scratch;
+  return bake::read_mesh(scratch.write(name, bytes));
+}
+
+std::string refusal(const std::string& name, const std::string& bytes) {
+  try {
+    (void)read(name, bytes);
+  } catch (const bake::Refusal& refused) {
+    const std::string what = refused.what();
+    EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+    return what;
+  }
+  return "accepted";
+}
+
+// ---- OBJ ----------------------------------------------------------------------------------------
+
+TEST(Obj, FansPolygonsAndCountsBackwards) {
+  const ReadMesh m = read("a.obj",
+                          "v 0 0 0\nv 1 0 0\nv 1 1 0 # comment\nv 0 1 0\n"
+                          "vt 0 0\nvn 0 0 1\nf 1/1/1 2//1 3/1 4\nf -4 -3 -2\n");
+  ASSERT_EQ(m.mesh.triangles.size(), 3U);
+  EXPECT_EQ(m.mesh.triangles[1], (bake::Triangle{0, 2, 3}));
+  EXPECT_EQ(m.mesh.triangles[2], (bake::Triangle{0, 1, 2}));
+  EXPECT_EQ(m.counts.polygons, 1U);
+}
+
+TEST(Obj, JoinsContinuedLinesAndTakesWindowsLineEnds) {
+  const ReadMesh m = read("a.obj", "v 0 0 \\\r\n0\r\nv 1 0 0\r\nv +1 1e0 0\r\nf 1 2 \\\r\n 3\r\n");
+  ASSERT_EQ(m.mesh.points.size(), 3U);
+  EXPECT_EQ(m.mesh.points[2], (Vec{1, 1, 0}));
+  EXPECT_EQ(m.mesh.triangles.size(), 1U);
+}
+
+TEST(Obj, CountsWhatItLeavesOut) {
+  const ReadMesh m =
+      read("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv nan 0 0\nl 1 2\np 1\nf 1 2\nf 1 2 3\n");
+  EXPECT_EQ(m.counts.lines_and_points, 2U);
+  EXPECT_EQ(m.counts.short_faces, 1U);
+  EXPECT_EQ(m.counts.unusable_points, 1U);
+}
+
+TEST(Obj, NamesPlaceAndValueOfWhatItRefuses) {
+  const std::string three = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+  EXPECT_THAT(refusal("a.obj", three + "f 1 2 0\n"), HasSubstr("a.obj:4: '0': expected a point"));
+  EXPECT_THAT(refusal("a.obj", three + "f 1 2 7\n"),
+              HasSubstr("a.obj:4: 7: expected a point index"));
+  EXPECT_THAT(refusal("a.obj", three + "f 1 2 -4\n"), HasSubstr("'-4'"));
+  EXPECT_THAT(refusal("a.obj", "v 0 0 0\nv 1 0 1e999\nv 1 1 0\nf 1 2 3\n"),
+              HasSubstr("a.obj:2: '1e999': expected finite"));
+  EXPECT_THAT(refusal("a.obj", "v 0 0 0\n"), HasSubstr("no usable face"));
+}
+
+// ---- STL ----------------------------------------------------------------------------------------
+
+std::string binary_stl(std::uint32_t claimed, std::uint32_t facets, std::string header = "") {
+  header.resize(80, ' ');
+  std::string bytes = header;
+  bytes.append(reinterpret_cast<const char*>(&claimed), 4);
+  for (std::uint32_t i = 0; i < facets; ++i) {
+    const float numbers[12] = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+    bytes.append(reinterpret_cast<const char*>(numbers), sizeof numbers);
+    bytes.append(2, '\0');
+  }
+  return bytes;
+}
+
+TEST(Stl, ReadsText) {
+  const ReadMesh m =
+      read("a.STL",
+           "solid f facet\nFACET normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+           "vertex 0 1 0\nendloop\nendfacet\nendsolid f\n");
+  EXPECT_EQ(m.mesh.triangles.size(), 1U);
+}
+
+TEST(Stl, BinaryMayBeginWithSolid) {
+  EXPECT_EQ(read("a.stl", binary_stl(2, 2, "solid made by an exporter")).mesh.triangles.size(), 2U);
+}
+
+TEST(Stl, RefusesMoreThanTheFileHolds) {
+  EXPECT_THAT(refusal("a.stl", binary_stl(0xFFFFFFFF, 2)),
+              HasSubstr("byte 80: 4294967295: expected at most 2 triangles"));
+  EXPECT_THAT(refusal("a.stl", "xx"), HasSubstr("2 bytes"));
+  EXPECT_THAT(refusal("a.stl", "solid a\nvertex 0 0 0\nhello\n"), HasSubstr("a.stl:3: 'hello'"));
+}
+
+TEST(Stl, NamesTheByteOfANumberThatIsNone) {
+  std::string bytes = binary_stl(1, 1);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::memcpy(bytes.data() + 84 + 12, &nan, 4);
+  EXPECT_THAT(refusal("a.stl", bytes), HasSubstr("byte 96"));
+}
+
+// ---- PLY ----------------------------------------------------------------------------------------
+
+constexpr const char* kPlyHeader =
+    "comment free text\nelement camera 1\nproperty list uchar float view\nelement vertex 3\n"
+    "property uchar red\nproperty double x\nproperty float y\nproperty short z\n"
+    "element face 1\nproperty int flags\nproperty list ushort uint vertex_index\nend_header\n";
+
+template <typename T>
+void append(std::string& bytes, T value, bool big) {
+  char raw[sizeof(T)];
+  std::memcpy(raw, &value, sizeof(T));
+  if (big) std::reverse(raw, raw + sizeof(T));
+  bytes.append(raw, sizeof(T));
+}
+
+std::string binary_ply(bool big) {
+  std::string bytes = "ply\nformat " +
+                      std::string(big ? "binary_big_endian" : "binary_little_endian") + " 1.0\n" +
+                      kPlyHeader;
+  append<std::uint8_t>(bytes, 2, big);
+  append(bytes, 1.0F, big);
+  append(bytes, 2.0F, big);
+  for (int i = 0; i < 3; ++i) {
+    append<std::uint8_t>(bytes, 255, big);
+    append(bytes, i == 1 ? 1.5 : 0.0, big);
+    append(bytes, i == 2 ? 2.5F : 0.0F, big);
+    append<std::int16_t>(bytes, -7, big);
+  }
+  append<std::int32_t>(bytes, 9, big);
+  append<std::uint16_t>(bytes, 3, big);
+  for (std::uint32_t i = 0; i < 3; ++i) append(bytes, i, big);
+  return bytes;
+}
+
+TEST(Ply, ReadsAnyLayoutInEveryEncoding) {
+  const std::string text = std::string("ply\nformat ascii 1.0\n") + kPlyHeader +
+                           "2 1 2\n255 0 0 -7\n255 1.5 0 -7\n255 0 2.5 -7\n9 3 0 1 2\n";
+  for (const std::string& bytes : {text, binary_ply(false), binary_ply(true)}) {
+    const ReadMesh m = read("a.ply", bytes);
+    ASSERT_EQ(m.mesh.triangles.size(), 1U);
+    EXPECT_EQ(m.mesh.points[1], (Vec{1.5, 0, -7}));
+    EXPECT_EQ(m.mesh.points[2], (Vec{0, 2.5, -7}));
+  }
+}
+
+TEST(Ply, RefusesWhatTheFileCannotHold) {
+  std::string cut = binary_ply(false);
+  cut.resize(cut.size() - 3);
+  EXPECT_THAT(refusal("a.ply", cut), HasSubstr("end of file"));
+  EXPECT_THAT(refusal("a.ply",
+                      "ply\nformat ascii 1.0\nelement vertex 99999999999\nproperty float x\n"
+                      "end_header\n"),
+              HasSubstr("a.ply:3: '99999999999': expected a number of elements"));
+  EXPECT_THAT(refusal("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty wide x\n"),
+              HasSubstr("a.ply:4: 'wide': expected a type"));
+  EXPECT_THAT(refusal("a.ply", "ply\nformat ascii 1.0\n"), HasSubstr("expected end_header"));
+}
+
+// ---- OFF ----------------------------------------------------------------------------------------
+
+TEST(Off, ReadsGluedCountsCommentsAndColours) {
+  const std::string body = "0 0 0\n1 0 0 # c\n\n1 1 0\n0 1 0\n4 0 1 2 3 255 0 0\n";
+  for (const char* head : {"  OFF4 1 0 # c\n", "OFF\n4 1 0\n", "OFF 4 1 0\n", "COFF\n# c\n4 1\n"}) {
+    const ReadMesh m = read("a.off", head + body);
+    EXPECT_EQ(m.mesh.triangles.size(), 2U) << head;
+    EXPECT_EQ(m.mesh.points.size(), 4U) << head;
+  }
+}
+
+TEST(Off, RefusesWithPlace) {
+  EXPECT_THAT(refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 3\n"),
+              HasSubstr("a.off:6: '3': expected a point index from 0 to 2"));
+  EXPECT_THAT(refusal("a.off", "OFF\n3 1 0\n0 0 0\n"), HasSubstr("end of file"));
+  EXPECT_THAT(refusal("a.off", "POFF\n"), HasSubstr("expected the keyword OFF"));
+}
+
+TEST(Off, WrittenMeshReadsBackToTheBit) {
+  const Mesh mesh{{{0.1, 1.0 / 3, -1e-300}, {1e22, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  EXPECT_EQ(read("a.off", bake::off_text(mesh)).mesh.points, mesh.points);
+}
+
+TEST(ReadMesh, RefusesOtherFilesByName) {
+  EXPECT_THAT(refusal("a.nii.gz", "x"), HasSubstr("expected a mesh file ending in"));
+  EXPECT_THROW((void)bake::read_mesh("/no/such/file.obj"), bake::Refusal);
+}
+
+// No cut of a good file may crash a reader or be taken for something else than a mesh or a refusal.
+TEST(ReadMesh, SurvivesEveryCut) {
+  for (const std::string& whole : {binary_ply(false), binary_stl(2, 2)}) {
+    const std::string name = whole.starts_with("ply") ? "a.ply" : "a.stl";
+    const auto reader = whole.starts_with("ply") ? bake::read_ply : bake::read_stl;
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+      try {
+        (void)reader(name, whole.substr(0, size));
+        ADD_FAILURE() << name << " cut to " << size << " bytes was accepted";
+      } catch (const bake::Refusal&) {
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stylet::test

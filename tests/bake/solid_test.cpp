@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// Repair, winding numbers and voxels on bodies whose volume is known in closed form.
+#include <bit>
+#include <numbers>
+
+#include "bake_support.h"
+#include "phantom.h"
+#include "refusal.h"
+#include "triangle_tree.h"
+#include "voxelize.h"
+#include "wrap.h"
+
+namespace stylet::test {
+namespace {
+
+using bake::BuildOptions;
+using bake::Mesh;
+using bake::Vec;
+
+constexpr double kMm = 1e-3;
+
+double built_volume_ml(const Mesh& mesh_m, double voxel_mm, bool wrap = false) {
+  BuildOptions options;
+  options.voxel_edge_m = voxel_mm * kMm;
+  options.wrap = wrap;
+  return volume_m3(opened(build_quietly({input_of(mesh_m, 1)}, options).bytes)) * 1e6;
+}
+
+Mesh block_mm(double x, double y, double z) {
+  return bake::block_phantom(Vec{x, y, z} * kMm, 5 * kMm);
+}
+
+void move(Mesh& mesh, Vec by) {
+  for (Vec& p : mesh.points) p = p + by;
+}
+
+void append(Mesh& mesh, const Mesh& other, bool turned) {
+  const auto base = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
+  for (bake::Triangle t : other.triangles) {
+    if (turned) std::swap(t[1], t[2]);
+    mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+  }
+}
+
+TEST(Volume, BlockInStepWithTheGridIsExactAndHasNoExtraLayer) {
+  for (const double voxel_mm : {5.0, 2.5, 10.0}) {
+    BuildOptions options;
+    options.voxel_edge_m = voxel_mm * kMm;
+    const auto built = build_quietly({input_of(block_mm(60, 40, 20), 1)}, options);
+    const Organ organ = opened(built.bytes);
+    EXPECT_EQ(organ.voxel_count, std::lround(60 * 40 * 20 / (voxel_mm * voxel_mm * voxel_mm)));
+    EXPECT_NEAR(volume_m3(organ) * 1e6, 48, 1e-5) << voxel_mm;
+  }
+}
+
+// 64 samples per axis: a face parallel to the grid is placed to within 1/128 of a voxel edge.
+TEST(Volume, BlockOutOfStepIsWithinTheSampling) {
+  const double exact_ml = 61.3 * 42.1 * 23.7 * 1e-3;
+  const double face_error = 5.0 / 64 * (1 / 61.3 + 1 / 42.1 + 1 / 23.7);
+  EXPECT_NEAR(built_volume_ml(block_mm(61.3, 42.1, 23.7), 5), exact_ml, exact_ml * face_error);
+}
+
+// The mesher's facets lie inside the sphere by at most 0.25 % of the radius: 0.75 % of the volume.
+TEST(Volume, BallIsFourThirdsPiRCubed) {
+  const double exact_ml = 4.0 / 3.0 * std::numbers::pi * 27;
+  EXPECT_NEAR(built_volume_ml(bake::ball_phantom(60 * kMm, 5 * kMm), 5), exact_ml,
+              exact_ml * 0.0075);
+}
+
+TEST(Volume, InsideOutIsTurned) {
+  Mesh mesh;
+  append(mesh, block_mm(40, 40, 40), true);
+  EXPECT_NEAR(built_volume_ml(mesh, 5), 64, 1e-5);
+}
+
+TEST(Volume, ShuffledFacesAreTurned) {
+  Mesh mesh = block_mm(40, 40, 40);
+  for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+    std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
+  }
+  EXPECT_NEAR(built_volume_ml(mesh, 5), 64, 1e-5);
+}
+
+TEST(Volume, CavityStaysEmptyAndSecondPieceCounts) {
+  Mesh mesh = block_mm(60, 60, 60);
+  Mesh hollow = block_mm(20, 20, 20);
+  move(hollow, Vec{20, 0, 0} * kMm);
+  append(mesh, hollow, true);
+  Mesh apart = block_mm(10, 10, 10);
+  move(apart, Vec{80, 0, 0} * kMm);
+  append(mesh, apart, true);  // inside out, but not within another: turned
+  EXPECT_NEAR(built_volume_ml(mesh, 5), 216 - 8 + 1, 1e-5);
+}
+
+TEST(Volume, DoubledSheetsCountOnce) {
+  Mesh mesh = block_mm(40, 40, 40);
+  append(mesh, block_mm(40, 40, 40), false);
+  EXPECT_NEAR(built_volume_ml(mesh, 5), 64, 1e-5);
+}
+
+// A window of 20 x 20 mm in a wall, four voxels wide: the flood comes in, the winding number keeps
+// the inside. It may cut a dent below the window, of about the window's size cubed.
+TEST(Volume, HoleWiderThanAVoxelIsBridged) {
+  Mesh mesh = block_mm(60, 60, 60);
+  std::erase_if(mesh.triangles, [&](const bake::Triangle& t) {
+    const Vec c = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) * (1.0 / 3);
+    return c.x < 1e-9 && std::abs(c.y) < 10 * kMm && std::abs(c.z) < 10 * kMm;
+  });
+  BuildOptions options;
+  const auto built = build_quietly({input_of(mesh, 1)}, options);
+  EXPECT_GT(built.report.inputs[0].decided_by_winding, 100U);
+  EXPECT_NEAR(volume_m3(opened(built.bytes)) * 1e6, 216, 8);
+}
+
+TEST(Volume, NoneIsRefusedUnlessWrapped) {
+  const Mesh triangle{{{0, 0, 0}, {0.03, 0, 0}, {0, 0.03, 0}}, {{0, 1, 2}}};
+  EXPECT_THROW((void)built_volume_ml(triangle, 5), bake::Refusal);
+  // The skin stands off by 0.1 voxel on both sides of 0.45 cm^2, and round its rim.
+  const double skin_ml = built_volume_ml(triangle, 5, true);
+  EXPECT_GT(skin_ml, 0.45 * 0.1);
+  EXPECT_LT(skin_ml, 0.45 * 0.1 * 3);
+}
+
+TEST(Winding, IsOneInsideZeroOutside) {
+  const Mesh ball = bake::ball_phantom(60 * kMm, 5 * kMm);
+  const bake::TriangleTree tree = bake::triangle_tree(ball.points, ball.triangles);
+  for (int i = -20; i <= 20; ++i) {
+    const double x = i * 2.1 * kMm;  // never nearer than 0.6 mm to the surface
+    const double expected = std::abs(x) < 30 * kMm ? 1 : 0;
+    EXPECT_NEAR(bake::winding_number(tree, {x, 0.3 * kMm, 0.2 * kMm}), expected, 0.02) << x;
+    EXPECT_EQ(bake::crossings(tree, {x, 0.3 * kMm, 0.2 * kMm}, {0.1, 1, 0.2}) % 2,
+              static_cast<int>(expected));
+  }
+}
+
+TEST(Grid, RefusesWhatMemoryCannotHold) {
+  EXPECT_THROW((void)bake::make_grid({{0, 0, 0}, {1, 1, 1}}, 1e-4), bake::Refusal);
+}
+
+// The overlap test against its definition: a cube is pierced when a dense set of the triangle's
+// points has one inside it; and no point of the triangle lies in a cube that is not marked.
+TEST(Overlap, NoPointOfATriangleIsMissed) {
+  const bake::Grid grid = bake::make_grid({{0, 0, 0}, {0.05, 0.05, 0.05}}, 5 * kMm);
+  std::uint32_t seed = 7;
+  const auto draw = [&] {
+    seed = seed * 1664525U + 1013904223U;
+    return (seed >> 8U) / 16777216.0 * 0.05;
+  };
+  for (int round = 0; round < 200; ++round) {
+    Mesh mesh{{{draw(), draw(), draw()}, {draw(), draw(), draw()}, {draw(), draw(), draw()}},
+              {{0, 1, 2}}};
+    if (round % 4 == 0)
+      mesh.points[2] =
+          mesh.points[0] + (mesh.points[1] - mesh.points[0]) * 0.5 + Vec{1e-9, 0, 0};  // a sliver
+    const std::vector<std::uint8_t> touched = bake::touched_cells(grid, mesh);
+    std::vector<std::uint8_t> met(touched.size(), 0);
+    for (int i = 0; i <= 200; ++i) {
+      for (int j = 0; i + j <= 200; ++j) {
+        const Vec p = mesh.points[0] + (mesh.points[1] - mesh.points[0]) * (i / 200.0) +
+                      (mesh.points[2] - mesh.points[0]) * (j / 200.0);
+        const Vec at = bake::to_lattice(grid, p);
+        met[bake::cell_index(grid, static_cast<std::uint32_t>(at.x),
+                             static_cast<std::uint32_t>(at.y), static_cast<std::uint32_t>(at.z))] =
+            1;
+      }
+    }
+    for (std::size_t cell = 0; cell < met.size(); ++cell) ASSERT_LE(met[cell], touched[cell]);
+  }
+}
+
+}  // namespace
+}  // namespace stylet::test
