@@ -50,7 +50,7 @@ void step_with_losses(const Kernel& kernel) {
 }
 
 struct Books {  // after a tick
-  double work, stored, kinetic, friction, cutting, relaxation, damping, drag;
+  double work, kernels_work, stored, kinetic, friction, cutting, relaxation, damping, drag;
   double depth, shaft_count;
 
   double booked() const { return friction + cutting + relaxation; }
@@ -71,7 +71,54 @@ TinyMaterial liver(float youngs_modulus_pa) {
   return m;
 }
 
-std::vector<Books> insert_hold_retract() {
+// A run of the rig whose books are kept, tick by tick.
+class Audit {
+ public:
+  Audit(const TinyOrgan& tiny, const Config& config)
+      : rig_(make_rig(tiny, config)),
+        reference_(rig_.view(), tiny.materials, static_cast<double>(config.hourglass_weight)),
+        losses_{&reference_, rig_.kernel().step, 0, 0} {
+    g_losses = &losses_;
+    rig_.kernel().step = step_with_losses;
+  }
+  ~Audit() { g_losses = nullptr; }
+  Audit(const Audit&) = delete;
+  Audit& operator=(const Audit&) = delete;
+
+  void move(Vec3 from_m, float to_x_m, float speed_m_per_s) {
+    drive(rig_, from_m, to_x_m, speed_m_per_s, [this](const Output& out) { keep(out); });
+  }
+  void rest(Vec3 tip_m, int ticks) {
+    for (int i = 0; i < ticks; ++i) keep(move_tip(rig_, tip_m));
+  }
+  const std::vector<Books>& books() const { return books_; }
+
+ private:
+  void keep(const Output& out) {
+    if (!books_.empty()) {
+      const Vec3 way = out.tip_m - last_tip_, sum = out.force_n + last_force_;
+      work_ -= 0.5 * (static_cast<double>(sum.x) * static_cast<double>(way.x) +
+                      static_cast<double>(sum.y) * static_cast<double>(way.y) +
+                      static_cast<double>(sum.z) * static_cast<double>(way.z));
+    }
+    last_tip_ = out.tip_m;
+    last_force_ = out.force_n;
+    const Energy e = energy(rig_.kernel());
+    books_.push_back({work_, e.work_by_hand, reference_.energy(rig_.view()), e.kinetic, e.friction,
+                      e.cutting, e.relaxation, losses_.damping_j, losses_.drag_j,
+                      static_cast<double>(out.depth_m),
+                      static_cast<double>(rig_.view().state.head->shaft_count)});
+  }
+
+  Rig rig_;
+  ClusterReference reference_;
+  Losses losses_;
+  std::vector<Books> books_;
+  double work_ = 0;
+  Vec3 last_tip_ = {}, last_force_ = {};
+};
+
+TinyOrgan liver_block() {
   TinyOrgan tiny;
   tiny.nx = 10;
   tiny.ny = tiny.nz = 7;
@@ -80,38 +127,45 @@ std::vector<Books> insert_hold_retract() {
     return static_cast<std::uint8_t>(x == 0 ? 1 : 0);
   };
   tiny.fixed_faces = kHighX | kLowY | kHighY | kLowZ | kHighZ;
-  Config config;
-  Rig rig = make_rig(tiny, config);
-  const ClusterReference reference(rig.view(), tiny.materials,
-                                   static_cast<double>(config.hourglass_weight));
-  Losses losses = {&reference, rig.kernel().step, 0, 0};
-  g_losses = &losses;
-  rig.kernel().step = step_with_losses;
-  std::vector<Books> books;
-  double work = 0;
-  Vec3 last_tip = {}, last_force = {};
-  const auto keep = [&](const Output& out) {
-    if (!books.empty()) {
-      const Vec3 way = out.tip_m - last_tip, sum = out.force_n + last_force;
-      work -= 0.5 * (static_cast<double>(sum.x) * static_cast<double>(way.x) +
-                     static_cast<double>(sum.y) * static_cast<double>(way.y) +
-                     static_cast<double>(sum.z) * static_cast<double>(way.z));
-    }
-    last_tip = out.tip_m;
-    last_force = out.force_n;
-    const Energy e = energy(rig.kernel());
-    books.push_back({work, reference.energy(rig.view()), e.kinetic, e.friction, e.cutting,
-                     e.relaxation, losses.damping_j, losses.drag_j,
-                     static_cast<double>(out.depth_m),
-                     static_cast<double>(rig.view().state.head->shaft_count)});
-  };
+  return tiny;
+}
+
+std::vector<Books> insert_hold_retract() {
+  Audit audit(liver_block(), Config{});
   const Vec3 start = {-1e-3F, 16e-3F, 18.5e-3F}, deepest = {35e-3F, start.y, start.z};
-  drive(rig, start, deepest.x, 40e-3F, keep);
-  for (int i = 0; i < 500; ++i) keep(move_tip(rig, deepest));
-  drive(rig, deepest, -10e-3F, 40e-3F, keep);
-  for (int i = 0; i < 1500; ++i) keep(move_tip(rig, {-10e-3F, start.y, start.z}));
-  g_losses = nullptr;
-  return books;
+  const Vec3 away = {-10e-3F, start.y, start.z};
+  audit.move(start, deepest.x, 40e-3F);
+  audit.rest(deepest, 500);
+  audit.move(deepest, away.x, 40e-3F);
+  audit.rest(away, 1500);
+  return audit.books();
+}
+
+// Contact alone has no books in the kernel: all work goes to damping and drag, or comes back. Fast
+// strokes, in short ticks: the hand's work is known only as well as the force between two poses.
+TEST(V24EnergyOfContact, WorkIsWhatTheTissuesDampingAndDragTook) {
+  TinyOrgan tiny = liver_block();
+  for (TinyMaterial& m : tiny.materials) {
+    m.puncture_force_n = 1000;
+    m.relaxing_fraction = 0;
+  }
+  Config config;
+  config.period_s = 1e-4F;
+  config.substeps = 1;
+  Audit audit(tiny, config);
+  const Vec3 start = {-1e-3F, 16e-3F, 18.5e-3F}, deepest = {4e-3F, start.y, start.z};
+  for (int stroke = 0; stroke < 2; ++stroke) {
+    audit.move(start, deepest.x, 0.5F);
+    audit.rest(deepest, 500);
+    audit.move(deepest, start.x, 0.5F);
+    audit.rest(start, 500);
+  }
+  audit.rest({-20e-3F, start.y, start.z}, 6000);
+  const Books& end = audit.books().back();
+  EXPECT_EQ(end.booked(), 0);
+  EXPECT_LT(end.stored + end.kinetic, 1e-3 * end.work);
+  EXPECT_NEAR((end.damping + end.drag) / end.work, 1, 0.02)
+      << "work " << end.work << " damping " << end.damping << " drag " << end.drag;
 }
 
 class V24Energy : public testing::Test {
@@ -160,15 +214,15 @@ TEST_F(V24Energy, NothingIsEverUndissipated) {
   }
 }
 
-// What is left for damping and drag is never given back. Rounding: the work of one tick is known to
-// the float's part in the force, 1e-6 of 1 N over 40 um.
+// What is left for damping and drag is never given back. A step that is explicit in time keeps
+// energy to a part in a thousand of what is stored (contact alone shows it); that is the rounding.
 TEST_F(V24Energy, TheRemainderNeverDecreases) {
-  const double whole = books_->back().work;
   double returned = 0, worst = 0;
   std::size_t count = 0, at = 0;
   for (std::size_t i = 1; i < books_->size(); ++i) {
-    const double change = (*books_)[i].remainder() - (*books_)[i - 1].remainder();
-    if (change > -1e-6 * whole) continue;
+    const Books &a = (*books_)[i - 1], &b = (*books_)[i];
+    const double change = b.remainder() - a.remainder();
+    if (change > -1e-3 * (a.stored + a.kinetic) - 1e-6 * b.work) continue;
     ++count;
     returned -= change;
     if (-change > worst) {
@@ -176,22 +230,21 @@ TEST_F(V24Energy, TheRemainderNeverDecreases) {
       at = i;
     }
   }
-  EXPECT_EQ(count, 0U) << returned << " J of " << whole << " J came from nowhere, the most ("
-                       << worst << " J) at tick " << at << ", depth " << (*books_)[at].depth
-                       << ", shaft particles " << (*books_)[at].shaft_count;
+  EXPECT_EQ(count, 0U) << returned << " J of " << books_->back().work
+                       << " J came from nowhere, the most (" << worst << " J) at tick " << at
+                       << ", depth " << (*books_)[at].depth << ", shaft particles "
+                       << (*books_)[at].shaft_count;
 }
 
 TEST_F(V24Energy, KernelsWorkOfTheHandIsTheWorkSeenOutside) {
-  // The kernel counts from its second tick; so does the sum here.
-  EXPECT_GT(books_->back().work, 1e-3);
+  EXPECT_NEAR(books_->back().kernels_work / books_->back().work, 1, 1e-4);
 }
 
-// The audit can fail: without the tissue's damping and drag, or with any one of the kernel's books
-// forgotten, the gap is over its bound.
+// The audit can fail: with any one of the kernel's books forgotten the gap is over its bound. (That
+// damping and drag count is shown by contact alone, where they are everything.)
 TEST_F(V24Energy, AuditNoticesAForgottenPart) {
   const Books& end = books_->back();
   const double bound = 0.02 * end.work;
-  EXPECT_GT(end.damping + end.drag, bound);
   EXPECT_GT(end.friction, bound);
   EXPECT_GT(end.cutting, bound);
   EXPECT_GT(end.relaxation, bound);
