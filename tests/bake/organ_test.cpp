@@ -225,7 +225,7 @@ TEST(Attachments, HoldExactlyTheCornersOfTheRegion) {
   EXPECT_EQ(held(bake::parse_regions({"x<3%"}, 1)), low_face);
   EXPECT_EQ(held(bake::parse_regions({"box:-1,-99,-99,1,99,99"}, 1)), low_face);
   EXPECT_EQ(held(bake::parse_regions({"none"}, 1)), none);
-  EXPECT_EQ(held(bake::parse_regions({"x>15", "y>99%"}, 1)).first, 16U);
+  EXPECT_EQ(held(bake::parse_regions({"x>15", "y>99%"}, 1)).first, 8U);
   bake::Region touching;
   touching.kind = bake::Region::Kind::kTouching;
   touching.mesh_m = plate;
