@@ -2,17 +2,15 @@
 #include "voxelize.h"
 
 #include <numeric>
-#include <span>
 
 #include "refusal.h"
 #include "sample_cell.h"
-#include "stylet/limits.h"
 
 namespace stylet::bake {
 namespace {
 
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
-constexpr std::size_t kMaxCells = std::size_t{1} << 27U;  // 1 GiB of sample bits
+constexpr std::size_t kMaxCells = std::size_t{1} << 26U;  // about 2 GiB in all stages
 
 // ---- triangle and cube --------------------------------------------------------------------------
 
@@ -163,29 +161,59 @@ void flood(const Grid& grid, std::vector<Cell>& cells, const Solid& solid, const
   });
 }
 
-// The boundary's triangles by the cells they touch: those of cell i are [first[i], first[i + 1]).
+// The boundary's triangles by the cells they touch: those of cell i are listed in
+// [first[i], first[i + 1]).
 struct NearTriangles {
   std::vector<std::uint32_t> first;
-  std::vector<std::array<Vec, 3>> corners;
+  std::vector<std::uint32_t> triangle;
 };
 
 NearTriangles near_triangles(const Grid& grid, const Solid& solid) {
   NearTriangles near;
   near.first.assign(cell_count(grid) + 1, 0);
   const auto visit_all = [&](auto visit) {
-    for (const Triangle& t : solid.boundary) {
-      const std::array<Vec, 3> corners = corners_of(solid.surface.points, t);
-      each_touched_cell(grid, corners, [&](std::size_t cell, double) { visit(cell, corners); });
+    for (std::uint32_t i = 0; i < solid.boundary.size(); ++i) {
+      each_touched_cell(grid, corners_of(solid.surface.points, solid.boundary[i]),
+                        [&](std::size_t cell, double) { visit(cell, i); });
     }
   };
-  visit_all([&](std::size_t cell, const std::array<Vec, 3>&) { ++near.first[cell + 1]; });
+  visit_all([&](std::size_t cell, std::uint32_t) { ++near.first[cell + 1]; });
   std::partial_sum(near.first.begin(), near.first.end(), near.first.begin());
-  near.corners.resize(near.first.back());
+  near.triangle.resize(near.first.back());
   std::vector<std::uint32_t> next(near.first.begin(), near.first.end() - 1);
-  visit_all([&](std::size_t cell, const std::array<Vec, 3>& corners) {
-    near.corners[next[cell]++] = corners;
-  });
+  visit_all([&](std::size_t cell, std::uint32_t i) { near.triangle[next[cell]++] = i; });
   return near;
+}
+
+std::vector<std::array<Vec, 3>> corners_near(const NearTriangles& near, std::size_t cell,
+                                             const Solid& solid) {
+  std::vector<std::array<Vec, 3>> corners;
+  for (std::uint32_t i = near.first[cell]; i < near.first[cell + 1]; ++i) {
+    corners.push_back(corners_of(solid.surface.points, solid.boundary[near.triangle[i]]));
+  }
+  return corners;
+}
+
+// Bounds the time (and the lists above): a soup of large triangles in a fine grid is refused.
+void require_bounded_work(const Grid& grid, const Solid& solid) {
+  constexpr double kMostVisits = 4e9;
+  double visits = 0;
+  for (const Triangle& t : solid.surface.triangles) {
+    Box box;
+    for (const std::uint32_t corner : t) grow(box, solid.surface.points[corner]);
+    double cells = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto [low, high] = cell_range(box.low[axis], box.high[axis], grid.size[axis]);
+      cells *= high - low + 1.0;
+    }
+    visits += cells;
+  }
+  if (visits > kMostVisits) {
+    refuse(
+        "voxel edge {:.6g} mm: the triangles reach over {:.3g} cells in all: expected at most "
+        "{:.3g}: choose a larger voxel edge",
+        grid.edge_m * 1e3, visits, kMostVisits);
+  }
 }
 
 Solid in_lattice_units(const Grid& grid, const Solid& solid) {
@@ -230,6 +258,7 @@ Occupancy voxelize(const Grid& grid, const Solid& solid_m, const Progress& progr
   occupancy.inside.assign(cell_count(grid), 0);
   occupancy.pierced.assign(cell_count(grid), 0);
   std::vector<Cell> cells(cell_count(grid), Cell::kUnknown);
+  require_bounded_work(grid, solid);
   progress("marking surface", 0);
   for (const Triangle& t : solid.surface.triangles) {
     each_touched_cell(grid, corners_of(points, t), [&](std::size_t cell, double half_edge) {
@@ -248,12 +277,9 @@ Occupancy voxelize(const Grid& grid, const Solid& solid_m, const Progress& progr
     if (x == 0 && y == 0) progress("sampling", static_cast<double>(z) / grid.size[2]);
     if (cells[i] == Cell::kSurface) {
       const Vec low_corner{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-      occupancy.inside[i] =
-          flood_is_proof
-              ? sample_cell(test, low_corner,
-                            std::span(near.corners)
-                                .subspan(near.first[i], near.first[i + 1] - near.first[i]))
-              : sample_cell(test, low_corner);
+      occupancy.inside[i] = flood_is_proof
+                                ? sample_cell(test, low_corner, corners_near(near, i, solid))
+                                : sample_cell(test, low_corner);
     } else if (cells[i] == Cell::kInside) {
       occupancy.inside[i] = kAll;
     } else if (!flood_is_proof && is_inside(test, centre_of(x, y, z))) {
