@@ -95,7 +95,8 @@ void open_device(Session& s) {
   s.config.period_ns = std::llround(period_s * 1e9);
   s.config.mapping = s.placement.mapping;
   s.config.guard = s.scene.guard;
-  s.config.hash_every_ticks = s.scene.hash_every_ticks;
+  // Hashing a large organ takes longer than a tick: in real time only once, after the loop.
+  s.config.hash_every_ticks = s.options.fast ? s.scene.hash_every_ticks : 0;
   if (s.scene.device == "replay") {
     const hal::RecordingReader recording(beside(s.scene.file, s.scene.replay_path));
     s.replayed.samples = hal::read_samples(recording);
