@@ -6,6 +6,7 @@
 #include "bake_support.h"
 #include "phantom.h"
 #include "refusal.h"
+#include "sample_cell.h"
 #include "triangle_tree.h"
 #include "voxelize.h"
 #include "wrap.h"
@@ -136,6 +137,37 @@ TEST(Winding, IsOneInsideZeroOutside) {
     EXPECT_EQ(bake::crossings(tree, {x, 0.3 * kMm, 0.2 * kMm}, {0.1, 1, 0.2}) % 2,
               static_cast<int>(expected));
   }
+}
+
+// Faces turned at random, which no winding number can make sense of: rays do not look at sides.
+TEST(Rays, VoteWhereFacesDisagree) {
+  Mesh block = block_mm(40, 40, 40);
+  for (std::size_t i = 0; i < block.triangles.size(); i += 2 + i % 3) {
+    std::swap(block.triangles[i][1], block.triangles[i][2]);
+  }
+  const bake::TriangleTree tree = bake::triangle_tree(block.points, block.triangles);
+  for (int i = -10; i < 30; ++i) {
+    const Vec at = Vec{i * 2.0 + 0.7, i - 9.6, 0.4 * i - 3.3} * kMm;
+    const bool inside = at.x > 0 && at.x < 0.04 && std::abs(at.y) < 0.02 && std::abs(at.z) < 0.02;
+    EXPECT_EQ(bake::is_inside({tree, false}, at), inside) << i;
+  }
+}
+
+// Counting crossings from sample to sample gives what 64 winding numbers give.
+TEST(SampleCell, ShortWayAgreesWithTheLongOne) {
+  Mesh ball = bake::ball_phantom(60 * kMm, 5 * kMm);
+  for (Vec& p : ball.points) p = p * 200;  // cells of 5 mm
+  const bake::TriangleTree tree = bake::triangle_tree(ball.points, ball.triangles);
+  int partly = 0;
+  for (int x = -7; x < 7; ++x) {
+    for (int y = -7; y < 7; ++y) {
+      const Vec low{static_cast<double>(x), static_cast<double>(y), 1};
+      const std::uint64_t bits = bake::sample_cell({tree, true}, low);
+      EXPECT_EQ(bake::sample_cell({tree, true}, low, tree.corners), bits) << x << " " << y;
+      partly += bits != 0 && std::popcount(bits) < 64 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(partly, 20);
 }
 
 TEST(Grid, RefusesWhatMemoryCannotHold) {
