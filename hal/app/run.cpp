@@ -183,6 +183,17 @@ void run_threads(Session& s) {
   if (s.failure) std::rethrow_exception(s.failure);
 }
 
+// What went wrong with the recording; empty: nothing. The report is worth having all the same.
+std::string finish_recording(Session& s, std::uint64_t state_hash) {
+  if (s.writer == nullptr || !s.recorder->error().empty()) return s.recorder->error();
+  try {
+    s.writer->finish(state_hash, s.state.lost_records);
+  } catch (const hal::RecordingError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 const char* mode_name(const Session& s) {
   return s.scene.config.mode == Mode::kPaper ? "paper" : "physical";
 }
@@ -254,12 +265,11 @@ int run(const RunOptions& options) {
                "--fast needs none\n");
     return kExitHostUnfit;
   }
-  const RunReport report = report_of(s, wall_s);
-  if (s.writer != nullptr && s.recorder->error().empty()) {
-    s.writer->finish(report.state_hash, s.state.lost_records);
-  }
+  RunReport report = report_of(s, wall_s);
+  const std::string record_error = finish_recording(s, report.state_hash);
+  if (!record_error.empty()) report.recording.clear();
   fmt::print("{}", options.json ? json_text(report) : human_text(report));
-  if (!s.recorder->error().empty()) throw hal::RecordingError(s.recorder->error());
+  if (!record_error.empty()) throw hal::RecordingError(record_error);
   if (s.state.lost_records > 0) {
     fmt::print(stderr, "stylet: {} records lost: the recorder fell more than {} ticks behind\n",
                s.state.lost_records, kRecordRing);

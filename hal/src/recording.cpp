@@ -279,8 +279,10 @@ class Table {
   std::uint64_t rows_ = 0;
 };
 
-// We report errors ourselves; the library's own stack print is not for users.
-void silence_library() {
+// We report errors ourselves: the library's own stack print is not for users, and its cleaning up
+// at exit crashes on a file that could not be completed because the disk was full.
+void prepare_library() {
+  H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
@@ -307,7 +309,7 @@ struct RecordingWriter::File {
 };
 
 RecordingWriter::RecordingWriter(const std::string& path, const RecordingInfo& info) {
-  silence_library();
+  prepare_library();
   const std::string temporary = fmt::format("{}.{}.tmp", path, getpid());
   const hid_t id = H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   if (id < 0) fail(path, "file", "cannot be created: expected a folder that can be written");
@@ -377,7 +379,7 @@ struct RecordingReader::File {
 };
 
 RecordingReader::RecordingReader(const std::string& path) {
-  silence_library();
+  prepare_library();
   if (access(path.c_str(), R_OK) != 0) fail(path, "file", "cannot be read");
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (id < 0) fail(path, "file", "not an HDF5 file, or damaged, or cut short");

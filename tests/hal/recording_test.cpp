@@ -3,8 +3,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -130,6 +133,26 @@ TEST_F(RecordingTest, UnfinishedLeavesNothing) {
 
 TEST_F(RecordingTest, UnwritableFolderIsNamed) {
   EXPECT_THROW(RecordingWriter("/nowhere/at/all.h5", some_info()), RecordingError);
+}
+
+// In a process of its own, because what happens at its exit counts too.
+TEST_F(RecordingTest, AFullDiskIsAnErrorAndLeavesNothing) {
+  const auto record_too_much = [this] {
+    const rlimit limit = {100'000, 100'000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    std::signal(SIGXFSZ, SIG_IGN);
+    bool refused = false;
+    try {
+      RecordingWriter writer(path(), some_info());
+      for (int i = 0; i < 4; ++i) writer.append(any_records(5000));
+      writer.finish(1, 0);
+    } catch (const RecordingError&) {
+      refused = true;
+    }
+    std::exit(refused && files() == 0 ? 3 : 4);
+  };
+  EXPECT_EXIT(record_too_much(), testing::ExitedWithCode(3), "");
+  EXPECT_EQ(files(), 0U);
 }
 
 TEST_F(RecordingTest, OtherFilesAreRefused) {
