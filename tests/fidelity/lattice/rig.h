@@ -3,8 +3,8 @@
 //
 // The kernel's own step does all the work. A held component is put back after every step, so the
 // velocity the step gave it is the force on it times its step per mass: that is how reactions are
-// read. Units: SI. Frame: rest frame, low corner of the block at 0; nodes and voxels are counted
-// in voxel edges.
+// read. Units: SI. Frame: rest frame; nodes and voxels are counted in voxel edges from the block's
+// low corner.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -162,8 +162,11 @@ inline void fix_beyond(Rig& rig, const Vec& centre, double radius, const Vec& al
 
 inline void step(Rig& rig) {
   const View view = rig.view();
+  const ModelHead& head = *view.model.head;
+  const float keep = 1 - head.substep_s * head.config.surround_drag_per_s;  // as the step does
   for (const Load& load : rig.loads) {
-    motion(view, load.axis).v[load.node] += view.model.step_per_mass[load.node] * load.force_n;
+    motion(view, load.axis).v[load.node] +=
+        view.model.step_per_mass[load.node] * load.force_n / keep;
   }
   rig.session.kernel.step(rig.session.kernel);
   for (Hold& held : rig.holds) {
@@ -251,6 +254,7 @@ inline Particle& hold_constraint_particle(Rig& rig, Node voxel, Vec3 offset_m, V
   Particle& p = view.state.shaft[view.state.head->shaft_count++];
   p = {};
   p.rest_m =
+      head.origin_m +
       head.edge_m * Vec3{static_cast<float>(voxel.x) + 0.5F, static_cast<float>(voxel.y) + 0.5F,
                          static_cast<float>(voxel.z) + 0.5F} +
       offset_m;

@@ -178,5 +178,22 @@ TEST(FidelityV2, DegenerateClustersStillGiveARotation) {
   }
 }
 
+// Tissue that sways for a million steps: the stored quaternion must stay of length 1 by itself.
+TEST(FidelityV2, RotationStaysOrthonormalForAMillionStepsOfMovingTissue) {
+  Draw draw;
+  const Mat stretched = draw.stretch(Vec(1.1, 0.95, 1));
+  const Vec axis = draw.direction();
+  Turn<float> q;
+  double worst = 0;
+  for (int i = 0; i < 1000000; ++i) {
+    const double angle = 0.4 * std::sin(i * 0.01);
+    follow<0>(Eigen::AngleAxisd(angle, axis).toRotationMatrix() * stretched, q);
+    if (i % 100 != 0) continue;
+    const Mat r = quaternion(q).toRotationMatrix();
+    worst = std::max(worst, (r.transpose() * r - Mat::Identity()).cwiseAbs().maxCoeff());
+  }
+  EXPECT_LT(worst, 1e-6);
+}
+
 }  // namespace
 }  // namespace stylet::test
