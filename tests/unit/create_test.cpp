@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// sizes and create: exact memory, alignment, every bound of the configuration.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "session.h"
+#include "stylet/limits.h"
+
+namespace stylet::test {
+namespace {
+
+std::unique_ptr<OpenOrgan> organ() {
+  return block_organ(3, 2, 2);
+}
+
+struct Blocks {
+  Sizes need;
+  Block model, state, scratch;
+
+  explicit Blocks(const Organ& organ) {
+    EXPECT_EQ(sizes(organ, Config{}, need), Status::kOk);
+    model = make_block(need.model_bytes + 64, std::byte{0xA5});
+    state = make_block(need.state_bytes + 64, std::byte{0xA5});
+    scratch = make_block(need.scratch_bytes + 64, std::byte{0xA5});
+  }
+  Memory memory() const {
+    return {model.span().subspan(0, need.model_bytes), state.span().subspan(0, need.state_bytes),
+            scratch.span().subspan(0, need.scratch_bytes)};
+  }
+  bool untouched() const {
+    for (const Block* block : {&model, &state, &scratch}) {
+      const auto span = block->span();
+      if (std::any_of(span.begin(), span.end(), [](std::byte b) { return b != std::byte{0xA5}; })) {
+        return false;
+      }
+    }
+    return true;
+  }
+};
+
+TEST(Create, AcceptsExactlyTheBytesAsked) {
+  const auto opened = organ();
+  Blocks blocks(opened->organ);
+  Kernel kernel;
+  EXPECT_EQ(create(opened->organ, Config{}, blocks.memory(), kernel), Status::kOk);
+  for (const auto& [block, size] : {std::pair{&blocks.model, blocks.need.model_bytes},
+                                    std::pair{&blocks.state, blocks.need.state_bytes},
+                                    std::pair{&blocks.scratch, blocks.need.scratch_bytes}}) {
+    const auto behind = block->span().subspan(size, 64);
+    EXPECT_TRUE(std::all_of(behind.begin(), behind.end(),
+                            [](std::byte b) { return b == std::byte{0xA5}; }));
+  }
+}
+
+TEST(Create, RefusesOneByteTooFewInAnyBlock) {
+  const auto opened = organ();
+  for (int which = 0; which < 3; ++which) {
+    Blocks blocks(opened->organ);
+    Memory memory = blocks.memory();
+    std::span<std::byte>* spans[] = {&memory.model, &memory.state, &memory.scratch};
+    *spans[which] = spans[which]->subspan(0, spans[which]->size() - 1);
+    Kernel kernel;
+    EXPECT_EQ(create(opened->organ, Config{}, memory, kernel), Status::kMemoryTooSmall);
+    EXPECT_EQ(kernel.state, nullptr);
+    EXPECT_TRUE(blocks.untouched());
+  }
+}
+
+TEST(Create, RefusesEveryMisalignment) {
+  const auto opened = organ();
+  for (int which = 0; which < 3; ++which) {
+    for (std::size_t shift = 1; shift < kBlockAlignment; ++shift) {
+      Blocks blocks(opened->organ);
+      Memory memory = blocks.memory();
+      const Block* owner[] = {&blocks.model, &blocks.state, &blocks.scratch};
+      std::span<std::byte>* spans[] = {&memory.model, &memory.state, &memory.scratch};
+      *spans[which] = owner[which]->span().subspan(shift, spans[which]->size());
+      Kernel kernel;
+      ASSERT_EQ(create(opened->organ, Config{}, memory, kernel), Status::kMemoryNotAligned)
+          << which << " by " << shift;
+      ASSERT_TRUE(blocks.untouched());
+    }
+  }
+}
+
+// A field of Config with its bounds; `set` writes any value.
+struct Field {
+  const char* name;
+  std::function<void(Config&, float)> set;
+  float low, high;
+};
+
+std::vector<Field> fields() {
+  return {
+      {"period_s", [](Config& c, float v) { c.period_s = v; }, kMinPeriodS, kMaxPeriodS},
+      {"tissue_damping_s", [](Config& c, float v) { c.tissue_damping_s = v; }, 0, 1},
+      {"surround_drag_per_s", [](Config& c, float v) { c.surround_drag_per_s = v; }, 0, 100},
+      {"hourglass_weight", [](Config& c, float v) { c.hourglass_weight = v; }, 0.05F, 1},
+      {"paper_alpha", [](Config& c, float v) { c.paper_alpha = v; }, 1e-3F, 1},
+      {"length_m", [](Config& c, float v) { c.needle.length_m = v; }, 1e-3F, kMaxNeedleLengthM},
+      {"outer_radius_m", [](Config& c, float v) { c.needle.outer_radius_m = v; }, 1e-5F, 0.01F},
+      {"unit_m", [](Config& c, float v) { c.needle.unit_m = v; }, 1e-4F, 0.05F},
+  };
+}
+
+Status status_of(const Config& config) {
+  static const auto opened = organ();
+  Sizes need = {};
+  return sizes(opened->organ, config, need);
+}
+
+TEST(Config, AcceptsItsBoundsAndRefusesTheNextFloat) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (const Field& field : fields()) {
+    for (const float good : {field.low, field.high}) {
+      Config config;
+      field.set(config, good);
+      EXPECT_EQ(status_of(config), Status::kOk) << field.name << " = " << good;
+    }
+    for (const float bad :
+         {std::nextafter(field.low, -kInfinity), std::nextafter(field.high, kInfinity), -1.0F,
+          kInfinity, -kInfinity, std::numeric_limits<float>::quiet_NaN()}) {
+      Config config;
+      field.set(config, bad);
+      EXPECT_EQ(status_of(config), Status::kConfigValueOutOfRange) << field.name << " = " << bad;
+    }
+  }
+}
+
+TEST(Config, RefusesOtherModesAndSubsteps) {
+  for (const std::uint32_t mode : {2U, 7U, 0xFFFFFFFFU}) {
+    Config config;
+    config.mode = static_cast<Mode>(mode);
+    EXPECT_EQ(status_of(config), Status::kConfigValueOutOfRange) << mode;
+  }
+  for (const std::uint32_t substeps : {0U, kMaxSubsteps + 1, 0xFFFFFFFFU}) {
+    Config config;
+    config.substeps = substeps;
+    EXPECT_EQ(status_of(config), Status::kConfigValueOutOfRange) << substeps;
+  }
+  Config most;
+  most.substeps = kMaxSubsteps;
+  EXPECT_EQ(status_of(most), Status::kOk);
+}
+
+// Each corner of the configuration runs: no combination of bounds gives a force that is not finite.
+TEST(Config, EveryCornerRuns) {
+  const auto opened = organ();
+  const std::vector<Field> all = fields();
+  for (std::uint32_t corner = 0; corner < 512; ++corner) {
+    Config config;
+    config.mode = (corner & 256U) != 0 ? Mode::kPaper : Mode::kPhysical;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      all[i].set(config, ((corner >> i) & 1U) != 0 ? all[i].high : all[i].low);
+    }
+    Session session = make_session(opened->organ, config);
+    const float length = config.needle.length_m;
+    for (int i = 0; i < 40; ++i) {
+      const float depth = 5e-4F * static_cast<float>(i) - 2e-3F;
+      const Output out =
+          tick(session.kernel, {{{7e-3F, 5.5e-3F, 0.01F + length - depth}, {1, 0, 0, 0}}, 1});
+      ASSERT_EQ(out.flags & kFlagFault, 0U) << "corner " << corner << ", tick " << i;
+      ASSERT_TRUE(std::isfinite(out.force_n.z)) << "corner " << corner << ", tick " << i;
+    }
+  }
+}
+
+TEST(Sizes, RefuseAnOrganThatWasNotOpened) {
+  Sizes need = {};
+  EXPECT_NE(sizes(Organ{}, Config{}, need), Status::kOk);
+}
+
+}  // namespace
+}  // namespace stylet::test

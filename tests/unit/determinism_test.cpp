@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// Same bits whatever the processor's mode, the instruction set, the scratch's content, the bytes
+// the blocks had before, and the place of the blocks in memory.
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+#include <vector>
+
+#if defined(__x86_64__)
+#include <pmmintrin.h>
+#include <xmmintrin.h>
+#endif
+
+#include "layout.h"
+#include "session.h"
+#include "variants.h"
+
+namespace stylet::test {
+namespace {
+
+constexpr std::uint64_t kTicks = 9000;  // two insertions, and tissue left to come to rest
+
+struct Result {
+  std::vector<std::uint64_t> hashes;  // every hundred ticks
+  std::vector<float> force;
+};
+
+// `before_tick(kernel, tick)` may do what must not matter.
+template <typename Before>
+Result run_with(Session& session, const Organ& organ, const Config& config, Before before_tick) {
+  const Script script = block_script(organ, config);
+  Result result;
+  for (std::uint64_t i = 0; i < kTicks; ++i) {
+    before_tick(session.kernel, i);
+    const Output out = tick(session.kernel, scripted_input(script, i));
+    result.force.insert(result.force.end(), {out.force_n.x, out.force_n.y, out.force_n.z});
+    if (i % 100 == 99) result.hashes.push_back(hash(session.kernel));
+  }
+  return result;
+}
+
+class Determinism : public testing::TestWithParam<Mode> {
+ protected:
+  std::unique_ptr<OpenOrgan> organ_ = block_organ(6, 5, 8);
+  Config config_ = config_of(GetParam());
+  Session reference_ = make_session(organ_->organ, config_);
+  Result expected_ = run_with(reference_, organ_->organ, config_, [](Kernel&, std::uint64_t) {});
+
+  template <typename Before>
+  void expect_same(Session& session, const char* what, Before before_tick) {
+    const Result result = run_with(session, organ_->organ, config_, before_tick);
+    for (std::size_t i = 0; i < result.hashes.size(); ++i) {
+      ASSERT_EQ(result.hashes[i], expected_.hashes[i]) << what << ", tick " << 100 * (i + 1);
+    }
+    ASSERT_EQ(std::memcmp(result.force.data(), expected_.force.data(),
+                          result.force.size() * sizeof(float)),
+              0)
+        << what;
+    const Difference d = difference(session.kernel, reference_.kernel);
+    EXPECT_EQ(d.field, nullptr) << what << ": " << d.field << "[" << d.index << "]";
+  }
+};
+
+TEST_P(Determinism, TheRunIsWorthComparing) {
+  EXPECT_GT(view_of(reference_.kernel).state.head->shaft_max, 3U);
+  EXPECT_GT(stats(reference_.kernel).tracks.used, 0U);
+  EXPECT_NE(expected_.hashes.front(), expected_.hashes.back());
+}
+
+TEST_P(Determinism, SameBitsForEveryInstructionSet) {
+  for (const Variant& variant : variants_here()) {
+    Session session = make_session(organ_->organ, config_);
+    session.kernel.step = variant.step;
+    expect_same(session, variant.name, [](Kernel&, std::uint64_t) {});
+  }
+}
+
+TEST_P(Determinism, ScratchDoesNotMatter) {
+  Session session = make_session(organ_->organ, config_);
+  std::mt19937 random(7);
+  expect_same(session, "scratch", [&random](Kernel& kernel, std::uint64_t i) {
+    const int patterns[] = {0x00, 0xFF, 0x7F, 0xA5, static_cast<int>(random() & 0xFFU)};
+    std::memset(kernel.scratch, patterns[i % std::size(patterns)], kernel.sizes.scratch_bytes);
+  });
+}
+
+TEST_P(Determinism, BytesBeforeCreateDoNotMatter) {
+  Sizes need = {};
+  ASSERT_EQ(sizes(organ_->organ, config_, need), Status::kOk);
+  for (const unsigned pattern : {0xFFU, 0xA5U, 0x7FU}) {
+    const auto fill = static_cast<std::byte>(pattern);
+    Session session = {make_block(need.model_bytes, fill),
+                       make_block(need.state_bytes, fill),
+                       make_block(need.scratch_bytes, fill),
+                       {}};
+    const Memory memory = {session.model.span(), session.state.span(), session.scratch.span()};
+    ASSERT_EQ(create(organ_->organ, config_, memory, session.kernel), Status::kOk);
+    expect_same(session, "bytes before create", [](Kernel&, std::uint64_t) {});
+  }
+}
+
+TEST_P(Determinism, BlocksMayMove) {
+  Session session = make_session(organ_->organ, config_);
+  Session other = make_session(organ_->organ, config_);
+  expect_same(session, "moved blocks", [&](Kernel& kernel, std::uint64_t i) {
+    if (i % 500 != 250) return;
+    const bool at_home = kernel.state == session.state.bytes.get();
+    Session& to = at_home ? other : session;
+    std::memcpy(to.state.bytes.get(), kernel.state, kernel.sizes.state_bytes);
+    std::memcpy(to.model.bytes.get(), kernel.model, kernel.sizes.model_bytes);
+    kernel.state = to.state.bytes.get();
+    kernel.model = to.model.bytes.get();
+  });
+}
+
+#if defined(__x86_64__)
+TEST_P(Determinism, FlushToZeroDoesNotMatter) {
+  for (const Variant& variant : variants_here()) {
+    Session session = make_session(organ_->organ, config_);
+    session.kernel.step = variant.step;
+    const unsigned mode = _mm_getcsr();
+    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+    expect_same(session, variant.name, [](Kernel&, std::uint64_t) {});
+    _mm_setcsr(mode);
+  }
+}
+#endif
+
+std::string name_of(const testing::TestParamInfo<Mode>& mode) {
+  return mode_name(mode.param);
+}
+INSTANTIATE_TEST_SUITE_P(BothModes, Determinism, testing::Values(Mode::kPhysical, Mode::kPaper),
+                         name_of);
+
+}  // namespace
+}  // namespace stylet::test

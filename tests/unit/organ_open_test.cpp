@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: Apache-2.0
+// organ_open: every reason for refusal with its place, index, value and expectation; truncations of
+// every length; every byte flipped.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <random>
+#include <string>
+
+#include "layout.h"
+#include "organ_objects.h"  // before organ_generated.h, which it replaces
+#include "session.h"
+#include "stylet/organ.h"
+#include "tiny_organ.h"
+
+namespace stylet::test {
+namespace {
+
+using Change = std::function<void(format::OrganT&)>;
+
+// A good organ, unpacked, changed and packed again.
+std::vector<std::byte> changed(const Change& change, const TinyOrgan& tiny) {
+  const std::vector<std::byte> good = tiny_organ(tiny);
+  std::unique_ptr<format::OrganT> organ(format::GetOrgan(good.data())->UnPack());
+  change(*organ);
+  flatbuffers::FlatBufferBuilder builder;
+  format::FinishOrganBuffer(builder, format::Organ::Pack(builder, organ.get()));
+  const auto* bytes = reinterpret_cast<const std::byte*>(builder.GetBufferPointer());
+  return {bytes, bytes + builder.GetSize()};
+}
+
+TinyOrgan small() {
+  TinyOrgan tiny;
+  tiny.nx = 3;
+  tiny.ny = 2;
+  tiny.nz = 2;
+  tiny.fixed_faces = kLowZ;
+  return tiny;
+}
+
+struct Case {
+  const char* name;
+  Change change;
+  Status status;
+  const char* place;
+  std::uint64_t index;
+  double value;
+  const char* expected;
+};
+
+using Owner = format::OrganT;
+
+Change material(const std::function<void(format::MaterialT&)>& change) {
+  return [change](Owner& o) { change(*o.materials[0]); };
+}
+
+std::vector<Case> material_cases() {
+  const Status range = Status::kOrganValueOutOfRange;
+  using M = format::MaterialT;
+  return {
+      {"density", material([](M& m) { m.density_kg_per_m3 = 0.5F; }), range, "density_kg_per_m3", 0,
+       0.5, "1 to 20000"},
+      {"modulus", material([](M& m) { m.youngs_modulus_pa = 2e9F; }), range, "youngs_modulus_pa", 0,
+       2e9, "1 to 1e9"},
+      {"poisson", material([](M& m) { m.poisson_ratio = 0.5F; }), range, "poisson_ratio", 0, 0.5,
+       "0 to 0.49"},
+      {"relaxing", material([](M& m) { m.relaxing_fraction = 1; }), range, "relaxing_fraction", 0,
+       1, "0 to 0.95"},
+      {"time", material([](M& m) { m.relaxation_time_s = 0; }), range, "relaxation_time_s", 0, 0,
+       "0.001 to 1e5"},
+      {"puncture", material([](M& m) { m.puncture_force_n = -1; }), range, "puncture_force_n", 0,
+       -1, "0 to 1000"},
+      {"cutting", material([](M& m) { m.cutting_force_n = 1001; }), range, "cutting_force_n", 0,
+       1001, "0 to 1000"},
+      {"recut", material([](M& m) { m.recut_fraction = 1.5F; }), range, "recut_fraction", 0, 1.5,
+       "0 to 1"},
+      {"coulomb", material([](M& m) { m.coulomb_friction_n_per_m = -2; }), range,
+       "coulomb_friction_n_per_m", 0, -2, "0 to 1e4"},
+      {"static below coulomb", material([](M& m) { m.static_friction_n_per_m = 5; }), range,
+       "static_friction_n_per_m", 0, 5, "coulomb_friction_n_per_m to 1e4"},
+      {"stribeck", material([](M& m) { m.stribeck_velocity_m_per_s = 0; }), range,
+       "stribeck_velocity_m_per_s", 0, 0, "1e-6 to 10"},
+      {"viscous", material([](M& m) { m.viscous_friction_n_s_per_m2 = 2e6F; }), range,
+       "viscous_friction_n_s_per_m2", 0, 2e6, "0 to 1e6"},
+  };
+}
+
+std::vector<Case> lattice_cases() {
+  const Status range = Status::kOrganValueOutOfRange, index = Status::kOrganIndexOutOfRange;
+  const Status disagree = Status::kOrganSizesDisagree, order = Status::kOrganOrderWrong;
+  const auto run = [](Owner& o, std::size_t i, std::uint16_t x, std::uint16_t count) {
+    const format::Run old = o.runs[i];
+    o.runs[i] = format::Run(x, old.y(), old.z(), count);
+  };
+  return {
+      {"version", [](Owner& o) { o.format_version = 2; }, Status::kOrganVersionUnknown,
+       "format_version", 0, 2, "version 1"},
+      {"edge", [](Owner& o) { o.voxel_edge_m = 0.25F; }, range, "voxel_edge_m", 0, 0.25,
+       "0.0001 to 0.1"},
+      {"origin", [](Owner& o) { o.origin_x_m = 128; }, range, "origin_x_m", 0, 128, "within 100 m"},
+      {"no voxels",
+       [](Owner& o) {
+         o.runs.clear();
+         o.voxel_material.clear();
+       },
+       range, "voxel_material", 0, 0, "1 to 4000000 voxels"},
+      {"no materials", [](Owner& o) { o.materials.clear(); }, range, "materials", 0, 0,
+       "1 to 64 materials"},
+      {"many materials",
+       [](Owner& o) {
+         while (o.materials.size() < 65) {
+           o.materials.push_back(std::make_unique<format::MaterialT>(*o.materials[0]));
+         }
+       },
+       range, "materials", 0, 65, "1 to 64 materials"},
+      {"empty run", [run](Owner& o) { run(o, 1, 0, 0); }, range, "runs.count", 1, 0,
+       "at least 1 voxel"},
+      {"run outside", [run](Owner& o) { run(o, 2, 1, 3); }, index, "runs", 2, 4,
+       "a run inside the lattice"},
+      {"runs swapped", [](Owner& o) { std::swap(o.runs[0], o.runs[1]); }, order, "runs", 1, 0,
+       "runs sorted by z, y, x with a gap between runs of a row"},
+      {"runs touching",
+       [](Owner& o) {
+         o.runs[0] = format::Run(0, 0, 0, 1);
+         o.runs.insert(o.runs.begin() + 1, format::Run(1, 0, 0, 2));
+       },
+       order, "runs", 1, 1, "runs sorted by z, y, x with a gap between runs of a row"},
+      {"fewer run voxels", [run](Owner& o) { run(o, 3, 0, 2); }, disagree, "voxel_material", 12, 11,
+       "as many entries as the runs have voxels"},
+      {"fill count", [](Owner& o) { o.voxel_fill.pop_back(); }, disagree, "voxel_fill", 11, 12,
+       "one per voxel"},
+      {"fixed count", [](Owner& o) { o.voxel_fixed.pop_back(); }, disagree, "voxel_fixed", 11, 12,
+       "none, or one per voxel"},
+      {"material index", [](Owner& o) { o.voxel_material[7] = 1; }, index, "voxel_material", 7, 1,
+       "an index into materials"},
+      {"fill", [](Owner& o) { o.voxel_fill[5] = 0; }, range, "voxel_fill", 5, 0, "1 to 255"},
+  };
+}
+
+std::vector<Case> surface_cases() {
+  const Status range = Status::kOrganValueOutOfRange, index = Status::kOrganIndexOutOfRange;
+  const auto first_leaf = [](const Owner& o) {
+    std::size_t i = 0;
+    while (o.sphere_nodes[i].count() == 0) ++i;
+    return i;
+  };
+  const auto set_node = [](Owner& o, std::size_t i, float radius, std::uint32_t first,
+                           std::uint32_t count) {
+    const format::SphereNode n = o.sphere_nodes[i];
+    o.sphere_nodes[i] = format::SphereNode(n.x(), n.y(), n.z(), radius, first, count);
+  };
+  const std::unique_ptr<Owner> good(format::GetOrgan(tiny_organ(small()).data())->UnPack());
+  const std::size_t leaf = first_leaf(*good);
+  const auto triangles = static_cast<std::uint32_t>(good->triangles.size());
+  const auto nodes = static_cast<double>(good->sphere_nodes.size());
+  return {
+      {"vertex voxel", [](Owner& o) { o.vertices[4] = format::Vertex(12, 0, 0, 0, 0); }, index,
+       "vertices.voxel", 4, 12, "a voxel of the lattice"},
+      {"triangle a", [](Owner& o) { o.triangles[3] = format::Triangle(100000, 0, 1); }, index,
+       "triangles", 3, 100000, "three indices into vertices"},
+      {"no tree", [](Owner& o) { o.sphere_nodes.clear(); }, Status::kOrganSizesDisagree,
+       "sphere_nodes", 0, static_cast<double>(triangles),
+       "a sphere tree exactly where there are triangles"},
+      {"radius", [set_node](Owner& o) { set_node(o, 0, -1, o.sphere_nodes[0].first(), 0); }, range,
+       "sphere_nodes", 0, -1, "finite spheres"},
+      {"child before parent", [set_node](Owner& o) { set_node(o, 0, 1, 0, 0); }, index,
+       "sphere_nodes.first", 0, 0, "children behind the parent, leaves inside triangles"},
+      {"leaf outside",
+       [set_node, leaf, triangles](Owner& o) { set_node(o, leaf, 1, triangles, 1); }, index,
+       "sphere_nodes.first", leaf, static_cast<double>(triangles),
+       "children behind the parent, leaves inside triangles"},
+      {"orphans", [set_node](Owner& o) { set_node(o, 0, 1, 0, 2); }, index, "sphere_nodes", 1,
+       nodes, "every node the child of exactly one node"},
+  };
+}
+
+void expect_refused(const Case& c) {
+  const std::vector<std::byte> bytes = changed(c.change, small());
+  Organ organ;
+  OrganRefusal refusal;
+  EXPECT_EQ(organ_open(bytes, organ, &refusal), c.status) << c.name;
+  EXPECT_EQ(refusal.status, c.status) << c.name;
+  EXPECT_STREQ(refusal.place, c.place) << c.name;
+  EXPECT_EQ(refusal.index, c.index) << c.name;
+  EXPECT_DOUBLE_EQ(refusal.value, c.value) << c.name;
+  EXPECT_STREQ(refusal.expected, c.expected) << c.name;
+  EXPECT_EQ(organ.root, nullptr) << c.name << ": the organ must not be touched";
+}
+
+TEST(OrganOpen, OpensAGoodOrgan) {
+  const std::vector<std::byte> bytes = changed([](Owner&) {}, small());
+  Organ organ;
+  OrganRefusal refusal;
+  ASSERT_EQ(organ_open(bytes, organ, &refusal), Status::kOk) << refusal.place;
+  EXPECT_EQ(organ.voxel_count, 12U);
+  EXPECT_EQ(organ.size_x, 3);
+  EXPECT_STREQ(organ.name, "tiny");
+  EXPECT_STREQ(organ_material(organ, 0).name, "gel");
+}
+
+TEST(OrganOpen, RefusesMaterialsWithTheirPlace) {
+  for (const Case& c : material_cases()) expect_refused(c);
+}
+TEST(OrganOpen, RefusesLatticesWithTheirPlace) {
+  for (const Case& c : lattice_cases()) expect_refused(c);
+}
+TEST(OrganOpen, RefusesSurfacesWithTheirPlace) {
+  for (const Case& c : surface_cases()) expect_refused(c);
+}
+
+// The value named must be the one that is wrong, not a neighbour.
+TEST(OrganOpen, NamesTheWrongOriginComponent) {
+  expect_refused({"origin y", [](Owner& o) { o.origin_y_m = 128; }, Status::kOrganValueOutOfRange,
+                  "origin_y_m", 0, 128, "within 100 m"});
+}
+TEST(OrganOpen, NamesTheWrongTriangleCorner) {
+  expect_refused({"triangle c", [](Owner& o) { o.triangles[3] = format::Triangle(0, 1, 100000); },
+                  Status::kOrganIndexOutOfRange, "triangles", 3, 100000,
+                  "three indices into vertices"});
+}
+
+TEST(OrganOpen, RefusesNumbersThatAreNotFinite) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const Change changes[] = {
+      [nan](Owner& o) { o.voxel_edge_m = nan; },
+      [nan](Owner& o) { o.origin_z_m = nan; },
+      [nan](Owner& o) { o.materials[0]->density_kg_per_m3 = nan; },
+      [nan](Owner& o) { o.materials[0]->coulomb_friction_n_per_m = nan; },
+      [nan](Owner& o) { o.materials[0]->static_friction_n_per_m = nan; },
+      [nan](Owner& o) {
+        const format::SphereNode n = o.sphere_nodes[0];
+        o.sphere_nodes[0] = format::SphereNode(nan, n.y(), n.z(), n.radius(), n.first(), 0);
+      },
+  };
+  for (const Change& change : changes) {
+    Organ organ;
+    EXPECT_EQ(organ_open(changed(change, small()), organ), Status::kOrganValueOutOfRange);
+  }
+}
+
+TEST(OrganOpen, RefusesATreeDeeperThanTheTicksStack) {
+  // A chain: every inner node has a leaf as its second child and the next inner node as its first.
+  const auto chain = [](Owner& o) {
+    const std::vector<format::SphereNode> leaves(1, format::SphereNode(0, 0, 0, 1, 0, 1));
+    std::vector<format::SphereNode> nodes;
+    constexpr std::uint32_t kLevels = 70;
+    for (std::uint32_t i = 0; i < kLevels; ++i) {
+      if (i > 0) nodes.push_back(leaves[0]);
+      nodes.emplace_back(0.0F, 0.0F, 0.0F, 1.0F, 2 * i + 1, 0U);
+    }
+    nodes.push_back(leaves[0]);
+    nodes.push_back(leaves[0]);
+    o.sphere_nodes = nodes;
+  };
+  Organ organ;
+  OrganRefusal refusal;
+  const Status status = organ_open(changed(chain, small()), organ, &refusal);
+  // Popping the inner child first keeps one leaf a level on the stack.
+  EXPECT_TRUE(status == Status::kOrganValueOutOfRange || status == Status::kOk)
+      << refusal.place << ": " << refusal.expected;
+  if (status != Status::kOk) {
+    EXPECT_STREQ(refusal.expected, "a tree at most 62 levels deep");
+  }
+}
+
+TEST(OrganOpen, RefusesBytesThatAreNotAligned) {
+  const std::vector<std::byte> good = tiny_organ(small());
+  std::vector<std::byte> moved(good.size() + 8);
+  for (std::size_t shift = 1; shift < 8; ++shift) {
+    std::copy(good.begin(), good.end(), moved.begin() + static_cast<std::ptrdiff_t>(shift));
+    Organ organ;
+    OrganRefusal refusal;
+    EXPECT_EQ(organ_open(std::span(moved).subspan(shift, good.size()), organ, &refusal),
+              Status::kMemoryNotAligned);
+    EXPECT_STREQ(refusal.expected, "bytes that start at a multiple of 8");
+  }
+}
+
+TEST(OrganOpen, RefusesOtherFiles) {
+  std::vector<std::byte> bytes = tiny_organ(small());
+  bytes[4] = std::byte{'X'};
+  Organ organ;
+  OrganRefusal refusal;
+  EXPECT_EQ(organ_open(bytes, organ, &refusal), Status::kOrganNotAnOrganFile);
+  EXPECT_STREQ(refusal.place, "identifier");
+  EXPECT_EQ(refusal.index, 4U);
+  EXPECT_EQ(organ_open({}, organ, &refusal), Status::kOrganTooSmall);
+}
+
+TEST(OrganOpen, RefusesEveryTruncation) {
+  const std::vector<std::byte> good = tiny_organ(small());
+  for (std::size_t size = 0; size < good.size(); ++size) {
+    // A copy of exactly this size, so that a sanitizer sees any byte read beyond it.
+    Block copy = make_block(size + 1);
+    std::copy_n(good.begin(), size, copy.bytes.get());
+    Organ organ;
+    OrganRefusal refusal;
+    const Status status = organ_open(copy.span().subspan(0, size), organ, &refusal);
+    ASSERT_NE(status, Status::kOk) << size << " of " << good.size() << " bytes";
+    ASSERT_EQ(status, size < 16 ? Status::kOrganTooSmall : Status::kOrganStructureDamaged) << size;
+    ASSERT_STRNE(refusal.place, "");
+    ASSERT_STRNE(refusal.expected, "");
+  }
+}
+
+// A lattice far larger than its voxels would cost memory and time that the file does not show.
+TEST(OrganOpen, RefusesALatticeMuchLargerThanItsVoxels) {
+  const auto vast = [](Owner& o) { o.size_y = o.size_z = 65535; };
+  Organ organ;
+  EXPECT_NE(organ_open(changed(vast, small()), organ), Status::kOk)
+      << "12 voxels, and create would walk and store 4e9 rows";
+}
+
+// Whatever opens must also run: sizes, create and a few ticks at the surface. (Vast lattices have
+// their own test.)
+void run_opened(const Organ& organ) {
+  if (std::uint32_t{organ.size_y} * organ.size_z > 4096) return;
+  Sizes need = {};
+  if (sizes(organ, Config{}, need) != Status::kOk) return;
+  Session session = make_session(organ, Config{});
+  for (int i = 0; i < 3; ++i) {
+    const float z = organ.origin_m.z + 0.01F + 0.15F - 2e-3F * static_cast<float>(i);
+    const Output out =
+        tick(session.kernel,
+             {{{organ.origin_m.x + 7e-3F, organ.origin_m.y + 5e-3F, z}, {1, 0, 0, 0}}, 1});
+    ASSERT_TRUE(std::isfinite(out.force_n.x) && std::isfinite(out.force_n.y) &&
+                std::isfinite(out.force_n.z));
+  }
+  float distance = 0;
+  (void)organ_raycast(organ, {organ.origin_m.x, organ.origin_m.y, 1}, {0, 0, -1}, distance);
+}
+
+void open_or_explain(const std::vector<std::byte>& bytes, const std::string& what) {
+  Organ organ;
+  OrganRefusal refusal;
+  const Status status = organ_open(bytes, organ, &refusal);
+  ASSERT_EQ(status, refusal.status) << what;
+  if (status == Status::kOk) {
+    run_opened(organ);
+    return;
+  }
+  ASSERT_STRNE(refusal.place, "") << what;
+  ASSERT_STRNE(refusal.expected, "") << what;
+}
+
+TEST(OrganOpenFuzz, EveryByteFlipped) {
+  const std::vector<std::byte> good = tiny_organ(small());
+  for (std::size_t at = 0; at < good.size(); ++at) {
+    for (const unsigned flip : {0x01U, 0x80U, 0xFFU}) {
+      std::vector<std::byte> bytes = good;
+      bytes[at] ^= static_cast<std::byte>(flip);
+      open_or_explain(bytes, "byte " + std::to_string(at));
+    }
+  }
+}
+
+TEST(OrganOpenFuzz, TenThousandRandomPatches) {
+  const std::vector<std::byte> good = tiny_organ(small());
+  std::mt19937 random(4);
+  const std::uint32_t words[] = {0, 1, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, 0x7FC00000, 0x7F800000};
+  for (int i = 0; i < 10000; ++i) {
+    std::vector<std::byte> bytes = good;
+    for (int patch = 0; patch < 1 + i % 4; ++patch) {
+      const std::size_t at = random() % (bytes.size() - 4) / 4 * 4;
+      const std::uint32_t word = random() % 2 == 0 ? words[random() % std::size(words)]
+                                                   : static_cast<std::uint32_t>(random());
+      std::memcpy(bytes.data() + at, &word, 4);
+    }
+    open_or_explain(bytes, "sample " + std::to_string(i));
+  }
+}
+
+}  // namespace
+}  // namespace stylet::test

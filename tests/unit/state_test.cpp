@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Snapshot, restore, hash, difference, events.
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "coupling.h"
+#include "layout.h"
+#include "session.h"
+
+namespace stylet::test {
+namespace {
+
+struct Pair {
+  std::unique_ptr<OpenOrgan> organ = block_organ(6, 5, 8);
+  Session a = make_session(organ->organ, Config{}), b = make_session(organ->organ, Config{});
+  Script script = block_script(organ->organ, Config{});
+};
+
+void expect_equal(const Kernel& a, const Kernel& b) {
+  const Difference d = difference(a, b);
+  EXPECT_EQ(d.field, nullptr) << d.field << "[" << d.index << "]";
+  EXPECT_EQ(hash(a), hash(b));
+}
+
+TEST(Snapshot, ContinuesWithTheSameBits) {
+  Pair p;
+  run(p.a.kernel, p.script, 0, 1200);  // in the middle of an insertion
+  std::vector<std::byte> saved(snapshot_bytes(p.a.kernel));
+  ASSERT_EQ(snapshot(p.a.kernel, saved), Status::kOk);
+  run(p.a.kernel, p.script, 1200, 3000);
+  run(p.b.kernel, p.script, 7, 400);  // somewhere else
+  ASSERT_EQ(restore(p.b.kernel, saved), Status::kOk);
+  run(p.b.kernel, p.script, 1200, 3000);
+  expect_equal(p.a.kernel, p.b.kernel);
+}
+
+TEST(Snapshot, RefusesOtherOrgansConfigsSizesAndBytes) {
+  Pair p;
+  run(p.a.kernel, p.script, 0, 100);
+  std::vector<std::byte> saved(snapshot_bytes(p.a.kernel));
+  EXPECT_EQ(snapshot(p.a.kernel, std::span(saved).first(saved.size() - 1)),
+            Status::kMemoryTooSmall);
+  ASSERT_EQ(snapshot(p.a.kernel, saved), Status::kOk);
+  const std::uint64_t before = hash(p.b.kernel);
+  EXPECT_EQ(restore(p.b.kernel, std::span(saved).first(saved.size() - 1)),
+            Status::kSnapshotDoesNotMatch);
+  EXPECT_EQ(restore(p.b.kernel, {}), Status::kSnapshotDoesNotMatch);
+  for (std::size_t at = 0; at < 32; ++at) {  // the header
+    std::vector<std::byte> damaged = saved;
+    damaged[at] ^= std::byte{1};
+    EXPECT_EQ(restore(p.b.kernel, damaged), Status::kSnapshotDoesNotMatch) << at;
+  }
+  Config other;
+  other.needle.unit_m = 4e-3F;
+  Session otherwise = make_session(p.organ->organ, other);
+  EXPECT_EQ(restore(otherwise.kernel, saved), Status::kSnapshotDoesNotMatch);
+  const auto bigger = block_organ(7, 5, 8);
+  Session elsewhere = make_session(bigger->organ, Config{});
+  EXPECT_EQ(restore(elsewhere.kernel, saved), Status::kSnapshotDoesNotMatch);
+  EXPECT_EQ(hash(p.b.kernel), before);
+}
+
+TEST(Reset, IsTheFirstState) {
+  Pair p;
+  run(p.a.kernel, p.script, 0, 2000);
+  EXPECT_NE(hash(p.a.kernel), hash(p.b.kernel));
+  reset(p.a.kernel);
+  expect_equal(p.a.kernel, p.b.kernel);
+}
+
+// One byte changed in the first, a middle and the last element of every field of the state: the
+// difference names field and element, and the hash changes.
+TEST(Difference, NamesEveryFieldAndElement) {
+  Pair p;
+  run(p.a.kernel, p.script, 0, 1300);
+  run(p.b.kernel, p.script, 0, 1300);
+  expect_equal(p.a.kernel, p.b.kernel);
+  const Counts& c = counts_of(p.b.kernel);
+  const StateView view = state_view(p.b.kernel.state, c);
+  const std::uint64_t same = hash(p.b.kernel);
+  const auto try_field = [&](const char* name, auto* values, std::size_t count) {
+    for (const std::size_t at : {std::size_t{0}, count / 2, count - 1}) {
+      for (const std::size_t byte : {std::size_t{0}, sizeof(*values) - 1}) {
+        auto* bytes = reinterpret_cast<unsigned char*>(&values[at]);
+        bytes[byte] ^= 0x10U;
+        const Difference d = difference(p.a.kernel, p.b.kernel);
+        ASSERT_NE(d.field, nullptr) << name;
+        EXPECT_STREQ(d.field, name);
+        EXPECT_EQ(d.index, at) << name;
+        EXPECT_NE(hash(p.b.kernel), same) << name;
+        bytes[byte] ^= 0x10U;
+      }
+    }
+  };
+#define STYLET_TRY_FIELD(name, type, count) \
+  try_field(#name, view.name, static_cast<std::size_t>(count));
+  STYLET_STATE_FIELDS(STYLET_TRY_FIELD)
+#undef STYLET_TRY_FIELD
+  expect_equal(p.a.kernel, p.b.kernel);
+}
+
+TEST(Events, OldestIsOverwrittenAndOrderIsKept) {
+  Pair p;
+  const View view = view_of(p.a.kernel);
+  constexpr std::uint32_t kAll = kMaxEvents + 37;
+  for (std::uint32_t i = 0; i < kAll; ++i) {
+    view.state.head->tick = 1000 + i;
+    add_event(view, EventKind::kLayer, static_cast<float>(i));
+    Event list[kMaxEvents + 1];
+    const std::uint32_t count = events(p.a.kernel, list);
+    ASSERT_EQ(count, std::min(i + 1, kMaxEvents));
+    for (std::uint32_t j = 0; j < count; ++j) {
+      const std::uint32_t sequence = i + 1 - count + j;
+      ASSERT_EQ(list[j].tick, 1000 + sequence);
+      ASSERT_EQ(list[j].force_n, static_cast<float>(sequence));
+    }
+  }
+  Event few[5];
+  ASSERT_EQ(events(p.a.kernel, few), 5U);
+  EXPECT_EQ(few[0].tick, 1000U + kAll - 5);
+  EXPECT_EQ(few[4].tick, 1000U + kAll - 1);
+  EXPECT_EQ(events(p.a.kernel, {}), 0U);
+}
+
+TEST(Events, EveryKindHasAName) {
+  for (std::uint32_t kind = 0; kind <= static_cast<std::uint32_t>(EventKind::kLayer); ++kind) {
+    EXPECT_STRNE(event_name(static_cast<EventKind>(kind)), "unknown");
+  }
+  EXPECT_STREQ(event_name(static_cast<EventKind>(99)), "unknown");
+}
+
+}  // namespace
+}  // namespace stylet::test

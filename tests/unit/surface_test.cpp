@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sphere tree against brute force: ray casts on the rest surface, first contact on a deformed
+// one.
+
+#include "surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "layout.h"
+#include "session.h"
+#include "tiny_organ.h"
+
+namespace stylet::test {
+namespace {
+
+struct Vector {
+  double x, y, z;
+};
+Vector wide(Vec3 v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+Vector minus(Vector a, Vector b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+Vector cross_of(Vector a, Vector b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+double dot_of(Vector a, Vector b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+// Where a line crosses a triangle: plane first, then three edge tests. `margin` is how far inside
+// the triangle, relative to its height; negative: outside.
+struct Crossing {
+  double at, margin;
+};
+std::optional<Crossing> crossing(Vector from, Vector way, Vector a, Vector b, Vector c) {
+  const Vector normal = cross_of(minus(b, a), minus(c, a));
+  const double along = dot_of(normal, way);
+  if (std::fabs(along) < 1e-3 * std::sqrt(dot_of(normal, normal))) return std::nullopt;
+  const double at = dot_of(normal, minus(a, from)) / along;
+  const Vector p = {from.x + at * way.x, from.y + at * way.y, from.z + at * way.z};
+  const double whole = dot_of(normal, normal);
+  double margin = 1;
+  const Vector corner[3] = {a, b, c};
+  for (int i = 0; i < 3; ++i) {
+    const Vector e = minus(corner[(i + 1) % 3], corner[i]);
+    margin = std::min(margin, dot_of(cross_of(e, minus(p, corner[i])), normal) / whole);
+  }
+  return Crossing{at, margin};
+}
+
+struct Hit {
+  double at = 0;
+  bool found = false, doubtful = false;  // doubtful: some edge is grazed, either answer is right
+};
+
+enum class Which { kFirst, kLast };
+
+Hit brute_force(const std::vector<Vec3>& places, std::span<const OrganTriangle> triangles,
+                Vec3 from, Vec3 way, double to_at, Which which) {
+  Hit best;
+  for (const OrganTriangle& t : triangles) {
+    const auto hit =
+        crossing(wide(from), wide(way), wide(places[t.a]), wide(places[t.b]), wide(places[t.c]));
+    if (!hit) continue;
+    if (std::fabs(hit->margin) < 1e-3 || std::fabs(hit->at) < 1e-5 ||
+        std::fabs(hit->at - to_at) < 1e-5) {
+      if (hit->margin > -1e-3) best.doubtful = true;
+      continue;
+    }
+    if (hit->margin < 0 || hit->at < 0 || hit->at > to_at) continue;
+    const bool better = (which == Which::kFirst) == (hit->at < best.at);
+    if (!best.found || better) best.at = hit->at;
+    best.found = true;
+  }
+  return best;
+}
+
+Vec3 random_direction(std::mt19937& random) {
+  std::normal_distribution<float> normal;
+  const Vec3 v = {normal(random), normal(random), normal(random)};
+  return (1 / norm(v)) * v;
+}
+
+TinyOrgan block() {
+  TinyOrgan tiny;
+  tiny.nx = 6;
+  tiny.ny = 5;
+  tiny.nz = 4;
+  tiny.origin_m = {0.01F, -0.02F, 0.03F};
+  tiny.fixed_faces = kLowZ;
+  return tiny;
+}
+
+std::vector<Vec3> surface_of(const Kernel& kernel, const Organ& organ) {
+  std::vector<Vec3> places(organ.vertices.size());
+  EXPECT_EQ(surface(kernel, places), places.size());
+  return places;
+}
+
+// 20 000 rays, half of them aimed at the block, seed 5.
+TEST(OrganRaycast, FindsWhatBruteForceFinds) {
+  const auto organ = open_organ(tiny_organ(block()));
+  Session session = make_session(organ->organ, Config{});
+  const std::vector<Vec3> places = surface_of(session.kernel, organ->organ);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> uniform(0, 1);
+  int hits = 0, misses = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 target = {0.01F + 0.03F * uniform(random), -0.02F + 0.025F * uniform(random),
+                         0.03F + 0.02F * uniform(random)};
+    const Vec3 from = target + 0.06F * random_direction(random);
+    Vec3 way = random_direction(random);
+    if (i % 2 == 0) way = (1 / norm(target - from)) * (target - from);
+    const Hit wanted = brute_force(places, organ->organ.triangles, from, way, 1e9, Which::kFirst);
+    if (wanted.doubtful) continue;
+    float distance = -1;
+    ASSERT_EQ(organ_raycast(organ->organ, from, way, distance), wanted.found) << "ray " << i;
+    (wanted.found ? hits : misses) += 1;
+    if (!wanted.found) continue;
+    ASSERT_NEAR(static_cast<double>(distance), wanted.at, 1e-6) << "ray " << i;
+  }
+  EXPECT_GT(hits, 5000);
+  EXPECT_GT(misses, 5000);
+}
+
+// Random smooth and rough deformations, 50 of them with 200 needles each, seed 6.
+TEST(FindContact, FindsWhatBruteForceFindsOnADeformedSurface) {
+  const auto organ = open_organ(tiny_organ(block()));
+  Session session = make_session(organ->organ, Config{});
+  const View view = view_of(session.kernel);
+  std::mt19937 random(6);
+  std::uniform_real_distribution<float> uniform(-1, 1);
+  int hits = 0, misses = 0;
+  for (int shape = 0; shape < 50; ++shape) {
+    const float size = 1e-3F * static_cast<float>(shape % 4);
+    float largest = 0;
+    for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) {
+      for (float* u : {&view.state.ux[i], &view.state.uy[i], &view.state.uz[i]}) {
+        *u = size * uniform(random);
+        largest = std::max(largest, std::fabs(*u));
+      }
+    }
+    view.state.head->max_displacement_m = largest;
+    const std::vector<Vec3> places = surface_of(session.kernel, organ->organ);
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 tip = {0.025F + 0.02F * uniform(random), -0.0075F + 0.0175F * uniform(random),
+                        0.04F + 0.015F * uniform(random)};
+      const Vec3 way = random_direction(random);
+      const Needle needle = {tip - 0.15F * way, way, tip};
+      const double reach = 0.02, skin = 2e-5;  // searched behind the tip, kept clear before it
+      const Hit wanted = brute_force(places, organ->organ.triangles, tip - 0.02F * way, way,
+                                     reach - skin, Which::kLast);
+      if (wanted.doubtful) continue;
+      Vec3 rest = {}, place = {};
+      std::uint32_t flags = 0;
+      const bool found = find_contact(view, needle, rest, place, flags);
+      ASSERT_EQ(flags, 0U);
+      ASSERT_EQ(found, wanted.found) << "shape " << shape << ", needle " << i;
+      (found ? hits : misses) += 1;
+      if (!found) continue;
+      const Vector off = minus(wide(place), wide(tip - 0.02F * way));
+      ASSERT_NEAR(std::sqrt(dot_of(off, off)), wanted.at, 2e-6);
+      // The rest place belongs to the crossing: not farther from it than tissue has moved.
+      ASSERT_LE(norm(rest - place), 1.75F * largest + 1e-7F);
+    }
+  }
+  EXPECT_GT(hits, 2000);
+  EXPECT_GT(misses, 2000);
+}
+
+// A needle that lies in a fine surface meets more triangles than a tick may test: counted, flagged,
+// and asked again.
+TEST(FindContact, CountsWhenItsBudgetIsSpent) {
+  TinyOrgan tiny;
+  tiny.nx = tiny.ny = 60;
+  tiny.nz = 1;
+  tiny.voxel_edge_m = 4e-4F;
+  const auto organ = open_organ(tiny_organ(tiny));
+  Session session = make_session(organ->organ, Config{});
+  const Input input = {{{0.022F - 0.15F, 0.012F, 4e-4F}, {0.70710678F, 0, -0.70710678F, 0}}, 1};
+  const Output out = tick(session.kernel, input);
+  EXPECT_EQ(out.flags, static_cast<std::uint32_t>(kFlagContactBudget));
+  EXPECT_EQ(stats(session.kernel).contact_budget, 1U);
+  EXPECT_EQ(out.phase, Phase::kFree);
+}
+
+}  // namespace
+}  // namespace stylet::test
