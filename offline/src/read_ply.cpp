@@ -174,7 +174,8 @@ void skip(Values& values, const Property& property) {
 
 void read_points(Values& values, const Element& element, Collector& collector) {
   for (std::size_t row = 0; row < element.count; ++row) {
-    double xyz[3] = {NAN, NAN, NAN};
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    double xyz[3] = {kNone, kNone, kNone};
     const std::string start = values.place();
     for (const Property& property : element.properties) {
       if (!property.is_list && property.name.size() == 1 && property.name[0] >= 'x' &&
