@@ -20,7 +20,8 @@ def faults(folder):
     for header in headers:
         for number, line in enumerate(header.read_text().splitlines(), 1):
             match = INCLUDE.match(line)
-            if match and match[1] not in ALLOWED | ALLOWED_C and not match[1].startswith('"stylet/'):
+            good = not match or match[1] in ALLOWED | ALLOWED_C or match[1].startswith('"stylet/')
+            if not good:
                 yield (f"{header}:{number}: includes {match[1]}; allowed are stylet/ headers and "
                        f"{' '.join(sorted(ALLOWED))}")
 

@@ -74,7 +74,7 @@ class Tidy(Sample):
 
     def test_accepts_good(self):
         self.write("kernel/src/a.cpp", APACHE + 'const char* kA = "new malloc(";  // no new here\n'
-                   "auto* kernel = new (memory) Kernel;\n")
+                   "#include <new>\nauto* kernel = new (memory) Kernel;\n")
         self.write("offline/src/a.cpp", GPL + "std::vector<int> v;\n")
         self.assertEqual(list(self.faults()), [])
 
@@ -102,7 +102,8 @@ class Tidy(Sample):
         self.assertEqual(len(found), 2, found)
 
     def test_refuses_banned_words_only_on_the_real_time_path(self):
-        for statement in ["auto* p = new int;", "auto* p = new (std::nothrow) int;", "free(p);", "std::vector<int> v;", "throw 1;",
+        for statement in ["auto* p = new int;", "auto* p = new (std::nothrow) int;", "free(p);",
+                          "std::vector<int> v;", "throw 1;",
                           "std::function<void()> f;", "virtual ~A();", 'printf("x");']:
             with self.subTest(statement):
                 self.write("hal/src/other.cpp", APACHE + statement + "\n")

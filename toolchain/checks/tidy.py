@@ -32,8 +32,8 @@ BANNED = {
 
 
 def code_only(text):
-    """The text with comments and literals blanked, so that words in them do not count."""
-    token = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)
+    """The text with comments, literals and includes blanked: words in them do not count."""
+    token = re.compile(r'//[^\n]*|#include[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)
     return token.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
 
 
