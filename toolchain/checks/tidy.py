@@ -33,7 +33,8 @@ BANNED = {
 
 def code_only(text):
     """The text with comments, literals and includes blanked: words in them do not count."""
-    token = re.compile(r'//[^\n]*|#include[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)
+    r"\bnew\b(?!\s*\((?!std::nothrow))":
+        "new (the caller owns all memory; placement is fine)",
     return token.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
 
 
