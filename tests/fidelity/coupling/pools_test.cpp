@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// Full pools behave as limits.h says, and are counted.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "rig.h"
+
+namespace stylet::test {
+namespace {
+
+TinyMaterial slippery() {
+  TinyMaterial m;
+  m.youngs_modulus_pa = 20000;
+  m.puncture_force_n = 0.05F;
+  m.cutting_force_n = 0.02F;
+  return m;
+}
+
+TinyOrgan block() {
+  TinyOrgan tiny;
+  tiny.nx = 8;
+  tiny.ny = tiny.nz = 5;
+  tiny.fixed_faces = kHighX | kLowY | kHighY | kLowZ | kHighZ;
+  tiny.materials = {slippery()};
+  return tiny;
+}
+constexpr Vec3 kStart = {-1e-3F, 12e-3F, 13e-3F};
+constexpr float kTinyUnitM = 1e-4F;
+
+Config tiny_unit() {
+  Config config;
+  config.needle.unit_m = kTinyUnitM;
+  return config;
+}
+
+TEST(Pools, FullShaftPoolIsCountedAndItsStretchNotFelt) {
+  Rig rig = make_rig(block(), tiny_unit());
+  std::uint64_t flagged = 0;
+  const Output out = drive(rig, kStart, 30e-3F, 10e-3F, [&](const Output& o) {
+    flagged += (o.flags & kFlagCpPoolFull) != 0 ? 1 : 0;
+    ASSERT_TRUE(std::isfinite(norm_of(o.force_n)));
+  });
+  const Stats s = stats(rig.kernel());
+  EXPECT_EQ(s.constraint_particles.used_max, kMaxConstraintParticles);
+  EXPECT_GT(flagged, 100U);
+  EXPECT_EQ(s.cp_pool_full, flagged);
+  EXPECT_GT(out.depth_m, 25e-3F) << "the needle advances";
+  // 128 units of 0.1 mm at 10 N/m, whatever the depth.
+  EXPECT_NEAR(-static_cast<double>(out.cause.friction_n.x) / (128 * 1e-4 * 10), 1, 0.02);
+  drive(rig, {30e-3F, kStart.y, kStart.z}, -20e-3F, 20e-3F);
+  const Output left = hold(rig, {-20e-3F, kStart.y, kStart.z}, 100);
+  EXPECT_EQ(left.phase, Phase::kFree);
+  EXPECT_EQ(left.constraint_particles, 0U);
+}
+
+TEST(Pools, NeedleThatJumpsGetsItsParticlesInTheNextTicks) {
+  Rig rig = make_rig(block(), tiny_unit());
+  drive(rig, kStart, 4e-3F, 10e-3F);
+  const std::uint32_t before = rig.view().state.head->shaft_count;
+  std::uint32_t last = before, most = 0;
+  for (int i = 0; i < 30; ++i) {
+    move_tip(rig, {8e-3F, kStart.y, kStart.z});
+    const std::uint32_t now = rig.view().state.head->shaft_count;
+    most = std::max(most, now - std::min(now, last));
+    last = now;
+  }
+  EXPECT_LE(most, kMaxDropsPerTick);
+  EXPECT_GE(last, before + 20) << "the rest follow";
+}
+
+// Long thin block of small voxels; the needle between their centres, so that every CP has eight.
+TEST(Pools, FullVoxelPoolGivesTheWeightToTheOthers) {
+  TinyOrgan tiny;
+  tiny.nx = 250;
+  tiny.ny = tiny.nz = 4;
+  tiny.voxel_edge_m = 1e-3F;
+  tiny.fixed_faces = kHighX | kLowY | kHighY | kLowZ | kHighZ;
+  tiny.materials = {slippery()};
+  tiny.materials[0].puncture_force_n = 0;
+  Config config;
+  config.needle.length_m = 0.4F;
+  config.needle.unit_m = 2e-3F;
+  Rig rig = make_rig(tiny, config);
+  std::uint64_t flagged = 0;
+  drive(rig, {-1e-3F, 2e-3F, 2e-3F}, 200e-3F, 0.2F, [&](const Output& o) {
+    flagged += (o.flags & kFlagCpVoxelPoolFull) != 0 ? 1 : 0;
+    ASSERT_TRUE(std::isfinite(norm_of(o.force_n)));
+  });
+  const Stats s = stats(rig.kernel());
+  EXPECT_EQ(s.coupled_voxels.used_max, kMaxCoupledVoxels);
+  EXPECT_GT(flagged, 0U);
+  EXPECT_GE(s.cp_voxel_pool_full, flagged);
+  int complete = 0, short_of = 0;
+  const View view = rig.view();
+  for (std::uint32_t i = 0; i < view.state.head->shaft_count; ++i) {
+    const Particle& p = view.state.shaft[i];
+    float sum = 0;
+    for (std::uint32_t j = 0; j < p.share_count; ++j) sum += p.share[j].weight;
+    if (sum == 0) continue;  // no room at all
+    (std::fabs(sum - 1) < 1e-5F ? complete : short_of) += 1;
+  }
+  EXPECT_GT(complete, 40);
+  EXPECT_EQ(short_of, 0) << "particles whose weights no longer add up to 1";
+}
+
+TEST(Pools, SeventeenthTrackForgetsTheFirst) {
+  TinyOrgan tiny = block();
+  tiny.ny = 30;
+  Rig rig = make_rig(tiny, Config{});
+  const auto stab = [&rig](int hole) {
+    const Vec3 at = {-1e-3F, 12e-3F + 6e-3F * static_cast<float>(hole), kStart.z};
+    drive(rig, {-10e-3F, at.y, at.z}, 15e-3F, 0.1F);
+    drive(rig, {15e-3F, at.y, at.z}, -10e-3F, 0.1F);
+    hold(rig, {-10e-3F, at.y, at.z}, 300);
+    Event list[kMaxEvents];
+    const std::uint32_t count = events(rig.kernel(), list);
+    for (std::uint32_t i = count; i-- > 0;) {
+      if (list[i].kind == EventKind::kPuncture || list[i].kind == EventKind::kReentry) {
+        return list[i].kind;
+      }
+    }
+    return EventKind::kExit;
+  };
+  for (int hole = 0; hole < static_cast<int>(kMaxTracks); ++hole) {
+    ASSERT_EQ(stab(hole), EventKind::kPuncture) << "hole " << hole;
+  }
+  EXPECT_EQ(stats(rig.kernel()).tracks.used, kMaxTracks);
+  EXPECT_EQ(stab(0), EventKind::kReentry) << "still remembered";
+  EXPECT_EQ(stab(16), EventKind::kPuncture);
+  EXPECT_EQ(stab(1), EventKind::kReentry) << "the second is remembered";
+  EXPECT_EQ(stab(0), EventKind::kPuncture) << "the oldest is forgotten";
+}
+
+}  // namespace
+}  // namespace stylet::test
