@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// V3 to V7: one voxel with its constraint particles, and a free block, against double precision.
+// V2 to V7: one voxel with its constraint particles, and a free block, against double precision.
 
 #include <gtest/gtest.h>
 
@@ -87,6 +87,41 @@ std::array<Vec, 8> corner_forces(Rig& rig) {
   return out;
 }
 
+// ---- V2
+
+// Largest deviation from orthonormal of the stored rotation of a stretched voxel that sways.
+double worst_while_swaying(Draw& draw, int steps) {
+  Rig rig = make_rig(block_of(1, 1, 1, elastic(kShear, 0)), resting_config(1, 0, 1));
+  const View view = rig.view();
+  const Mat axes = draw.rotation(3);
+  const Mat stretched = axes * Vec(1.1, 0.95, 1).asDiagonal() * axes.transpose();
+  const Vec axis = draw.within(1).normalized();
+  const std::uint32_t slot = view.model.voxel_slot[0];
+  const StateView& s = view.state;
+  double worst = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double angle = 0.3 * std::sin(0.01 * i);
+    const Mat placed = Eigen::AngleAxisd(angle, axis) * stretched - Mat::Identity();
+    for (std::uint32_t c = 0; c < 8; ++c) {
+      place(view, node_index(view, {c & 1U, (c >> 1U) & 1U, c >> 2U}),
+            placed * corner_offset(c, kEdgeD));
+    }
+    rig.session.kernel.step(rig.session.kernel);
+    if (i % 100 != 0) continue;
+    const Mat r = Eigen::Quaternionf(s.qw[slot], s.qx[slot], s.qy[slot], s.qz[slot])
+                      .cast<double>()
+                      .toRotationMatrix();
+    worst = std::max(worst, (r.transpose() * r - Mat::Identity()).cwiseAbs().maxCoeff());
+  }
+  return worst;
+}
+
+// Nothing but the step itself keeps the stored quaternion at length 1, however long it runs.
+TEST(FidelityV2, StoredRotationStaysOrthonormalInMovingTissue) {
+  Draw draw;
+  for (int i = 0; i < 8; ++i) EXPECT_LT(worst_while_swaying(draw, 300000), 1e-6) << "draw " << i;
+}
+
 // ---- V3
 
 TEST(FidelityV3, RigidMotionStretchesNothingInDouble) {
@@ -135,7 +170,7 @@ TEST(FidelityV3, RigidMotionOfABlockMakesNoForceInTheKernel) {
       });
       measure_forces(view);
       worst = std::max(worst, to_double(view.state.shaft[0].force_n).norm() / (8 * kSpring));
-      EXPECT_LT(worst, 1e-5 * kEdgeD) << "nu " << poisson << ", draw " << i;
+      EXPECT_LT(worst, 8e-6 * kEdgeD) << "nu " << poisson << ", draw " << i;
     }
   }
 }
@@ -184,12 +219,12 @@ TEST(FidelityV4, KernelForcesAgreeWithTheReference) {
     const VoxelForces wanted = voxel_forces(voxel);
     const std::array<Vec, 8> corner = corner_forces(rig);
     for (std::size_t c = 0; c < 8; ++c) {
-      EXPECT_LT((corner[c] - wanted.corner[c]).norm() / kForceScale, 1e-5) << "draw " << i;
+      EXPECT_LT((corner[c] - wanted.corner[c]).norm() / kForceScale, 3e-6) << "draw " << i;
     }
     for (std::size_t p = 0; p < voxel.held.size(); ++p) {
       const double weight = std::max(1.0, voxel.held[p].weight / kSpring);
       EXPECT_LT((to_double(rig.view().state.shaft[p].force_n) - wanted.held[p]).norm(),
-                1e-5 * kForceScale * weight)
+                3e-6 * kForceScale * weight)
           << "draw " << i << ", particle " << p;
     }
   }
@@ -207,12 +242,12 @@ TEST(FidelityGhosts, ClosedFormAgreesWithGhostsAsRealParticles) {
     const std::array<Vec, 8> corner = corner_forces(rig);
     for (std::size_t c = 0; c < 8; ++c) {
       const Vec goal = ghosts.goal(corner_offset(c, kEdgeD));
-      EXPECT_LT((corner[c] + kSpring * (voxel.corner[c] - goal)).norm() / kForceScale, 1e-5)
+      EXPECT_LT((corner[c] + kSpring * (voxel.corner[c] - goal)).norm() / kForceScale, 3e-6)
           << "draw " << i;
     }
     for (std::size_t p = 0; p < voxel.held.size(); ++p) {
       const Vec goal = to_double(rig.view().state.shaft[p].share[0].goal_m);
-      EXPECT_LT((goal - ghosts.goal(voxel.held[p].rest)).norm(), 1e-5 * kEdgeD)
+      EXPECT_LT((goal - ghosts.goal(voxel.held[p].rest)).norm(), 3e-6 * kEdgeD)
           << "draw " << i << ", particle " << p;
     }
   }
@@ -263,8 +298,8 @@ TEST(FidelityV5, WhatTheNeedleFeelsIsWhatTheTissueGets) {
     for (std::size_t p = 0; p < voxel.held.size(); ++p) {
       add(voxel.held[p].place, -to_double(rig.view().state.shaft[p].force_n));
     }
-    EXPECT_LT(force.norm(), 5e-6 * size) << "draw " << i;
-    EXPECT_LT(torque.norm(), 5e-6 * arm) << "draw " << i;
+    EXPECT_LT(force.norm(), 2e-6 * size) << "draw " << i;
+    EXPECT_LT(torque.norm(), 2e-6 * arm) << "draw " << i;
   }
 }
 
@@ -371,8 +406,8 @@ TEST(FidelityV6, FreeBlockKeepsItsMomentaInDouble) {
 
 TEST(FidelityV6, FreeBlockAtRestKeepsItsMomentaInTheKernel) {
   const Drift drift = drift_of(free_block(0, false));
-  EXPECT_LT(drift.linear, 1e-4);
-  EXPECT_LT(drift.angular, 1e-4);
+  EXPECT_LT(drift.linear, 1e-5);
+  EXPECT_LT(drift.angular, 1e-5);
 }
 
 TEST(FidelityV6, TurningBlockKeepsItsMomentaInTheKernel) {
@@ -435,14 +470,15 @@ TEST(FidelityV7, NeutralInsertionChangesNoForceInTheKernel) {
     ASSERT_EQ(view.state.tip->share_count, kSharesPerParticle);
     gather_coupled(view);
     const std::vector<Vec> after = node_forces(rig);
+    let_rotations_follow(rig, 1);  // makes the fit that forces are measured from
     measure_forces(view);
     const double weight = static_cast<double>(view.state.tip->stiffness_n_per_m) / kSpring;
-    EXPECT_LT(to_double(view.state.tip->force_n).norm(), 1e-5 * kForceScale * weight);
+    EXPECT_LT(to_double(view.state.tip->force_n).norm(), 3e-6 * kForceScale * weight);
     double worst = 0;
     for (std::size_t n = 0; n < after.size(); ++n) {
       worst = std::max(worst, (after[n] - before[n]).norm());
     }
-    EXPECT_LT(worst, 1e-5 * kForceScale) << "draw " << i;
+    EXPECT_LT(worst, 3e-6 * kForceScale) << "draw " << i;
   }
 }
 

@@ -103,7 +103,7 @@ TEST(FidelityV1, TwoRefinedRotationStepsAgreeWithSvdInDouble) {
 }
 
 TEST(FidelityV1, TwoRefinedRotationStepsAgreeWithSvdInFloat) {
-  EXPECT_LT(worst_of_two_refined_steps<float>(ordinary), 2e-6);
+  EXPECT_LT(worst_of_two_refined_steps<float>(ordinary), 1e-6);
 }
 
 // What rotation.h says of the single step of the lattice sweep: 9e-5 rad after one step (median),
@@ -144,7 +144,7 @@ TEST(FidelityV1, PlainRotationStepRecoversFromHalfARadian) {
 
 TEST(FidelityV2, FlatClustersAreAsAccurateAsOrdinaryOnes) {
   EXPECT_LT(worst_of_two_refined_steps<double>(flat), 1e-9);
-  EXPECT_LT(worst_of_two_refined_steps<float>(flat), 2e-6);
+  EXPECT_LT(worst_of_two_refined_steps<float>(flat), 1e-6);
 }
 
 TEST(FidelityV2, InvertedClustersAreAsAccurateAsOrdinaryOnes) {
@@ -176,23 +176,6 @@ TEST(FidelityV2, DegenerateClustersStillGiveARotation) {
       }
     }
   }
-}
-
-// Tissue that sways for a million steps: the stored quaternion must stay of length 1 by itself.
-TEST(FidelityV2, RotationStaysOrthonormalForAMillionStepsOfMovingTissue) {
-  Draw draw;
-  const Mat stretched = draw.stretch(Vec(1.1, 0.95, 1));
-  const Vec axis = draw.direction();
-  Turn<float> q;
-  double worst = 0;
-  for (int i = 0; i < 1000000; ++i) {
-    const double angle = 0.4 * std::sin(i * 0.01);
-    follow<0>(Eigen::AngleAxisd(angle, axis).toRotationMatrix() * stretched, q);
-    if (i % 100 != 0) continue;
-    const Mat r = quaternion(q).toRotationMatrix();
-    worst = std::max(worst, (r.transpose() * r - Mat::Identity()).cwiseAbs().maxCoeff());
-  }
-  EXPECT_LT(worst, 1e-6);
 }
 
 }  // namespace
