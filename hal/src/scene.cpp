@@ -158,7 +158,8 @@ void read_loop(Section loop, Scene& scene) {
   const double low_us = std::round(static_cast<double>(kMinPeriodS) * 1e6);
   const double high_us = std::round(static_cast<double>(kMaxPeriodS) * 1e6);
   scene.config.period_s = si(loop.number("period_us", 1000, low_us, high_us), 1e-6);
-  scene.config.substeps = static_cast<std::uint32_t>(loop.integer("substeps", 1, 1, kMaxSubsteps));
+  scene.config.substeps =
+      static_cast<std::uint32_t>(loop.integer("substeps", Config{}.substeps, 1, kMaxSubsteps));
   scene.rt_priority = static_cast<int>(loop.integer("rt_priority", 80, 1, 98));
   scene.cpu = static_cast<int>(loop.integer("cpu", -1, -1, 1023));
   scene.hash_every_ticks =
@@ -312,7 +313,9 @@ Scene parse_scene(std::string_view text, const std::string& file) {
   organ.finish();
   read_loop(root.table("loop"), scene);
   Section tissue = root.table("tissue");
-  scene.config.tissue_damping_s = si(tissue.number("damping_ms", 2, 0, 1000), 1e-3);
+  scene.config.tissue_damping_s = si(tissue.number("damping_ms", 0.25, 0, 1000), 1e-3);
+  scene.config.surround_drag_per_s =
+      static_cast<float>(tissue.number("surround_drag_per_s", 8, 0, 100));
   tissue.finish();
   Section paper = root.table("paper");
   scene.config.paper_alpha = static_cast<float>(paper.number("alpha", 0.5, 0, 1));

@@ -22,6 +22,8 @@ constexpr float kSlidingMPerS = 1e-4F;
 constexpr float kComplianceGain = 0.02F;
 // The tip finds the material at its goal within this distance of travel.
 constexpr float kMaterialPullM = 1e-3F;
+// pi over the tangent of a tip's half angle of 15 degrees: where a cone's force meets a punch's.
+constexpr float kConeLengthInRadii = 11.7F;
 // A shaft CP keeps at least this part of its spring, so that forces can be divided by it.
 constexpr float kLeastPart = 0.01F;
 
@@ -498,6 +500,14 @@ void begin_insertion(const View& view, const Needle& needle, std::uint32_t track
   add_event(view, again ? EventKind::kReentry : EventKind::kPuncture, force_n);
 }
 
+// Part of the punch's stiffness that a conical tip has this deep: its contact widens as it sinks in
+// (Sneddon 1965: force with the square of depth), until it is as wide as the needle. The spring is
+// k d / (d + length): quadratic at first, a punch in the end.
+float cone_part(const ModelHead& head, float depth_m) {
+  const float length = kConeLengthInRadii * head.config.needle.outer_radius_m;
+  return max_of(depth_m / (depth_m + length), kLeastPart);
+}
+
 // Contact holds, ends, or becomes a puncture.
 void update_contact(const View& view, const Needle& needle) {
   StateHead& state = *view.state.head;
@@ -510,6 +520,9 @@ void update_contact(const View& view, const Needle& needle) {
     state.phase = Phase::kFree;
     state.tip_alive = 0;
     return;
+  }
+  if (head.config.mode == Mode::kPhysical) {
+    tip.stiffness_n_per_m = tip.full_stiffness_n_per_m * cone_part(head, away);
   }
   relax(view, tip, needle.direction);
   const VoxelFrame frame =

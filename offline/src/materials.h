@@ -26,6 +26,9 @@ struct Tissue {
   double static_friction_n_per_m = 0;
   double stribeck_velocity_m_per_s = 0;
   double viscous_friction_n_s_per_m2 = 0;
+  // Tension stiffness of a thin skin (modulus times thickness) that a surface voxel carries besides
+  // its own; spread over the voxel it adds this over the voxel's edge to the modulus.
+  double membrane_n_per_m = 0;
 };
 
 const std::vector<Tissue>& preset_tissues();

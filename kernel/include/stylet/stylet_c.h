@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* The kernel for callers that are not C++: Unity, Unreal, Python, MATLAB, C. Plain C99, no callbacks,
- * no ownership: the caller gives all memory. Same promises, units (SI) and frames as stylet/kernel.h,
- * which documents every field; values of enumerations are the same numbers. Functions that return
- * uint16_t return a status: 0 is ok, stylet_status_name tells the rest. */
+/* The kernel for callers that are not C++: Unity, Unreal, Python, MATLAB, C. Plain C99, no
+ * callbacks, no ownership: the caller gives all memory. Same promises, units (SI) and frames as
+ * stylet/kernel.h, which documents every field; enumerations have the same numbers. Functions that
+ * return uint16_t return a status: 0 is ok, stylet_status_name tells the rest. */
 #ifndef STYLET_STYLET_C_H
 #define STYLET_STYLET_C_H
 
@@ -75,7 +75,8 @@ uint16_t stylet_kernel_create(const stylet_organ* organ, const stylet_config* co
                               size_t model_bytes, void* state, size_t state_bytes, void* scratch,
                               size_t scratch_bytes, stylet_kernel* kernel_out);
 void stylet_kernel_reset(stylet_kernel* kernel);
-void stylet_kernel_tick(stylet_kernel* kernel, const stylet_input* input, stylet_output* output_out);
+void stylet_kernel_tick(stylet_kernel* kernel, const stylet_input* input,
+                        stylet_output* output_out);
 
 /* Return how many were written. */
 uint32_t stylet_kernel_events(const stylet_kernel* kernel, stylet_event* out, uint32_t capacity);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The needle must not feel the grid: 200 straight insertions with drawn entry points and directions,
-// a third of them along voxel faces and a sixth along voxel edges, give a force that grows with depth
-// by the friction written in the material and ripples less than 2 % about that trend.
+// The needle must not feel the grid: 200 straight insertions with drawn entry points and
+// directions, a third of them along voxel faces and a sixth along voxel edges, give a force that
+// grows with depth by the friction written in the material and ripples less than 2 % about it.
 //
-// Sample: 200 insertions (seed below), 45 mm deep, 10 mm/s, 5 mm voxels, 5 mm needle units. Ripple is
-// the standard deviation about the straight line of force against depth, from 10 mm of depth on, over
-// the mean force there. The closed form is f_c + b v per metre.
+// Sample: 200 insertions (seed below), 45 mm deep, 10 mm/s, 5 mm voxels, 5 mm needle units. Ripple
+// is the standard deviation about the straight line of force against depth, from 10 mm of depth
+// on, over the mean force there. The closed form is f_c + b v per metre.
 
 #include <gtest/gtest.h>
 
@@ -48,12 +48,12 @@ test::TinyOrgan liver_block() {
 }
 
 struct Aim {
-  Vec3 entry_m;      // on the face x = 0
+  Vec3 entry_m;  // on the face x = 0
   Vec3 direction;
 };
 
-// Entry near the middle of the face; every third direction lies in a voxel face, every sixth along a
-// voxel edge, the rest anywhere within 35 degrees of the face's normal.
+// Entry near the middle of the face; every third direction lies in a voxel face, every sixth along
+// a voxel edge, the rest anywhere within 35 degrees of the face's normal.
 Aim draw_aim(int index, std::mt19937& random) {
   const auto uniform = [&](float low, float high) {
     return low + (high - low) * static_cast<float>(random()) / 4294967296.0F;
@@ -104,11 +104,11 @@ Curve insert(const Organ& organ, const Aim& aim) {
     blocks.data[i] = static_cast<std::byte*>(std::aligned_alloc(kBlockAlignment, bytes[i]));
   }
   Kernel kernel;
-  EXPECT_EQ(create(organ, config,
-                   {{blocks.data[0], bytes[0]}, {blocks.data[1], bytes[1]},
-                    {blocks.data[2], bytes[2]}},
-                   kernel),
-            Status::kOk);
+  EXPECT_EQ(
+      create(organ, config,
+             {{blocks.data[0], bytes[0]}, {blocks.data[1], bytes[1]}, {blocks.data[2], bytes[2]}},
+             kernel),
+      Status::kOk);
   Curve curve;
   const Quat rotation = towards(aim.direction);
   for (int t = 0; t < 12000; ++t) {
@@ -118,9 +118,9 @@ Curve insert(const Organ& organ, const Aim& aim) {
                        aim.entry_m.y + back * aim.direction.y,
                        aim.entry_m.z + back * aim.direction.z};
     const Output out = tick(kernel, {{base, rotation}, 1});
-    const double axial = -static_cast<double>(out.force_n.x * aim.direction.x +
-                                              out.force_n.y * aim.direction.y +
-                                              out.force_n.z * aim.direction.z);
+    const double axial =
+        -static_cast<double>(out.force_n.x * aim.direction.x + out.force_n.y * aim.direction.y +
+                             out.force_n.z * aim.direction.z);
     if (out.phase == Phase::kInserted && out.depth_m > 0.010F) {
       curve.depth_m.push_back(static_cast<double>(out.depth_m));
       curve.force_n.push_back(axial);
@@ -172,8 +172,8 @@ TEST(InsertionRipple, ForceFollowsTheMaterialNotTheGridFor200EntryPointsAndDirec
   std::thread other(work, 1);
   work(0);
   other.join();
-  const double friction_n_per_m = static_cast<double>(kCoulombNPerM) +
-                                  static_cast<double>(kViscousNSPerM2 * kSpeedMPerS);
+  const double friction_n_per_m =
+      static_cast<double>(kCoulombNPerM) + static_cast<double>(kViscousNSPerM2 * kSpeedMPerS);
   double worst_ripple = 0, worst_slope = 0;
   for (std::size_t i = 0; i < aims.size(); ++i) {
     ASSERT_GT(samples[i], 2000U) << "insertion " << i << " did not reach its depth";
