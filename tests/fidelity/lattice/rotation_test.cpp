@@ -192,5 +192,28 @@ TEST(FidelityV2, DegenerateClustersStillGiveARotationInFloat) {
   EXPECT_LT(worst_of_degenerate<float>(), 1e-6);
 }
 
+// Clusters collapsed to a line, found by a search over random ones: finite in, finite out.
+TEST(FidelityV2, ClustersCollapsedToALineStayFiniteInFloat) {
+  struct Case {
+    Turn<float> start;
+    double a[9];
+  };
+  const Case cases[] = {
+      {{0.311957538F, -0.675445676F, -0.137217849F, 0.653931975F},
+       {0.466186166, 0.18526797, -0.413611501, 0.0427505262, 0.016989572, -0.037929289,
+        -0.543097198, -0.215833336, 0.481848806}},
+      {{0.976665318F, -0.0645532012F, 0.0374173224F, 0.201389924F},
+       {0.205283538, 0.162930921, -0.211068526, 0.359532833, 0.285354078, -0.369663864,
+        -0.448045552, -0.355606019, 0.460673004}},
+      {{-0.29135409F, 0.759670019F, 0.362422884F, 0.454602987F},
+       {5.5744348e-10, 3.59918456e-10, 5.42316525e-10, 2.83451956e-10, 1.83013341e-10,
+        2.75760109e-10, 1.79002368e-10, 1.15574508e-10, 1.74144907e-10}}};
+  for (const Case& c : cases) {
+    Turn<float> q = c.start;
+    follow<1>(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(c.a), q);
+    EXPECT_TRUE(std::isfinite(q.w + q.x + q.y + q.z)) << "first entry " << c.a[0];
+  }
+}
+
 }  // namespace
 }  // namespace stylet::test
