@@ -22,6 +22,20 @@ namespace {
 
 constexpr std::uint64_t kTicks = 9000;  // two insertions, and tissue left to come to rest
 
+// A block whose skin the session's script punctures in either mode.
+std::unique_ptr<OpenOrgan> entered_block() {
+  TinyOrgan tiny;
+  tiny.nx = 6;
+  tiny.ny = 5;
+  tiny.nz = 8;
+  tiny.fixed_faces = kLowZ;
+  tiny.materials[0].youngs_modulus_pa = 20000;
+  tiny.materials[0].puncture_force_n = 0.05F;
+  tiny.materials[0].cutting_force_n = 0.05F;
+  tiny.materials[0].relaxing_fraction = 0.3F;
+  return open_organ(tiny_organ(tiny));
+}
+
 struct Result {
   std::vector<std::uint64_t> hashes;  // every hundred ticks
   std::vector<float> force;
@@ -43,7 +57,7 @@ Result run_with(Session& session, const Organ& organ, const Config& config, Befo
 
 class Determinism : public testing::TestWithParam<Mode> {
  protected:
-  std::unique_ptr<OpenOrgan> organ_ = block_organ(6, 5, 8);
+  std::unique_ptr<OpenOrgan> organ_ = entered_block();
   Config config_ = config_of(GetParam());
   Session reference_ = make_session(organ_->organ, config_);
   Result expected_ = run_with(reference_, organ_->organ, config_, [](Kernel&, std::uint64_t) {});

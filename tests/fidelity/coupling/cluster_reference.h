@@ -94,7 +94,7 @@ class ClusterReference {
       const double m = static_cast<double>(p.memory_share);
       sum += 0.5 * s * m * (1 - m) * std::pow(norm_of(p.memory_m), 2);
     });
-    return sum;
+    return sum + cone_energy(view);
   }
 
   // Work that damping takes in one substep: the difference of the internal forces at u and at
@@ -142,6 +142,23 @@ class ClusterReference {
     const StateHead& head = *view.state.head;
     for (std::uint32_t i = 0; i < head.shaft_count; ++i) visit(view.state.shaft[i]);
     if (head.tip_alive != 0) visit(*view.state.tip);
+  }
+
+  // The tip in contact is a cone, force S d^2 / (d + l) with l = a pi / tan 15 degrees: its energy
+  // instead of that of a spring as stiff as it is now.
+  static double cone_energy(const View& view) {
+    if (view.state.head->phase != Phase::kContact) return 0;
+    const Particle& tip = *view.state.tip;
+    Vec3 off = {};
+    for (std::uint32_t i = 0; i < tip.share_count; ++i) {
+      off = off + tip.share[i].weight * (tip.position_m - tip.share[i].goal_m);
+    }
+    const double radius = static_cast<double>(view.model.head->config.needle.outer_radius_m);
+    const double l = radius * 3.14159265 / std::tan(3.14159265 / 12);
+    const double d = norm_of(off);
+    return static_cast<double>(tip.full_stiffness_n_per_m) *
+               (0.5 * d * d - l * d + l * l * std::log1p(d / l)) -
+           0.5 * static_cast<double>(tip.stiffness_n_per_m) * d * d;
   }
 
   std::map<std::uint32_t, std::vector<Member>> members_of(const View& view) const {
