@@ -315,7 +315,7 @@ Scene parse_scene(std::string_view text, const std::string& file) {
   Section tissue = root.table("tissue");
   scene.config.tissue_damping_s = si(tissue.number("damping_ms", 0.25, 0, 1000), 1e-3);
   scene.config.surround_drag_per_s =
-      static_cast<float>(tissue.number("surround_drag_per_s", 8, 0, 100));
+      static_cast<float>(tissue.number("surround_drag_per_s", 12, 0, 100));
   tissue.finish();
   Section paper = root.table("paper");
   scene.config.paper_alpha = static_cast<float>(paper.number("alpha", 0.5, 0, 1));

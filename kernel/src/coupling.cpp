@@ -20,6 +20,9 @@ constexpr float kLargestCompliance = 100.0F;
 constexpr float kSlidingMPerS = 1e-4F;
 // Part of a new measure of the compliance that is taken over in a tick.
 constexpr float kComplianceGain = 0.02F;
+// The tip must be this far behind a shaft CP to have passed it: a tip that re-enters a track starts
+// beside the first one.
+constexpr float kTrackSkinM = 1e-5F;
 // The tip finds the material at its goal within this distance of travel.
 constexpr float kMaterialPullM = 1e-3F;
 // pi over the tangent of a tip's half angle of 15 degrees: where a cone's force meets a punch's.
@@ -161,6 +164,15 @@ Vec3 force_on_tissue(const Particle& p) {
   return p.stiffness_n_per_m * (residual(p) - p.memory_share * p.memory_m);
 }
 
+// Energy in a CP's spring and Maxwell branch. In contact the spring stiffens with depth, see
+// cone_part: its energy is the integral of that law.
+double spring_energy(const Particle& p) {
+  const Vec3 d = residual(p), rest = d - p.memory_m;
+  const float share = p.memory_share;
+  return 0.5 * static_cast<double>(p.stiffness_n_per_m *
+                                   ((1 - share) * dot(d, d) + share * dot(rest, rest)));
+}
+
 std::uint32_t heaviest(const Particle& p) {
   std::uint32_t best = 0;
   for (std::uint32_t i = 1; i < p.share_count; ++i) {
@@ -259,6 +271,11 @@ bool present_place(const View& view, Vec3 rest_m, Vec3& place_out_m) {
   return true;
 }
 
+bool inside_lattice(const View& view, Vec3 rest_m) {
+  Vec3 place = {};
+  return present_place(view, rest_m, place);
+}
+
 // Moves the tissue that the tip holds forward by `move_m` along the needle. The step is integrated
 // in the rest frame; while it moves, the tip's rest place is drawn to the material that really lies
 // at its goal, so that errors of the integration do not pile up.
@@ -285,6 +302,13 @@ void advance_tip(const View& view, Particle& tip, Vec3 direction, float move_m) 
   tip.track_m += dot(miss, along) / length;
 }
 
+// Rest place of the material that now lies at `place_m`, near the tip.
+Vec3 material_at(const View& view, const Particle& tip, Vec3 place_m) {
+  Vec3 present = tip.position_m - residual(tip);
+  (void)present_place(view, tip.rest_m, present);
+  return tip.rest_m + pull_back(gradient_around(view, tip), place_m - present);
+}
+
 // ---- the return map
 // -------------------------------------------------------------------------------
 
@@ -303,15 +327,6 @@ float overshoot(const View& view, const Particle& p, float axial_n, float low_n,
   return excess / p.stiffness_n_per_m;
 }
 
-// Sets the relaxed part of the residual and books what the Maxwell branch dissipates by it.
-void set_memory(StateHead& state, Particle& p, Vec3 memory_m) {
-  const Vec3 change = memory_m - p.memory_m;
-  const Vec3 stretch = residual(p) - p.memory_m;
-  state.relaxation_j += static_cast<double>(p.stiffness_n_per_m * p.memory_share *
-                                            (dot(stretch, change) - 0.5F * dot(change, change)));
-  p.memory_m = memory_m;
-}
-
 // While a CP slides, its tissue has given way by the force the CP carries (and by that of its
 // neighbours): that is the compliance set_relaxation needs.
 void measure_compliance(const View& view, Particle& p, Vec3 direction) {
@@ -320,24 +335,27 @@ void measure_compliance(const View& view, Particle& p, Vec3 direction) {
   const float spring_m = dot(d - p.memory_share * p.memory_m, direction);
   const float tissue_m = dot((p.position_m - d) - p.rest_m, direction);
   const float c = tissue_m * spring_m > 0 ? min_of(tissue_m / spring_m, kLargestCompliance) : 0.0F;
-  p.tissue_compliance += kComplianceGain * (c - p.tissue_compliance);
+  p.tissue_compliance = settle(p.tissue_compliance + kComplianceGain * (c - p.tissue_compliance));
   set_relaxation(*view.model.head, p);
 }
 
-// Everything of a CP that changes with time and not with the needle: its residual relaxes; sliding
-// brings fresh tissue, which has relaxed nothing yet. Comes before the return map, so that the map
-// has the last word on the force.
-void relax(const View& view, Particle& p, Vec3 direction) {
-  measure_compliance(view, p, direction);
-  const Vec3 d = residual(p);
+// Sliding brings fresh tissue to the needle, which has relaxed nothing yet.
+void renew(const View& view, Particle& p) {
   const float slid_m = p.slip_m_per_s * view.model.head->config.period_s;
-  const float kept = kRenewalLengthM / (kRenewalLengthM + slid_m);
-  set_memory(*view.state.head, p, kept * (d + p.memory_keep * (p.memory_m - d)));
+  p.memory_m = settle((kRenewalLengthM / (kRenewalLengthM + slid_m)) * p.memory_m);
+}
+
+// The Maxwell branch creeps; what it dissipates is booked.
+void relax(StateHead& state, Particle& p) {
+  const double before = spring_energy(p);
+  const Vec3 d = residual(p);
+  p.memory_m = settle(d + p.memory_keep * (p.memory_m - d));
+  state.relaxation_j += before - spring_energy(p);
 }
 
 void note_slip(const ModelHead& head, Particle& p, float slip_m) {
   const float speed = (slip_m < 0 ? -slip_m : slip_m) / head.config.period_s;
-  p.slip_m_per_s = speed + head.velocity_keep * (p.slip_m_per_s - speed);
+  p.slip_m_per_s = settle(speed + head.velocity_keep * (p.slip_m_per_s - speed));
 }
 
 // Shaft length a CP stands for now, and its spring in proportion: both vanish when the tip comes
@@ -359,22 +377,34 @@ float friction_n_per_m(const MaterialModel& m, float speed_m_per_s) {
          m.viscous_n_s_per_m2 * speed_m_per_s;
 }
 
+// Work lost in a slip: mean of the axial forces felt before and after, as the hand's work is
+// booked.
+double slip_work(const Particle& p, Vec3 direction, float slip_m) {
+  const float mean = 0.5F * dot(p.force_n + force_on_tissue(p), direction);
+  return static_cast<double>(mean) * static_cast<double>(slip_m);
+}
+
 void slip_shaft(const View& view, const Needle& needle) {
   const ModelHead& head = *view.model.head;
   StateHead& state = *view.state.head;
-  const float tip_track = view.state.tip->track_m;
+  const float tip_track = state.tissue_track_m;
   for (std::uint32_t i = 0; i < state.shaft_count; ++i) {
     Particle& p = view.state.shaft[i];
+    // All that changes the spring comes before the return map, which has the last word on the
+    // force.
+    const double before = spring_energy(p);
     const float length = stand_for(view, p, tip_track);
-    relax(view, p, needle.direction);
+    measure_compliance(view, p, needle.direction);
+    renew(view, p);
+    state.friction_j += before - spring_energy(p);
+    relax(state, p);
     const float limit = friction_n_per_m(head.material[p.material], p.slip_m_per_s) * length;
     const float axial = dot(force_on_tissue(p), needle.direction);
     const float slip = overshoot(view, p, axial, -limit, limit);
     p.arc_m += slip;
     p.position_m = p.position_m - slip * needle.direction;
     note_slip(head, p, slip);
-    const float after = dot(force_on_tissue(p), needle.direction);
-    state.friction_j += static_cast<double>(after) * static_cast<double>(slip);
+    state.friction_j += slip_work(p, needle.direction, slip);
   }
 }
 
@@ -387,7 +417,11 @@ void cut_tip(const View& view, const Needle& needle, float moved_m) {
   const MaterialModel& m = head.material[tip.material];
   float move = moved_m;  // outside the tissue the tip carries nothing and follows the needle
   if (tip.share_count > 0) {
-    relax(view, tip, needle.direction);
+    const double before = spring_energy(tip);
+    measure_compliance(view, tip, needle.direction);
+    renew(view, tip);
+    state.cutting_j += before - spring_energy(tip);
+    relax(state, tip);
     const bool in_track = tip.track_m < state.track_end_m;
     const float limit = m.cutting_n * (in_track ? m.recut_fraction : 1.0F);
     const float axial = dot(force_on_tissue(tip), needle.direction);
@@ -395,10 +429,10 @@ void cut_tip(const View& view, const Needle& needle, float moved_m) {
   }
   advance_tip(view, tip, needle.direction, move);
   note_slip(head, tip, move);
-  const Vec3 before = residual(tip);
-  renew_shares(view, tip, before);
-  const float after = dot(force_on_tissue(tip), needle.direction);
-  state.cutting_j += static_cast<double>(after) * static_cast<double>(move);
+  state.cutting_j += slip_work(tip, needle.direction, move);
+  renew_shares(view, tip, residual(tip));
+  if (!inside_lattice(view, tip.rest_m)) tip.share_count = 0;
+  if (tip.share_count > 0) state.tissue_track_m = tip.track_m;
   state.track_end_m = max_of(state.track_end_m, tip.track_m);
   if (move > 0) state.phase = Phase::kInserted;
   if (move < 0) state.phase = Phase::kRetracting;
@@ -413,7 +447,7 @@ std::uint32_t push_shaft(const View& view, Particle p) {
     ++state.cp_pool_full;
     return kFlagCpPoolFull;
   }
-  (void)stand_for(view, p, view.state.tip->track_m);
+  (void)stand_for(view, p, state.tissue_track_m);
   view.state.shaft[state.shaft_count++] = p;
   state.shaft_max = state.shaft_count > state.shaft_max ? state.shaft_count : state.shaft_max;
   return 0;
@@ -428,17 +462,21 @@ std::uint32_t drop_shaft(const View& view, const Needle& needle) {
     const float last = view.state.shaft[state.shaft_count - 1].track_m;
     const float behind = tip.track_m - last - unit;
     if (behind < 0) return 0;
-    const Vec3 rest_direction = tip.share_count > 0
-                                    ? pull_back(gradient_around(view, tip), needle.direction)
-                                    : needle.direction;
+    if (tip.share_count == 0) return 0;  // the stretch lies outside the tissue
     const Vec3 place = needle.tip_m - behind * needle.direction;
-    const Particle p = new_particle(view, tip.rest_m - behind * rest_direction, place, last + unit,
-                                    behind, Place::kShaft);
-    if (p.share_count == 0) return 0;  // the stretch lies outside the tissue
+    const Particle p = new_particle(view, material_at(view, tip, place), place, last + unit, behind,
+                                    Place::kShaft);
+    if (p.share_count == 0) return 0;
     const std::uint32_t flags = push_shaft(view, p);
     if (flags != 0) return flags;
   }
   return 0;
+}
+
+// The tip has come back past a shaft CP: along the track, or, when a violent hand has made the
+// track unreliable, by the needle's own length.
+bool is_behind(const View& view, const Particle& p) {
+  return view.state.tip->track_m <= p.track_m || p.arc_m < -view.model.head->config.needle.unit_m;
 }
 
 void end_insertion(const View& view) {
@@ -479,6 +517,34 @@ std::uint32_t remember_track(const View& view, Vec3 rest_m, Vec3 rest_direction)
   return index;
 }
 
+// Energy of the contact spring k d / (d + L) at depth d: the integral of its force.
+double contact_energy(const ModelHead& head, const Particle& p, Vec3 direction) {
+  if (head.config.mode == Mode::kPaper) return spring_energy(p);
+  const float length = kConeLengthInRadii * head.config.needle.outer_radius_m;
+  const float x = max_of(dot(residual(p), direction), 0) / length;
+  const float integral = 0.5F * x * x - x + natural_log(1 + x);
+  return static_cast<double>(p.full_stiffness_n_per_m * length * length * integral);
+}
+
+// From the spring of contact to that of cutting, at the same force; the difference of their
+// energies is spent on the rupture.
+void change_spring(const View& view, const Needle& needle, float force_n) {
+  StateHead& state = *view.state.head;
+  Particle& tip = *view.state.tip;
+  const double before = contact_energy(*view.model.head, tip, needle.direction);
+  const float depth = dot(residual(tip), needle.direction);
+  set_stiffness(view, tip, Place::kTip);
+  tip.memory_m = {};
+  const float closer = depth - force_n / tip.stiffness_n_per_m;
+  for (std::uint32_t i = 0; i < tip.share_count; ++i) {
+    Share& share = tip.share[i];
+    const VoxelFrame frame = voxel_frame(view, share.slot, share.row);
+    share.goal_m = share.goal_m + closer * needle.direction;
+    share.offset_m = share.offset_m + closer * transposed_times(frame.rotation, needle.direction);
+  }
+  state.cutting_j += before - spring_energy(tip);
+}
+
 // Contact -> inserted: the entry becomes the first shaft CP, the tip starts to cut.
 void begin_insertion(const View& view, const Needle& needle, std::uint32_t track, float force_n) {
   StateHead& state = *view.state.head;
@@ -489,12 +555,13 @@ void begin_insertion(const View& view, const Needle& needle, std::uint32_t track
   const bool again = track != kNoTrack;
   state.track_current = again ? track : remember_track(view, tip.rest_m, rest_direction);
   state.track_end_m = again ? view.state.track[track].length_m : 0;
-  tip.track_m = 0;
+  tip.track_m = state.tissue_track_m = 0;
   state.shaft_count = 0;
-  const Vec3 place = tip.position_m;
-  (void)push_shaft(view, new_particle(view, tip.rest_m, place, 0, 0, Place::kShaft));
-  set_stiffness(view, tip, Place::kTip);
-  tip.memory_m = {};
+  // The entry is held where the surface is now, behind the tip by the depth of the dimple's cone.
+  const float behind = dot(residual(tip), needle.direction);
+  const Vec3 place = tip.position_m - behind * needle.direction;
+  (void)push_shaft(view, new_particle(view, tip.rest_m, place, 0, behind, Place::kShaft));
+  change_spring(view, needle, force_n);
   state.phase = Phase::kInserted;
   state.layer = tip.material;
   add_event(view, again ? EventKind::kReentry : EventKind::kPuncture, force_n);
@@ -524,7 +591,7 @@ void update_contact(const View& view, const Needle& needle) {
   if (head.config.mode == Mode::kPhysical) {
     tip.stiffness_n_per_m = tip.full_stiffness_n_per_m * cone_part(head, away);
   }
-  relax(view, tip, needle.direction);
+  relax(state, tip);
   const VoxelFrame frame =
       voxel_frame(view, tip.share[heaviest(tip)].slot, tip.share[heaviest(tip)].row);
   const std::uint32_t track =
@@ -623,7 +690,7 @@ std::uint32_t couple_needle(const View& view, const Needle& needle) {
   if (state.phase == Phase::kFree || state.phase == Phase::kContact) return 0;
   cut_tip(view, needle, moved);
   slip_shaft(view, needle);
-  while (state.shaft_count > 0 && tip.track_m <= view.state.shaft[state.shaft_count - 1].track_m) {
+  while (state.shaft_count > 0 && is_behind(view, view.state.shaft[state.shaft_count - 1])) {
     --state.shaft_count;
   }
   if (state.shaft_count == 0) {
@@ -652,6 +719,16 @@ std::uint32_t coupled_index(const View& view, const Share& share) {
 
 Particle& particle_at(const View& view, std::uint32_t index) {
   return index == kMaxConstraintParticles ? *view.state.tip : view.state.shaft[index];
+}
+
+// Gives the weight of shares that found no room to the others.
+void share_out(Particle& p) {
+  float sum = 0;
+  for (std::uint32_t i = 0; i < p.share_count; ++i) sum += p.share[i].weight;
+  if (!(sum > 0) || sum > 0.999F) return;
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    p.share[i].weight = p.share[i].weight / sum;
+  }
 }
 
 template <typename Visit>
@@ -695,6 +772,7 @@ std::uint32_t gather_coupled(const View& view) {
         ++view.scratch.coupled[voxel].member_count;
       }
     }
+    share_out(p);
   });
   std::uint32_t members = 0;
   for (std::uint32_t i = 0; i < head.coupled_count; ++i) {

@@ -108,8 +108,8 @@ struct StateHead {
   std::uint32_t latched_fault;
   std::uint32_t shaft_count;
   std::uint32_t tip_alive;
-  float track_end_m;        // length of the current track
-  float track_max_depth_m;  // deepest tip of this insertion
+  float track_end_m;     // length of the current track
+  float tissue_track_m;  // the tip's track coordinate when it was last in tissue
   std::uint32_t track_count, track_next, track_current;
   float max_displacement_m;
   float coupling_shortfall;

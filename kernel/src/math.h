@@ -72,6 +72,15 @@ constexpr float min_of(float a, float b) {
   return a < b ? a : b;
 }
 
+// What decays must end at zero, not among denormals, which processors may flush: drops what is
+// below 2e-12.
+inline float settle(float v) {
+  return (v + 1.52587890625e-05F) - 1.52587890625e-05F;
+}
+inline Vec3 settle(Vec3 v) {
+  return {settle(v.x), settle(v.y), settle(v.z)};
+}
+
 // Finite: the exponent is not all ones. A bit test, so that it survives any compiler setting.
 inline bool is_finite(float value) {
   return (std::bit_cast<std::uint32_t>(value) & 0x7F800000U) != 0x7F800000U;

@@ -145,10 +145,11 @@ bool check_surface(Checker& check, const Organ& organ) {
   const std::size_t vertex_count = organ.vertices.size();
   for (std::size_t i = 0; i < organ.triangles.size(); ++i) {
     const OrganTriangle& t = organ.triangles[i];
-    if (!check.require(t.a < vertex_count && t.b < vertex_count && t.c < vertex_count,
-                       Status::kOrganIndexOutOfRange, "triangles", i, t.a,
-                       "three indices into vertices")) {
-      return false;
+    for (const std::uint32_t corner : {t.a, t.b, t.c}) {
+      if (!check.require(corner < vertex_count, Status::kOrganIndexOutOfRange, "triangles", i,
+                         corner, "three indices into vertices")) {
+        return false;
+      }
     }
   }
   return true;
@@ -203,13 +204,15 @@ bool check_spheres(Checker& check, const Organ& organ) {
 }
 
 bool check_lattice_header(Checker& check, const Organ& organ) {
-  const auto finite = [](float v) { return std::isfinite(v) && std::fabs(v) <= 100.0F; };
   return check.in_range(organ.voxel_edge_m, kMinVoxelEdgeM, kMaxVoxelEdgeM, "voxel_edge_m", 0,
                         "0.0001 to 0.1") &&
-         check.require(
-             finite(organ.origin_m.x) && finite(organ.origin_m.y) && finite(organ.origin_m.z),
-             Status::kOrganValueOutOfRange, "origin_x_m", 0, static_cast<double>(organ.origin_m.x),
-             "within 100 m") &&
+         check.in_range(organ.origin_m.x, -100, 100, "origin_x_m", 0, "within 100 m") &&
+         check.in_range(organ.origin_m.y, -100, 100, "origin_y_m", 0, "within 100 m") &&
+         check.in_range(organ.origin_m.z, -100, 100, "origin_z_m", 0, "within 100 m") &&
+         check.require(static_cast<std::uint64_t>(organ.size_y) * organ.size_z <= kMaxRows,
+                       Status::kOrganValueOutOfRange, "size_y", 0,
+                       static_cast<double>(organ.size_y) * organ.size_z,
+                       "at most 16000000 rows (size_y times size_z)") &&
          check.require(organ.voxel_count > 0 && organ.voxel_count <= kMaxVoxels,
                        Status::kOrganValueOutOfRange, "voxel_material", 0, organ.voxel_count,
                        "1 to 4000000 voxels") &&

@@ -60,7 +60,15 @@ static inline void rotation_step(T a00, T a01, T a02, T a10, T a11, T a12, T a20
   const T mean = rho * T(-1.0 / 3.0);
   const T dx = sx - mean, dy = sy - mean, dz = sz - mean;
   const T deviator = dx * dx + dy * dy + dz * dz + T(2) * (sxy * sxy + sxz * sxz + syz * syz);
-  const T mu = mean + root(deviator * T(2.0 / 3.0));
+  T mu = mean + root(deviator * T(2.0 / 3.0));
+  // Refined: Newton from above on the block's characteristic cubic, for inverted clusters, whose
+  // two largest eigenvalues lie close together.
+  for (int i = 0; i < 3 * Refinements; ++i) {
+    const T exx = mu - sx, eyy = mu - sy, ezz = mu - sz;
+    const T kxx = eyy * ezz - syz * syz, kyy = exx * ezz - sxz * sxz, kzz = exx * eyy - sxy * sxy;
+    const T det = exx * kxx - sxy * (sxy * ezz + sxz * syz) - sxz * (sxy * syz + eyy * sxz);
+    mu = mu - (det > 0 ? det : T(0)) / (kxx + kyy + kzz + T(1e-12));
+  }
   const T half = (rho - mu) * T(0.5);
   // The constant keeps M regular when the cluster has collapsed to a point.
   T lambda = (rho + mu) * T(0.5) + root(half * half + (ax * ax + ay * ay + az * az)) + T(1e-5);
@@ -87,19 +95,26 @@ static inline void rotation_step(T a00, T a01, T a02, T a10, T a11, T a12, T a20
       lambda = quotient > mu ? quotient + (lambda - quotient) * T(1e-6) : lambda;
     }
   }
-  const T inverse = 1 / root(w * w + vx * vx + vy * vy + vz * vz);
-  w *= inverse;
-  vx *= inverse;
-  vy *= inverse;
-  vz *= inverse;
+  // A cluster without any direction turns nowhere.
+  const bool lost = !(w * w + vx * vx + vy * vy + vz * vz > T(1e-35));
+  w = lost ? T(1) : w;
+  vx = lost ? T(0) : vx;
+  vy = lost ? T(0) : vy;
+  vz = lost ? T(0) : vz;
   const T pw = qw * w - (qx * vx + qy * vy + qz * vz);
   const T px = qw * vx + qx * w + (qy * vz - qz * vy);
   const T py = qw * vy + qy * w + (qz * vx - qx * vz);
   const T pz = qw * vz + qz * w + (qx * vy - qy * vx);
-  qw = pw;
-  qx = px;
-  qy = py;
-  qz = pz;
+  // The product is normalised, not the factor: lengths of 1 + 1e-7 would pile up tick by tick.
+  T inverse = 1 / root(pw * pw + px * px + py * py + pz * pz);
+  if constexpr (Refinements > 0) {  // one Newton step on the rounded root, for the last digit
+    const T nw = pw * inverse, nx = px * inverse, ny = py * inverse, nz = pz * inverse;
+    inverse *= T(1.5) - T(0.5) * ((nw * nw + nx * nx) + (ny * ny + nz * nz));
+  }
+  qw = pw * inverse;
+  qx = px * inverse;
+  qy = py * inverse;
+  qz = pz * inverse;
 }
 
 }  // namespace stylet

@@ -132,7 +132,7 @@ void describe(const View& view, const Needle& needle, Output& out) {
   out.tip_m = needle.tip_m;
   out.phase = state.phase;
   out.layer = state.layer;
-  out.depth_m = state.tip_alive != 0 ? max_of(view.state.tip->track_m, 0) : 0;
+  out.depth_m = state.tip_alive != 0 ? max_of(state.tissue_track_m, 0) : 0;
   out.constraint_particles = state.shaft_count + state.tip_alive;
   out.events = state.event_count;
 }

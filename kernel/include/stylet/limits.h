@@ -8,6 +8,8 @@ namespace stylet {
 
 // ---- organ: checked by organ_open, which refuses the file -------------------------------------
 constexpr std::uint32_t kMaxVoxels = 4'000'000;
+// Rows (y, z) of the lattice's extent, whether they hold a voxel or not: each costs four bytes.
+constexpr std::uint32_t kMaxRows = 16'000'000;
 constexpr std::uint32_t kMaxMaterials = 64;
 constexpr std::uint32_t kMaxVertices = 8'000'000;
 constexpr std::uint32_t kMaxTriangles = 16'000'000;
