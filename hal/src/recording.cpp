@@ -79,6 +79,8 @@ void visit_attributes(Visitor& visit, Info& info) {
   visit.number("config_period_s", ColumnType::kFloat32, 1, &info.config.period_s);
   visit.number("config_substeps", ColumnType::kUint32, 1, &info.config.substeps);
   visit.number("config_tissue_damping_s", ColumnType::kFloat32, 1, &info.config.tissue_damping_s);
+  visit.number("config_surround_drag_per_s", ColumnType::kFloat32, 1,
+               &info.config.surround_drag_per_s);
   visit.number("config_hourglass_weight", ColumnType::kFloat32, 1, &info.config.hourglass_weight);
   visit.number("config_paper_alpha", ColumnType::kFloat32, 1, &info.config.paper_alpha);
   visit.number("config_needle_length_m", ColumnType::kFloat32, 1, &info.config.needle.length_m);

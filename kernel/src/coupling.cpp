@@ -276,6 +276,17 @@ bool inside_lattice(const View& view, Vec3 rest_m) {
   return present_place(view, rest_m, place);
 }
 
+// Lets a CP hold tissue that lies `step_m` farther on: its goals move by that.
+void shift_goals(const View& view, Particle& p, Vec3 step_m) {
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    Share& share = p.share[i];
+    const Quat q = {view.state.qw[share.slot], view.state.qx[share.slot], view.state.qy[share.slot],
+                    view.state.qz[share.slot]};
+    share.offset_m = share.offset_m + transposed_times(rotation_matrix(q), step_m);
+    share.goal_m = share.goal_m + step_m;
+  }
+}
+
 // Moves the tissue that the tip holds forward by `move_m` along the needle. The step is integrated
 // in the rest frame; while it moves, the tip's rest place is drawn to the material that really lies
 // at its goal, so that errors of the integration do not pile up.
@@ -283,21 +294,14 @@ void advance_tip(const View& view, Particle& tip, Vec3 direction, float move_m) 
   const Gradient g = gradient_around(view, tip);
   const Vec3 along = tip.share_count > 0 ? pull_back(g, direction) : direction;
   const float length = norm(along);
-  Vec3 goal = {};
-  for (std::uint32_t i = 0; i < tip.share_count; ++i) {
-    Share& share = tip.share[i];
-    const Quat q = {view.state.qw[share.slot], view.state.qx[share.slot], view.state.qy[share.slot],
-                    view.state.qz[share.slot]};
-    share.offset_m = share.offset_m + move_m * transposed_times(rotation_matrix(q), direction);
-    share.goal_m = share.goal_m + move_m * direction;
-    goal = goal + share.weight * share.goal_m;
-  }
+  shift_goals(view, tip, move_m * direction);
   tip.rest_m = tip.rest_m + move_m * along;
   tip.track_m += move_m * length;
   Vec3 present = {};
   if (tip.share_count == 0 || !present_place(view, tip.rest_m, present)) return;
   const float size = move_m < 0 ? -move_m : move_m;
-  const Vec3 miss = (size / (size + kMaterialPullM)) * pull_back(g, goal - present);
+  const Vec3 miss =
+      (size / (size + kMaterialPullM)) * pull_back(g, (tip.position_m - residual(tip)) - present);
   tip.rest_m = tip.rest_m + miss;
   tip.track_m += dot(miss, along) / length;
 }
@@ -365,7 +369,14 @@ float stand_for(const View& view, Particle& p, float tip_track_m) {
   const float unit = head.config.needle.unit_m;
   const float length = clamp(tip_track_m - p.track_m, 0, unit);
   const float part = head.config.mode == Mode::kPaper ? 1.0F : max_of(length / unit, kLeastPart);
-  p.stiffness_n_per_m = part * p.full_stiffness_n_per_m;
+  const float stiffness = part * p.full_stiffness_n_per_m;
+  if (stiffness >
+      p.stiffness_n_per_m) {  // what is new holds its tissue where it lies, without force
+    const float old = p.stiffness_n_per_m / stiffness;
+    shift_goals(view, p, (1 - old) * residual(p));
+    p.memory_m = old * p.memory_m;
+  }
+  p.stiffness_n_per_m = stiffness;
   return length;
 }
 
@@ -476,7 +487,8 @@ std::uint32_t drop_shaft(const View& view, const Needle& needle) {
 // The tip has come back past a shaft CP: along the track, or, when a violent hand has made the
 // track unreliable, by the needle's own length.
 bool is_behind(const View& view, const Particle& p) {
-  return view.state.tip->track_m <= p.track_m || p.arc_m < -view.model.head->config.needle.unit_m;
+  return view.state.tip->track_m < p.track_m - kTrackSkinM ||
+         p.arc_m < -view.model.head->config.needle.unit_m;
 }
 
 void end_insertion(const View& view) {
@@ -523,7 +535,11 @@ double contact_energy(const ModelHead& head, const Particle& p, Vec3 direction) 
   const float length = kConeLengthInRadii * head.config.needle.outer_radius_m;
   const float x = max_of(dot(residual(p), direction), 0) / length;
   const float integral = 0.5F * x * x - x + natural_log(1 + x);
-  return static_cast<double>(p.full_stiffness_n_per_m * length * length * integral);
+  // Plus the Maxwell branch, whose spring follows the one of the moment.
+  const Vec3 d = residual(p);
+  const double spring = 0.5 * static_cast<double>(p.stiffness_n_per_m * dot(d, d));
+  return static_cast<double>(p.full_stiffness_n_per_m * length * length * integral) +
+         (spring_energy(p) - spring);
 }
 
 // From the spring of contact to that of cutting, at the same force; the difference of their
@@ -535,13 +551,7 @@ void change_spring(const View& view, const Needle& needle, float force_n) {
   const float depth = dot(residual(tip), needle.direction);
   set_stiffness(view, tip, Place::kTip);
   tip.memory_m = {};
-  const float closer = depth - force_n / tip.stiffness_n_per_m;
-  for (std::uint32_t i = 0; i < tip.share_count; ++i) {
-    Share& share = tip.share[i];
-    const VoxelFrame frame = voxel_frame(view, share.slot, share.row);
-    share.goal_m = share.goal_m + closer * needle.direction;
-    share.offset_m = share.offset_m + closer * transposed_times(frame.rotation, needle.direction);
-  }
+  shift_goals(view, tip, (depth - force_n / tip.stiffness_n_per_m) * needle.direction);
   state.cutting_j += before - spring_energy(tip);
 }
 

@@ -29,6 +29,24 @@ static inline double root(double x) {
   return __builtin_sqrt(x);
 }
 
+// Upper bound of the largest eigenvalue of the symmetric block with trace -rho.
+template <int Refinements, typename T>
+static inline T block_bound(T rho, T sx, T sy, T sz, T sxy, T sxz, T syz) {
+  const T mean = rho * T(-1.0 / 3.0);
+  const T dx = sx - mean, dy = sy - mean, dz = sz - mean;
+  const T deviator = dx * dx + dy * dy + dz * dz + T(2) * (sxy * sxy + sxz * sxz + syz * syz);
+  T mu = mean + root(deviator * T(2.0 / 3.0));
+  // Refined: Newton from above on the block's characteristic cubic, for inverted clusters, whose
+  // two largest eigenvalues lie close together.
+  for (int i = 0; i < 3 * Refinements; ++i) {
+    const T exx = mu - sx, eyy = mu - sy, ezz = mu - sz;
+    const T kxx = eyy * ezz - syz * syz, kyy = exx * ezz - sxz * sxz, kzz = exx * eyy - sxy * sxy;
+    const T det = exx * kxx - sxy * (sxy * ezz + sxz * syz) - sxz * (sxy * syz + eyy * sxz);
+    mu = mu - (det > 0 ? det : T(0)) / (kxx + kyy + kzz + T(1e-12));
+  }
+  return mu;
+}
+
 // `Refinements`: Rayleigh quotients taken to sharpen lambda before the step (0 in the lattice
 // sweep, 1 where constraint particles make the fit anisotropic).
 template <int Refinements, typename T>
@@ -57,18 +75,7 @@ static inline void rotation_step(T a00, T a01, T a02, T a10, T a11, T a12, T a20
   const T sx = b00 + b00 - rho, sy = b11 + b11 - rho, sz = b22 + b22 - rho;
   const T sxy = b01 + b10, sxz = b02 + b20, syz = b12 + b21;
 
-  const T mean = rho * T(-1.0 / 3.0);
-  const T dx = sx - mean, dy = sy - mean, dz = sz - mean;
-  const T deviator = dx * dx + dy * dy + dz * dz + T(2) * (sxy * sxy + sxz * sxz + syz * syz);
-  T mu = mean + root(deviator * T(2.0 / 3.0));
-  // Refined: Newton from above on the block's characteristic cubic, for inverted clusters, whose
-  // two largest eigenvalues lie close together.
-  for (int i = 0; i < 3 * Refinements; ++i) {
-    const T exx = mu - sx, eyy = mu - sy, ezz = mu - sz;
-    const T kxx = eyy * ezz - syz * syz, kyy = exx * ezz - sxz * sxz, kzz = exx * eyy - sxy * sxy;
-    const T det = exx * kxx - sxy * (sxy * ezz + sxz * syz) - sxz * (sxy * syz + eyy * sxz);
-    mu = mu - (det > 0 ? det : T(0)) / (kxx + kyy + kzz + T(1e-12));
-  }
+  const T mu = block_bound<Refinements>(rho, sx, sy, sz, sxy, sxz, syz);
   const T half = (rho - mu) * T(0.5);
   // The constant keeps M regular when the cluster has collapsed to a point.
   T lambda = (rho + mu) * T(0.5) + root(half * half + (ax * ax + ay * ay + az * az)) + T(1e-5);

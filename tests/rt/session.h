@@ -65,7 +65,8 @@ inline std::unique_ptr<OpenOrgan> block_organ(std::uint16_t nx, std::uint16_t ny
   tiny.fixed_faces = kLowZ;
   TinyMaterial capsule;
   capsule.name = "capsule";
-  capsule.youngs_modulus_pa = 20000;
+  capsule.youngs_modulus_pa = 200000;
+  capsule.puncture_force_n = 0.2F;
   capsule.relaxing_fraction = 0.3F;
   TinyMaterial inside;
   inside.relaxing_fraction = 0.3F;

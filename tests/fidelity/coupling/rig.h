@@ -107,6 +107,7 @@ inline Vec3 hold_one_shaft_particle(Rig& rig, Vec3 rest_m, float stiffness_n_per
   head.shaft_count = 1;
   head.tip_alive = 1;
   head.phase = Phase::kInserted;
+  head.tissue_track_m = kTipBeyondM;
   return tip_m;
 }
 
