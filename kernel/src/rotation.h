@@ -47,6 +47,31 @@ static inline T block_bound(T rho, T sx, T sy, T sz, T sxy, T sxz, T syz) {
   return mu;
 }
 
+// Turns q by the correction (w, v), of any length.
+template <int Refinements, typename T>
+static inline void turn(T w, T vx, T vy, T vz, T& qw, T& qx, T& qy, T& qz) {
+  // A cluster without any direction turns nowhere.
+  const bool lost = !(w * w + vx * vx + vy * vy + vz * vz > T(1e-35));
+  w = lost ? T(1) : w;
+  vx = lost ? T(0) : vx;
+  vy = lost ? T(0) : vy;
+  vz = lost ? T(0) : vz;
+  const T pw = qw * w - (qx * vx + qy * vy + qz * vz);
+  const T px = qw * vx + qx * w + (qy * vz - qz * vy);
+  const T py = qw * vy + qy * w + (qz * vx - qx * vz);
+  const T pz = qw * vz + qz * w + (qx * vy - qy * vx);
+  // The product is normalised, not the factor: lengths of 1 + 1e-7 would pile up tick by tick.
+  T inverse = 1 / root(pw * pw + px * px + py * py + pz * pz);
+  if constexpr (Refinements > 0) {  // one Newton step on the rounded root, for the last digit
+    const T nw = pw * inverse, nx = px * inverse, ny = py * inverse, nz = pz * inverse;
+    inverse *= T(1.5) - T(0.5) * ((nw * nw + nx * nx) + (ny * ny + nz * nz));
+  }
+  qw = pw * inverse;
+  qx = px * inverse;
+  qy = py * inverse;
+  qz = pz * inverse;
+}
+
 // `Refinements`: Rayleigh quotients taken to sharpen lambda before the step (0 in the lattice
 // sweep, 1 where constraint particles make the fit anisotropic).
 template <int Refinements, typename T>
@@ -102,26 +127,7 @@ static inline void rotation_step(T a00, T a01, T a02, T a10, T a11, T a12, T a20
       lambda = quotient > mu ? quotient + (lambda - quotient) * T(1e-6) : lambda;
     }
   }
-  // A cluster without any direction turns nowhere.
-  const bool lost = !(w * w + vx * vx + vy * vy + vz * vz > T(1e-35));
-  w = lost ? T(1) : w;
-  vx = lost ? T(0) : vx;
-  vy = lost ? T(0) : vy;
-  vz = lost ? T(0) : vz;
-  const T pw = qw * w - (qx * vx + qy * vy + qz * vz);
-  const T px = qw * vx + qx * w + (qy * vz - qz * vy);
-  const T py = qw * vy + qy * w + (qz * vx - qx * vz);
-  const T pz = qw * vz + qz * w + (qx * vy - qy * vx);
-  // The product is normalised, not the factor: lengths of 1 + 1e-7 would pile up tick by tick.
-  T inverse = 1 / root(pw * pw + px * px + py * py + pz * pz);
-  if constexpr (Refinements > 0) {  // one Newton step on the rounded root, for the last digit
-    const T nw = pw * inverse, nx = px * inverse, ny = py * inverse, nz = pz * inverse;
-    inverse *= T(1.5) - T(0.5) * ((nw * nw + nx * nx) + (ny * ny + nz * nz));
-  }
-  qw = pw * inverse;
-  qx = px * inverse;
-  qy = py * inverse;
-  qz = pz * inverse;
+  turn<Refinements>(w, vx, vy, vz, qw, qx, qy, qz);
 }
 
 }  // namespace stylet
