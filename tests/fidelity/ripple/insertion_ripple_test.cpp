@@ -5,7 +5,8 @@
 //
 // Sample: 200 insertions (seed below), 45 mm deep, 10 mm/s, 5 mm voxels, 5 mm needle units. Ripple
 // is the standard deviation about the straight line of force against depth, from 10 mm of depth
-// on, over the mean force there. The closed form is f_c + b v per metre.
+// and 0.3 s after the puncture on, over the mean force there. The closed form is f_c + b v per
+// metre.
 
 #include <gtest/gtest.h>
 
@@ -24,6 +25,8 @@ namespace stylet {
 namespace {
 
 constexpr int kInsertions = 200;
+// The tissue that the puncture lets go swings back over the needle: not the grid's doing.
+constexpr int kRecoilTicks = 300;
 constexpr float kSpeedMPerS = 0.01F;
 constexpr float kEdgeM = 0.005F;
 constexpr float kCoulombNPerM = 10.0F;
@@ -110,6 +113,7 @@ Curve insert(const Organ& organ, const Aim& aim) {
              kernel),
       Status::kOk);
   Curve curve;
+  int punctured = 0;
   const Quat rotation = towards(aim.direction);
   for (int t = 0; t < 12000; ++t) {
     const float travel = -0.001F + kSpeedMPerS * config.period_s * static_cast<float>(t);
@@ -121,7 +125,8 @@ Curve insert(const Organ& organ, const Aim& aim) {
     const double axial =
         -static_cast<double>(out.force_n.x * aim.direction.x + out.force_n.y * aim.direction.y +
                              out.force_n.z * aim.direction.z);
-    if (out.phase == Phase::kInserted && out.depth_m > 0.010F) {
+    if (out.phase == Phase::kInserted && punctured == 0) punctured = t;
+    if (punctured > 0 && t > punctured + kRecoilTicks && out.depth_m > 0.010F) {
       curve.depth_m.push_back(static_cast<double>(out.depth_m));
       curve.force_n.push_back(axial);
     }
@@ -176,7 +181,7 @@ TEST(InsertionRipple, ForceFollowsTheMaterialNotTheGridFor200EntryPointsAndDirec
       static_cast<double>(kCoulombNPerM) + static_cast<double>(kViscousNSPerM2 * kSpeedMPerS);
   double worst_ripple = 0, worst_slope = 0;
   for (std::size_t i = 0; i < aims.size(); ++i) {
-    ASSERT_GT(samples[i], 2000U) << "insertion " << i << " did not reach its depth";
+    ASSERT_GT(samples[i], 1500U) << "insertion " << i << " did not reach its depth";
     const double slope_error = std::fabs(trends[i].slope_n_per_m / friction_n_per_m - 1);
     EXPECT_LT(trends[i].ripple, 0.02) << "insertion " << i;
     EXPECT_LT(slope_error, 0.02) << "insertion " << i;
