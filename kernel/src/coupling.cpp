@@ -167,10 +167,13 @@ Vec3 force_on_tissue(const Particle& p) {
 // Energy in a CP's spring and Maxwell branch. In contact the spring stiffens with depth, see
 // cone_part: its energy is the integral of that law.
 double spring_energy(const Particle& p) {
-  const Vec3 d = residual(p), rest = d - p.memory_m;
-  const float share = p.memory_share;
-  return 0.5 * static_cast<double>(p.stiffness_n_per_m *
-                                   ((1 - share) * dot(d, d) + share * dot(rest, rest)));
+  float sum = 0;
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    const Vec3 d = p.position_m - p.share[i].goal_m, rest = d - p.memory_m;
+    sum += p.share[i].weight *
+           ((1 - p.memory_share) * dot(d, d) + p.memory_share * dot(rest, rest));
+  }
+  return 0.5 * static_cast<double>(p.stiffness_n_per_m * sum);
 }
 
 std::uint32_t heaviest(const Particle& p) {
@@ -441,7 +444,10 @@ void cut_tip(const View& view, const Needle& needle, float moved_m) {
   advance_tip(view, tip, needle.direction, move);
   note_slip(head, tip, move);
   state.cutting_j += slip_work(tip, needle.direction, move);
+  // Shares that fade take along what their goals differ from the others'.
+  const double shared = spring_energy(tip);
   renew_shares(view, tip, residual(tip));
+  if (tip.share_count > 0) state.cutting_j += shared - spring_energy(tip);
   if (!inside_lattice(view, tip.rest_m)) tip.share_count = 0;
   if (tip.share_count > 0) state.tissue_track_m = tip.track_m;
   state.track_end_m = max_of(state.track_end_m, tip.track_m);
