@@ -48,21 +48,36 @@ become_root() {
   as_root=(sudo)
 }
 
-# Runs apt-get with its output in the log, and one line for every tenth of the way.
+# Runs apt-get with its output in the log, and one line for every tenth of the way. The progress has
+# a descriptor of its own, opened behind sudo: apt-get closes it for the packages' scripts, and with
+# standard output closed those that print something would fail.
 apt() {
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 apt-get -y \
-    -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 -o APT::Status-Fd=1 "$@" 2>&1 |
-    tee -a "$log" | show_progress
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 \
+    sh -c 'exec apt-get "$@" 3>&1' apt-get -y -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 \
+    -o APT::Status-Fd=3 "$@" 2>&1 | tee -a "$log" | show_progress
 }
 
 show_progress() {
-  local kind percent shown=""
+  local kind percent step shown=""
   while IFS=: read -r kind _ percent _; do
     case $kind in dlstatus) kind=downloaded ;; pmstatus) kind=installed ;; *) continue ;; esac
-    [ "$kind ${percent%%.*}" != "$shown" ] || continue
-    shown="$kind ${percent%%.*}"
-    case $shown in *[1-9]0 | *100) note "$shown %" ;; esac
+    [[ $percent =~ ^([0-9]*)[0-9](\.|$) ]] || continue
+    step=${BASH_REMATCH[1]:-0}0
+    [ "$step" -gt 0 ] && [ "$kind $step" != "$shown" ] || continue
+    shown="$kind $step"
+    note "$shown %"
   done
+}
+
+# Ends with the reason, taken from the log of apt-get.
+explain_failure() {
+  local offline='Temporary failure|Could not (resolve|connect)|Connection (failed|timed out)'
+  if grep -qE "$offline" "$log"; then
+    die "the packages could not be downloaded: no network, or the package source is down" \
+      "$(grep -E "$offline" "$log" | grep -m 1 -oE 'https?://.*' || true)"
+  fi
+  grep -E '^(E:|Err:|dpkg: error)' -A 1 "$log" | grep -v '^--' | awk '!seen[$0]++' | tail -n 15 >&2
+  die "installing the packages failed, for the reason above"
 }
 
 install_missing() {
@@ -70,13 +85,9 @@ install_missing() {
   trap 'rm -f "$log"' EXIT
   say "Installing ${#missing[@]} missing packages"
   note "${missing[*]}"
-  apt update || true  # one unreachable source of many need not matter; the installation shows it
-  apt install --no-install-recommends "${missing[@]}" || {
-    grep -E '^(E|W|Err|Unable)' "$log" | sort -u | tail -n 15 >&2
-    grep -qE 'Temporary failure|Could not (resolve|connect)|Connection (failed|timed out)' "$log" &&
-      die "the packages could not be downloaded: no network, or the package source is down"
-    die "installing the packages failed, for the reason above"
-  }
+  # One unreachable source of many need not matter; the installation shows it.
+  apt update >/dev/null || true
+  apt install --no-install-recommends "${missing[@]}" || explain_failure
 }
 
 check_debian

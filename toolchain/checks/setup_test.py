@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""setup.sh on machines that are not this one: apt-get, dpkg-query, id and sudo are stand-ins that
+come first in the path and behave as the real ones do on a fresh, an offline or a locked machine."""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SETUP = pathlib.Path(__file__).resolve().parent.parent / "setup.sh"
+
+DPKG_QUERY = """#!/bin/sh
+[ -e "$STAND_IN/installed" ] || exit 1
+for name in "$@"; do
+  case $name in -*) ;; *) echo "$name installed" ;; esac
+done
+"""
+
+# As the real one: the descriptor of the progress is not there for the scripts of the packages.
+APT_GET = """#!/usr/bin/env python3
+import os, pathlib, subprocess, sys
+top = pathlib.Path(os.environ["STAND_IN"])
+with open(top / "calls", "a") as calls:
+    calls.write(" ".join(sys.argv[1:]) + "\\n")
+status = next(int(a.split("=")[1]) for a in sys.argv if a.startswith("APT::Status-Fd="))
+os.write(status, b"dlstatus:1:9.9:a\\ndlstatus:1:31.5:a\\ndlstatus:1:100.0000:a\\n")
+if (top / "offline").exists():
+    sys.exit("W: Failed to fetch http://debian.example/x  Temporary failure resolving 'x'")
+if "install" in sys.argv:
+    os.set_inheritable(status, False)
+    if subprocess.run(["sh", "-c", "echo Regenerating cache"], close_fds=False).returncode:
+        print("dpkg: error processing package a (--configure):\\n script failed", flush=True)
+        sys.exit("E: Sub-process /usr/bin/dpkg returned an error code (1)")
+    if (top / "broken").exists():
+        sys.exit("E: Unable to locate package libcli11-dev")
+    (top / "installed").touch()
+"""
+
+SUDO = """#!/bin/sh
+[ "$1" != -n ] || { [ -e "$STAND_IN/password" ] && exit 1; shift; }
+exec "$@"
+"""
+
+
+class Setup(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.top = pathlib.Path(folder.name)
+        self.program("dpkg-query", DPKG_QUERY)
+        self.program("apt-get", APT_GET)
+        self.program("id", "#!/bin/sh\necho 0\n")
+
+    def program(self, name, text):
+        path = self.top / name
+        path.write_text(text)
+        path.chmod(0o755)
+
+    def run_setup(self, expect=0):
+        done = subprocess.run([SETUP], stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                              env={"PATH": f"{self.top}:{os.environ['PATH']}",
+                                   "STAND_IN": str(self.top)})
+        self.assertEqual(done.returncode, expect, done.stdout + done.stderr)
+        return done
+
+    def test_packages_whose_scripts_print_are_installed(self):
+        done = self.run_setup()
+        self.assertIn("packages are there", done.stdout)
+        self.assertIn("downloaded 30 %\n    downloaded 100 %\n", done.stdout)
+
+    def test_nothing_missing_asks_for_nothing(self):
+        (self.top / "installed").touch()
+        self.program("id", "#!/bin/sh\necho 1000\n")
+        self.run_setup()
+        self.assertFalse((self.top / "calls").exists())
+
+    def test_a_user_with_sudo(self):
+        self.program("id", "#!/bin/sh\necho 1000\n")
+        self.program("sudo", SUDO)
+        self.run_setup()
+
+    def test_sudo_that_wants_a_password_without_a_terminal(self):
+        self.program("id", "#!/bin/sh\necho 1000\n")
+        self.program("sudo", SUDO)
+        (self.top / "password").touch()
+        self.assertIn("no terminal", self.run_setup(expect=1).stderr)
+        self.assertFalse((self.top / "calls").exists())
+
+    def test_no_network_is_said_in_two_lines(self):
+        (self.top / "offline").touch()
+        lines = self.run_setup(expect=1).stderr.split("\n")
+        self.assertEqual([line for line in lines if line], [
+            "error: the packages could not be downloaded: no network, or the package source is "
+            "down", "       http://debian.example/x  Temporary failure resolving 'x'"])
+
+    def test_other_failures_show_the_words_of_apt(self):
+        (self.top / "broken").touch()
+        error = self.run_setup(expect=1).stderr
+        self.assertIn("E: Unable to locate package libcli11-dev", error)
+        self.assertIn("for the reason above", error)
+
+
+if __name__ == "__main__":
+    sys.exit(unittest.main())
