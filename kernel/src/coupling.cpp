@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "coupling.h"
 
+#include "cone.h"
 #include "lattice.h"
 #include "rotation.h"
 
@@ -25,8 +26,6 @@ constexpr float kComplianceGain = 0.02F;
 constexpr float kTrackSkinM = 1e-5F;
 // The tip finds the material at its goal within this distance of travel.
 constexpr float kMaterialPullM = 1e-3F;
-// pi over the tangent of a tip's half angle of 15 degrees: where a cone's force meets a punch's.
-constexpr float kConeLengthInRadii = 11.7F;
 // A shaft CP keeps at least this part of its spring, so that forces can be divided by it.
 constexpr float kLeastPart = 0.01F;
 
@@ -161,19 +160,61 @@ Vec3 residual(const Particle& p) {
 
 Vec3 force_on_tissue(const Particle& p) {
   if (p.share_count == 0) return {};
-  return p.stiffness_n_per_m * (residual(p) - p.memory_share * p.memory_m);
+  return p.stiffness_n_per_m * (residual(p) - p.slack_m);
 }
 
-// Energy in a CP's spring and Maxwell branch. In contact the spring stiffens with depth, see
-// cone_part: its energy is the integral of that law.
-double spring_energy(const Particle& p) {
+// Mean square of how the shares' residuals differ from their mean.
+float spread_of(const Particle& p, Vec3 mean_m) {
   float sum = 0;
   for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    const Vec3 d = p.position_m - p.share[i].goal_m, rest = d - p.memory_m;
-    sum += p.share[i].weight *
-           ((1 - p.memory_share) * dot(d, d) + p.memory_share * dot(rest, rest));
+    const Vec3 off = (p.position_m - p.share[i].goal_m) - mean_m;
+    sum += p.share[i].weight * dot(off, off);
   }
-  return 0.5 * static_cast<double>(p.stiffness_n_per_m * sum);
+  return sum;
+}
+
+// Energy in the Maxwell branch at the force the CP has now.
+double memory_energy(const Particle& p) {
+  const float share = p.memory_share * (1 - p.memory_share);
+  return 0.5 * static_cast<double>(p.stiffness_n_per_m * share * dot(p.memory_m, p.memory_m));
+}
+
+// Energy in a CP's spring and Maxwell branch; for the tip in contact see contact_energy.
+double spring_energy(const Particle& p) {
+  const Vec3 d = residual(p), lasting = d - p.slack_m;
+  const float sum = dot(lasting, lasting) + spread_of(p, d);
+  return 0.5 * static_cast<double>(p.stiffness_n_per_m * sum) + memory_energy(p);
+}
+
+void shift_goal(const View& view, Share& share, Vec3 step_m) {
+  const Quat q = {view.state.qw[share.slot], view.state.qx[share.slot], view.state.qy[share.slot],
+                  view.state.qz[share.slot]};
+  share.offset_m = share.offset_m + transposed_times(rotation_matrix(q), step_m);
+  share.goal_m = share.goal_m + step_m;
+}
+
+// Lets a CP hold tissue that lies `step_m` farther on: its goals move by that.
+void shift_goals(const View& view, Particle& p, Vec3 step_m) {
+  for (std::uint32_t i = 0; i < p.share_count; ++i) shift_goal(view, p.share[i], step_m);
+}
+
+// Draws each goal a part of the way to the needle.
+void draw_goals(const View& view, Particle& p, float part) {
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    shift_goal(view, p.share[i], part * (p.position_m - p.share[i].goal_m));
+  }
+}
+
+// Draws the shares of a CP together, so that its residual is `residual_m` and their spread at most
+// `spread_m2`: new weights must neither be felt nor bring energy along.
+void gather_goals(const View& view, Particle& p, Vec3 residual_m, float spread_m2) {
+  const Vec3 mean = residual(p);
+  const float spread = spread_of(p, mean);
+  const float part = spread > spread_m2 ? 1 - std::sqrt(spread_m2 / spread) : 0.0F;
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    const Vec3 off = (p.position_m - p.share[i].goal_m) - mean;
+    shift_goal(view, p.share[i], (mean - residual_m) + part * off);
+  }
 }
 
 std::uint32_t heaviest(const Particle& p) {
@@ -185,8 +226,10 @@ std::uint32_t heaviest(const Particle& p) {
 }
 
 // Takes the voxels around the CP's rest place. A voxel that is kept keeps its offset; a new one is
-// given the residual the CP has, so that the force does not change.
-void renew_shares(const View& view, Particle& p, Vec3 residual_m) {
+// given the residual the CP has. The force does not change, and the energy does not rise.
+void renew_shares(const View& view, Particle& p) {
+  const Vec3 residual_m = residual(p);
+  const float spread_m2 = spread_of(p, residual_m);
   Share found[kSharesPerParticle];
   const std::uint32_t count = find_shares(view, p.rest_m, found);
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -205,6 +248,7 @@ void renew_shares(const View& view, Particle& p, Vec3 residual_m) {
   }
   for (std::uint32_t i = 0; i < count; ++i) p.share[i] = found[i];
   p.share_count = count;
+  gather_goals(view, p, residual_m, spread_m2);
   if (count > 0) p.material = view.model.slot_material[p.share[heaviest(p)].slot];
 }
 
@@ -217,7 +261,7 @@ Particle new_particle(const View& view, Vec3 rest_m, Vec3 place_m, float track_m
   p.position_m = place_m;
   p.track_m = track_m;
   p.arc_m = arc_m;
-  renew_shares(view, p, {});
+  renew_shares(view, p);
   set_stiffness(view, p, place);
   return p;
 }
@@ -279,17 +323,6 @@ bool inside_lattice(const View& view, Vec3 rest_m) {
   return present_place(view, rest_m, place);
 }
 
-// Lets a CP hold tissue that lies `step_m` farther on: its goals move by that.
-void shift_goals(const View& view, Particle& p, Vec3 step_m) {
-  for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    Share& share = p.share[i];
-    const Quat q = {view.state.qw[share.slot], view.state.qx[share.slot], view.state.qy[share.slot],
-                    view.state.qz[share.slot]};
-    share.offset_m = share.offset_m + transposed_times(rotation_matrix(q), step_m);
-    share.goal_m = share.goal_m + step_m;
-  }
-}
-
 // Moves the tissue that the tip holds forward by `move_m` along the needle. The step is integrated
 // in the rest frame; while it moves, the tip's rest place is drawn to the material that really lies
 // at its goal, so that errors of the integration do not pile up.
@@ -337,19 +370,34 @@ float overshoot(const View& view, const Particle& p, float axial_n, float low_n,
 // While a CP slides, its tissue has given way by the force the CP carries (and by that of its
 // neighbours): that is the compliance set_relaxation needs.
 void measure_compliance(const View& view, Particle& p, Vec3 direction) {
-  if (!(p.slip_m_per_s > kSlidingMPerS)) return;
   const Vec3 d = residual(p);
-  const float spring_m = dot(d - p.memory_share * p.memory_m, direction);
+  const float spring_m = dot(d - p.slack_m, direction);
   const float tissue_m = dot((p.position_m - d) - p.rest_m, direction);
   const float c = tissue_m * spring_m > 0 ? min_of(tissue_m / spring_m, kLargestCompliance) : 0.0F;
   p.tissue_compliance = settle(p.tissue_compliance + kComplianceGain * (c - p.tissue_compliance));
   set_relaxation(*view.model.head, p);
 }
 
-// Sliding brings fresh tissue to the needle, which has relaxed nothing yet.
-void renew(const View& view, Particle& p) {
-  const float slid_m = p.slip_m_per_s * view.model.head->config.period_s;
-  p.memory_m = settle((kRenewalLengthM / (kRenewalLengthM + slid_m)) * p.memory_m);
+// A slip brings fresh tissue to the needle, which has relaxed nothing yet. The force stays: returns
+// how much farther the CP slips for that, and books what the branch loses. A share that changes
+// fades the memory so far that its energy cannot rise.
+float renew(const View& view, Particle& p, Vec3 direction, float slip_m, double& booked_j) {
+  const float size = slip_m < 0 ? -slip_m : slip_m;
+  if (!(size > kSlidingMPerS * view.model.head->config.period_s)) return 0;
+  const double before = memory_energy(p);
+  const Vec3 slack = p.slack_m;
+  const float old = p.memory_share;
+  measure_compliance(view, p, direction);
+  const float share = p.memory_share;
+  const float fade = share > 0 ? min_of(old / share, (1 - old) / (1 - share)) : 0.0F;
+  const float lost = size / (kRenewalLengthM + size) * dot(p.memory_m, direction);
+  p.memory_m = settle(fade * (p.memory_m - lost * direction));
+  p.slack_m = share * p.memory_m;
+  booked_j += before - memory_energy(p);
+  const Vec3 change = slack - p.slack_m;
+  const float along = dot(change, direction);
+  shift_goals(view, p, change - along * direction);
+  return along;
 }
 
 // The Maxwell branch creeps; what it dissipates is booked.
@@ -357,6 +405,7 @@ void relax(StateHead& state, Particle& p) {
   const double before = spring_energy(p);
   const Vec3 d = residual(p);
   p.memory_m = settle(d + p.memory_keep * (p.memory_m - d));
+  p.slack_m = p.memory_share * p.memory_m;
   state.relaxation_j += before - spring_energy(p);
 }
 
@@ -376,8 +425,9 @@ float stand_for(const View& view, Particle& p, float tip_track_m) {
   if (stiffness >
       p.stiffness_n_per_m) {  // what is new holds its tissue where it lies, without force
     const float old = p.stiffness_n_per_m / stiffness;
-    shift_goals(view, p, (1 - old) * residual(p));
+    draw_goals(view, p, 1 - old);
     p.memory_m = old * p.memory_m;
+    p.slack_m = old * p.slack_m;
   }
   p.stiffness_n_per_m = stiffness;
   return length;
@@ -391,13 +441,6 @@ float friction_n_per_m(const MaterialModel& m, float speed_m_per_s) {
          m.viscous_n_s_per_m2 * speed_m_per_s;
 }
 
-// Work lost in a slip: mean of the axial forces felt before and after, as the hand's work is
-// booked.
-double slip_work(const Particle& p, Vec3 direction, float slip_m) {
-  const float mean = 0.5F * dot(p.force_n + force_on_tissue(p), direction);
-  return static_cast<double>(mean) * static_cast<double>(slip_m);
-}
-
 void slip_shaft(const View& view, const Needle& needle) {
   const ModelHead& head = *view.model.head;
   StateHead& state = *view.state.head;
@@ -408,17 +451,15 @@ void slip_shaft(const View& view, const Needle& needle) {
     // force.
     const double before = spring_energy(p);
     const float length = stand_for(view, p, tip_track);
-    measure_compliance(view, p, needle.direction);
-    renew(view, p);
     state.friction_j += before - spring_energy(p);
-    relax(state, p);
     const float limit = friction_n_per_m(head.material[p.material], p.slip_m_per_s) * length;
     const float axial = dot(force_on_tissue(p), needle.direction);
     const float slip = overshoot(view, p, axial, -limit, limit);
-    p.arc_m += slip;
-    p.position_m = p.position_m - slip * needle.direction;
-    note_slip(head, p, slip);
-    state.friction_j += slip_work(p, needle.direction, slip);
+    const float all = slip + renew(view, p, needle.direction, slip, state.friction_j);
+    p.arc_m += all;
+    p.position_m = p.position_m - all * needle.direction;
+    note_slip(head, p, all);
+    p.slip_m = slip * needle.direction;
   }
 }
 
@@ -430,25 +471,25 @@ void cut_tip(const View& view, const Needle& needle, float moved_m) {
   Particle& tip = *view.state.tip;
   const MaterialModel& m = head.material[tip.material];
   float move = moved_m;  // outside the tissue the tip carries nothing and follows the needle
+  float all = move;
   if (tip.share_count > 0) {
-    const double before = spring_energy(tip);
-    measure_compliance(view, tip, needle.direction);
-    renew(view, tip);
-    state.cutting_j += before - spring_energy(tip);
-    relax(state, tip);
     const bool in_track = tip.track_m < state.track_end_m;
     const float limit = m.cutting_n * (in_track ? m.recut_fraction : 1.0F);
     const float axial = dot(force_on_tissue(tip), needle.direction);
     move = overshoot(view, tip, axial, 0, limit);
+    all = move + renew(view, tip, needle.direction, move, state.cutting_j);
   }
-  advance_tip(view, tip, needle.direction, move);
-  note_slip(head, tip, move);
-  state.cutting_j += slip_work(tip, needle.direction, move);
-  // Shares that fade take along what their goals differ from the others'.
-  const double shared = spring_energy(tip);
-  renew_shares(view, tip, residual(tip));
-  if (tip.share_count > 0) state.cutting_j += shared - spring_energy(tip);
-  if (!inside_lattice(view, tip.rest_m)) tip.share_count = 0;
+  advance_tip(view, tip, needle.direction, all);
+  note_slip(head, tip, all);
+  tip.slip_m = move * needle.direction;
+  // Shares that fade take along what their goals differ from the others'; a tip that leaves, all.
+  const double before = spring_energy(tip);
+  renew_shares(view, tip);
+  if (!inside_lattice(view, tip.rest_m)) {
+    tip.share_count = 0;
+    tip.memory_m = tip.slack_m = {};
+  }
+  state.cutting_j += before - spring_energy(tip);
   if (tip.share_count > 0) state.tissue_track_m = tip.track_m;
   state.track_end_m = max_of(state.track_end_m, tip.track_m);
   if (move > 0) state.phase = Phase::kInserted;
@@ -535,17 +576,39 @@ std::uint32_t remember_track(const View& view, Vec3 rest_m, Vec3 rest_direction)
   return index;
 }
 
-// Energy of the contact spring k d / (d + L) at depth d: the integral of its force.
-double contact_energy(const ModelHead& head, const Particle& p, Vec3 direction) {
-  if (head.config.mode == Mode::kPaper) return spring_energy(p);
-  const float length = kConeLengthInRadii * head.config.needle.outer_radius_m;
-  const float x = max_of(dot(residual(p), direction), 0) / length;
-  const float integral = 0.5F * x * x - x + natural_log(1 + x);
-  // Plus the Maxwell branch, whose spring follows the one of the moment.
+// The contact's law: see cone.h. Its memory is the relaxed force over the punch's stiffness.
+Cone cone_of(const View& view) {
+  return {view.state.tip->full_stiffness_n_per_m,
+          kConeLengthInRadii * view.model.head->config.needle.outer_radius_m};
+}
+
+// The spread of the shares about their mean is carried by the spring of the moment.
+double contact_energy(const View& view, const Particle& p) {
+  if (view.model.head->config.mode == Mode::kPaper) return spring_energy(p);
   const Vec3 d = residual(p);
-  const double spring = 0.5 * static_cast<double>(p.stiffness_n_per_m * dot(d, d));
-  return static_cast<double>(p.full_stiffness_n_per_m * length * length * integral) +
-         (spring_energy(p) - spring);
+  return cone_energy(cone_of(view), d, p.full_stiffness_n_per_m * p.memory_m, p.memory_share) +
+         0.5 * static_cast<double>(p.stiffness_n_per_m * spread_of(p, d));
+}
+
+// Creep of the contact; then the law's tangent at this depth is the spring of the coming fit.
+// Tissue that has crept can let go of the tip but not pull it: the relaxed force is bounded by
+// that.
+void relax_contact(const View& view, Vec3 direction) {
+  StateHead& state = *view.state.head;
+  Particle& p = *view.state.tip;
+  const Cone cone = cone_of(view);
+  const double before = contact_energy(view, p);
+  const Vec3 d = residual(p);
+  const float depth = norm(d);
+  const Vec3 force = cone_secant(cone, depth) * d;
+  const float k = p.full_stiffness_n_per_m;
+  Vec3 relaxed = force + p.memory_keep * (k * p.memory_m - force);
+  const float pull = p.memory_share * dot(relaxed, direction) - dot(force, direction);
+  if (pull > 0) relaxed = relaxed - (pull / p.memory_share) * direction;
+  p.memory_m = settle((1 / k) * relaxed);
+  state.relaxation_j += before - contact_energy(view, p);
+  p.stiffness_n_per_m = max_of(cone_tangent(cone, depth), kLeastPart * k);
+  p.slack_m = settle(d - (1 / p.stiffness_n_per_m) * (force - p.memory_share * relaxed));
 }
 
 // From the spring of contact to that of cutting, at the same force; the difference of their
@@ -553,10 +616,10 @@ double contact_energy(const ModelHead& head, const Particle& p, Vec3 direction) 
 void change_spring(const View& view, const Needle& needle, float force_n) {
   StateHead& state = *view.state.head;
   Particle& tip = *view.state.tip;
-  const double before = contact_energy(*view.model.head, tip, needle.direction);
+  const double before = contact_energy(view, tip);
   const float depth = dot(residual(tip), needle.direction);
   set_stiffness(view, tip, Place::kTip);
-  tip.memory_m = {};
+  tip.memory_m = tip.slack_m = {};
   shift_goals(view, tip, (depth - force_n / tip.stiffness_n_per_m) * needle.direction);
   state.cutting_j += before - spring_energy(tip);
 }
@@ -583,14 +646,6 @@ void begin_insertion(const View& view, const Needle& needle, std::uint32_t track
   add_event(view, again ? EventKind::kReentry : EventKind::kPuncture, force_n);
 }
 
-// Part of the punch's stiffness that a conical tip has this deep: its contact widens as it sinks in
-// (Sneddon 1965: force with the square of depth), until it is as wide as the needle. The spring is
-// k d / (d + length): quadratic at first, a punch in the end.
-float cone_part(const ModelHead& head, float depth_m) {
-  const float length = kConeLengthInRadii * head.config.needle.outer_radius_m;
-  return max_of(depth_m / (depth_m + length), kLeastPart);
-}
-
 // Contact holds, ends, or becomes a puncture.
 void update_contact(const View& view, const Needle& needle) {
   StateHead& state = *view.state.head;
@@ -605,9 +660,10 @@ void update_contact(const View& view, const Needle& needle) {
     return;
   }
   if (head.config.mode == Mode::kPhysical) {
-    tip.stiffness_n_per_m = tip.full_stiffness_n_per_m * cone_part(head, away);
+    relax_contact(view, needle.direction);
+  } else {
+    relax(state, tip);
   }
-  relax(state, tip);
   const VoxelFrame frame =
       voxel_frame(view, tip.share[heaviest(tip)].slot, tip.share[heaviest(tip)].row);
   const std::uint32_t track =
@@ -696,6 +752,10 @@ std::uint32_t couple_needle(const View& view, const Needle& needle) {
   StateHead& state = *view.state.head;
   if (state.tip_alive == 0) return 0;
   Particle& tip = *view.state.tip;
+  if (state.phase != Phase::kContact) {  // creep at the last tick's forces, before the needle moves
+    relax(state, tip);
+    for (std::uint32_t i = 0; i < state.shaft_count; ++i) relax(state, view.state.shaft[i]);
+  }
   const float moved = dot(needle.tip_m - tip.position_m, needle.direction);
   tip.position_m = needle.tip_m;
   for (std::uint32_t i = 0; i < state.shaft_count; ++i) {
@@ -829,7 +889,7 @@ CpSums sum_members(const View& view, const CoupledVoxel& voxel, Vec3 centre_m) {
     const Particle& p = particle_at(view, member.particle);
     const Share& share = p.share[member.share];
     const float w = p.stiffness_n_per_m * share.weight;
-    const Vec3 x = (p.position_m - p.memory_share * p.memory_m) - centre_m;
+    const Vec3 x = (p.position_m - p.slack_m) - centre_m;
     const Vec3 r = share.offset_m;
     s.stiffness = s.stiffness + w;
     s.place = s.place + w * x;
@@ -903,11 +963,24 @@ void couple_plane(const View& view, std::uint32_t plane) {
   }
 }
 
+// A slip takes work at the mean of the forces before and after, as the hand's work is booked. Where
+// the force changes sign in between it takes none.
 void measure_forces(const View& view) {
+  StateHead& state = *view.state.head;
   for_each_particle(view, [&](std::uint32_t index) {
     Particle& p = particle_at(view, index);
-    p.force_n = force_on_tissue(p);
+    const Vec3 f = force_on_tissue(p);
+    const float work = 0.5F * dot(p.force_n + f, p.slip_m);
+    (index == kMaxConstraintParticles ? state.cutting_j : state.friction_j) +=
+        static_cast<double>(max_of(work, 0));
+    p.slip_m = {};
+    p.force_n = f;
   });
+}
+
+double particle_energy(const View& view, const Particle& particle) {
+  const bool contact = &particle == view.state.tip && view.state.head->phase == Phase::kContact;
+  return contact ? contact_energy(view, particle) : spring_energy(particle);
 }
 
 void sum_forces(const View& view, const Needle& needle, Output& out) {

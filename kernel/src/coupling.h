@@ -46,6 +46,9 @@ std::uint32_t gather_coupled(const View& view);
 // Forces of all CPs from the goals of the fit just made.
 void measure_forces(const View& view);
 
+// Energy of a CP's spring and its Maxwell branch.
+double particle_energy(const View& view, const Particle& particle);
+
 // Sum over CPs: force and torque on the hand, by cause.
 void sum_forces(const View& view, const Needle& needle, Output& out);
 

@@ -80,6 +80,7 @@ struct Particle {                // a constraint particle
   Vec3 rest_m;                   // place in the rest frame; chooses the voxels
   Vec3 position_m;               // the needle's point that holds it
   Vec3 memory_m;                 // relaxed part of the residual (Maxwell branch)
+  Vec3 slack_m;                  // residual at which the spring carries nothing
   Vec3 force_n;                  // on the tissue, from the last fit
   float track_m;                 // track coordinate: length from the entry
   float arc_m;                   // arc length on the needle, from the tip
@@ -89,6 +90,7 @@ struct Particle {                // a constraint particle
   float memory_share;            // relaxing share of the spring's own stiffness
   float memory_keep;             // of the difference, per tick
   float slip_m_per_s;            // low-passed
+  Vec3 slip_m;                   // of the needle past the tissue in this tick
   std::uint32_t material;
   std::uint32_t share_count;
   Share share[kSharesPerParticle];

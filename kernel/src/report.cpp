@@ -125,21 +125,13 @@ double kinetic_energy(const View& view) {
   return sum;
 }
 
-// Springs of the CPs, with their Maxwell branch: k/2 ((1 - s) d^2 + s (d - y)^2). What the fit of a
-// coupled voxel adds to its corners' energy is left out; it is the part of the lattice.
+// Springs of the CPs, with their Maxwell branch. What the fit of a coupled voxel adds to its
+// corners' energy is left out; it is the part of the lattice.
 double coupling_energy(const View& view) {
   const StateHead& s = *view.state.head;
-  double sum = 0;
-  for (std::uint32_t i = 0; i <= s.shaft_count; ++i) {
-    if (i == s.shaft_count && s.tip_alive == 0) break;
-    const Particle& p = i == s.shaft_count ? *view.state.tip : view.state.shaft[i];
-    for (std::uint32_t j = 0; j < p.share_count; ++j) {
-      const Vec3 d = p.position_m - p.share[j].goal_m;
-      const Vec3 y = d - p.memory_m;
-      const float share = p.memory_share;
-      sum += 0.5 * static_cast<double>(p.stiffness_n_per_m * p.share[j].weight *
-                                       ((1 - share) * dot(d, d) + share * dot(y, y)));
-    }
+  double sum = s.tip_alive != 0 ? particle_energy(view, *view.state.tip) : 0;
+  for (std::uint32_t i = 0; i < s.shaft_count; ++i) {
+    sum += particle_energy(view, view.state.shaft[i]);
   }
   return sum;
 }

@@ -61,15 +61,14 @@ static inline void turn(T w, T vx, T vy, T vz, T& qw, T& qx, T& qy, T& qz) {
   const T py = qw * vy + qy * w + (qz * vx - qx * vz);
   const T pz = qw * vz + qz * w + (qx * vy - qy * vx);
   // The product is normalised, not the factor: lengths of 1 + 1e-7 would pile up tick by tick.
-  T inverse = 1 / root(pw * pw + px * px + py * py + pz * pz);
-  if constexpr (Refinements > 0) {  // one Newton step on the rounded root, for the last digit
-    const T nw = pw * inverse, nx = px * inverse, ny = py * inverse, nz = pz * inverse;
-    inverse *= T(1.5) - T(0.5) * ((nw * nw + nx * nx) + (ny * ny + nz * nz));
-  }
-  qw = pw * inverse;
-  qx = px * inverse;
-  qy = py * inverse;
-  qz = pz * inverse;
+  const T inverse = 1 / root((pw * pw + px * px) + (py * py + pz * pz));
+  const T nw = pw * inverse, nx = px * inverse, ny = py * inverse, nz = pz * inverse;
+  // One Newton step on the rounded root, added part by part, for the last digit.
+  const T e = T(0.5) - T(0.5) * ((nw * nw + nx * nx) + (ny * ny + nz * nz));
+  qw = nw + e * nw;
+  qx = nx + e * nx;
+  qy = ny + e * ny;
+  qz = nz + e * nz;
 }
 
 // `Refinements`: Rayleigh quotients taken to sharpen lambda before the step (0 in the lattice

@@ -89,7 +89,8 @@ class ClusterReference {
       sum +=
           found == members.end() ? cell_energy(cell, c, {}) : cell_energy(cell, c, found->second);
     }
-    for_each_particle(view, [&sum](const Particle& p) {
+    for_each_particle(view, [&](const Particle& p) {
+      if (&p == view.state.tip && view.state.head->phase == Phase::kContact) return;
       const double s = static_cast<double>(p.stiffness_n_per_m);
       const double m = static_cast<double>(p.memory_share);
       sum += 0.5 * s * m * (1 - m) * std::pow(norm_of(p.memory_m), 2);
@@ -144,8 +145,8 @@ class ClusterReference {
     if (head.tip_alive != 0) visit(*view.state.tip);
   }
 
-  // The tip in contact is a cone, force S d^2 / (d + l) with l = a pi / tan 15 degrees: its energy
-  // instead of that of a spring as stiff as it is now.
+  // The tip in contact is a cone, F = k d^2 / (d + l) with l = a pi / tan 15 degrees, with quasi-
+  // linear relaxation: its energy instead of that of the spring which stands for it in this tick.
   static double cone_energy(const View& view) {
     if (view.state.head->phase != Phase::kContact) return 0;
     const Particle& tip = *view.state.tip;
@@ -155,10 +156,17 @@ class ClusterReference {
     }
     const double radius = static_cast<double>(view.model.head->config.needle.outer_radius_m);
     const double l = radius * 3.14159265 / std::tan(3.14159265 / 12);
-    const double d = norm_of(off);
-    return static_cast<double>(tip.full_stiffness_n_per_m) *
-               (0.5 * d * d - l * d + l * l * std::log1p(d / l)) -
-           0.5 * static_cast<double>(tip.stiffness_n_per_m) * d * d;
+    const double k = static_cast<double>(tip.full_stiffness_n_per_m);
+    const auto integral = [l, k](double d) {
+      return k * (0.5 * d * d - l * d + l * l * std::log1p(d / l));
+    };
+    const double q = k * norm_of(tip.memory_m);
+    const double y = q / (2 * k) + std::sqrt(q * q / (4 * k * k) + q * l / k);
+    const double d = norm_of(off), along = k * static_cast<double>(dot(tip.memory_m, off));
+    const double share = static_cast<double>(tip.memory_share);
+    return integral(d) - share * (integral(y) + along - q * y) -
+           0.5 * static_cast<double>(tip.stiffness_n_per_m) *
+               std::pow(norm_of(off - tip.slack_m), 2);
   }
 
   std::map<std::uint32_t, std::vector<Member>> members_of(const View& view) const {
@@ -166,17 +174,16 @@ class ClusterReference {
     std::map<std::uint32_t, Vector3> centre;
     for (const Cell& cell : cells_) centre[cell.slot] = cell.rest_centre;
     for_each_particle(view, [&](const Particle& p) {
-      const double m = static_cast<double>(p.memory_share);
       const float place[3] = {p.position_m.x, p.position_m.y, p.position_m.z};
-      const float memory[3] = {p.memory_m.x, p.memory_m.y, p.memory_m.z};
+      const float slack[3] = {p.slack_m.x, p.slack_m.y, p.slack_m.z};
       for (std::uint32_t s = 0; s < p.share_count; ++s) {
         const Share& share = p.share[s];
         Member member = {};
         member.w = static_cast<double>(p.stiffness_n_per_m) * static_cast<double>(share.weight);
         const float offset[3] = {share.offset_m.x, share.offset_m.y, share.offset_m.z};
         for (std::size_t a = 0; a < 3; ++a) {
-          member.x[a] = static_cast<double>(place[a]) - m * static_cast<double>(memory[a]) -
-                        centre[share.slot][a];
+          member.x[a] =
+              static_cast<double>(place[a]) - static_cast<double>(slack[a]) - centre[share.slot][a];
           member.r[a] = static_cast<double>(offset[a]);
         }
         members[share.slot].push_back(member);

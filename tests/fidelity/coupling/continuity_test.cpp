@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -70,8 +71,6 @@ class Watch {
 };
 
 TEST(Continuity, AddingAndRemovingParticlesIsNotFelt) {
-  GTEST_SKIP()
-      << "known gap: axial jump 1.17 and, with the needle 2 mm aside, lateral jump 14 times K v dt";
   for (const float speed : {5e-3F, 20e-3F}) {
     for (const float side : {0.0F, 2e-3F}) {  // the needle bears on the tissue to the side
       Rig rig = make_rig(gel(), Config{});
@@ -79,15 +78,15 @@ TEST(Continuity, AddingAndRemovingParticlesIsNotFelt) {
       const auto see = [&](const Output& out) { watch.see(rig, out); };
       drive(rig, kStart, 17e-3F, speed, see);
       for (int i = 0; i < 400; ++i) {
-        move_tip(rig, {17e-3F, kStart.y + side * static_cast<float>(i) / 400, kStart.z});
+        see(move_tip(rig, {17e-3F, kStart.y + side * static_cast<float>(i) / 400, kStart.z}));
       }
       const Vec3 aside = {17e-3F, kStart.y + side, kStart.z};
-      hold(rig, aside, 500);
+      for (int i = 0; i < 500; ++i) see(move_tip(rig, aside));
       drive(rig, aside, 41e-3F, speed, see);
       drive(rig, {41e-3F, aside.y, aside.z}, 8e-3F, speed, see);
       EXPECT_GT(watch.jumps.events, 7) << speed << " m/s, " << side << " m aside";
-      EXPECT_LT(watch.jumps.axial, 1) << speed << " m/s, " << side << " m aside";
-      EXPECT_LT(watch.jumps.lateral, 1) << speed << " m/s, " << side << " m aside";
+      EXPECT_LT(watch.jumps.axial, 0.33) << speed << " m/s, " << side << " m aside";
+      EXPECT_LT(watch.jumps.lateral, 0.33) << speed << " m/s, " << side << " m aside";
     }
   }
 }
@@ -107,27 +106,31 @@ TEST(Continuity, FirstTouchStartsFromZero) {
   EXPECT_TRUE(touched);
 }
 
+// By depth, not by time: the puncture's recoil makes the first insertion run through some depths
+// faster than others.
 struct Insertion {
-  double entry_peak, mean;  // largest before 6 mm of depth; mean between 12 and 25 mm
+  double entry_peak;                       // largest before 6 mm of depth
+  std::array<std::vector<double>, 11> at;  // forces, by millimetre of depth from 14 mm on
 };
+
+double mean_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
 
 Insertion insert_and_leave(Rig& rig) {
   Insertion result = {};
-  std::vector<double> middle;
   drive(rig, kStart, 32e-3F, 10e-3F, [&](const Output& out) {
     const double force = -static_cast<double>(out.force_n.x);
     if (out.depth_m < 6e-3F) result.entry_peak = std::max(result.entry_peak, force);
-    if (out.depth_m > 12e-3F && out.depth_m < 25e-3F) middle.push_back(force);
+    const int bin = static_cast<int>(out.depth_m * 1e3F) - 14;
+    if (bin >= 0 && bin < 11) result.at[static_cast<std::size_t>(bin)].push_back(force);
   });
-  result.mean = std::accumulate(middle.begin(), middle.end(), 0.0) /
-                static_cast<double>(std::max<std::size_t>(middle.size(), 1));
   drive(rig, {32e-3F, kStart.y, kStart.z}, -15e-3F, 20e-3F);
   hold(rig, {-15e-3F, kStart.y, kStart.z}, 2000);
   return result;
 }
 
 TEST(Continuity, ASecondInsertionFollowsTheTrack) {
-  GTEST_SKIP() << "known gap: the second insertion is 0.163 N lighter, wanted 0.150 +- 0.010";
   Rig rig = make_rig(gel(), Config{});
   const Insertion first = insert_and_leave(rig);
   EXPECT_EQ(count_of(rig.kernel(), EventKind::kPuncture), 1U);
@@ -138,7 +141,9 @@ TEST(Continuity, ASecondInsertionFollowsTheTrack) {
   EXPECT_NEAR(first.entry_peak, 0.4, 0.02);
   EXPECT_LT(second.entry_peak, 0.2);
   // At the same depth the friction is the same and the tip carries a quarter: 0.15 N less.
-  EXPECT_NEAR(first.mean - second.mean, 0.15, 0.01);
+  for (std::size_t i = 0; i < first.at.size(); ++i) {
+    EXPECT_NEAR(mean_of(first.at[i]) - mean_of(second.at[i]), 0.15, 0.01) << 14 + i << " mm";
+  }
 }
 
 TEST(Continuity, ATrackElsewhereIsPuncturedAgain) {

@@ -144,7 +144,6 @@ std::vector<Books> insert_hold_retract() {
 // Contact alone has no books in the kernel: all work goes to damping and drag, or comes back. Fast
 // strokes, in short ticks: the hand's work is known only as well as the force between two poses.
 TEST(V24EnergyOfContact, WorkIsWhatTheTissuesDampingAndDragTook) {
-  GTEST_SKIP() << "known gap: contact alone loses 3.0 % of the work, wanted 2 %";
   TinyOrgan tiny = liver_block();
   for (TinyMaterial& m : tiny.materials) {
     m.puncture_force_n = 1000;
@@ -181,7 +180,6 @@ class V24Energy : public testing::Test {
 std::vector<Books>* V24Energy::books_ = nullptr;
 
 TEST_F(V24Energy, HandWorkIsWhatWasDissipated) {
-  GTEST_SKIP() << "known gap: the books are 2.8 % short of the work, wanted 2 %";
   const Books& end = books_->back();
   EXPECT_GT(end.work, 0);
   EXPECT_LT(end.stored + end.kinetic, 1e-3 * end.work) << "the tissue is back at rest";
@@ -193,7 +191,6 @@ TEST_F(V24Energy, HandWorkIsWhatWasDissipated) {
 
 // At every tick, not only at the end.
 TEST_F(V24Energy, HandWorkIsStoredOrDissipatedAtEveryTick) {
-  GTEST_SKIP() << "known gap: the books are 3.8 % short at the worst tick, wanted 2 %";
   const double whole = books_->back().work;
   double worst = 0;
   std::size_t at = 0;
@@ -208,37 +205,26 @@ TEST_F(V24Energy, HandWorkIsStoredOrDissipatedAtEveryTick) {
   EXPECT_LT(worst, 0.02 * whole) << "at tick " << at << " of " << whole << " J";
 }
 
+// But for the last place of a float: springs hold up to 3e-4 J here.
 TEST_F(V24Energy, NothingIsEverUndissipated) {
-  GTEST_SKIP() << "known gap: friction of -3.7e-8 J at the tick after the puncture";
+  constexpr double kRoundingJ = 1e-11;
   for (std::size_t i = 1; i < books_->size(); ++i) {
     const Books &a = (*books_)[i - 1], &b = (*books_)[i];
-    ASSERT_GE(b.friction, a.friction) << "tick " << i;
-    ASSERT_GE(b.cutting, a.cutting) << "tick " << i;
-    ASSERT_GE(b.relaxation, a.relaxation) << "tick " << i;
+    ASSERT_GE(b.friction, a.friction - kRoundingJ) << "tick " << i;
+    ASSERT_GE(b.cutting, a.cutting - kRoundingJ) << "tick " << i;
+    ASSERT_GE(b.relaxation, a.relaxation - kRoundingJ) << "tick " << i;
   }
 }
 
-// What is left for damping and drag is never given back. A step that is explicit in time keeps
-// energy to a part in a thousand of what is stored (contact alone shows it); that is the rounding.
-TEST_F(V24Energy, TheRemainderNeverDecreases) {
-  GTEST_SKIP() << "known gap: 0.9 % of the work comes from nowhere over 187 ticks";
-  double returned = 0, worst = 0;
-  std::size_t count = 0, at = 0;
+// What is left for damping and drag is not given back either. Forces are known at ticks only: the
+// books of a tick in which they change by some per cent are right to that squared.
+TEST_F(V24Energy, TheRemainderIsNotGivenBack) {
+  double returned = 0;
   for (std::size_t i = 1; i < books_->size(); ++i) {
-    const Books &a = (*books_)[i - 1], &b = (*books_)[i];
-    const double change = b.remainder() - a.remainder();
-    if (change > -1e-3 * (a.stored + a.kinetic) - 1e-6 * b.work) continue;
-    ++count;
-    returned -= change;
-    if (-change > worst) {
-      worst = -change;
-      at = i;
-    }
+    const double change = (*books_)[i].remainder() - (*books_)[i - 1].remainder();
+    if (change < 0) returned -= change;
   }
-  EXPECT_EQ(count, 0U) << returned << " J of " << books_->back().work
-                       << " J came from nowhere, the most (" << worst << " J) at tick " << at
-                       << ", depth " << (*books_)[at].depth << ", shaft particles "
-                       << (*books_)[at].shaft_count;
+  EXPECT_LT(returned, 2e-3 * books_->back().work);
 }
 
 TEST_F(V24Energy, KernelsWorkOfTheHandIsTheWorkSeenOutside) {

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bone and other things a needle cannot enter: convex bodies, where a needle piece touches them,
+// and what the touch does to it.
+//
+// Promises: no allocation, a bounded number of operations, finite results for every finite piece;
+// the force never exceeds sqrt(1 + friction^2) times the largest force, and a contact turns by at
+// most kMaxNormalTurnRad a call while the needle does not pass through the body. Touch and slip
+// only take energy. Units: SI. Frames: pieces, forces and states in the world; a body's vertices in
+// its own frame. Source: return map of physics.md 10; a law of our own for the rest.
+//
+// Use: one ObstacleContact for each piece and body, kept between ticks, zero at the start. Within
+// a tick obstacle_load may be asked for several trial shapes with the same `last`; the caller keeps
+// the `next` of the shape it ends with. Neighbouring pieces that share a node may both touch there:
+// two springs side by side, which fade in and out as the body passes the node.
+#pragma once
+
+#include <cstdint>
+
+#include "math.h"
+#include "stylet/limits.h"
+#include "stylet/status.h"
+
+namespace stylet {
+
+// ---- bodies -------------------------------------------------------------------------------------
+
+// The convex hull of the vertices, grown by `rounding_m` on all sides. One vertex makes a sphere.
+struct ObstacleConfig {
+  Pose pose = {{0, 0, 0}, {1, 0, 0, 0}};  // of the body in the world
+  std::uint32_t vertex_count = 0;
+  Vec3 vertices_m[kMaxHullVertices] = {};
+  float rounding_m = 0;
+  float stiffness_n_per_m = 0;  // of a contact, normal and (sticking) tangential
+  float largest_force_n = 0;    // what the normal force approaches as the needle is pressed in
+  float friction = 0;           // Coulomb coefficient
+};
+
+void make_box(ObstacleConfig& config, Vec3 half_m);
+void make_sphere(ObstacleConfig& config, float radius_m);
+
+// A body ready for queries. Only the functions below look inside.
+struct Obstacle {
+  ObstacleConfig config;
+  Mat3 rotation;
+  Vec3 centre_m;  // mean of the vertices, in the body's frame
+  float bound_m;  // no point of the body is farther from the centre
+};
+
+// kConfigValueOutOfRange: a number that is not finite, no vertex or more than kMaxHullVertices, a
+// rotation that is no rotation, a stiffness or force that is not positive, a negative friction.
+Status obstacle_prepare(const ObstacleConfig& config, Obstacle& obstacle_out);
+
+// ---- where --------------------------------------------------------------------------------------
+
+// A straight piece of needle from a to b; a == b makes a sphere. The radius must be positive.
+struct NeedlePiece {
+  Vec3 a_m, b_m;
+  float radius_m;
+};
+
+struct Gap {
+  float separation_m;  // negative: depth along `normal`
+  Vec3 normal;         // unit, out of the body
+  float place;         // of the contact on the piece's axis, 0 at a to 1 at b
+};
+
+// Exact as long as the piece's axis is outside the body; inside, a depth along which the piece can
+// leave, not always the smallest.
+Gap obstacle_gap(const Obstacle& obstacle, const NeedlePiece& piece);
+
+// ---- what it does -------------------------------------------------------------------------------
+
+// What a contact remembers. All zero: no contact.
+struct ObstacleContact {
+  Vec3 normal;     // zero: no contact
+  Vec3 bristle_m;  // elastic sideways give
+  Vec3 a_m, b_m;   // the piece at the last call
+  float place;
+};
+
+// A load on the needle: f(x) = force_n - stiffness * (x - at_m) for the needle's point that is now
+// at at_m. The matrix is symmetric and has no negative eigenvalue.
+struct ObstacleLoad {
+  Vec3 force_n;
+  Vec3 at_m;
+  Mat3 stiffness_n_per_m;
+  float place;    // of at_m on the piece
+  float depth_m;  // 0: no contact, no load
+  Vec3 normal;
+  float elastic_j;     // stored in the contact
+  float dissipated_j;  // since the last call, by slip, turning and release
+  std::uint32_t slips;
+};
+
+ObstacleLoad obstacle_load(const Obstacle& obstacle, const NeedlePiece& piece,
+                           const ObstacleContact& last, ObstacleContact& next_out);
+
+}  // namespace stylet
