@@ -9,7 +9,7 @@ packages=(
   # build
   build-essential clang cmake ninja-build ccache pkg-config python3
   # kernel
-  libeigen3-dev libflatbuffers-dev flatbuffers-compiler
+  libccd-dev libeigen3-dev libflatbuffers-dev flatbuffers-compiler
   # hal
   libtomlplusplus-dev libcli11-dev libfmt-dev libhdf5-dev nlohmann-json3-dev
   gnuplot-nox fonts-dejavu-core

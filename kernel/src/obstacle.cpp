@@ -9,9 +9,6 @@ namespace {
 // An axis nearer to the body than this share of the rounding is looked at from where the last
 // normal leads out: the direction of a distance needs a distance.
 constexpr double kCoreShare = 0.25;
-// A contact stays at its place on the piece while that is this share of the rounding less deep than
-// the deepest. Else a piece that lies flat would be held at one end, then at the other.
-constexpr double kPlaceShare = 0.05;
 // A normal that turns by more than 120 degrees has not turned: the needle has passed through.
 constexpr double kThroughCosine = -0.5;
 // Normal stiffness left where the force is saturated, so that rounding cannot make it negative.
@@ -61,22 +58,16 @@ double rounding_of(const Obstacle& obstacle, const NeedlePiece& piece) {
 
 // The closest points, seen with the axis moved to at least `margin` outside the body along `out`:
 // which side of the body is near a needle that is pressed into it.
-struct View {
-  Segment axis;
-  Closest near;
-};
-
-View view_along(const ConvexHull& hull, const Segment& axis, Vec3d out, double margin) {
+Closest view_along(const ConvexHull& hull, const Segment& axis, Vec3d out, double margin) {
   const double depth = reach(hull, out) - min_of(dot(out, axis.a_m), dot(out, axis.b_m));
   const Vec3d shift = max_of(depth + margin, 0) * out;
-  const Segment moved = {axis.a_m + shift, axis.b_m + shift};
-  return {moved, closest(hull, moved)};
+  return closest(hull, {axis.a_m + shift, axis.b_m + shift});
 }
 
-View view(const ConvexHull& hull, const Segment& axis, double margin, Vec3d last_normal) {
+Closest view(const ConvexHull& hull, const Segment& axis, double margin, Vec3d last_normal) {
   const bool remembers = dot(last_normal, last_normal) > 0;
   const Closest near = closest(hull, axis);
-  if (near.distance_m >= margin || (!remembers && near.distance_m > 0)) return {axis, near};
+  if (near.distance_m >= margin || (!remembers && near.distance_m > 0)) return near;
   return view_along(hull, axis, remembers ? last_normal : way_out(hull, axis), margin);
 }
 
@@ -95,15 +86,6 @@ Vec3d turn(Vec3d from, Vec3d target) {
   return (1 / norm(turned)) * turned;
 }
 
-// The place nearest to the last one that is at most `slack` less deep than the deepest. Distance
-// is convex along the axis, so the straight rule between the two places keeps within it.
-double settle_place(const ConvexHull& hull, const View& v, double last_place, double slack) {
-  const Vec3d point = point_on(v.axis, last_place);
-  const double rise = closest(hull, {point, point}).distance_m - v.near.distance_m;
-  const double share = rise > slack ? slack / rise : 1;
-  return v.near.place + share * (last_place - v.near.place);
-}
-
 // No point of the axis can be within the rounding of the body.
 bool is_far(const Obstacle& obstacle, const Segment& axis, double rounding) {
   const Vec3d centre = to_double(obstacle.centre_m);
@@ -118,7 +100,7 @@ bool is_far(const Obstacle& obstacle, const Segment& axis, double rounding) {
 struct Touch {
   Vec3d normal;         // world
   double depth_m;       // along it
-  double depth_last_m;  // along the last normal
+  double depth_last_m;  // along the last normal, at the last place
   double place;
   bool goes_on;  // the contact of the last call, not a new one
 };
@@ -129,18 +111,17 @@ Touch find_touch(const Obstacle& obstacle, const NeedlePiece& piece, const Obsta
   if (is_far(obstacle, axis, rounding)) return {};
   const ConvexHull hull = hull_of(obstacle);
   const Vec3d last_normal = to_body(obstacle.rotation, to_double(last.normal));
-  const View seen = view(hull, axis, kCoreShare * rounding, last_normal);
-  const Vec3d point = point_on(axis, seen.near.place);
+  const Closest seen = view(hull, axis, kCoreShare * rounding, last_normal);
   Touch touch = {};
-  Vec3d normal = seen.near.normal;
-  touch.place = seen.near.place;
+  Vec3d normal = seen.normal;
+  touch.place = seen.place;
   if (!is_zero(last.normal)) {
+    const Vec3d last_point = point_on(axis, static_cast<double>(last.place));
     touch.goes_on = dot(last_normal, normal) >= kThroughCosine;
-    touch.depth_last_m = depth_along(hull, last_normal, point, rounding);
+    touch.depth_last_m = depth_along(hull, last_normal, last_point, rounding);
     normal = turn(last_normal, normal);
-    touch.place = settle_place(hull, seen, static_cast<double>(last.place), kPlaceShare * rounding);
   }
-  touch.depth_m = depth_along(hull, normal, point, rounding);
+  touch.depth_m = depth_along(hull, normal, point_on(axis, touch.place), rounding);
   touch.normal = to_world(obstacle.rotation, normal);
   return touch;
 }
@@ -251,11 +232,11 @@ Gap obstacle_gap(const Obstacle& obstacle, const NeedlePiece& piece) {
   const double rounding = rounding_of(obstacle, piece);
   const ConvexHull hull = hull_of(obstacle);
   const Segment axis = axis_in_body(obstacle, piece);
-  const View seen = view(hull, axis, kCoreShare * rounding, {0, 0, 0});
-  const Vec3d point = point_on(axis, seen.near.place);
-  const Vec3d normal = seen.near.normal;
+  const Closest seen = view(hull, axis, kCoreShare * rounding, {0, 0, 0});
+  const Vec3d point = point_on(axis, seen.place);
+  const Vec3d normal = seen.normal;
   return {static_cast<float>(-depth_along(hull, normal, point, rounding)),
-          to_float(to_world(obstacle.rotation, normal)), static_cast<float>(seen.near.place)};
+          to_float(to_world(obstacle.rotation, normal)), static_cast<float>(seen.place)};
 }
 
 ObstacleLoad obstacle_load(const Obstacle& obstacle, const NeedlePiece& piece,
@@ -268,10 +249,10 @@ ObstacleLoad obstacle_load(const Obstacle& obstacle, const NeedlePiece& piece,
   const Press pressed = press(config, touch.depth_m);
   const double before_j = press(config, touch.depth_last_m).energy_j;
   const double turned_j = is_zero(last.normal) ? 0 : before_j - pressed.energy_j;
-  const Vec3d moved = touch.goes_on
-                          ? (1 - touch.place) * (to_double(piece.a_m) - to_double(last.a_m)) +
-                                touch.place * (to_double(piece.b_m) - to_double(last.b_m))
-                          : Vec3d{0, 0, 0};
+  const double held_at = static_cast<double>(last.place);
+  const Vec3d moved = touch.goes_on ? (1 - held_at) * (to_double(piece.a_m) - to_double(last.a_m)) +
+                                          held_at * (to_double(piece.b_m) - to_double(last.b_m))
+                                    : Vec3d{0, 0, 0};
   const double limit_n = touch.goes_on || is_zero(last.normal)
                              ? static_cast<double>(config.friction) * pressed.force_n
                              : 0;

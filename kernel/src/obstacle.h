@@ -11,7 +11,10 @@
 // Use: one ObstacleContact for each piece and body, kept between ticks, zero at the start. Within
 // a tick obstacle_load may be asked for several trial shapes with the same `last`; the caller keeps
 // the `next` of the shape it ends with. Neighbouring pieces that share a node may both touch there:
-// two springs side by side, which fade in and out as the body passes the node.
+// two springs side by side, which fade in and out as the body passes the node. A piece that lies
+// flat is held at its deepest point, which may jump from one end to the other (the force does not):
+// make the pieces as short as the torque should be smooth. No memory smooths that jump, because
+// a load that lags behind the tilt feeds it.
 #pragma once
 
 #include <cstdint>

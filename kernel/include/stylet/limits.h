@@ -49,13 +49,14 @@ constexpr std::uint32_t kMaxTracks = 16;
 constexpr std::uint32_t kMaxTreeVisits = 1024;
 constexpr std::uint32_t kMaxTreeDepth = 64;
 constexpr std::uint32_t kMaxTriangleTests = 128;
-// Walks over an obstacle's vertices for one distance. Reached: the nearest point found so far, which
-// is never nearer than the truth.
+// Walks over an obstacle's vertices for one distance. Reached: the nearest point found so far,
+// which is never nearer than the truth.
 constexpr std::uint32_t kMaxGjkSteps = 32;
-// More of them where a needle appears inside an obstacle. Reached: it is pushed out across its axis.
+// More of them where a needle appears inside an obstacle. Reached: it is pushed out across its
+// axis.
 constexpr std::uint32_t kMaxEscapeSupports = 64;
 // Turn of an obstacle contact's normal in one tick. Reached: the rest follows in the next ticks.
-constexpr float kMaxNormalTurnRad = 0.2F;
+constexpr float kMaxNormalTurnRad = 0.1F;
 // Motion of the handle accepted in one second; faster input is clamped, flagged and followed later.
 constexpr float kMaxHandleSpeedMPerS = 5.0F;
 constexpr float kMaxHandleSpinRadPerS = 60.0F;
