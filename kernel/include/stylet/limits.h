@@ -40,6 +40,20 @@ constexpr std::uint32_t kSharesPerParticle = 8;
 // Constraint particles placed in one tick. Reached by a needle that jumps: the rest follow in the
 // next ticks.
 constexpr std::uint32_t kMaxDropsPerTick = 8;
+// Rods of the elastic needle. More: create refuses the configuration; longer rods bend less finely
+// (deflections err by 1 / (2 n^2)).
+constexpr std::uint32_t kMaxRods = 128;
+// Loads on the needle: every constraint particle, and contacts with obstacles. Full: the caller
+// leaves out the contacts that press least.
+constexpr std::uint32_t kMaxTouches = 16;
+constexpr std::uint32_t kMaxRodLoads = kMaxConstraintParticles + 1 + kMaxTouches;
+// Newton steps of the needle's equilibrium in a tick. Reached: what is left is solved in the next
+// ticks, a few for a needle that snaps through.
+constexpr std::uint32_t kRodNewtonSteps = 3;
+// Size of one load on the needle. Beyond: scaled down to it, direction kept.
+constexpr double kMaxRodForceN = 1e3;
+constexpr double kMaxRodStiffnessNPerM = 1e6;
+constexpr double kMaxRodPlaceM = 10;
 // Events kept for the reader. Full: the oldest is overwritten; sequence numbers show the gap.
 constexpr std::uint32_t kMaxEvents = 64;
 // Tracks remembered in the tissue. Full: the oldest is forgotten and must be punctured again.
