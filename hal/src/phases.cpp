@@ -14,6 +14,8 @@ constexpr double kRestingShare = 0.03;     // of the fastest: and has not begun 
 constexpr double kPunctureWindowS = 0.05;  // in which the force falls after the puncture
 constexpr double kShortestStageS = 0.1;    // of those told apart by speed
 constexpr double kSlopeRangeM = 1e-3;      // less change of depth gives no slope
+constexpr double kSteadyShare = 0.9;       // of the median speed: the tip keeps its pace
+constexpr double kSettleS = 0.3;           // in which the tissue takes up a new pace
 
 bool inside(Phase phase) {
   return phase == Phase::kInserted || phase == Phase::kRetracting;
@@ -108,6 +110,28 @@ void merge_short(std::vector<Stage>& stages, double period_s) {
   }
 }
 
+// The part in which force follows depth alone: the tip keeps its pace and the tissue has taken it
+// up. Without it the recoil after the puncture, the turn of the friction at the start of a
+// retraction and the slowing hand at the end each tilt the line by percents.
+std::span<const TrackPoint> steady_part(std::span<const TrackPoint> part, double period_s) {
+  const auto half = static_cast<std::size_t>(0.5 * kSpeedWindowS / period_s) + 1;
+  if (part.size() <= 2 * half) return {};
+  std::vector<double> pace;
+  for (std::size_t i = half; i + half < part.size(); ++i) {
+    pace.push_back(std::fabs(speed(part, i - half, i + half, period_s)));
+  }
+  std::vector<double> sorted = pace;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  const auto keeps = [least = kSteadyShare * *middle](double v) { return v >= least; };
+  const auto first = std::find_if(pace.begin(), pace.end(), keeps);
+  const auto last = std::find_if(pace.rbegin(), pace.rend(), keeps).base();
+  const auto length = static_cast<std::size_t>(last - first);
+  const std::size_t settle = std::min(static_cast<std::size_t>(kSettleS / period_s), length / 3);
+  return part.subspan(half + static_cast<std::size_t>(first - pace.begin()) + settle,
+                      length - settle);
+}
+
 float slope(std::span<const TrackPoint> part, float skip_below_m) {
   double n = 0, sum_x = 0, sum_y = 0;
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -132,7 +156,7 @@ float slope(std::span<const TrackPoint> part, float skip_below_m) {
   return static_cast<float>(xy / xx);
 }
 
-PhaseRow row_of(Stage stage, std::span<const TrackPoint> part, float unit_m) {
+PhaseRow row_of(Stage stage, std::span<const TrackPoint> part, double period_s, float unit_m) {
   PhaseRow row{};
   row.stage = stage;
   row.start_tick = part.front().tick;
@@ -147,8 +171,9 @@ PhaseRow row_of(Stage stage, std::span<const TrackPoint> part, float unit_m) {
   row.mean_force_n = static_cast<float>(sum / static_cast<double>(part.size()));
   row.end_force_n = part.back().axial_n;
   const bool moving = stage == Stage::kInsertion || stage == Stage::kRetraction;
-  row.slope_n_per_mm = moving ? slope(part, stage == Stage::kInsertion ? unit_m : 0)
-                              : std::numeric_limits<float>::quiet_NaN();
+  row.slope_n_per_mm =
+      moving ? slope(steady_part(part, period_s), stage == Stage::kInsertion ? unit_m : 0)
+             : std::numeric_limits<float>::quiet_NaN();
   return row;
 }
 
@@ -191,7 +216,7 @@ std::vector<PhaseRow> find_phases(std::span<const TrackPoint> track, double peri
   for (std::size_t begin = 0; begin < track.size();) {
     std::size_t end = begin;
     while (end < track.size() && stages[end] == stages[begin]) ++end;
-    rows.push_back(row_of(stages[begin], track.subspan(begin, end - begin), unit_m));
+    rows.push_back(row_of(stages[begin], track.subspan(begin, end - begin), period_s, unit_m));
     rows.back().start_force_n = track[begin > 0 ? begin - 1 : 0].axial_n;
     begin = end;
   }

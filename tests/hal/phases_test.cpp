@@ -97,6 +97,40 @@ TEST(Phases, NumbersAreThoseOfTheFormula) {
   EXPECT_TRUE(std::isnan(hold.slope_n_per_mm));
 }
 
+// A hand that slows down over half a second, friction that depends on its speed, and a tissue that
+// springs back for a moment after the puncture: the slope is that of the steady way between.
+TEST(Phases, SlopeIsThatOfTheSteadyPart) {
+  constexpr double kSlow = 6500, kTicksToSlow = 150;
+  std::vector<TrackPoint> track = curve(0, kRetract);
+  for (TrackPoint& p : track) {
+    const double tick = static_cast<double>(p.tick) - 1;
+    if (tick < kLowest) continue;
+    const double slowing = std::max(0.0, tick - kSlow) / kTicksToSlow;
+    const double share_of_speed = std::exp(-slowing);
+    const double travel_mm =
+        (std::min(tick, kSlow) - kContact + kTicksToSlow * (1 - share_of_speed)) * 0.01;
+    const double recoil = 0.2 * std::exp(-(tick - kLowest) / 100);
+    p.travel_m = p.depth_m = static_cast<float>(travel_mm * 1e-3);
+    p.axial_n = static_cast<float>(0.2 + recoil + (0.007 + 0.003 * share_of_speed) * travel_mm);
+  }
+  const auto rows = find_phases(track, kPeriodS, kUnitM);
+  ASSERT_EQ(rows.size(), 5U);
+  EXPECT_EQ(rows[3].stage, Stage::kInsertion);
+  EXPECT_NEAR(static_cast<double>(rows[3].slope_n_per_mm), 0.01, 1e-4);
+}
+
+TEST(Phases, SlopeOfAQuickInsertionIsThere) {
+  std::vector<TrackPoint> track;
+  for (int tick = kLowest; tick < kLowest + 150; ++tick) {
+    track.push_back(point(tick));
+    track.back().travel_m = track.back().depth_m = static_cast<float>(tick - kLowest) * 4e-4F;
+    track.back().axial_n = track.back().depth_m * 10;
+  }
+  const auto rows = find_phases(track, kPeriodS, kUnitM);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_NEAR(static_cast<double>(rows[0].slope_n_per_mm), 0.01, 1e-5);
+}
+
 TEST(Phases, ShortPausesAreNoHold) {
   std::vector<TrackPoint> track = curve();
   for (int i = 4000; i < 4060; ++i) {

@@ -44,9 +44,11 @@ struct PhaseRow {
   float travel_m;                      // at the end
   float peak_force_n;                  // axial force furthest from zero, with its sign
   float mean_force_n;
-  float start_force_n;   // at the last tick before
-  float end_force_n;     // at the last tick of the phase
-  float slope_n_per_mm;  // least squares of axial force over depth; NaN where depth hardly changes
+  float start_force_n;  // at the last tick before
+  float end_force_n;    // at the last tick of the phase
+  // Least squares of axial force over depth, where the tip moves at a steady pace that the tissue
+  // has taken up; NaN for phases at rest and where depth changes by less than 1 mm.
+  float slope_n_per_mm;
 };
 
 // `unit_m`: sampling unit of the needle; the slope leaves out the first unit after the puncture.
