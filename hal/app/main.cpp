@@ -59,11 +59,21 @@ void add_plot(CLI::App& program, PlotOptions& options) {
                   program.string(), std::strerror(errno)));
 }
 
+// For the help; main hands its options on before they are read here.
+void add_bench(CLI::App& program) {
+  program.add_subcommand("bench", "Measure how long a tick takes (options: stylet bench --help)");
+}
+
 int dispatch(int argc, char** argv) {
-  CLI::App program("Haptic needle insertion: run scenes, replay and plot recordings");
+  CLI::App program("Haptic needle insertion: run scenes, replay and plot recordings", "stylet");
   program.set_version_flag("--version", STYLET_VERSION);
-  program.require_subcommand(1);
+  program.require_subcommand(0, 1);
   program.footer(
+      "Examples:\n"
+      "  stylet run fig09-force-curve.toml --organ liver.organ --record out.h5\n"
+      "  stylet plot out.h5 -o force.svg\n"
+      "  stylet replay out.h5\n"
+      "  stylet bench liver.organ\n"
       "Exit codes: 0 ok, 1 a file was refused, 2 command line, 3 fault or other bits, "
       "4 machine not fit for real time");
   RunOptions run_options;
@@ -72,8 +82,12 @@ int dispatch(int argc, char** argv) {
   add_run(program, run_options);
   add_replay(program, replay_options);
   add_plot(program, plot_options);
+  add_bench(program);
   try {
     program.parse(argc, argv);
+    if (program.get_subcommands().empty()) {
+      throw CLI::RequiredError("A command (run, replay, plot or bench)");
+    }
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? kExitOk : kExitUsage;
   }

@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -129,8 +130,12 @@ std::string data_blocks(const Curve& curve) {
   return some(total) + some(causes) + some(in) + some(hold) + some(out);
 }
 
-// Shaded and named; a phase too short for its name hands it to the margin above with a slant.
+// Shaded, and named in the margin above with a slant; the name of a phase too short for it moves
+// on.
 std::string phase_shades(const Curve& curve, int font_size) {
+  constexpr double kLabelGap = 0.035;  // of the width: what a slanted line of text needs
+  const double gap_s = kLabelGap * static_cast<double>(curve.track.back().tick) * curve.period_s;
+  double label_s = -gap_s;
   constexpr std::array kTints = {"#F2F2F2", "#E4EDF6", "#FBE3D6", "#EAF3E6",
                                  "#FFF6D6", "#F3E6F1", "#F2F2F2"};
   std::string script;
@@ -142,10 +147,11 @@ std::string phase_shades(const Curve& curve, int font_size) {
         "set object {} rectangle from first {:.6g}, graph 0 to first {:.6g}, graph 1 behind "
         "fillcolor rgb '{}' fillstyle solid 1 noborder\n",
         object, from, to, kTints[static_cast<std::size_t>(row.stage)]);
+    label_s = std::max(label_s + gap_s, 0.5 * (from + to));
     script += fmt::format(
         "set label {} '{}' at first {:.6g}, graph 1.02 left rotate by 35 "
         "font ',{}' textcolor rgb '#333333'\n",
-        object, hal::stage_name(row.stage), 0.5 * (from + to), font_size);
+        object, hal::stage_name(row.stage), label_s, font_size);
     ++object;
   }
   return script;
@@ -212,8 +218,9 @@ void run_gnuplot(const std::string& script, int output_fd) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, output_fd, STDOUT_FILENO);
-  std::string name = "gnuplot";
-  char* arguments[] = {name.data(), nullptr};
+  std::string name = "gnuplot", plain = "--default-settings";  // not the user's own
+  char* arguments[] = {name.data(), plain.data(), nullptr};
+  setenv("LC_ALL", "C.UTF-8", 1);  // else it complains of signs that it never draws
   pid_t child = 0;
   const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);

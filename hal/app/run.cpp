@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 #include <signal.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
@@ -19,6 +18,7 @@
 #include "stylet/hal/replay.h"
 #include "stylet/hal/replay_device.h"
 #include "stylet/hal/scene.h"
+#include "terminal.h"
 
 namespace stylet::app {
 namespace {
@@ -154,19 +154,18 @@ void servo(Session& s) try {
   s.failure = std::current_exception();
 }
 
-// A line that rewrites itself, where somebody looks at it.
 void show_progress(const Session& s, const std::atomic<bool>& done) {
-  const bool show = isatty(STDERR_FILENO) != 0 && !s.options.json;
+  const bool show = terminal_rewrites_lines() && !s.options.json;
   while (!done.load()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(s.options.fast ? 20 : 100));
     if (!show) continue;
     const double ticks = static_cast<double>(s.recorder->ticks());
-    fmt::print(stderr, "\r{:6.2f} of {:.2f} s  {:3.0f} %",
-               ticks * static_cast<double>(s.scene.config.period_s),
-               static_cast<double>(s.config.ticks) * static_cast<double>(s.scene.config.period_s),
-               100 * ticks / static_cast<double>(s.config.ticks));
+    const double all = static_cast<double>(s.config.ticks);
+    const double period_s = static_cast<double>(s.scene.config.period_s);
+    rewrite_line(fmt::format("{:6.2f} of {:.2f} s  {:3.0f} %", ticks * period_s, all * period_s,
+                             100 * ticks / all));
   }
-  if (show) fmt::print(stderr, "\r\033[K");
+  if (show) rewrite_line("");
 }
 
 void run_threads(Session& s) {
@@ -295,12 +294,12 @@ int replay_recording(const ReplayOptions& options) {
                     options.recording, info.lost_records));
   }
   hal::KernelInstance instance(organ.organ, info.config);
-  const bool show = isatty(STDERR_FILENO) != 0;
+  const bool show = terminal_rewrites_lines();
   const auto progress = [&](std::uint64_t ticks) {
-    if (show) fmt::print(stderr, "\r{} of {} ticks", ticks, recording.ticks());
+    if (show) rewrite_line(fmt::format("{} of {} ticks", ticks, recording.ticks()));
   };
   const hal::ReplayResult result = hal::replay(recording, instance.kernel, progress);
-  if (show) fmt::print(stderr, "\r\033[K");
+  if (show) rewrite_line("");
   if (result.same) {
     fmt::print("same bits: {} ticks, state hash {:016x}\n", result.ticks, result.state_hash);
     return kExitOk;

@@ -6,8 +6,10 @@
 
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace stylet::bake {
 namespace {
@@ -29,7 +31,9 @@ struct Bar {
 }  // namespace
 
 Progress progress_bar() {
-  if (::isatty(STDERR_FILENO) == 0) return [](const char*, double) {};
+  const char* kind = std::getenv("TERM");
+  const bool rewrites = kind != nullptr && std::string_view(kind) != "dumb";
+  if (::isatty(STDERR_FILENO) == 0 || !rewrites) return [](const char*, double) {};
   const auto bar = std::make_shared<Bar>();
   return [bar](const char* stage, double fraction) {
     if (Clock::now() - bar->start < std::chrono::seconds(1)) return;

@@ -117,6 +117,11 @@ std::vector<std::byte> read_bytes(const fs::path& path) {
 }
 
 bool add_file(const fs::path& path, const std::string& name, std::vector<Subject>& subjects) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) {
+    std::cerr << path.string() << ": cannot be read: expected an organ file\n";
+    return false;
+  }
   auto opened = std::make_unique<OpenOrgan>();
   opened->bytes = read_bytes(path);
   OrganRefusal refusal;

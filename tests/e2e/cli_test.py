@@ -7,6 +7,7 @@ usage: cli_test.py [CASE]   with STYLET_BIN and STYLET_SOURCE in the environment
 import json
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -23,9 +24,9 @@ SCENE = SOURCE / "hal/scenes/fig09-force-curve.toml"
 STAGES = ["approach", "contact", "puncture", "insertion", "hold", "retraction", "exit"]
 
 
-def call(program, *arguments, expect=0):
+def call(program, *arguments, expect=0, env=None):
     command = [str(part) for part in (BIN / program, *arguments)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=300)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=300, env=env)
     if (done.returncode == 0) != (expect == 0):
         raise AssertionError(f"{' '.join(command)}: exit code {done.returncode}\n"
                              f"{done.stdout[-2000:]}\n{done.stderr[-2000:]}")
@@ -100,8 +101,11 @@ class Insertion(Folder):
             force_curve.check_paper(curve)
         self.assertFalse(faults, "\n" + "\n".join(faults))
         if mode == "physical":
+            friction = friction_of(organ)
             slope, _, _ = force_curve.insertion(curve)
-            self.assertAlmostEqual(slope / friction_of(organ), 1, delta=0.02)
+            self.assertAlmostEqual(slope / friction, 1, delta=0.02)
+            reported = report["phases"][STAGES.index("insertion")]["slope_n_per_mm"]
+            self.assertAlmostEqual(1e3 * reported / friction, 1, delta=0.02)
 
     def test_phantom_physical(self):
         self.check(self.make_phantom(), "physical")
@@ -153,10 +157,45 @@ class Recording(Folder):
         self.assertIn("<svg", text[:1000])
         self.assertGreater(len(text), 5000)
         self.assertGreater(text.count("<path"), 5)
+        labels = [float(x) for x in re.findall(r"translate\(([0-9.]+),[0-9.]+\) rotate\(-35", text)]
+        self.assertEqual(len(labels), len(self.report["phases"]))
+        self.assertTrue(np.all(np.diff(labels) > 20), f"names of phases overlap: {labels}")
         picture = self.top / "force.png"
         call("stylet", "plot", self.recording, "-o", picture)
         self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
         self.assertGreater(picture.stat().st_size, 5000)
+
+    def test_plots_are_the_same_for_every_user(self):
+        (self.top / ".gnuplot").write_text("set xrange [0:1]\n")
+        texts = set()
+        for user in ({"HOME": str(self.top), "LC_ALL": "C"}, {"HOME": "/nowhere"}):
+            picture = self.top / "user.svg"
+            done = call("stylet", "plot", self.recording, "-o", picture,
+                        env={"PATH": os.environ["PATH"], **user})
+            self.assertEqual(done.stderr, "")
+            texts.add(picture.read_text())
+        self.assertEqual(len(texts), 1)
+
+
+class Help(unittest.TestCase):
+    """A terminal user who knows nothing yet finds every command, with an example."""
+
+    COMMANDS = {"stylet": ["run", "replay", "plot", "bench"],
+                "stylet-organ": ["build", "phantom", "info", "check"]}
+
+    def test_names_every_command_with_an_example(self):
+        for program, commands in self.COMMANDS.items():
+            text = call(program, "--help").stdout
+            for command in commands:
+                self.assertRegex(text, rf"\n  {command} ")
+            self.assertIn(f"\n  {program} ", text)
+            self.assertLessEqual(max(map(len, text.splitlines())), 110)
+
+    def test_an_unknown_command_is_named(self):
+        for program, commands in self.COMMANDS.items():
+            self.assertIn("frobnicate", call(program, "frobnicate", expect=1).stderr)
+            for command in commands:
+                self.assertIn(command, call(program, expect=1).stderr)
 
 
 class Refusals(Folder):

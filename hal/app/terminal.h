@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// A line of progress that rewrites itself, where somebody looks at it and the terminal can do so.
+#pragma once
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+namespace stylet::app {
+
+inline bool terminal_rewrites_lines() {
+  const char* kind = std::getenv("TERM");
+  return isatty(STDERR_FILENO) != 0 && kind != nullptr && std::string_view(kind) != "dumb";
+}
+
+// An empty text takes the line away.
+inline void rewrite_line(const std::string& text) {
+  fmt::print(stderr, "\r\033[K{}", text);
+}
+
+}  // namespace stylet::app
