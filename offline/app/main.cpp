@@ -48,6 +48,7 @@ struct PhantomArguments : CommonArguments {
   std::string kind;
   std::vector<double> size_mm{100, 60, 60};
   double diameter_mm = 60;
+  bool size_given = false, diameter_given = false;
   std::string tissue;
   std::vector<std::string> layers;
   std::string mesh_out;
@@ -238,6 +239,10 @@ void run_phantom(PhantomArguments a) {
   if (a.kind == "layered" && a.layers.empty())
     a.layers = {"skin:5", "fat:10", "muscle:15", "liver:70"};
   if (a.kind != "layered" && !a.layers.empty()) refuse("--layer: expected only with layered");
+  if (a.kind != "ball" && a.diameter_given) refuse("--diameter-mm: expected only with ball");
+  if (a.kind != "block" && a.kind != "layered" && a.size_given) {
+    refuse("--size-mm: expected only with block and layered");
+  }
   if (a.tissue.empty()) a.tissue = a.kind == "liver" ? "liver" : "gel";
   BuildOptions options = common_options(a, 1e-3);
   options.layers = parse_layers(a.layers);
@@ -311,7 +316,7 @@ void add_phantom(CLI::App& app, PhantomArguments& a) {
   command->add_option("kind", a.kind, "block, layered, ball or liver")
       ->required()
       ->check(CLI::IsMember({"block", "layered", "ball", "liver"}));
-  command->add_option("--size-mm", a.size_mm, "Block: lengths along x, y, z")
+  command->add_option("--size-mm", a.size_mm, "Block and layered: lengths along x, y, z")
       ->delimiter(',')
       ->expected(3)
       ->capture_default_str();
@@ -323,7 +328,11 @@ void add_phantom(CLI::App& app, PhantomArguments& a) {
       ->allow_extra_args(false);
   command->add_option("--mesh-out", a.mesh_out, "Also write the surface, in metres, as OFF");
   add_common(*command, a);
-  command->callback([&a] { run_phantom(a); });
+  command->callback([&a, command] {
+    a.size_given = command->count("--size-mm") > 0;
+    a.diameter_given = command->count("--diameter-mm") > 0;
+    run_phantom(a);
+  });
 }
 
 void add_info_and_check(CLI::App& app, FileArguments& info, FileArguments& check) {
@@ -339,10 +348,15 @@ void add_info_and_check(CLI::App& app, FileArguments& info, FileArguments& check
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Makes and inspects organ files, the anatomy that stylet runs on."};
-  app.require_subcommand(1);
+  CLI::App app{"Makes and inspects organ files, the anatomy that stylet runs on.", "stylet-organ"};
+  app.require_subcommand(0, 1);
   app.set_version_flag("--version", kToolVersion);
-  app.footer("Exit codes: 0 done, 1 input refused or file damaged, 2 wrong usage.");
+  app.footer(
+      "Examples:\n"
+      "  stylet-organ build Liver.stl --units mm --voxel-mm 5 -o liver.organ\n"
+      "  stylet-organ phantom liver --voxel-mm 5 -o liver-phantom.organ\n"
+      "  stylet-organ info liver.organ\n"
+      "Exit codes: 0 done, 1 input refused or file damaged, 2 wrong usage.");
   BuildArguments build_arguments;
   PhantomArguments phantom_arguments;
   FileArguments info_arguments, check_arguments;
@@ -351,6 +365,9 @@ int run(int argc, char** argv) {
   add_info_and_check(app, info_arguments, check_arguments);
   try {
     app.parse(argc, argv);
+    if (app.get_subcommands().empty()) {
+      throw CLI::RequiredError("A command (build, phantom, info or check)");
+    }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kExitUsage;
   } catch (const std::bad_alloc&) {

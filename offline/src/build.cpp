@@ -25,10 +25,21 @@ void warn_of_size(const Box& box, std::vector<std::string>& warnings) {
   }
 }
 
+// The limits are floats; what rounds to them is within them.
+bool allowed_voxel_edge(double edge_m) {
+  const auto rounded = static_cast<float>(edge_m);
+  return rounded >= kMinVoxelEdgeM && rounded <= kMaxVoxelEdgeM;
+}
+
 double choose_edge(const Box& box, const BuildOptions& options) {
-  const double edge_m =
-      options.voxels_across > 0 ? longest_side(box) / options.voxels_across : options.voxel_edge_m;
-  require_voxel_edge(edge_m);
+  if (options.voxels_across == 0) return options.voxel_edge_m;
+  const double edge_m = longest_side(box) / options.voxels_across;
+  if (!allowed_voxel_edge(edge_m)) {
+    refuse(
+        "--voxels-across {}: voxel edge {:.6g} mm, as the longest side is {:.6g} mm: expected 0.1 "
+        "to 100 mm; check --units and --scale",
+        options.voxels_across, edge_m * 1e3, longest_side(box) * 1e3);
+  }
   return edge_m;
 }
 
@@ -203,9 +214,9 @@ Claims claim_voxels(const Grid& grid, const std::vector<Input>& inputs,
     report.inputs.push_back(report_of(inputs[i], solids[i], occupancy, grid));
     if (report.inputs.back().filled_volume_m3 <= 0) {
       refuse(
-          "{}: encloses no volume at a voxel edge of {:.6g} mm: expected a surface with an "
-          "inside, a finer voxel edge, or --wrap",
-          inputs[i].path, grid.edge_m * 1e3);
+          "{}: longest side {:.4g} mm, encloses no volume at a voxel edge of {:.6g} mm: expected a "
+          "surface with an inside, a finer voxel edge, other --units, or --wrap",
+          inputs[i].path, longest_side(bounds(solids[i].surface)) * 1e3, grid.edge_m * 1e3);
     }
     add_claim(claims, occupancy, static_cast<std::uint16_t>(i), priorities);
   }
@@ -215,9 +226,7 @@ Claims claim_voxels(const Grid& grid, const std::vector<Input>& inputs,
 }  // namespace
 
 void require_voxel_edge(double edge_m) {
-  // The limits are floats; what rounds to them is within them.
-  const auto rounded = static_cast<float>(edge_m);
-  if (!(rounded >= kMinVoxelEdgeM && rounded <= kMaxVoxelEdgeM)) {
+  if (!allowed_voxel_edge(edge_m)) {
     refuse("voxel edge {:.6g} mm: expected 0.1 to 100 mm", edge_m * 1e3);
   }
 }

@@ -210,6 +210,8 @@ TEST(Program, WrongUsageIsTwoRefusalIsOne) {
   const std::vector<std::vector<std::string>> refused{
       {"phantom", "ball", "--tissue", "cheese", "-o", organ},
       {"phantom", "ball", "--fix", "x>", "-o", organ},
+      {"phantom", "ball", "--size-mm", "9,9,9", "-o", organ},
+      {"phantom", "liver", "--diameter-mm", "50", "-o", organ},
       {"phantom", "ball", "--fix", "box:900,900,900,901,901,901", "-o", organ},
       {"phantom", "ball", "--voxel-mm", "0.01", "-o", organ},
       {"phantom", "ball", "--voxel-mm", "-1", "-o", organ},
@@ -235,6 +237,23 @@ TEST(Program, WarnsOfImplausibleSize) {
   EXPECT_EQ(wrong.exit_code, 0) << wrong.err;
   expect_one_line(wrong.err, "warning: the longest side is 0.0");
   EXPECT_EQ(run({"build", mesh, "--units", "m", "-o", organ}).err, "");
+}
+
+// Refusals that a wrong unit leads to must let the user see it.
+TEST(Program, RefusalsOfWrongUnitsNameTheSize) {
+  const Scratch scratch;
+  const std::string flat =
+      scratch.write("flat.off", "OFF\n3 1 0\n0 0 0\n0.3 0 0\n0 0.2 0\n3 0 1 2\n").string();
+  const std::string organ = (scratch.folder / "a.organ").string();
+  const Result small = run({"build", flat, "--units", "mm", "--voxel-mm", "5", "-o", organ});
+  EXPECT_EQ(small.exit_code, 1);
+  expect_one_line(small.err, "flat.off: longest side 0.3 mm");
+  expect_one_line(small.err, "other --units");
+  const Result large =
+      run({"build", flat, "--units", "m", "--scale", "100", "--voxels-across", "10", "-o", organ});
+  EXPECT_EQ(large.exit_code, 1);
+  expect_one_line(large.err, "--voxels-across 10: voxel edge 3000 mm");
+  expect_one_line(large.err, "check --units");
 }
 
 TEST(Program, OwnTissuesReplacePresetsOrSayWhatIsWrong) {
