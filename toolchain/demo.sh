@@ -10,16 +10,30 @@ organ=$out/liver-phantom.organ
 recording=$out/fig09.h5
 scene=$root/hal/scenes/fig09-force-curve.toml
 
-# The real-time loop, or the same loop without real-time priority where the host forbids it.
+# On the real-time loop; through sudo where this user lacks the rights for it; without them where
+# nobody has them; on a virtual clock where the host then is too late.
 run_insertion() {
   local run=("$stylet" run "$scene" --organ "$organ" --record "$recording")
-  local refusal=$out/real-time-refused.txt
+  local unfit=4 trouble=3 status=0
   rm -f "$recording"
-  if "${run[@]}" 2> >(tee "$refusal" >&2); then return 0; fi
-  grep -q -- --allow-non-rt "$refusal" || die "the insertion did not run, for the reason above"
-  note "This host does not allow real-time scheduling here, so the timing below is only a hint."
-  note "The forces are the same. As root, or with the rtprio and memlock limits raised, it would."
-  "${run[@]}" --allow-non-rt || die "the insertion did not run, for the reason above"
+  "${run[@]}" || status=$?
+  if [ $status -eq $unfit ] && [ "$(id -u)" -ne 0 ] && sudo -n true 2>/dev/null; then
+    say "Once more through sudo, which has these rights"
+    status=0
+    sudo -n "${run[@]}" || status=$?
+    [ ! -e "$recording" ] || sudo -n chown "$(id -u):$(id -g)" "$recording"
+  fi
+  if [ $status -eq $unfit ]; then
+    say "Once more without these rights: the timing is only a hint, the forces are the same"
+    status=0
+    "${run[@]}" --allow-non-rt || status=$?
+  fi
+  if [ $status -eq $trouble ]; then
+    say "This host was too late, so the guard let go; the same insertion on a virtual clock"
+    status=0
+    "${run[@]}" --fast || status=$?
+  fi
+  [ $status -eq 0 ] || die "the insertion did not run, for the reason above"
 }
 
 "$root/toolchain/setup.sh"
