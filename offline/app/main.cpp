@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program stylet-organ: build, phantom, info, check. Exit codes: 0 done, 1 input refused or
-// file damaged, 2 wrong usage.
+// The program stylet-organ: build, phantom, hull, info, check. Exit codes: 0 done, 1 input refused
+// or file damaged, 2 wrong usage.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -10,10 +10,12 @@
 
 #include "build.h"
 #include "file.h"
+#include "hull.h"
 #include "info.h"
 #include "phantom.h"
 #include "progress_bar.h"
 #include "refusal.h"
+#include "stylet/limits.h"
 
 namespace stylet::bake {
 namespace {
@@ -52,6 +54,14 @@ struct PhantomArguments : CommonArguments {
   std::string tissue;
   std::vector<std::string> layers;
   std::string mesh_out;
+};
+
+struct HullArguments {
+  std::string input;
+  std::string units = "mm";
+  std::size_t most_vertices = kMaxHullVertices;
+  std::string output;
+  bool json = false;
 };
 
 struct FileArguments {
@@ -265,6 +275,37 @@ void run_phantom(PhantomArguments a) {
   finish(std::move(inputs), options, a);
 }
 
+// ---- hull ---------------------------------------------------------------------------------------
+
+void run_hull(const HullArguments& a) {
+  const ReadMesh read = read_mesh(a.input);
+  std::vector<Vec> points_m;
+  for (const Triangle& t : read.mesh.triangles) {
+    for (const std::uint32_t i : t)
+      points_m.push_back(read.mesh.points[i] * kMetresPerUnit.at(a.units));
+  }
+  const Hull hull = simple_hull(a.input, points_m, a.most_vertices);
+  const std::string source = std::filesystem::path(a.input).filename().string();
+  const std::string text = hull_toml(hull, source, read.sha256);
+  write_file(a.output, std::as_bytes(std::span(text)));
+  if (a.json) {
+    const Json facts = {{"source", source},
+                        {"vertices", hull.vertices_m.size()},
+                        {"hull_vertices", hull.hull_vertices},
+                        {"deviation_mm", hull.deviation_m * 1e3},
+                        {"volume_ml", hull.volume_m3 * 1e6},
+                        {"output", a.output}};
+    fmt::print("{}\n", facts.dump(2));
+    return;
+  }
+  fmt::print(
+      "hull          {} of {} vertices, {:.6g} ml\n"
+      "deviation     {:.4f} mm at most inside the convex hull of {}\n"
+      "wrote         {}\n",
+      hull.vertices_m.size(), hull.hull_vertices, hull.volume_m3 * 1e6, hull.deviation_m * 1e3,
+      source, a.output);
+}
+
 // ---- info and check -----------------------------------------------------------------------------
 
 void run_info(const FileArguments& a) {
@@ -335,6 +376,24 @@ void add_phantom(CLI::App& app, PhantomArguments& a) {
   });
 }
 
+void add_hull(CLI::App& app, HullArguments& a) {
+  CLI::App* command = app.add_subcommand("hull", "Make an obstacle, as TOML, of a mesh");
+  command->footer(
+      "Example:\n"
+      "  stylet-organ hull rib.stl --units mm --max-vertices 64 -o rib.toml\n"
+      "The body is convex: hollows of the mesh are filled. Coordinates stay those of the mesh.");
+  command->add_option("input", a.input, "Mesh (.obj .stl .ply .off)")->required();
+  command->add_option("--units", a.units, "Unit of the mesh")
+      ->check(CLI::IsMember(kMetresPerUnit))
+      ->capture_default_str();
+  command->add_option("--max-vertices", a.most_vertices, "Vertices to keep")
+      ->check(CLI::Range(kLeastHullVertices, std::size_t{kMaxHullVertices}))
+      ->capture_default_str();
+  command->add_option("-o,--output", a.output, "TOML file to write")->required();
+  command->add_flag("--json", a.json, "Report as one JSON object on standard output");
+  command->callback([&a] { run_hull(a); });
+}
+
 void add_info_and_check(CLI::App& app, FileArguments& info, FileArguments& check) {
   CLI::App* show = app.add_subcommand("info", "What an organ file holds and needs");
   show->add_option("file", info.file, "Organ file")->required();
@@ -359,14 +418,16 @@ int run(int argc, char** argv) {
       "Exit codes: 0 done, 1 input refused or file damaged, 2 wrong usage.");
   BuildArguments build_arguments;
   PhantomArguments phantom_arguments;
+  HullArguments hull_arguments;
   FileArguments info_arguments, check_arguments;
   add_build(app, build_arguments);
   add_phantom(app, phantom_arguments);
+  add_hull(app, hull_arguments);
   add_info_and_check(app, info_arguments, check_arguments);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) {
-      throw CLI::RequiredError("A command (build, phantom, info or check)");
+      throw CLI::RequiredError("A command (build, phantom, hull, info or check)");
     }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kExitUsage;

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// stylet-organ hull: obstacles of meshes, as close as they say, and one line for what is none.
+#include "hull.h"
+
+#include <cstdlib>
+#include <random>
+
+#include "bake_support.h"
+#include "phantom.h"
+#include "refusal.h"
+#include "stylet/limits.h"
+
+namespace stylet::test {
+namespace {
+
+using bake::Vec;
+
+// Largest distance by which `points` lie outside the hull, over many directions: a lower bound of
+// the deviation that needs no hull.
+double sampled_deviation(const std::vector<Vec>& points, const std::vector<Vec>& vertices) {
+  std::mt19937_64 engine(1);
+  const auto draw = [&engine] { return static_cast<double>(engine() >> 11U) * 0x1p-52 - 1; };
+  double worst = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Vec direction = {draw(), draw(), draw()};
+    if (bake::length(direction) < 0.1) continue;
+    direction = direction * (1 / bake::length(direction));
+    const auto reach = [&](const std::vector<Vec>& of) {
+      double most = -1e9;
+      for (const Vec& p : of) most = std::max(most, dot(p, direction));
+      return most;
+    };
+    const double outside = reach(points) - reach(vertices);
+    EXPECT_GE(outside, -1e-12);  // the body is nowhere larger than the mesh's hull
+    worst = std::max(worst, outside);
+  }
+  return worst;
+}
+
+TEST(Hull, OfABlockIsItsEightCorners) {
+  const bake::Mesh block = bake::block_phantom({0.04, 0.03, 0.02}, 0.005);
+  const bake::Hull hull = bake::simple_hull("block", block.points, kMaxHullVertices);
+  EXPECT_EQ(hull.vertices_m.size(), 8U);
+  EXPECT_EQ(hull.deviation_m, 0);
+  EXPECT_NEAR(hull.volume_m3, 0.04 * 0.03 * 0.02, 1e-12);
+}
+
+TEST(Hull, OfABallIsAsCloseAsItSays) {
+  const bake::Mesh ball = bake::ball_phantom(0.06, 0.004);
+  double last = 1;
+  for (const std::size_t most : {4U, 8U, 16U, 32U, 64U}) {
+    const bake::Hull hull = bake::simple_hull("ball", ball.points, most);
+    EXPECT_EQ(hull.vertices_m.size(), most);
+    EXPECT_LT(hull.deviation_m, last);
+    last = hull.deviation_m;
+    const double sampled = sampled_deviation(ball.points, hull.vertices_m);
+    EXPECT_LE(sampled, hull.deviation_m + 1e-12);
+    EXPECT_GT(sampled, 0.8 * hull.deviation_m);
+    for (const Vec& v : hull.vertices_m) {
+      EXPECT_NE(std::find(ball.points.begin(), ball.points.end(), v), ball.points.end());
+    }
+  }
+  // 64 even points leave caps of about 0.35 rad: 30 mm (1 - cos 0.35) = 1.8 mm; greedy ones more.
+  EXPECT_LT(last, 3.6e-3);
+}
+
+TEST(Hull, OfRealBonesIsWithinTwoMillimetres) {
+  for (const char* name : {"cgal_femur.off", "sofa_pelvis_f.obj"}) {
+    const auto path = data_folder() / "organs" / name;
+    SKIP_WITHOUT(path);
+    std::vector<Vec> points;
+    for (const Vec& p : bake::read_mesh(path).mesh.points) points.push_back(p * 0.1);
+    const bake::Hull hull = bake::simple_hull(name, points, kMaxHullVertices);
+    std::printf("%s: %zu of %zu vertices, %.3f mm\n", name, hull.vertices_m.size(),
+                hull.hull_vertices, hull.deviation_m * 1e3);
+    EXPECT_LT(hull.deviation_m, 2e-3);
+    EXPECT_LE(sampled_deviation(points, hull.vertices_m), hull.deviation_m + 1e-12);
+  }
+}
+
+TEST(Hull, RefusesWhatHasNoInside) {
+  const auto refusal = [](const std::vector<Vec>& points) -> std::string {
+    try {
+      (void)bake::simple_hull("bone.stl", points, 64);
+    } catch (const bake::Refusal& refused) {
+      return refused.what();
+    }
+    return "";
+  };
+  const std::vector<Vec> square{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.5, 0.5, 0}};
+  EXPECT_EQ(refusal(square),
+            "bone.stl: all points lie in one plane: expected a mesh with an inside");
+  EXPECT_NE(refusal({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}), "");
+  EXPECT_NE(refusal({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}), "");
+  EXPECT_NE(refusal({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), "");
+  EXPECT_NE(refusal({{0, 0, 0}, {11, 0, 0}, {0, 1, 0}, {0, 0, 1}}).find("--units"),
+            std::string::npos);
+}
+
+// ---- the program --------------------------------------------------------------------------------
+
+int run(const Scratch& scratch, const std::string& arguments) {
+  const std::string command =
+      fmt::format("{} hull {} > '{}' 2> '{}'", STYLET_ORGAN, arguments,
+                  (scratch.folder / "out").string(), (scratch.folder / "err").string());
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(Hull, ProgramWritesTheSameTomlTwice) {
+  const Scratch scratch;
+  const auto mesh = scratch.write("ball \"1\".off", bake::off_text(bake::ball_phantom(60, 4)));
+  const auto one = scratch.folder / "one.toml", two = scratch.folder / "two.toml";
+  const std::string input = fmt::format("'{}' --units mm --max-vertices 20 -o ", mesh.string());
+  ASSERT_EQ(run(scratch, input + one.string()), 0) << slurp(scratch.folder / "err");
+  EXPECT_NE(slurp(scratch.folder / "out").find("deviation"), std::string::npos);
+  ASSERT_EQ(run(scratch, input + two.string()), 0);
+  const std::string text = slurp(one);
+  EXPECT_EQ(text, slurp(two));
+  EXPECT_NE(text.find("source = \"ball \\\"1\\\".off\"\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("deviation_mm = "), std::string::npos);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '['), 21);
+}
+
+TEST(Hull, ProgramSaysNoInOneLineAndLeavesNothing) {
+  const Scratch scratch;
+  const auto flat =
+      scratch.write("flat.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
+  const auto output = scratch.folder / "a.toml";
+  const auto refused = [&](const std::string& arguments, int code) {
+    EXPECT_EQ(run(scratch, arguments + " -o " + output.string()), code);
+    const std::string said = slurp(scratch.folder / "err");
+    if (code == 1) {
+      EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    }
+    EXPECT_FALSE(std::filesystem::exists(output));
+  };
+  refused(flat.string(), 1);
+  refused((scratch.folder / "none.stl").string(), 1);
+  refused(flat.string() + " --max-vertices 65", 2);
+  refused(flat.string() + " --max-vertices 3", 2);
+  refused(flat.string() + " --units inch", 2);
+}
+
+}  // namespace
+}  // namespace stylet::test
