@@ -179,13 +179,16 @@ inline void pull_line(Rig& rig, std::size_t axis, double force_n) {
 
 using Values = std::map<std::string, double>;
 
+// Floats let the nodes dither by 1e-6 of their displacement.
+constexpr double kStill = 3e-6;
+
 inline Values move_box(Rig& rig, const BodyCase& body, Node low, Node high) {
   const View view = rig.view();
   const std::size_t first = rig.holds.size();
   for_each_node(view, [&](Node node) {
     if (inside(node, low, high)) hold(rig, node_index(view, node), body.axis, body.amount);
   });
-  settle(rig);
+  settle(rig, kStill);
   double force = 0;
   for (std::size_t i = first; i < rig.holds.size(); ++i) force -= rig.holds[i].force_n;
   return {{"force_n", force}};
@@ -197,7 +200,7 @@ inline Values pull_box(Rig& rig, const BodyCase& body, Node low, Node high) {
   for (const auto& [node, force_n] : forces) {
     rig.loads.push_back({node, body.axis, static_cast<float>(force_n)});
   }
-  settle(rig);
+  settle(rig, kStill);
   double work = 0;
   for (const auto& [node, force_n] : forces) {
     work += force_n * static_cast<double>(motion(view, body.axis).u[node]);
@@ -206,7 +209,6 @@ inline Values pull_box(Rig& rig, const BodyCase& body, Node low, Node high) {
 }
 
 inline Values pull_needle(Rig& rig, const BodyCase& body, Node low, Node high) {
-  constexpr double kStill = 3e-6;  // goals are rounded to 1e-10 m
   hold_line(rig, low, high);
   settle(rig, kStill, [&] { pull_line(rig, body.axis, body.amount); });
   return {};  // its own displacement grows without bound as the line gets thinner
@@ -215,7 +217,8 @@ inline Values pull_needle(Rig& rig, const BodyCase& body, Node low, Node high) {
 inline Values solve_body(const Bodies& bodies, const BodyCase& body, double poisson,
                          double edge_m) {
   const TinyOrgan tiny = organ_of(bodies, body, poisson, edge_m);
-  const std::uint32_t wave = body.axis == 2 ? tiny.nz : 3U * tiny.nz;  // bending is slower
+  const bool bends = body.axis != 2 && body.act != Act::kMove;
+  const std::uint32_t wave = bends ? 3U * tiny.nz : tiny.nz;  // bending is slower
   Rig rig =
       make_rig(tiny, resting_config(Config{}.hourglass_weight, static_cast<float>(poisson), wave));
   const View view = rig.view();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints the lattice's values of all bodies, in the columns of calculix.csv.
+// Prints the lattice's values of all bodies, in the columns of calculix.csv (for plot.py).
 
 #include <cstdio>
 

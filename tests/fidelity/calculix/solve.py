@@ -41,8 +41,8 @@ def halves(point_m, edge_m):
 def graded(place_m, edge_m, reach_m):
     """Draws places within reach of an edge towards it, quadratically.
 
-    At the edge of a rigid punch stress grows as r^-1/2: bricks that shrink towards it, the last of
-    them with its middle node at a quarter of its length, follow that.
+    At the edge of a rigid body stress grows without bound, as r^-1/2 under a punch: bricks that
+    shrink towards it, the last of them with its middle node at a quarter of its length, follow it.
     """
     r = (place_m - edge_m) / reach_m
     return edge_m + reach_m * r * abs(r) if abs(r) < 1 else place_m
@@ -104,7 +104,8 @@ def write_nodes(out, grid, act, reach_m):
     for key, number in grid.number.items():
         place = [c * grid.edge_m / 2 for c in key]
         if "displacement_m" in act:
-            place = [graded(x, edge, reach_m) for x, edge in zip(place, act["high_m"])]
+            edges = (*act["high_m"][:2], act["low_m"][2])
+            place = [graded(x, edge, reach_m) for x, edge in zip(place, edges)]
         out.write(f"{number}, {', '.join(f'{x:.9g}' for x in place)}\n")
 
 
