@@ -5,8 +5,9 @@
 // Promises: no allocation, a bounded number of operations, finite results for every finite piece;
 // the force never exceeds sqrt(1 + friction^2) times the largest force, and a contact turns by at
 // most kMaxNormalTurnRad a call while the needle does not pass through the body. Touch and slip
-// only take energy. Units: SI. Frames: pieces, forces and states in the world; a body's vertices in
-// its own frame. Source: return map of physics.md 10; a law of our own for the rest.
+// only take energy, as the step goes to zero. Bodies stand still. Units: SI. Frames: pieces, forces
+// and states in the world; a body's vertices in its own frame. Source: the law is ours; friction is
+// Coulomb's, as a return map (an elastic bristle that slips at its limit).
 //
 // Use: one ObstacleContact for each piece and body, kept between ticks, zero at the start. Within
 // a tick obstacle_load may be asked for several trial shapes with the same `last`; the caller keeps

@@ -317,7 +317,8 @@ void shape_centre(const void* object, ccd_vec3_t* centre) {
 TEST(PortalRefinement, TakesTheWrongFaceNearAnEdge) {
   const Obstacle box = prepared(bone_box({5e-3F, 5e-3F, 5e-3F}));
   const ConvexHull hull = {{box.config.vertices_m, 8}, to_double(box.centre_m)};
-  double largest = 0;
+  double largest = 0, turn = 0;
+  Vec3d last = {0, 0, 1};
   const double radius = static_cast<double>(kNeedleRadiusM), depth = 1e-4;
   for (double x = 0; x < 5e-3; x += 5e-5) {
     const Vec3d at = {x, 1e-4, 5e-3 + radius - depth};
@@ -332,11 +333,16 @@ TEST(PortalRefinement, TakesTheWrongFaceNearAnEdge) {
     ccd_vec3_t direction = {}, point = {};
     ASSERT_EQ(ccdMPRPenetration(&body, &needle, &ccd, &found, &direction, &point), 0) << x;
     largest = std::max(largest, found / depth);
+    const Vec3d normal = {direction.v[0], direction.v[1], direction.v[2]};
+    turn = std::max(turn, angle_between(last, normal));
+    last = normal;
     const NeedlePiece piece = {to_float(axis.a_m), to_float(axis.b_m), kNeedleRadiusM};
     EXPECT_NEAR(static_cast<double>(obstacle_gap(box, piece).separation_m), -depth, 1e-9);
   }
   EXPECT_GT(largest, 1.1);
-  std::printf("portal refinement alone: up to %.2f times the depth\n", largest);
+  EXPECT_GT(turn, 0.1);
+  std::printf("portal refinement alone: up to %.2f times the depth, turns by %.2f rad in 50 um\n",
+              largest, turn);
 }
 
 }  // namespace

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vectors in double precision, for what is a small difference of large numbers. As math.h: a
+// written order, the same bits everywhere.
+#pragma once
+
+#include <cmath>
+
+#include "stylet/units.h"
+
+namespace stylet {
+
+struct Vec3d {
+  double x, y, z;
+};
+
+constexpr Vec3d operator+(Vec3d a, Vec3d b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+constexpr Vec3d operator-(Vec3d a, Vec3d b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+constexpr Vec3d operator*(double s, Vec3d a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+constexpr double dot(Vec3d a, Vec3d b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+constexpr Vec3d cross(Vec3d a, Vec3d b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline double norm(Vec3d a) {
+  return std::sqrt(dot(a, a));
+}
+constexpr Vec3d to_double(Vec3 a) {
+  return {static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)};
+}
+constexpr Vec3 to_float(Vec3d a) {
+  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
+
+}  // namespace stylet
