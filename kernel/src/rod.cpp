@@ -36,6 +36,9 @@ constexpr Vec3d cross(Vec3d a, Vec3d b) {
 constexpr Sym3d operator+(const Sym3d& a, const Sym3d& b) {
   return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
 }
+constexpr Sym3d operator-(const Sym3d& a, const Sym3d& b) {
+  return {a.xx - b.xx, a.xy - b.xy, a.xz - b.xz, a.yy - b.yy, a.yz - b.yz, a.zz - b.zz};
+}
 constexpr Sym3d operator*(double s, const Sym3d& a) {
   return {s * a.xx, s * a.xy, s * a.xz, s * a.yy, s * a.yz, s * a.zz};
 }
@@ -73,13 +76,15 @@ Vec3d rest_direction(const RodModel::Rest& rest, const Frame& before) {
 Frame carried(const RodModel::Rest& kink, const Frame& before, Vec3d rest, Vec3d along,
               Frame& half_out) {
   const Vec3d x = before.x - kink.turn * (before.along + rest);
-  const double opening = max_of(1 + dot(rest, along), 1e-9);
   const Vec3d sum = rest + along;
-  half_out.along = (1 / std::sqrt(2 * opening)) * sum;
-  const double lean = dot(half_out.along, x) / (1 + dot(half_out.along, rest));
-  half_out.x = x - lean * (rest + half_out.along);
+  const double opening = max_of(1 + dot(rest, along), 1e-9);
+  const double length = std::sqrt(2 * opening), per_length = 1 / length;  // of sum
+  const double across = dot(along, x);
+  const double lean = across * per_length;
+  half_out.along = per_length * sum;
+  half_out.x = x - (lean / (1 + 0.5 * length)) * (rest + half_out.along);
   half_out.y = cross(half_out.x, half_out.along);
-  const Vec3d carried_x = x - (dot(along, x) / opening) * sum;
+  const Vec3d carried_x = x - (across / opening) * sum;
   return {along, carried_x, cross(carried_x, along)};
 }
 
@@ -103,18 +108,21 @@ void place_rods(const RodModel& model, const Frame& handle, RodScratch& scratch,
 
 constexpr RodLoad kNoLoad{};
 
-double share_below(double limit, double size) {
+constexpr Vec3d clamped(Vec3d v, double limit) {
+  return {max_of(-limit, min_of(v.x, limit)), max_of(-limit, min_of(v.y, limit)),
+          max_of(-limit, min_of(v.z, limit))};
+}
+constexpr double share_below(double limit, double size) {
   return limit / max_of(limit, size);
 }
 
 // What is used of a load: within the limits, and nothing beyond the count.
 RodLoad bounded(const RodLoads& loads, std::uint32_t i) {
-  RodLoad a = i < loads.count ? loads.load[i] : kNoLoad;
-  const Sym3d& k = a.stiffness_n_per_m;
-  a.place_m = share_below(kMaxRodPlaceM, std::sqrt(dot(a.place_m, a.place_m))) * a.place_m;
-  a.force_n = share_below(kMaxRodForceN, std::sqrt(dot(a.force_n, a.force_n))) * a.force_n;
-  a.stiffness_n_per_m = share_below(kMaxRodStiffnessNPerM, k.xx + k.yy + k.zz) * k;
-  return a;
+  const RodLoad& load = i < loads.count ? loads.load[i] : kNoLoad;
+  const Sym3d& k = load.stiffness_n_per_m;
+  const double share = share_below(kMaxRodStiffnessNPerM, k.xx + k.yy + k.zz);
+  return {load.arc_m, clamped(load.place_m, kMaxRodPlaceM), clamped(load.force_n, kMaxRodForceN),
+          share * k};
 }
 
 struct OnRod {
@@ -134,7 +142,7 @@ OnRod on_rod(const RodModel& model, double arc_m) {
 void lump_loads(const RodModel& model, const RodLoads& loads, RodScratch& scratch) {
   for (std::uint32_t j = 0; j < model.rods; ++j) scratch.lump[j] = {};
   for (std::uint32_t i = 0; i < kMaxRodLoads; ++i) {
-    const RodLoad a = bounded(loads, i);
+    const RodLoad& a = scratch.load[i] = bounded(loads, i);
     const OnRod on = on_rod(model, a.arc_m);
     const Sym3d& k = a.stiffness_n_per_m;
     const Vec3d at_origin_n = a.force_n + k * a.place_m;
@@ -147,10 +155,10 @@ void lump_loads(const RodModel& model, const RodLoads& loads, RodScratch& scratc
   }
 }
 
-void read_loads(const RodModel& model, const RodLoads& loads, RodResult& result) {
+void read_loads(const RodModel& model, const RodScratch& scratch, RodResult& result) {
   result.force_n = result.torque_nm = {0, 0, 0};
   for (std::uint32_t i = 0; i < kMaxRodLoads; ++i) {
-    const RodLoad a = bounded(loads, i);
+    const RodLoad& a = scratch.load[i];
     const Vec3d at = rod_point(model, result, a.arc_m).place_m;
     const Vec3d force = a.force_n - a.stiffness_n_per_m * (at - a.place_m);
     result.load_n[i] = force;
@@ -162,65 +170,46 @@ void read_loads(const RodModel& model, const RodLoads& loads, RodResult& result)
 // ==== Newton step
 // ===================================================================================
 
-// Energy of all that lies beyond a joint, to second order in the small displacement (0 to 2) and
-// turn (3 to 5) of a rod: second derivative, first derivative.
+// Energy of all that lies beyond a place, to second order in the small displacement of that place
+// and turn of its rod: derivatives by displacement, displacement and turn (rows: displacement),
+// turn.
 struct Energy {
-  double second[6][6];
-  double first[6];
+  Sym3d move_move;
+  Vec3d move_turn[3];
+  Sym3d turn_turn;
+  Vec3d move, turn;
 };
-
-void spread(const Sym3d& a, double (&full_out)[3][3]) {
-  const double full[3][3] = {{a.xx, a.xy, a.xz}, {a.xy, a.yy, a.yz}, {a.xz, a.yz, a.zz}};
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) full_out[i][k] = full[i][k];
-  }
-}
 
 // A rod's end moves by its start's displacement plus l (turn cross t): from a function of the end
 // to one of the start. The loads on the rod join. Beyond first order the end moves by
 // -l |turn|^2 t / 2, which is where an axial force gains or costs stiffness.
 void move_to_start(double l, Vec3d t, Vec3d start, const RodScratch::Lump& load,
-                   double compression_share, Energy& energy) {
-  auto& h = energy.second;
-  double* const g = energy.first;
-  const Vec3d at_start = load.start * start + load.mixed * t - load.start_n;
-  const Vec3d at_direction =
-      l * Vec3d{g[0], g[1], g[2]} + (load.mixed * start + load.along * t - load.along_nm);
+                   double compression_share, Energy& e) {
+  const Vec3d by_start = load.start * start + load.mixed * t - load.start_n;
+  const Vec3d by_direction = l * e.move + (load.mixed * start + load.along * t - load.along_nm);
 
-  double k_start[3][3], k_mixed[3][3], k_along[3][3], half[3][3];
-  spread(load.start, k_start);
-  spread(load.mixed, k_mixed);
-  spread(load.along, k_along);
-  for (int i = 0; i < 3; ++i) {
-    const double* const r = h[i];
-    const Vec3d mixed =
-        cross(t, {l * r[0] + k_mixed[i][0], l * r[1] + k_mixed[i][1], l * r[2] + k_mixed[i][2]});
-    const double ll = l * l;
-    const Vec3d along =
-        cross(t, {ll * r[0] + k_along[i][0], ll * r[1] + k_along[i][1], ll * r[2] + k_along[i][2]});
-    half[i][0] = l * r[3] + 0.5 * along.x;
-    half[i][1] = l * r[4] + 0.5 * along.y;
-    half[i][2] = l * r[5] + 0.5 * along.z;
-    h[i][3] += mixed.x;
-    h[i][4] += mixed.y;
-    h[i][5] += mixed.z;
-    for (int k = 0; k < 3; ++k) h[i][k] += k_start[i][k];
-  }
-  const Vec3d c0 = cross(t, {half[0][0], half[1][0], half[2][0]});
-  const Vec3d c1 = cross(t, {half[0][1], half[1][1], half[2][1]});
-  const Vec3d c2 = cross(t, {half[0][2], half[1][2], half[2][2]});
-  const double axial = dot(t, at_direction);  // positive: compression
+  const Sym3d l_move = l * e.move_move;
+  const Sym3d mixed = l_move + load.mixed;                    // by start and direction
+  const Sym3d along = (0.5 * l) * l_move + 0.5 * load.along;  // half of: by direction twice
+  const Vec3d r0 = l * e.move_turn[0] + cross(t, {along.xx, along.xy, along.xz});
+  const Vec3d r1 = l * e.move_turn[1] + cross(t, {along.xy, along.yy, along.yz});
+  const Vec3d r2 = l * e.move_turn[2] + cross(t, {along.xz, along.yz, along.zz});
+  const Vec3d c0 = cross(t, {r0.x, r1.x, r2.x});
+  const Vec3d c1 = cross(t, {r0.y, r1.y, r2.y});
+  const Vec3d c2 = cross(t, {r0.z, r1.z, r2.z});
+  const double axial = dot(t, by_direction);  // positive: compression
   const double a = axial > 0 ? compression_share * axial : axial;
-  const double turn[3][3] = {{c0.x + c0.x - a, c1.x + c0.y, c2.x + c0.z},
-                             {c0.y + c1.x, c1.y + c1.y - a, c2.y + c1.z},
-                             {c0.z + c2.x, c1.z + c2.y, c2.z + c2.z - a}};
-  const double ta[3] = {t.x, t.y, t.z};
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) h[3 + i][3 + k] += turn[i][k] + a * ta[i] * ta[k];
-  }
-  const Vec3d moment = cross(t, at_direction);
-  const double add[6] = {at_start.x, at_start.y, at_start.z, moment.x, moment.y, moment.z};
-  for (int i = 0; i < 6; ++i) g[i] += add[i];
+  const Vec3d at = a * t;
+  e.turn_turn =
+      e.turn_turn + Sym3d{(c0.x + c0.x) + (at.x * t.x - a), (c1.x + c0.y) + at.x * t.y,
+                          (c2.x + c0.z) + at.x * t.z,       (c1.y + c1.y) + (at.y * t.y - a),
+                          (c2.y + c1.z) + at.y * t.z,       (c2.z + c2.z) + (at.z * t.z - a)};
+  e.move_turn[0] = e.move_turn[0] + cross(t, {mixed.xx, mixed.xy, mixed.xz});
+  e.move_turn[1] = e.move_turn[1] + cross(t, {mixed.xy, mixed.yy, mixed.yz});
+  e.move_turn[2] = e.move_turn[2] + cross(t, {mixed.xz, mixed.yz, mixed.zz});
+  e.move_move = e.move_move + load.start;
+  e.move = e.move + by_start;
+  e.turn = e.turn + cross(t, by_direction);
 }
 
 // Inverse of a symmetric 2 x 2 pivot, lifted where it is not positive enough.
@@ -231,57 +220,64 @@ struct Pivot {
 Pivot invert(double m00, double m01, double m11, double joint_stiffness) {
   const double mean = 0.5 * (m00 + m11), apart = 0.5 * (m00 - m11);
   const double least = mean - std::sqrt(apart * apart + m01 * m01);
-  const double lift = max_of(0, kPivotLift * (kLeastPivot * joint_stiffness - least));
-  const double a = m00 + lift, b = m11 + lift;
+  double a = m00, b = m11;
+  const double wanted = kLeastPivot * joint_stiffness;
+  // A branch, because it is rare: the division need not wait for the square root.
+  if (least < wanted) [[unlikely]] {
+    a += kPivotLift * (wanted - least);
+    b += kPivotLift * (wanted - least);
+  }
   const double scale = 1 / (a * b - m01 * m01);
   return {least, b * scale, -m01 * scale, a * scale};
 }
 
+// a b' + c d', symmetric by what the vectors are.
+constexpr Sym3d product(Vec3d a, Vec3d b, Vec3d c, Vec3d d) {
+  return {a.x * b.x + c.x * d.x, a.x * b.y + c.x * d.y, a.x * b.z + c.x * d.z,
+          a.y * b.y + c.y * d.y, a.y * b.z + c.y * d.z, a.z * b.z + c.z * d.z};
+}
+
 // From a function of the rod after a joint to one of the rod before it: adds the joint's energy and
 // minimises over its two angles. Returns the least eigenvalue of the pivot.
-double cross_joint(double stiffness, Vec3d t, RodScratch::Joint& joint, Energy& energy) {
-  auto& h = energy.second;
-  double* const g = energy.first;
-  const Vec3d u = joint.rest, v = cross(t, u);
+double cross_joint(double stiffness, Vec3d t, RodScratch::Joint& joint, Energy& e) {
+  const Vec3d u = joint.rest, v = cross(t, u), b1 = joint.axis_1, b2 = joint.axis_2;
   const double c = dot(u, t);
   const double s = 1 / max_of(1 + c, kLeastOpening);
   const double k = (2.0 / 3) * stiffness * (2 * s * s + 1);  // -dE/dc
   const double k2 = (8.0 / 3) * stiffness * s * s * s;       // d2E/dc2
-  const Vec3d axis[2] = {joint.axis_1, joint.axis_2};
-  const double ta[3] = {t.x, t.y, t.z}, ua[3] = {u.x, u.y, u.z};
+  const double t1 = dot(b1, t), t2 = dot(b2, t);  // u has the opposite: the axes cross u + t
+  const double v1 = dot(b1, v), v2 = dot(b2, v);
 
-  double coupling[6][2], on_t[2], on_u[2], on_v[2], first[2];
-  for (int a = 0; a < 2; ++a) {
-    const Vec3d b = axis[a];
-    on_t[a] = dot(b, t);
-    on_u[a] = dot(b, u);
-    on_v[a] = dot(b, v);
-    first[a] = b.x * g[3] + b.y * g[4] + b.z * g[5] - k * on_v[a];
-    for (int i = 0; i < 6; ++i) coupling[i][a] = h[i][3] * b.x + h[i][4] * b.y + h[i][5] * b.z;
-  }
-  const auto pivot_entry = [&](int a, int b) {
-    return axis[a].x * coupling[3][b] + axis[a].y * coupling[4][b] + axis[a].z * coupling[5][b] +
-           k2 * on_v[a] * on_v[b] - k * c * on_t[a] * on_t[b];
-  };
-  const Pivot pivot =
-      invert(pivot_entry(0, 0) + k * c, pivot_entry(0, 1), pivot_entry(1, 1) + k * c, stiffness);
+  const Vec3d turn_1 = e.turn_turn * b1, turn_2 = e.turn_turn * b2;
+  const Pivot pivot = invert(dot(b1, turn_1) + k2 * v1 * v1 + k * c * (1 - t1 * t1),
+                             dot(b1, turn_2) + k2 * v1 * v2 - k * c * t1 * t2,
+                             dot(b2, turn_2) + k2 * v2 * v2 + k * c * (1 - t2 * t2), stiffness);
+  const double g1 = dot(b1, e.turn) - k * v1, g2 = dot(b2, e.turn) - k * v2;
+  // How the two angles couple to displacement and turn of the rod before.
+  const Vec3d* const m = e.move_turn;
+  const Vec3d move_1{dot(m[0], b1), dot(m[1], b1), dot(m[2], b1)};
+  const Vec3d move_2{dot(m[0], b2), dot(m[1], b2), dot(m[2], b2)};
+  const double both = -k * (1 + c);
+  const Vec3d angle_1 = turn_1 + (both * t1) * t, angle_2 = turn_2 + (both * t2) * t;
+
+  joint.move_1 = pivot.i00 * move_1 + pivot.i01 * move_2;
+  joint.move_2 = pivot.i01 * move_1 + pivot.i11 * move_2;
+  joint.turn_1 = pivot.i00 * angle_1 + pivot.i01 * angle_2;
+  joint.turn_2 = pivot.i01 * angle_1 + pivot.i11 * angle_2;
+  joint.angle_1 = pivot.i00 * g1 + pivot.i01 * g2;
+  joint.angle_2 = pivot.i01 * g1 + pivot.i11 * g2;
+
+  const Vec3d ku = k * u, kt = k * t;
+  e.turn_turn = e.turn_turn + product(ku, t - c * u, kt, u - c * t) -
+                product(joint.turn_1, angle_1, joint.turn_2, angle_2);
+  e.move_move = e.move_move - product(joint.move_1, move_1, joint.move_2, move_2);
+  const double by_1[3] = {joint.move_1.x, joint.move_1.y, joint.move_1.z};
+  const double by_2[3] = {joint.move_2.x, joint.move_2.y, joint.move_2.z};
   for (int i = 0; i < 3; ++i) {
-    for (int a = 0; a < 2; ++a) coupling[3 + i][a] += k * ta[i] * (on_u[a] - c * on_t[a]);
-    for (int m = 0; m < 3; ++m) {
-      h[3 + i][3 + m] += k * (ua[i] * ta[m] + ta[i] * ua[m] - c * (ta[i] * ta[m] + ua[i] * ua[m]));
-    }
+    e.move_turn[i] = e.move_turn[i] - (by_1[i] * angle_1 + by_2[i] * angle_2);
   }
-  for (int i = 0; i < 6; ++i) {
-    joint.gain[i][0] = coupling[i][0] * pivot.i00 + coupling[i][1] * pivot.i01;
-    joint.gain[i][1] = coupling[i][0] * pivot.i01 + coupling[i][1] * pivot.i11;
-  }
-  joint.offset[0] = pivot.i00 * first[0] + pivot.i01 * first[1];
-  joint.offset[1] = pivot.i01 * first[0] + pivot.i11 * first[1];
-  for (int i = 0; i < 6; ++i) {
-    const double a = joint.gain[i][0], b = joint.gain[i][1];
-    for (int m = 0; m < 6; ++m) h[i][m] -= a * coupling[m][0] + b * coupling[m][1];
-    g[i] -= a * first[0] + b * first[1];
-  }
+  e.move = e.move - (g1 * joint.move_1 + g2 * joint.move_2);
+  e.turn = e.turn - (g1 * joint.turn_1 + g2 * joint.turn_2);
   return pivot.least;
 }
 
@@ -306,12 +302,8 @@ double sweep_forth(const RodModel& model, const RodResult& result, RodScratch& s
   double largest = 0;
   for (std::uint32_t j = 0; j < model.rods; ++j) {
     const RodScratch::Joint& joint = scratch.joint[j];
-    const double before[6] = {moved.x, moved.y, moved.z, turned.x, turned.y, turned.z};
-    double a = -joint.offset[0], b = -joint.offset[1];
-    for (int i = 0; i < 6; ++i) {
-      a -= joint.gain[i][0] * before[i];
-      b -= joint.gain[i][1] * before[i];
-    }
+    const double a = -(joint.angle_1 + (dot(joint.move_1, moved) + dot(joint.turn_1, turned)));
+    const double b = -(joint.angle_2 + (dot(joint.move_2, moved) + dot(joint.turn_2, turned)));
     turned = turned + (a * joint.axis_1 + b * joint.axis_2);
     const Vec3d change = cross(turned, result.direction[j]);
     moved = moved + model.rod_m * change;
@@ -332,9 +324,10 @@ void take_step(const RodModel& model, double least_pivot, RodShape& shape, RodSc
     reversal -= dot(scratch.change[j], scratch.change_before[j]);
     before += dot(scratch.change_before[j], scratch.change_before[j]);
   }
-  const bool oscillates = reversal > 0.25 * before + kNoTurn2;
-  shape.step_share = oscillates ? max_of(kLeastStepShare, 0.5 * shape.step_share)
-                                : min_of(1, 2 * shape.step_share);
+  // A tick's first step has none before it to compare with, and leaves the share as it is.
+  const bool moved = before > kNoTurn2, oscillates = moved && reversal > 0.25 * before;
+  shape.step_share *= oscillates ? 0.5 : (moved ? 2.0 : 1.0);
+  shape.step_share = max_of(kLeastStepShare, min_of(shape.step_share, 1));
   const double share = shape.step_share * share_below(kMaxTurnRad, result.last_turn_rad);
   for (std::uint32_t j = 0; j < model.rods; ++j) {
     const Vec3d change = share * scratch.change[j];
@@ -393,7 +386,7 @@ void solve_rod(const RodModel& model, const double (&handle_wxyz)[4], const RodL
     result_out.node_m[j + 1] = result_out.node_m[j] + model.rod_m * t;
     shape.direction[j] = {dot(t, handle.x), dot(t, handle.y), dot(t, z)};
   }
-  read_loads(model, loads, result_out);
+  read_loads(model, scratch, result_out);
 }
 
 RodPoint rod_point(const RodModel& model, const RodResult& result, double arc_m) {
