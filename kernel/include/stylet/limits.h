@@ -50,8 +50,8 @@ constexpr std::uint32_t kMaxRodLoads = kMaxConstraintParticles + 1 + kMaxTouches
 // Newton steps of the needle's equilibrium in a tick. Reached: what is left is solved in the next
 // ticks: tens for a needle that snaps through, nothing that can be felt for a moving hand.
 constexpr std::uint32_t kRodNewtonSteps = 2;
-// Size of one load on the needle. Beyond: forces and places are clamped by component, a stiffness is
-// scaled down by its trace.
+// Size of one load on the needle. Beyond: forces and places are clamped by component, a stiffness
+// is scaled down by its trace.
 constexpr double kMaxRodForceN = 1e3;
 constexpr double kMaxRodStiffnessNPerM = 1e6;
 constexpr double kMaxRodPlaceM = 10;
