@@ -6,6 +6,7 @@
 // pulled sideways. Each for every instruction set this processor has; the median of several
 // repetitions counts.
 #include <benchmark/benchmark.h>
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -134,14 +135,20 @@ bool add_file(const fs::path& path, const std::string& name, std::vector<Subject
   return true;
 }
 
-bool run_program(const std::vector<std::string>& words) {
+// Without its report: standard output is for the measurements.
+bool run_silently(const std::vector<std::string>& words) {
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   pid_t child = 0;
   int status = 0;
-  return posix_spawn(&child, arguments[0], nullptr, nullptr, arguments.data(), environ) == 0 &&
-         waitpid(child, &status, 0) == child && status == 0;
+  const bool started =
+      posix_spawn(&child, arguments[0], &actions, nullptr, arguments.data(), environ) == 0;
+  posix_spawn_file_actions_destroy(&actions);
+  return started && waitpid(child, &status, 0) == child && status == 0;
 }
 
 // The OpenHELP liver at 5 mm, built by the stylet-organ beside this program.
@@ -157,8 +164,8 @@ void add_openhelp(std::vector<Subject>& subjects) {
   }
   const fs::path organ =
       fs::temp_directory_path() / ("stylet-bench-" + std::to_string(getpid()) + ".organ");
-  if (run_program({builder.string(), "build", mesh.string(), "--units", "mm", "--voxel-mm", "5",
-                   "--json", "-o", organ.string()})) {
+  if (run_silently({builder.string(), "build", mesh.string(), "--units", "mm", "--voxel-mm", "5",
+                    "-o", organ.string()})) {
     add_file(organ, "openhelp_liver", subjects);
   }
   fs::remove(organ);

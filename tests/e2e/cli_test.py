@@ -198,6 +198,14 @@ class Help(unittest.TestCase):
                 self.assertIn(command, call(program, expect=1).stderr)
 
 
+class Bench(unittest.TestCase):
+    def test_standard_output_holds_the_measurements_alone(self):
+        names = call("stylet", "bench", "--benchmark_list_tests").stdout.splitlines()
+        self.assertGreater(len(names), 3)
+        for name in names:
+            self.assertRegex(name, r"^(tissue|tick|tick_paper)/")
+
+
 class Refusals(Folder):
     """A user's mistake ends in one line with the place, and leaves no file behind."""
 
