@@ -101,6 +101,9 @@ struct RealOrgan {
   double metres_per_unit;
   bool closed;
 };
+void PrintTo(const RealOrgan& organ, std::ostream* out) {  // else a test is named by its bytes
+  *out << organ.file;
+}
 
 class RealOrganTest : public testing::TestWithParam<RealOrgan> {};
 
