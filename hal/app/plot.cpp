@@ -66,7 +66,7 @@ Curve read_curve(const hal::RecordingReader& recording) {
       }
     }
   }
-  curve.phases = hal::find_phases(curve.track, curve.period_s, info.config.needle.unit_m);
+  curve.phases = hal::find_phases(curve.track, curve.period_s, info.config.needle[0].unit_m);
   return curve;
 }
 
@@ -200,7 +200,7 @@ std::string script_of(const Curve& curve, const hal::RecordingInfo& info, bool s
       "set label 99 '{}, {} mode, {:.2f} mm needle' at screen 0.97, screen 0.015 right font ',{}' "
       "noenhanced textcolor rgb '#555555'\n",
       legend_text(info.organ_name), info.config.mode == Mode::kPaper ? "paper" : "physical",
-      2e3 * static_cast<double>(info.config.needle.outer_radius_m), svg ? 10 : 20);
+      2e3 * static_cast<double>(info.config.needle[0].outer_radius_m), svg ? 10 : 20);
   script +=
       "set tmargin screen 0.47\nset bmargin screen 0.125\nset autoscale x\n"
       "set xlabel 'Tip travel beyond the first contact / mm'\nset key top left\n"

@@ -211,7 +211,7 @@ RunReport report_of(const Session& s, double wall_s) {
   report.interrupted = s.state.stop.load();
   report.wall_s = wall_s;
   report.phases =
-      hal::find_phases(s.recorder->track(), report.period_s, s.scene.config.needle.unit_m);
+      hal::find_phases(s.recorder->track(), report.period_s, s.scene.config.needle[0].unit_m);
   report.events = s.recorder->events();
   report.loop = &s.state;
   report.thread = s.thread;

@@ -83,10 +83,10 @@ void visit_attributes(Visitor& visit, Info& info) {
                &info.config.surround_drag_per_s);
   visit.number("config_hourglass_weight", ColumnType::kFloat32, 1, &info.config.hourglass_weight);
   visit.number("config_paper_alpha", ColumnType::kFloat32, 1, &info.config.paper_alpha);
-  visit.number("config_needle_length_m", ColumnType::kFloat32, 1, &info.config.needle.length_m);
+  visit.number("config_needle_length_m", ColumnType::kFloat32, 1, &info.config.needle[0].length_m);
   visit.number("config_needle_outer_radius_m", ColumnType::kFloat32, 1,
-               &info.config.needle.outer_radius_m);
-  visit.number("config_needle_unit_m", ColumnType::kFloat32, 1, &info.config.needle.unit_m);
+               &info.config.needle[0].outer_radius_m);
+  visit.number("config_needle_unit_m", ColumnType::kFloat32, 1, &info.config.needle[0].unit_m);
   visit.number("entry_m", ColumnType::kFloat32, 3, &info.entry_m);
   visit.number("direction", ColumnType::kFloat32, 3, &info.direction);
 }

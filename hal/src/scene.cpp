@@ -320,7 +320,7 @@ Scene parse_scene(std::string_view text, const std::string& file) {
   Section paper = root.table("paper");
   scene.config.paper_alpha = static_cast<float>(paper.number("alpha", 0.5, 0, 1));
   paper.finish();
-  read_needle(root.table("needle"), scene.config.needle);
+  read_needle(root.table("needle"), scene.config.needle[0]);
   read_approach(root.table("approach"), scene.approach);
   read_guard(root.table("device"), root.table("guard"), scene);
   read_hand(root.table("hand"), scene);
@@ -358,8 +358,8 @@ Placement place_needle(const Scene& scene, const Organ& organ) {
   placement.entry_m = along(outside, direction, distance);
   placement.direction = direction;
   placement.mapping.rotation = needle_rotation(direction);
-  placement.mapping.origin_m =
-      along(placement.entry_m, direction, -(scene.approach.start_m + scene.config.needle.length_m));
+  placement.mapping.origin_m = along(placement.entry_m, direction,
+                                     -(scene.approach.start_m + scene.config.needle[0].length_m));
   return placement;
 }
 

@@ -116,9 +116,9 @@ void set_stiffness(const View& view, Particle& particle, Place place) {
   const ModelHead& head = *view.model.head;
   const MaterialModel& m = head.material[particle.material];
   const float k = m.shear_pa * head.edge_m;
-  const float a = head.config.needle.outer_radius_m;
+  const float a = view.needle_config().outer_radius_m;
   const float nu = m.poisson_ratio;
-  const float unit = head.config.needle.unit_m;
+  const float unit = view.needle_config().unit_m;
   float target = 0, lattice_compliance = 0;
   switch (place) {
     case Place::kSurface:
@@ -357,7 +357,7 @@ Vec3 material_at(const View& view, const Particle& tip, Vec3 place_m) {
 float overshoot(const View& view, const Particle& p, float axial_n, float low_n, float high_n) {
   const ModelHead& head = *view.model.head;
   if (head.config.mode == Mode::kPaper) {
-    const float unit = head.config.needle.unit_m;
+    const float unit = view.needle_config().unit_m;
     const float away = axial_n / p.stiffness_n_per_m;
     const float steps = static_cast<float>(static_cast<std::int32_t>(clamp(away / unit, -64, 64)));
     return steps * unit;
@@ -418,7 +418,7 @@ void note_slip(const ModelHead& head, Particle& p, float slip_m) {
 // back to it, so that neither friction nor clamping jumps when it is added or removed.
 float stand_for(const View& view, Particle& p, float tip_track_m) {
   const ModelHead& head = *view.model.head;
-  const float unit = head.config.needle.unit_m;
+  const float unit = view.needle_config().unit_m;
   const float length = clamp(tip_track_m - p.track_m, 0, unit);
   const float part = head.config.mode == Mode::kPaper ? 1.0F : max_of(length / unit, kLeastPart);
   const float stiffness = part * p.full_stiffness_n_per_m;
@@ -444,8 +444,9 @@ float friction_n_per_m(const MaterialModel& m, float speed_m_per_s) {
 void slip_shaft(const View& view, const Needle& needle) {
   const ModelHead& head = *view.model.head;
   StateHead& state = *view.state.head;
-  const float tip_track = state.tissue_track_m;
-  for (std::uint32_t i = 0; i < state.shaft_count; ++i) {
+  NeedleState& own = *view.state.needle;
+  const float tip_track = own.tissue_track_m;
+  for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
     Particle& p = view.state.shaft[i];
     // All that changes the spring comes before the return map, which has the last word on the
     // force.
@@ -453,47 +454,92 @@ void slip_shaft(const View& view, const Needle& needle) {
     const float length = stand_for(view, p, tip_track);
     state.friction_j += before - spring_energy(p);
     const float limit = friction_n_per_m(head.material[p.material], p.slip_m_per_s) * length;
-    const float axial = dot(force_on_tissue(p), needle.direction);
+    const Vec3 direction = needle_point(needle, p.arc_m).direction;
+    const float axial = dot(force_on_tissue(p), direction);
     const float slip = overshoot(view, p, axial, -limit, limit);
-    const float all = slip + renew(view, p, needle.direction, slip, state.friction_j);
+    const float all = slip + renew(view, p, direction, slip, state.friction_j);
     p.arc_m += all;
-    p.position_m = p.position_m - all * needle.direction;
+    p.position_m = needle_point(needle, p.arc_m).place_m;
     note_slip(head, p, all);
-    p.slip_m = slip * needle.direction;
+    p.slip_m = slip * direction;
   }
 }
 
-// Length and force the tip may carry: nothing when pulled, the cutting force when pushed into new
-// tissue, a fraction of it in a track that exists.
+// Takes the spring the tip has in the material it is now in: a stiffer one holds at the same force,
+// and fresh tissue has relaxed nothing yet. What is lost counts as cutting.
+void enter_material(const View& view, Particle& tip) {
+  const double before = spring_energy(tip);
+  const float old = tip.stiffness_n_per_m;
+  shift_goals(view, tip, tip.slack_m);
+  tip.memory_m = tip.slack_m = {};
+  set_stiffness(view, tip, Place::kTip);
+  if (tip.stiffness_n_per_m > old) draw_goals(view, tip, 1 - old / tip.stiffness_n_per_m);
+  view.state.head->cutting_j += before - spring_energy(tip);
+}
+
+// The tip has come to another material. A layer that must be punctured holds it until it is pressed
+// on hard enough, but for one it has been through before: in a track, or on the way back.
+void enter_layer(const View& view, Particle& tip, Vec3 direction, bool in_track) {
+  NeedleState& own = *view.state.needle;
+  const ModelHead& head = *view.model.head;
+  if (tip.material == own.layer) return;
+  const MaterialModel& m = head.material[tip.material];
+  const float axial = dot(force_on_tissue(tip), direction);
+  const bool must = m.puncture_n > m.cutting_n && !in_track && own.phase != Phase::kRetracting &&
+                    head.config.mode == Mode::kPhysical;
+  if (must && axial < m.puncture_n) return;
+  own.layer = tip.material;
+  enter_material(view, tip);
+  add_event(view, must ? EventKind::kPuncture : EventKind::kLayer, max_of(axial, 0));
+}
+
+// Force the tip may carry: nothing when pulled, the cutting force when pushed into new tissue, a
+// fraction of it in a track that exists, the puncture force before a layer that holds it.
+float tip_limit(const View& view, const Particle& tip, bool in_track) {
+  const MaterialModel& m = view.model.head->material[tip.material];
+  if (in_track) return m.cutting_n * m.recut_fraction;
+  return tip.material == view.state.needle->layer ? m.cutting_n : max_of(m.puncture_n, m.cutting_n);
+}
+
+// The tip moves on to other tissue as far as it is pressed or pulled beyond its limits.
 void cut_tip(const View& view, const Needle& needle, float moved_m) {
   const ModelHead& head = *view.model.head;
   StateHead& state = *view.state.head;
+  NeedleState& own = *view.state.needle;
   Particle& tip = *view.state.tip;
-  const MaterialModel& m = head.material[tip.material];
+  const Vec3 direction = needle.tip_direction;
   float move = moved_m;  // outside the tissue the tip carries nothing and follows the needle
   float all = move;
   if (tip.share_count > 0) {
-    const bool in_track = tip.track_m < state.track_end_m;
-    const float limit = m.cutting_n * (in_track ? m.recut_fraction : 1.0F);
-    const float axial = dot(force_on_tissue(tip), needle.direction);
-    move = overshoot(view, tip, axial, 0, limit);
-    all = move + renew(view, tip, needle.direction, move, state.cutting_j);
+    const bool in_track = tip.track_m < own.track_end_m;
+    enter_layer(view, tip, direction, in_track);
+    const float axial = dot(force_on_tissue(tip), direction);
+    move = overshoot(view, tip, axial, 0, tip_limit(view, tip, in_track));
+    all = move + renew(view, tip, direction, move, state.cutting_j);
   }
-  advance_tip(view, tip, needle.direction, all);
+  const float bevel = view.needle_config().bevel_per_m;
+  own.cut = bevel > 0 ? turn_cut(own.cut, needle, bevel, all) : direction;
+  advance_tip(view, tip, own.cut, all);
   note_slip(head, tip, all);
-  tip.slip_m = move * needle.direction;
-  // Shares that fade take along what their goals differ from the others'; a tip that leaves, all.
+  tip.slip_m = move * own.cut;
+  if (move > 0) own.phase = Phase::kInserted;
+  if (move < 0) own.phase = Phase::kRetracting;
+}
+
+// Takes the voxels where the tip now is. Shares that fade take along what their goals differ from
+// the others'; a tip that leaves, all.
+void rehome_tip(const View& view) {
+  NeedleState& own = *view.state.needle;
+  Particle& tip = *view.state.tip;
   const double before = spring_energy(tip);
   renew_shares(view, tip);
   if (!inside_lattice(view, tip.rest_m)) {
     tip.share_count = 0;
     tip.memory_m = tip.slack_m = {};
   }
-  state.cutting_j += before - spring_energy(tip);
-  if (tip.share_count > 0) state.tissue_track_m = tip.track_m;
-  state.track_end_m = max_of(state.track_end_m, tip.track_m);
-  if (move > 0) state.phase = Phase::kInserted;
-  if (move < 0) state.phase = Phase::kRetracting;
+  view.state.head->cutting_j += before - spring_energy(tip);
+  if (tip.share_count > 0) own.tissue_track_m = tip.track_m;
+  own.track_end_m = max_of(own.track_end_m, tip.track_m);
 }
 
 // ---- adding and removing
@@ -501,27 +547,28 @@ void cut_tip(const View& view, const Needle& needle, float moved_m) {
 
 std::uint32_t push_shaft(const View& view, Particle p) {
   StateHead& state = *view.state.head;
-  if (state.shaft_count == kMaxConstraintParticles) {
+  NeedleState& own = *view.state.needle;
+  if (own.shaft_count == kMaxConstraintParticles) {
     ++state.cp_pool_full;
     return kFlagCpPoolFull;
   }
-  (void)stand_for(view, p, state.tissue_track_m);
-  view.state.shaft[state.shaft_count++] = p;
-  state.shaft_max = state.shaft_count > state.shaft_max ? state.shaft_count : state.shaft_max;
+  (void)stand_for(view, p, own.tissue_track_m);
+  view.state.shaft[own.shaft_count++] = p;
+  own.shaft_max = own.shaft_count > own.shaft_max ? own.shaft_count : own.shaft_max;
   return 0;
 }
 
 // One shaft CP for each unit of track the tip has left behind.
 std::uint32_t drop_shaft(const View& view, const Needle& needle) {
-  StateHead& state = *view.state.head;
+  NeedleState& own = *view.state.needle;
   const Particle& tip = *view.state.tip;
-  const float unit = view.model.head->config.needle.unit_m;
+  const float unit = view.needle_config().unit_m;
   for (std::uint32_t drop = 0; drop < kMaxDropsPerTick; ++drop) {
-    const float last = view.state.shaft[state.shaft_count - 1].track_m;
+    const float last = view.state.shaft[own.shaft_count - 1].track_m;
     const float behind = tip.track_m - last - unit;
     if (behind < 0) return 0;
     if (tip.share_count == 0) return 0;  // the stretch lies outside the tissue
-    const Vec3 place = needle.tip_m - behind * needle.direction;
+    const Vec3 place = needle_point(needle, behind).place_m;
     const Particle p = new_particle(view, material_at(view, tip, place), place, last + unit, behind,
                                     Place::kShaft);
     if (p.share_count == 0) return 0;
@@ -535,27 +582,27 @@ std::uint32_t drop_shaft(const View& view, const Needle& needle) {
 // track unreliable, by the needle's own length.
 bool is_behind(const View& view, const Particle& p) {
   return view.state.tip->track_m < p.track_m - kTrackSkinM ||
-         p.arc_m < -view.model.head->config.needle.unit_m;
+         p.arc_m < -view.needle_config().unit_m;
 }
 
 void end_insertion(const View& view) {
-  StateHead& state = *view.state.head;
+  NeedleState& own = *view.state.needle;
   add_event(view, EventKind::kExit, 0);
-  if (state.track_current != kNoTrack) {
-    view.state.track[state.track_current].length_m = state.track_end_m;
+  if (own.track_current != kNoTrack) {
+    view.state.track[own.track_current].length_m = own.track_end_m;
   }
-  state.track_current = kNoTrack;
-  state.shaft_count = 0;
-  state.tip_alive = 0;
-  state.phase = Phase::kFree;
-  state.layer = kNoLayer;
-  state.leaving = 1;
+  own.track_current = kNoTrack;
+  own.shaft_count = 0;
+  own.tip_alive = 0;
+  own.phase = Phase::kFree;
+  own.layer = kNoLayer;
+  own.leaving = 1;
 }
 
 // The track this contact enters, if the tissue remembers one here.
 std::uint32_t find_track(const View& view, Vec3 rest_m, Vec3 rest_direction) {
   const StateHead& state = *view.state.head;
-  const float reach = 3 * view.model.head->config.needle.outer_radius_m;
+  const float reach = 3 * view.needle_config().outer_radius_m;
   for (std::uint32_t i = 0; i < state.track_count; ++i) {
     const Track& track = view.state.track[i];
     const Vec3 gap = track.entry_rest_m - rest_m;
@@ -579,7 +626,7 @@ std::uint32_t remember_track(const View& view, Vec3 rest_m, Vec3 rest_direction)
 // The contact's law: see cone.h. Its memory is the relaxed force over the punch's stiffness.
 Cone cone_of(const View& view) {
   return {view.state.tip->full_stiffness_n_per_m,
-          kConeLengthInRadii * view.model.head->config.needle.outer_radius_m};
+          kConeLengthInRadii * view.needle_config().outer_radius_m};
 }
 
 // The spread of the shares about their mean is carried by the spring of the moment.
@@ -617,70 +664,71 @@ void change_spring(const View& view, const Needle& needle, float force_n) {
   StateHead& state = *view.state.head;
   Particle& tip = *view.state.tip;
   const double before = contact_energy(view, tip);
-  const float depth = dot(residual(tip), needle.direction);
+  const float depth = dot(residual(tip), needle.tip_direction);
   set_stiffness(view, tip, Place::kTip);
   tip.memory_m = tip.slack_m = {};
-  shift_goals(view, tip, (depth - force_n / tip.stiffness_n_per_m) * needle.direction);
+  shift_goals(view, tip, (depth - force_n / tip.stiffness_n_per_m) * needle.tip_direction);
   state.cutting_j += before - spring_energy(tip);
 }
 
 // Contact -> inserted: the entry becomes the first shaft CP, the tip starts to cut.
 void begin_insertion(const View& view, const Needle& needle, std::uint32_t track, float force_n) {
-  StateHead& state = *view.state.head;
+  NeedleState& own = *view.state.needle;
   Particle& tip = *view.state.tip;
   const VoxelFrame frame =
       voxel_frame(view, tip.share[heaviest(tip)].slot, tip.share[heaviest(tip)].row);
-  const Vec3 rest_direction = transposed_times(frame.rotation, needle.direction);
+  const Vec3 rest_direction = transposed_times(frame.rotation, needle.tip_direction);
   const bool again = track != kNoTrack;
-  state.track_current = again ? track : remember_track(view, tip.rest_m, rest_direction);
-  state.track_end_m = again ? view.state.track[track].length_m : 0;
-  tip.track_m = state.tissue_track_m = 0;
-  state.shaft_count = 0;
+  own.track_current = again ? track : remember_track(view, tip.rest_m, rest_direction);
+  own.track_end_m = again ? view.state.track[track].length_m : 0;
+  tip.track_m = own.tissue_track_m = 0;
+  own.shaft_count = 0;
   // The entry is held where the surface is now, behind the tip by the depth of the dimple's cone.
-  const float behind = dot(residual(tip), needle.direction);
-  const Vec3 place = tip.position_m - behind * needle.direction;
+  const float behind = dot(residual(tip), needle.tip_direction);
+  const Vec3 place = tip.position_m - behind * needle.tip_direction;
   (void)push_shaft(view, new_particle(view, tip.rest_m, place, 0, behind, Place::kShaft));
   change_spring(view, needle, force_n);
-  state.phase = Phase::kInserted;
-  state.layer = tip.material;
+  own.phase = Phase::kInserted;
+  own.layer = tip.material;
+  own.cut = needle.tip_direction;
   add_event(view, again ? EventKind::kReentry : EventKind::kPuncture, force_n);
 }
 
 // Contact holds, ends, or becomes a puncture.
 void update_contact(const View& view, const Needle& needle) {
   StateHead& state = *view.state.head;
+  NeedleState& own = *view.state.needle;
   const ModelHead& head = *view.model.head;
   Particle& tip = *view.state.tip;
-  const float felt = dot(tip.force_n, needle.direction);
-  const float away = dot(residual(tip), needle.direction);
+  const float felt = dot(tip.force_n, needle.tip_direction);
+  const float away = dot(residual(tip), needle.tip_direction);
   if (away < 0) {
     add_event(view, EventKind::kRelease, 0);
-    state.phase = Phase::kFree;
-    state.tip_alive = 0;
+    own.phase = Phase::kFree;
+    own.tip_alive = 0;
     return;
   }
   if (head.config.mode == Mode::kPhysical) {
-    relax_contact(view, needle.direction);
+    relax_contact(view, needle.tip_direction);
   } else {
     relax(state, tip);
   }
   const VoxelFrame frame =
       voxel_frame(view, tip.share[heaviest(tip)].slot, tip.share[heaviest(tip)].row);
   const std::uint32_t track =
-      find_track(view, tip.rest_m, transposed_times(frame.rotation, needle.direction));
-  const bool node_inside = away > head.config.needle.unit_m;
+      find_track(view, tip.rest_m, transposed_times(frame.rotation, needle.tip_direction));
+  const bool node_inside = away > view.needle_config().unit_m;
   const bool through = head.config.mode == Mode::kPaper
                            ? node_inside
                            : felt >= head.material[tip.material].puncture_n;
   if (through || track != kNoTrack) begin_insertion(view, needle, track, felt);
 }
 
-void update_layer(const View& view) {
-  StateHead& state = *view.state.head;
-  const Particle& tip = *view.state.tip;
-  const std::uint32_t layer = tip.share_count > 0 ? tip.material : kNoLayer;
-  if (layer == state.layer) return;
-  state.layer = layer;
+// Outside the tissue there is no layer.
+void leave_layers(const View& view) {
+  NeedleState& own = *view.state.needle;
+  if (view.state.tip->share_count > 0 || own.layer == kNoLayer) return;
+  own.layer = kNoLayer;
   add_event(view, EventKind::kLayer, 0);
 }
 
@@ -736,65 +784,74 @@ std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kShare
   return count;
 }
 
-void begin_contact(const View& view, const Needle& needle, Vec3 rest_m, Vec3 place_m) {
-  StateHead& state = *view.state.head;
+void begin_contact(const View& view, Vec3 tip_m, Vec3 rest_m, Vec3 place_m) {
+  NeedleState& own = *view.state.needle;
   const Particle tip = new_particle(view, rest_m, place_m, 0, 0, Place::kSurface);
   if (tip.share_count == 0) return;
   *view.state.tip = tip;
-  view.state.tip->position_m = needle.tip_m;
-  state.tip_alive = 1;
-  state.phase = Phase::kContact;
-  state.layer = tip.material;
+  view.state.tip->position_m = tip_m;
+  own.tip_alive = 1;
+  own.phase = Phase::kContact;
+  own.layer = tip.material;
   add_event(view, EventKind::kContact, 0);
 }
 
 std::uint32_t couple_needle(const View& view, const Needle& needle) {
   StateHead& state = *view.state.head;
-  if (state.tip_alive == 0) return 0;
+  NeedleState& own = *view.state.needle;
+  if (own.tip_alive == 0) return 0;
   Particle& tip = *view.state.tip;
-  if (state.phase != Phase::kContact) {  // creep at the last tick's forces, before the needle moves
+  if (own.phase != Phase::kContact) {  // creep at the last tick's forces, before the needle moves
     relax(state, tip);
-    for (std::uint32_t i = 0; i < state.shaft_count; ++i) relax(state, view.state.shaft[i]);
+    for (std::uint32_t i = 0; i < own.shaft_count; ++i) relax(state, view.state.shaft[i]);
   }
-  const float moved = dot(needle.tip_m - tip.position_m, needle.direction);
+  const float moved = dot(needle.tip_m - tip.position_m, needle.tip_direction);
   tip.position_m = needle.tip_m;
-  for (std::uint32_t i = 0; i < state.shaft_count; ++i) {
+  for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
     Particle& p = view.state.shaft[i];
-    p.position_m = needle.tip_m - p.arc_m * needle.direction;
+    p.position_m = needle_point(needle, p.arc_m).place_m;
   }
-  if (state.phase == Phase::kContact) update_contact(view, needle);
-  if (state.phase == Phase::kFree || state.phase == Phase::kContact) return 0;
+  if (own.phase == Phase::kContact) update_contact(view, needle);
+  if (own.phase == Phase::kFree || own.phase == Phase::kContact) return 0;
   cut_tip(view, needle, moved);
+  rehome_tip(view);
   slip_shaft(view, needle);
-  while (state.shaft_count > 0 && is_behind(view, view.state.shaft[state.shaft_count - 1])) {
-    --state.shaft_count;
+  while (own.shaft_count > 0 && is_behind(view, view.state.shaft[own.shaft_count - 1])) {
+    --own.shaft_count;
   }
-  if (state.shaft_count == 0) {
+  if (own.shaft_count == 0) {
     end_insertion(view);
     return 0;
   }
-  update_layer(view);
+  leave_layers(view);
   return drop_shaft(view, needle);
 }
 
 namespace {
 
-// Voxel of a share in this tick's list, entered if new; kMaxCoupledVoxels when the list is full.
+constexpr std::uint32_t kNoVoxel = 0xFFFFFFFFU;
+
+// Voxel of a share in this tick's list, entered if new; kNoVoxel when the list is full.
 // The mark of a slot is trusted only if the list entry it names points back, so stale marks do no
 // harm.
 std::uint32_t coupled_index(const View& view, const Share& share) {
   ScratchHead& head = *view.scratch.head;
   const std::uint32_t mark = view.scratch.slot_mark[share.slot];
   if (mark < head.coupled_count && view.scratch.coupled[mark].slot == share.slot) return mark;
-  if (head.coupled_count == kMaxCoupledVoxels) return kMaxCoupledVoxels;
+  if (head.coupled_count == kMaxCoupledVoxels * view.model.head->counts.needles) return kNoVoxel;
   const std::uint32_t index = head.coupled_count++;
   view.scratch.coupled[index] = {share.slot, share.row, 0, 0};
   view.scratch.slot_mark[share.slot] = index;
   return index;
 }
 
+// Particle of any needle, by its place in the state; `view` is that of the first needle.
 Particle& particle_at(const View& view, std::uint32_t index) {
-  return index == kMaxConstraintParticles ? *view.state.tip : view.state.shaft[index];
+  return view.state.shaft[index];
+}
+
+bool is_tip(std::uint32_t index) {
+  return index % kNeedleParticles == kMaxConstraintParticles;
 }
 
 // Gives the weight of shares that found no room to the others.
@@ -809,8 +866,12 @@ void share_out(Particle& p) {
 
 template <typename Visit>
 void for_each_particle(const View& view, Visit visit) {
-  for (std::uint32_t i = 0; i < view.state.head->shaft_count; ++i) visit(i);
-  if (view.state.head->tip_alive != 0) visit(kMaxConstraintParticles);
+  for (std::uint32_t n = 0; n < view.model.head->counts.needles; ++n) {
+    const NeedleState& needle = view.state.needle[n];
+    const std::uint32_t first = n * kNeedleParticles;
+    for (std::uint32_t i = 0; i < needle.shaft_count; ++i) visit(first + i);
+    if (needle.tip_alive != 0) visit(first + kMaxConstraintParticles);
+  }
 }
 
 // Coupled voxels in the order of their planes: plane_order[plane_first[z]] .. plane_first[z + 1].
@@ -840,7 +901,7 @@ std::uint32_t gather_coupled(const View& view) {
     Particle& p = particle_at(view, index);
     for (std::uint32_t s = 0; s < p.share_count; ++s) {
       const std::uint32_t voxel = coupled_index(view, p.share[s]);
-      if (voxel == kMaxCoupledVoxels) {
+      if (voxel == kNoVoxel) {
         p.share[s].weight = 0;
         ++state.cp_voxel_pool_full;
         flags = kFlagCpVoxelPoolFull;
@@ -860,7 +921,7 @@ std::uint32_t gather_coupled(const View& view) {
     const Particle& p = particle_at(view, index);
     for (std::uint32_t s = 0; s < p.share_count; ++s) {
       const std::uint32_t voxel = coupled_index(view, p.share[s]);
-      if (voxel == kMaxCoupledVoxels) continue;
+      if (voxel == kNoVoxel) continue;
       CoupledVoxel& c = view.scratch.coupled[voxel];
       view.scratch.member[c.first_member + c.member_count++] = {static_cast<std::uint16_t>(index),
                                                                 static_cast<std::uint16_t>(s)};
@@ -971,43 +1032,65 @@ void measure_forces(const View& view) {
     Particle& p = particle_at(view, index);
     const Vec3 f = force_on_tissue(p);
     const float work = 0.5F * dot(p.force_n + f, p.slip_m);
-    (index == kMaxConstraintParticles ? state.cutting_j : state.friction_j) +=
-        static_cast<double>(max_of(work, 0));
+    (is_tip(index) ? state.cutting_j : state.friction_j) += static_cast<double>(max_of(work, 0));
     p.slip_m = {};
     p.force_n = f;
   });
 }
 
 double particle_energy(const View& view, const Particle& particle) {
-  const bool contact = &particle == view.state.tip && view.state.head->phase == Phase::kContact;
+  const bool contact = &particle == view.state.tip && view.state.needle->phase == Phase::kContact;
   return contact ? contact_energy(view, particle) : spring_energy(particle);
 }
 
+namespace {
+
+void add_force(const Needle& needle, Vec3 at_m, Vec3 on_needle_n, Output& out) {
+  out.force_n = out.force_n + on_needle_n;
+  out.torque_nm = out.torque_nm + cross(at_m - needle.base_m, on_needle_n);
+}
+
+void add_particle(const Needle& needle, const Particle& p, Vec3& along_out_n, Output& out) {
+  const Vec3 on_needle = -1.0F * p.force_n;
+  const Vec3 direction = needle_point(needle, p.arc_m).direction;
+  const Vec3 axial = dot(on_needle, direction) * direction;
+  along_out_n = along_out_n + axial;
+  out.cause.clamping_n = out.cause.clamping_n + (on_needle - axial);
+  out.stiffness_n_per_m = out.stiffness_n_per_m + p.stiffness_n_per_m;
+  add_force(needle, p.position_m, on_needle, out);
+}
+
+}  // namespace
+
 void sum_forces(const View& view, const Needle& needle, Output& out) {
-  const StateHead& state = *view.state.head;
-  for_each_particle(view, [&](std::uint32_t index) {
-    const Particle& p = particle_at(view, index);
-    const Vec3 on_needle = -1.0F * p.force_n;
-    const Vec3 axial = dot(on_needle, needle.direction) * needle.direction;
-    if (index == kMaxConstraintParticles && state.phase == Phase::kContact) {
-      out.cause.stiffness_n = out.cause.stiffness_n + on_needle;
-    } else if (index == kMaxConstraintParticles) {
-      out.cause.cutting_n = out.cause.cutting_n + axial;
-      out.cause.clamping_n = out.cause.clamping_n + (on_needle - axial);
-    } else {
-      out.cause.friction_n = out.cause.friction_n + axial;
-      out.cause.clamping_n = out.cause.clamping_n + (on_needle - axial);
-    }
-    out.force_n = out.force_n + on_needle;
-    out.torque_nm = out.torque_nm + cross(p.position_m - needle.base_m, on_needle);
-  });
+  const NeedleState& own = *view.state.needle;
+  for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
+    add_particle(needle, view.state.shaft[i], out.cause.friction_n, out);
+  }
+  if (own.tip_alive != 0 && own.phase != Phase::kContact) {
+    add_particle(needle, *view.state.tip, out.cause.cutting_n, out);
+  } else if (own.tip_alive != 0) {
+    const Particle& tip = *view.state.tip;
+    out.cause.stiffness_n = -1.0F * tip.force_n;
+    out.stiffness_n_per_m = tip.stiffness_n_per_m;
+    add_force(needle, tip.position_m, out.cause.stiffness_n, out);
+  }
+  const Vec3 shift = attachment_shift(view);
+  for (std::uint32_t i = 0; i < own.touch_count; ++i) {
+    const Touch& touch = view.state.touch[i];
+    const Mat3& k = touch.stiffness_n_per_m;
+    out.cause.obstacle_n = out.cause.obstacle_n + touch.force_n;
+    out.stiffness_n_per_m = out.stiffness_n_per_m + (k.m[0][0] + k.m[1][1] + k.m[2][2]);
+    add_force(needle, touch.at_m - shift, touch.force_n, out);
+  }
 }
 
 void add_event(const View& view, EventKind kind, float force_n) {
   StateHead& state = *view.state.head;
-  const float depth = state.tip_alive != 0 ? view.state.tip->track_m : 0;
-  view.state.event[state.event_count % kMaxEvents] = {state.tick, kind, state.layer, depth,
-                                                      force_n};
+  NeedleState& own = *view.state.needle;
+  const float depth = own.tip_alive != 0 ? view.state.tip->track_m : 0;
+  view.state.event[state.event_count % kMaxEvents] = {state.tick, kind,        own.layer, depth,
+                                                      force_n,    view.needle, 0};
   ++state.event_count;
 }
 

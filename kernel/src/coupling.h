@@ -17,6 +17,7 @@
 
 #include "layout.h"
 #include "math.h"
+#include "needle.h"
 
 namespace stylet {
 
@@ -31,13 +32,8 @@ constexpr float kMaxCpWeight = 32.0F;
 constexpr std::uint32_t kNoRow = 0xFFFFFFFFU;
 constexpr std::uint32_t kNoTrack = 0xFFFFFFFFU;
 
-// The rigid needle of this tick.
-struct Needle {
-  Vec3 base_m, direction, tip_m;
-};
-
-// Moves CPs with the needle, lets them slip and cut, adds and removes; needs the goals of the last
-// fit. Returns output flags.
+// Moves the CPs of this view's needle with it, lets them slip and cut, adds and removes; needs the
+// goals of the last fit. Returns output flags.
 std::uint32_t couple_needle(const View& view, const Needle& needle);
 
 // Lists the coupled voxels of this tick for couple_plane. Returns output flags.
@@ -49,11 +45,11 @@ void measure_forces(const View& view);
 // Energy of a CP's spring and its Maxwell branch.
 double particle_energy(const View& view, const Particle& particle);
 
-// Sum over CPs: force and torque on the hand, by cause.
+// Sum over CPs and contacts of this view's needle: force and torque on its hand, by cause.
 void sum_forces(const View& view, const Needle& needle, Output& out);
 
 // Starts contact: the tip holds the surface point `rest_m` (rest frame), now at `place_m`.
-void begin_contact(const View& view, const Needle& needle, Vec3 rest_m, Vec3 place_m);
+void begin_contact(const View& view, Vec3 tip_m, Vec3 rest_m, Vec3 place_m);
 
 void add_event(const View& view, EventKind kind, float force_n);
 

@@ -11,18 +11,34 @@
 #include "lattice.h"
 #include "layout.h"
 #include "math.h"
+#include "needle.h"
 
 namespace stylet {
 namespace {
 
+bool within(float v, float low, float high) {
+  return v >= low && v <= high;
+}
+
+bool needle_good(const NeedleConfig& n) {
+  return within(n.length_m, 1e-3F, kMaxNeedleLengthM) && within(n.outer_radius_m, 1e-5F, 0.01F) &&
+         within(n.unit_m, 1e-4F, 0.05F) && within(n.bending_nm2, 0, kMaxBendingNm2) &&
+         n.rods >= 1 && n.rods <= kMaxRods && within(n.bevel_per_m, 0, kMaxBevelPerM) &&
+         within(n.bent_length_m, 0, n.length_m) && within(n.bent_angle_rad, 0, kMaxBentAngleRad);
+}
+
+bool breathing_good(const BreathingConfig& b) {
+  return within(b.period_s, 0.1F, 1000) && within(norm(b.amplitude_m), 0, kMaxBreathM);
+}
+
 bool config_good(const Config& c) {
-  const auto within = [](float v, float low, float high) { return v >= low && v <= high; };
   return (c.mode == Mode::kPhysical || c.mode == Mode::kPaper) &&
          within(c.period_s, kMinPeriodS, kMaxPeriodS) && c.substeps >= 1 &&
          c.substeps <= kMaxSubsteps && within(c.tissue_damping_s, 0, 1) &&
          within(c.surround_drag_per_s, 0, 100) && within(c.hourglass_weight, 0.05F, 1) &&
-         within(c.paper_alpha, 1e-3F, 1) && within(c.needle.length_m, 1e-3F, kMaxNeedleLengthM) &&
-         within(c.needle.outer_radius_m, 1e-5F, 0.01F) && within(c.needle.unit_m, 1e-4F, 0.05F);
+         within(c.paper_alpha, 1e-3F, 1) && breathing_good(c.breathing) && c.needle_count >= 1 &&
+         c.needle_count <= kMaxNeedles &&
+         std::all_of(c.needle, c.needle + c.needle_count, needle_good);
 }
 
 // What the sweep needs of a material: in paper mode every voxel has the stiffness that the averaged
@@ -200,10 +216,9 @@ constexpr std::uint64_t kSnapshotMagic = 0x31504E5354595453ULL;
 SnapshotHeader snapshot_header(const Kernel& kernel) {
   const auto& head = *reinterpret_cast<const ModelHead*>(kernel.model);
   std::uint64_t config_hash = 0xcbf29ce484222325ULL;
-  const auto* bytes = reinterpret_cast<const unsigned char*>(&head.config);
-  for (std::size_t i = 0; i < sizeof(Config); ++i) {
-    config_hash = (config_hash ^ bytes[i]) * 0x100000001b3ULL;
-  }
+  const View view = view_of(kernel);
+  config_hash = fnv1a(config_hash, &head.config, sizeof(Config));
+  config_hash = fnv1a(config_hash, view.model.obstacle, sizeof(Obstacle) * kMaxObstacles);
   return {kSnapshotMagic, head.organ_hash, config_hash, kernel.sizes.state_bytes};
 }
 
@@ -211,7 +226,7 @@ SnapshotHeader snapshot_header(const Kernel& kernel) {
 
 Status sizes(const Organ& organ, const Config& config, Sizes& sizes_out) {
   if (organ.root == nullptr || !config_good(config)) return Status::kConfigValueOutOfRange;
-  sizes_out = block_sizes(count_lattice(organ));
+  sizes_out = block_sizes(count_lattice(organ, config));
   return Status::kOk;
 }
 
@@ -226,7 +241,7 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   if (!aligned(memory.model) || !aligned(memory.state) || !aligned(memory.scratch)) {
     return Status::kMemoryNotAligned;
   }
-  const Counts counts = count_lattice(organ);
+  const Counts counts = count_lattice(organ, config);
   std::memset(memory.model.data(), 0, need.model_bytes);
   const ModelView model = model_view(memory.model.data(), counts);
   fill_head(organ, config, counts, *model.head);
@@ -239,7 +254,24 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
                 memory.scratch.data(),
                 need,
                 lattice_step_for_this_processor()};
+  const View view = view_of(kernel_out);
+  for (std::uint32_t i = 0; i < counts.needles; ++i) make_needle(needle_view(view, i));
   reset(kernel_out);
+  return Status::kOk;
+}
+
+Status set_obstacles(Kernel& kernel, std::span<const ObstacleConfig> obstacles) {
+  const View view = view_of(kernel);
+  if (obstacles.size() > kMaxObstacles) return Status::kConfigValueOutOfRange;
+  for (const ObstacleConfig& config : obstacles) {
+    Obstacle checked;
+    if (obstacle_prepare(config, checked) != Status::kOk) return Status::kConfigValueOutOfRange;
+  }
+  std::memset(static_cast<void*>(view.model.obstacle), 0, sizeof(Obstacle) * kMaxObstacles);
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    (void)obstacle_prepare(obstacles[i], view.model.obstacle[i]);
+  }
+  view.model.head->obstacle_count = static_cast<std::uint32_t>(obstacles.size());
   return Status::kOk;
 }
 
@@ -248,10 +280,13 @@ void reset(Kernel& kernel) {
   const View view = view_of(kernel);
   const Counts& counts = view.model.head->counts;
   for (std::uint32_t i = 0; i < counts.slots; ++i) view.state.qw[i] = 1;
-  StateHead& head = *view.state.head;
-  head.handle.rotation = {1, 0, 0, 0};
-  head.layer = kNoLayer;
-  head.track_current = kNoTrack;
+  for (std::uint32_t i = 0; i < counts.needles; ++i) {
+    NeedleState& needle = view.state.needle[i];
+    needle.handle.rotation = {1, 0, 0, 0};
+    needle.layer = kNoLayer;
+    needle.track_current = kNoTrack;
+    relax_rod(view.model.rod[i], view.state.rod_shape[i]);
+  }
 }
 
 std::size_t snapshot_bytes(const Kernel& kernel) {

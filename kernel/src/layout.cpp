@@ -60,8 +60,9 @@ Extent node_extent(const Organ& organ, std::uint32_t y, std::uint32_t z) {
   return all;
 }
 
-Counts count_lattice(const Organ& organ) {
+Counts count_lattice(const Organ& organ, const Config& config) {
   Counts c = {};
+  c.needles = config.needle_count;
   c.voxels = organ.voxel_count;
   c.planes = organ.size_z;
   c.row_grid = static_cast<std::uint32_t>(organ.size_y) * organ.size_z;
@@ -113,6 +114,7 @@ ModelView model_view(std::byte* block, const Counts& c) {
 StateView state_view(std::byte* block, const Counts& c) {
   StateView view = {};
   STYLET_STATE_FIELDS(STYLET_FIELD_PLACE)
+  view.tip = view.shaft + kMaxConstraintParticles;
   return view;
 }
 ScratchView scratch_view(std::byte* block, const Counts& c) {
@@ -125,10 +127,22 @@ ScratchView scratch_view(std::byte* block, const Counts& c) {
 View view_of(const Kernel& kernel) {
   const Counts& c = counts_of(kernel);
   return {*kernel.organ, model_view(kernel.model, c), state_view(kernel.state, c),
-          scratch_view(kernel.scratch, c)};
+          scratch_view(kernel.scratch, c), 0};
 }
 
-namespace {
+View needle_view(const View& view, std::uint32_t needle) {
+  View out = view;
+  const std::size_t n = needle;
+  out.needle = needle;
+  out.model.rod += n;
+  out.state.needle += n;
+  out.state.shaft += n * kNeedleParticles;
+  out.state.tip = out.state.shaft + kMaxConstraintParticles;
+  out.state.rod_shape += n;
+  out.state.node += n * (kMaxRods + 1);
+  out.state.touch += n * kMaxTouches;
+  return out;
+}
 
 // Padding inside a struct is zero from reset on and never written apart from its fields, so bytes
 // are as good as fields here; a test fills the block with a pattern before create to prove it.
@@ -137,8 +151,6 @@ std::uint64_t fnv1a(std::uint64_t hash, const void* data, std::size_t bytes) {
   for (std::size_t i = 0; i < bytes; ++i) hash = (hash ^ p[i]) * 0x100000001b3ULL;
   return hash;
 }
-
-}  // namespace
 
 std::uint64_t hash_state(const Kernel& kernel) {
   const Counts& c = counts_of(kernel);

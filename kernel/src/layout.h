@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "obstacle.h"
+#include "rod.h"
 #include "stylet/kernel.h"
 #include "stylet/limits.h"
 #include "stylet/organ.h"
@@ -19,7 +21,7 @@ namespace stylet {
 // do not depend on it.
 constexpr std::uint32_t kLanes = 16;
 
-// All sizes of arrays, from the organ alone.
+// All sizes of arrays, from the organ and the number of needles.
 struct Counts {
   std::uint32_t voxels;
   std::uint32_t planes;           // voxel planes; there is one more plane of particles
@@ -29,6 +31,7 @@ struct Counts {
   std::uint32_t slots_per_plane;  // the most
   std::uint32_t particles;        // padded particles
   std::uint32_t particles_per_plane;
+  std::uint32_t needles;
 };
 
 // A voxel row: voxels x0 .. x0 + count - 1 at (y, z); holes are slots without stiffness. The slot
@@ -64,6 +67,7 @@ struct ModelHead {
   float substep_s;
   float hourglass_weight;
   float velocity_keep;  // of the slip velocity's low pass, per tick
+  std::uint32_t obstacle_count;
   std::uint32_t material_count;
   MaterialModel material[kMaxMaterials];
 };
@@ -101,38 +105,56 @@ struct Track {
   float length_m;
 };
 
-struct StateHead {
-  std::uint64_t tick;
+struct NeedleState {
   Pose handle;
-  Vec3 needle_direction;
+  Vec3 base_m;  // of the handle, in the frame of the attachments
+  std::uint32_t handle_known;
   Phase phase;
-  std::uint32_t layer;
-  std::uint32_t latched_fault;
-  std::uint32_t shaft_count;
+  std::uint32_t layer;  // the material the tip is through to
+  std::uint32_t shaft_count, shaft_max;
   std::uint32_t tip_alive;
+  std::uint32_t leaving;  // the tip has left a track but not yet the surface around it
+  std::uint32_t track_current;
   float track_end_m;     // length of the current track
   float tissue_track_m;  // the tip's track coordinate when it was last in tissue
-  std::uint32_t track_count, track_next, track_current;
+  Vec3 cut;              // where the tip cuts: the needle's direction there, but for a bevel
+  Vec3 last_force_n, last_torque_nm;
+  std::uint32_t touch_count, touch_max;
+};
+
+// A piece of needle that touches an obstacle.
+struct Touch {
+  std::uint32_t obstacle, rod;
+  ObstacleContact contact;
+  Vec3 at_m, force_n;  // on the needle, in the world
+  float arc_m;         // from the handle
+  Mat3 stiffness_n_per_m;
+  Vec3 normal;
+};
+
+struct StateHead {
+  std::uint64_t tick;
+  std::uint32_t latched_fault;
+  std::uint32_t track_count, track_next;
   float max_displacement_m;
   float coupling_shortfall;
   std::uint32_t event_count;
-  std::uint32_t shaft_max, coupled_max, track_max;
+  std::uint32_t coupled_max, track_max;
   std::uint64_t input_not_finite, input_clamped, input_missing;
   std::uint64_t cp_pool_full, cp_voxel_pool_full, contact_budget, fault_count;
-  double work_by_hand_j, friction_j, cutting_j, relaxation_j;
-  Vec3 last_force_n, last_torque_nm;
-  std::uint32_t handle_known;
-  std::uint32_t leaving;  // the tip has left a track but not yet the surface around it
+  std::uint64_t obstacle_pool_full, needle_unstable;
+  double work_by_hand_j, friction_j, cutting_j, relaxation_j, obstacles_j;
 };
 
 // A voxel coupled to the needle in this tick.
 struct CoupledVoxel {
   std::uint32_t slot, row, first_member, member_count;
 };
-struct Member {  // (particle, share); particle kMaxConstraintParticles is the tip
+struct Member {  // (particle, share); a needle's last particle is its tip
   std::uint16_t particle, share;
 };
-constexpr std::uint32_t kMaxMembers = (kMaxConstraintParticles + 1) * kSharesPerParticle;
+constexpr std::uint32_t kNeedleParticles = kMaxConstraintParticles + 1;
+constexpr std::uint32_t kMaxMembers = kNeedleParticles * kSharesPerParticle;
 
 struct ScratchHead {
   std::uint32_t coupled_count;
@@ -153,37 +175,46 @@ struct ScratchHead {
   F(slot_material, std::uint8_t, c.slots) \
   F(step_per_mass, float, c.particles)    \
   F(particle_kg, float, c.particles)      \
-  F(hold, float, c.particles)
+  F(hold, float, c.particles)             \
+  F(rod, RodModel, c.needles)             \
+  F(obstacle, Obstacle, kMaxObstacles)
 
-#define STYLET_STATE_FIELDS(F)                \
-  F(head, StateHead, 1)                       \
-  F(ux, float, c.particles)                   \
-  F(uy, float, c.particles)                   \
-  F(uz, float, c.particles)                   \
-  F(vx, float, c.particles)                   \
-  F(vy, float, c.particles)                   \
-  F(vz, float, c.particles)                   \
-  F(ex, float, c.particles)                   \
-  F(ey, float, c.particles)                   \
-  F(ez, float, c.particles)                   \
-  F(qw, float, c.slots)                       \
-  F(qx, float, c.slots)                       \
-  F(qy, float, c.slots)                       \
-  F(qz, float, c.slots)                       \
-  F(shaft, Particle, kMaxConstraintParticles) \
-  F(tip, Particle, 1)                         \
-  F(track, Track, kMaxTracks)                 \
+#define STYLET_STATE_FIELDS(F)                    \
+  F(head, StateHead, 1)                           \
+  F(ux, float, c.particles)                       \
+  F(uy, float, c.particles)                       \
+  F(uz, float, c.particles)                       \
+  F(vx, float, c.particles)                       \
+  F(vy, float, c.particles)                       \
+  F(vz, float, c.particles)                       \
+  F(ex, float, c.particles)                       \
+  F(ey, float, c.particles)                       \
+  F(ez, float, c.particles)                       \
+  F(qw, float, c.slots)                           \
+  F(qx, float, c.slots)                           \
+  F(qy, float, c.slots)                           \
+  F(qz, float, c.slots)                           \
+  F(needle, NeedleState, c.needles)               \
+  F(shaft, Particle, kNeedleParticles* c.needles) \
+  F(rod_shape, RodShape, c.needles)               \
+  F(node, Vec3, (kMaxRods + 1) * c.needles)       \
+  F(touch, Touch, kMaxTouches* c.needles)         \
+  F(track, Track, kMaxTracks)                     \
   F(event, Event, kMaxEvents)
 
-#define STYLET_SCRATCH_FIELDS(F)                   \
-  F(head, ScratchHead, 1)                          \
-  F(sums, float, 12 * c.slots_per_plane)           \
-  F(force, float, 9 * c.particles_per_plane)       \
-  F(coupled, CoupledVoxel, kMaxCoupledVoxels)      \
-  F(member, Member, kMaxMembers)                   \
-  F(plane_first, std::uint32_t, c.planes + 2)      \
-  F(plane_order, std::uint32_t, kMaxCoupledVoxels) \
-  F(slot_mark, std::uint32_t, c.slots)
+#define STYLET_SCRATCH_FIELDS(F)                              \
+  F(head, ScratchHead, 1)                                     \
+  F(sums, float, 12 * c.slots_per_plane)                      \
+  F(force, float, 9 * c.particles_per_plane)                  \
+  F(coupled, CoupledVoxel, kMaxCoupledVoxels* c.needles)      \
+  F(member, Member, kMaxMembers* c.needles)                   \
+  F(plane_first, std::uint32_t, c.planes + 2)                 \
+  F(plane_order, std::uint32_t, kMaxCoupledVoxels* c.needles) \
+  F(slot_mark, std::uint32_t, c.slots)                        \
+  F(loads, RodLoads, 1)                                       \
+  F(rod, RodScratch, 1)                                       \
+  F(rod_result, RodResult, 1)                                 \
+  F(touch, Touch, kMaxTouches)
 
 #define STYLET_FIELD_POINTER(name, type, count) type* name;
 struct ModelView {
@@ -191,6 +222,7 @@ struct ModelView {
 };
 struct StateView {
   STYLET_STATE_FIELDS(STYLET_FIELD_POINTER)
+  Particle* tip;  // the needle's last particle
 };
 struct ScratchView {
   STYLET_SCRATCH_FIELDS(STYLET_FIELD_POINTER)
@@ -206,7 +238,7 @@ Extent voxel_extent(const Organ& organ, std::uint32_t y, std::uint32_t z);
 // Spread of the particles at (y, z): what the four voxel rows around them need.
 Extent node_extent(const Organ& organ, std::uint32_t y, std::uint32_t z);
 
-Counts count_lattice(const Organ& organ);
+Counts count_lattice(const Organ& organ, const Config& config);
 Sizes block_sizes(const Counts& counts);
 const Counts& counts_of(const Kernel& kernel);
 
@@ -220,9 +252,16 @@ struct View {
   ModelView model;
   StateView state;
   ScratchView scratch;
-};
-View view_of(const Kernel& kernel);
+  std::uint32_t needle;  // whose `needle`, `shaft`, `tip`, ... these are
 
+  const NeedleConfig& needle_config() const { return model.head->config.needle[needle]; }
+};
+// Of the first needle.
+View view_of(const Kernel& kernel);
+// Of another needle.
+View needle_view(const View& view, std::uint32_t needle);
+
+std::uint64_t fnv1a(std::uint64_t hash, const void* data, std::size_t bytes);
 std::uint64_t hash_state(const Kernel& kernel);
 Difference first_difference(const Kernel& a, const Kernel& b);
 

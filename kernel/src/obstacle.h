@@ -21,26 +21,13 @@
 #include <cstdint>
 
 #include "math.h"
+#include "stylet/kernel.h"
 #include "stylet/limits.h"
 #include "stylet/status.h"
 
 namespace stylet {
 
 // ---- bodies -------------------------------------------------------------------------------------
-
-// The convex hull of the vertices, grown by `rounding_m` on all sides. One vertex makes a sphere.
-struct ObstacleConfig {
-  Pose pose = {{0, 0, 0}, {1, 0, 0, 0}};  // of the body in the world
-  std::uint32_t vertex_count = 0;
-  Vec3 vertices_m[kMaxHullVertices] = {};
-  float rounding_m = 0;
-  float stiffness_n_per_m = 0;  // of a contact, normal and (sticking) tangential
-  float largest_force_n = 0;    // what the normal force approaches as the needle is pressed in
-  float friction = 0;           // Coulomb coefficient
-};
-
-void make_box(ObstacleConfig& config, Vec3 half_m);
-void make_sphere(ObstacleConfig& config, float radius_m);
 
 // A body ready for queries. Only the functions below look inside.
 struct Obstacle {

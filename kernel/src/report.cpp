@@ -4,6 +4,7 @@
 #include "coupling.h"
 #include "layout.h"
 #include "math.h"
+#include "needle.h"
 
 namespace stylet {
 
@@ -21,6 +22,8 @@ const char* event_name(EventKind kind) {
       return "exit";
     case EventKind::kLayer:
       return "layer";
+    case EventKind::kObstacle:
+      return "obstacle";
   }
   return "unknown";
 }
@@ -36,12 +39,28 @@ std::uint32_t events(const Kernel& kernel, std::span<Event> events_out) {
   return count;
 }
 
+namespace {
+
+void add_use(std::uint32_t used, std::uint32_t most, Pool& pool) {
+  pool.used += used;
+  pool.used_max = pool.used_max > most ? pool.used_max : most;
+}
+
+}  // namespace
+
 Stats stats(const Kernel& kernel) {
   const StateHead& s = *view_of(kernel).state.head;
   Stats out = {};
   out.ticks = s.tick;
-  out.constraint_particles = {s.shaft_count, s.shaft_max, kMaxConstraintParticles};
-  out.coupled_voxels = {0, s.coupled_max, kMaxCoupledVoxels};
+  const View view = view_of(kernel);
+  out.constraint_particles.capacity = kMaxConstraintParticles;
+  out.obstacle_contacts.capacity = kMaxTouches;
+  for (std::uint32_t i = 0; i < view.model.head->counts.needles; ++i) {
+    const NeedleState& needle = view.state.needle[i];
+    add_use(needle.shaft_count, needle.shaft_max, out.constraint_particles);
+    add_use(needle.touch_count, needle.touch_max, out.obstacle_contacts);
+  }
+  out.coupled_voxels = {0, s.coupled_max, kMaxCoupledVoxels * view.model.head->counts.needles};
   out.tracks = {s.track_count, s.track_max, kMaxTracks};
   out.input_not_finite = s.input_not_finite;
   out.input_clamped = s.input_clamped;
@@ -50,23 +69,56 @@ Stats stats(const Kernel& kernel) {
   out.cp_voxel_pool_full = s.cp_voxel_pool_full;
   out.contact_budget = s.contact_budget;
   out.fault = s.fault_count;
+  out.obstacle_pool_full = s.obstacle_pool_full;
+  out.needle_unstable = s.needle_unstable;
   out.coupling_shortfall = s.coupling_shortfall;
   return out;
 }
 
 std::uint32_t constraint_particles(const Kernel& kernel, std::span<ConstraintParticle> out) {
   const View view = view_of(kernel);
-  const StateHead& s = *view.state.head;
+  const Vec3 shift = attachment_shift(view);
   std::uint32_t count = 0;
-  for (std::uint32_t i = 0; i <= s.shaft_count && count < out.size(); ++i) {
-    const bool is_tip = i == s.shaft_count;
-    if (is_tip && s.tip_alive == 0) break;
-    const Particle& p = is_tip ? *view.state.tip : view.state.shaft[i];
-    Vec3 goal = {};
-    for (std::uint32_t j = 0; j < p.share_count; ++j) {
-      goal = goal + p.share[j].weight * p.share[j].goal_m;
+  for (std::uint32_t n = 0; n < view.model.head->counts.needles; ++n) {
+    const View one = needle_view(view, n);
+    const std::uint32_t shaft = one.state.needle->shaft_count;
+    for (std::uint32_t i = 0; i <= shaft && count < out.size(); ++i) {
+      const bool is_tip = i == shaft;
+      if (is_tip && one.state.needle->tip_alive == 0) break;
+      const Particle& p = is_tip ? *one.state.tip : one.state.shaft[i];
+      Vec3 goal = {};
+      for (std::uint32_t j = 0; j < p.share_count; ++j) {
+        goal = goal + p.share[j].weight * p.share[j].goal_m;
+      }
+      out[count++] = {p.position_m + shift, goal + shift,     -1.0F * p.force_n,
+                      is_tip ? 0 : p.arc_m, is_tip ? 1U : 0U, n};
     }
-    out[count++] = {p.position_m, goal, -1.0F * p.force_n, is_tip ? 0 : p.arc_m, is_tip ? 1U : 0U};
+  }
+  return count;
+}
+
+std::uint32_t obstacle_touches(const Kernel& kernel, std::span<ObstacleTouch> out) {
+  const View view = view_of(kernel);
+  std::uint32_t count = 0;
+  for (std::uint32_t n = 0; n < view.model.head->counts.needles; ++n) {
+    const View one = needle_view(view, n);
+    for (std::uint32_t i = 0; i < one.state.needle->touch_count && count < out.size(); ++i) {
+      const Touch& touch = one.state.touch[i];
+      out[count++] = {touch.at_m, touch.normal, touch.force_n, touch.obstacle, n};
+    }
+  }
+  return count;
+}
+
+std::uint32_t needle_shape(const Kernel& kernel, std::uint32_t needle, std::span<Vec3> out) {
+  const View view = view_of(kernel);
+  if (needle >= view.model.head->counts.needles) return 0;
+  const View one = needle_view(view, needle);
+  if (one.state.needle->handle_known == 0) return 0;
+  const Vec3 shift = attachment_shift(view);
+  std::uint32_t count = 0;
+  for (std::uint32_t i = 0; i <= one.model.rod->rods && count < out.size(); ++i) {
+    out[count++] = one.state.node[i] + shift;
   }
   return count;
 }
@@ -128,10 +180,14 @@ double kinetic_energy(const View& view) {
 // Springs of the CPs, with their Maxwell branch. What the fit of a coupled voxel adds to its
 // corners' energy is left out; it is the part of the lattice.
 double coupling_energy(const View& view) {
-  const StateHead& s = *view.state.head;
-  double sum = s.tip_alive != 0 ? particle_energy(view, *view.state.tip) : 0;
-  for (std::uint32_t i = 0; i < s.shaft_count; ++i) {
-    sum += particle_energy(view, view.state.shaft[i]);
+  double sum = 0;
+  for (std::uint32_t n = 0; n < view.model.head->counts.needles; ++n) {
+    const View one = needle_view(view, n);
+    const NeedleState& own = *one.state.needle;
+    if (own.tip_alive != 0) sum += particle_energy(one, *one.state.tip);
+    for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
+      sum += particle_energy(one, one.state.shaft[i]);
+    }
   }
   return sum;
 }
@@ -154,6 +210,7 @@ Energy energy(const Kernel& kernel) {
   out.friction = s.friction_j;
   out.cutting = s.cutting_j;
   out.relaxation = s.relaxation_j;
+  out.obstacles = s.obstacles_j;
   return out;
 }
 

@@ -18,21 +18,6 @@ constexpr double kLeastStepShare = 0.1;
 // Square of a change of direction that is rounding, rad^2.
 constexpr double kNoTurn2 = 1e-24;
 
-constexpr Vec3d operator+(Vec3d a, Vec3d b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-constexpr Vec3d operator-(Vec3d a, Vec3d b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-constexpr Vec3d operator*(double s, Vec3d a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-constexpr double dot(Vec3d a, Vec3d b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-constexpr Vec3d cross(Vec3d a, Vec3d b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 constexpr Sym3d operator+(const Sym3d& a, const Sym3d& b) {
   return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
 }

@@ -36,14 +36,11 @@
 #include <span>
 
 #include "stylet/limits.h"
+#include "vec3d.h"
 
 namespace stylet {
 
 constexpr double kRigidBendingNm2 = 1e6;
-
-struct Vec3d {
-  double x, y, z;
-};
 
 struct Sym3d {
   double xx, xy, xz, yy, yz, zz;

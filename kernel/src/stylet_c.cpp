@@ -15,6 +15,10 @@ using namespace stylet;
 
 static_assert(sizeof(stylet_config) == sizeof(Config));
 static_assert(offsetof(stylet_config, needle) == offsetof(Config, needle));
+static_assert(offsetof(stylet_config, breathing) == offsetof(Config, breathing));
+static_assert(sizeof(stylet_needle_config) == sizeof(NeedleConfig));
+static_assert(sizeof(stylet_obstacle_config) == sizeof(ObstacleConfig));
+static_assert(STYLET_MAX_NEEDLES == kMaxNeedles && STYLET_MAX_HULL_VERTICES == kMaxHullVertices);
 static_assert(sizeof(stylet_sizes) == sizeof(Sizes));
 static_assert(sizeof(stylet_input) == sizeof(Input));
 static_assert(sizeof(stylet_output) == sizeof(Output));
@@ -97,6 +101,19 @@ void stylet_kernel_tick(stylet_kernel* kernel, const stylet_input* input,
                         stylet_output* output_out) {
   const Output out = tick(in(kernel), std::bit_cast<Input>(*input));
   std::memcpy(output_out, &out, sizeof(out));
+}
+
+void stylet_kernel_tick_all(stylet_kernel* kernel, const stylet_input* inputs,
+                            stylet_output* outputs_out, std::uint32_t count) {
+  tick(in(kernel), {reinterpret_cast<const Input*>(inputs), count},
+       {reinterpret_cast<Output*>(outputs_out), count});
+}
+
+std::uint16_t stylet_kernel_set_obstacles(stylet_kernel* kernel,
+                                          const stylet_obstacle_config* obstacles,
+                                          std::uint32_t count) {
+  return number(
+      set_obstacles(in(kernel), {reinterpret_cast<const ObstacleConfig*>(obstacles), count}));
 }
 
 std::uint32_t stylet_kernel_events(const stylet_kernel* kernel, stylet_event* out,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface.h"
 
+#include "needle.h"
 #include "triangle.h"
 
 namespace stylet {
@@ -109,12 +110,11 @@ bool search_tree(const View& view, Search& search) {
 
 }  // namespace
 
-bool find_contact(const View& view, const Needle& needle, Vec3& rest_out_m, Vec3& place_out_m,
+bool find_contact(const View& view, Vec3 tip_m, Vec3 direction, Vec3& rest_out_m, Vec3& place_out_m,
                   std::uint32_t& flags_out) {
-  const float reach = min_of(kContactReachM, view.model.head->config.needle.length_m);
+  const float reach = min_of(kContactReachM, view.needle_config().length_m);
   Search search = {};
-  search.segment = {needle.tip_m - reach * needle.direction, needle.direction,
-                    reach - kContactSkinM};
+  search.segment = {tip_m - reach * direction, direction, reach - kContactSkinM};
   // sqrt(3): the displacement bound is per axis.
   search.grow_m = 1.7320509F * view.state.head->max_displacement_m;
   search.triangles_left = kMaxTriangleTests;
@@ -133,8 +133,9 @@ std::uint32_t surface(const Kernel& kernel, std::span<Vec3> positions_out) {
   const std::size_t count = view.organ.vertices.size() < positions_out.size()
                                 ? view.organ.vertices.size()
                                 : positions_out.size();
+  const Vec3 shift = attachment_shift(view);
   for (std::size_t i = 0; i < count; ++i) {
-    positions_out[i] = deformed(view, view.organ.vertices[i]).place_m;
+    positions_out[i] = deformed(view, view.organ.vertices[i]).place_m + shift;
   }
   return static_cast<std::uint32_t>(count);
 }

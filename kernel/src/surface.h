@@ -10,14 +10,15 @@
 // Promises: at most kMaxTreeVisits nodes and kMaxTriangleTests triangles. Units SI, world frame.
 #pragma once
 
-#include "coupling.h"
+#include "layout.h"
+#include "math.h"
 
 namespace stylet {
 
-// Looks for the surface along the needle's front part. True: found, with the rest and present place
-// of the crossing nearest the tip. Sets kFlagContactBudget in flags_out when the bound was reached
-// (then false: asked again next tick).
-bool find_contact(const View& view, const Needle& needle, Vec3& rest_out_m, Vec3& place_out_m,
+// Looks for the surface along the front part of the needle that ends here. True: found, with the
+// rest and present place of the crossing nearest the tip. Sets kFlagContactBudget in flags_out when
+// the bound was reached (then false: asked again next tick).
+bool find_contact(const View& view, Vec3 tip_m, Vec3 direction, Vec3& rest_out_m, Vec3& place_out_m,
                   std::uint32_t& flags_out);
 
 }  // namespace stylet

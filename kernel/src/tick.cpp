@@ -67,59 +67,53 @@ bool clamp_motion(const Pose& last, float period_s, Pose& wanted) {
 // Takes the sample into the state, or keeps the last pose; never an error.
 std::uint32_t accept_input(const View& view, const Input& input) {
   StateHead& state = *view.state.head;
+  NeedleState& own = *view.state.needle;
   if (input.valid == 0) {
     ++state.input_missing;
     return kFlagInputMissing;
   }
   Pose wanted = input.handle;
-  if (!pose_finite(wanted) || !normalize(wanted.rotation, state.handle.rotation)) {
+  if (!pose_finite(wanted) || !normalize(wanted.rotation, own.handle.rotation)) {
     ++state.input_not_finite;
     return kFlagInputNotFinite;
   }
   bool clamped = clamp_distance(view, wanted.position_m);
-  if (state.handle_known != 0) {
-    clamped |= clamp_motion(state.handle, view.model.head->config.period_s, wanted);
+  if (own.handle_known != 0) {
+    clamped |= clamp_motion(own.handle, view.model.head->config.period_s, wanted);
   }
-  state.handle = wanted;
-  state.handle_known = 1;
+  own.handle = wanted;
+  own.handle_known = 1;
   if (!clamped) return 0;
   ++state.input_clamped;
   return kFlagInputClamped;
 }
 
-Needle place_needle(const View& view) {
-  const StateHead& state = *view.state.head;
-  const Mat3 r = rotation_matrix(state.handle.rotation);
-  const Vec3 direction = -1.0F * column(r, 2);
-  return {state.handle.position_m, direction,
-          state.handle.position_m + view.model.head->config.needle.length_m * direction};
-}
-
 // A tip that has just left its track lies in the mouth of the hole: it must come clear of the
 // surface before it can touch it again.
 void seek_contact(const View& view, const Needle& needle, std::uint32_t& flags) {
-  StateHead& state = *view.state.head;
-  if (state.phase != Phase::kFree || state.handle_known == 0) return;
+  NeedleState& own = *view.state.needle;
+  if (own.phase != Phase::kFree || own.handle_known == 0) return;
   Vec3 rest = {}, place = {};
   const std::uint32_t before = flags;
-  const bool found = find_contact(view, needle, rest, place, flags);
-  if (found && state.leaving == 0) begin_contact(view, needle, rest, place);
-  if (!found && flags == before) state.leaving = 0;
+  const bool found = find_contact(view, needle.tip_m, needle.tip_direction, rest, place, flags);
+  if (found && own.leaving == 0) begin_contact(view, needle.tip_m, rest, place);
+  if (!found && flags == before) own.leaving = 0;
 }
 
 // Work of the hand since the last tick: mean of the forces at both ends times the motion.
 void book_work(const View& view, const Pose& before, const Output& out) {
   StateHead& state = *view.state.head;
-  const Pose& now = state.handle;
+  NeedleState& own = *view.state.needle;
+  const Pose& now = own.handle;
   const Vec3 step = now.position_m - before.position_m;
   const Quat a = before.rotation, b = now.rotation;
   const Vec3 va = {a.x, a.y, a.z}, vb = {b.x, b.y, b.z};
   const Vec3 turn = 2.0F * (a.w * vb - b.w * va - cross(vb, va));
-  const float work = -0.5F * (dot(out.force_n + state.last_force_n, step) +
-                              dot(out.torque_nm + state.last_torque_nm, turn));
+  const float work = -0.5F * (dot(out.force_n + own.last_force_n, step) +
+                              dot(out.torque_nm + own.last_torque_nm, turn));
   state.work_by_hand_j += static_cast<double>(work);
-  state.last_force_n = out.force_n;
-  state.last_torque_nm = out.torque_nm;
+  own.last_force_n = out.force_n;
+  own.last_torque_nm = out.torque_nm;
 }
 
 bool output_finite(const Output& out) {
@@ -128,47 +122,83 @@ bool output_finite(const Output& out) {
 
 void describe(const View& view, const Needle& needle, Output& out) {
   const StateHead& state = *view.state.head;
+  const NeedleState& own = *view.state.needle;
   out.tick = state.tick;
-  out.tip_m = needle.tip_m;
-  out.phase = state.phase;
-  out.layer = state.layer;
-  out.depth_m = state.tip_alive != 0 ? max_of(state.tissue_track_m, 0) : 0;
-  out.constraint_particles = state.shaft_count + state.tip_alive;
+  out.tip_m = own.handle_known != 0 ? needle.tip_m + attachment_shift(view) : Vec3{};
+  out.phase = own.phase;
+  out.layer = own.layer;
+  out.depth_m = own.tip_alive != 0 ? max_of(own.tissue_track_m, 0) : 0;
+  out.constraint_particles = own.shaft_count + own.tip_alive;
   out.events = state.event_count;
+}
+
+// All needles of a tick, at their poses.
+struct Needles {
+  Pose before;
+  bool known_before;
+  std::uint32_t flags;
+  Needle shape;
+};
+
+void move_needle(const View& view, const Input& input, Needles& out) {
+  NeedleState& own = *view.state.needle;
+  out.before = own.handle;
+  out.known_before = own.handle_known != 0;
+  out.flags = accept_input(view, input);
+  if (own.handle_known == 0) return;
+  out.flags |= place_needle(view, out.shape);
+  seek_contact(view, out.shape, out.flags);
+  out.flags |= couple_needle(view, out.shape);
+}
+
+void report_needle(const View& view, const Needles& moved, Output& out) {
+  out.flags |= moved.flags;
+  if (view.state.needle->handle_known != 0) sum_forces(view, moved.shape, out);
+  describe(view, moved.shape, out);
+  if (moved.known_before) book_work(view, moved.before, out);
+  if (output_finite(out)) return;
+  view.state.head->latched_fault = 1;
+  ++view.state.head->fault_count;
+}
+
+Output faulted(const View& view) {
+  Output out = {};
+  out.tick = view.state.head->tick;
+  out.flags = kFlagFault;
+  out.layer = kNoLayer;
+  return out;
 }
 
 }  // namespace
 
-Output tick(Kernel& kernel, const Input& input) {
+void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outputs) {
   const View view = view_of(kernel);
   StateHead& state = *view.state.head;
-  Output out = {};
+  const std::uint32_t count = view.model.head->counts.needles;
   ++state.tick;
-  if (state.latched_fault != 0) {
-    out.tick = state.tick;
-    out.flags = kFlagFault;
-    out.layer = kNoLayer;
-    return out;
+  Needles moved[kMaxNeedles] = {};
+  Output out[kMaxNeedles] = {};
+  if (state.latched_fault == 0) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      move_needle(needle_view(view, i), i < inputs.size() ? inputs[i] : Input{}, moved[i]);
+    }
+    const std::uint32_t flags = gather_coupled(view);
+    for (std::uint32_t s = 0; s < view.model.head->config.substeps; ++s) kernel.step(kernel);
+    measure_forces(view);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      out[i].flags = flags;
+      report_needle(needle_view(view, i), moved[i], out[i]);
+    }
   }
-  const Pose before = state.handle;
-  const bool known_before = state.handle_known != 0;
-  out.flags = accept_input(view, input);
-  const Needle needle = place_needle(view);
-  seek_contact(view, needle, out.flags);
-  out.flags |= couple_needle(view, needle);
-  out.flags |= gather_coupled(view);
-  for (std::uint32_t s = 0; s < view.model.head->config.substeps; ++s) kernel.step(kernel);
-  measure_forces(view);
-  sum_forces(view, needle, out);
-  describe(view, needle, out);
-  if (known_before) book_work(view, before, out);
-  if (!output_finite(out)) {
-    state.latched_fault = 1;
-    ++state.fault_count;
-    out.force_n = out.torque_nm = {};
-    out.cause = {};
-    out.flags |= kFlagFault;
+  // One needle's fault stops them all: they share the tissue.
+  for (std::uint32_t i = 0; i < count && i < outputs.size(); ++i) {
+    outputs[i] = state.latched_fault == 0 ? out[i] : faulted(view);
   }
+}
+
+Output tick(Kernel& kernel, const Input& input) {
+  Output out = {};
+  tick(kernel, {&input, 1}, {&out, 1});
   return out;
 }
 

@@ -67,7 +67,7 @@ RecordingInfo some_info() {
   info.organ_hash = 0xFEDCBA9876543210ULL;
   info.config.mode = Mode::kPaper;
   info.config.period_s = 5e-4F;
-  info.config.needle.unit_m = 4e-3F;
+  info.config.needle[0].unit_m = 4e-3F;
   info.entry_m = {1, 2, 3};
   info.direction = {0, 0, -1};
   return info;
@@ -86,8 +86,8 @@ std::string refusal(const std::string& path) {
 
 TEST_F(RecordingTest, EveryBitComesBack) {
   const auto records = any_records(10'000);  // more than two chunks, and not a whole number of them
-  const std::vector<Event> events = {{1, EventKind::kContact, 0, 0, 0.5F},
-                                     {99, EventKind::kPuncture, 1, 0.25F, -1}};
+  const std::vector<Event> events = {{1, EventKind::kContact, 0, 0, 0.5F, 0, 0},
+                                     {99, EventKind::kPuncture, 1, 0.25F, -1, 1, 0}};
   {
     RecordingWriter writer(path(), some_info());
     writer.append(std::span(records).first(17));
@@ -106,7 +106,7 @@ TEST_F(RecordingTest, EveryBitComesBack) {
   EXPECT_EQ(info.organ_hash, 0xFEDCBA9876543210ULL);
   EXPECT_EQ(info.config.mode, Mode::kPaper);
   EXPECT_EQ(info.config.period_s, 5e-4F);
-  EXPECT_EQ(info.config.needle.unit_m, 4e-3F);
+  EXPECT_EQ(info.config.needle[0].unit_m, 4e-3F);
   EXPECT_EQ(info.entry_m.y, 2);
   EXPECT_EQ(info.final_state_hash, 42U);
   EXPECT_EQ(info.lost_records, 7U);

@@ -82,9 +82,9 @@ TEST(Scene, EveryValueArrivesInSi) {
   EXPECT_EQ(scene.cpu, 1);
   EXPECT_NEAR(of(scene.config.tissue_damping_s), 1.5e-3, 1e-9);
   EXPECT_NEAR(of(scene.config.paper_alpha), 0.25, 1e-9);
-  EXPECT_NEAR(of(scene.config.needle.outer_radius_m), 0.3588e-3, 1e-9);
-  EXPECT_NEAR(of(scene.config.needle.length_m), 0.12, 1e-8);
-  EXPECT_NEAR(of(scene.config.needle.unit_m), 4e-3, 1e-9);
+  EXPECT_NEAR(of(scene.config.needle[0].outer_radius_m), 0.3588e-3, 1e-9);
+  EXPECT_NEAR(of(scene.config.needle[0].length_m), 0.12, 1e-8);
+  EXPECT_NEAR(of(scene.config.needle[0].unit_m), 4e-3, 1e-9);
   EXPECT_NEAR(of(scene.approach.direction.z), -1, 1e-7);
   ASSERT_TRUE(scene.approach.through_m.has_value());
   EXPECT_NEAR(of(scene.approach.through_m->y), 0.02, 1e-8);
@@ -200,7 +200,7 @@ TEST(Placement, TipStartsOutsideTheSurfaceAndPointsIn) {
     scene.approach.start_m = 0.01F;
     const Placement placed = place_needle(scene, b.organ);
     const Pose start = to_world(placed.mapping, {{}, {1, 0, 0, 0}});
-    const Vec3 needle = rotate(start.rotation, {0, 0, -scene.config.needle.length_m});
+    const Vec3 needle = rotate(start.rotation, {0, 0, -scene.config.needle[0].length_m});
     // Tip = entry - start * direction, and the needle lies along the direction.
     EXPECT_NEAR(of(start.position_m.x + needle.x), of(placed.entry_m.x - 0.01F * d.x), 1e-6);
     EXPECT_NEAR(of(start.position_m.y + needle.y), of(placed.entry_m.y - 0.01F * d.y), 1e-6);

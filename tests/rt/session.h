@@ -112,7 +112,7 @@ inline Script block_script(const Organ& organ, const Config& config) {
   return {{organ.origin_m.x + 0.5F * static_cast<float>(organ.size_x) * edge_m,
            organ.origin_m.y + 0.5F * static_cast<float>(organ.size_y) * edge_m,
            organ.origin_m.z + static_cast<float>(organ.size_z) * edge_m},
-          config.needle.length_m};
+          config.needle[0].length_m};
 }
 
 inline Input scripted_input(const Script& script, std::uint64_t tick) {

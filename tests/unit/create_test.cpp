@@ -103,9 +103,9 @@ std::vector<Field> fields() {
       {"surround_drag_per_s", [](Config& c, float v) { c.surround_drag_per_s = v; }, 0, 100},
       {"hourglass_weight", [](Config& c, float v) { c.hourglass_weight = v; }, 0.05F, 1},
       {"paper_alpha", [](Config& c, float v) { c.paper_alpha = v; }, 1e-3F, 1},
-      {"length_m", [](Config& c, float v) { c.needle.length_m = v; }, 1e-3F, kMaxNeedleLengthM},
-      {"outer_radius_m", [](Config& c, float v) { c.needle.outer_radius_m = v; }, 1e-5F, 0.01F},
-      {"unit_m", [](Config& c, float v) { c.needle.unit_m = v; }, 1e-4F, 0.05F},
+      {"length_m", [](Config& c, float v) { c.needle[0].length_m = v; }, 1e-3F, kMaxNeedleLengthM},
+      {"outer_radius_m", [](Config& c, float v) { c.needle[0].outer_radius_m = v; }, 1e-5F, 0.01F},
+      {"unit_m", [](Config& c, float v) { c.needle[0].unit_m = v; }, 1e-4F, 0.05F},
   };
 }
 
@@ -160,7 +160,7 @@ TEST(Config, EveryCornerRuns) {
       all[i].set(config, ((corner >> i) & 1U) != 0 ? all[i].high : all[i].low);
     }
     Session session = make_session(opened->organ, config);
-    const float length = config.needle.length_m;
+    const float length = config.needle[0].length_m;
     for (int i = 0; i < 40; ++i) {
       const float depth = 5e-4F * static_cast<float>(i) - 2e-3F;
       const Output out =

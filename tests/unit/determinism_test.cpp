@@ -78,7 +78,7 @@ class Determinism : public testing::TestWithParam<Mode> {
 };
 
 TEST_P(Determinism, TheRunIsWorthComparing) {
-  EXPECT_GT(view_of(reference_.kernel).state.head->shaft_max, 3U);
+  EXPECT_GT(view_of(reference_.kernel).state.needle->shaft_max, 3U);
   EXPECT_GT(stats(reference_.kernel).tracks.used, 0U);
   EXPECT_NE(expected_.hashes.front(), expected_.hashes.back());
 }

@@ -55,7 +55,7 @@ TEST(Snapshot, RefusesOtherOrgansConfigsSizesAndBytes) {
     EXPECT_EQ(restore(p.b.kernel, damaged), Status::kSnapshotDoesNotMatch) << at;
   }
   Config other;
-  other.needle.unit_m = 4e-3F;
+  other.needle[0].unit_m = 4e-3F;
   Session otherwise = make_session(p.organ->organ, other);
   EXPECT_EQ(restore(otherwise.kernel, saved), Status::kSnapshotDoesNotMatch);
   const auto bigger = block_organ(7, 5, 8);

@@ -153,14 +153,13 @@ TEST(FindContact, FindsWhatBruteForceFindsOnADeformedSurface) {
       const Vec3 tip = {0.025F + 0.02F * uniform(random), -0.0075F + 0.0175F * uniform(random),
                         0.04F + 0.015F * uniform(random)};
       const Vec3 way = random_direction(random);
-      const Needle needle = {tip - 0.15F * way, way, tip};
       const double reach = 0.02, skin = 2e-5;  // searched behind the tip, kept clear before it
       const Hit wanted = brute_force(places, organ->organ.triangles, tip - 0.02F * way, way,
                                      reach - skin, Which::kLast);
       if (wanted.doubtful) continue;
       Vec3 rest = {}, place = {};
       std::uint32_t flags = 0;
-      const bool found = find_contact(view, needle, rest, place, flags);
+      const bool found = find_contact(view, tip, way, rest, place, flags);
       if (flags != 0) {  // more triangles than a tick may test: an answer later, never a wrong one
         ASSERT_EQ(flags, static_cast<std::uint32_t>(kFlagContactBudget));
         ASSERT_FALSE(found);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel: one organ, one needle, one fixed step. See kernel/README.md for the picture.
+// The kernel: one organ, its needles, one fixed step. See kernel/README.md for the picture.
 //
 // Promises, from create to the end of the process: no allocation, lock, system call, exception or
 // log; a bounded number of operations per tick that does not depend on the data; the same bits for
@@ -27,11 +27,25 @@ enum class Mode : std::uint32_t {
   kPaper = 1,     // the paper's rules: averaged goals, node puncture, whole-unit re-association
 };
 
-// The needle points along -z of the handle: tip = position + rotation * (0, 0, -length).
+// The needle leaves the handle along its -z; unbent, tip = position + rotation * (0, 0, -length).
+// Bevel and bend face the handle's +x and turn with it.
 struct NeedleConfig {
   float length_m = 0.15F;
   float outer_radius_m = 0.635e-3F;  // 18G
-  float unit_m = 5e-3F;  // sampling unit: shaft length one constraint particle stands for
+  float unit_m = 5e-3F;     // sampling unit: shaft length one constraint particle stands for
+  float bending_nm2 = 0;    // EI of the shaft; 0 is rigid
+  std::uint32_t rods = 32;  // of the elastic chain
+  float bevel_per_m = 0;    // curvature of the path a bevelled tip cuts in stiff tissue
+  float bent_length_m = 0;  // pre-bent tip: its length, and the angle it is turned by at rest
+  float bent_angle_rad = 0;
+};
+
+// Prescribed motion of all attachments together, A sin^4(pi t / T): a breath that rests at its
+// start (Lujan et al. 1999). The kernel works in the frame of the attachments and leaves out the
+// inertia of their motion, a hundredth of gravity for a breath.
+struct BreathingConfig {
+  Vec3 amplitude_m = {0, 0, 0};
+  float period_s = 4;
 };
 
 struct Config {
@@ -43,8 +57,25 @@ struct Config {
       8.0F;  // drag of what surrounds the organ, per mass; 0 for a free body
   float hourglass_weight = 1.0F / 3.0F;  // physical mode; paper mode uses 1
   float paper_alpha = 0.5F;              // paper mode: stiffness factor of the averaged goals, 0..1
-  NeedleConfig needle;
+  std::uint32_t needle_count = 1;        // needles in this tissue, each with its own hand
+  NeedleConfig needle[kMaxNeedles];
+  BreathingConfig breathing;
 };
+
+// A body no needle enters: the convex hull of the vertices, grown by `rounding_m` on all sides. One
+// vertex makes a sphere.
+struct ObstacleConfig {
+  Pose pose = {{0, 0, 0}, {1, 0, 0, 0}};  // of the body in the world
+  std::uint32_t vertex_count = 0;
+  Vec3 vertices_m[kMaxHullVertices] = {};
+  float rounding_m = 0;
+  float stiffness_n_per_m = 0;  // of a contact, normal and (sticking) tangential
+  float largest_force_n = 0;    // what the normal force approaches as the needle is pressed in
+  float friction = 0;           // Coulomb coefficient
+};
+
+void make_box(ObstacleConfig& config, Vec3 half_m);
+void make_sphere(ObstacleConfig& config, float radius_m);
 
 // ==== Memory and life
 // ===============================================================================
@@ -76,8 +107,12 @@ struct Kernel {
 Status sizes(const Organ& organ, const Config& config, Sizes& sizes_out);
 // On kMemoryTooSmall or kMemoryNotAligned nothing was written. Ends with reset.
 Status create(const Organ& organ, const Config& config, const Memory& memory, Kernel& kernel_out);
-// Back to tick 0: tissue at rest, needle away, no track.
+// Back to tick 0: tissue at rest, needles away, no track. Obstacles stay.
 void reset(Kernel& kernel);
+
+// Bodies no needle enters, fixed in the world: between create and the first tick, at most
+// kMaxObstacles; replaces those given before. On an error nothing changes.
+Status set_obstacles(Kernel& kernel, std::span<const ObstacleConfig> obstacles);
 
 // ==== One tick
 // ======================================================================================
@@ -104,7 +139,9 @@ enum OutputFlag : std::uint32_t {
   kFlagCpPoolFull = 1U << 3,
   kFlagCpVoxelPoolFull = 1U << 4,
   kFlagContactBudget = 1U << 5,
-  kFlagFault = 1U << 31,  // latched: force is zero until reset
+  kFlagObstaclePoolFull = 1U << 6,
+  kFlagNeedleUnstable = 1U << 7,  // no stable shape of the needle was found in this tick
+  kFlagFault = 1U << 31,          // latched: force is zero until reset
 };
 
 struct Output {
@@ -118,10 +155,15 @@ struct Output {
   std::uint32_t layer;  // material under the tip; kNoLayer outside
   std::uint32_t constraint_particles;
   std::uint32_t flags;
-  std::uint32_t events;  // number of events since reset
+  std::uint32_t events;     // number of events since reset, of all needles
+  float stiffness_n_per_m;  // no more than this is felt between two ticks
 };
 constexpr std::uint32_t kNoLayer = 0xFFFFFFFFU;
 
+// Input i moves needle i; needles without input keep their pose (counted as missing). Writes as
+// many outputs as there are needles and room.
+void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outputs);
+// The same for one needle.
 Output tick(Kernel& kernel, const Input& input);
 
 // ==== What happened
@@ -133,7 +175,8 @@ enum class EventKind : std::uint32_t {
   kPuncture = 2,
   kReentry = 3,  // entered an existing track
   kExit = 4,
-  kLayer = 5,  // tip crossed into another material
+  kLayer = 5,     // tip crossed into another material
+  kObstacle = 6,  // needle touched an obstacle
 };
 const char* event_name(EventKind kind);
 
@@ -143,6 +186,8 @@ struct Event {
   std::uint32_t layer;
   float depth_m;
   float force_n;  // magnitude along the shaft at the event
+  std::uint32_t needle;
+  std::uint32_t reserved;
 };
 
 // Copies the newest events, oldest first; returns how many. Event i of the result has sequence
@@ -154,11 +199,13 @@ struct Pool {
 };
 struct Stats {
   std::uint64_t ticks;
-  Pool constraint_particles;
+  Pool constraint_particles;  // of all needles; capacity and most are of one needle
   Pool coupled_voxels;
   Pool tracks;
+  Pool obstacle_contacts;
   std::uint64_t input_not_finite, input_clamped, input_missing;
   std::uint64_t cp_pool_full, cp_voxel_pool_full, contact_budget, fault;
+  std::uint64_t obstacle_pool_full, needle_unstable;
   float
       coupling_shortfall;  // largest missing share of the stiffness asked of a constraint particle
 };
@@ -174,8 +221,20 @@ struct ConstraintParticle {
   Vec3 position_m, goal_m, force_on_needle_n;
   float arc_length_m;  // from the tip
   std::uint32_t is_tip;
+  std::uint32_t needle;
 };
 std::uint32_t constraint_particles(const Kernel& kernel, std::span<ConstraintParticle> out);
+
+// Contacts of a needle with obstacles in the last tick. Returns the number written.
+struct ObstacleTouch {
+  Vec3 position_m, normal, force_on_needle_n;
+  std::uint32_t obstacle, needle;
+};
+std::uint32_t obstacle_touches(const Kernel& kernel, std::span<ObstacleTouch> out);
+
+// Shape of a needle from handle to tip: rods + 1 places, two for a rigid one. Returns the number
+// written, 0 before the first pose.
+std::uint32_t needle_shape(const Kernel& kernel, std::uint32_t needle, std::span<Vec3> out);
 
 // Deformed surface: one position per organ vertex. Returns the number written.
 std::uint32_t surface(const Kernel& kernel, std::span<Vec3> positions_out);
@@ -185,6 +244,7 @@ struct Energy {
   double elastic, kinetic, coupling;
   double work_by_hand;                   // since reset
   double friction, cutting, relaxation;  // dissipated since reset, by constraint particles
+  double obstacles;                      // dissipated since reset, by contacts with obstacles
 };
 Energy energy(const Kernel& kernel);
 

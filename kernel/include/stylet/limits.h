@@ -24,6 +24,11 @@ constexpr std::uint32_t kMaxSubsteps = 32;
 constexpr float kMinPeriodS = 1e-5F;
 constexpr float kMaxPeriodS = 1e-2F;
 constexpr float kMaxNeedleLengthM = 0.5F;
+constexpr float kMaxBendingNm2 = 1e3F;   // a steel bar of 15 mm
+constexpr float kMaxBevelPerM = 100.0F;  // a path with 10 mm of radius
+constexpr float kMaxBentAngleRad = 1.0F;
+constexpr float kMaxBreathM = 0.1F;
+constexpr std::uint32_t kMaxNeedles = 4;
 constexpr std::uint32_t kMaxObstacles = 16;
 constexpr std::uint32_t kMaxHullVertices = 64;
 
@@ -32,8 +37,8 @@ constexpr std::uint32_t kMaxHullVertices = 64;
 // Constraint particles alive at once. Full: the needle advances without a new one, so the friction
 // of that stretch of shaft is not felt; cp_pool_full is counted and flagged.
 constexpr std::uint32_t kMaxConstraintParticles = 128;
-// Voxels that hold a part of any constraint particle. Full: the part with no room is left out and
-// its weight goes to the others; cp_voxel_pool_full is counted.
+// Voxels that hold a part of any constraint particle, for each needle. Full: the part with no room
+// is left out and its weight goes to the others; cp_voxel_pool_full is counted.
 constexpr std::uint32_t kMaxCoupledVoxels = 512;
 // Voxels one constraint particle is shared by: the eight whose centres surround it.
 constexpr std::uint32_t kSharesPerParticle = 8;

@@ -14,15 +14,39 @@ extern "C" {
 #endif
 
 /* Changes when a struct or function below changes; compare with stylet_c_version(). */
-#define STYLET_C_VERSION 1
+#define STYLET_C_VERSION 2
+#define STYLET_MAX_NEEDLES 4
+#define STYLET_MAX_HULL_VERTICES 64
 
-typedef struct { float x, y, z; } stylet_vec3;
-typedef struct { float w, x, y, z; } stylet_quat;
-typedef struct { stylet_vec3 position_m; stylet_quat rotation; } stylet_pose;
+typedef struct {
+  float x, y, z;
+} stylet_vec3;
+typedef struct {
+  float w, x, y, z;
+} stylet_quat;
+typedef struct {
+  stylet_vec3 position_m;
+  stylet_quat rotation;
+} stylet_pose;
 
 typedef struct {
   float length_m, outer_radius_m, unit_m;
+  float bending_nm2;
+  uint32_t rods;
+  float bevel_per_m, bent_length_m, bent_angle_rad;
 } stylet_needle_config;
+
+typedef struct {
+  stylet_vec3 amplitude_m;
+  float period_s;
+} stylet_breathing_config;
+
+typedef struct {
+  stylet_pose pose;
+  uint32_t vertex_count;
+  stylet_vec3 vertices_m[STYLET_MAX_HULL_VERTICES];
+  float rounding_m, stiffness_n_per_m, largest_force_n, friction;
+} stylet_obstacle_config;
 
 typedef struct {
   uint32_t mode; /* 0 physical, 1 paper */
@@ -32,17 +56,28 @@ typedef struct {
   float surround_drag_per_s;
   float hourglass_weight;
   float paper_alpha;
-  stylet_needle_config needle;
+  uint32_t needle_count;
+  stylet_needle_config needle[STYLET_MAX_NEEDLES];
+  stylet_breathing_config breathing;
 } stylet_config;
 
-typedef struct { size_t model_bytes, state_bytes, scratch_bytes; } stylet_sizes;
+typedef struct {
+  size_t model_bytes, state_bytes, scratch_bytes;
+} stylet_sizes;
 
 /* Storage for the C++ objects; treat as opaque. The organ's bytes must outlive the organ, the organ
  * and the three blocks (aligned to 64 bytes) must outlive the kernel. Do not move the organ. */
-typedef struct { uint64_t opaque[40]; } stylet_organ;
-typedef struct { uint64_t opaque[12]; } stylet_kernel;
+typedef struct {
+  uint64_t opaque[40];
+} stylet_organ;
+typedef struct {
+  uint64_t opaque[12];
+} stylet_kernel;
 
-typedef struct { stylet_pose handle; uint32_t valid; } stylet_input;
+typedef struct {
+  stylet_pose handle;
+  uint32_t valid;
+} stylet_input;
 
 typedef struct {
   stylet_vec3 stiffness_n, cutting_n, friction_n, clamping_n, obstacle_n;
@@ -55,12 +90,14 @@ typedef struct {
   stylet_vec3 tip_m;
   float depth_m;
   uint32_t phase, layer, constraint_particles, flags, events;
+  float stiffness_n_per_m;
 } stylet_output;
 
 typedef struct {
   uint64_t tick;
   uint32_t kind, layer;
   float depth_m, force_n;
+  uint32_t needle, reserved;
 } stylet_event;
 
 uint32_t stylet_c_version(void);
@@ -77,6 +114,11 @@ uint16_t stylet_kernel_create(const stylet_organ* organ, const stylet_config* co
 void stylet_kernel_reset(stylet_kernel* kernel);
 void stylet_kernel_tick(stylet_kernel* kernel, const stylet_input* input,
                         stylet_output* output_out);
+/* One input and one output for each of `count` needles. */
+void stylet_kernel_tick_all(stylet_kernel* kernel, const stylet_input* inputs,
+                            stylet_output* outputs_out, uint32_t count);
+uint16_t stylet_kernel_set_obstacles(stylet_kernel* kernel, const stylet_obstacle_config* obstacles,
+                                     uint32_t count);
 
 /* Return how many were written. */
 uint32_t stylet_kernel_events(const stylet_kernel* kernel, stylet_event* out, uint32_t capacity);

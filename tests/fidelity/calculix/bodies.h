@@ -167,7 +167,7 @@ inline void hold_line(Rig& rig, Node low, Node high) {
 // Moves the needle's points so that each particle pulls with an equal part of the force.
 inline void pull_line(Rig& rig, std::size_t axis, double force_n) {
   const View view = rig.view();
-  const std::uint32_t count = view.state.head->shaft_count;
+  const std::uint32_t count = view.state.needle->shaft_count;
   measure_forces(view);
   Vec3 part = {};
   (axis == 0 ? part.x : axis == 1 ? part.y : part.z) = static_cast<float>(force_n / count);

@@ -90,7 +90,7 @@ class ClusterReference {
           found == members.end() ? cell_energy(cell, c, {}) : cell_energy(cell, c, found->second);
     }
     for_each_particle(view, [&](const Particle& p) {
-      if (&p == view.state.tip && view.state.head->phase == Phase::kContact) return;
+      if (&p == view.state.tip && view.state.needle->phase == Phase::kContact) return;
       const double s = static_cast<double>(p.stiffness_n_per_m);
       const double m = static_cast<double>(p.memory_share);
       sum += 0.5 * s * m * (1 - m) * std::pow(norm_of(p.memory_m), 2);
@@ -140,7 +140,7 @@ class ClusterReference {
 
   template <typename Visit>
   static void for_each_particle(const View& view, Visit visit) {
-    const StateHead& head = *view.state.head;
+    const NeedleState& head = *view.state.needle;
     for (std::uint32_t i = 0; i < head.shaft_count; ++i) visit(view.state.shaft[i]);
     if (head.tip_alive != 0) visit(*view.state.tip);
   }
@@ -148,13 +148,13 @@ class ClusterReference {
   // The tip in contact is a cone, F = k d^2 / (d + l) with l = a pi / tan 15 degrees, with quasi-
   // linear relaxation: its energy instead of that of the spring which stands for it in this tick.
   static double cone_energy(const View& view) {
-    if (view.state.head->phase != Phase::kContact) return 0;
+    if (view.state.needle->phase != Phase::kContact) return 0;
     const Particle& tip = *view.state.tip;
     Vec3 off = {};
     for (std::uint32_t i = 0; i < tip.share_count; ++i) {
       off = off + tip.share[i].weight * (tip.position_m - tip.share[i].goal_m);
     }
-    const double radius = static_cast<double>(view.model.head->config.needle.outer_radius_m);
+    const double radius = static_cast<double>(view.model.head->config.needle[0].outer_radius_m);
     const double l = radius * 3.14159265 / std::tan(3.14159265 / 12);
     const double k = static_cast<double>(tip.full_stiffness_n_per_m);
     const auto integral = [l, k](double d) {

@@ -35,7 +35,7 @@ std::uint32_t count_of(const Kernel& kernel, EventKind kind) {
 
 double all_springs(const View& view) {
   double sum = static_cast<double>(view.state.tip->stiffness_n_per_m);
-  for (std::uint32_t i = 0; i < view.state.head->shaft_count; ++i) {
+  for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
     sum += static_cast<double>(view.state.shaft[i].full_stiffness_n_per_m);
   }
   return sum;

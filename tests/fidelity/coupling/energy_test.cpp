@@ -107,7 +107,7 @@ class Audit {
     books_.push_back({work_, e.work_by_hand, reference_.energy(rig_.view()), e.kinetic, e.friction,
                       e.cutting, e.relaxation, losses_.damping_j, losses_.drag_j,
                       static_cast<double>(out.depth_m),
-                      static_cast<double>(rig_.view().state.head->shaft_count)});
+                      static_cast<double>(rig_.view().state.needle->shaft_count)});
   }
 
   Rig rig_;

@@ -32,8 +32,8 @@ TinyMaterial rubbing(float coulomb, float fixed, float viscous) {
 
 Config short_needle() {
   Config config;
-  config.needle.length_m = 0.05F;
-  config.needle.unit_m = kUnitM;
+  config.needle[0].length_m = 0.05F;
+  config.needle[0].unit_m = kUnitM;
   return config;
 }
 

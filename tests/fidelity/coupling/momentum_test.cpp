@@ -109,7 +109,7 @@ TEST(Momentum, ForceOnTheNeedleIsTheReactionOfTheTissue) {
     angular_summed += size(impulse.angular);
     before = now;
   }
-  EXPECT_GE(rig.view().state.head->shaft_count, 2U);
+  EXPECT_GE(rig.view().state.needle->shaft_count, 2U);
   EXPECT_LT(linear_off / summed, 1e-4);
   EXPECT_LT(angular_off / angular_summed, 1e-3);
 }
@@ -151,7 +151,7 @@ TEST(Momentum, WrenchIsTheSumOverTheParticles) {
     }
     ASSERT_LE(size(minus(wide(out.force_n), causes)), 1e-6 * sizes) << "tick " << i;
   }
-  EXPECT_GT(rig.view().state.head->shaft_count, 4U);
+  EXPECT_GT(rig.view().state.needle->shaft_count, 4U);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ constexpr float kTinyUnitM = 1e-4F;
 
 Config tiny_unit() {
   Config config;
-  config.needle.unit_m = kTinyUnitM;
+  config.needle[0].unit_m = kTinyUnitM;
   return config;
 }
 
@@ -59,11 +59,11 @@ TEST(Pools, FullShaftPoolIsCountedAndItsStretchNotFelt) {
 TEST(Pools, NeedleThatJumpsGetsItsParticlesInTheNextTicks) {
   Rig rig = make_rig(block(), tiny_unit());
   drive(rig, kStart, 4e-3F, 10e-3F);
-  const std::uint32_t before = rig.view().state.head->shaft_count;
+  const std::uint32_t before = rig.view().state.needle->shaft_count;
   std::uint32_t last = before, most = 0;
   for (int i = 0; i < 30; ++i) {
     move_tip(rig, {8e-3F, kStart.y, kStart.z});
-    const std::uint32_t now = rig.view().state.head->shaft_count;
+    const std::uint32_t now = rig.view().state.needle->shaft_count;
     most = std::max(most, now - std::min(now, last));
     last = now;
   }
@@ -81,8 +81,8 @@ TEST(Pools, FullVoxelPoolGivesTheWeightToTheOthers) {
   tiny.materials = {slippery()};
   tiny.materials[0].puncture_force_n = 0;
   Config config;
-  config.needle.length_m = 0.4F;
-  config.needle.unit_m = 2e-3F;
+  config.needle[0].length_m = 0.4F;
+  config.needle[0].unit_m = 2e-3F;
   Rig rig = make_rig(tiny, config);
   std::uint64_t flagged = 0;
   drive(rig, {-1e-3F, 2e-3F, 2e-3F}, 200e-3F, 0.2F, [&](const Output& o) {
@@ -95,7 +95,7 @@ TEST(Pools, FullVoxelPoolGivesTheWeightToTheOthers) {
   EXPECT_GE(s.cp_voxel_pool_full, flagged);
   int complete = 0, short_of = 0;
   const View view = rig.view();
-  for (std::uint32_t i = 0; i < view.state.head->shaft_count; ++i) {
+  for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
     const Particle& p = view.state.shaft[i];
     float sum = 0;
     for (std::uint32_t j = 0; j < p.share_count; ++j) sum += p.share[j].weight;

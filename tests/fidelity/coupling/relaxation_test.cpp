@@ -76,7 +76,7 @@ TEST(V28Relaxation, DecaysByTheFractionAndTimeWritten) {
   tiny.ny = tiny.nz = 1;
   tiny.materials = {relaxing()};
   Config config;
-  config.needle.outer_radius_m = 1e-5F;
+  config.needle[0].outer_radius_m = 1e-5F;
   Rig rig = make_rig(tiny, config, Tissue::kFixed);
   const Decay decay = decay_of(press_and_hold(rig, 8000), 1e-3);
   EXPECT_NEAR(decay.fraction / static_cast<double>(kFraction), 1, kTolerance);

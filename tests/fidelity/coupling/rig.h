@@ -43,7 +43,7 @@ inline Rig make_rig(const TinyOrgan& tiny, const Config& config, Tissue tissue =
   }
   auto organ = open_organ(std::move(bytes));
   Session session = make_session(organ->organ, config);
-  return {std::move(organ), std::move(session), config.needle.length_m};
+  return {std::move(organ), std::move(session), config.needle[0].length_m};
 }
 
 // Needle along +x with its tip here.
@@ -103,7 +103,7 @@ inline Vec3 hold_one_shaft_particle(Rig& rig, Vec3 rest_m, float stiffness_n_per
   tip = {};
   tip.rest_m = tip.position_m = tip_m;
   tip.track_m = kTipBeyondM;
-  StateHead& head = *view.state.head;
+  NeedleState& head = *view.state.needle;
   head.shaft_count = 1;
   head.tip_alive = 1;
   head.phase = Phase::kInserted;

@@ -55,7 +55,7 @@ ReferenceVoxel draw_voxel(Draw& draw, std::size_t particles) {
 Vec3 to_float(const Vec& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
-Vec to_double(Vec3 v) {
+Vec to_vec(Vec3 v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
@@ -169,7 +169,7 @@ TEST(FidelityV3, RigidMotionOfABlockMakesNoForceInTheKernel) {
         worst = std::max(worst, forces[n].norm() / static_cast<double>(springs));
       });
       measure_forces(view);
-      worst = std::max(worst, to_double(view.state.shaft[0].force_n).norm() / (8 * kSpring));
+      worst = std::max(worst, to_vec(view.state.shaft[0].force_n).norm() / (8 * kSpring));
       EXPECT_LT(worst, 8e-6 * kEdgeD) << "nu " << poisson << ", draw " << i;
     }
   }
@@ -223,7 +223,7 @@ TEST(FidelityV4, KernelForcesAgreeWithTheReference) {
     }
     for (std::size_t p = 0; p < voxel.held.size(); ++p) {
       const double weight = std::max(1.0, voxel.held[p].weight / kSpring);
-      EXPECT_LT((to_double(rig.view().state.shaft[p].force_n) - wanted.held[p]).norm(),
+      EXPECT_LT((to_vec(rig.view().state.shaft[p].force_n) - wanted.held[p]).norm(),
                 3e-6 * kForceScale * weight)
           << "draw " << i << ", particle " << p;
     }
@@ -246,7 +246,7 @@ TEST(FidelityGhosts, ClosedFormAgreesWithGhostsAsRealParticles) {
           << "draw " << i;
     }
     for (std::size_t p = 0; p < voxel.held.size(); ++p) {
-      const Vec goal = to_double(rig.view().state.shaft[p].share[0].goal_m);
+      const Vec goal = to_vec(rig.view().state.shaft[p].share[0].goal_m);
       EXPECT_LT((goal - ghosts.goal(voxel.held[p].rest)).norm(), 3e-6 * kEdgeD)
           << "draw " << i << ", particle " << p;
     }
@@ -296,7 +296,7 @@ TEST(FidelityV5, WhatTheNeedleFeelsIsWhatTheTissueGets) {
     };
     for (std::size_t c = 0; c < 8; ++c) add(voxel.corner[c], corner[c]);
     for (std::size_t p = 0; p < voxel.held.size(); ++p) {
-      add(voxel.held[p].place, -to_double(rig.view().state.shaft[p].force_n));
+      add(voxel.held[p].place, -to_vec(rig.view().state.shaft[p].force_n));
     }
     EXPECT_LT(force.norm(), 2e-6 * size) << "draw " << i;
     EXPECT_LT(torque.norm(), 2e-6 * arm) << "draw " << i;
@@ -509,14 +509,14 @@ TEST(FidelityV7, NeutralInsertionChangesNoForceInTheKernel) {
     const Vec rest = kEdgeD * (Vec::Constant(2) + draw.within(1));
     const Vec where = turned * rest + draw.within(0.2 * kEdgeD);
     const Vec3 tip = to_float(where);
-    begin_contact(view, {tip, {0, 0, -1}, tip}, to_float(rest), tip);
+    begin_contact(view, tip, to_float(rest), tip);
     ASSERT_EQ(view.state.tip->share_count, kSharesPerParticle);
     gather_coupled(view);
     const std::vector<Vec> after = node_forces(rig);
     let_rotations_follow(rig, 1);  // makes the fit that forces are measured from
     measure_forces(view);
     const double weight = static_cast<double>(view.state.tip->stiffness_n_per_m) / kSpring;
-    EXPECT_LT(to_double(view.state.tip->force_n).norm(), 3e-6 * kForceScale * weight);
+    EXPECT_LT(to_vec(view.state.tip->force_n).norm(), 3e-6 * kForceScale * weight);
     double worst = 0;
     for (std::size_t n = 0; n < after.size(); ++n) {
       worst = std::max(worst, (after[n] - before[n]).norm());

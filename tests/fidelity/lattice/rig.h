@@ -251,7 +251,7 @@ inline Particle& hold_constraint_particle(Rig& rig, Node voxel, Vec3 offset_m, V
   const ModelHead& head = *view.model.head;
   const std::uint32_t row = voxel_row_of(view, voxel);
   const std::uint32_t slot = view.model.row[row].slot + voxel.x - view.model.row[row].x0;
-  Particle& p = view.state.shaft[view.state.head->shaft_count++];
+  Particle& p = view.state.shaft[view.state.needle->shaft_count++];
   p = {};
   p.rest_m =
       head.origin_m +

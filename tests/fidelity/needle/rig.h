@@ -11,25 +11,6 @@
 
 namespace stylet::test {
 
-inline Vec3d operator+(Vec3d a, Vec3d b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline Vec3d operator-(Vec3d a, Vec3d b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline Vec3d operator*(double s, Vec3d a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-inline double dot(Vec3d a, Vec3d b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-inline Vec3d cross(Vec3d a, Vec3d b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-inline double norm(Vec3d a) {
-  return std::sqrt(dot(a, a));
-}
-
 struct Turn {
   double wxyz[4];
 };

@@ -117,7 +117,7 @@ Curve insert(const Organ& organ, const Aim& aim) {
   const Quat rotation = towards(aim.direction);
   for (int t = 0; t < 12000; ++t) {
     const float travel = -0.001F + kSpeedMPerS * config.period_s * static_cast<float>(t);
-    const float back = travel - config.needle.length_m;
+    const float back = travel - config.needle[0].length_m;
     const Vec3 base = {aim.entry_m.x + back * aim.direction.x,
                        aim.entry_m.y + back * aim.direction.y,
                        aim.entry_m.z + back * aim.direction.z};
