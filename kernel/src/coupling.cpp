@@ -501,6 +501,13 @@ float tip_limit(const View& view, const Particle& tip, bool in_track) {
   return tip.material == view.state.needle->layer ? m.cutting_n : max_of(m.puncture_n, m.cutting_n);
 }
 
+// Where the tip cuts after `advance_m` more; an unbevelled one cuts where it points.
+Vec3 turn_cut(const View& view, const Needle& needle, float advance_m) {
+  const float bevel = view.needle_config().bevel_per_m;
+  if (!(bevel > 0)) return needle.tip_direction;
+  return turn_cut(view.state.needle->cut, needle, bevel, advance_m);
+}
+
 // The tip moves on to other tissue as far as it is pressed or pulled beyond its limits.
 void cut_tip(const View& view, const Needle& needle, float moved_m) {
   const ModelHead& head = *view.model.head;
@@ -517,11 +524,12 @@ void cut_tip(const View& view, const Needle& needle, float moved_m) {
     move = overshoot(view, tip, axial, 0, tip_limit(view, tip, in_track));
     all = move + renew(view, tip, direction, move, state.cutting_j);
   }
-  const float bevel = view.needle_config().bevel_per_m;
-  own.cut = bevel > 0 ? turn_cut(own.cut, needle, bevel, all) : direction;
-  advance_tip(view, tip, own.cut, all);
+  const Vec3 cut = turn_cut(view, needle, 0.5F * all);
+  advance_tip(view, tip, cut, all);
+  own.cut = cut;
+  own.cut = turn_cut(view, needle, 0.5F * all);
   note_slip(head, tip, all);
-  tip.slip_m = move * own.cut;
+  tip.slip_m = move * cut;
   if (move > 0) own.phase = Phase::kInserted;
   if (move < 0) own.phase = Phase::kRetracting;
 }

@@ -6,6 +6,9 @@
 namespace stylet {
 namespace {
 
+// No needle is quite straight: this kink at every joint decides to which side one pressed exactly
+// along its axis buckles.
+constexpr double kImperfectionRad = 1e-7;
 // Length over which a cut falls in with the needle behind it: a bevel and the shaft's first bend.
 constexpr float kBevelAlignM = 0.02F;
 
@@ -176,8 +179,9 @@ void make_needle(const View& view) {
   const float bent = config.bent_length_m / rod_m + 0.5F;
   const std::uint32_t count = bent < 1 ? 1 : static_cast<std::uint32_t>(bent);
   const double angle = static_cast<double>(config.bent_angle_rad) / count;
+  for (std::uint32_t i = 0; i < rods; ++i) kinks[i].x = kImperfectionRad;
   for (std::uint32_t i = 0; i < count && i < rods; ++i) {
-    kinks[rods - 1 - i].x = angle * (1 - angle * angle / 6 * (1 - angle * angle / 20));
+    kinks[rods - 1 - i].x += angle * (1 - angle * angle / 6 * (1 - angle * angle / 20));
   }
   make_rod(rods, static_cast<double>(config.length_m), bending, {kinks, rods}, *view.model.rod);
 }

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bone: contact stops the tip, a thin needle buckles at Euler's load, and slides along a face.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "obstacle.h"
+#include "rig.h"
+
+namespace stylet::test {
+namespace {
+
+constexpr float kBoneX = 20e-3F;  // its face towards the needle
+
+ObstacleConfig bone(float friction) {
+  ObstacleConfig config;
+  make_box(config, {10e-3F, 30e-3F, 30e-3F});
+  config.pose.position_m = {kBoneX + 10e-3F, 17e-3F, 18e-3F};
+  config.stiffness_n_per_m = 5000;
+  config.largest_force_n = 50;
+  config.friction = friction;
+  return config;
+}
+
+// Tissue far away: what is felt is bone.
+Rig make_bone(const NeedleConfig& needle, const ObstacleConfig& body) {
+  TinyOrgan tiny;
+  tiny.nx = tiny.ny = tiny.nz = 2;
+  tiny.origin_m = {0.3F, 0, 0};
+  Config config;
+  config.needle[0] = needle;
+  Rig rig = make_rig(tiny, config);
+  if (set_obstacles(rig.kernel(), {&body, 1}) != Status::kOk) std::abort();
+  return rig;
+}
+
+TEST(Bone, StopsARigidNeedle) {
+  Rig rig = make_bone(NeedleConfig{}, bone(0.3F));
+  const float radius = NeedleConfig{}.outer_radius_m;
+  Output out = drive(rig, {0, 17e-3F, 18e-3F}, kBoneX - radius - 0.1e-3F, 20e-3F);
+  EXPECT_EQ(norm_of(out.force_n), 0) << "not yet";
+  out = drive(rig, out.tip_m, kBoneX - radius + 1e-3F, 20e-3F);
+  EXPECT_NEAR(static_cast<double>(out.force_n.x), -5000 * 1e-3, 0.6);
+  EXPECT_EQ(norm_of(out.force_n - out.cause.obstacle_n), 0);
+  Event list[kMaxEvents];
+  ASSERT_EQ(events(rig.kernel(), list), 1U);
+  EXPECT_EQ(list[0].kind, EventKind::kObstacle);
+  ObstacleTouch touch[4];
+  ASSERT_EQ(obstacle_touches(rig.kernel(), touch), 1U);
+  EXPECT_NEAR(static_cast<double>(touch[0].normal.x), -1, 1e-3);
+}
+
+// Pressed on bone that holds its tip, a needle buckles at the clamped-pinned load 20.19 EI / L^2
+// (physics notes 3.4) and feels no more than a little above it however far it is pushed.
+TEST(Bone, AThinNeedleBucklesOnItAtEulersLoad) {
+  NeedleConfig needle;
+  needle.outer_radius_m = 0.359e-3F;
+  needle.bending_nm2 = 2.318e-3F;  // 22G
+  needle.rods = 40;
+  Rig rig = make_bone(needle, bone(5.0F));  // the tip sticks
+  const double load = 20.19 * 2.318e-3 / (0.15 * 0.15);
+  double most = 0;
+  Output out = {};
+  for (int i = 0; i < 3000; ++i) {
+    out = move_tip(rig, {18e-3F + 2e-6F * static_cast<float>(i), 17e-3F, 18e-3F});
+    most = std::max(most, norm_of(out.force_n));
+  }
+  EXPECT_GT(most, 0.9 * load);
+  EXPECT_LT(most, 1.1 * load);
+  EXPECT_NEAR(static_cast<double>(out.tip_m.x), static_cast<double>(kBoneX), 1.5e-3) << "held";
+  Vec3 shape[kMaxRods + 1];
+  const std::uint32_t count = needle_shape(rig.kernel(), 0, shape);
+  double bow = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    bow = std::max(bow, std::fabs(static_cast<double>(shape[i].z - 18e-3F)));
+  }
+  EXPECT_GT(bow, 5e-3) << "bent out sideways";
+}
+
+// Drawn along a face the needle is pulled back by friction times the normal force.
+TEST(Bone, SlidesAlongAFace) {
+  const float friction = 0.2F;
+  Rig rig = make_bone(NeedleConfig{}, bone(friction));
+  const float x = kBoneX - NeedleConfig{}.outer_radius_m + 0.4e-3F;
+  drive(rig, {0, 17e-3F, 18e-3F}, x, 20e-3F);
+  Output out = {};
+  for (int i = 0; i < 1000; ++i)
+    out = move_tip(rig, {x, 17e-3F + 10e-6F * static_cast<float>(i), 18e-3F});
+  EXPECT_GT(-out.force_n.x, 1.0F);
+  EXPECT_NEAR(static_cast<double>(out.force_n.y / out.force_n.x), static_cast<double>(friction),
+              0.01);
+}
+
+}  // namespace
+}  // namespace stylet::test

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Layers in one lattice: each is punctured on its own on the way in, none in a track, again
+// elsewhere; and the loss of resistance behind a ligament is felt within a tick.
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "rig.h"
+
+namespace stylet::test {
+namespace {
+
+enum Layer : std::uint8_t { kSkin, kFat, kLigament, kEpidural };
+
+// Along x: skin 5 mm, fat 15 mm, ligament 25 mm, epidural fat 30 mm.
+TinyOrgan back() {
+  TinyOrgan tiny;
+  tiny.nx = 15;
+  tiny.ny = tiny.nz = 9;
+  tiny.fixed_faces = kHighX | kLowY | kHighY | kLowZ | kHighZ;
+  const auto tissue = [](const char* name, float modulus, float puncture, float cutting,
+                         float friction) {
+    TinyMaterial m;
+    m.name = name;
+    m.youngs_modulus_pa = modulus;
+    m.puncture_force_n = puncture;
+    m.cutting_force_n = cutting;
+    m.recut_fraction = 0.2F;
+    m.coulomb_friction_n_per_m = m.static_friction_n_per_m = friction;
+    return m;
+  };
+  tiny.materials = {tissue("skin", 100000, 1.5F, 0.6F, 15), tissue("fat", 15000, 0.2F, 0.2F, 5),
+                    tissue("ligament", 150000, 3.0F, 1.5F, 30),
+                    tissue("epidural fat", 8000, 0.1F, 0.1F, 3)};
+  tiny.material_at = [](std::uint16_t x, std::uint16_t, std::uint16_t) {
+    return static_cast<std::uint8_t>(x < 1 ? kSkin
+                                           : (x < 4 ? kFat : (x < 9 ? kLigament : kEpidural)));
+  };
+  return tiny;
+}
+
+std::vector<Event> events_of(const Kernel& kernel) {
+  std::vector<Event> list(kMaxEvents);
+  list.resize(events(kernel, list));
+  return list;
+}
+
+std::vector<Event> of_kind(const Kernel& kernel, EventKind kind) {
+  std::vector<Event> list = events_of(kernel);
+  std::erase_if(list, [kind](const Event& e) { return e.kind != kind; });
+  return list;
+}
+
+constexpr Vec3 kStart = {-1e-3F, 21e-3F, 23e-3F};
+
+TEST(Layers, EachIsPuncturedOnTheWayIn) {
+  Rig rig = make_rig(back(), Config{});
+  drive(rig, kStart, 72e-3F, 20e-3F);
+  const std::vector<Event> punctures = of_kind(rig.kernel(), EventKind::kPuncture);
+  ASSERT_EQ(punctures.size(), 2U);
+  EXPECT_EQ(punctures[0].layer, kSkin);
+  EXPECT_NEAR(static_cast<double>(punctures[0].force_n), 1.5, 0.1);
+  EXPECT_EQ(punctures[1].layer, kLigament);
+  EXPECT_NEAR(static_cast<double>(punctures[1].force_n), 3.0, 0.1);
+  EXPECT_NEAR(static_cast<double>(punctures[1].depth_m), 20e-3, 0.5e-3);
+  const std::vector<Event> entered = of_kind(rig.kernel(), EventKind::kLayer);
+  ASSERT_EQ(entered.size(), 2U);  // soft ones, without a surface to break
+  EXPECT_EQ(entered[0].layer, kFat);
+  EXPECT_EQ(entered[1].layer, kEpidural);
+}
+
+TEST(Layers, NoneIsPuncturedInATrackAndAllAreElsewhere) {
+  Rig rig = make_rig(back(), Config{});
+  const auto in_and_out = [&rig](Vec3 start) {
+    drive(rig, start, 72e-3F, 20e-3F);
+    drive(rig, {72e-3F, start.y, start.z}, -20e-3F, 40e-3F);
+    hold(rig, {-20e-3F, start.y, start.z}, 1500);
+  };
+  in_and_out(kStart);
+  ASSERT_EQ(of_kind(rig.kernel(), EventKind::kPuncture).size(), 2U);
+  in_and_out(kStart);
+  EXPECT_EQ(of_kind(rig.kernel(), EventKind::kPuncture).size(), 2U) << "in its own track";
+  EXPECT_EQ(of_kind(rig.kernel(), EventKind::kReentry).size(), 1U);
+  in_and_out(kStart + Vec3{0, 6e-3F, 0});
+  EXPECT_EQ(of_kind(rig.kernel(), EventKind::kPuncture).size(), 4U);
+}
+
+// The tip's force falls from the ligament's to the fat's within the tick of the event.
+TEST(Layers, LossOfResistanceIsFeltWithinATick) {
+  Rig rig = make_rig(back(), Config{});
+  double before = 0, last = 0;
+  bool found = false;
+  drive(rig, kStart, 72e-3F, 5e-3F, [&](const Output& out) {
+    const double cutting = -static_cast<double>(out.cause.cutting_n.x);
+    if (!found && out.phase == Phase::kInserted && out.layer == kEpidural) {
+      found = true;
+      EXPECT_GT(before, 1.2) << "in the ligament";
+      EXPECT_LT(cutting, 0.4) << "one tick later";
+    }
+    before = last = cutting;
+  });
+  EXPECT_TRUE(found);
+}
+
+}  // namespace
+}  // namespace stylet::test
