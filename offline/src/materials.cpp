@@ -105,39 +105,60 @@ Tissue read_tissue(const std::string& file, const std::string& name, const toml:
 }  // namespace
 
 const std::vector<Tissue>& preset_tissues() {
+  // A tissue that has no surface of its own to break punctures at its cutting force.
   static const std::vector<Tissue> kPresets = {
       {"liver",
-       "effective modulus at needle scale, G = 8 kPa (Gokgol 2012; small-strain G is 1.8 kPa); "
-       "forces and friction for 18G within Okamura, Simone, O'Leary 2004",
-       1060, 23200, 0.45, 0.4, 1.0, 0.7, 0.3, 0.1, 10, 12, 1e-3, 20},
+       "parenchyma under its capsule; effective modulus at needle scale, G = 8 kPa (Gokgol 2012; "
+       "small-strain G is 1.8 kPa); forces and friction for 18G within Okamura, Simone, O'Leary "
+       "2004",
+       1060, 23200, 0.45, 0.4, 1.0, 0.3, 0.3, 0.1, 10, 12, 1e-3, 20},
       {"liver_capsule",
        "liver under its capsule: 10 MPa times 0.1 mm of membrane spread over the voxel; puncture "
-       "by "
-       "18G takes 0.5 to 3 N",
+       "by 18G takes 0.5 to 3 N",
        1060, 23200, 0.45, 0.4, 1.0, 0.7, 0.3, 0.1, 10, 12, 1e-3, 20, 1000},
+      {"tumour",
+       "hepatocellular carcinoma: G = 23.4 kPa (PMC6925591), within E 40 to 240 kPa of prostate "
+       "cancer (Krouskop 1998); forces above those of liver by judgement",
+       1060, 67900, 0.45, 0.3, 1.0, 1.0, 0.5, 0.1, 12, 15, 1e-3, 20},
+      {"vessel",
+       "hepatic artery: G = 210 kPa (PMC6925591); density of blood 1055 (Kaye and Laby); forces by "
+       "judgement, below those of skin",
+       1055, 609000, 0.45, 0.2, 1.0, 1.0, 0.3, 0.1, 10, 12, 1e-3, 10},
       {"kidney",
        "cortex E 5 to 15 kPa at small strain, scaled to needle scale as liver; density 1050 (Kaye "
        "and Laby); friction 0.005 to 0.05 N/mm for 17G to 18G",
        1050, 30000, 0.45, 0.5, 1.0, 1.0, 0.4, 0.1, 12, 15, 1e-3, 20},
+      {"prostate",
+       "E 15 to 70 kPa (Krouskop 1998), shaft friction 0.03 to 0.12 N/mm; 18G: less than the 8.9 N "
+       "met at the perineum (Podder et al. 2006); density 1027 (PMC4201780)",
+       1027, 40000, 0.45, 0.4, 1.0, 2.5, 1.0, 0.1, 50, 60, 1e-3, 30},
       {"fat",
        "E 1 to 20 kPa, typical 3.3 (Samani 2007), doubled at needle scale; density 901 to 923 "
-       "(Kaye "
-       "and Laby); forces below those of muscle by judgement",
-       911, 6600, 0.45, 0.4, 0.8, 0.3, 0.1, 0.1, 5, 6, 1e-3, 10},
+       "(Kaye and Laby); forces below those of muscle by judgement",
+       911, 6600, 0.45, 0.4, 0.8, 0.1, 0.1, 0.1, 5, 6, 1e-3, 10},
+      {"epidural_fat",
+       "half liquid: E 3.3 kPa (fat, Samani 2007); a needle meets next to nothing, by judgement",
+       911, 3300, 0.45, 0.4, 0.8, 0.05, 0.05, 0.1, 3, 4, 1e-3, 5},
       {"muscle",
        "relaxed, across fibres: E 10 to 50 kPa; density 1047 (Kaye and Laby); shaft friction 0.03 "
-       "to "
-       "0.12 N/mm",
+       "to 0.12 N/mm",
        1047, 40000, 0.45, 0.4, 1.0, 1.2, 0.6, 0.1, 40, 50, 1e-3, 30},
+      {"ligament",
+       "supraspinous and interspinous: 9.1 and 7.6 to 8 N on a Tuohy needle (layer table of "
+       "epidural simulators after Brett); modulus across the fibres and friction by judgement",
+       1100, 1e6, 0.45, 0.2, 1.0, 7.8, 4.0, 0.1, 50, 60, 1e-3, 30},
+      {"ligamentum_flavum",
+       "12.1 N on a Tuohy needle (same table), 11.1 to 11.8 N before loss of resistance in the "
+       "pig (Vaughan et al. 2012); E 2 to 10 MPa in the toe region",
+       1100, 2e6, 0.45, 0.2, 1.0, 12.1, 9.0, 0.1, 50, 60, 1e-3, 30},
       {"skin",
-       "E 50 to 200 kPa in vivo by indentation; density 1150 (Kaye and Laby); puncture by 21G to "
-       "27G "
-       "0.3 to 2 N, 18G at the upper end",
-       1150, 100000, 0.45, 0.3, 1.0, 2.0, 0.8, 0.1, 40, 50, 1e-3, 30},
+       "E 50 to 200 kPa in vivo by indentation, up to 20 MPa in tension, of which 1 MPa times 2 mm "
+       "as membrane; density 1150 (Kaye and Laby); puncture by 21G to 27G 0.3 to 2 N, 18G at the "
+       "upper end",
+       1150, 100000, 0.45, 0.3, 1.0, 2.0, 0.8, 0.1, 40, 50, 1e-3, 30, 2000},
       {"gel",
        "gelatin and PVC phantoms E 5 to 100 kPa; needle in agarose: mu 0.255, radial stress 248 Pa "
-       "at "
-       "1.8 mm/s, so 0.25 N/m for 18G",
+       "at 1.8 mm/s, so 0.25 N/m for 18G",
        1000, 10000, 0.45, 0.0, 1.0, 0.3, 0.2, 0.1, 0.25, 0.29, 1e-3, 5},
       {"bone",
        "a stop, not a model of bone: as stiff and as strong as the format carries comfortably",
