@@ -63,7 +63,7 @@ void report(benchmark::State& state, const Organ& organ, const Config& config) {
 }
 
 void bench_tissue(benchmark::State& state, const Organ& organ, const Variant& variant) {
-  const Config config = config_of(Mode::kPhysical);
+  const Config config = config_of(Setup::kPhysical);
   Session session = make_session(organ, config);
   session.kernel.step = variant.step;
   run(session.kernel, script_for(organ, config), 0, kCycleTicks);
@@ -71,8 +71,8 @@ void bench_tissue(benchmark::State& state, const Organ& organ, const Variant& va
   report(state, organ, config);
 }
 
-void bench_tick(benchmark::State& state, const Organ& organ, Mode mode, const Variant& variant) {
-  const Config config = config_of(mode);
+void bench_tick(benchmark::State& state, const Organ& organ, Setup setup, const Variant& variant) {
+  const Config config = config_of(setup);
   const Script script = script_for(organ, config);
   Session session = make_session(organ, config);
   session.kernel.step = variant.step;
@@ -101,11 +101,14 @@ void register_subject(const Subject& subject) {
     add("tissue" + tail,
         [&organ, variant](benchmark::State& state) { bench_tissue(state, organ, variant); });
     add("tick" + tail, [&organ, variant](benchmark::State& state) {
-      bench_tick(state, organ, Mode::kPhysical, variant);
+      bench_tick(state, organ, Setup::kPhysical, variant);
+    });
+    add("tick_elastic" + tail, [&organ, variant](benchmark::State& state) {
+      bench_tick(state, organ, Setup::kElastic, variant);
     });
   }
   add("tick_paper/" + subject.name, [&organ](benchmark::State& state) {
-    bench_tick(state, organ, Mode::kPaper, variants_here().back());
+    bench_tick(state, organ, Setup::kPaper, variants_here().back());
   });
 }
 

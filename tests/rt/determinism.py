@@ -41,7 +41,7 @@ def hashes(program):
 
 
 def compare(reference, series, name):
-    for mode in ("physical", "paper"):
+    for mode in ("physical", "paper", "elastic"):
         expected = reference["baseline", mode]
         for (variant, this_mode), values in series.items():
             if this_mode != mode:

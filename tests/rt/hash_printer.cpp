@@ -12,14 +12,13 @@
 namespace stylet::test {
 namespace {
 
-void print_hashes(const Organ& organ, Mode mode, const Variant& variant, std::uint64_t ticks) {
-  const Config config = config_of(mode);
-  const Script script = block_script(organ, config);
-  Session session = make_session(organ, config);
+void print_hashes(const Organ& organ, Setup setup, const Variant& variant, std::uint64_t ticks) {
+  const Script script = block_script(organ, config_of(setup));
+  Session session = make_session(organ, setup);
   session.kernel.step = variant.step;
   for (std::uint64_t i = 0; i < ticks; i += 100) {
     run(session.kernel, script, i, 100);
-    std::printf("%s %s %" PRIu64 " %016" PRIx64 "\n", variant.name, mode_name(mode), i + 100,
+    std::printf("%s %s %" PRIu64 " %016" PRIx64 "\n", variant.name, setup_name(setup), i + 100,
                 hash(session.kernel));
   }
 }
@@ -33,8 +32,8 @@ int main(int argc, char** argv) {
   const std::uint64_t ticks = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1000;
   const auto opened = test::block_organ(10, 10, 10);
   for (const test::Variant& variant : test::variants_here()) {
-    for (const Mode mode : {Mode::kPhysical, Mode::kPaper}) {
-      test::print_hashes(opened->organ, mode, variant, ticks);
+    for (const test::Setup setup : test::kSetups) {
+      test::print_hashes(opened->organ, setup, variant, ticks);
     }
   }
   return 0;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t kTicks = 2 * kCycleTicks;
 
-class Blocks : public testing::TestWithParam<Mode> {
+class Blocks : public testing::TestWithParam<Setup> {
  protected:
   std::unique_ptr<OpenOrgan> opened_ = block_organ(6, 6, 8);
   Config config_ = config_of(GetParam());
@@ -29,14 +29,14 @@ class Blocks : public testing::TestWithParam<Mode> {
     return bytes;
   }
   std::uint64_t hash_after(std::uint64_t ticks) const {
-    Session session = make_session(opened_->organ, config_);
+    Session session = make_session(opened_->organ, GetParam());
     run(session.kernel, script_, 0, ticks);
     return hash(session.kernel);
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Modes, Blocks, testing::Values(Mode::kPhysical, Mode::kPaper),
-                         [](const auto& instance) { return mode_name(instance.param); });
+INSTANTIATE_TEST_SUITE_P(Modes, Blocks, testing::ValuesIn(kSetups),
+                         [](const auto& instance) { return setup_name(instance.param); });
 
 // A block between two guards of the same size as its alignment, everything filled with one byte.
 struct Guarded {
@@ -129,7 +129,7 @@ TEST_P(Blocks, MisalignedAreRefused) {
 TEST_P(Blocks, ScratchContentNeverMatters) {
   const std::uint64_t expected = hash_after(kTicks);
   const auto hash_with = [this](auto fill) {
-    Session session = make_session(opened_->organ, config_);
+    Session session = make_session(opened_->organ, GetParam());
     for (std::uint64_t i = 0; i < kTicks; ++i) {
       fill(session.scratch.span());
       run(session.kernel, script_, i, 1);
@@ -155,14 +155,14 @@ TEST_P(Blocks, HashSeesTheState) {
 }
 
 TEST_P(Blocks, SnapshotsContinueWithTheSameBits) {
-  Session original = make_session(opened_->organ, config_);
+  Session original = make_session(opened_->organ, GetParam());
   const std::uint64_t half = kCycleTicks / 2;  // the needle is in the tissue
   run(original.kernel, script_, 0, half);
   Block saved = make_block(snapshot_bytes(original.kernel));
   ASSERT_EQ(snapshot(original.kernel, saved.span()), Status::kOk);
   const std::uint64_t hash_saved = hash(original.kernel);
 
-  Session copy = make_session(opened_->organ, config_);
+  Session copy = make_session(opened_->organ, GetParam());
   run(copy.kernel, script_, 77, 1234);  // somewhere else first
   EXPECT_NE(difference(original.kernel, copy.kernel).field, nullptr);
   ASSERT_EQ(restore(copy.kernel, saved.span()), Status::kOk);
@@ -178,7 +178,7 @@ TEST_P(Blocks, SnapshotsContinueWithTheSameBits) {
 }
 
 TEST_P(Blocks, SnapshotsOfAnotherConfigurationOrSizeAreRefused) {
-  Session here = make_session(opened_->organ, config_);
+  Session here = make_session(opened_->organ, GetParam());
   Config other_config = config_;
   other_config.period_s = 0.5e-3F;
   Session other = make_session(opened_->organ, other_config);
@@ -194,7 +194,7 @@ TEST_P(Blocks, SnapshotsOfAnotherConfigurationOrSizeAreRefused) {
 }
 
 TEST_P(Blocks, ResetIsTheBeginning) {
-  Session session = make_session(opened_->organ, config_);
+  Session session = make_session(opened_->organ, GetParam());
   const std::uint64_t at_start = hash(session.kernel);
   run(session.kernel, script_, 0, kTicks);
   EXPECT_NE(hash(session.kernel), at_start);

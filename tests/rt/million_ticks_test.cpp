@@ -27,12 +27,12 @@ constexpr std::uint64_t kTicks = 1'000'000;
 constexpr std::uint64_t kTicks = 20'000;
 #endif
 
-class MillionTicks : public testing::TestWithParam<Mode> {
+class MillionTicks : public testing::TestWithParam<Setup> {
  protected:
   std::unique_ptr<OpenOrgan> opened_ = block_organ(14, 4, 8);
   Config config_ = config_of(GetParam());
   Script script_ = block_script(opened_->organ, config_);
-  Session session_ = make_session(opened_->organ, config_);
+  Session session_ = make_session(opened_->organ, GetParam());
 
   // The script is no proof of anything unless the needle really went in and out.
   void expect_needle_was_busy() {
@@ -53,8 +53,8 @@ class MillionTicks : public testing::TestWithParam<Mode> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Modes, MillionTicks, testing::Values(Mode::kPhysical, Mode::kPaper),
-                         [](const auto& instance) { return mode_name(instance.param); });
+INSTANTIATE_TEST_SUITE_P(Modes, MillionTicks, testing::ValuesIn(kSetups),
+                         [](const auto& instance) { return setup_name(instance.param); });
 
 TEST(AllocationTrap, Fires) {
   arm_allocation_trap();

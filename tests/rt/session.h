@@ -149,14 +149,41 @@ inline void run(Kernel& kernel, const Script& script, std::uint64_t first_tick,
   }
 }
 
-inline const char* mode_name(Mode mode) {
-  return mode == Mode::kPhysical ? "physical" : "paper";
+// What the real-time tests run: both modes with a rigid needle, and everything the needle can be:
+// elastic, bevelled, in tissue that breathes, with bone in its way.
+enum class Setup { kPhysical, kPaper, kElastic };
+constexpr Setup kSetups[] = {Setup::kPhysical, Setup::kPaper, Setup::kElastic};
+
+inline const char* setup_name(Setup setup) {
+  constexpr const char* kNames[] = {"physical", "paper", "elastic"};
+  return kNames[static_cast<int>(setup)];
 }
 
-inline Config config_of(Mode mode) {
+inline Config config_of(Setup setup) {
   Config config;
-  config.mode = mode;
+  config.mode = setup == Setup::kPaper ? Mode::kPaper : Mode::kPhysical;
+  if (setup != Setup::kElastic) return config;
+  config.needle[0].outer_radius_m = 0.359e-3F;
+  config.needle[0].bending_nm2 = 2.318e-3F;  // 22G
+  config.needle[0].bevel_per_m = 5;
+  config.breathing = {{0, 1e-3F, 3e-3F}, 3};
   return config;
+}
+
+// A ball of bone 25 mm under the middle of the surface.
+inline Session make_session(const Organ& organ, Setup setup) {
+  const Config config = config_of(setup);
+  Session session = make_session(organ, config);
+  if (setup != Setup::kElastic) return session;
+  ObstacleConfig ball;
+  make_sphere(ball, 4e-3F);
+  ball.pose.position_m = block_script(organ, config).entry_m;
+  ball.pose.position_m.z -= 25e-3F;
+  ball.stiffness_n_per_m = 3000;
+  ball.largest_force_n = 20;
+  ball.friction = 0.2F;
+  if (set_obstacles(session.kernel, {&ball, 1}) != Status::kOk) std::abort();
+  return session;
 }
 
 }  // namespace stylet::test

@@ -55,11 +55,11 @@ Result run_with(Session& session, const Organ& organ, const Config& config, Befo
   return result;
 }
 
-class Determinism : public testing::TestWithParam<Mode> {
+class Determinism : public testing::TestWithParam<Setup> {
  protected:
   std::unique_ptr<OpenOrgan> organ_ = entered_block();
   Config config_ = config_of(GetParam());
-  Session reference_ = make_session(organ_->organ, config_);
+  Session reference_ = make_session(organ_->organ, GetParam());
   Result expected_ = run_with(reference_, organ_->organ, config_, [](Kernel&, std::uint64_t) {});
 
   template <typename Before>
@@ -85,14 +85,14 @@ TEST_P(Determinism, TheRunIsWorthComparing) {
 
 TEST_P(Determinism, SameBitsForEveryInstructionSet) {
   for (const Variant& variant : variants_here()) {
-    Session session = make_session(organ_->organ, config_);
+    Session session = make_session(organ_->organ, GetParam());
     session.kernel.step = variant.step;
     expect_same(session, variant.name, [](Kernel&, std::uint64_t) {});
   }
 }
 
 TEST_P(Determinism, ScratchDoesNotMatter) {
-  Session session = make_session(organ_->organ, config_);
+  Session session = make_session(organ_->organ, GetParam());
   std::mt19937 random(7);
   expect_same(session, "scratch", [&random](Kernel& kernel, std::uint64_t i) {
     const int patterns[] = {0x00, 0xFF, 0x7F, 0xA5, static_cast<int>(random() & 0xFFU)};
@@ -116,8 +116,8 @@ TEST_P(Determinism, BytesBeforeCreateDoNotMatter) {
 }
 
 TEST_P(Determinism, BlocksMayMove) {
-  Session session = make_session(organ_->organ, config_);
-  Session other = make_session(organ_->organ, config_);
+  Session session = make_session(organ_->organ, GetParam());
+  Session other = make_session(organ_->organ, GetParam());
   expect_same(session, "moved blocks", [&](Kernel& kernel, std::uint64_t i) {
     if (i % 500 != 250) return;
     const bool at_home = kernel.state == session.state.bytes.get();
@@ -149,8 +149,8 @@ TEST_P(Determinism, FlushToZeroDoesNotMatter) {
   std::vector<Input> inputs;
   for (std::uint64_t i = 0; i < kTicks; ++i) inputs.push_back(scripted_input(script, i));
   for (const Variant& variant : variants_here()) {
-    Session plain = make_session(organ_->organ, config_);
-    Session flushed = make_session(organ_->organ, config_);
+    Session plain = make_session(organ_->organ, GetParam());
+    Session flushed = make_session(organ_->organ, GetParam());
     plain.kernel.step = flushed.kernel.step = variant.step;
     expect_same_when_flushed(plain.kernel, flushed.kernel, inputs);
   }
@@ -162,17 +162,16 @@ TEST_P(Determinism, FlushToZeroDoesNotMatterInALongRest) {
   std::vector<Input> inputs;
   for (std::uint64_t i = 0; i < kPauseBegin; ++i) inputs.push_back(scripted_input(script, i));
   for (int i = 0; i < 6000; ++i) inputs.push_back(scripted_input(script, kPauseBegin));
-  Session plain = make_session(organ_->organ, config_);
-  Session flushed = make_session(organ_->organ, config_);
+  Session plain = make_session(organ_->organ, GetParam());
+  Session flushed = make_session(organ_->organ, GetParam());
   expect_same_when_flushed(plain.kernel, flushed.kernel, inputs);
 }
 #endif
 
-std::string name_of(const testing::TestParamInfo<Mode>& mode) {
-  return mode_name(mode.param);
+std::string name_of(const testing::TestParamInfo<Setup>& setup) {
+  return setup_name(setup.param);
 }
-INSTANTIATE_TEST_SUITE_P(BothModes, Determinism, testing::Values(Mode::kPhysical, Mode::kPaper),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(Setups, Determinism, testing::ValuesIn(kSetups), name_of);
 
 }  // namespace
 }  // namespace stylet::test
