@@ -465,8 +465,8 @@ void slip_shaft(const View& view, const Needle& needle) {
   }
 }
 
-// Takes the spring the tip has in the material it is now in: a stiffer one holds at the same force,
-// and fresh tissue has relaxed nothing yet. What is lost counts as cutting.
+// Takes the spring the tip has against the material it has come to: a stiffer one holds at the same
+// force, and fresh tissue has relaxed nothing yet. What is lost counts as cutting.
 void enter_material(const View& view, Particle& tip) {
   const double before = spring_energy(tip);
   const float old = tip.stiffness_n_per_m;
@@ -483,13 +483,14 @@ void enter_layer(const View& view, Particle& tip, Vec3 direction, bool in_track)
   NeedleState& own = *view.state.needle;
   const ModelHead& head = *view.model.head;
   if (tip.material == own.layer) return;
+  if (own.spring_layer != tip.material) enter_material(view, tip);
+  own.spring_layer = tip.material;
   const MaterialModel& m = head.material[tip.material];
   const float axial = dot(force_on_tissue(tip), direction);
   const bool must = m.puncture_n > m.cutting_n && !in_track && own.phase != Phase::kRetracting &&
                     head.config.mode == Mode::kPhysical;
   if (must && axial < m.puncture_n) return;
   own.layer = tip.material;
-  enter_material(view, tip);
   add_event(view, must ? EventKind::kPuncture : EventKind::kLayer, max_of(axial, 0));
 }
 
@@ -697,7 +698,7 @@ void begin_insertion(const View& view, const Needle& needle, std::uint32_t track
   (void)push_shaft(view, new_particle(view, tip.rest_m, place, 0, behind, Place::kShaft));
   change_spring(view, needle, force_n);
   own.phase = Phase::kInserted;
-  own.layer = tip.material;
+  own.layer = own.spring_layer = tip.material;
   own.cut = needle.tip_direction;
   add_event(view, again ? EventKind::kReentry : EventKind::kPuncture, force_n);
 }

@@ -110,7 +110,8 @@ struct NeedleState {
   Vec3 base_m;  // of the handle, in the frame of the attachments
   std::uint32_t handle_known;
   Phase phase;
-  std::uint32_t layer;  // the material the tip is through to
+  std::uint32_t layer;         // the material the tip is through to
+  std::uint32_t spring_layer;  // the material its spring is of: `layer`, or one that holds it
   std::uint32_t shaft_count, shaft_max;
   std::uint32_t tip_alive;
   std::uint32_t leaving;  // the tip has left a track but not yet the surface around it

@@ -70,6 +70,22 @@ TEST(Layers, EachIsPuncturedOnTheWayIn) {
   EXPECT_EQ(entered[1].layer, kEpidural);
 }
 
+// Against a stiff layer the tip has that layer's spring, not the one of the soft tissue it lies in:
+// fat of 3 kPa under the tip must not hide a ligament of 1 MPa.
+TEST(Layers, AStiffLayerBehindASoftOneIsReached) {
+  TinyOrgan tiny = back();
+  tiny.materials[kFat].youngs_modulus_pa = 3000;
+  tiny.materials[kLigament].youngs_modulus_pa = 1e6F;
+  Rig rig = make_rig(tiny, Config{});
+  float at_m = 0;
+  drive(rig, kStart, 60e-3F, 20e-3F, [&](const Output& out) {
+    if (at_m > 0 || out.layer != kLigament) return;
+    at_m = out.tip_m.x;
+  });
+  EXPECT_GT(at_m, 0) << "never punctured";
+  EXPECT_LT(at_m, 35e-3F) << "15 mm beyond the ligament's surface at rest";
+}
+
 TEST(Layers, NoneIsPuncturedInATrackAndAllAreElsewhere) {
   Rig rig = make_rig(back(), Config{});
   const auto in_and_out = [&rig](Vec3 start) {
