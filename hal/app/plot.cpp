@@ -51,6 +51,8 @@ struct Curve {
 
 Curve read_curve(const hal::RecordingReader& recording) {
   const hal::RecordingInfo& info = recording.info();
+  const hal::Course& course = info.course[0];
+  const Vec3 d = course.direction;
   Curve curve;
   curve.period_s = static_cast<double>(info.config.period_s);
   std::vector<hal::TickRecord> block;
@@ -58,11 +60,11 @@ Curve read_curve(const hal::RecordingReader& recording) {
     block.resize(std::min<std::uint64_t>(4096, recording.ticks() - first));
     recording.read(first, block);
     for (const hal::TickRecord& record : block) {
-      curve.track.push_back(hal::track_point(record, info.entry_m, info.direction));
+      curve.track.push_back(hal::track_point(record, course));
       auto& causes = curve.causes.emplace_back();
       for (std::size_t c = 0; c < kCauses.size(); ++c) {
         const Vec3 f = record.output.cause.*kCauses[c].force;
-        causes[c] = -(f.x * info.direction.x + f.y * info.direction.y + f.z * info.direction.z);
+        causes[c] = -(f.x * d.x + f.y * d.y + f.z * d.z);
       }
     }
   }

@@ -34,6 +34,8 @@ Lines counters(const RunReport& report) {
           {"cp_pool_full", stats.cp_pool_full},
           {"cp_voxel_pool_full", stats.cp_voxel_pool_full},
           {"contact_budget", stats.contact_budget},
+          {"obstacle_pool_full", stats.obstacle_pool_full},
+          {"needle_unstable", stats.needle_unstable},
           {"kernel_fault", stats.fault},
           {"samples_used", guard.samples_used},
           {"samples_missing", guard.samples_missing},
@@ -79,7 +81,18 @@ Json json_of(const Event& event) {
           {"kind", event_name(event.kind)},
           {"layer", event.layer == kNoLayer ? Json(nullptr) : Json(event.layer)},
           {"depth_m", number(event.depth_m)},
-          {"force_n", number(event.force_n)}};
+          {"force_n", number(event.force_n)},
+          {"needle", event.needle}};
+}
+
+Json json_of(const NeedleConfig& needle) {
+  return {{"length_m", number(needle.length_m)},
+          {"outer_radius_m", number(needle.outer_radius_m)},
+          {"unit_m", number(needle.unit_m)},
+          {"bending_nm2", number(needle.bending_nm2)},
+          {"bevel_per_m", number(needle.bevel_per_m)},
+          {"bent_length_m", number(needle.bent_length_m)},
+          {"bent_angle_rad", number(needle.bent_angle_rad)}};
 }
 
 Json json_of(std::size_t predicted, std::size_t used) {
@@ -155,7 +168,8 @@ std::string counter_table(const RunReport& report) {
   };
   return "counters (those not zero)\n" + text + "pools, most ever used\n" +
          pool("constraint particles", report.stats.constraint_particles) +
-         pool("coupled voxels", report.stats.coupled_voxels) + pool("tracks", report.stats.tracks);
+         pool("coupled voxels", report.stats.coupled_voxels) + pool("tracks", report.stats.tracks) +
+         pool("obstacle contacts", report.stats.obstacle_contacts);
 }
 
 }  // namespace
@@ -169,8 +183,11 @@ std::string json_text(const RunReport& report) {
               {"fast", report.fast},
               {"interrupted", report.interrupted},
               {"period_s", std::stod(fmt::format("{:.7g}", report.period_s))},
+              {"needles", Json::array()},
+              {"obstacles", report.obstacles},
               {"phases", Json::array()},
               {"events", Json::array()}};
+  for (const NeedleConfig& each : report.needles) out["needles"].push_back(json_of(each));
   for (const hal::PhaseRow& row : report.phases) out["phases"].push_back(json_of(row));
   for (const Event& event : report.events) out["events"].push_back(json_of(event));
   out["timing"] = {{"tick", json_of(loop.tick_time)},
@@ -187,7 +204,8 @@ std::string json_text(const RunReport& report) {
                    {"pools",
                     {{"constraint_particles", json_of(stats.constraint_particles)},
                      {"coupled_voxels", json_of(stats.coupled_voxels)},
-                     {"tracks", json_of(stats.tracks)}}}};
+                     {"tracks", json_of(stats.tracks)},
+                     {"obstacle_contacts", json_of(stats.obstacle_contacts)}}}};
   out["counters"] = Json::object();
   for (const auto& [name, value] : counters(report)) out["counters"][name] = value;
   out["coupling_shortfall"] = number(stats.coupling_shortfall);

@@ -18,6 +18,8 @@ struct RunReport {
   double period_s = 1e-3;
   bool fast = false, interrupted = false;
   double wall_s = 0;
+  std::vector<NeedleConfig> needles;
+  std::size_t obstacles = 0;
   std::vector<hal::PhaseRow> phases;
   std::vector<Event> events;
   const hal::LoopState* loop = nullptr;

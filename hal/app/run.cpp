@@ -87,7 +87,8 @@ void load(Session& s) {
   s.organ = hal::load_organ(!s.options.organ.empty() ? s.options.organ
                                                      : beside(s.scene.file, s.scene.organ_path));
   s.placement = hal::place_needle(s.scene, s.organ.organ);
-  s.instance = std::make_unique<hal::KernelInstance>(s.organ.organ, s.scene.config);
+  s.instance =
+      std::make_unique<hal::KernelInstance>(s.organ.organ, s.scene.config, s.scene.obstacles);
 }
 
 void open_device(Session& s) {
@@ -124,12 +125,12 @@ void open_recording(Session& s) {
     info.organ_name = s.organ.organ.name;
     info.organ_hash = s.organ.organ.hash;
     info.config = s.scene.config;
-    info.entry_m = s.placement.entry_m;
-    info.direction = s.placement.direction;
+    info.course[0] = s.placement.course;
+    info.obstacles = s.scene.obstacles;
     s.writer = std::make_unique<hal::RecordingWriter>(s.options.record, info);
   }
-  s.recorder = std::make_unique<hal::Recorder>(s.records, s.events, s.writer.get(),
-                                               s.placement.entry_m, s.placement.direction);
+  s.recorder =
+      std::make_unique<hal::Recorder>(s.records, s.events, s.writer.get(), s.placement.course);
 }
 
 // The thread of the loop, from its rights to the last tick.
@@ -212,6 +213,9 @@ RunReport report_of(const Session& s, double wall_s) {
   report.wall_s = wall_s;
   report.phases =
       hal::find_phases(s.recorder->track(), report.period_s, s.scene.config.needle[0].unit_m);
+  const Config& config = s.scene.config;
+  report.needles.assign(config.needle, config.needle + config.needle_count);
+  report.obstacles = s.scene.obstacles.size();
   report.events = s.recorder->events();
   report.loop = &s.state;
   report.thread = s.thread;
@@ -293,7 +297,7 @@ int replay_recording(const ReplayOptions& options) {
                     "replayed",
                     options.recording, info.lost_records));
   }
-  hal::KernelInstance instance(organ.organ, info.config);
+  hal::KernelInstance instance(organ.organ, info.config, info.obstacles);
   const bool show = terminal_rewrites_lines();
   const auto progress = [&](std::uint64_t ticks) {
     if (show) rewrite_line(fmt::format("{} of {} ticks", ticks, recording.ticks()));

@@ -43,7 +43,8 @@ KernelInstance::Block KernelInstance::touched_block(std::size_t bytes) {
   return Block(block);
 }
 
-KernelInstance::KernelInstance(const Organ& organ, const Config& config) {
+KernelInstance::KernelInstance(const Organ& organ, const Config& config,
+                               std::span<const ObstacleConfig> obstacles) {
   Status status = sizes(organ, config, predicted);
   if (status == Status::kOk) {
     model_ = touched_block(predicted.model_bytes);
@@ -55,6 +56,7 @@ KernelInstance::KernelInstance(const Organ& organ, const Config& config) {
                      {scratch_.get(), predicted.scratch_bytes}},
                     kernel);
   }
+  if (status == Status::kOk) status = set_obstacles(kernel, obstacles);
   if (status != Status::kOk) {
     throw LoadError(
         fmt::format("organ \"{}\": kernel cannot be made: {}", organ.name, status_name(status)));

@@ -10,13 +10,13 @@ Vec3 cross(Vec3 a, Vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+}  // namespace
+
 Quat product(const Quat& a, const Quat& b) {
   return {
       a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
       a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
-
-}  // namespace
 
 Vec3 rotate(const Quat& q, Vec3 v) {
   const Vec3 axis = {q.x, q.y, q.z};

@@ -199,12 +199,11 @@ const char* stage_name(Stage stage) {
   return "unknown";
 }
 
-TrackPoint track_point(const TickRecord& record, Vec3 entry_m, Vec3 direction) {
+TrackPoint track_point(const TickRecord& record, const Course& course) {
   const Output& out = record.output;
-  const Vec3 way = {out.tip_m.x - entry_m.x, out.tip_m.y - entry_m.y, out.tip_m.z - entry_m.z};
-  const auto dot = [&direction](Vec3 v) {
-    return v.x * direction.x + v.y * direction.y + v.z * direction.z;
-  };
+  const Vec3& from = course.entry_m;
+  const Vec3 way = {out.tip_m.x - from.x, out.tip_m.y - from.y, out.tip_m.z - from.z};
+  const auto dot = [&d = course.direction](Vec3 v) { return v.x * d.x + v.y * d.y + v.z * d.z; };
   return {out.tick, -dot(out.force_n), out.depth_m, dot(way), out.phase};
 }
 

@@ -24,6 +24,7 @@ constexpr std::array kTickColumns = {
     Column{"output/friction_n", kF32, 3, STYLET_IN(output.cause.friction_n)},
     Column{"output/clamping_n", kF32, 3, STYLET_IN(output.cause.clamping_n)},
     Column{"output/obstacle_n", kF32, 3, STYLET_IN(output.cause.obstacle_n)},
+    Column{"output/stiffness_n_per_m", kF32, 1, STYLET_IN(output.stiffness_n_per_m)},
     Column{"output/tip_m", kF32, 3, STYLET_IN(output.tip_m)},
     Column{"output/depth_m", kF32, 1, STYLET_IN(output.depth_m)},
     Column{"output/phase", kU32, 1, STYLET_IN(output.phase)},
@@ -51,7 +52,39 @@ constexpr std::array kEventColumns = {
     Column{"events/layer", kU32, 1, offsetof(Event, layer)},
     Column{"events/depth_m", kF32, 1, offsetof(Event, depth_m)},
     Column{"events/force_n", kF32, 1, offsetof(Event, force_n)},
+    Column{"events/needle", kU32, 1, offsetof(Event, needle)},
 };
+
+#define STYLET_IN(field) offsetof(NeedleRecord, field)
+constexpr std::array kNeedleColumns = {
+    Column{"needles/length_m", kF32, 1, STYLET_IN(config.length_m)},
+    Column{"needles/outer_radius_m", kF32, 1, STYLET_IN(config.outer_radius_m)},
+    Column{"needles/unit_m", kF32, 1, STYLET_IN(config.unit_m)},
+    Column{"needles/bending_nm2", kF32, 1, STYLET_IN(config.bending_nm2)},
+    Column{"needles/rods", kU32, 1, STYLET_IN(config.rods)},
+    Column{"needles/bevel_per_m", kF32, 1, STYLET_IN(config.bevel_per_m)},
+    Column{"needles/bent_length_m", kF32, 1, STYLET_IN(config.bent_length_m)},
+    Column{"needles/bent_angle_rad", kF32, 1, STYLET_IN(config.bent_angle_rad)},
+    Column{"needles/entry_m", kF32, 3, STYLET_IN(course.entry_m)},
+    Column{"needles/direction", kF32, 3, STYLET_IN(course.direction)},
+};
+#undef STYLET_IN
+static_assert(sizeof(NeedleConfig) == 8 * 4, "a field of NeedleConfig has no column");
+
+#define STYLET_IN(field) offsetof(ObstacleConfig, field)
+constexpr std::array kObstacleColumns = {
+    Column{"obstacles/position_m", kF32, 3, STYLET_IN(pose.position_m)},
+    Column{"obstacles/rotation_wxyz", kF32, 4, STYLET_IN(pose.rotation)},
+    Column{"obstacles/vertex_count", kU32, 1, STYLET_IN(vertex_count)},
+    Column{"obstacles/vertices_m", kF32, 3 * kMaxHullVertices, STYLET_IN(vertices_m)},
+    Column{"obstacles/rounding_m", kF32, 1, STYLET_IN(rounding_m)},
+    Column{"obstacles/stiffness_n_per_m", kF32, 1, STYLET_IN(stiffness_n_per_m)},
+    Column{"obstacles/largest_force_n", kF32, 1, STYLET_IN(largest_force_n)},
+    Column{"obstacles/friction", kF32, 1, STYLET_IN(friction)},
+};
+#undef STYLET_IN
+static_assert(sizeof(ObstacleConfig) == (12 + 3 * kMaxHullVertices) * 4,
+              "a field of ObstacleConfig has no column");
 
 }  // namespace
 
@@ -64,6 +97,12 @@ std::span<const Column> tick_columns() {
 }
 std::span<const Column> event_columns() {
   return kEventColumns;
+}
+std::span<const Column> needle_columns() {
+  return kNeedleColumns;
+}
+std::span<const Column> obstacle_columns() {
+  return kObstacleColumns;
 }
 
 }  // namespace stylet::hal

@@ -12,12 +12,11 @@ constexpr std::chrono::milliseconds kPause{2};
 }  // namespace
 
 Recorder::Recorder(Ring<TickRecord>& records, Ring<Event>& events, RecordingWriter* writer,
-                   Vec3 entry_m, Vec3 direction)
+                   const Course& course)
     : record_ring_(records),
       event_ring_(events),
       writer_(writer),
-      entry_m_(entry_m),
-      direction_(direction),
+      course_(course),
       thread_(&Recorder::work, this) {}
 
 Recorder::~Recorder() {
@@ -44,7 +43,7 @@ std::size_t Recorder::drain() {
   TickRecord record;
   while (block_.size() < kBlock && record_ring_.pop(record)) {
     block_.push_back(record);
-    track_.push_back(track_point(record, entry_m_, direction_));
+    track_.push_back(track_point(record, course_));
   }
   const std::size_t events_before = events_.size();
   Event event;

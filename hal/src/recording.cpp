@@ -16,7 +16,7 @@ namespace stylet::hal {
 namespace {
 
 constexpr const char* kFormatName = "stylet-recording";
-constexpr std::uint32_t kFormatVersion = 1;
+constexpr std::uint32_t kFormatVersion = 2;
 constexpr hsize_t kChunkRows = 4096;
 constexpr unsigned kDeflateLevel = 1;
 
@@ -83,12 +83,10 @@ void visit_attributes(Visitor& visit, Info& info) {
                &info.config.surround_drag_per_s);
   visit.number("config_hourglass_weight", ColumnType::kFloat32, 1, &info.config.hourglass_weight);
   visit.number("config_paper_alpha", ColumnType::kFloat32, 1, &info.config.paper_alpha);
-  visit.number("config_needle_length_m", ColumnType::kFloat32, 1, &info.config.needle[0].length_m);
-  visit.number("config_needle_outer_radius_m", ColumnType::kFloat32, 1,
-               &info.config.needle[0].outer_radius_m);
-  visit.number("config_needle_unit_m", ColumnType::kFloat32, 1, &info.config.needle[0].unit_m);
-  visit.number("entry_m", ColumnType::kFloat32, 3, &info.entry_m);
-  visit.number("direction", ColumnType::kFloat32, 3, &info.direction);
+  visit.number("config_breathing_amplitude_m", ColumnType::kFloat32, 3,
+               &info.config.breathing.amplitude_m);
+  visit.number("config_breathing_period_s", ColumnType::kFloat32, 1,
+               &info.config.breathing.period_s);
 }
 
 Handle number_space(std::uint32_t width) {
@@ -162,16 +160,21 @@ struct AttributeReader {
   }
 };
 
-// Columns of one struct type, each a dataset that grows by rows.
+// Columns of one struct type, each a dataset that grows by rows; `prefix` goes before their names.
 class Table {
  public:
-  Table(hid_t file, const std::string& path, std::span<const Column> columns)
-      : file_(file), path_(path), columns_(columns) {}
+  Table(hid_t file, const std::string& path, std::span<const Column> columns,
+        std::string prefix = "", hsize_t chunk_rows = kChunkRows)
+      : file_(file),
+        path_(path),
+        columns_(columns),
+        prefix_(std::move(prefix)),
+        chunk_rows_(chunk_rows) {}
 
   void create() {
     for (const Column& column : columns_) {
       const hsize_t size[2] = {0, column.width}, limit[2] = {H5S_UNLIMITED, column.width};
-      const hsize_t chunk[2] = {kChunkRows, column.width};
+      const hsize_t chunk[2] = {chunk_rows_, column.width};
       const int rank = column.width == 1 ? 1 : 2;
       const Handle space(H5Screate_simple(rank, size, limit), H5Sclose);
       const Handle create_list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
@@ -181,28 +184,43 @@ class Table {
       H5Pset_shuffle(create_list.id);
       H5Pset_deflate(create_list.id, kDeflateLevel);
       H5Pset_fletcher32(create_list.id);
-      sets_.emplace_back(H5Dcreate2(file_, column.name, file_type(column.type), space.id,
+      sets_.emplace_back(H5Dcreate2(file_, name(column).c_str(), file_type(column.type), space.id,
                                     link_list.id, create_list.id, H5P_DEFAULT),
                          H5Dclose);
-      if (sets_.back().id < 0) fail(path_, column.name, "column cannot be made");
+      if (sets_.back().id < 0) fail(path_, name(column), "column cannot be made");
     }
   }
 
   void open() {
     for (const Column& column : columns_) {
-      if (!exists(column.name)) fail(path_, column.name, "column missing");
-      sets_.emplace_back(H5Dopen2(file_, column.name, H5P_DEFAULT), H5Dclose);
-      if (sets_.back().id < 0) fail(path_, column.name, "column damaged");
+      if (!exists(name(column))) fail(path_, name(column), "column missing");
+      sets_.emplace_back(H5Dopen2(file_, name(column).c_str(), H5P_DEFAULT), H5Dclose);
+      if (sets_.back().id < 0) fail(path_, name(column), "column damaged");
       const std::uint64_t rows = check(column, sets_.back().id);
       if (&column == columns_.data()) rows_ = rows;
       if (rows != rows_) {
-        fail(path_, column.name,
-             fmt::format("{} rows: expected {} as in {}", rows, rows_, columns_.front().name));
+        fail(path_, name(column),
+             fmt::format("{} rows: expected {} as in {}", rows, rows_, name(columns_.front())));
       }
     }
   }
 
   std::uint64_t rows() const { return rows_; }
+
+  template <typename Row>
+  void append(std::span<const Row> rows) {
+    if (!rows.empty())
+      append(reinterpret_cast<const std::byte*>(rows.data()), sizeof(Row), rows.size());
+  }
+
+  template <typename Row>
+  void read(std::uint64_t first, std::span<Row> rows) {
+    if (!rows.empty())
+      read(first, reinterpret_cast<std::byte*>(rows.data()), sizeof(Row), rows.size());
+  }
+
+ private:
+  std::string name(const Column& column) const { return prefix_ + column.name; }
 
   void append(const std::byte* structs, std::size_t stride, std::size_t count) {
     for (std::size_t c = 0; c < columns_.size(); ++c) {
@@ -214,7 +232,7 @@ class Table {
       }
       const hsize_t size[2] = {rows_ + count, column.width};
       if (H5Dset_extent(sets_[c].id, size) < 0 || !transfer(c, rows_, count, /*write=*/true)) {
-        fail(path_, column.name, "column cannot be written (disk full?)");
+        fail(path_, name(column), "column cannot be written (disk full?)");
       }
     }
     rows_ += count;
@@ -226,7 +244,7 @@ class Table {
       const std::size_t bytes = column.width * column_bytes(column.type);
       buffer_.resize(bytes * count);
       if (!transfer(c, first, count, /*write=*/false)) {
-        fail(path_, column.name,
+        fail(path_, name(column),
              fmt::format("rows {} to {} cannot be read: file damaged or cut short", first,
                          first + count));
       }
@@ -236,13 +254,12 @@ class Table {
     }
   }
 
- private:
   // Every group on the way, too: HDF5 reports a missing group as an error, not as "no".
-  bool exists(const std::string& name) const {
-    for (std::size_t at = name.find('/'); at != std::string::npos; at = name.find('/', at + 1)) {
-      if (H5Lexists(file_, name.substr(0, at).c_str(), H5P_DEFAULT) <= 0) return false;
+  bool exists(const std::string& full) const {
+    for (std::size_t at = full.find('/'); at != std::string::npos; at = full.find('/', at + 1)) {
+      if (H5Lexists(file_, full.substr(0, at).c_str(), H5P_DEFAULT) <= 0) return false;
     }
-    return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0;
+    return H5Lexists(file_, full.c_str(), H5P_DEFAULT) > 0;
   }
 
   std::uint64_t check(const Column& column, hid_t set) const {
@@ -253,7 +270,7 @@ class Table {
     if (H5Tequal(type.id, file_type(column.type)) <= 0 ||
         H5Sget_simple_extent_ndims(space.id) != rank ||
         H5Sget_simple_extent_dims(space.id, size, nullptr) < 0 || size[1] != column.width) {
-      fail(path_, column.name,
+      fail(path_, name(column),
            fmt::format("column has another type: expected {} x {} byte number(s)", column.width,
                        column_bytes(column.type)));
     }
@@ -276,10 +293,62 @@ class Table {
   hid_t file_;
   const std::string& path_;
   std::span<const Column> columns_;
+  std::string prefix_;
+  hsize_t chunk_rows_;
   std::vector<Handle> sets_;
   std::vector<std::byte> buffer_;
   std::uint64_t rows_ = 0;
 };
+
+// One table of ticks a needle; the first one's has no prefix.
+std::vector<Table> tick_tables(hid_t file, const std::string& path, std::uint32_t needles) {
+  std::vector<Table> tables;
+  for (std::uint32_t i = 0; i < needles; ++i) {
+    tables.emplace_back(file, path, tick_columns(), i == 0 ? "" : fmt::format("needle{}/", i));
+  }
+  return tables;
+}
+
+Table needle_table(hid_t file, const std::string& path) {
+  return {file, path, needle_columns(), "", kMaxNeedles};
+}
+Table obstacle_table(hid_t file, const std::string& path) {
+  return {file, path, obstacle_columns(), "", kMaxObstacles};
+}
+
+void write_bodies(hid_t file, const std::string& path, const RecordingInfo& info) {
+  Table needles = needle_table(file, path), obstacles = obstacle_table(file, path);
+  needles.create();
+  obstacles.create();
+  std::vector<NeedleRecord> rows;
+  for (std::uint32_t i = 0; i < info.config.needle_count; ++i) {
+    rows.push_back({info.config.needle[i], info.course[i]});
+  }
+  needles.append(std::span<const NeedleRecord>(rows));
+  obstacles.append(std::span<const ObstacleConfig>(info.obstacles));
+}
+
+void read_bodies(hid_t file, const std::string& path, RecordingInfo& info) {
+  Table needles = needle_table(file, path), obstacles = obstacle_table(file, path);
+  needles.open();
+  obstacles.open();
+  if (needles.rows() < 1 || needles.rows() > kMaxNeedles) {
+    fail(path, "needles", fmt::format("{} rows: expected 1 to {}", needles.rows(), kMaxNeedles));
+  }
+  if (obstacles.rows() > kMaxObstacles) {
+    fail(path, "obstacles",
+         fmt::format("{} rows: expected {} at most", obstacles.rows(), kMaxObstacles));
+  }
+  std::vector<NeedleRecord> rows(needles.rows());
+  needles.read(0, std::span(rows));
+  info.config.needle_count = static_cast<std::uint32_t>(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    info.config.needle[i] = rows[i].config;
+    info.course[i] = rows[i].course;
+  }
+  info.obstacles.resize(obstacles.rows());
+  obstacles.read(0, std::span(info.obstacles));
+}
 
 // We report errors ourselves: the library's own stack print is not for users, and its cleaning up
 // at exit crashes on a file that could not be completed because the disk was full.
@@ -296,14 +365,15 @@ void prepare_library() {
 struct RecordingWriter::File {
   std::string path, temporary;
   Handle file;
-  Table ticks, events;
-  std::vector<TickRecord> waiting;  // less than a chunk
+  std::vector<Table> ticks;  // of each needle
+  Table events;
+  std::array<std::vector<TickRecord>, kMaxNeedles> waiting;  // of each needle, less than a chunk
 
-  File(const std::string& path_in, const std::string& temporary_in, hid_t id)
+  File(const std::string& path_in, const std::string& temporary_in, hid_t id, std::uint32_t needles)
       : path(path_in),
         temporary(temporary_in),
         file(id, H5Fclose),
-        ticks(id, path, tick_columns()),
+        ticks(tick_tables(id, path, needles)),
         events(id, path, event_columns()) {}
   ~File() {
     if (!temporary.empty()) std::remove(temporary.c_str());
@@ -315,42 +385,38 @@ RecordingWriter::RecordingWriter(const std::string& path, const RecordingInfo& i
   const std::string temporary = fmt::format("{}.{}.tmp", path, getpid());
   const hid_t id = H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   if (id < 0) fail(path, "file", "cannot be created: expected a folder that can be written");
-  file_ = std::make_unique<File>(path, temporary, id);
+  file_ = std::make_unique<File>(path, temporary, id, info.config.needle_count);
   AttributeWriter writer{id, file_->path};
   writer.text("format", kFormatName);
   writer.number("format_version", ColumnType::kUint32, 1, &kFormatVersion);
   visit_attributes(writer, info);
-  file_->ticks.create();
+  write_bodies(id, file_->path, info);
+  for (Table& each : file_->ticks) each.create();
   file_->events.create();
 }
 
 RecordingWriter::~RecordingWriter() = default;
 
 void RecordingWriter::append(std::span<const TickRecord> records) {
-  std::vector<TickRecord>& waiting = file_->waiting;
-  waiting.insert(waiting.end(), records.begin(), records.end());
-  while (waiting.size() >= kChunkRows) {
-    file_->ticks.append(reinterpret_cast<const std::byte*>(waiting.data()), sizeof(TickRecord),
-                        kChunkRows);
-    waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(kChunkRows));
+  for (const TickRecord& record : records) {
+    std::vector<TickRecord>& waiting = file_->waiting[record.needle];
+    waiting.push_back(record);
+    if (waiting.size() < kChunkRows) continue;
+    file_->ticks[record.needle].append(std::span<const TickRecord>(waiting));
+    waiting.clear();
   }
 }
 
 void RecordingWriter::append(std::span<const Event> events) {
-  if (events.empty()) return;
-  file_->events.append(reinterpret_cast<const std::byte*>(events.data()), sizeof(Event),
-                       events.size());
+  file_->events.append(events);
 }
 
 void RecordingWriter::finish(std::uint64_t final_state_hash, std::uint64_t lost_records) {
-  std::vector<TickRecord>& waiting = file_->waiting;
-  if (!waiting.empty()) {
-    file_->ticks.append(reinterpret_cast<const std::byte*>(waiting.data()), sizeof(TickRecord),
-                        waiting.size());
-    waiting.clear();
+  for (std::size_t i = 0; i < file_->ticks.size(); ++i) {
+    file_->ticks[i].append(std::span<const TickRecord>(file_->waiting[i]));
   }
   AttributeWriter writer{file_->file.id, file_->path};
-  const std::uint64_t ticks = file_->ticks.rows();
+  const std::uint64_t ticks = file_->ticks[0].rows();
   writer.number("lost_records", ColumnType::kUint64, 1, &lost_records);
   writer.number("final_state_hash", ColumnType::kUint64, 1, &final_state_hash);
   writer.number("ticks", ColumnType::kUint64, 1, &ticks);  // last: a file that has it is whole
@@ -371,13 +437,11 @@ struct RecordingReader::File {
   std::string path;
   Handle file;
   RecordingInfo info;
-  mutable Table ticks, events;
+  mutable std::vector<Table> ticks;  // of each needle
+  mutable Table events;
 
   File(const std::string& path_in, hid_t id)
-      : path(path_in),
-        file(id, H5Fclose),
-        ticks(id, path, tick_columns()),
-        events(id, path, event_columns()) {}
+      : path(path_in), file(id, H5Fclose), events(id, path, event_columns()) {}
 };
 
 RecordingReader::RecordingReader(const std::string& path) {
@@ -394,18 +458,24 @@ RecordingReader::RecordingReader(const std::string& path) {
   std::uint32_t version = 0;
   reader.number("format_version", ColumnType::kUint32, 1, &version);
   if (version != kFormatVersion) {
-    fail(path, "format_version", fmt::format("{}: expected {}", version, kFormatVersion));
+    fail(
+        path, "format_version",
+        fmt::format("{}: expected {}; record it again with this program", version, kFormatVersion));
   }
   visit_attributes(reader, file_->info);
+  read_bodies(id, file_->path, file_->info);
   std::uint64_t ticks = 0;
   reader.number("ticks", ColumnType::kUint64, 1, &ticks);
   reader.number("lost_records", ColumnType::kUint64, 1, &file_->info.lost_records);
   reader.number("final_state_hash", ColumnType::kUint64, 1, &file_->info.final_state_hash);
-  file_->ticks.open();
-  file_->events.open();
-  if (file_->ticks.rows() != ticks) {
-    fail(path, "ticks", fmt::format("{} rows: expected {}", file_->ticks.rows(), ticks));
+  file_->ticks = tick_tables(id, file_->path, file_->info.config.needle_count);
+  for (Table& each : file_->ticks) {
+    each.open();
+    if (each.rows() != ticks) {
+      fail(path, "ticks", fmt::format("{} rows: expected {}", each.rows(), ticks));
+    }
   }
+  file_->events.open();
 }
 
 RecordingReader::~RecordingReader() = default;
@@ -414,19 +484,20 @@ const RecordingInfo& RecordingReader::info() const {
   return file_->info;
 }
 std::uint64_t RecordingReader::ticks() const {
-  return file_->ticks.rows();
+  return file_->ticks[0].rows();
 }
 std::uint64_t RecordingReader::event_count() const {
   return file_->events.rows();
 }
 
-void RecordingReader::read(std::uint64_t first, std::span<TickRecord> out) const {
-  file_->ticks.read(first, reinterpret_cast<std::byte*>(out.data()), sizeof(TickRecord),
-                    out.size());
+void RecordingReader::read(std::uint64_t first, std::span<TickRecord> out,
+                           std::uint32_t needle) const {
+  file_->ticks[needle].read(first, out);
+  for (TickRecord& each : out) each.needle = needle;
 }
 
 void RecordingReader::read(std::uint64_t first, std::span<Event> out) const {
-  file_->events.read(first, reinterpret_cast<std::byte*>(out.data()), sizeof(Event), out.size());
+  file_->events.read(first, out);
 }
 
 }  // namespace stylet::hal

@@ -2,157 +2,16 @@
 #include "stylet/hal/scene.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <initializer_list>
-#include <set>
-#include <sstream>
 
+#include "scene_bodies.h"
+#include "section.h"
 #include "stylet/limits.h"
 
 namespace stylet::hal {
 namespace {
-
-struct Preset {
-  const char* name;
-  double outer_diameter_mm;
-};
-// Regular wall, from the usual gauge table.
-constexpr std::array kPresets = {Preset{"17G", 1.473}, Preset{"18G", 1.270}, Preset{"20G", 0.9081},
-                                 Preset{"22G", 0.7176}, Preset{"25G", 0.5144}};
-
-std::string value_text(const toml::node& node) {
-  std::ostringstream out;
-  node.visit([&out](const auto& n) { out << n; });
-  return out.str();
-}
-
-// One table of the file. Reads keys by name and remembers them, so that finish() finds the others.
-class Section {
- public:
-  Section(const std::string& file, const toml::table* table, std::string name)
-      : file_(file), table_(table), name_(std::move(name)) {}
-
-  [[noreturn]] void fail(const std::string& key, const std::string& allowed) const {
-    const toml::node* node = find(key);
-    const auto line = node != nullptr     ? node->source().begin.line
-                      : table_ != nullptr ? table_->source().begin.line
-                                          : 1U;
-    throw SceneError(fmt::format("{}:{}: {}: {}: {}", file_, line, full(key),
-                                 node != nullptr ? value_text(*node) : "missing", allowed));
-  }
-
-  bool has(const std::string& key) const { return find(key) != nullptr; }
-
-  const toml::node* get(const std::string& key) {
-    known_.insert(key);
-    return find(key);
-  }
-
-  double number(const std::string& key, double fallback, double low, double high) {
-    const toml::node* node = get(key);
-    if (node == nullptr) return fallback;
-    return checked(key, *node, low, high);
-  }
-
-  std::int64_t integer(const std::string& key, std::int64_t fallback, std::int64_t low,
-                       std::int64_t high) {
-    const toml::node* node = get(key);
-    if (node == nullptr) return fallback;
-    const auto value = node->value_exact<std::int64_t>();
-    if (!value || *value < low || *value > high) {
-      fail(key, fmt::format("a whole number from {} to {}", low, high));
-    }
-    return *value;
-  }
-
-  std::string text(const std::string& key, const std::string& fallback) {
-    const toml::node* node = get(key);
-    if (node == nullptr) return fallback;
-    const auto value = node->value_exact<std::string>();
-    if (!value) fail(key, "a text in quotes");
-    return *value;
-  }
-
-  std::string choice(const std::string& key, const std::string& fallback,
-                     std::initializer_list<const char*> allowed) {
-    const std::string value = text(key, fallback);
-    std::string all;
-    for (const char* each : allowed) {
-      if (value == each) return value;
-      all += fmt::format("{}\"{}\"", all.empty() ? "" : " or ", each);
-    }
-    fail(key, all);
-  }
-
-  template <std::size_t N>
-  std::array<double, N> numbers(const std::string& key, std::array<double, N> fallback, double low,
-                                double high) {
-    const toml::node* node = get(key);
-    if (node == nullptr) return fallback;
-    const toml::array* list = node->as_array();
-    if (list == nullptr || list->size() != N) fail(key, fmt::format("a list of {} numbers", N));
-    std::array<double, N> values{};
-    for (std::size_t i = 0; i < N; ++i) values[i] = checked(key, *list->get(i), low, high);
-    return values;
-  }
-
-  Section table(const std::string& key) {
-    const toml::node* node = get(key);
-    if (node != nullptr && !node->is_table()) fail(key, "a table");
-    return {file_, node != nullptr ? node->as_table() : nullptr, full(key)};
-  }
-
-  std::vector<Section> tables(const std::string& key) {
-    std::vector<Section> list;
-    const toml::node* node = get(key);
-    if (node == nullptr) return list;
-    if (!node->is_array_of_tables())
-      fail(key, fmt::format("tables, each headed [[{}]]", full(key)));
-    for (const toml::node& each : *node->as_array()) {
-      list.emplace_back(file_, each.as_table(), full(key));
-    }
-    return list;
-  }
-
-  // Every key of the table must have been asked for.
-  void finish() const {
-    if (table_ == nullptr) return;
-    for (const auto& [key, node] : *table_) {
-      if (known_.count(std::string(key.str())) == 0) {
-        std::string all;
-        for (const std::string& each : known_) all += (all.empty() ? "" : ", ") + each;
-        fail(std::string(key.str()), "unknown key; allowed here: " + all);
-      }
-    }
-  }
-
- private:
-  const toml::node* find(const std::string& key) const {
-    return table_ != nullptr ? table_->get(key) : nullptr;
-  }
-  std::string full(const std::string& key) const { return name_.empty() ? key : name_ + "." + key; }
-
-  double checked(const std::string& key, const toml::node& node, double low, double high) const {
-    const auto value = node.is_number() ? node.value<double>() : std::nullopt;
-    if (!value || !(*value >= low && *value <= high)) {
-      fail(key, fmt::format("a number from {} to {}", low, high));
-    }
-    return *value;
-  }
-
-  const std::string& file_;
-  const toml::table* table_;
-  std::string name_;
-  std::set<std::string> known_;
-};
-
-float si(double value, double unit) {
-  return static_cast<float>(value * unit);
-}
 
 void read_loop(Section loop, Scene& scene) {
   const double low_us = std::round(static_cast<double>(kMinPeriodS) * 1e6);
@@ -167,35 +26,17 @@ void read_loop(Section loop, Scene& scene) {
   loop.finish();
 }
 
-void read_needle(Section needle, NeedleConfig& config) {
-  if (needle.has("preset") && needle.has("outer_diameter_mm")) {
-    needle.fail("preset", "either preset or outer_diameter_mm");
-  }
-  const std::string preset = needle.choice("preset", "18G", {"17G", "18G", "20G", "22G", "25G"});
-  double outer_mm = 0;
-  for (const Preset& each : kPresets) {
-    if (preset == each.name) outer_mm = each.outer_diameter_mm;
-  }
-  outer_mm = needle.number("outer_diameter_mm", outer_mm, 0.05, 10);
-  config.outer_radius_m = si(outer_mm, 0.5e-3);
-  const double max_mm = std::round(static_cast<double>(kMaxNeedleLengthM) * 1e3);
-  config.length_m = si(needle.number("length_mm", 150, 1, max_mm), 1e-3);
-  config.unit_m = si(needle.number("unit_mm", 5, 0.1, 100), 1e-3);
-  needle.finish();
-}
-
 void read_approach(Section section, Approach& approach) {
   const auto d = section.numbers<3>("direction", {1, 0, 0}, -1e3, 1e3);
   const double size = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
   if (!(size > 1e-6)) section.fail("direction", "a direction that is not zero");
-  approach.direction = {si(d[0], 1 / size), si(d[1], 1 / size), si(d[2], 1 / size)};
+  approach.direction = si(d, 1 / size);
   if (section.has("through") && section.has("point_mm")) {
     section.fail("through", "either through or point_mm");
   }
   section.choice("through", "centroid", {"centroid"});
   if (section.has("point_mm")) {
-    const auto p = section.numbers<3>("point_mm", {}, -2000, 2000);
-    approach.through_m = Vec3{si(p[0], 1e-3), si(p[1], 1e-3), si(p[2], 1e-3)};
+    approach.through_m = si(section.numbers<3>("point_mm", {}, -2000, 2000), 1e-3);
   } else {
     (void)section.get("point_mm");
   }
@@ -298,13 +139,7 @@ Scene parse_scene(std::string_view text, const std::string& file) {
   Scene scene;
   scene.file = file;
   scene.text = text;
-  toml::table root_table;
-  try {
-    root_table = toml::parse(text, file);
-  } catch (const toml::parse_error& error) {
-    throw SceneError(
-        fmt::format("{}:{}: not TOML: {}", file, error.source().begin.line, error.description()));
-  }
+  const toml::table root_table = parse_toml(text, file);
   Section root(file, &root_table, "");
   const std::string mode = root.choice("mode", "physical", {"physical", "paper"});
   scene.config.mode = mode == "paper" ? Mode::kPaper : Mode::kPhysical;
@@ -318,9 +153,11 @@ Scene parse_scene(std::string_view text, const std::string& file) {
       static_cast<float>(tissue.number("surround_drag_per_s", 12, 0, 100));
   tissue.finish();
   Section paper = root.table("paper");
-  scene.config.paper_alpha = static_cast<float>(paper.number("alpha", 0.5, 0, 1));
+  scene.config.paper_alpha = static_cast<float>(paper.number("alpha", 0.5, 0.001, 1));
   paper.finish();
-  read_needle(root.table("needle"), scene.config.needle[0]);
+  scene.config.needle[0] = read_needle(root.table("needle"));
+  scene.config.breathing = read_breathing(root.table("breathing"));
+  scene.obstacles = read_obstacles(root.tables("obstacles"), file);
   read_approach(root.table("approach"), scene.approach);
   read_guard(root.table("device"), root.table("guard"), scene);
   read_hand(root.table("hand"), scene);
@@ -329,12 +166,7 @@ Scene parse_scene(std::string_view text, const std::string& file) {
 }
 
 Scene read_scene(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf())) {
-    throw SceneError(fmt::format("{}: cannot be read: expected a scene (TOML)", path));
-  }
-  return parse_scene(text.str(), path);
+  return parse_scene(read_text(path, "a scene"), path);
 }
 
 Placement place_needle(const Scene& scene, const Organ& organ) {
@@ -355,10 +187,9 @@ Placement place_needle(const Scene& scene, const Organ& organ) {
         static_cast<double>(through.z) * 1e3, organ.name));
   }
   Placement placement;
-  placement.entry_m = along(outside, direction, distance);
-  placement.direction = direction;
+  placement.course = {along(outside, direction, distance), direction};
   placement.mapping.rotation = needle_rotation(direction);
-  placement.mapping.origin_m = along(placement.entry_m, direction,
+  placement.mapping.origin_m = along(placement.course.entry_m, direction,
                                      -(scene.approach.start_m + scene.config.needle[0].length_m));
   return placement;
 }

@@ -298,7 +298,7 @@ class ReplayTest : public testing::Test {
     RecordingWriter writer(path_, info);
     rig_.config.hash_every_ticks = 50;
     {
-      Recorder recorder(rig_.records, rig_.events, &writer, {}, {1, 0, 0});
+      Recorder recorder(rig_.records, rig_.events, &writer, {{}, {1, 0, 0}});
       run_loop(rig_.config, rig_.instance->kernel, rig_.device(), virtual_clock(rig_.time),
                {&rig_.records, &rig_.events, nullptr, true}, rig_.state);
       recorder.stop();

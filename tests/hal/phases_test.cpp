@@ -170,7 +170,7 @@ TEST(TrackPoint, ResistanceIsPositiveAndTravelCountsFromTheEntry) {
   record.output.tick = 7;
   record.output.force_n = {0, 0.5F, 0};
   record.output.tip_m = {1, 1.96F, 1};
-  const TrackPoint p = track_point(record, {1, 2, 1}, {0, -1, 0});
+  const TrackPoint p = track_point(record, {{1, 2, 1}, {0, -1, 0}});
   EXPECT_EQ(p.tick, 7U);
   EXPECT_EQ(p.axial_n, 0.5F);
   EXPECT_NEAR(static_cast<double>(p.travel_m), 0.04, 1e-6);

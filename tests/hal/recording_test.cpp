@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <hdf5.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -68,8 +69,7 @@ RecordingInfo some_info() {
   info.config.mode = Mode::kPaper;
   info.config.period_s = 5e-4F;
   info.config.needle[0].unit_m = 4e-3F;
-  info.entry_m = {1, 2, 3};
-  info.direction = {0, 0, -1};
+  info.course[0] = {{1, 2, 3}, {0, 0, -1}};
   return info;
 }
 
@@ -107,7 +107,7 @@ TEST_F(RecordingTest, EveryBitComesBack) {
   EXPECT_EQ(info.config.mode, Mode::kPaper);
   EXPECT_EQ(info.config.period_s, 5e-4F);
   EXPECT_EQ(info.config.needle[0].unit_m, 4e-3F);
-  EXPECT_EQ(info.entry_m.y, 2);
+  EXPECT_EQ(info.course[0].entry_m.y, 2);
   EXPECT_EQ(info.final_state_hash, 42U);
   EXPECT_EQ(info.lost_records, 7U);
   ASSERT_EQ(reader.ticks(), records.size());
@@ -120,6 +120,67 @@ TEST_F(RecordingTest, EveryBitComesBack) {
   std::vector<Event> events_back(2);
   reader.read(0, events_back);
   EXPECT_TRUE(same(event_columns(), &events[1], &events_back[1]));
+}
+
+// What is recorded of a struct comes back bit for bit: filled with bytes that are all different.
+template <typename T>
+T with_bytes(unsigned char first) {
+  T value;
+  auto* at = reinterpret_cast<unsigned char*>(&value);
+  for (std::size_t i = 0; i < sizeof(T); ++i) at[i] = static_cast<unsigned char>(first + 7 * i);
+  return value;
+}
+
+TEST_F(RecordingTest, NeedlesObstaclesAndBreathingComeBack) {
+  RecordingInfo info = some_info();
+  info.config.needle_count = 2;
+  info.config.needle[0] = with_bytes<NeedleConfig>(1);
+  info.config.needle[1] = with_bytes<NeedleConfig>(2);
+  info.course[1] = with_bytes<Course>(3);
+  info.config.breathing = with_bytes<BreathingConfig>(4);
+  info.obstacles = {with_bytes<ObstacleConfig>(5), with_bytes<ObstacleConfig>(6)};
+  auto records = any_records(9000);
+  for (std::size_t i = 0; i < records.size(); ++i) records[i].needle = i % 2;
+  {
+    RecordingWriter writer(path(), info);
+    writer.append(records);
+    writer.finish(1, 0);
+  }
+  const RecordingReader reader(path());
+  const RecordingInfo& back = reader.info();
+  ASSERT_EQ(back.config.needle_count, 2U);
+  const auto equal = [](const auto& a, const auto& b) {
+    return std::memcmp(&a, &b, sizeof(a)) == 0;
+  };
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_TRUE(equal(back.config.needle[i], info.config.needle[i])) << i;
+    EXPECT_TRUE(equal(back.course[i], info.course[i])) << i;
+  }
+  EXPECT_TRUE(equal(back.config.breathing, info.config.breathing));
+  ASSERT_EQ(back.obstacles.size(), 2U);
+  EXPECT_TRUE(equal(back.obstacles[1], info.obstacles[1]));
+  ASSERT_EQ(reader.ticks(), 4500U);
+  std::vector<TickRecord> second(4500);
+  reader.read(0, second, 1);
+  for (std::size_t i = 0; i < second.size(); ++i) {
+    ASSERT_TRUE(same(tick_columns(), &records[2 * i + 1], &second[i])) << i;
+    ASSERT_EQ(second[i].needle, 1U);
+  }
+}
+
+TEST_F(RecordingTest, AnOlderFormatIsRefusedByItsNumber) {
+  {
+    RecordingWriter writer(path(), some_info());
+    writer.append(any_records(10));
+    writer.finish(1, 0);
+  }
+  const hid_t file = H5Fopen(path().c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hid_t version = H5Aopen(file, "format_version", H5P_DEFAULT);
+  const std::uint32_t old = 1;
+  ASSERT_GE(H5Awrite(version, H5T_NATIVE_UINT32, &old), 0);
+  H5Aclose(version);
+  H5Fclose(file);
+  EXPECT_THAT(refusal(path()), testing::HasSubstr("r.h5: format_version: 1: expected 2; record"));
 }
 
 TEST_F(RecordingTest, UnfinishedLeavesNothing) {

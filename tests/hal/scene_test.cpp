@@ -3,8 +3,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "tiny_organ.h"
@@ -24,7 +27,7 @@ damping_ms = 1.5
 [paper]
 alpha = 0.25
 [needle]
-preset = "22G"
+gauge = "22G"
 length_mm = 120
 unit_mm = 4
 [approach]
@@ -118,12 +121,31 @@ TEST(Scene, EveryMistakeNamesItsLineAndWhatIsAllowed) {
       {"period_us = 500", "period_us = \"fast\"", "period_us", "a number from 10 to 10000"},
       {"period_us = 500", "period_us = nan", "period_us", "nan: a number from 10 to 10000"},
       {"period_us = 500", "period_us = inf", "period_us", "a number from 10 to 10000"},
-      {"alpha = 0.25", "alpha = 1.25", "alpha", "paper.alpha: 1.25: a number from 0 to 1"},
+      {"alpha = 0.25", "alpha = 1.25", "alpha", "paper.alpha: 1.25: a number from 0.001 to 1"},
       {"mode = \"paper\"", "mode = \"fast\"", "mode", "\"physical\" or \"paper\""},
       {"mode = \"paper\"", "mode = 1", "mode", "mode: 1: a text in quotes"},
-      {"preset = \"22G\"", "preset = \"21G\"", "21G", "\"18G\" or \"20G\""},
-      {"unit_mm = 4", "unit_mm = 4\nouter_diameter_mm = 1", "preset",
-       "either preset or outer_diameter_mm"},
+      {"gauge = \"22G\"", "gauge = \"21G\"", "21G", "\"18G\" or \"20G\""},
+      {"unit_mm = 4", "unit_mm = 4\nod_mm = 1", "gauge", "either gauge or od_mm"},
+      {"unit_mm = 4", "preset = \"18G\"", "preset", "either gauge or preset"},
+      {"unit_mm = 4", "unit_mm = 60", "unit_mm", "a number from 0.1 to 50"},
+      {"unit_mm = 4", "id_mm = 0.3", "id_mm", "only with od_mm"},
+      {"gauge = \"22G\"", "od_mm = 1\nid_mm = 1", "id_mm", "a number from 0 to 0.99"},
+      {"unit_mm = 4", "flexible = 1", "flexible", "needle.flexible: 1: true or false"},
+      {"unit_mm = 4", "rods = 129", "rods", "a whole number from 1 to 128"},
+      {"unit_mm = 4", "tip = \"sharp\"", "tip", "\"bevel\" or \"bent\""},
+      {"unit_mm = 4", "curvature_per_m = 5", "curvature_per_m", "only with tip = \"bevel\""},
+      {"unit_mm = 4", "tip = \"bevel\"\nbent_angle_deg = 5", "bent_angle", "with tip = \"bent\""},
+      {"unit_mm = 4", "tip = \"bent\"\nbent_length_mm = 121\nbent_angle_deg = 5", "bent_length",
+       "a number from 0.1 to 120"},
+      {"[guard]", "[breathing]\nperiod_s = 4\n[guard]", "[breathing]", "amplitude_mm: missing"},
+      {"[guard]", "[breathing]\namplitude_mm = [80, 80, 0]\n[guard]", "amplitude_mm",
+       "at most 100 mm long"},
+      {"[guard]", "[[obstacles]]\nshape = \"cone\"\n[guard]", "cone", "\"box\" or \"sphere\""},
+      {"[guard]", "[[obstacles]]\nshape = \"box\"\n[guard]", "[[obst", "size_mm: missing: needed"},
+      {"[guard]", "[[obstacles]]\nshape = \"sphere\"\nsize_mm = [1, 1, 1]\n[guard]", "size_mm",
+       "only with shape = \"box\""},
+      {"[guard]", "[[obstacles]]\nshape = \"sphere\"\nradius_mm = 3\n[guard]", "[[obst",
+       "at_mm: missing: where the body is"},
       {"[0, 0, -2]", "[0, 0]", "direction", "approach.direction: [ 0, 0 ]: a list of 3 numbers"},
       {"[0, 0, -2]", "[0, 0, 0]", "direction", "a direction that is not zero"},
       {"[0, 0, -2]", "[0, 0, \"x\"]", "direction", "a number from -1000 to 1000"},
@@ -149,6 +171,110 @@ TEST(Scene, EveryMistakeNamesItsLineAndWhatIsAllowed) {
     EXPECT_THAT(error, testing::StartsWith("s.toml:" + std::to_string(line) + ": ")) << each.to;
   }
   EXPECT_THAT(error_of("loop = 3\n"), testing::StartsWith("s.toml:1: loop: 3: a table"));
+}
+
+// EI from the table of physics.md section 3.2 (four digits) and of its wires (three).
+TEST(Scene, GaugesHaveTheirStiffness) {
+  const struct {
+    const char* gauge;
+    double outer_mm, bending_nm2, tolerance;
+  } gauges[] = {{"17G", 1.473, 3.349e-2, 1e-3},        {"18G", 1.270, 2.070e-2, 1e-3},
+                {"20G", 0.9081, 5.378e-3, 1e-3},       {"22G", 0.7176, 2.318e-3, 1e-3},
+                {"25G", 0.5144, 6.425e-4, 1e-3},       {"nitinol-0.46", 0.46, 1.65e-4, 5e-3},
+                {"nitinol-0.58", 0.58, 4.17e-4, 5e-3}, {"nitinol-0.70", 0.70, 8.84e-4, 5e-3},
+                {"nitinol-1.0", 1.0, 3.68e-3, 5e-3}};
+  for (const auto& each : gauges) {
+    const std::string named = "gauge = \"" + std::string(each.gauge) + "\"";
+    const NeedleConfig rigid = parse_scene(changed("gauge = \"22G\"", named), "s").config.needle[0];
+    EXPECT_EQ(rigid.bending_nm2, 0) << each.gauge;
+    EXPECT_NEAR(of(rigid.outer_radius_m), 0.5e-3 * each.outer_mm, 1e-9);
+    const std::string text = changed("gauge = \"22G\"", named + "\nflexible = true");
+    const double bending = of(parse_scene(text, "s").config.needle[0].bending_nm2);
+    EXPECT_NEAR(bending / each.bending_nm2, 1, each.tolerance) << each.gauge;
+  }
+}
+
+TEST(Scene, NeedlesOfOnesOwn) {
+  const auto needle = [](const std::string& keys) {
+    return parse_scene(changed("gauge = \"22G\"", keys), "s").config.needle[0];
+  };
+  // A solid steel bar of 1 mm: E pi d^4 / 64.
+  EXPECT_NEAR(of(needle("od_mm = 1\nflexible = true").bending_nm2), 9.8175e-3, 1e-6);
+  EXPECT_NEAR(
+      of(needle("od_mm = 1\nid_mm = 0.5\nmaterial = \"nitinol\"\nflexible = true").bending_nm2),
+      9.8175e-3 * 75 / 200 * (1 - 0.0625), 1e-6);
+  EXPECT_NEAR(of(needle("od_mm = 1\ne_gpa = 100\nflexible = true").bending_nm2), 4.9087e-3, 1e-6);
+  EXPECT_EQ(needle("tip = \"bevel\"").bevel_per_m, 5);
+  EXPECT_EQ(needle("tip = \"bevel\"\ncurvature_per_m = 12").bevel_per_m, 12);
+  EXPECT_EQ(needle("tip = \"diamond\"").bevel_per_m, 0);
+  const NeedleConfig bent = needle("tip = \"bent\"\nbent_length_mm = 8\nbent_angle_deg = 18");
+  EXPECT_NEAR(of(bent.bent_length_m), 8e-3, 1e-8);
+  EXPECT_NEAR(of(bent.bent_angle_rad), 0.314159, 1e-6);
+  EXPECT_EQ(needle("rods = 64").rods, 64U);
+}
+
+TEST(Scene, ObstaclesAndBreathing) {
+  const std::string text = changed("[guard]", R"([breathing]
+amplitude_mm = [0, 6, -8]
+period_s = 5
+[[obstacles]]
+shape = "box"
+size_mm = [10, 20, 30]
+at_mm = [1, 2, 3]
+turn_deg = [90, 0, 90]
+stiffness_n_per_mm = 15
+largest_force_n = 12
+friction = 0.1
+[[obstacles]]
+shape = "sphere"
+radius_mm = 7
+at_mm = [0, 0, 0]
+[guard])");
+  const Scene scene = parse_scene(text, "s.toml");
+  EXPECT_NEAR(of(scene.config.breathing.amplitude_m.z), -8e-3, 1e-8);
+  EXPECT_EQ(scene.config.breathing.period_s, 5);
+  ASSERT_EQ(scene.obstacles.size(), 2U);
+  const ObstacleConfig& box = scene.obstacles[0];
+  ASSERT_EQ(box.vertex_count, 8U);
+  EXPECT_NEAR(of(box.vertices_m[7].y), 10e-3, 1e-8);
+  EXPECT_NEAR(of(box.pose.position_m.z), 3e-3, 1e-8);
+  EXPECT_NEAR(of(box.stiffness_n_per_m), 15e3, 1e-2);
+  EXPECT_NEAR(of(box.largest_force_n), 12, 1e-6);
+  EXPECT_NEAR(of(box.friction), 0.1, 1e-7);
+  // About x first: y goes to z; then about z: x goes to y.
+  EXPECT_NEAR(of(rotate(box.pose.rotation, {0, 1, 0}).z), 1, 1e-6);
+  EXPECT_NEAR(of(rotate(box.pose.rotation, {1, 0, 0}).y), 1, 1e-6);
+  EXPECT_EQ(scene.obstacles[1].vertex_count, 1U);
+  EXPECT_NEAR(of(scene.obstacles[1].rounding_m), 7e-3, 1e-8);
+}
+
+std::string written(const char* name, const std::string& text) {
+  const auto path = std::filesystem::temp_directory_path() / (std::to_string(getpid()) + name);
+  std::ofstream(path) << text;
+  return path.string();
+}
+
+TEST(Scene, HullsAreReadFromTheirFile) {
+  const std::string hull = written("hull.toml",
+                                   "source = \"rib.stl\"\nsha256 = \"00\"\n"
+                                   "deviation_mm = 0.1\nvertices_m = [\n  [0, 0, 0],\n"
+                                   "  [0.01, 0, 0],\n  [0, 0.02, 0],\n  [0, 0, 0.03],\n]\n");
+  const std::string keys = "[[obstacles]]\nshape = \"hull\"\nat_mm = [0, 0, 0]\nhull = \"" +
+                           std::filesystem::path(hull).filename().string() + "\"\n[guard]";
+  const std::string beside = std::filesystem::path(hull).replace_filename("s.toml").string();
+  const Scene scene = parse_scene(changed("[guard]", keys), beside);
+  ASSERT_EQ(scene.obstacles.at(0).vertex_count, 4U);
+  EXPECT_NEAR(of(scene.obstacles[0].vertices_m[3].z), 0.03, 1e-8);
+  (void)written("hull.toml", "source = \"rib.stl\"\nvertices_m = [\n  [0, 0],\n]\n");
+  try {
+    (void)parse_scene(changed("[guard]", keys), beside);
+    ADD_FAILURE() << "a vertex with two numbers";
+  } catch (const SceneError& error) {
+    EXPECT_THAT(error.what(), testing::StartsWith(hull + ":2: vertices_m: "));
+    EXPECT_THAT(error.what(), testing::EndsWith("a list of 3 numbers"));
+  }
+  std::filesystem::remove(hull);
+  EXPECT_THROW((void)parse_scene(changed("[guard]", keys), beside), SceneError);
 }
 
 TEST(Scene, SimulatedHandNeedsAScript) {
@@ -202,9 +328,9 @@ TEST(Placement, TipStartsOutsideTheSurfaceAndPointsIn) {
     const Pose start = to_world(placed.mapping, {{}, {1, 0, 0, 0}});
     const Vec3 needle = rotate(start.rotation, {0, 0, -scene.config.needle[0].length_m});
     // Tip = entry - start * direction, and the needle lies along the direction.
-    EXPECT_NEAR(of(start.position_m.x + needle.x), of(placed.entry_m.x - 0.01F * d.x), 1e-6);
-    EXPECT_NEAR(of(start.position_m.y + needle.y), of(placed.entry_m.y - 0.01F * d.y), 1e-6);
-    EXPECT_NEAR(of(start.position_m.z + needle.z), of(placed.entry_m.z - 0.01F * d.z), 1e-6);
+    EXPECT_NEAR(of(start.position_m.x + needle.x), of(placed.course.entry_m.x - 0.01F * d.x), 1e-6);
+    EXPECT_NEAR(of(start.position_m.y + needle.y), of(placed.course.entry_m.y - 0.01F * d.y), 1e-6);
+    EXPECT_NEAR(of(start.position_m.z + needle.z), of(placed.course.entry_m.z - 0.01F * d.z), 1e-6);
     EXPECT_NEAR(of(needle.x), of(0.15F * d.x), 1e-6);
     EXPECT_NEAR(of(needle.y), of(0.15F * d.y), 1e-6);
     EXPECT_NEAR(of(needle.z), of(0.15F * d.z), 1e-6);
@@ -218,12 +344,12 @@ TEST(Placement, TipStartsOutsideTheSurfaceAndPointsIn) {
 TEST(Placement, EntryIsOnTheFaceTowardsTheNeedle) {
   const Block b = block();
   Scene scene;
-  EXPECT_NEAR(of(place_needle(scene, b.organ).entry_m.x), 0.1, 1e-6);
+  EXPECT_NEAR(of(place_needle(scene, b.organ).course.entry_m.x), 0.1, 1e-6);
   scene.approach.direction = {-1, 0, 0};
-  EXPECT_NEAR(of(place_needle(scene, b.organ).entry_m.x), 0.14, 1e-6);
+  EXPECT_NEAR(of(place_needle(scene, b.organ).course.entry_m.x), 0.14, 1e-6);
   scene.approach.direction = {0, 0, -1};
   scene.approach.through_m = Vec3{0.11F, 0.01F, 0};
-  const Vec3 entry = place_needle(scene, b.organ).entry_m;
+  const Vec3 entry = place_needle(scene, b.organ).course.entry_m;
   EXPECT_NEAR(of(entry.x), 0.11, 1e-6);
   EXPECT_NEAR(of(entry.y), 0.01, 1e-6);
   EXPECT_NEAR(of(entry.z), 0.04, 1e-6);

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -28,7 +29,8 @@ OrganFile load_organ(const std::string& path);
 // Blocks of exactly the predicted size, every page of them touched, and the kernel in them.
 class KernelInstance {
  public:
-  KernelInstance(const Organ& organ, const Config& config);
+  KernelInstance(const Organ& organ, const Config& config,
+                 std::span<const ObstacleConfig> obstacles = {});
   KernelInstance(const KernelInstance&) = delete;
   KernelInstance& operator=(const KernelInstance&) = delete;
 

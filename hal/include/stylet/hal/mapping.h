@@ -14,6 +14,8 @@ struct Mapping {
 };
 
 Vec3 rotate(const Quat& q, Vec3 v);
+// First `b`, then `a`.
+Quat product(const Quat& a, const Quat& b);
 Pose to_world(const Mapping& mapping, const Pose& device);
 Vec3 to_device(const Mapping& mapping, Vec3 world_force);
 

@@ -35,7 +35,7 @@ struct TrackPoint {
   float travel_m;  // of the tip beyond the first contact with the organ at rest
   Phase phase;
 };
-TrackPoint track_point(const TickRecord& record, Vec3 entry_m, Vec3 direction);
+TrackPoint track_point(const TickRecord& record, const Course& course);
 
 struct PhaseRow {
   Stage stage;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is kept of one tick, and the one list of its columns: recorder, replay and README follow it.
+// What is kept of one tick of one needle, and the one list of its columns: recorder, replay and
+// README follow it. Then the same for what a kernel was made with.
 // Promise: plain data; a column added here is written, read and compared without more code.
 // Units: SI. Frames: input and output in the world, device in the device's frame.
 #pragma once
@@ -24,6 +25,18 @@ struct TickRecord {
   std::uint32_t tick_ns;     // from reading the device to the force being written
   std::uint32_t late_ns;     // wake-up after the grid point
   std::uint64_t state_hash;  // 0: not taken in this tick
+  std::uint32_t needle;      // says which table of the recording it belongs to
+};
+
+// Where a needle goes in.
+struct Course {
+  Vec3 entry_m;    // first contact of the tip with the organ at rest
+  Vec3 direction;  // of insertion, unit length
+};
+
+struct NeedleRecord {
+  NeedleConfig config;
+  Course course;
 };
 
 enum class ColumnType : std::uint32_t { kFloat32, kUint32, kUint64, kInt64 };
@@ -38,5 +51,7 @@ struct Column {
 
 std::span<const Column> tick_columns();
 std::span<const Column> event_columns();
+std::span<const Column> needle_columns();    // of NeedleRecord
+std::span<const Column> obstacle_columns();  // of ObstacleConfig
 
 }  // namespace stylet::hal

@@ -20,8 +20,8 @@ namespace stylet::hal {
 class Recorder {
  public:
   // `writer` may be null. Rings and writer must outlive the recorder.
-  Recorder(Ring<TickRecord>& records, Ring<Event>& events, RecordingWriter* writer, Vec3 entry_m,
-           Vec3 direction);
+  Recorder(Ring<TickRecord>& records, Ring<Event>& events, RecordingWriter* writer,
+           const Course& course);
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -43,7 +43,7 @@ class Recorder {
   Ring<TickRecord>& record_ring_;
   Ring<Event>& event_ring_;
   RecordingWriter* writer_;
-  Vec3 entry_m_, direction_;
+  Course course_;
   std::vector<TickRecord> block_;
   std::vector<TrackPoint> track_;
   std::vector<Event> events_;

@@ -6,11 +6,13 @@
 // reason. Never called from the real-time thread. Units: SI. Frame: world.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "stylet/hal/record.h"
 #include "stylet/kernel.h"
@@ -29,8 +31,8 @@ struct RecordingInfo {
   std::string organ_name;
   std::uint64_t organ_hash = 0;
   Config config;
-  Vec3 entry_m = {};    // first contact of the tip with the organ at rest
-  Vec3 direction = {};  // of insertion
+  std::array<Course, kMaxNeedles> course = {};  // of each needle
+  std::vector<ObstacleConfig> obstacles;
   std::uint64_t final_state_hash = 0;
   std::uint64_t lost_records = 0;
 };
@@ -42,6 +44,7 @@ class RecordingWriter {
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
 
+  // Each record into the table of its needle.
   void append(std::span<const TickRecord> records);
   void append(std::span<const Event> events);
   void finish(std::uint64_t final_state_hash, std::uint64_t lost_records);
@@ -60,8 +63,8 @@ class RecordingReader {
 
   const RecordingInfo& info() const;
   std::uint64_t ticks() const;
-  // Rows [first, first + out.size()), which must exist.
-  void read(std::uint64_t first, std::span<TickRecord> out) const;
+  // Rows [first, first + out.size()) of a needle, which must exist.
+  void read(std::uint64_t first, std::span<TickRecord> out, std::uint32_t needle = 0) const;
   std::uint64_t event_count() const;
   void read(std::uint64_t first, std::span<Event> out) const;
 

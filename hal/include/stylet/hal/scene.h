@@ -15,6 +15,7 @@
 
 #include "stylet/hal/guard.h"
 #include "stylet/hal/mapping.h"
+#include "stylet/hal/record.h"
 #include "stylet/hal/simulated_hand.h"
 #include "stylet/kernel.h"
 
@@ -36,6 +37,7 @@ struct Scene {
   std::string text;
   std::string organ_path;  // as written; relative to the scene's folder
   Config config;
+  std::vector<ObstacleConfig> obstacles;
   int rt_priority = 80;
   int cpu = -1;  // -1: the last one the process may use
   std::uint32_t hash_every_ticks = 1000;
@@ -54,8 +56,7 @@ Scene parse_scene(std::string_view text, const std::string& file);
 
 // Start pose of the needle for an organ. Throws SceneError if the line misses the organ.
 struct Placement {
-  Vec3 entry_m;     // first point of the surface along the line
-  Vec3 direction;   // of insertion, unit length
+  Course course;    // from the first point of the surface along the line
   Mapping mapping;  // device at rest = needle's base at the start; device -z = direction
 };
 Placement place_needle(const Scene& scene, const Organ& organ);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of a scene that are things: the needle, and what it must not enter.
+//
+// Needles by gauge: outer and inner diameter of regular-wall tubes from the usual gauge table; E of
+// 304/316 steel 200 GPa (193 to 200 in data sheets) and of austenitic nitinol 75 GPa (40 to 83
+// quoted); lengths as these needles are sold. EI = E pi (OD^4 - ID^4) / 64.
+#pragma once
+
+#include <vector>
+
+#include "section.h"
+#include "stylet/kernel.h"
+
+namespace stylet::hal {
+
+NeedleConfig read_needle(Section needle);
+// `scene_file`: hull files are named relative to its folder.
+std::vector<ObstacleConfig> read_obstacles(std::vector<Section> sections,
+                                           const std::string& scene_file);
+BreathingConfig read_breathing(Section breathing);
+
+}  // namespace stylet::hal
