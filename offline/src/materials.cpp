@@ -131,7 +131,10 @@ const std::vector<Tissue>& preset_tissues() {
       {"prostate",
        "E 15 to 70 kPa (Krouskop 1998), shaft friction 0.03 to 0.12 N/mm; 18G: less than the 8.9 N "
        "met at the perineum (Podder et al. 2006); density 1027 (PMC4201780)",
-       1027, 40000, 0.45, 0.4, 1.0, 2.5, 1.0, 0.1, 50, 60, 1e-3, 30},
+       1027, 40000, 0.45, 0.4, 1.0, 1.0, 1.0, 0.1, 50, 60, 1e-3, 30},
+      {"prostate_capsule",
+       "prostate under its capsule, a membrane and a puncture of it by judgement", 1027, 40000,
+       0.45, 0.4, 1.0, 2.0, 1.0, 0.1, 50, 60, 1e-3, 30, 2000},
       {"fat",
        "E 1 to 20 kPa, typical 3.3 (Samani 2007), doubled at needle scale; density 901 to 923 "
        "(Kaye and Laby); forces below those of muscle by judgement",
@@ -142,15 +145,18 @@ const std::vector<Tissue>& preset_tissues() {
       {"muscle",
        "relaxed, across fibres: E 10 to 50 kPa; density 1047 (Kaye and Laby); shaft friction 0.03 "
        "to 0.12 N/mm",
-       1047, 40000, 0.45, 0.4, 1.0, 1.2, 0.6, 0.1, 40, 50, 1e-3, 30},
+       1047, 40000, 0.45, 0.4, 1.0, 0.6, 0.6, 0.1, 40, 50, 1e-3, 30},
+      {"fascia",
+       "muscle under its fascia, a membrane of 2 N/mm, and the puncture of it, by judgement", 1047,
+       40000, 0.45, 0.4, 1.0, 1.2, 0.6, 0.1, 40, 50, 1e-3, 30, 2000},
       {"ligament",
        "supraspinous and interspinous: 9.1 and 7.6 to 8 N on a Tuohy needle (layer table of "
        "epidural simulators after Brett); modulus across the fibres and friction by judgement",
-       1100, 1e6, 0.45, 0.2, 1.0, 7.8, 4.0, 0.1, 50, 60, 1e-3, 30},
+       1100, 5e5, 0.45, 0.2, 1.0, 7.8, 4.0, 0.1, 50, 60, 1e-3, 30},
       {"ligamentum_flavum",
        "12.1 N on a Tuohy needle (same table), 11.1 to 11.8 N before loss of resistance in the "
-       "pig (Vaughan et al. 2012); E 2 to 10 MPa in the toe region",
-       1100, 2e6, 0.45, 0.2, 1.0, 12.1, 9.0, 0.1, 50, 60, 1e-3, 30},
+       "pig (Vaughan et al. 2012); E across the fibres below the 2 to 10 MPa along them",
+       1100, 1e6, 0.45, 0.2, 1.0, 12.1, 9.0, 0.1, 50, 60, 1e-3, 30},
       {"skin",
        "E 50 to 200 kPa in vivo by indentation, up to 20 MPa in tension, of which 1 MPa times 2 mm "
        "as membrane; density 1150 (Kaye and Laby); puncture by 21G to 27G 0.3 to 2 N, 18G at the "

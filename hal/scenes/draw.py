@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Pictures of the scenes: what a recording shows, as panels drawn by gnuplot.
+
+A panel is a dict: title, x, y (names of the axes), lines [(x, y, name)], and optionally marks
+[(x, text)], points [(x, y, name)], equal (both axes to one scale). Lengths in mm, forces in N.
+"""
+import json
+import os
+import pathlib
+import subprocess
+
+import h5py
+import numpy as np
+
+# Colours of Okabe and Ito: told apart with every kind of colour vision.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
+MOST_POINTS = 1500  # of a line: more than a page can show
+EVENTS = ["contact", "release", "puncture", "re-entry", "exit", "layer", "obstacle"]
+BIN = pathlib.Path(os.environ.get(
+    "STYLET_BIN", pathlib.Path(__file__).resolve().parents[2] / "build/release/bin"))
+
+
+class Run:
+    """The columns of a recording as pictures and tests want them, SI units."""
+
+    def __init__(self, recording):
+        self.path = recording
+        with h5py.File(recording) as file:
+            w, x, y, z = np.asarray(file["input/rotation_wxyz"], float).T
+            along = -np.stack([2 * (x * z + w * y), 2 * (y * z - w * x),
+                               1 - 2 * (x * x + y * y)], 1)[0]
+            self.along = along
+            self.time_s = np.asarray(file["output/tick"]).astype(float) * 1e-3
+            self.handle_m = np.asarray(file["input/position_m"], float)
+            self.tip_m = np.asarray(file["output/tip_m"], float)
+            self.force_n = np.asarray(file["output/force_n"], float)
+            self.parts_n = {name: -np.asarray(file[f"output/{name}_n"], float) @ along
+                            for name in ("stiffness", "cutting", "friction")}
+            self.depth_m = np.asarray(file["output/depth_m"], float)
+            self.particles = np.asarray(file["output/constraint_particles"]).astype(int)
+            self.events = [(int(tick), EVENTS[kind], int(layer), float(force)) for
+                           tick, kind, layer, force in
+                           zip(file["events/tick"], file["events/kind"], file["events/layer"],
+                               file["events/force_n"])]
+        self.axial_n = -self.force_n @ along  # positive where the hand is pushed back
+        contact = self.index("contact")
+        self.travel_m = (self.tip_m - self.tip_m[contact]) @ along
+        self.hand_m = (self.handle_m - self.handle_m[contact]) @ along
+
+    def ticks(self, kind):
+        return [tick for tick, name, _, _ in self.events if name == kind]
+
+    def index(self, kind, which=0):
+        """Row of the which-th event of a kind."""
+        return self.ticks(kind)[which] - 1
+
+    def shapes(self, *ticks):
+        """Needles, constraint particles and surface at these ticks."""
+        done = subprocess.run([BIN / "stylet-snapshot", self.path, *map(str, ticks)],
+                              capture_output=True, text=True, check=True)
+        return json.loads(done.stdout)
+
+
+def thinned(*columns):
+    step = max(1, len(columns[0]) // MOST_POINTS)
+    return [np.asarray(column)[::step] for column in columns]
+
+
+def data_block(name, x, y):
+    rows = "\n".join(f"{a:.6g} {b:.6g}" for a, b in zip(*thinned(x, y)))
+    return f"${name} << EOD\n{rows}\nEOD\n"
+
+
+def panel_script(index, panel):
+    blocks, curves = "", []
+    for kind, style in (("lines", "lines lw 1.8"), ("points", "points pt 7 ps 0.45")):
+        for x, y, name in panel.get(kind, []):
+            block = f"p{index}_{len(curves)}"
+            blocks += data_block(block, x, y)
+            colour = COLOURS[len(curves) % len(COLOURS)]
+            title = f"title '{name}'" if name else "notitle"
+            curves.append(f"${block} using 1:2 with {style} lc rgb '{colour}' {title}")
+    text = blocks + f"set title '{panel['title']}'\nset xlabel '{panel['x']}'\n"
+    text += f"set ylabel '{panel['y']}'\nunset label\nunset arrow\nset autoscale\n"
+    text += "set size ratio -1\n" if panel.get("equal") else "set size noratio\n"
+    for x, words in panel.get("marks", []):
+        text += (f"set arrow from first {x:.6g}, graph 0 to first {x:.6g}, graph 1 nohead "
+                 f"lc rgb '#BBBBBB' dt 2\nset label '{words}' at first {x:.6g}, graph 0.98 right "
+                 "rotate by 90 offset -0.6,0 font ',10' textcolor rgb '#555555'\n")
+    text += f"set key {panel.get('key', 'top left')}\n"
+    return text + "plot " + ", \\\n  ".join(curves) + "\n"
+
+
+def draw_panels(panels, picture):
+    script = (f"set terminal svg size 900,{40 + 390 * len(panels)} font 'DejaVu Sans,13' "
+              "background rgb 'white'\nset encoding utf8\nset border 3\nset tics nomirror out\n"
+              "set grid lw 0.5 lc rgb '#DDDDDD'\n"
+              f"set multiplot layout {len(panels)},1\n")
+    script += "".join(panel_script(i, panel) for i, panel in enumerate(panels))
+    done = subprocess.run(["gnuplot", "--default-settings"], input=script, capture_output=True,
+                          text=True, env={**os.environ, "LC_ALL": "C.UTF-8"})
+    if done.returncode != 0 or not done.stdout:
+        raise RuntimeError(f"gnuplot: {done.stderr[-500:]}")
+    pathlib.Path(picture).write_text(done.stdout)
+
+
+# ---- panels that several scenes share ------------------------------------------------------------
+
+def force_over_time(run, title):
+    lines = [(run.time_s, run.axial_n, "axial force")]
+    lines += [(run.time_s, part, name) for name, part in run.parts_n.items()]
+    marks = [(tick * 1e-3, name) for tick, name, _, _ in run.events]
+    return {"title": title, "x": "time / s", "y": "force / N", "lines": lines,
+            "marks": marks, "key": "outside right top"}
+
+
+def force_over_travel(run, title, layers=()):
+    marks = [(run.travel_m[tick - 1] * 1e3, layers[layer] if layers else name)
+             for tick, name, layer, _ in run.events
+             if name in ("puncture", "layer") and run.hand_m[tick - 1] < run.hand_m.max() * 0.999
+             and tick <= int(np.argmax(run.hand_m)) + 1]
+    return {"title": title, "x": "tip travel beyond the first contact / mm", "y": "force / N",
+            "lines": [(run.travel_m * 1e3, run.axial_n, "axial force")], "marks": marks}
+
+
+def cut_through(run, ticks, title, across=(1, 0, 0), up=(0, 0, 1)):
+    """Side view: the surface's points within 4 mm of the needle's plane, needles and particles."""
+    shapes = run.shapes(*ticks)["shapes"]
+    normal = np.cross(across, up)
+    panels = []
+    for shape in shapes:
+        surface = np.array(shape["surface_m"])
+        line = np.array(shape["needles"][0])
+        near = np.abs((surface - line[-1]) @ normal) < 4e-3
+        at = np.array([p["goal_m"] for p in shape["particles"]]).reshape(-1, 3)
+        points = [(surface[near] @ across * 1e3, surface[near] @ up * 1e3, "surface close by")]
+        if len(at):
+            points.append((at @ across * 1e3, at @ up * 1e3, "constraint particles"))
+        panels.append({"title": f"{title}, {shape['tick'] * 1e-3:.2f} s", "x": "x / mm",
+                       "y": "z / mm", "equal": True, "key": "outside right top",
+                       "lines": [(line @ across * 1e3, line @ up * 1e3, "needle")],
+                       "points": points})
+    return panels
+
+
+# ---- one function a scene ------------------------------------------------------------------------
+
+def fig03_puncture(run):
+    return [force_over_time(run, "Pressed by less than a unit, then by more"),
+            {"title": "Constraint particles", "x": "time / s", "y": "particles",
+             "lines": [(run.time_s, run.particles, "")]}]
+
+
+def fig04_insert_retract(run):
+    return [{"title": "Constraint particles", "x": "depth in the tissue / mm", "y": "particles",
+             "lines": [(run.depth_m * 1e3, run.particles, "")]},
+            {"title": "Insertion and retraction", "x": "time / s", "y": "depth / mm",
+             "lines": [(run.time_s, run.depth_m * 1e3, "")]}]
+
+
+def fig05_stick_slip(run):
+    start = int(np.argmax(run.hand_m))
+    return [{"title": "Sticks, then slips: force over the way of the hand", "x": "handle travel / mm",
+             "y": "force / N",
+             "lines": [(run.hand_m[start:] * 1e3, run.axial_n[start:], "axial force"),
+                       (run.hand_m[start:] * 1e3, run.parts_n["friction"][start:],
+                        "friction")]},
+            force_over_time(run, "The same over time")]
+
+
+def fig08_liver_rigid(run):
+    out = run.index("exit")
+    deepest = int(np.argmax(run.hand_m))
+    ticks = [run.index("puncture"), deepest, (deepest + out) // 2]
+    panels = cut_through(run, ticks, "Rigid needle in a liver")
+    return panels + [force_over_time(run, "Force")]
+
+
+LUMBAR = ["skin", "fat", "ligament", "flavum", "epidural space"]
+
+
+def lumbar_puncture(run):
+    return [force_over_travel(run, "Lumbar puncture: the tip enters", LUMBAR),
+            force_over_time(run, "The same over time")]
+
+
+def draw(name, recording, picture):
+    run = Run(recording)
+    panels = globals()[name.replace("-", "_")](run)
+    draw_panels(panels, picture)

@@ -1,0 +1,96 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Builds a scene's organ, runs the scene on a virtual clock, and draws its picture.
+
+    hal/scenes/play.py [--out FOLDER] [--pictures] [SCENE...]
+
+A scene is named by its file, without folder or ending; none named: all. The organ's recipe is the
+line `# organ: stylet-organ ...` of the scene, `{data}` in it the shared data. Programs come from
+STYLET_BIN or build/release/bin. Organ, recording and picture go to FOLDER (default: a new one);
+--pictures also puts the picture into hal/scenes/pictures. Needs python3-h5py and gnuplot.
+"""
+import argparse
+import json
+import os
+import pathlib
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+DATA = pathlib.Path(os.environ.get("STYLET_DATA", ROOT / "../shared/data"))
+BIN = pathlib.Path(os.environ.get("STYLET_BIN", ROOT / "build/release/bin"))
+RECIPE = "# organ: "
+
+
+class DataMissing(Exception):
+    """The shared data that a recipe asks for is not there."""
+
+
+def scene_names():
+    return sorted(path.stem for path in HERE.glob("*.toml") if recipe_of(path.stem))
+
+
+def recipe_of(name):
+    """The arguments that make the scene's organ, without -o; empty if the file names none."""
+    lines = (HERE / f"{name}.toml").read_text().splitlines()
+    recipe = [line[len(RECIPE):] for line in lines if line.startswith(RECIPE)]
+    return shlex.split(recipe[0]) if recipe else []
+
+
+def call(words):
+    done = subprocess.run([str(word) for word in words], capture_output=True, text=True)
+    if done.returncode != 0:
+        raise RuntimeError(f"{shlex.join(map(str, words))}: exit code {done.returncode}\n"
+                           f"{done.stdout[-2000:]}{done.stderr[-2000:]}")
+    return done.stdout
+
+
+def build_organ(name, folder):
+    program, *arguments = recipe_of(name)
+    arguments = [word.replace("{data}", str(DATA)) for word in arguments]
+    for word in arguments:
+        mesh = word.split(":")[0]
+        if mesh.startswith(str(DATA)) and not pathlib.Path(mesh).exists():
+            raise DataMissing(f"{mesh} is not there; set STYLET_DATA")
+    organ = pathlib.Path(folder) / f"{name}.organ"
+    call([BIN / program, *arguments, "-o", organ])
+    return organ
+
+
+def play(name, folder, more=()):
+    """Organ, then recording; returns the recording's path and the report of the run."""
+    organ = build_organ(name, folder)
+    recording = pathlib.Path(folder) / f"{name}.h5"
+    report = call([BIN / "stylet", "run", HERE / f"{name}.toml", "--organ", organ, "--fast",
+                   "--json", "--record", recording, *more])
+    return recording, json.loads(report)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=pathlib.Path)
+    parser.add_argument("--pictures", action="store_true")
+    parser.add_argument("scene", nargs="*", choices=[*scene_names(), []])
+    options = parser.parse_args()
+    import draw  # needs h5py
+    folder = options.out or pathlib.Path(tempfile.mkdtemp(prefix="stylet-"))
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in options.scene or scene_names():
+        recording, report = play(name, folder)
+        picture = folder / f"{name}.svg"
+        draw.draw(name, recording, picture)
+        if options.pictures:
+            shutil.copy(picture, HERE / "pictures" / picture.name)
+        print(f"{name}: {len(report['events'])} events, {picture}")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except (DataMissing, RuntimeError) as error:
+        sys.exit(f"play.py: {error}")
