@@ -137,13 +137,18 @@ def cut_through(run, ticks, title, across=(1, 0, 0), up=(0, 0, 1)):
         if len(at):
             points.append((at @ across * 1e3, at @ up * 1e3, "constraint particles"))
         panels.append({"title": f"{title}, {shape['tick'] * 1e-3:.2f} s", "x": "x / mm",
-                       "y": "z / mm", "equal": True, "key": "outside right top",
+                       "y": "yz"[up[2]] + " / mm", "equal": True, "key": "outside right top",
                        "lines": [(line @ across * 1e3, line @ up * 1e3, "needle")],
                        "points": points})
     return panels
 
 
 # ---- one function a scene ------------------------------------------------------------------------
+
+def sideways(run):
+    """Way of the handle along y, and the force that resists it."""
+    return run.handle_m[:, 1] - run.handle_m[0, 1], -run.force_n[:, 1]
+
 
 def fig03_puncture(run):
     return [force_over_time(run, "Pressed by less than a unit, then by more"),
@@ -160,12 +165,30 @@ def fig04_insert_retract(run):
 
 def fig05_stick_slip(run):
     start = int(np.argmax(run.hand_m))
-    return [{"title": "Sticks, then slips: force over the way of the hand", "x": "handle travel / mm",
+    return [{"title": "Sticks, then slips: force over the way of the hand", "x": "handle / mm",
              "y": "force / N",
              "lines": [(run.hand_m[start:] * 1e3, run.axial_n[start:], "axial force"),
                        (run.hand_m[start:] * 1e3, run.parts_n["friction"][start:],
                         "friction")]},
             force_over_time(run, "The same over time")]
+
+
+def fig02_constraint_particles(run):
+    return cut_through(run, [run.index("puncture") + 400, len(run.time_s)],
+                       "Constraint particles hold the tissue", up=(0, 1, 0))
+
+
+def fig06_clamping(run):
+    side, force = sideways(run)
+    start = int(np.argmax(run.hand_m)) + 1000
+    panels = cut_through(run, [start, len(run.time_s)], "Clamped needle", up=(0, 1, 0))
+    return panels + [{"title": "Sideways", "x": "handle to the side / mm", "y": "force / N",
+                      "lines": [(side[start:] * 1e3, force[start:], "")]}]
+
+
+def fig07_liver_flexible(run):
+    return cut_through(run, [run.index("puncture"), int(np.argmax(run.depth_m)),
+                             len(run.time_s)], "22G in a liver", up=(0, 1, 0))
 
 
 def fig08_liver_rigid(run):

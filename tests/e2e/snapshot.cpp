@@ -63,6 +63,8 @@ Json shape_of(const Kernel& kernel, const Organ& organ, const Config& config, st
           {"needles", needles_of(kernel, config.needle_count)},
           {"particles", particles_of(kernel)},
           {"coupling_energy_j", energies.coupling},
+          {"elastic_energy_j", energies.elastic},
+          {"dissipated_j", energies.friction + energies.cutting + energies.relaxation},
           {"surface_m", places}};
 }
 
