@@ -57,6 +57,7 @@ struct Session {
   hal::Placement placement;
   std::unique_ptr<hal::KernelInstance> instance;
   hal::SimulatedHand hand;
+  hal::Steered steered;
   hal::ReplayDevice replayed;
   hal::Device device;
   hal::LoopConfig config;
@@ -96,6 +97,7 @@ void open_device(Session& s) {
   s.config.period_ns = std::llround(period_s * 1e9);
   s.config.mapping = s.placement.mapping;
   s.config.guard = s.scene.guard;
+  s.config.coupling = s.scene.coupling;
   // Hashing a large organ takes longer than a tick: in real time only once, after the loop.
   s.config.hash_every_ticks = s.options.fast ? s.scene.hash_every_ticks : 0;
   if (s.scene.device == "replay") {
@@ -103,6 +105,15 @@ void open_device(Session& s) {
     s.replayed.samples = hal::read_samples(recording);
     s.config.ticks = s.replayed.samples.size();
     s.device = hal::replay_device(s.replayed, s.scene.limits);
+  } else if (s.scene.device == "steered") {
+    s.steered.config = s.scene.steering;
+    s.steered.period_s = static_cast<double>(s.config.period_ns) * 1e-9;
+    for (Vec3& each : s.steered.config.targets_m) {
+      each = hal::place_in_device(s.config.mapping, each);
+    }
+    s.config.ticks =
+        hal::steered_ticks(s.steered.config, s.scene.config.needle[0].length_m, s.steered.period_s);
+    s.device = hal::steered_device(s.steered, s.scene.limits);
   } else {
     s.hand.config = s.scene.hand;
     s.hand.period_s = static_cast<double>(s.config.period_ns) * 1e-9;
@@ -226,6 +237,11 @@ RunReport report_of(const Session& s, double wall_s) {
   return report;
 }
 
+const char* hand_name(const std::string& device) {
+  if (device == "replay") return "a recorded hand";
+  return device == "steered" ? "a hand that steers" : "the simulated hand";
+}
+
 void announce(const Session& s) {
   if (s.options.json) return;
   fmt::print(
@@ -234,8 +250,7 @@ void announce(const Session& s) {
       s.scene.file, mode_name(s), s.organ.organ.name, s.organ.organ.voxel_count,
       static_cast<double>(s.organ.organ.voxel_edge_m) * 1e3,
       static_cast<double>(s.config.ticks) * static_cast<double>(s.scene.config.period_s),
-      s.scene.device == "replay" ? "a recorded hand" : "the simulated hand",
-      static_cast<double>(s.config.period_ns) * 1e-3,
+      hand_name(s.scene.device), static_cast<double>(s.config.period_ns) * 1e-3,
       s.options.fast ? "virtual clock" : "real time");
   std::fflush(stdout);
 }

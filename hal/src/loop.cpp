@@ -2,6 +2,7 @@
 #include "stylet/hal/loop.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <thread>
 
@@ -13,7 +14,8 @@ std::uint32_t clamped_ns(std::int64_t ns) {
       std::clamp<std::int64_t>(ns, 0, std::numeric_limits<std::uint32_t>::max()));
 }
 
-// read device -> guard -> map: the kernel's input, with the last usable pose where there is none.
+// read device -> guard -> map -> coupling: the kernel's input, with the last usable pose where
+// there is none.
 Input next_input(const LoopConfig& config, const Device& device, LoopState& state,
                  std::int64_t now_ns, TickRecord& record) {
   record.answered = device.read(device.self, now_ns, state.sample) ? 1 : 0;
@@ -23,17 +25,37 @@ Input next_input(const LoopConfig& config, const Device& device, LoopState& stat
   if (usable) state.handle = to_world(config.mapping, state.sample.pose);
   if (!usable && !state.have_handle) state.handle = to_world(config.mapping, {{}, {1, 0, 0, 0}});
   state.have_handle = true;
-  return {state.handle, usable ? 1U : 0U};
+  Pose base = state.handle;
+  if (usable) {
+    base.position_m =
+        coupled_base(config.coupling, state.coupling, state.handle.position_m, state.output);
+  }
+  return {base, usable ? 1U : 0U};
 }
 
-// guard -> device.
-Vec3 send_force(const LoopConfig& config, const Device& device, LoopState& state,
-                const Output& output) {
-  if ((output.flags & kFlagFault) != 0) guard_trip(state.guard, Fault::kKernelFault);
-  const Vec3 force =
-      guard_force(config.guard, state.guard, to_device(config.mapping, output.force_n));
-  device.write(device.self, {force});
-  return force;
+Vec3 unit_between(Vec3 from, Vec3 to) {
+  const Vec3 way = {to.x - from.x, to.y - from.y, to.z - from.z};
+  const float length = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
+  if (!(length > 0)) return {};
+  return {way.x / length, way.y / length, way.z / length};
+}
+
+// coupling -> guard -> device.
+Vec3 send_force(const LoopConfig& config, const Kernel& kernel, const Device& device,
+                LoopState& state) {
+  if ((state.output.flags & kFlagFault) != 0) guard_trip(state.guard, Fault::kKernelFault);
+  const Vec3 felt =
+      coupled_force(config.coupling, state.coupling, state.handle.position_m, state.output.force_n);
+  Command command = {guard_force(config.guard, state.guard, to_device(config.mapping, felt))};
+  std::array<Vec3, kMaxRods + 1> node;
+  const std::uint32_t nodes = needle_shape(kernel, 0, node);
+  if (nodes >= 2) {
+    command.tip_m = place_in_device(config.mapping, node[nodes - 1]);
+    command.tip_direction =
+        to_device(config.mapping, unit_between(node[nodes - 2], node[nodes - 1]));
+  }
+  device.write(device.self, command);
+  return command.force_n;
 }
 
 template <typename T>
@@ -112,8 +134,8 @@ void run_loop(const LoopConfig& config, Kernel& kernel, const Device& device, co
     const std::int64_t start_ns = monotonic_now_ns();
     TickRecord record{};
     record.input = next_input(config, device, state, grid_ns, record);
-    record.output = tick(kernel, record.input);
-    record.command_n = send_force(config, device, state, record.output);
+    record.output = state.output = tick(kernel, record.input);
+    record.command_n = send_force(config, kernel, device, state);
     record.fault = state.guard.fault;
     const std::int64_t tick_ns = monotonic_now_ns() - start_ns;
     record.tick_ns = clamped_ns(tick_ns);
@@ -127,7 +149,7 @@ void run_loop(const LoopConfig& config, Kernel& kernel, const Device& device, co
     histogram_add(state.lateness, late_ns);
     grid_ns = next_grid_point(config, state, grid_ns, clock.now_ns(clock.self));
   }
-  device.write(device.self, {});
+  device.write(device.self, {{}});
 }
 
 }  // namespace stylet::hal

@@ -32,9 +32,14 @@ Pose to_world(const Mapping& mapping, const Pose& device) {
           product(mapping.rotation, device.rotation)};
 }
 
-Vec3 to_device(const Mapping& mapping, Vec3 world_force) {
+Vec3 to_device(const Mapping& mapping, Vec3 world_vector) {
   const Quat& q = mapping.rotation;
-  return rotate({q.w, -q.x, -q.y, -q.z}, world_force);
+  return rotate({q.w, -q.x, -q.y, -q.z}, world_vector);
+}
+
+Vec3 place_in_device(const Mapping& mapping, Vec3 world_place) {
+  const Vec3& o = mapping.origin_m;
+  return to_device(mapping, {world_place.x - o.x, world_place.y - o.y, world_place.z - o.z});
 }
 
 Quat needle_rotation(Vec3 direction) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "scene_bodies.h"
 #include "section.h"
@@ -45,13 +46,14 @@ void read_approach(Section section, Approach& approach) {
 }
 
 void read_guard(Section device, Section guard, Scene& scene) {
-  scene.device = device.choice("kind", "simulated", {"simulated", "replay"});
+  scene.device = device.choice("kind", "simulated", {"simulated", "steered", "replay"});
   scene.replay_path = device.text("recording", "");
   if ((scene.device == "replay") == scene.replay_path.empty()) {
     device.fail("recording", "a recording to play, with kind = \"replay\" and only there");
   }
   const double device_force = device.number("max_force_n", 8, 0.01, 100);
   const double device_slew = device.number("max_slew_n_per_s", 2000, 1, 1e6);
+  const double stiffness = device.number("max_stiffness_n_per_m", 0, 1, 1e6);
   device.finish();
   const double force = std::min(device_force, guard.number("max_force_n", device_force, 0.01, 100));
   const double slew = std::min(device_slew, guard.number("max_slew_n_per_s", device_slew, 1, 1e6));
@@ -62,7 +64,8 @@ void read_guard(Section device, Section guard, Scene& scene) {
                fmt::format("at least {:g} (max_force_n / {:g} s, so that a fault can fade in time)",
                            slew_needed, static_cast<double>(kDecayS)));
   }
-  scene.limits = {"device", static_cast<float>(device_force), static_cast<float>(device_slew)};
+  scene.limits = {"device", static_cast<float>(device_force), static_cast<float>(device_slew),
+                  static_cast<float>(stiffness)};
   scene.guard.period_s = scene.config.period_s;
   scene.guard.max_force_n = static_cast<float>(force);
   scene.guard.max_slew_n_per_s = static_cast<float>(slew);
@@ -108,6 +111,42 @@ void read_hand(Section section, Scene& scene) {
   if (scene.device == "simulated" && scene.waypoints.empty()) {
     section.fail("waypoint", "at least one [[hand.waypoint]] for the simulated hand to follow");
   }
+  section.finish();
+}
+
+// Only with device "steered", which cannot do without.
+void read_steering(Section section, Scene& scene) {
+  SteeringConfig& steering = scene.steering;
+  const bool steered = scene.device == "steered";
+  if (steered != section.has("target_mm")) {
+    section.fail("target_mm",
+                 "a point [x, y, z] to reach, with device.kind = \"steered\" and only "
+                 "there");
+  }
+  for (const auto& via : section.points("via_mm", 1, 16, -2000, 2000)) {
+    steering.targets_m.push_back(si(via, 1e-3));
+  }
+  steering.targets_m.push_back(si(section.numbers<3>("target_mm", {}, -2000, 2000), 1e-3));
+  steering.speed_m_per_s = si(section.number("speed_mm_per_s", 5, 0.01, 1000), 1e-3);
+  const float bevel_per_m = scene.config.needle[0].bevel_per_m;
+  if (steered && !(bevel_per_m > 0) && !section.has("curvature_per_m")) {
+    section.fail("curvature_per_m", "of the path towards the bevel: the needle's tip has none");
+  }
+  steering.curvature_per_m = static_cast<float>(
+      section.number("curvature_per_m", static_cast<double>(bevel_per_m), 0.01, 100));
+  steering.lag_m = si(section.number("lag_mm", 30, 0, 200), 1e-3);
+  steering.roll_rad_per_s =
+      si(section.number("roll_deg_per_s", 720, 1, 3000), std::numbers::pi / 180);
+  steering.hold_s = static_cast<float>(section.number("hold_s", 1, 0, 3600));
+  section.finish();
+}
+
+void read_coupling(Section section, Scene& scene) {
+  const double limit = static_cast<double>(scene.limits.max_stiffness_n_per_m);
+  const double most = limit > 0 ? kCouplingShare * limit : 1e6;
+  const double fallback = limit > 0 ? most : 0;
+  scene.coupling.stiffness_n_per_m =
+      static_cast<float>(section.number("stiffness_n_per_m", fallback, 0, most));
   section.finish();
 }
 
@@ -160,7 +199,9 @@ Scene parse_scene(std::string_view text, const std::string& file) {
   scene.obstacles = read_obstacles(root.tables("obstacles"), file);
   read_approach(root.table("approach"), scene.approach);
   read_guard(root.table("device"), root.table("guard"), scene);
+  read_coupling(root.table("coupling"), scene);
   read_hand(root.table("hand"), scene);
+  read_steering(root.table("steering"), scene);
   root.finish();
   return scene;
 }

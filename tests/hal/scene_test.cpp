@@ -154,8 +154,12 @@ TEST(Scene, EveryMistakeNamesItsLineAndWhatIsAllowed) {
       {"max_force_n = 4", "max_force_n = -4", "max_force_n = -4", "a number from 0.01 to 100"},
       {"max_force_n = 4", "max_force_n = 4\nmax_slew_n_per_s = 100", "max_slew_n_per_s",
        "100: at least 200"},
-      {"max_force_n = 4", "kind = \"omni\"", "omni", "\"simulated\" or \"replay\""},
+      {"max_force_n = 4", "kind = \"omni\"", "omni", "\"steered\" or \"replay\""},
       {"max_force_n = 4", "kind = \"replay\"", "[device]", "device.recording: missing"},
+      {"[guard]", "[steering]\ntarget_mm = [1, 2, 3]\n[guard]", "target_mm", "only there"},
+      {"[guard]", "[steering]\nvia_mm = [1, 2, 3]\n[guard]", "via_mm", "a list of 3 numbers"},
+      {"max_force_n = 4", "max_stiffness_n_per_m = 1000\n[coupling]\nstiffness_n_per_m = 701",
+       "stiffness_n_per_m = 701", "a number from 0 to 700"},
       {"ramp_ms = 100", "watchdog_ms = 50", "watchdog_ms", "a number from 1 to 5"},
       {"time_s = 0.5", "", "lateral_mm", "either speed_mm_s or time_s", 1},
       {"time_s = 0.5", "time_s = 0.5\nspeed_mm_s = 3", "speed_mm_s = 3",
@@ -275,6 +279,34 @@ TEST(Scene, HullsAreReadFromTheirFile) {
   }
   std::filesystem::remove(hull);
   EXPECT_THROW((void)parse_scene(changed("[guard]", keys), beside), SceneError);
+}
+
+TEST(Scene, SteeredHandNeedsATarget) {
+  EXPECT_THAT(error_of(changed("max_force_n = 4", "kind = \"steered\"")),
+              testing::HasSubstr("steering.target_mm: missing: a point"));
+  EXPECT_THAT(
+      error_of(changed("max_force_n = 4", "kind = \"steered\"\n[steering]\ntarget_mm = [1, 2, 3]")),
+      testing::HasSubstr("s.toml:22: steering.curvature_per_m: missing"));
+}
+
+TEST(Scene, SteeringAndCoupling) {
+  std::string text = changed("max_force_n = 4", R"(kind = "steered"
+max_stiffness_n_per_m = 1000
+[steering]
+via_mm = [[1, 2, 3], [4, 5, 6]]
+target_mm = [7, 8, 9]
+speed_mm_per_s = 4
+roll_deg_per_s = 180)");
+  const std::string sharp = "tip = \"bevel\"\ncurvature_per_m = 6\n";
+  const Scene scene = parse_scene(text.insert(text.find("unit_mm"), sharp), "s.toml");
+  ASSERT_EQ(scene.steering.targets_m.size(), 3U);
+  EXPECT_NEAR(of(scene.steering.targets_m[1].z), 6e-3, 1e-9);
+  EXPECT_NEAR(of(scene.steering.targets_m[2].x), 7e-3, 1e-9);
+  EXPECT_NEAR(of(scene.steering.speed_m_per_s), 4e-3, 1e-9);
+  EXPECT_EQ(scene.steering.curvature_per_m, 6);
+  EXPECT_NEAR(of(scene.steering.roll_rad_per_s), 3.14159, 1e-5);
+  EXPECT_NEAR(of(scene.coupling.stiffness_n_per_m), 700, 1e-3);
+  EXPECT_EQ(parse_scene(kGood, "s.toml").coupling.stiffness_n_per_m, 0);
 }
 
 TEST(Scene, SimulatedHandNeedsAScript) {

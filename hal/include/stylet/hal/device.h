@@ -21,13 +21,16 @@ struct Sample {
 };
 
 struct Command {
-  Vec3 force_n;  // on the operator's hand
+  Vec3 force_n;             // on the operator's hand
+  Vec3 tip_m = {};          // where the needle's tip is, for a device that steers it
+  Vec3 tip_direction = {};  // unit length; zero: not known yet
 };
 
 struct DeviceInfo {
   const char* name;
   float max_force_n;
   float max_slew_n_per_s;
+  float max_stiffness_n_per_m = 0;  // that it renders without buzzing; 0: not known
 };
 
 struct Device {

@@ -14,6 +14,7 @@
 
 #include "stylet/hal/channel.h"
 #include "stylet/hal/clock.h"
+#include "stylet/hal/coupling.h"
 #include "stylet/hal/device.h"
 #include "stylet/hal/guard.h"
 #include "stylet/hal/mapping.h"
@@ -58,6 +59,7 @@ struct LoopConfig {
   std::uint32_t hash_every_ticks = 0;  // 0: never
   Mapping mapping;
   GuardConfig guard;
+  CouplingConfig coupling;
 };
 
 // Everything the loop changes beside the kernel. Large: keep it out of the stack.
@@ -65,8 +67,10 @@ struct LoopState {
   std::atomic<bool> stop{false};  // set by another thread or a signal: end after this tick
   GuardState guard = guard_start();
   Sample sample = {};
-  Pose handle = {};  // last usable one, world
+  Pose handle = {};  // of the device, last usable one, world
   bool have_handle = false;
+  CouplingState coupling;
+  Output output = {};  // of the last tick
   std::uint32_t events_seen = 0;
   std::uint32_t missed_in_a_row = 0;
   std::uint64_t ticks = 0;

@@ -17,7 +17,8 @@ Vec3 rotate(const Quat& q, Vec3 v);
 // First `b`, then `a`.
 Quat product(const Quat& a, const Quat& b);
 Pose to_world(const Mapping& mapping, const Pose& device);
-Vec3 to_device(const Mapping& mapping, Vec3 world_force);
+Vec3 to_device(const Mapping& mapping, Vec3 world_vector);
+Vec3 place_in_device(const Mapping& mapping, Vec3 world_place);
 
 // The shortest rotation that turns -z into `direction` (unit length).
 Quat needle_rotation(Vec3 direction);

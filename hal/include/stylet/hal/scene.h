@@ -13,10 +13,12 @@
 #include <string_view>
 #include <vector>
 
+#include "stylet/hal/coupling.h"
 #include "stylet/hal/guard.h"
 #include "stylet/hal/mapping.h"
 #include "stylet/hal/record.h"
 #include "stylet/hal/simulated_hand.h"
+#include "stylet/hal/steered.h"
 #include "stylet/kernel.h"
 
 namespace stylet::hal {
@@ -44,10 +46,12 @@ struct Scene {
   Approach approach;
   std::string device = "simulated";
   std::string replay_path;  // device "replay"
-  DeviceInfo limits = {"simulated hand", 8, 2000};
+  DeviceInfo limits = {"simulated hand", 8, 2000, 0};
   GuardConfig guard;
   SimulatedHandConfig hand;
   std::vector<Waypoint> waypoints;
+  SteeringConfig steering;  // device "steered"; targets in the world
+  CouplingConfig coupling;
 };
 
 Scene read_scene(const std::string& path);

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// The virtual coupling: stiffness felt, no lag where there is nothing, and no energy for the hand.
+#include "stylet/hal/coupling.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "rig.h"
+
+namespace stylet::hal {
+namespace {
+
+double of(float value) {
+  return static_cast<double>(value);
+}
+
+// A spring of `k` that says it has at most `bound`.
+Output spring(double k, double bound, Vec3 base_m) {
+  Output out = {};
+  out.force_n.x = static_cast<float>(-k * of(base_m.x));
+  out.stiffness_n_per_m = static_cast<float>(bound);
+  return out;
+}
+
+struct Felt {
+  double rest_n_per_m, largest_n_per_m;
+};
+
+// Pushes by 1 mm in one tick, then holds.
+Felt push(const CouplingConfig& config, double k, double bound) {
+  CouplingState state;
+  Output out = spring(k, bound, coupled_base(config, state, {}, {}));
+  double last = 0, largest = 0;
+  const Vec3 device = {1e-3F, 0, 0};
+  for (int i = 0; i < 20'000; ++i) {
+    out = spring(k, bound, coupled_base(config, state, device, out));
+    last = -of(coupled_force(config, state, device, out.force_n).x) / 1e-3;
+    largest = std::max(largest, last);
+  }
+  return {last, largest};
+}
+
+TEST(Coupling, FeltStiffnessIsTheSeriesOfBothAndNeverMoreThanItsOwn) {
+  const CouplingConfig config = {700};
+  for (const double k : {0.0, 1.0, 100.0, 700.0, 20e3, 1e6}) {
+    for (const double over : {1.0, 3.0, 10.0}) {
+      const Felt felt = push(config, k, over * k);
+      EXPECT_NEAR(felt.rest_n_per_m, 700 * k / (700 + k), 0.2) << k << " " << over;
+      EXPECT_LE(felt.largest_n_per_m, 700.1) << k << " " << over;
+    }
+  }
+}
+
+TEST(Coupling, IsNotThereWithoutStiffnessAroundOrWithoutOne) {
+  CouplingState state;
+  for (const float x : {0.0F, 0.01F, -0.02F}) {
+    EXPECT_EQ(coupled_base({700}, state, {x, 0, 0}, {}).x, x);
+    EXPECT_EQ(coupled_force({700}, state, {x, 0, 0}, {}).x, 0);
+    EXPECT_EQ(coupled_base({0}, state, {x, 0, 0}, spring(1e4, 1e4, {x, 0, 0})).x, x);
+    EXPECT_EQ(coupled_force({0}, state, {x, 0, 0}, {5, 0, 0}).x, 5);
+  }
+  // Far below: 1 % of the coupling's stiffness is felt to 1 %.
+  EXPECT_NEAR(push({700}, 7, 7).rest_n_per_m, 7, 0.07);
+}
+
+// V26: mass 0.1 kg and damper 0.5 N s/m of the device, a hand that shakes it at random, 1 ms ticks;
+// the force is held between them. Energy into device and what it touches, exactly: the device's own
+// damping and the work against the held force.
+struct Shaken {
+  double least_j, pressed_n;
+};
+
+Shaken shake(const CouplingConfig& config, Kernel& kernel, const Mapping& mapping, unsigned seed) {
+  constexpr double kMassKg = 0.1, kDamping = 0.5, kT = 1e-3, kHandStiffness = 300;
+  std::mt19937 random(seed);
+  CouplingState state;
+  Output out = {};
+  double x[3] = {}, v[3] = {}, target[3] = {}, energy = 0;
+  Shaken shaken = {0, 0};
+  for (int i = 0; i < 20'000; ++i) {
+    const Vec3 at =
+        to_world(mapping,
+                 {{static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])},
+                  {1, 0, 0, 0}})
+            .position_m;
+    const Vec3 base = coupled_base(config, state, at, out);
+    out = tick(kernel, {{base, mapping.rotation}, 1});
+    const Vec3 f = to_device(mapping, coupled_force(config, state, at, out.force_n));
+    const double force[3] = {of(f.x), of(f.y), of(f.z)};
+    shaken.pressed_n = std::max(shaken.pressed_n, std::hypot(force[0], force[1], force[2]));
+    for (int k = 0; k < 3; ++k) {
+      if (i % 50 == 0) {
+        const double share = static_cast<double>(random()) / static_cast<double>(random.max());
+        target[k] = k == 2 ? -12e-3 + 20e-3 * (share - 0.5) : 6e-3 * (share - 0.5);
+      }
+      const double hand = kHandStiffness * (target[k] - x[k]);
+      v[k] = (v[k] + kT / kMassKg * (hand + force[k])) / (1 + kT * kDamping / kMassKg);
+      const double step = kT * v[k];
+      x[k] += step;
+      energy += kDamping * v[k] * step - force[k] * step;
+    }
+    shaken.least_j = std::min(shaken.least_j, energy);
+  }
+  return shaken;
+}
+
+// A needle on bone, 0.5 mm above it at the start.
+struct OnBone {
+  Rig rig;
+  std::unique_ptr<KernelInstance> instance;
+  explicit OnBone(double stiffness_n_per_m) {
+    ObstacleConfig bone;
+    make_box(bone, {0.01F, 0.05F, 0.05F});
+    const Course course = place_needle(rig.scene, rig.organ).course;
+    bone.pose.position_m = course.entry_m;
+    bone.pose.position_m.x += 0.01F;
+    bone.stiffness_n_per_m = static_cast<float>(stiffness_n_per_m);
+    bone.largest_force_n = 100;
+    bone.friction = 0.3F;
+    instance = std::make_unique<KernelInstance>(rig.organ, rig.scene.config, std::span(&bone, 1));
+  }
+};
+
+TEST(Coupling, GivesTheHandNoEnergyOnTissueAndBone) {
+  const CouplingConfig config = {
+      static_cast<float>(kCouplingShare * 1000)};  // 2 b / T of this device is 1000 N/m
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    OnBone bone(20e3);
+    const Shaken on_bone = shake(config, bone.instance->kernel, bone.rig.config.mapping, seed);
+    EXPECT_GE(on_bone.least_j, -1e-6) << seed;
+    EXPECT_GT(on_bone.pressed_n, 1) << seed;
+    Rig tissue;
+    const Shaken in_tissue = shake(config, tissue.instance->kernel, tissue.config.mapping, seed);
+    EXPECT_GE(in_tissue.least_j, -1e-6) << seed;
+    EXPECT_GT(in_tissue.pressed_n, 0.1) << seed;
+  }
+}
+
+TEST(Coupling, WithoutItBoneFeedsTheHand) {
+  OnBone bone(20e3);
+  EXPECT_LT(shake({0}, bone.instance->kernel, bone.rig.config.mapping, 1).least_j, -1e-3);
+}
+
+}  // namespace
+}  // namespace stylet::hal
