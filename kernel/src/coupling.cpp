@@ -26,6 +26,10 @@ constexpr float kComplianceGain = 0.02F;
 constexpr float kTrackSkinM = 1e-5F;
 // The tip finds the material at its goal within this distance of travel.
 constexpr float kMaterialPullM = 1e-3F;
+// Speed at which the puncture force of a material is given.
+constexpr float kPunctureSpeedMPerS = 0.01F;
+// The tip must go this far to come back to the layer it has just left.
+constexpr float kLayerSkinM = 5e-4F;
 // A shaft CP keeps at least this part of its spring, so that forces can be divided by it.
 constexpr float kLeastPart = 0.01F;
 
@@ -465,6 +469,13 @@ void slip_shaft(const View& view, const Needle& needle) {
   }
 }
 
+// Force that breaks a surface: less when pressed faster (Mahvash and Dupont 2010).
+float puncture_force(const View& view, const MaterialModel& m) {
+  const float v = clamp(view.state.needle->press_m_per_s / kPunctureSpeedMPerS, 0.01F, 100.0F);
+  const float x = m.puncture_exponent * natural_log(v);
+  return x < 0 ? m.puncture_n / exp_minus(-x) : m.puncture_n * exp_minus(x);
+}
+
 // Takes the spring the tip has against the material it has come to: a stiffer one holds at the same
 // force, and fresh tissue has relaxed nothing yet. What is lost counts as cutting.
 void enter_material(const View& view, Particle& tip) {
@@ -483,13 +494,18 @@ void enter_layer(const View& view, Particle& tip, Vec3 direction, bool in_track)
   NeedleState& own = *view.state.needle;
   const ModelHead& head = *view.model.head;
   if (tip.material == own.layer) return;
+  const float axial = dot(force_on_tissue(tip), direction);
   if (own.spring_layer != tip.material) enter_material(view, tip);
   own.spring_layer = tip.material;
+  // A tip at the face between two layers is not in and out of them with every tremor.
+  const float since = tip.track_m - own.layer_track_m;
+  if (tip.material == own.layer_before && since < kLayerSkinM && since > -kLayerSkinM) return;
   const MaterialModel& m = head.material[tip.material];
-  const float axial = dot(force_on_tissue(tip), direction);
   const bool must = m.puncture_n > m.cutting_n && !in_track && own.phase != Phase::kRetracting &&
                     head.config.mode == Mode::kPhysical;
-  if (must && axial < m.puncture_n) return;
+  if (must && axial < puncture_force(view, m)) return;
+  own.layer_before = own.layer;
+  own.layer_track_m = tip.track_m;
   own.layer = tip.material;
   add_event(view, must ? EventKind::kPuncture : EventKind::kLayer, max_of(axial, 0));
 }
@@ -499,7 +515,8 @@ void enter_layer(const View& view, Particle& tip, Vec3 direction, bool in_track)
 float tip_limit(const View& view, const Particle& tip, bool in_track) {
   const MaterialModel& m = view.model.head->material[tip.material];
   if (in_track) return m.cutting_n * m.recut_fraction;
-  return tip.material == view.state.needle->layer ? m.cutting_n : max_of(m.puncture_n, m.cutting_n);
+  if (tip.material == view.state.needle->layer) return m.cutting_n;
+  return max_of(puncture_force(view, m), m.cutting_n);
 }
 
 // Where the tip cuts after `advance_m` more; an unbevelled one cuts where it points.
@@ -698,7 +715,8 @@ void begin_insertion(const View& view, const Needle& needle, std::uint32_t track
   (void)push_shaft(view, new_particle(view, tip.rest_m, place, 0, behind, Place::kShaft));
   change_spring(view, needle, force_n);
   own.phase = Phase::kInserted;
-  own.layer = own.spring_layer = tip.material;
+  own.layer = own.spring_layer = own.layer_before = tip.material;
+  own.layer_track_m = 0;
   own.cut = needle.tip_direction;
   add_event(view, again ? EventKind::kReentry : EventKind::kPuncture, force_n);
 }
@@ -729,7 +747,7 @@ void update_contact(const View& view, const Needle& needle) {
   const bool node_inside = away > view.needle_config().unit_m;
   const bool through = head.config.mode == Mode::kPaper
                            ? node_inside
-                           : felt >= head.material[tip.material].puncture_n;
+                           : felt >= puncture_force(view, head.material[tip.material]);
   if (through || track != kNoTrack) begin_insertion(view, needle, track, felt);
 }
 
@@ -816,6 +834,8 @@ std::uint32_t couple_needle(const View& view, const Needle& needle) {
   }
   const float moved = dot(needle.tip_m - tip.position_m, needle.tip_direction);
   tip.position_m = needle.tip_m;
+  const float speed = moved / view.model.head->config.period_s;
+  own.press_m_per_s = settle(speed + view.model.head->velocity_keep * (own.press_m_per_s - speed));
   for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
     Particle& p = view.state.shaft[i];
     p.position_m = needle_point(needle, p.arc_m).place_m;

@@ -56,6 +56,7 @@ MaterialModel material_model(const Material& m, const Config& config, float edge
   out.puncture_n = m.puncture_force_n;
   out.cutting_n = m.cutting_force_n;
   out.recut_fraction = m.recut_fraction;
+  out.puncture_exponent = m.puncture_velocity_exponent;
   out.coulomb_n_per_m = m.coulomb_friction_n_per_m;
   out.static_n_per_m = m.static_friction_n_per_m;
   out.inverse_stribeck_s_per_m = 1 / m.stribeck_velocity_m_per_s;

@@ -52,6 +52,7 @@ struct Plane {
 struct MaterialModel {
   float shear_pa, poisson_ratio;
   float puncture_n, cutting_n, recut_fraction;
+  float puncture_exponent;
   float coulomb_n_per_m, static_n_per_m, inverse_stribeck_s_per_m, viscous_n_s_per_m2;
   float relaxing_fraction, relaxation_time_s;
   float real_kg, stepped_kg;
@@ -116,6 +117,9 @@ struct NeedleState {
   std::uint32_t tip_alive;
   std::uint32_t leaving;  // the tip has left a track but not yet the surface around it
   std::uint32_t track_current;
+  float layer_track_m;  // where the tip last changed layer
+  std::uint32_t layer_before;
+  float press_m_per_s;   // of the needle towards a surface that holds it, low-passed
   float track_end_m;     // length of the current track
   float tissue_track_m;  // the tip's track coordinate when it was last in tissue
   Vec3 cut;              // where the tip cuts: the needle's direction there, but for a bevel

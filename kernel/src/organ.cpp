@@ -129,7 +129,9 @@ bool check_materials(Checker& check, const Organ& organ) {
         check.in_range(m.stribeck_velocity_m_per_s, 1e-6F, 10, "stribeck_velocity_m_per_s", i,
                        "1e-6 to 10") &&
         check.in_range(m.viscous_friction_n_s_per_m2, 0, 1e6F, "viscous_friction_n_s_per_m2", i,
-                       "0 to 1e6");
+                       "0 to 1e6") &&
+        check.in_range(m.puncture_velocity_exponent, 0, 0.5F, "puncture_velocity_exponent", i,
+                       "0 to 0.5");
     if (!good) return false;
   }
   return true;
@@ -294,7 +296,8 @@ Material organ_material(const Organ& organ, std::uint32_t index) {
           m.coulomb_friction_n_per_m(),
           m.static_friction_n_per_m(),
           m.stribeck_velocity_m_per_s(),
-          m.viscous_friction_n_s_per_m2()};
+          m.viscous_friction_n_s_per_m2(),
+          m.puncture_velocity_exponent()};
 }
 
 namespace {

@@ -20,8 +20,10 @@ struct Key {
   double low, high;
 };
 
-// The one key that may be left out of a new tissue: most have no skin of their own.
+// Keys that may be left out of a new tissue: most have no skin of their own, and break at a force
+// that hardly depends on speed.
 constexpr const char* kMembraneKey = "membrane_n_per_mm";
+constexpr const char* kExponentKey = "puncture_velocity_exponent";
 
 constexpr Key kKeys[] = {
     {"density_kg_per_m3", &Tissue::density_kg_per_m3, 1, 1, 20000},
@@ -39,6 +41,7 @@ constexpr Key kKeys[] = {
     {"stribeck_velocity_mm_per_s", &Tissue::stribeck_velocity_m_per_s, 1e-3, 1e-3, 1e4},
     {"viscous_friction_n_s_per_m2", &Tissue::viscous_friction_n_s_per_m2, 1, 0, 1e6},
     {kMembraneKey, &Tissue::membrane_n_per_m, 1e3, 0, 100},
+    {kExponentKey, &Tissue::puncture_velocity_exponent, 1, 0, 0.5},
 };
 
 std::string known_keys() {
@@ -88,7 +91,8 @@ Tissue read_tissue(const std::string& file, const std::string& name, const toml:
     tissue.*(key->member) = read_number(file, *key, node);
   }
   for (const Key& key : kKeys) {
-    if (!has_base && key.name != kMembraneKey && !table.contains(key.name)) {
+    const bool optional = key.name == kMembraneKey || key.name == kExponentKey;
+    if (!has_base && !optional && !table.contains(key.name)) {
       refuse("{}: {}: {} is missing: expected a number from {} to {}", place_of(file, table), name,
              key.name, key.low, key.high);
     }

@@ -29,6 +29,7 @@ struct Tissue {
   // Tension stiffness of a thin skin (modulus times thickness) that a surface voxel carries besides
   // its own; spread over the voxel it adds this over the voxel's edge to the modulus.
   double membrane_n_per_m = 0;
+  double puncture_velocity_exponent = 0;  // force falls with speed as (v / 10 mm/s)^-m
 };
 
 const std::vector<Tissue>& preset_tissues();

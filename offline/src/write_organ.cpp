@@ -32,7 +32,8 @@ Offset<format::Material> write_material(FlatBufferBuilder& builder, const Tissue
                                 f(t.poisson_ratio), f(t.relaxing_fraction), f(t.relaxation_time_s),
                                 f(t.puncture_force_n), f(t.cutting_force_n), f(t.recut_fraction),
                                 f(t.coulomb_friction_n_per_m), f(t.static_friction_n_per_m),
-                                f(t.stribeck_velocity_m_per_s), f(t.viscous_friction_n_s_per_m2));
+                                f(t.stribeck_velocity_m_per_s), f(t.viscous_friction_n_s_per_m2),
+                                f(t.puncture_velocity_exponent));
 }
 
 Offset<format::Provenance> write_provenance(FlatBufferBuilder& builder, const OrganParts& parts) {

@@ -47,6 +47,7 @@ struct Material {
   float static_friction_n_per_m;
   float stribeck_velocity_m_per_s;
   float viscous_friction_n_s_per_m2;
+  float puncture_velocity_exponent;
 };
 
 struct Organ {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "rig.h"
@@ -84,6 +85,20 @@ TEST(Layers, AStiffLayerBehindASoftOneIsReached) {
   });
   EXPECT_GT(at_m, 0) << "never punctured";
   EXPECT_LT(at_m, 35e-3F) << "15 mm beyond the ligament's surface at rest";
+}
+
+// The force that breaks a surface falls with speed as written: (v / 10 mm/s)^-m.
+TEST(Layers, PunctureTakesLessForceWhenFaster) {
+  for (const float speed : {2e-3F, 10e-3F, 50e-3F}) {
+    TinyOrgan tiny = back();
+    tiny.materials[kSkin].puncture_velocity_exponent = 0.1F;
+    Rig rig = make_rig(tiny, Config{});
+    drive(rig, kStart, 25e-3F, speed);
+    const std::vector<Event> punctures = of_kind(rig.kernel(), EventKind::kPuncture);
+    ASSERT_EQ(punctures.size(), 1U);
+    const double expected = 1.5 * std::pow(static_cast<double>(speed) / 10e-3, -0.1);
+    EXPECT_NEAR(static_cast<double>(punctures[0].force_n) / expected, 1, 0.03) << speed;
+  }
 }
 
 TEST(Layers, NoneIsPuncturedInATrackAndAllAreElsewhere) {
