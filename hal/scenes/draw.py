@@ -30,6 +30,8 @@ class Run:
             along = -np.stack([2 * (x * z + w * y), 2 * (y * z - w * x),
                                1 - 2 * (x * x + y * y)], 1)[0]
             self.along = along
+            self.bevel = np.stack([1 - 2 * (y * y + z * z), 2 * (x * y + w * z),
+                                   2 * (x * z - w * y)], 1)
             self.time_s = np.asarray(file["output/tick"]).astype(float) * 1e-3
             self.handle_m = np.asarray(file["input/position_m"], float)
             self.tip_m = np.asarray(file["output/tip_m"], float)
@@ -197,6 +199,21 @@ def fig08_liver_rigid(run):
     ticks = [run.index("puncture"), deepest, (deepest + out) // 2]
     panels = cut_through(run, ticks, "Rigid needle in a liver")
     return panels + [force_over_time(run, "Force")]
+
+
+def fig10_steering(run):
+    """Seen from the side, in the plane of the bevel; the cubes as the scene places them."""
+    line = np.array(run.shapes(len(run.time_s))["shapes"][0]["needles"][0]) * 1e3
+    cubes = []
+    for number, (x, z) in enumerate(((55, 6.5), (100, -8)), 1):
+        corner = np.array([-8, 8, 8, -8, -8])
+        cubes.append((x + corner, z + np.array([-8, -8, 8, 8, -8]), f"cube {number}"))
+    return [{"title": "Steered past two cubes to a target", "x": "x / mm", "y": "z / mm",
+             "equal": True, "key": "outside right top",
+             "lines": [(line[:, 0], line[:, 2], "needle"), *cubes],
+             "points": [(np.array([130.0]), np.array([8.0]), "target")]},
+            {"title": "Roll of the base", "x": "time / s", "y": "bevel faces z: cosine",
+             "lines": [(run.time_s, run.bevel @ (0, 0, 1), "")]}]
 
 
 LUMBAR = ["skin", "fat", "ligament", "flavum", "epidural space"]

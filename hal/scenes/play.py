@@ -5,7 +5,8 @@
     hal/scenes/play.py [--out FOLDER] [--pictures] [SCENE...]
 
 A scene is named by its file, without folder or ending; none named: all. The organ's recipe is the
-line `# organ: stylet-organ ...` of the scene, `{data}` in it the shared data. Programs come from
+line `# organ: stylet-organ ...` of the scene, `{data}` in it the shared data,
+`{scenes}` this folder. Programs come from
 STYLET_BIN or build/release/bin. Organ, recording and picture go to FOLDER (default: a new one);
 --pictures also puts the picture into hal/scenes/pictures. Needs python3-h5py and gnuplot.
 """
@@ -51,7 +52,8 @@ def call(words):
 
 def build_organ(name, folder):
     program, *arguments = recipe_of(name)
-    arguments = [word.replace("{data}", str(DATA)) for word in arguments]
+    for place, path in (("{data}", DATA), ("{scenes}", HERE)):
+        arguments = [word.replace(place, str(path)) for word in arguments]
     for word in arguments:
         mesh = word.split(":")[0]
         if mesh.startswith(str(DATA)) and not pathlib.Path(mesh).exists():

@@ -101,7 +101,7 @@ class Fig02ConstraintParticles(Scene):
 
 
 def clamped_stiffness(bending_nm2, foundation_n_per_m2, free_m, embedded_m, pieces=400):
-    """Of a beam's clamped end across it, the far part on an elastic foundation (finite elements)."""
+    """Of a beam's clamped end, across it; its far part lies on an elastic foundation."""
     h = (free_m + embedded_m) / pieces
     beam = bending_nm2 / h**3 * np.array(
         [[12, 6 * h, -12, 6 * h], [6 * h, 4 * h * h, -6 * h, 2 * h * h],
@@ -266,6 +266,58 @@ class Fig08LiverRigid(Scene):
         left = np.linalg.norm(np.array(after["surface_m"]) - rest, axis=1).max()
         self.assertGreater(depth, 1e-3)
         self.assertLess(left, 0.05 * depth)
+
+
+class Fig10Steering(Scene):
+    name = "fig10-steering"
+    TARGET = np.array([130, 0, 8]) * 1e-3
+    HAND = """[hand]
+stiffness_n_per_m = 20000
+damping_n_s_per_m = 100
+[[hand.waypoint]]
+travel_mm = {travel}
+speed_mm_s = 10
+hold_s = 0.5
+"""
+
+    def pushed(self, travel_mm, obstacles=True, modulus_kpa=50):
+        """The same needle pushed straight in by a hand that does not roll it."""
+        text = (play.HERE / f"{self.name}.toml").read_text()
+        before, after = text.split("[steering]")
+        bodies = "[[obstacles]]" + after.split("[[obstacles]]", 1)[1] if obstacles else ""
+        text = before.replace('"steered"', '"simulated"') + self.HAND.format(travel=travel_mm)
+        scene = self.folder / "pushed.toml"
+        scene.write_text(text + bodies)
+        gel = (play.HERE / "steering-gel.toml").read_text()
+        tissue = self.folder / "gel.toml"
+        tissue.write_text(gel.replace("youngs_modulus_kpa = 50",
+                                      f"youngs_modulus_kpa = {modulus_kpa}"))
+        recipe = [str(tissue) if word.endswith("steering-gel.toml") else word
+                  for word in play.recipe_of(self.name)]
+        organ = self.folder / "pushed.organ"
+        play.call([play.BIN / recipe[0], *recipe[1:], "-o", organ])
+        recording = self.folder / "pushed.h5"
+        play.call([play.BIN / "stylet", "run", scene, "--organ", organ, "--fast", "--record",
+                   recording])
+        return draw.Run(recording)
+
+    def test_reaches_the_target_past_the_cubes(self):
+        self.check_quiet()
+        self.assertNotIn("obstacle", self.kinds())
+        miss = np.linalg.norm(self.run_.tip_m[-1] - self.TARGET)
+        self.assertLess(miss, 2e-3)
+        self.assertLess(self.run_.bevel[:, 2].min(), -0.9)  # rolled to one side and the other
+        self.assertGreater(self.run_.bevel[:, 2].max(), 0.9)
+
+    def test_without_the_roll_it_hits(self):
+        kinds = [kind for _, kind, _, _ in self.pushed(60).events]
+        self.assertIn("obstacle", kinds)
+
+    def test_stiffer_tissue_deflects_it_more(self):
+        aside = [abs(self.pushed(90, obstacles=False, modulus_kpa=modulus).tip_m[-1, 2])
+                 for modulus in (5, 20, 100)]
+        self.assertGreater(aside[1], 1.5 * aside[0])
+        self.assertGreater(aside[2], 1.3 * aside[1])
 
 
 class LumbarPuncture(Scene):
