@@ -2,8 +2,6 @@
 #include "coupling.h"
 
 #include "cone.h"
-#include "lattice.h"
-#include "rotation.h"
 
 namespace stylet {
 namespace {
@@ -32,61 +30,6 @@ constexpr float kPunctureSpeedMPerS = 0.01F;
 constexpr float kLayerSkinM = 5e-4F;
 // A shaft CP keeps at least this part of its spring, so that forces can be divided by it.
 constexpr float kLeastPart = 0.01F;
-
-struct Corners {
-  Vec3 mean_m;        // displacement
-  float gradient[9];  // of the displacement, row-major
-};
-
-// Sums over the eight corners of a voxel, displacements u.
-Corners sum_corners(const View& view, std::uint32_t slot, std::uint32_t row_index) {
-  const Row& row = view.model.row[row_index];
-  const std::uint32_t along = slot - row.slot;
-  const float scale = view.model.head->inverse_edge_per_m * 0.25F;
-  const float* u[3] = {view.state.ux, view.state.uy, view.state.uz};
-  Corners out = {};
-  float mean[3] = {};
-  for (int c = 0; c < 3; ++c) {
-    float low[4], high[4];
-    for (int n = 0; n < 4; ++n) {
-      low[n] = u[c][row.node[n] + along];
-      high[n] = u[c][row.node[n] + along + 1];
-    }
-    const float s0 = low[0] + high[0], s1 = low[1] + high[1];
-    const float s2 = low[2] + high[2], s3 = low[3] + high[3];
-    const float d0 = high[0] - low[0], d1 = high[1] - low[1];
-    const float d2 = high[2] - low[2], d3 = high[3] - low[3];
-    mean[c] = ((s0 + s1) + (s2 + s3)) * 0.125F;
-    out.gradient[3 * c] = ((d0 + d1) + (d2 + d3)) * scale;
-    out.gradient[3 * c + 1] = ((s1 - s0) + (s3 - s2)) * scale;
-    out.gradient[3 * c + 2] = ((s2 + s3) - (s0 + s1)) * scale;
-  }
-  out.mean_m = {mean[0], mean[1], mean[2]};
-  return out;
-}
-
-Vec3 rest_centre(const View& view, std::uint32_t slot, const Row& row) {
-  const ModelHead& head = *view.model.head;
-  return head.origin_m + head.edge_m * Vec3{static_cast<float>(row.x0 + (slot - row.slot)) + 0.5F,
-                                            static_cast<float>(row.y) + 0.5F,
-                                            static_cast<float>(row.z) + 0.5F};
-}
-
-// Best rotation of a matrix near `start`.
-Quat rotation_of(const float a[9], Quat start) {
-  Quat q = start;
-  for (int i = 0; i < 2; ++i) {
-    rotation_step<1>(a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], q.w, q.x, q.y, q.z);
-  }
-  return q;
-}
-
-Quat corner_rotation(const View& view, std::uint32_t slot, const Corners& corners) {
-  const float* g = corners.gradient;
-  const float a[9] = {1 + g[0], g[1], g[2], g[3], 1 + g[4], g[5], g[6], g[7], 1 + g[8]};
-  return rotation_of(
-      a, {view.state.qw[slot], view.state.qx[slot], view.state.qy[slot], view.state.qz[slot]});
-}
 
 // ---- stiffness of a CP
 // ----------------------------------------------------------------------------
@@ -152,20 +95,6 @@ void set_stiffness(const View& view, Particle& particle, Place place) {
 
 // ---- residuals and forces
 // -------------------------------------------------------------------------
-
-// Mean of needle point minus goal over the shares.
-Vec3 residual(const Particle& p) {
-  Vec3 sum = {};
-  for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    sum = sum + p.share[i].weight * (p.position_m - p.share[i].goal_m);
-  }
-  return sum;
-}
-
-Vec3 force_on_tissue(const Particle& p) {
-  if (p.share_count == 0) return {};
-  return p.stiffness_n_per_m * (residual(p) - p.slack_m);
-}
 
 // Mean square of how the shares' residuals differ from their mean.
 float spread_of(const Particle& p, Vec3 mean_m) {
@@ -294,37 +223,6 @@ Vec3 pull_back(const Gradient& g, Vec3 step) {
   if (!(g.det > 0.05F)) return step;  // crushed or inverted: no direction is better than another
   return (1 / g.det) * Vec3{dot(step, cross(g.c1, g.c2)), dot(step, cross(g.c2, g.c0)),
                             dot(step, cross(g.c0, g.c1))};
-}
-
-// Present place of a rest point, trilinear in the voxel that holds it; false outside the tissue.
-bool present_place(const View& view, Vec3 rest_m, Vec3& place_out_m) {
-  const ModelHead& head = *view.model.head;
-  const Vec3 g = head.inverse_edge_per_m * (rest_m - head.origin_m);
-  if (!(g.x >= 0 && g.y >= 0 && g.z >= 0 && g.x < static_cast<float>(head.size_x) &&
-        g.y < static_cast<float>(head.size_y) && g.z < static_cast<float>(head.size_z))) {
-    return false;
-  }
-  const auto x = static_cast<std::uint32_t>(g.x), y = static_cast<std::uint32_t>(g.y);
-  const auto z = static_cast<std::uint32_t>(g.z);
-  const std::uint32_t row_index = view.model.row_of[z * head.size_y + y];
-  if (row_index == kNoRow) return false;
-  const Row& row = view.model.row[row_index];
-  if (x < row.x0 || x >= static_cast<std::uint32_t>(row.x0) + row.count) return false;
-  const Vec3 f = g - Vec3{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
-  place_out_m = rest_m;
-  for (std::uint32_t corner = 0; corner < 8; ++corner) {
-    const std::uint32_t p = row.node[corner >> 1U] + x - row.x0 + (corner & 1U);
-    const float weight = ((corner & 1U) != 0 ? f.x : 1 - f.x) *
-                         ((corner & 2U) != 0 ? f.y : 1 - f.y) *
-                         ((corner & 4U) != 0 ? f.z : 1 - f.z);
-    place_out_m = place_out_m + weight * Vec3{view.state.ux[p], view.state.uy[p], view.state.uz[p]};
-  }
-  return true;
-}
-
-bool inside_lattice(const View& view, Vec3 rest_m) {
-  Vec3 place = {};
-  return present_place(view, rest_m, place);
 }
 
 // Moves the tissue that the tip holds forward by `move_m` along the needle. The step is integrated
@@ -761,56 +659,6 @@ void leave_layers(const View& view) {
 
 }  // namespace
 
-VoxelFrame voxel_frame(const View& view, std::uint32_t slot, std::uint32_t row) {
-  const Corners corners = sum_corners(view, slot, row);
-  const Vec3 rest = rest_centre(view, slot, view.model.row[row]);
-  return {rotation_matrix(corner_rotation(view, slot, corners)), rest + corners.mean_m, rest};
-}
-
-std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kSharesPerParticle]) {
-  const ModelHead& head = *view.model.head;
-  const Vec3 g = head.inverse_edge_per_m * (rest_m - head.origin_m) - Vec3{0.5F, 0.5F, 0.5F};
-  // Truncation of a shifted value: floor without libm. Points this far out have no voxel anyway.
-  const auto whole = [](float v) {
-    return static_cast<std::int32_t>(clamp(v, -2, 70000) + 4.0F) - 4;
-  };
-  const std::int32_t x0 = whole(g.x), y0 = whole(g.y), z0 = whole(g.z);
-  const float fx = clamp(g.x - static_cast<float>(x0), 0, 1);
-  const float fy = clamp(g.y - static_cast<float>(y0), 0, 1);
-  const float fz = clamp(g.z - static_cast<float>(z0), 0, 1);
-  std::uint32_t count = 0;
-  float sum = 0;
-  for (std::int32_t corner = 0; corner < 8; ++corner) {
-    const std::int32_t dx = corner & 1, dy = (corner >> 1) & 1, dz = corner >> 2;
-    const std::int32_t x = x0 + dx, y = y0 + dy, z = z0 + dz;
-    if (x < 0 || y < 0 || z < 0 || x >= head.size_x || y >= head.size_y || z >= head.size_z) {
-      continue;
-    }
-    const std::uint32_t row_index =
-        view.model.row_of[static_cast<std::uint32_t>(z * head.size_y + y)];
-    if (row_index == kNoRow) continue;
-    const Row& row = view.model.row[row_index];
-    if (x < row.x0 || x >= row.x0 + row.count) continue;
-    const std::uint32_t slot = row.slot + static_cast<std::uint32_t>(x - row.x0);
-    const float tent = (dx != 0 ? fx : 1 - fx) * (dy != 0 ? fy : 1 - fy) * (dz != 0 ? fz : 1 - fz);
-    const float weight = tent * view.model.slot_fill[slot];
-    if (!(view.model.slot_k[slot] > 0) || !(weight > 0)) continue;
-    shares_out[count++] = {slot, row_index, weight, {}, {}};
-    sum = sum + weight;
-  }
-  if (count > 0 && head.config.mode == Mode::kPaper) {  // one voxel, as in the paper
-    std::uint32_t best = 0;
-    for (std::uint32_t i = 1; i < count; ++i) {
-      if (shares_out[i].weight > shares_out[best].weight) best = i;
-    }
-    shares_out[0] = shares_out[best];
-    count = 1;
-    sum = shares_out[0].weight;
-  }
-  for (std::uint32_t i = 0; i < count; ++i) shares_out[i].weight = shares_out[i].weight / sum;
-  return count;
-}
-
 void begin_contact(const View& view, Vec3 tip_m, Vec3 rest_m, Vec3 place_m) {
   NeedleState& own = *view.state.needle;
   const Particle tip = new_particle(view, rest_m, place_m, 0, 0, Place::kSurface);
@@ -854,217 +702,6 @@ std::uint32_t couple_needle(const View& view, const Needle& needle) {
   }
   leave_layers(view);
   return drop_shaft(view, needle);
-}
-
-namespace {
-
-constexpr std::uint32_t kNoVoxel = 0xFFFFFFFFU;
-
-// Voxel of a share in this tick's list, entered if new; kNoVoxel when the list is full.
-// The mark of a slot is trusted only if the list entry it names points back, so stale marks do no
-// harm.
-std::uint32_t coupled_index(const View& view, const Share& share) {
-  ScratchHead& head = *view.scratch.head;
-  const std::uint32_t mark = view.scratch.slot_mark[share.slot];
-  if (mark < head.coupled_count && view.scratch.coupled[mark].slot == share.slot) return mark;
-  if (head.coupled_count == kMaxCoupledVoxels * view.model.head->counts.needles) return kNoVoxel;
-  const std::uint32_t index = head.coupled_count++;
-  view.scratch.coupled[index] = {share.slot, share.row, 0, 0};
-  view.scratch.slot_mark[share.slot] = index;
-  return index;
-}
-
-// Particle of any needle, by its place in the state; `view` is that of the first needle.
-Particle& particle_at(const View& view, std::uint32_t index) {
-  return view.state.shaft[index];
-}
-
-bool is_tip(std::uint32_t index) {
-  return index % kNeedleParticles == kMaxConstraintParticles;
-}
-
-// Gives the weight of shares that found no room to the others.
-void share_out(Particle& p) {
-  float sum = 0;
-  for (std::uint32_t i = 0; i < p.share_count; ++i) sum += p.share[i].weight;
-  if (!(sum > 0) || sum > 0.999F) return;
-  for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    p.share[i].weight = p.share[i].weight / sum;
-  }
-}
-
-template <typename Visit>
-void for_each_particle(const View& view, Visit visit) {
-  for (std::uint32_t n = 0; n < view.model.head->counts.needles; ++n) {
-    const NeedleState& needle = view.state.needle[n];
-    const std::uint32_t first = n * kNeedleParticles;
-    for (std::uint32_t i = 0; i < needle.shaft_count; ++i) visit(first + i);
-    if (needle.tip_alive != 0) visit(first + kMaxConstraintParticles);
-  }
-}
-
-// Coupled voxels in the order of their planes: plane_order[plane_first[z]] .. plane_first[z + 1].
-void sort_by_plane(const View& view) {
-  const std::uint32_t planes = view.model.head->counts.planes;
-  std::uint32_t* first = view.scratch.plane_first;
-  for (std::uint32_t z = 0; z < planes + 2; ++z) first[z] = 0;
-  const std::uint32_t count = view.scratch.head->coupled_count;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    ++first[view.model.row[view.scratch.coupled[i].row].z + 2U];
-  }
-  for (std::uint32_t z = 2; z < planes + 2; ++z) first[z] += first[z - 1];
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const std::uint32_t z = view.model.row[view.scratch.coupled[i].row].z;
-    view.scratch.plane_order[first[z + 1U]++] = i;
-  }
-}
-
-}  // namespace
-
-std::uint32_t gather_coupled(const View& view) {
-  StateHead& state = *view.state.head;
-  ScratchHead& head = *view.scratch.head;
-  head.coupled_count = 0;
-  std::uint32_t flags = 0;
-  for_each_particle(view, [&](std::uint32_t index) {
-    Particle& p = particle_at(view, index);
-    for (std::uint32_t s = 0; s < p.share_count; ++s) {
-      const std::uint32_t voxel = coupled_index(view, p.share[s]);
-      if (voxel == kNoVoxel) {
-        p.share[s].weight = 0;
-        ++state.cp_voxel_pool_full;
-        flags = kFlagCpVoxelPoolFull;
-      } else {
-        ++view.scratch.coupled[voxel].member_count;
-      }
-    }
-    share_out(p);
-  });
-  std::uint32_t members = 0;
-  for (std::uint32_t i = 0; i < head.coupled_count; ++i) {
-    view.scratch.coupled[i].first_member = members;
-    members += view.scratch.coupled[i].member_count;
-    view.scratch.coupled[i].member_count = 0;
-  }
-  for_each_particle(view, [&](std::uint32_t index) {
-    const Particle& p = particle_at(view, index);
-    for (std::uint32_t s = 0; s < p.share_count; ++s) {
-      const std::uint32_t voxel = coupled_index(view, p.share[s]);
-      if (voxel == kNoVoxel) continue;
-      CoupledVoxel& c = view.scratch.coupled[voxel];
-      view.scratch.member[c.first_member + c.member_count++] = {static_cast<std::uint16_t>(index),
-                                                                static_cast<std::uint16_t>(s)};
-    }
-  });
-  sort_by_plane(view);
-  state.coupled_max =
-      head.coupled_count > state.coupled_max ? head.coupled_count : state.coupled_max;
-  return flags;
-}
-
-namespace {
-
-// Sums over the CPs of one voxel; positions relative to the mean of the corners.
-struct CpSums {
-  float stiffness;
-  Vec3 place, offset;  // weighted sums
-  float product[9];    // sum of place * offset^T, weighted
-  float offset_square;
-};
-
-CpSums sum_members(const View& view, const CoupledVoxel& voxel, Vec3 centre_m) {
-  CpSums s = {};
-  for (std::uint32_t i = 0; i < voxel.member_count; ++i) {
-    const Member member = view.scratch.member[voxel.first_member + i];
-    const Particle& p = particle_at(view, member.particle);
-    const Share& share = p.share[member.share];
-    const float w = p.stiffness_n_per_m * share.weight;
-    const Vec3 x = (p.position_m - p.slack_m) - centre_m;
-    const Vec3 r = share.offset_m;
-    s.stiffness = s.stiffness + w;
-    s.place = s.place + w * x;
-    s.offset = s.offset + w * r;
-    s.offset_square = s.offset_square + w * dot(r, r);
-    const float xs[3] = {x.x, x.y, x.z}, rs[3] = {r.x, r.y, r.z};
-    for (int a = 0; a < 3; ++a) {
-      for (int b = 0; b < 3; ++b) s.product[3 * a + b] += w * xs[a] * rs[b];
-    }
-  }
-  return s;
-}
-
-// Matrix whose rotation is the fit of corners and CPs together, scaled to be near the identity at
-// rest. It must be scaled by a number only: rot(A Aqq^-1) is not the minimiser when CPs make Aqq
-// anisotropic.
-void fit_matrix(const Corners& corners, const CpSums& s, float k, float edge_m, float a_out[9]) {
-  const float whole = 8 * k + s.stiffness;
-  const float corner = 2 * k * edge_m * edge_m;
-  const float trace = 3 * corner + (s.offset_square - dot(s.offset, s.offset) / whole);
-  const float scale = 3 / trace;
-  const float place[3] = {s.place.x, s.place.y, s.place.z};
-  const float offset[3] = {s.offset.x, s.offset.y, s.offset.z};
-  for (int a = 0; a < 3; ++a) {
-    for (int b = 0; b < 3; ++b) {
-      const float unit = a == b ? 1.0F : 0.0F;
-      a_out[3 * a + b] = scale * (corner * (unit + corners.gradient[3 * a + b]) +
-                                  (s.product[3 * a + b] - place[a] * offset[b] / whole));
-    }
-  }
-}
-
-void couple_voxel(const View& view, const CoupledVoxel& voxel, const Plane& plane) {
-  const ModelHead& head = *view.model.head;
-  const Corners corners = sum_corners(view, voxel.slot, voxel.row);
-  const Vec3 centre = rest_centre(view, voxel.slot, view.model.row[voxel.row]) + corners.mean_m;
-  const float k = view.model.slot_k[voxel.slot];
-  const CpSums s = sum_members(view, voxel, centre);
-  float a[9];
-  fit_matrix(corners, s, k, head.edge_m, a);
-  const Quat plain = corner_rotation(view, voxel.slot, corners);
-  const Mat3 r8 = rotation_matrix(plain);
-  const Mat3 r = rotation_matrix(rotation_of(a, plain));
-  const float whole = 8 * k + s.stiffness;
-  // The cluster's translation moves by this against the mean of the corners.
-  const Vec3 shift = (1 / whole) * (s.place - r * s.offset);
-  for (std::uint32_t i = 0; i < voxel.member_count; ++i) {
-    const Member member = view.scratch.member[voxel.first_member + i];
-    Share& share = particle_at(view, member.particle).share[member.share];
-    share.goal_m = (centre + shift) + r * share.offset_m;
-  }
-  // Corners feel the change of translation and rotation, k ((t' - t) + (R' - R) q).
-  const std::uint32_t at = voxel.slot - plane.slot_begin;
-  const std::size_t stride = head.counts.slots_per_plane;
-  const float shift_k[3] = {k * shift.x, k * shift.y, k * shift.z};
-  const float turn_k = k * head.edge_m * 0.5F;
-  for (std::size_t c = 0; c < 3; ++c) {
-    view.scratch.sums[c * stride + at] += shift_k[c];
-    for (std::size_t j = 0; j < 3; ++j) {
-      view.scratch.sums[(3 + 3 * c + j) * stride + at] += turn_k * (r.m[c][j] - r8.m[c][j]);
-    }
-  }
-}
-
-}  // namespace
-
-void couple_plane(const View& view, std::uint32_t plane) {
-  for (std::uint32_t i = view.scratch.plane_first[plane]; i < view.scratch.plane_first[plane + 1];
-       ++i) {
-    couple_voxel(view, view.scratch.coupled[view.scratch.plane_order[i]], view.model.plane[plane]);
-  }
-}
-
-// A slip takes work at the mean of the forces before and after, as the hand's work is booked. Where
-// the force changes sign in between it takes none.
-void measure_forces(const View& view) {
-  StateHead& state = *view.state.head;
-  for_each_particle(view, [&](std::uint32_t index) {
-    Particle& p = particle_at(view, index);
-    const Vec3 f = force_on_tissue(p);
-    const float work = 0.5F * dot(p.force_n + f, p.slip_m);
-    (is_tip(index) ? state.cutting_j : state.friction_j) += static_cast<double>(max_of(work, 0));
-    p.slip_m = {};
-    p.force_n = f;
-  });
 }
 
 double particle_energy(const View& view, const Particle& particle) {

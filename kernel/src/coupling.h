@@ -15,9 +15,9 @@
 // Promises: bounded by limits.h, no allocation, fixed order. Units SI, world frame.
 #pragma once
 
-#include "layout.h"
-#include "math.h"
+#include "fit.h"
 #include "needle.h"
+#include "voxel.h"
 
 namespace stylet {
 
@@ -25,22 +25,13 @@ namespace stylet {
 constexpr float kSlipFilterS = 0.02F;
 // Sliding this far renews the tissue a CP touches, and with it the relaxed part of its force.
 constexpr float kRenewalLengthM = 1e-3F;
-// Partly filled voxels count at least this much, else thin slivers have no stiffness of their own.
-constexpr float kMinFill = 0.1F;
 // Largest spring of a CP, in voxel springs k: stiffer changes nothing but the numbers' condition.
 constexpr float kMaxCpWeight = 32.0F;
-constexpr std::uint32_t kNoRow = 0xFFFFFFFFU;
 constexpr std::uint32_t kNoTrack = 0xFFFFFFFFU;
 
 // Moves the CPs of this view's needle with it, lets them slip and cut, adds and removes; needs the
 // goals of the last fit. Returns output flags.
 std::uint32_t couple_needle(const View& view, const Needle& needle);
-
-// Lists the coupled voxels of this tick for couple_plane. Returns output flags.
-std::uint32_t gather_coupled(const View& view);
-
-// Forces of all CPs from the goals of the fit just made.
-void measure_forces(const View& view);
 
 // Energy of a CP's spring and its Maxwell branch.
 double particle_energy(const View& view, const Particle& particle);
@@ -52,16 +43,5 @@ void sum_forces(const View& view, const Needle& needle, Output& out);
 void begin_contact(const View& view, Vec3 tip_m, Vec3 rest_m, Vec3 place_m);
 
 void add_event(const View& view, EventKind kind, float force_n);
-
-// Frame of a voxel from its corners alone: x = rotation * rest offset + centre.
-struct VoxelFrame {
-  Mat3 rotation;
-  Vec3 centre_m;  // now
-  Vec3 rest_centre_m;
-};
-VoxelFrame voxel_frame(const View& view, std::uint32_t slot, std::uint32_t row);
-
-// Tent weights, times fill, of the voxels around a rest point; 0 shares outside the tissue.
-std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kSharesPerParticle]);
 
 }  // namespace stylet

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fit.h"
+
+#include "lattice.h"
+#include "voxel.h"
+
+namespace stylet {
+
+Vec3 residual(const Particle& p) {
+  Vec3 sum = {};
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    sum = sum + p.share[i].weight * (p.position_m - p.share[i].goal_m);
+  }
+  return sum;
+}
+
+Vec3 force_on_tissue(const Particle& p) {
+  if (p.share_count == 0) return {};
+  return p.stiffness_n_per_m * (residual(p) - p.slack_m);
+}
+
+namespace {
+
+constexpr std::uint32_t kNoVoxel = 0xFFFFFFFFU;
+
+// Voxel of a share in this tick's list, entered if new; kNoVoxel when the list is full.
+// The mark of a slot is trusted only if the list entry it names points back, so stale marks do no
+// harm.
+std::uint32_t coupled_index(const View& view, const Share& share) {
+  ScratchHead& head = *view.scratch.head;
+  const std::uint32_t mark = view.scratch.slot_mark[share.slot];
+  if (mark < head.coupled_count && view.scratch.coupled[mark].slot == share.slot) return mark;
+  if (head.coupled_count == kMaxCoupledVoxels * view.model.head->counts.needles) return kNoVoxel;
+  const std::uint32_t index = head.coupled_count++;
+  view.scratch.coupled[index] = {share.slot, share.row, 0, 0};
+  view.scratch.slot_mark[share.slot] = index;
+  return index;
+}
+
+// Particle of any needle, by its place in the state; `view` is that of the first needle.
+Particle& particle_at(const View& view, std::uint32_t index) {
+  return view.state.shaft[index];
+}
+
+bool is_tip(std::uint32_t index) {
+  return index % kNeedleParticles == kMaxConstraintParticles;
+}
+
+// Gives the weight of shares that found no room to the others.
+void share_out(Particle& p) {
+  float sum = 0;
+  for (std::uint32_t i = 0; i < p.share_count; ++i) sum += p.share[i].weight;
+  if (!(sum > 0) || sum > 0.999F) return;
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    p.share[i].weight = p.share[i].weight / sum;
+  }
+}
+
+template <typename Visit>
+void for_each_particle(const View& view, Visit visit) {
+  for (std::uint32_t n = 0; n < view.model.head->counts.needles; ++n) {
+    const NeedleState& needle = view.state.needle[n];
+    const std::uint32_t first = n * kNeedleParticles;
+    for (std::uint32_t i = 0; i < needle.shaft_count; ++i) visit(first + i);
+    if (needle.tip_alive != 0) visit(first + kMaxConstraintParticles);
+  }
+}
+
+// Coupled voxels in the order of their planes: plane_order[plane_first[z]] .. plane_first[z + 1].
+void sort_by_plane(const View& view) {
+  const std::uint32_t planes = view.model.head->counts.planes;
+  std::uint32_t* first = view.scratch.plane_first;
+  for (std::uint32_t z = 0; z < planes + 2; ++z) first[z] = 0;
+  const std::uint32_t count = view.scratch.head->coupled_count;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    ++first[view.model.row[view.scratch.coupled[i].row].z + 2U];
+  }
+  for (std::uint32_t z = 2; z < planes + 2; ++z) first[z] += first[z - 1];
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t z = view.model.row[view.scratch.coupled[i].row].z;
+    view.scratch.plane_order[first[z + 1U]++] = i;
+  }
+}
+
+}  // namespace
+
+std::uint32_t gather_coupled(const View& view) {
+  StateHead& state = *view.state.head;
+  ScratchHead& head = *view.scratch.head;
+  head.coupled_count = 0;
+  std::uint32_t flags = 0;
+  for_each_particle(view, [&](std::uint32_t index) {
+    Particle& p = particle_at(view, index);
+    for (std::uint32_t s = 0; s < p.share_count; ++s) {
+      const std::uint32_t voxel = coupled_index(view, p.share[s]);
+      if (voxel == kNoVoxel) {
+        p.share[s].weight = 0;
+        ++state.cp_voxel_pool_full;
+        flags = kFlagCpVoxelPoolFull;
+      } else {
+        ++view.scratch.coupled[voxel].member_count;
+      }
+    }
+    share_out(p);
+  });
+  std::uint32_t members = 0;
+  for (std::uint32_t i = 0; i < head.coupled_count; ++i) {
+    view.scratch.coupled[i].first_member = members;
+    members += view.scratch.coupled[i].member_count;
+    view.scratch.coupled[i].member_count = 0;
+  }
+  for_each_particle(view, [&](std::uint32_t index) {
+    const Particle& p = particle_at(view, index);
+    for (std::uint32_t s = 0; s < p.share_count; ++s) {
+      const std::uint32_t voxel = coupled_index(view, p.share[s]);
+      if (voxel == kNoVoxel) continue;
+      CoupledVoxel& c = view.scratch.coupled[voxel];
+      view.scratch.member[c.first_member + c.member_count++] = {static_cast<std::uint16_t>(index),
+                                                                static_cast<std::uint16_t>(s)};
+    }
+  });
+  sort_by_plane(view);
+  state.coupled_max =
+      head.coupled_count > state.coupled_max ? head.coupled_count : state.coupled_max;
+  return flags;
+}
+
+namespace {
+
+// Sums over the CPs of one voxel; positions relative to the mean of the corners.
+struct CpSums {
+  float stiffness;
+  Vec3 place, offset;  // weighted sums
+  float product[9];    // sum of place * offset^T, weighted
+  float offset_square;
+};
+
+CpSums sum_members(const View& view, const CoupledVoxel& voxel, Vec3 centre_m) {
+  CpSums s = {};
+  for (std::uint32_t i = 0; i < voxel.member_count; ++i) {
+    const Member member = view.scratch.member[voxel.first_member + i];
+    const Particle& p = particle_at(view, member.particle);
+    const Share& share = p.share[member.share];
+    const float w = p.stiffness_n_per_m * share.weight;
+    const Vec3 x = (p.position_m - p.slack_m) - centre_m;
+    const Vec3 r = share.offset_m;
+    s.stiffness = s.stiffness + w;
+    s.place = s.place + w * x;
+    s.offset = s.offset + w * r;
+    s.offset_square = s.offset_square + w * dot(r, r);
+    const float xs[3] = {x.x, x.y, x.z}, rs[3] = {r.x, r.y, r.z};
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) s.product[3 * a + b] += w * xs[a] * rs[b];
+    }
+  }
+  return s;
+}
+
+// Matrix whose rotation is the fit of corners and CPs together, scaled to be near the identity at
+// rest. It must be scaled by a number only: rot(A Aqq^-1) is not the minimiser when CPs make Aqq
+// anisotropic.
+void fit_matrix(const Corners& corners, const CpSums& s, float k, float edge_m, float a_out[9]) {
+  const float whole = 8 * k + s.stiffness;
+  const float corner = 2 * k * edge_m * edge_m;
+  const float trace = 3 * corner + (s.offset_square - dot(s.offset, s.offset) / whole);
+  const float scale = 3 / trace;
+  const float place[3] = {s.place.x, s.place.y, s.place.z};
+  const float offset[3] = {s.offset.x, s.offset.y, s.offset.z};
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) {
+      const float unit = a == b ? 1.0F : 0.0F;
+      a_out[3 * a + b] = scale * (corner * (unit + corners.gradient[3 * a + b]) +
+                                  (s.product[3 * a + b] - place[a] * offset[b] / whole));
+    }
+  }
+}
+
+void couple_voxel(const View& view, const CoupledVoxel& voxel, const Plane& plane) {
+  const ModelHead& head = *view.model.head;
+  const Corners corners = sum_corners(view, voxel.slot, voxel.row);
+  const Vec3 centre = rest_centre(view, voxel.slot, view.model.row[voxel.row]) + corners.mean_m;
+  const float k = view.model.slot_k[voxel.slot];
+  const CpSums s = sum_members(view, voxel, centre);
+  float a[9];
+  fit_matrix(corners, s, k, head.edge_m, a);
+  const Quat plain = corner_rotation(view, voxel.slot, corners);
+  const Mat3 r8 = rotation_matrix(plain);
+  const Mat3 r = rotation_matrix(rotation_of(a, plain));
+  const float whole = 8 * k + s.stiffness;
+  // The cluster's translation moves by this against the mean of the corners.
+  const Vec3 shift = (1 / whole) * (s.place - r * s.offset);
+  for (std::uint32_t i = 0; i < voxel.member_count; ++i) {
+    const Member member = view.scratch.member[voxel.first_member + i];
+    Share& share = particle_at(view, member.particle).share[member.share];
+    share.goal_m = (centre + shift) + r * share.offset_m;
+  }
+  // Corners feel the change of translation and rotation, k ((t' - t) + (R' - R) q).
+  const std::uint32_t at = voxel.slot - plane.slot_begin;
+  const std::size_t stride = head.counts.slots_per_plane;
+  const float shift_k[3] = {k * shift.x, k * shift.y, k * shift.z};
+  const float turn_k = k * head.edge_m * 0.5F;
+  for (std::size_t c = 0; c < 3; ++c) {
+    view.scratch.sums[c * stride + at] += shift_k[c];
+    for (std::size_t j = 0; j < 3; ++j) {
+      view.scratch.sums[(3 + 3 * c + j) * stride + at] += turn_k * (r.m[c][j] - r8.m[c][j]);
+    }
+  }
+}
+
+}  // namespace
+
+void couple_plane(const View& view, std::uint32_t plane) {
+  for (std::uint32_t i = view.scratch.plane_first[plane]; i < view.scratch.plane_first[plane + 1];
+       ++i) {
+    couple_voxel(view, view.scratch.coupled[view.scratch.plane_order[i]], view.model.plane[plane]);
+  }
+}
+
+// A slip takes work at the mean of the forces before and after, as the hand's work is booked. Where
+// the force changes sign in between it takes none.
+void measure_forces(const View& view) {
+  StateHead& state = *view.state.head;
+  for_each_particle(view, [&](std::uint32_t index) {
+    Particle& p = particle_at(view, index);
+    const Vec3 f = force_on_tissue(p);
+    const float work = 0.5F * dot(p.force_n + f, p.slip_m);
+    (is_tip(index) ? state.cutting_j : state.friction_j) += static_cast<double>(max_of(work, 0));
+    p.slip_m = {};
+    p.force_n = f;
+  });
+}
+
+}  // namespace stylet

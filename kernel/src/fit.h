@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fits of voxels that hold constraint particles (CPs): corners and CPs together, exactly, with
+// the paper's ghost particles eliminated in closed form (they sit on their goals and drop out).
+//
+// The lattice sweep makes its fit of the corners alone; couple_plane (lattice.h) adds what the CPs
+// of a voxel change in it, and leaves the CPs their goals.
+//
+// Promises: bounded by limits.h, no allocation, a fixed order of sums: needles, their CPs, their
+// shares. Units SI, frame of the attachments. Source: paper section IV; model section 3.
+#pragma once
+
+#include "layout.h"
+#include "math.h"
+
+namespace stylet {
+
+// Mean of needle point minus goal over a CP's shares.
+Vec3 residual(const Particle& p);
+Vec3 force_on_tissue(const Particle& p);
+
+// Lists the coupled voxels of this tick for couple_plane. Returns output flags.
+std::uint32_t gather_coupled(const View& view);
+
+// Forces of all CPs from the goals of the fit just made, and what their slips have cost.
+void measure_forces(const View& view);
+
+}  // namespace stylet
