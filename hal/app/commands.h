@@ -3,6 +3,7 @@
 // text is the one line that main prints.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace stylet::app {
@@ -37,6 +38,7 @@ int replay_recording(const ReplayOptions& options);
 struct PlotOptions {
   std::string recording;
   std::string output;  // .svg or .png
+  std::uint32_t needle = 0;
 };
 int plot(const PlotOptions& options);
 

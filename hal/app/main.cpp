@@ -46,6 +46,7 @@ void add_plot(CLI::App& program, PlotOptions& options) {
   plot.footer("Example: stylet plot out.h5 -o force.svg");
   plot.add_option("recording", options.recording, "Recording (HDF5)")->required();
   plot.add_option("-o,--output", options.output, "Picture to write, .svg or .png")->required();
+  plot.add_option("--needle", options.needle, "Of several: 0 is the first");
 }
 
 // The benchmarks are a program of their own, next to this one.

@@ -49,16 +49,16 @@ struct Curve {
   double period_s = 1e-3;
 };
 
-Curve read_curve(const hal::RecordingReader& recording) {
+Curve read_curve(const hal::RecordingReader& recording, std::uint32_t needle) {
   const hal::RecordingInfo& info = recording.info();
-  const hal::Course& course = info.course[0];
+  const hal::Course& course = info.course[needle];
   const Vec3 d = course.direction;
   Curve curve;
   curve.period_s = static_cast<double>(info.config.period_s);
   std::vector<hal::TickRecord> block;
   for (std::uint64_t first = 0; first < recording.ticks(); first += block.size()) {
     block.resize(std::min<std::uint64_t>(4096, recording.ticks() - first));
-    recording.read(first, block);
+    recording.read(first, block, needle);
     for (const hal::TickRecord& record : block) {
       curve.track.push_back(hal::track_point(record, course));
       auto& causes = curve.causes.emplace_back();
@@ -68,7 +68,7 @@ Curve read_curve(const hal::RecordingReader& recording) {
       }
     }
   }
-  curve.phases = hal::find_phases(curve.track, curve.period_s, info.config.needle[0].unit_m);
+  curve.phases = hal::find_phases(curve.track, curve.period_s, info.config.needle[needle].unit_m);
   return curve;
 }
 
@@ -167,7 +167,8 @@ std::string legend_text(const std::string& text) {
   return safe;
 }
 
-std::string script_of(const Curve& curve, const hal::RecordingInfo& info, bool svg) {
+std::string script_of(const Curve& curve, const hal::RecordingInfo& info, std::uint32_t needle,
+                      bool svg) {
   std::string script =
       svg ? "set terminal svg size 900,820 font 'DejaVu Sans,13' background rgb 'white'\n"
           : "set terminal pngcairo size 1800,1640 fontscale 1 font 'DejaVu Sans,26' linewidth 2\n";
@@ -202,7 +203,7 @@ std::string script_of(const Curve& curve, const hal::RecordingInfo& info, bool s
       "set label 99 '{}, {} mode, {:.2f} mm needle' at screen 0.97, screen 0.015 right font ',{}' "
       "noenhanced textcolor rgb '#555555'\n",
       legend_text(info.organ_name), info.config.mode == Mode::kPaper ? "paper" : "physical",
-      2e3 * static_cast<double>(info.config.needle[0].outer_radius_m), svg ? 10 : 20);
+      2e3 * static_cast<double>(info.config.needle[needle].outer_radius_m), svg ? 10 : 20);
   script +=
       "set tmargin screen 0.47\nset bmargin screen 0.125\nset autoscale x\n"
       "set xlabel 'Tip travel beyond the first contact / mm'\nset key top left\n"
@@ -265,7 +266,13 @@ int plot(const PlotOptions& options) {
   if (recording.ticks() == 0) {
     throw hal::RecordingError(fmt::format("{}: ticks: 0: nothing to draw", options.recording));
   }
-  const std::string script = script_of(read_curve(recording), recording.info(), svg);
+  if (const std::uint32_t needles = recording.info().config.needle_count;
+      options.needle >= needles) {
+    throw hal::RecordingError(fmt::format("{}: needle {}: expected 0 to {}", options.recording,
+                                          options.needle, needles - 1));
+  }
+  const std::string script =
+      script_of(read_curve(recording, options.needle), recording.info(), options.needle, svg);
   const std::string temporary = fmt::format("{}.{}.tmp", options.output, getpid());
   const int output = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (output < 0) {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -24,9 +26,28 @@ std::string hex(std::uint64_t hash) {
   return fmt::format("{:016x}", hash);
 }
 
+// Of all guards together.
+hal::GuardCounters guard_counters(const RunReport& report) {
+  constexpr std::size_t kCount = sizeof(hal::GuardCounters) / sizeof(std::uint64_t);
+  using Numbers = std::array<std::uint64_t, kCount>;
+  Numbers sum = {};
+  for (const hal::HandState& hand : report.loop->hand) {
+    const auto each = std::bit_cast<Numbers>(hand.guard.counters);
+    for (std::size_t i = 0; i < kCount; ++i) sum[i] += each[i];
+  }
+  return std::bit_cast<hal::GuardCounters>(sum);
+}
+
+hal::Fault first_fault(const RunReport& report) {
+  for (const hal::HandState& hand : report.loop->hand) {
+    if (hand.guard.fault != hal::Fault::kNone) return hand.guard.fault;
+  }
+  return hal::Fault::kNone;
+}
+
 // Every counter once, for the table and for the object.
 Lines counters(const RunReport& report) {
-  const hal::GuardCounters& guard = report.loop->guard.counters;
+  const hal::GuardCounters guard = guard_counters(report);
   const Stats& stats = report.stats;
   return {{"input_not_finite", stats.input_not_finite},
           {"input_clamped", stats.input_clamped},
@@ -76,6 +97,12 @@ Json json_of(const hal::PhaseRow& row) {
           {"slope_n_per_mm", number(row.slope_n_per_mm)}};
 }
 
+Json json_of(const std::vector<hal::PhaseRow>& rows) {
+  Json list = Json::array();
+  for (const hal::PhaseRow& row : rows) list.push_back(json_of(row));
+  return list;
+}
+
 Json json_of(const Event& event) {
   return {{"tick", event.tick},
           {"kind", event_name(event.kind)},
@@ -117,22 +144,30 @@ std::string remark(std::span<const hal::PhaseRow> rows, std::size_t i) {
   return "";
 }
 
-std::string phase_table(const RunReport& report) {
+std::string phase_table(std::span<const hal::PhaseRow> phases, double period_s) {
   std::string text =
       fmt::format("{:<11}{:>9}{:>9}{:>11}{:>10}{:>9}{:>9}{:>11}  {}\n", "phase", "from s", "to s",
                   "travel mm", "depth mm", "peak N", "mean N", "slope N/mm", "");
-  for (std::size_t i = 0; i < report.phases.size(); ++i) {
-    const hal::PhaseRow& row = report.phases[i];
+  for (std::size_t i = 0; i < phases.size(); ++i) {
+    const hal::PhaseRow& row = phases[i];
     const std::string slope = std::isfinite(row.slope_n_per_mm)
                                   ? fmt::format("{:.5f}", static_cast<double>(row.slope_n_per_mm))
                                   : "";
     text += fmt::format(
         "{:<11}{:>9.3f}{:>9.3f}{:>11.2f}{:>10.2f}{:>9.3f}{:>9.3f}{:>11}  {}\n",
-        hal::stage_name(row.stage), static_cast<double>(row.start_tick) * report.period_s,
-        static_cast<double>(row.end_tick) * report.period_s,
-        static_cast<double>(row.travel_m) * 1e3, static_cast<double>(row.depth_m) * 1e3,
-        static_cast<double>(row.peak_force_n), static_cast<double>(row.mean_force_n), slope,
-        remark(report.phases, i));
+        hal::stage_name(row.stage), static_cast<double>(row.start_tick) * period_s,
+        static_cast<double>(row.end_tick) * period_s, static_cast<double>(row.travel_m) * 1e3,
+        static_cast<double>(row.depth_m) * 1e3, static_cast<double>(row.peak_force_n),
+        static_cast<double>(row.mean_force_n), slope, remark(phases, i));
+  }
+  return text;
+}
+
+std::string phase_tables(const RunReport& report) {
+  std::string text;
+  for (std::size_t i = 0; i < report.phases.size(); ++i) {
+    if (report.phases.size() > 1) text += fmt::format("{}needle {}\n", i > 0 ? "\n" : "", i);
+    text += phase_table(report.phases[i], report.period_s);
   }
   return text;
 }
@@ -185,10 +220,14 @@ std::string json_text(const RunReport& report) {
               {"period_s", std::stod(fmt::format("{:.7g}", report.period_s))},
               {"needles", Json::array()},
               {"obstacles", report.obstacles},
-              {"phases", Json::array()},
               {"events", Json::array()}};
-  for (const NeedleConfig& each : report.needles) out["needles"].push_back(json_of(each));
-  for (const hal::PhaseRow& row : report.phases) out["phases"].push_back(json_of(row));
+  for (std::size_t i = 0; i < report.needles.size(); ++i) {
+    Json needle = json_of(report.needles[i]);
+    needle["fault"] = hal::fault_name(loop.hand[i].guard.fault);
+    needle["phases"] = json_of(report.phases[i]);
+    out["needles"].push_back(needle);
+  }
+  out["phases"] = json_of(report.phases[0]);
   for (const Event& event : report.events) out["events"].push_back(json_of(event));
   out["timing"] = {{"tick", json_of(loop.tick_time)},
                    {"wake_up_lateness", json_of(loop.lateness)},
@@ -209,7 +248,7 @@ std::string json_text(const RunReport& report) {
   out["counters"] = Json::object();
   for (const auto& [name, value] : counters(report)) out["counters"][name] = value;
   out["coupling_shortfall"] = number(stats.coupling_shortfall);
-  out["fault"] = hal::fault_name(loop.guard.fault);
+  out["fault"] = hal::fault_name(first_fault(report));
   out["host"] = {{"lacks", report.host.lacks}, {"notes", report.host.notes}};
   out["state_hash"] = hex(report.state_hash);
   out["organ_hash"] = hex(report.organ_hash);
@@ -218,7 +257,7 @@ std::string json_text(const RunReport& report) {
 
 std::string human_text(const RunReport& report) {
   std::string text =
-      phase_table(report) + "\n" + timing_table(report) + "\n" + counter_table(report);
+      phase_tables(report) + "\n" + timing_table(report) + "\n" + counter_table(report);
   const auto row = [](const char* name, std::size_t predicted, std::size_t used) {
     return fmt::format("  {:<10}{:>14}{:>14}\n", name, predicted, used);
   };
@@ -230,9 +269,9 @@ std::string human_text(const RunReport& report) {
                       hex(report.organ_hash), report.organ_file);
   if (!report.recording.empty()) text += fmt::format("recording   {}\n", report.recording);
   if (report.interrupted) text += "interrupted before the end of the script\n";
-  if (report.loop->guard.fault != hal::Fault::kNone) {
+  if (first_fault(report) != hal::Fault::kNone) {
     text += fmt::format("guard fault: {}: force was taken to zero and stayed there\n",
-                        hal::fault_name(report.loop->guard.fault));
+                        hal::fault_name(first_fault(report)));
   }
   return text;
 }

@@ -20,7 +20,7 @@ struct RunReport {
   double wall_s = 0;
   std::vector<NeedleConfig> needles;
   std::size_t obstacles = 0;
-  std::vector<hal::PhaseRow> phases;
+  std::vector<std::vector<hal::PhaseRow>> phases;  // of each needle
   std::vector<Event> events;
   const hal::LoopState* loop = nullptr;
   hal::ThreadUse thread = {};

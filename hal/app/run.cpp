@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -23,8 +24,8 @@
 namespace stylet::app {
 namespace {
 
-// Eight seconds at 1 kHz: longer than any disk makes the recorder wait.
-constexpr std::size_t kRecordRing = 8192;
+// Eight seconds of all needles at 1 kHz: longer than any disk makes the recorder wait.
+constexpr std::size_t kRecordRing = 8192 * kMaxNeedles;
 constexpr std::size_t kEventRing = 1024;
 constexpr int kWarmUpTicks = 200;
 
@@ -49,17 +50,22 @@ struct StopOnSignal {
   StopOnSignal& operator=(const StopOnSignal&) = delete;
 };
 
+// One needle's start and whoever holds it.
+struct Station {
+  hal::Placement placement;
+  hal::SimulatedHand hand;
+  hal::Steered steered;
+  hal::ReplayDevice replayed;
+};
+
 // Everything of one run, in the order in which it has to exist.
 struct Session {
   RunOptions options;
   hal::Scene scene;
   hal::OrganFile organ;
-  hal::Placement placement;
+  std::vector<Station> stations;  // of each needle
   std::unique_ptr<hal::KernelInstance> instance;
-  hal::SimulatedHand hand;
-  hal::Steered steered;
-  hal::ReplayDevice replayed;
-  hal::Device device;
+  std::vector<hal::Device> devices;
   hal::LoopConfig config;
   hal::LoopState state;
   hal::Ring<hal::TickRecord> records{kRecordRing};
@@ -87,39 +93,53 @@ void load(Session& s) {
   }
   s.organ = hal::load_organ(!s.options.organ.empty() ? s.options.organ
                                                      : beside(s.scene.file, s.scene.organ_path));
-  s.placement = hal::place_needle(s.scene, s.organ.organ);
+  s.stations.resize(s.scene.hands.size());
+  for (std::uint32_t i = 0; i < s.stations.size(); ++i) {
+    s.stations[i].placement = hal::place_needle(s.scene, s.organ.organ, i);
+  }
   s.instance =
       std::make_unique<hal::KernelInstance>(s.organ.organ, s.scene.config, s.scene.obstacles);
 }
 
-void open_device(Session& s) {
+// The device of one needle, and for how many ticks it has something to do.
+std::uint64_t open_device(Session& s, std::uint32_t needle) {
+  const hal::Hand& hand = s.scene.hands[needle];
+  Station& station = s.stations[needle];
+  const double period_s = static_cast<double>(s.config.period_ns) * 1e-9;
+  if (hand.device == "replay") {
+    const hal::RecordingReader recording(beside(s.scene.file, hand.replay_path));
+    const std::uint32_t recorded = recording.info().config.needle_count;
+    station.replayed.samples = hal::read_samples(recording, std::min(needle, recorded - 1));
+    s.devices.push_back(hal::replay_device(station.replayed, hand.limits));
+    return station.replayed.samples.size();
+  }
+  if (hand.device == "steered") {
+    station.steered.config = hand.steering;
+    station.steered.period_s = period_s;
+    for (Vec3& each : station.steered.config.targets_m) {
+      each = hal::place_in_device(station.placement.mapping, each);
+    }
+    s.devices.push_back(hal::steered_device(station.steered, hand.limits));
+    return hal::steered_ticks(station.steered.config, s.scene.config.needle[needle].length_m,
+                              period_s);
+  }
+  station.hand.config = hand.hand;
+  station.hand.period_s = period_s;
+  station.hand.script = hal::make_script(hand.waypoints, hand.approach.start_m);
+  s.devices.push_back(hal::simulated_hand_device(station.hand, hand.limits));
+  return hal::script_ticks(station.hand.script, period_s);
+}
+
+// As long as the needle that takes longest.
+void open_devices(Session& s) {
   const double period_s = static_cast<double>(s.scene.config.period_s);
   s.config.period_ns = std::llround(period_s * 1e9);
-  s.config.mapping = s.placement.mapping;
-  s.config.guard = s.scene.guard;
-  s.config.coupling = s.scene.coupling;
   // Hashing a large organ takes longer than a tick: in real time only once, after the loop.
   s.config.hash_every_ticks = s.options.fast ? s.scene.hash_every_ticks : 0;
-  if (s.scene.device == "replay") {
-    const hal::RecordingReader recording(beside(s.scene.file, s.scene.replay_path));
-    s.replayed.samples = hal::read_samples(recording);
-    s.config.ticks = s.replayed.samples.size();
-    s.device = hal::replay_device(s.replayed, s.scene.limits);
-  } else if (s.scene.device == "steered") {
-    s.steered.config = s.scene.steering;
-    s.steered.period_s = static_cast<double>(s.config.period_ns) * 1e-9;
-    for (Vec3& each : s.steered.config.targets_m) {
-      each = hal::place_in_device(s.config.mapping, each);
-    }
-    s.config.ticks =
-        hal::steered_ticks(s.steered.config, s.scene.config.needle[0].length_m, s.steered.period_s);
-    s.device = hal::steered_device(s.steered, s.scene.limits);
-  } else {
-    s.hand.config = s.scene.hand;
-    s.hand.period_s = static_cast<double>(s.config.period_ns) * 1e-9;
-    s.hand.script = hal::make_script(s.scene.waypoints, s.scene.approach.start_m);
-    s.config.ticks = hal::script_ticks(s.hand.script, s.hand.period_s);
-    s.device = hal::simulated_hand_device(s.hand, s.scene.limits);
+  for (std::uint32_t i = 0; i < s.stations.size(); ++i) {
+    const hal::Hand& hand = s.scene.hands[i];
+    s.config.hand[i] = {s.stations[i].placement.mapping, hand.guard, hand.coupling};
+    s.config.ticks = std::max(s.config.ticks, open_device(s, i));
   }
   if (s.options.duration_s > 0) {
     s.config.ticks = static_cast<std::uint64_t>(std::ceil(s.options.duration_s / period_s - 1e-6));
@@ -127,6 +147,8 @@ void open_device(Session& s) {
 }
 
 void open_recording(Session& s) {
+  std::vector<hal::Course> courses;
+  for (const Station& each : s.stations) courses.push_back(each.placement.course);
   if (!s.options.record.empty()) {
     hal::RecordingInfo info;
     info.stylet_version = STYLET_VERSION;
@@ -136,12 +158,11 @@ void open_recording(Session& s) {
     info.organ_name = s.organ.organ.name;
     info.organ_hash = s.organ.organ.hash;
     info.config = s.scene.config;
-    info.course[0] = s.placement.course;
+    std::copy(courses.begin(), courses.end(), info.course.begin());
     info.obstacles = s.scene.obstacles;
     s.writer = std::make_unique<hal::RecordingWriter>(s.options.record, info);
   }
-  s.recorder =
-      std::make_unique<hal::Recorder>(s.records, s.events, s.writer.get(), s.placement.course);
+  s.recorder = std::make_unique<hal::Recorder>(s.records, s.events, s.writer.get(), courses);
 }
 
 // The thread of the loop, from its rights to the last tick.
@@ -151,13 +172,16 @@ void servo(Session& s) try {
     s.host_fit = s.host.report.lacks.empty() || s.options.allow_non_rt;
     if (!s.host_fit) return;
   }
-  const Pose start = hal::to_world(s.config.mapping, {{}, {1, 0, 0, 0}});
-  hal::warm_up(s.instance->kernel, start, kWarmUpTicks);
+  std::vector<Input> starts;
+  for (const Station& each : s.stations) {
+    starts.push_back({hal::to_world(each.placement.mapping, {{}, {1, 0, 0, 0}}), 1});
+  }
+  hal::warm_up(s.instance->kernel, starts, kWarmUpTicks);
   hal::VirtualTime time;
   const hal::Clock clock = s.options.fast ? hal::virtual_clock(time) : hal::monotonic_clock();
   const hal::Outlets outlets = {&s.records, &s.events, nullptr, s.options.fast};
   const hal::ThreadUse before = hal::thread_use();
-  hal::run_loop(s.config, s.instance->kernel, s.device, clock, outlets, s.state);
+  hal::run_loop(s.config, s.instance->kernel, s.devices, clock, outlets, s.state);
   const hal::ThreadUse after = hal::thread_use();
   s.thread = {after.minor_faults - before.minor_faults, after.major_faults - before.major_faults,
               after.voluntary_switches - before.voluntary_switches,
@@ -189,7 +213,7 @@ void run_threads(Session& s) {
   });
   show_progress(s, done);
   loop.join();
-  s.device.close(s.device.self);
+  for (const hal::Device& device : s.devices) device.close(device.self);
   s.recorder->stop();
   if (s.failure) std::rethrow_exception(s.failure);
 }
@@ -222,9 +246,11 @@ RunReport report_of(const Session& s, double wall_s) {
   report.fast = s.options.fast;
   report.interrupted = s.state.stop.load();
   report.wall_s = wall_s;
-  report.phases =
-      hal::find_phases(s.recorder->track(), report.period_s, s.scene.config.needle[0].unit_m);
   const Config& config = s.scene.config;
+  for (std::uint32_t i = 0; i < config.needle_count; ++i) {
+    report.phases.push_back(
+        hal::find_phases(s.recorder->track(i), report.period_s, config.needle[i].unit_m));
+  }
   report.needles.assign(config.needle, config.needle + config.needle_count);
   report.obstacles = s.scene.obstacles.size();
   report.events = s.recorder->events();
@@ -237,9 +263,15 @@ RunReport report_of(const Session& s, double wall_s) {
   return report;
 }
 
-const char* hand_name(const std::string& device) {
-  if (device == "replay") return "a recorded hand";
-  return device == "steered" ? "a hand that steers" : "the simulated hand";
+std::string hands_name(const Session& s) {
+  std::string all;
+  for (const hal::Hand& hand : s.scene.hands) {
+    all += all.empty() ? "" : " and ";
+    all += hand.device == "replay"    ? "a recorded hand"
+           : hand.device == "steered" ? "a hand that steers"
+                                      : "a simulated hand";
+  }
+  return all;
 }
 
 void announce(const Session& s) {
@@ -250,7 +282,7 @@ void announce(const Session& s) {
       s.scene.file, mode_name(s), s.organ.organ.name, s.organ.organ.voxel_count,
       static_cast<double>(s.organ.organ.voxel_edge_m) * 1e3,
       static_cast<double>(s.config.ticks) * static_cast<double>(s.scene.config.period_s),
-      hand_name(s.scene.device), static_cast<double>(s.config.period_ns) * 1e-3,
+      hands_name(s), static_cast<double>(s.config.period_ns) * 1e-3,
       s.options.fast ? "virtual clock" : "real time");
   std::fflush(stdout);
 }
@@ -268,7 +300,7 @@ int run(const RunOptions& options) {
   Session& s = *session;
   s.options = options;
   load(s);
-  open_device(s);
+  open_devices(s);
   if (!options.fast) hal::prepare_process(s.host);
   open_recording(s);
   announce(s);
@@ -289,10 +321,14 @@ int run(const RunOptions& options) {
   fmt::print("{}", options.json ? json_text(report) : human_text(report));
   if (!record_error.empty()) throw hal::RecordingError(record_error);
   if (s.state.lost_records > 0) {
-    fmt::print(stderr, "stylet: {} records lost: the recorder fell more than {} ticks behind\n",
+    fmt::print(stderr, "stylet: {} records lost: the recorder fell more than {} records behind\n",
                s.state.lost_records, kRecordRing);
   }
-  const bool trouble = s.state.guard.fault != hal::Fault::kNone || s.state.lost_records > 0;
+  const auto faulty = [](const hal::HandState& hand) {
+    return hand.guard.fault != hal::Fault::kNone;
+  };
+  const bool trouble =
+      s.state.lost_records > 0 || std::any_of(s.state.hand.begin(), s.state.hand.end(), faulty);
   return trouble ? kExitTrouble : kExitOk;
 }
 

@@ -21,13 +21,13 @@ void close(void* /*self*/) {}
 
 }  // namespace
 
-std::vector<ReplayedSample> read_samples(const RecordingReader& recording) {
+std::vector<ReplayedSample> read_samples(const RecordingReader& recording, std::uint32_t needle) {
   constexpr std::uint64_t kBlock = 4096;
   std::vector<ReplayedSample> samples;
   std::vector<TickRecord> block;
   for (std::uint64_t first = 0; first < recording.ticks(); first += block.size()) {
     block.resize(std::min(kBlock, recording.ticks() - first));
-    recording.read(first, block);
+    recording.read(first, block, needle);
     for (const TickRecord& record : block) {
       samples.push_back({record.sample, record.answered != 0});
     }

@@ -63,9 +63,9 @@ KernelInstance::KernelInstance(const Organ& organ, const Config& config,
   }
 }
 
-void warm_up(Kernel& kernel, const Pose& handle, int ticks) {
+void warm_up(Kernel& kernel, std::span<const Input> handles, int ticks) {
   const std::uint64_t before = hash(kernel);
-  for (int i = 0; i < ticks; ++i) (void)tick(kernel, {handle, 1});
+  for (int i = 0; i < ticks; ++i) tick(kernel, handles, {});
   reset(kernel);
   const std::uint64_t after = hash(kernel);
   if (after != before) {

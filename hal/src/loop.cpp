@@ -16,7 +16,7 @@ std::uint32_t clamped_ns(std::int64_t ns) {
 
 // read device -> guard -> map -> coupling: the kernel's input, with the last usable pose where
 // there is none.
-Input next_input(const LoopConfig& config, const Device& device, LoopState& state,
+Input next_input(const HandConfig& config, const Device& device, HandState& state,
                  std::int64_t now_ns, TickRecord& record) {
   record.answered = device.read(device.self, now_ns, state.sample) ? 1 : 0;
   record.sample = state.sample;
@@ -41,14 +41,14 @@ Vec3 unit_between(Vec3 from, Vec3 to) {
 }
 
 // coupling -> guard -> device.
-Vec3 send_force(const LoopConfig& config, const Kernel& kernel, const Device& device,
-                LoopState& state) {
+Vec3 send_force(const HandConfig& config, const Kernel& kernel, std::uint32_t needle,
+                const Device& device, HandState& state) {
   if ((state.output.flags & kFlagFault) != 0) guard_trip(state.guard, Fault::kKernelFault);
   const Vec3 felt =
       coupled_force(config.coupling, state.coupling, state.handle.position_m, state.output.force_n);
   Command command = {guard_force(config.guard, state.guard, to_device(config.mapping, felt))};
   std::array<Vec3, kMaxRods + 1> node;
-  const std::uint32_t nodes = needle_shape(kernel, 0, node);
+  const std::uint32_t nodes = needle_shape(kernel, needle, node);
   if (nodes >= 2) {
     command.tip_m = place_in_device(config.mapping, node[nodes - 1]);
     command.tip_direction =
@@ -56,6 +56,27 @@ Vec3 send_force(const LoopConfig& config, const Kernel& kernel, const Device& de
   }
   device.write(device.self, command);
   return command.force_n;
+}
+
+// All devices are read before the kernel moves, and written after.
+void tick_hands(const LoopConfig& config, Kernel& kernel, std::span<const Device> devices,
+                std::int64_t now_ns, std::span<TickRecord> records, LoopState& state) {
+  std::array<Input, kMaxNeedles> inputs;
+  std::array<Output, kMaxNeedles> outputs;
+  for (std::uint32_t i = 0; i < records.size(); ++i) {
+    records[i] = {};
+    records[i].needle = i;
+    inputs[i] = next_input(config.hand[i], devices[i], state.hand[i], now_ns, records[i]);
+  }
+  tick(kernel, std::span(inputs).first(records.size()), std::span(outputs).first(records.size()));
+  for (std::uint32_t i = 0; i < records.size(); ++i) {
+    HandState& hand = state.hand[i];
+    hand.output = outputs[i];
+    records[i].input = inputs[i];
+    records[i].output = outputs[i];
+    records[i].command_n = send_force(config.hand[i], kernel, i, devices[i], hand);
+    records[i].fault = hand.guard.fault;
+  }
 }
 
 template <typename T>
@@ -69,23 +90,30 @@ void push(Ring<T>* ring, const T& item, bool wait_for_room, std::uint64_t& lost)
   if (!done) ++lost;
 }
 
-void publish(const Outlets& outlets, const Kernel& kernel, const TickRecord& record,
+void publish(const Outlets& outlets, const Kernel& kernel, std::span<const TickRecord> records,
              LoopState& state) {
   if (outlets.latest != nullptr) {
-    outlets.latest->publish({record.input.handle, record.output, record.command_n, record.fault});
+    Published published = {};
+    for (const TickRecord& r : records) {
+      published.hand[r.needle] = {r.input.handle, r.output, r.command_n, r.fault};
+    }
+    outlets.latest->publish(published);
   }
-  if (record.output.events != state.events_seen) {
+  const std::uint32_t happened = records[0].output.events;
+  if (happened != state.events_seen) {
     std::array<Event, kMaxEvents> buffer;
-    const std::uint32_t fresh = record.output.events - state.events_seen;
+    const std::uint32_t fresh = happened - state.events_seen;
     const std::uint32_t count =
         events(kernel, std::span(buffer).first(std::min(fresh, kMaxEvents)));
     state.lost_events += fresh - count;
     for (std::uint32_t i = 0; i < count; ++i) {
       push(outlets.events, buffer[i], outlets.wait_for_room, state.lost_events);
     }
-    state.events_seen = record.output.events;
+    state.events_seen = happened;
   }
-  push(outlets.records, record, outlets.wait_for_room, state.lost_records);
+  for (const TickRecord& r : records) {
+    push(outlets.records, r, outlets.wait_for_room, state.lost_records);
+  }
 }
 
 // The next grid point after `now_ns`; grid points passed over are counted.
@@ -99,7 +127,9 @@ std::int64_t next_grid_point(const LoopConfig& config, LoopState& state, std::in
   const std::int64_t missed = (now_ns - next_ns + config.period_ns - 1) / config.period_ns;
   state.missed_ticks += static_cast<std::uint64_t>(missed);
   state.missed_in_a_row += static_cast<std::uint32_t>(std::min<std::int64_t>(missed, 1'000'000));
-  if (state.missed_in_a_row >= kMaxMissedInARow) guard_trip(state.guard, Fault::kTooLate);
+  if (state.missed_in_a_row >= kMaxMissedInARow) {
+    for (HandState& each : state.hand) guard_trip(each.guard, Fault::kTooLate);
+  }
   return next_ns + missed * config.period_ns;
 }
 
@@ -125,31 +155,31 @@ double histogram_quantile_us(const Histogram& histogram, double fraction) {
   return max_us;
 }
 
-void run_loop(const LoopConfig& config, Kernel& kernel, const Device& device, const Clock& clock,
-              const Outlets& outlets, LoopState& state) {
+void run_loop(const LoopConfig& config, Kernel& kernel, std::span<const Device> devices,
+              const Clock& clock, const Outlets& outlets, LoopState& state) {
   std::int64_t grid_ns = clock.now_ns(clock.self) + config.period_ns;
+  std::array<TickRecord, kMaxNeedles> buffer;
+  const std::span records = std::span(buffer).first(std::min(devices.size(), buffer.size()));
   while (state.ticks < config.ticks && !state.stop.load(std::memory_order_relaxed)) {
     clock.sleep_until_ns(clock.self, grid_ns);
     const std::int64_t late_ns = clock.now_ns(clock.self) - grid_ns;
     const std::int64_t start_ns = monotonic_now_ns();
-    TickRecord record{};
-    record.input = next_input(config, device, state, grid_ns, record);
-    record.output = state.output = tick(kernel, record.input);
-    record.command_n = send_force(config, kernel, device, state);
-    record.fault = state.guard.fault;
+    tick_hands(config, kernel, devices, grid_ns, records, state);
     const std::int64_t tick_ns = monotonic_now_ns() - start_ns;
-    record.tick_ns = clamped_ns(tick_ns);
-    record.late_ns = clamped_ns(late_ns);
     ++state.ticks;
-    if (config.hash_every_ticks != 0 && state.ticks % config.hash_every_ticks == 0) {
-      record.state_hash = hash(kernel);
+    const bool hashed = config.hash_every_ticks != 0 && state.ticks % config.hash_every_ticks == 0;
+    const std::uint64_t state_hash = hashed ? hash(kernel) : 0;
+    for (TickRecord& r : records) {
+      r.tick_ns = clamped_ns(tick_ns);
+      r.late_ns = clamped_ns(late_ns);
+      r.state_hash = state_hash;
     }
-    publish(outlets, kernel, record, state);
+    publish(outlets, kernel, records, state);
     histogram_add(state.tick_time, tick_ns);
     histogram_add(state.lateness, late_ns);
     grid_ns = next_grid_point(config, state, grid_ns, clock.now_ns(clock.self));
   }
-  device.write(device.self, {{}});
+  for (const Device& device : devices) device.write(device.self, {{}});
 }
 
 }  // namespace stylet::hal

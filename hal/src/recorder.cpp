@@ -12,11 +12,12 @@ constexpr std::chrono::milliseconds kPause{2};
 }  // namespace
 
 Recorder::Recorder(Ring<TickRecord>& records, Ring<Event>& events, RecordingWriter* writer,
-                   const Course& course)
+                   std::span<const Course> courses)
     : record_ring_(records),
       event_ring_(events),
       writer_(writer),
-      course_(course),
+      courses_(courses.begin(), courses.end()),
+      tracks_(courses.size()),
       thread_(&Recorder::work, this) {}
 
 Recorder::~Recorder() {
@@ -43,7 +44,7 @@ std::size_t Recorder::drain() {
   TickRecord record;
   while (block_.size() < kBlock && record_ring_.pop(record)) {
     block_.push_back(record);
-    track_.push_back(track_point(record, course_));
+    tracks_[record.needle].push_back(track_point(record, courses_[record.needle]));
   }
   const std::size_t events_before = events_.size();
   Event event;
@@ -56,7 +57,7 @@ std::size_t Recorder::drain() {
       error_ = failure.what();
     }
   }
-  ticks_.fetch_add(block_.size(), std::memory_order_relaxed);
+  ticks_.store(tracks_[0].size(), std::memory_order_relaxed);
   return block_.size() + events_.size() - events_before;
 }
 

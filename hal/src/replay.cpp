@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <filesystem>
 #include <string_view>
@@ -56,27 +57,46 @@ const Column* first_difference(const TickRecord& recorded, const TickRecord& rep
   return nullptr;
 }
 
+// One tick of all needles; false, and where, if any output differs.
+bool replay_tick(const std::vector<std::vector<TickRecord>>& recorded, std::uint64_t row,
+                 Kernel& kernel, ReplayResult& result) {
+  std::array<Input, kMaxNeedles> inputs;
+  std::array<Output, kMaxNeedles> outputs;
+  const std::size_t needles = recorded.size();
+  for (std::size_t i = 0; i < needles; ++i) inputs[i] = recorded[i][row].input;
+  tick(kernel, std::span(inputs).first(needles), std::span(outputs).first(needles));
+  ++result.ticks;
+  const std::uint64_t state_hash = recorded[0][row].state_hash != 0 ? hash(kernel) : 0;
+  for (std::size_t i = 0; i < needles; ++i) {
+    TickRecord replayed{};
+    replayed.output = outputs[i];
+    replayed.state_hash = state_hash;
+    const Column* column = first_difference(recorded[i][row], replayed);
+    if (column == nullptr) continue;
+    result.tick = result.ticks;
+    result.field = i == 0 ? column->name : fmt::format("needle{}/{}", i, column->name);
+    result.recorded = text_of(*column, recorded[i][row]);
+    result.replayed = text_of(*column, replayed);
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 ReplayResult replay(const RecordingReader& recording, Kernel& kernel,
                     const std::function<void(std::uint64_t)>& progress) {
   ReplayResult result;
-  std::vector<TickRecord> block;
+  const std::uint32_t needles = recording.info().config.needle_count;
+  std::vector<std::vector<TickRecord>> blocks(needles);
   while (result.ticks < recording.ticks()) {
-    block.resize(std::min(kBlock, recording.ticks() - result.ticks));
-    recording.read(result.ticks, block);
-    for (const TickRecord& recorded : block) {
-      TickRecord replayed{};
-      replayed.output = tick(kernel, recorded.input);
-      if (recorded.state_hash != 0) replayed.state_hash = hash(kernel);
-      ++result.ticks;
-      if (const Column* column = first_difference(recorded, replayed); column != nullptr) {
-        result.tick = result.ticks;
-        result.field = column->name;
-        result.recorded = text_of(*column, recorded);
-        result.replayed = text_of(*column, replayed);
-        return result;
-      }
+    const std::uint64_t rows = std::min(kBlock, recording.ticks() - result.ticks);
+    for (std::uint32_t i = 0; i < needles; ++i) {
+      blocks[i].resize(rows);
+      recording.read(result.ticks, blocks[i], i);
+    }
+    for (std::uint64_t row = 0; row < rows; ++row) {
+      if (!replay_tick(blocks, row, kernel, result)) return result;
     }
     if (progress) progress(result.ticks);
   }

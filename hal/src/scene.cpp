@@ -45,10 +45,10 @@ void read_approach(Section section, Approach& approach) {
   section.finish();
 }
 
-void read_guard(Section device, Section guard, Scene& scene) {
-  scene.device = device.choice("kind", "simulated", {"simulated", "steered", "replay"});
-  scene.replay_path = device.text("recording", "");
-  if ((scene.device == "replay") == scene.replay_path.empty()) {
+void read_guard(Section device, Section guard, const Config& config, Hand& out) {
+  out.device = device.choice("kind", "simulated", {"simulated", "steered", "replay"});
+  out.replay_path = device.text("recording", "");
+  if ((out.device == "replay") == out.replay_path.empty()) {
     device.fail("recording", "a recording to play, with kind = \"replay\" and only there");
   }
   const double device_force = device.number("max_force_n", 8, 0.01, 100);
@@ -64,13 +64,13 @@ void read_guard(Section device, Section guard, Scene& scene) {
                fmt::format("at least {:g} (max_force_n / {:g} s, so that a fault can fade in time)",
                            slew_needed, static_cast<double>(kDecayS)));
   }
-  scene.limits = {"device", static_cast<float>(device_force), static_cast<float>(device_slew),
-                  static_cast<float>(stiffness)};
-  scene.guard.period_s = scene.config.period_s;
-  scene.guard.max_force_n = static_cast<float>(force);
-  scene.guard.max_slew_n_per_s = static_cast<float>(slew);
-  scene.guard.ramp_s = si(guard.number("ramp_ms", 500, 0, 10000), 1e-3);
-  scene.guard.watchdog_s = si(guard.number("watchdog_ms", 3, 1, 5), 1e-3);
+  out.limits = {"device", static_cast<float>(device_force), static_cast<float>(device_slew),
+                static_cast<float>(stiffness)};
+  out.guard.period_s = config.period_s;
+  out.guard.max_force_n = static_cast<float>(force);
+  out.guard.max_slew_n_per_s = static_cast<float>(slew);
+  out.guard.ramp_s = si(guard.number("ramp_ms", 500, 0, 10000), 1e-3);
+  out.guard.watchdog_s = si(guard.number("watchdog_ms", 3, 1, 5), 1e-3);
   guard.finish();
 }
 
@@ -96,28 +96,27 @@ Waypoint read_waypoint(Section section, const Waypoint& last) {
   return w;
 }
 
-void read_hand(Section section, Scene& scene) {
-  scene.hand.mass_kg = si(section.number("mass_g", 200, 1, 1e5), 1e-3);
-  scene.hand.stiffness_n_per_m =
+void read_hand(Section section, Hand& out) {
+  out.hand.mass_kg = si(section.number("mass_g", 200, 1, 1e5), 1e-3);
+  out.hand.stiffness_n_per_m =
       static_cast<float>(section.number("stiffness_n_per_m", 2000, 1, 1e7));
-  scene.hand.damping_n_s_per_m =
-      static_cast<float>(section.number("damping_n_s_per_m", 30, 0, 1e5));
+  out.hand.damping_n_s_per_m = static_cast<float>(section.number("damping_n_s_per_m", 30, 0, 1e5));
   Waypoint last;
-  last.travel_m = -scene.approach.start_m;
+  last.travel_m = -out.approach.start_m;
   for (Section& each : section.tables("waypoint")) {
     last = read_waypoint(each, last);
-    scene.waypoints.push_back(last);
+    out.waypoints.push_back(last);
   }
-  if (scene.device == "simulated" && scene.waypoints.empty()) {
+  if (out.device == "simulated" && out.waypoints.empty()) {
     section.fail("waypoint", "at least one [[hand.waypoint]] for the simulated hand to follow");
   }
   section.finish();
 }
 
 // Only with device "steered", which cannot do without.
-void read_steering(Section section, Scene& scene) {
-  SteeringConfig& steering = scene.steering;
-  const bool steered = scene.device == "steered";
+void read_steering(Section section, const NeedleConfig& needle, Hand& out) {
+  SteeringConfig& steering = out.steering;
+  const bool steered = out.device == "steered";
   if (steered != section.has("target_mm")) {
     section.fail("target_mm",
                  "a point [x, y, z] to reach, with device.kind = \"steered\" and only "
@@ -128,7 +127,7 @@ void read_steering(Section section, Scene& scene) {
   }
   steering.targets_m.push_back(si(section.numbers<3>("target_mm", {}, -2000, 2000), 1e-3));
   steering.speed_m_per_s = si(section.number("speed_mm_per_s", 5, 0.01, 1000), 1e-3);
-  const float bevel_per_m = scene.config.needle[0].bevel_per_m;
+  const float bevel_per_m = needle.bevel_per_m;
   if (steered && !(bevel_per_m > 0) && !section.has("curvature_per_m")) {
     section.fail("curvature_per_m", "of the path towards the bevel: the needle's tip has none");
   }
@@ -141,13 +140,47 @@ void read_steering(Section section, Scene& scene) {
   section.finish();
 }
 
-void read_coupling(Section section, Scene& scene) {
-  const double limit = static_cast<double>(scene.limits.max_stiffness_n_per_m);
+void read_coupling(Section section, Hand& out) {
+  const double limit = static_cast<double>(out.limits.max_stiffness_n_per_m);
   const double most = limit > 0 ? kCouplingShare * limit : 1e6;
   const double fallback = limit > 0 ? most : 0;
-  scene.coupling.stiffness_n_per_m =
+  out.coupling.stiffness_n_per_m =
       static_cast<float>(section.number("stiffness_n_per_m", fallback, 0, most));
   section.finish();
+}
+
+// All tables but the needle's own, from the top of the file or from one of [[needles]].
+Hand read_hand_of(Section& owner, const Config& config, const NeedleConfig& needle) {
+  Hand hand;
+  read_approach(owner.table("approach"), hand.approach);
+  read_guard(owner.table("device"), owner.table("guard"), config, hand);
+  read_coupling(owner.table("coupling"), hand);
+  read_hand(owner.table("hand"), hand);
+  read_steering(owner.table("steering"), needle, hand);
+  return hand;
+}
+
+// One needle, with everything about it at the top, or [[needles]], each with its own.
+void read_needles(Section& root, Scene& scene) {
+  if (!root.has("needles")) {
+    Section needle = root.table("needle");
+    scene.config.needle[0] = read_needle(needle);
+    needle.finish();
+    scene.hands = {read_hand_of(root, scene.config, scene.config.needle[0])};
+    return;
+  }
+  scene.hands.clear();
+  for (Section& each : root.tables("needles")) {
+    if (scene.hands.size() == kMaxNeedles) {
+      each.fail("gauge", fmt::format("at most {} needles", kMaxNeedles));
+    }
+    NeedleConfig& needle = scene.config.needle[scene.hands.size()];
+    needle = read_needle(each);
+    scene.hands.push_back(read_hand_of(each, scene.config, needle));
+    each.finish();
+  }
+  if (scene.hands.empty()) root.fail("needles", "at least one [[needles]]");
+  scene.config.needle_count = static_cast<std::uint32_t>(scene.hands.size());
 }
 
 Vec3 voxel_centroid(const Organ& organ) {
@@ -194,14 +227,9 @@ Scene parse_scene(std::string_view text, const std::string& file) {
   Section paper = root.table("paper");
   scene.config.paper_alpha = static_cast<float>(paper.number("alpha", 0.5, 0.001, 1));
   paper.finish();
-  scene.config.needle[0] = read_needle(root.table("needle"));
   scene.config.breathing = read_breathing(root.table("breathing"));
   scene.obstacles = read_obstacles(root.tables("obstacles"), file);
-  read_approach(root.table("approach"), scene.approach);
-  read_guard(root.table("device"), root.table("guard"), scene);
-  read_coupling(root.table("coupling"), scene);
-  read_hand(root.table("hand"), scene);
-  read_steering(root.table("steering"), scene);
+  read_needles(root, scene);
   root.finish();
   return scene;
 }
@@ -210,9 +238,10 @@ Scene read_scene(const std::string& path) {
   return parse_scene(read_text(path, "a scene"), path);
 }
 
-Placement place_needle(const Scene& scene, const Organ& organ) {
-  const Vec3 through = scene.approach.through_m.value_or(voxel_centroid(organ));
-  const Vec3 direction = scene.approach.direction;
+Placement place_needle(const Scene& scene, const Organ& organ, std::uint32_t needle) {
+  const Approach& approach = scene.hands[needle].approach;
+  const Vec3 through = approach.through_m.value_or(voxel_centroid(organ));
+  const Vec3 direction = approach.direction;
   // Far enough out to be outside whatever the direction: further than the lattice is wide.
   const float cells = static_cast<float>(organ.size_x) + static_cast<float>(organ.size_y) +
                       static_cast<float>(organ.size_z);
@@ -231,7 +260,7 @@ Placement place_needle(const Scene& scene, const Organ& organ) {
   placement.course = {along(outside, direction, distance), direction};
   placement.mapping.rotation = needle_rotation(direction);
   placement.mapping.origin_m = along(placement.course.entry_m, direction,
-                                     -(scene.approach.start_m + scene.config.needle[0].length_m));
+                                     -(approach.start_m + scene.config.needle[needle].length_m));
   return placement;
 }
 

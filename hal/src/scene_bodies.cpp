@@ -150,7 +150,7 @@ ObstacleConfig read_obstacle(Section section, const std::string& scene_file) {
 
 }  // namespace
 
-NeedleConfig read_needle(Section needle) {
+NeedleConfig read_needle(Section& needle) {
   NeedleConfig config;
   const Gauge gauge = read_gauge(needle);
   config.outer_radius_m = si(gauge.outer_mm, 0.5e-3);
@@ -160,7 +160,6 @@ NeedleConfig read_needle(Section needle) {
   if (needle.flag("flexible", false)) config.bending_nm2 = static_cast<float>(bending_nm2(gauge));
   config.rods = static_cast<std::uint32_t>(needle.integer("rods", config.rods, 1, kMaxRods));
   read_tip(needle, config);
-  needle.finish();
   return config;
 }
 

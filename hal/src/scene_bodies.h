@@ -13,7 +13,8 @@
 
 namespace stylet::hal {
 
-NeedleConfig read_needle(Section needle);
+// The caller ends with needle.finish(): other tables may lie in this one.
+NeedleConfig read_needle(Section& needle);
 // `scene_file`: hull files are named relative to its folder.
 std::vector<ObstacleConfig> read_obstacles(std::vector<Section> sections,
                                            const std::string& scene_file);

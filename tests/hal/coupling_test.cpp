@@ -129,11 +129,13 @@ TEST(Coupling, GivesTheHandNoEnergyOnTissueAndBone) {
       static_cast<float>(kCouplingShare * 1000)};  // 2 b / T of this device is 1000 N/m
   for (unsigned seed = 1; seed <= 5; ++seed) {
     OnBone bone(20e3);
-    const Shaken on_bone = shake(config, bone.instance->kernel, bone.rig.config.mapping, seed);
+    const Shaken on_bone =
+        shake(config, bone.instance->kernel, bone.rig.config.hand[0].mapping, seed);
     EXPECT_GE(on_bone.least_j, -1e-6) << seed;
     EXPECT_GT(on_bone.pressed_n, 1) << seed;
     Rig tissue;
-    const Shaken in_tissue = shake(config, tissue.instance->kernel, tissue.config.mapping, seed);
+    const Shaken in_tissue =
+        shake(config, tissue.instance->kernel, tissue.config.hand[0].mapping, seed);
     EXPECT_GE(in_tissue.least_j, -1e-6) << seed;
     EXPECT_GT(in_tissue.pressed_n, 0.1) << seed;
   }
@@ -141,7 +143,7 @@ TEST(Coupling, GivesTheHandNoEnergyOnTissueAndBone) {
 
 TEST(Coupling, WithoutItBoneFeedsTheHand) {
   OnBone bone(20e3);
-  EXPECT_LT(shake({0}, bone.instance->kernel, bone.rig.config.mapping, 1).least_j, -1e-3);
+  EXPECT_LT(shake({0}, bone.instance->kernel, bone.rig.config.hand[0].mapping, 1).least_j, -1e-3);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -85,7 +86,7 @@ TEST(Loop, ForcePushesTheHandBack) {
   const double lag = static_cast<double>(felt.back().sample.pose.position_m.z) -
                      static_cast<double>(unfelt.back().sample.pose.position_m.z);
   EXPECT_NEAR(lag, size(felt.back().command_n) / 2000, 1e-7);
-  expect_safe(felt, rig.config.guard);
+  expect_safe(felt, rig.config.hand[0].guard);
 }
 
 TEST(Loop, PublishesTheNewestAndEveryEvent) {
@@ -93,7 +94,7 @@ TEST(Loop, PublishesTheNewestAndEveryEvent) {
   const auto records = rig.run(rig.device());
   Published published{};
   ASSERT_TRUE(rig.latest.take(published));
-  EXPECT_EQ(published.output.tick, records.back().output.tick);
+  EXPECT_EQ(published.hand[0].output.tick, records.back().output.tick);
   std::uint32_t count = 0;
   for (Event event; rig.events.pop(event);) ++count;
   EXPECT_GT(count, 0U);
@@ -103,7 +104,8 @@ TEST(Loop, PublishesTheNewestAndEveryEvent) {
 TEST(Loop, AFullRingIsCountedNotWaitedFor) {
   Rig rig;
   Ring<TickRecord> small(10);
-  run_loop(rig.config, rig.instance->kernel, rig.device(), virtual_clock(rig.time),
+  const Device device = rig.device();
+  run_loop(rig.config, rig.instance->kernel, std::span(&device, 1), virtual_clock(rig.time),
            {&small, nullptr, nullptr}, rig.state);
   EXPECT_EQ(rig.state.ticks, rig.config.ticks);
   EXPECT_EQ(rig.state.lost_records, rig.config.ticks - 10);
@@ -133,7 +135,7 @@ TEST(LateTicks, AreSkippedOnTheGridAndChangeNoBit) {
                   }};
   const auto records = late.run(spoiled(spoiler));
   EXPECT_EQ(late.state.missed_ticks, 3 * (late.config.ticks / 10));
-  EXPECT_EQ(late.state.guard.fault, Fault::kNone);
+  EXPECT_EQ(late.state.hand[0].guard.fault, Fault::kNone);
   for (std::size_t i = 1; i < reads.size(); ++i) {
     const std::int64_t gap = reads[i] - reads[i - 1];
     EXPECT_EQ(gap, i % 10 == 0 ? 4'000'000 : 1'000'000);
@@ -153,8 +155,8 @@ TEST(LateTicks, TwentyInARowLatch) {
                       return true;
                     }};
     const auto records = rig.run(spoiled(spoiler));
-    EXPECT_EQ(rig.state.guard.fault, late_ticks == 20 ? Fault::kTooLate : Fault::kNone);
-    expect_safe(records, rig.config.guard);
+    EXPECT_EQ(rig.state.hand[0].guard.fault, late_ticks == 20 ? Fault::kTooLate : Fault::kNone);
+    expect_safe(records, rig.config.hand[0].guard);
     if (late_ticks == 20) {
       EXPECT_EQ(size(records.back().command_n), 0);
     }
@@ -216,13 +218,13 @@ TEST(BadDevice, OneBadSampleAtEveryTickIsCountedAndHarmless) {
                       return tick == at ? fault(sample) : true;
                     }};
     const auto records = rig.run(spoiled(spoiler));
-    expect_safe(records, rig.config.guard);
-    const GuardCounters& count = rig.state.guard.counters;
+    expect_safe(records, rig.config.hand[0].guard);
+    const GuardCounters& count = rig.state.hand[0].guard.counters;
     EXPECT_EQ(count.samples_missing + count.samples_repeated + count.samples_old +
                   count.samples_not_finite + count.samples_absurd,
               1U)
         << at;
-    EXPECT_EQ(rig.state.guard.fault, Fault::kNone) << at;
+    EXPECT_EQ(rig.state.hand[0].guard.fault, Fault::kNone) << at;
     EXPECT_EQ(stats(rig.instance->kernel).input_missing, 1U) << at;
   }
 }
@@ -235,7 +237,7 @@ TEST(BadDevice, AJumpOf300MmIsBoundedAndCounted) {
                       return true;
                     }};
     const auto records = rig.run(spoiled(spoiler));
-    expect_safe(records, rig.config.guard);
+    expect_safe(records, rig.config.hand[0].guard);
     EXPECT_GT(stats(rig.instance->kernel).input_clamped, 0U) << at;
   }
 }
@@ -257,8 +259,8 @@ TEST(BadDevice, LossAtAnyTickIsZeroForceWithin25Milliseconds) {
                       return answered && tick > 1;
                     }};
     const auto records = rig.run(spoiled(spoiler));
-    expect_safe(records, rig.config.guard);
-    EXPECT_NE(rig.state.guard.fault, Fault::kNone) << at;
+    expect_safe(records, rig.config.hand[0].guard);
+    EXPECT_NE(rig.state.hand[0].guard.fault, Fault::kNone) << at;
     for (std::uint64_t tick = at + 25; tick <= records.size(); ++tick) {
       ASSERT_EQ(size(records[tick - 1].command_n), 0) << at << " " << tick;
     }
@@ -276,7 +278,7 @@ TEST(BadDevice, TissueComesToRestAfterTheStorm) {
                     }
                     return true;
                   }};
-  expect_safe(rig.run(spoiled(spoiler)), rig.config.guard);
+  expect_safe(rig.run(spoiled(spoiler)), rig.config.hand[0].guard);
   std::vector<Vec3> now(rig.organ.vertices.size()), rest(rig.organ.vertices.size());
   ASSERT_EQ(surface(rig.instance->kernel, now), now.size());
   reset(rig.instance->kernel);
@@ -298,8 +300,10 @@ class ReplayTest : public testing::Test {
     RecordingWriter writer(path_, info);
     rig_.config.hash_every_ticks = 50;
     {
-      Recorder recorder(rig_.records, rig_.events, &writer, {{}, {1, 0, 0}});
-      run_loop(rig_.config, rig_.instance->kernel, rig_.device(), virtual_clock(rig_.time),
+      const Course course = {{}, {1, 0, 0}};
+      Recorder recorder(rig_.records, rig_.events, &writer, std::span(&course, 1));
+      const Device device = rig_.device();
+      run_loop(rig_.config, rig_.instance->kernel, std::span(&device, 1), virtual_clock(rig_.time),
                {&rig_.records, &rig_.events, nullptr, true}, rig_.state);
       recorder.stop();
       EXPECT_EQ(recorder.error(), "");
@@ -338,10 +342,10 @@ TEST_F(ReplayTest, RecordedDeviceGivesTheSameRun) {
   const RecordingReader recording(path_);
   ReplayDevice replayed{read_samples(recording)};
   Rig fresh;
-  const auto records = fresh.run(replay_device(replayed, fresh.scene.limits));
+  const auto records = fresh.run(replay_device(replayed, fresh.scene.hands[0].limits));
   ASSERT_EQ(records.size(), recording.ticks());
   EXPECT_EQ(hash(fresh.instance->kernel), hash(rig_.instance->kernel));
-  EXPECT_EQ(fresh.state.guard.fault, Fault::kNone);
+  EXPECT_EQ(fresh.state.hand[0].guard.fault, Fault::kNone);
 }
 
 TEST_F(ReplayTest, MissingOrganIsNamed) {
@@ -349,6 +353,107 @@ TEST_F(ReplayTest, MissingOrganIsNamed) {
   info.organ_file = "/nowhere/liver.organ";
   EXPECT_THROW((void)find_recorded_organ(path_, info, ""), LoadError);
   EXPECT_EQ(find_recorded_organ(path_, info, "given.organ"), "given.organ");
+}
+
+// ---- two needles in one tissue
+// -------------------------------------------------------------------------
+
+// The rig's needle, and another one from below, each with its own hand.
+struct Pair {
+  Rig rig;
+  std::unique_ptr<KernelInstance> instance;
+  SimulatedHand second;
+  std::array<Device, 2> devices;
+  std::array<Course, 2> courses;
+
+  Pair() {
+    Scene& scene = rig.scene;
+    scene.config.needle_count = 2;
+    scene.hands.push_back(scene.hands[0]);
+    scene.hands[1].approach.direction = {0, 0, 1};
+    scene.hands[1].approach.through_m = Vec3{0.005F, 0.01F, 0.01F};
+    scene.hands[1].waypoints[0].travel_m = 0.012F;
+    instance = std::make_unique<KernelInstance>(rig.organ, scene.config);
+    for (std::uint32_t i = 0; i < 2; ++i) {
+      const Placement placement = place_needle(scene, rig.organ, i);
+      rig.config.hand[i] = {placement.mapping, scene.hands[i].guard, {}};
+      courses[i] = placement.course;
+    }
+    second.script = make_script(scene.hands[1].waypoints, scene.hands[1].approach.start_m);
+    devices = {rig.device(), simulated_hand_device(second, scene.hands[1].limits)};
+  }
+
+  std::array<std::vector<TickRecord>, 2> run() {
+    run_loop(rig.config, instance->kernel, devices, virtual_clock(rig.time),
+             {&rig.records, &rig.events, &rig.latest}, rig.state);
+    std::array<std::vector<TickRecord>, 2> all;
+    for (TickRecord record; rig.records.pop(record);) all[record.needle].push_back(record);
+    return all;
+  }
+};
+
+TEST(TwoNeedles, EachFeelsItsOwnForceAndEventsSayWhose) {
+  Pair pair;
+  const auto records = pair.run();
+  ASSERT_EQ(records[0].size(), pair.rig.config.ticks);
+  ASSERT_EQ(records[1].size(), pair.rig.config.ticks);
+  for (const auto& each : records) {
+    expect_safe(each, pair.rig.config.hand[0].guard);
+    EXPECT_EQ(each.back().output.phase, Phase::kInserted);
+    EXPECT_GT(size(each.back().command_n), 0.01);
+    // Each is pushed back along its own device's axis.
+    EXPECT_GT(each.back().command_n.z, 0);
+  }
+  std::array<int, 2> punctures = {};
+  for (Event event; pair.rig.events.pop(event);) {
+    if (event.kind == EventKind::kPuncture) ++punctures.at(event.needle);
+  }
+  EXPECT_EQ(punctures[0], 1);
+  EXPECT_EQ(punctures[1], 1);
+}
+
+TEST(TwoNeedles, AFaultOfOneHandLeavesTheOther) {
+  Pair pair;
+  Spoiler spoiler{pair.devices[1], [](std::uint64_t tick, Sample&) { return tick < 100; }};
+  pair.devices[1] = spoiled(spoiler);
+  const auto records = pair.run();
+  EXPECT_EQ(records[1].back().fault, Fault::kDeviceSilent);
+  EXPECT_EQ(size(records[1].back().command_n), 0);
+  EXPECT_EQ(records[0].back().fault, Fault::kNone);
+  EXPECT_GT(size(records[0].back().command_n), 0.01);
+}
+
+TEST(TwoNeedles, ReplayGivesTheSameBitsAndNamesTheNeedleThatDiffers) {
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("stylet-pair-" + std::to_string(getpid()) + ".h5"))
+          .string();
+  Pair pair;
+  RecordingInfo info;
+  info.config = pair.rig.scene.config;
+  RecordingWriter writer(path, info);
+  {
+    Recorder recorder(pair.rig.records, pair.rig.events, &writer, pair.courses);
+    run_loop(pair.rig.config, pair.instance->kernel, pair.devices, virtual_clock(pair.rig.time),
+             {&pair.rig.records, &pair.rig.events, nullptr, true}, pair.rig.state);
+    recorder.stop();
+    EXPECT_EQ(recorder.track(1).size(), pair.rig.config.ticks);
+    EXPECT_GT(recorder.track(1).back().travel_m, 0.005F);
+  }
+  writer.finish(hash(pair.instance->kernel), 0);
+  const RecordingReader recording(path);
+  Pair same;
+  const ReplayResult result = replay(recording, same.instance->kernel);
+  EXPECT_TRUE(result.same) << result.field << " at tick " << result.tick;
+  Pair other;
+  other.rig.scene.config.needle[1].length_m += 1e-3F;
+  const KernelInstance changed(other.rig.organ, other.rig.scene.config);
+  Kernel kernel = changed.kernel;
+  EXPECT_EQ(replay(recording, kernel).field.substr(0, 8), "needle1/");
+  ReplayDevice replayed{read_samples(recording, 1)};
+  ASSERT_EQ(replayed.samples.size(), pair.rig.config.ticks);
+  EXPECT_EQ(replayed.samples.back().sample.pose.position_m.z,
+            static_cast<float>(pair.second.position_m[2]));
+  std::filesystem::remove(path);
 }
 
 }  // namespace

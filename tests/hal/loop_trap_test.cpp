@@ -25,7 +25,7 @@ constexpr std::int64_t kPeriodNs = 200'000;
 
 void run_on_real_clock(Rig& rig, const Device& device) {
   rig.config.period_ns = kPeriodNs;
-  run_loop(rig.config, rig.instance->kernel, device, monotonic_clock(),
+  run_loop(rig.config, rig.instance->kernel, std::span(&device, 1), monotonic_clock(),
            {&rig.records, &rig.events, &rig.latest}, rig.state);
 }
 
@@ -51,7 +51,8 @@ Device sinning(Sinner& sinner) {
 TEST(LoopTrap, CallsNoHeapAndCausesNoPageFault) {
   Rig rig;
   mlockall(MCL_CURRENT);
-  warm_up(rig.instance->kernel, to_world(rig.config.mapping, {{}, {1, 0, 0, 0}}), 50);
+  const Input start = {to_world(rig.config.hand[0].mapping, {{}, {1, 0, 0, 0}}), 1};
+  warm_up(rig.instance->kernel, std::span(&start, 1), 50);
   const ThreadUse before = thread_use();
   test::arm_allocation_trap();
   run_on_real_clock(rig, rig.device());

@@ -38,28 +38,29 @@ struct Rig {
     tiny.materials[0].puncture_force_n = 0.2F;
     bytes = test::tiny_organ(tiny);
     EXPECT_EQ(organ_open(bytes, organ), Status::kOk);
-    scene.approach.start_m = 0.001F;
-    scene.guard.ramp_s = 0;
-    scene.guard.max_force_n = 2;
-    scene.guard.max_slew_n_per_s = 200;
-    scene.waypoints = {Waypoint{.travel_m = 0.018F, .speed_m_per_s = 0.1F, .hold_s = 0.05F}};
+    scene.hands[0].approach.start_m = 0.001F;
+    scene.hands[0].guard.ramp_s = 0;
+    scene.hands[0].guard.max_force_n = 2;
+    scene.hands[0].guard.max_slew_n_per_s = 200;
+    scene.hands[0].waypoints = {
+        Waypoint{.travel_m = 0.018F, .speed_m_per_s = 0.1F, .hold_s = 0.05F}};
     const Placement placement = place_needle(scene, organ);
     instance = std::make_unique<KernelInstance>(organ, scene.config);
-    config.mapping = placement.mapping;
-    config.guard = scene.guard;
-    hand.script = make_script(scene.waypoints, scene.approach.start_m);
+    config.hand[0].mapping = placement.mapping;
+    config.hand[0].guard = scene.hands[0].guard;
+    hand.script = make_script(scene.hands[0].waypoints, scene.hands[0].approach.start_m);
     config.ticks = script_ticks(hand.script, 1e-3);
   }
 
   std::vector<TickRecord> run(const Device& device) {
-    run_loop(config, instance->kernel, device, virtual_clock(time), {&records, &events, &latest},
-             state);
+    run_loop(config, instance->kernel, std::span(&device, 1), virtual_clock(time),
+             {&records, &events, &latest}, state);
     std::vector<TickRecord> all;
     for (TickRecord record; records.pop(record);) all.push_back(record);
     return all;
   }
 
-  Device device() { return simulated_hand_device(hand, scene.limits); }
+  Device device() { return simulated_hand_device(hand, scene.hands[0].limits); }
 };
 
 }  // namespace stylet::hal

@@ -88,19 +88,19 @@ TEST(Scene, EveryValueArrivesInSi) {
   EXPECT_NEAR(of(scene.config.needle[0].outer_radius_m), 0.3588e-3, 1e-9);
   EXPECT_NEAR(of(scene.config.needle[0].length_m), 0.12, 1e-8);
   EXPECT_NEAR(of(scene.config.needle[0].unit_m), 4e-3, 1e-9);
-  EXPECT_NEAR(of(scene.approach.direction.z), -1, 1e-7);
-  ASSERT_TRUE(scene.approach.through_m.has_value());
-  EXPECT_NEAR(of(scene.approach.through_m->y), 0.02, 1e-8);
-  EXPECT_NEAR(of(scene.approach.start_m), 5e-3, 1e-9);
-  EXPECT_EQ(scene.guard.max_force_n, 4.0F);  // the smaller one
-  EXPECT_NEAR(of(scene.guard.ramp_s), 0.1, 1e-8);
-  EXPECT_EQ(scene.guard.period_s, scene.config.period_s);
-  EXPECT_NEAR(of(scene.hand.mass_kg), 0.3, 1e-7);
-  ASSERT_EQ(scene.waypoints.size(), 2U);
-  EXPECT_NEAR(of(scene.waypoints[0].speed_m_per_s), 0.01, 1e-9);
-  EXPECT_NEAR(of(scene.waypoints[1].travel_m), 0.04, 1e-8);  // stays where it was
-  EXPECT_NEAR(of(scene.waypoints[1].right_m), 2e-3, 1e-9);
-  EXPECT_NEAR(of(scene.waypoints[1].up_m), -1e-3, 1e-9);
+  EXPECT_NEAR(of(scene.hands[0].approach.direction.z), -1, 1e-7);
+  ASSERT_TRUE(scene.hands[0].approach.through_m.has_value());
+  EXPECT_NEAR(of(scene.hands[0].approach.through_m->y), 0.02, 1e-8);
+  EXPECT_NEAR(of(scene.hands[0].approach.start_m), 5e-3, 1e-9);
+  EXPECT_EQ(scene.hands[0].guard.max_force_n, 4.0F);  // the smaller one
+  EXPECT_NEAR(of(scene.hands[0].guard.ramp_s), 0.1, 1e-8);
+  EXPECT_EQ(scene.hands[0].guard.period_s, scene.config.period_s);
+  EXPECT_NEAR(of(scene.hands[0].hand.mass_kg), 0.3, 1e-7);
+  ASSERT_EQ(scene.hands[0].waypoints.size(), 2U);
+  EXPECT_NEAR(of(scene.hands[0].waypoints[0].speed_m_per_s), 0.01, 1e-9);
+  EXPECT_NEAR(of(scene.hands[0].waypoints[1].travel_m), 0.04, 1e-8);  // stays where it was
+  EXPECT_NEAR(of(scene.hands[0].waypoints[1].right_m), 2e-3, 1e-9);
+  EXPECT_NEAR(of(scene.hands[0].waypoints[1].up_m), -1e-3, 1e-9);
 }
 
 struct Mistake {
@@ -299,14 +299,57 @@ speed_mm_per_s = 4
 roll_deg_per_s = 180)");
   const std::string sharp = "tip = \"bevel\"\ncurvature_per_m = 6\n";
   const Scene scene = parse_scene(text.insert(text.find("unit_mm"), sharp), "s.toml");
-  ASSERT_EQ(scene.steering.targets_m.size(), 3U);
-  EXPECT_NEAR(of(scene.steering.targets_m[1].z), 6e-3, 1e-9);
-  EXPECT_NEAR(of(scene.steering.targets_m[2].x), 7e-3, 1e-9);
-  EXPECT_NEAR(of(scene.steering.speed_m_per_s), 4e-3, 1e-9);
-  EXPECT_EQ(scene.steering.curvature_per_m, 6);
-  EXPECT_NEAR(of(scene.steering.roll_rad_per_s), 3.14159, 1e-5);
-  EXPECT_NEAR(of(scene.coupling.stiffness_n_per_m), 700, 1e-3);
-  EXPECT_EQ(parse_scene(kGood, "s.toml").coupling.stiffness_n_per_m, 0);
+  ASSERT_EQ(scene.hands[0].steering.targets_m.size(), 3U);
+  EXPECT_NEAR(of(scene.hands[0].steering.targets_m[1].z), 6e-3, 1e-9);
+  EXPECT_NEAR(of(scene.hands[0].steering.targets_m[2].x), 7e-3, 1e-9);
+  EXPECT_NEAR(of(scene.hands[0].steering.speed_m_per_s), 4e-3, 1e-9);
+  EXPECT_EQ(scene.hands[0].steering.curvature_per_m, 6);
+  EXPECT_NEAR(of(scene.hands[0].steering.roll_rad_per_s), 3.14159, 1e-5);
+  EXPECT_NEAR(of(scene.hands[0].coupling.stiffness_n_per_m), 700, 1e-3);
+  EXPECT_EQ(parse_scene(kGood, "s.toml").hands[0].coupling.stiffness_n_per_m, 0);
+}
+
+const std::string kTwo = R"([[needles]]
+gauge = "17G"
+[needles.approach]
+direction = [1, 0, 0]
+[[needles.hand.waypoint]]
+travel_mm = 20
+speed_mm_s = 10
+[[needles]]
+gauge = "25G"
+[needles.approach]
+direction = [0, 1, 0]
+[needles.device]
+max_force_n = 3
+[[needles.hand.waypoint]]
+travel_mm = 30
+speed_mm_s = 10
+)";
+
+TEST(Scene, EachOfSeveralNeedlesHasItsOwn) {
+  const Scene scene = parse_scene(kTwo, "s.toml");
+  ASSERT_EQ(scene.config.needle_count, 2U);
+  ASSERT_EQ(scene.hands.size(), 2U);
+  EXPECT_NEAR(of(scene.config.needle[1].outer_radius_m), 0.2572e-3, 1e-9);
+  EXPECT_EQ(scene.hands[1].approach.direction.y, 1);
+  EXPECT_EQ(scene.hands[0].guard.max_force_n, 8);
+  EXPECT_EQ(scene.hands[1].guard.max_force_n, 3);
+  EXPECT_NEAR(of(scene.hands[1].waypoints.at(0).travel_m), 0.03, 1e-8);
+}
+
+TEST(Scene, SeveralNeedlesRefuse) {
+  EXPECT_THAT(error_of("[needle]\ngauge = \"18G\"\n" + kTwo),
+              testing::HasSubstr("s.toml:1: needle: "));
+  EXPECT_THAT(error_of(kTwo + "[approach]\nstart_mm = 3\n"),
+              testing::HasSubstr("s.toml:17: approach: "));
+  std::string text = kTwo;
+  text.replace(text.find("25G"), 3, "26G");
+  EXPECT_THAT(error_of(text), testing::StartsWith("s.toml:9: needles.gauge: '26G': "));
+  EXPECT_THAT(error_of(kTwo + kTwo + kTwo), testing::HasSubstr("at most 4 needles"));
+  text = kTwo;
+  text.replace(text.find("[needles.device]"), 16, "[needles.devise]");
+  EXPECT_THAT(error_of(text), testing::StartsWith("s.toml:12: needles.devise: "));
 }
 
 TEST(Scene, SimulatedHandNeedsAScript) {
@@ -325,8 +368,10 @@ TEST(Scene, MissingFileIsNamed) {
 
 TEST(Scene, ProjectScenesLoad) {
   const Scene scene = read_scene(STYLET_SCENES "/fig09-force-curve.toml");
-  EXPECT_EQ(scene.waypoints.size(), 2U);
-  EXPECT_EQ(script_ticks(make_script(scene.waypoints, scene.approach.start_m), 1e-3), 18000U);
+  EXPECT_EQ(scene.hands[0].waypoints.size(), 2U);
+  EXPECT_EQ(
+      script_ticks(make_script(scene.hands[0].waypoints, scene.hands[0].approach.start_m), 1e-3),
+      18000U);
 }
 
 // ---- from the scene to the world
@@ -354,8 +399,8 @@ TEST(Placement, TipStartsOutsideTheSurfaceAndPointsIn) {
   for (const Vec3 d : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{0, 0, -1},
                        Vec3{half, 0, half}, Vec3{0, -half, -half}}) {
     Scene scene;
-    scene.approach.direction = d;
-    scene.approach.start_m = 0.01F;
+    scene.hands[0].approach.direction = d;
+    scene.hands[0].approach.start_m = 0.01F;
     const Placement placed = place_needle(scene, b.organ);
     const Pose start = to_world(placed.mapping, {{}, {1, 0, 0, 0}});
     const Vec3 needle = rotate(start.rotation, {0, 0, -scene.config.needle[0].length_m});
@@ -377,10 +422,10 @@ TEST(Placement, EntryIsOnTheFaceTowardsTheNeedle) {
   const Block b = block();
   Scene scene;
   EXPECT_NEAR(of(place_needle(scene, b.organ).course.entry_m.x), 0.1, 1e-6);
-  scene.approach.direction = {-1, 0, 0};
+  scene.hands[0].approach.direction = {-1, 0, 0};
   EXPECT_NEAR(of(place_needle(scene, b.organ).course.entry_m.x), 0.14, 1e-6);
-  scene.approach.direction = {0, 0, -1};
-  scene.approach.through_m = Vec3{0.11F, 0.01F, 0};
+  scene.hands[0].approach.direction = {0, 0, -1};
+  scene.hands[0].approach.through_m = Vec3{0.11F, 0.01F, 0};
   const Vec3 entry = place_needle(scene, b.organ).course.entry_m;
   EXPECT_NEAR(of(entry.x), 0.11, 1e-6);
   EXPECT_NEAR(of(entry.y), 0.01, 1e-6);
@@ -391,7 +436,7 @@ TEST(Placement, ALineThatMissesIsRefused) {
   const Block b = block();
   Scene scene;
   scene.file = "s.toml";
-  scene.approach.through_m = Vec3{0.1F, 0.5F, 0};
+  scene.hands[0].approach.through_m = Vec3{0.1F, 0.5F, 0};
   EXPECT_THROW((void)place_needle(scene, b.organ), SceneError);
 }
 

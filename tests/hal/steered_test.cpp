@@ -156,18 +156,19 @@ Reached steer_in_tissue(bool rolls) {
   const Scene scene = parse_scene(kScene, "steered.toml");
   KernelInstance instance(organ, scene.config);
   LoopConfig config;
-  config.mapping = place_needle(scene, organ).mapping;
-  config.guard = scene.guard;
+  config.hand[0].mapping = place_needle(scene, organ).mapping;
+  config.hand[0].guard = scene.hands[0].guard;
   Steered steered;
-  steered.config = scene.steering;
+  steered.config = scene.hands[0].steering;
   if (!rolls) steered.config.roll_rad_per_s = 0;
-  for (Vec3& each : steered.config.targets_m) each = place_in_device(config.mapping, each);
+  for (Vec3& each : steered.config.targets_m) each = place_in_device(config.hand[0].mapping, each);
   config.ticks = steered_ticks(steered.config, scene.config.needle[0].length_m, 1e-3);
   LoopState state;
   VirtualTime time;
-  run_loop(config, instance.kernel, steered_device(steered, scene.limits), virtual_clock(time), {},
-           state);
-  return {distance(state.output.tip_m, scene.steering.targets_m[0]), steered.rolls};
+  const Device device = steered_device(steered, scene.hands[0].limits);
+  run_loop(config, instance.kernel, std::span(&device, 1), virtual_clock(time), {}, state);
+  return {distance(state.hand[0].output.tip_m, scene.hands[0].steering.targets_m[0]),
+          steered.rolls};
 }
 
 // The needle that is not rolled shows the curvature of its path in this tissue: half its own.

@@ -46,8 +46,8 @@ class KernelInstance {
   Block model_, state_, scratch_;
 };
 
-// Same state from the same start: ticks a fresh kernel at `handle` to warm caches and pages, resets
-// it, and throws LoadError if the state's hash is not what it was.
-void warm_up(Kernel& kernel, const Pose& handle, int ticks);
+// Same state from the same start: ticks a fresh kernel at `handles` to warm caches and pages,
+// resets it, and throws LoadError if the state's hash is not what it was.
+void warm_up(Kernel& kernel, std::span<const Input> handles, int ticks);
 
 }  // namespace stylet::hal

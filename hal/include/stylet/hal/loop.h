@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The servo loop: one tick a period, from the device's pose to the device's force.
+// The servo loop: one tick a period, from the devices' poses to the devices' forces. One device a
+// needle, each with its own frame, guard and coupling.
 //
 // Promises, from the first tick to the last: no allocation, lock or log; no system call but
 // clock_gettime and clock_nanosleep and what the device itself needs. A late tick is counted and
@@ -11,6 +12,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <span>
 
 #include "stylet/hal/channel.h"
 #include "stylet/hal/clock.h"
@@ -38,12 +40,15 @@ void histogram_add(Histogram& histogram, std::int64_t ns);
 // beyond the last bin.
 double histogram_quantile_us(const Histogram& histogram, double fraction);
 
-// The newest state, for displays.
-struct Published {
+// The newest state, for displays: of each needle.
+struct PublishedHand {
   Pose handle;
   Output output;
   Vec3 command_n;
   Fault fault;
+};
+struct Published {
+  std::array<PublishedHand, kMaxNeedles> hand;
 };
 
 struct Outlets {
@@ -53,24 +58,32 @@ struct Outlets {
   bool wait_for_room = false;  // virtual time only: rather wait than lose a record
 };
 
-struct LoopConfig {
-  std::int64_t period_ns = 1'000'000;
-  std::uint64_t ticks = 0;
-  std::uint32_t hash_every_ticks = 0;  // 0: never
+struct HandConfig {
   Mapping mapping;
   GuardConfig guard;
   CouplingConfig coupling;
 };
 
-// Everything the loop changes beside the kernel. Large: keep it out of the stack.
-struct LoopState {
-  std::atomic<bool> stop{false};  // set by another thread or a signal: end after this tick
+struct LoopConfig {
+  std::int64_t period_ns = 1'000'000;
+  std::uint64_t ticks = 0;
+  std::uint32_t hash_every_ticks = 0;  // 0: never
+  std::array<HandConfig, kMaxNeedles> hand;
+};
+
+struct HandState {
   GuardState guard = guard_start();
   Sample sample = {};
   Pose handle = {};  // of the device, last usable one, world
   bool have_handle = false;
   CouplingState coupling;
   Output output = {};  // of the last tick
+};
+
+// Everything the loop changes beside the kernel. Large: keep it out of the stack.
+struct LoopState {
+  std::atomic<bool> stop{false};  // set by another thread or a signal: end after this tick
+  std::array<HandState, kMaxNeedles> hand;
   std::uint32_t events_seen = 0;
   std::uint32_t missed_in_a_row = 0;
   std::uint64_t ticks = 0;
@@ -81,7 +94,8 @@ struct LoopState {
   Histogram lateness;   // of the wake-up
 };
 
-void run_loop(const LoopConfig& config, Kernel& kernel, const Device& device, const Clock& clock,
-              const Outlets& outlets, LoopState& state);
+// Device i holds needle i; as many devices as the kernel has needles.
+void run_loop(const LoopConfig& config, Kernel& kernel, std::span<const Device> devices,
+              const Clock& clock, const Outlets& outlets, LoopState& state);
 
 }  // namespace stylet::hal

@@ -21,7 +21,7 @@ class Recorder {
  public:
   // `writer` may be null. Rings and writer must outlive the recorder.
   Recorder(Ring<TickRecord>& records, Ring<Event>& events, RecordingWriter* writer,
-           const Course& course);
+           std::span<const Course> courses);
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -29,7 +29,7 @@ class Recorder {
   // Takes what is left in the rings and ends the thread. The loop must have ended.
   void stop();
   // After stop().
-  const std::vector<TrackPoint>& track() const { return track_; }
+  const std::vector<TrackPoint>& track(std::size_t needle = 0) const { return tracks_[needle]; }
   const std::vector<Event>& events() const { return events_; }
   const std::string& error() const { return error_; }
 
@@ -43,9 +43,9 @@ class Recorder {
   Ring<TickRecord>& record_ring_;
   Ring<Event>& event_ring_;
   RecordingWriter* writer_;
-  Course course_;
+  std::vector<Course> courses_;  // of each needle
   std::vector<TickRecord> block_;
-  std::vector<TrackPoint> track_;
+  std::vector<std::vector<TrackPoint>> tracks_;
   std::vector<Event> events_;
   std::string error_;
   std::atomic<std::uint64_t> ticks_{0};

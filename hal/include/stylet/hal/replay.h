@@ -18,7 +18,7 @@ struct ReplayResult {
   std::uint64_t state_hash = 0;
   // Where not the same:
   std::uint64_t tick = 0;  // first that differs, counted from 1 as Output::tick
-  std::string field;       // column of the recording
+  std::string field;       // place in the recording
   std::string recorded, replayed;
 };
 

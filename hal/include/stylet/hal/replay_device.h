@@ -22,7 +22,8 @@ struct ReplayDevice {
   std::size_t next = 0;
 };
 
-std::vector<ReplayedSample> read_samples(const RecordingReader& recording);
+std::vector<ReplayedSample> read_samples(const RecordingReader& recording,
+                                         std::uint32_t needle = 0);
 // `replay` must outlive the device. Samples carry the time of the tick they are played in.
 Device replay_device(ReplayDevice& replay, const DeviceInfo& info);
 

@@ -34,6 +34,19 @@ struct Approach {
   float start_m = 0.01F;          // tip outside the surface
 };
 
+// Who holds a needle, where it starts, and what keeps the hand safe.
+struct Hand {
+  Approach approach;
+  std::string device = "simulated";
+  std::string replay_path;  // device "replay"
+  DeviceInfo limits = {"simulated hand", 8, 2000, 0};
+  GuardConfig guard;
+  CouplingConfig coupling;
+  SimulatedHandConfig hand;
+  std::vector<Waypoint> waypoints;
+  SteeringConfig steering;  // device "steered"; targets in the world
+};
+
 struct Scene {
   std::string file;
   std::string text;
@@ -43,26 +56,18 @@ struct Scene {
   int rt_priority = 80;
   int cpu = -1;  // -1: the last one the process may use
   std::uint32_t hash_every_ticks = 1000;
-  Approach approach;
-  std::string device = "simulated";
-  std::string replay_path;  // device "replay"
-  DeviceInfo limits = {"simulated hand", 8, 2000, 0};
-  GuardConfig guard;
-  SimulatedHandConfig hand;
-  std::vector<Waypoint> waypoints;
-  SteeringConfig steering;  // device "steered"; targets in the world
-  CouplingConfig coupling;
+  std::vector<Hand> hands = {Hand{}};  // of each needle
 };
 
 Scene read_scene(const std::string& path);
 // `file` is only for messages.
 Scene parse_scene(std::string_view text, const std::string& file);
 
-// Start pose of the needle for an organ. Throws SceneError if the line misses the organ.
+// Start pose of a needle for an organ. Throws SceneError if the line misses the organ.
 struct Placement {
   Course course;    // from the first point of the surface along the line
   Mapping mapping;  // device at rest = needle's base at the start; device -z = direction
 };
-Placement place_needle(const Scene& scene, const Organ& organ);
+Placement place_needle(const Scene& scene, const Organ& organ, std::uint32_t needle = 0);
 
 }  // namespace stylet::hal
