@@ -216,6 +216,17 @@ def fig10_steering(run):
              "lines": [(run.time_s, run.bevel @ (0, 0, 1), "")]}]
 
 
+BIOPSY = ["abdominal wall", "liver", "tumour", "liver capsule"]
+
+
+def liver_biopsy(run):
+    inside = [(tick, name, layer, force) for tick, name, layer, force in run.events
+              if layer < len(BIOPSY)]
+    run.events = inside
+    return [force_over_travel(run, "Liver biopsy: the tip enters", BIOPSY),
+            force_over_time(run, "The same over time")]
+
+
 LUMBAR = ["skin", "fat", "ligament", "flavum", "epidural space"]
 
 

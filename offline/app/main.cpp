@@ -80,9 +80,9 @@ void add_common(CLI::App& command, CommonArguments& a) {
       ->check(CLI::Range(1U, 65535U))
       ->excludes(edge);
   command
-      .add_option("--capsule", a.capsule,
-                  "Tissue of the voxels at the outer surface; auto: liver_capsule on an organ that "
-                  "is all liver; or none")
+      .add_option(
+          "--capsule", a.capsule,
+          "Tissue of the voxels at the outer surface; auto: liver_capsule on liver; or none")
       ->capture_default_str();
   command
       .add_option("--fix", a.fix,
@@ -154,10 +154,11 @@ void finish(std::vector<Input> inputs, const BuildOptions& options, const Common
 // whoever says only "liver" gets the organ as it is found.
 void choose_capsule(const std::string& wanted, const std::vector<Input>& inputs,
                     BuildOptions& options) {
-  const bool all_liver = std::all_of(inputs.begin(), inputs.end(),
+  const bool any_liver = std::any_of(inputs.begin(), inputs.end(),
                                      [](const Input& input) { return input.tissue == "liver"; });
   if (wanted == "auto") {
-    options.capsule = all_liver && options.layers.empty() ? "liver_capsule" : "";
+    options.capsule = any_liver && options.layers.empty() ? "liver_capsule" : "";
+    options.capsule_of = "liver";
   } else {
     options.capsule = wanted == "none" ? "" : wanted;
   }

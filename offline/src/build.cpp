@@ -134,8 +134,11 @@ std::vector<std::uint8_t> voxel_materials(const Claims& claims, const Lattice& l
   std::vector<std::uint8_t> materials;
   for (const std::uint32_t cell : lattice.cell_of_voxel) {
     const std::uint32_t x = cell % grid.size[0], row = cell / grid.size[0];
+    const bool has_capsule =
+        !options.capsule.empty() &&
+        (options.capsule_of.empty() || options.capsule_of == inputs[claims.owner[cell]].tissue);
     const bool is_capsule =
-        !options.capsule.empty() && is_skin(claims, x, row % grid.size[1], row / grid.size[1]);
+        has_capsule && is_skin(claims, x, row % grid.size[1], row / grid.size[1]);
     materials.push_back(is_capsule ? capsule
                         : of_layer.empty()
                             ? of_input[claims.owner[cell]]

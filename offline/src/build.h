@@ -38,6 +38,7 @@ struct BuildOptions {
   double voxel_edge_m = 5e-3;
   std::uint32_t voxels_across = 0;  // along the longest side; replaces voxel_edge_m unless 0
   std::string capsule;              // tissue of the voxels at the outer surface; empty: none
+  std::string capsule_of;           // only where the input has this tissue; empty: everywhere
   bool wrap = false;                // replace each input by a closed skin around it
   std::vector<Region> held;
   std::vector<Layer> layers;

@@ -343,5 +343,24 @@ class LumbarPuncture(Scene):
         self.assertLess(run.axial_n[at + 150], 0.25 * run.axial_n[at - 1])
 
 
+class LiverBiopsy(Scene):
+    name = "liver-biopsy"
+    WALL, LIVER, TUMOUR, CAPSULE = range(4)
+    CENTRE, RADIUS = np.array([-70, 130, 155]) * 1e-3, 12e-3
+
+    def test_wall_capsule_and_tumour_are_punctured_in_turn(self):
+        self.check_quiet()
+        punctures = [(layer, force) for _, kind, layer, force in self.run_.events
+                     if kind == "puncture"]
+        self.assertEqual([layer for layer, _ in punctures],
+                         [self.WALL, self.CAPSULE, self.TUMOUR])
+        for (_, force), expected in zip(punctures, (1.2, 0.7, 1.0)):
+            self.assert_within(force, expected, 0.02)
+
+    def test_tip_comes_to_the_tumour(self):
+        tips = self.run_.tip_m
+        self.assertLess(np.linalg.norm(tips - self.CENTRE, axis=1).min(), self.RADIUS)
+
+
 if __name__ == "__main__":
     unittest.main()
