@@ -5,10 +5,10 @@
     hal/scenes/play.py [--out FOLDER] [--pictures] [SCENE...]
 
 A scene is named by its file, without folder or ending; none named: all. The organ's recipe is the
-line `# organ: stylet-organ ...` of the scene, `{data}` in it the shared data,
-`{scenes}` this folder. Programs come from
-STYLET_BIN or build/release/bin. Organ, recording and picture go to FOLDER (default: a new one);
---pictures also puts the picture into hal/scenes/pictures. Needs python3-h5py and gnuplot.
+line `# organ: stylet-organ ...` of the scene, `{data}` in it the shared data, `{scenes}` this
+folder. Programs come from STYLET_BIN or build/release/bin. Organ, recording and picture go to FOLDER
+(default: a new one); --pictures also puts the picture into hal/scenes/pictures. Needs python3-h5py
+and gnuplot.
 """
 import argparse
 import json
@@ -20,6 +20,7 @@ import subprocess
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True  # a run leaves nothing in the repository
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 DATA = pathlib.Path(os.environ.get("STYLET_DATA", ROOT / "../shared/data"))
@@ -77,13 +78,20 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--out", type=pathlib.Path)
     parser.add_argument("--pictures", action="store_true")
-    parser.add_argument("scene", nargs="*", choices=[*scene_names(), []])
+    parser.add_argument("scene", nargs="*", metavar="SCENE")
     options = parser.parse_args()
+    unknown = set(options.scene) - set(scene_names())
+    if unknown:
+        sys.exit(f"play.py: {sorted(unknown)[0]}: expected one of {', '.join(scene_names())}")
     import draw  # needs h5py
     folder = options.out or pathlib.Path(tempfile.mkdtemp(prefix="stylet-"))
     folder.mkdir(parents=True, exist_ok=True)
     for name in options.scene or scene_names():
-        recording, report = play(name, folder)
+        try:
+            recording, report = play(name, folder)
+        except DataMissing as missing:
+            print(f"{name}: skipped: {missing}")
+            continue
         picture = folder / f"{name}.svg"
         draw.draw(name, recording, picture)
         if options.pictures:
@@ -94,5 +102,5 @@ def main():
 if __name__ == "__main__":
     try:
         main()
-    except (DataMissing, RuntimeError) as error:
+    except RuntimeError as error:
         sys.exit(f"play.py: {error}")
