@@ -6,9 +6,9 @@
 
 A scene is named by its file, without folder or ending; none named: all. The organ's recipe is the
 line `# organ: stylet-organ ...` of the scene, `{data}` in it the shared data, `{scenes}` this
-folder. Programs come from STYLET_BIN or build/release/bin. Organ, recording and picture go to FOLDER
-(default: a new one); --pictures also puts the picture into hal/scenes/pictures. Needs python3-h5py
-and gnuplot.
+folder. Programs come from STYLET_BIN or build/release/bin. Organ, recording and picture go to
+FOLDER (default: a new one); --pictures also puts the picture into hal/scenes/pictures. Needs
+python3-h5py and gnuplot.
 """
 import argparse
 import json
