@@ -41,9 +41,10 @@ class Run:
             self.depth_m = np.asarray(file["output/depth_m"], float)
             self.particles = np.asarray(file["output/constraint_particles"]).astype(int)
             self.events = [(int(tick), EVENTS[kind], int(layer), float(force)) for
-                           tick, kind, layer, force in
+                           tick, kind, layer, force, needle in
                            zip(file["events/tick"], file["events/kind"], file["events/layer"],
-                               file["events/force_n"])]
+                               file["events/force_n"], file["events/needle"])
+                           if needle == 0]
         self.axial_n = -self.force_n @ along  # positive where the hand is pushed back
         contact = self.index("contact")
         self.travel_m = (self.tip_m - self.tip_m[contact]) @ along
@@ -225,6 +226,15 @@ def liver_biopsy(run):
     run.events = inside
     return [force_over_travel(run, "Liver biopsy: the tip enters", BIOPSY),
             force_over_time(run, "The same over time")]
+
+
+def prostate_template(run):
+    shape = run.shapes(len(run.time_s))["shapes"][0]
+    first, second = (np.array(needle) * 1e3 for needle in shape["needles"])
+    return [force_over_time(run, "The first needle"),
+            {"title": "Both at the end", "x": "x / mm", "y": "y / mm", "equal": True,
+             "lines": [(first[:, 0], first[:, 1], "first"),
+                       (second[:, 0], second[:, 1], "second")]}]
 
 
 LUMBAR = ["skin", "fat", "ligament", "flavum", "epidural space"]

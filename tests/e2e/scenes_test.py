@@ -10,6 +10,7 @@ import sys
 import tempfile
 import unittest
 
+import h5py
 import numpy as np
 
 SOURCE = pathlib.Path(os.environ["STYLET_SOURCE"])
@@ -360,6 +361,24 @@ class LiverBiopsy(Scene):
     def test_tip_comes_to_the_tumour(self):
         tips = self.run_.tip_m
         self.assertLess(np.linalg.norm(tips - self.CENTRE, axis=1).min(), self.RADIUS)
+
+
+class ProstateTemplate(Scene):
+    name = "prostate-template"
+
+    def test_each_needle_meets_the_layers_on_its_own(self):
+        self.check_quiet()
+        with h5py.File(self.run_.path) as file:
+            rows = list(zip(file["events/needle"], file["events/kind"], file["events/layer"],
+                            file["events/force_n"]))
+        for needle in (0, 1):
+            met = [(draw.EVENTS[kind], int(layer)) for n, kind, layer, _ in rows if n == needle]
+            self.assertEqual(met, [("contact", 0), ("puncture", 0), ("layer", 1), ("layer", 2),
+                                   ("puncture", 3), ("layer", 4)])
+        forces = [[force for n, kind, _, force in rows if n == needle and
+                   draw.EVENTS[kind] == "puncture"] for needle in (0, 1)]
+        np.testing.assert_allclose(forces[0], forces[1], rtol=0.01)
+        np.testing.assert_allclose(forces[0], [2, 2], rtol=0.02)
 
 
 if __name__ == "__main__":
