@@ -1,9 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-# What setup.sh, demo.sh and test.sh share: speaking to the user, and building. Sourced, not run.
+# What the scripts here share: speaking to the user, building, testing. Sourced, not run.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-build=$root/build/release
+
+# use_preset NAME: what the functions below configure, build and test, from here on.
+use_preset() {
+  preset=$1
+  build=$root/build/$preset
+}
+use_preset release
 
 say() { printf '\n==> %s\n' "$*"; }
 note() { printf '    %s\n' "$*"; }
@@ -24,7 +30,7 @@ job_count() {
   echo $((jobs > 0 ? jobs : 1))
 }
 
-# configure: a release build in build/release. A cache made by a checkout that has since moved is
+# configure: the preset's build folder. A cache made by a checkout that has since moved is
 # thrown away, as CMake would only refuse it.
 configure() {
   mkdir -p "$build" 2>/dev/null && [ -w "$build" ] ||
@@ -35,9 +41,9 @@ configure() {
     rm -rf "$build"
     mkdir -p "$build"
   fi
-  say "Configuring (release) in ${build#"$root"/}"
+  say "Configuring ($preset) in ${build#"$root"/}"
   local log=$build/configure.log
-  (cd "$root" && cmake --preset release >"$log" 2>&1) || {
+  (cd "$root" && cmake --preset "$preset" >"$log" 2>&1) || {
     tail -n 25 "$log" >&2
     die "configuring failed" "The whole output is in $log"
   }
@@ -52,4 +58,15 @@ compile() {
   [ $# -eq 0 ] || targets=(--target "$@")
   cmake --build "$build" -j "$jobs" "${targets[@]}" ||
     die "the build failed" "The first message above that says 'error' or 'FAILED' is the cause."
+}
+
+# run_tests [CTEST_ARGUMENT...]
+run_tests() {
+  say "Testing ($preset)"
+  ctest --test-dir "$build" --output-on-failure -j 2 "$@" || {
+    local status=$?
+    die "some tests failed; they are listed above" \
+      "One of them again, with its output:  ctest --test-dir ${build#"$root"/} -V -R NAME" \
+      "The whole log: $build/Testing/Temporary/LastTest.log (ctest exit code $status)"
+  }
 }

@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""check.sh runs the tests of its tier and no others: cmake and ctest are stand-ins that say how
+they were called."""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+TOOLCHAIN = pathlib.Path(__file__).resolve().parent.parent
+ALL_INSTALLED = """#!/bin/sh
+for name in "$@"; do
+  case $name in -*) ;; *) echo "$name installed" ;; esac
+done
+"""
+# Says where and with what it was called; fails where a file of that name asks for it.
+RECORDER = """#!/bin/sh
+echo "$(basename "$0") $*" >> "$STAND_IN/calls"
+[ ! -e "$STAND_IN/$(basename "$0") fails" ]
+"""
+SHORT = "-LE ^(full|night)$"
+
+
+class Tiers(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.top = pathlib.Path(folder.name)
+        shutil.copytree(TOOLCHAIN, self.top / "toolchain")
+        for name, text in ("dpkg-query", ALL_INSTALLED), ("cmake", RECORDER), ("ctest", RECORDER):
+            path = self.top / name
+            path.write_text(text)
+            path.chmod(0o755)
+
+    def check(self, *arguments):
+        """Exit code, and (preset, what was asked for) of each call of ctest."""
+        done = subprocess.run([self.top / "toolchain/check.sh", *arguments], capture_output=True,
+                              env={"PATH": f"{self.top}:{os.environ['PATH']}",
+                                   "STAND_IN": str(self.top)})
+        calls = self.top / "calls"
+        lines = calls.read_text().splitlines() if calls.exists() else []
+        tests = [line.split(" ", 3)[2:] for line in lines if line.startswith("ctest")]
+        common = "--output-on-failure -j 2 "
+        return done.returncode, [(pathlib.Path(folder).name, rest.removeprefix(common))
+                                 for folder, rest in tests]
+
+    FAST = [("release", SHORT)]
+    FULL = FAST + [("release", "-L ^full$ --no-tests=ignore"), ("clang", SHORT),
+                   ("sanitize", SHORT), ("sanitize-threads", SHORT)]
+    NIGHT = FULL + [("release", "-L ^night$ --no-tests=ignore")]
+
+    def test_each_tier_has_all_of_the_one_before(self):
+        for tier, expected in ("fast", self.FAST), ("full", self.FULL), ("night", self.NIGHT):
+            with self.subTest(tier):
+                (self.top / "calls").unlink(missing_ok=True)
+                self.assertEqual(self.check(tier), (0, expected))
+
+    def test_failing_tests_fail_the_tier_and_end_it(self):
+        (self.top / "ctest fails").touch()
+        self.assertEqual(self.check("night"), (1, self.FAST))
+
+    def test_other_words_are_refused(self):
+        for arguments in (), ("faster",), ("fast", "full"):
+            self.assertEqual(self.check(*arguments), (1, []))
+
+
+if __name__ == "__main__":
+    sys.exit(unittest.main())
