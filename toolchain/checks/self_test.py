@@ -9,6 +9,7 @@ import unittest
 
 sys.dont_write_bytecode = True
 import headers  # noqa: E402
+import stack  # noqa: E402
 import symbols  # noqa: E402
 import tidy  # noqa: E402
 
@@ -66,6 +67,45 @@ class Symbols(Sample):
         allowed = self.write("list.txt", "given\n")
         self.expect_one(symbols.faults(allowed, self.library("int* f() { return new int; }")),
                         "a.o", "operator new(unsigned long)")
+
+
+class Stack(Sample):
+    TICK = "namespace stylet { struct Kernel; void tick(Kernel&) { %s } }\n"
+
+    def bound(self, before, body):
+        source = self.write("a.cpp", before + self.TICK % body)
+        subprocess.run(["g++", "-O1", "-fno-inline", "-fcallgraph-info=su", "-c", source,
+                        "-o", self.top / "a.o"], check=True)
+        graph = stack.Graph()
+        graph.add((self.top / "a.ci").read_text())
+        return stack.bound(graph)[0], graph.faults
+
+    def test_adds_up_the_longest_path(self):
+        size, faults = self.bound("void use(int* a) { asm(\"\" : : \"r\"(a) : \"memory\"); }\n"
+                                  "void deep() { int a[1000]; use(a); }\n"
+                                  "void flat() { int a[10]; use(a); }\n", "int a[500]; use(a);"
+                                  "flat(); deep();")
+        self.assertEqual(faults, [])
+        self.assertTrue(6000 <= size < 6200, size)
+
+    def test_refuses_recursion(self):
+        self.expect_one(self.bound("int f(int n); int g(int n) { asm(\"\"); return n * f(n); }\n"
+                                   "int f(int n) { return n > 1 ? 1 + g(n - 1) : 1; }\n",
+                                   "f(3);")[1], "calls itself", "g(int)")
+
+    def test_refuses_frames_of_variable_size(self):
+        self.expect_one(self.bound("void use(void* a) { asm(\"\" : : \"r\"(a) : \"memory\"); }\n"
+                                   "void f(int n) { use(__builtin_alloca(n)); }\n", "f(3);")[1],
+                        "f(int)", "variable")
+
+    def test_refuses_unknown_pointers_and_functions(self):
+        self.expect_one(self.bound("void (*volatile p)();\n", "p();")[1], "pointer")
+        self.expect_one(self.bound("void other();\n", "other();")[1], "other()", "nobody knows")
+
+    def test_refuses_no_tick(self):
+        graph = stack.Graph()
+        stack.bound(graph)
+        self.expect_one(graph.faults, "no function")
 
 
 class Tidy(Sample):

@@ -82,5 +82,8 @@ constexpr float kMaxHandleSpeedMPerS = 5.0F;
 constexpr float kMaxHandleSpinRadPerS = 60.0F;
 // Distance of the handle from the organ's origin; input beyond it is clamped.
 constexpr float kMaxHandleDistanceM = 2.0F;
+// Stack of a tick, callees included: what a thread that calls it must have left. Kept by a check of
+// the call graph, not at run time.
+constexpr std::uint32_t kTickStackBytes = 32'768;
 
 }  // namespace stylet
