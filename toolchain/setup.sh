@@ -16,7 +16,7 @@ packages=(
   # offline
   libcgal-dev libssl-dev
   # tests
-  libgtest-dev libgmock-dev libbenchmark-dev python3-h5py
+  libbenchmark-dev libclang-rt-19-dev libgmock-dev libgtest-dev python3-h5py
 )
 
 missing_packages() {
