@@ -19,7 +19,7 @@ using Surface = CGAL::Surface_mesh<Point>;
 
 // Thinner than this share of its length, a mesh is flat, and a hull of it no body.
 constexpr double kFlat = 1e-6;
-// The kernel takes vertices up to here.
+// The kernel refuses a configuration with vertices farther out (kernel/src/obstacle.cpp).
 constexpr double kFarthestM = 10;
 
 Vec to_vec(const Point& p) {

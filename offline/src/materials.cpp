@@ -18,12 +18,8 @@ struct Key {
   double Tissue::*member;
   double si_per_unit;
   double low, high;
+  bool optional = false;  // in a new tissue, which then has the 0 of Tissue
 };
-
-// Keys that may be left out of a new tissue: most have no skin of their own, and break at a force
-// that hardly depends on speed.
-constexpr const char* kMembraneKey = "membrane_n_per_mm";
-constexpr const char* kExponentKey = "puncture_velocity_exponent";
 
 constexpr Key kKeys[] = {
     {"density_kg_per_m3", &Tissue::density_kg_per_m3, 1, 1, 20000},
@@ -40,8 +36,9 @@ constexpr Key kKeys[] = {
     {"static_friction_n_per_mm", &Tissue::static_friction_n_per_m, 1e3, 0, 10},
     {"stribeck_velocity_mm_per_s", &Tissue::stribeck_velocity_m_per_s, 1e-3, 1e-3, 1e4},
     {"viscous_friction_n_s_per_m2", &Tissue::viscous_friction_n_s_per_m2, 1, 0, 1e6},
-    {kMembraneKey, &Tissue::membrane_n_per_m, 1e3, 0, 100},
-    {kExponentKey, &Tissue::puncture_velocity_exponent, 1, 0, 0.5},
+    // Most tissues have no skin of their own, and break at a force that hardly depends on speed.
+    {"membrane_n_per_mm", &Tissue::membrane_n_per_m, 1e3, 0, 100, true},
+    {"puncture_velocity_exponent", &Tissue::puncture_velocity_exponent, 1, 0, 0.5, true},
 };
 
 std::string known_keys() {
@@ -91,8 +88,7 @@ Tissue read_tissue(const std::string& file, const std::string& name, const toml:
     tissue.*(key->member) = read_number(file, *key, node);
   }
   for (const Key& key : kKeys) {
-    const bool optional = key.name == kMembraneKey || key.name == kExponentKey;
-    if (!has_base && !optional && !table.contains(key.name)) {
+    if (!has_base && !key.optional && !table.contains(key.name)) {
       refuse("{}: {}: {} is missing: expected a number from {} to {}", place_of(file, table), name,
              key.name, key.low, key.high);
     }
@@ -109,7 +105,8 @@ Tissue read_tissue(const std::string& file, const std::string& name, const toml:
 }  // namespace
 
 const std::vector<Tissue>& preset_tissues() {
-  // A tissue that has no surface of its own to break punctures at its cutting force.
+  // Numbers in the order of Tissue, SI. A tissue that has no surface of its own to break punctures
+  // at its cutting force.
   static const std::vector<Tissue> kPresets = {
       {"liver",
        "parenchyma under its capsule; effective modulus at needle scale, G = 8 kPa (Gokgol 2012; "
