@@ -13,7 +13,7 @@ enum ExitCode : int {
   kExitOk = 0,
   kExitRefused = 1,    // scene, organ, recording or host file: not what it should be
   kExitUsage = 2,      // command line
-  kExitTrouble = 3,    // run: a guard fault or lost records; replay: other bits
+  kExitTrouble = 3,    // run: a guard fault or lost records; replay: other bits; doctor: doubts
   kExitHostUnfit = 4,  // the machine does not grant what the real-time loop needs
 };
 
@@ -41,5 +41,16 @@ struct PlotOptions {
   std::uint32_t needle = 0;
 };
 int plot(const PlotOptions& options);
+
+struct DoctorOptions {
+  std::string root = "/";  // else a captured tree
+  int cpu = -1;            // -1: the last one this process may use
+  int priority = 80;
+  double measure_s = 0;   // 0: only look
+  std::string recording;  // whose ticks are the body
+  std::string organ;      // instead of the recording's
+  bool json = false;
+};
+int doctor(const DoctorOptions& options);
 
 }  // namespace stylet::app

@@ -49,6 +49,28 @@ void add_plot(CLI::App& program, PlotOptions& options) {
   plot.add_option("--needle", options.needle, "Of several: 0 is the first");
 }
 
+void add_doctor(CLI::App& program, DoctorOptions& options) {
+  CLI::App& doctor =
+      *program.add_subcommand("doctor", "Check whether this machine is fit for the loop");
+  doctor.footer(
+      "Examples:\n"
+      "  stylet doctor\n"
+      "  stylet doctor --measure 60 --replay out.h5\n"
+      "Exit codes: 0 ready, 3 degraded (warnings, or what could not be read), 4 not suitable");
+  doctor.add_option("--measure", options.measure_s, "Seconds to measure wake-ups for, in all")
+      ->check(CLI::Range(0.1, 86400.0));
+  doctor.add_option("--replay", options.recording, "Measure the ticks of a recording, too");
+  doctor.add_option("--organ", options.organ, "Organ file, instead of the recorded path");
+  doctor.add_option("--cpu", options.cpu, "Processor of the loop, as loop.cpu of a scene")
+      ->check(CLI::Range(0, 1023));
+  doctor.add_option("--priority", options.priority, "As loop.rt_priority")
+      ->check(CLI::Range(1, 99))
+      ->capture_default_str();
+  doctor.add_option("--root", options.root, "A captured tree of /proc and /sys to look at instead")
+      ->check(CLI::ExistingDirectory);
+  doctor.add_flag("--json", options.json, "One JSON object on standard output, nothing else");
+}
+
 // The benchmarks are a program of their own, next to this one.
 [[noreturn]] void bench(char** arguments) {
   const auto program =
@@ -75,25 +97,29 @@ int dispatch(int argc, char** argv) {
       "  stylet plot out.h5 -o force.svg\n"
       "  stylet replay out.h5\n"
       "  stylet bench liver.organ\n"
-      "Exit codes: 0 ok, 1 a file was refused, 2 command line, 3 fault or other bits, "
-      "4 machine not fit for real time");
+      "  stylet doctor --measure 60\n"
+      "Exit codes: 0 ok, 1 a file was refused, 2 command line, 3 fault, other bits or "
+      "doubts, 4 machine not fit for real time");
   RunOptions run_options;
   ReplayOptions replay_options;
   PlotOptions plot_options;
+  DoctorOptions doctor_options;
   add_run(program, run_options);
   add_replay(program, replay_options);
   add_plot(program, plot_options);
+  add_doctor(program, doctor_options);
   add_bench(program);
   try {
     program.parse(argc, argv);
     if (program.get_subcommands().empty()) {
-      throw CLI::RequiredError("A command (run, replay, plot or bench)");
+      throw CLI::RequiredError("A command (run, replay, plot, doctor or bench)");
     }
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? kExitOk : kExitUsage;
   }
   if (program.got_subcommand("run")) return run(run_options);
   if (program.got_subcommand("replay")) return replay_recording(replay_options);
+  if (program.got_subcommand("doctor")) return doctor(doctor_options);
   return plot(plot_options);
 }
 

@@ -335,13 +335,7 @@ int run(const RunOptions& options) {
 int replay_recording(const ReplayOptions& options) {
   const hal::RecordingReader recording(options.recording);
   const hal::RecordingInfo& info = recording.info();
-  const hal::OrganFile organ =
-      hal::load_organ(hal::find_recorded_organ(options.recording, info, options.organ));
-  if (organ.organ.hash != info.organ_hash) {
-    throw hal::LoadError(fmt::format("{}: organ hash: {:016x}: expected {:016x}, that of \"{}\"",
-                                     organ.path, organ.organ.hash, info.organ_hash,
-                                     info.organ_name));
-  }
+  const hal::OrganFile organ = hal::load_recorded_organ(options.recording, info, options.organ);
   if (info.lost_records > 0) {
     throw hal::RecordingError(
         fmt::format("{}: lost_records: {}: a recording with gaps cannot be "

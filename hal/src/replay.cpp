@@ -10,8 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "stylet/hal/instance.h"
-
 namespace stylet::hal {
 namespace {
 
@@ -123,6 +121,14 @@ std::string find_recorded_organ(const std::string& recording_path, const Recordi
   }
   throw LoadError(fmt::format("{}: organ \"{}\": neither {} nor {} is there: give it with --organ",
                               recording_path, info.organ_name, recorded.string(), beside.string()));
+}
+
+OrganFile load_recorded_organ(const std::string& recording_path, const RecordingInfo& info,
+                              const std::string& given) {
+  OrganFile organ = load_organ(find_recorded_organ(recording_path, info, given));
+  if (organ.organ.hash == info.organ_hash) return organ;
+  throw LoadError(fmt::format("{}: organ hash: {:016x}: expected {:016x}, that of \"{}\"",
+                              organ.path, organ.organ.hash, info.organ_hash, info.organ_name));
 }
 
 }  // namespace stylet::hal

@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "stylet/hal/instance.h"
 #include "stylet/hal/recording.h"
 #include "stylet/kernel.h"
 
@@ -30,5 +31,9 @@ ReplayResult replay(const RecordingReader& recording, Kernel& kernel,
 // the recording. Throws LoadError if none is there.
 std::string find_recorded_organ(const std::string& recording_path, const RecordingInfo& info,
                                 const std::string& given);
+
+// That file, loaded. Throws LoadError if it is another organ than the recorded one.
+OrganFile load_recorded_organ(const std::string& recording_path, const RecordingInfo& info,
+                              const std::string& given);
 
 }  // namespace stylet::hal

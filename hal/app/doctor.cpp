@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+#include "commands.h"
+#include "doctor_text.h"
+#include "stylet/hal/replay.h"
+#include "terminal.h"
+
+namespace stylet::app {
+namespace {
+
+// How late a wake-up may be, and how long a tick may take, of the period of 1 ms.
+constexpr std::int64_t kWakeUpBudgetNs = 100'000;
+constexpr std::int64_t kTickBudgetNs = 450'000;
+
+// A kernel that ticks through the inputs of a recording, over and over.
+class Patrol {
+ public:
+  Patrol(const std::string& path, const std::string& organ_path) {
+    const hal::RecordingReader recording(path);
+    const hal::RecordingInfo& info = recording.info();
+    if (recording.ticks() == 0) throw hal::RecordingError(path + ": no ticks: expected some");
+    organ_ = hal::load_recorded_organ(path, info, organ_path);
+    instance_ = std::make_unique<hal::KernelInstance>(organ_.organ, info.config, info.obstacles);
+    needles_ = info.config.needle_count;
+    inputs_.resize(recording.ticks() * needles_);
+    std::vector<hal::TickRecord> records(recording.ticks());
+    for (std::uint32_t needle = 0; needle < needles_; ++needle) {
+      recording.read(0, records, needle);
+      for (std::size_t t = 0; t < records.size(); ++t) {
+        inputs_[t * needles_ + needle] = records[t].input;
+      }
+    }
+  }
+
+  hal::Body body() {
+    return {[this] {
+              (void)tick(instance_->kernel, std::span(inputs_).subspan(next_, needles_),
+                         std::span(outputs_).first(needles_));
+              next_ += needles_;
+            },
+            [this] {
+              if (next_ < inputs_.size()) return;
+              reset(instance_->kernel);
+              next_ = 0;
+            }};
+  }
+
+ private:
+  hal::OrganFile organ_;
+  std::unique_ptr<hal::KernelInstance> instance_;
+  std::vector<Input> inputs_;  // of all needles, tick by tick
+  std::array<Output, kMaxNeedles> outputs_ = {};
+  std::size_t needles_ = 1, next_ = 0;
+};
+
+hal::Finding judged(const Measurement& each, const char* what, const hal::Spread& spread,
+                    std::int64_t budget_ns) {
+  const hal::Measured& m = each.measured;
+  hal::Finding finding;
+  finding.name = fmt::format("{} {}", each.name, what);
+  finding.severity = hal::Verdict::kFail;
+  finding.verdict = m.missed > 0                          ? hal::Verdict::kFail
+                    : spread.histogram.max_ns > budget_ns ? hal::Verdict::kWarn
+                                                          : hal::Verdict::kOk;
+  finding.value = fmt::format("at most {:.0f} us, {} of {} periods missed",
+                              static_cast<double>(spread.histogram.max_ns) * 1e-3, m.missed,
+                              m.cycles + m.missed);
+  finding.source = fmt::format(
+      "measured {}", m.host.lacks.empty() ? "as the loop runs" : "without the loop's rights");
+  if (finding.verdict != hal::Verdict::kOk) {
+    finding.remedy = fmt::format("expected at most {} us and no period missed: mend what is above",
+                                 budget_ns / 1000);
+  }
+  return finding;
+}
+
+void show_progress(std::uint64_t done, std::uint64_t all) {
+  if (!terminal_rewrites_lines()) return;
+  rewrite_line(fmt::format("{:.0f} of {:.0f} s", static_cast<double>(done) * 1e-3,
+                           static_cast<double>(all) * 1e-3));
+}
+
+// In equal shares of the time: with nothing to do, with the ticks, and while the others work.
+void measure_all(const DoctorOptions& options, DoctorReport& report) {
+  std::unique_ptr<Patrol> patrol;
+  if (!options.recording.empty()) {
+    patrol = std::make_unique<Patrol>(options.recording, options.organ);
+  }
+  const hal::Body ticks = patrol ? patrol->body() : hal::Body{};
+  report.measurements = {{"quiet", false, {}}, {"loaded", patrol != nullptr, {}}};
+  if (patrol) report.measurements.insert(report.measurements.begin() + 1, {"busy", true, {}});
+  const auto share = static_cast<double>(report.measurements.size());
+  hal::MeasureConfig config = {.cpu = report.cpu, .priority = report.priority};
+  config.cycles = static_cast<std::uint64_t>(std::ceil(options.measure_s * 1e3 / share));
+  const std::uint64_t all = config.cycles * report.measurements.size();
+  std::atomic<std::uint64_t> cycles{0};
+  std::atomic<bool> done{false};
+  const std::atomic<bool> stop{false};
+  std::thread watch([&] {
+    while (!done.load()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(200));
+      show_progress(cycles.load(), all);
+    }
+    if (terminal_rewrites_lines()) rewrite_line("");
+  });
+  for (Measurement& each : report.measurements) {
+    config.load_others = &each == &report.measurements.back();
+    hal::measure(config, each.has_body ? ticks : hal::Body{}, &cycles, stop, each.measured);
+    report.findings.push_back(judged(each, "wake-up", each.measured.wake_up, kWakeUpBudgetNs));
+    if (each.has_body) {
+      report.findings.push_back(judged(each, "tick", each.measured.body, kTickBudgetNs));
+    }
+  }
+  done.store(true);
+  watch.join();
+}
+
+// This machine, which can be asked and watched, not only looked at.
+void examine_here(const DoctorOptions& options, hal::Patient& patient, DoctorReport& report) {
+  hal::HostState host;  // holds what the loop would hold, to the end
+  hal::prepare_process(host);
+  patient.attempts = hal::attempt_rights(host, options.cpu, options.priority, patient.cpu);
+  report.cpu = patient.cpu;
+  report.findings = hal::examine(patient);
+  constexpr double kWatchedS = 1;
+  const hal::Disturbances before = hal::count_disturbances(patient);
+  std::this_thread::sleep_for(std::chrono::duration<double>(kWatchedS));
+  const hal::Disturbances after = hal::count_disturbances(patient);
+  for (hal::Finding& each : hal::compare_disturbances(patient, before, after, kWatchedS)) {
+    report.findings.push_back(std::move(each));
+  }
+  if (options.measure_s > 0) measure_all(options, report);
+}
+
+}  // namespace
+
+int doctor(const DoctorOptions& options) {
+  hal::Patient patient = {options.root, std::max(options.cpu, 0), options.priority, {}};
+  DoctorReport report = {options.root, patient.cpu, options.priority, {}, {}};
+  if (options.root == "/") {
+    examine_here(options, patient, report);
+  } else {
+    report.findings = hal::examine(patient);
+  }
+  fmt::print("{}", options.json ? json_text(report) : human_text(report));
+  switch (hal::fitness(report.findings)) {
+    case hal::Fitness::kReady:
+      return kExitOk;
+    case hal::Fitness::kDegraded:
+      return kExitTrouble;
+    case hal::Fitness::kUnfit:
+      break;
+  }
+  return kExitHostUnfit;
+}
+
+}  // namespace stylet::app

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the doctor has to say, for people (100 columns) and for machines.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stylet/hal/doctor.h"
+#include "stylet/hal/doctor_measure.h"
+
+namespace stylet::app {
+
+struct Measurement {
+  const char* name;
+  bool has_body;  // of a recording's ticks
+  hal::Measured measured;
+};
+
+struct DoctorReport {
+  std::string root;
+  int cpu = 0, priority = 80;
+  std::vector<hal::Finding> findings;
+  std::vector<Measurement> measurements;
+};
+
+std::string json_text(const DoctorReport& report);
+std::string human_text(const DoctorReport& report);
+
+}  // namespace stylet::app
