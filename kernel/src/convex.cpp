@@ -3,6 +3,8 @@
 
 #include <ccd/ccd.h>
 
+#include "math.h"
+
 namespace stylet {
 namespace {
 
@@ -171,7 +173,7 @@ void segment_centre(const void* object, ccd_vec3_t* centre) {
 // To a grid, so that a library built to fuse products gives the same bits.
 double coarse(double v) {
   constexpr double kGrid = 1024;
-  return static_cast<double>(static_cast<std::int32_t>(v * kGrid + (v < 0 ? -0.5 : 0.5)));
+  return whole_part(v * kGrid + (v < 0 ? -0.5 : 0.5));
 }
 
 Vec3d square_to(const Segment& segment) {

@@ -261,8 +261,7 @@ float overshoot(const View& view, const Particle& p, float axial_n, float low_n,
   if (head.config.mode == Mode::kPaper) {
     const float unit = view.needle_config().unit_m;
     const float away = axial_n / p.stiffness_n_per_m;
-    const float steps = static_cast<float>(static_cast<std::int32_t>(clamp(away / unit, -64, 64)));
-    return steps * unit;
+    return whole_part(clamp(away / unit, -64, 64)) * unit;
   }
   const float excess =
       axial_n > high_n ? axial_n - high_n : (axial_n < low_n ? axial_n - low_n : 0);

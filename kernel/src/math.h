@@ -72,6 +72,14 @@ constexpr float min_of(float a, float b) {
   return a < b ? a : b;
 }
 
+// The number without its fraction, for numbers within 2^31; never -0. Where a processor truncates
+// in one step, GCC 12 makes that of two bare conversions, and the sign of a zero survives.
+template <typename Real>
+Real whole_part(Real v) {
+  const auto whole = static_cast<std::int32_t>(v);
+  return whole == 0 ? Real{0} : static_cast<Real>(whole);
+}
+
 // What decays must end at zero, not among denormals, which processors may flush: drops what is
 // below 2e-12.
 inline float settle(float v) {

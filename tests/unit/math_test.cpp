@@ -17,6 +17,15 @@ double relative_error(float got, double wanted) {
   return std::fabs(static_cast<double>(got) - wanted) / std::fabs(wanted);
 }
 
+TEST(WholePart, IsTowardZeroAndNeverMinusZero) {
+  for (const float v : {-7.0F, -6.5F, -1.0F, -0.5F, -0.0F, 0.0F, 0.99F, 1.0F, 64.5F}) {
+    volatile float hidden = v;
+    const float whole = whole_part(static_cast<float>(hidden));
+    EXPECT_EQ(whole, std::trunc(v));
+    EXPECT_EQ(std::signbit(whole), whole < 0) << v;
+  }
+}
+
 TEST(ExpMinus, IsWithinItsBoundOverItsRange) {
   double worst = 0;
   float at = 0;
