@@ -170,19 +170,22 @@ inline Config config_of(Setup setup) {
   return config;
 }
 
-// A ball of bone 25 mm under the middle of the surface.
-inline Session make_session(const Organ& organ, Setup setup) {
-  const Config config = config_of(setup);
-  Session session = make_session(organ, config);
-  if (setup != Setup::kElastic) return session;
+// A ball of bone 25 mm under the middle of the surface, for the elastic needle.
+inline std::vector<ObstacleConfig> obstacles_of(const Organ& organ, Setup setup) {
+  if (setup != Setup::kElastic) return {};
   ObstacleConfig ball;
   make_sphere(ball, 4e-3F);
-  ball.pose.position_m = block_script(organ, config).entry_m;
+  ball.pose.position_m = block_script(organ, config_of(setup)).entry_m;
   ball.pose.position_m.z -= 25e-3F;
   ball.stiffness_n_per_m = 3000;
   ball.largest_force_n = 20;
   ball.friction = 0.2F;
-  if (set_obstacles(session.kernel, {&ball, 1}) != Status::kOk) std::abort();
+  return {ball};
+}
+
+inline Session make_session(const Organ& organ, Setup setup) {
+  Session session = make_session(organ, config_of(setup));
+  if (set_obstacles(session.kernel, obstacles_of(organ, setup)) != Status::kOk) std::abort();
   return session;
 }
 

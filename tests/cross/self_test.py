@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The replay matrix, checked: it names the tick and field that differ, and its image has no heap.
+
+usage: self_test.py REPOSITORY BUILD_FOLDER
+"""
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+import replay_test  # noqa: E402
+import target  # noqa: E402
+import virtual_time  # noqa: E402
+
+REPOSITORY, TESTS_BUILD, _ = target.arguments()
+HEADER_BYTES = 32  # of a snapshot
+WRONG_TICK = 333
+
+
+def here(*words):
+    program = TESTS_BUILD.parents[1] / "bin/stylet_replay"
+    return target.call([program, "elastic", *words]).splitlines()
+
+
+def one_bit_wrong(lines):
+    """The snapshot with the lowest bit of the state's first number, the tick, turned over."""
+    text = "".join(lines)
+    at = 2 * HEADER_BYTES + 7
+    return [text[:at] + format(int(text[at], 16) ^ 1, "x") + text[at + 1:]]
+
+
+class Difference(unittest.TestCase):
+    def test_names_the_tick_and_the_field(self):
+        def there(*words):
+            lines = here(*words)
+            if words[0] == "state":
+                return one_bit_wrong(lines) if int(words[1]) >= WRONG_TICK else lines
+            return [line + "x" if line.startswith("hash") and int(line.split()[1]) >= WRONG_TICK
+                    else line for line in lines]
+        said = replay_test.first_difference(here, there, "sample", "elastic", TESTS_BUILD)
+        self.assertIn(f"after tick {WRONG_TICK}, in head[0]\n", said)
+
+    def test_other_events_are_a_difference(self):
+        said = replay_test.first_difference(here, lambda *words: here(*words)[:-1], "sample",
+                                            "elastic", TESTS_BUILD)
+        self.assertIn("other events", said)
+
+
+class VirtualTime(unittest.TestCase):
+    def test_tolerates_one_percent(self):
+        committed = {"a": 1000, "b": 1000, "c": 1000}
+        found = {"a": (1009, 0), "b": (1011, 0), "c": (989, 0)}
+        said = list(virtual_time.faults(committed, found))
+        self.assertEqual([line[0] for line in said], ["b", "c"])
+
+    def test_wants_every_case(self):
+        self.assertEqual(len(list(virtual_time.faults({}, {"a": (1, 0)}))), 1)
+
+
+@unittest.skipUnless(shutil.which("arm-none-eabi-g++"), "no arm-none-eabi-g++ here")
+class Image(unittest.TestCase):
+    def link(self, body):
+        with tempfile.TemporaryDirectory() as folder:
+            source = f"{folder}/a.cpp"
+            with open(source, "w", encoding="ascii") as file:
+                file.write(f'#include <cstdlib>\nextern "C" void reset_handler() {{ {body} }}\n')
+            script = REPOSITORY / "tests/cross/target/mps2.ld"
+            return subprocess.run(["arm-none-eabi-g++", "-mcpu=cortex-m7", "-mthumb", source,
+                                   "-nostartfiles", "-T", script, "-o", f"{folder}/a"],
+                                  capture_output=True, text=True)
+
+    def test_links_without_a_heap(self):
+        done = self.link("")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_does_not_link_with_one(self):
+        done = self.link("*static_cast<int volatile*>(std::malloc(4)) = 1;")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("_sbrk", done.stderr)
+
+    def test_does_not_link_with_a_static_constructor(self):
+        done = self.link("} extern int f(); int f() { return 1; } "
+                         "static int volatile a = f(); extern \"C\" void g() {")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("static constructor", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
