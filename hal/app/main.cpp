@@ -98,8 +98,8 @@ int dispatch(int argc, char** argv) {
       "  stylet replay out.h5\n"
       "  stylet bench liver.organ\n"
       "  stylet doctor --measure 60\n"
-      "Exit codes: 0 ok, 1 a file was refused, 2 command line, 3 fault, other bits or "
-      "doubts, 4 machine not fit for real time");
+      "Exit codes: 0 ok, 1 a file was refused, 2 command line, 3 fault, other bits or doubts,\n"
+      "4 machine not fit for real time");
   RunOptions run_options;
   ReplayOptions replay_options;
   PlotOptions plot_options;

@@ -177,7 +177,9 @@ Seen idle_states(const Patient& patient, const HostTree& tree) {
 }
 
 constexpr Check kChecks[] = {
-    {"isolation", Verdict::kWarn, isolated, "boot with isolcpus=managed_irq,domain,{cpu}"},
+    {"isolation", Verdict::kWarn, isolated,
+     "boot with isolcpus=managed_irq,domain,{cpu}, or set loop.cpu (here: --cpu) to one that is "
+     "isolated"},
     {"tick mode", Verdict::kInfo, tick_mode,
      "leave processor {cpu} out of nohz_full, or compare both with --measure: it makes every entry "
      "into the kernel slower, and the loop enters it a thousand times a second"},

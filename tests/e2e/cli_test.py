@@ -180,8 +180,8 @@ class Recording(Folder):
 class Help(unittest.TestCase):
     """A terminal user who knows nothing yet finds every command, with an example."""
 
-    COMMANDS = {"stylet": ["run", "replay", "plot", "bench"],
-                "stylet-organ": ["build", "phantom", "info", "check"]}
+    COMMANDS = {"stylet": ["run", "replay", "plot", "doctor", "bench"],
+                "stylet-organ": ["build", "phantom", "hull", "info", "check"]}
 
     def test_names_every_command_with_an_example(self):
         for program, commands in self.COMMANDS.items():
