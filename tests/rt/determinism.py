@@ -5,14 +5,22 @@
 Builds the kernel and the program stylet_hash once per row of the table, runs it, and compares the
 hashes of every instruction set of every row with the first.
 
-usage: determinism.py REPOSITORY BUILD_FOLDER
+usage: determinism.py REPOSITORY BUILD_FOLDER fast|full
 """
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
 
-ROWS = [("g++", "-O3"), ("g++", "-O2"), ("g++", "-O1"), ("g++", "-O0"), ("clang++", "-O2")]
+SANITIZED = "-O1 -fsanitize=address,undefined -fno-sanitize-recover=all -Wno-maybe-uninitialized"
+ROWS = {
+    "fast": [("g++", "-O3"), ("g++", "-O2"), ("g++", "-O1"), ("g++", "-O0"), ("clang++", "-O2")],
+    # The whole kernel for newer processors, not the lattice alone; as one unit; and observed.
+    "full": [("g++", "-O3"), ("g++", "-O3 -march=x86-64-v3"), ("g++", "-O3 -march=x86-64-v4"),
+             ("g++", "-Os"), ("g++", "-O2 -flto"), ("g++", SANITIZED), ("clang++", "-O3"),
+             ("clang++", "-O3 -march=x86-64-v3"), ("clang++", "-O3 -march=x86-64-v4")],
+}
 TICKS = "4500"  # one insertion with pause, pull and retraction, and the start of the next
 
 
@@ -21,6 +29,16 @@ def call(*command):
     if done.returncode != 0:
         sys.exit(f"{' '.join(map(str, command))}\n{done.stdout[-4000:]}\n{done.stderr[-4000:]}")
     return done.stdout
+
+
+def lacking(compiler, level):
+    """The compiler or instruction set this row needs and this machine has not; None: it can run."""
+    if shutil.which(compiler) is None:
+        return compiler
+    has = pathlib.Path("/proc/cpuinfo").read_text().split()
+    return next((instructions for name, instructions in (("x86-64-v3", "avx2"),
+                                                         ("x86-64-v4", "avx512vl"))
+                 if name in level and instructions not in has), None)
 
 
 def build(repository, folder, compiler, level):
@@ -52,14 +70,15 @@ def compare(reference, series, name):
                     break
 
 
-def main(repository, folder):
+def main(repository, folder, tier):
     reference, found = None, []
-    for compiler, level in ROWS:
-        if shutil.which(compiler) is None:
-            print(f"skipped: {compiler} {level}: no such compiler here")
+    for compiler, level in ROWS[tier]:
+        missing = lacking(compiler, level)
+        if missing:
+            print(f"skipped: {compiler} {level}: no {missing} here")
             continue
         name = f"{compiler} {level}"
-        place = pathlib.Path(folder) / (compiler + level)
+        place = pathlib.Path(folder) / re.sub("[^a-zA-Z0-9+-]", "_", compiler + level)
         series = hashes(build(repository, place, compiler, level))
         reference = reference or series
         found += compare(reference, series, name)
@@ -73,4 +92,4 @@ def main(repository, folder):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1], sys.argv[2]))
+    sys.exit(main(*sys.argv[1:]))
