@@ -19,7 +19,7 @@ packages=(
   libbenchmark-dev libclang-rt-19-dev libgmock-dev libgtest-dev python3-h5py
   # tests on other processors
   g++-aarch64-linux-gnu g++-i686-linux-gnu gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib
-  qemu-system-arm qemu-user
+  qemu-system-arm qemu-system-x86 qemu-user
 )
 
 missing_packages() {
