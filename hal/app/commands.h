@@ -19,8 +19,9 @@ enum ExitCode : int {
 
 struct RunOptions {
   std::string scene;
-  std::string organ;      // instead of the scene's
-  std::string record;     // empty: none
+  std::string organ;   // instead of the scene's
+  std::string record;  // empty: none
+  std::string flight = "stylet-fault.h5";
   std::string mode;       // empty: the scene's
   double duration_s = 0;  // 0: as long as the hand's script
   bool fast = false;

@@ -23,6 +23,9 @@ void add_run(CLI::App& program, RunOptions& options) {
   run.add_option("scene", options.scene, "Scene file (TOML)")->required();
   run.add_option("--organ", options.organ, "Organ file, instead of the scene's");
   run.add_option("--record", options.record, "Write a recording (HDF5)");
+  run.add_option("--flight", options.flight,
+                 "Where the second before a fault goes, as NAME-1.h5, NAME-2.h5 ...")
+      ->capture_default_str();
   run.add_option("--mode", options.mode, "Instead of the scene's")
       ->check(CLI::IsMember({"physical", "paper"}));
   run.add_option("--duration-s", options.duration_s, "Simulated time, instead of the script's")

@@ -71,6 +71,7 @@ struct Session {
   hal::Ring<hal::TickRecord> records{kRecordRing};
   hal::Ring<Event> events{kEventRing};
   std::unique_ptr<hal::RecordingWriter> writer;
+  std::unique_ptr<hal::FlightRecorder> flight;
   std::unique_ptr<hal::Recorder> recorder;
   hal::HostState host;
   hal::ThreadUse thread = {};
@@ -146,23 +147,30 @@ void open_devices(Session& s) {
   }
 }
 
+hal::RecordingInfo recording_info(const Session& s, const std::vector<hal::Course>& courses) {
+  hal::RecordingInfo info;
+  info.stylet_version = STYLET_VERSION;
+  info.scene_file = s.scene.file;
+  info.scene_text = s.scene.text;
+  info.organ_file = std::filesystem::absolute(s.organ.path).string();
+  info.organ_name = s.organ.organ.name;
+  info.organ_hash = s.organ.organ.hash;
+  info.config = s.scene.config;
+  std::copy(courses.begin(), courses.end(), info.course.begin());
+  info.obstacles = s.scene.obstacles;
+  return info;
+}
+
 void open_recording(Session& s) {
   std::vector<hal::Course> courses;
   for (const Station& each : s.stations) courses.push_back(each.placement.course);
+  const hal::RecordingInfo info = recording_info(s, courses);
   if (!s.options.record.empty()) {
-    hal::RecordingInfo info;
-    info.stylet_version = STYLET_VERSION;
-    info.scene_file = s.scene.file;
-    info.scene_text = s.scene.text;
-    info.organ_file = std::filesystem::absolute(s.organ.path).string();
-    info.organ_name = s.organ.organ.name;
-    info.organ_hash = s.organ.organ.hash;
-    info.config = s.scene.config;
-    std::copy(courses.begin(), courses.end(), info.course.begin());
-    info.obstacles = s.scene.obstacles;
     s.writer = std::make_unique<hal::RecordingWriter>(s.options.record, info);
   }
-  s.recorder = std::make_unique<hal::Recorder>(s.records, s.events, s.writer.get(), courses);
+  s.flight = std::make_unique<hal::FlightRecorder>(s.options.flight, info);
+  s.recorder =
+      std::make_unique<hal::Recorder>(s.records, s.events, s.writer.get(), courses, s.flight.get());
 }
 
 // The thread of the loop, from its rights to the last tick.
@@ -293,6 +301,14 @@ void warn(const Session& s, const char* kind, const std::vector<std::string>& li
   }
 }
 
+void tell_of_flights(const hal::FlightRecorder& recorder) {
+  for (const hal::Flight& each : recorder.flights()) {
+    fmt::print(stderr, "stylet: {} of needle {} in tick {}: what led to it is in {}\n",
+               hal::fault_name(each.fault), each.needle, each.tick, each.path);
+  }
+  if (!recorder.error().empty()) fmt::print(stderr, "stylet: {}\n", recorder.error());
+}
+
 }  // namespace
 
 int run(const RunOptions& options) {
@@ -324,6 +340,7 @@ int run(const RunOptions& options) {
     fmt::print(stderr, "stylet: {} records lost: the recorder fell more than {} records behind\n",
                s.state.lost_records, kRecordRing);
   }
+  tell_of_flights(*s.flight);
   const auto faulty = [](const hal::HandState& hand) {
     return hand.guard.fault != hal::Fault::kNone;
   };

@@ -12,10 +12,11 @@ constexpr std::chrono::milliseconds kPause{2};
 }  // namespace
 
 Recorder::Recorder(Ring<TickRecord>& records, Ring<Event>& events, RecordingWriter* writer,
-                   std::span<const Course> courses)
+                   std::span<const Course> courses, FlightRecorder* flight)
     : record_ring_(records),
       event_ring_(events),
       writer_(writer),
+      flight_(flight),
       courses_(courses.begin(), courses.end()),
       tracks_(courses.size()),
       thread_(&Recorder::work, this) {}
@@ -33,6 +34,7 @@ void Recorder::work() {
   for (;;) {
     const bool last = stop_.load(std::memory_order_acquire);
     if (drain() == 0) {
+      if (last && flight_ != nullptr) flight_->finish();
       if (last) return;
       std::this_thread::sleep_for(kPause);
     }
@@ -49,16 +51,18 @@ std::size_t Recorder::drain() {
   const std::size_t events_before = events_.size();
   Event event;
   while (event_ring_.pop(event)) events_.push_back(event);
+  const std::span fresh = std::span(events_).subspan(events_before);
+  if (flight_ != nullptr) flight_->add(block_, fresh);
   if (writer_ != nullptr && error_.empty()) {
     try {
       writer_->append(block_);
-      writer_->append(std::span(events_).subspan(events_before));
+      writer_->append(fresh);
     } catch (const RecordingError& failure) {
       error_ = failure.what();
     }
   }
   ticks_.store(tracks_[0].size(), std::memory_order_relaxed);
-  return block_.size() + events_.size() - events_before;
+  return block_.size() + fresh.size();
 }
 
 }  // namespace stylet::hal

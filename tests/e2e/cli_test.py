@@ -177,6 +177,41 @@ class Recording(Folder):
         self.assertEqual(len(texts), 1)
 
 
+class Flight(Folder):
+    """A device that falls silent: exit code 3, and its last second in a file that can be drawn."""
+
+    SCENE = """
+[organ]
+path = "block.organ"
+[device]
+kind = "{device}"
+{recording}
+[approach]
+start_mm = 2
+{waypoint}
+"""
+
+    def test_a_fault_leaves_its_last_second(self):
+        call("stylet-organ", "phantom", "block", "--size-mm", "40,40,40", "--voxel-mm", "10", "-o",
+             self.top / "block.organ")
+        waypoint = "[[hand.waypoint]]\ntravel_mm = 10\nspeed_mm_s = 10"
+        good, silent = self.top / "good.toml", self.top / "silent.toml"
+        good.write_text(self.SCENE.format(device="simulated", recording="", waypoint=waypoint))
+        silent.write_text(self.SCENE.format(device="replay", recording='recording = "all.h5"',
+                                            waypoint=""))
+        call("stylet", "run", good, "--fast", "--record", self.top / "all.h5")
+        done = call("stylet", "run", silent, "--fast", "--duration-s", "3", "--flight",
+                    self.top / "flight.h5", expect=3)
+        self.assertEqual(done.returncode, 3)
+        self.assertIn(f"device silent of needle 0 in tick 1204: what led to it is in "
+                      f"{self.top}/flight-1.h5", done.stderr)
+        with h5py.File(self.top / "flight-1.h5") as file:
+            ticks, fault = file["output/tick"][:], file["guard/fault"][:]
+        self.assertEqual([ticks[0], ticks[-1]], [205, 1304])
+        self.assertEqual(int(ticks[np.flatnonzero(fault)[0]]), 1204)
+        call("stylet", "plot", self.top / "flight-1.h5", "-o", self.top / "flight.svg")
+
+
 class Help(unittest.TestCase):
     """A terminal user who knows nothing yet finds every command, with an example."""
 

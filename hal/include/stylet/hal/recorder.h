@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The other end of the rings: a thread without priority that keeps what the loop did.
 //
-// It always keeps the curve that phases are read from (24 bytes a tick), and writes the full
-// records where a recording is asked for. If writing fails the run goes on; the reason is in
-// `error`.
+// It always keeps the curve that phases are read from (24 bytes a tick), feeds the flight recorder,
+// and writes the full records where a recording is asked for. If writing fails the run goes on; the
+// reason is in `error`.
 #pragma once
 
 #include <atomic>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "stylet/hal/channel.h"
+#include "stylet/hal/flight.h"
 #include "stylet/hal/phases.h"
 #include "stylet/hal/recording.h"
 
@@ -19,9 +20,9 @@ namespace stylet::hal {
 
 class Recorder {
  public:
-  // `writer` may be null. Rings and writer must outlive the recorder.
+  // `writer` and `flight` may be null. Rings and they must outlive the recorder.
   Recorder(Ring<TickRecord>& records, Ring<Event>& events, RecordingWriter* writer,
-           std::span<const Course> courses);
+           std::span<const Course> courses, FlightRecorder* flight = nullptr);
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -43,6 +44,7 @@ class Recorder {
   Ring<TickRecord>& record_ring_;
   Ring<Event>& event_ring_;
   RecordingWriter* writer_;
+  FlightRecorder* flight_;
   std::vector<Course> courses_;  // of each needle
   std::vector<TickRecord> block_;
   std::vector<std::vector<TrackPoint>> tracks_;

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+// The flight recorder: the second before a fault and what followed, and nothing without one.
+#include "stylet/hal/flight.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "rig.h"
+#include "stylet/hal/recorder.h"
+
+namespace stylet::hal {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FlightTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("stylet-flight-" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path() const { return (folder_ / "fault.h5").string(); }
+  std::string file(int number) const {
+    return (folder_ / ("fault-" + std::to_string(number) + ".h5")).string();
+  }
+
+  static RecordingInfo info(std::uint32_t needles = 1) {
+    RecordingInfo all;
+    all.config.needle_count = needles;
+    return all;
+  }
+
+  fs::path folder_;
+};
+
+// Tick `tick` of `needles`, where needle `faulty` has latched from `from` to before `to`.
+std::vector<TickRecord> tick_of(std::uint64_t tick, std::uint32_t needles, std::uint32_t faulty,
+                                std::uint64_t from, std::uint64_t to = ~0ULL) {
+  std::vector<TickRecord> records(needles);
+  for (std::uint32_t i = 0; i < needles; ++i) {
+    records[i].needle = i;
+    records[i].output.tick = tick;
+    if (i == faulty && tick >= from && tick < to) records[i].fault = Fault::kDeviceSilent;
+  }
+  return records;
+}
+
+std::vector<std::uint64_t> ticks_in(const RecordingReader& recording, std::uint32_t needle = 0) {
+  std::vector<TickRecord> records(recording.ticks());
+  recording.read(0, records, needle);
+  std::vector<std::uint64_t> ticks;
+  for (const TickRecord& each : records) ticks.push_back(each.output.tick);
+  return ticks;
+}
+
+TEST_F(FlightTest, WithoutAFaultNothingIsWritten) {
+  FlightRecorder flight(path(), info());
+  for (std::uint64_t t = 1; t <= 5000; ++t) flight.add(tick_of(t, 1, 0, 9999), {});
+  flight.finish();
+  EXPECT_TRUE(flight.flights().empty());
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(FlightTest, HoldsTheSecondBeforeAndATenthAfter) {
+  FlightRecorder flight(path(), info());
+  for (std::uint64_t t = 1; t <= 5000; ++t) flight.add(tick_of(t, 1, 0, 3000), {});
+  ASSERT_EQ(flight.flights().size(), 1U);
+  EXPECT_EQ(flight.flights()[0].path, file(1));
+  EXPECT_EQ(flight.flights()[0].fault, Fault::kDeviceSilent);
+  EXPECT_EQ(flight.flights()[0].tick, 3000U);
+  const RecordingReader recording(file(1));
+  const auto ticks = ticks_in(recording);
+  ASSERT_EQ(ticks.size(), 1100U);
+  EXPECT_EQ(ticks.front(), 2001U);
+  EXPECT_EQ(ticks.back(), 3100U);
+  EXPECT_EQ(recording.info().lost_records, 2000U);  // so that nobody replays it
+}
+
+TEST_F(FlightTest, AFaultAtTheStartOrTheEndHasWhatThereIs) {
+  FlightRecorder flight(path(), info());
+  for (std::uint64_t t = 1; t <= 20; ++t) flight.add(tick_of(t, 1, 0, 5), {});
+  EXPECT_TRUE(flight.flights().empty());
+  flight.finish();
+  flight.finish();
+  ASSERT_EQ(flight.flights().size(), 1U);
+  EXPECT_EQ(ticks_in(RecordingReader(file(1))).size(), 20U);
+}
+
+TEST_F(FlightTest, ALatchedFaultIsWrittenOnceAndANewOneAnew) {
+  FlightRecorder flight(path(), info());
+  for (std::uint64_t t = 1; t <= 9000; ++t) {
+    flight.add(tick_of(t, 1, 0, t < 4000 ? 2000 : 6000, t < 4000 ? 3000 : 7000), {});
+  }
+  ASSERT_EQ(flight.flights().size(), 2U);
+  EXPECT_EQ(flight.flights()[1].path, file(2));
+  EXPECT_EQ(flight.flights()[1].tick, 6000U);
+}
+
+TEST_F(FlightTest, EarlierFilesStay) {
+  std::ofstream(file(1)) << "evidence";
+  FlightRecorder flight(path(), info());
+  for (std::uint64_t t = 1; t <= 20; ++t) flight.add(tick_of(t, 1, 0, 5), {});
+  flight.finish();
+  ASSERT_EQ(flight.flights().size(), 1U);
+  EXPECT_EQ(flight.flights()[0].path, file(2));
+  EXPECT_EQ(fs::file_size(file(1)), 8U);
+}
+
+TEST_F(FlightTest, SeveralNeedlesKeepWholeTicksAndTheirEvents) {
+  FlightRecorder flight(path(), info(3));
+  for (std::uint64_t t = 1; t <= 4000; ++t) {
+    Event event = {};
+    event.tick = t;
+    flight.add(tick_of(t, 3, 1, 3000), std::span(&event, t % 100 == 0 ? 1 : 0));
+  }
+  ASSERT_EQ(flight.flights().size(), 1U);
+  EXPECT_EQ(flight.flights()[0].needle, 1U);
+  const RecordingReader recording(file(1));
+  const auto ticks = ticks_in(recording);
+  EXPECT_EQ(ticks, ticks_in(recording, 1));
+  EXPECT_EQ(ticks, ticks_in(recording, 2));
+  EXPECT_GE(ticks.size(), 1099U);
+  EXPECT_LE(ticks.front(), 2001U);
+  std::vector<Event> events(recording.event_count());
+  recording.read(0, events);
+  EXPECT_EQ(events.front().tick, 2100U);
+  EXPECT_EQ(events.back().tick, 3100U);
+}
+
+TEST_F(FlightTest, WhatCannotBeWrittenIsSaid) {
+  FlightRecorder flight((folder_ / "nowhere" / "fault.h5").string(), info());
+  for (std::uint64_t t = 1; t <= 20; ++t) flight.add(tick_of(t, 1, 0, 5), {});
+  flight.finish();
+  EXPECT_TRUE(flight.flights().empty());
+  EXPECT_NE(flight.error().find("nowhere"), std::string::npos) << flight.error();
+}
+
+// A device that stops answering in the middle of a loop, through ring and recorder.
+TEST_F(FlightTest, ALostDeviceLeavesItsLastSecond) {
+  Rig rig;
+  Device device = rig.device();
+  struct Mute {
+    Device inner;
+    std::uint64_t reads;
+  } mute = {device, 0};
+  device.self = &mute;
+  device.read = [](void* self, std::int64_t now_ns, Sample& sample) {
+    Mute& m = *static_cast<Mute*>(self);
+    return ++m.reads <= 120 && m.inner.read(m.inner.self, now_ns, sample);
+  };
+  device.write = [](void* self, const Command& command) {
+    const Mute& m = *static_cast<Mute*>(self);
+    m.inner.write(m.inner.self, command);
+  };
+  const Course course = {{}, {1, 0, 0}};
+  FlightRecorder flight(path(), info());
+  Recorder recorder(rig.records, rig.events, nullptr, std::span(&course, 1), &flight);
+  run_loop(rig.config, rig.instance->kernel, std::span(&device, 1), virtual_clock(rig.time),
+           {&rig.records, &rig.events, nullptr, true}, rig.state);
+  recorder.stop();
+  ASSERT_EQ(rig.state.hand[0].guard.fault, Fault::kDeviceSilent);
+  ASSERT_EQ(flight.flights().size(), 1U) << flight.error();
+  EXPECT_EQ(flight.flights()[0].fault, Fault::kDeviceSilent);
+  const RecordingReader recording(file(1));
+  std::vector<TickRecord> records(recording.ticks());
+  recording.read(0, records);
+  EXPECT_EQ(records.front().output.tick, 1U);
+  const TickRecord& at_fault = records[flight.flights()[0].tick - 1];
+  EXPECT_EQ(at_fault.fault, Fault::kDeviceSilent);
+  EXPECT_EQ(at_fault.answered, 0U);
+  EXPECT_NEAR(static_cast<double>(at_fault.output.tick), 123, 1);
+  EXPECT_GE(recording.event_count(), 1U);
+}
+
+}  // namespace
+}  // namespace stylet::hal
