@@ -45,7 +45,7 @@ int plot(const PlotOptions& options);
 
 struct DoctorOptions {
   std::string root = "/";  // else a captured tree
-  int cpu = -1;            // -1: the last one this process may use
+  int cpu = -1;            // -1: as the loop chooses
   int priority = 80;
   double measure_s = 0;   // 0: only look
   std::string recording;  // whose ticks are the body

@@ -13,6 +13,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "doctor_tree.h"
+
 namespace stylet::hal {
 namespace {
 
@@ -54,7 +56,12 @@ void check_kernel(HostReport& report) {
                   system.release));
 }
 
-int last_allowed_cpu() {
+// An isolated processor is there for the loop, though nothing runs on it that does not ask to. Else
+// the last one this process may use.
+int default_cpu() {
+  const auto isolated = read_text({""}, "/sys/devices/system/cpu/isolated");
+  const std::vector<int> cpus = parse_cpu_list(isolated.value_or(""));
+  if (!cpus.empty()) return cpus.back();
   cpu_set_t allowed;
   CPU_ZERO(&allowed);
   sched_getaffinity(0, sizeof allowed, &allowed);
@@ -85,7 +92,7 @@ void prepare_process(HostState& host) {
 }
 
 void prepare_thread(int cpu, int priority, HostReport& report) {
-  const int chosen = cpu >= 0 ? cpu : last_allowed_cpu();
+  const int chosen = cpu >= 0 ? cpu : default_cpu();
   cpu_set_t set;
   CPU_ZERO(&set);
   CPU_SET(static_cast<std::size_t>(chosen), &set);

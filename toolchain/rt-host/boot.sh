@@ -37,7 +37,6 @@ write_scene() {
 path = "block.organ"
 [loop]
 period_us = 10000
-cpu = 1
 [approach]
 start_mm = 2
 [guard]
@@ -60,7 +59,7 @@ mount -t tracefs none /sys/kernel/tracing
 sysctl -qp /etc/sysctl.d/70-stylet-rt.conf
 /usr/local/lib/stylet/rt-tune 0
 echo "== doctor"
-stylet doctor --cpu 1
+stylet doctor
 echo "exit code $?"
 echo "== run"
 stylet run /block.toml --duration-s 2.995 >/run.txt 2>&1 &
@@ -131,6 +130,7 @@ boot || die "the machine did not come to its end"
 
 say "What it showed"
 failed=0
+expect "the loop gets the isolated processor" '; processor 1, priority 80$'
 expect "doctor sees PREEMPT_RT" '^ok +RT kernel .*PREEMPT_RT'
 for check in "real-time priority" "locked memory" isolation "RCU callbacks" workqueues \
   "huge pages" "page merging" compaction "lockup detectors" "timer migration" "idle states" \

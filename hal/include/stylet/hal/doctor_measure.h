@@ -18,7 +18,7 @@
 namespace stylet::hal {
 
 // Asks for what the loop needs, in a thread of its own. `host` is after prepare_process, and keeps
-// what it was granted. `cpu_out`: where the loop would run; `cpu` -1: the last one allowed.
+// what it was granted. `cpu_out`: where the loop would run; `cpu` as for prepare_thread.
 Attempts attempt_rights(const HostState& host, int cpu, int priority, int& cpu_out);
 
 // What is done in each period; `rest` is not timed. Both may be empty.

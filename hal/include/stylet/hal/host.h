@@ -28,7 +28,7 @@ struct HostState {
 };
 
 void prepare_process(HostState& host);
-// `cpu` -1: the last one this process may use.
+// `cpu` -1: the last isolated one, else the last one this process may use.
 void prepare_thread(int cpu, int priority, HostReport& report);
 
 // Of the calling thread, since it started.
