@@ -9,6 +9,7 @@
 
 #include "coupling.h"
 #include "lattice.h"
+#include "lattice_plan.h"
 #include "layout.h"
 #include "math.h"
 #include "needle.h"
@@ -247,6 +248,7 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   const ModelView model = model_view(memory.model.data(), counts);
   fill_head(organ, config, counts, *model.head);
   fill_topology(organ, model, counts);
+  fill_windows(model);
   fill_voxels(organ, model, counts);
   fill_masses(organ, model, counts);
   kernel_out = {&organ,

@@ -3,9 +3,10 @@
 // STYLET_LATTICE_STEP naming the function. See lattice.h for physics and promises.
 //
 // Per voxel plane: 1 sums and differences of the eight corners, row by row; 2 rotation and the four
-// vectors each cluster sends to its corners, over all slots of the plane in full lanes; 3 each row
-// adds them to its four particle rows; then the particles of the plane's low side have all their
-// forces and move. A plane of clusters and two of forces stay in cache; nothing else is stored.
+// vectors each cluster sends to its corners, over all slots of the plane in full lanes; 3 each
+// window of nodes collects what the voxel rows at its sides send (lattice_plan.h); then the
+// particles of the plane's low side have all their forces and move. A plane of clusters and two of
+// forces stay in cache; nothing else is stored.
 
 #include "lattice.h"
 #include "rotation.h"
@@ -31,8 +32,33 @@ constexpr float kQuantumTurn = 1.953125e-3F;    // 2^-9: quaternion parts to 2e-
 #endif
 #define STYLET_KEEP_APART __attribute__((noinline))
 
-std::uint32_t whole_lanes(std::uint32_t count) {
-  return (count + kLanes - 1) / kLanes * kLanes;
+// A group of lanes as one value, for loops over short rows: as wide as the registers are.
+#if defined(__AVX512F__)
+constexpr std::uint32_t kWide = 16;
+#elif defined(__AVX2__)
+constexpr std::uint32_t kWide = 8;
+#else
+constexpr std::uint32_t kWide = 4;
+#endif
+typedef float Wide __attribute__((vector_size(4 * kWide)));
+typedef std::int32_t WideBits __attribute__((vector_size(4 * kWide)));
+// The same at any address of a float.
+typedef float Loose __attribute__((vector_size(4 * kWide), aligned(4), may_alias));
+
+inline Wide load(const float* from) {
+  return *reinterpret_cast<const Loose*>(from);
+}
+inline void store(float* to, Wide value) {
+  *reinterpret_cast<Loose*>(to) = value;
+}
+// Lane i is set if bit i is.
+inline WideBits lanes_set(std::uint32_t bits) {
+  WideBits bit = {};
+  for (std::uint32_t i = 0; i < kWide; ++i) bit[i] = 1 << i;
+  return (bit & static_cast<std::int32_t>(bits)) != 0;
+}
+inline Wide zero_unless(WideBits set, Wide value) {
+  return set ? value : Wide{};
 }
 
 struct Sums {          // twelve arrays over the slots of a plane
@@ -54,48 +80,48 @@ Sums sums_of(const ScratchView& scratch, const Counts& counts) {
   return sums;
 }
 
-// Stage 1 for one component of one row. Slot i of the arrays is the empty one before the row.
-STYLET_KEEP_APART void sum_corners(const float* __restrict n0, const float* __restrict n1,
-                                   const float* __restrict n2, const float* __restrict n3,
-                                   std::uint32_t lanes, float inverse_edge_4,
-                                   float* __restrict mean, float* __restrict gx,
-                                   float* __restrict gy, float* __restrict gz) {
-  STYLET_LANES(lanes)
-  for (std::uint32_t i = 0; i < lanes; ++i) {
-    const float s0 = n0[i] + n0[i + 1], d0 = n0[i + 1] - n0[i];
-    const float s1 = n1[i] + n1[i + 1], d1 = n1[i + 1] - n1[i];
-    const float s2 = n2[i] + n2[i + 1], d2 = n2[i + 1] - n2[i];
-    const float s3 = n3[i] + n3[i + 1], d3 = n3[i + 1] - n3[i];
-    const float low = s0 + s1, high = s2 + s3;
-    mean[i] = (low + high) * 0.125F;
-    gx[i] = ((d0 + d1) + (d2 + d3)) * inverse_edge_4;
-    gy[i] = ((s1 - s0) + (s3 - s2)) * inverse_edge_4;
-    gz[i] = (high - low) * inverse_edge_4;
+// Stage 1 for one component of a plane: rows in order, so that what a row's last lanes write beyond
+// its end is written again by the next row.
+void sum_component(const View& view, const Plane& plane, const float* e, float* mean, float* gx,
+                   float* gy, float* gz) {
+  const float inverse_edge_4 = view.model.head->inverse_edge_per_m * 0.25F;
+  for (std::uint32_t r = plane.row_begin; r < plane.row_end; ++r) {
+    const Row& row = view.model.row[r];
+    const std::uint32_t at = row.slot - plane.slot_begin;
+    const float* n[4] = {e + row.node[0], e + row.node[1], e + row.node[2], e + row.node[3]};
+    for (std::uint32_t i = 0; i < row.count + 1U; i += kWide) {
+      const Wide a0 = load(n[0] + i), b0 = load(n[0] + i + 1), s0 = a0 + b0, d0 = b0 - a0;
+      const Wide a1 = load(n[1] + i), b1 = load(n[1] + i + 1), s1 = a1 + b1, d1 = b1 - a1;
+      const Wide a2 = load(n[2] + i), b2 = load(n[2] + i + 1), s2 = a2 + b2, d2 = b2 - a2;
+      const Wide a3 = load(n[3] + i), b3 = load(n[3] + i + 1), s3 = a3 + b3, d3 = b3 - a3;
+      const Wide low = s0 + s1, high = s2 + s3;
+      store(mean + at + i, (low + high) * 0.125F);
+      store(gx + at + i, ((d0 + d1) + (d2 + d3)) * inverse_edge_4);
+      store(gy + at + i, ((s1 - s0) + (s3 - s2)) * inverse_edge_4);
+      store(gz + at + i, (high - low) * inverse_edge_4);
+    }
   }
 }
 
 void sum_plane(const View& view, const Plane& plane, const Sums& sums) {
-  const float inverse_edge_4 = view.model.head->inverse_edge_per_m * 0.25F;
   const float* e[3] = {view.state.ex, view.state.ey, view.state.ez};
-  std::uint32_t end = 0;
-  for (std::uint32_t r = plane.row_begin; r < plane.row_end; ++r) {
-    const Row& row = view.model.row[r];
-    const std::uint32_t at = row.slot - 1 - plane.slot_begin;
-    const std::uint32_t lanes = whole_lanes(row.count + 1U);
-    end = at + row.count + 1;
-    for (int c = 0; c < 3; ++c) {
-      sum_corners(e[c] + row.node[0] - 1, e[c] + row.node[1] - 1, e[c] + row.node[2] - 1,
-                  e[c] + row.node[3] - 1, lanes, inverse_edge_4, sums.mean[c] + at,
-                  sums.gradient[3 * c] + at, sums.gradient[3 * c + 1] + at,
-                  sums.gradient[3 * c + 2] + at);
-    }
+  for (int c = 0; c < 3; ++c) {
+    sum_component(view, plane, e[c], sums.mean[c], sums.gradient[3 * c], sums.gradient[3 * c + 1],
+                  sums.gradient[3 * c + 2]);
   }
   // Slots no row reaches still pass through stage 2: give them numbers.
   const std::uint32_t slots = plane.slot_end - plane.slot_begin;
-  for (std::uint32_t i = end; i < slots; ++i) {
-    for (float* array : sums.mean) array[i] = 0;
-    for (float* array : sums.gradient) array[i] = 0;
+  std::uint32_t end = 1;
+  if (plane.row_end > plane.row_begin) {
+    const Row& last = view.model.row[plane.row_end - 1];
+    end = last.slot + last.count - plane.slot_begin;
   }
+  const auto clear = [&](float* array) {
+    array[0] = 0;
+    for (std::uint32_t i = end; i < slots; ++i) array[i] = 0;
+  };
+  for (float* array : sums.mean) clear(array);
+  for (float* array : sums.gradient) clear(array);
 }
 
 // Stage 2, in place over all slots of a plane: `t` mean displacement -> T = k chi t, `g` gradient,
@@ -173,40 +199,47 @@ void fit_plane(const View& view, const Plane& plane) {
             view.scratch.sums);
 }
 
-// Stage 3 for one component of one row and one side along y (`side` -1 or +1): `t`, `x`, `y`, `z`
-// start at the empty slot before the row, `low` and `high` at the first node of its particle rows
-// in the plane below and above. Lanes behind the last node add zero to somebody else's node; one
-// side at a time, because the rows of both sides may lie within a group of lanes of each other.
-STYLET_KEEP_APART void spread_row(const float* __restrict t, const float* __restrict x,
-                                  const float* __restrict y, const float* __restrict z, float side,
-                                  std::uint32_t nodes, std::uint32_t lanes, float* __restrict low,
-                                  float* __restrict high) {
-  STYLET_LANES(lanes)
-  for (std::uint32_t i = 0; i < lanes; ++i) {
-    const float along_x = (t[i] + x[i]) + (t[i + 1] - x[i + 1]);
-    const float along_z = z[i] + z[i + 1];
-    const float across = side * (y[i] + y[i + 1]);
-    low[i] += i < nodes ? (along_x - along_z) + across : 0.0F;
-    high[i] += i < nodes ? (along_x + along_z) + across : 0.0F;
-  }
-}
-
 struct Forces {  // x, y, z over the particles of a plane
   float* axis[3];
 };
 
-void spread_plane(const View& view, const Plane& plane, const Plane& above, const Sums& sums,
-                  const Forces& low, const Forces& high) {
-  for (std::uint32_t r = plane.row_begin; r < plane.row_end; ++r) {
-    const Row& row = view.model.row[r];
-    const std::uint32_t at = row.slot - 1 - plane.slot_begin;
-    const std::uint32_t nodes = row.count + 1U;
-    for (int c = 0; c < 3; ++c) {
-      for (std::uint32_t dy = 0; dy < 2; ++dy) {
-        spread_row(sums.mean[c] + at, sums.gradient[3 * c] + at, sums.gradient[3 * c + 1] + at,
-                   sums.gradient[3 * c + 2] + at, dy == 0 ? -1.0F : 1.0F, nodes, whole_lanes(nodes),
-                   low.axis[c] + (row.node[dy] - plane.particle_begin),
-                   high.axis[c] + (row.node[2 + dy] - above.particle_begin));
+// What one voxel row sends to a window of its nodes, seen from the side `side` along y: to the
+// particles of the plane below and above.
+struct Sent {
+  Wide low, high;
+};
+inline Sent sent_by_row(const float* t, const float* x, const float* y, const float* z, float side,
+                        WideBits lanes) {
+  const Wide along_x = (load(t) + load(x)) + (load(t + 1) - load(x + 1));
+  const Wide along_z = load(z) + load(z + 1);
+  const Wide across = side * (load(y) + load(y + 1));
+  return {zero_unless(lanes, (along_x - along_z) + across),
+          zero_unless(lanes, (along_x + along_z) + across)};
+}
+
+// Stage 3. Windows in order, so that the zeros which their last lanes write beyond the end of a
+// line are written over by the next line.
+void spread_plane(const View& view, const Plane& plane, const Sums& sums, const Forces& low,
+                  const Forces& high) {
+  constexpr std::uint32_t kList = kWide > 8 ? 1 : 0;
+  constexpr std::uint32_t kWindow = kWide > 8 ? 16 : 8;
+  const Window* windows = kList == 0 ? view.model.window8 : view.model.window16;
+  const Window* const end = windows + plane.window_end[kList];
+  for (const Window* w = windows + plane.window_begin[kList]; w != end; ++w) {
+    for (std::uint32_t i = 0; i < kWindow; i += kWide) {
+      const WideBits before = lanes_set(std::uint32_t{w->lanes[0]} >> i);
+      const WideBits behind = lanes_set(std::uint32_t{w->lanes[1]} >> i);
+      const std::ptrdiff_t a = w->slot[0] + static_cast<std::ptrdiff_t>(i);
+      const std::ptrdiff_t b = w->slot[1] + static_cast<std::ptrdiff_t>(i);
+      for (int c = 0; c < 3; ++c) {
+        const float* t = sums.mean[c];
+        const float* x = sums.gradient[3 * c];
+        const float* y = sums.gradient[3 * c + 1];
+        const float* z = sums.gradient[3 * c + 2];
+        const Sent one = sent_by_row(t + a, x + a, y + a, z + a, 1.0F, before);
+        const Sent other = sent_by_row(t + b, x + b, y + b, z + b, -1.0F, behind);
+        store(low.axis[c] + w->low + i, one.low + other.low);
+        store(high.axis[c] + w->high + i, one.high + other.high);
       }
     }
   }
@@ -288,7 +321,7 @@ void STYLET_LATTICE_STEP(const Kernel& kernel) {
       sum_plane(view, plane, sums);
       fit_plane(view, plane);
       couple_plane(view, z);
-      spread_plane(view, plane, view.model.plane[z + 1], sums, here, above);
+      spread_plane(view, plane, sums, here, above);
     }
     const float moved = move_particles(view, plane, below, here);
     largest = largest > moved ? largest : moved;

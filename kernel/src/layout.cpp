@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "lattice_plan.h"
+
 namespace stylet {
 namespace {
 
@@ -73,6 +75,13 @@ Counts count_lattice(const Organ& organ, const Config& config) {
       if (e.begin == e.end) continue;
       slots += e.end - e.begin + 1;
       ++c.rows;
+    }
+    for (std::uint32_t y = 0; y <= organ.size_y; ++y) {
+      const Extent before = y > 0 ? voxel_extent(organ, y - 1, z) : Extent{0, 0};
+      const Extent behind = y < organ.size_y ? voxel_extent(organ, y, z) : Extent{0, 0};
+      for (std::uint32_t i = 0; i < 2; ++i) {
+        for_each_window(before, behind, 8U << i, [&](auto...) { ++c.windows[i]; });
+      }
     }
     slots = round_lanes(slots);
     c.slots += slots;

@@ -31,6 +31,7 @@ struct Counts {
   std::uint32_t slots_per_plane;  // the most
   std::uint32_t particles;        // padded particles
   std::uint32_t particles_per_plane;
+  std::uint32_t windows[2];  // of 8 and of 16 lanes, lattice_plan.h
   std::uint32_t needles;
 };
 
@@ -46,6 +47,15 @@ struct Plane {
   std::uint32_t row_begin, row_end;
   std::uint32_t slot_begin, slot_end;          // multiples of kLanes
   std::uint32_t particle_begin, particle_end;  // of the particles at the plane's low side
+  std::uint32_t window_begin[2], window_end[2];
+};
+
+// Neighbouring nodes of one line (y) of a voxel plane, a group of lanes, and the voxel rows y - 1
+// and y that send forces to them (lattice_plan.h).
+struct Window {
+  std::int32_t slot[2];     // at the low side of the first node, in the plane: at least -kLanes
+  std::uint16_t lanes[2];   // a bit for each node that belongs to the row
+  std::uint32_t low, high;  // the first node, in the particle planes below and above
 };
 
 // What the tick needs of a material; derived once.
@@ -171,6 +181,8 @@ struct ScratchHead {
   F(head, ModelHead, 1)                   \
   F(plane, Plane, c.planes + 1)           \
   F(row, Row, c.rows)                     \
+  F(window8, Window, c.windows[0])        \
+  F(window16, Window, c.windows[1])       \
   F(row_of, std::uint32_t, c.row_grid)    \
   F(voxel_slot, std::uint32_t, c.voxels)  \
   F(voxel_row, std::uint32_t, c.voxels)   \
@@ -209,6 +221,7 @@ struct ScratchHead {
 
 #define STYLET_SCRATCH_FIELDS(F)                              \
   F(head, ScratchHead, 1)                                     \
+  F(before_sums, float, kLanes) /* read by windows, not used */ \
   F(sums, float, 12 * c.slots_per_plane)                      \
   F(force, float, 9 * c.particles_per_plane)                  \
   F(coupled, CoupledVoxel, kMaxCoupledVoxels* c.needles)      \

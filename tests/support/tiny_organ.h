@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A block of voxels as the bytes of an organ file, made in memory for tests.
+// A block of voxels, or a body cut from it, as the bytes of an organ file, made in memory for tests.
 //
-// The surface is the block's outside, two triangles a voxel face, outward; it is closed in space.
+// The surface is the outside of the voxels, two triangles a voxel face, outward; it is closed in space.
 // Vertices are not shared between voxels, so every leaf of the sphere tree (one a boundary voxel)
 // depends on that voxel's corners alone.
 // Units: SI. Frame: the low corner of the block is at `origin_m`.
@@ -46,10 +46,18 @@ struct TinyOrgan {
   std::vector<TinyMaterial> materials = {TinyMaterial{}};
   // Material of voxel (x, y, z); empty: material 0 everywhere.
   std::function<std::uint8_t(std::uint16_t, std::uint16_t, std::uint16_t)> material_at;
+  // Whether there is a voxel at (x, y, z); empty: everywhere in the block.
+  std::function<bool(std::uint16_t, std::uint16_t, std::uint16_t)> inside;
   std::uint32_t fixed_faces = 0;  // Face bits: the corners on these faces never move
 };
 
 namespace detail {
+
+inline bool has_voxel(const TinyOrgan& organ, int x, int y, int z) {
+  if (x < 0 || y < 0 || z < 0 || x >= organ.nx || y >= organ.ny || z >= organ.nz) return false;
+  return !organ.inside || organ.inside(static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
+                                       static_cast<std::uint16_t>(z));
+}
 
 struct Box {
   float low[3], high[3];
@@ -126,7 +134,8 @@ inline Surface surface_of(const TinyOrgan& organ) {
   std::uint16_t at[3];
   for (at[2] = 0; at[2] < size[2]; ++at[2]) {
     for (at[1] = 0; at[1] < size[1]; ++at[1]) {
-      for (at[0] = 0; at[0] < size[0]; ++at[0], ++voxel) {
+      for (at[0] = 0; at[0] < size[0]; ++at[0]) {
+        if (!has_voxel(organ, at[0], at[1], at[2])) continue;
         Leaf leaf{{}, static_cast<std::uint32_t>(surface.triangles.size()), 0};
         for (int a = 0; a < 3; ++a) {
           leaf.box.low[a] = origin[a] + static_cast<float>(at[a]) * organ.voxel_edge_m;
@@ -134,7 +143,9 @@ inline Surface surface_of(const TinyOrgan& organ) {
         }
         for (int axis = 0; axis < 3; ++axis) {
           for (int side = 0; side < 2; ++side) {
-            if (side == 0 ? at[axis] != 0 : at[axis] + 1 != size[axis]) continue;
+            int beside[3] = {at[0], at[1], at[2]};
+            beside[axis] += side == 0 ? -1 : 1;
+            if (has_voxel(organ, beside[0], beside[1], beside[2])) continue;
             const auto base = static_cast<std::uint32_t>(surface.vertices.size());
             const int u = (axis + 1) % 3, v = (axis + 2) % 3;
             for (int corner = 0; corner < 4; ++corner) {
@@ -151,6 +162,7 @@ inline Surface surface_of(const TinyOrgan& organ) {
           }
         }
         if (leaf.count > 0) leaves.push_back(leaf);
+        ++voxel;
       }
     }
   }
@@ -178,18 +190,23 @@ inline std::uint8_t fixed_corners(const TinyOrgan& organ, std::uint16_t x, std::
 
 inline std::vector<std::byte> tiny_organ(const TinyOrgan& organ) {
   flatbuffers::FlatBufferBuilder builder;
-  const std::size_t count = std::size_t{organ.nx} * organ.ny * organ.nz;
   std::vector<format::Run> runs;
-  std::vector<std::uint8_t> material, fixed, fill(count, 255);
+  std::vector<std::uint8_t> material, fixed;
   for (std::uint16_t z = 0; z < organ.nz; ++z) {
     for (std::uint16_t y = 0; y < organ.ny; ++y) {
-      runs.emplace_back(std::uint16_t{0}, y, z, organ.nx);
+      std::uint16_t length = 0;
       for (std::uint16_t x = 0; x < organ.nx; ++x) {
+        if (!detail::has_voxel(organ, x, y, z)) continue;
+        ++length;
         material.push_back(organ.material_at ? organ.material_at(x, y, z) : std::uint8_t{0});
         fixed.push_back(detail::fixed_corners(organ, x, y, z));
+        if (detail::has_voxel(organ, x + 1, y, z)) continue;
+        runs.emplace_back(static_cast<std::uint16_t>(x + 1 - length), y, z, length);
+        length = 0;
       }
     }
   }
+  const std::vector<std::uint8_t> fill(material.size(), 255);
   if (organ.fixed_faces == 0) fixed.clear();
   std::vector<flatbuffers::Offset<format::Material>> materials;
   for (const TinyMaterial& m : organ.materials) {
