@@ -61,67 +61,52 @@ inline Wide zero_unless(WideBits set, Wide value) {
   return set ? value : Wide{};
 }
 
-struct Sums {          // twelve arrays over the slots of a plane
-  float* mean[3];      // 1: mean displacement; 2: force vector T
-  float* gradient[9];  // 1: displacement gradient, row-major; 2: X, Y, Z (3 each)
-};
-
-Sums sums_of(const ScratchView& scratch, const Counts& counts) {
-  Sums sums = {};
-  float* p = scratch.sums;
-  for (float*& array : sums.mean) {
-    array = p;
-    p += counts.slots_per_plane;
-  }
-  for (float*& array : sums.gradient) {
-    array = p;
-    p += counts.slots_per_plane;
-  }
-  return sums;
+// Stage 1 for one component of eight corners; `n` are the first nodes of the four rows, the results
+// lie at `mean` and from `gradient` on, `stride` apart.
+inline void sum_corners(const float* const n[4], std::ptrdiff_t offset, float inverse_edge_4,
+                        float* mean, float* gradient, std::ptrdiff_t stride) {
+  const Wide a0 = load(n[0] + offset), b0 = load(n[0] + offset + 1), s0 = a0 + b0, d0 = b0 - a0;
+  const Wide a1 = load(n[1] + offset), b1 = load(n[1] + offset + 1), s1 = a1 + b1, d1 = b1 - a1;
+  const Wide a2 = load(n[2] + offset), b2 = load(n[2] + offset + 1), s2 = a2 + b2, d2 = b2 - a2;
+  const Wide a3 = load(n[3] + offset), b3 = load(n[3] + offset + 1), s3 = a3 + b3, d3 = b3 - a3;
+  const Wide low = s0 + s1, high = s2 + s3;
+  store(mean, (low + high) * 0.125F);
+  store(gradient, ((d0 + d1) + (d2 + d3)) * inverse_edge_4);
+  store(gradient + stride, ((s1 - s0) + (s3 - s2)) * inverse_edge_4);
+  store(gradient + 2 * stride, (high - low) * inverse_edge_4);
 }
 
-// Stage 1 for one component of a plane: rows in order, so that what a row's last lanes write beyond
-// its end is written again by the next row.
-void sum_component(const View& view, const Plane& plane, const float* e, float* mean, float* gx,
-                   float* gy, float* gz) {
-  const float inverse_edge_4 = view.model.head->inverse_edge_per_m * 0.25F;
+// Stage 1: twelve arrays over the slots of a plane, `slots_per_plane` apart: mean displacement (3),
+// then its gradient, row-major (9). Rows in order, so that what a row's last lanes write beyond its
+// end is written again by the next row.
+void sum_plane(const View& view, const Plane& plane) {
+  const ModelHead& head = *view.model.head;
+  const float inverse_edge_4 = head.inverse_edge_per_m * 0.25F;
+  const auto stride = static_cast<std::ptrdiff_t>(head.counts.slots_per_plane);
+  const std::ptrdiff_t next_axis = view.state.ey - view.state.ex;  // as from y to z
+  const float* e = view.state.ex;
+  // Slots no row reaches still pass through stage 2: give them numbers. They are the first, and
+  // some of the last group of lanes.
+  for (std::ptrdiff_t k = 0; k < 12; ++k) {
+    float* array = view.scratch.sums + k * stride;
+    array[0] = 0;
+    float* last = array + (plane.slot_end - plane.slot_begin) - kLanes;
+    for (std::uint32_t i = 0; i < kLanes; i += kWide) store(last + i, Wide{});
+  }
   for (std::uint32_t r = plane.row_begin; r < plane.row_end; ++r) {
     const Row& row = view.model.row[r];
-    const std::uint32_t at = row.slot - plane.slot_begin;
     const float* n[4] = {e + row.node[0], e + row.node[1], e + row.node[2], e + row.node[3]};
-    for (std::uint32_t i = 0; i < row.count + 1U; i += kWide) {
-      const Wide a0 = load(n[0] + i), b0 = load(n[0] + i + 1), s0 = a0 + b0, d0 = b0 - a0;
-      const Wide a1 = load(n[1] + i), b1 = load(n[1] + i + 1), s1 = a1 + b1, d1 = b1 - a1;
-      const Wide a2 = load(n[2] + i), b2 = load(n[2] + i + 1), s2 = a2 + b2, d2 = b2 - a2;
-      const Wide a3 = load(n[3] + i), b3 = load(n[3] + i + 1), s3 = a3 + b3, d3 = b3 - a3;
-      const Wide low = s0 + s1, high = s2 + s3;
-      store(mean + at + i, (low + high) * 0.125F);
-      store(gx + at + i, ((d0 + d1) + (d2 + d3)) * inverse_edge_4);
-      store(gy + at + i, ((s1 - s0) + (s3 - s2)) * inverse_edge_4);
-      store(gz + at + i, (high - low) * inverse_edge_4);
+    float* mean = view.scratch.sums + (row.slot - plane.slot_begin);
+    const float* const end = mean + row.count;
+    for (; mean <= end; mean += kWide) {
+      float* gradient = mean + 3 * stride;
+      for (int c = 0; c < 3; ++c) {
+        sum_corners(n, c * next_axis, inverse_edge_4, mean + c * stride, gradient, stride);
+        gradient += 3 * stride;
+      }
+      for (const float*& node : n) node += kWide;
     }
   }
-}
-
-void sum_plane(const View& view, const Plane& plane, const Sums& sums) {
-  const float* e[3] = {view.state.ex, view.state.ey, view.state.ez};
-  for (int c = 0; c < 3; ++c) {
-    sum_component(view, plane, e[c], sums.mean[c], sums.gradient[3 * c], sums.gradient[3 * c + 1],
-                  sums.gradient[3 * c + 2]);
-  }
-  // Slots no row reaches still pass through stage 2: give them numbers.
-  const std::uint32_t slots = plane.slot_end - plane.slot_begin;
-  std::uint32_t end = 1;
-  if (plane.row_end > plane.row_begin) {
-    const Row& last = view.model.row[plane.row_end - 1];
-    end = last.slot + last.count - plane.slot_begin;
-  }
-  const auto clear = [&](float* array) {
-    array[0] = 0;
-    for (std::uint32_t i = end; i < slots; ++i) array[i] = 0;
-  };
-  for (float* array : sums.mean) clear(array);
-  for (float* array : sums.gradient) clear(array);
 }
 
 // Stage 2, in place over all slots of a plane: `t` mean displacement -> T = k chi t, `g` gradient,
@@ -199,100 +184,113 @@ void fit_plane(const View& view, const Plane& plane) {
             view.scratch.sums);
 }
 
-struct Forces {  // x, y, z over the particles of a plane
-  float* axis[3];
-};
-
-// What one voxel row sends to a window of its nodes, seen from the side `side` along y: to the
-// particles of the plane below and above.
+// What one voxel row sends to a window of its nodes at its low (`kSide` -1) or high (1) side along
+// y: to the particles of the plane below and above.
 struct Sent {
   Wide low, high;
 };
-inline Sent sent_by_row(const float* t, const float* x, const float* y, const float* z, float side,
-                        WideBits lanes) {
+template <int kSide>
+inline Sent sent_by_row(const float* t, const float* xyz, std::ptrdiff_t stride, WideBits lanes) {
+  const float *x = xyz, *y = xyz + stride, *z = xyz + 2 * stride;
   const Wide along_x = (load(t) + load(x)) + (load(t + 1) - load(x + 1));
   const Wide along_z = load(z) + load(z + 1);
-  const Wide across = side * (load(y) + load(y + 1));
-  return {zero_unless(lanes, (along_x - along_z) + across),
-          zero_unless(lanes, (along_x + along_z) + across)};
+  const Wide across = load(y) + load(y + 1);
+  const Wide low = along_x - along_z, high = along_x + along_z;
+  return {zero_unless(lanes, kSide > 0 ? low + across : low - across),
+          zero_unless(lanes, kSide > 0 ? high + across : high - across)};
 }
 
 // Stage 3. Windows in order, so that the zeros which their last lanes write beyond the end of a
-// line are written over by the next line.
-void spread_plane(const View& view, const Plane& plane, const Sums& sums, const Forces& low,
-                  const Forces& high) {
+// line are written over by the next line. `low` and `high`: x, y, z, `axis` apart.
+void spread_plane(const View& view, const Plane& plane, float* low, float* high) {
   constexpr std::uint32_t kList = kWide > 8 ? 1 : 0;
   constexpr std::uint32_t kWindow = kWide > 8 ? 16 : 8;
+  const auto stride = static_cast<std::ptrdiff_t>(view.model.head->counts.slots_per_plane);
+  const auto axis = static_cast<std::ptrdiff_t>(view.model.head->counts.particles_per_plane);
   const Window* windows = kList == 0 ? view.model.window8 : view.model.window16;
   const Window* const end = windows + plane.window_end[kList];
   for (const Window* w = windows + plane.window_begin[kList]; w != end; ++w) {
     for (std::uint32_t i = 0; i < kWindow; i += kWide) {
       const WideBits before = lanes_set(std::uint32_t{w->lanes[0]} >> i);
       const WideBits behind = lanes_set(std::uint32_t{w->lanes[1]} >> i);
-      const std::ptrdiff_t a = w->slot[0] + static_cast<std::ptrdiff_t>(i);
-      const std::ptrdiff_t b = w->slot[1] + static_cast<std::ptrdiff_t>(i);
+      const float* a = view.scratch.sums + (w->slot[0] + static_cast<std::ptrdiff_t>(i));
+      const float* b = view.scratch.sums + (w->slot[1] + static_cast<std::ptrdiff_t>(i));
+      const float *a_xyz = a + 3 * stride, *b_xyz = b + 3 * stride;
       for (int c = 0; c < 3; ++c) {
-        const float* t = sums.mean[c];
-        const float* x = sums.gradient[3 * c];
-        const float* y = sums.gradient[3 * c + 1];
-        const float* z = sums.gradient[3 * c + 2];
-        const Sent one = sent_by_row(t + a, x + a, y + a, z + a, 1.0F, before);
-        const Sent other = sent_by_row(t + b, x + b, y + b, z + b, -1.0F, behind);
-        store(low.axis[c] + w->low + i, one.low + other.low);
-        store(high.axis[c] + w->high + i, one.high + other.high);
+        const Sent one = sent_by_row<1>(a + c * stride, a_xyz, stride, before);
+        const Sent other = sent_by_row<-1>(b + c * stride, b_xyz, stride, behind);
+        store(low + w->low + i + c * axis, one.low + other.low);
+        store(high + w->high + i + c * axis, one.high + other.high);
+        a_xyz += 3 * stride;
+        b_xyz += 3 * stride;
       }
     }
   }
 }
 
-// Moves the particles of a plane along one axis; returns the largest displacement's bits (as
-// integers, because the order of floats above zero is the order of their bits).
-STYLET_KEEP_APART std::uint32_t move_axis(std::uint32_t lanes, float dt, float tau, float keep,
-                                          const float* __restrict per_mass,
-                                          const float* __restrict hold,
-                                          const float* __restrict f_below,
-                                          const float* __restrict f_here, float* __restrict u,
-                                          float* __restrict v, float* __restrict e) {
-  std::uint32_t largest = 0;
-  STYLET_LANES(lanes)
-  for (std::uint32_t i = 0; i < lanes; ++i) {
-    const float force = (f_below[i] + f_here[i]) - hold[i] * e[i];
-    float velocity = keep * v[i] + per_mass[i] * force;
-    velocity = (velocity + kQuantum) - kQuantum;
-    float place = u[i] + dt * velocity;
-    place = (place + kQuantum) - kQuantum;
-    v[i] = velocity;
-    u[i] = place;
-    e[i] = place + tau * velocity;
-    const std::uint32_t size = __builtin_bit_cast(std::uint32_t, place) & 0x7FFFFFFFU;
-    largest = largest > size ? largest : size;
-  }
-  return largest;
+struct Motion {
+  float dt, tau, keep;
+  WideBits largest;  // displacement so far: its bits, which as integers have the order of floats
+};
+
+// Moves a group of lanes along one axis.
+inline void move_lanes(Wide force, Wide per_mass, Wide hold, float* u, float* v, float* e,
+                       Motion& motion) {
+  force = force - hold * load(e);
+  Wide velocity = motion.keep * load(v) + per_mass * force;
+  velocity = (velocity + kQuantum) - kQuantum;
+  Wide place = load(u) + motion.dt * velocity;
+  place = (place + kQuantum) - kQuantum;
+  store(v, velocity);
+  store(u, place);
+  store(e, place + motion.tau * velocity);
+  const WideBits size = __builtin_bit_cast(WideBits, place) & 0x7FFFFFFF;
+  motion.largest = motion.largest > size ? motion.largest : size;
 }
 
-float move_particles(const View& view, const Plane& plane, const Forces& below,
-                     const Forces& here) {
-  const std::uint32_t at = plane.particle_begin;
-  const std::uint32_t lanes = plane.particle_end - at;
-  const float dt = view.model.head->substep_s;
-  const float tau = view.model.head->config.tissue_damping_s;
-  const float keep = 1 - dt * view.model.head->config.surround_drag_per_s;
-  float* u[3] = {view.state.ux, view.state.uy, view.state.uz};
-  float* v[3] = {view.state.vx, view.state.vy, view.state.vz};
-  float* e[3] = {view.state.ex, view.state.ey, view.state.ez};
-  std::uint32_t largest = 0;
-  for (int c = 0; c < 3; ++c) {
-    const std::uint32_t size =
-        move_axis(lanes, dt, tau, keep, view.model.step_per_mass + at, view.model.hold + at,
-                  below.axis[c], here.axis[c], u[c] + at, v[c] + at, e[c] + at);
-    largest = largest > size ? largest : size;
+// Moves the particles of a plane. `below` and `here`: forces x, y, z from the clusters below and
+// above, `particles_per_plane` apart.
+void move_particles(const View& view, const Plane& plane, const float* below, const float* here,
+                    Motion& motion_out) {
+  const auto force_axis = static_cast<std::ptrdiff_t>(view.model.head->counts.particles_per_plane);
+  const std::ptrdiff_t axis = view.state.uy - view.state.ux;  // as from y to z, for u, v and e
+  Motion motion = motion_out;
+  float* u = view.state.ux + plane.particle_begin;
+  float* v = view.state.vx + plane.particle_begin;
+  float* e = view.state.ex + plane.particle_begin;
+  const float* per_mass = view.model.step_per_mass + plane.particle_begin;
+  const float* hold = view.model.hold + plane.particle_begin;
+  const std::ptrdiff_t count = plane.particle_end - plane.particle_begin;
+  for (std::ptrdiff_t group = 0; group < count; group += kLanes) {
+    for (std::ptrdiff_t i = group; i < group + kLanes; i += kWide) {
+      for (std::ptrdiff_t c = 0; c < 3; ++c) {
+        const Wide force = load(below + i + c * force_axis) + load(here + i + c * force_axis);
+        move_lanes(force, load(per_mass + i), load(hold + i), u + i + c * axis, v + i + c * axis,
+                   e + i + c * axis, motion);
+      }
+    }
+  }
+  motion_out = motion;
+}
+
+float largest_displacement(const Motion& motion) {
+  std::int32_t largest = 0;
+  for (std::uint32_t i = 0; i < kWide; ++i) {
+    largest = largest > motion.largest[i] ? largest : motion.largest[i];
   }
   return __builtin_bit_cast(float, largest);
 }
 
-void clear(const Forces& forces, std::uint32_t count) {
-  for (float* array : forces.axis) {
-    for (std::uint32_t i = 0; i < count; ++i) array[i] = 0;
+// Forces on the particles of a plane, to zero.
+void clear(const View& view, const Plane& plane, float* force) {
+  const auto axis = static_cast<std::ptrdiff_t>(view.model.head->counts.particles_per_plane);
+  const float* const end = force + (plane.particle_end - plane.particle_begin);
+  for (; force != end; force += kLanes) {
+    for (std::uint32_t i = 0; i < kLanes; i += kWide) {
+      store(force + i, Wide{});
+      store(force + i + axis, Wide{});
+      store(force + i + 2 * axis, Wide{});
+    }
   }
 }
 
@@ -301,35 +299,33 @@ void clear(const Forces& forces, std::uint32_t count) {
 void STYLET_LATTICE_STEP(const Kernel& kernel) {
   const View view = view_of(kernel);
   const Counts& counts = view.model.head->counts;
-  const Sums sums = sums_of(view.scratch, counts);
-  Forces buffer[3] = {};
-  for (int b = 0; b < 3; ++b) {
-    for (int c = 0; c < 3; ++c) {
-      buffer[b].axis[c] =
-          view.scratch.force + static_cast<std::size_t>(3 * b + c) * counts.particles_per_plane;
-    }
-  }
-  // Forces on the plane of particles from the clusters below it and above it.
-  Forces below = buffer[0], here = buffer[1], above = buffer[2];
-  clear(below, counts.particles_per_plane);
-  float largest = 0;
+  const ModelHead& head = *view.model.head;
+  const std::size_t axis = counts.particles_per_plane;
+  // Forces on a plane of particles from the clusters below it and above it.
+  float* below = view.scratch.force;
+  float* here = below + 3 * axis;
+  float* above = here + 3 * axis;
+  Motion motion = {head.substep_s,
+                   head.config.tissue_damping_s,
+                   1 - head.substep_s * head.config.surround_drag_per_s,
+                   {}};
+  clear(view, view.model.plane[0], below);
   for (std::uint32_t z = 0; z <= counts.planes; ++z) {
     const Plane& plane = view.model.plane[z];
-    clear(here, counts.particles_per_plane);
+    clear(view, plane, here);
     if (z < counts.planes) {
-      clear(above, counts.particles_per_plane);
-      sum_plane(view, plane, sums);
+      clear(view, view.model.plane[z + 1], above);
+      sum_plane(view, plane);
       fit_plane(view, plane);
       couple_plane(view, z);
-      spread_plane(view, plane, sums, here, above);
+      spread_plane(view, plane, here, above);
     }
-    const float moved = move_particles(view, plane, below, here);
-    largest = largest > moved ? largest : moved;
-    const Forces spent = below;
+    move_particles(view, plane, below, here, motion);
+    float* const spent = below;
     below = above;
     above = spent;
   }
-  view.state.head->max_displacement_m = largest;
+  view.state.head->max_displacement_m = largest_displacement(motion);
 }
 
 }  // namespace stylet

@@ -219,19 +219,19 @@ struct ScratchHead {
   F(track, Track, kMaxTracks)                     \
   F(event, Event, kMaxEvents)
 
-#define STYLET_SCRATCH_FIELDS(F)                              \
-  F(head, ScratchHead, 1)                                     \
+#define STYLET_SCRATCH_FIELDS(F)                                \
+  F(head, ScratchHead, 1)                                       \
   F(before_sums, float, kLanes) /* read by windows, not used */ \
-  F(sums, float, 12 * c.slots_per_plane)                      \
-  F(force, float, 9 * c.particles_per_plane)                  \
-  F(coupled, CoupledVoxel, kMaxCoupledVoxels* c.needles)      \
-  F(member, Member, kMaxMembers* c.needles)                   \
-  F(plane_first, std::uint32_t, c.planes + 2)                 \
-  F(plane_order, std::uint32_t, kMaxCoupledVoxels* c.needles) \
-  F(slot_mark, std::uint32_t, c.slots)                        \
-  F(loads, RodLoads, 1)                                       \
-  F(rod, RodScratch, 1)                                       \
-  F(rod_result, RodResult, 1)                                 \
+  F(sums, float, 12 * c.slots_per_plane)                        \
+  F(force, float, 9 * c.particles_per_plane)                    \
+  F(coupled, CoupledVoxel, kMaxCoupledVoxels* c.needles)        \
+  F(member, Member, kMaxMembers* c.needles)                     \
+  F(plane_first, std::uint32_t, c.planes + 2)                   \
+  F(plane_order, std::uint32_t, kMaxCoupledVoxels* c.needles)   \
+  F(slot_mark, std::uint32_t, c.slots)                          \
+  F(loads, RodLoads, 1)                                         \
+  F(rod, RodScratch, 1)                                         \
+  F(rod_result, RodResult, 1)                                   \
   F(touch, Touch, kMaxTouches)
 
 #define STYLET_FIELD_POINTER(name, type, count) type* name;

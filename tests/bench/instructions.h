@@ -38,8 +38,7 @@ std::optional<std::uint64_t> steps_between_stops(const Body& body) {
     if (ptrace(PTRACE_SINGLESTEP, child, nullptr, nullptr) != 0) return {};
     if (waitpid(child, &status, 0) != child || !WIFSTOPPED(status)) return {};
     if (WSTOPSIG(status) == SIGSTOP) break;
-    const long at =
-        ptrace(PTRACE_PEEKUSER, child, offsetof(user_regs_struct, rip), nullptr);
+    const long at = ptrace(PTRACE_PEEKUSER, child, offsetof(user_regs_struct, rip), nullptr);
     count += at != last ? 1 : 0;
     last = at;
   }

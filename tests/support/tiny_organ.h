@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A block of voxels, or a body cut from it, as the bytes of an organ file, made in memory for tests.
+// A block of voxels, or a body cut from it, as the bytes of an organ file, made in memory for
+// tests.
 //
-// The surface is the outside of the voxels, two triangles a voxel face, outward; it is closed in space.
-// Vertices are not shared between voxels, so every leaf of the sphere tree (one a boundary voxel)
-// depends on that voxel's corners alone.
-// Units: SI. Frame: the low corner of the block is at `origin_m`.
+// The surface is the outside of the voxels, two triangles a voxel face, outward; it is closed in
+// space. Vertices are not shared between voxels, so every leaf of the sphere tree (one a boundary
+// voxel) depends on that voxel's corners alone. Units: SI. Frame: the low corner of the block is at
+// `origin_m`.
 #pragma once
 
 #include <algorithm>
