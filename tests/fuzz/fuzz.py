@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Builds the fuzz targets with clang's libFuzzer and sanitizers, and runs them.
+
+usage: fuzz.py BUILD_FOLDER TARGET... [--runs N | --seconds N] [--seed N]
+
+Starts from the seeds committed in tests/fuzz/seeds/TARGET. With --runs the same inputs are tried
+every time (CI); with --seconds as many as fit, from a seed of the day or --seed. What it finds worth
+keeping stays in BUILD_FOLDER/corpus/TARGET for the next run. An input that breaks a promise is left
+in BUILD_FOLDER/finds: once mended it belongs into the seeds, where every build replays it.
+"""
+import argparse
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+
+HERE = pathlib.Path(__file__).resolve().parent
+SOURCE = HERE.parents[1]
+TARGETS = ["organ", "tick", "mesh", "tissues", "scene", "recording"]
+# Longest inputs worth trying: beyond, they are slow and no different.
+MAX_BYTES = {"organ": 8192, "tick": 1024, "mesh": 2048, "tissues": 2048, "scene": 4096,
+             "recording": 64}
+
+
+def run_quietly(command):
+    """Runs a command; its output is shown only where it fails."""
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{done.stdout}\nfuzz.py: failed: {' '.join(map(str, command))}")
+
+
+def build(folder, targets):
+    run_quietly(["cmake", "--preset", "fuzz", "-S", SOURCE, "-B", folder])
+    run_quietly(["cmake", "--build", folder, "--target"] + [f"fuzz_{each}" for each in targets])
+
+
+def command_of(folder, target, options):
+    corpus, finds = folder / "corpus" / target, folder / "finds"
+    for each in (corpus, finds):
+        each.mkdir(parents=True, exist_ok=True)
+    command = [folder / "bin" / f"fuzz_{target}", f"-max_len={MAX_BYTES[target]}", "-timeout=20",
+               "-rss_limit_mb=3000", "-print_final_stats=1", f"-artifact_prefix={finds}/{target}-"]
+    if options.runs:
+        shutil.rmtree(corpus)
+        corpus.mkdir()
+        command += [f"-runs={options.runs}", f"-seed={options.seed or 1}"]
+    else:
+        command += [f"-max_total_time={options.seconds}",
+                    f"-seed={options.seed or int(time.time()) // 86400}"]
+    dictionary = HERE / f"{target}.dict"
+    if dictionary.exists():
+        command.append(f"-dict={dictionary}")
+    # What is new goes into the first folder.
+    return command + [corpus, HERE / "seeds" / target]
+
+
+def fuzz(folder, target, options):
+    """True if every promise held."""
+    environment = dict(os.environ, UBSAN_OPTIONS="print_stacktrace=1", TMPDIR=str(folder))
+    done = subprocess.run(command_of(folder, target, options), stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, errors="replace", env=environment)
+    lines = done.stdout.splitlines()
+    if done.returncode == 0:
+        inputs = [line.split()[-1] for line in lines if "number_of_executed_units" in line]
+        covered = [line for line in lines if " cov: " in line]
+        reached = covered[-1].split(" cov: ")[1].split()[0] if covered else "?"
+        print(f"{target}: {inputs[0]} inputs, {reached} edges reached, all promises kept")
+        return True
+    quiet = [line for line in lines if not line.startswith(("#", "\tNEW_FUNC"))]
+    print("\n".join(quiet)[-6000:])
+    print(f"{target}: a promise is broken; the input is named above and lies in {folder}/finds")
+    return False
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("targets", nargs="*", help=f"of {', '.join(TARGETS)}; none: all")
+    parser.add_argument("--runs", type=int, default=0)
+    parser.add_argument("--seconds", type=int, default=60)
+    parser.add_argument("--seed", type=int, default=0)
+    options = parser.parse_args()
+    targets = options.targets or TARGETS
+    for each in targets:
+        if each not in TARGETS:
+            parser.error(f"{each}: expected one of {', '.join(TARGETS)}")
+    folder = options.build.resolve()
+    start = time.monotonic()
+    build(folder, targets)
+    print(f"built in {time.monotonic() - start:.0f} s", flush=True)
+    held = [fuzz(folder, each, options) for each in targets]
+    sys.exit(0 if all(held) else 1)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// The seeds that are not text: organs, and inputs of whole insertions. Run after a change of a
+// format. usage: fuzz_make_seeds tests/fuzz/seeds
+#include <fstream>
+
+#include "session.h"
+
+namespace stylet::test {
+namespace {
+
+void write(const std::string& path, const void* data, std::size_t size) {
+  std::ofstream out(path, std::ios::binary);
+  out.write(static_cast<const char*>(data), static_cast<std::streamsize>(size));
+}
+
+void write_organ(const std::string& path, const TinyOrgan& tiny) {
+  const std::vector<std::byte> bytes = tiny_organ(tiny);
+  write(path, bytes.data(), bytes.size());
+}
+
+void write_organs(const std::string& folder) {
+  TinyOrgan one;
+  one.nx = one.ny = one.nz = 1;
+  write_organ(folder + "one-voxel", one);
+  TinyOrgan held;
+  held.nx = 3;
+  held.ny = held.nz = 2;
+  held.fixed_faces = kLowZ | kHighX;
+  TinyMaterial hard;
+  hard.name = "capsule";
+  hard.youngs_modulus_pa = 2e5F;
+  hard.relaxing_fraction = 0.5F;
+  hard.puncture_velocity_exponent = 0.2F;
+  held.materials = {TinyMaterial{}, hard};
+  held.material_at = [](std::uint16_t x, std::uint16_t, std::uint16_t z) {
+    return static_cast<std::uint8_t>((x + z) % 2);
+  };
+  write_organ(folder + "two-materials", held);
+  TinyOrgan tall;
+  tall.nx = tall.ny = 1;
+  tall.nz = 6;
+  tall.fixed_faces = kLowZ;
+  tall.voxel_edge_m = 2e-3F;
+  tall.origin_m = {0.1F, -0.2F, 0.05F};
+  write_organ(folder + "tall", tall);
+}
+
+// Operations as tick_target.cpp reads them: needle, kind, repeats, and their numbers.
+struct Script {
+  std::vector<std::uint8_t> bytes;
+
+  void op(unsigned needle, unsigned kind, unsigned repeats, std::initializer_list<int> numbers) {
+    bytes.push_back(static_cast<std::uint8_t>(needle | kind << 2U | (repeats - 1) << 5U));
+    for (const int number : numbers) bytes.push_back(static_cast<std::uint8_t>(number));
+  }
+  void push(unsigned needle, int sixteenths_of_100_um, int times) {
+    for (int i = 0; i < times; ++i) op(needle, 0, 8, {sixteenths_of_100_um});
+  }
+};
+
+// In, sideways, turned, out, with samples that are missing or wrong.
+Script insertion(std::uint8_t kind, std::uint8_t tip, std::uint8_t obstacles) {
+  Script script;
+  script.bytes = {kind, tip, obstacles};
+  for (unsigned i = 0; i < obstacles % 4U; ++i) {
+    script.bytes.insert(script.bytes.end(), {static_cast<std::uint8_t>(0x20 + i), 10, 0,
+                                             static_cast<std::uint8_t>(-60)});
+  }
+  const unsigned needles = 1U + ((kind >> 3U) & 3U);
+  for (unsigned i = 0; i < needles; ++i) {
+    script.push(i, 127, 2);
+    script.op(i, 1, 8, {20, -10});
+    script.op(i, 2, 4, {5, -5, 20});
+    script.op(i, 4, 1, {1, 0, 0, 0xC0, 0x7F});
+    script.op(i, 5, 5, {});
+    script.op(i, 7, 1, {});
+    script.push(i, -127, 3);
+  }
+  script.op(0, 6, 1, {});
+  script.op(0, 7, 2, {});
+  return script;
+}
+
+void write_inputs(const std::string& folder) {
+  const struct {
+    const char* name;
+    std::uint8_t kind, tip, obstacles;
+  } all[] = {{"rigid", 0x02, 0x00, 0},        {"paper", 0x03, 0x00, 0},
+             {"elastic-bone", 0x02, 0x01, 2}, {"bevel-breathing", 0x22, 0x0B, 0},
+             {"bent-fine", 0x42, 0x15, 1},    {"four-needles", 0x1A, 0x09, 1}};
+  for (const auto& each : all) {
+    const Script script = insertion(each.kind, each.tip, each.obstacles);
+    write(folder + each.name, script.bytes.data(), script.bytes.size());
+  }
+}
+
+// Changes as recording_target.cpp reads them.
+void write_changes(const std::string& folder) {
+  const std::uint8_t none[] = {2, 0}, missing[] = {0, 3}, attribute[] = {1, 5, 0, 1, 9, 9, 9, 9},
+                     column[] = {3, 20, 2, 1, 3, 0, 0}, deleted[] = {2, 12};
+  write(folder + "unchanged", none, sizeof none);
+  write(folder + "missing-attribute", missing, sizeof missing);
+  write(folder + "other-attribute", attribute, sizeof attribute);
+  write(folder + "other-column", column, sizeof column);
+  write(folder + "missing-column", deleted, sizeof deleted);
+}
+
+}  // namespace
+}  // namespace stylet::test
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  const std::string folder = argv[1];
+  stylet::test::write_organs(folder + "/organ/");
+  stylet::test::write_inputs(folder + "/tick/");
+  stylet::test::write_changes(folder + "/recording/");
+  return 0;
+}
