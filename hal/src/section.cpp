@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "section.h"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -13,14 +14,21 @@ std::string value_text(const toml::node& node) {
   return out.str();
 }
 
+// What is quoted from a scene may hold line ends and other control characters.
+std::string one_line(std::string text) {
+  const auto control = [](unsigned char c) { return c < ' '; };
+  std::replace_if(text.begin(), text.end(), control, '?');
+  return text;
+}
+
 }  // namespace
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
-    throw SceneError(
-        fmt::format("{}:{}: not TOML: {}", file, error.source().begin.line, error.description()));
+    throw SceneError(one_line(
+        fmt::format("{}:{}: not TOML: {}", file, error.source().begin.line, error.description())));
   }
 }
 
@@ -38,8 +46,8 @@ void Section::fail(const std::string& key, const std::string& allowed) const {
   const auto line = node != nullptr     ? node->source().begin.line
                     : table_ != nullptr ? table_->source().begin.line
                                         : 1U;
-  throw SceneError(fmt::format("{}:{}: {}: {}: {}", file_, line, full(key),
-                               node != nullptr ? value_text(*node) : "missing", allowed));
+  throw SceneError(one_line(fmt::format("{}:{}: {}: {}: {}", file_, line, full(key),
+                                        node != nullptr ? value_text(*node) : "missing", allowed)));
 }
 
 const toml::node* Section::get(const std::string& key) {

@@ -56,7 +56,7 @@ ReadMesh read_obj(std::string_view file, std::string_view bytes) {
       corners.clear();
       for (std::string_view t = next_token(lines); !t.empty(); t = next_token(lines)) {
         corners.push_back(parse_corner(lines, t, collector.mesh.points.size()));
-        if (corners.back() > highest) {
+        if (highest_line == 0 || corners.back() > highest) {
           highest = corners.back();
           highest_line = lines.number;
         }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -15,9 +16,13 @@ struct Refusal : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// What is quoted from a file may hold line ends and other control characters: they become '?'.
 template <typename... Args>
 [[noreturn]] void refuse(fmt::format_string<Args...> format, Args&&... args) {
-  throw Refusal(fmt::format(format, std::forward<Args>(args)...));
+  std::string text = fmt::format(format, std::forward<Args>(args)...);
+  const auto control = [](unsigned char c) { return c < ' '; };
+  std::replace_if(text.begin(), text.end(), control, '?');
+  throw Refusal(text);
 }
 
 }  // namespace stylet::bake
