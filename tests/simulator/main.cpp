@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random sessions until enough ticks are done, or the one session of a seed.
+// usage: stylet-simulator [--seed FIRST] [--sessions COUNT | --ticks TICKS] [--each]
+//        [--known-gains]
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+
+#include "simulator.h"
+
+namespace {
+
+using stylet::test::Scenario;
+using stylet::test::Verdict;
+
+struct Options {
+  std::uint64_t seed = 1;
+  std::uint64_t sessions = 1;
+  std::uint64_t ticks = 0;
+  bool each = false;
+  bool known_gains = false;
+};
+
+std::uint64_t number(const char* text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text, text + std::strlen(text), value);
+  if (error != std::errc{} || *end != '\0') {
+    std::fprintf(stderr, "'%s': expected a whole number\n", text);
+    std::exit(2);
+  }
+  return value;
+}
+
+Options parse(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view name = argv[i];
+    if (name == "--each") {
+      options.each = true;
+    } else if (name == "--known-gains") {
+      options.known_gains = true;
+    } else if (i + 1 < argc && name == "--seed") {
+      options.seed = number(argv[++i]);
+    } else if (i + 1 < argc && name == "--sessions") {
+      options.sessions = number(argv[++i]);
+    } else if (i + 1 < argc && name == "--ticks") {
+      options.ticks = number(argv[++i]);
+    } else {
+      std::fprintf(stderr,
+                   "%s: expected --seed N, --sessions N, --ticks N, --each or --known-gains\n",
+                   argv[i]);
+      std::exit(2);
+    }
+  }
+  if (options.ticks > 0) options.sessions = std::numeric_limits<std::uint64_t>::max();
+  return options;
+}
+
+void describe(const Verdict& v, std::uint64_t seed) {
+  std::printf(
+      "seed %llu: %llu ticks, observer %.3g J, %u faults, rest after %.1f s, "
+      "busiest tick %llu (%u particles and contacts)\n",
+      static_cast<unsigned long long>(seed), static_cast<unsigned long long>(v.ticks),
+      v.observer_min_j, v.faults, v.rest_s, static_cast<unsigned long long>(v.busiest_tick),
+      v.busiest_load);
+}
+
+int report_failure(const Verdict& v, std::uint64_t seed, const char* program) {
+  std::printf("seed %llu, tick %llu: %s (observer %.3g J)\n", static_cast<unsigned long long>(seed),
+              static_cast<unsigned long long>(v.tick), v.broken, v.observer_min_j);
+  std::printf("again: %s --seed %llu\nat commit: ", program, static_cast<unsigned long long>(seed));
+  std::fflush(stdout);
+  if (std::system("git -C " STYLET_SOURCE " describe --always --dirty") != 0) std::printf("?\n");
+  return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Options options = parse(argc, argv);
+  Verdict most;
+  std::uint64_t done = 0, ticks = 0, busiest_seed = 0;
+  double gain_j = 0;
+  while (done < options.sessions && (options.ticks == 0 || ticks < options.ticks)) {
+    const std::uint64_t seed = options.seed + done++;
+    const Scenario scenario = stylet::test::draw_scenario(seed);
+    const Verdict v = stylet::test::simulate(scenario, options.known_gains);
+    if (options.each) describe(v, seed);
+    if (v.broken != nullptr) return report_failure(v, seed, argv[0]);
+    ticks += v.ticks;
+    gain_j = std::max(gain_j, v.gain_j);
+    if (v.busiest_load > most.busiest_load) {
+      most = v;
+      busiest_seed = seed;
+    }
+  }
+  std::printf("%llu sessions, %llu ticks, every promise held\n",
+              static_cast<unsigned long long>(done), static_cast<unsigned long long>(ticks));
+  if (options.known_gains) std::printf("largest known gain of a session: %.3g J\n", gain_j);
+  std::printf("busiest: ");
+  describe(most, busiest_seed);
+  return 0;
+}

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenario.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math.h"
+
+namespace stylet::test {
+namespace {
+
+TinyMaterial draw_material(Draw& draw) {
+  TinyMaterial m;
+  m.density_kg_per_m3 = draw.between(900, 1900);
+  m.youngs_modulus_pa = draw.magnitude(2e3, 3e5);
+  m.poisson_ratio = draw.between(0, 0.49);
+  m.relaxing_fraction = draw.chance(0.5) ? draw.between(0, 0.7) : 0;
+  m.relaxation_time_s = draw.magnitude(0.02, 10);
+  m.puncture_force_n = draw.magnitude(0.02, 2);
+  m.cutting_force_n = draw.magnitude(0.02, 1);
+  m.recut_fraction = draw.between(0, 1);
+  m.coulomb_friction_n_per_m = draw.magnitude(0.5, 100);
+  m.static_friction_n_per_m = m.coulomb_friction_n_per_m * draw.between(1, 1.5);
+  m.stribeck_velocity_m_per_s = draw.magnitude(1e-4, 1e-2);
+  m.viscous_friction_n_s_per_m2 = draw.chance(0.5) ? draw.magnitude(1, 500) : 0;
+  m.puncture_velocity_exponent = draw.chance(0.3) ? draw.between(0, 0.3) : 0;
+  return m;
+}
+
+// Layers along z, held from below and perhaps from the sides.
+std::unique_ptr<OpenOrgan> draw_organ(Draw& draw) {
+  TinyOrgan tiny;
+  for (std::uint16_t* size : {&tiny.nx, &tiny.ny, &tiny.nz}) {
+    *size = static_cast<std::uint16_t>(4 + draw.below(6));
+  }
+  tiny.voxel_edge_m = draw.between(2e-3, 6e-3);
+  tiny.origin_m = {draw.between(-0.3, 0.3), draw.between(-0.3, 0.3), draw.between(-0.3, 0.3)};
+  tiny.fixed_faces = kLowZ;
+  for (const std::uint32_t face : {kLowX, kHighX, kLowY, kHighY}) {
+    if (draw.chance(0.3)) tiny.fixed_faces |= face;
+  }
+  tiny.materials.clear();
+  const std::uint32_t layers = 1 + draw.below(3);
+  for (std::uint32_t i = 0; i < layers; ++i) tiny.materials.push_back(draw_material(draw));
+  tiny.material_at = [nz = tiny.nz, layers](std::uint16_t, std::uint16_t, std::uint16_t z) {
+    return static_cast<std::uint8_t>(static_cast<std::uint32_t>(z) * layers / nz);
+  };
+  return open_organ(tiny_organ(tiny));
+}
+
+NeedleConfig draw_needle(Draw& draw) {
+  NeedleConfig needle;
+  needle.length_m = draw.between(0.06, 0.2);
+  needle.outer_radius_m = draw.between(0.2e-3, 1e-3);
+  needle.unit_m = draw.magnitude(1e-3, 8e-3);
+  needle.bending_nm2 = draw.chance(0.5) ? draw.magnitude(1e-4, 4e-2) : 0;
+  needle.rods = 4 + draw.below(60);
+  if (draw.chance(0.3)) needle.bevel_per_m = draw.between(1, 20);
+  if (draw.chance(0.15)) {
+    needle.bent_length_m = draw.between(5e-3, 30e-3);
+    needle.bent_angle_rad = draw.between(0.05, 0.5);
+  }
+  return needle;
+}
+
+Config draw_config(Draw& draw) {
+  Config config;
+  config.mode = draw.chance(0.15) ? Mode::kPaper : Mode::kPhysical;
+  const float periods_s[] = {1e-3F, 1e-3F, 1e-3F, 0.5e-3F, 0.25e-3F, 2e-3F};
+  config.period_s = periods_s[draw.below(6)];
+  config.substeps = 1 + draw.below(4);
+  config.tissue_damping_s = draw.magnitude(2e-5, 2e-3);
+  config.surround_drag_per_s = draw.between(5, 30);
+  config.needle_count = draw.chance(0.6) ? 1 : 1 + draw.below(kMaxNeedles);
+  for (std::uint32_t i = 0; i < config.needle_count; ++i) config.needle[i] = draw_needle(draw);
+  if (draw.chance(0.25)) {
+    config.breathing = {
+        {draw.between(-4e-3, 4e-3), draw.between(-4e-3, 4e-3), draw.between(0, 8e-3)},
+        draw.between(1, 5)};
+  }
+  return config;
+}
+
+Vec3 inside(Draw& draw, const Organ& organ, double low_z, double high_z) {
+  const float edge = organ.voxel_edge_m;
+  return {organ.origin_m.x + edge * static_cast<float>(organ.size_x) * draw.between(0.1, 0.9),
+          organ.origin_m.y + edge * static_cast<float>(organ.size_y) * draw.between(0.1, 0.9),
+          organ.origin_m.z + edge * static_cast<float>(organ.size_z) * draw.between(low_z, high_z)};
+}
+
+std::vector<ObstacleConfig> draw_obstacles(Draw& draw, const Organ& organ) {
+  std::vector<ObstacleConfig> obstacles(draw.chance(0.35) ? 1 + draw.below(3) : 0);
+  for (ObstacleConfig& each : obstacles) {
+    if (draw.chance(0.5)) {
+      make_sphere(each, draw.magnitude(1e-3, 6e-3));
+    } else {
+      make_box(each, {draw.magnitude(1e-3, 8e-3), draw.magnitude(1e-3, 8e-3),
+                      draw.magnitude(1e-3, 8e-3)});
+    }
+    each.pose.position_m = inside(draw, organ, 0, 1.1);
+    each.stiffness_n_per_m = draw.magnitude(500, 5e4);
+    each.largest_force_n = draw.magnitude(2, 50);
+    each.friction = draw.between(0, 0.8);
+  }
+  return obstacles;
+}
+
+// In and out and sideways, at anything from a crawl to a jerk; at the end outside.
+std::vector<hal::Waypoint> draw_waypoints(Draw& draw, float thickness_m, double fastest) {
+  std::vector<hal::Waypoint> points(2 + draw.below(5));
+  for (hal::Waypoint& each : points) {
+    each.travel_m = draw.chance(0.3) ? -draw.between(0, 0.02) : thickness_m * draw.between(0, 1.3);
+    if (draw.chance(0.4)) {
+      each.right_m = draw.between(-4e-3, 4e-3);
+      each.up_m = draw.between(-4e-3, 4e-3);
+    }
+    each.speed_m_per_s = draw.magnitude(5e-3, fastest);
+    each.hold_s = draw.chance(0.5) ? draw.between(0, 0.3) : 0;
+  }
+  points.push_back({.travel_m = -0.02F, .speed_m_per_s = draw.magnitude(0.02, fastest)});
+  return points;
+}
+
+HandPlan draw_hand(Draw& draw, const Organ& organ, const Config& config, float length_m,
+                   bool gentle) {
+  HandPlan plan;
+  Vec3 direction = {draw.between(-0.4, 0.4), draw.between(-0.4, 0.4), -1};
+  const float size = std::sqrt(dot(direction, direction));
+  direction = (1 / size) * direction;
+  plan.start_m = draw.between(1e-3, 10e-3);
+  plan.mapping.rotation = hal::needle_rotation(direction);
+  plan.mapping.origin_m = inside(draw, organ, 1, 1) - (plan.start_m + length_m) * direction;
+  plan.limits = {"simulated", draw.between(1, 10), draw.between(1000, 5000), 0};
+  plan.guard.period_s = config.period_s;
+  plan.guard.max_force_n = plan.limits.max_force_n;
+  plan.guard.max_slew_n_per_s = plan.limits.max_slew_n_per_s;
+  plan.guard.ramp_s = draw.between(0, 0.2);
+  plan.guard.watchdog_s = draw.between(2e-3, 5e-3);
+  plan.hand = {draw.magnitude(0.05, 0.5), draw.magnitude(200, 2e4), draw.magnitude(5, 100)};
+  plan.waypoints = draw_waypoints(draw, organ.voxel_edge_m * static_cast<float>(organ.size_z),
+                                  gentle ? kGentleMPerS : 1);
+  if (gentle) return plan;
+  if (draw.chance(0.5)) {
+    plan.turn_per_s = {draw.between(-0.1, 0.1), draw.between(-0.1, 0.1), draw.between(-3, 3)};
+  }
+  if (draw.chance(0.5)) plan.bad_share = draw.magnitude(1e-3, 0.1);
+  if (draw.chance(0.1)) plan.dead_from_s = static_cast<double>(draw.between(0, 2));
+  return plan;
+}
+
+}  // namespace
+
+float Draw::magnitude(double low, double high) {
+  return static_cast<float>(low * std::pow(high / low, unit()));
+}
+
+Scenario draw_scenario(std::uint64_t seed) {
+  // The longest session that is still a session; a slow script is cut there.
+  constexpr double kLongestS = 3;
+  Draw draw(seed);
+  Scenario scenario;
+  scenario.seed = seed;
+  scenario.organ = draw_organ(draw);
+  scenario.config = draw_config(draw);
+  scenario.obstacles = draw_obstacles(draw, scenario.organ->organ);
+  scenario.gentle = draw.chance(0.3);
+  if (draw.chance(0.3)) scenario.late_share = static_cast<double>(draw.magnitude(1e-3, 0.02));
+  const double period_s = static_cast<double>(scenario.config.period_s);
+  for (std::uint32_t i = 0; i < scenario.config.needle_count; ++i) {
+    scenario.hands.push_back(draw_hand(draw, scenario.organ->organ, scenario.config,
+                                       scenario.config.needle[i].length_m, scenario.gentle));
+    const HandPlan& plan = scenario.hands.back();
+    const auto script = hal::make_script(plan.waypoints, plan.start_m);
+    scenario.ticks = std::max(scenario.ticks, hal::script_ticks(script, period_s));
+  }
+  scenario.ticks = std::min(scenario.ticks, static_cast<std::uint64_t>(kLongestS / period_s));
+  return scenario;
+}
+
+}  // namespace stylet::test

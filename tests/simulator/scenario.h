@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// A whole session drawn from a seed: organ, materials, needles, obstacles, breathing, hands and
+// what goes wrong with their devices.
+//
+// Promise: the same seed gives the same scenario. Ranges are wider than any anatomy or needle, but
+// each is one that organ_open, create and the scene reader accept.
+// Units: SI. Frame: world; needles come from +z.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "session.h"
+#include "stylet/hal/guard.h"
+#include "stylet/hal/mapping.h"
+#include "stylet/hal/simulated_hand.h"
+
+namespace stylet::test {
+
+// Numbers from a seed, the same with every standard library.
+class Draw {
+ public:
+  explicit Draw(std::uint64_t seed) : engine_(seed) {}
+
+  double unit() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
+  float between(double low, double high) { return static_cast<float>(low + (high - low) * unit()); }
+  // Each factor of ten as likely as any other.
+  float magnitude(double low, double high);
+  std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(engine_() % count); }
+  bool chance(double share) { return unit() < share; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+// A hand and its device.
+struct HandPlan {
+  hal::Mapping mapping;
+  hal::GuardConfig guard;
+  hal::DeviceInfo limits;
+  hal::SimulatedHandConfig hand;
+  std::vector<hal::Waypoint> waypoints;
+  float start_m = 0;         // tip outside the surface
+  Vec3 turn_per_s = {};      // of the handle, as the vector part of a quaternion
+  double bad_share = 0;      // of samples that are spoiled
+  double dead_from_s = 1e9;  // the device is silent from here on
+};
+
+// The fastest of a gentle hand: a person who takes care.
+constexpr double kGentleMPerS = 0.02;
+
+struct Scenario {
+  std::uint64_t seed = 0;
+  bool gentle = false;  // hands that move slowly and devices that work
+  std::unique_ptr<OpenOrgan> organ;
+  Config config;
+  std::vector<ObstacleConfig> obstacles;
+  std::vector<HandPlan> hands;
+  double late_share = 0;  // of ticks that the loop wakes up too late for
+  std::uint64_t ticks = 0;
+};
+
+Scenario draw_scenario(std::uint64_t seed);
+
+}  // namespace stylet::test

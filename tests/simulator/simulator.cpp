@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulator.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "needle.h"
+#include "promises.h"
+#include "stylet/hal/loop.h"
+
+namespace stylet::test {
+namespace {
+
+using hal::TickRecord;
+
+// Withdrawing at the end: along the needle, at this speed, this far.
+constexpr double kLeaveMPerS = 0.2;
+constexpr double kLeaveM = 0.12;
+constexpr double kLongestRestS = 20;
+constexpr double kAtRestM = 1e-6;
+constexpr double kZeroForceS = 25e-3;
+
+double square_sum(Vec3 a, Vec3 b) {
+  const double x = static_cast<double>(a.x) - static_cast<double>(b.x),
+               y = static_cast<double>(a.y) - static_cast<double>(b.y),
+               z = static_cast<double>(a.z) - static_cast<double>(b.z);
+  return x * x + y * y + z * z;
+}
+
+double dot_double(Vec3 a, Vec3 b) {
+  return static_cast<double>(a.x) * static_cast<double>(b.x) +
+         static_cast<double>(a.y) * static_cast<double>(b.y) +
+         static_cast<double>(a.z) * static_cast<double>(b.z);
+}
+
+// ---- the devices
+// -----------------------------------------------------------------------------------
+
+// The simulated hand, turned, spoiled, and at the end withdrawn.
+struct Player {
+  const HandPlan* plan = nullptr;
+  hal::SimulatedHand hand;
+  Draw draw{0};
+  double period_s = 0;
+  double turn[3] = {};
+  std::uint32_t spoiled_in_a_row = 0;
+  std::uint32_t kind = 0;
+  bool leaving = false;
+  double leave_m_per_s = 0, left_m = 0;
+  std::uint64_t seq = 0;
+};
+
+// Spoils a sample; false: no answer.
+bool spoil(Player& player, hal::Sample& sample) {
+  float* fields[] = {&sample.pose.position_m.x, &sample.pose.position_m.y,
+                     &sample.pose.position_m.z, &sample.pose.rotation.w,
+                     &sample.pose.rotation.x,   &sample.pose.rotation.y,
+                     &sample.pose.rotation.z};
+  float& field = *fields[player.draw.below(7)];
+  switch (player.kind) {
+    case 0:
+      return false;
+    case 1:
+      sample.seq = player.seq;  // stuck
+      return true;
+    case 2:
+      field = std::numeric_limits<float>::quiet_NaN();
+      return true;
+    case 3:
+      field = player.draw.chance(0.5) ? std::numeric_limits<float>::infinity() : -1e30F;
+      return true;
+    case 4:
+      sample.t_ns -= 1'000'000'000;
+      return true;
+    case 5:
+      sample.pose.position_m.x += player.draw.between(-0.3, 0.3);  // plausible, but a jump
+      return true;
+    default:
+      sample.pose.rotation = {0, 1, 0, 0};
+      return true;
+  }
+}
+
+void turn(Player& player, hal::Sample& sample) {
+  const Vec3 rate = player.plan->turn_per_s;
+  const double period = player.leaving ? 0 : player.period_s;
+  player.turn[0] = std::clamp(player.turn[0] + period * static_cast<double>(rate.x), -0.1, 0.1);
+  player.turn[1] = std::clamp(player.turn[1] + period * static_cast<double>(rate.y), -0.1, 0.1);
+  player.turn[2] = std::clamp(player.turn[2] + period * static_cast<double>(rate.z), -1.0, 1.0);
+  const double size = std::sqrt(1 + player.turn[0] * player.turn[0] +
+                                player.turn[1] * player.turn[1] + player.turn[2] * player.turn[2]);
+  sample.pose.rotation = {static_cast<float>(1 / size), static_cast<float>(player.turn[0] / size),
+                          static_cast<float>(player.turn[1] / size),
+                          static_cast<float>(player.turn[2] / size)};
+}
+
+bool read(void* self, std::int64_t now_ns, hal::Sample& sample_out) {
+  Player& player = *static_cast<Player*>(self);
+  const hal::Device hand = hal::simulated_hand_device(player.hand, player.plan->limits);
+  hal::Sample sample = {};
+  (void)hand.read(hand.self, now_ns, sample);
+  turn(player, sample);
+  if (player.leaving) {
+    player.left_m = std::min(player.left_m + player.leave_m_per_s * player.period_s, kLeaveM);
+    sample.pose.position_m.z += static_cast<float>(player.left_m);
+  }
+  const double time_s = static_cast<double>(player.hand.tick) * player.period_s;
+  if (!player.leaving && time_s >= player.plan->dead_from_s) return false;
+  if (!player.leaving && player.spoiled_in_a_row == 0 &&
+      player.draw.chance(player.plan->bad_share)) {
+    player.kind = player.draw.below(7);
+    player.spoiled_in_a_row = 1 + (player.draw.chance(0.2) ? player.draw.below(40) : 0);
+  }
+  const bool spoiled = !player.leaving && player.spoiled_in_a_row > 0;
+  if (spoiled) --player.spoiled_in_a_row;
+  if (spoiled && !spoil(player, sample)) return false;
+  player.seq = sample.seq;
+  sample_out = sample;
+  return true;
+}
+
+void write(void* self, const hal::Command& command) {
+  static_cast<Player*>(self)->hand.force_n = command.force_n;
+}
+
+// ---- the observer of energy
+// ------------------------------------------------------------------------
+
+struct Base {
+  Vec3 position_m;
+  Quat rotation;
+  Vec3 force_n, torque_nm;
+};
+
+struct Observer {
+  std::array<Base, kMaxNeedles> last{};
+  std::array<bool, kMaxNeedles> known{};
+  double work_j = 0, slack_j = 0, last_j = 0, least_j = 0, gain_j = 0;
+  std::uint32_t events = 0;
+  bool off = false;  // a needle began inside an obstacle: with energy that nobody brought
+};
+
+Vec3 turned_by(const Quat& a, const Quat& b) {
+  const Vec3 va = {a.x, a.y, a.z}, vb = {b.x, b.y, b.z};
+  return 2.0F * (a.w * vb - b.w * va - cross(vb, va));
+}
+
+double length(Vec3 v) {
+  return std::sqrt(square_sum(v, {}));
+}
+
+// How far the mean of two wrenches may be from the mean along the way between them.
+double slack_of(const Base& last, const Base& now, Vec3 step, Vec3 turn) {
+  return 0.5 * (std::sqrt(square_sum(now.force_n, last.force_n)) * length(step) +
+                std::sqrt(square_sum(now.torque_nm, last.torque_nm)) * length(turn));
+}
+
+void watch_work(Observer& observer, const Kernel& kernel, std::span<const Output> outputs) {
+  for (std::uint32_t i = 0; i < outputs.size(); ++i) {
+    const NeedleState& own = *needle_view(view_of(kernel), i).state.needle;
+    if (own.handle_known == 0) continue;
+    const Base now = {own.base_m, own.handle.rotation, outputs[i].force_n, outputs[i].torque_nm};
+    const Base& last = observer.last[i];
+    if (observer.known[i]) {
+      const Vec3 step = now.position_m - last.position_m,
+                 turn = turned_by(last.rotation, now.rotation);
+      observer.work_j -= 0.5 * (dot_double(now.force_n, step) + dot_double(last.force_n, step) +
+                                dot_double(now.torque_nm, turn) + dot_double(last.torque_nm, turn));
+      observer.slack_j += slack_of(last, now, step, turn);
+    }
+    observer.last[i] = now;
+    observer.known[i] = true;
+  }
+}
+
+// ---- the session
+// -----------------------------------------------------------------------------------
+
+struct Simulation {
+  const Scenario& scenario;
+  const Tamper& tamper;
+  bool known_gains;
+  Session session;
+  hal::LoopConfig config;
+  hal::LoopState state;
+  hal::Ring<TickRecord> records{2 * kMaxNeedles};
+  hal::VirtualTime time;
+  std::array<Player, kMaxNeedles> players;
+  Draw draw;
+  Observer observer;
+  Verdict verdict;
+  std::array<Vec3, kMaxNeedles> command_n{};
+  std::array<std::uint32_t, kMaxNeedles> ticks_since_fault{}, blind_ticks{};
+
+  std::uint32_t needles() const { return scenario.config.needle_count; }
+};
+
+const char* broken_force(Simulation& s, std::uint32_t needle, const TickRecord& record) {
+  const hal::GuardConfig& guard = s.scenario.hands[needle].guard;
+  const double force = std::sqrt(square_sum(record.command_n, {}));
+  const double change = std::sqrt(square_sum(record.command_n, s.command_n[needle]));
+  const double period_s = static_cast<double>(guard.period_s);
+  s.command_n[needle] = record.command_n;
+  if (!std::isfinite(force)) return "a force that is not finite is sent";
+  if (force > static_cast<double>(guard.max_force_n) * (1 + 1e-6)) return "too large a force";
+  if (change > static_cast<double>(guard.max_slew_n_per_s) * period_s * (1 + 1e-5)) {
+    return "too fast a change of force";
+  }
+  auto& since = s.ticks_since_fault[needle];
+  since = record.fault == hal::Fault::kNone ? 0 : since + 1;
+  auto& blind = s.blind_ticks[needle];
+  blind = record.input.valid != 0 ? 0 : blind + 1;
+  const auto most = static_cast<std::uint32_t>(kZeroForceS / period_s) + 1;
+  if (std::max(since, blind) > most && force > 0) return "force 25 ms after a fault";
+  return nullptr;
+}
+
+void note_use(Simulation& s, std::span<const Output> outputs) {
+  std::uint32_t load = 0;
+  for (const Output& out : outputs) load += out.constraint_particles;
+  std::array<ObstacleTouch, kMaxNeedles * kMaxTouches> touches;
+  const std::uint32_t touched = obstacle_touches(s.session.kernel, touches);
+  s.verdict.touches_max = std::max(s.verdict.touches_max, touched);
+  load += touched;
+  if (load <= s.verdict.busiest_load) return;
+  s.verdict.busiest_load = load;
+  s.verdict.busiest_tick = outputs[0].tick;
+}
+
+// What a contact or a puncture itself makes, by the fall of the observer in its tick.
+void note_gain(Simulation& s, double observed_j, std::uint32_t happened) {
+  Observer& observer = s.observer;
+  const bool event = happened != observer.events;
+  if (event && observed_j < observer.last_j) observer.gain_j += observer.last_j - observed_j;
+  observer.events = happened;
+  observer.last_j = observed_j;
+}
+
+const char* broken_energy(Simulation& s, std::span<const Output> outputs) {
+  if (outputs[0].tick == 1) s.observer.off = stats(s.session.kernel).obstacle_contacts.used > 0;
+  if (s.observer.off) return nullptr;
+  watch_work(s.observer, s.session.kernel, outputs);
+  const Energy e = energy(s.session.kernel);
+  const double observed = s.observer.work_j - (e.elastic + e.kinetic + e.coupling);
+  s.observer.least_j = std::min(s.observer.least_j, observed);
+  note_gain(s, observed, outputs[0].events);
+  double allowed = kObserverJ;
+  if (!s.scenario.gentle) allowed += s.observer.slack_j;
+  if (s.known_gains) allowed += s.observer.gain_j;
+  return observed > -allowed ? nullptr : "more energy comes out of the tissue than went in";
+}
+
+// After a tick, before the next one.
+void check_tick(Simulation& s) {
+  std::array<TickRecord, kMaxNeedles> records;
+  std::array<Output, kMaxNeedles> outputs;
+  std::uint32_t count = 0;
+  while (count < s.needles() && s.records.pop(records[count])) ++count;
+  if (count == 0 || s.verdict.broken != nullptr) return;
+  const char* broken = nullptr;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    outputs[i] = records[i].output;
+    if (broken == nullptr) broken = broken_force(s, i, records[i]);
+  }
+  const std::span all = std::span(outputs).first(count);
+  if (s.tamper) s.tamper(s.session.kernel, outputs[0].tick);
+  if (broken == nullptr) broken = broken_promise(s.session.kernel, all);
+  if (broken == nullptr) broken = broken_energy(s, all);
+  note_use(s, all);
+  s.verdict.ticks = outputs[0].tick;
+  if (broken == nullptr) return;
+  s.verdict.broken = broken;
+  s.verdict.tick = outputs[0].tick;
+  s.state.stop = true;
+}
+
+// An operator who sees a fault, and the device answer again, and arms; and a loop that is late.
+void between_ticks(Simulation& s) {
+  for (std::uint32_t i = 0; i < s.needles(); ++i) {
+    hal::GuardState& guard = s.state.hand[i].guard;
+    if (guard.fault != hal::Fault::kNone && s.blind_ticks[i] == 0 && s.draw.chance(0.01)) {
+      s.verdict.faults += guard_rearm(guard, guard.fault) ? 1 : 0;
+    }
+  }
+  if (s.draw.chance(s.scenario.late_share)) {
+    s.time.now_ns += s.config.period_ns * (1 + s.draw.below(s.draw.chance(0.1) ? 30 : 3));
+  }
+}
+
+hal::Clock checking_clock(Simulation& simulation) {
+  const auto now = [](void* self) { return static_cast<Simulation*>(self)->time.now_ns; };
+  const auto sleep = [](void* self, std::int64_t until_ns) {
+    Simulation& s = *static_cast<Simulation*>(self);
+    check_tick(s);
+    between_ticks(s);
+    s.time.now_ns = std::max(s.time.now_ns, until_ns);
+  };
+  return {&simulation, now, sleep};
+}
+
+void run_ticks(Simulation& s, std::uint64_t ticks) {
+  std::array<hal::Device, kMaxNeedles> devices;
+  for (std::uint32_t i = 0; i < s.needles(); ++i) {
+    devices[i] = {&s.players[i], s.scenario.hands[i].limits, read, write, [](void*) {}};
+  }
+  s.config.ticks = s.state.ticks + ticks;
+  run_loop(s.config, s.session.kernel, std::span(devices).first(s.needles()), checking_clock(s),
+           {&s.records, nullptr, nullptr}, s.state);
+  check_tick(s);
+}
+
+double largest_displacement(const Kernel& kernel) {
+  const View view = view_of(kernel);
+  double largest = 0;
+  for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) {
+    largest =
+        std::max(largest, square_sum({view.state.ux[i], view.state.uy[i], view.state.uz[i]}, {}));
+  }
+  return std::sqrt(largest);
+}
+
+bool all_outside(const Kernel& kernel) {
+  const Stats now = stats(kernel);
+  return now.constraint_particles.used == 0 && now.obstacle_contacts.used == 0;
+}
+
+// Withdraws all needles and waits for the tissue.
+void come_to_rest(Simulation& s) {
+  const double period_s = static_cast<double>(s.scenario.config.period_s);
+  const double speed_m_per_s = s.scenario.gentle ? kGentleMPerS : kLeaveMPerS;
+  for (std::uint32_t i = 0; i < s.needles(); ++i) {
+    s.players[i].leaving = true;
+    s.players[i].leave_m_per_s = speed_m_per_s;
+  }
+  run_ticks(s, static_cast<std::uint64_t>(1.1 * kLeaveM / speed_m_per_s / period_s));
+  while (s.verdict.broken == nullptr && s.verdict.rest_s < kLongestRestS) {
+    if (all_outside(s.session.kernel) && largest_displacement(s.session.kernel) < kAtRestM) return;
+    run_ticks(s, static_cast<std::uint64_t>(0.1 / period_s));
+    s.verdict.rest_s += 0.1;
+  }
+  if (s.verdict.broken != nullptr) return;
+  s.verdict.tick = s.verdict.ticks;
+  s.verdict.broken = all_outside(s.session.kernel) ? "the tissue does not come back to rest"
+                                                   : "a withdrawn needle is still in the tissue";
+}
+
+Session session_of(const Scenario& scenario) {
+  Session session = make_session(scenario.organ->organ, scenario.config);
+  if (set_obstacles(session.kernel, scenario.obstacles) != Status::kOk) std::abort();
+  return session;
+}
+
+}  // namespace
+
+Verdict simulate(const Scenario& scenario, bool known_gains, const Tamper& tamper) {
+  Simulation s{.scenario = scenario,
+               .tamper = tamper,
+               .known_gains = known_gains,
+               .session = session_of(scenario),
+               .config = {},
+               .state = {},
+               .time = {},
+               .players = {},
+               .draw = Draw(scenario.seed + 1),
+               .observer = {},
+               .verdict = {}};
+  const double period_s = static_cast<double>(scenario.config.period_s);
+  s.config.period_ns = std::llround(period_s * 1e9);
+  for (std::uint32_t i = 0; i < s.needles(); ++i) {
+    const HandPlan& plan = scenario.hands[i];
+    s.config.hand[i] = {plan.mapping, plan.guard, {}};
+    Player& player = s.players[i];
+    player.plan = &plan;
+    player.period_s = period_s;
+    player.draw = Draw(scenario.seed * kMaxNeedles + i);
+    player.hand.config = plan.hand;
+    player.hand.period_s = period_s;
+    player.hand.script = hal::make_script(plan.waypoints, plan.start_m);
+  }
+  run_ticks(s, scenario.ticks);
+  if (s.verdict.broken == nullptr) come_to_rest(s);
+  s.verdict.observer_min_j = s.observer.least_j;
+  s.verdict.gain_j = s.observer.gain_j;
+  return s.verdict;
+}
+
+}  // namespace stylet::test

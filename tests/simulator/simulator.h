@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs a scenario through hal's loop in virtual time and checks what must hold after every tick.
+//
+// Checked: promises.h (finite, sums, pools, phases); the force sent is within its limits of size
+// and slew, and zero 25 ms after a fault or the last usable sample; the observer of energy; and,
+// once the needles are withdrawn, that the tissue is back at rest.
+//
+// The observer. Of all needles together, from the start of the session,
+//   E(t) = work of the hands on the needles' bases - energy stored in the tissue and in the springs
+//          of the constraint particles.
+// The work is the integral of the wrench felt over the motion of the bases in the frame of the
+// attachments (breathing moves that frame, and does no work in it), each tick by the mean of the
+// wrenches at its two ends. What the kernel dissipates makes E grow, what an elastic needle and
+// obstacles store is positive and left in it: a kernel that makes no energy keeps E above zero.
+// In a gentle session E stays above -kObserverJ. In the others a hand may move by millimetres in a
+// tick, and what the force did on the way is not known better than by half its change: the check is
+// E > -(kObserverJ + slack), slack the sum of half the change of the wrench times the motion.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "scenario.h"
+
+namespace stylet::test {
+
+constexpr double kObserverJ = 1e-6;
+
+struct Verdict {
+  const char* broken = nullptr;  // nullptr: every promise held
+  std::uint64_t tick = 0;        // where it broke
+  std::uint64_t ticks = 0;
+  double observer_min_j = 0;
+  double gain_j = 0;  // made by contacts and punctures
+  std::uint32_t faults = 0, punctures = 0, touches_max = 0;
+  // The tick with the most to do, by particles and contacts.
+  std::uint64_t busiest_tick = 0;
+  std::uint32_t busiest_load = 0;
+  double rest_s = 0;  // how long the tissue took to come back
+};
+
+// `tamper` is called after every tick: how the tests of the simulator break a promise.
+// `known_gains`: allow the energy that the kernel is known to make in the tick of an event (see
+// README.md); it is measured all the same.
+using Tamper = std::function<void(Kernel&, std::uint64_t tick)>;
+Verdict simulate(const Scenario& scenario, bool known_gains = false, const Tamper& tamper = {});
+
+}  // namespace stylet::test
