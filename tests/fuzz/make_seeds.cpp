@@ -21,7 +21,7 @@ void write_organ(const std::string& path, const TinyOrgan& tiny) {
 void write_organs(const std::string& folder) {
   TinyOrgan one;
   one.nx = one.ny = one.nz = 1;
-  write_organ(folder + "one-voxel", one);
+  write_organ(folder + "one-voxel.organ", one);
   TinyOrgan held;
   held.nx = 3;
   held.ny = held.nz = 2;
@@ -35,14 +35,14 @@ void write_organs(const std::string& folder) {
   held.material_at = [](std::uint16_t x, std::uint16_t, std::uint16_t z) {
     return static_cast<std::uint8_t>((x + z) % 2);
   };
-  write_organ(folder + "two-materials", held);
+  write_organ(folder + "two-materials.organ", held);
   TinyOrgan tall;
   tall.nx = tall.ny = 1;
   tall.nz = 6;
   tall.fixed_faces = kLowZ;
   tall.voxel_edge_m = 2e-3F;
   tall.origin_m = {0.1F, -0.2F, 0.05F};
-  write_organ(folder + "tall", tall);
+  write_organ(folder + "tall.organ", tall);
 }
 
 // Operations as tick_target.cpp reads them: needle, kind, repeats, and their numbers.
@@ -90,7 +90,7 @@ void write_inputs(const std::string& folder) {
              {"bent-fine", 0x42, 0x15, 1},    {"four-needles", 0x1A, 0x09, 1}};
   for (const auto& each : all) {
     const Script script = insertion(each.kind, each.tip, each.obstacles);
-    write(folder + each.name, script.bytes.data(), script.bytes.size());
+    write(folder + each.name + ".bin", script.bytes.data(), script.bytes.size());
   }
 }
 
@@ -98,11 +98,11 @@ void write_inputs(const std::string& folder) {
 void write_changes(const std::string& folder) {
   const std::uint8_t none[] = {2, 0}, missing[] = {0, 3}, attribute[] = {1, 5, 0, 1, 9, 9, 9, 9},
                      column[] = {3, 20, 2, 1, 3, 0, 0}, deleted[] = {2, 12};
-  write(folder + "unchanged", none, sizeof none);
-  write(folder + "missing-attribute", missing, sizeof missing);
-  write(folder + "other-attribute", attribute, sizeof attribute);
-  write(folder + "other-column", column, sizeof column);
-  write(folder + "missing-column", deleted, sizeof deleted);
+  write(folder + "unchanged.bin", none, sizeof none);
+  write(folder + "missing-attribute.bin", missing, sizeof missing);
+  write(folder + "other-attribute.bin", attribute, sizeof attribute);
+  write(folder + "other-column.bin", column, sizeof column);
+  write(folder + "missing-column.bin", deleted, sizeof deleted);
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ HandPlan draw_hand(Draw& draw, const Organ& organ, const Config& config, float l
   if (draw.chance(0.5)) {
     plan.turn_per_s = {draw.between(-0.1, 0.1), draw.between(-0.1, 0.1), draw.between(-3, 3)};
   }
-  if (draw.chance(0.5)) plan.bad_share = draw.magnitude(1e-3, 0.1);
+  if (draw.chance(0.5)) plan.bad_share = static_cast<double>(draw.magnitude(1e-3, 0.1));
   if (draw.chance(0.1)) plan.dead_from_s = static_cast<double>(draw.between(0, 2));
   return plan;
 }
