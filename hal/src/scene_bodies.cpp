@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "stylet/hal/angle.h"
 #include "stylet/hal/mapping.h"
 #include "stylet/limits.h"
 
@@ -64,8 +65,9 @@ Gauge read_gauge(Section& needle) {
 
 double bending_nm2(const Gauge& gauge) {
   const double outer_m = gauge.outer_mm * 1e-3, inner_m = gauge.inner_mm * 1e-3;
+  const double outer_m2 = outer_m * outer_m, inner_m2 = inner_m * inner_m;
   return gauge.youngs_modulus_gpa * 1e9 * std::numbers::pi / 64 *
-         (std::pow(outer_m, 4) - std::pow(inner_m, 4));
+         (outer_m2 * outer_m2 - inner_m2 * inner_m2);
 }
 
 // Keys of one kind of tip are refused with another: they would do nothing.
@@ -92,11 +94,11 @@ void read_tip(Section& needle, NeedleConfig& config) {
 Quat turned(const std::array<double, 3>& degrees) {
   Quat result = {1, 0, 0, 0};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double half = degrees[axis] * std::numbers::pi / 360;
-    const float s = static_cast<float>(std::sin(half));
-    result = product({static_cast<float>(std::cos(half)), axis == 0 ? s : 0, axis == 1 ? s : 0,
-                      axis == 2 ? s : 0},
-                     result);
+    const SineCosine half = sine_cosine(degrees[axis] / 720);
+    const float s = static_cast<float>(half.sine);
+    result = product(
+        {static_cast<float>(half.cosine), axis == 0 ? s : 0, axis == 1 ? s : 0, axis == 2 ? s : 0},
+        result);
   }
   return result;
 }

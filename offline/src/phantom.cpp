@@ -9,10 +9,11 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/facets_in_complex_3_to_triangle_mesh.h>
-#include <CGAL/make_mesh_3.h>
+#include <CGAL/refine_mesh_3.h>
 
 #include <functional>
 #include <map>
+#include <random>
 
 namespace stylet::bake {
 namespace {
@@ -41,6 +42,28 @@ Mesh to_mesh(const Surface& surface) {
   return mesh;
 }
 
+// Where the mesher starts: points of the surface around `inside`, in directions without symmetry.
+// Not CGAL's own start, which takes sines and cosines: their last place is the C library's to
+// choose, and the whole mesh would follow it.
+void start_mesh(const Domain& domain, const Kernel::Point_3& inside, double reach,
+                Complex& complex) {
+  constexpr int kPoints = 12;
+  std::mt19937 engine(1);
+  const auto coordinate = [&engine] { return static_cast<double>(engine()) * 0x1p-31 - 1; };
+  for (int made = 0; made < kPoints;) {
+    const Vec way{coordinate(), coordinate(), coordinate()};
+    const double size = length(way);
+    if (size < 0.1 || size > 1) continue;
+    const Vec far = way * (reach / size);
+    const Kernel::Segment_3 ray(inside, inside + Kernel::Vector_3(far.x, far.y, far.z));
+    const auto [point, index, dimension] = domain.construct_intersection_object()(ray);
+    const auto vertex = complex.triangulation().insert(Triangulation::Weighted_point(point));
+    complex.set_dimension(vertex, dimension);
+    complex.set_index(vertex, index);
+    ++made;
+  }
+}
+
 // The sphere of `reach` around `inside` must hold the whole surface, `inside` be a point within it.
 // CGAL's volume mesher, of which only the boundary is kept: it orders by time of creation, where
 // the surface mesher orders by address and gives another mesh on every call.
@@ -48,14 +71,17 @@ Mesh mesh_implicit(const Function& function, Vec inside, double reach, double fa
                    double tolerance) {
   namespace parameters = CGAL::parameters;
   constexpr double kSmallestAngleDegrees = 30;
-  const Kernel::Sphere_3 bound(Kernel::Point_3(inside.x, inside.y, inside.z), reach * reach);
+  const Kernel::Point_3 middle(inside.x, inside.y, inside.z);
+  const Kernel::Sphere_3 bound(middle, reach * reach);
   const Domain domain =
       Domain::create_implicit_mesh_domain(function, bound, parameters::relative_error_bound = 1e-7);
   const CGAL::Mesh_criteria_3<Triangulation> criteria(
       parameters::facet_angle = kSmallestAngleDegrees, parameters::facet_size = facet * 0.7,
       parameters::facet_distance = tolerance);
-  const Complex complex = CGAL::make_mesh_3<Complex>(domain, criteria, parameters::no_perturb(),
-                                                     parameters::no_exude());
+  Complex complex;
+  start_mesh(domain, middle, reach, complex);
+  CGAL::refine_mesh_3(complex, domain, criteria, parameters::no_reset_c3t3(),
+                      parameters::no_perturb(), parameters::no_exude());
   Surface surface;
   CGAL::facets_in_complex_3_to_triangle_mesh(complex, surface);
   CGAL::Polygon_mesh_processing::orient(surface);
