@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stylet/hal/angle.h"
+
 namespace stylet::hal {
 namespace {
 
@@ -12,7 +14,16 @@ constexpr int kStepsPerTick = 8;
 struct Target {
   double position_m[3];
   double velocity_m_per_s[3];
+  double turns;
 };
+
+// Turns since the start, `share` of the way from a to b.
+double turns_at(const ScriptPoint& a, const ScriptPoint& b, double share) {
+  const double due = share * (b.turns - a.turns);
+  const double whole = std::trunc(due);
+  const double part = (due - whole) / b.duty;
+  return a.turns + whole + std::clamp(part, -1.0, 1.0);
+}
 
 // Remembers the segment it was in: the script is only ever read forward.
 Target target_at(SimulatedHand& hand, double t_s) {
@@ -21,11 +32,12 @@ Target target_at(SimulatedHand& hand, double t_s) {
   const ScriptPoint& a = script[hand.segment];
   const ScriptPoint& b = script[std::min(hand.segment + 1, script.size() - 1)];
   const double span = b.t_s - a.t_s;
-  if (!(span > 0) || t_s >= b.t_s) return {{b.x_m, b.y_m, b.z_m}, {0, 0, 0}};
+  if (!(span > 0) || t_s >= b.t_s) return {{b.x_m, b.y_m, b.z_m}, {0, 0, 0}, b.turns};
   const double share = (t_s - a.t_s) / span;
   const double dx = b.x_m - a.x_m, dy = b.y_m - a.y_m, dz = b.z_m - a.z_m;
   return {{a.x_m + share * dx, a.y_m + share * dy, a.z_m + share * dz},
-          {dx / span, dy / span, dz / span}};
+          {dx / span, dy / span, dz / span},
+          turns_at(a, b, share)};
 }
 
 // m a = k (target - x) + c (target velocity - v) + force, by the implicit midpoint rule.
@@ -52,11 +64,13 @@ bool read(void* self, std::int64_t now_ns, Sample& sample_out) {
   const double start_s = static_cast<double>(hand.tick) * hand.period_s;
   for (int i = 0; i < kStepsPerTick; ++i) step(hand, target_at(hand, start_s + (i + 0.5) * h), h);
   ++hand.tick;
+  const double now_s = static_cast<double>(hand.tick) * hand.period_s;
+  const SineCosine half = sine_cosine(0.5 * target_at(hand, now_s).turns);
   sample_out = {hand.tick,
                 now_ns,
                 {{static_cast<float>(hand.position_m[0]), static_cast<float>(hand.position_m[1]),
                   static_cast<float>(hand.position_m[2])},
-                 {1, 0, 0, 0}},
+                 {static_cast<float>(half.cosine), 0, 0, static_cast<float>(half.sine)}},
                 0};
   return true;
 }
@@ -71,19 +85,29 @@ void close(void* self) {
 
 }  // namespace
 
+double seconds_between(const Waypoint& from, const Waypoint& to) {
+  if (!(to.speed_m_per_s > 0)) return static_cast<double>(to.time_s);
+  const double ahead = static_cast<double>(to.travel_m) - static_cast<double>(from.travel_m);
+  const double right = static_cast<double>(to.right_m) - static_cast<double>(from.right_m);
+  const double up = static_cast<double>(to.up_m) - static_cast<double>(from.up_m);
+  return std::sqrt(ahead * ahead + right * right + up * up) / static_cast<double>(to.speed_m_per_s);
+}
+
 std::vector<ScriptPoint> make_script(const std::vector<Waypoint>& waypoints, float start_m) {
   const double start = static_cast<double>(start_m);
   std::vector<ScriptPoint> script = {{0, 0, 0, 0}};
+  Waypoint last;
+  last.travel_m = -start_m;
   for (const Waypoint& w : waypoints) {
-    const ScriptPoint from = script.back();
-    ScriptPoint to = {0, static_cast<double>(w.right_m), static_cast<double>(w.up_m),
-                      -(static_cast<double>(w.travel_m) + start)};
-    const double dx = to.x_m - from.x_m, dy = to.y_m - from.y_m, dz = to.z_m - from.z_m;
-    const double way = std::sqrt(dx * dx + dy * dy + dz * dz);
-    const bool by_speed = w.speed_m_per_s > 0;
-    to.t_s = from.t_s + (by_speed ? way / static_cast<double>(w.speed_m_per_s)
-                                  : static_cast<double>(w.time_s));
+    ScriptPoint to = script.back();
+    to.t_s += seconds_between(last, w);
+    to.x_m = static_cast<double>(w.right_m);
+    to.y_m = static_cast<double>(w.up_m);
+    to.z_m = -(static_cast<double>(w.travel_m) + start);
+    to.turns += static_cast<double>(w.turns);
+    to.duty = static_cast<double>(w.duty);
     script.push_back(to);
+    last = w;
     if (w.hold_s > 0) {
       to.t_s += static_cast<double>(w.hold_s);
       script.push_back(to);

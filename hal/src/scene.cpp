@@ -74,6 +74,23 @@ void read_guard(Section device, Section guard, const Config& config, Hand& out) 
   guard.finish();
 }
 
+// The roll on the way to `w`, whose place and pace are known.
+void read_spin(Section& section, const Waypoint& last, Waypoint& w) {
+  w.turns = static_cast<float>(section.number("turns", 0, -10000, 10000));
+  w.duty = static_cast<float>(section.number("duty", 1, 0.05, 1));
+  if (section.has("duty") && !section.has("turns")) section.fail("duty", "only with turns");
+  const double turns = std::fabs(static_cast<double>(w.turns));
+  if (w.duty < 1 && turns != std::floor(turns)) {
+    section.fail("turns", "a whole number where duty is below 1");
+  }
+  const double most = static_cast<double>(kMaxHandleSpinRadPerS) / (2 * std::numbers::pi);
+  if (turns > most * static_cast<double>(w.duty) * seconds_between(last, w)) {
+    section.fail("turns", fmt::format("at most {:.2f} in a second of rolling, which is duty times "
+                                      "the time of the way",
+                                      most));
+  }
+}
+
 Waypoint read_waypoint(Section section, const Waypoint& last) {
   Waypoint w;
   w.travel_m =
@@ -86,12 +103,13 @@ Waypoint read_waypoint(Section section, const Waypoint& last) {
   w.speed_m_per_s = si(section.number("speed_mm_s", 0, 0.001, 5000), 1e-3);
   w.time_s = static_cast<float>(section.number("time_s", 0, 0, 3600));
   w.hold_s = static_cast<float>(section.number("hold_s", 0, 0, 3600));
-  const bool moves = section.has("travel_mm") || section.has("lateral_mm");
+  const bool moves = section.has("travel_mm") || section.has("lateral_mm") || section.has("turns");
   const int paces = (section.has("speed_mm_s") ? 1 : 0) + (section.has("time_s") ? 1 : 0);
   if (moves && paces != 1) {
     section.fail("speed_mm_s", "a waypoint that moves has either speed_mm_s or time_s");
   }
   if (!moves && paces != 0) section.fail("travel_mm", "a waypoint with a pace needs a place to go");
+  read_spin(section, last, w);
   section.finish();
   return w;
 }

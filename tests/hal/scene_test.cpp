@@ -165,6 +165,9 @@ TEST(Scene, EveryMistakeNamesItsLineAndWhatIsAllowed) {
       {"time_s = 0.5", "time_s = 0.5\nspeed_mm_s = 3", "speed_mm_s = 3",
        "either speed_mm_s or time_s"},
       {"lateral_mm = [2, -1]", "", "time_s", "needs a place to go", 2},
+      {"time_s = 0.5", "time_s = 0.5\nduty = 0.5", "duty", "only with turns"},
+      {"time_s = 0.5", "time_s = 0.5\nturns = 1.5\nduty = 0.5", "turns", "a whole number where"},
+      {"time_s = 0.5", "time_s = 0.5\nturns = -3\nduty = 0.5", "turns", "at most 9.55 in a second"},
       {"[hand]", "[hand", "[hand", "not TOML"},
   };
   for (const Mistake& each : mistakes) {
@@ -279,6 +282,16 @@ TEST(Scene, HullsAreReadFromTheirFile) {
   }
   std::filesystem::remove(hull);
   EXPECT_THROW((void)parse_scene(changed("[guard]", keys), beside), SceneError);
+}
+
+TEST(Scene, WaypointsThatRoll) {
+  const auto last = [](const std::string& keys) {
+    return parse_scene(changed("time_s = 0.5", "time_s = 0.5\n" + keys), "s").hands[0].waypoints[1];
+  };
+  EXPECT_EQ(last("").turns, 0);
+  EXPECT_EQ(last("turns = -2").turns, -2);
+  EXPECT_EQ(last("turns = 1.25").duty, 1);
+  EXPECT_EQ(last("turns = 2\nduty = 0.5").duty, 0.5F);
 }
 
 TEST(Scene, SteeredHandNeedsATarget) {

@@ -108,5 +108,37 @@ TEST(Script, TimesFollowFromSpeedsTimesAndHolds) {
   EXPECT_EQ(script_ticks({{0, 0, 0, 0}, {0.0015, 0, 0, 0}}, 1e-3), 2U);
 }
 
+// Roll of the base in turns, from the quaternion about z.
+double turns_of(const Sample& sample) {
+  const Quat& q = sample.pose.rotation;
+  return std::atan2(static_cast<double>(q.z), static_cast<double>(q.w)) / 3.14159265358979;
+}
+
+TEST(SimulatedHand, RollsForTheDutyOfEveryTurn) {
+  // Four turns in 2 s, each in the first quarter of its half second; then half a turn back.
+  SimulatedHand hand;
+  hand.script = make_script(
+      {Waypoint{
+           .travel_m = 0.02F, .speed_m_per_s = 0.01F, .hold_s = 0.5F, .turns = 4, .duty = 0.25F},
+       Waypoint{.travel_m = 0.02F, .time_s = 1, .turns = -0.5F}},
+      0);
+  const Device device = simulated_hand_device(hand, {"hand", 8, 2000});
+  double total = 0, last = 0;
+  for (int tick = 1; tick <= 3500; ++tick) {
+    Sample sample{};
+    ASSERT_TRUE(device.read(device.self, 0, sample));
+    const double now = turns_of(sample);
+    double step = now - last;
+    step -= 2 * std::round(0.5 * step);  // the quaternion's angle comes back after two turns
+    last = now;
+    total += step;
+    const double t = tick * kPeriodS, cycle = t / 0.5 - std::floor(t / 0.5 + 1e-9);
+    const double wanted = t <= 2     ? std::floor(t / 0.5 + 1e-9) + std::min(1.0, 4 * cycle)
+                          : t <= 2.5 ? 4
+                                     : 4 - 0.5 * (t - 2.5);
+    ASSERT_NEAR(total, wanted, 1e-6) << tick;
+  }
+}
+
 }  // namespace
 }  // namespace stylet::hal

@@ -3,9 +3,12 @@
 //
 // The force it is given pushes the mass back, so the loop is closed as with a person. Time is the
 // loop's tick, not the clock: the same forces give the same motion, bit for bit. Each read is one
-// tick of implicit midpoint steps, stable for every mass, spring and damper.
-// Promises: only + - * /, no allocation after make_script.
-// Units: SI. Frame: the device's; at rest at the origin, pushing the needle moves along -z.
+// tick of implicit midpoint steps, stable for every mass, spring and damper. The roll of the base
+// is the script's own: nothing turns it back. Rolled for a part of every turn's time only
+// (duty-cycled spinning, Minhas et al. 2007), a bevelled needle bends by the rest of its curvature.
+// Promises: only + - * / sqrt, no allocation after make_script.
+// Units: SI, turns. Frame: the device's; at rest at the origin, pushing the needle moves along -z;
+// turns are about z, positive from x to y.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +26,11 @@ struct Waypoint {
   float speed_m_per_s = 0;  // 0: take time_s instead
   float time_s = 0;
   float hold_s = 0;
+  float turns = 0;  // of the base, on the way
+  float duty = 1;   // share of each turn's time in which the base rolls; the rest it waits
 };
+// Of the way between two places, at the second one's pace.
+double seconds_between(const Waypoint& from, const Waypoint& to);
 
 struct SimulatedHandConfig {
   float mass_kg = 0.2F;
@@ -31,9 +38,11 @@ struct SimulatedHandConfig {
   float damping_n_s_per_m = 30;
 };
 
-// The target between two moments moves in a straight line at constant speed.
+// The target between two moments moves in a straight line at constant speed. `turns` are since the
+// start, `duty` is of the way here.
 struct ScriptPoint {
   double t_s, x_m, y_m, z_m;
+  double turns = 0, duty = 1;
 };
 std::vector<ScriptPoint> make_script(const std::vector<Waypoint>& waypoints, float start_m);
 std::uint64_t script_ticks(const std::vector<ScriptPoint>& script, double period_s);
