@@ -21,11 +21,12 @@ BIN = pathlib.Path(os.environ.get(
 
 
 class Run:
-    """The columns of a recording as pictures and tests want them, SI units."""
+    """The columns of a recording, of one of its needles, as pictures and tests want them, in SI."""
 
-    def __init__(self, recording):
+    def __init__(self, recording, number=0):
         self.path = recording
-        with h5py.File(recording) as file:
+        with h5py.File(recording) as whole:
+            file = whole[f"needle{number}"] if number else whole
             w, x, y, z = np.asarray(file["input/rotation_wxyz"], float).T
             along = -np.stack([2 * (x * z + w * y), 2 * (y * z - w * x),
                                1 - 2 * (x * x + y * y)], 1)[0]
@@ -42,9 +43,10 @@ class Run:
             self.particles = np.asarray(file["output/constraint_particles"]).astype(int)
             self.events = [(int(tick), EVENTS[kind], int(layer), float(force)) for
                            tick, kind, layer, force, needle in
-                           zip(file["events/tick"], file["events/kind"], file["events/layer"],
-                               file["events/force_n"], file["events/needle"])
-                           if needle == 0]
+                           zip(whole["events/tick"], whole["events/kind"], whole["events/layer"],
+                               whole["events/force_n"], whole["events/needle"])
+                           if needle == number]
+        self.known_shapes, self.wrench = {}, {"ticks": 0}
         self.axial_n = -self.force_n @ along  # positive where the hand is pushed back
         contact = self.index("contact")
         self.travel_m = (self.tip_m - self.tip_m[contact]) @ along
@@ -58,10 +60,16 @@ class Run:
         return self.ticks(kind)[which] - 1
 
     def shapes(self, *ticks):
-        """Needles, constraint particles and surface at these ticks."""
-        done = subprocess.run([BIN / "stylet-snapshot", self.path, *map(str, ticks)],
-                              capture_output=True, text=True, check=True)
-        return json.loads(done.stdout)
+        """Needles, constraint particles and surface at these ticks, replayed if not yet known.
+
+        self.wrench is then by how much force and torque missed the sums over the particles."""
+        if not set(ticks) <= set(self.known_shapes):
+            done = subprocess.run([BIN / "stylet-snapshot", self.path, *map(str, ticks)],
+                                  capture_output=True, text=True, check=True)
+            new = json.loads(done.stdout)
+            self.known_shapes |= {shape["tick"]: shape for shape in new["shapes"]}
+            self.wrench = max(self.wrench, new["wrench"], key=lambda wrench: wrench["ticks"])
+        return [self.known_shapes[tick] for tick in ticks]
 
 
 def thinned(*columns):
@@ -117,10 +125,11 @@ def force_over_time(run, title):
             "marks": marks, "key": "outside right top"}
 
 
-def force_over_travel(run, title, layers=()):
-    marks = [(run.travel_m[tick - 1] * 1e3, layers[layer] if layers else name)
+def force_over_travel(run, title, layers):
+    marks = [(run.travel_m[tick - 1] * 1e3, layers[layer])
              for tick, name, layer, _ in run.events
-             if name in ("puncture", "layer") and run.hand_m[tick - 1] < run.hand_m.max() * 0.999
+             if name in ("puncture", "layer") and layer < len(layers)
+             and run.hand_m[tick - 1] < run.hand_m.max() * 0.999
              and tick <= int(np.argmax(run.hand_m)) + 1]
     return {"title": title, "x": "tip travel beyond the first contact / mm", "y": "force / N",
             "lines": [(run.travel_m * 1e3, run.axial_n, "axial force")], "marks": marks}
@@ -128,7 +137,7 @@ def force_over_travel(run, title, layers=()):
 
 def cut_through(run, ticks, title, across=(1, 0, 0), up=(0, 0, 1)):
     """Side view: the surface's points within 4 mm of the needle's plane, needles and particles."""
-    shapes = run.shapes(*ticks)["shapes"]
+    shapes = run.shapes(*ticks)
     normal = np.cross(across, up)
     panels = []
     for shape in shapes:
@@ -204,7 +213,7 @@ def fig08_liver_rigid(run):
 
 def fig10_steering(run):
     """Seen from the side, in the plane of the bevel; the cubes as the scene places them."""
-    line = np.array(run.shapes(len(run.time_s))["shapes"][0]["needles"][0]) * 1e3
+    line = np.array(run.shapes(len(run.time_s))[0]["needles"][0]) * 1e3
     cubes = []
     for number, (x, z) in enumerate(((55, 6.5), (100, -8)), 1):
         corner = np.array([-8, 8, 8, -8, -8])
@@ -221,20 +230,30 @@ BIOPSY = ["abdominal wall", "liver", "tumour", "liver capsule"]
 
 
 def liver_biopsy(run):
-    inside = [(tick, name, layer, force) for tick, name, layer, force in run.events
-              if layer < len(BIOPSY)]
-    run.events = inside
     return [force_over_travel(run, "Liver biopsy: the tip enters", BIOPSY),
             force_over_time(run, "The same over time")]
 
 
 def prostate_template(run):
-    shape = run.shapes(len(run.time_s))["shapes"][0]
+    shape = run.shapes(len(run.time_s))[0]
     first, second = (np.array(needle) * 1e3 for needle in shape["needles"])
     return [force_over_time(run, "The first needle"),
             {"title": "Both at the end", "x": "x / mm", "y": "y / mm", "equal": True,
              "lines": [(first[:, 0], first[:, 1], "first"),
                        (second[:, 0], second[:, 1], "second")]}]
+
+
+def prostate_spinning(run):
+    """Needles at the end, seen from the side, drawn higher than they are; a stretch of the roll."""
+    needles = run.shapes(len(run.time_s))[0]["needles"]
+    lines = [np.array(needle) * 1e3 for needle in needles]
+    names = ["not spun", "spun half of the time", "spun all the time"]
+    rolls = [(spun.time_s[3000:4500], spun.bevel[3000:4500] @ (0, 0, 1), name)
+             for spun, name in zip((Run(run.path, 1), Run(run.path, 2)), names[1:])]
+    return [{"title": "Spun needles bend less", "x": "x / mm", "y": "z / mm",
+             "lines": [(line[:, 0], line[:, 2], name) for line, name in zip(lines, names)]},
+            {"title": "Roll of the base", "x": "time / s", "y": "bevel faces z: cosine",
+             "lines": rolls, "key": "outside right top"}]
 
 
 LUMBAR = ["skin", "fat", "ligament", "flavum", "epidural space"]
@@ -245,7 +264,10 @@ def lumbar_puncture(run):
             force_over_time(run, "The same over time")]
 
 
-def draw(name, recording, picture):
-    run = Run(recording)
+def draw(name, run, picture):
+    if name == "fig09-force-curve":  # the program draws this one itself
+        subprocess.run([BIN / "stylet", "plot", run.path, "-o", picture], check=True,
+                       capture_output=True)
+        return
     panels = globals()[name.replace("-", "_")](run)
     draw_panels(panels, picture)

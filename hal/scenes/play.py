@@ -44,6 +44,8 @@ def recipe_of(name):
 
 
 def call(words):
+    if not pathlib.Path(words[0]).exists():
+        raise RuntimeError(f"{words[0]}: is not there; build it, or set STYLET_BIN to its folder")
     done = subprocess.run([str(word) for word in words], capture_output=True, text=True)
     if done.returncode != 0:
         raise RuntimeError(f"{shlex.join(map(str, words))}: exit code {done.returncode}\n"
@@ -93,7 +95,7 @@ def main():
             print(f"{name}: skipped: {missing}")
             continue
         picture = folder / f"{name}.svg"
-        draw.draw(name, recording, picture)
+        draw.draw(name, draw.Run(recording), picture)
         if options.pictures:
             shutil.copy(picture, HERE / "pictures" / picture.name)
         print(f"{name}: {len(report['events'])} events, {picture}")
