@@ -14,9 +14,10 @@ import h5py
 import numpy as np
 
 SOURCE = pathlib.Path(os.environ["STYLET_SOURCE"])
-sys.path.insert(0, str(SOURCE / "hal/scenes"))
+sys.path[:0] = [str(SOURCE / "hal/scenes"), str(SOURCE / "tests/golden")]
 
 import draw  # noqa: E402
+import golden  # noqa: E402
 import play  # noqa: E402
 
 
@@ -28,6 +29,8 @@ class Scene(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
+        if not cls.name:
+            raise unittest.SkipTest("has no scene of its own")
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = pathlib.Path(folder.name)
@@ -43,8 +46,23 @@ class Scene(unittest.TestCase):
         for key in ("cp_pool_full", "cp_voxel_pool_full", "kernel_fault", "guard_faults"):
             self.assertEqual(counters[key], 0, key)
         picture = self.folder / "picture.svg"
-        draw.draw(self.name, self.run_.path, picture)
+        draw.draw(self.name, self.run_, picture)
         self.assertGreater(len(picture.read_text()), 5000)
+
+    def test_golden(self):
+        """Bit for bit what it was when it was last looked at: tests/golden/README.md."""
+        table = golden.read_table()
+        self.assertIn(self.name, table, "no golden replay yet: tests/golden/golden.py")
+        change = golden.difference(table[self.name], golden.digest(self.run_.path))
+        self.assertFalse(change, f"{self.name}: {change}")
+
+    def test_wrench_at_the_handle_is_the_sum_at_every_tick(self):
+        self.run_.shapes(len(self.run_.time_s))
+        wrench = self.run_.wrench
+        self.assertEqual(wrench["ticks"], len(self.run_.time_s))
+        self.assertGreater(wrench["force_share"], 0, "nothing was summed")
+        self.assertLess(wrench["force_share"], 1e-6, wrench)
+        self.assertLess(wrench["torque_share"], 1e-6, wrench)
 
     def kinds(self):
         return [kind for _, kind, _, _ in self.run_.events]
@@ -77,7 +95,7 @@ class Fig02ConstraintParticles(Scene):
 
     def test_two_particles_hold_a_voxel_and_the_needle_bends(self):
         self.check_quiet()
-        shape = self.run_.shapes(len(self.run_.time_s))["shapes"][0]
+        shape = self.run_.shapes(len(self.run_.time_s))[0]
         places = np.array([p["goal_m"] for p in shape["particles"]])
         voxels, held = np.unique(np.floor(places / 10e-3), axis=0, return_counts=True)
         self.assertGreaterEqual(held.max(), 2, voxels)
@@ -94,7 +112,7 @@ class Fig02ConstraintParticles(Scene):
         bending = bending_of(0.7176e-3, 0.413e-3)
         energies = [s["coupling_energy_j"] + s["elastic_energy_j"] +
                     bending_energy(s["needles"][0], bending, run.along)
-                    for s in run.shapes(*ticks)["shapes"]]
+                    for s in run.shapes(*ticks)]
         side, force = draw.sideways(run)
         low, middle, high = (tick - 1 for tick in ticks)
         slope = (energies[2] - energies[0]) / (side[high] - side[low])
@@ -152,7 +170,7 @@ class Fig07LiverFlexible(Scene):
     def test_needle_bends_and_keeps_its_length(self):
         self.check_quiet()
         run = self.run_
-        shape = run.shapes(len(run.time_s))["shapes"][0]
+        shape = run.shapes(len(run.time_s))[0]
         needle = np.array(shape["needles"][0])
         rods = np.linalg.norm(np.diff(needle, axis=0), axis=1)
         self.assert_within(float(rods.sum()), 0.15, 1e-5)
@@ -166,7 +184,7 @@ class Fig07LiverFlexible(Scene):
 
     def test_force_on_the_hand_is_the_sum_over_the_particles(self):
         run = self.run_
-        shape = run.shapes(len(run.time_s))["shapes"][0]
+        shape = run.shapes(len(run.time_s))[0]
         total = np.sum([p["force_n"] for p in shape["particles"]], axis=0)
         self.assertLess(np.linalg.norm(total - run.force_n[-1]),
                         1e-5 * np.linalg.norm(run.force_n[-1]))
@@ -261,12 +279,22 @@ class Fig08LiverRigid(Scene):
 
     def test_the_surface_is_drawn_in_and_comes_back(self):
         run = self.run_
-        before, dented, after = run.shapes(1, run.index("puncture"), len(run.time_s))["shapes"]
+        before, dented, after = run.shapes(1, run.index("puncture"), len(run.time_s))
         rest = np.array(before["surface_m"])
         depth = np.linalg.norm(np.array(dented["surface_m"]) - rest, axis=1).max()
         left = np.linalg.norm(np.array(after["surface_m"]) - rest, axis=1).max()
         self.assertGreater(depth, 1e-3)
         self.assertLess(left, 0.05 * depth)
+
+
+class Fig09ForceCurve(Scene):
+    """What its curve must show is in cli_test.py."""
+
+    name = "fig09-force-curve"
+
+    def test_all_phases(self):
+        self.check_quiet()
+        self.assertEqual(self.kinds()[:2], ["contact", "puncture"])
 
 
 class Fig10Steering(Scene):
@@ -379,6 +407,28 @@ class ProstateTemplate(Scene):
                    draw.EVENTS[kind] == "puncture"] for needle in (0, 1)]
         np.testing.assert_allclose(forces[0], forces[1], rtol=0.01)
         np.testing.assert_allclose(forces[0], [2, 2], rtol=0.02)
+
+
+class ProstateSpinning(Scene):
+    name = "prostate-spinning"
+    DUTY = (0, 0.5, 1)
+
+    def test_needles_bend_by_what_the_spinning_leaves(self):
+        self.check_quiet()
+        runs = [draw.Run(self.run_.path, needle) for needle in range(3)]
+        aside = [run.tip_m[-1, 2] - run.tip_m[0, 2] for run in runs]
+        self.assertGreater(aside[0], 3e-3)
+        for duty, way in zip(self.DUTY, aside):
+            self.assertLess(abs(way / aside[0] - (1 - duty)), 0.05, aside)
+
+    def test_middle_needle_rolls_half_of_the_time(self):
+        with h5py.File(self.run_.path) as file:
+            w, _, _, z = np.asarray(file["needle1/device/rotation_wxyz"], float).T
+        turns = np.unwrap(2 * np.arctan2(z, w)) / (2 * np.pi)
+        self.assert_within(turns[-1], 30, 1e-6)
+        rolls = np.diff(turns[:9000]) > 1e-6  # 80 and 10 mm at 10 mm/s
+        self.assert_within(float(np.mean(rolls)), 0.5, 0.02)
+        self.assert_within(float(np.max(np.diff(turns))), 30 / 9 / 0.5 * 1e-3, 0.02)
 
 
 if __name__ == "__main__":

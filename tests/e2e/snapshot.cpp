@@ -3,10 +3,13 @@
 //
 // Replays the recording up to each tick (rising) and prints one JSON object: per tick the needles
 // from handle to tip, the constraint particles with place, goal and force, the energy, and the
-// surface's points; once, the surface's triangles. Units: metres, newtons, joules; frame: world.
+// surface's points; once, by how much force and torque at the handles missed the sums over
+// particles and contacts, in the worst tick of all on the way. Units: metres, newtons, joules;
+// frame: world.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <exception>
 #include <nlohmann/json.hpp>
@@ -68,6 +71,69 @@ Json shape_of(const Kernel& kernel, const Organ& organ, const Config& config, st
           {"surface_m", places}};
 }
 
+struct Vec {
+  double x = 0, y = 0, z = 0;
+};
+Vec wide(Vec3 v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+Vec minus(const Vec& a, const Vec& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+double size(const Vec& v) {
+  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+}
+void add(Vec& sum, const Vec& v) {
+  sum = {sum.x + v.x, sum.y + v.y, sum.z + v.z};
+}
+
+// Sum of what particles and contacts do to one needle, and of the sizes that went into it.
+struct Wrench {
+  Vec force_n, torque_nm;
+  double force_size_n = 0, torque_size_nm = 0;
+
+  void take(const Vec& handle, Vec3 place, Vec3 force) {
+    const Vec f = wide(force), arm = minus(wide(place), handle);
+    add(force_n, f);
+    add(torque_nm,
+        {arm.y * f.z - arm.z * f.y, arm.z * f.x - arm.x * f.z, arm.x * f.y - arm.y * f.x});
+    force_size_n += size(f);
+    torque_size_nm += size(arm) * size(f);
+  }
+};
+
+// The largest miss so far, of force and of torque, as shares of what was summed.
+struct WorstWrench {
+  double force_share = 0, torque_share = 0;
+  std::uint64_t tick = 0;  // of the larger one
+};
+
+void check_wrench(const Kernel& kernel, std::uint32_t needle, const Input& input,
+                  const Output& output, WorstWrench& worst) {
+  constexpr double kNoForceN = 1e-9;  // below it there is nothing to compare
+  static std::vector<ConstraintParticle> particles(kMaxNeedles * (kMaxConstraintParticles + 1));
+  static std::vector<ObstacleTouch> touches(kMaxNeedles * kMaxTouches);
+  const Vec handle = wide(input.handle.position_m);
+  Wrench sum;
+  const std::uint32_t held = constraint_particles(kernel, particles);
+  for (const ConstraintParticle& p : std::span(particles).first(held)) {
+    if (p.needle == needle) sum.take(handle, p.position_m, p.force_on_needle_n);
+  }
+  const std::uint32_t touching = obstacle_touches(kernel, touches);
+  for (const ObstacleTouch& t : std::span(touches).first(touching)) {
+    if (t.needle == needle) sum.take(handle, t.position_m, t.force_on_needle_n);
+  }
+  const double force =
+      size(minus(wide(output.force_n), sum.force_n)) / std::max(sum.force_size_n, kNoForceN);
+  const double torque =
+      size(minus(wide(output.torque_nm), sum.torque_nm)) / std::max(sum.torque_size_nm, kNoForceN);
+  if (std::max(force, torque) > std::max(worst.force_share, worst.torque_share)) {
+    worst.tick = output.tick;
+  }
+  worst.force_share = std::max(worst.force_share, force);
+  worst.torque_share = std::max(worst.torque_share, torque);
+}
+
 void run(const std::string& path, std::vector<std::uint64_t> ticks) {
   const hal::RecordingReader recording(path);
   const hal::OrganFile organ =
@@ -78,14 +144,12 @@ void run(const std::string& path, std::vector<std::uint64_t> ticks) {
   if (ticks.empty() || ticks.back() > recording.ticks()) {
     throw std::runtime_error(fmt::format("{}: expected ticks up to {}", path, recording.ticks()));
   }
-  Json out = {{"triangles", Json::array()}, {"shapes", Json::array()}};
-  for (const OrganTriangle& t : organ.organ.triangles) {
-    out["triangles"].push_back({t.a, t.b, t.c});
-  }
+  Json out = {{"shapes", Json::array()}};
   std::vector<Input> inputs(config.needle_count);
   std::vector<Output> outputs(config.needle_count);
   std::vector<hal::TickRecord> row(1);
   std::uint64_t done = 0;
+  WorstWrench worst;
   for (const std::uint64_t at : ticks) {
     for (; done < at; ++done) {
       for (std::uint32_t n = 0; n < config.needle_count; ++n) {
@@ -93,9 +157,16 @@ void run(const std::string& path, std::vector<std::uint64_t> ticks) {
         inputs[n] = row[0].input;
       }
       tick(instance.kernel, inputs, outputs);
+      for (std::uint32_t n = 0; n < config.needle_count; ++n) {
+        check_wrench(instance.kernel, n, inputs[n], outputs[n], worst);
+      }
     }
     out["shapes"].push_back(shape_of(instance.kernel, organ.organ, config, at));
   }
+  out["wrench"] = {{"force_share", worst.force_share},
+                   {"torque_share", worst.torque_share},
+                   {"tick", worst.tick},
+                   {"ticks", done}};
   fmt::print("{}\n", out.dump());
 }
 
