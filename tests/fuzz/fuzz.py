@@ -5,10 +5,10 @@
 usage: fuzz.py BUILD_FOLDER TARGET... [--runs N | --seconds N] [--seed N]
 
 Starts from the seeds committed in tests/fuzz/seeds/TARGET. With --runs the same inputs are tried
-every time (CI); with --seconds as many as fit, from a seed of the day or --seed. What it finds worth
+every time (CI); with --seconds as many as fit, from a seed of the day or --seed. What is worth
 keeping stays in BUILD_FOLDER/corpus/TARGET for the next run. An input that breaks a promise is left
-in BUILD_FOLDER/finds: once mended it belongs into the seeds (as NAME.bin where it is not text), where every build replays
-it.
+in BUILD_FOLDER/finds; once mended it belongs into the seeds, where every build replays it, with a
+suffix (.bin where it is not text).
 """
 import argparse
 import os
