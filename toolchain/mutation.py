@@ -22,7 +22,9 @@ SOURCE = pathlib.Path(__file__).resolve().parents[1]
 SURVIVORS = SOURCE / "toolchain" / "mutation_survivors.txt"
 # What is changed, and the programs that must notice, with their arguments: the quickest first.
 SUBJECTS = {
-    "guard": ("hal/src/guard.cpp", [["hal_guard"], ["device_faults", "--gtest_filter=DeviceFaults.*"], ["hal_loop"]]),
+    "guard": ("hal/src/guard.cpp", [["hal_guard"],
+                                        ["device_faults", "--gtest_filter=DeviceFaults.*"],
+                                        ["hal_loop"]]),
     "organ": ("kernel/src/organ.cpp",
               [["unit_organ_open"], ["fuzz_organ", SOURCE / "tests/fuzz/seeds/organ"]]),
     "coupling": ("kernel/src/coupling.cpp",
