@@ -9,6 +9,7 @@
 // forces stay in cache; nothing else is stored.
 
 #include "lattice.h"
+#include "lattice_team.h"
 #include "rotation.h"
 
 namespace stylet {
@@ -230,7 +231,8 @@ void spread_plane(const View& view, const Plane& plane, float* low, float* high)
 
 struct Motion {
   float dt, tau, keep;
-  WideBits largest;  // displacement so far: its bits, which as integers have the order of floats
+  // Largest displacement so far: its bits, which as integers have the order of floats.
+  WideBits largest = {};
 };
 
 // Moves a group of lanes along one axis.
@@ -261,7 +263,8 @@ void move_particles(const View& view, const Plane& plane, const float* below, co
   const float* per_mass = view.model.step_per_mass + plane.particle_begin;
   const float* hold = view.model.hold + plane.particle_begin;
   const std::ptrdiff_t count = plane.particle_end - plane.particle_begin;
-  for (std::ptrdiff_t group = 0; group < count; group += kLanes) {
+  // The first group is padding. It is not written: the slab below may read it meanwhile.
+  for (std::ptrdiff_t group = kLanes; group < count; group += kLanes) {
     for (std::ptrdiff_t i = group; i < group + kLanes; i += kWide) {
       for (std::ptrdiff_t c = 0; c < 3; ++c) {
         const Wide force = load(below + i + c * force_axis) + load(here + i + c * force_axis);
@@ -285,7 +288,7 @@ float largest_displacement(const Motion& motion) {
 void clear(const View& view, const Plane& plane, float* force) {
   const auto axis = static_cast<std::ptrdiff_t>(view.model.head->counts.particles_per_plane);
   const float* const end = force + (plane.particle_end - plane.particle_begin);
-  for (; force != end; force += kLanes) {
+  for (force += kLanes; force != end; force += kLanes) {
     for (std::uint32_t i = 0; i < kLanes; i += kWide) {
       store(force + i, Wide{});
       store(force + i + axis, Wide{});
@@ -294,36 +297,80 @@ void clear(const View& view, const Plane& plane, float* force) {
   }
 }
 
+// Sweeps the voxel planes of a slab and moves the particles they share. Particles at the slab's low
+// end stay, unless they are the lattice's, and `kept` has the forces on them from above; returns
+// the forces on those at its high end from below.
+float* sweep_planes(const View& view, std::uint32_t begin, std::uint32_t end, float* kept,
+                    Motion& motion) {
+  const std::size_t part = 3 * std::size_t{view.model.head->counts.particles_per_plane};
+  const Plane* const plane = view.model.plane;
+  float* below = view.scratch.force;
+  float* const here = below + part;
+  float* above = here + part;
+  clear(view, plane[begin], below);
+  for (std::uint32_t z = begin; z < end; ++z) {
+    const bool stay = z == begin && z > 0;
+    float* const low = stay ? kept : here;
+    clear(view, plane[z], low);
+    clear(view, plane[z + 1], above);
+    sum_plane(view, plane[z]);
+    fit_plane(view, plane[z]);
+    couple_plane(view, z);
+    spread_plane(view, plane[z], low, above);
+    if (!stay) move_particles(view, plane[z], below, low, motion);
+    float* const spent = below;
+    below = above;
+    above = spent;
+  }
+  if (end == view.model.head->counts.planes) {
+    clear(view, plane[end], here);
+    move_particles(view, plane[end], below, here, motion);
+  }
+  return below;
+}
+
+Motion start_motion(const ModelHead& head) {
+  return {head.substep_s, head.config.tissue_damping_s,
+          1 - head.substep_s * head.config.surround_drag_per_s};
+}
+
+float* kept_by(const View& view, const Slab& slab) {
+  const std::size_t part = 3 * std::size_t{view.model.head->counts.particles_per_plane};
+  return slab.force + (kForceParts - 1) * part;
+}
+
+// In scratch of its own (lattice_team.h).
+void sweep_slab(const Kernel& kernel, Slab& slab) {
+  View view = view_of(kernel);
+  view.scratch.sums = slab.sums;
+  view.scratch.force = slab.force;
+  Motion motion = start_motion(*view.model.head);
+  slab.high = sweep_planes(view, slab.begin, slab.end, kept_by(view, slab), motion);
+  slab.largest_m = largest_displacement(motion);
+}
+
+void join(Motion& motion, const Slab& slab) {
+  const auto size = __builtin_bit_cast(std::int32_t, slab.largest_m);
+  if (size > motion.largest[0]) motion.largest[0] = size;
+}
+
 }  // namespace
 
 void STYLET_LATTICE_STEP(const Kernel& kernel) {
   const View view = view_of(kernel);
-  const Counts& counts = view.model.head->counts;
   const ModelHead& head = *view.model.head;
-  const std::size_t axis = counts.particles_per_plane;
-  // Forces on a plane of particles from the clusters below it and above it.
-  float* below = view.scratch.force;
-  float* here = below + 3 * axis;
-  float* above = here + 3 * axis;
-  Motion motion = {head.substep_s,
-                   head.config.tissue_damping_s,
-                   1 - head.substep_s * head.config.surround_drag_per_s,
-                   {}};
-  clear(view, view.model.plane[0], below);
-  for (std::uint32_t z = 0; z <= counts.planes; ++z) {
-    const Plane& plane = view.model.plane[z];
-    clear(view, plane, here);
-    if (z < counts.planes) {
-      clear(view, view.model.plane[z + 1], above);
-      sum_plane(view, plane);
-      fit_plane(view, plane);
-      couple_plane(view, z);
-      spread_plane(view, plane, here, above);
+  Motion motion = start_motion(head);
+  if (kernel.team == nullptr) {
+    sweep_planes(view, 0, head.counts.planes, nullptr, motion);
+  } else {
+    sweep_together(kernel, sweep_slab);
+    Team& team = team_of(kernel);
+    join(motion, team.slab[0]);
+    for (std::uint32_t s = 1; s < team.slab_count; ++s) {
+      move_particles(view, view.model.plane[team.slab[s].begin], team.slab[s - 1].high,
+                     kept_by(view, team.slab[s]), motion);
+      join(motion, team.slab[s]);
     }
-    move_particles(view, plane, below, here, motion);
-    float* const spent = below;
-    below = above;
-    above = spent;
   }
   view.state.head->max_displacement_m = largest_displacement(motion);
 }

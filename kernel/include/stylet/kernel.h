@@ -101,6 +101,7 @@ struct Kernel {
   std::byte* scratch = nullptr;
   Sizes sizes = {};
   void (*step)(const Kernel&) = nullptr;  // tissue step for this processor
+  std::byte* team = nullptr;              // see set_team
 };
 
 // Exact: create uses these bytes and no others.
@@ -165,6 +166,22 @@ constexpr std::uint32_t kNoLayer = 0xFFFFFFFFU;
 void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outputs);
 // The same for one needle.
 Output tick(Kernel& kernel, const Input& input);
+
+// ==== Helper threads
+// ================================================================================
+// Threads of the caller may take part in the tissue step. The bits depend neither on their number
+// nor on whether they come in time: tick does itself what none of them has begun. It waits for what
+// one has begun, so helpers need the priority of the thread that ticks, and its floating-point
+// mode. The kernel starts no thread, takes no lock and makes no system call.
+
+// Exact, for this kernel's organ.
+std::size_t team_bytes(const Kernel& kernel, std::uint32_t helpers);
+// Between ticks, with no helper about: shares the step in as many parts as there are helpers and
+// one. The memory must outlive that; 0 helpers ends it. On an error nothing changes.
+Status set_team(Kernel& kernel, std::uint32_t helpers, std::span<std::byte> memory);
+// What a helper's thread calls again and again, with the same kernel: looks `looks` times (about
+// 40 ns each) whether a part is to be done, does one, and returns whether there was one.
+bool help(const Kernel& kernel, std::uint32_t looks);
 
 // ==== What happened
 // =================================================================================

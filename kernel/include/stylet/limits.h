@@ -31,6 +31,8 @@ constexpr float kMaxBreathM = 0.1F;
 constexpr std::uint32_t kMaxNeedles = 4;
 constexpr std::uint32_t kMaxObstacles = 16;
 constexpr std::uint32_t kMaxHullVertices = 64;
+// Threads that help with the tissue step. More: set_team refuses.
+constexpr std::uint32_t kMaxHelpers = 15;
 
 // ---- tick
 // ----------------------------------------------------------------------------------------
