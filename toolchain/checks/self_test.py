@@ -9,6 +9,7 @@ import unittest
 
 sys.dont_write_bytecode = True
 import headers  # noqa: E402
+import loops  # noqa: E402
 import stack  # noqa: E402
 import symbols  # noqa: E402
 import tidy  # noqa: E402
@@ -67,6 +68,34 @@ class Symbols(Sample):
         allowed = self.write("list.txt", "given\n")
         self.expect_one(symbols.faults(allowed, self.library("int* f() { return new int; }")),
                         "a.o", "operator new(unsigned long)")
+
+
+class Loops(Sample):
+    def faults(self, code, allowed=""):
+        self.write("include/stylet/limits.h", "constexpr int kMaxTurns = 3;\n")
+        self.write("src/a.cpp", code)
+        return loops.faults(self.top, self.write("list.txt", allowed))
+
+    def test_accepts_ranges_and_counting(self):
+        code = ("for (int i = 0; i < n; ++i) {}\nfor (const int& x : list) {}\n"
+                "for (std::uint32_t j = n; j-- > 0;) {}\nfor (; p != end; p += 4) {}\n"
+                "// while (true) in words\n")
+        self.assertEqual(list(self.faults(code)), [])
+
+    def test_refuses_others(self):
+        for code in ("while (true) {}", "for (;;) {}", "do { } while (f());", "goto again;",
+                     "for (int i = 0; more(i); ++i) {}", "for (int i = 0; i < 3;) {}"):
+            with self.subTest(code):
+                self.assertTrue(list(self.faults(f"int a;\n{code}\n"))[0].startswith("a.cpp:2"))
+
+    def test_accepts_listed_with_a_limit_that_is_there(self):
+        self.assertEqual(list(self.faults("while (f(1)) {}", "a.cpp | while (f(1)) | kMaxTurns\n")),
+                         [])
+        self.expect_one(self.faults("while (f(1)) {}", "a.cpp | while (f(1)) | kMaxElse\n"),
+                        "kMaxElse")
+
+    def test_refuses_rows_without_a_loop(self):
+        self.expect_one(self.faults("", "a.cpp | while (f(1)) | kMaxTurns\n"), "not in the code")
 
 
 class Stack(Sample):

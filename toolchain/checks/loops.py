@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Every loop of the kernel ends: it walks a range or counts towards a bound. Any other is on a
+list, with what ends it: a constant of limits.h, or a size that organ_open has checked.
+
+A loop that counts compares in its head and steps in its head. `while`, `do`, goto and heads without
+a comparison or a step do not count; they may stand on the list alone.
+
+usage: loops.py KERNEL_FOLDER ALLOW_LIST
+"""
+import pathlib
+import re
+import sys
+
+sys.dont_write_bytecode = True
+import tidy  # noqa: E402
+
+LOOP = re.compile(r"\b(for|while|do|goto)\b\s*(\()?")
+COMPARISON = re.compile(r"[^<>=!-](<=?|>=?|!=)[^<>=]")
+STEP = re.compile(r"\+\+|--|\+=|-=")
+
+
+def head_of(code, begin):
+    """The text between the bracket before `begin` and its partner."""
+    depth, end = 1, begin
+    while depth > 0 and end < len(code):
+        depth += {"(": 1, ")": -1}.get(code[end], 0)
+        end += 1
+    return " ".join(code[begin:end - 1].split())
+
+
+def counts(head):
+    """Whether the head of a `for` walks a range or counts towards a bound."""
+    parts = head.split(";")
+    if len(parts) == 1:
+        return ":" in head
+    _, condition, step = parts
+    return bool(COMPARISON.search(f" {condition} ") and
+                (STEP.search(step) or STEP.search(condition)))
+
+
+def uncounted(name, text):
+    """(file, line, word and head) of each loop that does not count by itself."""
+    code = tidy.code_only(text)
+    for match in LOOP.finditer(code):
+        head = head_of(code, match.end()) if match[2] else ""
+        if match[1] == "for" and counts(head):
+            continue
+        yield name, code.count("\n", 0, match.start()) + 1, f"{match[1]} ({head})"
+
+
+def read_list(path):
+    """{(file, loop): what ends it}"""
+    rows = [line.split(" | ") for line in pathlib.Path(path).read_text().splitlines()
+            if line and not line.startswith("#")]
+    return {(file, loop): end for file, loop, end in rows}
+
+
+def faults(kernel, allow_list):
+    kernel = pathlib.Path(kernel)
+    limits = (kernel / "include/stylet/limits.h").read_text()
+    allowed, used = read_list(allow_list), set()
+    for path in sorted((kernel / "src").glob("*")):
+        for name, line, loop in uncounted(path.name, path.read_text()):
+            if (name, loop) not in allowed:
+                yield f"{name}:{line}: {loop}: nothing in its head bounds it"
+            used.add((name, loop))
+    for (name, loop), end in allowed.items():
+        constant = re.match(r"k\w+", end)
+        if (name, loop) not in used:
+            yield f"{name}: {loop}: on the list, but not in the code"
+        elif constant and not re.search(rf"\b{constant[0]}\b", limits):
+            yield f"{name}: {loop}: ends by {constant[0]}, which limits.h does not have"
+
+
+if __name__ == "__main__":
+    found = list(faults(*sys.argv[1:]))
+    print("\n".join(found))
+    sys.exit(bool(found))
