@@ -48,8 +48,10 @@ class Tiers(unittest.TestCase):
                                  for folder, rest in tests]
 
     FAST = [("release", SHORT)]
-    FULL = FAST + [("release", "-L ^full$ --no-tests=ignore"), ("clang", SHORT),
-                   ("sanitize", SHORT), ("sanitize-threads", SHORT)]
+    FULL = FAST + [("release", "-L ^full$ --no-tests=ignore"),
+                   ("clang", SHORT + r" -E ^(cross|rt\.determinism)"),
+                   ("sanitize", SHORT + " -E ripple|calculix"),
+                   ("sanitize-threads", SHORT + " -R ^(hal|rt_|simulator)")]
     NIGHT = FULL + [("release", "-L ^night$ --no-tests=ignore")]
 
     def test_each_tier_has_all_of_the_one_before(self):
