@@ -44,6 +44,9 @@ struct BuildArguments : CommonArguments {
   std::string units = "mm";
   double scale = 1;
   bool wrap = false;
+  std::vector<std::string> layers;
+  std::string layers_of;
+  std::string layers_along = "+x";
 };
 
 struct PhantomArguments : CommonArguments {
@@ -154,10 +157,11 @@ void finish(std::vector<Input> inputs, const BuildOptions& options, const Common
 // whoever says only "liver" gets the organ as it is found.
 void choose_capsule(const std::string& wanted, const std::vector<Input>& inputs,
                     BuildOptions& options) {
+  const bool all_layers = !options.layers.empty() && options.layer_course.of.empty();
   const bool any_liver = std::any_of(inputs.begin(), inputs.end(),
                                      [](const Input& input) { return input.tissue == "liver"; });
   if (wanted == "auto") {
-    options.capsule = any_liver && options.layers.empty() ? "liver_capsule" : "";
+    options.capsule = any_liver && !all_layers ? "liver_capsule" : "";
     options.capsule_of = "liver";
   } else {
     options.capsule = wanted == "none" ? "" : wanted;
@@ -184,6 +188,35 @@ Input parse_input(const std::string& text) {
   return input;
 }
 
+std::vector<Layer> parse_layers(const std::vector<std::string>& texts) {
+  std::vector<Layer> layers;
+  for (const std::string& text : texts) {
+    const std::size_t colon = text.find(':');
+    double mm = 0;
+    if (colon == std::string::npos || !CLI::detail::lexical_cast(text.substr(colon + 1), mm) ||
+        !(mm > 0)) {
+      refuse("--layer '{}': expected TISSUE:THICKNESS_MM", text);
+    }
+    layers.push_back({mm * 1e-3, text.substr(0, colon)});
+  }
+  return layers;
+}
+
+// Layers in place of one of the inputs' tissues.
+void choose_layers(const BuildArguments& a, const std::vector<Input>& inputs,
+                   BuildOptions& options) {
+  options.layers = parse_layers(a.layers);
+  if (a.layers.empty() && a.layers_of.empty()) return;
+  const auto is_replaced = [&](const Input& input) { return input.tissue == a.layers_of; };
+  if (a.layers.empty() || std::none_of(inputs.begin(), inputs.end(), is_replaced)) {
+    refuse("--layers-of '{}': expected the tissue of an input, and --layer with it", a.layers_of);
+  }
+  options.layer_course = {static_cast<std::size_t>(a.layers_along[1] - 'x'),
+                          a.layers_along[0] == '-', a.layers_of};
+  options.options_text += fmt::format(" --layers-of {} --layers-along {} --layer {}", a.layers_of,
+                                      a.layers_along, joined(a.layers));
+}
+
 void run_build(const BuildArguments& a) {
   constexpr double kLeastScale = 1e-9, kMostScale = 1e9;
   if (!(a.scale >= kLeastScale && a.scale <= kMostScale)) {
@@ -204,6 +237,7 @@ void run_build(const BuildArguments& a) {
   if (options.name.empty()) {
     options.name = std::filesystem::path(inputs.front().path).stem().string();
   }
+  choose_layers(a, inputs, options);
   choose_capsule(a.capsule, inputs, options);
   finish(std::move(inputs), options, a);
 }
@@ -230,20 +264,6 @@ Mesh make_phantom(const PhantomArguments& a) {
   }
   const Vec size_m = Vec{a.size_mm[0], a.size_mm[1], a.size_mm[2]} * 1e-3;
   return block_phantom(size_m, facet_size(a, std::max({size_m.x, size_m.y, size_m.z})));
-}
-
-std::vector<Layer> parse_layers(const std::vector<std::string>& texts) {
-  std::vector<Layer> layers;
-  for (const std::string& text : texts) {
-    const std::size_t colon = text.find(':');
-    double mm = 0;
-    if (colon == std::string::npos || !CLI::detail::lexical_cast(text.substr(colon + 1), mm) ||
-        !(mm > 0)) {
-      refuse("--layer '{}': expected TISSUE:THICKNESS_MM", text);
-    }
-    layers.push_back({mm * 1e-3, text.substr(0, colon)});
-  }
-  return layers;
 }
 
 void run_phantom(PhantomArguments a) {
@@ -343,6 +363,14 @@ void add_build(CLI::App& app, BuildArguments& a) {
   command->add_option("--scale", a.scale, "Factor on top of the unit")->capture_default_str();
   command->add_flag("--wrap", a.wrap,
                     "Last resort: replace each mesh by a closed skin around it (adds volume)");
+  command
+      ->add_option("--layer", a.layers,
+                   "TISSUE:THICKNESS_MM, repeatable, from the outside; the last fills the rest")
+      ->allow_extra_args(false);
+  command->add_option("--layers-of", a.layers_of, "Tissue that the layers take the place of");
+  command->add_option("--layers-along", a.layers_along, "The way in through the layers")
+      ->check(CLI::IsMember({"+x", "-x", "+y", "-y", "+z", "-z"}))
+      ->capture_default_str();
   add_common(*command, a);
   command->callback([&a] { run_build(a); });
 }

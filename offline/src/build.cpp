@@ -111,6 +111,41 @@ std::uint8_t number_of(MaterialList& list, const std::string& name) {
   return static_cast<std::uint8_t>(list.tissues.size() - 1);
 }
 
+// Does a cell take a layer instead of its input's tissue?
+bool is_layered(const Claims& claims, std::size_t cell, const std::vector<Input>& inputs,
+                const BuildOptions& options) {
+  const std::string& of = options.layer_course.of;
+  return !options.layers.empty() && is_kept(claims, cell) &&
+         (of.empty() || of == inputs[claims.owner[cell]].tissue);
+}
+
+// How deep the middle of each layered cell lies, in edges.
+std::vector<float> layer_depths(const Claims& claims, const std::vector<Input>& inputs,
+                                const BuildOptions& options) {
+  constexpr double kSamples = 64;
+  const Grid& grid = claims.grid;
+  const std::size_t along = options.layer_course.axis, u = (along + 1) % 3, v = (along + 2) % 3;
+  std::vector<float> depths(cell_count(grid), 0);
+  std::array<std::uint32_t, 3> at{};
+  for (at[u] = 0; at[u] < grid.size[u]; ++at[u]) {
+    for (at[v] = 0; at[v] < grid.size[v]; ++at[v]) {
+      double above = 0;
+      for (std::uint32_t step = 0; step < grid.size[along]; ++step) {
+        at[along] = options.layer_course.backwards ? grid.size[along] - 1 - step : step;
+        const std::size_t cell = cell_index(grid, at[0], at[1], at[2]);
+        if (!is_layered(claims, cell, inputs, options)) {
+          above = 0;
+          continue;
+        }
+        const double fill = std::popcount(claims.inside[cell]) / kSamples;
+        depths[cell] = static_cast<float>(above + 0.5 * fill);
+        above += fill;
+      }
+    }
+  }
+  return depths;
+}
+
 std::uint8_t layer_at(const std::vector<Layer>& layers, const std::vector<std::uint8_t>& numbers,
                       double depth_m) {
   std::size_t i = 0;
@@ -125,12 +160,13 @@ std::vector<std::uint8_t> voxel_materials(const Claims& claims, const Lattice& l
                                           const std::vector<Input>& inputs,
                                           const BuildOptions& options, MaterialList& list) {
   std::vector<std::uint8_t> of_input, of_layer;
-  if (options.layers.empty()) {
+  if (options.layers.empty() || !options.layer_course.of.empty()) {
     for (const Input& input : inputs) of_input.push_back(number_of(list, input.tissue));
   }
   for (const Layer& layer : options.layers) of_layer.push_back(number_of(list, layer.tissue));
   const std::uint8_t capsule = options.capsule.empty() ? 0 : number_of(list, options.capsule);
   const Grid& grid = lattice.grid;
+  const std::vector<float> depths = layer_depths(claims, inputs, options);
   std::vector<std::uint8_t> materials;
   for (const std::uint32_t cell : lattice.cell_of_voxel) {
     const std::uint32_t x = cell % grid.size[0], row = cell / grid.size[0];
@@ -139,10 +175,11 @@ std::vector<std::uint8_t> voxel_materials(const Claims& claims, const Lattice& l
         (options.capsule_of.empty() || options.capsule_of == inputs[claims.owner[cell]].tissue);
     const bool is_capsule =
         has_capsule && is_skin(claims, x, row % grid.size[1], row / grid.size[1]);
+    const double depth_m = static_cast<double>(depths[cell]) * grid.edge_m;
     materials.push_back(is_capsule ? capsule
-                        : of_layer.empty()
-                            ? of_input[claims.owner[cell]]
-                            : layer_at(options.layers, of_layer, (x + 0.5) * grid.edge_m));
+                        : is_layered(claims, cell, inputs, options)
+                            ? layer_at(options.layers, of_layer, depth_m)
+                            : of_input[claims.owner[cell]]);
   }
   return materials;
 }

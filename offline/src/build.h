@@ -26,11 +26,17 @@ struct Input {
   ReadMesh read;  // in file units
 };
 
-// Slabs along +x from the low side of the organ; voxels take the tissue at their centre. They
-// override the inputs' tissues; the last slab has no end.
+// Layers lie one below the other along an axis of space and override the inputs' tissues. A voxel
+// takes the layer at its middle, as deep as what is filled above it in its row, down from where the
+// row enters the inputs they replace; the last layer has no end.
 struct Layer {
   double thickness_m = 0;
   std::string tissue;
+};
+struct LayerCourse {
+  std::size_t axis = 0;
+  bool backwards = false;  // from the high end of the axis
+  std::string of;          // tissue of the inputs that are replaced; empty: all
 };
 
 struct BuildOptions {
@@ -42,6 +48,7 @@ struct BuildOptions {
   bool wrap = false;                // replace each input by a closed skin around it
   std::vector<Region> held;
   std::vector<Layer> layers;
+  LayerCourse layer_course;
   std::vector<Tissue> own_tissues;
   std::string options_text;  // what provenance says of all this
   std::string tool_version;

@@ -191,6 +191,33 @@ TEST(Phantom, LayersLieAlongX) {
   }
 }
 
+// From above through a slab of 20 mm and a step of 7.5 mm: depth is counted from where each row
+// enters, by what is filled, and only in the input that is named.
+TEST(Layers, TakeThePlaceOfOneInputFromItsSurfaceOn) {
+  bake::Mesh high = bake::block_phantom({0.02, 0.02, 0.02}, 0.005);
+  bake::Mesh low = bake::block_phantom({0.02, 0.02, 0.0075}, 0.005);
+  bake::Mesh below = bake::block_phantom({0.04, 0.02, 0.01}, 0.005);
+  for (Vec& p : high.points) p = p + Vec{0, 0, 0.01};
+  for (Vec& p : low.points) p = p + Vec{0.02, 0, 0.00375};
+  for (Vec& p : below.points) p = p + Vec{0, 0, -0.005};
+  BuildOptions options;
+  options.layers = {{0.006, "skin"}, {0.003, "fat"}, {0.001, "muscle"}};
+  options.layer_course = {2, true, "fascia"};
+  const Organ organ = opened(build_quietly({input_of(high, 1, "fascia"), input_of(low, 1, "fascia"),
+                                            input_of(below, 1, "kidney")},
+                                           options)
+                                 .bytes);
+  const std::vector<Cell> cells = cells_of(organ);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const bool in_high = cells[i].x < 4;
+    const char* of_row[] = {
+        "kidney", "kidney", in_high ? "muscle" : "skin", in_high ? "muscle" : "skin",
+        "fat",    "skin"};
+    const std::string expected = of_row[cells[i].z];
+    ASSERT_EQ(organ_material(organ, organ.voxel_material[i]).name, expected) << i;
+  }
+}
+
 TEST(Inputs, HigherPriorityWinsAVoxelAndVolumesDoNotAddTwice) {
   const bake::Mesh outer = bake::block_phantom({0.04, 0.04, 0.04}, 0.005);
   bake::Mesh inner = bake::block_phantom({0.01, 0.01, 0.01}, 0.005);
