@@ -226,7 +226,7 @@ def fig10_steering(run):
              "lines": [(run.time_s, run.bevel @ (0, 0, 1), "")]}]
 
 
-BIOPSY = ["abdominal wall", "liver", "tumour", "liver capsule"]
+BIOPSY = ["muscle", "liver", "tumour", "skin", "fat", "liver capsule"]
 
 
 def liver_biopsy(run):

@@ -374,16 +374,18 @@ class LumbarPuncture(Scene):
 
 class LiverBiopsy(Scene):
     name = "liver-biopsy"
-    WALL, LIVER, TUMOUR, CAPSULE = range(4)
-    CENTRE, RADIUS = np.array([-70, 130, 155]) * 1e-3, 12e-3
+    MUSCLE, LIVER, TUMOUR, SKIN, FAT, CAPSULE = range(6)
+    CENTRE, RADIUS = np.array([-70, 90, 155]) * 1e-3, 12e-3
 
-    def test_wall_capsule_and_tumour_are_punctured_in_turn(self):
+    def test_each_layer_is_entered_in_turn_and_punctured_at_its_force(self):
         self.check_quiet()
-        punctures = [(layer, force) for _, kind, layer, force in self.run_.events
-                     if kind == "puncture"]
-        self.assertEqual([layer for layer, _ in punctures],
-                         [self.WALL, self.CAPSULE, self.TUMOUR])
-        for (_, force), expected in zip(punctures, (1.2, 0.7, 1.0)):
+        entered = [(kind, layer) for _, kind, layer, _ in self.run_.events
+                   if kind in ("puncture", "layer")][:6]
+        self.assertEqual(entered, [("puncture", self.SKIN), ("layer", self.FAT),
+                                   ("puncture", self.MUSCLE), ("puncture", self.CAPSULE),
+                                   ("layer", self.LIVER), ("puncture", self.TUMOUR)])
+        forces = [force for _, kind, _, force in self.run_.events if kind == "puncture"]
+        for force, expected in zip(forces, (2, 1.2, 0.7, 1), strict=True):
             self.assert_within(force, expected, 0.02)
 
     def test_tip_comes_to_the_tumour(self):
