@@ -265,7 +265,7 @@ void move_particles(const View& view, const Plane& plane, const float* below, co
   const std::ptrdiff_t count = plane.particle_end - plane.particle_begin;
   // The first group is padding. It is not written: the slab below may read it meanwhile.
   for (std::ptrdiff_t group = kLanes; group < count; group += kLanes) {
-    for (std::ptrdiff_t i = group; i < group + kLanes; i += kWide) {
+    for (std::ptrdiff_t i = group; i < group + std::ptrdiff_t{kLanes}; i += kWide) {
       for (std::ptrdiff_t c = 0; c < 3; ++c) {
         const Wide force = load(below + i + c * force_axis) + load(here + i + c * force_axis);
         move_lanes(force, load(per_mass + i), load(hold + i), u + i + c * axis, v + i + c * axis,
