@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+// The edges of the interface: every bound of configuration and obstacle from both sides, poses with
+// one bad number, answers into too little room, and a kernel whose state is broken.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "layout.h"
+#include "session.h"
+
+namespace stylet::test {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+template <typename Value>
+struct Edge {
+  const char* name;
+  std::function<void(Value&)> change;
+  bool good;
+};
+
+TEST(Edges, EveryBoundOfTheConfiguration) {
+  const auto organ = block_organ(2, 2, 2);
+  const std::vector<Edge<Config>> edges = {
+      {"unit low", [](Config& c) { c.needle[0].unit_m = 0.9e-4F; }, false},
+      {"unit high", [](Config& c) { c.needle[0].unit_m = 0.051F; }, false},
+      {"bending", [](Config& c) { c.needle[0].bending_nm2 = -1; }, false},
+      {"no rods", [](Config& c) { c.needle[0].rods = 0; }, false},
+      {"most rods", [](Config& c) { c.needle[0].rods = kMaxRods; }, true},
+      {"too many rods", [](Config& c) { c.needle[0].rods = kMaxRods + 1; }, false},
+      {"bevel", [](Config& c) { c.needle[0].bevel_per_m = kMaxBevelPerM * 1.01F; }, false},
+      {"whole needle bent", [](Config& c) { c.needle[0].bent_length_m = c.needle[0].length_m; },
+       true},
+      {"more than the needle bent", [](Config& c) { c.needle[0].bent_length_m = 1; }, false},
+      {"angle", [](Config& c) { c.needle[0].bent_angle_rad = 1.1F; }, false},
+      {"breath too quick", [](Config& c) { c.breathing.period_s = 0.05F; }, false},
+      {"breath too deep",
+       [](Config& c) {
+         c.breathing.amplitude_m = {0.2F, 0, 0};
+       },
+       false},
+      {"breath not a number",
+       [](Config& c) {
+         c.breathing.amplitude_m = {kNan, 0, 0};
+       },
+       false},
+      {"drag", [](Config& c) { c.surround_drag_per_s = 101; }, false},
+      {"hourglass", [](Config& c) { c.hourglass_weight = 0; }, false},
+      {"alpha", [](Config& c) { c.paper_alpha = 0; }, false},
+      {"no needle", [](Config& c) { c.needle_count = 0; }, false},
+      {"most needles", [](Config& c) { c.needle_count = kMaxNeedles; }, true},
+      {"too many needles", [](Config& c) { c.needle_count = kMaxNeedles + 1; }, false},
+      {"second needle",
+       [](Config& c) {
+         c.needle_count = 2;
+         c.needle[1].length_m = 0;
+       },
+       false},
+      {"mode", [](Config& c) { c.mode = static_cast<Mode>(2); }, false},
+  };
+  for (const Edge<Config>& edge : edges) {
+    Config config;
+    edge.change(config);
+    Sizes need = {};
+    const Status expected = edge.good ? Status::kOk : Status::kConfigValueOutOfRange;
+    EXPECT_EQ(sizes(organ->organ, config, need), expected) << edge.name;
+    Kernel kernel;
+    const Status made = create(organ->organ, config, {}, kernel);
+    EXPECT_EQ(made, edge.good ? Status::kMemoryTooSmall : expected) << edge.name;
+  }
+  Sizes need = {};
+  EXPECT_EQ(sizes(Organ{}, Config{}, need), Status::kConfigValueOutOfRange) << "no organ";
+}
+
+TEST(Edges, EveryBoundOfAnObstacle) {
+  const auto organ = block_organ(2, 2, 2);
+  Session session = make_session(organ->organ, Config{});
+  using O = ObstacleConfig;
+  const std::vector<Edge<O>> edges = {
+      {"as it is", [](O&) {}, true},
+      {"no vertex", [](O& o) { o.vertex_count = 0; }, false},
+      {"too many vertices", [](O& o) { o.vertex_count = kMaxHullVertices + 1; }, false},
+      {"position", [](O& o) { o.pose.position_m.y = kNan; }, false},
+      {"rounding not a number", [](O& o) { o.rounding_m = kNan; }, false},
+      {"stiffness not a number", [](O& o) { o.stiffness_n_per_m = kNan; }, false},
+      {"force not a number", [](O& o) { o.largest_force_n = kNan; }, false},
+      {"friction not a number", [](O& o) { o.friction = kNan; }, false},
+      {"w not a number", [](O& o) { o.pose.rotation.w = kNan; }, false},
+      {"z not a number", [](O& o) { o.pose.rotation.z = kNan; }, false},
+      {"vertex not a number", [](O& o) { o.vertices_m[7].x = kNan; }, false},
+      {"vertex far away", [](O& o) { o.vertices_m[0].x = 1e4F; }, false},
+      {"far away", [](O& o) { o.pose.position_m.z = 1e4F; }, false},
+      {"rotation too short",
+       [](O& o) {
+         o.pose.rotation = {0.9F, 0, 0, 0};
+       },
+       false},
+      {"rotation too long",
+       [](O& o) {
+         o.pose.rotation = {1.1F, 0, 0, 0};
+       },
+       false},
+      {"negative rounding", [](O& o) { o.rounding_m = -1e-3F; }, false},
+      {"huge rounding", [](O& o) { o.rounding_m = 1e4F; }, false},
+      {"no stiffness", [](O& o) { o.stiffness_n_per_m = 0; }, false},
+      {"no force", [](O& o) { o.largest_force_n = 0; }, false},
+      {"negative friction", [](O& o) { o.friction = -0.1F; }, false},
+  };
+  for (const Edge<O>& edge : edges) {
+    O obstacle;
+    make_box(obstacle, {1e-3F, 2e-3F, 3e-3F});
+    obstacle.stiffness_n_per_m = 1000;
+    obstacle.largest_force_n = 10;
+    edge.change(obstacle);
+    EXPECT_EQ(set_obstacles(session.kernel, {&obstacle, 1}),
+              edge.good ? Status::kOk : Status::kConfigValueOutOfRange)
+        << edge.name;
+  }
+  const std::vector<O> many(kMaxObstacles + 1);
+  EXPECT_EQ(set_obstacles(session.kernel, many), Status::kConfigValueOutOfRange);
+}
+
+// One bad number in each place of a pose, and a pose that says nothing.
+TEST(Edges, EveryNumberOfAPose) {
+  const auto organ = block_organ(3, 3, 3);
+  Session session = make_session(organ->organ, Config{});
+  EXPECT_EQ(tick(session.kernel, Input{}).flags, kFlagInputMissing) << "before the first pose";
+  std::vector<Vec3> shape(2);
+  EXPECT_EQ(needle_shape(session.kernel, 0, shape), 0U);
+  const Pose good = {{0, 0, 0.2F}, {1, 0, 0, 0}};
+  for (int field = 0; field < 7; ++field) {
+    for (const float bad : {kNan, std::numeric_limits<float>::infinity()}) {
+      Input input = {good, 1};
+      float* fields[] = {&input.handle.position_m.x, &input.handle.position_m.y,
+                         &input.handle.position_m.z, &input.handle.rotation.w,
+                         &input.handle.rotation.x,   &input.handle.rotation.y,
+                         &input.handle.rotation.z};
+      *fields[field] = bad;
+      EXPECT_EQ(tick(session.kernel, input).flags, kFlagInputNotFinite) << field;
+    }
+  }
+  for (const Quat none : {Quat{0, 0, 0, 0}, Quat{1e7F, 0, 0, 0}, Quat{0, 0, 1e-7F, 0}}) {
+    EXPECT_EQ(tick(session.kernel, {{good.position_m, none}, 1}).flags, kFlagInputNotFinite);
+  }
+  EXPECT_EQ(tick(session.kernel, {good, 1}).flags, 0U);
+  EXPECT_EQ(needle_shape(session.kernel, 0, shape), 2U);
+  EXPECT_EQ(needle_shape(session.kernel, 1, shape), 0U) << "there is no second needle";
+  EXPECT_EQ(needle_shape(session.kernel, 0, std::span(shape).first(1)), 1U);
+}
+
+TEST(Edges, TooFarAwayIsClampedOnEachAxis) {
+  const auto organ = block_organ(3, 3, 3);
+  for (int axis = 0; axis < 3; ++axis) {
+    Session session = make_session(organ->organ, Config{});
+    Vec3 far = {0, 0, 0.2F};
+    float* place[] = {&far.x, &far.y, &far.z};
+    *place[axis] = 3;
+    EXPECT_EQ(tick(session.kernel, {{far, {1, 0, 0, 0}}, 1}).flags, kFlagInputClamped) << axis;
+  }
+}
+
+// A needle with particles and a contact; answers into less room are as many as fit.
+TEST(Edges, AnswersIntoTooLittleRoom) {
+  const auto organ = block_organ(5, 5, 6);
+  Session session = make_session(organ->organ, Setup::kElastic);
+  const Script script = block_script(organ->organ, config_of(Setup::kElastic));
+  Input input = {{{}, {1, 0, 0, 0}}, 1};
+  for (int i = 0; i < 900; ++i) {
+    input.handle.position_m = script.entry_m;
+    input.handle.position_m.z += script.needle_length_m - 4e-5F * static_cast<float>(i);
+    (void)tick(session.kernel, input);
+  }
+  std::array<ConstraintParticle, kMaxConstraintParticles> particles;
+  const std::uint32_t all = constraint_particles(session.kernel, particles);
+  ASSERT_GT(all, 2U);
+  EXPECT_EQ(constraint_particles(session.kernel, std::span(particles).first(2)), 2U);
+  std::array<ObstacleTouch, kMaxTouches> touches;
+  ASSERT_GT(obstacle_touches(session.kernel, touches), 0U) << "the needle is on the ball";
+  EXPECT_EQ(obstacle_touches(session.kernel, std::span(touches).first(0)), 0U);
+  std::array<Event, kMaxEvents> happened;
+  const std::uint32_t count = events(session.kernel, happened);
+  ASSERT_GT(count, 1U);
+  std::array<Event, 1> newest;
+  ASSERT_EQ(events(session.kernel, newest), 1U);
+  EXPECT_EQ(newest[0].tick, happened[count - 1].tick);
+  std::vector<Vec3> few(3);
+  EXPECT_EQ(surface(session.kernel, few), 3U);
+  EXPECT_GT(mass_report(session.kernel, 0).real_kg, 0);
+  EXPECT_GE(mass_report(session.kernel, 0).stepped_kg, mass_report(session.kernel, 0).real_kg);
+  EXPECT_EQ(mass_report(session.kernel, 99).real_kg, 0);
+}
+
+// Fewer inputs or outputs than needles.
+TEST(Edges, NeedlesWithoutInputOrOutput) {
+  const auto organ = block_organ(3, 3, 3);
+  Config config;
+  config.needle_count = 2;
+  Session session = make_session(organ->organ, config);
+  const Input input = {{{0, 0, 0.2F}, {1, 0, 0, 0}}, 1};
+  std::array<Output, 3> outputs = {};
+  tick(session.kernel, {&input, 1}, outputs);
+  EXPECT_EQ(outputs[0].flags, 0U);
+  EXPECT_EQ(outputs[1].flags, kFlagInputMissing);
+  EXPECT_EQ(outputs[1].tip_m.z, 0) << "nobody knows where it is";
+  EXPECT_EQ(outputs[2].tick, 0U) << "there is no third needle";
+  tick(session.kernel, {&input, 1}, std::span(outputs).first(1));
+  EXPECT_EQ(outputs[0].tick, 2U);
+  EXPECT_EQ(outputs[1].tick, 1U);
+}
+
+// Memory that somebody else wrote into: the force must not follow.
+TEST(Edges, ABrokenStateLatchesAFaultUntilReset) {
+  const auto organ = block_organ(4, 4, 4);
+  Session session = make_session(organ->organ, Config{});
+  const Script script = block_script(organ->organ, Config{});
+  run(session.kernel, script, 0, 1200);
+  const View view = view_of(session.kernel);
+  ASSERT_GT(view.state.needle->shaft_count, 1U);
+  for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) view.state.ux[i] = kNan;
+  Output out = {};
+  for (int i = 0; i < 3; ++i) {
+    out = tick(session.kernel, Input{});
+    EXPECT_EQ(out.flags, kFlagFault);
+    EXPECT_EQ(out.force_n.z, 0);
+    EXPECT_EQ(out.torque_nm.z, 0);
+  }
+  EXPECT_EQ(out.layer, kNoLayer);
+  EXPECT_EQ(out.tick, 1203U) << "time goes on";
+  EXPECT_EQ(stats(session.kernel).fault, 1U);
+  reset(session.kernel);
+  EXPECT_EQ(tick(session.kernel, scripted_input(script, 0)).flags, 0U);
+}
+
+}  // namespace
+}  // namespace stylet::test
