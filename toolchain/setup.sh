@@ -14,7 +14,7 @@ packages=(
   libtomlplusplus-dev libcli11-dev libfmt-dev libhdf5-dev nlohmann-json3-dev
   gnuplot-nox fonts-dejavu-core
   # offline
-  libcgal-dev libssl-dev
+  libcgal-dev libinsighttoolkit5-dev libssl-dev zlib1g-dev
   # tests
   libbenchmark-dev libclang-rt-19-dev libgmock-dev libgtest-dev python3-h5py
   # tests on other processors

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program stylet-organ: build, phantom, hull, info, check. Exit codes: 0 done, 1 input refused
-// or file damaged, 2 wrong usage.
+// The program stylet-organ: build, phantom, hull, labels, info, check. Exit codes: 0 done, 1 input
+// refused or file damaged, 2 wrong usage.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,7 @@
 #include "file.h"
 #include "hull.h"
 #include "info.h"
+#include "label_organ.h"
 #include "phantom.h"
 #include "progress_bar.h"
 #include "refusal.h"
@@ -47,6 +49,7 @@ struct BuildArguments : CommonArguments {
   std::vector<std::string> layers;
   std::string layers_of;
   std::string layers_along = "+x";
+  std::string recipe;
 };
 
 struct PhantomArguments : CommonArguments {
@@ -131,13 +134,9 @@ BuildOptions common_options(const CommonArguments& a, double metres_per_unit) {
   return options;
 }
 
-// Builds, writes and reports.
-void finish(std::vector<Input> inputs, const BuildOptions& options, const CommonArguments& a) {
-  Built built;
-  {
-    const Progress progress = progress_bar();
-    built = build(std::move(inputs), options, progress);
-  }
+// Builds, writes and reports. The progress bar goes before the report comes.
+void finish(const std::function<Built(const Progress&)>& make, const CommonArguments& a) {
+  const Built built = make(progress_bar());
   write_file(a.output, built.bytes);
   for (const std::string& warning : built.report.warnings) {
     fmt::print(stderr, "stylet-organ: warning: {}\n", warning);
@@ -155,11 +154,13 @@ void finish(std::vector<Input> inputs, const BuildOptions& options, const Common
 
 // A liver without its capsule would be entered at a quarter of the force over three times the way:
 // whoever says only "liver" gets the organ as it is found.
-void choose_capsule(const std::string& wanted, const std::vector<Input>& inputs,
+template <typename HaveTissue>  // inputs, or groups of labels
+void choose_capsule(const std::string& wanted, const std::vector<HaveTissue>& sources,
                     BuildOptions& options) {
   const bool all_layers = !options.layers.empty() && options.layer_course.of.empty();
-  const bool any_liver = std::any_of(inputs.begin(), inputs.end(),
-                                     [](const Input& input) { return input.tissue == "liver"; });
+  const bool any_liver = std::any_of(sources.begin(), sources.end(), [](const HaveTissue& source) {
+    return source.tissue == "liver";
+  });
   if (wanted == "auto") {
     options.capsule = any_liver && !all_layers ? "liver_capsule" : "";
     options.capsule_of = "liver";
@@ -203,12 +204,13 @@ std::vector<Layer> parse_layers(const std::vector<std::string>& texts) {
 }
 
 // Layers in place of one of the inputs' tissues.
-void choose_layers(const BuildArguments& a, const std::vector<Input>& inputs,
+template <typename HaveTissue>  // as above
+void choose_layers(const BuildArguments& a, const std::vector<HaveTissue>& sources,
                    BuildOptions& options) {
   options.layers = parse_layers(a.layers);
   if (a.layers.empty() && a.layers_of.empty()) return;
-  const auto is_replaced = [&](const Input& input) { return input.tissue == a.layers_of; };
-  if (a.layers.empty() || std::none_of(inputs.begin(), inputs.end(), is_replaced)) {
+  const auto is_replaced = [&](const HaveTissue& source) { return source.tissue == a.layers_of; };
+  if (a.layers.empty() || std::none_of(sources.begin(), sources.end(), is_replaced)) {
     refuse("--layers-of '{}': expected the tissue of an input, and --layer with it", a.layers_of);
   }
   options.layer_course = {static_cast<std::size_t>(a.layers_along[1] - 'x'),
@@ -217,7 +219,30 @@ void choose_layers(const BuildArguments& a, const std::vector<Input>& inputs,
                                       a.layers_along, joined(a.layers));
 }
 
+void run_build_labels(const BuildArguments& a) {
+  if (a.inputs.size() != 1) refuse("--recipe: {} inputs: expected one label map", a.inputs.size());
+  const std::string& path = a.inputs.front();
+  BuildOptions options = common_options(a, 1e-3);
+  const Recipe recipe = read_recipe(a.recipe);
+  for (const LabelGroup& group : recipe.groups) {
+    (void)find_tissue(options.own_tissues, group.tissue);
+  }
+  options.options_text += " --recipe " + std::filesystem::path(a.recipe).filename().string();
+  if (options.name.empty()) {
+    const std::string file = std::filesystem::path(path).filename().string();
+    options.name = file.substr(0, file.find('.'));
+  }
+  choose_layers(a, recipe.groups, options);
+  choose_capsule(a.capsule, recipe.groups, options);
+  const LabelMap map = read_label_map(path);
+  finish([&](const Progress& p) { return build_labels(path, map, recipe, options, p); }, a);
+}
+
 void run_build(const BuildArguments& a) {
+  if (!a.recipe.empty()) return run_build_labels(a);
+  for (const std::string& input : a.inputs) {
+    if (is_label_map(input)) refuse("{}: expected --recipe, as this is a label map", input);
+  }
   constexpr double kLeastScale = 1e-9, kMostScale = 1e9;
   if (!(a.scale >= kLeastScale && a.scale <= kMostScale)) {
     refuse("--scale {}: expected {} to {}", a.scale, kLeastScale, kMostScale);
@@ -239,7 +264,7 @@ void run_build(const BuildArguments& a) {
   }
   choose_layers(a, inputs, options);
   choose_capsule(a.capsule, inputs, options);
-  finish(std::move(inputs), options, a);
+  finish([&](const Progress& p) { return build(std::move(inputs), options, p); }, a);
 }
 
 // Facets about as large as voxels, since finer ones would move with the same voxel anyway; but no
@@ -293,7 +318,7 @@ void run_phantom(PhantomArguments a) {
   if (!a.mesh_out.empty()) write_file(a.mesh_out, std::as_bytes(std::span(off)));
   std::vector<Input> inputs = {std::move(input)};
   choose_capsule(a.capsule, inputs, options);
-  finish(std::move(inputs), options, a);
+  finish([&](const Progress& p) { return build(std::move(inputs), options, p); }, a);
 }
 
 // ---- hull ---------------------------------------------------------------------------------------
@@ -327,6 +352,30 @@ void run_hull(const HullArguments& a) {
       source, a.output);
 }
 
+// ---- labels -------------------------------------------------------------------------------------
+
+void run_labels(const FileArguments& a) {
+  const LabelMap map = read_label_map(a.file);
+  const double volume_ml = voxel_volume_m3(map) * 1e6;
+  Json list = Json::array();
+  for (const LabelCount& each : count_labels(map)) {
+    list.push_back({{"label", each.label},
+                    {"voxels", each.voxels},
+                    {"volume_ml", static_cast<double>(each.voxels) * volume_ml}});
+  }
+  if (a.json) {
+    const Json facts = {{"file", a.file}, {"size", map.size}, {"labels", list}};
+    fmt::print("{}\n", facts.dump(2));
+    return;
+  }
+  fmt::print("{}: {} x {} x {} voxels of {:.6g} mm3\n{:>8}{:>12}{:>14}\n", a.file, map.size[0],
+             map.size[1], map.size[2], volume_ml * 1e3, "label", "voxels", "ml");
+  for (const Json& each : list) {
+    fmt::print("{:>8}{:>12}{:>14.6g}\n", each["label"].get<int>(),
+               each["voxels"].get<std::size_t>(), each["volume_ml"].get<double>());
+  }
+}
+
 // ---- info and check -----------------------------------------------------------------------------
 
 void run_info(const FileArguments& a) {
@@ -351,7 +400,8 @@ void add_build(CLI::App& app, BuildArguments& a) {
       "  stylet-organ build Liver.stl --units mm --voxel-mm 5 -o liver.organ\n"
       "  stylet-organ build wall.stl:muscle Liver.stl:liver:1 --capsule liver_capsule -o "
       "torso.organ\n"
-      "  stylet-organ build scan.ply --voxels-across 60 --fix 'x>95%' --wrap -o scan.organ");
+      "  stylet-organ build scan.ply --voxels-across 60 --fix 'x>95%' --wrap -o scan.organ\n"
+      "  stylet-organ build seg.nii.gz --recipe totalsegmentator.toml -o patient.organ");
   command
       ->add_option("inputs", a.inputs,
                    "Meshes (.obj .stl .ply .off), each PATH[:TISSUE[:PRIORITY]]; tissue liver and "
@@ -361,8 +411,13 @@ void add_build(CLI::App& app, BuildArguments& a) {
       ->check(CLI::IsMember(kMetresPerUnit))
       ->capture_default_str();
   command->add_option("--scale", a.scale, "Factor on top of the unit")->capture_default_str();
-  command->add_flag("--wrap", a.wrap,
-                    "Last resort: replace each mesh by a closed skin around it (adds volume)");
+  auto* wrap = command->add_flag(
+      "--wrap", a.wrap, "Last resort: replace each mesh by a closed skin around it (adds volume)");
+  command
+      ->add_option("--recipe", a.recipe,
+                   "The input is a label map (.nrrd .nhdr .nii .nii.gz .mha .mhd); this TOML file "
+                   "says which labels are which tissue")
+      ->excludes(wrap);
   command
       ->add_option("--layer", a.layers,
                    "TISSUE:THICKNESS_MM, repeatable, from the outside; the last fills the rest")
@@ -423,6 +478,14 @@ void add_hull(CLI::App& app, HullArguments& a) {
   command->callback([&a] { run_hull(a); });
 }
 
+void add_labels(CLI::App& app, FileArguments& a) {
+  CLI::App* command = app.add_subcommand("labels", "What a label map holds");
+  command->add_option("file", a.file, "Label map (.nrrd .nhdr .nii .nii.gz .mha .mhd)")->required();
+  command->add_flag("--json", a.json, "As one JSON object");
+  command->footer("Example:\n  stylet-organ labels seg.nii.gz");
+  command->callback([&a] { run_labels(a); });
+}
+
 void add_info_and_check(CLI::App& app, FileArguments& info, FileArguments& check) {
   CLI::App* show = app.add_subcommand("info", "What an organ file holds and needs");
   show->add_option("file", info.file, "Organ file")->required();
@@ -448,15 +511,16 @@ int run(int argc, char** argv) {
   BuildArguments build_arguments;
   PhantomArguments phantom_arguments;
   HullArguments hull_arguments;
-  FileArguments info_arguments, check_arguments;
+  FileArguments labels_arguments, info_arguments, check_arguments;
   add_build(app, build_arguments);
   add_phantom(app, phantom_arguments);
   add_hull(app, hull_arguments);
+  add_labels(app, labels_arguments);
   add_info_and_check(app, info_arguments, check_arguments);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) {
-      throw CLI::RequiredError("A command (build, phantom, hull, info or check)");
+      throw CLI::RequiredError("A command (build, phantom, hull, labels, info or check)");
     }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kExitUsage;

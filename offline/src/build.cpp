@@ -7,7 +7,6 @@
 #include "refusal.h"
 #include "stylet/limits.h"
 #include "wrap.h"
-#include "write_organ.h"
 
 namespace stylet::bake {
 namespace {
@@ -15,32 +14,10 @@ namespace {
 constexpr double kSmallestPlausibleM = 5e-3;
 constexpr double kLargestPlausibleM = 2.0;
 
-void warn_of_size(const Box& box, std::vector<std::string>& warnings) {
-  const double side = longest_side(box);
-  if (side < kSmallestPlausibleM || side > kLargestPlausibleM) {
-    warnings.push_back(fmt::format(
-        "the longest side is {:.4g} mm: expected 5 mm to 2 m for an organ; check --units and "
-        "--scale",
-        side * 1e3));
-  }
-}
-
 // The limits are floats; what rounds to them is within them.
 bool allowed_voxel_edge(double edge_m) {
   const auto rounded = static_cast<float>(edge_m);
   return rounded >= kMinVoxelEdgeM && rounded <= kMaxVoxelEdgeM;
-}
-
-double choose_edge(const Box& box, const BuildOptions& options) {
-  if (options.voxels_across == 0) return options.voxel_edge_m;
-  const double edge_m = longest_side(box) / options.voxels_across;
-  if (!allowed_voxel_edge(edge_m)) {
-    refuse(
-        "--voxels-across {}: voxel edge {:.6g} mm, as the longest side is {:.6g} mm: expected 0.1 "
-        "to 100 mm; check --units and --scale",
-        options.voxels_across, edge_m * 1e3, longest_side(box) * 1e3);
-  }
-  return edge_m;
 }
 
 // All meshes to metres, repaired; wrapped first where that was asked for.
@@ -111,16 +88,16 @@ std::uint8_t number_of(MaterialList& list, const std::string& name) {
   return static_cast<std::uint8_t>(list.tissues.size() - 1);
 }
 
-// Does a cell take a layer instead of its input's tissue?
-bool is_layered(const Claims& claims, std::size_t cell, const std::vector<Input>& inputs,
+// Does a cell take a layer instead of its owner's tissue?
+bool is_layered(const Claims& claims, std::size_t cell, const std::vector<std::string>& tissues,
                 const BuildOptions& options) {
   const std::string& of = options.layer_course.of;
   return !options.layers.empty() && is_kept(claims, cell) &&
-         (of.empty() || of == inputs[claims.owner[cell]].tissue);
+         (of.empty() || of == tissues[claims.owner[cell]]);
 }
 
 // How deep the middle of each layered cell lies, in edges.
-std::vector<float> layer_depths(const Claims& claims, const std::vector<Input>& inputs,
+std::vector<float> layer_depths(const Claims& claims, const std::vector<std::string>& tissues,
                                 const BuildOptions& options) {
   constexpr double kSamples = 64;
   const Grid& grid = claims.grid;
@@ -133,7 +110,7 @@ std::vector<float> layer_depths(const Claims& claims, const std::vector<Input>& 
       for (std::uint32_t step = 0; step < grid.size[along]; ++step) {
         at[along] = options.layer_course.backwards ? grid.size[along] - 1 - step : step;
         const std::size_t cell = cell_index(grid, at[0], at[1], at[2]);
-        if (!is_layered(claims, cell, inputs, options)) {
+        if (!is_layered(claims, cell, tissues, options)) {
           above = 0;
           continue;
         }
@@ -157,29 +134,29 @@ std::uint8_t layer_at(const std::vector<Layer>& layers, const std::vector<std::u
 }
 
 std::vector<std::uint8_t> voxel_materials(const Claims& claims, const Lattice& lattice,
-                                          const std::vector<Input>& inputs,
+                                          const std::vector<std::string>& tissues,
                                           const BuildOptions& options, MaterialList& list) {
-  std::vector<std::uint8_t> of_input, of_layer;
+  std::vector<std::uint8_t> of_owner, of_layer;
   if (options.layers.empty() || !options.layer_course.of.empty()) {
-    for (const Input& input : inputs) of_input.push_back(number_of(list, input.tissue));
+    for (const std::string& tissue : tissues) of_owner.push_back(number_of(list, tissue));
   }
   for (const Layer& layer : options.layers) of_layer.push_back(number_of(list, layer.tissue));
   const std::uint8_t capsule = options.capsule.empty() ? 0 : number_of(list, options.capsule);
   const Grid& grid = lattice.grid;
-  const std::vector<float> depths = layer_depths(claims, inputs, options);
+  const std::vector<float> depths = layer_depths(claims, tissues, options);
   std::vector<std::uint8_t> materials;
   for (const std::uint32_t cell : lattice.cell_of_voxel) {
     const std::uint32_t x = cell % grid.size[0], row = cell / grid.size[0];
     const bool has_capsule =
         !options.capsule.empty() &&
-        (options.capsule_of.empty() || options.capsule_of == inputs[claims.owner[cell]].tissue);
+        (options.capsule_of.empty() || options.capsule_of == tissues[claims.owner[cell]]);
     const bool is_capsule =
         has_capsule && is_skin(claims, x, row % grid.size[1], row / grid.size[1]);
     const double depth_m = static_cast<double>(depths[cell]) * grid.edge_m;
     materials.push_back(is_capsule ? capsule
-                        : is_layered(claims, cell, inputs, options)
+                        : is_layered(claims, cell, tissues, options)
                             ? layer_at(options.layers, of_layer, depth_m)
-                            : of_input[claims.owner[cell]]);
+                            : of_owner[claims.owner[cell]]);
   }
   return materials;
 }
@@ -265,6 +242,28 @@ Claims claim_voxels(const Grid& grid, const std::vector<Input>& inputs,
 
 }  // namespace
 
+void warn_of_size(const Box& box, std::vector<std::string>& warnings) {
+  const double side = longest_side(box);
+  if (side < kSmallestPlausibleM || side > kLargestPlausibleM) {
+    warnings.push_back(fmt::format(
+        "the longest side is {:.4g} mm: expected 5 mm to 2 m for an organ; check --units and "
+        "--scale",
+        side * 1e3));
+  }
+}
+
+double choose_edge(const Box& box, const BuildOptions& options) {
+  if (options.voxels_across == 0) return options.voxel_edge_m;
+  const double edge_m = longest_side(box) / options.voxels_across;
+  if (!allowed_voxel_edge(edge_m)) {
+    refuse(
+        "--voxels-across {}: voxel edge {:.6g} mm, as the longest side is {:.6g} mm: expected 0.1 "
+        "to 100 mm; check --units and --scale",
+        options.voxels_across, edge_m * 1e3, longest_side(box) * 1e3);
+  }
+  return edge_m;
+}
+
 void require_voxel_edge(double edge_m) {
   if (!allowed_voxel_edge(edge_m)) {
     refuse("voxel edge {:.6g} mm: expected 0.1 to 100 mm", edge_m * 1e3);
@@ -284,22 +283,30 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
   const Grid grid = make_grid(box, edge_m);
   Claims claims = claim_voxels(grid, inputs, solids, built.report, progress);
 
-  const Mesh mesh = join(solids);
+  Claimed claimed = {std::move(claims), {}, box, join(solids), {}};
+  for (const Input& input : inputs) claimed.tissues.push_back(input.tissue);
+  claimed.sources = source_records(inputs, built.report);
+  built.bytes = assemble(std::move(claimed), options, progress);
+  return built;
+}
+
+std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
+                                const Progress& progress) {
   progress("embedding surface", 0);
   OrganParts parts;
   parts.name = options.name;
-  parts.lattice = make_lattice(claims, mesh.points);
+  parts.lattice = make_lattice(claimed.claims, claimed.mesh.points);
   MaterialList materials{options.own_tissues, {}};
-  parts.voxel_material = voxel_materials(claims, parts.lattice, inputs, options, materials);
+  parts.voxel_material =
+      voxel_materials(claimed.claims, parts.lattice, claimed.tissues, options, materials);
   parts.materials = std::move(materials.tissues);
-  parts.voxel_fixed = fixed_corners(parts.lattice, box, options.held);
-  embed_surface(mesh, parts);
+  parts.voxel_fixed = fixed_corners(parts.lattice, claimed.box, options.held);
+  embed_surface(claimed.mesh, parts);
   parts.tool_version = options.tool_version;
   parts.options = options.options_text;
-  parts.sources = source_records(inputs, built.report);
+  parts.sources = std::move(claimed.sources);
   progress("writing", 0);
-  built.bytes = write_organ(parts);
-  return built;
+  return write_organ(parts);
 }
 
 }  // namespace stylet::bake

@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "attach.h"
+#include "lattice.h"
 #include "materials.h"
 #include "progress.h"
 #include "read_mesh.h"
 #include "repair.h"
+#include "write_organ.h"
 
 namespace stylet::bake {
 
@@ -66,8 +68,17 @@ struct InputReport {
   std::size_t decided_by_winding = 0;
 };
 
+// A tissue of a label map.
+struct LabelReport {
+  std::string tissue;
+  std::size_t voxels = 0;  // of the map
+  double map_volume_m3 = 0;
+  double filled_volume_m3 = 0;  // before the largest share takes a voxel
+};
+
 struct BuildReport {
   std::vector<InputReport> inputs;
+  std::vector<LabelReport> labels;
   std::vector<std::string> warnings;
 };
 
@@ -80,5 +91,21 @@ struct Built {
 void require_voxel_edge(double edge_m);
 
 Built build(std::vector<Input> inputs, const BuildOptions& options, const Progress& progress);
+
+// ---- for other sources than meshes --------------------------------------------------------------
+
+double choose_edge(const Box& box, const BuildOptions& options);
+void warn_of_size(const Box& box, std::vector<std::string>& warnings);
+
+// Voxels with their owners, and what is embedded in them: all that is left is the organ itself.
+struct Claimed {
+  Claims claims;
+  std::vector<std::string> tissues;  // of each owner
+  Box box;
+  Mesh mesh;  // metres
+  std::vector<SourceRecord> sources;
+};
+std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
+                                const Progress& progress);
 
 }  // namespace stylet::bake

@@ -243,7 +243,14 @@ nlohmann::ordered_json build_facts(const BuildReport& report) {
                         {"lines_and_points_dropped", i.read.lines_and_points},
                         {"cells_behind_holes_filled", i.decided_by_winding}}}});
   }
-  return {{"inputs", inputs}, {"warnings", report.warnings}};
+  Json labels = Json::array();
+  for (const LabelReport& i : report.labels) {
+    labels.push_back({{"tissue", i.tissue},
+                      {"voxels", i.voxels},
+                      {"map_volume_ml", i.map_volume_m3 * 1e6},
+                      {"filled_volume_ml", i.filled_volume_m3 * 1e6}});
+  }
+  return {{"inputs", inputs}, {"labels", labels}, {"warnings", report.warnings}};
 }
 
 std::string build_text(const nlohmann::ordered_json& facts) {
@@ -258,6 +265,11 @@ std::string build_text(const nlohmann::ordered_json& facts) {
                         count_line(i["repaired"]));
     text += fmt::format("volume        mesh {:.6g} ml, voxels {:.6g} ml\n",
                         i["mesh_volume_ml"].get<double>(), i["filled_volume_ml"].get<double>());
+  }
+  for (const auto& i : facts["labels"]) {
+    text += fmt::format("tissue        {:<14} {:>8} voxels of the map, {:.6g} ml, here {:.6g} ml\n",
+                        i["tissue"].get<std::string>(), i["voxels"].get<std::size_t>(),
+                        i["map_volume_ml"].get<double>(), i["filled_volume_ml"].get<double>());
   }
   return text;
 }

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials.h"
 
-// The library asserts what it then reports as an error, for a header such as "[(]".
-#define TOML_ASSERT(expression) static_cast<void>(0)
-#include <toml++/toml.h>
-
 #include <algorithm>
 
-#include "file.h"
 #include "refusal.h"
 #include "stylet/limits.h"
+#include "toml_file.h"
 
 namespace stylet::bake {
 namespace {
@@ -47,10 +43,6 @@ std::string known_keys() {
   std::string text;
   for (const Key& key : kKeys) text += fmt::format("{}, ", key.name);
   return text + "source";
-}
-
-std::string place_of(const std::string& file, const toml::node& node) {
-  return fmt::format("{}:{}", file, node.source().begin.line);
 }
 
 double read_number(const std::string& file, const Key& key, const toml::node& node) {
@@ -178,19 +170,14 @@ const std::vector<Tissue>& preset_tissues() {
 
 std::vector<Tissue> read_tissues(const std::filesystem::path& toml_file) {
   const std::string file = toml_file.string();
-  const std::string text = read_file(toml_file);
   std::vector<Tissue> tissues;
-  try {
-    const toml::table root = toml::parse(text, file);
-    for (const auto& [name, node] : root) {
-      if (!node.is_table()) {
-        refuse("{}: {}: expected a table [{}] of tissue properties", place_of(file, node),
-               name.str(), name.str());
-      }
-      tissues.push_back(read_tissue(file, std::string(name.str()), *node.as_table()));
+  const toml::table root = read_toml(toml_file);
+  for (const auto& [name, node] : root) {
+    if (!node.is_table()) {
+      refuse("{}: {}: expected a table [{}] of tissue properties", place_of(file, node), name.str(),
+             name.str());
     }
-  } catch (const toml::parse_error& error) {
-    refuse("{}:{}: {}", file, error.source().begin.line, error.description());
+    tissues.push_back(read_tissue(file, std::string(name.str()), *node.as_table()));
   }
   return tissues;
 }

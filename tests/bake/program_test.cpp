@@ -267,6 +267,43 @@ TEST(Program, RefusalsOfWrongUnitsNameTheSize) {
   expect_one_line(large.err, "check --units");
 }
 
+TEST(Program, LabelMapsNeedARecipe) {
+  const Scratch scratch;
+  const std::string map =
+      scratch
+          .write("seg.v1.nrrd",
+                 "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nspacings: 10 10 10\n"
+                 "encoding: raw\n\n" +
+                     std::string(32, '\5') + std::string(32, '\7'))
+          .string();
+  const std::string recipe = scratch.write("r.toml", "[tissues]\nliver = [5]\n").string();
+  const std::string organ = (scratch.folder / "a.organ").string();
+  const Json listed = Json::parse(run({"labels", map, "--json"}).out);
+  EXPECT_EQ(listed["labels"][1]["label"], 7);
+  EXPECT_EQ(listed["labels"][1]["voxels"], 32);
+  EXPECT_NEAR(listed["labels"][1]["volume_ml"].get<double>(), 32, 1e-9);
+  EXPECT_NE(run({"labels", map}).out.find("       5          32            32\n"),
+            std::string::npos);
+  const Result built = run({"build", map, "--recipe", recipe, "-o", organ, "--json"});
+  ASSERT_EQ(built.exit_code, 0) << built.err;
+  const Json facts = Json::parse(built.out);
+  EXPECT_EQ(facts["organ"]["name"], "seg");
+  EXPECT_NEAR(facts["labels"][0]["filled_volume_ml"].get<double>(), 32, 0.32);
+  std::filesystem::remove(organ);
+  const std::pair<std::vector<std::string>, const char*> refused[] = {
+      {{map}, "expected --recipe"},
+      {{map, map, "--recipe", recipe}, "2 inputs: expected one label map"},
+      {{map, "--recipe", (scratch.folder / "none.toml").string()}, "no such file"}};
+  for (const auto& [arguments, reason] : refused) {
+    std::vector<std::string> all = {"build", "-o", organ};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const Result r = run(all);
+    EXPECT_EQ(r.exit_code, 1);
+    expect_one_line(r.err, reason);
+    EXPECT_FALSE(std::filesystem::exists(organ));
+  }
+}
+
 TEST(Program, OwnTissuesReplacePresetsOrSayWhatIsWrong) {
   const Scratch scratch;
   const std::string organ = (scratch.folder / "a.organ").string();

@@ -216,7 +216,7 @@ class Help(unittest.TestCase):
     """A terminal user who knows nothing yet finds every command, with an example."""
 
     COMMANDS = {"stylet": ["run", "replay", "plot", "doctor", "bench"],
-                "stylet-organ": ["build", "phantom", "hull", "info", "check"]}
+                "stylet-organ": ["build", "phantom", "hull", "labels", "info", "check"]}
 
     def test_names_every_command_with_an_example(self):
         for program, commands in self.COMMANDS.items():

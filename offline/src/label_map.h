@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A label map: a number for every voxel of an image, and where the image lies in the patient.
+//
+// Read by ITK: NRRD (.nrrd .nhdr), NIfTI (.nii .nii.gz), MetaImage (.mha .mhd). Axes, spacing,
+// direction cosines and units are those of the header.
+// Promise: what is no label map (fractions, negative numbers, more values than anybody names, other
+// than three dimensions) is refused with one line.
+// Units: metres. Frame: the patient's, x to the left, y to the back, z to the head (LPS).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "geometry.h"
+
+namespace stylet::bake {
+
+// 0 is what lies between the organs.
+struct LabelMap {
+  std::array<std::uint32_t, 3> size{};  // first index fastest
+  std::vector<std::uint16_t> label;
+  Vec origin_m;               // centre of the first voxel
+  std::array<Vec, 3> step_m;  // from a voxel to the next one along each index
+  std::string sha256;         // of the file; with .nhdr and .mhd that of the header alone
+};
+
+// By its name; nothing is read.
+bool is_label_map(const std::filesystem::path& path);
+LabelMap read_label_map(const std::filesystem::path& path);
+
+double voxel_volume_m3(const LabelMap& map);
+
+struct LabelCount {
+  std::uint16_t label = 0;
+  std::size_t voxels = 0;
+};
+// In ascending order, without 0.
+std::vector<LabelCount> count_labels(const LabelMap& map);
+
+}  // namespace stylet::bake

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "toml_file.h"
+
+#include "file.h"
+#include "refusal.h"
+
+namespace stylet::bake {
+
+toml::table read_toml(const std::filesystem::path& path) {
+  const std::string file = path.string();
+  try {
+    return toml::parse(read_file(path), file);
+  } catch (const toml::parse_error& error) {
+    refuse("{}:{}: {}", file, error.source().begin.line, error.description());
+  }
+}
+
+std::string place_of(const std::string& file, const toml::node& node) {
+  return fmt::format("{}:{}", file, node.source().begin.line);
+}
+
+}  // namespace stylet::bake

@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: Apache-2.0
+// Label maps: where their headers say they are, refused where they are none, and organs of them.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <map>
+#include <set>
+
+#include "bake_support.h"
+#include "label_organ.h"
+#include "refusal.h"
+
+namespace stylet::test {
+namespace {
+
+using bake::LabelMap;
+using bake::Recipe;
+using bake::Vec;
+
+bake::Built build_quietly(const LabelMap& map, const Recipe& recipe,
+                          const bake::BuildOptions& options) {
+  return bake::build_labels("map.nrrd", map, recipe, options, [](const char*, double) {});
+}
+
+std::string refusal_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const bake::Refusal& refused) {
+    return refused.what();
+  }
+  return "";
+}
+
+std::string nrrd(const std::string& space, const std::string& directions, const std::string& voxels,
+                 const std::string& type = "uchar") {
+  return "NRRD0004\ntype: " + type + "\ndimension: 3\nspace: " + space +
+         "\nsizes: 2 3 4\nspace directions: " + directions +
+         "\nspace origin: (10,20,30)\nencoding: raw\nendian: little\n\n" + voxels;
+}
+
+void expect_near(Vec seen, Vec expected) {
+  EXPECT_NEAR(seen.x, expected.x, 1e-9);
+  EXPECT_NEAR(seen.y, expected.y, 1e-9);
+  EXPECT_NEAR(seen.z, expected.z, 1e-9);
+}
+
+// ---- where a map lies ---------------------------------------------------------------------------
+
+TEST(LabelMap, PermutedAndMirroredAxesAreThoseOfTheHeader) {
+  const Scratch scratch;
+  std::string voxels(24, '\0');
+  voxels[1] = 7;
+  const auto path = scratch.write(
+      "a.nrrd", nrrd("left-posterior-superior", "(0,0.75,0) (0,0,-0.5) (2,0,0)", voxels));
+  const LabelMap map = bake::read_label_map(path);
+  EXPECT_EQ(map.size, (std::array<std::uint32_t, 3>{2, 3, 4}));
+  EXPECT_EQ(map.label[1], 7);
+  expect_near(map.origin_m, {0.010, 0.020, 0.030});
+  expect_near(map.step_m[0], {0, 0.75e-3, 0});
+  expect_near(map.step_m[1], {0, 0, -0.5e-3});
+  expect_near(map.step_m[2], {2e-3, 0, 0});
+  EXPECT_NEAR(bake::voxel_volume_m3(map), 0.75e-9, 1e-18);
+}
+
+TEST(LabelMap, RightAnteriorSuperiorBecomesLeftPosteriorSuperior) {
+  const Scratch scratch;
+  const auto path = scratch.write(
+      "a.nrrd", nrrd("right-anterior-superior", "(1,0,0) (0,2,0) (0,0,3)", std::string(24, 1)));
+  const LabelMap map = bake::read_label_map(path);
+  expect_near(map.origin_m, {-0.010, -0.020, 0.030});
+  expect_near(map.step_m[0], {-1e-3, 0, 0});
+  expect_near(map.step_m[1], {0, -2e-3, 0});
+  expect_near(map.step_m[2], {0, 0, 3e-3});
+}
+
+TEST(LabelMap, MetaImageWithARotation) {
+  const Scratch scratch;
+  const auto path = scratch.write(
+      "a.mha",
+      "ObjectType = Image\nNDims = 3\nTransformMatrix = 0.6 0.8 0 -0.8 0.6 0 0 0 1\n"
+      "Offset = 1 2 3\nElementSpacing = 2 1 4\nDimSize = 2 2 2\nElementType = MET_SHORT\n"
+      "BinaryData = True\nBinaryDataByteOrderMSB = False\nElementDataFile = LOCAL\n" +
+          std::string("\1\0\2\0\3\0\0\0\0\0\0\0\0\0\1\1", 16));
+  const LabelMap map = bake::read_label_map(path);
+  expect_near(map.step_m[0], {1.2e-3, 1.6e-3, 0});
+  expect_near(map.step_m[1], {-0.8e-3, 0.6e-3, 0});
+  expect_near(map.step_m[2], {0, 0, 4e-3});
+  EXPECT_THAT(map.label, testing::ElementsAre(1, 2, 3, 0, 0, 0, 0, 257));
+}
+
+// ---- real maps ----------------------------------------------------------------------------------
+
+struct RealMap {
+  const char* file;
+  double voxel_mm3;
+  std::map<int, std::size_t> some_labels;
+};
+
+// Counts and spacings as the table beside the files gives them.
+const RealMap kRealMaps[] = {
+    {"ts_example_seg.nii.gz", 27, {{5, 38634}, {13, 1}, {117, 2100}}},
+    {"ts_example_seg_roi_subset.nii.gz", 27, {{5, 38631}}},
+    {"ts_example_seg_fast_force_split.nii.gz", 27, {{5, 41692}, {20, 59968}}},
+    {"dcmqi_liver_spine_seg.nrrd", 0.81055 * 0.81055, {{1, 107098}, {2, 12439}}},
+    {"dcmqi_liver_seg.nrrd", 0.81055 * 0.81055, {{1, 107098}}},
+    {"pyradiomics_brain1_label.nrrd", 0.78125 * 0.78125 * 6.5, {{1, 4137}}},
+    {"pyradiomics_lung1_label.nrrd", 0.57031 * 0.57031 * 5, {{1, 837}}},
+    {"spl_skin.nrrd", 0.75 * 0.75 * 0.75, {{3, 9234366}}}};
+
+TEST(RealMaps, HaveTheirCountsAndKeepTheirVolumes) {
+  for (const RealMap& real : kRealMaps) {
+    const auto path = data_folder() / "labelmaps" / real.file;
+    SKIP_WITHOUT(path);
+    SCOPED_TRACE(real.file);
+    const LabelMap map = bake::read_label_map(path);
+    EXPECT_NEAR(bake::voxel_volume_m3(map) * 1e9, real.voxel_mm3, 1e-5 * real.voxel_mm3);
+    std::map<int, std::size_t> counts;
+    for (const bake::LabelCount& each : bake::count_labels(map)) counts[each.label] = each.voxels;
+    Recipe recipe;
+    for (const auto& [label, voxels] : real.some_labels) {
+      EXPECT_EQ(counts[label], voxels) << label;
+      if (voxels < 800) continue;  // too few for a percent
+      recipe.groups.push_back(
+          {recipe.groups.empty() ? "liver" : "bone", {static_cast<std::uint16_t>(label)}});
+    }
+    bake::BuildOptions options;
+    options.voxel_edge_m = counts.size() == 1 && counts.begin()->second < 5000 ? 2e-3 : 4e-3;
+    const bake::Built built = build_quietly(map, recipe, options);
+    for (const bake::LabelReport& each : built.report.labels) {
+      EXPECT_NEAR(each.filled_volume_m3 / each.map_volume_m3, 1, 0.01) << each.tissue;
+    }
+    EXPECT_GT(opened(built.bytes).voxel_count, 0U);
+  }
+}
+
+TEST(RealMaps, ThatAreNoneAreRefusedForTheirReason) {
+  const std::pair<const char*, const char*> traps[] = {
+      {"ts_example_ct_sm.nii.gz", "-1024: expected labels, which are whole numbers from 0"},
+      {"sofa_tooth_closed.mhd", "expected labels, which are whole numbers from 0"},
+      {"cgal_liver.inr.gz", "expected a label map: .nrrd"}};
+  for (const auto& [file, reason] : traps) {
+    const auto path = data_folder() / "labelmaps" / file;
+    SKIP_WITHOUT(path);
+    const std::string said = refusal_of([&path = path] { (void)bake::read_label_map(path); });
+    EXPECT_THAT(said, testing::HasSubstr(reason));
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+  }
+}
+
+TEST(RealMaps, CutShortAreRefusedInOneLine) {
+  const Scratch scratch;
+  for (const char* file : {"ts_example_seg.nii.gz", "dcmqi_liver_seg.nrrd"}) {
+    const auto path = data_folder() / "labelmaps" / file;
+    SKIP_WITHOUT(path);
+    const std::string whole = slurp(path);
+    for (const std::size_t size : {std::size_t{0}, std::size_t{10}, std::size_t{300},
+                                   whole.size() / 2, whole.size() * 9 / 10}) {
+      const auto cut = scratch.write(file, whole.substr(0, size));
+      const std::string said = refusal_of([&] { (void)bake::read_label_map(cut); });
+      EXPECT_NE(said, "") << file << " " << size;
+      EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+    }
+  }
+}
+
+TEST(LabelMap, CutShortWithoutCompressionIsRefusedToo) {
+  const Scratch scratch;
+  const std::string header =
+      "ObjectType = Image\nNDims = 3\nDimSize = 2 3 4\nElementSpacing = 1 1 1\n"
+      "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
+  std::string nifti(352, '\0');
+  const auto put = [&nifti](std::size_t at, const auto& value) {
+    std::memcpy(nifti.data() + at, &value, sizeof value);
+  };
+  put(0, std::int32_t{348});
+  put(40, std::array<std::int16_t, 4>{3, 2, 3, 4});
+  put(70, std::array<std::int16_t, 2>{2, 8});
+  put(76, std::array<float, 4>{1, 1, 1, 1});
+  put(108, 352.0F);
+  put(344, std::array<char, 4>{'n', '+', '1', '\0'});
+  for (const std::size_t voxels : {23U, 24U}) {
+    const std::string data(voxels, '\1');
+    for (const auto& path :
+         {scratch.write("a.mha", header + data), scratch.write("a.nii", nifti + data),
+          scratch.write("a.nrrd",
+                        nrrd("left-posterior-superior", "(1,0,0) (0,1,0) (0,0,1)", data))}) {
+      const std::string said = refusal_of([&path] { (void)bake::read_label_map(path); });
+      EXPECT_EQ(said.empty(), voxels == 24) << path << said;
+    }
+  }
+}
+
+TEST(LabelMap, WhatIsNoVolumeOfLabelsIsRefused) {
+  const Scratch scratch;
+  const auto refusal = [&](const std::string& name, const std::string& text) {
+    const auto path = scratch.write(name, text);
+    return refusal_of([&] { (void)bake::read_label_map(path); });
+  };
+  const std::string axes = "(1,0,0) (0,1,0) (0,0,1)";
+  std::string many;
+  for (int i = 0; i < 24; ++i) many += std::string("\0\0", 2);
+  EXPECT_EQ(refusal("fine.nrrd", nrrd("left-posterior-superior", axes, many, "short")), "");
+  many[6] = static_cast<char>(0xFF);
+  many[7] = static_cast<char>(0xFF);
+  EXPECT_THAT(refusal("a.nrrd", nrrd("left-posterior-superior", axes, many, "short")),
+              testing::HasSubstr("voxel 3: -1: expected labels"));
+  EXPECT_THAT(refusal("b.nrrd", nrrd("left-posterior-superior", "(1,0,0) (0,1,0) (0,1,0)",
+                                     std::string(24, 1))),
+              testing::HasSubstr("b.nrrd: "));
+  EXPECT_THAT(refusal("huge.nrrd",
+                      "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 9999 9999 9999\nencoding: "
+                      "raw\n\nabc"),
+              testing::HasSubstr("expected a smaller image"));
+  EXPECT_THAT(refusal("flat.nrrd",
+                      "NRRD0004\ntype: uchar\ndimension: 2\nsizes: 2 2\nencoding: raw\n\nabcd"),
+              testing::HasSubstr("expected 3"));
+  EXPECT_THAT(refusal("a.dcm", "x"), testing::HasSubstr("expected a label map"));
+  EXPECT_THAT(refusal_of([] { (void)bake::read_label_map("nowhere.nrrd"); }),
+              testing::HasSubstr("no such file"));
+}
+
+TEST(LabelMap, ManyValuesAreGreyNotLabels) {
+  const Scratch scratch;
+  for (const unsigned different : {500U, 501U}) {
+    std::string voxels;
+    for (unsigned i = 0; i < 1000; ++i) {
+      const unsigned value = i % different;
+      voxels += static_cast<char>(value & 0xFFU);
+      voxels += static_cast<char>(value >> 8U);
+    }
+    const auto path = scratch.write(
+        "a.nrrd",
+        "NRRD0004\ntype: ushort\ndimension: 3\nsizes: 10 10 10\nendian: little\nencoding: raw\n\n" +
+            voxels);
+    const std::string said = refusal_of([&] { (void)bake::read_label_map(path); });
+    EXPECT_EQ(said.find("expected a label map, not grey values") != std::string::npos,
+              different == 501)
+        << said;
+  }
+}
+
+// ---- organs of maps -----------------------------------------------------------------------------
+
+// A ball of 20 mm radius around `centre_m` in a map whose axes are `step_m`, its half towards +x
+// label 2, the other label 1.
+LabelMap ball_map(std::array<Vec, 3> step_m, Vec centre_m) {
+  LabelMap map;
+  map.size = {64, 64, 64};
+  map.step_m = step_m;
+  map.origin_m = centre_m - (step_m[0] + step_m[1] + step_m[2]) * 31.7;
+  for (std::uint32_t k = 0; k < 64; ++k) {
+    for (std::uint32_t j = 0; j < 64; ++j) {
+      for (std::uint32_t i = 0; i < 64; ++i) {
+        const Vec p = map.origin_m + step_m[0] * i + step_m[1] * j + step_m[2] * k - centre_m;
+        map.label.push_back(length(p) > 0.02 ? 0 : p.x > 0 ? 2 : 1);
+      }
+    }
+  }
+  return map;
+}
+
+const Recipe kHalves = {{}, {{"gel", {1}}, {"muscle", {2}}}};
+
+TEST(LabelOrgan, LiesWhereTheMapIsWhateverItsAxes) {
+  const double u = 1e-3;
+  const std::array<Vec, 3> axes[] = {
+      {Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}},
+      {Vec{-u, 0, 0}, {0, u, 0}, {0, 0, u}},                                // mirrored
+      {Vec{0, u, 0}, {0, 0, -u}, {u, 0, 0}},                                // permuted
+      {Vec{0.6 * u, 0.8 * u, 0}, {-0.8 * u, 0.6 * u, 0}, {0, 0, 1.5 * u}},  // rotated, stretched
+  };
+  const Vec centre = {0.1, -0.2, 0.3};
+  const double volume = 4.0 / 3 * 3.14159265358979 * 0.02 * 0.02 * 0.02;
+  for (const auto& step : axes) {
+    bake::BuildOptions options;
+    options.voxel_edge_m = 2.5e-3;
+    const bake::Built built = build_quietly(ball_map(step, centre), kHalves, options);
+    const Organ organ = opened(built.bytes);
+    std::array<double, 2> filled{};
+    Vec sum;
+    double total = 0;
+    std::size_t voxel = 0;
+    for (const OrganRun& run : organ.runs) {
+      for (std::uint32_t i = 0; i < run.count; ++i, ++voxel) {
+        const double fill = organ.voxel_fill[voxel] / 255.0;
+        const auto edge = static_cast<double>(organ.voxel_edge_m);
+        const Vec at = {static_cast<double>(organ.origin_m.x) + (run.x + i + 0.5) * edge,
+                        static_cast<double>(organ.origin_m.y) + (run.y + 0.5) * edge,
+                        static_cast<double>(organ.origin_m.z) + (run.z + 0.5) * edge};
+        sum = sum + at * fill;
+        total += fill;
+        filled.at(organ.voxel_material[voxel]) += fill * edge * edge * edge;
+        if (fill < 0.99) continue;
+        // Material 0 is gel, at low x; voxels across the middle may be either.
+        if (std::fabs(at.x - centre.x) > edge) {
+          EXPECT_EQ(organ.voxel_material[voxel], at.x > centre.x ? 1 : 0);
+        }
+      }
+    }
+    EXPECT_NEAR(length(sum * (1 / total) - centre), 0, 0.3e-3);
+    EXPECT_NEAR((filled[0] + filled[1]) / volume, 1, 0.02);
+    EXPECT_NEAR(filled[0] / filled[1], 1, 0.1);
+    for (const bake::LabelReport& each : built.report.labels) {
+      EXPECT_NEAR(each.filled_volume_m3 / each.map_volume_m3, 1, 0.01) << each.tissue;
+    }
+  }
+}
+
+// The surface is smooth and closed, turned outward, and encloses what the labels do.
+TEST(LabelOrgan, SurfaceIsThatOfTheLabelsWithoutTheirSteps) {
+  const double u = 1e-3;
+  for (const double side : {1.0, -1.0}) {
+    const std::array<Vec, 3> step = {Vec{side * u, 0, 0}, {0, u, 0}, {0, 0, u}};
+    bake::BuildOptions options;
+    options.voxel_edge_m = 2.5e-3;
+    const bake::Built built = build_quietly(ball_map(step, {}), kHalves, options);
+    const Organ organ = opened(built.bytes);
+    std::vector<std::array<std::uint32_t, 3>> cell_of_voxel;
+    for (const OrganRun& run : organ.runs) {
+      for (std::uint32_t i = 0; i < run.count; ++i) {
+        cell_of_voxel.push_back({run.x + i, run.y, run.z});
+      }
+    }
+    std::vector<Vec> points;
+    double least = 1, most = 0;
+    for (const OrganVertex& v : organ.vertices) {
+      const auto& cell = cell_of_voxel[v.voxel];
+      const auto edge = static_cast<double>(organ.voxel_edge_m);
+      points.push_back(
+          Vec{static_cast<double>(organ.origin_m.x), static_cast<double>(organ.origin_m.y),
+              static_cast<double>(organ.origin_m.z)} +
+          Vec{cell[0] + v.fx / 65535.0, cell[1] + v.fy / 65535.0, cell[2] + v.fz / 65535.0} * edge);
+      least = std::min(least, length(points.back()));
+      most = std::max(most, length(points.back()));
+    }
+    // Steps of 1 mm would leave corners up to 0.9 mm off the ball.
+    EXPECT_GT(least, 0.0194);
+    EXPECT_LT(most, 0.0206);
+    double six_volumes = 0;
+    for (const OrganTriangle& t : organ.triangles) {
+      six_volumes += dot(points[t.a], cross(points[t.b], points[t.c]));
+    }
+    EXPECT_NEAR(six_volumes / 6 / (4.0 / 3 * 3.14159265358979 * 8e-6), 1, 0.02);
+  }
+}
+
+TEST(LabelOrgan, SameMapSameBytes) {
+  const double u = 1e-3;
+  const LabelMap map = ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {});
+  const bake::BuildOptions options;
+  EXPECT_EQ(build_quietly(map, kHalves, options).bytes, build_quietly(map, kHalves, options).bytes);
+}
+
+TEST(LabelOrgan, LabelsThatAreNotThereAreSaid) {
+  const double u = 1e-3;
+  const LabelMap map = ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {});
+  const bake::BuildOptions options;
+  const auto built = build_quietly(map, {{}, {{"gel", {1}}, {"bone", {9}}}}, options);
+  EXPECT_THAT(built.report.warnings,
+              testing::ElementsAre("none of the labels of bone is in the map"));
+  EXPECT_THAT(refusal_of([&] {
+                (void)build_quietly(map, {{}, {{"bone", {9}}}}, options);
+              }),
+              testing::HasSubstr("holds none of the recipe's labels"));
+}
+
+// ---- recipes ------------------------------------------------------------------------------------
+
+TEST(Recipe, TakesNumbersAndNames) {
+  const Scratch scratch;
+  const Recipe recipe = bake::read_recipe(scratch.write(
+      "r.toml",
+      "[names]\nliver = 5\naorta = 52\n[tissues]\nvessel = [\"aorta\", 64]\nliver = [5]\n"));
+  ASSERT_EQ(recipe.groups.size(), 2U);
+  EXPECT_EQ(recipe.groups[0].tissue, "liver");
+  EXPECT_EQ(recipe.groups[1].tissue, "vessel");
+  EXPECT_THAT(recipe.groups[1].labels, testing::ElementsAre(52, 64));
+  EXPECT_EQ(recipe.names.at(52), "aorta");
+}
+
+TEST(Recipe, RefusesWithFileAndLine) {
+  const Scratch scratch;
+  const std::pair<const char*, const char*> bad[] = {
+      {"[tissues]\nliver = 5\n", "r.toml:2: liver: expected a list of labels"},
+      {"[tissues]\nliver = []\n", "r.toml:2: liver: expected a list"},
+      {"[tissues]\nliver = [0]\n", "r.toml:2: liver: expected a label from 1"},
+      {"[tissues]\nliver = [65536]\n", "expected a label from 1 to 65535"},
+      {"[tissues]\nliver = [1.5]\n", "expected a label from 1"},
+      {"[tissues]\nliver = [\"aorta\"]\n", "r.toml:2: aorta: expected one of the names"},
+      {"[tissues]\nbone = [5]\nliver = [5]\n", "label 5 is bone already"},
+      {"[tissues]\nliver = [5, 5]\n", "label 5 is liver already"},
+      {"[names]\na = 1\nb = 1\n[tissues]\nliver = [1]\n", "label 1 is a already"},
+      {"[organs]\n", "organs: expected [names] or [tissues]"},
+      {"[names]\na = 1\n", "expected a table [tissues]"},
+      {"[tissues]\n", "[tissues]: expected at least one"},
+      {"[tissues\n", "r.toml:"}};
+  for (const auto& [text, reason] : bad) {
+    const auto path = scratch.write("r.toml", text);
+    EXPECT_THAT(refusal_of([&] { (void)bake::read_recipe(path); }), testing::HasSubstr(reason));
+  }
+}
+
+TEST(Recipe, OfTotalSegmentatorMakesAnAbdomen) {
+  const auto path = data_folder() / "labelmaps" / "ts_example_seg_fast_force_split.nii.gz";
+  SKIP_WITHOUT(path);
+  const Recipe recipe = bake::read_recipe(STYLET_RECIPES "/totalsegmentator.toml");
+  const LabelMap map = bake::read_label_map(path);
+  const bake::Built built = build_quietly(map, recipe, {});
+  EXPECT_TRUE(built.report.warnings.empty());
+  std::map<std::string, double> ml;
+  for (const bake::LabelReport& each : built.report.labels) {
+    ml[each.tissue] = each.filled_volume_m3 * 1e6;
+    EXPECT_NEAR(each.filled_volume_m3 / each.map_volume_m3, 1, 0.01) << each.tissue;
+  }
+  EXPECT_NEAR(ml.at("liver"), 41692 * 0.027, 12);  // voxels of 27 mm3, as the table says
+  EXPECT_NEAR(ml.at("kidney"), (7134 + 5090) * 0.027, 4);
+  const Organ organ = opened(built.bytes);
+  const std::set<std::uint8_t> materials(organ.voxel_material.begin(), organ.voxel_material.end());
+  EXPECT_EQ(materials.size(), 6U);
+}
+
+}  // namespace
+}  // namespace stylet::test
