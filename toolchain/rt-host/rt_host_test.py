@@ -136,31 +136,36 @@ class RtHost(unittest.TestCase):
 
 # A chroot whose files are this machine's, below a layer that takes every change. The programs that
 # would change a running machine are stand-ins that say how they were called.
-CHROOT = """
+LAYER = """
 set -e
 mount -t tmpfs none "$1"
-mkdir "$1/upper" "$1/work" "$1/top" "$1/programs"
+mkdir "$1/upper" "$1/work" "$1/top"
 mount -t overlay none -o "lowerdir=/,upperdir=$1/upper,workdir=$1/work" "$1/top"
+"""
+CHROOT = LAYER + """
 mkdir -p "$1/top/dev" "$1/top/sys/devices/system/cpu" "$1/top/programs"
+cp -r "$2" "$1/top/toolchain"
 [ -e "$1/top/dev/null" ] || mknod -m 666 "$1/top/dev/null" c 1 3
 echo 0-1 > "$1/top/sys/devices/system/cpu/online"
 for name in apt-get update-grub systemd-sysusers udevadm systemctl sysctl; do
   printf '#!/bin/sh\\necho "$(basename "$0") $*" >> /calls\\n' > "$1/top/programs/$name"
   chmod +x "$1/top/programs/$name"
 done
-inside() { PATH="/programs:$PATH" chroot "$1/top" "$2" "$3" > /dev/null; }
+inside() {
+  PATH="/programs:$PATH" chroot "$1/top" /toolchain/rt-host/rt-host.sh "$2" > /dev/null
+}
 picture() {
   (cd "$1/top" && find usr/local/lib var/lib -maxdepth 2 -printf '%p %y %m\\n' | LC_ALL=C sort
     find etc -printf '%p %y %m %l\\n' | LC_ALL=C sort
     find etc -type f -exec sha256sum {} + | LC_ALL=C sort)
 }
 picture "$1" > "$1/before"
-inside "$1" "$2" --apply
+inside "$1" --apply
 cat "$1/top/calls"
 picture "$1" > "$1/after"
 if cmp -s "$1/before" "$1/after"; then echo "apply did nothing"; fi
 : > "$1/top/calls"
-inside "$1" "$2" --undo
+inside "$1" --undo
 sed 's/^/undo: /' "$1/top/calls"
 picture "$1" > "$1/undone"
 diff "$1/before" "$1/undone" && echo "as before"
@@ -171,12 +176,14 @@ class Chroot(unittest.TestCase):
     def test_programs_are_run_and_undo_restores(self):
         if os.geteuid() != 0:
             self.skipTest("needs root, for a chroot")
+        def unshared(script, folder):
+            return subprocess.run(["unshare", "-m", "bash", "-c", script, "bash", folder,
+                                   HERE.parent], capture_output=True, text=True)
+
         with tempfile.TemporaryDirectory() as folder:
-            tried = subprocess.run(["unshare", "-m", "true"], capture_output=True)
-            if tried.returncode != 0:
-                self.skipTest("needs the right to a mount namespace")
-            done = subprocess.run(["unshare", "-m", "bash", "-c", CHROOT, "bash", folder,
-                                   HERE / "rt-host.sh"], capture_output=True, text=True)
+            if unshared(LAYER, folder).returncode != 0:
+                self.skipTest("needs the right to mount an overlay in a namespace of its own")
+            done = unshared(CHROOT, folder)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         refresh = ["systemd-sysusers ", "udevadm control --reload", "udevadm trigger",
                    "systemctl daemon-reload", "update-grub ", "sysctl --system"]
