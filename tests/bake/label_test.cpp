@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Label maps: where their headers say they are, refused where they are none, and organs of them.
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -358,6 +360,56 @@ TEST(LabelOrgan, SameMapSameBytes) {
   const LabelMap map = ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {});
   const bake::BuildOptions options;
   EXPECT_EQ(build_quietly(map, kHalves, options).bytes, build_quietly(map, kHalves, options).bytes);
+}
+
+// 60 balls as labels in 512 x 512 x 300 voxels of 0.8 x 0.8 x 1 mm, ten of them each tissue.
+LabelMap whole_body_map() {
+  LabelMap map;
+  map.size = {512, 512, 300};
+  map.step_m = {Vec{0.8e-3, 0, 0}, {0, 0.8e-3, 0}, {0, 0, 1e-3}};
+  map.label.resize(std::size_t{512} * 512 * 300);
+  for (std::uint32_t label = 1; label <= 60; ++label) {
+    const std::uint32_t radius = 24 + label % 10, n = label - 1;
+    const std::array<std::uint32_t, 3> centre = {60 + n % 5 * 95, 60 + n / 5 % 4 * 120,
+                                                 50 + n / 20 * 95};
+    for (std::uint32_t k = centre[2] - radius; k <= centre[2] + radius; ++k) {
+      for (std::uint32_t j = centre[1] - radius; j <= centre[1] + radius; ++j) {
+        for (std::uint32_t i = centre[0] - radius; i <= centre[0] + radius; ++i) {
+          const auto square = [](std::uint32_t a, std::uint32_t b) { return (a - b) * (a - b); };
+          if (square(i, centre[0]) + square(j, centre[1]) + square(k, centre[2]) >
+              radius * radius) {
+            continue;
+          }
+          map.label[(std::size_t{k} * 512 + j) * 512 + i] = static_cast<std::uint16_t>(label);
+        }
+      }
+    }
+  }
+  return map;
+}
+
+TEST(LabelOrgan, OfAWholeBodyTakesLessThanAMinuteAndThreeGibibytes) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer takes its own time and memory";
+#endif
+  Recipe recipe;
+  for (const char* tissue : {"liver", "kidney", "vessel", "muscle", "bone", "fat"}) {
+    recipe.groups.push_back({tissue, {}});
+  }
+  for (std::uint16_t label = 1; label <= 60; ++label) {
+    recipe.groups[label % 6].labels.push_back(label);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  bake::BuildOptions options;
+  options.voxel_edge_m = 4e-3;
+  const bake::Built built = build_quietly(whole_body_map(), recipe, options);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
+  rusage use{};
+  getrusage(RUSAGE_SELF, &use);
+  EXPECT_LT(use.ru_maxrss, 3L << 20U);  // KiB
+  for (const bake::LabelReport& each : built.report.labels) {
+    EXPECT_NEAR(each.filled_volume_m3 / each.map_volume_m3, 1, 0.01) << each.tissue;
+  }
 }
 
 TEST(LabelOrgan, LabelsThatAreNotThereAreSaid) {
