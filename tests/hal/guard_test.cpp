@@ -198,6 +198,52 @@ TEST(GuardRearm, OnlyByNameAndOnlyAtZero) {
   EXPECT_EQ(state.counters.rearms, 1U);
 }
 
+TEST(GuardSample, BoundsOfAPlausiblePose) {
+  const auto usable = [](Vec3 position_m, float w) {
+    GuardState state = guard_start();
+    Sample s = sample(1);
+    s.pose = {position_m, {w, 0, 0, 0}};
+    return guard_sample(plain(), state, true, s, 0);
+  };
+  EXPECT_TRUE(usable({0, 10, 0}, 1));
+  EXPECT_FALSE(usable({0, 10.001F, 0}, 1));
+  EXPECT_TRUE(usable({}, std::sqrt(1.09F)));
+  EXPECT_FALSE(usable({}, std::sqrt(1.11F)));
+  EXPECT_TRUE(usable({}, std::sqrt(0.91F)));
+  EXPECT_FALSE(usable({}, std::sqrt(0.89F)));
+}
+
+TEST(GuardSample, BlindTicksDoNotStartAgainAfterMonths) {
+  GuardState state = guard_start();
+  state.blind_ticks = std::numeric_limits<std::uint32_t>::max();
+  EXPECT_FALSE(guard_sample(plain(), state, false, sample(1), 0));
+  EXPECT_EQ(state.blind_ticks, std::numeric_limits<std::uint32_t>::max());
+}
+
+TEST(GuardForce, WhatIsAtItsLimitIsNotCounted) {
+  const GuardState at_most = pushed_to(plain(), {0, 0, 8});
+  EXPECT_EQ(at_most.force_n.z, 8.0F);
+  EXPECT_EQ(at_most.counters.force_limited, 0U);
+  GuardConfig exact = plain();
+  exact.period_s = 0x1p-10F;
+  exact.max_slew_n_per_s = 0x1p10F;  // 1 N in a tick
+  GuardState state = guard_start();
+  EXPECT_EQ(guard_force(exact, state, {1, 0, 0}).x, 1.0F);
+  EXPECT_EQ(state.counters.slew_limited, 0U);
+}
+
+TEST(GuardRearm, TheWatchdogStartsAfresh) {
+  GuardState state = guard_start();
+  guard_trip(state, Fault::kDeviceSilent);
+  state.blind_ticks = 3;
+  ASSERT_TRUE(guard_rearm(state, Fault::kDeviceSilent));
+  for (int tick = 1; tick <= 3; ++tick) {
+    EXPECT_EQ(state.fault, Fault::kNone) << tick;
+    EXPECT_FALSE(guard_sample(plain(), state, false, sample(1), 0));
+  }
+  EXPECT_EQ(state.fault, Fault::kDeviceSilent);
+}
+
 // Any bits as forces and samples: what comes out keeps every promise.
 TEST(Guard, HoldsItsPromisesForAnyBits) {
   std::mt19937 engine(7);
