@@ -1,35 +1,45 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Every line and branch of kernel/src is reached, but for the exceptions listed with a reason.
+"""Every line and branch of a folder is reached, but for the exceptions listed with a reason.
 
-usage: coverage.py LCOV_FILE SOURCE_FOLDER EXCEPTIONS_FILE
+usage: coverage.py EXPORT_FILE SOURCE_FOLDER EXCEPTIONS_FILE
 
-Reads what `llvm-cov export -format=lcov` wrote. An exception is a line
+Reads what `llvm-cov export` wrote. A branch is one side of a condition; what is compiled several
+times (a template, one source for several instruction sets) is reached where any of them is. Sources
+no test program holds a line of are an error. An exception is a line
     FILE | CODE | REASON
 of EXCEPTIONS_FILE: CODE is the source line as it is, without its indentation; it excuses that line
 and its branches, wherever the file has it. An exception that excuses nothing is an error too.
 """
 import collections
+import json
 import pathlib
 import sys
 
 
-def read_lcov(path):
-    """{file: ({line: count}, {line: {branch: count}})}"""
-    files = {}
-    for row in path.read_text().splitlines():
-        kind, _, rest = row.partition(":")
-        if kind == "SF":
-            lines, branches = files.setdefault(rest, ({}, collections.defaultdict(dict)))
-        elif kind == "DA":
-            line, count = (int(each) for each in rest.split(",")[:2])
-            lines[line] = lines.get(line, 0) + count
-        elif kind == "BRDA":
-            line, block, branch, count = rest.split(",")
-            taken = 0 if count == "-" else int(count)
-            key = (block, branch)
-            branches[int(line)][key] = branches[int(line)].get(key, 0) + taken
-    return files
+def line_counts(segments):
+    """{line: largest count}: a segment is line, column, count, counted, entered, gap."""
+    counts = {}
+    for this, following in zip(segments, segments[1:] + [None]):
+        line, _, count, counted, entered, gap = this
+        if not counted or gap:
+            continue
+        last = following[0] if following is not None else line
+        last -= following is not None and following[1] == 1
+        for each in range(line, last + 1):
+            # A line that a region only begins in belongs to what it begins with.
+            if each == line or each not in counts:
+                counts[each] = max(counts.get(each, 0), count) if each == line else count
+    return counts
+
+
+def branch_sides(branches):
+    """{line: {(column, end, side): count}}, instantiations added up."""
+    sides = collections.defaultdict(collections.Counter)
+    for line, column, end_line, end_column, true, false, *_ in branches:
+        for side, count in ((True, true), (False, false)):
+            sides[line][column, end_line, end_column, side] += count
+    return sides
 
 
 def read_exceptions(path):
@@ -45,41 +55,48 @@ def read_exceptions(path):
     return exceptions
 
 
-def report(files, folder, exceptions):
-    """Lines of what is not covered and not excused; prints the totals."""
-    total, missed, unused = [0, 0], [], dict(exceptions)
-    excused = [0, 0]
-    for name in sorted(files):
-        path = pathlib.Path(name)
-        if not path.is_relative_to(folder):
-            continue
+class Report:
+    def __init__(self, folder, exceptions):
+        self.folder, self.exceptions, self.unused = folder, exceptions, dict(exceptions)
+        self.lines = self.branches = self.excused_lines = self.excused_branches = 0
+        self.missed = []
+
+    def add(self, path, lines, branches):
         text = path.read_text().splitlines()
-        lines, branches = files[name]
-        total[0] += len(lines)
-        total[1] += sum(len(each) for each in branches.values())
+        short = path.relative_to(self.folder).as_posix()
+        self.lines += len(lines)
+        self.branches += sum(len(each) for each in branches.values())
         for line in sorted(set(lines) | set(branches)):
             without = sum(count == 0 for count in branches.get(line, {}).values())
-            if lines.get(line, 1) > 0 and without == 0:
+            reached = lines.get(line, 1) > 0
+            if reached and without == 0:
                 continue
-            short = path.relative_to(folder).as_posix()
-            code = text[line - 1].strip()
-            which = 1 if lines.get(line, 1) > 0 else 0
-            if (short, code) in exceptions:
-                unused.pop((short, code), None)
-                excused[0] += which == 0
-                excused[1] += without
-                continue
-            what = "not reached" if which == 0 else f"{without} branches not taken"
-            missed.append(f"{name}:{line}: {what}: {code}")
-    print(f"{total[0]} lines, {excused[0]} excused; {total[1]} branches, {excused[1]} excused")
-    return missed + [f"{file}: excused for nothing: {code}" for file, code in unused]
+            key = short, text[line - 1].strip()
+            if key in self.exceptions:
+                self.unused.pop(key, None)
+                self.excused_lines += not reached
+                self.excused_branches += without
+            else:
+                what = f"{without} branches not taken" if reached else "not reached"
+                self.missed.append(f"{short}:{line}: {what}: {key[1]}")
 
 
 def main():
     if len(sys.argv) != 4:
-        sys.exit("usage: coverage.py LCOV_FILE SOURCE_FOLDER EXCEPTIONS_FILE")
-    lcov, folder, exceptions = (pathlib.Path(each).resolve() for each in sys.argv[1:])
-    missed = report(read_lcov(lcov), folder, read_exceptions(exceptions))
+        sys.exit("usage: coverage.py EXPORT_FILE SOURCE_FOLDER EXCEPTIONS_FILE")
+    export, folder, exceptions = (pathlib.Path(each).resolve() for each in sys.argv[1:])
+    report = Report(folder, read_exceptions(exceptions))
+    seen = set()
+    for file in json.loads(export.read_text())["data"][0]["files"]:
+        path = pathlib.Path(file["filename"])
+        if path.is_relative_to(folder):
+            seen.add(path)
+            report.add(path, line_counts(file["segments"]), branch_sides(file["branches"]))
+    missed = report.missed + [f"{path.name}: in no test program"
+                              for path in sorted(folder.glob("*.cpp")) if path not in seen]
+    missed += [f"{file}: excused for nothing: {code}" for file, code in report.unused]
+    print(f"{report.lines} lines, {report.excused_lines} excused; "
+          f"{report.branches} branches, {report.excused_branches} excused; {len(missed)} missing")
     print("\n".join(missed))
     sys.exit(1 if missed else 0)
 

@@ -22,15 +22,13 @@ static_assert(sizeof(OrganSphere) == sizeof(format::SphereNode));
 
 constexpr std::uint32_t kFormatVersion = 1;
 
-// Collects the first refusal; every check below reads as one line.
+// Keeps the refusal; every check below reads as one line, and the first that fails is the last.
 struct Checker {
   OrganRefusal refusal;
 
   bool require(bool good, Status status, const char* place, std::uint64_t index, double value,
                const char* expected) {
-    if (!good && refusal.status == Status::kOk) {
-      refusal = {status, place, index, value, expected};
-    }
+    if (!good) refusal = {status, place, index, value, expected};
     return good;
   }
   bool in_range(float value, float low, float high, const char* place, std::uint64_t index,

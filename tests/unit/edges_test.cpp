@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "layout.h"
+#include "obstacle.h"
 #include "session.h"
 
 namespace stylet::test {
@@ -193,6 +194,81 @@ TEST(Edges, AnswersIntoTooLittleRoom) {
   EXPECT_GT(mass_report(session.kernel, 0).real_kg, 0);
   EXPECT_GE(mass_report(session.kernel, 0).stepped_kg, mass_report(session.kernel, 0).real_kg);
   EXPECT_EQ(mass_report(session.kernel, 99).real_kg, 0);
+}
+
+// An elastic needle of many rods beside a wall: more pieces touch than there is room for.
+TEST(Edges, MoreContactsThanRoom) {
+  const auto organ = block_organ(2, 2, 2);
+  Config config = config_of(Setup::kElastic);
+  config.needle[0].rods = 2 * kMaxTouches;
+  Session session = make_session(organ->organ, config);
+  ObstacleConfig wall;
+  make_box(wall, {5e-3F, 0.05F, 0.3F});
+  wall.pose.position_m = {0.305F, 0, 0.1F};
+  wall.stiffness_n_per_m = 100;
+  wall.largest_force_n = 1;
+  ASSERT_EQ(set_obstacles(session.kernel, {&wall, 1}), Status::kOk);
+  std::uint32_t flags = 0;
+  for (int i = 0; i < 200; ++i) {
+    const float x = 0.298F + 2e-5F * static_cast<float>(i);
+    const Output out = tick(session.kernel, {{{x, 0, 0.2F}, {1, 0, 0, 0}}, 1});
+    flags |= out.flags;
+    EXPECT_TRUE(std::isfinite(out.force_n.x));
+  }
+  EXPECT_NE(flags & kFlagObstaclePoolFull, 0U);
+  EXPECT_EQ(stats(session.kernel).obstacle_contacts.used_max, kMaxTouches);
+  EXPECT_GT(stats(session.kernel).obstacle_pool_full, 0U);
+}
+
+// A hole is entered again only along its own direction.
+TEST(Edges, AnotherDirectionIsAnotherTrack) {
+  const auto organ = block_organ(6, 6, 6);
+  Config config;
+  config.needle[0].length_m = 0.1F;
+  Session session = make_session(organ->organ, config);
+  const Vec3 entry = block_script(organ->organ, config).entry_m;
+  const auto stroke = [&](float turn) {
+    const Quat q = {std::sqrt(1 - turn * turn), 0, turn, 0};  // about y
+    const Vec3 back = {2 * turn * q.w, 0, 1 - 2 * turn * turn};
+    for (int i = -30; i <= 130; ++i) {  // 3 mm before to 10 mm behind and out again
+      const float deep_m = 1e-4F * static_cast<float>(i < 100 ? i : 100 - 5 * (i - 100));
+      const float along = config.needle[0].length_m - deep_m;
+      const Vec3 base = {entry.x + along * back.x, entry.y, entry.z + along * back.z};
+      (void)tick(session.kernel, {{base, q}, 1});
+    }
+    for (int i = 0; i < 300; ++i) (void)tick(session.kernel, Input{});
+  };
+  const auto count = [&](EventKind kind) {
+    std::array<Event, kMaxEvents> all;
+    const std::uint32_t happened = events(session.kernel, all);
+    return std::count_if(all.begin(), all.begin() + happened,
+                         [kind](const Event& e) { return e.kind == kind; });
+  };
+  stroke(0);
+  EXPECT_EQ(count(EventKind::kPuncture), 1);
+  stroke(0);
+  EXPECT_EQ(count(EventKind::kPuncture), 1);
+  EXPECT_EQ(count(EventKind::kReentry), 1);
+  stroke(0.3F);
+  EXPECT_EQ(count(EventKind::kPuncture), 2);
+  EXPECT_EQ(count(EventKind::kReentry), 1);
+}
+
+TEST(Edges, APieceThatIsNotFiniteTouchesNothing) {
+  ObstacleConfig config;
+  make_sphere(config, 0.01F);
+  config.stiffness_n_per_m = 1000;
+  config.largest_force_n = 10;
+  Obstacle obstacle;
+  ASSERT_EQ(obstacle_prepare(config, obstacle), Status::kOk);
+  const NeedlePiece good = {{-0.05F, 0, 0}, {0.05F, 0, 0}, 1e-3F};
+  ObstacleContact next = {};
+  EXPECT_GT(obstacle_load(obstacle, good, {}, next).depth_m, 0);
+  for (int part = 0; part < 3; ++part) {
+    NeedlePiece bad = good;
+    (part == 0 ? bad.a_m.y : part == 1 ? bad.b_m.z : bad.radius_m) = kNan;
+    EXPECT_EQ(obstacle_load(obstacle, bad, {}, next).depth_m, 0) << part;
+  }
 }
 
 // Fewer inputs or outputs than needles.

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Organs that are no plain block: without a surface, with holes, with rows that are shorter than
+// others or missing. Needles go through all of it and every promise holds.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "layout.h"
+#include "organ_objects.h"  // before organ_generated.h, which it replaces
+#include "promises.h"
+#include "session.h"
+
+namespace stylet::test {
+namespace {
+
+constexpr std::uint16_t kNx = 7, kNy = 5, kNz = 5;
+
+using Owner = format::OrganT;
+
+std::unique_ptr<OpenOrgan> packed(const Owner& owner) {
+  flatbuffers::FlatBufferBuilder builder;
+  format::FinishOrganBuffer(builder, format::Organ::Pack(builder, &owner));
+  const auto* bytes = reinterpret_cast<const std::byte*>(builder.GetBufferPointer());
+  return open_organ({bytes, bytes + builder.GetSize()});
+}
+
+std::unique_ptr<Owner> block() {
+  TinyOrgan tiny;
+  tiny.nx = kNx;
+  tiny.ny = kNy;
+  tiny.nz = kNz;
+  tiny.fixed_faces = kLowZ;
+  tiny.materials[0].puncture_force_n = 0.05F;
+  return std::unique_ptr<Owner>(format::GetOrgan(tiny_organ(tiny).data())->UnPack());
+}
+
+bool gone(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+  if (z == 3 && y == 2) return true;          // a whole row
+  if (z == 3 && y == 1) return x < 2;         // the low end of a row
+  if (z == 2 && y == 2) return x > 4;         // the high end
+  return z == 3 && y == 3 && x > 1 && x < 5;  // a hole in the middle
+}
+
+// A surface vertex whose voxel is gone goes to the next one that is there.
+std::unique_ptr<OpenOrgan> ragged() {
+  const std::unique_ptr<Owner> owner = block();
+  std::vector<std::uint32_t> now;
+  std::vector<std::uint8_t> fixed;
+  owner->runs.clear();
+  std::uint32_t voxel = 0, kept = 0;
+  for (std::uint16_t z = 0; z < kNz; ++z) {
+    for (std::uint16_t y = 0; y < kNy; ++y) {
+      std::uint16_t x = 0;
+      while (x < kNx) {
+        const std::uint16_t first = x;
+        while (x < kNx && !gone(x, y, z)) {
+          now.push_back(kept++);
+          fixed.push_back(owner->voxel_fixed[voxel++]);
+          ++x;
+        }
+        if (x > first) {
+          owner->runs.emplace_back(first, y, z, static_cast<std::uint16_t>(x - first));
+        }
+        for (; x < kNx && gone(x, y, z); ++x, ++voxel) now.push_back(kept);
+      }
+    }
+  }
+  owner->voxel_material.resize(kept);
+  owner->voxel_fill.resize(kept);
+  owner->voxel_fixed = fixed;
+  for (format::Vertex& v : owner->vertices) {
+    v = format::Vertex(now[v.voxel()], v.fx(), v.fy(), v.fz(), 0);
+  }
+  return packed(*owner);
+}
+
+TEST(OddOrgan, WithoutASurfaceNothingIsTouched) {
+  const std::unique_ptr<Owner> owner = block();
+  owner->vertices.clear();
+  owner->triangles.clear();
+  owner->sphere_nodes.clear();
+  const auto opened = packed(*owner);
+  float distance_m = 0;
+  EXPECT_FALSE(organ_raycast(opened->organ, {0.01F, 0.01F, 1}, {0, 0, -1}, distance_m));
+  Session session = make_session(opened->organ, Config{});
+  run(session.kernel, block_script(opened->organ, Config{}), 0, 1500);
+  EXPECT_EQ(stats(session.kernel).constraint_particles.used_max, 0U);
+  std::vector<Vec3> places(3);
+  EXPECT_EQ(surface(session.kernel, places), 0U);
+}
+
+TEST(OddOrgan, ARayFromInsideSeesOnlyWhatIsAhead) {
+  const auto opened = packed(*block());
+  float distance_m = 0;
+  ASSERT_TRUE(organ_raycast(opened->organ, {0.0176F, 0.0127F, 0.02F}, {0, 0, -1}, distance_m));
+  EXPECT_NEAR(static_cast<double>(distance_m), 0.02, 1e-6);
+  ASSERT_TRUE(organ_raycast(opened->organ, {0.0176F, 0.0127F, 0.02F}, {0, 0, 1}, distance_m));
+  EXPECT_NEAR(static_cast<double>(distance_m), 0.005, 1e-6);
+}
+
+TEST(OddOrgan, NeedlesThroughHolesAndShortRows) {
+  const auto opened = ragged();
+  Config config;
+  config.needle[0].unit_m = 2e-3F;
+  std::uint32_t inserted = 0;
+  for (int place = 0; place < 35; ++place) {
+    Session session = make_session(opened->organ, config);
+    Vec3 tip = {0.0025F + 0.005F * static_cast<float>(place % 7) + 0.0007F,
+                0.0025F + 0.005F * static_cast<float>(place / 7) + 0.0004F, 0.0265F};
+    for (int i = 0; i < 400; ++i) {
+      const Vec3 base = {tip.x, tip.y, tip.z + config.needle[0].length_m};
+      const Output out = tick(session.kernel, {{base, {1, 0, 0, 0}}, 1});
+      const char* broken = broken_promise(session.kernel, {&out, 1});
+      ASSERT_EQ(broken, nullptr) << broken << ", place " << place << ", tick " << i;
+      tip.z += i < 250 ? -1e-4F : 2e-4F;
+      if (i >= 150 && i < 250) tip.x += 0.4e-4F;
+    }
+    inserted += stats(session.kernel).constraint_particles.used_max > 2 ? 1 : 0;
+    EXPECT_GE(energy(session.kernel).elastic, 0);
+    std::vector<Vec3> places(opened->organ.vertices.size() + 5);
+    EXPECT_EQ(surface(session.kernel, places), opened->organ.vertices.size());
+  }
+  EXPECT_GT(inserted, 20U);
+}
+
+TEST(OddOrgan, TooManyVoxelsAreRefused) {
+  const std::unique_ptr<Owner> owner = block();
+  owner->voxel_material.resize(kMaxVoxels + 1);
+  flatbuffers::FlatBufferBuilder builder;
+  format::FinishOrganBuffer(builder, format::Organ::Pack(builder, owner.get()));
+  const auto* bytes = reinterpret_cast<const std::byte*>(builder.GetBufferPointer());
+  Organ organ;
+  OrganRefusal refusal;
+  EXPECT_EQ(organ_open({bytes, builder.GetSize()}, organ, &refusal), Status::kOrganValueOutOfRange);
+  EXPECT_STREQ(refusal.expected, "1 to 4000000 voxels");
+}
+
+}  // namespace
+}  // namespace stylet::test
