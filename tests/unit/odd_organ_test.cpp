@@ -19,11 +19,15 @@ constexpr std::uint16_t kNx = 7, kNy = 5, kNz = 5;
 
 using Owner = format::OrganT;
 
-std::unique_ptr<OpenOrgan> packed(const Owner& owner) {
+std::vector<std::byte> bytes_of(const Owner& owner) {
   flatbuffers::FlatBufferBuilder builder;
   format::FinishOrganBuffer(builder, format::Organ::Pack(builder, &owner));
   const auto* bytes = reinterpret_cast<const std::byte*>(builder.GetBufferPointer());
-  return open_organ({bytes, bytes + builder.GetSize()});
+  return {bytes, bytes + builder.GetSize()};
+}
+
+std::unique_ptr<OpenOrgan> packed(const Owner& owner) {
+  return open_organ(bytes_of(owner));
 }
 
 std::unique_ptr<Owner> block() {
@@ -128,12 +132,9 @@ TEST(OddOrgan, NeedlesThroughHolesAndShortRows) {
 TEST(OddOrgan, TooManyVoxelsAreRefused) {
   const std::unique_ptr<Owner> owner = block();
   owner->voxel_material.resize(kMaxVoxels + 1);
-  flatbuffers::FlatBufferBuilder builder;
-  format::FinishOrganBuffer(builder, format::Organ::Pack(builder, owner.get()));
-  const auto* bytes = reinterpret_cast<const std::byte*>(builder.GetBufferPointer());
   Organ organ;
   OrganRefusal refusal;
-  EXPECT_EQ(organ_open({bytes, builder.GetSize()}, organ, &refusal), Status::kOrganValueOutOfRange);
+  EXPECT_EQ(organ_open(bytes_of(*owner), organ, &refusal), Status::kOrganValueOutOfRange);
   EXPECT_STREQ(refusal.expected, "1 to 4000000 voxels");
 }
 
