@@ -6,6 +6,8 @@
 #   full    tests with the ctest label `full`; the fast tests once more with clang and under each
 #           sanitizer
 #   night   tests with the ctest label `night`
+#
+# `full` and `night` also bring the README's table of promises up to date.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -24,12 +26,17 @@ again() {
   run_tests "${short[@]}" "$@"
 }
 
+note_results() { python3 "$root/toolchain/promises.py" "$root" "$build"; }
+
 "$root/toolchain/test.sh"
 [ "$tier" != fast ] || exit 0
+note_results
 run_tests -L '^full$' --no-tests=ignore
+note_results
 again clang -E '^(cross|rt\.determinism)'         # they choose their compilers themselves
 again sanitize -E 'ripple|calculix'               # the longest, of code that others run too
 again sanitize-threads -R '^(hal|rt_|simulator)'  # the others have one thread
 [ "$tier" != full ] || exit 0
 use_preset release
 run_tests -L '^night$' --no-tests=ignore
+note_results

@@ -8,8 +8,10 @@ import tempfile
 import unittest
 
 sys.dont_write_bytecode = True
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 import headers  # noqa: E402
 import loops  # noqa: E402
+import promises  # noqa: E402
 import stack  # noqa: E402
 import symbols  # noqa: E402
 import tidy  # noqa: E402
@@ -96,6 +98,32 @@ class Loops(Sample):
 
     def test_refuses_rows_without_a_loop(self):
         self.expect_one(self.faults("", "a.cpp | while (f(1)) | kMaxTurns\n"), "not in the code")
+
+
+class Promises(Sample):
+    EMPTY = f"before\n{promises.BEGIN}\n\n{promises.HEADER}\n\n{promises.END}\nbehind\n"
+    LOG = ("1/2 Testing: rt.stack\n1/2 Test: rt.stack\nOutput:\n---\n"
+           "5448 bytes at most; of a painted stack:\nphysical, avx2: 4616 bytes\n"
+           "<end of output>\nTest time = 1\nTest Passed.\n"
+           "2/2 Testing: check.loops\n2/2 Test: check.loops\nOutput:\n---\n"
+           "<end of output>\nTest time = 1\nTest Failed.\n")
+
+    def test_writes_what_the_log_has_and_keeps_the_rest(self):
+        log = promises.read_log(self.write("LastTest.log", self.LOG))
+        once = promises.updated(self.EMPTY, log, "2026-01-02")
+        self.assertIn("| `rt.stack` | 2026-01-02: 5448 bytes at most, 4616 used |", once)
+        self.assertIn("| `check.loops` | 2026-01-02: check.loops failed |", once)
+        self.assertIn(f"| `check.symbols` | {promises.NEVER} |", once)
+        self.assertEqual(promises.updated(once, {}, "2026-03-04"), once)
+        self.assertTrue(once.startswith("before\n") and once.endswith("behind\n"))
+
+    def test_refuses_another_table_and_rows_without_a_test(self):
+        made = promises.updated(self.EMPTY, {}, "2026-01-02")
+        tests = [row[1].replace(".*", "x").replace("\\", "") for row in promises.ROWS]
+        tests[tests.index("cross.(i686|aarch64|cortex_m7)")] = "cross.i686"
+        self.assertEqual(list(promises.faults(made, tests)), [])
+        self.expect_one(promises.faults(made, tests[1:]), promises.ROWS[0][0])
+        self.expect_one(promises.faults(made.replace("bounded", "small"), tests), "table")
 
 
 class Stack(Sample):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""check.sh runs the tests of its tier and no others: cmake and ctest are stand-ins that say how
-they were called."""
+"""check.sh runs the tests of its tier and no others: cmake, ctest and python3 are stand-ins that
+say how they were called."""
 import os
 import pathlib
 import shutil
@@ -30,7 +30,8 @@ class Tiers(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.top = pathlib.Path(folder.name)
         shutil.copytree(TOOLCHAIN, self.top / "toolchain")
-        for name, text in ("dpkg-query", ALL_INSTALLED), ("cmake", RECORDER), ("ctest", RECORDER):
+        for name, text in (("dpkg-query", ALL_INSTALLED), ("cmake", RECORDER),
+                           ("ctest", RECORDER), ("python3", RECORDER)):
             path = self.top / name
             path.write_text(text)
             path.chmod(0o755)

@@ -1,0 +1,115 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The README's table of promises: what is promised, which tests hold it, what they last measured.
+
+Reads the log ctest left in a build folder, and writes the rows whose tests it has; the others keep
+what they had. --check changes nothing: it refuses a table that is not made of these rows, and a row
+without a test in the build folder.
+
+usage: promises.py REPOSITORY BUILD_FOLDER [--check]
+"""
+import datetime
+import pathlib
+import re
+import subprocess
+import sys
+
+BEGIN, END = "<!-- promises: toolchain/promises.py -->", "<!-- end of promises -->"
+HEADER = "| promised | held by | last measured |\n| --- | --- | --- |"
+NEVER = "not yet"
+# (promise, tests as a regular expression for their names, what to take from their output: an
+# expression whose groups fill the text; none: that they passed).
+ROWS = [
+    ("no heap, page fault or system call in a million ticks", r"rt_million_ticks\..*", None),
+    ("no call that may wait", r"rt\.rtsan\..*", None),
+    ("nothing from outside but a list of functions", r"check\.symbols", None),
+    ("a tick's stack is bounded, 32 KiB", r"rt\.stack",
+     (r"(\d+) bytes at most.*?physical, \w+: (\d+) bytes", "{} bytes at most, {} used")),
+    ("every loop ends", r"check\.loops", None),
+    ("memory used is memory predicted, to the byte", r"rt_memory\..*", None),
+    ("same bits for gcc and clang, -O0 to -O3, SSE2, AVX2, AVX-512", r"rt\.determinism",
+     (r"()9 series, last hash (\w+)\s*$", "{}last hash {}")),
+    ("same bits with LTO, sanitizers, and for newer processors", r"rt\.determinism_all", None),
+    ("same bits on 32-bit x86, 64-bit ARM, bare Cortex-M7", r"cross\.(i686|aarch64|cortex_m7)",
+     None),
+    ("same bits with helper threads or without", r"rt_team\..*", None),
+    ("same recordings, scene by scene", r"golden\..*", None),
+    ("instructions of a tick on the Cortex-M7", r"cross\.virtual_time",
+     (r"elastic: worst (\d+), median (\d+)", "worst {}, median {}")),
+    ("instructions of the dearest tick of a scene, AVX2", r"rt\.costs\..*",
+     (r"takes (\d+) instructions, ([\d.]+) x the median", "{}, {} x the median")),
+    ("any bytes, any input: refused or harmless", r"fuzz\..*", None),
+    ("random sessions keep what must hold", r"simulator\..*", None),
+    ("a device may fail at any tick", r"device_faults\..*", None),
+]
+TEST = re.compile(r"^\d+/\d+ Testing: (.+?)$.*?^Output:\n-+\n(.*?)<end of output>.*?"
+                  r"^Test (Passed|Failed)", re.M | re.S)
+
+
+def read_log(path):
+    """Test -> (its output, whether it passed)."""
+    text = path.read_text(errors="replace")
+    return {name: (output, verdict == "Passed") for name, output, verdict in TEST.findall(text)}
+
+
+def measured(row, log, today):
+    """What the log says of the row's tests; None where it has none of them."""
+    _, pattern, figure = row
+    results = [(name, *log[name]) for name in sorted(log) if re.fullmatch(pattern, name)]
+    if not results:
+        return None
+    failed = [name for name, _, passed in results if not passed]
+    if failed:
+        return f"{today}: {failed[0]} failed"
+    texts = []
+    for _, output, _ in results:
+        match = re.search(figure[0], output, re.S) if figure else None
+        texts += [figure[1].format(*match.groups())] if match else []
+    return f"{today}: {'; '.join(texts) if texts else f'{len(results)} passed'}"
+
+
+def table_of(readme):
+    """(text before, rows, text behind)"""
+    before, rest = readme.split(BEGIN, 1)
+    table, behind = rest.split(END, 1)
+    rows = [[cell.strip() for cell in line.strip("|").split(" | ")]
+            for line in table.strip().splitlines()[2:]]
+    return before, rows, behind
+
+
+def held_by(pattern):
+    return "`" + pattern.replace("\\", "").replace(".*", "*").replace("|", ", ") + "`"
+
+
+def updated(readme, log, today):
+    before, rows, behind = table_of(readme)
+    last = {row[0]: row[2] for row in rows}
+    lines = [f"| {row[0]} | {held_by(row[1])} | "
+             f"{measured(row, log, today) or last.get(row[0], NEVER)} |" for row in ROWS]
+    return before + "\n".join([BEGIN, "", HEADER, *lines, "", END]) + behind
+
+
+def faults(readme, tests):
+    _, rows, _ = table_of(readme)
+    if [row[:2] for row in rows] != [[row[0], held_by(row[1])] for row in ROWS]:
+        yield "README.md: the table of promises is not promises.py's; run it without --check"
+    for promise, pattern, _ in ROWS:
+        if not any(re.fullmatch(pattern, test) for test in tests):
+            yield f"{promise}: no test is called {pattern}"
+
+
+def main(repository, build, check):
+    path = pathlib.Path(repository) / "README.md"
+    if check:
+        listing = subprocess.run(["ctest", "--test-dir", build, "-N"], check=True,
+                                 capture_output=True, text=True).stdout
+        found = list(faults(path.read_text(), re.findall(r"Test +#\d+: (\S+)", listing)))
+        print("\n".join(found))
+        return bool(found)
+    log = read_log(pathlib.Path(build) / "Testing/Temporary/LastTest.log")
+    path.write_text(updated(path.read_text(), log, datetime.date.today().isoformat()))
+    return False
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1], sys.argv[2], sys.argv[3:] == ["--check"]))
