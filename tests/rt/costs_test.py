@@ -26,6 +26,9 @@ class Costs(unittest.TestCase):
     def test_refuses_a_number_that_is_too_large(self):
         self.assertIn("less than", next(costs.faults(ROW, with_costs(t7=989))))
 
+    def test_refuses_a_spread_beyond_the_bar(self):
+        self.assertIn("1.160 x", next(costs.faults((7, 1044, 900), with_costs(t7=1044))))
+
     def test_windows_join_neighbours_and_stay_inside(self):
         self.assertEqual(costs.windows_of([5, 3, 4, 4, 9, -1, 12], 10), ["3:6", "9:10"])
 
