@@ -177,6 +177,51 @@ class Recording(Folder):
         self.assertEqual(len(texts), 1)
 
 
+class Patient(Folder):
+    """From a patient's segmentation to a needle in the liver, from the front."""
+
+    MAP = DATA / "labelmaps/ts_example_seg_fast_force_split.nii.gz"
+    # The column of the map whose first tissue from the front is liver, and most of it: its voxel
+    # 69, 81, 107 is at 29 mm right, 254.3 mm front, 415.3 mm up in the header's frame.
+    SCENE = """
+[organ]
+path = "patient.organ"
+[approach]
+direction = [0, 1, 0]
+point_mm = [-29, -220, 415]
+start_mm = 5
+[guard]
+ramp_ms = 0
+[[hand.waypoint]]
+travel_mm = 50
+speed_mm_s = 25
+"""
+
+    def test_needle_meets_the_liver_where_the_map_has_it(self):
+        if not self.MAP.exists():
+            self.skipTest(f"{self.MAP} is not there; set STYLET_DATA")
+        call("stylet-organ", "build", self.MAP, "--recipe",
+             SOURCE / "offline/recipes/totalsegmentator.toml", "--fix", "y>80%", "-o",
+             self.top / "patient.organ")
+        names = [m["name"] for m in json.loads(
+            call("stylet-organ", "info", self.top / "patient.organ", "--json").stdout)["materials"]]
+        scene = self.top / "patient.toml"
+        scene.write_text(self.SCENE)
+        report = json.loads(call("stylet", "run", scene, "--fast", "--json", "--record",
+                                 self.top / "patient.h5").stdout)
+        self.assertEqual(report["fault"], "none")
+        with h5py.File(self.top / "patient.h5") as file:
+            entry = file["needles/entry_m"][0]
+        # The front face of the voxel, half of its 3 mm nearer, smoothed.
+        self.assertLess(abs(entry[1] - (-0.2543 - 0.0015)), 0.003)
+        met = [(event["kind"], names[event["layer"]]) for event in report["events"]]
+        self.assertEqual(met, [("contact", "liver_capsule"), ("puncture", "liver_capsule"),
+                               ("layer", "liver")])
+        self.assertAlmostEqual(report["events"][1]["force_n"], 0.7, delta=0.014)
+        slope = next(p["slope_n_per_mm"] for p in report["phases"] if p["name"] == "insertion")
+        self.assertAlmostEqual(slope, 0.010 + 20 * 0.025 * 1e-3, delta=0.0005)
+
+
 class Flight(Folder):
     """A device that falls silent: exit code 3, and its last second in a file that can be drawn."""
 
