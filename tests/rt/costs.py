@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """The dearest tick of a scene takes as many instructions as committed, within one percent, and no
-more than 1.15 times the median of ticks with a needle in the tissue.
+more than 1.15 times the median of ticks with a needle in the tissue, but for scenes listed here.
 
 Runs the scene, then counts instructions under callgrind (which has no AVX-512, so: AVX2). Counted
 are the committed worst tick, ticks around every event, and samples all along; none may be dearer.
@@ -20,6 +20,8 @@ import tempfile
 
 TOLERANCE = 0.01
 SPREAD = 1.15
+# Beyond it: a needle costs by its depth, and these go deep, one of them with two needles.
+ADMITTED = {"lumbar-puncture": 1.16, "prostate-template": 1.33}
 SAMPLES, SAMPLE_TICKS = 25, 4
 SKIPPED = 77
 HEADER = """\
@@ -81,10 +83,10 @@ def summary(costs):
     return worst, costs[worst][0], round(statistics.median(inserted))
 
 
-def faults(row, costs):
+def faults(row, costs, spread=SPREAD):
     tick, worst, median = row
-    if worst > SPREAD * median:
-        yield f"tick {tick} takes {worst / median:.3f} x the median, allowed are {SPREAD}"
+    if worst > spread * median:
+        yield f"tick {tick} takes {worst / median:.3f} x the median, allowed are {spread}"
     dearest = max(costs, key=lambda t: costs[t][0])
     if costs[tick][0] < (1 - TOLERANCE) * worst:
         yield f"tick {tick} takes {costs[tick][0]} instructions, less than the committed {worst}"
@@ -121,7 +123,7 @@ def main(repository, build, scene, update):
         costs = count(program, recording, folder, windows_of(ticks, last))
     print(f"{scene}: {len(costs)} ticks counted; tick {row[0]} takes {costs[row[0]][0]} "
           f"instructions, {row[1] / row[2]:.3f} x the median of the inserted phase")
-    wrong = list(faults(row, costs))
+    wrong = list(faults(row, costs, ADMITTED.get(scene, SPREAD)))
     if wrong:
         wrong.append("if that is meant: tests/rt/costs.py REPOSITORY BUILD_FOLDER SCENE --update")
     print("\n".join(wrong))
