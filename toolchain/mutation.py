@@ -26,7 +26,9 @@ SUBJECTS = {
                                         ["device_faults", "--gtest_filter=DeviceFaults.*"],
                                         ["hal_loop"]]),
     "organ": ("kernel/src/organ.cpp",
-              [["unit_organ_open"], ["fuzz_organ", SOURCE / "tests/fuzz/seeds/organ"]]),
+              [["unit_organ_open", "--gtest_filter=-*Fuzz*"], ["unit_odd_organ"],
+               ["fuzz_organ", SOURCE / "tests/fuzz/seeds/organ"],
+               ["unit_organ_open", "--gtest_filter=*Fuzz*"]]),
     "coupling": ("kernel/src/coupling.cpp",
                  [["fuzz_tick", SOURCE / "tests/fuzz/seeds/tick"]] +
                  [[f"coupling_{each}"] for each in ("friction", "pools", "relaxation", "continuity",
@@ -146,7 +148,7 @@ def prepare(folder, programs):
 def killer(folder, tests):
     """The first program that fails, `compiler`, or None where all pass."""
     build = folder / "build"
-    if run(["ninja", "-C", build, *[test[0] for test in tests]]).returncode != 0:
+    if run(["ninja", "-C", build, *{test[0] for test in tests}]).returncode != 0:
         return "compiler"
     for test in tests:
         done = run([build / "bin" / test[0], *test[1:]], TIMEOUT_S)
@@ -158,7 +160,7 @@ def killer(folder, tests):
 def check(folder, subject, sample, known):
     """Survivors that nobody explained."""
     file, tests = SUBJECTS[subject]
-    programs = [test[0] for test in tests]
+    programs = sorted({test[0] for test in tests})
     prepare(folder, programs)
     if killer(folder, tests) is not None:
         sys.exit(f"mutation.py: the tests of {file} fail without a change")

@@ -244,6 +244,86 @@ TEST(OrganOpen, RefusesNumbersThatAreNotFinite) {
   }
 }
 
+// What is refused beyond a limit is accepted at it.
+TEST(OrganOpen, AcceptsEveryLimitItself) {
+  const auto at = [](bool high) {
+    return changed(
+        [high](Owner& o) {
+          format::MaterialT& m = *o.materials[0];
+          m.density_kg_per_m3 = high ? 20000 : 1;
+          m.youngs_modulus_pa = high ? kMaxYoungsModulusPa : kMinYoungsModulusPa;
+          m.poisson_ratio = high ? kMaxPoissonRatio : 0;
+          m.relaxing_fraction = high ? 0.95F : 0;
+          m.relaxation_time_s = high ? 1e5F : 1e-3F;
+          m.puncture_force_n = m.cutting_force_n = high ? 1000 : 0;
+          m.recut_fraction = high ? 1 : 0;
+          m.coulomb_friction_n_per_m = m.static_friction_n_per_m = high ? 1e4F : 0;
+          m.stribeck_velocity_m_per_s = high ? 10 : 1e-6F;
+          m.viscous_friction_n_s_per_m2 = high ? 1e6F : 0;
+          m.puncture_velocity_exponent = high ? 0.5F : 0;
+          o.voxel_edge_m = high ? kMaxVoxelEdgeM : kMinVoxelEdgeM;
+          o.origin_x_m = o.origin_y_m = o.origin_z_m = high ? 100 : -100;
+          std::fill(o.voxel_fill.begin(), o.voxel_fill.end(), std::uint8_t{1});
+          while (high && o.materials.size() < kMaxMaterials) {
+            o.materials.push_back(std::make_unique<format::MaterialT>(m));
+          }
+        },
+        small());
+  };
+  for (const bool high : {false, true}) {
+    Organ organ;
+    OrganRefusal refusal;
+    EXPECT_EQ(organ_open(at(high), organ, &refusal), Status::kOk)
+        << refusal.place << ": " << refusal.expected;
+    EXPECT_EQ(organ.material_count, high ? kMaxMaterials : 1U);
+  }
+}
+
+// And just beyond the limits on the low side.
+TEST(OrganOpen, RefusesJustBelowEveryLowLimit) {
+  using M = format::MaterialT;
+  const std::vector<Change> changes = {
+      material([](M& m) { m.density_kg_per_m3 = 0.99F; }),
+      material([](M& m) { m.youngs_modulus_pa = 0.99F; }),
+      material([](M& m) { m.poisson_ratio = -0.01F; }),
+      material([](M& m) { m.relaxing_fraction = -0.01F; }),
+      material([](M& m) { m.relaxation_time_s = 0.99e-3F; }),
+      material([](M& m) { m.puncture_force_n = -0.01F; }),
+      material([](M& m) { m.cutting_force_n = -0.01F; }),
+      material([](M& m) { m.recut_fraction = -0.01F; }),
+      material([](M& m) { m.coulomb_friction_n_per_m = -0.01F; }),
+      material([](M& m) { m.stribeck_velocity_m_per_s = 0.99e-6F; }),
+      material([](M& m) { m.viscous_friction_n_s_per_m2 = -0.01F; }),
+      material([](M& m) { m.puncture_velocity_exponent = -0.01F; }),
+      [](Owner& o) { o.voxel_edge_m = 0.99e-4F; },
+      [](Owner& o) { o.origin_y_m = -100.1F; },
+  };
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    Organ organ;
+    EXPECT_EQ(organ_open(changed(changes[i], small()), organ), Status::kOrganValueOutOfRange) << i;
+  }
+}
+
+// Rows are ordered by z before y however long a row of rows is.
+TEST(OrganOpen, RowsBeyondFifteenBitsAreInOrder) {
+  const auto wide = [](Owner& o) {
+    o.size_x = 1;
+    o.size_y = 40001;
+    o.size_z = 2;
+    o.runs = {format::Run(0, 40000, 0, 1), format::Run(0, 0, 1, 1)};
+    o.voxel_material.resize(2);
+    o.voxel_fill.resize(2);
+    o.voxel_fixed.clear();
+    o.vertices.clear();
+    o.triangles.clear();
+    o.sphere_nodes.clear();
+  };
+  Organ organ;
+  OrganRefusal refusal;
+  EXPECT_EQ(organ_open(changed(wide, small()), organ, &refusal), Status::kOk)
+      << refusal.place << ": " << refusal.expected;
+}
+
 // A chain: every inner node has the next one as its first child and a leaf as its second, which
 // waits on the stack while the walk goes down.
 std::vector<std::byte> chain_organ(std::uint32_t levels) {
