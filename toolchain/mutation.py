@@ -131,11 +131,12 @@ def run(command, timeout=None):
         return None
 
 
-def prepare(folder, programs):
+def prepare(folder, programs, file):
     """A copy of the sources that can be changed, configured and built."""
     copy = folder / "source"
     shutil.rmtree(copy, ignore_errors=True)
     shutil.copytree(SOURCE, copy, ignore=shutil.ignore_patterns(".git", "build"))
+    (copy / file).touch()  # newer than the object of a mutant that an ended run left
     done = run(["cmake", "-G", "Ninja", "-S", copy, "-B", folder / "build",
                 "-DSTYLET_WITH_OFFLINE=OFF", "-DCMAKE_BUILD_TYPE=Release",
                 "-DCMAKE_CXX_FLAGS=-Wno-error"])
@@ -161,7 +162,7 @@ def check(folder, subject, sample, known):
     """Survivors that nobody explained."""
     file, tests = SUBJECTS[subject]
     programs = sorted({test[0] for test in tests})
-    prepare(folder, programs)
+    prepare(folder, programs, file)
     if killer(folder, tests) is not None:
         sys.exit(f"mutation.py: the tests of {file} fail without a change")
     target = folder / "source" / file

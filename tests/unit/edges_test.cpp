@@ -154,6 +154,19 @@ TEST(Edges, EveryNumberOfAPose) {
   EXPECT_EQ(needle_shape(session.kernel, 0, std::span(shape).first(1)), 1U);
 }
 
+TEST(Edges, AQuaternionAndItsNegativeAreTheSameTurn) {
+  const auto organ = block_organ(3, 3, 3);
+  Session a = make_session(organ->organ, Config{}), b = make_session(organ->organ, Config{});
+  for (int i = 0; i < 20; ++i) {
+    const Quat q = {0.8F, 0.6F, 0, 0};
+    const Quat sent = i % 2 == 0 ? q : Quat{-q.w, -q.x, -q.y, -q.z};
+    const Vec3 place = {0, 0, 0.2F};
+    EXPECT_EQ(tick(a.kernel, {{place, q}, 1}).flags, 0U) << i;
+    EXPECT_EQ(tick(b.kernel, {{place, sent}, 1}).flags, 0U) << i;
+  }
+  EXPECT_EQ(hash(a.kernel), hash(b.kernel));
+}
+
 TEST(Edges, TooFarAwayIsClampedOnEachAxis) {
   const auto organ = block_organ(3, 3, 3);
   for (int axis = 0; axis < 3; ++axis) {

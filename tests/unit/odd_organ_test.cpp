@@ -11,6 +11,7 @@
 #include "organ_objects.h"  // before organ_generated.h, which it replaces
 #include "promises.h"
 #include "session.h"
+#include "voxel.h"
 
 namespace stylet::test {
 namespace {
@@ -127,6 +128,49 @@ TEST(OddOrgan, NeedlesThroughHolesAndShortRows) {
     EXPECT_EQ(surface(session.kernel, places), opened->organ.vertices.size());
   }
   EXPECT_GT(inserted, 20U);
+}
+
+TEST(OddOrgan, InsideEndsAtEachSideOfTheLattice) {
+  const auto opened = packed(*block());
+  Session session = make_session(opened->organ, Config{});
+  const View view = view_of(session.kernel);
+  const Vec3 size_m = {kNx * 5e-3F, kNy * 5e-3F, kNz * 5e-3F}, middle = 0.5F * size_m;
+  EXPECT_TRUE(inside_lattice(view, middle));
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const bool high : {false, true}) {
+      Vec3 place = middle;
+      float* at[] = {&place.x, &place.y, &place.z};
+      const float* end[] = {&size_m.x, &size_m.y, &size_m.z};
+      *at[axis] = high ? *end[axis] - 1e-5F : 1e-5F;
+      EXPECT_TRUE(inside_lattice(view, place)) << axis << high;
+      *at[axis] = high ? *end[axis] + 1e-5F : -1e-5F;
+      EXPECT_FALSE(inside_lattice(view, place)) << axis << high;
+    }
+  }
+}
+
+// Two rows that share no node along x: the tissue between them is two pieces that never meet.
+TEST(OddOrgan, RowsFarApart) {
+  const std::unique_ptr<Owner> owner = block();
+  owner->size_x = 60;
+  owner->runs = {format::Run(0, 0, 0, 2), format::Run(50, 1, 0, 2)};
+  owner->voxel_material.resize(4);
+  owner->voxel_fill.resize(4);
+  owner->voxel_fixed.clear();
+  owner->vertices.clear();
+  owner->triangles.clear();
+  owner->sphere_nodes.clear();
+  const auto opened = packed(*owner);
+  Session session = make_session(opened->organ, Config{});
+  const View view = view_of(session.kernel);
+  const Row& near = view.model.row[0];
+  view.state.vx[near.node[0]] = 0.1F;
+  for (int i = 0; i < 20; ++i) (void)tick(session.kernel, Input{});
+  const Row& far = view.model.row[1];
+  EXPECT_GT(std::fabs(view.state.ux[near.node[0] + 2]), 0.0F);
+  for (std::uint32_t corner = 0; corner < 4; ++corner) {
+    for (std::uint32_t x = 0; x < 3; ++x) EXPECT_EQ(view.state.ux[far.node[corner] + x], 0.0F);
+  }
 }
 
 TEST(OddOrgan, TooManyVoxelsAreRefused) {
