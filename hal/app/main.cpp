@@ -60,17 +60,22 @@ void add_doctor(CLI::App& program, DoctorOptions& options) {
       "  stylet doctor\n"
       "  stylet doctor --measure 60 --replay out.h5\n"
       "Exit codes: 0 ready, 3 degraded (warnings, or what could not be read), 4 not suitable");
-  doctor.add_option("--measure", options.measure_s, "Seconds to measure wake-ups for, in all")
-      ->check(CLI::Range(0.1, 86400.0));
-  doctor.add_option("--replay", options.recording, "Measure the ticks of a recording, too");
-  doctor.add_option("--organ", options.organ, "Organ file, instead of the recorded path");
+  auto* measure =
+      doctor.add_option("--measure", options.measure_s, "Seconds to measure wake-ups for, in all")
+          ->check(CLI::Range(0.1, 86400.0));
+  auto* replay =
+      doctor.add_option("--replay", options.recording, "Measure the ticks of a recording, too")
+          ->needs(measure);
+  doctor.add_option("--organ", options.organ, "Organ file, instead of the recorded path")
+      ->needs(replay);
   doctor.add_option("--cpu", options.cpu, "Processor of the loop, as loop.cpu of a scene")
       ->check(CLI::Range(0, 1023));
   doctor.add_option("--priority", options.priority, "As loop.rt_priority")
       ->check(CLI::Range(1, 99))
       ->capture_default_str();
   doctor.add_option("--root", options.root, "A captured tree of /proc and /sys to look at instead")
-      ->check(CLI::ExistingDirectory);
+      ->check(CLI::ExistingDirectory)
+      ->excludes(measure);
   doctor.add_flag("--json", options.json, "One JSON object on standard output, nothing else");
 }
 

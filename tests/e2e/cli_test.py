@@ -257,6 +257,33 @@ start_mm = 2
         call("stylet", "plot", self.top / "flight-1.h5", "-o", self.top / "flight.svg")
 
 
+class Doctor(Folder):
+    """Of this machine, whatever it is: every check has a say, and the histograms hold every cycle."""
+
+    def test_looks_at_this_machine_and_measures_it(self):
+        call("stylet-organ", "phantom", "block", "--size-mm", "40,40,40", "--voxel-mm", "10", "-o",
+             self.top / "block.organ")
+        scene, recording = self.top / "scene.toml", self.top / "short.h5"
+        scene.write_text('[organ]\npath = "block.organ"\n[[hand.waypoint]]\ntravel_mm = 1\n'
+                         "speed_mm_s = 100\n")
+        call("stylet", "run", scene, "--fast", "--record", recording)
+        done = subprocess.run([BIN / "stylet", "doctor", "--measure", "1.5", "--replay", recording,
+                               "--json"], capture_output=True, text=True, timeout=60)
+        report = json.loads(done.stdout)
+        verdicts = [finding["verdict"] for finding in report["findings"]]
+        self.assertEqual(len(verdicts), 29 + 3 + 5)
+        expected = 4 if "fail" in verdicts else 3 if report["verdict"] == "degraded" else 0
+        self.assertEqual(done.returncode, expected, done.stderr)
+        self.assertEqual([m["name"] for m in report["measurements"]], ["quiet", "busy", "loaded"])
+        for measured in report["measurements"]:
+            self.assertEqual(measured["cycles"], 500)
+            for name in {"wake_up", "tick"} & measured.keys():
+                counts = measured[name]["counts_from_us"]
+                self.assertEqual(sum(count for _, count in counts), 500)
+                self.assertLessEqual(measured[name]["p50_us"], measured[name]["max_us"])
+        self.assertNotIn("tick", report["measurements"][0])
+
+
 class Help(unittest.TestCase):
     """A terminal user who knows nothing yet finds every command, with an example."""
 

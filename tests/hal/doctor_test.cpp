@@ -477,6 +477,8 @@ TEST(Program, ExitCodeIsTheVerdict) {
   machine.write(kClock, "hpet");
   EXPECT_EQ(doctor(machine, "--cpu 3").exit_code, 4);
   EXPECT_EQ(doctor(machine, "--cpu -4").exit_code, 2);
+  EXPECT_EQ(doctor(machine, "--measure 1").exit_code, 2);  // a captured tree cannot be measured
+  EXPECT_EQ(doctor(machine, "--replay a.h5").exit_code, 2);
 }
 
 TEST(Program, TextFitsAHundredColumnsAndNamesTheRemedy) {
