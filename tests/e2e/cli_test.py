@@ -258,7 +258,7 @@ start_mm = 2
 
 
 class Doctor(Folder):
-    """Of this machine, whatever it is: every check has a say, and the histograms hold every cycle."""
+    """Of this machine, whatever it is: every check has a say, histograms hold every cycle."""
 
     def test_looks_at_this_machine_and_measures_it(self):
         call("stylet-organ", "phantom", "block", "--size-mm", "40,40,40", "--voxel-mm", "10", "-o",
