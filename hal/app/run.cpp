@@ -143,7 +143,9 @@ void open_devices(Session& s) {
     s.config.ticks = std::max(s.config.ticks, open_device(s, i));
   }
   if (s.options.duration_s > 0) {
-    s.config.ticks = static_cast<std::uint64_t>(std::ceil(s.options.duration_s / period_s - 1e-6));
+    // In whole nanoseconds: as a float, 10 ms is a little less, and 3 s one tick more.
+    const auto periods = s.options.duration_s * 1e9 / static_cast<double>(s.config.period_ns);
+    s.config.ticks = static_cast<std::uint64_t>(std::ceil(periods - 1e-6));
   }
 }
 

@@ -62,7 +62,7 @@ echo "== doctor"
 stylet doctor
 echo "exit code $?"
 echo "== run"
-stylet run /block.toml --duration-s 2.995 >/run.txt 2>&1 &
+stylet run /block.toml --duration-s 3 >/run.txt 2>&1 &
 loop=$!
 while [ -d /proc/$loop ] && sleep 0.2; do
   # Name, real-time priority and policy of each thread; 1 is SCHED_FIFO.
