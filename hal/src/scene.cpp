@@ -45,7 +45,7 @@ void read_approach(Section section, Approach& approach) {
   section.finish();
 }
 
-void read_guard(Section device, Section guard, const Config& config, Hand& out) {
+void read_device_and_guard(Section device, Section guard, const Config& config, Hand& out) {
   out.device = device.choice("kind", "simulated", {"simulated", "steered", "replay"});
   out.replay_path = device.text("recording", "");
   if ((out.device == "replay") == out.replay_path.empty()) {
@@ -171,7 +171,7 @@ void read_coupling(Section section, Hand& out) {
 Hand read_hand_of(Section& owner, const Config& config, const NeedleConfig& needle) {
   Hand hand;
   read_approach(owner.table("approach"), hand.approach);
-  read_guard(owner.table("device"), owner.table("guard"), config, hand);
+  read_device_and_guard(owner.table("device"), owner.table("guard"), config, hand);
   read_coupling(owner.table("coupling"), hand);
   read_hand(owner.table("hand"), hand);
   read_steering(owner.table("steering"), needle, hand);

@@ -111,8 +111,19 @@ struct Mistake {
   int up = 0;  // that many lines above it: a missing key is shown at its table
 };
 
-TEST(Scene, EveryMistakeNamesItsLineAndWhatIsAllowed) {
-  const Mistake mistakes[] = {
+// Every mistake names its line and what is allowed.
+void expect_refusals(std::initializer_list<Mistake> mistakes) {
+  for (const Mistake& each : mistakes) {
+    const std::string text = changed(each.from, each.to);
+    const std::string error = error_of(text);
+    EXPECT_THAT(error, testing::HasSubstr(each.says)) << each.to;
+    const int line = line_of(text, each.line_with) - each.up;
+    EXPECT_THAT(error, testing::StartsWith("s.toml:" + std::to_string(line) + ": ")) << each.to;
+  }
+}
+
+TEST(Scene, MistakesOfTheFileAndTheLoop) {
+  expect_refusals({
       {"substeps = 2", "substep = 2",
        "substep =", "loop.substep: 2: unknown key; allowed here: cpu"},
       {"[tissue]", "[tisue]", "[tisue]", "unknown key; allowed here: approach"},
@@ -124,6 +135,13 @@ TEST(Scene, EveryMistakeNamesItsLineAndWhatIsAllowed) {
       {"alpha = 0.25", "alpha = 1.25", "alpha", "paper.alpha: 1.25: a number from 0.001 to 1"},
       {"mode = \"paper\"", "mode = \"fast\"", "mode", "\"physical\" or \"paper\""},
       {"mode = \"paper\"", "mode = 1", "mode", "mode: 1: a text in quotes"},
+      {"[hand]", "[hand", "[hand", "not TOML"},
+  });
+  EXPECT_THAT(error_of("loop = 3\n"), testing::StartsWith("s.toml:1: loop: 3: a table"));
+}
+
+TEST(Scene, MistakesOfNeedles) {
+  expect_refusals({
       {"gauge = \"22G\"", "gauge = \"21G\"", "21G", "\"18G\" or \"20G\""},
       {"unit_mm = 4", "unit_mm = 4\nod_mm = 1", "gauge", "either gauge or od_mm"},
       {"unit_mm = 4", "preset = \"18G\"", "preset", "either gauge or preset"},
@@ -137,6 +155,11 @@ TEST(Scene, EveryMistakeNamesItsLineAndWhatIsAllowed) {
       {"unit_mm = 4", "tip = \"bevel\"\nbent_angle_deg = 5", "bent_angle", "with tip = \"bent\""},
       {"unit_mm = 4", "tip = \"bent\"\nbent_length_mm = 121\nbent_angle_deg = 5", "bent_length",
        "a number from 0.1 to 120"},
+  });
+}
+
+TEST(Scene, MistakesOfObstaclesAndBreathing) {
+  expect_refusals({
       {"[guard]", "[breathing]\nperiod_s = 4\n[guard]", "[breathing]", "amplitude_mm: missing"},
       {"[guard]", "[breathing]\namplitude_mm = [80, 80, 0]\n[guard]", "amplitude_mm",
        "at most 100 mm long"},
@@ -146,6 +169,11 @@ TEST(Scene, EveryMistakeNamesItsLineAndWhatIsAllowed) {
        "only with shape = \"box\""},
       {"[guard]", "[[obstacles]]\nshape = \"sphere\"\nradius_mm = 3\n[guard]", "[[obst",
        "at_mm: missing: where the body is"},
+  });
+}
+
+TEST(Scene, MistakesOfApproachDeviceAndGuard) {
+  expect_refusals({
       {"[0, 0, -2]", "[0, 0]", "direction", "approach.direction: [ 0, 0 ]: a list of 3 numbers"},
       {"[0, 0, -2]", "[0, 0, 0]", "direction", "a direction that is not zero"},
       {"[0, 0, -2]", "[0, 0, \"x\"]", "direction", "a number from -1000 to 1000"},
@@ -161,6 +189,11 @@ TEST(Scene, EveryMistakeNamesItsLineAndWhatIsAllowed) {
       {"max_force_n = 4", "max_stiffness_n_per_m = 1000\n[coupling]\nstiffness_n_per_m = 701",
        "stiffness_n_per_m = 701", "a number from 0 to 700"},
       {"ramp_ms = 100", "watchdog_ms = 50", "watchdog_ms", "a number from 1 to 5"},
+  });
+}
+
+TEST(Scene, MistakesOfWaypoints) {
+  expect_refusals({
       {"time_s = 0.5", "", "lateral_mm", "either speed_mm_s or time_s", 1},
       {"time_s = 0.5", "time_s = 0.5\nspeed_mm_s = 3", "speed_mm_s = 3",
        "either speed_mm_s or time_s"},
@@ -168,16 +201,7 @@ TEST(Scene, EveryMistakeNamesItsLineAndWhatIsAllowed) {
       {"time_s = 0.5", "time_s = 0.5\nduty = 0.5", "duty", "only with turns"},
       {"time_s = 0.5", "time_s = 0.5\nturns = 1.5\nduty = 0.5", "turns", "a whole number where"},
       {"time_s = 0.5", "time_s = 0.5\nturns = -3\nduty = 0.5", "turns", "at most 9.55 in a second"},
-      {"[hand]", "[hand", "[hand", "not TOML"},
-  };
-  for (const Mistake& each : mistakes) {
-    const std::string text = changed(each.from, each.to);
-    const std::string error = error_of(text);
-    EXPECT_THAT(error, testing::HasSubstr(each.says)) << each.to;
-    const int line = line_of(text, each.line_with) - each.up;
-    EXPECT_THAT(error, testing::StartsWith("s.toml:" + std::to_string(line) + ": ")) << each.to;
-  }
-  EXPECT_THAT(error_of("loop = 3\n"), testing::StartsWith("s.toml:1: loop: 3: a table"));
+  });
 }
 
 // EI from the table of physics.md section 3.2 (four digits) and of its wires (three).
