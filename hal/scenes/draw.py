@@ -46,7 +46,7 @@ class Run:
                            zip(whole["events/tick"], whole["events/kind"], whole["events/layer"],
                                whole["events/force_n"], whole["events/needle"])
                            if needle == number]
-        self.known_shapes, self.wrench = {}, {"ticks": 0}
+        self.known_shapes, self.checks = {}, {"ticks": 0}
         self.axial_n = -self.force_n @ along  # positive where the hand is pushed back
         contact = self.index("contact")
         self.travel_m = (self.tip_m - self.tip_m[contact]) @ along
@@ -62,13 +62,13 @@ class Run:
     def shapes(self, *ticks):
         """Needles, constraint particles and surface at these ticks, replayed if not yet known.
 
-        self.wrench is then by how much force and torque missed the sums over the particles."""
+        self.checks is then what was checked in the ticks on the way."""
         if not set(ticks) <= set(self.known_shapes):
             done = subprocess.run([BIN / "stylet-snapshot", self.path, *map(str, ticks)],
                                   capture_output=True, text=True, check=True)
             new = json.loads(done.stdout)
             self.known_shapes |= {shape["tick"]: shape for shape in new["shapes"]}
-            self.wrench = max(self.wrench, new["wrench"], key=lambda wrench: wrench["ticks"])
+            self.checks = max(self.checks, new["checks"], key=lambda checks: checks["ticks"])
         return [self.known_shapes[tick] for tick in ticks]
 
 

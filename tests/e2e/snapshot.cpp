@@ -3,13 +3,11 @@
 //
 // Replays the recording up to each tick (rising) and prints one JSON object: per tick the needles
 // from handle to tip, the constraint particles with place, goal and force, the energy, and the
-// surface's points; once, by how much force and torque at the handles missed the sums over
-// particles and contacts, in the worst tick of all on the way. Units: metres, newtons, joules;
-// frame: world.
+// surface's points; once, what was checked in every tick on the way.
+// Units: metres, newtons, joules; frame: world.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <exception>
 #include <nlohmann/json.hpp>
@@ -17,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "promises.h"
 #include "stylet/hal/instance.h"
 #include "stylet/hal/recording.h"
 #include "stylet/hal/replay.h"
@@ -71,67 +70,29 @@ Json shape_of(const Kernel& kernel, const Organ& organ, const Config& config, st
           {"surface_m", places}};
 }
 
-struct Vec {
-  double x = 0, y = 0, z = 0;
-};
-Vec wide(Vec3 v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-}
-Vec minus(const Vec& a, const Vec& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-double size(const Vec& v) {
-  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-}
-void add(Vec& sum, const Vec& v) {
-  sum = {sum.x + v.x, sum.y + v.y, sum.z + v.z};
-}
-
-// Sum of what particles and contacts do to one needle, and of the sizes that went into it.
-struct Wrench {
-  Vec force_n, torque_nm;
-  double force_size_n = 0, torque_size_nm = 0;
-
-  void take(const Vec& handle, Vec3 place, Vec3 force) {
-    const Vec f = wide(force), arm = minus(wide(place), handle);
-    add(force_n, f);
-    add(torque_nm,
-        {arm.y * f.z - arm.z * f.y, arm.z * f.x - arm.x * f.z, arm.x * f.y - arm.y * f.x});
-    force_size_n += size(f);
-    torque_size_nm += size(arm) * size(f);
-  }
-};
-
-// The largest miss so far, of force and of torque, as shares of what was summed.
-struct WorstWrench {
+// What was seen in all ticks: by how much force and torque at a handle missed their sums at most,
+// as shares of what was summed (for a torque, times the needle's length), and the first broken
+// promise.
+struct Checks {
   double force_share = 0, torque_share = 0;
-  std::uint64_t tick = 0;  // of the larger one
+  std::string broken;
 };
 
-void check_wrench(const Kernel& kernel, std::uint32_t needle, const Input& input,
-                  const Output& output, WorstWrench& worst) {
+void check(const Kernel& kernel, const Config& config, std::span<const Output> outputs,
+           Checks& checks) {
   constexpr double kNoForceN = 1e-9;  // below it there is nothing to compare
-  static std::vector<ConstraintParticle> particles(kMaxNeedles * (kMaxConstraintParticles + 1));
-  static std::vector<ObstacleTouch> touches(kMaxNeedles * kMaxTouches);
-  const Vec handle = wide(input.handle.position_m);
-  Wrench sum;
-  const std::uint32_t held = constraint_particles(kernel, particles);
-  for (const ConstraintParticle& p : std::span(particles).first(held)) {
-    if (p.needle == needle) sum.take(handle, p.position_m, p.force_on_needle_n);
+  for (std::uint32_t n = 0; n < outputs.size(); ++n) {
+    const Wrench sum = wrench_on(kernel, n);
+    const double size_n = std::max(sum.force.magnitude, kNoForceN);
+    const double size_nm = size_n * static_cast<double>(config.needle[n].length_m);
+    const double force = sum.force.distance(outputs[n].force_n) / size_n;
+    const double torque = sum.torque.distance(outputs[n].torque_nm) / size_nm;
+    checks.force_share = std::max(checks.force_share, force);
+    checks.torque_share = std::max(checks.torque_share, torque);
   }
-  const std::uint32_t touching = obstacle_touches(kernel, touches);
-  for (const ObstacleTouch& t : std::span(touches).first(touching)) {
-    if (t.needle == needle) sum.take(handle, t.position_m, t.force_on_needle_n);
-  }
-  const double force =
-      size(minus(wide(output.force_n), sum.force_n)) / std::max(sum.force_size_n, kNoForceN);
-  const double torque =
-      size(minus(wide(output.torque_nm), sum.torque_nm)) / std::max(sum.torque_size_nm, kNoForceN);
-  if (std::max(force, torque) > std::max(worst.force_share, worst.torque_share)) {
-    worst.tick = output.tick;
-  }
-  worst.force_share = std::max(worst.force_share, force);
-  worst.torque_share = std::max(worst.torque_share, torque);
+  const char* broken = broken_promise(kernel, outputs);
+  if (broken == nullptr || !checks.broken.empty()) return;
+  checks.broken = fmt::format("tick {}: {}", outputs[0].tick, broken);
 }
 
 void run(const std::string& path, std::vector<std::uint64_t> ticks) {
@@ -149,7 +110,7 @@ void run(const std::string& path, std::vector<std::uint64_t> ticks) {
   std::vector<Output> outputs(config.needle_count);
   std::vector<hal::TickRecord> row(1);
   std::uint64_t done = 0;
-  WorstWrench worst;
+  Checks checks;
   for (const std::uint64_t at : ticks) {
     for (; done < at; ++done) {
       for (std::uint32_t n = 0; n < config.needle_count; ++n) {
@@ -157,15 +118,13 @@ void run(const std::string& path, std::vector<std::uint64_t> ticks) {
         inputs[n] = row[0].input;
       }
       tick(instance.kernel, inputs, outputs);
-      for (std::uint32_t n = 0; n < config.needle_count; ++n) {
-        check_wrench(instance.kernel, n, inputs[n], outputs[n], worst);
-      }
+      check(instance.kernel, config, outputs, checks);
     }
     out["shapes"].push_back(shape_of(instance.kernel, organ.organ, config, at));
   }
-  out["wrench"] = {{"force_share", worst.force_share},
-                   {"torque_share", worst.torque_share},
-                   {"tick", worst.tick},
+  out["checks"] = {{"force_share", checks.force_share},
+                   {"torque_share", checks.torque_share},
+                   {"broken", checks.broken},
                    {"ticks", done}};
   fmt::print("{}\n", out.dump());
 }

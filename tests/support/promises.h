@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What must hold after every tick, whatever went in: used by fuzzers and simulator.
+// What must hold after every tick, whatever went in: used by fuzzers, simulator and scenes.
 //
 // `broken_promise` looks at one tick from outside and from inside and names the first promise that
 // does not hold. Promise: no allocation where all hold. Units: SI. Frame: world.
@@ -41,11 +41,12 @@ struct Sum3 {
                  fz = static_cast<double>(force.z);
     add(ay * fz - az * fy, az * fx - ax * fz, ax * fy - ay * fx);
   }
-  bool is(Vec3 v, double tolerance) const {
+  double distance(Vec3 v) const {
     const double dx = x - static_cast<double>(v.x), dy = y - static_cast<double>(v.y),
                  dz = z - static_cast<double>(v.z);
-    return std::sqrt(dx * dx + dy * dy + dz * dz) <= tolerance * (1 + magnitude);
+    return std::sqrt(dx * dx + dy * dy + dz * dz);
   }
+  bool is(Vec3 v, double tolerance) const { return distance(v) <= tolerance * (1 + magnitude); }
 };
 
 inline bool all_finite(const Output& out) {
@@ -56,33 +57,43 @@ inline bool all_finite(const Output& out) {
          std::isfinite(out.stiffness_n_per_m);
 }
 
-// The hand's wrench is the sum over the needle's constraint particles and contacts, and the sum of
-// its causes.
-inline const char* broken_sum(const Kernel& kernel, std::uint32_t needle, const Output& out) {
+// What a needle's constraint particles and contacts do to it, about its handle.
+struct Wrench {
+  Sum3 force, torque;
+};
+inline Wrench wrench_on(const Kernel& kernel, std::uint32_t needle) {
   static thread_local std::array<ConstraintParticle, kMaxNeedles*(kMaxConstraintParticles + 1)>
       particles;
   static thread_local std::array<ObstacleTouch, kMaxNeedles * kMaxTouches> touches;
   const View view = needle_view(view_of(kernel), needle);
   const Vec3 handle = view.state.needle->handle.position_m;
-  Sum3 force, torque, causes;
+  Wrench sum;
   const std::uint32_t held = constraint_particles(kernel, particles);
   for (const ConstraintParticle& p : std::span(particles).first(held)) {
     if (p.needle != needle) continue;
-    force.add(p.force_on_needle_n);
-    torque.add_moment(p.position_m - handle, p.force_on_needle_n);
+    sum.force.add(p.force_on_needle_n);
+    sum.torque.add_moment(p.position_m - handle, p.force_on_needle_n);
   }
   const std::uint32_t touched = obstacle_touches(kernel, touches);
   for (const ObstacleTouch& t : std::span(touches).first(touched)) {
     if (t.needle != needle) continue;
-    force.add(t.force_on_needle_n);
-    torque.add_moment(t.position_m - handle, t.force_on_needle_n);
+    sum.force.add(t.force_on_needle_n);
+    sum.torque.add_moment(t.position_m - handle, t.force_on_needle_n);
   }
+  return sum;
+}
+
+// The hand's wrench is that on the needle, and the sum of its causes.
+inline const char* broken_sum(const Kernel& kernel, std::uint32_t needle, const Output& out) {
+  const Wrench sum = wrench_on(kernel, needle);
+  Sum3 causes;
   for (const Vec3 cause : {out.cause.stiffness_n, out.cause.cutting_n, out.cause.friction_n,
                            out.cause.clamping_n, out.cause.obstacle_n}) {
     causes.add(cause);
   }
-  if (!force.is(out.force_n, kSumTolerance)) return "force is not the sum over its particles";
-  if (!torque.is(out.torque_nm, kSumTolerance)) return "torque is not the sum over its particles";
+  if (!sum.force.is(out.force_n, kSumTolerance)) return "force is not the sum over its particles";
+  if (!sum.torque.is(out.torque_nm, kSumTolerance))
+    return "torque is not the sum over its particles";
   if (!causes.is(out.force_n, kSumTolerance)) return "force is not the sum of its causes";
   return nullptr;
 }
