@@ -175,30 +175,53 @@ void fit_matrix(const Corners& corners, const CpSums& s, float k, float edge_m, 
   }
 }
 
-void couple_voxel(const View& view, const CoupledVoxel& voxel, const Plane& plane) {
-  const ModelHead& head = *view.model.head;
+void prepare_fit(const View& view, std::uint32_t index, std::uint32_t lane, Fits& fits) {
+  const CoupledVoxel& voxel = view.scratch.coupled[index];
   const Corners corners = sum_corners(view, voxel.slot, voxel.row);
   const Vec3 centre = rest_centre(view, voxel.slot, view.model.row[voxel.row]) + corners.mean_m;
   const float k = view.model.slot_k[voxel.slot];
   const CpSums s = sum_members(view, voxel, centre);
   float a[9];
-  fit_matrix(corners, s, k, head.edge_m, a);
-  const Quat plain = corner_rotation(view, voxel.slot, corners);
-  const Mat3 r8 = rotation_matrix(plain);
-  const Mat3 r = rotation_matrix(rotation_of(a, plain));
-  const float whole = 8 * k + s.stiffness;
+  fit_matrix(corners, s, k, view.model.head->edge_m, a);
+  for (std::uint32_t i = 0; i < 9; ++i) {
+    fits.corner[i][lane] = (i % 4 == 0 ? 1.0F : 0.0F) + corners.gradient[i];
+    fits.joint[i][lane] = a[i];
+  }
+  fits.corner_turn[0][lane] = view.state.qw[voxel.slot];
+  fits.corner_turn[1][lane] = view.state.qx[voxel.slot];
+  fits.corner_turn[2][lane] = view.state.qy[voxel.slot];
+  fits.corner_turn[3][lane] = view.state.qz[voxel.slot];
+  fits.voxel[lane] = {index, k, 8 * k + s.stiffness, centre, s.place, s.offset};
+}
+
+void rest_fit(std::uint32_t lane, Fits& fits) {
+  for (std::uint32_t i = 0; i < 9; ++i) {
+    fits.corner[i][lane] = fits.joint[i][lane] = i % 4 == 0 ? 1.0F : 0.0F;
+  }
+  for (std::uint32_t i = 0; i < 4; ++i) fits.corner_turn[i][lane] = i == 0 ? 1.0F : 0.0F;
+}
+
+Mat3 turn_of(const float turn[4][kLanes], std::uint32_t lane) {
+  return rotation_matrix({turn[0][lane], turn[1][lane], turn[2][lane], turn[3][lane]});
+}
+
+void finish_fit(const View& view, const Plane& plane, const Fits& fits, std::uint32_t lane) {
+  const ModelHead& head = *view.model.head;
+  const Fits::Voxel& fit = fits.voxel[lane];
+  const CoupledVoxel& voxel = view.scratch.coupled[fit.index];
+  const Mat3 r8 = turn_of(fits.corner_turn, lane), r = turn_of(fits.joint_turn, lane);
   // The cluster's translation moves by this against the mean of the corners.
-  const Vec3 shift = (1 / whole) * (s.place - r * s.offset);
+  const Vec3 shift = (1 / fit.whole) * (fit.place - r * fit.offset);
   for (std::uint32_t i = 0; i < voxel.member_count; ++i) {
     const Member member = view.scratch.member[voxel.first_member + i];
     Share& share = particle_at(view, member.particle).share[member.share];
-    share.goal_m = (centre + shift) + r * share.offset_m;
+    share.goal_m = (fit.centre_m + shift) + r * share.offset_m;
   }
   // Corners feel the change of translation and rotation, k ((t' - t) + (R' - R) q).
   const std::uint32_t at = voxel.slot - plane.slot_begin;
   const std::size_t stride = head.counts.slots_per_plane;
-  const float shift_k[3] = {k * shift.x, k * shift.y, k * shift.z};
-  const float turn_k = k * head.edge_m * 0.5F;
+  const float shift_k[3] = {fit.k * shift.x, fit.k * shift.y, fit.k * shift.z};
+  const float turn_k = fit.k * head.edge_m * 0.5F;
   for (std::size_t c = 0; c < 3; ++c) {
     view.scratch.sums[c * stride + at] += shift_k[c];
     for (std::size_t j = 0; j < 3; ++j) {
@@ -209,10 +232,18 @@ void couple_voxel(const View& view, const CoupledVoxel& voxel, const Plane& plan
 
 }  // namespace
 
-void couple_plane(const View& view, std::uint32_t plane) {
-  for (std::uint32_t i = view.scratch.plane_first[plane]; i < view.scratch.plane_first[plane + 1];
-       ++i) {
-    couple_voxel(view, view.scratch.coupled[view.scratch.plane_order[i]], view.model.plane[plane]);
+void prepare_fits(const View& view, std::uint32_t plane, std::uint32_t first, Fits& fits_out) {
+  const std::uint32_t left = view.scratch.plane_first[plane + 1] - first;
+  fits_out.count = left < kLanes ? left : kLanes;
+  for (std::uint32_t lane = 0; lane < fits_out.count; ++lane) {
+    prepare_fit(view, view.scratch.plane_order[first + lane], lane, fits_out);
+  }
+  for (std::uint32_t lane = fits_out.count; lane < kLanes; ++lane) rest_fit(lane, fits_out);
+}
+
+void finish_fits(const View& view, std::uint32_t plane, const Fits& fits) {
+  for (std::uint32_t lane = 0; lane < fits.count; ++lane) {
+    finish_fit(view, view.model.plane[plane], fits, lane);
   }
 }
 

@@ -24,8 +24,25 @@ namespace stylet {
 using LatticeStep = void (*)(const Kernel&);
 LatticeStep lattice_step_for_this_processor();
 
-// Called by the step for each voxel plane, after the clusters and before the particles: adds what
-// the constraint particles change (coupling.cpp).
-void couple_plane(const View& view, std::uint32_t plane);
+// Fits of up to kLanes voxels that hold constraint particles (fit.cpp). The step makes them for
+// each voxel plane, after the clusters and before the particles, and turns them itself, all lanes
+// at once: rotations are most of their work.
+struct Fits {
+  std::uint32_t count;
+  alignas(64) float corner[9][kLanes];  // matrices of the corners alone and together with the
+  alignas(64) float joint[9][kLanes];   // constraint particles, row-major, a voxel in each lane
+  alignas(64) float corner_turn[4][kLanes];  // their rotations w, x, y, z; at first that of the
+                                             // corners'
+  alignas(64) float joint_turn[4][kLanes];   // last fit, and nothing
+  struct Voxel {
+    std::uint32_t index;  // of ScratchView::coupled
+    float k, whole;       // stiffness of a corner, and of the whole fit
+    Vec3 centre_m, place, offset;
+  } voxel[kLanes];
+};
+// The next fits of a voxel plane from the `first` on (plane_first .. plane_first + 1).
+void prepare_fits(const View& view, std::uint32_t plane, std::uint32_t first, Fits& fits_out);
+// Goals of the constraint particles, and what they change for the corners.
+void finish_fits(const View& view, std::uint32_t plane, const Fits& fits);
 
 }  // namespace stylet

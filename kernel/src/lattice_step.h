@@ -185,6 +185,37 @@ void fit_plane(const View& view, const Plane& plane) {
             view.scratch.sums);
 }
 
+// Two refined steps for the corners alone, and two more from there for all together.
+STYLET_KEEP_APART void turn_fits(std::uint32_t lanes, const float (&corner)[9][kLanes],
+                                 const float (&joint)[9][kLanes], float (&corner_turn)[4][kLanes],
+                                 float (&joint_turn)[4][kLanes]) {
+  for (int pass = 0; pass < 4; ++pass) {
+    const float(&m)[9][kLanes] = pass < 2 ? corner : joint;
+    const float(&from)[4][kLanes] = pass < 3 ? corner_turn : joint_turn;
+    float(&to)[4][kLanes] = pass < 2 ? corner_turn : joint_turn;
+    STYLET_LANES(lanes)
+    for (std::uint32_t i = 0; i < lanes; ++i) {
+      float w = from[0][i], x = from[1][i], y = from[2][i], z = from[3][i];
+      rotation_step<1>(m[0][i], m[1][i], m[2][i], m[3][i], m[4][i], m[5][i], m[6][i], m[7][i],
+                       m[8][i], w, x, y, z);
+      to[0][i] = w;
+      to[1][i] = x;
+      to[2][i] = y;
+      to[3][i] = z;
+    }
+  }
+}
+
+void couple_plane(const View& view, std::uint32_t plane) {
+  const std::uint32_t end = view.scratch.plane_first[plane + 1];
+  for (std::uint32_t first = view.scratch.plane_first[plane]; first < end; first += kLanes) {
+    Fits fits;
+    prepare_fits(view, plane, first, fits);
+    turn_fits(kLanes, fits.corner, fits.joint, fits.corner_turn, fits.joint_turn);
+    finish_fits(view, plane, fits);
+  }
+}
+
 // What one voxel row sends to a window of its nodes at its low (`kSide` -1) or high (1) side along
 // y: to the particles of the plane below and above.
 struct Sent {
