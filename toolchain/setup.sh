@@ -16,8 +16,8 @@ packages=(
   # offline
   libcgal-dev libinsighttoolkit5-dev libssl-dev zlib1g-dev
   # tests
-  libbenchmark-dev libclang-rt-14-dev libclang-rt-19-dev libgmock-dev libgtest-dev llvm
-  python3-h5py valgrind
+  libbenchmark-dev libbullet-dev libclang-rt-14-dev libclang-rt-19-dev libgmock-dev libgtest-dev
+  llvm python3-h5py valgrind
   # tests on other processors
   g++-aarch64-linux-gnu g++-i686-linux-gnu gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib
   qemu-system-arm qemu-system-x86 qemu-user

@@ -1,28 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long a tick takes, on blocks of voxels, on organ files, and on the OpenHELP liver where the
-// data is there.
+// How long a step of the tissue and a tick take: on liver-like lattices, and on organ files named
+// as arguments; for every instruction set this processor has, beside what others make of the same
+// lattices.
 //
-// tissue: the lattice step alone, needle outside. tick: the whole kernel with the needle inserted,
-// pulled sideways. Each for every instruction set this processor has; the median of several
-// repetitions counts.
+// tissue: the lattice step with everything physical on and a needle inserted; shared: the same with
+// one helper thread. tick: the whole kernel, needle inserted and pulled sideways; tick_elastic with
+// an elastic needle in breathing tissue. cadence: kernel and guard at a real period, the processor
+// spinning in between. bullet, eigen: peers.h.
+// The repetitions of all are shuffled; what counts is the median of single runs in a repetition,
+// and of these the median.
 #include <benchmark/benchmark.h>
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cstdio>
-#include <cstdlib>
+#if defined(__x86_64__)
+#include <xmmintrin.h>
+#endif
+
+#include <algorithm>
+#include <atomic>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "session.h"
+#include "liver.h"
+#include "machine.h"
+#include "peers.h"
+#include "stylet/hal/guard.h"
+#include "summary.h"
 #include "variants.h"
 
 namespace stylet::test {
@@ -30,184 +41,300 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// An organ, and what was made of it once: sessions with the needle inserted, steps of peers.
 struct Subject {
   std::string name;
   std::unique_ptr<OpenOrgan> opened;
+  std::map<std::string, std::vector<std::byte>> inserted;
+  std::map<std::string, std::function<void()>> peer;
+
+  const Organ& organ() const { return opened->organ; }
 };
 
-// Where the needle enters: from above, on the line through the middle of the organ's voxels.
-Script script_for(const Organ& organ, const Config& config) {
-  Script script = block_script(organ, config);
-  double x = 0, y = 0, count = 0;
-  for (const OrganRun& run : organ.runs) {
-    x += run.count * (run.x + 0.5 * run.count);
-    y += run.count * (run.y + 0.5);
-    count += run.count;
-  }
-  script.entry_m.x = organ.origin_m.x + organ.voxel_edge_m * static_cast<float>(x / count);
-  script.entry_m.y = organ.origin_m.y + organ.voxel_edge_m * static_cast<float>(y / count);
-  const Vec3 above_m = {script.entry_m.x, script.entry_m.y, script.entry_m.z + 0.01F};
-  float distance_m = 0;
-  if (organ_raycast(organ, above_m, {0, 0, -1}, distance_m)) {
-    script.entry_m.z = above_m.z - distance_m;
-  }
-  return script;
+Config config_at(Setup setup, float period_s, std::uint32_t substeps) {
+  Config config = config_of(setup);
+  config.period_s = period_s;
+  config.substeps = substeps;
+  return config;
 }
 
-void report(benchmark::State& state, const Organ& organ, const Config& config) {
-  using benchmark::Counter;
-  const double steps = static_cast<double>(organ.voxel_count) * config.substeps;
-  state.counters["per_voxel_substep"] =
-      Counter(steps, Counter::kIsIterationInvariantRate | Counter::kInvert);
-  state.counters["voxels"] = organ.voxel_count;
-}
-
-void bench_tissue(benchmark::State& state, const Organ& organ, const Variant& variant) {
-  const Config config = config_of(Setup::kPhysical);
-  Session session = make_session(organ, config);
+// A kernel with the needle inserted, whose tissue step is the variant's.
+Session inserted_session(Subject& subject, const Config& config, const Variant& variant) {
+  Session session = make_session(subject.organ(), config);
+  const std::string key(reinterpret_cast<const char*>(&config), sizeof(config));
+  std::vector<std::byte>& bytes = subject.inserted[key];
+  if (bytes.empty()) {
+    run(session.kernel, script_for(subject.organ(), config), 0, kPauseBegin);
+    bytes.resize(snapshot_bytes(session.kernel));
+    if (snapshot(session.kernel, bytes) != Status::kOk) std::abort();
+  }
+  if (restore(session.kernel, bytes) != Status::kOk) std::abort();
   session.kernel.step = variant.step;
-  run(session.kernel, script_for(organ, config), 0, kCycleTicks);
-  for (auto _ : state) session.kernel.step(session.kernel);
-  report(state, organ, config);
+  return session;
 }
 
-void bench_tick(benchmark::State& state, const Organ& organ, Setup setup, const Variant& variant) {
+// Which time: what passes, or what this thread is given, which is the same on a quiet machine.
+enum class Time { kPassing, kOwn };
+
+double now_us(Time time) {
+  timespec t{};
+  clock_gettime(time == Time::kOwn ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &t);
+  return 1e6 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_nsec);
+}
+
+// Times runs, several together where they are short; a median is not moved by the few that the
+// machine interrupts.
+class Stopwatch {
+ public:
+  Stopwatch(benchmark::State& state, Time time, int runs)
+      : state_(state), time_(time), runs_(runs) {}
+  ~Stopwatch() {
+    if (us_.empty()) return;
+    const auto middle = us_.begin() + static_cast<std::ptrdiff_t>(us_.size() / 2);
+    std::nth_element(us_.begin(), middle, us_.end());
+    state_.counters[kMedian] = *middle;
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+  template <typename Body>
+  void time(const Body& body) {
+    const double start = now_us(time_);
+    for (int i = 0; i < runs_; ++i) body();
+    us_.push_back((now_us(time_) - start) / runs_);
+  }
+
+ private:
+  benchmark::State& state_;
+  Time time_;
+  int runs_;
+  std::vector<double> us_;
+};
+
+// Enough runs to read a clock of a microsecond's cost by.
+int runs_for(const Subject& subject) {
+  return subject.organ().voxel_count < 10000 ? 8 : 1;
+}
+
+void describe(benchmark::State& state, const Subject& subject, std::uint32_t substeps) {
+  state.counters[kVoxels] = subject.organ().voxel_count;
+  state.counters[kSubsteps] = substeps;
+}
+
+void bench_tissue(benchmark::State& state, Subject& subject, const Variant& variant) {
+  Session session = inserted_session(subject, config_of(Setup::kPhysical), variant);
+  {
+    Stopwatch watch(state, Time::kOwn, runs_for(subject));
+    for (auto _ : state) watch.time([&] { session.kernel.step(session.kernel); });
+  }
+  describe(state, subject, 1);
+}
+
+void bench_shared(benchmark::State& state, Subject& subject, const Variant& variant) {
+  Session session = inserted_session(subject, config_of(Setup::kPhysical), variant);
+  const Block memory = make_block(team_bytes(session.kernel, 1));
+  if (set_team(session.kernel, 1, memory.span()) != Status::kOk) std::abort();
+  std::atomic<bool> stop = false;
+  std::thread helper([&] {
+    while (!stop.load(std::memory_order_relaxed)) help(session.kernel, 1000);
+  });
+  {
+    Stopwatch watch(state, Time::kPassing, 1);
+    for (auto _ : state) watch.time([&] { session.kernel.step(session.kernel); });
+  }
+  stop.store(true);
+  helper.join();
+  describe(state, subject, 1);
+}
+
+void bench_tick(benchmark::State& state, Subject& subject, Setup setup, const Variant& variant) {
   const Config config = config_of(setup);
-  const Script script = script_for(organ, config);
-  Session session = make_session(organ, config);
-  session.kernel.step = variant.step;
-  run(session.kernel, script, 0, kPauseBegin);
+  const Script script = script_for(subject.organ(), config);
+  Session session = inserted_session(subject, config, variant);
   std::uint64_t at = kPauseBegin;
-  Output output{};
-  for (auto _ : state) {
-    output = tick(session.kernel, scripted_input(script, at));
-    at = at + 1 < kPauseEnd ? at + 1 : kPauseBegin;
+  {
+    Stopwatch watch(state, Time::kOwn, runs_for(subject));
+    for (auto _ : state) {
+      watch.time([&] {
+        tick(session.kernel, scripted_input(script, at));
+        at = at + 1 < kPauseEnd ? at + 1 : kPauseBegin;
+      });
+    }
   }
-  report(state, organ, config);
-  state.counters["cps"] = output.constraint_particles;
+  describe(state, subject, config.substeps);
 }
 
-void register_subject(const Subject& subject) {
-  const Organ& organ = subject.opened->organ;
-  const auto add = [](const std::string& name, auto body) {
-    benchmark::RegisterBenchmark(name.c_str(), body)
-        ->Unit(benchmark::kMicrosecond)
-        ->MinTime(0.1)
-        ->Repetitions(5)
-        ->DisplayAggregatesOnly();
-  };
+// As the loop does it: sample, tick, guard, then wait for the next period.
+void bench_cadence(benchmark::State& state, Subject& subject, const Config& config,
+                   const Variant& variant) {
+  const Script script = script_for(subject.organ(), config);
+  Session session = inserted_session(subject, config, variant);
+  hal::GuardConfig guard;
+  guard.period_s = config.period_s;
+  hal::GuardState guarded = hal::guard_start();
+  const double period_us = 1e6 * static_cast<double>(config.period_s);
+  double next_us = now_us(Time::kPassing);
+  std::uint64_t at = kPauseBegin;
+  {
+    Stopwatch watch(state, Time::kPassing, 1);
+    for (auto _ : state) {
+      next_us = std::max(next_us + period_us, now_us(Time::kPassing));
+      while (now_us(Time::kPassing) < next_us) {
+      }
+      watch.time([&] {
+        const Output output = tick(session.kernel, scripted_input(script, at));
+        benchmark::DoNotOptimize(hal::guard_force(guard, guarded, output.force_n));
+      });
+      at = at + 1 < kPauseEnd ? at + 1 : kPauseBegin;
+    }
+  }
+  describe(state, subject, config.substeps);
+}
+
+// Denormal numbers flushed to zero in this scope: bodies that come to rest are twenty times slower
+// with them. Our own step keeps out of that range by itself.
+struct FlushDenormals {
+#if defined(__x86_64__)
+  unsigned before = _mm_getcsr();
+  FlushDenormals() {
+    _mm_setcsr(before | 0x8040U);
+  }
+  ~FlushDenormals() {
+    _mm_setcsr(before);
+  }
+  FlushDenormals(const FlushDenormals&) = delete;
+  FlushDenormals& operator=(const FlushDenormals&) = delete;
+#endif
+};
+
+void bench_peer(benchmark::State& state, Subject& subject, const std::string& name,
+                std::function<void()> (*make)(const Organ&)) {
+  [[maybe_unused]] const FlushDenormals flush;
+  std::function<void()>& step = subject.peer[name];
+  if (!step) {
+    step = make(subject.organ());
+    for (int i = 0; i < 20; ++i) step();
+  }
+  {
+    Stopwatch watch(state, Time::kOwn, 1);
+    for (auto _ : state) watch.time(step);
+  }
+  describe(state, subject, 1);
+}
+
+template <typename Body>
+benchmark::internal::Benchmark* add(const std::string& name, Body body) {
+  return benchmark::RegisterBenchmark(name.c_str(), body)->Unit(benchmark::kMicrosecond);
+}
+
+void register_subject(Subject& subject) {
   for (const Variant& variant : variants_here()) {
     const std::string tail = "/" + subject.name + "/" + variant.name;
-    add("tissue" + tail,
-        [&organ, variant](benchmark::State& state) { bench_tissue(state, organ, variant); });
-    add("tick" + tail, [&organ, variant](benchmark::State& state) {
-      bench_tick(state, organ, Setup::kPhysical, variant);
-    });
-    add("tick_elastic" + tail, [&organ, variant](benchmark::State& state) {
-      bench_tick(state, organ, Setup::kElastic, variant);
-    });
+    add("tissue" + tail, [&subject, variant](auto& s) { bench_tissue(s, subject, variant); });
+    add("shared" + tail, [&subject, variant](auto& s) {
+      bench_shared(s, subject, variant);
+    })->UseRealTime();
+    for (const auto& [name, setup] :
+         {std::pair("tick", Setup::kPhysical), std::pair("tick_elastic", Setup::kElastic)}) {
+      add(name + tail,
+          [&subject, setup = setup, variant](auto& s) { bench_tick(s, subject, setup, variant); });
+    }
   }
-  add("tick_paper/" + subject.name, [&organ](benchmark::State& state) {
-    bench_tick(state, organ, Setup::kPaper, variants_here().back());
-  });
 }
 
-std::vector<std::byte> read_bytes(const fs::path& path) {
+void register_peers(Subject& subject) {
+  add("bullet/" + subject.name,
+      [&subject](auto& s) { bench_peer(s, subject, "bullet", bullet_step); });
+  add("eigen/" + subject.name,
+      [&subject](auto& s) { bench_peer(s, subject, "eigen", eigen_step); });
+}
+
+void register_cadence(Subject& subject, const std::string& name, float period_s,
+                      std::uint32_t substeps) {
+  const Config config = config_at(Setup::kPhysical, period_s, substeps);
+  for (const Variant& variant : variants_here()) {
+    add("cadence_" + name + "/" + subject.name + "/" + variant.name,
+        [&subject, config, variant](auto& s) { bench_cadence(s, subject, config, variant); })
+        ->UseRealTime()
+        ->MinTime(0.5);
+  }
+}
+
+bool add_file(const fs::path& path, std::vector<Subject>& subjects) {
   std::ifstream file(path, std::ios::binary);
-  std::vector<char> bytes((std::istreambuf_iterator<char>(file)), {});
-  std::vector<std::byte> result(bytes.size());
-  std::memcpy(result.data(), bytes.data(), bytes.size());
-  return result;
-}
-
-bool add_file(const fs::path& path, const std::string& name, std::vector<Subject>& subjects) {
-  std::error_code error;
-  if (!fs::is_regular_file(path, error)) {
+  const std::vector<char> bytes((std::istreambuf_iterator<char>(file)), {});
+  if (!file) {
     std::cerr << path.string() << ": cannot be read: expected an organ file\n";
     return false;
   }
   auto opened = std::make_unique<OpenOrgan>();
-  opened->bytes = read_bytes(path);
+  opened->bytes.resize(bytes.size());
+  if (!bytes.empty()) std::memcpy(opened->bytes.data(), bytes.data(), bytes.size());
   OrganRefusal refusal;
   if (organ_open(opened->bytes, opened->organ, &refusal) != Status::kOk) {
     std::cerr << path.string() << ": " << status_name(refusal.status) << ": " << refusal.place
               << "\n";
     return false;
   }
-  subjects.push_back({name, std::move(opened)});
+  subjects.push_back({path.stem().string(), std::move(opened), {}, {}});
   return true;
 }
 
-// Without its report: standard output is for the measurements.
-bool run_silently(const std::vector<std::string>& words) {
-  std::vector<char*> arguments;
-  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  pid_t child = 0;
-  int status = 0;
-  const bool started =
-      posix_spawn(&child, arguments[0], &actions, nullptr, arguments.data(), environ) == 0;
-  posix_spawn_file_actions_destroy(&actions);
-  return started && waitpid(child, &status, 0) == child && status == 0;
+void add_livers(std::vector<Subject>& subjects) {
+  for (const auto& [name, voxels] :
+       {std::pair("liver_1k", 1000), std::pair("liver_5k", 5000), std::pair("liver_20k", 20000),
+        std::pair("liver_100k", 100000)}) {
+    subjects.push_back({name, liver_organ(static_cast<std::size_t>(voxels)), {}, {}});
+  }
 }
 
-// The OpenHELP liver at 5 mm, built by the stylet-organ beside this program.
-void add_openhelp(std::vector<Subject>& subjects) {
-  const char* data = std::getenv("STYLET_DATA");
-  const fs::path mesh =
-      fs::path(data != nullptr ? data : STYLET_DATA_DEFAULT) / "organs/openhelp_Liver.stl";
-  const fs::path builder = fs::read_symlink("/proc/self/exe").parent_path() / "stylet-organ";
-  if (!fs::exists(mesh) || !fs::exists(builder)) {
-    std::cerr << "no OpenHELP liver: " << (fs::exists(mesh) ? builder : mesh).string()
-              << " is not there\n";
-    return;
-  }
-  const fs::path organ =
-      fs::temp_directory_path() / ("stylet-bench-" + std::to_string(getpid()) + ".organ");
-  if (run_silently({builder.string(), "build", mesh.string(), "--units", "mm", "--voxel-mm", "5",
-                    "-o", organ.string()})) {
-    add_file(organ, "openhelp_liver", subjects);
-  }
-  fs::remove(organ);
+void register_livers(std::vector<Subject>& subjects) {
+  for (Subject& subject : subjects) register_peers(subject);
+  register_cadence(subjects[1], "1khz", 1e-3F, 1);
+  register_cadence(subjects[1], "1khz_2substeps", 1e-3F, 2);
+  register_cadence(subjects[2], "4khz", 0.25e-3F, 1);
 }
 
-void describe_machine() {
-  std::ifstream cpus("/proc/cpuinfo");
-  std::string line, model = "unknown processor";
-  while (std::getline(cpus, line)) {
-    if (line.rfind("model name", 0) == 0) {
-      model = line.substr(line.find(':') + 2);
-      break;
-    }
+// Takes `--results=FOLDER` out of the arguments.
+std::string take_results_folder(int& argc, char** argv) {
+  const std::string option = "--results=";
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word.rfind(option, 0) != 0) continue;
+    std::copy(argv + i + 1, argv + argc, argv + i);
+    --argc;
+    return word.substr(option.size());
   }
-  benchmark::AddCustomContext("processor", model);
-  benchmark::AddCustomContext("compiler", __VERSION__);
-  std::string names;
-  for (const Variant& variant : variants_here()) names += std::string(variant.name) + " ";
-  benchmark::AddCustomContext("instruction sets", names);
+  return {};
 }
 
 }  // namespace
 }  // namespace stylet::test
 
-// usage: stylet-bench [ORGAN...] [--benchmark_filter=...]
+// usage: stylet-bench [ORGAN...] [--results=FOLDER] [--benchmark_filter=...]
 int main(int argc, char** argv) {
   using namespace stylet::test;
-  benchmark::Initialize(&argc, argv);
+  const std::string folder = take_results_folder(argc, argv);
+  std::vector<std::string> defaults = {"--benchmark_enable_random_interleaving=true",
+                                       "--benchmark_repetitions=7", "--benchmark_min_time=0.1"};
+  std::vector<char*> words(argv, argv + argc);  // what the user says comes later and wins
+  for (std::string& word : defaults) words.insert(words.begin() + 1, word.data());
+  int count = static_cast<int>(words.size());
+  benchmark::Initialize(&count, words.data());
   std::vector<Subject> subjects;
-  subjects.push_back({"block_1k", block_organ(10, 10, 10)});
-  subjects.push_back({"block_5k", block_organ(17, 17, 17)});
-  subjects.push_back({"block_20k", block_organ(27, 27, 27)});
-  for (int i = 1; i < argc; ++i) {
-    if (!add_file(argv[i], fs::path(argv[i]).stem().string(), subjects)) return 1;
+  for (int i = 1; i < count; ++i) {
+    if (!add_file(words[static_cast<std::size_t>(i)], subjects)) return 1;
   }
-  if (argc == 1) add_openhelp(subjects);
-  for (const Subject& subject : subjects) register_subject(subject);
-  describe_machine();
-  benchmark::RunSpecifiedBenchmarks();
+  const bool livers = subjects.empty();
+  if (livers) add_livers(subjects);
+  for (Subject& subject : subjects) register_subject(subject);
+  if (livers) register_livers(subjects);
+  benchmark::AddCustomContext("processor", processor_name());
+  benchmark::AddCustomContext("compiler", __VERSION__);
+  Summary summary;
+  benchmark::RunSpecifiedBenchmarks(&summary);
+  summary.print(std::cout);
+  if (!folder.empty()) summary.write(folder);
   benchmark::Shutdown();
   return 0;
 }

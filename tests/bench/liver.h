@@ -82,7 +82,7 @@ inline std::unique_ptr<OpenOrgan> liver_organ(std::size_t voxels) {
     const float dy = static_cast<float>(y) - 0.50F * static_cast<float>(tiny.ny);
     const float dz = static_cast<float>(z) - 0.40F * static_cast<float>(tiny.nz);
     const float radius = 0.2F * shape.scale;
-    return std::uint8_t{dx * dx + dy * dy + dz * dz < radius * radius ? 2U : 0U};
+    return static_cast<std::uint8_t>(dx * dx + dy * dy + dz * dz < radius * radius ? 2 : 0);
   };
   return open_organ(tiny_organ(tiny));
 }

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Collects the medians of all benchmarks, prints them as the table a person wants, and writes one
+// CSV file per instruction set.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <iosfwd>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace stylet::test {
+
+// Counters every benchmark sets.
+constexpr const char* kMedian = "median_us";
+constexpr const char* kVoxels = "voxels";
+constexpr const char* kSubsteps = "substeps";
+
+class Summary : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context& context) override;
+  void ReportRuns(const std::vector<Run>& runs) override;
+
+  // Between ReportRuns and print: rows in order of organ and measure.
+  void Finalize() override;
+  // One line for each benchmark: median, per voxel and substep, and how many times as long a peer
+  // or one thread takes.
+  void print(std::ostream& out) const;
+  void write(const std::string& folder) const;
+
+ private:
+  struct Row {
+    std::string measure, organ, variant;
+    double voxels, median_us, ns_per_voxel;
+  };
+  std::vector<Row> rows_;
+
+  // Of the benchmark `measure` on the same organ (and variant, if it has any), over this one; 0 if
+  // it was not run.
+  double ratio(const std::string& measure, const std::string& variant, const Row& to) const;
+};
+
+}  // namespace stylet::test
