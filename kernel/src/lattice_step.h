@@ -23,13 +23,9 @@ constexpr float kQuantumTurn = 1.953125e-3F;    // 2^-9: quaternion parts to 2e-
 // The loops below run over whole groups of lanes and do not overlap; they stay functions of their
 // own so that the compiler sees that.
 #if defined(__clang__)
-#define STYLET_LANES(count)            \
-  (count) = (count) / kLanes * kLanes; \
-  _Pragma("clang loop vectorize(assume_safety)")
+#define STYLET_VECTOR _Pragma("clang loop vectorize(assume_safety)")
 #else
-#define STYLET_LANES(count)            \
-  (count) = (count) / kLanes * kLanes; \
-  _Pragma("GCC ivdep")
+#define STYLET_VECTOR _Pragma("GCC ivdep")
 #endif
 #define STYLET_KEEP_APART __attribute__((noinline))
 
@@ -129,7 +125,8 @@ STYLET_KEEP_APART void fit_slots(std::uint32_t lanes, std::size_t stride, float 
   float* g6 = sums + 9 * stride;
   float* g7 = sums + 10 * stride;
   float* g8 = sums + 11 * stride;
-  STYLET_LANES(lanes)
+  lanes = lanes / kLanes * kLanes;
+  STYLET_VECTOR
   for (std::uint32_t i = 0; i < lanes; ++i) {
     const float d00 = g0[i], d01 = g1[i], d02 = g2[i];
     const float d10 = g3[i], d11 = g4[i], d12 = g5[i];
@@ -186,14 +183,14 @@ void fit_plane(const View& view, const Plane& plane) {
 }
 
 // Two refined steps for the corners alone, and two more from there for all together.
-STYLET_KEEP_APART void turn_fits(std::uint32_t lanes, const float (&corner)[9][kLanes],
-                                 const float (&joint)[9][kLanes], float (&corner_turn)[4][kLanes],
-                                 float (&joint_turn)[4][kLanes]) {
+STYLET_KEEP_APART void turn_fits(Fits& fits) {
+  // No more lanes than the voxels need: without wide registers each is work.
+  const std::uint32_t lanes = (fits.count + kWide - 1) / kWide * kWide;
   for (int pass = 0; pass < 4; ++pass) {
-    const float(&m)[9][kLanes] = pass < 2 ? corner : joint;
-    const float(&from)[4][kLanes] = pass < 3 ? corner_turn : joint_turn;
-    float(&to)[4][kLanes] = pass < 2 ? corner_turn : joint_turn;
-    STYLET_LANES(lanes)
+    const float(&m)[9][kLanes] = pass < 2 ? fits.corner : fits.joint;
+    const float(&from)[4][kLanes] = pass < 3 ? fits.corner_turn : fits.joint_turn;
+    float(&to)[4][kLanes] = pass < 2 ? fits.corner_turn : fits.joint_turn;
+    STYLET_VECTOR
     for (std::uint32_t i = 0; i < lanes; ++i) {
       float w = from[0][i], x = from[1][i], y = from[2][i], z = from[3][i];
       rotation_step<1>(m[0][i], m[1][i], m[2][i], m[3][i], m[4][i], m[5][i], m[6][i], m[7][i],
@@ -211,7 +208,7 @@ void couple_plane(const View& view, std::uint32_t plane) {
   for (std::uint32_t first = view.scratch.plane_first[plane]; first < end; first += kLanes) {
     Fits fits;
     prepare_fits(view, plane, first, fits);
-    turn_fits(kLanes, fits.corner, fits.joint, fits.corner_turn, fits.joint_turn);
+    turn_fits(fits);
     finish_fits(view, plane, fits);
   }
 }
