@@ -50,7 +50,7 @@ def series(program, quick):
     """name -> points (amount, instructions)"""
     voxels = [1000, 2000, 5000] if quick else [1000, 2000, 5000, 10000, 20000, 50000]
     units = [5, 2.5, 1.25] if quick else [5, 3, 2, 1.5, 1.25, 1]
-    rods = [16, 64] if quick else [8, 16, 32, 64, 96, 128]
+    rods = [16, 64, 128] if quick else [8, 16, 32, 64, 96, 128]
     found = {"voxels": [], "constraint particles": [], "rods": [], "triangles": []}
     for n in voxels:
         count, of = measure(program, n, 5, 0, "away", "step")
