@@ -21,6 +21,7 @@ constexpr double kLeaveM = 0.12;
 constexpr double kLongestRestS = 20;
 constexpr double kAtRestM = 1e-6;
 constexpr double kZeroForceS = 25e-3;
+constexpr double kEventS = 20e-3;
 
 double square_sum(Vec3 a, Vec3 b) {
   const double x = static_cast<double>(a.x) - static_cast<double>(b.x),
@@ -139,6 +140,7 @@ struct Observer {
   std::array<bool, kMaxNeedles> known{};
   double work_j = 0, slack_j = 0, last_j = 0, least_j = 0, gain_j = 0;
   std::uint32_t events = 0;
+  std::uint64_t event_until = 0;
   bool off = false;  // a needle began inside an obstacle: with energy that nobody brought
 };
 
@@ -229,12 +231,17 @@ void note_use(Simulation& s, std::span<const Output> outputs) {
   s.verdict.busiest_tick = outputs[0].tick;
 }
 
-// What a contact or a puncture itself makes, by the fall of the observer in its tick.
-void note_gain(Simulation& s, double observed_j, std::uint32_t happened) {
+// What a contact or a puncture makes, by the falls of the observer in the kEventS that follow.
+void note_gain(Simulation& s, double observed_j, const Output& out) {
   Observer& observer = s.observer;
-  const bool event = happened != observer.events;
-  if (event && observed_j < observer.last_j) observer.gain_j += observer.last_j - observed_j;
-  observer.events = happened;
+  if (out.events != observer.events) {
+    observer.events = out.events;
+    observer.event_until =
+        out.tick + static_cast<std::uint64_t>(
+                       std::llround(kEventS / static_cast<double>(s.scenario.config.period_s)));
+  }
+  const double fall = observer.last_j - observed_j;
+  if (fall > 0 && out.tick <= observer.event_until) observer.gain_j += fall;
   observer.last_j = observed_j;
 }
 
@@ -245,10 +252,10 @@ const char* broken_energy(Simulation& s, std::span<const Output> outputs) {
   const Energy e = energy(s.session.kernel);
   const double observed = s.observer.work_j - (e.elastic + e.kinetic + e.coupling);
   s.observer.least_j = std::min(s.observer.least_j, observed);
-  note_gain(s, observed, outputs[0].events);
+  note_gain(s, observed, outputs[0]);
   double allowed = kObserverJ;
   if (!s.scenario.gentle) allowed += s.observer.slack_j;
-  if (s.known_gains) allowed += s.observer.gain_j;
+  if (s.known_gains && s.observer.gain_j > kObserverJ) return nullptr;
   return observed > -allowed ? nullptr : "more energy comes out of the tissue than went in";
 }
 

@@ -41,8 +41,8 @@ struct Verdict {
 };
 
 // `tamper` is called after every tick: how the tests of the simulator break a promise.
-// `known_gains`: allow the energy that the kernel is known to make in the tick of an event (see
-// README.md); it is measured all the same.
+// `known_gains`: once an event has made energy, as the kernel is known to do (see README.md), the
+// observer only measures how much.
 using Tamper = std::function<void(Kernel&, std::uint64_t tick)>;
 Verdict simulate(const Scenario& scenario, bool known_gains = false, const Tamper& tamper = {});
 
