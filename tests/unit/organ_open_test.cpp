@@ -279,10 +279,24 @@ TEST(OrganOpen, AcceptsEveryLimitItself) {
   }
 }
 
-// And just beyond the limits on the low side.
-TEST(OrganOpen, RefusesJustBelowEveryLowLimit) {
+// And refused just beyond it.
+TEST(OrganOpen, RefusesJustBeyondEveryLimit) {
   using M = format::MaterialT;
   const std::vector<Change> changes = {
+      material([](M& m) { m.density_kg_per_m3 = 20000.5F; }),
+      material([](M& m) { m.youngs_modulus_pa = 1.001e9F; }),
+      material([](M& m) { m.poisson_ratio = 0.491F; }),
+      material([](M& m) { m.relaxing_fraction = 0.951F; }),
+      material([](M& m) { m.relaxation_time_s = 1.001e5F; }),
+      material([](M& m) { m.puncture_force_n = 1000.5F; }),
+      material([](M& m) { m.cutting_force_n = 1000.5F; }),
+      material([](M& m) { m.recut_fraction = 1.01F; }),
+      material([](M& m) { m.static_friction_n_per_m = 1.001e4F; }),
+      material([](M& m) { m.stribeck_velocity_m_per_s = 10.01F; }),
+      material([](M& m) { m.viscous_friction_n_s_per_m2 = 1.001e6F; }),
+      material([](M& m) { m.puncture_velocity_exponent = 0.501F; }),
+      [](Owner& o) { o.voxel_edge_m = 0.1001F; },
+      [](Owner& o) { o.origin_z_m = 100.5F; },
       material([](M& m) { m.density_kg_per_m3 = 0.99F; }),
       material([](M& m) { m.youngs_modulus_pa = 0.99F; }),
       material([](M& m) { m.poisson_ratio = -0.01F; }),
