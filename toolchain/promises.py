@@ -44,13 +44,13 @@ ROWS = [
     ("a device may fail at any tick", r"device_faults\..*", None),
 ]
 TEST = re.compile(r"^\d+/\d+ Testing: (.+?)$.*?^Output:\n-+\n(.*?)<end of output>.*?"
-                  r"^Test (Passed|Failed)", re.M | re.S)
+                  r"^Test (Pass|Fail)", re.M | re.S)
 
 
 def read_log(path):
     """Test -> (its output, whether it passed)."""
     text = path.read_text(errors="replace")
-    return {name: (output, verdict == "Passed") for name, output, verdict in TEST.findall(text)}
+    return {name: (output, verdict == "Pass") for name, output, verdict in TEST.findall(text)}
 
 
 def measured(row, log, today):

@@ -105,6 +105,8 @@ class Promises(Sample):
     LOG = ("1/2 Testing: rt.stack\n1/2 Test: rt.stack\nOutput:\n---\n"
            "5448 bytes at most; of a painted stack:\nphysical, avx2: 4616 bytes\n"
            "<end of output>\nTest time = 1\nTest Passed.\n"
+           "2/2 Testing: rt.rtsan.tick\nOutput:\n---\n<end of output>\nTest time = 1\n"
+           "Test Pass Reason:\nas expected\n"
            "2/2 Testing: check.loops\n2/2 Test: check.loops\nOutput:\n---\n"
            "<end of output>\nTest time = 1\nTest Failed.\n")
 
@@ -112,6 +114,7 @@ class Promises(Sample):
         log = promises.read_log(self.write("LastTest.log", self.LOG))
         once = promises.updated(self.EMPTY, log, "2026-01-02")
         self.assertIn("| `rt.stack` | 2026-01-02: 5448 bytes at most, 4616 used |", once)
+        self.assertIn("| `rt.rtsan.*` | 2026-01-02: 1 passed |", once)
         self.assertIn("| `check.loops` | 2026-01-02: check.loops failed |", once)
         self.assertIn(f"| `check.symbols` | {promises.NEVER} |", once)
         self.assertEqual(promises.updated(once, {}, "2026-03-04"), once)
