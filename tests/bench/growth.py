@@ -99,7 +99,7 @@ def write(found, folder):
                                             "\n".join(rows) + "\n")
     if shutil.which("gnuplot") is None:
         return
-    script = ["set terminal svg size 900,640 font 'DejaVu Sans,11'",
+    script = ["set terminal svg size 900,640 font 'DejaVu Sans,11' background 'white'",
               f"set output '{folder / 'growth.svg'}'", "set multiplot layout 2,2",
               "set key top left", "set yrange [0:*]", "set xrange [0:*]",
               "set ylabel 'instructions, AVX2'", "set format y '%.1s%c'", "set format x '%.0s%c'"]
