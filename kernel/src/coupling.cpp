@@ -11,6 +11,10 @@ constexpr float kPi = 3.14159265F;
 // tests/fidelity).
 constexpr float kLatticeComplianceInside = 0.20F;
 constexpr float kLatticeComplianceSurface = 0.28F;
+// A row of CPs shared evenly moves as a cylinder of this radius would, in voxel edges: at Poisson
+// ratio 0 and by how much less at 1. Its springs count this much: they also let the voxels slip
+// across each other (measured: tests/fidelity/coupling/stiffness_test.cpp).
+constexpr float kRowRadius = 0.58F, kRowRadiusSlope = 0.33F, kRowSlack = 1.2F;
 // Radius over which the far field of a needle dies out: half of an organ's usual thickness.
 constexpr float kFarFieldM = 0.025F;
 // Tissue this many times softer than the CP's spring is as good as all of the compliance.
@@ -66,7 +70,7 @@ void set_stiffness(const View& view, Particle& particle, Place place) {
   const float a = view.needle_config().outer_radius_m;
   const float nu = m.poisson_ratio;
   const float unit = view.needle_config().unit_m;
-  float target = 0, lattice_compliance = 0;
+  float target = 0, lattice_compliance = 0, slack = 1;
   switch (place) {
     case Place::kSurface:
       target = 4 * m.shear_pa * a / (1 - nu);
@@ -79,15 +83,17 @@ void set_stiffness(const View& view, Particle& particle, Place place) {
     case Place::kShaft:
       target = m.shear_pa * unit * line_stiffness(a, nu);
       lattice_compliance =
-          (1 / line_stiffness(0.68F * head.edge_m, nu) + 0.125F) / (m.shear_pa * unit);
+          1 / (m.shear_pa * unit *
+               line_stiffness((kRowRadius - kRowRadiusSlope * nu) * head.edge_m, nu));
+      slack = kRowSlack;
       break;
   }
   const float largest = kMaxCpWeight * k * (place == Place::kShaft ? unit / head.edge_m : 1.0F);
-  const float own_compliance = max_of(1 / target - lattice_compliance, 1 / largest);
+  const float own_compliance = max_of((1 / target - lattice_compliance) / slack, 1 / largest);
   particle.stiffness_n_per_m = 1 / own_compliance;
   if (head.config.mode == Mode::kPaper) particle.stiffness_n_per_m = k;
   particle.full_stiffness_n_per_m = particle.stiffness_n_per_m;
-  const float reached = 1 / (own_compliance + lattice_compliance);
+  const float reached = 1 / (slack * own_compliance + lattice_compliance);
   view.state.head->coupling_shortfall =
       max_of(view.state.head->coupling_shortfall, 1 - reached / target);
   set_relaxation(head, particle);
@@ -160,11 +166,11 @@ std::uint32_t heaviest(const Particle& p) {
 
 // Takes the voxels around the CP's rest place. A voxel that is kept keeps its offset; a new one is
 // given the residual the CP has. The force does not change, and the energy does not rise.
-void renew_shares(const View& view, Particle& p) {
+void renew_shares(const View& view, Particle& p, Sharing sharing = Sharing::kTent) {
   const Vec3 residual_m = residual(p);
   const float spread_m2 = spread_of(p, residual_m);
   Share found[kSharesPerParticle];
-  const std::uint32_t count = find_shares(view, p.rest_m, found);
+  const std::uint32_t count = find_shares(view, p.rest_m, found, sharing);
   for (std::uint32_t i = 0; i < count; ++i) {
     Share& share = found[i];
     bool kept = false;
@@ -185,6 +191,22 @@ void renew_shares(const View& view, Particle& p) {
   if (count > 0) p.material = view.model.slot_material[p.share[heaviest(p)].slot];
 }
 
+// For a CP that keeps its voxels: each of those around it holds the needle alike, so that a row of
+// CPs is as stiff and as thick wherever it runs between voxel centres. Its rest place is where its
+// goals lie in unloaded tissue.
+void share_evenly(const View& view, Particle& p) {
+  const std::uint32_t material = p.material;
+  renew_shares(view, p, Sharing::kEven);
+  p.material = material;
+  Vec3 rest = {};
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    const Share& share = p.share[i];
+    const VoxelFrame frame = voxel_frame(view, share.slot, share.row);
+    rest = rest + share.weight * (frame.rest_centre_m + share.offset_m);
+  }
+  if (p.share_count > 0) p.rest_m = rest;
+}
+
 // Puts a CP at a rest place with its goals at `place_m` (rigid pull-back: fits, goals and energy of
 // all voxels stay as they are when the needle holds it there).
 Particle new_particle(const View& view, Vec3 rest_m, Vec3 place_m, float track_m, float arc_m,
@@ -195,6 +217,8 @@ Particle new_particle(const View& view, Vec3 rest_m, Vec3 place_m, float track_m
   p.track_m = track_m;
   p.arc_m = arc_m;
   renew_shares(view, p);
+  const bool physical = view.model.head->config.mode == Mode::kPhysical;
+  if (place == Place::kShaft && physical) share_evenly(view, p);
   set_stiffness(view, p, place);
   return p;
 }

@@ -89,7 +89,8 @@ VoxelFrame voxel_frame(const View& view, std::uint32_t slot, std::uint32_t row) 
   return {rotation_matrix(corner_rotation(view, slot, corners)), rest + corners.mean_m, rest};
 }
 
-std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kSharesPerParticle]) {
+std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kSharesPerParticle],
+                          Sharing sharing) {
   const ModelHead& head = *view.model.head;
   const Vec3 g = head.inverse_edge_per_m * (rest_m - head.origin_m) - Vec3{0.5F, 0.5F, 0.5F};
   // Truncation of a shifted value: floor without libm. Points this far out have no voxel anyway.
@@ -115,7 +116,7 @@ std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kShare
     if (x < row.x0 || x >= row.x0 + row.count) continue;
     const std::uint32_t slot = row.slot + static_cast<std::uint32_t>(x - row.x0);
     const float tent = (dx != 0 ? fx : 1 - fx) * (dy != 0 ? fy : 1 - fy) * (dz != 0 ? fz : 1 - fz);
-    const float weight = tent * view.model.slot_fill[slot];
+    const float weight = (sharing == Sharing::kEven ? 0.125F : tent) * view.model.slot_fill[slot];
     if (!(view.model.slot_k[slot] > 0) || !(weight > 0)) continue;
     shares_out[count++] = {slot, row_index, weight, {}, {}};
     sum = sum + weight;

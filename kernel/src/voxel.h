@@ -36,8 +36,11 @@ struct VoxelFrame {
 };
 VoxelFrame voxel_frame(const View& view, std::uint32_t slot, std::uint32_t row);
 
-// Tent weights, times fill, of the voxels around a rest point; 0 shares outside the tissue.
-std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kSharesPerParticle]);
+// Weights of the voxels around a rest point, times fill; 0 shares outside the tissue. Tent weights
+// change smoothly along a way; even ones are the same for all places between the same centres.
+enum class Sharing { kTent, kEven };
+std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kSharesPerParticle],
+                          Sharing sharing = Sharing::kTent);
 
 // Present place of a rest point, trilinear in the voxel that holds it; false outside the tissue.
 bool present_place(const View& view, Vec3 rest_m, Vec3& place_out_m);

@@ -46,7 +46,8 @@ struct Jumps {
   int events = 0;
 };
 
-// Watches the ticks in which the number of CPs changes while the needle stays in the tissue.
+// Watches the ticks in which the number of CPs changes while the needle stays in the tissue. What
+// the force was changing by already, in the recoil of a puncture, is not the event's doing.
 class Watch {
  public:
   explicit Watch(double step_m) : step_m_(step_m) {}
@@ -54,12 +55,13 @@ class Watch {
     const bool inside = out.constraint_particles > 2 && last_count_ > 2;
     if (inside && out.constraint_particles != last_count_) {
       const double allowed = all_springs(rig.view()) * step_m_;
-      const Vec3 change = out.force_n - last_force_;
+      const Vec3 change = (out.force_n - last_force_) - last_change_;
       jumps.axial = std::max(jumps.axial, std::fabs(static_cast<double>(change.x)) / allowed);
       jumps.lateral = std::max(jumps.lateral, norm_of({0, change.y, change.z}) / allowed);
       ++jumps.events;
     }
     last_count_ = out.constraint_particles;
+    last_change_ = out.force_n - last_force_;
     last_force_ = out.force_n;
   }
   Jumps jumps;
@@ -67,7 +69,7 @@ class Watch {
  private:
   double step_m_;
   std::uint32_t last_count_ = 0;
-  Vec3 last_force_ = {};
+  Vec3 last_force_ = {}, last_change_ = {};
 };
 
 TEST(Continuity, AddingAndRemovingParticlesIsNotFelt) {
