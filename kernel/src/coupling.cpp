@@ -28,6 +28,8 @@ constexpr float kComplianceGain = 0.02F;
 constexpr float kTrackSkinM = 1e-5F;
 // The tip finds the material at its goal within this distance of travel.
 constexpr float kMaterialPullM = 1e-3F;
+// A voxel's deformation is known this far from its centre, in voxel edges.
+constexpr float kVoxelReach = 0.5F;
 // Speed at which the puncture force of a material is given.
 constexpr float kPunctureSpeedMPerS = 0.01F;
 // The tip must go this far to come back to the layer it has just left.
@@ -90,8 +92,7 @@ void set_stiffness(const View& view, Particle& particle, Place place) {
   }
   const float largest = kMaxCpWeight * k * (place == Place::kShaft ? unit / head.edge_m : 1.0F);
   const float own_compliance = max_of((1 / target - lattice_compliance) / slack, 1 / largest);
-  particle.stiffness_n_per_m = 1 / own_compliance;
-  if (head.config.mode == Mode::kPaper) particle.stiffness_n_per_m = k;
+  particle.stiffness_n_per_m = head.config.mode == Mode::kPaper ? k : 1 / own_compliance;
   particle.full_stiffness_n_per_m = particle.stiffness_n_per_m;
   const float reached = 1 / (slack * own_compliance + lattice_compliance);
   view.state.head->coupling_shortfall =
@@ -242,11 +243,15 @@ Gradient gradient_around(const View& view, const Particle& p) {
 
 // Rest-frame image of a step in deformed tissue. Rest places must follow the material, not the
 // rotation alone: else a needle that leaves strained tissue does not find its way back to its
-// entry.
-Vec3 pull_back(const Gradient& g, Vec3 step) {
+// entry. A voxel's deformation says nothing about the next one: in tissue pressed to a fraction of
+// its length (the dimple of a puncture) the image ends within the voxel.
+Vec3 pull_back(const View& view, const Gradient& g, Vec3 step) {
   if (!(g.det > 0.05F)) return step;  // crushed or inverted: no direction is better than another
-  return (1 / g.det) * Vec3{dot(step, cross(g.c1, g.c2)), dot(step, cross(g.c2, g.c0)),
-                            dot(step, cross(g.c0, g.c1))};
+  const Vec3 image = (1 / g.det) * Vec3{dot(step, cross(g.c1, g.c2)), dot(step, cross(g.c2, g.c0)),
+                                        dot(step, cross(g.c0, g.c1))};
+  const float length = norm(image);
+  const float most = max_of(kVoxelReach * view.model.head->edge_m, norm(step));
+  return length > most ? (most / length) * image : image;
 }
 
 // Moves the tissue that the tip holds forward by `move_m` along the needle. The step is integrated
@@ -254,25 +259,26 @@ Vec3 pull_back(const Gradient& g, Vec3 step) {
 // at its goal, so that errors of the integration do not pile up.
 void advance_tip(const View& view, Particle& tip, Vec3 direction, float move_m) {
   const Gradient g = gradient_around(view, tip);
-  const Vec3 along = tip.share_count > 0 ? pull_back(g, direction) : direction;
-  const float length = norm(along);
-  shift_goals(view, tip, move_m * direction);
-  tip.rest_m = tip.rest_m + move_m * along;
-  tip.track_m += move_m * length;
+  const Vec3 step = move_m * direction;
+  const Vec3 image = tip.share_count > 0 ? pull_back(view, g, step) : step;
+  shift_goals(view, tip, step);
+  tip.rest_m = tip.rest_m + image;
+  tip.track_m += move_m < 0 ? -norm(image) : norm(image);
   Vec3 present = {};
   if (tip.share_count == 0 || !present_place(view, tip.rest_m, present)) return;
   const float size = move_m < 0 ? -move_m : move_m;
-  const Vec3 miss =
-      (size / (size + kMaterialPullM)) * pull_back(g, (tip.position_m - residual(tip)) - present);
+  const Vec3 miss = (size / (size + kMaterialPullM)) *
+                    pull_back(view, g, (tip.position_m - residual(tip)) - present);
   tip.rest_m = tip.rest_m + miss;
-  tip.track_m += dot(miss, along) / length;
+  const Vec3 along = pull_back(view, g, direction);
+  tip.track_m += dot(miss, along) / norm(along);
 }
 
 // Rest place of the material that now lies at `place_m`, near the tip.
 Vec3 material_at(const View& view, const Particle& tip, Vec3 place_m) {
   Vec3 present = tip.position_m - residual(tip);
   (void)present_place(view, tip.rest_m, present);
-  return tip.rest_m + pull_back(gradient_around(view, tip), place_m - present);
+  return tip.rest_m + pull_back(view, gradient_around(view, tip), place_m - present);
 }
 
 // ---- the return map
@@ -572,8 +578,12 @@ std::uint32_t remember_track(const View& view, Vec3 rest_m, Vec3 rest_direction)
 
 // The contact's law: see cone.h. Its memory is the relaxed force over the punch's stiffness.
 Cone cone_of(const View& view) {
-  return {view.state.tip->full_stiffness_n_per_m,
-          kConeLengthInRadii * view.needle_config().outer_radius_m};
+  const ModelHead& head = *view.model.head;
+  const float k = head.material[view.state.tip->material].shear_pa * head.edge_m;
+  const float own = 1 / view.state.tip->full_stiffness_n_per_m;
+  const float lattice = kLatticeComplianceSurface / k;
+  return {1 / (own + lattice), kConeLengthInRadii * view.needle_config().outer_radius_m,
+          lattice / (own + lattice)};
 }
 
 // The spread of the shares about their mean is carried by the spring of the moment.

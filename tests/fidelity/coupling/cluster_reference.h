@@ -147,24 +147,35 @@ class ClusterReference {
 
   // The tip in contact is a cone, F = k d^2 / (d + l) with l = a pi / tan 15 degrees, with quasi-
   // linear relaxation: its energy instead of that of the spring which stands for it in this tick.
+  // The lattice's part of the depth, F 0.28 / (G h), is not the spring's.
   static double cone_energy(const View& view) {
     if (view.state.needle->phase != Phase::kContact) return 0;
     const Particle& tip = *view.state.tip;
+    const ModelHead& head = *view.model.head;
     Vec3 off = {};
     for (std::uint32_t i = 0; i < tip.share_count; ++i) {
       off = off + tip.share[i].weight * (tip.position_m - tip.share[i].goal_m);
     }
-    const double radius = static_cast<double>(view.model.head->config.needle[0].outer_radius_m);
+    const double radius = static_cast<double>(head.config.needle[0].outer_radius_m);
     const double l = radius * 3.14159265 / std::tan(3.14159265 / 12);
-    const double k = static_cast<double>(tip.full_stiffness_n_per_m);
-    const auto integral = [l, k](double d) {
-      return k * (0.5 * d * d - l * d + l * l * std::log1p(d / l));
+    const double own = static_cast<double>(tip.full_stiffness_n_per_m);
+    const double lattice =
+        0.28 / static_cast<double>(head.material[tip.material].shear_pa * head.edge_m);
+    const double k = 1 / (1 / own + lattice);
+    const auto force = [l, k](double d) { return k * d * d / (d + l); };
+    // Energy of the spring when all the tissue is this deep.
+    const auto energy = [&](double d) {
+      return k * (0.5 * d * d - l * d + l * l * std::log1p(d / l)) -
+             0.5 * lattice * force(d) * force(d);
     };
-    const double q = k * norm_of(tip.memory_m);
+    const double spring = norm_of(off);
+    double d = spring;  // of all the tissue
+    for (int i = 0; i < 200; ++i) d = 0.5 * (d + spring + lattice * force(d));
+    const double q = own * norm_of(tip.memory_m);
     const double y = q / (2 * k) + std::sqrt(q * q / (4 * k * k) + q * l / k);
-    const double d = norm_of(off), along = k * static_cast<double>(dot(tip.memory_m, off));
+    const double along = own * static_cast<double>(dot(tip.memory_m, off));
     const double share = static_cast<double>(tip.memory_share);
-    return integral(d) - share * (integral(y) + along - q * y) -
+    return energy(d) - share * (energy(y) + along - q * (y - lattice * q)) -
            0.5 * static_cast<double>(tip.stiffness_n_per_m) *
                std::pow(norm_of(off - tip.slack_m), 2);
   }

@@ -35,16 +35,18 @@ TinyMaterial liver(float youngs_modulus_pa) {
 struct Curve {
   std::vector<Output> out;       // one a tick
   std::vector<double> force, x;  // axial, against insertion; tip
-  std::size_t hold_begin, hold_end, contact, puncture, exit;
+  std::size_t hold_begin, hold_end, contact, puncture, through, exit;  // through all layers
 };
 
-std::size_t tick_of(const Kernel& kernel, EventKind kind) {
+std::vector<std::size_t> ticks_of(const Kernel& kernel, EventKind kind) {
   Event list[kMaxEvents];
   const std::uint32_t count = events(kernel, list);
+  std::vector<std::size_t> ticks;
   for (std::uint32_t i = 0; i < count; ++i) {
-    if (list[i].kind == kind) return list[i].tick - 1;
+    if (list[i].kind == kind) ticks.push_back(list[i].tick - 1);
   }
-  return 0;
+  if (ticks.empty()) ticks.push_back(0);
+  return ticks;
 }
 
 Curve run_curve() {
@@ -71,9 +73,10 @@ Curve run_curve() {
   curve.hold_end = curve.out.size();
   drive(rig, deepest, -20e-3F, static_cast<float>(kSpeed), keep);
   for (int i = 0; i < 500; ++i) keep(move_tip(rig, {-20e-3F, start.y, start.z}));
-  curve.contact = tick_of(rig.kernel(), EventKind::kContact);
-  curve.puncture = tick_of(rig.kernel(), EventKind::kPuncture);
-  curve.exit = tick_of(rig.kernel(), EventKind::kExit);
+  curve.contact = ticks_of(rig.kernel(), EventKind::kContact).front();
+  curve.puncture = ticks_of(rig.kernel(), EventKind::kPuncture).front();
+  curve.through = ticks_of(rig.kernel(), EventKind::kPuncture).back();
+  curve.exit = ticks_of(rig.kernel(), EventKind::kExit).front();
   return curve;
 }
 
@@ -136,8 +139,8 @@ TEST_F(V23PhaseCurve, DropsAtThePuncture) {
 TEST_F(V23PhaseCurve, InsertionGrowsWithDepthByTheFrictionWritten) {
   const Curve& c = *curve_;
   std::vector<double> depth, force;
-  // The tissue's recoil from the puncture belongs to the phase before: 0.2 s are left to it.
-  for (std::size_t i = c.puncture + 200; i < c.hold_begin; ++i) {
+  // The tissue's recoil from the last puncture belongs to the phase before: 0.2 s are left to it.
+  for (std::size_t i = c.through + 200; i < c.hold_begin; ++i) {
     if (c.out[i].depth_m < 10e-3F) continue;
     depth.push_back(static_cast<double>(c.out[i].depth_m));
     force.push_back(c.force[i]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stuck needle is as stiff across its axis as the needle is, not as the grid is.
+// Needle and tissue together are as stiff as the needle makes them, not as the grid does: in
+// contact, and stuck.
 //
 // An 18G needle stands 20 mm deep in the block of tests/fidelity/calculix (40 mm, E 10 kPa, fixed
 // bottom) and is moved sideways by 20 um. CalculiX's force is that of columns 5 and 2.5 mm wide, at
@@ -102,6 +103,58 @@ TEST(Stiffness, NeitherVoxelNorUnitNorPlaceIsFelt) {
     const auto [least, most] = std::minmax_element(all.begin(), all.end());
     EXPECT_LT(*most / *least, 1.05) << "nu " << poisson;
   }
+}
+
+TinyOrgan soft_block(float edge_m, float size_m) {
+  TinyOrgan tiny;
+  tiny.nx = tiny.ny = tiny.nz = static_cast<std::uint16_t>(std::lround(size_m / edge_m));
+  tiny.voxel_edge_m = edge_m;
+  tiny.fixed_faces = kHighX;
+  tiny.materials[0].youngs_modulus_pa = 10000;
+  return tiny;
+}
+
+// A cone on a half space, then a punch as wide as the needle (cone.h). The block is finite, so a
+// little stiffer.
+TEST(Stiffness, ContactFollowsTheLawOfTheHalfSpaceForAnyVoxel) {
+  const Config config;
+  const double radius = static_cast<double>(config.needle[0].outer_radius_m);
+  const double punch = 4 * (10000 / 2.9) * radius / 0.55;
+  const double wide = 3.14159265 * radius / std::tan(3.14159265 / 12);
+  for (const float edge_m : {10e-3F, 5e-3F, 2.5e-3F}) {
+    for (const Vec3 place : kPlaces) {
+      TinyOrgan tiny = soft_block(edge_m, 0.08F);
+      tiny.materials[0].puncture_force_n = 10;
+      Rig rig = make_rig(tiny, config);
+      Vec3 tip = Vec3{-1e-3F, 0.04F, 0.04F} + edge_m * place;
+      for (const float depth_m : {1e-3F, 2e-3F, 4e-3F}) {
+        drive(rig, tip, depth_m, 0.02F);
+        tip.x = depth_m;
+        const double d = static_cast<double>(depth_m);
+        const double force = -static_cast<double>(hold(rig, tip, 200).force_n.x);
+        EXPECT_NEAR(force / (punch * d * d / (d + wide)), 1, 0.06)
+            << "voxel " << edge_m << " m, depth " << depth_m << " m, at " << place.y << ", "
+            << place.z;
+      }
+    }
+  }
+}
+
+// A tip that breaks through at the bottom of a dimple ten voxels deep, where tissue is pressed to a
+// tenth of its length, goes on into the tissue below.
+TEST(Stiffness, TipStaysInTissueThatADeepDimpleHasCrushed) {
+  TinyOrgan tiny = soft_block(2.5e-3F, 0.06F);
+  tiny.materials[0].puncture_force_n = 0.3F;
+  tiny.materials[0].coulomb_friction_n_per_m = tiny.materials[0].static_friction_n_per_m = 0.25F;
+  Rig rig = make_rig(tiny, Config{});
+  float last_m = 0, farthest_m = 0;
+  const Output end = drive(rig, {-1e-3F, 0.03F, 0.03F}, 0.045F, 0.01F, [&](const Output& out) {
+    farthest_m = std::max(farthest_m, out.depth_m - last_m);
+    last_m = out.depth_m;
+  });
+  EXPECT_EQ(end.layer, 0U);
+  EXPECT_LT(farthest_m, 10e-3F) << "in one tick";
+  EXPECT_NEAR(-end.force_n.x, 0.2F + 0.25F * end.depth_m, 0.02F);
 }
 
 }  // namespace
