@@ -15,6 +15,10 @@ constexpr float kLatticeComplianceSurface = 0.28F;
 // ratio 0 and by how much less at 1. Its springs count this much: they also let the voxels slip
 // across each other (measured: tests/fidelity/coupling/stiffness_test.cpp).
 constexpr float kRowRadius = 0.58F, kRowRadiusSlope = 0.33F, kRowSlack = 1.2F;
+// Along its axis that row moves as a cylinder of this radius.
+constexpr float kRowRadiusAlong = 0.78F;
+// Part of the way to its rest that the give along the needle goes in a tick.
+constexpr float kGiveRate = 0.5F;
 // Radius over which the far field of a needle dies out: half of an organ's usual thickness.
 constexpr float kFarFieldM = 0.025F;
 // Tissue this many times softer than the CP's spring is as good as all of the compliance.
@@ -46,6 +50,22 @@ float line_stiffness(float radius_m, float poisson) {
   const float n = 3 - 4 * poisson;
   const float ratio = max_of(kFarFieldM / radius_m, 1.5F);
   return 8 * kPi * (1 - poisson) * n / (n * n * natural_log(ratio) - (b2 - a2) / (b2 + a2));
+}
+
+// Compliance per length of that annulus when the cylinder moves along, times G.
+float line_compliance_along(float radius_m) {
+  return natural_log(max_of(kFarFieldM / radius_m, 1.5F)) / (2 * kPi);
+}
+
+// Tissue gives way to a needle more easily along than across, but the fits hold one spring, as
+// stiff as across. What is missing along is a second one behind it, whose way is give_m: this share
+// of both. (Two stiffnesses in one fit would have no rotation in closed form.)
+float share_of_give(const ModelHead& head, const MaterialModel& m, float radius_m, float unit_m,
+                    float own_compliance, float slack) {
+  if (head.config.mode == Mode::kPaper) return 0;
+  const float along =
+      line_compliance_along(radius_m) - line_compliance_along(kRowRadiusAlong * head.edge_m);
+  return 1 - min_of(1, own_compliance * slack * (m.shear_pa * unit_m) / max_of(along, 1e-6F));
 }
 
 // The Maxwell branch sits in the CP's own spring, but the whole force must relax as the material
@@ -94,6 +114,9 @@ void set_stiffness(const View& view, Particle& particle, Place place) {
   const float own_compliance = max_of((1 / target - lattice_compliance) / slack, 1 / largest);
   particle.stiffness_n_per_m = head.config.mode == Mode::kPaper ? k : 1 / own_compliance;
   particle.full_stiffness_n_per_m = particle.stiffness_n_per_m;
+  if (place == Place::kShaft) {
+    particle.give_share = share_of_give(head, m, a, unit, own_compliance, slack);
+  }
   const float reached = 1 / (slack * own_compliance + lattice_compliance);
   view.state.head->coupling_shortfall =
       max_of(view.state.head->coupling_shortfall, 1 - reached / target);
@@ -119,11 +142,18 @@ double memory_energy(const Particle& p) {
   return 0.5 * static_cast<double>(p.stiffness_n_per_m * share * dot(p.memory_m, p.memory_m));
 }
 
-// Energy in a CP's spring and Maxwell branch; for the tip in contact see contact_energy.
+// Energy in a CP's spring, Maxwell branch and give; for the tip in contact see contact_energy.
 double spring_energy(const Particle& p) {
   const Vec3 d = residual(p), lasting = d - p.slack_m;
-  const float sum = dot(lasting, lasting) + spread_of(p, d);
+  const float give =
+      p.give_share > 0 ? (1 - p.give_share) / p.give_share * dot(p.give_m, p.give_m) : 0.0F;
+  const float sum = dot(lasting, lasting) + spread_of(p, d) + give;
   return 0.5 * static_cast<double>(p.stiffness_n_per_m * sum) + memory_energy(p);
+}
+
+// The residual is the give, the relaxed part of the spring, and what pulls.
+void set_slack(Particle& p) {
+  p.slack_m = p.memory_share * p.memory_m + p.give_m;
 }
 
 void shift_goal(const View& view, Share& share, Vec3 step_m) {
@@ -192,20 +222,24 @@ void renew_shares(const View& view, Particle& p, Sharing sharing = Sharing::kTen
   if (count > 0) p.material = view.model.slot_material[p.share[heaviest(p)].slot];
 }
 
+// Where the goals of a CP lie in unloaded tissue.
+Vec3 unloaded_place(const View& view, const Particle& p) {
+  Vec3 sum = {};
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    const Share& share = p.share[i];
+    const Vec3 centre = rest_centre(view, share.slot, view.model.row[share.row]);
+    sum = sum + share.weight * (centre + share.offset_m);
+  }
+  return sum;
+}
+
 // For a CP that keeps its voxels: each of those around it holds the needle alike, so that a row of
-// CPs is as stiff and as thick wherever it runs between voxel centres. Its rest place is where its
-// goals lie in unloaded tissue.
+// CPs is as stiff and as thick wherever it runs between voxel centres.
 void share_evenly(const View& view, Particle& p) {
   const std::uint32_t material = p.material;
   renew_shares(view, p, Sharing::kEven);
   p.material = material;
-  Vec3 rest = {};
-  for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    const Share& share = p.share[i];
-    const VoxelFrame frame = voxel_frame(view, share.slot, share.row);
-    rest = rest + share.weight * (frame.rest_centre_m + share.offset_m);
-  }
-  if (p.share_count > 0) p.rest_m = rest;
+  if (p.share_count > 0) p.rest_m = unloaded_place(view, p);
 }
 
 // Puts a CP at a rest place with its goals at `place_m` (rigid pull-back: fits, goals and energy of
@@ -243,42 +277,41 @@ Gradient gradient_around(const View& view, const Particle& p) {
 
 // Rest-frame image of a step in deformed tissue. Rest places must follow the material, not the
 // rotation alone: else a needle that leaves strained tissue does not find its way back to its
-// entry. A voxel's deformation says nothing about the next one: in tissue pressed to a fraction of
-// its length (the dimple of a puncture) the image ends within the voxel.
-Vec3 pull_back(const View& view, const Gradient& g, Vec3 step) {
+// entry.
+Vec3 pull_back(const Gradient& g, Vec3 step) {
   if (!(g.det > 0.05F)) return step;  // crushed or inverted: no direction is better than another
-  const Vec3 image = (1 / g.det) * Vec3{dot(step, cross(g.c1, g.c2)), dot(step, cross(g.c2, g.c0)),
-                                        dot(step, cross(g.c0, g.c1))};
+  return (1 / g.det) * Vec3{dot(step, cross(g.c1, g.c2)), dot(step, cross(g.c2, g.c0)),
+                            dot(step, cross(g.c0, g.c1))};
+}
+
+// The same for a step of some length. A voxel's deformation says nothing about the next one: in
+// tissue pressed to a fraction of its length (the dimple of a puncture) the image ends within the
+// voxel.
+Vec3 pull_back_step(const View& view, const Gradient& g, Vec3 step_m) {
+  const Vec3 image = pull_back(g, step_m);
   const float length = norm(image);
-  const float most = max_of(kVoxelReach * view.model.head->edge_m, norm(step));
+  const float most = max_of(kVoxelReach * view.model.head->edge_m, norm(step_m));
   return length > most ? (most / length) * image : image;
 }
 
 // Moves the tissue that the tip holds forward by `move_m` along the needle. The step is integrated
-// in the rest frame; while it moves, the tip's rest place is drawn to the material that really lies
-// at its goal, so that errors of the integration do not pile up.
+// in the rest frame; while it moves, or when they are voxels apart, the tip's rest place is drawn
+// to the material that really lies at its goal, so that errors of the integration do not pile up.
 void advance_tip(const View& view, Particle& tip, Vec3 direction, float move_m) {
   const Gradient g = gradient_around(view, tip);
   const Vec3 step = move_m * direction;
-  const Vec3 image = tip.share_count > 0 ? pull_back(view, g, step) : step;
+  const Vec3 image = tip.share_count > 0 ? pull_back_step(view, g, step) : step;
   shift_goals(view, tip, step);
   tip.rest_m = tip.rest_m + image;
   tip.track_m += move_m < 0 ? -norm(image) : norm(image);
   Vec3 present = {};
   if (tip.share_count == 0 || !present_place(view, tip.rest_m, present)) return;
+  const Vec3 off = (tip.position_m - residual(tip)) - present;
   const float size = move_m < 0 ? -move_m : move_m;
-  const Vec3 miss = (size / (size + kMaterialPullM)) *
-                    pull_back(view, g, (tip.position_m - residual(tip)) - present);
+  const Vec3 miss = (size / (size + kMaterialPullM)) * pull_back_step(view, g, off);
   tip.rest_m = tip.rest_m + miss;
-  const Vec3 along = pull_back(view, g, direction);
+  const Vec3 along = pull_back(g, direction);
   tip.track_m += dot(miss, along) / norm(along);
-}
-
-// Rest place of the material that now lies at `place_m`, near the tip.
-Vec3 material_at(const View& view, const Particle& tip, Vec3 place_m) {
-  Vec3 present = tip.position_m - residual(tip);
-  (void)present_place(view, tip.rest_m, present);
-  return tip.rest_m + pull_back(view, gradient_around(view, tip), place_m - present);
 }
 
 // ---- the return map
@@ -303,7 +336,7 @@ float overshoot(const View& view, const Particle& p, float axial_n, float low_n,
 void measure_compliance(const View& view, Particle& p, Vec3 direction) {
   const Vec3 d = residual(p);
   const float spring_m = dot(d - p.slack_m, direction);
-  const float tissue_m = dot((p.position_m - d) - p.rest_m, direction);
+  const float tissue_m = dot((p.position_m - d) - unloaded_place(view, p) + p.give_m, direction);
   const float c = tissue_m * spring_m > 0 ? min_of(tissue_m / spring_m, kLargestCompliance) : 0.0F;
   p.tissue_compliance = settle(p.tissue_compliance + kComplianceGain * (c - p.tissue_compliance));
   set_relaxation(*view.model.head, p);
@@ -323,7 +356,7 @@ float renew(const View& view, Particle& p, Vec3 direction, float slip_m, double&
   const float fade = share > 0 ? min_of(old / share, (1 - old) / (1 - share)) : 0.0F;
   const float lost = size / (kRenewalLengthM + size) * dot(p.memory_m, direction);
   p.memory_m = settle(fade * (p.memory_m - lost * direction));
-  p.slack_m = share * p.memory_m;
+  set_slack(p);
   booked_j += before - memory_energy(p);
   const Vec3 change = slack - p.slack_m;
   const float along = dot(change, direction);
@@ -334,9 +367,19 @@ float renew(const View& view, Particle& p, Vec3 direction, float slip_m, double&
 // The Maxwell branch creeps; what it dissipates is booked.
 void relax(StateHead& state, Particle& p) {
   const double before = spring_energy(p);
-  const Vec3 d = residual(p);
+  const Vec3 d = residual(p) - p.give_m;
   p.memory_m = settle(d + p.memory_keep * (p.memory_m - d));
-  p.slack_m = p.memory_share * p.memory_m;
+  set_slack(p);
+  state.relaxation_j += before - spring_energy(p);
+}
+
+// The give follows the force along the needle, as over a damper.
+void give_way(StateHead& state, Particle& p, Vec3 direction) {
+  const double before = spring_energy(p);
+  const float pull_m = dot(force_on_tissue(p), direction) / p.stiffness_n_per_m;
+  const Vec3 rest = p.give_share * pull_m * direction;
+  p.give_m = settle(p.give_m + kGiveRate * (rest - (1 - p.give_share) * p.give_m));
+  set_slack(p);
   state.relaxation_j += before - spring_energy(p);
 }
 
@@ -358,6 +401,7 @@ float stand_for(const View& view, Particle& p, float tip_track_m) {
     const float old = p.stiffness_n_per_m / stiffness;
     draw_goals(view, p, 1 - old);
     p.memory_m = old * p.memory_m;
+    p.give_m = old * p.give_m;
     p.slack_m = old * p.slack_m;
   }
   p.stiffness_n_per_m = stiffness;
@@ -511,18 +555,31 @@ std::uint32_t push_shaft(const View& view, Particle p) {
   return 0;
 }
 
-// One shaft CP for each unit of track the tip has left behind.
+// Where on the needle a point of the tissue near the tip is: the arc length from the tip.
+float arc_at(const View& view, const Needle& needle, Vec3 rest_m, float otherwise_m) {
+  Vec3 present = {};
+  if (!present_place(view, rest_m, present)) return otherwise_m;
+  return max_of(dot(needle.tip_m - present, needle.tip_direction), 0);
+}
+
+// One shaft CP for each unit of track the tip has left behind. The track is as long as the tissue
+// at rest: so near the tip it is straight there, and the needle holds what was on it.
 std::uint32_t drop_shaft(const View& view, const Needle& needle) {
   NeedleState& own = *view.state.needle;
   const Particle& tip = *view.state.tip;
   const float unit = view.needle_config().unit_m;
+  if (tip.share_count == 0) return 0;  // the stretch lies outside the tissue
+  const Gradient g = gradient_around(view, tip);
+  const Vec3 image = pull_back(g, needle.tip_direction);
+  const Vec3 along = (1 / norm(image)) * image;
+  const Vec3 point = tip.rest_m + pull_back_step(view, g, residual(tip));  // at the needle's tip
   for (std::uint32_t drop = 0; drop < kMaxDropsPerTick; ++drop) {
     const float last = view.state.shaft[own.shaft_count - 1].track_m;
     const float behind = tip.track_m - last - unit;
     if (behind < 0) return 0;
-    if (tip.share_count == 0) return 0;  // the stretch lies outside the tissue
-    const Vec3 place = needle_point(needle, behind).place_m;
-    const Particle p = new_particle(view, material_at(view, tip, place), place, last + unit, behind,
+    const Vec3 rest = point - behind * along;
+    const float arc = arc_at(view, needle, rest, behind);
+    const Particle p = new_particle(view, rest, needle_point(needle, arc).place_m, last + unit, arc,
                                     Place::kShaft);
     if (p.share_count == 0) return 0;
     const std::uint32_t flags = push_shaft(view, p);
@@ -711,7 +768,11 @@ std::uint32_t couple_needle(const View& view, const Needle& needle) {
   Particle& tip = *view.state.tip;
   if (own.phase != Phase::kContact) {  // creep at the last tick's forces, before the needle moves
     relax(state, tip);
-    for (std::uint32_t i = 0; i < own.shaft_count; ++i) relax(state, view.state.shaft[i]);
+    for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
+      Particle& p = view.state.shaft[i];
+      relax(state, p);
+      give_way(state, p, needle_point(needle, p.arc_m).direction);
+    }
   }
   const float moved = dot(needle.tip_m - tip.position_m, needle.tip_direction);
   tip.position_m = needle.tip_m;
@@ -756,7 +817,7 @@ void add_particle(const Needle& needle, const Particle& p, Vec3& along_out_n, Ou
   along_out_n = along_out_n + axial;
   out.cause.clamping_n = out.cause.clamping_n + (on_needle - axial);
   out.stiffness_n_per_m = out.stiffness_n_per_m + p.stiffness_n_per_m;
-  add_force(needle, p.position_m, on_needle, out);
+  add_force(needle, grip(p), on_needle, out);
 }
 
 }  // namespace

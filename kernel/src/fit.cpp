@@ -19,6 +19,10 @@ Vec3 force_on_tissue(const Particle& p) {
   return p.stiffness_n_per_m * (residual(p) - p.slack_m);
 }
 
+Vec3 grip(const Particle& p) {
+  return p.position_m - p.give_m;
+}
+
 namespace {
 
 constexpr std::uint32_t kNoVoxel = 0xFFFFFFFFU;

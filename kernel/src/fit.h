@@ -17,6 +17,8 @@ namespace stylet {
 // Mean of needle point minus goal over a CP's shares.
 Vec3 residual(const Particle& p);
 Vec3 force_on_tissue(const Particle& p);
+// Point of the needle's axis where that force acts: the spring's end, behind the give.
+Vec3 grip(const Particle& p);
 
 // Lists the coupled voxels of this tick for couple_plane. Returns output flags.
 std::uint32_t gather_coupled(const View& view);

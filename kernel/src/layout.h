@@ -95,6 +95,7 @@ struct Particle {                // a constraint particle
   Vec3 rest_m;                   // place in the rest frame; chooses the voxels
   Vec3 position_m;               // the needle's point that holds it
   Vec3 memory_m;                 // relaxed part of the residual (Maxwell branch)
+  Vec3 give_m;                   // of the tissue along the needle, beyond that across
   Vec3 slack_m;                  // residual at which the spring carries nothing
   Vec3 force_n;                  // on the tissue, from the last fit
   float track_m;                 // track coordinate: length from the entry
@@ -104,6 +105,7 @@ struct Particle {                // a constraint particle
   float tissue_compliance;       // of the tissue around, over that of the spring
   float memory_share;            // relaxing share of the spring's own stiffness
   float memory_keep;             // of the difference, per tick
+  float give_share;              // of spring and give together along the needle, the give's
   float slip_m_per_s;            // low-passed
   Vec3 slip_m;                   // of the needle past the tissue in this tick
   std::uint32_t material;

@@ -90,7 +90,7 @@ std::uint32_t constraint_particles(const Kernel& kernel, std::span<ConstraintPar
       for (std::uint32_t j = 0; j < p.share_count; ++j) {
         goal = goal + p.share[j].weight * p.share[j].goal_m;
       }
-      out[count++] = {p.position_m + shift, goal + shift,     -1.0F * p.force_n,
+      out[count++] = {grip(p) + shift,      goal + shift,     -1.0F * p.force_n,
                       is_tip ? 0 : p.arc_m, is_tip ? 1U : 0U, n};
     }
   }

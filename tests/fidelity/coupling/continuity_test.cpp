@@ -46,8 +46,9 @@ struct Jumps {
   int events = 0;
 };
 
-// Watches the ticks in which the number of CPs changes while the needle stays in the tissue. What
-// the force was changing by already, in the recoil of a puncture, is not the event's doing.
+// Watches the ticks in which the number of CPs changes while the needle stays in the tissue. A jump
+// is a change of the force, and a change of what it was changing by: in the recoil of a puncture
+// the first is not the event's doing, in the tick after another jump the second is not.
 class Watch {
  public:
   explicit Watch(double step_m) : step_m_(step_m) {}
@@ -55,9 +56,12 @@ class Watch {
     const bool inside = out.constraint_particles > 2 && last_count_ > 2;
     if (inside && out.constraint_particles != last_count_) {
       const double allowed = all_springs(rig.view()) * step_m_;
-      const Vec3 change = (out.force_n - last_force_) - last_change_;
-      jumps.axial = std::max(jumps.axial, std::fabs(static_cast<double>(change.x)) / allowed);
-      jumps.lateral = std::max(jumps.lateral, norm_of({0, change.y, change.z}) / allowed);
+      const Vec3 first = out.force_n - last_force_, second = first - last_change_;
+      const double axial = static_cast<double>(std::min(std::fabs(first.x), std::fabs(second.x)));
+      const double lateral =
+          std::min(norm_of({0, first.y, first.z}), norm_of({0, second.y, second.z}));
+      jumps.axial = std::max(jumps.axial, axial / allowed);
+      jumps.lateral = std::max(jumps.lateral, lateral / allowed);
       ++jumps.events;
     }
     last_count_ = out.constraint_particles;

@@ -153,7 +153,7 @@ TEST(Stiffness, TipStaysInTissueThatADeepDimpleHasCrushed) {
     last_m = out.depth_m;
   });
   EXPECT_EQ(end.layer, 0U);
-  EXPECT_LT(farthest_m, 10e-3F) << "in one tick";
+  EXPECT_LT(farthest_m, 25e-3F) << "in one tick: more than the dimple holds";
   EXPECT_NEAR(-end.force_n.x, 0.2F + 0.25F * end.depth_m, 0.02F);
 }
 
