@@ -237,19 +237,19 @@ class Fig04InsertRetract(Scene):
 
 class Fig05StickSlip(Scene):
     name = "fig05-stick-slip"
-    COULOMB, VISCOUS, SPEED = 40, 30, 4e-3  # muscle, N/m; N s/m2; m/s
+    COULOMB, VISCOUS, SPEED = 40, 30, 6e-3  # muscle, N/m; N s/m2; m/s
     SHEAR = 40e3 / 2.9
 
     def test_saturates_at_the_friction(self):
         self.check_quiet()
         run = self.run_
-        slipping = slice(14500, 15300)  # fourth stroke, on the way in
+        slipping = slice(13833, 14633)  # fourth stroke, on the way in
         friction = (self.COULOMB + self.VISCOUS * self.SPEED) * run.depth_m[slipping]
         self.assertLess(np.abs(run.parts_n["friction"][slipping] / friction - 1).max(), 0.02)
 
     def test_loop_has_the_area_of_an_elastoplastic_one(self):
         run = self.run_
-        loop = slice(11315, 15315)  # strokes 3 and 4: out and back
+        loop = slice(10648, 14648)  # strokes 3 and 4: out and back
         way, force = run.hand_m[loop], run.axial_n[loop]
         area = float(np.sum(0.5 * (force[1:] + force[:-1]) * np.diff(way)))
         amplitude = np.ptp(way) / 2
@@ -429,10 +429,10 @@ class ProstateSpinning(Scene):
         with h5py.File(self.run_.path) as file:
             w, _, _, z = np.asarray(file["needle1/device/rotation_wxyz"], float).T
         turns = np.unwrap(2 * np.arctan2(z, w)) / (2 * np.pi)
-        self.assert_within(turns[-1], 30, 1e-6)
+        self.assert_within(turns[-1], 38, 1e-6)
         rolls = np.diff(turns[:9000]) > 1e-6  # 80 and 10 mm at 10 mm/s
         self.assert_within(float(np.mean(rolls)), 0.5, 0.02)
-        self.assert_within(float(np.max(np.diff(turns))), 30 / 9 / 0.5 * 1e-3, 0.02)
+        self.assert_within(float(np.max(np.diff(turns))), 38 / 9 / 0.5 * 1e-3, 0.02)
 
 
 if __name__ == "__main__":
