@@ -333,7 +333,7 @@ int main(int argc, char** argv) {
   benchmark::AddCustomContext("compiler", __VERSION__);
   Summary summary;
   benchmark::RunSpecifiedBenchmarks(&summary);
-  summary.print(std::cout);
+  summary.print(std::cerr);  // standard output holds the measurements alone, perhaps as JSON
   if (!folder.empty()) summary.write(folder);
   benchmark::Shutdown();
   return 0;

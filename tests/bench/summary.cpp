@@ -87,6 +87,7 @@ double Summary::ratio(const std::string& measure, const std::string& variant, co
 }
 
 void Summary::print(std::ostream& out) const {
+  if (rows_.empty()) return;
   out << "\n"
       << processor_name() << "\n"
       << std::left << std::setw(34) << "" << std::right << std::setw(12) << "median us"
