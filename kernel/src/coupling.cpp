@@ -672,16 +672,19 @@ void relax_contact(const View& view, Vec3 direction) {
   p.slack_m = settle(d - (1 / p.stiffness_n_per_m) * (force - p.memory_share * relaxed));
 }
 
-// From the spring of contact to that of cutting, at the same force; the difference of their
-// energies is spent on the rupture.
+// From the spring of contact to that of cutting, at the same force along the needle and across; the
+// difference of their energies is spent on the rupture.
 void change_spring(const View& view, const Needle& needle, float force_n) {
   StateHead& state = *view.state.head;
   Particle& tip = *view.state.tip;
   const double before = contact_energy(view, tip);
-  const float depth = dot(residual(tip), needle.tip_direction);
+  const Vec3 direction = needle.tip_direction, pressed = force_on_tissue(tip);
+  const Vec3 across = pressed - dot(pressed, direction) * direction;
+  const float old = tip.stiffness_n_per_m, spread = spread_of(tip, residual(tip));
   set_stiffness(view, tip, Place::kTip);
   tip.memory_m = tip.slack_m = {};
-  shift_goals(view, tip, (depth - force_n / tip.stiffness_n_per_m) * needle.tip_direction);
+  const float k = tip.stiffness_n_per_m;
+  gather_goals(view, tip, (1 / k) * (across + force_n * direction), spread * min_of(old / k, 1));
   state.cutting_j += before - spring_energy(tip);
 }
 

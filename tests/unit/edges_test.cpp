@@ -309,7 +309,7 @@ TEST(Edges, ABrokenStateLatchesAFaultUntilReset) {
   const Script script = block_script(organ->organ, Config{});
   run(session.kernel, script, 0, 1200);
   const View view = view_of(session.kernel);
-  ASSERT_GT(view.state.needle->shaft_count, 1U);
+  ASSERT_GT(view.state.needle->shaft_count, 0U);
   for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) view.state.ux[i] = kNan;
   Output out = {};
   for (int i = 0; i < 3; ++i) {
