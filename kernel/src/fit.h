@@ -2,8 +2,8 @@
 // The fits of voxels that hold constraint particles (CPs): corners and CPs together, exactly, with
 // the paper's ghost particles eliminated in closed form (they sit on their goals and drop out).
 //
-// The lattice sweep makes its fit of the corners alone; couple_plane (lattice.h) adds what the CPs
-// of a voxel change in it, and leaves the CPs their goals.
+// The lattice sweep makes its fit of the corners alone; prepare_fits and finish_fits (lattice.h)
+// add what the CPs of a voxel change in it, and leave the CPs their goals.
 //
 // Promises: bounded by limits.h, no allocation, a fixed order of sums: needles, their CPs, their
 // shares. Units SI, frame of the attachments. Source: paper section IV; model section 3.
@@ -20,7 +20,7 @@ Vec3 force_on_tissue(const Particle& p);
 // Point of the needle's axis where that force acts: the spring's end, behind the give.
 Vec3 grip(const Particle& p);
 
-// Lists the coupled voxels of this tick for couple_plane. Returns output flags.
+// Lists the coupled voxels of this tick, plane by plane. Returns output flags.
 std::uint32_t gather_coupled(const View& view);
 
 // Forces of all CPs from the goals of the fit just made, and what their slips have cost.

@@ -79,7 +79,7 @@ Status set_team(Kernel& kernel, std::uint32_t helpers, std::span<std::byte> memo
   const View view = view_of(kernel);
   const Counts& counts = view.model.head->counts;
   const TeamSizes size = team_sizes(counts);
-  Team& team = *new (memory.data()) Team();
+  Team& team = *new (memory.data()) Team();  // in the caller's memory, between ticks
   team.slab_count = slabs_of(counts, helpers);
   // Nothing to take until the first step.
   team.work.store(team.slab_count, std::memory_order_relaxed);

@@ -69,6 +69,7 @@ void stylet_default_config(stylet_config* config_out) {
 std::uint16_t stylet_organ_open(const void* bytes, std::size_t count, stylet_organ* organ_out) {
   Organ organ;
   const Status status = organ_open({static_cast<const std::byte*>(bytes), count}, organ);
+  // In the caller's storage, as with the kernel below: nothing is allocated.
   if (status == Status::kOk) new (organ_out) Organ(organ);
   return number(status);
 }

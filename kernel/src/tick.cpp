@@ -132,15 +132,15 @@ void describe(const View& view, const Needle& needle, Output& out) {
   out.events = state.event_count;
 }
 
-// All needles of a tick, at their poses.
-struct Needles {
+// A needle of a tick, at its pose.
+struct Moved {
   Pose before;
   bool known_before;
   std::uint32_t flags;
   Needle shape;
 };
 
-void move_needle(const View& view, const Input& input, Needles& out) {
+void move_needle(const View& view, const Input& input, Moved& out) {
   NeedleState& own = *view.state.needle;
   out.before = own.handle;
   out.known_before = own.handle_known != 0;
@@ -151,7 +151,7 @@ void move_needle(const View& view, const Input& input, Needles& out) {
   out.flags |= couple_needle(view, out.shape);
 }
 
-void report_needle(const View& view, const Needles& moved, Output& out) {
+void report_needle(const View& view, const Moved& moved, Output& out) {
   out.flags |= moved.flags;
   if (view.state.needle->handle_known != 0) sum_forces(view, moved.shape, out);
   describe(view, moved.shape, out);
@@ -176,7 +176,7 @@ void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outpu
   StateHead& state = *view.state.head;
   const std::uint32_t count = view.model.head->counts.needles;
   ++state.tick;
-  Needles moved[kMaxNeedles] = {};
+  Moved moved[kMaxNeedles] = {};
   Output out[kMaxNeedles] = {};
   if (state.latched_fault == 0) {
     for (std::uint32_t i = 0; i < count; ++i) {
