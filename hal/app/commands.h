@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace stylet::app {
 
@@ -22,8 +23,9 @@ struct RunOptions {
   std::string organ;   // instead of the scene's
   std::string record;  // empty: none
   std::string flight = "stylet-fault.h5";
-  std::string mode;       // empty: the scene's
-  double duration_s = 0;  // 0: as long as the hand's script
+  std::string mode;                  // empty: the scene's
+  double duration_s = 0;             // 0: as long as the hand's script
+  std::vector<std::string> devices;  // instead of the scene's, in the order of the needles
   bool fast = false;
   bool json = false;
   bool allow_non_rt = false;

@@ -30,6 +30,8 @@ void add_run(CLI::App& program, RunOptions& options) {
       ->check(CLI::IsMember({"physical", "paper"}));
   run.add_option("--duration-s", options.duration_s, "Simulated time, instead of the script's")
       ->check(CLI::Range(1e-3, 86400.0));
+  run.add_option("--device", options.devices,
+                 "Device by URI instead of the scene's, once a needle (stylet devices lists them)");
   run.add_flag("--fast", options.fast, "Virtual clock: same bits, as fast as the machine goes");
   run.add_flag("--json", options.json, "One JSON object on standard output, nothing else");
   run.add_flag("--allow-non-rt", options.allow_non_rt,

@@ -14,6 +14,7 @@
 
 #include "commands.h"
 #include "report.h"
+#include "stylet/hal/devices.h"
 #include "stylet/hal/instance.h"
 #include "stylet/hal/recorder.h"
 #include "stylet/hal/replay.h"
@@ -28,6 +29,7 @@ namespace {
 constexpr std::size_t kRecordRing = 8192 * kMaxNeedles;
 constexpr std::size_t kEventRing = 1024;
 constexpr int kWarmUpTicks = 200;
+constexpr double kLongestRunS = 86400;
 
 std::atomic<std::atomic<bool>*> g_stop{nullptr};
 static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free);
@@ -60,6 +62,16 @@ struct Station {
 
 // Everything of one run, in the order in which it has to exist.
 struct Session {
+  Session() = default;
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+  ~Session() { close_devices(); }  // however the run ends, no device keeps a force
+
+  void close_devices() {
+    for (const hal::Device& device : devices) device.close(device.self);
+    devices.clear();
+  }
+
   RunOptions options;
   hal::Scene scene;
   hal::OrganFile organ;
@@ -76,6 +88,7 @@ struct Session {
   hal::HostState host;
   hal::ThreadUse thread = {};
   bool host_fit = true;
+  bool open_end = false;  // nothing but Ctrl-C ends it
   std::exception_ptr failure;
 };
 
@@ -83,11 +96,30 @@ std::string beside(const std::string& file, const std::string& path) {
   return (std::filesystem::path(file).parent_path() / path).string();
 }
 
+// --device: the first names the first needle's, and so on.
+void attach_devices(Session& s) {
+  const std::vector<std::string>& uris = s.options.devices;
+  if (uris.size() > s.scene.hands.size()) {
+    throw hal::SceneError(fmt::format("--device: {}: expected at most {}, one a needle of {}",
+                                      uris.back(), s.scene.hands.size(), s.scene.file));
+  }
+  for (std::size_t i = 0; i < uris.size(); ++i) hal::attach(s.scene.hands[i], uris[i]);
+  for (const hal::Hand& hand : s.scene.hands) {
+    if (hand.device == "attached" && s.options.fast) {
+      throw hal::SceneError(
+          fmt::format("{}: device.uri: {}: expected no --fast: a hand cannot be "
+                      "hurried",
+                      s.scene.file, hand.uri));
+    }
+  }
+}
+
 void load(Session& s) {
   s.scene = hal::read_scene(s.options.scene);
   if (!s.options.mode.empty()) {
     s.scene.config.mode = s.options.mode == "paper" ? Mode::kPaper : Mode::kPhysical;
   }
+  attach_devices(s);
   if (s.options.organ.empty() && s.scene.organ_path.empty()) {
     throw hal::SceneError(
         fmt::format("{}: organ.path: missing: an organ file, here or by --organ", s.scene.file));
@@ -104,8 +136,14 @@ void load(Session& s) {
 
 // The device of one needle, and for how many ticks it has something to do.
 std::uint64_t open_device(Session& s, std::uint32_t needle) {
-  const hal::Hand& hand = s.scene.hands[needle];
+  hal::Hand& hand = s.scene.hands[needle];
   Station& station = s.stations[needle];
+  if (hand.device == "attached") {
+    fmt::print(stderr, "stylet: waiting for {}\n", hand.uri);
+    s.devices.push_back(hal::open_device(hand.uri));
+    hal::fit_to_device(s.devices.back().info, hand);
+    return 0;
+  }
   const double period_s = static_cast<double>(s.config.period_ns) * 1e-9;
   if (hand.device == "replay") {
     const hal::RecordingReader recording(beside(s.scene.file, hand.replay_path));
@@ -138,10 +176,13 @@ void open_devices(Session& s) {
   // Hashing a large organ takes longer than a tick: in real time only once, after the loop.
   s.config.hash_every_ticks = s.options.fast ? s.scene.hash_every_ticks : 0;
   for (std::uint32_t i = 0; i < s.stations.size(); ++i) {
-    const hal::Hand& hand = s.scene.hands[i];
-    s.config.hand[i] = {s.stations[i].placement.mapping, hand.guard, hand.coupling};
     s.config.ticks = std::max(s.config.ticks, open_device(s, i));
+    const hal::Hand& hand = s.scene.hands[i];
+    s.config.hand[i] = {s.stations[i].placement.mapping, hand.guard, hand.coupling, hand.grip,
+                        hand.limits.max_torque_nm};
   }
+  s.open_end = s.config.ticks == 0 && s.options.duration_s <= 0;
+  if (s.open_end) s.config.ticks = static_cast<std::uint64_t>(kLongestRunS / period_s);
   if (s.options.duration_s > 0) {
     // In whole nanoseconds: as a float, 10 ms is a little less, and 3 s one tick more.
     const auto periods = s.options.duration_s * 1e9 / static_cast<double>(s.config.period_ns);
@@ -208,8 +249,9 @@ void show_progress(const Session& s, const std::atomic<bool>& done) {
     const double ticks = static_cast<double>(s.recorder->ticks());
     const double all = static_cast<double>(s.config.ticks);
     const double period_s = static_cast<double>(s.scene.config.period_s);
-    rewrite_line(fmt::format("{:6.2f} of {:.2f} s  {:3.0f} %", ticks * period_s, all * period_s,
-                             100 * ticks / all));
+    rewrite_line(s.open_end ? fmt::format("{:6.2f} s, Ctrl-C ends it", ticks * period_s)
+                            : fmt::format("{:6.2f} of {:.2f} s  {:3.0f} %", ticks * period_s,
+                                          all * period_s, 100 * ticks / all));
   }
   if (show) rewrite_line("");
 }
@@ -223,7 +265,7 @@ void run_threads(Session& s) {
   });
   show_progress(s, done);
   loop.join();
-  for (const hal::Device& device : s.devices) device.close(device.self);
+  s.close_devices();
   s.recorder->stop();
   if (s.failure) std::rethrow_exception(s.failure);
 }
@@ -277,22 +319,25 @@ std::string hands_name(const Session& s) {
   std::string all;
   for (const hal::Hand& hand : s.scene.hands) {
     all += all.empty() ? "" : " and ";
-    all += hand.device == "replay"    ? "a recorded hand"
-           : hand.device == "steered" ? "a hand that steers"
-                                      : "a simulated hand";
+    all += hand.device == "replay"     ? "a recorded hand"
+           : hand.device == "steered"  ? "a hand that steers"
+           : hand.device == "attached" ? hand.uri
+                                       : "a simulated hand";
   }
   return all;
 }
 
 void announce(const Session& s) {
   if (s.options.json) return;
+  const double length_s =
+      static_cast<double>(s.config.ticks) * static_cast<double>(s.scene.config.period_s);
   fmt::print(
-      "{} in {} mode, organ \"{}\": {} voxels of {:g} mm; {:.2f} s of {} at {:g} us a tick, "
+      "{} in {} mode, organ \"{}\": {} voxels of {:g} mm; {} of {} at {:g} us a tick, "
       "{}\n\n",
       s.scene.file, mode_name(s), s.organ.organ.name, s.organ.organ.voxel_count,
       static_cast<double>(s.organ.organ.voxel_edge_m) * 1e3,
-      static_cast<double>(s.config.ticks) * static_cast<double>(s.scene.config.period_s),
-      hands_name(s), static_cast<double>(s.config.period_ns) * 1e-3,
+      s.open_end ? "until Ctrl-C" : fmt::format("{:.2f} s", length_s), hands_name(s),
+      static_cast<double>(s.config.period_ns) * 1e-3,
       s.options.fast ? "virtual clock" : "real time");
   std::fflush(stdout);
 }

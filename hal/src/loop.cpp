@@ -22,7 +22,9 @@ Input next_input(const HandConfig& config, const Device& device, HandState& stat
   record.sample = state.sample;
   const bool usable =
       guard_sample(config.guard, state.guard, record.answered != 0, state.sample, now_ns);
-  if (usable) state.handle = to_world(config.mapping, state.sample.pose);
+  if (usable) {
+    state.handle = to_world(config.mapping, grip_pose(config.grip, state.grip, state.sample));
+  }
   if (!usable && !state.have_handle) state.handle = to_world(config.mapping, {{}, {1, 0, 0, 0}});
   state.have_handle = true;
   Pose base = state.handle;
@@ -33,20 +35,48 @@ Input next_input(const HandConfig& config, const Device& device, HandState& stat
   return {base, usable ? 1U : 0U};
 }
 
-Vec3 unit_between(Vec3 from, Vec3 to) {
-  const Vec3 way = {to.x - from.x, to.y - from.y, to.z - from.z};
-  const float length = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
-  if (!(length > 0)) return {};
-  return {way.x / length, way.y / length, way.z / length};
+float length(Vec3 v) {
+  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
 
-// coupling -> guard -> device.
+Vec3 unit_between(Vec3 from, Vec3 to) {
+  const Vec3 way = {to.x - from.x, to.y - from.y, to.z - from.z};
+  const float size = length(way);
+  if (!(size > 0)) return {};
+  return {way.x / size, way.y / size, way.z / size};
+}
+
+// A fault of the force is one of the torque, and the other way round. Goes from nothing to its
+// limit in the time in which a fault fades.
+Vec3 guarded_torque(const HandConfig& config, HandState& state, Vec3 torque_nm) {
+  GuardConfig limits = config.guard;
+  limits.max_force_n = config.max_torque_nm;
+  limits.max_slew_n_per_s = config.max_torque_nm / kDecayS;
+  GuardState& guard = state.torque_guard;
+  if (state.guard.fault != Fault::kNone) guard_trip(guard, state.guard.fault);
+  if (state.guard.fault == Fault::kNone) (void)guard_rearm(guard, guard.fault);
+  const Vec3 result = guard_force(limits, guard, torque_nm);
+  if (guard.fault != Fault::kNone) guard_trip(state.guard, guard.fault);
+  return result;
+}
+
+// coupling -> grip -> guard -> device.
 Vec3 send_force(const HandConfig& config, const Kernel& kernel, std::uint32_t needle,
                 const Device& device, HandState& state) {
   if ((state.output.flags & kFlagFault) != 0) guard_trip(state.guard, Fault::kKernelFault);
   const Vec3 felt =
       coupled_force(config.coupling, state.coupling, state.handle.position_m, state.output.force_n);
-  Command command = {guard_force(config.guard, state.guard, to_device(config.mapping, felt))};
+  const Wrench wanted = grip_wrench(
+      config.grip, state.grip,
+      {to_device(config.mapping, felt), to_device(config.mapping, state.output.torque_nm)});
+  Command command = {guard_force(config.guard, state.guard, wanted.force_n)};
+  if (config.max_torque_nm > 0) command.torque_nm = guarded_torque(config, state, wanted.torque_nm);
+  // The guard's share of the force is its share of the spring.
+  const float asked = length(wanted.force_n), sent = length(command.force_n);
+  const float share = asked > 0 && state.guard.fault == Fault::kNone ? sent / asked : 0;
+  command.stiffness_n_per_m =
+      share * config.coupling.stiffness_n_per_m * grip_stiffness(config.grip, state.grip);
+  command.max_force_n = config.guard.max_force_n;
   std::array<Vec3, kMaxRods + 1> node;
   const std::uint32_t nodes = needle_shape(kernel, needle, node);
   if (nodes >= 2) {

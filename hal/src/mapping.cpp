@@ -4,13 +4,10 @@
 #include <cmath>
 
 namespace stylet::hal {
-namespace {
 
 Vec3 cross(Vec3 a, Vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-
-}  // namespace
 
 Quat product(const Quat& a, const Quat& b) {
   return {

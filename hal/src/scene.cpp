@@ -9,6 +9,7 @@
 
 #include "scene_bodies.h"
 #include "section.h"
+#include "stylet/hal/devices.h"
 #include "stylet/limits.h"
 
 namespace stylet::hal {
@@ -45,12 +46,22 @@ void read_approach(Section section, Approach& approach) {
   section.finish();
 }
 
-void read_device_and_guard(Section device, Section guard, const Config& config, Hand& out) {
+// Who holds the needle: one of our own kinds, or a device by its URI.
+void read_device(Section& device, Hand& out) {
+  if (device.has("uri") && device.has("kind")) device.fail("kind", "either kind or uri");
   out.device = device.choice("kind", "simulated", {"simulated", "steered", "replay"});
   out.replay_path = device.text("recording", "");
   if ((out.device == "replay") == out.replay_path.empty()) {
     device.fail("recording", "a recording to play, with kind = \"replay\" and only there");
   }
+  const std::string uri = device.text("uri", "");
+  if (!device.has("uri")) return;
+  if (const std::string fault = device_uri_fault(uri); !fault.empty()) device.fail("uri", fault);
+  attach(out, uri);
+}
+
+void read_device_and_guard(Section device, Section guard, const Config& config, Hand& out) {
+  read_device(device, out);
   const double device_force = device.number("max_force_n", 8, 0.01, 100);
   const double device_slew = device.number("max_slew_n_per_s", 2000, 1, 1e6);
   const double stiffness = device.number("max_stiffness_n_per_m", 0, 1, 1e6);
@@ -158,9 +169,40 @@ void read_steering(Section section, const NeedleConfig& needle, Hand& out) {
   section.finish();
 }
 
+void read_grip(Section section, const Config& config, const NeedleConfig& needle, Hand& out) {
+  GripConfig& grip = out.grip;
+  grip.enabled = grip.enabled || section.there();
+  grip.period_s = config.period_s;
+  grip.motion_scale = static_cast<float>(section.number("motion_scale", 1, 0.05, 20));
+  grip.force_scale = static_cast<float>(section.number("force_scale", 1, 0.05, 20));
+  grip.turn = turned(section.numbers<3>("turn_deg", {}, -360, 360));
+  grip.clutch_button =
+      static_cast<std::int32_t>(section.integer("clutch_button", kNoButton, kNoButton, 31));
+  const auto box = section.points("box_mm", 2, 2, -2000, 2000);
+  if (!box.empty()) {
+    grip.box_low_m = si(box[0], 1e-3);
+    grip.box_high_m = si(box[1], 1e-3);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!(box[0][i] <= 0 && box[1][i] >= 0)) {
+        section.fail("box_mm",
+                     "two corners [[low, low, low], [high, high, high]] with the start, "
+                     "[0, 0, 0], between them");
+      }
+    }
+  }
+  grip.pivots = section.flag("pivot", false);
+  grip.pivot_depth_m = out.approach.start_m + needle.length_m;
+  section.finish();
+}
+
+// The coupling is felt through the scales of the grip.
+double most_coupling(double device_limit, const GripConfig& grip) {
+  return kCouplingShare * device_limit / static_cast<double>(grip.motion_scale * grip.force_scale);
+}
+
 void read_coupling(Section section, Hand& out) {
   const double limit = static_cast<double>(out.limits.max_stiffness_n_per_m);
-  const double most = limit > 0 ? kCouplingShare * limit : 1e6;
+  const double most = limit > 0 ? most_coupling(limit, out.grip) : 1e6;
   const double fallback = limit > 0 ? most : 0;
   out.coupling.stiffness_n_per_m =
       static_cast<float>(section.number("stiffness_n_per_m", fallback, 0, most));
@@ -172,6 +214,7 @@ Hand read_hand_of(Section& owner, const Config& config, const NeedleConfig& need
   Hand hand;
   read_approach(owner.table("approach"), hand.approach);
   read_device_and_guard(owner.table("device"), owner.table("guard"), config, hand);
+  read_grip(owner.table("mapping"), config, needle, hand);
   read_coupling(owner.table("coupling"), hand);
   read_hand(owner.table("hand"), hand);
   read_steering(owner.table("steering"), needle, hand);
@@ -224,6 +267,32 @@ Vec3 along(Vec3 start, Vec3 direction, float distance) {
 }
 
 }  // namespace
+
+// A device whose forces end of themselves needs no watchdog as short as others: a packet may be
+// lost.
+constexpr float kLifeShare = 0.75F;
+
+void attach(Hand& hand, const std::string& uri) {
+  hand.device = "attached";
+  hand.uri = uri;
+  hand.grip.enabled = true;
+}
+
+void fit_to_device(const DeviceInfo& info, Hand& hand) {
+  if (info.max_force_n > 0) {
+    hand.guard.max_force_n = std::min(hand.guard.max_force_n, info.max_force_n);
+    const float slew = std::min(hand.guard.max_slew_n_per_s, info.max_slew_n_per_s);
+    hand.guard.max_slew_n_per_s = std::max(slew, hand.guard.max_force_n / kDecayS);
+  }
+  if (info.max_stiffness_n_per_m > 0) {
+    const auto most = static_cast<float>(
+        most_coupling(static_cast<double>(info.max_stiffness_n_per_m), hand.grip));
+    float& coupling = hand.coupling.stiffness_n_per_m;
+    coupling = coupling > 0 ? std::min(coupling, most) : most;
+  }
+  hand.guard.watchdog_s = std::max(hand.guard.watchdog_s, kLifeShare * info.force_life_s);
+  hand.limits = info;
+}
 
 Scene parse_scene(std::string_view text, const std::string& file) {
   Scene scene;

@@ -90,19 +90,6 @@ void read_tip(Section& needle, NeedleConfig& config) {
       si(needle.needed_number("bent_angle_deg", 0.1, 57), std::numbers::pi / 180);
 }
 
-// The body's own axes, turned about the world's x, then y, then z.
-Quat turned(const std::array<double, 3>& degrees) {
-  Quat result = {1, 0, 0, 0};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const SineCosine half = sine_cosine(degrees[axis] / 720);
-    const float s = static_cast<float>(half.sine);
-    result = product(
-        {static_cast<float>(half.cosine), axis == 0 ? s : 0, axis == 1 ? s : 0, axis == 2 ? s : 0},
-        result);
-  }
-  return result;
-}
-
 void read_hull(const std::string& path, ObstacleConfig& config) {
   const std::string text = read_text(path, "a hull, as stylet-organ hull makes them");
   const toml::table root = parse_toml(text, path);
@@ -151,6 +138,18 @@ ObstacleConfig read_obstacle(Section section, const std::string& scene_file) {
 }
 
 }  // namespace
+
+Quat turned(const std::array<double, 3>& degrees) {
+  Quat result = {1, 0, 0, 0};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const SineCosine half = sine_cosine(degrees[axis] / 720);
+    const float s = static_cast<float>(half.sine);
+    result = product(
+        {static_cast<float>(half.cosine), axis == 0 ? s : 0, axis == 1 ? s : 0, axis == 2 ? s : 0},
+        result);
+  }
+  return result;
+}
 
 NeedleConfig read_needle(Section& needle) {
   NeedleConfig config;

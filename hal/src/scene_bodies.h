@@ -6,6 +6,7 @@
 // quoted); lengths as these needles are sold. EI = E pi (OD^4 - ID^4) / 64.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "section.h"
@@ -15,6 +16,8 @@ namespace stylet::hal {
 
 // The caller ends with needle.finish(): other tables may lie in this one.
 NeedleConfig read_needle(Section& needle);
+// By angles about the world's x, then y, then z.
+Quat turned(const std::array<double, 3>& degrees);
 // `scene_file`: hull files are named relative to its folder.
 std::vector<ObstacleConfig> read_obstacles(std::vector<Section> sections,
                                            const std::string& scene_file);

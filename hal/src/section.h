@@ -33,6 +33,7 @@ class Section {
       : file_(file), table_(table), name_(std::move(name)) {}
 
   [[noreturn]] void fail(const std::string& key, const std::string& allowed) const;
+  bool there() const { return table_ != nullptr; }
   bool has(const std::string& key) const { return find(key) != nullptr; }
   const toml::node* get(const std::string& key);  // may be null
 

@@ -24,6 +24,12 @@ struct Command {
   Vec3 force_n;             // on the operator's hand
   Vec3 tip_m = {};          // where the needle's tip is, for a device that steers it
   Vec3 tip_direction = {};  // unit length; zero: not known yet
+  Vec3 torque_nm = {};      // on the operator's hand, for a device that renders it
+  // For a device that answers faster than it is asked: as it moves away from the place of the
+  // sample the force was computed for, the force on the hand falls by so much a metre, and stays
+  // this small.
+  float stiffness_n_per_m = 0;
+  float max_force_n = 0;
 };
 
 struct DeviceInfo {
@@ -31,6 +37,8 @@ struct DeviceInfo {
   float max_force_n;
   float max_slew_n_per_s;
   float max_stiffness_n_per_m = 0;  // that it renders without buzzing; 0: not known
+  float max_torque_nm = 0;          // 0: it renders none
+  float force_life_s = 0;           // a force not renewed ends of itself after this; 0: it does not
 };
 
 struct Device {

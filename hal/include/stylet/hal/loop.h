@@ -18,6 +18,7 @@
 #include "stylet/hal/clock.h"
 #include "stylet/hal/coupling.h"
 #include "stylet/hal/device.h"
+#include "stylet/hal/grip.h"
 #include "stylet/hal/guard.h"
 #include "stylet/hal/mapping.h"
 #include "stylet/hal/record.h"
@@ -62,6 +63,8 @@ struct HandConfig {
   Mapping mapping;
   GuardConfig guard;
   CouplingConfig coupling;
+  GripConfig grip = {};
+  float max_torque_nm = 0;  // 0: the device renders none
 };
 
 struct LoopConfig {
@@ -73,6 +76,8 @@ struct LoopConfig {
 
 struct HandState {
   GuardState guard = guard_start();
+  GuardState torque_guard = guard_start();  // the same rules for a torque: N m instead of N
+  GripState grip = {};
   Sample sample = {};
   Pose handle = {};  // of the device, last usable one, world
   bool have_handle = false;

@@ -13,6 +13,7 @@ struct Mapping {
   Vec3 origin_m = {};            // of the device, in the world
 };
 
+Vec3 cross(Vec3 a, Vec3 b);
 Vec3 rotate(const Quat& q, Vec3 v);
 // First `b`, then `a`.
 Quat product(const Quat& a, const Quat& b);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "stylet/hal/coupling.h"
+#include "stylet/hal/grip.h"
 #include "stylet/hal/guard.h"
 #include "stylet/hal/mapping.h"
 #include "stylet/hal/record.h"
@@ -37,11 +38,13 @@ struct Approach {
 // Who holds a needle, where it starts, and what keeps the hand safe.
 struct Hand {
   Approach approach;
-  std::string device = "simulated";
-  std::string replay_path;  // device "replay"
+  std::string device = "simulated";  // or "steered", "replay", "attached"
+  std::string replay_path;           // device "replay"
+  std::string uri;                   // device "attached": see devices.h
   DeviceInfo limits = {"simulated hand", 8, 2000, 0};
   GuardConfig guard;
   CouplingConfig coupling;
+  GripConfig grip;
   SimulatedHandConfig hand;
   std::vector<Waypoint> waypoints;
   SteeringConfig steering;  // device "steered"; targets in the world
@@ -58,6 +61,11 @@ struct Scene {
   std::uint32_t hash_every_ticks = 1000;
   std::vector<Hand> hands = {Hand{}};  // of each needle
 };
+
+// The needle is held by the device of this URI, whatever the scene says.
+void attach(Hand& hand, const std::string& uri);
+// What an open device cannot do, the hand does not ask of it.
+void fit_to_device(const DeviceInfo& info, Hand& hand);
 
 Scene read_scene(const std::string& path);
 // `file` is only for messages.

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stylet/hal/peer_device.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "stylet/hal/devices.h"
+
+namespace stylet::hal {
+namespace {
+
+// True if it is the newest of the session that counts.
+bool accept(PeerDevice& peer, const SamplePacket& packet, std::int64_t now_ns) {
+  const std::int64_t offset_ns = now_ns - packet.t_ns;
+  const bool another = packet.session != peer.newest.session;
+  if (!peer.heard || (another && now_ns - peer.heard_ns > kSilenceNs)) {
+    peer.offset_ns = offset_ns;
+    ++peer.seq;
+  } else {
+    if (another || packet.seq <= peer.newest.seq) return false;
+    peer.seq += packet.seq - peer.newest.seq;
+    peer.offset_ns = std::min(peer.offset_ns, offset_ns);
+  }
+  peer.heard = true;
+  peer.heard_ns = now_ns;
+  peer.newest = packet;
+  return true;
+}
+
+void drain(PeerDevice& peer, std::int64_t now_ns) {
+  std::array<std::byte, kMaxPacketBytes> room;
+  SamplePacket packet;
+  for (int i = 0; i < kMostPerRead; ++i) {
+    const std::size_t size = peer.link.receive(peer.link.self, room);
+    if (size == 0) return;
+    const bool good = decode(std::span(room).first(size), packet) && accept(peer, packet, now_ns);
+    if (good && peer.link.answer != nullptr) peer.link.answer(peer.link.self);
+  }
+}
+
+bool read(void* self, std::int64_t /*tick_ns*/, Sample& sample_out) {
+  PeerDevice& peer = *static_cast<PeerDevice*>(self);
+  const std::int64_t now_ns = peer.clock.now_ns(peer.clock.self);
+  peer.offset_ns += (now_ns - peer.looked_ns) / kDriftPart;
+  peer.looked_ns = now_ns;
+  drain(peer, now_ns);
+  if (!peer.heard || now_ns - peer.heard_ns > kSilenceNs) return false;
+  const std::int64_t taken_ns = std::min(peer.newest.t_ns + peer.offset_ns, now_ns);
+  sample_out = {peer.seq, taken_ns, peer.newest.pose, peer.newest.buttons};
+  return true;
+}
+
+void write(void* self, const Command& command) {
+  PeerDevice& peer = *static_cast<PeerDevice*>(self);
+  if (!peer.heard) return;
+  ForcePacket packet;
+  packet.seq = ++peer.sent;
+  packet.echo = peer.newest.seq;
+  packet.echo_t_ns = peer.newest.t_ns;
+  packet.life_ns = kForceLifeNs;
+  packet.model.force_n = command.force_n;
+  packet.model.torque_nm = command.torque_nm;
+  packet.model.at_m = peer.newest.pose.position_m;
+  for (std::size_t i : {0U, 4U, 8U}) packet.model.stiffness_n_per_m[i] = command.stiffness_n_per_m;
+  packet.model.radius_m = kModelRadiusM;
+  packet.model.max_force_n = command.max_force_n;
+  peer.link.send(peer.link.self, encode(packet));
+}
+
+void close(void* self) {
+  PeerDevice& peer = *static_cast<PeerDevice*>(self);
+  write(self, {});
+  peer.link.close(peer.link.self);
+}
+
+void close_and_free(void* self) {
+  close(self);
+  delete static_cast<PeerDevice*>(self);
+}
+
+Device wait_for_peer(const Link& link, const std::string& uri, double patience_s) {
+  auto peer = std::make_unique<PeerDevice>();
+  peer->link = link;
+  const auto start = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> patience(patience_s);
+  for (Sample sample; !read(peer.get(), 0, sample);) {
+    if (std::chrono::steady_clock::now() - start > patience) {
+      link.close(link.self);
+      throw DeviceError(
+          fmt::format("{}: no sample came in {:g} s: start the program that sends "
+                      "them",
+                      uri, patience_s));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return peer_device(*peer.release(), true);
+}
+
+}  // namespace
+
+Device peer_device(PeerDevice& peer, bool close_frees) {
+  return {&peer, peer.info, read, write, close_frees ? close_and_free : close};
+}
+
+Device open_udp(const std::string& rest, double patience_s) {
+  return wait_for_peer(udp_listen(rest), "udp:" + rest, patience_s);
+}
+
+Device open_shared_memory(const std::string& rest, double patience_s) {
+  return wait_for_peer(shared_memory(rest, Side::kStylet), "shm:" + rest, patience_s);
+}
+
+}  // namespace stylet::hal

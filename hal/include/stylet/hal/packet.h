@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// What crosses the network and shared memory between Stylet and a device it does not know: a
+// sample one way, a local model of the force the other. hal/devices/README.md has the layout.
+//
+// A force lives `life_ns` from the moment at which the sample it answers was taken, on the clock of
+// whoever took it: no clocks are compared, and whatever is lost, late, doubled or out of order, no
+// force outlives that time.
+// Promises: fixed size, little-endian, checked by CRC-32; no allocation; nothing is trusted.
+// Units: SI, ns. Frame: the device's.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "stylet/units.h"
+
+namespace stylet::hal {
+
+constexpr std::uint16_t kPacketVersion = 1;
+constexpr std::int64_t kForceLifeNs = 20'000'000;
+
+// From the device.
+struct SamplePacket {
+  std::uint32_t session = 0;  // another number each time the device's side is started
+  std::uint32_t buttons = 0;
+  std::uint64_t seq = 0;   // grows with every sample
+  std::int64_t t_ns = 0;   // when it was taken, on any clock of the sender that grows evenly
+  std::uint64_t echo = 0;  // seq of the newest force received; 0: none
+  Pose pose = {{}, {1, 0, 0, 0}};
+};
+
+// The force at and around the place for which it was computed: force_n - stiffness (x - at_m),
+// shortened to max_force_n; nothing further than radius_m from at_m. Radius 0: everywhere, which
+// with no stiffness is a plain wrench.
+struct ForceModel {
+  Vec3 force_n = {};  // on the hand
+  Vec3 torque_nm = {};
+  Vec3 at_m = {};
+  std::array<float, 9> stiffness_n_per_m = {};  // row by row
+  float radius_m = 0;
+  float max_force_n = 0;
+};
+Vec3 force_at(const ForceModel& model, Vec3 position_m);
+
+// To the device.
+struct ForcePacket {
+  std::uint64_t seq = 0;
+  std::uint64_t echo = 0;      // seq of the sample it answers
+  std::int64_t echo_t_ns = 0;  // and its t_ns
+  std::int64_t life_ns = 0;    // counted from echo_t_ns
+  ForceModel model;
+};
+// Zero when the force has outlived its time. `now_ns` on the clock of the samples.
+Vec3 force_at(const ForcePacket& packet, std::int64_t now_ns, Vec3 position_m);
+
+constexpr std::size_t kSamplePacketBytes = 72;
+constexpr std::size_t kForcePacketBytes = 124;
+constexpr std::size_t kMaxPacketBytes = 128;
+
+std::array<std::byte, kSamplePacketBytes> encode(const SamplePacket& packet);
+std::array<std::byte, kForcePacketBytes> encode(const ForcePacket& packet);
+// False, and `out` untouched: not such a packet, of another version, or damaged.
+bool decode(std::span<const std::byte> bytes, SamplePacket& out);
+bool decode(std::span<const std::byte> bytes, ForcePacket& out);
+
+}  // namespace stylet::hal

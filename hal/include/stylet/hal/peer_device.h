@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// A device at the other end of a link: another program, or another machine with a device of its
+// own (station.h).
+//
+// The time of a sample is the sender's, moved by the smallest difference to the arrival seen so
+// far: what was held up on the way is old when it comes, and the guard sees it. A new session of
+// the sender is taken up when the old one has been silent for kSilenceNs.
+// Promises: read looks at no more than kMostPerRead packets; no allocation, no lock.
+#pragma once
+
+#include <cstdint>
+
+#include "stylet/hal/clock.h"
+#include "stylet/hal/device.h"
+#include "stylet/hal/link.h"
+#include "stylet/hal/packet.h"
+
+namespace stylet::hal {
+
+constexpr int kMostPerRead = 512;
+constexpr std::int64_t kSilenceNs = 100'000'000;
+constexpr float kModelRadiusM = 0.02F;     // 2 m/s for half the life of a force
+constexpr std::int64_t kDriftPart = 5000;  // two clocks drift apart by at most so small a part
+
+struct PeerDevice {
+  Link link;
+  Clock clock = monotonic_clock();  // of arrivals: the loop's time is that of its grid
+  DeviceInfo info = {.name = "a peer",
+                     .max_force_n = 8,
+                     .max_slew_n_per_s = 2000,
+                     .force_life_s = static_cast<float>(kForceLifeNs) * 1e-9F};
+  bool heard = false;
+  std::int64_t heard_ns = 0;   // arrival of the newest sample
+  std::int64_t looked_ns = 0;  // when
+  std::int64_t offset_ns = 0;  // our clock less the sender's
+  std::uint64_t seq = 0;       // of the samples handed on, over all sessions
+  std::uint64_t sent = 0;
+  SamplePacket newest;
+};
+
+// `peer` must outlive the device, unless close_frees: then it was made by new.
+Device peer_device(PeerDevice& peer, bool close_frees = false);
+
+// "udp:" and "shm:" devices: wait up to patience_s for a first sample.
+Device open_udp(const std::string& rest, double patience_s);
+Device open_shared_memory(const std::string& rest, double patience_s);
+
+}  // namespace stylet::hal

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stylet/hal/devices.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "stylet/hal/peer_device.h"
+
+namespace stylet::hal {
+namespace {
+
+constexpr std::array kKinds = {
+    DeviceKind{"udp", "udp:7755", "another program, over the network", open_udp},
+    DeviceKind{"shm", "shm:mine", "another program, through shared memory", open_shared_memory},
+};
+
+const DeviceKind* kind_of(const std::string& uri) {
+  for (const DeviceKind& each : kKinds) {
+    if (uri.starts_with(std::string(each.scheme) + ":")) return &each;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::span<const DeviceKind> device_kinds() {
+  return kKinds;
+}
+
+std::string device_uri_fault(const std::string& uri) {
+  if (kind_of(uri) != nullptr) return "";
+  std::string expected;
+  for (const DeviceKind& each : kKinds) {
+    expected += fmt::format("{}{}:", expected.empty() ? "" : ", ", each.scheme);
+  }
+  return "a device's URI, which begins with one of " + expected;
+}
+
+Device open_device(const std::string& uri, double patience_s) {
+  const DeviceKind* kind = kind_of(uri);
+  if (kind == nullptr) {
+    throw DeviceError(fmt::format("{}: expected {}", uri, device_uri_fault(uri)));
+  }
+  return kind->open(uri.substr(uri.find(':') + 1), patience_s);
+}
+
+}  // namespace stylet::hal

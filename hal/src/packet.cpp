@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stylet/hal/packet.h"
+
+#include <zlib.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace stylet::hal {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "packets are copied as they lie");
+
+constexpr std::array kSampleMagic = {'S', 'T', 'Y', 'S'};
+constexpr std::array kForceMagic = {'S', 'T', 'Y', 'F'};
+constexpr std::size_t kCrcBytes = sizeof(std::uint32_t);
+
+// One order of fields for writing and reading.
+template <typename Visit>
+void fields(SamplePacket& p, Visit&& visit) {
+  visit(p.session);
+  visit(p.buttons);
+  visit(p.seq);
+  visit(p.t_ns);
+  visit(p.echo);
+  visit(p.pose);
+}
+template <typename Visit>
+void fields(ForcePacket& p, Visit&& visit) {
+  visit(p.seq);
+  visit(p.echo);
+  visit(p.echo_t_ns);
+  visit(p.life_ns);
+  visit(p.model);
+}
+static_assert(sizeof(Pose) == 28 && sizeof(ForceModel) == 80, "no padding in a packet");
+
+std::uint32_t checksum(std::span<const std::byte> bytes) {
+  return static_cast<std::uint32_t>(
+      crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
+}
+
+template <std::size_t kBytes, typename Packet>
+std::array<std::byte, kBytes> encoded(Packet packet, const std::array<char, 4>& magic) {
+  std::array<std::byte, kBytes> bytes = {};
+  std::size_t at = 0;
+  const auto put = [&](const auto& value) {
+    std::memcpy(bytes.data() + at, &value, sizeof value);
+    at += sizeof value;
+  };
+  put(magic);
+  put(kPacketVersion);
+  put(static_cast<std::uint16_t>(kBytes));
+  fields(packet, put);
+  put(checksum(std::span(bytes).first(kBytes - kCrcBytes)));
+  return bytes;
+}
+
+template <std::size_t kBytes, typename Packet>
+bool decoded(std::span<const std::byte> bytes, const std::array<char, 4>& magic, Packet& out) {
+  if (bytes.size() != kBytes) return false;
+  std::size_t at = 0;
+  const auto get = [&](auto& value) {
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    at += sizeof value;
+  };
+  std::array<char, 4> seen = {};
+  std::uint16_t version = 0, size = 0;
+  get(seen);
+  get(version);
+  get(size);
+  if (seen != magic || version != kPacketVersion || size != kBytes) return false;
+  Packet packet;
+  fields(packet, get);
+  std::uint32_t crc = 0;
+  get(crc);
+  if (crc != checksum(bytes.first(kBytes - kCrcBytes))) return false;
+  out = packet;
+  return true;
+}
+
+float length(Vec3 v) {
+  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+}
+
+}  // namespace
+
+Vec3 force_at(const ForceModel& model, Vec3 position_m) {
+  const Vec3 away = {position_m.x - model.at_m.x, position_m.y - model.at_m.y,
+                     position_m.z - model.at_m.z};
+  // Written so that whatever is not a number gives no force.
+  if (model.radius_m != 0 && !(length(away) <= model.radius_m)) return {};
+  const auto& k = model.stiffness_n_per_m;
+  const Vec3 force = {model.force_n.x - (k[0] * away.x + k[1] * away.y + k[2] * away.z),
+                      model.force_n.y - (k[3] * away.x + k[4] * away.y + k[5] * away.z),
+                      model.force_n.z - (k[6] * away.x + k[7] * away.y + k[8] * away.z)};
+  const float size = length(force);
+  if (size <= model.max_force_n) return force;
+  if (!(std::isfinite(size) && model.max_force_n > 0)) return {};
+  const float share = model.max_force_n / size;
+  return {share * force.x, share * force.y, share * force.z};
+}
+
+Vec3 force_at(const ForcePacket& packet, std::int64_t now_ns, Vec3 position_m) {
+  const std::int64_t age_ns = now_ns - packet.echo_t_ns;
+  if (age_ns < 0 || age_ns >= packet.life_ns) return {};
+  return force_at(packet.model, position_m);
+}
+
+std::array<std::byte, kSamplePacketBytes> encode(const SamplePacket& packet) {
+  return encoded<kSamplePacketBytes>(packet, kSampleMagic);
+}
+std::array<std::byte, kForcePacketBytes> encode(const ForcePacket& packet) {
+  return encoded<kForcePacketBytes>(packet, kForceMagic);
+}
+bool decode(std::span<const std::byte> bytes, SamplePacket& out) {
+  return decoded<kSamplePacketBytes>(bytes, kSampleMagic, out);
+}
+bool decode(std::span<const std::byte> bytes, ForcePacket& out) {
+  return decoded<kForcePacketBytes>(bytes, kForceMagic, out);
+}
+
+}  // namespace stylet::hal
