@@ -14,7 +14,7 @@ packages=(
   libtomlplusplus-dev libcli11-dev libfmt-dev libhdf5-dev nlohmann-json3-dev
   gnuplot-nox fonts-dejavu-core
   # offline
-  libcgal-dev libinsighttoolkit5-dev libssl-dev zlib1g-dev
+  libcgal-dev libinsighttoolkit5-dev libpng-dev libssl-dev zlib1g-dev
   # tests
   libbenchmark-dev libbullet-dev libclang-rt-14-dev libclang-rt-19-dev libgmock-dev libgtest-dev
   llvm python3-h5py valgrind

@@ -16,7 +16,9 @@
 #include "label_organ.h"
 #include "phantom.h"
 #include "progress_bar.h"
+#include "quality.h"
 #include "refusal.h"
+#include "report_page.h"
 #include "stylet/limits.h"
 
 namespace stylet::bake {
@@ -38,6 +40,7 @@ struct CommonArguments {  // of build and phantom
   std::string capsule = "auto";
   std::vector<std::string> fix = kDefaultFix;
   std::string materials;
+  std::string report;  // folder
   bool json = false;
 };
 
@@ -97,6 +100,8 @@ void add_common(CLI::App& command, CommonArguments& a) {
       ->allow_extra_args(false)
       ->capture_default_str();
   command.add_option("--materials", a.materials, "TOML file with tissues of your own");
+  command.add_option("--report", a.report,
+                     "Folder for a quality report: report.html with pictures, report.json");
   command.add_flag("--json", a.json, "Report as one JSON object on standard output");
 }
 
@@ -123,6 +128,7 @@ BuildOptions common_options(const CommonArguments& a, double metres_per_unit) {
   options.voxels_across = a.voxels_across;
   options.held = parse_regions(a.fix, metres_per_unit);
   if (!a.materials.empty()) options.own_tissues = read_tissues(a.materials);
+  options.measured = !a.report.empty();
   options.tool_version = kToolVersion;
   options.options_text = a.voxels_across > 0 ? fmt::format("--voxels-across {}", a.voxels_across)
                                              : fmt::format("--voxel-mm {}", a.voxel_mm);
@@ -136,7 +142,8 @@ BuildOptions common_options(const CommonArguments& a, double metres_per_unit) {
 
 // Builds, writes and reports. The progress bar goes before the report comes.
 void finish(const std::function<Built(const Progress&)>& make, const CommonArguments& a) {
-  const Built built = make(progress_bar());
+  const Progress progress = progress_bar();
+  const Built built = make(progress);
   write_file(a.output, built.bytes);
   for (const std::string& warning : built.report.warnings) {
     fmt::print(stderr, "stylet-organ: warning: {}\n", warning);
@@ -145,6 +152,11 @@ void finish(const std::function<Built(const Progress&)>& make, const CommonArgum
   Json facts = build_facts(built.report);
   facts["output"] = a.output;
   facts["organ"] = organ_facts(organ, built.bytes);
+  if (!a.report.empty()) {
+    const Quality quality = measure_quality(organ, built.input_m, progress);
+    facts["quality"] = quality_facts(quality, built.report);
+    write_report(a.report, facts, organ, built.input_m);
+  }
   if (a.json) {
     fmt::print("{}\n", facts.dump(2));
   } else {

@@ -4,7 +4,9 @@
 #include <bit>
 #include <filesystem>
 
+#include "pieces.h"
 #include "refusal.h"
+#include "sample_cell.h"
 #include "stylet/limits.h"
 #include "wrap.h"
 
@@ -240,7 +242,31 @@ Claims claim_voxels(const Grid& grid, const std::vector<Input>& inputs,
   return claims;
 }
 
+void measure_shares(const Claims& claims, const std::vector<Solid>& solids, BuildReport& report) {
+  const std::vector<double> given_m3 = given_volumes_m3(claims, solids.size());
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    const InputReport& input = report.inputs[i];
+    const PieceCount count = mesh_pieces(claims, static_cast<std::uint16_t>(i), solids[i].surface);
+    report.shares.push_back({std::filesystem::path(input.path).filename().string(), input.tissue,
+                             input.mesh_volume_m3, input.filled_volume_m3, given_m3[i],
+                             count.pieces, count.lost});
+  }
+  SamplePlaces places;
+  for (std::uint32_t i = 0; i < places.size(); ++i) places[i] = sample_point(i);
+  report.closed_gaps = closed_gaps(claims, places);
+}
+
 }  // namespace
+
+std::vector<double> given_volumes_m3(const Claims& claims, std::size_t owner_count) {
+  std::vector<double> samples(owner_count, 0);
+  for (std::size_t cell = 0; cell < claims.owner.size(); ++cell) {
+    if (is_kept(claims, cell)) samples[claims.owner[cell]] += claims.owner_fill[cell];
+  }
+  const double edge_m = claims.grid.edge_m;
+  for (double& each : samples) each *= edge_m * edge_m * edge_m / 64;
+  return samples;
+}
 
 void warn_of_size(const Box& box, std::vector<std::string>& warnings) {
   const double side = longest_side(box);
@@ -282,8 +308,10 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
   warn_of_size(box, built.report.warnings);
   const Grid grid = make_grid(box, edge_m);
   Claims claims = claim_voxels(grid, inputs, solids, built.report, progress);
+  if (options.measured) measure_shares(claims, solids, built.report);
 
   Claimed claimed = {std::move(claims), {}, box, join(solids), {}};
+  if (options.measured) built.input_m = claimed.mesh;
   for (const Input& input : inputs) claimed.tissues.push_back(input.tissue);
   claimed.sources = source_records(inputs, built.report);
   built.bytes = assemble(std::move(claimed), options, progress);

@@ -52,6 +52,7 @@ struct BuildOptions {
   std::vector<Layer> layers;
   LayerCourse layer_course;
   std::vector<Tissue> own_tissues;
+  bool measured = false;     // fill in what a quality report asks for
   std::string options_text;  // what provenance says of all this
   std::string tool_version;
 };
@@ -76,15 +77,28 @@ struct LabelReport {
   double filled_volume_m3 = 0;  // before the largest share takes a voxel
 };
 
+// What one input, or one tissue of a label map, became. Only with `measured`.
+struct ShareReport {
+  std::string from;  // file, or tissue of a label map
+  std::string tissue;
+  double input_m3 = 0;    // of the mesh or the labels
+  double sampled_m3 = 0;  // of the samples inside
+  double given_m3 = 0;    // of those in voxels that it owns
+  std::size_t pieces = 0, pieces_lost = 0;
+};
+
 struct BuildReport {
   std::vector<InputReport> inputs;
   std::vector<LabelReport> labels;
+  std::vector<ShareReport> shares;
+  std::size_t closed_gaps = 0;  // voxels or faces that hold together what does not touch
   std::vector<std::string> warnings;
 };
 
 struct Built {
   std::vector<std::byte> bytes;
   BuildReport report;
+  Mesh input_m;  // surface of all inputs, for comparison; only with `measured`
 };
 
 // Refuses what the organ format does not allow.
@@ -96,6 +110,9 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
 
 double choose_edge(const Box& box, const BuildOptions& options);
 void warn_of_size(const Box& box, std::vector<std::string>& warnings);
+
+// Volume of each owner's samples in the voxels that it owns.
+std::vector<double> given_volumes_m3(const Claims& claims, std::size_t owner_count);
 
 // Voxels with their owners, and what is embedded in them: all that is left is the organ itself.
 struct Claimed {

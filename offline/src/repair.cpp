@@ -4,6 +4,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "disjoint_set.h"
 #include "triangle_tree.h"
 
 namespace stylet::bake {
@@ -151,23 +152,15 @@ std::vector<Triangle> select(const std::vector<Triangle>& triangles, const Piece
   return own;
 }
 
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 // Pieces hang together through edges of exactly two faces.
 std::vector<Piece> find_pieces(const std::vector<Vec>& points,
                                const std::vector<Triangle>& triangles,
                                const std::vector<Edge>& edges) {
-  std::vector<std::uint32_t> parent(triangles.size());
-  std::iota(parent.begin(), parent.end(), 0U);
+  std::vector<std::uint32_t> parent = each_by_itself(triangles.size());
   std::vector<bool> open(triangles.size(), false);
   each_edge(edges, [&](std::size_t first, std::size_t count) {
     if (count == 2) {
-      const std::uint32_t a = root_of(parent, edges[first].triangle);
-      const std::uint32_t b = root_of(parent, edges[first + 1].triangle);
-      parent[std::max(a, b)] = std::min(a, b);
+      join(parent, edges[first].triangle, edges[first + 1].triangle);
     } else {
       for (std::size_t i = first; i < first + count; ++i) open[edges[i].triangle] = true;
     }

@@ -6,13 +6,6 @@ namespace {
 
 constexpr std::uint32_t kSamples = 64;
 
-// 64 points of a rank-1 lattice: along each axis they have 64 different, evenly spread coordinates,
-// so a face parallel to the grid is measured to 1/64 too, where a 4 x 4 x 4 grid would see 1/4.
-Vec sample_point(std::uint32_t i) {
-  constexpr std::uint32_t kStepY = 5, kStepZ = 19, kCount = 64;
-  return Vec{i + 0.5, (i * kStepY) % kCount + 0.5, (i * kStepZ) % kCount + 0.5} * (1.0 / kCount);
-}
-
 // The axes, the face diagonals and the space diagonals of a cube, each turned a little so that rays
 // do not run along the faces that meshes like to have.
 constexpr std::array<Vec, 13> kRays{
@@ -49,6 +42,13 @@ int winding_step(const std::array<Vec, 3>& c, Vec from, Vec to, bool& sure) {
 }
 
 }  // namespace
+
+// 64 points of a rank-1 lattice: along each axis they have 64 different, evenly spread coordinates,
+// so a face parallel to the grid is measured to 1/64 too, where a 4 x 4 x 4 grid would see 1/4.
+Vec sample_point(std::uint32_t i) {
+  constexpr std::uint32_t kStepY = 5, kStepZ = 19, kCount = 64;
+  return Vec{i + 0.5, (i * kStepY) % kCount + 0.5, (i * kStepZ) % kCount + 0.5} * (1.0 / kCount);
+}
 
 bool is_inside(const InsideTest& test, Vec point) {
   if (test.by_winding) return winding_number(test.tree, point) > 0.5;

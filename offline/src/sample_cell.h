@@ -18,6 +18,9 @@ struct InsideTest {
   bool by_winding;  // else thirteen rays vote
 };
 
+// Place of a sample in its cell.
+Vec sample_point(std::uint32_t i);
+
 bool is_inside(const InsideTest& test, Vec point);
 
 // Bit i is sample point i. `low_corner` is the cell's.

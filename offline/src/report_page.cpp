@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report_page.h"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <nlohmann/json.hpp>
+
+#include "file.h"
+#include "picture.h"
+#include "refusal.h"
+
+namespace stylet::bake {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kStyle =
+    "body{font:16px/1.5 sans-serif;color:#222;max-width:1080px;margin:2em auto;padding:0 1em}"
+    "h1{margin-bottom:0}h2{margin-top:2em;border-bottom:1px solid #ccc}"
+    "table{border-collapse:collapse;margin:1em 0}td,th{padding:.3em .9em;text-align:right;"
+    "border-bottom:1px solid #e4e4e4}td:first-child,th:first-child{text-align:left}"
+    "figure{display:inline-block;width:32%;margin:0 .5% 1em 0;vertical-align:top}"
+    "figure.view{width:48%}figure svg,figure img{width:100%;height:auto;background:#f4f4f2;"
+    "border:1px solid #ddd}path{fill:none}figcaption{font-size:.85em;color:#555}"
+    ".note{background:#fff6dc;border-left:4px solid #e0a100;padding:.6em 1em}"
+    ".good{background:#e9f6ea;border-left:4px solid #3c9a46;padding:.6em 1em}"
+    ".key i{display:inline-block;width:1em;height:1em;margin:0 .4em 0 1em;vertical-align:-.1em;"
+    "border:1px solid #999}.small{font-size:.85em;color:#555;overflow-wrap:anywhere}";
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+  }
+  return out;
+}
+
+std::string base64(const std::string& bytes) {
+  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');
+  const int size = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
+                                   reinterpret_cast<const unsigned char*>(bytes.data()),
+                                   static_cast<int>(bytes.size()));
+  text.resize(static_cast<std::size_t>(size));
+  return text;
+}
+
+std::string number(const Json& value, int digits = 1) {
+  return value.is_null() ? "" : fmt::format("{:.{}f}", value.get<double>(), digits);
+}
+
+std::string percent(double part, double whole) {
+  return whole > 0 ? fmt::format("{:+.2f} %", (part / whole - 1) * 100) : "";
+}
+
+// ---- text ---------------------------------------------------------------------------------------
+
+std::string heading(const Json& facts) {
+  const Json& organ = facts["organ"];
+  std::string from;
+  for (const Json& source : organ["provenance"]["sources"]) {
+    from += (from.empty() ? "" : ", ") + source["path"].get<std::string>();
+  }
+  return fmt::format(
+      "<h1>{}</h1><p>Made from {}. {} voxels with an edge of {:.4g} mm, {:.4g} ml in all, in {} "
+      "piece{}.</p>",
+      escaped(organ["name"]), escaped(from), organ["voxels"].get<std::size_t>(),
+      organ["voxel_edge_mm"].get<double>(), organ["volume_ml"].get<double>(),
+      facts["quality"]["piece_count"].get<std::size_t>(),
+      facts["quality"]["piece_count"] == 1 ? "" : "s");
+}
+
+std::string findings(const Json& quality) {
+  if (quality["findings"].empty()) {
+    return "<p class='good'>Nothing was found that needs a second look.</p>";
+  }
+  std::string list;
+  for (const Json& each : quality["findings"]) list += "<li>" + escaped(each) + "</li>";
+  return "<div class='note'><b>Please look at this before use:</b><ul>" + list + "</ul></div>";
+}
+
+std::string tissues(const Json& quality) {
+  std::string rows;
+  for (const Json& t : quality["tissues"]) {
+    const double input = t["input_ml"].get<double>();
+    rows += fmt::format(
+        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{} of "
+        "{}</td></tr>",
+        escaped(t["from"]), escaped(t["tissue"]), number(t["input_ml"], 2),
+        number(t["sampled_ml"], 2), percent(t["sampled_ml"].get<double>(), input),
+        number(t["given_ml"], 2),
+        t["input_pieces"].get<int>() - t["pieces_without_voxel"].get<int>(),
+        t["input_pieces"].get<int>());
+  }
+  return "<h2>Volumes</h2><table><tr><th>from</th><th>tissue</th><th>input, ml</th><th>in the "
+         "organ, ml</th><th>difference</th><th>in voxels of its own, ml</th><th>pieces "
+         "kept</th></tr>" +
+         rows +
+         "</table><p class='small'>A voxel behaves as the tissue that fills most of it (or has the "
+         "highest priority); what other tissues own of a volume feels as they do.</p>";
+}
+
+std::string distance_row(const char* what, const Json& d, const char* most) {
+  if (d.is_null()) return "";
+  return fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>", what, number(d["mean_mm"], 3),
+                     number(d[most], 2));
+}
+
+std::string distances(const Json& quality) {
+  return "<h2>Distance from the input's surface</h2><table><tr><th></th><th>mean, "
+         "mm</th><th>largest, mm</th></tr>" +
+         distance_row("surface that the needle meets and the eye sees", quality["surface"],
+                      "hausdorff_mm") +
+         distance_row("voxels, where they stick out", quality["voxel_faces_to_input"], "most_mm") +
+         "</table><p class='small'>Measured at sample points; of the surface, the larger of both "
+         "directions (Hausdorff).</p>";
+}
+
+std::string repairs(const Json& facts) {
+  std::string rows;
+  for (const Json& input : facts["inputs"]) {
+    std::string what;
+    for (const auto& [name, count] : input["repaired"].items()) {
+      if (count.get<std::size_t>() == 0) continue;
+      std::string words = name;
+      std::replace(words.begin(), words.end(), '_', ' ');
+      what += fmt::format("{}{} {}", what.empty() ? "" : ", ", count.get<std::size_t>(), words);
+    }
+    rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>", escaped(input["path"]),
+                        input["closed"].get<bool>() ? "closed" : "open",
+                        what.empty() ? "nothing" : what);
+  }
+  if (rows.empty()) return "";
+  return "<h2>Repaired</h2><table><tr><th>mesh</th><th>is</th><th>repaired</th></tr>" + rows +
+         "</table>";
+}
+
+std::string provenance(const Json& organ) {
+  std::string text = fmt::format(
+      "<h2>Origin</h2><p class='small'>Organ hash {}. {}: {}</p>", organ["hash"].get<std::string>(),
+      escaped(organ["provenance"]["tool_version"]), escaped(organ["provenance"]["options"]));
+  for (const Json& s : organ["provenance"]["sources"]) {
+    text += fmt::format("<p class='small'>{}: SHA-256 {}</p>", escaped(s["path"]),
+                        s["sha256"].get<std::string>());
+  }
+  return text;
+}
+
+// ---- pictures -----------------------------------------------------------------------------------
+
+constexpr const char* kSections[] = {"sagittal, across x", "coronal, across y", "axial, across z"};
+
+std::string pictures(const Organ& organ, const Mesh& input_m) {
+  const std::vector<Cell> cells = cells_of(organ);
+  const VoxelGrid grid = voxel_grid(organ, cells);
+  const VoxelMesh surface = surface_mesh(organ, cells);
+  std::vector<Colour> colours;
+  std::string key = "<p class='key'>";
+  for (std::uint32_t i = 0; i < organ.material_count; ++i) {
+    const char* name = organ_material(organ, i).name;
+    colours.push_back(colour_of(name, i));
+    key += fmt::format("<i style='background:{}'></i>{}", css(colours.back()), escaped(name));
+  }
+  std::string html = "<h2>Sections</h2>" + key + "</p>";
+  for (const std::size_t axis : {std::size_t{2}, std::size_t{1}, std::size_t{0}}) {
+    const Section section = best_section(organ, cells, axis);
+    Cell middle{};
+    middle[axis] = section.layer;
+    const double at_mm =
+        (low_corner_m(organ, middle)[axis] + static_cast<double>(organ.voxel_edge_m) / 2) * 1e3;
+    html += fmt::format("<figure>{}<figcaption>{} at {:.1f} mm</figcaption></figure>",
+                        section_svg(organ, cells, colours, section, input_m, surface.mesh),
+                        kSections[axis], at_mm);
+  }
+  html +=
+      "<p class='small'>Squares are voxels, paler the emptier. Black: the surface of the input; "
+      "white: that of the organ. In a patient's frame x is to the left, y to the back, z to the "
+      "head.</p><h2>Views</h2>";
+  const std::uint32_t front = best_section(organ, cells, 1).layer;
+  const VoxelMesh faces =
+      voxel_faces(organ, cells, grid, [front](const Cell& cell) { return cell[1] >= front; });
+  const auto add_view = [&](const VoxelMesh& shown, const char* caption) {
+    if (shown.mesh.triangles.empty()) return;
+    html += fmt::format(
+        "<figure class='view'><img alt='{}' src='data:image/png;base64,{}'><figcaption>{}"
+        "</figcaption></figure>",
+        caption, base64(view_png(organ, shown, colours)), caption);
+  };
+  add_view(surface, "surface, from low y (in a patient: the front)");
+  add_view(faces, "voxels, cut open where the second section lies");
+  return html;
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  write_file(path, std::as_bytes(std::span(text)));
+}
+
+}  // namespace
+
+void write_report(const std::filesystem::path& folder, const nlohmann::ordered_json& facts,
+                  const Organ& organ, const Mesh& input_m) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) refuse("{}: cannot be made: {}", folder.string(), error.message());
+  const Json& quality = facts["quality"];
+  const std::string html =
+      "<!doctype html><html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
+      "content='width=device-width'><title>" +
+      escaped(facts["organ"]["name"]) + "</title><style>" + kStyle + "</style></head><body>" +
+      heading(facts) + findings(quality) + pictures(organ, input_m) + tissues(quality) +
+      distances(quality) + repairs(facts) + provenance(facts["organ"]) + "</body></html>\n";
+  write_text(folder / "report.json", facts.dump(2) + "\n");
+  write_text(folder / "report.html", html);
+}
+
+}  // namespace stylet::bake

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The quality report of an organ: report.html, one page that needs nothing else, and report.json,
+// the same facts for machines.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+
+#include "organ_shape.h"
+
+namespace stylet::bake {
+
+// `facts` has the keys of build_facts, and `organ` and `quality` (organ_facts, quality_facts).
+// `input_m` is the surface of the input.
+void write_report(const std::filesystem::path& folder, const nlohmann::ordered_json& facts,
+                  const Organ& organ, const Mesh& input_m);
+
+}  // namespace stylet::bake

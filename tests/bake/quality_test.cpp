@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// The quality report: distances, pieces and gaps against what is known of simple bodies, and the
+// page as a user gets it.
+#include "quality.h"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "bake_support.h"
+#include "report_page.h"
+
+namespace stylet::test {
+namespace {
+
+using bake::Mesh;
+using bake::Vec;
+
+// Closed box, faces outward.
+Mesh box_mesh(Vec low, Vec high) {
+  Mesh mesh;
+  for (unsigned i = 0; i < 8; ++i) {
+    mesh.points.push_back({(i & 1U) != 0 ? high.x : low.x, (i & 2U) != 0 ? high.y : low.y,
+                           (i & 4U) != 0 ? high.z : low.z});
+  }
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
+Mesh both(const Mesh& a, const Mesh& b) {
+  Mesh mesh = a;
+  const auto base = static_cast<std::uint32_t>(a.points.size());
+  mesh.points.insert(mesh.points.end(), b.points.begin(), b.points.end());
+  for (const bake::Triangle& t : b.triangles) {
+    mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+  }
+  return mesh;
+}
+
+bake::BuildOptions measured_at(double voxel_mm) {
+  bake::BuildOptions options;
+  options.voxel_edge_m = voxel_mm * 1e-3;
+  options.measured = true;
+  return options;
+}
+
+bake::Quality quality_of(const bake::Built& built) {
+  return bake::measure_quality(opened(built.bytes), built.input_m, [](const char*, double) {});
+}
+
+// ---- distances ----------------------------------------------------------------------------------
+
+TEST(Distance, OfParallelBoxesIsTheGapAndAtTheCornersItsDiagonal) {
+  const Mesh inner = box_mesh({0, 0, 0}, {10, 10, 10});
+  const Mesh outer = box_mesh({-1, -1, -1}, {11, 11, 11});
+  const bake::Deviation out = bake::deviation(outer, inner);
+  const bake::Deviation in = bake::deviation(inner, outer);
+  EXPECT_NEAR(out.most_m, std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(in.most_m, 1, 1e-12);
+  EXPECT_NEAR(in.mean_m, 1, 1e-12);
+  EXPECT_GT(in.samples, 50'000U);
+  // Mean over a face of 12 x 12 with a rim of 1: 100 at 1; 4 * 10 of rims at the mean of
+  // sqrt(1 + s^2) over 0..1, 1.1478; 4 corners at the mean over the unit square, 1.2808.
+  EXPECT_NEAR(out.mean_m, (100 + 40 * 1.1478 + 4 * 1.2808) / 144, 2e-3);
+}
+
+TEST(Distance, OfAMeshFromItselfIsNothing) {
+  const Mesh mesh = box_mesh({0, 0, 0}, {1, 2, 3});
+  EXPECT_LT(bake::deviation(mesh, mesh).most_m, 1e-12);
+}
+
+// ---- what is kept, lost and glued ---------------------------------------------------------------
+
+TEST(Quality, OfABoxOnTheGridFindsNothing) {
+  const bake::Built built =
+      build_quietly({input_of(box_mesh({0, 0, 0}, {40, 30, 20}), 1e-3)}, measured_at(5));
+  const bake::Quality quality = quality_of(built);
+  ASSERT_EQ(quality.pieces.size(), 1U);
+  EXPECT_EQ(quality.pieces[0].voxels, 8U * 6 * 4);
+  EXPECT_NEAR(quality.pieces[0].volume_m3 / 24e-6, 1, 1e-6);  // the edge is a float
+  EXPECT_FALSE(quality.pieces[0].held);
+  EXPECT_LT(quality.surface_to_input.most_m, 1e-7);
+  EXPECT_LT(quality.faces_to_input.most_m, 1e-7);
+  EXPECT_EQ(built.report.closed_gaps, 0U);
+  ASSERT_EQ(built.report.shares.size(), 1U);
+  EXPECT_NEAR(built.report.shares[0].given_m3, 24e-6, 1e-10);
+  EXPECT_EQ(built.report.shares[0].pieces_lost, 0U);
+  EXPECT_TRUE(bake::quality_facts(quality, built.report)["findings"].empty());
+}
+
+// Two slabs 2 mm apart within voxels of 5 mm: one piece of tissue, 12 x 12 gaps. At 1 mm they are
+// two, and nothing is glued.
+TEST(Quality, GapNarrowerThanAVoxelIsSaidToBeClosed) {
+  const Mesh slabs = both(box_mesh({0, 0, 0}, {60, 60, 16}), box_mesh({0, 0, 18}, {60, 60, 35}));
+  const bake::Built coarse = build_quietly({input_of(slabs, 1e-3)}, measured_at(5));
+  EXPECT_EQ(coarse.report.closed_gaps, 144U);
+  EXPECT_EQ(quality_of(coarse).pieces.size(), 1U);
+  const auto facts = bake::quality_facts(quality_of(coarse), coarse.report);
+  EXPECT_THAT(facts["findings"].dump(), testing::HasSubstr("closed at 144 places"));
+  const bake::Built fine = build_quietly({input_of(slabs, 1e-3)}, measured_at(1));
+  EXPECT_EQ(fine.report.closed_gaps, 0U);
+  EXPECT_EQ(quality_of(fine).pieces.size(), 2U);
+}
+
+// A rod of 1 mm through voxels of 5 mm of liver, and a bead in it: no voxel is theirs.
+TEST(Quality, ThinPartsWithoutAVoxelAreCounted) {
+  const Mesh thin = both(box_mesh({2, 21, 21}, {38, 22, 22}), box_mesh({31, 31, 31}, {32, 32, 32}));
+  const bake::Built built = build_quietly(
+      {input_of(box_mesh({0, 0, 0}, {40, 40, 40}), 1e-3), input_of(thin, 1e-3, "vessel")},
+      measured_at(5));
+  ASSERT_EQ(built.report.shares.size(), 2U);
+  const bake::ShareReport& vessel = built.report.shares[1];
+  EXPECT_EQ(vessel.pieces, 2U);
+  EXPECT_EQ(vessel.pieces_lost, 2U);
+  EXPECT_NEAR(vessel.input_m3, 37e-9, 1e-15);
+  EXPECT_EQ(vessel.given_m3, 0);
+  const auto facts = bake::quality_facts(quality_of(built), built.report);
+  EXPECT_THAT(facts["findings"].dump(), testing::HasSubstr("2 of 2 pieces have no voxel"));
+}
+
+TEST(Quality, PieceThatNothingHoldsIsSaidToDrift) {
+  const Mesh apart = both(box_mesh({0, 0, 0}, {20, 20, 20}), box_mesh({40, 0, 0}, {60, 20, 20}));
+  bake::BuildOptions options = measured_at(5);
+  options.held = bake::parse_regions({"x<5%"}, 1e-3);
+  const bake::Built built = build_quietly({input_of(apart, 1e-3)}, options);
+  const bake::Quality quality = quality_of(built);
+  ASSERT_EQ(quality.pieces.size(), 2U);
+  EXPECT_NE(quality.pieces[0].held, quality.pieces[1].held);
+  EXPECT_THAT(bake::quality_facts(quality, built.report)["findings"].dump(),
+              testing::HasSubstr("1 of 2 separate pieces"));
+}
+
+// What is measured does not change what is built.
+TEST(Quality, MeasuringLeavesTheBytesAlone) {
+  const Mesh mesh = box_mesh({0, 0, 0}, {43, 30, 21});
+  bake::BuildOptions options = measured_at(5);
+  const bake::Built with = build_quietly({input_of(mesh, 1e-3)}, options);
+  options.measured = false;
+  EXPECT_EQ(with.bytes, build_quietly({input_of(mesh, 1e-3)}, options).bytes);
+}
+
+// ---- the page -----------------------------------------------------------------------------------
+
+std::size_t count_of(const std::string& text, const std::string& word) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+TEST(Page, OfAPatientHasPicturesTablesAndTheSameBytesTwice) {
+  const auto map = data_folder() / "labelmaps" / "ts_example_seg.nii.gz";
+  SKIP_WITHOUT(map);
+  const Scratch scratch;
+  const auto build = [&](const std::string& name) {
+    const std::string command = std::string(STYLET_ORGAN) + " build " + map.string() +
+                                " --recipe " STYLET_RECIPES "/totalsegmentator.toml -o " +
+                                (scratch.folder / "a.organ").string() + " --report " +
+                                (scratch.folder / name).string() + " >/dev/null";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    return slurp(scratch.folder / name / "report.html");
+  };
+  const std::string page = build("one");
+  EXPECT_EQ(count_of(page, "<svg"), 3U);
+  EXPECT_EQ(count_of(page, "data:image/png;base64,"), 2U);
+  EXPECT_EQ(count_of(page, "<h2>"), 5U);
+  EXPECT_EQ(page, build("two"));
+  const auto facts = nlohmann::json::parse(slurp(scratch.folder / "one" / "report.json"));
+  const auto& quality = facts["quality"];
+  EXPECT_EQ(quality["tissues"].size(), 5U + 1);
+  for (const auto& tissue : quality["tissues"]) {
+    if (tissue["input_ml"] == 0.0) continue;
+    EXPECT_NEAR(tissue["sampled_ml"].get<double>() / tissue["input_ml"].get<double>(), 1, 0.01);
+  }
+  // The smoothed surface stays within a voxel of the map, 3 mm.
+  EXPECT_LT(quality["surface"]["hausdorff_mm"], 3.0);
+  EXPECT_LT(quality["surface"]["mean_mm"], 1.0);
+}
+
+}  // namespace
+}  // namespace stylet::test
