@@ -183,18 +183,25 @@ void fill_masses(const Organ& organ, const ModelView& model, const Counts& count
     const float kg = max_of(real_kg, least_kg);
     model.step_per_mass[i] = kg > 0 ? dt / kg : 0;
   }
+  // For the report; sums of floats would be off by a part in a hundred in a large organ.
+  double real_sum_kg[kMaxMaterials] = {}, stepped_sum_kg[kMaxMaterials] = {};
   for (std::uint32_t voxel = 0; voxel < counts.voxels; ++voxel) {
     const Row& row = model.row[model.voxel_row[voxel]];
     const std::uint32_t slot = model.voxel_slot[voxel];
-    MaterialModel& m = head.material[model.slot_material[slot]];
-    const float density = organ_material(organ, model.slot_material[slot]).density_kg_per_m3;
+    const std::uint32_t material = model.slot_material[slot];
+    const float density = organ_material(organ, material).density_kg_per_m3;
     const float share_kg =
         density * model.slot_fill[slot] * head.edge_m * head.edge_m * head.edge_m / 8;
     for (std::uint32_t corner = 0; corner < 8; ++corner) {
       const std::uint32_t p = row.node[corner >> 1U] + slot - row.slot + (corner & 1U);
-      m.real_kg += share_kg;
-      m.stepped_kg += share_kg * (dt / (model.step_per_mass[p] * model.particle_kg[p]));
+      const float factor = dt / (model.step_per_mass[p] * model.particle_kg[p]);
+      real_sum_kg[material] += static_cast<double>(share_kg);
+      stepped_sum_kg[material] += static_cast<double>(share_kg * factor);
     }
+  }
+  for (std::uint32_t i = 0; i < head.material_count; ++i) {
+    head.material[i].real_kg = static_cast<float>(real_sum_kg[i]);
+    head.material[i].stepped_kg = static_cast<float>(stepped_sum_kg[i]);
   }
   for (std::uint32_t voxel = 0; voxel < organ.voxel_fixed.size(); ++voxel) {
     const Row& row = model.row[model.voxel_row[voxel]];
