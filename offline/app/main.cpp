@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "build.h"
 #include "file.h"
@@ -19,6 +20,8 @@
 #include "quality.h"
 #include "refusal.h"
 #include "report_page.h"
+#include "speed.h"
+#include "stylet/kernel.h"
 #include "stylet/limits.h"
 
 namespace stylet::bake {
@@ -40,6 +43,9 @@ struct CommonArguments {  // of build and phantom
   std::string capsule = "auto";
   std::vector<std::string> fix = kDefaultFix;
   std::string materials;
+  std::string fit;  // rate
+  std::string machine;
+  std::uint32_t substeps = Config{}.substeps;
   std::string report;  // folder
   bool json = false;
 };
@@ -85,9 +91,21 @@ void add_common(CLI::App& command, CommonArguments& a) {
   command.add_option("-o,--output", a.output, "Organ file to write")->required();
   command.add_option("--name", a.name, "Name of the organ (default: that of the first input)");
   auto* edge = command.add_option("--voxel-mm", a.voxel_mm, "Voxel edge")->capture_default_str();
-  command.add_option("--voxels-across", a.voxels_across, "Voxels along the longest side")
-      ->check(CLI::Range(1U, 65535U))
-      ->excludes(edge);
+  auto* across =
+      command.add_option("--voxels-across", a.voxels_across, "Voxels along the longest side")
+          ->check(CLI::Range(1U, 65535U))
+          ->excludes(edge);
+  auto* fit = command.add_option("--fit", a.fit,
+                                 "Rate, such as 1kHz: the finest voxel edge whose tick takes half "
+                                 "the period at most");
+  fit->excludes(edge)->excludes(across);
+  command
+      .add_option("--machine", a.machine,
+                  "CSV of stylet-bench on the machine to fit to (default: measured here)")
+      ->needs(fit);
+  command.add_option("--substeps", a.substeps, "Substeps of a tick that --fit reckons with")
+      ->check(CLI::Range(1U, kMaxSubsteps))
+      ->capture_default_str();
   command
       .add_option(
           "--capsule", a.capsule,
@@ -120,6 +138,13 @@ std::string without_folder(const std::string& fix) {
   return word + std::filesystem::path(fix.substr(word.size())).filename().string();
 }
 
+// The machine that --fit reckons with.
+std::optional<Machine> chosen_machine(const CommonArguments& a) {
+  if (a.fit.empty()) return std::nullopt;
+  (void)period_of(a.fit);  // before anything takes time
+  return a.machine.empty() ? measure_machine(progress_bar()) : read_machine(a.machine);
+}
+
 BuildOptions common_options(const CommonArguments& a, double metres_per_unit) {
   BuildOptions options;
   options.name = a.name;
@@ -131,6 +156,7 @@ BuildOptions common_options(const CommonArguments& a, double metres_per_unit) {
   options.measured = !a.report.empty();
   options.tool_version = kToolVersion;
   options.options_text = a.voxels_across > 0 ? fmt::format("--voxels-across {}", a.voxels_across)
+                         : !a.fit.empty()    ? "--fit " + a.fit
                                              : fmt::format("--voxel-mm {}", a.voxel_mm);
   for (const std::string& fix : a.fix) options.options_text += " --fix " + without_folder(fix);
   if (!a.materials.empty()) {
@@ -141,9 +167,14 @@ BuildOptions common_options(const CommonArguments& a, double metres_per_unit) {
 }
 
 // Builds, writes and reports. The progress bar goes before the report comes.
-void finish(const std::function<Built(const Progress&)>& make, const CommonArguments& a) {
+void finish(const std::function<Built(const BuildOptions&, const Progress&)>& make,
+            BuildOptions options, const CommonArguments& a) {
+  constexpr double kUsualPeriodS = 1e-3;
+  const double period_s = a.fit.empty() ? kUsualPeriodS : period_of(a.fit);
+  const std::optional<Machine> machine = chosen_machine(a);
+  if (machine) options.most_voxels = most_voxels(*machine, period_s, a.substeps);
   const Progress progress = progress_bar();
-  const Built built = make(progress);
+  const Built built = make(options, progress);
   write_file(a.output, built.bytes);
   for (const std::string& warning : built.report.warnings) {
     fmt::print(stderr, "stylet-organ: warning: {}\n", warning);
@@ -152,6 +183,9 @@ void finish(const std::function<Built(const Progress&)>& make, const CommonArgum
   Json facts = build_facts(built.report);
   facts["output"] = a.output;
   facts["organ"] = organ_facts(organ, built.bytes);
+  if (machine || !a.report.empty()) {
+    facts["speed"] = speed_facts(organ, period_s, a.substeps, machine ? &*machine : nullptr);
+  }
   if (!a.report.empty()) {
     const Quality quality = measure_quality(organ, built.input_m, progress);
     facts["quality"] = quality_facts(quality, built.report);
@@ -160,7 +194,8 @@ void finish(const std::function<Built(const Progress&)>& make, const CommonArgum
   if (a.json) {
     fmt::print("{}\n", facts.dump(2));
   } else {
-    fmt::print("{}{}wrote         {}\n", build_text(facts), organ_text(facts["organ"]), a.output);
+    fmt::print("{}{}{}wrote         {}\n", build_text(facts), organ_text(facts["organ"]),
+               facts.contains("speed") ? speed_text(facts["speed"]) : "", a.output);
   }
 }
 
@@ -247,7 +282,9 @@ void run_build_labels(const BuildArguments& a) {
   choose_layers(a, recipe.groups, options);
   choose_capsule(a.capsule, recipe.groups, options);
   const LabelMap map = read_label_map(path);
-  finish([&](const Progress& p) { return build_labels(path, map, recipe, options, p); }, a);
+  finish([&](const BuildOptions& o,
+             const Progress& p) { return build_labels(path, map, recipe, o, p); },
+         options, a);
 }
 
 void run_build(const BuildArguments& a) {
@@ -276,7 +313,8 @@ void run_build(const BuildArguments& a) {
   }
   choose_layers(a, inputs, options);
   choose_capsule(a.capsule, inputs, options);
-  finish([&](const Progress& p) { return build(std::move(inputs), options, p); }, a);
+  finish([&](const BuildOptions& o, const Progress& p) { return build(std::move(inputs), o, p); },
+         options, a);
 }
 
 // Facets about as large as voxels, since finer ones would move with the same voxel anyway; but no
@@ -330,7 +368,8 @@ void run_phantom(PhantomArguments a) {
   if (!a.mesh_out.empty()) write_file(a.mesh_out, std::as_bytes(std::span(off)));
   std::vector<Input> inputs = {std::move(input)};
   choose_capsule(a.capsule, inputs, options);
-  finish([&](const Progress& p) { return build(std::move(inputs), options, p); }, a);
+  finish([&](const BuildOptions& o, const Progress& p) { return build(std::move(inputs), o, p); },
+         options, a);
 }
 
 // ---- hull ---------------------------------------------------------------------------------------

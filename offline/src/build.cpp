@@ -22,9 +22,8 @@ bool allowed_voxel_edge(double edge_m) {
   return rounded >= kMinVoxelEdgeM && rounded <= kMaxVoxelEdgeM;
 }
 
-// All meshes to metres, repaired; wrapped first where that was asked for.
-std::vector<Solid> make_solids(std::vector<Input>& inputs, const BuildOptions& options,
-                               double& edge_m_out, Box& box_out, const Progress& progress) {
+// All meshes to metres, repaired.
+std::vector<Solid> make_solids(std::vector<Input>& inputs, Box& box_out, const Progress& progress) {
   for (Input& input : inputs) {
     for (Vec& p : input.read.mesh.points) p = p * input.metres_per_unit;
   }
@@ -38,18 +37,19 @@ std::vector<Solid> make_solids(std::vector<Input>& inputs, const BuildOptions& o
     }
     for (const Vec& p : solids.back().surface.points) grow(box_out, p);
   }
-  edge_m_out = choose_edge(box_out, options);
-  if (!options.wrap) return solids;
+  return solids;
+}
+
+void wrap(std::vector<Solid>& solids, double edge_m, Box& box_out, const Progress& progress) {
   constexpr double kOffsetOfEdge = 0.1;
-  const double offset_m = edge_m_out * kOffsetOfEdge;
+  const double offset_m = edge_m * kOffsetOfEdge;
   for (std::size_t i = 0; i < solids.size(); ++i) {
     progress("wrapping", static_cast<double>(i) / static_cast<double>(solids.size()));
     const RepairCounts counts = solids[i].counts;
-    solids[i] = repair(alpha_wrap(solids[i].surface, edge_m_out, offset_m));
+    solids[i] = repair(alpha_wrap(solids[i].surface, edge_m, offset_m));
     solids[i].counts = counts;
     for (const Vec& p : solids[i].surface.points) grow(box_out, p);
   }
-  return solids;
 }
 
 InputReport report_of(const Input& input, const Solid& solid, const Occupancy& occupancy,
@@ -242,6 +242,34 @@ Claims claim_voxels(const Grid& grid, const std::vector<Input>& inputs,
   return claims;
 }
 
+// A grid beyond the format's limits has eight times what is allowed: try twice the edge.
+double voxels_in(const Box& box, double edge_m, std::uint32_t most,
+                 const std::function<std::size_t(const Grid&)>& voxels_at) {
+  try {
+    return static_cast<double>(voxels_at(make_grid(box, edge_m)));
+  } catch (const Refusal&) {
+    return 8.0 * most;
+  }
+}
+
+// The finest edge, in steps of 0.05 mm, whose voxels are no more than `most`; the next step was
+// tried. The number of voxels grows about as the inverse cube of the edge.
+double finest_edge(const Box& box, std::uint32_t most,
+                   const std::function<std::size_t(const Grid&)>& voxels_at) {
+  constexpr double kStepM = 5e-5;
+  constexpr double kLeastSteps = 2, kMostSteps = 2000;
+  double good = kMostSteps + 1, bad = kLeastSteps - 1;  // in steps; what lies beyond is not allowed
+  double next = std::ceil(longest_side(box) / std::cbrt(most) / kStepM);
+  while (good - bad > 1) {
+    next = std::clamp(next, bad + 1, good - 1);
+    const double voxels = voxels_in(box, next * kStepM, most, voxels_at);
+    (voxels <= most ? good : bad) = next;
+    next = std::round(next * std::cbrt(voxels / most));
+  }
+  if (good > kMostSteps) refuse("--fit: no voxel edge up to 100 mm needs {} voxels or less", most);
+  return good * kStepM;
+}
+
 void measure_shares(const Claims& claims, const std::vector<Solid>& solids, BuildReport& report) {
   const std::vector<double> given_m3 = given_volumes_m3(claims, solids.size());
   for (std::size_t i = 0; i < solids.size(); ++i) {
@@ -278,7 +306,9 @@ void warn_of_size(const Box& box, std::vector<std::string>& warnings) {
   }
 }
 
-double choose_edge(const Box& box, const BuildOptions& options) {
+double choose_edge(const Box& box, const BuildOptions& options,
+                   const std::function<std::size_t(const Grid&)>& voxels_at) {
+  if (options.most_voxels > 0) return finest_edge(box, options.most_voxels, voxels_at);
   if (options.voxels_across == 0) return options.voxel_edge_m;
   const double edge_m = longest_side(box) / options.voxels_across;
   if (!allowed_voxel_edge(edge_m)) {
@@ -302,9 +332,14 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
   if (inputs.empty() || inputs.size() > kMostInputs) {
     refuse("{} inputs: expected 1 to {}", inputs.size(), kMostInputs);
   }
-  double edge_m = 0;
   Box box;
-  const std::vector<Solid> solids = make_solids(inputs, options, edge_m, box, progress);
+  std::vector<Solid> solids = make_solids(inputs, box, progress);
+  const double edge_m = choose_edge(box, options, [&](const Grid& grid) {
+    BuildReport unused;
+    Claims claims = claim_voxels(grid, inputs, solids, unused, progress);
+    return make_lattice(claims, join(solids).points).cell_of_voxel.size();
+  });
+  if (options.wrap) wrap(solids, edge_m, box, progress);
   warn_of_size(box, built.report.warnings);
   const Grid grid = make_grid(box, edge_m);
   Claims claims = claim_voxels(grid, inputs, solids, built.report, progress);

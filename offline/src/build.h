@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,7 @@ struct BuildOptions {
   std::string name;
   double voxel_edge_m = 5e-3;
   std::uint32_t voxels_across = 0;  // along the longest side; replaces voxel_edge_m unless 0
+  std::uint32_t most_voxels = 0;    // unless 0: the finest edge that needs no more than these
   std::string capsule;              // tissue of the voxels at the outer surface; empty: none
   std::string capsule_of;           // only where the input has this tissue; empty: everywhere
   bool wrap = false;                // replace each input by a closed skin around it
@@ -108,7 +110,9 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
 
 // ---- for other sources than meshes --------------------------------------------------------------
 
-double choose_edge(const Box& box, const BuildOptions& options);
+// `voxels_at` counts the voxels of a grid, for where their number is what is given.
+double choose_edge(const Box& box, const BuildOptions& options,
+                   const std::function<std::size_t(const Grid&)>& voxels_at);
 void warn_of_size(const Box& box, std::vector<std::string>& warnings);
 
 // Volume of each owner's samples in the voxels that it owns.

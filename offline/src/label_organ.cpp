@@ -130,8 +130,13 @@ Built build_labels(const std::string& path, const LabelMap& map, const Recipe& r
   claimed.mesh = triangles_of(skin);
   for (const Vec& point : claimed.mesh.points) grow(claimed.box, point);
   warn_of_size(claimed.box, built.report.warnings);
-  const Grid grid = make_grid(claimed.box, choose_edge(claimed.box, options));
   built.report.labels = label_reports(map, groups, recipe);
+  const double edge_m = choose_edge(claimed.box, options, [&](const Grid& grid) {
+    std::vector<LabelReport> unused = built.report.labels;
+    Claims claims = claim_labels(grid, map, groups, unused, progress);
+    return make_lattice(claims, claimed.mesh.points).cell_of_voxel.size();
+  });
+  const Grid grid = make_grid(claimed.box, edge_m);
   warn_of_absent(recipe, built.report);
   claimed.claims = claim_labels(grid, map, groups, built.report.labels, progress);
   if (options.measured) measure_shares(claimed.claims, map, groups, built.report);

@@ -135,6 +135,36 @@ std::string repairs(const Json& facts) {
          "</table>";
 }
 
+std::string speed(const Json& facts) {
+  if (!facts.contains("speed")) return "";
+  const Json& speed = facts["speed"];
+  const bool timed = speed.contains("machine");
+  std::string head = "<tr><th>substeps</th>", rows;
+  if (timed) head += "<th>tick, us</th>";
+  for (const auto& [name, factor] : speed["by_substeps"][0]["mass_factor"].items()) {
+    head += "<th>" + escaped(name) + "</th>";
+  }
+  for (const Json& row : speed["by_substeps"]) {
+    rows += fmt::format("<tr><td>{}</td>", row["substeps"].get<std::uint32_t>());
+    if (timed) rows += "<td>" + number(row["tick_us"], 0) + "</td>";
+    for (const auto& [name, factor] : row["mass_factor"].items()) {
+      rows += fmt::format("<td>x {}</td>", number(factor, factor < 10 ? 2 : 0));
+    }
+    rows += "</tr>";
+  }
+  const std::string on =
+      timed ? fmt::format(" on {}: a tick of {} us, half of the period at most",
+                          escaped(speed["machine"]["name"]), number(speed["tick_us"], 0))
+            : "";
+  return fmt::format("<h2>Speed and added mass</h2><p>Period {} us, {} substeps{}.</p><table>",
+                     number(speed["period_us"], 0), speed["substeps"].get<std::uint32_t>(), on) +
+         head + "</tr>" + rows +
+         "</table><p class='small'>Tissue too stiff or voxels too small for the step get more mass "
+         "than they have (factor of the whole material), which keeps the step stable: forces at "
+         "rest stay exact, fast motion becomes sluggish. More substeps give the mass "
+         "back.</p>";
+}
+
 std::string provenance(const Json& organ) {
   std::string text = fmt::format(
       "<h2>Origin</h2><p class='small'>Organ hash {}. {}: {}</p>", organ["hash"].get<std::string>(),
@@ -208,7 +238,8 @@ void write_report(const std::filesystem::path& folder, const nlohmann::ordered_j
       "content='width=device-width'><title>" +
       escaped(facts["organ"]["name"]) + "</title><style>" + kStyle + "</style></head><body>" +
       heading(facts) + findings(quality) + pictures(organ, input_m) + tissues(quality) +
-      distances(quality) + repairs(facts) + provenance(facts["organ"]) + "</body></html>\n";
+      distances(quality) + repairs(facts) + speed(facts) + provenance(facts["organ"]) +
+      "</body></html>\n";
   write_text(folder / "report.json", facts.dump(2) + "\n");
   write_text(folder / "report.html", html);
 }

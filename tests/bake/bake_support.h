@@ -50,6 +50,18 @@ inline std::string slurp(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+// Closed box, faces outward.
+inline bake::Mesh box_mesh(bake::Vec low, bake::Vec high) {
+  bake::Mesh mesh;
+  for (unsigned i = 0; i < 8; ++i) {
+    mesh.points.push_back({(i & 1U) != 0 ? high.x : low.x, (i & 2U) != 0 ? high.y : low.y,
+                           (i & 4U) != 0 ? high.z : low.z});
+  }
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
 inline bake::Input input_of(const bake::Mesh& mesh, double metres_per_unit,
                             const std::string& tissue = "liver", int priority = 0) {
   bake::Input input;

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How fine an organ may be for a tick to meet its period, and what the step then does to its mass.
+//
+// Cost of a tick: a line, start + slope x voxels x substeps, with the needle in the tissue. Fitted
+// to what stylet-bench wrote on a machine (tests/bench/results), or measured here on two blocks.
+// Mass: the kernel's own report of what its bound for a stable step adds to each material.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "progress.h"
+#include "stylet/organ.h"
+
+namespace stylet::bake {
+
+struct Machine {
+  std::string name;
+  double start_us = 0;
+  double us_per_voxel_substep = 0;
+};
+
+// Part of the period that the kernel may take; the rest is for the device and for slow ticks.
+constexpr double kShareOfPeriod = 0.5;
+
+Machine read_machine(const std::filesystem::path& bench_csv);
+Machine measure_machine(const Progress& progress);
+
+double tick_us(const Machine& machine, double voxels, std::uint32_t substeps);
+// Refuses a period that leaves no room for any.
+std::uint32_t most_voxels(const Machine& machine, double period_s, std::uint32_t substeps);
+
+// "1kHz", "500 Hz" to seconds; refuses what the kernel does not run at.
+double period_of(const std::string& rate);
+
+// A row for 1, 2, 4, ... substeps: factor by which each material's mass grows, and with a machine
+// the time of a tick.
+nlohmann::ordered_json speed_facts(const Organ& organ, double period_s, std::uint32_t substeps,
+                                   const Machine* machine);
+std::string speed_text(const nlohmann::ordered_json& facts);
+
+}  // namespace stylet::bake

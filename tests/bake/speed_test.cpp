@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// Choosing the voxel edge by the cost of a tick, and what is said of the step's mass.
+#include "speed.h"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "bake_support.h"
+#include "phantom.h"
+#include "refusal.h"
+
+namespace stylet::test {
+namespace {
+
+std::string refusal_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const bake::Refusal& refused) {
+    return refused.what();
+  }
+  return "";
+}
+
+std::filesystem::path bench_of(const Scratch& scratch, const std::string& rows) {
+  return scratch.write("box.csv", "measure,organ,voxels,median_us,ns_per_voxel_substep\n" + rows);
+}
+
+TEST(Machine, IsTheLineThroughTheMeasuredTicks) {
+  const Scratch scratch;
+  // 30 us and 20 ns a voxel and substep, 2 substeps: 1000 voxels 70 us, 20000 voxels 830 us.
+  const auto csv = bench_of(scratch,
+                            "tissue,a,1000,1,0.5\ntick_elastic,a,1000,70,35\n"
+                            "tick_elastic,b,20000,830,20.75\n");
+  const bake::Machine machine = bake::read_machine(csv);
+  EXPECT_EQ(machine.name, "box");
+  EXPECT_NEAR(machine.start_us, 30, 1e-9);
+  EXPECT_NEAR(machine.us_per_voxel_substep, 0.020, 1e-12);
+  EXPECT_NEAR(bake::tick_us(machine, 5000, 4), 430, 1e-6);
+  EXPECT_EQ(bake::most_voxels(machine, 1e-3, 2), 11750U);  // (500 - 30) / 0.04
+}
+
+TEST(Machine, RefusesWhatStyletBenchDidNotWrite) {
+  const Scratch scratch;
+  EXPECT_THAT(refusal_of([&] { bake::read_machine(bench_of(scratch, "")); }),
+              testing::HasSubstr("0 lines of tick_elastic"));
+  EXPECT_THAT(
+      refusal_of([&] { bake::read_machine(bench_of(scratch, "tick_elastic,a,1000,70,35\nx\n")); }),
+      testing::HasSubstr("1 lines of tick_elastic"));
+  EXPECT_THAT(refusal_of([&] { bake::read_machine(bench_of(scratch, "tick_elastic,a,b\n")); }),
+              testing::HasSubstr("box.csv:2: expected measure"));
+  const bake::Machine slow = {"slow", 600, 1};
+  EXPECT_THAT(refusal_of([&] { (void)bake::most_voxels(slow, 1e-3, 2); }),
+              testing::HasSubstr("room for 0 voxels on slow"));
+}
+
+TEST(Rate, HasAUnitAndALimit) {
+  EXPECT_DOUBLE_EQ(bake::period_of("1kHz"), 1e-3);
+  EXPECT_DOUBLE_EQ(bake::period_of("500 Hz"), 2e-3);
+  EXPECT_DOUBLE_EQ(bake::period_of("2.5kHz"), 0.4e-3);
+  for (const char* bad : {"", "1", "kHz", "1MHz", "99Hz", "101kHz", "nan Hz", "-1kHz"}) {
+    EXPECT_THAT(refusal_of([&] { (void)bake::period_of(bad); }),
+                testing::HasSubstr("expected a rate from 100 Hz to 100 kHz"))
+        << bad;
+  }
+}
+
+// The finest step of 0.05 mm that keeps within the number, and the next finer one does not.
+TEST(Fit, TakesTheFinestEdgeWithinTheVoxels) {
+  const bake::Mesh ball = bake::ball_phantom(0.06, 0.003);
+  for (const std::uint32_t most : {100U, 3000U, 20000U}) {
+    bake::BuildOptions options;
+    options.most_voxels = most;
+    const Organ fitted = opened(build_quietly({input_of(ball, 1)}, options).bytes);
+    EXPECT_LE(fitted.voxel_count, most);
+    options.most_voxels = 0;
+    options.voxel_edge_m = static_cast<double>(fitted.voxel_edge_m) - 5e-5;
+    const Organ finer = opened(build_quietly({input_of(ball, 1)}, options).bytes);
+    EXPECT_GT(finer.voxel_count, most);
+  }
+}
+
+// For full voxels the mass in the step is that of the bound for stability: dt^2 / 2 (1 + 2 tau /
+// dt) 8 k (1 + 1.5 lambda / G) / (rho h^3).
+TEST(Mass, FactorIsThatOfTheStabilityBound) {
+  bake::BuildOptions options;
+  options.voxel_edge_m = 2e-3;
+  const bake::Mesh block = box_mesh({0, 0, 0}, {60, 60, 60});
+  const auto bytes = build_quietly({input_of(block, 1e-3, "kidney")}, options).bytes;
+  const Organ organ = opened(bytes);
+  const auto facts = bake::speed_facts(organ, 1e-3, 2, nullptr);
+  const double shear = 30000 / (2 * 1.45), lambda = 2 * shear * 0.45 / 0.1, tau = 0.25e-3;
+  for (const auto& row : facts["by_substeps"]) {
+    const double dt = 1e-3 / row["substeps"].get<double>();
+    const double bound = dt * dt / 2 * (1 + 2 * tau / dt) * 8 * shear * 2e-3 *
+                         (1 + 1.5 * lambda / shear) / (1050 * 8e-9);
+    EXPECT_NEAR(row["mass_factor"]["kidney"].get<double>() / std::max(1.0, bound), 1, 1e-3) << dt;
+  }
+}
+
+TEST(Fit, OnThisMachineMeetsThePeriodItSays) {
+  const bake::Machine here = bake::measure_machine([](const char*, double) {});
+  EXPECT_GT(here.us_per_voxel_substep, 1e-4);
+  EXPECT_LT(here.us_per_voxel_substep, 1);
+  const std::uint32_t voxels = bake::most_voxels(here, 1e-2, 1);
+  EXPECT_LE(bake::tick_us(here, voxels, 1), 1e4 * bake::kShareOfPeriod);
+}
+
+}  // namespace
+}  // namespace stylet::test
