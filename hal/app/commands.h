@@ -26,6 +26,7 @@ struct RunOptions {
   std::string mode;                  // empty: the scene's
   double duration_s = 0;             // 0: as long as the hand's script
   std::vector<std::string> devices;  // instead of the scene's, in the order of the needles
+  std::uint32_t threads = 0;         // 0: the scene's
   bool fast = false;
   bool json = false;
   bool allow_non_rt = false;

@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "commands.h"
+#include "stylet/limits.h"
 
 namespace stylet::app {
 namespace {
@@ -32,6 +33,9 @@ void add_run(CLI::App& program, RunOptions& options) {
       ->check(CLI::Range(1e-3, 86400.0));
   run.add_option("--device", options.devices,
                  "Device by URI instead of the scene's, once a needle (stylet devices lists them)");
+  run.add_option("--threads", options.threads,
+                 "Threads of the tissue step, instead of the scene's: same bits with any number")
+      ->check(CLI::Range(1U, kMaxHelpers + 1));
   run.add_flag("--fast", options.fast, "Virtual clock: same bits, as fast as the machine goes");
   run.add_flag("--json", options.json, "One JSON object on standard output, nothing else");
   run.add_flag("--allow-non-rt", options.allow_non_rt,

@@ -190,6 +190,10 @@ std::string timing_table(const RunReport& report) {
       loop.ticks, loop.missed_ticks, report.thread.minor_faults + report.thread.major_faults,
       report.thread.involuntary_switches, report.wall_s,
       static_cast<double>(loop.ticks) * report.period_s);
+  if (report.threads > 1) {
+    text += fmt::format("threads {}, parts of the tissue step done by helpers {}\n", report.threads,
+                        report.helped_parts);
+  }
   return text;
 }
 
@@ -235,6 +239,8 @@ std::string json_text(const RunReport& report) {
                    {"missed_ticks", loop.missed_ticks},
                    {"page_faults", report.thread.minor_faults + report.thread.major_faults},
                    {"involuntary_switches", report.thread.involuntary_switches},
+                   {"threads", report.threads},
+                   {"helped_parts", report.helped_parts},
                    {"wall_s", report.wall_s}};
   const Stats& stats = report.stats;
   out["memory"] = {{"model", json_of(report.predicted.model_bytes, report.used.model_bytes)},

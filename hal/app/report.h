@@ -24,6 +24,8 @@ struct RunReport {
   std::vector<Event> events;
   const hal::LoopState* loop = nullptr;
   hal::ThreadUse thread = {};
+  std::uint32_t threads = 1;       // of the tissue step
+  std::uint64_t helped_parts = 0;  // of the step, done by helpers
   hal::HostReport host;
   Sizes predicted = {}, used = {};
   Stats stats = {};

@@ -15,6 +15,7 @@
 #include "commands.h"
 #include "report.h"
 #include "stylet/hal/devices.h"
+#include "stylet/hal/helpers.h"
 #include "stylet/hal/instance.h"
 #include "stylet/hal/recorder.h"
 #include "stylet/hal/replay.h"
@@ -87,6 +88,8 @@ struct Session {
   std::unique_ptr<hal::Recorder> recorder;
   hal::HostState host;
   hal::ThreadUse thread = {};
+  std::vector<int> processors;  // real time: the loop's and the helpers'
+  std::uint64_t helped_parts = 0;
   bool host_fit = true;
   bool open_end = false;  // nothing but Ctrl-C ends it
   std::exception_ptr failure;
@@ -114,8 +117,21 @@ void attach_devices(Session& s) {
   }
 }
 
+// Threads of the tissue step wait for each other in real time: two on one processor would wait for
+// good.
+void choose_processors(Session& s) {
+  if (s.options.threads > 0) s.scene.threads = s.options.threads;
+  if (s.options.fast) return;
+  s.processors = hal::loop_processors(s.scene.cpu);
+  if (s.scene.threads <= s.processors.size()) return;
+  throw hal::SceneError(fmt::format(
+      "{}: loop.threads: {}: at most {}, a processor of this machine for each; --fast takes any",
+      s.scene.file, s.scene.threads, s.processors.size()));
+}
+
 void load(Session& s) {
   s.scene = hal::read_scene(s.options.scene);
+  choose_processors(s);
   if (!s.options.mode.empty()) {
     s.scene.config.mode = s.options.mode == "paper" ? Mode::kPaper : Mode::kPhysical;
   }
@@ -216,13 +232,21 @@ void open_recording(Session& s) {
       std::make_unique<hal::Recorder>(s.records, s.events, s.writer.get(), courses, s.flight.get());
 }
 
+std::unique_ptr<hal::Helpers> start_helpers(Session& s) {
+  if (s.scene.threads == 1) return nullptr;
+  hal::HelperConfig config = {s.scene.threads - 1, !s.options.fast, {}, s.scene.rt_priority};
+  if (config.real_time) config.cpus.assign(s.processors.begin() + 1, s.processors.end());
+  return std::make_unique<hal::Helpers>(s.instance->kernel, config, s.state, s.host.report);
+}
+
 // The thread of the loop, from its rights to the last tick.
 void servo(Session& s) try {
   if (!s.options.fast) {
-    hal::prepare_thread(s.scene.cpu, s.scene.rt_priority, s.host.report);
-    s.host_fit = s.host.report.lacks.empty() || s.options.allow_non_rt;
-    if (!s.host_fit) return;
+    hal::prepare_thread(s.processors[0], s.scene.rt_priority, s.host.report);
   }
+  const std::unique_ptr<hal::Helpers> helpers = start_helpers(s);
+  s.host_fit = s.options.fast || s.host.report.lacks.empty() || s.options.allow_non_rt;
+  if (!s.host_fit) return;
   std::vector<Input> starts;
   for (const Station& each : s.stations) {
     starts.push_back({hal::to_world(each.placement.mapping, {{}, {1, 0, 0, 0}}), 1});
@@ -237,6 +261,7 @@ void servo(Session& s) try {
   s.thread = {after.minor_faults - before.minor_faults, after.major_faults - before.major_faults,
               after.voluntary_switches - before.voluntary_switches,
               after.involuntary_switches - before.involuntary_switches};
+  if (helpers != nullptr) s.helped_parts = helpers->parts();
 } catch (...) {
   s.failure = std::current_exception();
 }
@@ -266,7 +291,11 @@ void run_threads(Session& s) {
   show_progress(s, done);
   loop.join();
   s.close_devices();
-  s.recorder->stop();
+  std::vector<hal::Fault> faults;
+  for (std::size_t i = 0; i < s.stations.size(); ++i) {
+    faults.push_back(s.state.hand[i].guard.fault);
+  }
+  s.recorder->stop(faults);
   if (s.failure) std::rethrow_exception(s.failure);
 }
 
@@ -308,6 +337,8 @@ RunReport report_of(const Session& s, double wall_s) {
   report.events = s.recorder->events();
   report.loop = &s.state;
   report.thread = s.thread;
+  report.threads = s.scene.threads;
+  report.helped_parts = s.helped_parts;
   report.host = s.host.report;
   report.predicted = s.instance->predicted;
   report.used = s.instance->kernel.sizes;

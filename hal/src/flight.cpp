@@ -56,7 +56,14 @@ void FlightRecorder::add(const TickRecord& record) {
   last = record.fault;
 }
 
-void FlightRecorder::finish() {
+void FlightRecorder::finish(std::span<const Fault> faults) {
+  for (std::uint32_t i = 0; i < std::min(faults.size(), last_fault_.size()); ++i) {
+    const bool fresh = faults[i] != Fault::kNone && last_fault_[i] == Fault::kNone;
+    last_fault_[i] = faults[i];
+    if (!fresh || records_to_come_ > 0 || count_ == 0) continue;
+    pending_ = {"", faults[i], i, ring_[(count_ - 1) % ring_.size()].output.tick};
+    records_to_come_ = 1;
+  }
   if (records_to_come_ > 0) write();
   records_to_come_ = 0;
 }

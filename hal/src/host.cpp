@@ -10,6 +10,7 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -56,20 +57,15 @@ void check_kernel(HostReport& report) {
                   system.release));
 }
 
-// An isolated processor is there for the loop, though nothing runs on it that does not ask to. Else
-// the last one this process may use.
-int default_cpu() {
-  const auto isolated = read_text({""}, "/sys/devices/system/cpu/isolated");
-  const std::vector<int> cpus = parse_cpu_list(isolated.value_or(""));
-  if (!cpus.empty()) return cpus.back();
+std::vector<int> allowed_cpus() {
   cpu_set_t allowed;
   CPU_ZERO(&allowed);
   sched_getaffinity(0, sizeof allowed, &allowed);
-  int last = 0;
+  std::vector<int> cpus;
   for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
-    if (CPU_ISSET(cpu, &allowed)) last = cpu;
+    if (CPU_ISSET(cpu, &allowed)) cpus.push_back(cpu);
   }
-  return last;
+  return cpus;
 }
 
 // One write a page, so that the loop never meets a page of its stack for the first time.
@@ -91,8 +87,24 @@ void prepare_process(HostState& host) {
   stay_awake(host);
 }
 
+// An isolated processor is there for the loop, though nothing runs on it that does not ask to.
+std::vector<int> loop_processors(int cpu) {
+  std::vector<int> chosen;
+  const auto take = [&chosen](int each) {
+    if (each >= 0 && std::find(chosen.begin(), chosen.end(), each) == chosen.end()) {
+      chosen.push_back(each);
+    }
+  };
+  take(cpu);
+  const auto isolated = read_text({""}, "/sys/devices/system/cpu/isolated");
+  const std::vector<int> apart = parse_cpu_list(isolated.value_or("")), others = allowed_cpus();
+  std::for_each(apart.rbegin(), apart.rend(), take);
+  std::for_each(others.rbegin(), others.rend(), take);
+  return chosen;
+}
+
 void prepare_thread(int cpu, int priority, HostReport& report) {
-  const int chosen = cpu >= 0 ? cpu : default_cpu();
+  const int chosen = loop_processors(cpu).at(0);
   cpu_set_t set;
   CPU_ZERO(&set);
   CPU_SET(static_cast<std::size_t>(chosen), &set);

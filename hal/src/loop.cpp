@@ -191,6 +191,7 @@ void run_loop(const LoopConfig& config, Kernel& kernel, std::span<const Device> 
   std::array<TickRecord, kMaxNeedles> buffer;
   const std::span records = std::span(buffer).first(std::min(devices.size(), buffer.size()));
   while (state.ticks < config.ticks && !state.stop.load(std::memory_order_relaxed)) {
+    state.next_ns.store(grid_ns, std::memory_order_relaxed);
     clock.sleep_until_ns(clock.self, grid_ns);
     const std::int64_t late_ns = clock.now_ns(clock.self) - grid_ns;
     const std::int64_t start_ns = monotonic_now_ns();

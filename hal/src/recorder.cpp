@@ -25,16 +25,18 @@ Recorder::~Recorder() {
   stop();
 }
 
-void Recorder::stop() {
+void Recorder::stop(std::span<const Fault> faults) {
+  if (!thread_.joinable()) return;
+  last_faults_.assign(faults.begin(), faults.end());
   stop_.store(true, std::memory_order_release);
-  if (thread_.joinable()) thread_.join();
+  thread_.join();
 }
 
 void Recorder::work() {
   for (;;) {
     const bool last = stop_.load(std::memory_order_acquire);
     if (drain() == 0) {
-      if (last && flight_ != nullptr) flight_->finish();
+      if (last && flight_ != nullptr) flight_->finish(last_faults_);
       if (last) return;
       std::this_thread::sleep_for(kPause);
     }

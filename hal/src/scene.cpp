@@ -23,6 +23,7 @@ void read_loop(Section loop, Scene& scene) {
       static_cast<std::uint32_t>(loop.integer("substeps", Config{}.substeps, 1, kMaxSubsteps));
   scene.rt_priority = static_cast<int>(loop.integer("rt_priority", 80, 1, 98));
   scene.cpu = static_cast<int>(loop.integer("cpu", -1, -1, 1023));
+  scene.threads = static_cast<std::uint32_t>(loop.integer("threads", 1, 1, kMaxHelpers + 1));
   scene.hash_every_ticks =
       static_cast<std::uint32_t>(loop.integer("hash_every_ticks", 1000, 0, 1'000'000));
   loop.finish();

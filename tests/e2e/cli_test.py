@@ -133,6 +133,15 @@ class Recording(Folder):
         self.assertEqual(again["state_hash"], self.report["state_hash"])
         self.assertEqual(again["organ_hash"], self.report["organ_hash"])
 
+    def test_helper_threads_have_the_same_bits(self):
+        for threads in (2, 3):
+            done = call("stylet", "run", SCENE, "--organ", self.organ, "--fast", "--json",
+                        "--threads", threads)
+            report = json.loads(done.stdout)
+            self.assertEqual(report["state_hash"], self.report["state_hash"])
+            self.assertEqual(report["timing"]["threads"], threads)
+            self.assertGreater(report["timing"]["helped_parts"], 0)
+
     def test_replay_has_the_same_bits(self):
         call("stylet", "replay", self.recording)
 
@@ -339,6 +348,14 @@ class Refusals(Folder):
         line = scene.read_text().splitlines().index("[needel]") + 1
         self.expect_refusal([scene.name, f":{line}", "needel"], "stylet", "run", scene, "--fast",
                             "--organ", self.make_phantom())
+
+    def test_more_threads_than_processors(self):
+        if len(os.sched_getaffinity(0)) >= 16:
+            self.skipTest("this machine has a processor for each")
+        done = call("stylet", "run", SCENE, "--organ", "none.organ", "--threads", "16", expect=1)
+        self.assertRegex(done.stderr, r"loop\.threads: 16: at most \d+, a processor")
+        done = call("stylet", "run", SCENE, "--threads", "17", expect=1)
+        self.assertIn("--threads: Value 17 not in range 1 to 16", done.stderr + done.stdout)
 
     def test_recording_that_is_none(self):
         fake = self.top / "fake.h5"

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -91,6 +92,31 @@ TEST_F(FlightTest, AFaultAtTheStartOrTheEndHasWhatThereIs) {
   EXPECT_EQ(ticks_in(RecordingReader(file(1))).size(), 20U);
 }
 
+TEST_F(FlightTest, AFaultAfterTheLastTickIsWritten) {
+  FlightRecorder flight(path(), info(2));
+  for (std::uint64_t t = 1; t <= 2000; ++t) flight.add(tick_of(t, 2, 0, 9999), {});
+  const Fault faults[] = {Fault::kNone, Fault::kTooLate};
+  flight.finish(faults);
+  flight.finish(faults);
+  ASSERT_EQ(flight.flights().size(), 1U);
+  EXPECT_EQ(flight.flights()[0].fault, Fault::kTooLate);
+  EXPECT_EQ(flight.flights()[0].needle, 1U);
+  EXPECT_EQ(flight.flights()[0].tick, 2000U);
+  const auto ticks = ticks_in(RecordingReader(file(1)));
+  EXPECT_GE(ticks.size(), 1000U);
+  EXPECT_EQ(ticks.back(), 2000U);
+}
+
+TEST_F(FlightTest, AFaultThatWasSeenIsNotWrittenAgainAtTheEnd) {
+  FlightRecorder flight(path(), info());
+  for (std::uint64_t t = 1; t <= 2000; ++t) flight.add(tick_of(t, 1, 0, 500), {});
+  flight.finish(std::array{Fault::kDeviceSilent});
+  EXPECT_EQ(flight.flights().size(), 1U);
+  FlightRecorder nothing(path(), info());
+  nothing.finish(std::array{Fault::kTooLate});
+  EXPECT_TRUE(nothing.flights().empty()) << "no tick was run";
+}
+
 TEST_F(FlightTest, ALatchedFaultIsWrittenOnceAndANewOneAnew) {
   FlightRecorder flight(path(), info());
   for (std::uint64_t t = 1; t <= 9000; ++t) {
@@ -138,6 +164,35 @@ TEST_F(FlightTest, WhatCannotBeWrittenIsSaid) {
   flight.finish();
   EXPECT_TRUE(flight.flights().empty());
   EXPECT_NE(flight.error().find("nowhere"), std::string::npos) << flight.error();
+}
+
+// The machine stalls in the last tick: the loop notices when no tick is left to say so.
+TEST_F(FlightTest, AStallInTheLastTickLeavesItsLastSecond) {
+  Rig rig;
+  rig.config.ticks = 100;
+  struct Stalling {
+    VirtualTime time;
+    const LoopState& state;
+  } stalling = {{}, rig.state};
+  const Clock clock = {&stalling,
+                       [](void* self) {
+                         const auto& s = *static_cast<Stalling*>(self);
+                         return s.time.now_ns + (s.state.ticks == 100 ? 1'000'000'000 : 0);
+                       },
+                       [](void* self, std::int64_t until_ns) {
+                         static_cast<Stalling*>(self)->time.now_ns = until_ns;
+                       }};
+  const Device device = rig.device();
+  const Course course = {{}, {1, 0, 0}};
+  FlightRecorder flight(path(), info());
+  Recorder recorder(rig.records, rig.events, nullptr, std::span(&course, 1), &flight);
+  run_loop(rig.config, rig.instance->kernel, std::span(&device, 1), clock,
+           {&rig.records, &rig.events, nullptr, true}, rig.state);
+  recorder.stop(std::array{rig.state.hand[0].guard.fault});
+  ASSERT_EQ(rig.state.hand[0].guard.fault, Fault::kTooLate);
+  ASSERT_EQ(flight.flights().size(), 1U) << flight.error();
+  EXPECT_EQ(flight.flights()[0].fault, Fault::kTooLate);
+  EXPECT_EQ(flight.flights()[0].tick, 100U);
 }
 
 // A device that stops answering in the middle of a loop, through ring and recorder.

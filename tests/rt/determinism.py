@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The same bits from every compiler, optimisation level and instruction set.
+"""The same bits from every compiler, level and instruction set, and with helper threads.
 
 Builds the kernel and the program stylet_hash once per row of the table, runs it, and compares the
-hashes of every instruction set of every row with the first.
+hashes of every instruction set of every row with the first; those of the first row's widest
+instruction set with helper threads, too.
 
 usage: determinism.py REPOSITORY BUILD_FOLDER fast|full
 """
@@ -21,6 +22,7 @@ ROWS = {
              ("g++", "-Os"), ("g++", "-O2 -flto"), ("g++", SANITIZED), ("clang++", "-O3"),
              ("clang++", "-O3 -march=x86-64-v3"), ("clang++", "-O3 -march=x86-64-v4")],
 }
+HELPERS = {"fast": (1, 2), "full": (3,)}  # none: every other row
 TICKS = "4500"  # one insertion with pause, pull and retraction, and the start of the next
 
 
@@ -49,10 +51,10 @@ def build(repository, folder, compiler, level):
     return folder / "bin" / "stylet_hash"
 
 
-def hashes(program):
+def hashes(program, helpers=0):
     """(instruction set, mode) -> list of (tick, hash)."""
     series = {}
-    for line in call(program, TICKS).splitlines():
+    for line in call(program, TICKS, helpers).splitlines():
         variant, mode, tick, value = line.split()
         series.setdefault((variant, mode), []).append((tick, value))
     return series
@@ -79,11 +81,14 @@ def main(repository, folder, tier):
             continue
         name = f"{compiler} {level}"
         place = pathlib.Path(folder) / re.sub("[^a-zA-Z0-9+-]", "_", compiler + level)
-        series = hashes(build(repository, place, compiler, level))
-        reference = reference or series
-        found += compare(reference, series, name)
-        print(f"{name}: {len(series)} series, last hash {series['baseline', 'physical'][-1][1]}",
-              flush=True)
+        program = build(repository, place, compiler, level)
+        for helpers in (0,) if reference else (0, *HELPERS[tier]):
+            series = hashes(program, helpers)
+            reference = reference or series
+            label = f"{name}, {helpers} helpers" if helpers else name
+            found += compare(reference, series, label)
+            last = next(value for (_, mode), value in series.items() if mode == "physical")[-1]
+            print(f"{label}: {len(series)} series, last hash {last[1]}", flush=True)
     changing = {value for _, value in reference["baseline", "physical"]}
     if len(changing) < len(reference["baseline", "physical"]):
         found.append("the hash did not change in a hundred ticks, so it proves nothing")

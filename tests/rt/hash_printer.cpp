@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prints the state's hash after every hundred ticks of the script, in both modes, for the lattice
-// step of each instruction set this processor has. determinism.py compares what different compilers
-// make of it.
+// step of each instruction set this processor has; with helper threads, of the widest.
+// determinism.py compares what different compilers make of it.
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
 
+#include "helper_threads.h"
 #include "session.h"
 #include "variants.h"
 
 namespace stylet::test {
 namespace {
 
-void print_hashes(const Organ& organ, Setup setup, const Variant& variant, std::uint64_t ticks) {
+void print_hashes(const Organ& organ, Setup setup, const Variant& variant, std::uint64_t ticks,
+                  std::uint32_t helpers) {
   const Script script = block_script(organ, config_of(setup));
   Session session = make_session(organ, setup);
   session.kernel.step = variant.step;
+  const Block memory = make_block(team_bytes(session.kernel, helpers));
+  if (set_team(session.kernel, helpers, memory.span()) != Status::kOk) std::abort();
+  const Helpers threads(session.kernel, helpers);
   for (std::uint64_t i = 0; i < ticks; i += 100) {
     run(session.kernel, script, i, 100);
     std::printf("%s %s %" PRIu64 " %016" PRIx64 "\n", variant.name, setup_name(setup), i + 100,
@@ -26,14 +31,18 @@ void print_hashes(const Organ& organ, Setup setup, const Variant& variant, std::
 }  // namespace
 }  // namespace stylet::test
 
-// usage: stylet_hash [TICKS]
+// usage: stylet_hash [TICKS [HELPERS]]
 int main(int argc, char** argv) {
   using namespace stylet;
   const std::uint64_t ticks = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1000;
+  const auto helpers =
+      argc > 2 ? static_cast<std::uint32_t>(std::strtoul(argv[2], nullptr, 10)) : 0;
   const auto opened = test::block_organ(10, 10, 10);
-  for (const test::Variant& variant : test::variants_here()) {
+  std::vector<test::Variant> variants = test::variants_here();
+  if (helpers > 0) variants = {variants.back()};
+  for (const test::Variant& variant : variants) {
     for (const test::Setup setup : test::kSetups) {
-      test::print_hashes(opened->organ, setup, variant, ticks);
+      test::print_hashes(opened->organ, setup, variant, ticks, helpers);
     }
   }
   return 0;

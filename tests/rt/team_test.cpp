@@ -3,12 +3,11 @@
 // absent; memory predicted to the byte.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cstring>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "helper_threads.h"
 #include "session.h"
 #include "variants.h"
 
@@ -25,36 +24,6 @@ std::uint64_t hash_after(Session& session, const Script& script) {
   run(session.kernel, script, 0, kTicks);
   return hash(session.kernel);
 }
-
-// Threads that help a kernel for as long as this lives.
-class Helpers {
- public:
-  Helpers(const Kernel& kernel, std::uint32_t count) {
-    for (std::uint32_t i = 0; i < count; ++i) {
-      threads_.emplace_back([this, &kernel] {
-        while (!stop_.load()) {
-          if (help(kernel, 200)) {
-            helped_.fetch_add(1);
-          } else {
-            std::this_thread::yield();  // the machine may have fewer processors than threads
-          }
-        }
-      });
-    }
-  }
-  ~Helpers() {
-    stop_.store(true);
-    for (std::thread& thread : threads_) thread.join();
-  }
-  Helpers(const Helpers&) = delete;
-  Helpers& operator=(const Helpers&) = delete;
-  std::uint64_t helped() const { return helped_.load(); }
-
- private:
-  std::atomic<bool> stop_ = false;
-  std::atomic<std::uint64_t> helped_ = 0;
-  std::vector<std::thread> threads_;
-};
 
 struct Case {
   Variant variant;

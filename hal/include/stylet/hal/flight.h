@@ -36,8 +36,9 @@ class FlightRecorder {
 
   // In order; of all needles in each tick.
   void add(std::span<const TickRecord> records, std::span<const Event> events);
-  // The run has ended: writes a flight that still waits for what follows its fault.
-  void finish();
+  // The run has ended: writes a flight that still waits for what follows its fault, or one of a
+  // fault that was latched after the last tick. `faults`: of each needle now; none: as recorded.
+  void finish(std::span<const Fault> faults = {});
 
   const std::vector<Flight>& flights() const { return flights_; }
   const std::string& error() const { return error_; }

@@ -28,7 +28,11 @@ struct HostState {
 };
 
 void prepare_process(HostState& host);
-// `cpu` -1: the last isolated one, else the last one this process may use.
+// Processors for the loop, which is the first, and its helpers, in the order in which they should
+// be taken: isolated ones, then the others this process may use, the last first. `cpu` -1: none is
+// asked for.
+std::vector<int> loop_processors(int cpu);
+// `cpu` -1: the first of these.
 void prepare_thread(int cpu, int priority, HostReport& report);
 
 // Of the calling thread, since it started.

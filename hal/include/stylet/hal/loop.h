@@ -87,7 +87,8 @@ struct HandState {
 
 // Everything the loop changes beside the kernel. Large: keep it out of the stack.
 struct LoopState {
-  std::atomic<bool> stop{false};  // set by another thread or a signal: end after this tick
+  std::atomic<bool> stop{false};         // set by another thread or a signal: end after this tick
+  std::atomic<std::int64_t> next_ns{0};  // when the coming or present tick begins; for helpers
   std::array<HandState, kMaxNeedles> hand;
   std::uint32_t events_seen = 0;
   std::uint32_t missed_in_a_row = 0;

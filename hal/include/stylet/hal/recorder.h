@@ -7,6 +7,7 @@
 #pragma once
 
 #include <atomic>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -27,8 +28,9 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  // Takes what is left in the rings and ends the thread. The loop must have ended.
-  void stop();
+  // Takes what is left in the rings and ends the thread. The loop must have ended; `faults` are
+  // those of its hands then.
+  void stop(std::span<const Fault> faults = {});
   // After stop().
   const std::vector<TrackPoint>& track(std::size_t needle = 0) const { return tracks_[needle]; }
   const std::vector<Event>& events() const { return events_; }
@@ -51,6 +53,7 @@ class Recorder {
   std::vector<Event> events_;
   std::string error_;
   std::atomic<std::uint64_t> ticks_{0};
+  std::vector<Fault> last_faults_;  // set before stop_
   std::atomic<bool> stop_{false};
   std::thread thread_;
 };

@@ -57,7 +57,8 @@ struct Scene {
   Config config;
   std::vector<ObstacleConfig> obstacles;
   int rt_priority = 80;
-  int cpu = -1;  // -1: the last isolated one, else the last the process may use
+  int cpu = -1;               // -1: the last isolated one, else the last the process may use
+  std::uint32_t threads = 1;  // of the tissue step: the loop's, and the rest help it
   std::uint32_t hash_every_ticks = 1000;
   std::vector<Hand> hands = {Hand{}};  // of each needle
 };
