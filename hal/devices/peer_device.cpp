@@ -86,6 +86,8 @@ void close_and_free(void* self) {
 Device wait_for_peer(const Link& link, const std::string& uri, double patience_s) {
   auto peer = std::make_unique<PeerDevice>();
   peer->link = link;
+  peer->sent = static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch() /
+                                          std::chrono::microseconds(1));
   const auto start = std::chrono::steady_clock::now();
   const std::chrono::duration<double> patience(patience_s);
   for (Sample sample; !read(peer.get(), 0, sample);) {

@@ -5,12 +5,16 @@
 
 #include <array>
 
+#include "stylet/hal/force_dimension.h"
+#include "stylet/hal/openhaptics.h"
 #include "stylet/hal/peer_device.h"
 
 namespace stylet::hal {
 namespace {
 
 constexpr std::array kKinds = {
+    DeviceKind{"hd", "hd:", "3D Systems Touch and relatives, OpenHaptics", open_openhaptics},
+    DeviceKind{"dhd", "dhd:0", "Force Dimension and Novint Falcon, DHD", open_force_dimension},
     DeviceKind{"udp", "udp:7755", "another program, over the network", open_udp},
     DeviceKind{"shm", "shm:mine", "another program, through shared memory", open_shared_memory},
 };

@@ -137,7 +137,6 @@ std::size_t memory_receive(void* self, std::span<std::byte> room) {
 void memory_close(void* self) {
   const std::unique_ptr<Memory> memory(static_cast<Memory*>(self));
   munmap(memory->shared, sizeof(Shared));
-  if (memory->side == Side::kStylet) unlink(memory->path.c_str());
 }
 
 }  // namespace
@@ -181,6 +180,10 @@ Link shared_memory(const std::string& name, Side side) {
                                   side == Side::kDevice ? ": is Stylet running?" : ""));
   }
   memory->shared = static_cast<Shared*>(at);
+  if (side == Side::kStylet) {  // what an earlier run left there is not news
+    for (auto& word : memory->shared->from_device) word.store(0, std::memory_order_relaxed);
+    for (auto& word : memory->shared->from_stylet) word.store(0, std::memory_order_relaxed);
+  }
   return {memory.release(), memory_send, memory_receive, nullptr, memory_close};
 }
 

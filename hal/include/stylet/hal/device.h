@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "stylet/units.h"
 
@@ -49,6 +50,8 @@ struct Device {
   bool (*read)(void* self, std::int64_t now_ns, Sample& sample_out) = nullptr;
   void (*write)(void* self, const Command& command) = nullptr;
   void (*close)(void* self) = nullptr;  // leaves the device without force
+  // Outside the loop, before close: why it does not answer any more, in words; empty: no trouble.
+  std::string (*trouble)(void* self) = nullptr;
 };
 
 }  // namespace stylet::hal

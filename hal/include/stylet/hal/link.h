@@ -26,8 +26,8 @@ Link udp_listen(const std::string& where);
 // Where the device's side sends: "ADDRESS:PORT".
 Link udp_connect(const std::string& where);
 
-// Two slots in /dev/shm/stylet.NAME, one a direction. Stylet's side makes the file and takes it
-// away; the device's side opens it.
+// Two slots in /dev/shm/stylet.NAME, one a direction. Stylet's side makes the file, or empties the
+// one that is there; the device's side opens it and may keep it from run to run.
 enum class Side { kStylet, kDevice };
 Link shared_memory(const std::string& name, Side side);
 

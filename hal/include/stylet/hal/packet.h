@@ -46,7 +46,7 @@ Vec3 force_at(const ForceModel& model, Vec3 position_m);
 
 // To the device.
 struct ForcePacket {
-  std::uint64_t seq = 0;
+  std::uint64_t seq = 0;       // grows with every packet, from one run of Stylet to the next, too
   std::uint64_t echo = 0;      // seq of the sample it answers
   std::int64_t echo_t_ns = 0;  // and its t_ns
   std::int64_t life_ns = 0;    // counted from echo_t_ns

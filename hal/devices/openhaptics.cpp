@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stylet/hal/openhaptics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <clocale>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "stylet/hal/clock.h"
+#include "stylet/hal/devices.h"
+#include "stylet/hal/relay.h"
+#include "vendor_library.h"
+#include "vendor_pose.h"
+
+namespace stylet::hal {
+namespace {
+
+// ==== The vendor's interface, as far as it is used
+
+using Handle = unsigned int;
+using Enum = unsigned int;
+using Callback = unsigned int (*)(void*);
+using SchedulerHandle = unsigned long;
+
+// By value in two registers: a struct of another size is another calling convention.
+struct ErrorInfo {
+  unsigned int code;
+  int internal;
+  Handle device;
+};
+static_assert(sizeof(ErrorInfo) == 12);
+
+constexpr Handle kInvalidHandle = 0xFFFFFFFFU;
+constexpr Enum kCurrentButtons = 0x2000, kCurrentTransform = 0x2052, kCurrentForce = 0x2700;
+constexpr Enum kModelType = 0x2501, kCalibrationStyle = 0x2555;
+constexpr Enum kNominalMaxStiffness = 0x2602, kNominalMaxForce = 0x2603;
+constexpr Enum kForceOutput = 0x4000, kMaxForceClamping = 0x4001, kForceRamping = 0x4002,
+               kSoftwareForceLimit = 0x4003;
+constexpr Enum kCalibrationOk = 0x5000, kCalibrationNeedsUpdate = 0x5001;
+constexpr int kStyleEncoderReset = 1, kStyleAuto = 2, kStyleInkwell = 4;
+constexpr unsigned short kMaxPriority = 65535;
+constexpr unsigned int kContinue = 1;
+constexpr unsigned int kInvalidInputType = 0x0103;
+// Warm motors and exceeded limits: the vendor lowers the force itself and goes on.
+constexpr unsigned int kFirstHarmless = 0x0200, kLastHarmless = 0x0204;
+
+struct Api {
+  Handle (*init_device)(const char*);
+  void (*disable_device)(Handle);
+  void (*make_current)(Handle);
+  void (*begin_frame)(Handle);
+  void (*end_frame)(Handle);
+  ErrorInfo (*get_error)();
+  const char* (*get_error_string)(unsigned int);
+  void (*enable)(Enum);
+  void (*get_integers)(Enum, int*);
+  void (*get_doubles)(Enum, double*);
+  void (*set_doubles)(Enum, const double*);
+  const char* (*get_string)(Enum);
+  Enum (*check_calibration)();
+  void (*update_calibration)(Enum);
+  void (*start_scheduler)();
+  void (*stop_scheduler)();
+  SchedulerHandle (*schedule)(Callback, void*, unsigned short);
+  void (*unschedule)(SchedulerHandle);
+};
+
+Api load() {
+  const VendorLibrary library("hd", "STYLET_LIBHD",
+                              {"libHD.so", "libHD.so.3.4", "libHD.so.3.4.0", "libHD.so.3.0"});
+  Api api = {};
+  library.need("hdInitDevice", api.init_device);
+  library.need("hdDisableDevice", api.disable_device);
+  library.need("hdMakeCurrentDevice", api.make_current);
+  library.need("hdBeginFrame", api.begin_frame);
+  library.need("hdEndFrame", api.end_frame);
+  library.need("hdGetError", api.get_error);
+  library.need("hdGetErrorString", api.get_error_string);
+  library.need("hdEnable", api.enable);
+  library.need("hdGetIntegerv", api.get_integers);
+  library.need("hdGetDoublev", api.get_doubles);
+  library.need("hdSetDoublev", api.set_doubles);
+  library.need("hdGetString", api.get_string);
+  library.need("hdCheckCalibration", api.check_calibration);
+  library.need("hdUpdateCalibration", api.update_calibration);
+  library.need("hdStartScheduler", api.start_scheduler);
+  library.need("hdStopScheduler", api.stop_scheduler);
+  library.need("hdScheduleAsynchronous", api.schedule);
+  library.need("hdUnschedule", api.unschedule);
+  return api;
+}
+
+// ==== One library, one scheduler, several devices
+
+constexpr std::int64_t kStallNs = 20'000'000;
+constexpr std::uint32_t kStalled = 1;  // beside the vendor's numbers
+constexpr std::uint64_t kTicksBetweenCalibrations = 100;
+
+struct HdDevice {
+  Relay relay;
+  Handle handle = kInvalidHandle;
+  SchedulerHandle callback = 0;
+  std::string model;
+  DeviceInfo info = {};
+  Enum calibration_style = 0;
+  std::atomic<Enum> calibration{0};  // as last seen; asked for until it is good
+  std::atomic<std::uint64_t> ticks{0};
+  std::atomic<bool> closing{false};
+  std::thread supervisor;
+};
+
+constexpr std::size_t kMaxDevices = 4;
+
+struct Hd {
+  Api api = load();
+  std::mutex mutex;  // opening and closing; never the servo
+  std::array<std::atomic<HdDevice*>, kMaxDevices> open{};
+};
+
+Hd& hd() {
+  static Hd* const the_only = new Hd;  // outlives every thread of the vendor
+  return *the_only;
+}
+
+// The stack of errors is one for all devices; what names none of them is meant for `mine`.
+void drain_errors(HdDevice& mine) {
+  Hd& all = hd();
+  for (int i = 0; i < 16; ++i) {
+    const ErrorInfo error = all.api.get_error();
+    if (error.code == 0) return;
+    if (error.code >= kFirstHarmless && error.code <= kLastHarmless) continue;
+    HdDevice* meant = &mine;
+    for (auto& slot : all.open) {
+      HdDevice* each = slot.load(std::memory_order_acquire);
+      if (each != nullptr && each->handle == error.device) meant = each;
+    }
+    meant->relay.fail(error.code);
+  }
+}
+
+// Auto styles settle by themselves, an inkwell wants the stylus in it. In the vendor's thread:
+// nowhere else may the device be asked.
+void calibrate(const Api& api, HdDevice& device) {
+  api.make_current(device.handle);
+  const Enum state = api.check_calibration();
+  if (state == kCalibrationNeedsUpdate) api.update_calibration(device.calibration_style);
+  device.calibration.store(state);
+}
+
+// In the vendor's thread, once a tick.
+unsigned int servo(void* self) {
+  HdDevice& device = *static_cast<HdDevice*>(self);
+  const Api& api = hd().api;
+  api.begin_frame(device.handle);
+  double transform[16] = {};
+  int buttons = 0;
+  api.get_doubles(kCurrentTransform, transform);
+  api.get_integers(kCurrentButtons, &buttons);
+  const std::int64_t now_ns = monotonic_now_ns();
+  const Vec3 f = device.relay.order(now_ns).force_n;
+  const double force[3] = {static_cast<double>(f.x), static_cast<double>(f.y),
+                           static_cast<double>(f.z)};
+  api.set_doubles(kCurrentForce, force);
+  api.end_frame(device.handle);
+  const std::uint64_t tick = device.ticks.fetch_add(1, std::memory_order_relaxed);
+  if (device.calibration.load() != kCalibrationOk && tick % kTicksBetweenCalibrations == 0) {
+    calibrate(api, device);
+  }
+  drain_errors(device);
+  if (device.relay.failed()) return kContinue;
+  const double* t = transform;  // column by column
+  const double rows[3][3] = {{t[0], t[4], t[8]}, {t[1], t[5], t[9]}, {t[2], t[6], t[10]}};
+  const Vec3 position = {static_cast<float>(t[12] * 1e-3), static_cast<float>(t[13] * 1e-3),
+                         static_cast<float>(t[14] * 1e-3)};
+  device.relay.publish({position, rotation_of(rows)}, static_cast<std::uint32_t>(buttons), now_ns);
+  return kContinue;
+}
+
+// ==== Opening
+
+// The vendor reads numbers with a point, whatever the user's language writes.
+struct PointForNumbers {
+  PointForNumbers() { std::setlocale(LC_NUMERIC, "C"); }
+  ~PointForNumbers() { std::setlocale(LC_NUMERIC, before.c_str()); }
+  PointForNumbers(const PointForNumbers&) = delete;
+  PointForNumbers& operator=(const PointForNumbers&) = delete;
+  const std::string before = std::setlocale(LC_NUMERIC, nullptr);
+};
+
+void forget_errors(const Api& api) {
+  for (int i = 0; i < 64 && api.get_error().code != 0; ++i) {
+  }
+}
+
+const char* remedy(unsigned int code) {
+  switch (code) {
+    case 0x0301:
+      return "close the other program that has it";
+    case 0x0303:
+      return "unplug it and plug it in again: a program that was killed may have left it so";
+    case 0x0600:
+      return "install the vendor's licence";
+    default:
+      return "check the cable, the power, the right to use it (stylet devices) and the vendor's "
+             "set-up program";
+  }
+}
+
+Handle init(const Api& api, const std::string& name) {
+  std::vector<const char*> names = {nullptr, "Default Device", "Default PHANToM"};
+  if (!name.empty()) names = {name.c_str()};
+  ErrorInfo error = {};  // the first: the other names are guesses
+  for (const char* each : names) {
+    forget_errors(api);
+    const Handle handle = api.init_device(each);
+    const ErrorInfo now = api.get_error();
+    if (handle != kInvalidHandle && now.code == 0) return handle;
+    if (error.code == 0) error = now;
+  }
+  throw DeviceError(fmt::format("hd:{}: error 0x{:04x} ({}), internal {}: {}", name, error.code,
+                                api.get_error_string(error.code), error.internal,
+                                remedy(error.code)));
+}
+
+void read_capability(const Api& api, HdDevice& device) {
+  double force = 0, stiffness = 0;
+  api.get_doubles(kNominalMaxForce, &force);
+  api.get_doubles(kNominalMaxStiffness, &stiffness);
+  const char* model = api.get_string(kModelType);
+  device.model = model != nullptr ? model : "OpenHaptics device";
+  constexpr double kShare = 0.9;  // of what it can do at most
+  device.info = {.name = device.model.c_str(),
+                 .max_force_n = static_cast<float>(kShare * force),
+                 .max_slew_n_per_s = 1000,
+                 .max_stiffness_n_per_m = static_cast<float>(stiffness * 1e3)};
+  forget_errors(api);
+}
+
+// The vendor's thread may stop for good with a force in the motors: then nothing but disabling the
+// device takes it out.
+void supervise(HdDevice& device) {
+  std::uint64_t seen = 0;
+  std::int64_t moved_ns = monotonic_now_ns();
+  while (!device.closing.load()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    const std::uint64_t ticks = device.ticks.load(std::memory_order_relaxed);
+    const std::int64_t now_ns = monotonic_now_ns();
+    if (ticks != seen) moved_ns = now_ns;
+    seen = ticks;
+    if (ticks == 0 || now_ns - moved_ns < kStallNs) continue;
+    device.relay.fail(kStalled);
+    hd().api.disable_device(device.handle);
+    return;
+  }
+}
+
+void wait_until_ready(const HdDevice& device, const std::string& name, double patience_s) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_s);
+  while (!device.relay.measured() || device.calibration.load() != kCalibrationOk) {
+    const bool late = std::chrono::steady_clock::now() > end;
+    if (device.relay.failed() || (late && !device.relay.measured())) {
+      throw DeviceError(
+          fmt::format("hd:{}: it was opened, but gives no sample (error 0x{:04x}): "
+                      "check cable and power",
+                      name, device.relay.why()));
+    }
+    if (late) {
+      throw DeviceError(fmt::format("hd:{}: not calibrated (0x{:04x}): {}", name,
+                                    device.calibration.load(),
+                                    device.calibration_style == kStyleInkwell
+                                        ? "put the stylus into the inkwell and try again"
+                                        : "move the stylus through its range, or run the vendor's "
+                                          "set-up program"));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+void shut(HdDevice* device) {
+  Hd& all = hd();
+  const std::lock_guard lock(all.mutex);
+  device->relay.fail(0);  // no force from here on
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  device->closing.store(true);
+  if (device->supervisor.joinable()) device->supervisor.join();
+  all.api.stop_scheduler();
+  if (device->callback != 0) all.api.unschedule(device->callback);
+  bool others = false;
+  for (auto& slot : all.open) {
+    HdDevice* expected = device;
+    (void)slot.compare_exchange_strong(expected, nullptr);
+    others = others || slot.load() != nullptr;
+  }
+  all.api.disable_device(device->handle);
+  if (others) all.api.start_scheduler();
+  delete device;
+}
+
+bool read(void* self, std::int64_t now_ns, Sample& sample_out) {
+  return static_cast<HdDevice*>(self)->relay.read(now_ns, sample_out);
+}
+void write(void* self, const Command& command) {
+  static_cast<HdDevice*>(self)->relay.write(command);
+}
+void close(void* self) {
+  shut(static_cast<HdDevice*>(self));
+}
+std::string trouble(void* self) {
+  const Relay& relay = static_cast<HdDevice*>(self)->relay;
+  if (!relay.failed()) return "";
+  if (relay.why() == kStalled) return "the vendor's servo has stopped";
+  return fmt::format("error 0x{:04x} ({}): {}", relay.why(), hd().api.get_error_string(relay.why()),
+                     remedy(relay.why()));
+}
+
+// The scheduler comes last: with it the forces are live.
+void start(Hd& all, HdDevice& device, int style) {
+  const Api& api = all.api;
+  api.make_current(device.handle);
+  if ((style & (kStyleAuto | kStyleInkwell)) == 0 && (style & kStyleEncoderReset) != 0 &&
+      api.check_calibration() != kCalibrationOk) {
+    api.update_calibration(kStyleEncoderReset);
+  }
+  for (Enum net : {kForceOutput, kMaxForceClamping, kForceRamping, kSoftwareForceLimit}) {
+    api.enable(net);
+  }
+  forget_errors(api);
+  device.calibration_style =
+      static_cast<Enum>((style & kStyleInkwell) != 0 ? kStyleInkwell : kStyleAuto);
+  device.supervisor = std::thread([&device] { supervise(device); });
+  device.callback = api.schedule(servo, &device, kMaxPriority);
+  api.start_scheduler();
+  if (const ErrorInfo error = api.get_error(); error.code != 0 && error.code != kInvalidInputType) {
+    throw DeviceError(fmt::format("hd: the vendor's servo did not start: error 0x{:04x} ({})",
+                                  error.code, api.get_error_string(error.code)));
+  }
+}
+
+}  // namespace
+
+std::string openhaptics_missing() try {
+  (void)hd();
+  return "";
+} catch (const DeviceError& error) {
+  return error.what();
+}
+
+Device open_openhaptics(const std::string& name, double patience_s) {
+  Hd& all = hd();
+  const PointForNumbers point;
+  std::unique_lock lock(all.mutex);
+  all.api.stop_scheduler();  // one that runs takes no new device
+  auto made = std::make_unique<HdDevice>();
+  const auto restart = [&all] {
+    for (auto& slot : all.open) {
+      if (slot.load() != nullptr) return all.api.start_scheduler();
+    }
+  };
+  try {
+    made->handle = init(all.api, name);
+  } catch (const DeviceError&) {
+    restart();
+    throw;
+  }
+  const auto free_slot = std::find_if(all.open.begin(), all.open.end(),
+                                      [](auto& slot) { return slot.load() == nullptr; });
+  if (free_slot == all.open.end()) {
+    all.api.disable_device(made->handle);
+    restart();
+    throw DeviceError(fmt::format("hd:{}: expected at most {} devices", name, kMaxDevices));
+  }
+  HdDevice* device = made.release();
+  free_slot->store(device);
+  try {
+    read_capability(all.api, *device);
+    int style = 0;
+    all.api.get_integers(kCalibrationStyle, &style);
+    start(all, *device, style);
+    lock.unlock();
+    wait_until_ready(*device, name, patience_s);
+  } catch (...) {
+    if (lock.owns_lock()) lock.unlock();
+    shut(device);
+    throw;
+  }
+  return {device, device->info, read, write, close, trouble};
+}
+
+}  // namespace stylet::hal

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// A device under test and the hand on it: what the contract suite needs of every backend.
+// Everything here is in the device frame of the hal: x right, y up, z toward the operator, SI.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "standin/standin.h"
+#include "stylet/hal/clock.h"
+#include "stylet/hal/device.h"
+#include "stylet/hal/devices.h"
+#include "stylet/hal/guard.h"
+
+namespace stylet::hal {
+
+class Bench {
+ public:
+  virtual ~Bench() = default;
+  virtual std::string uri() const = 0;
+  virtual void move(const Pose& pose) = 0;
+  virtual void press(std::uint32_t mask) = 0;
+  virtual Vec3 felt() = 0;
+  virtual void trouble(test::Trouble trouble) = 0;
+  bool feels = true;
+  bool turns = true;    // measures its rotation
+  bool latches = true;  // what came back by itself has no force until it is opened again
+};
+using MakeBench = std::unique_ptr<Bench> (*)();
+
+std::unique_ptr<Bench> hd_bench();
+std::unique_ptr<Bench> dhd_bench();
+std::unique_ptr<Bench> udp_bench();
+std::unique_ptr<Bench> shm_bench();
+
+inline double size(Vec3 v) {
+  return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
+}
+inline Vec3 minus(Vec3 a, Vec3 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+// An open device with the guard around it, ticked by the test on the real clock.
+class Ticker {
+ public:
+  explicit Ticker(const std::string& uri, float watchdog_s = 15e-3F) : device(open_device(uri)) {
+    guard.max_force_n = 3;
+    guard.ramp_s = 0;
+    guard.watchdog_s = std::max(watchdog_s, 0.75F * device.info.force_life_s);
+  }
+  ~Ticker() { close(); }
+  Ticker(const Ticker&) = delete;
+  Ticker& operator=(const Ticker&) = delete;
+
+  void close() {
+    if (device.close != nullptr) device.close(device.self);
+    device.close = nullptr;
+  }
+
+  void tick(Vec3 force_n) {
+    next_ns_ = std::max(next_ns_ + 1'000'000, monotonic_now_ns() - 1'000'000);
+    monotonic_clock().sleep_until_ns(nullptr, next_ns_);
+    answered = device.read(device.self, next_ns_, sample);
+    usable = guard_sample(guard, state, answered, sample, next_ns_);
+    device.write(device.self,
+                 {.force_n = guard_force(guard, state, force_n), .max_force_n = guard.max_force_n});
+  }
+
+  // Until `done`, at most a second; a fault of this busy machine is acknowledged.
+  bool tick_until(Vec3 force_n, const std::function<bool()>& done) {
+    for (int i = 0; i < 1000; ++i) {
+      tick(force_n);
+      if (done()) return true;
+      if (state.fault != Fault::kNone) (void)guard_rearm(state, state.fault);
+    }
+    return false;
+  }
+
+  Device device;
+  GuardConfig guard;
+  GuardState state = guard_start();
+  Sample sample = {};
+  bool answered = false, usable = false;
+
+ private:
+  std::int64_t next_ns_ = monotonic_now_ns();
+};
+
+}  // namespace stylet::hal

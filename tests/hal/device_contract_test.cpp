@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every backend promises, asked of each of them on its stand-in.
+#include <dlfcn.h>
+#include <pthread.h>
+
+#include "allocation_trap.h"
+#include "device_bench.h"
+#include "stylet/hal/mapping.h"
+
+namespace {
+thread_local bool g_counts_locks = false;
+thread_local int g_locks = 0;
+using Lock = int (*)(pthread_mutex_t*);
+const Lock g_real_lock = reinterpret_cast<Lock>(dlsym(RTLD_NEXT, "pthread_mutex_lock"));
+}  // namespace
+
+// In place of the C library's, for the whole program.
+extern "C" int pthread_mutex_lock(pthread_mutex_t* mutex) {
+  if (g_counts_locks) ++g_locks;
+  // Before this file's variables are made.
+  if (g_real_lock == nullptr) {
+    return reinterpret_cast<Lock>(dlsym(RTLD_NEXT, "pthread_mutex_lock"))(mutex);
+  }
+  return g_real_lock(mutex);
+}
+
+namespace stylet::hal {
+namespace {
+
+struct Backend {
+  const char* name;
+  MakeBench make;
+};
+
+class DeviceContract : public testing::TestWithParam<Backend> {
+ protected:
+  std::unique_ptr<Bench> bench = GetParam().make();
+};
+
+constexpr float kRoot = 0.70710678F;
+constexpr Vec3 kForce = {0.5F, 1, -1.5F};
+
+Quat product_sign(const Quat& a, const Quat& b) {
+  const float same = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
+  return {std::fabs(same), 0, 0, 0};
+}
+
+TEST_P(DeviceContract, PlacesAreMetresInOurFrame) {
+  Ticker ticker(bench->uri());
+  const Pose places[] = {{{0.01F, 0.02F, -0.03F}, {1, 0, 0, 0}},
+                         {{-0.04F, 0, 0}, {kRoot, kRoot, 0, 0}},
+                         {{0, -0.05F, 0}, {kRoot, 0, kRoot, 0}},
+                         {{0, 0, 0.06F}, {kRoot, 0, 0, -kRoot}},
+                         {{0, 0, 0}, {0.5F, -0.5F, 0.5F, 0.5F}}};
+  for (const Pose& place : places) {
+    bench->move(place);
+    EXPECT_TRUE(ticker.tick_until(
+        {},
+        [&] {
+          return ticker.usable &&
+                 size(minus(ticker.sample.pose.position_m, place.position_m)) < 1e-6 &&
+                 (!bench->turns ||
+                  product_sign(ticker.sample.pose.rotation, place.rotation).w > 0.99999F);
+        }))
+        << ticker.sample.pose.position_m.x << " " << ticker.sample.pose.position_m.y << " "
+        << ticker.sample.pose.position_m.z;
+  }
+}
+
+TEST_P(DeviceContract, ForceOnTheHandHasOurSignAndAxes) {
+  if (!bench->feels) GTEST_SKIP() << "a device without force";
+  Ticker ticker(bench->uri());
+  for (const Vec3 force : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, kForce}) {
+    EXPECT_TRUE(ticker.tick_until(force, [&] { return size(minus(bench->felt(), force)) < 1e-5; }))
+        << bench->felt().x << " " << bench->felt().y << " " << bench->felt().z;
+  }
+}
+
+TEST_P(DeviceContract, ButtonsArePressedAndLetGo) {
+  Ticker ticker(bench->uri());
+  for (const std::uint32_t mask : {1U, 0U, 1U}) {
+    bench->press(mask);
+    EXPECT_TRUE(ticker.tick_until({}, [&] {
+      return ticker.usable && ticker.sample.buttons == mask;
+    })) << ticker.sample.buttons;
+  }
+}
+
+TEST_P(DeviceContract, SequenceAndTimeNeverGoBack) {
+  Ticker ticker(bench->uri());
+  ASSERT_TRUE(ticker.tick_until({}, [&] { return ticker.usable; }));
+  Sample last = ticker.sample;
+  const Sample first = last;
+  for (int i = 0; i < 300; ++i) {
+    ticker.tick({});
+    EXPECT_GE(ticker.sample.seq, last.seq);
+    EXPECT_GE(ticker.sample.t_ns, last.t_ns);
+    EXPECT_LE(ticker.sample.t_ns, monotonic_now_ns());
+    last = ticker.sample;
+  }
+  EXPECT_GE(last.seq, first.seq + 100);
+}
+
+TEST_P(DeviceContract, ForceEndsWhenTheLoopStops) {
+  if (!bench->feels) GTEST_SKIP() << "a device without force";
+  Ticker ticker(bench->uri());
+  ASSERT_TRUE(ticker.tick_until(kForce, [&] { return size(bench->felt()) > 1; }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));  // no tick: 20 ms and a busy machine
+  EXPECT_EQ(size(bench->felt()), 0);
+}
+
+TEST_P(DeviceContract, ClosedDeviceHasNoForceAndOpensAgain) {
+  for (int i = 0; i < 3; ++i) {
+    Ticker ticker(bench->uri());
+    if (bench->feels) {
+      EXPECT_TRUE(ticker.tick_until(kForce, [&] { return size(bench->felt()) > 1; }));
+    }
+    ticker.close();
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    EXPECT_EQ(size(bench->felt()), 0);
+  }
+}
+
+// Best of five: in the others, this machine had something else to do.
+double best_ms_to_zero(Bench& bench, test::Trouble trouble) {
+  double best = 1e9;
+  for (int i = 0; i < 5 && best > 25; ++i) {
+    bench.trouble(test::Trouble::kNone);
+    Ticker ticker(bench.uri(), 3e-3F);
+    if (!ticker.tick_until(kForce, [&] { return size(bench.felt()) > 1; })) continue;
+    const auto start = std::chrono::steady_clock::now();
+    bench.trouble(trouble);
+    while (size(bench.felt()) > 0) {
+      ticker.tick(kForce);
+      const std::chrono::duration<double, std::milli> past =
+          std::chrono::steady_clock::now() - start;
+      if (past.count() > 500) break;
+      best = std::min(best, size(bench.felt()) > 0 ? best : past.count());
+    }
+  }
+  bench.trouble(test::Trouble::kNone);
+  return best;
+}
+
+TEST_P(DeviceContract, SilentDeviceHasNoForceAfter25Milliseconds) {
+  if (!bench->feels) GTEST_SKIP() << "a device without force";
+  EXPECT_LE(best_ms_to_zero(*bench, test::Trouble::kSilent), 25);
+}
+
+TEST_P(DeviceContract, BrokenDeviceHasNoForceAfter25Milliseconds) {
+  if (!bench->feels) GTEST_SKIP() << "a device without force";
+  EXPECT_LE(best_ms_to_zero(*bench, test::Trouble::kNoAnswer), 25);
+}
+
+// Back from trouble the device must not push, whatever the loop asks, until it is opened anew.
+TEST_P(DeviceContract, TroubleIsLatched) {
+  if (!bench->feels || !bench->latches) GTEST_SKIP() << "it is the guard that latches here";
+  {
+    Ticker ticker(bench->uri());
+    ASSERT_TRUE(ticker.tick_until(kForce, [&] { return size(bench->felt()) > 1; }));
+    bench->trouble(test::Trouble::kNoAnswer);
+    ASSERT_TRUE(ticker.tick_until(kForce, [&] { return !ticker.answered; }));
+    EXPECT_NE(ticker.device.trouble(ticker.device.self), "");
+    bench->trouble(test::Trouble::kNone);
+    for (int i = 0; i < 100; ++i) {
+      ticker.tick({});
+      ticker.device.write(ticker.device.self, {.force_n = kForce, .max_force_n = 3});
+      EXPECT_FALSE(ticker.answered);
+      EXPECT_EQ(size(bench->felt()), 0);
+    }
+  }
+  Ticker again(bench->uri());
+  EXPECT_TRUE(again.tick_until(kForce, [&] { return size(bench->felt()) > 1; }));
+  EXPECT_EQ(again.device.trouble(again.device.self), "");
+}
+
+TEST_P(DeviceContract, TickTakesNoMemoryAndNoLock) {
+  Ticker ticker(bench->uri());
+  ASSERT_TRUE(ticker.tick_until({}, [&] { return ticker.usable; }));
+  test::arm_allocation_trap();
+  g_locks = 0;
+  g_counts_locks = true;
+  for (int i = 0; i < 200; ++i) ticker.tick(kForce);
+  g_counts_locks = false;
+  EXPECT_EQ(test::disarm_allocation_trap(), 0U);
+  EXPECT_EQ(g_locks, 0);
+}
+
+TEST(DeviceContractTraps, LockTrapFires) {
+  pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
+  g_locks = 0;
+  g_counts_locks = true;
+  pthread_mutex_lock(&mutex);
+  g_counts_locks = false;
+  pthread_mutex_unlock(&mutex);
+  EXPECT_EQ(g_locks, 1);
+}
+
+constexpr Backend kBackends[] = {
+    {"hd", hd_bench}, {"dhd", dhd_bench}, {"udp", udp_bench}, {"shm", shm_bench}};
+INSTANTIATE_TEST_SUITE_P(All, DeviceContract, testing::ValuesIn(kBackends),
+                         [](const auto& each) { return each.param.name; });
+
+}  // namespace
+}  // namespace stylet::hal

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Another program as a device, over UDP and shared memory: a thread that sends a sample every
+// millisecond and feels what the newest force packet says.
+#include <atomic>
+#include <mutex>
+
+#include "device_bench.h"
+#include "stylet/hal/link.h"
+#include "stylet/hal/packet.h"
+
+namespace stylet::hal {
+namespace {
+
+class PeerBench : public Bench {
+ public:
+  PeerBench(std::string uri_text, Link (*connect)()) : uri_(std::move(uri_text)) {
+    latches = false;  // the guard latches; the peer's forces die of age
+    thread_ = std::thread([this, connect] { run(connect); });
+  }
+  ~PeerBench() override {
+    stop_ = true;
+    thread_.join();
+  }
+  std::string uri() const override { return uri_; }
+  void move(const Pose& pose) override {
+    const std::lock_guard lock(mutex_);
+    sample_.pose = pose;
+  }
+  void press(std::uint32_t mask) override {
+    const std::lock_guard lock(mutex_);
+    sample_.buttons = mask;
+  }
+  Vec3 felt() override {
+    const std::lock_guard lock(mutex_);
+    return force_at(force_, monotonic_now_ns(), sample_.pose.position_m);
+  }
+  void trouble(test::Trouble trouble) override { trouble_ = trouble; }
+
+ private:
+  void run(Link (*connect)()) {
+    Link link = {};
+    while (!stop_ && link.self == nullptr) {
+      try {
+        link = connect();
+      } catch (const DeviceError&) {  // shared memory that Stylet has not made yet
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    }
+    while (!stop_) {
+      exchange(link);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    if (link.self != nullptr) link.close(link.self);
+  }
+
+  void exchange(const Link& link) {
+    const std::lock_guard lock(mutex_);
+    std::array<std::byte, kMaxPacketBytes> room;
+    ForcePacket packet;
+    while (const std::size_t got = link.receive(link.self, room)) {
+      if (decode(std::span(room).first(got), packet) && packet.seq > force_.seq) force_ = packet;
+    }
+    if (trouble_.load() != test::Trouble::kNone) return;
+    ++sample_.seq;
+    sample_.session = 77;
+    sample_.t_ns = monotonic_now_ns();
+    link.send(link.self, encode(sample_));
+  }
+
+  std::string uri_;
+  std::mutex mutex_;
+  SamplePacket sample_;
+  ForcePacket force_;
+  std::atomic<test::Trouble> trouble_{test::Trouble::kNone};
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+}  // namespace
+
+std::unique_ptr<Bench> udp_bench() {
+  return std::make_unique<PeerBench>("udp:127.0.0.1:47755",
+                                     [] { return udp_connect("127.0.0.1:47755"); });
+}
+std::unique_ptr<Bench> shm_bench() {
+  return std::make_unique<PeerBench>("shm:contract",
+                                     [] { return shared_memory("contract", Side::kDevice); });
+}
+
+}  // namespace stylet::hal

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a test sees of a vendor's library that is not there: where its hand is, what its motors do,
+// and what goes wrong with it. Units and frame are the vendor's. A stand-in exports its functions
+// under the vendor's names, and standin(i) for its i-th device.
+#pragma once
+
+#include <atomic>
+
+namespace stylet::test {
+
+enum class Trouble : int {
+  kNone,
+  kNoDevice,      // opening fails
+  kInUse,         // another program has it
+  kUncalibrated,  // until it is told otherwise
+  kSilent,        // the vendor's thread stops for good, or no call returns data; motors as they are
+  kNoAnswer,      // every call fails
+  kHarmless,      // a warning a tick: warm motors, saturation
+  kForcesOff,     // by its own button
+  kStopsSending,  // for a service: connected, but silent
+};
+
+struct StandIn {
+  std::atomic<double> position[3];
+  std::atomic<double> rotation[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};  // row by row
+  std::atomic<unsigned> buttons;
+  std::atomic<double> force[3];  // of the motors, now
+  std::atomic<double> torque[3];
+  std::atomic<Trouble> trouble;
+  std::atomic<int> forbidden;  // calls that the vendor's manual forbids
+  std::atomic<int> updates;    // of the calibration
+  std::atomic<int> ticks;
+};
+
+using StandInOf = StandIn* (*)(int index);
+
+}  // namespace stylet::test

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+// libdhd.so that is none, in three ages: as it is now; STYLET_DHD_BARE without the newer calls;
+// STYLET_DHD_OLD with the names of version 3.2. As the vendor's: results above zero are no errors;
+// a watchdog ends the force; saturation and time guard are told; x toward the user, y right, z up.
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+
+#include "standin.h"
+
+namespace {
+
+using stylet::test::StandIn;
+using stylet::test::Trouble;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kDevices = 2;
+constexpr double kMostForceN = 12;
+
+struct Unit {
+  StandIn seen;
+  std::atomic<bool> open{false};
+  std::atomic<bool> output{false};
+  std::atomic<long> watchdog_us{0};
+  std::atomic<Clock::rep> fed{0};
+  std::atomic<int> cause{0};
+  std::atomic<Clock::rep> read{0};
+};
+Unit units[kDevices];
+thread_local int last_error = 0;
+
+Clock::rep now() {
+  return Clock::now().time_since_epoch().count();
+}
+
+long microseconds_since(Clock::rep then) {
+  return static_cast<long>(
+      std::chrono::duration_cast<std::chrono::microseconds>(Clock::duration(now() - then)).count());
+}
+
+int failed(int error) {
+  last_error = error;
+  return -1;
+}
+
+void stop_motors(Unit& u) {
+  for (int i = 0; i < 3; ++i) u.seen.force[i] = u.seen.torque[i] = 0;
+}
+
+void off(Unit& u, int cause) {
+  u.output = false;
+  u.cause = cause;
+  stop_motors(u);
+}
+
+// Null: the call fails.
+Unit* answering(char id) {
+  Unit& u = units[id == 1 ? 1 : 0];
+  const Trouble trouble = u.seen.trouble.load();
+#if defined(STYLET_DHD_OLD) || defined(STYLET_DHD_BARE)
+  if (trouble == Trouble::kNoAnswer) off(u, 5);  // no watchdog to set: the device feels its cable
+#endif
+  if (!u.open || trouble == Trouble::kNoAnswer) return nullptr;
+  if (trouble == Trouble::kForcesOff) off(u, 1);
+  return &u;
+}
+
+// Data of a moment ago, without a look at the device.
+bool guarded(Unit& u) {
+  if (u.seen.trouble.load() == Trouble::kSilent) return true;
+  if (microseconds_since(u.read.load()) < 100) return true;
+  u.read = now();
+  return false;
+}
+
+}  // namespace
+
+extern "C" {
+
+// What the motors do is asked for here, so the watchdog is looked at here.
+StandIn* standin(int index) {
+  Unit& u = units[index];
+  const long limit = u.watchdog_us.load();
+  if (limit != 0 && u.output && microseconds_since(u.fed.load()) > limit) off(u, 3);
+  return &u.seen;
+}
+
+int dhdOpenID(char index) {
+  if (index < 0 || index >= kDevices) return failed(15);
+  Unit& u = units[static_cast<int>(index)];
+  if (u.seen.trouble.load() == Trouble::kNoDevice) return failed(5);
+  if (u.seen.trouble.load() == Trouble::kInUse || u.open) return failed(20);
+  u.open = true;
+  u.cause = 0;
+  u.watchdog_us = 0;
+  return index;
+}
+
+int dhdOpen() {
+  return dhdOpenID(0);
+}
+
+int dhdClose(char id) {
+  Unit& u = units[id == 1 ? 1 : 0];
+  stop_motors(u);
+  u.output = u.open = false;
+  return 0;
+}
+
+const char* dhdGetSystemName(char) {
+  return "stand-in omega";
+}
+int dhdGetSystemType(char) {
+  return 35;
+}
+
+const char* dhdErrorGetLastStr() {
+  switch (last_error) {
+    case 5:
+      return "no device found";
+    case 20:
+      return "device in use";
+    default:
+      return "communication error";
+  }
+}
+
+int dhdGetPosition(double* x, double* y, double* z, char id) {
+  Unit* u = answering(id);
+  if (u == nullptr) return failed(2);
+  *x = u->seen.position[0];
+  *y = u->seen.position[1];
+  *z = u->seen.position[2];
+  return guarded(*u) ? 1 : 0;
+}
+
+#if defined(STYLET_DHD_OLD)
+int dhdGetRotatorMatrix(double m[3][3], char id)
+#else
+int dhdGetOrientationFrame(double m[3][3], char id)
+#endif
+{
+  Unit* u = answering(id);
+  if (u == nullptr) return failed(2);
+  for (int i = 0; i < 9; ++i) m[i / 3][i % 3] = u->seen.rotation[i];
+  return 0;
+}
+
+int dhdSetForce(double x, double y, double z, char id) {
+  Unit* u = answering(id);
+  if (u == nullptr) return failed(2);
+  u->fed = now();
+  ++u->seen.ticks;
+  const double size = std::sqrt(x * x + y * y + z * z);
+  const double share = size > kMostForceN ? kMostForceN / size : 1;
+  const double force[3] = {share * x, share * y, share * z};
+  for (int i = 0; i < 3; ++i) u->seen.force[i] = u->output ? force[i] : 0;
+  const bool saturated = share < 1 || u->seen.trouble.load() == Trouble::kHarmless;
+  return saturated ? 2 : 0;
+}
+
+int dhdEnableForce(unsigned char on, char id) {
+  Unit* u = answering(id);
+  if (u == nullptr) return failed(2);
+  u->output = on != 0;
+  u->fed = now();
+  if (on == 0) stop_motors(*u);
+  return 0;
+}
+
+int dhdGetButton(int index, char id) {
+  Unit* u = answering(id);
+  return u == nullptr ? failed(2) : static_cast<int>((u->seen.buttons.load() >> index) & 1U);
+}
+
+int dhdGetStatus(int* status, char id) {
+  Unit* u = answering(id);
+  if (u == nullptr) return failed(2);
+  if (u->seen.trouble.load() == Trouble::kUncalibrated && ++u->seen.updates >= 3) {
+    u->seen.trouble = Trouble::kNone;
+  }
+  std::fill(status, status + 17, 0);
+  status[0] = status[1] = status[2] = 1;
+  status[3] = u->seen.trouble.load() == Trouble::kUncalibrated ? 1 : 0;
+  status[5] = u->output ? 1 : 0;
+  status[14] = u->cause;
+  return 0;
+}
+
+#if !defined(STYLET_DHD_OLD) && !defined(STYLET_DHD_BARE)
+int dhdGetPositionAndOrientationFrame(double* x, double* y, double* z, double m[3][3], char id) {
+  return dhdGetOrientationFrame(m, id) < 0 ? -1 : dhdGetPosition(x, y, z, id);
+}
+
+int dhdSetForceAndTorqueAndGripperForce(double x, double y, double z, double tx, double ty,
+                                        double tz, double, char id) {
+  const int result = dhdSetForce(x, y, z, id);
+  Unit* u = answering(id);
+  if (u == nullptr) return -1;
+  const double torque[3] = {tx, ty, tz};
+  for (int i = 0; i < 3; ++i) u->seen.torque[i] = u->output ? torque[i] : 0;
+  return result;
+}
+
+unsigned dhdGetButtonMask(char id) {
+  Unit* u = answering(id);
+  return u == nullptr ? 0 : u->seen.buttons.load();
+}
+
+bool dhdHasActiveWrist(char) {
+  return true;
+}
+
+int dhdSetGravityCompensation(int, char) {
+  return 0;
+}
+int dhdEnableExpertMode() {
+  return 0;
+}
+int dhdSetWatchdog(unsigned char n, char id) {
+  units[id == 1 ? 1 : 0].watchdog_us = 125L * n;
+  return 0;
+}
+#endif
+
+}  // extern "C"

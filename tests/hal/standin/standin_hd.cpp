@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+// libHD.so that is none: two devices ("Left", "Right"; the default is the first), one scheduler
+// thread, one stack of errors. As the vendor's: force is zeroed when a frame begins and reaches the
+// motors when it ends; one frame a tick; state calls only in the scheduler's thread while it runs;
+// motors keep their force when the thread dies; numbers are read in the process's locale.
+#include <pthread.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <clocale>
+#include <cstring>
+#include <deque>
+#include <mutex>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "standin.h"
+
+namespace {
+
+using stylet::test::StandIn;
+using stylet::test::Trouble;
+
+constexpr unsigned kInvalidHandle = 0xFFFFFFFFU;
+constexpr int kDevices = 2;
+
+struct ErrorInfo {
+  unsigned code;
+  int internal;
+  unsigned device;
+};
+
+struct Unit {
+  StandIn seen;
+  bool open = false;
+  bool output = false;  // forces enabled
+  bool in_frame = false;
+  int frames_in_tick = 0;
+  double wanted[3] = {};
+  double scale = 1;  // wrong where the locale was
+};
+struct Job {
+  unsigned long handle;
+  unsigned (*call)(void*);
+  void* data;
+};
+
+Unit units[kDevices];
+std::recursive_mutex mutex;  // a callback calls back
+std::deque<ErrorInfo> errors;
+std::vector<Job> jobs;
+unsigned long next_job = 1;
+std::thread scheduler;
+std::atomic<bool> running{false};
+std::atomic<std::thread::id> servo_thread{};
+unsigned current = 0;
+
+void raise(unsigned code, unsigned device) {
+  if (errors.size() < 64) errors.push_front({code, -28, device});
+}
+
+Unit* unit(unsigned handle) {
+  return handle < kDevices && units[handle].open ? &units[handle] : nullptr;
+}
+
+// State may be asked before the scheduler runs, and in its thread.
+Unit* asked() {
+  if (running.load() && std::this_thread::get_id() != servo_thread.load()) {
+    for (Unit& each : units) ++each.seen.forbidden;
+  }
+  return unit(current);
+}
+
+void stop_motors(Unit& u) {
+  for (int i = 0; i < 3; ++i) u.seen.force[i] = 0;
+}
+
+bool silent() {
+  return std::any_of(units, units + kDevices, [](const Unit& u) {
+    return u.open && u.seen.trouble.load() == Trouble::kSilent;
+  });
+}
+
+void tick() {
+  const std::lock_guard lock(mutex);
+  for (Unit& each : units) each.frames_in_tick = 0;
+  const std::vector<Job> now = jobs;
+  for (const Job& job : now) {
+    if (job.call(job.data) == 0) {
+      std::erase_if(jobs, [&](const Job& each) { return each.handle == job.handle; });
+    }
+  }
+}
+
+void schedule_loop() {
+  servo_thread = std::this_thread::get_id();
+  auto next = std::chrono::steady_clock::now();
+  while (running.load()) {
+    if (!silent()) tick();
+    next = std::max(next + std::chrono::milliseconds(1), std::chrono::steady_clock::now());
+    std::this_thread::sleep_until(next);
+  }
+}
+
+}  // namespace
+
+extern "C" {
+
+StandIn* standin(int index) {
+  return &units[index].seen;
+}
+
+unsigned hdInitDevice(const char* name) {
+  const std::lock_guard lock(mutex);
+  const std::string_view wanted = name != nullptr ? name : "Left";
+  const unsigned handle = wanted == "Right" ? 1 : 0;
+  const bool known = wanted == "Left" || wanted == "Right";
+  Unit& u = units[handle];
+  const Trouble trouble = u.seen.trouble.load();
+  const unsigned error = !known || trouble == Trouble::kNoDevice ? 0x0302U
+                         : trouble == Trouble::kInUse || u.open  ? 0x0301U
+                                                                 : 0U;
+  if (error != 0) {
+    raise(error, kInvalidHandle);
+    return kInvalidHandle;
+  }
+  u.open = true;
+  u.output = false;
+  // The trap: a comma where a point was meant.
+  u.scale = std::strcmp(std::setlocale(LC_NUMERIC, nullptr), "C") == 0 ? 1 : 10;
+  current = handle;
+  return handle;
+}
+
+void hdDisableDevice(unsigned handle) {
+  // No lock: the scheduler may hang in a callback.
+  if (Unit* u = unit(handle); u != nullptr) {
+    stop_motors(*u);
+    u->open = false;
+  }
+}
+
+void hdMakeCurrentDevice(unsigned handle) {
+  current = handle;
+}
+
+void hdBeginFrame(unsigned handle) {
+  current = handle;
+  Unit* u = asked();
+  if (u == nullptr) return raise(0x0104, handle);
+  if (u->in_frame || ++u->frames_in_tick > 1) {
+    ++u->seen.forbidden;
+    raise(0x0402, handle);
+  }
+  u->in_frame = true;
+  ++u->seen.ticks;
+  std::fill(u->wanted, u->wanted + 3, 0.0);
+}
+
+void hdEndFrame(unsigned handle) {
+  current = handle;
+  Unit* u = asked();
+  if (u == nullptr || !u->in_frame) return raise(0x0401, handle);
+  u->in_frame = false;
+  const Trouble trouble = u->seen.trouble.load();
+  for (int i = 0; i < 3; ++i) u->seen.force[i] = u->output ? u->wanted[i] : 0;
+  if (trouble == Trouble::kNoAnswer) {
+    stop_motors(*u);
+    raise(0x0302, handle);
+  }
+  if (trouble == Trouble::kHarmless) raise(0x0200, handle);
+}
+
+ErrorInfo hdGetError() {
+  const std::lock_guard lock(mutex);
+  if (errors.empty()) return {0, 0, kInvalidHandle};
+  const ErrorInfo first = errors.front();
+  errors.pop_front();
+  return first;
+}
+
+const char* hdGetErrorString(unsigned code) {
+  return code == 0x0302 ? "communication error" : code == 0x0301 ? "already initiated" : "error";
+}
+
+void hdEnable(unsigned what) {
+  if (Unit* u = asked(); u != nullptr && what == 0x4000) u->output = true;
+}
+
+void hdGetIntegerv(unsigned what, int* out) {
+  Unit* u = asked();
+  if (u == nullptr) return raise(0x0104, current);
+  if (what == 0x2000) *out = static_cast<int>(u->seen.buttons.load());
+  if (what == 0x2555) *out = 4;  // inkwell
+}
+
+void hdGetDoublev(unsigned what, double* out) {
+  Unit* u = asked();
+  if (u == nullptr) return raise(0x0104, current);
+  if (what == 0x2602) *out = 0.4;
+  if (what == 0x2603) *out = 3.3;
+  if (what == 0x2604) *out = 0.88;
+  if (what != 0x2052) return;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      out[4 * column + row] = u->seen.rotation[3 * row + column].load();
+    }
+    out[4 * row + 3] = 0;
+    out[12 + row] = u->scale * u->seen.position[row].load();
+  }
+  out[15] = 1;
+}
+
+void hdSetDoublev(unsigned what, const double* in) {
+  Unit* u = asked();
+  if (u == nullptr || !u->in_frame) return raise(0x0102, current);
+  if (what == 0x2700) std::copy(in, in + 3, u->wanted);
+}
+
+const char* hdGetString(unsigned) {
+  return "Stand-in Touch";
+}
+
+unsigned hdCheckCalibration() {
+  Unit* u = asked();
+  return u != nullptr && u->seen.trouble.load() == Trouble::kUncalibrated ? 0x5001 : 0x5000;
+}
+
+void hdUpdateCalibration(unsigned style) {
+  Unit* u = asked();
+  if (u != nullptr && style == 4 && ++u->seen.updates >= 2) u->seen.trouble = Trouble::kNone;
+}
+
+void hdStartScheduler() {
+  if (running.exchange(true)) return;
+  scheduler = std::thread(schedule_loop);
+  const sched_param priority = {85};
+  (void)pthread_setschedparam(scheduler.native_handle(), SCHED_FIFO, &priority);
+}
+
+void hdStopScheduler() {
+  if (!running.exchange(false)) return;
+  scheduler.join();
+  for (Unit& each : units) stop_motors(each);
+}
+
+unsigned long hdScheduleAsynchronous(unsigned (*call)(void*), void* data, unsigned short) {
+  const std::lock_guard lock(mutex);
+  jobs.push_back({next_job, call, data});
+  return next_job++;
+}
+
+void hdUnschedule(unsigned long handle) {
+  const std::lock_guard lock(mutex);
+  std::erase_if(jobs, [&](const Job& each) { return each.handle == handle; });
+}
+
+}  // extern "C"
+
+// Loaded a second time, the library does not work.
+namespace {
+struct Loads {
+  Loads() {
+    const char* const kMark = "STYLET_STANDIN_HD_LOADED";
+    if (getenv(kMark) != nullptr)
+      units[0].seen.trouble = units[1].seen.trouble = Trouble::kNoDevice;
+    setenv(kMark, "1", 1);
+  }
+} const loads;
+}  // namespace
