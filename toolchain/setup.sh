@@ -17,7 +17,7 @@ packages=(
   libcgal-dev libinsighttoolkit5-dev libpng-dev libssl-dev zlib1g-dev
   # tests
   libbenchmark-dev libbullet-dev libclang-rt-14-dev libclang-rt-19-dev libgmock-dev libgtest-dev
-  llvm python3-h5py valgrind
+  llvm python3-h5py snakemake valgrind
   # tests on other processors
   g++-aarch64-linux-gnu g++-i686-linux-gnu gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib
   qemu-system-arm qemu-system-x86 qemu-user

@@ -84,10 +84,11 @@ class MapPieces {
 
 // ---- gaps ---------------------------------------------------------------------------------------
 
-// Samples nearer than this hang together. Every flat cut through a cell leaves one part then, but
-// for specks of up to three samples (in 1 of 1000 cuts more).
+// Samples nearer than this hang together. Flat cuts through a cell then leave one part but for
+// specks of up to three samples (in 1 of 1000 cuts more); neighbours that a cut grazes may be apart
+// with a little in each.
 constexpr double kReach = 0.36;
-constexpr int kLeastPart = 4;
+constexpr int kLeastPart = 6, kLeastNeighbour = 16;
 
 using Near = std::array<std::uint64_t, 64>;
 
@@ -124,7 +125,7 @@ bool is_split(std::uint64_t bits, const Near& near) {
 }
 
 bool is_gap(std::uint64_t bits, std::uint64_t next, const Near& across) {
-  return std::popcount(bits) >= kLeastPart && std::popcount(next) >= kLeastPart &&
+  return std::popcount(bits) >= kLeastNeighbour && std::popcount(next) >= kLeastNeighbour &&
          (reached(bits, across) & next) == 0;
 }
 
