@@ -22,7 +22,7 @@
 namespace stylet {
 
 // pi over the tangent of a tip's half angle of 15 degrees.
-constexpr float kConeLengthInRadii = 11.7F;
+constexpr float kConeLengthInRadii = 11.7246F;
 
 struct Cone {
   float stiffness_n_per_m;  // of the punch on all the tissue, k

@@ -38,6 +38,9 @@ constexpr float kVoxelReach = 0.5F;
 constexpr float kPunctureSpeedMPerS = 0.01F;
 // The tip must go this far to come back to the layer it has just left.
 constexpr float kLayerSkinM = 5e-4F;
+// A tip in contact must come this far clear of its goal to leave it: one that only slides sideways
+// is not in and out with every rounding.
+constexpr float kReleaseSkinM = 2e-5F;
 // A shaft CP keeps at least this part of its spring, so that forces can be divided by it.
 constexpr float kLeastPart = 0.01F;
 
@@ -156,34 +159,32 @@ void set_slack(Particle& p) {
   p.slack_m = p.memory_share * p.memory_m + p.give_m;
 }
 
-void shift_goal(const View& view, Share& share, Vec3 step_m) {
-  const Quat q = {view.state.qw[share.slot], view.state.qx[share.slot], view.state.qy[share.slot],
-                  view.state.qz[share.slot]};
-  share.offset_m = share.offset_m + transposed_times(rotation_matrix(q), step_m);
+void shift_goal(Share& share, Vec3 step_m) {
+  share.offset_m = share.offset_m + transposed_times(rotation_matrix(share.turn), step_m);
   share.goal_m = share.goal_m + step_m;
 }
 
 // Lets a CP hold tissue that lies `step_m` farther on: its goals move by that.
-void shift_goals(const View& view, Particle& p, Vec3 step_m) {
-  for (std::uint32_t i = 0; i < p.share_count; ++i) shift_goal(view, p.share[i], step_m);
+void shift_goals(Particle& p, Vec3 step_m) {
+  for (std::uint32_t i = 0; i < p.share_count; ++i) shift_goal(p.share[i], step_m);
 }
 
 // Draws each goal a part of the way to the needle.
-void draw_goals(const View& view, Particle& p, float part) {
+void draw_goals(Particle& p, float part) {
   for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    shift_goal(view, p.share[i], part * (p.position_m - p.share[i].goal_m));
+    shift_goal(p.share[i], part * (p.position_m - p.share[i].goal_m));
   }
 }
 
 // Draws the shares of a CP together, so that its residual is `residual_m` and their spread at most
 // `spread_m2`: new weights must neither be felt nor bring energy along.
-void gather_goals(const View& view, Particle& p, Vec3 residual_m, float spread_m2) {
+void gather_goals(Particle& p, Vec3 residual_m, float spread_m2) {
   const Vec3 mean = residual(p);
   const float spread = spread_of(p, mean);
   const float part = spread > spread_m2 ? 1 - std::sqrt(spread_m2 / spread) : 0.0F;
   for (std::uint32_t i = 0; i < p.share_count; ++i) {
     const Vec3 off = (p.position_m - p.share[i].goal_m) - mean;
-    shift_goal(view, p.share[i], (mean - residual_m) + part * off);
+    shift_goal(p.share[i], (mean - residual_m) + part * off);
   }
 }
 
@@ -209,16 +210,18 @@ void renew_shares(const View& view, Particle& p, Sharing sharing = Sharing::kTen
       if (p.share[old].slot != share.slot) continue;
       share.offset_m = p.share[old].offset_m;
       share.goal_m = p.share[old].goal_m;
+      share.turn = p.share[old].turn;
       kept = true;
     }
     if (kept) continue;
-    const VoxelFrame frame = voxel_frame(view, share.slot, share.row);
+    const FitFrame frame = fit_frame(view, share.slot, share.row);
+    share.turn = frame.turn;
     share.goal_m = p.position_m - residual_m;
-    share.offset_m = transposed_times(frame.rotation, share.goal_m - frame.centre_m);
+    share.offset_m = transposed_times(rotation_matrix(frame.turn), share.goal_m - frame.centre_m);
   }
   for (std::uint32_t i = 0; i < count; ++i) p.share[i] = found[i];
   p.share_count = count;
-  gather_goals(view, p, residual_m, spread_m2);
+  gather_goals(p, residual_m, spread_m2);
   if (count > 0) p.material = view.model.slot_material[p.share[heaviest(p)].slot];
 }
 
@@ -301,7 +304,7 @@ void advance_tip(const View& view, Particle& tip, Vec3 direction, float move_m) 
   const Gradient g = gradient_around(view, tip);
   const Vec3 step = move_m * direction;
   const Vec3 image = tip.share_count > 0 ? pull_back_step(view, g, step) : step;
-  shift_goals(view, tip, step);
+  shift_goals(tip, step);
   tip.rest_m = tip.rest_m + image;
   tip.track_m += move_m < 0 ? -norm(image) : norm(image);
   Vec3 present = {};
@@ -360,7 +363,7 @@ float renew(const View& view, Particle& p, Vec3 direction, float slip_m, double&
   booked_j += before - memory_energy(p);
   const Vec3 change = slack - p.slack_m;
   const float along = dot(change, direction);
-  shift_goals(view, p, change - along * direction);
+  shift_goals(p, change - along * direction);
   return along;
 }
 
@@ -399,7 +402,7 @@ float stand_for(const View& view, Particle& p, float tip_track_m) {
   if (stiffness >
       p.stiffness_n_per_m) {  // what is new holds its tissue where it lies, without force
     const float old = p.stiffness_n_per_m / stiffness;
-    draw_goals(view, p, 1 - old);
+    draw_goals(p, 1 - old);
     p.memory_m = old * p.memory_m;
     p.give_m = old * p.give_m;
     p.slack_m = old * p.slack_m;
@@ -452,10 +455,10 @@ float puncture_force(const View& view, const MaterialModel& m) {
 void enter_material(const View& view, Particle& tip) {
   const double before = spring_energy(tip);
   const float old = tip.stiffness_n_per_m;
-  shift_goals(view, tip, tip.slack_m);
+  shift_goals(tip, tip.slack_m);
   tip.memory_m = tip.slack_m = {};
   set_stiffness(view, tip, Place::kTip);
-  if (tip.stiffness_n_per_m > old) draw_goals(view, tip, 1 - old / tip.stiffness_n_per_m);
+  if (tip.stiffness_n_per_m > old) draw_goals(tip, 1 - old / tip.stiffness_n_per_m);
   view.state.head->cutting_j += before - spring_energy(tip);
 }
 
@@ -497,13 +500,15 @@ Vec3 turn_cut(const View& view, const Needle& needle, float advance_m) {
   return turn_cut(view.state.needle->cut, needle, bevel, advance_m);
 }
 
-// The tip moves on to other tissue as far as it is pressed or pulled beyond its limits.
+// The tip moves on to other tissue as far as it is pressed or pulled beyond its limits, along the
+// way it cuts: a bevel that is pushed aside against the tissue's force has to be paid for by the
+// hand that pushes.
 void cut_tip(const View& view, const Needle& needle, float moved_m) {
   const ModelHead& head = *view.model.head;
   StateHead& state = *view.state.head;
   NeedleState& own = *view.state.needle;
   Particle& tip = *view.state.tip;
-  const Vec3 direction = needle.tip_direction;
+  const Vec3 direction = turn_cut(view, needle, 0);
   float move = moved_m;  // outside the tissue the tip carries nothing and follows the needle
   float all = move;
   if (tip.share_count > 0) {
@@ -515,7 +520,7 @@ void cut_tip(const View& view, const Needle& needle, float moved_m) {
   }
   const Vec3 cut = turn_cut(view, needle, 0.5F * all);
   advance_tip(view, tip, cut, all);
-  own.cut = cut;
+  own.cut = cut;  // half of the turn is behind the tip
   own.cut = turn_cut(view, needle, 0.5F * all);
   note_slip(head, tip, all);
   tip.slip_m = move * cut;
@@ -665,10 +670,14 @@ void relax_contact(const View& view, Vec3 direction) {
   const float k = p.full_stiffness_n_per_m;
   Vec3 relaxed = force + p.memory_keep * (k * p.memory_m - force);
   const float pull = p.memory_share * dot(relaxed, direction) - dot(force, direction);
-  if (pull > 0) relaxed = relaxed - (pull / p.memory_share) * direction;
+  if (pull > 0 && p.memory_share > 0) {
+    relaxed = relaxed - (pull / p.memory_share) * direction;
+  }
   p.memory_m = settle((1 / k) * relaxed);
   state.relaxation_j += before - contact_energy(view, p);
+  const float old = p.stiffness_n_per_m;
   p.stiffness_n_per_m = max_of(cone_tangent(cone, depth), kLeastPart * k);
+  gather_goals(p, d, spread_of(p, d) * min_of(old / p.stiffness_n_per_m, 1));
   p.slack_m = settle(d - (1 / p.stiffness_n_per_m) * (force - p.memory_share * relaxed));
 }
 
@@ -684,7 +693,7 @@ void change_spring(const View& view, const Needle& needle, float force_n) {
   set_stiffness(view, tip, Place::kTip);
   tip.memory_m = tip.slack_m = {};
   const float k = tip.stiffness_n_per_m;
-  gather_goals(view, tip, (1 / k) * (across + force_n * direction), spread * min_of(old / k, 1));
+  gather_goals(tip, (1 / k) * (across + force_n * direction), spread * min_of(old / k, 1));
   state.cutting_j += before - spring_energy(tip);
 }
 
@@ -720,7 +729,7 @@ void update_contact(const View& view, const Needle& needle) {
   Particle& tip = *view.state.tip;
   const float felt = dot(tip.force_n, needle.tip_direction);
   const float away = dot(residual(tip), needle.tip_direction);
-  if (away < 0) {
+  if (away < -kReleaseSkinM) {
     add_event(view, EventKind::kRelease, 0);
     own.phase = Phase::kFree;
     own.tip_alive = 0;
@@ -752,12 +761,22 @@ void leave_layers(const View& view) {
 
 }  // namespace
 
-void begin_contact(const View& view, Vec3 tip_m, Vec3 rest_m, Vec3 place_m) {
+void begin_contact(const View& view, const Needle& needle, Vec3 rest_m, Vec3 place_m,
+                   float came_m) {
   NeedleState& own = *view.state.needle;
-  const Particle tip = new_particle(view, rest_m, place_m, 0, 0, Place::kSurface);
+  const Vec3 direction = needle.tip_direction;
+  const float depth = dot(needle.tip_m - place_m, direction);
+  const float buried = depth - max_of(came_m, 0);
+  if (came_m < 0 && buried > 0) return;  // on its way out
+  Particle tip = new_particle(view, rest_m, place_m, 0, 0, Place::kSurface);
+  if (tip.share_count > 0 && buried > 0) {
+    const Vec3 step = buried * direction;
+    const Vec3 image = pull_back_step(view, gradient_around(view, tip), step);
+    tip = new_particle(view, rest_m + image, place_m + step, 0, 0, Place::kSurface);
+  }
   if (tip.share_count == 0) return;
+  tip.position_m = needle.tip_m;
   *view.state.tip = tip;
-  view.state.tip->position_m = tip_m;
   own.tip_alive = 1;
   own.phase = Phase::kContact;
   own.layer = tip.material;
@@ -767,8 +786,11 @@ void begin_contact(const View& view, Vec3 tip_m, Vec3 rest_m, Vec3 place_m) {
 std::uint32_t couple_needle(const View& view, const Needle& needle) {
   StateHead& state = *view.state.head;
   NeedleState& own = *view.state.needle;
-  if (own.tip_alive == 0) return 0;
   Particle& tip = *view.state.tip;
+  if (own.tip_alive == 0) {
+    tip.position_m = needle.tip_m;  // seek_contact measures from here
+    return 0;
+  }
   if (own.phase != Phase::kContact) {  // creep at the last tick's forces, before the needle moves
     relax(state, tip);
     for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
@@ -801,15 +823,18 @@ std::uint32_t couple_needle(const View& view, const Needle& needle) {
   return drop_shaft(view, needle);
 }
 
-double particle_energy(const View& view, const Particle& particle) {
-  const bool contact = &particle == view.state.tip && view.state.needle->phase == Phase::kContact;
-  return contact ? contact_energy(view, particle) : spring_energy(particle);
+double shaft_energy(const Particle& particle) {
+  return spring_energy(particle);
+}
+
+double tip_energy(const View& view, const Particle& tip) {
+  const bool contact = view.state.needle->phase == Phase::kContact;
+  return contact ? contact_energy(view, tip) : spring_energy(tip);
 }
 
 namespace {
 
-void add_force(const Needle& needle, Vec3 at_m, Vec3 on_needle_n, Output& out) {
-  out.force_n = out.force_n + on_needle_n;
+void add_torque(const Needle& needle, Vec3 at_m, Vec3 on_needle_n, Output& out) {
   out.torque_nm = out.torque_nm + cross(at_m - needle.base_m, on_needle_n);
 }
 
@@ -820,32 +845,36 @@ void add_particle(const Needle& needle, const Particle& p, Vec3& along_out_n, Ou
   along_out_n = along_out_n + axial;
   out.cause.clamping_n = out.cause.clamping_n + (on_needle - axial);
   out.stiffness_n_per_m = out.stiffness_n_per_m + p.stiffness_n_per_m;
-  add_force(needle, grip(p), on_needle, out);
+  add_torque(needle, grip(p), on_needle, out);
 }
 
 }  // namespace
 
 void sum_forces(const View& view, const Needle& needle, Output& out) {
   const NeedleState& own = *view.state.needle;
+  ForceByCause& cause = out.cause;
   for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
-    add_particle(needle, view.state.shaft[i], out.cause.friction_n, out);
+    add_particle(needle, view.state.shaft[i], cause.friction_n, out);
   }
   if (own.tip_alive != 0 && own.phase != Phase::kContact) {
-    add_particle(needle, *view.state.tip, out.cause.cutting_n, out);
+    add_particle(needle, *view.state.tip, cause.cutting_n, out);
   } else if (own.tip_alive != 0) {
     const Particle& tip = *view.state.tip;
-    out.cause.stiffness_n = -1.0F * tip.force_n;
+    cause.stiffness_n = -1.0F * tip.force_n;
     out.stiffness_n_per_m = tip.stiffness_n_per_m;
-    add_force(needle, tip.position_m, out.cause.stiffness_n, out);
+    add_torque(needle, tip.position_m, cause.stiffness_n, out);
   }
   const Vec3 shift = attachment_shift(view);
   for (std::uint32_t i = 0; i < own.touch_count; ++i) {
     const Touch& touch = view.state.touch[i];
     const Mat3& k = touch.stiffness_n_per_m;
-    out.cause.obstacle_n = out.cause.obstacle_n + touch.force_n;
+    cause.obstacle_n = cause.obstacle_n + touch.force_n;
     out.stiffness_n_per_m = out.stiffness_n_per_m + (k.m[0][0] + k.m[1][1] + k.m[2][2]);
-    add_force(needle, touch.at_m - shift, touch.force_n, out);
+    add_torque(needle, touch.at_m - shift, touch.force_n, out);
   }
+  // Of the causes, not beside them: contacts may push against each other a hundred times as hard.
+  out.force_n = ((cause.stiffness_n + cause.cutting_n) + (cause.friction_n + cause.clamping_n)) +
+                cause.obstacle_n;
 }
 
 void add_event(const View& view, EventKind kind, float force_n) {

@@ -34,13 +34,17 @@ constexpr std::uint32_t kNoTrack = 0xFFFFFFFFU;
 std::uint32_t couple_needle(const View& view, const Needle& needle);
 
 // Energy of a CP's spring and its Maxwell branch.
-double particle_energy(const View& view, const Particle& particle);
+double shaft_energy(const Particle& particle);
+double tip_energy(const View& view, const Particle& tip);
 
 // Sum over CPs and contacts of this view's needle: force and torque on its hand, by cause.
 void sum_forces(const View& view, const Needle& needle, Output& out);
 
-// Starts contact: the tip holds the surface point `rest_m` (rest frame), now at `place_m`.
-void begin_contact(const View& view, Vec3 tip_m, Vec3 rest_m, Vec3 place_m);
+// Starts contact: the tip holds the surface point `rest_m` (rest frame), now at `place_m`. Only the
+// `came_m` the tip moved forward this tick are pressed in: where it lies deeper (it has slid in
+// over an edge, or the tissue has come to it) it holds the tissue it lies in, without force, for
+// nobody has spent the work to press it there.
+void begin_contact(const View& view, const Needle& needle, Vec3 rest_m, Vec3 place_m, float came_m);
 
 void add_event(const View& view, EventKind kind, float force_n);
 

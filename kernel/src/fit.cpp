@@ -88,6 +88,25 @@ void sort_by_plane(const View& view) {
 
 }  // namespace
 
+FitFrame fit_frame(const View& view, std::uint32_t slot, std::uint32_t row) {
+  View all = view;  // from the first needle on
+  all.state.needle -= view.needle;
+  all.state.shaft -= view.needle * kNeedleParticles;
+  const Share* found = nullptr;
+  for_each_particle(all, [&](std::uint32_t index) {
+    const Particle& p = particle_at(all, index);
+    for (std::uint32_t i = 0; i < p.share_count; ++i) {
+      if (p.share[i].slot == slot && p.share[i].weight > 0) found = &p.share[i];
+    }
+  });
+  if (found != nullptr) {
+    return {found->turn, found->goal_m - rotation_matrix(found->turn) * found->offset_m};
+  }
+  const Corners corners = sum_corners(view, slot, row);
+  return {corner_rotation(view, slot, corners),
+          rest_centre(view, slot, view.model.row[row]) + corners.mean_m};
+}
+
 std::uint32_t gather_coupled(const View& view) {
   StateHead& state = *view.state.head;
   ScratchHead& head = *view.scratch.head;
@@ -139,23 +158,26 @@ struct CpSums {
   float offset_square;
 };
 
+void add_member(const Particle& p, const Share& share, Vec3 centre_m, CpSums& s) {
+  const float w = p.stiffness_n_per_m * share.weight;
+  const Vec3 x = (p.position_m - p.slack_m) - centre_m;
+  const Vec3 r = share.offset_m;
+  s.stiffness = s.stiffness + w;
+  s.place = s.place + w * x;
+  s.offset = s.offset + w * r;
+  s.offset_square = s.offset_square + w * dot(r, r);
+  const float xs[3] = {x.x, x.y, x.z}, rs[3] = {r.x, r.y, r.z};
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) s.product[3 * a + b] += w * xs[a] * rs[b];
+  }
+}
+
 CpSums sum_members(const View& view, const CoupledVoxel& voxel, Vec3 centre_m) {
   CpSums s = {};
   for (std::uint32_t i = 0; i < voxel.member_count; ++i) {
     const Member member = view.scratch.member[voxel.first_member + i];
     const Particle& p = particle_at(view, member.particle);
-    const Share& share = p.share[member.share];
-    const float w = p.stiffness_n_per_m * share.weight;
-    const Vec3 x = (p.position_m - p.slack_m) - centre_m;
-    const Vec3 r = share.offset_m;
-    s.stiffness = s.stiffness + w;
-    s.place = s.place + w * x;
-    s.offset = s.offset + w * r;
-    s.offset_square = s.offset_square + w * dot(r, r);
-    const float xs[3] = {x.x, x.y, x.z}, rs[3] = {r.x, r.y, r.z};
-    for (int a = 0; a < 3; ++a) {
-      for (int b = 0; b < 3; ++b) s.product[3 * a + b] += w * xs[a] * rs[b];
-    }
+    add_member(p, p.share[member.share], centre_m, s);
   }
   return s;
 }
@@ -205,21 +227,23 @@ void rest_fit(std::uint32_t lane, Fits& fits) {
   for (std::uint32_t i = 0; i < 4; ++i) fits.corner_turn[i][lane] = i == 0 ? 1.0F : 0.0F;
 }
 
-Mat3 turn_of(const float turn[4][kLanes], std::uint32_t lane) {
-  return rotation_matrix({turn[0][lane], turn[1][lane], turn[2][lane], turn[3][lane]});
+Quat turn_of(const float turn[4][kLanes], std::uint32_t lane) {
+  return {turn[0][lane], turn[1][lane], turn[2][lane], turn[3][lane]};
 }
 
 void finish_fit(const View& view, const Plane& plane, const Fits& fits, std::uint32_t lane) {
   const ModelHead& head = *view.model.head;
   const Fits::Voxel& fit = fits.voxel[lane];
   const CoupledVoxel& voxel = view.scratch.coupled[fit.index];
-  const Mat3 r8 = turn_of(fits.corner_turn, lane), r = turn_of(fits.joint_turn, lane);
+  const Quat turn = turn_of(fits.joint_turn, lane);
+  const Mat3 r8 = rotation_matrix(turn_of(fits.corner_turn, lane)), r = rotation_matrix(turn);
   // The cluster's translation moves by this against the mean of the corners.
   const Vec3 shift = (1 / fit.whole) * (fit.place - r * fit.offset);
   for (std::uint32_t i = 0; i < voxel.member_count; ++i) {
     const Member member = view.scratch.member[voxel.first_member + i];
     Share& share = particle_at(view, member.particle).share[member.share];
     share.goal_m = (fit.centre_m + shift) + r * share.offset_m;
+    share.turn = turn;
   }
   // Corners feel the change of translation and rotation, k ((t' - t) + (R' - R) q).
   const std::uint32_t at = voxel.slot - plane.slot_begin;
@@ -263,6 +287,66 @@ void measure_forces(const View& view) {
     p.slip_m = {};
     p.force_n = f;
   });
+}
+
+namespace {
+
+double square_sum(const Mat3& r, const float gradient[9]) {
+  double sum = 0;
+  for (int i = 0; i < 9; ++i) {
+    const double f = static_cast<double>(gradient[i]) + (i % 4 == 0 ? 1.0 : 0.0);
+    const double off = f - static_cast<double>(r.m[i / 3][i % 3]);
+    sum += off * off;
+  }
+  return sum;
+}
+
+// The fit of a voxel and its CPs to where all of them are now.
+struct PresentFit {
+  Mat3 rotation;
+  Vec3 centre_m;
+  double corners_j;     // what the corners hold more than by their own fit
+  std::uint32_t first;  // particle in the voxel, so that each voxel is counted once
+};
+
+PresentFit present_fit(const View& view, const Share& own) {
+  const Corners corners = sum_corners(view, own.slot, own.row);
+  const Vec3 centre = rest_centre(view, own.slot, view.model.row[own.row]) + corners.mean_m;
+  CpSums sums = {};
+  std::uint32_t first = kNoVoxel;
+  for_each_particle(view, [&](std::uint32_t index) {
+    const Particle& p = particle_at(view, index);
+    for (std::uint32_t s = 0; s < p.share_count; ++s) {
+      if (p.share[s].slot != own.slot) continue;
+      if (first == kNoVoxel) first = index;
+      add_member(p, p.share[s], centre, sums);
+    }
+  });
+  const float k = view.model.slot_k[own.slot], h = view.model.head->edge_m;
+  const Quat alone = corner_rotation(view, own.slot, corners);
+  float a[9];
+  fit_matrix(corners, sums, k, h, a);
+  const Mat3 r8 = rotation_matrix(alone);
+  const Mat3 r = rotation_matrix(rotation_of(a, rotation_of(a, alone)));
+  const Vec3 shift = (1 / (8 * k + sums.stiffness)) * (sums.place - r * sums.offset);
+  const double turned = square_sum(r, corners.gradient) - square_sum(r8, corners.gradient);
+  const double energy =
+      static_cast<double>(4 * k * dot(shift, shift)) + static_cast<double>(k * h * h) * turned;
+  return {r, centre + shift, energy, first};
+}
+
+}  // namespace
+
+double refit(const View& view, std::uint32_t index, Particle& particle_out) {
+  particle_out = particle_at(view, index);
+  double corners_j = 0;
+  for (std::uint32_t i = 0; i < particle_out.share_count; ++i) {
+    Share& share = particle_out.share[i];
+    const PresentFit fit = present_fit(view, share);
+    if (fit.first == index) corners_j += fit.corners_j;
+    share.goal_m = fit.centre_m + fit.rotation * share.offset_m;
+  }
+  return corners_j;
 }
 
 }  // namespace stylet

@@ -20,10 +20,23 @@ Vec3 force_on_tissue(const Particle& p);
 // Point of the needle's axis where that force acts: the spring's end, behind the give.
 Vec3 grip(const Particle& p);
 
+// Where the last fit put a voxel: together with its CPs, if it has any. (A CP that joins others in
+// a voxel, held by the fit of the corners alone, would be moved by the next fit and felt.)
+struct FitFrame {
+  Quat turn;
+  Vec3 centre_m;
+};
+FitFrame fit_frame(const View& view, std::uint32_t slot, std::uint32_t row);
+
 // Lists the coupled voxels of this tick, plane by plane. Returns output flags.
 std::uint32_t gather_coupled(const View& view);
 
 // Forces of all CPs from the goals of the fit just made, and what their slips have cost.
 void measure_forces(const View& view);
+
+// Copies a CP (its number: needle, then place in the shaft, the tip last) with its goals where the
+// tissue is now: those of the last fit are a substep old. Returns what the corners of its voxels
+// hold beyond their own fit, each voxel with its first CP. Cold path: looks at all CPs.
+double refit(const View& first_needle, std::uint32_t index, Particle& particle_out);
 
 }  // namespace stylet

@@ -88,7 +88,8 @@ struct Share {
   std::uint32_t slot, row;
   float weight;   // shares of one particle add up to 1
   Vec3 offset_m;  // rest offset from the voxel's centre
-  Vec3 goal_m;    // from the last fit
+  Vec3 goal_m;    // from the last fit of the voxel, and the rotation of that fit
+  Quat turn;
 };
 
 struct Particle {                // a constraint particle

@@ -5,6 +5,7 @@
 #include "layout.h"
 #include "math.h"
 #include "needle.h"
+#include "voxel.h"
 
 namespace stylet {
 
@@ -126,12 +127,13 @@ std::uint32_t needle_shape(const Kernel& kernel, std::uint32_t needle, std::span
 namespace {
 
 // Energy of a voxel without its CPs: stretch, hourglass part and volume, as in lattice.h.
-double voxel_energy(const View& view, const Row& row, std::uint32_t slot) {
+double voxel_energy(const View& view, std::uint32_t row_index, std::uint32_t slot) {
+  const Row& row = view.model.row[row_index];
   const ModelHead& head = *view.model.head;
   const double h = static_cast<double>(head.edge_m);
   const double k = static_cast<double>(view.model.slot_k[slot]);
-  const Mat3 r = rotation_matrix(
-      {view.state.qw[slot], view.state.qx[slot], view.state.qy[slot], view.state.qz[slot]});
+  // Of where the corners are now: the state's rotation is a substep old.
+  const Mat3 r = rotation_matrix(corner_rotation(view, slot, sum_corners(view, slot, row_index)));
   const std::uint32_t along = slot - row.slot;
   const float* u[3] = {view.state.ux, view.state.uy, view.state.uz};
   double stretch = 0, hourglass = 0, trace = 0;
@@ -177,16 +179,19 @@ double kinetic_energy(const View& view) {
   return sum;
 }
 
-// Springs of the CPs, with their Maxwell branch. What the fit of a coupled voxel adds to its
-// corners' energy is left out; it is the part of the lattice.
+// Springs of the CPs, with their Maxwell branch, and what their voxels hold for them.
 double coupling_energy(const View& view) {
   double sum = 0;
+  Particle p = {};
   for (std::uint32_t n = 0; n < view.model.head->counts.needles; ++n) {
     const View one = needle_view(view, n);
     const NeedleState& own = *one.state.needle;
-    if (own.tip_alive != 0) sum += particle_energy(one, *one.state.tip);
+    const std::uint32_t first = n * kNeedleParticles;
     for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
-      sum += particle_energy(one, one.state.shaft[i]);
+      sum += refit(view, first + i, p) + shaft_energy(p);
+    }
+    if (own.tip_alive != 0) {
+      sum += refit(view, first + kMaxConstraintParticles, p) + tip_energy(one, p);
     }
   }
   return sum;
@@ -201,7 +206,7 @@ Energy energy(const Kernel& kernel) {
   for (std::uint32_t r = 0; r < view.model.head->counts.rows; ++r) {
     const Row& row = view.model.row[r];
     for (std::uint32_t slot = row.slot; slot < row.slot + row.count; ++slot) {
-      if (view.model.slot_k[slot] > 0) out.elastic += voxel_energy(view, row, slot);
+      if (view.model.slot_k[slot] > 0) out.elastic += voxel_energy(view, r, slot);
     }
   }
   out.kinetic = kinetic_energy(view);

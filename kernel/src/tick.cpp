@@ -90,13 +90,15 @@ std::uint32_t accept_input(const View& view, const Input& input) {
 
 // A tip that has just left its track lies in the mouth of the hole: it must come clear of the
 // surface before it can touch it again.
-void seek_contact(const View& view, const Needle& needle, std::uint32_t& flags) {
+void seek_contact(const View& view, const Needle& needle, bool known_before, std::uint32_t& flags) {
   NeedleState& own = *view.state.needle;
   if (own.phase != Phase::kFree || own.handle_known == 0) return;
   Vec3 rest = {}, place = {};
   const std::uint32_t before = flags;
   const bool found = find_contact(view, needle.tip_m, needle.tip_direction, rest, place, flags);
-  if (found && own.leaving == 0) begin_contact(view, needle.tip_m, rest, place);
+  const Vec3 step = needle.tip_m - view.state.tip->position_m;
+  const float came = known_before ? dot(step, needle.tip_direction) : 0;
+  if (found && own.leaving == 0) begin_contact(view, needle, rest, place, came);
   if (!found && flags == before) own.leaving = 0;
 }
 
@@ -147,7 +149,7 @@ void move_needle(const View& view, const Input& input, Moved& out) {
   out.flags = accept_input(view, input);
   if (own.handle_known == 0) return;
   out.flags |= place_needle(view, out.shape);
-  seek_contact(view, out.shape, out.flags);
+  seek_contact(view, out.shape, out.known_before, out.flags);
   out.flags |= couple_needle(view, out.shape);
 }
 

@@ -118,7 +118,7 @@ std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kShare
     const float tent = (dx != 0 ? fx : 1 - fx) * (dy != 0 ? fy : 1 - fy) * (dz != 0 ? fz : 1 - fz);
     const float weight = (sharing == Sharing::kEven ? 0.125F : tent) * view.model.slot_fill[slot];
     if (!(view.model.slot_k[slot] > 0) || !(weight > 0)) continue;
-    shares_out[count++] = {slot, row_index, weight, {}, {}};
+    shares_out[count++] = {slot, row_index, weight, {}, {}, {}};
     sum = sum + weight;
   }
   if (count > 0 && head.config.mode == Mode::kPaper) {  // one voxel, as in the paper

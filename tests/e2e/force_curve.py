@@ -184,8 +184,10 @@ def check_paper(curve):
     faults.expect(slope > 0, f"insertion slope {slope:.3g} N/m, expected growth with depth")
     part = curve.force_n[curve.hold:curve.retraction]
     faults.expect(part[-1] > 0.01, f"the hold ends at {part[-1]:.4f} N, no plateau")
-    swing = np.max(part - np.minimum.accumulate(part))
-    faults.within("swing in the hold", swing, 0, 0.02, "N")
+    # A slip goes by a whole unit, up to half a newton, and its waves die out: nothing swings on.
+    late = part[500:]
+    swing = np.max(late - np.minimum.accumulate(late))
+    faults.within("swing in the hold, from 0.5 s on", swing, 0, 0.002, "N")
     # A particle lets go when it is more than a unit from its goal: two units of 5 mm lie between
     # letting go on the way in and on the way out.
     check_retraction_sign(curve, faults, presliding_m=10e-3)

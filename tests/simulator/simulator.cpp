@@ -21,7 +21,6 @@ constexpr double kLeaveM = 0.12;
 constexpr double kLongestRestS = 20;
 constexpr double kAtRestM = 1e-6;
 constexpr double kZeroForceS = 25e-3;
-constexpr double kEventS = 20e-3;
 
 double square_sum(Vec3 a, Vec3 b) {
   const double x = static_cast<double>(a.x) - static_cast<double>(b.x),
@@ -138,10 +137,8 @@ struct Base {
 struct Observer {
   std::array<Base, kMaxNeedles> last{};
   std::array<bool, kMaxNeedles> known{};
-  double work_j = 0, slack_j = 0, last_j = 0, least_j = 0, gain_j = 0;
-  std::uint32_t events = 0;
-  std::uint64_t event_until = 0;
-  bool off = false;  // a needle began inside an obstacle: with energy that nobody brought
+  double work_j = 0, slack_j = 0, least_j = 0;
+  bool off = false;
 };
 
 Vec3 turned_by(const Quat& a, const Quat& b) {
@@ -183,7 +180,6 @@ void watch_work(Observer& observer, const Kernel& kernel, std::span<const Output
 struct Simulation {
   const Scenario& scenario;
   const Tamper& tamper;
-  bool known_gains;
   Session session;
   hal::LoopConfig config;
   hal::LoopState state;
@@ -231,31 +227,24 @@ void note_use(Simulation& s, std::span<const Output> outputs) {
   s.verdict.busiest_tick = outputs[0].tick;
 }
 
-// What a contact or a puncture makes, by the falls of the observer in the kEventS that follow.
-void note_gain(Simulation& s, double observed_j, const Output& out) {
-  Observer& observer = s.observer;
-  if (out.events != observer.events) {
-    observer.events = out.events;
-    observer.event_until =
-        out.tick + static_cast<std::uint64_t>(
-                       std::llround(kEventS / static_cast<double>(s.scenario.config.period_s)));
-  }
-  const double fall = observer.last_j - observed_j;
-  if (fall > 0 && out.tick <= observer.event_until) observer.gain_j += fall;
-  observer.last_j = observed_j;
+// A needle that began inside an obstacle holds energy that nobody brought, and one that found no
+// stable shape (it says so by a flag) moves by more than a step of its equilibrium.
+bool loses_count(const Simulation& s, std::span<const Output> outputs) {
+  if (outputs[0].tick == 1 && stats(s.session.kernel).obstacle_contacts.used > 0) return true;
+  return std::any_of(outputs.begin(), outputs.end(),
+                     [](const Output& out) { return (out.flags & kFlagNeedleUnstable) != 0; });
 }
 
 const char* broken_energy(Simulation& s, std::span<const Output> outputs) {
-  if (outputs[0].tick == 1) s.observer.off = stats(s.session.kernel).obstacle_contacts.used > 0;
+  s.observer.off = s.observer.off || loses_count(s, outputs);
   if (s.observer.off) return nullptr;
+  ++s.verdict.observed_ticks;
   watch_work(s.observer, s.session.kernel, outputs);
   const Energy e = energy(s.session.kernel);
   const double observed = s.observer.work_j - (e.elastic + e.kinetic + e.coupling);
   s.observer.least_j = std::min(s.observer.least_j, observed);
-  note_gain(s, observed, outputs[0]);
   double allowed = kObserverJ;
   if (!s.scenario.gentle) allowed += s.observer.slack_j;
-  if (s.known_gains && s.observer.gain_j > kObserverJ) return nullptr;
   return observed > -allowed ? nullptr : "more energy comes out of the tissue than went in";
 }
 
@@ -361,10 +350,9 @@ Session session_of(const Scenario& scenario) {
 
 }  // namespace
 
-Verdict simulate(const Scenario& scenario, bool known_gains, const Tamper& tamper) {
+Verdict simulate(const Scenario& scenario, const Tamper& tamper) {
   Simulation s{.scenario = scenario,
                .tamper = tamper,
-               .known_gains = known_gains,
                .session = session_of(scenario),
                .config = {},
                .state = {},
@@ -389,7 +377,6 @@ Verdict simulate(const Scenario& scenario, bool known_gains, const Tamper& tampe
   run_ticks(s, scenario.ticks);
   if (s.verdict.broken == nullptr) come_to_rest(s);
   s.verdict.observer_min_j = s.observer.least_j;
-  s.verdict.gain_j = s.observer.gain_j;
   return s.verdict;
 }
 

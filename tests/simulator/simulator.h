@@ -14,7 +14,9 @@
 // obstacles store is positive and left in it: a kernel that makes no energy keeps E above zero.
 // In a gentle session E stays above -kObserverJ. In the others a hand may move by millimetres in a
 // tick, and what the force did on the way is not known better than by half its change: the check is
-// E > -(kObserverJ + slack), slack the sum of half the change of the wrench times the motion.
+// E > -(kObserverJ + slack), slack the sum of half the change of the wrench times the motion. The
+// observer stops where an elastic needle has found no stable shape (kFlagNeedleUnstable), and does
+// not begin where one starts inside an obstacle.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +34,7 @@ struct Verdict {
   std::uint64_t tick = 0;        // where it broke
   std::uint64_t ticks = 0;
   double observer_min_j = 0;
-  double gain_j = 0;  // made by contacts and punctures
+  std::uint64_t observed_ticks = 0;  // by the observer of energy
   std::uint32_t faults = 0, punctures = 0, touches_max = 0;
   // The tick with the most to do, by particles and contacts.
   std::uint64_t busiest_tick = 0;
@@ -41,9 +43,7 @@ struct Verdict {
 };
 
 // `tamper` is called after every tick: how the tests of the simulator break a promise.
-// `known_gains`: once an event has made energy, as the kernel is known to do (see README.md), the
-// observer only measures how much.
 using Tamper = std::function<void(Kernel&, std::uint64_t tick)>;
-Verdict simulate(const Scenario& scenario, bool known_gains = false, const Tamper& tamper = {});
+Verdict simulate(const Scenario& scenario, const Tamper& tamper = {});
 
 }  // namespace stylet::test

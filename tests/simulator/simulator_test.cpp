@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t kSeed = 6;  // a session that reaches the tissue
 
 std::string verdict_of(const Tamper& tamper) {
-  const Verdict verdict = simulate(draw_scenario(kSeed), false, tamper);
+  const Verdict verdict = simulate(draw_scenario(kSeed), tamper);
   return verdict.broken != nullptr ? verdict.broken : "held";
 }
 

@@ -50,7 +50,8 @@ void step_with_losses(const Kernel& kernel) {
 }
 
 struct Books {  // after a tick
-  double work, kernels_work, stored, kinetic, friction, cutting, relaxation, damping, drag;
+  double work, kernels_work, stored, kernels_stored, kinetic, friction, cutting, relaxation,
+      damping, drag;
   double depth, shaft_count;
 
   double booked() const { return friction + cutting + relaxation; }
@@ -104,9 +105,9 @@ class Audit {
     last_tip_ = out.tip_m;
     last_force_ = out.force_n;
     const Energy e = energy(rig_.kernel());
-    books_.push_back({work_, e.work_by_hand, reference_.energy(rig_.view()), e.kinetic, e.friction,
-                      e.cutting, e.relaxation, losses_.damping_j, losses_.drag_j,
-                      static_cast<double>(out.depth_m),
+    books_.push_back({work_, e.work_by_hand, reference_.energy(rig_.view()), e.elastic + e.coupling,
+                      e.kinetic, e.friction, e.cutting, e.relaxation, losses_.damping_j,
+                      losses_.drag_j, static_cast<double>(out.depth_m),
                       static_cast<double>(rig_.view().state.needle->shaft_count)});
   }
 
@@ -205,6 +206,22 @@ TEST_F(V24Energy, HandWorkIsStoredOrDissipatedAtEveryTick) {
   EXPECT_LT(worst, 0.02 * whole) << "at tick " << at << " of " << whole << " J";
 }
 
+// What the kernel says it stores is what the textbook says: in contact, with CPs that share voxels,
+// and while they relax.
+TEST_F(V24Energy, KernelsStoredEnergyIsTheTextbooks) {
+  double most = 0, worst = 0;
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < books_->size(); ++i) {
+    const Books& b = (*books_)[i];
+    most = std::max(most, b.stored);
+    if (std::fabs(b.kernels_stored - b.stored) > worst) {
+      worst = std::fabs(b.kernels_stored - b.stored);
+      at = i;
+    }
+  }
+  EXPECT_LT(worst, 1e-5 * most) << "at tick " << at << " of " << most << " J";
+}
+
 // But for the last place of a float: springs hold up to 3e-4 J here.
 TEST_F(V24Energy, NothingIsEverUndissipated) {
   constexpr double kRoundingJ = 1e-11;
@@ -239,6 +256,99 @@ TEST_F(V24Energy, AuditNoticesAForgottenPart) {
   EXPECT_GT(end.friction, bound);
   EXPECT_GT(end.cutting, bound);
   EXPECT_GT(end.relaxation, bound);
+}
+
+// ---- energy from nowhere
+// -------------------------------------------------------------------------
+
+// Work of the hand less what is stored: what was dissipated. How far it ever fell.
+struct Observer {
+  double work_j = 0, most_j = 0, fall_j = 0;
+  Vec3 tip_m = {}, force_n = {};
+
+  void see(Rig& rig, const Output& out) {
+    if (out.tick > 1) {
+      const Vec3 way = out.tip_m - tip_m, sum = out.force_n + force_n;
+      work_j -= 0.5 * (static_cast<double>(sum.x) * static_cast<double>(way.x) +
+                       static_cast<double>(sum.y) * static_cast<double>(way.y) +
+                       static_cast<double>(sum.z) * static_cast<double>(way.z));
+    }
+    tip_m = out.tip_m;
+    force_n = out.force_n;
+    const Energy e = energy(rig.kernel());
+    const double dissipated_j = work_j - (e.elastic + e.kinetic + e.coupling);
+    most_j = std::max(most_j, dissipated_j);
+    fall_j = std::max(fall_j, most_j - dissipated_j);
+  }
+};
+
+// Straight from one place to another, in steps of 20 um.
+void go(Rig& rig, Observer& observer, Vec3 from_m, Vec3 to_m) {
+  const auto ticks = static_cast<int>(norm_of(to_m - from_m) / 20e-6);
+  for (int i = 1; i <= ticks; ++i) {
+    const float part = static_cast<float>(i) / static_cast<float>(ticks);
+    observer.see(rig, move_tip(rig, from_m + part * (to_m - from_m)));
+  }
+}
+
+// A tip that slides in over an edge has not been pressed there: it holds what it lies in.
+TEST(EnergyFromNowhere, ContactThatBeginsDeepBeginsWithoutForce) {
+  Rig rig = make_rig(liver_block(), Config{});
+  Observer observer;
+  const Vec3 beside = {10e-3F, -2e-3F, 17e-3F}, inside = {10e-3F, 2e-3F, 17e-3F};
+  const Vec3 pushed = {11e-3F, 2e-3F, 17e-3F};
+  go(rig, observer, beside, inside);
+  ASSERT_EQ(rig.view().state.needle->phase, Phase::kContact);
+  EXPECT_LT(norm_of(observer.force_n), 0.02) << "ten millimetres would be half a newton";
+  go(rig, observer, inside, pushed);
+  EXPECT_GT(norm_of(observer.force_n), 0.005) << "from there on it is felt";
+  go(rig, observer, pushed, {11e-3F, -2e-3F, 17e-3F});
+  EXPECT_LT(observer.fall_j, 1e-8);
+}
+
+// Drawn back it comes out, without a contact a tick.
+TEST(EnergyFromNowhere, TipThatSlidInComesOut) {
+  Rig rig = make_rig(liver_block(), Config{});
+  Observer observer;
+  const Vec3 inside = {10e-3F, 2e-3F, 17e-3F};
+  go(rig, observer, {10e-3F, -2e-3F, 17e-3F}, inside);
+  go(rig, observer, inside, {-5e-3F, 2e-3F, 17e-3F});
+  EXPECT_EQ(rig.view().state.needle->phase, Phase::kFree);
+  EXPECT_LE(rig.view().state.head->event_count, 6U);
+  EXPECT_LT(observer.fall_j, 1e-8);
+}
+
+// The entry is held where the fit of its voxel has it, which the loaded tip has a part in.
+TEST(EnergyFromNowhere, PunctureAddsNoneInEitherMode) {
+  for (const Mode mode : {Mode::kPhysical, Mode::kPaper}) {
+    Config config;
+    config.mode = mode;
+    config.needle[0].unit_m = 1e-3F;
+    Rig rig = make_rig(liver_block(), config);
+    Observer observer;
+    const Vec3 start = {-1e-3F, 16e-3F, 18.5e-3F};
+    go(rig, observer, start, {20e-3F, start.y, start.z});
+    ASSERT_EQ(rig.view().state.needle->phase, Phase::kInserted);
+    EXPECT_LT(observer.fall_j, 1e-8) << "mode " << static_cast<int>(mode);
+  }
+}
+
+// A bevel that cuts against a load across the needle does so at the cost of the hand that pushes.
+TEST(EnergyFromNowhere, BevelCutsAgainstALoadForWork) {
+  for (const float side : {-3e-3F, 3e-3F}) {
+    Config config;
+    config.needle[0].bevel_per_m = 20;
+    Rig rig = make_rig(liver_block(), config);
+    Observer observer;
+    const Vec3 start = {-1e-3F, 18e-3F, 17e-3F}, in = {25e-3F, start.y, start.z};
+    const Vec3 loaded = {in.x, in.y, in.z + side};
+    go(rig, observer, start, in);
+    go(rig, observer, in, loaded);
+    const double before = observer.work_j;
+    go(rig, observer, loaded, {40e-3F, loaded.y, loaded.z});
+    EXPECT_GT(observer.work_j, before);
+    EXPECT_LT(observer.fall_j, 1e-8) << "side " << side;
+  }
 }
 
 }  // namespace

@@ -509,7 +509,10 @@ TEST(FidelityV7, NeutralInsertionChangesNoForceInTheKernel) {
     const Vec rest = kEdgeD * (Vec::Constant(2) + draw.within(1));
     const Vec where = turned * rest + draw.within(0.2 * kEdgeD);
     const Vec3 tip = to_float(where);
-    begin_contact(view, tip, to_float(rest), tip);
+    Needle needle = {};
+    needle.tip_m = tip;
+    needle.tip_direction = {1, 0, 0};
+    begin_contact(view, needle, to_float(rest), tip, 0);
     ASSERT_EQ(view.state.tip->share_count, kSharesPerParticle);
     gather_coupled(view);
     const std::vector<Vec> after = node_forces(rig);

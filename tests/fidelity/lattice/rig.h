@@ -261,7 +261,7 @@ inline Particle& hold_constraint_particle(Rig& rig, Node voxel, Vec3 offset_m, V
   p.position_m = p.rest_m + displacement_m;
   p.stiffness_n_per_m = p.full_stiffness_n_per_m = stiffness_n_per_m;
   p.share_count = 1;
-  p.share[0] = {slot, row, 1, offset_m, {}};
+  p.share[0] = {slot, row, 1, offset_m, {}, {1, 0, 0, 0}};
   gather_coupled(view);
   return p;
 }
