@@ -14,10 +14,10 @@ packages=(
   libtomlplusplus-dev libcli11-dev libfmt-dev libhdf5-dev nlohmann-json3-dev
   gnuplot-nox fonts-dejavu-core
   # offline
-  libcgal-dev libinsighttoolkit5-dev libpng-dev libssl-dev zlib1g-dev
+  libcgal-dev libdcmtk-dev libinsighttoolkit5-dev libpng-dev libssl-dev zlib1g-dev
   # tests
   libbenchmark-dev libbullet-dev libclang-rt-14-dev libclang-rt-19-dev libgmock-dev libgtest-dev
-  llvm python3-h5py snakemake valgrind
+  llvm python3-h5py python3-pydicom snakemake valgrind
   # tests on other processors
   g++-aarch64-linux-gnu g++-i686-linux-gnu gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib
   qemu-system-arm qemu-system-x86 qemu-user

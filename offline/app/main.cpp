@@ -410,7 +410,9 @@ void run_labels(const FileArguments& a) {
   const double volume_ml = voxel_volume_m3(map) * 1e6;
   Json list = Json::array();
   for (const LabelCount& each : count_labels(map)) {
+    const auto name = map.names.find(each.label);
     list.push_back({{"label", each.label},
+                    {"name", name != map.names.end() ? name->second : ""},
                     {"voxels", each.voxels},
                     {"volume_ml", static_cast<double>(each.voxels) * volume_ml}});
   }
@@ -422,8 +424,9 @@ void run_labels(const FileArguments& a) {
   fmt::print("{}: {} x {} x {} voxels of {:.6g} mm3\n{:>8}{:>12}{:>14}\n", a.file, map.size[0],
              map.size[1], map.size[2], volume_ml * 1e3, "label", "voxels", "ml");
   for (const Json& each : list) {
-    fmt::print("{:>8}{:>12}{:>14.6g}\n", each["label"].get<int>(),
-               each["voxels"].get<std::size_t>(), each["volume_ml"].get<double>());
+    fmt::print("{:>8}{:>12}{:>14.6g}  {}\n", each["label"].get<int>(),
+               each["voxels"].get<std::size_t>(), each["volume_ml"].get<double>(),
+               each["name"].get<std::string>());
   }
 }
 
@@ -466,7 +469,7 @@ void add_build(CLI::App& app, BuildArguments& a) {
       "--wrap", a.wrap, "Last resort: replace each mesh by a closed skin around it (adds volume)");
   command
       ->add_option("--recipe", a.recipe,
-                   "The input is a label map (.nrrd .nhdr .nii .nii.gz .mha .mhd); this TOML file "
+                   "The input is a label map (see labels --help); this TOML file "
                    "says which labels are which tissue")
       ->excludes(wrap);
   command
@@ -531,7 +534,11 @@ void add_hull(CLI::App& app, HullArguments& a) {
 
 void add_labels(CLI::App& app, FileArguments& a) {
   CLI::App* command = app.add_subcommand("labels", "What a label map holds");
-  command->add_option("file", a.file, "Label map (.nrrd .nhdr .nii .nii.gz .mha .mhd)")->required();
+  command
+      ->add_option("file", a.file,
+                   "Label map: .nrrd .nhdr .nii .nii.gz .mha .mhd .inr .inr.gz, a DICOM "
+                   "segmentation (.dcm), or the folder of a DICOM series")
+      ->required();
   command->add_flag("--json", a.json, "As one JSON object");
   command->footer("Example:\n  stylet-organ labels seg.nii.gz");
   command->callback([&a] { run_labels(a); });

@@ -1,102 +1,81 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "label_map.h"
 
-#include <itkMetaDataObject.h>
-#include <itkMetaImageIO.h>
-#include <itkNiftiImageIO.h>
-#include <itkNrrdImageIO.h>
-#include <zlib.h>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <cstdlib>
-#include <cstring>
+#include <cstdio>
 #include <iostream>
-#include <set>
 
 #include "file.h"
-#include "refusal.h"
+#include "label_readers.h"
 
 namespace stylet::bake {
 namespace {
 
-constexpr std::size_t kMostVoxels = std::size_t{1} << 28U;
-constexpr std::size_t kMostLabels = 500;  // whole-body maps name about a hundred
-constexpr const char* kEndings[] = {".nrrd", ".nhdr", ".nii", ".nii.gz", ".mha", ".mhd"};
-
-itk::ImageIOBase::Pointer reader_for(const std::string& path) {
-  itk::Object::GlobalWarningDisplayOff();
-  itk::ImageIOBase::Pointer reader;
-  if (path.ends_with(".nrrd") || path.ends_with(".nhdr")) {
-    reader = itk::NrrdImageIO::New();
-  } else if (path.ends_with(".nii") || path.ends_with(".nii.gz")) {
-    reader = itk::NiftiImageIO::New();
-  } else {
-    reader = itk::MetaImageIO::New();
-  }
-  reader->SetFileName(path);
-  return reader;
-}
-
-// The last line is the deepest reason; what comes before names objects and functions of ITK.
-std::string reason_of(const itk::ExceptionObject& failure) {
-  std::string text = failure.GetDescription();
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) {
-    text.pop_back();
-  }
-  const std::size_t line = text.rfind('\n');
-  const std::string last = line == std::string::npos ? text : text.substr(line + 1);
-  const std::size_t colon = last.find("): ");  // after an object's address
-  return colon == std::string::npos ? last : last.substr(colon + 3);
-}
-
-// MetaIO and NIfTI's reader talk to the terminal; what is wrong becomes one line of ours.
-class Silence {
- public:
-  Silence() : out_(std::cout.rdbuf(nullptr)), err_(std::cerr.rdbuf(nullptr)) {}
-  ~Silence() {
-    std::cout.rdbuf(out_);
-    std::cerr.rdbuf(err_);
-    std::cout.clear();
-    std::cerr.clear();
-  }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  std::streambuf* out_;
-  std::streambuf* err_;
+struct Format {
+  const char* ending;
+  LabelMap (*read)(const std::string& path);
 };
+constexpr Format kFormats[] = {
+    {".nrrd", read_by_itk},   {".nhdr", read_by_itk}, {".nii", read_by_itk},
+    {".nii.gz", read_by_itk}, {".mha", read_by_itk},  {".mhd", read_by_itk},
+    {".inr", read_inr},       {".inr.gz", read_inr},  {".dcm", read_dicom_seg}};
 
-void check_dimensions(const std::string& path, const itk::ImageIOBase& reader) {
-  std::size_t voxels = 1;
-  for (unsigned axis = 0; axis < reader.GetNumberOfDimensions(); ++axis) {
-    const std::size_t size = reader.GetDimensions(axis);
-    if ((axis < 3 && size == 0) || (axis >= 3 && size != 1)) {
-      refuse("{}: {} values along axis {}: expected a volume of three dimensions", path, size,
-             axis);
-    }
-    if (size > kMostVoxels || (voxels *= size) > kMostVoxels) {
-      refuse("{}: more than {} voxels: expected a smaller image", path, kMostVoxels);
-    }
+const Format* format_of(const std::string& name) {
+  const auto* found = std::find_if(std::begin(kFormats), std::end(kFormats),
+                                   [&](const Format& f) { return name.ends_with(f.ending); });
+  return found == std::end(kFormats) ? nullptr : found;
+}
+
+int redirected(int descriptor) {
+  const int kept = ::dup(descriptor);
+  const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nothing >= 0) {
+    ::dup2(nothing, descriptor);
+    ::close(nothing);
   }
-  if (reader.GetNumberOfDimensions() < 3 || reader.GetNumberOfComponents() != 1) {
-    refuse("{}: {} dimensions of {} values: expected 3 of 1", path, reader.GetNumberOfDimensions(),
-           reader.GetNumberOfComponents());
+  return kept;
+}
+
+void restore(int descriptor, int kept) {
+  if (kept < 0) return;
+  ::dup2(kept, descriptor);
+  ::close(kept);
+}
+
+void flush() {
+  std::cout.flush();
+  std::cerr.flush();
+  std::fflush(nullptr);
+}
+
+}  // namespace
+
+Silence::Silence() {
+  flush();
+  out_ = redirected(STDOUT_FILENO);
+  err_ = redirected(STDERR_FILENO);
+}
+
+Silence::~Silence() {
+  flush();
+  restore(STDOUT_FILENO, out_);
+  restore(STDERR_FILENO, err_);
+}
+
+void require_map_size(const std::string& path, const std::array<std::size_t, 3>& size) {
+  std::size_t voxels = 1;
+  for (const std::size_t each : size) {
+    if (each == 0) refuse("{}: 0 voxels along an axis: expected a volume", path);
+    if (each > kMostMapVoxels || (voxels *= each) > kMostMapVoxels) {
+      refuse("{}: more than {} voxels: expected a smaller image", path, kMostMapVoxels);
+    }
   }
 }
 
-void read_frame(const std::string& path, const itk::ImageIOBase& reader, LabelMap& map) {
-  constexpr double kMetresPerMm = 1e-3;
-  const auto at = [&](unsigned axis) { return reader.GetOrigin(axis) * kMetresPerMm; };
-  map.origin_m = {at(0), at(1), at(2)};
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    map.size[axis] = static_cast<std::uint32_t>(reader.GetDimensions(axis));
-    const std::vector<double> direction = reader.GetDirection(axis);
-    map.step_m[axis] =
-        Vec{direction[0], direction[1], direction[2]} * (reader.GetSpacing(axis) * kMetresPerMm);
-  }
+void require_frame(const std::string& path, const LabelMap& map) {
   const double volume = voxel_volume_m3(map);
   if (!(volume > 0) || !std::isfinite(volume) || !finite(map.origin_m)) {
     refuse("{}: spacing and directions span {} mm3 a voxel: expected more than 0", path,
@@ -104,130 +83,25 @@ void read_frame(const std::string& path, const itk::ImageIOBase& reader, LabelMa
   }
 }
 
-// NIfTI's reader takes zeros for what a file cut short does not hold.
-void check_nifti_length(const std::string& path, const itk::ImageIOBase& reader,
-                        std::size_t image_bytes) {
-  std::string offset;
-  itk::ExposeMetaData<std::string>(reader.GetMetaDataDictionary(), "vox_offset", offset);
-  const std::size_t wanted = image_bytes + static_cast<std::size_t>(std::atof(offset.c_str()));
-  const gzFile file = gzopen(path.c_str(), "rb");
-  if (file == nullptr) refuse("{}: cannot be read", path);
-  std::vector<char> block(std::size_t{1} << 20U);
-  std::size_t total = 0;
-  int count = 0;
-  while ((count = gzread(file, block.data(), static_cast<unsigned>(block.size()))) > 0) {
-    total += static_cast<std::size_t>(count);
-  }
-  const bool whole = gzclose(file) == Z_OK && count == 0;
-  if (!whole || total < wanted) {
-    refuse("{}: ends or is damaged after {} bytes: expected {}", path, total, wanted);
-  }
-}
-
-// MetaIO leaves what a file cut short does not hold as it was: two readings differ there.
-void check_meta_length(const std::string& path, itk::ImageIOBase& reader,
-                       const std::vector<char>& bytes) {
-  std::vector<char> again(bytes.size(), '\x55');
-  reader.Read(again.data());
-  const auto differ = std::mismatch(bytes.begin(), bytes.end(), again.begin());
-  if (differ.first != bytes.end()) {
-    refuse("{}: the voxels end or are damaged after {} bytes: expected {}", path,
-           differ.first - bytes.begin(), bytes.size());
-  }
-}
-
-std::vector<char> read_bytes(const std::string& path, itk::ImageIOBase& reader) {
-  itk::ImageIORegion all(reader.GetNumberOfDimensions());
-  for (unsigned axis = 0; axis < reader.GetNumberOfDimensions(); ++axis) {
-    all.SetSize(axis, reader.GetDimensions(axis));
-  }
-  reader.SetIORegion(all);
-  std::vector<char> bytes(static_cast<std::size_t>(reader.GetImageSizeInBytes()));
-  if (dynamic_cast<itk::NiftiImageIO*>(&reader) != nullptr) {
-    check_nifti_length(path, reader, bytes.size());
-  }
-  reader.Read(bytes.data());
-  if (dynamic_cast<itk::MetaImageIO*>(&reader) != nullptr) check_meta_length(path, reader, bytes);
-  return bytes;
-}
-
-template <typename T>
-void take_labels(const std::string& path, const std::vector<char>& bytes, LabelMap& map) {
-  std::set<std::uint16_t> different;
-  map.label.resize(bytes.size() / sizeof(T));
-  for (std::size_t i = 0; i < map.label.size(); ++i) {
-    T value;
-    std::memcpy(&value, bytes.data() + i * sizeof(T), sizeof(T));
-    const auto number = static_cast<double>(value);
-    if (!(number >= 0 && number <= 65535) || number != std::floor(number)) {
-      refuse("{}: voxel {}: {}: expected labels, which are whole numbers from 0 to 65535", path, i,
-             number);
-    }
-    const auto label = static_cast<std::uint16_t>(number);
-    if (map.label[i > 0 ? i - 1 : 0] != label || i == 0) different.insert(label);
-    map.label[i] = label;
-    if (different.size() > kMostLabels) {
-      refuse("{}: more than {} different values: expected a label map, not grey values", path,
-             kMostLabels);
-    }
-  }
-}
-
-void take_any_labels(const std::string& path, itk::ImageIOBase::IOComponentType type,
-                     const std::vector<char>& bytes, LabelMap& map) {
-  using Type = itk::ImageIOBase::IOComponentType;
-  switch (type) {
-    case Type::UCHAR:
-      return take_labels<unsigned char>(path, bytes, map);
-    case Type::CHAR:
-      return take_labels<signed char>(path, bytes, map);
-    case Type::USHORT:
-      return take_labels<unsigned short>(path, bytes, map);
-    case Type::SHORT:
-      return take_labels<short>(path, bytes, map);
-    case Type::UINT:
-      return take_labels<unsigned int>(path, bytes, map);
-    case Type::INT:
-      return take_labels<int>(path, bytes, map);
-    case Type::ULONG:
-      return take_labels<unsigned long>(path, bytes, map);
-    case Type::LONG:
-      return take_labels<long>(path, bytes, map);
-    case Type::FLOAT:
-      return take_labels<float>(path, bytes, map);
-    case Type::DOUBLE:
-      return take_labels<double>(path, bytes, map);
-    default:
-      refuse("{}: voxels of type {}: expected numbers", path,
-             itk::ImageIOBase::GetComponentTypeAsString(type));
-  }
-}
-
-}  // namespace
-
 bool is_label_map(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  return std::any_of(std::begin(kEndings), std::end(kEndings),
-                     [&](const char* ending) { return name.ends_with(ending); });
+  std::error_code error;
+  return format_of(path.string()) != nullptr || std::filesystem::is_directory(path, error);
 }
 
 LabelMap read_label_map(const std::filesystem::path& file) {
   const std::string path = file.string();
-  if (!is_label_map(file)) {
-    refuse("{}: expected a label map: .nrrd .nhdr .nii .nii.gz .mha .mhd", path);
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) return read_dicom_series(path);
+  const Format* format = format_of(path);
+  if (format == nullptr) {
+    refuse(
+        "{}: expected a label map: .nrrd .nhdr .nii .nii.gz .mha .mhd .inr .inr.gz .dcm, or a "
+        "folder of DICOM slices",
+        path);
   }
-  LabelMap map;
-  map.sha256 = sha256_hex(read_file(file));
-  try {
-    const Silence silence;
-    const itk::ImageIOBase::Pointer reader = reader_for(path);
-    reader->ReadImageInformation();
-    check_dimensions(path, *reader);
-    read_frame(path, *reader, map);
-    take_any_labels(path, reader->GetComponentType(), read_bytes(path, *reader), map);
-  } catch (const itk::ExceptionObject& failure) {
-    refuse("{}: cannot be read: {}", path, reason_of(failure));
-  }
+  const std::string sum = sha256_hex(read_file(file));
+  LabelMap map = format->read(path);
+  map.sha256 = sum;
   return map;
 }
 

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A label map: a number for every voxel of an image, and where the image lies in the patient.
 //
-// Read by ITK: NRRD (.nrrd .nhdr), NIfTI (.nii .nii.gz), MetaImage (.mha .mhd). Axes, spacing,
-// direction cosines and units are those of the header.
-// Promise: what is no label map (fractions, negative numbers, more values than anybody names, other
-// than three dimensions) is refused with one line.
-// Units: metres. Frame: the patient's, x to the left, y to the back, z to the head (LPS).
+// Read by ITK: NRRD (.nrrd .nhdr), NIfTI (.nii .nii.gz), MetaImage (.mha .mhd), a folder with one
+// series of DICOM slices; by DCMTK: a DICOM segmentation (.dcm), where the segment with the higher
+// number wins a voxel that two claim; by CGAL: Inrimage (.inr .inr.gz). Axes, spacing, direction
+// cosines and units are those of the header; Inrimage knows no directions and has x, y, z as
+// stored. Promise: what is no label map (fractions, negative numbers, more values than anybody
+// names, other than three dimensions) is refused with one line. Units: metres. Frame: the
+// patient's, x to the left, y to the back, z to the head (LPS).
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,9 +25,10 @@ namespace stylet::bake {
 struct LabelMap {
   std::array<std::uint32_t, 3> size{};  // first index fastest
   std::vector<std::uint16_t> label;
-  Vec origin_m;               // centre of the first voxel
-  std::array<Vec, 3> step_m;  // from a voxel to the next one along each index
-  std::string sha256;         // of the file; with .nhdr and .mhd that of the header alone
+  Vec origin_m;                                // centre of the first voxel
+  std::array<Vec, 3> step_m;                   // from a voxel to the next one along each index
+  std::map<std::uint16_t, std::string> names;  // as far as the file knows them
+  std::string sha256;  // of the file; with .nhdr and .mhd of the header, of a series of its sums
 };
 
 // By its name; nothing is read.

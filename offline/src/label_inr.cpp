@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Image_3.h>
+
+#include "label_readers.h"
+
+namespace stylet::bake {
+namespace {
+
+void take_words(const std::string& path, const _image& image, LabelMap& map) {
+  const auto* first = static_cast<const char*>(image.data);
+  const std::vector<char> bytes(first,
+                                first + map.size[0] * map.size[1] * map.size[2] * image.wdim);
+  std::set<std::uint16_t> different;
+  const bool is_signed = image.sign == SGN_SIGNED, is_real = image.wordKind == WK_FLOAT;
+  if (!is_real && image.wdim == 1) {
+    if (is_signed) return take_labels<std::int8_t>(path, bytes, map, different);
+    return take_labels<std::uint8_t>(path, bytes, map, different);
+  }
+  if (!is_real && image.wdim == 2) {
+    if (is_signed) return take_labels<std::int16_t>(path, bytes, map, different);
+    return take_labels<std::uint16_t>(path, bytes, map, different);
+  }
+  if (!is_real && image.wdim == 4) {
+    if (is_signed) return take_labels<std::int32_t>(path, bytes, map, different);
+    return take_labels<std::uint32_t>(path, bytes, map, different);
+  }
+  if (is_real && image.wdim == 4) return take_labels<float>(path, bytes, map, different);
+  if (is_real && image.wdim == 8) return take_labels<double>(path, bytes, map, different);
+  refuse("{}: voxels of {} bytes: expected 1, 2 or 4, or real numbers of 4 or 8", path, image.wdim);
+}
+
+struct Freed {
+  void operator()(_image* image) const { _freeImage(image); }
+};
+using Image = std::unique_ptr<_image, Freed>;
+
+Image opened(const std::string& path) {
+  const Silence silence;
+  return Image(_readImageHeader(path.c_str()));
+}
+
+bool read_voxels(_image& image) {
+  const Silence silence;
+  const bool whole = _readImageData(&image) > 0;
+  ImageIO_close(&image);
+  return whole;
+}
+
+}  // namespace
+
+LabelMap read_inr(const std::string& path) {
+  constexpr double kMetresPerMm = 1e-3;
+  const Image image = opened(path);
+  if (!image || image->vdim != 1) {
+    refuse("{}: expected the header of an Inrimage (#INRIMAGE-4) with one value a voxel", path);
+  }
+  require_map_size(path, {image->xdim, image->ydim, image->zdim});
+  LabelMap map;
+  map.size = {static_cast<std::uint32_t>(image->xdim), static_cast<std::uint32_t>(image->ydim),
+              static_cast<std::uint32_t>(image->zdim)};
+  map.step_m = {Vec{image->vx, 0, 0} * kMetresPerMm, Vec{0, image->vy, 0} * kMetresPerMm,
+                Vec{0, 0, image->vz} * kMetresPerMm};
+  map.origin_m = Vec{static_cast<double>(image->tx), static_cast<double>(image->ty),
+                     static_cast<double>(image->tz)} *
+                 kMetresPerMm;
+  require_frame(path, map);
+  if (!read_voxels(*image)) {
+    refuse("{}: the voxels end early or are damaged: expected {} x {} x {} of {} bytes", path,
+           map.size[0], map.size[1], map.size[2], image->wdim);
+  }
+  take_words(path, *image, map);
+  return map;
+}
+
+}  // namespace stylet::bake

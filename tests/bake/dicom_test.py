@@ -1,0 +1,232 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""DICOM segmentations and series of slices, written here by pydicom, against the same labels as
+NRRD: same counts, same organ in the same place. What is damaged or incomplete is refused.
+
+usage: dicom_test.py   (STYLET_BIN)
+"""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+try:
+    import numpy
+    import pydicom
+    from pydicom.dataset import Dataset, FileDataset, FileMetaDataset
+    from pydicom.sequence import Sequence
+    from pydicom.uid import ExplicitVRLittleEndian, generate_uid
+except ImportError:
+    pydicom = None
+
+TOOL = pathlib.Path(os.environ.get("STYLET_BIN", "build/bin")) / "stylet-organ"
+CT, SEG = "1.2.840.10008.5.1.4.1.1.2", "1.2.840.10008.5.1.4.1.1.66.4"
+
+# A tilted frame: row and column directions, spacings along row, column and normal, first voxel.
+ROW, COLUMN = (0.8, 0.6, 0.0), (-0.6, 0.8, 0.0)
+SPACING, ORIGIN = (1.5, 2.0, 3.0), (-40.0, 25.0, 110.0)
+SIZE = (40, 30, 20)
+
+
+def labels():
+    """Two balls, the second partly in the first; index order z, y, x."""
+    z, y, x = numpy.mgrid[0:SIZE[2], 0:SIZE[1], 0:SIZE[0]]
+    place = numpy.stack([x * SPACING[0], y * SPACING[1], z * SPACING[2]], axis=-1)
+    first = numpy.linalg.norm(place - [28, 30, 30], axis=-1) < 20
+    second = numpy.linalg.norm(place - [36, 30, 30], axis=-1) < 8
+    return numpy.where(second, 2, numpy.where(first, 1, 0)).astype(numpy.uint8)
+
+
+def place_of(slice_index):
+    normal = numpy.cross(ROW, COLUMN)
+    return [float(v) for v in numpy.array(ORIGIN) + normal * SPACING[2] * slice_index]
+
+
+def new_file(path, kind):
+    meta = FileMetaDataset()
+    meta.MediaStorageSOPClassUID, meta.MediaStorageSOPInstanceUID = kind, generate_uid()
+    meta.TransferSyntaxUID = ExplicitVRLittleEndian
+    file = FileDataset(str(path), {}, file_meta=meta, preamble=b"\0" * 128)
+    file.SOPClassUID, file.SOPInstanceUID = kind, meta.MediaStorageSOPInstanceUID
+    file.is_little_endian, file.is_implicit_VR = True, False
+    file.PatientName = file.PatientID = "phantom"
+    file.PatientBirthDate = file.PatientSex = file.StudyDate = file.StudyTime = ""
+    file.AccessionNumber = file.ReferringPhysicianName = file.StudyID = ""
+    file.StudyInstanceUID = "1.2.3.4"
+    file.FrameOfReferenceUID = "1.2.3.5"
+    file.PositionReferenceIndicator = ""
+    file.SeriesNumber = file.InstanceNumber = 1
+    file.Rows, file.Columns = SIZE[1], SIZE[0]
+    file.SamplesPerPixel, file.PhotometricInterpretation = 1, "MONOCHROME2"
+    file.PixelRepresentation = 0
+    return file
+
+
+def write_series(folder, skip=(), series="1.2.3.6"):
+    """One file a slice, in an order that is not that of space."""
+    folder.mkdir(exist_ok=True)
+    volume = labels()
+    for i in range(SIZE[2]):
+        if i in skip:
+            continue
+        file = new_file(folder / f"{(i * 7) % SIZE[2]:02d}-{series}.dcm", CT)
+        file.Modality, file.SeriesInstanceUID, file.InstanceNumber = "CT", series, i + 1
+        file.ImagePositionPatient, file.ImageOrientationPatient = place_of(i), [*ROW, *COLUMN]
+        file.PixelSpacing, file.SliceThickness = [SPACING[1], SPACING[0]], SPACING[2]
+        file.BitsAllocated, file.BitsStored, file.HighBit = 16, 16, 15
+        file.PixelData = volume[i].astype("<u2").tobytes()
+        file.save_as(file.filename, write_like_original=False)
+
+
+def item(**values):
+    dataset = Dataset()
+    for name, value in values.items():
+        setattr(dataset, name, value)
+    return dataset
+
+
+def code():
+    return item(CodeValue="85756007", CodingSchemeDesignator="SCT", CodeMeaning="Tissue")
+
+
+def write_seg(path, kind="BINARY", shift=None):
+    """Only the slices that a segment has pixels in, segment after segment."""
+    volume = labels()
+    file = new_file(path, SEG)
+    file.Modality, file.SeriesInstanceUID = "SEG", "1.2.3.7"
+    file.ImageType = ["DERIVED", "PRIMARY"]
+    file.ContentLabel, file.ContentDescription, file.ContentCreatorName = "SEG", "", ""
+    file.ContentDate, file.ContentTime = "20200101", "000000"
+    file.Manufacturer = file.ManufacturerModelName = "phantom"
+    file.DeviceSerialNumber = file.SoftwareVersions = "1"
+    file.BitsAllocated, file.BitsStored, file.HighBit = 1, 1, 0
+    file.LossyImageCompression, file.SegmentationType = "00", kind
+    if kind == "FRACTIONAL":
+        file.SegmentationFractionalType, file.MaximumFractionalValue = "OCCUPANCY", 255
+        file.BitsAllocated, file.BitsStored, file.HighBit = 8, 8, 7
+    file.SegmentSequence = Sequence(
+        item(SegmentNumber=n, SegmentLabel=name, SegmentAlgorithmType="MANUAL",
+             SegmentedPropertyCategoryCodeSequence=Sequence([code()]),
+             SegmentedPropertyTypeCodeSequence=Sequence([code()]))
+        for n, name in ((1, "Liver"), (2, "Lesion")))
+    file.SharedFunctionalGroupsSequence = Sequence([item(
+        PixelMeasuresSequence=Sequence([item(PixelSpacing=[SPACING[1], SPACING[0]],
+                                             SliceThickness=SPACING[2])]),
+        PlaneOrientationSequence=Sequence([item(ImageOrientationPatient=[*ROW, *COLUMN])]))])
+    frames, bits = [], []
+    for segment in (1, 2):
+        for i in range(SIZE[2]):
+            # The lesion lies in the liver: both claim its pixels.
+            mask = volume[i] >= segment
+            if not mask.any():
+                continue
+            position = place_of(i if shift is None or frames else i + shift)
+            frames.append(item(
+                FrameContentSequence=Sequence([item(DimensionIndexValues=[segment, i + 1])]),
+                PlanePositionSequence=Sequence([item(ImagePositionPatient=position)]),
+                SegmentIdentificationSequence=Sequence([item(ReferencedSegmentNumber=segment)])))
+            bits.append(mask)
+    file.NumberOfFrames = len(frames)
+    file.DimensionOrganizationSequence = Sequence([item(DimensionOrganizationUID="1.2.3.8")])
+    file.DimensionIndexSequence = Sequence([
+        item(DimensionOrganizationUID="1.2.3.8", DimensionIndexPointer=0x0062000B,
+             FunctionalGroupPointer=0x0062000A),
+        item(DimensionOrganizationUID="1.2.3.8", DimensionIndexPointer=0x00200032,
+             FunctionalGroupPointer=0x00209113)])
+    file.PerFrameFunctionalGroupsSequence = Sequence(frames)
+    flat = numpy.concatenate([mask.ravel() for mask in bits])
+    file.PixelData = (numpy.packbits(flat, bitorder="little").tobytes() if kind == "BINARY"
+                      else (flat * 255).astype(numpy.uint8).tobytes())
+    if len(file.PixelData) % 2:
+        file.PixelData += b"\0"
+    file.save_as(str(path), write_like_original=False)
+
+
+def write_nrrd(path):
+    normal = numpy.cross(ROW, COLUMN)
+    axes = [numpy.array(d) * s for d, s in zip((ROW, COLUMN, normal), SPACING)]
+    text = " ".join("(" + ",".join(f"{v:.17g}" for v in axis) + ")" for axis in axes)
+    head = (f"NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\n"
+            f"sizes: {SIZE[0]} {SIZE[1]} {SIZE[2]}\nspace directions: {text}\n"
+            f"space origin: ({','.join(map(str, ORIGIN))})\nencoding: raw\n\n")
+    path.write_bytes(head.encode() + labels().tobytes())
+
+
+@unittest.skipIf(pydicom is None, "pydicom is not installed: apt-get install python3-pydicom")
+class Dicom(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+        (self.folder / "r.toml").write_text("[tissues]\nliver = [1]\ntumour = [2]\n")
+        write_nrrd(self.folder / "map.nrrd")
+
+    def tool(self, *words):
+        return subprocess.run([TOOL, *map(str, words)], capture_output=True, text=True,
+                              timeout=120)
+
+    def facts(self, *words):
+        done = self.tool(*words, "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def organ(self, source):
+        facts = self.facts("build", source, "--recipe", self.folder / "r.toml", "--voxel-mm", 4,
+                           "--name", "x", "-o", self.folder / "x.organ")
+        return facts["organ"]
+
+    def check_same(self, source):
+        found = self.facts("labels", source)["labels"]
+        counts = [(each["label"], each["voxels"]) for each in found]
+        self.assertEqual(counts, [(1, int((labels() == 1).sum())), (2, int((labels() == 2).sum()))])
+        seen, wanted = self.organ(source), self.organ(self.folder / "map.nrrd")
+        for key in ("voxels", "lattice_size", "surface_triangles"):
+            self.assertEqual(seen[key], wanted[key], key)
+        self.assertAlmostEqual(seen["volume_ml"], wanted["volume_ml"], delta=0.02)
+        for a, b in zip(seen["origin_mm"], wanted["origin_mm"]):
+            self.assertAlmostEqual(a, b, places=3)
+
+    def check_refused(self, source, said):
+        done = self.tool("labels", source)
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertIn(said, done.stderr)
+
+    def test_segmentation(self):
+        write_seg(self.folder / "seg.dcm")
+        self.check_same(self.folder / "seg.dcm")
+        names = [each["name"] for each in self.facts("labels", self.folder / "seg.dcm")["labels"]]
+        self.assertEqual(names, ["Liver", "Lesion"])
+
+    def test_series(self):
+        write_series(self.folder / "series")
+        self.check_same(self.folder / "series")
+
+    def test_incomplete_series_are_refused(self):
+        write_series(self.folder / "gap", skip=[9])
+        self.check_refused(self.folder / "gap", "expected no slice missing or twice")
+        write_series(self.folder / "two")
+        write_series(self.folder / "two", series="1.2.3.9")
+        self.check_refused(self.folder / "two", "2 DICOM series: expected one")
+        (self.folder / "none").mkdir()
+        self.check_refused(self.folder / "none", "0 DICOM series: expected one")
+
+    def test_other_segmentations_are_refused(self):
+        path = self.folder / "seg.dcm"
+        write_seg(path, kind="FRACTIONAL")
+        self.check_refused(path, "expected a binary one")
+        write_seg(path, shift=0.3)
+        self.check_refused(path, "between the planes")
+        write_series(self.folder / "series")
+        self.check_refused(next((self.folder / "series").iterdir()), "give the folder")
+        write_seg(path)
+        whole = path.read_bytes()
+        for size in (0, 100, 200, len(whole) // 2, len(whole) - 400):
+            path.write_bytes(whole[:size])
+            self.check_refused(path, "expected")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
