@@ -106,7 +106,7 @@ TEST_P(V25Abuse, BadNumberInAnyField) {
       Input input = good;
       field_of(input.handle, field) = bad.value;
       for (int i = 0; i < 20; ++i) {
-        const Output out = tick(rig.kernel(), input);
+        const Output out = checked_tick(rig, input);
         ASSERT_TRUE(finite(out)) << bad.name << " in field " << field << ", tick " << i;
         ASSERT_EQ(out.flags & kFlagFault, 0U);
         const std::uint32_t flag = field < 3 ? bad.flag_in_position : bad.flag_in_rotation;
@@ -124,7 +124,7 @@ TEST_P(V25Abuse, BadNumberInAnyField) {
         EXPECT_EQ(after.input_clamped - before.input_clamped, 20U);
       }
       for (int i = 0; i < 100; ++i) {
-        ASSERT_TRUE(finite(tick(rig.kernel(), good))) << "after " << bad.name << ", tick " << i;
+        ASSERT_TRUE(finite(checked_tick(rig, good))) << "after " << bad.name << ", tick " << i;
       }
     }
   }
@@ -134,10 +134,10 @@ TEST_P(V25Abuse, BadNumberInAnyField) {
 TEST_P(V25Abuse, NoDirectionInTheRotation) {
   Rig rig = rig_in(GetParam());
   Input input = along_x(place_of(GetParam()), rig.length_m);
-  const Output before = tick(rig.kernel(), input);
+  const Output before = checked_tick(rig, input);
   for (const float size : {0.0F, -0.0F, 1e-45F, 1e-30F}) {
     input.handle.rotation = {size, size, -size, size};
-    const Output out = tick(rig.kernel(), input);
+    const Output out = checked_tick(rig, input);
     ASSERT_TRUE(finite(out));
     EXPECT_EQ(out.flags, kFlagInputNotFinite) << size;
     EXPECT_EQ(norm_of(out.tip_m - before.tip_m), 0) << "the last pose is kept";
@@ -148,11 +148,11 @@ TEST_P(V25Abuse, NoDirectionInTheRotation) {
 TEST_P(V25Abuse, MissingSamplesKeepTheLastPose) {
   Rig rig = rig_in(GetParam());
   Input input = along_x(place_of(GetParam()), rig.length_m);
-  const Output before = tick(rig.kernel(), input);
+  const Output before = checked_tick(rig, input);
   input.valid = 0;
   input.handle.position_m = {std::numeric_limits<float>::quiet_NaN(), 1e30F, -1};
   for (int i = 0; i < 1000; ++i) {
-    const Output out = tick(rig.kernel(), input);
+    const Output out = checked_tick(rig, input);
     ASSERT_TRUE(finite(out));
     ASSERT_EQ(out.flags, kFlagInputMissing);
     ASSERT_EQ(norm_of(out.tip_m - before.tip_m), 0);
@@ -170,10 +170,10 @@ TEST_P(V25Abuse, JumpsAndTeleports) {
       const std::string what =
           "jump of " + std::to_string(jump) + " m, axis " + std::to_string(axis);
       std::uint64_t clamped = 0;
-      Vec3 last = tick(rig.kernel(), input).tip_m;
+      Vec3 last = checked_tick(rig, input).tip_m;
       const auto send = [&](const Input& sample, int ticks) {
         for (int i = 0; i < ticks; ++i) {
-          const Output out = tick(rig.kernel(), sample);
+          const Output out = checked_tick(rig, sample);
           ASSERT_TRUE(finite(out)) << what << ", tick " << i;
           ASSERT_EQ(out.flags & kFlagFault, 0U) << what;
           clamped += (out.flags & kFlagInputClamped) != 0 ? 1 : 0;
@@ -201,11 +201,11 @@ TEST_P(V25Abuse, SpinsAndFlips) {
     Input input = good;
     input.handle.rotation = turn;
     for (int i = 0; i < 100; ++i) {
-      const Output out = tick(rig.kernel(), input);
+      const Output out = checked_tick(rig, input);
       ASSERT_TRUE(finite(out)) << "tick " << i;
     }
   }
-  for (int i = 0; i < 200; ++i) ASSERT_TRUE(finite(tick(rig.kernel(), good)));
+  for (int i = 0; i < 200; ++i) ASSERT_TRUE(finite(checked_tick(rig, good)));
   expect_back_at_rest(rig, "spins");
 }
 
@@ -251,7 +251,7 @@ TEST(V25AbuseLong, ShakenHundredThousandTicks) {
     if (i % 89 == 7) input.valid = 0;
     missing += input.valid == 0 ? 1 : 0;
     not_finite += input.valid != 0 && i % 97 == 5 ? 1 : 0;
-    const Output out = tick(rig.kernel(), input);
+    const Output out = checked_tick(rig, input);
     ASSERT_TRUE(finite(out)) << "tick " << i;
     ASSERT_EQ(out.flags & kFlagFault, 0U) << "tick " << i;
     clamped += (out.flags & kFlagInputClamped) != 0 ? 1 : 0;

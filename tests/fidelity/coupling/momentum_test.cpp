@@ -128,7 +128,7 @@ TEST(Momentum, WrenchIsTheSumOverTheParticles) {
     const float t = static_cast<float>(i);
     const float side = i > 1500 ? 3e-6F * (t - 1500) : 0;
     const Input input = along_x({-2e-3F + 15e-6F * t, 13e-3F + side, 14e-3F}, rig.length_m);
-    const Output out = tick(rig.kernel(), input);
+    const Output out = checked_tick(rig, input);
     ConstraintParticle list[kMaxConstraintParticles + 1];
     const std::uint32_t count = constraint_particles(rig.kernel(), list);
     ASSERT_EQ(count, out.constraint_particles);

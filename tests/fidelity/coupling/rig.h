@@ -5,16 +5,20 @@
 // from a case with a closed form. Units: SI. Frame: world.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "coupling.h"
 #include "layout.h"
 #include "math.h"
+#include "promises.h"
 #include "session.h"
 #include "stylet/kernel.h"
 #include "tiny_organ.h"
@@ -52,8 +56,22 @@ inline Input along_x(Vec3 tip_m, float length_m) {
   return {{{tip_m.x - length_m, tip_m.y, tip_m.z}, {half, 0, -half, 0}}, 1};
 }
 
+// A tick; in each the wrench on every hand must be the sum over particles and contacts.
+inline void checked_tick(Rig& rig, std::span<const Input> inputs, std::span<Output> outputs) {
+  tick(rig.kernel(), inputs, outputs);
+  for (std::uint32_t i = 0; i < outputs.size(); ++i) {
+    const char* broken = broken_sum(rig.kernel(), i, outputs[i]);
+    if (broken != nullptr) ADD_FAILURE() << "tick " << outputs[i].tick << ": " << broken;
+  }
+}
+inline Output checked_tick(Rig& rig, const Input& input) {
+  Output out = {};
+  checked_tick(rig, {&input, 1}, {&out, 1});
+  return out;
+}
+
 inline Output move_tip(Rig& rig, Vec3 tip_m) {
-  return tick(rig.kernel(), along_x(tip_m, rig.length_m));
+  return checked_tick(rig, along_x(tip_m, rig.length_m));
 }
 
 // Moves the tip along x at constant speed; `visit(output)` sees every tick.

@@ -34,7 +34,7 @@ std::array<Output, 2> move_both(Rig& rig, float x0, float x1) {
   const std::array<Input, 2> in = {along_x({x0, 17e-3F, kNearZ}, rig.length_m),
                                    along_x({x1, 18e-3F, kFarZ}, rig.length_m)};
   std::array<Output, 2> out = {};
-  tick(rig.kernel(), in, out);
+  checked_tick(rig, in, out);
   return out;
 }
 
@@ -77,7 +77,7 @@ TEST(TwoNeedles, ShareTheTissue) {
   const auto move = [&rig](Vec3 a, Vec3 b) {
     const std::array<Input, 2> in = {along_x(a, rig.length_m), along_x(b, rig.length_m)};
     std::array<Output, 2> out = {};
-    tick(rig.kernel(), in, out);
+    checked_tick(rig, in, out);
     return out;
   };
   const float y = 17e-3F;
@@ -102,7 +102,7 @@ TEST(TwoNeedles, AMissingInputKeepsItsNeedleAndIsCounted) {
   move_both(rig, -20e-3F, -20e-3F);
   const Input only = along_x({-19.99e-3F, 17e-3F, kNearZ}, rig.length_m);
   std::array<Output, 2> out = {};
-  tick(rig.kernel(), {&only, 1}, out);
+  checked_tick(rig, {&only, 1}, out);
   EXPECT_EQ(out[0].flags, 0U);
   EXPECT_EQ(out[1].flags, static_cast<std::uint32_t>(kFlagInputMissing));
   EXPECT_EQ(stats(rig.kernel()).input_missing, 1U);

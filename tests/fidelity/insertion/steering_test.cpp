@@ -106,7 +106,7 @@ Steered steer(float youngs_modulus_pa, float curvature, bool flip, float bending
       const Quat q = input.handle.rotation;
       input.handle.rotation = {-q.z, q.y, -q.x, q.w};
     }
-    const Output out = tick(rig.kernel(), input);
+    const Output out = checked_tick(rig, input);
     ConstraintParticle list[kMaxConstraintParticles + 1];
     const std::uint32_t count = constraint_particles(rig.kernel(), list);
     Vec3 sum = {}, moment = {};

@@ -97,6 +97,15 @@ TEST(Buckling, ClampedFreeIsHenckysChain) {
   EXPECT_NEAR(buckling_n(40, 0) / euler_n, 1, 1e-3);
 }
 
+// A chain pinned at both ends is two clamped-free ones, back to back: the clamp's half rod is the
+// half of its middle. Ratios to Euler's load of 10, 20 and 40 rods.
+TEST(Buckling, PinnedPinnedIsTwoOfThem) {
+  const double euler_n = kPi * kPi * kBending / (4 * kLength * kLength);
+  EXPECT_NEAR(buckling_n(5, 0) / euler_n, 0.99180, 1e-5);
+  EXPECT_NEAR(buckling_n(10, 0) / euler_n, 0.99795, 1e-5);
+  EXPECT_NEAR(buckling_n(20, 0) / euler_n, 0.99949, 1e-5);
+}
+
 TEST(Buckling, ClampedPinnedIsEulers) {
   const double euler_n = 20.1907 * kBending / (kLength * kLength);
   for (const std::uint32_t rods : {64U, 128U}) {
