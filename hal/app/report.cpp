@@ -65,9 +65,12 @@ Lines counters(const RunReport& report) {
           {"samples_old", guard.samples_old},
           {"samples_not_finite", guard.samples_not_finite},
           {"samples_absurd", guard.samples_absurd},
+          {"samples_jumped", guard.samples_jumped},
           {"force_not_finite", guard.force_not_finite},
           {"force_limited", guard.force_limited},
           {"slew_limited", guard.slew_limited},
+          {"force_warm", guard.force_warm},
+          {"force_damped", guard.force_damped},
           {"guard_faults", guard.faults},
           {"lost_records", report.loop->lost_records},
           {"lost_events", report.loop->lost_events}};
@@ -227,7 +230,10 @@ std::string json_text(const RunReport& report) {
               {"events", Json::array()}};
   for (std::size_t i = 0; i < report.needles.size(); ++i) {
     Json needle = json_of(report.needles[i]);
-    needle["fault"] = hal::fault_name(loop.hand[i].guard.fault);
+    const hal::GuardState& guard = loop.hand[i].guard;
+    needle["fault"] = hal::fault_name(guard.fault);
+    needle["least_energy_j"] = guard.energy.least_j;
+    needle["least_received_j"] = report.least_received_j[i];
     needle["phases"] = json_of(report.phases[i]);
     out["needles"].push_back(needle);
   }

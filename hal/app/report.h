@@ -19,6 +19,7 @@ struct RunReport {
   bool fast = false, interrupted = false;
   double wall_s = 0;
   std::vector<NeedleConfig> needles;
+  std::vector<double> least_received_j;  // of each needle's simulated hand; NaN: it is another
   std::size_t obstacles = 0;
   std::vector<std::vector<hal::PhaseRow>> phases;  // of each needle
   std::vector<Event> events;

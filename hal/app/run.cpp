@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <thread>
 
@@ -331,6 +332,9 @@ RunReport report_of(const Session& s, double wall_s) {
   for (std::uint32_t i = 0; i < config.needle_count; ++i) {
     report.phases.push_back(
         hal::find_phases(s.recorder->track(i), report.period_s, config.needle[i].unit_m));
+    const bool simulated = s.scene.hands[i].device == "simulated";
+    report.least_received_j.push_back(simulated ? s.stations[i].hand.least_received_j
+                                                : std::numeric_limits<double>::quiet_NaN());
   }
   report.needles.assign(config.needle, config.needle + config.needle_count);
   report.obstacles = s.scene.obstacles.size();

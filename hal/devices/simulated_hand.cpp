@@ -9,8 +9,6 @@
 namespace stylet::hal {
 namespace {
 
-constexpr int kStepsPerTick = 8;
-
 struct Target {
   double position_m[3];
   double velocity_m_per_s[3];
@@ -40,36 +38,77 @@ Target target_at(SimulatedHand& hand, double t_s) {
           turns_at(a, b, share)};
 }
 
-// m a = k (target - x) + c (target velocity - v) + force, by the implicit midpoint rule.
+double of(float value) {
+  return static_cast<double>(value);
+}
+
+// Share of the velocity left where Coulomb friction takes up to `most`, and never more than all.
+double rubbed(const double (&velocity)[3], double most) {
+  const double speed =
+      std::sqrt(velocity[0] * velocity[0] + velocity[1] * velocity[1] + velocity[2] * velocity[2]);
+  return speed > most ? 1 - most / speed : 0;
+}
+
+// m a = k (target - x) + c (target velocity - v) + force - device, by the implicit midpoint rule.
 void step(SimulatedHand& hand, const Target& target, double h) {
-  const double m = static_cast<double>(hand.config.mass_kg);
-  const double k = static_cast<double>(hand.config.stiffness_n_per_m);
-  const double c = static_cast<double>(hand.config.damping_n_s_per_m);
-  const double force[3] = {static_cast<double>(hand.force_n.x), static_cast<double>(hand.force_n.y),
-                           static_cast<double>(hand.force_n.z)};
+  const DeviceDynamics& device = hand.config.device;
+  const double m = of(hand.config.mass_kg) + of(device.mass_kg);
+  const double k = of(hand.config.stiffness_n_per_m), c = of(hand.config.damping_n_s_per_m);
+  const double b = of(device.damping_n_s_per_m);
+  const double inertia = m + 0.5 * h * (c + b) + 0.25 * h * h * k;
+  const double force[3] = {of(hand.force_n.x), of(hand.force_n.y), of(hand.force_n.z)};
+  double(&v)[3] = hand.velocity_m_per_s;
+  double change[3], taken[3] = {};
   for (int i = 0; i < 3; ++i) {
-    double& x = hand.position_m[i];
-    double& v = hand.velocity_m_per_s[i];
-    const double pull = k * (target.position_m[i] - x - 0.5 * h * v) +
-                        c * (target.velocity_m_per_s[i] - v) + force[i];
-    const double change = h * pull / (m + 0.5 * h * c + 0.25 * h * h * k);
-    x += h * (v + 0.5 * change);
-    v += change;
+    const double pull = k * (target.position_m[i] - hand.position_m[i] - 0.5 * h * v[i]) +
+                        c * (target.velocity_m_per_s[i] - v[i]) - b * v[i] + force[i];
+    change[i] = h * pull / inertia;
   }
+  if (device.friction_n > 0) {
+    const double next[3] = {v[0] + change[0], v[1] + change[1], v[2] + change[2]};
+    const double left = rubbed(next, h * of(device.friction_n) / inertia);
+    for (int i = 0; i < 3; ++i) {
+      taken[i] = (1 - left) * next[i] * inertia / h;
+      change[i] = left * next[i] - v[i];
+    }
+  }
+  for (int i = 0; i < 3; ++i) {
+    const double mean = v[i] + 0.5 * change[i];
+    hand.position_m[i] += h * mean;
+    v[i] += change[i];
+    hand.received_j += h * mean * (b * mean + taken[i] - force[i]);
+  }
+  hand.least_received_j = std::min(hand.least_received_j, hand.received_j);
+}
+
+// What the device tells of its place: as it was `delay_s` ago, to the nearest step.
+Vec3 measured_m(const SimulatedHand& hand, std::uint64_t steps) {
+  const double late = of(hand.config.device.delay_s) / hand.period_s * kHandStepsPerTick;
+  const auto ago = static_cast<std::uint64_t>(std::clamp(late + 0.5, 0.0, kHandHistory - 1.0));
+  const auto& at = hand.history_m[(std::max(steps, ago) - ago) % kHandHistory];
+  const double grain = of(hand.config.device.resolution_m);
+  const auto told = [grain](double x) {
+    return static_cast<float>(grain > 0 ? grain * std::floor(x / grain + 0.5) : x);
+  };
+  return {told(at[0]), told(at[1]), told(at[2])};
 }
 
 bool read(void* self, std::int64_t now_ns, Sample& sample_out) {
   SimulatedHand& hand = *static_cast<SimulatedHand*>(self);
-  const double h = hand.period_s / kStepsPerTick;
+  const double h = hand.period_s / kHandStepsPerTick;
   const double start_s = static_cast<double>(hand.tick) * hand.period_s;
-  for (int i = 0; i < kStepsPerTick; ++i) step(hand, target_at(hand, start_s + (i + 0.5) * h), h);
+  std::uint64_t steps = hand.tick * kHandStepsPerTick;
+  for (std::uint32_t i = 0; i < kHandStepsPerTick; ++i) {
+    step(hand, target_at(hand, start_s + (i + 0.5) * h), h);
+    ++steps;
+    std::copy_n(hand.position_m, 3, hand.history_m[steps % kHandHistory].begin());
+  }
   ++hand.tick;
   const double now_s = static_cast<double>(hand.tick) * hand.period_s;
   const SineCosine half = sine_cosine(0.5 * target_at(hand, now_s).turns);
   sample_out = {hand.tick,
                 now_ns,
-                {{static_cast<float>(hand.position_m[0]), static_cast<float>(hand.position_m[1]),
-                  static_cast<float>(hand.position_m[2])},
+                {measured_m(hand, steps),
                  {static_cast<float>(half.cosine), 0, 0, static_cast<float>(half.sine)}},
                 0};
   return true;

@@ -68,10 +68,14 @@ def build_organ(name, folder):
 
 def play(name, folder, more=()):
     """Organ, then recording; returns the recording's path and the report of the run."""
-    organ = build_organ(name, folder)
-    recording = pathlib.Path(folder) / f"{name}.h5"
-    report = call([BIN / "stylet", "run", HERE / f"{name}.toml", "--organ", organ, "--fast",
-                   "--json", "--record", recording, *more])
+    return run(HERE / f"{name}.toml", build_organ(name, folder),
+               pathlib.Path(folder) / f"{name}.h5", more)
+
+
+def run(scene, organ, recording, more=()):
+    """Records a scene; returns the recording's path and the report of the run."""
+    report = call([BIN / "stylet", "run", scene, "--organ", organ, "--fast", "--json", "--record",
+                   recording, *more])
     return recording, json.loads(report)
 
 

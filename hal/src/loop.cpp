@@ -14,6 +14,13 @@ std::uint32_t clamped_ns(std::int64_t ns) {
       std::clamp<std::int64_t>(ns, 0, std::numeric_limits<std::uint32_t>::max()));
 }
 
+Sample steady_sample(const GuardConfig& guard, HandState& state) {
+  Sample sample = state.sample;
+  sample.pose.position_m = steady_position(guard.device.resolution_m, guard.period_s, state.steady,
+                                           sample.pose.position_m);
+  return sample;
+}
+
 // read device -> guard -> map -> coupling: the kernel's input, with the last usable pose where
 // there is none.
 Input next_input(const HandConfig& config, const Device& device, HandState& state,
@@ -23,7 +30,8 @@ Input next_input(const HandConfig& config, const Device& device, HandState& stat
   const bool usable =
       guard_sample(config.guard, state.guard, record.answered != 0, state.sample, now_ns);
   if (usable) {
-    state.handle = to_world(config.mapping, grip_pose(config.grip, state.grip, state.sample));
+    const Sample steady = steady_sample(config.guard, state);
+    state.handle = to_world(config.mapping, grip_pose(config.grip, state.grip, steady));
   }
   if (!usable && !state.have_handle) state.handle = to_world(config.mapping, {{}, {1, 0, 0, 0}});
   state.have_handle = true;
@@ -55,6 +63,8 @@ Vec3 guarded_torque(const HandConfig& config, HandState& state, Vec3 torque_nm) 
   GuardState& guard = state.torque_guard;
   if (state.guard.fault != Fault::kNone) guard_trip(guard, state.guard.fault);
   if (state.guard.fault == Fault::kNone) (void)guard_rearm(guard, guard.fault);
+  guard.button_seen = state.guard.button_seen;
+  guard.button = state.guard.button;
   const Vec3 result = guard_force(limits, guard, torque_nm);
   if (guard.fault != Fault::kNone) guard_trip(state.guard, guard.fault);
   return result;
@@ -106,6 +116,8 @@ void tick_hands(const LoopConfig& config, Kernel& kernel, std::span<const Device
     records[i].output = outputs[i];
     records[i].command_n = send_force(config.hand[i], kernel, i, devices[i], hand);
     records[i].fault = hand.guard.fault;
+    records[i].mode = hand.guard.mode;
+    records[i].energy_j = static_cast<float>(hand.guard.energy.energy_j);
   }
 }
 
@@ -125,7 +137,7 @@ void publish(const Outlets& outlets, const Kernel& kernel, std::span<const TickR
   if (outlets.latest != nullptr) {
     Published published = {};
     for (const TickRecord& r : records) {
-      published.hand[r.needle] = {r.input.handle, r.output, r.command_n, r.fault};
+      published.hand[r.needle] = {r.input.handle, r.output, r.command_n, r.fault, r.mode};
     }
     outlets.latest->publish(published);
   }
@@ -146,6 +158,10 @@ void publish(const Outlets& outlets, const Kernel& kernel, std::span<const TickR
   }
 }
 
+void trip_all(LoopState& state, Fault fault) {
+  for (HandState& each : state.hand) guard_trip(each.guard, fault);
+}
+
 // The next grid point after `now_ns`; grid points passed over are counted.
 std::int64_t next_grid_point(const LoopConfig& config, LoopState& state, std::int64_t grid_ns,
                              std::int64_t now_ns) {
@@ -157,9 +173,7 @@ std::int64_t next_grid_point(const LoopConfig& config, LoopState& state, std::in
   const std::int64_t missed = (now_ns - next_ns + config.period_ns - 1) / config.period_ns;
   state.missed_ticks += static_cast<std::uint64_t>(missed);
   state.missed_in_a_row += static_cast<std::uint32_t>(std::min<std::int64_t>(missed, 1'000'000));
-  if (state.missed_in_a_row >= kMaxMissedInARow) {
-    for (HandState& each : state.hand) guard_trip(each.guard, Fault::kTooLate);
-  }
+  if (state.missed_in_a_row >= kMaxMissedInARow) trip_all(state, Fault::kTooLate);
   return next_ns + missed * config.period_ns;
 }
 
@@ -194,6 +208,8 @@ void run_loop(const LoopConfig& config, Kernel& kernel, std::span<const Device> 
     state.next_ns.store(grid_ns, std::memory_order_relaxed);
     clock.sleep_until_ns(clock.self, grid_ns);
     const std::int64_t late_ns = clock.now_ns(clock.self) - grid_ns;
+    // Before the tick: the hand has moved on, and the force that waits for it would be a kick.
+    if (late_ns >= config.period_ns * kMaxMissedInARow) trip_all(state, Fault::kTooLate);
     const std::int64_t start_ns = monotonic_now_ns();
     tick_hands(config, kernel, devices, grid_ns, records, state);
     const std::int64_t tick_ns = monotonic_now_ns() - start_ns;

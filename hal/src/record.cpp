@@ -40,6 +40,8 @@ constexpr std::array kTickColumns = {
     Column{"device/answered", kU32, 1, STYLET_IN(answered)},
     Column{"device/force_n", kF32, 3, STYLET_IN(command_n)},
     Column{"guard/fault", kU32, 1, STYLET_IN(fault)},
+    Column{"guard/mode", kU32, 1, STYLET_IN(mode)},
+    Column{"guard/energy_j", kF32, 1, STYLET_IN(energy_j)},
     Column{"loop/tick_ns", kU32, 1, STYLET_IN(tick_ns)},
     Column{"loop/late_ns", kU32, 1, STYLET_IN(late_ns)},
     Column{"loop/state_hash", kU64, 1, STYLET_IN(state_hash)},

@@ -16,7 +16,7 @@ namespace stylet::hal {
 namespace {
 
 constexpr const char* kFormatName = "stylet-recording";
-constexpr std::uint32_t kFormatVersion = 2;
+constexpr std::uint32_t kFormatVersion = 3;
 constexpr hsize_t kChunkRows = 4096;
 constexpr unsigned kDeflateLevel = 1;
 

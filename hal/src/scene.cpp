@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "scene_bodies.h"
+#include "scene_guard.h"
 #include "section.h"
 #include "stylet/hal/devices.h"
 #include "stylet/limits.h"
@@ -48,7 +49,7 @@ void read_approach(Section section, Approach& approach) {
 }
 
 // Who holds the needle: one of our own kinds, or a device by its URI.
-void read_device(Section& device, Hand& out) {
+void read_device_kind(Section& device, Hand& out) {
   if (device.has("uri") && device.has("kind")) device.fail("kind", "either kind or uri");
   out.device = device.choice("kind", "simulated", {"simulated", "steered", "replay"});
   out.replay_path = device.text("recording", "");
@@ -61,29 +62,13 @@ void read_device(Section& device, Hand& out) {
   attach(out, uri);
 }
 
-void read_device_and_guard(Section device, Section guard, const Config& config, Hand& out) {
-  read_device(device, out);
-  const double device_force = device.number("max_force_n", 8, 0.01, 100);
-  const double device_slew = device.number("max_slew_n_per_s", 2000, 1, 1e6);
-  const double stiffness = device.number("max_stiffness_n_per_m", 0, 1, 1e6);
+void read_device(Section& device, const Config& config, Hand& out) {
+  read_device_kind(device, out);
+  out.model = read_device_model(device, config.period_s);
   device.finish();
-  const double force = std::min(device_force, guard.number("max_force_n", device_force, 0.01, 100));
-  const double slew = std::min(device_slew, guard.number("max_slew_n_per_s", device_slew, 1, 1e6));
-  const double slew_needed = force / static_cast<double>(kDecayS);
-  if (slew < slew_needed) {
-    Section& named = guard.has("max_slew_n_per_s") ? guard : device;
-    named.fail("max_slew_n_per_s",
-               fmt::format("at least {:g} (max_force_n / {:g} s, so that a fault can fade in time)",
-                           slew_needed, static_cast<double>(kDecayS)));
-  }
-  out.limits = {"device", static_cast<float>(device_force), static_cast<float>(device_slew),
-                static_cast<float>(stiffness)};
-  out.guard.period_s = config.period_s;
-  out.guard.max_force_n = static_cast<float>(force);
-  out.guard.max_slew_n_per_s = static_cast<float>(slew);
-  out.guard.ramp_s = si(guard.number("ramp_ms", 500, 0, 10000), 1e-3);
-  out.guard.watchdog_s = si(guard.number("watchdog_ms", 3, 1, 5), 1e-3);
-  guard.finish();
+  out.limits = {out.model.name, out.model.max_force_n, out.model.max_slew_n_per_s,
+                out.model.max_stiffness_n_per_m};
+  out.hand.device = out.model.motion;
 }
 
 // The roll on the way to `w`, whose place and pace are known.
@@ -196,27 +181,15 @@ void read_grip(Section section, const Config& config, const NeedleConfig& needle
   section.finish();
 }
 
-// The coupling is felt through the scales of the grip.
-double most_coupling(double device_limit, const GripConfig& grip) {
-  return kCouplingShare * device_limit / static_cast<double>(grip.motion_scale * grip.force_scale);
-}
-
-void read_coupling(Section section, Hand& out) {
-  const double limit = static_cast<double>(out.limits.max_stiffness_n_per_m);
-  const double most = limit > 0 ? most_coupling(limit, out.grip) : 1e6;
-  const double fallback = limit > 0 ? most : 0;
-  out.coupling.stiffness_n_per_m =
-      static_cast<float>(section.number("stiffness_n_per_m", fallback, 0, most));
-  section.finish();
-}
-
 // All tables but the needle's own, from the top of the file or from one of [[needles]].
 Hand read_hand_of(Section& owner, const Config& config, const NeedleConfig& needle) {
   Hand hand;
   read_approach(owner.table("approach"), hand.approach);
-  read_device_and_guard(owner.table("device"), owner.table("guard"), config, hand);
+  Section device = owner.table("device");
+  read_device(device, config, hand);
+  hand.guard = read_guard(owner.table("guard"), device, hand.model, config.period_s);
   read_grip(owner.table("mapping"), config, needle, hand);
-  read_coupling(owner.table("coupling"), hand);
+  hand.coupling = read_coupling(owner.table("coupling"), hand.model, hand.guard, hand.grip);
   read_hand(owner.table("hand"), hand);
   read_steering(owner.table("steering"), needle, hand);
   return hand;

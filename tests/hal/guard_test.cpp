@@ -235,13 +235,24 @@ TEST(GuardForce, WhatIsAtItsLimitIsNotCounted) {
 TEST(GuardRearm, TheWatchdogStartsAfresh) {
   GuardState state = guard_start();
   guard_trip(state, Fault::kDeviceSilent);
-  state.blind_ticks = 3;
   ASSERT_TRUE(guard_rearm(state, Fault::kDeviceSilent));
   for (int tick = 1; tick <= 3; ++tick) {
     EXPECT_EQ(state.fault, Fault::kNone) << tick;
     EXPECT_FALSE(guard_sample(plain(), state, false, sample(1), 0));
   }
   EXPECT_EQ(state.fault, Fault::kDeviceSilent);
+}
+
+TEST(GuardRearm, NotWhileTheDeviceIsSilent) {
+  GuardState state = guard_start();
+  for (int tick = 0; tick < 3; ++tick) (void)guard_sample(plain(), state, false, {}, 0);
+  ASSERT_EQ(state.fault, Fault::kDeviceSilent);
+  EXPECT_FALSE(guard_rearm(state, Fault::kDeviceSilent));
+  EXPECT_TRUE(guard_sample(plain(), state, true, sample(1), 0));
+  EXPECT_FALSE(guard_sample(plain(), state, false, {}, 0));  // it spoke once
+  EXPECT_FALSE(guard_rearm(state, Fault::kDeviceSilent));
+  EXPECT_TRUE(guard_sample(plain(), state, true, sample(2), 0));
+  EXPECT_TRUE(guard_rearm(state, Fault::kDeviceSilent));
 }
 
 // Any bits as forces and samples: what comes out keeps every promise.
@@ -277,7 +288,10 @@ TEST(Guard, HoldsItsPromisesForAnyBits) {
       ASSERT_LE(size(minus(force, last)), 2 * (1 + 1e-5));
     }
     last = force;
-    if (i % 64 == 0) (void)guard_rearm(state, state.fault);
+    if (i % 64 != 0) continue;
+    (void)guard_sample(config, state, true, {state.seq + 1, 0, {{}, kUpright}, 0}, 0);
+    (void)guard_rearm(state, state.fault);
+    if (state.seq > 1U << 31) state.have_seq = 0;  // else nothing is new any more
   }
   EXPECT_GT(state.counters.faults, 100U);
   EXPECT_GT(state.counters.force_limited, 100U);

@@ -22,6 +22,7 @@
 #include "stylet/hal/guard.h"
 #include "stylet/hal/mapping.h"
 #include "stylet/hal/record.h"
+#include "stylet/hal/steady.h"
 #include "stylet/kernel.h"
 
 namespace stylet::hal {
@@ -47,6 +48,7 @@ struct PublishedHand {
   Output output;
   Vec3 command_n;
   Fault fault;
+  GuardMode mode;
 };
 struct Published {
   std::array<PublishedHand, kMaxNeedles> hand;
@@ -81,6 +83,7 @@ struct HandState {
   Sample sample = {};
   Pose handle = {};  // of the device, last usable one, world
   bool have_handle = false;
+  SteadyState steady;
   CouplingState coupling;
   Output output = {};  // of the last tick
 };

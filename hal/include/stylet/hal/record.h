@@ -22,6 +22,8 @@ struct TickRecord {
   std::uint32_t answered;    // the device gave a sample
   Vec3 command_n;            // after the guard
   Fault fault;               // of the guard
+  GuardMode mode;            // likewise
+  float energy_j;            // its observer's
   std::uint32_t tick_ns;     // from reading the device to the force being written
   std::uint32_t late_ns;     // wake-up after the grid point
   std::uint64_t state_hash;  // 0: not taken in this tick

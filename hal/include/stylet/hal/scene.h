@@ -41,6 +41,7 @@ struct Hand {
   std::string device = "simulated";  // or "steered", "replay", "attached"
   std::string replay_path;           // device "replay"
   std::string uri;                   // device "attached": see devices.h
+  DeviceModel model;                 // its numbers, or those of the scene's own keys
   DeviceInfo limits = {"simulated hand", 8, 2000, 0};
   GuardConfig guard;
   CouplingConfig coupling;

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Haptic devices by name: what each can do, and how it moves.
+//
+// Sources. Largest force, stiffness and damping: what CHAI3D's device classes advertise. The
+// Phantoms' (Touch, Omni, Touch X, Premium) continuous force, resolution, friction, mass and
+// workspace: their data sheets; workspace and resolution of the others likewise. Not published and
+// assumed on the safe side: 0.2 kg and no friction for parallel arms, a quarter of the largest
+// force as a Falcon's continuous one. Delay: a period of 1 ms over USB, a quarter of it for devices
+// that can be polled at 4 kHz. Damping of the arm: see make_model. Promise: plain data. Units: SI.
+// Frame: the device's.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "stylet/units.h"
+
+namespace stylet::hal {
+
+// Of a device's delay, that the observer of energy and the simulated device allow for.
+constexpr std::uint32_t kMaxDelayTicks = 16;
+
+// How a device moves and answers, beside the hand that holds it.
+struct DeviceDynamics {
+  float mass_kg = 0;            // felt at the handle
+  float damping_n_s_per_m = 0;  // of the arm and the lightest grip
+  float friction_n = 0;         // Coulomb
+  float resolution_m = 0;       // of the position it measures
+  float delay_s = 0;            // from a motion to the force that answers it, beside the loop's own
+};
+
+struct DeviceModel {
+  const char* name = "device";
+  float max_force_n = 8;
+  float continuous_force_n = 8;  // what its motors stand for ever
+  float max_slew_n_per_s = 2000;
+  float max_stiffness_n_per_m = 0;        // that it renders without buzzing; 0: not known
+  float max_damping_n_s_per_m = 0;        // likewise
+  Vec3 workspace_m = {0.2F, 0.2F, 0.2F};  // right, up, towards the operator
+  DeviceDynamics motion = {};
+};
+
+std::span<const DeviceModel> device_models();
+// nullptr: none has this name.
+const DeviceModel* find_device_model(std::string_view name);
+
+}  // namespace stylet::hal

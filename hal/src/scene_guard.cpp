@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene_guard.h"
+
+#include <algorithm>
+#include <string>
+
+namespace stylet::hal {
+namespace {
+
+// Shares of what the device renders: damping, and buzzing that is not worth its force.
+constexpr double kPassivityShare = 0.5, kBuzzShare = 0.1;
+
+double of(float value) {
+  return static_cast<double>(value);
+}
+
+DeviceModel named_model(Section& device) {
+  const std::string name = device.text("model", "");
+  if (name.empty()) return {};
+  const DeviceModel* found = find_device_model(name);
+  if (found != nullptr) return *found;
+  std::string all;
+  for (const DeviceModel& each : device_models()) {
+    all += fmt::format("{}\"{}\"", all.empty() ? "" : ", ", each.name);
+  }
+  device.fail("model", "one of " + all);
+}
+
+void read_dynamics(Section& device, float period_s, DeviceDynamics& motion) {
+  motion.mass_kg = si(device.number("mass_g", of(motion.mass_kg) * 1e3, 0, 1e4), 1e-3);
+  motion.damping_n_s_per_m =
+      static_cast<float>(device.number("damping_n_s_per_m", of(motion.damping_n_s_per_m), 0, 1000));
+  motion.friction_n = static_cast<float>(device.number("friction_n", of(motion.friction_n), 0, 10));
+  motion.resolution_m =
+      si(device.number("resolution_mm", of(motion.resolution_m) * 1e3, 0, 1), 1e-3);
+  motion.delay_s = si(device.number("delay_ms", of(motion.delay_s) * 1e3, 0, 100), 1e-3);
+  const double most_ms = kMaxDelayTicks * of(period_s) * 1e3;
+  if (of(motion.delay_s) * 1e3 > most_ms * 1.0001) {
+    device.fail("delay_ms", fmt::format("at most {} periods, {:g}; it is {:g}", kMaxDelayTicks,
+                                        most_ms, of(motion.delay_s) * 1e3));
+  }
+}
+
+// A fault must be able to fade in time.
+void check_slew(const Section& guard, const Section& device, const GuardConfig& config) {
+  const double needed = of(config.max_force_n) / of(kDecayS);
+  if (of(config.max_slew_n_per_s) >= needed * 0.99999) return;
+  const Section& named = guard.has("max_slew_n_per_s") ? guard : device;
+  named.fail("max_slew_n_per_s",
+             fmt::format("at least {:g} (max_force_n / {:g} s, so that a fault can fade in time)",
+                         needed, of(kDecayS)));
+}
+
+}  // namespace
+
+DeviceModel read_device_model(Section& device, float period_s) {
+  DeviceModel model = named_model(device);
+  const auto number = [&device](const char* key, float fallback, double low, double high) {
+    return static_cast<float>(device.number(key, of(fallback), low, high));
+  };
+  const bool named = device.has("model");
+  model.max_force_n = number("max_force_n", model.max_force_n, 0.01, 100);
+  const float always =
+      named ? std::min(model.continuous_force_n, model.max_force_n) : model.max_force_n;
+  model.continuous_force_n = number("continuous_force_n", always, 0.01, 100);
+  model.max_slew_n_per_s = number("max_slew_n_per_s", model.max_slew_n_per_s, 1, 1e6);
+  model.max_stiffness_n_per_m =
+      number("max_stiffness_n_per_m", model.max_stiffness_n_per_m, 1, 1e6);
+  model.max_damping_n_s_per_m =
+      number("max_damping_n_s_per_m", model.max_damping_n_s_per_m, 0, 1000);
+  read_dynamics(device, period_s, model.motion);
+  return model;
+}
+
+GuardConfig read_guard(Section guard, const Section& device, const DeviceModel& model,
+                       float period_s) {
+  const auto number = [&guard](const char* key, double fallback, double low, double high) {
+    return static_cast<float>(guard.number(key, fallback, low, high));
+  };
+  GuardConfig config;
+  config.period_s = period_s;
+  config.max_force_n =
+      std::min(model.max_force_n, number("max_force_n", of(model.max_force_n), 0.01, 100));
+  config.max_slew_n_per_s = std::min(
+      model.max_slew_n_per_s, number("max_slew_n_per_s", of(model.max_slew_n_per_s), 1, 1e6));
+  check_slew(guard, device, config);
+  config.ramp_s = si(guard.number("ramp_ms", 500, 0, 10000), 1e-3);
+  config.watchdog_s = si(guard.number("watchdog_ms", 3, 1, 5), 1e-3);
+  config.max_speed_m_per_s = si(guard.number("max_speed_mm_per_s", 2000, 10, 20000), 1e-3);
+  config.buzz_n = number("buzz_n", kBuzzShare * of(config.max_force_n), 0.001, 100);
+  config.continuous_force_n = model.continuous_force_n;
+  config.thermal_s = number("thermal_s", of(config.thermal_s), 1, 3600);
+  config.dead_man_button = static_cast<std::int32_t>(guard.integer("dead_man_button", -1, 0, 31));
+  config.device = model.motion;
+  const Vec3 reach = model.workspace_m;
+  config.stored_energy_j = 0.5F * model.max_force_n * std::max({reach.x, reach.y, reach.z});
+  config.passivity_damping_n_s_per_m = number(
+      "passivity_damping_n_s_per_m", kPassivityShare * of(model.max_damping_n_s_per_m), 0, 1000);
+  guard.finish();
+  return config;
+}
+
+CouplingConfig read_coupling(Section coupling, const DeviceModel& model, const GuardConfig& guard,
+                             const GripConfig& grip) {
+  const double limit = of(model.max_stiffness_n_per_m);
+  const double scale = of(grip.motion_scale) * of(grip.force_scale);
+  const double most = limit > 0 ? kCouplingShare * limit / scale : 1e6;
+  CouplingConfig config;
+  config.stiffness_n_per_m =
+      static_cast<float>(coupling.number("stiffness_n_per_m", limit > 0 ? most : 0, 0, most));
+  config.max_force_n = guard.max_force_n / grip.force_scale;
+  config.period_s = guard.period_s;
+  coupling.finish();
+  return config;
+}
+
+}  // namespace stylet::hal

@@ -1,0 +1,186 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Every scene of hal/scenes with a real device's dynamics: does it buzz, does it make energy?
+
+    tests/e2e/limit_cycles.py [--model MODEL]... [SCENE...]
+
+runs each scene on a virtual clock with `device.model` set and prints a row of a table:
+
+    ripple   largest amplitude of the force sent above 20 Hz, in any 0.2 s without a step in it or
+             in the 0.1 s before. Steps are events of the needle and corners of the hand's script:
+             they are felt as such, a limit cycle stays. In paper mode, where the force also steps
+             with each particle that is associated anew, in three such stretches on end
+    bar      what it may be there: 0.02 N, or 5 % of the force; nobody feels less
+    seen     share of the time with force on the hand that such stretches cover
+    energy   least of the guard's observer, and of what the simulated hand's side gave (exact)
+    faults   of the guard
+
+Programs, data and packages as in hal/scenes/play.py.
+"""
+import argparse
+import pathlib
+import re
+import sys
+import tempfile
+import tomllib
+
+import h5py
+import numpy as np
+
+sys.dont_write_bytecode = True
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parents[1] / "hal/scenes"))
+
+import play  # noqa: E402
+
+MODELS = ("touch", "omega.7")
+ABOVE_HZ = 20
+BAR_N, BAR_SHARE = 0.02, 0.05
+WINDOW_S, QUIET_S = 0.2, 0.1
+TOUCHED_N = 0.01
+
+
+def with_model(text, model):
+    """The scene with this device instead of its own numbers, for all its needles."""
+    own = "needles.device" if "[[needles]]" in text else "device"
+    text = re.sub(r"(?m)^max_(force_n|slew_n_per_s|stiffness_n_per_m) *=.*\n", "", text)
+    line = f'[{own}]\nmodel = "{model}"\n'
+    if f"[{own}]\n" in text:
+        return text.replace(f"[{own}]\n", line)
+    if own == "device":
+        return text + "\n" + line
+    return text.replace("[needles.approach]\n", line + "\n[needles.approach]\n")
+
+
+def ripple(force_n, period_s):
+    """Amplitude above ABOVE_HZ of a stretch of force, and the mean size of the force in it."""
+    count = len(force_n)
+    x = np.linspace(-1, 1, count)
+    trend = np.polynomial.polynomial.polyfit(x, force_n, 3)
+    rest = force_n - np.polynomial.polynomial.polyval(x, trend).T
+    window = np.hanning(count)
+    lines = np.fft.rfft(rest * window[:, None], axis=0)
+    quick = np.fft.rfftfreq(count, period_s) >= ABOVE_HZ
+    mean_square = 2 * np.sum(np.abs(lines[quick]) ** 2) / count / np.sum(window**2)
+    return np.sqrt(2 * mean_square), np.linalg.norm(force_n.mean(axis=0))
+
+
+def worst_ripple(force_n, steps, period_s, lasting):
+    """(ripple, bar, tick, share seen): of the stretch that is worst by its own bar."""
+    ticks, wide = len(force_n), round(WINDOW_S / period_s)
+    disturbed = np.zeros(ticks, bool)
+    for tick in steps:
+        disturbed[tick - 1:tick - 1 + round(QUIET_S / period_s)] = True
+    touched = np.linalg.norm(force_n, axis=1) > TOUCHED_N
+    seen = np.zeros(ticks, bool)
+    found = {}
+    for start in range(0, ticks - wide + 1, wide // 4):
+        if disturbed[start:start + wide].any():
+            continue
+        seen[start:start + wide] = True
+        amplitude, mean = ripple(force_n[start:start + wide], period_s)
+        found[start] = (amplitude, max(BAR_N, BAR_SHARE * mean), start + 1)
+    def by_bar(row):
+        return row[0] / row[1]
+
+    if lasting:
+        on_end = {start: [found.get(start + k * wide) for k in range(3)] for start in found}
+        found = {start: min(rows, key=by_bar) for start, rows in on_end.items() if all(rows)}
+    worst = max(found.values(), key=by_bar, default=(0.0, BAR_N, 0))
+    return (*worst, np.mean(seen[touched]) if touched.any() else 1.0)
+
+
+def corners_of(scene, number, columns, period_s):
+    """Ticks in which the pace of the hand changes."""
+    whole = tomllib.loads(scene)
+    hand = whole["needles"][number] if "needles" in whole else whole
+    if hand.get("device", {}).get("kind") == "steered":
+        step = np.diff(np.asarray(columns["device/position_m"], float)[:, 2])
+        return [int(tick) for tick in np.flatnonzero(np.abs(np.diff(step)) > 1e-6) + 2]
+    at = np.array([-hand.get("approach", {}).get("start_mm", 10), 0.0, 0.0])
+    time_s, ticks = 0.0, [1]
+    for point in hand["hand"]["waypoint"]:
+        to = np.array([point.get("travel_mm", at[0]), *point.get("lateral_mm", at[1:])])
+        if "time_s" in point:
+            time_s += point["time_s"]
+        elif "speed_mm_s" in point:
+            time_s += float(np.linalg.norm(to - at)) / point["speed_mm_s"]
+        for pause in (0, point.get("hold_s", 0)):
+            time_s += pause
+            ticks.append(round(time_s / period_s) + 1)
+        at = to
+    return ticks
+
+
+def steps_of(scene, file, number, columns, period_s):
+    """Ticks in which the force may step."""
+    return [int(tick) for tick, needle in zip(file["events/tick"], file["events/needle"])
+            if needle == number] + corners_of(scene, number, columns, period_s)
+
+
+def rows_of(scene, recording, report):
+    """One dict a needle."""
+    rows = []
+    with h5py.File(recording) as file:
+        for number, needle in enumerate(report["needles"]):
+            own = file[f"needle{number}"] if number else file
+            force = np.asarray(own["device/force_n"], float)
+            steps = steps_of(scene, file, number, own, report["period_s"])
+            amplitude, bar, tick, share = worst_ripple(force, steps, report["period_s"],
+                                                       'mode = "paper"' in scene)
+            rows.append({"needle": number, "ripple_n": amplitude, "bar_n": bar, "tick": tick,
+                         "seen": share, "largest_n": float(np.linalg.norm(force, axis=1).max()),
+                         "guard_j": needle["least_energy_j"],
+                         "hand_j": needle["least_received_j"], "fault": needle["fault"],
+                         "damped": report["counters"]["force_damped"]})
+    return rows
+
+
+def measure(name, model, folder):
+    """The rows of one scene with one device."""
+    organ = pathlib.Path(folder) / f"{name}.organ"
+    if not organ.exists():
+        play.build_organ(name, folder)
+    text = with_model((play.HERE / f"{name}.toml").read_text(), model)
+    scene = pathlib.Path(folder) / f"{name}-{model}.toml"
+    scene.write_text(text)
+    recording, report = play.run(scene, organ, pathlib.Path(folder) / f"{name}-{model}.h5")
+    return rows_of(text, recording, report)
+
+
+def number(value, unit=1.0):
+    return "none" if value is None else f"{value * unit:.3g}"
+
+
+def line_of(name, model, row):
+    return (f"| {name}{' ' + str(row['needle']) if row['needle'] else ''} | {model} "
+            f"| {number(row['largest_n'])} | {number(row['ripple_n'])} | {number(row['bar_n'])} "
+            f"| {row['seen']:.0%} | {number(row['guard_j'], 1e6)} | {number(row['hand_j'], 1e6)} "
+            f"| {row['fault']} |")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--model", action="append")
+    parser.add_argument("scene", nargs="*", metavar="SCENE", choices=[[], *play.scene_names()])
+    options = parser.parse_args()
+    print("| scene | device | largest force / N | ripple / N | bar / N | seen "
+          "| guard's energy / uJ | hand's energy / uJ | fault |\n" + "| --- " * 9 + "|")
+    with tempfile.TemporaryDirectory() as folder:
+        for name in options.scene or play.scene_names():
+            for model in options.model or MODELS:
+                try:
+                    rows = measure(name, model, folder)
+                except play.DataMissing as missing:
+                    print(f"| {name} | skipped: {missing} |")
+                    break
+                for row in rows:
+                    print(line_of(name, model, row), flush=True)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except RuntimeError as error:
+        sys.exit(f"limit_cycles.py: {error}")
