@@ -257,10 +257,10 @@ void fit_to_device(const DeviceInfo& info, Hand& hand) {
     hand.guard.max_force_n = std::min(hand.guard.max_force_n, info.max_force_n);
     const float slew = std::min(hand.guard.max_slew_n_per_s, info.max_slew_n_per_s);
     hand.guard.max_slew_n_per_s = std::max(slew, hand.guard.max_force_n / kDecayS);
+    hand.coupling.max_force_n = hand.guard.max_force_n / hand.grip.force_scale;
   }
   if (info.max_stiffness_n_per_m > 0) {
-    const auto most = static_cast<float>(
-        most_coupling(static_cast<double>(info.max_stiffness_n_per_m), hand.grip));
+    const float most = most_coupling(info.max_stiffness_n_per_m, hand.grip);
     float& coupling = hand.coupling.stiffness_n_per_m;
     coupling = coupling > 0 ? std::min(coupling, most) : most;
   }

@@ -100,14 +100,18 @@ GuardConfig read_guard(Section guard, const Section& device, const DeviceModel& 
   return config;
 }
 
+float most_coupling(float limit_n_per_m, const GripConfig& grip) {
+  return static_cast<float>(kCouplingShare) * limit_n_per_m /
+         (grip.motion_scale * grip.force_scale);
+}
+
 CouplingConfig read_coupling(Section coupling, const DeviceModel& model, const GuardConfig& guard,
                              const GripConfig& grip) {
-  const double limit = of(model.max_stiffness_n_per_m);
-  const double scale = of(grip.motion_scale) * of(grip.force_scale);
-  const double most = limit > 0 ? kCouplingShare * limit / scale : 1e6;
+  const bool known = model.max_stiffness_n_per_m > 0;
+  const double most = known ? of(most_coupling(model.max_stiffness_n_per_m, grip)) : 1e6;
   CouplingConfig config;
   config.stiffness_n_per_m =
-      static_cast<float>(coupling.number("stiffness_n_per_m", limit > 0 ? most : 0, 0, most));
+      static_cast<float>(coupling.number("stiffness_n_per_m", known ? most : 0, 0, most));
   config.max_force_n = guard.max_force_n / grip.force_scale;
   config.period_s = guard.period_s;
   coupling.finish();
