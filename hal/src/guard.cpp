@@ -89,6 +89,13 @@ bool jumped(const GuardConfig& config, const GuardState& state, Vec3 position_m)
   return state.have_pose != 0 && length(minus(position_m, state.pose_m)) > most;
 }
 
+// The device is somewhere else, and what was drawn on the way is not known: it may be all that a
+// spring can hold.
+void lose_sight(const GuardConfig& config, EnergyObserver& energy) {
+  if (energy.have_position != 0) energy.energy_j = of(config.stored_energy_j);
+  energy.have_position = 0;
+}
+
 // One rule a line; what is wrong with the sample is counted where it is found.
 Fault judge(const GuardConfig& config, GuardState& state, const Sample& sample,
             std::int64_t now_ns) {
@@ -116,7 +123,7 @@ Fault judge(const GuardConfig& config, GuardState& state, const Sample& sample,
   if (jumped(config, state, sample.pose.position_m)) {
     ++count.samples_jumped;
     if (!is_latched(state.mode)) return Fault::kTooFast;
-    state.energy.have_position = 0;  // without force it may come back anywhere; that was no motion
+    lose_sight(config, state.energy);  // without force it may come back anywhere
   }
   return Fault::kNone;
 }
@@ -374,6 +381,7 @@ bool guard_sample(const GuardConfig& config, GuardState& state, bool answered, c
   if (state.blind_ticks < std::numeric_limits<std::uint32_t>::max()) ++state.blind_ticks;
   if (state.blind_ticks >= whole_ticks(config.watchdog_s, config.period_s)) {
     guard_trip(state, wrong);
+    lose_sight(config, state.energy);
   }
   return false;
 }

@@ -31,6 +31,12 @@ void promise_usable(const hal::Scene& scene) {
     promise(guard.max_slew_n_per_s * hal::kDecayS >= guard.max_force_n * 0.9999F,
             "a fault cannot fade in time");
     promise(guard.watchdog_s <= 5e-3F, "the watchdog is too slow");
+    promise(guard.max_speed_m_per_s > 0 && guard.buzz_n > 0 && guard.thermal_s > 0 &&
+                guard.continuous_force_n > 0 && guard.stored_energy_j > 0,
+            "a limit of the guard that is not positive");
+    promise(guard.dead_man_button >= -1 && guard.dead_man_button < 32, "no such button");
+    promise(guard.device.delay_s <= hal::kMaxDelayTicks * guard.period_s * 1.001F,
+            "a delay that the guard does not know of");
     const auto script = hal::make_script(hand.waypoints, hand.approach.start_m);
     for (const hal::ScriptPoint& point : script) {
       promise(std::isfinite(point.t_s + point.x_m + point.y_m + point.z_m),

@@ -66,6 +66,47 @@ TEST(Coupling, IsNotThereWithoutStiffnessAroundOrWithoutOne) {
   EXPECT_NEAR(push({700}, 7, 7).rest_n_per_m, 7, 0.07);
 }
 
+// A device that is told in steps goes in at constant speed, and the needle slides at `friction`
+// however fast; what is felt at the end, and how far it swings meanwhile.
+struct Slid {
+  double felt_n, swing_n, behind_m;
+};
+
+Slid slide(const CouplingConfig& config, double m_per_s, double friction_n, double bound) {
+  CouplingState state;
+  Output out = {};
+  double low = 1e9, high = 0, x = 0;
+  Vec3 base = coupled_base(config, state, {}, out);
+  for (int i = 1; i <= 2000; ++i) {
+    x += m_per_s * 1e-3;
+    const double told = 1e-5 * std::round(x / 1e-5);
+    base = coupled_base(config, state, {static_cast<float>(told), 0, 0}, out);
+    out.force_n.x = static_cast<float>(-friction_n);
+    out.stiffness_n_per_m = static_cast<float>(bound);
+    const double felt = -of(coupled_force(config, state, {static_cast<float>(told), 0, 0}, {}).x);
+    if (i > 1000) low = std::min(low, felt), high = std::max(high, felt);
+  }
+  return {0.5 * (low + high), high - low, x - of(base.x)};
+}
+
+TEST(Coupling, ANeedleThatSlidesHasItsFrictionAndNoDragOfTheCouplings) {
+  for (const double m_per_s : {0.002, 0.01, 0.03}) {
+    for (const double bound : {1e3, 15e3, 60e3}) {
+      const Slid slid = slide({3500}, m_per_s, 1, bound);
+      EXPECT_NEAR(slid.felt_n, 1, 0.02) << m_per_s << " " << bound;
+      EXPECT_LT(slid.swing_n, 0.04) << m_per_s << " " << bound;  // the steps told are 35 mN
+    }
+  }
+}
+
+TEST(Coupling, DrawsTheBaseAlongWhereTheHandCannotBeShownMore) {
+  const Slid slid = slide({280, 3.3F}, 0.02, 20, 15e3);
+  EXPECT_NEAR(slid.felt_n, 3.3, 1e-3);
+  EXPECT_LT(slid.swing_n, 0.01);
+  EXPECT_NEAR(slid.behind_m, 3.3 / 280, 2e-5);
+  EXPECT_NEAR(slide({280, 3.3F}, 0.02, 2, 15e3).felt_n, 2, 0.02);  // below, nothing changes
+}
+
 // V26: mass 0.1 kg and damper 0.5 N s/m of the device, a hand that shakes it at random, 1 ms ticks;
 // the force is held between them. Energy into device and what it touches, exactly: the device's own
 // damping and the work against the held force.

@@ -23,8 +23,17 @@ namespace {
 
 constexpr std::int64_t kPeriodNs = 200'000;
 
+// With everything that guard, coupling and device can do.
 void run_on_real_clock(Rig& rig, const Device& device) {
   rig.config.period_ns = kPeriodNs;
+  const DeviceModel& touch = *find_device_model("touch");
+  rig.hand.config.device = touch.motion;
+  GuardConfig& guard = rig.config.hand[0].guard;
+  guard.device = touch.motion;
+  guard.continuous_force_n = 0.05F;
+  guard.thermal_s = 1;
+  guard.passivity_damping_n_s_per_m = 2;
+  rig.config.hand[0].coupling = {280, guard.max_force_n};
   run_loop(rig.config, rig.instance->kernel, std::span(&device, 1), monotonic_clock(),
            {&rig.records, &rig.events, &rig.latest}, rig.state);
 }

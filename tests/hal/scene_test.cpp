@@ -195,6 +195,60 @@ TEST(Scene, MistakesOfApproachDeviceAndGuard) {
   });
 }
 
+TEST(Scene, MistakesOfDeviceModelsAndGuardLimits) {
+  expect_refusals({
+      {"max_force_n = 4", "model = \"Touch\"", "Touch", "one of \"touch\", \"omni\""},
+      {"max_force_n = 4", "model = 3", "model", "model: 3: a text in quotes"},
+      {"max_force_n = 4", "continuous_force_n = 0", "continuous", "a number from 0.01 to 100"},
+      {"max_force_n = 4", "delay_ms = 9", "delay_ms", "at most 16 periods, 8; it is 9"},
+      {"max_force_n = 4", "resolution_mm = 2", "resolution", "a number from 0 to 1"},
+      {"max_force_n = 4", "mass_g = -1", "mass_g", "a number from 0 to 10000"},
+      {"max_force_n = 4", "friction_n = 11", "friction_n", "a number from 0 to 10"},
+      {"max_force_n = 4", "damping_n_s_per_m = \"x\"", "damping_n_s", "a number from 0 to 1000"},
+      {"max_force_n = 4", "max_damping_n_s_per_m = 1e4", "max_damping", "a number from 0 to 1000"},
+      {"ramp_ms = 100", "max_speed_mm_per_s = 5", "max_speed", "a number from 10 to 20000"},
+      {"ramp_ms = 100", "buzz_n = 0", "buzz_n", "a number from 0.001 to 100"},
+      {"ramp_ms = 100", "thermal_s = 0.5", "thermal_s", "a number from 1 to 3600"},
+      {"ramp_ms = 100", "dead_man_button = 32", "dead_man", "a whole number from 0 to 31"},
+      {"ramp_ms = 100", "passivity_damping_n_s_per_m = -1", "passivity", "from 0 to 1000"},
+      {"ramp_ms = 100", "max_slew_n_per_s = 150", "max_slew", "at least 200"},
+  });
+}
+
+TEST(Scene, AModelBringsItsLimitsAndOwnKeysWin) {
+  const Hand touch =
+      parse_scene(changed("max_force_n = 4", "model = \"touch\""), "s.toml").hands[0];
+  EXPECT_EQ(touch.guard.max_force_n, 3.3F);
+  EXPECT_EQ(touch.guard.continuous_force_n, 0.88F);
+  EXPECT_NEAR(of(touch.guard.buzz_n), 0.33, 1e-6);
+  EXPECT_EQ(touch.guard.passivity_damping_n_s_per_m, 2);
+  EXPECT_NEAR(of(touch.guard.stored_energy_j), 0.5 * 3.3 * 0.16, 1e-6);
+  EXPECT_EQ(touch.guard.dead_man_button, -1);
+  EXPECT_NEAR(of(touch.coupling.stiffness_n_per_m), 280, 1e-3);
+  EXPECT_EQ(touch.coupling.max_force_n, 3.3F);
+  EXPECT_EQ(touch.coupling.period_s, 5e-4F);
+  EXPECT_EQ(touch.hand.device.friction_n, 0.26F);
+  EXPECT_EQ(touch.guard.device.delay_s, 1e-3F);
+  EXPECT_EQ(touch.limits.max_stiffness_n_per_m, 400);
+  const std::string own =
+      "model = \"touch\"\nmax_force_n = 0.5\nresolution_mm = 0.02\nmax_damping_n_s_per_m = 6";
+  std::string text = changed("max_force_n = 4", own);
+  const std::string more = "dead_man_button = 1\nthermal_s = 30\nmax_speed_mm_per_s = 500\n";
+  const Hand changed_hand = parse_scene(text.insert(text.find("ramp_ms"), more), "s.toml").hands[0];
+  EXPECT_EQ(changed_hand.guard.max_force_n, 0.5F);
+  EXPECT_EQ(changed_hand.guard.continuous_force_n, 0.5F);  // no more than the largest
+  EXPECT_NEAR(of(changed_hand.hand.device.resolution_m), 2e-5, 1e-9);
+  EXPECT_EQ(changed_hand.guard.passivity_damping_n_s_per_m, 3);
+  EXPECT_EQ(changed_hand.guard.dead_man_button, 1);
+  EXPECT_EQ(changed_hand.guard.thermal_s, 30);
+  EXPECT_NEAR(of(changed_hand.guard.max_speed_m_per_s), 0.5, 1e-7);
+  // None: no budget, nothing but the forces as they are.
+  const Hand none = parse_scene(kGood, "s.toml").hands[0];
+  EXPECT_EQ(none.guard.continuous_force_n, none.guard.max_force_n);
+  EXPECT_EQ(none.guard.passivity_damping_n_s_per_m, 0);
+  EXPECT_EQ(none.hand.device.mass_kg, 0);
+}
+
 TEST(Scene, MistakesOfWaypoints) {
   expect_refusals({
       {"time_s = 0.5", "", "lateral_mm", "either speed_mm_s or time_s", 1},
