@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""No scene buzzes or makes energy with the dynamics of a Touch or of an omega.7; see limit_cycles.py.
+"""No scene buzzes or makes energy with the dynamics of a Touch or an omega.7; see limit_cycles.py.
 
 usage: limit_cycles_test.py Measure   or   limit_cycles_test.py SCENE...   (without the names: both)
 with STYLET_BIN in the environment
