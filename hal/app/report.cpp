@@ -122,7 +122,8 @@ Json json_of(const NeedleConfig& needle) {
           {"bending_nm2", number(needle.bending_nm2)},
           {"bevel_per_m", number(needle.bevel_per_m)},
           {"bent_length_m", number(needle.bent_length_m)},
-          {"bent_angle_rad", number(needle.bent_angle_rad)}};
+          {"bent_angle_rad", number(needle.bent_angle_rad)},
+          {"torsion_nm2", number(needle.torsion_nm2)}};
 }
 
 Json json_of(std::size_t predicted, std::size_t used) {

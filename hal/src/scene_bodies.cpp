@@ -159,6 +159,10 @@ NeedleConfig read_needle(Section& needle) {
       si(needle.number("length_mm", gauge.length_mm, 1, in_mm(kMaxNeedleLengthM)), 1e-3);
   config.unit_m = si(needle.number("unit_mm", 5, 0.1, 50), 1e-3);
   if (needle.flag("flexible", false)) config.bending_nm2 = static_cast<float>(bending_nm2(gauge));
+  // GJ = E 2 I / (2 (1 + nu)), nu 0.3 for steel and nitinol.
+  if (needle.flag("roll_lag", false)) {
+    config.torsion_nm2 = static_cast<float>(bending_nm2(gauge) / 1.3);
+  }
   config.rods = static_cast<std::uint32_t>(needle.integer("rods", config.rods, 1, kMaxRods));
   read_tip(needle, config);
   return config;

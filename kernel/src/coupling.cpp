@@ -2,6 +2,7 @@
 #include "coupling.h"
 
 #include "cone.h"
+#include "roll.h"
 
 namespace stylet {
 namespace {
@@ -391,13 +392,17 @@ void note_slip(const ModelHead& head, Particle& p, float slip_m) {
   p.slip_m_per_s = settle(speed + head.velocity_keep * (p.slip_m_per_s - speed));
 }
 
-// Shaft length a CP stands for now, and its spring in proportion: both vanish when the tip comes
+// Shaft length a CP stands for.
+float length_of(const View& view, const Particle& p) {
+  return clamp(view.state.needle->tissue_track_m - p.track_m, 0, view.needle_config().unit_m);
+}
+
+// Gives a CP the spring of the shaft it stands for: that and friction vanish when the tip comes
 // back to it, so that neither friction nor clamping jumps when it is added or removed.
-float stand_for(const View& view, Particle& p, float tip_track_m) {
-  const ModelHead& head = *view.model.head;
-  const float unit = view.needle_config().unit_m;
-  const float length = clamp(tip_track_m - p.track_m, 0, unit);
-  const float part = head.config.mode == Mode::kPaper ? 1.0F : max_of(length / unit, kLeastPart);
+void stand_for(const View& view, Particle& p) {
+  const bool paper = view.model.head->config.mode == Mode::kPaper;
+  const float part =
+      paper ? 1.0F : max_of(length_of(view, p) / view.needle_config().unit_m, kLeastPart);
   const float stiffness = part * p.full_stiffness_n_per_m;
   if (stiffness >
       p.stiffness_n_per_m) {  // what is new holds its tissue where it lies, without force
@@ -408,7 +413,6 @@ float stand_for(const View& view, Particle& p, float tip_track_m) {
     p.slack_m = old * p.slack_m;
   }
   p.stiffness_n_per_m = stiffness;
-  return length;
 }
 
 // Friction per metre of shaft at a slip speed: Coulomb, static (Stribeck), viscous.
@@ -423,15 +427,14 @@ void slip_shaft(const View& view, const Needle& needle) {
   const ModelHead& head = *view.model.head;
   StateHead& state = *view.state.head;
   NeedleState& own = *view.state.needle;
-  const float tip_track = own.tissue_track_m;
   for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
     Particle& p = view.state.shaft[i];
     // All that changes the spring comes before the return map, which has the last word on the
     // force.
     const double before = spring_energy(p);
-    const float length = stand_for(view, p, tip_track);
+    stand_for(view, p);
     state.friction_j += before - spring_energy(p);
-    const float limit = friction_n_per_m(head.material[p.material], p.slip_m_per_s) * length;
+    const float limit = friction_limit_n(view, p);
     const Vec3 direction = needle_point(needle, p.arc_m).direction;
     const float axial = dot(force_on_tissue(p), direction);
     const float slip = overshoot(view, p, axial, -limit, limit);
@@ -554,7 +557,7 @@ std::uint32_t push_shaft(const View& view, Particle p) {
     ++state.cp_pool_full;
     return kFlagCpPoolFull;
   }
-  (void)stand_for(view, p, own.tissue_track_m);
+  stand_for(view, p);
   view.state.shaft[own.shaft_count++] = p;
   own.shaft_max = own.shaft_count > own.shaft_max ? own.shaft_count : own.shaft_max;
   return 0;
@@ -761,6 +764,11 @@ void leave_layers(const View& view) {
 
 }  // namespace
 
+float friction_limit_n(const View& view, const Particle& p) {
+  const MaterialModel& m = view.model.head->material[p.material];
+  return friction_n_per_m(m, p.slip_m_per_s) * length_of(view, p);
+}
+
 void begin_contact(const View& view, const Needle& needle, Vec3 rest_m, Vec3 place_m,
                    float came_m) {
   NeedleState& own = *view.state.needle;
@@ -875,6 +883,7 @@ void sum_forces(const View& view, const Needle& needle, Output& out) {
   // Of the causes, not beside them: contacts may push against each other a hundred times as hard.
   out.force_n = ((cause.stiffness_n + cause.cutting_n) + (cause.friction_n + cause.clamping_n)) +
                 cause.obstacle_n;
+  out.torque_nm = out.torque_nm + roll_torque_nm(view);
 }
 
 void add_event(const View& view, EventKind kind, float force_n) {

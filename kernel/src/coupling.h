@@ -33,6 +33,9 @@ constexpr std::uint32_t kNoTrack = 0xFFFFFFFFU;
 // goals of the last fit. Returns output flags.
 std::uint32_t couple_needle(const View& view, const Needle& needle);
 
+// Friction of the stretch of shaft a CP stands for, at its slip speed.
+float friction_limit_n(const View& view, const Particle& p);
+
 // Energy of a CP's spring and its Maxwell branch.
 double shaft_energy(const Particle& particle);
 double tip_energy(const View& view, const Particle& tip);

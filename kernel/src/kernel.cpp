@@ -25,7 +25,8 @@ bool needle_good(const NeedleConfig& n) {
   return within(n.length_m, 1e-3F, kMaxNeedleLengthM) && within(n.outer_radius_m, 1e-5F, 0.01F) &&
          within(n.unit_m, 1e-4F, 0.05F) && within(n.bending_nm2, 0, kMaxBendingNm2) &&
          n.rods >= 1 && n.rods <= kMaxRods && within(n.bevel_per_m, 0, kMaxBevelPerM) &&
-         within(n.bent_length_m, 0, n.length_m) && within(n.bent_angle_rad, 0, kMaxBentAngleRad);
+         within(n.bent_length_m, 0, n.length_m) && within(n.bent_angle_rad, 0, kMaxBentAngleRad) &&
+         within(n.torsion_nm2, 0, kMaxTorsionNm2);
 }
 
 bool breathing_good(const BreathingConfig& b) {

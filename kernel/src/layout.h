@@ -132,10 +132,11 @@ struct NeedleState {
   std::uint32_t track_current;
   float layer_track_m;  // where the tip last changed layer
   std::uint32_t layer_before;
-  float press_m_per_s;   // of the needle towards a surface that holds it, low-passed
-  float track_end_m;     // length of the current track
-  float tissue_track_m;  // the tip's track coordinate when it was last in tissue
-  Vec3 cut;              // where the tip cuts: the needle's direction there, but for a bevel
+  float press_m_per_s;                // of the needle towards a surface that holds it, low-passed
+  float track_end_m;                  // length of the current track
+  float tissue_track_m;               // the tip's track coordinate when it was last in tissue
+  float twist_rad, twist_nm_per_rad;  // the hand's roll less the tip's, see roll.h
+  Vec3 cut;  // where the tip cuts: the needle's direction there, but for a bevel
   Vec3 last_force_n, last_torque_nm;
   std::uint32_t touch_count, touch_max;
 };

@@ -2,6 +2,7 @@
 #include "needle.h"
 
 #include "coupling.h"
+#include "roll.h"
 
 namespace stylet {
 namespace {
@@ -38,17 +39,6 @@ Sym3d across(Vec3 direction, float stiffness) {
 Sym3d symmetric(const Mat3& m) {
   const auto d = [](float v) { return static_cast<double>(v); };
   return {d(m.m[0][0]), d(m.m[0][1]), d(m.m[0][2]), d(m.m[1][1]), d(m.m[1][2]), d(m.m[2][2])};
-}
-
-// The shape in the state's nodes.
-Needle needle_of(const View& view) {
-  Needle needle = {};
-  needle.node = view.state.node;
-  needle.rods = view.model.rod->rods;
-  needle.rod_m = static_cast<float>(view.model.rod->rod_m);
-  needle.base_m = needle.node[0];
-  needle.tip_m = needle.node[needle.rods];
-  return needle;
 }
 
 // A held particle bends the needle by its spring: in contact on all sides, inserted across the
@@ -150,6 +140,16 @@ std::uint32_t touch_obstacles(const View& view, const Needle& needle, Vec3 shift
 
 }  // namespace
 
+Needle needle_of(const View& view) {
+  Needle needle = {};
+  needle.node = view.state.node;
+  needle.rods = view.model.rod->rods;
+  needle.rod_m = static_cast<float>(view.model.rod->rod_m);
+  needle.base_m = needle.node[0];
+  needle.tip_m = needle.node[needle.rods];
+  return needle;
+}
+
 // Counted from the tip: there a place must be exact to the motion of a tick.
 NeedlePoint needle_point(const Needle& needle, float arc_from_tip_m) {
   const float at = arc_from_tip_m / needle.rod_m;
@@ -201,7 +201,7 @@ std::uint32_t place_needle(const View& view, Needle& needle_out) {
   }
   needle_out = needle_of(view);
   Vec3 from = -1.0F * column(r, 2);
-  needle_out.side = column(r, 0);
+  needle_out.side = rolled_side(view, r);
   needle_out.tip_direction = from;
   for (std::uint32_t i = 0; is_elastic(config) && i < needle_out.rods; ++i) {
     const Vec3 to = unit(needle_out.node[i + 1] - needle_out.node[i]);

@@ -30,6 +30,9 @@ struct NeedlePoint {
   Vec3 place_m, direction;
 };
 
+// The needle in the state's nodes, as the last tick left it; without directions.
+Needle needle_of(const View& view);
+
 // Beyond the ends: straight on.
 NeedlePoint needle_point(const Needle& needle, float arc_from_tip_m);
 

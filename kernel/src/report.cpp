@@ -5,6 +5,7 @@
 #include "layout.h"
 #include "math.h"
 #include "needle.h"
+#include "roll.h"
 #include "voxel.h"
 
 namespace stylet {
@@ -190,6 +191,7 @@ double coupling_energy(const View& view) {
     for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
       sum += refit(view, first + i, p) + shaft_energy(p);
     }
+    sum += roll_energy(one);
     if (own.tip_alive != 0) {
       sum += refit(view, first + kMaxConstraintParticles, p) + tip_energy(one, p);
     }

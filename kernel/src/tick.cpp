@@ -7,6 +7,7 @@
 #include "coupling.h"
 #include "lattice.h"
 #include "math.h"
+#include "roll.h"
 #include "surface.h"
 
 namespace stylet {
@@ -102,15 +103,19 @@ void seek_contact(const View& view, const Needle& needle, bool known_before, std
   if (!found && flags == before) own.leaving = 0;
 }
 
+// The turn from one rotation to another, a vector along its axis.
+Vec3 turn_between(const Quat& a, const Quat& b) {
+  const Vec3 va = {a.x, a.y, a.z}, vb = {b.x, b.y, b.z};
+  return 2.0F * (a.w * vb - b.w * va - cross(vb, va));
+}
+
 // Work of the hand since the last tick: mean of the forces at both ends times the motion.
 void book_work(const View& view, const Pose& before, const Output& out) {
   StateHead& state = *view.state.head;
   NeedleState& own = *view.state.needle;
   const Pose& now = own.handle;
   const Vec3 step = now.position_m - before.position_m;
-  const Quat a = before.rotation, b = now.rotation;
-  const Vec3 va = {a.x, a.y, a.z}, vb = {b.x, b.y, b.z};
-  const Vec3 turn = 2.0F * (a.w * vb - b.w * va - cross(vb, va));
+  const Vec3 turn = turn_between(before.rotation, now.rotation);
   const float work = -0.5F * (dot(out.force_n + own.last_force_n, step) +
                               dot(out.torque_nm + own.last_torque_nm, turn));
   state.work_by_hand_j += static_cast<double>(work);
@@ -148,6 +153,10 @@ void move_needle(const View& view, const Input& input, Moved& out) {
   out.known_before = own.handle_known != 0;
   out.flags = accept_input(view, input);
   if (own.handle_known == 0) return;
+  if (out.known_before) {
+    const Vec3 turn = turn_between(out.before.rotation, own.handle.rotation);
+    roll_tip(view, dot(turn, column(rotation_matrix(own.handle.rotation), 2)));
+  }
   out.flags |= place_needle(view, out.shape);
   seek_contact(view, out.shape, out.known_before, out.flags);
   out.flags |= couple_needle(view, out.shape);

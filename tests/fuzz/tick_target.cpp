@@ -35,6 +35,7 @@ Config config_from(Bytes& bytes) {
     if ((tip & 1U) != 0) needle.bending_nm2 = (tip & 2U) != 0 ? 2e-4F : 2e-2F;
     needle.rods = (tip & 4U) != 0 ? 8 : 32;
     if ((tip & 8U) != 0) needle.bevel_per_m = 20;
+    if ((tip & 4U) != 0) needle.torsion_nm2 = 1e-4F;
     if ((tip & 16U) != 0) {
       needle.bent_length_m = 0.02F;
       needle.bent_angle_rad = 0.3F;

@@ -292,6 +292,8 @@ TEST(Scene, NeedlesOfOnesOwn) {
       of(needle("od_mm = 1\nid_mm = 0.5\nmaterial = \"nitinol\"\nflexible = true").bending_nm2),
       9.8175e-3 * 75 / 200 * (1 - 0.0625), 1e-6);
   EXPECT_NEAR(of(needle("od_mm = 1\ne_gpa = 100\nflexible = true").bending_nm2), 4.9087e-3, 1e-6);
+  EXPECT_EQ(needle("tip = \"bevel\"").torsion_nm2, 0);
+  EXPECT_NEAR(of(needle("od_mm = 1\ne_gpa = 100\nroll_lag = true").torsion_nm2), 3.7759e-3, 1e-6);
   EXPECT_EQ(needle("tip = \"bevel\"").bevel_per_m, 5);
   EXPECT_EQ(needle("tip = \"bevel\"\ncurvature_per_m = 12").bevel_per_m, 12);
   EXPECT_EQ(needle("tip = \"diamond\"").bevel_per_m, 0);

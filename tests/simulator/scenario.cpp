@@ -56,6 +56,7 @@ NeedleConfig draw_needle(Draw& draw) {
   needle.bending_nm2 = draw.chance(0.5) ? draw.magnitude(1e-4, 4e-2) : 0;
   needle.rods = 4 + draw.below(60);
   if (draw.chance(0.3)) needle.bevel_per_m = draw.between(1, 20);
+  if (needle.bevel_per_m > 5) needle.torsion_nm2 = needle.bending_nm2 / 1.3F;
   if (draw.chance(0.15)) {
     needle.bent_length_m = draw.between(5e-3, 30e-3);
     needle.bent_angle_rad = draw.between(0.05, 0.5);

@@ -14,6 +14,7 @@
 #include "coupling.h"
 #include "layout.h"
 #include "math.h"
+#include "roll.h"
 #include "stylet/kernel.h"
 
 namespace stylet::test {
@@ -68,6 +69,7 @@ inline Wrench wrench_on(const Kernel& kernel, std::uint32_t needle) {
   const View view = needle_view(view_of(kernel), needle);
   const Vec3 handle = view.state.needle->handle.position_m;
   Wrench sum;
+  sum.torque.add(roll_torque_nm(view));
   const std::uint32_t held = constraint_particles(kernel, particles);
   for (const ConstraintParticle& p : std::span(particles).first(held)) {
     if (p.needle != needle) continue;

@@ -34,6 +34,7 @@ TEST(Edges, EveryBoundOfTheConfiguration) {
       {"no rods", [](Config& c) { c.needle[0].rods = 0; }, false},
       {"most rods", [](Config& c) { c.needle[0].rods = kMaxRods; }, true},
       {"too many rods", [](Config& c) { c.needle[0].rods = kMaxRods + 1; }, false},
+      {"torsion", [](Config& c) { c.needle[0].torsion_nm2 = kMaxTorsionNm2 * 1.01F; }, false},
       {"bevel", [](Config& c) { c.needle[0].bevel_per_m = kMaxBevelPerM * 1.01F; }, false},
       {"whole needle bent", [](Config& c) { c.needle[0].bent_length_m = c.needle[0].length_m; },
        true},

@@ -38,6 +38,7 @@ struct NeedleConfig {
   float bevel_per_m = 0;    // curvature of the path a bevelled tip cuts in stiff tissue
   float bent_length_m = 0;  // pre-bent tip: its length, and the angle it is turned by at rest
   float bent_angle_rad = 0;
+  float torsion_nm2 = 0;  // GJ of the shaft; 0: the tip rolls with the hand
 };
 
 // Prescribed motion of all attachments together, A sin^4(pi t / T): a breath that rests at its
