@@ -2,8 +2,12 @@
 // The program stylet-organ: build, phantom, hull, labels, info, check. Exit codes: 0 done, 1 input
 // refused or file damaged, 2 wrong usage.
 
+#include <sys/resource.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -47,6 +51,8 @@ struct CommonArguments {  // of build and phantom
   std::string machine;
   std::uint32_t substeps = Config{}.substeps;
   std::string report;  // folder
+  bool sum = false;
+  std::uint64_t memory_limit_bytes = 0;
   bool json = false;
 };
 
@@ -120,6 +126,12 @@ void add_common(CLI::App& command, CommonArguments& a) {
   command.add_option("--materials", a.materials, "TOML file with tissues of your own");
   command.add_option("--report", a.report,
                      "Folder for a quality report: report.html with pictures, report.json");
+  command
+      .add_option("--memory-limit", a.memory_limit_bytes,
+                  "Refuse instead of taking more memory, such as 2GiB (default: no limit)")
+      ->transform(CLI::AsSizeValue(false));
+  command.add_flag("--sum", a.sum,
+                   "Also write OUTPUT.sha256, which check and sha256sum -c compare with");
   command.add_flag("--json", a.json, "Report as one JSON object on standard output");
 }
 
@@ -138,6 +150,17 @@ std::string without_folder(const std::string& fix) {
   return word + std::filesystem::path(fix.substr(word.size())).filename().string();
 }
 
+// The heap and all mappings of our own; what goes beyond fails as if memory were out.
+void limit_memory(std::uint64_t bytes) {
+  constexpr std::uint64_t kLeast = std::uint64_t{64} << 20U;
+  if (bytes == 0) return;
+  if (bytes < kLeast) refuse("--memory-limit {} bytes: expected at least 64MiB", bytes);
+  const rlimit limit = {bytes, bytes};
+  if (::setrlimit(RLIMIT_DATA, &limit) != 0) {
+    refuse("--memory-limit: the system does not take it: {}", std::strerror(errno));
+  }
+}
+
 // The machine that --fit reckons with.
 std::optional<Machine> chosen_machine(const CommonArguments& a) {
   if (a.fit.empty()) return std::nullopt;
@@ -146,6 +169,7 @@ std::optional<Machine> chosen_machine(const CommonArguments& a) {
 }
 
 BuildOptions common_options(const CommonArguments& a, double metres_per_unit) {
+  limit_memory(a.memory_limit_bytes);
   BuildOptions options;
   options.name = a.name;
   options.voxel_edge_m = a.voxel_mm * 1e-3;
@@ -176,6 +200,7 @@ void finish(const std::function<Built(const BuildOptions&, const Progress&)>& ma
   const Progress progress = progress_bar();
   const Built built = make(options, progress);
   write_file(a.output, built.bytes);
+  if (a.sum) write_sum(a.output, built.bytes);
   for (const std::string& warning : built.report.warnings) {
     fmt::print(stderr, "stylet-organ: warning: {}\n", warning);
   }
@@ -441,8 +466,16 @@ void run_info(const FileArguments& a) {
 
 void run_check(const FileArguments& a) {
   const std::string bytes = read_file(a.file);
+  const SumCheck sum = check_sum(a.file, bytes);
   const Organ organ = open_organ(a.file, std::as_bytes(std::span(bytes)));
-  fmt::print("{}: ok: {} voxels, hash {:016x}\n", a.file, organ.voxel_count, organ.hash);
+  if (sum == SumCheck::kDiffers) {
+    refuse(
+        "{}: its structure is whole, but the bytes are not those of {}{}: expected the file as "
+        "it was built",
+        a.file, a.file, kSumEnding);
+  }
+  fmt::print("{}: ok: {} voxels, hash {:016x}, {}\n", a.file, organ.voxel_count, organ.hash,
+             sum == SumCheck::kSame ? "the bytes that were built" : "no sum beside it");
 }
 
 // ---- commands -----------------------------------------------------------------------------------
@@ -550,9 +583,12 @@ void add_info_and_check(CLI::App& app, FileArguments& info, FileArguments& check
   show->add_flag("--json", info.json, "As one JSON object");
   show->footer("Example:\n  stylet-organ info liver.organ --json");
   show->callback([&info] { run_info(info); });
-  CLI::App* test = app.add_subcommand("check", "Whether the kernel accepts an organ file");
+  CLI::App* test = app.add_subcommand("check", "Whether an organ file is whole");
   test->add_option("file", check.file, "Organ file")->required();
-  test->footer("Example:\n  stylet-organ check liver.organ");
+  test->footer(
+      "Example:\n  stylet-organ check liver.organ\n"
+      "Every value is checked as the kernel does; with FILE.sha256 beside it (build --sum), every "
+      "byte.");
   test->callback([&check] { run_check(check); });
 }
 
@@ -584,7 +620,8 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : kExitUsage;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr,
-               "stylet-organ: out of memory: expected a coarser voxel edge or a smaller mesh\n");
+               "stylet-organ: out of memory: expected a coarser voxel edge, a smaller input or a "
+               "larger --memory-limit\n");
     return kExitRefused;
   } catch (const std::exception& error) {
     fmt::print(stderr, "stylet-organ: {}\n", error.what());

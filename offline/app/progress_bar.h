@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bar on standard error, only where that is a terminal and only once a second has passed.
+// A bar on standard error with the stage and the time left in it, only where that is a terminal and
+// only once a second has passed.
 #pragma once
 
 #include "progress.h"

@@ -33,7 +33,8 @@ def main():
     for folder in (organ.parent, report, outcome.parent):
         folder.mkdir(parents=True, exist_ok=True)
     organ.unlink(missing_ok=True)
-    done = subprocess.run([*command, "--name", patient, "-o", str(organ), "--report", str(report)],
+    done = subprocess.run([*command, "--name", patient, "-o", str(organ), "--sum",
+                           "--report", str(report)],
                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     result = {"patient": patient}
     if done.returncode == 0:

@@ -77,4 +77,18 @@ std::string sha256_hex(std::string_view bytes) {
   return text;
 }
 
+void write_sum(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  const std::string_view view(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const std::string line = sha256_hex(view) + "  " + path.filename().string() + "\n";
+  write_file(path.string() + kSumEnding, std::as_bytes(std::span(line)));
+}
+
+SumCheck check_sum(const std::filesystem::path& path, std::string_view bytes) {
+  std::error_code error;
+  const std::filesystem::path beside = path.string() + kSumEnding;
+  if (!std::filesystem::exists(beside, error)) return SumCheck::kNone;
+  return read_file(beside).starts_with(sha256_hex(bytes) + " ") ? SumCheck::kSame
+                                                                : SumCheck::kDiffers;
+}
+
 }  // namespace stylet::bake

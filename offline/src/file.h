@@ -18,4 +18,10 @@ void write_file(const std::filesystem::path& path, std::span<const std::byte> by
 
 std::string sha256_hex(std::string_view bytes);
 
+// The sum of a file lies beside it under this ending, in the format of sha256sum.
+constexpr const char* kSumEnding = ".sha256";
+void write_sum(const std::filesystem::path& path, std::span<const std::byte> bytes);
+enum class SumCheck { kNone, kSame, kDiffers };
+SumCheck check_sum(const std::filesystem::path& path, std::string_view bytes);
+
 }  // namespace stylet::bake

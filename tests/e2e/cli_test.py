@@ -206,14 +206,38 @@ travel_mm = 50
 speed_mm_s = 25
 """
 
-    def test_needle_meets_the_liver_where_the_map_has_it(self):
+    def build(self, voxel_mm=5):
+        """Materials of the patient's organ."""
         if not self.MAP.exists():
             self.skipTest(f"{self.MAP} is not there; set STYLET_DATA")
         call("stylet-organ", "build", self.MAP, "--recipe",
-             SOURCE / "offline/recipes/totalsegmentator.toml", "--fix", "y>80%", "-o",
-             self.top / "patient.organ")
-        names = [m["name"] for m in json.loads(
+             SOURCE / "offline/recipes/totalsegmentator.toml", "--fix", "y>80%",
+             "--voxel-mm", voxel_mm, "-o", self.top / "patient.organ")
+        return [m["name"] for m in json.loads(
             call("stylet-organ", "info", self.top / "patient.organ", "--json").stdout)["materials"]]
+
+    def test_biopsy_scene_runs_in_the_patient(self):
+        """The trainer's scene as it is, but for the organ and the way in."""
+        names = self.build(voxel_mm=8)
+        text = (SOURCE / "hal/scenes/liver-biopsy.toml").read_text()
+        for old, new in (('path = "liver-biopsy.organ"', 'path = "patient.organ"'),
+                         ("direction = [0, 0, -1]", "direction = [0, 1, 0]"),
+                         ("point_mm = [-70, 90, 155]", "point_mm = [-29, -220, 415]")):
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        scene = self.top / "biopsy.toml"
+        scene.write_text(text)
+        report = json.loads(call("stylet", "run", scene, "--fast", "--json").stdout)
+        self.assertEqual(report["fault"], "none")
+        met = [(event["kind"], names[event["layer"]]) for event in report["events"]]
+        self.assertEqual(met[:3], [("contact", "liver_capsule"), ("puncture", "liver_capsule"),
+                                   ("layer", "liver")])
+        kinds = [phase["name"] for phase in report["phases"]]
+        self.assertIn("insertion", kinds)
+        self.assertIn("retraction", kinds)
+
+    def test_needle_meets_the_liver_where_the_map_has_it(self):
+        names = self.build()
         scene = self.top / "patient.toml"
         scene.write_text(self.SCENE)
         report = json.loads(call("stylet", "run", scene, "--fast", "--json", "--record",
