@@ -251,7 +251,7 @@ Vec3 limited(const GuardConfig& config, GuardState& state, Vec3 wanted) {
 // Towards zero; true once it is there.
 bool faded(const GuardConfig& config, GuardState& state) {
   const std::uint32_t ticks = whole_ticks(kDecayS, config.period_s);
-  if (state.fade_tick < ticks) ++state.fade_tick;
+  ++state.fade_tick;
   const double left = static_cast<double>(ticks - state.fade_tick) / ticks;
   state.force_n = scaled(state.fade_from_n, left);
   return state.fade_tick == ticks;
@@ -267,7 +267,7 @@ void begin_fade(GuardState& state, GuardMode mode) {
 void follow_button(const GuardConfig& config, GuardState& state) {
   const bool needed = config.dead_man_button >= 0;
   const bool held = !needed || state.button != 0;
-  const bool released = !needed || (state.button_seen != 0 && !held);
+  const bool released = !needed || (state.button_seen != 0 && state.button == 0);
   if (state.mode == GuardMode::kLetGo && released) state.mode = GuardMode::kUnarmed;
   if (state.mode == GuardMode::kUnarmed && held) {
     state.mode = GuardMode::kRamp;
@@ -279,23 +279,15 @@ void follow_button(const GuardConfig& config, GuardState& state) {
 
 // The force of this tick, in the mode that it has come to.
 void force_of_mode(const GuardConfig& config, GuardState& state, Vec3 force_n) {
-  switch (state.mode) {
-    case GuardMode::kRamp:
-    case GuardMode::kLive:
-      state.force_n = limited(config, state, damped(config, state, force_n));
-      watch_for_buzz(config, state);
-      return;
-    case GuardMode::kRelease:
-      if (faded(config, state)) state.mode = GuardMode::kUnarmed;
-      return;
-    case GuardMode::kFading:
-      if (faded(config, state)) state.mode = GuardMode::kFault;
-      return;
-    case GuardMode::kLetGo:
-    case GuardMode::kUnarmed:
-    case GuardMode::kFault:
-      state.force_n = {};
-      return;
+  if (is_armed(state.mode)) {
+    state.force_n = limited(config, state, damped(config, state, force_n));
+    watch_for_buzz(config, state);
+  } else if (state.mode == GuardMode::kRelease) {
+    if (faded(config, state)) state.mode = GuardMode::kUnarmed;
+  } else if (state.mode == GuardMode::kFading) {
+    if (faded(config, state)) state.mode = GuardMode::kFault;
+  } else {
+    state.force_n = {};
   }
 }
 

@@ -187,6 +187,12 @@ TEST(GuardStates, EachHasItsNameAndUnknownOnesHaveNone) {
   EXPECT_EQ(names.size(), 9U);
 }
 
+TEST(GuardStates, WithAButtonNothingIsKnownBeforeTheFirstSample) {
+  Desk desk;
+  EXPECT_EQ(size(guard_force(desk.config, desk.state, desk.asked_n)), 0);
+  EXPECT_EQ(desk.state.mode, GuardMode::kLetGo);
+}
+
 TEST(GuardStates, WithoutAButtonTheFirstTickArms) {
   Desk desk;
   desk.config.dead_man_button = -1;
@@ -383,6 +389,16 @@ TEST(EnergyObserver, KnowsTheDelayOfTheDevice) {
   EXPECT_NEAR(held_spring(2.5e-3F), 1, 0.05);
   // Without, it sees the force lead the motion, which looks like damping.
   EXPECT_EQ(held_spring(0), 0);
+}
+
+TEST(EnergyObserver, ControllerLeavesAHandAtRestAlone) {
+  Desk desk;
+  desk.config.dead_man_button = -1;
+  desk.config.ramp_s = 0;
+  desk.tick(10, true);
+  desk.state.energy.energy_j = -0.01;
+  EXPECT_EQ(desk.tick(true).x, desk.asked_n.x);
+  EXPECT_EQ(desk.state.counters.force_damped, 0U);
 }
 
 TEST(EnergyObserver, KnowsNoMotionBelowTheResolution) {
