@@ -42,6 +42,9 @@ ROWS = [
     ("any bytes, any input: refused or harmless", r"fuzz\..*", None),
     ("random sessions keep what must hold", r"simulator\..*", None),
     ("a device may fail at any tick", r"device_faults\..*", None),
+    ("the guard's states are those of hal/GUARD.md", r"hal_guard\.GuardStates\..*", None),
+    ("no limit cycle, no energy for the hand, with a Touch and an omega.7",
+     r"e2e\.limit_cycles\..*|hal_coupling\.SafetyScenes\..*", None),
 ]
 TEST = re.compile(r"^\d+/\d+ Testing: (.+?)$.*?^Output:\n-+\n(.*?)<end of output>.*?"
                   r"^Test (Pass|Fail)", re.M | re.S)

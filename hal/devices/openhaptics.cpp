@@ -40,7 +40,8 @@ static_assert(sizeof(ErrorInfo) == 12);
 constexpr Handle kInvalidHandle = 0xFFFFFFFFU;
 constexpr Enum kCurrentButtons = 0x2000, kCurrentTransform = 0x2052, kCurrentForce = 0x2700;
 constexpr Enum kModelType = 0x2501, kCalibrationStyle = 0x2555;
-constexpr Enum kNominalMaxStiffness = 0x2602, kNominalMaxForce = 0x2603;
+constexpr Enum kNominalMaxStiffness = 0x2602, kNominalMaxForce = 0x2603,
+               kNominalMaxContinuousForce = 0x2604;
 constexpr Enum kForceOutput = 0x4000, kMaxForceClamping = 0x4001, kForceRamping = 0x4002,
                kSoftwareForceLimit = 0x4003;
 constexpr Enum kCalibrationOk = 0x5000, kCalibrationNeedsUpdate = 0x5001;
@@ -230,16 +231,18 @@ Handle init(const Api& api, const std::string& name) {
 }
 
 void read_capability(const Api& api, HdDevice& device) {
-  double force = 0, stiffness = 0;
+  double force = 0, stiffness = 0, continuous = 0;
   api.get_doubles(kNominalMaxForce, &force);
   api.get_doubles(kNominalMaxStiffness, &stiffness);
+  api.get_doubles(kNominalMaxContinuousForce, &continuous);
   const char* model = api.get_string(kModelType);
   device.model = model != nullptr ? model : "OpenHaptics device";
   constexpr double kShare = 0.9;  // of what it can do at most
   device.info = {.name = device.model.c_str(),
                  .max_force_n = static_cast<float>(kShare * force),
                  .max_slew_n_per_s = 1000,
-                 .max_stiffness_n_per_m = static_cast<float>(stiffness * 1e3)};
+                 .max_stiffness_n_per_m = static_cast<float>(stiffness * 1e3),
+                 .continuous_force_n = static_cast<float>(continuous)};
   forget_errors(api);
 }
 

@@ -259,6 +259,10 @@ void fit_to_device(const DeviceInfo& info, Hand& hand) {
     hand.guard.max_slew_n_per_s = std::max(slew, hand.guard.max_force_n / kDecayS);
     hand.coupling.max_force_n = hand.guard.max_force_n / hand.grip.force_scale;
   }
+  if (info.continuous_force_n > 0) {
+    hand.guard.continuous_force_n =
+        std::min(hand.guard.continuous_force_n, info.continuous_force_n);
+  }
   if (info.max_stiffness_n_per_m > 0) {
     const float most = most_coupling(info.max_stiffness_n_per_m, hand.grip);
     float& coupling = hand.coupling.stiffness_n_per_m;

@@ -249,6 +249,19 @@ TEST(Scene, AModelBringsItsLimitsAndOwnKeysWin) {
   EXPECT_EQ(none.hand.device.mass_kg, 0);
 }
 
+TEST(Scene, AnAttachedDeviceLowersItsLimits) {
+  Hand hand = parse_scene(kGood, "s.toml").hands[0];
+  DeviceInfo info = {"Touch", 3, 2000, 400};
+  fit_to_device(info, hand);
+  EXPECT_EQ(hand.guard.max_force_n, 3);
+  EXPECT_EQ(hand.guard.continuous_force_n, 4);  // the scene's, as it does not tell one
+  EXPECT_EQ(hand.coupling.max_force_n, 3);
+  EXPECT_NEAR(of(hand.coupling.stiffness_n_per_m), 280, 1e-3);
+  info.continuous_force_n = 0.88F;
+  fit_to_device(info, hand);
+  EXPECT_EQ(hand.guard.continuous_force_n, 0.88F);
+}
+
 TEST(Scene, MistakesOfWaypoints) {
   expect_refusals({
       {"time_s = 0.5", "", "lateral_mm", "either speed_mm_s or time_s", 1},

@@ -74,6 +74,7 @@ TEST_F(OpenHaptics, CapabilityIsTheDevicesOwn) {
   const Ticker ticker("hd:");
   EXPECT_FLOAT_EQ(ticker.device.info.max_force_n, 0.9F * 3.3F);
   EXPECT_FLOAT_EQ(ticker.device.info.max_stiffness_n_per_m, 400);
+  EXPECT_FLOAT_EQ(ticker.device.info.continuous_force_n, 0.88F);
   EXPECT_STREQ(ticker.device.info.name, "Stand-in Touch");
 }
 

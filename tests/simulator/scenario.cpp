@@ -149,6 +149,19 @@ HandPlan draw_hand(Draw& draw, const Organ& organ, const Config& config, float l
   return plan;
 }
 
+// The guard's other nets, from a seed of their own.
+void draw_nets(Draw draw, bool gentle, HandPlan& plan) {
+  hal::GuardConfig& guard = plan.guard;
+  guard.continuous_force_n = guard.max_force_n * draw.magnitude(0.2, 1);
+  guard.thermal_s = draw.magnitude(5, 60);
+  guard.passivity_damping_n_s_per_m = draw.chance(0.5) ? draw.magnitude(0.1, 10) : 0;
+  guard.buzz_n = draw.magnitude(0.02, 1) * guard.max_force_n;
+  guard.max_speed_m_per_s = gentle ? 2 : draw.magnitude(0.1, 20);
+  if (gentle || draw.chance(0.7)) return;
+  guard.dead_man_button = static_cast<std::int32_t>(draw.below(32));
+  plan.release_share = static_cast<double>(draw.magnitude(1e-4, 1e-2));
+}
+
 }  // namespace
 
 float Draw::magnitude(double low, double high) {
@@ -170,7 +183,8 @@ Scenario draw_scenario(std::uint64_t seed) {
   for (std::uint32_t i = 0; i < scenario.config.needle_count; ++i) {
     scenario.hands.push_back(draw_hand(draw, scenario.organ->organ, scenario.config,
                                        scenario.config.needle[i].length_m, scenario.gentle));
-    const HandPlan& plan = scenario.hands.back();
+    HandPlan& plan = scenario.hands.back();
+    draw_nets(Draw(~(seed * kMaxNeedles + i)), scenario.gentle, plan);
     const auto script = hal::make_script(plan.waypoints, plan.start_m);
     scenario.ticks = std::max(scenario.ticks, hal::script_ticks(script, period_s));
   }

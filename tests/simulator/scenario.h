@@ -45,6 +45,7 @@ struct HandPlan {
   float start_m = 0;         // tip outside the surface
   Vec3 turn_per_s = {};      // of the handle, as the vector part of a quaternion
   double bad_share = 0;      // of samples that are spoiled
+  double release_share = 0;  // of samples in which the dead man's button is released, if held
   double dead_from_s = 1e9;  // the device is silent from here on
 };
 

@@ -42,7 +42,8 @@ double dot_double(Vec3 a, Vec3 b) {
 struct Player {
   const HandPlan* plan = nullptr;
   hal::SimulatedHand hand;
-  Draw draw{0};
+  Draw draw{0}, button_draw{0};
+  bool pressed = false;
   double period_s = 0;
   double turn[3] = {};
   std::uint32_t spoiled_in_a_row = 0;
@@ -96,12 +97,23 @@ void turn(Player& player, hal::Sample& sample) {
                           static_cast<float>(player.turn[2] / size)};
 }
 
+// Of the dead man's button, where there is one: soon pressed again.
+void press(Player& player, hal::Sample& sample) {
+  const std::int32_t number = player.plan->guard.dead_man_button;
+  if (number < 0) return;
+  if (player.button_draw.chance(player.pressed ? player.plan->release_share : 0.02)) {
+    player.pressed = !player.pressed;
+  }
+  sample.buttons = player.pressed ? 1U << static_cast<std::uint32_t>(number) : 0;
+}
+
 bool read(void* self, std::int64_t now_ns, hal::Sample& sample_out) {
   Player& player = *static_cast<Player*>(self);
   const hal::Device hand = hal::simulated_hand_device(player.hand, player.plan->limits);
   hal::Sample sample = {};
   (void)hand.read(hand.self, now_ns, sample);
   turn(player, sample);
+  press(player, sample);
   if (player.leaving) {
     player.left_m = std::min(player.left_m + player.leave_m_per_s * player.period_s, kLeaveM);
     sample.pose.position_m.z += static_cast<float>(player.left_m);
@@ -190,7 +202,8 @@ struct Simulation {
   Observer observer;
   Verdict verdict;
   std::array<Vec3, kMaxNeedles> command_n{};
-  std::array<std::uint32_t, kMaxNeedles> ticks_since_fault{}, blind_ticks{};
+  std::array<std::uint32_t, kMaxNeedles> ticks_since_fault{}, blind_ticks{}, released_ticks{};
+  std::array<double, kMaxNeedles> heat_n2{};
 
   std::uint32_t needles() const { return scenario.config.needle_count; }
 };
@@ -212,6 +225,15 @@ const char* broken_force(Simulation& s, std::uint32_t needle, const TickRecord& 
   blind = record.input.valid != 0 ? 0 : blind + 1;
   const auto most = static_cast<std::uint32_t>(kZeroForceS / period_s) + 1;
   if (std::max(since, blind) > most && force > 0) return "force 25 ms after a fault";
+  auto& released = s.released_ticks[needle];
+  if (record.input.valid != 0) released = record.sample.buttons == 0 ? released + 1 : 0;
+  if (guard.dead_man_button >= 0 && released > most && force > 0) {
+    return "force 25 ms after the dead man's button was released";
+  }
+  double& heat = s.heat_n2[needle];
+  heat += period_s / static_cast<double>(guard.thermal_s) * (force * force - heat);
+  const double always = static_cast<double>(guard.continuous_force_n);
+  if (heat > always * always * (1 + 1e-3)) return "motors warmer than they stand";
   return nullptr;
 }
 
@@ -370,6 +392,7 @@ Verdict simulate(const Scenario& scenario, const Tamper& tamper) {
     player.plan = &plan;
     player.period_s = period_s;
     player.draw = Draw(scenario.seed * kMaxNeedles + i);
+    player.button_draw = Draw(scenario.seed * kMaxNeedles + i + (1ULL << 40U));
     player.hand.config = plan.hand;
     player.hand.period_s = period_s;
     player.hand.script = hal::make_script(plan.waypoints, plan.start_m);

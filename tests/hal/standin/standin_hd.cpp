@@ -202,6 +202,7 @@ void hdGetDoublev(unsigned what, double* out) {
   if (what == 0x2602) *out = 0.4;
   if (what == 0x2603) *out = 3.3;
   if (what == 0x2604) *out = 0.88;
+  if (what == 0x2604) *out = 0.88;
   if (what != 0x2052) return;
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {

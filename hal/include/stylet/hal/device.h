@@ -39,6 +39,7 @@ struct DeviceInfo {
   float max_slew_n_per_s;
   float max_stiffness_n_per_m = 0;  // that it renders without buzzing; 0: not known
   float max_torque_nm = 0;          // 0: it renders none
+  float continuous_force_n = 0;     // what its motors stand for ever; 0: not known
   float force_life_s = 0;           // a force not renewed ends of itself after this; 0: it does not
 };
 
