@@ -69,6 +69,24 @@ Vec rest_position(const Grid& grid, CellPlace cell, const OrganVertex& v) {
          Vec{cell.x + v.fx * kStep, cell.y + v.fy * kStep, cell.z + v.fz * kStep} * grid.edge_m;
 }
 
+// Owner of the fullest cell beside one that holds a little surface and no samples; else its own.
+std::uint16_t owner_beside(const Claims& claims, CellPlace at) {
+  const Grid& grid = claims.grid;
+  std::uint16_t owner = claims.owner[cell_index(grid, at.x, at.y, at.z)];
+  int most = 0;
+  for (std::uint32_t n = 0; n < 27; ++n) {
+    // One ahead of the neighbour, so that none is negative.
+    const std::uint32_t x = at.x + n % 3, y = at.y + n / 3 % 3, z = at.z + n / 9;
+    if (x < 1 || y < 1 || z < 1 || x > grid.size[0] || y > grid.size[1] || z > grid.size[2])
+      continue;
+    const std::size_t cell = cell_index(grid, x - 1, y - 1, z - 1);
+    if (claims.owner_fill[cell] <= most) continue;
+    most = claims.owner_fill[cell];
+    owner = claims.owner[cell];
+  }
+  return owner;
+}
+
 }  // namespace
 
 Claims no_claims(const Grid& grid) {
@@ -125,9 +143,11 @@ Lattice make_lattice(Claims& claims, const std::vector<Vec>& points_m) {
     const Vec at = to_lattice(grid, point_m);
     const auto kept = [&](std::size_t cell) { return is_kept(claims, cell); };
     if (find_cell(grid, at, kept)) continue;
-    claims.pierced[cell_index(grid, nearest_cell(at.x, grid.size[0]),
-                              nearest_cell(at.y, grid.size[1]), nearest_cell(at.z, grid.size[2]))] =
-        1;
+    const CellPlace own = {nearest_cell(at.x, grid.size[0]), nearest_cell(at.y, grid.size[1]),
+                           nearest_cell(at.z, grid.size[2])};
+    const std::size_t cell = cell_index(grid, own.x, own.y, own.z);
+    claims.pierced[cell] = 1;
+    claims.owner[cell] = owner_beside(claims, own);
   }
   Lattice lattice{grid, std::vector<std::uint32_t>(cell_count(grid), kNoVoxel), {}, {}, {}};
   bool row_goes_on = false;

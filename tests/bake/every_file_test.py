@@ -80,8 +80,8 @@ class LabelMaps(Case):
                            self.folder / "map.organ")
         seen = {each["tissue"]: each["filled_volume_ml"] for each in built["labels"]}
         for each in labels:
-            # 64 samples a voxel of the lattice: of a speck they are too few for a percent. Were they
-            # scattered without order, their number would be good to its root, twice that in 95 %.
+            # 64 samples a voxel of the lattice: of a speck they are too few for a percent. Without
+            # any order, their number would be good to its root, in 95 % to twice that.
             samples = each["volume_ml"] * 1e3 / edge_mm ** 3 * 64
             allowed = max(0.01, 2 / math.sqrt(samples))
             self.assertAlmostEqual(seen[f"label{each['label']}"] / each["volume_ml"], 1,

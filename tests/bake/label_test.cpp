@@ -376,6 +376,27 @@ TEST(LabelOrgan, SurfaceIsThatOfTheLabelsWithoutTheirSteps) {
   }
 }
 
+// Voxels that hold a little of the smoothed surface and none of the samples are of the tissue
+// beside them, not of the recipe's first.
+TEST(LabelOrgan, ThinVoxelsAreOfTheTissueBesideThem) {
+  const double u = 1e-3;
+  bake::BuildOptions options;
+  options.voxel_edge_m = 1.7e-3;
+  const bake::Built built =
+      build_quietly(ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {}), kHalves, options);
+  const Organ organ = opened(built.bytes);
+  std::size_t thin = 0, voxel = 0;
+  for (const OrganRun& run : organ.runs) {
+    for (std::uint32_t i = 0; i < run.count; ++i, ++voxel) {
+      const double x = static_cast<double>(organ.origin_m.x) + (run.x + i + 0.5) * 1.7e-3;
+      if (organ.voxel_fill[voxel] > 1 || std::fabs(x) < 4e-3) continue;
+      ++thin;
+      EXPECT_EQ(organ.voxel_material[voxel], x > 0 ? 1 : 0) << x;
+    }
+  }
+  EXPECT_GT(thin, 5U);
+}
+
 TEST(LabelOrgan, SameMapSameBytes) {
   const double u = 1e-3;
   const LabelMap map = ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {});
