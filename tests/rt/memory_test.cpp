@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <fstream>
 #include <memory>
+#include <sstream>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -93,6 +96,71 @@ TEST_P(Blocks, UsedAreWhatWasPredicted) {
   };
   expect_filled("model", used[0].model, used[1].model);
   expect_filled("state", used[0].state, used[1].state);
+}
+
+// One line of memory.txt.
+struct Committed {
+  std::uint32_t nx = 0, ny = 0, nz = 0, needles = 0, helpers = 0;
+  std::size_t model = 0, state = 0, scratch = 0, team = 0;
+};
+
+std::vector<Committed> committed_rows() {
+  std::ifstream file(STYLET_MEMORY_ROWS);
+  std::vector<Committed> rows;
+  for (std::string line; std::getline(file, line);) {
+    Committed row;
+    std::istringstream words(line);
+    if (line.empty() || line[0] == '#') continue;
+    words >> row.nx >> row.ny >> row.nz >> row.needles >> row.helpers >> row.model >> row.state >>
+        row.scratch >> row.team;
+    EXPECT_FALSE(words.fail()) << line;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+// As the row, with what is predicted now: what belongs into the file if it is meant.
+std::string line_of(const Committed& row, const Sizes& now, std::size_t team) {
+  std::ostringstream text;
+  text << row.nx << ' ' << row.ny << ' ' << row.nz << ' ' << row.needles << ' ' << row.helpers
+       << ' ' << now.model_bytes << ' ' << now.state_bytes << ' ' << now.scratch_bytes << ' '
+       << team;
+  return text.str();
+}
+
+std::string line_of(const Committed& row) {
+  return line_of(row, {row.model, row.state, row.scratch}, row.team);
+}
+
+void expect_committed(const Committed& row) {
+  const auto opened =
+      block_organ(static_cast<std::uint16_t>(row.nx), static_cast<std::uint16_t>(row.ny),
+                  static_cast<std::uint16_t>(row.nz));
+  Config config = config_of(Setup::kElastic);
+  config.needle_count = row.needles;
+  Sizes bytes{};
+  ASSERT_EQ(sizes(opened->organ, config, bytes), Status::kOk);
+  constexpr std::byte kFill{0xA5};
+  const GuardedMemory given = make_guarded_memory(bytes, kFill);
+  Kernel kernel;
+  ASSERT_EQ(create(opened->organ, config, given.memory(), kernel), Status::kOk);
+  EXPECT_EQ(kernel.sizes.model_bytes, bytes.model_bytes);
+  EXPECT_EQ(kernel.sizes.state_bytes, bytes.state_bytes);
+  EXPECT_EQ(kernel.sizes.scratch_bytes, bytes.scratch_bytes);
+  const std::size_t team = team_bytes(kernel, row.helpers);
+  const Guarded helped = make_guarded(team, kFill);
+  ASSERT_EQ(set_team(kernel, row.helpers, helped.inner()), Status::kOk);
+  run(kernel, block_script(opened->organ, config), 0, 3);
+  for (const Guarded* each : {&given.model, &given.state, &given.scratch, &helped}) {
+    EXPECT_TRUE(each->guards_hold(kFill)) << line_of(row);
+  }
+  EXPECT_EQ(line_of(row), line_of(row, bytes, team)) << "as committed, and as predicted now";
+}
+
+TEST(Memory, IsWhatIsCommitted) {
+  const std::vector<Committed> rows = committed_rows();
+  ASSERT_GE(rows.size(), 8U) << STYLET_MEMORY_ROWS;
+  for (const Committed& row : rows) expect_committed(row);
 }
 
 TEST_P(Blocks, TooSmallByOneByteAreRefusedUntouched) {

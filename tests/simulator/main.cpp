@@ -56,10 +56,12 @@ Options parse(int argc, char** argv) {
 void describe(const Verdict& v, std::uint64_t seed) {
   std::printf(
       "seed %llu: %llu ticks, observer %.3g J, %u faults, rest after %.1f s, "
-      "busiest tick %llu (%u particles and contacts)\n",
+      "busiest tick %llu (%u particles and contacts), dearest tick %llu (at most %llu "
+      "instructions)\n",
       static_cast<unsigned long long>(seed), static_cast<unsigned long long>(v.ticks),
       v.observer_min_j, v.faults, v.rest_s, static_cast<unsigned long long>(v.busiest_tick),
-      v.busiest_load);
+      v.busiest_load, static_cast<unsigned long long>(v.dearest_tick),
+      static_cast<unsigned long long>(v.dearest_bound));
 }
 
 int report_failure(const Verdict& v, std::uint64_t seed, const char* program) {
@@ -77,6 +79,7 @@ int main(int argc, char** argv) {
   const Options options = parse(argc, argv);
   Verdict most;
   std::uint64_t done = 0, ticks = 0, observed = 0, busiest_seed = 0;
+  std::uint64_t dearest = 0;
   while (done < options.sessions && (options.ticks == 0 || ticks < options.ticks)) {
     const std::uint64_t seed = options.seed + done++;
     const Scenario scenario = stylet::test::draw_scenario(seed);
@@ -85,6 +88,7 @@ int main(int argc, char** argv) {
     if (v.broken != nullptr) return report_failure(v, seed, argv[0]);
     ticks += v.ticks;
     observed += v.observed_ticks;
+    dearest = std::max(dearest, v.dearest_bound);
     if (v.busiest_load > most.busiest_load) {
       most = v;
       busiest_seed = seed;
@@ -94,6 +98,8 @@ int main(int argc, char** argv) {
       "%llu sessions, %llu ticks, every promise held (energy observed in %.1f %% of them)\n",
       static_cast<unsigned long long>(done), static_cast<unsigned long long>(ticks),
       100 * static_cast<double>(observed) / static_cast<double>(ticks));
+  std::printf("dearest tick of all: at most %llu instructions\n",
+              static_cast<unsigned long long>(dearest));
   std::printf("busiest: ");
   describe(most, busiest_seed);
   return 0;

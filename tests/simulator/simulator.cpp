@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "needle.h"
 #include "promises.h"
 #include "stylet/hal/loop.h"
+#include "tick_work.h"
 
 namespace stylet::test {
 namespace {
@@ -192,7 +194,10 @@ void watch_work(Observer& observer, const Kernel& kernel, std::span<const Output
 struct Simulation {
   const Scenario& scenario;
   const Tamper& tamper;
+  const Meter& meter;
   Session session;
+  Session copy;                  // for the meter, if there is one
+  std::vector<std::byte> saved;  // the state before a tick it wants; else empty
   hal::LoopConfig config;
   hal::LoopState state;
   hal::Ring<TickRecord> records{2 * kMaxNeedles};
@@ -200,6 +205,7 @@ struct Simulation {
   std::array<Player, kMaxNeedles> players;
   Draw draw;
   Observer observer;
+  TickWork work;
   Verdict verdict;
   std::array<Vec3, kMaxNeedles> command_n{};
   std::array<std::uint32_t, kMaxNeedles> ticks_since_fault{}, blind_ticks{}, released_ticks{};
@@ -270,6 +276,33 @@ const char* broken_energy(Simulation& s, std::span<const Output> outputs) {
   return observed > -allowed ? nullptr : "more energy comes out of the tissue than went in";
 }
 
+// How much the tick may have cost.
+const char* broken_bound(Simulation& s, std::uint64_t tick) {
+  const Kernel& kernel = s.session.kernel;
+  count_work(kernel, attachment_shift(view_of(kernel)), s.work);
+  const std::uint64_t bound = bound_of(s.work.amount);
+  if (bound > s.verdict.dearest_bound) {
+    s.verdict.dearest_bound = bound;
+    s.verdict.dearest_tick = tick;
+  }
+  return bound <= kDearestTick ? nullptr : "a tick may cost more than the worst case";
+}
+
+void save_for_meter(Simulation& s) {
+  if (!s.meter.wanted || !s.meter.wanted(s.state.ticks + 1)) return;
+  s.saved.resize(snapshot_bytes(s.session.kernel));
+  if (snapshot(s.session.kernel, s.saved) != Status::kOk) std::abort();
+}
+
+void call_meter(Simulation& s, std::span<const TickRecord> records) {
+  if (s.saved.empty()) return;
+  if (restore(s.copy.kernel, s.saved) != Status::kOk) std::abort();
+  s.saved.clear();
+  std::array<Input, kMaxNeedles> inputs;
+  for (std::size_t i = 0; i < records.size(); ++i) inputs[i] = records[i].input;
+  s.meter.count(s.copy.kernel, std::span(inputs).first(records.size()));
+}
+
 // After a tick, before the next one.
 void check_tick(Simulation& s) {
   std::array<TickRecord, kMaxNeedles> records;
@@ -283,9 +316,11 @@ void check_tick(Simulation& s) {
     if (broken == nullptr) broken = broken_force(s, i, records[i]);
   }
   const std::span all = std::span(outputs).first(count);
+  call_meter(s, std::span(records).first(count));
   if (s.tamper) s.tamper(s.session.kernel, outputs[0].tick);
   if (broken == nullptr) broken = broken_promise(s.session.kernel, all);
   if (broken == nullptr) broken = broken_energy(s, all);
+  if (broken == nullptr) broken = broken_bound(s, outputs[0].tick);
   note_use(s, all);
   s.verdict.ticks = outputs[0].tick;
   if (broken == nullptr) return;
@@ -313,6 +348,7 @@ hal::Clock checking_clock(Simulation& simulation) {
     Simulation& s = *static_cast<Simulation*>(self);
     check_tick(s);
     between_ticks(s);
+    save_for_meter(s);
     s.time.now_ns = std::max(s.time.now_ns, until_ns);
   };
   return {&simulation, now, sleep};
@@ -372,16 +408,20 @@ Session session_of(const Scenario& scenario) {
 
 }  // namespace
 
-Verdict simulate(const Scenario& scenario, const Tamper& tamper) {
+Verdict simulate(const Scenario& scenario, const Tamper& tamper, const Meter& meter) {
   Simulation s{.scenario = scenario,
                .tamper = tamper,
+               .meter = meter,
                .session = session_of(scenario),
+               .copy = meter.wanted ? session_of(scenario) : Session{},
+               .saved = {},
                .config = {},
                .state = {},
                .time = {},
                .players = {},
                .draw = Draw(scenario.seed + 1),
                .observer = {},
+               .work = {},
                .verdict = {}};
   const double period_s = static_cast<double>(scenario.config.period_s);
   s.config.period_ns = std::llround(period_s * 1e9);

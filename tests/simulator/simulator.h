@@ -2,8 +2,9 @@
 // Runs a scenario through hal's loop in virtual time and checks what must hold after every tick.
 //
 // Checked: promises.h (finite, sums, pools, phases); the force sent is within its limits of size
-// and slew, and zero 25 ms after a fault or the last usable sample; the observer of energy; and,
-// once the needles are withdrawn, that the tissue is back at rest.
+// and slew, and zero 25 ms after a fault or the last usable sample; no tick may cost more than the
+// worst case of tests/rt; the observer of energy; and, once the needles are withdrawn, that the
+// tissue is back at rest.
 //
 // The observer. Of all needles together, from the start of the session,
 //   E(t) = work of the hands on the needles' bases - energy stored in the tissue and in the springs
@@ -21,6 +22,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 
 #include "scenario.h"
@@ -39,11 +41,19 @@ struct Verdict {
   // The tick with the most to do, by particles and contacts.
   std::uint64_t busiest_tick = 0;
   std::uint32_t busiest_load = 0;
+  // The tick that may cost most (tick_work.h), and how many instructions that is.
+  std::uint64_t dearest_tick = 0, dearest_bound = 0;
   double rest_s = 0;  // how long the tissue took to come back
 };
 
 // `tamper` is called after every tick: how the tests of the simulator break a promise.
 using Tamper = std::function<void(Kernel&, std::uint64_t tick)>;
-Verdict simulate(const Scenario& scenario, const Tamper& tamper = {});
+// For ticks that are `wanted`, `count` gets a copy of the kernel as it was before, and the tick's
+// inputs: to do it once more and count its instructions.
+struct Meter {
+  std::function<bool(std::uint64_t tick)> wanted;
+  std::function<void(Kernel& before, std::span<const Input> inputs)> count;
+};
+Verdict simulate(const Scenario& scenario, const Tamper& tamper = {}, const Meter& meter = {});
 
 }  // namespace stylet::test

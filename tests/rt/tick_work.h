@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a tick has to do, counted from outside, and the most instructions that may take with AVX2.
+//
+// The bound is a sum of amounts times prices. Amounts are what the kernel's limits bound, so the
+// bound has a largest value for any organ. Prices are what callgrind counted, rounded up;
+// rt.costs.* hold ticks of every scene, of the worst case and of random sessions against their
+// bounds (tests/rt/README.md). Promise: no allocation. Amounts as after the tick, but for what it
+// added.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+
+#include "layout.h"
+#include "math.h"
+
+namespace stylet::test {
+
+struct Price {
+  const char* of;
+  std::uint64_t instructions;
+};
+constexpr Price kPrices[] = {
+    {"tick", 4000},
+    {"padded voxel and substep", 71},
+    {"padded particle and substep", 21},
+    {"voxel row and substep", 260},
+    {"voxel with constraint particles and substep", 440},
+    {"share of a constraint particle in a voxel and substep", 610},
+    {"needle", 12000},
+    {"constraint particle", 3500},
+    {"new constraint particle", 16600},
+    {"rod of an elastic needle", 4760},
+    {"load on an elastic needle", 300},
+    {"search of the surface by a free needle", 60000},
+    {"rod and obstacle", 110},
+    {"rod near an obstacle", 6000},
+    {"vertex of an obstacle with a rod near", 370},
+};
+enum Amount : std::uint32_t {  // in the order of the prices
+  kTicks,
+  kSlots,
+  kNodes,
+  kRows,
+  kCoupled,
+  kShares,
+  kNeedlesUsed,
+  kParticles,
+  kAdded,
+  kRods,
+  kLoads,
+  kSearches,
+  kPairs,
+  kNearPairs,
+  kNearVertices,
+  kAmounts
+};
+static_assert(std::size(kPrices) == kAmounts);
+using Amounts = std::array<std::uint64_t, kAmounts>;
+
+// What the worst case (worst_case.h) takes: costs.txt. No other tick may have a bound beyond it.
+constexpr std::uint64_t kDearestTick = 475'333'527;
+
+inline std::uint64_t bound_of(const Amounts& amount) {
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < kAmounts; ++i) sum += amount[i] * kPrices[i].instructions;
+  return sum;
+}
+
+struct TickWork {
+  Amounts amount{};
+  std::array<std::uint32_t, kMaxNeedles> particles_before{};
+};
+
+inline bool bends(const NeedleConfig& config) {
+  return config.bending_nm2 > 0 || config.bent_angle_rad > 0;
+}
+
+// As the kernel's own first look: the piece's axis within the body's bounding sphere, grown.
+inline bool is_near(const Obstacle& body, Vec3 a, Vec3 b, float radius_m) {
+  const Vec3 centre =
+      body.config.pose.position_m + rotation_matrix(body.config.pose.rotation) * body.centre_m;
+  const Vec3 along = b - a, gap = centre - a;
+  const float length2 = dot(along, along);
+  const float t = length2 > 0 ? clamp(dot(gap, along) / length2, 0, 1) : 0;
+  const Vec3 left = gap - t * along;
+  const float limit = (body.bound_m + body.config.rounding_m + radius_m) * 1.001F;
+  return dot(left, left) <= limit * limit;
+}
+
+inline void add_obstacles(const View& view, std::uint32_t rods, Vec3 shift, Amounts& amount) {
+  for (std::uint32_t body = 0; body < view.model.head->obstacle_count; ++body) {
+    const Obstacle& obstacle = view.model.obstacle[body];
+    for (std::uint32_t rod = 0; rod < rods; ++rod) {
+      ++amount[kPairs];
+      if (!is_near(obstacle, view.state.node[rod] + shift, view.state.node[rod + 1] + shift,
+                   view.needle_config().outer_radius_m)) {
+        continue;
+      }
+      ++amount[kNearPairs];
+      amount[kNearVertices] += obstacle.config.vertex_count;
+    }
+  }
+}
+
+inline void add_needle(const View& view, Vec3 shift, TickWork& work) {
+  const NeedleState& own = *view.state.needle;
+  Amounts& amount = work.amount;
+  const std::uint32_t particles = own.shaft_count + own.tip_alive;
+  std::uint32_t& before = work.particles_before[view.needle];
+  amount[kAdded] += particles > before ? particles - before : 0;
+  amount[kParticles] += particles;
+  before = particles;
+  if (own.handle_known == 0) return;
+  ++amount[kNeedlesUsed];
+  if (own.phase == Phase::kFree || own.tip_alive == 0) ++amount[kSearches];
+  const std::uint32_t rods = view.model.rod->rods;
+  if (bends(view.needle_config())) {
+    amount[kRods] += rods;
+    amount[kLoads] += particles + own.touch_count;
+  }
+  add_obstacles(view, rods, shift, amount);
+}
+
+// After each tick.
+inline void count_work(const Kernel& kernel, Vec3 shift, TickWork& work) {
+  const View view = view_of(kernel);
+  const ModelHead& head = *view.model.head;
+  const std::uint64_t substeps = head.config.substeps;
+  work.amount = {};
+  Amounts& amount = work.amount;
+  amount[kTicks] = 1;
+  amount[kSlots] = substeps * head.counts.slots;
+  amount[kNodes] = substeps * head.counts.particles;
+  amount[kRows] = substeps * head.counts.rows;
+  amount[kCoupled] = substeps * view.scratch.head->coupled_count;
+  for (std::uint32_t i = 0; i < view.scratch.head->coupled_count; ++i) {
+    amount[kShares] += substeps * view.scratch.coupled[i].member_count;
+  }
+  for (std::uint32_t n = 0; n < head.counts.needles; ++n) {
+    add_needle(needle_view(view, n), shift, work);
+  }
+}
+
+}  // namespace stylet::test
