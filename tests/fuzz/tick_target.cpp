@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any sequence of poses for one to four needles, rigid or not, with obstacles and breathing: every
-// promise holds after every tick, and the same inputs on other scratch give the same state.
+// promise holds after every tick, none may cost more than the worst case of tests/rt, and the same
+// inputs on other scratch give the same state.
 //
 // The first bytes choose what is simulated, then each operation is a byte (needle, kind, repeats)
 // and its numbers. Small moves reach the tissue and its rules; raw floats are what a broken device
 // sends.
 #include <vector>
 
+#include "needle.h"
 #include "promises.h"
 #include "session.h"
 #include "target.h"
+#include "tick_work.h"
 
 namespace stylet::test {
 namespace {
@@ -147,9 +150,11 @@ Input apply(const Operation& op, const Config& config, Hand& hand) {
   }
 }
 
-void check(const Kernel& kernel, std::span<const Output> outputs) {
+void check(const Kernel& kernel, std::span<const Output> outputs, TickWork& work) {
   const char* broken = broken_promise(kernel, outputs);
   promise(broken == nullptr, broken);
+  count_work(kernel, attachment_shift(view_of(kernel)), work);
+  promise(bound_of(work.amount) <= kDearestTick, "a tick may cost more than the worst case");
 }
 
 std::uint64_t run_all(Bytes bytes, std::byte scratch_fill) {
@@ -161,6 +166,7 @@ std::uint64_t run_all(Bytes bytes, std::byte scratch_fill) {
   Hand hands[kMaxNeedles];
   Input inputs[kMaxNeedles];
   Output outputs[kMaxNeedles];
+  TickWork work;
   for (std::uint32_t i = 0; i < kMaxNeedles; ++i) {
     hands[i] = start_hand(config, i);
     inputs[i] = hands[i].input;
@@ -172,7 +178,7 @@ std::uint64_t run_all(Bytes bytes, std::byte scratch_fill) {
       inputs[needle] = apply(op, config, hands[needle]);
       std::fill_n(session.scratch.bytes.get(), session.scratch.size, scratch_fill);
       tick(session.kernel, std::span(inputs).first(needles), std::span(outputs).first(needles));
-      check(session.kernel, std::span(outputs).first(needles));
+      check(session.kernel, std::span(outputs).first(needles), work);
       inputs[needle] = hands[needle].input;
     }
   }

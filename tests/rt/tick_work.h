@@ -132,6 +132,7 @@ inline void count_work(const Kernel& kernel, Vec3 shift, TickWork& work) {
   work.amount = {};
   Amounts& amount = work.amount;
   amount[kTicks] = 1;
+  if (view.state.head->latched_fault != 0) return;  // nothing is computed any more
   amount[kSlots] = substeps * head.counts.slots;
   amount[kNodes] = substeps * head.counts.particles;
   amount[kRows] = substeps * head.counts.rows;
