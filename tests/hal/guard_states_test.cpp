@@ -429,6 +429,23 @@ TEST(EnergyObserver, ASpringSwitchedOnGivesBackWhatItHolds) {
   EXPECT_GT(desk.state.energy.least_j, -600 * 500 * 1e-10 - 1e-6);
 }
 
+TEST(EnergyObserver, AssumesTheMostOfASpringThatWasOutOfSightAndNothingAtTheStart) {
+  Desk desk;
+  desk.config.stored_energy_j = 0.25F;
+  desk.miss(10);
+  EXPECT_EQ(desk.state.energy.energy_j, 0);  // nobody has moved yet
+  desk.tick(3, false);
+  desk.miss(2);
+  desk.tick(1, false);
+  EXPECT_EQ(desk.state.energy.energy_j, 0);
+  desk.miss(3);  // the watchdog's time
+  desk.position_m.x = 0.004F;
+  desk.tick(1, false);
+  EXPECT_EQ(desk.state.energy.energy_j, 0.25);
+  EXPECT_EQ(desk.state.energy.least_j, 0);
+  EXPECT_EQ(size(desk.state.energy.velocity_m_per_s), 0);
+}
+
 TEST(EnergyObserver, KeepsNoMoreThanASpringCouldGiveBack) {
   Desk desk;
   desk.config.dead_man_button = -1;
