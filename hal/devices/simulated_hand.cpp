@@ -110,7 +110,7 @@ bool read(void* self, std::int64_t now_ns, Sample& sample_out) {
                 now_ns,
                 {measured_m(hand, steps),
                  {static_cast<float>(half.cosine), 0, 0, static_cast<float>(half.sine)}},
-                0};
+                hand.tick > 1 ? hand.config.held_buttons : 0};
   return true;
 }
 

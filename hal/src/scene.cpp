@@ -188,6 +188,8 @@ Hand read_hand_of(Section& owner, const Config& config, const NeedleConfig& need
   Section device = owner.table("device");
   read_device(device, config, hand);
   hand.guard = read_guard(owner.table("guard"), device, hand.model, config.period_s);
+  const std::int32_t button = hand.guard.dead_man_button;
+  if (button >= 0) hand.hand.held_buttons = 1U << static_cast<std::uint32_t>(button);
   read_grip(owner.table("mapping"), config, needle, hand);
   hand.coupling = read_coupling(owner.table("coupling"), hand.model, hand.guard, hand.grip);
   read_hand(owner.table("hand"), hand);

@@ -80,6 +80,16 @@ TEST(SimulatedDevice, MassAndDampingAddToTheHand) {
   EXPECT_NEAR(x, 0.5 * (0.1 - 0.1 * (1 - std::exp(-1.0))), 1e-6);
 }
 
+TEST(SimulatedDevice, HoldsItsButtonsFromTheSecondSampleOn) {
+  Pushed pushed({});
+  pushed.hand.config.held_buttons = 5;
+  Sample sample = {};
+  for (const std::uint32_t held : {0U, 5U, 5U}) {
+    ASSERT_TRUE(pushed.device.read(pushed.device.self, 0, sample));
+    EXPECT_EQ(sample.buttons, held);
+  }
+}
+
 TEST(SimulatedDevice, FrictionHoldsBelowItsLimitAndSlowsAboveIt) {
   Pushed held({.friction_n = 0.26F});
   for (int i = 0; i < 1000; ++i) EXPECT_EQ(held.tick({0.15F, 0.2F, 0}).y, 0);  // 0.25 N

@@ -240,6 +240,7 @@ TEST(Scene, AModelBringsItsLimitsAndOwnKeysWin) {
   EXPECT_NEAR(of(changed_hand.hand.device.resolution_m), 2e-5, 1e-9);
   EXPECT_EQ(changed_hand.guard.passivity_damping_n_s_per_m, 3);
   EXPECT_EQ(changed_hand.guard.dead_man_button, 1);
+  EXPECT_EQ(changed_hand.hand.held_buttons, 2U);
   EXPECT_EQ(changed_hand.guard.thermal_s, 30);
   EXPECT_NEAR(of(changed_hand.guard.max_speed_m_per_s), 0.5, 1e-7);
   // None: no budget, nothing but the forces as they are.

@@ -45,6 +45,7 @@ struct SimulatedHandConfig {
   float stiffness_n_per_m = 2000;
   float damping_n_s_per_m = 30;
   DeviceDynamics device = {};
+  std::uint32_t held_buttons = 0;  // pressed with the second sample
 };
 
 // Motion is computed in so many steps a tick, and remembered for so many of them.
