@@ -11,7 +11,7 @@ packages=(
   # kernel
   libccd-dev libeigen3-dev libflatbuffers-dev flatbuffers-compiler
   # hal
-  libtomlplusplus-dev libcli11-dev libfmt-dev libhdf5-dev nlohmann-json3-dev
+  libboost-dev libcli11-dev libfmt-dev libhdf5-dev libtomlplusplus-dev nlohmann-json3-dev
   gnuplot-nox fonts-dejavu-core
   # offline
   libcgal-dev libdcmtk-dev libinsighttoolkit5-dev libpng-dev libssl-dev zlib1g-dev

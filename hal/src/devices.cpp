@@ -6,8 +6,10 @@
 #include <array>
 
 #include "stylet/hal/force_dimension.h"
+#include "stylet/hal/haply.h"
 #include "stylet/hal/openhaptics.h"
 #include "stylet/hal/peer_device.h"
+#include "stylet/hal/spacemouse.h"
 
 namespace stylet::hal {
 namespace {
@@ -15,6 +17,9 @@ namespace {
 constexpr std::array kKinds = {
     DeviceKind{"hd", "hd:", "3D Systems Touch and relatives, OpenHaptics", open_openhaptics},
     DeviceKind{"dhd", "dhd:0", "Force Dimension and Novint Falcon, DHD", open_force_dimension},
+    DeviceKind{"haply", "haply:", "Haply Inverse3, its service", open_haply},
+    DeviceKind{"spacemouse", "spacemouse:", "3Dconnexion SpaceMouse, spacenavd: no force",
+               open_spacemouse},
     DeviceKind{"udp", "udp:7755", "another program, over the network", open_udp},
     DeviceKind{"shm", "shm:mine", "another program, through shared memory", open_shared_memory},
 };

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <chrono>
@@ -29,14 +30,22 @@ class Bench {
   virtual void press(std::uint32_t mask) = 0;
   virtual Vec3 felt() = 0;
   virtual void trouble(test::Trouble trouble) = 0;
+  bool places = true;  // measures its place; else how fast it is to move
   bool feels = true;
   bool turns = true;    // measures its rotation
   bool latches = true;  // what came back by itself has no force until it is opened again
 };
 using MakeBench = std::unique_ptr<Bench> (*)();
 
+// Of this process, as tests run side by side.
+inline std::string test_port() {
+  return std::to_string(20000 + getpid() % 12000);
+}
+
 std::unique_ptr<Bench> hd_bench();
 std::unique_ptr<Bench> dhd_bench();
+std::unique_ptr<Bench> haply_bench();
+std::unique_ptr<Bench> spacemouse_bench();
 std::unique_ptr<Bench> udp_bench();
 std::unique_ptr<Bench> shm_bench();
 

@@ -2,6 +2,7 @@
 // Another program as a device, over UDP and shared memory: a thread that sends a sample every
 // millisecond and feels what the newest force packet says.
 #include <atomic>
+#include <cstdio>
 #include <mutex>
 
 #include "device_bench.h"
@@ -51,6 +52,7 @@ class PeerBench : public Bench {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     if (link.self != nullptr) link.close(link.self);
+    std::remove(("/dev/shm/stylet.test" + test_port()).c_str());
   }
 
   void exchange(const Link& link) {
@@ -79,12 +81,12 @@ class PeerBench : public Bench {
 }  // namespace
 
 std::unique_ptr<Bench> udp_bench() {
-  return std::make_unique<PeerBench>("udp:127.0.0.1:47755",
-                                     [] { return udp_connect("127.0.0.1:47755"); });
+  return std::make_unique<PeerBench>("udp:127.0.0.1:" + test_port(),
+                                     [] { return udp_connect("127.0.0.1:" + test_port()); });
 }
 std::unique_ptr<Bench> shm_bench() {
-  return std::make_unique<PeerBench>("shm:contract",
-                                     [] { return shared_memory("contract", Side::kDevice); });
+  return std::make_unique<PeerBench>(
+      "shm:test" + test_port(), [] { return shared_memory("test" + test_port(), Side::kDevice); });
 }
 
 }  // namespace stylet::hal

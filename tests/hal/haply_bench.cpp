@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <poll.h>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core/buffers_to_string.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/websocket.hpp>
+#include <nlohmann/json.hpp>
+
+#include "service_bench.h"
+
+namespace stylet::hal {
+namespace {
+using boost::asio::ip::tcp;
+using nlohmann::json;
+namespace websocket = boost::beast::websocket;
+
+bool readable(int socket, int wait_ms) {
+  pollfd wanted = {socket, POLLIN, 0};
+  return ::poll(&wanted, 1, wait_ms) > 0;
+}
+}  // namespace
+
+struct HaplyService::Connection {
+  explicit Connection(tcp::socket accepted) : socket(std::move(accepted)) {}
+  websocket::stream<tcp::socket> socket;
+};
+
+struct HaplyService::Listener {
+  boost::asio::io_context io;
+  tcp::acceptor acceptor{io,
+                         {boost::asio::ip::make_address("127.0.0.1"),
+                          static_cast<unsigned short>(std::stoi(test_port()))}};
+};
+
+HaplyService::HaplyService()
+    : listener_(std::make_unique<Listener>()), thread_([this] { serve(); }) {}
+
+HaplyService::~HaplyService() {
+  stop_ = true;
+  thread_.join();
+}
+
+void HaplyService::move(const Pose& pose) {
+  const std::lock_guard lock(mutex_);
+  pose_ = pose;
+}
+void HaplyService::press(std::uint32_t mask) {
+  const std::lock_guard lock(mutex_);
+  buttons_ = mask;
+}
+Vec3 HaplyService::felt() {
+  const std::lock_guard lock(mutex_);
+  return force_n_;
+}
+
+// The vendor's x is toward the user, y right, z up.
+std::string HaplyService::state(bool inventory) {
+  const std::lock_guard lock(mutex_);
+  const Vec3& p = pose_.position_m;
+  const Quat& q = pose_.rotation;
+  json device = {{"device_id", "049D"},
+                 {"status", {{"calibrated", trouble_ != test::Trouble::kUncalibrated}}},
+                 {"state", {{"cursor_position", {{"x", p.z}, {"y", p.x}, {"z", p.y}}}}}};
+  if (inventory) device["config"] = {{"handedness", "right"}};
+  json other = device;
+  other["device_id"] = "AAAA";
+  other["state"]["cursor_position"] = {{"x", 9}, {"y", 9}, {"z", 9}};
+  json grip = {{"device_id", "1"},
+               {"state", {{"orientation", {{"w", q.w}, {"x", q.z}, {"y", q.x}, {"z", q.y}}}}}};
+  if (messages % 2 == 0) {
+    grip["state"]["buttons"] = {{"a", (buttons_ & 1) != 0}, {"b", (buttons_ & 2) != 0}};
+  } else {
+    grip["state"]["button_0"] = buttons_ & 1;
+    grip["state"]["button_1"] = buttons_ >> 1 & 1;
+  }
+  json all = {{"inverse3", json::array({other})}, {"wireless_verse_grip", json::array({grip})}};
+  if (lists_ours) all["inverse3"].push_back(device);
+  return all.dump();
+}
+
+void HaplyService::obey(const std::string& text) {
+  const json message = json::parse(text);
+  if (!message.contains("inverse3")) return;
+  const json& device = message["inverse3"][0];
+  if (device["device_id"] != "049D") return;
+  const json& values = device["commands"]["set_cursor_force"]["values"];
+  const std::lock_guard lock(mutex_);
+  force_n_ = {values["y"], values["z"], values["x"]};
+}
+
+void HaplyService::talk(Connection& connection) {
+  auto& socket = connection.socket;
+  socket.next_layer().set_option(tcp::no_delay(true));
+  socket.accept();
+  socket.auto_fragment(true);
+  socket.write_buffer_bytes(64);
+  socket.text(true);
+  socket.write(boost::asio::buffer(state(true)));
+  boost::beast::flat_buffer buffer;
+  while (!stop_ && trouble_ != test::Trouble::kNoAnswer) {
+    if (trouble_ == test::Trouble::kSilent) {
+      // It does not look at its messages either; the end of the connection it does notice.
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      char room[65536];
+      const ssize_t got =
+          recv(socket.next_layer().native_handle(), room, sizeof room, MSG_DONTWAIT);
+      if (got == 0) return;
+      continue;
+    }
+    if (!readable(socket.next_layer().native_handle(), 2)) continue;
+    buffer.clear();
+    socket.read(buffer);
+    obey(boost::beast::buffers_to_string(buffer.data()));
+    ++messages;
+    if (messages % 10 == 0) socket.ping({});
+    std::string answer = state(false);
+    if (messages % 50 == 0) answer.resize(answer.size() / 2);
+    socket.write(boost::asio::buffer(answer));
+  }
+}
+
+void HaplyService::serve() {
+  tcp::acceptor& acceptor = listener_->acceptor;
+  while (!stop_) {
+    if (!readable(acceptor.native_handle(), 2)) continue;
+    Connection connection(acceptor.accept());
+    try {
+      talk(connection);
+    } catch (const boost::system::system_error&) {  // the client has gone
+    }
+    const std::lock_guard lock(mutex_);
+    force_n_ = {};
+  }
+}
+
+std::unique_ptr<Bench> haply_bench() {
+  return std::make_unique<HaplyService>();
+}
+
+}  // namespace stylet::hal

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stand-ins of services: the one of Haply on a WebSocket, and spacenavd on its socket.
+#pragma once
+
+#include <atomic>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "device_bench.h"
+
+namespace stylet::hal {
+
+// As the vendor's: an inventory at first, then one state for each message. Frames come in pieces,
+// pings between them, every fiftieth message is cut short, and buttons have either of their names.
+// A silent service holds the last force until the connection ends.
+class HaplyService : public Bench {
+ public:
+  HaplyService();
+  ~HaplyService() override;
+  std::string uri() const override { return "haply:049D@127.0.0.1:" + test_port(); }
+  void move(const Pose& pose) override;
+  void press(std::uint32_t mask) override;
+  Vec3 felt() override;
+  void trouble(test::Trouble trouble) override { trouble_ = trouble; }
+  std::atomic<int> messages{0};
+  std::atomic<bool> lists_ours{true};
+
+ private:
+  struct Connection;
+  struct Listener;
+  void serve();
+  void talk(Connection& connection);
+  std::string state(bool inventory);
+  void obey(const std::string& message);
+
+  std::unique_ptr<Listener> listener_;
+  std::mutex mutex_;
+  Pose pose_ = {{}, {1, 0, 0, 0}};
+  std::uint32_t buttons_ = 0;
+  Vec3 force_n_ = {};
+  std::atomic<test::Trouble> trouble_{test::Trouble::kNone};
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+class Spacenavd : public Bench {
+ public:
+  // Old ones do not answer the greeting.
+  explicit Spacenavd(bool old_version = false);
+  ~Spacenavd() override;
+  std::string uri() const override { return "spacemouse:"; }
+  void move(const Pose&) override {}
+  void press(std::uint32_t mask) override;
+  Vec3 felt() override { return {}; }
+  void trouble(test::Trouble trouble) override { trouble_ = trouble; }
+  // Deflections as the daemon gives them; sent every 8 ms, in two pieces, until the next ones. All
+  // zero: silence.
+  void deflect(const std::array<int, 6>& deflection);
+  void unplug();
+
+ private:
+  void serve();
+  void send(const std::array<std::int32_t, 8>& packet);
+
+  bool old_;
+  std::string path_;
+  int listener_ = -1;
+  std::atomic<int> socket_{-1};
+  std::mutex mutex_;
+  std::array<int, 6> deflection_ = {};
+  std::uint32_t buttons_ = 0;
+  std::atomic<test::Trouble> trouble_{test::Trouble::kNone};
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+}  // namespace stylet::hal

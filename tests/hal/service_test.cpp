@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is particular to services: Haply's and spacenavd.
+#include "service_bench.h"
+
+namespace stylet::hal {
+namespace {
+
+std::string refusal(const std::string& uri) {
+  try {
+    const Device device = open_device(uri, 0.2);
+    device.close(device.self);
+  } catch (const DeviceError& error) {
+    return error.what();
+  }
+  return "opened";
+}
+
+bool says(const std::string& text, const char* part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Haply, RefusalsNameWhatIsMissing) {
+  EXPECT_TRUE(says(refusal("haply:@127.0.0.1:9"), "start haply-inverse-service"));
+  EXPECT_TRUE(says(refusal("haply:049D@here"), "expected nothing, ID, or ID@ADDRESS:PORT"));
+  HaplyService service;
+  service.trouble(test::Trouble::kUncalibrated);
+  EXPECT_TRUE(says(refusal(service.uri()), "not calibrated"));
+  service.trouble(test::Trouble::kNone);
+  EXPECT_TRUE(says(refusal("haply:0000@127.0.0.1:" + test_port()), "lists no such Inverse3"));
+  EXPECT_EQ(refusal(service.uri()), "opened");
+}
+
+TEST(Haply, DeviceThatIsNoLongerListedIsTrouble) {
+  HaplyService service;
+  Ticker ticker(service.uri());
+  ASSERT_TRUE(ticker.tick_until({}, [&] { return ticker.usable; }));
+  service.lists_ours = false;
+  EXPECT_TRUE(ticker.tick_until({}, [&] { return !ticker.answered; }));
+  EXPECT_TRUE(says(ticker.device.trouble(ticker.device.self), "does not list it"));
+}
+
+// Messages cut short, pings and pieces were among them.
+TEST(Haply, GoesOnThroughBrokenMessages) {
+  HaplyService service;
+  Ticker ticker(service.uri());
+  EXPECT_TRUE(ticker.tick_until({0, 0, 1}, [&] { return service.messages > 200; }));
+  EXPECT_TRUE(ticker.answered);
+}
+
+double of(float value) {
+  return static_cast<double>(value);
+}
+
+struct Moved {
+  Pose pose;
+  double seconds;
+};
+// How a deflection moves it, from a good sample to one about 200 ms later.
+Moved moved_by(const std::array<int, 6>& deflection, bool old_daemon) {
+  Spacenavd daemon(old_daemon);
+  Ticker ticker(daemon.uri());
+  daemon.deflect(deflection);
+  for (int i = 0; i < 50; ++i) ticker.tick({});
+  const Sample from = ticker.sample;
+  for (int i = 0; i < 200; ++i) ticker.tick({});
+  const Sample to = ticker.sample;
+  return {{minus(to.pose.position_m, from.pose.position_m), to.pose.rotation},
+          static_cast<double>(to.t_ns - from.t_ns) * 1e-9};
+}
+
+TEST(SpaceMouse, FullDeflectionIsFiftyMillimetresASecondInOurFrame) {
+  for (const bool old_daemon : {false, true}) {
+    const Moved right = moved_by({350, 0, 0, 0, 0, 0}, old_daemon);
+    EXPECT_NEAR(of(right.pose.position_m.x) / right.seconds, 0.05, 0.005);
+    EXPECT_EQ(right.pose.position_m.z, 0);
+    const Moved away = moved_by({0, 0, 175, 0, 0, 0}, old_daemon);
+    EXPECT_NEAR(of(away.pose.position_m.z) / away.seconds, -0.025, 0.0025);
+    EXPECT_EQ(away.pose.position_m.x, 0);
+    EXPECT_FLOAT_EQ(away.pose.rotation.w, 1);
+  }
+}
+
+TEST(SpaceMouse, TurnsAboutItsAxes) {
+  const Moved moved = moved_by({0, 0, 0, 0, 350, 0}, false);
+  EXPECT_GT(moved.pose.rotation.y, 0.1);
+  EXPECT_NEAR(moved.pose.rotation.x, 0, 1e-6);
+  EXPECT_LT(moved_by({0, 0, 0, 0, 0, 350}, false).pose.rotation.z, -0.1);
+}
+
+TEST(SpaceMouse, SilenceAndUnplugIsRest) {
+  for (const bool unplugged : {false, true}) {
+    Spacenavd daemon;
+    Ticker ticker(daemon.uri());
+    daemon.deflect({350, 0, 0, 0, 0, 0});
+    ASSERT_TRUE(ticker.tick_until({}, [&] { return ticker.sample.pose.position_m.x > 0.002F; }));
+    daemon.deflect({});
+    if (unplugged) daemon.unplug();
+    for (int i = 0; i < (unplugged ? 30 : 100); ++i) ticker.tick({});
+    const float at = ticker.sample.pose.position_m.x;
+    for (int i = 0; i < 50; ++i) ticker.tick({});
+    EXPECT_EQ(ticker.sample.pose.position_m.x, at);
+    EXPECT_TRUE(ticker.tick_until({}, [&] { return ticker.usable; }));
+  }
+}
+
+TEST(SpaceMouse, DaemonThatEndsIsTroubleWithARemedy) {
+  Spacenavd daemon;
+  Ticker ticker(daemon.uri());
+  ASSERT_TRUE(ticker.tick_until({}, [&] { return ticker.usable; }));
+  daemon.trouble(test::Trouble::kNoAnswer);
+  EXPECT_TRUE(ticker.tick_until({}, [&] { return !ticker.answered; }));
+  EXPECT_TRUE(says(ticker.device.trouble(ticker.device.self), "restart spacenavd"));
+}
+
+TEST(SpaceMouse, NoDaemonIsNamedWithItsSocketAndARemedy) {
+  setenv("SPNAV_SOCKET", "/nowhere/spnav.sock", 1);
+  EXPECT_TRUE(says(refusal("spacemouse:"), "/nowhere/spnav.sock: No such file"));
+  EXPECT_TRUE(says(refusal("spacemouse:0"), "expected nothing after the colon"));
+}
+
+}  // namespace
+}  // namespace stylet::hal
