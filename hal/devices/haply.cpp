@@ -114,9 +114,10 @@ bool take(const json& message, Haply& haply) {
 
 std::string command(const Haply& haply, Vec3 force_n) {
   const UserFirst f = to_user_first(force_n);
+  const auto values = fmt::format(R"({{"x":{:.6g},"y":{:.6g},"z":{:.6g}}})", f.x, f.y, f.z);
   return fmt::format(
-      R"({{"inverse3":[{{"device_id":"{}","commands":{{"set_cursor_force":{{"values":{{"x":{:.6g},"y":{:.6g},"z":{:.6g}}}}}}}}}]}})",
-      haply.id, f.x, f.y, f.z);
+      R"({{"inverse3":[{{"device_id":"{}","commands":{{"set_cursor_force":{{"values":{}}}}}}}]}})",
+      haply.id, values);
 }
 
 // ==== The connection

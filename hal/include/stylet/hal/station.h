@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The second station: a device here, its needle in the tissue of another machine. Sends what the
+// device measures, and renders the newest local model of the force that comes back.
+//
+// Whatever the network does, the force on the hand ends when the model's life is over
+// (kForceLifeNs after the sample it answers, on this machine's clock) and fades in again from zero
+// when models come anew. The station's own guard is between model and hand; a fault of it is
+// latched, and told by silence: no sample is sent any more.
+// Promises: one tick allocates nothing, takes no lock, and waits for nothing.
+// Units: SI. Frame: the device's.
+#pragma once
+
+#include <cstdint>
+
+#include "stylet/hal/device.h"
+#include "stylet/hal/guard.h"
+#include "stylet/hal/link.h"
+#include "stylet/hal/packet.h"
+
+namespace stylet::hal {
+
+struct StationConfig {
+  GuardConfig guard;
+};
+
+struct StationState {
+  GuardState guard = guard_start();
+  Sample sample = {};
+  SamplePacket sent;
+  ForcePacket newest;
+  Vec3 force_n = {};           // on the hand
+  std::uint32_t fade_tick = 0;  // since models came anew
+  std::uint64_t models = 0;     // accepted
+  std::uint64_t refused = 0;    // damaged, or not newer than the newest
+  std::uint64_t starved = 0;    // ticks without a living model
+};
+
+// `session`: another number each time a station is started.
+StationState station_start(std::uint32_t session);
+void station_tick(const StationConfig& config, StationState& state, const Device& device,
+                  const Link& link, std::int64_t now_ns);
+
+}  // namespace stylet::hal
