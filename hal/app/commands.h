@@ -57,4 +57,26 @@ struct DoctorOptions {
 };
 int doctor(const DoctorOptions& options);
 
+struct DevicesOptions {
+  std::string root = "/";  // else a captured tree
+  bool json = false;
+};
+int list_devices(const DevicesOptions& options);
+
+struct ProbeOptions {
+  std::string uri;
+  std::string output;  // of the record; empty: none
+  double seconds = 5;
+  bool push = false;
+  bool json = false;
+};
+int probe(const ProbeOptions& options);
+
+struct StationOptions {
+  std::string uri;
+  std::string to;      // ADDRESS:PORT
+  double seconds = 0;  // 0: until Ctrl-C
+};
+int station(const StationOptions& options);
+
 }  // namespace stylet::app

@@ -85,6 +85,36 @@ void add_doctor(CLI::App& program, DoctorOptions& options) {
   doctor.add_flag("--json", options.json, "One JSON object on standard output, nothing else");
 }
 
+// Returns the subcommand that opens one.
+CLI::App& add_devices(CLI::App& program, DevicesOptions& options, ProbeOptions& probed) {
+  CLI::App& devices = *program.add_subcommand("devices", "List devices, and why not the others");
+  devices.footer("Examples:\n  stylet devices\n  stylet devices probe hd: --push -o touch.json");
+  devices.add_flag("--json", options.json, "One JSON array on standard output, nothing else");
+  devices.add_option("--root", options.root, "A captured tree of /proc, /sys and /dev instead")
+      ->check(CLI::ExistingDirectory);
+  CLI::App& probe = *devices.add_subcommand("probe", "Open one and see what it really does");
+  probe.add_option("uri", probed.uri, "As in a scene: hd:, dhd:0, udp:7755 ...")->required();
+  probe.add_option("-o,--output", probed.output, "Write the record (JSON)");
+  probe.add_option("--seconds", probed.seconds, "To watch it without force")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  probe.add_flag("--push", probed.push, "And push along its axes, at most 1 N");
+  probe.add_flag("--json", probed.json, "The record on standard output, nothing else");
+  return probe;
+}
+
+void add_station(CLI::App& program, StationOptions& options) {
+  CLI::App& station =
+      *program.add_subcommand("station", "Join the tissue of another machine with a device here");
+  station.footer(
+      "Example: stylet station hd: 192.168.0.5:7755, where stylet run SCENE --device\n"
+      "udp:0.0.0.0:7755 runs on 192.168.0.5");
+  station.add_option("uri", options.uri, "Device: hd:, dhd:0 ...")->required();
+  station.add_option("to", options.to, "The other machine, ADDRESS:PORT")->required();
+  station.add_option("--duration-s", options.seconds, "End by itself")
+      ->check(CLI::Range(1e-3, 86400.0));
+}
+
 // The benchmarks are a program of their own, next to this one.
 [[noreturn]] void bench(char** arguments) {
   const auto program =
@@ -112,6 +142,8 @@ int dispatch(int argc, char** argv) {
       "  stylet replay out.h5\n"
       "  stylet bench liver.organ\n"
       "  stylet doctor --measure 60\n"
+      "  stylet devices\n"
+      "  stylet station hd: 192.168.0.5:7755\n"
       "Exit codes: 0 ok, 1 a file was refused, 2 command line, 3 fault, other bits or doubts,\n"
       "4 machine not fit for real time");
   RunOptions run_options;
@@ -122,17 +154,25 @@ int dispatch(int argc, char** argv) {
   add_replay(program, replay_options);
   add_plot(program, plot_options);
   add_doctor(program, doctor_options);
+  DevicesOptions devices_options;
+  ProbeOptions probe_options;
+  StationOptions station_options;
+  const CLI::App& probing = add_devices(program, devices_options, probe_options);
+  add_station(program, station_options);
   add_bench(program);
   try {
     program.parse(argc, argv);
     if (program.get_subcommands().empty()) {
-      throw CLI::RequiredError("A command (run, replay, plot, doctor or bench)");
+      throw CLI::RequiredError("A command (run, replay, plot, devices, station, doctor or bench)");
     }
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? kExitOk : kExitUsage;
   }
   if (program.got_subcommand("run")) return run(run_options);
   if (program.got_subcommand("replay")) return replay_recording(replay_options);
+  if (probing.parsed()) return probe(probe_options);
+  if (program.got_subcommand("devices")) return list_devices(devices_options);
+  if (program.got_subcommand("station")) return station(station_options);
   if (program.got_subcommand("doctor")) return doctor(doctor_options);
   return plot(plot_options);
 }

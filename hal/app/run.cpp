@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <signal.h>
 
 #include <algorithm>
 #include <atomic>
@@ -15,6 +14,7 @@
 
 #include "commands.h"
 #include "report.h"
+#include "stop_signal.h"
 #include "stylet/hal/devices.h"
 #include "stylet/hal/helpers.h"
 #include "stylet/hal/instance.h"
@@ -32,27 +32,6 @@ constexpr std::size_t kRecordRing = 8192 * kMaxNeedles;
 constexpr std::size_t kEventRing = 1024;
 constexpr int kWarmUpTicks = 200;
 constexpr double kLongestRunS = 86400;
-
-std::atomic<std::atomic<bool>*> g_stop{nullptr};
-static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free);
-
-void on_signal(int /*number*/) {
-  if (std::atomic<bool>* stop = g_stop.load(); stop != nullptr) stop->store(true);
-}
-
-// Ctrl-C ends the loop after a tick, so that the recording is completed.
-struct StopOnSignal {
-  explicit StopOnSignal(std::atomic<bool>& stop) {
-    g_stop.store(&stop);
-    struct sigaction action {};
-    action.sa_handler = on_signal;
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
-  }
-  ~StopOnSignal() { g_stop.store(nullptr); }
-  StopOnSignal(const StopOnSignal&) = delete;
-  StopOnSignal& operator=(const StopOnSignal&) = delete;
-};
 
 // One needle's start and whoever holds it.
 struct Station {
@@ -92,7 +71,8 @@ struct Session {
   std::vector<int> processors;  // real time: the loop's and the helpers'
   std::uint64_t helped_parts = 0;
   bool host_fit = true;
-  bool open_end = false;  // nothing but Ctrl-C ends it
+  std::vector<std::string> troubles;  // of devices, in words
+  bool open_end = false;              // nothing but Ctrl-C ends it
   std::exception_ptr failure;
 };
 
@@ -107,7 +87,12 @@ void attach_devices(Session& s) {
     throw hal::SceneError(fmt::format("--device: {}: expected at most {}, one a needle of {}",
                                       uris.back(), s.scene.hands.size(), s.scene.file));
   }
-  for (std::size_t i = 0; i < uris.size(); ++i) hal::attach(s.scene.hands[i], uris[i]);
+  for (std::size_t i = 0; i < uris.size(); ++i) {
+    if (const std::string expected = hal::device_uri_fault(uris[i]); !expected.empty()) {
+      throw hal::SceneError(fmt::format("--device: {}: expected {}", uris[i], expected));
+    }
+    hal::attach(s.scene.hands[i], uris[i]);
+  }
   for (const hal::Hand& hand : s.scene.hands) {
     if (hand.device == "attached" && s.options.fast) {
       throw hal::SceneError(
@@ -291,6 +276,11 @@ void run_threads(Session& s) {
   });
   show_progress(s, done);
   loop.join();
+  for (std::size_t i = 0; i < s.devices.size(); ++i) {
+    const hal::Device& device = s.devices[i];
+    const std::string trouble = device.trouble != nullptr ? device.trouble(device.self) : "";
+    if (!trouble.empty()) s.troubles.push_back(s.scene.hands[i].uri + ": " + trouble);
+  }
   s.close_devices();
   std::vector<hal::Fault> faults;
   for (std::size_t i = 0; i < s.stations.size(); ++i) {
@@ -423,6 +413,7 @@ int run(const RunOptions& options) {
                s.state.lost_records, kRecordRing);
   }
   tell_of_flights(*s.flight);
+  for (const std::string& each : s.troubles) fmt::print(stderr, "stylet: {}\n", each);
   const auto faulty = [](const hal::HandState& hand) {
     return hand.guard.fault != hal::Fault::kNone;
   };

@@ -16,14 +16,14 @@ void take_models(StationState& state, const Link& link) {
     const std::size_t size = link.receive(link.self, room);
     if (size == 0) return;
     ForcePacket packet;
-    const bool newer =
-        decode(std::span(room).first(size), packet) && packet.seq > state.newest.seq;
+    const bool newer = decode(std::span(room).first(size), packet) && packet.seq > state.newest.seq;
     if (newer) state.newest = packet;
     ++(newer ? state.models : state.refused);
   }
 }
 
-// The model's force, faded in after every time without one.
+// The model's force, faded in after every time without one, and out in the second half of its life:
+// at the end nothing is left that the guard would let fall slowly.
 Vec3 model_force(const StationConfig& config, StationState& state, std::int64_t now_ns) {
   const std::int64_t age_ns = now_ns - state.newest.echo_t_ns;
   if (state.models == 0 || age_ns >= state.newest.life_ns) {
@@ -32,7 +32,10 @@ Vec3 model_force(const StationConfig& config, StationState& state, std::int64_t 
     return {};
   }
   const float ticks = kFadeInS / config.guard.period_s;
-  const float share = std::min(static_cast<float>(++state.fade_tick) / ticks, 1.0F);
+  const float in = std::min(static_cast<float>(++state.fade_tick) / ticks, 1.0F);
+  const auto left_ns = static_cast<float>(state.newest.life_ns - age_ns);
+  const float out = std::min(2 * left_ns / static_cast<float>(state.newest.life_ns), 1.0F);
+  const float share = std::min(in, out);
   const Vec3 force = force_at(state.newest, now_ns, state.sample.pose.position_m);
   return {share * force.x, share * force.y, share * force.z};
 }

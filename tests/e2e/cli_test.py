@@ -8,7 +8,9 @@ import json
 import os
 import pathlib
 import re
+import socket
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -320,7 +322,7 @@ class Doctor(Folder):
 class Help(unittest.TestCase):
     """A terminal user who knows nothing yet finds every command, with an example."""
 
-    COMMANDS = {"stylet": ["run", "replay", "plot", "doctor", "bench"],
+    COMMANDS = {"stylet": ["run", "replay", "plot", "devices", "station", "doctor", "bench"],
                 "stylet-organ": ["build", "phantom", "hull", "labels", "info", "check"]}
 
     def test_names_every_command_with_an_example(self):
@@ -336,6 +338,110 @@ class Help(unittest.TestCase):
             self.assertIn("frobnicate", call(program, "frobnicate", expect=1).stderr)
             for command in commands:
                 self.assertIn(command, call(program, expect=1).stderr)
+
+
+class Devices(Folder):
+    """A device is found, probed, and holds a needle; here it is the example client."""
+
+    CLIENT = SOURCE / "hal/devices/example_client.py"
+
+    def client(self, port, seconds):
+        client = subprocess.Popen([sys.executable, self.CLIENT, "127.0.0.1", str(port),
+                                   str(seconds)], stdout=subprocess.PIPE, text=True)
+        self.addCleanup(client.wait)
+        self.addCleanup(client.terminate)
+        return client
+
+    def free_port(self):
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+            probe.bind(("127.0.0.1", 0))
+            return probe.getsockname()[1]
+
+    def test_every_kind_is_listed_with_a_remedy_where_it_is_missing(self):
+        kinds = json.loads(call("stylet", "devices", "--json").stdout)
+        self.assertEqual([kind["uri"] for kind in kinds],
+                         ["hd:", "dhd:", "haply:", "spacemouse:", "udp:7755", "shm:NAME"])
+        for kind in kinds:
+            self.assertEqual(kind["ready"], not kind["remedy"], kind)
+
+    def test_usb_device_without_its_library_is_seen(self):
+        usb = self.top / "tree/sys/bus/usb/devices/1-2"
+        usb.mkdir(parents=True)
+        for name, text in {"idVendor": "1451", "idProduct": "0301", "busnum": "1",
+                           "devnum": "7"}.items():
+            (usb / name).write_text(text + "\n")
+        env = dict(os.environ, STYLET_LIBDHD="/nowhere/libdhd.so")
+        listed = call("stylet", "devices", "--root", self.top / "tree", "--json", env=env).stdout
+        dhd = json.loads(listed)[1]
+        self.assertFalse(dhd["ready"])
+        self.assertIn("USB 1-2, but dhd: /nowhere/libdhd.so", dhd["seen"])
+
+    def test_probe_writes_what_it_saw(self):
+        port, record = self.free_port(), self.top / "probe.json"
+        self.client(port, 20)
+        call("stylet", "devices", "probe", f"udp:{port}", "--seconds", "2", "-o", record)
+        seen = json.loads(record.read_text())
+        self.assertGreater(seen["samples_per_s"], 300)
+        self.assertLess(seen["low_mm"][2], -5)
+        self.assertEqual(seen["low_mm"][0], 0)
+
+    def test_client_pushes_the_needle_and_feels_it(self):
+        organ = self.make_phantom()
+        for _ in range(5):  # a busy machine may make the client late: then the guard ends the force
+            port = self.free_port()
+            client = self.client(port, 5)
+            done = subprocess.run(
+                [BIN / "stylet", "run", SCENE, "--organ", organ, "--device", f"udp:{port}",
+                 "--allow-non-rt", "--duration-s", "3", "--flight", self.top / "flight.h5",
+                 "--json"], capture_output=True, text=True, timeout=120)
+            said = client.communicate()[0]
+            felt = [float(word) for word in re.findall(r"([+-][0-9.]+) N on", said)]
+            self.assertIn(done.returncode, (0, 3), done.stderr)
+            if max(felt) > 0.05:
+                return
+        self.fail(f"no force was felt: {felt}")
+
+    TWO_HANDS = """
+[[needles]]
+[needles.approach]
+direction = [1, 0, 0]
+[needles.device]
+uri = "hd:Left"
+[[needles]]
+[needles.approach]
+direction = [-1, 0, 0]
+[needles.device]
+uri = "hd:Right"
+"""
+
+    def with_touch(self):
+        """The environment in which the vendor's library is the tests' own."""
+        return dict(os.environ, STYLET_LIBHD=os.environ["STYLET_STANDIN_HD"])
+
+    def test_two_devices_hold_two_needles(self):
+        scene = self.top / "two.toml"
+        scene.write_text(self.TWO_HANDS)
+        done = subprocess.run(
+            [BIN / "stylet", "run", scene, "--organ", self.make_phantom(), "--allow-non-rt",
+             "--duration-s", "0.5", "--flight", self.top / "flight.h5", "--json"],
+            env=self.with_touch(), capture_output=True, text=True, timeout=120)
+        self.assertIn(done.returncode, (0, 3), done.stderr)  # 3: this machine was late
+        self.assertEqual(len(json.loads(done.stdout)["needles"]), 2)
+
+    def test_station_joins_another_machine(self):
+        port = self.free_port()
+        station = subprocess.Popen([BIN / "stylet", "station", "hd:", f"127.0.0.1:{port}",
+                                    "--duration-s", "20"], env=self.with_touch(),
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(station.communicate)
+        self.addCleanup(station.terminate)
+        record = self.top / "station.json"
+        call("stylet", "devices", "probe", f"udp:{port}", "--seconds", "1", "-o", record)
+        self.assertGreater(json.loads(record.read_text())["samples_per_s"], 300)
+
+    def test_unknown_kind_of_device_is_refused(self):
+        done = call("stylet", "run", SCENE, "--device", "phantom:", expect=1)
+        self.assertIn("--device: phantom:: expected a device's URI", done.stderr)
 
 
 class Bench(unittest.TestCase):

@@ -3,9 +3,10 @@
 // device measures, and renders the newest local model of the force that comes back.
 //
 // Whatever the network does, the force on the hand ends when the model's life is over
-// (kForceLifeNs after the sample it answers, on this machine's clock) and fades in again from zero
-// when models come anew. The station's own guard is between model and hand; a fault of it is
-// latched, and told by silence: no sample is sent any more.
+// (kForceLifeNs after the sample it answers, on this machine's clock; it fades from half of it on,
+// which the guard's slew must allow), and fades in again from zero when models come anew. The
+// station's own guard is between model and hand; a fault of it is latched, and told by silence: no
+// sample is sent any more.
 // Promises: one tick allocates nothing, takes no lock, and waits for nothing.
 // Units: SI. Frame: the device's.
 #pragma once

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// stylet devices, stylet devices probe, and stylet station.
+#include "stylet/hal/devices.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "stop_signal.h"
+#include "stylet/hal/device_probe.h"
+#include "stylet/hal/device_search.h"
+#include "stylet/hal/host.h"
+#include "stylet/hal/station.h"
+#include "terminal.h"
+
+namespace stylet::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Opened {
+  explicit Opened(const std::string& uri) : device(hal::open_device(uri)) {}
+  ~Opened() { device.close(device.self); }
+  Opened(const Opened&) = delete;
+  Opened& operator=(const Opened&) = delete;
+  const hal::Device device;
+};
+
+Json spread(const hal::Histogram& histogram) {
+  return {{"p50", hal::histogram_quantile_us(histogram, 0.5)},
+          {"p99", hal::histogram_quantile_us(histogram, 0.99)},
+          {"max", static_cast<double>(histogram.max_ns) * 1e-3}};
+}
+
+Json of(Vec3 v, float unit) {
+  return {v.x / unit, v.y / unit, v.z / unit};
+}
+
+float along(Vec3 v, std::size_t way) {
+  const float value = way / 2 == 0 ? v.x : way / 2 == 1 ? v.y : v.z;
+  return way % 2 == 0 ? value : -value;
+}
+
+constexpr const char* kWays[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
+constexpr float kSeenM = 0.5e-3F;  // less is a hand that trembles
+
+const char* verdict(const hal::PushSeen& push, std::size_t way) {
+  const float moved_m = along(push.moved_m, way);
+  return moved_m > kSeenM ? "as it should" : moved_m < -kSeenM ? "the wrong way" : "not seen";
+}
+
+Json record_of(const std::string& uri, const hal::DeviceInfo& info, const hal::DeviceProbe& probe) {
+  Json record = {{"uri", uri},
+                 {"name", info.name},
+                 {"stylet_version", STYLET_VERSION},
+                 {"limits",
+                  {{"max_force_n", info.max_force_n},
+                   {"max_torque_nm", info.max_torque_nm},
+                   {"max_stiffness_n_per_m", info.max_stiffness_n_per_m}}},
+                 {"seconds", probe.seconds},
+                 {"ticks", probe.ticks},
+                 {"samples", probe.samples},
+                 {"samples_per_s", static_cast<double>(probe.samples) / probe.seconds},
+                 {"repeated", probe.repeated},
+                 {"lost", probe.lost},
+                 {"unanswered", probe.unanswered},
+                 {"interval_us", spread(probe.interval)},
+                 {"age_us", spread(probe.age)},
+                 {"smallest_step_um",
+                  {probe.step_m[0] * 1e6F, probe.step_m[1] * 1e6F, probe.step_m[2] * 1e6F}},
+                 {"low_mm", of(probe.low_m, 1e-3F)},
+                 {"high_mm", of(probe.high_m, 1e-3F)},
+                 {"buttons_seen", probe.buttons_seen},
+                 {"fault", hal::fault_name(probe.fault)},
+                 {"pushes", Json::array()}};
+  for (std::size_t i = 0; i < probe.push.size(); ++i) {
+    if (!(probe.push[i].force_n > 0)) continue;
+    record["pushes"].push_back({{"way", kWays[i]},
+                                {"force_n", probe.push[i].force_n},
+                                {"moved_mm", of(probe.push[i].moved_m, 1e-3F)},
+                                {"hand_went", verdict(probe.push[i], i)}});
+  }
+  return record;
+}
+
+void tell(const Json& r) {
+  fmt::print("{}: {}\n", r["uri"].get<std::string>(), r["name"].get<std::string>());
+  fmt::print("samples   {:.0f} a second, {} lost, {} ticks without a new one\n",
+             r["samples_per_s"].get<double>(), r["lost"].get<std::uint64_t>(),
+             r["repeated"].get<std::uint64_t>() + r["unanswered"].get<std::uint64_t>());
+  for (const char* key : {"interval_us", "age_us"}) {
+    fmt::print("{:<10}p50 {:.0f}, p99 {:.0f}, max {:.0f} us\n",
+               std::string(key).substr(0, std::string(key).find('_')), r[key]["p50"].get<double>(),
+               r[key]["p99"].get<double>(), r[key]["max"].get<double>());
+  }
+  fmt::print("steps     {} um, smallest seen of x, y, z\n", r["smallest_step_um"].dump());
+  fmt::print("moved     from {} to {} mm\n", r["low_mm"].dump(), r["high_mm"].dump());
+  fmt::print("buttons   pressed: {:#b}\n", r["buttons_seen"].get<std::uint32_t>());
+  for (const Json& push : r["pushes"]) {
+    fmt::print("push {}   {:.2f} N: the hand went {}\n", push["way"].get<std::string>(),
+               push["force_n"].get<double>(), push["hand_went"].get<std::string>());
+  }
+}
+
+}  // namespace
+
+int list_devices(const DevicesOptions& options) {
+  const std::vector<hal::DeviceSighting> all = hal::search_devices(options.root);
+  if (options.json) {
+    Json out = Json::array();
+    for (const hal::DeviceSighting& each : all) {
+      out.push_back({{"uri", each.uri},
+                     {"name", each.name},
+                     {"ready", each.ready},
+                     {"seen", each.seen},
+                     {"remedy", each.remedy}});
+    }
+    fmt::print("{}\n", out.dump(2));
+    return kExitOk;
+  }
+  for (const hal::DeviceSighting& each : all) {
+    fmt::print("{:<13}{:<8}{}: {}\n", each.uri, each.ready ? "ready" : "no", each.name, each.seen);
+    if (!each.remedy.empty()) fmt::print("{:>24}{}\n", "-> ", each.remedy);
+  }
+  fmt::print("\nWhat only opening shows, such as calibration: stylet devices probe URI\n");
+  return kExitOk;
+}
+
+int probe(const ProbeOptions& options) {
+  const Opened opened(options.uri);
+  const hal::Device& device = opened.device;
+  const bool pushes = options.push && device.info.max_force_n > 0;
+  if (!options.json) {
+    fmt::print(stderr, "{:g} s without force: move it about and press its buttons{}\n",
+               options.seconds,
+               pushes ? "; then 3 s of pushes along its axes, at most 1 N: hold it loosely" : "");
+  }
+  std::atomic<bool> stop{false};
+  const StopOnSignal stop_on_signal(stop);
+  hal::HostReport host;
+  hal::prepare_thread(-1, 80, host);
+  const auto seen = std::make_unique<hal::DeviceProbe>();
+  hal::probe_device(device, options.seconds, pushes, hal::monotonic_clock(), stop, *seen);
+  const Json record = record_of(options.uri, device.info, *seen);
+  if (!options.output.empty()) {
+    std::ofstream file(options.output);
+    file << record.dump(2) << "\n";
+    if (!file.flush()) {
+      throw std::runtime_error(fmt::format("{}: cannot be written", options.output));
+    }
+  }
+  if (options.json) {
+    fmt::print("{}\n", record.dump(2));
+  } else {
+    tell(record);
+  }
+  const std::string trouble = device.trouble != nullptr ? device.trouble(device.self) : "";
+  if (!trouble.empty()) fmt::print(stderr, "stylet: {}: {}\n", options.uri, trouble);
+  return trouble.empty() && seen->fault == hal::Fault::kNone ? kExitOk : kExitTrouble;
+}
+
+int station(const StationOptions& options) {
+  const Opened opened(options.uri);
+  const hal::Link link = hal::udp_connect(options.to);
+  hal::StationConfig config;
+  hal::DeviceInfo info = opened.device.info;
+  config.guard.max_force_n = std::min(config.guard.max_force_n, info.max_force_n);
+  config.guard.watchdog_s = 5e-3F;
+  hal::StationState state =
+      hal::station_start(static_cast<std::uint32_t>(hal::monotonic_now_ns() / 1000));
+  std::atomic<bool> stop{false};
+  const StopOnSignal stop_on_signal(stop);
+  hal::HostState host;
+  hal::prepare_process(host);
+  hal::prepare_thread(-1, 80, host.report);
+  fmt::print(stderr, "stylet: {} is a station of {}; Ctrl-C ends it\n", options.uri, options.to);
+  const hal::Clock clock = hal::monotonic_clock();
+  const std::int64_t start_ns = clock.now_ns(clock.self);
+  std::int64_t next_ns = start_ns;
+  constexpr std::int64_t kPeriodNs = 1'000'000;
+  while (!stop.load() && state.guard.fault == hal::Fault::kNone) {
+    const double run_s = static_cast<double>(next_ns - start_ns) * 1e-9;
+    if (options.seconds > 0 && run_s >= options.seconds) break;
+    next_ns = std::max(next_ns, clock.now_ns(clock.self) - kPeriodNs) + kPeriodNs;
+    clock.sleep_until_ns(clock.self, next_ns);
+    hal::station_tick(config, state, opened.device, link, next_ns);
+  }
+  opened.device.write(opened.device.self, {{}});
+  link.close(link.self);
+  fmt::print("{} samples sent, {} forces taken, {} refused, {} ticks without one\n", state.sent.seq,
+             state.models, state.refused, state.starved);
+  if (state.guard.fault == hal::Fault::kNone) return kExitOk;
+  fmt::print(stderr, "stylet: {}: {}: the force was taken to zero\n", options.uri,
+             hal::fault_name(state.guard.fault));
+  return kExitTrouble;
+}
+
+}  // namespace stylet::app
