@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -50,7 +51,8 @@ constexpr float kSeenM = 0.5e-3F;  // less is a hand that trembles
 
 const char* verdict(const hal::PushSeen& push, std::size_t way) {
   const float moved_m = along(push.moved_m, way);
-  return moved_m > kSeenM ? "as it should" : moved_m < -kSeenM ? "the wrong way" : "not seen";
+  if (std::fabs(moved_m) <= kSeenM) return "was not seen to move";
+  return moved_m > 0 ? "went as it should" : "went the wrong way";
 }
 
 Json record_of(const std::string& uri, const hal::DeviceInfo& info, const hal::DeviceProbe& probe) {
@@ -82,7 +84,7 @@ Json record_of(const std::string& uri, const hal::DeviceInfo& info, const hal::D
     record["pushes"].push_back({{"way", kWays[i]},
                                 {"force_n", probe.push[i].force_n},
                                 {"moved_mm", of(probe.push[i].moved_m, 1e-3F)},
-                                {"hand_went", verdict(probe.push[i], i)}});
+                                {"hand", verdict(probe.push[i], i)}});
   }
   return record;
 }
@@ -101,8 +103,8 @@ void tell(const Json& r) {
   fmt::print("moved     from {} to {} mm\n", r["low_mm"].dump(), r["high_mm"].dump());
   fmt::print("buttons   pressed: {:#b}\n", r["buttons_seen"].get<std::uint32_t>());
   for (const Json& push : r["pushes"]) {
-    fmt::print("push {}   {:.2f} N: the hand went {}\n", push["way"].get<std::string>(),
-               push["force_n"].get<double>(), push["hand_went"].get<std::string>());
+    fmt::print("push {}   {:.2f} N: the hand {}\n", push["way"].get<std::string>(),
+               push["force_n"].get<double>(), push["hand"].get<std::string>());
   }
 }
 

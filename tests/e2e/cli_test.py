@@ -348,7 +348,7 @@ class Devices(Folder):
     def client(self, port, seconds):
         client = subprocess.Popen([sys.executable, self.CLIENT, "127.0.0.1", str(port),
                                    str(seconds)], stdout=subprocess.PIPE, text=True)
-        self.addCleanup(client.wait)
+        self.addCleanup(client.communicate)
         self.addCleanup(client.terminate)
         return client
 

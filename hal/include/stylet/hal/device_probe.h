@@ -24,8 +24,8 @@ struct PushSeen {
 struct DeviceProbe {
   double seconds = 0;
   std::uint64_t ticks = 0, unanswered = 0, repeated = 0, samples = 0, lost = 0;
-  Histogram interval;  // between the times of two samples
-  Histogram age;       // of a new sample in the tick that reads it
+  Histogram interval;                // between the times of two samples
+  Histogram age;                     // of a new sample in the tick that reads it
   std::array<float, 3> step_m = {};  // smallest change seen of a coordinate; 0: none
   Vec3 low_m = {}, high_m = {};
   std::uint32_t buttons_seen = 0;     // pressed at least once

@@ -29,7 +29,7 @@ struct StationState {
   Sample sample = {};
   SamplePacket sent;
   ForcePacket newest;
-  Vec3 force_n = {};           // on the hand
+  Vec3 force_n = {};            // on the hand
   std::uint32_t fade_tick = 0;  // since models came anew
   std::uint64_t models = 0;     // accepted
   std::uint64_t refused = 0;    // damaged, or not newer than the newest
