@@ -103,6 +103,53 @@ TEST(Scene, EveryValueArrivesInSi) {
   EXPECT_NEAR(of(scene.hands[0].waypoints[1].up_m), -1e-3, 1e-9);
 }
 
+// The tables of a device that is there, in place of the simulated one's.
+std::string attached(const std::string& device, const std::string& mapping) {
+  return changed("[device]\n", "[mapping]\n" + mapping + "[device]\n" + device);
+}
+
+TEST(Scene, DeviceByUriIsHeldThroughTheMapping) {
+  const std::string mapping =
+      "motion_scale = 0.5\nforce_scale = 4\nturn_deg = [0, 90, 0]\nclutch_button = 1\n"
+      "box_mm = [[-50, -40, -200], [50, 40, 20]]\npivot = true\n";
+  Hand hand = parse_scene(attached("uri = \"hd:Left\"\n", mapping), "s").hands[0];
+  EXPECT_EQ(hand.device, "attached");
+  EXPECT_EQ(hand.uri, "hd:Left");
+  EXPECT_TRUE(hand.grip.enabled);
+  EXPECT_TRUE(hand.grip.pivots);
+  EXPECT_EQ(hand.grip.motion_scale, 0.5F);
+  EXPECT_EQ(hand.grip.force_scale, 4);
+  EXPECT_EQ(hand.grip.clutch_button, 1);
+  EXPECT_NEAR(of(hand.grip.turn.y), 0.70710678, 1e-6);
+  EXPECT_NEAR(of(hand.grip.box_low_m.z), -0.2, 1e-7);
+  EXPECT_NEAR(of(hand.grip.box_high_m.y), 0.04, 1e-8);
+  EXPECT_NEAR(of(hand.grip.pivot_depth_m), 0.125, 1e-7);  // 5 mm outside, 120 mm long
+  // What the device cannot do, the guard does not let through, and the coupling does not ask.
+  fit_to_device(
+      {.name = "", .max_force_n = 3, .max_slew_n_per_s = 1000, .max_stiffness_n_per_m = 400}, hand);
+  EXPECT_EQ(hand.guard.max_force_n, 3);
+  EXPECT_EQ(hand.guard.max_slew_n_per_s, 1000);
+  EXPECT_NEAR(of(hand.coupling.stiffness_n_per_m), 0.7 * 400 / (0.5 * 4), 1e-3);
+}
+
+TEST(Scene, WithoutMappingTheSimulatedHandIsTheNeedles) {
+  EXPECT_FALSE(parse_scene(kGood, "s").hands[0].grip.enabled);
+  EXPECT_TRUE(parse_scene(attached("", ""), "s").hands[0].grip.enabled);
+}
+
+TEST(Scene, WrongDevicesAndMappingsAreRefused) {
+  const auto refused = [](const std::string& text, const char* says) {
+    const std::string error = error_of(text);
+    EXPECT_NE(error.find(says), std::string::npos) << error;
+  };
+  refused(attached("uri = \"phantom:\"\n", ""), "device.uri: \"phantom:\": a device's URI");
+  refused(attached("uri = \"hd:\"\nkind = \"steered\"\n", ""), "either kind or uri");
+  refused(attached("", "motion_scale = 0\n"), "mapping.motion_scale");
+  refused(attached("", "clutch_button = 32\n"), "mapping.clutch_button");
+  refused(attached("", "box_mm = [[1, 0, 0], [2, 1, 1]]\n"), "two corners");
+  refused(attached("", "pivott = true\n"), "pivott");
+}
+
 struct Mistake {
   const char* from;
   const char* to;
