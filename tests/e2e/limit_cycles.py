@@ -4,10 +4,10 @@
 
     tests/e2e/limit_cycles.py [--model MODEL]... [SCENE...]
 
-runs each scene on a virtual clock with `device.model` set and prints a line of hal/GUARD.md's table:
+runs each scene on a virtual clock with `device.model` set and prints a line for hal/GUARD.md:
 
-    ripple   largest amplitude of the force sent above 20 Hz, of what it may be: 20 mN, or 5 % of the
-             force, less than anybody feels; in any 0.2 s without a step in it or in the 0.1 s
+    ripple   largest amplitude of the force sent above 20 Hz, of what it may be: 20 mN, or 5 % of
+             the force, less than anybody feels; in any 0.2 s without a step in it or in the 0.1 s
              before. Steps are events of the needle and corners of the hand's script: they are felt
              as such, a limit cycle stays. In paper mode, where the force also steps with each
              particle that is associated anew, in three such stretches on end
