@@ -65,6 +65,7 @@ struct BuildArguments : CommonArguments {
   std::string layers_of;
   std::string layers_along = "+x";
   std::string recipe;
+  std::string fill_gaps;
 };
 
 struct PhantomArguments : CommonArguments {
@@ -261,25 +262,34 @@ Input parse_input(const std::string& text) {
   return input;
 }
 
-std::vector<Layer> parse_layers(const std::vector<std::string>& texts) {
+// TISSUE:MM, each.
+std::vector<Layer> parse_layers(const std::vector<std::string>& texts, const char* option) {
   std::vector<Layer> layers;
   for (const std::string& text : texts) {
     const std::size_t colon = text.find(':');
     double mm = 0;
     if (colon == std::string::npos || !CLI::detail::lexical_cast(text.substr(colon + 1), mm) ||
         !(mm > 0)) {
-      refuse("--layer '{}': expected TISSUE:THICKNESS_MM", text);
+      refuse("{} '{}': expected TISSUE:MM", option, text);
     }
     layers.push_back({mm * 1e-3, text.substr(0, colon)});
   }
   return layers;
 }
 
+void choose_gaps(const BuildArguments& a, BuildOptions& options) {
+  if (a.fill_gaps.empty()) return;
+  const std::vector<Layer> gap = parse_layers({a.fill_gaps}, "--fill-gaps");
+  options.gap_tissue = find_tissue(options.own_tissues, gap.front().tissue).name;
+  options.gap_m = gap.front().thickness_m;
+  options.options_text += " --fill-gaps " + a.fill_gaps;
+}
+
 // Layers in place of one of the inputs' tissues.
 template <typename HaveTissue>  // as above
 void choose_layers(const BuildArguments& a, const std::vector<HaveTissue>& sources,
                    BuildOptions& options) {
-  options.layers = parse_layers(a.layers);
+  options.layers = parse_layers(a.layers, "--layer");
   if (a.layers.empty() && a.layers_of.empty()) return;
   const auto is_replaced = [&](const HaveTissue& source) { return source.tissue == a.layers_of; };
   if (a.layers.empty() || std::none_of(sources.begin(), sources.end(), is_replaced)) {
@@ -304,6 +314,7 @@ void run_build_labels(const BuildArguments& a) {
     const std::string file = std::filesystem::path(path).filename().string();
     options.name = file.substr(0, file.find('.'));
   }
+  choose_gaps(a, options);
   choose_layers(a, recipe.groups, options);
   choose_capsule(a.capsule, recipe.groups, options);
   const LabelMap map = read_label_map(path);
@@ -336,6 +347,7 @@ void run_build(const BuildArguments& a) {
   if (options.name.empty()) {
     options.name = std::filesystem::path(inputs.front().path).stem().string();
   }
+  choose_gaps(a, options);
   choose_layers(a, inputs, options);
   choose_capsule(a.capsule, inputs, options);
   finish([&](const BuildOptions& o, const Progress& p) { return build(std::move(inputs), o, p); },
@@ -376,7 +388,7 @@ void run_phantom(PhantomArguments a) {
   }
   if (a.tissue.empty()) a.tissue = a.kind == "liver" ? "liver" : "gel";
   BuildOptions options = common_options(a, 1e-3);
-  options.layers = parse_layers(a.layers);
+  options.layers = parse_layers(a.layers, "--layer");
   if (options.name.empty()) options.name = a.kind + " phantom";
   Input input;
   input.path = a.kind + "-phantom";
@@ -509,6 +521,8 @@ void add_build(CLI::App& app, BuildArguments& a) {
       ->add_option("--layer", a.layers,
                    "TISSUE:THICKNESS_MM, repeatable, from the outside; the last fills the rest")
       ->allow_extra_args(false);
+  command->add_option("--fill-gaps", a.fill_gaps,
+                      "TISSUE:MM: gaps between inputs up to so wide become this tissue");
   command->add_option("--layers-of", a.layers_of, "Tissue that the layers take the place of");
   command->add_option("--layers-along", a.layers_along, "The way in through the layers")
       ->check(CLI::IsMember({"+x", "-x", "+y", "-y", "+z", "-z"}))

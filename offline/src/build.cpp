@@ -4,6 +4,7 @@
 #include <bit>
 #include <filesystem>
 
+#include "gaps.h"
 #include "pieces.h"
 #include "refusal.h"
 #include "sample_cell.h"
@@ -355,6 +356,13 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
 
 std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
                                 const Progress& progress) {
+  if (!options.gap_tissue.empty()) {
+    progress("filling gaps", 0);
+    const auto owner = static_cast<std::uint16_t>(claimed.tissues.size());
+    if (fill_gaps(claimed.claims, options.gap_m, owner) > 0) {
+      claimed.tissues.push_back(options.gap_tissue);
+    }
+  }
   progress("embedding surface", 0);
   OrganParts parts;
   parts.name = options.name;

@@ -50,6 +50,8 @@ struct BuildOptions {
   std::string capsule;              // tissue of the voxels at the outer surface; empty: none
   std::string capsule_of;           // only where the input has this tissue; empty: everywhere
   bool wrap = false;                // replace each input by a closed skin around it
+  std::string gap_tissue;           // of gaps between inputs up to gap_m wide; empty: gaps stay
+  double gap_m = 0;
   std::vector<Region> held;
   std::vector<Layer> layers;
   LayerCourse layer_course;

@@ -11,6 +11,9 @@ namespace stylet::bake {
 // Number of the recipe's group plus one; 0 is none.
 using Groups = std::vector<std::uint8_t>;
 
+// What of the map lies in the box, along its axes, around the labels and margin of the recipe.
+LabelMap cropped(const std::string& path, const LabelMap& map, const Recipe& recipe);
+
 // `path` is for messages. Refuses a recipe none of whose labels is in the map.
 Groups groups_of(const std::string& path, const LabelMap& map, const Recipe& recipe);
 

@@ -116,9 +116,11 @@ void measure_shares(const Claims& claims, const LabelMap& map, const Groups& gro
 
 }  // namespace
 
-Built build_labels(const std::string& path, const LabelMap& map, const Recipe& recipe,
+Built build_labels(const std::string& path, const LabelMap& whole, const Recipe& recipe,
                    const BuildOptions& options, const Progress& progress) {
-  constexpr int kSmoothings = 10;
+  const bool crops = !recipe.crop_around.empty();
+  const LabelMap part = crops ? cropped(path, whole, recipe) : LabelMap{};
+  const LabelMap& map = crops ? part : whole;
   const Groups groups = groups_of(path, map, recipe);
   progress("finding the surface", 0);
   Skin skin = label_skin(map, groups);
@@ -126,7 +128,7 @@ Built build_labels(const std::string& path, const LabelMap& map, const Recipe& r
   Built built;
   for (const Vec& point : skin.points) grow(claimed.box, point);
   if (options.measured) built.input_m = triangles_of(skin);
-  smooth(skin, kSmoothings);
+  smooth(skin, recipe.smoothing);
   claimed.mesh = triangles_of(skin);
   for (const Vec& point : claimed.mesh.points) grow(claimed.box, point);
   warn_of_size(claimed.box, built.report.warnings);

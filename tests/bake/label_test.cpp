@@ -397,6 +397,29 @@ TEST(LabelOrgan, ThinVoxelsAreOfTheTissueBesideThem) {
   EXPECT_GT(thin, 5U);
 }
 
+// The ball's half of label 2 reaches from 0 to 20 mm; 5 mm of the other half stay.
+TEST(LabelOrgan, CropKeepsALabelAndItsMargin) {
+  const double u = 1e-3;
+  const LabelMap map = ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {});
+  Recipe recipe = kHalves;
+  recipe.crop_around = {2};
+  recipe.crop_margin_m = 5e-3;
+  bake::BuildOptions options;
+  options.voxel_edge_m = 2.5e-3;
+  const bake::Built built = build_quietly(map, recipe, options);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < map.label.size(); ++i) {
+    const double x = static_cast<double>(i % 64) * u - 31.7e-3;
+    kept += map.label[i] == 1 && x > -5e-3 ? 1 : 0;
+  }
+  EXPECT_EQ(built.report.labels[0].voxels, kept);
+  EXPECT_EQ(built.report.labels[1].voxels,
+            static_cast<std::size_t>(std::count(map.label.begin(), map.label.end(), 2)));
+  recipe.crop_around = {9};
+  EXPECT_THAT(refusal_of([&] { (void)build_quietly(map, recipe, options); }),
+              testing::HasSubstr("holds none of the labels of [crop]"));
+}
+
 TEST(LabelOrgan, SameMapSameBytes) {
   const double u = 1e-3;
   const LabelMap map = ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {});
@@ -494,6 +517,11 @@ TEST(Recipe, RefusesWithFileAndLine) {
       {"[tissues]\nliver = [5, 5]\n", "label 5 is liver already"},
       {"[names]\na = 1\nb = 1\n[tissues]\nliver = [1]\n", "label 1 is a already"},
       {"[organs]\n", "organs: expected [names] or [tissues]"},
+      {"[crop]\nmargin_mm = 5\n[tissues]\nliver = [1]\n", "[crop]: expected around"},
+      {"[crop]\naround = 5\n[tissues]\nliver = [1]\n", "r.toml:2: around: expected around = ["},
+      {"[crop]\naround = [1]\nmargin_mm = -1\n", "r.toml:3: margin_mm: expected a number from 0"},
+      {"[surface]\nsmoothing = 101\n", "r.toml:2: smoothing: expected a number from 0 to 100"},
+      {"[surface]\nsmoothing = 1.5\n", "r.toml:2: smoothing: expected smoothing = a whole"},
       {"[names]\na = 1\n", "expected a table [tissues]"},
       {"[tissues]\n", "[tissues]: expected at least one"},
       {"[tissues\n", "r.toml:"}};
