@@ -13,7 +13,9 @@
 #include <thread>
 #include <vector>
 
+#include "promises.h"
 #include "session.h"
+#include "worst_case.h"
 
 namespace stylet::test {
 namespace {
@@ -161,6 +163,28 @@ TEST(Memory, IsWhatIsCommitted) {
   const std::vector<Committed> rows = committed_rows();
   ASSERT_GE(rows.size(), 8U) << STYLET_MEMORY_ROWS;
   for (const Committed& row : rows) expect_committed(row);
+}
+
+// Every pool full at once, and nothing beyond its end.
+TEST(Memory, HoldsTheWorstCase) {
+  const WorstCase worst = worst_case();
+  Session session = make_session(worst.organ->organ, worst.config);
+  ASSERT_EQ(set_obstacles(session.kernel, worst.obstacles), Status::kOk);
+  std::array<Input, kMaxNeedles> inputs;
+  std::array<Output, kMaxNeedles> outputs;
+  for (std::uint64_t at = 0; at < kWorstTicks; ++at) {
+    worst_inputs(worst, at, inputs);
+    tick(session.kernel, inputs, outputs);
+    const char* broken = broken_promise(session.kernel, outputs);
+    ASSERT_EQ(broken, nullptr) << broken << ", tick " << at;
+  }
+  const Stats now = stats(session.kernel);
+  EXPECT_EQ(now.constraint_particles.used, kMaxNeedles * kMaxConstraintParticles);
+  EXPECT_EQ(now.coupled_voxels.used_max, kMaxNeedles * kMaxCoupledVoxels);
+  EXPECT_EQ(now.obstacle_contacts.used, kMaxNeedles * kMaxTouches);
+  EXPECT_GT(now.cp_pool_full, 0U);
+  EXPECT_GT(now.cp_voxel_pool_full, 0U);
+  EXPECT_GT(now.obstacle_pool_full, 0U);
 }
 
 TEST_P(Blocks, TooSmallByOneByteAreRefusedUntouched) {

@@ -182,5 +182,28 @@ TEST(OddOrgan, TooManyVoxelsAreRefused) {
   EXPECT_STREQ(refusal.expected, "1 to 4000000 voxels");
 }
 
+// Rows of one plane that begin and end at other voxels: a place beside a row is outside, though
+// other rows reach as far.
+TEST(OddOrgan, PlacesBesideAShortRowAreOutside) {
+  TinyOrgan tiny;
+  tiny.nx = 6;
+  tiny.ny = 2;
+  tiny.nz = 2;
+  tiny.inside = [](std::uint16_t x, std::uint16_t y, std::uint16_t) {
+    return y == 0 ? x < 3 : x >= 2;
+  };
+  const auto opened = open_organ(tiny_organ(tiny));
+  const Session session = make_session(opened->organ, Config{});
+  const View view = view_of(session.kernel);
+  const auto is_inside = [&](float x, float y) {
+    Vec3 place = {};
+    return present_place(view, tiny.voxel_edge_m * Vec3{x, y, 0.5F}, place);
+  };
+  EXPECT_TRUE(is_inside(2.5F, 0.5F));
+  EXPECT_FALSE(is_inside(3.5F, 0.5F)) << "behind the end of a row";
+  EXPECT_TRUE(is_inside(3.5F, 1.5F));
+  EXPECT_FALSE(is_inside(1.5F, 1.5F)) << "before the begin of a row";
+}
+
 }  // namespace
 }  // namespace stylet::test
