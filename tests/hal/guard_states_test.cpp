@@ -198,6 +198,7 @@ TEST(GuardStates, WithoutAButtonTheFirstTickArms) {
   desk.config.dead_man_button = -1;
   EXPECT_GT(size(desk.tick(false)), 0);
   EXPECT_EQ(desk.state.mode, GuardMode::kRamp);
+  EXPECT_EQ(desk.state.button_seen, 0U);
 }
 
 TEST(DeadMansButton, ReleasedIsZeroInTwentyMillisecondsAndPressedAnewFadesIn) {
