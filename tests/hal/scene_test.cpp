@@ -142,7 +142,7 @@ TEST(Scene, WrongDevicesAndMappingsAreRefused) {
     const std::string error = error_of(text);
     EXPECT_NE(error.find(says), std::string::npos) << error;
   };
-  refused(attached("uri = \"phantom:\"\n", ""), "device.uri: \"phantom:\": a device's URI");
+  refused(attached("uri = \"phantom:\"\n", ""), "device.uri: 'phantom:': a device's URI");
   refused(attached("uri = \"hd:\"\nkind = \"steered\"\n", ""), "either kind or uri");
   refused(attached("", "motion_scale = 0\n"), "mapping.motion_scale");
   refused(attached("", "clutch_button = 32\n"), "mapping.clutch_button");
