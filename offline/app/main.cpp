@@ -461,9 +461,10 @@ void run_labels(const FileArguments& a) {
   fmt::print("{}: {} x {} x {} voxels of {:.6g} mm3\n{:>8}{:>12}{:>14}\n", a.file, map.size[0],
              map.size[1], map.size[2], volume_ml * 1e3, "label", "voxels", "ml");
   for (const Json& each : list) {
-    fmt::print("{:>8}{:>12}{:>14.6g}  {}\n", each["label"].get<int>(),
+    const std::string name = each["name"].get<std::string>();
+    fmt::print("{:>8}{:>12}{:>14.6g}{}\n", each["label"].get<int>(),
                each["voxels"].get<std::size_t>(), each["volume_ml"].get<double>(),
-               each["name"].get<std::string>());
+               name.empty() ? "" : "  " + name);
   }
 }
 
