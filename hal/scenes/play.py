@@ -53,7 +53,8 @@ def call(words):
     return done.stdout
 
 
-def build_organ(name, folder):
+def organ_words(name):
+    """The program and arguments that make the scene's organ, with the places filled in."""
     program, *arguments = recipe_of(name)
     for place, path in (("{data}", DATA), ("{scenes}", HERE)):
         arguments = [word.replace(place, str(path)) for word in arguments]
@@ -61,8 +62,12 @@ def build_organ(name, folder):
         mesh = word.split(":")[0]
         if mesh.startswith(str(DATA)) and not pathlib.Path(mesh).exists():
             raise DataMissing(f"{mesh} is not there; set STYLET_DATA")
+    return [BIN / program, *arguments]
+
+
+def build_organ(name, folder):
     organ = pathlib.Path(folder) / f"{name}.organ"
-    call([BIN / program, *arguments, "-o", organ])
+    call([*organ_words(name), "-o", organ])
     return organ
 
 

@@ -67,8 +67,8 @@ float line_compliance_along(float radius_m) {
 float share_of_give(const ModelHead& head, const MaterialModel& m, float radius_m, float unit_m,
                     float own_compliance, float slack) {
   if (head.config.mode == Mode::kPaper) return 0;
-  const float along =
-      line_compliance_along(radius_m) - line_compliance_along(kRowRadiusAlong * head.edge_m);
+  const float row = line_compliance_along(kRowRadiusAlong * head.edge_m);
+  const float along = line_compliance_along(radius_m) - row * (m.shear_pa / m.lattice_shear_pa);
   return 1 - min_of(1, own_compliance * slack * (m.shear_pa * unit_m) / max_of(along, 1e-6F));
 }
 
@@ -92,7 +92,7 @@ enum class Place { kSurface, kTip, kShaft };
 void set_stiffness(const View& view, Particle& particle, Place place) {
   const ModelHead& head = *view.model.head;
   const MaterialModel& m = head.material[particle.material];
-  const float k = m.shear_pa * head.edge_m;
+  const float k = m.lattice_shear_pa * head.edge_m;
   const float a = view.needle_config().outer_radius_m;
   const float nu = m.poisson_ratio;
   const float unit = view.needle_config().unit_m;
@@ -109,7 +109,7 @@ void set_stiffness(const View& view, Particle& particle, Place place) {
     case Place::kShaft:
       target = m.shear_pa * unit * line_stiffness(a, nu);
       lattice_compliance =
-          1 / (m.shear_pa * unit *
+          1 / (m.lattice_shear_pa * unit *
                line_stiffness((kRowRadius - kRowRadiusSlope * nu) * head.edge_m, nu));
       slack = kRowSlack;
       break;
@@ -644,7 +644,7 @@ std::uint32_t remember_track(const View& view, Vec3 rest_m, Vec3 rest_direction)
 // The contact's law: see cone.h. Its memory is the relaxed force over the punch's stiffness.
 Cone cone_of(const View& view) {
   const ModelHead& head = *view.model.head;
-  const float k = head.material[view.state.tip->material].shear_pa * head.edge_m;
+  const float k = head.material[view.state.tip->material].lattice_shear_pa * head.edge_m;
   const float own = 1 / view.state.tip->full_stiffness_n_per_m;
   const float lattice = kLatticeComplianceSurface / k;
   return {1 / (own + lattice), kConeLengthInRadii * view.needle_config().outer_radius_m,

@@ -43,16 +43,23 @@ bool config_good(const Config& c) {
          std::all_of(c.needle, c.needle + c.needle_count, needle_good);
 }
 
+// A thin skin is spread over its voxels: in its plane it is as stiff whatever the voxel. A needle
+// feels it spread over this depth of tissue, that of a dimple, whatever the voxel.
+constexpr float kMembraneSpreadM = 5e-3F;
+
 // What the sweep needs of a material: in paper mode every voxel has the stiffness that the averaged
 // goals with factor alpha have at this step, and no volume term (physics: Mueller et al. 2005).
 MaterialModel material_model(const Material& m, const Config& config, float edge_m,
                              float substep_s) {
   MaterialModel out = {};
-  out.shear_pa = m.youngs_modulus_pa / (2 * (1 + m.poisson_ratio));
+  const float per_shear = 2 * (1 + m.poisson_ratio);
+  out.shear_pa = (m.youngs_modulus_pa + m.membrane_n_per_m / kMembraneSpreadM) / per_shear;
+  out.lattice_shear_pa = (m.youngs_modulus_pa + m.membrane_n_per_m / edge_m) / per_shear;
   out.poisson_ratio = m.poisson_ratio;
   if (config.mode == Mode::kPaper) {
     const float mass_share = m.density_kg_per_m3 * edge_m * edge_m * edge_m / 8;
     out.shear_pa = config.paper_alpha * mass_share / (substep_s * substep_s) / edge_m;
+    out.lattice_shear_pa = out.shear_pa;
     out.poisson_ratio = 0;
   }
   out.puncture_n = m.puncture_force_n;
@@ -157,7 +164,7 @@ void fill_voxels(const Organ& organ, const ModelView& model, const Counts& count
       const float fill = max_of(static_cast<float>(organ.voxel_fill[voxel]) / 255.0F, kMinFill);
       model.voxel_slot[voxel] = slot;
       model.voxel_row[voxel] = row_index;
-      model.slot_k[slot] = m.shear_pa * head.edge_m * fill;
+      model.slot_k[slot] = m.lattice_shear_pa * head.edge_m * fill;
       model.slot_volume[slot] = volume_ratio(m);
       model.slot_fill[slot] = fill;
       model.slot_material[slot] = material;

@@ -61,6 +61,7 @@ struct Window {
 // What the tick needs of a material; derived once.
 struct MaterialModel {
   float shear_pa, poisson_ratio;
+  float lattice_shear_pa;  // of a voxel, over which a thin skin is spread
   float puncture_n, cutting_n, recut_fraction;
   float puncture_exponent;
   float coulomb_n_per_m, static_n_per_m, inverse_stribeck_s_per_m, viscous_n_s_per_m2;

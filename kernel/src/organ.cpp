@@ -129,7 +129,8 @@ bool check_materials(Checker& check, const Organ& organ) {
         check.in_range(m.viscous_friction_n_s_per_m2, 0, 1e6F, "viscous_friction_n_s_per_m2", i,
                        "0 to 1e6") &&
         check.in_range(m.puncture_velocity_exponent, 0, 0.5F, "puncture_velocity_exponent", i,
-                       "0 to 0.5");
+                       "0 to 0.5") &&
+        check.in_range(m.membrane_n_per_m, 0, kMaxMembraneNPerM, "membrane_n_per_m", i, "0 to 1e5");
     if (!good) return false;
   }
   return true;
@@ -295,7 +296,8 @@ Material organ_material(const Organ& organ, std::uint32_t index) {
           m.static_friction_n_per_m(),
           m.stribeck_velocity_m_per_s(),
           m.viscous_friction_n_s_per_m2(),
-          m.puncture_velocity_exponent()};
+          m.puncture_velocity_exponent(),
+          m.membrane_n_per_m()};
 }
 
 namespace {

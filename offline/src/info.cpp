@@ -49,6 +49,7 @@ Json material_facts(const Organ& organ) {
                     {"stribeck_velocity_mm_per_s", shown(m.stribeck_velocity_m_per_s) * 1e3},
                     {"viscous_friction_n_s_per_m2", shown(m.viscous_friction_n_s_per_m2)},
                     {"puncture_velocity_exponent", shown(m.puncture_velocity_exponent)},
+                    {"membrane_n_per_mm", shown(m.membrane_n_per_m) * 1e-3},
                     {"source", m.source}});
   }
   return list;

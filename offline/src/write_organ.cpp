@@ -22,18 +22,16 @@ auto write_structs(FlatBufferBuilder& builder, const std::vector<Mine>& values) 
                                        values.size());
 }
 
-Offset<format::Material> write_material(FlatBufferBuilder& builder, const Tissue& t,
-                                        double edge_m) {
+Offset<format::Material> write_material(FlatBufferBuilder& builder, const Tissue& t) {
   const auto name = builder.CreateString(t.name);
   const auto source = builder.CreateString(t.source);
   const auto f = [](double value) { return static_cast<float>(value); };
-  return format::CreateMaterial(builder, name, source, f(t.density_kg_per_m3),
-                                f(t.youngs_modulus_pa + t.membrane_n_per_m / edge_m),
-                                f(t.poisson_ratio), f(t.relaxing_fraction), f(t.relaxation_time_s),
-                                f(t.puncture_force_n), f(t.cutting_force_n), f(t.recut_fraction),
-                                f(t.coulomb_friction_n_per_m), f(t.static_friction_n_per_m),
-                                f(t.stribeck_velocity_m_per_s), f(t.viscous_friction_n_s_per_m2),
-                                f(t.puncture_velocity_exponent));
+  return format::CreateMaterial(
+      builder, name, source, f(t.density_kg_per_m3), f(t.youngs_modulus_pa), f(t.poisson_ratio),
+      f(t.relaxing_fraction), f(t.relaxation_time_s), f(t.puncture_force_n), f(t.cutting_force_n),
+      f(t.recut_fraction), f(t.coulomb_friction_n_per_m), f(t.static_friction_n_per_m),
+      f(t.stribeck_velocity_m_per_s), f(t.viscous_friction_n_s_per_m2),
+      f(t.puncture_velocity_exponent), f(t.membrane_n_per_m));
 }
 
 Offset<format::Provenance> write_provenance(FlatBufferBuilder& builder, const OrganParts& parts) {
@@ -56,7 +54,7 @@ void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
   const Grid& grid = lattice.grid;
   std::vector<Offset<format::Material>> materials;
   for (const Tissue& t : parts.materials) {
-    materials.push_back(write_material(builder, t, grid.edge_m));
+    materials.push_back(write_material(builder, t));
   }
   const auto name = builder.CreateString(parts.name);
   const auto runs = write_structs<format::Run>(builder, lattice.runs);

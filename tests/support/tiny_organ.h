@@ -36,6 +36,7 @@ struct TinyMaterial {
   float stribeck_velocity_m_per_s = 1e-3F;
   float viscous_friction_n_s_per_m2 = 0;
   float puncture_velocity_exponent = 0;
+  float membrane_n_per_m = 0;
 };
 
 enum Face : std::uint32_t { kLowX = 1, kHighX = 2, kLowY = 4, kHighY = 8, kLowZ = 16, kHighZ = 32 };
@@ -215,7 +216,8 @@ inline std::vector<std::byte> tiny_organ(const TinyOrgan& organ) {
         builder, m.name.c_str(), "test", m.density_kg_per_m3, m.youngs_modulus_pa, m.poisson_ratio,
         m.relaxing_fraction, m.relaxation_time_s, m.puncture_force_n, m.cutting_force_n,
         m.recut_fraction, m.coulomb_friction_n_per_m, m.static_friction_n_per_m,
-        m.stribeck_velocity_m_per_s, m.viscous_friction_n_s_per_m2, m.puncture_velocity_exponent));
+        m.stribeck_velocity_m_per_s, m.viscous_friction_n_s_per_m2, m.puncture_velocity_exponent,
+        m.membrane_n_per_m));
   }
   const detail::Surface surface = detail::surface_of(organ);
   format::FinishOrganBuffer(

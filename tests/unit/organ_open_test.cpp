@@ -88,6 +88,8 @@ std::vector<Case> material_cases() {
        "viscous_friction_n_s_per_m2", 0, 2e6, "0 to 1e6"},
       {"exponent", material([](M& m) { m.puncture_velocity_exponent = 0.75F; }), range,
        "puncture_velocity_exponent", 0, 0.75, "0 to 0.5"},
+      {"membrane", material([](M& m) { m.membrane_n_per_m = 2e5F; }), range, "membrane_n_per_m", 0,
+       2e5, "0 to 1e5"},
   };
 }
 
@@ -261,6 +263,7 @@ TEST(OrganOpen, AcceptsEveryLimitItself) {
           m.stribeck_velocity_m_per_s = high ? 10 : 1e-6F;
           m.viscous_friction_n_s_per_m2 = high ? 1e6F : 0;
           m.puncture_velocity_exponent = high ? 0.5F : 0;
+          m.membrane_n_per_m = high ? 1e5F : 0;
           o.voxel_edge_m = high ? kMaxVoxelEdgeM : kMinVoxelEdgeM;
           o.origin_x_m = o.origin_y_m = o.origin_z_m = high ? 100 : -100;
           std::fill(o.voxel_fill.begin(), o.voxel_fill.end(), std::uint8_t{1});
@@ -295,6 +298,7 @@ TEST(OrganOpen, RefusesJustBeyondEveryLimit) {
       material([](M& m) { m.stribeck_velocity_m_per_s = 10.01F; }),
       material([](M& m) { m.viscous_friction_n_s_per_m2 = 1.001e6F; }),
       material([](M& m) { m.puncture_velocity_exponent = 0.501F; }),
+      material([](M& m) { m.membrane_n_per_m = 1.01e5F; }),
       [](Owner& o) { o.voxel_edge_m = 0.1001F; },
       [](Owner& o) { o.origin_z_m = 100.5F; },
       material([](M& m) { m.density_kg_per_m3 = 0.99F; }),
@@ -309,6 +313,7 @@ TEST(OrganOpen, RefusesJustBeyondEveryLimit) {
       material([](M& m) { m.stribeck_velocity_m_per_s = 0.99e-6F; }),
       material([](M& m) { m.viscous_friction_n_s_per_m2 = -0.01F; }),
       material([](M& m) { m.puncture_velocity_exponent = -0.01F; }),
+      material([](M& m) { m.membrane_n_per_m = -1; }),
       [](Owner& o) { o.voxel_edge_m = 0.99e-4F; },
       [](Owner& o) { o.origin_y_m = -100.1F; },
   };

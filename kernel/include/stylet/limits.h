@@ -18,6 +18,7 @@ constexpr float kMaxVoxelEdgeM = 0.1F;
 constexpr float kMaxPoissonRatio = 0.49F;
 constexpr float kMinYoungsModulusPa = 1.0F;
 constexpr float kMaxYoungsModulusPa = 1e9F;
+constexpr float kMaxMembraneNPerM = 1e5F;
 
 // ---- configuration: checked by sizes and create -------------------------------------------------
 constexpr std::uint32_t kMaxSubsteps = 32;

@@ -48,6 +48,7 @@ struct Material {
   float stribeck_velocity_m_per_s;
   float viscous_friction_n_s_per_m2;
   float puncture_velocity_exponent;
+  float membrane_n_per_m;
 };
 
 struct Organ {

@@ -162,7 +162,7 @@ class ClusterReference {
     const double l = radius * 3.14159265 / std::tan(3.14159265 / 12);
     const double own = static_cast<double>(tip.full_stiffness_n_per_m);
     const double lattice =
-        0.28 / static_cast<double>(head.material[tip.material].shear_pa * head.edge_m);
+        0.28 / static_cast<double>(head.material[tip.material].lattice_shear_pa * head.edge_m);
     const double k = 1 / (1 / own + lattice);
     const auto force = [l, k](double d) { return k * d * d / (d + l); };
     // Energy of the spring when all the tissue is this deep.

@@ -140,6 +140,73 @@ TEST(Stiffness, ContactFollowsTheLawOfTheHalfSpaceForAnyVoxel) {
   }
 }
 
+// A thin skin of 1 N/mm, spread over the outermost voxels, over tissue as soft as liver.
+double force_on_skin(float edge_m, Vec3 place, float depth_m) {
+  TinyOrgan tiny = soft_block(edge_m, 0.08F);
+  tiny.materials.resize(2);
+  for (TinyMaterial& m : tiny.materials) {
+    m.youngs_modulus_pa = 23200;
+    m.puncture_force_n = 30;
+  }
+  tiny.materials[1].membrane_n_per_m = 1000;
+  tiny.material_at = [](std::uint16_t x, std::uint16_t, std::uint16_t) {
+    return static_cast<std::uint8_t>(x == 0 ? 1 : 0);
+  };
+  Rig rig = make_rig(tiny, Config{});
+  Vec3 tip = Vec3{-1e-3F, 0.04F, 0.04F} + edge_m * place;
+  drive(rig, tip, depth_m, 0.02F);
+  tip.x = depth_m;
+  return -static_cast<double>(hold(rig, tip, 200).force_n.x);
+}
+
+TEST(Stiffness, ThinSkinIsFeltAlikeWhateverTheVoxelItIsSpreadOver) {
+  for (const Vec3 place : {Vec3{0, 0, 0}, Vec3{0, 0.25F, 0.25F}}) {
+    for (const float depth_m : {0.5e-3F, 1e-3F}) {
+      const double usual_n = force_on_skin(5e-3F, place, depth_m);
+      for (const float edge_m : {10e-3F, 2.5e-3F}) {
+        EXPECT_NEAR(force_on_skin(edge_m, place, depth_m) / usual_n, 1, 0.1)
+            << "voxel " << edge_m << " m, depth " << depth_m;
+      }
+    }
+  }
+}
+
+// What a skin adds to its voxels, times their edge, is its own modulus times thickness: in shear
+// 1000 N/m / (2 (1 + 0.45)).
+TEST(Stiffness, SkinSpreadOverVoxelsIsAsStiffInItsPlane) {
+  double force_per_voxel_row[2] = {};
+  for (int fine = 0; fine < 2; ++fine) {
+    TinyOrgan tiny;
+    tiny.voxel_edge_m = fine != 0 ? 2.5e-3F : 5e-3F;
+    tiny.nx = tiny.ny = tiny.nz = 2;
+    tiny.materials[0].youngs_modulus_pa = 20000;
+    tiny.materials[0].membrane_n_per_m = 1000;
+    const Rig rig = make_rig(tiny, Config{});
+    const MaterialModel& m = rig.view().model.head->material[0];
+    force_per_voxel_row[fine] = static_cast<double>(m.lattice_shear_pa - 20000 / (2 * 1.45F)) *
+                                static_cast<double>(tiny.voxel_edge_m);
+  }
+  EXPECT_NEAR(force_per_voxel_row[0], 1000 / 2.9, 0.01);
+  EXPECT_NEAR(force_per_voxel_row[1] / force_per_voxel_row[0], 1, 1e-4);
+}
+
+// Below a dimple some voxels deep the tissue is pressed to a fraction of its length, and finer
+// voxels are softer: what kernel/README.md says of it.
+TEST(Stiffness, DeepDimplesAreSofterInFinerVoxelsByAnEighthAtMost) {
+  for (const float depth_m : {8e-3F, 12e-3F}) {
+    double force[2] = {};
+    for (int fine = 0; fine < 2; ++fine) {
+      TinyOrgan tiny = soft_block(fine != 0 ? 2.5e-3F : 5e-3F, 0.08F);
+      tiny.materials[0].puncture_force_n = 30;
+      Rig rig = make_rig(tiny, Config{});
+      drive(rig, {-1e-3F, 0.04F, 0.04F}, depth_m, 0.02F);
+      force[fine] = -static_cast<double>(hold(rig, {depth_m, 0.04F, 0.04F}, 200).force_n.x);
+    }
+    EXPECT_LT(force[1], force[0]);
+    EXPECT_GT(force[1], 0.875 * force[0]) << depth_m;
+  }
+}
+
 // A tip that breaks through at the bottom of a dimple ten voxels deep, where tissue is pressed to a
 // tenth of its length, goes on into the tissue below.
 TEST(Stiffness, TipStaysInTissueThatADeepDimpleHasCrushed) {
