@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Halves the voxel, the needle unit or the step of a scene and measures what that does to its forces.
+"""Halves the voxel, the needle unit or the step of a scene: what does that do to its forces?
 
     tests/e2e/halving.py [--table FILE] [--small] [SCENE...]
 
-Runs each scene (none named: all in physical mode) as it is and with one of the three halved. Forces
-are averaged over 50 ms; their change is the mean length of the difference over the mean length of the
-force, punctures included, which move by some milliseconds. Unit and step may change forces by 2 %, the
-voxel by 10 %. --table writes what was found as a table; --small leaves out the halved voxels, which
-take eight times as long. Programs from STYLET_BIN or build/release/bin. Needs python3-h5py.
+Runs each scene (none named: all in physical mode) as it is and with one of the three halved.
+Forces are averaged over 50 ms; their change is the mean length of the difference over the mean
+length of the force, punctures included, which move by some milliseconds. Unit and step may change
+forces by 2 %, the voxel by 10 %. --table writes what was found as a table; --small leaves out the
+halved voxels, which take eight times as long. Programs from STYLET_BIN or build/release/bin. Needs
+python3-h5py.
 """
 import argparse
 import pathlib
@@ -31,11 +32,11 @@ TOO_LARGE = {"liver-biopsy"}  # 500 000 halved voxels
 HEAD = """\
 # What halving does to the forces of the scenes
 
-Written by `tests/e2e/halving.py --table tests/e2e/halving.md`: mean change of the force, averaged over
-50 ms, in per cent of its mean, when the voxel, the needle's unit or the step is halved. Largest force
-for scale. Unit and step: at most 2. The voxel: below 10, and above 2 where a dimple some voxels deep
-presses tissue to a fraction of its length (finer voxels are softer there), or where layers are a voxel
-thick.
+Written by `tests/e2e/halving.py --table tests/e2e/halving.md`: mean change of the force, averaged
+over 50 ms, in per cent of its mean, when the voxel, the needle's unit or the step is halved; the
+largest force for scale. Unit and step: at most 2. The voxel: below 10, and above 2 where a dimple
+some voxels deep presses tissue to a fraction of its length (finer voxels are softer there), or
+where layers are a voxel thick.
 
 | scene | largest force, N | voxel | unit | step |
 | --- | --- | --- | --- | --- |
