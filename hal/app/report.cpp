@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -215,6 +216,39 @@ std::string counter_table(const RunReport& report) {
          pool("obstacle contacts", report.stats.obstacle_contacts);
 }
 
+// Deepest dimple before a puncture of the surface, in voxels.
+double dimple_voxels(const RunReport& report) {
+  double most = 0;
+  for (const auto& phases : report.phases) {
+    for (const hal::PhaseRow& row : phases) {
+      if (row.stage == hal::Stage::kContact) {
+        most = std::max(most, static_cast<double>(row.travel_m / report.voxel_edge_m));
+      }
+    }
+  }
+  return most;
+}
+
+// Where the forces are softer than the materials say, or would be in finer voxels.
+std::string resolution_text(const RunReport& report) {
+  constexpr double kShallowVoxels = 1, kNoShortfall = 0.02;
+  const double shortfall = static_cast<double>(report.stats.coupling_shortfall);
+  const double dimple = dimple_voxels(report);
+  std::string text;
+  if (shortfall > kNoShortfall) {
+    text += fmt::format(
+        "softer      a particle held its tissue {:.0f} % softer than the material: finer voxels\n",
+        100 * shortfall);
+  }
+  if (dimple > kShallowVoxels) {
+    text += fmt::format(
+        "dimple      {:.1f} voxels deep: the tissue below it is softer in finer voxels, forces by "
+        "some per cent\n",
+        dimple);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string json_text(const RunReport& report) {
@@ -261,6 +295,7 @@ std::string json_text(const RunReport& report) {
   out["counters"] = Json::object();
   for (const auto& [name, value] : counters(report)) out["counters"][name] = value;
   out["coupling_shortfall"] = number(stats.coupling_shortfall);
+  out["dimple_voxels"] = number(static_cast<float>(dimple_voxels(report)));
   out["fault"] = hal::fault_name(first_fault(report));
   out["host"] = {{"lacks", report.host.lacks}, {"notes", report.host.notes}};
   out["state_hash"] = hex(report.state_hash);
@@ -280,6 +315,7 @@ std::string human_text(const RunReport& report) {
           row("scratch", report.predicted.scratch_bytes, report.used.scratch_bytes);
   text += fmt::format("\nstate hash  {}\norgan hash  {}\norgan       {}\n", hex(report.state_hash),
                       hex(report.organ_hash), report.organ_file);
+  text += resolution_text(report);
   if (!report.recording.empty()) text += fmt::format("recording   {}\n", report.recording);
   if (report.interrupted) text += "interrupted before the end of the script\n";
   if (first_fault(report) != hal::Fault::kNone) {

@@ -15,6 +15,7 @@ namespace stylet::app {
 struct RunReport {
   std::string scene_file, organ_file, organ_name, mode, recording;
   std::uint64_t organ_hash = 0, state_hash = 0;
+  float voxel_edge_m = 0;
   double period_s = 1e-3;
   bool fast = false, interrupted = false;
   double wall_s = 0;

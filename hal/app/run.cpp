@@ -313,6 +313,7 @@ RunReport report_of(const Session& s, double wall_s) {
   report.mode = mode_name(s);
   report.recording = s.options.record;
   report.organ_hash = s.organ.organ.hash;
+  report.voxel_edge_m = s.organ.organ.voxel_edge_m;
   report.state_hash = hash(s.instance->kernel);
   report.period_s = static_cast<double>(s.scene.config.period_s);
   report.fast = s.options.fast;

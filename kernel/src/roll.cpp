@@ -9,6 +9,9 @@ namespace {
 // Below this a particle has no hold on the shaft, N.
 constexpr float kLeastHoldN = 1e-9F;
 
+// A violent hand may leave particles behind its own place: nothing is held nearer than this.
+constexpr float kLeastArmM = 1e-3F;
+
 struct Hold {
   float torque_nm, moment_nm2;  // sums of t and of t s
 };
@@ -24,7 +27,7 @@ Hold hold_of(const View& view) {
     const float carried = dot(p.force_n, needle_point(last, p.arc_m).direction);
     const float left = std::sqrt(max_of(limit * limit - carried * carried, 0));
     hold.torque_nm += left * radius;
-    hold.moment_nm2 += left * radius * max_of(length - p.arc_m, 0);
+    hold.moment_nm2 += left * radius * max_of(length - p.arc_m, kLeastArmM);
   }
   return hold;
 }

@@ -107,8 +107,7 @@ class Fig02ConstraintParticles(Scene):
         self.assertGreater(off, 0.2e-3)
 
     def test_force_is_the_slope_of_the_energy(self):
-        # Central difference over 2 mm of three states at rest. The lattice's report of its energy
-        # leaves out what the fits of coupled voxels add to it, a few per cent here.
+        # Central difference over 2 mm of three states at rest.
         run = self.run_
         ticks = [len(run.time_s) - 3500, len(run.time_s) - 1750, len(run.time_s)]
         bending = bending_of(0.7176e-3, 0.413e-3)
@@ -118,7 +117,7 @@ class Fig02ConstraintParticles(Scene):
         side, force = draw.sideways(run)
         low, middle, high = (tick - 1 for tick in ticks)
         slope = (energies[2] - energies[0]) / (side[high] - side[low])
-        self.assert_within(slope, force[middle], 0.06)
+        self.assert_within(slope, force[middle], 0.01)
 
 
 def clamped_stiffness(bending_nm2, foundation_n_per_m2, free_m, embedded_m, pieces=400):
@@ -227,6 +226,8 @@ class Fig04InsertRetract(Scene):
         # tip, entry, and one for each whole unit between them
         wrong = np.abs(run.particles[inside] - (units + 1.5))
         self.assertLessEqual(wrong.max(), 1.0)
+        # 25 mm of soft gel under 5 mm voxels give way before the puncture, and the report says so.
+        self.assertGreater(self.report["dimple_voxels"], 3)
         steps = np.diff(run.particles[inside])
         deepest = int(np.argmax(run.depth_m[inside]))
         self.assertTrue(np.all(steps[:deepest] >= 0))
