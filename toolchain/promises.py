@@ -3,8 +3,8 @@
 """The README's table of promises: what is promised, which tests hold it, what they last measured.
 
 Reads the log ctest left in a build folder, and writes the rows whose tests it has; the others keep
-what they had. --check changes nothing: it refuses a table that is not made of these rows, and a row
-without a test in the build folder.
+what they had. Where the log has only some of a row's tests it says so. --check changes nothing: it
+refuses a table that is not made of these rows, and a row without a test in the build folder.
 
 usage: promises.py REPOSITORY BUILD_FOLDER [--check]
 """
@@ -13,6 +13,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 BEGIN, END = "<!-- promises: toolchain/promises.py -->", "<!-- end of promises -->"
 HEADER = "| promised | held by | last measured |\n| --- | --- | --- |"
@@ -65,7 +66,19 @@ def read_log(path):
     return {name: (output, verdict == "Pass") for name, output, verdict in TEST.findall(text)}
 
 
-def measured(row, log, today):
+def tests_of(build):
+    """Names of the build folder's tests. Listed from another folder: ctest empties the log of the
+    one it lists, and that may be the log of the run that asks."""
+    with tempfile.TemporaryDirectory() as top:
+        entry = pathlib.Path(top) / "CTestTestfile.cmake"
+        entry.write_text(f'subdirs("{pathlib.Path(build).resolve()}")\n')
+        listing = subprocess.run(["ctest", "--test-dir", top, "-N"], check=True,
+                                 capture_output=True, text=True).stdout
+    # A program that is not built yet stands for its cases.
+    return [re.sub("_NOT_BUILT$", ".", test) for test in re.findall(r"Test +#\d+: (\S+)", listing)]
+
+
+def measured(row, log, tests, today):
     """What the log says of the row's tests; None where it has none of them."""
     _, pattern, figure = row
     results = [(name, *log[name]) for name in sorted(log) if re.fullmatch(pattern, name)]
@@ -78,7 +91,9 @@ def measured(row, log, today):
     for _, output, _ in results:
         match = re.search(figure[0], output, re.S) if figure else None
         texts += [figure[1].format(*match.groups())] if match else []
-    return f"{today}: {'; '.join(texts) if texts else f'{len(results)} passed'}"
+    there = sum(1 for test in tests if re.fullmatch(pattern, test))
+    count = f"{len(results)}{f' of {there}' if there > len(results) else ''} passed"
+    return f"{today}: {'; '.join(texts) if texts else count}"
 
 
 def table_of(readme):
@@ -95,11 +110,11 @@ def held_by(pattern):
     return "`" + text.replace("|", ", ") + "`"
 
 
-def updated(readme, log, today):
+def updated(readme, log, tests, today):
     before, rows, behind = table_of(readme)
     last = {row[0]: row[2] for row in rows}
     lines = [f"| {row[0]} | {held_by(row[1])} | "
-             f"{measured(row, log, today) or last.get(row[0], NEVER)} |" for row in ROWS]
+             f"{measured(row, log, tests, today) or last.get(row[0], NEVER)} |" for row in ROWS]
     return before + "\n".join([BEGIN, "", HEADER, *lines, "", END]) + behind
 
 
@@ -115,15 +130,12 @@ def faults(readme, tests):
 def main(repository, build, check):
     path = pathlib.Path(repository) / "README.md"
     if check:
-        listing = subprocess.run(["ctest", "--test-dir", build, "-N"], check=True,
-                                 capture_output=True, text=True).stdout
-        tests = re.findall(r"Test +#\d+: (\S+)", listing)
-        # A program that is not built yet stands for its cases.
-        found = list(faults(path.read_text(), [re.sub("_NOT_BUILT$", ".", t) for t in tests]))
+        found = list(faults(path.read_text(), tests_of(build)))
         print("\n".join(found))
         return bool(found)
     log = read_log(pathlib.Path(build) / "Testing/Temporary/LastTest.log")
-    path.write_text(updated(path.read_text(), log, datetime.date.today().isoformat()))
+    today = datetime.date.today().isoformat()
+    path.write_text(updated(path.read_text(), log, tests_of(build), today))
     return False
 
 

@@ -404,8 +404,8 @@ void stand_for(const View& view, Particle& p) {
   const float part =
       paper ? 1.0F : max_of(length_of(view, p) / view.needle_config().unit_m, kLeastPart);
   const float stiffness = part * p.full_stiffness_n_per_m;
-  if (stiffness >
-      p.stiffness_n_per_m) {  // what is new holds its tissue where it lies, without force
+  // What is added holds its tissue where it lies, without force.
+  if (stiffness > p.stiffness_n_per_m) {
     const float old = p.stiffness_n_per_m / stiffness;
     draw_goals(p, 1 - old);
     p.memory_m = old * p.memory_m;

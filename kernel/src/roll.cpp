@@ -48,9 +48,9 @@ void roll_tip(const View& view, float rolled_rad) {
   view.state.head->friction_j += before - roll_energy(view);
   const float limit = held ? min_of(hold.moment_nm2 / torsion, kMaxTwistRad) : 0;
   const float wound = own.twist_rad + rolled_rad, twist = clamp(wound, -limit, limit);
-  const float slipped = wound > twist ? wound - twist : twist - wound;
-  const float torque = stiffness * (twist < 0 ? -twist : twist);
-  view.state.head->friction_j += static_cast<double>(torque * slipped);
+  // At the mean of the torques before and after, as the hand's work is booked.
+  const float torque = 0.5F * stiffness * (own.twist_rad + twist);
+  view.state.head->friction_j += static_cast<double>(torque * (wound - twist));
   own.twist_rad = settle(twist);
 }
 

@@ -112,16 +112,18 @@ class Promises(Sample):
 
     def test_writes_what_the_log_has_and_keeps_the_rest(self):
         log = promises.read_log(self.write("LastTest.log", self.LOG))
-        once = promises.updated(self.EMPTY, log, "2026-01-02")
+        once = promises.updated(self.EMPTY, log, [], "2026-01-02")
         self.assertIn("| `rt.stack` | 2026-01-02: 5448 bytes at most, 4616 used |", once)
         self.assertIn("| `rt.rtsan.*` | 2026-01-02: 1 passed |", once)
         self.assertIn("| `check.loops` | 2026-01-02: check.loops failed |", once)
         self.assertIn(f"| `check.symbols` | {promises.NEVER} |", once)
-        self.assertEqual(promises.updated(once, {}, "2026-03-04"), once)
+        self.assertEqual(promises.updated(once, {}, [], "2026-03-04"), once)
+        some = promises.updated(self.EMPTY, log, ["rt.rtsan.tick", "rt.rtsan.other"], "2026-01-02")
+        self.assertIn("| `rt.rtsan.*` | 2026-01-02: 1 of 2 passed |", some)
         self.assertTrue(once.startswith("before\n") and once.endswith("behind\n"))
 
     def test_refuses_another_table_and_rows_without_a_test(self):
-        made = promises.updated(self.EMPTY, {}, "2026-01-02")
+        made = promises.updated(self.EMPTY, {}, [], "2026-01-02")
         tests = [row[1].replace(".*", "x").replace("\\", "") for row in promises.ROWS]
         tests[tests.index("cross.(i686|aarch64|cortex_m7)")] = "cross.i686"
         self.assertEqual(list(promises.faults(made, tests)), [])

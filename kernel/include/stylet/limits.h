@@ -18,7 +18,7 @@ constexpr float kMaxVoxelEdgeM = 0.1F;
 constexpr float kMaxPoissonRatio = 0.49F;
 constexpr float kMinYoungsModulusPa = 1.0F;
 constexpr float kMaxYoungsModulusPa = 1e9F;
-constexpr float kMaxMembraneNPerM = 1e5F;
+constexpr float kMaxMembraneNPerM = 1e5F;  // 1 mm of 100 MPa
 
 // ---- configuration: checked by sizes and create -------------------------------------------------
 constexpr std::uint32_t kMaxSubsteps = 32;
@@ -26,7 +26,7 @@ constexpr float kMinPeriodS = 1e-5F;
 constexpr float kMaxPeriodS = 1e-2F;
 constexpr float kMaxNeedleLengthM = 0.5F;
 constexpr float kMaxBendingNm2 = 1e3F;   // a steel bar of 15 mm
-constexpr float kMaxTorsionNm2 = 1e3F;
+constexpr float kMaxTorsionNm2 = 1e3F;   // likewise
 constexpr float kMaxBevelPerM = 100.0F;  // a path with 10 mm of radius
 constexpr float kMaxBentAngleRad = 1.0F;
 constexpr float kMaxBreathM = 0.1F;
@@ -64,9 +64,9 @@ constexpr std::uint32_t kRodNewtonSteps = 2;
 constexpr double kMaxRodForceN = 1e3;
 constexpr double kMaxRodStiffnessNPerM = 1e6;
 constexpr double kMaxRodPlaceM = 10;
-// Events kept for the reader. Full: the oldest is overwritten; sequence numbers show the gap.
 // How far the tip's roll lags behind the hand's; farther, the shaft slips in the tissue.
 constexpr float kMaxTwistRad = 3.0F;
+// Events kept for the reader. Full: the oldest is overwritten; sequence numbers show the gap.
 constexpr std::uint32_t kMaxEvents = 64;
 // Tracks remembered in the tissue. Full: the oldest is forgotten and must be punctured again.
 constexpr std::uint32_t kMaxTracks = 16;

@@ -49,6 +49,13 @@ void step_with_losses(const Kernel& kernel) {
   }
 }
 
+// On a needle that moves on by `way_m` under a force with this sum at both ends, on the hand.
+double hand_work(Vec3 way_m, Vec3 sum_n) {
+  return -0.5 * (static_cast<double>(sum_n.x) * static_cast<double>(way_m.x) +
+                 static_cast<double>(sum_n.y) * static_cast<double>(way_m.y) +
+                 static_cast<double>(sum_n.z) * static_cast<double>(way_m.z));
+}
+
 struct Books {  // after a tick
   double work, kernels_work, stored, kernels_stored, kinetic, friction, cutting, relaxation,
       damping, drag;
@@ -97,10 +104,7 @@ class Audit {
  private:
   void keep(const Output& out) {
     if (!books_.empty()) {
-      const Vec3 way = out.tip_m - last_tip_, sum = out.force_n + last_force_;
-      work_ -= 0.5 * (static_cast<double>(sum.x) * static_cast<double>(way.x) +
-                      static_cast<double>(sum.y) * static_cast<double>(way.y) +
-                      static_cast<double>(sum.z) * static_cast<double>(way.z));
+      work_ += hand_work(out.tip_m - last_tip_, out.force_n + last_force_);
     }
     last_tip_ = out.tip_m;
     last_force_ = out.force_n;
@@ -268,10 +272,7 @@ struct Observer {
 
   void see(Rig& rig, const Output& out) {
     if (out.tick > 1) {
-      const Vec3 way = out.tip_m - tip_m, sum = out.force_n + force_n;
-      work_j -= 0.5 * (static_cast<double>(sum.x) * static_cast<double>(way.x) +
-                       static_cast<double>(sum.y) * static_cast<double>(way.y) +
-                       static_cast<double>(sum.z) * static_cast<double>(way.z));
+      work_j += hand_work(out.tip_m - tip_m, out.force_n + force_n);
     }
     tip_m = out.tip_m;
     force_n = out.force_n;
