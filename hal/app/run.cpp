@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "commands.h"
+#include "fault_desk.h"
 #include "report.h"
 #include "stop_signal.h"
 #include "stylet/hal/devices.h"
@@ -252,10 +253,22 @@ void servo(Session& s) try {
   s.failure = std::current_exception();
 }
 
-void show_progress(const Session& s, const std::atomic<bool>& done) {
+// Whom a fault is told of.
+std::vector<std::string> hand_names(const Session& s) {
+  std::vector<std::string> names;
+  for (const hal::Hand& hand : s.scene.hands) {
+    names.push_back(hand.device == "attached" ? hand.uri : fmt::format("needle {}", names.size()));
+  }
+  return names;
+}
+
+// In virtual time nobody could answer: the report tells of the faults.
+void show_progress(Session& s, const std::atomic<bool>& done) {
   const bool show = terminal_rewrites_lines() && !s.options.json;
+  FaultDesk desk(s.state.mailbox, hand_names(s));
   while (!done.load()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(s.options.fast ? 20 : 100));
+    if (!s.options.fast) desk.look();
     if (!show) continue;
     const double ticks = static_cast<double>(s.recorder->ticks());
     const double all = static_cast<double>(s.config.ticks);

@@ -134,6 +134,18 @@ void note_button(const GuardConfig& config, GuardState& state, std::uint32_t but
   state.button = (buttons >> static_cast<std::uint32_t>(config.dead_man_button)) & 1U;
 }
 
+// Pressed while the fault came, it was pressed for something else.
+void follow_acknowledge_button(const GuardConfig& config, GuardState& state,
+                               std::uint32_t buttons) {
+  if (config.acknowledge_button < 0 || state.mode != GuardMode::kFault) return;
+  const bool pressed = ((buttons >> static_cast<std::uint32_t>(config.acknowledge_button)) & 1U);
+  if (!pressed) {
+    state.may_acknowledge = 1;
+  } else if (state.may_acknowledge != 0) {
+    (void)guard_rearm(state, state.fault);
+  }
+}
+
 // ---- energy
 // ----------------------------------------------------------------------------------------
 
@@ -344,6 +356,7 @@ GuardState guard_start() {
 void guard_trip(GuardState& state, Fault fault) {
   if (is_latched(state.mode)) return;
   state.fault = fault;
+  state.may_acknowledge = 0;
   ++state.counters.faults;
   if (fault == Fault::kForceNotFinite) state.force_n = {};
   const bool nothing_left = dot(state.force_n, state.force_n) == 0;
@@ -367,6 +380,7 @@ bool guard_sample(const GuardConfig& config, GuardState& state, bool answered, c
     state.blind_ticks = 0;
     ++state.counters.samples_used;
     trip_on_motion(config, state);
+    follow_acknowledge_button(config, state, sample.buttons);
     return true;
   }
   if (!answered) ++state.counters.samples_missing;

@@ -43,6 +43,13 @@ Input next_input(const HandConfig& config, const Device& device, HandState& stat
   return {base, usable ? 1U : 0U};
 }
 
+// A fade is waited for; what cannot be acknowledged then is forgotten.
+void open_mail(FaultMailbox& mailbox, GuardState& guard) {
+  if (guard.mode == GuardMode::kFading) return;
+  const Fault seen = mailbox.seen.exchange(Fault::kNone, std::memory_order_relaxed);
+  if (seen != Fault::kNone) (void)guard_rearm(guard, seen);
+}
+
 float length(Vec3 v) {
   return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
@@ -107,6 +114,7 @@ void tick_hands(const LoopConfig& config, Kernel& kernel, std::span<const Device
     records[i] = {};
     records[i].needle = i;
     inputs[i] = next_input(config.hand[i], devices[i], state.hand[i], now_ns, records[i]);
+    open_mail(state.mailbox[i], state.hand[i].guard);
   }
   tick(kernel, std::span(inputs).first(records.size()), std::span(outputs).first(records.size()));
   for (std::uint32_t i = 0; i < records.size(); ++i) {
@@ -116,6 +124,7 @@ void tick_hands(const LoopConfig& config, Kernel& kernel, std::span<const Device
     records[i].output = outputs[i];
     records[i].command_n = send_force(config.hand[i], kernel, i, devices[i], hand);
     records[i].fault = hand.guard.fault;
+    state.mailbox[i].latched.store(hand.guard.fault, std::memory_order_relaxed);
     records[i].mode = hand.guard.mode;
     records[i].energy_j = static_cast<float>(hand.guard.energy.energy_j);
   }

@@ -91,6 +91,8 @@ GuardConfig read_guard(Section guard, const Section& device, const DeviceModel& 
   config.continuous_force_n = model.continuous_force_n;
   config.thermal_s = number("thermal_s", of(config.thermal_s), 1, 3600);
   config.dead_man_button = static_cast<std::int32_t>(guard.integer("dead_man_button", -1, 0, 31));
+  config.acknowledge_button =
+      static_cast<std::int32_t>(guard.integer("acknowledge_button", -1, 0, 31));
   config.device = model.motion;
   const Vec3 reach = model.workspace_m;
   config.stored_energy_j = 0.5F * model.max_force_n * std::max({reach.x, reach.y, reach.z});

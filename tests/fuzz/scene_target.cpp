@@ -35,6 +35,7 @@ void promise_usable(const hal::Scene& scene) {
                 guard.continuous_force_n > 0 && guard.stored_energy_j > 0,
             "a limit of the guard that is not positive");
     promise(guard.dead_man_button >= -1 && guard.dead_man_button < 32, "no such button");
+    promise(guard.acknowledge_button >= -1 && guard.acknowledge_button < 32, "no such button");
     promise(guard.device.delay_s <= hal::kMaxDelayTicks * guard.period_s * 1.001F,
             "a delay that the guard does not know of");
     const auto script = hal::make_script(hand.waypoints, hand.approach.start_m);

@@ -16,7 +16,7 @@
 namespace stylet::hal {
 namespace {
 
-constexpr std::uint32_t kButton = 3;
+constexpr std::uint32_t kButton = 3, kAcknowledgeButton = 5;
 
 double size(Vec3 v) {
   return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
@@ -27,6 +27,7 @@ GuardConfig with_button() {
   GuardConfig config;
   config.ramp_s = 0.1F;
   config.dead_man_button = kButton;
+  config.acknowledge_button = kAcknowledgeButton;
   config.passivity_damping_n_s_per_m = 2;
   return config;
 }
@@ -40,9 +41,13 @@ struct Desk {
   Vec3 position_m = {};
   Vec3 asked_n = {3, 0, 0};
 
+  bool acknowledges = false;
+
   bool hear(bool pressed) {
     now_ns += 1'000'000;
-    const Sample sample = {++seq, now_ns, {position_m, {1, 0, 0, 0}}, pressed ? 1U << kButton : 0U};
+    const std::uint32_t buttons =
+        (pressed ? 1U << kButton : 0U) | (acknowledges ? 1U << kAcknowledgeButton : 0U);
+    const Sample sample = {++seq, now_ns, {position_m, {1, 0, 0, 0}}, buttons};
     return guard_sample(config, state, true, sample, now_ns);
   }
   Vec3 tick(bool pressed) {
@@ -122,6 +127,11 @@ std::map<std::string, std::function<void(Desk&)>> inputs() {
        [](Desk& d) {
          const bool pressed = is_pressed_in(d.state.mode);
          for (int i = 0; i < 2; ++i) (void)d.tick(pressed);
+       }},
+      {"acknowledged",
+       [good](Desk& d) {
+         d.acknowledges = true;
+         good(d);
        }},
       {"rearm by name", [](Desk& d) { (void)guard_rearm(d.state, d.state.fault); }},
       {"rearm by another name", [](Desk& d) { EXPECT_FALSE(guard_rearm(d.state, Fault::kBuzz)); }},
@@ -230,6 +240,33 @@ TEST(DeadMansButton, OfADeviceThatIsLostIsNoButtonHeld) {
   desk.miss(23);
   EXPECT_EQ(desk.state.mode, GuardMode::kFault);
   EXPECT_EQ(size(desk.state.force_n), 0);
+}
+
+// Held while the fault came and after, it was pressed for something else.
+TEST(AcknowledgeButton, CountsOnlyWhenPressedAnewAtZeroForce) {
+  Desk desk = desk_in(GuardMode::kLive);
+  desk.acknowledges = true;
+  desk.tick(5, true);
+  guard_trip(desk.state, Fault::kBuzz);
+  desk.tick(10, true);
+  desk.acknowledges = false;
+  desk.tick(5, true);  // still fading
+  desk.acknowledges = true;
+  desk.tick(100, true);
+  EXPECT_EQ(desk.state.fault, Fault::kBuzz);
+  desk.acknowledges = false;
+  desk.tick(1, true);
+  EXPECT_EQ(desk.state.fault, Fault::kBuzz);
+  desk.acknowledges = true;
+  desk.tick(1, true);
+  EXPECT_EQ(desk.state.fault, Fault::kNone);
+  EXPECT_EQ(desk.state.mode, GuardMode::kLetGo);
+  desk.tick(100, true);  // and the dead man's button is to be let go before it is pressed
+  EXPECT_EQ(size(desk.state.force_n), 0);
+  // What was seen released before another fault says nothing after it.
+  guard_trip(desk.state, Fault::kTooLate);
+  desk.tick(100, true);
+  EXPECT_EQ(desk.state.fault, Fault::kTooLate);
 }
 
 TEST(ThermalBudget, PeakForceIsForSecondsAndTheMeanSquareIsKept) {

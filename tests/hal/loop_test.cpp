@@ -124,6 +124,51 @@ TEST(Loop, StopEndsItAfterTheTickWithZeroForce) {
 // ---- late ticks
 // ------------------------------------------------------------------------------------
 
+// The mailbox: the fault by its name, while it is the one, and the device answers.
+TEST(Acknowledged, ByItsNameWhileTheDeviceAnswersAndNotLater) {
+  Rig rig;
+  rig.config.ticks = 600;
+  bool silent = false;
+  std::function<void(std::uint64_t)> people;
+  Spoiler spoiler{rig.device(), [&](std::uint64_t tick, Sample&) {
+                    people(tick);
+                    return !silent;
+                  }};
+  FaultMailbox& mailbox = rig.state.mailbox[0];
+  std::vector<Fault> latched;
+  people = [&](std::uint64_t tick) {
+    latched.push_back(mailbox.latched.load());
+    silent = tick >= 100 && tick < 300;
+    if (tick == 200) mailbox.seen = Fault::kDeviceSilent;  // too early: it does not answer
+    if (tick == 320) mailbox.seen = Fault::kBuzz;          // not that one
+    if (tick == 340) mailbox.seen = Fault::kDeviceSilent;
+  };
+  (void)rig.run(spoiled(spoiler));
+  EXPECT_EQ(latched[98], Fault::kNone);
+  EXPECT_EQ(latched[110], Fault::kDeviceSilent);
+  EXPECT_EQ(latched[319], Fault::kDeviceSilent);
+  EXPECT_EQ(latched[339], Fault::kDeviceSilent);
+  EXPECT_EQ(latched[340], Fault::kNone);
+  EXPECT_EQ(latched[599], Fault::kNone);
+  EXPECT_EQ(rig.state.hand[0].guard.counters.rearms, 1U);
+}
+
+// Somebody quick: the force still fades. It is kept until then.
+TEST(Acknowledged, DuringTheFadeItWaitsForItsEnd) {
+  Rig rig;
+  rig.config.ticks = 400;
+  Spoiler spoiler{rig.device(), [&](std::uint64_t tick, Sample& sample) {
+                    if (tick == 200) sample.pose.position_m.x = kNan;
+                    if (tick == 200) guard_trip(rig.state.hand[0].guard, Fault::kBuzz);
+                    if (tick == 205) rig.state.mailbox[0].seen = Fault::kBuzz;
+                    return true;
+                  }};
+  const std::vector<TickRecord> records = rig.run(spoiled(spoiler));
+  EXPECT_GT(size(records[205].command_n), 0);
+  EXPECT_EQ(records[215].fault, Fault::kBuzz);
+  EXPECT_EQ(records[230].fault, Fault::kNone);
+}
+
 TEST(LateTicks, AreSkippedOnTheGridAndChangeNoBit) {
   Rig rig, late;
   const auto expected = rig.run(rig.device());

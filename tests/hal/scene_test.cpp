@@ -256,6 +256,7 @@ TEST(Scene, MistakesOfDeviceModelsAndGuardLimits) {
       {"ramp_ms = 100", "max_speed_mm_per_s = 5", "max_speed", "a number from 10 to 20000"},
       {"ramp_ms = 100", "buzz_n = 0", "buzz_n", "a number from 0.001 to 100"},
       {"ramp_ms = 100", "thermal_s = 0.5", "thermal_s", "a number from 1 to 3600"},
+      {"ramp_ms = 100", "acknowledge_button = -2", "acknowledge", "a whole number from 0 to 31"},
       {"ramp_ms = 100", "dead_man_button = 32", "dead_man", "a whole number from 0 to 31"},
       {"ramp_ms = 100", "passivity_damping_n_s_per_m = -1", "passivity", "from 0 to 1000"},
       {"ramp_ms = 100", "max_slew_n_per_s = 150", "max_slew", "at least 200"},
@@ -271,6 +272,7 @@ TEST(Scene, AModelBringsItsLimitsAndOwnKeysWin) {
   EXPECT_EQ(touch.guard.passivity_damping_n_s_per_m, 2);
   EXPECT_NEAR(of(touch.guard.stored_energy_j), 0.5 * 3.3 * 0.16, 1e-6);
   EXPECT_EQ(touch.guard.dead_man_button, -1);
+  EXPECT_EQ(touch.guard.acknowledge_button, -1);
   EXPECT_NEAR(of(touch.coupling.stiffness_n_per_m), 280, 1e-3);
   EXPECT_EQ(touch.coupling.max_force_n, 3.3F);
   EXPECT_EQ(touch.coupling.period_s, 5e-4F);
@@ -280,13 +282,15 @@ TEST(Scene, AModelBringsItsLimitsAndOwnKeysWin) {
   const std::string own =
       "model = \"touch\"\nmax_force_n = 0.5\nresolution_mm = 0.02\nmax_damping_n_s_per_m = 6";
   std::string text = changed("max_force_n = 4", own);
-  const std::string more = "dead_man_button = 1\nthermal_s = 30\nmax_speed_mm_per_s = 500\n";
+  const std::string more =
+      "dead_man_button = 1\nacknowledge_button = 2\nthermal_s = 30\nmax_speed_mm_per_s = 500\n";
   const Hand changed_hand = parse_scene(text.insert(text.find("ramp_ms"), more), "s.toml").hands[0];
   EXPECT_EQ(changed_hand.guard.max_force_n, 0.5F);
   EXPECT_EQ(changed_hand.guard.continuous_force_n, 0.5F);  // no more than the largest
   EXPECT_NEAR(of(changed_hand.hand.device.resolution_m), 2e-5, 1e-9);
   EXPECT_EQ(changed_hand.guard.passivity_damping_n_s_per_m, 3);
   EXPECT_EQ(changed_hand.guard.dead_man_button, 1);
+  EXPECT_EQ(changed_hand.guard.acknowledge_button, 2);
   EXPECT_EQ(changed_hand.hand.held_buttons, 2U);
   EXPECT_EQ(changed_hand.guard.thermal_s, 30);
   EXPECT_NEAR(of(changed_hand.guard.max_speed_m_per_s), 0.5, 1e-7);

@@ -73,7 +73,8 @@ struct GuardConfig {
   float buzz_n = 0.8F;           // amplitude
   float continuous_force_n = 8;  // root mean square over thermal_s; max_force_n or more: no budget
   float thermal_s = 60;
-  std::int32_t dead_man_button = -1;  // none: armed from the start
+  std::int32_t dead_man_button = -1;     // none: armed from the start
+  std::int32_t acknowledge_button = -1;  // pressed anew, it acknowledges whatever is latched
   // The observer of energy: what the device itself dissipates, how well it knows where it is, and
   // what the tissue may give back of all that it was ever given.
   DeviceDynamics device = {};
@@ -123,6 +124,7 @@ struct GuardState {
   std::uint32_t have_seq;
   std::uint64_t seq;                  // of the newest sample
   std::uint32_t button_seen, button;  // dead man's, of the newest usable sample since arming
+  std::uint32_t may_acknowledge;      // its button was seen released since the force is gone
   std::uint32_t have_pose;
   Vec3 pose_m;   // of the newest usable sample
   Vec3 force_n;  // last one let through

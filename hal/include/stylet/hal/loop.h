@@ -88,11 +88,22 @@ struct HandState {
   Output output = {};  // of the last tick
 };
 
+// Between the loop and whoever looks after it, on any thread: the fault that is latched, and the
+// one that somebody has seen. The loop takes `seen` once the force has faded, and rearms if it is
+// the latched one and the device answers; if not, it is forgotten and to be asked for again, so
+// that nothing comes back long after somebody wanted it.
+struct FaultMailbox {
+  std::atomic<Fault> latched{Fault::kNone};  // the loop writes it
+  std::atomic<Fault> seen{Fault::kNone};     // the loop takes it
+};
+static_assert(std::atomic<Fault>::is_always_lock_free);
+
 // Everything the loop changes beside the kernel. Large: keep it out of the stack.
 struct LoopState {
   std::atomic<bool> stop{false};         // set by another thread or a signal: end after this tick
   std::atomic<std::int64_t> next_ns{0};  // when the coming or present tick begins; for helpers
   std::array<HandState, kMaxNeedles> hand;
+  std::array<FaultMailbox, kMaxNeedles> mailbox;  // of each hand
   std::uint32_t events_seen = 0;
   std::uint32_t missed_in_a_row = 0;
   std::uint64_t ticks = 0;

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who is at the terminal hears of a fault when it is latched, and acknowledges it with Enter.
+//
+// Look a few times a second, on any thread but the loop's. Without a terminal to read from it only
+// tells. A program in the background is not asked: reading would stop it, with a hand on the
+// device.
+#pragma once
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "stylet/hal/loop.h"
+
+namespace stylet::app {
+
+inline bool reads_a_terminal() {
+  return isatty(STDIN_FILENO) != 0 && tcgetpgrp(STDIN_FILENO) == getpgrp();
+}
+
+inline bool enter_was_pressed() {
+  pollfd keys = {STDIN_FILENO, POLLIN, 0};
+  if (!reads_a_terminal() || ::poll(&keys, 1, 0) <= 0 || (keys.revents & POLLIN) == 0) return false;
+  std::array<char, 256> typed;
+  return read(STDIN_FILENO, typed.data(), typed.size()) > 0;
+}
+
+class FaultDesk {
+ public:
+  FaultDesk(std::span<hal::FaultMailbox> boxes, std::vector<std::string> names)
+      : boxes_(boxes), names_(std::move(names)), told_(names_.size(), hal::Fault::kNone) {}
+
+  void look() {
+    const bool enter = enter_was_pressed();
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      const hal::Fault latched = boxes_[i].latched.load(std::memory_order_relaxed);
+      if (latched != told_[i]) tell(i, latched);
+      told_[i] = latched;
+      if (!enter || latched == hal::Fault::kNone) continue;
+      boxes_[i].seen.store(latched, std::memory_order_relaxed);
+      asked_ = true;
+    }
+    if (enter || !asked_) return;
+    asked_ = false;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (told_[i] != hal::Fault::kNone) say(i, "not acknowledged: it gives no usable sample yet");
+    }
+  }
+
+ private:
+  void say(std::size_t i, const std::string& what) const {
+    fmt::print(stderr, "\r\033[Kstylet: {}: {}\n", names_[i], what);
+  }
+  void tell(std::size_t i, hal::Fault latched) const {
+    if (latched == hal::Fault::kNone) return say(i, "acknowledged: forces fade in");
+    say(i, fmt::format("{}: no force until it is acknowledged{}", hal::fault_name(latched),
+                       reads_a_terminal() ? ": Enter" : ""));
+  }
+
+  std::span<hal::FaultMailbox> boxes_;
+  std::vector<std::string> names_;
+  std::vector<hal::Fault> told_;
+  bool asked_ = false;
+};
+
+}  // namespace stylet::app
