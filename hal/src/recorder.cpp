@@ -12,11 +12,12 @@ constexpr std::chrono::milliseconds kPause{2};
 }  // namespace
 
 Recorder::Recorder(Ring<TickRecord>& records, Ring<Event>& events, RecordingWriter* writer,
-                   std::span<const Course> courses, FlightRecorder* flight)
+                   std::span<const Course> courses, FlightRecorder* flight, Scorer* scorer)
     : record_ring_(records),
       event_ring_(events),
       writer_(writer),
       flight_(flight),
+      scorer_(scorer),
       courses_(courses.begin(), courses.end()),
       tracks_(courses.size()),
       thread_(&Recorder::work, this) {}
@@ -49,10 +50,14 @@ std::size_t Recorder::drain() {
   while (block_.size() < kBlock && record_ring_.pop(record)) {
     block_.push_back(record);
     tracks_[record.needle].push_back(track_point(record, courses_[record.needle]));
+    if (scorer_ != nullptr) scorer_->add(record);
   }
   const std::size_t events_before = events_.size();
   Event event;
-  while (event_ring_.pop(event)) events_.push_back(event);
+  while (event_ring_.pop(event)) {
+    events_.push_back(event);
+    if (scorer_ != nullptr) scorer_->add(event);
+  }
   const std::span fresh = std::span(events_).subspan(events_before);
   if (flight_ != nullptr) flight_->add(block_, fresh);
   if (writer_ != nullptr && error_.empty()) {

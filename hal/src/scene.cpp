@@ -296,9 +296,15 @@ Scene parse_scene(std::string_view text, const std::string& file) {
   paper.finish();
   scene.config.breathing = read_breathing(root.table("breathing"));
   scene.obstacles = read_obstacles(root.tables("obstacles"), file);
+  scene.targets = read_targets(root.tables("targets"));
   read_needles(root, scene);
   root.finish();
   return scene;
+}
+
+std::vector<Target> parse_targets(std::string_view text, const std::string& file) {
+  const toml::table table = parse_toml(text, file);
+  return read_targets(Section(file, &table, "").tables("targets"));
 }
 
 Scene read_scene(const std::string& path) {

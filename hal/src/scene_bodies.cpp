@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene_bodies.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -137,6 +138,23 @@ ObstacleConfig read_obstacle(Section section, const std::string& scene_file) {
   return config;
 }
 
+Target read_target(Section section) {
+  constexpr std::size_t kLongestName = 40;
+  Target target;
+  target.name = section.text("name", "");
+  const auto control = [](unsigned char c) { return c < ' ' || c == 127; };
+  if (target.name.empty() || target.name.size() > kLongestName ||
+      std::any_of(target.name.begin(), target.name.end(), control)) {
+    section.fail("name", fmt::format("a text of 1 to {} bytes in one line", kLongestName));
+  }
+  if (!section.has("at_mm")) section.fail("at_mm", "where its middle is: a list of 3 numbers");
+  target.position_m = si(section.numbers<3>("at_mm", {}, -2000, 2000), 1e-3);
+  target.radius_m = si(section.needed_number("radius_mm", 0.1, 1000), 1e-3);
+  target.forbidden = section.flag("forbidden", false);
+  section.finish();
+  return target;
+}
+
 }  // namespace
 
 Quat turned(const std::array<double, 3>& degrees) {
@@ -178,6 +196,22 @@ std::vector<ObstacleConfig> read_obstacles(std::vector<Section> sections,
     obstacles.push_back(read_obstacle(each, scene_file));
   }
   return obstacles;
+}
+
+std::vector<Target> read_targets(std::vector<Section> sections) {
+  std::vector<Target> targets;
+  for (Section& each : sections) {
+    if (targets.size() == kMaxTargets) {
+      each.fail("name", fmt::format("at most {} targets", kMaxTargets));
+    }
+    targets.push_back(read_target(each));
+    const std::string& name = targets.back().name;
+    const auto same = [&name](const Target& other) { return other.name == name; };
+    if (std::count_if(targets.begin(), targets.end(), same) > 1) {
+      each.fail("name", "another name than those before");
+    }
+  }
+  return targets;
 }
 
 BreathingConfig read_breathing(Section breathing) {

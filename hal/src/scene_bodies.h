@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a scene that are things: the needle, and what it must not enter.
+// The parts of a scene that are things: the needle, what it cannot enter, and what it shall reach.
 //
 // Needles by gauge: outer and inner diameter of regular-wall tubes from the usual gauge table; E of
 // 304/316 steel 200 GPa (193 to 200 in data sheets) and of austenitic nitinol 75 GPa (40 to 83
@@ -21,6 +21,7 @@ Quat turned(const std::array<double, 3>& degrees);
 // `scene_file`: hull files are named relative to its folder.
 std::vector<ObstacleConfig> read_obstacles(std::vector<Section> sections,
                                            const std::string& scene_file);
+std::vector<Target> read_targets(std::vector<Section> sections);
 BreathingConfig read_breathing(Section breathing);
 
 }  // namespace stylet::hal

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The other end of the rings: a thread without priority that keeps what the loop did.
 //
-// It always keeps the curve that phases are read from (24 bytes a tick), feeds the flight recorder,
-// and writes the full records where a recording is asked for. If writing fails the run goes on; the
-// reason is in `error`.
+// It always keeps the curve that phases are read from (24 bytes a tick), feeds the flight recorder
+// and the score, and writes the full records where a recording is asked for. If writing fails the
+// run goes on; the reason is in `error`.
 #pragma once
 
 #include <atomic>
@@ -16,14 +16,16 @@
 #include "stylet/hal/flight.h"
 #include "stylet/hal/phases.h"
 #include "stylet/hal/recording.h"
+#include "stylet/hal/score.h"
 
 namespace stylet::hal {
 
 class Recorder {
  public:
-  // `writer` and `flight` may be null. Rings and they must outlive the recorder.
+  // `writer`, `flight` and `scorer` may be null. Rings and they must outlive the recorder.
   Recorder(Ring<TickRecord>& records, Ring<Event>& events, RecordingWriter* writer,
-           std::span<const Course> courses, FlightRecorder* flight = nullptr);
+           std::span<const Course> courses, FlightRecorder* flight = nullptr,
+           Scorer* scorer = nullptr);
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -47,6 +49,7 @@ class Recorder {
   Ring<Event>& event_ring_;
   RecordingWriter* writer_;
   FlightRecorder* flight_;
+  Scorer* scorer_;
   std::vector<Course> courses_;  // of each needle
   std::vector<TickRecord> block_;
   std::vector<std::vector<TrackPoint>> tracks_;

@@ -18,6 +18,7 @@
 #include "stylet/hal/guard.h"
 #include "stylet/hal/mapping.h"
 #include "stylet/hal/record.h"
+#include "stylet/hal/score.h"
 #include "stylet/hal/simulated_hand.h"
 #include "stylet/hal/steered.h"
 #include "stylet/kernel.h"
@@ -57,6 +58,7 @@ struct Scene {
   std::string organ_path;  // as written; relative to the scene's folder
   Config config;
   std::vector<ObstacleConfig> obstacles;
+  std::vector<Target> targets;  // for the score alone
   int rt_priority = 80;
   int cpu = -1;               // -1: the last isolated one, else the last the process may use
   std::uint32_t threads = 1;  // of the tissue step: the loop's, and the rest help it
@@ -72,6 +74,8 @@ void fit_to_device(const DeviceInfo& info, Hand& hand);
 Scene read_scene(const std::string& path);
 // `file` is only for messages.
 Scene parse_scene(std::string_view text, const std::string& file);
+// Nothing but the targets of a scene, such as that of a recording, whose other files may be gone.
+std::vector<Target> parse_targets(std::string_view text, const std::string& file);
 
 // Start pose of a needle for an organ. Throws SceneError if the line misses the organ.
 struct Placement {
