@@ -76,6 +76,8 @@ struct StationOptions {
   std::string uri;
   std::string to;      // ADDRESS:PORT
   double seconds = 0;  // 0: until Ctrl-C
+  std::int32_t acknowledge_button = -1;
+  std::int32_t dead_man_button = -1;
 };
 int station(const StationOptions& options);
 

@@ -5,12 +5,16 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "commands.h"
+#include "fault_desk.h"
 #include "stop_signal.h"
 #include "stylet/hal/device_probe.h"
 #include "stylet/hal/device_search.h"
@@ -108,6 +112,29 @@ void tell(const Json& r) {
   }
 }
 
+std::string trouble_of(const hal::Device& device) {
+  return device.trouble != nullptr ? device.trouble(device.self) : "";
+}
+
+// The station's loop, until its end.
+void serve(const StationOptions& options, const hal::StationConfig& config,
+           const hal::Device& device, const hal::Link& link, const std::atomic<bool>& stop,
+           hal::FaultMailbox& mailbox, hal::StationState& state) {
+  const hal::Clock clock = hal::monotonic_clock();
+  const std::int64_t start_ns = clock.now_ns(clock.self);
+  std::int64_t next_ns = start_ns;
+  constexpr std::int64_t kPeriodNs = 1'000'000;
+  while (!stop.load()) {
+    const double run_s = static_cast<double>(next_ns - start_ns) * 1e-9;
+    if (options.seconds > 0 && run_s >= options.seconds) break;
+    next_ns = std::max(next_ns, clock.now_ns(clock.self) - kPeriodNs) + kPeriodNs;
+    clock.sleep_until_ns(clock.self, next_ns);
+    hal::station_tick(config, state, device, link, next_ns);
+    hal::exchange_mail(mailbox, state.guard);
+  }
+  device.write(device.self, {{}});
+}
+
 }  // namespace
 
 int list_devices(const DevicesOptions& options) {
@@ -160,7 +187,7 @@ int probe(const ProbeOptions& options) {
   } else {
     tell(record);
   }
-  const std::string trouble = device.trouble != nullptr ? device.trouble(device.self) : "";
+  const std::string trouble = trouble_of(device);
   if (!trouble.empty()) fmt::print(stderr, "stylet: {}: {}\n", options.uri, trouble);
   return trouble.empty() && seen->fault == hal::Fault::kNone ? kExitOk : kExitTrouble;
 }
@@ -168,36 +195,34 @@ int probe(const ProbeOptions& options) {
 int station(const StationOptions& options) {
   const Opened opened(options.uri);
   const hal::Link link = hal::udp_connect(options.to);
-  hal::StationConfig config;
-  hal::DeviceInfo info = opened.device.info;
-  config.guard.max_force_n = std::min(config.guard.max_force_n, info.max_force_n);
-  config.guard.watchdog_s = 5e-3F;
+  hal::StationConfig config = hal::station_config(opened.device.info);
+  config.guard.acknowledge_button = options.acknowledge_button;
+  config.guard.dead_man_button = options.dead_man_button;
   hal::StationState state =
       hal::station_start(static_cast<std::uint32_t>(hal::monotonic_now_ns() / 1000));
-  std::atomic<bool> stop{false};
+  std::array<hal::FaultMailbox, 1> mailbox;
+  FaultDesk desk(mailbox, {options.uri});
+  std::atomic<bool> stop{false}, done{false};
   const StopOnSignal stop_on_signal(stop);
   hal::HostState host;
   hal::prepare_process(host);
-  hal::prepare_thread(-1, 80, host.report);
   fmt::print(stderr, "stylet: {} is a station of {}; Ctrl-C ends it\n", options.uri, options.to);
-  const hal::Clock clock = hal::monotonic_clock();
-  const std::int64_t start_ns = clock.now_ns(clock.self);
-  std::int64_t next_ns = start_ns;
-  constexpr std::int64_t kPeriodNs = 1'000'000;
-  while (!stop.load() && state.guard.fault == hal::Fault::kNone) {
-    const double run_s = static_cast<double>(next_ns - start_ns) * 1e-9;
-    if (options.seconds > 0 && run_s >= options.seconds) break;
-    next_ns = std::max(next_ns, clock.now_ns(clock.self) - kPeriodNs) + kPeriodNs;
-    clock.sleep_until_ns(clock.self, next_ns);
-    hal::station_tick(config, state, opened.device, link, next_ns);
+  std::thread loop([&] {
+    hal::prepare_thread(-1, 80, host.report);
+    serve(options, config, opened.device, link, stop, mailbox[0], state);
+    done.store(true);
+  });
+  while (!done.load()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    desk.look();
   }
-  opened.device.write(opened.device.self, {{}});
+  loop.join();
   link.close(link.self);
   fmt::print("{} samples sent, {} forces taken, {} refused, {} ticks without one\n", state.sent.seq,
              state.models, state.refused, state.starved);
   if (state.guard.fault == hal::Fault::kNone) return kExitOk;
-  fmt::print(stderr, "stylet: {}: {}: the force was taken to zero\n", options.uri,
-             hal::fault_name(state.guard.fault));
+  const std::string trouble = trouble_of(opened.device);
+  if (!trouble.empty()) fmt::print(stderr, "stylet: {}: {}\n", options.uri, trouble);
   return kExitTrouble;
 }
 

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "stylet/hal/loop.h"
+#include "stylet/hal/fault_mailbox.h"
 
 namespace stylet::app {
 

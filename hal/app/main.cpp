@@ -113,6 +113,14 @@ void add_station(CLI::App& program, StationOptions& options) {
   station.add_option("to", options.to, "The other machine, ADDRESS:PORT")->required();
   station.add_option("--duration-s", options.seconds, "End by itself")
       ->check(CLI::Range(1e-3, 86400.0));
+  station
+      .add_option("--acknowledge-button", options.acknowledge_button,
+                  "Of the device, from 0: acknowledges a latched fault, as Enter does here")
+      ->check(CLI::Range(0, 31));
+  station
+      .add_option("--dead-man-button", options.dead_man_button,
+                  "Of the device, from 0: must be held for any force")
+      ->check(CLI::Range(0, 31));
 }
 
 // The benchmarks are a program of their own, next to this one.

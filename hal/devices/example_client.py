@@ -11,20 +11,21 @@ import sys
 import time
 import zlib
 
-SAMPLE = struct.Struct("<4sHHIIQqQ3f4f")      # and a CRC-32
+SAMPLE = struct.Struct("<4sHHIIQqQ3f4f4f")    # and a CRC-32
 FORCE = struct.Struct("<4sHHQQqq3f3f3f9fff")  # and a CRC-32
+LIMITS = (3.0, 0.0, 0.0, 0.0)  # most N, N/m (0: not known), continuous N, N m: of your device
 SESSION = int.from_bytes(os.urandom(4), "little")
 
 
 def sample_packet(seq, now_ns, position, rotation=(1, 0, 0, 0), buttons=0, echo=0):
-    body = SAMPLE.pack(b"STYS", 1, SAMPLE.size + 4, SESSION, buttons, seq, now_ns, echo,
-                       *position, *rotation)
+    body = SAMPLE.pack(b"STYS", 2, SAMPLE.size + 4, SESSION, buttons, seq, now_ns, echo,
+                       *position, *rotation, *LIMITS)
     return body + struct.pack("<I", zlib.crc32(body))
 
 
 def read_force(packet):
     """The fields of a force packet, or None."""
-    if len(packet) != FORCE.size + 4 or packet[:8] != struct.pack("<4sHH", b"STYF", 1, len(packet)):
+    if len(packet) != FORCE.size + 4 or packet[:8] != struct.pack("<4sHH", b"STYF", 2, len(packet)):
         return None
     good = zlib.crc32(packet[:-4]) == struct.unpack("<I", packet[-4:])[0]
     return FORCE.unpack(packet[:-4]) if good else None

@@ -14,10 +14,30 @@
 namespace stylet::hal {
 namespace {
 
+// Nothing of it is trusted: what makes no sense is not said.
+float told(float value, float most, float otherwise) {
+  return value > 0 && value <= most ? value : otherwise;
+}
+
+// The limits of whom the first sample comes from.
+DeviceInfo told_info(const SamplePacket& first, const DeviceInfo& otherwise) {
+  const RenderLimits& limits = first.limits;
+  DeviceInfo info = otherwise;
+  info.max_force_n = told(limits.max_force_n, 100, info.max_force_n);
+  info.max_stiffness_n_per_m = told(limits.max_stiffness_n_per_m, 1e6F, 0);
+  info.continuous_force_n = told(limits.continuous_force_n, 100, 0);
+  info.max_torque_nm = told(limits.max_torque_nm, 10, 0);
+  return info;
+}
+
 // True if it is the newest of the session that counts.
 bool accept(PeerDevice& peer, const SamplePacket& packet, std::int64_t now_ns) {
   const std::int64_t offset_ns = now_ns - packet.t_ns;
   const bool another = packet.session != peer.newest.session;
+  if (peer.heard && another && packet.limits != peer.newest.limits) {
+    peer.other_device.store(true, std::memory_order_relaxed);
+    return false;
+  }
   if (!peer.heard || (another && now_ns - peer.heard_ns > kSilenceNs)) {
     peer.offset_ns = offset_ns;
     ++peer.seq;
@@ -38,8 +58,11 @@ void drain(PeerDevice& peer, std::int64_t now_ns) {
   for (int i = 0; i < kMostPerRead; ++i) {
     const std::size_t size = peer.link.receive(peer.link.self, room);
     if (size == 0) return;
-    const bool good = decode(std::span(room).first(size), packet) && accept(peer, packet, now_ns);
+    const auto bytes = std::span(room).first(size);
+    const bool good = decode(bytes, packet) && accept(peer, packet, now_ns);
     if (good && peer.link.answer != nullptr) peer.link.answer(peer.link.self);
+    const std::uint16_t version = packet_version(bytes);
+    if (version != 0 && version != kPacketVersion) peer.other_version = version;
   }
 }
 
@@ -83,6 +106,24 @@ void close_and_free(void* self) {
   delete static_cast<PeerDevice*>(self);
 }
 
+std::string trouble(void* self) {
+  const PeerDevice& peer = *static_cast<const PeerDevice*>(self);
+  if (!peer.other_device.load(std::memory_order_relaxed)) return "";
+  return "another device, with other limits, wants to take the place of the first: end the run and "
+         "start it again";
+}
+
+// Why nobody has come, and what to do.
+std::string nobody(const PeerDevice& peer, double patience_s) {
+  if (peer.other_version == 0) {
+    return fmt::format("no sample came in {:g} s: start the program that sends them", patience_s);
+  }
+  return fmt::format(
+      "packets of version {} came: expected version {}: bring both sides to one "
+      "version",
+      peer.other_version, kPacketVersion);
+}
+
 Device wait_for_peer(const Link& link, const std::string& uri, double patience_s) {
   auto peer = std::make_unique<PeerDevice>();
   peer->link = link;
@@ -93,20 +134,18 @@ Device wait_for_peer(const Link& link, const std::string& uri, double patience_s
   for (Sample sample; !read(peer.get(), 0, sample);) {
     if (std::chrono::steady_clock::now() - start > patience) {
       link.close(link.self);
-      throw DeviceError(
-          fmt::format("{}: no sample came in {:g} s: start the program that sends "
-                      "them",
-                      uri, patience_s));
+      throw DeviceError(fmt::format("{}: {}", uri, nobody(*peer, patience_s)));
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
+  peer->info = told_info(peer->newest, peer->info);
   return peer_device(*peer.release(), true);
 }
 
 }  // namespace
 
 Device peer_device(PeerDevice& peer, bool close_frees) {
-  return {&peer, peer.info, read, write, close_frees ? close_and_free : close};
+  return {&peer, peer.info, read, write, close_frees ? close_and_free : close, trouble};
 }
 
 Device open_udp(const std::string& rest, double patience_s) {

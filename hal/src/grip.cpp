@@ -84,6 +84,10 @@ Pose grip_pose(const GripConfig& config, GripState& state, const Sample& sample)
   return state.needle;
 }
 
+void grip_take_up(GripState& state) {
+  state.started = false;
+}
+
 Wrench grip_wrench(const GripConfig& config, GripState& state, const Wrench& needle) {
   if (!config.enabled) return needle;
   const float step = state.held ? -config.period_s / kLetGoS : config.period_s / kTakeUpS;

@@ -410,6 +410,21 @@ Vec3 guard_force(const GuardConfig& config, GuardState& state, Vec3 force_n) {
   return state.force_n;
 }
 
+Vec3 guard_torque(const GuardConfig& config, float max_torque_nm, GuardState& force_state,
+                  GuardState& torque_state, Vec3 torque_nm) {
+  if (!(max_torque_nm > 0)) return {};
+  GuardConfig limits = config;
+  limits.max_force_n = max_torque_nm;
+  limits.max_slew_n_per_s = 2 * max_torque_nm / kDecayS;
+  if (force_state.fault != Fault::kNone) guard_trip(torque_state, force_state.fault);
+  if (force_state.fault == Fault::kNone) (void)guard_rearm(torque_state, torque_state.fault);
+  torque_state.button_seen = force_state.button_seen;
+  torque_state.button = force_state.button;
+  const Vec3 result = guard_force(limits, torque_state, torque_nm);
+  if (torque_state.fault != Fault::kNone) guard_trip(force_state, torque_state.fault);
+  return result;
+}
+
 bool guard_rearm(GuardState& state, Fault seen) {
   const bool named = state.fault != Fault::kNone && state.fault == seen;
   if (!named || state.mode != GuardMode::kFault || state.blind_ticks != 0) return false;

@@ -27,8 +27,13 @@ Input next_input(const HandConfig& config, const Device& device, HandState& stat
                  std::int64_t now_ns, TickRecord& record) {
   record.answered = device.read(device.self, now_ns, state.sample) ? 1 : 0;
   record.sample = state.sample;
+  const bool was_lost = state.guard.fault != Fault::kNone && state.guard.blind_ticks != 0;
   const bool usable =
       guard_sample(config.guard, state.guard, record.answered != 0, state.sample, now_ns);
+  if (usable && was_lost) {  // it may be anywhere now: the needle stays where it is
+    grip_take_up(state.grip);
+    state.steady = {};
+  }
   if (usable) {
     const Sample steady = steady_sample(config.guard, state);
     state.handle = to_world(config.mapping, grip_pose(config.grip, state.grip, steady));
@@ -43,13 +48,6 @@ Input next_input(const HandConfig& config, const Device& device, HandState& stat
   return {base, usable ? 1U : 0U};
 }
 
-// A fade is waited for; what cannot be acknowledged then is forgotten.
-void open_mail(FaultMailbox& mailbox, GuardState& guard) {
-  if (guard.mode == GuardMode::kFading) return;
-  const Fault seen = mailbox.seen.exchange(Fault::kNone, std::memory_order_relaxed);
-  if (seen != Fault::kNone) (void)guard_rearm(guard, seen);
-}
-
 float length(Vec3 v) {
   return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
@@ -59,22 +57,6 @@ Vec3 unit_between(Vec3 from, Vec3 to) {
   const float size = length(way);
   if (!(size > 0)) return {};
   return {way.x / size, way.y / size, way.z / size};
-}
-
-// A fault of the force is one of the torque, and the other way round. Goes from nothing to its
-// limit in the time in which a fault fades.
-Vec3 guarded_torque(const HandConfig& config, HandState& state, Vec3 torque_nm) {
-  GuardConfig limits = config.guard;
-  limits.max_force_n = config.max_torque_nm;
-  limits.max_slew_n_per_s = config.max_torque_nm / kDecayS;
-  GuardState& guard = state.torque_guard;
-  if (state.guard.fault != Fault::kNone) guard_trip(guard, state.guard.fault);
-  if (state.guard.fault == Fault::kNone) (void)guard_rearm(guard, guard.fault);
-  guard.button_seen = state.guard.button_seen;
-  guard.button = state.guard.button;
-  const Vec3 result = guard_force(limits, guard, torque_nm);
-  if (guard.fault != Fault::kNone) guard_trip(state.guard, guard.fault);
-  return result;
 }
 
 // coupling -> grip -> guard -> device.
@@ -87,7 +69,8 @@ Vec3 send_force(const HandConfig& config, const Kernel& kernel, std::uint32_t ne
       config.grip, state.grip,
       {to_device(config.mapping, felt), to_device(config.mapping, state.output.torque_nm)});
   Command command = {guard_force(config.guard, state.guard, wanted.force_n)};
-  if (config.max_torque_nm > 0) command.torque_nm = guarded_torque(config, state, wanted.torque_nm);
+  command.torque_nm = guard_torque(config.guard, config.max_torque_nm, state.guard,
+                                   state.torque_guard, wanted.torque_nm);
   // The guard's share of the force is its share of the spring.
   const float asked = length(wanted.force_n), sent = length(command.force_n);
   const float share = asked > 0 && state.guard.fault == Fault::kNone ? sent / asked : 0;
@@ -114,7 +97,6 @@ void tick_hands(const LoopConfig& config, Kernel& kernel, std::span<const Device
     records[i] = {};
     records[i].needle = i;
     inputs[i] = next_input(config.hand[i], devices[i], state.hand[i], now_ns, records[i]);
-    open_mail(state.mailbox[i], state.hand[i].guard);
   }
   tick(kernel, std::span(inputs).first(records.size()), std::span(outputs).first(records.size()));
   for (std::uint32_t i = 0; i < records.size(); ++i) {
@@ -124,9 +106,9 @@ void tick_hands(const LoopConfig& config, Kernel& kernel, std::span<const Device
     records[i].output = outputs[i];
     records[i].command_n = send_force(config.hand[i], kernel, i, devices[i], hand);
     records[i].fault = hand.guard.fault;
-    state.mailbox[i].latched.store(hand.guard.fault, std::memory_order_relaxed);
     records[i].mode = hand.guard.mode;
     records[i].energy_j = static_cast<float>(hand.guard.energy.energy_j);
+    exchange_mail(state.mailbox[i], hand.guard);
   }
 }
 

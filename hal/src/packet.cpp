@@ -25,6 +25,7 @@ void fields(SamplePacket& p, Visit&& visit) {
   visit(p.t_ns);
   visit(p.echo);
   visit(p.pose);
+  visit(p.limits);
 }
 template <typename Visit>
 void fields(ForcePacket& p, Visit&& visit) {
@@ -34,7 +35,8 @@ void fields(ForcePacket& p, Visit&& visit) {
   visit(p.life_ns);
   visit(p.model);
 }
-static_assert(sizeof(Pose) == 28 && sizeof(ForceModel) == 80, "no padding in a packet");
+static_assert(sizeof(Pose) == 28 && sizeof(RenderLimits) == 16 && sizeof(ForceModel) == 80,
+              "no padding in a packet");
 
 std::uint32_t checksum(std::span<const std::byte> bytes) {
   return static_cast<std::uint32_t>(
@@ -84,13 +86,25 @@ float length(Vec3 v) {
   return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
 
+Vec3 away_from(const ForceModel& model, Vec3 position_m) {
+  return {position_m.x - model.at_m.x, position_m.y - model.at_m.y, position_m.z - model.at_m.z};
+}
+
+// Written so that whatever is not a number gives no force.
+bool near(const ForceModel& model, Vec3 away_m) {
+  return model.radius_m == 0 || length(away_m) <= model.radius_m;
+}
+
+bool lives(const ForcePacket& packet, std::int64_t now_ns) {
+  const std::int64_t age_ns = now_ns - packet.echo_t_ns;
+  return age_ns >= 0 && age_ns < packet.life_ns;
+}
+
 }  // namespace
 
 Vec3 force_at(const ForceModel& model, Vec3 position_m) {
-  const Vec3 away = {position_m.x - model.at_m.x, position_m.y - model.at_m.y,
-                     position_m.z - model.at_m.z};
-  // Written so that whatever is not a number gives no force.
-  if (model.radius_m != 0 && !(length(away) <= model.radius_m)) return {};
+  const Vec3 away = away_from(model, position_m);
+  if (!near(model, away)) return {};
   const auto& k = model.stiffness_n_per_m;
   const Vec3 force = {model.force_n.x - (k[0] * away.x + k[1] * away.y + k[2] * away.z),
                       model.force_n.y - (k[3] * away.x + k[4] * away.y + k[5] * away.z),
@@ -103,9 +117,14 @@ Vec3 force_at(const ForceModel& model, Vec3 position_m) {
 }
 
 Vec3 force_at(const ForcePacket& packet, std::int64_t now_ns, Vec3 position_m) {
-  const std::int64_t age_ns = now_ns - packet.echo_t_ns;
-  if (age_ns < 0 || age_ns >= packet.life_ns) return {};
-  return force_at(packet.model, position_m);
+  return lives(packet, now_ns) ? force_at(packet.model, position_m) : Vec3{};
+}
+
+Vec3 torque_at(const ForcePacket& packet, std::int64_t now_ns, Vec3 position_m) {
+  const ForceModel& model = packet.model;
+  const bool felt = lives(packet, now_ns) && near(model, away_from(model, position_m)) &&
+                    std::isfinite(length(model.torque_nm));
+  return felt ? model.torque_nm : Vec3{};
 }
 
 std::array<std::byte, kSamplePacketBytes> encode(const SamplePacket& packet) {
@@ -114,6 +133,15 @@ std::array<std::byte, kSamplePacketBytes> encode(const SamplePacket& packet) {
 std::array<std::byte, kForcePacketBytes> encode(const ForcePacket& packet) {
   return encoded<kForcePacketBytes>(packet, kForceMagic);
 }
+std::uint16_t packet_version(std::span<const std::byte> bytes) {
+  std::array<char, 4> magic = {};
+  std::uint16_t version = 0;
+  if (bytes.size() < sizeof magic + sizeof version) return 0;
+  std::memcpy(magic.data(), bytes.data(), sizeof magic);
+  std::memcpy(&version, bytes.data() + sizeof magic, sizeof version);
+  return magic == kSampleMagic || magic == kForceMagic ? version : 0;
+}
+
 bool decode(std::span<const std::byte> bytes, SamplePacket& out) {
   return decoded<kSamplePacketBytes>(bytes, kSampleMagic, out);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace stylet::hal {
 namespace {
@@ -22,25 +23,58 @@ void take_models(StationState& state, const Link& link) {
   }
 }
 
-// The model's force, faded in after every time without one, and out in the second half of its life:
-// at the end nothing is left that the guard would let fall slowly.
-Vec3 model_force(const StationConfig& config, StationState& state, std::int64_t now_ns) {
+// How much of the model is felt: it fades in after every time without one, and out in the second
+// half of its life: at the end nothing is left that the guard would let fall slowly.
+float model_share(const StationConfig& config, StationState& state, std::int64_t now_ns) {
   const std::int64_t age_ns = now_ns - state.newest.echo_t_ns;
   if (state.models == 0 || age_ns >= state.newest.life_ns) {
     state.fade_tick = 0;
     ++state.starved;
-    return {};
+    return 0;
   }
   const float ticks = kFadeInS / config.guard.period_s;
   const float in = std::min(static_cast<float>(++state.fade_tick) / ticks, 1.0F);
   const auto left_ns = static_cast<float>(state.newest.life_ns - age_ns);
   const float out = std::min(2 * left_ns / static_cast<float>(state.newest.life_ns), 1.0F);
-  const float share = std::min(in, out);
-  const Vec3 force = force_at(state.newest, now_ns, state.sample.pose.position_m);
-  return {share * force.x, share * force.y, share * force.z};
+  return std::min(in, out);
+}
+
+// No longer than `most`, which is what the guard lets through at most, and then the share: so the
+// fade begins at what is felt.
+Vec3 faded(float share, float most, Vec3 v) {
+  const float size = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+  const float scale = size > most ? share * most / size : share;
+  return {scale * v.x, scale * v.y, scale * v.z};
+}
+
+// The newest model, through the guard.
+void render(const StationConfig& config, StationState& state, std::int64_t now_ns) {
+  const float share = model_share(config, state, now_ns);
+  const Vec3 at_m = state.sample.pose.position_m;
+  state.force_n =
+      guard_force(config.guard, state.guard,
+                  faded(share, config.guard.max_force_n, force_at(state.newest, now_ns, at_m)));
+  state.torque_nm =
+      guard_torque(config.guard, config.max_torque_nm, state.guard, state.torque_guard,
+                   faded(share, config.max_torque_nm, torque_at(state.newest, now_ns, at_m)));
 }
 
 }  // namespace
+
+StationConfig station_config(const DeviceInfo& info) {
+  StationConfig config;
+  GuardConfig& guard = config.guard;
+  if (info.max_force_n > 0) guard.max_force_n = std::min(guard.max_force_n, info.max_force_n);
+  constexpr float kFadeS = 0.5e-9F * static_cast<float>(kForceLifeNs);  // of a model's end
+  const float slew = std::min(guard.max_slew_n_per_s, info.max_slew_n_per_s);
+  guard.max_slew_n_per_s = std::max(slew, guard.max_force_n / kFadeS);
+  if (info.continuous_force_n > 0) guard.continuous_force_n = info.continuous_force_n;
+  guard.watchdog_s = 5e-3F;
+  config.max_torque_nm = info.max_torque_nm;
+  config.limits = {guard.max_force_n, info.max_stiffness_n_per_m, info.continuous_force_n,
+                   info.max_torque_nm};
+  return config;
+}
 
 StationState station_start(std::uint32_t session) {
   StationState state;
@@ -53,14 +87,17 @@ void station_tick(const StationConfig& config, StationState& state, const Device
   const bool answered = device.read(device.self, now_ns, state.sample);
   const bool usable = guard_sample(config.guard, state.guard, answered, state.sample, now_ns);
   take_models(state, link);
-  state.force_n = guard_force(config.guard, state.guard, model_force(config, state, now_ns));
-  device.write(device.self, {.force_n = state.force_n, .max_force_n = config.guard.max_force_n});
+  render(config, state, now_ns);
+  device.write(device.self, {.force_n = state.force_n,
+                             .torque_nm = state.torque_nm,
+                             .max_force_n = config.guard.max_force_n});
   if (!usable || state.guard.fault != Fault::kNone) return;
   ++state.sent.seq;
   state.sent.t_ns = now_ns;
   state.sent.echo = state.newest.seq;
   state.sent.pose = state.sample.pose;
   state.sent.buttons = state.sample.buttons;
+  state.sent.limits = config.limits;
   link.send(link.self, encode(state.sent));
 }
 

@@ -29,6 +29,7 @@ class Bench {
   virtual void move(const Pose& pose) = 0;
   virtual void press(std::uint32_t mask) = 0;
   virtual Vec3 felt() = 0;
+  virtual Vec3 felt_torque() { return {}; }
   virtual void trouble(test::Trouble trouble) = 0;
   bool places = true;  // measures its place; else how fast it is to move
   bool feels = true;
@@ -75,13 +76,16 @@ class Ticker {
     device.close = nullptr;
   }
 
-  void tick(Vec3 force_n) {
+  void tick(Vec3 force_n, Vec3 torque_nm = {}) {
     next_ns_ = std::max(next_ns_ + 1'000'000, monotonic_now_ns() - 1'000'000);
     monotonic_clock().sleep_until_ns(nullptr, next_ns_);
     answered = device.read(device.self, next_ns_, sample);
     usable = guard_sample(guard, state, answered, sample, next_ns_);
-    device.write(device.self,
-                 {.force_n = guard_force(guard, state, force_n), .max_force_n = guard.max_force_n});
+    Command command = {.force_n = guard_force(guard, state, force_n),
+                       .max_force_n = guard.max_force_n};
+    command.torque_nm =
+        guard_torque(guard, device.info.max_torque_nm, state, torque_state, torque_nm);
+    device.write(device.self, command);
   }
 
   // Until `done`, at most a second; a fault of this busy machine is acknowledged.
@@ -96,7 +100,7 @@ class Ticker {
 
   Device device;
   GuardConfig guard;
-  GuardState state = guard_start();
+  GuardState state = guard_start(), torque_state = guard_start();
   Sample sample = {};
   bool answered = false, usable = false;
 

@@ -24,6 +24,7 @@ ForcePacket some_force() {
   packet.echo_t_ns = 1'000'000'000;
   packet.life_ns = 20'000'000;
   packet.model.force_n = {1, 0, 0};
+  packet.model.torque_nm = {0.01F, 0, 0};
   packet.model.at_m = {0.1F, 0.2F, 0.3F};
   packet.model.stiffness_n_per_m = {100, 0, 0, 0, 200, 0, 0, 0, 300};
   packet.model.radius_m = 0.02F;
@@ -40,10 +41,11 @@ TEST(Packet, FieldsLieWhereTheLayoutSays) {
   sample.t_ns = 14;
   sample.echo = 15;
   sample.pose = {{1, 2, 3}, {4, 5, 6, 7}};
+  sample.limits = {16, 17, 18, 19};
   const auto s = encode(sample);
   EXPECT_EQ(std::memcmp(s.data(), "STYS", 4), 0);
-  EXPECT_EQ(at<std::uint16_t>(s, 4), 1);
-  EXPECT_EQ(at<std::uint16_t>(s, 6), 72);
+  EXPECT_EQ(at<std::uint16_t>(s, 4), 2);
+  EXPECT_EQ(at<std::uint16_t>(s, 6), 88);
   EXPECT_EQ(at<std::uint32_t>(s, 8), 11U);
   EXPECT_EQ(at<std::uint32_t>(s, 12), 12U);
   EXPECT_EQ(at<std::uint64_t>(s, 16), 13U);
@@ -52,6 +54,9 @@ TEST(Packet, FieldsLieWhereTheLayoutSays) {
   EXPECT_EQ(at<float>(s, 40), 1);
   EXPECT_EQ(at<float>(s, 52), 4);
   EXPECT_EQ(at<float>(s, 64), 7);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(at<float>(s, 68 + 4 * i), 16 + static_cast<float>(i));
+  }
 
   const auto f = encode(some_force());
   EXPECT_EQ(std::memcmp(f.data(), "STYF", 4), 0);
@@ -61,6 +66,7 @@ TEST(Packet, FieldsLieWhereTheLayoutSays) {
   EXPECT_EQ(at<std::int64_t>(f, 24), 1'000'000'000);
   EXPECT_EQ(at<std::int64_t>(f, 32), 20'000'000);
   EXPECT_EQ(at<float>(f, 40), 1);
+  EXPECT_EQ(at<float>(f, 52), 0.01F);
   EXPECT_EQ(at<float>(f, 64), 0.1F);
   EXPECT_EQ(at<float>(f, 92), 200);
   EXPECT_EQ(at<float>(f, 112), 0.02F);
@@ -110,6 +116,31 @@ TEST(Packet, ForceDiesAtTheEndOfItsLifeAndIsNotThereBeforeItsSample) {
   EXPECT_EQ(force_at(packet, packet.echo_t_ns + packet.life_ns - 1, at_m).x, 1);
   EXPECT_EQ(force_at(packet, packet.echo_t_ns + packet.life_ns, at_m).x, 0);
   EXPECT_EQ(force_at(packet, packet.echo_t_ns - 1, at_m).x, 0);
+}
+
+TEST(Packet, TorqueLivesAndEndsWithTheForce) {
+  const ForcePacket packet = some_force();
+  const Vec3 at_m = packet.model.at_m;
+  const std::int64_t then = packet.echo_t_ns;
+  EXPECT_EQ(torque_at(packet, then + packet.life_ns - 1, at_m).x, 0.01F);
+  EXPECT_EQ(torque_at(packet, then + packet.life_ns, at_m).x, 0);
+  EXPECT_EQ(torque_at(packet, then - 1, at_m).x, 0);
+  EXPECT_EQ(torque_at(packet, then, {0.1F, 0.2F, 0.279F}).x, 0);
+  ForcePacket bad = packet;
+  bad.model.torque_nm.y = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(torque_at(bad, then, at_m).x, 0);
+}
+
+TEST(Packet, AnotherVersionIsRefusedAndNamed) {
+  auto bytes = encode(SamplePacket{});
+  EXPECT_EQ(packet_version(bytes), kPacketVersion);
+  bytes[4] = std::byte{1};
+  EXPECT_EQ(packet_version(bytes), 1);
+  SamplePacket out;
+  EXPECT_FALSE(decode(bytes, out));
+  bytes[0] = std::byte{'X'};
+  EXPECT_EQ(packet_version(bytes), 0);
+  EXPECT_EQ(packet_version(std::span(bytes).first(5)), 0);
 }
 
 TEST(Packet, WhatIsNotANumberGivesNoForce) {

@@ -35,6 +35,10 @@ class PeerBench : public Bench {
     const std::lock_guard lock(mutex_);
     return force_at(force_, monotonic_now_ns(), sample_.pose.position_m);
   }
+  Vec3 felt_torque() override {
+    const std::lock_guard lock(mutex_);
+    return torque_at(force_, monotonic_now_ns(), sample_.pose.position_m);
+  }
   void trouble(test::Trouble trouble) override { trouble_ = trouble; }
 
  private:
@@ -65,6 +69,7 @@ class PeerBench : public Bench {
     if (trouble_.load() != test::Trouble::kNone) return;
     ++sample_.seq;
     sample_.session = 77;
+    sample_.limits = {.max_force_n = 6, .max_torque_nm = 0.2F};
     sample_.t_ns = monotonic_now_ns();
     link.send(link.self, encode(sample_));
   }

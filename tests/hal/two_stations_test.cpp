@@ -103,6 +103,7 @@ struct TwoStations {
     rig.config.hand[0].coupling.stiffness_n_per_m = coupling_n_per_m;
     rig.config.hand[0].guard.watchdog_s = 0.015F;
     config.guard = rig.config.hand[0].guard;
+    config.max_torque_nm = 0.05F;
   }
 
   void run(int count) {
@@ -156,6 +157,98 @@ TEST(TwoStations, HandFeelsTheTissueOfTheOtherMachine) {
   EXPECT_GT(mean_force(both.ticks, 600), 0.05);
   EXPECT_NEAR(mean_force(both.ticks, 900), of(both.ticks.back().stylet_n), 0.02);
   EXPECT_GT(both.rig.state.events_seen, 0U);
+}
+
+// By hand, as the rig's needle asks for no torque that would be worth the name.
+TEST(TwoStations, TorqueOfTheOtherMachineIsRenderedGuardedAndEndsWithTheForce) {
+  TwoStations both({.delay_ns = 300'000}, 1);
+  const Device device = peer_device(both.peer);
+  const auto exchange = [&](Vec3 torque_nm, bool answers) {
+    both.now_ns += kMs;
+    station_tick(both.config, both.station, both.hand, link_of(both.far),
+                 both.now_ns + kOtherClockNs);
+    Sample sample = {};
+    (void)device.read(device.self, both.now_ns, sample);
+    if (answers)
+      device.write(device.self, {.force_n = {}, .torque_nm = torque_nm, .max_force_n = 1});
+  };
+  for (int i = 0; i < 300; ++i) exchange({0.01F, -0.02F, 0.03F}, true);
+  EXPECT_NEAR(of(both.station.torque_nm), of({0.01F, -0.02F, 0.03F}), 1e-6);
+  EXPECT_EQ(both.station.torque_nm.y, -0.02F);
+  for (int i = 0; i < 300; ++i) exchange({0, 1, 0}, true);
+  EXPECT_NEAR(both.station.torque_nm.y, 0.05F, 1e-6F);
+  for (int i = 0; i < 21; ++i) exchange({}, false);
+  EXPECT_EQ(of(both.station.torque_nm), 0);
+}
+
+// Whatever a program of another make asks: what the guard cuts off must not outlive the model.
+TEST(TwoStations, ForceBeyondTheDevicesLimitEndsWithItsModelToo) {
+  TwoStations both({.delay_ns = 300'000}, 1);
+  both.config = station_config({"a Touch", 3, 100});
+  const Device device = peer_device(both.peer);
+  for (int i = 0; i < 600; ++i) {
+    both.now_ns += kMs;
+    station_tick(both.config, both.station, both.hand, link_of(both.far),
+                 both.now_ns + kOtherClockNs);
+    Sample sample = {};
+    (void)device.read(device.self, both.now_ns, sample);
+    if (i < 500) device.write(device.self, {.force_n = {0, 50, 0}, .max_force_n = 50});
+    if (i == 499) {
+      EXPECT_NEAR(of(both.station.force_n), 3, 1e-3);
+    }
+    if (i >= 521) {
+      ASSERT_EQ(of(both.station.force_n), 0) << i;
+    }
+  }
+}
+
+// A fault of the station is told by silence; acknowledged there, and then at the first machine, the
+// hand feels again.
+TEST(TwoStations, AcknowledgedFaultOfTheStationLetsItSendAgain) {
+  TwoStations both({.delay_ns = 300'000}, 3);
+  both.run(700);
+  guard_trip(both.station.guard, Fault::kTooLate);
+  both.run(100);
+  ASSERT_EQ(both.rig.state.hand[0].guard.fault, Fault::kStaleSamples);
+  FaultMailbox mailbox;
+  mailbox.seen = Fault::kTooLate;
+  exchange_mail(mailbox, both.station.guard);
+  EXPECT_EQ(mailbox.latched, Fault::kNone);
+  both.run(50);
+  EXPECT_EQ(of(both.station.force_n), 0);
+  both.rig.state.mailbox[0].seen = Fault::kStaleSamples;
+  both.run(200);
+  EXPECT_EQ(both.rig.state.hand[0].guard.fault, Fault::kNone);
+  EXPECT_GT(of(both.ticks.back().force_n), 0.05);
+}
+
+// The first machine's limits are those of the session it began with.
+TEST(TwoStations, ADeviceWithOtherLimitsDoesNotTakeThePlaceOfTheFirst) {
+  TwoStations both({}, 1);
+  both.run(50);
+  both.station = station_start(6);
+  both.config.limits.max_stiffness_n_per_m = 400;
+  both.run(300);
+  EXPECT_EQ(both.peer.newest.session, 5U);
+  const Device device = peer_device(both.peer);
+  EXPECT_NE(device.trouble(device.self).find("another device"), std::string::npos);
+}
+
+TEST(TwoStations, StationKeepsToItsDevicesLimitsAndTellsThem) {
+  const DeviceInfo touch = {.name = "a Touch",
+                            .max_force_n = 3,
+                            .max_slew_n_per_s = 100,
+                            .max_stiffness_n_per_m = 400,
+                            .max_torque_nm = 0.1F,
+                            .continuous_force_n = 0.88F};
+  const StationConfig config = station_config(touch);
+  EXPECT_EQ(config.guard.max_force_n, 3);
+  EXPECT_EQ(config.guard.continuous_force_n, 0.88F);
+  EXPECT_GE(config.guard.max_slew_n_per_s * kDecayS, 3) << "a fault could not fade in time";
+  EXPECT_EQ(config.max_torque_nm, 0.1F);
+  EXPECT_EQ(config.limits, (RenderLimits{3, 400, 0.88F, 0.1F}));
+  const StationConfig mouse = station_config({"a mouse", 0, 0});
+  EXPECT_EQ(mouse.limits.max_torque_nm, 0);
 }
 
 TEST(TwoStations, LossReorderAndDuplicatesAreNotFelt) {

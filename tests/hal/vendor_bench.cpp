@@ -51,16 +51,18 @@ class VendorBench : public Bench {
   }
   void press(std::uint32_t mask) override { standin_(0)->buttons = mask; }
   void trouble(test::Trouble trouble) override { standin_(0)->trouble = trouble; }
-  Vec3 felt() override {
-    StandIn& unit = *standin_(0);
-    std::array<float, 3> ours = {};
-    for (std::size_t i = 0; i < 3; ++i) {
-      ours[axes_.permutation[i]] = static_cast<float>(unit.force[i].load());
-    }
-    return {ours[0], ours[1], ours[2]};
-  }
+  Vec3 felt() override { return ours(standin_(0)->force); }
+  Vec3 felt_torque() override { return ours(standin_(0)->torque); }
 
  private:
+  Vec3 ours(const std::atomic<double> (&vendors)[3]) const {
+    std::array<float, 3> turned = {};
+    for (std::size_t i = 0; i < 3; ++i) {
+      turned[axes_.permutation[i]] = static_cast<float>(vendors[i].load());
+    }
+    return {turned[0], turned[1], turned[2]};
+  }
+
   std::string uri_;
   Axes axes_;
   StandInOf standin_ = nullptr;

@@ -49,6 +49,9 @@ struct GripState {
 // Pose of the needle's base, in the needle's frame.
 Pose grip_pose(const GripConfig& config, GripState& state, const Sample& sample);
 
+// From the next sample on the needle follows anew, from where it is.
+void grip_take_up(GripState& state);
+
 struct Wrench {
   Vec3 force_n;
   Vec3 torque_nm;

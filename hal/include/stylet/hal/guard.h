@@ -145,6 +145,12 @@ bool guard_sample(const GuardConfig& config, GuardState& state, bool answered, c
 // The force to send instead of `force_n`.
 Vec3 guard_force(const GuardConfig& config, GuardState& state, Vec3 force_n);
 
+// The same for a torque, at most `max_torque_nm` long (0: none at all), with a guard of its own: a
+// fault of the force is one of the torque, and the other way round. From nothing to its limit it
+// takes half the time in which a fault fades. After guard_force.
+Vec3 guard_torque(const GuardConfig& config, float max_torque_nm, GuardState& force_state,
+                  GuardState& torque_state, Vec3 torque_nm);
+
 // Latches `fault` unless one is latched already.
 void guard_trip(GuardState& state, Fault fault);
 

@@ -18,6 +18,7 @@
 #include "stylet/hal/clock.h"
 #include "stylet/hal/coupling.h"
 #include "stylet/hal/device.h"
+#include "stylet/hal/fault_mailbox.h"
 #include "stylet/hal/grip.h"
 #include "stylet/hal/guard.h"
 #include "stylet/hal/mapping.h"
@@ -87,16 +88,6 @@ struct HandState {
   CouplingState coupling;
   Output output = {};  // of the last tick
 };
-
-// Between the loop and whoever looks after it, on any thread: the fault that is latched, and the
-// one that somebody has seen. The loop takes `seen` once the force has faded, and rearms if it is
-// the latched one and the device answers; if not, it is forgotten and to be asked for again, so
-// that nothing comes back long after somebody wanted it.
-struct FaultMailbox {
-  std::atomic<Fault> latched{Fault::kNone};  // the loop writes it
-  std::atomic<Fault> seen{Fault::kNone};     // the loop takes it
-};
-static_assert(std::atomic<Fault>::is_always_lock_free);
 
 // Everything the loop changes beside the kernel. Large: keep it out of the stack.
 struct LoopState {

@@ -18,8 +18,17 @@
 
 namespace stylet::hal {
 
-constexpr std::uint16_t kPacketVersion = 1;
+constexpr std::uint16_t kPacketVersion = 2;
 constexpr std::int64_t kForceLifeNs = 20'000'000;
+
+// What the device renders at most. 0: it does not say; of torque: it renders none.
+struct RenderLimits {
+  float max_force_n = 0;
+  float max_stiffness_n_per_m = 0;
+  float continuous_force_n = 0;
+  float max_torque_nm = 0;
+  bool operator==(const RenderLimits&) const = default;
+};
 
 // From the device.
 struct SamplePacket {
@@ -29,6 +38,7 @@ struct SamplePacket {
   std::int64_t t_ns = 0;   // when it was taken, on any clock of the sender that grows evenly
   std::uint64_t echo = 0;  // seq of the newest force received; 0: none
   Pose pose = {{}, {1, 0, 0, 0}};
+  RenderLimits limits;  // the same in every packet of a session
 };
 
 // The force at and around the place for which it was computed: force_n - stiffness (x - at_m),
@@ -52,10 +62,12 @@ struct ForcePacket {
   std::int64_t life_ns = 0;    // counted from echo_t_ns
   ForceModel model;
 };
-// Zero when the force has outlived its time. `now_ns` on the clock of the samples.
+// Zero when the force has outlived its time. `now_ns` on the clock of the samples. The torque is
+// the same within the radius.
 Vec3 force_at(const ForcePacket& packet, std::int64_t now_ns, Vec3 position_m);
+Vec3 torque_at(const ForcePacket& packet, std::int64_t now_ns, Vec3 position_m);
 
-constexpr std::size_t kSamplePacketBytes = 72;
+constexpr std::size_t kSamplePacketBytes = 88;
 constexpr std::size_t kForcePacketBytes = 124;
 constexpr std::size_t kMaxPacketBytes = 128;
 
@@ -64,5 +76,7 @@ std::array<std::byte, kForcePacketBytes> encode(const ForcePacket& packet);
 // False, and `out` untouched: not such a packet, of another version, or damaged.
 bool decode(std::span<const std::byte> bytes, SamplePacket& out);
 bool decode(std::span<const std::byte> bytes, ForcePacket& out);
+// The version of a packet that may be of another; 0: it is none of ours.
+std::uint16_t packet_version(std::span<const std::byte> bytes);
 
 }  // namespace stylet::hal

@@ -4,10 +4,12 @@
 //
 // The time of a sample is the sender's, moved by the smallest difference to the arrival seen so
 // far: what was held up on the way is old when it comes, and the guard sees it. A new session of
-// the sender is taken up when the old one has been silent for kSilenceNs.
+// the sender, started anew, is taken up when the old one has been silent for kSilenceNs, if its
+// device renders what the first one did: the guard's limits are those.
 // Promises: read looks at no more than kMostPerRead packets; no allocation, no lock.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 
 #include "stylet/hal/clock.h"
@@ -36,6 +38,8 @@ struct PeerDevice {
   std::uint64_t seq = 0;       // of the samples handed on, over all sessions
   std::uint64_t sent = 0;
   SamplePacket newest;
+  std::uint16_t other_version = 0;        // of packets that are not read
+  std::atomic<bool> other_device{false};  // a session with other limits wants to join
 };
 
 // `peer` must outlive the device, unless close_frees: then it was made by new.

@@ -6,7 +6,7 @@
 // (kForceLifeNs after the sample it answers, on this machine's clock; it fades from half of it on,
 // which the guard's slew must allow), and fades in again from zero when models come anew. The
 // station's own guard is between model and hand; a fault of it is latched, and told by silence: no
-// sample is sent any more.
+// sample is sent before it is acknowledged.
 // Promises: one tick allocates nothing, takes no lock, and waits for nothing.
 // Units: SI. Frame: the device's.
 #pragma once
@@ -22,14 +22,20 @@ namespace stylet::hal {
 
 struct StationConfig {
   GuardConfig guard;
+  float max_torque_nm = 0;
+  RenderLimits limits;  // told to the other machine, whose guard and coupling keep to them
 };
+// From what the device says of itself.
+StationConfig station_config(const DeviceInfo& info);
 
 struct StationState {
   GuardState guard = guard_start();
+  GuardState torque_guard = guard_start();
   Sample sample = {};
   SamplePacket sent;
   ForcePacket newest;
   Vec3 force_n = {};            // on the hand
+  Vec3 torque_nm = {};          // likewise
   std::uint32_t fade_tick = 0;  // since models came anew
   std::uint64_t models = 0;     // accepted
   std::uint64_t refused = 0;    // damaged, or not newer than the newest
