@@ -35,6 +35,10 @@ constexpr float kTrackSkinM = 1e-5F;
 constexpr float kMaterialPullM = 1e-3F;
 // A voxel's deformation is known this far from its centre, in voxel edges.
 constexpr float kVoxelReach = 0.5F;
+// Places at which the friction of a stretch of shaft is taken that the tip passes in a tick.
+constexpr std::uint32_t kFrictionSamples = 4;
+// In a gap a place for a shaft CP is looked for in steps of this many units.
+constexpr float kGapStep = 0.25F;
 // Speed at which the puncture force of a material is given.
 constexpr float kPunctureSpeedMPerS = 0.01F;
 // The tip must go this far to come back to the layer it has just left.
@@ -416,11 +420,51 @@ void stand_for(const View& view, Particle& p) {
 }
 
 // Friction per metre of shaft at a slip speed: Coulomb, static (Stribeck), viscous.
-float friction_n_per_m(const MaterialModel& m, float speed_m_per_s) {
-  const float s = speed_m_per_s * m.inverse_stribeck_s_per_m;
-  return m.coulomb_n_per_m +
-         (m.static_n_per_m - m.coulomb_n_per_m) * exp_minus(min_of(s * s, 80.0F)) +
-         m.viscous_n_s_per_m2 * speed_m_per_s;
+float friction_n_per_m(const Friction& f, float speed_m_per_s) {
+  const float s = speed_m_per_s * f.inverse_stribeck_s_per_m;
+  return f.coulomb_n_per_m +
+         (f.static_n_per_m - f.coulomb_n_per_m) * exp_minus(min_of(s * s, 80.0F)) +
+         f.viscous_n_s_per_m2 * speed_m_per_s;
+}
+
+float drawn_to(float mean, float value, float part) {
+  return mean + part * (value - mean);
+}
+
+void meet(Particle& p, const Friction& met, float part) {
+  Friction& f = p.friction;
+  f = {drawn_to(f.coulomb_n_per_m, met.coulomb_n_per_m, part),
+       drawn_to(f.static_n_per_m, met.static_n_per_m, part),
+       drawn_to(f.inverse_stribeck_s_per_m, met.inverse_stribeck_s_per_m, part),
+       drawn_to(f.viscous_n_s_per_m2, met.viscous_n_s_per_m2, part)};
+}
+
+// None in a gap.
+Friction friction_at(const View& view, Vec3 rest_m) {
+  Particle there = {};
+  there.share_count = find_shares(view, rest_m, there.share);
+  if (there.share_count == 0 || !inside_lattice(view, rest_m)) return {};
+  const std::uint32_t slot = there.share[heaviest(there)].slot;
+  return view.model.head->material[view.model.slot_material[slot]].friction;
+}
+
+// The stretch a CP stands for may lie in several materials: its friction is their mean, taken on
+// the way on which the tip passed it in this tick, from `from_m` in the rest frame and
+// `from_track_m` on the track. (The CP's own place would be one sample of a unit of shaft.)
+void meet_friction(const View& view, Vec3 from_m, float from_track_m) {
+  const Particle& tip = *view.state.tip;
+  for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
+    Particle& p = view.state.shaft[i];
+    const float grown = length_of(view, p) - p.met_m;
+    if (!(grown > 0)) continue;
+    const float step = grown * (1.0F / kFrictionSamples), all = tip.track_m - from_track_m;
+    for (std::uint32_t k = 0; k < kFrictionSamples; ++k) {
+      const float at = p.track_m + p.met_m + 0.5F * step - from_track_m;
+      const float part = all > 0 ? clamp(at / all, 0, 1) : 1.0F;
+      p.met_m += step;
+      meet(p, friction_at(view, from_m + part * (tip.rest_m - from_m)), step / p.met_m);
+    }
+  }
 }
 
 void slip_shaft(const View& view, const Needle& needle) {
@@ -570,8 +614,9 @@ float arc_at(const View& view, const Needle& needle, Vec3 rest_m, float otherwis
   return max_of(dot(needle.tip_m - present, needle.tip_direction), 0);
 }
 
-// One shaft CP for each unit of track the tip has left behind. The track is as long as the tissue
-// at rest: so near the tip it is straight there, and the needle holds what was on it.
+// One shaft CP for each unit of track the tip has left behind, but for gaps between organs. The
+// track is as long as the tissue at rest: so near the tip it is straight there, and the needle
+// holds what was on it.
 std::uint32_t drop_shaft(const View& view, const Needle& needle) {
   NeedleState& own = *view.state.needle;
   const Particle& tip = *view.state.tip;
@@ -581,17 +626,23 @@ std::uint32_t drop_shaft(const View& view, const Needle& needle) {
   const Vec3 image = pull_back(g, needle.tip_direction);
   const Vec3 along = (1 / norm(image)) * image;
   const Vec3 point = tip.rest_m + pull_back_step(view, g, residual(tip));  // at the needle's tip
+  if (own.drop_track_m > tip.track_m) {
+    own.drop_track_m = view.state.shaft[own.shaft_count - 1].track_m;
+  }
   for (std::uint32_t drop = 0; drop < kMaxDropsPerTick; ++drop) {
-    const float last = view.state.shaft[own.shaft_count - 1].track_m;
-    const float behind = tip.track_m - last - unit;
+    const float track = own.drop_track_m + unit, behind = tip.track_m - track;
     if (behind < 0) return 0;
     const Vec3 rest = point - behind * along;
     const float arc = arc_at(view, needle, rest, behind);
-    const Particle p = new_particle(view, rest, needle_point(needle, arc).place_m, last + unit, arc,
-                                    Place::kShaft);
-    if (p.share_count == 0) return 0;
+    const Particle p =
+        new_particle(view, rest, needle_point(needle, arc).place_m, track, arc, Place::kShaft);
+    if (p.share_count == 0 || !inside_lattice(view, rest)) {
+      own.drop_track_m += kGapStep * unit;
+      continue;
+    }
     const std::uint32_t flags = push_shaft(view, p);
     if (flags != 0) return flags;
+    own.drop_track_m = track;
   }
   return 0;
 }
@@ -710,7 +761,7 @@ void begin_insertion(const View& view, const Needle& needle, std::uint32_t track
   const bool again = track != kNoTrack;
   own.track_current = again ? track : remember_track(view, tip.rest_m, rest_direction);
   own.track_end_m = again ? view.state.track[track].length_m : 0;
-  tip.track_m = own.tissue_track_m = 0;
+  tip.track_m = own.tissue_track_m = own.drop_track_m = 0;
   own.shaft_count = 0;
   // The entry is held where the surface is now, behind the tip by the depth of the dimple's cone.
   const float behind = dot(residual(tip), needle.tip_direction);
@@ -765,8 +816,7 @@ void leave_layers(const View& view) {
 }  // namespace
 
 float friction_limit_n(const View& view, const Particle& p) {
-  const MaterialModel& m = view.model.head->material[p.material];
-  return friction_n_per_m(m, p.slip_m_per_s) * length_of(view, p);
+  return friction_n_per_m(p.friction, p.slip_m_per_s) * length_of(view, p);
 }
 
 void begin_contact(const View& view, const Needle& needle, Vec3 rest_m, Vec3 place_m,
@@ -817,6 +867,8 @@ std::uint32_t couple_needle(const View& view, const Needle& needle) {
   }
   if (own.phase == Phase::kContact) update_contact(view, needle);
   if (own.phase == Phase::kFree || own.phase == Phase::kContact) return 0;
+  const Vec3 from_m = tip.rest_m;
+  const float from_track_m = tip.track_m;
   cut_tip(view, needle, moved);
   rehome_tip(view);
   slip_shaft(view, needle);
@@ -828,7 +880,9 @@ std::uint32_t couple_needle(const View& view, const Needle& needle) {
     return 0;
   }
   leave_layers(view);
-  return drop_shaft(view, needle);
+  const std::uint32_t flags = drop_shaft(view, needle);
+  meet_friction(view, from_m, from_track_m);
+  return flags;
 }
 
 double shaft_energy(const Particle& particle) {

@@ -58,13 +58,18 @@ struct Window {
   std::uint32_t low, high;  // the first node, in the particle planes below and above
 };
 
+// Friction of a shaft, per metre of it.
+struct Friction {
+  float coulomb_n_per_m, static_n_per_m, inverse_stribeck_s_per_m, viscous_n_s_per_m2;
+};
+
 // What the tick needs of a material; derived once.
 struct MaterialModel {
   float shear_pa, poisson_ratio;
   float lattice_shear_pa;  // of a voxel, over which a thin skin is spread
   float puncture_n, cutting_n, recut_fraction;
   float puncture_exponent;
-  float coulomb_n_per_m, static_n_per_m, inverse_stribeck_s_per_m, viscous_n_s_per_m2;
+  Friction friction;
   float relaxing_fraction, relaxation_time_s;
   float real_kg, stepped_kg;
 };
@@ -109,6 +114,8 @@ struct Particle {                // a constraint particle
   float memory_keep;             // of the difference, per tick
   float give_share;              // of spring and give together along the needle, the give's
   float slip_m_per_s;            // low-passed
+  Friction friction;             // mean of what the tip has met on the stretch it stands for
+  float met_m;                   // length of that
   Vec3 slip_m;                   // of the needle past the tissue in this tick
   std::uint32_t material;
   std::uint32_t share_count;
@@ -133,9 +140,10 @@ struct NeedleState {
   std::uint32_t track_current;
   float layer_track_m;  // where the tip last changed layer
   std::uint32_t layer_before;
-  float press_m_per_s;                // of the needle towards a surface that holds it, low-passed
-  float track_end_m;                  // length of the current track
-  float tissue_track_m;               // the tip's track coordinate when it was last in tissue
+  float press_m_per_s;   // of the needle towards a surface that holds it, low-passed
+  float track_end_m;     // length of the current track
+  float drop_track_m;    // where the last shaft CP was dropped, or could not be: in a gap
+  float tissue_track_m;  // the tip's track coordinate when it was last in tissue
   float twist_rad, twist_nm_per_rad;  // the hand's roll less the tip's, see roll.h
   Vec3 cut;  // where the tip cuts: the needle's direction there, but for a bevel
   Vec3 last_force_n, last_torque_nm;

@@ -66,6 +66,7 @@ bool present_place(const View& view, Vec3 rest_m, Vec3& place_out_m) {
   if (row_index == kNoRow) return false;
   const Row& row = view.model.row[row_index];
   if (x < row.x0 || x >= static_cast<std::uint32_t>(row.x0) + row.count) return false;
+  if (!(view.model.slot_k[row.slot + x - row.x0] > 0)) return false;  // a hole in the row
   const Vec3 f = g - Vec3{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
   place_out_m = rest_m;
   for (std::uint32_t corner = 0; corner < 8; ++corner) {

@@ -87,6 +87,51 @@ TEST(Layers, AStiffLayerBehindASoftOneIsReached) {
   EXPECT_LT(at_m, 35e-3F) << "15 mm beyond the ligament's surface at rest";
 }
 
+// However the units of the shaft fall on the layers, its friction is that of the stretches in each.
+TEST(Layers, FrictionIsThatOfTheStretchInEach) {
+  for (const float unit_m : {2.5e-3F, 5e-3F, 7e-3F, 11e-3F}) {
+    Config config;
+    config.needle[0].unit_m = unit_m;
+    Rig rig = make_rig(back(), config);
+    const Output out = drive(rig, kStart, 72e-3F, 20e-3F);
+    const double behind = static_cast<double>(out.depth_m) - 45e-3;
+    const double expected = 15 * 5e-3 + 5 * 15e-3 + 30 * 25e-3 + 3 * behind;
+    EXPECT_NEAR(-static_cast<double>(out.cause.friction_n.x), expected, 0.02 * expected)
+        << "unit " << unit_m;
+  }
+}
+
+// Shaft CPs that hold tissue whose rest place lies between these along x.
+int held_between(const Rig& rig, float low_m, float high_m) {
+  const View view = needle_view(rig.view(), 0);
+  int count = 0;
+  for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
+    const float x = view.state.shaft[i].rest_m.x;
+    count += x > low_m && x < high_m ? 1 : 0;
+  }
+  return count;
+}
+
+// Two organs with a gap of three units between them: the needle is held by both, and by nothing on
+// the way between; once more after it has been drawn back into the first.
+TEST(Layers, WhatLiesBehindAGapHoldsTheNeedle) {
+  TinyOrgan tiny = back();
+  tiny.materials = {tiny.materials[kFat]};
+  tiny.material_at = {};
+  tiny.inside = [](std::uint16_t x, std::uint16_t, std::uint16_t) { return x < 4 || x > 6; };
+  Rig rig = make_rig(tiny, Config{});
+  float from_x_m = kStart.x;
+  for (int time = 0; time < 2; ++time) {
+    const Output out = drive(rig, {from_x_m, kStart.y, kStart.z}, 65e-3F, 20e-3F);
+    EXPECT_EQ(held_between(rig, 20e-3F, 35e-3F), 0);
+    EXPECT_EQ(held_between(rig, 35e-3F, 65e-3F), 6);
+    const double expected = 5 * (static_cast<double>(out.depth_m) - 15e-3);
+    EXPECT_NEAR(-static_cast<double>(out.cause.friction_n.x), expected, 0.05 * expected);
+    from_x_m = 10e-3F;
+    drive(rig, {65e-3F, kStart.y, kStart.z}, from_x_m, 20e-3F);
+  }
+}
+
 // The force that breaks a surface falls with speed as written: (v / 10 mm/s)^-m.
 TEST(Layers, PunctureTakesLessForceWhenFaster) {
   for (const float speed : {2e-3F, 10e-3F, 50e-3F}) {
