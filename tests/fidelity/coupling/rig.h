@@ -111,6 +111,8 @@ inline Vec3 hold_one_shaft_particle(Rig& rig, Vec3 rest_m, float stiffness_n_per
   p = {};
   p.rest_m = p.position_m = rest_m;
   p.arc_m = kTipBeyondM;
+  p.friction = view.model.head->material[0].friction;
+  p.met_m = view.needle_config().unit_m;
   p.stiffness_n_per_m = p.full_stiffness_n_per_m = stiffness_n_per_m;
   p.share_count = find_shares(view, rest_m, p.share);
   for (std::uint32_t i = 0; i < p.share_count; ++i) {

@@ -51,9 +51,12 @@ Rig insert_needle(Grid grid, float poisson, Vec3 tip_m) {
 
 // Half a unit at either end of the row, and friction nothing overcomes.
 void stick(Rig& rig) {
-  const View view = rig.view();
-  MaterialModel& m = view.model.head->material[0];
-  m.coulomb_n_per_m = m.static_n_per_m = m.cutting_n = 1e4F;
+  const View view = needle_view(rig.view(), 0);
+  view.model.head->material[0].cutting_n = 1e4F;
+  for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
+    Friction& friction = view.state.shaft[i].friction;
+    friction.coulomb_n_per_m = friction.static_n_per_m = 1e4F;
+  }
   Particle& entry = view.state.shaft[0];
   entry.full_stiffness_n_per_m = entry.full_stiffness_n_per_m / 2;
   view.state.tip->stiffness_n_per_m = entry.full_stiffness_n_per_m;
