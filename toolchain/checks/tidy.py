@@ -9,7 +9,8 @@ import re
 import sys
 
 FOLDERS = ["kernel", "hal", "offline", "tests", "toolchain", ".ci"]
-SOURCE = {".h", ".cpp", ".py", ".sh", ".cmake"}
+SOURCE = {".h", ".cpp", ".py", ".sh", ".cmake", ".ts", ".mjs", ".css"}
+NOT_WRITTEN_HERE = {"__pycache__", "node_modules", "generated", "dist"}
 COLUMNS = 100
 FUNCTION_LINES = 70
 LEFT_OVER = re.compile(r"\b(TO" r"DO|FIX" r"ME|XX" r"X|HA" r"CK)\b")
@@ -100,9 +101,10 @@ def faults(repository):
     top = pathlib.Path(repository)
     files = [path for folder in FOLDERS for path in sorted((top / folder).rglob("*"))]
     for path in files + sorted(top.glob("*.md")) + [top / "CMakeLists.txt"]:
-        if not path.is_file() or "__pycache__" in path.parts:
+        name = path.relative_to(top)
+        if not path.is_file() or NOT_WRITTEN_HERE & set(name.parts):
             continue
-        name = path.relative_to(top).as_posix()
+        name = name.as_posix()
         if is_source(path):
             text = path.read_text()
             yield from check_text(name, text.splitlines())

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Colours that people with any colour vision tell apart.
+//
+// Sources: causes of force from Okabe and Ito 2008, with a dash each so that colour is never the
+// only sign; materials from Tol's muted scheme (2021).
+import type {Cause} from './protocol';
+
+export interface Stroke {
+  colour: string;
+  dark: string;  // on a dark ground
+  dash: number[];
+}
+
+export const kCauseStroke: Record<Cause, Stroke> = {
+  stiffness: {colour: '#0072b2', dark: '#56b4e9', dash: []},
+  cutting: {colour: '#c24e00', dark: '#ff8c42', dash: [8, 3]},
+  friction: {colour: '#007a5a', dark: '#2fc79a', dash: [2, 3]},
+  clamping: {colour: '#a8478a', dark: '#e39bc8', dash: [10, 3, 2, 3]},
+  obstacle: {colour: '#8a6100', dark: '#f0c05a', dash: [4, 4]},
+};
+
+export const kMaterials = [
+  '#cc6677',
+  '#ddcc77',
+  '#88ccee',
+  '#44aa99',
+  '#999933',
+  '#aa4499',
+  '#117733',
+  '#332288',
+  '#882255',
+];
+
+export const materialColour = (index: number): string => kMaterials[index % kMaterials.length];
+
+// Of the bodies in the 3D view, the same on light and dark ground.
+export const kBody = {
+  needle: '#d5dbe3',
+  handle: '#6f7b8a',
+  lattice: '#b3261e',
+  particle: '#2fa84f',
+  goal: '#f0e442',
+  obstacle: '#9aa3ad',
+  target: '#0072b2',
+  forbidden: '#d55e00',
+  force: '#e69f00',
+  inside: '#7c3b47',
+};
+
+export const kTotal: Stroke = {
+  colour: '#1d2733',
+  dark: '#f2f5f8',
+  dash: []
+};
+export const kLateral: Stroke = {
+  colour: '#6b7785',
+  dark: '#93a0ae',
+  dash: [5, 3]
+};
+export const kFirstAttempt: Stroke = {
+  colour: '#0072b2',
+  dark: '#56b4e9',
+  dash: []
+};
+export const kSecondAttempt: Stroke = {
+  colour: '#c24e00',
+  dark: '#ff8c42',
+  dash: [7, 3]
+};
+
+const kStrokes = [kTotal, kLateral, kFirstAttempt, kSecondAttempt, ...Object.values(kCauseStroke)];
+
+export const screenColour = (stroke: Stroke, dark: boolean): string =>
+    dark ? stroke.dark : stroke.colour;
+
+// The same stroke's colour on white paper.
+export const paperColour = (screen: string): string =>
+    kStrokes.find((stroke) => stroke.dark === screen)?.colour ?? screen;

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// The 3D view: puts surface, bodies and camera on a canvas, and measures what a picture costs.
+//
+// Draws only when something changed. Budget: medians over the last pictures, ms by part; `draw` is
+// the time to hand over the work, or with `finish` also to wait for it.
+import * as THREE from 'three';
+import type {Store} from '../store';
+import {Bodies, disposeAll} from './bodies';
+import {aimAt, CameraMan, type Preset} from './camera';
+import {makeDeformation, readBack, upload, type Deformation} from './deform';
+import {makeSurface, setLook, type Surface} from './surface';
+
+export interface Look {
+  xray: boolean;
+  lattice: boolean;
+  particles: boolean;
+  surface: boolean;
+  cut: boolean;
+  cutAt: number;  // 0 to 1 of the way through
+}
+
+const kParts = ['upload', 'bodies', 'draw'] as const;
+export type Part = (typeof kParts)[number];
+const kKept = 60;
+
+class Budget {
+  private kept: Record<Part, number[]> = {upload: [], bodies: [], draw: []};
+  private drawn: number[] = [];
+
+  time<T>(part: Part, work: () => T): T {
+    const began = performance.now();
+    const out = work();
+    const list = this.kept[part];
+    list.push(performance.now() - began);
+    if (list.length > kKept) list.shift();
+    return out;
+  }
+  tick(): void {
+    this.drawn.push(performance.now());
+    while (this.drawn.length > 2 * kKept) this.drawn.shift();
+  }
+  // Pictures of the last second.
+  perSecond(): number {
+    const since = performance.now() - 1000;
+    return this.drawn.filter((at) => at > since).length;
+  }
+  median(part: Part): number {
+    const sorted = [...this.kept[part]].sort((a, b) => a - b);
+    return sorted[sorted.length >> 1] ?? 0;
+  }
+}
+
+export class View3d {
+  readonly budget = new Budget();
+  readonly cameraMan: CameraMan;
+  look:
+      Look = {xray: false, lattice: false, particles: false, surface: true, cut: false, cutAt: 0.5};
+  finish = false;  // wait for the GPU after each picture: for measuring
+  drawn: () => void = () => undefined;
+  private readonly renderer: THREE.WebGLRenderer;
+  private readonly scene = new THREE.Scene();
+  private readonly plane = {value: new THREE.Vector4(0, 0, 0, 1)};
+  private deformation: Deformation|null = null;
+  private surface: Surface|null = null;
+  private bodies: Bodies|null = null;
+  private stale = true;
+  private fresh = false;  // a frame that is not uploaded yet
+
+  constructor(
+      readonly canvas: HTMLCanvasElement,
+      private readonly store: Store,
+      still: () => boolean,
+  ) {
+    THREE.ColorManagement.enabled = false;
+    this.renderer = new THREE.WebGLRenderer({
+      canvas,
+      antialias: true,
+      alpha: true,
+      powerPreference: 'high-performance',
+      preserveDrawingBuffer: false,
+    });
+    this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
+    this.renderer.setClearColor(0x000000, 0);
+    this.cameraMan = new CameraMan(canvas, still, () => (this.stale = true));
+    this.cameraMan.camera.add(
+        new THREE.DirectionalLight('#ffffff', 1.9).translateY(0.4).translateZ(1));
+    this.scene.add(this.cameraMan.camera, new THREE.AmbientLight('#ffffff', 1.3));
+    store.on(['organ'], () => this.rebuild());
+    store.on(['frame'], () => (this.fresh = this.stale = true));
+    new ResizeObserver(() => this.resize()).observe(canvas);
+    canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
+    canvas.addEventListener('webglcontextrestored', () => this.rebuild());
+    const loop = () => {
+      requestAnimationFrame(loop);
+      this.step();
+    };
+    requestAnimationFrame(loop);
+  }
+
+  setLook(change: Partial<Look>): void {
+    Object.assign(this.look, change);
+    this.applyLook();
+  }
+
+  preset(preset: Preset): void {
+    this.cameraMan.look(preset, this.store.frame?.needles[this.store.needle]?.tip ?? null);
+    this.stale = true;
+  }
+
+  // Where a place of the world is on the canvas, in CSS pixels; null: behind the camera.
+  project(place: {x: number; y: number; z: number}): {x: number; y: number}|null {
+    const p = new THREE.Vector3(place.x, place.y, place.z).project(this.cameraMan.camera);
+    if (p.z > 1) return null;
+    const {clientWidth, clientHeight} = this.canvas;
+    return {x: ((p.x + 1) / 2) * clientWidth, y: ((1 - p.y) / 2) * clientHeight};
+  }
+
+  deformedVertices(): Float32Array {
+    if (this.surface === null || this.deformation === null) return new Float32Array();
+    upload(this.deformation, this.store.moved);
+    return readBack(this.renderer, this.surface.mesh.geometry, this.deformation);
+  }
+
+  private rebuild(): void {
+    const {hello, organ} = this.store;
+    for (const thing of [this.bodies?.group, this.surface?.mesh, this.surface?.lattice]) {
+      if (!thing) continue;
+      this.scene.remove(thing);
+      disposeAll(thing);
+    }
+    this.deformation?.texture.dispose();
+    if (hello === null || organ === null) return;
+    this.deformation = makeDeformation(hello);
+    this.surface = makeSurface(organ, hello, this.deformation, this.plane);
+    this.bodies = new Bodies(hello);
+    this.scene.add(this.surface.mesh, this.surface.lattice, this.bodies.group);
+    const aim = aimAt(hello);
+    this.surface.mesh.material.uniforms.upward.value.copy(aim.up);
+    this.cameraMan.setScene(aim);
+    this.resize();
+    this.applyLook();
+    this.fresh = this.store.frame !== null;
+  }
+
+  // The plane is parallel to the needle and faces the side preset's camera.
+  private applyLook(): void {
+    this.stale = true;
+    const {hello} = this.store;
+    if (this.surface === null || this.bodies === null || hello === null) return;
+    const {xray, lattice, particles, surface, cut, cutAt} = this.look;
+    setLook(this.surface, xray, cut);
+    this.surface.mesh.visible = surface;
+    this.surface.lattice.visible = lattice;
+    this.bodies.showParticles(particles);
+    const {direction, up} = aimAt(hello);
+    const across = new THREE.Vector3().crossVectors(direction, up).normalize();
+    let [low, high] = [Infinity, -Infinity];
+    for (let i = 0; i < hello.rest.length; i += 3) {
+      const at =
+          across.x * hello.rest[i] + across.y * hello.rest[i + 1] + across.z * hello.rest[i + 2];
+      low = Math.min(low, at);
+      high = Math.max(high, at);
+    }
+    const at = cut ? high - cutAt * (high - low) : 1e3;
+    this.plane.value.set(across.x, across.y, across.z, at);
+  }
+
+  private resize(): void {
+    const {clientWidth, clientHeight} = this.canvas;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.cameraMan.camera.aspect = clientWidth / clientHeight;
+    this.cameraMan.camera.updateProjectionMatrix();
+    this.stale = true;
+  }
+
+  private step(): void {
+    if (this.cameraMan.move(performance.now())) this.stale = true;
+    if (!this.stale || this.canvas.clientWidth === 0) return;
+    this.stale = false;
+    const {frame} = this.store;
+    if (this.fresh && frame !== null && this.deformation !== null) {
+      const deformation = this.deformation;
+      this.budget.time('upload', () => upload(deformation, this.store.moved));
+      this.budget.time('bodies', () => this.bodies?.show(frame));
+      this.fresh = false;
+    }
+    this.budget.time('draw', () => {
+      this.renderer.render(this.scene, this.cameraMan.camera);
+      if (this.finish) this.waitForGpu();
+    });
+    this.budget.tick();
+    this.drawn();
+  }
+
+  private waitForGpu(): void {
+    const gl = this.renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+  }
+}
