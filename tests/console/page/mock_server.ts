@@ -145,7 +145,7 @@ export class MockServer {
       response.writeHead(200, {
         'Content-Type': kTypes[name.split('.')[1]],
         'Content-Security-Policy':
-            'default-src \'self\'; img-src \'self\' data: blob:; style-src \'self\'; frame-ancestors ' +
+            `default-src 'self'; img-src 'self' data: blob:; style-src 'self'; frame-ancestors ` +
             '\'none\'; form-action \'none\'; base-uri \'none\'',
       });
       response.end(readFileSync(join(options.dist, name)));

@@ -5,7 +5,15 @@
 // the tip beyond the entry, so that the needle outside the tissue is left of zero.
 import {prefersDark} from './dom';
 import type {Curve, Figure} from './figure';
-import {kCauseStroke, kFirstAttempt, kLateral, kSecondAttempt, kTotal, screenColour, type Stroke,} from './palette';
+import {
+  kCauseStroke,
+  kFirstAttempt,
+  kLateral,
+  kSecondAttempt,
+  kTotal,
+  screenColour,
+  type Stroke,
+} from './palette';
 import {Kind, phaseSpans} from './phases';
 import {kCauses, type Row, type Score} from './protocol';
 import {thin, type Column, type Series} from './series';

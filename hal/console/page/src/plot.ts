@@ -9,7 +9,16 @@ import uPlot from 'uplot';
 
 import {button, el, prefersDark, save, say} from './dom';
 
-import {csv, figureCanvas, figureSvg, rangeOf, ticksOf, xRangeOf, type Curve, type Figure,} from './figure';
+import {
+  csv,
+  figureCanvas,
+  figureSvg,
+  rangeOf,
+  ticksOf,
+  xRangeOf,
+  type Curve,
+  type Figure,
+} from './figure';
 import {paperColour} from './palette';
 import {exactText} from './series';
 import {texts} from './texts';

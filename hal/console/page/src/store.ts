@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the page knows, in one place; everything that shows it listens for what changed.
 import type {Organ} from './organ';
-import {Activity, type Frame, type FromServer, type Happened, type Hello, type Marked, type Score,} from './protocol';
+import {
+  Activity,
+  type Frame,
+  type FromServer,
+  type Happened,
+  type Hello,
+  type Marked,
+  type Score,
+} from './protocol';
 import {Series} from './series';
 
 export type ViewName = 'trainee'|'teacher'|'engineer'|'report';

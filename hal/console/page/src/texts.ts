@@ -249,8 +249,8 @@ export const texts = {
     hold: 'Hold the needle',
     letGo: 'Let go',
     help:
-        'Drag up to push and down to pull, sideways to move aside, wheel to roll. Keys: W and S push ' +
-        'and pull, A and D aside, R and F up and down, Q and E roll; Shift is slow.',
+        'Drag up to push and down to pull, sideways to move aside, wheel to roll. Keys: W and S ' +
+        'push and pull, A and D aside, R and F up and down, Q and E roll; Shift is slow.',
     pad: 'Needle: drag up to push, down to pull; keys W S A D R F Q E',
     advance: (mm: number) => `Advance ${mm.toFixed(1)} mm`,
     roll: (deg: number) => `Roll ${deg.toFixed(0)} deg`,
