@@ -18,6 +18,13 @@ enum ExitCode : int {
   kExitHostUnfit = 4,  // the machine does not grant what the real-time loop needs
 };
 
+// Where the console listens.
+struct ServeOptions {
+  bool on = false;
+  std::uint16_t port = 0;  // 0: any that is free
+  std::string listen;      // empty: loopback, without a token
+};
+
 struct RunOptions {
   std::string scene;
   std::string organ;   // instead of the scene's
@@ -30,8 +37,12 @@ struct RunOptions {
   bool fast = false;
   bool json = false;
   bool allow_non_rt = false;
+  ServeOptions serve;  // the console, if `on`
 };
 int run(const RunOptions& options);
+
+// `run` with a console: attempts one after the other, as the page asks.
+int run_console(const RunOptions& options);
 
 struct ReplayOptions {
   std::string recording;

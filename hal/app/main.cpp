@@ -13,10 +13,18 @@
 #include <string_view>
 
 #include "commands.h"
+#include "console/limits.h"
 #include "stylet/limits.h"
 
 namespace stylet::app {
 namespace {
+
+CLI::Option* add_serving(CLI::App& command, ServeOptions& options) {
+  return command
+      .add_option("--listen", options.listen,
+                  "Address for other machines; asks for a token, which is printed")
+      ->check(CLI::ValidIPV4);
+}
 
 void add_run(CLI::App& program, RunOptions& options) {
   CLI::App& run = *program.add_subcommand("run", "Run a scene on the real-time loop");
@@ -40,6 +48,12 @@ void add_run(CLI::App& program, RunOptions& options) {
   run.add_flag("--json", options.json, "One JSON object on standard output, nothing else");
   run.add_flag("--allow-non-rt", options.allow_non_rt,
                "Go on with a warning where the machine refuses real-time rights");
+  options.serve.port = console::kDefaultPort;
+  CLI::Option* console =
+      run.add_flag(fmt::format("--console{{{}}}", console::kDefaultPort), options.serve.port,
+                   "Serve a page to see and steer it, on this port of 127.0.0.1")
+          ->check(CLI::Range(0, 65535));
+  add_serving(run, options.serve)->needs(console);
 }
 
 void add_replay(CLI::App& program, ReplayOptions& options) {
@@ -176,7 +190,10 @@ int dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? kExitOk : kExitUsage;
   }
-  if (program.got_subcommand("run")) return run(run_options);
+  if (program.got_subcommand("run")) {
+    run_options.serve.on = program.get_subcommand("run")->count("--console") > 0;
+    return run_options.serve.on ? run_console(run_options) : run(run_options);
+  }
   if (program.got_subcommand("replay")) return replay_recording(replay_options);
   if (probing.parsed()) return probe(probe_options);
   if (program.got_subcommand("devices")) return list_devices(devices_options);

@@ -67,8 +67,10 @@ Vec3 force_of_torque(const GripConfig& config, Vec3 base_m, Vec3 torque_nm) {
 
 Pose grip_pose(const GripConfig& config, GripState& state, const Sample& sample) {
   if (!config.enabled) return sample.pose;
-  const bool pressed = config.clutch_button != kNoButton &&
-                       ((sample.buttons >> static_cast<std::uint32_t>(config.clutch_button)) & 1U);
+  const bool clutched =
+      config.clutch_button != kNoButton &&
+      ((sample.buttons >> static_cast<std::uint32_t>(config.clutch_button)) & 1U) != 0;
+  const bool pressed = clutched || state.waits;
   const bool takes_up = !pressed && (state.held || !state.started);
   state.held = pressed;
   if (pressed) return state.needle;

@@ -2,6 +2,7 @@
 #include "stylet/hal/loop.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <thread>
@@ -88,6 +89,12 @@ Vec3 send_force(const HandConfig& config, const Kernel& kernel, std::uint32_t ne
   return command.force_n;
 }
 
+void note_guard(const HandState& hand, TickRecord& record) {
+  record.fault = hand.guard.fault;
+  record.mode = hand.guard.mode;
+  record.energy_j = static_cast<float>(hand.guard.energy.energy_j);
+}
+
 // All devices are read before the kernel moves, and written after.
 void tick_hands(const LoopConfig& config, Kernel& kernel, std::span<const Device> devices,
                 std::int64_t now_ns, std::span<TickRecord> records, LoopState& state) {
@@ -105,9 +112,7 @@ void tick_hands(const LoopConfig& config, Kernel& kernel, std::span<const Device
     records[i].input = inputs[i];
     records[i].output = outputs[i];
     records[i].command_n = send_force(config.hand[i], kernel, i, devices[i], hand);
-    records[i].fault = hand.guard.fault;
-    records[i].mode = hand.guard.mode;
-    records[i].energy_j = static_cast<float>(hand.guard.energy.energy_j);
+    note_guard(hand, records[i]);
     exchange_mail(state.mailbox[i], hand.guard);
   }
 }
@@ -123,15 +128,8 @@ void push(Ring<T>* ring, const T& item, bool wait_for_room, std::uint64_t& lost)
   if (!done) ++lost;
 }
 
-void publish(const Outlets& outlets, const Kernel& kernel, std::span<const TickRecord> records,
-             LoopState& state) {
-  if (outlets.latest != nullptr) {
-    Published published = {};
-    for (const TickRecord& r : records) {
-      published.hand[r.needle] = {r.input.handle, r.output, r.command_n, r.fault, r.mode};
-    }
-    outlets.latest->publish(published);
-  }
+void hand_out(const Outlets& outlets, const Kernel& kernel, std::span<const TickRecord> records,
+              LoopState& state) {
   const std::uint32_t happened = records[0].output.events;
   if (happened != state.events_seen) {
     std::array<Event, kMaxEvents> buffer;
@@ -146,6 +144,28 @@ void publish(const Outlets& outlets, const Kernel& kernel, std::span<const TickR
   }
   for (const TickRecord& r : records) {
     push(outlets.records, r, outlets.wait_for_room, state.lost_records);
+  }
+}
+
+void show(const LoopConfig& config, const Outlets& outlets, const Kernel& kernel,
+          std::span<const TickRecord> records, std::uint64_t round, const LoopState& state) {
+  if (outlets.display == nullptr || config.display_every_ticks == 0) return;
+  if (round % config.display_every_ticks != 0 && state.ticks != config.ticks) return;
+  outlets.display->publish(kernel, records, state.missed_ticks, state.lost_records);
+}
+
+// A paused loop: devices are read and guarded, the needles wait as with the clutch.
+void hold_hands(const LoopConfig& config, const Kernel& kernel, std::span<const Device> devices,
+                std::int64_t now_ns, std::span<TickRecord> records, LoopState& state) {
+  for (std::uint32_t i = 0; i < records.size(); ++i) {
+    if (config.hand[i].scripted) continue;
+    HandState& hand = state.hand[i];
+    hand.grip.waits = true;
+    (void)next_input(config.hand[i], devices[i], hand, now_ns, records[i]);
+    records[i].command_n = send_force(config.hand[i], kernel, i, devices[i], hand);
+    hand.grip.waits = false;
+    note_guard(hand, records[i]);
+    exchange_mail(state.mailbox[i], hand.guard);
   }
 }
 
@@ -190,31 +210,50 @@ double histogram_quantile_us(const Histogram& histogram, double fraction) {
   return max_us;
 }
 
+namespace {
+
+// What a tick takes, and who gets to know of it.
+void run_tick(const LoopConfig& config, Kernel& kernel, std::span<const Device> devices,
+              std::int64_t grid_ns, std::int64_t late_ns, std::span<TickRecord> records,
+              const Outlets& outlets, LoopState& state) {
+  const std::int64_t start_ns = monotonic_now_ns();
+  tick_hands(config, kernel, devices, grid_ns, records, state);
+  const std::int64_t tick_ns = monotonic_now_ns() - start_ns;
+  ++state.ticks;
+  const bool hashed = config.hash_every_ticks != 0 && state.ticks % config.hash_every_ticks == 0;
+  const std::uint64_t state_hash = hashed ? hash(kernel) : 0;
+  for (TickRecord& r : records) {
+    r.tick_ns = clamped_ns(tick_ns);
+    r.late_ns = clamped_ns(late_ns);
+    r.state_hash = state_hash;
+  }
+  hand_out(outlets, kernel, records, state);
+  histogram_add(state.tick_time, tick_ns);
+  histogram_add(state.lateness, late_ns);
+}
+
+}  // namespace
+
 void run_loop(const LoopConfig& config, Kernel& kernel, std::span<const Device> devices,
               const Clock& clock, const Outlets& outlets, LoopState& state) {
   std::int64_t grid_ns = clock.now_ns(clock.self) + config.period_ns;
-  std::array<TickRecord, kMaxNeedles> buffer;
+  std::array<TickRecord, kMaxNeedles> buffer = {};
   const std::span records = std::span(buffer).first(std::min(devices.size(), buffer.size()));
+  std::uint64_t round = 0;
   while (state.ticks < config.ticks && !state.stop.load(std::memory_order_relaxed)) {
     state.next_ns.store(grid_ns, std::memory_order_relaxed);
     clock.sleep_until_ns(clock.self, grid_ns);
     const std::int64_t late_ns = clock.now_ns(clock.self) - grid_ns;
     // Before the tick: the hand has moved on, and the force that waits for it would be a kick.
     if (late_ns >= config.period_ns * kMaxMissedInARow) trip_all(state, Fault::kTooLate);
-    const std::int64_t start_ns = monotonic_now_ns();
-    tick_hands(config, kernel, devices, grid_ns, records, state);
-    const std::int64_t tick_ns = monotonic_now_ns() - start_ns;
-    ++state.ticks;
-    const bool hashed = config.hash_every_ticks != 0 && state.ticks % config.hash_every_ticks == 0;
-    const std::uint64_t state_hash = hashed ? hash(kernel) : 0;
-    for (TickRecord& r : records) {
-      r.tick_ns = clamped_ns(tick_ns);
-      r.late_ns = clamped_ns(late_ns);
-      r.state_hash = state_hash;
+    if (state.paused.load(std::memory_order_relaxed)) {
+      hold_hands(config, kernel, devices, grid_ns, records, state);
+      // Virtual time does not wait, and there is nothing to hurry for.
+      if (outlets.wait_for_room) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    } else {
+      run_tick(config, kernel, devices, grid_ns, late_ns, records, outlets, state);
     }
-    publish(outlets, kernel, records, state);
-    histogram_add(state.tick_time, tick_ns);
-    histogram_add(state.lateness, late_ns);
+    show(config, outlets, kernel, records, ++round, state);
     grid_ns = next_grid_point(config, state, grid_ns, clock.now_ns(clock.self));
   }
   for (const Device& device : devices) device.write(device.self, {{}});

@@ -2,6 +2,7 @@
 #include "stylet/hal/recorder.h"
 
 #include <chrono>
+#include <utility>
 
 namespace stylet::hal {
 namespace {
@@ -12,12 +13,13 @@ constexpr std::chrono::milliseconds kPause{2};
 }  // namespace
 
 Recorder::Recorder(Ring<TickRecord>& records, Ring<Event>& events, RecordingWriter* writer,
-                   std::span<const Course> courses, FlightRecorder* flight, Scorer* scorer)
+                   std::span<const Course> courses, FlightRecorder* flight, Scorer* scorer, Tap tap)
     : record_ring_(records),
       event_ring_(events),
       writer_(writer),
       flight_(flight),
       scorer_(scorer),
+      tap_(std::move(tap)),
       courses_(courses.begin(), courses.end()),
       tracks_(courses.size()),
       thread_(&Recorder::work, this) {}
@@ -60,6 +62,7 @@ std::size_t Recorder::drain() {
   }
   const std::span fresh = std::span(events_).subspan(events_before);
   if (flight_ != nullptr) flight_->add(block_, fresh);
+  if (tap_ && (!block_.empty() || !fresh.empty())) tap_(block_, fresh);
   if (writer_ != nullptr && error_.empty()) {
     try {
       writer_->append(block_);

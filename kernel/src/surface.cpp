@@ -140,4 +140,32 @@ std::uint32_t surface(const Kernel& kernel, std::span<Vec3> positions_out) {
   return static_cast<std::uint32_t>(count);
 }
 
+std::uint32_t particle_count(const Kernel& kernel) {
+  return counts_of(kernel).particles;
+}
+
+std::uint32_t voxel_corners(const Kernel& kernel, std::span<std::uint32_t> corners_out) {
+  const View view = view_of(kernel);
+  std::uint32_t written = 0;
+  for (std::uint32_t v = 0; v < view.organ.voxel_count; ++v) {
+    const Row& row = view.model.row[view.model.voxel_row[v]];
+    const std::uint32_t along = view.model.voxel_slot[v] - row.slot;
+    for (std::uint32_t corner = 0; corner < 8 && written < corners_out.size(); ++corner) {
+      corners_out[written++] = row.node[corner >> 1U] + along + (corner & 1U);
+    }
+  }
+  return written;
+}
+
+std::uint32_t particles(const Kernel& kernel, std::span<Vec3> moved_out_m) {
+  const View view = view_of(kernel);
+  const std::uint32_t all = counts_of(kernel).particles;
+  const std::size_t count = all < moved_out_m.size() ? all : moved_out_m.size();
+  const Vec3 shift = attachment_shift(view);
+  for (std::size_t i = 0; i < count; ++i) {
+    moved_out_m[i] = Vec3{view.state.ux[i], view.state.uy[i], view.state.uz[i]} + shift;
+  }
+  return static_cast<std::uint32_t>(count);
+}
+
 }  // namespace stylet

@@ -92,9 +92,9 @@ TEST(Loop, ForcePushesTheHandBack) {
 TEST(Loop, PublishesTheNewestAndEveryEvent) {
   Rig rig;
   const auto records = rig.run(rig.device());
-  Published published{};
-  ASSERT_TRUE(rig.latest.take(published));
-  EXPECT_EQ(published.hand[0].output.tick, records.back().output.tick);
+  const DisplayState* shown = rig.display->take();
+  ASSERT_NE(shown, nullptr);
+  EXPECT_EQ(shown->hand[0].output.tick, records.back().output.tick);
   std::uint32_t count = 0;
   for (Event event; rig.events.pop(event);) ++count;
   EXPECT_GT(count, 0U);
@@ -430,7 +430,7 @@ struct Pair {
 
   std::array<std::vector<TickRecord>, 2> run() {
     run_loop(rig.config, instance->kernel, devices, virtual_clock(rig.time),
-             {&rig.records, &rig.events, &rig.latest}, rig.state);
+             {&rig.records, &rig.events, rig.display.get()}, rig.state);
     std::array<std::vector<TickRecord>, 2> all;
     for (TickRecord record; rig.records.pop(record);) all[record.needle].push_back(record);
     return all;

@@ -35,7 +35,7 @@ void run_on_real_clock(Rig& rig, const Device& device) {
   guard.passivity_damping_n_s_per_m = 2;
   rig.config.hand[0].coupling = {280, guard.max_force_n};
   run_loop(rig.config, rig.instance->kernel, std::span(&device, 1), monotonic_clock(),
-           {&rig.records, &rig.events, &rig.latest}, rig.state);
+           {&rig.records, &rig.events, rig.display.get()}, rig.state);
 }
 
 // The same hand, whose `write` also does something a loop must not do.

@@ -27,7 +27,7 @@ struct Rig {
   LoopState state;
   Ring<TickRecord> records{4096};
   Ring<Event> events{64};
-  Latest<Published> latest;
+  std::unique_ptr<Display> display;
   VirtualTime time;
 
   Rig() {
@@ -46,6 +46,7 @@ struct Rig {
         Waypoint{.travel_m = 0.018F, .speed_m_per_s = 0.1F, .hold_s = 0.05F}};
     const Placement placement = place_needle(scene, organ);
     instance = std::make_unique<KernelInstance>(organ, scene.config);
+    display = std::make_unique<Display>(instance->kernel);
     config.hand[0].mapping = placement.mapping;
     config.hand[0].guard = scene.hands[0].guard;
     hand.script = make_script(scene.hands[0].waypoints, scene.hands[0].approach.start_m);
@@ -54,7 +55,7 @@ struct Rig {
 
   std::vector<TickRecord> run(const Device& device) {
     run_loop(config, instance->kernel, std::span(&device, 1), virtual_clock(time),
-             {&records, &events, &latest}, state);
+             {&records, &events, display.get()}, state);
     std::vector<TickRecord> all;
     for (TickRecord record; records.pop(record);) all.push_back(record);
     return all;

@@ -257,6 +257,16 @@ std::uint32_t needle_shape(const Kernel& kernel, std::uint32_t needle, std::span
 // Deformed surface: one position per organ vertex. Returns the number written.
 std::uint32_t surface(const Kernel& kernel, std::span<Vec3> positions_out);
 
+// The lattice's particles, for a display that deforms the surface itself (trilinear in the voxels,
+// as surface() does). Corner dx + 2 dy + 4 dz of voxel i of the organ is particle
+// corners_out[8 i + dx + 2 dy + 4 dz]; cold path. The kernel has more particles than voxels have
+// corners: those no voxel names carry nothing.
+std::uint32_t particle_count(const Kernel& kernel);
+std::uint32_t voxel_corners(const Kernel& kernel, std::span<std::uint32_t> corners_out);
+// How far each particle is from its place at rest: particle_count of them, a plain copy, so that it
+// may be called between two ticks of the loop. Returns the number written.
+std::uint32_t particles(const Kernel& kernel, std::span<Vec3> moved_out_m);
+
 // Energies of the tissue, J (cold path, double precision inside).
 struct Energy {
   double elastic, kinetic, coupling;

@@ -2,7 +2,8 @@
 // Two ways out of the real-time thread that never make it wait.
 //
 // Ring: every item, in order, for one reader; full: push says no and nothing is lost silently.
-// Latest: only the newest item, for one reader that looks when it likes.
+// Latest: only the newest item, for one reader that looks when it likes. Slots: the same for items
+// that are filled and read in place.
 // Promises: wait-free for both sides, no allocation after construction, one writer and one reader.
 #pragma once
 
@@ -51,21 +52,22 @@ class Ring {
 
 // Triple buffer: writer and reader own one slot each and swap it with the one in the middle.
 template <typename T>
-class Latest {
-  static_assert(std::is_trivially_copyable_v<T>);
-
+class Slots {
  public:
-  void publish(const T& item) {
-    slots_[write_] = item;
+  Slots() = default;
+  explicit Slots(const T& each) { slots_.fill(each); }
+
+  // Writer: what it fills, and that it is full. The next draft holds something older.
+  T& draft() { return slots_[write_]; }
+  void publish() {
     write_ = middle_.exchange(write_ | kFresh, std::memory_order_acq_rel) & ~kFresh;
   }
 
-  // False: nothing new since the last call; `item_out` is untouched.
-  bool take(T& item_out) {
-    if ((middle_.load(std::memory_order_relaxed) & kFresh) == 0) return false;
+  // Reader: the newest, its own until the next call; null: nothing new since the last one.
+  const T* take() {
+    if ((middle_.load(std::memory_order_relaxed) & kFresh) == 0) return nullptr;
     read_ = middle_.exchange(read_, std::memory_order_acq_rel) & ~kFresh;
-    item_out = slots_[read_];
-    return true;
+    return &slots_[read_];
   }
 
  private:
@@ -74,6 +76,27 @@ class Latest {
   alignas(kCacheLine) std::uint32_t write_ = 0;
   alignas(kCacheLine) std::atomic<std::uint32_t> middle_{1};
   alignas(kCacheLine) std::uint32_t read_ = 2;
+};
+
+template <typename T>
+class Latest {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  void publish(const T& item) {
+    slots_.draft() = item;
+    slots_.publish();
+  }
+
+  // False: nothing new since the last call; `item_out` is untouched.
+  bool take(T& item_out) {
+    const T* newest = slots_.take();
+    if (newest != nullptr) item_out = *newest;
+    return newest != nullptr;
+  }
+
+ private:
+  Slots<T> slots_;
 };
 
 }  // namespace stylet::hal

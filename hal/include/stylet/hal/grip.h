@@ -38,6 +38,7 @@ struct GripConfig {
 
 struct GripState {
   bool started = false;
+  bool waits = false;                // set by the loop: as if the clutch were pressed
   bool held = false;                 // by the clutch
   float gain = 1;                    // of the force
   Pose needle = {{}, {1, 0, 0, 0}};  // of the base

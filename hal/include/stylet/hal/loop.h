@@ -18,6 +18,7 @@
 #include "stylet/hal/clock.h"
 #include "stylet/hal/coupling.h"
 #include "stylet/hal/device.h"
+#include "stylet/hal/display.h"
 #include "stylet/hal/fault_mailbox.h"
 #include "stylet/hal/grip.h"
 #include "stylet/hal/guard.h"
@@ -43,22 +44,10 @@ void histogram_add(Histogram& histogram, std::int64_t ns);
 // beyond the last bin.
 double histogram_quantile_us(const Histogram& histogram, double fraction);
 
-// The newest state, for displays: of each needle.
-struct PublishedHand {
-  Pose handle;
-  Output output;
-  Vec3 command_n;
-  Fault fault;
-  GuardMode mode;
-};
-struct Published {
-  std::array<PublishedHand, kMaxNeedles> hand;
-};
-
 struct Outlets {
   Ring<TickRecord>* records = nullptr;  // may be null
   Ring<Event>* events = nullptr;
-  Latest<Published>* latest = nullptr;
+  Display* display = nullptr;
   bool wait_for_room = false;  // virtual time only: rather wait than lose a record
 };
 
@@ -68,12 +57,14 @@ struct HandConfig {
   CouplingConfig coupling;
   GripConfig grip = {};
   float max_torque_nm = 0;  // 0: the device renders none
+  bool scripted = false;    // the device plays a script: while the loop is paused, it is left alone
 };
 
 struct LoopConfig {
   std::int64_t period_ns = 1'000'000;
   std::uint64_t ticks = 0;
-  std::uint32_t hash_every_ticks = 0;  // 0: never
+  std::uint32_t hash_every_ticks = 0;     // 0: never
+  std::uint32_t display_every_ticks = 1;  // the last tick of a run is always published
   std::array<HandConfig, kMaxNeedles> hand;
 };
 
@@ -93,6 +84,9 @@ struct HandState {
 struct LoopState {
   std::atomic<bool> stop{false};         // set by another thread or a signal: end after this tick
   std::atomic<std::int64_t> next_ns{0};  // when the coming or present tick begins; for helpers
+  // Set by another thread: devices are read and guarded, but their force fades to zero as with the
+  // clutch, and the kernel does not move. Nothing of that is recorded.
+  std::atomic<bool> paused{false};
   std::array<HandState, kMaxNeedles> hand;
   std::array<FaultMailbox, kMaxNeedles> mailbox;  // of each hand
   std::uint32_t events_seen = 0;

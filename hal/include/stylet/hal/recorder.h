@@ -7,6 +7,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <span>
 #include <string>
 #include <thread>
@@ -22,10 +23,14 @@ namespace stylet::hal {
 
 class Recorder {
  public:
-  // `writer`, `flight` and `scorer` may be null. Rings and they must outlive the recorder.
+  // Gets everything else that wants to know, on the recorder's thread and in order: the records,
+  // then the events among them. Must return at once.
+  using Tap = std::function<void(std::span<const TickRecord>, std::span<const Event>)>;
+  // `writer`, `flight` and `scorer` may be null, `tap` empty. Rings and they must outlive the
+  // recorder.
   Recorder(Ring<TickRecord>& records, Ring<Event>& events, RecordingWriter* writer,
            std::span<const Course> courses, FlightRecorder* flight = nullptr,
-           Scorer* scorer = nullptr);
+           Scorer* scorer = nullptr, Tap tap = {});
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -50,6 +55,7 @@ class Recorder {
   RecordingWriter* writer_;
   FlightRecorder* flight_;
   Scorer* scorer_;
+  Tap tap_;
   std::vector<Course> courses_;  // of each needle
   std::vector<TickRecord> block_;
   std::vector<std::vector<TrackPoint>> tracks_;

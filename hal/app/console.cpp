@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+// The session that a console drives: attempts at a scene one after the other, and the next scene.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "console/limits.h"
+#include "console/server.h"
+#include "session.h"
+#include "stop_signal.h"
+
+namespace stylet::app {
+namespace {
+
+constexpr std::chrono::milliseconds kLook{20};  // at the attempt, between orders
+
+// From the server's thread to the session's.
+class Orders {
+ public:
+  // What is wrong; empty: taken.
+  std::string push(const console::Order& order) {
+    const std::lock_guard lock(mutex_);
+    if (waiting_.size() >= console::kMaxWaitingOrders) return "too many orders at once";
+    waiting_.push_back(order);
+    arrived_.notify_one();
+    return "";
+  }
+  std::optional<console::Order> wait() {
+    std::unique_lock lock(mutex_);
+    arrived_.wait_for(lock, kLook, [this] { return !waiting_.empty(); });
+    if (waiting_.empty()) return std::nullopt;
+    console::Order order = std::move(waiting_.front());
+    waiting_.pop_front();
+    return order;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable arrived_;
+  std::deque<console::Order> waiting_;
+};
+
+console::ServerConfig server_config(const ServeOptions& options) {
+  console::ServerConfig config;
+  config.gate.port = options.port;
+  if (!options.listen.empty()) {
+    config.gate.address = options.listen;
+    config.gate.token = console::new_token();
+  }
+  return config;
+}
+
+// Names of the scenes beside this one, without folders.
+std::vector<std::string> scenes_beside(const std::string& file) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::absolute(file).parent_path();
+  std::vector<std::string> names;
+  for (const fs::directory_entry& each : fs::directory_iterator(folder)) {
+    if (each.path().extension() == ".toml") names.push_back(each.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+class Console {
+ public:
+  explicit Console(const RunOptions& options)
+      : options_(options),
+        scenes_(scenes_beside(options.scene)),
+        folder_(std::filesystem::absolute(options.scene).parent_path().string()) {}
+
+  int run() {
+    std::atomic<bool> quit{false};
+    const StopOnSignal stop_on_signal(quit);
+    open(options_.scene);
+    if (!options_.fast) hal::prepare_process(host_);
+    serve();
+    while (!quit.load()) {
+      const std::optional<console::Order> order = orders_.wait();
+      if (order) obey(*order);
+      if (attempt_ != nullptr && attempt_->done.load()) end_attempt(console::Activity::Ended);
+      if (!host_fit_) return kExitHostUnfit;
+    }
+    if (attempt_ != nullptr) end_attempt(console::Activity::Ended);
+    return trouble_ ? kExitTrouble : kExitOk;
+  }
+
+ private:
+  void serve() {
+    console::ServerConfig config = server_config(options_.serve);
+    if (!options_.fast) config.spared_processors = session_->processors;
+    server_ = std::make_unique<console::Server>(
+        config, console::ServerEvents{
+                    [this](const console::Order& order) { return orders_.push(order); }, {}, {}});
+    show_stage();
+    fmt::print("{}: console at {}\nCtrl-C ends it\n", options_.scene, server_->url());
+    std::fflush(stdout);
+  }
+
+  // A scene whose files are not good leaves the present one as it is.
+  void open(const std::string& scene) {
+    RunOptions options = options_;
+    options.scene = scene;
+    auto session = std::make_unique<Session>(options, host_);
+    load(*session);
+    session_.reset();  // its devices, before they are opened again
+    open_devices(*session);
+    session_ = std::move(session);
+    display_ = std::make_shared<hal::Display>(session_->instance->kernel);
+    show_rest();
+  }
+
+  // The organ at rest and the needles where they start.
+  void show_rest() {
+    reset(session_->instance->kernel);
+    std::vector<hal::TickRecord> records(session_->stations.size());
+    for (std::uint32_t i = 0; i < records.size(); ++i) {
+      const hal::Mapping& mapping = session_->stations[i].placement.mapping;
+      records[i].input.handle = hal::to_world(mapping, {{}, {1, 0, 0, 0}});
+      records[i].output.layer = kNoLayer;
+      records[i].needle = i;
+    }
+    display_->publish(session_->instance->kernel, records, 0, 0);
+  }
+
+  void show_stage() {
+    auto stage = std::make_shared<console::Stage>();
+    const hal::Scene& scene = session_->scene;
+    stage->scene = std::filesystem::path(scene.file).filename().string();
+    stage->scenes = scenes_;
+    stage->period_s = scene.config.period_s;
+    stage->organ = session_->organ;
+    stage->lattice = console::make_lattice(session_->organ->organ, session_->instance->kernel);
+    for (std::uint32_t i = 0; i < session_->stations.size(); ++i) {
+      const hal::Hand& hand = scene.hands[i];
+      const NeedleConfig& needle = scene.config.needle[i];
+      stage->needles.push_back({hand.uri.empty() ? hand.device : hand.uri, needle.length_m,
+                                needle.outer_radius_m, session_->stations[i].placement.course,
+                                hand.guard.max_force_n});
+    }
+    stage->obstacles = scene.obstacles;
+    stage->display = display_;
+    server_->show(stage);
+    become(console::Activity::Ready);
+  }
+
+  void become(console::Activity activity) {
+    activity_ = activity;
+    server_->show(activity);
+  }
+
+  void obey(const console::Order& order) {
+    switch (order.verb) {
+      case console::Verb::kStart:
+        return begin_attempt();
+      case console::Verb::kPause:
+        return hold(true);
+      case console::Verb::kResume:
+        return hold(false);
+      case console::Verb::kReset:
+        return back_to_start();
+      case console::Verb::kChoose:
+        return choose(order.text);
+      case console::Verb::kAcknowledge:
+        return acknowledge(order);
+      case console::Verb::kMark:
+        return;
+      case console::Verb::kSeek:
+      case console::Verb::kPlay:
+        return server_->refuse("seek and play: only in a recording");
+    }
+  }
+
+  bool running() const { return attempt_ != nullptr; }
+
+  void begin_attempt() {
+    if (running()) return server_->refuse("start: an attempt is running; reset ends it");
+    if (session_ == nullptr) return server_->refuse("start: no scene; choose one");
+    attempt_ = std::make_unique<Attempt>();
+    const auto courses = courses_of(*session_);
+    prepare(
+        *session_, *attempt_, display_.get(),
+        [this, courses](std::span<const hal::TickRecord> records, std::span<const Event> events) {
+          for (const hal::TickRecord& each : records) {
+            (void)server_->tell({false, console::row_of(each, courses[each.needle]), {}});
+          }
+          for (const Event& each : events) {
+            (void)server_->tell({true, {}, console::happened(each)});
+          }
+        });
+    start(*session_, *attempt_);
+    become(console::Activity::Running);
+  }
+
+  void end_attempt(console::Activity then) {
+    attempt_->state.stop.store(true);
+    finish(*session_, *attempt_);
+    host_fit_ = host_fit_ && attempt_->host_fit;
+    if (tell_of_host(*session_, attempt_->host_fit)) {
+      RunReport report = report_of(*session_, *attempt_);
+      fmt::print("{}", human_text(report));
+      std::fflush(stdout);
+      trouble_ = tell_of_trouble(*attempt_) || trouble_;
+    }
+    attempt_.reset();
+    become(then);
+  }
+
+  void hold(bool on) {
+    if (!running()) return server_->refuse("pause and resume: no attempt is running");
+    attempt_->state.paused.store(on);
+    become(on ? console::Activity::Paused : console::Activity::Running);
+  }
+
+  void back_to_start() {
+    if (running()) end_attempt(console::Activity::Ended);
+    if (session_ == nullptr) return;
+    show_rest();
+    become(console::Activity::Ready);
+  }
+
+  void choose(const std::string& scene) {
+    if (running()) return server_->refuse("choose: an attempt is running; reset ends it");
+    if (std::find(scenes_.begin(), scenes_.end(), scene) == scenes_.end()) {
+      return server_->refuse("choose: no such scene beside the first one");
+    }
+    try {
+      open((std::filesystem::path(folder_) / scene).string());
+      show_stage();
+    } catch (const std::exception& error) {
+      server_->refuse(error.what());
+    }
+  }
+
+  void acknowledge(const console::Order& order) {
+    if (!running() || order.needle >= session_->stations.size()) {
+      return server_->refuse("acknowledge: no such needle is running");
+    }
+    for (std::uint32_t f = 1; f <= static_cast<std::uint32_t>(hal::Fault::kEnergy); ++f) {
+      const auto fault = static_cast<hal::Fault>(f);
+      if (order.text == hal::fault_name(fault)) {
+        attempt_->state.mailbox[order.needle].seen.store(fault);
+        return;
+      }
+    }
+    server_->refuse("acknowledge: expected the name of the latched fault");
+  }
+
+  RunOptions options_;
+  std::vector<std::string> scenes_;
+  std::string folder_;
+  hal::HostState host_;
+  Orders orders_;
+  std::unique_ptr<Session> session_;
+  std::shared_ptr<hal::Display> display_;
+  std::unique_ptr<console::Server> server_;
+  std::unique_ptr<Attempt> attempt_;
+  console::Activity activity_ = console::Activity::Ready;
+  bool host_fit_ = true;
+  bool trouble_ = false;
+};
+
+}  // namespace
+
+int run_console(const RunOptions& options) {
+  return Console(options).run();
+}
+
+}  // namespace stylet::app

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "stylet/hal/devices.h"
+#include "stylet/hal/helpers.h"
+
+namespace stylet::app {
+namespace {
+
+constexpr int kWarmUpTicks = 200;
+constexpr double kLongestRunS = 86400;
+constexpr double kDisplayPauseS = 1.0 / 60;
+
+std::string beside(const std::string& file, const std::string& path) {
+  return (std::filesystem::path(file).parent_path() / path).string();
+}
+
+// --device: the first names the first needle's, and so on.
+void attach_devices(Session& s) {
+  const std::vector<std::string>& uris = s.options.devices;
+  if (uris.size() > s.scene.hands.size()) {
+    throw hal::SceneError(fmt::format("--device: {}: expected at most {}, one a needle of {}",
+                                      uris.back(), s.scene.hands.size(), s.scene.file));
+  }
+  for (std::size_t i = 0; i < uris.size(); ++i) {
+    if (const std::string expected = hal::device_uri_fault(uris[i]); !expected.empty()) {
+      throw hal::SceneError(fmt::format("--device: {}: expected {}", uris[i], expected));
+    }
+    hal::attach(s.scene.hands[i], uris[i]);
+  }
+  for (const hal::Hand& hand : s.scene.hands) {
+    if (hand.device == "attached" && s.options.fast) {
+      throw hal::SceneError(
+          fmt::format("{}: device.uri: {}: expected no --fast: a hand cannot be "
+                      "hurried",
+                      s.scene.file, hand.uri));
+    }
+  }
+}
+
+// Threads of the tissue step wait for each other in real time: two on one processor would wait for
+// good.
+void choose_processors(Session& s) {
+  if (s.options.threads > 0) s.scene.threads = s.options.threads;
+  if (s.options.fast) return;
+  s.processors = hal::loop_processors(s.scene.cpu);
+  if (s.scene.threads <= s.processors.size()) return;
+  throw hal::SceneError(fmt::format(
+      "{}: loop.threads: {}: at most {}, a processor of this machine for each; --fast takes any",
+      s.scene.file, s.scene.threads, s.processors.size()));
+}
+
+}  // namespace
+
+void load(Session& s) {
+  s.scene = hal::read_scene(s.options.scene);
+  choose_processors(s);
+  if (!s.options.mode.empty()) {
+    s.scene.config.mode = s.options.mode == "paper" ? Mode::kPaper : Mode::kPhysical;
+  }
+  attach_devices(s);
+  if (s.options.organ.empty() && s.scene.organ_path.empty()) {
+    throw hal::SceneError(
+        fmt::format("{}: organ.path: missing: an organ file, here or by --organ", s.scene.file));
+  }
+  s.organ = std::make_shared<hal::OrganFile>(hal::load_organ(
+      !s.options.organ.empty() ? s.options.organ : beside(s.scene.file, s.scene.organ_path)));
+  s.stations.resize(s.scene.hands.size());
+  for (std::uint32_t i = 0; i < s.stations.size(); ++i) {
+    s.stations[i].placement = hal::place_needle(s.scene, s.organ->organ, i);
+  }
+  s.instance =
+      std::make_unique<hal::KernelInstance>(s.organ->organ, s.scene.config, s.scene.obstacles);
+}
+
+namespace {
+
+// Puts the hand of a needle at the start of its script; for how many ticks it has something to do.
+std::uint64_t rewind_hand(Session& s, std::uint32_t needle) {
+  const hal::Hand& hand = s.scene.hands[needle];
+  Station& station = s.stations[needle];
+  const double period_s = static_cast<double>(s.config.period_ns) * 1e-9;
+  if (hand.device == "attached") return 0;
+  if (hand.device == "replay") {
+    const hal::RecordingReader recording(beside(s.scene.file, hand.replay_path));
+    const std::uint32_t recorded = recording.info().config.needle_count;
+    station.replayed = {};
+    station.replayed.samples = hal::read_samples(recording, std::min(needle, recorded - 1));
+    return station.replayed.samples.size();
+  }
+  if (hand.device == "steered") {
+    station.steered = {};
+    station.steered.config = hand.steering;
+    station.steered.period_s = period_s;
+    for (Vec3& each : station.steered.config.targets_m) {
+      each = hal::place_in_device(station.placement.mapping, each);
+    }
+    return hal::steered_ticks(station.steered.config, s.scene.config.needle[needle].length_m,
+                              period_s);
+  }
+  station.hand = {};
+  station.hand.config = hand.hand;
+  station.hand.period_s = period_s;
+  station.hand.script = hal::make_script(hand.waypoints, hand.approach.start_m);
+  return hal::script_ticks(station.hand.script, period_s);
+}
+
+hal::Device open_device(Session& s, std::uint32_t needle) {
+  hal::Hand& hand = s.scene.hands[needle];
+  Station& station = s.stations[needle];
+  if (hand.device == "replay") return hal::replay_device(station.replayed, hand.limits);
+  if (hand.device == "steered") return hal::steered_device(station.steered, hand.limits);
+  if (hand.device != "attached") return hal::simulated_hand_device(station.hand, hand.limits);
+  fmt::print(stderr, "stylet: waiting for {}\n", hand.uri);
+  const hal::Device device = hal::open_device(hand.uri);
+  hal::fit_to_device(device.info, hand);
+  return device;
+}
+
+}  // namespace
+
+// As long as the needle that takes longest.
+void open_devices(Session& s) {
+  const double period_s = static_cast<double>(s.scene.config.period_s);
+  s.config.period_ns = std::llround(period_s * 1e9);
+  // Hashing a large organ takes longer than a tick: in real time only once, after the loop.
+  s.config.hash_every_ticks = s.options.fast ? s.scene.hash_every_ticks : 0;
+  s.config.display_every_ticks =
+      static_cast<std::uint32_t>(std::max(1.0, std::floor(kDisplayPauseS / period_s)));
+  for (std::uint32_t i = 0; i < s.stations.size(); ++i) {
+    s.config.ticks = std::max(s.config.ticks, rewind_hand(s, i));
+    s.devices.push_back(open_device(s, i));
+    const hal::Hand& hand = s.scene.hands[i];
+    s.config.hand[i] = {s.stations[i].placement.mapping,
+                        hand.guard,
+                        hand.coupling,
+                        hand.grip,
+                        hand.limits.max_torque_nm,
+                        hand.device != "attached"};
+  }
+  s.open_end = s.config.ticks == 0 && s.options.duration_s <= 0;
+  if (s.open_end) s.config.ticks = static_cast<std::uint64_t>(kLongestRunS / period_s);
+  if (s.options.duration_s > 0) {
+    // In whole nanoseconds: as a float, 10 ms is a little less, and 3 s one tick more.
+    const auto periods = s.options.duration_s * 1e9 / static_cast<double>(s.config.period_ns);
+    s.config.ticks = static_cast<std::uint64_t>(std::ceil(periods - 1e-6));
+  }
+}
+
+std::vector<hal::Course> courses_of(const Session& s) {
+  std::vector<hal::Course> courses;
+  for (const Station& each : s.stations) courses.push_back(each.placement.course);
+  return courses;
+}
+
+const char* mode_name(const Session& s) {
+  return s.scene.config.mode == Mode::kPaper ? "paper" : "physical";
+}
+
+namespace {
+
+hal::RecordingInfo recording_info(const Session& s, const std::vector<hal::Course>& courses) {
+  hal::RecordingInfo info;
+  info.stylet_version = STYLET_VERSION;
+  info.scene_file = s.scene.file;
+  info.scene_text = s.scene.text;
+  info.organ_file = std::filesystem::absolute(s.organ->path).string();
+  info.organ_name = s.organ->organ.name;
+  info.organ_hash = s.organ->organ.hash;
+  info.config = s.scene.config;
+  std::copy(courses.begin(), courses.end(), info.course.begin());
+  info.obstacles = s.scene.obstacles;
+  return info;
+}
+
+}  // namespace
+
+void prepare(Session& s, Attempt& a, hal::Display* display, hal::Recorder::Tap tap) {
+  const std::vector<hal::Course> courses = courses_of(s);
+  const hal::RecordingInfo info = recording_info(s, courses);
+  a.display = display;
+  for (std::uint32_t i = 0; s.runs > 0 && i < s.stations.size(); ++i) rewind_hand(s, i);
+  ++s.runs;
+  if (!a.recording.empty()) a.writer = std::make_unique<hal::RecordingWriter>(a.recording, info);
+  a.flight = std::make_unique<hal::FlightRecorder>(s.options.flight, info);
+  a.scorer = std::make_unique<hal::Scorer>(s.scene.targets, courses,
+                                           static_cast<double>(s.scene.config.period_s));
+  a.recorder = std::make_unique<hal::Recorder>(a.records, a.events, a.writer.get(), courses,
+                                               a.flight.get(), a.scorer.get(), std::move(tap));
+}
+
+namespace {
+
+std::unique_ptr<hal::Helpers> start_helpers(Session& s, Attempt& a) {
+  if (s.scene.threads == 1) return nullptr;
+  hal::HelperConfig config = {s.scene.threads - 1, !s.options.fast, {}, s.scene.rt_priority};
+  if (config.real_time) config.cpus.assign(s.processors.begin() + 1, s.processors.end());
+  return std::make_unique<hal::Helpers>(s.instance->kernel, config, a.state, s.host.report);
+}
+
+// The thread of the loop, from its rights to the last tick.
+void servo(Session& s, Attempt& a) try {
+  if (!s.options.fast) {
+    hal::prepare_thread(s.processors[0], s.scene.rt_priority, s.host.report);
+  }
+  const std::unique_ptr<hal::Helpers> helpers = start_helpers(s, a);
+  a.host_fit = s.options.fast || s.host.report.lacks.empty() || s.options.allow_non_rt;
+  if (!a.host_fit) return;
+  std::vector<Input> starts;
+  for (const Station& each : s.stations) {
+    starts.push_back({hal::to_world(each.placement.mapping, {{}, {1, 0, 0, 0}}), 1});
+  }
+  hal::warm_up(s.instance->kernel, starts, kWarmUpTicks);
+  hal::VirtualTime time;
+  const hal::Clock clock = s.options.fast ? hal::virtual_clock(time) : hal::monotonic_clock();
+  const hal::Outlets outlets = {&a.records, &a.events, a.display, s.options.fast};
+  const hal::ThreadUse before = hal::thread_use();
+  hal::run_loop(s.config, s.instance->kernel, s.devices, clock, outlets, a.state);
+  const hal::ThreadUse after = hal::thread_use();
+  a.thread_use = {after.minor_faults - before.minor_faults,
+                  after.major_faults - before.major_faults,
+                  after.voluntary_switches - before.voluntary_switches,
+                  after.involuntary_switches - before.involuntary_switches};
+  if (helpers != nullptr) a.helped_parts = helpers->parts();
+} catch (...) {
+  a.failure = std::current_exception();
+}
+
+}  // namespace
+
+void start(Session& s, Attempt& a) {
+  a.start_ns = hal::monotonic_now_ns();
+  a.loop = std::thread([&s, &a] {
+    servo(s, a);
+    a.done.store(true);
+  });
+}
+
+void finish(Session& s, Attempt& a) {
+  a.loop.join();
+  for (std::size_t i = 0; i < s.devices.size(); ++i) {
+    const hal::Device& device = s.devices[i];
+    const std::string trouble = device.trouble != nullptr ? device.trouble(device.self) : "";
+    if (!trouble.empty()) a.troubles.push_back(s.scene.hands[i].uri + ": " + trouble);
+  }
+  std::vector<hal::Fault> faults;
+  for (std::size_t i = 0; i < s.stations.size(); ++i) {
+    faults.push_back(a.state.hand[i].guard.fault);
+  }
+  a.recorder->stop(faults);
+  a.wall_s = static_cast<double>(hal::monotonic_now_ns() - a.start_ns) * 1e-9;
+  if (a.failure) std::rethrow_exception(a.failure);
+}
+
+std::string finish_recording(Attempt& a, std::uint64_t state_hash) {
+  if (a.writer == nullptr || !a.recorder->error().empty()) return a.recorder->error();
+  try {
+    a.writer->finish(state_hash, a.state.lost_records);
+  } catch (const hal::RecordingError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+RunReport report_of(const Session& s, const Attempt& a) {
+  RunReport report;
+  report.scene_file = s.scene.file;
+  report.organ_file = s.organ->path;
+  report.organ_name = s.organ->organ.name;
+  report.mode = mode_name(s);
+  report.recording = a.recording;
+  report.organ_hash = s.organ->organ.hash;
+  report.voxel_edge_m = s.organ->organ.voxel_edge_m;
+  report.state_hash = hash(s.instance->kernel);
+  report.period_s = static_cast<double>(s.scene.config.period_s);
+  report.fast = s.options.fast;
+  report.interrupted = a.state.stop.load();
+  report.wall_s = a.wall_s;
+  const Config& config = s.scene.config;
+  for (std::uint32_t i = 0; i < config.needle_count; ++i) {
+    report.phases.push_back(
+        hal::find_phases(a.recorder->track(i), report.period_s, config.needle[i].unit_m));
+    const bool simulated = s.scene.hands[i].device == "simulated";
+    report.least_received_j.push_back(simulated ? s.stations[i].hand.least_received_j
+                                                : std::numeric_limits<double>::quiet_NaN());
+  }
+  report.needles.assign(config.needle, config.needle + config.needle_count);
+  report.obstacles = s.scene.obstacles.size();
+  report.events = a.recorder->events();
+  report.loop = &a.state;
+  report.thread = a.thread_use;
+  report.threads = s.scene.threads;
+  report.helped_parts = a.helped_parts;
+  report.host = s.host.report;
+  report.predicted = s.instance->predicted;
+  report.used = s.instance->kernel.sizes;
+  report.stats = stats(s.instance->kernel);
+  return report;
+}
+
+bool tell_of_trouble(const Attempt& a) {
+  if (a.state.lost_records > 0) {
+    fmt::print(stderr, "stylet: {} records lost: the recorder fell more than {} records behind\n",
+               a.state.lost_records, kRecordRing);
+  }
+  for (const hal::Flight& each : a.flight->flights()) {
+    fmt::print(stderr, "stylet: {} of needle {} in tick {}: what led to it is in {}\n",
+               hal::fault_name(each.fault), each.needle, each.tick, each.path);
+  }
+  if (!a.flight->error().empty()) fmt::print(stderr, "stylet: {}\n", a.flight->error());
+  for (const std::string& each : a.troubles) fmt::print(stderr, "stylet: {}\n", each);
+  const auto faulty = [](const hal::HandState& hand) {
+    return hand.guard.fault != hal::Fault::kNone;
+  };
+  return a.state.lost_records > 0 || std::any_of(a.state.hand.begin(), a.state.hand.end(), faulty);
+}
+
+namespace {
+
+void warn(const Session& s, const char* kind, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    fmt::print(stderr, "stylet: {}: {}: {}\n", s.options.scene, kind, line);
+  }
+}
+
+}  // namespace
+
+bool tell_of_host(const Session& s, bool fit) {
+  warn(s, "note", s.host.report.notes);
+  warn(s, fit ? "warning" : "not fit for real time", s.host.report.lacks);
+  if (!fit) {
+    fmt::print(stderr,
+               "stylet: nothing was run; --allow-non-rt goes on without these rights, "
+               "--fast needs none\n");
+  }
+  return fit;
+}
+
+}  // namespace stylet::app

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene made ready to run, and one run of it: what `run` does once, and the console again and
+// again. Whoever owns them owns the control flow:
+//
+//   load -> open_devices -> { Attempt -> start -> (pause, rearm) -> finish }... -> ~Session
+#pragma once
+
+#include <atomic>
+#include <exception>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "commands.h"
+#include "report.h"
+#include "stylet/hal/display.h"
+#include "stylet/hal/host.h"
+#include "stylet/hal/instance.h"
+#include "stylet/hal/loop.h"
+#include "stylet/hal/recorder.h"
+#include "stylet/hal/replay_device.h"
+#include "stylet/hal/scene.h"
+
+namespace stylet::app {
+
+// Eight seconds of all needles at 1 kHz: longer than any disk makes the recorder wait.
+constexpr std::size_t kRecordRing = 8192 * kMaxNeedles;
+
+// One needle's start and whoever holds it.
+struct Station {
+  hal::Placement placement;
+  hal::SimulatedHand hand;
+  hal::Steered steered;
+  hal::ReplayDevice replayed;
+};
+
+// Everything that runs of one scene have in common, in the order in which it has to exist.
+struct Session {
+  Session(RunOptions options_in, hal::HostState& host_in)
+      : options(std::move(options_in)), host(host_in) {}
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+  ~Session() { close_devices(); }  // however the run ends, no device keeps a force
+
+  void close_devices() {
+    for (const hal::Device& device : devices) device.close(device.self);
+    devices.clear();
+  }
+
+  RunOptions options;
+  hal::HostState& host;
+  hal::Scene scene;
+  std::shared_ptr<hal::OrganFile> organ;
+  std::vector<Station> stations;  // of each needle
+  std::unique_ptr<hal::KernelInstance> instance;
+  std::vector<hal::Device> devices;
+  hal::LoopConfig config;
+  std::vector<int> processors;  // real time: the loop's and the helpers'
+  bool open_end = false;        // nothing but the user ends a run
+  std::uint32_t runs = 0;
+};
+
+// Scene, organ, kernel; no device yet.
+void load(Session& session);
+void open_devices(Session& session);
+std::vector<hal::Course> courses_of(const Session& session);
+const char* mode_name(const Session& session);
+
+// One run from the start of the scene.
+struct Attempt {
+  Attempt() = default;
+  Attempt(const Attempt&) = delete;
+  Attempt& operator=(const Attempt&) = delete;
+  ~Attempt() {
+    state.stop.store(true);
+    if (loop.joinable()) loop.join();
+  }
+
+  hal::LoopState state;
+  hal::Ring<hal::TickRecord> records{kRecordRing};
+  hal::Ring<Event> events{1024};
+  hal::Display* display = nullptr;  // null: none
+  std::string recording;            // empty: none
+  std::unique_ptr<hal::RecordingWriter> writer;
+  std::unique_ptr<hal::FlightRecorder> flight;
+  std::unique_ptr<hal::Scorer> scorer;
+  std::unique_ptr<hal::Recorder> recorder;
+  hal::ThreadUse thread_use = {};
+  std::uint64_t helped_parts = 0;
+  bool host_fit = true;
+  std::vector<std::string> troubles;  // of devices, in words
+  std::exception_ptr failure;
+  std::int64_t start_ns = 0;
+  double wall_s = 0;
+  std::atomic<bool> done{false};
+  std::thread loop;
+};
+
+// Opens the recording, and puts scripted hands back to their start. `tap` may be empty; `display`
+// null.
+void prepare(Session& session, Attempt& attempt, hal::Display* display,
+             hal::Recorder::Tap tap = {});
+// The loop, in a thread of its own; `done` when it has ended.
+void start(Session& session, Attempt& attempt);
+// Waits for its end, and completes what the recorder does. Throws what the loop threw.
+void finish(Session& session, Attempt& attempt);
+// What went wrong with the recording; empty: nothing. The report is worth having all the same.
+std::string finish_recording(Attempt& attempt, std::uint64_t state_hash);
+
+// What the machine refuses, on standard error; returns `fit`.
+bool tell_of_host(const Session& session, bool fit);
+RunReport report_of(const Session& session, const Attempt& attempt);
+// Faults, losses and files that a user should know of, on standard error; true: there were any.
+bool tell_of_trouble(const Attempt& attempt);
+
+}  // namespace stylet::app

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// The console's server: HTTP and WebSocket on one thread of the lowest priority.
+//
+// It takes the newest state out of a Display and rows out of a Ring, and gives every page what it
+// can take: a slow or dead page loses frames and costs nobody else anything. What pages ask of the
+// session comes out as Orders. Bounds of everything: limits.h. Promise: nothing here is called from
+// the loop, and no function waits for a page.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "gate.h"
+#include "messages.h"
+#include "stage.h"
+#include "stylet/hal/channel.h"
+
+namespace stylet::console {
+
+struct ConsoleError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct ServerConfig {
+  GateConfig gate;                     // port 0: any that is free
+  std::vector<int> spared_processors;  // the loop's, where it has one of its own
+};
+
+struct ServerEvents {
+  // On the server's thread; must return at once. The answer is told to the page that asked, and
+  // empty where the order was taken.
+  std::function<std::string(const Order&)> ordered;
+  std::function<void(const PointerMoved&)> pointed;
+  std::function<std::string()> metrics;
+};
+
+class Server {
+ public:
+  // Listens, or throws ConsoleError.
+  Server(const ServerConfig& config, ServerEvents events);
+  ~Server();
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  // The page's address, with the token.
+  std::string url() const;
+
+  // From any other thread, one at a time.
+  void show(std::shared_ptr<const Stage> stage);
+  void show(Activity activity);
+  void refuse(const std::string& what);  // to the page in control
+  // Where the recorder tells its rows; full: they are lost and counted. One writer.
+  bool tell(const Told& told);
+  // Instead of that: the whole curve of a recording.
+  void show(std::shared_ptr<const Curve> curve);
+
+  struct Impl;
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace stylet::console

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage.h"
+
+#include <limits>
+
+namespace stylet::console {
+namespace {
+
+constexpr std::uint32_t kUnnamed = std::numeric_limits<std::uint32_t>::max();
+
+stylet::Vec3 corner_at(const Organ& organ, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+  const float h = organ.voxel_edge_m;
+  return {organ.origin_m.x + h * static_cast<float>(x),
+          organ.origin_m.y + h * static_cast<float>(y),
+          organ.origin_m.z + h * static_cast<float>(z)};
+}
+
+}  // namespace
+
+Lattice make_lattice(const Organ& organ, const Kernel& kernel) {
+  Lattice out;
+  out.corners.resize(std::size_t{8} * organ.voxel_count);
+  voxel_corners(kernel, out.corners);
+  std::vector<std::uint32_t> number(particle_count(kernel), kUnnamed);
+  std::size_t at = 0;
+  for (const OrganRun& run : organ.runs) {
+    for (std::uint32_t i = 0; i < run.count; ++i) {
+      for (std::uint32_t c = 0; c < 8; ++c, ++at) {
+        const std::uint32_t particle = out.corners[at];
+        if (number[particle] == kUnnamed) {
+          number[particle] = static_cast<std::uint32_t>(out.of_kernel.size());
+          out.of_kernel.push_back(particle);
+          out.rest_m.push_back(corner_at(organ, run.x + i + (c & 1U), run.y + ((c >> 1U) & 1U),
+                                         run.z + ((c >> 2U) & 1U)));
+        }
+        out.corners[at] = number[particle];
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace stylet::console

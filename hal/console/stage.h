@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a console shows: one scene with its organ, needles and lattice; and what a page may ask of
+// it. Plain data between the session, which owns the control flow, and the server.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "stylet/hal/display.h"
+#include "stylet/hal/instance.h"
+#include "stylet/hal/record.h"
+
+namespace stylet::console {
+
+// The particles that voxels are made of, numbered by themselves.
+struct Lattice {
+  std::vector<stylet::Vec3> rest_m;
+  std::vector<std::uint32_t> corners;    // 8 a voxel
+  std::vector<std::uint32_t> of_kernel;  // number in the kernel, of each
+};
+Lattice make_lattice(const Organ& organ, const Kernel& kernel);
+
+struct ShownNeedle {
+  std::string device;
+  float length_m = 0, outer_radius_m = 0;
+  hal::Course course = {};
+  float max_force_n = 0;
+};
+
+struct Stage {
+  std::string scene;                // its name, without folders
+  std::vector<std::string> scenes;  // to choose from
+  float period_s = 0;
+  std::uint64_t recording_ticks = 0;  // 0: live
+  std::shared_ptr<const hal::OrganFile> organ;
+  Lattice lattice;
+  std::vector<ShownNeedle> needles;
+  std::vector<ObstacleConfig> obstacles;
+  std::shared_ptr<hal::Display> display;
+};
+
+enum class Verb {
+  kStart,
+  kPause,
+  kResume,
+  kReset,
+  kChoose,
+  kSeek,
+  kPlay,
+  kMark,
+  kAcknowledge,
+};
+
+struct Order {
+  Verb verb;
+  std::string text = {};  // trainee, scene, mark or fault
+  std::uint64_t tick = 0;
+  float speed = 0;
+  std::uint32_t needle = 0;
+};
+
+}  // namespace stylet::console
