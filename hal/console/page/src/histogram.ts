@@ -74,7 +74,11 @@ export class Histogram {
           size: 44,
           splits: (_u, _i, _low, high) =>
               Array.from({length: Math.floor(Math.log10(high)) + 1}, (_, i) => 10 ** i),
-          values: (_u, splits) => splits.map((v) => (v < 1e4 ? String(v) : v.toExponential(0))),
+          values: (_u, splits) => splits.map(
+              (v) =>
+                  (v === null  ? '' :
+                       v < 1e4 ? String(v) :
+                                 v.toExponential(0))),
         },
       ],
       series: [
@@ -88,4 +92,10 @@ export class Histogram {
       ],
     };
   }
+}
+
+// uPlot leaves some of a logarithmic axis without a number.
+function countText(count: number|null): string {
+  if (count === null) return '';
+  return count < 1e4 ? String(count) : count.toExponential(0).replace('+', '');
 }

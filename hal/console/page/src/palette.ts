@@ -35,7 +35,7 @@ export const materialColour = (index: number): string => kMaterials[index % kMat
 
 // Of the bodies in the 3D view, the same on light and dark ground.
 export const kBody = {
-  needle: '#d5dbe3',
+  needle: '#a9b4c2',
   handle: '#6f7b8a',
   lattice: '#b3261e',
   particle: '#2fa84f',

@@ -44,7 +44,7 @@ export class ForcePanel {
       store.tell('needle');
     });
     store.on(['hello'], () => this.begin());
-    store.on(['frame', 'needle', 'rows'], () => this.show());
+    store.on(['frame', 'needle', 'rows', 'organ'], () => this.show());
   }
 
   private addFacts(
@@ -117,7 +117,7 @@ export class ForcePanel {
     const along = (v: Vec3) => v.x * axis.x + v.y * axis.y + v.z * axis.z;
     const row = this.store.rows.near(frame.tick);
     const known = row !== null && row.tick === frame.tick;
-    this.put('axial', known ? `${exactText(row.force)} N` : texts.units.n(along(of.force), 3));
+    this.put('axial', known ? `${exactText(row.force)} N` : texts.units.n(-along(of.force), 3));
     this.put('lateral', known ? `${exactText(row.lateral)} N` : texts.scores.dash);
     for (const cause of kCauses) {
       const value = size(of.causes[cause]);

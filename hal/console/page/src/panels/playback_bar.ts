@@ -29,6 +29,7 @@ export class PlaybackBar {
   private wanted: number|null = null;
   private askedAt = -Infinity;
   private asked = -1;
+  private rowAsked = -1;
 
   constructor(
       private readonly store: Store,
@@ -117,11 +118,19 @@ export class PlaybackBar {
     else if (this.wanted !== null)
       this.ask();
     if (this.wanted === null) this.bar.value = String(frame.tick);
+    if (this.wanted === null && !this.playing) this.askExactRow(frame.tick);
     if (this.playing && frame.tick >= this.last && Number(this.speed.value) > 0)
       this.setPlaying(false);
     const [now, end] = [frame.tick, this.last].map((t) => this.store.seconds(t).toFixed(3));
     say(this.time, texts.playback.at(now, end));
     this.bar.setAttribute('aria-valuetext', texts.playback.at(now, end));
+  }
+
+  // Rows for the plots are thinned; at the cursor there must be the one of this very tick.
+  private askExactRow(tick: number): void {
+    if (tick === this.rowAsked || this.store.rows.near(tick)?.tick === tick) return;
+    this.rowAsked = tick;
+    this.send(ask.rows(tick, tick, 1));
   }
 
   private drawFlags(): void {

@@ -40,13 +40,13 @@ export class PlotPanels {
     });
     this.time = new Plot({
       name: 'force-time',
-      height: 200,
+      height: 176,
       numbers,
       seek: (x) => store.playback && seek(x / store.period),
       step: (direction) => store.playback && seek((store.frame?.tick ?? 0) + 20 * direction),
       zoom: (range) => this.zoom(range),
     });
-    this.depth = new Plot({name: 'force-depth', height: 200, numbers});
+    this.depth = new Plot({name: 'force-depth', height: 176, numbers});
     this.causeSwitch = toggle(texts.plots.byCause, (on) => {
       this.byCause = on;
       this.redraw();

@@ -61,7 +61,7 @@ export class PointerPanel {
     this.root = panel(
         'pointer',
         texts.pointer.heading,
-        'trainee teacher engineer',
+        'trainee engineer',
         this.pad,
         el('p', {class: 'quiet-text'}, texts.pointer.help),
         button(texts.pointer.home, () => this.home()),

@@ -105,7 +105,7 @@ class Needle {
     fin.translate(1.1 * grip, 0, kHandleLength / 2);
     this.handle.add(new THREE.Mesh(fin, matte(kBody.needle)));
     this.arrow = new THREE.Group();
-    const ink = matte(kBody.force, {emissive: '#7a5200'});
+    const ink = matte(kBody.force, {emissive: '#3d2900'});
     this.shaft =
         new THREE.Mesh(new THREE.CylinderGeometry(0.0011, 0.0011, 1, 12).translate(0, 0.5, 0), ink);
     this.head =

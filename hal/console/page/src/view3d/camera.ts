@@ -10,31 +10,58 @@ import type {Hello, Vec3} from '../protocol';
 export const kPresets = ['side', 'oblique', 'behind', 'above', 'tip'] as const;
 export type Preset = (typeof kPresets)[number];
 const kMoveMs = 350;
+const kShownShaft = 0.75;  // share of the needle outside that is in the picture
+const kRoom = 1.1;
+const kFreeHeight = 0.8;   // between legend and buttons
+const kTipDistance = 1.2;  // sizes of the organ
 
 export interface Aim {
-  centre: THREE.Vector3;
-  size: number;              // radius of what is to be seen
+  points: THREE.Vector3[];   // what is to be seen: the organ's box, and the handle
+  size: number;              // half of the box's diagonal
   direction: THREE.Vector3;  // of insertion
   up: THREE.Vector3;
 }
 
-// The needle's side counts half, so that the organ stays large.
 export function aimAt(hello: Hello): Aim {
   const box = new THREE.Box3();
   const at = new THREE.Vector3();
   for (let i = 0; i < hello.rest.length; i += 3) box.expandByPoint(at.fromArray(hello.rest, i));
+  const points = Array.from(
+      {length: 8},
+      (_, i) => new THREE.Vector3(
+          i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
+          i & 4 ? box.max.z : box.min.z));
   const needle = hello.needles[0];
   const direction = needle ?
       new THREE.Vector3(needle.direction.x, needle.direction.y, needle.direction.z).normalize() :
       new THREE.Vector3(1, 0, 0);
-  const size = box.getSize(new THREE.Vector3()).length() / 2;
-  const centre = box.getCenter(new THREE.Vector3());
   if (needle) {
-    const entry = new THREE.Vector3(needle.entry.x, needle.entry.y, needle.entry.z);
-    centre.lerp(entry, 0.25).addScaledVector(direction, -0.2 * size);
+    const {x, y, z} = needle.entry;
+    points.push(
+        new THREE.Vector3(x, y, z).addScaledVector(direction, -kShownShaft * needle.length));
   }
   const up = Math.abs(direction.y) < 0.9 ? new THREE.Vector3(0, 1, 0) : new THREE.Vector3(0, 0, 1);
-  return {centre, size: Math.max(size, 0.01), direction, up};
+  return {points, size: Math.max(box.getSize(at).length() / 2, 0.01), direction, up};
+}
+
+// Where to stand and look at so that all points are within the picture and as large as they can be.
+function fit(
+    points: THREE.Vector3[], from: THREE.Vector3, up: THREE.Vector3,
+    camera: THREE.PerspectiveCamera) {
+  const right = new THREE.Vector3().crossVectors(up, from).normalize();
+  const above = new THREE.Vector3().crossVectors(from, right);
+  const spans = [right, above, from].map((axis) => {
+    const along = points.map((p) => p.dot(axis));
+    return [Math.min(...along), Math.max(...along)];
+  });
+  const [middle, half] = [(s: number[]) => (s[0] + s[1]) / 2, (s: number[]) => (s[1] - s[0]) / 2];
+  const target = new THREE.Vector3();
+  [right, above, from].forEach((axis, i) => target.addScaledVector(axis, middle(spans[i])));
+  const slope = Math.tan((camera.fov * Math.PI) / 360);
+  const wide = half(spans[0]) / (slope * camera.aspect);
+  const high = half(spans[1]) / (slope * kFreeHeight);
+  const distance = kRoom * Math.max(wide, high) + half(spans[2]);
+  return {target, position: target.clone().addScaledVector(from, distance)};
 }
 
 export class CameraMan {
@@ -64,9 +91,8 @@ export class CameraMan {
 
   look(preset: Preset, tip: Vec3|null, atOnce = this.still()): void {
     if (this.aim === null) return;
-    const {centre, size, direction, up} = this.aim;
+    const {points, size, direction, up} = this.aim;
     const across = new THREE.Vector3().crossVectors(direction, up).normalize();
-    const target = preset === 'tip' && tip ? new THREE.Vector3(tip.x, tip.y, tip.z) : centre;
     const from: Record<Preset, THREE.Vector3> = {
       side: across.clone().addScaledVector(up, 0.12),
       oblique: across.clone().addScaledVector(direction, -0.7).addScaledVector(up, 0.5),
@@ -74,13 +100,15 @@ export class CameraMan {
       above: up.clone().addScaledVector(across, 0.02),
       tip: across.clone().addScaledVector(up, 0.25),
     };
-    const half = (this.camera.fov / 2) * (Math.PI / 180);
-    const narrow = Math.min(1, this.camera.aspect / 1.25);
-    const distance = ((preset === 'tip' ? 0.3 : 1) * size) / Math.tan(half) / narrow;
-    const position = target.clone().addScaledVector(from[preset].normalize(), distance);
+    const toward = from[preset].normalize();
+    let {position, target} = fit(points, toward, up, this.camera);
+    if (preset === 'tip' && tip) {
+      target = new THREE.Vector3(tip.x, tip.y, tip.z);
+      position = target.clone().addScaledVector(toward, kTipDistance * size);
+    }
     this.from.position.copy(this.camera.position);
     this.from.target.copy(this.controls.target);
-    this.goal = {position, target: target.clone(), began: atOnce ? -kMoveMs : performance.now()};
+    this.goal = {position, target, began: atOnce ? -kMoveMs : performance.now()};
     this.move(atOnce ? kMoveMs : performance.now());
   }
 

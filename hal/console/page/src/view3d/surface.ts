@@ -84,7 +84,7 @@ uniform vec3 ink;
 out vec4 colour;
 void main() {
   if (dot(plane.xyz, vPlace) > plane.w) discard;
-  colour = vec4(ink, 0.75);
+  colour = vec4(ink, 0.45);
 }`;
 
 export interface Surface {

@@ -83,8 +83,8 @@ export class View3d {
     this.renderer.setClearColor(0x000000, 0);
     this.cameraMan = new CameraMan(canvas, still, () => (this.stale = true));
     this.cameraMan.camera.add(
-        new THREE.DirectionalLight('#ffffff', 1.9).translateY(0.4).translateZ(1));
-    this.scene.add(this.cameraMan.camera, new THREE.AmbientLight('#ffffff', 1.3));
+        new THREE.DirectionalLight('#ffffff', 1.5).translateY(0.4).translateZ(1));
+    this.scene.add(this.cameraMan.camera, new THREE.AmbientLight('#ffffff', 1.1));
     store.on(['organ'], () => this.rebuild());
     store.on(['frame'], () => (this.fresh = this.stale = true));
     new ResizeObserver(() => this.resize()).observe(canvas);
