@@ -44,6 +44,14 @@ int run(const RunOptions& options);
 // `run` with a console: attempts one after the other, as the page asks.
 int run_console(const RunOptions& options);
 
+struct PlaybackOptions {
+  std::string recording;
+  std::string organ;  // instead of the recorded path
+  ServeOptions serve;
+};
+// A recording on the console's page.
+int play_back(const PlaybackOptions& options);
+
 struct ReplayOptions {
   std::string recording;
   std::string organ;

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
+#include <ctime>
 #include <deque>
 #include <filesystem>
 #include <memory>
@@ -14,6 +16,7 @@
 
 #include "console/limits.h"
 #include "console/server.h"
+#include "serve.h"
 #include "session.h"
 #include "stop_signal.h"
 
@@ -48,14 +51,13 @@ class Orders {
   std::deque<console::Order> waiting_;
 };
 
-console::ServerConfig server_config(const ServeOptions& options) {
-  console::ServerConfig config;
-  config.gate.port = options.port;
-  if (!options.listen.empty()) {
-    config.gate.address = options.listen;
-    config.gate.token = console::new_token();
-  }
-  return config;
+// Other files may end in .toml, too: tissues, hulls.
+bool is_scene(const std::filesystem::path& path) try {
+  if (path.extension() != ".toml") return false;
+  (void)hal::read_scene(path.string());
+  return true;
+} catch (const std::exception&) {
+  return false;
 }
 
 // Names of the scenes beside this one, without folders.
@@ -64,10 +66,19 @@ std::vector<std::string> scenes_beside(const std::string& file) {
   const fs::path folder = fs::absolute(file).parent_path();
   std::vector<std::string> names;
   for (const fs::directory_entry& each : fs::directory_iterator(folder)) {
-    if (each.path().extension() == ".toml") names.push_back(each.path().filename().string());
+    if (is_scene(each.path())) names.push_back(each.path().filename().string());
   }
   std::sort(names.begin(), names.end());
   return names;
+}
+
+std::string local_time() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts = {};
+  localtime_r(&now, &parts);
+  std::array<char, 40> text;
+  const std::size_t size = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S%z", &parts);
+  return {text.data(), size};
 }
 
 class Console {
@@ -97,9 +108,9 @@ class Console {
   void serve() {
     console::ServerConfig config = server_config(options_.serve);
     if (!options_.fast) config.spared_processors = session_->processors;
-    server_ = std::make_unique<console::Server>(
-        config, console::ServerEvents{
-                    [this](const console::Order& order) { return orders_.push(order); }, {}, {}});
+    console::ServerEvents events;
+    events.ordered = [this](const console::Order& order) { return orders_.push(order); };
+    server_ = std::make_unique<console::Server>(config, std::move(events));
     show_stage();
     fmt::print("{}: console at {}\nCtrl-C ends it\n", options_.scene, server_->url());
     std::fflush(stdout);
@@ -147,6 +158,7 @@ class Console {
                                 hand.guard.max_force_n});
     }
     stage->obstacles = scene.obstacles;
+    stage->targets = scene.targets;
     stage->display = display_;
     server_->show(stage);
     become(console::Activity::Ready);
@@ -160,7 +172,7 @@ class Console {
   void obey(const console::Order& order) {
     switch (order.verb) {
       case console::Verb::kStart:
-        return begin_attempt();
+        return begin_attempt(order.text);
       case console::Verb::kPause:
         return hold(true);
       case console::Verb::kResume:
@@ -181,10 +193,15 @@ class Console {
 
   bool running() const { return attempt_ != nullptr; }
 
-  void begin_attempt() {
+  void begin_attempt(const std::string& trainee) {
     if (running()) return server_->refuse("start: an attempt is running; reset ends it");
     if (session_ == nullptr) return server_->refuse("start: no scene; choose one");
     attempt_ = std::make_unique<Attempt>();
+    scored_ = {scored_.attempt + 1, trainee, local_time(), "", {}};
+    if (!options_.record.empty()) {
+      attempt_->recording = hal::numbered_name(options_.record);
+      scored_.recording = std::filesystem::path(attempt_->recording).filename().string();
+    }
     const auto courses = courses_of(*session_);
     prepare(
         *session_, *attempt_, display_.get(),
@@ -203,15 +220,26 @@ class Console {
   void end_attempt(console::Activity then) {
     attempt_->state.stop.store(true);
     finish(*session_, *attempt_);
-    host_fit_ = host_fit_ && attempt_->host_fit;
-    if (tell_of_host(*session_, attempt_->host_fit)) {
-      RunReport report = report_of(*session_, *attempt_);
-      fmt::print("{}", human_text(report));
-      std::fflush(stdout);
-      trouble_ = tell_of_trouble(*attempt_) || trouble_;
-    }
+    host_fit_ = attempt_->host_fit;
+    if (tell_of_host(*session_, host_fit_)) report();
+    session_->host.report = {};  // said once
     attempt_.reset();
     become(then);
+  }
+
+  void report() {
+    RunReport report = report_of(*session_, *attempt_);
+    const std::string record_error = finish_recording(*attempt_, report.state_hash);
+    if (!record_error.empty()) {
+      fmt::print(stderr, "stylet: {}\n", record_error);
+      report.recording.clear();
+      scored_.recording.clear();
+    }
+    fmt::print("\nattempt {}\n{}", scored_.attempt, human_text(report));
+    std::fflush(stdout);
+    trouble_ = tell_of_trouble(*attempt_) || !record_error.empty() || trouble_;
+    scored_.score = attempt_->scorer->score();
+    server_->show(scored_);
   }
 
   void hold(bool on) {
@@ -263,6 +291,7 @@ class Console {
   std::shared_ptr<hal::Display> display_;
   std::unique_ptr<console::Server> server_;
   std::unique_ptr<Attempt> attempt_;
+  console::ScoredAttempt scored_;  // the present attempt, or the last
   console::Activity activity_ = console::Activity::Ready;
   bool host_fit_ = true;
   bool trouble_ = false;

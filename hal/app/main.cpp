@@ -28,7 +28,12 @@ CLI::Option* add_serving(CLI::App& command, ServeOptions& options) {
 
 void add_run(CLI::App& program, RunOptions& options) {
   CLI::App& run = *program.add_subcommand("run", "Run a scene on the real-time loop");
-  run.footer("Example: stylet run fig09-force-curve.toml --organ liver.organ --record out.h5");
+  run.footer(
+      "Examples:\n"
+      "  stylet run fig09-force-curve.toml --organ liver.organ --record out.h5\n"
+      "  stylet run fig09-force-curve.toml --organ liver.organ --console\n"
+      "With --console: attempts as the page asks, also of other scenes beside this one; --record\n"
+      "out.h5 keeps each as out-1.h5, out-2.h5 ...");
   run.add_option("scene", options.scene, "Scene file (TOML)")->required();
   run.add_option("--organ", options.organ, "Organ file, instead of the scene's");
   run.add_option("--record", options.record, "Write a recording (HDF5)");
@@ -51,9 +56,20 @@ void add_run(CLI::App& program, RunOptions& options) {
   options.serve.port = console::kDefaultPort;
   CLI::Option* console =
       run.add_flag(fmt::format("--console{{{}}}", console::kDefaultPort), options.serve.port,
-                   "Serve a page to see and steer it, on this port of 127.0.0.1")
+                   "Serve a page to see and steer it, on this port of 127.0.0.1; --console=0: any")
           ->check(CLI::Range(0, 65535));
   add_serving(run, options.serve)->needs(console);
+}
+
+void add_playback(CLI::App& program, PlaybackOptions& options) {
+  CLI::App& play = *program.add_subcommand("console", "Look at a recording in a browser");
+  play.footer("Example: stylet console out.h5");
+  play.add_option("recording", options.recording, "Recording (HDF5)")->required();
+  play.add_option("--organ", options.organ, "Organ file, instead of the recorded path");
+  options.serve.port = console::kDefaultPort;
+  play.add_option("--port", options.serve.port, "Of 127.0.0.1; 0: any that is free")
+      ->capture_default_str();
+  add_serving(play, options.serve);
 }
 
 void add_replay(CLI::App& program, ReplayOptions& options) {
@@ -161,6 +177,8 @@ int dispatch(int argc, char** argv) {
       "Examples:\n"
       "  stylet run fig09-force-curve.toml --organ liver.organ --record out.h5\n"
       "  stylet plot out.h5 -o force.svg\n"
+      "  stylet run fig09-force-curve.toml --organ liver.organ --console\n"
+      "  stylet console out.h5\n"
       "  stylet replay out.h5\n"
       "  stylet bench liver.organ\n"
       "  stylet doctor --measure 60\n"
@@ -170,9 +188,11 @@ int dispatch(int argc, char** argv) {
       "4 machine not fit for real time");
   RunOptions run_options;
   ReplayOptions replay_options;
+  PlaybackOptions playback_options;
   PlotOptions plot_options;
   DoctorOptions doctor_options;
   add_run(program, run_options);
+  add_playback(program, playback_options);
   add_replay(program, replay_options);
   add_plot(program, plot_options);
   add_doctor(program, doctor_options);
@@ -185,7 +205,8 @@ int dispatch(int argc, char** argv) {
   try {
     program.parse(argc, argv);
     if (program.get_subcommands().empty()) {
-      throw CLI::RequiredError("A command (run, replay, plot, devices, station, doctor or bench)");
+      throw CLI::RequiredError(
+          "A command (run, console, replay, plot, devices, station, doctor or bench)");
     }
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? kExitOk : kExitUsage;
@@ -194,6 +215,7 @@ int dispatch(int argc, char** argv) {
     run_options.serve.on = program.get_subcommand("run")->count("--console") > 0;
     return run_options.serve.on ? run_console(run_options) : run(run_options);
   }
+  if (program.got_subcommand("console")) return play_back(playback_options);
   if (program.got_subcommand("replay")) return replay_recording(replay_options);
   if (probing.parsed()) return probe(probe_options);
   if (program.got_subcommand("devices")) return list_devices(devices_options);

@@ -53,6 +53,36 @@ auto needles_of(Builder& builder, const Stage& stage) {
   return builder.CreateVector(all);
 }
 
+auto targets_of(Builder& builder, const Stage& stage) {
+  std::vector<flatbuffers::Offset<Target>> all;
+  for (const hal::Target& each : stage.targets) {
+    const Vec3 position = packed(each.position_m);
+    all.push_back(CreateTarget(builder, builder.CreateString(each.name), &position, each.radius_m,
+                               each.forbidden));
+  }
+  return builder.CreateVector(all);
+}
+
+auto puncture_scores(Builder& builder, const Organ& organ, const hal::Score& score) {
+  std::vector<flatbuffers::Offset<PunctureScore>> all;
+  for (const hal::PunctureScore& each : score.punctures) {
+    const bool known = each.layer < organ.material_count;
+    const auto layer = builder.CreateString(known ? organ_material(organ, each.layer).name : "");
+    all.push_back(CreatePunctureScore(builder, each.tick, layer, each.force_n));
+  }
+  return builder.CreateVector(all);
+}
+
+auto target_scores(Builder& builder, const Stage& stage, const hal::Score& score) {
+  std::vector<flatbuffers::Offset<TargetScore>> all;
+  for (std::size_t i = 0; i < std::min(stage.targets.size(), score.targets.size()); ++i) {
+    const auto name = builder.CreateString(stage.targets[i].name);
+    all.push_back(CreateTargetScore(builder, name, stage.targets[i].forbidden,
+                                    score.targets[i].closest_m, score.targets[i].reached));
+  }
+  return builder.CreateVector(all);
+}
+
 flatbuffers::Offset<NeedleFrame> needle_frame(Builder& builder, const hal::DisplayState& state,
                                               std::uint32_t i) {
   const hal::TickRecord& record = state.hand[i];
@@ -156,7 +186,7 @@ Bytes hello_message(const Stage& stage, bool may_control) {
   const auto corners = builder.CreateVector(stage.lattice.corners);
   const auto needles = needles_of(builder, stage);
   const auto obstacles = obstacles_of(builder, stage);
-  const auto targets = builder.CreateVector(std::vector<flatbuffers::Offset<Target>>{});
+  const auto targets = targets_of(builder, stage);
   const auto hello = CreateHello(builder, kProtocol, version, scene, scenes, stage.period_s,
                                  stage.recording_ticks, stage.organ->organ.voxel_edge_m,
                                  static_cast<std::uint32_t>(stage.lattice.rest_m.size()), rest,
@@ -176,6 +206,36 @@ Bytes rows_message(std::uint64_t first, std::uint32_t stride, std::span<const Ro
   const auto event_vector = builder.CreateVectorOfStructs(events.data(), events.size());
   return finished(builder, Body::Rows,
                   CreateRows(builder, first, stride, row_vector, event_vector));
+}
+
+Bytes score_message(const Stage& stage, const ScoredAttempt& attempt, std::span<const Row> rows) {
+  Builder builder(rows.size_bytes() + 4096);
+  const hal::Score& score = attempt.score;
+  const auto scene = builder.CreateString(stage.scene);
+  const auto trainee = builder.CreateString(attempt.trainee);
+  const auto began = builder.CreateString(attempt.began);
+  const auto recording = builder.CreateString(attempt.recording);
+  const auto punctures = puncture_scores(builder, stage.organ->organ, score);
+  const auto targets = target_scores(builder, stage, score);
+  const auto row_vector = builder.CreateVectorOfStructs(rows.data(), rows.size());
+  ScoreBuilder out(builder);
+  out.add_attempt(attempt.attempt);
+  out.add_scene(scene);
+  out.add_trainee(trainee);
+  out.add_began(began);
+  out.add_duration_s(static_cast<float>(score.duration_s));
+  out.add_path_m(static_cast<float>(score.path_m));
+  out.add_depth_path_m(static_cast<float>(score.depth_path_m));
+  out.add_punctures(punctures);
+  out.add_withdrawals(score.withdrawals);
+  out.add_targets(targets);
+  out.add_peak_force_n(score.peak_force_n);
+  out.add_peak_lateral_n(score.peak_lateral_n);
+  out.add_mean_force_n(static_cast<float>(score.mean_force_n));
+  out.add_faults(score.faults);
+  out.add_recording(recording);
+  out.add_rows(row_vector);
+  return finished(builder, Body::Score, out.Finish());
 }
 
 Bytes marked_message(std::uint64_t tick, const std::string& text) {

@@ -23,6 +23,7 @@ Bytes hello_message(const Stage& stage, bool may_control);
 Bytes refused_message(const std::string& what);
 Bytes rows_message(std::uint64_t first, std::uint32_t stride, std::span<const Row> rows,
                    std::span<const Happened> events);
+Bytes score_message(const Stage& stage, const ScoredAttempt& attempt, std::span<const Row> rows);
 Bytes marked_message(std::uint64_t tick, const std::string& text);
 
 // Places of the lattice's particles in kPositionUnitM from rest: x y z of each.

@@ -76,6 +76,8 @@ struct Server::Impl {
   std::string take_order(const Link& link, const Order& order);
   void answer_rows(Link& link, const AskedRows& asked);
   void mark(const std::string& text);
+  void score(const ScoredAttempt& attempt);
+  void keep_and_send(std::deque<Parcel>& kept, Bytes bytes);
   void greet(Link& link);
   bool in_control(const Link& link) const;
   void join(const std::shared_ptr<Link>& link);
@@ -100,8 +102,9 @@ struct Server::Impl {
   std::uint64_t serial = 0;  // of the newest state
   TimingShown timing;
   std::uint32_t rounds = 0;
-  std::deque<Parcel> marks;  // of this attempt
-  std::thread thread;        // last: it uses all of the above
+  std::deque<Parcel> marks;   // of this attempt
+  std::deque<Parcel> scores;  // of this session
+  std::thread thread;         // last: it uses all of the above
 };
 
 // ---- a page's WebSocket
@@ -399,6 +402,7 @@ void Server::Impl::greet(Link& link) {
   link.got = {};
   if (stage == nullptr) return;
   link.send(shared(hello_message(*stage, in_control(link))));
+  for (const Parcel& each : scores) link.send(each);
   for (const Parcel& each : marks) link.send(each);
 }
 
@@ -410,6 +414,7 @@ void Server::Impl::join(const std::shared_ptr<Link>& link) {
 void Server::Impl::leave(const Link& link) {
   const bool controlled = in_control(link);
   std::erase_if(links, [&link](const auto& each) { return each.get() == &link; });
+  if (controlled && events.pointer_left) events.pointer_left();
   if (controlled && !links.empty()) greet(*links.front());
 }
 
@@ -426,9 +431,22 @@ std::string Server::Impl::take_order(const Link& link, const Order& order) {
 
 void Server::Impl::mark(const std::string& text) {
   if (state == nullptr) return;
-  marks.push_back(shared(marked_message(state->hand[0].output.tick, text)));
-  if (marks.size() > kMaxScoresKept) marks.pop_front();
-  for (const auto& link : std::vector(links)) link->send(marks.back());
+  keep_and_send(marks, marked_message(state->hand[0].output.tick, text));
+}
+
+void Server::Impl::score(const ScoredAttempt& attempt) {
+  if (stage == nullptr) return;
+  take_news();
+  const std::span rows = live.rows_from(0);
+  const std::uint64_t first = rows.empty() ? 0 : rows.front().tick();
+  const std::vector<Row> thinned = thin(rows, first, stride_for(rows.size(), 1, kMaxRowsPerScore));
+  keep_and_send(scores, score_message(*stage, attempt, thinned));
+}
+
+void Server::Impl::keep_and_send(std::deque<Parcel>& kept, Bytes bytes) {
+  kept.push_back(shared(std::move(bytes)));
+  if (kept.size() > kMaxScoresKept) kept.pop_front();
+  for (const auto& link : std::vector(links)) link->send(kept.back());
 }
 
 void Server::Impl::answer_rows(Link& link, const AskedRows& asked) {
@@ -476,6 +494,10 @@ void Server::show(Activity activity) {
 
 void Server::show(std::shared_ptr<const Curve> curve) {
   asio::post(impl_->io, [impl = impl_.get(), curve = std::move(curve)] { impl->recorded = curve; });
+}
+
+void Server::show(const ScoredAttempt& attempt) {
+  asio::post(impl_->io, [impl = impl_.get(), attempt] { impl->score(attempt); });
 }
 
 void Server::refuse(const std::string& what) {

@@ -36,6 +36,7 @@ struct ServerEvents {
   // empty where the order was taken.
   std::function<std::string(const Order&)> ordered;
   std::function<void(const PointerMoved&)> pointed;
+  std::function<void()> pointer_left;  // the page in control has gone
   std::function<std::string()> metrics;
 };
 
@@ -54,6 +55,8 @@ class Server {
   void show(std::shared_ptr<const Stage> stage);
   void show(Activity activity);
   void refuse(const std::string& what);  // to the page in control
+  // Of the attempt whose rows were told last.
+  void show(const ScoredAttempt& attempt);
   // Where the recorder tells its rows; full: they are lost and counted. One writer.
   bool tell(const Told& told);
   // Instead of that: the whole curve of a recording.

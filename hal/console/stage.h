@@ -11,6 +11,7 @@
 #include "stylet/hal/display.h"
 #include "stylet/hal/instance.h"
 #include "stylet/hal/record.h"
+#include "stylet/hal/score.h"
 
 namespace stylet::console {
 
@@ -38,7 +39,15 @@ struct Stage {
   Lattice lattice;
   std::vector<ShownNeedle> needles;
   std::vector<ObstacleConfig> obstacles;
+  std::vector<hal::Target> targets;
   std::shared_ptr<hal::Display> display;
+};
+
+// What an attempt came to.
+struct ScoredAttempt {
+  std::uint32_t attempt = 0;
+  std::string trainee, began, recording;  // who, when (ISO 8601), file without folders
+  hal::Score score;
 };
 
 enum class Verb {

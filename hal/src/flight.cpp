@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stylet/hal/flight.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iterator>
 
 namespace stylet::hal {
@@ -14,17 +11,6 @@ namespace {
 std::uint64_t records_in(double seconds, const RecordingInfo& info) {
   const double ticks = std::ceil(seconds / static_cast<double>(info.config.period_s));
   return static_cast<std::uint64_t>(ticks) * info.config.needle_count;
-}
-
-// "fault.h5" with number 2: "fault-2.h5".
-std::string free_name(const std::string& path) {
-  namespace fs = std::filesystem;
-  const fs::path wanted = path;
-  for (int number = 1;; ++number) {
-    fs::path name = wanted.parent_path() / wanted.stem();
-    name += fmt::format("-{}{}", number, wanted.extension().string());
-    if (!fs::exists(name)) return name.string();
-  }
 }
 
 }  // namespace
@@ -81,7 +67,7 @@ void FlightRecorder::write() {
   std::copy_if(events_.begin(), events_.end(), std::back_inserter(events),
                [&](const Event& each) { return each.tick >= first && each.tick <= last; });
   try {
-    pending_.path = free_name(path_);
+    pending_.path = numbered_name(path_);
     RecordingWriter writer(pending_.path, info_);
     writer.append(std::vector<TickRecord>(records.begin(), records.end()));
     writer.append(events);

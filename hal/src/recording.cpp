@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 #include <vector>
 
@@ -379,6 +380,16 @@ struct RecordingWriter::File {
     if (!temporary.empty()) std::remove(temporary.c_str());
   }
 };
+
+std::string numbered_name(const std::string& path) {
+  namespace fs = std::filesystem;
+  const fs::path wanted = path;
+  for (int number = 1;; ++number) {
+    fs::path name = wanted.parent_path() / wanted.stem();
+    name += fmt::format("-{}{}", number, wanted.extension().string());
+    if (!fs::exists(name)) return name.string();
+  }
+}
 
 RecordingWriter::RecordingWriter(const std::string& path, const RecordingInfo& info) {
   prepare_library();

@@ -37,6 +37,9 @@ struct RecordingInfo {
   std::uint64_t lost_records = 0;
 };
 
+// `path` with -1, -2, ... before its extension: the first name that is free.
+std::string numbered_name(const std::string& path);
+
 class RecordingWriter {
  public:
   RecordingWriter(const std::string& path, const RecordingInfo& info);

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the console listens, and under which token, from the command line.
+#pragma once
+
+#include "commands.h"
+#include "console/server.h"
+
+namespace stylet::app {
+
+inline console::ServerConfig server_config(const ServeOptions& options) {
+  console::ServerConfig config;
+  config.gate.port = options.port;
+  if (!options.listen.empty()) {
+    config.gate.address = options.listen;
+    config.gate.token = console::new_token();
+  }
+  return config;
+}
+
+}  // namespace stylet::app
