@@ -18,10 +18,14 @@ packages=(
   # tests
   libbenchmark-dev libbullet-dev libclang-rt-14-dev libclang-rt-19-dev libgmock-dev libgtest-dev
   llvm python3-h5py python3-pydicom snakemake valgrind
+  # tests of the console's page; building and running need neither
+  chromium nodejs
   # tests on other processors
   g++-aarch64-linux-gnu g++-i686-linux-gnu gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib
   qemu-system-arm qemu-system-x86 qemu-user
 )
+# A nodejs that is not Debian's brings its own npm, and excludes Debian's.
+command -v npm >/dev/null || packages+=(npm)
 
 missing_packages() {
   local installed
@@ -94,6 +98,15 @@ install_missing() {
   apt install --no-install-recommends "${missing[@]}" || explain_failure
 }
 
+# What the tests of the console's page need of npm; without network they are skipped.
+install_page_packages() {
+  local page=$root/hal/console/page
+  [ "$page/package-lock.json" -nt "$page/node_modules/.package-lock.json" ] || return 0
+  say "Installing the npm packages of the console's page"
+  (cd "$page" && timeout 300 npm ci --ignore-scripts --no-audit --no-fund >/dev/null 2>&1) ||
+    note "npm could not install them: the tests of the page will be skipped"
+}
+
 check_debian
 mapfile -t missing < <(missing_packages)
 if [ ${#missing[@]} -gt 0 ]; then
@@ -102,4 +115,5 @@ if [ ${#missing[@]} -gt 0 ]; then
   mapfile -t missing < <(missing_packages)
   [ ${#missing[@]} -eq 0 ] || die "still missing after the installation: ${missing[*]}"
 fi
+install_page_packages
 say "All ${#packages[@]} packages are there"

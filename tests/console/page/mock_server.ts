@@ -182,10 +182,13 @@ export class MockServer {
         message(wire.Body.Refused, (b) => wire.Refused.createRefused(b, b.createString(what))));
   }
 
+  // The frame of the present tick, with all particles.
+  frameBytes(): Uint8Array { return this.frame(-1, true); }
+
   private join(ws: WebSocket): void {
     ws.on('message', (data: Buffer) => this.hear(ws, data));
     ws.on('error', () => undefined);
-    ws.send(this.hello());
+    ws.send(this.helloBytes());
     this.sendFrame(ws, -1);
   }
 
@@ -268,7 +271,7 @@ export class MockServer {
     }
   }
 
-  private hello(): Uint8Array {
+  helloBytes(): Uint8Array {
     const {organ, recordingTicks, device, protocol} = this.options;
     return message(wire.Body.Hello, (b) => {
       const rest =

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Colours that people with any colour vision tell apart.
 //
-// Sources: causes of force from Okabe and Ito 2008, with a dash each so that colour is never the
-// only sign; materials from Tol's muted scheme (2021).
+// Sources: causes of force after Okabe and Ito 2008, made to stand on white and on dark, with a
+// dash each so that colour is never the only sign; materials from Tol's muted scheme (2021).
 import type {Cause} from './protocol';
 
 export interface Stroke {
@@ -14,9 +14,9 @@ export interface Stroke {
 export const kCauseStroke: Record<Cause, Stroke> = {
   stiffness: {colour: '#0072b2', dark: '#56b4e9', dash: []},
   cutting: {colour: '#c24e00', dark: '#ff8c42', dash: [8, 3]},
-  friction: {colour: '#007a5a', dark: '#2fc79a', dash: [2, 3]},
-  clamping: {colour: '#a8478a', dark: '#e39bc8', dash: [10, 3, 2, 3]},
-  obstacle: {colour: '#8a6100', dark: '#f0c05a', dash: [4, 4]},
+  friction: {colour: '#009e73', dark: '#1f9e7a', dash: [2, 3]},
+  clamping: {colour: '#a8478a', dark: '#d85fb0', dash: [10, 3, 2, 3]},
+  obstacle: {colour: '#5c3d00', dark: '#f5e6a8', dash: [4, 4]},
 };
 
 export const kMaterials = [

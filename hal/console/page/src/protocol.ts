@@ -199,11 +199,20 @@ const quaternion = (q: wire.Quaternion|null): Quaternion =>
     q ? {w: q.w(), x: q.x(), y: q.y(), z: q.z()} : kUpright;
 const text = (s: string|Uint8Array|null): string => (typeof s === 'string' ? s : '');
 
+// Elements that may still be read of the present message: each takes at least four bytes of it, so
+// that a wrong length cannot keep the page busy.
+let allowance = 0;
+function take(count: number): void {
+  allowance -= count;
+  if (count < 0 || allowance < 0) throw new RangeError('more elements than bytes');
+}
+
 function list<Wire, Plain>(
     count: number,
     at: (i: number) => Wire | null,
     read: (item: Wire) => Plain,
     ): Plain[] {
+  take(count);
   const out: Plain[] = [];
   for (let i = 0; i < count; ++i) {
     const item = at(i);
@@ -233,6 +242,7 @@ function obstacle(o: wire.Obstacle): Obstacle {
 }
 
 function restOf(h: wire.Hello): Float32Array {
+  take(h.restMLength());
   const out = new Float32Array(3 * h.restMLength());
   const v = new wire.Vec3();
   for (let i = 0; 3 * i < out.length; ++i) {
@@ -408,6 +418,7 @@ const rowsAnswer = (r: wire.Rows): RowsAnswer => ({
 export function decode(bytes: ArrayBuffer): FromServer|null {
   try {
     const buffer = new flatbuffers.ByteBuffer(new Uint8Array(bytes));
+    allowance = bytes.byteLength / 4;
     if (bytes.byteLength < 12 || !buffer.__has_identifier(kIdentifier)) return null;
     const message = wire.Message.getRootAsMessage(buffer);
     const body = <T>(empty: T): T => message.body(empty) as T;

@@ -24,6 +24,7 @@ export type Part = (typeof kParts)[number];
 const kKept = 60;
 
 class Budget {
+  pictures = 0;  // since the page was opened
   private kept: Record<Part, number[]> = {upload: [], bodies: [], draw: []};
   private drawn: number[] = [];
 
@@ -36,6 +37,7 @@ class Budget {
     return out;
   }
   tick(): void {
+    ++this.pictures;
     this.drawn.push(performance.now());
     while (this.drawn.length > 2 * kKept) this.drawn.shift();
   }

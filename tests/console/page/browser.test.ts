@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+// The built page in Chromium, against a stand-in for the program.
+import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+import type {Browser, Page} from 'playwright-core';
+import {launch, open, scrub, shown, valueOf} from './browser_support';
+import {makeUpOrgan} from './made_up_organ';
+import {MockServer, movedAt, truthAt, type MockOptions} from './mock_server';
+
+const kUnit = 4e-6;
+const kDist = join(kPage, 'dist');
+const organ = makeUpOrgan(0.009, 40);
+let browser: Browser;
+const servers: MockServer[] = [];
+
+before(async () => {
+  browser = await launch();
+});
+after(async () => {
+  await browser.close();
+  for (const server of servers) await server.end();
+});
+
+async function serve(options: Partial<MockOptions> = {}): Promise<MockServer> {
+  const server = new MockServer({dist: kDist, organ, framesPerSecond: 30, ...options});
+  servers.push(server);
+  await server.begin();
+  return server;
+}
+
+// Polls: what the server heard comes over a socket.
+async function until(what: () => boolean, why: string): Promise<void> {
+  for (let i = 0; i < 600; ++i) {
+    if (what()) return;
+    await new Promise((done) => setTimeout(done, 100));
+  }
+  assert.fail(why);
+}
+
+test(
+    'a recording: nothing from elsewhere, surface as the CPU says, force exactly as recorded',
+    async () => {
+      const server = await serve({recordingTicks: 16000});
+      const {page, errors, foreign} = await open(browser, `${server.url}?token=a%26b#teacher`);
+      await shown(page);
+      assert.deepEqual(server.organAsked, ['/organ?token=a%26b']);
+
+      for (const tick of [7000, 12, 15999, 1599, 1600, 9007]) {
+        await scrub(page, tick);
+        const truth = truthAt(tick);
+        await page.waitForFunction(
+            (t) => document.querySelector('[data-value=tick]')?.textContent === String(t), tick);
+        const told = (await valueOf(page, 'vector')).replace(' N', '').split(', ').map(Number);
+        assert.deepEqual(told.map(Math.fround), truth.force.map((v) => (v === 0 ? 0 : v)));
+        await page.waitForFunction((t) => {
+          const {store} = window.stylet;
+          return store.rows.near(t)?.tick === t;
+        }, tick);
+        await page.waitForFunction(
+            () => document.querySelector('[data-value=axial]')?.textContent !== '');
+        const axial = Math.fround(Number.parseFloat(await valueOf(page, 'axial')));
+        assert.equal(axial, truth.axial === 0 ? 0 : truth.axial);
+      }
+
+      await scrub(page, 7000);
+      const largest = await page.evaluate(deviation);
+      assert.ok(largest.moved > 1e-3, 'the made-up surface moved');
+      assert.ok(largest.apart < 1e-4, `${largest.apart} m`);
+      assert.ok(largest.apart < 1e-6, 'and far better than the 0.1 mm that were asked');
+      const expected = movedAt(organ, 7000);
+      const held = await page.evaluate(() => Array.from(window.stylet.store.moved));
+      for (let i = 0; i < expected.length / 3; i += 97) {
+        for (let k = 0; k < 3; ++k) assert.equal(held[4 * i + k], expected[3 * i + k]);
+      }
+
+      await exportsAreWhole(page);
+      assert.deepEqual(foreign, []);
+      assert.deepEqual(errors, []);
+      await page.context().close();
+    });
+
+// In the page: how far the GPU's surface is from the trilinear one in double precision, in m.
+function deviation(): {apart: number; moved: number} {
+  const {store, view} = window.stylet;
+  const {organ: of, hello} = store;
+  const places = view()?.deformedVertices();
+  if (!of || !hello || !places || places.length !== of.vertexRest.length)
+    throw new Error('no view');
+  let [apart, most] = [0, 0];
+  for (let v = 0; v < of.vertexVoxel.length; ++v) {
+    const f = of.vertexFraction.subarray(3 * v, 3 * v + 3);
+    for (let k = 0; k < 3; ++k) {
+      let moved = 0;
+      for (let c = 0; c < 8; ++c) {
+        const particle = hello.corners[8 * of.vertexVoxel[v] + c];
+        const weight =
+            (c & 1 ? f[0] : 1 - f[0]) * (c & 2 ? f[1] : 1 - f[1]) * (c & 4 ? f[2] : 1 - f[2]);
+        moved += weight * store.moved[4 * particle + k] * hello.positionUnit;
+      }
+      most = Math.max(most, Math.abs(moved));
+      apart = Math.max(apart, Math.abs(of.vertexRest[3 * v + k] + moved - places[3 * v + k]));
+    }
+  }
+  return {apart, moved: most};
+}
+
+async function exportsAreWhole(page: Page): Promise<void> {
+  const tools = page.locator('.plots .plot-tools').first();
+  const files: Buffer[] = [];
+  for (const kind of ['PNG', 'SVG', 'CSV']) {
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      tools.getByText(kind, {exact: true}).click(),
+    ]);
+    assert.equal(download.suggestedFilename(), `force-time.${kind.toLowerCase()}`);
+    files.push(readFileSync(await download.path()));
+  }
+  assert.equal(files[0].toString('latin1', 1, 4), 'PNG');
+  assert.ok(files[0].length > 5000);
+  assert.match(files[1].toString(), /^<svg[\s\S]*Puncture: liver[\s\S]*<\/svg>\s*$/);
+  const [head, ...lines] = files[2].toString().trim().split('\n').map((line) => line.split(','));
+  const [tickAt, forceAt] = [head.indexOf('tick'), head.indexOf('force_n')];
+  assert.ok(lines.length > 1000);
+  for (const line of lines) {
+    const force = Math.fround(Number(line[forceAt]));
+    assert.equal(force, truthAt(Number(line[tickAt])).axial || 0);
+  }
+}
+
+test(
+    'by keyboard alone: every control is reached, named and seen; attempts, marks, report',
+    async () => {
+      const server = await serve();
+      const {page, errors} = await open(browser, `${server.url}#trainee`, {still: true});
+      await shown(page);
+      await page.keyboard.press('Tab');
+      assert.equal(await page.evaluate(() => document.activeElement?.className), 'skip');
+      for (const view of ['trainee', 'teacher', 'engineer']) {
+        await page.keyboard.press(`Alt+${['trainee', 'teacher', 'engineer'].indexOf(view) + 1}`);
+        assert.equal(await page.evaluate(() => document.body.dataset.view), view);
+        await walk(page);
+      }
+      await page.locator('#tab-engineer').focus();
+      await page.keyboard.press('ArrowLeft');
+      assert.equal(await page.evaluate(() => document.activeElement?.id), 'tab-teacher');
+
+      await page.locator('#scene-canvas').focus();
+      await page.keyboard.press(' ');
+      await until(() => server.heard.includes('Start'), 'Space starts');
+      await page.waitForFunction(() => (window.stylet.store.frame?.tick ?? 0) > 300);
+      await page.keyboard.press('m');
+      await page.keyboard.type('<b>too fast</b>');
+      await page.keyboard.press('Enter');
+      await page.locator('.marks-list').getByText('<b>too fast</b>').waitFor();
+      await page.locator('#scene-canvas').focus();
+      await page.keyboard.press(' ');
+      await until(() => server.heard.includes('Pause'), 'Space pauses');
+      await page.waitForFunction(() => window.stylet.store.frame?.activity === 2);
+      for (let attempt = 1; attempt <= 2; ++attempt) {
+        await page.locator('.controls').getByText('Reset').press('Enter');
+        await page.waitForFunction((n) => window.stylet.store.scores.length === n, attempt);
+        if (attempt === 2) break;
+        await page.waitForFunction(() => window.stylet.store.frame?.activity === 0);
+        await page.locator('.controls .primary').press('Enter');
+        await page.waitForFunction(() => (window.stylet.store.frame?.tick ?? 0) > 200);
+      }
+      await page.locator('.compare table').waitFor();
+      assert.equal(await page.locator('.compare tbody tr').count(), 12);
+      await page.keyboard.press('Alt+4');
+      assert.equal(await page.locator('.report figure canvas').count(), 2);
+      await page.emulateMedia({media: 'print'});
+      assert.equal(await page.locator('.top').isVisible(), false);
+      assert.equal(await page.locator('.report').isVisible(), true);
+      await page.emulateMedia({media: 'screen'});
+      await page.keyboard.press('?');
+      assert.equal(await page.locator('dialog').isVisible(), true);
+      await page.keyboard.press('Escape');
+      assert.equal(await page.locator('dialog').isVisible(), false);
+      assert.deepEqual(errors, []);
+      await page.context().close();
+    });
+
+// Tab through the whole page once: what can be used has a name, and shows that it has the focus.
+async function walk(page: Page): Promise<void> {
+  const wanted = await page.evaluate(() => {
+    const all = 'button, select, input, [tabindex="0"]';
+    const usable = [...document.querySelectorAll<HTMLButtonElement>(all)].filter(
+        (e) => e.checkVisibility() && !e.disabled && e.tabIndex >= 0);
+    usable.forEach((e, i) => (e.dataset.walk = String(i)));
+    document.body.tabIndex = -1;
+    document.body.focus();
+    return usable.length;
+  });
+  assert.ok(wanted > 8);
+  const seen = new Set<string>();
+  for (let i = 0; i < wanted + 4; ++i) {
+    await page.keyboard.press('Tab');
+    const at = await page.evaluate(() => {
+      const e = document.activeElement as HTMLInputElement;
+      const label = e.labels?.[0]?.textContent ?? '';
+      const name = e.getAttribute('aria-label') ?? (label || e.textContent || '');
+      const outline = getComputedStyle(e).outlineStyle !== 'none';
+      return {walk: e.dataset.walk, name: name.trim(), outline, html: e.outerHTML.slice(0, 120)};
+    });
+    if (at.walk === undefined) continue;
+    seen.add(at.walk);
+    assert.ok(at.outline, `focus is not seen: ${at.html}`);
+    assert.ok(at.name !== '' || at.html.includes('plot-place'), `no name: ${at.html}`);
+  }
+  assert.equal(seen.size, wanted);
+  await page.evaluate(() => {
+    document.body.removeAttribute('tabindex');
+    for (const e of document.querySelectorAll<HTMLElement>('[data-walk]')) delete e.dataset.walk;
+  });
+}
+
+test(
+    'a lost connection is said and comes back; what is garbled or hostile does nothing',
+    async () => {
+      const first = await serve();
+      const {page, errors} = await open(browser, `${first.url}#teacher`);
+      await shown(page);
+      first.say(new TextEncoder().encode('\u0000garbage that is no message'));
+      await page.locator('.notices').getByText('could not be read').waitFor();
+      first.refuse('<img src=x onerror="window.hacked = true"> expected a scene');
+      await page.locator('.notices').getByText('<img src=x').waitFor();
+      assert.equal(await page.locator('.notices img').count(), 0);
+      const {port} = first;
+      await first.end();
+      await page.locator('.banner').getByText('Connection lost').waitFor();
+      const second = new MockServer({dist: kDist, organ});
+      servers.push(second);
+      await second.begin(port);
+      await page.locator('.banner').waitFor({state: 'hidden'});
+      assert.equal(await page.evaluate(() => 'hacked' in window), false);
+      assert.deepEqual(errors.filter((e) => !/WebSocket connection/.test(e)), []);
+      await page.context().close();
+
+      const other = await serve({protocol: 2});
+      const wrong = await open(browser, other.url);
+      await wrong.page.locator('.banner').getByText('protocol 2, this page 1').waitFor();
+      await wrong.page.context().close();
+    });
+
+test('the pointer is the needle: drag pushes, wheel rolls, keys do both', async () => {
+  const server = await serve({device: 'pointer:'});
+  const {page, errors} = await open(browser, `${server.url}#trainee`);
+  await shown(page);
+  const box = await page.locator('.pad').boundingBox();
+  assert.ok(box);
+  await page.mouse.move(box.x + 100, box.y + 150);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 100, box.y + 90, {steps: 6});
+  const last = () => server.pointers[server.pointers.length - 1];
+  await until(() => (last()?.z ?? 0) < -0.01 && last().buttons === 1, 'a drag up pushes');
+  assert.ok(Math.abs(last().z + 60 * 0.25e-3) < 1e-5, 'by a quarter of a millimetre a pixel');
+  await page.mouse.up();
+  await until(() => last().buttons === 0, 'let go');
+  await page.mouse.wheel(0, 200);
+  await until(() => Math.abs(last().roll - 30) < 0.1, 'the wheel rolls 15 degrees a notch');
+  await page.locator('.pad').focus();
+  const before = last().z;
+  await page.keyboard.down('KeyS');
+  await until(() => last().z > before + 1e-3, 'S pulls');
+  await page.keyboard.up('KeyS');
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
