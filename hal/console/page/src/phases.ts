@@ -12,7 +12,7 @@ export interface Span {
   from: number;  // ticks
   to: number;
 }
-const kBack = 1e-3;  // m
+const kBack = 5e-3;  // m
 const kHeld = 2e-4;  // m: a hand at rest moves less
 // EventKind of the kernel.
 export enum Kind {
@@ -37,6 +37,8 @@ function turningPoint(series: Series, from: number, to: number): number|null {
   return last > held && travel[deepest] - travel[last] > kBack ? ticks[held] : null;
 }
 
+const isInserted = (span: Span|null): boolean => span?.phase === 'inserted';
+
 export function phaseSpans(events: Happened[], series: Series, needle: number): Span[] {
   const ticks = series.column('tick');
   const end = ticks[ticks.length - 1] ?? 0;
@@ -51,6 +53,7 @@ export function phaseSpans(events: Happened[], series: Series, needle: number): 
       close(event.tick);
       open = {phase: 'contact', from: event.tick, to: end};
     } else if (event.eventKind === Kind.Puncture || event.eventKind === Kind.Reentry) {
+      if (isInserted(open)) continue;  // of a layer further in
       close(event.tick);
       open = {phase: 'inserted', from: event.tick, to: end};
     } else if (event.eventKind === Kind.Release || event.eventKind === Kind.Exit) {

@@ -7,6 +7,9 @@ import {texts} from '../texts';
 
 export const kViews: ViewName[] = ['trainee', 'teacher', 'engineer', 'report'];
 
+// A scene is known by its file, without the ending.
+const sceneName = (file: string): string => file.replace(/\.toml$/, '');
+
 export class SessionBar {
   readonly root: HTMLElement;
   private readonly tabs: HTMLButtonElement[];
@@ -99,7 +102,8 @@ export class SessionBar {
     if (hello === null) return;
     const names =
         hello.scenes.includes(hello.scene) ? hello.scenes : [hello.scene, ...hello.scenes];
-    this.scene.replaceChildren(...names.map((name) => el('option', {value: name}, name)));
+    this.scene.replaceChildren(
+        ...names.map((name) => el('option', {value: name}, sceneName(name))));
     this.scene.value = hello.scene;
     this.scene.disabled = hello.scenes.length < 2 || !hello.mayControl;
     const live = !this.store.playback;
@@ -108,7 +112,7 @@ export class SessionBar {
       control.disabled = !hello.mayControl;
       control.title = hello.mayControl ? '' : texts.session.watching;
     }
-    document.title = `${hello.scene} - ${texts.title}`;
+    document.title = `${sceneName(hello.scene)} - ${texts.title}`;
     this.show();
   }
 

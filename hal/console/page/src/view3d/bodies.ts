@@ -235,10 +235,12 @@ export class Bodies {
     lines.setAttribute('position', new THREE.BufferAttribute(new Float32Array(6 * kMostMarks), 3));
     this.links = new THREE.LineSegments(lines, new THREE.LineBasicMaterial({color: kBody.goal}));
     this.links.frustumCulled = false;
-    this.group.add(...this.needles.map((n) => n.group));
-    this.group.add(this.particles.mesh, this.goals.mesh, this.touches.mesh, this.links);
-    this.group.add(...hello.obstacles.filter((o) => o.vertices.length > 0).map(obstacleMesh));
-    this.group.add(...hello.targets.map(targetGroup));
+    const parts = [
+      ...this.needles.map((n) => n.group), this.particles.mesh, this.goals.mesh, this.touches.mesh,
+      this.links, ...hello.obstacles.filter((o) => o.vertices.length > 0).map(obstacleMesh),
+      ...hello.targets.map(targetGroup)
+    ];
+    this.group.add(...parts);
   }
 
   show(frame: Frame): void {
