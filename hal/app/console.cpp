@@ -94,17 +94,26 @@ class Console {
     open(options_.scene);
     if (!options_.fast) hal::prepare_process(host_);
     serve();
-    while (!quit.load()) {
-      const std::optional<console::Order> order = orders_.wait();
-      if (order) obey(*order);
-      if (attempt_ != nullptr && attempt_->done.load()) end_attempt(console::Activity::Ended);
-      if (!host_fit_) return kExitHostUnfit;
-    }
+    while (!quit.load() && host_fit_) go_on();
+    if (!host_fit_) return kExitHostUnfit;
     if (attempt_ != nullptr) end_attempt(console::Activity::Ended);
     return trouble_ ? kExitTrouble : kExitOk;
   }
 
  private:
+  // One order, and one look at the attempt. An attempt that cannot begin or be kept is told of, and
+  // the session goes on.
+  void go_on() try {
+    if (const std::optional<console::Order> order = orders_.wait(); order) obey(*order);
+    if (running() && attempt_->done.load()) end_attempt(console::Activity::Ended);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "stylet: {}\n", error.what());
+    trouble_ = true;
+    attempt_.reset();
+    server_->refuse(error.what());
+    become(console::Activity::Ended);
+  }
+
   void serve() {
     console::ServerConfig config = server_config(options_.serve);
     if (!options_.fast) config.spared_processors = session_->processors;
@@ -218,7 +227,7 @@ class Console {
   }
 
   void end_attempt(console::Activity then) {
-    attempt_->state.stop.store(true);
+    if (!attempt_->done.load()) attempt_->state.stop.store(true);
     finish(*session_, *attempt_);
     host_fit_ = attempt_->host_fit;
     if (tell_of_host(*session_, host_fit_)) report();

@@ -186,8 +186,10 @@ void prepare(Session& s, Attempt& a, hal::Display* display, hal::Recorder::Tap t
   const std::vector<hal::Course> courses = courses_of(s);
   const hal::RecordingInfo info = recording_info(s, courses);
   a.display = display;
-  for (std::uint32_t i = 0; s.runs > 0 && i < s.stations.size(); ++i) rewind_hand(s, i);
-  ++s.runs;
+  if (s.runs++ > 0) {
+    reset(s.instance->kernel);
+    for (std::uint32_t i = 0; i < s.stations.size(); ++i) rewind_hand(s, i);
+  }
   if (!a.recording.empty()) a.writer = std::make_unique<hal::RecordingWriter>(a.recording, info);
   a.flight = std::make_unique<hal::FlightRecorder>(s.options.flight, info);
   a.scorer = std::make_unique<hal::Scorer>(s.scene.targets, courses,

@@ -66,6 +66,15 @@ struct Seat {
 
 class Link;
 
+// What a page has got already.
+struct Got {
+  Places places;  // empty: it needs a key frame
+  std::uint64_t serial = 0, offered = 0;
+  std::uint64_t attempt = 0, rows = 0, events = 0;
+  Activity activity = Activity::Ready;
+  std::uint64_t lost_frames = 0;
+};
+
 struct Server::Impl {
   Impl(ServerConfig config_in, ServerEvents events_in);
 
@@ -73,6 +82,7 @@ struct Server::Impl {
   void wait_for_frame();
   void serve_frames();
   void take_news();
+  bool news_for(const Got& got) const;
   std::string take_order(const Link& link, const Order& order);
   void answer_rows(Link& link, const AskedRows& asked);
   void mark(const std::string& text);
@@ -142,14 +152,7 @@ class Link : public std::enable_shared_from_this<Link> {
     server_.leave(*this);
   }
 
-  // What this page has got already.
-  struct Got {
-    Places places;  // empty: it needs a key frame
-    std::uint64_t serial = 0, offered = 0;
-    std::uint64_t attempt = 0, rows = 0, events = 0;
-    Activity activity = Activity::Ready;
-    std::uint64_t lost_frames = 0;
-  } got;
+  Got got;
 
  private:
   void read() {
@@ -365,12 +368,18 @@ void Server::Impl::take_news() {
   timing.connections = static_cast<std::uint32_t>(links.size());
 }
 
+// The last rows of an attempt come after its last state.
+bool Server::Impl::news_for(const Got& got) const {
+  return got.serial != serial || got.activity != activity || got.attempt != live.attempt() ||
+         got.rows != live.row_count() || got.events != live.event_count();
+}
+
 void Server::Impl::serve_frames() {
   take_news();
   if (state == nullptr) return;
   for (const std::shared_ptr<Link>& link : std::vector(links)) {
-    Link::Got& got = link->got;
-    if (got.serial == serial && got.activity == activity) continue;
+    Got& got = link->got;
+    if (!news_for(got)) continue;
     if (!link->free()) {
       if (std::exchange(got.offered, serial) != serial) ++got.lost_frames;
       continue;

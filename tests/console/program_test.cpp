@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program with its console, steered as a page steers it: attempts one after the other, paused,
+// reset, and the same bits as without any of that.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "client.h"
+#include "stylet/hal/recording.h"
+#include "tiny_organ.h"
+
+namespace stylet::console::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kScene = R"([organ]
+path = "tiny.organ"
+[loop]
+hash_every_ticks = 10
+[approach]
+start_mm = 1
+[guard]
+ramp_ms = 0
+[[hand.waypoint]]
+travel_mm = 15
+speed_mm_s = 50
+[[targets]]
+name = "middle"
+at_mm = [10, 10, 10]
+radius_mm = 3
+)";
+
+// The program in a folder of its own, until the end of the test.
+class Program {
+ public:
+  Program() {
+    folder_ = fs::temp_directory_path() / ("stylet-program-" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+    stylet::test::TinyOrgan tiny;
+    tiny.nx = tiny.ny = tiny.nz = 4;
+    tiny.fixed_faces = stylet::test::kHighX;
+    tiny.materials[0].puncture_force_n = 0.2F;
+    const auto bytes = stylet::test::tiny_organ(tiny);
+    std::ofstream(folder_ / "tiny.organ", std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+    std::ofstream(folder_ / "first.toml") << kScene;
+    std::ofstream(folder_ / "second.toml") << kScene;
+    std::ofstream(folder_ / "tissues.toml") << "[gel]\n";
+  }
+  ~Program() {
+    end();
+    fs::remove_all(folder_);
+  }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  std::string at(const std::string& name) const { return (folder_ / name).string(); }
+
+  // Starts it; its output goes to a file.
+  void start(std::vector<std::string> words) {
+    words.insert(words.begin(), STYLET_PROGRAM);
+    std::vector<char*> argv;
+    for (std::string& each : words) argv.push_back(each.data());
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 1, at("out").c_str(), O_CREAT | O_WRONLY | O_TRUNC,
+                                     0600);
+    posix_spawn_file_actions_adddup2(&actions, 1, 2);
+    ASSERT_EQ(posix_spawn(&pid_, STYLET_PROGRAM, &actions, nullptr, argv.data(), environ), 0);
+    posix_spawn_file_actions_destroy(&actions);
+  }
+
+  // From the address that it prints; 0: it printed none in time.
+  std::uint16_t port() {
+    for (int i = 0; i < 1000; ++i) {
+      const std::string text = output();
+      const auto begin = text.find("http://127.0.0.1:");
+      if (begin != std::string::npos && text.find('\n', begin) != std::string::npos) {
+        return static_cast<std::uint16_t>(std::stoul(text.substr(begin + 17)));
+      }
+      usleep(20'000);
+    }
+    return 0;
+  }
+
+  std::string output() const {
+    std::ifstream in(at("out"));
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  // Ctrl-C; the exit code.
+  int end() {
+    if (pid_ == 0) return -1;
+    kill(pid_, SIGINT);
+    return wait();
+  }
+
+  int wait() {
+    int status = 0;
+    waitpid(pid_, &status, 0);
+    pid_ = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+ private:
+  fs::path folder_;
+  pid_t pid_ = 0;
+};
+
+auto verb(Body type) {
+  return page_message(type, [type](auto& b) -> flatbuffers::Offset<void> {
+    if (type == Body::Pause) return CreatePause(b).Union();
+    if (type == Body::Resume) return CreateResume(b).Union();
+    if (type == Body::Reset) return CreateReset(b).Union();
+    return CreateStart(b, b.CreateString("A. Trainee")).Union();
+  });
+}
+
+bool await(Client& client, Activity activity) {
+  return client.next_of<Frame>(Body::Frame, [activity](const Frame& frame) {
+    return frame.activity() == activity;
+  }) != nullptr;
+}
+
+std::uint64_t final_hash(const std::string& recording) {
+  return hal::RecordingReader(recording).info().final_state_hash;
+}
+
+TEST(Program, AttemptsGiveTheBitsOfARunWithoutConsole) {
+  Program program;
+  program.start({"run", program.at("first.toml"), "--fast", "--record", program.at("plain.h5"),
+                 "--flight", program.at("flight.h5")});
+  ASSERT_EQ(program.wait(), 0) << program.output();
+  program.start({"run", program.at("first.toml"), "--fast", "--record", program.at("out.h5"),
+                 "--flight", program.at("flight.h5"), "--console=0"});
+  const std::uint16_t port = program.port();
+  ASSERT_NE(port, 0) << program.output();
+  Client client(port);
+  ASSERT_EQ(client.join(), 101U);
+  const Hello* hello = client.next_of<Hello>(Body::Hello);
+  ASSERT_NE(hello, nullptr);
+  EXPECT_EQ(hello->scene()->str(), "first.toml");
+  ASSERT_EQ(hello->scenes()->size(), 2U);  // tissues.toml is none
+  ASSERT_EQ(hello->targets()->size(), 1U);
+  EXPECT_EQ(hello->targets()->Get(0)->name()->str(), "middle");
+  for (std::uint32_t attempt = 1; attempt <= 2; ++attempt) {
+    client.say_message(verb(Body::Start));
+    const Score* score = client.next_of<Score>(Body::Score);
+    ASSERT_NE(score, nullptr) << program.output();
+    EXPECT_EQ(score->attempt(), attempt);
+    EXPECT_EQ(score->recording()->str(), "out-" + std::to_string(attempt) + ".h5");
+    EXPECT_EQ(score->targets()->size(), 1U);
+    EXPECT_GT(score->path_m(), 0.01F);
+    EXPECT_TRUE(await(client, Activity::Ended));
+  }
+  EXPECT_EQ(program.end(), 0) << program.output();
+  const std::uint64_t expected = final_hash(program.at("plain.h5"));
+  EXPECT_EQ(final_hash(program.at("out-1.h5")), expected);
+  EXPECT_EQ(final_hash(program.at("out-2.h5")), expected);
+}
+
+// In real time, so that there is something to hold; the machine may refuse the rights for it.
+TEST(Program, APauseIsNotInTheRecording) {
+  Program program;
+  program.start({"run", program.at("first.toml"), "--fast", "--record", program.at("plain.h5"),
+                 "--flight", program.at("flight.h5")});
+  ASSERT_EQ(program.wait(), 0) << program.output();
+  program.start({"run", program.at("first.toml"), "--allow-non-rt", "--record",
+                 program.at("out.h5"), "--flight", program.at("flight.h5"), "--console=0"});
+  const std::uint16_t port = program.port();
+  ASSERT_NE(port, 0) << program.output();
+  Client client(port);
+  ASSERT_EQ(client.join(), 101U);
+  client.say_message(verb(Body::Start));
+  client.say_message(verb(Body::Pause));
+  ASSERT_TRUE(await(client, Activity::Paused)) << program.output();
+  client.say_message(verb(Body::Start));  // is refused while one is held
+  EXPECT_NE(client.next_of<Refused>(Body::Refused), nullptr);
+  client.say_message(verb(Body::Resume));
+  EXPECT_NE(client.next_of<Score>(Body::Score), nullptr) << program.output();
+  EXPECT_TRUE(await(client, Activity::Ended));
+  client.say_message(verb(Body::Reset));
+  EXPECT_TRUE(await(client, Activity::Ready));
+  program.end();
+  const hal::RecordingReader plain(program.at("plain.h5")), held(program.at("out-1.h5"));
+  EXPECT_EQ(held.ticks(), plain.ticks());
+  EXPECT_EQ(held.info().final_state_hash, plain.info().final_state_hash);
+}
+
+TEST(Program, ARecordingIsPlayedAndAnotherSceneChosen) {
+  Program program;
+  program.start({"run", program.at("first.toml"), "--fast", "--record", program.at("plain.h5"),
+                 "--flight", program.at("flight.h5"), "--console=0"});
+  {
+    Client client(program.port());
+    ASSERT_EQ(client.join(), 101U);
+    client.say_message(page_message(
+        Body::Choose, [](auto& b) { return CreateChoose(b, b.CreateString("../first.toml")); }));
+    EXPECT_NE(client.next_of<Refused>(Body::Refused), nullptr);
+    client.say_message(page_message(
+        Body::Choose, [](auto& b) { return CreateChoose(b, b.CreateString("second.toml")); }));
+    EXPECT_NE(client.next_of<Hello>(
+                  Body::Hello, [](const Hello& h) { return h.scene()->str() == "second.toml"; }),
+              nullptr);
+    client.say_message(verb(Body::Start));
+    EXPECT_NE(client.next_of<Score>(Body::Score), nullptr) << program.output();
+  }
+  EXPECT_EQ(program.end(), 0) << program.output();
+  program.start({"console", program.at("plain-1.h5"), "--port", "0"});
+  Client client(program.port());
+  ASSERT_EQ(client.join(), 101U);
+  client.say_message(page_message(Body::Seek, [](auto& b) { return CreateSeek(b, 200); }));
+  const Frame* frame =
+      client.next_of<Frame>(Body::Frame, [](const Frame& f) { return f.tick() == 200; });
+  ASSERT_NE(frame, nullptr) << program.output();
+  std::vector<hal::TickRecord> row(1);
+  hal::RecordingReader(program.at("plain-1.h5")).read(199, row);
+  EXPECT_EQ(frame->needles()->Get(0)->force_n()->x(), row[0].output.force_n.x);
+  EXPECT_EQ(program.end(), 0);
+  fs::remove(program.at("tiny.organ"));
+  program.start({"console", program.at("plain-1.h5"), "--port", "0"});
+  EXPECT_EQ(program.wait(), 1);
+  EXPECT_NE(program.output().find("give it with --organ"), std::string::npos) << program.output();
+}
+
+}  // namespace
+}  // namespace stylet::console::test
