@@ -248,7 +248,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
       case Place::kOrgan:
         return reply_organ();
       case Place::kMetrics:
-        text_ = server_.events.metrics ? server_.events.metrics() : "";
+        text_ = server_.events.metrics ? server_.events.metrics(server_.connections) : "";
         return reply(200, "text/plain; version=0.0.4; charset=utf-8", text_);
       case Place::kSocket:
         if (!websocket::is_upgrade(request)) return reply(400, "text/plain", "only a WebSocket");

@@ -37,7 +37,7 @@ struct ServerEvents {
   std::function<std::string(const Order&)> ordered;
   std::function<void(const PointerMoved&)> pointed;
   std::function<void()> pointer_left;  // the page in control has gone
-  std::function<std::string()> metrics;
+  std::function<std::string(std::size_t connections)> metrics;
 };
 
 class Server {
