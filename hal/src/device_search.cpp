@@ -173,6 +173,7 @@ std::vector<DeviceSighting> search_devices(const string& root) {
           force_dimension(tree),
           haply(),
           spacemouse(tree),
+          {"pointer:", "mouse or finger on the console's page", true, "with --console", ""},
           {"udp:7755", "another program, over the network", true, "always", ""},
           {"shm:NAME", "another program, through shared memory", true, "always", ""}};
 }

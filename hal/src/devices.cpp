@@ -9,6 +9,7 @@
 #include "stylet/hal/haply.h"
 #include "stylet/hal/openhaptics.h"
 #include "stylet/hal/peer_device.h"
+#include "stylet/hal/pointer.h"
 #include "stylet/hal/spacemouse.h"
 
 namespace stylet::hal {
@@ -20,6 +21,8 @@ constexpr std::array kKinds = {
     DeviceKind{"haply", "haply:", "Haply Inverse3, its service", open_haply},
     DeviceKind{"spacemouse", "spacemouse:", "3Dconnexion SpaceMouse, spacenavd: no force",
                open_spacemouse},
+    DeviceKind{"pointer", "pointer:", "mouse or finger on the console's page: no force",
+               open_pointer},
     DeviceKind{"udp", "udp:7755", "another program, over the network", open_udp},
     DeviceKind{"shm", "shm:mine", "another program, through shared memory", open_shared_memory},
 };

@@ -47,6 +47,7 @@ std::unique_ptr<Bench> hd_bench();
 std::unique_ptr<Bench> dhd_bench();
 std::unique_ptr<Bench> haply_bench();
 std::unique_ptr<Bench> spacemouse_bench();
+std::unique_ptr<Bench> pointer_bench();
 std::unique_ptr<Bench> udp_bench();
 std::unique_ptr<Bench> shm_bench();
 

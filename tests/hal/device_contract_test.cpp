@@ -219,9 +219,10 @@ TEST(DeviceContractTraps, LockTrapFires) {
   EXPECT_EQ(g_locks, 1);
 }
 
-constexpr Backend kBackends[] = {{"hd", hd_bench},       {"dhd", dhd_bench},
-                                 {"haply", haply_bench}, {"spacemouse", spacemouse_bench},
-                                 {"udp", udp_bench},     {"shm", shm_bench}};
+constexpr Backend kBackends[] = {{"hd", hd_bench},           {"dhd", dhd_bench},
+                                 {"haply", haply_bench},     {"spacemouse", spacemouse_bench},
+                                 {"pointer", pointer_bench}, {"udp", udp_bench},
+                                 {"shm", shm_bench}};
 INSTANTIATE_TEST_SUITE_P(All, DeviceContract, testing::ValuesIn(kBackends),
                          [](const auto& each) { return each.param.name; });
 

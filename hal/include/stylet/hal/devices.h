@@ -5,6 +5,7 @@
 //   dhd:[INDEX]       Force Dimension, Novint Falcon
 //   haply:[ID]        Haply Inverse3 through its service
 //   spacemouse:       3Dconnexion through spacenavd: places, no force
+//   pointer:[NUMBER]  a mouse or a finger on the console's page: places, no force
 //   udp:[ADDRESS:]PORT, shm:NAME   any other program that speaks in packets (packet.h)
 //
 // Promise: open_device gives a device that measures, or throws DeviceError with one line; it may
