@@ -25,6 +25,13 @@ struct ServeOptions {
   std::string listen;      // empty: loopback, without a token
 };
 
+// Where OpenIGTLink clients find the run.
+struct IgtlOptions {
+  bool on = false;
+  std::uint16_t port = 0;
+  std::string listen = "127.0.0.1";
+};
+
 struct RunOptions {
   std::string scene;
   std::string organ;   // instead of the scene's
@@ -38,6 +45,7 @@ struct RunOptions {
   bool json = false;
   bool allow_non_rt = false;
   ServeOptions serve;  // the console, if `on`
+  IgtlOptions igtl;
 };
 int run(const RunOptions& options);
 
@@ -64,6 +72,14 @@ struct PlotOptions {
   std::uint32_t needle = 0;
 };
 int plot(const PlotOptions& options);
+
+struct ScoreOptions {
+  std::vector<std::string> recordings;
+  std::string scene;  // whose targets count instead of the recorded ones
+  std::string organ;  // instead of the recorded path, for the names of its layers
+  bool json = false;
+};
+int score(const ScoreOptions& options);
 
 struct DoctorOptions {
   std::string root = "/";  // else a captured tree

@@ -14,6 +14,7 @@
 
 #include "commands.h"
 #include "console/limits.h"
+#include "stylet/hal/igtl.h"
 #include "stylet/limits.h"
 
 namespace stylet::app {
@@ -24,6 +25,17 @@ CLI::Option* add_serving(CLI::App& command, ServeOptions& options) {
       .add_option("--listen", options.listen,
                   "Address for other machines; asks for a token, which is printed")
       ->check(CLI::ValidIPV4);
+}
+
+void add_igtl(CLI::App& run, IgtlOptions& options) {
+  options.port = hal::kIgtlPort;
+  CLI::Option* igtl =
+      run.add_flag(fmt::format("--igtl{{{}}}", hal::kIgtlPort), options.port,
+                   "Let OpenIGTLink clients such as 3D Slicer follow, on this port of 127.0.0.1")
+          ->check(CLI::Range(0, 65535));
+  run.add_option("--igtl-listen", options.listen, "Address for clients on other machines")
+      ->check(CLI::ValidIPV4)
+      ->needs(igtl);
 }
 
 void add_run(CLI::App& program, RunOptions& options) {
@@ -59,6 +71,7 @@ void add_run(CLI::App& program, RunOptions& options) {
                    "Serve a page to see and steer it, on this port of 127.0.0.1; --console=0: any")
           ->check(CLI::Range(0, 65535));
   add_serving(run, options.serve)->needs(console);
+  add_igtl(run, options.igtl);
 }
 
 void add_playback(CLI::App& program, PlaybackOptions& options) {
@@ -86,6 +99,19 @@ void add_plot(CLI::App& program, PlotOptions& options) {
   plot.add_option("recording", options.recording, "Recording (HDF5)")->required();
   plot.add_option("-o,--output", options.output, "Picture to write, .svg or .png")->required();
   plot.add_option("--needle", options.needle, "Of several: 0 is the first");
+}
+
+void add_score(CLI::App& program, ScoreOptions& options) {
+  CLI::App& score =
+      *program.add_subcommand("score", "Score recorded attempts, and compare them side by side");
+  score.footer(
+      "Examples:\n"
+      "  stylet score out.h5\n"
+      "  stylet score monday.h5 tuesday.h5 --scene liver-biopsy.toml");
+  score.add_option("recordings", options.recordings, "Recordings (HDF5)")->required();
+  score.add_option("--scene", options.scene, "Scene whose targets count, instead of the recorded");
+  score.add_option("--organ", options.organ, "Organ file, instead of the recorded path");
+  score.add_flag("--json", options.json, "One JSON array on standard output, nothing else");
 }
 
 void add_doctor(CLI::App& program, DoctorOptions& options) {
@@ -180,6 +206,7 @@ int dispatch(int argc, char** argv) {
       "  stylet run fig09-force-curve.toml --organ liver.organ --console\n"
       "  stylet console out.h5\n"
       "  stylet replay out.h5\n"
+      "  stylet score out.h5\n"
       "  stylet bench liver.organ\n"
       "  stylet doctor --measure 60\n"
       "  stylet devices\n"
@@ -195,6 +222,8 @@ int dispatch(int argc, char** argv) {
   add_playback(program, playback_options);
   add_replay(program, replay_options);
   add_plot(program, plot_options);
+  ScoreOptions score_options;
+  add_score(program, score_options);
   add_doctor(program, doctor_options);
   DevicesOptions devices_options;
   ProbeOptions probe_options;
@@ -206,17 +235,19 @@ int dispatch(int argc, char** argv) {
     program.parse(argc, argv);
     if (program.get_subcommands().empty()) {
       throw CLI::RequiredError(
-          "A command (run, console, replay, plot, devices, station, doctor or bench)");
+          "A command (run, console, replay, plot, score, devices, station, doctor or bench)");
     }
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? kExitOk : kExitUsage;
   }
   if (program.got_subcommand("run")) {
+    run_options.igtl.on = program.get_subcommand("run")->count("--igtl") > 0;
     run_options.serve.on = program.get_subcommand("run")->count("--console") > 0;
     return run_options.serve.on ? run_console(run_options) : run(run_options);
   }
   if (program.got_subcommand("console")) return play_back(playback_options);
   if (program.got_subcommand("replay")) return replay_recording(replay_options);
+  if (program.got_subcommand("score")) return score(score_options);
   if (probing.parsed()) return probe(probe_options);
   if (program.got_subcommand("devices")) return list_devices(devices_options);
   if (program.got_subcommand("station")) return station(station_options);

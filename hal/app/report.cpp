@@ -17,12 +17,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Lines = std::vector<std::pair<const char*, std::uint64_t>>;
 
-// Not a number is null in JSON; seven digits are what a float has.
-Json number(float value) {
-  if (!std::isfinite(value)) return nullptr;
-  return std::stod(fmt::format("{:.7g}", static_cast<double>(value)));
-}
-
 std::string hex(std::uint64_t hash) {
   return fmt::format("{:016x}", hash);
 }
@@ -92,13 +86,13 @@ Json json_of(const hal::PhaseRow& row) {
   return {{"name", hal::stage_name(row.stage)},
           {"start_tick", row.start_tick},
           {"end_tick", row.end_tick},
-          {"depth_m", number(row.depth_m)},
-          {"travel_m", number(row.travel_m)},
-          {"peak_force_n", number(row.peak_force_n)},
-          {"mean_force_n", number(row.mean_force_n)},
-          {"start_force_n", number(row.start_force_n)},
-          {"end_force_n", number(row.end_force_n)},
-          {"slope_n_per_mm", number(row.slope_n_per_mm)}};
+          {"depth_m", json_number(row.depth_m)},
+          {"travel_m", json_number(row.travel_m)},
+          {"peak_force_n", json_number(row.peak_force_n)},
+          {"mean_force_n", json_number(row.mean_force_n)},
+          {"start_force_n", json_number(row.start_force_n)},
+          {"end_force_n", json_number(row.end_force_n)},
+          {"slope_n_per_mm", json_number(row.slope_n_per_mm)}};
 }
 
 Json json_of(const std::vector<hal::PhaseRow>& rows) {
@@ -111,20 +105,20 @@ Json json_of(const Event& event) {
   return {{"tick", event.tick},
           {"kind", event_name(event.kind)},
           {"layer", event.layer == kNoLayer ? Json(nullptr) : Json(event.layer)},
-          {"depth_m", number(event.depth_m)},
-          {"force_n", number(event.force_n)},
+          {"depth_m", json_number(event.depth_m)},
+          {"force_n", json_number(event.force_n)},
           {"needle", event.needle}};
 }
 
 Json json_of(const NeedleConfig& needle) {
-  return {{"length_m", number(needle.length_m)},
-          {"outer_radius_m", number(needle.outer_radius_m)},
-          {"unit_m", number(needle.unit_m)},
-          {"bending_nm2", number(needle.bending_nm2)},
-          {"bevel_per_m", number(needle.bevel_per_m)},
-          {"bent_length_m", number(needle.bent_length_m)},
-          {"bent_angle_rad", number(needle.bent_angle_rad)},
-          {"torsion_nm2", number(needle.torsion_nm2)}};
+  return {{"length_m", json_number(needle.length_m)},
+          {"outer_radius_m", json_number(needle.outer_radius_m)},
+          {"unit_m", json_number(needle.unit_m)},
+          {"bending_nm2", json_number(needle.bending_nm2)},
+          {"bevel_per_m", json_number(needle.bevel_per_m)},
+          {"bent_length_m", json_number(needle.bent_length_m)},
+          {"bent_angle_rad", json_number(needle.bent_angle_rad)},
+          {"torsion_nm2", json_number(needle.torsion_nm2)}};
 }
 
 Json json_of(std::size_t predicted, std::size_t used) {
@@ -175,6 +169,10 @@ std::string phase_tables(const RunReport& report) {
     text += phase_table(report.phases[i], report.period_s);
   }
   return text;
+}
+
+std::string score_text(const RunReport& report) {
+  return report.score ? score_table(std::span(&*report.score, 1)) + "\n" : "";
 }
 
 std::string timing_row(const char* name, const hal::Histogram& histogram) {
@@ -274,6 +272,7 @@ std::string json_text(const RunReport& report) {
   }
   out["phases"] = json_of(report.phases[0]);
   for (const Event& event : report.events) out["events"].push_back(json_of(event));
+  out["score"] = report.score ? score_json(*report.score) : Json(nullptr);
   out["timing"] = {{"tick", json_of(loop.tick_time)},
                    {"wake_up_lateness", json_of(loop.lateness)},
                    {"ticks", loop.ticks},
@@ -294,8 +293,8 @@ std::string json_text(const RunReport& report) {
                      {"obstacle_contacts", json_of(stats.obstacle_contacts)}}}};
   out["counters"] = Json::object();
   for (const auto& [name, value] : counters(report)) out["counters"][name] = value;
-  out["coupling_shortfall"] = number(stats.coupling_shortfall);
-  out["dimple_voxels"] = number(static_cast<float>(dimple_voxels(report)));
+  out["coupling_shortfall"] = json_number(stats.coupling_shortfall);
+  out["dimple_voxels"] = json_number(static_cast<float>(dimple_voxels(report)));
   out["fault"] = hal::fault_name(first_fault(report));
   out["host"] = {{"lacks", report.host.lacks}, {"notes", report.host.notes}};
   out["state_hash"] = hex(report.state_hash);
@@ -304,8 +303,8 @@ std::string json_text(const RunReport& report) {
 }
 
 std::string human_text(const RunReport& report) {
-  std::string text =
-      phase_tables(report) + "\n" + timing_table(report) + "\n" + counter_table(report);
+  std::string text = phase_tables(report) + "\n" + score_text(report) + timing_table(report) +
+                     "\n" + counter_table(report);
   const auto row = [](const char* name, std::size_t predicted, std::size_t used) {
     return fmt::format("  {:<10}{:>14}{:>14}\n", name, predicted, used);
   };

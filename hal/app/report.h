@@ -2,9 +2,11 @@
 // What a run has to say, for people and for machines.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "score_text.h"
 #include "stylet/hal/host.h"
 #include "stylet/hal/loop.h"
 #include "stylet/hal/phases.h"
@@ -24,6 +26,7 @@ struct RunReport {
   std::size_t obstacles = 0;
   std::vector<std::vector<hal::PhaseRow>> phases;  // of each needle
   std::vector<Event> events;
+  std::optional<ScoredAttempt> score;  // where the scene has targets
   const hal::LoopState* loop = nullptr;
   hal::ThreadUse thread = {};
   std::uint32_t threads = 1;       // of the tissue step

@@ -124,10 +124,19 @@ hal::Device open_device(Session& s, std::uint32_t needle) {
   return device;
 }
 
+void open_igtl(Session& s) {
+  const IgtlOptions& options = s.options.igtl;
+  if (!options.on) return;
+  s.igtl = std::make_unique<hal::IgtlServer>(
+      hal::IgtlConfig{options.listen, options.port, courses_of(s), s.scene.targets});
+  fmt::print(stderr, "stylet: OpenIGTLink at {}:{}\n", options.listen, s.igtl->port());
+}
+
 }  // namespace
 
 // As long as the needle that takes longest.
 void open_devices(Session& s) {
+  open_igtl(s);
   const double period_s = static_cast<double>(s.scene.config.period_s);
   s.config.period_ns = std::llround(period_s * 1e9);
   // Hashing a large organ takes longer than a tick: in real time only once, after the loop.
@@ -180,6 +189,15 @@ hal::RecordingInfo recording_info(const Session& s, const std::vector<hal::Cours
   return info;
 }
 
+hal::Recorder::Tap with_igtl(const Session& s, hal::Recorder::Tap tap) {
+  if (s.igtl == nullptr) return tap;
+  return [igtl = s.igtl.get(), next = std::move(tap)](std::span<const hal::TickRecord> records,
+                                                      std::span<const Event> events) {
+    igtl->post(records);
+    if (next) next(records, events);
+  };
+}
+
 }  // namespace
 
 void prepare(Session& s, Attempt& a, hal::Display* display, hal::Recorder::Tap tap) {
@@ -194,8 +212,9 @@ void prepare(Session& s, Attempt& a, hal::Display* display, hal::Recorder::Tap t
   a.flight = std::make_unique<hal::FlightRecorder>(s.options.flight, info);
   a.scorer = std::make_unique<hal::Scorer>(s.scene.targets, courses,
                                            static_cast<double>(s.scene.config.period_s));
-  a.recorder = std::make_unique<hal::Recorder>(a.records, a.events, a.writer.get(), courses,
-                                               a.flight.get(), a.scorer.get(), std::move(tap));
+  a.recorder =
+      std::make_unique<hal::Recorder>(a.records, a.events, a.writer.get(), courses, a.flight.get(),
+                                      a.scorer.get(), with_igtl(s, std::move(tap)));
 }
 
 namespace {
@@ -296,6 +315,9 @@ RunReport report_of(const Session& s, const Attempt& a) {
   report.needles.assign(config.needle, config.needle + config.needle_count);
   report.obstacles = s.scene.obstacles.size();
   report.events = a.recorder->events();
+  if (!s.scene.targets.empty()) {
+    report.score = {"", s.scene.targets, layer_names(s.organ->organ), a.scorer->score()};
+  }
   report.loop = &a.state;
   report.thread = a.thread_use;
   report.threads = s.scene.threads;

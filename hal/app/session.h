@@ -16,6 +16,7 @@
 #include "report.h"
 #include "stylet/hal/display.h"
 #include "stylet/hal/host.h"
+#include "stylet/hal/igtl.h"
 #include "stylet/hal/instance.h"
 #include "stylet/hal/loop.h"
 #include "stylet/hal/recorder.h"
@@ -55,6 +56,7 @@ struct Session {
   std::vector<Station> stations;  // of each needle
   std::unique_ptr<hal::KernelInstance> instance;
   std::vector<hal::Device> devices;
+  std::unique_ptr<hal::IgtlServer> igtl;  // null: not asked for
   hal::LoopConfig config;
   std::vector<int> processors;  // real time: the loop's and the helpers'
   bool open_end = false;        // nothing but the user ends a run
@@ -63,6 +65,7 @@ struct Session {
 
 // Scene, organ, kernel; no device yet.
 void load(Session& session);
+// Devices, and the way to OpenIGTLink clients.
 void open_devices(Session& session);
 std::vector<hal::Course> courses_of(const Session& session);
 const char* mode_name(const Session& session);

@@ -67,8 +67,7 @@ class Client {
     const igtl::MessageHeader::Pointer header = igtl::MessageHeader::New();
     header->InitPack();
     bool late = false;
-    const auto got = socket_->Receive(header->GetPackPointer(),
-                                      static_cast<igtlUint64>(header->GetPackSize()), late);
+    const auto got = socket_->Receive(header->GetPackPointer(), header->GetPackSize(), late);
     if (static_cast<int>(got) != header->GetPackSize()) return false;
     header->Unpack();
     const std::string type = header->GetDeviceType();
@@ -104,8 +103,7 @@ class Client {
     message->SetMessageHeader(header);
     message->AllocatePack();
     bool late = false;
-    (void)socket_->Receive(message->GetPackBodyPointer(),
-                           static_cast<igtlUint64>(message->GetPackBodySize()), late);
+    (void)socket_->Receive(message->GetPackBodyPointer(), message->GetPackBodySize(), late);
     const int unpacked = message->Unpack(1);  // with its checksum
     EXPECT_NE(unpacked & igtl::MessageHeader::UNPACK_BODY, 0) << header->GetDeviceType();
     into[header->GetDeviceName()] = message;
