@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
@@ -19,6 +20,8 @@
 #include "serve.h"
 #include "session.h"
 #include "stop_signal.h"
+#include "stylet/hal/metrics.h"
+#include "stylet/hal/pointer.h"
 
 namespace stylet::app {
 namespace {
@@ -81,6 +84,68 @@ std::string local_time() {
   return {text.data(), size};
 }
 
+// Which pointers hold needles: asked by the server's thread, set by the session's.
+class Pointers {
+ public:
+  Pointers() { hal::pointer_serve(true); }
+  ~Pointers() { hal::pointer_serve(false); }
+  Pointers(const Pointers&) = delete;
+  Pointers& operator=(const Pointers&) = delete;
+
+  void choose(const std::vector<hal::Hand>& hands) {
+    for (std::size_t i = 0; i < number_.size(); ++i) {
+      number_[i].store(i < hands.size() ? hal::pointer_number(hands[i].uri).value_or(kNone)
+                                        : kNone);
+    }
+  }
+  void move(const console::PointerMoved& moved) const {
+    if (moved.needle >= number_.size()) return;
+    (void)hal::pointer_post(number_[moved.needle].load(), moved.pose, moved.buttons);
+  }
+  void leave() const {
+    for (const auto& each : number_) hal::pointer_leave(each.load());
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = kMaxNeedles;  // posts to it are refused
+  std::array<std::atomic<std::uint32_t>, kMaxNeedles> number_ = {kNone, kNone, kNone, kNone};
+};
+
+// Written by recorder and session, read by the server.
+class Meter {
+ public:
+  void add(std::span<const hal::TickRecord> records) {
+    const std::lock_guard lock(mutex_);
+    for (const hal::TickRecord& each : records) metrics_add(metrics_, each);
+  }
+  void begin(const hal::Scene& scene) {
+    const std::lock_guard lock(mutex_);
+    metrics_.version = STYLET_VERSION;
+    metrics_.scene = std::filesystem::path(scene.file).filename().string();
+    metrics_.period_s = static_cast<double>(scene.config.period_s);
+    metrics_.needles = scene.config.needle_count;
+    metrics_.fault = {};
+    metrics_.running = true;
+    ++metrics_.attempts;
+  }
+  void end(const hal::LoopState& loop) {
+    const std::lock_guard lock(mutex_);
+    metrics_.running = false;
+    metrics_.missed_ticks += loop.missed_ticks;
+    metrics_.lost_records += loop.lost_records;
+    metrics_.lost_events += loop.lost_events;
+  }
+  std::string text(std::size_t connections) {
+    const std::lock_guard lock(mutex_);
+    metrics_.connections = static_cast<std::uint32_t>(connections);
+    return metrics_text(metrics_);
+  }
+
+ private:
+  std::mutex mutex_;
+  hal::Metrics metrics_;
+};
+
 class Console {
  public:
   explicit Console(const RunOptions& options)
@@ -104,6 +169,7 @@ class Console {
   // One order, and one look at the attempt. An attempt that cannot begin or be kept is told of, and
   // the session goes on.
   void go_on() try {
+    hal::pointer_stay();
     if (const std::optional<console::Order> order = orders_.wait(); order) obey(*order);
     if (running() && attempt_->done.load()) end_attempt(console::Activity::Ended);
   } catch (const std::exception& error) {
@@ -119,6 +185,9 @@ class Console {
     if (!options_.fast) config.spared_processors = session_->processors;
     console::ServerEvents events;
     events.ordered = [this](const console::Order& order) { return orders_.push(order); };
+    events.pointed = [this](const console::PointerMoved& moved) { pointers_.move(moved); };
+    events.pointer_left = [this] { pointers_.leave(); };
+    events.metrics = [this](std::size_t connections) { return meter_.text(connections); };
     server_ = std::make_unique<console::Server>(config, std::move(events));
     show_stage();
     fmt::print("{}: console at {}\nCtrl-C ends it\n", options_.scene, server_->url());
@@ -134,6 +203,7 @@ class Console {
     session_.reset();  // its devices, before they are opened again
     open_devices(*session);
     session_ = std::move(session);
+    pointers_.choose(session_->scene.hands);
     display_ = std::make_shared<hal::Display>(session_->instance->kernel);
     show_rest();
   }
@@ -215,6 +285,7 @@ class Console {
     prepare(
         *session_, *attempt_, display_.get(),
         [this, courses](std::span<const hal::TickRecord> records, std::span<const Event> events) {
+          meter_.add(records);
           for (const hal::TickRecord& each : records) {
             (void)server_->tell({false, console::row_of(each, courses[each.needle]), {}});
           }
@@ -222,6 +293,7 @@ class Console {
             (void)server_->tell({true, {}, console::happened(each)});
           }
         });
+    meter_.begin(session_->scene);
     start(*session_, *attempt_);
     become(console::Activity::Running);
   }
@@ -229,6 +301,7 @@ class Console {
   void end_attempt(console::Activity then) {
     if (!attempt_->done.load()) attempt_->state.stop.store(true);
     finish(*session_, *attempt_);
+    meter_.end(attempt_->state);
     host_fit_ = attempt_->host_fit;
     if (tell_of_host(*session_, host_fit_)) report();
     session_->host.report = {};  // said once
@@ -296,6 +369,8 @@ class Console {
   std::string folder_;
   hal::HostState host_;
   Orders orders_;
+  Pointers pointers_;
+  Meter meter_;
   std::unique_ptr<Session> session_;
   std::shared_ptr<hal::Display> display_;
   std::unique_ptr<console::Server> server_;

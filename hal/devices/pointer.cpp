@@ -35,6 +35,7 @@ struct Posted {
 struct Mailbox {
   std::mutex writers;
   std::uint32_t session = 0;
+  Posted last = {};  // present: the page is there
   Latest<Posted> posts;
   std::atomic<bool> held{false};  // by an open device
 };
@@ -153,15 +154,24 @@ bool pointer_post(std::uint32_t number, const Pose& pose, std::uint32_t buttons)
   if (number >= g_mailboxes.size() || !usable(pose)) return false;
   Mailbox& mailbox = g_mailboxes[number];
   const std::lock_guard lock(mailbox.writers);
-  mailbox.posts.publish({pose, buttons, mailbox.session, 1});
+  mailbox.last = {pose, buttons, mailbox.session, 1};
+  mailbox.posts.publish(mailbox.last);
   return true;
+}
+
+void pointer_stay() {
+  for (Mailbox& mailbox : g_mailboxes) {
+    const std::lock_guard lock(mailbox.writers);
+    if (mailbox.last.present != 0) mailbox.posts.publish(mailbox.last);
+  }
 }
 
 void pointer_leave(std::uint32_t number) {
   if (number >= g_mailboxes.size()) return;
   Mailbox& mailbox = g_mailboxes[number];
   const std::lock_guard lock(mailbox.writers);
-  mailbox.posts.publish({{{}, {1, 0, 0, 0}}, 0, ++mailbox.session, 0});
+  mailbox.last = {{{}, {1, 0, 0, 0}}, 0, ++mailbox.session, 0};
+  mailbox.posts.publish(mailbox.last);
 }
 
 void pointer_serve(bool served) {

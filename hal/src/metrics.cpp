@@ -100,12 +100,8 @@ std::string metrics_text(const Metrics& m) {
                   m.lost_records);
   text += counter("stylet_lost_events_total", "Events that did not fit into the recorder's queue.",
                   m.lost_events);
-  text += gauge("stylet_console_connections", "Pages connected.", m.connections);
-  text += counter("stylet_console_connections_total", "Connections taken.", m.connections_total);
-  text += counter("stylet_console_refused_total", "Connections refused.", m.connections_refused);
-  text += counter("stylet_console_lost_frames_total", "Frames that a page was too slow for.",
-                  m.lost_frames);
-  return text;
+  return text + gauge("stylet_console_connections", "Connections open, this one among them.",
+                      m.connections);
 }
 
 }  // namespace stylet::hal

@@ -14,6 +14,7 @@ import subprocess
 import sys
 import threading
 import unittest
+import urllib.request
 
 import h5py
 import numpy as np
@@ -185,6 +186,25 @@ class Igtl(Attempts):
         done = call("stylet", "run", self.top / "one.toml", "--organ", self.organ, "--fast",
                     "--igtl=0", "--igtl-listen", "192.0.2.1", expect=1)
         self.assertRegex(done.stderr, r"^stylet: OpenIGTLink: .*\n$")
+
+
+class Metrics(Attempts):
+    def test_console_serves_them_and_takes_a_pointer(self):
+        run = subprocess.Popen(
+            [BIN / "stylet", "run", self.top / "one.toml", "--organ", self.organ, "--console=0",
+             "--device", "pointer:", "--allow-non-rt"],
+            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self.addCleanup(run.stdout.close)
+        self.addCleanup(run.wait)
+        self.addCleanup(run.terminate)
+        found = re.search(r"console at (http://[\w.:]+)", run.stdout.readline())
+        self.assertTrue(found)
+        with urllib.request.urlopen(f"{found[1]}/metrics", timeout=20) as answer:
+            self.assertIn("version=0.0.4", answer.headers["Content-Type"])
+            text = answer.read().decode()
+        self.assertIn('stylet_info{version="', text)
+        self.assertRegex(text, r"\nstylet_running 0\n")
+        self.assertRegex(text, r"\nstylet_console_connections [1-9]\n")
 
 
 class Examples(Attempts):

@@ -167,6 +167,22 @@ TEST_F(PointerTest, SilenceEndsTheAnswerAndTheGuardSeesIt) {
   EXPECT_EQ(state.fault, Fault::kNone);
 }
 
+TEST_F(PointerTest, APointerAtRestStaysAsLongAsItsPageDoes) {
+  pointer_stay();  // nothing was posted yet
+  ASSERT_TRUE(pointer_post(0, inward(0), 0));
+  ticks(1);
+  ASSERT_TRUE(pointer_post(0, inward(10), 3));
+  for (int i = 0; i < 10; ++i) {
+    ticks(400);
+    pointer_stay();
+  }
+  EXPECT_NEAR(depth_mm(), 10, 1e-3);
+  EXPECT_EQ(sample.buttons, 3U);
+  pointer_leave(0);
+  pointer_stay();  // does not bring back who has gone
+  EXPECT_FALSE(tick());
+}
+
 TEST_F(PointerTest, LeavingIsSilenceAtOnceAndAnotherPageTakesUp) {
   ASSERT_TRUE(pointer_post(0, inward(0), 0));
   ticks(1);

@@ -41,8 +41,6 @@ struct Metrics {
   std::array<std::array<std::uint64_t, kFaults>, kMaxNeedles> faults = {};  // latched so far
   std::array<Fault, kMaxNeedles> fault = {};                                // latched now
   std::uint32_t connections = 0;                                            // to the console, now
-  std::uint64_t connections_total = 0, connections_refused = 0;
-  std::uint64_t lost_frames = 0;  // that a connection was too slow for
 };
 
 // Ticks, their times, and faults.

@@ -2,12 +2,14 @@
 // A needle held by a mouse or a finger on the console's page: places without force, which the page
 // draws instead.
 //
-// The page posts poses as often as it draws, 30 to 120 times a second and never evenly; the loop
-// gets one sample a tick that follows them with kPointerFollowS, critically damped, and never
-// faster than kPointerSpeedMPerS and kPointerTurnRadPerS: no leap of the pointer is one of the
-// needle. All on the loop's clock: the same posts in the same ticks give the same bits.
+// The page posts poses while the pointer moves, 30 to 120 times a second and never evenly; while it
+// rests, the console says that the page is still there (pointer_stay). The loop gets one sample a
+// tick that follows them with kPointerFollowS, critically damped, and never faster than
+// kPointerSpeedMPerS and kPointerTurnRadPerS: no leap of the pointer is one of the needle. All on
+// the loop's clock: the same posts in the same ticks give the same bits.
 //   before the first post      at rest, and answers
-//   newest post is older than kPointerGoneNs, or pointer_leave   does not answer: the guard latches
+//   newest post or stay is older than kPointerGoneNs, or pointer_leave   does not answer: the guard
+//   latches
 //                              "device silent" within its watchdog
 //   a post after that          answers again, and the needle is taken up where it is: only the
 //                              pointer's way from there on counts
@@ -34,6 +36,8 @@ constexpr std::int64_t kPointerGoneNs = 500'000'000;
 // Any thread but the loop's, for the device "pointer:NUMBER". The place counts from the first post
 // on. False: NaN, out of reach, not a rotation, or no such number; nothing was changed.
 bool pointer_post(std::uint32_t number, const Pose& pose, std::uint32_t buttons);
+// Every pointer that was posted still is where it was. Any thread but the loop's.
+void pointer_stay();
 // The page has gone. Any thread but the loop's.
 void pointer_leave(std::uint32_t number);
 // Whether there is a page to post at all; opening a pointer is refused where there is none.
