@@ -150,7 +150,7 @@ struct NeedleState {
   std::uint32_t touch_count, touch_max;
 };
 
-// A piece of needle that touches an obstacle.
+// A piece of needle that touches an obstacle, or did in the last tick (depth_m < 0).
 struct Touch {
   std::uint32_t obstacle, rod;
   ObstacleContact contact;
@@ -158,6 +158,7 @@ struct Touch {
   float arc_m;         // from the handle
   Mat3 stiffness_n_per_m;
   Vec3 normal;
+  float depth_m;
 };
 
 struct StateHead {

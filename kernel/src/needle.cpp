@@ -10,6 +10,10 @@ namespace {
 // No needle is quite straight: this kink at every joint decides to which side one pressed exactly
 // along its axis buckles.
 constexpr double kImperfectionRad = 1e-7;
+// Of what a needle is taken to be made of when it is thrown about: solid steel.
+constexpr double kSteelKgPerM3 = 7850;
+// A needle in contact bends so far in a tick without meeting its own inertia.
+constexpr double kFreeBendM = 1e-4;
 // Length over which a cut falls in with the needle behind it: a bevel and the shaft's first bend.
 constexpr float kBevelAlignM = 0.02F;
 
@@ -71,18 +75,42 @@ void gather_loads(const View& view, Vec3 shift, RodLoads& loads) {
   }
 }
 
+// A node's mass over the square of a tick: from rest its inertia lets it go no farther. Only in
+// contact with obstacles, where a needle that snaps over would go through them: elsewhere it rests.
+double drag_n_per_m(const View& view) {
+  if (view.state.needle->touch_count == 0) return 0;
+  const double radius = static_cast<double>(view.needle_config().outer_radius_m);
+  const double period = static_cast<double>(view.model.head->config.period_s);
+  const double kg_per_m = kSteelKgPerM3 * 3.14159265 * radius * radius;
+  return kg_per_m * view.model.rod->rod_m / (period * period);
+}
+
+struct HandleTurn {
+  double wxyz[4];
+};
+HandleTurn handle_turn(const View& view) {
+  const Quat& q = view.state.needle->handle.rotation;
+  return {{static_cast<double>(q.w), static_cast<double>(q.x), static_cast<double>(q.y),
+           static_cast<double>(q.z)}};
+}
+
+void put_nodes(const View& view) {
+  for (std::uint32_t i = 0; i <= view.model.rod->rods; ++i) {
+    view.state.node[i] = view.state.needle->base_m + to_float(view.scratch.rod_result->node_m[i]);
+  }
+}
+
 std::uint32_t bend(const View& view, Vec3 shift) {
-  NeedleState& own = *view.state.needle;
   RodLoads& loads = *view.scratch.loads;
   gather_loads(view, shift, loads);
-  const Quat& q = own.handle.rotation;
-  const double handle[4] = {static_cast<double>(q.w), static_cast<double>(q.x),
-                            static_cast<double>(q.y), static_cast<double>(q.z)};
   RodResult& result = *view.scratch.rod_result;
-  solve_rod(*view.model.rod, handle, loads, *view.state.rod_shape, *view.scratch.rod, result);
-  for (std::uint32_t i = 0; i <= view.model.rod->rods; ++i) {
-    view.state.node[i] = own.base_m + to_float(result.node_m[i]);
+  solve_rod(*view.model.rod, handle_turn(view).wxyz, loads, *view.state.rod_shape,
+            *view.scratch.rod, result);
+  if (view.model.head->obstacle_count > 0) {
+    slow_bend(*view.model.rod, handle_turn(view).wxyz, drag_n_per_m(view), kFreeBendM,
+              *view.state.rod_shape, *view.scratch.rod, result);
   }
+  put_nodes(view);
   if (result.least_pivot > 0) return 0;
   ++view.state.head->needle_unstable;
   return kFlagNeedleUnstable;
@@ -97,45 +125,86 @@ ObstacleContact remembered(const View& view, std::uint32_t obstacle, std::uint32
   return {};
 }
 
-// Looks at one piece and one body; enters what touches into the list of this tick.
-std::uint32_t touch_piece(const View& view, const Needle& needle, Vec3 shift, std::uint32_t body,
-                          std::uint32_t rod, std::uint32_t& count) {
-  StateHead& state = *view.state.head;
+struct Touching {
+  std::uint32_t count, flags;
+  double dissipated_j;
+};
+
+// Looks at one piece and one body; enters what touches, and what is lost, into the list.
+void touch_piece(const View& view, const Needle& needle, Vec3 shift, std::uint32_t body,
+                 std::uint32_t rod, Touching& out) {
   const NeedlePiece piece = {needle.node[rod] + shift, needle.node[rod + 1] + shift,
                              view.needle_config().outer_radius_m};
   const ObstacleContact last = remembered(view, body, rod);
   ObstacleContact next = {};
   const ObstacleLoad load = obstacle_load(view.model.obstacle[body], piece, last, next);
-  state.obstacles_j += static_cast<double>(load.dissipated_j);
-  if (!(load.depth_m > 0)) return 0;
-  if (count == kMaxTouches) {
-    ++state.obstacle_pool_full;
-    return kFlagObstaclePoolFull;
+  out.dissipated_j += static_cast<double>(load.dissipated_j);
+  const bool touches = load.depth_m > 0, lost = load.depth_m < 0;
+  if (touches && out.count == kMaxTouches) {
+    ++view.state.head->obstacle_pool_full;
+    out.flags |= kFlagObstaclePoolFull;
   }
-  view.scratch.touch[count++] = {body,
-                                 rod,
-                                 next,
-                                 load.at_m,
-                                 load.force_n,
-                                 (static_cast<float>(rod) + load.place) * needle.rod_m,
-                                 load.stiffness_n_per_m,
-                                 load.normal};
-  return 0;
+  if ((!touches && !lost) || out.count == kMaxTouches) return;
+  view.scratch.touch[out.count++] = {body,
+                                     rod,
+                                     next,
+                                     load.at_m,
+                                     load.force_n,
+                                     (static_cast<float>(rod) + load.place) * needle.rod_m,
+                                     load.stiffness_n_per_m,
+                                     load.normal,
+                                     load.depth_m};
+}
+
+// All pieces and bodies, into the list of scratch.
+Touching find_touches(const View& view, const Needle& needle, Vec3 shift) {
+  Touching out = {};
+  for (std::uint32_t body = 0; body < view.model.head->obstacle_count; ++body) {
+    for (std::uint32_t rod = 0; rod < needle.rods; ++rod) {
+      touch_piece(view, needle, shift, body, rod, out);
+    }
+  }
+  return out;
+}
+
+// How much of the bending of this tick presses none of the `count` touches more than kMaxPlungeM
+// deeper.
+double bend_allowed(const View& view, std::uint32_t count) {
+  const RodResult& result = *view.scratch.rod_result;
+  const Vec3d* const start = view.scratch.rod->start_m;
+  double share = 1;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Touch& touch = view.scratch.touch[i];
+    const std::uint32_t j = touch.rod;
+    const double place = static_cast<double>(touch.arc_m) / view.model.rod->rod_m - j;
+    const Vec3d from = start[j] + place * (start[j + 1] - start[j]);
+    const Vec3d to = result.node_m[j] + place * (result.node_m[j + 1] - result.node_m[j]);
+    const double moved = dot(to_double(touch.normal), from - to);
+    const double depth = static_cast<double>(touch.depth_m);
+    const double deeper = moved < depth ? moved : depth;
+    if (deeper > kMaxPlungeM && kMaxPlungeM < share * deeper) share = kMaxPlungeM / deeper;
+  }
+  return share;
+}
+
+// A needle that bends in air as fast as it likes would find itself deep in a body, and be thrown
+// back through the other side of it.
+void approach_obstacles(const View& view, Vec3 shift) {
+  const Touching found = find_touches(view, needle_of(view), shift);
+  shorten_bend(*view.model.rod, handle_turn(view).wxyz, bend_allowed(view, found.count),
+               *view.state.rod_shape, *view.scratch.rod, *view.scratch.rod_result);
+  put_nodes(view);
 }
 
 std::uint32_t touch_obstacles(const View& view, const Needle& needle, Vec3 shift) {
   NeedleState& own = *view.state.needle;
-  std::uint32_t flags = 0, count = 0;
-  for (std::uint32_t body = 0; body < view.model.head->obstacle_count; ++body) {
-    for (std::uint32_t rod = 0; rod < needle.rods; ++rod) {
-      flags |= touch_piece(view, needle, shift, body, rod, count);
-    }
-  }
-  if (count > 0 && own.touch_count == 0) add_event(view, EventKind::kObstacle, 0);
-  for (std::uint32_t i = 0; i < count; ++i) view.state.touch[i] = view.scratch.touch[i];
-  own.touch_count = count;
-  own.touch_max = own.touch_max > count ? own.touch_max : count;
-  return flags;
+  const Touching found = find_touches(view, needle, shift);
+  view.state.head->obstacles_j += found.dissipated_j;
+  if (found.count > 0 && own.touch_count == 0) add_event(view, EventKind::kObstacle, 0);
+  for (std::uint32_t i = 0; i < found.count; ++i) view.state.touch[i] = view.scratch.touch[i];
+  own.touch_count = found.count;
+  own.touch_max = own.touch_max > found.count ? own.touch_max : found.count;
+  return found.flags;
 }
 
 }  // namespace
@@ -195,6 +264,7 @@ std::uint32_t place_needle(const View& view, Needle& needle_out) {
   std::uint32_t flags = 0;
   if (is_elastic(config)) {
     flags |= bend(view, shift);
+    approach_obstacles(view, shift);
   } else {
     view.state.node[0] = own.base_m;
     view.state.node[1] = own.base_m - config.length_m * column(r, 2);

@@ -11,8 +11,6 @@ namespace {
 constexpr double kCoreShare = 0.25;
 // A normal that turns by more than 120 degrees has not turned: the needle has passed through.
 constexpr double kThroughCosine = -0.5;
-// Normal stiffness left where the force is saturated, so that rounding cannot make it negative.
-constexpr double kLeastStiffnessShare = 1e-5;
 
 constexpr float kLargestConfigM = 10;
 constexpr float kRotationTolerance = 1e-3F;
@@ -128,7 +126,8 @@ Touch find_touch(const Obstacle& obstacle, const NeedlePiece& piece, const Obsta
 
 // ---- what it does -------------------------------------------------------------------------------
 
-// k depth at first, the largest force at last: F = k d / sqrt(1 + (k d / F_max)^2).
+// k depth at first, the largest force at last: F = k d / sqrt(1 + (k d / F_max)^2). The stiffness
+// is force over depth.
 struct Press {
   double force_n, stiffness_n_per_m, energy_j;
 };
@@ -138,7 +137,7 @@ Press press(const ObstacleConfig& config, double depth_m) {
   const double k = static_cast<double>(config.stiffness_n_per_m);
   const double u = k * depth_m / static_cast<double>(config.largest_force_n);
   const double root = std::sqrt(1 + u * u);
-  return {k * depth_m / root, k / (root * root * root), k * depth_m * depth_m / (1 + root)};
+  return {k * depth_m / root, k / root, k * depth_m * depth_m / (1 + root)};
 }
 
 struct Slip {
@@ -259,21 +258,26 @@ ObstacleLoad obstacle_load(const Obstacle& obstacle, const NeedlePiece& piece,
   const Slip slid = slip(k, limit_n, touch.normal, to_double(last.bristle_m), moved);
   ObstacleLoad load = {};
   load.dissipated_j = static_cast<float>(turned_j + slid.dissipated_j);
-  if (!(touch.depth_m > 0)) return load;
-
+  if (!(touch.depth_m > 0) && is_zero(last.normal)) return load;
+  const Vec3d place_m = point_on({to_double(piece.a_m), to_double(piece.b_m)}, touch.place);
+  load.normal = to_float(touch.normal);
+  load.place = static_cast<float>(touch.place);
+  load.depth_m = static_cast<float>(touch.depth_m);
+  if (!(touch.depth_m > 0)) {
+    load.at_m = to_float(place_m + touch.depth_m * touch.normal);
+    load.stiffness_n_per_m = stiffness_matrix(load.normal, config.stiffness_n_per_m, 0);
+    return load;
+  }
   next_out = {to_float(touch.normal), to_float(slid.bristle_m), piece.a_m, piece.b_m,
               static_cast<float>(touch.place)};
   load.force_n = to_float(pressed.force_n * touch.normal - k * slid.bristle_m);
-  load.at_m = to_float(point_on({to_double(piece.a_m), to_double(piece.b_m)}, touch.place));
-  load.normal = next_out.normal;
-  load.place = next_out.place;
-  load.depth_m = static_cast<float>(touch.depth_m);
+  load.at_m = to_float(place_m);
   load.elastic_j =
       static_cast<float>(pressed.energy_j + 0.5 * k * dot(slid.bristle_m, slid.bristle_m));
   load.slips = slid.slips ? 1 : 0;
-  load.stiffness_n_per_m = stiffness_matrix(
-      load.normal, static_cast<float>(max_of(pressed.stiffness_n_per_m, kLeastStiffnessShare * k)),
-      slid.slips ? 0 : config.stiffness_n_per_m);
+  load.stiffness_n_per_m =
+      stiffness_matrix(load.normal, static_cast<float>(pressed.stiffness_n_per_m),
+                       slid.slips ? 0 : config.stiffness_n_per_m);
   return load;
 }
 

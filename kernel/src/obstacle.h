@@ -70,13 +70,18 @@ struct ObstacleContact {
 };
 
 // A load on the needle: f(x) = force_n - stiffness * (x - at_m) for the needle's point that is now
-// at at_m. The matrix is symmetric and has no negative eigenvalue.
+// at at_m. The matrix is symmetric and has no negative eigenvalue. Along the normal it is force
+// over depth: the force of the load ends where the contact does. (The derivative is far less where
+// the force is saturated, and throws a needle that has come in deep out again as far.) A contact of
+// the last call that is lost has no force, but a stiffness: of the surface it has come clear of, at
+// the place there (at_m). Kept for one tick it keeps a needle that is pressed on hard bodies from
+// passing in and out of them.
 struct ObstacleLoad {
   Vec3 force_n;
   Vec3 at_m;
   Mat3 stiffness_n_per_m;
   float place;    // of at_m on the piece
-  float depth_m;  // 0: no contact, no load
+  float depth_m;  // positive: contact; negative: lost; 0: none
   Vec3 normal;
   float elastic_j;     // stored in the contact
   float dissipated_j;  // since the last call, by slip, turning and release

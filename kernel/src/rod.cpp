@@ -140,6 +140,23 @@ void lump_loads(const RodModel& model, const RodLoads& loads, RodScratch& scratc
   }
 }
 
+// Springs from the nodes to where they may be.
+void add_drag(const RodModel& model, double drag_n_per_m, double free_m, const RodResult& result,
+              RodScratch& scratch) {
+  const Sym3d k{drag_n_per_m, 0, 0, drag_n_per_m, 0, drag_n_per_m};
+  for (std::uint32_t j = 0; j < model.rods; ++j) {
+    const Vec3d way = result.node_m[j + 1] - scratch.start_m[j + 1];
+    const double length = std::sqrt(dot(way, way));
+    const Vec3d may = scratch.start_m[j + 1] + share_below(free_m, length) * way;
+    RodScratch::Lump& lump = scratch.lump[j];
+    lump.start = lump.start + k;
+    lump.mixed = lump.mixed + model.rod_m * k;
+    lump.along = lump.along + (model.rod_m * model.rod_m) * k;
+    lump.start_n = lump.start_n + drag_n_per_m * may;
+    lump.along_nm = lump.along_nm + (model.rod_m * drag_n_per_m) * may;
+  }
+}
+
 void read_loads(const RodModel& model, const RodScratch& scratch, RodResult& result) {
   result.force_n = result.torque_nm = {0, 0, 0};
   for (std::uint32_t i = 0; i < kMaxRodLoads; ++i) {
@@ -322,6 +339,35 @@ void take_step(const RodModel& model, double least_pivot, RodShape& shape, RodSc
   }
 }
 
+// From the shape of the tick's start.
+void newton_steps(const RodModel& model, const Frame& handle, RodShape& shape, RodScratch& scratch,
+                  RodResult& result) {
+  for (std::uint32_t j = 0; j < model.rods; ++j) {
+    result.direction[j] = scratch.start_direction[j];
+    scratch.change_before[j] = {0, 0, 0};
+  }
+  for (std::uint32_t step = 0; step < kRodNewtonSteps; ++step) {
+    place_rods(model, handle, scratch, result);
+    for (std::uint32_t j = 0; step == 0 && j <= model.rods; ++j) {
+      scratch.start_m[j] = result.node_m[j];
+    }
+    const double least = sweep_back(model, shape.compression_share, result, scratch);
+    result.least_pivot = min_of(result.least_pivot, least);
+    result.last_turn_rad = sweep_forth(model, result, scratch);
+    take_step(model, least, shape, scratch, result);
+  }
+}
+
+// Nodes and state from the directions.
+void keep_shape(const RodModel& model, const Frame& handle, RodShape& shape, RodResult& result) {
+  const Vec3d z = -1.0 * handle.along;
+  for (std::uint32_t j = 0; j < model.rods; ++j) {
+    const Vec3d t = result.direction[j];
+    result.node_m[j + 1] = result.node_m[j] + model.rod_m * t;
+    shape.direction[j] = {dot(t, handle.x), dot(t, handle.y), dot(t, z)};
+  }
+}
+
 }  // namespace
 
 void make_rod(std::uint32_t rods, double length_m, double bending_nm2,
@@ -354,24 +400,33 @@ void solve_rod(const RodModel& model, const double (&handle_wxyz)[4], const RodL
   const Vec3d z = -1.0 * handle.along;
   for (std::uint32_t j = 0; j < model.rods; ++j) {
     const Vec3d t = shape.direction[j];
-    result_out.direction[j] = t.x * handle.x + t.y * handle.y + t.z * z;
-    scratch.change_before[j] = {0, 0, 0};
+    scratch.start_direction[j] = t.x * handle.x + t.y * handle.y + t.z * z;
   }
   lump_loads(model, loads, scratch);
   result_out.least_pivot = kRigidBendingNm2;
-  for (std::uint32_t step = 0; step < kRodNewtonSteps; ++step) {
-    place_rods(model, handle, scratch, result_out);
-    const double least = sweep_back(model, shape.compression_share, result_out, scratch);
-    result_out.least_pivot = min_of(result_out.least_pivot, least);
-    result_out.last_turn_rad = sweep_forth(model, result_out, scratch);
-    take_step(model, least, shape, scratch, result_out);
-  }
-  for (std::uint32_t j = 0; j < model.rods; ++j) {
-    const Vec3d t = result_out.direction[j];
-    result_out.node_m[j + 1] = result_out.node_m[j] + model.rod_m * t;
-    shape.direction[j] = {dot(t, handle.x), dot(t, handle.y), dot(t, z)};
-  }
+  newton_steps(model, handle, shape, scratch, result_out);
+  keep_shape(model, handle, shape, result_out);
   read_loads(model, scratch, result_out);
+}
+
+void slow_bend(const RodModel& model, const double (&handle_wxyz)[4], double drag_n_per_m,
+               double free_m, RodShape& shape, RodScratch& scratch, RodResult& result) {
+  const Frame handle = handle_frame(handle_wxyz);
+  add_drag(model, drag_n_per_m, free_m, result, scratch);
+  newton_steps(model, handle, shape, scratch, result);
+  keep_shape(model, handle, shape, result);
+  read_loads(model, scratch, result);
+}
+
+void shorten_bend(const RodModel& model, const double (&handle_wxyz)[4], double share,
+                  RodShape& shape, const RodScratch& scratch, RodResult& result) {
+  if (!(share < 1)) return;
+  for (std::uint32_t j = 0; j < model.rods; ++j) {
+    const Vec3d from = scratch.start_direction[j];
+    const Vec3d t = from + share * (result.direction[j] - from);
+    result.direction[j] = (1 / std::sqrt(dot(t, t))) * t;
+  }
+  keep_shape(model, handle_frame(handle_wxyz), shape, result);
 }
 
 RodPoint rod_point(const RodModel& model, const RodResult& result, double arc_m) {

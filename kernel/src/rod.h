@@ -97,6 +97,8 @@ struct RodScratch {
   } lump[kMaxRods];
   RodLoad load[kMaxRodLoads];  // within the limits
   Vec3d change[kMaxRods], change_before[kMaxRods];
+  Vec3d start_m[kMaxRods + 1];  // nodes as the handle alone would have carried them
+  Vec3d start_direction[kMaxRods];
 };
 
 struct RodResult {
@@ -121,6 +123,17 @@ void relax_rod(const RodModel& model, RodShape& shape_out);
 // One tick. handle_wxyz is a quaternion of any length but zero.
 void solve_rod(const RodModel& model, const double (&handle_wxyz)[4], const RodLoads& loads,
                RodShape& shape, RodScratch& scratch, RodResult& result_out);
+
+// After solve_rod, with the same loads: bends anew, but now every node that went farther than
+// `free_m` from where the handle alone would have carried it is drawn back to that distance by
+// `drag_n_per_m`. Where none did, nothing changes but the rest of the iteration.
+void slow_bend(const RodModel& model, const double (&handle_wxyz)[4], double drag_n_per_m,
+               double free_m, RodShape& shape, RodScratch& scratch, RodResult& result);
+
+// Takes back a part of the bending that was just found: the shape is only `share` of the way
+// from where the tick began. 1: nothing changes.
+void shorten_bend(const RodModel& model, const double (&handle_wxyz)[4], double share,
+                  RodShape& shape, const RodScratch& scratch, RodResult& result);
 
 RodPoint rod_point(const RodModel& model, const RodResult& result, double arc_m);
 

@@ -83,6 +83,9 @@ constexpr std::uint32_t kMaxGjkSteps = 32;
 constexpr std::uint32_t kMaxEscapeSupports = 64;
 // Turn of an obstacle contact's normal in one tick. Reached: the rest follows in the next ticks.
 constexpr float kMaxNormalTurnRad = 0.1F;
+// How much deeper the needle's bending presses it into an obstacle in one tick. Reached: the rest
+// of the bending follows in the next ticks.
+constexpr double kMaxPlungeM = 3e-5;
 // Motion of the handle accepted in one second; faster input is clamped, flagged and followed later.
 constexpr float kMaxHandleSpeedMPerS = 5.0F;
 constexpr float kMaxHandleSpinRadPerS = 60.0F;
