@@ -11,6 +11,8 @@ namespace {
 constexpr double kCoreShare = 0.25;
 // A normal that turns by more than 120 degrees has not turned: the needle has passed through.
 constexpr double kThroughCosine = -0.5;
+// Normal stiffness left where the force is saturated, so that rounding cannot make it negative.
+constexpr double kLeastStiffnessShare = 1e-5;
 
 constexpr float kLargestConfigM = 10;
 constexpr float kRotationTolerance = 1e-3F;
@@ -126,8 +128,7 @@ Touch find_touch(const Obstacle& obstacle, const NeedlePiece& piece, const Obsta
 
 // ---- what it does -------------------------------------------------------------------------------
 
-// k depth at first, the largest force at last: F = k d / sqrt(1 + (k d / F_max)^2). The stiffness
-// is force over depth.
+// k depth at first, the largest force at last: F = k d / sqrt(1 + (k d / F_max)^2).
 struct Press {
   double force_n, stiffness_n_per_m, energy_j;
 };
@@ -137,7 +138,7 @@ Press press(const ObstacleConfig& config, double depth_m) {
   const double k = static_cast<double>(config.stiffness_n_per_m);
   const double u = k * depth_m / static_cast<double>(config.largest_force_n);
   const double root = std::sqrt(1 + u * u);
-  return {k * depth_m / root, k / root, k * depth_m * depth_m / (1 + root)};
+  return {k * depth_m / root, k / (root * root * root), k * depth_m * depth_m / (1 + root)};
 }
 
 struct Slip {
@@ -258,7 +259,8 @@ ObstacleLoad obstacle_load(const Obstacle& obstacle, const NeedlePiece& piece,
   const Slip slid = slip(k, limit_n, touch.normal, to_double(last.bristle_m), moved);
   ObstacleLoad load = {};
   load.dissipated_j = static_cast<float>(turned_j + slid.dissipated_j);
-  if (!(touch.depth_m > 0) && is_zero(last.normal)) return load;
+  const bool known = !is_zero(to_float(touch.normal)) && !is_zero(last.normal);
+  if (!(touch.depth_m > 0) && !known) return load;
   const Vec3d place_m = point_on({to_double(piece.a_m), to_double(piece.b_m)}, touch.place);
   load.normal = to_float(touch.normal);
   load.place = static_cast<float>(touch.place);
@@ -275,9 +277,9 @@ ObstacleLoad obstacle_load(const Obstacle& obstacle, const NeedlePiece& piece,
   load.elastic_j =
       static_cast<float>(pressed.energy_j + 0.5 * k * dot(slid.bristle_m, slid.bristle_m));
   load.slips = slid.slips ? 1 : 0;
-  load.stiffness_n_per_m =
-      stiffness_matrix(load.normal, static_cast<float>(pressed.stiffness_n_per_m),
-                       slid.slips ? 0 : config.stiffness_n_per_m);
+  load.stiffness_n_per_m = stiffness_matrix(
+      load.normal, static_cast<float>(max_of(pressed.stiffness_n_per_m, kLeastStiffnessShare * k)),
+      slid.slips ? 0 : config.stiffness_n_per_m);
   return load;
 }
 

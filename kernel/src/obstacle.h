@@ -70,12 +70,11 @@ struct ObstacleContact {
 };
 
 // A load on the needle: f(x) = force_n - stiffness * (x - at_m) for the needle's point that is now
-// at at_m. The matrix is symmetric and has no negative eigenvalue. Along the normal it is force
-// over depth: the force of the load ends where the contact does. (The derivative is far less where
-// the force is saturated, and throws a needle that has come in deep out again as far.) A contact of
-// the last call that is lost has no force, but a stiffness: of the surface it has come clear of, at
-// the place there (at_m). Kept for one tick it keeps a needle that is pressed on hard bodies from
-// passing in and out of them.
+// at at_m. The matrix is symmetric and has no negative eigenvalue.
+//
+// A contact of the last call that is lost has no force, but a stiffness: of the surface it has come
+// clear of, at the place there (at_m). Kept for one tick it keeps a needle that is pressed on hard
+// bodies from passing in and out of them.
 struct ObstacleLoad {
   Vec3 force_n;
   Vec3 at_m;

@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "build.h"
+#include "crop.h"
 #include "file.h"
 #include "hull.h"
 #include "info.h"
@@ -46,6 +47,7 @@ struct CommonArguments {  // of build and phantom
   std::uint32_t voxels_across = 0;
   std::string capsule = "auto";
   std::vector<std::string> fix = kDefaultFix;
+  std::vector<std::string> crop;
   std::string materials;
   std::string fit;  // rate
   std::string machine;
@@ -124,6 +126,11 @@ void add_common(CLI::App& command, CommonArguments& a) {
                   "box:X0,Y0,Z0,X1,Y1,Z1, touching:MESH, or none")
       ->allow_extra_args(false)
       ->capture_default_str();
+  command
+      .add_option("--crop", a.crop,
+                  "Only the part of the organ that lies in x>MM, x<MM (or y, z; MM may be N%) or "
+                  "box:X0,Y0,Z0,X1,Y1,Z1, repeatable: in all of them; held where it is cut")
+      ->allow_extra_args(false);
   command.add_option("--materials", a.materials, "TOML file with tissues of your own");
   command.add_option("--report", a.report,
                      "Folder for a quality report: report.html with pictures, report.json");
@@ -177,6 +184,7 @@ BuildOptions common_options(const CommonArguments& a, double metres_per_unit) {
   require_voxel_edge(options.voxel_edge_m);
   options.voxels_across = a.voxels_across;
   options.held = parse_regions(a.fix, metres_per_unit);
+  options.crop = parse_crop(a.crop);
   if (!a.materials.empty()) options.own_tissues = read_tissues(a.materials);
   options.measured = !a.report.empty();
   options.tool_version = kToolVersion;
@@ -184,6 +192,7 @@ BuildOptions common_options(const CommonArguments& a, double metres_per_unit) {
                          : !a.fit.empty()    ? "--fit " + a.fit
                                              : fmt::format("--voxel-mm {}", a.voxel_mm);
   for (const std::string& fix : a.fix) options.options_text += " --fix " + without_folder(fix);
+  for (const std::string& crop : a.crop) options.options_text += " --crop " + crop;
   if (!a.materials.empty()) {
     options.options_text +=
         " --materials " + std::filesystem::path(a.materials).filename().string();

@@ -14,25 +14,32 @@ constexpr double kMetresPerMm = 1e-3;
 constexpr std::string_view kBoxWord = "box:";
 constexpr std::string_view kTouchingWord = "touching:";
 
-[[noreturn]] void refuse_region(const std::string& text) {
+// What follows which option.
+struct Spelled {
+  const std::string& option;
+  const std::string& text;
+};
+
+[[noreturn]] void refuse_region(const Spelled& s) {
   refuse(
-      "--fix '{}': expected x>MM, x<MM (or y, z; MM may be N%), box:X0,Y0,Z0,X1,Y1,Z1, "
-      "touching:MESH or none",
-      text);
+      "{} '{}': expected x>MM, x<MM (or y, z; MM may be N%), box:X0,Y0,Z0,X1,Y1,Z1, touching:MESH "
+      "or none",
+      s.option, s.text);
 }
 
-double parse(std::string_view digits, const std::string& text) {
+double parse(std::string_view digits, const Spelled& s) {
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value)) {
-    refuse_region(text);
+    refuse_region(s);
   }
   return value;
 }
 
-Region parse_half_space(const std::string& text) {
+Region parse_half_space(const Spelled& s) {
+  const std::string& text = s.text;
   if (text.size() < 3 || text[0] < 'x' || text[0] > 'z' || (text[1] != '<' && text[1] != '>')) {
-    refuse_region(text);
+    refuse_region(s);
   }
   Region region;
   region.kind = text[1] == '>' ? Region::Kind::kAbove : Region::Kind::kBelow;
@@ -40,24 +47,24 @@ Region parse_half_space(const std::string& text) {
   std::string_view digits = std::string_view(text).substr(2);
   region.is_fraction = digits.back() == '%';
   if (region.is_fraction) digits.remove_suffix(1);
-  region.bound = parse(digits, text) * (region.is_fraction ? 0.01 : kMetresPerMm);
+  region.bound = parse(digits, s) * (region.is_fraction ? 0.01 : kMetresPerMm);
   return region;
 }
 
-Region parse_box(const std::string& text) {
+Region parse_box(const Spelled& s) {
   double numbers[6];
-  std::string_view rest = std::string_view(text).substr(kBoxWord.size());
+  std::string_view rest = std::string_view(s.text).substr(kBoxWord.size());
   for (std::size_t i = 0; i < 6; ++i) {
     const std::size_t comma = rest.find(',');
-    if ((comma == std::string_view::npos) != (i == 5)) refuse_region(text);
-    numbers[i] = parse(rest.substr(0, comma), text) * kMetresPerMm;
+    if ((comma == std::string_view::npos) != (i == 5)) refuse_region(s);
+    numbers[i] = parse(rest.substr(0, comma), s) * kMetresPerMm;
     rest.remove_prefix(i == 5 ? rest.size() : comma + 1);
   }
   Region region;
   region.kind = Region::Kind::kBox;
   region.box_m = {{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (region.box_m.low[axis] > region.box_m.high[axis]) refuse_region(text);
+    if (region.box_m.low[axis] > region.box_m.high[axis]) refuse_region(s);
   }
   return region;
 }
@@ -84,31 +91,6 @@ void hold_where(const Grid& grid, std::vector<std::uint8_t>& held, Test test) {
   }
 }
 
-void hold_half_space(const Grid& grid, const Box& extent, const Region& region,
-                     std::vector<std::uint8_t>& held) {
-  const double low = extent.low[region.axis];
-  const double bound =
-      region.is_fraction ? low + region.bound * (extent.high[region.axis] - low) : region.bound;
-  const double slack = grid.edge_m * kTouch * 2;
-  hold_where(grid, held, [&](Vec corner) {
-    return region.kind == Region::Kind::kAbove ? corner[region.axis] >= bound - slack
-                                               : corner[region.axis] <= bound + slack;
-  });
-}
-
-void hold_box(const Grid& grid, const Region& region, std::vector<std::uint8_t>& held) {
-  const double slack = grid.edge_m * kTouch * 2;
-  hold_where(grid, held, [&](Vec corner) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (corner[axis] < region.box_m.low[axis] - slack ||
-          corner[axis] > region.box_m.high[axis] + slack) {
-        return false;
-      }
-    }
-    return true;
-  });
-}
-
 void hold_touched(const Grid& grid, const Region& region, std::vector<std::uint8_t>& held) {
   const std::vector<std::uint8_t> touched = touched_cells(grid, region.mesh_m);
   for (std::uint32_t z = 0; z < grid.size[2]; ++z) {
@@ -126,20 +108,38 @@ void hold_touched(const Grid& grid, const Region& region, std::vector<std::uint8
 
 }  // namespace
 
-std::vector<Region> parse_regions(const std::vector<std::string>& texts, double metres_per_unit) {
+std::vector<Region> parse_regions(const std::vector<std::string>& texts, double metres_per_unit,
+                                  const std::string& option) {
   std::vector<Region> regions;
   for (const std::string& text : texts) {
     if (text == "none") {
-      if (texts.size() > 1) refuse("--fix none: expected no other --fix beside it");
+      if (texts.size() > 1) refuse("{0} none: expected no other {0} beside it", option);
     } else if (text.starts_with(kBoxWord)) {
-      regions.push_back(parse_box(text));
+      regions.push_back(parse_box({option, text}));
     } else if (text.starts_with(kTouchingWord)) {
       regions.push_back(parse_touching(text, metres_per_unit));
     } else {
-      regions.push_back(parse_half_space(text));
+      regions.push_back(parse_half_space({option, text}));
     }
   }
   return regions;
+}
+
+bool holds(const Region& region, const Box& extent_m, Vec point_m, double slack_m) {
+  if (region.kind == Region::Kind::kBox) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (point_m[axis] < region.box_m.low[axis] - slack_m ||
+          point_m[axis] > region.box_m.high[axis] + slack_m) {
+        return false;
+      }
+    }
+    return true;
+  }
+  const double low = extent_m.low[region.axis];
+  const double bound =
+      region.is_fraction ? low + region.bound * (extent_m.high[region.axis] - low) : region.bound;
+  return region.kind == Region::Kind::kAbove ? point_m[region.axis] >= bound - slack_m
+                                             : point_m[region.axis] <= bound + slack_m;
 }
 
 std::vector<std::uint8_t> held_corners(const Grid& grid, const Box& extent_m,
@@ -147,12 +147,12 @@ std::vector<std::uint8_t> held_corners(const Grid& grid, const Box& extent_m,
   std::vector<std::uint8_t> held(
       std::size_t{grid.size[0] + 1} * (grid.size[1] + 1) * (grid.size[2] + 1), 0);
   for (const Region& region : regions) {
-    if (region.kind == Region::Kind::kBox) {
-      hold_box(grid, region, held);
-    } else if (region.kind == Region::Kind::kTouching) {
+    if (region.kind == Region::Kind::kTouching) {
       hold_touched(grid, region, held);
     } else {
-      hold_half_space(grid, extent_m, region, held);
+      hold_where(grid, held, [&](Vec corner) {
+        return holds(region, extent_m, corner, grid.edge_m * kTouch * 2);
+      });
     }
   }
   return held;

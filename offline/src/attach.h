@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which corners of the lattice are held in space.
+// Which corners of the lattice are held in space, and regions of space in general.
 //
 // A region is written in millimetres of the organ's frame, or in per cent of its extent:
 //   x>120   z<10%   box:X0,Y0,Z0,X1,Y1,Z1   touching:MESH   none
@@ -27,8 +27,12 @@ struct Region {
   Mesh mesh_m;  // of kTouching
 };
 
-// An empty result is a free body.
-std::vector<Region> parse_regions(const std::vector<std::string>& texts, double metres_per_unit);
+// An empty result is a free body. `option` is the one that refusals name.
+std::vector<Region> parse_regions(const std::vector<std::string>& texts, double metres_per_unit,
+                                  const std::string& option = "--fix");
+
+// Whether a half-space or a box holds a point; its border moves outward by `slack_m`.
+bool holds(const Region& region, const Box& extent_m, Vec point_m, double slack_m);
 
 // One byte per lattice corner, (size + 1) along each axis, x fastest: 1 where held. `extent_m` is
 // the organ's bounding box.

@@ -4,6 +4,7 @@
 #include <bit>
 #include <filesystem>
 
+#include "crop.h"
 #include "gaps.h"
 #include "pieces.h"
 #include "refusal.h"
@@ -164,11 +165,12 @@ std::vector<std::uint8_t> voxel_materials(const Claims& claims, const Lattice& l
   return materials;
 }
 
-std::vector<std::uint8_t> fixed_corners(const Lattice& lattice, const Box& box,
+std::vector<std::uint8_t> fixed_corners(const Lattice& lattice, const Claimed& claimed,
                                         const std::vector<Region>& held_regions) {
-  if (held_regions.empty()) return {};
+  if (held_regions.empty() && claimed.cut.empty()) return {};
   const Grid& grid = lattice.grid;
-  const std::vector<std::uint8_t> held = held_corners(grid, box, held_regions);
+  std::vector<std::uint8_t> held = held_corners(grid, claimed.box, held_regions);
+  hold_cut(claimed.claims, claimed.cut, held);
   std::vector<std::uint8_t> fixed;
   bool any = false;
   for (const std::uint32_t cell : lattice.cell_of_voxel) {
@@ -337,8 +339,9 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
   std::vector<Solid> solids = make_solids(inputs, box, progress);
   const double edge_m = choose_edge(box, options, [&](const Grid& grid) {
     BuildReport unused;
-    Claims claims = claim_voxels(grid, inputs, solids, unused, progress);
-    return make_lattice(claims, join(solids).points).cell_of_voxel.size();
+    Claimed coarse = {
+        claim_voxels(grid, inputs, solids, unused, progress), {}, box, join(solids), {}, {}};
+    return voxel_count(std::move(coarse), options);
   });
   if (options.wrap) wrap(solids, edge_m, box, progress);
   warn_of_size(box, built.report.warnings);
@@ -346,12 +349,24 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
   Claims claims = claim_voxels(grid, inputs, solids, built.report, progress);
   if (options.measured) measure_shares(claims, solids, built.report);
 
-  Claimed claimed = {std::move(claims), {}, box, join(solids), {}};
+  Claimed claimed = {std::move(claims), {}, box, join(solids), {}, {}};
+  cut_away(claimed, options);
   if (options.measured) built.input_m = claimed.mesh;
   for (const Input& input : inputs) claimed.tissues.push_back(input.tissue);
   claimed.sources = source_records(inputs, built.report);
   built.bytes = assemble(std::move(claimed), options, progress);
   return built;
+}
+
+void cut_away(Claimed& claimed, const BuildOptions& options) {
+  const Grid& grid = claimed.claims.grid;
+  claimed.cut = cut_cells(grid, claimed.box, options.crop);
+  claimed.mesh = crop_surface(std::move(claimed.mesh), grid, claimed.cut);
+}
+
+std::size_t voxel_count(Claimed claimed, const BuildOptions& options) {
+  cut_away(claimed, options);
+  return make_lattice(claimed.claims, claimed.mesh.points, claimed.cut).cell_of_voxel.size();
 }
 
 std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
@@ -366,12 +381,15 @@ std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
   progress("embedding surface", 0);
   OrganParts parts;
   parts.name = options.name;
-  parts.lattice = make_lattice(claimed.claims, claimed.mesh.points);
+  parts.lattice = make_lattice(claimed.claims, claimed.mesh.points, claimed.cut);
+  if (parts.lattice.cell_of_voxel.empty()) {
+    refuse("--crop: no voxel lies in all of these regions: expected at least one");
+  }
   MaterialList materials{options.own_tissues, {}};
   parts.voxel_material =
       voxel_materials(claimed.claims, parts.lattice, claimed.tissues, options, materials);
   parts.materials = std::move(materials.tissues);
-  parts.voxel_fixed = fixed_corners(parts.lattice, claimed.box, options.held);
+  parts.voxel_fixed = fixed_corners(parts.lattice, claimed, options.held);
   embed_surface(claimed.mesh, parts);
   parts.tool_version = options.tool_version;
   parts.options = options.options_text;

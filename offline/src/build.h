@@ -53,6 +53,7 @@ struct BuildOptions {
   std::string gap_tissue;           // of gaps between inputs up to gap_m wide; empty: gaps stay
   double gap_m = 0;
   std::vector<Region> held;
+  std::vector<Region> crop;  // only what lies in all of these
   std::vector<Layer> layers;
   LayerCourse layer_course;
   std::vector<Tissue> own_tissues;
@@ -125,9 +126,13 @@ struct Claimed {
   Claims claims;
   std::vector<std::string> tissues;  // of each owner
   Box box;
-  Mesh mesh;  // metres
+  Mesh mesh;                      // metres
+  std::vector<std::uint8_t> cut;  // cells cut away, see crop.h
   std::vector<SourceRecord> sources;
 };
+// Only a part of it, where that is asked for; and of how many voxels that is.
+void cut_away(Claimed& claimed, const BuildOptions& options);
+std::size_t voxel_count(Claimed claimed, const BuildOptions& options);
 std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
                                 const Progress& progress);
 

@@ -135,8 +135,9 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   built.report.labels = label_reports(map, groups, recipe);
   const double edge_m = choose_edge(claimed.box, options, [&](const Grid& grid) {
     std::vector<LabelReport> unused = built.report.labels;
-    Claims claims = claim_labels(grid, map, groups, unused, progress);
-    return make_lattice(claims, claimed.mesh.points).cell_of_voxel.size();
+    Claimed coarse = claimed;
+    coarse.claims = claim_labels(grid, map, groups, unused, progress);
+    return voxel_count(std::move(coarse), options);
   });
   const Grid grid = make_grid(claimed.box, edge_m);
   warn_of_absent(recipe, built.report);
@@ -145,6 +146,7 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   for (const LabelGroup& group : recipe.groups) claimed.tissues.push_back(group.tissue);
   claimed.sources = {{std::filesystem::path(path).filename().string(), "labels", map.sha256, 1e-3,
                       0, static_cast<std::uint32_t>(claimed.mesh.triangles.size())}};
+  cut_away(claimed, options);
   built.bytes = assemble(std::move(claimed), options, progress);
   return built;
 }

@@ -37,6 +37,11 @@ std::size_t cells_along(double at, std::uint32_t size, std::uint32_t (&cells)[2]
   return 1;
 }
 
+CellPlace own_cell(const Grid& grid, Vec at) {
+  return {nearest_cell(at.x, grid.size[0]), nearest_cell(at.y, grid.size[1]),
+          nearest_cell(at.z, grid.size[2])};
+}
+
 // The first cell around `at` for which `keeps` holds; its own first.
 template <typename Keeps>
 std::optional<CellPlace> find_cell(const Grid& grid, Vec at, Keeps keeps) {
@@ -137,14 +142,21 @@ bool is_skin(const Claims& claims, std::uint32_t x, std::uint32_t y, std::uint32
   return !all_full && (bare_face || claims.pierced[cell_index(grid, x, y, z)] != 0);
 }
 
-Lattice make_lattice(Claims& claims, const std::vector<Vec>& points_m) {
+std::size_t cell_of(const Grid& grid, Vec point_m) {
+  const CellPlace own = own_cell(grid, to_lattice(grid, point_m));
+  return cell_index(grid, own.x, own.y, own.z);
+}
+
+Lattice make_lattice(Claims& claims, const std::vector<Vec>& points_m,
+                     const std::vector<std::uint8_t>& cut) {
   const Grid& grid = claims.grid;
+  const auto kept = [&](std::size_t cell) {
+    return is_kept(claims, cell) && (cut.empty() || cut[cell] == 0);
+  };
   for (const Vec& point_m : points_m) {
     const Vec at = to_lattice(grid, point_m);
-    const auto kept = [&](std::size_t cell) { return is_kept(claims, cell); };
     if (find_cell(grid, at, kept)) continue;
-    const CellPlace own = {nearest_cell(at.x, grid.size[0]), nearest_cell(at.y, grid.size[1]),
-                           nearest_cell(at.z, grid.size[2])};
+    const CellPlace own = own_cell(grid, at);
     const std::size_t cell = cell_index(grid, own.x, own.y, own.z);
     claims.pierced[cell] = 1;
     claims.owner[cell] = owner_beside(claims, own);
@@ -154,7 +166,7 @@ Lattice make_lattice(Claims& claims, const std::vector<Vec>& points_m) {
   for (std::size_t cell = 0; cell < cell_count(grid); ++cell) {
     const std::size_t x = cell % grid.size[0];
     row_goes_on = row_goes_on && x > 0;
-    if (!is_kept(claims, cell)) {
+    if (!kept(cell)) {
       row_goes_on = false;
       continue;
     }

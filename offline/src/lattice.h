@@ -39,8 +39,13 @@ struct Lattice {
 };
 constexpr std::uint32_t kNoVoxel = 0xFFFFFFFF;
 
-// Keeps each cell that a point of the surface needs, then numbers the kept ones.
-Lattice make_lattice(Claims& claims, const std::vector<Vec>& points_m);
+// The cell a point lies in, or the nearest one of the grid.
+std::size_t cell_of(const Grid& grid, Vec point_m);
+
+// Keeps each cell that a point of the surface needs, then numbers the kept ones but for those that
+// are cut away (crop.h; empty: none).
+Lattice make_lattice(Claims& claims, const std::vector<Vec>& points_m,
+                     const std::vector<std::uint8_t>& cut = {});
 
 struct Surface {
   std::vector<OrganVertex> vertices;

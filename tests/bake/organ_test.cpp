@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "bake_support.h"
+#include "crop.h"
 #include "phantom.h"
 #include "refusal.h"
 #include "stylet/limits.h"
@@ -263,6 +264,39 @@ TEST(Attachments, HoldExactlyTheCornersOfTheRegion) {
   for (const char* bad : {"", "x", "w>3", "x>", "x>3mm", "box:1,2,3", "box:2,0,0,1,1,1", "x>nan"}) {
     EXPECT_THROW((void)bake::parse_regions({bad}, 1), bake::Refusal) << bad;
   }
+}
+
+// A block of 60 x 40 x 20 mm in voxels of 5 mm, cut to x < 30 mm: half of the voxels, the same
+// material in each as in the whole (its capsule does not close over the cut), held at the cut only.
+TEST(Build, CropsToRegionsAndHoldsTheCut) {
+  const bake::Mesh block = bake::block_phantom({0.06, 0.04, 0.02}, 0.005);
+  BuildOptions options;
+  options.capsule = "liver_capsule";
+  const Built whole_built = build_quietly({input_of(block, 1)}, options);
+  const double middle_mm = 1e3 * 0.5 * (bake::bounds(block).low.x + bake::bounds(block).high.x);
+  options.crop = bake::parse_crop({fmt::format("x<{}", middle_mm)});
+  const Built part_built = build_quietly({input_of(block, 1)}, options);
+  const Organ whole = opened(whole_built.bytes), part = opened(part_built.bytes);
+  EXPECT_EQ(2 * part.voxel_count, whole.voxel_count);
+  const std::vector<Cell> cells = cells_of(part), all = cells_of(whole);
+  std::size_t held = 0;
+  for (std::size_t i = 0, w = 0; i < cells.size(); ++i, ++w) {
+    while (all[w].x != cells[i].x || all[w].y != cells[i].y || all[w].z != cells[i].z) ++w;
+    EXPECT_EQ(organ_material(part, part.voxel_material[i]).name,
+              std::string(organ_material(whole, whole.voxel_material[w]).name));
+    for (std::uint32_t c = 0; c < 8; ++c) {
+      if ((part.voxel_fixed[i] >> c & 1U) == 0) continue;
+      EXPECT_EQ(cells[i].x + (c & 1U), whole.size_x / 2U);
+      ++held;
+    }
+  }
+  EXPECT_EQ(held, 8U * 4U * 4U);
+  EXPECT_LT(part.triangles.size(), whole.triangles.size());
+  for (const char* bad : {"none", "touching:a.off", "w>3", ""}) {
+    EXPECT_THROW((void)bake::parse_crop({bad}), bake::Refusal) << bad;
+  }
+  options.crop = bake::parse_crop({"x>30", "x<-30000"});
+  EXPECT_THROW((void)build_quietly({input_of(block, 1)}, options), bake::Refusal);
 }
 
 TEST(Build, SameInputSameBytes) {

@@ -27,7 +27,7 @@ shape = "box"
 size_mm = [20, 20, 20]
 at_mm = [12, 20, 0]
 turn_deg = [17, -31, 53]
-stiffness_n_per_mm = 0.5  # on hard bone this needle chatters, and the guard ends it
+stiffness_n_per_mm = 20
 
 [[needles]]
 gauge = "22G"

@@ -185,7 +185,7 @@ TEST(Edges, AnswersIntoTooLittleRoom) {
   Session session = make_session(organ->organ, Setup::kElastic);
   const Script script = block_script(organ->organ, config_of(Setup::kElastic));
   Input input = {{{}, {1, 0, 0, 0}}, 1};
-  for (int i = 0; i < 900; ++i) {
+  for (int i = 0; i < 545; ++i) {
     input.handle.position_m = script.entry_m;
     input.handle.position_m.z += script.needle_length_m - 4e-5F * static_cast<float>(i);
     (void)tick(session.kernel, input);
