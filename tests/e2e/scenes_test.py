@@ -379,14 +379,16 @@ class LumbarPuncture(Scene):
 class LiverBiopsy(Scene):
     name = "liver-biopsy"
     MUSCLE, LIVER, TUMOUR, SKIN, FAT, CAPSULE = range(6)
+    GAP = 0xFFFFFFFF  # between wall and liver
     CENTRE, RADIUS = np.array([-70, 90, 155]) * 1e-3, 12e-3
 
     def test_each_layer_is_entered_in_turn_and_punctured_at_its_force(self):
         self.check_quiet()
         entered = [(kind, layer) for _, kind, layer, _ in self.run_.events
-                   if kind in ("puncture", "layer")][:6]
+                   if kind in ("puncture", "layer")][:7]
         self.assertEqual(entered, [("puncture", self.SKIN), ("layer", self.FAT),
-                                   ("puncture", self.MUSCLE), ("puncture", self.CAPSULE),
+                                   ("puncture", self.MUSCLE), ("layer", self.GAP),
+                                   ("puncture", self.CAPSULE),
                                    ("layer", self.LIVER), ("puncture", self.TUMOUR)])
         forces = [force for _, kind, _, force in self.run_.events if kind == "puncture"]
         for force, expected in zip(forces, (2, 1.2, 0.7, 1), strict=True):
