@@ -90,17 +90,23 @@ inline bool is_near(const Obstacle& body, Vec3 a, Vec3 b, float radius_m) {
   return dot(left, left) <= limit * limit;
 }
 
+// An elastic needle looks for obstacles twice, the first time where it would bend to freely: not
+// far from where it ends.
 inline void add_obstacles(const View& view, std::uint32_t rods, Vec3 shift, Amounts& amount) {
+  constexpr float kBendM = 5e-3F;
+  const bool elastic = bends(view.needle_config());
+  const std::uint32_t looks = elastic ? 2 : 1;
+  const float radius_m = view.needle_config().outer_radius_m + (elastic ? kBendM : 0);
   for (std::uint32_t body = 0; body < view.model.head->obstacle_count; ++body) {
     const Obstacle& obstacle = view.model.obstacle[body];
     for (std::uint32_t rod = 0; rod < rods; ++rod) {
-      ++amount[kPairs];
+      amount[kPairs] += looks;
       if (!is_near(obstacle, view.state.node[rod] + shift, view.state.node[rod + 1] + shift,
-                   view.needle_config().outer_radius_m)) {
+                   radius_m)) {
         continue;
       }
-      ++amount[kNearPairs];
-      amount[kNearVertices] += obstacle.config.vertex_count;
+      amount[kNearPairs] += looks;
+      amount[kNearVertices] += looks * obstacle.config.vertex_count;
     }
   }
 }
@@ -118,7 +124,8 @@ inline void add_needle(const View& view, Vec3 shift, TickWork& work) {
   if (own.phase == Phase::kFree || own.tip_alive == 0) ++amount[kSearches];
   const std::uint32_t rods = view.model.rod->rods;
   if (bends(view.needle_config())) {
-    amount[kRods] += rods;
+    const std::uint32_t solves = view.model.head->obstacle_count > 0 ? 2 : 1;
+    amount[kRods] += solves * rods;
     amount[kLoads] += particles + own.touch_count;
   }
   add_obstacles(view, rods, shift, amount);
