@@ -28,6 +28,9 @@ if (spawnSync('flatc', ['--version']).status !== 0) skip('flatc is not installed
 if (names.some((name) => needsBrowser.includes(name)) && !existsSync(chromium)) {
   skip(`${chromium} is not there; CHROMIUM names another`);
 }
+const missing = ['stylet', 'stylet-organ', 'stylet-snapshot'].find(
+    (program) => !existsSync(join(process.env.STYLET_BIN ?? '', program)));
+if (names.includes('program') && missing) skip(`${missing} is not in STYLET_BIN`);
 const require = createRequire(join(page, 'package.json'));
 const {buildSync} = require('esbuild');
 if (!existsSync(join(page, 'generated'))) {

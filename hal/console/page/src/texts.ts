@@ -142,7 +142,13 @@ export const texts = {
       connections: 'Connections',
     },
     page: 'This page',
-    parts: {upload: 'Upload', bodies: 'Needle and particles', draw: 'Draw', plots: 'Plots'},
+    parts: {
+      message: 'Read a frame',
+      upload: 'Upload',
+      bodies: 'Needle and particles',
+      draw: 'Draw',
+      plots: 'Plots'
+    },
     ms: (value: number) => `${value.toFixed(1)} ms`,
     guard: 'Guard',
     command: 'Force sent to the device',

@@ -19,13 +19,12 @@ export interface Look {
   cutAt: number;  // 0 to 1 of the way through
 }
 
-const kParts = ['upload', 'bodies', 'draw'] as const;
-export type Part = (typeof kParts)[number];
+export type Part = 'message'|'upload'|'bodies'|'draw';
 const kKept = 60;
 
 class Budget {
   pictures = 0;  // since the page was opened
-  private kept: Record<Part, number[]> = {upload: [], bodies: [], draw: []};
+  private kept: Record<Part, number[]> = {message: [], upload: [], bodies: [], draw: []};
   private drawn: number[] = [];
 
   time<T>(part: Part, work: () => T): T {
@@ -36,6 +35,8 @@ class Budget {
     if (list.length > kKept) list.shift();
     return out;
   }
+  // Forgets what was measured.
+  clear(): void { this.kept = {message: [], upload: [], bodies: [], draw: []}; }
   tick(): void {
     ++this.pictures;
     this.drawn.push(performance.now());
@@ -58,6 +59,7 @@ export class View3d {
   look:
       Look = {xray: false, lattice: false, particles: false, surface: true, cut: false, cutAt: 0.5};
   finish = false;  // wait for the GPU after each picture: for measuring
+  always = false;  // draw every picture anew: for measuring
   drawn: () => void = () => undefined;
   private readonly renderer: THREE.WebGLRenderer;
   private readonly scene = new THREE.Scene();
@@ -92,11 +94,6 @@ export class View3d {
     new ResizeObserver(() => this.resize()).observe(canvas);
     canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
     canvas.addEventListener('webglcontextrestored', () => this.rebuild());
-    const loop = () => {
-      requestAnimationFrame(loop);
-      this.step();
-    };
-    requestAnimationFrame(loop);
   }
 
   setLook(change: Partial<Look>): void {
@@ -177,7 +174,9 @@ export class View3d {
     this.stale = true;
   }
 
-  private step(): void {
+  // Once a picture of the browser.
+  step(): void {
+    if (this.always) this.fresh = this.stale = this.store.frame !== null;
     if (this.cameraMan.move(performance.now())) this.stale = true;
     if (!this.stale || this.canvas.clientWidth === 0) return;
     this.stale = false;
