@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -26,6 +27,7 @@ using Clock = std::chrono::steady_clock;
 // So little that a client which falls behind sees what is half a second old, not a minute.
 constexpr int kSendBufferBytes = 16384;
 constexpr int kStatusPauses = 50;  // every second
+constexpr int kLowestPriority = 19;
 
 struct Client {
   int socket;
@@ -123,6 +125,7 @@ struct IgtlServer::Server {
   Server& operator=(const Server&) = delete;
 
   void work() {
+    (void)setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kLowestPriority);
     while (!stop.load()) {
       std::this_thread::sleep_for(kIgtlPause);
       take_up();

@@ -36,6 +36,7 @@ length_mm = 150
 [[hand.waypoint]]
 travel_mm = 40
 speed_mm_s = {speed}
+hold_s = 0.5
 [[hand.waypoint]]
 travel_mm = -5
 speed_mm_s = 100
@@ -141,9 +142,11 @@ class Igtl(Attempts):
         return kind.rstrip(b"\0").decode(), name.rstrip(b"\0").decode(), self.receive(client, size)
 
     def test_run_is_followed_live(self):
+        scene = self.top / "slow.toml"
+        scene.write_text(SCENE.format(seed=40, speed=10))
         run = subprocess.Popen(
-            [BIN / "stylet", "run", self.top / "one.toml", "--organ", self.organ, "--igtl=0",
-             "--allow-non-rt", "--duration-s", "2", "--flight", self.top / "live.h5"],
+            [BIN / "stylet", "run", scene, "--organ", self.organ, "--igtl=0", "--allow-non-rt",
+             "--duration-s", "5.5", "--flight", self.top / "live.h5"],
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.addCleanup(run.stderr.close)
         self.addCleanup(run.stdout.close)
@@ -173,10 +176,10 @@ class Igtl(Attempts):
                                  ("STRING", "StyletState"), ("STATUS", "Stylet"),
                                  ("POINT", "StyletTargets")})
         tips = np.array(tips)
-        self.assertGreater(len(tips), 20)
+        self.assertGreater(len(tips), 5)  # of a hundred, on a busy machine
         # In along the world's +x, which is to the left in RAS: -x, mm.
-        self.assertGreater(tips[:, 0].max(), 0)
         self.assertLess(tips[:, 0].min(), -30)
+        self.assertGreater(tips[:, 0].max(), -20)
         self.assertLess(np.abs(tips[:, 1:]).max(), 1)
 
     def test_wrong_addresses_are_one_line(self):
