@@ -69,7 +69,8 @@ void add_run(CLI::App& program, RunOptions& options) {
   CLI::Option* console =
       run.add_flag(fmt::format("--console{{{}}}", console::kDefaultPort), options.serve.port,
                    "Serve a page to see and steer it, on this port of 127.0.0.1; --console=0: any")
-          ->check(CLI::Range(0, 65535));
+          ->check(CLI::Range(0, 65535))
+          ->excludes("--json");
   add_serving(run, options.serve)->needs(console);
   add_igtl(run, options.igtl);
 }

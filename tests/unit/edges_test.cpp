@@ -205,6 +205,9 @@ TEST(Edges, AnswersIntoTooLittleRoom) {
   EXPECT_EQ(newest[0].tick, happened[count - 1].tick);
   std::vector<Vec3> few(3);
   EXPECT_EQ(surface(session.kernel, few), 3U);
+  EXPECT_EQ(stylet::particles(session.kernel, few), 3U);
+  std::vector<std::uint32_t> corners(5);
+  EXPECT_EQ(voxel_corners(session.kernel, corners), 5U);
   EXPECT_GT(mass_report(session.kernel, 0).real_kg, 0);
   EXPECT_GE(mass_report(session.kernel, 0).stepped_kg, mass_report(session.kernel, 0).real_kg);
   EXPECT_EQ(mass_report(session.kernel, 99).real_kg, 0);

@@ -104,6 +104,50 @@ std::vector<Vec3> surface_of(const Kernel& kernel, const Organ& organ) {
   return places;
 }
 
+// Trilinear in the corners of the vertex's voxel.
+Vec3 moved_by_particles(const Organ& organ, std::span<const std::uint32_t> corners,
+                        std::span<const Vec3> moved_m, std::size_t vertex) {
+  const OrganVertex& v = organ.vertices[vertex];
+  const float f[3] = {static_cast<float>(v.fx) / 65535, static_cast<float>(v.fy) / 65535,
+                      static_cast<float>(v.fz) / 65535};
+  Vec3 sum = {};
+  for (std::uint32_t c = 0; c < 8; ++c) {
+    float weight = 1;
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+      weight *= ((c >> axis) & 1U) != 0 ? f[axis] : 1 - f[axis];
+    }
+    sum = sum + weight * moved_m[corners[8 * v.voxel + c]];
+  }
+  return sum;
+}
+
+// A breath moves every particle with the attachments, a needle some of them on its own.
+TEST(Particles, CarryTheSurface) {
+  const auto organ = open_organ(tiny_organ(block()));
+  Config config;
+  config.breathing.amplitude_m = {0, 0.01F, 0};
+  config.breathing.period_s = 0.5F;
+  Session session = make_session(organ->organ, config);
+  const std::vector<Vec3> rest = surface_of(session.kernel, organ->organ);
+  std::vector<std::uint32_t> corners(std::size_t{8} * organ->organ.voxel_count);
+  ASSERT_EQ(voxel_corners(session.kernel, corners), corners.size());
+  std::vector<Vec3> moved(particle_count(session.kernel));
+  for (int i = 0; i < 150; ++i) {
+    const float depth = 0.0002F * static_cast<float>(i);
+    (void)tick(session.kernel,
+               {{{0.02F, -0.01F, 0.06F + config.needle[0].length_m - depth}, {1, 0, 0, 0}}, 1});
+  }
+  ASSERT_EQ(particles(session.kernel, moved), moved.size());
+  const std::vector<Vec3> now = surface_of(session.kernel, organ->organ);
+  float most = 0;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const Vec3 way = now[i] - rest[i];
+    EXPECT_LT(norm(way - moved_by_particles(organ->organ, corners, moved, i)), 1e-7F);
+    most = std::max(most, norm(way));
+  }
+  EXPECT_GT(most, 1e-3F);
+}
+
 // 20 000 rays, half of them aimed at the block, seed 5.
 TEST(OrganRaycast, FindsWhatBruteForceFinds) {
   const auto organ = open_organ(tiny_organ(block()));
