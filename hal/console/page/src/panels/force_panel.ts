@@ -27,7 +27,7 @@ export class ForcePanel {
     this.addFacts(this.facts, ['depth', 'phase', 'layer']);
     this.addFacts(exact, ['tick', 'time', 'vector', 'axial', 'lateral']);
     for (const cause of kCauses) this.causes.append(this.causeBar(cause));
-    this.causes.dataset.in = 'teacher engineer';
+    this.causes.dataset.in = 'engineer';
     this.root = panel(
         'force',
         texts.force.heading,
