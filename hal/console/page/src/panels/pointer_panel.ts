@@ -4,7 +4,7 @@
 // Sends the handle's pose in the frame of a device (x right, y up, -z the way in, from its start),
 // at most once a picture. Shown only where a needle's device is "pointer:".
 import {button, el, panel, say} from '../dom';
-import {ask, type Quaternion, type Vec3} from '../protocol';
+import {Activity, ask, type Quaternion, type Vec3} from '../protocol';
 import type {Store} from '../store';
 import {texts} from '../texts';
 
@@ -47,6 +47,7 @@ export class PointerPanel {
   private readonly words = el('p', {class: 'pad-words'});
   private place: Vec3 = {x: 0, y: 0, z: 0};
   private roll = 0;
+  private activity = Activity.Ready;
   private held = false;
   private readonly pressed = new Set<string>();
   private slow = false;
@@ -69,7 +70,10 @@ export class PointerPanel {
     this.root.hidden = true;
     this.listen();
     store.on(['hello'], () => this.begin());
-    store.on(['frame'], () => this.showForce());
+    store.on(['frame'], () => {
+      this.homeWhenReset();
+      this.showForce();
+    });
     requestAnimationFrame((now) => this.step(now));
   }
 
@@ -82,6 +86,13 @@ export class PointerPanel {
   private begin(): void {
     this.root.hidden = this.needle < 0 || this.store.playback || !this.store.hello?.mayControl;
     this.home();
+  }
+
+  // A reset puts the needle back to its start, so the pointer must not hold it elsewhere.
+  private homeWhenReset(): void {
+    const activity = this.store.frame?.activity ?? Activity.Ready;
+    if (activity === Activity.Ready && this.activity !== Activity.Ready) this.home();
+    this.activity = activity;
   }
 
   private home(): void {

@@ -92,7 +92,7 @@ class Needle {
   private readonly shaft: THREE.Mesh;
   private readonly head: THREE.Mesh;
 
-  constructor(info: NeedleInfo) {
+  constructor(private readonly info: NeedleInfo) {
     // Thin needles are drawn a little thicker than they are, or they would fall between pixels.
     this.tube = new Tube(Math.max(info.outerRadius, 0.0006));
     const grip = Math.max(5 * info.outerRadius, 0.0035);
@@ -115,10 +115,12 @@ class Needle {
   }
 
   show(frame: NeedleFrame): void {
-    this.tube.show(frame.nodes.map(to));
     this.handle.position.copy(to(frame.handle));
     const q = frame.handleRotation;
     this.handle.quaternion.set(q.x, q.y, q.z, q.w);
+    // Between attempts there is no shape yet: the needle is straight.
+    const straight = [this.handle.position, this.pointAhead()];
+    this.tube.show(frame.nodes.length > 1 ? frame.nodes.map(to) : straight);
     const force = to(frame.force);
     const size = force.length();
     this.arrow.visible = size > 0.02;
@@ -131,6 +133,12 @@ class Needle {
     this.arrow.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), force.divideScalar(size));
     this.shaft.scale.set(1, length, 1);
     this.head.position.set(0, length, 0);
+  }
+
+  private pointAhead(): THREE.Vector3 {
+    const along =
+        new THREE.Vector3(0, 0, -this.info.length).applyQuaternion(this.handle.quaternion);
+    return along.add(this.handle.position);
   }
 }
 
