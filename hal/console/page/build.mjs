@@ -6,7 +6,7 @@
 // Names in dist/ never change and nothing in it depends on time, machine or folder, so a build of
 // the same sources gives the same bytes. Needs flatc on PATH and `npm ci` done.
 import {execFileSync} from 'node:child_process';
-import {mkdirSync, readFileSync, rmSync} from 'node:fs';
+import {mkdirSync, readFileSync} from 'node:fs';
 import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {build} from 'vite';
@@ -17,8 +17,7 @@ const kBundled = ['three', 'uplot', 'flatbuffers'];
 
 function generate() {
   const out = join(kPage, 'generated');
-  rmSync(out, {recursive: true, force: true});
-  mkdirSync(out);
+  mkdirSync(out, {recursive: true});
   execFileSync('flatc', ['--ts', '-o', out, ...kSchemas.map((file) => join(kPage, file))]);
 }
 

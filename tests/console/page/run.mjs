@@ -33,11 +33,9 @@ const missing = ['stylet', 'stylet-organ', 'stylet-snapshot'].find(
 if (names.includes('program') && missing) skip(`${missing} is not in STYLET_BIN`);
 const require = createRequire(join(page, 'package.json'));
 const {buildSync} = require('esbuild');
-if (!existsSync(join(page, 'generated'))) {
-  spawnSync('node', [join(page, 'build.mjs'), 'generate'], {stdio: 'inherit'});
-}
+spawnSync(process.execPath, [join(page, 'build.mjs'), 'generate'], {stdio: 'inherit'});
 // Beside the packages, so that what is not bundled is found.
-const out = join(page, 'node_modules/.cache/tests', String(process.pid));
+const out = join(page, 'node_modules/.cache/tests', names.join('-'));
 mkdirSync(out, {recursive: true});
 const bundles = names.map((name) => {
   const outfile = join(out, `${name}.test.mjs`);
