@@ -4,7 +4,8 @@
 //
 // Other work on the machine makes pictures fewer, but not dearer: judged is the processor time of a
 // picture in all of Chromium's processes, drawn anew without new frames, and of reading a frame. It
-// was 105 ms on the machine of the README's figures; a third more is a step back. Prints all.
+// was 105 to 120 ms on the machine of the README's figures; more than 140 is a step back. Prints
+// all.
 import assert from 'node:assert/strict';
 import {readdirSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
