@@ -44,12 +44,13 @@ std::atomic<bool> g_served{false};
 
 struct Pointer {
   Mailbox* mailbox;
-  Posted newest = {};
+  Posted newest = {{{}, {1, 0, 0, 0}}, 0, 0, 0};
   bool heard = false;  // there is a newest that counts
   bool gone = false;
   std::int64_t heard_ns = 0, last_ns = 0;
   std::uint64_t seq = 0;
-  Vec offset_m = {};  // from the page's place to the device's
+  Vec offset_m = {};         // from the page's place to the device's
+  Quat turn = {1, 0, 0, 0};  // likewise
   Vec place_m = {}, velocity_m_per_s = {}, spin_rad_per_s = {};
   Quat rotation = {1, 0, 0, 0};
 };
@@ -62,6 +63,10 @@ Vec wide(Vec3 v) {
 }
 Vec3 narrow(const Vec& v) {
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+
+Quat inverse(const Quat& q) {
+  return {q.w, -q.x, -q.y, -q.z};
 }
 
 bool usable(const Pose& pose) {
@@ -89,7 +94,7 @@ void follow(Pointer& p, double dt_s) {
   for (std::size_t i = 0; i < 3; ++i) p.place_m[i] += p.velocity_m_per_s[i] * dt_s;
 
   const Quat& now = p.rotation;
-  const Quat way = product(p.newest.pose.rotation, {now.w, -now.x, -now.y, -now.z});
+  const Quat way = product(product(p.turn, p.newest.pose.rotation), inverse(now));
   Vec turn = wide({way.x, way.y, way.z});
   for (double& each : turn) each *= way.w < 0 ? -2 : 2;  // the shorter way round
   pull(p.spin_rad_per_s, turn, kPointerTurnRadPerS, dt_s);
@@ -105,6 +110,7 @@ void follow(Pointer& p, double dt_s) {
 void take_up(Pointer& p, const Posted& post) {
   const Vec told = wide(post.pose.position_m);
   for (std::size_t i = 0; i < 3; ++i) p.offset_m[i] = p.place_m[i] - told[i];
+  p.turn = product(p.rotation, inverse(post.pose.rotation));
   p.velocity_m_per_s = p.spin_rad_per_s = {};
 }
 
@@ -129,6 +135,7 @@ bool read(void* self, std::int64_t now_ns, Sample& sample_out) {
   listen(p, now_ns);
   const double since_s = static_cast<double>(now_ns - p.last_ns) * 1e-9;
   const double dt_s = p.last_ns == 0 ? 0 : std::clamp(since_s, 0.0, kLongestStepS);
+  if (since_s > kPointerAnewS) take_up(p, p.newest);
   p.last_ns = now_ns;
   if (p.gone) return false;
   if (p.heard) follow(p, dt_s);

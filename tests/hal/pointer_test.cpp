@@ -119,6 +119,8 @@ TEST_F(PointerTest, LeapIsNoLeapOfTheNeedle) {
 
 TEST_F(PointerTest, TurnsTheShortWayAndNoFaster) {
   const Quat back = {-0.1F, 0, 0, 0.994987F};  // 191 degrees about z, or 169 the other way
+  ASSERT_TRUE(pointer_post(0, inward(0), 0));
+  ticks(1);
   ASSERT_TRUE(pointer_post(0, {{}, back}, 0));
   float most = 0;
   for (int i = 0; i < 490; ++i) {
@@ -181,6 +183,22 @@ TEST_F(PointerTest, APointerAtRestStaysAsLongAsItsPageDoes) {
   pointer_leave(0);
   pointer_stay();  // does not bring back who has gone
   EXPECT_FALSE(tick());
+}
+
+TEST_F(PointerTest, BetweenAttemptsThePointerMayGoAnywhere) {
+  ASSERT_TRUE(pointer_post(0, inward(0), 0));
+  ticks(1);
+  ASSERT_TRUE(pointer_post(0, {{0, 0, -0.03F}, {0.8F, 0, 0, 0.6F}}, 0));
+  ticks(450);
+  const Sample end = sample;
+  now_ns += 3'000'000'000;
+  ASSERT_TRUE(pointer_post(0, inward(0), 0));  // as a page that begins anew
+  ticks(300);
+  EXPECT_EQ(size(minus(sample.pose.position_m, end.pose.position_m)), 0);
+  EXPECT_NEAR(sample.pose.rotation.z, end.pose.rotation.z, 1e-6);
+  ASSERT_TRUE(pointer_post(0, inward(5), 0));
+  ticks(450);
+  EXPECT_NEAR(depth_mm(), 35, 0.01);
 }
 
 TEST_F(PointerTest, LeavingIsSilenceAtOnceAndAnotherPageTakesUp) {

@@ -13,6 +13,7 @@
 //                              "device silent" within its watchdog
 //   a post after that          answers again, and the needle is taken up where it is: only the
 //                              pointer's way from there on counts
+//   the loop has not asked for kPointerAnewS, as between two attempts   taken up anew, too
 // Half a second of silence is long for a guard, but there is no force that could push a hand: the
 // needle waits where it is.
 // Promises: pointer_post never waits for the loop nor the loop for it; read and write allocate
@@ -31,10 +32,11 @@ constexpr double kPointerFollowS = 0.03;    // its place lags behind by twice th
 constexpr double kPointerSpeedMPerS = 0.3;  // a needle is not thrown
 constexpr double kPointerTurnRadPerS = 6;   // a turn in a second
 constexpr double kPointerReachM = 2;        // farther from the origin: no pose of a page
+constexpr double kPointerAnewS = 0.1;
 constexpr std::int64_t kPointerGoneNs = 500'000'000;
 
-// Any thread but the loop's, for the device "pointer:NUMBER". The place counts from the first post
-// on. False: NaN, out of reach, not a rotation, or no such number; nothing was changed.
+// Any thread but the loop's, for the device "pointer:NUMBER". Place and rotation count from the
+// first post on. False: NaN, out of reach, not a rotation, or no such number; nothing was changed.
 bool pointer_post(std::uint32_t number, const Pose& pose, std::uint32_t buttons);
 // Every pointer that was posted still is where it was. Any thread but the loop's.
 void pointer_stay();
