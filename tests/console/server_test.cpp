@@ -269,9 +269,8 @@ TEST(Server, MoreConnectionsThanSeatsAreClosed) {
   expect_alive(served);
 }
 
-// A client that never reads loses frames, and is told how many when it reads after all; the others
-// lose nothing by it.
-TEST(Server, OneThatNeverReadsLosesFramesOnly) {
+// A client that never reads takes nothing from the others.
+TEST(Server, OneThatNeverReadsLeavesTheOthersAlone) {
   Served served;
   Client asleep(served.port), awake(served.port);
   ASSERT_EQ(asleep.join(), 101U);
