@@ -455,7 +455,7 @@ void meet_friction(const View& view, Vec3 from_m, float from_track_m) {
   const Particle& tip = *view.state.tip;
   for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
     Particle& p = view.state.shaft[i];
-    const float grown = length_of(view, p) - p.met_m;
+    const float length = length_of(view, p), grown = length - p.met_m;
     if (!(grown > 0)) continue;
     const float step = grown * (1.0F / kFrictionSamples), all = tip.track_m - from_track_m;
     for (std::uint32_t k = 0; k < kFrictionSamples; ++k) {
@@ -464,6 +464,7 @@ void meet_friction(const View& view, Vec3 from_m, float from_track_m) {
       p.met_m += step;
       meet(p, friction_at(view, from_m + part * (tip.rest_m - from_m)), step / p.met_m);
     }
+    p.met_m = length;  // exactly, or rounding is met again and again
   }
 }
 
