@@ -200,6 +200,50 @@ BuildOptions common_options(const CommonArguments& a, double metres_per_unit) {
   return options;
 }
 
+// Hulls of obstacles beside the organ, and a scene with them and the targets.
+Json write_scene(const Built& built, const std::filesystem::path& organ) {
+  if (built.obstacles.empty() && built.targets.empty()) return nullptr;
+  const std::string stem = organ.stem().string();
+  Json facts = {{"file", organ.parent_path() / (stem + ".scene.toml")},
+                {"obstacles", Json::array()},
+                {"targets", Json::array()}};
+  std::vector<std::string> files;
+  for (const auto& [name, hull] : built.obstacles) {
+    files.push_back(stem + "." + name + ".toml");
+    const std::string text = hull_toml(hull, organ.filename().string() + ": " + name, "");
+    write_file(organ.parent_path() / files.back(), std::as_bytes(std::span(text)));
+    facts["obstacles"].push_back({{"name", name},
+                                  {"file", organ.parent_path() / files.back()},
+                                  {"volume_ml", hull.volume_m3 * 1e6},
+                                  {"deviation_mm", hull.deviation_m * 1e3}});
+  }
+  for (const Target& target : built.targets) {
+    const Vec mm = target.middle_m * 1e3;
+    facts["targets"].push_back({{"name", target.name},
+                                {"middle_mm", {mm.x, mm.y, mm.z}},
+                                {"volume_ml", target.volume_m3 * 1e6},
+                                {"diameter_mm", target.radius_m * 2e3}});
+  }
+  const std::string scene = scene_toml(organ.filename().string(), files, built.targets);
+  write_file(facts["file"].get<std::string>(), std::as_bytes(std::span(scene)));
+  return facts;
+}
+
+std::string scene_text(const Json& scene) {
+  std::string text;
+  if (scene.is_null()) return text;
+  for (const Json& body : scene["obstacles"]) {
+    text +=
+        fmt::format("obstacle      {}: hull of {:.4g} ml, {}\n", body["name"].get<std::string>(),
+                    body["volume_ml"].get<double>(), body["file"].get<std::string>());
+  }
+  for (const Json& target : scene["targets"]) {
+    text += fmt::format("target        {}: {:.4g} ml at {}\n", target["name"].get<std::string>(),
+                        target["volume_ml"].get<double>(), target["middle_mm"].dump());
+  }
+  return text + fmt::format("scene         {}\n", scene["file"].get<std::string>());
+}
+
 // Builds, writes and reports. The progress bar goes before the report comes.
 void finish(const std::function<Built(const BuildOptions&, const Progress&)>& make,
             BuildOptions options, const CommonArguments& a) {
@@ -218,6 +262,7 @@ void finish(const std::function<Built(const BuildOptions&, const Progress&)>& ma
   Json facts = build_facts(built.report);
   facts["output"] = a.output;
   facts["organ"] = organ_facts(organ, built.bytes);
+  facts["scene"] = write_scene(built, a.output);
   if (machine || !a.report.empty()) {
     facts["speed"] = speed_facts(organ, period_s, a.substeps, machine ? &*machine : nullptr);
   }
@@ -229,8 +274,9 @@ void finish(const std::function<Built(const BuildOptions&, const Progress&)>& ma
   if (a.json) {
     fmt::print("{}\n", facts.dump(2));
   } else {
-    fmt::print("{}{}{}wrote         {}\n", build_text(facts), organ_text(facts["organ"]),
-               facts.contains("speed") ? speed_text(facts["speed"]) : "", a.output);
+    fmt::print("{}{}{}{}wrote         {}\n", build_text(facts), organ_text(facts["organ"]),
+               facts.contains("speed") ? speed_text(facts["speed"]) : "",
+               scene_text(facts["scene"]), a.output);
   }
 }
 
@@ -317,6 +363,9 @@ void run_build_labels(const BuildArguments& a) {
   const Recipe recipe = read_recipe(a.recipe);
   for (const LabelGroup& group : recipe.groups) {
     (void)find_tissue(options.own_tissues, group.tissue);
+  }
+  for (const WallLayer& layer : recipe.wall) {
+    options.wall.push_back(find_tissue(options.own_tissues, layer.tissue).name);
   }
   options.options_text += " --recipe " + std::filesystem::path(a.recipe).filename().string();
   if (options.name.empty()) {

@@ -137,6 +137,25 @@ std::uint8_t layer_at(const std::vector<Layer>& layers, const std::vector<std::u
   return numbers[i];
 }
 
+// Whether the cell across a face has one of these tissues.
+bool touches(const Claims& claims, std::size_t cell, const std::vector<std::string>& tissues,
+             const std::vector<std::string>& wanted) {
+  const Grid& grid = claims.grid;
+  const std::size_t steps[3] = {1, grid.size[0], std::size_t{grid.size[0]} * grid.size[1]};
+  for (std::size_t axis = 0; axis < 3 && !wanted.empty(); ++axis) {
+    const std::size_t at = cell / steps[axis] % grid.size[axis];
+    for (const bool high : {false, true}) {
+      if (high ? at + 1 == grid.size[axis] : at == 0) continue;
+      const std::size_t next = high ? cell + steps[axis] : cell - steps[axis];
+      if (is_kept(claims, next) &&
+          std::find(wanted.begin(), wanted.end(), tissues[claims.owner[next]]) != wanted.end()) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 std::vector<std::uint8_t> voxel_materials(const Claims& claims, const Lattice& lattice,
                                           const std::vector<std::string>& tissues,
                                           const BuildOptions& options, MaterialList& list) {
@@ -155,7 +174,8 @@ std::vector<std::uint8_t> voxel_materials(const Claims& claims, const Lattice& l
         !options.capsule.empty() &&
         (options.capsule_of.empty() || options.capsule_of == tissues[claims.owner[cell]]);
     const bool is_capsule =
-        has_capsule && is_skin(claims, x, row % grid.size[1], row / grid.size[1]);
+        has_capsule && (is_skin(claims, x, row % grid.size[1], row / grid.size[1]) ||
+                        touches(claims, cell, tissues, options.wall));
     const double depth_m = static_cast<double>(depths[cell]) * grid.edge_m;
     materials.push_back(is_capsule ? capsule
                         : is_layered(claims, cell, tissues, options)

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "attach.h"
+#include "label_bodies.h"
 #include "lattice.h"
 #include "materials.h"
 #include "progress.h"
@@ -49,6 +50,7 @@ struct BuildOptions {
   std::uint32_t most_voxels = 0;    // unless 0: the finest edge that needs no more than these
   std::string capsule;              // tissue of the voxels at the outer surface; empty: none
   std::string capsule_of;           // only where the input has this tissue; empty: everywhere
+  std::vector<std::string> wall;    // tissues that the capsule has outside of it, as if bare
   bool wrap = false;                // replace each input by a closed skin around it
   std::string gap_tissue;           // of gaps between inputs up to gap_m wide; empty: gaps stay
   double gap_m = 0;
@@ -103,6 +105,8 @@ struct BuildReport {
 struct Built {
   std::vector<std::byte> bytes;
   BuildReport report;
+  std::vector<NamedHull> obstacles;  // of a label map
+  std::vector<Target> targets;
   Mesh input_m;  // surface of all inputs, for comparison; only with `measured`
 };
 

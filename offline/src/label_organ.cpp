@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "label_skin.h"
+#include "label_wall.h"
 #include "pieces.h"
 
 namespace stylet::bake {
@@ -88,6 +89,17 @@ std::vector<LabelReport> label_reports(const LabelMap& map, const Groups& groups
   return reports;
 }
 
+template <typename Found>  // NamedHull, Target
+void warn_of_missing(const std::vector<NamedLabels>& wanted, const std::vector<Found>& found,
+                     BuildReport& report) {
+  for (const NamedLabels& each : wanted) {
+    const bool is_there = std::any_of(found.begin(), found.end(),
+                                      [&](const Found& f) { return f.name == each.name; });
+    if (is_there) continue;
+    report.warnings.push_back(fmt::format("none of the labels of {} is in the map", each.name));
+  }
+}
+
 void warn_of_absent(const Recipe& recipe, BuildReport& report) {
   for (std::size_t i = 0; i < recipe.groups.size(); ++i) {
     if (report.labels[i].voxels > 0) continue;
@@ -116,16 +128,22 @@ void measure_shares(const Claims& claims, const LabelMap& map, const Groups& gro
 
 }  // namespace
 
-Built build_labels(const std::string& path, const LabelMap& whole, const Recipe& recipe,
+Built build_labels(const std::string& path, const LabelMap& whole, const Recipe& as_read,
                    const BuildOptions& options, const Progress& progress) {
-  const bool crops = !recipe.crop_around.empty();
-  const LabelMap part = crops ? cropped(path, whole, recipe) : LabelMap{};
-  const LabelMap& map = crops ? part : whole;
+  const bool crops = !as_read.crop_around.empty(), has_wall = !as_read.wall.empty();
+  Recipe recipe = as_read;
+  LabelMap part = has_wall ? whole : LabelMap{};
+  if (has_wall) progress("growing the wall", 0);
+  add_wall(part, recipe);
+  if (crops) part = cropped(path, has_wall ? part : whole, recipe);
+  const LabelMap& map = crops || has_wall ? part : whole;
   const Groups groups = groups_of(path, map, recipe);
   progress("finding the surface", 0);
   Skin skin = label_skin(map, groups);
   Claimed claimed;
   Built built;
+  built.obstacles = find_obstacles(path, map, recipe);
+  built.targets = find_targets(map, recipe);
   for (const Vec& point : skin.points) grow(claimed.box, point);
   if (options.measured) built.input_m = triangles_of(skin);
   smooth(skin, recipe.smoothing);
@@ -141,6 +159,8 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   });
   const Grid grid = make_grid(claimed.box, edge_m);
   warn_of_absent(recipe, built.report);
+  warn_of_missing(recipe.obstacles, built.obstacles, built.report);
+  warn_of_missing(recipe.targets, built.targets, built.report);
   claimed.claims = claim_labels(grid, map, groups, built.report.labels, progress);
   if (options.measured) measure_shares(claimed.claims, map, groups, built.report);
   for (const LabelGroup& group : recipe.groups) claimed.tissues.push_back(group.tissue);

@@ -2,8 +2,11 @@
 #include "label_recipe.h"
 
 #include <algorithm>
+#include <cctype>
+#include <string_view>
 
 #include "refusal.h"
+#include "stylet/limits.h"
 #include "toml_file.h"
 
 namespace stylet::bake {
@@ -83,6 +86,67 @@ void read_surface(const std::string& file, const toml::table& table, Recipe& rec
   }
 }
 
+// NAME = [LABEL...], each; names become parts of file names.
+std::vector<NamedLabels> read_named(const std::string& file, const toml::table& table,
+                                    const Recipe& recipe) {
+  std::vector<NamedLabels> list;
+  for (const auto& [key, node] : table) {
+    const std::string name(key.str());
+    const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+      return std::isalnum(c) != 0 || c == '_' || c == '-';
+    });
+    if (!plain) {
+      refuse("{}: {}: expected a name of letters, digits, _ and -", place_of(file, node), name);
+    }
+    const toml::array* labels = node.as_array();
+    if (labels == nullptr || labels->empty()) {
+      refuse("{}: {}: expected a list of labels", place_of(file, node), name);
+    }
+    list.push_back({name, {}});
+    for (const toml::node& each : *labels) {
+      list.back().labels.push_back(any_label(file, name, recipe, each));
+    }
+  }
+  return list;
+}
+
+// [[wall]], from the inside out.
+std::vector<WallLayer> read_wall(const std::string& file, const toml::node& node) {
+  constexpr double kMostMm = 200;
+  const char* const wanted = "{}: [[wall]]: expected tissue = \"NAME\" and thickness_mm, each";
+  if (!node.is_array_of_tables()) refuse(fmt::runtime(wanted), place_of(file, node));
+  std::vector<WallLayer> wall;
+  for (const toml::node& each : *node.as_array()) {
+    const toml::table& layer = *each.as_table();
+    const toml::node* tissue = layer.get("tissue");
+    const toml::node* thickness = layer.get("thickness_mm");
+    if (layer.size() != 2 || tissue == nullptr || !tissue->is_string() || thickness == nullptr) {
+      refuse(fmt::runtime(wanted), place_of(file, each));
+    }
+    wall.push_back({*tissue->value<std::string>(),
+                    number_of(file, "thickness_mm", *thickness, kMostMm) * 1e-3});
+  }
+  return wall;
+}
+
+// What no needle enters is no tissue.
+void check_obstacles(const std::string& file, const Recipe& recipe) {
+  if (recipe.obstacles.size() > kMaxObstacles) {
+    refuse("{}: [obstacles]: {} bodies: expected at most {}", file, recipe.obstacles.size(),
+           kMaxObstacles);
+  }
+  for (const NamedLabels& body : recipe.obstacles) {
+    for (const LabelGroup& group : recipe.groups) {
+      for (const std::uint16_t label : body.labels) {
+        if (std::find(group.labels.begin(), group.labels.end(), label) == group.labels.end())
+          continue;
+        refuse("{}: [obstacles]: {}: label {} is {} already: expected a label of no tissue", file,
+               body.name, label, group.tissue);
+      }
+    }
+  }
+}
+
 void read_group(const std::string& file, const std::string& tissue, const toml::node& node,
                 Recipe& recipe) {
   const toml::array* labels = node.as_array();
@@ -109,18 +173,28 @@ Recipe read_recipe(const std::filesystem::path& toml_file) {
   const toml::table root = read_toml(toml_file);
   Recipe recipe;
   for (const auto& [key, node] : root) {
-    if (key != "names" && key != "tissues" && key != "crop" && key != "surface") {
-      refuse("{}: {}: expected [names] or [tissues], [crop] or [surface]", place_of(file, node),
-             key.str());
+    constexpr std::string_view kTables[] = {"names", "tissues",   "crop",   "surface",
+                                            "wall",  "obstacles", "targets"};
+    if (std::find(std::begin(kTables), std::end(kTables), key.str()) == std::end(kTables)) {
+      refuse(
+          "{}: {}: expected [names], [tissues], [crop], [surface], [[wall]], [obstacles] or "
+          "[targets]",
+          place_of(file, node), key.str());
     }
   }
   if (root.contains("names")) read_names(file, table_of(file, root, "names"), recipe);
   if (root.contains("crop")) read_crop(file, table_of(file, root, "crop"), recipe);
   if (root.contains("surface")) read_surface(file, table_of(file, root, "surface"), recipe);
+  if (root.contains("wall")) recipe.wall = read_wall(file, *root.get("wall"));
+  for (const auto& [key, list] :
+       {std::pair{"obstacles", &recipe.obstacles}, std::pair{"targets", &recipe.targets}}) {
+    if (root.contains(key)) *list = read_named(file, table_of(file, root, key), recipe);
+  }
   for (const auto& [key, node] : table_of(file, root, "tissues")) {
     read_group(file, std::string(key.str()), node, recipe);
   }
   if (recipe.groups.empty()) refuse("{}: [tissues]: expected at least one", file);
+  check_obstacles(file, recipe);
   return recipe;
 }
 

@@ -6,9 +6,23 @@
 //   [tissues]          # tissue = labels, by number or name
 //   liver = ["liver"]
 //   vessel = [52, 63]
-//   [crop]             # optional: what is farther from these labels, along the map's axes, is left
-//   out around = ["liver"] margin_mm = 20 [surface]          # optional smoothing = 10     # rounds
-//   of Taubin's filter, 0 to 100
+//
+//   [crop]             # optional: what is farther from these labels, along the map's axes, is out
+//   around = ["liver"]
+//   margin_mm = 20
+//
+//   [surface]          # optional
+//   smoothing = 10     # rounds of Taubin's filter, 0 to 100
+//
+//   [[wall]]           # optional, from the inside out: layers around all labels of the map
+//   tissue = "fat"
+//   thickness_mm = 10
+//
+//   [obstacles]        # optional: bodies no needle enters, each the convex hull of some labels
+//   rib = ["rib_right_9"]
+//
+//   [targets]          # optional: what is to be reached; may be tissue, too
+//   lesion = [2]
 //
 // Labels that no tissue asks for are left out of the organ.
 // Promise: a recipe is taken whole or refused with `file:line: key: ...`.
@@ -27,12 +41,25 @@ struct LabelGroup {
   std::vector<std::uint16_t> labels;
 };
 
+struct NamedLabels {
+  std::string name;
+  std::vector<std::uint16_t> labels;
+};
+
+struct WallLayer {
+  std::string tissue;
+  double thickness_m = 0;
+};
+
 struct Recipe {
   std::map<std::uint16_t, std::string> names;
   std::vector<LabelGroup> groups;  // by tissue, in the alphabet's order; no label is in two of them
   std::vector<std::uint16_t> crop_around = {};  // empty: the whole map
   double crop_margin_m = 0;
   int smoothing = 10;
+  std::vector<WallLayer> wall = {};
+  std::vector<NamedLabels> obstacles = {};  // no label of a tissue
+  std::vector<NamedLabels> targets = {};
 };
 
 Recipe read_recipe(const std::filesystem::path& toml_file);

@@ -96,12 +96,10 @@ Tissue read_tissue(const std::string& file, const std::string& name, const toml:
   return tissue;
 }
 
-}  // namespace
-
-const std::vector<Tissue>& preset_tissues() {
-  // Numbers in the order of Tissue, SI. A tissue that has no surface of its own to break punctures
-  // at its cutting force.
-  static const std::vector<Tissue> kPresets = {
+// Numbers in the order of Tissue, SI. A tissue that has no surface of its own to break punctures at
+// its cutting force.
+std::vector<Tissue> organ_tissues() {
+  return {
       {"liver",
        "parenchyma under its capsule; effective modulus at needle scale, G = 8 kPa (Gokgol 2012; "
        "small-strain G is 1.8 kPa); forces and friction for 18G within Okamura, Simone, O'Leary "
@@ -123,6 +121,19 @@ const std::vector<Tissue>& preset_tissues() {
        "cortex E 5 to 15 kPa at small strain, scaled to needle scale as liver; density 1050 (Kaye "
        "and Laby); friction 0.005 to 0.05 N/mm for 17G to 18G",
        1050, 30000, 0.45, 0.5, 1.0, 1.0, 0.4, 0.1, 12, 15, 1e-3, 20},
+      {"spleen",
+       "liver's modulus at needle scale times 1.6, the ratio of the two by MR elastography at 60 "
+       "Hz (3.6 kPa, Mannelli 2010; liver 2.2 to 2.3); density 1054 (Kaye and Laby); forces by "
+       "judgement",
+       1054, 37000, 0.45, 0.4, 1.0, 0.5, 0.3, 0.1, 10, 12, 1e-3, 20},
+      {"pancreas",
+       "liver's modulus at needle scale times 0.8, the ratio of the two by MR elastography at 40 "
+       "and 60 Hz (An, Shi, Guo 2015; Xu 2020); forces by judgement, as liver's",
+       1050, 18600, 0.45, 0.4, 1.0, 0.3, 0.3, 0.1, 10, 12, 1e-3, 20},
+      {"stomach",
+       "wall and content as one, by judgement as soft as relaxed muscle across its fibres; "
+       "punctures and slides less than muscle",
+       1050, 20000, 0.45, 0.4, 1.0, 0.6, 0.4, 0.1, 20, 25, 1e-3, 20},
       {"prostate",
        "E 15 to 70 kPa (Krouskop 1998), shaft friction 0.03 to 0.12 N/mm; 18G: less than the 8.9 N "
        "met at the perineum (Podder et al. 2006); density 1027 (PMC4201780)",
@@ -130,6 +141,12 @@ const std::vector<Tissue>& preset_tissues() {
       {"prostate_capsule",
        "prostate under its capsule, a membrane and a puncture of it by judgement", 1027, 40000,
        0.45, 0.4, 1.0, 2.0, 1.0, 0.1, 50, 60, 1e-3, 30, 2000},
+  };
+}
+
+// Layers on the way to organs, phantoms and bone.
+std::vector<Tissue> other_tissues() {
+  return {
       {"fat",
        "E 1 to 20 kPa, typical 3.3 (Samani 2007), doubled at needle scale; density 901 to 923 "
        "(Kaye and Laby); forces below those of muscle by judgement",
@@ -165,6 +182,16 @@ const std::vector<Tissue>& preset_tissues() {
        "a stop, not a model of bone: as stiff and as strong as the format carries comfortably",
        1900, 1e8, 0.3, 0.0, 1.0, 500, 500, 1.0, 1000, 1200, 1e-3, 1000},
   };
+}
+
+}  // namespace
+
+const std::vector<Tissue>& preset_tissues() {
+  static const std::vector<Tissue> kPresets = [] {
+    std::vector<Tissue> all = organ_tissues();
+    for (const Tissue& tissue : other_tissues()) all.push_back(tissue);
+    return all;
+  }();
   return kPresets;
 }
 

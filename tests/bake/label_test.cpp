@@ -8,6 +8,7 @@
 #include <cstring>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "bake_support.h"
@@ -420,6 +421,52 @@ TEST(LabelOrgan, CropKeepsALabelAndItsMargin) {
               testing::HasSubstr("holds none of the labels of [crop]"));
 }
 
+// The ball's half of label 2 as a body, that of label 1 as a target: a half ball's middle lies 3/8
+// of the radius from its flat side. A hull of 64 vertices is a few per cent smaller.
+TEST(LabelOrgan, ObstaclesAndTargetsLieWhereTheirLabelsDo) {
+  const double u = 1e-3;
+  const LabelMap map = ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {});
+  Recipe recipe = {{}, {{"gel", {1}}}};
+  recipe.obstacles = {{"stone", {2}}, {"nothing", {9}}};
+  recipe.targets = {{"lesion", {1}}};
+  const bake::Built built = build_quietly(map, recipe, {});
+  ASSERT_EQ(built.obstacles.size(), 1U);
+  ASSERT_EQ(built.targets.size(), 1U);
+  const auto voxels = [&](int label) {
+    return static_cast<double>(std::count(map.label.begin(), map.label.end(), label)) * u * u * u;
+  };
+  EXPECT_NEAR(built.obstacles[0].hull.volume_m3 / voxels(2), 1, 0.1);
+  for (const Vec& v : built.obstacles[0].hull.vertices_m) {
+    EXPECT_GT(v.x, -1.01e-3);
+    EXPECT_LT(length(v), 22e-3);
+  }
+  EXPECT_NEAR(built.targets[0].volume_m3, voxels(1), 1e-9);
+  EXPECT_LT(length(built.targets[0].middle_m - Vec{-7.5e-3, 0, 0}), 1.5e-3);
+  EXPECT_THAT(built.report.warnings,
+              testing::ElementsAre("none of the labels of nothing is in the map"));
+  const std::string scene =
+      bake::scene_toml("a.organ", {"a.stone.toml"}, {{"lesion", {0.001, -0.02, 0.3}, 1e-6, 6e-3}});
+  EXPECT_THAT(scene, testing::HasSubstr("point_mm = [1.00, -20.00, 300.00]"));
+  EXPECT_THAT(scene, testing::HasSubstr("hull = \"a.stone.toml\""));
+}
+
+// Around a ball of 20 mm: shells of 5 and 3 mm.
+TEST(LabelOrgan, WallLiesAroundInLayers) {
+  const double u = 1e-3;
+  const LabelMap map = ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {});
+  Recipe recipe = {{}, {{"gel", {1, 2}}}};
+  recipe.wall = {{"fat", 5e-3}, {"skin", 3e-3}};
+  bake::BuildOptions options;
+  options.voxel_edge_m = 2e-3;
+  const bake::Built built = build_quietly(map, recipe, options);
+  ASSERT_EQ(built.report.labels.size(), 3U);
+  const auto ball = [](double mm) { return 4 * std::numbers::pi / 3 * mm * mm * mm * 1e-9; };
+  EXPECT_NEAR(built.report.labels[0].map_volume_m3 / ball(20), 1, 0.01);
+  EXPECT_NEAR(built.report.labels[1].map_volume_m3 / (ball(25) - ball(20)), 1, 0.05);
+  EXPECT_NEAR(built.report.labels[2].map_volume_m3 / (ball(28) - ball(25)), 1, 0.05);
+  EXPECT_NEAR(volume_m3(opened(built.bytes)) / ball(28), 1, 0.03);
+}
+
 TEST(LabelOrgan, SameMapSameBytes) {
   const double u = 1e-3;
   const LabelMap map = ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {});
@@ -516,12 +563,18 @@ TEST(Recipe, RefusesWithFileAndLine) {
       {"[tissues]\nbone = [5]\nliver = [5]\n", "label 5 is bone already"},
       {"[tissues]\nliver = [5, 5]\n", "label 5 is liver already"},
       {"[names]\na = 1\nb = 1\n[tissues]\nliver = [1]\n", "label 1 is a already"},
-      {"[organs]\n", "organs: expected [names] or [tissues]"},
+      {"[organs]\n", "organs: expected [names], [tissues]"},
       {"[crop]\nmargin_mm = 5\n[tissues]\nliver = [1]\n", "[crop]: expected around"},
       {"[crop]\naround = 5\n[tissues]\nliver = [1]\n", "r.toml:2: around: expected around = ["},
       {"[crop]\naround = [1]\nmargin_mm = -1\n", "r.toml:3: margin_mm: expected a number from 0"},
       {"[surface]\nsmoothing = 101\n", "r.toml:2: smoothing: expected a number from 0 to 100"},
       {"[surface]\nsmoothing = 1.5\n", "r.toml:2: smoothing: expected smoothing = a whole"},
+      {"[obstacles]\n'a/b' = [1]\n[tissues]\nliver = [5]\n", "r.toml:2: a/b: expected a name of"},
+      {"[obstacles]\nrib = 1\n[tissues]\nliver = [5]\n", "r.toml:2: rib: expected a list"},
+      {"[obstacles]\nrib = [5]\n[tissues]\nliver = [5]\n", "rib: label 5 is liver already"},
+      {"[wall]\ntissue = \"fat\"\n[tissues]\nliver = [5]\n", "r.toml:1: [[wall]]: expected tissue"},
+      {"[[wall]]\ntissue = \"fat\"\n[tissues]\nliver = [5]\n", "r.toml:1: [[wall]]: expected"},
+      {"[[wall]]\ntissue = \"fat\"\nthickness_mm = -1\n", "thickness_mm: expected a number"},
       {"[names]\na = 1\n", "expected a table [tissues]"},
       {"[tissues]\n", "[tissues]: expected at least one"},
       {"[tissues\n", "r.toml:"}};

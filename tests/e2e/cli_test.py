@@ -238,6 +238,23 @@ speed_mm_s = 25
         self.assertIn("insertion", kinds)
         self.assertIn("retraction", kinds)
 
+    def test_recipe_for_biopsies_makes_a_scene_that_runs(self):
+        """The needle goes through the wall; ribs and spine are obstacles."""
+        if not self.MAP.exists():
+            self.skipTest(f"{self.MAP} is not there; set STYLET_DATA")
+        made = json.loads(call(
+            "stylet-organ", "build", self.MAP, "--recipe",
+            SOURCE / "offline/recipes/totalsegmentator-biopsy.toml", "--fix", "y>80%",
+            "--voxel-mm", 7, "-o", self.top / "patient.organ", "--json").stdout)
+        self.assertEqual(len(made["scene"]["obstacles"]), 7)
+        names = [m["name"] for m in made["organ"]["materials"]]
+        report = json.loads(call("stylet", "run", self.top / "patient.scene.toml", "--fast",
+                                 "--json").stdout)
+        self.assertEqual(report["fault"], "none")
+        met = [(event["kind"], names[event["layer"]]) for event in report["events"]]
+        self.assertEqual([kind for kind, name in met[:2]], ["contact", "puncture"])
+        self.assertLessEqual({"fat", "muscle"}, {name for kind, name in met})
+
     def test_needle_meets_the_liver_where_the_map_has_it(self):
         names = self.build()
         scene = self.top / "patient.toml"
