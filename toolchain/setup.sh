@@ -98,12 +98,14 @@ install_missing() {
   apt install --no-install-recommends "${missing[@]}" || explain_failure
 }
 
-# What the tests of the console's page need of npm; without network they are skipped.
+# What the tests of the console's page need of npm; without network they are skipped. Not `npm ci`:
+# it refuses a lock file that does not hold the packages for other processors.
 install_page_packages() {
   local page=$root/hal/console/page
   [ "$page/package-lock.json" -nt "$page/node_modules/.package-lock.json" ] || return 0
   say "Installing the npm packages of the console's page"
-  (cd "$page" && timeout 300 npm ci --ignore-scripts --no-audit --no-fund >/dev/null 2>&1) ||
+  local command=(npm install --no-save --ignore-scripts --no-audit --no-fund)
+  (cd "$page" && timeout 300 "${command[@]}" >/dev/null 2>&1) ||
     note "npm could not install them: the tests of the page will be skipped"
 }
 

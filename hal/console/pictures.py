@@ -7,7 +7,7 @@
 Runs each scene on a virtual clock, plays the recording through `stylet console` and takes a
 picture in Chromium without a screen. --recordings takes those that are there already (NAME.h5 with
 NAME.organ beside it, as hal/scenes/play.py --out leaves them). Pictures go to
-hal/console/pictures, or --out. Programs come from STYLET_BIN or build/release/bin; `npm ci` in
+hal/console/pictures, or --out. Programs come from STYLET_BIN or build/release/bin; `npm install --no-save` in
 hal/console/page must have been done.
 """
 import argparse

@@ -126,9 +126,9 @@ TEST(Player, OtherForcesThanRecordedAreNoticed) {
 TEST(Player, ThePageGetsTheForceExactly) {
   Recorded recorded;
   const hal::RecordingReader reader(recorded.path);
+  recorded.server->show(read_curve(reader));  // before there is a player: see player.h
   Player player(reader, recorded.organ,
                 std::shared_ptr<hal::Display>(recorded.display.get(), [](hal::Display*) {}));
-  recorded.server->show(read_curve(reader));
   recorded.server->show(Activity::Playback);
   Client client(recorded.port);
   ASSERT_EQ(client.join(), 101U);

@@ -4,7 +4,7 @@
 //   node build.mjs [generate] [--out FOLDER]
 //
 // Names in dist/ never change and nothing in it depends on time, machine or folder, so a build of
-// the same sources gives the same bytes. Needs flatc on PATH and `npm ci` done.
+// the same sources gives the same bytes. Needs flatc on PATH and `npm install --no-save` done.
 import {execFileSync} from 'node:child_process';
 import {mkdirSync, readFileSync} from 'node:fs';
 import {dirname, join, resolve} from 'node:path';

@@ -22,7 +22,7 @@ function skip(why) {
 }
 
 if (!existsSync(join(page, 'node_modules/esbuild'))) {
-  skip(`no npm packages: run npm ci in hal/console/page`);
+  skip(`no npm packages: run npm install --no-save in hal/console/page`);
 }
 if (spawnSync('flatc', ['--version']).status !== 0) skip('flatc is not installed');
 if (names.some((name) => needsBrowser.includes(name)) && !existsSync(chromium)) {
