@@ -7,8 +7,8 @@
 Runs each scene on a virtual clock, plays the recording through `stylet console` and takes a
 picture in Chromium without a screen. --recordings takes those that are there already (NAME.h5 with
 NAME.organ beside it, as hal/scenes/play.py --out leaves them). Pictures go to
-hal/console/pictures, or --out. Programs come from STYLET_BIN or build/release/bin; `npm install --no-save` in
-hal/console/page must have been done.
+hal/console/pictures, or --out. Programs come from STYLET_BIN or build/release/bin. The npm packages
+of hal/console/page must be there (toolchain/setup.sh).
 """
 import argparse
 import pathlib
