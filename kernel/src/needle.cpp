@@ -126,7 +126,7 @@ ObstacleContact remembered(const View& view, std::uint32_t obstacle, std::uint32
 }
 
 struct Touching {
-  std::uint32_t count, flags;
+  std::uint32_t count, left_out;
   double dissipated_j;
 };
 
@@ -140,10 +140,7 @@ void touch_piece(const View& view, const Needle& needle, Vec3 shift, std::uint32
   const ObstacleLoad load = obstacle_load(view.model.obstacle[body], piece, last, next);
   out.dissipated_j += static_cast<double>(load.dissipated_j);
   const bool touches = load.depth_m > 0, lost = load.depth_m < 0;
-  if (touches && out.count == kMaxTouches) {
-    ++view.state.head->obstacle_pool_full;
-    out.flags |= kFlagObstaclePoolFull;
-  }
+  if (touches && out.count == kMaxTouches) ++out.left_out;
   if ((!touches && !lost) || out.count == kMaxTouches) return;
   view.scratch.touch[out.count++] = {body,
                                      rod,
@@ -200,11 +197,12 @@ std::uint32_t touch_obstacles(const View& view, const Needle& needle, Vec3 shift
   NeedleState& own = *view.state.needle;
   const Touching found = find_touches(view, needle, shift);
   view.state.head->obstacles_j += found.dissipated_j;
+  view.state.head->obstacle_pool_full += found.left_out;
   if (found.count > 0 && own.touch_count == 0) add_event(view, EventKind::kObstacle, 0);
   for (std::uint32_t i = 0; i < found.count; ++i) view.state.touch[i] = view.scratch.touch[i];
   own.touch_count = found.count;
   own.touch_max = own.touch_max > found.count ? own.touch_max : found.count;
-  return found.flags;
+  return found.left_out > 0 ? std::uint32_t{kFlagObstaclePoolFull} : 0U;
 }
 
 }  // namespace
