@@ -62,14 +62,17 @@ test('the surface is the kernel\'s own to 0.1 mm, the force the recorded one', a
           (t) => document.querySelector('[data-value=tick]')?.textContent === String(t), tick);
       const told = (await valueOf(page, 'vector')).replace(' N', '').split(', ').map(Number);
       assert.deepEqual(told.map((v) => Math.fround(v) + 0), forces[i].map((v) => v + 0));
-      const places =
-          await page.evaluate(() => Array.from(window.stylet.view()?.deformedVertices() ?? []));
       const own = shapes[i].surface_m.flat();
-      assert.equal(places.length, own.length);
-      const apart = own.reduce((most, v, k) => Math.max(most, Math.abs(v - places[k])), 0);
-      console.log(
-          `tick ${tick}: ${own.length / 3} vertices, at most ${(1e6 * apart).toFixed(1)} um apart`);
-      assert.ok(apart < kNear, `tick ${tick}: ${apart} m`);
+      for (const byGpu of [true, false]) {
+        const places = await page.evaluate(
+            (gpu) => Array.from(window.stylet.view()?.deformedVertices(gpu) ?? []), byGpu);
+        assert.equal(places.length, own.length);
+        const apart = own.reduce((most, v, k) => Math.max(most, Math.abs(v - places[k])), 0);
+        console.log(
+            `tick ${tick}, by ${byGpu ? 'GPU' : 'processor'}: ${own.length / 3} vertices, ` +
+            `at most ${(1e6 * apart).toFixed(1)} um apart`);
+        assert.ok(apart < kNear, `tick ${tick}: ${apart} m`);
+      }
     }
     assert.deepEqual(foreign, []);
     assert.deepEqual(errors, []);

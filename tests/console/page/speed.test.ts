@@ -2,10 +2,11 @@
 // Pictures a second of 20 k voxels and 30 k triangles on software rendering at 1280 x 720, while
 // every one of 60 frames a second moves all particles; and what of it each part takes.
 //
-// Other work on the machine makes pictures fewer, but not dearer: judged is the processor time of a
-// picture in all of Chromium's processes, drawn anew without new frames, and of reading a frame. It
-// was 105 to 120 ms on the machine of the README's figures; more than 200 is a step back. Prints
-// all.
+// Once in a window of 1280 x 720, and once in one where the 3D view alone has that size.
+//
+// Other work on the machine makes pictures fewer, but not much dearer: judged is the processor time
+// of a picture in all of Chromium's processes, drawn anew each time, and of reading a frame. Two
+// processors have 66 ms for each of 30 pictures a second. Prints all, and how idle the machine was.
 import assert from 'node:assert/strict';
 import {readdirSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
@@ -16,7 +17,7 @@ import {launch, open, shown} from './browser_support';
 import {makeUpOrgan} from './made_up_organ';
 import {MockServer} from './mock_server';
 
-const kMostMs = 200;
+const kMostMs = 66;
 const kSeconds = 5;
 
 // Processor time in ms of all descendants of this process whose program is Chromium.
@@ -65,40 +66,77 @@ async function measure(page: Page): Promise<Cost> {
   return {perSecond: drawn / seconds, eachMs: (chromiumMs() - ms) / Math.max(1, drawn)};
 }
 
-test('a picture costs no more than it did', async () => {
-  const organ = makeUpOrgan(0.00437, 88);
-  const server = new MockServer({dist: join(kPage, 'dist'), organ, recordingTicks: 16000});
-  const browser = await launch();
-  try {
-    await server.begin();
-    const {page} = await open(browser, `${server.url}#trainee`);
-    await shown(page);
-    await page.click('.playback .primary');
-    await page.waitForFunction(() => (window.stylet.store.frame?.tick ?? 0) > 1500);
-    const live = await measure(page);
-    const readMs = await page.evaluate(() => window.stylet.view()?.budget.median('message') ?? 0);
-    await page.click('.playback .primary');
-    await page.evaluate(() => Object.assign(window.stylet.view() ?? {}, {always: true}));
-    const still = await measure(page);
-    await page.evaluate(() => {
-      Object.assign(window.stylet.view() ?? {}, {finish: true});
-      window.stylet.view()?.budget.clear();
-    });
-    await measure(page);
-    const parts = await page.evaluate(
-        () =>
-            (['upload', 'bodies', 'draw'] as const)
+// Of the machine's processors, between two readings: what others left.
+function processorMs(): {idle: number; all: number} {
+  const line = readFileSync('/proc/stat', 'latin1').split('\n')[0].split(/ +/).slice(1, 9);
+  const ms = line.map((jiffies) => 10 * Number(jiffies));
+  return {idle: ms[3] + ms[4], all: ms.reduce((sum, v) => sum + v, 0)};
+}
+
+async function partsOf(page: Page): Promise<string> {
+  await page.evaluate(() => {
+    Object.assign(window.stylet.view() ?? {}, {finish: true});
+    window.stylet.view()?.budget.clear();
+  });
+  await measure(page);
+  const parts = await page.evaluate(
+      () => (['deform', 'bodies', 'face', 'draw'] as const)
                 .map((part) => `${part} ${window.stylet.view()?.budget.median(part).toFixed(2)}`));
-    console.log(
-        `${organ.voxelCount} voxels, ${organ.triangleCount} triangles: ` +
-        `${live.perSecond.toFixed(1)} pictures a second with 60 frames a second, ` +
-        `${still.perSecond.toFixed(1)} without; a picture takes ${still.eachMs.toFixed(1)} ms of ` +
-        `processor; parts in ms: read a frame ${readMs.toFixed(2)}, ${
-            parts.join(', ')} (GPU waited for)`);
-    assert.ok(organ.voxelCount >= 20000 && organ.triangleCount >= 30000);
-    assert.ok(still.eachMs + readMs <= kMostMs);
-  } finally {
-    await browser.close();
-    await server.end();
-  }
-});
+  await page.evaluate(() => Object.assign(window.stylet.view() ?? {}, {finish: false}));
+  return parts.join(', ');
+}
+
+// Leaves out the surface, then all other bodies too.
+async function shares(page: Page): Promise<string> {
+  const hide = (name: string) => page.evaluate((n) => {
+    const view = window.stylet.view() as unknown as
+        Record<string, {mesh: {visible: boolean}, group: {visible: boolean}}>;
+    (view[n].mesh ?? view[n].group).visible = false;
+  }, name);
+  await hide('surface');
+  const without = await measure(page);
+  await hide('bodies');
+  const empty = await measure(page);
+  return `without the surface ${without.eachMs.toFixed(1)}, without any body ` +
+      `${empty.eachMs.toFixed(1)}`;
+}
+
+for (const [width, height] of [[1280, 720], [1580, 817]]) {
+  test(`a picture is cheap enough for 30 a second, window ${width} x ${height}`, async () => {
+    const organ = makeUpOrgan(0.00437, 88);
+    const server = new MockServer({dist: join(kPage, 'dist'), organ, recordingTicks: 16000});
+    const browser = await launch();
+    try {
+      await server.begin();
+      const {page} = await open(browser, `${server.url}#trainee`, {width, height});
+      await shown(page);
+      const size = await page.locator('#scene-canvas').boundingBox();
+      await page.click('.playback .primary');
+      await page.waitForFunction(() => (window.stylet.store.frame?.tick ?? 0) > 1500);
+      const before = processorMs();
+      const own = chromiumMs();
+      const live = await measure(page);
+      const after = processorMs();
+      const others = after.all - before.all - (after.idle - before.idle) - (chromiumMs() - own);
+      const readMs = await page.evaluate(() => window.stylet.view()?.budget.median('message') ?? 0);
+      await page.click('.playback .primary');
+      await page.evaluate(() => Object.assign(window.stylet.view() ?? {}, {always: true}));
+      const still = await measure(page);
+      const parts = await partsOf(page);
+      console.log(
+          `${organ.voxelCount} voxels, ${organ.triangleCount} triangles, 3D view ${
+              size?.width} x ` +
+          `${size?.height}: ${live.perSecond.toFixed(1)} pictures a second with 60 frames a ` +
+          `second, others had ${(100 * others / (after.all - before.all)).toFixed(0)} % of the ` +
+          `processors; ${still.perSecond.toFixed(1)} without frames; a picture takes ` +
+          `${still.eachMs.toFixed(1)} ms of processor, ${
+              await shares(page)}; parts in ms: read a ` +
+          `frame ${readMs.toFixed(2)}, ${parts} (GPU waited for)`);
+      assert.ok(organ.voxelCount >= 20000 && organ.triangleCount >= 30000);
+      assert.ok(still.eachMs + readMs <= kMostMs);
+    } finally {
+      await browser.close();
+      await server.end();
+    }
+  });
+}

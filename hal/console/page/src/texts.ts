@@ -144,8 +144,9 @@ export const texts = {
     page: 'This page',
     parts: {
       message: 'Read a frame',
-      upload: 'Upload',
+      deform: 'Deform',
       bodies: 'Needle and particles',
+      face: 'Leave out what faces away',
       draw: 'Draw',
       plots: 'Plots'
     },

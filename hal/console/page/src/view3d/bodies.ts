@@ -6,6 +6,7 @@
 // Units: m; frame: world.
 import * as THREE from 'three';
 import {ConvexGeometry} from 'three/examples/jsm/geometries/ConvexGeometry.js';
+import {MeshGouraudMaterial} from 'three/examples/jsm/materials/MeshGouraudMaterial.js';
 
 import {kBody} from '../palette';
 
@@ -16,11 +17,13 @@ const kMostNodes = 160;  // of a needle
 const kHandleLength = 0.028;
 const kArrowPerNewton = 0.012;
 const kLongestArrow = 0.09;
+const kRingParts = 48;
 const kMostMarks = 512;  // particles or touches shown
 
 const to = (v: Vec3): THREE.Vector3 => new THREE.Vector3(v.x, v.y, v.z);
+// Lit once a vertex, as the organ is.
 const matte = (colour: string, more: THREE.MeshLambertMaterialParameters = {}) =>
-    new THREE.MeshLambertMaterial({color: colour, ...more});
+    new MeshGouraudMaterial({color: colour, ...more});
 
 // A tube with a point at its end; vertices are written anew for every frame.
 class Tube {
@@ -43,7 +46,7 @@ class Tube {
       }
     }
     geometry.setIndex(index);
-    this.mesh = new THREE.Mesh(geometry, new THREE.MeshPhongMaterial({color: kBody.needle}));
+    this.mesh = new THREE.Mesh(geometry, matte(kBody.needle));
     this.mesh.frustumCulled = false;
   }
 
@@ -162,7 +165,7 @@ class Dots {
 
 // The hull of the vertices, each grown to a ball of the rounding.
 function obstacleMesh(obstacle: Obstacle): THREE.Mesh {
-  const material = matte(kBody.obstacle, {flatShading: obstacle.vertices.length > 1});
+  const material = matte(kBody.obstacle);
   let geometry: THREE.BufferGeometry;
   if (obstacle.vertices.length === 1) {
     const centre = obstacle.vertices[0];
@@ -186,40 +189,34 @@ function ballPoints(radius: number): THREE.Vector3[] {
       {length: places.count}, (_, i) => new THREE.Vector3().fromBufferAttribute(places, i));
 }
 
+// A circle on a ball, across one axis, as pairs of points; shift: how far up, 1 at the pole.
+function ring(radius: number, axis: number, shift: number): THREE.Vector3[] {
+  const across = radius * Math.sqrt(1 - shift * shift);
+  const at = (i: number) => {
+    const turn = (2 * Math.PI * i) / kRingParts;
+    const place = new THREE.Vector3().setComponent(axis, shift * radius);
+    place.setComponent((axis + 1) % 3, across * Math.cos(turn));
+    return place.setComponent((axis + 2) % 3, across * Math.sin(turn));
+  };
+  return Array.from({length: kRingParts}, (_, i) => [at(i), at(i + 1)]).flat();
+}
+
 // A target is a ball in rings; a forbidden zone has bars, so that colour is not the only sign.
 function targetGroup(target: Target): THREE.Group {
   const group = new THREE.Group();
   const colour = target.forbidden ? kBody.forbidden : kBody.target;
   const radius = Math.max(target.radius, 0.001);
   const ball = new THREE.Mesh(
-      new THREE.SphereGeometry(radius, 28, 18),
+      new THREE.SphereGeometry(radius, 24, 14),
       matte(colour, {transparent: true, opacity: 0.35, depthWrite: false}),
   );
   ball.renderOrder = 1;
   group.add(ball);
-  const ink = new THREE.LineBasicMaterial({color: colour});
-  const ring = new THREE.BufferGeometry().setFromPoints(
-      Array.from(
-          {length: 49},
-          (_, i) => {
-            const turn = (2 * Math.PI * i) / 48;
-            return new THREE.Vector3(radius * Math.cos(turn), radius * Math.sin(turn), 0);
-          }),
-  );
-  const shifts = target.forbidden ? [-0.75, -0.4, 0, 0.4, 0.75] : [0];
-  for (const shift of shifts) {
-    const line = new THREE.Line(ring, ink);
-    line.scale.setScalar(Math.sqrt(1 - shift * shift));
-    line.position.z = shift * radius;
-    group.add(line);
-  }
-  if (!target.forbidden) {
-    const turned = new THREE.Line(ring, ink);
-    turned.rotation.x = Math.PI / 2;
-    const third = new THREE.Line(ring, ink);
-    third.rotation.y = Math.PI / 2;
-    group.add(turned, third);
-  }
+  const parts = target.forbidden ?
+      [-0.75, -0.4, 0, 0.4, 0.75].map((shift) => ring(radius, 2, shift)) :
+      [0, 1, 2].map((axis) => ring(radius, axis, 0));
+  const rings = new THREE.BufferGeometry().setFromPoints(parts.flat());
+  group.add(new THREE.LineSegments(rings, new THREE.LineBasicMaterial({color: colour})));
   group.position.copy(to(target.position));
   return group;
 }

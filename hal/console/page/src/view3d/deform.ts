@@ -111,10 +111,11 @@ export function surfaceGeometry(organ: Organ, hello: Hello): THREE.BufferGeometr
 // is what the kernel says.
 export function readBack(
     renderer: THREE.WebGLRenderer,
-    surface: THREE.BufferGeometry,
+    organ: Organ,
+    hello: Hello,
     deformation: Deformation,
     ): Float32Array {
-  const count = surface.getAttribute('position').count;
+  const count = organ.vertexVoxel.length;
   const [width, height] = [kTextureWidth, Math.ceil(count / kTextureWidth)];
   const target = new THREE.WebGLRenderTarget(width, height, {
     type: THREE.FloatType,
@@ -146,8 +147,7 @@ export function readBack(
     depthWrite: false,
     blending: THREE.NoBlending,
   });
-  const geometry = surface.clone();
-  geometry.setIndex(null);
+  const geometry = surfaceGeometry(organ, hello).setIndex(null);
   const points = new THREE.Points(geometry, material);
   points.frustumCulled = false;
   const scene = new THREE.Scene();

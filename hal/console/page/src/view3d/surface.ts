@@ -9,59 +9,69 @@ import {outerEdges, type Organ} from '../organ';
 import {kBody, materialColour} from '../palette';
 import type {Hello} from '../protocol';
 import {kDeform, kDeformSurface, surfaceGeometry, type Deformation} from './deform';
+import {makeSkin, type Skin} from './skin';
 
+// Lit once a vertex: the triangles are small, and a processor that draws feels every pixel.
 const kVertex = /* glsl */ `
 precision highp float;
-${kDeformSurface}
 in vec3 position;
 in vec3 normal;
 in vec3 colour;
+#ifdef BY_GPU
+${kDeformSurface}
+#endif
 uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
 uniform mat3 normalMatrix;
-out vec3 vNormal;
-out vec3 vPlace;
-out vec3 vView;
-out vec3 vColour;
-void main() {
-  vec3 turned;
-  deform(position, normal, vPlace, turned);
-  vec4 view = modelViewMatrix * vec4(vPlace, 1.0);
-  vNormal = normalMatrix * turned;
-  vView = view.xyz;
-  vColour = colour;
-  gl_Position = projectionMatrix * view;
-}`;
-
-const kFragment = /* glsl */ `
-precision highp float;
-in vec3 vNormal;
-in vec3 vPlace;
-in vec3 vView;
-in vec3 vColour;
-uniform vec4 plane;  // what lies beyond it is not drawn
-uniform float clear; // 0 solid, 1 x-ray
-uniform vec3 inside;
+uniform float clear;  // 0 solid, 1 x-ray
 uniform vec3 upward;
-out vec4 colour;
+out vec4 vColour;
+#ifdef CUT
+out vec3 vPlace;
+out vec3 vInside;
+uniform vec3 inside;
+#endif
 void main() {
-  if (dot(plane.xyz, vPlace) > plane.w) discard;
-  if (!gl_FrontFacing) {
-    if (clear > 0.5) discard;
-    colour = vec4(mix(inside, vColour, 0.25), 1.0);
-    return;
-  }
-  vec3 n = normalize(vNormal);
-  float facing = max(0.0, -dot(n, normalize(vView)));
+  vec3 place = position;
+  vec3 turned = normal;
+#ifdef BY_GPU
+  deform(position, normal, place, turned);
+#endif
+  vec4 view = modelViewMatrix * vec4(place, 1.0);
+  vec3 n = normalize(normalMatrix * turned);
+  float facing = max(0.0, -dot(n, normalize(view.xyz)));
   float lit = 0.36 + 0.44 * facing + 0.22 * (0.5 + 0.5 * dot(n, upward));
   float shine = facing * facing;
   shine *= shine;
   shine *= shine;
   shine *= shine;
-  vec3 shaded = vColour * lit + 0.10 * shine;
   float rim = 1.0 - facing;
-  float alpha = mix(1.0, 0.16 + 0.62 * rim * rim, clear);
-  colour = vec4(shaded, alpha);
+  vColour = vec4(colour * lit + 0.10 * shine, mix(1.0, 0.16 + 0.62 * rim * rim, clear));
+#ifdef CUT
+  vPlace = place;
+  vInside = mix(inside, colour, 0.25);
+#endif
+  gl_Position = projectionMatrix * view;
+}`;
+
+const kFragment = /* glsl */ `
+precision mediump float;
+in vec4 vColour;
+out vec4 colour;
+#ifdef CUT
+in highp vec3 vPlace;
+in vec3 vInside;
+uniform highp vec4 plane;  // what lies beyond it is not drawn
+uniform highp float clear;
+#endif
+void main() {
+  colour = vColour;
+#ifdef CUT
+  if (dot(plane.xyz, vPlace) > plane.w) discard;
+  if (gl_FrontFacing) return;
+  if (clear > 0.5) discard;
+  colour = vec4(vInside, 1.0);
+#endif
 }`;
 
 const kLatticeVertex = /* glsl */ `
@@ -88,6 +98,7 @@ void main() {
 }`;
 
 export interface Surface {
+  skin: Skin|null;  // null: deformed on the GPU
   mesh: THREE.Mesh<THREE.BufferGeometry, THREE.RawShaderMaterial>;
   lattice: THREE.LineSegments<THREE.BufferGeometry, THREE.RawShaderMaterial>;
 }
@@ -106,13 +117,16 @@ export function makeSurface(
     hello: Hello,
     deformation: Deformation,
     plane: {value: THREE.Vector4},
+    byGpu: boolean,
     ): Surface {
-  const geometry = surfaceGeometry(organ, hello);
+  const skin = byGpu ? null : makeSkin(organ, hello);
+  const geometry = skin ? skinGeometry(organ, skin) : surfaceGeometry(organ, hello);
   geometry.setAttribute('colour', new THREE.BufferAttribute(vertexColours(organ), 3));
   const material = new THREE.RawShaderMaterial({
     glslVersion: THREE.GLSL3,
     vertexShader: kVertex,
     fragmentShader: kFragment,
+    defines: byGpu ? {BY_GPU: 1} : {},
     uniforms: {
       ...deformation.uniforms,
       plane,
@@ -124,7 +138,37 @@ export function makeSurface(
   const mesh = new THREE.Mesh(geometry, material);
   mesh.frustumCulled = false;
   mesh.renderOrder = 2;
-  return {mesh, lattice: makeLattice(organ, hello, deformation, plane)};
+  return {skin, mesh, lattice: makeLattice(organ, hello, deformation, plane)};
+}
+
+function skinGeometry(organ: Organ, skin: Skin): THREE.BufferGeometry {
+  const geometry = new THREE.BufferGeometry();
+  for (const [name, values] of [['position', skin.places], ['normal', skin.normals]] as const) {
+    const attribute = new THREE.BufferAttribute(values, 3);
+    attribute.usage = THREE.DynamicDrawUsage;
+    geometry.setAttribute(name, attribute);
+  }
+  const facing = new THREE.BufferAttribute(skin.facing, 1);
+  facing.usage = THREE.DynamicDrawUsage;
+  geometry.setIndex(facing);
+  return geometry;
+}
+
+// Before each picture: leaves out what cannot be seen, where that is quicker than drawing it.
+export function faceSurface({skin, mesh}: Surface, eye: THREE.Vector3): void {
+  const {geometry} = mesh;
+  if (skin === null || geometry.index === null) return;
+  const cut = mesh.material.side === THREE.DoubleSide;
+  if (cut) skin.facing.set(skin.all);
+  geometry.setDrawRange(0, cut ? skin.facing.length : skin.face(eye));
+  geometry.index.needsUpdate = true;
+}
+
+// Brings the surface to where a frame moved the particles; the GPU's reads `deformation` itself.
+export function moveSurface({skin, mesh}: Surface, moved: Int16Array): void {
+  if (skin === null) return;
+  skin.move(moved);
+  for (const name of ['position', 'normal']) mesh.geometry.getAttribute(name).needsUpdate = true;
 }
 
 function makeLattice(
@@ -156,5 +200,7 @@ export function setLook(surface: Surface, xray: boolean, cut: boolean): void {
   material.transparent = xray;
   material.depthWrite = !xray;
   material.side = cut ? THREE.DoubleSide : THREE.FrontSide;
+  const {CUT: _, ...defines} = material.defines;
+  material.defines = cut ? {...defines, CUT: 1} : defines;
   material.needsUpdate = true;
 }

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The 3D view: puts surface, bodies and camera on a canvas, and measures what a picture costs.
 //
-// Draws only when something changed. Budget: medians over the last pictures, ms by part; `draw` is
-// the time to hand over the work, or with `finish` also to wait for it.
+// Draws only when something changed. Where a processor draws, edges are smooth only in a picture
+// that rests: smooth ones in every picture would take as long again. Budget: medians over the last
+// pictures, ms by part; `draw` is the time to hand over the work, or with `finish` also to wait for
+// it.
 import * as THREE from 'three';
 import type {Store} from '../store';
 import {Bodies, disposeAll} from './bodies';
 import {aimAt, CameraMan, type Preset} from './camera';
 import {makeDeformation, readBack, upload, type Deformation} from './deform';
-import {makeSurface, setLook, type Surface} from './surface';
+import {makeSkin} from './skin';
+import {faceSurface, makeSurface, moveSurface, setLook, type Surface} from './surface';
 
 export interface Look {
   xray: boolean;
@@ -19,12 +22,24 @@ export interface Look {
   cutAt: number;  // 0 to 1 of the way through
 }
 
-export type Part = 'message'|'upload'|'bodies'|'draw';
+// Whether a processor draws WebGL: SwiftShader, Mesa's llvmpipe, Windows' Basic Render Driver.
+function drawnByProcessor(): boolean {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  if (gl === null) return false;
+  const info = gl.getExtension('WEBGL_debug_renderer_info');
+  const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
+
+export type Part = 'message'|'deform'|'bodies'|'face'|'draw';
 const kKept = 60;
+const kMostPixelRatio = 2;
+const kRestMs = 300;
 
 class Budget {
   pictures = 0;  // since the page was opened
-  private kept: Record<Part, number[]> = {message: [], upload: [], bodies: [], draw: []};
+  private kept: Record<Part, number[]> = {message: [], deform: [], bodies: [], face: [], draw: []};
   private drawn: number[] = [];
 
   time<T>(part: Part, work: () => T): T {
@@ -36,7 +51,7 @@ class Budget {
     return out;
   }
   // Forgets what was measured.
-  clear(): void { this.kept = {message: [], upload: [], bodies: [], draw: []}; }
+  clear(): void { this.kept = {message: [], deform: [], bodies: [], face: [], draw: []}; }
   tick(): void {
     ++this.pictures;
     this.drawn.push(performance.now());
@@ -55,6 +70,7 @@ class Budget {
 
 export class View3d {
   readonly budget = new Budget();
+  readonly byGpu = !drawnByProcessor();
   readonly cameraMan: CameraMan;
   look:
       Look = {xray: false, lattice: false, particles: false, surface: true, cut: false, cutAt: 0.5};
@@ -68,7 +84,9 @@ export class View3d {
   private surface: Surface|null = null;
   private bodies: Bodies|null = null;
   private stale = true;
-  private fresh = false;  // a frame that is not uploaded yet
+  private movedAt = 0;     // performance.now() of the last picture that something had changed for
+  private rested = false;  // the picture of rest is drawn
+  private fresh = false;   // a frame that is not uploaded yet
 
   constructor(
       readonly canvas: HTMLCanvasElement,
@@ -78,7 +96,7 @@ export class View3d {
     THREE.ColorManagement.enabled = false;
     this.renderer = new THREE.WebGLRenderer({
       canvas,
-      antialias: true,
+      antialias: this.byGpu,
       alpha: true,
       powerPreference: 'high-performance',
       preserveDrawingBuffer: false,
@@ -114,10 +132,17 @@ export class View3d {
     return {x: ((p.x + 1) / 2) * clientWidth, y: ((1 - p.y) / 2) * clientHeight};
   }
 
-  deformedVertices(): Float32Array {
-    if (this.surface === null || this.deformation === null) return new Float32Array();
-    upload(this.deformation, this.store.moved);
-    return readBack(this.renderer, this.surface.mesh.geometry, this.deformation);
+  // Places of all vertices, as the GPU computes them or as the processor does.
+  deformedVertices(byGpu: boolean): Float32Array {
+    const {organ, hello, moved} = this.store;
+    if (organ === null || hello === null || this.deformation === null) return new Float32Array();
+    if (byGpu) {
+      upload(this.deformation, moved);
+      return readBack(this.renderer, organ, hello, this.deformation);
+    }
+    const skin = makeSkin(organ, hello);
+    skin.move(moved);
+    return skin.places;
   }
 
   private rebuild(): void {
@@ -130,7 +155,7 @@ export class View3d {
     this.deformation?.texture.dispose();
     if (hello === null || organ === null) return;
     this.deformation = makeDeformation(hello);
-    this.surface = makeSurface(organ, hello, this.deformation, this.plane);
+    this.surface = makeSurface(organ, hello, this.deformation, this.plane, this.byGpu);
     this.bodies = new Bodies(hello);
     this.scene.add(this.surface.mesh, this.surface.lattice, this.bodies.group);
     const aim = aimAt(hello);
@@ -167,7 +192,6 @@ export class View3d {
   private resize(): void {
     const {clientWidth, clientHeight} = this.canvas;
     if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.cameraMan.camera.aspect = clientWidth / clientHeight;
     this.cameraMan.camera.updateProjectionMatrix();
@@ -178,21 +202,39 @@ export class View3d {
   step(): void {
     if (this.always) this.fresh = this.stale = this.store.frame !== null;
     if (this.cameraMan.move(performance.now())) this.stale = true;
-    if (!this.stale || this.canvas.clientWidth === 0) return;
+    if (this.canvas.clientWidth === 0) return;
+    const resting = !this.stale && performance.now() - this.movedAt > kRestMs;
+    if (!this.stale && (!resting || this.rested)) return;
+    if (this.stale) this.movedAt = performance.now();
+    this.rested = resting;
+    this.setSharpness(resting);
     this.stale = false;
     const {frame} = this.store;
     if (this.fresh && frame !== null && this.deformation !== null) {
       const deformation = this.deformation;
-      this.budget.time('upload', () => upload(deformation, this.store.moved));
+      this.budget.time('deform', () => {
+        upload(deformation, this.store.moved);
+        if (this.surface) moveSurface(this.surface, this.store.moved);
+      });
       this.budget.time('bodies', () => this.bodies?.show(frame));
       this.fresh = false;
     }
+    this.budget.time('face', () => {
+      if (this.surface) faceSurface(this.surface, this.cameraMan.camera.position);
+    });
     this.budget.time('draw', () => {
       this.renderer.render(this.scene, this.cameraMan.camera);
       if (this.finish) this.waitForGpu();
     });
     this.budget.tick();
     this.drawn();
+  }
+
+  // Changes the canvas only where that changes something, as it is made anew then.
+  private setSharpness(resting: boolean): void {
+    const own = Math.min(window.devicePixelRatio, kMostPixelRatio);
+    const ratio = this.byGpu ? own : resting ? kMostPixelRatio : Math.min(own, 1);
+    if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
   }
 
   private waitForGpu(): void {
