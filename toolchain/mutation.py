@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Do the tests notice a wrong line? Changes guard, organ reader and coupling, one place at a time.
+"""Do the tests notice a wrong line? Changes what hands depend on, one place at a time.
 
-usage: mutation.py [guard|organ|coupling]... [--build FOLDER] [--sample N]
+usage: mutation.py [SUBJECT]... [--build FOLDER] [--sample N]    (guard, grip, station, organ ...)
 
 Each mutant is one change a programmer might make by mistake: a comparison flipped, an `and` made an
 `or`, a sign, a limit by one, a clamp or a statement left out. It is compiled and the tests of its
@@ -25,6 +25,13 @@ SUBJECTS = {
     "guard": ("hal/src/guard.cpp", [["hal_guard"],
                                         ["device_faults", "--gtest_filter=DeviceFaults.*"],
                                         ["hal_loop"]]),
+    "grip": ("hal/src/grip.cpp", [["hal_grip"], ["hal_loop"]]),
+    "spring": ("hal/src/coupling.cpp", [["hal_coupling"]]),
+    "packet": ("hal/src/packet.cpp", [["hal_packet"], ["hal_loop", "--gtest_filter=TwoS*"]]),
+    "station": ("hal/src/station.cpp", [["hal_loop", "--gtest_filter=TwoS*"]]),
+    "peer": ("hal/devices/peer_device.cpp", [["hal_loop", "--gtest_filter=TwoS*"],
+                                             ["hal_device", "--gtest_filter=Peer*:*udp:*shm"]]),
+    "link": ("hal/src/link.cpp", [["hal_device", "--gtest_filter=Peer*:*udp:*shm"]]),
     "organ": ("kernel/src/organ.cpp",
               [["unit_organ_open", "--gtest_filter=-*Fuzz*"], ["unit_odd_organ"],
                ["fuzz_organ", SOURCE / "tests/fuzz/seeds/organ"],
@@ -193,7 +200,7 @@ def check(folder, subject, sample, known):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("subjects", nargs="*", help="of guard, organ, coupling; none: all")
+    parser.add_argument("subjects", nargs="*", help=f"of {', '.join(SUBJECTS)}; none: all")
     parser.add_argument("--build", type=pathlib.Path, default=SOURCE / "build" / "mutation")
     parser.add_argument("--sample", type=int, default=0)
     options = parser.parse_args()

@@ -28,7 +28,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Opened {
-  explicit Opened(const std::string& uri) : device(hal::open_device(uri)) {}
+  explicit Opened(const hal::Device& open) : device(open) {}
   ~Opened() { device.close(device.self); }
   Opened(const Opened&) = delete;
   Opened& operator=(const Opened&) = delete;
@@ -112,10 +112,6 @@ void tell(const Json& r) {
   }
 }
 
-std::string trouble_of(const hal::Device& device) {
-  return device.trouble != nullptr ? device.trouble(device.self) : "";
-}
-
 // The station's loop, until its end.
 void serve(const StationOptions& options, const hal::StationConfig& config,
            const hal::Device& device, const hal::Link& link, const std::atomic<bool>& stop,
@@ -129,6 +125,9 @@ void serve(const StationOptions& options, const hal::StationConfig& config,
     if (options.seconds > 0 && run_s >= options.seconds) break;
     next_ns = std::max(next_ns, clock.now_ns(clock.self) - kPeriodNs) + kPeriodNs;
     clock.sleep_until_ns(clock.self, next_ns);
+    // The hand has moved on, and the force that waits for it would be a kick.
+    const bool stalled = clock.now_ns(clock.self) - next_ns >= kPeriodNs * hal::kMaxMissedInARow;
+    if (stalled) hal::guard_trip(state.guard, hal::Fault::kTooLate);
     hal::station_tick(config, state, device, link, next_ns);
     hal::exchange_mail(mailbox, state.guard);
   }
@@ -160,7 +159,7 @@ int list_devices(const DevicesOptions& options) {
 }
 
 int probe(const ProbeOptions& options) {
-  const Opened opened(options.uri);
+  const Opened opened(hal::open_device(options.uri));
   const hal::Device& device = opened.device;
   const bool pushes = options.push && device.info.max_force_n > 0;
   if (!options.json) {
@@ -187,13 +186,13 @@ int probe(const ProbeOptions& options) {
   } else {
     tell(record);
   }
-  const std::string trouble = trouble_of(device);
+  const std::string trouble = hal::trouble_of(device);
   if (!trouble.empty()) fmt::print(stderr, "stylet: {}: {}\n", options.uri, trouble);
   return trouble.empty() && seen->fault == hal::Fault::kNone ? kExitOk : kExitTrouble;
 }
 
 int station(const StationOptions& options) {
-  const Opened opened(options.uri);
+  const Opened opened(hal::open_lasting_device(options.uri));
   const hal::Link link = hal::udp_connect(options.to);
   hal::StationConfig config = hal::station_config(opened.device.info);
   config.guard.acknowledge_button = options.acknowledge_button;
@@ -201,7 +200,8 @@ int station(const StationOptions& options) {
   hal::StationState state =
       hal::station_start(static_cast<std::uint32_t>(hal::monotonic_now_ns() / 1000));
   std::array<hal::FaultMailbox, 1> mailbox;
-  FaultDesk desk(mailbox, {options.uri});
+  FaultDesk desk(mailbox, {options.uri},
+                 [&opened](std::size_t) { return hal::trouble_of(opened.device); });
   std::atomic<bool> stop{false}, done{false};
   const StopOnSignal stop_on_signal(stop);
   hal::HostState host;
@@ -221,7 +221,7 @@ int station(const StationOptions& options) {
   fmt::print("{} samples sent, {} forces taken, {} refused, {} ticks without one\n", state.sent.seq,
              state.models, state.refused, state.starved);
   if (state.guard.fault == hal::Fault::kNone) return kExitOk;
-  const std::string trouble = trouble_of(opened.device);
+  const std::string trouble = hal::trouble_of(opened.device);
   if (!trouble.empty()) fmt::print(stderr, "stylet: {}: {}\n", options.uri, trouble);
   return kExitTrouble;
 }

@@ -12,8 +12,10 @@
 
 #include <array>
 #include <cstdio>
+#include <functional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "stylet/hal/fault_mailbox.h"
@@ -33,8 +35,14 @@ inline bool enter_was_pressed() {
 
 class FaultDesk {
  public:
-  FaultDesk(std::span<hal::FaultMailbox> boxes, std::vector<std::string> names)
-      : boxes_(boxes), names_(std::move(names)), told_(names_.size(), hal::Fault::kNone) {}
+  // `trouble`: of the device of this box, in words; empty: none.
+  FaultDesk(std::span<hal::FaultMailbox> boxes, std::vector<std::string> names,
+            std::function<std::string(std::size_t)> trouble)
+      : boxes_(boxes),
+        names_(std::move(names)),
+        trouble_(std::move(trouble)),
+        told_(names_.size(), hal::Fault::kNone),
+        away_(names_.size()) {}
 
   void look() {
     const bool enter = enter_was_pressed();
@@ -42,6 +50,7 @@ class FaultDesk {
       const hal::Fault latched = boxes_[i].latched.load(std::memory_order_relaxed);
       if (latched != told_[i]) tell(i, latched);
       told_[i] = latched;
+      tell_of_device(i);
       if (!enter || latched == hal::Fault::kNone) continue;
       boxes_[i].seen.store(latched, std::memory_order_relaxed);
       asked_ = true;
@@ -63,9 +72,19 @@ class FaultDesk {
                        reads_a_terminal() ? ": Enter" : ""));
   }
 
+  // What is wrong with it, when that changes, and when it is right again.
+  void tell_of_device(std::size_t i) {
+    std::string now = trouble_(i);
+    if (now == away_[i]) return;
+    say(i, now.empty() ? "it is back" : now);
+    away_[i] = std::move(now);
+  }
+
   std::span<hal::FaultMailbox> boxes_;
   std::vector<std::string> names_;
+  std::function<std::string(std::size_t)> trouble_;
   std::vector<hal::Fault> told_;
+  std::vector<std::string> away_;  // told of the device
   bool asked_ = false;
 };
 

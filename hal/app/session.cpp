@@ -119,7 +119,7 @@ hal::Device open_device(Session& s, std::uint32_t needle) {
   if (hand.device == "steered") return hal::steered_device(station.steered, hand.limits);
   if (hand.device != "attached") return hal::simulated_hand_device(station.hand, hand.limits);
   fmt::print(stderr, "stylet: waiting for {}\n", hand.uri);
-  const hal::Device device = hal::open_device(hand.uri);
+  const hal::Device device = hal::open_lasting_device(hand.uri);
   hal::fit_to_device(device.info, hand);
   return device;
 }
@@ -268,7 +268,7 @@ void finish(Session& s, Attempt& a) {
   a.loop.join();
   for (std::size_t i = 0; i < s.devices.size(); ++i) {
     const hal::Device& device = s.devices[i];
-    const std::string trouble = device.trouble != nullptr ? device.trouble(device.self) : "";
+    const std::string trouble = hal::trouble_of(device);
     if (!trouble.empty()) a.troubles.push_back(s.scene.hands[i].uri + ": " + trouble);
   }
   std::vector<hal::Fault> faults;

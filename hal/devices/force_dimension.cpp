@@ -210,12 +210,6 @@ void wait_for_sample(const DhdDevice& device, double patience_s) {
   }
 }
 
-bool read(void* self, std::int64_t now_ns, Sample& sample_out) {
-  return static_cast<DhdDevice*>(self)->relay.read(now_ns, sample_out);
-}
-void write(void* self, const Command& command) {
-  static_cast<DhdDevice*>(self)->relay.write(command);
-}
 void close(void* self) {
   const std::unique_ptr<DhdDevice> device(static_cast<DhdDevice*>(self));
   device->thread.stop();
@@ -285,7 +279,7 @@ Device open_force_dimension(const std::string& index, double patience_s) {
     throw;
   }
   DhdDevice* opened = device.release();
-  return {opened, opened->info, read, write, close, trouble};
+  return relayed(opened, opened->info, close, trouble);
 }
 
 }  // namespace stylet::hal

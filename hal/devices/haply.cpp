@@ -173,12 +173,6 @@ void exchange(Haply& haply) {
   }
 }
 
-bool read(void* self, std::int64_t now_ns, Sample& sample_out) {
-  return static_cast<Haply*>(self)->relay.read(now_ns, sample_out);
-}
-void write(void* self, const Command& given) {
-  static_cast<Haply*>(self)->relay.write(given);
-}
 void close(void* self) {
   const std::unique_ptr<Haply> haply(static_cast<Haply*>(self));
   haply->thread.stop();
@@ -262,15 +256,11 @@ Device open_haply(const std::string& rest, double patience_s) {
   wait_until_ready(*haply, rest, patience_s);
   haply->thread.start(kExchangeNs, [at = haply.get()] { exchange(*at); });
   // Limits from the vendor's pages, kept low: the service does not tell.
-  return {haply.release(),
-          {.name = "Haply Inverse3",
-           .max_force_n = 5,
-           .max_slew_n_per_s = 1000,
-           .max_stiffness_n_per_m = 2000},
-          read,
-          write,
-          close,
-          trouble};
+  const DeviceInfo info = {.name = "Haply Inverse3",
+                           .max_force_n = 5,
+                           .max_slew_n_per_s = 1000,
+                           .max_stiffness_n_per_m = 2000};
+  return relayed(haply.release(), info, close, trouble);
 }
 
 }  // namespace stylet::hal

@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "device_thread.h"
 #include "stylet/hal/clock.h"
 #include "stylet/hal/devices.h"
 #include "stylet/hal/relay.h"
@@ -121,13 +122,29 @@ constexpr std::size_t kMaxDevices = 4;
 
 struct Hd {
   Api api = load();
-  std::mutex mutex;  // opening and closing; never the servo
+  std::mutex mutex;                 // opening and closing; never the servo
+  std::atomic<bool> paused{false};  // the scheduler stands by our own order
   std::array<std::atomic<HdDevice*>, kMaxDevices> open{};
 };
 
 Hd& hd() {
   static Hd* const the_only = new Hd;  // outlives every thread of the vendor
   return *the_only;
+}
+
+// The scheduler serves all devices, and takes no new one while it runs. Standing, it gives no
+// samples: the guard of another hand latches that, as it should.
+void pause(Hd& all) {
+  all.paused.store(true);
+  all.api.stop_scheduler();
+}
+void resume(Hd& all) {
+  all.api.start_scheduler();
+  all.paused.store(false);
+}
+bool any_open(const Hd& all) {
+  return std::any_of(all.open.begin(), all.open.end(),
+                     [](const auto& slot) { return slot.load() != nullptr; });
 }
 
 // The stack of errors is one for all devices; what names none of them is meant for `mine`.
@@ -171,6 +188,7 @@ unsigned int servo(void* self) {
   api.set_doubles(kCurrentForce, force);
   api.end_frame(device.handle);
   const std::uint64_t tick = device.ticks.fetch_add(1, std::memory_order_relaxed);
+  if (tick == 0) rise_above_the_loop();  // the vendor chose its thread's priority without ours
   if (device.calibration.load() != kCalibrationOk && tick % kTicksBetweenCalibrations == 0) {
     calibrate(api, device);
   }
@@ -255,7 +273,7 @@ void supervise(HdDevice& device) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     const std::uint64_t ticks = device.ticks.load(std::memory_order_relaxed);
     const std::int64_t now_ns = monotonic_now_ns();
-    if (ticks != seen) moved_ns = now_ns;
+    if (ticks != seen || hd().paused.load()) moved_ns = now_ns;
     seen = ticks;
     if (ticks == 0 || now_ns - moved_ns < kStallNs) continue;
     device.relay.fail(kStalled);
@@ -293,25 +311,17 @@ void shut(HdDevice* device) {
   std::this_thread::sleep_for(std::chrono::milliseconds(5));
   device->closing.store(true);
   if (device->supervisor.joinable()) device->supervisor.join();
-  all.api.stop_scheduler();
+  pause(all);
   if (device->callback != 0) all.api.unschedule(device->callback);
-  bool others = false;
   for (auto& slot : all.open) {
     HdDevice* expected = device;
     (void)slot.compare_exchange_strong(expected, nullptr);
-    others = others || slot.load() != nullptr;
   }
   all.api.disable_device(device->handle);
-  if (others) all.api.start_scheduler();
+  if (any_open(all)) resume(all);
   delete device;
 }
 
-bool read(void* self, std::int64_t now_ns, Sample& sample_out) {
-  return static_cast<HdDevice*>(self)->relay.read(now_ns, sample_out);
-}
-void write(void* self, const Command& command) {
-  static_cast<HdDevice*>(self)->relay.write(command);
-}
 void close(void* self) {
   shut(static_cast<HdDevice*>(self));
 }
@@ -339,7 +349,7 @@ void start(Hd& all, HdDevice& device, int style) {
       static_cast<Enum>((style & kStyleInkwell) != 0 ? kStyleInkwell : kStyleAuto);
   device.supervisor = std::thread([&device] { supervise(device); });
   device.callback = api.schedule(servo, &device, kMaxPriority);
-  api.start_scheduler();
+  resume(all);
   if (const ErrorInfo error = api.get_error(); error.code != 0 && error.code != kInvalidInputType) {
     throw DeviceError(fmt::format("hd: the vendor's servo did not start: error 0x{:04x} ({})",
                                   error.code, api.get_error_string(error.code)));
@@ -355,16 +365,18 @@ std::string openhaptics_missing() try {
   return error.what();
 }
 
+bool openhaptics_in_use() {
+  return any_open(hd());
+}
+
 Device open_openhaptics(const std::string& name, double patience_s) {
   Hd& all = hd();
   const PointForNumbers point;
   std::unique_lock lock(all.mutex);
-  all.api.stop_scheduler();  // one that runs takes no new device
+  pause(all);
   auto made = std::make_unique<HdDevice>();
   const auto restart = [&all] {
-    for (auto& slot : all.open) {
-      if (slot.load() != nullptr) return all.api.start_scheduler();
-    }
+    if (any_open(all)) resume(all);
   };
   try {
     made->handle = init(all.api, name);
@@ -393,7 +405,7 @@ Device open_openhaptics(const std::string& name, double patience_s) {
     shut(device);
     throw;
   }
-  return {device, device->info, read, write, close, trouble};
+  return relayed(device, device->info, close, trouble);
 }
 
 }  // namespace stylet::hal

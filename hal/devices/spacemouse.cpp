@@ -136,10 +136,6 @@ void work(SpaceMouse& mouse) {
   mouse.relay.publish({position, mouse.rotation}, mouse.buttons, mouse.now_ns);
 }
 
-bool read(void* self, std::int64_t now_ns, Sample& sample_out) {
-  return static_cast<SpaceMouse*>(self)->relay.read(now_ns, sample_out);
-}
-void write(void* /*self*/, const Command& /*command*/) {}
 void close(void* self) {
   const std::unique_ptr<SpaceMouse> mouse(static_cast<SpaceMouse*>(self));
   mouse->thread.stop();
@@ -188,12 +184,8 @@ Device open_spacemouse(const std::string& rest, double /*patience_s*/) {
   mouse->now_ns = monotonic_now_ns();
   mouse->thread.start(0, [at = mouse.get()] { work(*at); });
   while (!mouse->relay.measured()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  return {mouse.release(),
-          {.name = "SpaceMouse", .max_force_n = 0, .max_slew_n_per_s = 0},
-          read,
-          write,
-          close,
-          trouble};
+  const DeviceInfo info = {.name = "SpaceMouse", .max_force_n = 0, .max_slew_n_per_s = 0};
+  return relayed(mouse.release(), info, close, trouble);
 }
 
 }  // namespace stylet::hal

@@ -6,11 +6,15 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "doctor_tree.h"
 #include "stylet/hal/devices.h"
 #include "stylet/hal/force_dimension.h"
 #include "stylet/hal/openhaptics.h"
 #include "stylet/hal/spacemouse.h"
+#include "usb_devices.h"
 
 namespace stylet::hal {
 namespace {
@@ -30,25 +34,31 @@ string id_of(const HostTree& tree, const string& folder, const char* which) {
   return read_text(tree, folder + "/" + which).value_or("");
 }
 
+bool is_one(const HostTree& tree, const string& folder, const char* scheme) {
+  const string vendor = id_of(tree, folder, "idVendor"), product = id_of(tree, folder, "idProduct");
+  return std::any_of(kUsbDevices.begin(), kUsbDevices.end(), [&](const UsbDevice& known) {
+    return scheme == std::string_view(known.scheme) && known.is(vendor, product);
+  });
+}
+
 // Terminals and raw HIDs carry their device's ids two or three folders up.
-void add_nodes(const HostTree& tree, const string& type, const string& vendor, Attached& found) {
+void add_nodes(const HostTree& tree, const string& type, const char* scheme, Attached& found) {
   for (const string& name : names_in(tree, "/sys/class/" + type)) {
     string folder = "/sys/class/" + type + "/" + name + "/device";
     for (int up = 0; up < 4; ++up, folder += "/..") {
-      if (id_of(tree, folder, "idVendor") != vendor) continue;
+      if (!is_one(tree, folder, scheme)) continue;
       found.nodes.push_back("/dev/" + name);
       break;
     }
   }
 }
 
-Attached find_usb(const HostTree& tree, const string& vendor, const string& product) {
+Attached find_usb(const HostTree& tree, const char* scheme) {
   const string bus = "/sys/bus/usb/devices";
   Attached found;
   for (const string& entry : names_in(tree, bus)) {
     const string folder = bus + "/" + entry;
-    if (id_of(tree, folder, "idVendor") != vendor) continue;
-    if (!product.empty() && id_of(tree, folder, "idProduct") != product) continue;
+    if (!is_one(tree, folder, scheme)) continue;
     found.place = "USB " + entry;
     const auto number = parse_number(id_of(tree, folder, "busnum"));
     const auto device = parse_number(id_of(tree, folder, "devnum"));
@@ -84,10 +94,10 @@ bool may_use(const HostTree& tree, const Attached& attached, DeviceSighting& out
 
 DeviceSighting openhaptics(const HostTree& tree) {
   DeviceSighting out = {"hd:", "3D Systems Touch and relatives", false, "", ""};
-  Attached touch = find_usb(tree, "2988", "");
+  Attached touch = find_usb(tree, "hd");
   touch.nodes.clear();  // the driver talks to a terminal or a raw HID
-  add_nodes(tree, "tty", "2988", touch);
-  add_nodes(tree, "hidraw", "2988", touch);
+  add_nodes(tree, "tty", "hd", touch);
+  add_nodes(tree, "hidraw", "hd", touch);
   if (const string missing = openhaptics_missing(); !missing.empty()) {
     out.seen = (touch.place.empty() ? "" : touch.place + ", but ") + missing;
     out.remedy =
@@ -110,8 +120,7 @@ DeviceSighting openhaptics(const HostTree& tree) {
 
 DeviceSighting force_dimension(const HostTree& tree) {
   DeviceSighting out = {"dhd:", "Force Dimension, Novint Falcon", false, "", ""};
-  Attached device = find_usb(tree, "1451", "");
-  if (device.place.empty()) device = find_usb(tree, "0403", "cb48");
+  const Attached device = find_usb(tree, "dhd");
   if (const string missing = force_dimension_missing(); !missing.empty()) {
     out.seen = (device.place.empty() ? "" : device.place + ", but ") + missing;
     out.remedy = "install the vendor's SDK (libdhd.so.3 and libusb-1.0)";
@@ -150,8 +159,7 @@ DeviceSighting haply() {
 
 DeviceSighting spacemouse(const HostTree& tree) {
   DeviceSighting out = {"spacemouse:", "3Dconnexion SpaceMouse", false, "", ""};
-  Attached mouse = find_usb(tree, "256f", "");
-  if (mouse.place.empty()) mouse = find_usb(tree, "046d", "c626");
+  const Attached mouse = find_usb(tree, "spacemouse");
   const string path = spacenavd_socket();
   if (!exists(tree, path)) {
     out.seen = (mouse.place.empty() ? "" : mouse.place + ", but ") + ("no socket " + path);

@@ -15,14 +15,21 @@
 
 namespace stylet::hal {
 
+// The calling thread, the vendor's or ours: a sample must not wait for the loop that waits for it.
+inline void rise_above_the_loop() {
+  constexpr sched_param kAboveTheLoop = {90};
+  (void)pthread_setschedparam(pthread_self(), SCHED_FIFO, &kAboveTheLoop);
+}
+
 class DeviceThread {
  public:
   // `work` is called once a period, 0: again and again, with the thread's own waiting in it.
   template <typename Work>
   void start(std::int64_t period_ns, Work work) {
-    thread_ = std::thread([this, period_ns, work] { run(period_ns, work); });
-    constexpr sched_param kAboveTheLoop = {90};
-    (void)pthread_setschedparam(thread_.native_handle(), SCHED_FIFO, &kAboveTheLoop);
+    thread_ = std::thread([this, period_ns, work] {
+      rise_above_the_loop();
+      run(period_ns, work);
+    });
   }
   void stop() {
     stop_.store(true);

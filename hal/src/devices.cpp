@@ -7,6 +7,7 @@
 
 #include "stylet/hal/force_dimension.h"
 #include "stylet/hal/haply.h"
+#include "stylet/hal/lasting_device.h"
 #include "stylet/hal/openhaptics.h"
 #include "stylet/hal/peer_device.h"
 #include "stylet/hal/pointer.h"
@@ -15,16 +16,25 @@
 namespace stylet::hal {
 namespace {
 
+constexpr double kAgainPatienceS = 1;  // for calibration and first samples, each time it is tried
+
+bool always() {
+  return true;
+}
+
 constexpr std::array kKinds = {
-    DeviceKind{"hd", "hd:", "3D Systems Touch and relatives, OpenHaptics", open_openhaptics},
-    DeviceKind{"dhd", "dhd:0", "Force Dimension and Novint Falcon, DHD", open_force_dimension},
-    DeviceKind{"haply", "haply:", "Haply Inverse3, its service", open_haply},
+    DeviceKind{"hd", "hd:", "3D Systems Touch and relatives, OpenHaptics", open_openhaptics,
+               [] { return !openhaptics_in_use(); }},
+    DeviceKind{"dhd", "dhd:0", "Force Dimension and Novint Falcon, DHD", open_force_dimension,
+               always},
+    DeviceKind{"haply", "haply:", "Haply Inverse3, its service", open_haply, always},
     DeviceKind{"spacemouse", "spacemouse:", "3Dconnexion SpaceMouse, spacenavd: no force",
-               open_spacemouse},
+               open_spacemouse, always},
     DeviceKind{"pointer", "pointer:", "mouse or finger on the console's page: no force",
-               open_pointer},
-    DeviceKind{"udp", "udp:7755", "another program, over the network", open_udp},
-    DeviceKind{"shm", "shm:mine", "another program, through shared memory", open_shared_memory},
+               open_pointer, nullptr},
+    DeviceKind{"udp", "udp:7755", "another program, over the network", open_udp, nullptr},
+    DeviceKind{"shm", "shm:mine", "another program, through shared memory", open_shared_memory,
+               nullptr},
 };
 
 const DeviceKind* kind_of(const std::string& uri) {
@@ -55,6 +65,14 @@ Device open_device(const std::string& uri, double patience_s) {
     throw DeviceError(fmt::format("{}: expected {}", uri, device_uri_fault(uri)));
   }
   return kind->open(uri.substr(uri.find(':') + 1), patience_s);
+}
+
+Device open_lasting_device(const std::string& uri, double patience_s) {
+  const DeviceKind* kind = kind_of(uri);
+  const Device device = open_device(uri, patience_s);
+  if (kind->may_open_again == nullptr) return device;
+  return lasting_device(device, {.open = [uri] { return open_device(uri, kAgainPatienceS); },
+                                 .may_open = kind->may_open_again});
 }
 
 }  // namespace stylet::hal

@@ -3,32 +3,18 @@
 #include <fmt/format.h>
 
 #include "doctor_checks.h"
+#include "usb_devices.h"
 
 namespace stylet::hal {
 namespace {
 
 using std::string;
 
-// Vendor, and product where the vendor makes other things too. toolchain/rt-host has the same list
-// for udev.
-struct KnownDevice {
-  const char* vendor;
-  const char* product;  // empty: any
-  const char* name;
-};
-constexpr KnownDevice kDevices[] = {
-    {"2988", "", "3D Systems Touch"},
-    {"1451", "", "Force Dimension"},
-    {"0403", "cb48", "Novint Falcon"},
-    {"256f", "", "3Dconnexion SpaceMouse"},
-};
-
 const char* haptic_name(const HostTree& tree, const string& folder) {
   const string vendor = read_text(tree, folder + "/idVendor").value_or("");
   const string product = read_text(tree, folder + "/idProduct").value_or("");
-  for (const KnownDevice& known : kDevices) {
-    const bool same = vendor == known.vendor && (*known.product == 0 || product == known.product);
-    if (same) return known.name;
+  for (const UsbDevice& known : kUsbDevices) {
+    if (known.is(vendor, product)) return known.name;
   }
   return nullptr;
 }

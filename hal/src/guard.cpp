@@ -209,13 +209,18 @@ void trip_on_motion(const GuardConfig& config, GuardState& state) {
 // ---- force
 // -----------------------------------------------------------------------------------------
 
-// The budget of the motors: full force while they are cool, the continuous one once they are warm.
+// The budget of the motors: full force while they are cool, the continuous one once they are warm;
+// and never one whose fall, by slew or in a fade, would take more than is left.
 double largest_force(const GuardConfig& config, const GuardState& state) {
   const double most = of(config.max_force_n), always = of(config.continuous_force_n);
+  if (always >= most) return most;
   const double warm = state.heat_n2 / (always * always);
-  const double back = (warm - of(kWarmShare)) / (1 - of(kWarmShare));
-  if (always >= most || back <= 0) return most;
-  return most + (always - most) * std::min(back, 1.0);
+  const double back = std::clamp((warm - of(kWarmShare)) / (1 - of(kWarmShare)), 0.0, 1.0);
+  const double fall_s =
+      std::max(most / of(config.max_slew_n_per_s), of(kDecayS)) / 3 + of(config.period_s);
+  const double left_n2 = std::max(always * always - state.heat_n2, 0.0);
+  const double falls = std::sqrt(left_n2 * of(config.thermal_s) / fall_s);
+  return std::max(std::min(most + (always - most) * back, falls), always);
 }
 
 void note_heat(const GuardConfig& config, GuardState& state) {

@@ -61,7 +61,9 @@ inline Vec3 minus(Vec3 a, Vec3 b) {
 // An open device with the guard around it, ticked by the test on the real clock.
 class Ticker {
  public:
-  explicit Ticker(const std::string& uri, float watchdog_s = 15e-3F) : device(open_device(uri)) {
+  explicit Ticker(const std::string& uri, float watchdog_s = 15e-3F)
+      : Ticker(open_device(uri), watchdog_s) {}
+  Ticker(const Device& open, float watchdog_s) : device(open) {
     guard.max_force_n = 3;
     guard.max_speed_m_per_s = 1e4F;  // the test's hand jumps, and takes energy as it likes
     guard.stored_energy_j = 1e6F;

@@ -294,6 +294,32 @@ TEST(ThermalBudget, PeakForceIsForSecondsAndTheMeanSquareIsKept) {
   EXPECT_NEAR(size(desk.state.force_n), 3.3, 1e-4);
 }
 
+// However short the time and small the continuous force, whatever is asked, and whenever it ends.
+TEST(ThermalBudget, IsKeptAtItsEdges) {
+  for (const float thermal_s : {1.0F, 5.0F, 60.0F}) {
+    for (const float always : {0.05F, 0.3F, 2.0F}) {
+      for (const int swing : {0, 3, 40, 700}) {
+        Desk desk;
+        desk.config.dead_man_button = -1;
+        desk.config.max_force_n = 8;
+        desk.config.max_slew_n_per_s = 400;
+        desk.config.buzz_n = 100;
+        desk.config.continuous_force_n = always;
+        desk.config.thermal_s = thermal_s;
+        const double most = static_cast<double>(always * always) * (1 + 1e-5);
+        for (int tick = 1; tick <= 5000; ++tick) {
+          const bool rests = swing > 0 && tick / swing % 2 == 1;
+          desk.asked_n = {rests ? 0.0F : 20.0F, 0, 0};
+          if (tick % 997 == 0) guard_trip(desk.state, Fault::kKernelFault);
+          (void)desk.tick(true);
+          (void)guard_rearm(desk.state, desk.state.fault);
+          ASSERT_LE(desk.state.heat_n2, most) << thermal_s << " " << always << " " << tick;
+        }
+      }
+    }
+  }
+}
+
 TEST(VelocityFuse, OneGlitchIsLeftOutAndAFastHandLatches) {
   Desk desk = desk_in(GuardMode::kLive);
   desk.position_m.x = 0.3F;

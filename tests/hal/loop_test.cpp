@@ -153,6 +153,26 @@ TEST(Acknowledged, ByItsNameWhileTheDeviceAnswersAndNotLater) {
   EXPECT_EQ(rig.state.hand[0].guard.counters.rearms, 1U);
 }
 
+// It was away, and somebody moved it: the needle goes on from where it was.
+TEST(Acknowledged, DeviceThatComesBackElsewhereDoesNotMoveTheNeedle) {
+  Rig rig;
+  rig.config.ticks = 600;
+  rig.config.hand[0].grip.enabled = true;
+  Spoiler spoiler{rig.device(), [&](std::uint64_t tick, Sample& sample) {
+                    if (tick >= 300) sample.pose.position_m.x += 0.05F;
+                    if (tick == 400) rig.state.mailbox[0].seen = Fault::kDeviceSilent;
+                    return tick < 200 || tick >= 300;
+                  }};
+  const std::vector<TickRecord> records = rig.run(spoiled(spoiler));
+  for (std::size_t i = 1; i < records.size(); ++i) {
+    const Vec3 &a = records[i - 1].input.handle.position_m, &b = records[i].input.handle.position_m;
+    ASSERT_LT(size(minus(b, a)), 1e-3) << i;
+  }
+  EXPECT_EQ(records[350].input.valid, 1U);
+  EXPECT_EQ(records.back().fault, Fault::kNone);
+  expect_safe(records, rig.config.hand[0].guard);
+}
+
 // Somebody quick: the force still fades. It is kept until then.
 TEST(Acknowledged, DuringTheFadeItWaitsForItsEnd) {
   Rig rig;

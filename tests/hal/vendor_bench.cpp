@@ -31,6 +31,8 @@ class VendorBench : public Bench {
     move({{}, {1, 0, 0, 0}});
     press(0);
     trouble(test::Trouble::kNone);
+    standin_(0)->hand_kg = 0;
+    for (auto& v : standin_(0)->velocity) v = 0;
   }
   std::string uri() const override { return uri_; }
 

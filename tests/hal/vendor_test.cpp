@@ -6,6 +6,7 @@
 #include <clocale>
 
 #include "device_bench.h"
+#include "stylet/hal/device_probe.h"
 #include "stylet/hal/loop.h"
 #include "stylet/hal/openhaptics.h"
 
@@ -99,6 +100,65 @@ TEST_F(OpenHaptics, NothingForbiddenIsCalled) {
   EXPECT_EQ(standin(0)->forbidden.load(), 0);
 }
 
+// A tick that is a little late is nobody's fault; the force of one that is very late has ended when
+// it comes, and the device goes on when somebody has acknowledged.
+TEST_F(OpenHaptics, LateTicksOfTheVendorsThread) {
+  Ticker ticker("hd:", 3e-3F);
+  const auto feels = [&] { return size(bench->felt()) > 0.9; };
+  ASSERT_TRUE(ticker.tick_until({0, 0, 1}, feels));
+  bool survived = false;
+  for (int i = 0; i < 20 && !survived; ++i) {  // this machine may be late by itself
+    if (ticker.state.fault != Fault::kNone) (void)guard_rearm(ticker.state, ticker.state.fault);
+    const std::uint64_t faults = ticker.state.counters.faults;
+    standin(0)->late_ms = 1;
+    for (int k = 0; k < 10; ++k) ticker.tick({0, 0, 1});
+    survived = ticker.state.counters.faults == faults && ticker.state.fault == Fault::kNone;
+  }
+  EXPECT_TRUE(survived);
+  ASSERT_TRUE(ticker.tick_until({0, 0, 1}, feels));
+  standin(0)->late_ms = 15;
+  for (int i = 0; i < 40; ++i) ticker.tick({0, 0, 1});
+  EXPECT_NE(ticker.state.fault, Fault::kNone);
+  EXPECT_EQ(size(bench->felt()), 0);
+  EXPECT_EQ(trouble_of(ticker.device), "");
+  EXPECT_TRUE(ticker.tick_until({0, 0, 1}, feels));
+}
+
+// What `stylet devices probe --push` sees of a hand of 200 g: it goes where it is pushed.
+void expect_pushed_along(const std::string& uri) {
+  const Device device = open_device(uri);
+  const std::atomic<bool> stop{false};
+  auto probe = std::make_unique<DeviceProbe>();
+  probe_device(device, 0.1, true, monotonic_clock(), stop, *probe);
+  device.close(device.self);
+  constexpr std::array<Vec3, 6> kWays = {
+      {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+  for (std::size_t i = 0; i < kWays.size(); ++i) {
+    const Vec3 moved = probe->push[i].moved_m, way = kWays[i];
+    EXPECT_GT(moved.x * way.x + moved.y * way.y + moved.z * way.z, 2e-3F) << i;
+  }
+}
+
+TEST_F(OpenHaptics, AHandGoesWhereItIsPushed) {
+  standin(0)->hand_kg = 0.2;
+  expect_pushed_along("hd:");
+}
+
+// The scheduler stands while one is opened: the other's supervisor must not take that for a stall.
+TEST_F(OpenHaptics, OpeningTheSecondLeavesTheFirstItsDevice) {
+  Ticker left("hd:Left");
+  ASSERT_TRUE(left.tick_until({}, [&] { return left.usable; }));
+  standin(1)->trouble = Trouble::kUncalibrated;  // takes its time
+  standin(1)->updates = -2;
+  {
+    Ticker right("hd:Right");
+    EXPECT_TRUE(left.tick_until({}, [&] { return left.usable; }));
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(40));
+  EXPECT_TRUE(left.tick_until({}, [&] { return left.usable; }));
+  EXPECT_EQ(trouble_of(left.device), "");
+}
+
 // Peers give both devices the same force, or refuse the second.
 TEST_F(OpenHaptics, TwoDevicesHaveTheirOwnPlacesAndForces) {
   Ticker left("hd:Left"), right("hd:Right");
@@ -165,6 +225,30 @@ TEST_F(ForceDimension, ForcesSwitchedOffStayOff) {
   bench->trouble(Trouble::kForcesOff);
   EXPECT_TRUE(ticker.tick_until({0, 0, 1}, [&] { return !ticker.answered; }));
   EXPECT_EQ(ticker.device.trouble(ticker.device.self), "forces are off: its button was pressed");
+}
+
+TEST_F(ForceDimension, AHandGoesWhereItIsPushed) {
+  standin(0)->hand_kg = 0.2;
+  expect_pushed_along("dhd:0");
+}
+
+TEST_F(ForceDimension, BrakeIsTroubleThatIsNamed) {
+  Ticker ticker("dhd:0");
+  for (int i = 0; i < 50; ++i) ticker.tick({0, 0, 1});  // its status was looked at
+  standin(0)->hand_kg = 0.2;
+  standin(0)->velocity[1] = 1;
+  EXPECT_TRUE(ticker.tick_until({0, 0, 1}, [&] { return !ticker.answered; }));
+  EXPECT_EQ(trouble_of(ticker.device), "forces are off: it was moved too fast");
+  EXPECT_EQ(size(bench->felt()), 0);
+}
+
+// The arm is carried by the commands, zero ones, too: also when the loop has stopped.
+TEST_F(ForceDimension, ArmDoesNotSagWhileTheLoopStands) {
+  Ticker ticker("dhd:0");
+  for (int i = 0; i < 20; ++i) ticker.tick({});
+  standin(0)->hand_kg = 0.2;
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_GT(standin(0)->position[2].load(), -0.02);  // free, it would have fallen 60 mm
 }
 
 TEST_F(ForceDimension, TorqueTurnsAsTheForceDoes) {

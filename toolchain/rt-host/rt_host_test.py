@@ -203,14 +203,14 @@ class Tree(unittest.TestCase):
                                   text=True)
             self.assertEqual(done.stdout, expected + "\n", cpus)
 
-    def test_udev_and_doctor_know_the_same_devices(self):
+    def test_udev_and_stylet_know_the_same_devices(self):
         rules = (HERE / "tree/etc/udev/rules.d/70-stylet-haptic.rules").read_text()
         for_udev = set(re.findall(r'"usb_device", ATTR\{idVendor\}=="(\w+)"'
                                   r'(?:, ATTR\{idProduct\}=="(\w+)")?', rules))
-        source = (HERE.parents[1] / "hal/src/doctor_device.cpp").read_text()
-        for_doctor = set(re.findall(r'\{"(\w{4})", "(\w*)", "', source))
+        source = (HERE.parents[1] / "hal/src/usb_devices.h").read_text()
+        for_stylet = set(re.findall(r'\{"\w+", "(\w{4})", "(\w*)", "', source))
         self.assertGreater(len(for_udev), 2)
-        self.assertEqual(for_udev, for_doctor)
+        self.assertEqual(for_udev, for_stylet)
 
 
 if __name__ == "__main__":

@@ -30,7 +30,22 @@ struct StandIn {
   std::atomic<int> forbidden;  // calls that the vendor's manual forbids
   std::atomic<int> updates;    // of the calibration
   std::atomic<int> ticks;
+  std::atomic<int> late_ms;         // the next tick of the vendor's thread is so late
+  std::atomic<double> hand_kg;      // more than 0: a mass that the motors move; else it stays put
+  std::atomic<double> velocity[3];  // of that mass, m/s
 };
+
+// The mass under the motors' force, a share of its weight and the hand's damping, for so long.
+// `metre`: in the vendor's unit; `up`: the vendor's vertical axis.
+inline void move_hand(StandIn& unit, double seconds, double metre, int up, double weight_share) {
+  const double mass = unit.hand_kg.load();
+  for (int i = 0; mass > 0 && i < 3; ++i) {
+    const double weight = i == up ? -9.81 * weight_share * mass : 0;
+    unit.velocity[i] =
+        unit.velocity[i] + (unit.force[i] + weight - 5 * unit.velocity[i]) / mass * seconds;
+    unit.position[i] = unit.position[i] + metre * unit.velocity[i] * seconds;
+  }
+}
 
 using StandInOf = StandIn* (*)(int index);
 

@@ -2,6 +2,8 @@
 // libdhd.so that is none, in three ages: as it is now; STYLET_DHD_BARE without the newer calls;
 // STYLET_DHD_OLD with the names of version 3.2. As the vendor's: results above zero are no errors;
 // a watchdog ends the force; saturation and time guard are told; x toward the user, y right, z up.
+// A hand of one mass may be on it: moved faster than kBrakeMPerS it brakes, and it weighs as much
+// as gravity compensation, which lives in the force commands, does not carry.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -17,6 +19,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kDevices = 2;
 constexpr double kMostForceN = 12;
+constexpr double kBrakeMPerS = 0.5;
+constexpr double kHeldS = 0.005;  // a force command carries the arm for so long
 
 struct Unit {
   StandIn seen;
@@ -26,6 +30,9 @@ struct Unit {
   std::atomic<Clock::rep> fed{0};
   std::atomic<int> cause{0};
   std::atomic<Clock::rep> read{0};
+  std::atomic<Clock::rep> moved{0};
+  std::atomic<bool> carried{true};  // gravity compensation is on
+  std::atomic<bool> brakes{false};
 };
 Unit units[kDevices];
 thread_local int last_error = 0;
@@ -52,6 +59,22 @@ void off(Unit& u, int cause) {
   u.output = false;
   u.cause = cause;
   stop_motors(u);
+}
+
+// Up to now. By whoever calls first: a moment counted twice or left out does not matter here.
+void live(Unit& u) {
+  const Clock::rep before = u.moved.exchange(now());
+  const double seconds = before == 0 ? 0 : 1e-6 * static_cast<double>(microseconds_since(before));
+  const bool held =
+      u.carried && u.open && 1e-6 * static_cast<double>(microseconds_since(u.fed)) < kHeldS;
+  stylet::test::move_hand(u.seen, std::min(seconds, 0.005), 1, 2, held ? 0 : 1);
+  const double speed =
+      std::hypot(u.seen.velocity[0].load(), u.seen.velocity[1].load(), u.seen.velocity[2].load());
+  if (u.output && speed > kBrakeMPerS) {
+    off(u, 2);
+    u.brakes = true;
+    for (auto& v : u.seen.velocity) v = 0;
+  }
 }
 
 // Null: the call fails.
@@ -83,6 +106,7 @@ StandIn* standin(int index) {
   Unit& u = units[index];
   const long limit = u.watchdog_us.load();
   if (limit != 0 && u.output && microseconds_since(u.fed.load()) > limit) off(u, 3);
+  live(u);
   return &u.seen;
 }
 
@@ -93,6 +117,8 @@ int dhdOpenID(char index) {
   if (u.seen.trouble.load() == Trouble::kInUse || u.open) return failed(20);
   u.open = true;
   u.cause = 0;
+  u.brakes = false;
+  u.moved = 0;
   u.watchdog_us = 0;
   return index;
 }
@@ -150,6 +176,7 @@ int dhdGetOrientationFrame(double m[3][3], char id)
 int dhdSetForce(double x, double y, double z, char id) {
   Unit* u = answering(id);
   if (u == nullptr) return failed(2);
+  live(*u);
   u->fed = now();
   ++u->seen.ticks;
   const double size = std::sqrt(x * x + y * y + z * z);
@@ -184,6 +211,7 @@ int dhdGetStatus(int* status, char id) {
   status[0] = status[1] = status[2] = 1;
   status[3] = u->seen.trouble.load() == Trouble::kUncalibrated ? 1 : 0;
   status[5] = u->output ? 1 : 0;
+  status[6] = u->brakes ? 1 : 0;
   status[14] = u->cause;
   return 0;
 }
@@ -212,7 +240,8 @@ bool dhdHasActiveWrist(char) {
   return true;
 }
 
-int dhdSetGravityCompensation(int, char) {
+int dhdSetGravityCompensation(int on, char id) {
+  units[id == 1 ? 1 : 0].carried = on != 0;
   return 0;
 }
 int dhdEnableExpertMode() {

@@ -2,7 +2,8 @@
 // libHD.so that is none: two devices ("Left", "Right"; the default is the first), one scheduler
 // thread, one stack of errors. As the vendor's: force is zeroed when a frame begins and reaches the
 // motors when it ends; one frame a tick; state calls only in the scheduler's thread while it runs;
-// motors keep their force when the thread dies; numbers are read in the process's locale.
+// motors keep their force when the thread dies or is late; numbers are read in the process's
+// locale. A hand of one mass may be on it.
 #include <pthread.h>
 
 #include <algorithm>
@@ -94,10 +95,19 @@ void tick() {
   }
 }
 
+// Motors hold their force meanwhile.
+void be_late() {
+  for (Unit& each : units) {
+    const int late_ms = each.seen.late_ms.exchange(0);
+    if (late_ms > 0) std::this_thread::sleep_for(std::chrono::milliseconds(late_ms));
+  }
+}
+
 void schedule_loop() {
   servo_thread = std::this_thread::get_id();
   auto next = std::chrono::steady_clock::now();
   while (running.load()) {
+    be_late();
     if (!silent()) tick();
     next = std::max(next + std::chrono::milliseconds(1), std::chrono::steady_clock::now());
     std::this_thread::sleep_until(next);
@@ -171,6 +181,7 @@ void hdEndFrame(unsigned handle) {
     raise(0x0302, handle);
   }
   if (trouble == Trouble::kHarmless) raise(0x0200, handle);
+  stylet::test::move_hand(u->seen, 1e-3, 1e3, 1, 0);
 }
 
 ErrorInfo hdGetError() {
@@ -201,7 +212,6 @@ void hdGetDoublev(unsigned what, double* out) {
   if (u == nullptr) return raise(0x0104, current);
   if (what == 0x2602) *out = 0.4;
   if (what == 0x2603) *out = 3.3;
-  if (what == 0x2604) *out = 0.88;
   if (what == 0x2604) *out = 0.88;
   if (what != 0x2052) return;
   for (int row = 0; row < 3; ++row) {

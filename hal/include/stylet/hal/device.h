@@ -51,8 +51,12 @@ struct Device {
   bool (*read)(void* self, std::int64_t now_ns, Sample& sample_out) = nullptr;
   void (*write)(void* self, const Command& command) = nullptr;
   void (*close)(void* self) = nullptr;  // leaves the device without force
-  // Outside the loop, before close: why it does not answer any more, in words; empty: no trouble.
+  // On any thread but the loop's, before close: why it does not answer any more, in words; empty: no trouble.
   std::string (*trouble)(void* self) = nullptr;
 };
+
+inline std::string trouble_of(const Device& device) {
+  return device.trouble != nullptr ? device.trouble(device.self) : "";
+}
 
 }  // namespace stylet::hal

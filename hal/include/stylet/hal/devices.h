@@ -30,6 +30,8 @@ struct DeviceKind {
   const char* example;  // of a URI
   const char* name;
   Device (*open)(const std::string& rest, double patience_s);
+  // Whether it may be opened again now, once it has failed for good; null: it comes back by itself.
+  bool (*may_open_again)();
 };
 std::span<const DeviceKind> device_kinds();
 
@@ -37,5 +39,8 @@ std::span<const DeviceKind> device_kinds();
 std::string device_uri_fault(const std::string& uri);
 // close frees what open made.
 Device open_device(const std::string& uri, double patience_s = 10);
+// Likewise; and when the device has failed for good, a thread that is not the loop's opens it again
+// as soon as it can (lasting_device.h).
+Device open_lasting_device(const std::string& uri, double patience_s = 10);
 
 }  // namespace stylet::hal

@@ -16,6 +16,8 @@ namespace stylet::hal {
 
 // Empty name: the default device. Waits for calibration up to patience_s.
 Device open_openhaptics(const std::string& name, double patience_s);
+// One is open: another could be opened only by stopping its servo for a moment.
+bool openhaptics_in_use();
 // Empty: the library is there. Else why not, in one line.
 std::string openhaptics_missing();
 

@@ -58,4 +58,17 @@ class Relay {
   std::int64_t tick_ns_ = 0;  // the loop
 };
 
+// The device as the loop sees it, of whatever has a member `relay`.
+template <typename Backend>
+Device relayed(Backend* self, const DeviceInfo& info, void (*close)(void*),
+               std::string (*trouble)(void*)) {
+  const auto read = [](void* at, std::int64_t now_ns, Sample& sample_out) {
+    return static_cast<Backend*>(at)->relay.read(now_ns, sample_out);
+  };
+  const auto write = [](void* at, const Command& command) {
+    static_cast<Backend*>(at)->relay.write(command);
+  };
+  return {self, info, read, write, close, trouble};
+}
+
 }  // namespace stylet::hal

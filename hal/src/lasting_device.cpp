@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stylet/hal/lasting_device.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "stylet/hal/devices.h"
+
+namespace stylet::hal {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+constexpr Seconds kLookEvery(0.02);
+
+struct Lasting {
+  Reopening reopening;
+  std::string name;
+  DeviceInfo info;
+  // The device of the moment is lent to the loop; `used` is the one it is busy with.
+  std::atomic<const Device*> lent{nullptr};
+  std::atomic<const Device*> used{nullptr};
+  std::atomic<std::uint32_t> opened{1};  // times
+  // The loop's own.
+  std::uint32_t read_from = 1;
+  std::uint64_t seq_base = 0, seq = 0;
+  // The keeper's, and who asks for the trouble.
+  std::mutex mutex;
+  std::condition_variable wake;
+  bool stop = false;
+  std::string trouble;
+  std::unique_ptr<Device> device;
+  std::thread keeper;
+};
+
+// ==== The loop
+
+// Null: none, or it is being taken away.
+const Device* borrow(Lasting& lasting) {
+  const Device* device = lasting.lent.load();
+  lasting.used.store(device);
+  if (lasting.lent.load() == device) return device;
+  lasting.used.store(nullptr);
+  return nullptr;
+}
+
+bool read(void* self, std::int64_t now_ns, Sample& sample_out) {
+  Lasting& lasting = *static_cast<Lasting*>(self);
+  const Device* device = borrow(lasting);
+  Sample sample = {};
+  const bool answered = device != nullptr && device->read(device->self, now_ns, sample);
+  const std::uint32_t opened = lasting.opened.load();
+  lasting.used.store(nullptr);
+  if (!answered) return false;
+  if (opened != lasting.read_from) lasting.seq_base = lasting.seq;
+  lasting.read_from = opened;
+  sample.seq += lasting.seq_base;
+  lasting.seq = sample.seq;
+  sample_out = sample;
+  return true;
+}
+
+void write(void* self, const Command& command) {
+  Lasting& lasting = *static_cast<Lasting*>(self);
+  if (const Device* device = borrow(lasting); device != nullptr) {
+    device->write(device->self, command);
+  }
+  lasting.used.store(nullptr);
+}
+
+// ==== The keeper
+
+void retire(Lasting& lasting) {
+  lasting.lent.store(nullptr);
+  while (lasting.used.load() == lasting.device.get()) std::this_thread::yield();
+  lasting.device->close(lasting.device->self);
+  lasting.device.reset();
+}
+
+bool renders_less(const DeviceInfo& now, const DeviceInfo& first) {
+  return now.max_force_n < first.max_force_n || now.max_torque_nm < first.max_torque_nm ||
+         now.max_stiffness_n_per_m < first.max_stiffness_n_per_m ||
+         now.continuous_force_n < first.continuous_force_n;
+}
+
+// Empty: it is open and lent to the loop.
+std::string open_again(Lasting& lasting) try {
+  if (lasting.reopening.may_open != nullptr && !lasting.reopening.may_open()) {
+    return "it can be opened again only when no other of its kind is in use: end the run";
+  }
+  const Device device = lasting.reopening.open();
+  if (renders_less(device.info, lasting.info)) {
+    device.close(device.self);
+    return fmt::format(
+        "{} has come in its place, which renders less: end the run and start it again",
+        device.info.name);
+  }
+  lasting.device = std::make_unique<Device>(device);
+  lasting.opened.fetch_add(1);
+  lasting.lent.store(lasting.device.get());
+  return "";
+} catch (const DeviceError& error) {
+  return error.what();
+}
+
+void keep(Lasting& lasting) {
+  Seconds wait = kLookEvery, pause(lasting.reopening.first_try_s);
+  std::unique_lock lock(lasting.mutex);
+  while (!lasting.wake.wait_for(lock, wait, [&] { return lasting.stop; })) {
+    lock.unlock();
+    std::string trouble;
+    if (lasting.device != nullptr) {
+      trouble = trouble_of(*lasting.device);
+      wait = kLookEvery;
+      if (!trouble.empty()) {
+        retire(lasting);
+        wait = pause = Seconds(lasting.reopening.first_try_s);
+      }
+    } else {
+      trouble = open_again(lasting);
+      pause = std::min(2 * pause, Seconds(lasting.reopening.longest_try_s));
+      wait = trouble.empty() ? kLookEvery : pause;
+    }
+    lock.lock();
+    lasting.trouble = trouble;
+  }
+}
+
+void close(void* self) {
+  const std::unique_ptr<Lasting> lasting(static_cast<Lasting*>(self));
+  {
+    const std::lock_guard lock(lasting->mutex);
+    lasting->stop = true;
+  }
+  lasting->wake.notify_one();
+  lasting->keeper.join();
+  if (lasting->device != nullptr) retire(*lasting);
+}
+
+std::string trouble(void* self) {
+  Lasting& lasting = *static_cast<Lasting*>(self);
+  const std::lock_guard lock(lasting.mutex);
+  return lasting.trouble;
+}
+
+}  // namespace
+
+Device lasting_device(const Device& first, const Reopening& reopening) {
+  auto lasting = std::make_unique<Lasting>();
+  lasting->reopening = reopening;
+  lasting->name = first.info.name;  // the first device's own goes with it
+  lasting->info = first.info;
+  lasting->info.name = lasting->name.c_str();
+  lasting->device = std::make_unique<Device>(first);
+  lasting->lent.store(lasting->device.get());
+  lasting->keeper = std::thread([at = lasting.get()] { keep(*at); });
+  Lasting* made = lasting.release();
+  return {made, made->info, read, write, close, trouble};
+}
+
+}  // namespace stylet::hal

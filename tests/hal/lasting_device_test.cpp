@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// A device that fails and is opened again, while a loop reads and writes it without a pause.
+#include "stylet/hal/lasting_device.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <thread>
+#include <vector>
+
+#include "stylet/hal/devices.h"
+
+namespace stylet::hal {
+namespace {
+
+// All that were ever made; whoever touches one that is closed is seen.
+struct Fake {
+  std::atomic<bool> open{true}, failed{false};
+  std::atomic<int> touched_closed{0}, touched{0};
+  std::uint64_t seq = 0;
+  float max_force_n = 3;
+};
+struct Factory {
+  std::mutex mutex;
+  std::vector<std::unique_ptr<Fake>> made;
+  std::vector<std::chrono::steady_clock::time_point> tries;
+  std::atomic<bool> refuses{false};
+  float max_force_n = 3;
+
+  Device open() {
+    const std::lock_guard lock(mutex);
+    tries.push_back(std::chrono::steady_clock::now());
+    if (refuses) throw DeviceError("fake: not there");
+    made.push_back(std::make_unique<Fake>());
+    made.back()->max_force_n = max_force_n;
+    Fake* fake = made.back().get();
+    return {fake,
+            {"a fake", max_force_n, 100},
+            [](void* self, std::int64_t now_ns, Sample& out) {
+              Fake& f = *static_cast<Fake*>(self);
+              ++(f.open ? f.touched : f.touched_closed);
+              if (f.failed) return false;
+              out = {++f.seq, now_ns, {{}, {1, 0, 0, 0}}, 0};
+              return true;
+            },
+            [](void* self, const Command&) {
+              Fake& f = *static_cast<Fake*>(self);
+              ++(f.open ? f.touched : f.touched_closed);
+            },
+            [](void* self) { static_cast<Fake*>(self)->open = false; },
+            [](void* self) -> std::string {
+              return static_cast<Fake*>(self)->failed ? "the fake has failed" : "";
+            }};
+  }
+  std::size_t count() {
+    const std::lock_guard lock(mutex);
+    return made.size();
+  }
+  Fake& newest() {
+    const std::lock_guard lock(mutex);
+    return *made.back();
+  }
+  Device lasting(bool (*may_open)() = nullptr) {
+    return lasting_device(open(), {[this] { return open(); }, may_open, 0.01, 0.08});
+  }
+};
+
+// Ticks without a pause; at most a minute, on a machine that is very busy.
+bool ticks_until(const Device& device, const std::function<bool()>& done, std::uint64_t& seq) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!done()) {
+    Sample sample = {};
+    if (device.read(device.self, 0, sample)) {
+      EXPECT_GT(sample.seq, seq);
+      seq = sample.seq;
+    }
+    device.write(device.self, {{}});
+    std::this_thread::yield();
+    if (std::chrono::steady_clock::now() > end) return false;
+  }
+  return true;
+}
+
+TEST(LastingDevice, IsOpenedAgainAndCountsOnAndNobodyTouchesAClosedOne) {
+  Factory factory;
+  const Device device = factory.lasting();
+  std::uint64_t seq = 0;
+  for (std::size_t times = 1; times <= 10; ++times) {
+    ASSERT_TRUE(ticks_until(
+        device, [&] { return factory.newest().touched > 100; }, seq));
+    factory.newest().failed = true;
+    ASSERT_TRUE(ticks_until(
+        device, [&] { return factory.count() == times + 1; }, seq));
+  }
+  ASSERT_TRUE(ticks_until(
+      device, [&] { return trouble_of(device).empty(); }, seq));
+  device.close(device.self);
+  for (const auto& each : factory.made) {
+    EXPECT_FALSE(each->open);
+    EXPECT_EQ(each->touched_closed, 0);
+  }
+}
+
+TEST(LastingDevice, WaitsLongerEachTimeAndSaysWhy) {
+  Factory factory;
+  const Device device = factory.lasting();
+  factory.refuses = true;
+  factory.newest().failed = true;
+  std::uint64_t seq = 0;
+  const auto tries = [&] {
+    const std::lock_guard lock(factory.mutex);
+    return factory.tries.size();
+  };
+  ASSERT_TRUE(ticks_until(
+      device, [&] { return tries() >= 7; }, seq));
+  EXPECT_EQ(trouble_of(device), "fake: not there");
+  Sample sample = {};
+  EXPECT_FALSE(device.read(device.self, 0, sample));
+  factory.refuses = false;
+  ASSERT_TRUE(ticks_until(
+      device, [&] { return factory.count() == 2; }, seq));
+  device.close(device.self);
+  // The first is the opening itself; a busy machine waits longer, never shorter.
+  const auto pause_ms = [&](std::size_t i) {
+    return std::chrono::duration<double, std::milli>(factory.tries[i + 1] - factory.tries[i])
+        .count();
+  };
+  constexpr double kLeastMs[] = {0, 20, 40, 80, 80, 80};
+  for (std::size_t i = 1; i < 6; ++i) EXPECT_GE(pause_ms(i), kLeastMs[i]) << i;
+}
+
+TEST(LastingDevice, WhatRendersLessIsNotTakenAndNamed) {
+  Factory factory;
+  const Device device = factory.lasting();
+  factory.newest().failed = true;
+  factory.max_force_n = 1;
+  std::uint64_t seq = 0;
+  ASSERT_TRUE(ticks_until(
+      device, [&] { return trouble_of(device).find("a fake has come in its place") == 0; }, seq));
+  EXPECT_FALSE(factory.newest().open);
+  EXPECT_EQ(factory.newest().touched, 0);
+  EXPECT_STREQ(device.info.name, "a fake");
+  device.close(device.self);
+}
+
+TEST(LastingDevice, DoesNotDisturbAnother) {
+  Factory factory;
+  const Device device = factory.lasting([] { return false; });
+  factory.newest().failed = true;
+  std::uint64_t seq = 0;
+  ASSERT_TRUE(ticks_until(
+      device, [&] { return trouble_of(device).find("no other of its kind") != std::string::npos; },
+      seq));
+  EXPECT_EQ(factory.count(), 1U);
+  device.close(device.self);
+}
+
+}  // namespace
+}  // namespace stylet::hal
