@@ -51,7 +51,7 @@ struct Device {
   bool (*read)(void* self, std::int64_t now_ns, Sample& sample_out) = nullptr;
   void (*write)(void* self, const Command& command) = nullptr;
   void (*close)(void* self) = nullptr;  // leaves the device without force
-  // On any thread but the loop's, before close: why it does not answer any more, in words; empty: no trouble.
+  // Any thread but the loop's, before close: why it does not answer any more; empty: no trouble.
   std::string (*trouble)(void* self) = nullptr;
 };
 
