@@ -105,6 +105,7 @@ void tell(const Json& r) {
   }
   fmt::print("steps     {} um, smallest seen of x, y, z\n", r["smallest_step_um"].dump());
   fmt::print("moved     from {} to {} mm\n", r["low_mm"].dump(), r["high_mm"].dump());
+  if (r.contains("about")) fmt::print("about     {}\n", r["about"].get<std::string>());
   fmt::print("buttons   pressed: {:#b}\n", r["buttons_seen"].get<std::uint32_t>());
   for (const Json& push : r["pushes"]) {
     fmt::print("push {}   {:.2f} N: the hand {}\n", push["way"].get<std::string>(),
@@ -173,7 +174,8 @@ int probe(const ProbeOptions& options) {
   hal::prepare_thread(-1, 80, host);
   const auto seen = std::make_unique<hal::DeviceProbe>();
   hal::probe_device(device, options.seconds, pushes, hal::monotonic_clock(), stop, *seen);
-  const Json record = record_of(options.uri, device.info, *seen);
+  Json record = record_of(options.uri, device.info, *seen);
+  if (device.about != nullptr) record["about"] = device.about(device.self);
   if (!options.output.empty()) {
     std::ofstream file(options.output);
     file << record.dump(2) << "\n";

@@ -46,6 +46,7 @@ struct Api {
   bool (*has_active_wrist)(char);
   int (*expert)();
   int (*set_watchdog)(unsigned char, char);
+  int (*emulate_button)(unsigned char, char);
 };
 
 // Of the rest, every version has another choice.
@@ -72,6 +73,7 @@ Api load() {
   library.find("dhdHasActiveWrist", api.has_active_wrist);
   library.find("dhdEnableExpertMode", api.expert);
   library.find("dhdSetWatchdog", api.set_watchdog);
+  library.find("dhdEmulateButton", api.emulate_button);
   return api;
 }
 
@@ -267,6 +269,8 @@ Device open_force_dimension(const std::string& index, double patience_s) {
     describe(api, *device);
     wait_for_calibration(api, device->id, patience_s);
     if (api.set_gravity != nullptr) (void)api.set_gravity(1, device->id);
+    // The seventh axis: a gripper that is closed is button 0. Refused where there is none.
+    if (api.emulate_button != nullptr) (void)api.emulate_button(1, device->id);
     const bool expert = api.expert != nullptr && api.expert() >= 0;
     if (expert && api.set_watchdog != nullptr) (void)api.set_watchdog(kWatchdog, device->id);
     if (api.enable_force(1, device->id) < 0) {

@@ -3,17 +3,21 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/websocket.hpp>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "device_thread.h"
+#include "haply_events.h"
 #include "stylet/hal/devices.h"
 #include "stylet/hal/relay.h"
 #include "vendor_pose.h"
@@ -28,10 +32,21 @@ namespace websocket = boost::beast::websocket;
 constexpr std::int64_t kExchangeNs = 500'000;
 using Milliseconds = std::chrono::milliseconds;
 constexpr Milliseconds kAnswerTime(20), kOpeningTime(2000);
-constexpr std::uint32_t kNoAnswer = 1, kDeviceGone = 2;
+constexpr std::uint32_t kNoAnswer = 1, kDeviceGone = 2, kBrake = 3;
+constexpr const char* kExpected =
+    "expected nothing, ID, or ID@ADDRESS:PORT, and then ,gate=0.3 ,damping=0 or ,events=10020";
 constexpr const char* kGrips[] = {"wireless_verse_grip", "verse_grip", "custom_verse_grip"};
 constexpr const char* kButtons[][2] = {
     {"a", "button_0"}, {"b", "button_1"}, {"c", "button_2"}, {"home", "button_3"}};
+
+// After the commas of a URI. What the service makes of a force: the gate takes some of it where it
+// sees oscillation, damping resists motion. Damping is the kernel's business, so it is none unless
+// asked for; the gate is a net of the service's own and stays as it is.
+struct Wishes {
+  double gate = -1;  // below zero: as the service has it
+  double damping = 0;
+  unsigned short events = 10020;
+};
 
 struct Haply {
   Relay relay;
@@ -40,6 +55,13 @@ struct Haply {
   websocket::stream<tcp::socket> socket{io};
   boost::beast::flat_buffer buffer;
   std::string wanted_id, id;
+  Wishes wishes;
+  // What the service tells of itself: filters at the start, the force it renders, the newest event.
+  double gate = -1, damping = -1;
+  std::atomic<float> asked_n{0}, rendered_n{0};
+  std::mutex mutex;
+  std::string warning;
+  std::unique_ptr<HaplyEvents> events;
   bool calibrated = false;
   Pose pose = {{}, {1, 0, 0, 0}};
   std::uint32_t buttons = 0;
@@ -75,9 +97,14 @@ bool truth(const json* object, const char* key) {
   return found->is_boolean() ? found->get<bool>() : found->is_number() && *found != 0;
 }
 
+// One that sleeps or has gone holds no button: a dead man's must not stay pressed.
 void take_grip(const json& message, Haply& haply) {
+  haply.buttons = 0;
   for (const char* kind : kGrips) {
-    const json* state = part(entry(message, kind, ""), "state");
+    const json* grip = entry(message, kind, "");
+    const json* status = part(grip, "status");
+    if (part(status, "awake") != nullptr && !truth(status, "awake")) continue;
+    const json* state = part(grip, "state");
     const json* q = part(state, "orientation");
     double w = 0, x = 0, y = 0, z = 0;
     if (!number(q, "w", w) || !number(q, "x", x) || !number(q, "y", y) || !number(q, "z", z)) {
@@ -96,14 +123,35 @@ void take_grip(const json& message, Haply& haply) {
   }
 }
 
+// The inventory, which comes first, tells it.
+void take_filters(const json& message, Haply& haply) {
+  const json* filters =
+      part(part(entry(message, "inverse3", haply.wanted_id), "config"), "filters");
+  (void)number(part(filters, "force_gate"), "gain", haply.gate);
+  (void)number(part(filters, "damping"), "scalar", haply.damping);
+}
+
+double length(const UserFirst& v) {
+  return std::hypot(v.x, v.y, v.z);
+}
+
+// What comes out of the service's filters.
+void take_rendered(const json* state, Haply& haply) {
+  const json* force = part(state, "current_cursor_force");
+  UserFirst f = {};
+  if (!number(force, "x", f.x) || !number(force, "y", f.y) || !number(force, "z", f.z)) return;
+  haply.rendered_n = static_cast<float>(length(f));
+}
+
 // True if it holds a place of our device.
 bool take(const json& message, Haply& haply) {
   const json* device = entry(message, "inverse3", haply.wanted_id);
   if (device == nullptr) return false;
-  haply.id = device->value("device_id", haply.id);
+  if (haply.id.empty()) haply.id = device->value("device_id", "");
   if (part(part(device, "status"), "calibrated") != nullptr) {
     haply.calibrated = truth(part(device, "status"), "calibrated");
   }
+  take_rendered(part(device, "state"), haply);
   const json* place = part(part(device, "state"), "cursor_position");
   double x = 0, y = 0, z = 0;
   if (!number(place, "x", x) || !number(place, "y", y) || !number(place, "z", z)) return false;
@@ -118,6 +166,17 @@ std::string command(const Haply& haply, Vec3 force_n) {
   return fmt::format(
       R"({{"inverse3":[{{"device_id":"{}","commands":{{"set_cursor_force":{{"values":{}}}}}}}]}})",
       haply.id, values);
+}
+
+// Lasts as long as the connection.
+std::string configuration(const Haply& haply) {
+  std::string gate;
+  if (haply.wishes.gate >= 0) {
+    gate = fmt::format(R"(,"force_gate":{{"gain":{:g}}})", haply.wishes.gate);
+  }
+  return fmt::format(
+      R"({{"inverse3":[{{"device_id":"{}","configure":{{"damping":{{"scalar":{:g}}}{}}}}}]}})",
+      haply.id, haply.wishes.damping, gate);
 }
 
 // ==== The connection
@@ -140,11 +199,11 @@ bool receive(Haply& haply, json& message, Milliseconds longest = kAnswerTime) {
   return true;
 }
 
-bool send(Haply& haply, const std::string& text) {
+bool send(Haply& haply, const std::string& text, Milliseconds longest = kAnswerTime) {
   bool done = false;
   haply.socket.async_write(boost::asio::buffer(text),
                            [&](boost::beast::error_code error, std::size_t) { done = !error; });
-  return finish(haply, done, kAnswerTime);
+  return finish(haply, done, longest);
 }
 
 // A closed connection is all that can be done about a force the service may still hold. Whatever
@@ -157,14 +216,14 @@ void hang_up(Haply& haply) {
 }
 
 void exchange(Haply& haply) {
-  if (haply.relay.failed()) return;
+  if (!haply.socket.next_layer().is_open()) return;
   json message;
   const Vec3 force_n = haply.relay.order(monotonic_now_ns()).force_n;
-  if (!send(haply, command(haply, force_n)) || !receive(haply, message)) {
-    haply.relay.fail(kNoAnswer);
-    return hang_up(haply);
-  }
-  if (message.is_discarded()) return;  // not a message: the next one may be
+  haply.asked_n = static_cast<float>(length(to_user_first(force_n)));
+  const bool answered = send(haply, command(haply, force_n)) && receive(haply, message);
+  if (!answered) haply.relay.fail(kNoAnswer);
+  if (haply.relay.failed()) return hang_up(haply);  // an event may have said so, too
+  if (message.is_discarded()) return;               // not a message: the next one may be
   if (take(message, haply)) {
     haply.relay.publish(haply.pose, haply.buttons, monotonic_now_ns());
   } else if (message.contains("inverse3")) {
@@ -173,20 +232,78 @@ void exchange(Haply& haply) {
   }
 }
 
+// In the thread of the events. What ends the device for the hand ends it for us, at once and by its
+// name; the rest is told when somebody asks.
+void hear(Haply& haply, const HaplyEvent& event) {
+  if (!event.device_id.empty() && event.device_id != haply.id) return;
+  if (event.name == "device-disconnected") haply.relay.fail(kDeviceGone);
+  if (event.safety == "ebrake_triggered") haply.relay.fail(kBrake);
+  if (!event.warns) return;
+  const std::lock_guard lock(haply.mutex);
+  haply.warning = event.name + (event.message.empty() ? "" : ": " + event.message);
+}
+
 void close(void* self) {
   const std::unique_ptr<Haply> haply(static_cast<Haply*>(self));
+  haply->events.reset();
   haply->thread.stop();
-  if (haply->relay.failed()) return;
+  if (!haply->socket.next_layer().is_open()) return;
   json last;
   if (send(*haply, command(*haply, {}))) (void)receive(*haply, last);
   hang_up(*haply);
 }
 std::string trouble(void* self) {
-  const Relay& relay = static_cast<Haply*>(self)->relay;
-  if (!relay.failed()) return "";
-  return relay.why() == kDeviceGone ? "the service does not list it any more: check its cable"
-                                    : "the service does not answer: systemctl restart "
-                                      "haply-inverse-service";
+  Haply& haply = *static_cast<Haply*>(self);
+  if (!haply.relay.failed()) return "";
+  const std::lock_guard lock(haply.mutex);
+  const std::string told = haply.warning.empty() ? "" : " (" + haply.warning + ")";
+  switch (haply.relay.why()) {
+    case kDeviceGone:
+      return "the service does not list it any more: check its cable" + told;
+    case kBrake:
+      return "its emergency brake has locked it" + told;
+    default:
+      return "the service does not answer: systemctl restart haply-inverse-service" + told;
+  }
+}
+
+std::string about(void* self) {
+  Haply& haply = *static_cast<Haply*>(self);
+  const auto said = [](double value) {
+    return value < 0 ? "not told" : fmt::format("{:g}", value);
+  };
+  const float asked = haply.asked_n, rendered = haply.rendered_n;
+  const std::lock_guard lock(haply.mutex);
+  return fmt::format(
+      "its service came with force gate {} and damping {}, now {} and {:g}; {:.2f} N asked, "
+      "{:.2f} N rendered; {}{}",
+      said(haply.gate), said(haply.damping),
+      said(haply.wishes.gate >= 0 ? haply.wishes.gate : haply.gate), haply.wishes.damping, asked,
+      rendered, haply.events->connected() ? "events are heard" : "no events",
+      haply.warning.empty() ? "" : ": " + haply.warning);
+}
+
+// Takes what is behind the commas off the URI's end.
+Wishes wishes_of(std::string& rest) {
+  Wishes wishes;
+  const std::string whole = rest;
+  for (std::size_t comma = rest.rfind(','); comma != std::string::npos; comma = rest.rfind(',')) {
+    const std::string wish = rest.substr(comma + 1);
+    const std::size_t equals = wish.find('=');
+    const std::string key = wish.substr(0, equals);
+    double value = -1;
+    if (equals != std::string::npos) {
+      std::from_chars(wish.data() + equals + 1, wish.data() + wish.size(), value);
+    }
+    const bool share = (key == "gate" || key == "damping") && value >= 0 && value <= 1;
+    const bool port = key == "events" && value >= 1 && value <= 65535;
+    if (!share && !port) throw DeviceError(fmt::format("haply:{}: {}: {}", whole, wish, kExpected));
+    if (key == "gate") wishes.gate = value;
+    if (key == "damping") wishes.damping = value;
+    if (port) wishes.events = static_cast<unsigned short>(value);
+    rest.resize(comma);
+  }
+  return wishes;
 }
 
 tcp::endpoint endpoint_of(const std::string& rest, std::string& id) {
@@ -200,9 +317,7 @@ tcp::endpoint endpoint_of(const std::string& rest, std::string& id) {
     std::from_chars(where.data() + colon + 1, where.data() + where.size(), port);
   }
   const auto address = boost::asio::ip::make_address(where.substr(0, colon), error);
-  if (error || port == 0) {
-    throw DeviceError(fmt::format("haply:{}: expected nothing, ID, or ID@ADDRESS:PORT", rest));
-  }
+  if (error || port == 0) throw DeviceError(fmt::format("haply:{}: {}", rest, kExpected));
   return {address, port};
 }
 
@@ -233,6 +348,7 @@ void wait_until_ready(Haply& haply, const std::string& rest, double patience_s) 
     json message;
     const bool answered = receive(haply, message, kOpeningTime);
     const bool found = answered && !message.is_discarded() && take(message, haply);
+    if (found) take_filters(message, haply);
     if (found && haply.calibrated) return;
     if (!answered || std::chrono::steady_clock::now() > end) {
       hang_up(haply);
@@ -242,7 +358,7 @@ void wait_until_ready(Haply& haply, const std::string& rest, double patience_s) 
           : !found  ? "the service lists no such Inverse3: check its cable and power"
                    : "not calibrated: put the handle into the holder, as the vendor's guide says"));
     }
-    (void)send(haply, haply.id.empty() ? "{}" : command(haply, {}));
+    (void)send(haply, haply.id.empty() ? "{}" : command(haply, {}), kOpeningTime);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
 }
@@ -251,16 +367,32 @@ void wait_until_ready(Haply& haply, const std::string& rest, double patience_s) 
 
 Device open_haply(const std::string& rest, double patience_s) {
   auto haply = std::make_unique<Haply>();
-  const tcp::endpoint endpoint = endpoint_of(rest, haply->wanted_id);
+  std::string where = rest;
+  haply->wishes = wishes_of(where);
+  const tcp::endpoint endpoint = endpoint_of(where, haply->wanted_id);
   connect(*haply, endpoint, rest);
   wait_until_ready(*haply, rest, patience_s);
+  json answer;
+  if (!send(*haply, configuration(*haply), kOpeningTime) ||
+      !receive(*haply, answer, kOpeningTime)) {
+    hang_up(*haply);
+    throw DeviceError(
+        fmt::format("haply:{}: the service takes no configuration: expected version "
+                    "3.1 or newer",
+                    rest));
+  }
+  haply->events = std::make_unique<HaplyEvents>(
+      tcp::endpoint(endpoint.address(), haply->wishes.events),
+      [at = haply.get()](const HaplyEvent& event) { hear(*at, event); });
   haply->thread.start(kExchangeNs, [at = haply.get()] { exchange(*at); });
   // Limits from the vendor's pages, kept low: the service does not tell.
   const DeviceInfo info = {.name = "Haply Inverse3",
                            .max_force_n = 5,
                            .max_slew_n_per_s = 1000,
                            .max_stiffness_n_per_m = 2000};
-  return relayed(haply.release(), info, close, trouble);
+  Device device = relayed(haply.release(), info, close, trouble);
+  device.about = about;
+  return device;
 }
 
 }  // namespace stylet::hal

@@ -4,6 +4,8 @@
 
 usage: cli_test.py [CASE]   with STYLET_BIN and STYLET_SOURCE in the environment
 """
+import fcntl
+import importlib.util
 import json
 import os
 import pathlib
@@ -12,6 +14,9 @@ import socket
 import subprocess
 import sys
 import tempfile
+import termios
+import threading
+import time
 import unittest
 
 import h5py
@@ -463,6 +468,51 @@ uri = "hd:Right"
                                "-o", record], capture_output=True, text=True, timeout=60)
         self.assertIn(done.returncode, (0, 3), done.stderr)  # 3: this machine was late
         self.assertGreater(json.loads(record.read_text())["samples"], 100)
+
+    def keep_sending(self, port, silent, done):
+        """Samples of a device at rest, a thousand a second, but while it is told to be silent."""
+        spec = importlib.util.spec_from_file_location("example_client", self.CLIENT)
+        client = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(client)
+        seq = 0
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as link:
+            while not done.is_set():
+                seq += 1
+                if not silent.is_set():
+                    packet = client.sample_packet(seq, time.monotonic_ns(), (0, 0, 0))
+                    link.sendto(packet, ("127.0.0.1", port))
+                time.sleep(0.001)
+
+    def test_fault_is_told_and_acknowledged_with_enter(self):
+        port, silent, done = self.free_port(), threading.Event(), threading.Event()
+        sender = threading.Thread(target=self.keep_sending, args=(port, silent, done))
+        sender.start()
+        self.addCleanup(sender.join)
+        self.addCleanup(done.set)
+        keys, terminal = os.openpty()
+
+        def in_that_terminal():
+            os.setsid()
+            fcntl.ioctl(terminal, termios.TIOCSCTTY, 0)
+
+        run = subprocess.Popen(
+            [BIN / "stylet", "run", SCENE, "--organ", self.make_phantom(), "--device",
+             f"udp:{port}", "--allow-non-rt", "--duration-s", "60", "--flight",
+             self.top / "flight.h5", "--json"], stdin=terminal, stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE, text=True, preexec_fn=in_that_terminal)
+        self.addCleanup(run.communicate)
+        self.addCleanup(run.terminate)
+        for line in run.stderr:
+            if "waiting for" in line:
+                threading.Timer(2, silent.set).start()
+            if "no force until it is acknowledged: Enter" in line:
+                os.write(keys, b"\n")  # of no use while it is silent
+                threading.Timer(1, silent.clear).start()
+            if "not acknowledged: it gives no usable sample yet" in line:
+                threading.Timer(0.5, os.write, (keys, b"\n")).start()
+            if "acknowledged: forces fade in" in line:
+                return
+        self.fail("it was never acknowledged")
 
     def test_unknown_kind_of_device_is_refused(self):
         done = call("stylet", "run", SCENE, "--device", "phantom:", expect=1)

@@ -101,6 +101,12 @@ class Ticker {
     return false;
   }
 
+  // What it says when it has failed for good; at most a second.
+  std::string trouble_under(Vec3 force_n) {
+    (void)tick_until(force_n, [this] { return !trouble_of(device).empty(); });
+    return trouble_of(device);
+  }
+
   Device device;
   GuardConfig guard;
   GuardState state = guard_start(), torque_state = guard_start();

@@ -186,8 +186,7 @@ TEST_P(DeviceContract, TroubleIsLatched) {
     Ticker ticker(bench->uri());
     ASSERT_TRUE(ticker.tick_until(kForce, [&] { return size(bench->felt()) > 1; }));
     bench->trouble(test::Trouble::kNoAnswer);
-    ASSERT_TRUE(ticker.tick_until(kForce, [&] { return !ticker.answered; }));
-    EXPECT_NE(ticker.device.trouble(ticker.device.self), "");
+    ASSERT_NE(ticker.trouble_under(kForce), "");
     bench->trouble(test::Trouble::kNone);
     for (int i = 0; i < 100; ++i) {
       ticker.tick({});
@@ -252,6 +251,16 @@ TEST(DeviceContractTraps, LockTrapFires) {
   EXPECT_EQ(g_locks, 1);
 }
 #endif
+
+// As the loop's thread, where this machine grants it; the benches' threads inherit it.
+class RealTime : public testing::Environment {
+ public:
+  void SetUp() override {
+    constexpr sched_param kAsTheLoop = {80};
+    (void)pthread_setschedparam(pthread_self(), SCHED_FIFO, &kAsTheLoop);
+  }
+};
+const auto* const kRealTime = testing::AddGlobalTestEnvironment(new RealTime);
 
 constexpr Backend kBackends[] = {{"hd", hd_bench},           {"dhd", dhd_bench},
                                  {"haply", haply_bench},     {"spacemouse", spacemouse_bench},

@@ -29,17 +29,53 @@ struct HaplyService::Connection {
 
 struct HaplyService::Listener {
   boost::asio::io_context io;
-  tcp::acceptor acceptor{io,
-                         {boost::asio::ip::make_address("127.0.0.1"),
-                          static_cast<unsigned short>(std::stoi(test_port()))}};
+  tcp::acceptor acceptor{io, {boost::asio::ip::make_address("127.0.0.1"), 0}};
+  std::string port() const { return std::to_string(acceptor.local_endpoint().port()); }
 };
 
 HaplyService::HaplyService()
-    : listener_(std::make_unique<Listener>()), thread_([this] { serve(); }) {}
+    : listener_(std::make_unique<Listener>()),
+      events_(std::make_unique<Listener>()),
+      thread_([this] { serve(); }),
+      event_thread_([this] { serve_events(); }) {}
 
 HaplyService::~HaplyService() {
   stop_ = true;
   thread_.join();
+  event_thread_.join();
+}
+
+std::string HaplyService::uri_with(const std::string& wishes) const {
+  return address() + wishes + ",events=" + events_->port();
+}
+
+std::string HaplyService::address(const std::string& id) const {
+  return "haply:" + id + "@127.0.0.1:" + listener_->port();
+}
+
+void HaplyService::tell(const std::string& event) {
+  const std::lock_guard lock(mutex_);
+  untold_.push_back(event);
+}
+
+void HaplyService::serve_events() {
+  while (!stop_) {
+    if (!readable(events_->acceptor.native_handle(), 2)) continue;
+    Connection connection(events_->acceptor.accept());
+    try {
+      connection.socket.accept();
+      ++listeners;
+      while (!stop_ && !readable(connection.socket.next_layer().native_handle(), 2)) {
+        const std::lock_guard lock(mutex_);
+        for (const std::string& each : untold_) {
+          connection.socket.write(boost::asio::buffer(each));
+        }
+        untold_.clear();
+      }
+    } catch (const boost::system::system_error&) {  // the client has gone
+    }
+    --listeners;
+  }
 }
 
 void HaplyService::move(const Pose& pose) {
@@ -63,12 +99,22 @@ std::string HaplyService::state(bool inventory) {
   json device = {{"device_id", "049D"},
                  {"status", {{"calibrated", trouble_ != test::Trouble::kUncalibrated}}},
                  {"state", {{"cursor_position", {{"x", p.z}, {"y", p.x}, {"z", p.y}}}}}};
-  if (inventory) device["config"] = {{"handedness", "right"}};
+  const double share = gate.load() < 1 ? 0.8 : 1;
+  device["state"]["current_cursor_force"] = {{"x", share * double{force_n_.z}},
+                                             {"y", share * double{force_n_.x}},
+                                             {"z", share * double{force_n_.y}}};
+  if (inventory) {
+    device["config"] = {
+        {"handedness", "right"},
+        {"filters",
+         {{"force_gate", {{"gain", gate.load()}}}, {"damping", {{"scalar", damping.load()}}}}}};
+  }
   json other = device;
   other["device_id"] = "AAAA";
   other["state"]["cursor_position"] = {{"x", 9}, {"y", 9}, {"z", 9}};
   json grip = {{"device_id", "1"},
                {"state", {{"orientation", {{"w", q.w}, {"x", q.z}, {"y", q.x}, {"z", q.y}}}}}};
+  grip["status"]["awake"] = grip_awake.load();  // asleep, it is as it was
   if (messages % 2 == 0) {
     grip["state"]["buttons"] = {{"a", (buttons_ & 1) != 0}, {"b", (buttons_ & 2) != 0}};
   } else {
@@ -85,6 +131,12 @@ void HaplyService::obey(const std::string& text) {
   if (!message.contains("inverse3")) return;
   const json& device = message["inverse3"][0];
   if (device["device_id"] != "049D") return;
+  if (device.contains("configure")) {
+    const json& wanted = device["configure"];
+    if (wanted.contains("damping")) damping = wanted["damping"]["scalar"].get<double>();
+    if (wanted.contains("force_gate")) gate = wanted["force_gate"]["gain"].get<double>();
+  }
+  if (!device.contains("commands")) return;
   const json& values = device["commands"]["set_cursor_force"]["values"];
   const std::lock_guard lock(mutex_);
   force_n_ = {values["y"], values["z"], values["x"]};

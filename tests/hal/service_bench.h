@@ -6,6 +6,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "device_bench.h"
 
@@ -13,35 +14,44 @@ namespace stylet::hal {
 
 // As the vendor's: an inventory at first, then one state for each message. Frames come in pieces,
 // pings between them, every fiftieth message is cut short, and buttons have either of their names.
-// A silent service holds the last force until the connection ends.
+// A silent service holds the last force until the connection ends. It comes with force gate 0.3 and
+// damping 0.5, and renders 0.8 of a force while its gate is below 1.
 class HaplyService : public Bench {
  public:
   HaplyService();
   ~HaplyService() override;
-  std::string uri() const override { return "haply:049D@127.0.0.1:" + test_port(); }
+  std::string uri() const override { return uri_with(""); }
+  std::string uri_with(const std::string& wishes) const;
+  std::string address(const std::string& id = "049D") const;
+  // On the channel of events, to whoever listens.
+  void tell(const std::string& event);
   void move(const Pose& pose) override;
   void press(std::uint32_t mask) override;
   Vec3 felt() override;
   void trouble(test::Trouble trouble) override { trouble_ = trouble; }
   std::atomic<int> messages{0};
-  std::atomic<bool> lists_ours{true};
+  std::atomic<bool> lists_ours{true}, grip_awake{true};
+  std::atomic<double> gate{0.3}, damping{0.5};
+  std::atomic<int> listeners{0};
 
  private:
   struct Connection;
   struct Listener;
   void serve();
+  void serve_events();
   void talk(Connection& connection);
   std::string state(bool inventory);
   void obey(const std::string& message);
 
-  std::unique_ptr<Listener> listener_;
+  std::unique_ptr<Listener> listener_, events_;
   std::mutex mutex_;
+  std::vector<std::string> untold_;
   Pose pose_ = {{}, {1, 0, 0, 0}};
   std::uint32_t buttons_ = 0;
   Vec3 force_n_ = {};
   std::atomic<test::Trouble> trouble_{test::Trouble::kNone};
   std::atomic<bool> stop_{false};
-  std::thread thread_;
+  std::thread thread_, event_thread_;
 };
 
 class Spacenavd : public Bench {

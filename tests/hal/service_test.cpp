@@ -22,12 +22,67 @@ bool says(const std::string& text, const char* part) {
 TEST(Haply, RefusalsNameWhatIsMissing) {
   EXPECT_TRUE(says(refusal("haply:@127.0.0.1:9"), "start haply-inverse-service"));
   EXPECT_TRUE(says(refusal("haply:049D@here"), "expected nothing, ID, or ID@ADDRESS:PORT"));
+  EXPECT_TRUE(says(refusal("haply:049D,gate=2"), "gate=2: expected nothing, ID"));
+  EXPECT_TRUE(says(refusal("haply:,volume=1"), "volume=1: expected"));
   HaplyService service;
   service.trouble(test::Trouble::kUncalibrated);
   EXPECT_TRUE(says(refusal(service.uri()), "not calibrated"));
   service.trouble(test::Trouble::kNone);
-  EXPECT_TRUE(says(refusal("haply:0000@127.0.0.1:" + test_port()), "lists no such Inverse3"));
+  EXPECT_TRUE(says(refusal(service.address("0000")), "lists no such Inverse3"));
   EXPECT_EQ(refusal(service.uri()), "opened");
+}
+
+TEST(Haply, DampingIsTheKernelsAndTheGateTheServices) {
+  HaplyService service;
+  {
+    Ticker ticker(service.uri());
+    EXPECT_EQ(service.damping, 0);
+    EXPECT_EQ(service.gate, 0.3);
+    EXPECT_TRUE(ticker.tick_until({0, 0, 1}, [&] { return service.felt().z > 0.9F; }));
+    for (int i = 0; i < 20; ++i) ticker.tick({0, 0, 1});
+    const std::string about = ticker.device.about(ticker.device.self);
+    EXPECT_TRUE(says(about, "force gate 0.3 and damping 0.5, now 0.3 and 0")) << about;
+    EXPECT_TRUE(says(about, "1.00 N asked, 0.80 N rendered")) << about;
+  }
+  Ticker ticker(service.uri_with(",gate=1,damping=0.25"));
+  EXPECT_EQ(service.damping, 0.25);
+  EXPECT_EQ(service.gate, 1);
+}
+
+TEST(Haply, EventsEndTheDeviceByTheirName) {
+  HaplyService service;
+  const auto trouble_of_event = [&service](Ticker& ticker, const std::string& event) {
+    EXPECT_TRUE(ticker.tick_until({}, [&] { return service.listeners > 0; }));
+    service.tell(event);
+    return ticker.trouble_under({});
+  };
+  const std::string brake = R"({"name":"device-safety-triggered","level":"error",)"
+                            R"("data":{"device_id":"049D","safety_type":"ebrake_triggered"},)"
+                            R"("message":"brake engaged"})";
+  {
+    Ticker ticker(service.uri());
+    service.tell(R"({"name":"device-disconnected","level":"warning","data":{"device_id":"AAAA"}})");
+    service.tell("no event");
+    service.tell(R"({"name":7,"data":"x"})");
+    for (int i = 0; i < 100; ++i) ticker.tick({});
+    EXPECT_EQ(trouble_of(ticker.device), "");
+    EXPECT_TRUE(ticker.tick_until({0, 0, 1}, [&] { return service.felt().z > 0.9F; }));
+    EXPECT_EQ(trouble_of_event(ticker, brake),
+              "its emergency brake has locked it (device-safety-triggered: brake engaged)");
+    EXPECT_TRUE(ticker.tick_until({0, 0, 1}, [&] { return size(service.felt()) == 0; }));
+  }
+  Ticker ticker(service.uri());
+  const std::string gone = trouble_of_event(
+      ticker, R"({"name":"device-disconnected","level":"warning","data":{"device_id":"049D"}})");
+  EXPECT_TRUE(says(gone, "check its cable")) << gone;
+}
+
+// An older service has no such channel.
+TEST(Haply, NoEventsIsNoTrouble) {
+  HaplyService service;
+  Ticker ticker(service.address() + ",events=1");
+  EXPECT_TRUE(ticker.tick_until({}, [&] { return ticker.usable; }));
+  EXPECT_TRUE(says(ticker.device.about(ticker.device.self), "no events"));
 }
 
 TEST(Haply, DeviceThatIsNoLongerListedIsTrouble) {
@@ -35,8 +90,17 @@ TEST(Haply, DeviceThatIsNoLongerListedIsTrouble) {
   Ticker ticker(service.uri());
   ASSERT_TRUE(ticker.tick_until({}, [&] { return ticker.usable; }));
   service.lists_ours = false;
-  EXPECT_TRUE(ticker.tick_until({}, [&] { return !ticker.answered; }));
-  EXPECT_TRUE(says(ticker.device.trouble(ticker.device.self), "does not list it"));
+  EXPECT_TRUE(says(ticker.trouble_under({}), "does not list it"));
+}
+
+TEST(Haply, GripThatFallsAsleepHoldsNoButton) {
+  HaplyService service;
+  Ticker ticker(service.uri());
+  service.press(1);
+  EXPECT_TRUE(ticker.tick_until({}, [&] { return ticker.sample.buttons == 1; }));
+  service.grip_awake = false;
+  EXPECT_TRUE(ticker.tick_until({}, [&] { return ticker.sample.buttons == 0; }));
+  EXPECT_TRUE(ticker.usable || ticker.tick_until({}, [&] { return ticker.usable; }));
 }
 
 // Messages cut short, pings and pieces were among them.
@@ -117,8 +181,7 @@ TEST(SpaceMouse, DaemonThatEndsIsTroubleWithARemedy) {
   Ticker ticker(daemon.uri());
   ASSERT_TRUE(ticker.tick_until({}, [&] { return ticker.usable; }));
   daemon.trouble(test::Trouble::kNoAnswer);
-  EXPECT_TRUE(ticker.tick_until({}, [&] { return !ticker.answered; }));
-  EXPECT_TRUE(says(ticker.device.trouble(ticker.device.self), "restart spacenavd"));
+  EXPECT_TRUE(says(ticker.trouble_under({}), "restart spacenavd"));
 }
 
 TEST(SpaceMouse, NoDaemonIsNamedWithItsSocketAndARemedy) {

@@ -24,6 +24,7 @@ struct StandIn {
   std::atomic<double> position[3];
   std::atomic<double> rotation[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};  // row by row
   std::atomic<unsigned> buttons;
+  std::atomic<bool> pinched;     // its gripper is closed
   std::atomic<double> force[3];  // of the motors, now
   std::atomic<double> torque[3];
   std::atomic<Trouble> trouble;

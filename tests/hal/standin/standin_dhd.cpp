@@ -33,6 +33,7 @@ struct Unit {
   std::atomic<Clock::rep> moved{0};
   std::atomic<bool> carried{true};  // gravity compensation is on
   std::atomic<bool> brakes{false};
+  std::atomic<bool> emulates{false};  // its gripper is a button
 };
 Unit units[kDevices];
 thread_local int last_error = 0;
@@ -89,6 +90,10 @@ Unit* answering(char id) {
   return &u;
 }
 
+unsigned pressed(const Unit& u) {
+  return u.seen.buttons.load() | (u.emulates && u.seen.pinched ? 1U : 0U);
+}
+
 // Data of a moment ago, without a look at the device.
 bool guarded(Unit& u) {
   if (u.seen.trouble.load() == Trouble::kSilent) return true;
@@ -120,6 +125,7 @@ int dhdOpenID(char index) {
   u.brakes = false;
   u.moved = 0;
   u.watchdog_us = 0;
+  u.emulates = false;
   return index;
 }
 
@@ -198,7 +204,7 @@ int dhdEnableForce(unsigned char on, char id) {
 
 int dhdGetButton(int index, char id) {
   Unit* u = answering(id);
-  return u == nullptr ? failed(2) : static_cast<int>((u->seen.buttons.load() >> index) & 1U);
+  return u == nullptr ? failed(2) : static_cast<int>((pressed(*u) >> index) & 1U);
 }
 
 int dhdGetStatus(int* status, char id) {
@@ -233,7 +239,7 @@ int dhdSetForceAndTorqueAndGripperForce(double x, double y, double z, double tx,
 
 unsigned dhdGetButtonMask(char id) {
   Unit* u = answering(id);
-  return u == nullptr ? 0 : u->seen.buttons.load();
+  return u == nullptr ? 0 : pressed(*u);
 }
 
 bool dhdHasActiveWrist(char) {
@@ -242,6 +248,10 @@ bool dhdHasActiveWrist(char) {
 
 int dhdSetGravityCompensation(int on, char id) {
   units[id == 1 ? 1 : 0].carried = on != 0;
+  return 0;
+}
+int dhdEmulateButton(unsigned char on, char id) {
+  units[id == 1 ? 1 : 0].emulates = on != 0;
   return 0;
 }
 int dhdEnableExpertMode() {

@@ -53,6 +53,8 @@ struct Device {
   void (*close)(void* self) = nullptr;  // leaves the device without force
   // Any thread but the loop's, before close: why it does not answer any more; empty: no trouble.
   std::string (*trouble)(void* self) = nullptr;
+  // Likewise: what is particular to it and worth knowing.
+  std::string (*about)(void* self) = nullptr;
 };
 
 inline std::string trouble_of(const Device& device) {
