@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -264,17 +265,20 @@ TEST_F(PointerTest, SamePostsInTheSameTicksGiveTheSameBits) {
 
 TEST_F(PointerTest, ManyThreadsMayPost) {
   std::vector<std::thread> pages;
+  std::atomic<bool> begun{false};
   for (int page = 0; page < 4; ++page) {
-    pages.emplace_back([page] {
+    pages.emplace_back([page, &begun] {
       for (int i = 0; i < 20000; ++i) {
         // Whole posts only: the rotation says which place belongs to it.
         const bool up = (page + i) % 2 == 0;
         EXPECT_TRUE(pointer_post(0, up ? Pose{{1, 1, 1}, kUpright} : Pose{{}, {0, 1, 0, 0}},
                                  up ? 0xffffffffU : 0U));
+        begun = true;
       }
     });
   }
-  for (int i = 0; i < 2000; ++i) ticks(1);
+  while (!begun) std::this_thread::yield();
+  ticks(490);  // less than the half second after which a page is gone, wherever the threads are
   for (std::thread& page : pages) page.join();
 }
 
