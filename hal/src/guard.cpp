@@ -215,7 +215,7 @@ double largest_force(const GuardConfig& config, const GuardState& state) {
   const double most = of(config.max_force_n), always = of(config.continuous_force_n);
   if (always >= most) return most;
   const double warm = state.heat_n2 / (always * always);
-  const double back = std::clamp((warm - of(kWarmShare)) / (1 - of(kWarmShare)), 0.0, 1.0);
+  const double back = std::max((warm - of(kWarmShare)) / (1 - of(kWarmShare)), 0.0);
   const double fall_s =
       std::max(most / of(config.max_slew_n_per_s), of(kDecayS)) / 3 + of(config.period_s);
   const double left_n2 = std::max(always * always - state.heat_n2, 0.0);
@@ -402,8 +402,7 @@ Vec3 guard_force(const GuardConfig& config, GuardState& state, Vec3 force_n) {
     ++state.counters.force_not_finite;
     guard_trip(state, Fault::kForceNotFinite);
     force_n = {};
-    state.force_n = {};
-    state.mode = GuardMode::kFault;
+    state.mode = GuardMode::kFault;  // out of a fade, too
   }
   follow_button(config, state);
   force_of_mode(config, state, force_n);

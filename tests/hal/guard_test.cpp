@@ -56,6 +56,7 @@ TEST(GuardForce, LargeForcesKeepTheirDirection) {
   EXPECT_NEAR(static_cast<double>(state.force_n.x), 4.8, 1e-5);
   EXPECT_NEAR(static_cast<double>(state.force_n.y), -6.4, 1e-5);
   EXPECT_EQ(state.counters.force_limited, 100U);
+  EXPECT_EQ(state.counters.force_warm, 0U);
 }
 
 TEST(GuardForce, JumpsAreSpreadOverTicks) {
@@ -172,6 +173,7 @@ TEST(GuardSample, WatchdogNamesWhatIsWrong) {
       EXPECT_FALSE(guard_sample(plain(), state, answered, sample(1), 0));
     }
     EXPECT_EQ(state.fault, answered ? Fault::kStaleSamples : Fault::kDeviceSilent);
+    EXPECT_EQ(state.counters.samples_missing, answered ? 0U : 3U);
   }
 }
 

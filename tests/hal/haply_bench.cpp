@@ -100,9 +100,9 @@ std::string HaplyService::state(bool inventory) {
                  {"status", {{"calibrated", trouble_ != test::Trouble::kUncalibrated}}},
                  {"state", {{"cursor_position", {{"x", p.z}, {"y", p.x}, {"z", p.y}}}}}};
   const double share = gate.load() < 1 ? 0.8 : 1;
-  device["state"]["current_cursor_force"] = {{"x", share * double{force_n_.z}},
-                                             {"y", share * double{force_n_.x}},
-                                             {"z", share * double{force_n_.y}}};
+  device["state"]["current_cursor_force"] = {{"x", share * static_cast<double>(force_n_.z)},
+                                             {"y", share * static_cast<double>(force_n_.x)},
+                                             {"z", share * static_cast<double>(force_n_.y)}};
   if (inventory) {
     device["config"] = {
         {"handedness", "right"},

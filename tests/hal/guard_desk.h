@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// A guard and its clock, with a device that answers: what tests of the guard share.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "stylet/hal/guard.h"
+
+namespace stylet::hal {
+
+constexpr std::uint32_t kButton = 3, kAcknowledgeButton = 5;
+
+inline double size(Vec3 v) {
+  return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
+}
+
+// With a dead man's button, and a force of 2 N let through in a tick.
+inline GuardConfig with_button() {
+  GuardConfig config;
+  config.ramp_s = 0.1F;
+  config.dead_man_button = kButton;
+  config.acknowledge_button = kAcknowledgeButton;
+  config.passivity_damping_n_s_per_m = 2;
+  return config;
+}
+
+// A guard and its clock, with a device that answers.
+struct Desk {
+  GuardConfig config = with_button();
+  GuardState state = guard_start();
+  std::int64_t now_ns = 0;
+  std::uint64_t seq = 0;
+  Vec3 position_m = {};
+  Vec3 asked_n = {3, 0, 0};
+
+  bool acknowledges = false;
+
+  bool hear(bool pressed) {
+    now_ns += 1'000'000;
+    const std::uint32_t buttons =
+        (pressed ? 1U << kButton : 0U) | (acknowledges ? 1U << kAcknowledgeButton : 0U);
+    const Sample sample = {++seq, now_ns, {position_m, {1, 0, 0, 0}}, buttons};
+    return guard_sample(config, state, true, sample, now_ns);
+  }
+  Vec3 tick(bool pressed) {
+    (void)hear(pressed);
+    return guard_force(config, state, asked_n);
+  }
+  void tick(int count, bool pressed) {
+    for (int i = 0; i < count; ++i) (void)tick(pressed);
+  }
+  void miss(int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      (void)guard_sample(config, state, false, {}, now_ns);
+      (void)guard_force(config, state, asked_n);
+    }
+  }
+};
+
+}  // namespace stylet::hal

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: Apache-2.0
+// The guard at its limits, and its guard of torques: what a wrong line in guard.cpp would change
+// and nobody else would notice.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "guard_desk.h"
+
+namespace stylet::hal {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+// Armed from the start, without a ramp, and nothing damped.
+Desk plain_desk() {
+  Desk desk;
+  desk.config.dead_man_button = -1;
+  desk.config.ramp_s = 0;
+  desk.config.passivity_damping_n_s_per_m = 0;
+  return desk;
+}
+
+// ==== Buttons
+
+TEST(GuardButtons, NumberZeroIsOne) {
+  Desk desk;
+  desk.config.dead_man_button = 0;
+  const auto tick = [&desk](std::uint32_t buttons) {
+    const Sample sample = {++desk.seq, desk.now_ns, {{}, {1, 0, 0, 0}}, buttons};
+    (void)guard_sample(desk.config, desk.state, true, sample, desk.now_ns);
+    return size(guard_force(desk.config, desk.state, desk.asked_n));
+  };
+  EXPECT_EQ(tick(0), 0);
+  EXPECT_EQ(desk.state.mode, GuardMode::kUnarmed);
+  EXPECT_GT(tick(1), 0);
+  desk.config.dead_man_button = -1;
+  desk.config.acknowledge_button = 0;
+  guard_trip(desk.state, Fault::kTooLate);
+  for (int i = 0; i < 25; ++i) (void)tick(0);
+  EXPECT_EQ(desk.state.fault, Fault::kTooLate);
+  (void)tick(1);
+  EXPECT_EQ(desk.state.fault, Fault::kNone);
+}
+
+// The release that counts is one that was seen after the fault was acknowledged.
+TEST(GuardButtons, WhatWasSeenBeforeTheRearmSaysNothing) {
+  Desk desk;
+  desk.tick(5, true);
+  guard_trip(desk.state, Fault::kTooLate);
+  desk.tick(5, false);
+  ASSERT_TRUE(guard_rearm(desk.state, Fault::kTooLate));
+  (void)guard_force(desk.config, desk.state, desk.asked_n);
+  EXPECT_EQ(desk.state.mode, GuardMode::kLetGo);
+  (void)desk.tick(false);
+  EXPECT_EQ(desk.state.mode, GuardMode::kUnarmed);
+}
+
+// ==== Samples and motion
+
+TEST(GuardMotion, WayAllowedGrowsWithTheTicksMissed) {
+  for (const float moved_m : {0.0109F, 0.0111F}) {  // 5 mm, and 2 m/s for three ticks
+    Desk desk = plain_desk();
+    desk.tick(5, false);
+    desk.miss(2);
+    desk.position_m.x = moved_m;
+    EXPECT_EQ(desk.hear(false), moved_m < 0.011F) << moved_m;
+  }
+}
+
+TEST(GuardMotion, WhatIsAtItsLimitIsAllowed) {
+  Desk jump = plain_desk();
+  jump.tick(1, false);
+  jump.config.max_speed_m_per_s = 0;
+  jump.position_m.x = kJumpM;
+  EXPECT_TRUE(jump.hear(false));
+  Desk speed = plain_desk();
+  speed.config.period_s = 0x1p-10F;
+  speed.config.max_speed_m_per_s = 2;
+  speed.tick(1, false);
+  speed.state.energy.velocity_m_per_s = {2, 0, 0};
+  speed.position_m.x = 0x1p-9F;  // 2 m/s for a tick
+  EXPECT_TRUE(speed.hear(false));
+  EXPECT_EQ(speed.state.energy.velocity_m_per_s.x, 2);
+  EXPECT_EQ(speed.state.fault, Fault::kNone);
+}
+
+// ==== Energy
+
+// What the observer has counted after the hand was drawn by `way_m` along x in as many ticks.
+double counted_j(Desk& desk, float way_m, int ticks) {
+  for (int i = 0; i < ticks; ++i) {
+    desk.position_m.x += way_m / static_cast<float>(ticks);
+    (void)desk.tick(false);
+  }
+  return desk.state.energy.energy_j;
+}
+
+TEST(GuardEnergy, UntilTheForceIsFullItIsTheOneAskedAsFarAsItMayGo) {
+  for (const float asked_n : {1.0F, 20.0F}) {
+    Desk desk = plain_desk();
+    desk.config.ramp_s = 10;
+    desk.asked_n = {asked_n, 0, 0};
+    desk.tick(5, false);
+    const double felt_n = asked_n < 8 ? 1 : 8;
+    EXPECT_NEAR(counted_j(desk, 1e-3F, 50), -felt_n * 1e-3, 1e-6 * felt_n);
+  }
+}
+
+TEST(GuardEnergy, PositionFollowsAtTheDistanceOfTheResolution) {
+  Desk desk = plain_desk();
+  desk.config.device.resolution_m = 1e-4F;
+  desk.asked_n = {1, 0, 0};
+  desk.tick(5, false);
+  EXPECT_NEAR(counted_j(desk, 1e-3F, 10), -0.9e-3, 1e-8);
+}
+
+TEST(GuardEnergy, DampingOfTheDeviceTakesItsShare) {
+  Desk desk = plain_desk();
+  desk.config.device.damping_n_s_per_m = 2;
+  desk.asked_n = {};
+  desk.tick(5, false);
+  EXPECT_NEAR(counted_j(desk, 0.01F, 200), 2 * 0.05 * 0.01, 0.05e-3);  // less while speed builds up
+}
+
+TEST(GuardEnergy, ForceOfThenIsBetweenThoseOfTwoTicks) {
+  Desk desk = plain_desk();
+  desk.config.device.delay_s = 1.5e-3F;
+  desk.asked_n = {1, 0, 0};
+  desk.tick(20, false);
+  EXPECT_NEAR(counted_j(desk, 1e-3F, 10), -1e-3, 1e-8);
+}
+
+TEST(GuardEnergy, NothingIsDampedWhileNothingWasMade) {
+  Desk desk = plain_desk();
+  desk.config.passivity_damping_n_s_per_m = 2;
+  desk.asked_n = {};
+  EXPECT_EQ(counted_j(desk, 0.01F, 200), 0);
+  EXPECT_EQ(desk.state.counters.force_damped, 0U);
+}
+
+TEST(GuardEnergy, LossIsAFaultBeyondItsBarAndIsForgivenByTheRearm) {
+  Desk desk = plain_desk();
+  desk.config.passivity_damping_n_s_per_m = 2;
+  desk.tick(5, false);
+  desk.state.energy.energy_j = -kLostEnergyJ;
+  desk.tick(1, false);
+  EXPECT_EQ(desk.state.fault, Fault::kNone);
+  desk.state.energy.energy_j = -1.1 * kLostEnergyJ;
+  desk.tick(25, false);
+  ASSERT_EQ(desk.state.fault, Fault::kEnergy);
+  ASSERT_TRUE(guard_rearm(desk.state, Fault::kEnergy));
+  EXPECT_EQ(desk.state.energy.energy_j, 0);
+  desk.state.energy.energy_j = 0.01;
+  guard_trip(desk.state, Fault::kTooLate);
+  desk.tick(25, false);
+  ASSERT_TRUE(guard_rearm(desk.state, Fault::kTooLate));
+  EXPECT_EQ(desk.state.energy.energy_j, 0.01);
+}
+
+TEST(GuardEnergy, StaysANumberAfterAForceThatWasNone) {
+  Desk desk = plain_desk();
+  desk.tick(5, false);
+  desk.asked_n = {kNan, 0, 0};
+  (void)desk.tick(false);
+  desk.asked_n = {};
+  EXPECT_TRUE(std::isfinite(counted_j(desk, 1e-3F, 10)));
+}
+
+// ==== Heat
+
+TEST(GuardHeat, ContinuousForceAboveTheLargestIsNoLicence) {
+  Desk desk = plain_desk();
+  desk.config.continuous_force_n = 20;
+  desk.asked_n = {0, 30, 0};
+  desk.tick(200, false);
+  EXPECT_EQ(size(desk.state.force_n), 8);
+}
+
+// A fall from F in 20 ms takes F^2 (20 ms / 3), and a tick goes by before it begins.
+TEST(GuardHeat, ForceLeavesRoomForItsOwnFall) {
+  Desk desk = plain_desk();
+  desk.config.continuous_force_n = 0.3F;
+  desk.config.thermal_s = 1;
+  desk.config.max_slew_n_per_s = 10000;
+  desk.asked_n = {0, 30, 0};
+  desk.state.heat_n2 = 0.8 * 0.09;
+  EXPECT_NEAR(size(desk.tick(false)), std::sqrt(0.2 * 0.09 / (0.02 / 3 + 0.001)), 1e-4);
+}
+
+// ==== Buzzing
+
+// Turns of a force that is thrown to and fro every so many ticks.
+bool buzzes(int half_period_ticks) {
+  Desk desk = plain_desk();
+  for (int i = 0; i < 40 * half_period_ticks && desk.state.fault == Fault::kNone; ++i) {
+    desk.asked_n = {i / half_period_ticks % 2 == 0 ? 1.0F : -1.0F, 0, 0};
+    (void)desk.tick(false);
+  }
+  return desk.state.fault == Fault::kBuzz;
+}
+
+TEST(GuardBuzz, TurnsAreNoFurtherApartThanHalfAPeriod) {
+  EXPECT_TRUE(buzzes(25));
+  EXPECT_FALSE(buzzes(26));
+}
+
+TEST(GuardBuzz, WhatSwungBeforeTheButtonWasPressedIsForgotten) {
+  Desk desk;
+  desk.config.ramp_s = 0;
+  desk.tick(5, false);
+  desk.state.buzz = {{}, {-3, 0, 0}, kBuzzTurns - 1, 0};
+  (void)desk.tick(true);
+  EXPECT_EQ(desk.state.mode, GuardMode::kLive);
+  EXPECT_EQ(desk.state.fault, Fault::kNone);
+}
+
+// ==== Torque
+
+struct TorqueDesk {
+  Desk force = plain_desk();
+  GuardState torque = guard_start();
+  float most_nm = 0.1F;
+
+  Vec3 tick(Vec3 torque_nm, bool pressed = false) {
+    (void)force.tick(pressed);
+    return guard_torque(force.config, most_nm, force.state, torque, torque_nm);
+  }
+};
+
+TEST(GuardTorque, OfADeviceWithoutItIsNone) {
+  TorqueDesk desk;
+  desk.most_nm = 0;
+  for (const float asked_nm : {0.1F, kNan}) EXPECT_EQ(size(desk.tick({asked_nm, 0, 0})), 0);
+  EXPECT_EQ(desk.force.state.fault, Fault::kNone);
+}
+
+TEST(GuardTorque, RisesToItsLimitInHalfTheTimeOfAFade) {
+  TorqueDesk desk;
+  for (int tick = 1; tick <= 15; ++tick) {
+    const Vec3 felt = desk.tick({0.3F, 0.4F, 0});
+    EXPECT_NEAR(size(felt), 0.1 * std::min(tick, 10) / 10, 1e-7) << tick;
+    EXPECT_NEAR(felt.y * 3, felt.x * 4, 1e-7);
+  }
+}
+
+TEST(GuardTorque, EndsWithTheForceAndComesBackWithIt) {
+  TorqueDesk desk;
+  for (int i = 0; i < 20; ++i) (void)desk.tick({0.05F, 0, 0});
+  EXPECT_FLOAT_EQ(desk.tick({0.05F, 0, 0}).x, 0.05F);
+  guard_trip(desk.force.state, Fault::kTooLate);
+  for (int tick = 1; tick <= 25; ++tick) {
+    EXPECT_NEAR(size(desk.tick({0.05F, 0, 0})), 0.05 * std::max(0, 20 - tick) / 20, 1e-8) << tick;
+  }
+  EXPECT_EQ(desk.torque.fault, Fault::kTooLate);
+  ASSERT_TRUE(guard_rearm(desk.force.state, Fault::kTooLate));
+  for (int i = 0; i < 20; ++i) (void)desk.tick({0.05F, 0, 0});
+  EXPECT_FLOAT_EQ(desk.tick({0.05F, 0, 0}).x, 0.05F);
+}
+
+TEST(GuardTorque, ThatIsNoNumberEndsBothAtOnce) {
+  TorqueDesk desk;
+  for (int i = 0; i < 20; ++i) (void)desk.tick({0.05F, 0, 0});
+  EXPECT_EQ(size(desk.tick({kNan, 0, 0})), 0);
+  EXPECT_EQ(desk.force.state.fault, Fault::kForceNotFinite);
+  EXPECT_EQ(size(desk.force.tick(false)), 0);
+}
+
+TEST(GuardTorque, NeedsTheSameButton) {
+  TorqueDesk desk;
+  desk.force.config.dead_man_button = kButton;
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(size(desk.tick({0.05F, 0, 0}, true)), 0);
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(size(desk.tick({0.05F, 0, 0}, false)), 0);
+  for (int i = 0; i < 20; ++i) (void)desk.tick({0.05F, 0, 0}, true);
+  EXPECT_FLOAT_EQ(desk.tick({0.05F, 0, 0}, true).x, 0.05F);
+  for (int i = 0; i < 20; ++i) (void)desk.tick({0.05F, 0, 0}, false);
+  EXPECT_EQ(size(desk.tick({0.05F, 0, 0}, false)), 0);
+}
+
+}  // namespace
+}  // namespace stylet::hal
