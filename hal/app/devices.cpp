@@ -93,6 +93,12 @@ Json record_of(const std::string& uri, const hal::DeviceInfo& info, const hal::D
   return record;
 }
 
+// Three numbers for people.
+std::string short_of(const Json& v) {
+  return fmt::format("({:.1f}, {:.1f}, {:.1f})", v[0].get<double>(), v[1].get<double>(),
+                     v[2].get<double>());
+}
+
 void tell(const Json& r) {
   fmt::print("{}: {}\n", r["uri"].get<std::string>(), r["name"].get<std::string>());
   fmt::print("samples   {:.0f} a second, {} lost, {} ticks without a new one\n",
@@ -103,8 +109,8 @@ void tell(const Json& r) {
                std::string(key).substr(0, std::string(key).find('_')), r[key]["p50"].get<double>(),
                r[key]["p99"].get<double>(), r[key]["max"].get<double>());
   }
-  fmt::print("steps     {} um, smallest seen of x, y, z\n", r["smallest_step_um"].dump());
-  fmt::print("moved     from {} to {} mm\n", r["low_mm"].dump(), r["high_mm"].dump());
+  fmt::print("steps     {} um, smallest seen of x, y, z\n", short_of(r["smallest_step_um"]));
+  fmt::print("moved     from {} to {} mm\n", short_of(r["low_mm"]), short_of(r["high_mm"]));
   if (r.contains("about")) fmt::print("about     {}\n", r["about"].get<std::string>());
   fmt::print("buttons   pressed: {:#b}\n", r["buttons_seen"].get<std::uint32_t>());
   for (const Json& push : r["pushes"]) {
@@ -160,6 +166,7 @@ int list_devices(const DevicesOptions& options) {
 }
 
 int probe(const ProbeOptions& options) {
+  fmt::print(stderr, "stylet: waiting for {}\n", options.uri);
   const Opened opened(hal::open_device(options.uri));
   const hal::Device& device = opened.device;
   const bool pushes = options.push && device.info.max_force_n > 0;
@@ -194,6 +201,7 @@ int probe(const ProbeOptions& options) {
 }
 
 int station(const StationOptions& options) {
+  fmt::print(stderr, "stylet: waiting for {}\n", options.uri);
   const Opened opened(hal::open_lasting_device(options.uri));
   const hal::Link link = hal::udp_connect(options.to);
   hal::StationConfig config = hal::station_config(opened.device.info);

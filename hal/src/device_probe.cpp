@@ -90,7 +90,7 @@ void probe_device(const Device& device, double seconds, bool pushes, const Clock
   p.guard.max_force_n = std::min(kMostN, device.info.max_force_n / 3);
   p.guard.max_slew_n_per_s = 100;
   p.guard.ramp_s = 0;
-  p.guard.watchdog_s = std::max(p.guard.watchdog_s, device.info.force_life_s);
+  p.guard.watchdog_s = watchdog_of(device.info, p.guard.watchdog_s);
   const std::int64_t start_ns = clock.now_ns(clock.self);
   const auto free_ticks = static_cast<std::uint64_t>(seconds * 1e3);
   while (out.ticks < free_ticks && !stop.load()) tick(p, {}, out);

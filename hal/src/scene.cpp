@@ -244,10 +244,6 @@ Vec3 along(Vec3 start, Vec3 direction, float distance) {
 
 }  // namespace
 
-// A device whose forces end of themselves needs no watchdog as short as others: a packet may be
-// lost.
-constexpr float kLifeShare = 0.75F;
-
 void attach(Hand& hand, const std::string& uri) {
   hand.device = "attached";
   hand.uri = uri;
@@ -270,7 +266,7 @@ void fit_to_device(const DeviceInfo& info, Hand& hand) {
     float& coupling = hand.coupling.stiffness_n_per_m;
     coupling = coupling > 0 ? std::min(coupling, most) : most;
   }
-  hand.guard.watchdog_s = std::max(hand.guard.watchdog_s, kLifeShare * info.force_life_s);
+  hand.guard.watchdog_s = watchdog_of(info, hand.guard.watchdog_s);
   hand.limits = info;
 }
 

@@ -69,7 +69,7 @@ StationConfig station_config(const DeviceInfo& info) {
   const float slew = std::min(guard.max_slew_n_per_s, info.max_slew_n_per_s);
   guard.max_slew_n_per_s = std::max(slew, guard.max_force_n / kFadeS);
   if (info.continuous_force_n > 0) guard.continuous_force_n = info.continuous_force_n;
-  guard.watchdog_s = 5e-3F;
+  guard.watchdog_s = watchdog_of(info, 5e-3F);
   config.max_torque_nm = info.max_torque_nm;
   config.limits = {guard.max_force_n, info.max_stiffness_n_per_m, info.continuous_force_n,
                    info.max_torque_nm};

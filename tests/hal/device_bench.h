@@ -68,7 +68,7 @@ class Ticker {
     guard.max_speed_m_per_s = 1e4F;  // the test's hand jumps, and takes energy as it likes
     guard.stored_energy_j = 1e6F;
     guard.ramp_s = 0;
-    guard.watchdog_s = std::max(watchdog_s, 0.75F * device.info.force_life_s);
+    guard.watchdog_s = watchdog_of(device.info, watchdog_s);
   }
   ~Ticker() { close(); }
   Ticker(const Ticker&) = delete;

@@ -249,6 +249,10 @@ TEST(TwoStations, StationKeepsToItsDevicesLimitsAndTellsThem) {
   EXPECT_EQ(config.limits, (RenderLimits{3, 400, 0.88F, 0.1F}));
   const StationConfig mouse = station_config({"a mouse", 0, 0});
   EXPECT_EQ(mouse.limits.max_torque_nm, 0);
+  EXPECT_EQ(mouse.guard.watchdog_s, 5e-3F);
+  const DeviceInfo packets = {
+      .name = "a peer", .max_force_n = 3, .max_slew_n_per_s = 100, .force_life_s = 20e-3F};
+  EXPECT_EQ(station_config(packets).guard.watchdog_s, 15e-3F);
 }
 
 TEST(TwoStations, LossReorderAndDuplicatesAreNotFelt) {

@@ -6,6 +6,7 @@
 // Units: SI. Frame: x right, y up, z toward the operator; the scene maps it to the world.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -42,6 +43,13 @@ struct DeviceInfo {
   float continuous_force_n = 0;     // what its motors stand for ever; 0: not known
   float force_life_s = 0;           // a force not renewed ends of itself after this; 0: it does not
 };
+
+// How long its guard may go without a sample, which is `otherwise_s` for most. A device whose
+// forces end of themselves needs no watchdog as short as others: a packet may be lost.
+inline float watchdog_of(const DeviceInfo& info, float otherwise_s) {
+  constexpr float kLifeShare = 0.75F;
+  return std::max(otherwise_s, kLifeShare * info.force_life_s);
+}
 
 struct Device {
   void* self = nullptr;
