@@ -181,11 +181,22 @@ std::string configuration(const Haply& haply) {
 
 // ==== The connection
 
-// Runs what was started; false: not done in time, or broken.
+// A closed connection is all that can be done about a force the service may still hold.
+void hang_up(Haply& haply) {
+  boost::beast::error_code ignored;
+  haply.socket.next_layer().close(ignored);
+  haply.io.restart();
+  haply.io.run();
+}
+
+// Runs what was started; false: not done in time, or broken. Then the connection is closed, so that
+// what was started ends here, while what it writes to is still there.
 bool finish(Haply& haply, const bool& done, Milliseconds longest) {
   haply.io.restart();
   haply.io.run_for(longest);
-  return done;
+  const bool in_time = done;
+  if (!in_time) hang_up(haply);
+  return in_time;
 }
 
 bool receive(Haply& haply, json& message, Milliseconds longest = kAnswerTime) {
@@ -204,15 +215,6 @@ bool send(Haply& haply, const std::string& text, Milliseconds longest = kAnswerT
   haply.socket.async_write(boost::asio::buffer(text),
                            [&](boost::beast::error_code error, std::size_t) { done = !error; });
   return finish(haply, done, longest);
-}
-
-// A closed connection is all that can be done about a force the service may still hold. Whatever
-// had been started ends here, while what it points to is still there.
-void hang_up(Haply& haply) {
-  boost::beast::error_code ignored;
-  haply.socket.next_layer().close(ignored);
-  haply.io.restart();
-  haply.io.run();
 }
 
 void exchange(Haply& haply) {
@@ -326,13 +328,12 @@ void connect(Haply& haply, const tcp::endpoint& endpoint, const std::string& res
   haply.socket.next_layer().connect(endpoint, error);
   if (!error) {
     haply.socket.next_layer().set_option(tcp::no_delay(true));
-    error = boost::asio::error::timed_out;
     bool done = false;
     haply.socket.async_handshake("localhost", "/", [&](boost::beast::error_code result) {
       error = result;
       done = true;
     });
-    if (!finish(haply, done, kOpeningTime)) hang_up(haply);
+    if (!finish(haply, done, kOpeningTime)) error = boost::asio::error::timed_out;
   }
   if (!error) return;
   throw DeviceError(

@@ -11,6 +11,7 @@ namespace {
 constexpr double kSpeedWindowS = 0.025;    // over which the tip's speed is taken
 constexpr double kSlowShare = 0.1;         // of the fastest: the hand has stopped
 constexpr double kRestingShare = 0.03;     // of the fastest: and has not begun to move
+constexpr double kCreepShare = 0.003;      // of the fastest: it does not move
 constexpr double kPunctureWindowS = 0.05;  // in which the force falls after the puncture
 constexpr double kShortestStageS = 0.1;    // of those told apart by speed
 constexpr double kSlopeRangeM = 1e-3;      // less change of depth gives no slope
@@ -92,6 +93,32 @@ std::vector<Stage> classify(std::span<const TrackPoint> track, double period_s) 
     }
   }
   return stages;
+}
+
+bool opposite(Stage a, Stage b) {
+  return (a == Stage::kInsertion && b == Stage::kRetraction) ||
+         (a == Stage::kRetraction && b == Stage::kInsertion);
+}
+
+// A hand behind a soft spring draws at the tip long before friction lets it go. So a hold between
+// two ways ends where the tip begins to creep along the second one, not where it is quick.
+void end_holds_at_the_turn(std::span<const TrackPoint> track, double period_s,
+                           std::vector<Stage>& stages) {
+  const Motion motion = motion_of(track, period_s);
+  Stage before = Stage::kApproach;
+  for (std::size_t begin = 0, end = 0; begin < stages.size(); begin = end) {
+    while (end < stages.size() && stages[end] == stages[begin]) ++end;
+    const bool turns = stages[begin] == Stage::kHold && end < stages.size() &&
+                       opposite(before, stages[end]) && begin > motion.window;
+    before = stages[begin];
+    if (!turns) continue;
+    const double way = stages[end] == Stage::kInsertion ? 1 : -1;
+    for (std::size_t i = end; i-- > begin;) {
+      const double pace = way * speed(track, i - motion.window, i, period_s);
+      if (pace <= kCreepShare * motion.fastest_m_per_s) break;
+      stages[i] = stages[end];
+    }
+  }
 }
 
 // A stage told by speed that is shorter than a person would call one joins the one before it.
@@ -211,6 +238,7 @@ std::vector<PhaseRow> find_phases(std::span<const TrackPoint> track, double peri
                                   float unit_m) {
   std::vector<Stage> stages = classify(track, period_s);
   merge_short(stages, period_s);
+  end_holds_at_the_turn(track, period_s, stages);
   std::vector<PhaseRow> rows;
   for (std::size_t begin = 0; begin < track.size();) {
     std::size_t end = begin;

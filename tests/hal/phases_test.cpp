@@ -131,6 +131,25 @@ TEST(Phases, SlopeOfAQuickInsertionIsThere) {
   EXPECT_NEAR(static_cast<double>(rows[0].slope_n_per_mm), 0.01, 1e-5);
 }
 
+// As above, but the hand draws at a spring from 10 s on, and friction lets the tip go bit by
+// bit: 1.5 mm in 0.7 s.
+TEST(Phases, HoldEndsWhereTheHandTurns) {
+  std::vector<TrackPoint> track = curve();
+  for (int tick = kRetract; tick < kOut; ++tick) {
+    TrackPoint& p = track[static_cast<std::size_t>(tick)];
+    const double since_s = (tick - kRetract) * 1e-3, share = std::min(since_s / 0.7, 1.0);
+    p.travel_m = since_s < 0.7 ? static_cast<float>(0.06 - 1.5e-3 * std::pow(share, 3))
+                               : static_cast<float>(0.0585 * (1 - (since_s - 0.7) / 5.3));
+    p.axial_n = static_cast<float>(0.6 - 1.2 * share);
+  }
+  const auto rows = find_phases(track, kPeriodS, kUnitM);
+  ASSERT_EQ(rows[4].stage, Stage::kHold);
+  EXPECT_EQ(rows[5].stage, Stage::kRetraction);
+  // By when it has crept by 0.7 um: the window at 0.03 mm/s.
+  EXPECT_NEAR(static_cast<double>(rows[4].end_tick) - 1, kRetract, 80);
+  EXPECT_GT(rows[4].end_force_n, 0.45F);
+}
+
 TEST(Phases, ShortPausesAreNoHold) {
   std::vector<TrackPoint> track = curve();
   for (int i = 4000; i < 4060; ++i) {
