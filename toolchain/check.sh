@@ -35,7 +35,7 @@ run_tests -L '^full$' --no-tests=ignore
 note_results
 again clang -E '^(cross|rt\.determinism)'         # they choose their compilers themselves
 again sanitize -E 'ripple|calculix'               # the longest, of code that others run too
-again sanitize-threads -R '^(hal|rt_|simulator)'  # the others have one thread
+again sanitize-threads -R '^(hal|rt_|simulator|console)'  # the others have one thread
 [ "$tier" != full ] || exit 0
 use_preset release
 run_tests -L '^night$' --no-tests=ignore

@@ -118,8 +118,10 @@ class Meter {
     const std::lock_guard lock(mutex_);
     for (const hal::TickRecord& each : records) metrics_add(metrics_, each);
   }
-  void begin(const hal::Scene& scene) {
+  // The loop's counters until end().
+  void begin(const hal::Scene& scene, const hal::LoopState& loop) {
     const std::lock_guard lock(mutex_);
+    loop_ = &loop;
     metrics_.version = STYLET_VERSION;
     metrics_.scene = std::filesystem::path(scene.file).filename().string();
     metrics_.period_s = static_cast<double>(scene.config.period_s);
@@ -128,22 +130,33 @@ class Meter {
     metrics_.running = true;
     ++metrics_.attempts;
   }
-  void end(const hal::LoopState& loop) {
+  void end() {
     const std::lock_guard lock(mutex_);
+    if (loop_ == nullptr) return;
     metrics_.running = false;
-    metrics_.missed_ticks += loop.missed_ticks;
-    metrics_.lost_records += loop.lost_records;
-    metrics_.lost_events += loop.lost_events;
+    add_losses(metrics_);
+    loop_ = nullptr;
   }
-  std::string text(std::size_t connections) {
+  std::string text(const console::ServerCounters& counters) {
     const std::lock_guard lock(mutex_);
-    metrics_.connections = static_cast<std::uint32_t>(connections);
-    return metrics_text(metrics_);
+    hal::Metrics now = metrics_;
+    add_losses(now);
+    now.connections = static_cast<std::uint32_t>(counters.connections);
+    now.lost_frames = counters.lost_frames;
+    return metrics_text(now);
   }
 
  private:
+  void add_losses(hal::Metrics& metrics) const {
+    if (loop_ == nullptr) return;
+    metrics.missed_ticks += loop_->missed_ticks.load(std::memory_order_relaxed);
+    metrics.lost_records += loop_->lost_records.load(std::memory_order_relaxed);
+    metrics.lost_events += loop_->lost_events.load(std::memory_order_relaxed);
+  }
+
   std::mutex mutex_;
   hal::Metrics metrics_;
+  const hal::LoopState* loop_ = nullptr;  // of the running attempt
 };
 
 class Console {
@@ -175,6 +188,7 @@ class Console {
   } catch (const std::exception& error) {
     fmt::print(stderr, "stylet: {}\n", error.what());
     trouble_ = true;
+    meter_.end();
     attempt_.reset();
     server_->refuse(error.what());
     become(console::Activity::Ended);
@@ -187,7 +201,7 @@ class Console {
     events.ordered = [this](const console::Order& order) { return orders_.push(order); };
     events.pointed = [this](const console::PointerMoved& moved) { pointers_.move(moved); };
     events.pointer_left = [this] { pointers_.leave(); };
-    events.metrics = [this](std::size_t connections) { return meter_.text(connections); };
+    events.metrics = [this](const console::ServerCounters& c) { return meter_.text(c); };
     server_ = std::make_unique<console::Server>(config, std::move(events));
     show_stage();
     fmt::print("{}: console at {}\nCtrl-C ends it\n", options_.scene, server_->url());
@@ -263,7 +277,7 @@ class Console {
       case console::Verb::kAcknowledge:
         return acknowledge(order);
       case console::Verb::kMark:
-        return;
+        return mark(order);
       case console::Verb::kSeek:
       case console::Verb::kPlay:
         return server_->refuse("seek and play: only in a recording");
@@ -276,6 +290,7 @@ class Console {
     if (running()) return server_->refuse("start: an attempt is running; reset ends it");
     if (session_ == nullptr) return server_->refuse("start: no scene; choose one");
     attempt_ = std::make_unique<Attempt>();
+    marks_.clear();
     scored_ = {scored_.attempt + 1, trainee, local_time(), "", {}};
     if (!options_.record.empty()) {
       attempt_->recording = hal::numbered_name(options_.record);
@@ -293,7 +308,7 @@ class Console {
             (void)server_->tell({true, {}, console::happened(each)});
           }
         });
-    meter_.begin(session_->scene);
+    meter_.begin(session_->scene, attempt_->state);
     start(*session_, *attempt_);
     become(console::Activity::Running);
   }
@@ -301,7 +316,7 @@ class Console {
   void end_attempt(console::Activity then) {
     if (!attempt_->done.load()) attempt_->state.stop.store(true);
     finish(*session_, *attempt_);
-    meter_.end(attempt_->state);
+    meter_.end();
     host_fit_ = attempt_->host_fit;
     if (tell_of_host(*session_, host_fit_)) report();
     session_->host.report = {};  // said once
@@ -311,7 +326,7 @@ class Console {
 
   void report() {
     RunReport report = report_of(*session_, *attempt_);
-    const std::string record_error = finish_recording(*attempt_, report.state_hash);
+    const std::string record_error = finish_recording(*attempt_, report.state_hash, marks_);
     if (!record_error.empty()) {
       fmt::print(stderr, "stylet: {}\n", record_error);
       report.recording.clear();
@@ -322,6 +337,13 @@ class Console {
     trouble_ = tell_of_trouble(*attempt_) || !record_error.empty() || trouble_;
     scored_.score = attempt_->scorer->score();
     server_->show(scored_);
+  }
+
+  // After an attempt, only pages keep it: its recording is complete.
+  void mark(const console::Order& order) {
+    if (running() && marks_.size() < console::kMaxMarksKept) {
+      marks_.push_back({order.tick, order.text});
+    }
   }
 
   void hold(bool on) {
@@ -375,6 +397,7 @@ class Console {
   std::shared_ptr<hal::Display> display_;
   std::unique_ptr<console::Server> server_;
   std::unique_ptr<Attempt> attempt_;
+  std::vector<hal::Mark> marks_;   // of the present attempt
   console::ScoredAttempt scored_;  // the present attempt, or the last
   console::Activity activity_ = console::Activity::Ready;
   bool host_fit_ = true;

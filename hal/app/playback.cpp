@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "console/player.h"
 #include "console/server.h"
+#include "recorded_score.h"
 #include "serve.h"
 #include "stop_signal.h"
 #include "stylet/hal/replay.h"
@@ -78,14 +79,18 @@ int play_back(const PlaybackOptions& options) {
                     options.recording, info.lost_records, recording.ticks()));
   }
   const auto curve = console::read_curve(recording);
+  const auto targets = hal::parse_targets(info.scene_text, info.scene_file);
+  const std::string name = std::filesystem::path(options.recording).filename().string();
+  const console::ScoredAttempt attempt = {1, "", "", name, score_of(recording, targets)};
   const hal::KernelInstance rest(organ->organ, info.config, info.obstacles);
   const auto display = std::make_shared<hal::Display>(rest.kernel);
   console::Player player(recording, organ->organ, display);
   console::ServerEvents events;
   events.ordered = [&player](const console::Order& order) { return obey(player, order); };
   console::Server server(server_config(options.serve), std::move(events));
-  server.show(curve);
+  server.show(curve, recording.marks());
   server.show(stage_of(recording, organ, display, rest.kernel));
+  server.show(attempt);
   server.show(console::Activity::Playback);
   fmt::print("{}: console at {}\nCtrl-C ends it\n", options.recording, server.url());
   std::fflush(stdout);

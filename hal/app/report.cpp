@@ -67,8 +67,8 @@ Lines counters(const RunReport& report) {
           {"force_warm", guard.force_warm},
           {"force_damped", guard.force_damped},
           {"guard_faults", guard.faults},
-          {"lost_records", report.loop->lost_records},
-          {"lost_events", report.loop->lost_events}};
+          {"lost_records", report.loop->lost_records.load()},
+          {"lost_events", report.loop->lost_events.load()}};
 }
 
 Json json_of(const hal::Histogram& histogram) {
@@ -190,7 +190,7 @@ std::string timing_table(const RunReport& report) {
   if (!report.fast) text += timing_row("wake-up lateness", loop.lateness);
   text += fmt::format(
       "ticks {}, missed {}, page faults {}, preempted {} times; {:.2f} s for {:.2f} s simulated\n",
-      loop.ticks, loop.missed_ticks, report.thread.minor_faults + report.thread.major_faults,
+      loop.ticks, loop.missed_ticks.load(), report.thread.minor_faults + report.thread.major_faults,
       report.thread.involuntary_switches, report.wall_s,
       static_cast<double>(loop.ticks) * report.period_s);
   if (report.threads > 1) {
@@ -276,7 +276,7 @@ std::string json_text(const RunReport& report) {
   out["timing"] = {{"tick", json_of(loop.tick_time)},
                    {"wake_up_lateness", json_of(loop.lateness)},
                    {"ticks", loop.ticks},
-                   {"missed_ticks", loop.missed_ticks},
+                   {"missed_ticks", loop.missed_ticks.load()},
                    {"page_faults", report.thread.minor_faults + report.thread.major_faults},
                    {"involuntary_switches", report.thread.involuntary_switches},
                    {"threads", report.threads},

@@ -8,17 +8,16 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
+#include "recorded_score.h"
 #include "score_text.h"
 #include "stylet/hal/recording.h"
 #include "stylet/hal/replay.h"
 #include "stylet/hal/scene.h"
 
 namespace stylet::app {
-namespace {
-
-constexpr std::uint64_t kBlock = 4096;
 
 hal::Score score_of(const hal::RecordingReader& recording, std::span<const hal::Target> targets) {
+  constexpr std::uint64_t kBlock = 4096;
   const hal::RecordingInfo& info = recording.info();
   hal::Scorer scorer(targets, info.course, static_cast<double>(info.config.period_s));
   std::vector<hal::TickRecord> block;
@@ -40,6 +39,8 @@ hal::Score score_of(const hal::RecordingReader& recording, std::span<const hal::
   }
   return scorer.score();
 }
+
+namespace {
 
 // Names of layers are the organ's; without it, they have numbers.
 std::vector<std::string> recorded_layers(const std::string& path, const hal::RecordingInfo& info,

@@ -280,10 +280,11 @@ void finish(Session& s, Attempt& a) {
   if (a.failure) std::rethrow_exception(a.failure);
 }
 
-std::string finish_recording(Attempt& a, std::uint64_t state_hash) {
+std::string finish_recording(Attempt& a, std::uint64_t state_hash,
+                             std::span<const hal::Mark> marks) {
   if (a.writer == nullptr || !a.recorder->error().empty()) return a.recorder->error();
   try {
-    a.writer->finish(state_hash, a.state.lost_records);
+    a.writer->finish(state_hash, a.state.lost_records, marks);
   } catch (const hal::RecordingError& error) {
     return error.what();
   }
@@ -332,7 +333,7 @@ RunReport report_of(const Session& s, const Attempt& a) {
 bool tell_of_trouble(const Attempt& a) {
   if (a.state.lost_records > 0) {
     fmt::print(stderr, "stylet: {} records lost: the recorder fell more than {} records behind\n",
-               a.state.lost_records, kRecordRing);
+               a.state.lost_records.load(), kRecordRing);
   }
   for (const hal::Flight& each : a.flight->flights()) {
     fmt::print(stderr, "stylet: {} of needle {} in tick {}: what led to it is in {}\n",

@@ -109,7 +109,8 @@ void start(Session& session, Attempt& attempt);
 // Waits for its end, and completes what the recorder does. Throws what the loop threw.
 void finish(Session& session, Attempt& attempt);
 // What went wrong with the recording; empty: nothing. The report is worth having all the same.
-std::string finish_recording(Attempt& attempt, std::uint64_t state_hash);
+std::string finish_recording(Attempt& attempt, std::uint64_t state_hash,
+                             std::span<const hal::Mark> marks = {});
 
 // What the machine refuses, on standard error; returns `fit`.
 bool tell_of_host(const Session& session, bool fit);

@@ -36,8 +36,14 @@ constexpr std::size_t kMaxMarkBytes = 500;
 // ---- what is kept for pages
 // How often pages are served. A page that has not taken its last frame misses this one.
 constexpr std::chrono::milliseconds kFramePause{16};
-// Messages besides frames that wait for one page. More: closed.
-constexpr std::size_t kMaxWaitingMessages = 64;
+// Scores and marks of this session, for pages that come later. More: the oldest is forgotten (here;
+// the recording keeps kMaxMarksKept from the first on).
+constexpr std::size_t kMaxScoresKept = 32;
+constexpr std::size_t kMaxMarksKept = 200;
+// Messages that wait for one page, over those that greet it, and their bytes where there is more
+// than one. More: closed.
+constexpr std::size_t kMaxWaitingMessages = 64 + kMaxScoresKept + kMaxMarksKept;
+constexpr std::size_t kMaxWaitingBytes = std::size_t{32} << 20U;
 // Rows between the recorder and the console. Full: rows are missing in the plots, and counted.
 constexpr std::size_t kRowRing = 16384;
 // Rows of the running attempt. Full: the older half is forgotten.
@@ -46,8 +52,6 @@ constexpr std::size_t kMaxRowsKept = 1'000'000;
 constexpr std::uint32_t kMaxRowsPerFrame = 512;
 constexpr std::uint32_t kMaxRowsPerAnswer = 20'000;
 constexpr std::uint32_t kMaxRowsPerScore = 2000;
-// Scores and marks of this session, for pages that come later. More: the oldest is forgotten.
-constexpr std::size_t kMaxScoresKept = 32;
 // Orders of pages that wait for the session. More: refused.
 constexpr std::size_t kMaxWaitingOrders = 64;
 
@@ -61,5 +65,7 @@ constexpr float kTimingBinUs = 10;
 // Snapshots of a recording's kernel. A long recording or a large organ has them farther apart.
 constexpr std::size_t kSnapshotBytes = std::size_t{512} << 20U;
 constexpr std::uint64_t kLeastSnapshotTicks = 100;
+// From a snapshot to a picture on the way back. Longer: the snapshot is shown.
+constexpr double kLongestWayS = 0.05;
 
 }  // namespace stylet::console

@@ -50,9 +50,10 @@ std::shared_ptr<const Curve> read_curve(const hal::RecordingReader& recording) {
 }
 
 Player::Player(const hal::RecordingReader& recording, const Organ& organ,
-               std::shared_ptr<hal::Display> display)
+               std::shared_ptr<hal::Display> display, double longest_way_s)
     : recording_(recording),
       display_(std::move(display)),
+      longest_way_s_(longest_way_s),
       shown_(organ, recording.info().config, recording.info().obstacles),
       scout_(organ, recording.info().config, recording.info().obstacles),
       stretch_(stretch_for(recording.ticks(), snapshot_bytes(shown_.kernel))),
@@ -97,6 +98,14 @@ std::uint64_t Player::moved(double elapsed_s) {
   return static_cast<std::uint64_t>(std::llround(wish_.tick));
 }
 
+// The tick itself, or the snapshot before it where the way from there is long.
+std::uint64_t Player::key_before(std::uint64_t tick) const {
+  const std::uint64_t way = tick % stretch_;
+  const bool there = tick / stretch_ < snapshots_.size();
+  const bool quick = step_s_ * static_cast<double>(way) <= longest_way_s_;
+  return !there || quick ? tick : std::max<std::uint64_t>(tick - way, 1);
+}
+
 // What is wanted now; false: the end.
 bool Player::next_wish(std::uint64_t& goal_out, std::uint64_t& wish_out) {
   std::unique_lock lock(mutex_);
@@ -109,6 +118,7 @@ bool Player::next_wish(std::uint64_t& goal_out, std::uint64_t& wish_out) {
   const double elapsed_s = std::chrono::duration<double>(now - looked_).count();
   looked_ = now;
   goal_out = wish_.number == wish_out ? moved(elapsed_s) : moved(0);
+  if (wish_.speed < 0) goal_out = key_before(goal_out);
   wish_out = wish_.number;
   return !stop_;
 }
@@ -167,11 +177,18 @@ bool Player::bring_to(std::uint64_t goal, std::uint64_t wish) {
     reset(shown_.kernel);
     shown_tick_ = 0;
   }
-  while (shown_tick_ < goal) {
+  const std::uint64_t from = shown_tick_;
+  const auto began = Clock::now();
+  bool there = true;
+  while (there && shown_tick_ < goal) {
     step(shown_.kernel, shown_tick_);
-    if (shown_tick_ % kLookTicks == 0 && overtaken(wish)) return false;
+    there = shown_tick_ % kLookTicks != 0 || !overtaken(wish);
   }
-  return true;
+  if (shown_tick_ > from) {
+    const double passed_s = std::chrono::duration<double>(Clock::now() - began).count();
+    step_s_ = passed_s / static_cast<double>(shown_tick_ - from);
+  }
+  return there;
 }
 
 void Player::show(std::uint64_t tick) {

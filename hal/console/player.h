@@ -3,6 +3,9 @@
 // recorded inputs. Snapshots of it are taken on the way and, while nothing is asked for, ahead, so
 // that no tick is farther than one stretch of ticks from a snapshot.
 //
+// Backwards each picture is a way of its own from a snapshot. Where that takes longer than
+// `longest_way_s`, the snapshots themselves are shown, as key frames.
+//
 // Forces and needle poses are the recorded ones, to the bit; the tissue is what this program
 // computes from the same inputs, and where that is not what was recorded, it is said so. Memory of
 // the snapshots: kSnapshotBytes. One thread, ordinary priority. Units: SI.
@@ -17,6 +20,7 @@
 #include <thread>
 #include <vector>
 
+#include "limits.h"
 #include "rows.h"
 #include "stylet/hal/display.h"
 #include "stylet/hal/instance.h"
@@ -32,7 +36,7 @@ class Player {
   // `organ` is the recording's. Recording, organ and display must outlive it; nobody else may read
   // the recording meanwhile.
   Player(const hal::RecordingReader& recording, const Organ& organ,
-         std::shared_ptr<hal::Display> display);
+         std::shared_ptr<hal::Display> display, double longest_way_s = kLongestWayS);
   ~Player();
   Player(const Player&) = delete;
   Player& operator=(const Player&) = delete;
@@ -56,6 +60,7 @@ class Player {
   void work();
   bool next_wish(std::uint64_t& goal_out, std::uint64_t& wish_out);
   std::uint64_t moved(double elapsed_s);
+  std::uint64_t key_before(std::uint64_t tick) const;
   bool overtaken(std::uint64_t number);
   // The kernel after `goal` ticks; false: another wish came first.
   bool bring_to(std::uint64_t goal, std::uint64_t wish);
@@ -66,6 +71,8 @@ class Player {
 
   const hal::RecordingReader& recording_;
   std::shared_ptr<hal::Display> display_;
+  const double longest_way_s_;
+  double step_s_ = 0;  // what a tick took lately
   hal::KernelInstance shown_, scout_;
   std::uint64_t shown_tick_ = 0, scout_tick_ = 0;
   std::uint64_t stretch_;                          // ticks between snapshots

@@ -83,11 +83,11 @@ struct Server::Impl {
   void serve_frames();
   void take_news();
   bool news_for(const Got& got) const;
-  std::string take_order(const Link& link, const Order& order);
+  std::string take_order(const Link& link, Order order);
   void answer_rows(Link& link, const AskedRows& asked);
-  void mark(const std::string& text);
+  std::uint64_t present_tick() const { return state == nullptr ? 0 : state->hand[0].output.tick; }
   void score(const ScoredAttempt& attempt);
-  void keep_and_send(std::deque<Parcel>& kept, Bytes bytes);
+  void keep_and_send(std::deque<Parcel>& kept, std::size_t most, Bytes bytes);
   void greet(Link& link);
   bool in_control(const Link& link) const;
   void join(const std::shared_ptr<Link>& link);
@@ -112,9 +112,10 @@ struct Server::Impl {
   std::uint64_t serial = 0;  // of the newest state
   TimingShown timing;
   std::uint32_t rounds = 0;
-  std::deque<Parcel> marks;   // of this attempt
-  std::deque<Parcel> scores;  // of this session
-  std::thread thread;         // last: it uses all of the above
+  std::uint64_t lost_frames = 0;  // of all pages so far
+  std::deque<Parcel> marks;       // of this attempt
+  std::deque<Parcel> scores;      // of this session
+  std::thread thread;             // last: it uses all of the above
 };
 
 // ---- a page's WebSocket
@@ -139,7 +140,10 @@ class Link : public std::enable_shared_from_this<Link> {
 
   void send(Parcel message) {
     if (closed_) return;
-    if (waiting_.size() >= kMaxWaitingMessages) return close();
+    const bool too_many = waiting_.size() >= kMaxWaitingMessages;
+    const bool too_much = !waiting_.empty() && bytes_ + message->size() > kMaxWaitingBytes;
+    if (too_many || too_much) return close();
+    bytes_ += message->size();
     waiting_.push_back(std::move(message));
     if (waiting_.size() == 1) write();
   }
@@ -191,6 +195,7 @@ class Link : public std::enable_shared_from_this<Link> {
     socket_.async_write(asio::buffer(bytes.data(), bytes.size()),
                         [self = shared_from_this()](const Error& error, std::size_t) {
                           if (error) return self->close();
+                          self->bytes_ -= self->waiting_.front()->size();
                           self->waiting_.pop_front();
                           if (!self->waiting_.empty()) self->write();
                         });
@@ -201,6 +206,7 @@ class Link : public std::enable_shared_from_this<Link> {
   std::shared_ptr<Seat> seat_;
   beast::flat_buffer buffer_{kMaxMessageBytes};
   std::deque<Parcel> waiting_;  // the first is being written
+  std::size_t bytes_ = 0;       // of those
   std::chrono::steady_clock::time_point second_ = {};
   std::uint32_t messages_ = 0;
   bool closed_ = false;
@@ -248,7 +254,9 @@ class Visit : public std::enable_shared_from_this<Visit> {
       case Place::kOrgan:
         return reply_organ();
       case Place::kMetrics:
-        text_ = server_.events.metrics ? server_.events.metrics(server_.connections) : "";
+        text_ = server_.events.metrics
+                    ? server_.events.metrics({server_.connections, server_.lost_frames})
+                    : "";
         return reply(200, "text/plain; version=0.0.4; charset=utf-8", text_);
       case Place::kSocket:
         if (!websocket::is_upgrade(request)) return reply(400, "text/plain", "only a WebSocket");
@@ -381,7 +389,10 @@ void Server::Impl::serve_frames() {
     Got& got = link->got;
     if (!news_for(got)) continue;
     if (!link->free()) {
-      if (std::exchange(got.offered, serial) != serial) ++got.lost_frames;
+      if (std::exchange(got.offered, serial) != serial) {
+        ++got.lost_frames;
+        ++lost_frames;
+      }
       continue;
     }
     if (got.attempt != live.attempt()) got.rows = got.events = 0;
@@ -427,34 +438,40 @@ void Server::Impl::leave(const Link& link) {
   if (controlled && !links.empty()) greet(*links.front());
 }
 
-std::string Server::Impl::take_order(const Link& link, const Order& order) {
-  if (!in_control(link)) return "only the page that came first may control; this one may look";
-  const std::size_t most = order.verb == Verb::kMark ? kMaxMarkBytes : kMaxNameBytes;
+// A teacher marks from a page of his own, whoever is in control.
+std::string Server::Impl::take_order(const Link& link, Order order) {
+  const bool mark = order.verb == Verb::kMark;
+  if (!mark && !in_control(link)) {
+    return "only the page that came first may control; this one may look and mark";
+  }
+  const std::size_t most = mark ? kMaxMarkBytes : kMaxNameBytes;
   if (order.verb != Verb::kChoose && order.text.size() > most) {
     return fmt::format("a text of {} bytes: at most {}", order.text.size(), most);
   }
+  if (mark) {
+    order.tick = present_tick();
+    const auto control = [](unsigned char c) { return c < ' ' || c == 0x7F; };
+    std::replace_if(order.text.begin(), order.text.end(), control, ' ');
+  }
   const std::string refused = events.ordered(order);
-  if (refused.empty() && order.verb == Verb::kMark) mark(order.text);
+  if (refused.empty() && mark) {
+    keep_and_send(marks, kMaxMarksKept, marked_message(order.tick, order.text));
+  }
   return refused;
-}
-
-void Server::Impl::mark(const std::string& text) {
-  if (state == nullptr) return;
-  keep_and_send(marks, marked_message(state->hand[0].output.tick, text));
 }
 
 void Server::Impl::score(const ScoredAttempt& attempt) {
   if (stage == nullptr) return;
   take_news();
-  const std::span rows = live.rows_from(0);
+  const std::span rows = curve().rows_from(0);
   const std::uint64_t first = rows.empty() ? 0 : rows.front().tick();
   const std::vector<Row> thinned = thin(rows, first, stride_for(rows.size(), 1, kMaxRowsPerScore));
-  keep_and_send(scores, score_message(*stage, attempt, thinned));
+  keep_and_send(scores, kMaxScoresKept, score_message(*stage, attempt, thinned));
 }
 
-void Server::Impl::keep_and_send(std::deque<Parcel>& kept, Bytes bytes) {
+void Server::Impl::keep_and_send(std::deque<Parcel>& kept, std::size_t most, Bytes bytes) {
   kept.push_back(shared(std::move(bytes)));
-  if (kept.size() > kMaxScoresKept) kept.pop_front();
+  if (kept.size() > most) kept.pop_front();
   for (const auto& link : std::vector(links)) link->send(kept.back());
 }
 
@@ -501,8 +518,15 @@ void Server::show(Activity activity) {
   asio::post(impl_->io, [impl = impl_.get(), activity] { impl->activity = activity; });
 }
 
-void Server::show(std::shared_ptr<const Curve> curve) {
-  asio::post(impl_->io, [impl = impl_.get(), curve = std::move(curve)] { impl->recorded = curve; });
+void Server::show(std::shared_ptr<const Curve> curve, std::span<const hal::Mark> marks) {
+  std::deque<Parcel> told;
+  for (const hal::Mark& each : marks.first(std::min(marks.size(), kMaxMarksKept))) {
+    told.push_back(shared(marked_message(each.tick, each.text)));
+  }
+  asio::post(impl_->io, [impl = impl_.get(), curve = std::move(curve), told = std::move(told)] {
+    impl->recorded = curve;
+    impl->marks = told;
+  });
 }
 
 void Server::show(const ScoredAttempt& attempt) {

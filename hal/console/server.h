@@ -19,6 +19,7 @@
 #include "messages.h"
 #include "stage.h"
 #include "stylet/hal/channel.h"
+#include "stylet/hal/recording.h"
 
 namespace stylet::console {
 
@@ -31,13 +32,19 @@ struct ServerConfig {
   std::vector<int> spared_processors;  // the loop's, where it has one of its own
 };
 
+// For the counters' page.
+struct ServerCounters {
+  std::size_t connections = 0;    // open now
+  std::uint64_t lost_frames = 0;  // of all pages so far
+};
+
 struct ServerEvents {
   // On the server's thread; must return at once. The answer is told to the page that asked, and
   // empty where the order was taken.
   std::function<std::string(const Order&)> ordered;
   std::function<void(const PointerMoved&)> pointed;
   std::function<void()> pointer_left;  // the page in control has gone
-  std::function<std::string(std::size_t connections)> metrics;
+  std::function<std::string(const ServerCounters&)> metrics;
 };
 
 class Server {
@@ -55,12 +62,12 @@ class Server {
   void show(std::shared_ptr<const Stage> stage);
   void show(Activity activity);
   void refuse(const std::string& what);  // to the page in control
-  // Of the attempt whose rows were told last.
+  // Of the attempt whose rows were told last, or of the recording.
   void show(const ScoredAttempt& attempt);
   // Where the recorder tells its rows; full: they are lost and counted. One writer.
   bool tell(const Told& told);
-  // Instead of that: the whole curve of a recording.
-  void show(std::shared_ptr<const Curve> curve);
+  // Instead of that: the whole curve of a recording, and its marks.
+  void show(std::shared_ptr<const Curve> curve, std::span<const hal::Mark> marks);
 
   struct Impl;
 

@@ -117,15 +117,20 @@ void tick_hands(const LoopConfig& config, Kernel& kernel, std::span<const Device
   }
 }
 
+// By the only thread that writes it.
+void count(std::atomic<std::uint64_t>& counter, std::uint64_t more) {
+  counter.store(counter.load(std::memory_order_relaxed) + more, std::memory_order_relaxed);
+}
+
 template <typename T>
-void push(Ring<T>* ring, const T& item, bool wait_for_room, std::uint64_t& lost) {
+void push(Ring<T>* ring, const T& item, bool wait_for_room, std::atomic<std::uint64_t>& lost) {
   if (ring == nullptr) return;
   bool done = ring->push(item);
   while (!done && wait_for_room) {
     std::this_thread::yield();
     done = ring->push(item);
   }
-  if (!done) ++lost;
+  if (!done) count(lost, 1);
 }
 
 void hand_out(const Outlets& outlets, const Kernel& kernel, std::span<const TickRecord> records,
@@ -134,10 +139,10 @@ void hand_out(const Outlets& outlets, const Kernel& kernel, std::span<const Tick
   if (happened != state.events_seen) {
     std::array<Event, kMaxEvents> buffer;
     const std::uint32_t fresh = happened - state.events_seen;
-    const std::uint32_t count =
+    const std::uint32_t known =
         events(kernel, std::span(buffer).first(std::min(fresh, kMaxEvents)));
-    state.lost_events += fresh - count;
-    for (std::uint32_t i = 0; i < count; ++i) {
+    count(state.lost_events, fresh - known);
+    for (std::uint32_t i = 0; i < known; ++i) {
       push(outlets.events, buffer[i], outlets.wait_for_room, state.lost_events);
     }
     state.events_seen = happened;
@@ -182,7 +187,7 @@ std::int64_t next_grid_point(const LoopConfig& config, LoopState& state, std::in
     return next_ns;
   }
   const std::int64_t missed = (now_ns - next_ns + config.period_ns - 1) / config.period_ns;
-  state.missed_ticks += static_cast<std::uint64_t>(missed);
+  count(state.missed_ticks, static_cast<std::uint64_t>(missed));
   state.missed_in_a_row += static_cast<std::uint32_t>(std::min<std::int64_t>(missed, 1'000'000));
   if (state.missed_in_a_row >= kMaxMissedInARow) trip_all(state, Fault::kTooLate);
   return next_ns + missed * config.period_ns;

@@ -100,6 +100,8 @@ std::string metrics_text(const Metrics& m) {
                   m.lost_records);
   text += counter("stylet_lost_events_total", "Events that did not fit into the recorder's queue.",
                   m.lost_events);
+  text += counter("stylet_console_lost_frames_total",
+                  "Frames that pages of the console were too slow for.", m.lost_frames);
   return text + gauge("stylet_console_connections", "Connections open, this one among them.",
                       m.connections);
 }

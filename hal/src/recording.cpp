@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -351,6 +352,36 @@ void read_bodies(hid_t file, const std::string& path, RecordingInfo& info) {
   obstacles.read(0, std::span(info.obstacles));
 }
 
+// One text of lines "tick<tab>words". Recordings without marks have none.
+constexpr const char* kMarks = "marks";
+
+void write_marks(hid_t file, const std::string& path, std::span<const Mark> marks) {
+  std::string lines;
+  for (const Mark& each : marks) lines += fmt::format("{}\t{}\n", each.tick, each.text);
+  if (!lines.empty()) AttributeWriter{file, path}.text(kMarks, lines);
+}
+
+std::vector<Mark> read_marks(hid_t file, const std::string& path) {
+  std::vector<Mark> marks;
+  if (H5Lexists(file, kMarks, H5P_DEFAULT) <= 0) return marks;
+  std::string text;
+  AttributeReader{file, path}.text(kMarks, text);
+  const char* const last = text.data() + text.size();
+  for (const char* begin = text.data(); begin < last;) {
+    const char* const end = std::find(begin, last, '\n');
+    Mark mark;
+    const auto [rest, error] = std::from_chars(begin, end, mark.tick);
+    if (error != std::errc() || rest == end || *rest != '\t') {
+      fail(path, kMarks,
+           fmt::format("line {}: expected a tick, a tab and words", marks.size() + 1));
+    }
+    mark.text.assign(rest + 1, end);
+    marks.push_back(std::move(mark));
+    begin = end + 1;
+  }
+  return marks;
+}
+
 // We report errors ourselves: the library's own stack print is not for users, and its cleaning up
 // at exit crashes on a file that could not be completed because the disk was full.
 void prepare_library() {
@@ -422,11 +453,13 @@ void RecordingWriter::append(std::span<const Event> events) {
   file_->events.append(events);
 }
 
-void RecordingWriter::finish(std::uint64_t final_state_hash, std::uint64_t lost_records) {
+void RecordingWriter::finish(std::uint64_t final_state_hash, std::uint64_t lost_records,
+                             std::span<const Mark> marks) {
   for (std::size_t i = 0; i < file_->ticks.size(); ++i) {
     file_->ticks[i].append(std::span<const TickRecord>(file_->waiting[i]));
   }
   AttributeWriter writer{file_->file.id, file_->path};
+  write_marks(file_->file.id, file_->path, marks);
   const std::uint64_t ticks = file_->ticks[0].rows();
   writer.number("lost_records", ColumnType::kUint64, 1, &lost_records);
   writer.number("final_state_hash", ColumnType::kUint64, 1, &final_state_hash);
@@ -450,6 +483,7 @@ struct RecordingReader::File {
   RecordingInfo info;
   mutable std::vector<Table> ticks;  // of each needle
   mutable Table events;
+  std::vector<Mark> marks;
 
   File(const std::string& path_in, hid_t id)
       : path(path_in), file(id, H5Fclose), events(id, path, event_columns()) {}
@@ -487,6 +521,7 @@ RecordingReader::RecordingReader(const std::string& path) {
     }
   }
   file_->events.open();
+  file_->marks = read_marks(id, file_->path);
 }
 
 RecordingReader::~RecordingReader() = default;
@@ -505,6 +540,10 @@ void RecordingReader::read(std::uint64_t first, std::span<TickRecord> out,
                            std::uint32_t needle) const {
   file_->ticks[needle].read(first, out);
   for (TickRecord& each : out) each.needle = needle;
+}
+
+const std::vector<Mark>& RecordingReader::marks() const {
+  return file_->marks;
 }
 
 void RecordingReader::read(std::uint64_t first, std::span<Event> out) const {

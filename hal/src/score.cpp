@@ -59,7 +59,7 @@ void Scorer::add(const TickRecord& record) {
   }
   measure(tip, out.tip_m, in_tissue);
   watch_turns(tip, travel_m, in_tissue);
-  approach_targets(tip.last_m, out.tip_m);
+  approach_targets(record.input.handle.position_m, tip.last_m, out.tip_m);
   weigh(tip, out);
   if (record.fault != tip.fault && record.fault != Fault::kNone) ++score_.faults;
   tip.fault = record.fault;
@@ -118,9 +118,11 @@ void Scorer::watch_turns(Tip& tip, double travel_m, bool in_tissue) {
   }
 }
 
-void Scorer::approach_targets(Vec3 from_m, Vec3 to_m) {
+void Scorer::approach_targets(Vec3 hand_m, Vec3 from_m, Vec3 to_m) {
   for (std::size_t i = 0; i < targets_.size(); ++i) {
-    const double near_m = distance_to_way(targets_[i].position_m, from_m, to_m);
+    const Vec3 centre_m = targets_[i].position_m;
+    double near_m = distance_to_way(centre_m, from_m, to_m);
+    if (targets_[i].forbidden) near_m = std::min(near_m, distance_to_way(centre_m, hand_m, to_m));
     float& closest_m = score_.targets[i].closest_m;
     closest_m = std::min(closest_m, static_cast<float>(near_m));
   }

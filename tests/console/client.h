@@ -30,7 +30,10 @@ constexpr Milliseconds kPatience{20000};
 
 class Client {
  public:
-  explicit Client(std::uint16_t port) : port_(port), socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+  // room: for what was sent and not read yet; 0: what the system gives.
+  explicit Client(std::uint16_t port, int room = 0)
+      : port_(port), socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    if (room > 0) setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
     sockaddr_in to = {};
     to.sin_family = AF_INET;
     to.sin_port = htons(port);
@@ -121,7 +124,8 @@ class Client {
   // The next message of a kind. The bytes stay until the next call.
   template <typename T>
   const T* next_of(Body type, const std::function<bool(const T&)>& wanted = {}) {
-    for (;;) {
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    while (std::chrono::steady_clock::now() < end) {
       std::optional<std::string> bytes = next();
       if (!bytes) return nullptr;
       message_ = std::move(*bytes);
@@ -133,6 +137,7 @@ class Client {
       const T* body = static_cast<const T*>(message.body());
       if (!wanted || wanted(*body)) return body;
     }
+    return nullptr;
   }
 
   // Whether the other side closes, whatever it says before that.

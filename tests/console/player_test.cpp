@@ -105,6 +105,28 @@ TEST(Player, PlaysBothWaysAndStopsAtTheEnds) {
   EXPECT_NE(await(*display, recorded.all.size()), nullptr);
 }
 
+TEST(Player, BackwardsSnapshotsAreKeyFramesWhereTheWayIsLong) {
+  Recorded recorded;
+  const hal::RecordingReader reader(recorded.path);
+  const auto display = std::make_shared<hal::Display>(recorded.instance->kernel);
+  Player player(reader, recorded.organ, display, /*longest_way_s=*/0);
+  const std::uint64_t last = recorded.all.size();
+  ASSERT_GT(last, 2 * kLeastSnapshotTicks);
+  player.seek(last);
+  ASSERT_NE(await(*display, last), nullptr);
+  std::this_thread::sleep_for(1s);  // the snapshots are taken meanwhile
+  player.play(-0.2F);
+  std::vector<std::uint64_t> shown;
+  while (shown.empty() || shown.back() > 1) {
+    const hal::DisplayState* state = display->take();
+    if (state == nullptr) continue;
+    shown.push_back(state->hand[0].output.tick);
+    const auto& expected = recorded.all[shown.back() - 1].output;
+    EXPECT_EQ(std::memcmp(&state->hand[0].output, &expected, sizeof expected), 0);
+  }
+  EXPECT_EQ(shown, (std::vector<std::uint64_t>{2 * kLeastSnapshotTicks, kLeastSnapshotTicks, 1}));
+}
+
 TEST(Player, OtherForcesThanRecordedAreNoticed) {
   Recorded recorded;
   recorded.all[99].output.force_n.x += 1e-6F;
@@ -126,7 +148,7 @@ TEST(Player, OtherForcesThanRecordedAreNoticed) {
 TEST(Player, ThePageGetsTheForceExactly) {
   Recorded recorded;
   const hal::RecordingReader reader(recorded.path);
-  recorded.server->show(read_curve(reader));  // before there is a player: see player.h
+  recorded.server->show(read_curve(reader), {});  // before there is a player: see player.h
   Player player(reader, recorded.organ,
                 std::shared_ptr<hal::Display>(recorded.display.get(), [](hal::Display*) {}));
   recorded.server->show(Activity::Playback);

@@ -124,6 +124,14 @@ auto verb(Body type) {
   });
 }
 
+auto pointer_at(float z_m) {
+  return page_message(Body::Pointer, [z_m](auto& b) {
+    const Vec3 place(0, 0, z_m);
+    const Quaternion straight(1, 0, 0, 0);
+    return CreatePointer(b, 0, &place, &straight, 1);
+  });
+}
+
 bool await(Client& client, Activity activity) {
   return client.next_of<Frame>(Body::Frame, [activity](const Frame& frame) {
     return frame.activity() == activity;
@@ -195,6 +203,84 @@ TEST(Program, APauseIsNotInTheRecording) {
   EXPECT_EQ(held.info().final_state_hash, plain.info().final_state_hash);
 }
 
+// A teacher's page marks what the trainee's page does; the recording keeps it.
+TEST(Program, MarksAreInTheRecordingAndOnItsPage) {
+  Program program;
+  program.start({"run", program.at("first.toml"), "--device", "pointer:", "--allow-non-rt",
+                 "--record", program.at("out.h5"), "--flight", program.at("flight.h5"),
+                 "--console=0"});
+  const std::uint16_t port = program.port();
+  ASSERT_NE(port, 0) << program.output();
+  Client trainee(port);
+  ASSERT_EQ(trainee.join(), 101U);
+  ASSERT_NE(trainee.next_of<Hello>(Body::Hello), nullptr) << program.output();
+  Client teacher(port);
+  ASSERT_EQ(teacher.join(), 101U);
+  trainee.say_message(verb(Body::Start));
+  ASSERT_NE(teacher.next_of<Frame>(Body::Frame, [](const Frame& f) { return f.tick() > 100; }),
+            nullptr)
+      << program.output();
+  teacher.say_message(page_message(
+      Body::Mark, [](auto& b) { return CreateMark(b, b.CreateString("slower,\tplease")); }));
+  const Marked* mark = trainee.next_of<Marked>(Body::Marked);
+  ASSERT_NE(mark, nullptr);
+  EXPECT_EQ(mark->text()->str(), "slower, please");
+  const std::uint64_t tick = mark->tick();
+  EXPECT_GT(tick, 100U);
+  trainee.say_message(verb(Body::Reset));
+  ASSERT_NE(trainee.next_of<Score>(Body::Score), nullptr);
+  program.end();
+  const hal::RecordingReader recording(program.at("out-1.h5"));
+  ASSERT_EQ(recording.marks().size(), 1U);
+  EXPECT_EQ(recording.marks()[0].tick, tick);
+  EXPECT_EQ(recording.marks()[0].text, "slower, please");
+  program.start({"console", program.at("out-1.h5"), "--port", "0"});
+  Client reader(program.port());
+  ASSERT_EQ(reader.join(), 101U);
+  const Marked* kept = reader.next_of<Marked>(Body::Marked);
+  ASSERT_NE(kept, nullptr) << program.output();
+  EXPECT_EQ(kept->tick(), tick);
+}
+
+// From the pointer's messages through guard and kernel to the force that the page draws, and the
+// counters of the attempt while it runs.
+TEST(Program, APointerOnAPageFeelsTheTissue) {
+  Program program;
+  program.start({"run", program.at("first.toml"), "--device", "pointer:", "--allow-non-rt",
+                 "--record", program.at("out.h5"), "--flight", program.at("flight.h5"),
+                 "--console=0"});
+  const std::uint16_t port = program.port();
+  ASSERT_NE(port, 0) << program.output();
+  Client client(port);
+  ASSERT_EQ(client.join(), 101U);
+  client.say_message(verb(Body::Start));
+  ASSERT_TRUE(await(client, Activity::Running)) << program.output();
+  constexpr float kFeltN = 0.02F;  // of 0.2 that break through
+  float force_n = 0, depth_m = 0;
+  for (int step = 0; step <= 100 && force_n < kFeltN; ++step) {
+    client.say_message(pointer_at(-1e-4F * static_cast<float>(step)));
+    const Frame* frame = client.next_of<Frame>(Body::Frame);
+    ASSERT_NE(frame, nullptr) << program.output();
+    const NeedleFrame& needle = *frame->needles()->Get(0);
+    force_n = std::abs(needle.force_n()->x());
+    depth_m = needle.depth_m();
+  }
+  EXPECT_GE(force_n, kFeltN);
+  EXPECT_GE(depth_m, 0);
+  std::string body;
+  Client counters(port);
+  counters.get("/metrics");
+  EXPECT_EQ(counters.answer(&body), 200U);
+  EXPECT_NE(body.find("stylet_running 1\n"), std::string::npos);
+  EXPECT_NE(body.find("stylet_console_lost_frames_total "), std::string::npos);
+  EXPECT_EQ(body.find("stylet_ticks_total 0\n"), std::string::npos);
+  client.say_message(verb(Body::Reset));
+  const Score* score = client.next_of<Score>(Body::Score);
+  ASSERT_NE(score, nullptr) << program.output();
+  EXPECT_GE(score->peak_force_n(), kFeltN);
+  EXPECT_EQ(score->faults(), 0U) << program.output();
+}
+
 TEST(Program, ARecordingIsPlayedAndAnotherSceneChosen) {
   Program program;
   program.start({"run", program.at("first.toml"), "--fast", "--record", program.at("plain.h5"),
@@ -218,6 +304,11 @@ TEST(Program, ARecordingIsPlayedAndAnotherSceneChosen) {
   Client client(program.port());
   ASSERT_EQ(client.join(), 101U);
   client.say_message(page_message(Body::Seek, [](auto& b) { return CreateSeek(b, 200); }));
+  const Score* score = client.next_of<Score>(Body::Score);
+  ASSERT_NE(score, nullptr);
+  EXPECT_EQ(score->recording()->str(), "plain-1.h5");
+  EXPECT_GT(score->path_m(), 0.01F);
+  EXPECT_GT(score->rows()->size(), 100U);
   const Frame* frame =
       client.next_of<Frame>(Body::Frame, [](const Frame& f) { return f.tick() == 200; });
   ASSERT_NE(frame, nullptr) << program.output();

@@ -28,7 +28,9 @@ struct Served : hal::Rig {
       orders.push_back(order);
       return std::string(order.verb == Verb::kReset ? "not now" : "");
     };
-    asked.metrics = [](std::size_t) { return std::string("stylet_ticks_total 1\n"); };
+    asked.metrics = [](const ServerCounters& counters) {
+      return "lost_frames " + std::to_string(counters.lost_frames) + "\n";
+    };
     server = std::make_unique<Server>(ServerConfig{gate, {}}, std::move(asked));
     const std::string url = server->url();
     port = static_cast<std::uint16_t>(std::stoul(url.substr(url.find(':', 7) + 1)));

@@ -16,6 +16,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr std::uint64_t kManyRows = kMaxRowsPerAnswer;
+
 // The console still does what it is for.
 void expect_alive(Served& served) {
   Client client(served.port);
@@ -42,7 +44,7 @@ TEST(Server, ServesThePageTheOrganAndTheCounters) {
   EXPECT_EQ(std::memcmp(body.data(), served.bytes.data(), body.size()), 0);
   client.get("/metrics");
   EXPECT_EQ(client.answer(&body), 200U);
-  EXPECT_EQ(body, "stylet_ticks_total 1\n");
+  EXPECT_EQ(body, "lost_frames 0\n");
   client.get("/app.js.map");
   EXPECT_EQ(client.answer(), 404U);
 }
@@ -267,6 +269,114 @@ TEST(Server, MoreConnectionsThanSeatsAreClosed) {
   clients.clear();
   std::this_thread::sleep_for(200ms);
   expect_alive(served);
+}
+
+auto all_rows() {
+  return page_message(Body::AskRows,
+                      [](auto& b) { return CreateAskRows(b, 1, kManyRows, kMaxRowsPerAnswer); });
+}
+
+// So many that an answer with all of them has more than a megabyte.
+void tell_many_rows(Served& served) {
+  hal::TickRecord record = {};
+  while (record.output.tick < kManyRows) {
+    ++record.output.tick;
+    while (!served.server->tell({false, row_of(record, served.course), {}})) {
+      std::this_thread::sleep_for(1ms);
+    }
+  }
+  std::this_thread::sleep_for(3 * kFramePause);
+}
+
+void publish(Served& served, int states) {
+  hal::TickRecord record = {};
+  for (int i = 0; i < states; ++i) {
+    ++record.output.tick;
+    served.display->publish(served.instance->kernel, std::span(&record, 1), 0, 0);
+    std::this_thread::sleep_for(2 * kFramePause);
+  }
+}
+
+TEST(Server, FramesThatAPageWasTooSlowForAreCounted) {
+  Served served;
+  tell_many_rows(served);
+  publish(served, 1);
+  Client slow(served.port, 65536);
+  ASSERT_EQ(slow.join(), 101U);
+  // More than sockets hold: frames pass it by meanwhile.
+  constexpr int kAnswers = 12;
+  for (int i = 0; i < kAnswers; ++i) ASSERT_TRUE(slow.say_message(all_rows()));
+  std::this_thread::sleep_for(500ms);
+  publish(served, 5);
+  for (int i = 0; i < kAnswers; ++i) ASSERT_NE(slow.next_of<Rows>(Body::Rows), nullptr) << i;
+  publish(served, 1);
+  const Frame* frame = slow.next_of<Frame>(
+      Body::Frame, [](const Frame& f) { return f.timing()->lost_frames() > 0; });
+  ASSERT_NE(frame, nullptr);
+  EXPECT_GE(frame->timing()->lost_frames(), 1U);
+  EXPECT_LE(frame->timing()->lost_frames(), 5U);
+  std::string body;
+  Client counters(served.port);
+  counters.get("/metrics");
+  EXPECT_EQ(counters.answer(&body), 200U);
+  EXPECT_EQ(body, "lost_frames " + std::to_string(frame->timing()->lost_frames()) + "\n");
+}
+
+// Once by the number of answers that wait for it, once by their size. What it says keeps it from
+// being idle, and is too little to be too much.
+TEST(Server, APageThatAsksButNeverReadsIsClosed) {
+  for (const bool large : {false, true}) {
+    Served served;
+    if (large) tell_many_rows(served);
+    if (!large) served.run_all();
+    const std::uint32_t asks = large ? 60 : kMaxMessagesPerSecond - 100;
+    Client deaf(served.port, 4096);
+    ASSERT_EQ(deaf.join(), 101U);
+    bool open = true;
+    for (std::uint32_t i = 0; open && i < asks; ++i) open = deaf.say_message(all_rows());
+    for (int i = 0; open && i < 600; ++i) {
+      std::this_thread::sleep_for(100ms);
+      open = deaf.say_frame("", 9);
+    }
+    EXPECT_FALSE(open) << large;
+    expect_alive(served);
+  }
+}
+
+TEST(Server, AnyPageMayMarkAndALateOneGetsAllMarksAndScores) {
+  Served served;
+  served.run_all();
+  for (std::uint32_t i = 1; i <= kMaxScoresKept; ++i) {
+    served.server->show(ScoredAttempt{i, "", "", "", {}});
+  }
+  Client first(served.port), teacher(served.port);
+  ASSERT_EQ(first.join(), 101U);
+  ASSERT_EQ(teacher.join(), 101U);
+  const Hello* hello = teacher.next_of<Hello>(Body::Hello);
+  ASSERT_NE(hello, nullptr);
+  EXPECT_FALSE(hello->may_control());
+  ASSERT_NE(teacher.next_of<Frame>(Body::Frame), nullptr);
+  for (std::size_t i = 0; i <= kMaxMarksKept; ++i) {
+    teacher.say_message(page_message(Body::Mark, [i](auto& b) {
+      return CreateMark(b, b.CreateString("line\none " + std::to_string(i)));
+    }));
+  }
+  const std::string last = "line one " + std::to_string(kMaxMarksKept);
+  const auto is_last = [&last](const Marked& m) { return m.text()->str() == last; };
+  ASSERT_NE(first.next_of<Marked>(Body::Marked, is_last), nullptr);
+  Client late(served.port);
+  ASSERT_EQ(late.join(), 101U);
+  const Score* score = late.next_of<Score>(Body::Score);
+  ASSERT_NE(score, nullptr);
+  EXPECT_EQ(score->attempt(), 1U);
+  const Marked* mark = late.next_of<Marked>(Body::Marked);
+  ASSERT_NE(mark, nullptr);
+  EXPECT_EQ(mark->text()->str(), "line one 1");  // the very first is forgotten
+  EXPECT_EQ(mark->tick(), served.config.ticks);
+  EXPECT_NE(late.next_of<Marked>(Body::Marked, is_last), nullptr);
+  const std::lock_guard lock(served.mutex);
+  EXPECT_EQ(served.orders.size(), kMaxMarksKept + 1);
+  EXPECT_EQ(served.orders.back().tick, served.config.ticks);
 }
 
 // A client that never reads takes nothing from the others.

@@ -168,6 +168,30 @@ TEST_F(RecordingTest, NeedlesObstaclesAndBreathingComeBack) {
   }
 }
 
+TEST_F(RecordingTest, MarksComeBackAndNoneIsNone) {
+  const std::vector<Mark> marks = {{7, "too fast"}, {7, "tab\there, \xc3\xa9t\xc3\xa9"}, {900, ""}};
+  for (const std::span<const Mark> kept : {std::span(marks), std::span<const Mark>()}) {
+    RecordingWriter writer(path(), {});
+    writer.finish(0, 0, kept);
+    const RecordingReader reader(path());
+    ASSERT_EQ(reader.marks().size(), kept.size());
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      EXPECT_EQ(reader.marks()[i].tick, kept[i].tick);
+      EXPECT_EQ(reader.marks()[i].text, kept[i].text);
+    }
+  }
+}
+
+// A line break in a mark makes the next line one without a tick.
+TEST_F(RecordingTest, MarksThatAreNoneAreRefused) {
+  const std::vector<Mark> marks = {{7, "good"}, {8, "two\nlines"}};
+  RecordingWriter writer(path(), {});
+  writer.finish(0, 0, marks);
+  EXPECT_THAT([&] { RecordingReader reader(path()); },
+              testing::ThrowsMessage<RecordingError>(
+                  testing::HasSubstr("marks: line 3: expected a tick, a tab and words")));
+}
+
 TEST_F(RecordingTest, AnOlderFormatIsRefusedByItsNumber) {
   {
     RecordingWriter writer(path(), some_info());

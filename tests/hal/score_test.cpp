@@ -108,6 +108,20 @@ TEST(Score, ClosestToTargets) {
   EXPECT_NEAR(attempt.scorer.score().targets[2].closest_m, 4e-3F, 1e-7F);
 }
 
+// The tip goes past a zone that the shaft then leans on, and stops short of a target beside it.
+TEST(Score, TheShaftTouchesAZoneButReachesNoTarget) {
+  const Vec3 beside = {0.105F, 0.004F, 0};
+  Attempt attempt({{"vessel", beside, 0.003F, true}, {"tumour", beside, 0.003F, false}});
+  attempt.go(-10, 40, 500);
+  EXPECT_FALSE(attempt.scorer.score().targets[0].reached);
+  attempt.at(40, 4);  // from the hand at 0: the shaft rises by 3 mm on the way to x = 105
+  const Score score = attempt.scorer.score();
+  EXPECT_NEAR(score.targets[0].closest_m, 1e-3F, 1e-5F);
+  EXPECT_TRUE(score.targets[0].reached);
+  EXPECT_NEAR(score.targets[1].closest_m, 4e-3F, 1e-7F);
+  EXPECT_FALSE(score.targets[1].reached);
+}
+
 TEST(Score, TheTargetNearestToEitherNeedleCounts) {
   Attempt attempt({{"tumour", {0.1F, 0.02F, 0}, 0.001F, false}});
   attempt.at(0, 0, {}, 0);

@@ -52,7 +52,7 @@ class Tiers(unittest.TestCase):
     FULL = FAST + [("release", "-L ^full$ --no-tests=ignore"),
                    ("clang", SHORT + r" -E ^(cross|rt\.determinism)"),
                    ("sanitize", SHORT + " -E ripple|calculix"),
-                   ("sanitize-threads", SHORT + " -R ^(hal|rt_|simulator)")]
+                   ("sanitize-threads", SHORT + " -R ^(hal|rt_|simulator|console)")]
     NIGHT = FULL + [("release", "-L ^night$ --no-tests=ignore")]
 
     def test_each_tier_has_all_of_the_one_before(self):

@@ -246,6 +246,129 @@ test(
       await wrong.page.context().close();
     });
 
+// In the page: draws now, and gives the colours that stand at shares of the canvas, right and down,
+// or at the middle of the needle's part in tissue.
+function drawn(shares: (number[]|'inside')[]): number[][] {
+  const view = window.stylet.view();
+  const gl = view?.canvas.getContext('webgl2');
+  const needle = window.stylet.store.frame?.needles[0];
+  if (!view || !gl || !needle) throw new Error('no view');
+  view.always = true;
+  view.step();
+  view.always = false;
+  const {clientWidth, clientHeight, width, height} = view.canvas;
+  return shares.map((share) => {
+    const [a, b] = needle.nodes.slice(-2);
+    const middle = {x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, z: (a.z + b.z) / 2};
+    const at = share === 'inside' ? view.project(middle) :
+                                    {x: share[0] * clientWidth, y: share[1] * clientHeight};
+    const pixel = new Uint8Array(4);
+    const [x, y] = [(at?.x ?? 0) / clientWidth, 1 - (at?.y ?? 0) / clientHeight];
+    gl.readPixels(
+        Math.floor(x * width), Math.floor(y * height), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    return [...pixel];
+  });
+}
+
+const near = (a: number[], b: number[], most: number) =>
+    a.every((v, k) => Math.abs(v - b[k]) <= most);
+
+// The same by the processor and by the shader: solid, cut open at the needle, cut away, x-ray.
+test('solid, cut and x-ray show what they are for, whoever deforms', async () => {
+  const server = await serve({recordingTicks: 16000});
+  const kGrid = Array.from({length: 15 * 11}, (_, i) => [(i % 15 + 0.5) / 15, (i / 15) / 11]);
+  const seen: number[][][] = [];
+  for (const card of [false, true]) {
+    const {page, errors} = await open(browser, `${server.url}#teacher`, {card, still: true});
+    await shown(page);
+    assert.equal(await page.evaluate(() => window.stylet.view()?.byGpu), card);
+    await scrub(page, 7000);
+    const looks: number[][] = [];
+    const look = async (change: object) => {
+      await page.evaluate((to) => window.stylet.view()?.setLook(to), change);
+      const [inside, ...grid] = await page.evaluate(drawn, ['inside', ...kGrid] as number[][]);
+      looks.push(...grid);
+      return inside;
+    };
+    const solid = await look({xray: false, cut: false});
+    assert.ok(solid[0] > solid[2] + 40, `solid: the liver hides the needle: ${solid}`);
+    const cut = await look({cut: true, cutAt: 0.5});
+    assert.ok(
+        Math.max(...cut.slice(0, 3)) - Math.min(...cut.slice(0, 3)) < 40,
+        `cut: the needle's grey is seen: ${cut}`);
+    const [wall] = await page.evaluate(drawn, [[0.5, 0.35]]);
+    // The mean of the colours in palette.ts, inside and liver, three to one; nothing lights it.
+    assert.ok(near(wall, [0x90, 0x46, 0x53, 255], 2), `cut: the inside is flat: ${wall}`);
+    const away = await look({cutAt: 1});
+    assert.ok(near(away, cut, 40), `cut away: the needle stays: ${away}`);
+    const [gone] = await page.evaluate(drawn, [[0.5, 0.35]]);
+    assert.equal(gone[3], 0, 'cut away: nothing is left of the liver');
+    const xray = await look({cut: false, xray: true});
+    assert.ok(!near(xray, solid, 20), 'x-ray: the needle shows through');
+    const [thin] = await page.evaluate(drawn, [[0.5, 0.35]]);
+    assert.ok(thin[3] > 0 && thin[3] < 255, `x-ray: light comes through: ${thin}`);
+    seen.push(looks);
+    assert.deepEqual(errors, []);
+    await page.context().close();
+  }
+  const [processor, gpu] = seen;
+  const other = processor.filter((pixel, i) => !near(pixel, gpu[i], 12)).length;
+  assert.ok(other <= 0.03 * processor.length, `${other} of ${processor.length} pixels differ`);
+});
+
+test('presets move the camera, and at once where less motion is asked for', async () => {
+  const server = await serve();
+  for (const still of [false, true]) {
+    const {page} = await open(browser, `${server.url}#trainee`, {still});
+    await shown(page);
+    const places = await page.evaluate(() => {
+      const camera = window.stylet.view()?.cameraMan.camera;
+      const from = camera?.position.toArray();
+      window.stylet.view()?.preset('above');
+      return [from, camera?.position.toArray()];
+    });
+    await page.waitForTimeout(700);
+    const end =
+        await page.evaluate(() => window.stylet.view()?.cameraMan.camera.position.toArray());
+    const apart = (a?: number[], b?: number[]) =>
+        Math.hypot(...(a ?? []).map((v, k) => v - (b?.[k] ?? 0)));
+    assert.ok(apart(places[0], end) > 0.05);
+    assert.equal(apart(places[1], end) < 1e-9, still);
+    await page.context().close();
+  }
+});
+
+test('on a touch screen one finger pushes and two roll', async () => {
+  const server = await serve({device: 'pointer:'});
+  const {page, errors} =
+      await open(browser, `${server.url}#trainee`, {touch: true, width: 1024, height: 768});
+  await shown(page);
+  await page.locator('.pad').scrollIntoViewIfNeeded();
+  const box = await page.locator('.pad').boundingBox();
+  assert.ok(box);
+  const touch = await page.context().newCDPSession(page);
+  const send = (type: 'touchStart'|'touchMove'|'touchEnd', ...spots: number[][]) =>
+      touch.send('Input.dispatchTouchEvent', {
+        type,
+        touchPoints: spots.map(([x, y], id) => ({x: box.x + x, y: box.y + y, id})),
+      });
+  const last = () => server.pointers[server.pointers.length - 1];
+  await send('touchStart', [100, 150]);
+  for (let y = 140; y >= 90; y -= 10) await send('touchMove', [100, y]);
+  await until(
+      () => Math.abs((last()?.z ?? 0) + 60 * 0.25e-3) < 1e-5 && last().buttons === 1,
+      'a finger pushes by a quarter of a millimetre a pixel');
+  const pushed = last().z;
+  await send('touchStart', [100, 90], [180, 90]);
+  for (let y = 100; y <= 170; y += 10) await send('touchMove', [100, 90], [180, y]);
+  await until(() => Math.abs(last().roll - 45) < 0.5, 'two roll, by 45 degrees');
+  assert.ok(Math.abs(last().z - pushed) < 1e-9, 'and do not push');
+  await send('touchEnd');
+  await until(() => last().buttons === 0, 'let go');
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
+
 test('the pointer is the needle: drag pushes, wheel rolls, keys do both', async () => {
   const server = await serve({device: 'pointer:'});
   const {page, errors} = await open(browser, `${server.url}#trainee`);

@@ -28,7 +28,17 @@ export interface Opened {
   foreign: string[];  // requests to any other host
 }
 
+// On the page before it runs: it takes the machine for one with a graphics card, and lets the
+// shader deform the surface, although SwiftShader still draws.
+const kAsWithCard = `
+  const own = WebGL2RenderingContext.prototype.getParameter;
+  const kRenderer = 0x9246;  // UNMASKED_RENDERER_WEBGL
+  WebGL2RenderingContext.prototype.getParameter = function(name) {
+    return name === kRenderer ? 'a card' : own.call(this, name);
+  };`;
+
 export interface How {
+  card?: boolean;
   width?: number;
   height?: number;
   dark?: boolean;
@@ -46,6 +56,7 @@ export async function open(browser: Browser, url: string, how: How = {}): Promis
   });
   context.setDefaultTimeout(120000);
   const page = await context.newPage();
+  if (how.card) await page.addInitScript(kAsWithCard);
   const [errors, foreign]: string[][] = [[], []];
   page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
   page.on('pageerror', (error) => errors.push(error.message));

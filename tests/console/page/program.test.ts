@@ -8,6 +8,9 @@ import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {createInterface} from 'node:readline';
 import {test} from 'node:test';
+
+import type {Page} from 'playwright-core';
+import {vertexNormals} from '../../../hal/console/page/src/organ';
 import {launch, open, scrub, shown, valueOf} from './browser_support';
 
 const kBin = process.env.STYLET_BIN ?? '';
@@ -29,6 +32,38 @@ rows = [ticks.index(int(tick)) for tick in sys.argv[2:]]
 print(json.dumps([[float(v) for v in f["output/force_n"][row]] for row in rows]))`;
   const python = '/usr/bin/python3';
   return JSON.parse(String(execFileSync(python, ['-c', script, recording, ...kTicks.map(String)])));
+}
+
+// Angles in degrees between two lists of normals of any length, in order of size.
+function anglesBetween(a: ArrayLike<number>, b: ArrayLike<number>): number[] {
+  const angles: number[] = [];
+  for (let i = 0; i < a.length; i += 3) {
+    const [p, q] = [[a[i], a[i + 1], a[i + 2]], [b[i], b[i + 1], b[i + 2]]];
+    const cosine = p.reduce((sum, v, k) => sum + v * q[k], 0) / Math.hypot(...p) / Math.hypot(...q);
+    angles.push((180 / Math.PI) * Math.acos(Math.min(1, cosine)));
+  }
+  return angles.sort((x, y) => x - y);
+}
+
+// The normals that light the surface, beside those of the kernel's own.
+async function judgeNormals(page: Page, own: number[], byGpu: boolean): Promise<void> {
+  const shown = await page.evaluate(
+      (gpu) => Array.from(window.stylet.view()?.deformedVertices(gpu, true) ?? []), byGpu);
+  const [triangles, rest] = await page.evaluate(() => {
+    const {organ} = window.stylet.store;
+    return [Array.from(organ?.triangles ?? []), Array.from(organ?.vertexNormal ?? [])];
+  });
+  const truth = vertexNormals(Float32Array.from(own), Uint32Array.from(triangles));
+  assert.equal(shown.length, truth.length);
+  const [angles, still] = [anglesBetween(shown, truth), anglesBetween(rest, truth)];
+  const at = (list: number[], share: number) => list[Math.floor(share * (list.length - 1))];
+  console.log(
+      `normals: 99 % within ${at(angles, 0.99).toFixed(2)} degrees, all within ` +
+      `${at(angles, 1).toFixed(2)}; those at rest ${at(still, 0.99).toFixed(2)} and ` +
+      `${at(still, 1).toFixed(2)}`);
+  assert.ok(at(angles, 0.99) < 0.5 && at(angles, 1) < 2);
+  const turned = at(still, 0.99) > 0.1;  // the surface had begun to bend
+  assert.ok(!turned || at(angles, 0.99) < 0.5 * at(still, 0.99), 'better than those at rest');
 }
 
 async function serve(recording: string, organ: string): Promise<[ChildProcess, string]> {
@@ -72,6 +107,7 @@ test('the surface is the kernel\'s own to 0.1 mm, the force the recorded one', a
             `tick ${tick}, by ${byGpu ? 'GPU' : 'processor'}: ${own.length / 3} vertices, ` +
             `at most ${(1e6 * apart).toFixed(1)} um apart`);
         assert.ok(apart < kNear, `tick ${tick}: ${apart} m`);
+        await judgeNormals(page, own, byGpu);
       }
     }
     assert.deepEqual(foreign, []);

@@ -15,7 +15,8 @@ import {
   kLateral,
   kMaterials,
   kSecondAttempt,
-  kTotal
+  kTotal,
+  materialColours
 } from '../../../hal/console/page/src/palette';
 
 const css = readFileSync(join(kPage, 'src/app.css'), 'utf8');
@@ -142,6 +143,35 @@ test('materials and causes differ at a glance for every colour vision', () => {
       }));
     }
   }
+});
+
+test('a tissue has its colour in every organ, and neighbours differ at a glance', () => {
+  const neighbours = [
+    ['skin', 'fat', 'muscle', 'liver_capsule', 'liver', 'tumour'],
+    ['muscle', 'fascia', 'fat', 'prostate', 'tumour'],
+    ['skin', 'fat', 'ligament', 'ligamentum_flavum', 'epidural_fat'],
+    ['liver', 'tumour'],
+    ['gel'],
+  ];
+  const colourOf = new Map<string, string>();
+  for (const names of neighbours) {
+    const colours = materialColours(names);
+    assert.equal(new Set(colours).size, names.length);
+    const turned = materialColours([...names].reverse()).reverse();
+    for (const [i, name] of names.entries()) {
+      assert.equal(turned[i], colours[i], name);
+      assert.equal(colourOf.get(name) ?? colours[i], colours[i], name);
+      colourOf.set(name, colours[i]);
+    }
+    for (const vision of Object.values(kVision)) {
+      colours.forEach((a, i) => colours.slice(i + 1).forEach((b) => {
+        const [p, q] = [seen(a, vision), seen(b, vision)];
+        assert.ok(Math.hypot(...p.map((v, k) => v - q[k])) >= kGlance, `${names}: ${a}, ${b}`);
+      }));
+    }
+  }
+  const strangers = Array.from({length: 12}, (_, i) => `tissue ${i}`);
+  assert.equal(new Set(materialColours(strangers)).size, kMaterials.length);
 });
 
 function sources(folder: string): [string, string][] {

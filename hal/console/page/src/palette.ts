@@ -31,7 +31,43 @@ export const kMaterials = [
   '#882255',
 ];
 
-export const materialColour = (index: number): string => kMaterials[index % kMaterials.length];
+// What a tissue has in every organ, as long as no other there has it; tissues as in
+// offline/src/materials.cpp. Tissues that lie beside each other have one of the first six each.
+const kUsual: Record<string, number> = {
+  liver: 0,
+  kidney: 0,
+  spleen: 0,
+  pancreas: 0,
+  stomach: 0,
+  prostate: 0,
+  gel: 0,
+  fat: 1,
+  epidural_fat: 4,
+  skin: 2,
+  liver_capsule: 3,
+  prostate_capsule: 3,
+  fascia: 3,
+  ligamentum_flavum: 3,
+  tumour: 4,
+  muscle: 5,
+  vessel: 6,
+  ligament: 0,
+  bone: 8,
+};
+
+// A colour for each material of an organ.
+export function materialColours(names: string[]): string[] {
+  const taken = new Set<number>();
+  const own = names.map((name) => {
+    const wish = kUsual[name];
+    if (wish === undefined || taken.has(wish)) return -1;
+    taken.add(wish);
+    return wish;
+  });
+  const free = kMaterials.map((_, i) => i).filter((i) => !taken.has(i));
+  let next = 0;
+  return own.map((at, i) => kMaterials[at >= 0 ? at : free[next++] ?? i % kMaterials.length]);
+}
 
 // Of the bodies in the 3D view, the same on light and dark ground.
 export const kBody = {

@@ -16,7 +16,8 @@ export type ViewName = 'trainee'|'teacher'|'engineer'|'report';
 export type Topic =|'link'   // connection came, went or waits
     |'hello'                 // another scene or recording
     |'organ'|'frame'|'rows'  // series, events or marks changed
-    |'scores'|'view'         // trainee, teacher, engineer, report
+    |'marks'|'scores'        // of attempts
+    |'view'                  // trainee, teacher, engineer, report
     |'needle';               // which needle the plots show
 
 export class Store {
@@ -72,6 +73,7 @@ export class Store {
         break;
       case 'marked':
         this.marks = [...this.marks, message].sort((a, b) => a.tick - b.tick);
+        this.tell('marks');
         this.tell('rows');
         break;
       case 'refused':
@@ -85,14 +87,13 @@ export class Store {
   }
 
   private begin(hello: Hello): void {
-    const another = this.hello?.scene !== hello.scene;
     this.hello = hello;
     this.moved = new Int16Array(4 * hello.particles);
     this.frame = null;
     this.needle = Math.min(this.needle, hello.needles.length - 1);
     this.series = hello.needles.map(() => new Series());
     this.events = [];
-    if (another) this.marks = [];
+    this.marks = [];  // the server tells all of them again
     this.tell('hello');
     this.tell('rows');
   }

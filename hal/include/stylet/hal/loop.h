@@ -92,9 +92,10 @@ struct LoopState {
   std::uint32_t events_seen = 0;
   std::uint32_t missed_in_a_row = 0;
   std::uint64_t ticks = 0;
-  std::uint64_t missed_ticks = 0;  // grid points passed over
-  std::uint64_t lost_records = 0;
-  std::uint64_t lost_events = 0;
+  // Written by the loop alone; other threads may read them while it runs.
+  std::atomic<std::uint64_t> missed_ticks{0};  // grid points passed over
+  std::atomic<std::uint64_t> lost_records{0};
+  std::atomic<std::uint64_t> lost_events{0};
   Histogram tick_time;  // from reading the device to the force being written
   Histogram lateness;   // of the wake-up
 };

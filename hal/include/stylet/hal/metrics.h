@@ -41,6 +41,7 @@ struct Metrics {
   std::array<std::array<std::uint64_t, kFaults>, kMaxNeedles> faults = {};  // latched so far
   std::array<Fault, kMaxNeedles> fault = {};                                // latched now
   std::uint32_t connections = 0;                                            // to the console, now
+  std::uint64_t lost_frames = 0;  // that the console's pages were too slow for
 };
 
 // Ticks, their times, and faults.

@@ -37,6 +37,12 @@ struct RecordingInfo {
   std::uint64_t lost_records = 0;
 };
 
+// What a teacher said of a tick: one line, without control characters.
+struct Mark {
+  std::uint64_t tick = 0;
+  std::string text;
+};
+
 // `path` with -1, -2, ... before its extension: the first name that is free.
 std::string numbered_name(const std::string& path);
 
@@ -50,7 +56,8 @@ class RecordingWriter {
   // Each record into the table of its needle.
   void append(std::span<const TickRecord> records);
   void append(std::span<const Event> events);
-  void finish(std::uint64_t final_state_hash, std::uint64_t lost_records);
+  void finish(std::uint64_t final_state_hash, std::uint64_t lost_records,
+              std::span<const Mark> marks = {});
 
  private:
   struct File;
@@ -70,6 +77,7 @@ class RecordingReader {
   void read(std::uint64_t first, std::span<TickRecord> out, std::uint32_t needle = 0) const;
   std::uint64_t event_count() const;
   void read(std::uint64_t first, std::span<Event> out) const;
+  const std::vector<Mark>& marks() const;
 
  private:
   struct File;

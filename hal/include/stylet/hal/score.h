@@ -42,8 +42,10 @@ struct PunctureScore {
 };
 
 struct TargetScore {
-  float closest_m = std::numeric_limits<float>::infinity();  // of a tip to its centre, ever
-  bool reached = false;  // a tip was inside: of a forbidden zone, that it was touched
+  // Of a tip to its centre, ever; to a forbidden zone's also of the shaft, straight from the hand
+  // to the tip: a bent needle's is its chord.
+  float closest_m = std::numeric_limits<float>::infinity();
+  bool reached = false;  // a tip was inside; of a forbidden zone, that it was touched
 };
 
 struct Score {
@@ -83,7 +85,7 @@ class Scorer {
 
   void measure(Tip& tip, Vec3 tip_m, bool in_tissue);
   void watch_turns(Tip& tip, double travel_m, bool in_tissue);
-  void approach_targets(Vec3 from_m, Vec3 to_m);
+  void approach_targets(Vec3 hand_m, Vec3 from_m, Vec3 to_m);
   void weigh(const Tip& tip, const Output& output);
 
   std::vector<Target> targets_;

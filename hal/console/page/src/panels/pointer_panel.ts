@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// No device: the pointer is the needle. Drag pushes, wheel rolls, keys do both; fingers too.
+// No device: the pointer is the needle. Drag pushes, wheel rolls, keys do both; one finger pushes,
+// two that turn about each other roll.
 //
 // Sends the handle's pose in the frame of a device (x right, y up, -z the way in, from its start),
 // at most once a picture. Shown only where a needle's device is "pointer:".
@@ -34,6 +35,18 @@ export function rollOf(degrees: number): Quaternion {
 
 const within = (value: number): number => Math.min(kFarthest, Math.max(-kFarthest, value));
 
+interface Spot {
+  x: number;
+  y: number;
+}
+const kFullTurn = 360;
+
+// From where the second finger was, seen from the first, to where it is: degrees, the shorter way.
+function turnBetween(from: Spot, to: Spot): number {
+  const degrees = ((Math.atan2(to.y, to.x) - Math.atan2(from.y, from.x)) * 180) / Math.PI;
+  return degrees - kFullTurn * Math.round(degrees / kFullTurn);
+}
+
 export class PointerPanel {
   readonly root: HTMLElement;
   private readonly pad = el('div', {
@@ -48,7 +61,7 @@ export class PointerPanel {
   private place: Vec3 = {x: 0, y: 0, z: 0};
   private roll = 0;
   private activity = Activity.Ready;
-  private held = false;
+  private readonly held = new Map<number, Spot>();  // pointers that are down
   private readonly pressed = new Set<string>();
   private slow = false;
   private stale = false;
@@ -113,25 +126,34 @@ export class PointerPanel {
   }
 
   private drag(event: PointerEvent): void {
-    if (!this.held) return;
-    const scale = kMetresPerPixel * (event.shiftKey ? kSlow : 1);
-    this.place.x = within(this.place.x + scale * event.movementX);
-    this.place.z = within(this.place.z + scale * event.movementY);
+    const from = this.held.get(event.pointerId);
+    if (from === undefined) return;
+    const to = {x: event.clientX, y: event.clientY};
+    this.held.set(event.pointerId, to);
+    if (this.held.size === 1) {
+      const scale = kMetresPerPixel * (event.shiftKey ? kSlow : 1);
+      this.place.x = within(this.place.x + scale * (to.x - from.x));
+      this.place.z = within(this.place.z + scale * (to.y - from.y));
+    } else {
+      const [, other] = [...this.held].find(([id]) => id !== event.pointerId) ?? [0, to];
+      const seen = (spot: Spot) => ({x: spot.x - other.x, y: spot.y - other.y});
+      this.roll += turnBetween(seen(from), seen(to));
+    }
     this.changed();
   }
 
   private listen(): void {
     const {pad} = this;
     pad.addEventListener('pointerdown', (event) => {
-      this.held = true;
+      this.held.set(event.pointerId, {x: event.clientX, y: event.clientY});
       pad.setPointerCapture(event.pointerId);
       pad.classList.add('held');
       this.stale = true;
     });
     for (const end of ['pointerup', 'pointercancel'] as const) {
-      pad.addEventListener(end, () => {
-        this.held = false;
-        pad.classList.remove('held');
+      pad.addEventListener(end, (event) => {
+        this.held.delete(event.pointerId);
+        pad.classList.toggle('held', this.held.size > 0);
         this.stale = true;
       });
     }
@@ -174,7 +196,7 @@ export class PointerPanel {
     }
     if (!this.stale || this.root.hidden) return;
     this.stale = false;
-    const buttons = this.held || this.pressed.size > 0 ? 1 : 0;
+    const buttons = this.held.size > 0 || this.pressed.size > 0 ? 1 : 0;
     this.send(ask.pointer(this.needle, this.place, rollOf(this.roll), buttons));
   }
 

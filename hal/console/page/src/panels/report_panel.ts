@@ -21,7 +21,7 @@ export class ReportPanel {
            button(texts.report.print, () => window.print(), {class: 'primary'})),
         this.content,
     );
-    store.on(['view', 'scores', 'hello'], () => this.show());
+    store.on(['view', 'scores', 'marks', 'hello'], () => this.show());
     window.addEventListener('beforeprint', () => this.draw());
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The 3D view's frame: what is shown, from where, what the colours mean, and how fast.
 import {button, el, prefersStill, say, setOn, toggle} from '../dom';
-import {kBody, materialColour} from '../palette';
+import {kBody, materialColours} from '../palette';
 import type {Store} from '../store';
 import {texts} from '../texts';
 import {kPresets} from '../view3d/camera';
@@ -121,9 +121,9 @@ export class ScenePanel {
     if (organ === null || hello === null || look === undefined) return;
     const used = new Set<number>();
     for (const voxel of organ.vertexVoxel) used.add(organ.voxelMaterial[voxel]);
-    const items: [string, string, string][] = [
-      ...used
-    ].sort((a, b) => a - b).map((m) => [organ.materials[m] ?? '', materialColour(m), 'dot']);
+    const colours = materialColours(organ.materials);
+    const items: [string, string, string][] =
+        [...used].sort((a, b) => a - b).map((m) => [organ.materials[m] ?? '', colours[m], 'dot']);
     if (look.particles) {
       items.push([texts.view3d.legendParticle, kBody.particle, 'dot']);
       items.push([texts.view3d.legendGoal, kBody.goal, 'dot']);

@@ -107,13 +107,14 @@ export function surfaceGeometry(organ: Organ, hello: Hello): THREE.BufferGeometr
   return geometry;
 }
 
-// Places of all surface vertices as the GPU computes them, x y z each: the proof that what is drawn
-// is what the kernel says.
+// Places of all surface vertices as the GPU computes them, or normals of any length, x y z each:
+// the proof that what is drawn is what the kernel says.
 export function readBack(
     renderer: THREE.WebGLRenderer,
     organ: Organ,
     hello: Hello,
     deformation: Deformation,
+    normals: boolean,
     ): Float32Array {
   const count = organ.vertexVoxel.length;
   const [width, height] = [kTextureWidth, Math.ceil(count / kTextureWidth)];
@@ -133,8 +134,9 @@ export function readBack(
       uniform vec2 size;
       out vec3 at;
       void main() {
-        vec3 turned;
-        deform(position, normal, at, turned);
+        vec3 place, turned;
+        deform(position, normal, place, turned);
+        at = ${normals ? 'turned' : 'place'};
         vec2 cell = vec2(float(gl_VertexID & 255), float(gl_VertexID >> 8));
         gl_Position = vec4((cell + 0.5) / size * 2.0 - 1.0, 0.0, 1.0);
         gl_PointSize = 1.0;

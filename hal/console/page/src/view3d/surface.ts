@@ -6,7 +6,7 @@
 // looks like the cut face and hides nothing that lies in it.
 import * as THREE from 'three';
 import {outerEdges, type Organ} from '../organ';
-import {kBody, materialColour} from '../palette';
+import {kBody, materialColours} from '../palette';
 import type {Hello} from '../protocol';
 import {kDeform, kDeformSurface, surfaceGeometry, type Deformation} from './deform';
 import {makeSkin, type Skin} from './skin';
@@ -104,7 +104,7 @@ export interface Surface {
 }
 
 function vertexColours(organ: Organ): Float32Array {
-  const table = organ.materials.map((_, i) => new THREE.Color(materialColour(i)).toArray());
+  const table = materialColours(organ.materials).map((c) => new THREE.Color(c).toArray());
   const colours = new Float32Array(3 * organ.vertexVoxel.length);
   organ.vertexVoxel.forEach((voxel, i) => {
     colours.set(table[organ.voxelMaterial[voxel]] ?? [0.5, 0.5, 0.5], 3 * i);

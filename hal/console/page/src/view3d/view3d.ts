@@ -132,17 +132,17 @@ export class View3d {
     return {x: ((p.x + 1) / 2) * clientWidth, y: ((1 - p.y) / 2) * clientHeight};
   }
 
-  // Places of all vertices, as the GPU computes them or as the processor does.
-  deformedVertices(byGpu: boolean): Float32Array {
+  // Places of all vertices, or normals, as the GPU computes them or as the processor does.
+  deformedVertices(byGpu: boolean, normals = false): Float32Array {
     const {organ, hello, moved} = this.store;
     if (organ === null || hello === null || this.deformation === null) return new Float32Array();
     if (byGpu) {
       upload(this.deformation, moved);
-      return readBack(this.renderer, organ, hello, this.deformation);
+      return readBack(this.renderer, organ, hello, this.deformation, normals);
     }
     const skin = makeSkin(organ, hello);
     skin.move(moved);
-    return skin.places;
+    return normals ? skin.normals : skin.places;
   }
 
   private rebuild(): void {

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a recorded attempt came to: the score that was told when it ended, from its records.
+#pragma once
+
+#include <span>
+
+#include "stylet/hal/recording.h"
+#include "stylet/hal/score.h"
+
+namespace stylet::app {
+
+hal::Score score_of(const hal::RecordingReader& recording, std::span<const hal::Target> targets);
+
+}  // namespace stylet::app
