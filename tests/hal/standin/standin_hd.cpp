@@ -35,8 +35,8 @@ struct ErrorInfo {
 
 struct Unit {
   StandIn seen;
-  bool open = false;
-  bool output = false;  // forces enabled
+  std::atomic<bool> open{false};
+  std::atomic<bool> output{false};  // forces enabled
   bool in_frame = false;
   int frames_in_tick = 0;
   double wanted[3] = {};
