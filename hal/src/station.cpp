@@ -27,7 +27,7 @@ void take_models(StationState& state, const Link& link) {
 // half of its life: at the end nothing is left that the guard would let fall slowly.
 float model_share(const StationConfig& config, StationState& state, std::int64_t now_ns) {
   const std::int64_t age_ns = now_ns - state.newest.echo_t_ns;
-  if (state.models == 0 || age_ns >= state.newest.life_ns) {
+  if (age_ns >= state.newest.life_ns) {  // or none yet: that one has no life
     state.fade_tick = 0;
     ++state.starved;
     return 0;
@@ -35,7 +35,7 @@ float model_share(const StationConfig& config, StationState& state, std::int64_t
   const float ticks = kFadeInS / config.guard.period_s;
   const float in = std::min(static_cast<float>(++state.fade_tick) / ticks, 1.0F);
   const auto left_ns = static_cast<float>(state.newest.life_ns - age_ns);
-  const float out = std::min(2 * left_ns / static_cast<float>(state.newest.life_ns), 1.0F);
+  const float out = 2 * left_ns / static_cast<float>(state.newest.life_ns);
   return std::min(in, out);
 }
 

@@ -43,6 +43,9 @@ TEST(Grip, NotEnabledGivesPoseAndForceAsTheyAre) {
   EXPECT_TRUE(std::signbit(pose.position_m.z));
   EXPECT_EQ(pose.rotation.y, 1);
   EXPECT_EQ(grip_wrench({}, state, {{1, 2, 3}, {4, 5, 6}}).torque_nm.z, 6);
+  GripConfig doubled;
+  doubled.force_scale = 2;
+  EXPECT_EQ(grip_wrench(doubled, state, {{1, 2, 3}, {}}).force_n.z, 3);
   EXPECT_EQ(grip_stiffness({}, state), 1);
 }
 
@@ -66,6 +69,25 @@ TEST(Grip, ScalesAndTurnsMotionAndTurnsForceBack) {
   expect_near(felt.force_n, {0, 0, 4}, 1e-5F);
   expect_near(felt.torque_nm, {0, 0, 1}, 1e-5F);
   EXPECT_FLOAT_EQ(grip_stiffness(config, state), 1);
+}
+
+TEST(Grip, NeedleIsTakenUpWhereItIsWhenTheDeviceComesBackElsewhere) {
+  GripState state;
+  (void)grip_pose(plain(), state, sample_at({}));
+  (void)grip_pose(plain(), state, sample_at({0, 0, -0.02F}));
+  grip_take_up(state);
+  const Pose back = grip_pose(plain(), state, sample_at({0.1F, 0, 0.3F}, {kRoot, kRoot, 0, 0}));
+  expect_near(back.position_m, {0, 0, -0.02F}, 1e-7F);
+  EXPECT_NEAR(back.rotation.w, 1, 1e-6F);
+}
+
+// Turned by half a turn across its own axis there is no telling how it is rolled.
+TEST(Grip, HandThatIsUpsideDownDoesNotRollThePivotingShaft) {
+  GripState state;
+  (void)grip_pose(pivoting(), state, sample_at({}));
+  const Pose pose = grip_pose(pivoting(), state, sample_at({}, {0, 1, 0, 0}));
+  EXPECT_NEAR(std::fabs(pose.rotation.w), 1, 1e-6F);
+  expect_near({pose.rotation.x, pose.rotation.y, pose.rotation.z}, {}, 1e-6F);
 }
 
 TEST(Grip, ClutchHoldsTheNeedleAndLetsGoOfTheForce) {

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// One station by itself, tick by tick: what it takes, how it fades, what it counts and what it
+// sends.
+#include "stylet/hal/station.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <deque>
+#include <vector>
+
+namespace stylet::hal {
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+
+// A device at rest, and a way for packets without a network.
+struct Desk {
+  StationConfig config = station_config({.name = "a device",
+                                         .max_force_n = 3,
+                                         .max_slew_n_per_s = 4000,
+                                         .max_torque_nm = 0.1F,
+                                         .continuous_force_n = 3});
+  StationState state = station_start(4);
+  std::deque<std::vector<std::byte>> coming;
+  std::vector<SamplePacket> sent;
+  Command felt = {};
+  bool answers = true;
+  std::uint64_t seq = 0, models = 0;
+  std::int64_t now_ns = 5'000 * kMs;
+
+  Desk() { config.guard.ramp_s = 0; }
+
+  void send(const ForcePacket& packet) {
+    const auto bytes = encode(packet);
+    coming.push_back({bytes.begin(), bytes.end()});
+  }
+  // A model of a force without a slope, that answers a sample of now.
+  ForcePacket model(Vec3 force_n, Vec3 torque_nm = {}) {
+    ForcePacket packet;
+    packet.seq = ++models;
+    packet.echo_t_ns = now_ns;
+    packet.life_ns = kForceLifeNs;
+    packet.model.force_n = force_n;
+    packet.model.torque_nm = torque_nm;
+    packet.model.max_force_n = 100;
+    return packet;
+  }
+  void tick() {
+    const Device device = {this, {}, read, write, [](void*) {}};
+    const Link link = {this, take, receive};
+    station_tick(config, state, device, link, now_ns);
+    now_ns += kMs;
+  }
+
+  static bool read(void* self, std::int64_t at_ns, Sample& out) {
+    Desk& desk = *static_cast<Desk*>(self);
+    if (desk.answers) out = {++desk.seq, at_ns, {{0.01F, 0, 0}, {1, 0, 0, 0}}, 5};
+    return desk.answers;
+  }
+  static void write(void* self, const Command& command) {
+    static_cast<Desk*>(self)->felt = command;
+  }
+  static void take(void* self, std::span<const std::byte> bytes) {
+    SamplePacket packet;
+    ASSERT_TRUE(decode(bytes, packet));
+    static_cast<Desk*>(self)->sent.push_back(packet);
+  }
+  static std::size_t receive(void* self, std::span<std::byte> room) {
+    Desk& desk = *static_cast<Desk*>(self);
+    if (desk.coming.empty()) return 0;
+    const std::vector<std::byte> bytes = desk.coming.front();
+    desk.coming.pop_front();
+    std::copy(bytes.begin(), bytes.end(), room.begin());
+    return bytes.size();
+  }
+};
+
+TEST(Station, ModelFadesInOverATenthOfASecondAndOutInTheSecondHalfOfItsLife) {
+  Desk desk;
+  for (int round = 0; round < 2; ++round) {  // from zero each time
+    for (int tick = 1; tick <= 120; ++tick) {
+      desk.send(desk.model({0, 1, 0}, {0.05F, 0, 0}));
+      desk.tick();
+      const float share = static_cast<float>(std::min(tick, 100)) / 100;
+      ASSERT_NEAR(desk.felt.force_n.y, share, 1e-5F) << tick;
+      ASSERT_NEAR(desk.felt.torque_nm.x, 0.05F * share, 1e-6F) << tick;
+    }
+    for (int age = 1; age <= 30; ++age) {
+      desk.tick();
+      const float share = static_cast<float>(std::clamp(20 - age, 0, 10)) / 10;
+      ASSERT_NEAR(desk.felt.force_n.y, share, 1e-5F) << age;
+      ASSERT_NEAR(desk.felt.torque_nm.x, 0.05F * share, 1e-6F) << age;
+    }
+    EXPECT_EQ(desk.state.starved, 11U * static_cast<unsigned>(round + 1));
+  }
+}
+
+TEST(Station, ForceBeyondTheLimitIsCutBeforeItFades) {
+  Desk desk;
+  for (int tick = 1; tick <= 120; ++tick) {
+    desk.send(desk.model({0, 30, 40}));
+    desk.tick();
+  }
+  EXPECT_NEAR(desk.felt.force_n.y, 1.8F, 1e-5F);
+  EXPECT_NEAR(desk.felt.force_n.z, 2.4F, 1e-5F);
+  for (int age = 1; age <= 15; ++age) desk.tick();
+  EXPECT_NEAR(desk.felt.force_n.z, 1.2F, 1e-4F);
+  EXPECT_EQ(desk.felt.max_force_n, 3);
+}
+
+TEST(Station, TakesWhatIsNewerAndCountsTheRest) {
+  Desk desk;
+  const ForcePacket first = desk.model({1, 0, 0}), second = desk.model({2, 0, 0});
+  desk.send(second);
+  desk.send(second);
+  desk.send(first);
+  desk.coming.push_back({std::byte{1}});
+  desk.tick();
+  EXPECT_EQ(desk.state.models, 1U);
+  EXPECT_EQ(desk.state.refused, 3U);
+  EXPECT_EQ(desk.state.newest.seq, second.seq);
+}
+
+TEST(Station, AFloodOfPacketsDoesNotHoldUpATick) {
+  Desk desk;
+  for (int i = 0; i < 70; ++i) desk.send(desk.model({1, 0, 0}));
+  desk.tick();
+  EXPECT_EQ(desk.coming.size(), 6U);
+}
+
+TEST(Station, SendsEachUsableSampleAndNothingWhileAFaultIsLatched) {
+  Desk desk;
+  desk.send(desk.model({1, 0, 0}));
+  for (int i = 0; i < 3; ++i) desk.tick();
+  ASSERT_EQ(desk.sent.size(), 3U);
+  const SamplePacket& last = desk.sent.back();
+  EXPECT_EQ(last.session, 4U);
+  EXPECT_EQ(last.seq, 3U);
+  EXPECT_EQ(last.t_ns, desk.now_ns - kMs);
+  EXPECT_EQ(last.echo, 1U);
+  EXPECT_EQ(last.buttons, 5U);
+  EXPECT_EQ(last.pose.position_m.x, 0.01F);
+  EXPECT_EQ(last.limits, (RenderLimits{3, 0, 3, 0.1F}));
+  desk.answers = false;
+  desk.tick();
+  EXPECT_EQ(desk.sent.size(), 3U);
+  desk.answers = true;
+  desk.tick();
+  EXPECT_EQ(desk.sent.size(), 4U);
+  guard_trip(desk.state.guard, Fault::kBuzz);
+  desk.tick();
+  EXPECT_EQ(desk.sent.size(), 4U);
+}
+
+TEST(Station, KeepsToWeakDevicesAndToTheFadeOfAModel) {
+  const StationConfig weak = station_config({"a weak one", 0.5F, 100});
+  EXPECT_EQ(weak.guard.max_force_n, 0.5F);
+  EXPECT_EQ(weak.guard.max_slew_n_per_s, 100);
+  EXPECT_EQ(weak.guard.continuous_force_n, GuardConfig{}.continuous_force_n);  // it does not say
+  const StationConfig slow = station_config({"a slow one", 3, 100});
+  EXPECT_FLOAT_EQ(slow.guard.max_slew_n_per_s, 300);  // 3 N in 10 ms
+  EXPECT_EQ(station_config({"without a limit", 0, 100}).guard.max_force_n,
+            GuardConfig{}.max_force_n);
+}
+
+}  // namespace
+}  // namespace stylet::hal
