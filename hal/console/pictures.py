@@ -31,7 +31,7 @@ MOMENTS = {
     "liver-biopsy": (0.55, "teacher", "Oblique"),
 }
 USUAL = (0.5, "teacher", "Side")
-LARGEST_BYTES = 150_000
+LARGEST_BYTES = 220_000
 
 
 def take(name, recording, organ, picture):

@@ -15,7 +15,7 @@ const browser = await chromium.launch({
 });
 try {
   const page =
-      await browser.newPage({viewport: {width: 900, height: 560}, reducedMotion: 'reduce'});
+      await browser.newPage({viewport: {width: 1100, height: 680}, reducedMotion: 'reduce'});
   page.setDefaultTimeout(kPatienceMs);
   await page.goto(`${url}#${view}`, {waitUntil: 'commit'});
   await page.waitForFunction(() => window.stylet?.store.organ && window.stylet.store.frame);

@@ -42,12 +42,14 @@ function surface(rings: number): {places: number[][]; triangles: number[][]} {
       places.push(d.map((v) => v * reach(d)));
     }
   }
+  // At a pole all vertices of a ring are one.
+  const at = (i: number, j: number) => i * turns + (i === 0 || i === rings ? 0 : j % turns);
   const triangles: number[][] = [];
   for (let i = 0; i < rings; ++i) {
     for (let j = 0; j < turns; ++j) {
-      const [a, b] = [i * turns + j, i * turns + ((j + 1) % turns)];
-      if (i > 0) triangles.push([a, a + turns, b]);
-      if (i < rings - 1) triangles.push([b, a + turns, b + turns]);
+      const [a, b, c, d] = [at(i, j), at(i, j + 1), at(i + 1, j), at(i + 1, j + 1)];
+      if (i > 0) triangles.push([a, c, b]);
+      if (i < rings - 1) triangles.push([b, c, d]);
     }
   }
   return {places, triangles};

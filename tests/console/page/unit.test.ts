@@ -7,6 +7,7 @@ import {waitMs} from '../../../hal/console/page/src/connection';
 
 import {csv, figureSvg, ticksOf, type Figure} from '../../../hal/console/page/src/figure';
 import {
+  isOpen,
   misfit,
   OrganError,
   outerEdges,
@@ -160,6 +161,12 @@ test('normals point outward and have length one', () => {
     assert.ok(Math.abs(size - 1) < 1e-6);
     assert.ok(n[0] * p[0] + n[1] * p[1] + n[2] * p[2] > 0);
   }
+});
+
+test('a surface is open where an edge has a triangle on one side only', () => {
+  const closed = [0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0];
+  assert.equal(isOpen(Uint32Array.from(closed)), false);
+  assert.equal(isOpen(Uint32Array.from(closed.slice(3))), true);
 });
 
 test('outer edges: 12 of one voxel, 20 of two side by side, none inside', () => {

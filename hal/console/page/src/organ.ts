@@ -130,6 +130,20 @@ export function misfit(organ: Organ, hello: Hello): string {
   return outside === undefined ? '' : `corner ${outside} of ${hello.particles} particles`;
 }
 
+// Whether the surface has an edge with a triangle on one side only: a part cut out of a body, whose
+// inside can be seen.
+export function isOpen(triangles: Uint32Array): boolean {
+  const single = new Set<number>();
+  for (let t = 0; t < triangles.length; t += 3) {
+    for (let side = 0; side < 3; ++side) {
+      const [a, b] = [triangles[t + side], triangles[t + (side + 1) % 3]];
+      const edge = Math.min(a, b) * 2 ** 26 + Math.max(a, b);
+      if (!single.delete(edge)) single.add(edge);
+    }
+  }
+  return single.size > 0;
+}
+
 // Edges of the lattice's outer faces, as pairs of particles: what is seen of it from outside.
 export function outerEdges(organ: Organ, corners: Uint32Array): Uint32Array {
   const key = (x: number, y: number, z: number) => x + 65537 * (y + 65537 * z);

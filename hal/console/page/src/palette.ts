@@ -34,7 +34,7 @@ export const kMaterials = [
 // What a tissue has in every organ, as long as no other there has it; tissues as in
 // offline/src/materials.cpp. Tissues that lie beside each other have one of the first six each.
 const kUsual: Record<string, number> = {
-  liver: 0,
+  liver: 8,
   kidney: 0,
   spleen: 0,
   pancreas: 0,
@@ -44,7 +44,7 @@ const kUsual: Record<string, number> = {
   fat: 1,
   epidural_fat: 4,
   skin: 2,
-  liver_capsule: 3,
+  liver_capsule: 0,
   prostate_capsule: 3,
   fascia: 3,
   ligamentum_flavum: 3,
@@ -52,7 +52,7 @@ const kUsual: Record<string, number> = {
   muscle: 5,
   vessel: 6,
   ligament: 0,
-  bone: 8,
+  bone: 2,
 };
 
 // A colour for each material of an organ.

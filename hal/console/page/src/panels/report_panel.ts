@@ -57,7 +57,10 @@ export class ReportPanel {
     const columns = scores.map((s) => scoreLines(s).map(([, text]) => text));
     const rows = [
       [texts.scores.lines.trainee, ...scores.map((s) => s.trainee || texts.scores.dash)],
-      [texts.scores.lines.began, ...scores.map((s) => s.began.replace('T', ' '))],
+      [
+        texts.scores.lines.began,
+        ...scores.map((s) => s.began.replace('T', ' ') || texts.scores.dash)
+      ],
       ...names.map((name, i) => [name, ...columns.map((column) => column[i])]),
       [texts.scores.lines.recording, ...scores.map((s) => s.recording || texts.scores.notKept)],
     ];

@@ -5,7 +5,7 @@
 // from the camera and from above. Where a plane cuts, the far inside is drawn flat and dark: it
 // looks like the cut face and hides nothing that lies in it.
 import * as THREE from 'three';
-import {outerEdges, type Organ} from '../organ';
+import {isOpen, outerEdges, type Organ} from '../organ';
 import {kBody, materialColours} from '../palette';
 import type {Hello} from '../protocol';
 import {kDeform, kDeformSurface, surfaceGeometry, type Deformation} from './deform';
@@ -99,6 +99,7 @@ void main() {
 
 export interface Surface {
   skin: Skin|null;  // null: deformed on the GPU
+  open: boolean;    // its inside can be seen
   mesh: THREE.Mesh<THREE.BufferGeometry, THREE.RawShaderMaterial>;
   lattice: THREE.LineSegments<THREE.BufferGeometry, THREE.RawShaderMaterial>;
 }
@@ -138,7 +139,8 @@ export function makeSurface(
   const mesh = new THREE.Mesh(geometry, material);
   mesh.frustumCulled = false;
   mesh.renderOrder = 2;
-  return {skin, mesh, lattice: makeLattice(organ, hello, deformation, plane)};
+  const open = isOpen(organ.triangles);
+  return {skin, open, mesh, lattice: makeLattice(organ, hello, deformation, plane)};
 }
 
 function skinGeometry(organ: Organ, skin: Skin): THREE.BufferGeometry {
@@ -158,9 +160,9 @@ function skinGeometry(organ: Organ, skin: Skin): THREE.BufferGeometry {
 export function faceSurface({skin, mesh}: Surface, eye: THREE.Vector3): void {
   const {geometry} = mesh;
   if (skin === null || geometry.index === null) return;
-  const cut = mesh.material.side === THREE.DoubleSide;
-  if (cut) skin.facing.set(skin.all);
-  geometry.setDrawRange(0, cut ? skin.facing.length : skin.face(eye));
+  const insides = mesh.material.side === THREE.DoubleSide;
+  if (insides) skin.facing.set(skin.all);
+  geometry.setDrawRange(0, insides ? skin.facing.length : skin.face(eye));
   geometry.index.needsUpdate = true;
 }
 
@@ -193,14 +195,15 @@ function makeLattice(
   return lattice;
 }
 
-// cut: the clipping plane is on, so that insides can be seen.
+// cut: the clipping plane is on, so that insides can be seen, as those of an open surface always.
 export function setLook(surface: Surface, xray: boolean, cut: boolean): void {
   const material = surface.mesh.material;
+  const insides = cut || surface.open;
   material.uniforms.clear.value = xray ? 1 : 0;
   material.transparent = xray;
   material.depthWrite = !xray;
-  material.side = cut ? THREE.DoubleSide : THREE.FrontSide;
+  material.side = insides ? THREE.DoubleSide : THREE.FrontSide;
   const {CUT: _, ...defines} = material.defines;
-  material.defines = cut ? {...defines, CUT: 1} : defines;
+  material.defines = insides ? {...defines, CUT: 1} : defines;
   material.needsUpdate = true;
 }
