@@ -24,6 +24,7 @@ struct Fake {
   std::atomic<int> touched_closed{0}, touched{0};
   std::uint64_t seq = 0;
   float max_force_n = 3;
+  Vec3 told_n = {};
 };
 struct Factory {
   std::mutex mutex;
@@ -48,8 +49,9 @@ struct Factory {
               out = {++f.seq, now_ns, {{}, {1, 0, 0, 0}}, 0};
               return true;
             },
-            [](void* self, const Command&) {
+            [](void* self, const Command& command) {
               Fake& f = *static_cast<Fake*>(self);
+              f.told_n = command.force_n;
               ++(f.open ? f.touched : f.touched_closed);
             },
             [](void* self) { static_cast<Fake*>(self)->open = false; },
@@ -84,6 +86,23 @@ bool ticks_until(const Device& device, const std::function<bool()>& done, std::u
     if (std::chrono::steady_clock::now() > end) return false;
   }
   return true;
+}
+
+TEST(LastingDevice, PassesOnWhatTheDeviceSaysAndWhatItIsTold) {
+  Factory factory;
+  const Device device = factory.lasting();
+  for (std::uint64_t seq = 1; seq <= 3; ++seq) {
+    Sample sample = {};
+    EXPECT_TRUE(device.read(device.self, 77, sample));
+    EXPECT_EQ(sample.seq, seq);
+    EXPECT_EQ(sample.t_ns, 77);
+  }
+  device.write(device.self, {{0, 2, 0}});
+  EXPECT_EQ(factory.newest().told_n.y, 2);
+  EXPECT_EQ(trouble_of(device), "");
+  EXPECT_EQ(device.info.max_force_n, 3);
+  device.close(device.self);
+  EXPECT_FALSE(factory.newest().open);
 }
 
 TEST(LastingDevice, IsOpenedAgainAndCountsOnAndNobodyTouchesAClosedOne) {
