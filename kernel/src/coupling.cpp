@@ -39,6 +39,8 @@ constexpr float kVoxelReach = 0.5F;
 constexpr std::uint32_t kFrictionSamples = 4;
 // In a gap a place for a shaft CP is looked for in steps of this many units.
 constexpr float kGapStep = 0.25F;
+// Just behind the entry all of a voxel counts as tissue, this far along the track, in voxel edges.
+constexpr float kEntrySkin = 0.5F;
 // Speed at which the puncture force of a material is given.
 constexpr float kPunctureSpeedMPerS = 0.01F;
 // The tip must go this far to come back to the layer it has just left.
@@ -227,7 +229,9 @@ void renew_shares(const View& view, Particle& p, Sharing sharing = Sharing::kTen
   for (std::uint32_t i = 0; i < count; ++i) p.share[i] = found[i];
   p.share_count = count;
   gather_goals(p, residual_m, spread_m2);
-  if (count > 0) p.material = view.model.slot_material[p.share[heaviest(p)].slot];
+  if (count == 0) return;
+  const std::uint32_t there = material_at(view, p.rest_m);
+  p.material = there != kNoTissue ? there : view.model.slot_material[p.share[heaviest(p)].slot];
 }
 
 // Where the goals of a CP lie in unloaded tissue.
@@ -441,11 +445,8 @@ void meet(Particle& p, const Friction& met, float part) {
 
 // None in a gap.
 Friction friction_at(const View& view, Vec3 rest_m) {
-  Particle there = {};
-  there.share_count = find_shares(view, rest_m, there.share);
-  if (there.share_count == 0 || !inside_lattice(view, rest_m)) return {};
-  const std::uint32_t slot = there.share[heaviest(there)].slot;
-  return view.model.head->material[view.model.slot_material[slot]].friction;
+  const std::uint32_t there = material_at(view, rest_m);
+  return there == kNoTissue ? Friction{} : view.model.head->material[there].friction;
 }
 
 // The stretch a CP stands for may lie in several materials: its friction is their mean, taken on
@@ -576,6 +577,13 @@ void cut_tip(const View& view, const Needle& needle, float moved_m) {
   if (move < 0) own.phase = Phase::kRetracting;
 }
 
+// Whether a place of the track lies in tissue. Just behind the entry the surface has the word: the
+// planes of mixed voxels lie a little beside it.
+bool holds_track(const View& view, Vec3 rest_m, float track_m) {
+  if (track_m < kEntrySkin * view.model.head->edge_m) return inside_lattice(view, rest_m);
+  return material_at(view, rest_m) != kNoTissue;
+}
+
 // Takes the voxels where the tip now is. Shares that fade take along what their goals differ from
 // the others'; a tip that leaves, all.
 void rehome_tip(const View& view) {
@@ -583,7 +591,7 @@ void rehome_tip(const View& view) {
   Particle& tip = *view.state.tip;
   const double before = spring_energy(tip);
   renew_shares(view, tip);
-  if (!inside_lattice(view, tip.rest_m)) {
+  if (!holds_track(view, tip.rest_m, tip.track_m)) {
     tip.share_count = 0;
     tip.memory_m = tip.slack_m = {};
   }
@@ -637,7 +645,7 @@ std::uint32_t drop_shaft(const View& view, const Needle& needle) {
     const float arc = arc_at(view, needle, rest, behind);
     const Particle p =
         new_particle(view, rest, needle_point(needle, arc).place_m, track, arc, Place::kShaft);
-    if (p.share_count == 0 || !inside_lattice(view, rest)) {
+    if (p.share_count == 0 || !holds_track(view, rest, track)) {
       own.drop_track_m += kGapStep * unit;
       continue;
     }

@@ -147,6 +147,7 @@ void fill_voxels(const Organ& organ, const ModelView& model, const Counts& count
   for (std::uint32_t i = 0; i < counts.slots; ++i) {
     model.slot_k[i] = model.slot_volume[i] = model.slot_fill[i] = 0;
     model.slot_material[i] = 0;
+    model.slot_mixed[i] = kNotMixed;
   }
   for (std::uint32_t i = 0; i < counts.particles; ++i) {
     model.particle_kg[i] = model.hold[i] = model.step_per_mass[i] = 0;
@@ -174,6 +175,14 @@ void fill_voxels(const Organ& organ, const ModelView& model, const Counts& count
         model.step_per_mass[p] += model.slot_k[slot] * (1 + 3 * model.slot_volume[slot]);
       }
     }
+  }
+}
+
+// Where two tissues meet. In paper mode a voxel is of one.
+void fill_mixed(const Organ& organ, const ModelView& model) {
+  if (model.head->config.mode == Mode::kPaper) return;
+  for (std::uint32_t i = 0; i < organ.mixed.size(); ++i) {
+    model.slot_mixed[model.voxel_slot[organ.mixed[i].voxel]] = i;
   }
 }
 
@@ -263,6 +272,7 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   fill_topology(organ, model, counts);
   fill_windows(model);
   fill_voxels(organ, model, counts);
+  fill_mixed(organ, model);
   fill_masses(organ, model, counts);
   kernel_out = {&organ,
                 memory.model.data(),

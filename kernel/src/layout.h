@@ -204,6 +204,7 @@ struct ScratchHead {
   F(slot_volume, float, c.slots)          \
   F(slot_fill, float, c.slots)            \
   F(slot_material, std::uint8_t, c.slots) \
+  F(slot_mixed, std::uint32_t, c.slots)   \
   F(step_per_mass, float, c.particles)    \
   F(particle_kg, float, c.particles)      \
   F(hold, float, c.particles)             \

@@ -18,9 +18,10 @@ static_assert(std::endian::native == std::endian::little, "organ files are used 
 static_assert(sizeof(OrganRun) == sizeof(format::Run));
 static_assert(sizeof(OrganVertex) == sizeof(format::Vertex));
 static_assert(sizeof(OrganTriangle) == sizeof(format::Triangle));
+static_assert(sizeof(OrganMixed) == sizeof(format::Mixed));
 static_assert(sizeof(OrganSphere) == sizeof(format::SphereNode));
 
-constexpr std::uint32_t kFormatVersion = 1;
+constexpr std::uint32_t kNewestFormat = 2;
 
 // Keeps the refusal; every check below reads as one line, and the first that fails is the last.
 struct Checker {
@@ -100,6 +101,31 @@ bool check_voxels(Checker& check, const Organ& organ) {
                        "an index into materials") ||
         !check.require(organ.voxel_fill[i] > 0, Status::kOrganValueOutOfRange, "voxel_fill", i, 0,
                        "1 to 255")) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// A tick looks a voxel's entry up by an index made from these, and its material by its number.
+bool check_mixed(Checker& check, const Organ& organ, std::uint32_t version) {
+  if (!check.require(organ.mixed.empty() || version >= 2, Status::kOrganVersionUnknown, "mixed", 0,
+                     version, "format version 2 where there are mixed voxels")) {
+    return false;
+  }
+  for (std::size_t i = 0; i < organ.mixed.size(); ++i) {
+    const OrganMixed& m = organ.mixed[i];
+    if (!check.require(m.voxel < organ.voxel_count, Status::kOrganIndexOutOfRange, "mixed.voxel", i,
+                       m.voxel, "a voxel of the lattice") ||
+        !check.require(i == 0 || m.voxel > organ.mixed[i - 1].voxel, Status::kOrganOrderWrong,
+                       "mixed.voxel", i, m.voxel, "voxels in rising order, each once") ||
+        !check.require(m.material < organ.material_count || m.material == kNoTissue,
+                       Status::kOrganIndexOutOfRange, "mixed.material", i, m.material,
+                       "an index into materials, or 65535 for no tissue") ||
+        !check.in_range(m.nx, -1, 1, "mixed.nx", i, "-1 to 1") ||
+        !check.in_range(m.ny, -1, 1, "mixed.ny", i, "-1 to 1") ||
+        !check.in_range(m.nz, -1, 1, "mixed.nz", i, "-1 to 1") ||
+        !check.in_range(m.limit, -2, 2, "mixed.limit", i, "-2 to 2")) {
       return false;
     }
   }
@@ -243,6 +269,7 @@ Organ read(const format::Organ& root, std::span<const std::byte> bytes) {
   organ.voxel_material = view(root.voxel_material());
   organ.voxel_fill = view(root.voxel_fill());
   organ.voxel_fixed = view(root.voxel_fixed());
+  organ.mixed = view<OrganMixed>(root.mixed());
   organ.vertices = view<OrganVertex>(root.vertices());
   organ.triangles = view<OrganTriangle>(root.triangles());
   organ.spheres = view<OrganSphere>(root.sphere_nodes());
@@ -265,12 +292,14 @@ Status organ_open(std::span<const std::byte> bytes, Organ& organ_out, OrganRefus
     if (check.require(format::VerifyOrganBuffer(verifier), Status::kOrganStructureDamaged, "file",
                       0, static_cast<double>(bytes.size()), "offsets and sizes inside the file")) {
       const format::Organ& root = *format::GetOrgan(data);
-      if (check.require(root.format_version() == kFormatVersion, Status::kOrganVersionUnknown,
-                        "format_version", 0, root.format_version(), "version 1")) {
+      const std::uint32_t version = root.format_version();
+      if (check.require(version >= 1 && version <= kNewestFormat, Status::kOrganVersionUnknown,
+                        "format_version", 0, version, "version 1 or 2")) {
         organ = read(root, bytes);
         (void)(check_lattice_header(check, organ) && check_runs(check, organ) &&
                check_materials(check, organ) && check_voxels(check, organ) &&
-               check_surface(check, organ) && check_spheres(check, organ));
+               check_mixed(check, organ, version) && check_surface(check, organ) &&
+               check_spheres(check, organ));
       }
     }
   }

@@ -53,7 +53,11 @@ Quat corner_rotation(const View& view, std::uint32_t slot, const Corners& corner
       a, {view.state.qw[slot], view.state.qx[slot], view.state.qy[slot], view.state.qz[slot]});
 }
 
-bool present_place(const View& view, Vec3 rest_m, Vec3& place_out_m) {
+namespace {
+
+// The voxel a rest point lies in, and where in it (0 to 1 along each axis); false outside them all.
+bool find_voxel(const View& view, Vec3 rest_m, std::uint32_t& slot_out, std::uint32_t& row_out,
+                Vec3& part_out) {
   const ModelHead& head = *view.model.head;
   const Vec3 g = head.inverse_edge_per_m * (rest_m - head.origin_m);
   if (!(g.x >= 0 && g.y >= 0 && g.z >= 0 && g.x < static_cast<float>(head.size_x) &&
@@ -62,15 +66,25 @@ bool present_place(const View& view, Vec3 rest_m, Vec3& place_out_m) {
   }
   const auto x = static_cast<std::uint32_t>(g.x), y = static_cast<std::uint32_t>(g.y);
   const auto z = static_cast<std::uint32_t>(g.z);
-  const std::uint32_t row_index = view.model.row_of[z * head.size_y + y];
-  if (row_index == kNoRow) return false;
-  const Row& row = view.model.row[row_index];
+  row_out = view.model.row_of[z * head.size_y + y];
+  if (row_out == kNoRow) return false;
+  const Row& row = view.model.row[row_out];
   if (x < row.x0 || x >= static_cast<std::uint32_t>(row.x0) + row.count) return false;
-  if (!(view.model.slot_k[row.slot + x - row.x0] > 0)) return false;  // a hole in the row
-  const Vec3 f = g - Vec3{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+  slot_out = row.slot + x - row.x0;
+  part_out = g - Vec3{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+  return view.model.slot_k[slot_out] > 0;  // else a hole in the row
+}
+
+}  // namespace
+
+bool present_place(const View& view, Vec3 rest_m, Vec3& place_out_m) {
+  std::uint32_t slot = 0, row_index = 0;
+  Vec3 f = {};
+  if (!find_voxel(view, rest_m, slot, row_index, f)) return false;
+  const Row& row = view.model.row[row_index];
   place_out_m = rest_m;
   for (std::uint32_t corner = 0; corner < 8; ++corner) {
-    const std::uint32_t p = row.node[corner >> 1U] + x - row.x0 + (corner & 1U);
+    const std::uint32_t p = row.node[corner >> 1U] + slot - row.slot + (corner & 1U);
     const float weight = ((corner & 1U) != 0 ? f.x : 1 - f.x) *
                          ((corner & 2U) != 0 ? f.y : 1 - f.y) *
                          ((corner & 4U) != 0 ? f.z : 1 - f.z);
@@ -80,8 +94,20 @@ bool present_place(const View& view, Vec3 rest_m, Vec3& place_out_m) {
 }
 
 bool inside_lattice(const View& view, Vec3 rest_m) {
-  Vec3 place = {};
-  return present_place(view, rest_m, place);
+  std::uint32_t slot = 0, row = 0;
+  Vec3 part = {};
+  return find_voxel(view, rest_m, slot, row, part);
+}
+
+std::uint32_t material_at(const View& view, Vec3 rest_m) {
+  std::uint32_t slot = 0, row = 0;
+  Vec3 part = {};
+  if (!find_voxel(view, rest_m, slot, row, part)) return kNoTissue;
+  const std::uint32_t mixed = view.model.slot_mixed[slot];
+  if (mixed == kNotMixed) return view.model.slot_material[slot];
+  const OrganMixed& two = view.organ.mixed[mixed];
+  const bool beyond = dot({two.nx, two.ny, two.nz}, part) > two.limit;
+  return beyond ? two.material : view.model.slot_material[slot];
 }
 
 VoxelFrame voxel_frame(const View& view, std::uint32_t slot, std::uint32_t row) {

@@ -13,6 +13,7 @@ namespace stylet {
 // Partly filled voxels count at least this much, else thin slivers have no stiffness of their own.
 constexpr float kMinFill = 0.1F;
 constexpr std::uint32_t kNoRow = 0xFFFFFFFFU;
+constexpr std::uint32_t kNotMixed = 0xFFFFFFFFU;
 
 struct Corners {
   Vec3 mean_m;        // displacement
@@ -45,5 +46,8 @@ std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kShare
 // Present place of a rest point, trilinear in the voxel that holds it; false outside the tissue.
 bool present_place(const View& view, Vec3 rest_m, Vec3& place_out_m);
 bool inside_lattice(const View& view, Vec3 rest_m);
+
+// What a rest point lies in, finer than voxels (OrganMixed); kNoTissue where there is none.
+std::uint32_t material_at(const View& view, Vec3 rest_m);
 
 }  // namespace stylet

@@ -9,10 +9,10 @@ import numpy as np
 
 RECORDS = {"runs": "u2,u2,u2,u2", "voxel_material": "u1", "voxel_fill": "u1", "voxel_fixed": "u1",
            "vertices": "u4,u2,u2,u2,u2", "triangles": "u4,u4,u4",
-           "sphere_nodes": "f4,f4,f4,f4,u4,u4"}
+           "sphere_nodes": "f4,f4,f4,f4,u4,u4", "mixed": "u4,u2,u2,f4,f4,f4,f4"}
 FIELDS = ("format_version name voxel_edge_m origin_x_m origin_y_m origin_z_m size_x size_y size_z "
           "runs voxel_material voxel_fill voxel_fixed materials vertices triangles sphere_nodes "
-          "provenance").split()  # in the order of kernel/schema/organ.fbs
+          "provenance mixed").split()  # in the order of kernel/schema/organ.fbs
 SCALARS = {"format_version": "<I", "voxel_edge_m": "<f", "origin_x_m": "<f", "origin_y_m": "<f",
            "origin_z_m": "<f", "size_x": "<H", "size_y": "<H", "size_z": "<H"}
 
@@ -32,8 +32,8 @@ def read_organ(path):
         elif offset and name in RECORDS:
             vector = root + offset + at(root + offset)
             organ[name] = np.frombuffer(data, RECORDS[name], at(vector), vector + 4)
-    if organ["format_version"] != 1:
-        raise ValueError(f"{path}: format version {organ['format_version']}: expected 1")
+    if organ["format_version"] not in (1, 2):
+        raise ValueError(f"{path}: format version {organ['format_version']}: expected 1 or 2")
     return organ
 
 

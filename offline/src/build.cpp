@@ -6,6 +6,7 @@
 
 #include "crop.h"
 #include "gaps.h"
+#include "mixed.h"
 #include "pieces.h"
 #include "refusal.h"
 #include "sample_cell.h"
@@ -83,58 +84,36 @@ struct MaterialList {
   std::vector<Tissue> tissues;
 };
 
-std::uint8_t number_of(MaterialList& list, const std::string& name) {
+// The same tissue may be there with its membrane and, in a layer, without.
+std::uint8_t number_of(MaterialList& list, const Tissue& wanted) {
   for (std::size_t i = 0; i < list.tissues.size(); ++i) {
-    if (list.tissues[i].name == name) return static_cast<std::uint8_t>(i);
+    const Tissue& there = list.tissues[i];
+    if (there.name == wanted.name && there.youngs_modulus_pa == wanted.youngs_modulus_pa) {
+      return static_cast<std::uint8_t>(i);
+    }
   }
   if (list.tissues.size() >= kMaxMaterials) refuse("more than {} tissues", kMaxMaterials);
-  list.tissues.push_back(find_tissue(list.own, name));
+  list.tissues.push_back(wanted);
   return static_cast<std::uint8_t>(list.tissues.size() - 1);
 }
 
-// Does a cell take a layer instead of its owner's tissue?
-bool is_layered(const Claims& claims, std::size_t cell, const std::vector<std::string>& tissues,
-                const BuildOptions& options) {
+// Materials by owner and by layer, numbered in order of first mention.
+TissueNumbers number_tissues(const std::vector<std::string>& tissues, const BuildOptions& options,
+                             double edge_m, MaterialList& list) {
+  TissueNumbers numbers;
+  numbers.course = options.layer_course;
   const std::string& of = options.layer_course.of;
-  return !options.layers.empty() && is_kept(claims, cell) &&
-         (of.empty() || of == tissues[claims.owner[cell]]);
-}
-
-// How deep the middle of each layered cell lies, in edges.
-std::vector<float> layer_depths(const Claims& claims, const std::vector<std::string>& tissues,
-                                const BuildOptions& options) {
-  constexpr double kSamples = 64;
-  const Grid& grid = claims.grid;
-  const std::size_t along = options.layer_course.axis, u = (along + 1) % 3, v = (along + 2) % 3;
-  std::vector<float> depths(cell_count(grid), 0);
-  std::array<std::uint32_t, 3> at{};
-  for (at[u] = 0; at[u] < grid.size[u]; ++at[u]) {
-    for (at[v] = 0; at[v] < grid.size[v]; ++at[v]) {
-      double above = 0;
-      for (std::uint32_t step = 0; step < grid.size[along]; ++step) {
-        at[along] = options.layer_course.backwards ? grid.size[along] - 1 - step : step;
-        const std::size_t cell = cell_index(grid, at[0], at[1], at[2]);
-        if (!is_layered(claims, cell, tissues, options)) {
-          above = 0;
-          continue;
-        }
-        const double fill = std::popcount(claims.inside[cell]) / kSamples;
-        depths[cell] = static_cast<float>(above + 0.5 * fill);
-        above += fill;
-      }
-    }
+  for (const std::string& tissue : tissues) {
+    const bool layered = !options.layers.empty() && (of.empty() || of == tissue);
+    numbers.is_layered.push_back(layered ? 1 : 0);
+    numbers.of_owner.push_back(layered ? std::uint8_t{0}
+                                       : number_of(list, find_tissue(list.own, tissue)));
   }
-  return depths;
-}
-
-std::uint8_t layer_at(const std::vector<Layer>& layers, const std::vector<std::uint8_t>& numbers,
-                      double depth_m) {
-  std::size_t i = 0;
-  while (i + 1 < layers.size() && depth_m >= layers[i].thickness_m) {
-    depth_m -= layers[i].thickness_m;
-    ++i;
+  for (const Layer& layer : options.layers) {
+    const Tissue tissue = in_layer(find_tissue(list.own, layer.tissue), layer.thickness_m, edge_m);
+    numbers.layers.push_back({layer.thickness_m, number_of(list, tissue)});
   }
-  return numbers[i];
+  return numbers;
 }
 
 // Whether the cell across a face has one of these tissues.
@@ -158,15 +137,12 @@ bool touches(const Claims& claims, std::size_t cell, const std::vector<std::stri
 
 std::vector<std::uint8_t> voxel_materials(const Claims& claims, const Lattice& lattice,
                                           const std::vector<std::string>& tissues,
+                                          const TissueNumbers& numbers,
+                                          const std::vector<std::uint8_t>& layers,
                                           const BuildOptions& options, MaterialList& list) {
-  std::vector<std::uint8_t> of_owner, of_layer;
-  if (options.layers.empty() || !options.layer_course.of.empty()) {
-    for (const std::string& tissue : tissues) of_owner.push_back(number_of(list, tissue));
-  }
-  for (const Layer& layer : options.layers) of_layer.push_back(number_of(list, layer.tissue));
-  const std::uint8_t capsule = options.capsule.empty() ? 0 : number_of(list, options.capsule);
+  const std::uint8_t capsule =
+      options.capsule.empty() ? 0 : number_of(list, find_tissue(list.own, options.capsule));
   const Grid& grid = lattice.grid;
-  const std::vector<float> depths = layer_depths(claims, tissues, options);
   std::vector<std::uint8_t> materials;
   for (const std::uint32_t cell : lattice.cell_of_voxel) {
     const std::uint32_t x = cell % grid.size[0], row = cell / grid.size[0];
@@ -176,11 +152,10 @@ std::vector<std::uint8_t> voxel_materials(const Claims& claims, const Lattice& l
     const bool is_capsule =
         has_capsule && (is_skin(claims, x, row % grid.size[1], row / grid.size[1]) ||
                         touches(claims, cell, tissues, options.wall));
-    const double depth_m = static_cast<double>(depths[cell]) * grid.edge_m;
-    materials.push_back(is_capsule ? capsule
-                        : is_layered(claims, cell, tissues, options)
-                            ? layer_at(options.layers, of_layer, depth_m)
-                            : of_owner[claims.owner[cell]]);
+    const std::uint8_t layer = layers.empty() ? kNotLayered : layers[cell];
+    materials.push_back(is_capsule             ? capsule
+                        : layer != kNotLayered ? numbers.layers[layer].material
+                                               : numbers.of_owner[claims.owner[cell]]);
   }
   return materials;
 }
@@ -293,6 +268,12 @@ double finest_edge(const Box& box, std::uint32_t most,
   return good * kStepM;
 }
 
+SamplePlaces mesh_samples() {
+  SamplePlaces places;
+  for (std::uint32_t i = 0; i < places.size(); ++i) places[i] = sample_point(i);
+  return places;
+}
+
 void measure_shares(const Claims& claims, const std::vector<Solid>& solids, BuildReport& report) {
   const std::vector<double> given_m3 = given_volumes_m3(claims, solids.size());
   for (std::size_t i = 0; i < solids.size(); ++i) {
@@ -302,9 +283,7 @@ void measure_shares(const Claims& claims, const std::vector<Solid>& solids, Buil
                              input.mesh_volume_m3, input.filled_volume_m3, given_m3[i],
                              count.pieces, count.lost});
   }
-  SamplePlaces places;
-  for (std::uint32_t i = 0; i < places.size(); ++i) places[i] = sample_point(i);
-  report.closed_gaps = closed_gaps(claims, places);
+  report.closed_gaps = closed_gaps(claims, mesh_samples());
 }
 
 }  // namespace
@@ -360,7 +339,7 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
   const double edge_m = choose_edge(box, options, [&](const Grid& grid) {
     BuildReport unused;
     Claimed coarse = {
-        claim_voxels(grid, inputs, solids, unused, progress), {}, box, join(solids), {}, {}};
+        claim_voxels(grid, inputs, solids, unused, progress), {}, {}, box, join(solids), {}, {}};
     return voxel_count(std::move(coarse), options);
   });
   if (options.wrap) wrap(solids, edge_m, box, progress);
@@ -369,7 +348,7 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
   Claims claims = claim_voxels(grid, inputs, solids, built.report, progress);
   if (options.measured) measure_shares(claims, solids, built.report);
 
-  Claimed claimed = {std::move(claims), {}, box, join(solids), {}, {}};
+  Claimed claimed = {std::move(claims), mesh_samples(), {}, box, join(solids), {}, {}};
   cut_away(claimed, options);
   if (options.measured) built.input_m = claimed.mesh;
   for (const Input& input : inputs) claimed.tissues.push_back(input.tissue);
@@ -406,8 +385,13 @@ std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
     refuse("--crop: no voxel lies in all of these regions: expected at least one");
   }
   MaterialList materials{options.own_tissues, {}};
-  parts.voxel_material =
-      voxel_materials(claimed.claims, parts.lattice, claimed.tissues, options, materials);
+  const TissueNumbers numbers =
+      number_tissues(claimed.tissues, options, parts.lattice.grid.edge_m, materials);
+  const std::vector<std::uint8_t> layers = cell_layers(claimed.claims, numbers);
+  parts.voxel_material = voxel_materials(claimed.claims, parts.lattice, claimed.tissues, numbers,
+                                         layers, options, materials);
+  parts.mixed = mixed_voxels(claimed.claims, claimed.places, parts.lattice, parts.voxel_material,
+                             numbers, layers);
   parts.materials = std::move(materials.tissues);
   parts.voxel_fixed = fixed_corners(parts.lattice, claimed, options.held);
   embed_surface(claimed.mesh, parts);

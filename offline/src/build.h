@@ -14,6 +14,7 @@
 #include "attach.h"
 #include "label_bodies.h"
 #include "lattice.h"
+#include "layers.h"
 #include "materials.h"
 #include "progress.h"
 #include "read_mesh.h"
@@ -28,19 +29,6 @@ struct Input {
   int priority = 0;  // the higher one wins a voxel; the larger filled volume among equals
   double metres_per_unit = 1e-3;
   ReadMesh read;  // in file units
-};
-
-// Layers lie one below the other along an axis of space and override the inputs' tissues. A voxel
-// takes the layer at its middle, as deep as what is filled above it in its row, down from where the
-// row enters the inputs they replace; the last layer has no end.
-struct Layer {
-  double thickness_m = 0;
-  std::string tissue;
-};
-struct LayerCourse {
-  std::size_t axis = 0;
-  bool backwards = false;  // from the high end of the axis
-  std::string of;          // tissue of the inputs that are replaced; empty: all
 };
 
 struct BuildOptions {
@@ -128,6 +116,7 @@ std::vector<double> given_volumes_m3(const Claims& claims, std::size_t owner_cou
 // Voxels with their owners, and what is embedded in them: all that is left is the organ itself.
 struct Claimed {
   Claims claims;
+  SamplePlaces places;
   std::vector<std::string> tissues;  // of each owner
   Box box;
   Mesh mesh;                      // metres

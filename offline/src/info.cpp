@@ -57,7 +57,8 @@ Json material_facts(const Organ& organ) {
 
 Json byte_facts(const Organ& organ, std::size_t total) {
   const std::size_t lattice = organ.runs.size_bytes() + organ.voxel_material.size_bytes() +
-                              organ.voxel_fill.size_bytes() + organ.voxel_fixed.size_bytes();
+                              organ.voxel_fill.size_bytes() + organ.voxel_fixed.size_bytes() +
+                              organ.mixed.size_bytes();
   const std::size_t known = lattice + organ.vertices.size_bytes() + organ.triangles.size_bytes() +
                             organ.spheres.size_bytes();
   Json facts{{"total", total},
@@ -158,6 +159,7 @@ nlohmann::ordered_json organ_facts(const Organ& organ, std::span<const std::byte
             shown(organ.origin_m.z) * 1e3}},
           {"lattice_size", {organ.size_x, organ.size_y, organ.size_z}},
           {"voxels", organ.voxel_count},
+          {"mixed_voxels", organ.mixed.size()},
           {"runs", organ.runs.size()},
           {"volume_ml", fill * edge_mm * edge_mm * edge_mm * 1e-3},
           {"held_corners", held_corner_count(organ)},
@@ -173,13 +175,14 @@ nlohmann::ordered_json organ_facts(const Organ& organ, std::span<const std::byte
 std::string organ_text(const nlohmann::ordered_json& f) {
   std::string text = fmt::format(
       "organ         {}  (hash {})\nlattice       {} voxels of {:.6g} mm in {} x {} x {}, {:.4g} "
-      "ml\nheld          {} corners\nsurface       {} vertices, {} triangles, {} spheres\n",
+      "ml; {} hold two tissues, or tissue and none\nheld          {} corners\nsurface       {} "
+      "vertices, {} triangles, {} spheres\n",
       f["name"].get<std::string>(), f["hash"].get<std::string>(), f["voxels"].get<std::size_t>(),
       f["voxel_edge_mm"].get<double>(), f["lattice_size"][0].get<int>(),
       f["lattice_size"][1].get<int>(), f["lattice_size"][2].get<int>(),
-      f["volume_ml"].get<double>(), f["held_corners"].get<std::size_t>(),
-      f["surface_vertices"].get<std::size_t>(), f["surface_triangles"].get<std::size_t>(),
-      f["sphere_nodes"].get<std::size_t>());
+      f["volume_ml"].get<double>(), f["mixed_voxels"].get<std::size_t>(),
+      f["held_corners"].get<std::size_t>(), f["surface_vertices"].get<std::size_t>(),
+      f["surface_triangles"].get<std::size_t>(), f["sphere_nodes"].get<std::size_t>());
   for (const auto& m : f["materials"]) {
     text += fmt::format(
         "material      {:<14} {:>8} voxels {:>9.4g} ml  E {:.4g} kPa  nu {:.2g}  puncture {:.3g} N "

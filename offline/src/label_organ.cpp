@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <filesystem>
 
 #include "label_skin.h"
@@ -15,6 +16,7 @@ namespace {
 // Samples of each group in one cell, counted; the cell's bits.
 struct CellCount {
   std::array<std::uint8_t, 256> samples{};
+  std::array<std::uint8_t, 64> group{};  // of each sample
   std::uint64_t inside = 0;
 };
 
@@ -43,11 +45,28 @@ CellCount count_cell(const Grid& grid, std::size_t cell, Vec corner, const Label
   for (std::size_t s = 0; s < kSamples; ++s) {
     const Vec at = corner + (sample_row(s) + jitter(cell * kSamples + s)) * (1.0 / kAcross);
     const std::uint8_t group = group_at(map, groups, to_index, grid.origin_m + at * grid.edge_m);
+    count.group[s] = group;
     if (group == 0) continue;
     ++count.samples[group];
     count.inside |= std::uint64_t{1} << s;
   }
   return count;
+}
+
+// Of a cell that no group fills alone.
+void keep_shares(const CellCount& count, std::size_t cell, Claims& claims) {
+  std::uint64_t left = count.inside;
+  while (left != 0) {
+    const std::uint8_t group = count.group[static_cast<unsigned>(std::countr_zero(left))];
+    std::uint64_t own = 0;
+    for (std::size_t s = 0; s < kSamples; ++s) {
+      own |= static_cast<std::uint64_t>(count.group[s] == group) << s;
+    }
+    if (own == ~std::uint64_t{0}) return;
+    claims.shares.push_back(
+        {static_cast<std::uint32_t>(cell), static_cast<std::uint16_t>(group - 1), 0, own});
+    left &= ~own;
+  }
 }
 
 Claims claim_labels(const Grid& grid, const LabelMap& map, const Groups& groups,
@@ -67,6 +86,7 @@ Claims claim_labels(const Grid& grid, const LabelMap& map, const Groups& groups,
         claims.inside[cell] = count.inside;
         claims.owner[cell] = static_cast<std::uint16_t>(most - count.samples.begin() - 1);
         claims.owner_fill[cell] = *most;
+        keep_shares(count, cell, claims);
         for (std::size_t i = 0; i < reports.size(); ++i) {
           reports[i].filled_volume_m3 += count.samples[i + 1] * sample_m3;
         }
@@ -108,6 +128,14 @@ void warn_of_absent(const Recipe& recipe, BuildReport& report) {
   }
 }
 
+SamplePlaces map_samples() {
+  SamplePlaces places;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    places[i] = (sample_row(i) + Vec{0.5, 0.5, 0.5}) * (1.0 / kAcross);
+  }
+  return places;
+}
+
 void measure_shares(const Claims& claims, const LabelMap& map, const Groups& groups,
                     BuildReport& report) {
   const std::size_t count = report.labels.size();
@@ -119,11 +147,7 @@ void measure_shares(const Claims& claims, const LabelMap& map, const Groups& gro
                              label.filled_volume_m3, given_m3[i], pieces[i].pieces,
                              pieces[i].lost});
   }
-  SamplePlaces places;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    places[i] = (sample_row(i) + Vec{0.5, 0.5, 0.5}) * (1.0 / kAcross);
-  }
-  report.closed_gaps = closed_gaps(claims, places);
+  report.closed_gaps = closed_gaps(claims, map_samples());
 }
 
 }  // namespace
@@ -162,6 +186,7 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   warn_of_missing(recipe.obstacles, built.obstacles, built.report);
   warn_of_missing(recipe.targets, built.targets, built.report);
   claimed.claims = claim_labels(grid, map, groups, built.report.labels, progress);
+  claimed.places = map_samples();
   if (options.measured) measure_shares(claimed.claims, map, groups, built.report);
   for (const LabelGroup& group : recipe.groups) claimed.tissues.push_back(group.tissue);
   claimed.sources = {{std::filesystem::path(path).filename().string(), "labels", map.sha256, 1e-3,

@@ -11,6 +11,7 @@ namespace stylet::bake {
 namespace {
 
 constexpr std::uint64_t kFull = ~std::uint64_t{0};
+constexpr int kSamples = 64;  // of a cell
 
 struct CellPlace {
   std::uint32_t x, y, z;
@@ -92,12 +93,27 @@ std::uint16_t owner_beside(const Claims& claims, CellPlace at) {
   return owner;
 }
 
+// One input that fills a cell alone needs no share: with a second one, it gets its own after all.
+void keep_share(Claims& claims, std::size_t cell, Claims::Share share, int owner_priority) {
+  share.cell = static_cast<std::uint32_t>(cell);
+  const bool is_first = claims.inside[cell] == 0;
+  if (share.inside == 0 || (is_first && share.inside == kFull)) return;
+  if (claims.owner_fill[cell] == kSamples) {
+    claims.shares.push_back({share.cell, claims.owner[cell], owner_priority, kFull});
+  }
+  claims.shares.push_back(share);
+}
+
 }  // namespace
 
 Claims no_claims(const Grid& grid) {
   const std::size_t cells = cell_count(grid);
-  return {grid, std::vector<std::uint64_t>(cells, 0), std::vector<std::uint8_t>(cells, 0),
-          std::vector<std::uint16_t>(cells, 0), std::vector<std::uint8_t>(cells, 0)};
+  return {grid,
+          std::vector<std::uint64_t>(cells, 0),
+          std::vector<std::uint8_t>(cells, 0),
+          std::vector<std::uint16_t>(cells, 0),
+          std::vector<std::uint8_t>(cells, 0),
+          {}};
 }
 
 void add_claim(Claims& claims, const Occupancy& occupancy, std::uint16_t input,
@@ -107,6 +123,8 @@ void add_claim(Claims& claims, const Occupancy& occupancy, std::uint16_t input,
     if (fill == 0 && occupancy.pierced[cell] == 0) continue;
     const std::uint16_t owner = claims.owner[cell];
     const std::uint8_t owner_fill = claims.owner_fill[cell];
+    keep_share(claims, cell, {0, input, priorities[input], occupancy.inside[cell]},
+               priorities[owner]);
     const auto rank = std::make_tuple(fill > 0, priorities[input], fill);
     const auto owner_rank = std::make_tuple(owner_fill > 0, priorities[owner], owner_fill);
     if (!is_kept(claims, cell) || rank > owner_rank) {

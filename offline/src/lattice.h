@@ -13,12 +13,23 @@
 namespace stylet::bake {
 
 // What the inputs say about each cell, combined one input after the other.
+// Where the 64 samples of a cell lie, in edges.
+using SamplePlaces = std::array<Vec, 64>;
+
 struct Claims {
   Grid grid;
   std::vector<std::uint64_t> inside;  // union of the samples of all inputs
   std::vector<std::uint8_t> pierced;
   std::vector<std::uint16_t> owner;      // input that gives the tissue
   std::vector<std::uint8_t> owner_fill;  // samples of the owner in the cell
+  // The samples of each input in cells that no single one fills.
+  struct Share {
+    std::uint32_t cell;
+    std::uint16_t owner;
+    int priority;
+    std::uint64_t inside;
+  };
+  std::vector<Share> shares;
 };
 
 Claims no_claims(const Grid& grid);

@@ -20,8 +20,6 @@ std::vector<PieceCount> label_pieces(const Claims& claims, const LabelMap& map,
 
 // Voxels that hold parts which do not touch, and neighbours whose parts do not touch each other:
 // sharing particles, they stick all the same.
-// `places` of a cell's samples, in edges.
-using SamplePlaces = std::array<Vec, 64>;
 std::size_t closed_gaps(const Claims& claims, const SamplePlaces& places);
 
 }  // namespace stylet::bake

@@ -12,7 +12,7 @@ namespace {
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
 
-constexpr std::uint32_t kFormatVersion = 1;
+constexpr std::uint32_t kPlainFormat = 1, kFormatWithMixed = 2;
 
 // Our plain structs and the generated ones have the same bytes.
 template <typename Theirs, typename Mine>
@@ -66,15 +66,18 @@ void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
   const auto vertices = write_structs<format::Vertex>(builder, parts.vertices);
   const auto triangles = write_structs<format::Triangle>(builder, parts.triangles);
   const auto spheres = write_structs<format::SphereNode>(builder, parts.spheres);
+  const bool has_mixed = !parts.mixed.empty();
+  const auto mixed = has_mixed ? write_structs<format::Mixed>(builder, parts.mixed)
+                               : Offset<flatbuffers::Vector<const format::Mixed*>>();
   const auto provenance = write_provenance(builder, parts);
   const auto f = [](double value) { return static_cast<float>(value); };
   const auto u = [](std::uint32_t value) { return static_cast<std::uint16_t>(value); };
   format::FinishOrganBuffer(
-      builder,
-      format::CreateOrgan(builder, kFormatVersion, name, f(grid.edge_m), f(grid.origin_m.x),
-                          f(grid.origin_m.y), f(grid.origin_m.z), u(grid.size[0]), u(grid.size[1]),
-                          u(grid.size[2]), runs, voxel_material, voxel_fill, voxel_fixed,
-                          material_list, vertices, triangles, spheres, provenance));
+      builder, format::CreateOrgan(builder, has_mixed ? kFormatWithMixed : kPlainFormat, name,
+                                   f(grid.edge_m), f(grid.origin_m.x), f(grid.origin_m.y),
+                                   f(grid.origin_m.z), u(grid.size[0]), u(grid.size[1]),
+                                   u(grid.size[2]), runs, voxel_material, voxel_fill, voxel_fixed,
+                                   material_list, vertices, triangles, spheres, provenance, mixed));
 }
 
 }  // namespace

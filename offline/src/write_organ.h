@@ -27,6 +27,7 @@ struct OrganParts {
   std::string name;
   Lattice lattice;
   std::vector<std::uint8_t> voxel_material;
+  std::vector<OrganMixed> mixed;
   std::vector<std::uint8_t> voxel_fixed;  // empty: a free body
   std::vector<Tissue> materials;
   std::vector<OrganVertex> vertices;

@@ -228,8 +228,8 @@ speed_mm_s = 25
         names = self.build(voxel_mm=6)
         text = (SOURCE / "hal/scenes/liver-biopsy.toml").read_text()
         for old, new in (('path = "liver-biopsy.organ"', 'path = "patient.organ"'),
-                         ("direction = [0, 0, -1]", "direction = [0, 1, 0]"),
-                         ("point_mm = [-70, 90, 155]", "point_mm = [-29, -220, 415]")):
+                         ("direction = [0.24, -0.34, -0.91]", "direction = [0, 1, 0]"),
+                         ("point_mm = [-20, 109, 190]", "point_mm = [-29, -220, 415]")):
             self.assertIn(old, text)
             text = text.replace(old, new)
         scene = self.top / "biopsy.toml"

@@ -35,8 +35,7 @@ Written by `tests/e2e/halving.py --table tests/e2e/halving.md`: mean change of t
 over 50 ms, in per cent of its mean, when the voxel, the needle's unit or the step is halved; the
 largest force for scale. Unit and step: at most 2. The voxel: below 10, and above 2 where a dimple
 some voxels deep presses tissue to a fraction of its length (finer voxels are softer there), or
-where layers are a voxel thick. Not reached: the voxel of liver-biopsy, whose layers are no thicker
-than one, so that a boundary lies up to half a voxel from where it should.
+where layers are a voxel thick (liver-biopsy).
 
 | scene | largest force, N | voxel | unit | step |
 | --- | --- | --- | --- | --- |

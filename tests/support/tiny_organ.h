@@ -50,6 +50,7 @@ struct TinyOrgan {
   std::function<std::uint8_t(std::uint16_t, std::uint16_t, std::uint16_t)> material_at;
   // Whether there is a voxel at (x, y, z); empty: everywhere in the block.
   std::function<bool(std::uint16_t, std::uint16_t, std::uint16_t)> inside;
+  std::vector<format::Mixed> mixed;
   std::uint32_t fixed_faces = 0;  // Face bits: the corners on these faces never move
 };
 
@@ -222,10 +223,11 @@ inline std::vector<std::byte> tiny_organ(const TinyOrgan& organ) {
   const detail::Surface surface = detail::surface_of(organ);
   format::FinishOrganBuffer(
       builder,
-      format::CreateOrganDirect(builder, 1, "tiny", organ.voxel_edge_m, organ.origin_m.x,
-                                organ.origin_m.y, organ.origin_m.z, organ.nx, organ.ny, organ.nz,
-                                &runs, &material, &fill, fixed.empty() ? nullptr : &fixed,
-                                &materials, &surface.vertices, &surface.triangles, &surface.nodes));
+      format::CreateOrganDirect(
+          builder, organ.mixed.empty() ? 1 : 2, "tiny", organ.voxel_edge_m, organ.origin_m.x,
+          organ.origin_m.y, organ.origin_m.z, organ.nx, organ.ny, organ.nz, &runs, &material, &fill,
+          fixed.empty() ? nullptr : &fixed, &materials, &surface.vertices, &surface.triangles,
+          &surface.nodes, 0, organ.mixed.empty() ? nullptr : &organ.mixed));
   const auto* bytes = reinterpret_cast<const std::byte*>(builder.GetBufferPointer());
   return {bytes, bytes + builder.GetSize()};
 }

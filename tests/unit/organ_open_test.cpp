@@ -101,8 +101,8 @@ std::vector<Case> lattice_cases() {
     o.runs[i] = format::Run(x, old.y(), old.z(), count);
   };
   return {
-      {"version", [](Owner& o) { o.format_version = 2; }, Status::kOrganVersionUnknown,
-       "format_version", 0, 2, "version 1"},
+      {"version", [](Owner& o) { o.format_version = 3; }, Status::kOrganVersionUnknown,
+       "format_version", 0, 3, "version 1 or 2"},
       {"edge", [](Owner& o) { o.voxel_edge_m = 0.25F; }, range, "voxel_edge_m", 0, 0.25,
        "0.0001 to 0.1"},
       {"origin", [](Owner& o) { o.origin_x_m = 128; }, range, "origin_x_m", 0, 128, "within 100 m"},
@@ -142,6 +142,36 @@ std::vector<Case> lattice_cases() {
       {"material index", [](Owner& o) { o.voxel_material[7] = 1; }, index, "voxel_material", 7, 1,
        "an index into materials"},
       {"fill", [](Owner& o) { o.voxel_fill[5] = 0; }, range, "voxel_fill", 5, 0, "1 to 255"},
+  };
+}
+
+std::vector<Case> mixed_cases() {
+  const Status range = Status::kOrganValueOutOfRange, index = Status::kOrganIndexOutOfRange;
+  const auto mixed = [](auto... of) {
+    return [of...](Owner& o) {
+      o.format_version = 2;
+      o.mixed = {of...};
+    };
+  };
+  using Mixed = format::Mixed;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  return {
+      {"in an old file", [](Owner& o) { o.mixed = {Mixed(0, 0, 0, 1, 0, 0, 0)}; },
+       Status::kOrganVersionUnknown, "mixed", 0, 1,
+       "format version 2 where there are mixed voxels"},
+      {"voxel", mixed(Mixed(12, 0, 0, 1, 0, 0, 0)), index, "mixed.voxel", 0, 12,
+       "a voxel of the lattice"},
+      {"voxel twice", mixed(Mixed(3, 0, 0, 1, 0, 0, 0), Mixed(3, 0, 0, 0, 1, 0, 0)),
+       Status::kOrganOrderWrong, "mixed.voxel", 1, 3, "voxels in rising order, each once"},
+      {"material", mixed(Mixed(3, 1, 0, 1, 0, 0, 0)), index, "mixed.material", 0, 1,
+       "an index into materials, or 65535 for no tissue"},
+      {"normal x", mixed(Mixed(3, 0, 0, -1.5F, 0, 0, 0)), range, "mixed.nx", 0, -1.5, "-1 to 1"},
+      {"normal y", mixed(Mixed(3, 0, 0, 0, 1.5F, 0, 0)), range, "mixed.ny", 0, 1.5, "-1 to 1"},
+      {"normal z", mixed(Mixed(3, 0, 0, 0, 0, 2, 0)), range, "mixed.nz", 0, 2, "-1 to 1"},
+      {"limit", mixed(Mixed(3, kNoTissue, 0, 1, 0, 0, 2.5F)), range, "mixed.limit", 0, 2.5,
+       "-2 to 2"},
+      {"not a number", mixed(Mixed(3, kNoTissue, 0, nan, 0, 0, 0)), range, "mixed.nx", 0,
+       static_cast<double>(nan), "-1 to 1"},
   };
 }
 
@@ -190,7 +220,11 @@ void expect_refused(const Case& c) {
   EXPECT_EQ(refusal.status, c.status) << c.name;
   EXPECT_STREQ(refusal.place, c.place) << c.name;
   EXPECT_EQ(refusal.index, c.index) << c.name;
-  EXPECT_DOUBLE_EQ(refusal.value, c.value) << c.name;
+  if (std::isnan(c.value)) {
+    EXPECT_TRUE(std::isnan(refusal.value)) << c.name;
+  } else {
+    EXPECT_DOUBLE_EQ(refusal.value, c.value) << c.name;
+  }
   EXPECT_STREQ(refusal.expected, c.expected) << c.name;
   EXPECT_EQ(organ.root, nullptr) << c.name << ": the organ must not be touched";
 }
@@ -211,6 +245,7 @@ TEST(OrganOpen, RefusesMaterialsWithTheirPlace) {
 }
 TEST(OrganOpen, RefusesLatticesWithTheirPlace) {
   for (const Case& c : lattice_cases()) expect_refused(c);
+  for (const Case& c : mixed_cases()) expect_refused(c);
 }
 TEST(OrganOpen, RefusesSurfacesWithTheirPlace) {
   for (const Case& c : surface_cases()) expect_refused(c);

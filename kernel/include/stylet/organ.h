@@ -27,6 +27,12 @@ struct OrganVertex {
 struct OrganTriangle {
   std::uint32_t a, b, c;
 };
+struct OrganMixed {  // a voxel of two tissues
+  std::uint32_t voxel;
+  std::uint16_t material, reserved;  // kNoTissue: none
+  float nx, ny, nz, limit;           // of `material` where n . (place in the voxel, 0 to 1) > limit
+};
+constexpr std::uint16_t kNoTissue = 0xFFFF;
 struct OrganSphere {
   float x, y, z, radius;
   std::uint32_t first, count;  // count = 0: children first, first + 1; else triangles of a leaf
@@ -64,6 +70,7 @@ struct Organ {
   std::span<const std::uint8_t> voxel_material;
   std::span<const std::uint8_t> voxel_fill;
   std::span<const std::uint8_t> voxel_fixed;  // empty, or one per voxel
+  std::span<const OrganMixed> mixed;          // sorted by voxel
   std::span<const OrganVertex> vertices;
   std::span<const OrganTriangle> triangles;
   std::span<const OrganSphere> spheres;

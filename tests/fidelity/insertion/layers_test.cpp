@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -130,6 +131,60 @@ TEST(Layers, WhatLiesBehindAGapHoldsTheNeedle) {
     from_x_m = 10e-3F;
     drive(rig, {65e-3F, kStart.y, kStart.z}, from_x_m, 20e-3F);
   }
+}
+
+// Every voxel of the plane `x` is of `material` on one side of a plane across x in it.
+std::vector<format::Mixed> mixed_planes(const TinyOrgan& tiny, std::uint16_t x,
+                                        std::uint16_t material, float normal_x, float limit) {
+  std::vector<format::Mixed> mixed;
+  std::uint32_t voxel = 0;
+  for (std::uint16_t z = 0; z < tiny.nz; ++z) {
+    for (std::uint16_t y = 0; y < tiny.ny; ++y) {
+      for (std::uint16_t at = 0; at < tiny.nx; ++at) {
+        if (tiny.inside && !tiny.inside(at, y, z)) continue;
+        if (at == x) mixed.emplace_back(voxel, material, 0, normal_x, 0.0F, 0.0F, limit);
+        ++voxel;
+      }
+    }
+  }
+  return mixed;
+}
+
+// Where two tissues meet within a voxel, the needle meets the second there, not at the voxel's
+// face.
+TEST(Layers, AFaceWithinAVoxelIsMetWhereItIs) {
+  for (const float fat_in_voxel : {0.1F, 0.4F, 0.9F}) {
+    TinyOrgan tiny = back();
+    tiny.mixed = mixed_planes(tiny, 4, kFat, -1, -fat_in_voxel);  // of 20 to 25 mm
+    Rig rig = make_rig(tiny, Config{});
+    const Output out = drive(rig, kStart, 72e-3F, 20e-3F);
+    const double face_m = 20e-3 + 5e-3 * static_cast<double>(fat_in_voxel);
+    const std::vector<Event> punctures = of_kind(rig.kernel(), EventKind::kPuncture);
+    ASSERT_EQ(punctures.size(), 2U);
+    EXPECT_EQ(punctures[1].layer, kLigament);
+    EXPECT_NEAR(static_cast<double>(punctures[1].depth_m), face_m, 0.2e-3);
+    const double behind = static_cast<double>(out.depth_m) - 45e-3;
+    const double expected = 15 * 5e-3 + 5 * (face_m - 5e-3) + 30 * (45e-3 - face_m) + 3 * behind;
+    EXPECT_NEAR(-static_cast<double>(out.cause.friction_n.x), expected, 0.02 * expected);
+  }
+}
+
+// Tissue that ends within a voxel holds the needle as far as it goes.
+TEST(Layers, TissueEndsWithinAVoxel) {
+  TinyOrgan tiny = back();
+  tiny.materials = {tiny.materials[kFat]};
+  tiny.material_at = {};
+  tiny.inside = [](std::uint16_t x, std::uint16_t, std::uint16_t) { return x < 4 || x > 6; };
+  tiny.mixed = mixed_planes(tiny, 3, kNoTissue, 1, 0.4F);  // up to 17 mm
+  const std::vector<format::Mixed> far = mixed_planes(tiny, 7, kNoTissue, -1, -0.6F);  // from 38 mm
+  tiny.mixed.insert(tiny.mixed.end(), far.begin(), far.end());
+  std::sort(tiny.mixed.begin(), tiny.mixed.end(),
+            [](const format::Mixed& a, const format::Mixed& b) { return a.voxel() < b.voxel(); });
+  Rig rig = make_rig(tiny, Config{});
+  const Output out = drive(rig, kStart, 65e-3F, 20e-3F);
+  EXPECT_EQ(held_between(rig, 17e-3F, 38e-3F), 0);
+  const double expected = 5 * (17e-3 + static_cast<double>(out.depth_m) - 38e-3);
+  EXPECT_NEAR(-static_cast<double>(out.cause.friction_n.x), expected, 0.05 * expected);
 }
 
 // The force that breaks a surface falls with speed as written: (v / 10 mm/s)^-m.

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "layers.h"
+
+#include <bit>
+
+namespace stylet::bake {
+
+std::uint8_t layer_at(const TissueNumbers& numbers, double depth_m) {
+  std::uint8_t i = 0;
+  while (i + 1U < numbers.layers.size() && depth_m >= numbers.layers[i].thickness_m) {
+    depth_m -= numbers.layers[i].thickness_m;
+    ++i;
+  }
+  return i;
+}
+
+std::vector<std::uint8_t> cell_layers(const Claims& claims, const TissueNumbers& numbers) {
+  if (numbers.layers.empty()) return {};
+  constexpr double kSamples = 64;
+  const Grid& grid = claims.grid;
+  const std::size_t along = numbers.course.axis, u = (along + 1) % 3, v = (along + 2) % 3;
+  std::vector<std::uint8_t> layers(cell_count(grid), kNotLayered);
+  std::array<std::uint32_t, 3> at{};
+  for (at[u] = 0; at[u] < grid.size[u]; ++at[u]) {
+    for (at[v] = 0; at[v] < grid.size[v]; ++at[v]) {
+      double above = 0;  // filled, in edges
+      for (std::uint32_t step = 0; step < grid.size[along]; ++step) {
+        at[along] = numbers.course.backwards ? grid.size[along] - 1 - step : step;
+        const std::size_t cell = cell_index(grid, at[0], at[1], at[2]);
+        if (!is_kept(claims, cell) || numbers.is_layered[claims.owner[cell]] == 0) {
+          above = 0;
+          continue;
+        }
+        const double fill = std::popcount(claims.inside[cell]) / kSamples;
+        layers[cell] = layer_at(numbers, (above + 0.5 * fill) * grid.edge_m);
+        above += fill;
+      }
+    }
+  }
+  return layers;
+}
+
+Tissue in_layer(Tissue tissue, double thickness_m, double edge_m) {
+  if (thickness_m > edge_m) {
+    tissue.youngs_modulus_pa += tissue.membrane_n_per_m / thickness_m;
+    tissue.membrane_n_per_m = 0;
+  }
+  return tissue;
+}
+
+}  // namespace stylet::bake
