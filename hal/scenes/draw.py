@@ -226,7 +226,7 @@ def fig10_steering(run):
              "lines": [(run.time_s, run.bevel @ (0, 0, 1), "")]}]
 
 
-BIOPSY = ["muscle", "liver", "tumour", "skin", "fat", "liver capsule"]
+BIOPSY = ["liver", "tumour", "skin", "fat", "muscle", "liver capsule"]
 
 
 def liver_biopsy(run):
