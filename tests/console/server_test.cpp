@@ -314,7 +314,7 @@ TEST(Server, FramesThatAPageWasTooSlowForAreCounted) {
       Body::Frame, [](const Frame& f) { return f.timing()->lost_frames() > 0; });
   ASSERT_NE(frame, nullptr);
   EXPECT_GE(frame->timing()->lost_frames(), 1U);
-  EXPECT_LE(frame->timing()->lost_frames(), 5U);
+  EXPECT_LE(frame->timing()->lost_frames(), 7U);  // as many as there were states
   std::string body;
   Client counters(served.port);
   counters.get("/metrics");
