@@ -152,10 +152,13 @@ std::string speed(const Json& facts) {
     }
     rows += "</tr>";
   }
-  const std::string on =
-      timed ? fmt::format(" on {}: a tick of {} us, half of the period at most",
-                          escaped(speed["machine"]["name"]), number(speed["tick_us"], 0))
-            : "";
+  std::string on = timed
+                       ? fmt::format(" on {}: a tick of {} us, half of the period at most",
+                                     escaped(speed["machine"]["name"]), number(speed["tick_us"], 0))
+                       : "";
+  if (speed.contains("timed_us")) {
+    on += fmt::format("; timed on this organ {} us", number(speed["timed_us"], 0));
+  }
   return fmt::format("<h2>Speed and added mass</h2><p>Period {} us, {} substeps{}.</p><table>",
                      number(speed["period_us"], 0), speed["substeps"].get<std::uint32_t>(), on) +
          head + "</tr>" + rows +

@@ -292,6 +292,22 @@ LabelMap ball_map(std::array<Vec, 3> step_m, Vec centre_m) {
   return map;
 }
 
+// The vertices, in metres.
+std::vector<Vec> surface_of(const Organ& organ) {
+  std::vector<Vec> cells, points;
+  for (const OrganRun& run : organ.runs) {
+    for (std::uint32_t i = 0; i < run.count; ++i)
+      cells.push_back({1.0 * (run.x + i), 1.0 * run.y, 1.0 * run.z});
+  }
+  const Vec origin = {static_cast<double>(organ.origin_m.x), static_cast<double>(organ.origin_m.y),
+                      static_cast<double>(organ.origin_m.z)};
+  for (const OrganVertex& v : organ.vertices) {
+    const Vec in_cell = Vec{1.0 * v.fx, 1.0 * v.fy, 1.0 * v.fz} * (1 / 65535.0);
+    points.push_back(origin + (cells[v.voxel] + in_cell) * static_cast<double>(organ.voxel_edge_m));
+  }
+  return points;
+}
+
 const Recipe kHalves = {{}, {{"gel", {1}}, {"muscle", {2}}}};
 
 TEST(LabelOrgan, LiesWhereTheMapIsWhateverItsAxes) {
@@ -348,23 +364,11 @@ TEST(LabelOrgan, SurfaceIsThatOfTheLabelsWithoutTheirSteps) {
     options.voxel_edge_m = 2.5e-3;
     const bake::Built built = build_quietly(ball_map(step, {}), kHalves, options);
     const Organ organ = opened(built.bytes);
-    std::vector<std::array<std::uint32_t, 3>> cell_of_voxel;
-    for (const OrganRun& run : organ.runs) {
-      for (std::uint32_t i = 0; i < run.count; ++i) {
-        cell_of_voxel.push_back({run.x + i, run.y, run.z});
-      }
-    }
-    std::vector<Vec> points;
+    const std::vector<Vec> points = surface_of(organ);
     double least = 1, most = 0;
-    for (const OrganVertex& v : organ.vertices) {
-      const auto& cell = cell_of_voxel[v.voxel];
-      const auto edge = static_cast<double>(organ.voxel_edge_m);
-      points.push_back(
-          Vec{static_cast<double>(organ.origin_m.x), static_cast<double>(organ.origin_m.y),
-              static_cast<double>(organ.origin_m.z)} +
-          Vec{cell[0] + v.fx / 65535.0, cell[1] + v.fy / 65535.0, cell[2] + v.fz / 65535.0} * edge);
-      least = std::min(least, length(points.back()));
-      most = std::max(most, length(points.back()));
+    for (const Vec& point : points) {
+      least = std::min(least, length(point));
+      most = std::max(most, length(point));
     }
     // Steps of 1 mm would leave corners up to 0.9 mm off the ball.
     EXPECT_GT(least, 0.0194);
@@ -474,6 +478,30 @@ TEST(LabelOrgan, SameMapSameBytes) {
   EXPECT_EQ(build_quietly(map, kHalves, options).bytes, build_quietly(map, kHalves, options).bytes);
 }
 
+// A ball of 20 mm, as the voxels of a map have it: 15 000 triangles, then 2000.
+TEST(LabelOrgan, FewerTrianglesLieWhereMoreDid) {
+  const double u = 1e-3;
+  const LabelMap map = ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {});
+  Recipe recipe = kHalves;
+  const auto rest_of = [&](const std::vector<std::byte>& bytes) {
+    const Organ organ = opened(bytes);
+    double least = 1, most = 0;
+    for (const Vec& point : surface_of(organ)) {
+      least = std::min(least, length(point));
+      most = std::max(most, length(point));
+    }
+    return std::array{static_cast<double>(organ.triangles.size()), least, most};
+  };
+  const auto fine = rest_of(build_quietly(map, recipe, {}).bytes);
+  recipe.most_triangles = 2000;
+  const auto coarse = rest_of(build_quietly(map, recipe, {}).bytes);
+  EXPECT_GT(fine[0], 10000);
+  EXPECT_LE(coarse[0], 2000);
+  EXPECT_GE(coarse[0], 1900);
+  EXPECT_GT(coarse[1], fine[1] - 0.3e-3);
+  EXPECT_LT(coarse[2], fine[2] + 0.3e-3);
+}
+
 // 60 balls as labels in 512 x 512 x 300 voxels of 0.8 x 0.8 x 1 mm, ten of them each tissue.
 LabelMap whole_body_map() {
   LabelMap map;
@@ -514,7 +542,9 @@ TEST(LabelOrgan, OfAWholeBodyTakesLessThanAMinuteAndThreeGibibytes) {
   const auto start = std::chrono::steady_clock::now();
   bake::BuildOptions options;
   options.voxel_edge_m = 4e-3;
+  recipe.most_triangles = 100'000;
   const bake::Built built = build_quietly(whole_body_map(), recipe, options);
+  EXPECT_LE(opened(built.bytes).triangles.size(), 100'000U);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
   rusage use{};
   getrusage(RUSAGE_SELF, &use);
@@ -549,6 +579,20 @@ TEST(Recipe, TakesNumbersAndNames) {
   EXPECT_EQ(recipe.groups[1].tissue, "vessel");
   EXPECT_THAT(recipe.groups[1].labels, testing::ElementsAre(52, 64));
   EXPECT_EQ(recipe.names.at(52), "aorta");
+  EXPECT_FALSE(recipe.open_gaps);
+}
+
+TEST(Recipe, SaysWhetherGapsStayOpen) {
+  const Scratch scratch;
+  const auto open_gaps = [&](const std::string& gaps) {
+    return bake::read_recipe(scratch.write("r.toml",
+                                           "[tissues]\nliver = [1]\n[contact]\n"
+                                           "touching = \"shared\"\ngaps = " +
+                                               gaps + "\n"))
+        .open_gaps;
+  };
+  EXPECT_TRUE(open_gaps("\"open\""));
+  EXPECT_FALSE(open_gaps("\"closed\""));
 }
 
 TEST(Recipe, RefusesWithFileAndLine) {
@@ -568,13 +612,18 @@ TEST(Recipe, RefusesWithFileAndLine) {
       {"[crop]\naround = 5\n[tissues]\nliver = [1]\n", "r.toml:2: around: expected around = ["},
       {"[crop]\naround = [1]\nmargin_mm = -1\n", "r.toml:3: margin_mm: expected a number from 0"},
       {"[surface]\nsmoothing = 101\n", "r.toml:2: smoothing: expected a number from 0 to 100"},
-      {"[surface]\nsmoothing = 1.5\n", "r.toml:2: smoothing: expected smoothing = a whole"},
+      {"[surface]\nsmoothing = 1.5\n",
+       "r.toml:2: smoothing: expected smoothing = or triangles = a"},
+      {"[surface]\ntriangles = 10\n", "r.toml:2: triangles: expected 1000 or more"},
       {"[obstacles]\n'a/b' = [1]\n[tissues]\nliver = [5]\n", "r.toml:2: a/b: expected a name of"},
       {"[obstacles]\nrib = 1\n[tissues]\nliver = [5]\n", "r.toml:2: rib: expected a list"},
       {"[obstacles]\nrib = [5]\n[tissues]\nliver = [5]\n", "rib: label 5 is liver already"},
       {"[wall]\ntissue = \"fat\"\n[tissues]\nliver = [5]\n", "r.toml:1: [[wall]]: expected tissue"},
       {"[[wall]]\ntissue = \"fat\"\n[tissues]\nliver = [5]\n", "r.toml:1: [[wall]]: expected"},
       {"[[wall]]\ntissue = \"fat\"\nthickness_mm = -1\n", "thickness_mm: expected a number"},
+      {"[contact]\ntouching = \"sliding\"\n", "r.toml:2: touching: expected \"shared\": organs"},
+      {"[contact]\ngaps = true\n", "r.toml:2: gaps: expected gaps = \"open\" or \"closed\""},
+      {"[contact]\nsliding = true\n", "r.toml:2: sliding: expected gaps = "},
       {"[names]\na = 1\n", "expected a table [tissues]"},
       {"[tissues]\n", "[tissues]: expected at least one"},
       {"[tissues\n", "r.toml:"}};

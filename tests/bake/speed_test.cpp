@@ -106,5 +106,23 @@ TEST(Fit, OnThisMachineMeetsThePeriodItSays) {
   EXPECT_LE(bake::tick_us(here, voxels, 1), 1e4 * bake::kShareOfPeriod);
 }
 
+// An organ is timed itself, beside the line through two blocks.
+TEST(Fit, TimesTheOrganOnThisMachine) {
+  const bake::Machine here = {"here", 30, 0.02, true};
+  bake::BuildOptions options;
+  double us[2] = {};
+  for (const int fine : {0, 1}) {
+    options.voxel_edge_m = fine == 1 ? 3e-3 : 8e-3;
+    const auto bytes = build_quietly({input_of(bake::ball_phantom(0.12, 0.004), 1)}, options).bytes;
+    const auto facts = bake::speed_facts(opened(bytes), 1e-3, 2, &here);
+    us[fine] = facts["timed_us"].get<double>();
+    EXPECT_THAT(bake::speed_text(facts), testing::HasSubstr("; timed on this organ "));
+  }
+  EXPECT_GT(us[1], 3 * us[0]);  // 19 times as many voxels
+  const bake::Machine elsewhere = {"elsewhere", 30, 0.02};
+  const auto bytes = build_quietly({input_of(box_mesh({0, 0, 0}, {40, 40, 40}), 1e-3)}, {}).bytes;
+  EXPECT_FALSE(bake::speed_facts(opened(bytes), 1e-3, 2, &elsewhere).contains("timed_us"));
+}
+
 }  // namespace
 }  // namespace stylet::test
