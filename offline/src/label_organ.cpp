@@ -9,6 +9,7 @@
 #include "label_skin.h"
 #include "label_wall.h"
 #include "pieces.h"
+#include "simplify.h"
 
 namespace stylet::bake {
 namespace {
@@ -171,7 +172,8 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   for (const Vec& point : skin.points) grow(claimed.box, point);
   if (options.measured) built.input_m = triangles_of(skin);
   smooth(skin, recipe.smoothing);
-  claimed.mesh = triangles_of(skin);
+  progress("thinning the surface", 0);
+  claimed.mesh = with_fewer_triangles(triangles_of(skin), recipe.most_triangles);
   for (const Vec& point : claimed.mesh.points) grow(claimed.box, point);
   warn_of_size(claimed.box, built.report.warnings);
   built.report.labels = label_reports(map, groups, recipe);

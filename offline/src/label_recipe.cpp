@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "refusal.h"
-#include "stylet/limits.h"
 #include "toml_file.h"
 
 namespace stylet::bake {
@@ -78,11 +77,20 @@ void read_crop(const std::string& file, const toml::table& table, Recipe& recipe
 
 void read_surface(const std::string& file, const toml::table& table, Recipe& recipe) {
   constexpr double kMostRounds = 100;
+  constexpr std::uint32_t kFewestTriangles = 1000;
   for (const auto& [key, node] : table) {
-    if (key != "smoothing" || !node.is_integer()) {
-      refuse("{}: {}: expected smoothing = a whole number", place_of(file, node), key.str());
+    if (key == "smoothing" && node.is_integer()) {
+      recipe.smoothing = static_cast<int>(number_of(file, "smoothing", node, kMostRounds));
+    } else if (key == "triangles" && node.is_integer()) {
+      recipe.most_triangles =
+          static_cast<std::uint32_t>(number_of(file, "triangles", node, kMaxTriangles));
+      if (recipe.most_triangles < kFewestTriangles) {
+        refuse("{}: triangles: expected {} or more", place_of(file, node), kFewestTriangles);
+      }
+    } else {
+      refuse("{}: {}: expected smoothing = or triangles = a whole number", place_of(file, node),
+             key.str());
     }
-    recipe.smoothing = static_cast<int>(number_of(file, "smoothing", node, kMostRounds));
   }
 }
 

@@ -13,6 +13,7 @@
 //
 //   [surface]          # optional
 //   smoothing = 10     # rounds of Taubin's filter, 0 to 100
+//   triangles = 30000  # at most so many, 1000 or more; unless said, as many as the map has
 //
 //   [[wall]]           # optional, from the inside out: layers around all labels of the map
 //   tissue = "fat"
@@ -33,6 +34,8 @@
 #include <map>
 #include <string>
 #include <vector>
+
+#include "stylet/limits.h"
 
 namespace stylet::bake {
 
@@ -57,6 +60,7 @@ struct Recipe {
   std::vector<std::uint16_t> crop_around = {};  // empty: the whole map
   double crop_margin_m = 0;
   int smoothing = 10;
+  std::uint32_t most_triangles = kMaxTriangles;
   std::vector<WallLayer> wall = {};
   std::vector<NamedLabels> obstacles = {};  // no label of a tissue
   std::vector<NamedLabels> targets = {};
