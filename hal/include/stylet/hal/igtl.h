@@ -4,11 +4,10 @@
 // Fifty times a second every client gets the newest of each needle; the i-th needle's names end in
 // i, the first's in nothing:
 //   TRANSFORM StyletBase   the needle's base; its -z points along the needle
-//   TRANSFORM StyletTip    the tip, turned as the base
+//   TRANSFORM StyletTip    the tip, turned as the base (of a bent needle: not along its end)
 //   POSITION  StyletTip    the same place, for those who take only points
 //   SENSOR    StyletForce  N: on the hand x y z, along the course, across it, and by cause along
-//   the
-//                          course: stiffness, cutting, friction, clamping, obstacle
+//                          the course: stiffness, cutting, friction, clamping, obstacle
 //   STRING    StyletState  one line to read: depth, force, phase, and a fault
 //   STATUS    Stylet       OK, or hardware failure with the fault's name: when it changes, and
 //                          every second
