@@ -44,6 +44,9 @@ constexpr std::size_t kMaxMarksKept = 200;
 // than one. More: closed.
 constexpr std::size_t kMaxWaitingMessages = 64 + kMaxScoresKept + kMaxMarksKept;
 constexpr std::size_t kMaxWaitingBytes = std::size_t{32} << 20U;
+// What the system may keep of them for one page beside that: left to itself it keeps megabytes, and
+// a page that never reads is not noticed.
+constexpr int kSendBufferBytes = 256 * 1024;
 // Rows between the recorder and the console. Full: rows are missing in the plots, and counted.
 constexpr std::size_t kRowRing = 16384;
 // Rows of the running attempt. Full: the older half is forgotten.

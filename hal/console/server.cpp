@@ -345,6 +345,7 @@ void Server::Impl::accept() {
     if (!error && connections < kMaxConnections) {
       Error ignored;
       socket.set_option(tcp::no_delay(true), ignored);
+      socket.set_option(tcp::socket::send_buffer_size(kSendBufferBytes), ignored);
       std::make_shared<Visit>(std::move(socket), *this)->read();
     }
     accept();
