@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "phantom.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Labeled_mesh_domain_3.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/facets_in_complex_3_to_triangle_mesh.h>
 #include <CGAL/refine_mesh_3.h>
 
@@ -15,32 +13,16 @@
 #include <map>
 #include <random>
 
+#include "cgal_surface.h"
+
 namespace stylet::bake {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Kernel = CgalKernel;
 using Function = std::function<double(Kernel::Point_3)>;  // negative inside
 using Domain = CGAL::Labeled_mesh_domain_3<Kernel>;
 using Triangulation = CGAL::Mesh_triangulation_3<Domain>::type;
 using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
-using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
-
-Mesh to_mesh(const Surface& surface) {
-  Mesh mesh;
-  for (const auto vertex : surface.vertices()) {
-    const Kernel::Point_3& p = surface.point(vertex);
-    mesh.points.push_back({p.x(), p.y(), p.z()});
-  }
-  for (const auto face : surface.faces()) {
-    Triangle t{};
-    std::size_t corner = 0;
-    for (const auto vertex : surface.vertices_around_face(surface.halfedge(face))) {
-      t[corner++] = vertex.idx();
-    }
-    mesh.triangles.push_back(t);
-  }
-  return mesh;
-}
 
 // Where the mesher starts: points of the surface around `inside`, in directions without symmetry.
 // Not CGAL's own start, which takes sines and cosines: their last place is the C library's to
@@ -82,10 +64,10 @@ Mesh mesh_implicit(const Function& function, Vec inside, double reach, double fa
   start_mesh(domain, middle, reach, complex);
   CGAL::refine_mesh_3(complex, domain, criteria, parameters::no_reset_c3t3(),
                       parameters::no_perturb(), parameters::no_exude());
-  Surface surface;
+  CgalSurface surface;
   CGAL::facets_in_complex_3_to_triangle_mesh(complex, surface);
   CGAL::Polygon_mesh_processing::orient(surface);
-  return to_mesh(surface);
+  return mesh_of(surface);
 }
 
 double ellipsoid(Vec p, Vec centre, Vec radii) {

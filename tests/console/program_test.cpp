@@ -206,13 +206,18 @@ TEST(Program, APauseIsNotInTheRecording) {
   EXPECT_EQ(held.info().final_state_hash, plain.info().final_state_hash);
 }
 
-// A teacher's page marks what the trainee's page does; the recording keeps it.
-TEST(Program, MarksAreInTheRecordingAndOnItsPage) {
-  Program program;
+// A run whose hand is the pointer of a page; gives the page's port.
+std::uint16_t run_with_pointer(Program& program) {
   program.start({"run", program.at("first.toml"), "--device", "pointer:", "--allow-non-rt",
                  "--record", program.at("out.h5"), "--flight", program.at("flight.h5"),
                  "--console=0"});
-  const std::uint16_t port = program.port();
+  return program.port();
+}
+
+// A teacher's page marks what the trainee's page does; the recording keeps it.
+TEST(Program, MarksAreInTheRecordingAndOnItsPage) {
+  Program program;
+  const std::uint16_t port = run_with_pointer(program);
   ASSERT_NE(port, 0) << program.output();
   Client trainee(port);
   ASSERT_EQ(trainee.join(), 101U);
@@ -249,10 +254,7 @@ TEST(Program, MarksAreInTheRecordingAndOnItsPage) {
 // counters of the attempt while it runs.
 TEST(Program, APointerOnAPageFeelsTheTissue) {
   Program program;
-  program.start({"run", program.at("first.toml"), "--device", "pointer:", "--allow-non-rt",
-                 "--record", program.at("out.h5"), "--flight", program.at("flight.h5"),
-                 "--console=0"});
-  const std::uint16_t port = program.port();
+  const std::uint16_t port = run_with_pointer(program);
   ASSERT_NE(port, 0) << program.output();
   Client client(port);
   ASSERT_EQ(client.join(), 101U);
