@@ -7,7 +7,8 @@
 #           sanitizer
 #   night   tests with the ctest label `night`
 #
-# `full` and `night` also bring the README's table of promises up to date.
+# `full` and `night` go on after a failure, say at the end what passed and what did not, and bring
+# the README's table of promises up to date.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -16,27 +17,48 @@ tier=${1:-}
   die "expected one of the tiers fast, full, night" "For example: toolchain/check.sh full"
 
 short=(-LE '^(full|night)$')
+summary=()
+failed=0
 
-# again PRESET [CTEST_ARGUMENT...]: the short tests in another build.
+# part WHAT PRESET COMMAND...: runs it with that preset; how it went is noted for the summary.
+part() {
+  local what=$1 verdict=passed tests='' start=$SECONDS begin
+  use_preset "$2"
+  begin=$(mktemp)
+  ("${@:3}") || {
+    verdict=FAILED
+    failed=$((failed + 1))
+    tests=$(find "$build/Testing/Temporary" -name LastTestsFailed.log -newer "$begin" \
+      -exec sed 's/^[0-9]*:/\n                  /' {} + 2>/dev/null) || true
+  }
+  rm "$begin"
+  summary+=("$(printf '%s %4d min  %s' "$verdict" $(((SECONDS - start + 59) / 60)) "$what")$tests")
+}
+
+# again [CTEST_ARGUMENT...]: the short tests in another build.
 again() {
-  use_preset "$1"
-  shift
   configure
   compile
   run_tests "${short[@]}" "$@"
 }
 
-note_results() { python3 "$root/toolchain/promises.py" "$root" "$build"; }
+labelled() { run_tests -L "^$1\$" --no-tests=ignore; }
 
-"$root/toolchain/test.sh"
-[ "$tier" != fast ] || exit 0
-note_results
-run_tests -L '^full$' --no-tests=ignore
-note_results
-again clang -E '^(cross|rt\.determinism)'         # they choose their compilers themselves
-again sanitize -E 'ripple|calculix'               # the longest, of code that others run too
-again sanitize-threads -R '^(hal|rt_|simulator|console)'  # the others have one thread
-[ "$tier" != full ] || exit 0
+[ "$tier" != fast ] || exec "$root/toolchain/test.sh"
+part "fast tests" release "$root/toolchain/test.sh"
+part "full tests" release labelled full
+# These choose their compilers themselves: cross, determinism.
+part "fast tests with clang" clang again -E '^(cross|rt\.determinism)'
+# Without the longest, of code that others run too.
+part "fast tests under the address and undefined-behaviour sanitizers" \
+  sanitize again -E 'ripple|calculix'
+# The others have one thread.
+part "fast tests under the thread sanitizer" \
+  sanitize-threads again -R '^(hal|rt_|simulator|console)'
+[ "$tier" = full ] || part "night tests" release labelled night
+
 use_preset release
-run_tests -L '^night$' --no-tests=ignore
-note_results
+python3 "$root/toolchain/promises.py" "$root" "$build"
+say "Tier $tier"
+for line in "${summary[@]}"; do note "$line"; done
+[ $failed -eq 0 ] || die "$failed of ${#summary[@]} parts failed"

@@ -60,10 +60,13 @@ compile() {
     die "the build failed" "The first message above that says 'error' or 'FAILED' is the cause."
 }
 
-# run_tests [CTEST_ARGUMENT...]
+# run_tests [CTEST_ARGUMENT...]: the results stay for promises.py until the same are run again.
 run_tests() {
   say "Testing ($preset)"
-  ctest --test-dir "$build" --output-on-failure -j 2 "$@" || {
+  local results=$build/Testing/results
+  results+=/$(cksum <<<"$*" | cut -d' ' -f1).xml
+  ctest --test-dir "$build" --output-on-failure -j 2 --output-junit "$results" \
+    --test-output-size-passed 100000 "$@" || {
     local status=$?
     die "some tests failed; they are listed above" \
       "One of them again, with its output:  ctest --test-dir ${build#"$root"/} -V -R NAME" \

@@ -2,18 +2,21 @@
 # SPDX-License-Identifier: Apache-2.0
 """The README's table of promises: what is promised, which tests hold it, what they last measured.
 
-Reads the log ctest left in a build folder, and writes the rows whose tests it has; the others keep
-what they had. Where the log has only some of a row's tests it says so. --check changes nothing: it
-refuses a table that is not made of these rows, and a row without a test in the build folder.
+Reads the results that ctest left in a build folder for the scripts here (common.sh: run_tests), the
+last one of every test, and writes the rows whose tests they have; the others keep what they had. A
+row is as old as the oldest of its results. Where only some of a row's tests passed it says so,
+unless the table has more of the same day. A test that was skipped has shown nothing. --check
+changes nothing: it refuses a table that is not made of these rows, and a row without a test in the
+build folder.
 
 usage: promises.py REPOSITORY BUILD_FOLDER [--check]
 """
-import datetime
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree
 
 BEGIN, END = "<!-- promises: toolchain/promises.py -->", "<!-- end of promises -->"
 HEADER = "| promised | held by | last measured |\n| --- | --- | --- |"
@@ -56,14 +59,21 @@ ROWS = [
      None),
     ("a wrong line in guard, organ reader or coupling is noticed", r"mutation\.sample", None),
 ]
-TEST = re.compile(r"^\d+/\d+ Testing: (.+?)$.*?^Output:\n-+\n(.*?)<end of output>.*?"
-                  r"^Test (Pass|Fail)", re.M | re.S)
+RESULTS = "Testing/results"
 
 
-def read_log(path):
-    """Test -> (its output, whether it passed)."""
-    text = path.read_text(errors="replace")
-    return {name: (output, verdict == "Pass") for name, output, verdict in TEST.findall(text)}
+def read_results(folder):
+    """Test -> (its output, whether it passed, the day), of its last run; none of skipped ones."""
+    results = {}
+    suites = [xml.etree.ElementTree.parse(path).getroot() for path in folder.glob("*.xml")]
+    for suite in sorted(suites, key=lambda suite: suite.get("timestamp")):
+        for case in suite.iter("testcase"):
+            name, status = case.get("name").split()[0], case.get("status")
+            results.pop(name, None)
+            if status in ("run", "fail"):
+                output = case.findtext("system-out") or ""
+                results[name] = (output, status == "run", suite.get("timestamp")[:10])
+    return results
 
 
 def tests_of(build):
@@ -78,22 +88,32 @@ def tests_of(build):
     return [re.sub("_NOT_BUILT$", ".", test) for test in re.findall(r"Test +#\d+: (\S+)", listing)]
 
 
-def measured(row, log, tests, today):
-    """What the log says of the row's tests; None where it has none of them."""
+def measured(row, results, tests):
+    """What the results say of the row's tests; None where there are none of them."""
     _, pattern, figure = row
-    results = [(name, *log[name]) for name in sorted(log) if re.fullmatch(pattern, name)]
-    if not results:
+    found = {name: results[name] for name in sorted(results) if re.fullmatch(pattern, name)}
+    if not found:
         return None
-    failed = [name for name, _, passed in results if not passed]
-    if failed:
-        return f"{today}: {failed[0]} failed"
+    for name, (_, passed, day) in found.items():
+        if not passed:
+            return f"{day}: {name} failed"
     texts = []
-    for _, output, _ in results:
+    for output, _, _ in found.values():
         match = re.search(figure[0], output, re.S) if figure else None
         texts += [figure[1].format(*match.groups())] if match else []
     there = sum(1 for test in tests if re.fullmatch(pattern, test))
-    count = f"{len(results)}{f' of {there}' if there > len(results) else ''} passed"
-    return f"{today}: {'; '.join(texts) if texts else count}"
+    if there > len(found) or not texts:
+        texts.append(f"{len(found)}{f' of {there}' if there > len(found) else ''} passed")
+    return f"{min(day for _, _, day in found.values())}: {'; '.join(texts)}"
+
+
+def better(old, new):
+    """The new text, but for one of a part of the tests on a day that has more of them."""
+    part = re.search(r"(\d+) of \d+ passed$", new or "")
+    if part and old[:10] == new[:10] and not old.endswith("failed"):
+        had = re.search(r"(\d+)(?: of \d+)? passed$", old)
+        return old if had is None or int(had[1]) > int(part[1]) else new
+    return new or old
 
 
 def table_of(readme):
@@ -110,11 +130,11 @@ def held_by(pattern):
     return "`" + text.replace("|", ", ") + "`"
 
 
-def updated(readme, log, tests, today):
+def updated(readme, results, tests):
     before, rows, behind = table_of(readme)
     last = {row[0]: row[2] for row in rows}
     lines = [f"| {row[0]} | {held_by(row[1])} | "
-             f"{measured(row, log, tests, today) or last.get(row[0], NEVER)} |" for row in ROWS]
+             f"{better(last.get(row[0], NEVER), measured(row, results, tests))} |" for row in ROWS]
     return before + "\n".join([BEGIN, "", HEADER, *lines, "", END]) + behind
 
 
@@ -133,9 +153,8 @@ def main(repository, build, check):
         found = list(faults(path.read_text(), tests_of(build)))
         print("\n".join(found))
         return bool(found)
-    log = read_log(pathlib.Path(build) / "Testing/Temporary/LastTest.log")
-    today = datetime.date.today().isoformat()
-    path.write_text(updated(path.read_text(), log, tests_of(build), today))
+    results = read_results(pathlib.Path(build) / RESULTS)
+    path.write_text(updated(path.read_text(), results, tests_of(build)))
     return False
 
 

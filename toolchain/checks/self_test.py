@@ -102,28 +102,53 @@ class Loops(Sample):
 
 class Promises(Sample):
     EMPTY = f"before\n{promises.BEGIN}\n\n{promises.HEADER}\n\n{promises.END}\nbehind\n"
-    LOG = ("1/2 Testing: rt.stack\n1/2 Test: rt.stack\nOutput:\n---\n"
-           "5448 bytes at most; of a painted stack:\nphysical, avx2: 4616 bytes\n"
-           "<end of output>\nTest time = 1\nTest Passed.\n"
-           "2/2 Testing: rt.rtsan.tick\nOutput:\n---\n<end of output>\nTest time = 1\n"
-           "Test Pass Reason:\nas expected\n"
-           "2/2 Testing: check.loops\n2/2 Test: check.loops\nOutput:\n---\n"
-           "<end of output>\nTest time = 1\nTest Failed.\n")
+    TESTS = ["rt.stack", "rt.rtsan.tick", "rt.rtsan.other", "check.loops", "check.symbols"]
+    STACK = "5448 bytes at most; of a painted stack:\nphysical, avx2: 4616 bytes\n"
 
-    def test_writes_what_the_log_has_and_keeps_the_rest(self):
-        log = promises.read_log(self.write("LastTest.log", self.LOG))
-        once = promises.updated(self.EMPTY, log, [], "2026-01-02")
+    def results(self, day, **tests):
+        """As ctest writes them: {name with _ for each dot: (status, output)}."""
+        cases = "".join(f'<testcase name="{name.replace("_", ".")}" status="{status}">'
+                        f"<system-out>{output}</system-out></testcase>"
+                        for name, (status, output) in tests.items())
+        self.write(f"results/{day}.xml",
+                   f'<testsuite timestamp="{day}T10:00:00">{cases}</testsuite>')
+
+    def table(self, readme=EMPTY):
+        results = promises.read_results(self.top / "results")
+        return promises.updated(readme, results, self.TESTS)
+
+    def test_writes_what_was_run_and_keeps_the_rest(self):
+        self.results("2026-01-02", rt_stack=("run", self.STACK), rt_rtsan_tick=("run", ""),
+                     check_loops=("fail", ""), check_symbols=("notrun", "no nm here"))
+        once = self.table()
         self.assertIn("| `rt.stack` | 2026-01-02: 5448 bytes at most, 4616 used |", once)
-        self.assertIn("| `rt.rtsan.*` | 2026-01-02: 1 passed |", once)
+        self.assertIn("| `rt.rtsan.*` | 2026-01-02: 1 of 2 passed |", once)
         self.assertIn("| `check.loops` | 2026-01-02: check.loops failed |", once)
         self.assertIn(f"| `check.symbols` | {promises.NEVER} |", once)
-        self.assertEqual(promises.updated(once, {}, [], "2026-03-04"), once)
-        some = promises.updated(self.EMPTY, log, ["rt.rtsan.tick", "rt.rtsan.other"], "2026-01-02")
-        self.assertIn("| `rt.rtsan.*` | 2026-01-02: 1 of 2 passed |", some)
+        self.assertEqual(promises.updated(once, {}, self.TESTS), once)
         self.assertTrue(once.startswith("before\n") and once.endswith("behind\n"))
 
+    def test_adds_up_runs_and_takes_the_last_of_each_test(self):
+        self.results("2026-01-02", rt_rtsan_tick=("run", ""), check_loops=("fail", ""))
+        self.results("2026-01-03", rt_rtsan_other=("run", ""), check_loops=("run", ""))
+        made = self.table()
+        self.assertIn("| `rt.rtsan.*` | 2026-01-02: 2 passed |", made)
+        self.assertIn("| `check.loops` | 2026-01-03: 1 passed |", made)
+        self.results("2026-01-04", rt_rtsan_other=("notrun", "skipped"))
+        self.assertIn("| `rt.rtsan.*` | 2026-01-02: 1 of 2 passed |", self.table())
+
+    def test_a_part_replaces_more_only_of_another_day(self):
+        self.results("2026-01-03", rt_rtsan_tick=("run", ""))
+        for had, kept in (("2026-01-03: 2 passed", True), ("2026-01-03: 5 and 6", True),
+                          ("2026-01-02: 2 passed", False), ("2026-01-03: x failed", False)):
+            with self.subTest(had):
+                before = self.EMPTY.replace("| --- | --- | --- |", "| --- | --- | --- |\n| no call "
+                                            f"that may wait | `rt.rtsan.*` | {had} |")
+                row = had if kept else "2026-01-03: 1 of 2 passed"
+                self.assertIn(f"| `rt.rtsan.*` | {row} |", self.table(before))
+
     def test_refuses_another_table_and_rows_without_a_test(self):
-        made = promises.updated(self.EMPTY, {}, [], "2026-01-02")
+        made = promises.updated(self.EMPTY, {}, [])
         tests = [row[1].replace(".*", "x").replace("\\", "") for row in promises.ROWS]
         tests[tests.index("cross.(i686|aarch64|cortex_m7)")] = "cross.i686"
         self.assertEqual(list(promises.faults(made, tests)), [])

@@ -4,6 +4,7 @@
 say how they were called."""
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -16,11 +17,19 @@ for name in "$@"; do
   case $name in -*) ;; *) echo "$name installed" ;; esac
 done
 """
-# Says where and with what it was called; fails where a file of that name asks for it.
+# Says where and with what it was called; fails where a file of that name asks for it. ctest then
+# leaves that file as its list of failed tests.
 RECORDER = """#!/bin/sh
 echo "$(basename "$0") $*" >> "$STAND_IN/calls"
-[ ! -e "$STAND_IN/$(basename "$0") fails" ]
+fails="$STAND_IN/$(basename "$0") fails"
+[ -e "$fails" ] || exit 0
+if [ "$1" = --test-dir ]; then
+  mkdir -p "$2/Testing/Temporary" && cp "$fails" "$2/Testing/Temporary/LastTestsFailed.log"
+fi
+exit 1
 """
+COMMON = re.compile(r"^--output-on-failure -j 2 --output-junit \S+/Testing/results/\d+\.xml "
+                    r"--test-output-size-passed \d+ ")
 SHORT = "-LE ^(full|night)$"
 
 
@@ -44,8 +53,8 @@ class Tiers(unittest.TestCase):
         calls = self.top / "calls"
         lines = calls.read_text().splitlines() if calls.exists() else []
         tests = [line.split(" ", 3)[2:] for line in lines if line.startswith("ctest")]
-        common = "--output-on-failure -j 2 "
-        return done.returncode, [(pathlib.Path(folder).name, rest.removeprefix(common))
+        self.said = done.stdout.decode()
+        return done.returncode, [(pathlib.Path(folder).name, COMMON.sub("", rest))
                                  for folder, rest in tests]
 
     FAST = [("release", SHORT)]
@@ -61,9 +70,21 @@ class Tiers(unittest.TestCase):
                 (self.top / "calls").unlink(missing_ok=True)
                 self.assertEqual(self.check(tier), (0, expected))
 
-    def test_failing_tests_fail_the_tier_and_end_it(self):
+    def test_after_a_failure_the_rest_is_run_and_a_summary_names_what_failed(self):
+        (self.top / "ctest fails").write_text("12:rt.stack\n20:simulator.costs\n")
+        self.assertEqual(self.check("full"), (1, self.FULL))
+        summary = self.said.split("==> Tier full\n")[1]
+        self.assertEqual(summary.count("FAILED"), len(self.FULL), summary)
+        self.assertEqual(summary.count("\n                  simulator.costs"), len(self.FULL))
+
+    def test_a_build_that_fails_fails_its_part(self):
+        (self.top / "cmake fails").touch()
+        self.assertEqual(self.check("full"), (1, [self.FULL[1]]))
+        self.assertIn("passed    0 min  full tests", self.said.split("==> Tier full")[1])
+
+    def test_fast_tests_that_fail_fail_the_fast_tier(self):
         (self.top / "ctest fails").touch()
-        self.assertEqual(self.check("night"), (1, self.FAST))
+        self.assertEqual(self.check("fast"), (1, self.FAST))
 
     def test_other_words_are_refused(self):
         for arguments in (), ("faster",), ("fast", "full"):
