@@ -7,7 +7,6 @@ usage: costs.py REPOSITORY STYLET_SESSION_COSTS SEED COUNT
 """
 import pathlib
 import shutil
-import subprocess
 import sys
 import tempfile
 
@@ -23,12 +22,10 @@ def main(repository, program, seed, sessions):
     import costs
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "callgrind.out"
-        done = subprocess.run(
-            ["valgrind", "--tool=callgrind", "--instr-atstart=no", "--collect-atstart=no",
-             "--combine-dumps=yes", f"--callgrind-out-file={out}", program, seed, sessions],
-            capture_output=True, text=True)
-        if done.returncode != 0:
-            sys.exit(f"{program}: exit code {done.returncode}\n{done.stderr[-2000:]}")
+        command = [program, folder, seed, sessions]
+        costs.call(command)
+        costs.call(["valgrind", "--tool=callgrind", "--collect-atstart=no", "--combine-dumps=yes",
+                    f"--callgrind-out-file={out}", *command])
         ticks = [(int(cost), int(bound), which, tick)
                  for tick, which, bound, cost in costs.DUMP.findall(out.read_text())]
     worst = costs.read_rows(pathlib.Path(repository) / "tests/rt/costs.txt")[costs.WORST][1]

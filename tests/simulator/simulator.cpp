@@ -400,13 +400,13 @@ void come_to_rest(Simulation& s) {
                                                    : "a withdrawn needle is still in the tissue";
 }
 
+}  // namespace
+
 Session session_of(const Scenario& scenario) {
   Session session = make_session(scenario.organ->organ, scenario.config);
   if (set_obstacles(session.kernel, scenario.obstacles) != Status::kOk) std::abort();
   return session;
 }
-
-}  // namespace
 
 Verdict simulate(const Scenario& scenario, const Tamper& tamper, const Meter& meter) {
   Simulation s{.scenario = scenario,

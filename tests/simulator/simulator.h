@@ -54,6 +54,7 @@ struct Meter {
   std::function<bool(std::uint64_t tick)> wanted;
   std::function<void(Kernel& before, std::span<const Input> inputs)> count;
 };
+Session session_of(const Scenario& scenario);
 Verdict simulate(const Scenario& scenario, const Tamper& tamper = {}, const Meter& meter = {});
 
 }  // namespace stylet::test
