@@ -9,9 +9,9 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 # Tests that together reach all there is: a minute or two.
 programs=(
   unit_create unit_math unit_organ_open unit_state unit_surface unit_edges unit_c_api unit_odd_organ
-  coupling_pools fidelity_cluster fidelity_needle_shape fuzz_organ fuzz_tick
-  insertion_bone insertion_roll insertion_several obstacle_contact obstacle_gap rt_team
-  stylet-simulator
+  coupling_continuity coupling_pools fidelity_cluster fidelity_needle_shape fuzz_organ fuzz_tick
+  insertion_bone insertion_layers insertion_roll insertion_several obstacle_contact obstacle_gap
+  rt_team stylet-simulator
 )
 arguments_of() {
   case $1 in

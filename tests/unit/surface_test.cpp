@@ -138,6 +138,10 @@ TEST(Particles, CarryTheSurface) {
                {{{0.02F, -0.01F, 0.06F + config.needle[0].length_m - depth}, {1, 0, 0, 0}}, 1});
   }
   ASSERT_EQ(particles(session.kernel, moved), moved.size());
+  std::vector<Vec3> fewer(3), more(moved.size() + 1);
+  ASSERT_EQ(particles(session.kernel, fewer), 3U) << "as many as there is room for";
+  ASSERT_EQ(particles(session.kernel, more), moved.size()) << "as many as there are";
+  EXPECT_EQ(norm(fewer[2] - moved[2]) + norm(more[2] - moved[2]), 0);
   const std::vector<Vec3> now = surface_of(session.kernel, organ->organ);
   float most = 0;
   for (std::size_t i = 0; i < now.size(); ++i) {

@@ -138,6 +138,27 @@ TEST(Continuity, FirstTouchStartsFromZero) {
   EXPECT_TRUE(touched);
 }
 
+// Where nothing relaxes there is no memory that could take the force away: what is left of it
+// within the skin in which a contact ends is a pull, as large as the skin allows.
+TEST(Continuity, AContactThatDoesNotRelaxIsLetGoWithoutAPull) {
+  constexpr double kSkinM = 2e-5;
+  TinyOrgan tiny = gel();
+  tiny.materials[0].relaxing_fraction = 0;
+  Rig rig = make_rig(tiny, Config{});
+  const Output pressed = drive(rig, kStart, 1.5e-3F, 10e-3F);
+  ASSERT_EQ(pressed.phase, Phase::kContact);
+  ASSERT_LT(pressed.force_n.x, 0);
+  double pull_n = 0, allowed_n = 0;
+  const Output last =
+      drive(rig, {1.5e-3F, kStart.y, kStart.z}, -1e-3F, 2e-3F, [&](const Output& out) {
+        if (out.phase != Phase::kContact) return;
+        pull_n = std::max(pull_n, static_cast<double>(out.force_n.x));
+        allowed_n = kSkinM * static_cast<double>(rig.view().state.tip->full_stiffness_n_per_m);
+      });
+  EXPECT_EQ(last.phase, Phase::kFree);
+  EXPECT_LE(pull_n, allowed_n);
+}
+
 // By depth, not by time: the puncture's recoil makes the first insertion run through some depths
 // faster than others.
 struct Insertion {

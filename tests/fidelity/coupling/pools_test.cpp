@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "rig.h"
@@ -72,8 +73,8 @@ TEST(Pools, NeedleThatJumpsGetsItsParticlesInTheNextTicks) {
   EXPECT_GE(last, before + 20) << "the rest follow";
 }
 
-// Long thin block of small voxels; the needle between their centres, so that every CP has eight.
-TEST(Pools, FullVoxelPoolGivesTheWeightToTheOthers) {
+// Long thin block of small voxels; needles between their centres, so that every CP has eight.
+TinyOrgan fine_block() {
   TinyOrgan tiny;
   tiny.nx = 250;
   tiny.ny = tiny.nz = 4;
@@ -81,10 +82,35 @@ TEST(Pools, FullVoxelPoolGivesTheWeightToTheOthers) {
   tiny.fixed_faces = kHighX | kLowY | kHighY | kLowZ | kHighZ;
   tiny.materials = {slippery()};
   tiny.materials[0].puncture_force_n = 0;
+  return tiny;
+}
+
+Config long_needles(std::uint32_t count) {
   Config config;
-  config.needle[0].length_m = 0.4F;
-  config.needle[0].unit_m = 2e-3F;
-  Rig rig = make_rig(tiny, config);
+  config.needle_count = count;
+  for (NeedleConfig& needle : config.needle) {
+    needle.length_m = 0.4F;
+    needle.unit_m = 2e-3F;
+  }
+  return config;
+}
+
+// The shaft CPs that have room, with weights that add up to 1; those without any have none at all.
+int complete_particles(const View& view) {
+  int complete = 0;
+  for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
+    const Particle& p = view.state.shaft[i];
+    float sum = 0;
+    for (std::uint32_t j = 0; j < p.share_count; ++j) sum += p.share[j].weight;
+    if (sum == 0) continue;
+    EXPECT_NEAR(sum, 1, 1e-5F) << "particle " << i;
+    ++complete;
+  }
+  return complete;
+}
+
+TEST(Pools, FullVoxelPoolGivesTheWeightToTheOthers) {
+  Rig rig = make_rig(fine_block(), long_needles(1));
   std::uint64_t flagged = 0;
   drive(rig, {-1e-3F, 2e-3F, 2e-3F}, 200e-3F, 0.2F, [&](const Output& o) {
     flagged += (o.flags & kFlagCpVoxelPoolFull) != 0 ? 1 : 0;
@@ -94,17 +120,32 @@ TEST(Pools, FullVoxelPoolGivesTheWeightToTheOthers) {
   EXPECT_EQ(s.coupled_voxels.used_max, kMaxCoupledVoxels);
   EXPECT_GT(flagged, 0U);
   EXPECT_GE(s.cp_voxel_pool_full, flagged);
-  int complete = 0, short_of = 0;
-  const View view = rig.view();
-  for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
-    const Particle& p = view.state.shaft[i];
-    float sum = 0;
-    for (std::uint32_t j = 0; j < p.share_count; ++j) sum += p.share[j].weight;
-    if (sum == 0) continue;  // no room at all
-    (std::fabs(sum - 1) < 1e-5F ? complete : short_of) += 1;
+  EXPECT_GT(complete_particles(rig.view()), 40);
+}
+
+// The first needle's CPs are served first: it takes the room of the second's deep ones, and then
+// comes to the voxels these were in.
+TEST(Pools, FullVoxelPoolServesTheFirstNeedleWhereTheSecondWas) {
+  Rig rig = make_rig(fine_block(), long_needles(2));
+  std::array<Vec3, 2> tip_m = {Vec3{-5e-3F, 2e-3F, 2e-3F}, {-5e-3F, 3e-3F, 2e-3F}};
+  std::array<Output, 2> out = {};
+  std::uint64_t flagged = 0;
+  for (const std::size_t moving : {1U, 0U}) {
+    for (int i = 0; i < 1000; ++i) {
+      tip_m[moving].x += 0.2e-3F;
+      const std::array<Input, 2> in = {along_x(tip_m[0], rig.length_m),
+                                       along_x(tip_m[1], rig.length_m)};
+      checked_tick(rig, in, out);
+      flagged += (out[0].flags & kFlagCpVoxelPoolFull) != 0 ? 1 : 0;
+      ASSERT_TRUE(std::isfinite(norm_of(out[0].force_n)) && std::isfinite(norm_of(out[1].force_n)));
+    }
   }
-  EXPECT_GT(complete, 40);
-  EXPECT_EQ(short_of, 0) << "particles whose weights no longer add up to 1";
+  EXPECT_GT(flagged, 0U);
+  const int first = complete_particles(rig.view());
+  const int second = complete_particles(needle_view(rig.view(), 1));
+  EXPECT_GT(first, 90);
+  EXPECT_GT(second, 30);
+  EXPECT_LT(second, first);
 }
 
 TEST(Pools, SeventeenthTrackForgetsTheFirst) {

@@ -156,6 +156,15 @@ TEST_F(Rolled, UnwindsAsTheNeedleMovesOn) {
   EXPECT_LT(lag_rad(), 0.25 * lag);
 }
 
+TEST_F(Rolled, TipFacesTheHandlesSideTurnedBackByTheLag) {
+  const Mat3 handle = rotation_matrix(rig_.view().state.needle->handle.rotation);
+  for (float lag = -kMaxTwistRad; lag <= kMaxTwistRad; lag += 0.1F) {
+    rig_.view().state.needle->twist_rad = lag;
+    const Vec3 faced = std::cos(lag) * column(handle, 0) - std::sin(lag) * column(handle, 1);
+    EXPECT_LT(norm_of(rolled_side(rig_.view(), handle) - faced), 1e-6) << "lag " << lag;
+  }
+}
+
 TEST(Roll, IsTheHandsWithoutTorsion) {
   Rig rig = make_rig(gel(), Config{});
   drive(rig, {-1e-3F, 17e-3F, 16e-3F}, kDepthM, 20e-3F);
