@@ -4,9 +4,9 @@
 
 usage: two_compilers.py STYLET_ORGAN SOURCE BUILD_FOLDER [OTHER_STYLET_ORGAN]
 
-Builds a second stylet-organ with clang in BUILD_FOLDER, unless one is given, makes organs with both
-and compares: phantoms, meshes of the repository, and real and broken ones of the shared data (those
-are left out, and that is said, where the data is missing).
+Builds a second stylet-organ with the preset clang in BUILD_FOLDER, unless one is given, makes
+organs with both and compares: phantoms, meshes of the repository, and real and broken ones of the
+shared data (those are left out, and that is said, where the data is missing).
 """
 import os
 import pathlib
@@ -17,9 +17,7 @@ import tempfile
 
 def build_other(source, folder):
     for command in (
-            ["cmake", "-G", "Ninja", "-S", source, "-B", folder, "-DCMAKE_BUILD_TYPE=Release",
-             "-DCMAKE_C_COMPILER=clang", "-DCMAKE_CXX_COMPILER=clang++", "-DSTYLET_WITH_HAL=OFF",
-             "-DSTYLET_WITH_TESTS=OFF"],
+            ["cmake", "--preset", "clang", "-S", source, "-B", folder],
             ["cmake", "--build", folder, "--target", "stylet-organ"]):
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         if done.returncode != 0:
