@@ -245,16 +245,21 @@ void finish_fit(const View& view, const Plane& plane, const Fits& fits, std::uin
     share.goal_m = (fit.centre_m + shift) + r * share.offset_m;
     share.turn = turn;
   }
-  // Corners feel the change of translation and rotation, k ((t' - t) + (R' - R) q).
-  const std::uint32_t at = voxel.slot - plane.slot_begin;
+  // Corners feel the change of translation and rotation, k ((t' - t) + (R' - R) q), in the form in
+  // which the sweep keeps what a cluster sends (send_slots).
   const std::size_t stride = head.counts.slots_per_plane;
+  float* sums = view.scratch.sums + (voxel.slot - plane.slot_begin);
   const float shift_k[3] = {fit.k * shift.x, fit.k * shift.y, fit.k * shift.z};
   const float turn_k = fit.k * head.edge_m * 0.5F;
   for (std::size_t c = 0; c < 3; ++c) {
-    view.scratch.sums[c * stride + at] += shift_k[c];
-    for (std::size_t j = 0; j < 3; ++j) {
-      view.scratch.sums[(3 + 3 * c + j) * stride + at] += turn_k * (r.m[c][j] - r8.m[c][j]);
-    }
+    const float x = turn_k * (r.m[c][0] - r8.m[c][0]);
+    const float y = turn_k * (r.m[c][1] - r8.m[c][1]);
+    const float z = turn_k * (r.m[c][2] - r8.m[c][2]);
+    sums[0] += shift_k[c] + x;
+    sums[stride] += shift_k[c] - x;
+    sums[2 * stride] += y + z;
+    sums[3 * stride] += y - z;
+    sums += 4 * stride;
   }
 }
 

@@ -48,14 +48,10 @@ static inline T block_bound(T rho, T sx, T sy, T sz, T sxy, T sxz, T syz) {
 }
 
 // Turns q by the correction (w, v), of any length.
-template <int Refinements, typename T>
+template <typename T>
 static inline void turn(T w, T vx, T vy, T vz, T& qw, T& qx, T& qy, T& qz) {
-  // A cluster without any direction turns nowhere.
-  const bool lost = !(w * w + vx * vx + vy * vy + vz * vz > T(1e-35));
-  w = lost ? T(1) : w;
-  vx = lost ? T(0) : vx;
-  vy = lost ? T(0) : vy;
-  vz = lost ? T(0) : vz;
+  // Never below zero but for rounding. A cluster without any direction, v = 0, turns nowhere.
+  w = w > T(1e-17) ? w : T(1e-17);
   const T pw = qw * w - (qx * vx + qy * vy + qz * vz);
   const T px = qw * vx + qx * w + (qy * vz - qz * vy);
   const T py = qw * vy + qy * w + (qz * vx - qx * vz);
@@ -71,11 +67,15 @@ static inline void turn(T w, T vx, T vy, T vz, T& qw, T& qx, T& qy, T& qz) {
   qz = nz + e * nz;
 }
 
-// `Refinements`: Rayleigh quotients taken to sharpen lambda before the step (0 in the lattice
-// sweep, 1 where constraint particles make the fit anisotropic).
+// K(A) as seen from the last rotation: side, block, corner, and the shift with its bound `mu`.
+template <typename T>
+struct Davenport {
+  T ax, ay, az, sx, sy, sz, sxy, sxz, syz, rho, mu, lambda;
+};
+
 template <int Refinements, typename T>
-static inline void rotation_step(T a00, T a01, T a02, T a10, T a11, T a12, T a20, T a21, T a22,
-                                 T& qw, T& qx, T& qy, T& qz) {
+static inline Davenport<T> davenport(T a00, T a01, T a02, T a10, T a11, T a12, T a20, T a21, T a22,
+                                     T qw, T qx, T qy, T qz) {
   const T x2 = qx + qx, y2 = qy + qy, z2 = qz + qz;
   const T xx = qx * x2, yy = qy * y2, zz = qz * z2;
   const T xy = qx * y2, xz = qx * z2, yz = qy * z2;
@@ -102,8 +102,17 @@ static inline void rotation_step(T a00, T a01, T a02, T a10, T a11, T a12, T a20
   const T mu = block_bound<Refinements>(rho, sx, sy, sz, sxy, sxz, syz);
   const T half = (rho - mu) * T(0.5);
   // The constant keeps M regular when the cluster has collapsed to a point.
-  T lambda = (rho + mu) * T(0.5) + root(half * half + (ax * ax + ay * ay + az * az)) + T(1e-5);
+  const T lambda =
+      (rho + mu) * T(0.5) + root(half * half + (ax * ax + ay * ay + az * az)) + T(1e-5);
+  return {ax, ay, az, sx, sy, sz, sxy, sxz, syz, rho, mu, lambda};
+}
 
+// `Refinements`: Rayleigh quotients taken to sharpen lambda before the step (0 in the lattice
+// sweep, 1 where constraint particles make the fit anisotropic).
+template <int Refinements, typename T>
+static inline void turn_towards(const Davenport<T>& k, T& qw, T& qx, T& qy, T& qz) {
+  const auto [ax, ay, az, sx, sy, sz, sxy, sxz, syz, rho, mu, first] = k;
+  T lambda = first;
   T w = 0, vx = 0, vy = 0, vz = 0;
   for (int refinement = 0; refinement <= Refinements; ++refinement) {
     const T mxx = lambda - sx, myy = lambda - sy, mzz = lambda - sz;
@@ -126,7 +135,15 @@ static inline void rotation_step(T a00, T a01, T a02, T a10, T a11, T a12, T a20
       lambda = quotient > mu ? quotient + (lambda - quotient) * T(1e-6) : lambda;
     }
   }
-  turn<Refinements>(w, vx, vy, vz, qw, qx, qy, qz);
+  turn(w, vx, vy, vz, qw, qx, qy, qz);
+}
+
+template <int Refinements, typename T>
+static inline void rotation_step(T a00, T a01, T a02, T a10, T a11, T a12, T a20, T a21, T a22,
+                                 T& qw, T& qx, T& qy, T& qz) {
+  turn_towards<Refinements>(
+      davenport<Refinements>(a00, a01, a02, a10, a11, a12, a20, a21, a22, qw, qx, qy, qz), qw, qx,
+      qy, qz);
 }
 
 }  // namespace stylet
