@@ -74,7 +74,7 @@ Plane fit_plane(const SamplePlaces& places, std::uint64_t beyond) {
     Vec& sum = (beyond >> s & 1U) != 0 ? there : here;
     sum = sum + places[s];
   }
-  const Vec way = there * (1.0 / count) - here * (1.0 / (kSamples - count));
+  const Vec way = there * (1.0 / count) - here * (1.0 / (static_cast<int>(kSamples) - count));
   constexpr double kTooNear = 1e-3;  // one lies in the midst of the other: any direction is as good
   const double distance = length(way);
   Plane plane = {distance > kTooNear ? way * (1 / distance) : Vec{0, 0, 1}, 0};
