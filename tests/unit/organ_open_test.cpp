@@ -127,6 +127,8 @@ std::vector<Case> lattice_cases() {
        "a run inside the lattice"},
       {"runs swapped", [](Owner& o) { std::swap(o.runs[0], o.runs[1]); }, order, "runs", 1, 0,
        "runs sorted by z, y, x with a gap between runs of a row"},
+      {"later rows swapped", [](Owner& o) { std::swap(o.runs[2], o.runs[3]); }, order, "runs", 3, 0,
+       "runs sorted by z, y, x with a gap between runs of a row"},
       {"runs touching",
        [](Owner& o) {
          o.runs[0] = format::Run(0, 0, 0, 1);
@@ -240,6 +242,20 @@ TEST(OrganOpen, OpensAGoodOrgan) {
   EXPECT_STREQ(organ_material(organ, 0).name, "gel");
 }
 
+TEST(OrganOpen, TakesALeafOfTheLastTriangleAlone) {
+  const auto last_alone = [](Owner& o) {
+    for (format::SphereNode& n : o.sphere_nodes) {
+      if (n.count() == 0) continue;
+      const auto last = static_cast<std::uint32_t>(o.triangles.size() - 1);
+      n = format::SphereNode(n.x(), n.y(), n.z(), n.radius(), last, 1);
+    }
+  };
+  Organ organ;
+  OrganRefusal refusal;
+  EXPECT_EQ(organ_open(changed(last_alone, small()), organ, &refusal), Status::kOk)
+      << refusal.place;
+}
+
 TEST(OrganOpen, RefusesMaterialsWithTheirPlace) {
   for (const Case& c : material_cases()) expect_refused(c);
 }
@@ -251,10 +267,25 @@ TEST(OrganOpen, RefusesSurfacesWithTheirPlace) {
   for (const Case& c : surface_cases()) expect_refused(c);
 }
 
+// A tree is checked last.
+TEST(OrganOpen, OfTwoFaultsNamesTheFirst) {
+  for (const std::vector<Case>& cases : {material_cases(), lattice_cases(), mixed_cases()}) {
+    for (Case c : cases) {
+      c.change = [first = c.change](Owner& o) {
+        first(o);
+        o.sphere_nodes.clear();
+      };
+      expect_refused(c);
+    }
+  }
+}
+
 // The value named must be the one that is wrong, not a neighbour.
 TEST(OrganOpen, NamesTheWrongOriginComponent) {
   expect_refused({"origin y", [](Owner& o) { o.origin_y_m = 128; }, Status::kOrganValueOutOfRange,
                   "origin_y_m", 0, 128, "within 100 m"});
+  expect_refused({"origin z", [](Owner& o) { o.origin_z_m = 128; }, Status::kOrganValueOutOfRange,
+                  "origin_z_m", 0, 128, "within 100 m"});
 }
 TEST(OrganOpen, NamesTheWrongTriangleCorner) {
   expect_refused({"triangle c", [](Owner& o) { o.triangles[3] = format::Triangle(0, 1, 100000); },
