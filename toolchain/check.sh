@@ -47,14 +47,15 @@ labelled() { run_tests -L "^$1\$" --no-tests=ignore; }
 [ "$tier" != fast ] || exec "$root/toolchain/test.sh"
 part "fast tests" release "$root/toolchain/test.sh"
 part "full tests" release labelled full
-# These choose their compilers themselves: cross, determinism.
-part "fast tests with clang" clang again -E '^(cross|rt\.determinism)'
-# Without the longest, of code that others run too.
+# Left out: scripts, which no compiler changes, and tests that choose their compilers themselves.
+part "fast tests with clang" \
+  clang again -E '^(check|rt_host|cross|rt\.determinism|fuzz\.short)'
+# Left out: scripts, and the longest, of code that others run too.
 part "fast tests under the address and undefined-behaviour sanitizers" \
-  sanitize again -E 'ripple|calculix'
+  sanitize again -E '^(check|rt_host)|ripple|calculix'
 # The others have one thread.
 part "fast tests under the thread sanitizer" \
-  sanitize-threads again -R '^(hal|rt_|simulator|console)'
+  sanitize-threads again -R '^(hal|rt_(memory|team)|simulator|console)'
 [ "$tier" = full ] || part "night tests" release labelled night
 
 use_preset release
