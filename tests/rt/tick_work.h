@@ -34,7 +34,8 @@ constexpr Price kPrices[] = {
     {"needle", 12000},
     {"constraint particle", 3500},
     {"new constraint particle", 16600},
-    {"rod of an elastic needle", 4760},
+    {"solve of an elastic needle", 44000},
+    {"rod in such a solve", 3520},
     {"load on an elastic needle", 300},
     {"search of the surface by a free needle", 140000},  // all triangles and visits of limits.h
     {"rod and obstacle", 110},
@@ -53,6 +54,7 @@ enum Amount : std::uint32_t {  // in the order of the prices
   kNeedlesUsed,
   kParticles,
   kAdded,
+  kSolves,
   kRods,
   kLoads,
   kSearches,
@@ -129,6 +131,7 @@ inline void add_needle(const View& view, Vec3 shift, TickWork& work) {
   const std::uint32_t rods = view.model.rod->rods;
   if (bends(view.needle_config())) {
     const std::uint32_t solves = view.model.head->obstacle_count > 0 ? 2 : 1;
+    amount[kSolves] += solves;
     amount[kRods] += solves * rods;
     amount[kLoads] += particles + own.touch_count;
   }
