@@ -53,9 +53,9 @@ part "fast tests with clang" \
 # Left out: scripts, and the longest, of code that others run too.
 part "fast tests under the address and undefined-behaviour sanitizers" \
   sanitize again -E '^(check|rt_host)|ripple|calculix'
-# The others, and the two of hal left out, have one thread.
+# The others have one thread, and so have the two of hal left out.
 part "fast tests under the thread sanitizer" \
-  sanitize-threads again -R '^(hal|rt_(memory|team)|simulator|console)' -E '^hal_(coupling|steered)'
+  sanitize-threads again -R '^(hal|rt_(memory|team)|console)' -E '^hal_(coupling|steered)'
 [ "$tier" = full ] || part "night tests" release labelled night
 
 use_preset release

@@ -61,7 +61,7 @@ class Tiers(unittest.TestCase):
     FULL = FAST + [("release", "-L ^full$ --no-tests=ignore"),
                    ("clang", SHORT + r" -E ^(check|rt_host|cross|rt\.determinism|fuzz\.short)"),
                    ("sanitize", SHORT + " -E ^(check|rt_host)|ripple|calculix"),
-                   ("sanitize-threads", SHORT + " -R ^(hal|rt_(memory|team)|simulator|console)"
+                   ("sanitize-threads", SHORT + " -R ^(hal|rt_(memory|team)|console)"
                     " -E ^hal_(coupling|steered)")]
     NIGHT = FULL + [("release", "-L ^night$ --no-tests=ignore")]
 
