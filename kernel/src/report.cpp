@@ -200,6 +200,15 @@ double coupling_energy(const View& view) {
   return sum;
 }
 
+double needles_energy(const View& view) {
+  double sum = 0;
+  for (std::uint32_t n = 0; n < view.model.head->counts.needles; ++n) {
+    const View one = needle_view(view, n);
+    sum += bending_energy(*one.model.rod, *one.state.rod_shape);
+  }
+  return sum;
+}
+
 }  // namespace
 
 Energy energy(const Kernel& kernel) {
@@ -214,6 +223,7 @@ Energy energy(const Kernel& kernel) {
   }
   out.kinetic = kinetic_energy(view);
   out.coupling = coupling_energy(view);
+  out.bending = needles_energy(view);
   out.work_by_hand = s.work_by_hand_j;
   out.friction = s.friction_j;
   out.cutting = s.cutting_j;

@@ -429,6 +429,21 @@ void shorten_bend(const RodModel& model, const double (&handle_wxyz)[4], double 
   keep_shape(model, handle_frame(handle_wxyz), shape, result);
 }
 
+double bending_energy(const RodModel& model, const RodShape& shape) {
+  Frame frame = handle_frame({1, 0, 0, 0}), half;
+  double sum = 0;
+  for (std::uint32_t j = 0; j < model.rods; ++j) {
+    const Vec3d rest = rest_direction(model.rest[j], frame), along = shape.direction[j];
+    // 1 - c from the difference: a stiff joint would show the rounding of c.
+    const Vec3d apart = along - rest;
+    const double d = 0.5 * dot(apart, apart);
+    const double joint = (2.0 / 3) * d * (3 - d) / max_of(2 - d, kLeastOpening);
+    sum += (j == 0 ? 2 : 1) * model.joint_nm_per_rad * joint;
+    frame = carried(model.rest[j], frame, rest, along, half);
+  }
+  return sum;
+}
+
 RodPoint rod_point(const RodModel& model, const RodResult& result, double arc_m) {
   const OnRod on = on_rod(model, arc_m);
   const Vec3d direction = result.direction[on.rod];

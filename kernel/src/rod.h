@@ -135,6 +135,9 @@ void slow_bend(const RodModel& model, const double (&handle_wxyz)[4], double dra
 void shorten_bend(const RodModel& model, const double (&handle_wxyz)[4], double share,
                   RodShape& shape, const RodScratch& scratch, RodResult& result);
 
+// What the joints of a shape store, in J.
+double bending_energy(const RodModel& model, const RodShape& shape);
+
 RodPoint rod_point(const RodModel& model, const RodResult& result, double arc_m);
 
 }  // namespace stylet

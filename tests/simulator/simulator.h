@@ -12,12 +12,13 @@
 // The work is the integral of the wrench felt over the motion of the bases in the frame of the
 // attachments (breathing moves that frame, and does no work in it), each tick by the mean of the
 // wrenches at its two ends. What the kernel dissipates makes E grow, what an elastic needle and
-// obstacles store is positive and left in it: a kernel that makes no energy keeps E above zero.
-// In a gentle session E stays above -kObserverJ. In the others a hand may move by millimetres in a
-// tick, and what the force did on the way is not known better than by half its change: the check is
-// E > -(kObserverJ + slack), slack the sum of half the change of the wrench times the motion. The
-// observer stops where an elastic needle has found no stable shape (kFlagNeedleUnstable), and does
-// not begin where one starts inside an obstacle.
+// obstacles store is positive and left in it (README.md says where that needle's share is not
+// exact): a kernel that makes no energy keeps E above zero. In a gentle session E stays above
+// -kObserverJ. In the others a hand may move by millimetres in a tick, and what the force did on
+// the way is not known better than by half its change: the check is E > -(kObserverJ + slack),
+// slack the sum of half the change of the wrench times the motion. The observer stops where an
+// elastic needle has found no stable shape (kFlagNeedleUnstable), and does not begin where one
+// starts inside an obstacle.
 #pragma once
 
 #include <cstdint>

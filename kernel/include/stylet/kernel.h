@@ -267,9 +267,10 @@ std::uint32_t voxel_corners(const Kernel& kernel, std::span<std::uint32_t> corne
 // may be called between two ticks of the loop. Returns the number written.
 std::uint32_t particles(const Kernel& kernel, std::span<Vec3> moved_out_m);
 
-// Energies of the tissue, J (cold path, double precision inside).
+// Energies of tissue and needles, J (cold path, double precision inside).
 struct Energy {
   double elastic, kinetic, coupling;
+  double bending;                        // of elastic needles
   double work_by_hand;                   // since reset
   double friction, cutting, relaxation;  // dissipated since reset, by constraint particles
   double obstacles;                      // dissipated since reset, by contacts with obstacles

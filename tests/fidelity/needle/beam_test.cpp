@@ -19,6 +19,7 @@ TEST(Cantilever, SmallDeflectionIsTheClosedFormOfTheChain) {
     const double expected = force * kLength * kLength * kLength / (3 * kBending) *
                             (1 + 0.5 / (rods * static_cast<double>(rods)));
     EXPECT_NEAR(n->tip().y / expected, 1, 1e-6) << rods;
+    EXPECT_NEAR(bending_energy(n->model, n->shape) / (0.5 * force * expected), 1, 1e-6) << rods;
   }
 }
 
@@ -69,6 +70,8 @@ TEST(Cantilever, EndMomentBendsItToACircle) {
                 2e-6 * kink)
         << j;
   }
+  // Every joint feels the moment; the clamp, twice as stiff, turns by half.
+  EXPECT_NEAR(bending_energy(n->model, n->shape) / (0.5 * moment * kink * (kRods - 0.5)), 1, 4e-6);
   const Vec3d last = n->result.direction[kRods - 1];
   EXPECT_NEAR(std::atan2(last.x, -last.z), turn_rad * (1 - 0.5 / kRods), 2e-6 * turn_rad);
 }
