@@ -30,7 +30,8 @@ Lattice make_lattice(const Organ& organ, const Kernel& kernel) {
         if (number[particle] == kUnnamed) {
           number[particle] = static_cast<std::uint32_t>(out.of_kernel.size());
           out.of_kernel.push_back(particle);
-          out.rest_m.push_back(corner_at(organ, run.x + i + (c & 1U), run.y + ((c >> 1U) & 1U),
+          out.rest_m.push_back(corner_at(organ, run.x + i + (c & 1U),
+                                         run.y % organ.sheet_rows + ((c >> 1U) & 1U),
                                          run.z + ((c >> 2U) & 1U)));
         }
         out.corners[at] = number[particle];

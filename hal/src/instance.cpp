@@ -8,6 +8,8 @@
 #include <limits>
 #include <new>
 
+#include "stylet/content_sum.h"
+
 namespace stylet::hal {
 
 OrganFile load_organ(const std::string& path) {
@@ -29,6 +31,11 @@ OrganFile load_organ(const std::string& path) {
     throw LoadError(fmt::format("{}: {}[{}]: {:g}: {}: expected {}", path, refusal.place,
                                 refusal.index, refusal.value, status_name(status),
                                 refusal.expected));
+  }
+  if (!has_its_bytes(file.bytes, file.organ)) {
+    throw LoadError(fmt::format(
+        "{}: content_sha256: not that of its bytes: expected the file as stylet-organ wrote it",
+        path));
   }
   return file;
 }

@@ -227,7 +227,7 @@ Vec3 voxel_centroid(const Organ& organ) {
     for (std::uint32_t i = 0; i < run.count; ++i, ++voxel) {
       const double fill = organ.voxel_fill[voxel];
       sum[0] += fill * (run.x + i + 0.5);
-      sum[1] += fill * (run.y + 0.5);
+      sum[1] += fill * (run.y % organ.sheet_rows + 0.5);
       sum[2] += fill * (run.z + 0.5);
       weight += fill;
     }

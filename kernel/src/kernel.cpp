@@ -87,6 +87,7 @@ void fill_head(const Organ& organ, const Config& config, const Counts& counts, M
   head.size_x = organ.size_x;
   head.size_y = organ.size_y;
   head.size_z = organ.size_z;
+  head.sheet_rows = organ.sheet_rows;
   head.substep_s = config.period_s / static_cast<float>(config.substeps);
   head.hourglass_weight = config.mode == Mode::kPaper ? 1.0F : config.hourglass_weight;
   head.velocity_keep = exp_minus(config.period_s / kSlipFilterS);
@@ -122,7 +123,7 @@ void fill_topology(const Organ& organ, const ModelView& model, const Counts& cou
           model.row[row] = {slot,
                             static_cast<std::uint16_t>(voxels.end - voxels.begin),
                             static_cast<std::uint16_t>(voxels.begin),
-                            static_cast<std::uint16_t>(y),
+                            static_cast<std::uint16_t>(y % organ.sheet_rows),
                             static_cast<std::uint16_t>(z),
                             {}};
           slot += voxels.end - voxels.begin + 1;
@@ -137,6 +138,50 @@ void fill_topology(const Organ& organ, const ModelView& model, const Counts& cou
     particle = (particle + kLanes - 1) / kLanes * kLanes;
     plane.slot_end = slot;
     plane.particle_end = particle;
+  }
+}
+
+// Particle at a node that exists: that of any voxel row at its side.
+std::uint32_t particle_at(const ModelView& model, std::uint32_t x, std::uint32_t y,
+                          std::uint32_t z) {
+  const ModelHead& head = *model.head;
+  for (std::uint32_t side = 0; side < 4; ++side) {
+    const std::uint32_t dy = side & 1U, dz = side >> 1U;
+    if (y < dy || z < dz || y - dy >= head.size_y || z - dz >= head.size_z) continue;
+    const std::uint32_t row = model.row_of[(z - dz) * head.size_y + (y - dy)];
+    if (row != kNoRow) return model.row[row].node[side] + x - model.row[row].x0;
+  }
+  return 0;
+}
+
+void fill_sheets(const Organ& organ, const ModelView& model, const Counts& counts) {
+  std::uint32_t tie = 0;
+  for (std::uint32_t z = 0; z <= counts.planes; ++z) {
+    model.plane[z].tie_begin = tie;
+    for (; tie < counts.ties && organ.ties[tie].z == z; ++tie) {
+      const OrganTie& t = organ.ties[tie];
+      model.tie[tie] = {particle_at(model, t.x, t.y, z), particle_at(model, t.x, t.to_y, z)};
+    }
+    model.plane[z].tie_end = tie;
+  }
+  if (counts.sheets == 1) return;
+  for (std::uint32_t i = 0; i < counts.particles; ++i) model.root[i] = i;
+  for (std::uint32_t i = 0; i < counts.ties; ++i) model.root[model.tie[i].node] = model.tie[i].root;
+  for (std::uint32_t i = 0; i < counts.slots; ++i) model.quarters[i] = ~std::uint64_t{0};
+  for (const OrganPart& part : organ.parts) {
+    const std::uint32_t row_index = model.row_of[part.z * organ.size_y + part.y];
+    const Row& row = model.row[row_index];
+    model.quarters[row.slot + part.x - row.x0] = part.quarters;
+  }
+}
+
+// Tied nodes are one particle: each gets the sum of what they have.
+void sum_tied(const ModelView& model, const Counts& counts, float* of_node) {
+  for (std::uint32_t i = 0; i < counts.ties; ++i) {
+    of_node[model.tie[i].root] += of_node[model.tie[i].node];
+  }
+  for (std::uint32_t i = 0; i < counts.ties; ++i) {
+    of_node[model.tie[i].node] = of_node[model.tie[i].root];
   }
 }
 
@@ -175,6 +220,9 @@ void fill_voxels(const Organ& organ, const ModelView& model, const Counts& count
         model.step_per_mass[p] += model.slot_k[slot] * (1 + 3 * model.slot_volume[slot]);
       }
     }
+  }
+  for (float* sums : {model.particle_kg, model.hold, model.step_per_mass}) {
+    sum_tied(model, counts, sums);
   }
 }
 
@@ -226,6 +274,13 @@ void fill_masses(const Organ& organ, const ModelView& model, const Counts& count
       model.step_per_mass[row.node[corner >> 1U] + slot - row.slot + (corner & 1U)] = 0;
     }
   }
+  for (std::uint32_t i = 0; i < counts.ties; ++i) {  // what holds one node holds the particle
+    const TiedNode& tie = model.tie[i];
+    if (!(model.step_per_mass[tie.node] > 0)) model.step_per_mass[tie.root] = 0;
+  }
+  for (std::uint32_t i = 0; i < counts.ties; ++i) {
+    model.step_per_mass[model.tie[i].node] = model.step_per_mass[model.tie[i].root];
+  }
 }
 
 bool aligned(std::span<const std::byte> block) {
@@ -271,6 +326,7 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   fill_head(organ, config, counts, *model.head);
   fill_topology(organ, model, counts);
   fill_windows(model);
+  fill_sheets(organ, model, counts);
   fill_voxels(organ, model, counts);
   fill_mixed(organ, model);
   fill_masses(organ, model, counts);

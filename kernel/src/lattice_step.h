@@ -398,10 +398,27 @@ inline void move_lanes(Wide force, Wide per_mass, Wide hold, float* u, float* v,
   motion.largest = motion.largest > size ? motion.largest : size;
 }
 
+// Nodes that are one particle get the forces on all of them; `force` as below.
+void join_tied(const View& view, const Plane& plane, float* force) {
+  const TiedNode* const first = view.model.tie + plane.tie_begin;
+  const TiedNode* const end = view.model.tie + plane.tie_end;
+  for (int c = 0; c < 3; ++c, force += view.model.head->counts.particles_per_plane) {
+    const auto on = [&](std::uint32_t node) -> float& {
+      return force[node - plane.particle_begin];
+    };
+    for (const TiedNode* tie = first; tie != end; ++tie) on(tie->root) += on(tie->node);
+    for (const TiedNode* tie = first; tie != end; ++tie) on(tie->node) = on(tie->root);
+  }
+}
+
 // Moves the particles of a plane. `below` and `here`: forces x, y, z from the clusters below and
 // above, `particles_per_plane` apart.
-void move_particles(const View& view, const Plane& plane, const float* below, const float* here,
+void move_particles(const View& view, const Plane& plane, float* below, float* here,
                     Motion& motion_out) {
+  if (plane.tie_begin != plane.tie_end) {
+    join_tied(view, plane, below);
+    join_tied(view, plane, here);
+  }
   const auto force_axis = static_cast<std::ptrdiff_t>(view.model.head->counts.particles_per_plane);
   const std::ptrdiff_t axis = view.state.uy - view.state.ux;  // as from y to z, for u, v and e
   Motion motion = motion_out;

@@ -22,7 +22,7 @@ struct Slab {
   float* force;              // with a fourth part for the particles at its low end
   // From the last sweep: largest displacement, forces on the particles at its high end.
   float largest_m;
-  const float* high;
+  float* high;
 };
 constexpr std::uint32_t kForceParts = 4;
 

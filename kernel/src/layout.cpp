@@ -37,35 +37,12 @@ std::size_t scratch_bytes(const Counts& c) {
 
 }  // namespace
 
-Extent voxel_extent(const Organ& organ, std::uint32_t y, std::uint32_t z) {
-  const auto before = [](const OrganRun& run, std::uint64_t key) {
-    return ((static_cast<std::uint64_t>(run.z) << 16U) | run.y) < key;
-  };
-  const std::uint64_t key = (static_cast<std::uint64_t>(z) << 16U) | y;
-  const auto first = std::lower_bound(organ.runs.begin(), organ.runs.end(), key, before);
-  const auto last = std::lower_bound(first, organ.runs.end(), key + 1, before);
-  if (first == last) return {0, 0};
-  const OrganRun& end = *(last - 1);
-  return {first->x, static_cast<std::uint32_t>(end.x) + end.count};
-}
-
-Extent node_extent(const Organ& organ, std::uint32_t y, std::uint32_t z) {
-  Extent all = {0, 0};
-  for (std::uint32_t corner = 0; corner < 4; ++corner) {
-    const std::uint32_t dy = corner & 1U, dz = corner >> 1U;
-    if (y < dy || z < dz) continue;
-    const Extent e = voxel_extent(organ, y - dy, z - dz);
-    if (e.begin == e.end) continue;
-    all = all.begin == all.end ? Extent{e.begin, e.end + 1}
-                               : Extent{std::min(all.begin, e.begin), std::max(all.end, e.end + 1)};
-  }
-  return all;
-}
-
 Counts count_lattice(const Organ& organ, const Config& config) {
   Counts c = {};
   c.needles = config.needle_count;
   c.voxels = organ.voxel_count;
+  c.sheets = organ.size_y / organ.sheet_rows;
+  c.ties = static_cast<std::uint32_t>(organ.ties.size());
   c.planes = organ.size_z;
   c.row_grid = static_cast<std::uint32_t>(organ.size_y) * organ.size_z;
   for (std::uint32_t z = 0; z < organ.size_z; ++z) {

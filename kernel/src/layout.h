@@ -32,11 +32,13 @@ struct Counts {
   std::uint32_t particles;        // padded particles
   std::uint32_t particles_per_plane;
   std::uint32_t windows[2];  // of 8 and of 16 lanes, lattice_plan.h
+  std::uint32_t sheets, ties;
   std::uint32_t needles;
 };
 
-// A voxel row: voxels x0 .. x0 + count - 1 at (y, z); holes are slots without stiffness. The slot
-// before the first and the one behind the last are empty, so a node sees zeros beyond the ends.
+// A voxel row: voxels x0 .. x0 + count - 1 at (y, z) in space, whatever its sheet; holes are slots
+// without stiffness. The slot before the first and the one behind the last are empty, so a node
+// sees zeros beyond the ends.
 struct Row {
   std::uint32_t slot;
   std::uint16_t count, x0, y, z;
@@ -48,6 +50,12 @@ struct Plane {
   std::uint32_t slot_begin, slot_end;          // multiples of kLanes
   std::uint32_t particle_begin, particle_end;  // of the particles at the plane's low side
   std::uint32_t window_begin[2], window_end[2];
+  std::uint32_t tie_begin, tie_end;  // of the particles at the plane's low side
+};
+
+// Two nodes that are one particle, in different sheets of the lattice; `root` stands for it.
+struct TiedNode {
+  std::uint32_t node, root;
 };
 
 // Neighbouring nodes of one line (y) of a voxel plane, a group of lanes, and the voxel rows y - 1
@@ -80,7 +88,7 @@ struct ModelHead {
   std::uint64_t organ_hash;
   float edge_m, inverse_edge_per_m;
   Vec3 origin_m;
-  std::uint16_t size_x, size_y, size_z, padding;
+  std::uint16_t size_x, size_y, size_z, sheet_rows;
   float substep_s;
   float hourglass_weight;
   float velocity_keep;  // of the slip velocity's low pass, per tick
@@ -191,25 +199,30 @@ struct ScratchHead {
 };
 
 // F(name, type, count); `c` is Counts.
-#define STYLET_MODEL_FIELDS(F)            \
-  F(head, ModelHead, 1)                   \
-  F(plane, Plane, c.planes + 1)           \
-  F(row, Row, c.rows)                     \
-  F(window8, Window, c.windows[0])        \
-  F(window16, Window, c.windows[1])       \
-  F(row_of, std::uint32_t, c.row_grid)    \
-  F(voxel_slot, std::uint32_t, c.voxels)  \
-  F(voxel_row, std::uint32_t, c.voxels)   \
-  F(slot_k, float, c.slots)               \
-  F(slot_volume, float, c.slots)          \
-  F(slot_fill, float, c.slots)            \
-  F(slot_material, std::uint8_t, c.slots) \
-  F(slot_mixed, std::uint32_t, c.slots)   \
-  F(step_per_mass, float, c.particles)    \
-  F(particle_kg, float, c.particles)      \
-  F(hold, float, c.particles)             \
-  F(rod, RodModel, c.needles)             \
-  F(obstacle, Obstacle, kMaxObstacles)
+// The last two only with sheets: the particle that each node is, and which quarters of its cell are
+// a voxel's own (organ.fbs).
+#define STYLET_MODEL_FIELDS(F)                           \
+  F(head, ModelHead, 1)                                  \
+  F(plane, Plane, c.planes + 1)                          \
+  F(row, Row, c.rows)                                    \
+  F(window8, Window, c.windows[0])                       \
+  F(window16, Window, c.windows[1])                      \
+  F(tie, TiedNode, c.ties)                               \
+  F(row_of, std::uint32_t, c.row_grid)                   \
+  F(voxel_slot, std::uint32_t, c.voxels)                 \
+  F(voxel_row, std::uint32_t, c.voxels)                  \
+  F(slot_k, float, c.slots)                              \
+  F(slot_volume, float, c.slots)                         \
+  F(slot_fill, float, c.slots)                           \
+  F(slot_material, std::uint8_t, c.slots)                \
+  F(slot_mixed, std::uint32_t, c.slots)                  \
+  F(step_per_mass, float, c.particles)                   \
+  F(particle_kg, float, c.particles)                     \
+  F(hold, float, c.particles)                            \
+  F(rod, RodModel, c.needles)                            \
+  F(obstacle, Obstacle, kMaxObstacles)                   \
+  F(root, std::uint32_t, c.sheets > 1 ? c.particles : 0) \
+  F(quarters, std::uint64_t, c.sheets > 1 ? c.slots : 0)
 
 #define STYLET_STATE_FIELDS(F)                    \
   F(head, StateHead, 1)                           \

@@ -4,9 +4,11 @@
 
 #include "stylet/organ.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
+#include "layout.h"
 #include "organ_generated.h"
 #include "stylet/limits.h"
 #include "triangle.h"
@@ -20,6 +22,8 @@ static_assert(sizeof(OrganVertex) == sizeof(format::Vertex));
 static_assert(sizeof(OrganTriangle) == sizeof(format::Triangle));
 static_assert(sizeof(OrganMixed) == sizeof(format::Mixed));
 static_assert(sizeof(OrganSphere) == sizeof(format::SphereNode));
+static_assert(sizeof(OrganTie) == sizeof(format::Tie));
+static_assert(sizeof(OrganPart) == sizeof(format::Part));
 
 constexpr std::uint32_t kNewestFormat = 2;
 
@@ -230,8 +234,86 @@ bool check_spheres(Checker& check, const Organ& organ) {
   return check_depth(check, organ);
 }
 
+template <typename Place>  // OrganTie, OrganPart
+constexpr std::uint64_t order_of(const Place& at) {
+  return (static_cast<std::uint64_t>(at.z) << 32U) | (static_cast<std::uint64_t>(at.y) << 16U) |
+         at.x;
+}
+
+bool is_tied(const Organ& organ, const OrganTie& node) {
+  return std::binary_search(
+      organ.ties.begin(), organ.ties.end(), node,
+      [](const OrganTie& a, const OrganTie& b) { return order_of(a) < order_of(b); });
+}
+
+bool is_within(Extent extent, std::uint32_t x) {
+  return x >= extent.begin && x < extent.end;
+}
+
+// Each node is tied once at most, and to one that stands for itself, at the same place in space.
+bool check_ties(Checker& check, const Organ& organ) {
+  for (std::size_t i = 0; i < organ.ties.size(); ++i) {
+    const OrganTie& t = organ.ties[i];
+    const OrganTie to = {t.x, t.to_y, t.z, 0};
+    if (!check.require(i == 0 || order_of(t) > order_of(organ.ties[i - 1]),
+                       Status::kOrganOrderWrong, "sheets.ties", i, t.x,
+                       "ties sorted by z, y, x, one for a node") ||
+        !check.require(t.z <= organ.size_z && t.y <= organ.size_y && t.to_y < t.y &&
+                           (t.y - t.to_y) % organ.sheet_rows == 0,
+                       Status::kOrganIndexOutOfRange, "sheets.ties", i, t.to_y,
+                       "the same place of an earlier sheet") ||
+        !check.require(is_within(node_extent(organ, t.y, t.z), t.x) &&
+                           is_within(node_extent(organ, t.to_y, t.z), t.x),
+                       Status::kOrganIndexOutOfRange, "sheets.ties", i, t.x,
+                       "nodes of the lattice") ||
+        !check.require(!is_tied(organ, to), Status::kOrganOrderWrong, "sheets.ties", i, t.to_y,
+                       "a node that is not tied itself")) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool check_parts(Checker& check, const Organ& organ) {
+  for (std::size_t i = 0; i < organ.parts.size(); ++i) {
+    const OrganPart& p = organ.parts[i];
+    if (!check.require(i == 0 || order_of(p) > order_of(organ.parts[i - 1]),
+                       Status::kOrganOrderWrong, "sheets.parts", i, p.x,
+                       "parts sorted by z, y, x, one for a voxel") ||
+        !check.require(is_within(voxel_extent(organ, p.y, p.z), p.x), Status::kOrganIndexOutOfRange,
+                       "sheets.parts", i, p.x, "a voxel of the lattice")) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool check_sheets(Checker& check, const Organ& organ, std::uint32_t version) {
+  if (static_cast<const format::Organ*>(organ.root)->sheets() == nullptr) return true;
+  if (!check.require(version >= 2, Status::kOrganVersionUnknown, "sheets", 0, version,
+                     "format version 2 where there are sheets") ||
+      !check.require(organ.sheet_rows >= 2 && organ.size_y > organ.sheet_rows &&
+                         organ.size_y % organ.sheet_rows == 0 &&
+                         organ.size_y / organ.sheet_rows <= kMaxSheets,
+                     Status::kOrganValueOutOfRange, "sheets.rows", 0, organ.sheet_rows,
+                     "2 or more, and size_y 2 to 8 times as many")) {
+    return false;
+  }
+  for (std::size_t i = 0; i < organ.runs.size(); ++i) {
+    if (!check.require(organ.runs[i].y % organ.sheet_rows != organ.sheet_rows - 1,
+                       Status::kOrganOrderWrong, "runs", i, organ.runs[i].y,
+                       "the last row of each sheet empty")) {
+      return false;
+    }
+  }
+  return check_ties(check, organ) && check_parts(check, organ);
+}
+
 bool check_lattice_header(Checker& check, const Organ& organ) {
-  return check.in_range(organ.voxel_edge_m, kMinVoxelEdgeM, kMaxVoxelEdgeM, "voxel_edge_m", 0,
+  return check.require(organ.content_sha256.empty() || organ.content_sha256.size() == 32,
+                       Status::kOrganSizesDisagree, "content_sha256", 0,
+                       static_cast<double>(organ.content_sha256.size()), "32 bytes, or none") &&
+         check.in_range(organ.voxel_edge_m, kMinVoxelEdgeM, kMaxVoxelEdgeM, "voxel_edge_m", 0,
                         "0.0001 to 0.1") &&
          check.in_range(organ.origin_m.x, -100, 100, "origin_x_m", 0, "within 100 m") &&
          check.in_range(organ.origin_m.y, -100, 100, "origin_y_m", 0, "within 100 m") &&
@@ -270,9 +352,17 @@ Organ read(const format::Organ& root, std::span<const std::byte> bytes) {
   organ.voxel_fill = view(root.voxel_fill());
   organ.voxel_fixed = view(root.voxel_fixed());
   organ.mixed = view<OrganMixed>(root.mixed());
+  organ.content_sha256 = view(root.content_sha256());
+  organ.format_version = root.format_version();
   organ.vertices = view<OrganVertex>(root.vertices());
   organ.triangles = view<OrganTriangle>(root.triangles());
   organ.spheres = view<OrganSphere>(root.sphere_nodes());
+  organ.sheet_rows = organ.size_y;
+  if (const format::Sheets* sheets = root.sheets()) {
+    organ.sheet_rows = sheets->rows();
+    organ.ties = view<OrganTie>(sheets->ties());
+    organ.parts = view<OrganPart>(sheets->parts());
+  }
   return organ;
 }
 
@@ -297,9 +387,9 @@ Status organ_open(std::span<const std::byte> bytes, Organ& organ_out, OrganRefus
                         "format_version", 0, version, "version 1 or 2")) {
         organ = read(root, bytes);
         (void)(check_lattice_header(check, organ) && check_runs(check, organ) &&
-               check_materials(check, organ) && check_voxels(check, organ) &&
-               check_mixed(check, organ, version) && check_surface(check, organ) &&
-               check_spheres(check, organ));
+               check_sheets(check, organ, version) && check_materials(check, organ) &&
+               check_voxels(check, organ) && check_mixed(check, organ, version) &&
+               check_surface(check, organ) && check_spheres(check, organ));
       }
     }
   }
@@ -336,8 +426,8 @@ Vec3 voxel_low_corner(const Organ& organ, std::uint32_t voxel) {
   std::uint32_t first = 0;
   for (const OrganRun& run : organ.runs) {
     if (voxel < first + run.count) {
-      return {static_cast<float>(run.x + (voxel - first)), static_cast<float>(run.y),
-              static_cast<float>(run.z)};
+      return {static_cast<float>(run.x + (voxel - first)),
+              static_cast<float>(run.y % organ.sheet_rows), static_cast<float>(run.z)};
     }
     first += run.count;
   }

@@ -170,7 +170,12 @@ double voxel_energy(const View& view, std::uint32_t row_index, std::uint32_t slo
 double kinetic_energy(const View& view) {
   const ModelHead& head = *view.model.head;
   double sum = 0;
+  std::uint32_t tie = 0;  // in the order of the particles
   for (std::uint32_t i = 0; i < head.counts.particles; ++i) {
+    if (tie < head.counts.ties && view.model.tie[tie].node == i) {  // its root counts
+      ++tie;
+      continue;
+    }
     if (!(view.model.step_per_mass[i] > 0)) continue;
     const double vx = static_cast<double>(view.state.vx[i]);
     const double vy = static_cast<double>(view.state.vy[i]);

@@ -4,6 +4,120 @@
 #include "rotation.h"
 
 namespace stylet {
+namespace {
+
+// Of a cell in space, the voxel that one of the sheets has there; also where a row has a hole.
+bool voxel_in_sheet(const View& view, std::int32_t x, std::int32_t y, std::int32_t z,
+                    std::uint32_t& slot_out, std::uint32_t& row_out) {
+  const ModelHead& head = *view.model.head;
+  if (x < 0 || y < 0 || z < 0 || x >= head.size_x || y >= head.size_y || z >= head.size_z) {
+    return false;
+  }
+  row_out = view.model.row_of[static_cast<std::uint32_t>(z * head.size_y + y)];
+  if (row_out == kNoRow) return false;
+  const Row& row = view.model.row[row_out];
+  if (x < row.x0 || x >= row.x0 + row.count) return false;
+  slot_out = row.slot + static_cast<std::uint32_t>(x - row.x0);
+  return true;
+}
+
+// Whether a place in its cell (0 to 1 along each axis) is the voxel's own.
+bool is_own(const View& view, std::uint32_t slot, Vec3 f) {
+  if (view.model.head->counts.sheets == 1) return true;
+  const auto quarter = [](float v) { return static_cast<std::uint32_t>(clamp(4 * v, 0, 3)); };
+  const std::uint32_t bit = quarter(f.x) + 4 * quarter(f.y) + 16 * quarter(f.z);
+  return ((view.model.quarters[slot] >> bit) & 1U) != 0;
+}
+
+// The filled voxel of a cell in space, of all sheets, for a place `f` in it: its own; else any.
+bool voxel_around(const View& view, Vec3 cell, Vec3 f, std::uint32_t& slot_out,
+                  std::uint32_t& row_out) {
+  const ModelHead& head = *view.model.head;
+  const auto x = static_cast<std::int32_t>(cell.x), y = static_cast<std::int32_t>(cell.y);
+  const auto z = static_cast<std::int32_t>(cell.z);
+  bool found = false;
+  for (std::int32_t sheet_y = y; sheet_y < head.size_y; sheet_y += head.sheet_rows) {
+    std::uint32_t slot = 0, row = 0;
+    if (!voxel_in_sheet(view, x, sheet_y, z, slot, row)) continue;
+    if (!(view.model.slot_k[slot] > 0)) continue;  // a hole in the row
+    if (found && !is_own(view, slot, f)) continue;
+    found = true;
+    slot_out = slot;
+    row_out = row;
+  }
+  return found;
+}
+
+// The particle at a voxel's corner (bits x, y, z), or the one it is tied to. Only with sheets.
+std::uint32_t corner_particle(const View& view, std::uint32_t slot, const Row& row,
+                              std::uint32_t corner) {
+  return view.model.root[row.node[corner >> 1U] + (slot - row.slot) + (corner & 1U)];
+}
+
+// The eight cells around a place, the low one first, and where between their middles it lies.
+struct Around {
+  std::int32_t x0, y0, z0;
+  Vec3 f;
+};
+
+Around cells_around(const ModelHead& head, Vec3 rest_m) {
+  const Vec3 g = head.inverse_edge_per_m * (rest_m - head.origin_m) - Vec3{0.5F, 0.5F, 0.5F};
+  // Truncation of a shifted value: floor without libm. Points this far out have no voxel anyway.
+  const auto whole = [](float v) {
+    return static_cast<std::int32_t>(clamp(v, -2, 70000) + 4.0F) - 4;
+  };
+  const std::int32_t x0 = whole(g.x), y0 = whole(g.y), z0 = whole(g.z);
+  return {x0,
+          y0,
+          z0,
+          {clamp(g.x - static_cast<float>(x0), 0, 1), clamp(g.y - static_cast<float>(y0), 0, 1),
+           clamp(g.z - static_cast<float>(z0), 0, 1)}};
+}
+
+float tent(const Around& around, std::int32_t corner) {
+  const Vec3& f = around.f;
+  return ((corner & 1) != 0 ? f.x : 1 - f.x) * ((corner & 2) != 0 ? f.y : 1 - f.y) *
+         ((corner & 4) != 0 ? f.z : 1 - f.z);
+}
+
+// Calls visit(slot, row) for the filled voxels of all sheets in one of the cells.
+template <typename Visit>
+void each_voxel(const View& view, const Around& around, std::int32_t corner, Visit visit) {
+  const ModelHead& head = *view.model.head;
+  const std::int32_t x = around.x0 + (corner & 1), y = around.y0 + ((corner >> 1) & 1);
+  const std::int32_t z = around.z0 + (corner >> 2);
+  if (y < 0 || y >= head.sheet_rows) return;
+  for (std::int32_t sheet_y = y; sheet_y < head.size_y; sheet_y += head.sheet_rows) {
+    std::uint32_t slot = 0, row = 0;
+    if (!voxel_in_sheet(view, x, sheet_y, z, slot, row)) continue;
+    if (view.model.slot_k[slot] > 0) visit(slot, row);
+  }
+}
+
+// The eight cells have one node in common. With sheets, which particle is there depends on the part
+// that the place lies in; parts without it do not hold the place.
+std::uint32_t common_particle(const View& view, const Around& around) {
+  std::uint32_t particle = 0;
+  float best = 0;
+  for (std::int32_t corner = 0; corner < 8; ++corner) {
+    // In its own cell, the one whose tent is highest, the place chooses among the parts.
+    const auto in_cell = [&](float f, int bit) {
+      return ((corner >> bit) & 1) != 0 ? f - 0.5F : f + 0.5F;
+    };
+    const Vec3 f = {in_cell(around.f.x, 0), in_cell(around.f.y, 1), in_cell(around.f.z, 2)};
+    const float weight = tent(around, corner);
+    each_voxel(view, around, corner, [&](std::uint32_t slot, std::uint32_t row_index) {
+      const Row& row = view.model.row[row_index];
+      const float rank = is_own(view, slot, f) ? 2 * weight : weight;
+      if (!(rank > best)) return;
+      best = rank;
+      particle = corner_particle(view, slot, row, 7U - static_cast<std::uint32_t>(corner));
+    });
+  }
+  return particle;
+}
+
+}  // namespace
 
 Corners sum_corners(const View& view, std::uint32_t slot, std::uint32_t row_index) {
   const Row& row = view.model.row[row_index];
@@ -61,18 +175,14 @@ bool find_voxel(const View& view, Vec3 rest_m, std::uint32_t& slot_out, std::uin
   const ModelHead& head = *view.model.head;
   const Vec3 g = head.inverse_edge_per_m * (rest_m - head.origin_m);
   if (!(g.x >= 0 && g.y >= 0 && g.z >= 0 && g.x < static_cast<float>(head.size_x) &&
-        g.y < static_cast<float>(head.size_y) && g.z < static_cast<float>(head.size_z))) {
+        g.y < static_cast<float>(head.sheet_rows) && g.z < static_cast<float>(head.size_z))) {
     return false;
   }
-  const auto x = static_cast<std::uint32_t>(g.x), y = static_cast<std::uint32_t>(g.y);
-  const auto z = static_cast<std::uint32_t>(g.z);
-  row_out = view.model.row_of[z * head.size_y + y];
-  if (row_out == kNoRow) return false;
-  const Row& row = view.model.row[row_out];
-  if (x < row.x0 || x >= static_cast<std::uint32_t>(row.x0) + row.count) return false;
-  slot_out = row.slot + x - row.x0;
-  part_out = g - Vec3{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
-  return view.model.slot_k[slot_out] > 0;  // else a hole in the row
+  const Vec3 low = {static_cast<float>(static_cast<std::uint32_t>(g.x)),
+                    static_cast<float>(static_cast<std::uint32_t>(g.y)),
+                    static_cast<float>(static_cast<std::uint32_t>(g.z))};
+  part_out = g - low;
+  return voxel_around(view, low, part_out, slot_out, row_out);
 }
 
 }  // namespace
@@ -84,7 +194,7 @@ bool present_place(const View& view, Vec3 rest_m, Vec3& place_out_m) {
   const Row& row = view.model.row[row_index];
   place_out_m = rest_m;
   for (std::uint32_t corner = 0; corner < 8; ++corner) {
-    const std::uint32_t p = row.node[corner >> 1U] + slot - row.slot + (corner & 1U);
+    const std::uint32_t p = row.node[corner >> 1U] + (slot - row.slot) + (corner & 1U);
     const float weight = ((corner & 1U) != 0 ? f.x : 1 - f.x) *
                          ((corner & 2U) != 0 ? f.y : 1 - f.y) *
                          ((corner & 4U) != 0 ? f.z : 1 - f.z);
@@ -119,34 +229,26 @@ VoxelFrame voxel_frame(const View& view, std::uint32_t slot, std::uint32_t row) 
 std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kSharesPerParticle],
                           Sharing sharing) {
   const ModelHead& head = *view.model.head;
-  const Vec3 g = head.inverse_edge_per_m * (rest_m - head.origin_m) - Vec3{0.5F, 0.5F, 0.5F};
-  // Truncation of a shifted value: floor without libm. Points this far out have no voxel anyway.
-  const auto whole = [](float v) {
-    return static_cast<std::int32_t>(clamp(v, -2, 70000) + 4.0F) - 4;
-  };
-  const std::int32_t x0 = whole(g.x), y0 = whole(g.y), z0 = whole(g.z);
-  const float fx = clamp(g.x - static_cast<float>(x0), 0, 1);
-  const float fy = clamp(g.y - static_cast<float>(y0), 0, 1);
-  const float fz = clamp(g.z - static_cast<float>(z0), 0, 1);
+  const Around around = cells_around(head, rest_m);
+  const bool one_sheet = head.counts.sheets == 1;
+  const std::uint32_t particle = one_sheet ? 0 : common_particle(view, around);
   std::uint32_t count = 0;
   float sum = 0;
   for (std::int32_t corner = 0; corner < 8; ++corner) {
-    const std::int32_t dx = corner & 1, dy = (corner >> 1) & 1, dz = corner >> 2;
-    const std::int32_t x = x0 + dx, y = y0 + dy, z = z0 + dz;
-    if (x < 0 || y < 0 || z < 0 || x >= head.size_x || y >= head.size_y || z >= head.size_z) {
-      continue;
-    }
-    const std::uint32_t row_index =
-        view.model.row_of[static_cast<std::uint32_t>(z * head.size_y + y)];
-    if (row_index == kNoRow) continue;
-    const Row& row = view.model.row[row_index];
-    if (x < row.x0 || x >= row.x0 + row.count) continue;
-    const std::uint32_t slot = row.slot + static_cast<std::uint32_t>(x - row.x0);
-    const float tent = (dx != 0 ? fx : 1 - fx) * (dy != 0 ? fy : 1 - fy) * (dz != 0 ? fz : 1 - fz);
-    const float weight = (sharing == Sharing::kEven ? 0.125F : tent) * view.model.slot_fill[slot];
-    if (!(view.model.slot_k[slot] > 0) || !(weight > 0)) continue;
-    shares_out[count++] = {slot, row_index, weight, {}, {}, {}};
-    sum = sum + weight;
+    const float of_corner = sharing == Sharing::kEven ? 0.125F : tent(around, corner);
+    bool taken = false;  // one voxel of a cell is enough
+    each_voxel(view, around, corner, [&](std::uint32_t slot, std::uint32_t row_index) {
+      const float weight = of_corner * view.model.slot_fill[slot];
+      const auto common = 7U - static_cast<std::uint32_t>(corner);
+      if (taken || !(weight > 0) ||
+          !(one_sheet ||
+            corner_particle(view, slot, view.model.row[row_index], common) == particle)) {
+        return;
+      }
+      shares_out[count++] = {slot, row_index, weight, {}, {}, {}};
+      sum = sum + weight;
+      taken = true;
+    });
   }
   if (count > 0 && head.config.mode == Mode::kPaper) {  // one voxel, as in the paper
     std::uint32_t best = 0;

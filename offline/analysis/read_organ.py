@@ -1,39 +1,50 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """An organ file as numpy arrays: read_organ(path). As a program it prints what it found."""
+import hashlib
 import pathlib
 import struct
 import sys
 
 import numpy as np
 
-RECORDS = {"runs": "u2,u2,u2,u2", "voxel_material": "u1", "voxel_fill": "u1", "voxel_fixed": "u1",
-           "vertices": "u4,u2,u2,u2,u2", "triangles": "u4,u4,u4",
-           "sphere_nodes": "f4,f4,f4,f4,u4,u4", "mixed": "u4,u2,u2,f4,f4,f4,f4"}
-FIELDS = ("format_version name voxel_edge_m origin_x_m origin_y_m origin_z_m size_x size_y size_z "
-          "runs voxel_material voxel_fill voxel_fixed materials vertices triangles sphere_nodes "
-          "provenance mixed").split()  # in the order of kernel/schema/organ.fbs
-SCALARS = {"format_version": "<I", "voxel_edge_m": "<f", "origin_x_m": "<f", "origin_y_m": "<f",
-           "origin_z_m": "<f", "size_x": "<H", "size_y": "<H", "size_z": "<H"}
+SHEETS = {"rows": "<H", "ties": "u2,u2,u2,u2", "parts": "u2,u2,u2,u2,u8"}
+ORGAN = {"format_version": "<I", "name": "", "voxel_edge_m": "<f", "origin_x_m": "<f",
+         "origin_y_m": "<f", "origin_z_m": "<f", "size_x": "<H", "size_y": "<H", "size_z": "<H",
+         "runs": "u2,u2,u2,u2", "voxel_material": "u1", "voxel_fill": "u1", "voxel_fixed": "u1",
+         "materials": "", "vertices": "u4,u2,u2,u2,u2", "triangles": "u4,u4,u4",
+         "sphere_nodes": "f4,f4,f4,f4,u4,u4", "provenance": "",
+         "mixed": "u4,u2,u2,f4,f4,f4,f4", "sheets": SHEETS,
+         "content_sha256": "u1"}  # in the order of kernel/schema/organ.fbs; "": left out
+
+
+def read_table(data, root, fields, out):
+    at = lambda place, form="<I": struct.unpack_from(form, data, place)[0]  # noqa: E731
+    table = root - at(root, "<i")
+    for i, (name, form) in enumerate(fields.items(), 2):
+        here = root + (at(table + 2 * i, "<H") if 2 * i < at(table, "<H") else 0)
+        if here == root or not form:
+            continue
+        if form is SHEETS:
+            read_table(data, here + at(here), SHEETS, out)
+        elif form[0] == "<":
+            out[name] = at(here, form)
+        else:
+            out[name] = np.frombuffer(data, form, at(here + at(here)), here + at(here) + 4)
+    return out
 
 
 def read_organ(path):
     data = pathlib.Path(path).read_bytes()
-    at = lambda place, form="<I": struct.unpack_from(form, data, place)[0]  # noqa: E731
     if data[4:8] != b"STLO":
         raise ValueError(f"{path}: not an organ file: expected the letters STLO at byte 4")
-    root = at(0)
-    table = root - at(root, "<i")
-    organ = {}
-    for i, name in enumerate(FIELDS):
-        offset = at(table + 4 + 2 * i, "<H") if 4 + 2 * i < at(table, "<H") else 0
-        if offset and name in SCALARS:
-            organ[name] = at(root + offset, SCALARS[name])
-        elif offset and name in RECORDS:
-            vector = root + offset + at(root + offset)
-            organ[name] = np.frombuffer(data, RECORDS[name], at(vector), vector + 4)
-    if organ["format_version"] not in (1, 2):
-        raise ValueError(f"{path}: format version {organ['format_version']}: expected 1 or 2")
+    organ = read_table(data, struct.unpack_from("<I", data)[0], ORGAN, {})
+    version = organ.get("format_version", 0)
+    if version not in (1, 2):
+        raise ValueError(f"{path}: format version {version}: expected 1 or 2")
+    known = organ.get("content_sha256", np.empty(0)).tobytes()
+    if (version > 1 or known) and hashlib.sha256(data.replace(known, b"", 1)).digest() != known:
+        raise ValueError(f"{path}: content_sha256: expected that of its bytes: they have changed")
     return organ
 
 

@@ -68,6 +68,7 @@ struct BuildArguments : CommonArguments {
   std::string layers_along = "+x";
   std::string recipe;
   std::string fill_gaps;
+  bool split_gaps = false;
 };
 
 struct PhantomArguments : CommonArguments {
@@ -333,6 +334,8 @@ std::vector<Layer> parse_layers(const std::vector<std::string>& texts, const cha
 }
 
 void choose_gaps(const BuildArguments& a, BuildOptions& options) {
+  options.split = a.split_gaps;
+  if (a.split_gaps) options.options_text += " --split-gaps";
   if (a.fill_gaps.empty()) return;
   const std::vector<Layer> gap = parse_layers({a.fill_gaps}, "--fill-gaps");
   options.gap_tissue = find_tissue(options.own_tissues, gap.front().tissue).name;
@@ -373,6 +376,7 @@ void run_build_labels(const BuildArguments& a) {
     options.name = file.substr(0, file.find('.'));
   }
   choose_gaps(a, options);
+  options.split = options.split || recipe.open_gaps;
   choose_layers(a, recipe.groups, options);
   choose_capsule(a.capsule, recipe.groups, options);
   const LabelMap map = read_label_map(path);
@@ -540,13 +544,13 @@ void run_check(const FileArguments& a) {
   const SumCheck sum = check_sum(a.file, bytes);
   const Organ organ = open_organ(a.file, std::as_bytes(std::span(bytes)));
   if (sum == SumCheck::kDiffers) {
-    refuse(
-        "{}: its structure is whole, but the bytes are not those of {}{}: expected the file as "
-        "it was built",
-        a.file, a.file, kSumEnding);
+    refuse("{}: the bytes are whole, but not those of {}{}: expected the file that lay beside it",
+           a.file, a.file, kSumEnding);
   }
-  fmt::print("{}: ok: {} voxels, hash {:016x}, {}\n", a.file, organ.voxel_count, organ.hash,
-             sum == SumCheck::kSame ? "the bytes that were built" : "no sum beside it");
+  fmt::print(
+      "{}: ok: {} voxels, hash {:016x}, {}{}\n", a.file, organ.voxel_count, organ.hash,
+      organ.content_sha256.empty() ? "without a sum of its bytes" : "the bytes that were built",
+      sum == SumCheck::kSame ? ", those of the sum beside it" : "");
 }
 
 // ---- commands -----------------------------------------------------------------------------------
@@ -582,6 +586,9 @@ void add_build(CLI::App& app, BuildArguments& a) {
       ->allow_extra_args(false);
   command->add_option("--fill-gaps", a.fill_gaps,
                       "TISSUE:MM: gaps between inputs up to so wide become this tissue");
+  command->add_flag("--split-gaps", a.split_gaps,
+                    "Parts that lie in one voxel without touching get a voxel each, so that gaps "
+                    "from a third of a voxel on do not glue");
   command->add_option("--layers-of", a.layers_of, "Tissue that the layers take the place of");
   command->add_option("--layers-along", a.layers_along, "The way in through the layers")
       ->check(CLI::IsMember({"+x", "-x", "+y", "-y", "+z", "-z"}))
@@ -660,8 +667,8 @@ void add_info_and_check(CLI::App& app, FileArguments& info, FileArguments& check
   test->add_option("file", check.file, "Organ file")->required();
   test->footer(
       "Example:\n  stylet-organ check liver.organ\n"
-      "Every value is checked as the kernel does; with FILE.sha256 beside it (build --sum), every "
-      "byte.");
+      "Every value is checked as the kernel does, then every byte by the SHA-256 in the file; with "
+      "FILE.sha256 beside it (build --sum), whether it is that file.");
   test->callback([&check] { run_check(check); });
 }
 

@@ -10,6 +10,7 @@
 #include "pieces.h"
 #include "refusal.h"
 #include "sample_cell.h"
+#include "sheets.h"
 #include "stylet/limits.h"
 #include "wrap.h"
 
@@ -136,6 +137,7 @@ bool touches(const Claims& claims, std::size_t cell, const std::vector<std::stri
 }
 
 std::vector<std::uint8_t> voxel_materials(const Claims& claims, const Lattice& lattice,
+                                          const std::vector<std::uint16_t>& owner_of_voxel,
                                           const std::vector<std::string>& tissues,
                                           const TissueNumbers& numbers,
                                           const std::vector<std::uint8_t>& layers,
@@ -144,18 +146,19 @@ std::vector<std::uint8_t> voxel_materials(const Claims& claims, const Lattice& l
       options.capsule.empty() ? 0 : number_of(list, find_tissue(list.own, options.capsule));
   const Grid& grid = lattice.grid;
   std::vector<std::uint8_t> materials;
-  for (const std::uint32_t cell : lattice.cell_of_voxel) {
+  for (std::size_t voxel = 0; voxel < lattice.cell_of_voxel.size(); ++voxel) {
+    const std::uint32_t cell = lattice.cell_of_voxel[voxel];
+    const std::uint16_t owner = owner_of_voxel[voxel];
     const std::uint32_t x = cell % grid.size[0], row = cell / grid.size[0];
-    const bool has_capsule =
-        !options.capsule.empty() &&
-        (options.capsule_of.empty() || options.capsule_of == tissues[claims.owner[cell]]);
+    const bool has_capsule = !options.capsule.empty() &&
+                             (options.capsule_of.empty() || options.capsule_of == tissues[owner]);
     const bool is_capsule =
         has_capsule && (is_skin(claims, x, row % grid.size[1], row / grid.size[1]) ||
                         touches(claims, cell, tissues, options.wall));
-    const std::uint8_t layer = layers.empty() ? kNotLayered : layers[cell];
+    const std::uint8_t layer = voxel_layer(numbers, layers, cell, owner);
     materials.push_back(is_capsule             ? capsule
                         : layer != kNotLayered ? numbers.layers[layer].material
-                                               : numbers.of_owner[claims.owner[cell]]);
+                                               : numbers.of_owner[owner]);
   }
   return materials;
 }
@@ -283,7 +286,6 @@ void measure_shares(const Claims& claims, const std::vector<Solid>& solids, Buil
                              input.mesh_volume_m3, input.filled_volume_m3, given_m3[i],
                              count.pieces, count.lost});
   }
-  report.closed_gaps = closed_gaps(claims, mesh_samples());
 }
 
 }  // namespace
@@ -346,9 +348,12 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
   warn_of_size(box, built.report.warnings);
   const Grid grid = make_grid(box, edge_m);
   Claims claims = claim_voxels(grid, inputs, solids, built.report, progress);
-  if (options.measured) measure_shares(claims, solids, built.report);
-
-  Claimed claimed = {std::move(claims), mesh_samples(), {}, box, join(solids), {}, {}};
+  const SamplePlaces places = mesh_samples();
+  if (options.measured) {
+    measure_shares(claims, solids, built.report);
+    if (!options.split) built.report.closed_gaps = closed_gaps(claims, places);
+  }
+  Claimed claimed = {std::move(claims), places, {}, box, join(solids), {}, {}};
   cut_away(claimed, options);
   if (options.measured) built.input_m = claimed.mesh;
   for (const Input& input : inputs) claimed.tissues.push_back(input.tissue);
@@ -384,14 +389,19 @@ std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
   if (parts.lattice.cell_of_voxel.empty()) {
     refuse("--crop: no voxel lies in all of these regions: expected at least one");
   }
+  if (options.split) {
+    progress("splitting at gaps", 0);
+    parts.lattice = split_parts(claimed.claims, claimed.places, std::move(parts.lattice));
+  }
   MaterialList materials{options.own_tissues, {}};
   const TissueNumbers numbers =
       number_tissues(claimed.tissues, options, parts.lattice.grid.edge_m, materials);
   const std::vector<std::uint8_t> layers = cell_layers(claimed.claims, numbers);
-  parts.voxel_material = voxel_materials(claimed.claims, parts.lattice, claimed.tissues, numbers,
-                                         layers, options, materials);
-  parts.mixed = mixed_voxels(claimed.claims, claimed.places, parts.lattice, parts.voxel_material,
-                             numbers, layers);
+  const std::vector<std::uint16_t> owner_of_voxel = owners(claimed.claims, parts.lattice);
+  parts.voxel_material = voxel_materials(claimed.claims, parts.lattice, owner_of_voxel,
+                                         claimed.tissues, numbers, layers, options, materials);
+  parts.mixed = mixed_voxels(claimed.claims, claimed.places, parts.lattice,
+                             {owner_of_voxel, parts.voxel_material, layers}, numbers);
   parts.materials = std::move(materials.tissues);
   parts.voxel_fixed = fixed_corners(parts.lattice, claimed, options.held);
   embed_surface(claimed.mesh, parts);

@@ -19,6 +19,7 @@
 #include "progress.h"
 #include "read_mesh.h"
 #include "repair.h"
+#include "sample_parts.h"
 #include "write_organ.h"
 
 namespace stylet::bake {
@@ -39,6 +40,7 @@ struct BuildOptions {
   std::string capsule;              // tissue of the voxels at the outer surface; empty: none
   std::string capsule_of;           // only where the input has this tissue; empty: everywhere
   std::vector<std::string> wall;    // tissues that the capsule has outside of it, as if bare
+  bool split = false;               // parts that do not touch get voxels of their own
   bool wrap = false;                // replace each input by a closed skin around it
   std::string gap_tissue;           // of gaps between inputs up to gap_m wide; empty: gaps stay
   double gap_m = 0;
@@ -116,7 +118,7 @@ std::vector<double> given_volumes_m3(const Claims& claims, std::size_t owner_cou
 // Voxels with their owners, and what is embedded in them: all that is left is the organ itself.
 struct Claimed {
   Claims claims;
-  SamplePlaces places;
+  SamplePlaces places;               // of its samples
   std::vector<std::string> tissues;  // of each owner
   Box box;
   Mesh mesh;                      // metres

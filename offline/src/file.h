@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -16,6 +17,7 @@ std::string read_file(const std::filesystem::path& path);
 // are complete and on the disk.
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
+std::string hex_of(std::span<const std::uint8_t> bytes);
 std::string sha256_hex(std::string_view bytes);
 
 // The sum of a file lies beside it under this ending, in the format of sha256sum.

@@ -3,8 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "file.h"
 #include "organ_generated.h"
 #include "refusal.h"
+#include "stylet/content_sum.h"
 #include "stylet/kernel.h"
 #include "write_organ.h"
 
@@ -58,7 +60,8 @@ Json material_facts(const Organ& organ) {
 Json byte_facts(const Organ& organ, std::size_t total) {
   const std::size_t lattice = organ.runs.size_bytes() + organ.voxel_material.size_bytes() +
                               organ.voxel_fill.size_bytes() + organ.voxel_fixed.size_bytes() +
-                              organ.mixed.size_bytes();
+                              organ.mixed.size_bytes() + organ.ties.size_bytes() +
+                              organ.parts.size_bytes();
   const std::size_t known = lattice + organ.vertices.size_bytes() + organ.triangles.size_bytes() +
                             organ.spheres.size_bytes();
   Json facts{{"total", total},
@@ -142,6 +145,11 @@ Organ open_organ(const std::string& file, std::span<const std::byte> bytes) {
   if (organ_open(bytes, organ, &refusal) != Status::kOk) {
     refuse("{}: {}", file, describe(refusal));
   }
+  if (!has_its_bytes(bytes, organ)) {
+    refuse("{}: content_sha256: {}: expected {}, that of its bytes: they are not those written",
+           file, organ.content_sha256.empty() ? "none" : hex_of(organ.content_sha256),
+           hex_of(content_sha256(bytes, organ)));
+  }
   return organ;
 }
 
@@ -152,12 +160,15 @@ nlohmann::ordered_json organ_facts(const Organ& organ, std::span<const std::byte
   const double edge_mm = shown(organ.voxel_edge_m) * 1e3;
   return {{"name", organ.name},
           {"hash", fmt::format("{:016x}", organ.hash)},
+          {"content_sha256", hex_of(organ.content_sha256)},
           {"format_version", root.format_version()},
           {"voxel_edge_mm", edge_mm},
           {"origin_mm",
            {shown(organ.origin_m.x) * 1e3, shown(organ.origin_m.y) * 1e3,
             shown(organ.origin_m.z) * 1e3}},
-          {"lattice_size", {organ.size_x, organ.size_y, organ.size_z}},
+          {"lattice_size", {organ.size_x, organ.sheet_rows, organ.size_z}},
+          {"sheets", organ.size_y / organ.sheet_rows},
+          {"voxels_that_share_cells", organ.parts.size()},
           {"voxels", organ.voxel_count},
           {"mixed_voxels", organ.mixed.size()},
           {"runs", organ.runs.size()},
@@ -183,6 +194,10 @@ std::string organ_text(const nlohmann::ordered_json& f) {
       f["volume_ml"].get<double>(), f["mixed_voxels"].get<std::size_t>(),
       f["held_corners"].get<std::size_t>(), f["surface_vertices"].get<std::size_t>(),
       f["surface_triangles"].get<std::size_t>(), f["sphere_nodes"].get<std::size_t>());
+  if (f["sheets"].get<int>() > 1) {
+    text += fmt::format("gaps          {} voxels share cells with others they do not touch\n",
+                        f["voxels_that_share_cells"].get<std::size_t>());
+  }
   for (const auto& m : f["materials"]) {
     text += fmt::format(
         "material      {:<14} {:>8} voxels {:>9.4g} ml  E {:.4g} kPa  nu {:.2g}  puncture {:.3g} N "

@@ -148,7 +148,6 @@ void measure_shares(const Claims& claims, const LabelMap& map, const Groups& gro
                              label.filled_volume_m3, given_m3[i], pieces[i].pieces,
                              pieces[i].lost});
   }
-  report.closed_gaps = closed_gaps(claims, map_samples());
 }
 
 }  // namespace
@@ -189,7 +188,10 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   warn_of_missing(recipe.targets, built.targets, built.report);
   claimed.claims = claim_labels(grid, map, groups, built.report.labels, progress);
   claimed.places = map_samples();
-  if (options.measured) measure_shares(claimed.claims, map, groups, built.report);
+  if (options.measured) {
+    measure_shares(claimed.claims, map, groups, built.report);
+    if (!options.split) built.report.closed_gaps = closed_gaps(claimed.claims, claimed.places);
+  }
   for (const LabelGroup& group : recipe.groups) claimed.tissues.push_back(group.tissue);
   claimed.sources = {{std::filesystem::path(path).filename().string(), "labels", map.sha256, 1e-3,
                       0, static_cast<std::uint32_t>(claimed.mesh.triangles.size())}};

@@ -94,6 +94,22 @@ void read_surface(const std::string& file, const toml::table& table, Recipe& rec
   }
 }
 
+void read_contact(const std::string& file, const toml::table& table, Recipe& recipe) {
+  for (const auto& [key, node] : table) {
+    const std::string value = node.value<std::string>().value_or("");
+    if (key == "touching" && value == "shared") continue;
+    if (key == "touching") {
+      refuse("{}: touching: expected \"shared\": organs that touch share particles, nothing slides",
+             place_of(file, node));
+    }
+    if (key != "gaps" || (value != "open" && value != "closed")) {
+      refuse("{}: {}: expected gaps = \"open\" or \"closed\", touching = \"shared\"",
+             place_of(file, node), key.str());
+    }
+    recipe.open_gaps = value == "open";
+  }
+}
+
 // NAME = [LABEL...], each; names become parts of file names.
 std::vector<NamedLabels> read_named(const std::string& file, const toml::table& table,
                                     const Recipe& recipe) {
@@ -181,18 +197,19 @@ Recipe read_recipe(const std::filesystem::path& toml_file) {
   const toml::table root = read_toml(toml_file);
   Recipe recipe;
   for (const auto& [key, node] : root) {
-    constexpr std::string_view kTables[] = {"names", "tissues",   "crop",   "surface",
-                                            "wall",  "obstacles", "targets"};
+    constexpr std::string_view kTables[] = {"names", "tissues", "crop",      "surface",
+                                            "wall",  "contact", "obstacles", "targets"};
     if (std::find(std::begin(kTables), std::end(kTables), key.str()) == std::end(kTables)) {
       refuse(
-          "{}: {}: expected [names], [tissues], [crop], [surface], [[wall]], [obstacles] or "
-          "[targets]",
+          "{}: {}: expected [names], [tissues], [crop], [surface], [[wall]], [contact], "
+          "[obstacles] or [targets]",
           place_of(file, node), key.str());
     }
   }
   if (root.contains("names")) read_names(file, table_of(file, root, "names"), recipe);
   if (root.contains("crop")) read_crop(file, table_of(file, root, "crop"), recipe);
   if (root.contains("surface")) read_surface(file, table_of(file, root, "surface"), recipe);
+  if (root.contains("contact")) read_contact(file, table_of(file, root, "contact"), recipe);
   if (root.contains("wall")) recipe.wall = read_wall(file, *root.get("wall"));
   for (const auto& [key, list] :
        {std::pair{"obstacles", &recipe.obstacles}, std::pair{"targets", &recipe.targets}}) {

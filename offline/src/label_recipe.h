@@ -19,6 +19,10 @@
 //   tissue = "fat"
 //   thickness_mm = 10
 //
+//   [contact]          # optional
+//   touching = "shared"  # organs that touch share particles; nothing slides, so there is no other
+//   gaps = "open"      # parts that do not touch get voxels of their own, see sheets.h; or "closed"
+//
 //   [obstacles]        # optional: bodies no needle enters, each the convex hull of some labels
 //   rib = ["rib_right_9"]
 //
@@ -62,6 +66,7 @@ struct Recipe {
   int smoothing = 10;
   std::uint32_t most_triangles = kMaxTriangles;
   std::vector<WallLayer> wall = {};
+  bool open_gaps = false;
   std::vector<NamedLabels> obstacles = {};  // no label of a tissue
   std::vector<NamedLabels> targets = {};
 };

@@ -60,11 +60,6 @@ std::optional<CellPlace> find_cell(const Grid& grid, Vec at, Keeps keeps) {
   return std::nullopt;
 }
 
-std::uint8_t fill_of(std::uint64_t inside) {
-  const auto samples = static_cast<unsigned>(std::popcount(inside));
-  return static_cast<std::uint8_t>(std::max(1U, (samples * 255U + 32U) / 64U));
-}
-
 std::uint16_t quantised(double fraction) {
   return static_cast<std::uint16_t>(std::floor(std::clamp(fraction, 0.0, 1.0) * 65535 + 0.5));
 }
@@ -104,7 +99,44 @@ void keep_share(Claims& claims, std::size_t cell, Claims::Share share, int owner
   claims.shares.push_back(share);
 }
 
+// A direction for each point: the sum of its triangles' normals, turned inward, of length 1.
+std::vector<Vec> inward(const std::vector<Vec>& points, const std::vector<Triangle>& triangles) {
+  std::vector<Vec> sum(points.size());
+  for (const Triangle& t : triangles) {
+    const Vec normal = cross(points[t[2]] - points[t[0]], points[t[1]] - points[t[0]]);
+    for (const std::uint32_t corner : t) sum[corner] = sum[corner] + normal;
+  }
+  for (Vec& each : sum) {
+    const double size = length(each);
+    each = size > 0 ? each * (1 / size) : Vec{};
+  }
+  return sum;
+}
+
+// The voxel of a cell that a place belongs to; `below` points inward from there.
+std::uint32_t voxel_for(const Lattice& lattice, CellPlace at, Vec place, Vec below) {
+  constexpr double kDepth = 0.15;
+  const auto cell = static_cast<std::uint32_t>(cell_index(lattice.grid, at.x, at.y, at.z));
+  const auto first = std::lower_bound(
+      lattice.shared.begin(), lattice.shared.end(), cell,
+      [](const SharedCell& each, std::uint32_t wanted) { return each.cell < wanted; });
+  const Vec in_cell = place + below * kDepth - Vec{1.0 * at.x, 1.0 * at.y, 1.0 * at.z};
+  std::uint32_t bit = 0;
+  for (std::size_t axis = 3; axis-- > 0;) {
+    bit = bit * 4 + static_cast<std::uint32_t>(std::clamp(std::floor(in_cell[axis] * 4), 0.0, 3.0));
+  }
+  for (auto each = first; each != lattice.shared.end() && each->cell == cell; ++each) {
+    if ((each->quarters >> bit & 1U) != 0) return each->voxel;
+  }
+  return lattice.voxel_of_cell[cell];
+}
+
 }  // namespace
+
+std::uint8_t fill_of(std::uint64_t inside) {
+  const auto samples = static_cast<unsigned>(std::popcount(inside));
+  return static_cast<std::uint8_t>(std::max(1U, (samples * 255U + 32U) / 64U));
+}
 
 Claims no_claims(const Grid& grid) {
   const std::size_t cells = cell_count(grid);
@@ -114,6 +146,28 @@ Claims no_claims(const Grid& grid) {
           std::vector<std::uint16_t>(cells, 0),
           std::vector<std::uint8_t>(cells, 0),
           {}};
+}
+
+std::vector<std::uint16_t> owners(Claims& claims, const Lattice& lattice) {
+  std::vector<std::uint16_t> of_voxel;
+  for (const std::uint32_t cell : lattice.cell_of_voxel) of_voxel.push_back(claims.owner[cell]);
+  const auto by_cell = [](const Claims::Share& a, const Claims::Share& b) {
+    return a.cell < b.cell;
+  };
+  std::stable_sort(claims.shares.begin(), claims.shares.end(), by_cell);
+  for (const SharedCell& each : lattice.shared) {
+    const auto [first, last] = std::equal_range(claims.shares.begin(), claims.shares.end(),
+                                                Claims::Share{each.cell, 0, 0, 0}, by_cell);
+    auto best = std::make_tuple(false, 0, 0);
+    for (auto share = first; share != last; ++share) {
+      const int samples = std::popcount(share->inside & each.inside);
+      const auto rank = std::make_tuple(samples > 0, share->priority, samples);
+      if (!(rank > best)) continue;
+      best = rank;
+      of_voxel[each.voxel] = share->owner;
+    }
+  }
+  return of_voxel;
 }
 
 void add_claim(Claims& claims, const Occupancy& occupancy, std::uint16_t input,
@@ -179,7 +233,10 @@ Lattice make_lattice(Claims& claims, const std::vector<Vec>& points_m,
     claims.pierced[cell] = 1;
     claims.owner[cell] = owner_beside(claims, own);
   }
-  Lattice lattice{grid, std::vector<std::uint32_t>(cell_count(grid), kNoVoxel), {}, {}, {}};
+  Lattice lattice;
+  lattice.grid = grid;
+  lattice.sheet_rows = grid.size[1];
+  lattice.voxel_of_cell.assign(cell_count(grid), kNoVoxel);
   bool row_goes_on = false;
   for (std::size_t cell = 0; cell < cell_count(grid); ++cell) {
     const std::size_t x = cell % grid.size[0];
@@ -211,20 +268,23 @@ Surface embed(const Lattice& lattice, const std::vector<Vec>& points_m,
   const Grid& grid = lattice.grid;
   const auto exists = [&](std::size_t cell) { return lattice.voxel_of_cell[cell] != kNoVoxel; };
   Surface surface;
-  for (const Vec& point_m : points_m) {
-    const Vec at = to_lattice(grid, point_m);
+  const std::vector<Vec> below =
+      lattice.shared.empty() ? std::vector<Vec>(points_m.size()) : inward(points_m, triangles);
+  for (std::size_t i = 0; i < points_m.size(); ++i) {
+    const Vec at = to_lattice(grid, points_m[i]);
     const CellPlace cell = find_cell(grid, at, exists).value();
-    const std::uint32_t voxel = lattice.voxel_of_cell[cell_index(grid, cell.x, cell.y, cell.z)];
+    const std::uint32_t voxel = voxel_for(lattice, cell, at, below[i]);
     surface.vertices.push_back(
         {voxel, quantised(at.x - cell.x), quantised(at.y - cell.y), quantised(at.z - cell.z), 0});
     surface.rest_m.push_back(rest_position(grid, cell, surface.vertices.back()));
   }
   for (const Triangle& t : triangles) {
     const Vec sum = surface.rest_m[t[0]] + surface.rest_m[t[1]] + surface.rest_m[t[2]];
-    const auto cell = find_cell(grid, to_lattice(grid, sum * (1.0 / 3)), exists);
-    surface.voxel_of.push_back(
-        cell ? lattice.voxel_of_cell[cell_index(grid, cell->x, cell->y, cell->z)]
-             : surface.vertices[t[0]].voxel);
+    const Vec centre = to_lattice(grid, sum * (1.0 / 3));
+    const auto cell = find_cell(grid, centre, exists);
+    const Vec down = (below[t[0]] + below[t[1]] + below[t[2]]) * (1.0 / 3);
+    surface.voxel_of.push_back(cell ? voxel_for(lattice, *cell, centre, down)
+                                    : surface.vertices[t[0]].voxel);
   }
   return surface;
 }

@@ -13,9 +13,6 @@
 namespace stylet::bake {
 
 // What the inputs say about each cell, combined one input after the other.
-// Where the 64 samples of a cell lie, in edges.
-using SamplePlaces = std::array<Vec, 64>;
-
 struct Claims {
   Grid grid;
   std::vector<std::uint64_t> inside;  // union of the samples of all inputs
@@ -41,14 +38,28 @@ bool is_kept(const Claims& claims, std::size_t cell);
 // At the outer surface: pierced or bare on one face, and not in the midst of full voxels.
 bool is_skin(const Claims& claims, std::uint32_t x, std::uint32_t y, std::uint32_t z);
 
+// A voxel that shares its cell with others (sheets.h).
+struct SharedCell {
+  std::uint32_t cell, voxel;
+  std::uint64_t quarters;  // of the cell that are the voxel's own, as in the organ file
+  std::uint64_t inside;    // its samples
+};
+
 struct Lattice {
   Grid grid;
-  std::vector<std::uint32_t> voxel_of_cell;  // kNoVoxel where there is none
+  std::vector<std::uint32_t> voxel_of_cell;  // kNoVoxel where there is none; of several the last
   std::vector<std::uint32_t> cell_of_voxel;
   std::vector<OrganRun> runs;
   std::vector<std::uint8_t> fill;  // 1..255
+  std::uint32_t sheets = 1, sheet_rows = 0;
+  std::vector<OrganTie> ties;
+  std::vector<OrganPart> parts;
+  std::vector<SharedCell> shared;  // by cell and voxel
 };
 constexpr std::uint32_t kNoVoxel = 0xFFFFFFFF;
+
+// The part of a voxel's volume that is filled, in 255ths, 1 at least.
+std::uint8_t fill_of(std::uint64_t inside);
 
 // The cell a point lies in, or the nearest one of the grid.
 std::size_t cell_of(const Grid& grid, Vec point_m);
@@ -58,11 +69,16 @@ std::size_t cell_of(const Grid& grid, Vec point_m);
 Lattice make_lattice(Claims& claims, const std::vector<Vec>& points_m,
                      const std::vector<std::uint8_t>& cut = {});
 
+// Owner of each voxel: the cell's, or of the samples where cells are shared.
+std::vector<std::uint16_t> owners(Claims& claims, const Lattice& lattice);
+
 struct Surface {
   std::vector<OrganVertex> vertices;
   std::vector<Vec> rest_m;              // as the file gives them back
   std::vector<std::uint32_t> voxel_of;  // per triangle: the voxel of its centroid
 };
+// Where several voxels share a cell, a place belongs to the one it is nearest to, seen from a
+// little below the surface.
 Surface embed(const Lattice& lattice, const std::vector<Vec>& points_m,
               const std::vector<Triangle>& triangles);
 

@@ -40,6 +40,12 @@ std::vector<std::uint8_t> cell_layers(const Claims& claims, const TissueNumbers&
   return layers;
 }
 
+std::uint8_t voxel_layer(const TissueNumbers& numbers, const std::vector<std::uint8_t>& cell_layers,
+                         std::size_t cell, std::uint16_t owner) {
+  if (cell_layers.empty() || numbers.is_layered[owner] == 0) return kNotLayered;
+  return cell_layers[cell] != kNotLayered ? cell_layers[cell] : std::uint8_t{0};
+}
+
 Tissue in_layer(Tissue tissue, double thickness_m, double edge_m) {
   if (thickness_m > edge_m) {
     tissue.youngs_modulus_pa += tissue.membrane_n_per_m / thickness_m;

@@ -48,6 +48,11 @@ std::uint8_t layer_at(const TissueNumbers& numbers, double depth_m);
 // The layer of each cell; none where there are no layers at all.
 std::vector<std::uint8_t> cell_layers(const Claims& claims, const TissueNumbers& numbers);
 
+// That of a voxel, kNotLayered where none replaces its owner. Where the cell is another owner's
+// (sheets.h) the row enters: the first layer.
+std::uint8_t voxel_layer(const TissueNumbers& numbers, const std::vector<std::uint8_t>& cell_layers,
+                         std::size_t cell, std::uint16_t owner);
+
 // A tissue in a layer of this thickness.
 Tissue in_layer(Tissue tissue, double thickness_m, double edge_m);
 

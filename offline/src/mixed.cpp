@@ -98,10 +98,17 @@ double length_before(const Plane& plane, Vec from, Vec to) {
 // Where layers are: how deep the rows through each sample have come, in edges.
 using Depths = std::array<double, kSamples>;
 
-// A cell, and what its voxel is.
+// What the samples of a cell lie in: an owner, and a layer where one replaces it.
 struct CellHere {
-  std::size_t cell;
-  std::uint8_t own, layer;
+  OfSamples owner{};
+  std::array<std::uint8_t, kSamples> layer{};
+};
+
+// A voxel, and which of its cell's samples it has.
+struct VoxelHere {
+  std::uint64_t inside;
+  std::uint16_t owner;
+  std::uint8_t material, layer;
 };
 
 Vec with(Vec place, std::size_t axis, double value) {
@@ -123,26 +130,37 @@ Depths depths_in(const Finder& find, std::uint64_t layered, Depths& depths) {
   return at;
 }
 
-// From owners to materials.
-OfSamples materials_of(const Finder& find, const CellHere& here, Depths& depths) {
+CellHere samples_of(const Finder& find, std::size_t cell, Depths& depths) {
   const TissueNumbers& numbers = find.numbers;
-  const OfSamples owner = owners_of(find, here.cell);
+  CellHere here;
+  here.owner = owners_of(find, cell);
+  here.layer.fill(kNotLayered);
+  if (numbers.layers.empty()) return here;
   std::uint64_t layered = 0;
   for (std::uint32_t s = 0; s < kSamples; ++s) {
-    const bool is = owner[s] != kNoOwner && numbers.is_layered[owner[s]] != 0;
+    const bool is = here.owner[s] != kNoOwner && numbers.is_layered[here.owner[s]] != 0;
     layered |= std::uint64_t{is} << s;
   }
-  const Depths depth = numbers.layers.empty() ? Depths{} : depths_in(find, layered, depths);
+  const Depths depth = depths_in(find, layered, depths);
+  for (std::uint32_t s = 0; s < kSamples; ++s) {
+    if ((layered >> s & 1U) == 0) continue;
+    here.layer[s] = layer_at(numbers, depth[s] * find.claims.grid.edge_m);
+  }
+  return here;
+}
+
+// From owners to materials.
+OfSamples materials_of(const TissueNumbers& numbers, const CellHere& here, const VoxelHere& voxel) {
   OfSamples material{};
   for (std::uint32_t s = 0; s < kSamples; ++s) {
-    if (owner[s] == kNoOwner) {
+    const std::uint16_t owner = here.owner[s];
+    const std::uint8_t layer = here.layer[s];
+    if (owner == kNoOwner || (voxel.inside >> s & 1U) == 0) {
       material[s] = kNoTissue;
-    } else if ((layered >> s & 1U) != 0) {
-      const std::uint8_t layer = layer_at(numbers, depth[s] * find.claims.grid.edge_m);
-      material[s] = layer == here.layer ? here.own : numbers.layers[layer].material;
+    } else if (layer != kNotLayered) {
+      material[s] = layer == voxel.layer ? voxel.material : numbers.layers[layer].material;
     } else {
-      material[s] =
-          owner[s] == find.claims.owner[here.cell] ? here.own : numbers.of_owner[owner[s]];
+      material[s] = owner == voxel.owner ? voxel.material : numbers.of_owner[owner];
     }
   }
   return material;
@@ -174,13 +192,26 @@ bool find_other(const Finder& find, const OfSamples& material, std::uint8_t own,
   return true;
 }
 
+// Calls visit(voxel, its samples) for the voxels of a cell.
+template <typename Visit>
+void each_voxel(const Lattice& lattice, std::size_t cell, Visit visit) {
+  auto shared = std::lower_bound(
+      lattice.shared.begin(), lattice.shared.end(), cell,
+      [](const SharedCell& each, std::size_t wanted) { return each.cell < wanted; });
+  if (shared == lattice.shared.end() || shared->cell != cell) {
+    visit(lattice.voxel_of_cell[cell], ~std::uint64_t{0});
+    return;
+  }
+  for (; shared != lattice.shared.end() && shared->cell == cell; ++shared) {
+    visit(shared->voxel, shared->inside);
+  }
+}
+
 }  // namespace
 
 std::vector<OrganMixed> mixed_voxels(const Claims& claims, const SamplePlaces& places,
-                                     const Lattice& lattice,
-                                     const std::vector<std::uint8_t>& material,
-                                     const TissueNumbers& numbers,
-                                     const std::vector<std::uint8_t>& layers) {
+                                     const Lattice& lattice, const VoxelTissues& tissues,
+                                     const TissueNumbers& numbers) {
   const Finder find = {claims, places, numbers, SharesByCell(claims.shares)};
   const Grid& grid = claims.grid;
   const std::size_t axis = numbers.course.axis, u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -196,12 +227,16 @@ std::vector<OrganMixed> mixed_voxels(const Claims& claims, const SamplePlaces& p
           depths = {};
           continue;
         }
-        const std::uint32_t voxel = lattice.voxel_of_cell[cell];
-        const std::uint8_t layer = layers.empty() ? kNotLayered : layers[cell];
-        const std::uint8_t own = voxel == kNoVoxel ? std::uint8_t{0} : material[voxel];
-        const OfSamples found = materials_of(find, {cell, own, layer}, depths);
-        OrganMixed here = {voxel, kNoTissue, 0, 0, 0, 0, 0};
-        if (voxel != kNoVoxel && find_other(find, found, own, here)) mixed.push_back(here);
+        const CellHere here = samples_of(find, cell, depths);
+        each_voxel(lattice, cell, [&](std::uint32_t voxel, std::uint64_t inside) {
+          if (voxel == kNoVoxel) return;  // cut away
+          const std::uint16_t owner = tissues.owner[voxel];
+          const std::uint8_t own = tissues.material[voxel];
+          const std::uint8_t layer = voxel_layer(numbers, tissues.layers, cell, owner);
+          const OfSamples found = materials_of(numbers, here, {inside, owner, own, layer});
+          OrganMixed two = {voxel, kNoTissue, 0, 0, 0, 0, 0};
+          if (find_other(find, found, own, two)) mixed.push_back(two);
+        });
       }
     }
   }

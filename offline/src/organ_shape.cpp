@@ -3,12 +3,18 @@
 
 namespace stylet::bake {
 
-std::vector<Cell> cells_of(const Organ& organ) {
+std::vector<Cell> lattice_cells_of(const Organ& organ) {
   std::vector<Cell> cells;
   cells.reserve(organ.voxel_count);
   for (const OrganRun& run : organ.runs) {
     for (std::uint32_t i = 0; i < run.count; ++i) cells.push_back({run.x + i, run.y, run.z});
   }
+  return cells;
+}
+
+std::vector<Cell> cells_of(const Organ& organ) {
+  std::vector<Cell> cells = lattice_cells_of(organ);
+  for (Cell& cell : cells) cell[1] %= organ.sheet_rows;
   return cells;
 }
 

@@ -15,7 +15,9 @@ namespace stylet::bake {
 
 using Cell = std::array<std::uint32_t, 3>;
 
-std::vector<Cell> cells_of(const Organ& organ);  // of each voxel
+// Of each voxel: in space, and in the lattice, where sheets lie one behind the other along y.
+std::vector<Cell> cells_of(const Organ& organ);
+std::vector<Cell> lattice_cells_of(const Organ& organ);
 
 // Voxel by cell; kEmptyCell where there is none.
 constexpr std::uint32_t kEmptyCell = 0xFFFFFFFF;

@@ -219,7 +219,7 @@ Colour colour_of(const std::string& tissue, std::size_t index) {
 }
 
 Section best_section(const Organ& organ, const std::vector<Cell>& cells, std::size_t axis) {
-  const std::uint32_t layers[3] = {organ.size_x, organ.size_y, organ.size_z};
+  const std::uint32_t layers[3] = {organ.size_x, organ.sheet_rows, organ.size_z};
   std::vector<std::uint64_t> tissues(layers[axis], 0);
   std::vector<std::size_t> voxels(layers[axis], 0);
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -245,7 +245,8 @@ std::string section_svg(const Organ& organ, const std::vector<Cell>& cells,
   const double edge_m = static_cast<double>(organ.voxel_edge_m);
   const double at_m = low_corner_m(organ, middle)[section.axis] + edge_m / 2;
   const Place a = place_mm(sheet, low_corner_m(organ, {0, 0, 0}));
-  const Place b = place_mm(sheet, low_corner_m(organ, {organ.size_x, organ.size_y, organ.size_z}));
+  const Place b =
+      place_mm(sheet, low_corner_m(organ, {organ.size_x, organ.sheet_rows, organ.size_z}));
   const double margin = edge_m * 1e3, width = b.u - a.u, height = std::fabs(b.v - a.v);
   const double stroke = std::max(width, height) / 130;
   return fmt::format(

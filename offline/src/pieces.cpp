@@ -84,42 +84,10 @@ class MapPieces {
 
 // ---- gaps ---------------------------------------------------------------------------------------
 
-// Samples nearer than this hang together. Flat cuts through a cell then leave one part but for
-// specks of up to three samples (in 1 of 1000 cuts more); neighbours that a cut grazes may be apart
-// with a little in each.
-constexpr double kReach = 0.36;
-constexpr int kLeastPart = 6, kLeastNeighbour = 16;
-
-using Near = std::array<std::uint64_t, 64>;
-
-// Of each sample, those near it in the cell at `offset`.
-Near near_samples(const SamplePlaces& places, Vec offset) {
-  Near near{};
-  for (std::size_t i = 0; i < near.size(); ++i) {
-    for (std::size_t j = 0; j < near.size(); ++j) {
-      const bool is_near = length(places[j] + offset - places[i]) < kReach;
-      near[i] |= static_cast<std::uint64_t>(is_near) << j;
-    }
-  }
-  return near;
-}
-
-std::uint64_t reached(std::uint64_t from, const Near& near) {
-  std::uint64_t all = 0;
-  for (; from != 0; from &= from - 1) all |= near[static_cast<unsigned>(std::countr_zero(from))];
-  return all;
-}
-
 bool is_split(std::uint64_t bits, const Near& near) {
   int large_parts = 0;
-  while (bits != 0) {
-    std::uint64_t part = bits & (~bits + 1), before = 0;
-    while (part != before) {
-      before = part;
-      part |= reached(part, near) & bits;
-    }
+  for (const std::uint64_t part : connected_parts(bits, near)) {
     large_parts += std::popcount(part) >= kLeastPart ? 1 : 0;
-    bits &= ~part;
   }
   return large_parts > 1;
 }
@@ -160,9 +128,10 @@ std::vector<PieceCount> label_pieces(const Claims& claims, const LabelMap& map,
 std::size_t closed_gaps(const Claims& claims, const SamplePlaces& places) {
   const Grid& grid = claims.grid;
   const std::size_t row = grid.size[0], plane = row * grid.size[1];
-  const Near near = near_samples(places, {});
-  const Near across[3] = {near_samples(places, {1, 0, 0}), near_samples(places, {0, 1, 0}),
-                          near_samples(places, {0, 0, 1})};
+  const Near near = near_samples(places, {}, kReach);
+  const Near across[3] = {near_samples(places, {1, 0, 0}, kReach),
+                          near_samples(places, {0, 1, 0}, kReach),
+                          near_samples(places, {0, 0, 1}, kReach)};
   std::size_t gaps = 0;
   for (std::size_t cell = 0; cell < claims.inside.size(); ++cell) {
     const std::uint64_t bits = claims.inside[cell];

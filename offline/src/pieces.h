@@ -5,6 +5,7 @@
 
 #include "label_groups.h"
 #include "lattice.h"
+#include "sample_parts.h"
 
 namespace stylet::bake {
 

@@ -21,14 +21,30 @@ void each_earlier_neighbour(const Cell& at, Visit visit) {
   }
 }
 
-std::vector<LatticePiece> find_pieces(const Organ& organ, const std::vector<Cell>& cells,
-                                      const VoxelGrid& grid) {
+// Any voxel at a node of the lattice.
+std::uint32_t voxel_at_node(const VoxelGrid& grid, std::int64_t x, std::int64_t y, std::int64_t z) {
+  for (int n = 0; n < 8; ++n) {
+    const std::uint32_t voxel = voxel_at(grid, x - (n & 1), y - (n >> 1 & 1), z - (n >> 2));
+    if (voxel != kEmptyCell) return voxel;
+  }
+  return kEmptyCell;
+}
+
+// Through shared nodes in a sheet, and through ties between sheets.
+std::vector<LatticePiece> find_pieces(const Organ& organ) {
+  const std::vector<Cell> cells = lattice_cells_of(organ);
+  const VoxelGrid grid = voxel_grid(organ, cells);
   std::vector<std::uint32_t> parent = each_by_itself(cells.size());
   for (std::uint32_t voxel = 0; voxel < cells.size(); ++voxel) {
     each_earlier_neighbour(cells[voxel], [&](std::int64_t x, std::int64_t y, std::int64_t z) {
       const std::uint32_t other = voxel_at(grid, x, y, z);
       if (other != kEmptyCell) join(parent, voxel, other);
     });
+  }
+  for (const OrganTie& tie : organ.ties) {
+    const std::uint32_t one = voxel_at_node(grid, tie.x, tie.y, tie.z);
+    const std::uint32_t other = voxel_at_node(grid, tie.x, tie.to_y, tie.z);
+    if (one != kEmptyCell && other != kEmptyCell) join(parent, one, other);
   }
   const auto edge = static_cast<double>(organ.voxel_edge_m);
   std::vector<LatticePiece> pieces;
@@ -127,7 +143,7 @@ Quality measure_quality(const Organ& organ, const Mesh& input_m, const Progress&
   const std::vector<Cell> cells = cells_of(organ);
   const VoxelGrid grid = voxel_grid(organ, cells);
   Quality quality;
-  quality.pieces = find_pieces(organ, cells, grid);
+  quality.pieces = find_pieces(organ);
   quality.thin_voxels = static_cast<std::size_t>(
       std::count(organ.voxel_fill.begin(), organ.voxel_fill.end(), std::uint8_t{1}));
   if (input_m.triangles.empty()) return quality;

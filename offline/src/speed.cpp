@@ -91,7 +91,7 @@ Vec3 near_middle(const Organ& organ) {
   double x = 0, y = 0;
   for (const OrganRun& run : organ.runs) {
     x += run.count * (run.x + 0.5 * run.count);
-    y += run.count * (run.y + 0.5);
+    y += run.count * (run.y % organ.sheet_rows + 0.5);
   }
   const auto at = [&](double sum) { return static_cast<float>(sum / organ.voxel_count + 0.3); };
   const float edge_m = organ.voxel_edge_m;

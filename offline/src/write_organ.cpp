@@ -5,6 +5,7 @@
 
 #include "organ_generated.h"
 #include "refusal.h"
+#include "stylet/content_sum.h"
 
 namespace stylet::bake {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
 
-constexpr std::uint32_t kPlainFormat = 1, kFormatWithMixed = 2;
+constexpr std::uint32_t kFormatVersion = 2;
 
 // Our plain structs and the generated ones have the same bytes.
 template <typename Theirs, typename Mine>
@@ -49,6 +50,12 @@ Offset<format::Provenance> write_provenance(FlatBufferBuilder& builder, const Or
   return format::CreateProvenance(builder, version, options, list);
 }
 
+Offset<format::Sheets> write_sheets(FlatBufferBuilder& builder, const Lattice& lattice) {
+  const auto ties = write_structs<format::Tie>(builder, lattice.ties);
+  const auto parts = write_structs<format::Part>(builder, lattice.parts);
+  return format::CreateSheets(builder, static_cast<std::uint16_t>(lattice.sheet_rows), ties, parts);
+}
+
 void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
   const Lattice& lattice = parts.lattice;
   const Grid& grid = lattice.grid;
@@ -70,14 +77,18 @@ void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
   const auto mixed = has_mixed ? write_structs<format::Mixed>(builder, parts.mixed)
                                : Offset<flatbuffers::Vector<const format::Mixed*>>();
   const auto provenance = write_provenance(builder, parts);
+  const bool has_sheets = lattice.sheets > 1;
+  const auto sheets = has_sheets ? write_sheets(builder, lattice) : Offset<format::Sheets>();
+  const auto seal = builder.CreateVector(std::vector<std::uint8_t>(32, 0));  // sealed below
   const auto f = [](double value) { return static_cast<float>(value); };
   const auto u = [](std::uint32_t value) { return static_cast<std::uint16_t>(value); };
   format::FinishOrganBuffer(
-      builder, format::CreateOrgan(builder, has_mixed ? kFormatWithMixed : kPlainFormat, name,
-                                   f(grid.edge_m), f(grid.origin_m.x), f(grid.origin_m.y),
-                                   f(grid.origin_m.z), u(grid.size[0]), u(grid.size[1]),
-                                   u(grid.size[2]), runs, voxel_material, voxel_fill, voxel_fixed,
-                                   material_list, vertices, triangles, spheres, provenance, mixed));
+      builder,
+      format::CreateOrgan(builder, kFormatVersion, name, f(grid.edge_m), f(grid.origin_m.x),
+                          f(grid.origin_m.y), f(grid.origin_m.z), u(grid.size[0]),
+                          u(lattice.sheets * lattice.sheet_rows), u(grid.size[2]), runs,
+                          voxel_material, voxel_fill, voxel_fixed, material_list, vertices,
+                          triangles, spheres, provenance, mixed, sheets, seal));
 }
 
 }  // namespace
@@ -93,6 +104,9 @@ std::vector<std::byte> write_organ(const OrganParts& parts) {
   if (organ_open(bytes, organ, &refusal) != Status::kOk) {
     refuse("the organ does not pass the kernel's check: {}", describe(refusal));
   }
+  const auto sum = content_sha256(bytes, organ);
+  const auto place = reinterpret_cast<const std::byte*>(organ.content_sha256.data()) - bytes.data();
+  std::memcpy(bytes.data() + place, sum.data(), sum.size());
   return bytes;
 }
 

@@ -58,23 +58,25 @@ TEST(Damage, EveryCutIsRefused) {
   }
 }
 
-TEST(Damage, NoFlippedByteCrashes) {
+// By its structure, its values or its sum, or because it has none; and what the kernel opens does
+// not crash.
+TEST(Damage, EveryFlippedByteIsRefused) {
   std::vector<std::byte> bytes = small_organ();
-  std::size_t refusals = 0;
+  std::size_t by_the_sum = 0;
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     for (const std::byte mask : {std::byte{0xFF}, std::byte{0x80}, std::byte{0x01}}) {
       bytes[i] ^= mask;
       Organ organ;
-      if (refused(bytes)) {
-        ++refusals;
-      } else if (organ_open(bytes, organ) == Status::kOk) {
+      EXPECT_TRUE(refused(bytes)) << i;
+      if (organ_open(bytes, organ) == Status::kOk) {
+        ++by_the_sum;
         walk(organ);
         (void)bake::organ_text(bake::organ_facts(organ, bytes));
       }
       bytes[i] ^= mask;
     }
   }
-  EXPECT_GT(refusals, bytes.size() / 10);
+  EXPECT_GT(by_the_sum, bytes.size() / 10);
 }
 
 TEST(Damage, WordsSetToExtremesDoNotCrash) {
@@ -85,7 +87,8 @@ TEST(Damage, WordsSetToExtremesDoNotCrash) {
     for (const std::uint32_t word : {0U, 1U, 0x7FFFFFFFU, 0x80000000U, 0xFFFFFFFFU, 0x7FC00000U}) {
       std::memcpy(bytes.data() + i, &word, 4);
       Organ organ;
-      if (!refused(bytes) && organ_open(bytes, organ) == Status::kOk) walk(organ);
+      (void)refused(bytes);
+      if (organ_open(bytes, organ) == Status::kOk) walk(organ);
     }
     std::memcpy(bytes.data() + i, saved, 4);
   }

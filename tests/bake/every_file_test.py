@@ -9,6 +9,7 @@ import json
 import math
 import os
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
@@ -156,18 +157,32 @@ class OrganFiles(Case):
         with self.assertRaisesRegex(ValueError, "expected the letters STLO"):
             read_organ(RECIPE)
 
-    def test_any_changed_byte_is_known(self):
+    def test_any_changed_byte_is_known_by_all_who_read(self):
+        sys.path.insert(0, str(SOURCE / "offline/analysis"))
+        from read_organ import read_organ
         path = self.build()
         self.assertIn("the bytes that were built", self.tool("check", path).stdout)
-        subprocess.run(["sha256sum", "--status", "-c", f"{path.name}.sha256"], cwd=self.folder,
-                       check=True)
-        whole = path.read_bytes()
+        whole, by_the_sum = path.read_bytes(), 0
         for at in range(0, len(whole), len(whole) // 97):
             path.write_bytes(whole[:at] + bytes([whole[at] ^ 1]) + whole[at + 1:])
-            self.check_refused(self.tool("check", path), "expected")
-        path.write_bytes(whole)
+            done = self.tool("check", path)
+            self.check_refused(done, "expected")
+            by_the_sum += "content_sha256" in done.stderr
+            with self.assertRaises((ValueError, struct.error)):
+                read_organ(path)
+            if at % 8 == 0:
+                self.assertEqual(self.tool("info", path).returncode, 1)
+        self.assertGreater(by_the_sum, 20)
+
+    def test_the_sum_beside_a_file_says_whether_it_is_that_file(self):
+        path = self.build()
+        self.assertIn("those of the sum beside it", self.tool("check", path).stdout)
+        subprocess.run(["sha256sum", "--status", "-c", f"{path.name}.sha256"], cwd=self.folder,
+                       check=True)
+        self.tool("phantom", "layered", "--voxel-mm", 6, "-o", path)
+        self.check_refused(self.tool("check", path), "expected the file that lay beside it")
         (self.folder / "a.organ.sha256").unlink()
-        self.assertIn("no sum beside it", self.tool("check", path).stdout)
+        self.assertEqual(self.tool("check", path).returncode, 0)
 
 
 class Memory(Case):

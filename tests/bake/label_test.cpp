@@ -577,6 +577,20 @@ TEST(Recipe, TakesNumbersAndNames) {
   EXPECT_EQ(recipe.groups[1].tissue, "vessel");
   EXPECT_THAT(recipe.groups[1].labels, testing::ElementsAre(52, 64));
   EXPECT_EQ(recipe.names.at(52), "aorta");
+  EXPECT_FALSE(recipe.open_gaps);
+}
+
+TEST(Recipe, SaysWhetherGapsStayOpen) {
+  const Scratch scratch;
+  const auto open_gaps = [&](const std::string& gaps) {
+    return bake::read_recipe(scratch.write("r.toml",
+                                           "[tissues]\nliver = [1]\n[contact]\n"
+                                           "touching = \"shared\"\ngaps = " +
+                                               gaps + "\n"))
+        .open_gaps;
+  };
+  EXPECT_TRUE(open_gaps("\"open\""));
+  EXPECT_FALSE(open_gaps("\"closed\""));
 }
 
 TEST(Recipe, RefusesWithFileAndLine) {
@@ -605,6 +619,9 @@ TEST(Recipe, RefusesWithFileAndLine) {
       {"[wall]\ntissue = \"fat\"\n[tissues]\nliver = [5]\n", "r.toml:1: [[wall]]: expected tissue"},
       {"[[wall]]\ntissue = \"fat\"\n[tissues]\nliver = [5]\n", "r.toml:1: [[wall]]: expected"},
       {"[[wall]]\ntissue = \"fat\"\nthickness_mm = -1\n", "thickness_mm: expected a number"},
+      {"[contact]\ntouching = \"sliding\"\n", "r.toml:2: touching: expected \"shared\": organs"},
+      {"[contact]\ngaps = true\n", "r.toml:2: gaps: expected gaps = \"open\" or \"closed\""},
+      {"[contact]\nsliding = true\n", "r.toml:2: sliding: expected gaps = "},
       {"[names]\na = 1\n", "expected a table [tissues]"},
       {"[tissues]\n", "[tissues]: expected at least one"},
       {"[tissues\n", "r.toml:"}};

@@ -5,6 +5,7 @@
 
 #include "bake_support.h"
 #include "crop.h"
+#include "organ_places.h"
 #include "phantom.h"
 #include "refusal.h"
 #include "stylet/limits.h"
@@ -16,18 +17,6 @@ namespace {
 using bake::BuildOptions;
 using bake::Built;
 using bake::Vec;
-
-struct Cell {
-  std::uint32_t x, y, z;
-};
-
-std::vector<Cell> cells_of(const Organ& organ) {
-  std::vector<Cell> cells;
-  for (const OrganRun& run : organ.runs) {
-    for (std::uint32_t i = 0; i < run.count; ++i) cells.push_back({run.x + i, run.y, run.z});
-  }
-  return cells;
-}
 
 std::vector<Vec> positions_of(const Organ& organ) {
   const std::vector<Cell> cells = cells_of(organ);
@@ -219,39 +208,6 @@ TEST(Layers, TakeThePlaceOfOneInputFromItsSurfaceOn) {
   }
 }
 
-// The material at a place, as the file says it; kNoTissue outside the lattice, too.
-int material_at(const Organ& organ, const std::vector<Cell>& cells, Vec place) {
-  const double edge = static_cast<double>(organ.voxel_edge_m);
-  const Vec origin = {static_cast<double>(organ.origin_m.x), static_cast<double>(organ.origin_m.y),
-                      static_cast<double>(organ.origin_m.z)};
-  const Vec at = (place - origin) * (1 / edge);
-  const Vec low = {std::floor(at.x), std::floor(at.y), std::floor(at.z)};
-  for (std::uint32_t i = 0; i < cells.size(); ++i) {
-    if (cells[i].x != low.x || cells[i].y != low.y || cells[i].z != low.z) continue;
-    const auto two = std::find_if(organ.mixed.begin(), organ.mixed.end(),
-                                  [i](const OrganMixed& m) { return m.voxel == i; });
-    if (two == organ.mixed.end()) return organ.voxel_material[i];
-    const Vec part = at - low;
-    const double side = static_cast<double>(two->nx) * part.x +
-                        static_cast<double>(two->ny) * part.y +
-                        static_cast<double>(two->nz) * part.z;
-    return side > static_cast<double>(two->limit) ? two->material : organ.voxel_material[i];
-  }
-  return kNoTissue;
-}
-
-// Along `way` from `from`: how far each material reaches, in steps of 1/100 of a voxel.
-std::vector<double> lengths_along(const Organ& organ, Vec from, Vec way, double length_m) {
-  const std::vector<Cell> cells = cells_of(organ);
-  const double step = static_cast<double>(organ.voxel_edge_m) / 100;
-  std::vector<double> lengths(organ.material_count, 0);
-  for (double at = 0.5 * step; at < length_m; at += step) {
-    const int material = material_at(organ, cells, from + way * at);
-    if (material != kNoTissue) lengths[static_cast<std::size_t>(material)] += step;
-  }
-  return lengths;
-}
-
 // A block around the origin.
 bake::Mesh centred_block(Vec size_m, double facet_m) {
   bake::Mesh mesh = bake::block_phantom(size_m, facet_m);
@@ -430,11 +386,11 @@ TEST(Build, SameBytesFromEveryCompiler) {
   options.capsule = "liver_capsule";
   const auto block =
       build_quietly({input_of(bake::block_phantom({0.061, 0.042, 0.024}, 0.005), 1)}, options);
-  EXPECT_EQ(opened(block.bytes).hash, 0x250bcbb48234734cU);
+  EXPECT_EQ(opened(block.bytes).hash, 0xbe02680e2337795bU);
   const auto path = data_folder() / "organs" / "openhelp_Liver.stl";
   SKIP_WITHOUT(path);
   const auto liver = build_quietly({input_of(bake::read_mesh(path).mesh, 1e-3)}, options);
-  EXPECT_EQ(opened(liver.bytes).hash, 0x9ab6d6e486748345U);
+  EXPECT_EQ(opened(liver.bytes).hash, 0x83f31562ef587001U);
 }
 
 }  // namespace

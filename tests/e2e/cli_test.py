@@ -547,6 +547,14 @@ class Refusals(Folder):
         organ.write_bytes(organ.read_bytes()[:1000])
         self.expect_refusal([organ.name], "stylet", "run", SCENE, "--fast", "--organ", organ)
 
+    def test_organ_with_another_value_than_was_written(self):
+        organ = self.make_phantom()
+        whole = organ.read_bytes()
+        fills = whole.index(bytes([255]) * 200) + 100
+        organ.write_bytes(whole[:fills] + bytes([17]) + whole[fills + 1:])
+        self.expect_refusal([organ.name, "content_sha256"], "stylet", "run", SCENE, "--fast",
+                            "--organ", organ)
+
     def test_wrong_key_in_scene(self):
         scene = self.top / "scene.toml"
         scene.write_text(SCENE.read_text() + "\n[needel]\nlength_mm = 1\n")

@@ -2,7 +2,9 @@
 // The seeds that are not text: organs, and inputs of whole insertions. Run after a change of a
 // format. usage: fuzz_make_seeds tests/fuzz/seeds
 #include <fstream>
+#include <memory>
 
+#include "organ_objects.h"  // before organ_generated.h, which it replaces
 #include "session.h"
 
 namespace stylet::test {
@@ -16,6 +18,32 @@ void write(const std::string& path, const void* data, std::size_t size) {
 void write_organ(const std::string& path, const TinyOrgan& tiny) {
   const std::vector<std::byte> bytes = tiny_organ(tiny);
   write(path, bytes.data(), bytes.size());
+}
+
+// What a file of version 2 may have: two sheets with a tie, a cell that both have a part of, a
+// plane between two tissues, and a sum.
+void write_sheets(const std::string& path) {
+  constexpr std::uint16_t kRows = 3;
+  TinyOrgan tiny;
+  tiny.nx = tiny.nz = 2;
+  tiny.ny = 2 * kRows;
+  tiny.fixed_faces = kLowZ;
+  tiny.inside = [](std::uint16_t x, std::uint16_t y, std::uint16_t z) {
+    return y % kRows < 2 && (y < kRows || (x == 1 && z == 1));
+  };
+  const std::vector<std::byte> whole = tiny_organ(tiny);
+  const std::unique_ptr<format::OrganT> organ(format::GetOrgan(whole.data())->UnPack());
+  organ->format_version = 2;
+  organ->sheets = std::make_unique<format::SheetsT>();
+  organ->sheets->rows = kRows;
+  organ->sheets->ties.emplace_back(1, kRows, 1, 0);
+  organ->sheets->parts.emplace_back(1, 0, 1, 0, 0x3333333333333333);
+  organ->sheets->parts.emplace_back(1, kRows, 1, 0, 0xCCCCCCCCCCCCCCCC);
+  organ->mixed.emplace_back(0, kNoTissue, 0, 1.0F, 0.0F, 0.0F, 0.4F);
+  organ->content_sha256.assign(32, 7);
+  flatbuffers::FlatBufferBuilder builder;
+  format::FinishOrganBuffer(builder, format::Organ::Pack(builder, organ.get()));
+  write(path, builder.GetBufferPointer(), builder.GetSize());
 }
 
 void write_organs(const std::string& folder) {
@@ -43,6 +71,7 @@ void write_organs(const std::string& folder) {
   tall.voxel_edge_m = 2e-3F;
   tall.origin_m = {0.1F, -0.2F, 0.05F};
   write_organ(folder + "tall.organ", tall);
+  write_sheets(folder + "sheets.organ");
 }
 
 // Operations as tick_target.cpp reads them: needle, kind, repeats, and their numbers.

@@ -27,11 +27,13 @@ constexpr Price kPrices[] = {
     {"padded voxel and substep", 71},
     {"padded particle and substep", 21},
     {"voxel row and substep", 281},
+    {"tie and substep", 125},
     {"voxel with constraint particles and substep", 980},
     {"eight such voxels of a plane, or fewer, and substep", 1800},
     {"share of a constraint particle in a voxel and substep", 150},
     {"share of a constraint particle in a voxel", 250},
     {"needle", 12000},
+    {"needle and further sheet", 2400},
     {"constraint particle", 3500},
     {"new constraint particle", 16600},
     {"solve of an elastic needle", 44000},
@@ -47,11 +49,13 @@ enum Amount : std::uint32_t {  // in the order of the prices
   kSlots,
   kNodes,
   kRows,
+  kTies,
   kCoupled,
   kEights,
   kShares,
   kMembers,
   kNeedlesUsed,
+  kFurtherSheets,
   kParticles,
   kAdded,
   kSolves,
@@ -127,6 +131,7 @@ inline void add_needle(const View& view, Vec3 shift, TickWork& work) {
   before = particles;
   if (own.handle_known == 0) return;
   ++amount[kNeedlesUsed];
+  amount[kFurtherSheets] += view.model.head->counts.sheets - 1;
   if (own.phase == Phase::kFree || own.tip_alive == 0) ++amount[kSearches];
   const std::uint32_t rods = view.model.rod->rods;
   if (bends(view.needle_config())) {
@@ -150,6 +155,7 @@ inline void count_work(const Kernel& kernel, Vec3 shift, TickWork& work) {
   amount[kSlots] = substeps * head.counts.slots;
   amount[kNodes] = substeps * head.counts.particles;
   amount[kRows] = substeps * head.counts.rows;
+  amount[kTies] = substeps * head.counts.ties;
   for (std::uint32_t plane = 0; plane < head.counts.planes; ++plane) {
     const std::uint32_t voxels =
         view.scratch.plane_first[plane + 1] - view.scratch.plane_first[plane];

@@ -103,6 +103,8 @@ std::vector<Case> lattice_cases() {
   return {
       {"version", [](Owner& o) { o.format_version = 3; }, Status::kOrganVersionUnknown,
        "format_version", 0, 3, "version 1 or 2"},
+      {"sum", [](Owner& o) { o.content_sha256.assign(20, 1); }, Status::kOrganSizesDisagree,
+       "content_sha256", 0, 20, "32 bytes, or none"},
       {"edge", [](Owner& o) { o.voxel_edge_m = 0.25F; }, range, "voxel_edge_m", 0, 0.25,
        "0.0001 to 0.1"},
       {"origin", [](Owner& o) { o.origin_x_m = 128; }, range, "origin_x_m", 0, 128, "within 100 m"},

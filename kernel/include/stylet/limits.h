@@ -10,6 +10,8 @@ namespace stylet {
 constexpr std::uint32_t kMaxVoxels = 4'000'000;
 // Rows (y, z) of the lattice's extent, whether they hold a voxel or not: each costs four bytes.
 constexpr std::uint32_t kMaxRows = 16'000'000;
+// Sheets of a lattice: voxels that lie in one cell of space. A place in the tissue looks at each.
+constexpr std::uint32_t kMaxSheets = 8;
 constexpr std::uint32_t kMaxMaterials = 64;
 constexpr std::uint32_t kMaxVertices = 8'000'000;
 constexpr std::uint32_t kMaxTriangles = 16'000'000;

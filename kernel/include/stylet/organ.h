@@ -38,6 +38,14 @@ struct OrganSphere {
   std::uint32_t first, count;  // count = 0: children first, first + 1; else triangles of a leaf
 };
 
+struct OrganTie {
+  std::uint16_t x, y, z, to_y;
+};
+struct OrganPart {
+  std::uint16_t x, y, z, reserved;
+  std::uint64_t quarters;
+};
+
 struct Material {
   const char* name;
   const char* source;
@@ -61,9 +69,11 @@ struct Organ {
   const void* root = nullptr;  // the FlatBuffers table; only organ.cpp looks inside
   const char* name = nullptr;
   std::uint64_t hash = 0;  // of all bytes
+  std::uint32_t format_version = 0;
   float voxel_edge_m = 0;
   Vec3 origin_m = {};
   std::uint16_t size_x = 0, size_y = 0, size_z = 0;
+  std::uint16_t sheet_rows = 0;  // row y lies at y % sheet_rows in space; size_y of one sheet
   std::uint32_t voxel_count = 0;
   std::uint32_t material_count = 0;
   std::span<const OrganRun> runs;
@@ -74,6 +84,11 @@ struct Organ {
   std::span<const OrganVertex> vertices;
   std::span<const OrganTriangle> triangles;
   std::span<const OrganSphere> spheres;
+  std::span<const OrganTie> ties;
+  std::span<const OrganPart> parts;
+  // SHA-256 of all bytes of the file but these 32, or empty (format version 1). Whoever loads a
+  // file compares: the kernel has no SHA-256.
+  std::span<const std::uint8_t> content_sha256;
 };
 
 // Why a file was refused: where, which value, what was expected. Strings are static.

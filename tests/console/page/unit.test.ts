@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's parts that need no browser.
+import * as flatbuffers from 'flatbuffers';
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
+import * as wire from '../../../hal/console/page/generated/stylet/format/organ';
+import {Run} from '../../../hal/console/page/generated/stylet/format/run';
+import {Sheets} from '../../../hal/console/page/generated/stylet/format/sheets';
 import {waitMs} from '../../../hal/console/page/src/connection';
 
 import {csv, figureSvg, ticksOf, type Figure} from '../../../hal/console/page/src/figure';
@@ -149,6 +153,26 @@ test('the organ and the lattice fit each other, and what does not is said', () =
       assert.ok(Math.abs(at - organ.vertexRest[3 * v + k]) < 1e-6);
     }
   }
+});
+
+test('voxels of all sheets lie at the same place', () => {
+  const b = new flatbuffers.Builder(256);
+  const sheets = Sheets.createSheets(b, 3, 0, 0);
+  wire.Organ.startRunsVector(b, 2);
+  Run.createRun(b, 1, 4, 0, 1);
+  Run.createRun(b, 0, 1, 0, 2);
+  const runs = b.endVector();
+  const none = wire.Organ.createVoxelMaterialVector(b, []);
+  wire.Organ.startOrgan(b);
+  wire.Organ.addSizeY(b, 6);
+  wire.Organ.addRuns(b, runs);
+  wire.Organ.addVoxelMaterial(b, none);
+  wire.Organ.addVoxelFill(b, none);
+  wire.Organ.addMaterials(b, none);
+  wire.Organ.addSheets(b, sheets);
+  b.finish(wire.Organ.endOrgan(b), 'STLO');
+  const places = readOrgan(buffer(b.asUint8Array())).voxelPlace;
+  assert.deepEqual([...places], [0, 1, 0, 1, 1, 0, 1, 1, 0]);
 });
 
 test('normals point outward and have length one', () => {

@@ -19,7 +19,7 @@ export interface Organ {
   name: string;
   edge: number;
   voxelCount: number;
-  voxelPlace: Uint16Array;  // x y z of the lattice, each voxel
+  voxelPlace: Uint16Array;  // x y z of the cell, each voxel
   voxelMaterial: Uint8Array;
   materials: string[];
   vertexVoxel: Uint32Array;
@@ -34,9 +34,10 @@ export class OrganError extends Error {}
 function walkRuns(organ: WireOrgan): Uint16Array {
   const places: number[] = [];
   const run = new Run();
+  const rows = organ.sheets()?.rows() || organ.sizeY();  // of a sheet: all lie at the same place
   for (let i = 0; i < organ.runsLength(); ++i) {
     organ.runs(i, run);
-    const [x, y, z, count] = [run.x(), run.y(), run.z(), run.count()];
+    const [x, y, z, count] = [run.x(), run.y() % rows, run.z(), run.count()];
     for (let along = 0; along < count; ++along) places.push(x + along, y, z);
   }
   return Uint16Array.from(places);

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// What lies where, as an organ file says it: read once more, apart from the kernel.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "bake_support.h"
+
+namespace stylet::test {
+
+struct Cell {
+  std::uint32_t x, y, z;
+};
+
+// Of each voxel, in space.
+inline std::vector<Cell> cells_of(const Organ& organ) {
+  std::vector<Cell> cells;
+  for (const OrganRun& run : organ.runs) {
+    const std::uint32_t y = std::uint32_t{run.y} % organ.sheet_rows;
+    for (std::uint32_t i = 0; i < run.count; ++i) cells.push_back({run.x + i, y, run.z});
+  }
+  return cells;
+}
+
+// The quarters of its cell that are each voxel's own.
+inline std::vector<std::uint64_t> quarters_of(const Organ& organ) {
+  std::vector<std::uint64_t> quarters;
+  for (const OrganRun& run : organ.runs) {
+    for (std::uint32_t i = 0; i < run.count; ++i) {
+      const auto part = std::find_if(
+          organ.parts.begin(), organ.parts.end(),
+          [&](const OrganPart& p) { return p.x == run.x + i && p.y == run.y && p.z == run.z; });
+      quarters.push_back(part == organ.parts.end() ? ~std::uint64_t{0} : part->quarters);
+    }
+  }
+  return quarters;
+}
+
+struct Places {
+  const Organ& organ;
+  std::vector<Cell> cells;
+  std::vector<std::uint64_t> quarters;
+
+  explicit Places(const Organ& of) : organ(of), cells(cells_of(of)), quarters(quarters_of(of)) {}
+
+  // The material at a place; kNoTissue outside the lattice, too.
+  int material_at(bake::Vec place) const {
+    const double edge = static_cast<double>(organ.voxel_edge_m);
+    const bake::Vec origin = {static_cast<double>(organ.origin_m.x),
+                              static_cast<double>(organ.origin_m.y),
+                              static_cast<double>(organ.origin_m.z)};
+    const bake::Vec at = (place - origin) * (1 / edge);
+    const bake::Vec low = {std::floor(at.x), std::floor(at.y), std::floor(at.z)};
+    const bake::Vec part = at - low;
+    const auto quarter = [](double f) { return static_cast<unsigned>(4 * f); };
+    const unsigned bit = quarter(part.x) + 4 * quarter(part.y) + 16 * quarter(part.z);
+    for (std::uint32_t i = 0; i < cells.size(); ++i) {
+      if (cells[i].x != low.x || cells[i].y != low.y || cells[i].z != low.z) continue;
+      if ((quarters[i] >> bit & 1U) == 0) continue;
+      const auto two = std::find_if(organ.mixed.begin(), organ.mixed.end(),
+                                    [i](const OrganMixed& m) { return m.voxel == i; });
+      if (two == organ.mixed.end()) return organ.voxel_material[i];
+      const double side = static_cast<double>(two->nx) * part.x +
+                          static_cast<double>(two->ny) * part.y +
+                          static_cast<double>(two->nz) * part.z;
+      return side > static_cast<double>(two->limit) ? two->material : organ.voxel_material[i];
+    }
+    return kNoTissue;
+  }
+};
+
+// Along `way` from `from`: how far each material reaches, in steps of 1/100 of a voxel.
+inline std::vector<double> lengths_along(const Organ& organ, bake::Vec from, bake::Vec way,
+                                         double length_m) {
+  const Places places(organ);
+  const double step = static_cast<double>(organ.voxel_edge_m) / 100;
+  std::vector<double> lengths(organ.material_count, 0);
+  for (double at = 0.5 * step; at < length_m; at += step) {
+    const int material = places.material_at(from + way * at);
+    if (material != kNoTissue) lengths[static_cast<std::size_t>(material)] += step;
+  }
+  return lengths;
+}
+
+}  // namespace stylet::test

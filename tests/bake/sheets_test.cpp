@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts that do not touch get voxels of their own: what is apart in the input is apart in the
+// kernel, what hangs together stays so, and bodies without gaps come out as they did.
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+#include "bake_support.h"
+#include "label_organ.h"
+#include "organ_places.h"
+#include "quality.h"
+
+namespace stylet::test {
+namespace {
+
+using bake::Mesh;
+using bake::Vec;
+
+bake::BuildOptions split_at(double voxel_mm, bool split) {
+  bake::BuildOptions options;
+  options.voxel_edge_m = voxel_mm * 1e-3;
+  options.split = split;
+  return options;
+}
+
+// Turned, so that no face lies along the grid.
+Mesh turned(Mesh mesh, double angle) {
+  for (Vec& p : mesh.points) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    p = {c * p.x - s * p.y, s * p.x + c * p.y, p.z + 0.3 * p.x};
+  }
+  return mesh;
+}
+
+Mesh ball(double radius, int rings) {
+  Mesh mesh;
+  const double pi = std::numbers::pi;
+  mesh.points = {{0, 0, radius}, {0, 0, -radius}};
+  const auto at = [&](int ring, int i) {
+    return static_cast<std::uint32_t>(2 + (ring - 1) * 2 * rings + (i + 2 * rings) % (2 * rings));
+  };
+  for (int ring = 1; ring < rings; ++ring) {
+    for (int i = 0; i < 2 * rings; ++i) {
+      const double a = pi * ring / rings, b = pi * i / rings;
+      mesh.points.push_back({radius * std::sin(a) * std::cos(b), radius * std::sin(a) * std::sin(b),
+                             radius * std::cos(a)});
+      mesh.triangles.push_back({ring == 1 ? 0 : at(ring - 1, i), at(ring, i), at(ring, i + 1)});
+      if (ring > 1)
+        mesh.triangles.push_back({at(ring - 1, i), at(ring, i + 1), at(ring - 1, i + 1)});
+      if (ring + 1 == rings) mesh.triangles.push_back({1, at(ring, i + 1), at(ring, i)});
+    }
+  }
+  return mesh;
+}
+
+// Two lobes of 40 x 18 x 20, `gap` apart, on a base of 10 below both: one body.
+Mesh two_lobes(double gap) {
+  const std::vector<double> x = {0, 18, 18 + gap, 36 + gap}, z = {0, 10, 30};
+  Mesh mesh;
+  for (const double y : {0.0, 40.0}) {
+    for (const double height : z) {
+      for (const double across : x) mesh.points.push_back({across, y, height});
+    }
+  }
+  const auto at = [](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+    return k * 12 + j * 4 + i;
+  };
+  const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a, c, d});
+  };
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    for (std::uint32_t j = 0; j < 2; ++j) {
+      if (i == 1 && j == 1) continue;  // the gap
+      quad(at(i, j, 0), at(i + 1, j, 0), at(i + 1, j + 1, 0), at(i, j + 1, 0));
+      quad(at(i, j, 1), at(i, j + 1, 1), at(i + 1, j + 1, 1), at(i + 1, j, 1));
+    }
+    const std::uint32_t top = i == 1 ? 1 : 2;
+    quad(at(i, 0, 0), at(i, 0, 1), at(i + 1, 0, 1), at(i + 1, 0, 0));
+    quad(at(i, top, 0), at(i + 1, top, 0), at(i + 1, top, 1), at(i, top, 1));
+  }
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    for (std::uint32_t j = i == 0 || i == 3 ? 0 : 1; j < 2; ++j) {
+      if (i % 2 == 0) {
+        quad(at(i, j, 0), at(i, j + 1, 0), at(i, j + 1, 1), at(i, j, 1));
+      } else {
+        quad(at(i, j, 0), at(i, j, 1), at(i, j + 1, 1), at(i, j + 1, 0));
+      }
+    }
+  }
+  return mesh;
+}
+
+std::size_t pieces_of(const bake::Built& built) {
+  return bake::measure_quality(opened(built.bytes), {}, [](const char*, double) {}).pieces.size();
+}
+
+TEST(Sheets, BodiesWithoutGapsComeOutAsTheyDid) {
+  for (const double voxel_mm : {3.1, 5.0, 7.3}) {
+    for (const Mesh& mesh : {ball(30, 24), turned(box_mesh({0, 0, 0}, {60, 40, 25}), 0.4)}) {
+      const auto plain = build_quietly({input_of(mesh, 1e-3)}, split_at(voxel_mm, false));
+      const auto split = build_quietly({input_of(mesh, 1e-3)}, split_at(voxel_mm, true));
+      EXPECT_EQ(plain.bytes, split.bytes) << voxel_mm;
+    }
+  }
+}
+
+TEST(Sheets, SlabsInOneVoxelAreApart) {
+  const Mesh low = turned(box_mesh({0, 0, 0}, {60, 60, 12}), 0.3);
+  const Mesh high = turned(box_mesh({0, 0, 14.5}, {60, 60, 26}), 0.3);
+  const std::vector<bake::Input> inputs = {input_of(low, 1e-3, "liver"),
+                                           input_of(high, 1e-3, "kidney")};
+  const auto plain = build_quietly(inputs, split_at(5, false));
+  const auto split = build_quietly(inputs, split_at(5, true));
+  EXPECT_EQ(pieces_of(plain), 1U);
+  EXPECT_EQ(pieces_of(split), 2U);
+  const Organ organ = opened(split.bytes);
+  EXPECT_NEAR(volume_m3(organ), volume_m3(opened(plain.bytes)), 0.005 * volume_m3(organ));
+  EXPECT_GT(organ.voxel_count, opened(plain.bytes).voxel_count);
+  EXPECT_FALSE(organ.parts.empty());
+}
+
+// A needle straight through both slabs meets each for as long as it is thick, and the gap between
+// them, whichever voxel of a shared cell it is in.
+TEST(Sheets, BothPartsOfACellAndTheGapAreAsThickAsTheyAre) {
+  const double low_m = 12e-3, high_m = 11.5e-3;
+  const std::vector<bake::Input> inputs = {
+      input_of(turned(box_mesh({0, 0, 0}, {60, 60, 12}), 0.3), 1e-3, "liver"),
+      input_of(turned(box_mesh({0, 0, 14.5}, {60, 60, 26}), 0.3), 1e-3, "kidney")};
+  const auto built = build_quietly(inputs, split_at(5, true));
+  const Organ organ = opened(built.bytes);
+  double sum = 0;
+  constexpr int kLines = 20;
+  for (int i = 0; i < kLines; ++i) {
+    const Vec from = {(20.03 + 0.71 * i) * 1e-3, (20.31 + 0.37 * i) * 1e-3, -0.02};
+    const std::vector<double> lengths = lengths_along(organ, from, {0, 0, 1}, 0.08);
+    for (const double error : {lengths[0] - low_m, lengths[1] - high_m}) {
+      EXPECT_LT(std::abs(error), 1.5e-3) << i;  // 0.3 voxels
+      sum += std::abs(error);
+    }
+  }
+  EXPECT_LT(sum / (2 * kLines), 0.5e-3);
+}
+
+// Two organs of a map of 1 mm, `gap` voxels apart.
+bake::LabelMap two_slabs(std::uint32_t gap) {
+  bake::LabelMap map;
+  map.size = {44, 44, 30};
+  map.step_m = {Vec{1e-3, 0, 0}, Vec{0, 1e-3, 0}, Vec{0, 0, 1e-3}};
+  for (std::uint32_t z = 0; z < map.size[2]; ++z) {
+    for (std::uint32_t y = 0; y < map.size[1]; ++y) {
+      for (std::uint32_t x = 0; x < map.size[0]; ++x) {
+        const bool inside = std::min(x, y) >= 2 && std::max(x, y) < 42;
+        const bool low = z >= 2 && z < 14, high = z >= 14 + gap && z < 28;
+        map.label.push_back(static_cast<std::uint16_t>(!inside ? 0 : low ? 1 : high ? 2 : 0));
+      }
+    }
+  }
+  return map;
+}
+
+TEST(Sheets, OrgansOfAMapAreApartWhereItSaysSoAndShareWhereTheyTouch) {
+  bake::Recipe recipe;
+  recipe.groups = {{"kidney", {2}}, {"liver", {1}}};
+  const auto pieces = [&](std::uint32_t gap, bool split) {
+    return pieces_of(bake::build_labels("map.nrrd", two_slabs(gap), recipe, split_at(5, split),
+                                        [](const char*, double) {}));
+  };
+  EXPECT_EQ(pieces(0, true), 1U);
+  EXPECT_EQ(pieces(3, false), 1U);
+  EXPECT_EQ(pieces(3, true), 2U);
+}
+
+TEST(Sheets, LobesHangTogetherWhereTheyDo) {
+  for (const double angle : {0.0, 0.3, 0.7}) {
+    const Mesh mesh = turned(two_lobes(2.4), angle);
+    const auto split = build_quietly({input_of(mesh, 1e-3)}, split_at(5, true));
+    EXPECT_EQ(pieces_of(split), 1U) << angle;
+    EXPECT_FALSE(opened(split.bytes).ties.empty()) << angle;
+  }
+}
+
+}  // namespace
+}  // namespace stylet::test
