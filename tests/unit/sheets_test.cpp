@@ -337,6 +337,12 @@ TEST(Sheets, RefusedWithTheirPlace) {
             "sheets.ties[0]: the same place of an earlier sheet");
   EXPECT_EQ(refusal_of(tie(24, kCut, 2 * kRows - 1, 200, kRows - 1)),
             "sheets.ties[24]: the same place of an earlier sheet");
+  EXPECT_EQ(refusal_of(tie(0, kCut, kRows, 0, kRows)),
+            "sheets.ties[0]: the same place of an earlier sheet");
+  EXPECT_EQ(refusal_of(tie(24, kCut, 500, kRows - 1, 0)),
+            "sheets.ties[24]: the same place of an earlier sheet");
+  EXPECT_EQ(refusal_of(tie(0, kCut - 1, kRows, 0, 0)), "sheets.ties[0]: nodes of the lattice");
+  EXPECT_EQ(refusal_of(tie(0, kCut + 1, kRows, 0, 0)), "sheets.ties[0]: nodes of the lattice");
   EXPECT_EQ(refusal_of(tie(1, kEdge, kRows + 1, 0, 1)), "sheets.ties[1]: nodes of the lattice");
   EXPECT_EQ(refusal_of([](Owner& o) {
               o.sheets->ties.insert(o.sheets->ties.begin(), {2, 5, 0, 0});
