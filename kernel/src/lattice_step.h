@@ -143,6 +143,7 @@ struct Seen {
   float lambda[kChunk];
 };
 
+// What stage 2 reads and writes, from some slot of a plane on.
 struct Slots {
   Sums sums;
   const float *stiffness, *volume;

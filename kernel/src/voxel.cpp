@@ -6,24 +6,23 @@
 namespace stylet {
 namespace {
 
-// Of a cell in space, the voxel that one of the sheets has there; also where a row has a hole.
-bool voxel_in_sheet(const View& view, std::int32_t x, std::int32_t y, std::int32_t z,
-                    std::uint32_t& slot_out, std::uint32_t& row_out) {
+// Calls visit(slot, row) for the filled voxels of all sheets in a cell of space.
+template <typename Visit>
+void each_voxel(const View& view, std::int32_t x, std::int32_t y, std::int32_t z, Visit visit) {
   const ModelHead& head = *view.model.head;
-  if (x < 0 || y < 0 || z < 0 || x >= head.size_x || y >= head.size_y || z >= head.size_z) {
-    return false;
+  if (y < 0 || y >= head.sheet_rows || z < 0 || z >= head.size_z) return;
+  for (std::int32_t sheet_y = y; sheet_y < head.size_y; sheet_y += head.sheet_rows) {
+    const std::uint32_t index = view.model.row_of[z * head.size_y + sheet_y];
+    if (index == kNoRow) continue;
+    const Row& row = view.model.row[index];
+    if (x < row.x0 || x >= row.x0 + row.count) continue;
+    const std::uint32_t slot = row.slot + static_cast<std::uint32_t>(x - row.x0);
+    if (view.model.slot_k[slot] > 0) visit(slot, index);  // else a hole in the row
   }
-  row_out = view.model.row_of[static_cast<std::uint32_t>(z * head.size_y + y)];
-  if (row_out == kNoRow) return false;
-  const Row& row = view.model.row[row_out];
-  if (x < row.x0 || x >= row.x0 + row.count) return false;
-  slot_out = row.slot + static_cast<std::uint32_t>(x - row.x0);
-  return true;
 }
 
-// Whether a place in its cell (0 to 1 along each axis) is the voxel's own.
+// Whether a place in its cell (0 to 1 along each axis) is the voxel's own. Only with sheets.
 bool is_own(const View& view, std::uint32_t slot, Vec3 f) {
-  if (view.model.head->counts.sheets == 1) return true;
   const auto quarter = [](float v) { return static_cast<std::uint32_t>(clamp(4 * v, 0, 3)); };
   const std::uint32_t bit = quarter(f.x) + 4 * quarter(f.y) + 16 * quarter(f.z);
   return ((view.model.quarters[slot] >> bit) & 1U) != 0;
@@ -32,19 +31,14 @@ bool is_own(const View& view, std::uint32_t slot, Vec3 f) {
 // The filled voxel of a cell in space, of all sheets, for a place `f` in it: its own; else any.
 bool voxel_around(const View& view, Vec3 cell, Vec3 f, std::uint32_t& slot_out,
                   std::uint32_t& row_out) {
-  const ModelHead& head = *view.model.head;
-  const auto x = static_cast<std::int32_t>(cell.x), y = static_cast<std::int32_t>(cell.y);
-  const auto z = static_cast<std::int32_t>(cell.z);
   bool found = false;
-  for (std::int32_t sheet_y = y; sheet_y < head.size_y; sheet_y += head.sheet_rows) {
-    std::uint32_t slot = 0, row = 0;
-    if (!voxel_in_sheet(view, x, sheet_y, z, slot, row)) continue;
-    if (!(view.model.slot_k[slot] > 0)) continue;  // a hole in the row
-    if (found && !is_own(view, slot, f)) continue;
-    found = true;
-    slot_out = slot;
-    row_out = row;
-  }
+  each_voxel(view, static_cast<std::int32_t>(cell.x), static_cast<std::int32_t>(cell.y),
+             static_cast<std::int32_t>(cell.z), [&](std::uint32_t slot, std::uint32_t row) {
+               if (found && !is_own(view, slot, f)) return;
+               found = true;
+               slot_out = slot;
+               row_out = row;
+             });
   return found;
 }
 
@@ -80,18 +74,10 @@ float tent(const Around& around, std::int32_t corner) {
          ((corner & 4) != 0 ? f.z : 1 - f.z);
 }
 
-// Calls visit(slot, row) for the filled voxels of all sheets in one of the cells.
 template <typename Visit>
 void each_voxel(const View& view, const Around& around, std::int32_t corner, Visit visit) {
-  const ModelHead& head = *view.model.head;
-  const std::int32_t x = around.x0 + (corner & 1), y = around.y0 + ((corner >> 1) & 1);
-  const std::int32_t z = around.z0 + (corner >> 2);
-  if (y < 0 || y >= head.sheet_rows) return;
-  for (std::int32_t sheet_y = y; sheet_y < head.size_y; sheet_y += head.sheet_rows) {
-    std::uint32_t slot = 0, row = 0;
-    if (!voxel_in_sheet(view, x, sheet_y, z, slot, row)) continue;
-    if (view.model.slot_k[slot] > 0) visit(slot, row);
-  }
+  each_voxel(view, around.x0 + (corner & 1), around.y0 + ((corner >> 1) & 1),
+             around.z0 + (corner >> 2), visit);
 }
 
 // The eight cells have one node in common. With sheets, which particle is there depends on the part

@@ -116,22 +116,24 @@ std::vector<Vec> inward(const std::vector<Vec>& points, const std::vector<Triang
 // The voxel of a cell that a place belongs to; `below` points inward from there.
 std::uint32_t voxel_for(const Lattice& lattice, CellPlace at, Vec place, Vec below) {
   constexpr double kDepth = 0.15;
-  const auto cell = static_cast<std::uint32_t>(cell_index(lattice.grid, at.x, at.y, at.z));
-  const auto first = std::lower_bound(
-      lattice.shared.begin(), lattice.shared.end(), cell,
-      [](const SharedCell& each, std::uint32_t wanted) { return each.cell < wanted; });
+  const std::size_t cell = cell_index(lattice.grid, at.x, at.y, at.z);
   const Vec in_cell = place + below * kDepth - Vec{1.0 * at.x, 1.0 * at.y, 1.0 * at.z};
   std::uint32_t bit = 0;
   for (std::size_t axis = 3; axis-- > 0;) {
     bit = bit * 4 + static_cast<std::uint32_t>(std::clamp(std::floor(in_cell[axis] * 4), 0.0, 3.0));
   }
-  for (auto each = first; each != lattice.shared.end() && each->cell == cell; ++each) {
-    if ((each->quarters >> bit & 1U) != 0) return each->voxel;
+  for (const SharedCell& each : shared_in(lattice, cell)) {
+    if ((each.quarters >> bit & 1U) != 0) return each.voxel;
   }
   return lattice.voxel_of_cell[cell];
 }
 
 }  // namespace
+
+std::span<const SharedCell> shared_in(const Lattice& lattice, std::size_t cell) {
+  const auto found = std::ranges::equal_range(lattice.shared, cell, {}, &SharedCell::cell);
+  return {found.begin(), found.end()};
+}
 
 std::uint8_t fill_of(std::uint64_t inside) {
   const auto samples = static_cast<unsigned>(std::popcount(inside));

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,9 @@ struct Lattice {
   std::vector<SharedCell> shared;  // by cell and voxel
 };
 constexpr std::uint32_t kNoVoxel = 0xFFFFFFFF;
+
+// The voxels of a cell that share it; none where there is one voxel at most.
+std::span<const SharedCell> shared_in(const Lattice& lattice, std::size_t cell);
 
 // The part of a voxel's volume that is filled, in 255ths, 1 at least.
 std::uint8_t fill_of(std::uint64_t inside);

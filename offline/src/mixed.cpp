@@ -195,16 +195,9 @@ bool find_other(const Finder& find, const OfSamples& material, std::uint8_t own,
 // Calls visit(voxel, its samples) for the voxels of a cell.
 template <typename Visit>
 void each_voxel(const Lattice& lattice, std::size_t cell, Visit visit) {
-  auto shared = std::lower_bound(
-      lattice.shared.begin(), lattice.shared.end(), cell,
-      [](const SharedCell& each, std::size_t wanted) { return each.cell < wanted; });
-  if (shared == lattice.shared.end() || shared->cell != cell) {
-    visit(lattice.voxel_of_cell[cell], ~std::uint64_t{0});
-    return;
-  }
-  for (; shared != lattice.shared.end() && shared->cell == cell; ++shared) {
-    visit(shared->voxel, shared->inside);
-  }
+  const std::span<const SharedCell> shared = shared_in(lattice, cell);
+  if (shared.empty()) visit(lattice.voxel_of_cell[cell], ~std::uint64_t{0});
+  for (const SharedCell& each : shared) visit(each.voxel, each.inside);
 }
 
 }  // namespace

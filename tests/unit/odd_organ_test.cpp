@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "layout.h"
-#include "organ_objects.h"  // before organ_generated.h, which it replaces
+#include "owned_organ.h"
 #include "promises.h"
 #include "session.h"
 #include "voxel.h"
@@ -17,19 +17,6 @@ namespace stylet::test {
 namespace {
 
 constexpr std::uint16_t kNx = 7, kNy = 5, kNz = 5;
-
-using Owner = format::OrganT;
-
-std::vector<std::byte> bytes_of(const Owner& owner) {
-  flatbuffers::FlatBufferBuilder builder;
-  format::FinishOrganBuffer(builder, format::Organ::Pack(builder, &owner));
-  const auto* bytes = reinterpret_cast<const std::byte*>(builder.GetBufferPointer());
-  return {bytes, bytes + builder.GetSize()};
-}
-
-std::unique_ptr<OpenOrgan> packed(const Owner& owner) {
-  return open_organ(bytes_of(owner));
-}
 
 std::unique_ptr<Owner> block() {
   TinyOrgan tiny;

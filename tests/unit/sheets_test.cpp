@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "layout.h"
-#include "organ_objects.h"  // before organ_generated.h, which it replaces
+#include "owned_organ.h"
 #include "session.h"
 #include "voxel.h"
 
@@ -20,19 +20,6 @@ namespace {
 
 constexpr std::uint16_t kEdge = 4, kRows = kEdge + 1, kCut = 2;
 constexpr std::uint64_t kLeft = 0x3333333333333333;  // the quarters at the low side of x
-
-using Owner = format::OrganT;
-
-std::vector<std::byte> bytes_of(const Owner& owner) {
-  flatbuffers::FlatBufferBuilder builder;
-  format::FinishOrganBuffer(builder, format::Organ::Pack(builder, &owner));
-  const auto* bytes = reinterpret_cast<const std::byte*>(builder.GetBufferPointer());
-  return {bytes, bytes + builder.GetSize()};
-}
-
-std::unique_ptr<OpenOrgan> packed(const Owner& owner) {
-  return open_organ(bytes_of(owner));
-}
 
 std::unique_ptr<Owner> without_surface(const TinyOrgan& tiny) {
   std::unique_ptr<Owner> owner(format::GetOrgan(tiny_organ(tiny).data())->UnPack());
