@@ -52,10 +52,10 @@ part "fast tests with clang" \
   clang again -E '^(check|rt_host|cross|rt\.determinism|fuzz\.short)'
 # Left out: scripts, and the longest, of code that others run too.
 part "fast tests under the address and undefined-behaviour sanitizers" \
-  sanitize again -E '^(check|rt_host)|ripple|calculix'
+  sanitize again -E '^(check|rt_host|bench|bake\.cohort|coupling_energy)|ripple|calculix'
 # The others have one thread, and so have the two of hal left out.
 part "fast tests under the thread sanitizer" \
-  sanitize-threads again -R '^(hal|rt_(memory|team)|console)' -E '^hal_(coupling|steered)'
+  sanitize-threads again -R '^(hal|rt_team|console)|InTwoThreads' -E '^hal_(coupling|steered)'
 [ "$tier" = full ] || part "night tests" release labelled night
 
 use_preset release

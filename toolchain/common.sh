@@ -65,8 +65,10 @@ run_tests() {
   say "Testing ($preset)"
   local results=$build/Testing/results
   results+=/$(cksum <<<"$*" | cut -d' ' -f1).xml
-  ctest --test-dir "$build" --output-on-failure -j 2 --output-junit "$results" \
-    --test-output-size-passed 100000 "$@" || {
+  # Libraries leak too; only the address sanitizer asks.
+  LSAN_OPTIONS="suppressions=$root/toolchain/leaks.txt:print_suppressions=0" \
+    ctest --test-dir "$build" --output-on-failure -j 2 --output-junit "$results" \
+      --test-output-size-passed 100000 "$@" || {
     local status=$?
     die "some tests failed; they are listed above" \
       "One of them again, with its output:  ctest --test-dir ${build#"$root"/} -V -R NAME" \

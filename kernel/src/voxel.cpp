@@ -56,9 +56,10 @@ struct Around {
 
 Around cells_around(const ModelHead& head, Vec3 rest_m) {
   const Vec3 g = head.inverse_edge_per_m * (rest_m - head.origin_m) - Vec3{0.5F, 0.5F, 0.5F};
-  // Truncation of a shifted value: floor without libm. Points this far out have no voxel anyway.
+  // Truncation of a shifted value: floor without libm. Points this far out have no voxel anyway,
+  // and a place that is not a number becomes one of them.
   const auto whole = [](float v) {
-    return static_cast<std::int32_t>(clamp(v, -2, 70000) + 4.0F) - 4;
+    return static_cast<std::int32_t>(max_of(-2, min_of(v, 70000)) + 4.0F) - 4;
   };
   const std::int32_t x0 = whole(g.x), y0 = whole(g.y), z0 = whole(g.z);
   return {x0,

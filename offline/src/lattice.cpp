@@ -131,8 +131,10 @@ std::uint32_t voxel_for(const Lattice& lattice, CellPlace at, Vec place, Vec bel
 }  // namespace
 
 std::span<const SharedCell> shared_in(const Lattice& lattice, std::size_t cell) {
-  const auto found = std::ranges::equal_range(lattice.shared, cell, {}, &SharedCell::cell);
-  return {found.begin(), found.end()};
+  const auto first = std::ranges::lower_bound(lattice.shared, cell, {}, &SharedCell::cell);
+  const auto behind =
+      std::ranges::upper_bound(first, lattice.shared.end(), cell, {}, &SharedCell::cell);
+  return {first, behind};
 }
 
 std::uint8_t fill_of(std::uint64_t inside) {

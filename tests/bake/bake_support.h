@@ -83,6 +83,7 @@ inline Organ opened(const std::vector<std::byte>& bytes) {
   EXPECT_EQ(organ_open(bytes, organ), Status::kOk);
   return organ;
 }
+Organ opened(std::vector<std::byte>&&) = delete;  // the organ looks into the bytes
 
 // Filled volume of all voxels, m^3.
 inline double volume_m3(const Organ& organ) {

@@ -172,8 +172,9 @@ TEST(Phantom, LiverHasCapsuleAndParenchymaAndItsSize) {
 TEST(Phantom, LayersLieAlongX) {
   BuildOptions options;
   options.layers = {{0.005, "skin"}, {0.010, "fat"}, {0.001, "liver"}};
-  const Organ organ = opened(
-      build_quietly({input_of(bake::block_phantom({0.04, 0.02, 0.02}, 0.005), 1)}, options).bytes);
+  const Built built =
+      build_quietly({input_of(bake::block_phantom({0.04, 0.02, 0.02}, 0.005), 1)}, options);
+  const Organ organ = opened(built.bytes);
   const std::vector<Cell> cells = cells_of(organ);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const int expected = cells[i].x < 1 ? 0 : cells[i].x < 3 ? 1 : 2;
@@ -193,10 +194,10 @@ TEST(Layers, TakeThePlaceOfOneInputFromItsSurfaceOn) {
   BuildOptions options;
   options.layers = {{0.006, "skin"}, {0.003, "fat"}, {0.001, "muscle"}};
   options.layer_course = {2, true, "fascia"};
-  const Organ organ = opened(build_quietly({input_of(high, 1, "fascia"), input_of(low, 1, "fascia"),
-                                            input_of(below, 1, "kidney")},
-                                           options)
-                                 .bytes);
+  const Built built = build_quietly(
+      {input_of(high, 1, "fascia"), input_of(low, 1, "fascia"), input_of(below, 1, "kidney")},
+      options);
+  const Organ organ = opened(built.bytes);
   const std::vector<Cell> cells = cells_of(organ);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const bool in_high = cells[i].x < 4;
@@ -311,7 +312,8 @@ TEST(Attachments, HoldExactlyTheCornersOfTheRegion) {
   const auto held = [&](const std::vector<bake::Region>& regions) {
     BuildOptions options;
     options.held = regions;
-    const Organ organ = opened(build_quietly({input_of(block, 1)}, options).bytes);
+    const Built built = build_quietly({input_of(block, 1)}, options);
+    const Organ organ = opened(built.bytes);
     const std::vector<Cell> cells = cells_of(organ);
     std::size_t at_low_x = 0, others = 0;
     for (std::size_t i = 0; i < organ.voxel_fixed.size(); ++i) {

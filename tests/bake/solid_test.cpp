@@ -26,7 +26,8 @@ double built_volume_ml(const Mesh& mesh_m, double voxel_mm, bool wrap = false) {
   BuildOptions options;
   options.voxel_edge_m = voxel_mm * kMm;
   options.wrap = wrap;
-  return volume_m3(opened(build_quietly({input_of(mesh_m, 1)}, options).bytes)) * 1e6;
+  const bake::Built built = build_quietly({input_of(mesh_m, 1)}, options);
+  return volume_m3(opened(built.bytes)) * 1e6;
 }
 
 Mesh block_mm(double x, double y, double z) {

@@ -71,12 +71,12 @@ TEST(Fit, TakesTheFinestEdgeWithinTheVoxels) {
   for (const std::uint32_t most : {100U, 3000U, 20000U}) {
     bake::BuildOptions options;
     options.most_voxels = most;
-    const Organ fitted = opened(build_quietly({input_of(ball, 1)}, options).bytes);
-    EXPECT_LE(fitted.voxel_count, most);
+    const bake::Built fitted = build_quietly({input_of(ball, 1)}, options);
+    EXPECT_LE(opened(fitted.bytes).voxel_count, most);
     options.most_voxels = 0;
-    options.voxel_edge_m = static_cast<double>(fitted.voxel_edge_m) - 5e-5;
-    const Organ finer = opened(build_quietly({input_of(ball, 1)}, options).bytes);
-    EXPECT_GT(finer.voxel_count, most);
+    options.voxel_edge_m = static_cast<double>(opened(fitted.bytes).voxel_edge_m) - 5e-5;
+    const bake::Built finer = build_quietly({input_of(ball, 1)}, options);
+    EXPECT_GT(opened(finer.bytes).voxel_count, most);
   }
 }
 

@@ -37,10 +37,10 @@ TinyOrgan block() {
   return tiny;
 }
 
-// The voxels up to kCut along x in one sheet, those from there on in another.
-std::unique_ptr<Owner> halves(bool tied) {
+// The voxels up to kCut along x in one sheet, those from there on in the others.
+std::unique_ptr<Owner> halves(bool tied, std::uint16_t sheets = 2) {
   TinyOrgan tiny = block();
-  tiny.ny = 2 * kRows;
+  tiny.ny = static_cast<std::uint16_t>(sheets * kRows);
   tiny.inside = [](std::uint16_t x, std::uint16_t y, std::uint16_t) {
     return y % kRows < kEdge && (y < kRows) == (x < kCut);
   };
@@ -170,41 +170,43 @@ TEST(Sheets, TiedNodesStayTogetherToTheBit) {
   }
 }
 
-struct Apart {
-  double most_n = 0, squares_n2 = 0;
-
-  void add(Vec3 a, Vec3 b) {
-    const auto off = static_cast<double>(norm(a - b));
-    most_n = std::max(most_n, off);
-    squares_n2 += off * off;
-  }
-};
+double squared(Vec3 v) {
+  const auto length = static_cast<double>(norm(v));
+  return length * length;
+}
 
 // Along a cut, a needle feels what it would in the whole: the forces of the two bodies differ no
-// more than those of one body under two hands 0.1 um apart. (Sums in another order are magnified by
-// stiction, where the needle stops.)
+// more, in the mean, than those of one body under two hands 0.1 um apart, the worst of four. (Sums
+// in another order are magnified where the needle stops and where it punctures; so is the hand's
+// place.)
 TEST(Sheets, NeedleInTiedHalvesFeelsTheWhole) {
+  constexpr Vec3 kAside_m[] = {{1e-7F, 0, 0}, {-1e-7F, 0, 0}, {0, 1e-7F, 0}, {0, -1e-7F, 0}};
   const auto whole = open_organ(tiny_organ(block())), cut = packed(*halves_with_surface());
   Config config;
   config.needle[0].unit_m = 2e-3F;
-  Session a = make_session(whole->organ, config), b = make_session(cut->organ, config),
-          c = make_session(whole->organ, config);
+  Session a = make_session(whole->organ, config), b = make_session(cut->organ, config);
+  std::vector<Session> beside;
+  for (std::size_t i = 0; i < std::size(kAside_m); ++i) {
+    beside.push_back(make_session(whole->organ, config));
+  }
   const Script script = block_script(whole->organ, config);
-  Apart halves_off, hand_off;
-  double largest_n = 0, deepest = 0;
+  double halves_off = 0, hand_off[std::size(kAside_m)] = {}, all = 0, deepest = 0;
   for (std::uint64_t i = 0; i < kCycleTicks; ++i) {
-    Input input = scripted_input(script, i);
-    const Output one = tick(a.kernel, input), other = tick(b.kernel, input);
-    input.handle.position_m.x += 1e-7F;
-    halves_off.add(one.force_n, other.force_n);
-    hand_off.add(one.force_n, tick(c.kernel, input).force_n);
-    largest_n = std::max(largest_n, static_cast<double>(norm(one.force_n)));
+    const Input input = scripted_input(script, i);
+    const Output one = tick(a.kernel, input);
+    halves_off += squared(one.force_n - tick(b.kernel, input).force_n);
+    for (std::size_t k = 0; k < beside.size(); ++k) {
+      Input aside = input;
+      aside.handle.position_m = input.handle.position_m + kAside_m[k];
+      hand_off[k] += squared(one.force_n - tick(beside[k].kernel, aside).force_n);
+    }
+    all += squared(one.force_n);
     deepest = std::max(deepest, static_cast<double>(view_of(b.kernel).state.needle->shaft_count));
   }
   EXPECT_GT(deepest, 5);
-  EXPECT_LT(halves_off.squares_n2, hand_off.squares_n2);
-  EXPECT_LT(halves_off.most_n, hand_off.most_n);
-  EXPECT_LT(hand_off.most_n, 0.02 * largest_n);  // so that the comparison says something
+  const double worst_hand = *std::max_element(std::begin(hand_off), std::end(hand_off));
+  EXPECT_LT(halves_off, worst_hand);
+  EXPECT_LT(worst_hand, 1e-4 * all);  // 1 %: so that the comparison says something
 }
 
 TEST(Sheets, HelpersChangeNoBit) {
@@ -284,8 +286,8 @@ TEST(Sheets, EachPartOfACellHasAPlaneOfItsOwn) {
 }
 
 // What organ_open says of the shared cells after a change, as "place[index]: expected".
-std::string refusal_of(const std::function<void(Owner&)>& change) {
-  const std::unique_ptr<Owner> owner = halves(true);
+std::string refusal_of(const std::function<void(Owner&)>& change, std::uint16_t sheets = 2) {
+  const std::unique_ptr<Owner> owner = halves(true, sheets);
   owner->sheets->parts.emplace_back(0, 0, 0, 0, kLeft);
   owner->sheets->parts.emplace_back(1, 0, 0, 0, kLeft);
   change(*owner);
@@ -335,6 +337,13 @@ TEST(Sheets, RefusedWithTheirPlace) {
               o.sheets->ties.insert(o.sheets->ties.begin(), {2, 5, 0, 0});
             }),
             "sheets.ties[1]: ties sorted by z, y, x, one for a node");
+  const auto tie_third = [](std::uint16_t to_y) {  // behind those of the first plane
+    return [=](Owner& o) {
+      o.sheets->ties.insert(o.sheets->ties.begin() + kRows, {kCut, 2 * kRows, 0, to_y});
+    };
+  };
+  EXPECT_EQ(refusal_of(tie_third(0), 3), "");
+  EXPECT_EQ(refusal_of(tie_third(kRows), 3), "sheets.ties[5]: a node that is not tied itself");
   EXPECT_EQ(refusal_of([](Owner& o) { std::swap(o.sheets->parts[0], o.sheets->parts[1]); }),
             "sheets.parts[1]: parts sorted by z, y, x, one for a voxel");
   EXPECT_EQ(refusal_of([](Owner& o) { o.sheets->parts[1] = format::Part(3, 0, 0, 0, 1); }),
