@@ -155,6 +155,14 @@ class Promises(Sample):
         self.expect_one(promises.faults(made, tests[1:]), promises.ROWS[0][0])
         self.expect_one(promises.faults(made.replace("bounded", "small"), tests), "table")
 
+    def test_a_program_that_is_not_built_may_have_any_case(self):
+        for pattern, test, there in ((r"a_b\.Case\..*|c\..*", "a_b_NOT_BUILT", True),
+                                     (r"a_b\.Case\..*|c\..*", "c_NOT_BUILT", True),
+                                     (r"a_b\.Case\..*", "a_NOT_BUILT", False),
+                                     (r"a\.Case\..*", "a.Other.case", False)):
+            with self.subTest(test):
+                self.assertEqual(promises.tests_of_row(pattern, [test]) == [test], there)
+
 
 class Stack(Sample):
     TICK = "namespace stylet { struct Kernel; void tick(Kernel&) { %s } }\n"
