@@ -19,12 +19,12 @@ namespace stylet {
 struct Slab {
   std::uint32_t begin, end;  // voxel planes
   float* sums;               // scratch of its own: as ScratchView::sums and force,
-  float* force;              // with a fourth part for the particles at its low end
+  float* force;              // with a third part for the particles at its low end
   // From the last sweep: largest displacement, forces on the particles at its high end.
   float largest_m;
   float* high;
 };
-constexpr std::uint32_t kForceParts = 4;
+constexpr std::uint32_t kForceParts = 3;
 
 struct Team {
   // Number of the step times 256, plus the number of slabs taken.

@@ -251,7 +251,7 @@ struct ScratchHead {
   F(head, ScratchHead, 1)                                       \
   F(before_sums, float, kLanes) /* read by windows, not used */ \
   F(sums, float, 12 * c.slots_per_plane)                        \
-  F(force, float, 9 * c.particles_per_plane)                    \
+  F(force, float, 6 * c.particles_per_plane)                    \
   F(coupled, CoupledVoxel, kMaxCoupledVoxels* c.needles)        \
   F(member, Member, kMaxMembers* c.needles)                     \
   F(plane_first, std::uint32_t, c.planes + 2)                   \

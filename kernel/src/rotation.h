@@ -47,16 +47,33 @@ static inline T block_bound(T rho, T sx, T sy, T sz, T sxy, T sxz, T syz) {
   return mu;
 }
 
-// Turns q by the correction (w, v), of any length.
+// The largest eigenvector as a quaternion of any length, for M = lambda I - S and side a.
 template <typename T>
-static inline void turn(T w, T vx, T vy, T vz, T& qw, T& qx, T& qy, T& qz) {
+struct Correction {
+  T w, x, y, z;
+};
+template <typename T>
+static inline Correction<T> correction(T mxx, T myy, T mzz, T sxy, T sxz, T syz, T ax, T ay, T az) {
+  const T cxx = myy * mzz - syz * syz;
+  const T cxy = sxz * syz + sxy * mzz;
+  const T cxz = sxy * syz + sxz * myy;
+  const T cyy = mxx * mzz - sxz * sxz;
+  const T cyz = sxy * sxz + syz * mxx;
+  const T czz = mxx * myy - sxy * sxy;
+  return {mxx * cxx - (sxy * cxy + sxz * cxz), cxx * ax + cxy * ay + cxz * az,
+          cxy * ax + cyy * ay + cyz * az, cxz * ax + cyz * ay + czz * az};
+}
+
+// Turns q by the correction. The product is normalised, not the factor: lengths of 1 + 1e-7 would
+// pile up tick by tick.
+template <typename T>
+static inline void turn(const Correction<T>& by, T& qw, T& qx, T& qy, T& qz) {
   // Never below zero but for rounding. A cluster without any direction, v = 0, turns nowhere.
-  w = w > T(1e-17) ? w : T(1e-17);
-  const T pw = qw * w - (qx * vx + qy * vy + qz * vz);
-  const T px = qw * vx + qx * w + (qy * vz - qz * vy);
-  const T py = qw * vy + qy * w + (qz * vx - qx * vz);
-  const T pz = qw * vz + qz * w + (qx * vy - qy * vx);
-  // The product is normalised, not the factor: lengths of 1 + 1e-7 would pile up tick by tick.
+  const T w = by.w > T(1e-17) ? by.w : T(1e-17);
+  const T pw = qw * w - (qx * by.x + qy * by.y + qz * by.z);
+  const T px = qw * by.x + qx * w + (qy * by.z - qz * by.y);
+  const T py = qw * by.y + qy * w + (qz * by.x - qx * by.z);
+  const T pz = qw * by.z + qz * w + (qx * by.y - qy * by.x);
   const T inverse = 1 / root((pw * pw + px * px) + (py * py + pz * pz));
   const T nw = pw * inverse, nx = px * inverse, ny = py * inverse, nz = pz * inverse;
   // One Newton step on the rounded root, added part by part, for the last digit.
@@ -111,31 +128,21 @@ static inline Davenport<T> davenport(T a00, T a01, T a02, T a10, T a11, T a12, T
 // sweep, 1 where constraint particles make the fit anisotropic).
 template <int Refinements, typename T>
 static inline void turn_towards(const Davenport<T>& k, T& qw, T& qx, T& qy, T& qz) {
-  const auto [ax, ay, az, sx, sy, sz, sxy, sxz, syz, rho, mu, first] = k;
-  T lambda = first;
-  T w = 0, vx = 0, vy = 0, vz = 0;
+  T lambda = k.lambda;
+  Correction<T> by = {};
   for (int refinement = 0; refinement <= Refinements; ++refinement) {
-    const T mxx = lambda - sx, myy = lambda - sy, mzz = lambda - sz;
-    const T cxx = myy * mzz - syz * syz;
-    const T cxy = sxz * syz + sxy * mzz;
-    const T cxz = sxy * syz + sxz * myy;
-    const T cyy = mxx * mzz - sxz * sxz;
-    const T cyz = sxy * sxz + syz * mxx;
-    const T czz = mxx * myy - sxy * sxy;
-    w = mxx * cxx - (sxy * cxy + sxz * cxz);
-    vx = cxx * ax + cxy * ay + cxz * az;
-    vy = cxy * ax + cyy * ay + cyz * az;
-    vz = cxz * ax + cyz * ay + czz * az;
+    by = correction(lambda - k.sx, lambda - k.sy, lambda - k.sz, k.sxy, k.sxz, k.syz, k.ax, k.ay,
+                    k.az);
     if (refinement < Refinements) {
       // Rayleigh quotient; K (w, v) = (rho w + a.v, lambda v) because M v = w a.
-      const T vv = vx * vx + vy * vy + vz * vz;
-      const T av = ax * vx + ay * vy + az * vz;
-      const T quotient = (w * (rho * w + av) + lambda * vv) / (w * w + vv);
+      const T vv = by.x * by.x + by.y * by.y + by.z * by.z;
+      const T av = k.ax * by.x + k.ay * by.y + k.az * by.z;
+      const T quotient = (by.w * (k.rho * by.w + av) + lambda * vv) / (by.w * by.w + vv);
       // A bound from below may fall under S: never closer to it than to the old shift.
-      lambda = quotient > mu ? quotient + (lambda - quotient) * T(1e-6) : lambda;
+      lambda = quotient > k.mu ? quotient + (lambda - quotient) * T(1e-6) : lambda;
     }
   }
-  turn(w, vx, vy, vz, qw, qx, qy, qz);
+  turn(by, qw, qx, qy, qz);
 }
 
 template <int Refinements, typename T>
