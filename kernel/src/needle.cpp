@@ -100,20 +100,38 @@ void put_nodes(const View& view) {
   }
 }
 
-std::uint32_t bend(const View& view, Vec3 shift) {
+void solve(const View& view, Vec3 shift) {
   RodLoads& loads = *view.scratch.loads;
   gather_loads(view, shift, loads);
-  RodResult& result = *view.scratch.rod_result;
   solve_rod(*view.model.rod, handle_turn(view).wxyz, loads, *view.state.rod_shape,
-            *view.scratch.rod, result);
-  if (view.model.head->obstacle_count > 0) {
-    slow_bend(*view.model.rod, handle_turn(view).wxyz, drag_n_per_m(view), kFreeBendM,
-              *view.state.rod_shape, *view.scratch.rod, result);
-  }
+            *view.scratch.rod, *view.scratch.rod_result);
+}
+
+std::uint32_t keep_bend(const View& view) {
   put_nodes(view);
-  if (result.least_pivot > 0) return 0;
+  if (view.scratch.rod_result->least_pivot > 0) return 0;
   ++view.state.head->needle_unstable;
   return kFlagNeedleUnstable;
+}
+
+std::uint32_t bend(const View& view, Vec3 shift) {
+  solve(view, shift);
+  if (view.model.head->obstacle_count > 0) {
+    slow_bend(*view.model.rod, handle_turn(view).wxyz, drag_n_per_m(view), kFreeBendM,
+              *view.state.rod_shape, *view.scratch.rod, *view.scratch.rod_result);
+  }
+  return keep_bend(view);
+}
+
+// A particle goes where the needle has gone: one that holds the shaft, only across it, for along it
+// slip decides, in the next tick.
+void carry(const Needle& needle, bool slides, Particle& p) {
+  if (p.share_count == 0) return;
+  const NeedlePoint at = needle_point(needle, p.arc_m);
+  const Vec3 moved = at.place_m - p.position_m;
+  const float along = slides ? dot(moved, at.direction) : 0;
+  p.position_m = p.position_m + (moved - along * at.direction);
+  p.force_n = force_on_tissue(p);
 }
 
 // What a piece remembers of an obstacle; nothing if it did not touch it in the last tick.
@@ -277,6 +295,18 @@ std::uint32_t place_needle(const View& view, Needle& needle_out) {
     needle_out.tip_direction = from = to;
   }
   return flags | touch_obstacles(view, needle_out, shift);
+}
+
+std::uint32_t settle_needle(const View& view, Needle& needle) {
+  NeedleState& own = *view.state.needle;
+  if (!is_elastic(view.needle_config()) || own.tip_alive == 0) return 0;
+  if (view.model.head->obstacle_count > 0) return 0;
+  solve(view, attachment_shift(view));
+  const std::uint32_t flags = keep_bend(view);
+  needle.tip_m = needle.node[needle.rods];
+  for (std::uint32_t i = 0; i < own.shaft_count; ++i) carry(needle, true, view.state.shaft[i]);
+  carry(needle, own.phase != Phase::kContact, *view.state.tip);
+  return flags;
 }
 
 Vec3 turn_cut(Vec3 cut, const Needle& needle, float bevel_per_m, float advance_m) {

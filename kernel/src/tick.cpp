@@ -2,7 +2,8 @@
 // One tick: the only place that knows the order of its parts.
 //
 //   check input -> place needle -> contact -> coupling (cut, slip, add, remove)
-//     -> tissue substeps (the fits inside include the CPs) -> forces -> check output
+//     -> tissue substeps (the fits inside include the CPs) -> settle needle -> forces
+//     -> check output
 
 #include "coupling.h"
 #include "lattice.h"
@@ -162,9 +163,12 @@ void move_needle(const View& view, const Input& input, Moved& out) {
   out.flags |= couple_needle(view, out.shape);
 }
 
-void report_needle(const View& view, const Moved& moved, Output& out) {
+void report_needle(const View& view, Moved& moved, Output& out) {
   out.flags |= moved.flags;
-  if (view.state.needle->handle_known != 0) sum_forces(view, moved.shape, out);
+  if (view.state.needle->handle_known != 0) {
+    out.flags |= settle_needle(view, moved.shape);
+    sum_forces(view, moved.shape, out);
+  }
   describe(view, moved.shape, out);
   if (moved.known_before) book_work(view, moved.before, out);
   if (output_finite(out)) return;

@@ -71,7 +71,7 @@ static_assert(std::size(kPrices) == kAmounts);
 using Amounts = std::array<std::uint64_t, kAmounts>;
 
 // What the worst case (worst_case.h) takes: costs.txt. No other tick may have a bound beyond it.
-constexpr std::uint64_t kDearestTick = 726'857'334;
+constexpr std::uint64_t kDearestTick = 722'690'350;
 
 inline std::uint64_t bound_of(const Amounts& amount) {
   std::uint64_t sum = 0;
@@ -135,10 +135,12 @@ inline void add_needle(const View& view, Vec3 shift, TickWork& work) {
   if (own.phase == Phase::kFree || own.tip_alive == 0) ++amount[kSearches];
   const std::uint32_t rods = view.model.rod->rods;
   if (bends(view.needle_config())) {
-    const std::uint32_t solves = view.model.head->obstacle_count > 0 ? 2 : 1;
+    const std::uint32_t settles =
+        own.tip_alive != 0 && view.model.head->obstacle_count == 0 ? 1 : 0;
+    const std::uint32_t solves = (view.model.head->obstacle_count > 0 ? 2 : 1) + settles;
     amount[kSolves] += solves;
     amount[kRods] += solves * rods;
-    amount[kLoads] += particles + own.touch_count;
+    amount[kLoads] += (1 + settles) * particles + own.touch_count;
   }
   add_obstacles(view, rods, shift, amount);
 }

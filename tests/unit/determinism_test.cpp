@@ -111,6 +111,7 @@ TEST_P(Determinism, BytesBeforeCreateDoNotMatter) {
                        {}};
     const Memory memory = {session.model.span(), session.state.span(), session.scratch.span()};
     ASSERT_EQ(create(organ_->organ, config_, memory, session.kernel), Status::kOk);
+    ASSERT_EQ(set_obstacles(session.kernel, obstacles_of(organ_->organ, GetParam())), Status::kOk);
     expect_same(session, "bytes before create", [](Kernel&, std::uint64_t) {});
   }
 }
