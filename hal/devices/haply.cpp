@@ -238,11 +238,12 @@ void exchange(Haply& haply) {
 // name; the rest is told when somebody asks.
 void hear(Haply& haply, const HaplyEvent& event) {
   if (!event.device_id.empty() && event.device_id != haply.id) return;
+  if (event.warns) {  // first: who learns that it has failed asks why
+    const std::lock_guard lock(haply.mutex);
+    haply.warning = event.name + (event.message.empty() ? "" : ": " + event.message);
+  }
   if (event.name == "device-disconnected") haply.relay.fail(kDeviceGone);
   if (event.safety == "ebrake_triggered") haply.relay.fail(kBrake);
-  if (!event.warns) return;
-  const std::lock_guard lock(haply.mutex);
-  haply.warning = event.name + (event.message.empty() ? "" : ": " + event.message);
 }
 
 void close(void* self) {

@@ -64,9 +64,12 @@ void HaplyService::serve_events() {
     Connection connection(events_->acceptor.accept());
     try {
       connection.socket.accept();
-      ++listeners;
-      while (!stop_ && !readable(connection.socket.next_layer().native_handle(), 2)) {
+      const auto gone = [&](int wait_ms) {
+        return stop_ || readable(connection.socket.next_layer().native_handle(), wait_ms);
+      };
+      while (!gone(2)) {
         const std::lock_guard lock(mutex_);
+        if (gone(0)) break;  // what was told since is for the next one
         for (const std::string& each : untold_) {
           connection.socket.write(boost::asio::buffer(each));
         }
@@ -74,7 +77,6 @@ void HaplyService::serve_events() {
       }
     } catch (const boost::system::system_error&) {  // the client has gone
     }
-    --listeners;
   }
 }
 

@@ -23,7 +23,7 @@ class HaplyService : public Bench {
   std::string uri() const override { return uri_with(""); }
   std::string uri_with(const std::string& wishes) const;
   std::string address(const std::string& id = "049D") const;
-  // On the channel of events, to whoever listens.
+  // On the channel of events, to whoever listens or else to the next one who will.
   void tell(const std::string& event);
   void move(const Pose& pose) override;
   void press(std::uint32_t mask) override;
@@ -32,7 +32,6 @@ class HaplyService : public Bench {
   std::atomic<int> messages{0};
   std::atomic<bool> lists_ours{true}, grip_awake{true};
   std::atomic<double> gate{0.3}, damping{0.5};
-  std::atomic<int> listeners{0};
 
  private:
   struct Connection;
