@@ -3,8 +3,8 @@
 # The tiers of checks, each with all of the one before. Exits 0 when everything passes.
 #
 #   fast    what CI runs: test.sh
-#   full    tests with the ctest label `full`; the fast tests once more with clang and under each
-#           sanitizer
+#   full    tests with the ctest label `full`; the fast tests once more with clang under the address
+#           and undefined-behaviour sanitizers, and with gcc under that of threads
 #   night   tests with the ctest label `night`
 #
 # `full` and `night` go on after a failure, say at the end what passed and what did not, and bring
@@ -47,12 +47,11 @@ labelled() { run_tests -L "^$1\$" --no-tests=ignore; }
 [ "$tier" != fast ] || exec "$root/toolchain/test.sh"
 part "fast tests" release "$root/toolchain/test.sh"
 part "full tests" release labelled full
-# Left out: scripts, which no compiler changes, and tests that choose their compilers themselves.
-part "fast tests with clang" \
-  clang again -E '^(check|rt_host|cross|rt\.determinism|fuzz\.short)'
-# Left out: scripts, and the longest, of code that others run too.
-part "fast tests under the address and undefined-behaviour sanitizers" \
-  sanitize again -E '^(check|rt_host|bench|bake\.cohort|coupling_energy)|ripple|calculix'
+# Left out: scripts, tests that choose their compilers themselves, and the longest, of code that
+# others run too.
+scripts='check|rt_host|cross|rt\.determinism|fuzz\.short'
+part "fast tests with clang, under the address and undefined-behaviour sanitizers" \
+  sanitize again -E "^($scripts|bench|bake\.cohort|coupling_energy)|ripple|calculix"
 # The others have one thread, and so have the two of hal left out.
 part "fast tests under the thread sanitizer" \
   sanitize-threads again -R '^(hal|rt_team|console)|InTwoThreads' -E '^hal_(coupling|steered)'

@@ -61,9 +61,8 @@ class Tiers(unittest.TestCase):
 
     FAST = [("release", SHORT)]
     FULL = FAST + [("release", "-L ^full$ --no-tests=ignore"),
-                   ("clang", SHORT + r" -E ^(check|rt_host|cross|rt\.determinism|fuzz\.short)"),
-                   ("sanitize", SHORT + r" -E ^(check|rt_host|bench|bake\.cohort|coupling_energy)"
-                    "|ripple|calculix"),
+                   ("sanitize", SHORT + r" -E ^(check|rt_host|cross|rt\.determinism|fuzz\.short|"
+                    r"bench|bake\.cohort|coupling_energy)|ripple|calculix"),
                    ("sanitize-threads", SHORT + " -R ^(hal|rt_team|console)|InTwoThreads"
                     " -E ^hal_(coupling|steered)")]
     NIGHT = FULL + [("release", "-L ^night$ --no-tests=ignore")]
