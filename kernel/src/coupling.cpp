@@ -152,13 +152,26 @@ double memory_energy(const Particle& p) {
   return 0.5 * static_cast<double>(p.stiffness_n_per_m * share * dot(p.memory_m, p.memory_m));
 }
 
+// How the shares of a CP lie: their mean residual, and how much they differ from it.
+struct Drawn {
+  Vec3 residual_m;
+  float spread_m2;
+};
+Drawn drawn(const Particle& p) {
+  const Vec3 mean = residual(p);
+  return {mean, spread_of(p, mean)};
+}
+
 // Energy in a CP's spring, Maxwell branch and give; for the tip in contact see contact_energy.
-double spring_energy(const Particle& p) {
-  const Vec3 d = residual(p), lasting = d - p.slack_m;
+double spring_energy(const Particle& p, const Drawn& d) {
+  const Vec3 lasting = d.residual_m - p.slack_m;
   const float give =
       p.give_share > 0 ? (1 - p.give_share) / p.give_share * dot(p.give_m, p.give_m) : 0.0F;
-  const float sum = dot(lasting, lasting) + spread_of(p, d) + give;
+  const float sum = dot(lasting, lasting) + d.spread_m2 + give;
   return 0.5 * static_cast<double>(p.stiffness_n_per_m * sum) + memory_energy(p);
+}
+double spring_energy(const Particle& p) {
+  return spring_energy(p, drawn(p));
 }
 
 // The residual is the give, the relaxed part of the spring, and what pulls.
@@ -186,8 +199,7 @@ void draw_goals(Particle& p, float part) {
 // Draws the shares of a CP together, so that its residual is `residual_m` and their spread at most
 // `spread_m2`: new weights must neither be felt nor bring energy along.
 void gather_goals(Particle& p, Vec3 residual_m, float spread_m2) {
-  const Vec3 mean = residual(p);
-  const float spread = spread_of(p, mean);
+  const auto [mean, spread] = drawn(p);
   const float part = spread > spread_m2 ? 1 - std::sqrt(spread_m2 / spread) : 0.0F;
   for (std::uint32_t i = 0; i < p.share_count; ++i) {
     const Vec3 off = (p.position_m - p.share[i].goal_m) - mean;
@@ -206,8 +218,7 @@ std::uint32_t heaviest(const Particle& p) {
 // Takes the voxels around the CP's rest place. A voxel that is kept keeps its offset; a new one is
 // given the residual the CP has. The force does not change, and the energy does not rise.
 void renew_shares(const View& view, Particle& p, Sharing sharing = Sharing::kTent) {
-  const Vec3 residual_m = residual(p);
-  const float spread_m2 = spread_of(p, residual_m);
+  const auto [residual_m, spread_m2] = drawn(p);
   Share found[kSharesPerParticle];
   const std::uint32_t count = find_shares(view, p.rest_m, found, sharing);
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -377,22 +388,22 @@ float renew(const View& view, Particle& p, Vec3 direction, float slip_m, double&
 }
 
 // The Maxwell branch creeps; what it dissipates is booked.
-void relax(StateHead& state, Particle& p) {
-  const double before = spring_energy(p);
-  const Vec3 d = residual(p) - p.give_m;
+void relax(StateHead& state, Particle& p, const Drawn& shares) {
+  const double before = spring_energy(p, shares);
+  const Vec3 d = shares.residual_m - p.give_m;
   p.memory_m = settle(d + p.memory_keep * (p.memory_m - d));
   set_slack(p);
-  state.relaxation_j += before - spring_energy(p);
+  state.relaxation_j += before - spring_energy(p, shares);
 }
 
 // The give follows the force along the needle, as over a damper.
-void give_way(StateHead& state, Particle& p, Vec3 direction) {
-  const double before = spring_energy(p);
-  const float pull_m = dot(force_on_tissue(p), direction) / p.stiffness_n_per_m;
+void give_way(StateHead& state, Particle& p, const Drawn& shares, Vec3 direction) {
+  const double before = spring_energy(p, shares);
+  const float pull_m = dot(force_on_tissue(p, shares.residual_m), direction) / p.stiffness_n_per_m;
   const Vec3 rest = p.give_share * pull_m * direction;
   p.give_m = settle(p.give_m + kGiveRate * (rest - (1 - p.give_share) * p.give_m));
   set_slack(p);
-  state.relaxation_j += before - spring_energy(p);
+  state.relaxation_j += before - spring_energy(p, shares);
 }
 
 void note_slip(const ModelHead& head, Particle& p, float slip_m) {
@@ -406,12 +417,15 @@ float length_of(const View& view, const Particle& p) {
 }
 
 // Gives a CP the spring of the shaft it stands for: that and friction vanish when the tip comes
-// back to it, so that neither friction nor clamping jumps when it is added or removed.
+// back to it, so that neither friction nor clamping jumps when it is added or removed. What that
+// costs is booked as friction.
 void stand_for(const View& view, Particle& p) {
   const bool paper = view.model.head->config.mode == Mode::kPaper;
   const float part =
       paper ? 1.0F : max_of(length_of(view, p) / view.needle_config().unit_m, kLeastPart);
   const float stiffness = part * p.full_stiffness_n_per_m;
+  if (stiffness == p.stiffness_n_per_m) return;
+  const double before = spring_energy(p);
   // What is added holds its tissue where it lies, without force.
   if (stiffness > p.stiffness_n_per_m) {
     const float old = p.stiffness_n_per_m / stiffness;
@@ -421,6 +435,7 @@ void stand_for(const View& view, Particle& p) {
     p.slack_m = old * p.slack_m;
   }
   p.stiffness_n_per_m = stiffness;
+  view.state.head->friction_j += before - spring_energy(p);
 }
 
 // Friction per metre of shaft at a slip speed: Coulomb, static (Stribeck), viscous.
@@ -477,9 +492,7 @@ void slip_shaft(const View& view, const Needle& needle) {
     Particle& p = view.state.shaft[i];
     // All that changes the spring comes before the return map, which has the last word on the
     // force.
-    const double before = spring_energy(p);
     stand_for(view, p);
-    state.friction_j += before - spring_energy(p);
     const float limit = friction_limit_n(view, p);
     const Vec3 direction = needle_point(needle, p.arc_m).direction;
     const float axial = dot(force_on_tissue(p), direction);
@@ -631,13 +644,14 @@ std::uint32_t drop_shaft(const View& view, const Needle& needle) {
   const Particle& tip = *view.state.tip;
   const float unit = view.needle_config().unit_m;
   if (tip.share_count == 0) return 0;  // the stretch lies outside the tissue
+  if (own.drop_track_m > tip.track_m) {
+    own.drop_track_m = view.state.shaft[own.shaft_count - 1].track_m;
+  }
+  if (tip.track_m - (own.drop_track_m + unit) < 0) return 0;
   const Gradient g = gradient_around(view, tip);
   const Vec3 image = pull_back(g, needle.tip_direction);
   const Vec3 along = (1 / norm(image)) * image;
   const Vec3 point = tip.rest_m + pull_back_step(view, g, residual(tip));  // at the needle's tip
-  if (own.drop_track_m > tip.track_m) {
-    own.drop_track_m = view.state.shaft[own.shaft_count - 1].track_m;
-  }
   for (std::uint32_t drop = 0; drop < kMaxDropsPerTick; ++drop) {
     const float track = own.drop_track_m + unit, behind = tip.track_m - track;
     if (behind < 0) return 0;
@@ -801,7 +815,7 @@ void update_contact(const View& view, const Needle& needle) {
   if (head.config.mode == Mode::kPhysical) {
     relax_contact(view, needle.tip_direction);
   } else {
-    relax(state, tip);
+    relax(state, tip, drawn(tip));
   }
   const VoxelFrame frame =
       voxel_frame(view, tip.share[heaviest(tip)].slot, tip.share[heaviest(tip)].row);
@@ -859,11 +873,12 @@ std::uint32_t couple_needle(const View& view, const Needle& needle) {
     return 0;
   }
   if (own.phase != Phase::kContact) {  // creep at the last tick's forces, before the needle moves
-    relax(state, tip);
+    relax(state, tip, drawn(tip));
     for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
       Particle& p = view.state.shaft[i];
-      relax(state, p);
-      give_way(state, p, needle_point(needle, p.arc_m).direction);
+      const Drawn shares = drawn(p);
+      relax(state, p, shares);
+      give_way(state, p, shares, needle_point(needle, p.arc_m).direction);
     }
   }
   const float moved = dot(needle.tip_m - tip.position_m, needle.tip_direction);

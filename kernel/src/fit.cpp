@@ -14,9 +14,12 @@ Vec3 residual(const Particle& p) {
   return sum;
 }
 
-Vec3 force_on_tissue(const Particle& p) {
+Vec3 force_on_tissue(const Particle& p, Vec3 residual_m) {
   if (p.share_count == 0) return {};
-  return p.stiffness_n_per_m * (residual(p) - p.slack_m);
+  return p.stiffness_n_per_m * (residual_m - p.slack_m);
+}
+Vec3 force_on_tissue(const Particle& p) {
+  return force_on_tissue(p, residual(p));
 }
 
 Vec3 grip(const Particle& p) {
@@ -111,6 +114,7 @@ std::uint32_t gather_coupled(const View& view) {
   StateHead& state = *view.state.head;
   ScratchHead& head = *view.scratch.head;
   head.coupled_count = 0;
+  head.substeps_to_come = 0;
   std::uint32_t flags = 0;
   for_each_particle(view, [&](std::uint32_t index) {
     Particle& p = particle_at(view, index);
@@ -172,16 +176,6 @@ void add_member(const Particle& p, const Share& share, Vec3 centre_m, CpSums& s)
   }
 }
 
-CpSums sum_members(const View& view, const CoupledVoxel& voxel, Vec3 centre_m) {
-  CpSums s = {};
-  for (std::uint32_t i = 0; i < voxel.member_count; ++i) {
-    const Member member = view.scratch.member[voxel.first_member + i];
-    const Particle& p = particle_at(view, member.particle);
-    add_member(p, p.share[member.share], centre_m, s);
-  }
-  return s;
-}
-
 // Matrix whose rotation is the fit of corners and CPs together, scaled to be near the identity at
 // rest. It must be scaled by a number only: rot(A Aqq^-1) is not the minimiser when CPs make Aqq
 // anisotropic.
@@ -201,82 +195,78 @@ void fit_matrix(const Corners& corners, const CpSums& s, float k, float edge_m, 
   }
 }
 
-void prepare_fit(const View& view, std::uint32_t index, std::uint32_t lane, Fits& fits) {
-  const CoupledVoxel& voxel = view.scratch.coupled[index];
-  const Corners corners = sum_corners(view, voxel.slot, voxel.row);
-  const Vec3 centre = rest_centre(view, voxel.slot, view.model.row[voxel.row]) + corners.mean_m;
-  const float k = view.model.slot_k[voxel.slot];
-  const CpSums s = sum_members(view, voxel, centre);
-  float a[9];
-  fit_matrix(corners, s, k, view.model.head->edge_m, a);
-  for (std::uint32_t i = 0; i < 9; ++i) {
-    fits.corner[i][lane] = (i % 4 == 0 ? 1.0F : 0.0F) + corners.gradient[i];
-    fits.joint[i][lane] = a[i];
-  }
-  fits.corner_turn[0][lane] = view.state.qw[voxel.slot];
-  fits.corner_turn[1][lane] = view.state.qx[voxel.slot];
-  fits.corner_turn[2][lane] = view.state.qy[voxel.slot];
-  fits.corner_turn[3][lane] = view.state.qz[voxel.slot];
-  fits.voxel[lane] = {index, k, 8 * k + s.stiffness, centre, s.place, s.offset};
-}
-
-void rest_fit(std::uint32_t lane, Fits& fits) {
-  for (std::uint32_t i = 0; i < 9; ++i) {
-    fits.corner[i][lane] = fits.joint[i][lane] = i % 4 == 0 ? 1.0F : 0.0F;
-  }
-  for (std::uint32_t i = 0; i < 4; ++i) fits.corner_turn[i][lane] = i == 0 ? 1.0F : 0.0F;
-}
-
-Quat turn_of(const float turn[4][kLanes], std::uint32_t lane) {
-  return {turn[0][lane], turn[1][lane], turn[2][lane], turn[3][lane]};
-}
-
-void finish_fit(const View& view, const Plane& plane, const Fits& fits, std::uint32_t lane) {
-  const ModelHead& head = *view.model.head;
-  const Fits::Voxel& fit = fits.voxel[lane];
-  const CoupledVoxel& voxel = view.scratch.coupled[fit.index];
-  const Quat turn = turn_of(fits.joint_turn, lane);
-  const Mat3 r8 = rotation_matrix(turn_of(fits.corner_turn, lane)), r = rotation_matrix(turn);
-  // The cluster's translation moves by this against the mean of the corners.
-  const Vec3 shift = (1 / fit.whole) * (fit.place - r * fit.offset);
-  for (std::uint32_t i = 0; i < voxel.member_count; ++i) {
-    const Member member = view.scratch.member[voxel.first_member + i];
-    Share& share = particle_at(view, member.particle).share[member.share];
-    share.goal_m = (fit.centre_m + shift) + r * share.offset_m;
-    share.turn = turn;
-  }
-  // Corners feel the change of translation and rotation, k ((t' - t) + (R' - R) q), in the form in
-  // which the sweep keeps what a cluster sends (send_slots).
-  const std::size_t stride = head.counts.slots_per_plane;
-  float* sums = view.scratch.sums + (voxel.slot - plane.slot_begin);
-  const float shift_k[3] = {fit.k * shift.x, fit.k * shift.y, fit.k * shift.z};
-  const float turn_k = fit.k * head.edge_m * 0.5F;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const float x = turn_k * (r.m[c][0] - r8.m[c][0]);
-    const float y = turn_k * (r.m[c][1] - r8.m[c][1]);
-    const float z = turn_k * (r.m[c][2] - r8.m[c][2]);
-    sums[0] += shift_k[c] + x;
-    sums[stride] += shift_k[c] - x;
-    sums[2 * stride] += y + z;
-    sums[3 * stride] += y - z;
-    sums += 4 * stride;
-  }
-}
-
 }  // namespace
 
-void prepare_fits(const View& view, std::uint32_t plane, std::uint32_t first, Fits& fits_out) {
-  const std::uint32_t left = view.scratch.plane_first[plane + 1] - first;
-  fits_out.count = left < kLanes ? left : kLanes;
-  for (std::uint32_t lane = 0; lane < fits_out.count; ++lane) {
-    prepare_fit(view, view.scratch.plane_order[first + lane], lane, fits_out);
+void begin_fits(const View& view, std::uint32_t first, std::uint32_t count, Fits& fits_out) {
+  const float* const u[3] = {view.state.ux, view.state.uy, view.state.uz};
+  fits_out.count = count;
+  fits_out.most_members = 0;
+  for (std::uint32_t lane = 0; lane < count; ++lane) {
+    const std::uint32_t index = view.scratch.plane_order[first + lane];
+    const CoupledVoxel& voxel = view.scratch.coupled[index];
+    const Row& row = view.model.row[voxel.row];
+    const std::uint32_t along = voxel.slot - row.slot;
+    fits_out.voxel[lane] = index;
+    if (voxel.member_count > fits_out.most_members) fits_out.most_members = voxel.member_count;
+    for (std::uint32_t n = 0; n < 4; ++n) {
+      const std::uint32_t node = row.node[n] + along;
+      for (std::uint32_t c = 0; c < 3; ++c) {
+        fits_out.corner_m[c][2 * n][lane] = u[c][node];
+        fits_out.corner_m[c][2 * n + 1][lane] = u[c][node + 1];
+      }
+    }
+    fits_out.cell[0][lane] = static_cast<float>(row.x0 + along) + 0.5F;
+    fits_out.cell[1][lane] = static_cast<float>(row.y) + 0.5F;
+    fits_out.cell[2][lane] = static_cast<float>(row.z) + 0.5F;
+    fits_out.k[lane] = view.model.slot_k[voxel.slot];
+    fits_out.corner_turn[0][lane] = view.state.qw[voxel.slot];
+    fits_out.corner_turn[1][lane] = view.state.qx[voxel.slot];
+    fits_out.corner_turn[2][lane] = view.state.qy[voxel.slot];
+    fits_out.corner_turn[3][lane] = view.state.qz[voxel.slot];
   }
-  for (std::uint32_t lane = fits_out.count; lane < kLanes; ++lane) rest_fit(lane, fits_out);
 }
 
-void finish_fits(const View& view, std::uint32_t plane, const Fits& fits) {
+void take_members(const View& view, const Fits& fits, std::uint32_t n, FitMembers& members_out) {
   for (std::uint32_t lane = 0; lane < fits.count; ++lane) {
-    finish_fit(view, view.model.plane[plane], fits, lane);
+    const CoupledVoxel& voxel = view.scratch.coupled[fits.voxel[lane]];
+    members_out.weight_n_per_m[lane] = 0;
+    if (n >= voxel.member_count) continue;
+    const Member member = view.scratch.member[voxel.first_member + n];
+    const Particle& p = particle_at(view, member.particle);
+    const Share& share = p.share[member.share];
+    members_out.weight_n_per_m[lane] = p.stiffness_n_per_m * share.weight;
+    members_out.place_m[0][lane] = p.position_m.x - p.slack_m.x;
+    members_out.place_m[1][lane] = p.position_m.y - p.slack_m.y;
+    members_out.place_m[2][lane] = p.position_m.z - p.slack_m.z;
+    members_out.offset_m[0][lane] = share.offset_m.x;
+    members_out.offset_m[1][lane] = share.offset_m.y;
+    members_out.offset_m[2][lane] = share.offset_m.z;
+  }
+}
+
+void give_goals(const View& view, const Fits& fits) {
+  for (std::uint32_t lane = 0; lane < fits.count; ++lane) {
+    const CoupledVoxel& voxel = view.scratch.coupled[fits.voxel[lane]];
+    const Quat turn = {fits.joint_turn[0][lane], fits.joint_turn[1][lane], fits.joint_turn[2][lane],
+                       fits.joint_turn[3][lane]};
+    const Vec3 centre_m = {fits.centre_m[0][lane], fits.centre_m[1][lane], fits.centre_m[2][lane]};
+    Mat3 r;
+    for (std::uint32_t i = 0; i < 9; ++i) r.m[i / 3][i % 3] = fits.rotation[i][lane];
+    for (std::uint32_t n = 0; n < voxel.member_count; ++n) {
+      const Member member = view.scratch.member[voxel.first_member + n];
+      Share& share = particle_at(view, member.particle).share[member.share];
+      share.goal_m = centre_m + r * share.offset_m;
+      share.turn = turn;
+    }
+  }
+}
+
+void end_fits(const View& view, const Plane& plane, const Fits& fits) {
+  const std::size_t stride = view.model.head->counts.slots_per_plane;
+  for (std::uint32_t lane = 0; lane < fits.count; ++lane) {
+    const std::uint32_t slot = view.scratch.coupled[fits.voxel[lane]].slot;
+    float* sums = view.scratch.sums + (slot - plane.slot_begin);
+    for (std::uint32_t i = 0; i < 12; ++i, sums += stride) *sums += fits.change[i][lane];
   }
 }
 

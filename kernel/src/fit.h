@@ -2,8 +2,8 @@
 // The fits of voxels that hold constraint particles (CPs): corners and CPs together, exactly, with
 // the paper's ghost particles eliminated in closed form (they sit on their goals and drop out).
 //
-// The lattice sweep makes its fit of the corners alone; prepare_fits and finish_fits (lattice.h)
-// add what the CPs of a voxel change in it, and leave the CPs their goals.
+// The lattice sweep makes its fit of the corners alone; the step's fits (lattice.h) add
+// what the CPs of a voxel change in it, and leave the CPs their goals.
 //
 // Promises: bounded by limits.h, no allocation, a fixed order of sums: needles, their CPs, their
 // shares. Units SI, frame of the attachments. Source: paper section IV; model section 3.
@@ -17,6 +17,7 @@ namespace stylet {
 // Mean of needle point minus goal over a CP's shares.
 Vec3 residual(const Particle& p);
 Vec3 force_on_tissue(const Particle& p);
+Vec3 force_on_tissue(const Particle& p, Vec3 residual_m);
 // Point of the needle's axis where that force acts: the spring's end, behind the give.
 Vec3 grip(const Particle& p);
 

@@ -24,25 +24,52 @@ namespace stylet {
 using LatticeStep = void (*)(const Kernel&);
 LatticeStep lattice_step_for_this_processor();
 
-// Fits of up to kLanes voxels that hold constraint particles (fit.cpp). The step makes them for
-// each voxel plane, after the clusters and before the particles, and turns them itself, all lanes
-// at once: rotations are most of their work.
+// Fits of up to kLanes voxels that hold constraint particles, a voxel in each lane. The step makes
+// them with its own registers (fit_lanes.h), for each voxel plane, after the clusters and before
+// the particles; what they take from memory and leave there is fit.cpp's.
 struct Fits {
-  std::uint32_t count;
-  alignas(64) float corner[9][kLanes];  // matrices of the corners alone and together with the
-  alignas(64) float joint[9][kLanes];   // constraint particles, row-major, a voxel in each lane
-  alignas(64) float corner_turn[4][kLanes];  // their rotations w, x, y, z; at first that of the
-                                             // corners'
-  alignas(64) float joint_turn[4][kLanes];   // last fit, and nothing
-  struct Voxel {
-    std::uint32_t index;  // of ScratchView::coupled
-    float k, whole;       // stiffness of a corner, and of the whole fit
-    Vec3 centre_m, place, offset;
-  } voxel[kLanes];
+  // Sums over a voxel's constraint particles: weight; then, weighted, places from the mean of the
+  // corners, rest offsets, products of place and offset, squares of the offset.
+  enum Sum : std::uint32_t {
+    kWeight,
+    kPlace,
+    kOffset = 4,
+    kProduct = 7,
+    kOffsetSquare = 16,
+    kSums
+  };
+
+  std::uint32_t count;                       // voxels
+  std::uint32_t most_members;                // constraint particles' shares in one of them
+  std::uint32_t voxel[kLanes];               // of ScratchView::coupled
+  alignas(64) float corner_m[3][8][kLanes];  // displacements: two nodes of each row
+  alignas(64) float cell[3][kLanes];         // centre at rest, in edges from the lattice's origin
+  alignas(64) float k[kLanes];               // stiffness of a corner
+  alignas(64) float whole[kLanes];           // and of the whole fit
+  alignas(64) float centre_m[3][kLanes];     // of the corners, then of the fit
+  alignas(64) float sum[kSums][kLanes];
+  alignas(64) float corner[9][kLanes];       // matrices of the corners alone and together with the
+  alignas(64) float joint[9][kLanes];        // constraint particles, row-major
+  alignas(64) float corner_turn[4][kLanes];  // their rotations w, x, y, z
+  alignas(64) float joint_turn[4][kLanes];
+  alignas(64) float rotation[9][kLanes];  // of the fit, row-major
+  alignas(64) float change[12][kLanes];   // of what the clusters send
 };
-// The next fits of a voxel plane from the `first` on (plane_first .. plane_first + 1).
-void prepare_fits(const View& view, std::uint32_t plane, std::uint32_t first, Fits& fits_out);
-// Goals of the constraint particles, and what they change for the corners.
-void finish_fits(const View& view, std::uint32_t plane, const Fits& fits);
+// A constraint particle's share in each of those voxels.
+struct FitMembers {
+  alignas(64) float weight_n_per_m[kLanes];  // 0: no such share
+  alignas(64) float place_m[3][kLanes];      // of its spring's end
+  alignas(64) float offset_m[3][kLanes];     // at rest
+};
+
+// From the `first` entry of plane_order on: voxels, corners, and the rotations the step has just
+// made.
+void begin_fits(const View& view, std::uint32_t first, std::uint32_t count, Fits& fits_out);
+// Of each voxel its constraint particle `n`.
+void take_members(const View& view, const Fits& fits, std::uint32_t n, FitMembers& members_out);
+// Where the fits put their constraint particles; nobody asks before the last substep.
+void give_goals(const View& view, const Fits& fits);
+// Adds the changes to what the clusters of the plane send.
+void end_fits(const View& view, const Plane& plane, const Fits& fits);
 
 }  // namespace stylet

@@ -8,6 +8,8 @@
 // (lattice_plan.h); then the particles of the plane's low side have all their forces and move. A
 // plane of clusters and two of forces stay in cache; nothing else is stored.
 
+#include "fit_lanes.h"
+#include "lanes.h"
 #include "lattice.h"
 #include "lattice_team.h"
 #include "rotation.h"
@@ -19,44 +21,6 @@ namespace {
 // rounded differently by processors that flush them) out of the state.
 constexpr float kQuantum = 1.52587890625e-05F;  // 2^-16: displacements and velocities to 2e-12
 constexpr float kQuantumTurn = 1.953125e-3F;    // 2^-9: quaternion parts to 2e-10
-
-// The loops below run over whole groups of lanes and do not overlap; they stay functions of their
-// own so that the compiler sees that.
-#if defined(__clang__)
-#define STYLET_VECTOR _Pragma("clang loop vectorize(assume_safety)")
-#else
-#define STYLET_VECTOR _Pragma("GCC ivdep")
-#endif
-#define STYLET_KEEP_APART __attribute__((noinline))
-
-// A group of lanes as one value, for loops over short rows: as wide as the registers are.
-#if defined(__AVX512F__)
-constexpr std::uint32_t kWide = 16;
-#elif defined(__AVX2__)
-constexpr std::uint32_t kWide = 8;
-#else
-constexpr std::uint32_t kWide = 4;
-#endif
-typedef float Wide __attribute__((vector_size(4 * kWide)));
-typedef std::int32_t WideBits __attribute__((vector_size(4 * kWide)));
-// The same at any address of a float.
-typedef float Loose __attribute__((vector_size(4 * kWide), aligned(4), may_alias));
-
-inline Wide load(const float* from) {
-  return *reinterpret_cast<const Loose*>(from);
-}
-inline void store(float* to, Wide value) {
-  *reinterpret_cast<Loose*>(to) = value;
-}
-// Lane i is set if bit i is.
-inline WideBits lanes_set(std::uint32_t bits) {
-  WideBits bit = {};
-  for (std::uint32_t i = 0; i < kWide; ++i) bit[i] = 1 << i;
-  return (bit & static_cast<std::int32_t>(bits)) != 0;
-}
-inline Wide zero_unless(WideBits set, Wide value) {
-  return set ? value : Wide{};
-}
 
 // Twelve arrays over the slots of a plane, `stride` apart: for each component of the displacement
 // its sum over the corners, then its gradient along x, y, z. After stage 2: what is sent, as T + X,
@@ -288,37 +252,6 @@ void fit_plane(const View& view, const Plane& plane) {
   }
 }
 
-// Two refined steps for the corners alone, and two more from there for all together.
-STYLET_KEEP_APART void turn_fits(Fits& fits) {
-  // No more lanes than the voxels need: without wide registers each is work.
-  const std::uint32_t lanes = (fits.count + kWide - 1) / kWide * kWide;
-  for (int pass = 0; pass < 4; ++pass) {
-    const float(&m)[9][kLanes] = pass < 2 ? fits.corner : fits.joint;
-    const float(&from)[4][kLanes] = pass < 3 ? fits.corner_turn : fits.joint_turn;
-    float(&to)[4][kLanes] = pass < 2 ? fits.corner_turn : fits.joint_turn;
-    STYLET_VECTOR
-    for (std::uint32_t i = 0; i < lanes; ++i) {
-      float w = from[0][i], x = from[1][i], y = from[2][i], z = from[3][i];
-      rotation_step<1>(m[0][i], m[1][i], m[2][i], m[3][i], m[4][i], m[5][i], m[6][i], m[7][i],
-                       m[8][i], w, x, y, z);
-      to[0][i] = w;
-      to[1][i] = x;
-      to[2][i] = y;
-      to[3][i] = z;
-    }
-  }
-}
-
-void couple_plane(const View& view, std::uint32_t plane) {
-  const std::uint32_t end = view.scratch.plane_first[plane + 1];
-  for (std::uint32_t first = view.scratch.plane_first[plane]; first < end; first += kLanes) {
-    Fits fits;
-    prepare_fits(view, plane, first, fits);
-    turn_fits(fits);
-    finish_fits(view, plane, fits);
-  }
-}
-
 // What one voxel row sends to a window of its nodes at its low (`kSide` -1) or high (1) side along
 // y: to the particles of the plane below and above.
 struct Sent {
@@ -450,12 +383,14 @@ float* sweep_planes(const View& view, std::uint32_t begin, std::uint32_t end, fl
   const Plane* const plane = view.model.plane;
   const std::size_t part = 3 * std::size_t{view.model.head->counts.particles_per_plane};
   float* here = kept;
+  Fits fits = {};  // lanes without a voxel are computed, too
+  FitMembers members = {};
   clear(view, plane[begin], here);
   for (std::uint32_t z = begin; z < end; ++z) {
     float* const above = view.scratch.force + (z + 1) % 2 * part;
     clear(view, plane[z + 1], above);
     fit_plane(view, plane[z]);
-    couple_plane(view, z);
+    couple_plane(view, z, fits, members);
     spread_plane(view, plane[z], here, above);
     if (z > begin || z == 0) move_particles(view, plane[z], here, motion);
     here = above;

@@ -195,7 +195,8 @@ constexpr std::uint32_t kMaxMembers = kNeedleParticles * kSharesPerParticle;
 
 struct ScratchHead {
   std::uint32_t coupled_count;
-  std::uint32_t padding[15];
+  std::uint32_t substeps_to_come;  // of this tick, after this one
+  std::uint32_t padding[14];
 };
 
 // F(name, type, count); `c` is Counts.

@@ -198,7 +198,11 @@ void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outpu
       move_needle(needle_view(view, i), i < inputs.size() ? inputs[i] : Input{}, moved[i]);
     }
     const std::uint32_t flags = gather_coupled(view);
-    for (std::uint32_t s = 0; s < view.model.head->config.substeps; ++s) kernel.step(kernel);
+    const std::uint32_t substeps = view.model.head->config.substeps;
+    for (std::uint32_t s = 0; s < substeps; ++s) {
+      view.scratch.head->substeps_to_come = substeps - 1 - s;
+      kernel.step(kernel);
+    }
     measure_forces(view);
     for (std::uint32_t i = 0; i < count; ++i) {
       out[i].flags = flags;
