@@ -356,10 +356,10 @@ float overshoot(const View& view, const Particle& p, float axial_n, float low_n,
 
 // While a CP slides, its tissue has given way by the force the CP carries (and by that of its
 // neighbours): that is the compliance set_relaxation needs.
-void measure_compliance(const View& view, Particle& p, Vec3 direction) {
-  const Vec3 d = residual(p);
-  const float spring_m = dot(d - p.slack_m, direction);
-  const float tissue_m = dot((p.position_m - d) - unloaded_place(view, p) + p.give_m, direction);
+void measure_compliance(const View& view, Particle& p, Vec3 residual_m, Vec3 direction) {
+  const float spring_m = dot(residual_m - p.slack_m, direction);
+  const Vec3 tissue = (p.position_m - residual_m) - unloaded_place(view, p) + p.give_m;
+  const float tissue_m = dot(tissue, direction);
   const float c = tissue_m * spring_m > 0 ? min_of(tissue_m / spring_m, kLargestCompliance) : 0.0F;
   p.tissue_compliance = settle(p.tissue_compliance + kComplianceGain * (c - p.tissue_compliance));
   set_relaxation(*view.model.head, p);
@@ -368,13 +368,14 @@ void measure_compliance(const View& view, Particle& p, Vec3 direction) {
 // A slip brings fresh tissue to the needle, which has relaxed nothing yet. The force stays: returns
 // how much farther the CP slips for that, and books what the branch loses. A share that changes
 // fades the memory so far that its energy cannot rise.
-float renew(const View& view, Particle& p, Vec3 direction, float slip_m, double& booked_j) {
+float renew(const View& view, Particle& p, Vec3 residual_m, Vec3 direction, float slip_m,
+            double& booked_j) {
   const float size = slip_m < 0 ? -slip_m : slip_m;
   if (!(size > kSlidingMPerS * view.model.head->config.period_s)) return 0;
   const double before = memory_energy(p);
   const Vec3 slack = p.slack_m;
   const float old = p.memory_share;
-  measure_compliance(view, p, direction);
+  measure_compliance(view, p, residual_m, direction);
   const float share = p.memory_share;
   const float fade = share > 0 ? min_of(old / share, (1 - old) / (1 - share)) : 0.0F;
   const float lost = size / (kRenewalLengthM + size) * dot(p.memory_m, direction);
@@ -387,23 +388,24 @@ float renew(const View& view, Particle& p, Vec3 direction, float slip_m, double&
   return along;
 }
 
-// The Maxwell branch creeps; what it dissipates is booked.
-void relax(StateHead& state, Particle& p, const Drawn& shares) {
+// The Maxwell branch creeps; what it dissipates is booked. Returns the spring's energy after that.
+double relax(StateHead& state, Particle& p, const Drawn& shares) {
   const double before = spring_energy(p, shares);
   const Vec3 d = shares.residual_m - p.give_m;
   p.memory_m = settle(d + p.memory_keep * (p.memory_m - d));
   set_slack(p);
-  state.relaxation_j += before - spring_energy(p, shares);
+  const double after = spring_energy(p, shares);
+  state.relaxation_j += before - after;
+  return after;
 }
 
-// The give follows the force along the needle, as over a damper.
-void give_way(StateHead& state, Particle& p, const Drawn& shares, Vec3 direction) {
-  const double before = spring_energy(p, shares);
+// The give follows the force along the needle, as over a damper. The spring holds `before_j`.
+void give_way(StateHead& state, Particle& p, const Drawn& shares, Vec3 direction, double before_j) {
   const float pull_m = dot(force_on_tissue(p, shares.residual_m), direction) / p.stiffness_n_per_m;
   const Vec3 rest = p.give_share * pull_m * direction;
   p.give_m = settle(p.give_m + kGiveRate * (rest - (1 - p.give_share) * p.give_m));
   set_slack(p);
-  state.relaxation_j += before - spring_energy(p, shares);
+  state.relaxation_j += before_j - spring_energy(p, shares);
 }
 
 void note_slip(const ModelHead& head, Particle& p, float slip_m) {
@@ -495,9 +497,10 @@ void slip_shaft(const View& view, const Needle& needle) {
     stand_for(view, p);
     const float limit = friction_limit_n(view, p);
     const Vec3 direction = needle_point(needle, p.arc_m).direction;
-    const float axial = dot(force_on_tissue(p), direction);
+    const Vec3 residual_m = residual(p);
+    const float axial = dot(force_on_tissue(p, residual_m), direction);
     const float slip = overshoot(view, p, axial, -limit, limit);
-    const float all = slip + renew(view, p, direction, slip, state.friction_j);
+    const float all = slip + renew(view, p, residual_m, direction, slip, state.friction_j);
     p.arc_m += all;
     p.position_m = needle_point(needle, p.arc_m).place_m;
     note_slip(head, p, all);
@@ -578,7 +581,7 @@ void cut_tip(const View& view, const Needle& needle, float moved_m) {
     enter_layer(view, tip, direction, in_track);
     const float axial = dot(force_on_tissue(tip), direction);
     move = overshoot(view, tip, axial, 0, tip_limit(view, tip, in_track));
-    all = move + renew(view, tip, direction, move, state.cutting_j);
+    all = move + renew(view, tip, residual(tip), direction, move, state.cutting_j);
   }
   const Vec3 cut = turn_cut(view, needle, 0.5F * all);
   advance_tip(view, tip, cut, all);
@@ -815,7 +818,7 @@ void update_contact(const View& view, const Needle& needle) {
   if (head.config.mode == Mode::kPhysical) {
     relax_contact(view, needle.tip_direction);
   } else {
-    relax(state, tip, drawn(tip));
+    (void)relax(state, tip, drawn(tip));
   }
   const VoxelFrame frame =
       voxel_frame(view, tip.share[heaviest(tip)].slot, tip.share[heaviest(tip)].row);
@@ -872,23 +875,21 @@ std::uint32_t couple_needle(const View& view, const Needle& needle) {
     tip.position_m = needle.tip_m;  // seek_contact measures from here
     return 0;
   }
-  if (own.phase != Phase::kContact) {  // creep at the last tick's forces, before the needle moves
-    relax(state, tip, drawn(tip));
+  if (own.phase != Phase::kContact) {  // creep at the last tick's forces, then go with the needle
+    (void)relax(state, tip, drawn(tip));
     for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
       Particle& p = view.state.shaft[i];
       const Drawn shares = drawn(p);
-      relax(state, p, shares);
-      give_way(state, p, shares, needle_point(needle, p.arc_m).direction);
+      const NeedlePoint point = needle_point(needle, p.arc_m);
+      const double relaxed_j = relax(state, p, shares);
+      give_way(state, p, shares, point.direction, relaxed_j);
+      p.position_m = point.place_m;
     }
   }
   const float moved = dot(needle.tip_m - tip.position_m, needle.tip_direction);
   tip.position_m = needle.tip_m;
   const float speed = moved / view.model.head->config.period_s;
   own.press_m_per_s = settle(speed + view.model.head->velocity_keep * (own.press_m_per_s - speed));
-  for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
-    Particle& p = view.state.shaft[i];
-    p.position_m = needle_point(needle, p.arc_m).place_m;
-  }
   if (own.phase == Phase::kContact) update_contact(view, needle);
   if (own.phase == Phase::kFree || own.phase == Phase::kContact) return 0;
   const Vec3 from_m = tip.rest_m;

@@ -39,7 +39,7 @@ std::uint32_t coupled_index(const View& view, const Share& share) {
   if (mark < head.coupled_count && view.scratch.coupled[mark].slot == share.slot) return mark;
   if (head.coupled_count == kMaxCoupledVoxels * view.model.head->counts.needles) return kNoVoxel;
   const std::uint32_t index = head.coupled_count++;
-  view.scratch.coupled[index] = {share.slot, share.row, 0, 0};
+  view.scratch.coupled[index] = {share.slot, share.row, 0, 0, 0};
   view.scratch.slot_mark[share.slot] = index;
   return index;
 }
@@ -115,7 +115,7 @@ std::uint32_t gather_coupled(const View& view) {
   ScratchHead& head = *view.scratch.head;
   head.coupled_count = 0;
   head.substeps_to_come = 0;
-  std::uint32_t flags = 0;
+  std::uint32_t flags = 0, members = 0;
   for_each_particle(view, [&](std::uint32_t index) {
     Particle& p = particle_at(view, index);
     for (std::uint32_t s = 0; s < p.share_count; ++s) {
@@ -124,27 +124,16 @@ std::uint32_t gather_coupled(const View& view) {
         p.share[s].weight = 0;
         ++state.cp_voxel_pool_full;
         flags = kFlagCpVoxelPoolFull;
-      } else {
-        ++view.scratch.coupled[voxel].member_count;
+        continue;
       }
-    }
-    share_out(p);
-  });
-  std::uint32_t members = 0;
-  for (std::uint32_t i = 0; i < head.coupled_count; ++i) {
-    view.scratch.coupled[i].first_member = members;
-    members += view.scratch.coupled[i].member_count;
-    view.scratch.coupled[i].member_count = 0;
-  }
-  for_each_particle(view, [&](std::uint32_t index) {
-    const Particle& p = particle_at(view, index);
-    for (std::uint32_t s = 0; s < p.share_count; ++s) {
-      const std::uint32_t voxel = coupled_index(view, p.share[s]);
-      if (voxel == kNoVoxel) continue;
       CoupledVoxel& c = view.scratch.coupled[voxel];
-      view.scratch.member[c.first_member + c.member_count++] = {static_cast<std::uint16_t>(index),
-                                                                static_cast<std::uint16_t>(s)};
+      (c.member_count == 0 ? c.first_member : view.scratch.member[c.last_member].next) = members;
+      ++c.member_count;
+      c.last_member = members;
+      view.scratch.member[members++] = {static_cast<std::uint16_t>(index),
+                                        static_cast<std::uint16_t>(s), 0};
     }
+    if (flags != 0) share_out(p);
   });
   sort_by_plane(view);
   state.coupled_max =
@@ -176,9 +165,8 @@ void add_member(const Particle& p, const Share& share, Vec3 centre_m, CpSums& s)
   }
 }
 
-// Matrix whose rotation is the fit of corners and CPs together, scaled to be near the identity at
-// rest. It must be scaled by a number only: rot(A Aqq^-1) is not the minimiser when CPs make Aqq
-// anisotropic.
+// Matrix whose rotation is the fit of corners and CPs together: join_members (fit_lanes.h) for one
+// voxel.
 void fit_matrix(const Corners& corners, const CpSums& s, float k, float edge_m, float a_out[9]) {
   const float whole = 8 * k + s.stiffness;
   const float corner = 2 * k * edge_m * edge_m;
@@ -207,6 +195,8 @@ void begin_fits(const View& view, std::uint32_t first, std::uint32_t count, Fits
     const Row& row = view.model.row[voxel.row];
     const std::uint32_t along = voxel.slot - row.slot;
     fits_out.voxel[lane] = index;
+    fits_out.next_member[lane] = voxel.first_member;
+    fits_out.member_count[lane] = voxel.member_count;
     if (voxel.member_count > fits_out.most_members) fits_out.most_members = voxel.member_count;
     for (std::uint32_t n = 0; n < 4; ++n) {
       const std::uint32_t node = row.node[n] + along;
@@ -226,12 +216,12 @@ void begin_fits(const View& view, std::uint32_t first, std::uint32_t count, Fits
   }
 }
 
-void take_members(const View& view, const Fits& fits, std::uint32_t n, FitMembers& members_out) {
+void take_members(const View& view, std::uint32_t n, Fits& fits, FitMembers& members_out) {
   for (std::uint32_t lane = 0; lane < fits.count; ++lane) {
-    const CoupledVoxel& voxel = view.scratch.coupled[fits.voxel[lane]];
     members_out.weight_n_per_m[lane] = 0;
-    if (n >= voxel.member_count) continue;
-    const Member member = view.scratch.member[voxel.first_member + n];
+    if (n >= fits.member_count[lane]) continue;
+    const Member& member = view.scratch.member[fits.next_member[lane]];
+    fits.next_member[lane] = member.next;
     const Particle& p = particle_at(view, member.particle);
     const Share& share = p.share[member.share];
     members_out.weight_n_per_m[lane] = p.stiffness_n_per_m * share.weight;
@@ -246,17 +236,18 @@ void take_members(const View& view, const Fits& fits, std::uint32_t n, FitMember
 
 void give_goals(const View& view, const Fits& fits) {
   for (std::uint32_t lane = 0; lane < fits.count; ++lane) {
-    const CoupledVoxel& voxel = view.scratch.coupled[fits.voxel[lane]];
     const Quat turn = {fits.joint_turn[0][lane], fits.joint_turn[1][lane], fits.joint_turn[2][lane],
                        fits.joint_turn[3][lane]};
     const Vec3 centre_m = {fits.centre_m[0][lane], fits.centre_m[1][lane], fits.centre_m[2][lane]};
     Mat3 r;
     for (std::uint32_t i = 0; i < 9; ++i) r.m[i / 3][i % 3] = fits.rotation[i][lane];
-    for (std::uint32_t n = 0; n < voxel.member_count; ++n) {
-      const Member member = view.scratch.member[voxel.first_member + n];
+    std::uint32_t at = view.scratch.coupled[fits.voxel[lane]].first_member;
+    for (std::uint32_t n = 0; n < fits.member_count[lane]; ++n) {
+      const Member& member = view.scratch.member[at];
       Share& share = particle_at(view, member.particle).share[member.share];
       share.goal_m = centre_m + r * share.offset_m;
       share.turn = turn;
+      at = member.next;
     }
   }
 }

@@ -2,8 +2,8 @@
 // The fits of voxels that hold constraint particles (CPs): corners and CPs together, exactly, with
 // the paper's ghost particles eliminated in closed form (they sit on their goals and drop out).
 //
-// The lattice sweep makes its fit of the corners alone; the step's fits (lattice.h) add
-// what the CPs of a voxel change in it, and leave the CPs their goals.
+// The lattice sweep makes its fit of the corners alone; the fits of lattice.h add what the CPs of a
+// voxel change in it, and leave the CPs their goals.
 //
 // Promises: bounded by limits.h, no allocation, a fixed order of sums: needles, their CPs, their
 // shares. Units SI, frame of the attachments. Source: paper section IV; model section 3.

@@ -39,18 +39,13 @@ void see_corners(std::uint32_t lanes, const ModelHead& head, Fits& fits) {
   }
 }
 
-void forget_members(std::uint32_t lanes, Fits& fits) {
-  for (std::uint32_t i = 0; i < lanes; i += kWide) {
-    for (float(&sum)[kLanes] : fits.sum) store(sum + i, Wide{});
-  }
-}
-
-// Adds one constraint particle of each voxel, or none: with weight 0.
+// Adds one constraint particle of each voxel, or none, with weight 0, to those before.
+template <bool kFirst>
 void sum_members(std::uint32_t lanes, const FitMembers& members, Fits& fits) {
   for (std::uint32_t i = 0; i < lanes; i += kWide) {
     const Wide w = load(members.weight_n_per_m + i);
     const auto add = [&](std::uint32_t sum, Wide value) {
-      store(fits.sum[sum] + i, load(fits.sum[sum] + i) + value);
+      store(fits.sum[sum] + i, (kFirst ? Wide{} : load(fits.sum[sum] + i)) + value);
     };
     Wide x[3], r[3];
     for (std::uint32_t c = 0; c < 3; ++c) {
@@ -94,12 +89,13 @@ void join_members(std::uint32_t lanes, float edge_m, Fits& fits) {
   }
 }
 
-// Two refined steps for the corners alone, and two more from there for all together.
+// A refined step for the corners alone, from the rotation that the sweep has just made, and two
+// more from there for all together.
 STYLET_KEEP_APART void turn_fits(std::uint32_t lanes, Fits& fits) {
-  for (int pass = 0; pass < 4; ++pass) {
-    const float(&m)[9][kLanes] = pass < 2 ? fits.corner : fits.joint;
-    const float(&from)[4][kLanes] = pass < 3 ? fits.corner_turn : fits.joint_turn;
-    float(&to)[4][kLanes] = pass < 2 ? fits.corner_turn : fits.joint_turn;
+  for (int pass = 0; pass < 3; ++pass) {
+    const float(&m)[9][kLanes] = pass < 1 ? fits.corner : fits.joint;
+    const float(&from)[4][kLanes] = pass < 2 ? fits.corner_turn : fits.joint_turn;
+    float(&to)[4][kLanes] = pass < 1 ? fits.corner_turn : fits.joint_turn;
     STYLET_VECTOR
     for (std::uint32_t i = 0; i < lanes; ++i) {
       float w = from[0][i], x = from[1][i], y = from[2][i], z = from[3][i];
@@ -165,10 +161,11 @@ void couple_plane(const View& view, std::uint32_t plane, Fits& fits, FitMembers&
     // No more lanes than the voxels need: without wide registers each is work.
     const std::uint32_t lanes = (fits.count + kWide - 1) / kWide * kWide;
     see_corners(lanes, head, fits);
-    forget_members(lanes, fits);
-    for (std::uint32_t n = 0; n < fits.most_members; ++n) {
-      take_members(view, fits, n, members);
-      sum_members(lanes, members, fits);
+    take_members(view, 0, fits, members);
+    sum_members<true>(lanes, members, fits);
+    for (std::uint32_t n = 1; n < fits.most_members; ++n) {
+      take_members(view, n, fits, members);
+      sum_members<false>(lanes, members, fits);
     }
     join_members(lanes, head.edge_m, fits);
     turn_fits(lanes, fits);

@@ -39,9 +39,10 @@ struct Fits {
     kSums
   };
 
-  std::uint32_t count;                       // voxels
-  std::uint32_t most_members;                // constraint particles' shares in one of them
-  std::uint32_t voxel[kLanes];               // of ScratchView::coupled
+  std::uint32_t count;          // voxels
+  std::uint32_t most_members;   // constraint particles' shares in one of them
+  std::uint32_t voxel[kLanes];  // of ScratchView::coupled
+  std::uint32_t next_member[kLanes], member_count[kLanes];
   alignas(64) float corner_m[3][8][kLanes];  // displacements: two nodes of each row
   alignas(64) float cell[3][kLanes];         // centre at rest, in edges from the lattice's origin
   alignas(64) float k[kLanes];               // stiffness of a corner
@@ -65,8 +66,8 @@ struct FitMembers {
 // From the `first` entry of plane_order on: voxels, corners, and the rotations the step has just
 // made.
 void begin_fits(const View& view, std::uint32_t first, std::uint32_t count, Fits& fits_out);
-// Of each voxel its constraint particle `n`.
-void take_members(const View& view, const Fits& fits, std::uint32_t n, FitMembers& members_out);
+// Of each voxel its constraint particle `n`, the next one.
+void take_members(const View& view, std::uint32_t n, Fits& fits, FitMembers& members_out);
 // Where the fits put their constraint particles; nobody asks before the last substep.
 void give_goals(const View& view, const Fits& fits);
 // Adds the changes to what the clusters of the plane send.

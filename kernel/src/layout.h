@@ -185,10 +185,11 @@ struct StateHead {
 
 // A voxel coupled to the needle in this tick.
 struct CoupledVoxel {
-  std::uint32_t slot, row, first_member, member_count;
+  std::uint32_t slot, row, first_member, last_member, member_count;
 };
-struct Member {  // (particle, share); a needle's last particle is its tip
+struct Member {  // of a coupled voxel: a particle's share; a needle's last particle is its tip
   std::uint16_t particle, share;
+  std::uint32_t next;  // of the same voxel
 };
 constexpr std::uint32_t kNeedleParticles = kMaxConstraintParticles + 1;
 constexpr std::uint32_t kMaxMembers = kNeedleParticles * kSharesPerParticle;

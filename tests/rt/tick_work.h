@@ -8,6 +8,7 @@
 // added.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -28,13 +29,14 @@ constexpr Price kPrices[] = {
     {"padded particle and substep", 21},
     {"voxel row and substep", 281},
     {"tie and substep", 125},
-    {"voxel with constraint particles and substep", 980},
-    {"eight such voxels of a plane, or fewer, and substep", 1800},
-    {"share of a constraint particle in a voxel and substep", 150},
-    {"share of a constraint particle in a voxel", 250},
+    {"voxel with constraint particles and substep", 190},
+    {"eight such voxels of a plane, or fewer, and substep", 1860},
+    {"constraint particle in each of sixteen such voxels, or fewer, and substep", 340},
+    {"share of a constraint particle in a voxel and substep", 34},
+    {"share of a constraint particle in a voxel", 170},
     {"needle", 12000},
     {"needle and further sheet", 2400},
-    {"constraint particle", 3500},
+    {"constraint particle", 2600},
     {"new constraint particle", 16600},
     {"solve of an elastic needle", 44000},
     {"rod in such a solve", 3520},
@@ -52,6 +54,7 @@ enum Amount : std::uint32_t {  // in the order of the prices
   kTies,
   kCoupled,
   kEights,
+  kPasses,
   kShares,
   kMembers,
   kNeedlesUsed,
@@ -71,7 +74,7 @@ static_assert(std::size(kPrices) == kAmounts);
 using Amounts = std::array<std::uint64_t, kAmounts>;
 
 // What the worst case (worst_case.h) takes: costs.txt. No other tick may have a bound beyond it.
-constexpr std::uint64_t kDearestTick = 722'690'350;
+constexpr std::uint64_t kDearestTick = 667'252'377;
 
 inline std::uint64_t bound_of(const Amounts& amount) {
   std::uint64_t sum = 0;
@@ -145,6 +148,21 @@ inline void add_needle(const View& view, Vec3 shift, TickWork& work) {
   add_obstacles(view, rods, shift, amount);
 }
 
+// How often the fits of a plane take a constraint particle of each voxel of a group.
+inline std::uint32_t passes_of(const View& view, std::uint32_t plane) {
+  const std::uint32_t end = view.scratch.plane_first[plane + 1];
+  std::uint32_t passes = 0;
+  for (std::uint32_t first = view.scratch.plane_first[plane]; first < end; first += kLanes) {
+    std::uint32_t most = 0;
+    for (std::uint32_t i = first; i < end && i < first + kLanes; ++i) {
+      const std::uint32_t voxel = view.scratch.plane_order[i];
+      most = std::max(most, view.scratch.coupled[voxel].member_count);
+    }
+    passes += most;
+  }
+  return passes;
+}
+
 // After each tick.
 inline void count_work(const Kernel& kernel, Vec3 shift, TickWork& work) {
   const View view = view_of(kernel);
@@ -163,6 +181,7 @@ inline void count_work(const Kernel& kernel, Vec3 shift, TickWork& work) {
         view.scratch.plane_first[plane + 1] - view.scratch.plane_first[plane];
     amount[kCoupled] += substeps * voxels;
     amount[kEights] += substeps * ((voxels + 7) / 8);
+    amount[kPasses] += substeps * passes_of(view, plane);
   }
   for (std::uint32_t i = 0; i < view.scratch.head->coupled_count; ++i) {
     amount[kMembers] += view.scratch.coupled[i].member_count;
