@@ -15,13 +15,6 @@
 #include "label_organ.h"
 #include "refusal.h"
 
-#ifdef __SANITIZE_ADDRESS__
-// ITK's reader of NRRD never gives back what it holds of a file that it refuses.
-extern "C" const char* __lsan_default_suppressions() {
-  return "leak:libITKNrrdIO";
-}
-#endif
-
 namespace stylet::test {
 namespace {
 
@@ -529,7 +522,7 @@ LabelMap whole_body_map() {
 }
 
 TEST(LabelOrgan, OfAWholeBodyTakesLessThanAMinuteAndThreeGibibytes) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef STYLET_SANITIZED
   GTEST_SKIP() << "a sanitizer takes its own time and memory";
 #endif
   Recipe recipe;

@@ -20,7 +20,7 @@ struct Result {
   long peak_kib = 0;
 };
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef STYLET_SANITIZED
 constexpr bool kSanitized = true;  // whose shadow alone takes 20 TB of addresses
 #else
 constexpr bool kSanitized = false;
