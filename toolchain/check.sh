@@ -52,9 +52,10 @@ part "full tests" release labelled full
 scripts='check|rt_host|cross|rt\.determinism|fuzz\.short'
 part "fast tests with clang, under the address and undefined-behaviour sanitizers" \
   sanitize again -E "^($scripts|bench|bake\.cohort|coupling_energy)|ripple|calculix"
-# The others have one thread, and so have the two of hal left out.
+# The others have one thread, and so have those left out.
 part "fast tests under the thread sanitizer" \
-  sanitize-threads again -R '^(hal|rt_team|console)|InTwoThreads' -E '^hal_(coupling|steered)'
+  sanitize-threads again -R '^(hal|rt_team|console)|InTwoThreads' \
+  -E '^hal_(coupling|steered)|NoHelperComes'
 [ "$tier" = full ] || part "night tests" release labelled night
 
 use_preset release

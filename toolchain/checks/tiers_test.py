@@ -64,7 +64,7 @@ class Tiers(unittest.TestCase):
                    ("sanitize", SHORT + r" -E ^(check|rt_host|cross|rt\.determinism|fuzz\.short|"
                     r"bench|bake\.cohort|coupling_energy)|ripple|calculix"),
                    ("sanitize-threads", SHORT + " -R ^(hal|rt_team|console)|InTwoThreads"
-                    " -E ^hal_(coupling|steered)")]
+                    " -E ^hal_(coupling|steered)|NoHelperComes")]
     NIGHT = FULL + [("release", "-L ^night$ --no-tests=ignore")]
 
     def test_each_tier_has_all_of_the_one_before(self):
