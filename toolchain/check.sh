@@ -29,10 +29,11 @@ part() {
     verdict=FAILED
     failed=$((failed + 1))
     tests=$(find "$build/Testing/Temporary" -name LastTestsFailed.log -newer "$begin" \
-      -exec sed 's/^[0-9]*:/\n                  /' {} + 2>/dev/null) || true
+      -exec sed 's/^[0-9]*:/                  /' {} + 2>/dev/null) || true
   }
   rm "$begin"
-  summary+=("$(printf '%s %4d min  %s' "$verdict" $(((SECONDS - start + 59) / 60)) "$what")$tests")
+  what=$(printf '%s %4d min  %s' "$verdict" $(((SECONDS - start + 59) / 60)) "$what")
+  summary+=("$what${tests:+$'\n'$tests}")
 }
 
 # again [CTEST_ARGUMENT...]: the short tests in another build.
