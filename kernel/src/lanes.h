@@ -11,7 +11,7 @@
 namespace stylet {
 namespace {
 
-// The loops below run over whole groups of lanes and do not overlap; they stay functions of their
+// For loops over whole groups of lanes whose arrays do not overlap; they stay functions of their
 // own so that the compiler sees that.
 #if defined(__clang__)
 #define STYLET_VECTOR _Pragma("clang loop vectorize(assume_safety)")

@@ -21,7 +21,7 @@ namespace stylet::test {
 namespace {
 
 constexpr std::uint64_t kTicks = 2 * kCycleTicks;
-#ifdef STYLET_SANITIZED
+#if defined(__SANITIZE_THREAD__)
 constexpr std::uint64_t kTicksInThreads = 700;  // contact, puncture, the first particles
 #else
 constexpr std::uint64_t kTicksInThreads = kTicks;

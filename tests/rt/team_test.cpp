@@ -14,7 +14,7 @@
 namespace stylet::test {
 namespace {
 
-#ifdef STYLET_SANITIZED
+#if defined(__SANITIZE_THREAD__)
 constexpr std::uint64_t kTicks = 700;  // contact, puncture, the first particles
 #else
 constexpr std::uint64_t kTicks = 1800;  // and 27 mm of insertion, part of the pause
