@@ -3,6 +3,8 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+# Objects of another checkout serve this one: for ccache, paths count from here.
+export CCACHE_BASEDIR=$root
 
 # use_preset NAME: what the functions below configure, build and test, from here on.
 use_preset() {
