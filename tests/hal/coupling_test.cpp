@@ -105,6 +105,38 @@ TEST(Coupling, DrawsTheBaseAlongWhereTheHandCannotBeShownMore) {
   EXPECT_LT(slid.swing_n, 0.01);
   EXPECT_NEAR(slid.behind_m, 3.3 / 280, 2e-5);
   EXPECT_NEAR(slide({280, 3.3F}, 0.02, 2, 15e3).felt_n, 2, 0.02);  // below, nothing changes
+  EXPECT_NEAR(slide({280, 0.5F}, 0.02, 2, 15e3).felt_n, 0.5, 1e-3);
+}
+
+// While the device moves in and out at constant speed, on a spring all around that says it is
+// stiffer than it is: the largest difference of what is felt from both springs in series.
+double lag_n(const CouplingConfig& config, double k, double bound) {
+  CouplingState state;
+  Output out = {};
+  double worst = 0, way = 0;
+  for (int i = 0; i < 3000; ++i) {
+    way += i < 2000 ? 1e-5 : -1e-5;  // 10 mm/s
+    const auto third = static_cast<float>(way / 3);
+    const Vec3 device = {third, 2 * third, -2 * third};
+    const Vec3 base = coupled_base(config, state, device, out);
+    const auto size = static_cast<float>(k);
+    out.force_n = {-size * base.x, -size * base.y, -size * base.z};
+    out.stiffness_n_per_m = static_cast<float>(bound);
+    const Vec3 felt = coupled_force(config, state, device, out.force_n);
+    const double along = (of(felt.x) + 2 * of(felt.y) - 2 * of(felt.z)) / 3;
+    const auto own = of(config.stiffness_n_per_m);
+    const bool settled = i % 2000 > 200;  // the velocity is an average
+    if (settled) worst = std::max(worst, std::fabs(along + own * k / (own + k) * way));
+  }
+  return worst;
+}
+
+TEST(Coupling, ASpringDoesNotLagBehindAHandThatMoves) {
+  for (const double k : {100.0, 700.0, 5000.0}) {
+    for (const double over : {1.0, 5.0, 20.0}) {
+      EXPECT_LT(lag_n({700}, k, over * k), 5e-3) << k << " " << over;
+    }
+  }
 }
 
 // V26: mass 0.1 kg and damper 0.5 N s/m of the device, a hand that shakes it at random, 1 ms ticks;

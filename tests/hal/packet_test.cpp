@@ -73,6 +73,23 @@ TEST(Packet, FieldsLieWhereTheLayoutSays) {
   EXPECT_EQ(at<float>(f, 116), 4);
 }
 
+TEST(Packet, ForceFallsByTheStiffnessRowByRow) {
+  ForcePacket packet = some_force();
+  packet.model.force_n = {1, 2, 3};
+  packet.model.at_m = {};
+  packet.model.stiffness_n_per_m = {10, 20, 40, 50, 70, 110, 130, 170, 190};
+  packet.model.radius_m = 0;
+  packet.model.max_force_n = 1000;
+  const auto& k = packet.model.stiffness_n_per_m;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Vec3 away = {axis == 0 ? 0.5F : 0, axis == 1 ? 0.5F : 0, axis == 2 ? 0.5F : 0};
+    const Vec3 force = force_at(packet.model, away);
+    EXPECT_EQ(force.x, 1 - 0.5F * k[axis]);
+    EXPECT_EQ(force.y, 2 - 0.5F * k[3 + axis]);
+    EXPECT_EQ(force.z, 3 - 0.5F * k[6 + axis]);
+  }
+}
+
 TEST(Packet, ComesBackAsItWas) {
   ForcePacket out;
   ASSERT_TRUE(decode(encode(some_force()), out));

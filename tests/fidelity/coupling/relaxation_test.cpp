@@ -150,5 +150,35 @@ TEST(V28Relaxation, InsertedNeedleRelaxesAsWritten) {
   EXPECT_NEAR(decay.time_s / static_cast<double>(kTimeS), 1, 0.1);
 }
 
+// Nothing that fades ends among denormal numbers, which processors may flush: a needle goes in a
+// little askew, and is then turned along x, across which nothing pulls any more.
+TEST(Relaxation, WhatFadesEndsAtZero) {
+  TinyOrgan tiny;
+  tiny.nx = 8;
+  tiny.ny = tiny.nz = 5;
+  tiny.materials = {relaxing()};
+  tiny.materials[0].puncture_force_n = 0.05F;
+  Rig rig = make_rig(tiny, Config{}, Tissue::kFixed);
+  const Vec3 end = {25e-3F, 12e-3F, 13e-3F};
+  Input input = along_x({}, rig.length_m);
+  input.handle.rotation = {0.7069F, 0.02F, -0.7069F, 0.02F};
+  const Vec3 askew = rotation_matrix(input.handle.rotation) * Vec3{0, 0, -1};
+  for (int i = 0; i <= 2000; ++i) {
+    input.handle.position_m = end + (-rig.length_m - 2e-5F * static_cast<float>(2000 - i)) * askew;
+    checked_tick(rig, input);
+  }
+  const View view = needle_view(rig.view(), 0);
+  ASSERT_GT(view.state.needle->shaft_count, 2U);
+  ASSERT_NE(view.state.shaft[1].give_m.y, 0.0F);
+  for (int i = 0; i < 1000; ++i) {
+    move_tip(rig, end);
+    for (const Vec3 v : {view.state.shaft[1].give_m, view.state.shaft[1].memory_m,
+                         view.state.shaft[1].slack_m, view.state.tip->memory_m}) {
+      for (const float part : {v.x, v.y, v.z}) ASSERT_NE(std::fpclassify(part), FP_SUBNORMAL);
+    }
+  }
+  EXPECT_LT(std::fabs(view.state.shaft[1].give_m.y), 1e-11F);
+}
+
 }  // namespace
 }  // namespace stylet::test

@@ -66,6 +66,24 @@ TEST(Bone, StopsARigidNeedle) {
   EXPECT_NEAR(static_cast<double>(touch[0].normal.x), -1, 1e-3);
 }
 
+// With the tip or the side of the shaft, whichever way the face looks: the bound adds up the
+// contact's stiffness across the face and both ways along it, where it sticks.
+TEST(Bone, SaysHowStiffItIs) {
+  const Vec3 tip = {15e-3F, 17e-3F, 18e-3F};
+  const Vec3 half = {10e-3F, 30e-3F, 30e-3F};
+  const float deep_m = NeedleConfig{}.outer_radius_m - 0.2e-3F;
+  for (const Vec3 to_body : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0}, Vec3{0, 0, 1}}) {
+    ObstacleConfig body = bone(0);
+    const float away_m = std::fabs(dot(half, to_body)) + deep_m;
+    body.pose.position_m = tip + away_m * to_body;
+    Rig rig = make_bone(NeedleConfig{}, body);
+    const Output before = hold(rig, tip, 3);
+    const Output after = move_tip(rig, tip + 1e-5F * to_body);
+    EXPECT_NEAR(static_cast<double>(after.stiffness_n_per_m), 3 * 5000, 50);
+    EXPECT_NEAR(static_cast<double>(dot(before.force_n - after.force_n, to_body)), 0.05, 0.002);
+  }
+}
+
 // Pressed on bone that holds its tip, a needle buckles at the clamped-pinned load 20.19 EI / L^2
 // (physics notes 3.4) and feels no more than a little above it however far it is pushed.
 TEST(Bone, AThinNeedleBucklesOnItAtEulersLoad) {
