@@ -203,12 +203,15 @@ double bend_allowed(const View& view, std::uint32_t count) {
 }
 
 // A needle that bends in air as fast as it likes would find itself deep in a body, and be thrown
-// back through the other side of it.
+// back through the other side of it. Looked at again after that: the way there may lead deeper
+// through the body than where it ends.
 void approach_obstacles(const View& view, Vec3 shift) {
-  const Touching found = find_touches(view, needle_of(view), shift);
-  shorten_bend(*view.model.rod, handle_turn(view).wxyz, bend_allowed(view, found.count),
-               *view.state.rod_shape, *view.scratch.rod, *view.scratch.rod_result);
-  put_nodes(view);
+  for (std::uint32_t look = 0; look < kApproachLooks; ++look) {
+    const Touching found = find_touches(view, needle_of(view), shift);
+    shorten_bend(*view.model.rod, handle_turn(view).wxyz, bend_allowed(view, found.count),
+                 *view.state.rod_shape, *view.scratch.rod, *view.scratch.rod_result);
+    put_nodes(view);
+  }
 }
 
 std::uint32_t touch_obstacles(const View& view, const Needle& needle, Vec3 shift) {

@@ -103,12 +103,12 @@ inline bool is_near(const Obstacle& body, Vec3 a, Vec3 b, float radius_m) {
   return dot(left, left) <= limit * limit;
 }
 
-// An elastic needle looks for obstacles twice, the first time where it would bend to freely: not
-// far from where it ends.
+// An elastic needle looks for obstacles where it would bend to as well, not far from where it ends,
+// as often as its bend is shortened.
 inline void add_obstacles(const View& view, std::uint32_t rods, Vec3 shift, Amounts& amount) {
   constexpr float kBendM = 5e-3F;
   const bool elastic = bends(view.needle_config());
-  const std::uint32_t looks = elastic ? 2 : 1;
+  const std::uint32_t looks = elastic ? 1 + kApproachLooks : 1;
   const float radius_m = view.needle_config().outer_radius_m + (elastic ? kBendM : 0);
   for (std::uint32_t body = 0; body < view.model.head->obstacle_count; ++body) {
     const Obstacle& obstacle = view.model.obstacle[body];

@@ -88,6 +88,8 @@ constexpr float kMaxNormalTurnRad = 0.1F;
 // How much deeper the needle's bending presses it into an obstacle in one tick. Reached: the rest
 // of the bending follows in the next ticks.
 constexpr double kMaxPlungeM = 3e-5;
+// How often a bend is looked at and shortened for that. Reached: the needle may be pressed deeper.
+constexpr std::uint32_t kApproachLooks = 2;
 // Motion of the handle accepted in one second; faster input is clamped, flagged and followed later.
 constexpr float kMaxHandleSpeedMPerS = 5.0F;
 constexpr float kMaxHandleSpinRadPerS = 60.0F;
