@@ -43,7 +43,6 @@ Vec3 coupled_base(const CouplingConfig& config, CouplingState& state, Vec3 devic
                   const Output& last) {
   const float k = config.stiffness_n_per_m;
   if (!(k > 0) || !state.started) {
-    state = {};
     state.started = true;
     state.base_m = state.device_m = device_m;
     return device_m;

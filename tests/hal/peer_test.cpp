@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is particular to a peer on a real socket: what it says of itself, and who it is not.
+// What is particular to a peer: on a real socket, what it says of itself, and who it is not; in
+// virtual time, what becomes of its clock and its packets.
+#include <deque>
+
 #include "device_bench.h"
 #include "stylet/hal/link.h"
 #include "stylet/hal/packet.h"
+#include "stylet/hal/peer_device.h"
 
 namespace stylet::hal {
 namespace {
@@ -57,6 +61,16 @@ TEST(Peer, LimitsAreThoseItTellsAndNonsenseIsNotBelieved) {
   EXPECT_EQ(touch.max_stiffness_n_per_m, 400);
   EXPECT_EQ(touch.continuous_force_n, 0.88F);
   EXPECT_EQ(touch.max_torque_nm, 0.05F);
+  const DeviceInfo strongest = info_told({100, 1e6F, 100, 10});
+  EXPECT_EQ(strongest.max_force_n, 100);
+  EXPECT_EQ(strongest.max_stiffness_n_per_m, 1e6F);
+  EXPECT_EQ(strongest.continuous_force_n, 100);
+  EXPECT_EQ(strongest.max_torque_nm, 10);
+  const DeviceInfo boasting = info_told({100.5F, 1.01e6F, 100.5F, 10.5F});
+  EXPECT_EQ(boasting.max_force_n, 8);
+  EXPECT_EQ(boasting.max_stiffness_n_per_m, 0);
+  EXPECT_EQ(boasting.continuous_force_n, 0);
+  EXPECT_EQ(boasting.max_torque_nm, 0);
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   for (const float odd : {0.0F, -1.0F, kNan, std::numeric_limits<float>::infinity()}) {
     const DeviceInfo unknown = info_told({odd, odd, odd, odd});
@@ -82,6 +96,134 @@ TEST(Peer, NobodyAndAnotherVersionAreToldApart) {
   old[4] = std::byte{1};
   const Sender sender(old);
   EXPECT_NE(refusal(0.3).find("packets of version 1 came: expected version 2"), std::string::npos);
+}
+
+TEST(Peer, ZeroIsNoPort) {
+  try {
+    const Device device = open_device("udp:0", 0.01);
+    device.close(device.self);
+    FAIL() << "opened";
+  } catch (const DeviceError& error) {
+    EXPECT_NE(std::string(error.what()).find("udp:0: expected a port"), std::string::npos);
+  }
+}
+
+// A link whose packets the test puts there, and a clock that it turns.
+struct Wire {
+  std::deque<std::vector<std::byte>> to_us;
+  std::vector<ForcePacket> from_us;
+  int received = 0;
+  bool endless = false;
+  std::int64_t now_ns = 0;
+  PeerDevice peer;
+  Device device;
+
+  Wire() {
+    peer.link = {this, send, receive, nullptr, [](void*) {}};
+    peer.clock = {&now_ns, [](void* self) { return *static_cast<std::int64_t*>(self); }, nullptr};
+    device = peer_device(peer);
+  }
+  void come(std::uint32_t session, std::uint64_t seq, std::int64_t t_ns) {
+    SamplePacket packet;
+    packet.session = session;
+    packet.seq = seq;
+    packet.t_ns = t_ns;
+    const auto bytes = encode(packet);
+    to_us.emplace_back(bytes.begin(), bytes.end());
+  }
+  bool read(Sample& sample_out) { return device.read(device.self, 0, sample_out); }
+
+  static void send(void* self, std::span<const std::byte> bytes) {
+    ForcePacket packet;
+    ASSERT_TRUE(decode(bytes, packet));
+    static_cast<Wire*>(self)->from_us.push_back(packet);
+  }
+  static std::size_t receive(void* self, std::span<std::byte> room) {
+    Wire& wire = *static_cast<Wire*>(self);
+    ++wire.received;
+    if (wire.to_us.empty()) return 0;
+    const std::vector<std::byte> packet = wire.to_us.front();
+    if (!wire.endless) wire.to_us.pop_front();
+    std::copy(packet.begin(), packet.end(), room.begin());
+    return packet.size();
+  }
+};
+
+// Ten minutes of a sender whose clock began elsewhere and goes 50 millionths faster or slower;
+// every eighth packet takes 0.2 ms, the others up to 7 ms more. The time of a sample is that of its
+// taking, but for the shortest way and what the clocks may drift apart until the next short one.
+TEST(Peer, TimeOfASampleIsThatOfItsTakingWhateverTheWay) {
+  for (const double drift : {-50e-6, 50e-6}) {
+    Wire wire;
+    double worst_late_s = 0, worst_early_s = 0;
+    for (std::uint64_t i = 1; i <= 60'000; ++i) {
+      const auto taken_ns = static_cast<std::int64_t>(i * 10'000'000);
+      const auto hers_ns = static_cast<std::int64_t>((1 + drift) * static_cast<double>(taken_ns));
+      wire.come(5, i, hers_ns - 1'000'000'000'000);
+      wire.now_ns = taken_ns + 200'000 + static_cast<std::int64_t>(i % 8) * 1'000'000;
+      Sample sample;
+      ASSERT_TRUE(wire.read(sample));
+      ASSERT_EQ(sample.seq, i);
+      const double late_s = 1e-9 * static_cast<double>(sample.t_ns - taken_ns);
+      if (i < 16) continue;  // no packet has come the short way
+      worst_late_s = std::max(worst_late_s, late_s);
+      worst_early_s = std::max(worst_early_s, -late_s);
+    }
+    EXPECT_LT(worst_late_s, 0.2e-3 + 0.08 * 1.5 / kDriftPart) << drift;
+    EXPECT_LT(worst_early_s, 0.01e-3) << drift;
+  }
+}
+
+TEST(Peer, NumbersGoOnOverSessionsAndOldOnesAreNotTakenUp) {
+  Wire wire;
+  Sample sample;
+  EXPECT_FALSE(wire.read(sample));
+  wire.come(5, 40, 0);
+  ASSERT_TRUE(wire.read(sample));
+  const std::uint64_t first = sample.seq;
+  EXPECT_GT(first, 0U);
+  wire.come(5, 43, 0);
+  wire.come(5, 41, 0);
+  ASSERT_TRUE(wire.read(sample));
+  EXPECT_EQ(sample.seq, first + 3);
+  wire.now_ns = kSilenceNs + 1;
+  wire.come(6, 1, 0);
+  ASSERT_TRUE(wire.read(sample));
+  EXPECT_EQ(sample.seq, first + 4);
+}
+
+TEST(Peer, LooksAtNoMorePacketsThanItSays) {
+  Wire wire;
+  Sample sample;
+  wire.come(5, 1, 0);
+  ASSERT_TRUE(wire.read(sample));
+  EXPECT_EQ(wire.received, 2);  // the packet, and that there is none
+  wire.endless = true;
+  wire.come(5, 2, 0);
+  ASSERT_TRUE(wire.read(sample));
+  EXPECT_EQ(wire.received, 2 + kMostPerRead);
+}
+
+TEST(Peer, AForceHasItsStiffnessInAllDirectionsAndGoesToNobodyBeforeASample) {
+  Wire wire;
+  Command command = {};
+  command.force_n = {1, 2, 3};
+  command.stiffness_n_per_m = 250;
+  command.max_force_n = 4;
+  wire.device.write(wire.device.self, command);
+  EXPECT_TRUE(wire.from_us.empty());
+  Sample sample;
+  wire.come(5, 1, 77);
+  ASSERT_TRUE(wire.read(sample));
+  wire.device.write(wire.device.self, command);
+  ASSERT_EQ(wire.from_us.size(), 1U);
+  const ForcePacket& packet = wire.from_us[0];
+  EXPECT_EQ(packet.echo, 1U);
+  EXPECT_EQ(packet.echo_t_ns, 77);
+  EXPECT_EQ(packet.model.force_n.z, 3);
+  for (std::size_t i = 0; i < 9; ++i) {
+    EXPECT_EQ(packet.model.stiffness_n_per_m[i], i % 4 == 0 ? 250 : 0) << i;
+  }
 }
 
 }  // namespace
