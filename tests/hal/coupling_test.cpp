@@ -116,14 +116,14 @@ double lag_n(const CouplingConfig& config, double k, double bound) {
   double worst = 0, way = 0;
   for (int i = 0; i < 3000; ++i) {
     way += i < 2000 ? 1e-5 : -1e-5;  // 10 mm/s
-    const auto third = static_cast<float>(way / 3);
-    const Vec3 device = {third, 2 * third, -2 * third};
+    const auto part = static_cast<float>(way / std::sqrt(21));
+    const Vec3 device = {part, -2 * part, 4 * part};
     const Vec3 base = coupled_base(config, state, device, out);
     const auto size = static_cast<float>(k);
     out.force_n = {-size * base.x, -size * base.y, -size * base.z};
     out.stiffness_n_per_m = static_cast<float>(bound);
     const Vec3 felt = coupled_force(config, state, device, out.force_n);
-    const double along = (of(felt.x) + 2 * of(felt.y) - 2 * of(felt.z)) / 3;
+    const double along = (of(felt.x) - 2 * of(felt.y) + 4 * of(felt.z)) / std::sqrt(21);
     const auto own = of(config.stiffness_n_per_m);
     const bool settled = i % 2000 > 200;  // the velocity is an average
     if (settled) worst = std::max(worst, std::fabs(along + own * k / (own + k) * way));
@@ -137,6 +137,23 @@ TEST(Coupling, ASpringDoesNotLagBehindAHandThatMoves) {
       EXPECT_LT(lag_n({700}, k, over * k), 5e-3) << k << " " << over;
     }
   }
+}
+
+// As at a puncture: the deeper, the weaker, by just as much as the coupling is stiff. The base goes
+// on with the hand, neither back nor ahead of it.
+TEST(Coupling, AForceThatFallsNeitherTurnsTheBaseBackNorThrowsItAhead) {
+  CouplingState state;
+  Output out = {};
+  out.stiffness_n_per_m = 5000;
+  float last = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const float device = 1e-5F * static_cast<float>(i);
+    const float base = coupled_base({700}, state, {device, 0, 0}, out).x;
+    ASSERT_TRUE(i < 300 || (base >= last && base < device + 2e-5F)) << i;
+    last = base;
+    out.force_n.x = -720 * std::clamp(13e-3F - base, 0.0F, 3e-3F);
+  }
+  EXPECT_GT(last, 28e-3F);
 }
 
 // V26: mass 0.1 kg and damper 0.5 N s/m of the device, a hand that shakes it at random, 1 ms ticks;
