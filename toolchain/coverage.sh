@@ -20,6 +20,8 @@ arguments_of() {
   esac
 }
 
+# llvm-cov asks for sources by their whole paths.
+unset CCACHE_BASEDIR
 use_preset coverage
 configure
 compile "${programs[@]}"

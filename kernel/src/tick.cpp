@@ -163,6 +163,12 @@ void move_needle(const View& view, const Input& input, Moved& out) {
   out.flags |= couple_needle(view, out.shape);
 }
 
+void latch_fault(StateHead& state) {
+  if (state.latched_fault != 0) return;
+  state.latched_fault = 1;
+  ++state.fault_count;
+}
+
 void report_needle(const View& view, Moved& moved, Output& out) {
   out.flags |= moved.flags;
   if (view.state.needle->handle_known != 0) {
@@ -171,9 +177,7 @@ void report_needle(const View& view, Moved& moved, Output& out) {
   }
   describe(view, moved.shape, out);
   if (moved.known_before) book_work(view, moved.before, out);
-  if (output_finite(out)) return;
-  view.state.head->latched_fault = 1;
-  ++view.state.head->fault_count;
+  if (!output_finite(out)) latch_fault(*view.state.head);
 }
 
 Output faulted(const View& view) {
@@ -203,6 +207,9 @@ void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outpu
       view.scratch.head->substeps_to_come = substeps - 1 - s;
       kernel.step(kernel);
     }
+    // Tissue stretched a hundredfold in a tick may leave the numbers there are, and the needle it
+    // has left would not know.
+    if (!is_finite(state.max_displacement_m)) latch_fault(state);
     measure_forces(view);
     for (std::uint32_t i = 0; i < count; ++i) {
       out[i].flags = flags;

@@ -332,5 +332,22 @@ TEST(Edges, ABrokenStateLatchesAFaultUntilReset) {
   EXPECT_EQ(tick(session.kernel, scripted_input(script, 0)).flags, 0U);
 }
 
+// Found by the fuzzer: tissue torn apart after the needle had left it, so that no force told.
+TEST(Edges, TissueThatIsNotFiniteLatchesAFaultThoughTheNeedleIsOutside) {
+  for (const float odd : {kNan, std::numeric_limits<float>::infinity()}) {
+    const auto organ = block_organ(4, 4, 4);
+    Session session = make_session(organ->organ, Config{});
+    const Input outside = {{{0, 0, 1}, {1, 0, 0, 0}}, 1};
+    EXPECT_EQ(tick(session.kernel, outside).flags, 0U);
+    const View view = view_of(session.kernel);
+    const std::uint32_t middle = view.model.head->counts.particles / 2;
+    for (std::uint32_t i = middle; i < middle + 40; ++i) view.state.uy[i] = odd;
+    EXPECT_EQ(tick(session.kernel, outside).flags, kFlagFault) << odd;
+    EXPECT_EQ(stats(session.kernel).fault, 1U);
+    reset(session.kernel);
+    EXPECT_EQ(tick(session.kernel, outside).flags, 0U);
+  }
+}
+
 }  // namespace
 }  // namespace stylet::test
