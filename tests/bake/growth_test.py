@@ -16,6 +16,9 @@ import numpy
 
 TOOL = pathlib.Path(os.environ.get("STYLET_BIN", "build/bin")) / "stylet-organ"
 LINEAR = 1.5  # largest growth of the cost of one more, from the small half to the large one
+# Builds of a second are timed so often, in turn, and the least counts: what runs beside them makes
+# them slower only. (Instructions cannot be counted: CGAL needs rounding modes that valgrind lacks.)
+ROUNDS = 5
 
 
 def write_ball(path, triangles, diameter_mm):
@@ -84,13 +87,13 @@ class Growth(unittest.TestCase):
         self.check_linear("triangles", points)
 
     def test_voxels(self):
-        points = []
         ball(self.folder / "ball.stl", 20_000, diameter_mm=156)
-        for edge_mm in (2, 1.4, 1):
-            points.append((int(1.99e6 / edge_mm ** 3),
-                           *cost("build", self.folder / "ball.stl", "--voxel-mm", edge_mm, "-o",
-                                 self.folder / "a.organ")))
-        self.check_linear("voxels", points)
+        edges_mm = (2, 1.4, 1)
+        rounds = [[cost("build", self.folder / "ball.stl", "--voxel-mm", edge_mm, "-o",
+                        self.folder / "a.organ") for edge_mm in edges_mm] for _ in range(ROUNDS)]
+        self.check_linear("voxels", [
+            (int(1.99e6 / edge_mm ** 3), *map(min, zip(*costs)))
+            for edge_mm, costs in zip(edges_mm, zip(*rounds))])
 
 
 if __name__ == "__main__":
