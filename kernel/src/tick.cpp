@@ -207,8 +207,8 @@ void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outpu
       view.scratch.head->substeps_to_come = substeps - 1 - s;
       kernel.step(kernel);
     }
-    // Tissue stretched a hundredfold in a tick may leave the numbers there are, and the needle it
-    // has left would not know.
+    // Tissue dragged to a hundredfold of its length may leave the numbers there are, and a needle
+    // that has left it would not tell.
     if (!is_finite(state.max_displacement_m)) latch_fault(state);
     measure_forces(view);
     for (std::uint32_t i = 0; i < count; ++i) {
