@@ -48,6 +48,12 @@ inline WideBits lanes_set(std::uint32_t bits) {
 inline Wide zero_unless(WideBits set, Wide value) {
   return set ? value : Wide{};
 }
+// Within +-bound; what is not a number stays so, for the tick to see.
+inline Wide no_larger(Wide value, float bound) {
+  const Wide most = bound - Wide{}, least = -bound - Wide{};
+  value = most < value ? most : value;
+  return least > value ? least : value;
+}
 
 }  // namespace
 }  // namespace stylet

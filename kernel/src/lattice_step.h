@@ -298,7 +298,7 @@ void spread_plane(const View& view, const Plane& plane, float* low, float* high)
 }
 
 struct Motion {
-  float dt, tau, keep;
+  float dt, tau, keep, fastest;
   // Largest displacement so far: its bits, which as integers have the order of floats.
   WideBits largest = {};
 };
@@ -308,6 +308,7 @@ inline void move_lanes(const float* force, Wide per_mass, Wide hold, float* u, f
                        Motion& motion) {
   Wide velocity = motion.keep * load(v) - per_mass * (hold * load(e) - load(force));
   velocity = (velocity + kQuantum) - kQuantum;
+  velocity = no_larger(velocity, motion.fastest);
   Wide place = load(u) + motion.dt * velocity;
   place = (place + kQuantum) - kQuantum;
   store(v, velocity);
@@ -401,7 +402,8 @@ float* sweep_planes(const View& view, std::uint32_t begin, std::uint32_t end, fl
 
 Motion start_motion(const ModelHead& head) {
   return {head.substep_s, head.config.tissue_damping_s,
-          1 - head.substep_s * head.config.surround_drag_per_s};
+          1 - head.substep_s * head.config.surround_drag_per_s,
+          kMaxEdgesPerSubstep * head.edge_m / head.substep_s};
 }
 
 float* kept_by(const View& view, const Slab& slab) {

@@ -61,6 +61,10 @@ constexpr std::uint32_t kMaxRodLoads = kMaxConstraintParticles + 1 + kMaxTouches
 // Newton steps of the needle's equilibrium in a tick. Reached: what is left is solved in the next
 // ticks: tens for a needle that snaps through, nothing that can be felt for a moving hand.
 constexpr std::uint32_t kRodNewtonSteps = 2;
+// Motion of a particle of tissue in a substep along an axis, in voxel edges. Beyond: clamped.
+// Forces travel one voxel in a substep, so the step cannot follow more: tissue torn along by a
+// needle gained energy until numbers ended.
+constexpr float kMaxEdgesPerSubstep = 1.0F;
 // Size of one load on the needle. Beyond: forces and places are clamped by component, a stiffness
 // is scaled down by its trace.
 constexpr double kMaxRodForceN = 1e3;
