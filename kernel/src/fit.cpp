@@ -270,7 +270,6 @@ void measure_forces(const View& view) {
     const Vec3 f = force_on_tissue(p);
     const float work = 0.5F * dot(p.force_n + f, p.slip_m);
     (is_tip(index) ? state.cutting_j : state.friction_j) += static_cast<double>(max_of(work, 0));
-    p.slip_m = {};
     p.force_n = f;
   });
 }

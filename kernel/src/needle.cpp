@@ -45,17 +45,21 @@ Sym3d symmetric(const Mat3& m) {
   return {d(m.m[0][0]), d(m.m[0][1]), d(m.m[0][2]), d(m.m[1][1]), d(m.m[1][2]), d(m.m[2][2])};
 }
 
-// A held particle bends the needle by its spring: in contact on all sides, inserted across the
-// shaft, for along it slip decides.
+// Where a particle has slipped along the shaft it will slip on: its force there is on its limit.
+bool slides(const Particle& p) {
+  return dot(p.slip_m, p.slip_m) > 0;
+}
+
+// A held particle bends the needle by its spring: one that slips, only across the shaft. (Without
+// the spring along it, one pressed at the tip buckles under a load that does not give way.)
 void add_particle(const View& view, const Needle& last, const Particle& p, RodLoads& loads) {
   if (p.share_count == 0) return;
   const NeedleState& own = *view.state.needle;
-  const bool contact = own.phase == Phase::kContact;
-  const Vec3 slides = contact ? Vec3{} : needle_point(last, p.arc_m).direction;
+  const Vec3 along = slides(p) ? needle_point(last, p.arc_m).direction : Vec3{};
   const double length = static_cast<double>(view.needle_config().length_m);
   loads.load[loads.count++] = {length - static_cast<double>(p.arc_m),
                                to_double(p.position_m) - to_double(own.base_m),
-                               -1.0 * to_double(p.force_n), across(slides, p.stiffness_n_per_m)};
+                               -1.0 * to_double(p.force_n), across(along, p.stiffness_n_per_m)};
 }
 
 // All that pushed the needle in the last tick, as it answers to being moved.
@@ -123,13 +127,13 @@ std::uint32_t bend(const View& view, Vec3 shift) {
   return keep_bend(view);
 }
 
-// A particle goes where the needle has gone: one that holds the shaft, only across it, for along it
-// slip decides, in the next tick.
-void carry(const Needle& needle, bool slides, Particle& p) {
+// A particle goes where the needle has gone; one that slips, only across, for how far along is
+// decided in the next tick.
+void carry(const Needle& needle, Particle& p) {
   if (p.share_count == 0) return;
   const NeedlePoint at = needle_point(needle, p.arc_m);
   const Vec3 moved = at.place_m - p.position_m;
-  const float along = slides ? dot(moved, at.direction) : 0;
+  const float along = slides(p) ? dot(moved, at.direction) : 0;
   p.position_m = p.position_m + (moved - along * at.direction);
   p.force_n = force_on_tissue(p);
 }
@@ -307,8 +311,8 @@ std::uint32_t settle_needle(const View& view, Needle& needle) {
   solve(view, attachment_shift(view));
   const std::uint32_t flags = keep_bend(view);
   needle.tip_m = needle.node[needle.rods];
-  for (std::uint32_t i = 0; i < own.shaft_count; ++i) carry(needle, true, view.state.shaft[i]);
-  carry(needle, own.phase != Phase::kContact, *view.state.tip);
+  for (std::uint32_t i = 0; i < own.shaft_count; ++i) carry(needle, view.state.shaft[i]);
+  carry(needle, *view.state.tip);
   return flags;
 }
 
