@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // One step of the tissue or one tick, in a state the arguments choose, for callgrind to count: it
-// counts what lies between the two marks and nothing else. Prints what the counts are to be set
-// against. growth.py calls it.
+// counts what lies between the two marks and nothing else. With an instruction set named it counts
+// the step itself, one instruction after the other, for callgrind knows no AVX-512. Prints what the
+// counts are to be set against. growth.py calls it.
+#include <sys/ptrace.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <valgrind/callgrind.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string_view>
 
 #include "liver.h"
@@ -22,6 +28,7 @@ struct Work {
   std::uint32_t rods = 0;  // 0: rigid
   Hand hand = Hand::kQuiet;
   bool tick = false;
+  std::optional<std::string_view> counted_for;  // instruction set; none: callgrind counts
 };
 
 // Sideways and back by 5 mm each tick: as fast as the kernel lets a hand be.
@@ -31,6 +38,34 @@ Input shaken(const Script& script, std::uint64_t at, Hand hand) {
   return input;
 }
 
+// Instructions of a child that makes this call and ends.
+template <typename Call>
+long stepped(Call call) {
+  const pid_t child = fork();
+  if (child == 0) {
+    ptrace(PTRACE_TRACEME, 0, nullptr, nullptr);
+    std::raise(SIGSTOP);
+    call();
+    _exit(0);
+  }
+  int status = 0;
+  long steps = 0;
+  waitpid(child, &status, 0);
+  for (; WIFSTOPPED(status); ++steps) {
+    if (ptrace(PTRACE_SINGLESTEP, child, nullptr, nullptr) != 0) std::exit(77);  // not allowed here
+    waitpid(child, &status, 0);
+  }
+  return steps;
+}
+
+const Variant* variant(std::string_view name) {
+  static const std::vector<Variant> here = variants_here();
+  for (const Variant& one : here) {
+    if (name == one.name) return &one;
+  }
+  return nullptr;
+}
+
 int count(const Work& work) {
   const auto opened = liver_organ(work.voxels);
   Config config = config_of(work.rods > 0 ? Setup::kElastic : Setup::kPhysical);
@@ -38,7 +73,9 @@ int count(const Work& work) {
   if (work.rods > 0) config.needle[0].rods = work.rods;
   const Script script = script_for(opened->organ, config);
   Session session = make_session(opened->organ, config);
-  session.kernel.step = variants_here()[1].step;  // AVX2: what callgrind can run
+  const Variant* const wanted = variant(work.counted_for.value_or("avx2"));  // callgrind's best
+  if (wanted == nullptr) return 77;
+  session.kernel.step = wanted->step;
   std::uint64_t at = 0;
   const std::uint64_t end = work.hand == Hand::kAway ? 10 : kPauseBegin + 1;
   for (; at < end; ++at) {
@@ -46,6 +83,10 @@ int count(const Work& work) {
     tick(session.kernel, shaken(script, at, shake ? work.hand : Hand::kQuiet));
   }
   const Input input = shaken(script, at, work.hand);
+  if (work.counted_for) {
+    const long all = stepped([&] { session.kernel.step(session.kernel); });
+    std::printf("instructions=%ld ", all - stepped([] {}));
+  }
   CALLGRIND_START_INSTRUMENTATION;
   CALLGRIND_TOGGLE_COLLECT;
   if (work.tick) {
@@ -64,10 +105,11 @@ int count(const Work& work) {
 }  // namespace
 }  // namespace stylet::test
 
-// usage: stylet-work VOXELS UNIT_MM RODS away|quiet|violent step|tick
+// usage: stylet-work VOXELS UNIT_MM RODS away|quiet|violent step|tick [avx2|avx512]
+// Ends with 77 where this machine cannot do that.
 int main(int argc, char** argv) {
   using namespace stylet::test;
-  if (argc != 6 || variants_here().size() < 2) return 2;
+  if (argc != 6 && argc != 7) return 2;
   const std::string_view hand = argv[4];
   Work work;
   work.voxels = std::strtoul(argv[1], nullptr, 10);
@@ -75,5 +117,6 @@ int main(int argc, char** argv) {
   work.rods = static_cast<std::uint32_t>(std::strtoul(argv[3], nullptr, 10));
   work.hand = hand == "away" ? Hand::kAway : hand == "violent" ? Hand::kViolent : Hand::kQuiet;
   work.tick = std::string_view(argv[5]) == "tick";
+  if (argc == 7) work.counted_for = argv[6];
   return count(work);
 }
