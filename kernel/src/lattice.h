@@ -9,7 +9,8 @@
 // u the displacement, t its mean over the corners, D its gradient, R the best rotation. That is
 // corotated linear elasticity with the modulus the material states, for every voxel size.
 // Damping: clusters are evaluated at e = u + tau v (Kelvin-Voigt, objective).
-// Step: v += dt f / M, u += dt v, symplectic; M bounded below so that any material is stable.
+// Step: v += dt f / M, u += dt v, symplectic; M bounded below so that any material is stable, v
+// bounded by kMaxEdgesPerSubstep.
 //
 // Promises: no branch on data, same operations for every state; same bits for any lane width
 // because no sum is horizontal (a lane is a voxel or a particle). The source is compiled once per

@@ -4,11 +4,11 @@
 // lattices.
 //
 // tissue: the lattice step with everything physical on and a needle inserted; shared: the same with
-// one helper thread. tick: the whole kernel, needle inserted and pulled sideways; tick_elastic with
-// an elastic needle in breathing tissue. cadence: kernel and guard at a real period, the processor
-// spinning in between. bullet, eigen: peers.h.
-// The repetitions of all are shuffled; what counts is the median of single runs in a repetition,
-// and of these the median.
+// one helper thread; beside: the same with another thread at a step of its own, which is all that
+// two threads can give on this machine. tick: the whole kernel, needle inserted and pulled
+// sideways; tick_elastic with an elastic needle in breathing tissue. cadence: kernel and guard at a
+// real period, the processor spinning in between. bullet, eigen: peers.h. The repetitions of all
+// are shuffled; what counts is the median of single runs in a repetition, and of these the median.
 #include <benchmark/benchmark.h>
 
 #if defined(__x86_64__)
@@ -147,6 +147,22 @@ void bench_shared(benchmark::State& state, Subject& subject, const Variant& vari
   describe(state, subject, 1);
 }
 
+void bench_beside(benchmark::State& state, Subject& subject, const Variant& variant) {
+  Session session = inserted_session(subject, config_of(Setup::kPhysical), variant);
+  Session other = inserted_session(subject, config_of(Setup::kPhysical), variant);
+  std::atomic<bool> stop = false;
+  std::thread neighbour([&] {
+    while (!stop.load(std::memory_order_relaxed)) other.kernel.step(other.kernel);
+  });
+  {
+    Stopwatch watch(state, Time::kPassing, 1);
+    for (auto _ : state) watch.time([&] { session.kernel.step(session.kernel); });
+  }
+  stop.store(true);
+  neighbour.join();
+  describe(state, subject, 1);
+}
+
 void bench_tick(benchmark::State& state, Subject& subject, Setup setup, const Variant& variant) {
   const Config config = config_of(setup);
   const Script script = script_for(subject.organ(), config);
@@ -235,6 +251,9 @@ void register_subject(Subject& subject) {
     add("tissue" + tail, [&subject, variant](auto& s) { bench_tissue(s, subject, variant); });
     add("shared" + tail, [&subject, variant](auto& s) {
       bench_shared(s, subject, variant);
+    })->UseRealTime();
+    add("beside" + tail, [&subject, variant](auto& s) {
+      bench_beside(s, subject, variant);
     })->UseRealTime();
     for (const auto& [name, setup] :
          {std::pair("tick", Setup::kPhysical), std::pair("tick_elastic", Setup::kElastic)}) {
