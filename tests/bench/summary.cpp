@@ -110,8 +110,8 @@ void Summary::print(std::ostream& out) const {
     };
     times(row.measure == "tissue" ? ratio("bullet", "", row) : 0, 9);
     times(row.measure == "tissue" ? ratio("eigen", "", row) : 0, 9);
-    const double of_one = ratio("tissue", row.variant, row);
-    times(row.measure == "shared" ? of_one : row.measure == "beside" ? 2 * of_one : 0, 11);
+    const bool two = row.measure == "shared" || row.measure == "beside";
+    times(two ? ratio("tissue", row.variant, row) : 0, 11);
     out << "\n";
   }
 }
