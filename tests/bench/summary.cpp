@@ -43,6 +43,10 @@ bool busy() {
   return getloadavg(&load, 1) != 1 || load > 1.5;
 }
 
+bool of_two_threads(const std::string& measure) {
+  return measure == "shared" || measure == "beside";
+}
+
 double counter(const benchmark::BenchmarkReporter::Run& run, const char* name) {
   const auto found = run.counters.find(name);
   return found == run.counters.end() ? 0 : found->second.value;
@@ -110,8 +114,7 @@ void Summary::print(std::ostream& out) const {
     };
     times(row.measure == "tissue" ? ratio("bullet", "", row) : 0, 9);
     times(row.measure == "tissue" ? ratio("eigen", "", row) : 0, 9);
-    const bool two = row.measure == "shared" || row.measure == "beside";
-    times(two ? ratio("tissue", row.variant, row) : 0, 11);
+    times(of_two_threads(row.measure) ? ratio("tissue", row.variant, row) : 0, 11);
     out << "\n";
   }
 }
@@ -121,7 +124,7 @@ void Summary::write(const std::string& folder) const {
   std::map<std::string, std::ofstream> files;
   const bool crowded = busy();
   for (const Row& row : rows_) {
-    if (crowded && row.measure == "shared") continue;
+    if (crowded && of_two_threads(row.measure)) continue;
     std::ofstream& file = files[row.variant.empty() ? "peers" : row.variant];
     if (!file.is_open()) {
       file.open(folder + "/" + file_name(processor_name()) + "-" +

@@ -524,8 +524,8 @@ class Bench(unittest.TestCase):
         names = call("stylet", "bench", "--benchmark_list_tests").stdout.splitlines()
         self.assertGreater(len(names), 3)
         for name in names:
-            self.assertRegex(name, r"^(tissue|shared|tick|tick_elastic|tick_paper|cadence_\w+"
-                                   r"|bullet|eigen)/")
+            self.assertRegex(name, r"^(tissue|shared|beside|tick|tick_elastic|tick_paper"
+                                   r"|cadence_\w+|bullet|eigen)/")
 
 
 class Refusals(Folder):
