@@ -43,7 +43,7 @@ template <typename Call>
 long stepped(Call call) {
   const pid_t child = fork();
   if (child == 0) {
-    ptrace(PTRACE_TRACEME, 0, nullptr, nullptr);
+    if (ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) != 0) _exit(77);  // stopped, none would wake it
     std::raise(SIGSTOP);
     call();
     _exit(0);
@@ -55,6 +55,7 @@ long stepped(Call call) {
     if (ptrace(PTRACE_SINGLESTEP, child, nullptr, nullptr) != 0) std::exit(77);  // not allowed here
     waitpid(child, &status, 0);
   }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) std::exit(77);  // nothing was counted
   return steps;
 }
 
