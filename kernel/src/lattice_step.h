@@ -266,9 +266,11 @@ inline Sent sent_by_row(const float* sent, std::ptrdiff_t stride, WideBits lanes
           zero_unless(lanes, kSide > 0 ? along + same : along - other)};
 }
 
-// Stage 3. Forces on the plane's high particles are set, on its low ones they join those from the
-// clusters below. Windows in order, so that the zeros which their last lanes write beyond the end
-// of a line are written over by the next line. `low` and `high`: x, y, z, `axis` apart.
+// Stage 3. Forces on the particles at the side the sweep comes from join those from the clusters
+// there; on the others they are set. Windows in order, so that the zeros which their last lanes
+// write beyond the end of a line are written over by the next line. `low` and `high`: x, y, z,
+// `axis` apart.
+template <bool kUp>
 void spread_plane(const View& view, const Plane& plane, float* low, float* high) {
   constexpr std::uint32_t kList = kWide > 8 ? 1 : 0;
   constexpr std::uint32_t kWindow = kWide > 8 ? 16 : 8;
@@ -286,8 +288,9 @@ void spread_plane(const View& view, const Plane& plane, float* low, float* high)
       for (int c = 0; c < 3; ++c) {
         const Sent one = sent_by_row<1>(a, sums.stride, before);
         const Sent other = sent_by_row<-1>(b, sums.stride, behind);
-        store(to_low, load(to_low) + (one.low + other.low));
-        store(to_high, one.high + other.high);
+        const Wide on_low = one.low + other.low, on_high = one.high + other.high;
+        store(to_low, kUp ? load(to_low) + on_low : on_low);
+        store(to_high, kUp ? on_high : load(to_high) + on_high);
         a += 4 * sums.stride;
         b += 4 * sums.stride;
         to_low += axis;
@@ -376,28 +379,40 @@ void clear(const View& view, const Plane& plane, float* force) {
   }
 }
 
-// Sweeps the voxel planes of a slab and moves the particles they share. Particles at the slab's low
-// end stay, unless they are the lattice's, and `kept` has the forces on them from above; returns
-// the forces on those at its high end from below.
-float* sweep_planes(const View& view, std::uint32_t begin, std::uint32_t end, float* kept,
-                    Motion& motion) {
+// Sweeps the first voxel plane of a slab and as many of those between as it gets, and moves the
+// particles between them. Those at its ends stay, unless they are the lattice's, and the slab has
+// the forces on them.
+void sweep_planes(const View& view, Slab& slab, Motion& motion) {
   const Plane* const plane = view.model.plane;
+  const std::uint32_t top = view.model.head->counts.planes;
   const std::size_t part = 3 * std::size_t{view.model.head->counts.particles_per_plane};
-  float* here = kept;
+  const std::uint32_t behind = slab.up ? 0 : 1, ahead = 1 - behind;  // of a voxel plane's particles
+  float* here = slab.kept;
+  float* next = nullptr;
   Fits fits = {};  // lanes without a voxel are computed, too
   FitMembers members = {};
-  clear(view, plane[begin], here);
-  for (std::uint32_t z = begin; z < end; ++z) {
-    float* const above = view.scratch.force + (z + 1) % 2 * part;
-    clear(view, plane[z + 1], above);
+  std::uint32_t z = slab.first;
+  clear(view, plane[z + behind], here);
+  for (bool more = true; more; here = next) {
+    next = view.scratch.force + (z + 1) % 2 * part;
+    clear(view, plane[z + ahead], next);
     fit_plane(view, plane[z]);
     couple_plane(view, z, fits, members);
-    spread_plane(view, plane[z], here, above);
-    if (z > begin || z == 0) move_particles(view, plane[z], here, motion);
-    here = above;
+    if (slab.up) {
+      spread_plane<true>(view, plane[z], here, next);
+    } else {
+      spread_plane<false>(view, plane[z], next, here);
+    }
+    const std::uint32_t done = z + behind;
+    const bool move = z != slab.first || done == 0 || done == top;
+    if (move) move_particles(view, plane[done], here, motion);
+    more = take_plane(*slab.between);
+    z += more ? ahead - behind : 0;
   }
-  if (end == view.model.head->counts.planes) move_particles(view, plane[end], here, motion);
-  return here;
+  if (slab.up && z + 1 == top) move_particles(view, plane[top], here, motion);
+  slab.begin = slab.up ? slab.first : z;
+  slab.low = slab.up ? slab.kept : here;
+  slab.high = slab.up ? here : slab.kept;
 }
 
 Motion start_motion(const ModelHead& head) {
@@ -406,18 +421,13 @@ Motion start_motion(const ModelHead& head) {
           kMaxEdgesPerSubstep * head.edge_m / head.substep_s};
 }
 
-float* kept_by(const View& view, const Slab& slab) {
-  const std::size_t part = 3 * std::size_t{view.model.head->counts.particles_per_plane};
-  return slab.force + (kForceParts - 1) * part;
-}
-
 // In scratch of its own (lattice_team.h).
 void sweep_slab(const Kernel& kernel, Slab& slab) {
   View view = view_of(kernel);
   view.scratch.sums = slab.sums;
   view.scratch.force = slab.force;
   Motion motion = start_motion(*view.model.head);
-  slab.high = sweep_planes(view, slab.begin, slab.end, kept_by(view, slab), motion);
+  sweep_planes(view, slab, motion);
   slab.largest_m = largest_displacement(motion);
 }
 
@@ -441,17 +451,22 @@ void STYLET_LATTICE_STEP(const Kernel& kernel) {
   const ModelHead& head = *view.model.head;
   Motion motion = start_motion(head);
   if (kernel.team == nullptr) {
-    sweep_planes(view, 0, head.counts.planes, view.scratch.force, motion);
+    Between all = {0, head.counts.planes - 1};
+    Slab slab = {};
+    slab.up = true;
+    slab.between = &all;
+    slab.kept = view.scratch.force;
+    sweep_planes(view, slab, motion);
   } else {
     sweep_together(kernel, sweep_slab);
     Team& team = team_of(kernel);
     join(motion, team.slab[0]);
     for (std::uint32_t s = 1; s < team.slab_count; ++s) {
-      const Plane& plane = view.model.plane[team.slab[s].begin];
-      float* const force = kept_by(view, team.slab[s]);
-      add_forces(view, plane, team.slab[s - 1].high, force);
-      move_particles(view, plane, force, motion);
-      join(motion, team.slab[s]);
+      const Slab &below = team.slab[s - 1], &above = team.slab[s];
+      const Plane& plane = view.model.plane[above.begin];
+      add_forces(view, plane, above.low, below.high);
+      move_particles(view, plane, below.high, motion);
+      join(motion, above);
     }
   }
   view.state.head->max_displacement_m = largest_displacement(motion);

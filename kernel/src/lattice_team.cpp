@@ -32,6 +32,7 @@ bool sweep_one(const Kernel& kernel, Team& team) {
   return false;
 }
 
+constexpr std::uint32_t kForceParts = 3;  // two in turn, and the one that is kept
 struct TeamSizes {
   std::size_t sums, force;  // floats of one slab, in whole blocks
 };
@@ -43,10 +44,29 @@ TeamSizes team_sizes(const Counts& counts) {
           whole(std::size_t{3} * kForceParts * counts.particles_per_plane)};
 }
 
-// One for each thread. (Four, for threads that differ in speed, took two threads 11 to 15 % more
-// time: each slab begins with memory that its processor does not have near.)
+// One for each thread.
 std::uint32_t slabs_of(const Counts& counts, std::uint32_t helpers) {
   return counts.planes < helpers + 1 ? counts.planes : helpers + 1;
+}
+
+// What each slab begins with, and every two have between them: as many slots in each as there are
+// in all by now, and a plane for each that follows.
+void share_planes(const ModelView& model, Team& team) {
+  const Counts& counts = model.head->counts;
+  std::uint32_t plane = 0;
+  for (std::uint32_t s = 0; s < team.slab_count; ++s) {
+    const std::uint32_t begin = plane, left = team.slab_count - 1 - s;
+    const std::uint64_t wanted = std::uint64_t{counts.slots} * (s + 1);
+    for (++plane; plane < counts.planes - left; ++plane) {
+      const Plane& p = model.plane[plane];
+      if (std::uint64_t{p.slot_begin + p.slot_end} * team.slab_count > 2 * wanted) break;
+    }
+    Slab& slab = team.slab[s];
+    slab.up = s % 2 == 0;
+    slab.first = slab.up ? begin : plane - 1;
+    slab.between = &team.between[s / 2];
+    slab.between->planes += plane - begin - 1;
+  }
 }
 
 }  // namespace
@@ -55,6 +75,7 @@ void sweep_together(const Kernel& kernel, void (*sweep)(const Kernel&, Slab&)) {
   Team& team = team_of(kernel);
   team.sweep = sweep;
   team.done.store(0, std::memory_order_relaxed);
+  for (Between& each : team.between) each.taken.store(0, std::memory_order_relaxed);
   const std::uint32_t step = team.work.load(std::memory_order_relaxed) / kStep;
   team.work.store((step + 1) * kStep, std::memory_order_release);
   while (sweep_one(kernel, team)) {
@@ -86,22 +107,14 @@ Status set_team(Kernel& kernel, std::uint32_t helpers, std::span<std::byte> memo
   // Nothing to take until the first step.
   team.work.store(team.slab_count, std::memory_order_relaxed);
   auto* floats = reinterpret_cast<float*>(memory.data() + sizeof(Team));
-  std::uint32_t plane = 0;
   for (std::uint32_t s = 0; s < team.slab_count; ++s) {
     Slab& slab = team.slab[s];
-    slab.begin = plane;
-    // As many slots in each as there are in all by now, and a plane for each that follows.
-    const std::uint32_t left = team.slab_count - 1 - s;
-    const std::uint64_t wanted = std::uint64_t{counts.slots} * (s + 1);
-    for (++plane; plane < counts.planes - left; ++plane) {
-      const Plane& p = view.model.plane[plane];
-      if (std::uint64_t{p.slot_begin + p.slot_end} * team.slab_count > 2 * wanted) break;
-    }
-    slab.end = left == 0 ? counts.planes : plane;
     slab.sums = floats + kLanes;
     slab.force = floats + size.sums;
+    slab.kept = slab.force + std::size_t{3} * (kForceParts - 1) * counts.particles_per_plane;
     floats += size.sums + size.force;
   }
+  share_planes(view.model, team);
   kernel.team = memory.data();
   return Status::kOk;
 }
