@@ -4,13 +4,15 @@
 
 usage: fuzz.py BUILD_FOLDER TARGET... [--runs N | --seconds N] [--seed N]
 
-Starts from the seeds committed in tests/fuzz/seeds/TARGET. With --runs the same inputs are tried
-every time (CI); with --seconds as many as fit, from a seed of the day or --seed. What is worth
-keeping stays in BUILD_FOLDER/corpus/TARGET for the next run. An input that breaks a promise is left
-in BUILD_FOLDER/finds; once mended it belongs into the seeds, where every build replays it, with a
+As many targets at a time as there are processors, each started from the seeds committed in
+tests/fuzz/seeds/TARGET. With --runs the same inputs are tried every time (CI); with --seconds as
+many as fit, from a seed of the day or --seed. What is worth keeping stays in
+BUILD_FOLDER/corpus/TARGET for the next run. An input that breaks a promise is left in
+BUILD_FOLDER/finds; once mended it belongs into the seeds, where every build replays it, with a
 suffix (.bin where it is not text).
 """
 import argparse
+import concurrent.futures
 import os
 import pathlib
 import shutil
@@ -59,7 +61,7 @@ def command_of(folder, target, options):
 
 
 def fuzz(folder, target, options):
-    """True if every promise held."""
+    """Whether every promise held, and what there is to say."""
     environment = dict(os.environ, UBSAN_OPTIONS="print_stacktrace=1", TMPDIR=str(folder))
     done = subprocess.run(command_of(folder, target, options), stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, errors="replace", env=environment)
@@ -68,12 +70,10 @@ def fuzz(folder, target, options):
         inputs = [line.split()[-1] for line in lines if "number_of_executed_units" in line]
         covered = [line for line in lines if " cov: " in line]
         reached = covered[-1].split(" cov: ")[1].split()[0] if covered else "?"
-        print(f"{target}: {inputs[0]} inputs, {reached} edges reached, all promises kept")
-        return True
+        return True, f"{target}: {inputs[0]} inputs, {reached} edges reached, all promises kept"
     quiet = [line for line in lines if not line.startswith(("#", "\tNEW_FUNC"))]
-    print("\n".join(quiet)[-6000:])
-    print(f"{target}: a promise is broken; the input is named above and lies in {folder}/finds")
-    return False
+    return False, (f"{chr(10).join(quiet)[-6000:]}\n{target}: a promise is broken; the input is "
+                   f"named above and lies in {folder}/finds")
 
 
 def main():
@@ -92,8 +92,12 @@ def main():
     start = time.monotonic()
     build(folder, targets)
     print(f"built in {time.monotonic() - start:.0f} s", flush=True)
-    held = [fuzz(folder, each, options) for each in targets]
-    sys.exit(0 if all(held) else 1)
+    held = True
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for kept, text in pool.map(lambda each: fuzz(folder, each, options), targets):
+            print(text, flush=True)
+            held = held and kept
+    sys.exit(0 if held else 1)
 
 
 if __name__ == "__main__":
