@@ -18,6 +18,8 @@ packages=(
   # tests
   libbenchmark-dev libbullet-dev libclang-rt-14-dev libclang-rt-19-dev libgmock-dev libgtest-dev
   llvm python3-h5py python3-matplotlib python3-prometheus-client python3-pydicom snakemake valgrind
+  # test of cohorts under Slurm; it starts daemons of its own
+  munge slurm-client slurmctld slurmd
   # tests of the console's page; building and running need neither
   chromium nodejs
   # tests on other processors
