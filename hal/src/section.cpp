@@ -8,7 +8,15 @@
 namespace stylet::hal {
 namespace {
 
+// Lists are put together here: toml++ 3.3 writes them too, but first takes the logarithm of each
+// number for its width, which no integer holds for numbers below 1.
 std::string value_text(const toml::node& node) {
+  if (node.is_table()) return "a table";
+  if (const toml::array* list = node.as_array()) {
+    std::string text;
+    for (const toml::node& each : *list) text += (text.empty() ? "[ " : ", ") + value_text(each);
+    return text.empty() ? "[]" : text + " ]";
+  }
   std::ostringstream out;
   node.visit([&out](const auto& n) { out << n; });
   return out.str();

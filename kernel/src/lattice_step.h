@@ -289,8 +289,13 @@ void spread_plane(const View& view, const Plane& plane, float* low, float* high)
         const Sent one = sent_by_row<1>(a, sums.stride, before);
         const Sent other = sent_by_row<-1>(b, sums.stride, behind);
         const Wide on_low = one.low + other.low, on_high = one.high + other.high;
-        store(to_low, kUp ? load(to_low) + on_low : on_low);
-        store(to_high, kUp ? on_high : load(to_high) + on_high);
+        if constexpr (kUp) {
+          store(to_low, load(to_low) + on_low);
+          store(to_high, on_high);
+        } else {
+          store(to_low, on_low);
+          store(to_high, load(to_high) + on_high);
+        }
         a += 4 * sums.stride;
         b += 4 * sums.stride;
         to_low += axis;
