@@ -335,6 +335,9 @@ TEST(OrganOpen, AcceptsEveryLimitItself) {
           o.voxel_edge_m = high ? kMaxVoxelEdgeM : kMinVoxelEdgeM;
           o.origin_x_m = o.origin_y_m = o.origin_z_m = high ? 100 : -100;
           std::fill(o.voxel_fill.begin(), o.voxel_fill.end(), std::uint8_t{1});
+          o.format_version = 2;
+          const float end = high ? 1 : -1;
+          o.mixed = {format::Mixed(3, 0, 0, end, end, end, 2 * end)};
           while (high && o.materials.size() < kMaxMaterials) {
             o.materials.push_back(std::make_unique<format::MaterialT>(m));
           }

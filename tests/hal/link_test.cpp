@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// The slots of shared memory: who may come first, what is news, what is left behind.
+#include "stylet/hal/link.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <list>
+#include <span>
+#include <string>
+
+#include "stylet/hal/packet.h"
+
+namespace stylet::hal {
+namespace {
+
+class SharedMemory : public testing::Test {
+ protected:
+  ~SharedMemory() override {
+    for (Link& link : open_) link.close(link.self);
+    (void)std::remove(("/dev/shm/stylet." + name_).c_str());
+  }
+
+  Link& open(Side side) { return open_.emplace_back(shared_memory(name_, side)); }
+
+  void close(Link& link) {
+    link.close(link.self);
+    open_.remove_if([&link](const Link& each) { return each.self == link.self; });
+  }
+
+  static void send(const Link& link, std::size_t size) {
+    std::array<std::byte, kMaxPacketBytes> packet;
+    packet.fill(std::byte{0x5A});
+    link.send(link.self, std::span(packet).first(size));
+  }
+
+  static std::size_t receive(const Link& link, std::size_t room = kMaxPacketBytes) {
+    received_.fill(std::byte{0});
+    return link.receive(link.self, std::span(received_).first(room));
+  }
+
+  bool is_mapped() const {
+    std::ifstream maps("/proc/self/maps");
+    const std::string text(std::istreambuf_iterator<char>(maps), {});
+    return text.find("/dev/shm/stylet." + name_) != std::string::npos;
+  }
+
+  static inline std::array<std::byte, kMaxPacketBytes> received_;
+
+ private:
+  std::string name_ = "link_test" + std::to_string(getpid());
+  std::list<Link> open_;
+};
+
+TEST_F(SharedMemory, WhatAnEarlierRunLeftIsNoNews) {
+  Link& earlier = open(Side::kStylet);
+  Link& device = open(Side::kDevice);
+  send(device, kSamplePacketBytes);
+  EXPECT_EQ(receive(earlier), kSamplePacketBytes);
+  close(earlier);
+  Link& stylet = open(Side::kStylet);
+  EXPECT_EQ(receive(stylet), 0U);
+  send(device, kSamplePacketBytes);
+  EXPECT_EQ(receive(stylet), kSamplePacketBytes) << "the device's side stays from run to run";
+}
+
+TEST_F(SharedMemory, ADeviceThatComesLaterFindsTheLastForce) {
+  send(open(Side::kStylet), kForcePacketBytes);
+  Link& device = open(Side::kDevice);
+  EXPECT_EQ(receive(device), kForcePacketBytes);
+  EXPECT_EQ(received_[kForcePacketBytes - 1], std::byte{0x5A});
+  EXPECT_EQ(receive(device), 0U) << "once";
+}
+
+TEST_F(SharedMemory, RoomTooSmallGetsNothing) {
+  Link& stylet = open(Side::kStylet);
+  send(open(Side::kDevice), kSamplePacketBytes);
+  EXPECT_EQ(receive(stylet, kSamplePacketBytes - 1), 0U);
+  EXPECT_EQ(received_[0], std::byte{0});
+}
+
+TEST_F(SharedMemory, ClosedLeavesNothingMapped) {
+  Link& stylet = open(Side::kStylet);
+  EXPECT_TRUE(is_mapped());
+  close(stylet);
+  EXPECT_FALSE(is_mapped());
+}
+
+}  // namespace
+}  // namespace stylet::hal
