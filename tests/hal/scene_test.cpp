@@ -225,6 +225,8 @@ TEST(Scene, MistakesOfObstaclesAndBreathing) {
 TEST(Scene, MistakesOfApproachDeviceAndGuard) {
   expect_refusals({
       {"[0, 0, -2]", "[0, 0]", "direction", "approach.direction: [ 0, 0 ]: a list of 3 numbers"},
+      {"[0, 0, -2]", "[0.02, {a = 0.5}, []]", "direction",
+       "approach.direction: [ 0.02, a table, [] ]: "},
       {"[0, 0, -2]", "[0, 0, 0]", "direction", "a direction that is not zero"},
       {"[0, 0, -2]", "[0, 0, \"x\"]", "direction", "a number from -1000 to 1000"},
       {"start_mm = 5", "start_mm = 5\nthrough = \"centroid\"", "through",

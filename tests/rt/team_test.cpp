@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "helper_threads.h"
+#include "lattice_team.h"
 #include "session.h"
 #include "variants.h"
 
@@ -124,6 +125,24 @@ TEST(Team, IsRefusedWithoutATrace) {
             Status::kConfigValueOutOfRange);
   EXPECT_EQ(session.kernel.team, nullptr);
   for (const std::byte byte : memory.span()) ASSERT_EQ(byte, std::byte{0xA5});
+}
+
+// So that a late helper holds up a tick by a plane, and not by its share.
+TEST(Team, PlanesOfAHelperWhoDoesNotComeAreSweptOnTheWay) {
+  const auto opened = block_organ(10, 10, 10);
+  for (const std::uint32_t helpers : {1U, 3U}) {
+    Session session = make_session(opened->organ, Setup::kPhysical);
+    const Block memory = make_block(team_bytes(session.kernel, helpers));
+    ASSERT_EQ(set_team(session.kernel, helpers, memory.span()), Status::kOk);
+    tick(session.kernel, Input{});
+    const Team& team = team_of(session.kernel);
+    ASSERT_EQ(team.slab_count, helpers + 1);
+    for (std::uint32_t s = 0; s < team.slab_count; s += 2) {
+      EXPECT_EQ(team.slab[s].begin, team.slab[s].first);
+      EXPECT_EQ(team.slab[s + 1].begin, team.slab[s + 1].first) << "one plane alone";
+      EXPECT_GT(team.slab[s + 1].first, team.slab[s].first + 1);
+    }
+  }
 }
 
 TEST(Team, HelperFindsNothingToDoBetweenTicks) {
