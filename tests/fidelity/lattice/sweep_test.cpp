@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// V4 for a whole lattice: rows of any length, longer and shorter than what the sweep fits at a
+// time, with holes and ends that do not agree, against one voxel after the other in double
+// precision.
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <iterator>
+#include <random>
+#include <vector>
+
+#include "reference_cluster.h"
+#include "rig.h"
+#include "variants.h"
+
+namespace stylet::test {
+namespace {
+
+constexpr float kEdge = 0.005F;
+constexpr double kEdgeD = static_cast<double>(kEdge);
+constexpr float kShear = 2000;
+constexpr double kSpring = static_cast<double>(kShear) * kEdgeD;
+constexpr float kHourglassWeight = 1.0F / 3;
+
+struct RowPlan {
+  std::uint32_t begin, count;
+};
+
+// Rows (y, z) that begin anywhere; some are empty, some as short as one voxel.
+struct Lattice {
+  static constexpr std::uint16_t kNx = 420, kNy = 9, kNz = 4;
+  RowPlan row[kNz][kNy];
+
+  bool holds(std::uint16_t x, std::uint16_t y, std::uint16_t z) const {
+    const RowPlan& r = row[z][y];
+    const bool hole = x % 37 == 11 && r.count > 40;
+    return x >= r.begin && x < r.begin + r.count && !hole;
+  }
+};
+
+Lattice draw_lattice(std::mt19937_64& random) {
+  constexpr std::uint32_t kCounts[] = {0, 1, 15, 16, 17, 31, 127, 128, 129, 144, 260, 400};
+  Lattice lattice = {};
+  for (auto& plane : lattice.row) {
+    for (RowPlan& row : plane) {
+      row.count = kCounts[random() % std::size(kCounts)];
+      row.begin = static_cast<std::uint32_t>(random() % (Lattice::kNx - row.count));
+    }
+  }
+  lattice.row[1][3] = {10, 130};  // the organ has voxels in each plane
+  for (auto& plane : lattice.row) plane[4] = {5, 33};
+  return lattice;
+}
+
+Rig rig_of(const Lattice& lattice) {
+  TinyOrgan tiny = block_of(Lattice::kNx, Lattice::kNy, Lattice::kNz, elastic(kShear, 0.3F), kEdge);
+  tiny.inside = [lattice](std::uint16_t x, std::uint16_t y, std::uint16_t z) {
+    return lattice.holds(x, y, z);
+  };
+  return make_rig(tiny, resting_config(kHourglassWeight, 0.3F, 4));
+}
+
+Vec drawn(std::mt19937_64& random, double size) {
+  std::uniform_real_distribution<double> any(-size, size);
+  return {any(random), any(random), any(random)};
+}
+
+// What the corners of all voxels feel, and their constraint particles, one in every 80th voxel.
+struct Expected {
+  std::vector<Vec> node, held;
+};
+
+Expected load(Rig& rig, const Lattice& lattice, std::mt19937_64& random) {
+  const View view = rig.view();
+  std::vector<Vec> moved(view.model.head->counts.particles);
+  for (std::uint32_t i = 0; i < moved.size(); ++i) {
+    moved[i] = drawn(random, kEdgeD / 4);
+    if (view.model.particle_kg[i] > 0) place(view, i, moved[i]);
+  }
+  Expected wanted = {std::vector<Vec>(moved.size(), Vec::Zero()), {}};
+  std::uint32_t voxels = 0;
+  for (std::uint16_t z = 0; z < Lattice::kNz; ++z) {
+    for (std::uint16_t y = 0; y < Lattice::kNy; ++y) {
+      for (std::uint16_t x = 0; x < Lattice::kNx; ++x) {
+        if (!lattice.holds(x, y, z)) continue;
+        ReferenceVoxel voxel = resting_voxel(kEdgeD, kSpring);
+        voxel.hourglass_weight = static_cast<double>(kHourglassWeight);
+        voxel.volume_ratio = 0.75;  // nu / (1 - 2 nu)
+        const Row& row = view.model.row[voxel_row_of(view, {x, y, z})];
+        std::uint32_t node[8];
+        for (std::uint32_t i = 0; i < 8; ++i) {
+          node[i] = row.node[i >> 1U] + x - row.x0 + (i & 1U);
+          voxel.corner[i] += moved[node[i]];
+        }
+        if (++voxels % 80 == 0) {
+          const Vec rest = drawn(random, 0.4 * kEdgeD), to = drawn(random, 0.2 * kEdgeD);
+          const auto in_float = [](const Vec& v) {
+            return Vec3{static_cast<float>(v.x()), static_cast<float>(v.y()),
+                        static_cast<float>(v.z())};
+          };
+          hold_constraint_particle(rig, {x, y, z}, in_float(rest), in_float(to),
+                                   static_cast<float>(3 * kSpring));
+          voxel.held.push_back({rest, rest + to, 3 * kSpring});
+        }
+        const VoxelForces forces = voxel_forces(voxel);
+        for (std::uint32_t i = 0; i < 8; ++i) wanted.node[node[i]] += forces.corner[i];
+        for (const Vec& force : forces.held) wanted.held.push_back(force);
+      }
+    }
+  }
+  return wanted;
+}
+
+TEST(FidelityV4, SweepAddsUpWhatEveryVoxelSends) {
+  // A node adds up eight voxels, each as near the reference as one alone (cluster_test.cpp).
+  constexpr double kTolerance = 8 * 3e-6 * 3 * kSpring * kEdgeD;
+  // The place of a constraint particle is a float, two metres from the origin at most.
+  constexpr double kHeldTolerance = kTolerance + 3 * kSpring * Lattice::kNx * kEdgeD * 1.2e-7;
+  std::mt19937_64 random(2011);
+  for (int draw = 0; draw < 6; ++draw) {
+    const Lattice lattice = draw_lattice(random);
+    for (const Variant& variant : variants_here()) {
+      Rig rig = rig_of(lattice);
+      rig.session.kernel.step = variant.step;
+      const Expected wanted = load(rig, lattice, random);
+      ASSERT_GT(wanted.held.size(), 5U);
+      let_rotations_follow(rig);
+      const std::vector<Vec> forces = node_forces(rig);
+      measure_forces(rig.view());
+      double worst = 0;
+      for (std::size_t i = 0; i < forces.size(); ++i) {
+        if (rig.view().model.particle_kg[i] > 0) {
+          worst = std::max(worst, (forces[i] - wanted.node[i]).norm());
+        }
+      }
+      EXPECT_LT(worst, kTolerance) << variant.name << ", draw " << draw;
+      for (std::size_t p = 0; p < wanted.held.size(); ++p) {
+        const Vec3 force = rig.view().state.shaft[p].force_n;
+        const Vec felt(static_cast<double>(force.x), static_cast<double>(force.y),
+                       static_cast<double>(force.z));
+        EXPECT_LT((felt - wanted.held[p]).norm(), kHeldTolerance) << variant.name << ", held " << p;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stylet::test
