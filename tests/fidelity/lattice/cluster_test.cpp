@@ -52,13 +52,6 @@ ReferenceVoxel draw_voxel(Draw& draw, std::size_t particles) {
   return voxel;
 }
 
-Vec3 to_float(const Vec& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
-Vec to_vec(Vec3 v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-}
-
 // The same voxel in the kernel, its rotation settled.
 Rig rig_of(const ReferenceVoxel& voxel, float poisson) {
   const auto chi = static_cast<float>(voxel.hourglass_weight);

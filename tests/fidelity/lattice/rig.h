@@ -53,6 +53,13 @@ struct Rig {
   View view() const { return view_of(session.kernel); }
 };
 
+inline Vec3 to_float(const Vec& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+inline Vec to_vec(Vec3 v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
 inline Rig make_rig(const TinyOrgan& tiny, const Config& config) {
   Rig rig{open_organ(tiny_organ(tiny)), {}, {}, {}};
   rig.session = make_session(rig.organ->organ, config);

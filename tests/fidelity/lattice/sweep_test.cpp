@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <iterator>
 #include <random>
@@ -71,6 +72,18 @@ struct Expected {
   std::vector<Vec> node, held;
 };
 
+template <typename Visit>
+void for_each_voxel(const Lattice& lattice, Visit visit) {
+  for (std::uint16_t z = 0; z < Lattice::kNz; ++z) {
+    for (std::uint16_t y = 0; y < Lattice::kNy; ++y) {
+      for (std::uint16_t x = 0; x < Lattice::kNx; ++x) {
+        if (lattice.holds(x, y, z)) visit(Node{x, y, z});
+      }
+    }
+  }
+}
+
+// Moves all nodes anyhow, by up to a quarter of an edge.
 Expected load(Rig& rig, const Lattice& lattice, std::mt19937_64& random) {
   const View view = rig.view();
   std::vector<Vec> moved(view.model.head->counts.particles);
@@ -80,35 +93,26 @@ Expected load(Rig& rig, const Lattice& lattice, std::mt19937_64& random) {
   }
   Expected wanted = {std::vector<Vec>(moved.size(), Vec::Zero()), {}};
   std::uint32_t voxels = 0;
-  for (std::uint16_t z = 0; z < Lattice::kNz; ++z) {
-    for (std::uint16_t y = 0; y < Lattice::kNy; ++y) {
-      for (std::uint16_t x = 0; x < Lattice::kNx; ++x) {
-        if (!lattice.holds(x, y, z)) continue;
-        ReferenceVoxel voxel = resting_voxel(kEdgeD, kSpring);
-        voxel.hourglass_weight = static_cast<double>(kHourglassWeight);
-        voxel.volume_ratio = 0.75;  // nu / (1 - 2 nu)
-        const Row& row = view.model.row[voxel_row_of(view, {x, y, z})];
-        std::uint32_t node[8];
-        for (std::uint32_t i = 0; i < 8; ++i) {
-          node[i] = row.node[i >> 1U] + x - row.x0 + (i & 1U);
-          voxel.corner[i] += moved[node[i]];
-        }
-        if (++voxels % 80 == 0) {
-          const Vec rest = drawn(random, 0.4 * kEdgeD), to = drawn(random, 0.2 * kEdgeD);
-          const auto in_float = [](const Vec& v) {
-            return Vec3{static_cast<float>(v.x()), static_cast<float>(v.y()),
-                        static_cast<float>(v.z())};
-          };
-          hold_constraint_particle(rig, {x, y, z}, in_float(rest), in_float(to),
-                                   static_cast<float>(3 * kSpring));
-          voxel.held.push_back({rest, rest + to, 3 * kSpring});
-        }
-        const VoxelForces forces = voxel_forces(voxel);
-        for (std::uint32_t i = 0; i < 8; ++i) wanted.node[node[i]] += forces.corner[i];
-        for (const Vec& force : forces.held) wanted.held.push_back(force);
-      }
+  for_each_voxel(lattice, [&](Node at) {
+    ReferenceVoxel voxel = resting_voxel(kEdgeD, kSpring);
+    voxel.hourglass_weight = static_cast<double>(kHourglassWeight);
+    voxel.volume_ratio = 0.75;  // nu / (1 - 2 nu)
+    const Row& row = view.model.row[voxel_row_of(view, at)];
+    std::uint32_t node[8];
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      node[i] = row.node[i >> 1U] + at.x - row.x0 + (i & 1U);
+      voxel.corner[i] += moved[node[i]];
     }
-  }
+    if (++voxels % 80 == 0) {
+      const Vec rest = drawn(random, 0.4 * kEdgeD), to = drawn(random, 0.2 * kEdgeD);
+      hold_constraint_particle(rig, at, to_float(rest), to_float(to),
+                               static_cast<float>(3 * kSpring));
+      voxel.held.push_back({rest, rest + to, 3 * kSpring});
+    }
+    const VoxelForces forces = voxel_forces(voxel);
+    for (std::uint32_t i = 0; i < 8; ++i) wanted.node[node[i]] += forces.corner[i];
+    for (const Vec& force : forces.held) wanted.held.push_back(force);
+  });
   return wanted;
 }
 
@@ -136,9 +140,7 @@ TEST(FidelityV4, SweepAddsUpWhatEveryVoxelSends) {
       }
       EXPECT_LT(worst, kTolerance) << variant.name << ", draw " << draw;
       for (std::size_t p = 0; p < wanted.held.size(); ++p) {
-        const Vec3 force = rig.view().state.shaft[p].force_n;
-        const Vec felt(static_cast<double>(force.x), static_cast<double>(force.y),
-                       static_cast<double>(force.z));
+        const Vec felt = to_vec(rig.view().state.shaft[p].force_n);
         EXPECT_LT((felt - wanted.held[p]).norm(), kHeldTolerance) << variant.name << ", held " << p;
       }
     }
