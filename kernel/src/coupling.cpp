@@ -502,7 +502,7 @@ void slip_shaft(const View& view, const Needle& needle) {
     const float slip = overshoot(view, p, axial, -limit, limit);
     const float all = slip + renew(view, p, residual_m, direction, slip, state.friction_j);
     p.arc_m += all;
-    p.position_m = needle_point(needle, p.arc_m).place_m;
+    p.position_m = needle_place(needle, p.arc_m);
     note_slip(head, p, all);
     p.slip_m = slip * direction;
   }
@@ -661,7 +661,7 @@ std::uint32_t drop_shaft(const View& view, const Needle& needle) {
     const Vec3 rest = point - behind * along;
     const float arc = arc_at(view, needle, rest, behind);
     const Particle p =
-        new_particle(view, rest, needle_point(needle, arc).place_m, track, arc, Place::kShaft);
+        new_particle(view, rest, needle_place(needle, arc), track, arc, Place::kShaft);
     if (p.share_count == 0 || !holds_track(view, rest, track)) {
       own.drop_track_m += kGapStep * unit;
       continue;

@@ -89,6 +89,32 @@ void sort_by_plane(const View& view) {
   }
 }
 
+// Where they are does not change within a tick, and is looked up once.
+void fill_groups(const View& view) {
+  const std::uint32_t count = view.scratch.head->coupled_count;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const CoupledVoxel& voxel = view.scratch.coupled[view.scratch.plane_order[i]];
+    const Row& row = view.model.row[voxel.row];
+    const std::uint32_t along = voxel.slot - row.slot, lane = i % kLanes;
+    FitGroup& group = view.scratch.group[i / kLanes];
+    if (lane == 0) {
+      group.count = count - i < kLanes ? count - i : kLanes;
+      group.most_members = 0;
+    }
+    group.first_member[lane] = voxel.first_member;
+    group.member_count[lane] = voxel.member_count;
+    if (voxel.member_count > group.most_members) group.most_members = voxel.member_count;
+    group.slot[lane] = voxel.slot;
+    for (std::uint32_t n = 0; n < 4; ++n) {
+      group.side[n / 2].node[n % 2][lane] = row.node[n] + along;
+    }
+    group.cell[0][lane] = static_cast<float>(row.x0 + along) + 0.5F;
+    group.cell[1][lane] = static_cast<float>(row.y) + 0.5F;
+    group.cell[2][lane] = static_cast<float>(row.z) + 0.5F;
+    group.k[lane] = view.model.slot_k[voxel.slot];
+  }
+}
+
 }  // namespace
 
 FitFrame fit_frame(const View& view, std::uint32_t slot, std::uint32_t row) {
@@ -136,6 +162,7 @@ std::uint32_t gather_coupled(const View& view) {
     if (flags != 0) share_out(p);
   });
   sort_by_plane(view);
+  fill_groups(view);
   state.coupled_max =
       head.coupled_count > state.coupled_max ? head.coupled_count : state.coupled_max;
   return flags;
@@ -185,41 +212,30 @@ void fit_matrix(const Corners& corners, const CpSums& s, float k, float edge_m, 
 
 }  // namespace
 
-void begin_fits(const View& view, std::uint32_t first, std::uint32_t count, Fits& fits_out) {
+void begin_fits(const View& view, const FitGroup& group, Fits& fits_out) {
   const float* const u[3] = {view.state.ux, view.state.uy, view.state.uz};
-  fits_out.count = count;
-  fits_out.most_members = 0;
-  for (std::uint32_t lane = 0; lane < count; ++lane) {
-    const std::uint32_t index = view.scratch.plane_order[first + lane];
-    const CoupledVoxel& voxel = view.scratch.coupled[index];
-    const Row& row = view.model.row[voxel.row];
-    const std::uint32_t along = voxel.slot - row.slot;
-    fits_out.voxel[lane] = index;
-    fits_out.next_member[lane] = voxel.first_member;
-    fits_out.member_count[lane] = voxel.member_count;
-    if (voxel.member_count > fits_out.most_members) fits_out.most_members = voxel.member_count;
+  for (std::uint32_t lane = 0; lane < group.count; ++lane) {
+    fits_out.next_member[lane] = group.first_member[lane];
     for (std::uint32_t n = 0; n < 4; ++n) {
-      const std::uint32_t node = row.node[n] + along;
+      const std::size_t node = group.side[n / 2].node[n % 2][lane];
       for (std::uint32_t c = 0; c < 3; ++c) {
         fits_out.corner_m[c][2 * n][lane] = u[c][node];
         fits_out.corner_m[c][2 * n + 1][lane] = u[c][node + 1];
       }
     }
-    fits_out.cell[0][lane] = static_cast<float>(row.x0 + along) + 0.5F;
-    fits_out.cell[1][lane] = static_cast<float>(row.y) + 0.5F;
-    fits_out.cell[2][lane] = static_cast<float>(row.z) + 0.5F;
-    fits_out.k[lane] = view.model.slot_k[voxel.slot];
-    fits_out.corner_turn[0][lane] = view.state.qw[voxel.slot];
-    fits_out.corner_turn[1][lane] = view.state.qx[voxel.slot];
-    fits_out.corner_turn[2][lane] = view.state.qy[voxel.slot];
-    fits_out.corner_turn[3][lane] = view.state.qz[voxel.slot];
+    const std::uint32_t slot = group.slot[lane];
+    fits_out.corner_turn[0][lane] = view.state.qw[slot];
+    fits_out.corner_turn[1][lane] = view.state.qx[slot];
+    fits_out.corner_turn[2][lane] = view.state.qy[slot];
+    fits_out.corner_turn[3][lane] = view.state.qz[slot];
   }
 }
 
-void take_members(const View& view, std::uint32_t n, Fits& fits, FitMembers& members_out) {
-  for (std::uint32_t lane = 0; lane < fits.count; ++lane) {
+void take_members(const View& view, const FitGroup& group, std::uint32_t n, Fits& fits,
+                  FitMembers& members_out) {
+  for (std::uint32_t lane = 0; lane < group.count; ++lane) {
     members_out.weight_n_per_m[lane] = 0;
-    if (n >= fits.member_count[lane]) continue;
+    if (n >= group.member_count[lane]) continue;
     const Member& member = view.scratch.member[fits.next_member[lane]];
     fits.next_member[lane] = member.next;
     const Particle& p = particle_at(view, member.particle);
@@ -234,15 +250,15 @@ void take_members(const View& view, std::uint32_t n, Fits& fits, FitMembers& mem
   }
 }
 
-void give_goals(const View& view, const Fits& fits) {
-  for (std::uint32_t lane = 0; lane < fits.count; ++lane) {
+void give_goals(const View& view, const FitGroup& group, const Fits& fits) {
+  for (std::uint32_t lane = 0; lane < group.count; ++lane) {
     const Quat turn = {fits.joint_turn[0][lane], fits.joint_turn[1][lane], fits.joint_turn[2][lane],
                        fits.joint_turn[3][lane]};
     const Vec3 centre_m = {fits.centre_m[0][lane], fits.centre_m[1][lane], fits.centre_m[2][lane]};
     Mat3 r;
     for (std::uint32_t i = 0; i < 9; ++i) r.m[i / 3][i % 3] = fits.rotation[i][lane];
-    std::uint32_t at = view.scratch.coupled[fits.voxel[lane]].first_member;
-    for (std::uint32_t n = 0; n < fits.member_count[lane]; ++n) {
+    std::uint32_t at = group.first_member[lane];
+    for (std::uint32_t n = 0; n < group.member_count[lane]; ++n) {
       const Member& member = view.scratch.member[at];
       Share& share = particle_at(view, member.particle).share[member.share];
       share.goal_m = centre_m + r * share.offset_m;
@@ -252,12 +268,34 @@ void give_goals(const View& view, const Fits& fits) {
   }
 }
 
-void end_fits(const View& view, const Plane& plane, const Fits& fits) {
-  const std::size_t stride = view.model.head->counts.slots_per_plane;
-  for (std::uint32_t lane = 0; lane < fits.count; ++lane) {
-    const std::uint32_t slot = view.scratch.coupled[fits.voxel[lane]].slot;
-    float* sums = view.scratch.sums + (slot - plane.slot_begin);
-    for (std::uint32_t i = 0; i < 12; ++i, sums += stride) *sums += fits.change[i][lane];
+namespace {
+
+// Voxels from `begin` up to `end` in plane_order, at one side. `force` as below.
+void add_side(const View& view, std::uint32_t begin, std::uint32_t end, std::uint32_t side,
+              std::uint32_t first_particle, float* force) {
+  const std::size_t axis = view.model.head->counts.particles_per_plane;
+  for (std::uint32_t i = begin; i < end; ++i) {
+    const FitGroup::Side& own = view.scratch.group[i / kLanes].side[side];
+    const std::uint32_t lane = i % kLanes;
+    for (std::uint32_t n = 0; n < 2; ++n) {
+      float* at = force + (own.node[n][lane] - first_particle);
+      for (std::uint32_t c = 0; c < 3; ++c, at += axis) {
+        const float near = own.change_n[n][c][lane][0], far = own.change_n[n][c][lane][1];
+        at[0] = at[0] + near;
+        at[1] = at[1] + far;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void add_changes(const View& view, std::uint32_t plane, float* force) {
+  const std::uint32_t* const first = view.scratch.plane_first;
+  const std::uint32_t particle = view.model.plane[plane].particle_begin;
+  if (plane > 0) add_side(view, first[plane - 1], first[plane], 1, particle, force);
+  if (plane < view.model.head->counts.planes) {
+    add_side(view, first[plane], first[plane + 1], 0, particle, force);
   }
 }
 

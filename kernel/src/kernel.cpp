@@ -125,6 +125,7 @@ void fill_topology(const Organ& organ, const ModelView& model, const Counts& cou
                             static_cast<std::uint16_t>(voxels.begin),
                             static_cast<std::uint16_t>(y % organ.sheet_rows),
                             static_cast<std::uint16_t>(z),
+                            {},
                             {}};
           slot += voxels.end - voxels.begin + 1;
           ++row;

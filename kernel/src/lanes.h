@@ -48,6 +48,31 @@ inline WideBits lanes_set(std::uint32_t bits) {
 inline Wide zero_unless(WideBits set, Wide value) {
   return set ? value : Wide{};
 }
+// The lanes one place earlier: the last of `before`, then all but the last of `now`.
+inline Wide lanes_behind(Wide before, Wide now) {
+#if defined(__AVX512F__)
+  return __builtin_shufflevector(before, now, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27,
+                                 28, 29, 30);
+#elif defined(__AVX2__)
+  return __builtin_shufflevector(before, now, 7, 8, 9, 10, 11, 12, 13, 14);
+#else
+  return __builtin_shufflevector(before, now, 3, 4, 5, 6);
+#endif
+}
+// Each lane of `a` followed by that of `b`.
+inline void store_pairs(float* to, Wide a, Wide b) {
+#if defined(__AVX512F__)
+  store(to, __builtin_shufflevector(a, b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23));
+  store(to + kWide, __builtin_shufflevector(a, b, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14,
+                                            30, 15, 31));
+#elif defined(__AVX2__)
+  store(to, __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11));
+  store(to + kWide, __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15));
+#else
+  store(to, __builtin_shufflevector(a, b, 0, 4, 1, 5));
+  store(to + kWide, __builtin_shufflevector(a, b, 2, 6, 3, 7));
+#endif
+}
 // Within +-bound; what is not a number stays so, for the tick to see.
 inline Wide no_larger(Wide value, float bound) {
   const Wide most = bound - Wide{}, least = -bound - Wide{};

@@ -26,8 +26,8 @@ using LatticeStep = void (*)(const Kernel&);
 LatticeStep lattice_step_for_this_processor();
 
 // Fits of up to kLanes voxels that hold constraint particles, a voxel in each lane. The step makes
-// them with its own registers (fit_lanes.h), for each voxel plane, after the clusters and before
-// the particles; what they take from memory and leave there is fit.cpp's.
+// them with its own registers (fit_lanes.h), before the sweep; what they take from memory and leave
+// there is fit.cpp's.
 struct Fits {
   // Sums over a voxel's constraint particles: weight; then, weighted, places from the mean of the
   // corners, rest offsets, products of place and offset, squares of the offset.
@@ -40,14 +40,9 @@ struct Fits {
     kSums
   };
 
-  std::uint32_t count;          // voxels
-  std::uint32_t most_members;   // constraint particles' shares in one of them
-  std::uint32_t voxel[kLanes];  // of ScratchView::coupled
-  std::uint32_t next_member[kLanes], member_count[kLanes];
+  std::uint32_t next_member[kLanes];
   alignas(64) float corner_m[3][8][kLanes];  // displacements: two nodes of each row
-  alignas(64) float cell[3][kLanes];         // centre at rest, in edges from the lattice's origin
-  alignas(64) float k[kLanes];               // stiffness of a corner
-  alignas(64) float whole[kLanes];           // and of the whole fit
+  alignas(64) float whole[kLanes];           // stiffness of the whole fit
   alignas(64) float centre_m[3][kLanes];     // of the corners, then of the fit
   alignas(64) float sum[kSums][kLanes];
   alignas(64) float corner[9][kLanes];       // matrices of the corners alone and together with the
@@ -55,7 +50,6 @@ struct Fits {
   alignas(64) float corner_turn[4][kLanes];  // their rotations w, x, y, z
   alignas(64) float joint_turn[4][kLanes];
   alignas(64) float rotation[9][kLanes];  // of the fit, row-major
-  alignas(64) float change[12][kLanes];   // of what the clusters send
 };
 // A constraint particle's share in each of those voxels.
 struct FitMembers {
@@ -64,14 +58,16 @@ struct FitMembers {
   alignas(64) float offset_m[3][kLanes];     // at rest
 };
 
-// From the `first` entry of plane_order on: voxels, corners, and the rotations the step has just
-// made.
-void begin_fits(const View& view, std::uint32_t first, std::uint32_t count, Fits& fits_out);
+// Where a group's corners are, and their rotations of the last substep.
+void begin_fits(const View& view, const FitGroup& group, Fits& fits_out);
 // Of each voxel its constraint particle `n`, the next one.
-void take_members(const View& view, std::uint32_t n, Fits& fits, FitMembers& members_out);
+void take_members(const View& view, const FitGroup& group, std::uint32_t n, Fits& fits,
+                  FitMembers& members_out);
 // Where the fits put their constraint particles; nobody asks before the last substep.
-void give_goals(const View& view, const Fits& fits);
-// Adds the changes to what the clusters of the plane send.
-void end_fits(const View& view, const Plane& plane, const Fits& fits);
+void give_goals(const View& view, const FitGroup& group, const Fits& fits);
+// Adds what the fits change to the forces on a plane of particles: x, y, z, `particles_per_plane`
+// apart. In an order of its own, after all that clusters send: the sum is the same for sweeps from
+// either side.
+void add_changes(const View& view, std::uint32_t plane, float* force);
 
 }  // namespace stylet

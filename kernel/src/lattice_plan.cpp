@@ -7,7 +7,7 @@ namespace stylet {
 namespace {
 
 // Row (y, z) of the lattice; null beyond the edge and where there is no voxel.
-const Row* row_at(const ModelView& model, std::uint32_t y, std::uint32_t z) {
+Row* row_at(const ModelView& model, std::uint32_t y, std::uint32_t z) {
   if (y >= model.head->size_y) return nullptr;  // y - 1 of the first line wraps
   const std::uint32_t index = model.row_of[z * model.head->size_y + y];
   return index == kNoRow ? nullptr : model.row + index;
@@ -22,7 +22,7 @@ Extent extent_of(const Row* row) {
 std::int32_t slot_of(const Row* row, const Plane& plane, std::uint32_t x, std::uint16_t lanes) {
   if (lanes == 0) return 0;
   return static_cast<std::int32_t>(row->slot + x) -
-         static_cast<std::int32_t>(plane.slot_begin + 1 + row->x0);
+         static_cast<std::int32_t>(plane.slot_begin + row->x0);
 }
 
 void fill_line(const ModelView& model, std::uint32_t y, std::uint32_t z, std::uint32_t width,
@@ -52,6 +52,9 @@ void fill_windows(const ModelView& model) {
       const Window* const first = i == 0 ? model.window8 : model.window16;
       plane.window_begin[i] = static_cast<std::uint32_t>(next[i] - first);
       for (std::uint32_t y = 0; y <= model.head->size_y; ++y) {
+        if (Row* const row = row_at(model, y, z)) {
+          row->window[i] = static_cast<std::uint32_t>(next[i] - first);
+        }
         fill_line(model, y, z, 8U << i, next[i]);
       }
       plane.window_end[i] = static_cast<std::uint32_t>(next[i] - first);

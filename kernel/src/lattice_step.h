@@ -2,11 +2,15 @@
 // Body of the lattice sweep, included once per instruction set by lattice_<isa>.cpp with
 // STYLET_LATTICE_STEP naming the function. See lattice.h for physics and promises.
 //
-// Per voxel plane: 1 sums and differences of the eight corners, row by row; 2 rotation and the four
-// vectors each cluster sends to its corners, over all slots in full lanes, as soon as some dozens
+// Per voxel plane: 1 sums and differences of the eight corners, row by row; 2 rotation of each
+// cluster and what a row sends to its nodes, over all slots in full lanes, as soon as some dozens
 // are summed; 3 each window of nodes collects what the voxel rows at its sides send
-// (lattice_plan.h); then the particles of the plane's low side have all their forces and move. A
-// plane of clusters and two of forces stay in cache; nothing else is stored.
+// (lattice_plan.h), as soon as both are fitted; then the particles of the plane's low side have all
+// their forces and move. Some rows of clusters and two planes of forces stay in cache; nothing else
+// is stored. (A whole plane of clusters was: it leaves the nearest cache, 8 % more time.)
+//
+// Voxels that hold constraint particles are fitted before the sweep, all together: plane by plane
+// each few of them cost the time of a full group of lanes, at 5000 voxels 7 % of the step.
 
 #include "fit_lanes.h"
 #include "lanes.h"
@@ -22,9 +26,9 @@ namespace {
 constexpr float kQuantum = 1.52587890625e-05F;  // 2^-16: displacements and velocities to 2e-12
 constexpr float kQuantumTurn = 1.953125e-3F;    // 2^-9: quaternion parts to 2e-10
 
-// Twelve arrays over the slots of a plane, `stride` apart: for each component of the displacement
-// its sum over the corners, then its gradient along x, y, z. After stage 2: what is sent, as T + X,
-// T - X, Y + Z, Y - Z (send_slots).
+// Twelve arrays over some slots of a plane, `stride` apart: for each component of the displacement
+// its sum over the corners, then its gradient along x, y, z. After stage 2: what is sent
+// (send_slots).
 struct Sums {
   float* at;
   std::ptrdiff_t stride;
@@ -34,28 +38,27 @@ struct Sums {
   }
 };
 Sums sums_of(const View& view) {
-  return {view.scratch.sums, static_cast<std::ptrdiff_t>(view.model.head->counts.slots_per_plane)};
+  return {view.scratch.sums, static_cast<std::ptrdiff_t>(view.model.head->counts.slots_at_once)};
 }
 
 // Where nodes are. Read once a plane: behind every store of a float it would be read again.
 struct Places {
   const float* ex;
   std::ptrdiff_t next_axis;  // from ex to ey, and from there to ez
-  float inverse_edge_4;
 };
 
 // Stage 1 for one component of eight corners; `n` are the first nodes of the four rows.
-inline void sum_corners(const float* const n[4], std::ptrdiff_t offset, float inverse_edge_4,
-                        float* to, std::ptrdiff_t stride) {
+inline void sum_corners(const float* const n[4], std::ptrdiff_t offset, float* to,
+                        std::ptrdiff_t stride) {
   const Wide a0 = load(n[0] + offset), b0 = load(n[0] + offset + 1), s0 = a0 + b0, d0 = b0 - a0;
   const Wide a1 = load(n[1] + offset), b1 = load(n[1] + offset + 1), s1 = a1 + b1, d1 = b1 - a1;
   const Wide a2 = load(n[2] + offset), b2 = load(n[2] + offset + 1), s2 = a2 + b2, d2 = b2 - a2;
   const Wide a3 = load(n[3] + offset), b3 = load(n[3] + offset + 1), s3 = a3 + b3, d3 = b3 - a3;
   const Wide low = s0 + s1, high = s2 + s3;
   store(to, low + high);
-  store(to + stride, ((d0 + d1) + (d2 + d3)) * inverse_edge_4);
-  store(to + 2 * stride, ((s1 - s0) + (s3 - s2)) * inverse_edge_4);
-  store(to + 3 * stride, (high - low) * inverse_edge_4);
+  store(to + stride, (d0 + d1) + (d2 + d3));
+  store(to + 2 * stride, (s1 - s0) + (s3 - s2));
+  store(to + 3 * stride, high - low);
 }
 
 // Stage 1 for rows up to the first that begins at slot `until` of the plane or later; returns that.
@@ -63,18 +66,13 @@ inline void sum_corners(const float* const n[4], std::ptrdiff_t offset, float in
 STYLET_KEEP_APART const Row* sum_rows(Places places, Sums sums, const Row* row, const Row* end,
                                       std::uint32_t plane_slot, std::uint32_t until) {
   const float* const e = places.ex;
-  const std::ptrdiff_t end_axis = 3 * places.next_axis;
   for (; row != end && row->slot - plane_slot < until; ++row) {
     const float* n[4] = {e + row->node[0], e + row->node[1], e + row->node[2], e + row->node[3]};
     float* to = sums.at + (row->slot - plane_slot);
     for (const float* const last = to + row->count; to <= last; to += kWide) {
-      float* component = to;
-      // Counted by offset, so that compilers leave it a loop: 20 000 voxels take 10.9 ns each with
-      // AVX-512, unrolled 11.9.
-      for (std::ptrdiff_t axis = 0; axis != end_axis; axis += places.next_axis) {
-        sum_corners(n, axis, places.inverse_edge_4, component, sums.stride);
-        component += 4 * sums.stride;
-      }
+      sum_corners(n, 0, to, sums.stride);
+      sum_corners(n, places.next_axis, to + 4 * sums.stride, sums.stride);
+      sum_corners(n, 2 * places.next_axis, to + 8 * sums.stride, sums.stride);
       for (const float*& node : n) node += kWide;
     }
   }
@@ -86,17 +84,19 @@ void clear_first(const Sums& sums) {
   for (std::ptrdiff_t k = 0; k < 12; ++k) sums.at[k * sums.stride] = 0;
 }
 
-// Stage 2 is three loops, for as many lanes at a time as stay in the nearest cache. As one loop it
-// takes 4 % fewer instructions, but the whole step a fifth more time with AVX-512 and a third more
-// with AVX2: a group of lanes is a chain of three roots and a division, so long that the processor
-// sees little of the next group beside it, and waits.
+// Stage 2 is five loops, for as many lanes at a time as stay in the nearest cache. As one loop it
+// takes fewer instructions, but the whole step a quarter more time: a group of lanes is a chain of
+// three roots and a division, so long that the processor sees little of the next group beside it,
+// and waits. Roots and divisions therefore have loops of their own.
 
-// What passes from the first loop to the second.
-constexpr std::uint32_t kChunk = 192;
-static_assert(kChunk % kLanes == 0);
-struct Seen {
+// What passes from loop to loop, in whole registers: where it lay across lines of the cache the
+// step took 4 % more time.
+struct alignas(64) Seen {
   float ax[kChunk], ay[kChunk], az[kChunk];
-  float mxx[kChunk], myy[kChunk], mzz[kChunk], sxy[kChunk], sxz[kChunk], syz[kChunk];
+  float sx[kChunk], sy[kChunk], sz[kChunk], sxy[kChunk], sxz[kChunk], syz[kChunk];
+  float rho[kChunk];
+  float lambda[kChunk];
+  float pw[kChunk], px[kChunk], py[kChunk], pz[kChunk];
 };
 
 // What stage 2 reads and writes, from some slot of a plane on.
@@ -106,7 +106,8 @@ struct Slots {
   float *qw, *qx, *qy, *qz;
 };
 
-STYLET_KEEP_APART void see_slots(std::uint32_t lanes, const Slots& slots, Seen& seen_out) {
+STYLET_KEEP_APART void see_slots(std::uint32_t lanes, const Slots& slots, float one,
+                                 Seen& seen_out) {
   const float* g0 = slots.sums.of(0, 1);
   const float* g1 = slots.sums.of(0, 2);
   const float* g2 = slots.sums.of(0, 3);
@@ -120,108 +121,140 @@ STYLET_KEEP_APART void see_slots(std::uint32_t lanes, const Slots& slots, Seen& 
   lanes = lanes / kLanes * kLanes;
   STYLET_VECTOR
   for (std::uint32_t i = 0; i < lanes; ++i) {
-    const Davenport<float> k = davenport<0>(1 + g0[i], g1[i], g2[i], g3[i], 1 + g4[i], g5[i], g6[i],
-                                            g7[i], 1 + g8[i], qw[i], qx[i], qy[i], qz[i]);
+    const Davenport<float> k = davenport(one + g0[i], g1[i], g2[i], g3[i], one + g4[i], g5[i],
+                                         g6[i], g7[i], one + g8[i], qw[i], qx[i], qy[i], qz[i]);
     seen_out.ax[i] = k.ax;
     seen_out.ay[i] = k.ay;
     seen_out.az[i] = k.az;
-    seen_out.mxx[i] = k.lambda - k.sx;
-    seen_out.myy[i] = k.lambda - k.sy;
-    seen_out.mzz[i] = k.lambda - k.sz;
+    seen_out.sx[i] = k.sx;
+    seen_out.sy[i] = k.sy;
+    seen_out.sz[i] = k.sz;
     seen_out.sxy[i] = k.sxy;
     seen_out.sxz[i] = k.sxz;
     seen_out.syz[i] = k.syz;
+    seen_out.rho[i] = k.rho;
   }
 }
 
-STYLET_KEEP_APART void turn_slots(std::uint32_t lanes, const Seen& seen, const Slots& slots) {
+STYLET_KEEP_APART void shift_slots(std::uint32_t lanes, float one, Seen& seen) {
+  const float tiny = 1e-5F * one;
+  lanes = lanes / kLanes * kLanes;
+  STYLET_VECTOR
+  for (std::uint32_t i = 0; i < lanes; ++i) {
+    const Davenport<float> k = {seen.ax[i], seen.ay[i],  seen.az[i],  seen.sx[i],  seen.sy[i],
+                                seen.sz[i], seen.sxy[i], seen.sxz[i], seen.syz[i], seen.rho[i]};
+    seen.lambda[i] = shift_for(k, block_bound(k), tiny);
+  }
+}
+
+STYLET_KEEP_APART void turn_slots(std::uint32_t lanes, const Slots& slots, Seen& seen) {
+  const float *qw = slots.qw, *qx = slots.qx, *qy = slots.qy, *qz = slots.qz;
+  lanes = lanes / kLanes * kLanes;
+  STYLET_VECTOR
+  for (std::uint32_t i = 0; i < lanes; ++i) {
+    const float lambda = seen.lambda[i];
+    const Correction<float> by =
+        correction(lambda - seen.sx[i], lambda - seen.sy[i], lambda - seen.sz[i], seen.sxy[i],
+                   seen.sxz[i], seen.syz[i], seen.ax[i], seen.ay[i], seen.az[i]);
+    const Correction<float> p = product(by, qw[i], qx[i], qy[i], qz[i]);
+    seen.pw[i] = p.w;
+    seen.px[i] = p.x;
+    seen.py[i] = p.y;
+    seen.pz[i] = p.z;
+  }
+}
+
+STYLET_KEEP_APART void unit_slots(std::uint32_t lanes, const Seen& seen, const Slots& slots) {
   const float* stiffness = slots.stiffness;
   float *qw = slots.qw, *qx = slots.qx, *qy = slots.qy, *qz = slots.qz;
   lanes = lanes / kLanes * kLanes;
   STYLET_VECTOR
   for (std::uint32_t i = 0; i < lanes; ++i) {
-    const Correction<float> by =
-        correction(seen.mxx[i], seen.myy[i], seen.mzz[i], seen.sxy[i], seen.sxz[i], seen.syz[i],
-                   seen.ax[i], seen.ay[i], seen.az[i]);
-    float w = qw[i], x = qx[i], y = qy[i], z = qz[i];
-    turn(by, w, x, y, z);
-    x = (x + kQuantumTurn) - kQuantumTurn;
-    y = (y + kQuantumTurn) - kQuantumTurn;
-    z = (z + kQuantumTurn) - kQuantumTurn;
+    const Correction<float> q = unit<float>({seen.pw[i], seen.px[i], seen.py[i], seen.pz[i]});
+    const float x = (q.x + kQuantumTurn) - kQuantumTurn;
+    const float y = (q.y + kQuantumTurn) - kQuantumTurn;
+    const float z = (q.z + kQuantumTurn) - kQuantumTurn;
     // Empty slots stay upright, whatever their neighbours do.
     const bool full = stiffness[i] > 0;
-    qw[i] = full ? w : 1.0F;
+    qw[i] = full ? q.w : 1.0F;
     qx[i] = full ? x : 0.0F;
     qy[i] = full ? y : 0.0F;
     qz[i] = full ? z : 0.0F;
   }
 }
 
-// In place: sum and gradient of the displacement -> what a cluster sends to its corners. The corner
-// at (+-1, +-1, +-1) gets T +- X +- Y +- Z, with T = k chi t and X, Y, Z the columns of k (h / 2)
-// H; stored are T + X, T - X, Y + Z, Y - Z: stage 3 adds these up along rows.
-STYLET_KEEP_APART void send_slots(std::uint32_t lanes, const Slots& slots, float chi,
-                                  float half_edge) {
-  float *t0 = slots.sums.of(0, 0), *t1 = slots.sums.of(1, 0), *t2 = slots.sums.of(2, 0);
-  float* g0 = slots.sums.of(0, 1);
-  float* g1 = slots.sums.of(0, 2);
-  float* g2 = slots.sums.of(0, 3);
-  float* g3 = slots.sums.of(1, 1);
-  float* g4 = slots.sums.of(1, 2);
-  float* g5 = slots.sums.of(1, 3);
-  float* g6 = slots.sums.of(2, 1);
-  float* g7 = slots.sums.of(2, 2);
-  float* g8 = slots.sums.of(2, 3);
-  const float *qw = slots.qw, *qx = slots.qx, *qy = slots.qy, *qz = slots.qz;
-  const float *stiffness = slots.stiffness, *volume = slots.volume;
-  lanes = lanes / kLanes * kLanes;
-  STYLET_VECTOR
-  for (std::uint32_t i = 0; i < lanes; ++i) {
-    const float d00 = g0[i], d01 = g1[i], d02 = g2[i];
-    const float d10 = g3[i], d11 = g4[i], d12 = g5[i];
-    const float d20 = g6[i], d21 = g7[i], d22 = g8[i];
-    // R - I, so that small rotations keep their digits; the diagonal with the other sign.
-    const float w = qw[i], x = qx[i], y = qy[i], z = qz[i];
-    const float x2 = x + x, y2 = y + y, z2 = z + z;
-    const float xx = x * x2, yy = y * y2, zz = z * z2;
-    const float xy = x * y2, xz = x * z2, yz = y * z2;
-    const float wx = w * x2, wy = w * y2, wz = w * z2;
-    const float n00 = yy + zz, r01 = xy - wz, r02 = xz + wy;
-    const float r10 = xy + wz, n11 = xx + zz, r12 = yz - wx;
-    const float r20 = xz - wy, r21 = yz + wx, n22 = xx + yy;
-    const float trace = ((n00 + n11) + n22) - ((d00 + d11) + d22);
-    const float inner = ((n00 * d00 - r01 * d01) - (r02 * d02 + r10 * d10)) +
-                        ((n11 * d11 - r12 * d12) - (r20 * d20 + r21 * d21)) + n22 * d22;
-    const float k = stiffness[i];
-    const float s = k * half_edge;
-    const float sc = s * (volume[i] * (trace + inner));  // -s p
-    const float sa = s + sc, sb = s * (1 - chi);
-    const float h00 = (sc - sa * n00) - sb * d00, h01 = sa * r01 - sb * d01;
-    const float h02 = sa * r02 - sb * d02, h10 = sa * r10 - sb * d10;
-    const float h11 = (sc - sa * n11) - sb * d11, h12 = sa * r12 - sb * d12;
-    const float h20 = sa * r20 - sb * d20, h21 = sa * r21 - sb * d21;
-    const float h22 = (sc - sa * n22) - sb * d22;
-    const float weight = k * (chi * 0.125F);
-    const float f0 = weight * t0[i], f1 = weight * t1[i], f2 = weight * t2[i];
-    t0[i] = f0 + h00;
-    t1[i] = f1 + h10;
-    t2[i] = f2 + h20;
-    g0[i] = f0 - h00;
-    g1[i] = h01 + h02;
-    g2[i] = h01 - h02;
-    g3[i] = f1 - h10;
-    g4[i] = h11 + h12;
-    g5[i] = h11 - h12;
-    g6[i] = f2 - h20;
-    g7[i] = h21 + h22;
-    g8[i] = h21 - h22;
-  }
+// What the slots before send along their rows: for each component T + X, Y + Z, Y - Z.
+struct Carry {
+  Wide last[3][3];
+};
+
+// One component: what a row sends to its four nodes at the low side of each slot. `hx`, `hy`, `hz`:
+// s times the column of H, but for what the gradient adds.
+inline void send_component(float* at, std::ptrdiff_t stride, Wide weight, Wide sb, Wide hx, Wide hy,
+                           Wide hz, Wide (&last)[3]) {
+  const Wide x = hx - sb * load(at + stride);
+  const Wide y = hy - sb * load(at + 2 * stride), z = hz - sb * load(at + 3 * stride);
+  const Wide t = weight * load(at);
+  const Wide ahead = t + x, same = y + z, other = y - z;
+  const Wide along = lanes_behind(last[0], ahead) + (t - x);
+  const Wide with = lanes_behind(last[1], same) + same;
+  const Wide across = lanes_behind(last[2], other) + other;
+  last[0] = ahead;
+  last[1] = same;
+  last[2] = other;
+  store(at, along + across);
+  store(at + stride, along + with);
+  store(at + 2 * stride, along - with);
+  store(at + 3 * stride, along - across);
 }
 
-// Stage 2 for slots from `from` on, a multiple of kLanes.
-inline void fit_slots(const ModelHead& head, const Slots& plane, std::uint32_t from,
-                      std::uint32_t lanes) {
-  const Slots slots = {{plane.sums.at + from, plane.sums.stride},
+// In place: sum and gradient of the displacement -> what is sent to the nodes between a row's
+// slots. The corner at (+-1, +-1, +-1) gets T +- X +- Y +- Z, with T = k chi t and X, Y, Z the
+// columns of k (h / 2) H; stored is the sum for the two voxels of the row that share a node: at the
+// row's high side along y, of the particle planes below and above, then at its low side.
+STYLET_KEEP_APART void send_slots(std::uint32_t lanes, const Slots& slots, float chi,
+                                  float half_edge, float scale, Carry& carry_io) {
+  // Copied: behind every store of a float they would be read again.
+  const Slots own = slots;
+  Carry carry = carry_io;
+  const std::ptrdiff_t stride = own.sums.stride;
+  float* at0 = own.sums.at;
+  for (std::uint32_t i = 0; i < lanes; i += kWide, at0 += kWide) {
+    float* const at1 = at0 + 4 * stride;
+    float* const at2 = at0 + 8 * stride;
+    // R - I, so that small rotations keep their digits; the diagonal with the other sign.
+    const Wide w = load(own.qw + i), x = load(own.qx + i), y = load(own.qy + i);
+    const Wide z = load(own.qz + i);
+    const Wide x2 = x + x, y2 = y + y, z2 = z + z;
+    const Wide xx = x * x2, yy = y * y2, zz = z * z2;
+    const Wide xy = x * y2, xz = x * z2, yz = y * z2;
+    const Wide wx = w * x2, wy = w * y2, wz = w * z2;
+    const Wide n00 = yy + zz, r01 = xy - wz, r02 = xz + wy;
+    const Wide r10 = xy + wz, n11 = xx + zz, r12 = yz - wx;
+    const Wide r20 = xz - wy, r21 = yz + wx, n22 = xx + yy;
+    const auto d = [&](const float* at, int b) { return load(at + (b + 1) * stride); };
+    const Wide trace = ((n00 + n11) + n22) - scale * ((d(at0, 0) + d(at1, 1)) + d(at2, 2));
+    const Wide inner =
+        scale * (((n00 * d(at0, 0) - r01 * d(at0, 1)) - (r02 * d(at0, 2) + r10 * d(at1, 0))) +
+                 ((n11 * d(at1, 1) - r12 * d(at1, 2)) - (r20 * d(at2, 0) + r21 * d(at2, 1))) +
+                 n22 * d(at2, 2));
+    const Wide k = load(own.stiffness + i);
+    const Wide s = k * half_edge;
+    const Wide sc = s * (load(own.volume + i) * (trace + inner));  // -s p
+    const Wide sa = s + sc, sb = s * ((1 - chi) * scale);
+    const Wide weight = k * (chi * 0.125F);
+    send_component(at0, stride, weight, sb, sc - sa * n00, sa * r01, sa * r02, carry.last[0]);
+    send_component(at1, stride, weight, sb, sa * r10, sc - sa * n11, sa * r12, carry.last[1]);
+    send_component(at2, stride, weight, sb, sa * r20, sa * r21, sc - sa * n22, carry.last[2]);
+  }
+  carry_io = carry;
+}
+
+// Stage 2 for slots from `from` on, a multiple of kLanes; the sums begin with slot `front`.
+__attribute__((always_inline)) inline void fit_slots(const ModelHead& head, const Slots& plane,
+                                                     std::uint32_t from, std::uint32_t front,
+                                                     std::uint32_t lanes, Carry& carry) {
+  const Slots slots = {{plane.sums.at + (from - front), plane.sums.stride},
                        plane.stiffness + from,
                        plane.volume + from,
                        plane.qw + from,
@@ -229,66 +262,34 @@ inline void fit_slots(const ModelHead& head, const Slots& plane, std::uint32_t f
                        plane.qy + from,
                        plane.qz + from};
   Seen seen;
-  see_slots(lanes, slots, seen);
-  turn_slots(lanes, seen, slots);
-  send_slots(lanes, slots, head.hourglass_weight, head.edge_m * 0.5F);
+  see_slots(lanes, slots, 4 * head.edge_m, seen);
+  shift_slots(lanes, 4 * head.edge_m, seen);
+  turn_slots(lanes, slots, seen);
+  unit_slots(lanes, seen, slots);
+  send_slots(lanes, slots, head.hourglass_weight, head.edge_m * 0.5F,
+             head.inverse_edge_per_m * 0.25F, carry);
 }
 
-// Stages 1 and 2: slots are fitted while their sums are near.
-void fit_plane(const View& view, const Plane& plane) {
-  const ModelHead& head = *view.model.head;
-  const std::uint32_t at = plane.slot_begin, count = plane.slot_end - plane.slot_begin;
-  const Places places = {view.state.ex, view.state.ey - view.state.ex,
-                         head.inverse_edge_per_m * 0.25F};
-  const Slots slots = {sums_of(view),      view.model.slot_k + at, view.model.slot_volume + at,
-                       view.state.qw + at, view.state.qx + at,     view.state.qy + at,
-                       view.state.qz + at};
-  clear_first(slots.sums);
-  const Row* row = view.model.row + plane.row_begin;
-  const Row* const end = view.model.row + plane.row_end;
-  for (std::uint32_t from = 0; from < count; from += kChunk) {
-    row = sum_rows(places, slots.sums, row, end, at, from + kChunk);
-    fit_slots(head, slots, from, count - from < kChunk ? count - from : kChunk);
-  }
-}
-
-// What one voxel row sends to a window of its nodes at its low (`kSide` -1) or high (1) side along
-// y: to the particles of the plane below and above.
-struct Sent {
-  Wide low, high;
-};
-template <int kSide>
-inline Sent sent_by_row(const float* sent, std::ptrdiff_t stride, WideBits lanes) {
-  const Wide along = load(sent) + load(sent + stride + 1);
-  const Wide same = load(sent + 2 * stride) + load(sent + 2 * stride + 1);
-  const Wide other = load(sent + 3 * stride) + load(sent + 3 * stride + 1);
-  return {zero_unless(lanes, kSide > 0 ? along + other : along - same),
-          zero_unless(lanes, kSide > 0 ? along + same : along - other)};
-}
-
-// Stage 3. Forces on the particles at the side the sweep comes from join those from the clusters
-// there; on the others they are set. Windows in order, so that the zeros which their last lanes
-// write beyond the end of a line are written over by the next line. `low` and `high`: x, y, z,
-// `axis` apart.
+// Stage 3 for windows up to `end`. Forces on the particles at the side the sweep comes from join
+// those from the clusters there; on the others they are set. Windows in order, so that the zeros
+// which their last lanes write beyond the end of a line are written over by the next line. `low`
+// and `high`: x, y, z, `axis` apart. The sums begin with slot `front`.
 template <bool kUp>
-void spread_plane(const View& view, const Plane& plane, float* low, float* high) {
-  constexpr std::uint32_t kList = kWide > 8 ? 1 : 0;
+const Window* spread_windows(Sums sums, std::int32_t front, const Window* w, const Window* end,
+                             float* low, float* high, std::ptrdiff_t axis) {
   constexpr std::uint32_t kWindow = kWide > 8 ? 16 : 8;
-  const Sums sums = sums_of(view);
-  const auto axis = static_cast<std::ptrdiff_t>(view.model.head->counts.particles_per_plane);
-  const Window* windows = kList == 0 ? view.model.window8 : view.model.window16;
-  const Window* const end = windows + plane.window_end[kList];
-  for (const Window* w = windows + plane.window_begin[kList]; w != end; ++w) {
+  const std::ptrdiff_t stride = sums.stride;
+  for (; w != end; ++w) {
     for (std::uint32_t i = 0; i < kWindow; i += kWide) {
       const WideBits before = lanes_set(std::uint32_t{w->lanes[0]} >> i);
       const WideBits behind = lanes_set(std::uint32_t{w->lanes[1]} >> i);
-      const float* a = sums.at + (w->slot[0] + static_cast<std::ptrdiff_t>(i));
-      const float* b = sums.at + (w->slot[1] + static_cast<std::ptrdiff_t>(i));
+      const float* a = sums.at + (w->slot[0] - front + static_cast<std::ptrdiff_t>(i));
+      const float* b = sums.at + (w->slot[1] - front + static_cast<std::ptrdiff_t>(i)) + 2 * stride;
       float *to_low = low + w->low + i, *to_high = high + w->high + i;
       for (int c = 0; c < 3; ++c) {
-        const Sent one = sent_by_row<1>(a, sums.stride, before);
-        const Sent other = sent_by_row<-1>(b, sums.stride, behind);
-        const Wide on_low = one.low + other.low, on_high = one.high + other.high;
+        const Wide on_low = zero_unless(before, load(a)) + zero_unless(behind, load(b));
+        const Wide on_high =
+            zero_unless(before, load(a + stride)) + zero_unless(behind, load(b + stride));
         if constexpr (kUp) {
           store(to_low, load(to_low) + on_low);
           store(to_high, on_high);
@@ -296,11 +297,73 @@ void spread_plane(const View& view, const Plane& plane, float* low, float* high)
           store(to_low, on_low);
           store(to_high, load(to_high) + on_high);
         }
-        a += 4 * sums.stride;
-        b += 4 * sums.stride;
+        a += 4 * stride;
+        b += 4 * stride;
         to_low += axis;
         to_high += axis;
       }
+    }
+  }
+  return w;
+}
+
+// Moves what is sent by slots from `from` up to `end`, and their sums, to the front.
+void keep_slots(Sums sums, std::uint32_t from, std::uint32_t end) {
+  const std::ptrdiff_t stride = sums.stride;
+  float* to = sums.at;
+  for (std::uint32_t i = from; i < end; i += kWide, to += kWide) {
+    for (std::ptrdiff_t c = 0; c < 12; c += 4) {
+      float* const at = to + c * stride;
+      const float* const old = at + from;
+      store(at, load(old));
+      store(at + stride, load(old + stride));
+      store(at + 2 * stride, load(old + 2 * stride));
+      store(at + 3 * stride, load(old + 3 * stride));
+    }
+  }
+}
+
+// All stages for a voxel plane. The last row that is fitted stays for the line of nodes behind it,
+// and rows begun with the chunk for the next.
+template <bool kUp>
+void sweep_plane(const View& view, const Plane& plane, float* low, float* high) {
+  constexpr std::uint32_t kList = kWide > 8 ? 1 : 0;
+  const ModelHead& head = *view.model.head;
+  const std::uint32_t at = plane.slot_begin, count = plane.slot_end - plane.slot_begin;
+  const auto axis = static_cast<std::ptrdiff_t>(head.counts.particles_per_plane);
+  const Places places = {view.state.ex, view.state.ey - view.state.ex};
+  const Sums sums = sums_of(view);
+  const Slots slots = {sums,
+                       view.model.slot_k + at,
+                       view.model.slot_volume + at,
+                       view.state.qw + at,
+                       view.state.qx + at,
+                       view.state.qy + at,
+                       view.state.qz + at};
+  clear_first(sums);
+  const Row* const first = view.model.row + plane.row_begin;
+  const Row* const end = view.model.row + plane.row_end;
+  const Row* row = first;   // the first without sums
+  const Row* open = first;  // the first that is not fitted to its end
+  const Window* const windows = kList == 0 ? view.model.window8 : view.model.window16;
+  const Window* window = windows + plane.window_begin[kList];
+  std::uint32_t front = 0;
+  Carry carry = {};
+  for (std::uint32_t from = 0; from < count; from += kChunk) {
+    const std::uint32_t lanes = count - from < kChunk ? count - from : kChunk;
+    row = sum_rows(places, sums, row, end, at + front, from + kChunk - front);
+    fit_slots(head, slots, from, front, lanes, carry);
+    for (; open != row && open->slot + open->count < at + from + lanes; ++open) {
+    }
+    const Window* const to =
+        windows + (open == end ? plane.window_end[kList] : open->window[kList]);
+    window =
+        spread_windows<kUp>(sums, static_cast<std::int32_t>(front), window, to, low, high, axis);
+    if (open != end) {
+      const std::uint32_t kept = ((open - (open == first ? 0 : 1))->slot - at) / kLanes * kLanes;
+      const Row& last = row[-1];
+      keep_slots(sums, kept - front, last.slot + last.count - at + 1 - front);
+      front = kept;
     }
   }
 }
@@ -341,6 +404,7 @@ void join_tied(const View& view, const Plane& plane, float* force) {
 
 // Moves the particles of a plane. `force`: x, y, z, `particles_per_plane` apart.
 void move_particles(const View& view, const Plane& plane, float* force, Motion& motion_out) {
+  add_changes(view, static_cast<std::uint32_t>(&plane - view.model.plane), force);
   if (plane.tie_begin != plane.tie_end) join_tied(view, plane, force);
   const auto force_axis = static_cast<std::ptrdiff_t>(view.model.head->counts.particles_per_plane);
   const std::ptrdiff_t axis = view.state.uy - view.state.ux;  // as from y to z, for u, v and e
@@ -394,19 +458,15 @@ void sweep_planes(const View& view, Slab& slab, Motion& motion) {
   const std::uint32_t behind = slab.up ? 0 : 1, ahead = 1 - behind;  // of a voxel plane's particles
   float* here = slab.kept;
   float* next = nullptr;
-  Fits fits = {};  // lanes without a voxel are computed, too
-  FitMembers members = {};
   std::uint32_t z = slab.first;
   clear(view, plane[z + behind], here);
   for (bool more = true; more; here = next) {
     next = view.scratch.force + (z + 1) % 2 * part;
     clear(view, plane[z + ahead], next);
-    fit_plane(view, plane[z]);
-    couple_plane(view, z, fits, members);
     if (slab.up) {
-      spread_plane<true>(view, plane[z], here, next);
+      sweep_plane<true>(view, plane[z], here, next);
     } else {
-      spread_plane<false>(view, plane[z], next, here);
+      sweep_plane<false>(view, plane[z], next, here);
     }
     const std::uint32_t done = z + behind;
     const bool move = z != slab.first || done == 0 || done == top;
@@ -455,6 +515,7 @@ void STYLET_LATTICE_STEP(const Kernel& kernel) {
   const View view = view_of(kernel);
   const ModelHead& head = *view.model.head;
   Motion motion = start_motion(head);
+  fit_coupled(view);
   if (kernel.team == nullptr) {
     Between all = {0, head.counts.planes - 1};
     Slab slab = {};

@@ -40,7 +40,7 @@ struct TeamSizes {
 TeamSizes team_sizes(const Counts& counts) {
   const auto whole = [](std::size_t floats) { return (floats + kLanes - 1) / kLanes * kLanes; };
   // The lanes before the sums are read by windows, and not used.
-  return {kLanes + whole(std::size_t{12} * counts.slots_per_plane),
+  return {kLanes + whole(std::size_t{12} * counts.slots_at_once),
           whole(std::size_t{3} * kForceParts * counts.particles_per_plane)};
 }
 

@@ -45,12 +45,14 @@ Counts count_lattice(const Organ& organ, const Config& config) {
   c.ties = static_cast<std::uint32_t>(organ.ties.size());
   c.planes = organ.size_z;
   c.row_grid = static_cast<std::uint32_t>(organ.size_y) * organ.size_z;
+  std::uint32_t longest = 0;
   for (std::uint32_t z = 0; z < organ.size_z; ++z) {
     std::uint32_t slots = 1;
     for (std::uint32_t y = 0; y < organ.size_y; ++y) {
       const Extent e = voxel_extent(organ, y, z);
       if (e.begin == e.end) continue;
       slots += e.end - e.begin + 1;
+      longest = std::max(longest, e.end - e.begin + 1);
       ++c.rows;
     }
     for (std::uint32_t y = 0; y <= organ.size_y; ++y) {
@@ -62,7 +64,6 @@ Counts count_lattice(const Organ& organ, const Config& config) {
     }
     slots = round_lanes(slots);
     c.slots += slots;
-    c.slots_per_plane = std::max(c.slots_per_plane, slots);
   }
   for (std::uint32_t z = 0; z <= organ.size_z; ++z) {
     std::uint32_t particles = kLanes;
@@ -74,8 +75,9 @@ Counts count_lattice(const Organ& organ, const Config& config) {
     c.particles += particles;
     c.particles_per_plane = std::max(c.particles_per_plane, particles);
   }
+  // A chunk, the rest of the row it ends in, and two rows kept from the chunk before.
+  c.slots_at_once = round_lanes(kChunk + 3 * longest + 2 * kLanes);
   // The sweep works in whole lanes, so it touches up to two groups behind the last row.
-  c.slots_per_plane += 2 * kLanes;
   c.particles += 2 * kLanes;
   c.particles_per_plane += 2 * kLanes;
   return c;

@@ -242,13 +242,31 @@ Needle needle_of(const View& view) {
   return needle;
 }
 
+namespace {
+
+// The rod at `arc_from_tip_m`: its end towards the tip, the way back from there, and how far along.
 // Counted from the tip: there a place must be exact to the motion of a tick.
-NeedlePoint needle_point(const Needle& needle, float arc_from_tip_m) {
+struct RodPlace {
+  Vec3 end, back;
+  float along;
+};
+RodPlace rod_place(const Needle& needle, float arc_from_tip_m) {
   const float at = arc_from_tip_m / needle.rod_m;
   const auto rod = static_cast<std::uint32_t>(clamp(at, 0, static_cast<float>(needle.rods) - 0.5F));
   const Vec3* end = needle.node + (needle.rods - rod);
-  const Vec3 back = end[-1] - end[0];
-  return {end[0] + (at - static_cast<float>(rod)) * back, unit(-1.0F * back)};
+  return {end[0], end[-1] - end[0], at - static_cast<float>(rod)};
+}
+
+}  // namespace
+
+NeedlePoint needle_point(const Needle& needle, float arc_from_tip_m) {
+  const RodPlace rod = rod_place(needle, arc_from_tip_m);
+  return {rod.end + rod.along * rod.back, unit(-1.0F * rod.back)};
+}
+
+Vec3 needle_place(const Needle& needle, float arc_from_tip_m) {
+  const RodPlace rod = rod_place(needle, arc_from_tip_m);
+  return rod.end + rod.along * rod.back;
 }
 
 Vec3 attachment_shift(const View& view) {

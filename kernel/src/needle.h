@@ -38,6 +38,8 @@ Needle needle_of(const View& view);
 
 // Beyond the ends: straight on.
 NeedlePoint needle_point(const Needle& needle, float arc_from_tip_m);
+// Its place alone.
+Vec3 needle_place(const Needle& needle, float arc_from_tip_m);
 
 // Shift of the attachments at the state's tick.
 Vec3 attachment_shift(const View& view);

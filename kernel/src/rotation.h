@@ -15,7 +15,8 @@
 // strong stretch; Newton without a bound locks 180 degrees wrong in violent motion.
 //
 // Promise: no branch, no iteration count, finite for finite A, collapsed and inverted clusters
-// included. A must be scaled so that the rest state is near the identity.
+// included. A is near the identity at rest, or near the lattice's 4 h times that: a constant that
+// keeps M regular (`tiny`) goes with the scale.
 #pragma once
 
 namespace stylet {
@@ -29,68 +30,13 @@ static inline double root(double x) {
   return __builtin_sqrt(x);
 }
 
-// Upper bound of the largest eigenvalue of the symmetric block with trace -rho.
-template <int Refinements, typename T>
-static inline T block_bound(T rho, T sx, T sy, T sz, T sxy, T sxz, T syz) {
-  const T mean = rho * T(-1.0 / 3.0);
-  const T dx = sx - mean, dy = sy - mean, dz = sz - mean;
-  const T deviator = dx * dx + dy * dy + dz * dz + T(2) * (sxy * sxy + sxz * sxz + syz * syz);
-  T mu = mean + root(deviator * T(2.0 / 3.0));
-  // Refined: Newton from above on the block's characteristic cubic, for inverted clusters, whose
-  // two largest eigenvalues lie close together.
-  for (int i = 0; i < 3 * Refinements; ++i) {
-    const T exx = mu - sx, eyy = mu - sy, ezz = mu - sz;
-    const T kxx = eyy * ezz - syz * syz, kyy = exx * ezz - sxz * sxz, kzz = exx * eyy - sxy * sxy;
-    const T det = exx * kxx - sxy * (sxy * ezz + sxz * syz) - sxz * (sxy * syz + eyy * sxz);
-    mu = mu - (det > 0 ? det : T(0)) / (kxx + kyy + kzz + T(1e-12));
-  }
-  return mu;
-}
-
-// The largest eigenvector as a quaternion of any length, for M = lambda I - S and side a.
-template <typename T>
-struct Correction {
-  T w, x, y, z;
-};
-template <typename T>
-static inline Correction<T> correction(T mxx, T myy, T mzz, T sxy, T sxz, T syz, T ax, T ay, T az) {
-  const T cxx = myy * mzz - syz * syz;
-  const T cxy = sxz * syz + sxy * mzz;
-  const T cxz = sxy * syz + sxz * myy;
-  const T cyy = mxx * mzz - sxz * sxz;
-  const T cyz = sxy * sxz + syz * mxx;
-  const T czz = mxx * myy - sxy * sxy;
-  return {mxx * cxx - (sxy * cxy + sxz * cxz), cxx * ax + cxy * ay + cxz * az,
-          cxy * ax + cyy * ay + cyz * az, cxz * ax + cyz * ay + czz * az};
-}
-
-// Turns q by the correction. The product is normalised, not the factor: lengths of 1 + 1e-7 would
-// pile up tick by tick.
-template <typename T>
-static inline void turn(const Correction<T>& by, T& qw, T& qx, T& qy, T& qz) {
-  // Never below zero but for rounding. A cluster without any direction, v = 0, turns nowhere.
-  const T w = by.w > T(1e-17) ? by.w : T(1e-17);
-  const T pw = qw * w - (qx * by.x + qy * by.y + qz * by.z);
-  const T px = qw * by.x + qx * w + (qy * by.z - qz * by.y);
-  const T py = qw * by.y + qy * w + (qz * by.x - qx * by.z);
-  const T pz = qw * by.z + qz * w + (qx * by.y - qy * by.x);
-  const T inverse = 1 / root((pw * pw + px * px) + (py * py + pz * pz));
-  const T nw = pw * inverse, nx = px * inverse, ny = py * inverse, nz = pz * inverse;
-  // One Newton step on the rounded root, added part by part, for the last digit.
-  const T e = T(0.5) - T(0.5) * ((nw * nw + nx * nx) + (ny * ny + nz * nz));
-  qw = nw + e * nw;
-  qx = nx + e * nx;
-  qy = ny + e * ny;
-  qz = nz + e * nz;
-}
-
-// K(A) as seen from the last rotation: side, block, corner, and the shift with its bound `mu`.
+// K(A) as seen from the last rotation: side, block, corner.
 template <typename T>
 struct Davenport {
-  T ax, ay, az, sx, sy, sz, sxy, sxz, syz, rho, mu, lambda;
+  T ax, ay, az, sx, sy, sz, sxy, sxz, syz, rho;
 };
 
-template <int Refinements, typename T>
+template <typename T>
 static inline Davenport<T> davenport(T a00, T a01, T a02, T a10, T a11, T a12, T a20, T a21, T a22,
                                      T qw, T qx, T qy, T qz) {
   const T x2 = qx + qx, y2 = qy + qy, z2 = qz + qz;
@@ -111,24 +57,91 @@ static inline Davenport<T> davenport(T a00, T a01, T a02, T a10, T a11, T a12, T
   const T b21 = r02 * a01 + r12 * a11 + r22 * a21;
   const T b22 = r02 * a02 + r12 * a12 + r22 * a22;
 
-  const T ax = b21 - b12, ay = b02 - b20, az = b10 - b01;
   const T rho = b00 + b11 + b22;
-  const T sx = b00 + b00 - rho, sy = b11 + b11 - rho, sz = b22 + b22 - rho;
-  const T sxy = b01 + b10, sxz = b02 + b20, syz = b12 + b21;
+  return {b21 - b12,       b02 - b20, b10 - b01, b00 + b00 - rho, b11 + b11 - rho,
+          b22 + b22 - rho, b01 + b10, b02 + b20, b12 + b21,       rho};
+}
 
-  const T mu = block_bound<Refinements>(rho, sx, sy, sz, sxy, sxz, syz);
-  const T half = (rho - mu) * T(0.5);
+// Upper bound of the block's largest eigenvalue, whose trace is -rho.
+template <typename T>
+static inline T block_bound(const Davenport<T>& k) {
+  const T mean = k.rho * T(-1.0 / 3.0);
+  const T dx = k.sx - mean, dy = k.sy - mean, dz = k.sz - mean;
+  const T deviator =
+      dx * dx + dy * dy + dz * dz + T(2) * (k.sxy * k.sxy + k.sxz * k.sxz + k.syz * k.syz);
+  return mean + root(deviator * T(2.0 / 3.0));
+}
+
+// Refined: Newton from above on the block's characteristic cubic, for inverted clusters, whose two
+// largest eigenvalues lie close together.
+template <int Refinements, typename T>
+static inline T refined_bound(const Davenport<T>& k, T mu) {
+  for (int i = 0; i < 3 * Refinements; ++i) {
+    const T exx = mu - k.sx, eyy = mu - k.sy, ezz = mu - k.sz;
+    const T kxx = eyy * ezz - k.syz * k.syz, kyy = exx * ezz - k.sxz * k.sxz;
+    const T kzz = exx * eyy - k.sxy * k.sxy;
+    const T det =
+        exx * kxx - k.sxy * (k.sxy * ezz + k.sxz * k.syz) - k.sxz * (k.sxy * k.syz + eyy * k.sxz);
+    mu = mu - (det > 0 ? det : T(0)) / (kxx + kyy + kzz + T(1e-12));
+  }
+  return mu;
+}
+
+// The shift lambda for a bound `mu`.
+template <typename T>
+static inline T shift_for(const Davenport<T>& k, T mu, T tiny = T(1e-5)) {
+  const T half = (k.rho - mu) * T(0.5);
   // The constant keeps M regular when the cluster has collapsed to a point.
-  const T lambda =
-      (rho + mu) * T(0.5) + root(half * half + (ax * ax + ay * ay + az * az)) + T(1e-5);
-  return {ax, ay, az, sx, sy, sz, sxy, sxz, syz, rho, mu, lambda};
+  return (k.rho + mu) * T(0.5) + root(half * half + (k.ax * k.ax + k.ay * k.ay + k.az * k.az)) +
+         tiny;
+}
+
+// The largest eigenvector as a quaternion of any length, for M = lambda I - S and side a.
+template <typename T>
+struct Correction {
+  T w, x, y, z;
+};
+template <typename T>
+static inline Correction<T> correction(T mxx, T myy, T mzz, T sxy, T sxz, T syz, T ax, T ay, T az) {
+  const T cxx = myy * mzz - syz * syz;
+  const T cxy = sxz * syz + sxy * mzz;
+  const T cxz = sxy * syz + sxz * myy;
+  const T cyy = mxx * mzz - sxz * sxz;
+  const T cyz = sxy * sxz + syz * mxx;
+  const T czz = mxx * myy - sxy * sxy;
+  return {mxx * cxx - (sxy * cxy + sxz * cxz), cxx * ax + cxy * ay + cxz * az,
+          cxy * ax + cyy * ay + cyz * az, cxz * ax + cyz * ay + czz * az};
+}
+
+// q times the correction: a quaternion of any length.
+template <typename T>
+static inline Correction<T> product(const Correction<T>& by, T qw, T qx, T qy, T qz) {
+  // Never below zero but for rounding. A cluster without any direction, v = 0, turns nowhere; one
+  // under a thousandth of its size turns slowly.
+  const T w = by.w > T(1e-17) ? by.w : T(1e-17);
+  return {
+      qw * w - (qx * by.x + qy * by.y + qz * by.z), qw * by.x + qx * w + (qy * by.z - qz * by.y),
+      qw * by.y + qy * w + (qz * by.x - qx * by.z), qw * by.z + qz * w + (qx * by.y - qy * by.x)};
+}
+// Of unit length. The product is normalised, not the factor: lengths of 1 + 1e-7 would pile up tick
+// by tick.
+template <typename T>
+static inline Correction<T> unit(const Correction<T>& p) {
+  const T inverse = 1 / root((p.w * p.w + p.x * p.x) + (p.y * p.y + p.z * p.z));
+  const T w = p.w * inverse, x = p.x * inverse, y = p.y * inverse, z = p.z * inverse;
+  // One Newton step on the rounded root, added part by part, for the last digit.
+  const T e = T(0.5) - T(0.5) * ((w * w + x * x) + (y * y + z * z));
+  return {w + e * w, x + e * x, y + e * y, z + e * z};
 }
 
 // `Refinements`: Rayleigh quotients taken to sharpen lambda before the step (0 in the lattice
 // sweep, 1 where constraint particles make the fit anisotropic).
 template <int Refinements, typename T>
-static inline void turn_towards(const Davenport<T>& k, T& qw, T& qx, T& qy, T& qz) {
-  T lambda = k.lambda;
+static inline void rotation_step(T a00, T a01, T a02, T a10, T a11, T a12, T a20, T a21, T a22,
+                                 T& qw, T& qx, T& qy, T& qz) {
+  const Davenport<T> k = davenport(a00, a01, a02, a10, a11, a12, a20, a21, a22, qw, qx, qy, qz);
+  const T mu = refined_bound<Refinements>(k, block_bound(k));
+  T lambda = shift_for(k, mu);
   Correction<T> by = {};
   for (int refinement = 0; refinement <= Refinements; ++refinement) {
     by = correction(lambda - k.sx, lambda - k.sy, lambda - k.sz, k.sxy, k.sxz, k.syz, k.ax, k.ay,
@@ -139,18 +152,14 @@ static inline void turn_towards(const Davenport<T>& k, T& qw, T& qx, T& qy, T& q
       const T av = k.ax * by.x + k.ay * by.y + k.az * by.z;
       const T quotient = (by.w * (k.rho * by.w + av) + lambda * vv) / (by.w * by.w + vv);
       // A bound from below may fall under S: never closer to it than to the old shift.
-      lambda = quotient > k.mu ? quotient + (lambda - quotient) * T(1e-6) : lambda;
+      lambda = quotient > mu ? quotient + (lambda - quotient) * T(1e-6) : lambda;
     }
   }
-  turn(by, qw, qx, qy, qz);
-}
-
-template <int Refinements, typename T>
-static inline void rotation_step(T a00, T a01, T a02, T a10, T a11, T a12, T a20, T a21, T a22,
-                                 T& qw, T& qx, T& qy, T& qz) {
-  turn_towards<Refinements>(
-      davenport<Refinements>(a00, a01, a02, a10, a11, a12, a20, a21, a22, qw, qx, qy, qz), qw, qx,
-      qy, qz);
+  const Correction<T> q = unit(product(by, qw, qx, qy, qz));
+  qw = q.w;
+  qx = q.x;
+  qy = q.y;
+  qz = q.z;
 }
 
 }  // namespace stylet
