@@ -162,7 +162,8 @@ void bench_beside(benchmark::State& state, Subject& subject, const Variant& vari
   const double start = now_us(Time::kPassing);
   for (auto _ : state) session.kernel.step(session.kernel);
   const double passed = now_us(Time::kPassing) - start;
-  const std::uint64_t all = state.iterations() + (steps.load() - before);
+  const std::uint64_t all =
+      static_cast<std::uint64_t>(state.iterations()) + (steps.load() - before);
   stop.store(true);
   neighbour.join();
   state.counters[kMedian] = passed / static_cast<double>(all);
