@@ -19,10 +19,9 @@ Extent extent_of(const Row* row) {
 }
 
 // Slot at the low side of node `x`, in its plane; windows reach at most their own width before it.
-std::int32_t slot_of(const Row* row, const Plane& plane, std::uint32_t x, std::uint16_t lanes) {
-  if (lanes == 0) return 0;
-  return static_cast<std::int32_t>(row->slot + x) -
-         static_cast<std::int32_t>(plane.slot_begin + row->x0);
+std::int32_t slot_of(const Row& row, const Plane& plane, std::uint32_t x) {
+  return static_cast<std::int32_t>(row.slot + x) -
+         static_cast<std::int32_t>(plane.slot_begin + row.x0);
 }
 
 void fill_line(const ModelView& model, std::uint32_t y, std::uint32_t z, std::uint32_t width,
@@ -34,7 +33,9 @@ void fill_line(const ModelView& model, std::uint32_t y, std::uint32_t z, std::ui
   const auto visit = [&](std::uint32_t x, std::uint16_t one, std::uint16_t other) {
     const Row& row = behind != nullptr ? *behind : *before;
     const std::uint32_t side = behind != nullptr ? 0 : 1;
-    *next++ = {{slot_of(before, plane, x, one), slot_of(behind, plane, x, other)},
+    // Without a node of a row the other is read twice: that one is at hand.
+    *next++ = {{slot_of(one != 0 ? *before : *behind, plane, x),
+                slot_of(other != 0 ? *behind : *before, plane, x)},
                {one, other},
                row.node[side] + x - row.x0 - plane.particle_begin,
                row.node[side + 2] + x - row.x0 - above};

@@ -67,7 +67,9 @@ struct TiedNode {
 // Neighbouring nodes of one line (y) of a voxel plane, a group of lanes, and the voxel rows y - 1
 // and y that send forces to them (lattice_plan.h).
 struct Window {
-  std::int32_t slot[2];     // at the low side of the first node, in the plane: at least -kLanes
+  // At the low side of the first node, in the plane: at least -kLanes. A row without a bit has that
+  // of the other: no sums but those of rows that reach the window are at hand.
+  std::int32_t slot[2];
   std::uint16_t lanes[2];   // a bit for each node that belongs to the row
   std::uint32_t low, high;  // the first node, in the particle planes below and above
 };

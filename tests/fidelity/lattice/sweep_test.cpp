@@ -147,5 +147,24 @@ TEST(FidelityV4, SweepAddsUpWhatEveryVoxelSends) {
   }
 }
 
+// The sweep holds the sums of some rows at a time: a window that one row reaches must not read
+// where another would be. (It read before the sums, masked, and beyond the memory in large organs.)
+TEST(FidelityV4, WindowsOfOneRowReadNoOther) {
+  std::mt19937_64 random(2012);
+  const Rig rig = rig_of(draw_lattice(random));
+  const View view = rig.view();
+  const Counts& counts = view.model.head->counts;
+  std::uint32_t of_one = 0;
+  for (std::uint32_t list = 0; list < 2; ++list) {
+    const Window* const window = list == 0 ? view.model.window8 : view.model.window16;
+    for (std::uint32_t i = 0; i < counts.windows[list]; ++i) {
+      if (window[i].lanes[0] != 0 && window[i].lanes[1] != 0) continue;
+      EXPECT_EQ(window[i].slot[0], window[i].slot[1]) << list << ", window " << i;
+      ++of_one;
+    }
+  }
+  EXPECT_GT(of_one, 100U);
+}
+
 }  // namespace
 }  // namespace stylet::test
