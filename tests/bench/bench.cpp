@@ -30,6 +30,7 @@
 #include <thread>
 #include <vector>
 
+#include "layout.h"
 #include "liver.h"
 #include "machine.h"
 #include "peers.h"
@@ -62,15 +63,19 @@ Config config_at(Setup setup, float period_s, std::uint32_t substeps) {
 // A kernel with the needle inserted, whose tissue step is the variant's.
 Session inserted_session(Subject& subject, const Config& config, const Variant& variant) {
   Session session = make_session(subject.organ(), config);
+  const Script script = script_for(subject.organ(), config);
   const std::string key(reinterpret_cast<const char*>(&config), sizeof(config));
   std::vector<std::byte>& bytes = subject.inserted[key];
   if (bytes.empty()) {
-    run(session.kernel, script_for(subject.organ(), config), 0, kPauseBegin);
+    run(session.kernel, script, 0, kPauseBegin);
     bytes.resize(snapshot_bytes(session.kernel));
     if (snapshot(session.kernel, bytes) != Status::kOk) std::abort();
   }
   if (restore(session.kernel, bytes) != Status::kOk) std::abort();
   session.kernel.step = variant.step;
+  // A snapshot has no scratch, and there a tick tells its steps which voxels hold the needle.
+  tick(session.kernel, scripted_input(script, kPauseBegin));
+  if (view_of(session.kernel).scratch.head->coupled_count == 0) std::abort();
   return session;
 }
 

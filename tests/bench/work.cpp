@@ -14,6 +14,7 @@
 #include <optional>
 #include <string_view>
 
+#include "layout.h"
 #include "liver.h"
 #include "variants.h"
 
@@ -96,9 +97,9 @@ int count(const Work& work) {
     session.kernel.step(session.kernel);
   }
   CALLGRIND_TOGGLE_COLLECT;
-  const Stats after = stats(session.kernel);
   std::printf("voxels=%u cps=%u coupled=%u rods=%u triangles=%zu\n", opened->organ.voxel_count,
-              after.constraint_particles.used, after.coupled_voxels.used, work.rods,
+              stats(session.kernel).constraint_particles.used,
+              view_of(session.kernel).scratch.head->coupled_count, work.rods,
               opened->organ.triangles.size());
   return 0;
 }
