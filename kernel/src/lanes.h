@@ -8,6 +8,10 @@
 
 #include <cstdint>
 
+#if defined(__AVX512F__)
+#include <immintrin.h>
+#endif
+
 namespace stylet {
 namespace {
 
@@ -51,8 +55,10 @@ inline Wide zero_unless(WideBits set, Wide value) {
 // The lanes one place earlier: the last of `before`, then all but the last of `now`.
 inline Wide lanes_behind(Wide before, Wide now) {
 #if defined(__AVX512F__)
-  return __builtin_shufflevector(before, now, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27,
-                                 28, 29, 30);
+  // Spelt out: of a shuffle GCC makes a permutation, with a register of indices to copy each time.
+  const __m512i shifted = _mm512_maskz_alignr_epi32(0xFFFF, __builtin_bit_cast(__m512i, now),
+                                                    __builtin_bit_cast(__m512i, before), 15);
+  return __builtin_bit_cast(Wide, shifted);
 #elif defined(__AVX2__)
   return __builtin_shufflevector(before, now, 7, 8, 9, 10, 11, 12, 13, 14);
 #else

@@ -87,13 +87,12 @@ static inline T refined_bound(const Davenport<T>& k, T mu) {
   return mu;
 }
 
-// The shift lambda for a bound `mu`.
+// The shift lambda for corner, side and a bound `mu` of the block.
 template <typename T>
-static inline T shift_for(const Davenport<T>& k, T mu, T tiny = T(1e-5)) {
-  const T half = (k.rho - mu) * T(0.5);
+static inline T shift_for(T rho, T ax, T ay, T az, T mu, T tiny = T(1e-5)) {
+  const T half = (rho - mu) * T(0.5);
   // The constant keeps M regular when the cluster has collapsed to a point.
-  return (k.rho + mu) * T(0.5) + root(half * half + (k.ax * k.ax + k.ay * k.ay + k.az * k.az)) +
-         tiny;
+  return (rho + mu) * T(0.5) + root(half * half + (ax * ax + ay * ay + az * az)) + tiny;
 }
 
 // The largest eigenvector as a quaternion of any length, for M = lambda I - S and side a.
@@ -123,11 +122,15 @@ static inline Correction<T> product(const Correction<T>& by, T qw, T qx, T qy, T
       qw * w - (qx * by.x + qy * by.y + qz * by.z), qw * by.x + qx * w + (qy * by.z - qz * by.y),
       qw * by.y + qy * w + (qz * by.x - qx * by.z), qw * by.z + qz * w + (qx * by.y - qy * by.x)};
 }
+template <typename T>
+static inline T length(const Correction<T>& p) {
+  return root((p.w * p.w + p.x * p.x) + (p.y * p.y + p.z * p.z));
+}
 // Of unit length. The product is normalised, not the factor: lengths of 1 + 1e-7 would pile up tick
 // by tick.
 template <typename T>
-static inline Correction<T> unit(const Correction<T>& p) {
-  const T inverse = 1 / root((p.w * p.w + p.x * p.x) + (p.y * p.y + p.z * p.z));
+static inline Correction<T> unit(const Correction<T>& p, T length_of_p) {
+  const T inverse = 1 / length_of_p;
   const T w = p.w * inverse, x = p.x * inverse, y = p.y * inverse, z = p.z * inverse;
   // One Newton step on the rounded root, added part by part, for the last digit.
   const T e = T(0.5) - T(0.5) * ((w * w + x * x) + (y * y + z * z));
@@ -141,7 +144,7 @@ static inline void rotation_step(T a00, T a01, T a02, T a10, T a11, T a12, T a20
                                  T& qw, T& qx, T& qy, T& qz) {
   const Davenport<T> k = davenport(a00, a01, a02, a10, a11, a12, a20, a21, a22, qw, qx, qy, qz);
   const T mu = refined_bound<Refinements>(k, block_bound(k));
-  T lambda = shift_for(k, mu);
+  T lambda = shift_for(k.rho, k.ax, k.ay, k.az, mu);
   Correction<T> by = {};
   for (int refinement = 0; refinement <= Refinements; ++refinement) {
     by = correction(lambda - k.sx, lambda - k.sy, lambda - k.sz, k.sxy, k.sxz, k.syz, k.ax, k.ay,
@@ -155,7 +158,8 @@ static inline void rotation_step(T a00, T a01, T a02, T a10, T a11, T a12, T a20
       lambda = quotient > mu ? quotient + (lambda - quotient) * T(1e-6) : lambda;
     }
   }
-  const Correction<T> q = unit(product(by, qw, qx, qy, qz));
+  const Correction<T> p = product(by, qw, qx, qy, qz);
+  const Correction<T> q = unit(p, length(p));
   qw = q.w;
   qx = q.x;
   qy = q.y;
