@@ -3,8 +3,10 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <cmath>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -15,17 +17,24 @@ namespace stylet::test {
 namespace {
 
 constexpr float kPeriodS = 5e-4F;
-constexpr int kDragged = 8;
+constexpr std::size_t kDragged = 8;  // particles, the last ones
+constexpr float kHandHz = 2;
 
 struct Lattice {
   std::vector<Eigen::Vector3f> rest;  // in voxel edges
   std::vector<std::array<int, 8>> cluster;
   std::vector<bool> held;
+  int steps = 0;
 
+  // By how much the dragged particles are off their places: to and fro sideways, 1.2 deep.
+  Eigen::Vector3f drag() const {
+    const float phase =
+        2 * std::numbers::pi_v<float> * kHandHz * kPeriodS * static_cast<float>(steps);
+    return {0.5F * std::sin(phase), 0, -0.6F * (1 - std::cos(phase))};
+  }
   // Where a held particle is kept.
   Eigen::Vector3f place(std::size_t i) const {
-    const bool dragged = i >= rest.size() - kDragged;
-    return dragged ? Eigen::Vector3f(rest[i] + Eigen::Vector3f(0.5F, 0, -1.2F)) : rest[i];
+    return i < rest.size() - kDragged ? rest[i] : Eigen::Vector3f(rest[i] + drag());
   }
 };
 
@@ -93,8 +102,12 @@ struct EigenBody {
   void step() {
     for (Eigen::Vector3f& g : goal) g.setZero();
     for (const auto& cluster : lattice.cluster) match(cluster);
+    ++lattice.steps;
     for (std::size_t i = 0; i < place.size(); ++i) {
-      if (lattice.held[i]) continue;
+      if (lattice.held[i]) {
+        place[i] = lattice.place(i);
+        continue;
+      }
       velocity[i] = 0.95F * velocity[i] + 0.5F / kPeriodS * (goal[i] / clusters_of[i] - place[i]);
       place[i] += kPeriodS * velocity[i];
     }
@@ -104,10 +117,10 @@ struct EigenBody {
 struct BulletBody {
   btSoftBodyWorldInfo world;
   std::unique_ptr<btSoftBody> body;
-  std::vector<std::pair<int, btVector3>> held;
+  Lattice lattice;
+  std::vector<std::size_t> held;
 
-  explicit BulletBody(const Organ& organ) {
-    const Lattice lattice = lattice_of(organ);
+  explicit BulletBody(const Organ& organ) : lattice(lattice_of(organ)) {
     std::vector<btVector3> rest;
     for (const Eigen::Vector3f& p : lattice.rest) rest.emplace_back(p.x(), p.y(), p.z());
     world.m_gravity.setValue(0, 0, 0);
@@ -117,7 +130,7 @@ struct BulletBody {
     body->m_cfg.collisions = 0;
     for (const auto& corners : lattice.cluster) {
       auto* cluster = new (btAlignedAlloc(sizeof(btSoftBody::Cluster), 16)) btSoftBody::Cluster();
-      cluster->m_collide = false;
+      cluster->m_collide = true;  // as Bullet's generateClusters makes them
       for (const int i : corners) cluster->m_nodes.push_back(&body->m_nodes[i]);
       body->m_clusters.push_back(cluster);
     }
@@ -125,15 +138,18 @@ struct BulletBody {
     for (int i = 0; i < body->m_clusters.size(); ++i) body->m_clusters[i]->m_matching = 0.5F;
     for (std::size_t i = 0; i < rest.size(); ++i) {
       if (!lattice.held[i]) continue;
-      const Eigen::Vector3f p = lattice.place(i);
       body->setMass(static_cast<int>(i), 0);
-      held.emplace_back(static_cast<int>(i), btVector3(p.x(), p.y(), p.z()));
+      held.push_back(i);
     }
   }
 
   void step() {
-    // Matching moves nodes without mass too.
-    for (const auto& [i, place] : held) body->m_nodes[i].m_x = body->m_nodes[i].m_q = place;
+    ++lattice.steps;
+    for (const std::size_t i : held) {  // matching moves nodes without mass too
+      const Eigen::Vector3f p = lattice.place(i);
+      btSoftBody::Node& node = body->m_nodes[static_cast<int>(i)];
+      node.m_x = node.m_q = btVector3(p.x(), p.y(), p.z());
+    }
     body->predictMotion(kPeriodS);
     body->solveConstraints();
   }
