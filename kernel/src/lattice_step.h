@@ -87,8 +87,8 @@ void clear_first(const Sums& sums) {
 // Stage 2 is five loops, for as many lanes at a time as stay in the nearest cache. As one loop it
 // takes fewer instructions, but the whole step a quarter more time: a group of lanes is a chain of
 // three roots and a division, so long that the processor sees little of the next group beside it,
-// and waits. Each loop therefore has one of them, at its end or its beginning: all the rest of a
-// loop is time in which the slow unit that makes them is done with the group before.
+// and waits. Each of the first four therefore has one of them: all the rest of a loop is time in
+// which the slow unit that makes them is done with the group before.
 
 // What passes from loop to loop, in whole registers: where it lay across lines of the cache the
 // step took 4 % more time. Later numbers take the place of those that are done with: 1 % less.
@@ -444,7 +444,7 @@ float largest_displacement(const Motion& motion) {
   return __builtin_bit_cast(float, largest);
 }
 
-// Forces on the particles of a plane, to zero.
+// Forces on the particles of any plane, to zero.
 void clear(const View& view, float* force) {
   const auto axis = static_cast<std::ptrdiff_t>(view.model.head->counts.particles_per_plane);
   const float* const end = force + axis;
