@@ -48,6 +48,10 @@ constexpr float kLayerSkinM = 5e-4F;
 // A tip in contact must come this far clear of its goal to leave it: one that only slides sideways
 // is not in and out with every rounding.
 constexpr float kReleaseSkinM = 2e-5F;
+// At a tick's end CPs may carry so many times what they may where the needle has just moved.
+constexpr float kLoose = 2.0F;
+// A tip that slips back farther than this in a tick presses nothing at the tick's end.
+constexpr float kFastBackM = 1e-4F;
 // A shaft CP keeps at least this part of its spring, so that forces can be divided by it.
 constexpr float kLeastPart = 0.01F;
 
@@ -486,6 +490,12 @@ void meet_friction(const View& view, Vec3 from_m, float from_track_m) {
   }
 }
 
+// By how much the needle's motion in this tick pulls the spring of a CP of the shaft, or of the
+// tip, the last: substep by substep (fit.h).
+Vec3& stretch_of(const View& view, std::uint32_t index) {
+  return view.scratch.stretch[view.needle * kNeedleParticles + index];
+}
+
 void slip_shaft(const View& view, const Needle& needle) {
   const ModelHead& head = *view.model.head;
   StateHead& state = *view.state.head;
@@ -497,9 +507,9 @@ void slip_shaft(const View& view, const Needle& needle) {
     stand_for(view, p);
     const float limit = friction_limit_n(view, p);
     const Vec3 direction = needle_point(needle, p.arc_m).direction;
-    const Vec3 residual_m = residual(p);
-    const float axial = dot(force_on_tissue(p, residual_m), direction);
-    const float slip = overshoot(view, p, axial, -limit, limit);
+    const Vec3 residual_m = residual(p), force = force_on_tissue(p, residual_m);
+    const float slip = overshoot(view, p, dot(force, direction), -limit, limit);
+    stretch_of(view, i) = (1 / p.stiffness_n_per_m) * (force - p.force_n) - slip * direction;
     const float all = slip + renew(view, p, residual_m, direction, slip, state.friction_j);
     p.arc_m += all;
     p.position_m = needle_place(needle, p.arc_m);
@@ -627,6 +637,7 @@ std::uint32_t push_shaft(const View& view, Particle p) {
     return kFlagCpPoolFull;
   }
   stand_for(view, p);
+  stretch_of(view, own.shaft_count) = {};
   view.state.shaft[own.shaft_count++] = p;
   own.shaft_max = own.shaft_count > own.shaft_max ? own.shaft_count : own.shaft_max;
   return 0;
@@ -867,7 +878,9 @@ void begin_contact(const View& view, const Needle& needle, Vec3 rest_m, Vec3 pla
   add_event(view, EventKind::kContact, 0);
 }
 
-std::uint32_t couple_needle(const View& view, const Needle& needle) {
+namespace {
+
+std::uint32_t carry_particles(const View& view, const Needle& needle) {
   StateHead& state = *view.state.head;
   NeedleState& own = *view.state.needle;
   Particle& tip = *view.state.tip;
@@ -908,6 +921,70 @@ std::uint32_t couple_needle(const View& view, const Needle& needle) {
   const std::uint32_t flags = drop_shaft(view, needle);
   meet_friction(view, from_m, from_track_m);
   return flags;
+}
+
+}  // namespace
+
+std::uint32_t couple_needle(const View& view, const Needle& needle) {
+  const std::uint32_t flags = carry_particles(view, needle);
+  const NeedleState& own = *view.state.needle;
+  const Particle& tip = *view.state.tip;
+  // In contact the spring is a tangent at this tick's depth, and leads not back to the last one's.
+  stretch_of(view, kMaxConstraintParticles) = {};
+  if (own.tip_alive == 0 || own.phase == Phase::kContact) return flags;
+  const Vec3 change_n = force_on_tissue(tip) - tip.force_n;
+  stretch_of(view, kMaxConstraintParticles) = (1 / tip.stiffness_n_per_m) * change_n;
+  return flags;
+}
+
+namespace {
+
+// The tissue may pull at the tip as hard as the tip may press. One that slips back fast presses
+// nothing, though the tissue it has let go comes after it; one that has just come to another
+// material enters it with the next cut.
+void let_cut(const View& view) {
+  NeedleState& own = *view.state.needle;
+  Particle& tip = *view.state.tip;
+  if (own.phase == Phase::kFree || own.phase == Phase::kContact || tip.share_count == 0) return;
+  if (tip.material != own.spring_layer) return;
+  const float limit = kLoose * tip_limit(view, tip, tip.track_m < own.track_end_m);
+  const float high_n = dot(tip.slip_m, own.cut) < -kFastBackM ? 0 : limit;
+  const float before_n = dot(tip.force_n, own.cut);
+  const float move = overshoot(view, tip, before_n, -limit, high_n);
+  if (move == 0) return;
+  advance_tip(view, tip, own.cut, move);
+  tip.slip_m = tip.slip_m + move * own.cut;
+  tip.force_n = force_on_tissue(tip);
+  const float work = 0.5F * move * (before_n + dot(tip.force_n, own.cut));
+  view.state.head->cutting_j += static_cast<double>(work);
+}
+
+// Any CP may carry the friction of a whole unit, and one that has met none yet what it has.
+void let_slip(const View& view, const Needle& needle, Particle& p) {
+  const float loose_m = kLoose * view.needle_config().unit_m;
+  const float least = loose_m * p.friction.coulomb_n_per_m;
+  if (!(p.met_m > 0) || dot(p.force_n, p.force_n) <= least * least) return;
+  const float limit = loose_m * friction_n_per_m(p.friction, p.slip_m_per_s);
+  const Vec3 direction = needle_point(needle, p.arc_m).direction;
+  const float before_n = dot(p.force_n, direction);
+  const float slip = overshoot(view, p, before_n, -limit, limit);
+  if (slip == 0) return;
+  p.arc_m += slip;
+  p.position_m = needle_place(needle, p.arc_m);
+  p.slip_m = p.slip_m + slip * direction;
+  p.force_n = force_on_tissue(p);
+  const float work = 0.5F * slip * (before_n + dot(p.force_n, direction));
+  view.state.head->friction_j += static_cast<double>(work);
+}
+
+}  // namespace
+
+void let_slip(const View& view, const Needle& needle) {
+  if (view.model.head->config.mode == Mode::kPaper) return;
+  let_cut(view);
+  for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
+    let_slip(view, needle, view.state.shaft[i]);
+  }
 }
 
 double shaft_energy(const Particle& particle) {

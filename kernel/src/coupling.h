@@ -33,6 +33,11 @@ constexpr std::uint32_t kNoTrack = 0xFFFFFFFFU;
 // goals of the last fit. Returns output flags.
 std::uint32_t couple_needle(const View& view, const Needle& needle);
 
+// Lets CPs slip and cut once more that the tissue has taken far beyond their limits in the
+// substeps: dragged along by a fast tip it pushes a slipping shaft with many times its friction, in
+// the way it slips, and the hand would feel that.
+void let_slip(const View& view, const Needle& needle);
+
 // Friction of the stretch of shaft a CP stands for, at its slip speed.
 float friction_limit_n(const View& view, const Particle& p);
 

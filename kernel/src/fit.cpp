@@ -141,6 +141,7 @@ std::uint32_t gather_coupled(const View& view) {
   ScratchHead& head = *view.scratch.head;
   head.coupled_count = 0;
   head.substeps_to_come = 0;
+  head.motion_to_come = 0;
   std::uint32_t flags = 0, members = 0;
   for_each_particle(view, [&](std::uint32_t index) {
     Particle& p = particle_at(view, index);
@@ -231,19 +232,31 @@ void begin_fits(const View& view, const FitGroup& group, Fits& fits_out) {
   }
 }
 
+void place_members(const View& view) {
+  const float to_come = view.scratch.head->motion_to_come;
+  for_each_particle(view, [&](std::uint32_t index) {
+    const Particle& p = particle_at(view, index);
+    view.scratch.place[index] = (p.position_m - p.slack_m) - to_come * view.scratch.stretch[index];
+  });
+}
+
 void take_members(const View& view, const FitGroup& group, std::uint32_t n, Fits& fits,
                   FitMembers& members_out) {
+  const Member* const members = view.scratch.member;
+  const Particle* const particles = view.state.shaft;
+  const Vec3* const places = view.scratch.place;
   for (std::uint32_t lane = 0; lane < group.count; ++lane) {
     members_out.weight_n_per_m[lane] = 0;
     if (n >= group.member_count[lane]) continue;
-    const Member& member = view.scratch.member[fits.next_member[lane]];
+    const Member& member = members[fits.next_member[lane]];
     fits.next_member[lane] = member.next;
-    const Particle& p = particle_at(view, member.particle);
+    const Particle& p = particles[member.particle];
     const Share& share = p.share[member.share];
+    const Vec3 place = places[member.particle];
     members_out.weight_n_per_m[lane] = p.stiffness_n_per_m * share.weight;
-    members_out.place_m[0][lane] = p.position_m.x - p.slack_m.x;
-    members_out.place_m[1][lane] = p.position_m.y - p.slack_m.y;
-    members_out.place_m[2][lane] = p.position_m.z - p.slack_m.z;
+    members_out.place_m[0][lane] = place.x;
+    members_out.place_m[1][lane] = place.y;
+    members_out.place_m[2][lane] = place.z;
     members_out.offset_m[0][lane] = share.offset_m.x;
     members_out.offset_m[1][lane] = share.offset_m.y;
     members_out.offset_m[2][lane] = share.offset_m.z;
@@ -251,6 +264,8 @@ void take_members(const View& view, const FitGroup& group, std::uint32_t n, Fits
 }
 
 void give_goals(const View& view, const FitGroup& group, const Fits& fits) {
+  const Member* const members = view.scratch.member;
+  Particle* const particles = view.state.shaft;
   for (std::uint32_t lane = 0; lane < group.count; ++lane) {
     const Quat turn = {fits.joint_turn[0][lane], fits.joint_turn[1][lane], fits.joint_turn[2][lane],
                        fits.joint_turn[3][lane]};
@@ -259,8 +274,8 @@ void give_goals(const View& view, const FitGroup& group, const Fits& fits) {
     for (std::uint32_t i = 0; i < 9; ++i) r.m[i / 3][i % 3] = fits.rotation[i][lane];
     std::uint32_t at = group.first_member[lane];
     for (std::uint32_t n = 0; n < group.member_count[lane]; ++n) {
-      const Member& member = view.scratch.member[at];
-      Share& share = particle_at(view, member.particle).share[member.share];
+      const Member& member = members[at];
+      Share& share = particles[member.particle].share[member.share];
       share.goal_m = centre_m + r * share.offset_m;
       share.turn = turn;
       at = member.next;

@@ -161,6 +161,7 @@ void place_fits(std::uint32_t lanes, float edge_m, Fits& fits, FitGroup& group) 
 STYLET_KEEP_APART void fit_coupled(const View& view) {
   const std::uint32_t groups = (view.scratch.head->coupled_count + kLanes - 1) / kLanes;
   const ModelHead& head = *view.model.head;
+  place_members(view);
   Fits fits = {};  // lanes without a voxel are computed, too
   FitMembers members = {};
   for (std::uint32_t index = 0; index < groups; ++index) {

@@ -60,6 +60,8 @@ struct FitMembers {
 
 // Where a group's corners are, and their rotations of the last substep.
 void begin_fits(const View& view, const FitGroup& group, Fits& fits_out);
+// Pulls the constraint particles' springs as far as the needles have come in this substep.
+void place_members(const View& view);
 // Of each voxel its constraint particle `n`, the next one.
 void take_members(const View& view, const FitGroup& group, std::uint32_t n, Fits& fits,
                   FitMembers& members_out);

@@ -221,10 +221,12 @@ constexpr std::uint32_t kMaxMembers = kNeedleParticles * kSharesPerParticle;
 struct ScratchHead {
   std::uint32_t coupled_count;
   std::uint32_t substeps_to_come;  // of this tick, after this one
-  std::uint32_t padding[14];
+  float motion_to_come;            // of the needles after this substep, over that of the tick
+  std::uint32_t padding[13];
 };
 
-// F(name, type, count); `c` is Counts.
+// F(name, type, count); `c` is Counts. Of a constraint particle's spring: how far this tick pulls
+// it (`stretch`), and where its end is in this substep (`place`).
 // The last two only with sheets: the particle that each node is, and which quarters of its cell are
 // a voxel's own (organ.fbs).
 #define STYLET_MODEL_FIELDS(F)                           \
@@ -280,6 +282,8 @@ struct ScratchHead {
   F(force, float, 6 * c.particles_per_plane)                    \
   F(coupled, CoupledVoxel, kMaxCoupledVoxels* c.needles)        \
   F(member, Member, kMaxMembers* c.needles)                     \
+  F(stretch, Vec3, kNeedleParticles* c.needles)                 \
+  F(place, Vec3, kNeedleParticles* c.needles)                   \
   F(plane_first, std::uint32_t, c.planes + 2)                   \
   F(plane_order, std::uint32_t, kMaxCoupledVoxels* c.needles)   \
   F(group, FitGroup, kMaxCoupledVoxels / kLanes * c.needles)    \

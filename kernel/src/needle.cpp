@@ -14,6 +14,9 @@ constexpr double kImperfectionRad = 1e-7;
 constexpr double kSteelKgPerM3 = 7850;
 // A needle in contact bends so far in a tick without meeting its own inertia.
 constexpr double kFreeBendM = 1e-4;
+// Where the last Newton step turns a rod farther than this, the steps have not ended: the needle
+// snaps over. (At rest they end below 1e-5, with a jerk on obstacles below 1e-3.)
+constexpr double kSettledTurnRad = 1e-2;
 // Length over which a cut falls in with the needle behind it: a bevel and the shaft's first bend.
 constexpr float kBevelAlignM = 0.02F;
 
@@ -113,7 +116,8 @@ void solve(const View& view, Vec3 shift) {
 
 std::uint32_t keep_bend(const View& view) {
   put_nodes(view);
-  if (view.scratch.rod_result->least_pivot > 0) return 0;
+  const RodResult& result = *view.scratch.rod_result;
+  if (result.least_pivot > 0 && result.last_turn_rad < kSettledTurnRad) return 0;
   ++view.state.head->needle_unstable;
   return kFlagNeedleUnstable;
 }
@@ -216,6 +220,27 @@ void approach_obstacles(const View& view, Vec3 shift) {
                  *view.state.rod_shape, *view.scratch.rod, *view.scratch.rod_result);
     put_nodes(view);
   }
+}
+
+// Whether a piece of the needle passes the sphere around a body.
+bool near_obstacles(const View& view, Vec3 shift) {
+  const Vec3* const node = view.state.node;
+  const float radius_m = view.needle_config().outer_radius_m;
+  bool near = false;
+  for (std::uint32_t body = 0; body < view.model.head->obstacle_count; ++body) {
+    for (std::uint32_t rod = 0; rod < view.model.rod->rods; ++rod) {
+      const NeedlePiece piece = {node[rod] + shift, node[rod + 1] + shift, radius_m};
+      near |= obstacle_near(view.model.obstacle[body], piece);
+    }
+  }
+  return near;
+}
+
+// Takes the last bend back, to the nodes it began with.
+void unbend(const View& view, const Vec3* node) {
+  shorten_bend(*view.model.rod, handle_turn(view).wxyz, 0, *view.state.rod_shape, *view.scratch.rod,
+               *view.scratch.rod_result);
+  for (std::uint32_t i = 0; i <= view.model.rod->rods; ++i) view.state.node[i] = node[i];
 }
 
 std::uint32_t touch_obstacles(const View& view, const Needle& needle, Vec3 shift) {
@@ -325,9 +350,16 @@ std::uint32_t place_needle(const View& view, Needle& needle_out) {
 std::uint32_t settle_needle(const View& view, Needle& needle) {
   NeedleState& own = *view.state.needle;
   if (!is_elastic(view.needle_config()) || own.tip_alive == 0) return 0;
-  if (view.model.head->obstacle_count > 0) return 0;
-  solve(view, attachment_shift(view));
+  const Vec3 shift = attachment_shift(view);
+  if (own.touch_count > 0 || near_obstacles(view, shift)) return 0;
+  Vec3 before[kMaxRods + 1];
+  for (std::uint32_t i = 0; i <= needle.rods; ++i) before[i] = needle.node[i];
+  solve(view, shift);
   const std::uint32_t flags = keep_bend(view);
+  if (near_obstacles(view, shift)) {
+    unbend(view, before);
+    return flags;
+  }
   needle.tip_m = needle.node[needle.rods];
   for (std::uint32_t i = 0; i < own.shaft_count; ++i) carry(needle, view.state.shaft[i]);
   carry(needle, *view.state.tip);

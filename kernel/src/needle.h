@@ -51,8 +51,8 @@ void make_needle(const View& view);
 // flags.
 std::uint32_t place_needle(const View& view, Needle& needle_out);
 
-// After the tissue's step: bends by the forces that came, and takes the particles along. Not where
-// there are obstacles: it would go into them unseen until the next tick. Returns output flags.
+// After the tissue's step: bends by the forces that came, and takes the particles along. Not near
+// obstacles: it would go into them unseen until the next tick. Returns output flags.
 std::uint32_t settle_needle(const View& view, Needle& needle);
 
 // Where a bevelled tip cuts after `advance_m` more: the path bends towards `side` by `bevel_per_m`,

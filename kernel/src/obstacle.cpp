@@ -228,6 +228,10 @@ Status obstacle_prepare(const ObstacleConfig& config, Obstacle& obstacle_out) {
   return Status::kOk;
 }
 
+bool obstacle_near(const Obstacle& obstacle, const NeedlePiece& piece) {
+  return !is_far(obstacle, axis_in_body(obstacle, piece), rounding_of(obstacle, piece));
+}
+
 Gap obstacle_gap(const Obstacle& obstacle, const NeedlePiece& piece) {
   const double rounding = rounding_of(obstacle, piece);
   const ConvexHull hull = hull_of(obstacle);

@@ -59,6 +59,9 @@ struct Gap {
 // leave, not always the smallest.
 Gap obstacle_gap(const Obstacle& obstacle, const NeedlePiece& piece);
 
+// Whether the piece's axis may come within its radius of the body: it passes the sphere around it.
+bool obstacle_near(const Obstacle& obstacle, const NeedlePiece& piece);
+
 // ---- what it does -------------------------------------------------------------------------------
 
 // What a contact remembers. All zero: no contact.

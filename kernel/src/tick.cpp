@@ -2,8 +2,8 @@
 // One tick: the only place that knows the order of its parts.
 //
 //   check input -> place needle -> contact -> coupling (cut, slip, add, remove)
-//     -> tissue substeps (the fits inside include the CPs) -> settle needle -> forces
-//     -> check output
+//     -> tissue substeps (the fits inside include the CPs) -> slip once more -> settle needle
+//     -> forces -> check output
 
 #include "coupling.h"
 #include "lattice.h"
@@ -90,24 +90,28 @@ std::uint32_t accept_input(const View& view, const Input& input) {
   return kFlagInputClamped;
 }
 
+// The turn from one rotation to another, a vector along its axis.
+Vec3 turn_between(const Quat& a, const Quat& b) {
+  const Vec3 va = {a.x, a.y, a.z}, vb = {b.x, b.y, b.z};
+  return 2.0F * (a.w * vb - b.w * va - cross(vb, va));
+}
+
 // A tip that has just left its track lies in the mouth of the hole: it must come clear of the
-// surface before it can touch it again.
-void seek_contact(const View& view, const Needle& needle, bool known_before, std::uint32_t& flags) {
+// surface before it can touch it again. What a tip that is swept aside comes forward is counted
+// along the mean of its directions before and after the `turn`: along the last one it would press
+// without anybody pushing.
+void seek_contact(const View& view, const Needle& needle, Vec3 turn, bool known_before,
+                  std::uint32_t& flags) {
   NeedleState& own = *view.state.needle;
   if (own.phase != Phase::kFree || own.handle_known == 0) return;
   Vec3 rest = {}, place = {};
   const std::uint32_t before = flags;
   const bool found = find_contact(view, needle.tip_m, needle.tip_direction, rest, place, flags);
   const Vec3 step = needle.tip_m - view.state.tip->position_m;
-  const float came = known_before ? dot(step, needle.tip_direction) : 0;
+  const Vec3 forward = needle.tip_direction - 0.5F * cross(turn, needle.tip_direction);
+  const float came = known_before ? dot(step, forward) : 0;
   if (found && own.leaving == 0) begin_contact(view, needle, rest, place, came);
   if (!found && flags == before) own.leaving = 0;
-}
-
-// The turn from one rotation to another, a vector along its axis.
-Vec3 turn_between(const Quat& a, const Quat& b) {
-  const Vec3 va = {a.x, a.y, a.z}, vb = {b.x, b.y, b.z};
-  return 2.0F * (a.w * vb - b.w * va - cross(vb, va));
 }
 
 // Work of the hand since the last tick: mean of the forces at both ends times the motion.
@@ -154,12 +158,13 @@ void move_needle(const View& view, const Input& input, Moved& out) {
   out.known_before = own.handle_known != 0;
   out.flags = accept_input(view, input);
   if (own.handle_known == 0) return;
+  Vec3 turn = {};
   if (out.known_before) {
-    const Vec3 turn = turn_between(out.before.rotation, own.handle.rotation);
+    turn = turn_between(out.before.rotation, own.handle.rotation);
     roll_tip(view, dot(turn, column(rotation_matrix(own.handle.rotation), 2)));
   }
   out.flags |= place_needle(view, out.shape);
-  seek_contact(view, out.shape, out.known_before, out.flags);
+  seek_contact(view, out.shape, turn, out.known_before, out.flags);
   out.flags |= couple_needle(view, out.shape);
 }
 
@@ -172,6 +177,7 @@ void latch_fault(StateHead& state) {
 void report_needle(const View& view, Moved& moved, Output& out) {
   out.flags |= moved.flags;
   if (view.state.needle->handle_known != 0) {
+    let_slip(view, moved.shape);
     out.flags |= settle_needle(view, moved.shape);
     sum_forces(view, moved.shape, out);
   }
@@ -204,7 +210,10 @@ void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outpu
     const std::uint32_t flags = gather_coupled(view);
     const std::uint32_t substeps = view.model.head->config.substeps;
     for (std::uint32_t s = 0; s < substeps; ++s) {
-      view.scratch.head->substeps_to_come = substeps - 1 - s;
+      const std::uint32_t to_come = substeps - 1 - s;
+      view.scratch.head->substeps_to_come = to_come;
+      view.scratch.head->motion_to_come =
+          static_cast<float>(to_come) / static_cast<float>(substeps);
       kernel.step(kernel);
     }
     // Tissue dragged to a hundredfold of its length may leave the numbers there are, and a needle

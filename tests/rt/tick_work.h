@@ -74,7 +74,7 @@ static_assert(std::size(kPrices) == kAmounts);
 using Amounts = std::array<std::uint64_t, kAmounts>;
 
 // What the worst case (worst_case.h) takes: costs.txt. No other tick may have a bound beyond it.
-constexpr std::uint64_t kDearestTick = 915'867'875;
+constexpr std::uint64_t kDearestTick = 915'911'244;
 
 inline std::uint64_t bound_of(const Amounts& amount) {
   std::uint64_t sum = 0;
@@ -138,8 +138,8 @@ inline void add_needle(const View& view, Vec3 shift, TickWork& work) {
   if (own.phase == Phase::kFree || own.tip_alive == 0) ++amount[kSearches];
   const std::uint32_t rods = view.model.rod->rods;
   if (bends(view.needle_config())) {
-    const std::uint32_t settles =
-        own.tip_alive != 0 && view.model.head->obstacle_count == 0 ? 1 : 0;
+    const std::uint32_t settles = own.tip_alive != 0 && own.touch_count == 0 ? 1 : 0;
+    amount[kPairs] += 2 * settles * rods * view.model.head->obstacle_count;
     const std::uint32_t solves = (view.model.head->obstacle_count > 0 ? 2 : 1) + settles;
     amount[kSolves] += solves;
     amount[kRods] += solves * rods;
