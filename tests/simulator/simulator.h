@@ -16,9 +16,10 @@
 // exact): a kernel that makes no energy keeps E above zero. In a gentle session E stays above
 // -kObserverJ. In the others a hand may move by millimetres in a tick, and what the force did on
 // the way is not known better than by half its change: the check is E > -(kObserverJ + slack),
-// slack the sum of half the change of the wrench times the motion. The observer stops where an
-// elastic needle has found no stable shape (kFlagNeedleUnstable), and does not begin where one
-// starts inside an obstacle.
+// slack the sum of half the change of the wrench times the motion; there the observer also stops
+// once a voxel is turned inside out. It stops where an elastic needle has found no stable shape
+// (kFlagNeedleUnstable), and does not begin where one starts inside an obstacle. Obstacles move in
+// the frame of the attachments, and do work on a needle that touches them.
 #pragma once
 
 #include <cstdint>
