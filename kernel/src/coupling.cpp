@@ -491,7 +491,7 @@ void meet_friction(const View& view, Vec3 from_m, float from_track_m) {
 }
 
 // By how much the needle's motion in this tick pulls the spring of a CP of the shaft, or of the
-// tip, the last: substep by substep (fit.h).
+// tip, the last: substep by substep (place_members).
 Vec3& stretch_of(const View& view, std::uint32_t index) {
   return view.scratch.stretch[view.needle * kNeedleParticles + index];
 }

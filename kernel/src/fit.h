@@ -29,10 +29,6 @@ struct FitFrame {
 };
 FitFrame fit_frame(const View& view, std::uint32_t slot, std::uint32_t row);
 
-// The springs of CPs are pulled evenly over the substeps, by what `stretch` (layout.h) says: pulled
-// at once, they would press on tissue that cannot give way yet, and the hand would not feel the
-// work of that in the force at the end.
-//
 // Lists the coupled voxels of this tick, plane by plane. Returns output flags.
 std::uint32_t gather_coupled(const View& view);
 

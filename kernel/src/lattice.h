@@ -60,7 +60,9 @@ struct FitMembers {
 
 // Where a group's corners are, and their rotations of the last substep.
 void begin_fits(const View& view, const FitGroup& group, Fits& fits_out);
-// Pulls the constraint particles' springs as far as the needles have come in this substep.
+// Pulls the constraint particles' springs as far as the needles have come in this substep: evenly,
+// by what `stretch` (layout.h) says. Pulled at once they would press on tissue that cannot give way
+// yet, and the hand would not feel the work of that in the force at the end.
 void place_members(const View& view);
 // Of each voxel its constraint particle `n`, the next one.
 void take_members(const View& view, const FitGroup& group, std::uint32_t n, Fits& fits,
