@@ -141,7 +141,6 @@ std::uint32_t gather_coupled(const View& view) {
   ScratchHead& head = *view.scratch.head;
   head.coupled_count = 0;
   head.substeps_to_come = 0;
-  head.motion_to_come = 0;
   std::uint32_t flags = 0, members = 0;
   for_each_particle(view, [&](std::uint32_t index) {
     Particle& p = particle_at(view, index);
@@ -233,7 +232,9 @@ void begin_fits(const View& view, const FitGroup& group, Fits& fits_out) {
 }
 
 void place_members(const View& view) {
-  const float to_come = view.scratch.head->motion_to_come;
+  // Of the needles' motion in this tick.
+  const float to_come = static_cast<float>(view.scratch.head->substeps_to_come) /
+                        static_cast<float>(view.model.head->config.substeps);
   for_each_particle(view, [&](std::uint32_t index) {
     const Particle& p = particle_at(view, index);
     view.scratch.place[index] = (p.position_m - p.slack_m) - to_come * view.scratch.stretch[index];

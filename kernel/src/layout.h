@@ -221,8 +221,7 @@ constexpr std::uint32_t kMaxMembers = kNeedleParticles * kSharesPerParticle;
 struct ScratchHead {
   std::uint32_t coupled_count;
   std::uint32_t substeps_to_come;  // of this tick, after this one
-  float motion_to_come;            // of the needles after this substep, over that of the tick
-  std::uint32_t padding[13];
+  std::uint32_t padding[14];
 };
 
 // F(name, type, count); `c` is Counts. Of a constraint particle's spring: how far this tick pulls

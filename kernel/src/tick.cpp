@@ -210,10 +210,7 @@ void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outpu
     const std::uint32_t flags = gather_coupled(view);
     const std::uint32_t substeps = view.model.head->config.substeps;
     for (std::uint32_t s = 0; s < substeps; ++s) {
-      const std::uint32_t to_come = substeps - 1 - s;
-      view.scratch.head->substeps_to_come = to_come;
-      view.scratch.head->motion_to_come =
-          static_cast<float>(to_come) / static_cast<float>(substeps);
+      view.scratch.head->substeps_to_come = substeps - 1 - s;
       kernel.step(kernel);
     }
     // Tissue dragged to a hundredfold of its length may leave the numbers there are, and a needle
