@@ -157,14 +157,16 @@ void place_fits(std::uint32_t lanes, float edge_m, Fits& fits, FitGroup& group) 
   }
 }
 
-// All fits of a substep, before the sweep.
-STYLET_KEEP_APART void fit_coupled(const View& view) {
-  const std::uint32_t groups = (view.scratch.head->coupled_count + kLanes - 1) / kLanes;
+std::uint32_t group_count(const View& view) {
+  return (view.scratch.head->coupled_count + kLanes - 1) / kLanes;
+}
+
+// Fits of a substep, before their planes are swept; needs place_members.
+STYLET_KEEP_APART void fit_groups(const View& view, std::uint32_t first, std::uint32_t end) {
   const ModelHead& head = *view.model.head;
-  place_members(view);
   Fits fits = {};  // lanes without a voxel are computed, too
   FitMembers members = {};
-  for (std::uint32_t index = 0; index < groups; ++index) {
+  for (std::uint32_t index = first; index < end; ++index) {
     FitGroup& group = view.scratch.group[index];
     begin_fits(view, group, fits);
     // No more lanes than the voxels need: without wide registers each is work.

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lattice_team.h"
 
+#include <algorithm>
 #include <new>
 
 namespace stylet {
 namespace {
 
 constexpr std::uint32_t kStep = 256;  // in Team::work
-static_assert(kMaxHelpers + 1 < kStep);
+static_assert(kMostParts < kStep);
 
 void pause() {
 #if defined(__x86_64__) || defined(__i386__)
@@ -15,26 +16,30 @@ void pause() {
 #endif
 }
 
-// Sweeps one slab of the present step; false when all are taken. A value of `work` that was read
-// long ago does no harm: the exchange fails, or the slab it names is the next one again.
-bool sweep_one(const Kernel& kernel, Team& team) {
-  for (std::uint32_t attempt = 0; attempt <= kMaxHelpers; ++attempt) {
+enum class Found { kNothing, kEmptyPart, kPlanes };
+
+// Sweeps one part of the present step, unless all are taken. A value of `work` that was read long
+// ago does no harm: the exchange fails, or the part it names is the next one again.
+Found sweep_one(const Kernel& kernel, Team& team) {
+  for (std::uint32_t attempt = 0; attempt < kMostParts; ++attempt) {
     std::uint32_t seen = team.work.load(std::memory_order_acquire);
     const std::uint32_t next = seen % kStep;
-    if (next >= team.slab_count) return false;
+    if (next >= parts_of(team)) return Found::kNothing;
     if (team.work.compare_exchange_strong(seen, seen + 1, std::memory_order_acq_rel,
                                           std::memory_order_relaxed)) {
-      team.sweep(kernel, team.slab[next]);
+      Part& part = team.part[next];
+      team.sweep(kernel, part);
+      const bool empty = part.planes == 0;
       team.done.fetch_add(1, std::memory_order_release);
-      return true;
+      return empty ? Found::kEmptyPart : Found::kPlanes;
     }
   }
-  return false;
+  return Found::kNothing;
 }
 
 constexpr std::uint32_t kForceParts = 3;  // two in turn, and the one that is kept
 struct TeamSizes {
-  std::size_t sums, force;  // floats of one slab, in whole blocks
+  std::size_t sums, force;  // floats of one part, in whole blocks
 };
 
 TeamSizes team_sizes(const Counts& counts) {
@@ -49,8 +54,23 @@ std::uint32_t slabs_of(const Counts& counts, std::uint32_t helpers) {
   return counts.planes < helpers + 1 ? counts.planes : helpers + 1;
 }
 
-// What each slab begins with, and every two have between them: as many slots in each as there are
-// in all by now, and a plane for each that follows.
+// Both parts of slab `s`, of planes [begin, end).
+void set_slab(Team& team, std::uint32_t s, std::uint32_t begin, std::uint32_t end) {
+  const bool up = s % 2 != 0;
+  Slab& slab = team.slab[s];
+  slab.begin = begin;
+  slab.end = end;
+  Part &own = team.part[s], &helping = team.part[team.slab_count + s];
+  own.slab = helping.slab = &slab;
+  own.up = up;
+  helping.up = !up;
+  own.first = up ? begin : end - 1;
+  helping.first = up ? end - 1 : begin;
+  helping.helping = true;
+  if (!up && s + 1 < team.slab_count) own.apart = &team.part[s + 1];
+}
+
+// As many slots in each slab as there are in all by now, and a plane for each that follows.
 void share_planes(const ModelView& model, Team& team) {
   const Counts& counts = model.head->counts;
   std::uint32_t plane = 0;
@@ -61,32 +81,31 @@ void share_planes(const ModelView& model, Team& team) {
       const Plane& p = model.plane[plane];
       if (std::uint64_t{p.slot_begin + p.slot_end} * team.slab_count > 2 * wanted) break;
     }
-    Slab& slab = team.slab[s];
-    slab.up = s % 2 == 0;
-    slab.first = slab.up ? begin : plane - 1;
-    slab.between = &team.between[s / 2];
-    slab.between->planes += plane - begin - 1;
+    set_slab(team, s, begin, plane);
   }
 }
 
 }  // namespace
 
-void sweep_together(const Kernel& kernel, void (*sweep)(const Kernel&, Slab&)) {
+void sweep_together(const Kernel& kernel, void (*sweep)(const Kernel&, Part&)) {
   Team& team = team_of(kernel);
   team.sweep = sweep;
   team.done.store(0, std::memory_order_relaxed);
-  for (Between& each : team.between) each.taken.store(0, std::memory_order_relaxed);
+  for (std::uint32_t s = 0; s < team.slab_count; ++s) {
+    team.slab[s].taken.store(0, std::memory_order_relaxed);
+    team.slab[s].begun.store(0, std::memory_order_relaxed);
+  }
   const std::uint32_t step = team.work.load(std::memory_order_relaxed) / kStep;
   team.work.store((step + 1) * kStep, std::memory_order_release);
-  while (sweep_one(kernel, team)) {
+  while (sweep_one(kernel, team) != Found::kNothing) {
   }
-  while (team.done.load(std::memory_order_acquire) != team.slab_count) pause();
+  while (team.done.load(std::memory_order_acquire) != parts_of(team)) pause();
 }
 
 std::size_t team_bytes(const Kernel& kernel, std::uint32_t helpers) {
   const Counts& counts = counts_of(kernel);
   const TeamSizes size = team_sizes(counts);
-  return sizeof(Team) + slabs_of(counts, helpers) * (size.sums + size.force) * sizeof(float);
+  return sizeof(Team) + 2 * slabs_of(counts, helpers) * (size.sums + size.force) * sizeof(float);
 }
 
 Status set_team(Kernel& kernel, std::uint32_t helpers, std::span<std::byte> memory) {
@@ -105,13 +124,14 @@ Status set_team(Kernel& kernel, std::uint32_t helpers, std::span<std::byte> memo
   Team& team = *new (memory.data()) Team();  // in the caller's memory, between ticks
   team.slab_count = slabs_of(counts, helpers);
   // Nothing to take until the first step.
-  team.work.store(team.slab_count, std::memory_order_relaxed);
+  team.work.store(parts_of(team), std::memory_order_relaxed);
   auto* floats = reinterpret_cast<float*>(memory.data() + sizeof(Team));
-  for (std::uint32_t s = 0; s < team.slab_count; ++s) {
-    Slab& slab = team.slab[s];
-    slab.sums = floats + kLanes;
-    slab.force = floats + size.sums;
-    slab.kept = slab.force + std::size_t{3} * (kForceParts - 1) * counts.particles_per_plane;
+  for (std::uint32_t i = 0; i < parts_of(team); ++i) {
+    Part& part = team.part[i];
+    part.sums = floats + kLanes;
+    part.force = floats + size.sums;
+    part.kept = part.force + std::size_t{3} * (kForceParts - 1) * counts.particles_per_plane;
+    std::fill_n(part.force, size.force, 0.0F);
     floats += size.sums + size.force;
   }
   share_planes(view.model, team);
@@ -122,7 +142,7 @@ Status set_team(Kernel& kernel, std::uint32_t helpers, std::span<std::byte> memo
 bool help(const Kernel& kernel, std::uint32_t looks) {
   Team& team = team_of(kernel);
   for (std::uint32_t look = 0; look < looks; ++look) {
-    if (sweep_one(kernel, team)) return true;
+    if (sweep_one(kernel, team) == Found::kPlanes) return true;
     pause();
   }
   return false;

@@ -20,8 +20,8 @@ ROOT = "stylet::tick("
 # What a call through a pointer may reach, by the caller's name: every target counts.
 POINTERS = {
     "stylet::tick(": r"stylet::lattice_step_\w+\(const Kernel&",
-    "sweep_one(": r"\{anonymous\}::sweep_slab\(",  # inlined or not
-    "sweep_together(": r"\{anonymous\}::sweep_slab\(",
+    "sweep_one(": r"\{anonymous\}::sweep_part\(",  # inlined or not
+    "sweep_together(": r"\{anonymous\}::sweep_part\(",
     "ccdMPRPenetration": r"\{anonymous\}::(hull|segment)_(support|centre)\(",
 }
 # Frames outside the kernel, with what they call themselves. libccd: at most 1528 bytes on the
