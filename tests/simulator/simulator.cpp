@@ -18,7 +18,7 @@ namespace {
 
 using hal::TickRecord;
 
-// Withdrawing at the end: along the needle, at this speed, this far.
+// Withdrawing at the end: along the needle, at this speed, this far at first.
 constexpr double kLeaveMPerS = 0.2;
 constexpr double kLeaveM = 0.12;
 // A thin organ of 2 kPa whose masses are scaled for stiffer layers needs 3.2 s for each factor e.
@@ -53,7 +53,7 @@ struct Player {
   std::uint32_t spoiled_in_a_row = 0;
   std::uint32_t kind = 0;
   bool leaving = false;
-  double leave_m_per_s = 0, left_m = 0;
+  double leave_m_per_s = 0, leave_m = 0, left_m = 0;
   std::uint64_t seq = 0;
 };
 
@@ -119,7 +119,8 @@ bool read(void* self, std::int64_t now_ns, hal::Sample& sample_out) {
   turn(player, sample);
   press(player, sample);
   if (player.leaving) {
-    player.left_m = std::min(player.left_m + player.leave_m_per_s * player.period_s, kLeaveM);
+    player.left_m =
+        std::min(player.left_m + player.leave_m_per_s * player.period_s, player.leave_m);
     sample.pose.position_m.z += static_cast<float>(player.left_m);
   }
   const double time_s = static_cast<double>(player.hand.tick) * player.period_s;
@@ -411,15 +412,35 @@ bool all_outside(const Kernel& kernel) {
   return now.constraint_particles.used == 0 && now.obstacle_contacts.used == 0;
 }
 
+// Withdraws all needles so far.
+void leave(Simulation& s, double to_m) {
+  const double speed_m_per_s = s.scenario.gentle ? kGentleMPerS : kLeaveMPerS;
+  double most_m = 0;
+  for (std::uint32_t i = 0; i < s.needles(); ++i) {
+    Player& player = s.players[i];
+    most_m = std::max(most_m, to_m - player.left_m);
+    player.leaving = true;
+    player.leave_m_per_s = speed_m_per_s;
+    player.leave_m = to_m;
+  }
+  const double period_s = static_cast<double>(s.scenario.config.period_s);
+  run_ticks(s, static_cast<std::uint64_t>(1.1 * most_m / speed_m_per_s / period_s));
+}
+
+double longest_needle_m(const Config& config) {
+  float longest = 0;
+  for (std::uint32_t i = 0; i < config.needle_count; ++i) {
+    longest = std::max(longest, config.needle[i].length_m);
+  }
+  return static_cast<double>(longest);
+}
+
 // Withdraws all needles and waits for the tissue.
 void come_to_rest(Simulation& s) {
   const double period_s = static_cast<double>(s.scenario.config.period_s);
-  const double speed_m_per_s = s.scenario.gentle ? kGentleMPerS : kLeaveMPerS;
-  for (std::uint32_t i = 0; i < s.needles(); ++i) {
-    s.players[i].leaving = true;
-    s.players[i].leave_m_per_s = speed_m_per_s;
-  }
-  run_ticks(s, static_cast<std::uint64_t>(1.1 * kLeaveM / speed_m_per_s / period_s));
+  leave(s, kLeaveM);
+  // A violent hand may have pushed one through the organ up to its hub, and swept the tip aside.
+  if (!all_outside(s.session.kernel)) leave(s, kLeaveM + longest_needle_m(s.scenario.config));
   while (s.verdict.broken == nullptr && s.verdict.rest_s < kLongestRestS) {
     if (all_outside(s.session.kernel) && largest_displacement(s.session.kernel) < kAtRestM) return;
     run_ticks(s, static_cast<std::uint64_t>(0.1 / period_s));
