@@ -48,12 +48,15 @@ struct OneParticle {
   }
 };
 
-OneParticle one_particle(const TinyMaterial& material) {
+OneParticle one_particle(const TinyMaterial& material, std::uint32_t substeps = Config{}.substeps) {
   TinyOrgan tiny;
   tiny.nx = tiny.ny = tiny.nz = 1;
   tiny.voxel_edge_m = kEdgeM;
   tiny.materials = {material};
-  OneParticle one = {make_rig(tiny, short_needle(), Tissue::kFixed), {}};
+  Config config = short_needle();
+  config.substeps = substeps;
+  config.surround_drag_per_s = 0;
+  OneParticle one = {make_rig(tiny, config, Tissue::kFixed), {}};
   one.tip_m = hold_one_shaft_particle(one.rig, {kEdgeM / 2, kEdgeM / 2, kEdgeM / 2}, kSpring);
   return one;
 }
@@ -179,20 +182,58 @@ TEST(V22Friction, NeedleThroughTheOrganIsHeldByTheLengthInTissue) {
 // velocity keep it (no force, no drag): the organ is then carried past the needle.
 TEST(V22Friction, TissueThatMovesOverARestingNeedleSlidesByTheSameRule) {
   for (const float speed : {10e-3F, -10e-3F}) {
-    TinyOrgan tiny;
-    tiny.nx = tiny.ny = tiny.nz = 1;
-    tiny.voxel_edge_m = kEdgeM;
-    tiny.materials = {rubbing(10, 14, 20)};
-    Config config = short_needle();
-    config.surround_drag_per_s = 0;
-    OneParticle one = {make_rig(tiny, config, Tissue::kFixed), {}};
-    one.tip_m = hold_one_shaft_particle(one.rig, {kEdgeM / 2, kEdgeM / 2, kEdgeM / 2}, kSpring);
+    OneParticle one = one_particle(rubbing(10, 14, 20));
     const View view = one.rig.view();
     std::fill_n(view.state.vx, view.model.head->counts.particles, speed);
     double force = 0;
     for (int i = 0; i < 800; ++i) force = -one.force_at(0);
     const double expected = std::copysign((10 + 20 * 10e-3) * kUnit, static_cast<double>(speed));
     EXPECT_NEAR(force / expected, 1, kTolerance) << "tissue at " << speed << " m/s";
+  }
+}
+
+// Tissue that another part of the needle has dragged along within a tick, beyond what friction
+// holds: the fit that finds it there pulls with twice the friction of a unit at most, and the rest
+// is spent on a slip; the next ticks pull with the friction.
+TEST(V22Friction, TissueDraggedPastARestingNeedleSlipsBeyondTwiceItsFriction) {
+  constexpr double kFrictionN = 2 * kUnit;
+  for (const double way : {0.2e-3, -0.4e-3, 1e-3, -1.5e-3}) {
+    OneParticle one = one_particle(rubbing(2, 2, 0), 1);
+    const View view = one.rig.view();
+    std::fill_n(view.state.vx, view.model.head->counts.particles, static_cast<float>(way * 1e3));
+    one.force_at(0);
+    std::fill_n(view.state.vx, view.model.head->counts.particles, 0.0F);
+    const double stuck = kStiffness * way;
+    const double expected = std::copysign(std::min(std::fabs(stuck), 2 * kFrictionN), way);
+    EXPECT_NEAR(-one.force_at(0) / expected, 1, kTolerance) << way;
+    const double slip = (stuck - expected) / static_cast<double>(kSpring);
+    EXPECT_NEAR(energy(one.rig.kernel()).friction, slip * (stuck + expected) / 2,
+                kTolerance * kFrictionN * std::fabs(way));
+    double after = 0;
+    for (int i = 0; i < 20; ++i) after = -one.force_at(0);
+    EXPECT_NEAR(after / std::copysign(std::min(std::fabs(stuck), kFrictionN), way), 1, kTolerance);
+  }
+}
+
+// What drives a particle in each substep of a tick.
+std::vector<Vec3> places_seen;
+void (*step_below)(const Kernel&) = nullptr;
+void note_place(const Kernel& kernel) {
+  step_below(kernel);
+  places_seen.push_back(view_of(kernel).scratch.place[0]);
+}
+
+TEST(V22Friction, HandsStepPullsEvenlyOverTheSubsteps) {
+  OneParticle one = one_particle(rubbing(1000, 1000, 0), 4);  // holds
+  one.force_at(0);
+  step_below = one.rig.kernel().step;
+  one.rig.kernel().step = note_place;
+  places_seen.clear();
+  one.force_at(0.4e-3);
+  ASSERT_EQ(places_seen.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double moved = static_cast<double>(places_seen[i].x) - static_cast<double>(kEdgeM) / 2;
+    EXPECT_NEAR(moved, 0.1e-3 * static_cast<double>(i + 1), 1e-8);
   }
 }
 
