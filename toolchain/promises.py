@@ -4,7 +4,7 @@
 
 Reads the results that ctest left in a build folder for the scripts here (common.sh: run_tests), the
 last one of every test, and writes the rows whose tests they have; the others keep what they had. A
-row is as old as the oldest of its results. Where only some of a row's tests passed it says so,
+row is as old as the oldest of its results. Where some of a row's tests were not run it says so,
 unless the table has more of the same day. A test that was skipped has shown nothing. --check
 changes nothing: it refuses a table that is not made of these rows, and a row without a test in the
 build folder.
@@ -28,8 +28,7 @@ ROWS = [
     ("no call that may wait", r"rt\.rtsan\..*", None),
     ("nothing from outside but a list of functions", r"check\.symbols", None),
     ("a tick's stack is bounded, 32 KiB", r"rt\.stack",
-     # the widest registers come last, and take the most
-     (r"(\d+) bytes at most.*: (\d+) bytes", "{} bytes at most, {} used")),
+     (r"(\d+) bytes at most.*deepest: (\d+) bytes", "{} bytes at most, {} used")),
     ("every loop ends", r"check\.loops", None),
     ("memory used is memory predicted, to the byte, as committed for 14 bodies", r"rt_memory\..*",
      None),
@@ -112,15 +111,16 @@ def measured(row, results, tests):
         texts += [figure[1].format(*match.groups())] if match else []
     there = len(tests_of_row(pattern, tests))
     if there > len(found) or not texts:
-        texts.append(f"{len(found)}{f' of {there}' if there > len(found) else ''} passed")
+        missing = there - len(found)
+        texts.append(f"{len(found)} passed{f', {missing} not run' if missing > 0 else ''}")
     return f"{min(day for _, _, day in found.values())}: {'; '.join(texts)}"
 
 
 def better(old, new):
     """The new text, but for one of a part of the tests on a day that has more of them."""
-    part = re.search(r"(\d+) of \d+ passed$", new or "")
+    part = re.search(r"(\d+) passed, \d+ not run$", new or "")
     if part and old[:10] == new[:10] and not old.endswith("failed"):
-        had = re.search(r"(\d+)(?: of \d+)? passed$", old)
+        had = re.search(r"(\d+) passed(?:, \d+ not run)?$", old)
         return old if had is None or int(had[1]) > int(part[1]) else new
     return new or old
 

@@ -128,6 +128,7 @@ def main(repository, build, program):
     if size > most:
         faults.append(f"{size} bytes, kTickStackBytes is {most}")
     used = [int(line.split()[-2]) for line in done.stdout.splitlines()]
+    print(f"deepest: {max(used, default=0)} bytes")
     if done.returncode != 0 or not used:
         faults.append("the painted stack was not measured")
     elif max(used) > size:
