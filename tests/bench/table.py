@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The README's table of speed, from the results that stylet-bench --results=FOLDER wrote.
+"""The README's tables of speed, from the results that stylet-bench --results=FOLDER wrote.
 
 usage: table.py FOLDER README
 """
@@ -38,7 +38,27 @@ def rows(of):
         each = [f"{1e3 * us / voxels:.1f}" if us else "" for us in (avx512, avx2)]
         yield [f"{voxels:,}".replace(",", " "), f"{best:.0f}", *each,
                f"{1e6 / best:,.0f}".replace(",", " "), f"{1e6 / best / PAPER_FPS:.0f}",
-               f"{bullet / best:.0f}" if bullet else "", f"{eigen / best:.0f}" if eigen else ""]
+               f"{bullet / best:.0f} x" if bullet else "",
+               f"{eigen / best:.0f} x" if eigen else ""]
+
+
+def rows_of_two_threads(of):
+    for organ in ORGANS:
+        if ("shared", organ, "avx2") not in of:
+            continue
+        cells = [f"{of['tissue', organ, 'avx2'][0]:,}".replace(",", " ")]
+        for measure in ("shared", "beside"):
+            for variant in ("avx512", "avx2"):
+                _, alone = of.get(("tissue", organ, variant), (0, 0))
+                _, together = of.get((measure, organ, variant), (0, 1))
+                cells.append(f"{alone / together:.2f} x" if alone else "")
+        yield cells
+
+
+def lines(head, rows):
+    yield f"| {' | '.join(head)} |\n|{' --- |' * len(head)}\n"
+    for row in rows:
+        yield f"| {' | '.join(row)} |\n"
 
 
 def table(found):
@@ -46,10 +66,11 @@ def table(found):
         yield f"\nOne thread of `{machine}`, one tissue step with a needle inserted, median:\n\n"
         head = ["voxels", "us", "ns a voxel, AVX-512", "AVX2", "steps a second",
                 f"times the paper's {PAPER_FPS}", "Bullet takes", "Eigen takes"]
-        yield f"| {' | '.join(head)} |\n|{' --- |' * len(head)}\n"
-        for row in rows(of):
-            row[-2:] = [f"{x} x" if x else "" for x in row[-2:]]
-            yield f"| {' | '.join(row)} |\n"
+        yield from lines(head, rows(of))
+        yield ("\nThe same step with one helper thread, times as fast; and two threads with\n"
+               "nothing in common, each at steps of its own, in the same run:\n\n")
+        head = ["voxels", "helped, AVX-512", "AVX2", "nothing in common, AVX-512", "AVX2"]
+        yield from lines(head, rows_of_two_threads(of))
     yield "\n"
 
 

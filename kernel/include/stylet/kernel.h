@@ -218,7 +218,7 @@ struct Pool {
 struct Stats {
   std::uint64_t ticks;
   Pool constraint_particles;  // of all needles; capacity and most are of one needle
-  Pool coupled_voxels;
+  Pool coupled_voxels;  // of all needles; `used` is not kept after a tick, and 0
   Pool tracks;
   Pool obstacle_contacts;
   std::uint64_t input_not_finite, input_clamped, input_missing;
