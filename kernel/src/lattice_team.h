@@ -44,10 +44,10 @@ struct alignas(64) Part {
   float *sums, *force, *kept;
   const Part* apart;  // begins at the same particles, which this one moves; or null
   // From the last sweep: its lowest voxel plane and how many, forces on the particles at both
-  // ends, whether it has moved those where it begins, largest displacement.
+  // ends, whether it has asked for and moved those where it begins, largest displacement.
   std::uint32_t begin, planes;
   float *low, *high;
-  bool moved;
+  bool fetched, moved;
   float largest_m;
 };
 constexpr std::uint32_t kMostParts = 2 * (kMaxHelpers + 1);
