@@ -472,13 +472,13 @@ void take_forces(const View& view, const Plane& plane, float* more, float* force
 // Asks early for lines that another thread's cache has: x, y and z of a plane's particles, `axis`
 // apart. Those that are to be written are asked for as such: else their stores, which are done in
 // order, wait for one line after the other (two threads at 20 000 voxels: 3 % of the step).
-enum class For { kReading, kWriting };
+enum class For { kReading, kWriting };  // as the compiler numbers them
 template <For use>
 void fetch(const Plane& plane, const float* at, std::ptrdiff_t axis) {
   const std::ptrdiff_t count = plane.particle_end - plane.particle_begin;
   for (std::ptrdiff_t i = kLanes; i < count; i += kLanes) {
     for (std::ptrdiff_t c = 0; c < 3; ++c) {
-      __builtin_prefetch(at + i + c * axis, use == For::kWriting ? 1 : 0);
+      __builtin_prefetch(at + i + c * axis, static_cast<int>(use));
     }
   }
 }
