@@ -48,8 +48,8 @@ ROWS = [
      r"simulator\.costs", (r"(\d+) ticks of (\d+) sessions: at most ([\d.]+) of their bounds",
                            "{} ticks of {} sessions, at most {} of the bound")),
     ("any bytes, any input: refused or harmless", r"fuzz\..*", None),
-    ("random sessions keep what must hold, but for "
-     "[known ones](tests/simulator/README.md)", r"simulator\.(?!costs).*", None),
+    ("random sessions keep what must hold, where "
+     "[it is looked at](tests/simulator/README.md)", r"simulator\.(?!costs).*", None),
     ("a device may fail at any tick", r"device_faults\..*", None),
     ("the guard's states are those of hal/GUARD.md", r"hal_guard\.GuardStates\..*", None),
     ("no limit cycle, no energy for the hand, with a Touch and an omega.7",
