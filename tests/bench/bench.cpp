@@ -3,13 +3,15 @@
 // as arguments; for every instruction set this processor has, beside what others make of the same
 // lattices.
 //
-// tissue: the lattice step with everything physical on and a needle inserted. shared: the same with
-// one helper thread. beside: two threads, each at steps of its own, and the time for each of all
-// these steps: the least that shared can take on this machine. tick: the whole kernel, needle
-// inserted and pulled sideways; tick_elastic with an elastic needle in breathing tissue. cadence:
-// kernel and guard at a real period, the processor spinning in between. bullet, eigen: peers.h.
+// tissue: the lattice step with everything physical on and a needle inserted. threads: the same of
+// one thread `alone`; `shared` with one helper thread; and `beside`, two threads that each do steps
+// of their own: the time for each of all these steps, the least that shared can take here. tick:
+// the whole kernel, needle inserted and pulled sideways; tick_elastic with an elastic needle in
+// breathing tissue. cadence: kernel and guard at a real period, the processor spinning in between.
+// bullet, eigen: peers.h.
 // The repetitions of all are shuffled; what counts is the median of single runs in a repetition,
-// and of these the median.
+// and of these the median. Of threads those repetitions count in which beside took least
+// (summary.h).
 #include <benchmark/benchmark.h>
 
 #if defined(__x86_64__)
@@ -88,6 +90,12 @@ double now_us(Time time) {
   return 1e6 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_nsec);
 }
 
+double middle(std::vector<double>& of) {
+  const auto at = of.begin() + static_cast<std::ptrdiff_t>(of.size() / 2);
+  std::nth_element(of.begin(), at, of.end());
+  return *at;
+}
+
 // Times runs, several together where they are short; a median is not moved by the few that the
 // machine interrupts.
 class Stopwatch {
@@ -95,10 +103,7 @@ class Stopwatch {
   Stopwatch(benchmark::State& state, Time time, int runs)
       : state_(state), time_(time), runs_(runs) {}
   ~Stopwatch() {
-    if (us_.empty()) return;
-    const auto middle = us_.begin() + static_cast<std::ptrdiff_t>(us_.size() / 2);
-    std::nth_element(us_.begin(), middle, us_.end());
-    state_.counters[kMedian] = *middle;
+    if (!us_.empty()) state_.counters[kMedian] = middle(us_);
   }
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;
@@ -136,42 +141,90 @@ void bench_tissue(benchmark::State& state, Subject& subject, const Variant& vari
   describe(state, subject, 1);
 }
 
-void bench_shared(benchmark::State& state, Subject& subject, const Variant& variant) {
-  Session session = inserted_session(subject, config_of(Setup::kPhysical), variant);
-  const Block memory = make_block(team_bytes(session.kernel, 1));
-  if (set_team(session.kernel, 1, memory.span()) != Status::kOk) std::abort();
-  std::atomic<bool> stop = false;
-  std::thread helper([&] {
-    while (!stop.load(std::memory_order_relaxed)) help(session.kernel, 1000);
-  });
-  {
-    Stopwatch watch(state, Time::kPassing, 1);
-    for (auto _ : state) watch.time([&] { session.kernel.step(session.kernel); });
-  }
-  stop.store(true);
-  helper.join();
-  describe(state, subject, 1);
+// Times steps one by one until `enough`: their median. The first one of all is left out; it fetches
+// what the other thread had.
+template <typename Enough>
+double step_us(const Kernel& kernel, const Enough& enough) {
+  kernel.step(kernel);
+  std::vector<double> us;
+  do {
+    const double start = now_us(Time::kPassing);
+    kernel.step(kernel);
+    us.push_back(now_us(Time::kPassing) - start);
+  } while (!enough(us.size()));
+  return middle(us);
 }
 
-void bench_beside(benchmark::State& state, Subject& subject, const Variant& variant) {
-  Session session = inserted_session(subject, config_of(Setup::kPhysical), variant);
-  Session other = inserted_session(subject, config_of(Setup::kPhysical), variant);
-  std::atomic<bool> stop = false;
-  std::atomic<std::uint64_t> steps = 0;
-  std::thread neighbour([&] {
-    for (; !stop.load(std::memory_order_relaxed); ++steps) other.kernel.step(other.kernel);
-  });
-  while (steps.load() == 0) {
+// The other one of two threads.
+class Other {
+ public:
+  enum class Does { kNothing, kStepsOfItsOwn, kHelps, kEnds };
+
+  Other(const Kernel& own, const Kernel& helped)
+      : thread_([this, &own, &helped] {
+          while (follow(own, helped)) {
+          }
+        }) {}
+  ~Other() {
+    ask(Does::kEnds);
+    thread_.join();
   }
-  const std::uint64_t before = steps.load();
-  const double start = now_us(Time::kPassing);
-  for (auto _ : state) session.kernel.step(session.kernel);
-  const double passed = now_us(Time::kPassing) - start;
-  const std::uint64_t all =
-      static_cast<std::uint64_t>(state.iterations()) + (steps.load() - before);
-  stop.store(true);
-  neighbour.join();
-  state.counters[kMedian] = passed / static_cast<double>(all);
+  Other(const Other&) = delete;
+  Other& operator=(const Other&) = delete;
+
+  // Returns once it does so.
+  void ask(Does what) {
+    asked_.store(what);
+    while (does_.load() != what) {
+    }
+  }
+  double own_step_us() const { return own_step_us_; }  // before it was asked for something else
+
+ private:
+  bool follow(const Kernel& own, const Kernel& helped) {
+    const Does now = asked_.load();
+    does_.store(now);
+    if (now == Does::kHelps) help(helped, 100);
+    if (now == Does::kStepsOfItsOwn) {
+      own_step_us_ = step_us(own, [&](std::size_t) { return asked_.load() != now; });
+    }
+    return now != Does::kEnds;
+  }
+
+  std::atomic<Does> asked_ = Does::kNothing, does_ = Does::kEnds;
+  double own_step_us_ = 0;
+  std::thread thread_;
+};
+
+// A step of one thread alone, of two threads with nothing in common, and of one that is helped, in
+// turn within milliseconds, so that all of them meet the machine in the same state.
+void bench_threads(benchmark::State& state, Subject& subject, const Variant& variant) {
+  const auto session = [&] {
+    return inserted_session(subject, config_of(Setup::kPhysical), variant);
+  };
+  const Session own = session(), others = session();
+  Session helped = session();
+  const Block memory = make_block(team_bytes(helped.kernel, 1));
+  if (set_team(helped.kernel, 1, memory.span()) != Status::kOk) std::abort();
+  const auto turn_us = [](const Session& of) {
+    return step_us(of.kernel, [](std::size_t steps) { return steps == 16; });
+  };
+  std::vector<double> alone, beside, shared;
+  {
+    Other other(others.kernel, helped.kernel);
+    for (auto _ : state) {
+      other.ask(Other::Does::kNothing);
+      alone.push_back(turn_us(own));
+      other.ask(Other::Does::kStepsOfItsOwn);
+      const double us = turn_us(own);
+      other.ask(Other::Does::kHelps);
+      beside.push_back(1 / (1 / us + 1 / other.own_step_us()));
+      shared.push_back(turn_us(helped));
+    }
+  }
+  state.counters[kAlone] = middle(alone);
+  state.counters[kBeside] = middle(beside);
+  state.counters[kShared] = middle(shared);
   describe(state, subject, 1);
 }
 
@@ -261,11 +314,8 @@ void register_subject(Subject& subject) {
   for (const Variant& variant : variants_here()) {
     const std::string tail = "/" + subject.name + "/" + variant.name;
     add("tissue" + tail, [&subject, variant](auto& s) { bench_tissue(s, subject, variant); });
-    add("shared" + tail, [&subject, variant](auto& s) {
-      bench_shared(s, subject, variant);
-    })->UseRealTime();
-    add("beside" + tail, [&subject, variant](auto& s) {
-      bench_beside(s, subject, variant);
+    add("threads" + tail, [&subject, variant](auto& s) {
+      bench_threads(s, subject, variant);
     })->UseRealTime();
     for (const auto& [name, setup] :
          {std::pair("tick", Setup::kPhysical), std::pair("tick_elastic", Setup::kElastic)}) {
@@ -349,7 +399,7 @@ int main(int argc, char** argv) {
   using namespace stylet::test;
   const std::string folder = take_results_folder(argc, argv);
   std::vector<std::string> defaults = {"--benchmark_enable_random_interleaving=true",
-                                       "--benchmark_repetitions=7", "--benchmark_min_time=0.1"};
+                                       "--benchmark_repetitions=15", "--benchmark_min_time=0.1"};
   std::vector<char*> words(argv, argv + argc);  // what the user says comes later and wins
   for (std::string& word : defaults) words.insert(words.begin() + 1, word.data());
   int count = static_cast<int>(words.size());

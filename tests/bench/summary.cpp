@@ -37,14 +37,10 @@ std::string file_name(const std::string& text) {
   return name;
 }
 
-// Whether others use the machine: then what passes on the clock says nothing about two threads.
-bool busy() {
-  double load = 0;
-  return getloadavg(&load, 1) != 1 || load > 1.5;
-}
-
-bool of_two_threads(const std::string& measure) {
-  return measure == "shared" || measure == "beside";
+// What to compare a measure of two threads with; none for others.
+std::string one_thread(const std::string& measure) {
+  if (measure == "shared" || measure == "beside") return "alone";
+  return measure == "shared_any" || measure == "beside_any" ? "alone_any" : "";
 }
 
 double counter(const benchmark::BenchmarkReporter::Run& run, const char* name) {
@@ -59,18 +55,48 @@ bool Summary::ReportContext(const Context& context) {
   return true;
 }
 
+// Gets the repetitions of a benchmark first, and then, in another call, their aggregates.
 void Summary::ReportRuns(const std::vector<Run>& runs) {
+  std::vector<const Run*> of_threads;
   for (const Run& run : runs) {
-    if (run.aggregate_name != "median" || run.error_occurred) continue;
-    const std::vector<std::string> parts = parts_of(run.run_name.function_name);
-    Row row{parts[0],
-            parts.size() > 1 ? parts[1] : "",
-            parts.size() > 2 ? parts[2] : "",
-            counter(run, kVoxels),
-            counter(run, kMedian),
-            0};
-    row.ns_per_voxel = 1e3 * row.median_us / (row.voxels * counter(run, kSubsteps));
-    rows_.push_back(row);
+    if (run.error_occurred) continue;
+    if (counter(run, kBeside) > 0) {
+      if (run.run_type == Run::RT_Iteration) of_threads.push_back(&run);
+    } else if (run.aggregate_name == "median") {
+      add_row(run, parts_of(run.run_name.function_name)[0], counter(run, kMedian));
+    }
+  }
+  if (!of_threads.empty()) add_threads(std::move(of_threads));
+}
+
+void Summary::add_row(const Run& run, const std::string& measure, double median_us) {
+  const std::vector<std::string> parts = parts_of(run.run_name.function_name);
+  Row row{measure,
+          parts.size() > 1 ? parts[1] : "",
+          parts.size() > 2 ? parts[2] : "",
+          counter(run, kVoxels),
+          median_us,
+          0};
+  row.ns_per_voxel = 1e3 * row.median_us / (row.voxels * counter(run, kSubsteps));
+  rows_.push_back(row);
+}
+
+void Summary::add_threads(std::vector<const Run*> each) {
+  const auto by = [](const char* name) {
+    return [name](const Run* a, const Run* b) { return counter(*a, name) < counter(*b, name); };
+  };
+  const auto median_us = [&](std::vector<const Run*> of, const char* name) {
+    const auto at = of.begin() + static_cast<std::ptrdiff_t>(of.size() / 2);
+    std::nth_element(of.begin(), at, of.end(), by(name));
+    return counter(**at, name);
+  };
+  std::sort(each.begin(), each.end(), by(kBeside));
+  const std::vector<const Run*> quiet(
+      each.begin(), each.begin() + static_cast<std::ptrdiff_t>((each.size() + 3) / 4));
+  for (const auto& [measure, name] :
+       {std::pair("alone", kAlone), std::pair("beside", kBeside), std::pair("shared", kShared)}) {
+    add_row(*each[0], measure, median_us(quiet, name));
+    add_row(*each[0], std::string(measure) + "_any", median_us(each, name));
   }
 }
 
@@ -114,7 +140,7 @@ void Summary::print(std::ostream& out) const {
     };
     times(row.measure == "tissue" ? ratio("bullet", "", row) : 0, 9);
     times(row.measure == "tissue" ? ratio("eigen", "", row) : 0, 9);
-    times(of_two_threads(row.measure) ? ratio("tissue", row.variant, row) : 0, 11);
+    times(ratio(one_thread(row.measure), row.variant, row), 11);
     out << "\n";
   }
 }
@@ -122,9 +148,7 @@ void Summary::print(std::ostream& out) const {
 void Summary::write(const std::string& folder) const {
   std::filesystem::create_directories(folder);
   std::map<std::string, std::ofstream> files;
-  const bool crowded = busy();
   for (const Row& row : rows_) {
-    if (crowded && of_two_threads(row.measure)) continue;
     std::ofstream& file = files[row.variant.empty() ? "peers" : row.variant];
     if (!file.is_open()) {
       file.open(folder + "/" + file_name(processor_name()) + "-" +

@@ -12,8 +12,11 @@
 
 namespace stylet::test {
 
-// Counters every benchmark sets.
+// Counters: the time of a step or tick, or these three, and what every benchmark sets.
 constexpr const char* kMedian = "median_us";
+constexpr const char* kAlone = "alone_us";
+constexpr const char* kBeside = "beside_us";
+constexpr const char* kShared = "shared_us";
 constexpr const char* kVoxels = "voxels";
 constexpr const char* kSubsteps = "substeps";
 
@@ -35,6 +38,13 @@ class Summary : public benchmark::BenchmarkReporter {
     double voxels, median_us, ns_per_voxel;
   };
   std::vector<Row> rows_;
+
+  void add_row(const Run& run, const std::string& measure, double median_us);
+  // Two threads tell what the kernel does only where nobody else uses their processors, which on a
+  // machine shared with others is now and then. What two threads with nothing in common take tells
+  // when: of the repetitions in which it was least, a quarter of all, come the medians. Those of
+  // all repetitions are rows too, *_any.
+  void add_threads(std::vector<const Run*> each);
 
   // Of the benchmark `measure` on the same organ (and variant, if it has any), over this one; 0 if
   // it was not run.
