@@ -524,8 +524,19 @@ class Bench(unittest.TestCase):
         names = call("stylet", "bench", "--benchmark_list_tests").stdout.splitlines()
         self.assertGreater(len(names), 3)
         for name in names:
-            self.assertRegex(name, r"^(tissue|shared|beside|tick|tick_elastic|tick_paper"
-                                   r"|cadence_\w+|bullet|eigen)/")
+            self.assertRegex(name, r"^(tissue|threads|tick|tick_elastic|cadence_\w+|bullet"
+                                   r"|eigen)/")
+
+    def test_help_says_what_is_measured(self):
+        text = call("stylet", "bench", "--help").stdout
+        for word in ("--results", "tissue", "threads", "tick", "cadence", "--benchmark_filter"):
+            self.assertIn(word, text)
+
+    def test_two_threads_are_compared_with_one_in_the_same_seconds(self):
+        table = call("stylet", "bench", "--benchmark_filter=threads/liver_1k",
+                     "--benchmark_min_time=0.001", "--benchmark_repetitions=1").stderr
+        for measure in ("alone", "beside", "shared", "alone_any", "beside_any", "shared_any"):
+            self.assertRegex(table, rf"(?m)^{measure}/liver_1k/\w+ +[\d.]+")
 
 
 class Refusals(Folder):
@@ -541,6 +552,9 @@ class Refusals(Folder):
     def test_missing_organ(self):
         self.expect_refusal(["nowhere.organ"], "stylet", "run", SCENE, "--fast", "--organ",
                             self.top / "nowhere.organ")
+
+    def test_unknown_option_of_bench(self):
+        self.expect_refusal(["--resuls=x", "--help"], "stylet", "bench", "--resuls=x")
 
     def test_damaged_organ(self):
         organ = self.make_phantom()
