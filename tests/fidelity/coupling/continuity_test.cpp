@@ -26,6 +26,16 @@ TinyOrgan gel() {
 }
 constexpr Vec3 kStart = {-1e-3F, 16.5e-3F, 18.1e-3F};
 
+// Mean square of how the residuals of a CP's voxels differ from their mean.
+double spread_of(const Particle& p) {
+  double sum = 0;
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    const double off = norm_of((p.position_m - p.share[i].goal_m) - residual(p));
+    sum += static_cast<double>(p.share[i].weight) * off * off;
+  }
+  return sum;
+}
+
 std::uint32_t count_of(const Kernel& kernel, EventKind kind) {
   Event list[kMaxEvents];
   const std::uint32_t count = events(kernel, list);
@@ -206,6 +216,40 @@ TEST(Continuity, ATrackElsewhereIsPuncturedAgain) {
   drive(rig, elsewhere, 25e-3F, 10e-3F);
   EXPECT_EQ(count_of(rig.kernel(), EventKind::kPuncture), 2U);
   EXPECT_EQ(count_of(rig.kernel(), EventKind::kReentry), 0U);
+}
+
+// Two voxels hold the tip differently. Where it cuts towards the plane between them, and both weigh
+// more alike, it must not be forgotten what each holds.
+TEST(Continuity, VoxelsThatHoldTheTipDifferentlyGoOnDoingSo) {
+  TinyOrgan tiny;
+  tiny.nx = 2;
+  tiny.ny = tiny.nz = 1;
+  tiny.materials[0].cutting_force_n = 1e-3F;
+  Rig rig = make_rig(tiny, Config{}, Tissue::kFixed);
+  const float edge_m = rig.view().model.head->edge_m;
+  const Vec3 from_m = {0.6F * edge_m, 0.5F * edge_m, 0.5F * edge_m};
+  Vec3 tip_m = hold_one_shaft_particle(rig, from_m - Vec3{30e-3F, 0, 0}, 100);
+  const View view = rig.view();
+  Particle& tip = *view.state.tip;
+  tip.rest_m = tip.position_m = from_m;
+  tip.track_m = 30e-3F;
+  tip.stiffness_n_per_m = tip.full_stiffness_n_per_m = 100;
+  tip.share_count = find_shares(view, from_m, tip.share);
+  ASSERT_EQ(tip.share_count, 2U);
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    Share& share = tip.share[i];
+    share.goal_m = from_m + Vec3{0, i == 0 ? 1e-4F : -1e-4F, 0};
+    share.offset_m = share.goal_m - voxel_frame(view, share.slot, share.row).rest_centre_m;
+  }
+  move_tip(rig, tip_m);
+  const double before = spread_of(tip);
+  ASSERT_GT(before, 1e-9);
+  for (int i = 0; i < 1000; ++i) {
+    tip_m.x += 1e-6F;
+    move_tip(rig, tip_m);
+  }
+  EXPECT_GT(tip.rest_m.x, from_m.x + 0.5e-3F);
+  EXPECT_GT(spread_of(tip), before);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(Pools, NeedleThatJumpsGetsItsParticlesInTheNextTicks) {
   ASSERT_GT(before, 0U);
   std::uint32_t last = before, most = 0;
   for (int i = 0; i < 30; ++i) {
-    move_tip(rig, {10e-3F, kStart.y, kStart.z});
+    EXPECT_EQ(move_tip(rig, {10e-3F, kStart.y, kStart.z}).flags & ~kFlagInputClamped, 0U);
     const std::uint32_t now = rig.view().state.needle->shaft_count;
     most = std::max(most, now - std::min(now, last));
     last = now;

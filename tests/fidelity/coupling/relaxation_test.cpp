@@ -150,6 +150,34 @@ TEST(V28Relaxation, InsertedNeedleRelaxesAsWritten) {
   EXPECT_NEAR(decay.time_s / static_cast<double>(kTimeS), 1, 0.1);
 }
 
+// A CP that slides almost freely in tissue that its neighbours drag along: the ratio of the
+// tissue's way to its own spring's has no bound. The compliance taken from it has one, or the CP's
+// force would relax wholly and at once.
+TEST(Relaxation, TissueDraggedByNeighboursSaysLittleOfACpsOwn) {
+  TinyOrgan tiny;
+  tiny.nx = 10;
+  tiny.ny = tiny.nz = 5;
+  TinyMaterial rough = relaxing(), smooth = relaxing();
+  rough.puncture_force_n = smooth.puncture_force_n = 0.3F;
+  rough.coulomb_friction_n_per_m = rough.static_friction_n_per_m = 60;
+  smooth.coulomb_friction_n_per_m = smooth.static_friction_n_per_m = 1e-3F;
+  tiny.materials = {rough, smooth};
+  tiny.material_at = [](std::uint16_t x, std::uint16_t, std::uint16_t) {
+    return static_cast<std::uint8_t>(x % 3 == 1 ? 1 : 0);
+  };
+  tiny.fixed_faces = kHighX | kLowY | kHighY | kLowZ | kHighZ;
+  Rig rig = make_rig(tiny, Config{});
+  float most = 0;
+  drive(rig, {-1e-3F, 12e-3F, 13e-3F}, 45e-3F, 20e-3F, [&](const Output&) {
+    const View view = rig.view();
+    for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
+      most = std::max(most, view.state.shaft[i].tissue_compliance);
+    }
+  });
+  EXPECT_GT(most, 50) << "the bound is met";
+  EXPECT_LE(most, 100);
+}
+
 // Nothing that fades ends among denormal numbers, which processors may flush: a needle goes in a
 // little askew, and is then turned along x, across which nothing pulls any more.
 TEST(Relaxation, WhatFadesEndsAtZero) {

@@ -88,6 +88,47 @@ TEST(Layers, AStiffLayerBehindASoftOneIsReached) {
   EXPECT_LT(at_m, 35e-3F) << "15 mm beyond the ligament's surface at rest";
 }
 
+// Spring of the tip in the ligament, once it has come there through what lies before it.
+float spring_in_ligament(const TinyOrgan& tiny) {
+  Rig rig = make_rig(tiny, Config{});
+  float spring_n_per_m = 0;
+  drive(rig, kStart, 40e-3F, 20e-3F, [&](const Output& out) {
+    if (out.layer == kLigament) spring_n_per_m = rig.view().state.tip->stiffness_n_per_m;
+  });
+  return spring_n_per_m;
+}
+
+TEST(Layers, TheTipHasTheSpringOfTheLayerItIsIn) {
+  TinyOrgan all = back();
+  all.material_at = [](std::uint16_t, std::uint16_t, std::uint16_t) {
+    return static_cast<std::uint8_t>(kLigament);
+  };
+  const float alone = spring_in_ligament(all), behind_fat = spring_in_ligament(back());
+  EXPECT_GT(alone, 0);
+  EXPECT_EQ(behind_fat, alone);
+}
+
+// Voxels that hold the needle one by one: two in the air, with nothing beside or between them.
+TEST(Layers, ASingleVoxelSaysWhichTissueItIs) {
+  TinyOrgan tiny = back();
+  tiny.nx = 3;
+  tiny.ny = tiny.nz = 1;
+  tiny.inside = [](std::uint16_t x, std::uint16_t, std::uint16_t) { return x != 1; };
+  tiny.material_at = [](std::uint16_t x, std::uint16_t, std::uint16_t) {
+    return static_cast<std::uint8_t>(x == 0 ? kFat : kEpidural);
+  };
+  Rig rig = make_rig(tiny, Config{}, Tissue::kFixed);
+  int seen = 0;
+  drive(rig, {-1e-3F, 2.5e-3F, 2.5e-3F}, 25e-3F, 20e-3F, [&](const Output&) {
+    const Particle& tip = *rig.view().state.tip;
+    if (tip.share_count == 0 || tip.rest_m.x < 10.1e-3F) return;
+    EXPECT_EQ(tip.share_count, 1U);
+    EXPECT_EQ(tip.material, static_cast<std::uint32_t>(kEpidural)) << tip.rest_m.x;
+    ++seen;
+  });
+  EXPECT_GT(seen, 50);
+}
+
 // However the units of the shaft fall on the layers, its friction is that of the stretches in each.
 TEST(Layers, FrictionIsThatOfTheStretchInEach) {
   for (const float unit_m : {2.5e-3F, 5e-3F, 7e-3F, 11e-3F}) {

@@ -141,6 +141,9 @@ TEST(Steering, BevelSteersToItsSideAndTheMoreTheStifferTheTissue) {
   EXPECT_GT(stiff, 1.3F * middle);
   // Never more than the arc of the bevel in tissue that does not give.
   EXPECT_LT(stiff, (1 - std::cos(5 * 0.08F)) / 5);
+  // A tenth of the bevel turns a tenth as much.
+  const float weak = steer(160000, 0.5F, false).tip.z - straight;
+  EXPECT_NEAR(static_cast<double>(weak / stiff), 0.1, 0.01);
   // The other way round, mirrored.
   EXPECT_LT(steer(40000, 5, true).tip.z, 0.7F * middle);
 }
