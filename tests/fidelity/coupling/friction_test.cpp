@@ -237,5 +237,33 @@ TEST(V22Friction, HandsStepPullsEvenlyOverTheSubsteps) {
   }
 }
 
+// Voxels may be larger than the radius over which a needle's field dies out; the springs of its
+// particles are finite and positive for all that, and its friction is what is written.
+TEST(V22Friction, VoxelsLargerThanTheFarFieldHoldTheNeedle) {
+  TinyOrgan tiny;
+  tiny.nx = 3;
+  tiny.ny = tiny.nz = 1;
+  tiny.voxel_edge_m = 0.1F;
+  tiny.materials = {rubbing(10, 10, 0)};
+  tiny.materials[0].puncture_force_n = 0.1F;
+  Rig rig = make_rig(tiny, Config{}, Tissue::kFixed);
+  // A cylinder in an annulus of 25 mm, over a unit: with the lattice's compliance in series it is
+  // the particle's spring that must be stiffer.
+  const double n = 3, b = 25e-3, a = 0.635e-3, b2 = b * b, a2 = a * a;
+  const double cylinder = 2500 * static_cast<double>(rig.view().needle_config().unit_m) * 8 *
+                          std::numbers::pi * n / (n * n * std::log(b / a) - (b2 - a2) / (b2 + a2));
+  const Output out = drive(rig, {-1e-3F, 49e-3F, 51e-3F}, 0.1F, 0.1F);
+  const View view = rig.view();
+  ASSERT_GT(view.state.needle->shaft_count, 10U);
+  for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
+    const Particle& p = view.state.shaft[i];
+    EXPECT_GT(static_cast<double>(p.full_stiffness_n_per_m), cylinder) << i;
+    EXPECT_TRUE(p.give_share >= 0 && p.give_share < 1) << i << ": " << p.give_share;
+  }
+  EXPECT_NEAR(
+      -static_cast<double>(out.cause.friction_n.x) / (10 * static_cast<double>(out.depth_m)), 1,
+      0.01);
+}
+
 }  // namespace
 }  // namespace stylet::test
