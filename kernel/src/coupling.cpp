@@ -351,7 +351,8 @@ float overshoot(const View& view, const Particle& p, float axial_n, float low_n,
   if (head.config.mode == Mode::kPaper) {
     const float unit = view.needle_config().unit_m;
     const float away = axial_n / p.stiffness_n_per_m;
-    return whole_part(clamp(away / unit, -64, 64)) * unit;
+    constexpr auto kMost = static_cast<float>(kMaxUnitsPerTick);
+    return whole_part(clamp(away / unit, -kMost, kMost)) * unit;
   }
   const float excess =
       axial_n > high_n ? axial_n - high_n : (axial_n < low_n ? axial_n - low_n : 0);

@@ -51,6 +51,9 @@ constexpr std::uint32_t kSharesPerParticle = 8;
 // Constraint particles placed in one tick. Reached by a needle that jumps: the rest follow in the
 // next ticks.
 constexpr std::uint32_t kMaxDropsPerTick = 8;
+// Needle units that a constraint particle slips in one tick in paper mode. Reached by a needle that
+// jumps: the rest follow in the next ticks.
+constexpr std::uint32_t kMaxUnitsPerTick = 64;
 // Rods of the elastic needle. More: create refuses the configuration; longer rods bend less finely
 // (deflections err by 1 / (2 n^2)).
 constexpr std::uint32_t kMaxRods = 128;

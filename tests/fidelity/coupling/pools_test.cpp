@@ -73,6 +73,27 @@ TEST(Pools, NeedleThatJumpsGetsItsParticlesInTheNextTicks) {
   EXPECT_GE(last, before + 20) << "the rest follow";
 }
 
+// A needle that jumps by more units than a CP slips in a tick: as many then, the others in the
+// next.
+TEST(Pools, NeedleThatJumpsInPaperModeSlipsByMostUnitsATick) {
+  Config config = tiny_unit();
+  config.mode = Mode::kPaper;
+  config.period_s = 2e-3F;  // the fastest hand moves 10 mm meanwhile
+  Rig rig = make_rig(block(), config, Tissue::kFixed);
+  const Vec3 rest_m = {12.5e-3F, 12.5e-3F, 12.5e-3F};
+  Vec3 tip_m = hold_one_shaft_particle(rig, rest_m, 1e-3F);
+  const Particle& p = rig.view().state.shaft[0];
+  const auto slipped_by = [&] {
+    const float before_m = p.arc_m;
+    move_tip(rig, tip_m);
+    return std::lround((p.arc_m - before_m) / kTinyUnitM);
+  };
+  tip_m.x += 9.95e-3F;  // 99.5 units
+  EXPECT_EQ(slipped_by(), kMaxUnitsPerTick);
+  EXPECT_EQ(slipped_by(), 99 - kMaxUnitsPerTick);
+  EXPECT_EQ(slipped_by(), 0);
+}
+
 // Long thin block of small voxels; needles between their centres, so that every CP has eight.
 TinyOrgan fine_block() {
   TinyOrgan tiny;

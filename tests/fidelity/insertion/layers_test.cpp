@@ -119,7 +119,8 @@ TEST(Layers, ASingleVoxelSaysWhichTissueItIs) {
   };
   Rig rig = make_rig(tiny, Config{}, Tissue::kFixed);
   int seen = 0;
-  drive(rig, {-1e-3F, 2.5e-3F, 2.5e-3F}, 25e-3F, 20e-3F, [&](const Output&) {
+  const Vec3 start = {-1e-3F, 2.5e-3F, 2.5e-3F};
+  const Output out = drive(rig, start, 25e-3F, 20e-3F, [&](const Output&) {
     const Particle& tip = *rig.view().state.tip;
     if (tip.share_count == 0 || tip.rest_m.x < 10.1e-3F) return;
     EXPECT_EQ(tip.share_count, 1U);
@@ -127,6 +128,32 @@ TEST(Layers, ASingleVoxelSaysWhichTissueItIs) {
     ++seen;
   });
   EXPECT_GT(seen, 30);
+  const double expected = 5e-3 * (5 + 3);
+  EXPECT_NEAR(-static_cast<double>(out.cause.friction_n.x), expected, 0.05 * expected);
+}
+
+TEST(Layers, TheSameTissueBehindAnotherIsALayerAgain) {
+  TinyOrgan tiny = back();
+  tiny.material_at = [](std::uint16_t x, std::uint16_t, std::uint16_t) {
+    return static_cast<std::uint8_t>(x < 1 ? kSkin : (x >= 4 && x < 9 ? kLigament : kFat));
+  };
+  Rig rig = make_rig(tiny, Config{});
+  const Output in = drive(rig, kStart, 72e-3F, 20e-3F);
+  EXPECT_EQ(in.layer, kFat);
+  EXPECT_EQ(of_kind(rig.kernel(), EventKind::kPuncture).size(), 2U);
+  std::vector<Event> soft = of_kind(rig.kernel(), EventKind::kLayer);
+  ASSERT_EQ(soft.size(), 2U);
+  EXPECT_EQ(soft[0].layer, kFat);
+  EXPECT_EQ(soft[1].layer, kFat);
+  // On the way back each is passed once more, and none of them pushes.
+  drive(rig, {72e-3F, kStart.y, kStart.z}, 15e-3F, 20e-3F);
+  const Output still = hold(rig, {15e-3F, kStart.y, kStart.z}, 500);
+  EXPECT_EQ(still.phase, Phase::kRetracting) << "a hand that rests does not insert";
+  EXPECT_EQ(still.layer, kFat);
+  soft = of_kind(rig.kernel(), EventKind::kLayer);
+  ASSERT_EQ(soft.size(), 4U);
+  EXPECT_EQ(soft[2].layer, kLigament);
+  for (const Event& each : soft) EXPECT_GE(each.force_n, 0) << each.depth_m;
 }
 
 // However the units of the shaft fall on the layers, its friction is that of the stretches in each.
