@@ -208,5 +208,23 @@ TEST(Relaxation, WhatFadesEndsAtZero) {
   EXPECT_LT(std::fabs(view.state.shaft[1].give_m.y), 1e-11F);
 }
 
+// Likewise the compliance, in a tick in which the tissue has moved against the CP's spring.
+TEST(Relaxation, AComplianceThatFadesEndsAtZero) {
+  TinyOrgan tiny;
+  tiny.nx = tiny.ny = tiny.nz = 1;
+  tiny.voxel_edge_m = kEdgeM;
+  tiny.materials = {relaxing()};
+  tiny.materials[0].coulomb_friction_n_per_m = tiny.materials[0].static_friction_n_per_m = 1;
+  Rig rig = make_rig(tiny, Config{}, Tissue::kFixed);
+  Vec3 tip_m = hold_one_shaft_particle(rig, {kEdgeM / 2, kEdgeM / 2, kEdgeM / 2}, 100);
+  Particle& p = rig.view().state.shaft[0];
+  p.tissue_compliance = 1.2e-38F;
+  p.give_m.x = -2e-3F;
+  tip_m.x += 1e-3F;
+  move_tip(rig, tip_m);
+  ASSERT_NE(norm_of(p.slip_m), 0) << "it slides";
+  EXPECT_EQ(p.tissue_compliance, 0);
+}
+
 }  // namespace
 }  // namespace stylet::test
