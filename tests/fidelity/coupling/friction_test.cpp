@@ -215,6 +215,41 @@ TEST(V22Friction, TissueDraggedPastARestingNeedleSlipsBeyondTwiceItsFriction) {
   }
 }
 
+// The same of a tip at rest: twice what it takes to cut, on it or off it.
+TEST(V22Friction, TissueDraggedAtARestingTipPullsWithTwiceItsCutAtMost) {
+  constexpr double kCutN = 5e-3;
+  for (const double way : {0.2e-3, -0.2e-3, 1e-3, -1e-3}) {
+    TinyOrgan tiny;
+    tiny.nx = tiny.ny = tiny.nz = 1;
+    tiny.voxel_edge_m = kEdgeM;
+    tiny.materials = {rubbing(0, 0, 0)};
+    tiny.materials[0].cutting_force_n = static_cast<float>(kCutN);
+    Config config = short_needle();
+    config.substeps = 1;
+    config.surround_drag_per_s = 0;
+    Rig rig = make_rig(tiny, config, Tissue::kFixed);
+    const Vec3 centre = {kEdgeM / 2, kEdgeM / 2, kEdgeM / 2};
+    const Vec3 tip_m = hold_one_shaft_particle(rig, centre - Vec3{30e-3F, 0, 0}, kSpring);
+    const View view = rig.view();
+    Particle& tip = *view.state.tip;
+    tip = view.state.shaft[0];  // outside the tissue, where nothing holds it
+    tip.rest_m = tip.position_m = centre;
+    tip.track_m = 30e-3F;
+    tip.share_count = find_shares(view, centre, tip.share);
+    ASSERT_EQ(tip.share_count, 1U);
+    tip.share[0].goal_m = centre;
+    tip.share[0].offset_m = {};
+    view.state.needle->layer = view.state.needle->spring_layer = 0;
+    const auto force = [&] { return static_cast<double>(move_tip(rig, tip_m).force_n.x); };
+    std::fill_n(view.state.vx, view.model.head->counts.particles, static_cast<float>(way * 1e3));
+    force();
+    std::fill_n(view.state.vx, view.model.head->counts.particles, 0.0F);
+    const double stuck = kStiffness * way;
+    const double expected = std::copysign(std::min(std::fabs(stuck), 2 * kCutN), way);
+    EXPECT_NEAR(force() / expected, 1, kTolerance) << way;
+  }
+}
+
 // What drives a particle in each substep of a tick.
 std::vector<Vec3> places_seen;
 void (*step_below)(const Kernel&) = nullptr;
