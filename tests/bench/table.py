@@ -72,7 +72,7 @@ def table(found):
         yield from lines(head, rows(of))
         yield ("\nThe same step with one helper thread, times as fast as without; and two threads\n"
                "with nothing in common, each at steps of its own. Others may use this machine's\n"
-               "second processor: of 15 repetitions those four count in which these two were\n"
+               "second processor: the quarter of the repetitions counts in which these two were\n"
                "fastest; in brackets the median of all:\n\n")
         head = ["voxels", "helped, AVX-512", "AVX2", "nothing in common, AVX-512", "AVX2"]
         yield from lines(head, rows_of_two_threads(of))

@@ -228,18 +228,13 @@ TEST(Continuity, VoxelsThatHoldTheTipDifferentlyGoOnDoingSo) {
   Rig rig = make_rig(tiny, Config{}, Tissue::kFixed);
   const float edge_m = rig.view().model.head->edge_m;
   const Vec3 from_m = {0.6F * edge_m, 0.5F * edge_m, 0.5F * edge_m};
-  Vec3 tip_m = hold_one_shaft_particle(rig, from_m - Vec3{30e-3F, 0, 0}, 100);
-  const View view = rig.view();
-  Particle& tip = *view.state.tip;
-  tip.rest_m = tip.position_m = from_m;
-  tip.track_m = 30e-3F;
-  tip.stiffness_n_per_m = tip.full_stiffness_n_per_m = 100;
-  tip.share_count = find_shares(view, from_m, tip.share);
+  Vec3 tip_m = hold_tip(rig, from_m, 100);
+  Particle& tip = *rig.view().state.tip;
   ASSERT_EQ(tip.share_count, 2U);
   for (std::uint32_t i = 0; i < 2; ++i) {
-    Share& share = tip.share[i];
-    share.goal_m = from_m + Vec3{0, i == 0 ? 1e-4F : -1e-4F, 0};
-    share.offset_m = share.goal_m - voxel_frame(view, share.slot, share.row).rest_centre_m;
+    const Vec3 aside = {0, i == 0 ? 1e-4F : -1e-4F, 0};
+    tip.share[i].goal_m = tip.share[i].goal_m + aside;
+    tip.share[i].offset_m = tip.share[i].offset_m + aside;
   }
   move_tip(rig, tip_m);
   const double before = spread_of(tip);

@@ -229,17 +229,9 @@ TEST(V22Friction, TissueDraggedAtARestingTipPullsWithTwiceItsCutAtMost) {
     config.surround_drag_per_s = 0;
     Rig rig = make_rig(tiny, config, Tissue::kFixed);
     const Vec3 centre = {kEdgeM / 2, kEdgeM / 2, kEdgeM / 2};
-    const Vec3 tip_m = hold_one_shaft_particle(rig, centre - Vec3{30e-3F, 0, 0}, kSpring);
+    const Vec3 tip_m = hold_tip(rig, centre, kSpring);
     const View view = rig.view();
-    Particle& tip = *view.state.tip;
-    tip = view.state.shaft[0];  // outside the tissue, where nothing holds it
-    tip.rest_m = tip.position_m = centre;
-    tip.track_m = 30e-3F;
-    tip.share_count = find_shares(view, centre, tip.share);
-    ASSERT_EQ(tip.share_count, 1U);
-    tip.share[0].goal_m = centre;
-    tip.share[0].offset_m = {};
-    view.state.needle->layer = view.state.needle->spring_layer = 0;
+    ASSERT_EQ(view.state.tip->share_count, 1U);
     const auto force = [&] { return static_cast<double>(move_tip(rig, tip_m).force_n.x); };
     std::fill_n(view.state.vx, view.model.head->counts.particles, static_cast<float>(way * 1e3));
     force();

@@ -100,25 +100,31 @@ inline Output hold(Rig& rig, Vec3 tip_m, int ticks) {
   return out;
 }
 
-// Puts one shaft CP with spring `stiffness_n_per_m` at a rest place, held by a needle whose tip is
-// far behind the tissue: friction of one unit of shaft, and nothing else.
-inline Vec3 hold_one_shaft_particle(Rig& rig, Vec3 rest_m, float stiffness_n_per_m) {
-  constexpr float kTipBeyondM = 0.03F;
-  const Vec3 tip_m = rest_m + Vec3{kTipBeyondM, 0, 0};
-  move_tip(rig, tip_m);
-  const View view = rig.view();
-  Particle& p = view.state.shaft[0];
-  p = {};
+// Lets a CP hold the tissue at a rest place, without force, by a spring of `stiffness_n_per_m`.
+inline void hold_tissue(const View& view, Particle& p, Vec3 rest_m, float stiffness_n_per_m) {
   p.rest_m = p.position_m = rest_m;
-  p.arc_m = kTipBeyondM;
-  p.friction = view.model.head->material[0].friction;
-  p.met_m = view.needle_config().unit_m;
   p.stiffness_n_per_m = p.full_stiffness_n_per_m = stiffness_n_per_m;
   p.share_count = find_shares(view, rest_m, p.share);
   for (std::uint32_t i = 0; i < p.share_count; ++i) {
     p.share[i].goal_m = rest_m;
     p.share[i].offset_m = rest_m - voxel_frame(view, p.share[i].slot, p.share[i].row).rest_centre_m;
   }
+}
+
+constexpr float kTipBeyondM = 0.03F;
+
+// Puts one shaft CP with spring `stiffness_n_per_m` at a rest place, held by a needle whose tip is
+// far behind the tissue: friction of one unit of shaft, and nothing else.
+inline Vec3 hold_one_shaft_particle(Rig& rig, Vec3 rest_m, float stiffness_n_per_m) {
+  const Vec3 tip_m = rest_m + Vec3{kTipBeyondM, 0, 0};
+  move_tip(rig, tip_m);
+  const View view = rig.view();
+  Particle& p = view.state.shaft[0];
+  p = {};
+  p.arc_m = kTipBeyondM;
+  p.friction = view.model.head->material[0].friction;
+  p.met_m = view.needle_config().unit_m;
+  hold_tissue(view, p, rest_m, stiffness_n_per_m);
   Particle& tip = *view.state.tip;
   tip = {};
   tip.rest_m = tip.position_m = tip_m;
@@ -128,6 +134,17 @@ inline Vec3 hold_one_shaft_particle(Rig& rig, Vec3 rest_m, float stiffness_n_per
   head.tip_alive = 1;
   head.phase = Phase::kInserted;
   head.tissue_track_m = kTipBeyondM;
+  return tip_m;
+}
+
+// The same of the tip, which holds the tissue at `rest_m`; the shaft CP behind it holds none.
+inline Vec3 hold_tip(Rig& rig, Vec3 rest_m, float stiffness_n_per_m) {
+  const Vec3 tip_m = hold_one_shaft_particle(rig, rest_m - Vec3{kTipBeyondM, 0, 0}, 1);
+  const View view = rig.view();
+  Particle& tip = *view.state.tip;
+  tip.track_m = kTipBeyondM;
+  hold_tissue(view, tip, rest_m, stiffness_n_per_m);
+  view.state.needle->layer = view.state.needle->spring_layer = 0;
   return tip_m;
 }
 
