@@ -8,7 +8,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
-#include <ctime>
 #include <deque>
 #include <filesystem>
 #include <memory>
@@ -73,15 +72,6 @@ std::vector<std::string> scenes_beside(const std::string& file) {
   }
   std::sort(names.begin(), names.end());
   return names;
-}
-
-std::string local_time() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts = {};
-  localtime_r(&now, &parts);
-  std::array<char, 40> text;
-  const std::size_t size = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S%z", &parts);
-  return {text.data(), size};
 }
 
 // Which pointers hold needles: asked by the server's thread, set by the session's.
@@ -212,6 +202,12 @@ class Console {
   void open(const std::string& scene) {
     RunOptions options = options_;
     options.scene = scene;
+    // --organ is for the scene it was given with: another one has targets in an organ of its own.
+    const bool other =
+        std::filesystem::path(scene).filename() != std::filesystem::path(options_.scene).filename();
+    if (other && !hal::read_scene(scene).organ_path.empty()) {
+      options.organ.clear();
+    }
     auto session = std::make_unique<Session>(options, host_);
     load(*session);
     session_.reset();  // its devices, before they are opened again
@@ -272,6 +268,8 @@ class Console {
         return hold(false);
       case console::Verb::kReset:
         return back_to_start();
+      case console::Verb::kEnd:
+        return end_now();
       case console::Verb::kChoose:
         return choose(order.text);
       case console::Verb::kAcknowledge:
@@ -294,6 +292,7 @@ class Console {
     scored_ = {scored_.attempt + 1, trainee, local_time(), "", {}};
     if (!options_.record.empty()) {
       attempt_->recording = hal::numbered_name(options_.record);
+      attempt_->trainee = trainee;
       scored_.recording = std::filesystem::path(attempt_->recording).filename().string();
     }
     const auto courses = courses_of(*session_);
@@ -350,6 +349,12 @@ class Console {
     if (!running()) return server_->refuse("pause and resume: no attempt is running");
     attempt_->state.paused.store(on);
     become(on ? console::Activity::Paused : console::Activity::Running);
+  }
+
+  // Where no script does, a hand says that the attempt is over.
+  void end_now() {
+    if (!running()) return server_->refuse("end: no attempt is running");
+    end_attempt(console::Activity::Ended);
   }
 
   void back_to_start() {

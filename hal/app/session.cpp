@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <ctime>
 #include <filesystem>
 #include <limits>
 
@@ -173,6 +175,15 @@ const char* mode_name(const Session& s) {
   return s.scene.config.mode == Mode::kPaper ? "paper" : "physical";
 }
 
+std::string local_time() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts = {};
+  localtime_r(&now, &parts);
+  std::array<char, 40> text;
+  const std::size_t size = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S%z", &parts);
+  return {text.data(), size};
+}
+
 namespace {
 
 hal::RecordingInfo recording_info(const Session& s, const std::vector<hal::Course>& courses) {
@@ -202,7 +213,10 @@ hal::Recorder::Tap with_igtl(const Session& s, hal::Recorder::Tap tap) {
 
 void prepare(Session& s, Attempt& a, hal::Display* display, hal::Recorder::Tap tap) {
   const std::vector<hal::Course> courses = courses_of(s);
-  const hal::RecordingInfo info = recording_info(s, courses);
+  hal::RecordingInfo info = recording_info(s, courses);
+  // On a virtual clock there is no date: the same run gives the same file.
+  if (!s.options.fast) info.began = local_time();
+  info.trainee = a.trainee;
   a.display = display;
   if (s.runs++ > 0) {
     reset(s.instance->kernel);

@@ -69,6 +69,8 @@ void load(Session& session);
 void open_devices(Session& session);
 std::vector<hal::Course> courses_of(const Session& session);
 const char* mode_name(const Session& session);
+// Now, ISO 8601, local time with its offset.
+std::string local_time();
 
 // One run from the start of the scene.
 struct Attempt {
@@ -85,6 +87,7 @@ struct Attempt {
   hal::Ring<Event> events{1024};
   hal::Display* display = nullptr;  // null: none
   std::string recording;            // empty: none
+  std::string trainee;              // for the recording; empty: not said
   std::unique_ptr<hal::RecordingWriter> writer;
   std::unique_ptr<hal::FlightRecorder> flight;
   std::unique_ptr<hal::Scorer> scorer;

@@ -238,9 +238,10 @@ Bytes score_message(const Stage& stage, const ScoredAttempt& attempt, std::span<
   return finished(builder, Body::Score, out.Finish());
 }
 
-Bytes marked_message(std::uint64_t tick, const std::string& text) {
+Bytes marked_message(std::uint64_t tick, const std::string& text, std::uint32_t attempt) {
   Builder builder;
-  return finished(builder, Body::Marked, CreateMarked(builder, tick, builder.CreateString(text)));
+  const auto words = builder.CreateString(text);
+  return finished(builder, Body::Marked, CreateMarked(builder, tick, words, attempt));
 }
 
 void quantise(const Lattice& lattice, std::span<const stylet::Vec3> moved_m, Places& places_out) {
@@ -289,7 +290,7 @@ Bytes frame_message(const FrameParts& parts) {
   return finished(builder, Body::Frame,
                   CreateFrame(builder, parts.state->hand[0].output.tick, parts.activity, key,
                               moved_index, moved_to, needle_vector, particle_vector, touch_vector,
-                              event_vector, row_vector, timing_table));
+                              event_vector, row_vector, timing_table, parts.attempt));
 }
 
 std::optional<Asked> read_message(std::span<const std::byte> bytes) {
@@ -307,6 +308,8 @@ std::optional<Asked> read_message(std::span<const std::byte> bytes) {
       return Order{Verb::kResume};
     case Body::Reset:
       return Order{Verb::kReset};
+    case Body::End:
+      return Order{Verb::kEnd};
     case Body::Choose:
       return Order{Verb::kChoose, text_of(message.body_as_Choose()->scene())};
     case Body::Seek:

@@ -24,7 +24,8 @@ Bytes refused_message(const std::string& what);
 Bytes rows_message(std::uint64_t first, std::uint32_t stride, std::span<const Row> rows,
                    std::span<const Happened> events);
 Bytes score_message(const Stage& stage, const ScoredAttempt& attempt, std::span<const Row> rows);
-Bytes marked_message(std::uint64_t tick, const std::string& text);
+// attempt: from 1, as in a score; 0: of a recording.
+Bytes marked_message(std::uint64_t tick, const std::string& text, std::uint32_t attempt);
 
 // Places of the lattice's particles in kPositionUnitM from rest: x y z of each.
 using Places = std::vector<std::int16_t>;
@@ -47,6 +48,7 @@ struct FrameParts {
   std::span<const Row> rows;
   std::span<const Happened> events;
   const TimingShown* timing;
+  std::uint32_t attempt = 0;  // from 1; 0: none yet, or a recording
 };
 Bytes frame_message(const FrameParts& parts);
 

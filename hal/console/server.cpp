@@ -113,7 +113,7 @@ struct Server::Impl {
   TimingShown timing;
   std::uint32_t rounds = 0;
   std::uint64_t lost_frames = 0;  // of all pages so far
-  std::deque<Parcel> marks;       // of this attempt
+  std::deque<Parcel> marks;       // of this session
   std::deque<Parcel> scores;      // of this session
   std::thread thread;             // last: it uses all of the above
 };
@@ -362,9 +362,7 @@ void Server::Impl::wait_for_frame() {
 }
 
 void Server::Impl::take_news() {
-  const std::uint64_t attempt = live.attempt();
   for (Told each; told.pop(each);) live.add(each);
-  if (live.attempt() != attempt) marks.clear();
   if (stage == nullptr) return;
   if (const hal::DisplayState* newest = stage->display->take(); newest != nullptr) {
     state = newest;
@@ -405,8 +403,8 @@ void Server::Impl::serve_frames() {
             ? std::vector<Row>{}
             : thin(rows, rows.front().tick(), stride_for(rows.size(), 1, kMaxRowsPerFrame));
     timing.lost_frames = got.lost_frames;
-    link->send(
-        shared(frame_message({activity, state, &places, &got.places, shown, happened, &timing})));
+    link->send(shared(frame_message({activity, state, &places, &got.places, shown, happened,
+                                     &timing, static_cast<std::uint32_t>(live.attempt())})));
     got.places = places;
     got.serial = serial;
     got.activity = activity;
@@ -456,7 +454,9 @@ std::string Server::Impl::take_order(const Link& link, Order order) {
   }
   const std::string refused = events.ordered(order);
   if (refused.empty() && mark) {
-    keep_and_send(marks, kMaxMarksKept, marked_message(order.tick, order.text));
+    // Before the first tick, a mark is of the attempt to come.
+    const auto attempt = static_cast<std::uint32_t>(std::max<std::uint64_t>(live.attempt(), 1));
+    keep_and_send(marks, kMaxMarksKept, marked_message(order.tick, order.text, attempt));
   }
   return refused;
 }
@@ -522,7 +522,7 @@ void Server::show(Activity activity) {
 void Server::show(std::shared_ptr<const Curve> curve, std::span<const hal::Mark> marks) {
   std::deque<Parcel> told;
   for (const hal::Mark& each : marks.first(std::min(marks.size(), kMaxMarksKept))) {
-    told.push_back(shared(marked_message(each.tick, each.text)));
+    told.push_back(shared(marked_message(each.tick, each.text, 0)));
   }
   asio::post(impl_->io, [impl = impl_.get(), curve = std::move(curve), told = std::move(told)] {
     impl->recorded = curve;

@@ -55,6 +55,7 @@ enum class Verb {
   kPause,
   kResume,
   kReset,
+  kEnd,
   kChoose,
   kSeek,
   kPlay,

@@ -91,6 +91,14 @@ void visit_attributes(Visitor& visit, Info& info) {
                &info.config.breathing.period_s);
 }
 
+// Texts that a recording may go without: a run on a virtual clock has no date, so that its file is
+// the same each time.
+template <typename Visitor, typename Info>
+void visit_optional_texts(Visitor& visit, Info& info) {
+  visit.optional_text("began", info.began);
+  visit.optional_text("trainee", info.trainee);
+}
+
 Handle number_space(std::uint32_t width) {
   const hsize_t size = width;
   return {width == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &size, nullptr), H5Sclose};
@@ -107,6 +115,10 @@ struct AttributeWriter {
     if (attribute.id < 0 || H5Awrite(attribute.id, memory_type(type), value) < 0) {
       fail(path, name, "attribute cannot be written");
     }
+  }
+
+  void optional_text(const char* name, const std::string& value) {
+    if (!value.empty()) text(name, value);
   }
 
   // As a dataset: an attribute holds 64 KiB at most.
@@ -140,6 +152,10 @@ struct AttributeReader {
       fail(path, name, fmt::format("attribute has another type: expected {} number(s)", width));
     }
     if (H5Aread(attribute.id, memory_type(type), value) < 0) fail(path, name, "attribute damaged");
+  }
+
+  void optional_text(const char* name, std::string& value) {
+    if (H5Lexists(file, name, H5P_DEFAULT) > 0) text(name, value);
   }
 
   void text(const char* name, std::string& value) {
@@ -432,6 +448,7 @@ RecordingWriter::RecordingWriter(const std::string& path, const RecordingInfo& i
   writer.text("format", kFormatName);
   writer.number("format_version", ColumnType::kUint32, 1, &kFormatVersion);
   visit_attributes(writer, info);
+  visit_optional_texts(writer, info);
   write_bodies(id, file_->path, info);
   for (Table& each : file_->ticks) each.create();
   file_->events.create();
@@ -508,6 +525,7 @@ RecordingReader::RecordingReader(const std::string& path) {
         fmt::format("{}: expected {}; record it again with this program", version, kFormatVersion));
   }
   visit_attributes(reader, file_->info);
+  visit_optional_texts(reader, file_->info);
   read_bodies(id, file_->path, file_->info);
   std::uint64_t ticks = 0;
   reader.number("ticks", ColumnType::kUint64, 1, &ticks);

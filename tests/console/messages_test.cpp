@@ -212,7 +212,7 @@ TEST(Messages, AreReadAsTheyWereMeant) {
 
 TEST(Messages, OfTheServerAreNoneOfThePage) {
   EXPECT_FALSE(read_message(copied(refused_message("no"))).has_value());
-  EXPECT_FALSE(read_message(copied(marked_message(1, "here"))).has_value());
+  EXPECT_FALSE(read_message(copied(marked_message(1, "here", 1))).has_value());
   const Bytes no_place = page_message(Body::Pointer, [](auto& b) { return CreatePointer(b, 0); });
   EXPECT_FALSE(read_message(copied(no_place)).has_value());
   EXPECT_FALSE(read_message({}).has_value());

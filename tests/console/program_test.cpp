@@ -7,6 +7,7 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 
@@ -42,14 +43,7 @@ class Program {
   Program() {
     folder_ = fs::temp_directory_path() / ("stylet-program-" + std::to_string(getpid()));
     fs::create_directories(folder_);
-    stylet::test::TinyOrgan tiny;
-    tiny.nx = tiny.ny = tiny.nz = 4;
-    tiny.fixed_faces = stylet::test::kHighX;
-    tiny.materials[0].puncture_force_n = 0.2F;
-    const auto bytes = stylet::test::tiny_organ(tiny);
-    std::ofstream(folder_ / "tiny.organ", std::ios::binary)
-        .write(reinterpret_cast<const char*>(bytes.data()),
-               static_cast<std::streamsize>(bytes.size()));
+    write_organ("tiny.organ", 4);
     std::ofstream(folder_ / "first.toml") << kScene;
     std::ofstream(folder_ / "second.toml") << kScene;
     std::ofstream(folder_ / "tissues.toml") << "[gel]\n";
@@ -60,6 +54,18 @@ class Program {
   }
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
+
+  void write_organ(const std::string& name, std::uint16_t voxels_x) const {
+    stylet::test::TinyOrgan tiny;
+    tiny.nx = voxels_x;
+    tiny.ny = tiny.nz = 4;
+    tiny.fixed_faces = stylet::test::kHighX;
+    tiny.materials[0].puncture_force_n = 0.2F;
+    const auto bytes = stylet::test::tiny_organ(tiny);
+    std::ofstream(folder_ / name, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+  }
 
   std::string at(const std::string& name) const { return (folder_ / name).string(); }
 
@@ -120,6 +126,7 @@ auto verb(Body type) {
     if (type == Body::Pause) return CreatePause(b).Union();
     if (type == Body::Resume) return CreateResume(b).Union();
     if (type == Body::Reset) return CreateReset(b).Union();
+    if (type == Body::End) return CreateEnd(b).Union();
     return CreateStart(b, b.CreateString("A. Trainee")).Union();
   });
 }
@@ -235,10 +242,18 @@ TEST(Program, MarksAreInTheRecordingAndOnItsPage) {
   EXPECT_EQ(mark->text()->str(), "slower, please");
   const std::uint64_t tick = mark->tick();
   EXPECT_GT(tick, 100U);
-  trainee.say_message(verb(Body::Reset));
+  EXPECT_EQ(mark->attempt(), 1U);
+  const std::time_t before = std::time(nullptr);
+  trainee.say_message(verb(Body::End));
   ASSERT_NE(trainee.next_of<Score>(Body::Score), nullptr);
+  EXPECT_TRUE(await(trainee, Activity::Ended));  // its end stays to be seen
   program.end();
   const hal::RecordingReader recording(program.at("out-1.h5"));
+  EXPECT_EQ(recording.info().trainee, "A. Trainee");
+  std::tm began = {};
+  ASSERT_NE(strptime(recording.info().began.c_str(), "%Y-%m-%dT%H:%M:%S", &began), nullptr);
+  began.tm_isdst = -1;
+  EXPECT_NEAR(static_cast<double>(std::mktime(&began)), static_cast<double>(before), 60);
   ASSERT_EQ(recording.marks().size(), 1U);
   EXPECT_EQ(recording.marks()[0].tick, tick);
   EXPECT_EQ(recording.marks()[0].text, "slower, please");
@@ -324,6 +339,27 @@ TEST(Program, ARecordingIsPlayedAndAnotherSceneChosen) {
   program.start({"console", program.at("plain-1.h5"), "--port", "0"});
   EXPECT_EQ(program.wait(), 1);
   EXPECT_NE(program.output().find("give it with --organ"), std::string::npos) << program.output();
+}
+
+// --organ is for the scene it was given with: the next one's targets lie in an organ of its own.
+TEST(Program, AnotherSceneHasAnOrganOfItsOwn) {
+  Program program;
+  program.write_organ("given.organ", 5);
+  program.start({"run", program.at("first.toml"), "--organ", program.at("given.organ"), "--fast",
+                 "--flight", program.at("flight.h5"), "--console=0"});
+  Client client(program.port());
+  ASSERT_EQ(client.join(), 101U);
+  const auto voxels = [&client](const char* scene) {
+    const Hello* hello = client.next_of<Hello>(
+        Body::Hello, [scene](const Hello& h) { return h.scene()->str() == scene; });
+    return hello == nullptr ? 0 : hello->corners()->size() / 8;
+  };
+  EXPECT_EQ(voxels("first.toml"), 5 * 4 * 4U) << program.output();
+  for (const auto& [scene, expected] : {std::pair("second.toml", 64U), {"first.toml", 80U}}) {
+    client.say_message(page_message(
+        Body::Choose, [&](auto& b) { return CreateChoose(b, b.CreateString(scene)); }));
+    EXPECT_EQ(voxels(scene), expected) << program.output();
+  }
 }
 
 }  // namespace

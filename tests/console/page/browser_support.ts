@@ -82,5 +82,9 @@ export async function scrub(page: Page, tick: number): Promise<void> {
   await page.waitForFunction((to) => window.stylet.store.frame?.tick === to, tick);
 }
 
+// The exact text that the pointer is told.
+export const exactOf = async(page: Page, name: string): Promise<string> =>
+    (await page.locator(`[data-value=${name}]`).getAttribute('title')) ?? '';
+
 export const valueOf = async(page: Page, name: string): Promise<string> =>
     (await page.locator(`[data-value=${name}]`).textContent()) ?? '';

@@ -233,6 +233,9 @@ export class MockServer {
         this.activity = 1;
         this.began = performance.now() - this.tick;
         break;
+      case wire.Body.End:
+        this.finish();
+        break;
       case wire.Body.Reset:
         if (this.activity === 1 || this.activity === 2) this.finish();
         this.activity = 0;
@@ -255,7 +258,8 @@ export class MockServer {
         const words = body(new wire.Mark()).text() ?? '';
         const tick = BigInt(this.tick);
         this.say(message(
-            wire.Body.Marked, (b) => wire.Marked.createMarked(b, tick, b.createString(words))));
+            wire.Body.Marked,
+            (b) => wire.Marked.createMarked(b, tick, b.createString(words), this.attempt)));
         break;
       }
       case wire.Body.Pointer: {
@@ -493,6 +497,7 @@ export class MockServer {
       wire.Frame.addEvents(b, events);
       wire.Frame.addRows(b, rows);
       wire.Frame.addTiming(b, timing);
+      wire.Frame.addAttempt(b, this.options.recordingTicks ? 0 : this.attempt);
       return wire.Frame.endFrame(b);
     });
   }

@@ -11,7 +11,7 @@ import {test} from 'node:test';
 
 import type {Page} from 'playwright-core';
 import {vertexNormals} from '../../../hal/console/page/src/organ';
-import {launch, open, scrub, shown, valueOf} from './browser_support';
+import {exactOf, launch, open, scrub, shown} from './browser_support';
 
 const kBin = process.env.STYLET_BIN ?? '';
 const kScene = join(kPage, '../../scenes/fig09-force-curve.toml');
@@ -95,7 +95,7 @@ test('the surface is the kernel\'s own to 0.1 mm, the force the recorded one', a
       await scrub(page, tick);
       await page.waitForFunction(
           (t) => document.querySelector('[data-value=tick]')?.textContent === String(t), tick);
-      const told = (await valueOf(page, 'vector')).replace(' N', '').split(', ').map(Number);
+      const told = (await exactOf(page, 'vector')).replace(' N', '').split(', ').map(Number);
       assert.deepEqual(told.map((v) => Math.fround(v) + 0), forces[i].map((v) => v + 0));
       const own = shapes[i].surface_m.flat();
       for (const byGpu of [true, false]) {

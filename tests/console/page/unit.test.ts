@@ -3,11 +3,15 @@
 import * as flatbuffers from 'flatbuffers';
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
+import * as THREE from 'three';
 
 import * as wire from '../../../hal/console/page/generated/stylet/format/organ';
 import {Run} from '../../../hal/console/page/generated/stylet/format/run';
 import {Sheets} from '../../../hal/console/page/generated/stylet/format/sheets';
 import {waitMs} from '../../../hal/console/page/src/connection';
+import {spread} from '../../../hal/console/page/src/labels';
+import {materialColours} from '../../../hal/console/page/src/palette';
+import {croppedFaces, slice} from '../../../hal/console/page/src/view3d/caps';
 
 import {csv, figureSvg, ticksOf, type Figure} from '../../../hal/console/page/src/figure';
 import {
@@ -214,6 +218,60 @@ test('outer edges: 12 of one voxel, 20 of two side by side, none inside', () => 
   assert.equal(box(2, 1, 1), 20);
   // A cube of n^3 has 6 n^2 outer faces, and twice as many edges of them.
   assert.equal(box(4, 4, 4), 12 * 16);
+});
+
+test('a plane cuts a cube in the polygon that integration finds, and beside it in none', () => {
+  const next = random(7);
+  const corners = Array.from({length: 8}, (_, c) => new THREE.Vector3(c & 1, (c >> 1) & 1, c >> 2));
+  for (let i = 0; i < 200; ++i) {
+    const normal = new THREE.Vector3(next() - 0.5, next() - 0.5, next() - 0.5).normalize();
+    const w = 1.6 * next() - 0.8 + normal.dot(new THREE.Vector3(0.5, 0.5, 0.5));
+    const polygon = slice((c) => corners[c].clone(), corners.map((p) => normal.dot(p) - w), normal);
+    let area = 0;
+    for (let k = 2; k < (polygon?.length ?? 0); ++k) {
+      const [a, b, c] = [polygon![0], polygon![k - 1], polygon![k]];
+      area += b.clone().sub(a).cross(c.clone().sub(a)).dot(normal) / 2;
+    }
+    // The share of the cube within d of the plane, over 2 d: another way to the same area.
+    const sum = new THREE.Vector3();
+    const [steps, d] = [60, 0.02];
+    let inside = 0;
+    for (let x = 0; x < steps; ++x) {
+      for (let y = 0; y < steps; ++y) {
+        for (let z = 0; z < steps; ++z) {
+          sum.set(x + next(), y + next(), z + next()).divideScalar(steps);
+          if (Math.abs(normal.dot(sum) - w) < d) ++inside;
+        }
+      }
+    }
+    const sampled = inside / steps ** 3 / (2 * d);
+    assert.ok(Math.abs(area - sampled) < 0.06, `${area} of ${sampled}`);
+  }
+});
+
+test('labels that would cover each other are pushed apart, others stay', () => {
+  const next = random(11);
+  for (let i = 0; i < 100; ++i) {
+    const labels = Array.from({length: 8}, () => ({
+                                             x: 300 * next(),
+                                             y: 200 * next(),
+                                             width: 30 + 80 * next(),
+                                             height: 18,
+                                           }));
+    const heights = spread(labels);
+    labels.forEach((a, p) => labels.slice(0, p).forEach((b, q) => {
+      const beside = a.x >= b.x + b.width || b.x >= a.x + a.width;
+      assert.ok(beside || Math.abs(heights[p] - heights[q]) >= 18 - 1e-9);
+    }));
+    assert.ok(heights.every((h, k) => h >= labels[k].y));
+  }
+  const apart = [{x: 0, y: 5, width: 10, height: 10}, {x: 20, y: 5, width: 10, height: 10}];
+  assert.deepEqual(spread(apart), [5, 5]);
+});
+
+test('no two of 27 tissues have the same colour, whatever they are called', () => {
+  const names = ['liver', 'fat', ...Array.from({length: 25}, (_, i) => `tissue ${i}`)];
+  assert.equal(new Set(materialColours(names)).size, 27);
 });
 
 test('phases: contact, insertion with its hold, withdrawal', () => {

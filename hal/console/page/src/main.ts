@@ -6,7 +6,7 @@ import {Connection, withToken} from './connection';
 import {el} from './dom';
 import {misfit, readOrgan} from './organ';
 
-import type {FromServer} from './protocol';
+import {Activity, type FromServer} from './protocol';
 import {ForcePanel} from './panels/force_panel';
 import {LoopPanel} from './panels/loop_panel';
 import {PlaybackBar} from './panels/playback_bar';
@@ -17,7 +17,7 @@ import {ScenePanel} from './panels/scene_panel';
 import {kViews, SessionBar} from './panels/session_bar';
 import {makeHelp, Status} from './panels/status';
 import {ComparePanel, MarksPanel, ScorePanel} from './panels/training_panels';
-import {Store} from './store';
+import {isBusy, Store} from './store';
 import {texts} from './texts';
 
 const store = new Store();
@@ -125,9 +125,20 @@ document.body.append(
 document.addEventListener('keydown', key);
 store.on(['view'], () => {
   document.body.dataset.view = store.view;
+  // Back goes to the view before, not away from the session.
+  if (window.location.hash.slice(1) !== store.view)
+    window.history.pushState(null, '', `#${store.view}`);
   main.setAttribute('aria-labelledby', `tab-${store.view}`);
 });
-store.select(kViews.find((name) => name === window.location.hash.slice(1)) ?? 'trainee');
+const viewAsked = () => kViews.find((name) => name === window.location.hash.slice(1)) ?? 'trainee';
+window.addEventListener('popstate', () => store.select(viewAsked()));
+window.history.replaceState(null, '', `#${viewAsked()}`);
+store.select(viewAsked());
+// Leaving in the middle of an attempt lets go of the needle: the browser asks first.
+window.addEventListener('beforeunload', (event) => {
+  if (store.hello?.mayControl && !store.playback && isBusy(store.frame?.activity ?? Activity.Ready))
+    event.preventDefault();
+});
 if (!scene.begin()) status.notice(texts.link.webgl);
 connection.open();
 

@@ -55,7 +55,21 @@ const kUsual: Record<string, number> = {
   bone: 2,
 };
 
-// A colour for each material of an organ.
+// The same colour, nearer to white or to black: share from 0 to 1.
+function mixed(colour: string, with255: number, share: number): string {
+  const parts = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
+  const out = parts.map((part) => Math.round(part + share * (with255 - part)));
+  return `#${out.map((part) => part.toString(16).padStart(2, '0')).join('')}`;
+}
+
+// More tissues than Tol's scheme has colours: the same again, lighter, then darker.
+const kManyMaterials = [
+  ...kMaterials,
+  ...kMaterials.map((colour) => mixed(colour, 255, 0.55)),
+  ...kMaterials.map((colour) => mixed(colour, 0, 0.45)),
+];
+
+// A colour for each material of an organ, no two the same among the first 27.
 export function materialColours(names: string[]): string[] {
   const taken = new Set<number>();
   const own = names.map((name) => {
@@ -64,9 +78,10 @@ export function materialColours(names: string[]): string[] {
     taken.add(wish);
     return wish;
   });
-  const free = kMaterials.map((_, i) => i).filter((i) => !taken.has(i));
+  const free = kManyMaterials.map((_, i) => i).filter((i) => !taken.has(i));
   let next = 0;
-  return own.map((at, i) => kMaterials[at >= 0 ? at : free[next++] ?? i % kMaterials.length]);
+  return own.map(
+      (at, i) => kManyMaterials[at >= 0 ? at : free[next++] ?? i % kManyMaterials.length]);
 }
 
 // Of the bodies in the 3D view, the same on light and dark ground.

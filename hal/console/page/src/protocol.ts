@@ -144,6 +144,7 @@ export interface Frame {
   events: Happened[];
   rows: Row[];
   timing: Timing|null;
+  attempt: number;  // from 1; 0: none yet, or a recording
 }
 export interface RowsAnswer {
   kind: 'rows';
@@ -175,6 +176,7 @@ export interface Marked {
   kind: 'marked';
   tick: number;
   text: string;
+  attempt: number;  // 0: of a recording
 }
 export interface Refused {
   kind: 'refused';
@@ -372,6 +374,7 @@ function frame(f: wire.Frame): Frame {
     events: list(f.eventsLength(), (i) => f.events(i), happened),
     rows: list(f.rowsLength(), (i) => f.rows(i), row),
     timing: timing(f.timing()),
+    attempt: f.attempt(),
   };
 }
 
@@ -433,7 +436,7 @@ export function decode(bytes: ArrayBuffer): FromServer|null {
         return score(body(new wire.Score()));
       case wire.Body.Marked: {
         const m = body(new wire.Marked());
-        return {kind: 'marked', tick: Number(m.tick()), text: text(m.text())};
+        return {kind: 'marked', tick: Number(m.tick()), text: text(m.text()), attempt: m.attempt()};
       }
       case wire.Body.Refused:
         return {kind: 'refused', what: text(body(new wire.Refused()).what())};
@@ -459,6 +462,7 @@ export const ask = {
   pause: () => message(wire.Body.Pause, (b) => wire.Pause.createPause(b)),
   resume: () => message(wire.Body.Resume, (b) => wire.Resume.createResume(b)),
   reset: () => message(wire.Body.Reset, (b) => wire.Reset.createReset(b)),
+  end: () => message(wire.Body.End, (b) => wire.End.createEnd(b)),
   choose: (scene: string) =>
       message(wire.Body.Choose, (b) => wire.Choose.createChoose(b, b.createString(scene))),
   seek: (tick: number) => message(

@@ -27,7 +27,7 @@ export class Store {
   moved = new Int16Array();  // x y z 0 of each particle, in Hello.positionUnit
   series: Series[] = [];     // one a needle
   events: Happened[] = [];
-  marks: Marked[] = [];
+  allMarks: Marked[] = [];  // of every attempt
   scores: Score[] = [];
   view: ViewName = 'trainee';
   needle = 0;
@@ -45,6 +45,12 @@ export class Store {
   }
 
   get playback(): boolean { return (this.hello?.recordingTicks ?? 0) > 0; }
+
+  // Of the attempt that rows and events are of.
+  get marks(): Marked[] {
+    const attempt = this.frame?.attempt ?? 0;
+    return this.allMarks.filter((mark) => mark.attempt === attempt);
+  }
 
   get period(): number { return this.hello?.period ?? 1e-3; }
 
@@ -72,7 +78,8 @@ export class Store {
         this.tell('scores');
         break;
       case 'marked':
-        this.marks = [...this.marks, message].sort((a, b) => a.tick - b.tick);
+        this.allMarks =
+            [...this.allMarks, message].sort((a, b) => a.attempt - b.attempt || a.tick - b.tick);
         this.tell('marks');
         this.tell('rows');
         break;
@@ -93,7 +100,7 @@ export class Store {
     this.needle = Math.min(this.needle, hello.needles.length - 1);
     this.series = hello.needles.map(() => new Series());
     this.events = [];
-    this.marks = [];  // the server tells all of them again
+    this.allMarks = [];  // the server tells all of them again
     this.tell('hello');
     this.tell('rows');
   }
@@ -132,7 +139,6 @@ export class Store {
   private forget(): void {
     for (const series of this.series) series.clear();
     this.events = [];
-    this.marks = [];
     this.tell('rows');
   }
 

@@ -38,6 +38,7 @@ export const texts = {
     start: 'Start',
     pause: 'Pause',
     resume: 'Resume',
+    end: 'End',
     reset: 'Reset',
     acknowledge: 'Acknowledge fault',
     activity: ['Ready', 'Running', 'Paused', 'Ended', 'Recording'],
@@ -146,6 +147,7 @@ export const texts = {
       message: 'Read a frame',
       deform: 'Deform',
       bodies: 'Needle and particles',
+      caps: 'Faces of the cut',
       face: 'Leave out what faces away',
       draw: 'Draw',
       plots: 'Plots'
@@ -259,7 +261,8 @@ export const texts = {
         'Drag up to push and down to pull, sideways to move aside, wheel to roll. Keys: W and S ' +
         'push and pull, A and D aside, R and F up and down, Q and E roll; Shift is slow.',
     pad: 'Needle: drag up to push, down to pull; keys W S A D R F Q E',
-    advance: (mm: number) => `Advance ${mm.toFixed(1)} mm`,
+    advance: (mm: number) =>
+        mm < 0 ? `Tip ${(-mm).toFixed(1)} mm before the skin` : `Tip ${mm.toFixed(1)} mm past it`,
     roll: (deg: number) => `Roll ${deg.toFixed(0)} deg`,
     home: 'Back to the start',
   },

@@ -25,6 +25,8 @@ struct RecordingError : std::runtime_error {
 
 struct RecordingInfo {
   std::string stylet_version;
+  std::string began;    // ISO 8601, local time with its offset; empty: not kept
+  std::string trainee;  // whose hand; empty: not said
   std::string scene_file;
   std::string scene_text;
   std::string organ_file;  // full path at the time of recording

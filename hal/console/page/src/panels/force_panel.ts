@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The force now, or at the cursor of a recording: a gauge, and every number exactly as it came.
+// The force now, or at the cursor of a recording: a gauge, and numbers that can be read; exactly as
+// it came each is told by the pointer that rests on it.
 import {el, field, panel, say} from '../dom';
 import {kCauseStroke} from '../palette';
 import {kCauses, kNoLayer, type NeedleFrame, type Vec3} from '../protocol';
 import {exactText} from '../series';
 import type {Store} from '../store';
 import {texts} from '../texts';
+
+const kDigits = 3;  // of newtons: mN
 
 const size = (v: Vec3): number => Math.hypot(v.x, v.y, v.z);
 
@@ -103,6 +106,11 @@ export class ForcePanel {
     if (cell) say(cell, text);
   }
 
+  private tellExactly(name: string, text: string): void {
+    const cell = this.cells.get(name);
+    if (cell && cell.title !== text) cell.title = text;
+  }
+
   private showFacts(of: NeedleFrame, most: number): void {
     const {frame, hello, needle} = this.store;
     const axis = hello?.needles[needle]?.direction;
@@ -113,12 +121,15 @@ export class ForcePanel {
     this.put('tick', String(frame.tick));
     this.put('time', texts.units.s(this.store.seconds(frame.tick), 3));
     const {x, y, z} = of.force;
-    this.put('vector', `${exactText(x)}, ${exactText(y)}, ${exactText(z)} N`);
+    this.put('vector', `${[x, y, z].map((v) => v.toFixed(kDigits)).join(', ')} N`);
+    this.tellExactly('vector', `${[x, y, z].map(exactText).join(', ')} N`);
     const along = (v: Vec3) => v.x * axis.x + v.y * axis.y + v.z * axis.z;
     const row = this.store.rows.near(frame.tick);
     const known = row !== null && row.tick === frame.tick;
-    this.put('axial', known ? `${exactText(row.force)} N` : texts.units.n(-along(of.force), 3));
-    this.put('lateral', known ? `${exactText(row.lateral)} N` : texts.scores.dash);
+    this.put('axial', texts.units.n(known ? row.force : -along(of.force), kDigits));
+    this.tellExactly('axial', known ? `${exactText(row.force)} N` : '');
+    this.put('lateral', known ? texts.units.n(row.lateral, kDigits) : texts.scores.dash);
+    this.tellExactly('lateral', known ? `${exactText(row.lateral)} N` : '');
     for (const cause of kCauses) {
       const value = size(of.causes[cause]);
       this.put(cause, texts.units.n(value));

@@ -60,7 +60,7 @@ export class LoopPanel {
     const budget = this.view()?.budget;
     if (!budget) return;
     facts(this.budget, [
-      ...(['message', 'deform', 'bodies', 'face', 'draw'] as const)
+      ...(['message', 'deform', 'bodies', 'caps', 'face', 'draw'] as const)
           .map(
               (part):
                   [string, string] => [texts.loop.parts[part], texts.loop.ms(budget.median(part))],

@@ -33,6 +33,13 @@ export function rollOf(degrees: number): Quaternion {
   return {w: Math.cos(half), x: 0, y: 0, z: Math.sin(half)};
 }
 
+const kKept = 'stylet.pointer';
+interface Kept {
+  scene: string;
+  place: Vec3;
+  roll: number;
+}
+
 const within = (value: number): number => Math.min(kFarthest, Math.max(-kFarthest, value));
 
 interface Spot {
@@ -98,7 +105,39 @@ export class PointerPanel {
 
   private begin(): void {
     this.root.hidden = this.needle < 0 || this.store.playback || !this.store.hello?.mayControl;
-    this.home();
+    this.activity = Activity.Running;  // unless the first frame says otherwise
+    this.takeUp();
+  }
+
+  // A page that is loaded again in an attempt goes on from where the needle was held.
+  private keep(): void {
+    const kept: Kept = {scene: this.store.hello?.scene ?? '', place: this.place, roll: this.roll};
+    window.sessionStorage.setItem(kKept, JSON.stringify(kept));
+  }
+
+  private takeUp(): void {
+    try {
+      const kept = JSON.parse(window.sessionStorage.getItem(kKept) ?? '{}') as Partial<Kept>;
+      const {x = 0, y = 0, z = 0} = kept.place ?? {};
+      const numbers = [x, y, z, kept.roll ?? 0];
+      if (kept.scene !== this.store.hello?.scene || !numbers.every(Number.isFinite))
+        return this.home();
+      this.place = {x: within(x), y: within(y), z: within(z)};
+      this.roll = kept.roll ?? 0;
+      this.changed();
+    } catch {
+      this.home();  // not what this page writes
+    }
+  }
+
+  // How far the tip is past the entry is read off the needle itself, not off the pointer's way.
+  private showWords(): void {
+    const tip = this.store.frame?.needles[this.needle]?.tip;
+    const info = this.store.hello?.needles[this.needle];
+    if (!tip || !info) return say(this.words, texts.pointer.roll(this.roll));
+    const {entry, direction: d} = info;
+    const past = d.x * (tip.x - entry.x) + d.y * (tip.y - entry.y) + d.z * (tip.z - entry.z);
+    say(this.words, `${texts.pointer.advance(1e3 * past)}\n${texts.pointer.roll(this.roll)}`);
   }
 
   // A reset puts the needle back to its start, so the pointer must not hold it elsewhere.
@@ -116,10 +155,8 @@ export class PointerPanel {
 
   private changed(): void {
     this.stale = true;
-    say(
-        this.words,
-        `${texts.pointer.advance(-1e3 * this.place.z)}\n${texts.pointer.roll(this.roll)}`,
-    );
+    this.showWords();
+    this.keep();
     const {x, z} = this.place;
     const [right, up] = [x, -z].map((v) => Math.max(-60, Math.min(60, 600 * v)));
     this.stem.style.transform = `translate(${right}px, ${- up}px) rotate(${this.roll}deg)`;
@@ -150,7 +187,9 @@ export class PointerPanel {
       pad.classList.add('held');
       this.stale = true;
     });
-    for (const end of ['pointerup', 'pointercancel'] as const) {
+    // A browser that began to drag the picture of the needle would take the pointer away.
+    pad.addEventListener('dragstart', (event) => event.preventDefault());
+    for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) {
       pad.addEventListener(end, (event) => {
         this.held.delete(event.pointerId);
         pad.classList.toggle('held', this.held.size > 0);
@@ -205,6 +244,7 @@ export class PointerPanel {
     const of = this.store.frame?.needles[this.needle];
     const info = this.store.hello?.needles[this.needle];
     if (!of || !info || this.root.hidden) return;
+    this.showWords();
     const {x, y, z} = of.force;
     const share = Math.min(1, Math.hypot(x, y, z) / (info.maxForce || 10));
     this.pull.style.transform = `scaleY(${share.toFixed(3)})`;

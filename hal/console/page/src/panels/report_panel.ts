@@ -6,7 +6,9 @@ import {attemptFigure} from '../force_figures';
 import type {Score} from '../protocol';
 import type {Store} from '../store';
 import {texts} from '../texts';
-import {attemptName, scoreLines} from './training_panels';
+import {attemptName, markText, scoreLines} from './training_panels';
+
+const kAttemptsAcross = 4;  // of a table on paper: more columns are cut off at its edge
 
 export class ReportPanel {
   readonly root: HTMLElement;
@@ -30,7 +32,7 @@ export class ReportPanel {
   }
 
   private draw(): void {
-    const {hello, scores, marks} = this.store;
+    const {hello, scores, allMarks: marks} = this.store;
     const made = new Date().toLocaleString('en-GB', {dateStyle: 'long', timeStyle: 'short'});
     const head =
         [hello?.scene ?? '', texts.report.made(made), texts.report.version(hello?.version ?? '')];
@@ -41,11 +43,7 @@ export class ReportPanel {
         ...(marks.length > 0 ?
                 [
                   el('h3', {}, texts.report.marks),
-                  el('ol', {},
-                     ...marks.map(
-                         (m) =>
-                             el('li', {},
-                                texts.marks.goTo(this.store.seconds(m.tick).toFixed(2), m.text)))),
+                  el('ol', {}, ...marks.map((m) => el('li', {}, markText(this.store, m)))),
                 ] :
                 []),
         el('p', {class: 'signature'}, texts.report.signature),
@@ -53,6 +51,19 @@ export class ReportPanel {
   }
 
   private attempts(scores: Score[]): HTMLElement[] {
+    const tables: HTMLElement[] = [];
+    for (let first = 0; first < scores.length; first += kAttemptsAcross)
+      tables.push(this.attemptTable(scores.slice(first, first + kAttemptsAcross)));
+    return [
+      el('h3', {}, texts.report.attempts),
+      ...tables,
+      el('h3', {}, texts.report.curves),
+      ...scores.filter((s) => s.rows.length > 1).map((s) => this.curve(s)),
+      ...scores.filter((s) => s.targets.length > 0).map((s) => this.targets(s)),
+    ];
+  }
+
+  private attemptTable(scores: Score[]): HTMLElement {
     const names = scoreLines(scores[0]).map(([name]) => name);
     const columns = scores.map((s) => scoreLines(s).map(([, text]) => text));
     const rows = [
@@ -65,13 +76,7 @@ export class ReportPanel {
       [texts.scores.lines.recording, ...scores.map((s) => s.recording || texts.scores.notKept)],
     ];
     const head = ['', ...scores.map((s) => texts.scores.attempt(s.attempt))];
-    return [
-      el('h3', {}, texts.report.attempts),
-      el('div', {class: 'wide'}, table(head, rows)),
-      el('h3', {}, texts.report.curves),
-      ...scores.filter((s) => s.rows.length > 1).map((s) => this.curve(s)),
-      ...scores.filter((s) => s.targets.length > 0).map((s) => this.targets(s)),
-    ];
+    return el('div', {class: 'wide'}, table(head, rows));
   }
 
   private curve(score: Score): HTMLElement {

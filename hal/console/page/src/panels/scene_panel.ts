@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The 3D view's frame: what is shown, from where, what the colours mean, and how fast.
 import {button, el, prefersStill, say, setOn, toggle} from '../dom';
+import {spread} from '../labels';
 import {kBody, materialColours} from '../palette';
 import type {Store} from '../store';
 import {texts} from '../texts';
@@ -96,6 +97,7 @@ export class ScenePanel {
     Object.assign((this.looks[this.store.view] ??= {}), look);
     this.view?.setLook(look);
     this.cutAt.hidden = !(this.view?.look.cut ?? false);
+    this.cutAt.value = String(this.view?.look.cutAt ?? 0.5);
     this.drawLegend();
   }
 
@@ -146,11 +148,21 @@ export class ScenePanel {
   private placeLabels(): void {
     const shown = this.store.view !== 'trainee';
     const targets = this.store.hello?.targets ?? [];
-    [...this.labels.children].forEach((label, i) => {
+    const labels = [...this.labels.children].map((label, i) => {
       const at = shown && targets[i] ? this.view?.project(targets[i].position) : null;
       const {style} = label as HTMLElement;
       style.display = at ? '' : 'none';
-      if (at) style.transform = `translate(${at.x.toFixed(1)}px, ${at.y.toFixed(1)}px)`;
+      return {label: label as HTMLElement, at: at ?? null};
+    });
+    const visible = labels.flatMap(({label, at}) => at ? [{label, x: at.x, y: at.y}] : []);
+    const heights = spread(visible.map(({label, x, y}) => ({
+                                         x,
+                                         y,
+                                         width: label.offsetWidth,
+                                         height: label.offsetHeight,
+                                       })));
+    visible.forEach(({label, x}, i) => {
+      label.style.transform = `translate(${x.toFixed(1)}px, ${heights[i].toFixed(1)}px)`;
     });
   }
 

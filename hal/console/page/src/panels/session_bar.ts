@@ -2,7 +2,7 @@
 // Top of the page: views, scene, trainee, and the attempt's start, pause and reset.
 import {button, el, say} from '../dom';
 import {Activity, ask} from '../protocol';
-import type {Store, ViewName} from '../store';
+import {isBusy, type Store, type ViewName} from '../store';
 import {texts} from '../texts';
 
 export const kViews: ViewName[] = ['trainee', 'teacher', 'engineer', 'report'];
@@ -22,6 +22,7 @@ export class SessionBar {
     'aria-label': `${texts.session.trainee}: ${texts.session.traineeHint}`,
   });
   private readonly main = button('', () => this.act(), {class: 'primary'});
+  private readonly end = button(texts.session.end, () => this.send(ask.end()));
   private readonly reset = button(texts.session.reset, () => this.send(ask.reset()));
   private readonly clear =
       button(texts.session.acknowledge, () => this.acknowledge(), {class: 'warning'});
@@ -50,6 +51,7 @@ export class SessionBar {
         this.scene,
         this.trainee,
         this.main,
+        this.end,
         this.reset,
         this.clear,
     );
@@ -107,7 +109,7 @@ export class SessionBar {
     this.scene.value = hello.scene;
     this.scene.disabled = hello.scenes.length < 2 || !hello.mayControl;
     const live = !this.store.playback;
-    for (const control of [this.trainee, this.main, this.reset]) {
+    for (const control of [this.trainee, this.main, this.end, this.reset]) {
       control.hidden = !live;
       control.disabled = !hello.mayControl;
       control.title = hello.mayControl ? '' : texts.session.watching;
@@ -125,7 +127,9 @@ export class SessionBar {
     this.state.dataset.activity = Activity[activity];
     say(this.clock, frame === null ? '' : texts.units.s(this.store.seconds(frame.tick), 1));
     this.clear.hidden = !hello?.mayControl || !frame?.needles.some((n) => n.fault !== '');
-    this.trainee.readOnly = activity === Activity.Running || activity === Activity.Paused;
+    const busy = isBusy(activity);
+    this.trainee.readOnly = busy;
+    this.end.disabled = !hello?.mayControl || !busy;
   }
 
   private showTabs(): void {

@@ -3,7 +3,7 @@
 import {button, el, field, panel, table} from '../dom';
 import {comparisonFigure} from '../force_figures';
 import {Plot} from '../plot';
-import {ask, type Score} from '../protocol';
+import {ask, type Marked, type Score} from '../protocol';
 import type {Store} from '../store';
 import {texts} from '../texts';
 
@@ -34,17 +34,13 @@ export class MarksPanel {
       this.input.value = '';
     });
     this.root = panel('marks', texts.marks.heading, 'teacher', form, this.list);
-    store.on(['rows', 'hello'], () => this.show());
+    store.on(['marks', 'hello'], () => this.show());
     this.show();
   }
 
   private show(): void {
-    const {marks} = this.store;
-    const shown = Number(this.list.dataset.count ?? -1);
-    if (shown === marks.length && marks.length > 0) return;
-    this.list.dataset.count = String(marks.length);
-    const items = marks.map((mark) => {
-      const label = texts.marks.goTo(this.store.seconds(mark.tick).toFixed(2), mark.text);
+    const items = this.store.allMarks.map((mark) => {
+      const label = markText(this.store, mark);
       const content =
           this.store.playback ? button(label, () => this.seek(mark.tick), {class: 'link'}) : label;
       return el('li', {}, content);
@@ -52,6 +48,12 @@ export class MarksPanel {
     this.list.replaceChildren(
         ...(items.length > 0 ? items : [el('li', {class: 'empty'}, texts.marks.none)]));
   }
+}
+
+// An attempt's number stands before its marks, a recording has one attempt only.
+export function markText(store: Store, mark: Marked): string {
+  const words = texts.marks.goTo(store.seconds(mark.tick).toFixed(2), mark.text);
+  return mark.attempt === 0 ? words : `${texts.scores.attempt(mark.attempt)}, ${words}`;
 }
 
 type Line = [name: string, text: string, number: number|null];

@@ -2,8 +2,8 @@
 // The organ's surface and its voxel lattice, deformed on the GPU: solid, as an x-ray, or cut open.
 //
 // Colours go to the screen as they are (no colour management), so the shading is kept plain: light
-// from the camera and from above. Where a plane cuts, the far inside is drawn flat and dark: it
-// looks like the cut face and hides nothing that lies in it.
+// from the camera and from above. Where a plane cuts a closed surface, a stencil counts on each
+// pixel how often one looks into it and out again: what remains is where caps.ts draws the face.
 import * as THREE from 'three';
 import {isOpen, outerEdges, type Organ} from '../organ';
 import {kBody, materialColours} from '../palette';
@@ -68,8 +68,7 @@ void main() {
   colour = vColour;
 #ifdef CUT
   if (dot(plane.xyz, vPlace) > plane.w) discard;
-  if (gl_FrontFacing) return;
-  if (clear > 0.5) discard;
+  if (gl_FrontFacing || clear > 0.5) return;
   colour = vec4(vInside, 1.0);
 #endif
 }`;
@@ -102,6 +101,7 @@ export interface Surface {
   open: boolean;    // its inside can be seen
   mesh: THREE.Mesh<THREE.BufferGeometry, THREE.RawShaderMaterial>;
   lattice: THREE.LineSegments<THREE.BufferGeometry, THREE.RawShaderMaterial>;
+  counters: THREE.Mesh<THREE.BufferGeometry, THREE.RawShaderMaterial>[];  // of the stencil
 }
 
 function vertexColours(organ: Organ): Float32Array {
@@ -140,7 +140,26 @@ export function makeSurface(
   mesh.frustumCulled = false;
   mesh.renderOrder = 2;
   const open = isOpen(organ.triangles);
-  return {skin, open, mesh, lattice: makeLattice(organ, hello, deformation, plane)};
+  const counters = [THREE.BackSide, THREE.FrontSide].map((side) => makeCounter(mesh, side));
+  return {skin, open, mesh, counters, lattice: makeLattice(organ, hello, deformation, plane)};
+}
+
+// Draws nothing; adds one to the stencil for each way in, takes one for each way out.
+function makeCounter(of: Surface['mesh'], side: THREE.Side): Surface['mesh'] {
+  const material = of.material.clone();
+  material.uniforms = of.material.uniforms;
+  material.defines = {...of.material.defines, CUT: 1};
+  material.side = side;
+  material.colorWrite = material.depthWrite = material.depthTest = false;
+  material.stencilWrite = true;
+  const step =
+      side === THREE.BackSide ? THREE.IncrementWrapStencilOp : THREE.DecrementWrapStencilOp;
+  material.stencilZPass = material.stencilZFail = step;
+  const counter = new THREE.Mesh(of.geometry, material);
+  counter.frustumCulled = false;
+  counter.visible = false;
+  counter.renderOrder = 1.5;
+  return counter;
 }
 
 function skinGeometry(organ: Organ, skin: Skin): THREE.BufferGeometry {
@@ -206,4 +225,5 @@ export function setLook(surface: Surface, xray: boolean, cut: boolean): void {
   const {CUT: _, ...defines} = material.defines;
   material.defines = insides ? {...defines, CUT: 1} : defines;
   material.needsUpdate = true;
+  for (const counter of surface.counters) counter.visible = cut && !surface.open;
 }

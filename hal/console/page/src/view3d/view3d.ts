@@ -9,6 +9,7 @@ import * as THREE from 'three';
 import type {Store} from '../store';
 import {Bodies, disposeAll} from './bodies';
 import {aimAt, CameraMan, type Preset} from './camera';
+import {Caps} from './caps';
 import {makeDeformation, readBack, upload, type Deformation} from './deform';
 import {makeSkin} from './skin';
 import {faceSurface, makeSurface, moveSurface, setLook, type Surface} from './surface';
@@ -32,14 +33,16 @@ function drawnByProcessor(): boolean {
   return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
 
-export type Part = 'message'|'deform'|'bodies'|'face'|'draw';
+export type Part = 'message'|'deform'|'bodies'|'caps'|'face'|'draw';
 const kKept = 60;
 const kMostPixelRatio = 2;
 const kRestMs = 300;
+const kBehindNeedle = 2;  // radii
 
 class Budget {
   pictures = 0;  // since the page was opened
-  private kept: Record<Part, number[]> = {message: [], deform: [], bodies: [], face: [], draw: []};
+  private kept:
+      Record<Part, number[]> = {message: [], deform: [], bodies: [], caps: [], face: [], draw: []};
   private drawn: number[] = [];
 
   time<T>(part: Part, work: () => T): T {
@@ -51,7 +54,7 @@ class Budget {
     return out;
   }
   // Forgets what was measured.
-  clear(): void { this.kept = {message: [], deform: [], bodies: [], face: [], draw: []}; }
+  clear(): void { this.kept = {message: [], deform: [], bodies: [], caps: [], face: [], draw: []}; }
   tick(): void {
     ++this.pictures;
     this.drawn.push(performance.now());
@@ -82,11 +85,13 @@ export class View3d {
   private readonly plane = {value: new THREE.Vector4(0, 0, 0, 1)};
   private deformation: Deformation|null = null;
   private surface: Surface|null = null;
+  private caps: Caps|null = null;
   private bodies: Bodies|null = null;
   private stale = true;
-  private movedAt = 0;     // performance.now() of the last picture that something had changed for
-  private rested = false;  // the picture of rest is drawn
-  private fresh = false;   // a frame that is not uploaded yet
+  private movedAt = 0;       // performance.now() of the last picture that something had changed for
+  private rested = false;    // the picture of rest is drawn
+  private fresh = false;     // a frame that is not uploaded yet
+  private capsStale = true;  // faces of the cut are of another frame or plane
 
   constructor(
       readonly canvas: HTMLCanvasElement,
@@ -100,6 +105,7 @@ export class View3d {
       alpha: true,
       powerPreference: 'high-performance',
       preserveDrawingBuffer: false,
+      stencil: true,
     });
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     this.renderer.setClearColor(0x000000, 0);
@@ -147,7 +153,10 @@ export class View3d {
 
   private rebuild(): void {
     const {hello, organ} = this.store;
-    for (const thing of [this.bodies?.group, this.surface?.mesh, this.surface?.lattice]) {
+    const counters = this.surface?.counters ?? [];
+    for (const thing
+             of [this.bodies?.group, this.caps?.group, this.surface?.mesh, this.surface?.lattice,
+                 ...counters]) {
       if (!thing) continue;
       this.scene.remove(thing);
       disposeAll(thing);
@@ -157,7 +166,11 @@ export class View3d {
     this.deformation = makeDeformation(hello);
     this.surface = makeSurface(organ, hello, this.deformation, this.plane, this.byGpu);
     this.bodies = new Bodies(hello);
-    this.scene.add(this.surface.mesh, this.surface.lattice, this.bodies.group);
+    this.caps = new Caps(organ, hello, this.surface.open);
+    this.scene.add(
+        this.surface.mesh, this.surface.lattice, ...this.surface.counters, this.caps.group,
+        this.bodies.group);
+    this.look.cutAt = this.besideNeedle();
     const aim = aimAt(hello);
     this.surface.mesh.material.uniforms.upward.value.copy(aim.up);
     this.cameraMan.setScene(aim);
@@ -169,15 +182,27 @@ export class View3d {
   // The plane is parallel to the needle and faces the side preset's camera.
   private applyLook(): void {
     this.stale = true;
-    const {hello} = this.store;
-    if (this.surface === null || this.bodies === null || hello === null) return;
+    if (this.surface === null || this.bodies === null || this.caps === null) return;
     const {xray, lattice, particles, surface, cut, cutAt} = this.look;
     setLook(this.surface, xray, cut);
+    this.caps.setLook(xray, cut, surface);
     this.surface.mesh.visible = surface;
+    for (const counter of this.surface.counters) counter.visible &&= surface;
     this.surface.lattice.visible = lattice;
     this.bodies.showParticles(particles);
+    const {across, low, high} = this.acrossNeedle();
+    const at = cut ? high - cutAt * (high - low) : 1e3;
+    this.plane.value.set(across.x, across.y, across.z, at);
+    this.capsStale = true;
+  }
+
+  // The direction that the plane moves in, and the organ's extent along it.
+  private acrossNeedle(): {across: THREE.Vector3; low: number; high: number} {
+    const {hello} = this.store;
+    const across = new THREE.Vector3();
+    if (hello === null) return {across, low: 0, high: 1};
     const {direction, up} = aimAt(hello);
-    const across = new THREE.Vector3().crossVectors(direction, up).normalize();
+    across.crossVectors(direction, up).normalize();
     let [low, high] = [Infinity, -Infinity];
     for (let i = 0; i < hello.rest.length; i += 3) {
       const at =
@@ -185,8 +210,17 @@ export class View3d {
       low = Math.min(low, at);
       high = Math.max(high, at);
     }
-    const at = cut ? high - cutAt * (high - low) : 1e3;
-    this.plane.value.set(across.x, across.y, across.z, at);
+    return {across, low, high};
+  }
+
+  // Just behind the needle, so that it lies on the face of the cut.
+  private besideNeedle(): number {
+    const needle = this.store.hello?.needles[0];
+    const {across, low, high} = this.acrossNeedle();
+    if (!needle || !(high > low)) return 0.5;
+    const {x, y, z} = needle.entry;
+    const at = across.dot(new THREE.Vector3(x, y, z)) - kBehindNeedle * needle.outerRadius;
+    return Math.min(0.98, Math.max(0.02, (high - at) / (high - low)));
   }
 
   private resize(): void {
@@ -218,6 +252,11 @@ export class View3d {
       });
       this.budget.time('bodies', () => this.bodies?.show(frame));
       this.fresh = false;
+      this.capsStale = true;
+    }
+    if (this.capsStale) {
+      this.budget.time('caps', () => this.caps?.move(this.store.moved, this.plane.value));
+      this.capsStale = false;
     }
     this.budget.time('face', () => {
       if (this.surface) faceSurface(this.surface, this.cameraMan.camera.position);
