@@ -381,7 +381,7 @@ class Console {
     if (!running() || order.needle >= session_->stations.size()) {
       return server_->refuse("acknowledge: no such needle is running");
     }
-    for (std::uint32_t f = 1; f <= static_cast<std::uint32_t>(hal::Fault::kEnergy); ++f) {
+    for (std::uint32_t f = 1; f <= static_cast<std::uint32_t>(hal::kLastFault); ++f) {
       const auto fault = static_cast<hal::Fault>(f);
       if (order.text == hal::fault_name(fault)) {
         attempt_->state.mailbox[order.needle].seen.store(fault);

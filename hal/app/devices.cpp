@@ -133,12 +133,15 @@ void serve(const StationOptions& options, const hal::StationConfig& config,
     next_ns = std::max(next_ns, clock.now_ns(clock.self) - kPeriodNs) + kPeriodNs;
     clock.sleep_until_ns(clock.self, next_ns);
     // The hand has moved on, and the force that waits for it would be a kick.
-    const bool stalled = clock.now_ns(clock.self) - next_ns >= kPeriodNs * hal::kMaxMissedInARow;
+    const bool stalled = clock.now_ns(clock.self) - next_ns >= hal::kMaxLateNs;
     if (stalled) hal::guard_trip(state.guard, hal::Fault::kTooLate);
     hal::station_tick(config, state, device, link, next_ns);
     hal::exchange_mail(mailbox, state.guard);
   }
-  device.write(device.self, {{}});
+  for (bool gone = false; !gone; next_ns += kPeriodNs) {  // a guard's fade, 20 ms at most
+    clock.sleep_until_ns(clock.self, next_ns);
+    gone = hal::station_end(config, state, device, next_ns);
+  }
 }
 
 }  // namespace

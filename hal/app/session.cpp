@@ -211,6 +211,31 @@ hal::Recorder::Tap with_igtl(const Session& s, hal::Recorder::Tap tap) {
 
 }  // namespace
 
+namespace {
+
+void take_guards(const Session& s, Attempt& a) {
+  for (std::size_t i = 0; i < s.stations.size(); ++i) {
+    const Station& station = s.stations[i];
+    if (s.config.hand[i].scripted || station.left_ns == 0) continue;
+    hal::HandState& hand = a.state.hand[i];
+    const std::int64_t idle_ns = hal::monotonic_now_ns() - station.left_ns;
+    hand.guard = station.guard;
+    hand.torque_guard = station.torque_guard;
+    hal::guard_resume(s.config.hand[i].guard, hand.guard, idle_ns);
+    hal::guard_resume(s.config.hand[i].guard, hand.torque_guard, idle_ns);
+  }
+}
+
+void leave_guards(Session& s, const Attempt& a) {
+  for (std::size_t i = 0; i < s.stations.size(); ++i) {
+    s.stations[i].guard = a.state.hand[i].guard;
+    s.stations[i].torque_guard = a.state.hand[i].torque_guard;
+    s.stations[i].left_ns = hal::monotonic_now_ns();
+  }
+}
+
+}  // namespace
+
 void prepare(Session& s, Attempt& a, hal::Display* display, hal::Recorder::Tap tap) {
   const std::vector<hal::Course> courses = courses_of(s);
   hal::RecordingInfo info = recording_info(s, courses);
@@ -222,6 +247,7 @@ void prepare(Session& s, Attempt& a, hal::Display* display, hal::Recorder::Tap t
     reset(s.instance->kernel);
     for (std::uint32_t i = 0; i < s.stations.size(); ++i) rewind_hand(s, i);
   }
+  take_guards(s, a);
   if (!a.recording.empty()) a.writer = std::make_unique<hal::RecordingWriter>(a.recording, info);
   a.flight = std::make_unique<hal::FlightRecorder>(s.options.flight, info);
   a.scorer = std::make_unique<hal::Scorer>(s.scene.targets, courses,
@@ -280,6 +306,7 @@ void start(Session& s, Attempt& a) {
 
 void finish(Session& s, Attempt& a) {
   a.loop.join();
+  leave_guards(s, a);
   for (std::size_t i = 0; i < s.devices.size(); ++i) {
     const hal::Device& device = s.devices[i];
     const std::string trouble = hal::trouble_of(device);

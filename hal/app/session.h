@@ -34,6 +34,11 @@ struct Station {
   hal::SimulatedHand hand;
   hal::Steered steered;
   hal::ReplayDevice replayed;
+  // Of a device, between attempts: what is latched and how warm its motors are is the device's for
+  // as long as it is open.
+  hal::GuardState guard = hal::guard_start();
+  hal::GuardState torque_guard = hal::guard_start();
+  std::int64_t left_ns = 0;  // when; 0: before the first attempt
 };
 
 // Everything that runs of one scene have in common, in the order in which it has to exist.

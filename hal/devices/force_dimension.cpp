@@ -135,7 +135,7 @@ std::uint32_t pressed(const Api& api, char id) {
   return api.button(0, id) == 1 ? 1 : 0;
 }
 
-int apply(const Api& api, const DhdDevice& device, const Relay::Order& order) {
+int apply(const Api& api, const DhdDevice& device, const MotorReport& order) {
   const UserFirst f = to_user_first(order.force_n);
   if (api.set_all == nullptr || device.info.max_torque_nm == 0) {
     return api.set_force(f.x, f.y, f.z, device.id);
@@ -214,6 +214,8 @@ void wait_for_sample(const DhdDevice& device, double patience_s) {
 
 void close(void* self) {
   const std::unique_ptr<DhdDevice> device(static_cast<DhdDevice*>(self));
+  device->relay.end();
+  std::this_thread::sleep_for(kFadeTime);
   device->thread.stop();
   (void)apply(dhd(), *device, {});
   (void)dhd().enable_force(0, device->id);
@@ -267,6 +269,7 @@ Device open_force_dimension(const std::string& index, double patience_s) {
   device->id = open_index(api, index);
   try {
     describe(api, *device);
+    device->relay.limits = motor_limits(device->info);
     wait_for_calibration(api, device->id, patience_s);
     if (api.set_gravity != nullptr) (void)api.set_gravity(1, device->id);
     // The seventh axis: a gripper that is closed is button 0. Refused where there is none.

@@ -249,6 +249,8 @@ void hear(Haply& haply, const HaplyEvent& event) {
 void close(void* self) {
   const std::unique_ptr<Haply> haply(static_cast<Haply*>(self));
   haply->events.reset();
+  haply->relay.end();
+  std::this_thread::sleep_for(kFadeTime);
   haply->thread.stop();
   if (!haply->socket.next_layer().is_open()) return;
   json last;
@@ -386,12 +388,13 @@ Device open_haply(const std::string& rest, double patience_s) {
   haply->events = std::make_unique<HaplyEvents>(
       tcp::endpoint(endpoint.address(), haply->wishes.events),
       [at = haply.get()](const HaplyEvent& event) { hear(*at, event); });
-  haply->thread.start(kExchangeNs, [at = haply.get()] { exchange(*at); });
   // Limits from the vendor's pages, kept low: the service does not tell.
   const DeviceInfo info = {.name = "Haply Inverse3",
                            .max_force_n = 5,
                            .max_slew_n_per_s = 1000,
                            .max_stiffness_n_per_m = 2000};
+  haply->relay.limits = motor_limits(info);
+  haply->thread.start(kExchangeNs, [at = haply.get()] { exchange(*at); });
   Device device = relayed(haply.release(), info, close, trouble);
   device.about = about;
   return device;

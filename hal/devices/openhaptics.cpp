@@ -307,8 +307,8 @@ void wait_until_ready(const HdDevice& device, const std::string& name, double pa
 void shut(HdDevice* device) {
   Hd& all = hd();
   const std::lock_guard lock(all.mutex);
-  device->relay.fail(0);  // no force from here on
-  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  device->relay.end();
+  std::this_thread::sleep_for(kFadeTime);
   device->closing.store(true);
   if (device->supervisor.joinable()) device->supervisor.join();
   pause(all);
@@ -395,6 +395,7 @@ Device open_openhaptics(const std::string& name, double patience_s) {
   free_slot->store(device);
   try {
     read_capability(all.api, *device);
+    device->relay.limits = motor_limits(device->info);
     int style = 0;
     all.api.get_integers(kCalibrationStyle, &style);
     start(all, *device, style);

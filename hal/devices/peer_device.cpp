@@ -46,6 +46,7 @@ bool accept(PeerDevice& peer, const SamplePacket& packet, std::int64_t now_ns) {
     peer.seq += packet.seq - peer.newest.seq;
     peer.offset_ns = std::min(peer.offset_ns, offset_ns);
   }
+  if (packet.echo != 0 && packet.echo != peer.newest.echo) peer.echo_ns = now_ns;
   peer.heard = true;
   peer.heard_ns = now_ns;
   peer.newest = packet;
@@ -78,9 +79,23 @@ bool read(void* self, std::int64_t /*tick_ns*/, Sample& sample_out) {
   return true;
 }
 
+// A force ends of itself when the sample it answers is too old, and when none comes through: the
+// other side's newest echo tells which came. One that never echoes does not tell.
+bool motor(void* self, MotorReport& report_out) {
+  const PeerDevice& peer = *static_cast<const PeerDevice*>(self);
+  if (!peer.heard || peer.sent == peer.first_sent) return false;
+  const std::int64_t taken_ns = peer.newest.t_ns + peer.offset_ns;
+  const bool silent = peer.looked_ns - taken_ns > kForceLifeNs;
+  const bool deaf = peer.echo_ns != 0 && peer.looked_ns - peer.echo_ns > kForceLifeNs;
+  report_out = {peer.given.force_n, peer.given.torque_nm, peer.given.arming, silent || deaf};
+  if (report_out.stopped) report_out.force_n = report_out.torque_nm = {};
+  return true;
+}
+
 void write(void* self, const Command& command) {
   PeerDevice& peer = *static_cast<PeerDevice*>(self);
   if (!peer.heard) return;
+  peer.given = command;
   ForcePacket packet;
   packet.seq = ++peer.sent;
   packet.echo = peer.newest.seq;
@@ -129,6 +144,7 @@ Device wait_for_peer(const Link& link, const std::string& uri, double patience_s
   peer->link = link;
   peer->sent = static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch() /
                                           std::chrono::microseconds(1));
+  peer->first_sent = peer->sent;
   const auto start = std::chrono::steady_clock::now();
   const std::chrono::duration<double> patience(patience_s);
   for (Sample sample; !read(peer.get(), 0, sample);) {
@@ -145,7 +161,9 @@ Device wait_for_peer(const Link& link, const std::string& uri, double patience_s
 }  // namespace
 
 Device peer_device(PeerDevice& peer, bool close_frees) {
-  return {&peer, peer.info, read, write, close_frees ? close_and_free : close, trouble};
+  Device device = {&peer, peer.info, read, write, close_frees ? close_and_free : close, trouble};
+  device.motor = motor;
+  return device;
 }
 
 Device open_udp(const std::string& rest, double patience_s) {

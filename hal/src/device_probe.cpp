@@ -52,6 +52,10 @@ void look_at(Probing& p, const Sample& now, DeviceProbe& out) {
 void tick(Probing& p, Vec3 force_n, DeviceProbe& out) {
   p.next_ns = std::max(p.next_ns, p.clock.now_ns(p.clock.self) - kPeriodNs) + kPeriodNs;
   p.clock.sleep_until_ns(p.clock.self, p.next_ns);
+  MotorReport motor;
+  if (p.device.motor != nullptr && p.device.motor(p.device.self, motor)) {
+    guard_motor(p.state, motor);
+  }
   Sample now = {};
   const bool answered = p.device.read(p.device.self, p.next_ns, now);
   (void)guard_sample(p.guard, p.state, answered, now, p.next_ns);
@@ -64,7 +68,9 @@ void tick(Probing& p, Vec3 force_n, DeviceProbe& out) {
     look_at(p, now, out);
   }
   p.device.write(p.device.self, {.force_n = guard_force(p.guard, p.state, force_n),
-                                 .max_force_n = p.guard.max_force_n});
+                                 .max_force_n = p.guard.max_force_n,
+                                 .arming = p.state.arming,
+                                 .falls = guard_lets_go(p.state)});
   out.fault = p.state.fault;
 }
 
@@ -100,7 +106,16 @@ void probe_device(const Device& device, double seconds, bool pushes, const Clock
     (void)guard_rearm(p.state, p.state.fault);
     out.push[i] = push(p, kWays[i], stop, out);
   }
-  device.write(device.self, {{}});
+  for (bool gone = false; !gone;) {  // a fade, 20 ms at most
+    gone = guard_end(p.guard, p.state);
+    p.next_ns += kPeriodNs;
+    clock.sleep_until_ns(clock.self, p.next_ns);
+    Sample unused;
+    (void)device.read(device.self, p.next_ns, unused);  // a relay learns the time by it
+    device.write(
+        device.self,
+        {.force_n = p.state.force_n, .arming = p.state.arming, .falls = guard_lets_go(p.state)});
+  }
   out.seconds = static_cast<double>(clock.now_ns(clock.self) - start_ns) * 1e-9;
 }
 

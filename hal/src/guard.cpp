@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace stylet::hal {
 namespace {
+
+constexpr std::int64_t kBlindForEverNs = 1'000'000'000'000;
 
 double of(float value) {
   return static_cast<double>(value);
@@ -61,11 +62,30 @@ bool plausible(const Pose& pose) {
          std::fabs(axis * axis + w * w - 1.0) <= kRotationTolerance;
 }
 
-// Ticks that fit into a time, at least one. Floored, so that a promise in seconds is kept; the
-// small share more is for periods that are not exact in binary.
-std::uint32_t whole_ticks(float time_s, float period_s) {
-  const float ticks = time_s / period_s * 1.0001F;
-  return ticks < 1.0F ? 1U : static_cast<std::uint32_t>(ticks);
+std::int64_t in_ns(float time_s) {
+  return std::llround(of(time_s) * 1e9);
+}
+
+// Whether a time is over, or will be before the next tick: so a promise in seconds is kept.
+bool is_over(const GuardConfig& config, std::int64_t passed_ns, float time_s) {
+  return passed_ns + in_ns(config.period_s) > in_ns(time_s);
+}
+
+// Ticks may be lost; then one stands for all the time that has passed.
+void note_time(const GuardConfig& config, GuardState& state, std::int64_t now_ns) {
+  const std::int64_t period_ns = in_ns(config.period_s);
+  const std::int64_t passed_ns = state.now_ns == 0 ? period_ns : now_ns - state.now_ns;
+  state.now_ns = now_ns;
+  state.step_ns = std::clamp(passed_ns, period_ns, std::max(period_ns, kMaxStepNs));
+}
+
+double step_s(const GuardConfig& config, const GuardState& state) {
+  const bool one_period = state.step_ns == 0 || state.step_ns == in_ns(config.period_s);
+  return one_period ? of(config.period_s) : static_cast<double>(state.step_ns) * 1e-9;
+}
+
+std::int64_t step_ns(const GuardConfig& config, const GuardState& state) {
+  return state.step_ns == 0 ? in_ns(config.period_s) : state.step_ns;
 }
 
 bool is_latched(GuardMode mode) {
@@ -81,7 +101,7 @@ bool is_armed(GuardMode mode) {
 
 // Since the last usable sample, this one included.
 double since_last_s(const GuardConfig& config, const GuardState& state) {
-  return (1.0 + state.blind_ticks) * of(config.period_s);
+  return step_s(config, state) + static_cast<double>(state.blind_ns) * 1e-9;
 }
 
 bool jumped(const GuardConfig& config, const GuardState& state, Vec3 position_m) {
@@ -93,7 +113,7 @@ bool jumped(const GuardConfig& config, const GuardState& state, Vec3 position_m)
 // spring can hold.
 void lose_sight(const GuardConfig& config, EnergyObserver& energy) {
   if (energy.have_position != 0) energy.energy_j = of(config.stored_energy_j);
-  energy.have_position = 0;
+  energy.have_position = energy.have_rotation = 0;
 }
 
 // One rule a line; what is wrong with the sample is counted where it is found.
@@ -149,13 +169,14 @@ void follow_acknowledge_button(const GuardConfig& config, GuardState& state,
 // ---- energy
 // ----------------------------------------------------------------------------------------
 
-// The force that acted while the device made the motion it tells of now.
-Vec3 force_then(const GuardConfig& config, const EnergyObserver& energy) {
+// The force, or torque, that acted while the device made the motion it tells of now.
+Vec3 acted_then(const GuardConfig& config,
+                const std::array<Vec3, kMaxDelayTicks + 2>& newest_first) {
   const double ticks = std::clamp(of(config.device.delay_s) / of(config.period_s), 0.0,
                                   static_cast<double>(kMaxDelayTicks));
   const auto whole = static_cast<std::size_t>(ticks);
   const double part = ticks - static_cast<double>(whole);
-  return plus(scaled(energy.force_n[whole], 1 - part), scaled(energy.force_n[whole + 1], part));
+  return plus(scaled(newest_first[whole], 1 - part), scaled(newest_first[whole + 1], part));
 }
 
 // Work of the hand in this motion. A position within the resolution of the last is no motion, so
@@ -176,14 +197,37 @@ void observe_motion(const GuardConfig& config, GuardState& state, Vec3 position_
   const double damped =
       of(config.device.damping_n_s_per_m) * std::max(dot(energy.velocity_m_per_s, moved), 0.0);
   energy.energy_j += damped + of(config.device.friction_n) * length(moved) -
-                     dot(force_then(config, energy), moved);
+                     dot(acted_then(config, energy.force_n), moved);
   energy.energy_j = std::min(energy.energy_j, of(config.stored_energy_j));
   energy.least_j = std::min(energy.least_j, energy.energy_j);
 }
 
-void remember_force(EnergyObserver& energy, Vec3 force_n) {
-  std::copy_backward(energy.force_n.begin(), energy.force_n.end() - 1, energy.force_n.end());
-  energy.force_n[0] = force_n;
+// The small turn from one rotation to the next, as a vector along its axis, rad.
+Vec3 turn_between(Quat from, Quat to) {
+  const double w =
+      of(to.w) * of(from.w) + of(to.x) * of(from.x) + of(to.y) * of(from.y) + of(to.z) * of(from.z);
+  const double twice = w < 0 ? -2 : 2;  // both signs are the same rotation
+  const auto part = [&](float a, float b, float c, float d, float e, float f, float g, float h) {
+    return static_cast<float>(twice *
+                              (of(a) * of(b) - of(c) * of(d) - of(e) * of(f) + of(g) * of(h)));
+  };
+  return {part(to.x, from.w, to.w, from.x, to.y, from.z, to.z, from.y),
+          part(to.y, from.w, to.w, from.y, to.z, from.x, to.x, from.z),
+          part(to.z, from.w, to.w, from.z, to.x, from.y, to.y, from.x)};
+}
+
+void observe_turn(const GuardConfig& config, EnergyObserver& energy, Quat rotation) {
+  if (energy.have_rotation != 0) {
+    const Vec3 turned = turn_between(energy.rotation, rotation);
+    energy.energy_j -= dot(acted_then(config, energy.torque_nm), turned);
+  }
+  energy.have_rotation = 1;
+  energy.rotation = rotation;
+}
+
+void remember(std::array<Vec3, kMaxDelayTicks + 2>& newest_first, Vec3 value) {
+  std::copy_backward(newest_first.begin(), newest_first.end() - 1, newest_first.end());
+  newest_first[0] = value;
 }
 
 // Takes back what was made, as far as damping can in this tick.
@@ -193,7 +237,7 @@ Vec3 damped(const GuardConfig& config, GuardState& state, Vec3 force_n) {
   const double most = of(config.passivity_damping_n_s_per_m);
   if (!(most > 0 && energy.energy_j < 0 && square > 0)) return force_n;
   ++state.counters.force_damped;
-  const double damping = std::min(most, -energy.energy_j / (of(config.period_s) * square));
+  const double damping = std::min(most, -energy.energy_j / (step_s(config, state) * square));
   return minus(force_n, scaled(energy.velocity_m_per_s, damping));
 }
 
@@ -224,30 +268,32 @@ double largest_force(const GuardConfig& config, const GuardState& state) {
 }
 
 void note_heat(const GuardConfig& config, GuardState& state) {
-  const double share = of(config.period_s) / of(config.thermal_s);
+  const double share = std::min(step_s(config, state) / of(config.thermal_s), 1.0);
   state.heat_n2 += share * (dot(state.force_n, state.force_n) - state.heat_n2);
 }
 
 void watch_for_buzz(const GuardConfig& config, GuardState& state) {
   BuzzDetector& buzz = state.buzz;
   constexpr double kPi = 3.14159265358979324;
-  const double share = share_of(of(config.period_s), 1 / (2 * kPi * of(kBuzzHz)));
+  const double share = share_of(step_s(config, state), 1 / (2 * kPi * of(kBuzzHz)));
   buzz.slow_n = plus(buzz.slow_n, scaled(minus(state.force_n, buzz.slow_n), share));
   const Vec3 quick = minus(state.force_n, buzz.slow_n);
-  if (++buzz.ticks > whole_ticks(0.5F / kBuzzHz, config.period_s)) buzz.turns = 0;
+  buzz.ns += step_ns(config, state);
+  if (buzz.ns > in_ns(0.5F / kBuzzHz)) buzz.turns = 0;
   if (length(quick) < of(config.buzz_n)) return;
   if (buzz.turns != 0 && dot(quick, buzz.last_n) >= 0) return;
   ++buzz.turns;
-  buzz.ticks = 0;
+  buzz.ns = 0;
   buzz.last_n = quick;
   if (buzz.turns >= kBuzzTurns) guard_trip(state, Fault::kBuzz);
 }
 
 Vec3 limited(const GuardConfig& config, GuardState& state, Vec3 wanted) {
-  const std::uint32_t ramp_ticks = whole_ticks(config.ramp_s, config.period_s);
-  if (state.ramp_tick < ramp_ticks) ++state.ramp_tick;
-  if (state.ramp_tick >= ramp_ticks) state.mode = GuardMode::kLive;
-  const double gain = static_cast<double>(state.ramp_tick) / ramp_ticks;
+  state.ramp_ns = std::min(state.ramp_ns + step_ns(config, state), in_ns(config.ramp_s));
+  const bool full = is_over(config, state.ramp_ns, config.ramp_s);
+  if (full) state.mode = GuardMode::kLive;
+  const double gain =
+      full ? 1.0 : static_cast<double>(state.ramp_ns) / static_cast<double>(in_ns(config.ramp_s));
   const double max_force = largest_force(config, state);
   Vec3 force = scaled(wanted, gain);
   if (const double size = length(force); size > max_force) {
@@ -267,17 +313,19 @@ Vec3 limited(const GuardConfig& config, GuardState& state, Vec3 wanted) {
 
 // Towards zero; true once it is there.
 bool faded(const GuardConfig& config, GuardState& state) {
-  const std::uint32_t ticks = whole_ticks(kDecayS, config.period_s);
-  ++state.fade_tick;
-  const double left = static_cast<double>(ticks - state.fade_tick) / ticks;
+  state.fade_ns += step_ns(config, state);
+  const bool over = is_over(config, state.fade_ns, kDecayS);
+  const double left =
+      over ? 0.0 : 1 - static_cast<double>(state.fade_ns) / static_cast<double>(kDecayNs);
   state.force_n = scaled(state.fade_from_n, left);
-  return state.fade_tick == ticks;
+  return over;
 }
 
 void begin_fade(GuardState& state, GuardMode mode) {
   state.mode = mode;
-  state.fade_tick = 0;
-  state.fade_from_n = state.force_n;
+  state.fade_ns = 0;
+  // What was let through may not have come to the motors yet: a fade adds nothing.
+  state.fade_from_n = state.have_motor != 0 ? state.motor_n : state.force_n;
 }
 
 // What the dead man's button does to the mode, before the force.
@@ -288,7 +336,7 @@ void follow_button(const GuardConfig& config, GuardState& state) {
   if (state.mode == GuardMode::kLetGo && released) state.mode = GuardMode::kUnarmed;
   if (state.mode == GuardMode::kUnarmed && held) {
     state.mode = GuardMode::kRamp;
-    state.ramp_tick = 0;
+    state.ramp_ns = 0;
     state.buzz = {};
   }
   if (is_armed(state.mode) && !held) begin_fade(state, GuardMode::kRelease);
@@ -299,7 +347,9 @@ void force_of_mode(const GuardConfig& config, GuardState& state, Vec3 force_n) {
   if (is_armed(state.mode)) {
     state.force_n = limited(config, state, damped(config, state, force_n));
     watch_for_buzz(config, state);
-  } else if (state.mode == GuardMode::kRelease) {
+  }
+  if (is_armed(state.mode)) return;
+  if (state.mode == GuardMode::kRelease) {
     if (faded(config, state)) state.mode = GuardMode::kUnarmed;
   } else if (state.mode == GuardMode::kFading) {
     if (faded(config, state)) state.mode = GuardMode::kFault;
@@ -321,7 +371,7 @@ const char* fault_name(Fault fault) {
     case Fault::kDeviceSilent:
       return "device silent";
     case Fault::kTooLate:
-      return "too many missed ticks in a row";
+      return "too many missed ticks";
     case Fault::kKernelFault:
       return "kernel fault";
     case Fault::kTooFast:
@@ -330,6 +380,8 @@ const char* fault_name(Fault fault) {
       return "force buzzes";
     case Fault::kEnergy:
       return "energy made";
+    case Fault::kForceExpired:
+      return "force expired";
   }
   return "unknown fault";
 }
@@ -355,7 +407,64 @@ const char* mode_name(GuardMode mode) {
 }
 
 GuardState guard_start() {
-  return GuardState{};
+  GuardState state = {};
+  state.arming = 1;
+  return state;
+}
+
+void guard_resume(const GuardConfig& config, GuardState& state, std::int64_t idle_ns) {
+  const double idle_s = static_cast<double>(std::max<std::int64_t>(idle_ns, 0)) * 1e-9;
+  state.heat_n2 /= 1 + idle_s / of(config.thermal_s);  // slower than an exponential: never too cool
+  lose_sight(config, state.energy);
+  state.have_seq = state.have_pose = 0;
+  state.now_ns = state.step_ns = 0;
+  state.button_seen = state.may_acknowledge = 0;
+  state.force_n = {};
+  state.have_motor = 0;
+  state.buzz = {};
+  if (is_latched(state.mode)) {
+    state.mode = GuardMode::kFault;
+    return;
+  }
+  state.mode = GuardMode::kLetGo;
+  ++state.arming;
+}
+
+void guard_motor(GuardState& state, const MotorReport& report) {
+  state.have_motor = finite(report.force_n) ? 1 : 0;
+  state.motor_n = report.force_n;
+  // Motors that are ahead in a fade are not pushed back up.
+  const bool falls = state.mode == GuardMode::kFading || state.mode == GuardMode::kRelease;
+  if (const double ours = length(state.force_n), theirs = length(report.force_n);
+      falls && theirs < ours) {
+    state.fade_from_n = scaled(state.fade_from_n, theirs / ours);
+    state.force_n = scaled(state.force_n, theirs / ours);
+  }
+  if (!report.stopped || report.arming != state.arming) return;
+  if (!finite(report.force_n) || length(report.force_n) < length(state.force_n)) {
+    state.force_n = finite(report.force_n) ? report.force_n : Vec3{};
+  }
+  const bool nothing_left = dot(state.force_n, state.force_n) == 0;
+  if (!is_latched(state.mode)) {
+    guard_trip(state, Fault::kForceExpired);
+  } else if (state.mode == GuardMode::kFading && nothing_left) {
+    state.mode = GuardMode::kFault;
+  } else if (state.mode == GuardMode::kFading) {
+    begin_fade(state, GuardMode::kFading);
+  }
+}
+
+bool guard_lets_go(const GuardState& state) {
+  return !is_armed(state.mode);
+}
+
+bool guard_end(const GuardConfig& config, GuardState& state) {
+  const bool falls = state.mode == GuardMode::kFading || state.mode == GuardMode::kRelease;
+  if (!falls && dot(state.force_n, state.force_n) == 0) return true;
+  if (!falls) begin_fade(state, GuardMode::kRelease);
+  if (!faded(config, state)) return false;
+  state.mode = state.mode == GuardMode::kFading ? GuardMode::kFault : GuardMode::kUnarmed;
+  return true;
 }
 
 void guard_trip(GuardState& state, Fault fault) {
@@ -376,21 +485,23 @@ void guard_trip(GuardState& state, Fault fault) {
 
 bool guard_sample(const GuardConfig& config, GuardState& state, bool answered, const Sample& sample,
                   std::int64_t now_ns) {
+  note_time(config, state, now_ns);
   const Fault wrong = answered ? judge(config, state, sample, now_ns) : Fault::kDeviceSilent;
   if (wrong == Fault::kNone) {
     observe_motion(config, state, sample.pose.position_m);
+    observe_turn(config, state.energy, sample.pose.rotation);
     note_button(config, state, sample.buttons);
     state.have_pose = 1;
     state.pose_m = sample.pose.position_m;
-    state.blind_ticks = 0;
+    state.blind_ns = 0;
     ++state.counters.samples_used;
     trip_on_motion(config, state);
     follow_acknowledge_button(config, state, sample.buttons);
     return true;
   }
   if (!answered) ++state.counters.samples_missing;
-  if (state.blind_ticks < std::numeric_limits<std::uint32_t>::max()) ++state.blind_ticks;
-  if (state.blind_ticks >= whole_ticks(config.watchdog_s, config.period_s)) {
+  state.blind_ns = std::min(state.blind_ns + state.step_ns, kBlindForEverNs);
+  if (is_over(config, state.blind_ns, config.watchdog_s)) {
     guard_trip(state, wrong);
     lose_sight(config, state.energy);
   }
@@ -409,7 +520,7 @@ Vec3 guard_force(const GuardConfig& config, GuardState& state, Vec3 force_n) {
   // Without a full force the observer follows what the kernel asks: a spring that is switched on
   // gives back what it has stored, and did not make that.
   const bool full = state.mode == GuardMode::kLive;
-  remember_force(state.energy, full ? state.force_n : shortened(force_n, of(config.max_force_n)));
+  remember(state.energy.force_n, full ? state.force_n : shortened(force_n, of(config.max_force_n)));
   note_heat(config, state);
   return state.force_n;
 }
@@ -420,22 +531,31 @@ Vec3 guard_torque(const GuardConfig& config, float max_torque_nm, GuardState& fo
   GuardConfig limits = config;
   limits.max_force_n = max_torque_nm;
   limits.max_slew_n_per_s = 2 * max_torque_nm / kDecayS;
+  // The same shares of a limit as of a force; what damps a motion does not damp a turn.
+  const float share = max_torque_nm / config.max_force_n;
+  limits.buzz_n = share * config.buzz_n;
+  limits.continuous_force_n = share * config.continuous_force_n;
+  limits.passivity_damping_n_s_per_m = 0;
   if (force_state.fault != Fault::kNone) guard_trip(torque_state, force_state.fault);
   if (force_state.fault == Fault::kNone) (void)guard_rearm(torque_state, torque_state.fault);
   torque_state.button_seen = force_state.button_seen;
   torque_state.button = force_state.button;
+  torque_state.step_ns = force_state.step_ns;
   const Vec3 result = guard_force(limits, torque_state, torque_nm);
   if (torque_state.fault != Fault::kNone) guard_trip(force_state, torque_state.fault);
+  const bool full = torque_state.mode == GuardMode::kLive && finite(torque_nm);
+  remember(force_state.energy.torque_nm, full ? result : Vec3{});
   return result;
 }
 
 bool guard_rearm(GuardState& state, Fault seen) {
   const bool named = state.fault != Fault::kNone && state.fault == seen;
-  if (!named || state.mode != GuardMode::kFault || state.blind_ticks != 0) return false;
+  if (!named || state.mode != GuardMode::kFault || state.blind_ns != 0) return false;
   state.mode = GuardMode::kLetGo;
   state.fault = Fault::kNone;
   state.button_seen = 0;
   state.energy.energy_j = std::max(state.energy.energy_j, 0.0);
+  ++state.arming;
   ++state.counters.rearms;
   return true;
 }

@@ -74,6 +74,15 @@ void write(void* self, const Command& command) {
   lasting.used.store(nullptr);
 }
 
+bool motor(void* self, MotorReport& report_out) {
+  Lasting& lasting = *static_cast<Lasting*>(self);
+  const Device* device = borrow(lasting);
+  report_out = {};  // without a device there is no force
+  const bool told = device == nullptr || device->motor(device->self, report_out);
+  lasting.used.store(nullptr);
+  return told;
+}
+
 // ==== The keeper
 
 void retire(Lasting& lasting) {
@@ -161,7 +170,9 @@ Device lasting_device(const Device& first, const Reopening& reopening) {
   lasting->lent.store(lasting->device.get());
   lasting->keeper = std::thread([at = lasting.get()] { keep(*at); });
   Lasting* made = lasting.release();
-  return {made, made->info, read, write, close, trouble};
+  Device device = {made, made->info, read, write, close, trouble};
+  if (first.motor != nullptr) device.motor = motor;
+  return device;
 }
 
 }  // namespace stylet::hal

@@ -26,9 +26,13 @@ Sample steady_sample(const GuardConfig& guard, HandState& state) {
 // there is none.
 Input next_input(const HandConfig& config, const Device& device, HandState& state,
                  std::int64_t now_ns, TickRecord& record) {
+  MotorReport motor;
+  if (device.motor != nullptr && device.motor(device.self, motor)) {
+    guard_motor(state.guard, motor);
+  }
   record.answered = device.read(device.self, now_ns, state.sample) ? 1 : 0;
   record.sample = state.sample;
-  const bool was_lost = state.guard.fault != Fault::kNone && state.guard.blind_ticks != 0;
+  const bool was_lost = state.guard.fault != Fault::kNone && state.guard.blind_ns != 0;
   const bool usable =
       guard_sample(config.guard, state.guard, record.answered != 0, state.sample, now_ns);
   if (usable && was_lost) {  // it may be anywhere now: the needle stays where it is
@@ -72,12 +76,16 @@ Vec3 send_force(const HandConfig& config, const Kernel& kernel, std::uint32_t ne
   Command command = {guard_force(config.guard, state.guard, wanted.force_n)};
   command.torque_nm = guard_torque(config.guard, config.max_torque_nm, state.guard,
                                    state.torque_guard, wanted.torque_nm);
-  // The guard's share of the force is its share of the spring.
+  // The guard's share of the force is its share of the spring; while it lets a force fall slowly it
+  // sends more than is asked, and the spring is still no stiffer than it was.
   const float asked = length(wanted.force_n), sent = length(command.force_n);
-  const float share = asked > 0 && state.guard.fault == Fault::kNone ? sent / asked : 0;
+  const float share =
+      asked > 0 && state.guard.fault == Fault::kNone ? std::min(sent / asked, 1.0F) : 0;
   command.stiffness_n_per_m =
       share * config.coupling.stiffness_n_per_m * grip_stiffness(config.grip, state.grip);
   command.max_force_n = config.guard.max_force_n;
+  command.arming = state.guard.arming;
+  command.falls = guard_lets_go(state.guard);
   std::array<Vec3, kMaxRods + 1> node;
   const std::uint32_t nodes = needle_shape(kernel, needle, node);
   if (nodes >= 2) {
@@ -183,13 +191,13 @@ std::int64_t next_grid_point(const LoopConfig& config, LoopState& state, std::in
                              std::int64_t now_ns) {
   const std::int64_t next_ns = grid_ns + config.period_ns;
   if (now_ns <= next_ns) {
-    state.missed_in_a_row = 0;
+    state.lost_ns = std::max<std::int64_t>(state.lost_ns - config.period_ns / kLostTicksPart, 0);
     return next_ns;
   }
   const std::int64_t missed = (now_ns - next_ns + config.period_ns - 1) / config.period_ns;
   count(state.missed_ticks, static_cast<std::uint64_t>(missed));
-  state.missed_in_a_row += static_cast<std::uint32_t>(std::min<std::int64_t>(missed, 1'000'000));
-  if (state.missed_in_a_row >= kMaxMissedInARow) trip_all(state, Fault::kTooLate);
+  state.lost_ns = std::min(state.lost_ns + missed * config.period_ns, 2 * kMaxLateNs);
+  if (state.lost_ns >= kMaxLateNs) trip_all(state, Fault::kTooLate);
   return next_ns + missed * config.period_ns;
 }
 
@@ -237,6 +245,28 @@ void run_tick(const LoopConfig& config, Kernel& kernel, std::span<const Device> 
   histogram_add(state.lateness, late_ns);
 }
 
+// The end of a run: what force there is fades, on the loop's grid.
+void let_go(const LoopConfig& config, std::span<const Device> devices, const Clock& clock,
+            std::int64_t grid_ns, LoopState& state) {
+  const std::int64_t end_ns = grid_ns + kDecayNs;
+  for (bool done = false; !done && grid_ns <= end_ns; grid_ns += config.period_ns) {
+    clock.sleep_until_ns(clock.self, grid_ns);
+    done = true;
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+      HandState& hand = state.hand[i];
+      Sample unused;  // a relay learns the time by it; a script is over
+      if (devices[i].motor != nullptr) (void)devices[i].read(devices[i].self, grid_ns, unused);
+      const bool force_gone = guard_end(config.hand[i].guard, hand.guard);
+      const bool torque_gone = guard_end(config.hand[i].guard, hand.torque_guard);
+      devices[i].write(devices[i].self, {.force_n = hand.guard.force_n,
+                                         .torque_nm = hand.torque_guard.force_n,
+                                         .arming = hand.guard.arming,
+                                         .falls = guard_lets_go(hand.guard)});
+      done = done && force_gone && torque_gone;
+    }
+  }
+}
+
 }  // namespace
 
 void run_loop(const LoopConfig& config, Kernel& kernel, std::span<const Device> devices,
@@ -250,7 +280,7 @@ void run_loop(const LoopConfig& config, Kernel& kernel, std::span<const Device> 
     clock.sleep_until_ns(clock.self, grid_ns);
     const std::int64_t late_ns = clock.now_ns(clock.self) - grid_ns;
     // Before the tick: the hand has moved on, and the force that waits for it would be a kick.
-    if (late_ns >= config.period_ns * kMaxMissedInARow) trip_all(state, Fault::kTooLate);
+    if (late_ns >= kMaxLateNs) trip_all(state, Fault::kTooLate);
     if (state.paused.load(std::memory_order_relaxed)) {
       hold_hands(config, kernel, devices, grid_ns, records, state);
       // Virtual time does not wait, and there is nothing to hurry for.
@@ -261,7 +291,7 @@ void run_loop(const LoopConfig& config, Kernel& kernel, std::span<const Device> 
     show(config, outlets, kernel, records, ++round, state);
     grid_ns = next_grid_point(config, state, grid_ns, clock.now_ns(clock.self));
   }
-  for (const Device& device : devices) device.write(device.self, {{}});
+  if (config.lets_go) let_go(config, devices, clock, grid_ns, state);
 }
 
 }  // namespace stylet::hal

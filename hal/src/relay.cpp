@@ -8,10 +8,17 @@ void Relay::publish(const Pose& pose, std::uint32_t buttons, std::int64_t t_ns) 
   measured_.store(true, std::memory_order_release);
 }
 
-Relay::Order Relay::order(std::int64_t now_ns) {
-  (void)orders_.take(given_);
-  if (failed() || now_ns - given_.t_ns > kOrderLifeNs) return {};
-  return given_.order;
+MotorReport Relay::order(std::int64_t now_ns) {
+  (void)orders_.take(order_);
+  const bool ending = ending_.load(std::memory_order_relaxed);
+  const MotorCut cut = failed() ? MotorCut::kNow : ending ? MotorCut::kFade : MotorCut::kNone;
+  motor_step(limits, motor_, order_, cut, now_ns);
+  reports_.publish(motor_.report);
+  return motor_.report;
+}
+
+void Relay::end() {
+  ending_.store(true, std::memory_order_relaxed);
 }
 
 void Relay::fail(std::uint32_t why) {
@@ -29,7 +36,13 @@ bool Relay::read(std::int64_t now_ns, Sample& sample_out) {
 }
 
 void Relay::write(const Command& command) {
-  orders_.publish({{command.force_n, command.torque_nm}, tick_ns_});
+  orders_.publish({command.force_n, command.torque_nm, tick_ns_, command.arming, command.falls});
+}
+
+bool Relay::motor(MotorReport& report_out) {
+  (void)reports_.take(report_);
+  report_out = report_;  // until the first: nothing
+  return true;
 }
 
 }  // namespace stylet::hal

@@ -9,7 +9,7 @@ namespace stylet::hal {
 namespace {
 
 constexpr int kMostPerTick = 64;
-constexpr float kFadeInS = 0.1F;
+constexpr std::int64_t kFadeInNs = 100'000'000;
 
 void take_models(StationState& state, const Link& link) {
   std::array<std::byte, kMaxPacketBytes> room;
@@ -25,15 +25,15 @@ void take_models(StationState& state, const Link& link) {
 
 // How much of the model is felt: it fades in after every time without one, and out in the second
 // half of its life: at the end nothing is left that the guard would let fall slowly.
-float model_share(const StationConfig& config, StationState& state, std::int64_t now_ns) {
+float model_share(StationState& state, std::int64_t now_ns) {
   const std::int64_t age_ns = now_ns - state.newest.echo_t_ns;
   if (age_ns >= state.newest.life_ns) {  // or none yet: that one has no life
-    state.fade_tick = 0;
+    state.fade_ns = 0;
     ++state.starved;
     return 0;
   }
-  const float ticks = kFadeInS / config.guard.period_s;
-  const float in = std::min(static_cast<float>(++state.fade_tick) / ticks, 1.0F);
+  state.fade_ns = std::min(state.fade_ns + state.guard.step_ns, kFadeInNs);
+  const float in = static_cast<float>(state.fade_ns) / static_cast<float>(kFadeInNs);
   const auto left_ns = static_cast<float>(state.newest.life_ns - age_ns);
   const float out = 2 * left_ns / static_cast<float>(state.newest.life_ns);
   return std::min(in, out);
@@ -49,7 +49,7 @@ Vec3 faded(float share, float most, Vec3 v) {
 
 // The newest model, through the guard.
 void render(const StationConfig& config, StationState& state, std::int64_t now_ns) {
-  const float share = model_share(config, state, now_ns);
+  const float share = model_share(state, now_ns);
   const Vec3 at_m = state.sample.pose.position_m;
   state.force_n =
       guard_force(config.guard, state.guard,
@@ -84,13 +84,17 @@ StationState station_start(std::uint32_t session) {
 
 void station_tick(const StationConfig& config, StationState& state, const Device& device,
                   const Link& link, std::int64_t now_ns) {
+  MotorReport motor;
+  if (device.motor != nullptr && device.motor(device.self, motor)) guard_motor(state.guard, motor);
   const bool answered = device.read(device.self, now_ns, state.sample);
   const bool usable = guard_sample(config.guard, state.guard, answered, state.sample, now_ns);
   take_models(state, link);
   render(config, state, now_ns);
   device.write(device.self, {.force_n = state.force_n,
                              .torque_nm = state.torque_nm,
-                             .max_force_n = config.guard.max_force_n});
+                             .max_force_n = config.guard.max_force_n,
+                             .arming = state.guard.arming,
+                             .falls = guard_lets_go(state.guard)});
   if (!usable || state.guard.fault != Fault::kNone) return;
   ++state.sent.seq;
   state.sent.t_ns = now_ns;
@@ -99,6 +103,18 @@ void station_tick(const StationConfig& config, StationState& state, const Device
   state.sent.buttons = state.sample.buttons;
   state.sent.limits = config.limits;
   link.send(link.self, encode(state.sent));
+}
+
+bool station_end(const StationConfig& config, StationState& state, const Device& device,
+                 std::int64_t now_ns) {
+  (void)device.read(device.self, now_ns, state.sample);  // a relay learns the time by it
+  const bool force_gone = guard_end(config.guard, state.guard);
+  const bool torque_gone = guard_end(config.guard, state.torque_guard);
+  device.write(device.self, {.force_n = state.guard.force_n,
+                             .torque_nm = state.torque_guard.force_n,
+                             .arming = state.guard.arming,
+                             .falls = guard_lets_go(state.guard)});
+  return force_gone && torque_gone;
 }
 
 }  // namespace stylet::hal

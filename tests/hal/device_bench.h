@@ -82,10 +82,14 @@ class Ticker {
   void tick(Vec3 force_n, Vec3 torque_nm = {}) {
     next_ns_ = std::max(next_ns_ + 1'000'000, monotonic_now_ns() - 1'000'000);
     monotonic_clock().sleep_until_ns(nullptr, next_ns_);
+    MotorReport motor;
+    if (device.motor != nullptr && device.motor(device.self, motor)) guard_motor(state, motor);
     answered = device.read(device.self, next_ns_, sample);
     usable = guard_sample(guard, state, answered, sample, next_ns_);
     Command command = {.force_n = guard_force(guard, state, force_n),
-                       .max_force_n = guard.max_force_n};
+                       .max_force_n = guard.max_force_n,
+                       .arming = state.arming,
+                       .falls = guard_lets_go(state)};
     command.torque_nm =
         guard_torque(guard, device.info.max_torque_nm, state, torque_state, torque_nm);
     device.write(device.self, command);

@@ -3,6 +3,10 @@
 #include <dlfcn.h>
 #include <pthread.h>
 
+#include <atomic>
+#include <thread>
+#include <vector>
+
 #include "device_bench.h"
 #include "stylet/hal/mapping.h"
 
@@ -132,6 +136,48 @@ TEST_P(DeviceContract, ForceEndsWhenTheLoopStops) {
   EXPECT_EQ(size(bench->felt()), 0);
 }
 
+// Sampled by a thread of its own, with the times at which it looked.
+struct Felt {
+  std::int64_t from_ns, to_ns;  // around the look
+  double force_n;
+};
+
+// Whatever loops do, a hand feels no kick: looked at from where the force is felt.
+TEST_P(DeviceContract, StallsOfTheLoopAreNoKicks) {
+  if (!bench->feels || !bench->latches) GTEST_SKIP() << "a peer's own program renders the force";
+  Ticker ticker(bench->uri());
+  const double slew = static_cast<double>(ticker.device.info.max_slew_n_per_s);
+  for (const int stall_ms : {6, 12, 15, 25, 60}) {
+    ASSERT_TRUE(ticker.tick_until(kForce, [&] { return size(bench->felt()) > 1; })) << stall_ms;
+    std::atomic<bool> stop{false};
+    std::vector<Felt> seen;
+    seen.reserve(100'000);
+    std::thread looker([&] {
+      while (!stop.load() && seen.size() < seen.capacity()) {
+        const std::int64_t from_ns = monotonic_now_ns();
+        const double force_n = size(bench->felt());
+        seen.push_back({from_ns, monotonic_now_ns(), force_n});
+        std::this_thread::sleep_for(std::chrono::microseconds(100));
+      }
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(stall_ms));
+    for (int i = 0; i < 50; ++i) ticker.tick(kForce);  // nobody acknowledges
+    stop.store(true);
+    looker.join();
+    const bool expired = ticker.state.fault != Fault::kNone;
+    EXPECT_TRUE(stall_ms < 12 || expired) << stall_ms;
+    EXPECT_TRUE(!expired || seen.back().force_n == 0) << stall_ms;
+    for (std::size_t i = 1; i < seen.size(); ++i) {
+      // The vendor's thread may have written a step of 2 ms just before the look.
+      const double passed_s = static_cast<double>(seen[i].to_ns - seen[i - 1].from_ns) * 1e-9;
+      const double change = seen[i].force_n - seen[i - 1].force_n;
+      ASSERT_LE(change, slew * (passed_s + 2e-3)) << stall_ms << " ms, look " << i;
+      const bool rising = seen[i].from_ns - seen[0].from_ns < 5'000'000;  // the last order's
+      ASSERT_TRUE(!expired || rising || change <= 1e-6) << stall_ms << " ms, look " << i;
+    }
+  }
+}
+
 TEST_P(DeviceContract, ClosedDeviceHasNoForceAndOpensAgain) {
   int at_once = 0;  // in the others, this machine had something else to do
   for (int i = 0; i < 3; ++i) {
@@ -188,11 +234,19 @@ TEST_P(DeviceContract, TroubleIsLatched) {
     bench->trouble(test::Trouble::kNoAnswer);
     ASSERT_NE(ticker.trouble_under(kForce), "");
     bench->trouble(test::Trouble::kNone);
+    const std::int64_t felt_until_ns =
+        monotonic_now_ns() + 25'000'000;  // what was left of it fades
+    double last = size(bench->felt());
     for (int i = 0; i < 100; ++i) {
       ticker.tick({});
       ticker.device.write(ticker.device.self, {.force_n = kForce, .max_force_n = 3});
       EXPECT_FALSE(ticker.answered);
-      EXPECT_EQ(size(bench->felt()), 0);
+      const double felt = size(bench->felt());
+      EXPECT_LE(felt, last);
+      last = felt;
+      if (monotonic_now_ns() > felt_until_ns) {
+        EXPECT_EQ(felt, 0);
+      }
     }
   }
   Ticker again(bench->uri());

@@ -217,9 +217,9 @@ TEST(GuardSample, BoundsOfAPlausiblePose) {
 
 TEST(GuardSample, BlindTicksDoNotStartAgainAfterMonths) {
   GuardState state = guard_start();
-  state.blind_ticks = std::numeric_limits<std::uint32_t>::max();
+  state.blind_ns = 1'000'000'000'000;
   EXPECT_FALSE(guard_sample(plain(), state, false, sample(1), 0));
-  EXPECT_EQ(state.blind_ticks, std::numeric_limits<std::uint32_t>::max());
+  EXPECT_EQ(state.blind_ns, 1'000'000'000'000);
 }
 
 TEST(GuardForce, WhatIsAtItsLimitIsNotCounted) {

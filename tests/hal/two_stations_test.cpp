@@ -121,13 +121,9 @@ struct TwoStations {
     const Device device = peer_device(peer);
     rig.config.ticks = rig.state.ticks + 1;
     rig.time.now_ns = now_ns - kMs;
-    const Device open = {device.self, device.info, device.read, write_once, device.close, nullptr};
-    run_loop(rig.config, rig.instance->kernel, std::span(&open, 1), virtual_clock(rig.time), {},
+    rig.config.lets_go = false;
+    run_loop(rig.config, rig.instance->kernel, std::span(&device, 1), virtual_clock(rig.time), {},
              rig.state);
-  }
-  // The loop ends with a command of no force; here it goes on.
-  static void write_once(void* self, const Command& command) {
-    if (command.max_force_n > 0) peer_device(*static_cast<PeerDevice*>(self)).write(self, command);
   }
 };
 

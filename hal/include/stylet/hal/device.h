@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <string>
 
+#include "stylet/hal/motor.h"
 #include "stylet/units.h"
 
 namespace stylet::hal {
@@ -32,6 +33,8 @@ struct Command {
   // this small.
   float stiffness_n_per_m = 0;
   float max_force_n = 0;
+  std::uint32_t arming = 0;  // grows each time the guard begins anew, see motor.h
+  bool falls = false;        // the guard lets go: what there is must not grow
 };
 
 struct DeviceInfo {
@@ -63,6 +66,8 @@ struct Device {
   std::string (*trouble)(void* self) = nullptr;
   // Likewise: what is particular to it and worth knowing.
   std::string (*about)(void* self) = nullptr;
+  // The loop's thread: what the motors have. False, or none: the device does not tell.
+  bool (*motor)(void* self, MotorReport& report_out) = nullptr;
 };
 
 inline std::string trouble_of(const Device& device) {

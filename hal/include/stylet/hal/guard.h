@@ -7,6 +7,8 @@
 // latches a fault: the force goes to zero within kDecayS, or at once if it is not a number, and
 // stays there until guard_rearm names the fault. A hand that lets go of the dead man's button has
 // no force within kDecayS either. hal/GUARD.md has the states as a table, and every limit.
+// All of its times are those that pass, also where ticks are lost: `now_ns` of guard_sample. What
+// the motors really have it learns from their report (motor.h), and goes on from there.
 // Plain functions over a plain struct: no allocation, no clock, bounded time.
 // Units: SI. Frame: the device's.
 // Sources: Hannaford and Ryu 2002 (observer of energy and passivity controller).
@@ -23,15 +25,17 @@ namespace stylet::hal {
 // ---- limits that no scene changes
 // ----------------------------------------------------------------
 
-constexpr float kDecayS = 0.020F;           // from a fault to zero force
-constexpr float kMaxDistanceM = 10.0F;      // of a sample that can be true
-constexpr double kRotationTolerance = 0.1;  // of the square of a quaternion's length
-constexpr float kJumpM = 5e-3F;             // beside what the fastest hand moves between samples
-constexpr float kSpeedS = 5e-3F;            // over which speed is averaged
-constexpr float kBuzzHz = 20;               // slower is a movement of the hand
-constexpr std::uint32_t kBuzzTurns = 12;    // to and fro, each within half a period of kBuzzHz
-constexpr float kWarmShare = 0.8F;          // of the thermal budget, from which force is taken back
-constexpr double kLostEnergyJ = 0.05;       // made in spite of the passivity controller
+constexpr float kDecayS = 0.020F;  // from a fault to zero force
+constexpr std::int64_t kDecayNs = 20'000'000;
+constexpr std::int64_t kMaxStepNs = 100'000'000;  // between two ticks, as far as it is believed
+constexpr float kMaxDistanceM = 10.0F;            // of a sample that can be true
+constexpr double kRotationTolerance = 0.1;        // of the square of a quaternion's length
+constexpr float kJumpM = 5e-3F;           // beside what the fastest hand moves between samples
+constexpr float kSpeedS = 5e-3F;          // over which speed is averaged
+constexpr float kBuzzHz = 20;             // slower is a movement of the hand
+constexpr std::uint32_t kBuzzTurns = 12;  // to and fro, each within half a period of kBuzzHz
+constexpr float kWarmShare = 0.8F;        // of the thermal budget, from which force is taken back
+constexpr double kLostEnergyJ = 0.05;     // made in spite of the passivity controller
 
 // ---- what is latched, and why
 // --------------------------------------------------------------------
@@ -42,12 +46,14 @@ enum class Fault : std::uint32_t {
   kForceNotFinite = 1,  // the kernel asked for NaN or an infinity
   kStaleSamples = 2,    // the device answers, but with nothing new or nothing usable
   kDeviceSilent = 3,    // the device does not answer
-  kTooLate = 4,         // the loop missed too many ticks in a row
+  kTooLate = 4,         // the loop missed too many ticks
   kKernelFault = 5,     // the kernel latched a fault of its own
   kTooFast = 6,         // the device moved faster than a hand, or jumped and stayed there
   kBuzz = 7,            // the force swings to and fro faster than a hand
   kEnergy = 8,          // the hand was given energy, and the passivity controller could not stop it
+  kForceExpired = 9,    // the motors got no order in time, and have stopped
 };
+constexpr Fault kLastFault = Fault::kForceExpired;
 const char* fault_name(Fault fault);
 
 // Numbers are part of recordings.
@@ -106,21 +112,28 @@ struct EnergyObserver {
   Vec3 position_m;        // follows the device's at the distance of its resolution
   Vec3 velocity_m_per_s;  // averaged over kSpeedS
   std::array<Vec3, kMaxDelayTicks + 2> force_n;  // newest first
+  std::uint32_t have_rotation;
+  Quat rotation;                                   // of the newest usable sample
+  std::array<Vec3, kMaxDelayTicks + 2> torque_nm;  // newest first
   double energy_j, least_j;
 };
 
 // The force's part above kBuzzHz, and how often it turned.
 struct BuzzDetector {
   Vec3 slow_n, last_n;
-  std::uint32_t turns, ticks;  // in a row; since the last one
+  std::uint32_t turns;  // in a row
+  std::int64_t ns;      // since the last one
 };
 
 struct GuardState {
   GuardMode mode;
-  Fault fault;                // latched
-  std::uint32_t blind_ticks;  // ticks in a row without a usable sample
-  std::uint32_t ramp_tick;    // since arming
-  std::uint32_t fade_tick;    // since the fault, or since the button was released
+  Fault fault;            // latched
+  std::uint32_t arming;   // grows each time it begins anew: orders of an earlier one move nothing
+  std::int64_t now_ns;    // of the newest tick; 0: none yet
+  std::int64_t step_ns;   // between it and the one before, at least a period
+  std::int64_t blind_ns;  // without a usable sample
+  std::int64_t ramp_ns;   // since arming
+  std::int64_t fade_ns;   // since the fault, or since the button was released
   std::uint32_t have_seq;
   std::uint64_t seq;                  // of the newest sample
   std::uint32_t button_seen, button;  // dead man's, of the newest usable sample since arming
@@ -129,6 +142,8 @@ struct GuardState {
   Vec3 pose_m;   // of the newest usable sample
   Vec3 force_n;  // last one let through
   Vec3 fade_from_n;
+  std::uint32_t have_motor;  // the device tells what its motors have
+  Vec3 motor_n;              // that, as last told
   double heat_n2;  // mean square of the force over thermal_s
   EnergyObserver energy;
   BuzzDetector buzz;
@@ -138,6 +153,20 @@ struct GuardState {
 // At zero force, and armed with the first tick where there is no dead man's button.
 GuardState guard_start();
 
+// The same guard for the next run with a device that stays open: what is latched stays latched, and
+// motors are as warm as they were, less what they cooled in `idle_ns`. Else it is armed anew.
+void guard_resume(const GuardConfig& config, GuardState& state, std::int64_t idle_ns);
+
+// What the motors have, where the device tells: before guard_sample. Motors that have stopped by
+// themselves latch a fault.
+void guard_motor(GuardState& state, const MotorReport& report);
+
+// Whether its force only falls: in a fade, or without any.
+bool guard_lets_go(const GuardState& state);
+
+// Towards zero, whatever is asked: the end of a run. True once nothing is left.
+bool guard_end(const GuardConfig& config, GuardState& state);
+
 // True if the kernel may use the sample. `answered`: the device gave one at all.
 bool guard_sample(const GuardConfig& config, GuardState& state, bool answered, const Sample& sample,
                   std::int64_t now_ns);
@@ -146,8 +175,10 @@ bool guard_sample(const GuardConfig& config, GuardState& state, bool answered, c
 Vec3 guard_force(const GuardConfig& config, GuardState& state, Vec3 force_n);
 
 // The same for a torque, at most `max_torque_nm` long (0: none at all), with a guard of its own: a
-// fault of the force is one of the torque, and the other way round. From nothing to its limit it
-// takes half the time in which a fault fades. After guard_force.
+// fault of the force is one of the torque, and the other way round. What a force may do as a share
+// of its limit, buzz and warm the motors, a torque may do as a share of its own; its work is
+// observed with the force's. From nothing to its limit it takes half the time in which a fault
+// fades. After guard_force.
 Vec3 guard_torque(const GuardConfig& config, float max_torque_nm, GuardState& force_state,
                   GuardState& torque_state, Vec3 torque_nm);
 

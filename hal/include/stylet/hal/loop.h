@@ -29,8 +29,11 @@
 
 namespace stylet::hal {
 
-// Missed ticks in a row after which the guard latches Fault::kTooLate.
-constexpr std::uint32_t kMaxMissedInARow = 20;
+// Lost time after which the guard latches Fault::kTooLate: at once, or bit by bit where ticks in
+// time do not make up for it. One in time makes up for half a period: a loop that loses more than a
+// third of its ticks for long is none.
+constexpr std::int64_t kMaxLateNs = 20'000'000;
+constexpr std::int64_t kLostTicksPart = 2;
 
 // Durations in bins of 1 us; the last bin holds everything longer.
 struct Histogram {
@@ -65,6 +68,7 @@ struct LoopConfig {
   std::uint64_t ticks = 0;
   std::uint32_t hash_every_ticks = 0;     // 0: never
   std::uint32_t display_every_ticks = 1;  // the last tick of a run is always published
+  bool lets_go = true;  // at its end what force there is fades; false: another run goes on with it
   std::array<HandConfig, kMaxNeedles> hand;
 };
 
@@ -90,7 +94,7 @@ struct LoopState {
   std::array<HandState, kMaxNeedles> hand;
   std::array<FaultMailbox, kMaxNeedles> mailbox;  // of each hand
   std::uint32_t events_seen = 0;
-  std::uint32_t missed_in_a_row = 0;
+  std::int64_t lost_ns = 0;  // by missed ticks, less what was made up for
   std::uint64_t ticks = 0;
   // Written by the loop alone; other threads may read them while it runs.
   std::atomic<std::uint64_t> missed_ticks{0};  // grid points passed over

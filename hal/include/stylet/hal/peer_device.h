@@ -32,11 +32,13 @@ struct PeerDevice {
                      .max_slew_n_per_s = 2000,
                      .force_life_s = static_cast<float>(kForceLifeNs) * 1e-9F};
   bool heard = false;
-  std::int64_t heard_ns = 0;   // arrival of the newest sample
-  std::int64_t looked_ns = 0;  // when
-  std::int64_t offset_ns = 0;  // our clock less the sender's
-  std::uint64_t seq = 0;       // of the samples handed on, over all sessions
-  std::uint64_t sent = 0;
+  std::int64_t heard_ns = 0;               // arrival of the newest sample
+  std::int64_t looked_ns = 0;              // when
+  std::int64_t offset_ns = 0;              // our clock less the sender's
+  std::uint64_t seq = 0;                   // of the samples handed on, over all sessions
+  std::uint64_t sent = 0, first_sent = 0;  // numbers of packets: the newest, before the first
+  Command given = {};                      // in the newest packet
+  std::int64_t echo_ns = 0;  // when a newer one of ours was last told to have come; 0: never
   SamplePacket newest;
   std::uint16_t other_version = 0;        // of packets that are not read
   std::atomic<bool> other_device{false};  // a session with other limits wants to join

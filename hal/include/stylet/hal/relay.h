@@ -2,36 +2,39 @@
 // Between the loop and the thread that talks to a device, the vendor's or ours: the newest sample
 // one way, the newest force the other.
 //
-// A force that is not renewed within kOrderLifeNs ends: a loop that has stopped leaves no force in
-// the device, whatever its thread does. fail() is for good: no sample and no force comes through
-// any more, so that a device that comes back by itself does not push. A device that has shown
-// nothing new for kQuietNs does not answer.
-// Promises: wait-free, no allocation, no system call; one thread on each side. Units: SI.
+// What the device's thread gets is what the motors may have: slewed, and gone when a loop has
+// stopped (motor.h). fail() is for good: no sample and no force comes through any more, so that a
+// device that comes back by itself does not push. end(): what force there is fades. A device that
+// has shown nothing new for kQuietNs does not answer. Promises: wait-free, no allocation, no system
+// call; one thread on each side. Units: SI.
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 
 #include "stylet/hal/channel.h"
 #include "stylet/hal/device.h"
+#include "stylet/hal/motor.h"
 
 namespace stylet::hal {
 
-constexpr std::int64_t kOrderLifeNs = 10'000'000;
 constexpr std::int64_t kQuietNs = 20'000'000;
+// How long a device that is closed waits for what force there is to fade.
+constexpr std::chrono::milliseconds kFadeTime(25);
 
 class Relay {
  public:
+  MotorLimits limits;  // before the first order
+
   // ---- the device's thread
   // Times on CLOCK_MONOTONIC.
   void publish(const Pose& pose, std::uint32_t buttons, std::int64_t t_ns);
-  struct Order {
-    Vec3 force_n;
-    Vec3 torque_nm;
-  };
-  Order order(std::int64_t now_ns);
+  // What to write to the motors now. Once a period: time is what a force changes with.
+  MotorReport order(std::int64_t now_ns);
 
   // ---- any thread
+  void end();
   // Why, a number of the device's own; the first one stays.
   void fail(std::uint32_t why);
   bool failed() const { return failed_.load(std::memory_order_acquire); }
@@ -41,20 +44,21 @@ class Relay {
   // ---- the loop
   bool read(std::int64_t now_ns, Sample& sample_out);
   void write(const Command& command);
+  bool motor(MotorReport& report_out);
 
  private:
-  struct Given {
-    Order order;
-    std::int64_t t_ns;
-  };
   Latest<Sample> samples_;
-  Latest<Given> orders_;
+  Latest<MotorOrder> orders_;
+  Latest<MotorReport> reports_;
   std::atomic<bool> failed_{false};
   std::atomic<bool> measured_{false};
+  std::atomic<bool> ending_{false};
   std::atomic<std::uint32_t> why_{0};
   std::uint64_t seq_ = 0;     // the device's thread
-  Given given_ = {};          // the device's thread
+  MotorOrder order_ = {};     // the device's thread
+  MotorState motor_ = {};     // the device's thread
   Sample newest_ = {};        // the loop
+  MotorReport report_ = {};   // the loop
   std::int64_t tick_ns_ = 0;  // the loop
 };
 
@@ -68,7 +72,17 @@ Device relayed(Backend* self, const DeviceInfo& info, void (*close)(void*),
   const auto write = [](void* at, const Command& command) {
     static_cast<Backend*>(at)->relay.write(command);
   };
-  return {self, info, read, write, close, trouble};
+  const auto motor = [](void* at, MotorReport& report_out) {
+    return static_cast<Backend*>(at)->relay.motor(report_out);
+  };
+  Device device = {self, info, read, write, close, trouble};
+  device.motor = motor;
+  return device;
+}
+
+// From what a device says of itself.
+inline MotorLimits motor_limits(const DeviceInfo& info) {
+  return {info.max_force_n, info.max_slew_n_per_s, info.max_torque_nm};
 }
 
 }  // namespace stylet::hal

@@ -34,17 +34,20 @@ struct StationState {
   Sample sample = {};
   SamplePacket sent;
   ForcePacket newest;
-  Vec3 force_n = {};            // on the hand
-  Vec3 torque_nm = {};          // likewise
-  std::uint32_t fade_tick = 0;  // since models came anew
-  std::uint64_t models = 0;     // accepted
-  std::uint64_t refused = 0;    // damaged, or not newer than the newest
-  std::uint64_t starved = 0;    // ticks without a living model
+  Vec3 force_n = {};          // on the hand
+  Vec3 torque_nm = {};        // likewise
+  std::int64_t fade_ns = 0;   // since models came anew
+  std::uint64_t models = 0;   // accepted
+  std::uint64_t refused = 0;  // damaged, or not newer than the newest
+  std::uint64_t starved = 0;  // ticks without a living model
 };
 
 // `session`: another number each time a station is started.
 StationState station_start(std::uint32_t session);
 void station_tick(const StationConfig& config, StationState& state, const Device& device,
                   const Link& link, std::int64_t now_ns);
+// Instead of a tick at the end: true once nothing is left of the force.
+bool station_end(const StationConfig& config, StationState& state, const Device& device,
+                 std::int64_t now_ns);
 
 }  // namespace stylet::hal

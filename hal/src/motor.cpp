@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stylet/hal/motor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stylet::hal {
+namespace {
+
+// Double: the square of any finite float stays finite.
+double length(Vec3 v) {
+  const double x = static_cast<double>(v.x), y = static_cast<double>(v.y),
+               z = static_cast<double>(v.z);
+  return std::sqrt(x * x + y * y + z * z);
+}
+
+Vec3 scaled(Vec3 v, double s) {
+  return {static_cast<float>(static_cast<double>(v.x) * s),
+          static_cast<float>(static_cast<double>(v.y) * s),
+          static_cast<float>(static_cast<double>(v.z) * s)};
+}
+
+bool finite(Vec3 v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+Vec3 shortened(Vec3 v, double most) {
+  const double size = length(v);
+  return size > most ? scaled(v, most / size) : v;
+}
+
+Vec3 approached(Vec3 from, Vec3 to, double most) {
+  const Vec3 way = {to.x - from.x, to.y - from.y, to.z - from.z};
+  const double size = length(way);
+  if (!(size > most)) return to;
+  const Vec3 part = scaled(way, most / size);
+  return {from.x + part.x, from.y + part.y, from.z + part.z};
+}
+
+// Shorter by so much: what is small already is gone sooner, so that one fade after another takes no
+// longer than one.
+Vec3 faded(Vec3 v, double by) {
+  const double size = length(v);
+  return size > by ? scaled(v, 1 - by / size) : Vec3{};
+}
+
+double seconds(std::int64_t ns) {
+  return static_cast<double>(ns) * 1e-9;
+}
+
+// A limit that is not a number, or none, is the smallest.
+double limit(float value, float otherwise) {
+  return static_cast<double>(value > 0 ? value : otherwise);
+}
+
+void begin_fade(MotorState& state, std::int64_t since_ns) {
+  if (state.fading) return;
+  state.fading = true;
+  state.fade_ns = since_ns;
+  state.fade_force_n = state.report.force_n;
+  state.fade_torque_nm = state.report.torque_nm;
+}
+
+// Which way the motors are to go: after the order, or out.
+void judge(MotorState& state, const MotorOrder& order, MotorCut cut, std::int64_t now_ns) {
+  MotorReport& report = state.report;
+  const bool armed_anew = order.t_ns != 0 && order.arming != report.arming;
+  if (armed_anew) report.stopped = false;
+  if (order.t_ns != 0) report.arming = order.arming;
+  const std::int64_t age_ns = now_ns - order.t_ns;
+  const bool good = finite(order.force_n) && finite(order.torque_nm) && cut == MotorCut::kNone;
+  const bool fresh = order.t_ns != 0 && age_ns <= kOrderFreshNs;
+  if (order.t_ns != 0 && (!good || age_ns > kOrderLifeNs)) report.stopped = true;
+  if (!report.stopped && fresh) {
+    state.fading = false;
+  } else {
+    begin_fade(state, good ? std::min(now_ns, order.t_ns + kOrderFreshNs) : now_ns);
+  }
+}
+
+// What is to be written in the end: the order, or what a fade has left of `from`.
+Vec3 goal(const MotorState& state, const MotorOrder& order, Vec3 ordered, Vec3 from, Vec3 now,
+          double most) {
+  if (state.fading) {
+    const double gone = seconds(state.t_ns - state.fade_ns) / seconds(kMotorFadeNs);
+    const Vec3 left = faded(from, std::max(gone, 0.0) * most);
+    return order.falls ? shortened(left, length(ordered)) : left;  // it came late, and still holds
+  }
+  return shortened(ordered, order.falls ? std::min(most, length(now)) : most);
+}
+
+}  // namespace
+
+void motor_step(const MotorLimits& limits, MotorState& state, const MotorOrder& order, MotorCut cut,
+                std::int64_t now_ns) {
+  const std::int64_t passed_ns =
+      state.t_ns == 0 ? 0 : std::max<std::int64_t>(now_ns - state.t_ns, 0);
+  state.t_ns = now_ns;
+  // Whoever writes was held up: the device may have cut the force by itself.
+  if (passed_ns > kOrderLifeNs) cut = MotorCut::kNow;
+  judge(state, order, cut, now_ns);
+  MotorReport& report = state.report;
+  if (cut == MotorCut::kNow) {
+    report.force_n = report.torque_nm = state.fade_force_n = state.fade_torque_nm = {};
+  }
+  const double most_n = limit(limits.max_force_n, 0), most_nm = limit(limits.max_torque_nm, 0);
+  // Down with the time that has passed, up no faster than step by step.
+  const bool falls = state.fading || order.falls;
+  const double step_s = seconds(falls ? passed_ns : std::min(passed_ns, kMotorStepNs));
+  const double slew = limit(limits.max_slew_n_per_s, kUnknownSlewNPerS);
+  report.force_n = approached(
+      report.force_n, goal(state, order, order.force_n, state.fade_force_n, report.force_n, most_n),
+      slew * step_s);
+  report.torque_nm = approached(
+      report.torque_nm,
+      goal(state, order, order.torque_nm, state.fade_torque_nm, report.torque_nm, most_nm),
+      2 * most_nm / seconds(kMotorFadeNs) * step_s);
+}
+
+}  // namespace stylet::hal

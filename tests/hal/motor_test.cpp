@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the motors get, whatever loop, device and hand do: random sessions of guard, relay and motor
+// in virtual time, looked at where the force is written, by rules that know nothing of the code.
+#include "stylet/hal/motor.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <random>
+#include <string>
+
+#include "stylet/hal/guard.h"
+#include "stylet/hal/relay.h"
+
+namespace stylet::hal {
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+constexpr double kZeroMs = 25;  // from any fault to no force, as hal/GUARD.md promises
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+double size(Vec3 v) {
+  return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
+}
+double apart(Vec3 a, Vec3 b) {
+  return size({a.x - b.x, a.y - b.y, a.z - b.z});
+}
+
+// Numbers that are the same everywhere: the standard's distributions are not.
+struct Draw {
+  std::mt19937_64 engine;
+  double part() { return static_cast<double>(engine() >> 11U) * 0x1p-53; }
+  double between(double low, double high) { return low + (high - low) * part(); }
+  bool chance(double share) { return part() < share; }
+  std::int64_t ms(double low, double high) {
+    return static_cast<std::int64_t>(between(low, high) * 1e6);
+  }
+};
+
+// Somebody who does nothing until a time: now and then, or again and again.
+struct Stalls {
+  double share = 0;           // of wake-ups that begin one
+  std::int64_t every_ns = 0;  // 0: at random only
+  std::int64_t longest_ns = 0;
+  std::int64_t until_ns = 0, next_ns = 0;
+
+  static Stalls drawn(Draw& draw) {
+    Stalls out;
+    if (draw.chance(0.3)) return out;
+    // Short and long ones alike: 0.5 to 300 ms, evenly over their logarithm.
+    out.longest_ns = static_cast<std::int64_t>(0.5e6 * std::pow(600.0, draw.part()));
+    if (draw.chance(0.3)) {
+      out.every_ns = out.longest_ns + draw.ms(0.5, 40);
+    } else {
+      out.share = draw.between(0.0005, 0.02);
+    }
+    return out;
+  }
+  bool busy(Draw& draw, std::int64_t now_ns) {
+    if (now_ns < until_ns) return true;
+    const bool due = every_ns != 0 && now_ns >= next_ns;
+    if (!due && !draw.chance(share)) return false;
+    next_ns = now_ns + every_ns;
+    until_ns =
+        now_ns + (due ? longest_ns
+                      : static_cast<std::int64_t>(draw.part() * static_cast<double>(longest_ns)));
+    return until_ns > now_ns;
+  }
+};
+
+struct Session {
+  Draw draw;
+  GuardConfig guard;
+  DeviceInfo info;
+  std::int64_t device_period_ns = kMs;
+  Stalls loop, device;
+  double trouble = 0;  // share of ticks with one
+  bool presses_on = false;
+  std::unique_ptr<Relay> relay = std::make_unique<Relay>();
+  GuardState state = guard_start();
+  std::int64_t now_ns = 1'000 * kMs, written_ns = 0;
+  Vec3 written_n = {};
+  // What is known from outside.
+  std::int64_t loop_ns = 0;                    // of the newest order
+  std::int64_t fault_ns = 0;                   // since when the guard has one; 0: none
+  std::int64_t failed_ns = 0;                  // the device, in the eyes of its driver
+  std::uint64_t acknowledged = 0, needed = 0;  // times; what must be reached for any force
+  std::int64_t needed_ns = 0;                  // since when
+  bool ordered = false;                        // since the last acknowledgement
+  bool stopped = false;                        // orders were missing for longer than they live
+  std::string broken;
+
+  explicit Session(std::uint64_t seed) : draw{std::mt19937_64(seed)} {
+    guard.max_force_n = static_cast<float>(draw.between(0.5, 30));
+    const double least = static_cast<double>(guard.max_force_n) / 0.020;
+    guard.max_slew_n_per_s = static_cast<float>(least * draw.between(1, 8));
+    guard.ramp_s = draw.chance(0.3) ? 0 : static_cast<float>(draw.between(0, 0.4));
+    guard.watchdog_s = static_cast<float>(draw.between(1e-3, 5e-3));
+    guard.buzz_n = draw.chance(0.5) ? 100 : 0.1F * guard.max_force_n;
+    guard.continuous_force_n = static_cast<float>(draw.between(0.1, 1)) * guard.max_force_n;
+    guard.stored_energy_j = 1e6F;
+    guard.max_speed_m_per_s = 1e3F;
+    info = {.name = "drawn",
+            .max_force_n = guard.max_force_n,
+            .max_slew_n_per_s = guard.max_slew_n_per_s};
+    relay->limits = motor_limits(info);
+    device_period_ns = draw.ms(0.2, 1);
+    loop = Stalls::drawn(draw);
+    device = Stalls::drawn(draw);
+    trouble = draw.chance(0.5) ? 0 : draw.between(0, 0.01);
+    presses_on = draw.chance(0.5);
+  }
+
+  void fail(const char* why) {
+    if (!broken.empty()) return;
+    broken = why;
+    broken += " (fault " + std::string(fault_name(state.fault)) + ", " + mode_name(state.mode) +
+              ", guard " + std::to_string(size(state.force_n)) + " N, motor had " +
+              std::to_string(size(written_n)) + " N, loop " +
+              std::to_string(static_cast<double>(now_ns - loop_ns) * 1e-6) + " ms ago, device " +
+              std::to_string(static_cast<double>(now_ns - written_ns) * 1e-6) + " ms ago)";
+  }
+
+  void need() {
+    if (needed > acknowledged) return;
+    needed = acknowledged + 1;
+    needed_ns = now_ns;
+  }
+
+  // Every rule of the motor at once, with the time that has really passed.
+  void judge(Vec3 force_n) {
+    const double passed_s = static_cast<double>(now_ns - written_ns) * 1e-9;
+    const double most = static_cast<double>(guard.max_slew_n_per_s) * passed_s;
+    const double force = size(force_n);
+    if (!std::isfinite(force)) return fail("not finite");
+    if (force > static_cast<double>(guard.max_force_n) * (1 + 1e-6)) return fail("over the limit");
+    // A driver that gives its device up, or was held up and cannot know what the device did.
+    const bool cut = force == 0 && (failed_ns != 0 || now_ns - written_ns > 10 * kMs);
+    if (written_ns != 0 && !cut && apart(force_n, written_n) > most * (1 + 1e-5) + 1e-6) {
+      return fail("changes faster than the slew limit");
+    }
+    const auto since_ms = [this](std::int64_t ns) {
+      return static_cast<double>(now_ns - ns) * 1e-6;
+    };
+    // Whoever writes once a period notices one later.
+    const double slack_ms = static_cast<double>(device_period_ns) * 1e-6;
+    if (force > 0 && loop_ns != 0 && since_ms(loop_ns) > kZeroMs + slack_ms) {
+      return fail("force 25 ms after the loop stopped");
+    }
+    // The guard sees its faults when the loop runs, and the loop's own stall is judged above.
+    if (force > 0 && fault_ns != 0 && since_ms(fault_ns) > kZeroMs + slack_ms) {
+      return fail("force 25 ms after a fault");
+    }
+    if (force > 0 && failed_ns != 0 && since_ms(failed_ns) > kZeroMs) {
+      return fail("force after the device had failed");
+    }
+    if (ordered && since_ms(loop_ns) > 10) stopped = true;
+    if (ordered && written_ns != 0 && since_ms(written_ns) > 10) stopped = true;
+    if (stopped) need();
+    // The order that was under way when the guard saw the fault may still come through.
+    const bool under_way = now_ns - needed_ns < 2 * kMs;
+    if (needed > acknowledged && !under_way && force > size(written_n) * (1 + 1e-6)) {
+      return fail("force grows before it was acknowledged");
+    }
+    written_n = force_n;
+    written_ns = now_ns;
+  }
+
+  void tick_device() {
+    if (device.busy(draw, now_ns)) return;
+    if (draw.chance(trouble * 0.02)) {
+      relay->fail(1);
+      if (failed_ns == 0) failed_ns = now_ns;
+    }
+    judge(relay->order(now_ns).force_n);
+    Pose pose = {{0.01F * static_cast<float>(std::sin(static_cast<double>(now_ns) * 1e-8)), 0, 0},
+                 {1, 0, 0, 0}};
+    if (draw.chance(trouble)) pose.position_m.x = draw.chance(0.5) ? kNan : 50;
+    if (!draw.chance(trouble)) relay->publish(pose, 0, now_ns);
+  }
+
+  Vec3 asked() {
+    if (draw.chance(trouble * 0.1)) return {kNan, 0, 0};
+    const float most = guard.max_force_n * 1.5F;
+    if (!presses_on) return {draw.chance(0.5) ? most : -most, 0, 0.3F};  // a square wave
+    return {most, most * 0.2F, 0};
+  }
+
+  void note_fault(bool had) {
+    const bool has = state.fault != Fault::kNone;
+    if (has && !had) {
+      fault_ns = now_ns;
+      need();
+    }
+  }
+
+  void tick_loop() {
+    if (loop.busy(draw, now_ns)) return;
+    const bool had = state.fault != Fault::kNone;
+    MotorReport report;
+    if (relay->motor(report)) guard_motor(state, report);
+    Sample sample;
+    const bool answered = relay->read(now_ns, sample);
+    (void)guard_sample(guard, state, answered, sample, now_ns);
+    relay->write({.force_n = guard_force(guard, state, asked()),
+                  .arming = state.arming,
+                  .falls = guard_lets_go(state)});
+    loop_ns = now_ns;
+    ordered = true;
+    note_fault(had);
+  }
+
+  // An operator: acknowledges what is latched, resets and starts, opens a device again.
+  void operate() {
+    if (state.fault != Fault::kNone && draw.chance(0.02) && guard_rearm(state, state.fault)) {
+      ++acknowledged;
+      fault_ns = 0;
+      stopped = ordered = false;
+    }
+    // Not sooner than it really is, a quarter of a second later: the guard has let go.
+    if (relay->failed() && state.mode == GuardMode::kFault && draw.chance(0.02)) {
+      relay = std::make_unique<Relay>();
+      relay->limits = motor_limits(info);
+      failed_ns = 0;
+      written_n = {};
+    }
+    if (draw.chance(0.0005)) reset();
+  }
+
+  // Reset, and Start after a while: what is latched stays so. One that let go in order is armed
+  // anew.
+  void reset() {
+    const bool had = state.fault != Fault::kNone;
+    for (bool gone = false; !gone; now_ns += kMs) {
+      gone = guard_end(guard, state);
+      Sample unused;
+      (void)relay->read(now_ns, unused);
+      relay->write(
+          {.force_n = state.force_n, .arming = state.arming, .falls = guard_lets_go(state)});
+      loop_ns = now_ns;
+      judge(relay->order(now_ns).force_n);
+    }
+    const std::int64_t idle_ns = draw.ms(0, 200);
+    for (std::int64_t end_ns = now_ns + idle_ns; now_ns < end_ns; now_ns += device_period_ns) {
+      judge(relay->order(now_ns).force_n);
+      relay->publish({{}, {1, 0, 0, 0}}, 0, now_ns);
+    }
+    if (size(written_n) > 0 && idle_ns > 30 * kMs) fail("force between two attempts");
+    guard_resume(guard, state, idle_ns);
+    if ((state.fault != Fault::kNone) != had) fail("a latched fault was forgotten");
+    if (!had) {
+      ++acknowledged;
+      stopped = ordered = false;
+    }
+  }
+
+  void run(double seconds) {
+    const std::int64_t end_ns = now_ns + static_cast<std::int64_t>(seconds * 1e9);
+    std::int64_t device_ns = now_ns, loop_at_ns = now_ns + draw.ms(0, 1);
+    while (now_ns < end_ns && broken.empty()) {
+      now_ns = std::max(now_ns, std::min(device_ns, loop_at_ns));
+      if (now_ns >= device_ns) {
+        tick_device();
+        device_ns = now_ns + device_period_ns;
+      }
+      if (now_ns >= loop_at_ns) {
+        tick_loop();
+        operate();
+        loop_at_ns = std::max(loop_at_ns + kMs, now_ns);
+      }
+    }
+  }
+};
+
+// A session's seconds: enough for some stalls of 300 ms and the ramps after them.
+constexpr double kSessionS = 2.5;
+
+void run_sessions(std::uint64_t first, std::uint64_t count) {
+  double felt = 0;
+  std::uint64_t acknowledged = 0;
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    Session session(seed);
+    session.run(kSessionS);
+    ASSERT_EQ(session.broken, "") << "seed " << seed << " at "
+                                  << static_cast<double>(session.now_ns) * 1e-6 - 1000 << " ms";
+    felt = std::max(felt, size(session.written_n));
+    acknowledged += session.acknowledged;
+  }
+  EXPECT_GT(felt, 1) << "there was a force to judge";
+  EXPECT_GT(acknowledged, count / 2) << "and faults that were acknowledged";
+}
+
+TEST(Motor, GetsNothingThatHurtsInSomeSessions) {
+  run_sessions(1, 400);
+}
+
+TEST(MotorExhaustive, GetsNothingThatHurtsInTenThousandSessions) {
+  run_sessions(1'000'000, 10'000);
+}
+
+// ---- one rule at a time
+
+struct Desk {
+  MotorLimits limits = {3, 1000, 0.1F};
+  MotorState state;
+  MotorOrder order = {.arming = 1};
+  std::int64_t now_ns = 50 * kMs;
+
+  Vec3 step(std::int64_t ns = kMs, MotorCut cut = MotorCut::kNone) {
+    now_ns += ns;
+    motor_step(limits, state, order, cut, now_ns);
+    return state.report.force_n;
+  }
+  Vec3 push(Vec3 force_n, std::int64_t ns = kMs) {
+    order.force_n = force_n;
+    order.t_ns = now_ns + ns;
+    return step(ns);
+  }
+};
+
+TEST(Motor, FollowsTheOrderWithinItsLimits) {
+  Desk desk;
+  desk.push({});
+  EXPECT_NEAR(size(desk.push({0, 2.5F, 0})), 1, 1e-6);  // 1000 N/s for a millisecond
+  EXPECT_NEAR(size(desk.push({0, 2.5F, 0})), 2, 1e-6);
+  EXPECT_EQ(desk.push({0, 2.5F, 0}).y, 2.5F);
+  for (int i = 0; i < 5; ++i) desk.push({0, 40, 0});
+  EXPECT_NEAR(size(desk.push({0, 40, 0})), 3, 1e-6);
+  for (float bad : {kNan, std::numeric_limits<float>::infinity()}) {
+    Desk other;
+    other.push({});
+    for (int i = 0; i < 30; ++i) ASSERT_EQ(size(other.push({bad, 0, 0})), 0);
+  }
+}
+
+// The stalls of a loop that an outside check used.
+TEST(Motor, StallsAreADipOrAnEndAndNeverAKick) {
+  for (int stall_ms = 1; stall_ms <= 60; ++stall_ms) {
+    Desk desk;
+    for (int i = 0; i < 10; ++i) desk.push({2.9F, 0, 0});
+    double last = size(desk.state.report.force_n);
+    ASSERT_NEAR(last, 2.9, 1e-6);
+    for (int i = 1; i <= stall_ms; ++i) {
+      const double now = size(desk.step());
+      EXPECT_LE(now, last);
+      EXPECT_LE(last - now, 3.0 / 20 + 1e-6) << stall_ms << " at " << i;
+      EXPECT_TRUE(i < 24 || now == 0) << stall_ms << " at " << i;
+      last = now;
+    }
+    for (int i = 0; i < 40; ++i) {
+      const double now = size(desk.push({2.9F, 0, 0}));
+      EXPECT_LE(std::fabs(now - last), 1 + 1e-6) << stall_ms;
+      EXPECT_TRUE(stall_ms <= 10 || now <= last) << stall_ms;
+      last = now;
+    }
+    EXPECT_NEAR(last, stall_ms > 10 ? 0 : 2.9, 1e-6) << stall_ms;
+    desk.order.arming = 2;
+    for (int i = 0; i < 40; ++i) last = size(desk.push({2.9F, 0, 0}));
+    EXPECT_NEAR(last, 2.9, 1e-6) << "armed anew";
+  }
+}
+
+TEST(Motor, WhatHasFailedIsCutAndWhatIsClosedFades) {
+  Desk failed, closed;
+  for (Desk* each : {&failed, &closed}) {
+    for (int i = 0; i < 10; ++i) each->push({2.9F, 0, 0});
+  }
+  EXPECT_EQ(size(failed.step(kMs, MotorCut::kNow)), 0);
+  double last = 2.9;
+  for (int i = 1; i <= 22; ++i) {
+    const double now = size(closed.step(kMs, MotorCut::kFade));
+    EXPECT_LE(last - now, 3.0 / 20 + 1e-6);
+    last = now;
+  }
+  EXPECT_EQ(last, 0);
+  failed.order.arming = 9;
+  for (int i = 0; i < 10; ++i) {
+    failed.order.t_ns = failed.now_ns + kMs;
+    EXPECT_EQ(size(failed.step(kMs, MotorCut::kNow)), 0);
+  }
+}
+
+TEST(Motor, TorqueHasItsOwnLimitAndSlew) {
+  Desk desk;
+  desk.push({});
+  desk.order.torque_nm = {0, 0, 7};
+  double last = 0;
+  for (int i = 0; i < 20; ++i) {
+    desk.push({});
+    const double now = size(desk.state.report.torque_nm);
+    EXPECT_LE(now - last, 0.01 + 1e-7);  // from nothing to 0.1 N m in 10 ms
+    last = now;
+  }
+  EXPECT_NEAR(last, 0.1, 1e-6);
+}
+
+TEST(Guard, LearnsThatTheMotorsHaveStoppedAndStaysThere) {
+  GuardConfig config;
+  config.ramp_s = 0;
+  GuardState state = guard_start();
+  for (int i = 0; i < 20; ++i) (void)guard_force(config, state, {2, 0, 0});
+  guard_motor(state, {{2, 0, 0}, {}, state.arming + 1, true});
+  EXPECT_EQ(state.fault, Fault::kNone) << "a report of another arming";
+  guard_motor(state, {{0.5F, 0, 0}, {}, state.arming, true});
+  EXPECT_EQ(state.fault, Fault::kForceExpired);
+  EXPECT_LE(size(guard_force(config, state, {2, 0, 0})), 0.5);
+  for (int i = 0; i < 25; ++i) (void)guard_force(config, state, {2, 0, 0});
+  EXPECT_EQ(state.mode, GuardMode::kFault);
+}
+
+}  // namespace
+}  // namespace stylet::hal
