@@ -7,10 +7,13 @@
 namespace stylet {
 namespace {
 
-// Length of needle behind the tip that is searched: longer than any tick's motion.
+// Length of needle behind the tip that is searched, at least: longer than any tick's motion at
+// 1 kHz. Longer ticks search as far as the fastest handle moves in one.
 constexpr float kContactReachM = 0.02F;
 // The tip must be this far behind the surface: keeps a tip that just left from touching rounding.
 constexpr float kContactSkinM = 2e-5F;
+// A tip that is drawn back, more than it is swept aside, is on its way out: cos 60 degrees.
+constexpr float kSideways = 0.5F;
 
 struct Segment {
   Vec3 from_m, direction;
@@ -46,11 +49,13 @@ Vertex deformed(const View& view, const OrganVertex& v) {
   return out;
 }
 
-bool near(const OrganSphere& sphere, const Segment& s, float grow_m) {
+// How far along the segment it can be crossed within a sphere, at most; false: nowhere.
+bool reaches(const OrganSphere& sphere, const Segment& s, float grow_m, float& latest_out_m) {
   const Vec3 to = Vec3{sphere.x, sphere.y, sphere.z} - s.from_m;
   const float along = clamp(dot(to, s.direction), 0, s.length_m);
   const Vec3 gap = to - along * s.direction;
   const float reach = sphere.radius + grow_m;
+  latest_out_m = along + reach;
   return dot(gap, gap) <= reach * reach;
 }
 
@@ -63,8 +68,19 @@ struct Search {
   std::uint32_t triangles_left;
 };
 
+// Where one vertex of a leaf is now tells where they all are: tissue that elsewhere is dragged far
+// makes a search reach many leaves, most of which have hardly moved.
+bool is_near(const View& view, const OrganSphere& leaf, const Segment& segment) {
+  const OrganVertex& one = view.organ.vertices[view.organ.triangles[leaf.first].a];
+  const Vec3 place = deformed(view, one).place_m;
+  float unused = 0;
+  return reaches({place.x, place.y, place.z, 0, 0, 0}, segment,
+                 2 * kMaxSurfaceStretch * leaf.radius, unused);
+}
+
 // Tests the triangles of a leaf; false when the triangle budget is spent.
 bool search_leaf(const View& view, const OrganSphere& leaf, Search& search) {
+  if (!is_near(view, leaf, search.segment)) return true;
   for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
     if (search.triangles_left == 0) return false;
     --search.triangles_left;
@@ -87,45 +103,81 @@ bool search_leaf(const View& view, const OrganSphere& leaf, Search& search) {
   return true;
 }
 
-// Depth-first over the tree with a fixed stack; false when a bound was reached.
+// What is still to be looked at: a node, and how far along the segment it can be crossed.
+struct Open {
+  std::uint32_t node;
+  float latest_m;
+};
+
+// Nearest to the tip first, with a fixed stack; false when a bound was reached.
 bool search_tree(const View& view, Search& search) {
-  std::uint32_t stack[kMaxTreeDepth];
+  Open stack[kMaxTreeDepth];
   std::uint32_t top = 0;
   if (view.organ.spheres.empty()) return true;
-  stack[top++] = 0;
+  const auto push = [&](std::uint32_t node) {
+    float latest_m = 0;
+    if (!reaches(view.organ.spheres[node], search.segment, search.grow_m, latest_m)) return;
+    stack[top++] = {node, latest_m};
+    if (top < 2 || stack[top - 2].latest_m <= latest_m) return;
+    const Open other = stack[top - 2];
+    stack[top - 2] = stack[top - 1];
+    stack[top - 1] = other;
+  };
+  push(0);
   for (std::uint32_t visit = 0; visit < kMaxTreeVisits; ++visit) {
     if (top == 0) return true;
-    const OrganSphere& node = view.organ.spheres[stack[--top]];
-    if (!near(node, search.segment, search.grow_m)) continue;
+    const Open open = stack[--top];
+    if (search.found && open.latest_m <= search.best_m) continue;
+    const OrganSphere& node = view.organ.spheres[open.node];
     if (node.count > 0) {
       if (!search_leaf(view, node, search)) return false;
       continue;
     }
     if (top + 2 > kMaxTreeDepth) return false;
-    stack[top++] = node.first + 1;
-    stack[top++] = node.first;
+    push(node.first + 1);
+    push(node.first);
   }
   return top == 0;
 }
 
+// Along a segment, of which nothing is known yet.
+bool search_along(const View& view, const Segment& segment, Search& search) {
+  search.segment = segment;
+  search.found = false;
+  return search_tree(view, search);
+}
+
 }  // namespace
 
-bool find_contact(const View& view, Vec3 tip_m, Vec3 direction, Vec3& rest_out_m, Vec3& place_out_m,
-                  std::uint32_t& flags_out) {
-  const float reach = min_of(kContactReachM, view.needle_config().length_m);
+Contact find_contact(const View& view, Vec3 tip_m, Vec3 direction, Vec3 came_m, Vec3& rest_out_m,
+                     Vec3& place_out_m, std::uint32_t& flags_out) {
+  const float reach =
+      min_of(max_of(kContactReachM, kMaxHandleSpeedMPerS * view.model.head->config.period_s),
+             view.needle_config().length_m);
   Search search = {};
-  search.segment = {tip_m - reach * direction, direction, reach - kContactSkinM};
   // sqrt(3): the displacement bound is per axis.
   search.grow_m = 1.7320509F * view.state.head->max_displacement_m;
   search.triangles_left = kMaxTriangleTests;
-  if (!search_tree(view, search)) {
+  bool whole =
+      search_along(view, {tip_m - reach * direction, direction, reach - kContactSkinM}, search);
+  // A tip that comes in sideways may have the surface farther behind it, or none.
+  const float way = norm(came_m);
+  const bool sideways =
+      whole && !search.found && way > kContactSkinM && dot(came_m, direction) > -kSideways * way;
+  if (sideways) {
+    whole = search_along(view, {tip_m - came_m, (1 / way) * came_m, way}, search);
+    const float depth = dot(tip_m - search.place_m, direction);
+    if (depth < kContactSkinM) search.place_m = tip_m - kContactSkinM * direction;
+  }
+  if (!whole && !search.found) {
     ++view.state.head->contact_budget;
     flags_out |= kFlagContactBudget;
-    return false;
+    return Contact::kUnknown;
   }
   rest_out_m = search.rest_m;
   place_out_m = search.place_m;
-  return search.found;
+  if (!search.found) return Contact::kNone;
+  return sideways ? Contact::kSideways : Contact::kFound;
 }
 
 std::uint32_t surface(const Kernel& kernel, std::span<Vec3> positions_out) {

@@ -99,19 +99,29 @@ Vec3 turn_between(const Quat& a, const Quat& b) {
 // A tip that has just left its track lies in the mouth of the hole: it must come clear of the
 // surface before it can touch it again. What a tip that is swept aside comes forward is counted
 // along the mean of its directions before and after the `turn`: along the last one it would press
-// without anybody pushing.
-void seek_contact(const View& view, const Needle& needle, Vec3 turn, bool known_before,
+// without anybody pushing. False: it is not known whether it touches.
+bool seek_contact(const View& view, const Needle& needle, Vec3 turn, bool known_before,
                   std::uint32_t& flags) {
   NeedleState& own = *view.state.needle;
-  if (own.phase != Phase::kFree || own.handle_known == 0) return;
+  if (own.phase != Phase::kFree || own.handle_known == 0) return true;
   Vec3 rest = {}, place = {};
-  const std::uint32_t before = flags;
-  const bool found = find_contact(view, needle.tip_m, needle.tip_direction, rest, place, flags);
   const Vec3 step = needle.tip_m - view.state.tip->position_m;
+  const Contact contact = find_contact(view, needle.tip_m, needle.tip_direction,
+                                       known_before ? step : Vec3{}, rest, place, flags);
   const Vec3 forward = needle.tip_direction - 0.5F * cross(turn, needle.tip_direction);
-  const float came = known_before ? dot(step, forward) : 0;
+  float came = known_before ? dot(step, forward) : 0;
+  if (contact == Contact::kSideways) came = norm(step);  // it has come by no other way
+  const bool found = contact == Contact::kFound || contact == Contact::kSideways;
   if (found && own.leaving == 0) begin_contact(view, needle, rest, place, came);
-  if (!found && flags == before) own.leaving = 0;
+  if (contact == Contact::kNone) own.leaving = 0;
+  return contact != Contact::kUnknown;
+}
+
+// A tip that may be in the tissue goes no farther than it was: a hand feels that by its coupling.
+std::uint32_t hold_needle(const View& view, const Pose& before, Needle& shape_out) {
+  ++view.state.head->input_clamped;
+  view.state.needle->handle = before;
+  return kFlagInputClamped | place_needle(view, shape_out);
 }
 
 // Work of the hand since the last tick: mean of the forces at both ends times the motion.
@@ -164,7 +174,8 @@ void move_needle(const View& view, const Input& input, Moved& out) {
     roll_tip(view, dot(turn, column(rotation_matrix(own.handle.rotation), 2)));
   }
   out.flags |= place_needle(view, out.shape);
-  seek_contact(view, out.shape, turn, out.known_before, out.flags);
+  const bool known = seek_contact(view, out.shape, turn, out.known_before, out.flags);
+  if (!known && out.known_before) out.flags |= hold_needle(view, out.before, out.shape);
   out.flags |= couple_needle(view, out.shape);
 }
 

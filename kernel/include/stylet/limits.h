@@ -79,11 +79,16 @@ constexpr float kMaxTwistRad = 3.0F;
 constexpr std::uint32_t kMaxEvents = 64;
 // Tracks remembered in the tissue. Full: the oldest is forgotten and must be punctured again.
 constexpr std::uint32_t kMaxTracks = 16;
-// Sphere-tree nodes and triangles looked at in one tick. Reached: the contact of the last tick is
-// kept for one more (contact_budget is counted).
-constexpr std::uint32_t kMaxTreeVisits = 1024;
+// Sphere-tree nodes and triangles looked at in one tick by a needle that touches nothing, nearest
+// to its tip first. Reached before anything was found: the needle stays where it was
+// (contact_budget is counted). 2048 triangles are those of a disc of 26 mm radius with one on 1
+// mm^2.
+constexpr std::uint32_t kMaxTreeVisits = 8192;
+// How many times as far apart as at rest two vertices of one leaf of the tree may be. Beyond,
+// tissue torn like that may be passed without contact.
+constexpr float kMaxSurfaceStretch = 3;
 constexpr std::uint32_t kMaxTreeDepth = 64;
-constexpr std::uint32_t kMaxTriangleTests = 128;
+constexpr std::uint32_t kMaxTriangleTests = 2048;
 // Walks over an obstacle's vertices for one distance. Reached: the nearest point found so far,
 // which is never nearer than the truth.
 constexpr std::uint32_t kMaxGjkSteps = 32;

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+// A needle is felt wherever it goes in: what the rest of the organ does hides none of it.
+//
+// Judged by brute force: whether a tip is inside the deformed surface, by the number of triangles
+// that rays from it cross. The search of the kernel is not asked.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "rig.h"
+
+namespace stylet::test {
+namespace {
+
+// Numbers that are the same everywhere: the standard's distributions are not.
+struct Draw {
+  std::mt19937_64 engine;
+  float between(float low, float high) {
+    const auto part = static_cast<float>(static_cast<double>(engine() >> 11U) * 0x1p-53);
+    return low + (high - low) * part;
+  }
+  bool chance(float share) { return between(0, 1) < share; }
+  Vec3 direction() {
+    Vec3 d;
+    do {
+      d = {between(-1, 1), between(-1, 1), between(-1, 1)};
+    } while (norm(d) < 0.1F || norm(d) > 1);
+    return (1 / norm(d)) * d;
+  }
+};
+
+// Along any direction, with its tip at a place.
+Input along(Vec3 direction, Vec3 tip_m, float length_m) {
+  // The turn from -z to the direction: half-way quaternion.
+  Vec3 axis = cross(Vec3{0, 0, -1}, direction);
+  float w = 1 - direction.z;
+  if (w < 1e-6F) {
+    axis = {1, 0, 0};
+    w = 0;
+  }
+  const float size = std::sqrt(w * w + dot(axis, axis));
+  return {{tip_m - length_m * direction, {w / size, axis.x / size, axis.y / size, axis.z / size}},
+          1};
+}
+
+struct Judge {
+  std::vector<Vec3> places;
+  const Organ& organ;
+
+  // Crossings of a ray with the surface, and how near the nearest one is.
+  int crossings(Vec3 from_m, Vec3 way, double& nearest_m) const {
+    int count = 0;
+    const auto minus = [](Vec3 a, Vec3 b) {
+      return std::array{static_cast<double>(a.x) - static_cast<double>(b.x),
+                        static_cast<double>(a.y) - static_cast<double>(b.y),
+                        static_cast<double>(a.z) - static_cast<double>(b.z)};
+    };
+    const auto times = [](const auto& a, const auto& b) {
+      return std::array{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                        a[0] * b[1] - a[1] * b[0]};
+    };
+    const auto with = [](const auto& a, const auto& b) {
+      return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    };
+    const auto d = minus(way, {});
+    for (const OrganTriangle& t : organ.triangles) {
+      const auto ab = minus(places[t.b], places[t.a]), ac = minus(places[t.c], places[t.a]);
+      const auto gap = minus(from_m, places[t.a]);
+      const auto p = times(d, ac), q = times(gap, ab);
+      const double det = with(ab, p);
+      if (std::fabs(det) < 1e-18) continue;
+      const double u = with(gap, p) / det, v = with(d, q) / det, at = with(ac, q) / det;
+      if (u < 0 || v < 0 || u + v > 1 || at < 0) continue;
+      ++count;
+      nearest_m = std::min(nearest_m, at);
+    }
+    return count;
+  }
+
+  // Inside by three rays of three, and farther from the surface than rounding and skin along each.
+  bool inside(Vec3 tip_m) const {
+    double nearest_m = 1;
+    for (const Vec3 way :
+         {Vec3{0.91F, 0.31F, 0.27F}, {-0.43F, 0.83F, 0.36F}, {0.22F, -0.3F, 0.93F}}) {
+      if (crossings(tip_m, way, nearest_m) % 2 == 0) return false;
+    }
+    return nearest_m > 1e-4;
+  }
+};
+
+struct Way {
+  Vec3 start_m, direction, aside_m_per_s;  // swept aside while it goes
+  float speed_m_per_s, until_m;
+  int begin;  // tick
+};
+
+struct Scene {
+  TinyOrgan tiny;
+  Config config;
+  std::vector<Way> ways;
+};
+
+// A block of soft tissue under a tough skin, one needle that dents it, and up to three others that
+// come from anywhere while the dent is there.
+Scene drawn_scene(std::uint64_t seed) {
+  Draw draw{std::mt19937_64(seed)};
+  Scene scene;
+  TinyOrgan& tiny = scene.tiny;
+  tiny.voxel_edge_m = draw.between(1.5e-3F, 7e-3F);
+  const auto cells = [&](float low, float high) {
+    return static_cast<std::uint16_t>(
+        std::clamp(draw.between(low, high) / tiny.voxel_edge_m, 4.0F, 22.0F));
+  };
+  tiny.nx = cells(0.02F, 0.05F);
+  tiny.ny = cells(0.04F, 0.09F);
+  tiny.nz = cells(0.04F, 0.09F);
+  tiny.fixed_faces = kHighX;
+  TinyMaterial skin = {.name = "skin", .youngs_modulus_pa = draw.between(20e3F, 60e3F)};
+  skin.puncture_force_n = draw.between(2, 8);
+  TinyMaterial fat = {.name = "fat", .youngs_modulus_pa = draw.between(1e3F, 4e3F)};
+  tiny.materials = {skin, fat};
+  tiny.material_at = [](std::uint16_t x, std::uint16_t, std::uint16_t) {
+    return static_cast<std::uint8_t>(x == 0 ? 0 : 1);
+  };
+  scene.config.needle_count = 1 + static_cast<std::uint32_t>(draw.between(0, 3.999F));
+  if (draw.chance(0.4F)) {
+    scene.config.breathing.amplitude_m = draw.between(1e-3F, 15e-3F) * draw.direction();
+    scene.config.breathing.period_s = draw.between(0.5F, 4);
+  }
+  const float h = tiny.voxel_edge_m;
+  const Vec3 size = {h * tiny.nx, h * tiny.ny, h * tiny.nz};
+  const auto somewhere = [&](float margin) {
+    return Vec3{0, size.y * draw.between(margin, 1 - margin),
+                size.z * draw.between(margin, 1 - margin)};
+  };
+  // The first one dents, slowly enough for the tissue to follow, and then rests.
+  scene.ways.push_back({somewhere(0.2F) - Vec3{2e-3F, 0, 0},
+                        {1, 0, 0},
+                        {},
+                        0.05F,
+                        2e-3F + draw.between(2e-3F, 9e-3F),
+                        0});
+  for (std::uint32_t i = 1; i < scene.config.needle_count; ++i) {
+    Vec3 direction = draw.direction();
+    if (direction.x < 0) direction.x = -direction.x;
+    const float speed = 0.02F * std::pow(100.0F, draw.between(0, 1));  // to 2 m/s
+    const Vec3 through = somewhere(0.1F) + Vec3{size.x * draw.between(0, 0.7F), 0, 0};
+    const float run_up = draw.between(0.02F, 0.06F) + norm(size);
+    const Vec3 aside =
+        draw.chance(0.5F) ? draw.between(0, 1) * cross(direction, draw.direction()) : Vec3{};
+    scene.ways.push_back({through - run_up * direction, direction, aside, speed, 2 * run_up,
+                          250 + static_cast<int>(draw.between(0, 100))});
+  }
+  return scene;
+}
+
+// Ticks in which a needle was inside and felt nothing.
+void expect_felt(std::uint64_t seed) {
+  const Scene scene = drawn_scene(seed);
+  Rig rig = make_rig(scene.tiny, scene.config);
+  const std::uint32_t needles = scene.config.needle_count;
+  const float period_s = scene.config.period_s;
+  std::vector<Input> inputs(needles);
+  std::vector<Output> outputs(needles);
+  std::vector<bool> met(needles, false);
+  Judge judge{{}, rig.organ->organ};
+  judge.places.resize(judge.organ.vertices.size());
+  for (int t = 0; t < 900; ++t) {
+    for (std::uint32_t i = 0; i < needles; ++i) {
+      const Way& way = scene.ways[i];
+      const float time_s = period_s * static_cast<float>(std::max(t - way.begin, 0));
+      const float gone = std::min(way.speed_m_per_s * time_s, way.until_m);
+      inputs[i] = along(way.direction,
+                        way.start_m + gone * way.direction +
+                            (gone < way.until_m ? time_s : 0) * way.aside_m_per_s,
+                        scene.config.needle[i].length_m);
+    }
+    tick(rig.kernel(), inputs, outputs);
+    surface(rig.kernel(), judge.places);
+    for (std::uint32_t i = 0; i < needles; ++i) {
+      if (outputs[i].phase != Phase::kFree) met[i] = true;
+      // One that was in and out again may lie in its own hole.
+      if (met[i]) continue;
+      ASSERT_FALSE(judge.inside(outputs[i].tip_m))
+          << "seed " << seed << ": needle " << i << " of " << needles << " in tick " << t
+          << ", voxels of " << 1e3F * scene.tiny.voxel_edge_m << " mm";
+    }
+  }
+}
+
+TEST(Felt, NoTipIsInTissueInPhaseFree) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    expect_felt(seed);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+TEST(FeltExhaustive, NoTipIsInTissueInPhaseFree) {
+  for (std::uint64_t seed = 1000; seed < 1400; ++seed) {
+    expect_felt(seed);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+// As an outside check found it: fat under skin, voxels of 3 mm, a dent of 8 mm, and a second needle
+// 15 to 45 mm away that went 45 mm deep without a force.
+TEST(Felt, ASecondNeedleBesideADent) {
+  for (const float apart_m : {15e-3F, 30e-3F, 45e-3F}) {
+    TinyOrgan tiny;
+    tiny.nx = 18;
+    tiny.ny = 16;
+    tiny.nz = 26;
+    tiny.voxel_edge_m = 3e-3F;
+    tiny.fixed_faces = kHighX;
+    TinyMaterial skin = {.name = "skin", .youngs_modulus_pa = 40e3F};
+    skin.puncture_force_n = 3;
+    tiny.materials = {skin, TinyMaterial{.name = "fat", .youngs_modulus_pa = 2e3F}};
+    tiny.material_at = [](std::uint16_t x, std::uint16_t, std::uint16_t) {
+      return static_cast<std::uint8_t>(x == 0 ? 0 : 1);
+    };
+    Config config;
+    config.needle_count = 2;
+    Rig rig = make_rig(tiny, config);
+    const Vec3 first = {0, 24e-3F, 15e-3F}, second = {0, 24e-3F, 15e-3F + apart_m};
+    double felt_n = 0;
+    for (int t = 0; t < 4000; ++t) {
+      const float dent = std::min(7.8e-3F, 10e-6F * static_cast<float>(t));
+      const float deep = std::min(45e-3F, 15e-6F * static_cast<float>(std::max(t - 1000, 0)));
+      const std::array<Input, 2> in = {along_x(first + Vec3{dent, 0, 0}, rig.length_m),
+                                       along_x(second + Vec3{deep - 2e-3F, 0, 0}, rig.length_m)};
+      std::array<Output, 2> out = {};
+      checked_tick(rig, in, out);
+      felt_n = std::max(felt_n, norm_of(out[1].force_n));
+      ASSERT_TRUE(deep < 12e-3F || out[1].phase != Phase::kFree) << apart_m << " tick " << t;
+    }
+    EXPECT_GT(felt_n, 0.5) << apart_m;
+    EXPECT_EQ(stats(rig.kernel()).contact_budget, 0U) << apart_m;
+  }
+}
+
+}  // namespace
+}  // namespace stylet::test
