@@ -20,6 +20,7 @@
 #include "session.h"
 #include "stop_signal.h"
 #include "stylet/hal/metrics.h"
+#include "stylet/hal/output_file.h"
 #include "stylet/hal/pointer.h"
 
 namespace stylet::app {
@@ -160,6 +161,7 @@ class Console {
     std::atomic<bool> quit{false};
     const StopOnSignal stop_on_signal(quit);
     open(options_.scene);
+    hal::check_output(options_.record, std::array{options_.scene, session_->organ->path});
     if (!options_.fast) hal::prepare_process(host_);
     serve();
     while (!quit.load() && host_fit_) go_on();

@@ -19,6 +19,7 @@
 #include "stylet/hal/device_probe.h"
 #include "stylet/hal/device_search.h"
 #include "stylet/hal/host.h"
+#include "stylet/hal/output_file.h"
 #include "stylet/hal/station.h"
 #include "terminal.h"
 
@@ -169,7 +170,10 @@ int list_devices(const DevicesOptions& options) {
 }
 
 int probe(const ProbeOptions& options) {
+  hal::check_output(options.output, {});
   fmt::print(stderr, "stylet: waiting for {}\n", options.uri);
+  std::atomic<bool> stop{false};
+  const StopOnSignal stop_on_signal(stop);  // before the device is open
   const Opened opened(hal::open_device(options.uri));
   const hal::Device& device = opened.device;
   const bool pushes = options.push && device.info.max_force_n > 0;
@@ -178,8 +182,6 @@ int probe(const ProbeOptions& options) {
                options.seconds,
                pushes ? "; then 3 s of pushes along its axes, at most 1 N: hold it loosely" : "");
   }
-  std::atomic<bool> stop{false};
-  const StopOnSignal stop_on_signal(stop);
   hal::HostReport host;
   hal::prepare_thread(-1, 80, host);
   const auto seen = std::make_unique<hal::DeviceProbe>();
@@ -204,6 +206,8 @@ int probe(const ProbeOptions& options) {
 }
 
 int station(const StationOptions& options) {
+  std::atomic<bool> stop{false}, done{false};
+  const StopOnSignal stop_on_signal(stop);  // before the device is open
   fmt::print(stderr, "stylet: waiting for {}\n", options.uri);
   const Opened opened(hal::open_lasting_device(options.uri));
   const hal::Link link = hal::udp_connect(options.to);
@@ -215,8 +219,6 @@ int station(const StationOptions& options) {
   std::array<hal::FaultMailbox, 1> mailbox;
   FaultDesk desk(mailbox, {options.uri},
                  [&opened](std::size_t) { return hal::trouble_of(opened.device); });
-  std::atomic<bool> stop{false}, done{false};
-  const StopOnSignal stop_on_signal(stop);
   hal::HostState host;
   hal::prepare_process(host);
   fmt::print(stderr, "stylet: {} is a station of {}; Ctrl-C ends it\n", options.uri, options.to);

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "commands.h"
+#include "stylet/hal/output_file.h"
 #include "stylet/hal/phases.h"
 #include "stylet/hal/recording.h"
 
@@ -262,6 +263,7 @@ int plot(const PlotOptions& options) {
     throw std::runtime_error(
         fmt::format("{}: expected a name that ends in .svg or .png", options.output));
   }
+  hal::check_output(options.output, std::array{options.recording});
   const hal::RecordingReader recording(options.recording);
   if (recording.ticks() == 0) {
     throw hal::RecordingError(fmt::format("{}: ticks: 0: nothing to draw", options.recording));

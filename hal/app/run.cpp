@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -12,6 +13,7 @@
 #include "report.h"
 #include "session.h"
 #include "stop_signal.h"
+#include "stylet/hal/output_file.h"
 #include "stylet/hal/replay.h"
 #include "terminal.h"
 
@@ -81,23 +83,23 @@ int run(const RunOptions& options) {
   const auto attempt = std::make_unique<Attempt>();
   Session& s = *session;
   Attempt& a = *attempt;
+  const StopOnSignal stop_on_signal(a.state.stop);  // before the first device is open
   load(s);
+  hal::check_output(options.record, std::array{options.scene, s.organ->path});
   open_devices(s);
   if (!options.fast) hal::prepare_process(host);
   a.recording = options.record;
   prepare(s, a, nullptr);
   announce(s);
-  {
-    const StopOnSignal stop_on_signal(a.state.stop);
-    start(s, a);
-    show_progress(s, a);
-  }
+  start(s, a);
+  show_progress(s, a);
   finish(s, a);
-  s.close_devices();
-  if (!tell_of_host(s, a.host_fit)) return kExitHostUnfit;
   RunReport report = report_of(s, a);
+  // The recording first: a driver may hang while its device is closed.
   const std::string record_error = finish_recording(a, report.state_hash);
   if (!record_error.empty()) report.recording.clear();
+  s.close_devices();
+  if (!tell_of_host(s, a.host_fit)) return kExitHostUnfit;
   fmt::print("{}", options.json ? json_text(report) : human_text(report));
   if (!record_error.empty()) throw hal::RecordingError(record_error);
   return tell_of_trouble(a) ? kExitTrouble : kExitOk;

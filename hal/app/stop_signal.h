@@ -1,28 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ctrl-C and SIGTERM end what runs after a tick, so that a device keeps no force and a recording is
-// completed.
+// What ends a program from outside (Ctrl-C, SIGTERM, SIGHUP, SIGQUIT) ends what runs after a tick,
+// so that a device keeps no force and a recording is completed. Installed before the first device
+// is opened. A reader that has gone (SIGPIPE) ends nothing.
 #pragma once
 
 #include <signal.h>
 
+#include <array>
 #include <atomic>
 
 namespace stylet::app {
 
 inline std::atomic<std::atomic<bool>*> g_stop{nullptr};
+inline std::atomic<int> g_stops_asked{0};
 static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free);
 
-inline void on_signal(int /*number*/) {
+// Whoever asks for the third time means it: a driver that hangs does not hold the program.
+constexpr int kStopsThatEndAtOnce = 3;
+constexpr std::array kStopSignals = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+
+inline void on_signal(int number) {
   if (std::atomic<bool>* stop = g_stop.load(); stop != nullptr) stop->store(true);
+  if (g_stops_asked.fetch_add(1) + 1 < kStopsThatEndAtOnce) return;
+  signal(number, SIG_DFL);
+  raise(number);
 }
 
 struct StopOnSignal {
   explicit StopOnSignal(std::atomic<bool>& stop) {
+    g_stops_asked.store(0);
     g_stop.store(&stop);
     struct sigaction action {};
     action.sa_handler = on_signal;
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    for (const int number : kStopSignals) sigaction(number, &action, nullptr);
+    action.sa_handler = SIG_IGN;
+    sigaction(SIGPIPE, &action, nullptr);
   }
   ~StopOnSignal() { g_stop.store(nullptr); }
   StopOnSignal(const StopOnSignal&) = delete;

@@ -69,11 +69,16 @@ struct Haply {
 
 // ==== Messages: whatever is missing or of another type is left as it was
 
+std::string word(const json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
 const json* entry(const json& message, const char* list, const std::string& id) {
   const auto found = message.find(list);
   if (found == message.end() || !found->is_array()) return nullptr;
   for (const json& each : *found) {
-    if (each.is_object() && (id.empty() || each.value("device_id", "") == id)) return &each;
+    if (each.is_object() && (id.empty() || word(each, "device_id") == id)) return &each;
   }
   return nullptr;
 }
@@ -147,7 +152,7 @@ void take_rendered(const json* state, Haply& haply) {
 bool take(const json& message, Haply& haply) {
   const json* device = entry(message, "inverse3", haply.wanted_id);
   if (device == nullptr) return false;
-  if (haply.id.empty()) haply.id = device->value("device_id", "");
+  if (haply.id.empty()) haply.id = word(*device, "device_id");
   if (part(part(device, "status"), "calibrated") != nullptr) {
     haply.calibrated = truth(part(device, "status"), "calibrated");
   }
@@ -217,7 +222,7 @@ bool send(Haply& haply, const std::string& text, Milliseconds longest = kAnswerT
   return finish(haply, done, longest);
 }
 
-void exchange(Haply& haply) {
+void exchange_once(Haply& haply) {
   if (!haply.socket.next_layer().is_open()) return;
   json message;
   const Vec3 force_n = haply.relay.order(monotonic_now_ns()).force_n;
@@ -232,6 +237,11 @@ void exchange(Haply& haply) {
     haply.relay.fail(kDeviceGone);
     hang_up(haply);
   }
+}
+
+// Nothing leaves the thread: what cannot be handled is a device that does not answer.
+void exchange(Haply& haply) try { exchange_once(haply); } catch (const std::exception&) {
+  haply.relay.fail(kNoAnswer);
 }
 
 // In the thread of the events. What ends the device for the hand ends it for us, at once and by its

@@ -15,6 +15,7 @@
 
 #include "device_thread.h"
 #include "stylet/hal/clock.h"
+#include "stylet/hal/device_model.h"
 #include "stylet/hal/devices.h"
 #include "stylet/hal/relay.h"
 #include "vendor_library.h"
@@ -255,6 +256,14 @@ void read_capability(const Api& api, HdDevice& device) {
   api.get_doubles(kNominalMaxContinuousForce, &continuous);
   const char* model = api.get_string(kModelType);
   device.model = model != nullptr ? model : "OpenHaptics device";
+  // What cannot be read is taken as the smallest of the vendor's devices has it: that of a Touch.
+  const DeviceModel& smallest = *find_device_model("touch");
+  const auto read = [](double value, double most, float otherwise) {
+    return value > 0 && value <= most ? value : static_cast<double>(otherwise);
+  };
+  force = read(force, 40, smallest.max_force_n);
+  stiffness = read(stiffness, 10, 1e-3F * smallest.max_stiffness_n_per_m);
+  continuous = read(continuous, force, smallest.continuous_force_n);
   constexpr double kShare = 0.9;  // of what it can do at most
   device.info = {.name = device.model.c_str(),
                  .max_force_n = static_cast<float>(kShare * force),

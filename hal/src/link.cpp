@@ -16,6 +16,7 @@
 #include <cstring>
 #include <memory>
 
+#include "stylet/hal/clock.h"
 #include "stylet/hal/devices.h"
 #include "stylet/hal/packet.h"
 
@@ -24,10 +25,14 @@ namespace {
 
 // ==== UDP
 
+// As long as a session of a peer that has gone (peer_device.h).
+constexpr std::int64_t kPeerSilenceNs = 100'000'000;
+
 struct Udp {
   int socket = -1;
   sockaddr_in peer = {};
-  sockaddr_in speaker = {};  // of the packet received last
+  sockaddr_in speaker = {};   // of the packet received last
+  std::int64_t heard_ns = 0;  // when the peer was heard last
 };
 
 sockaddr_in parse_address(const std::string& where, bool needs_address) {
@@ -64,6 +69,12 @@ std::size_t udp_receive(void* self, std::span<std::byte> room) {
   const ssize_t got = recvfrom(udp.socket, room.data(), room.size(), MSG_DONTWAIT,
                                reinterpret_cast<sockaddr*>(&from), &size);
   if (got <= 0) return 0;
+  // Whoever is served is served alone, until nothing has come from there for a while.
+  const bool peer =
+      from.sin_addr.s_addr == udp.peer.sin_addr.s_addr && from.sin_port == udp.peer.sin_port;
+  const std::int64_t now_ns = monotonic_now_ns();
+  if (!peer && udp.peer.sin_port != 0 && now_ns - udp.heard_ns < kPeerSilenceNs) return 0;
+  if (peer) udp.heard_ns = now_ns;
   udp.speaker = from;
   return static_cast<std::size_t>(got);
 }
@@ -71,6 +82,7 @@ std::size_t udp_receive(void* self, std::span<std::byte> room) {
 void udp_answer(void* self) {
   Udp& udp = *static_cast<Udp*>(self);
   udp.peer = udp.speaker;
+  udp.heard_ns = monotonic_now_ns();
 }
 
 void udp_close(void* self) {
@@ -158,6 +170,14 @@ Link udp_connect(const std::string& where) {
   auto udp = std::make_unique<Udp>();
   udp->peer = parse_address(where, true);
   udp->socket = udp_socket();
+  // From nobody else: the system drops what comes from other addresses.
+  if (connect(udp->socket, reinterpret_cast<const sockaddr*>(&udp->peer), sizeof udp->peer) != 0) {
+    const int error = errno;
+    ::close(udp->socket);
+    throw DeviceError(
+        fmt::format("udp:{}: {}: expected the address of a machine that can be reached", where,
+                    std::strerror(error)));
+  }
   return udp_link(std::move(udp));
 }
 

@@ -256,6 +256,8 @@ void fit_to_device(const DeviceInfo& info, Hand& hand) {
     const float slew = std::min(hand.guard.max_slew_n_per_s, info.max_slew_n_per_s);
     hand.guard.max_slew_n_per_s = std::max(slew, hand.guard.max_force_n / kDecayS);
     hand.coupling.max_force_n = hand.guard.max_force_n / hand.grip.force_scale;
+    // A tenth of the largest force is what may buzz: of the device that is there.
+    hand.guard.buzz_n = std::min(hand.guard.buzz_n, 0.1F * hand.guard.max_force_n);
   }
   if (info.continuous_force_n > 0) {
     hand.guard.continuous_force_n =

@@ -11,13 +11,19 @@ namespace {
 constexpr int kMostPerTick = 64;
 constexpr std::int64_t kFadeInNs = 100'000'000;
 
-void take_models(StationState& state, const Link& link) {
+// A force answers a sample that was taken, and lives no longer than forces do.
+bool is_sane(const ForcePacket& packet, std::int64_t now_ns) {
+  return packet.life_ns > 0 && packet.life_ns <= kForceLifeNs && packet.echo_t_ns <= now_ns;
+}
+
+void take_models(StationState& state, const Link& link, std::int64_t now_ns) {
   std::array<std::byte, kMaxPacketBytes> room;
   for (int i = 0; i < kMostPerTick; ++i) {
     const std::size_t size = link.receive(link.self, room);
     if (size == 0) return;
     ForcePacket packet;
-    const bool newer = decode(std::span(room).first(size), packet) && packet.seq > state.newest.seq;
+    const bool newer = decode(std::span(room).first(size), packet) &&
+                       packet.seq > state.newest.seq && is_sane(packet, now_ns);
     if (newer) state.newest = packet;
     ++(newer ? state.models : state.refused);
   }
@@ -88,7 +94,7 @@ void station_tick(const StationConfig& config, StationState& state, const Device
   if (device.motor != nullptr && device.motor(device.self, motor)) guard_motor(state.guard, motor);
   const bool answered = device.read(device.self, now_ns, state.sample);
   const bool usable = guard_sample(config.guard, state.guard, answered, state.sample, now_ns);
-  take_models(state, link);
+  take_models(state, link, now_ns);
   render(config, state, now_ns);
   device.write(device.self, {.force_n = state.force_n,
                              .torque_nm = state.torque_nm,

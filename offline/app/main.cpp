@@ -255,7 +255,11 @@ void finish(const std::function<Built(const BuildOptions&, const Progress&)>& ma
   const Progress progress = progress_bar();
   const Built built = make(options, progress);
   write_file(a.output, built.bytes);
-  if (a.sum) write_sum(a.output, built.bytes);
+  if (a.sum) {
+    write_sum(a.output, built.bytes);
+  } else {
+    std::filesystem::remove(a.output + kSumEnding);  // that of the organ that was there before
+  }
   for (const std::string& warning : built.report.warnings) {
     fmt::print(stderr, "stylet-organ: warning: {}\n", warning);
   }

@@ -10,11 +10,34 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <set>
+#include <utility>
 
 #include "refusal.h"
 
 namespace stylet::bake {
 namespace {
+
+// Every file that was read, so that none of them is written over.
+std::set<std::pair<dev_t, ino_t>>& files_read() {
+  static std::set<std::pair<dev_t, ino_t>> all;
+  return all;
+}
+
+// Refused before anything is made: an input, a device, a directory.
+void check_output(const std::filesystem::path& path) {
+  struct stat now {};
+  if (::stat(path.c_str(), &now) != 0) return;
+  if (S_ISDIR(now.st_mode)) {
+    refuse("{}: is a directory: expected the name of a file", path.string());
+  }
+  if (!S_ISREG(now.st_mode)) {
+    refuse("{}: is a device or another special file: expected the name of a file", path.string());
+  }
+  if (files_read().contains({now.st_dev, now.st_ino})) {
+    refuse("{}: is read by this command, too: expected another name", path.string());
+  }
+}
 
 constexpr std::uintmax_t kMaxFileBytes = 4ULL << 30U;
 
@@ -42,6 +65,8 @@ std::string read_file(const std::filesystem::path& path) {
   if (error || size > kMaxFileBytes) {
     refuse("{}: {} bytes: expected at most {}", path.string(), size, kMaxFileBytes);
   }
+  struct stat now {};
+  if (::stat(path.c_str(), &now) == 0) files_read().insert({now.st_dev, now.st_ino});
   std::ifstream stream(path, std::ios::binary);
   std::string bytes(static_cast<std::size_t>(size), '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -52,12 +77,15 @@ std::string read_file(const std::filesystem::path& path) {
 }
 
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  check_output(path);
   std::string temporary = path.string() + ".part-XXXXXX";
   const int file = ::mkstemp(temporary.data());
   if (file < 0) refuse("{}: cannot be written: {}", path.string(), std::strerror(errno));
-  constexpr mode_t kOwnerWritesAllRead = 0644;
+  const mode_t mask = ::umask(0);  // can only be read by setting it
+  ::umask(mask);
+  constexpr mode_t kAllMayWrite = 0666;
   const bool good =
-      ::fchmod(file, kOwnerWritesAllRead) == 0 && write_and_rename(file, bytes, temporary, path);
+      ::fchmod(file, kAllMayWrite & ~mask) == 0 && write_and_rename(file, bytes, temporary, path);
   const int error = errno;
   ::close(file);
   if (!good) {

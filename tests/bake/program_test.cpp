@@ -2,6 +2,7 @@
 // stylet-organ as users call it: exit codes, one line for what it refuses, no file left behind,
 // bounded memory.
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <chrono>
@@ -237,6 +238,38 @@ TEST(Program, WrongUsageIsTwoRefusalIsOne) {
     EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
     EXPECT_EQ(files_in(scratch.folder), 0U);
   }
+}
+
+// An output never destroys an input, a device or a directory, and has the rights that the user's
+// umask gives.
+TEST(Program, OutputsDestroyNothing) {
+  const Scratch scratch;
+  const auto at = [&](const char* name) { return (scratch.folder / name).string(); };
+  std::ofstream(at("cube.off"))
+      << "OFF\n8 12 0\n0 0 0\n50 0 0\n50 50 0\n0 50 0\n0 0 50\n50 0 50\n"
+         "50 50 50\n0 50 50\n3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n"
+         "3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n";
+  const auto before = std::filesystem::file_size(at("cube.off"));
+  std::filesystem::create_symlink(at("cube.off"), at("soft.organ"));
+  const auto build_to = [&](const std::string& output) {
+    return run({"build", at("cube.off"), "--units", "mm", "--voxel-mm", "10", "-o", output});
+  };
+  for (const char* name : {"cube.off", "soft.organ"}) {
+    const Result r = build_to(at(name));
+    EXPECT_EQ(r.exit_code, 1) << name;
+    EXPECT_NE(r.err.find("is read by this command"), std::string::npos) << r.err;
+    EXPECT_EQ(std::filesystem::file_size(at("cube.off")), before);
+  }
+  EXPECT_NE(build_to("/dev/full").err.find("is a device"), std::string::npos);
+  EXPECT_NE(build_to(scratch.folder.string()).err.find("is a directory"), std::string::npos);
+  const mode_t mask = ::umask(077);
+  EXPECT_EQ(build_to(at("mine.organ")).exit_code, 0);
+  ::umask(mask);
+  EXPECT_EQ(std::filesystem::status(at("mine.organ")).permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  std::ofstream(at("mine.organ.sha256")) << "of another organ\n";
+  EXPECT_EQ(build_to(at("mine.organ")).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(at("mine.organ.sha256")));
 }
 
 TEST(Program, WarnsOfImplausibleSize) {

@@ -79,7 +79,7 @@ TEST(GuardMotion, WhatIsAtItsLimitIsAllowed) {
   speed.config.max_speed_m_per_s = 2;
   speed.tick(1, false);
   speed.state.energy.velocity_m_per_s = {2, 0, 0};
-  speed.position_m.x = 0x1p-9F;  // 2 m/s for a tick
+  speed.position_m.x = 0x1p-9F;         // 2 m/s for a tick
   speed.now_ns += 976'563 - 1'000'000;  // the next tick is a period of 2^-10 s on, rounded
   EXPECT_TRUE(speed.hear(false));
   EXPECT_EQ(speed.state.energy.velocity_m_per_s.x, 2);

@@ -3,6 +3,8 @@
 #include "stylet/hal/link.h"
 
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <array>
@@ -88,6 +90,39 @@ TEST_F(SharedMemory, ClosedLeavesNothingMapped) {
   EXPECT_TRUE(is_mapped());
   close(stylet);
   EXPECT_FALSE(is_mapped());
+}
+
+// A socket of somebody's, on this machine.
+struct Speaker {
+  int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
+  ~Speaker() { ::close(socket); }
+  void say(std::uint16_t port, unsigned char what) const {
+    sockaddr_in to = {};
+    to.sin_family = AF_INET;
+    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    to.sin_port = htons(port);
+    (void)sendto(socket, &what, 1, 0, reinterpret_cast<const sockaddr*>(&to), sizeof to);
+  }
+};
+
+// Whoever is served is served alone; another may come when nothing has come for a while.
+TEST(Udp, AnotherSpeakerIsNotHeardWhileTheFirstSpeaks) {
+  const auto port = static_cast<std::uint16_t>(20000 + getpid() % 12000);
+  const Link link = udp_listen(std::to_string(port));
+  const Speaker first, second;
+  std::array<std::byte, kMaxPacketBytes> room;
+  const auto heard = [&] { return link.receive(link.self, room) == 1 ? int(room[0]) : 0; };
+  first.say(port, 1);
+  EXPECT_EQ(heard(), 1);
+  link.answer(link.self);
+  second.say(port, 2);
+  EXPECT_EQ(heard(), 0);
+  first.say(port, 3);
+  EXPECT_EQ(heard(), 3);
+  usleep(120'000);
+  second.say(port, 4);
+  EXPECT_EQ(heard(), 4);
+  link.close(link.self);
 }
 
 }  // namespace

@@ -164,5 +164,25 @@ TEST(Station, KeepsToWeakDevicesAndToTheFadeOfAModel) {
             GuardConfig{}.max_force_n);
 }
 
+// As an outside check forged it: a life of years held the force long past its master's death.
+TEST(Station, ForcesThatClaimToLiveLongAreRefused) {
+  Desk desk;
+  for (int i = 0; i < 200; ++i) {
+    desk.send(desk.model({1, 0, 0}));
+    desk.tick();
+  }
+  EXPECT_GT(desk.felt.force_n.x, 0.5F);
+  ForcePacket forged = desk.model({2.9F, 0, 0});
+  forged.life_ns = 100'000'000'000'000'000;
+  desk.send(forged);
+  ForcePacket early = desk.model({2.9F, 0, 0});
+  early.echo_t_ns = desk.now_ns + 1000 * kMs;
+  desk.send(early);
+  const std::uint64_t refused = desk.state.refused;
+  for (int i = 0; i < 25; ++i) desk.tick();
+  EXPECT_EQ(desk.state.refused, refused + 2);
+  EXPECT_EQ(desk.felt.force_n.x, 0);
+}
+
 }  // namespace
 }  // namespace stylet::hal

@@ -79,6 +79,18 @@ TEST_F(OpenHaptics, CapabilityIsTheDevicesOwn) {
   EXPECT_STREQ(ticker.device.info.name, "Stand-in Touch");
 }
 
+// What it does not tell is taken as the smallest of the vendor's devices has it, never as no limit.
+TEST_F(OpenHaptics, CapabilityThatCannotBeReadIsThatOfTheSmallestDevice) {
+  standin(0)->mute = true;
+  {
+    const Ticker ticker("hd:");
+    EXPECT_FLOAT_EQ(ticker.device.info.max_force_n, 0.9F * 3.3F);
+    EXPECT_FLOAT_EQ(ticker.device.info.max_stiffness_n_per_m, 400);
+    EXPECT_FLOAT_EQ(ticker.device.info.continuous_force_n, 0.88F);
+  }
+  standin(0)->mute = false;
+}
+
 TEST_F(OpenHaptics, UsersLocaleIsKeptAwayFromTheVendorAndGivenBack) {
   ASSERT_NE(std::setlocale(LC_NUMERIC, "C.UTF-8"), nullptr);
   bench->move({{0.05F, 0, 0}, {1, 0, 0, 0}});

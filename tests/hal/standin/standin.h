@@ -32,6 +32,7 @@ struct StandIn {
   std::atomic<int> updates;    // of the calibration
   std::atomic<int> ticks;
   std::atomic<int> late_ms;         // the next tick of the vendor's thread is so late
+  std::atomic<bool> mute;           // tells nothing of what it can do
   std::atomic<double> hand_kg;      // more than 0: a mass that the motors move; else it stays put
   std::atomic<double> velocity[3];  // of that mass, m/s
 };

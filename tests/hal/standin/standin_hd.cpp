@@ -210,6 +210,7 @@ void hdGetIntegerv(unsigned what, int* out) {
 void hdGetDoublev(unsigned what, double* out) {
   Unit* u = asked();
   if (u == nullptr) return raise(0x0104, current);
+  if (u->seen.mute.load() && what >= 0x2602 && what <= 0x2604) return raise(0x0101, current);
   if (what == 0x2602) *out = 0.4;
   if (what == 0x2603) *out = 3.3;
   if (what == 0x2604) *out = 0.88;

@@ -144,7 +144,7 @@ struct GuardState {
   Vec3 fade_from_n;
   std::uint32_t have_motor;  // the device tells what its motors have
   Vec3 motor_n;              // that, as last told
-  double heat_n2;  // mean square of the force over thermal_s
+  double heat_n2;            // mean square of the force over thermal_s
   EnergyObserver energy;
   BuzzDetector buzz;
   GuardCounters counters;
