@@ -342,6 +342,11 @@ void choose_gaps(const BuildArguments& a, BuildOptions& options) {
   if (a.split_gaps) options.options_text += " --split-gaps";
   if (a.fill_gaps.empty()) return;
   const std::vector<Layer> gap = parse_layers({a.fill_gaps}, "--fill-gaps");
+  constexpr double kWidestGapM = 0.1;  // wider ones lie between organs, not between their meshes
+  if (!(gap.front().thickness_m > 0 && gap.front().thickness_m <= kWidestGapM)) {
+    refuse("--fill-gaps '{}': expected a width of more than 0 and at most {:g} mm", a.fill_gaps,
+           kWidestGapM * 1e3);
+  }
   options.gap_tissue = find_tissue(options.own_tissues, gap.front().tissue).name;
   options.gap_m = gap.front().thickness_m;
   options.options_text += " --fill-gaps " + a.fill_gaps;

@@ -10,7 +10,10 @@
 #include <dcmtk/oflog/oflog.h>
 
 #include <algorithm>
+#include <array>
+#include <fstream>
 #include <memory>
+#include <string_view>
 
 #include "label_readers.h"
 
@@ -69,9 +72,8 @@ std::vector<Plane> read_planes(const std::string& path, DcmSegmentation& file, V
     plane.origin_m = at_mm * kMetresPerMm;
     plane.along_m = dot(normal, plane.origin_m);
   }
-  std::sort(planes.begin(), planes.end(), [](const Plane& a, const Plane& b) {
-    return std::pair(a.along_m, a.segment) < std::pair(b.along_m, b.segment);
-  });
+  std::sort(planes.begin(), planes.end(),
+            [](const Plane& a, const Plane& b) { return a.along_m < b.along_m; });
   return planes;
 }
 
@@ -83,13 +85,23 @@ double plane_step_m(const std::string& path, FGInterface& groups,
       group_of<FGPixelMeasures>(path, groups, 0, DcmFGTypes::EFG_PIXELMEASURES, "pixel measures");
   Float64 mm = 0;
   if (measures.getSpacingBetweenSlices(mm).good() && mm > 0) return mm * kMetresPerMm;
-  double step_m = 0;
+  double step_m = 0, widest_m = 0;
   for (std::size_t i = 1; i < planes.size(); ++i) {
     const double gap_m = planes[i].along_m - planes[i - 1].along_m;
     if (gap_m > kSameM && (step_m == 0 || gap_m < step_m)) step_m = gap_m;
+    widest_m = std::max(widest_m, gap_m);
   }
-  if (step_m == 0 && measures.getSliceThickness(mm).good()) step_m = mm * kMetresPerMm;
-  return step_m;
+  // A lesion in two slices far apart: only planes that are regular tell their distance.
+  const bool regular = planes.size() > 2 && widest_m - step_m <= kSameM && step_m > 0;
+  const bool thick = measures.getSliceThickness(mm).good() && mm > 0;
+  if (regular && (!thick || step_m <= 1.5 * mm * kMetresPerMm)) return step_m;
+  if (!thick) {
+    refuse(
+        "{}: neither SpacingBetweenSlices nor SliceThickness, and frames that do not tell it: "
+        "expected one of them",
+        path);
+  }
+  return mm * kMetresPerMm;
 }
 
 void take_frame(const std::string& path, DcmSegmentation& file, const Plane& plane,
@@ -116,6 +128,18 @@ void read_names(DcmSegmentation& file, LabelMap& map) {
   }
 }
 
+// Where segments overlap, the one with the higher number has the voxel, whatever the last digits of
+// a frame's place are.
+std::vector<Plane> in_order(const std::vector<Plane>& planes, double step_m) {
+  std::vector<Plane> sorted = planes;
+  const auto key = [&](const Plane& plane) {
+    return std::pair(std::lround((plane.along_m - planes.front().along_m) / step_m), plane.segment);
+  };
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](const Plane& a, const Plane& b) { return key(a) < key(b); });
+  return sorted;
+}
+
 void fill(const std::string& path, DcmSegmentation& file, Uint16 columns, Uint16 rows,
           LabelMap& map) {
   if (file.getSegmentationType() != DcmSegTypes::ST_BINARY) {
@@ -134,8 +158,16 @@ void fill(const std::string& path, DcmSegmentation& file, Uint16 columns, Uint16
   require_map_size(path, {columns, rows, static_cast<std::size_t>(std::lround(layers)) + 1});
   map.size = {columns, rows, static_cast<std::uint32_t>(std::lround(layers)) + 1};
   map.label.assign(std::size_t{map.size[0]} * map.size[1] * map.size[2], 0);
-  for (const Plane& plane : planes) {
+  for (const Plane& plane : in_order(planes, step_m)) {
     constexpr double kOff = 0.05;  // of a step
+    const Vec way = plane.origin_m - planes.front().origin_m;
+    const Vec aside = way - normal * dot(normal, way);
+    if (length(aside) > kOff * std::min(length(map.step_m[0]), length(map.step_m[1]))) {
+      refuse(
+          "{}: frame {} lies {:.4g} mm to the side of the others: expected the same columns and "
+          "rows",
+          path, plane.frame, length(aside) * 1e3);
+    }
     const double layer = (plane.along_m - planes.front().along_m) / step_m;
     if (std::fabs(layer - std::round(layer)) > kOff) {
       refuse("{}: frame {} lies between the planes that are {:.6g} mm apart: expected it on one",
@@ -147,6 +179,22 @@ void fill(const std::string& path, DcmSegmentation& file, Uint16 columns, Uint16
 }
 
 }  // namespace
+
+bool is_dicom(const std::string& path) {
+  constexpr std::size_t kPreamble = 128;
+  std::array<char, kPreamble + 4> head{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), head.size());
+  return file && std::string_view(head.data() + kPreamble, 4) == "DICM";
+}
+
+void require_whole_dicom(const std::string& path) {
+  OFLog::configure(OFLogger::OFF_LOG_LEVEL);
+  DcmFileFormat format;
+  OFCondition condition = format.loadFile(path.c_str());
+  if (condition.good()) condition = format.loadAllDataIntoMemory();
+  if (condition.bad()) refuse("{}: ends too early, or is damaged: {}", path, condition.text());
+}
 
 LabelMap read_dicom_seg(const std::string& path) {
   const Silence silence;

@@ -85,14 +85,17 @@ void require_frame(const std::string& path, const LabelMap& map) {
 
 bool is_label_map(const std::filesystem::path& path) {
   std::error_code error;
-  return format_of(path.string()) != nullptr || std::filesystem::is_directory(path, error);
+  return format_of(path.string()) != nullptr || std::filesystem::is_directory(path, error) ||
+         is_dicom(path.string());
 }
 
 LabelMap read_label_map(const std::filesystem::path& file) {
   const std::string path = file.string();
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) return read_dicom_series(path);
+  constexpr Format kDicom = {"", read_dicom_seg};  // known by its first bytes
   const Format* format = format_of(path);
+  if (format == nullptr && is_dicom(path)) format = &kDicom;
   if (format == nullptr) {
     refuse(
         "{}: expected a label map: .nrrd .nhdr .nii .nii.gz .mha .mhd .inr .inr.gz .dcm, or a "

@@ -17,6 +17,10 @@ LabelMap read_by_itk(const std::string& path);          // NRRD, NIfTI, MetaImag
 LabelMap read_dicom_series(const std::string& folder);  // one series of slices, by ITK
 LabelMap read_dicom_seg(const std::string& path);       // segmentation object, by DCMTK
 LabelMap read_inr(const std::string& path);             // by CGAL
+// A DICOM file of any kind that does not end before it should.
+void require_whole_dicom(const std::string& path);
+// Whether a file begins as DICOM does, whatever its name.
+bool is_dicom(const std::string& path);
 
 constexpr std::size_t kMostMapVoxels = std::size_t{1} << 28U;
 constexpr std::size_t kMostLabels = 500;  // whole-body maps name about a hundred

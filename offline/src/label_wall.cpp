@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "label_readers.h"
 #include "refusal.h"
 
 namespace stylet::bake {
@@ -35,9 +36,21 @@ LabelMap padded(const LabelMap& map, double margin_m) {
   LabelMap larger = map;
   Index before{};
   std::size_t count = 1;
+  std::array<double, 3> margins{};
+  double wanted = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto margin =
-        static_cast<std::uint32_t>(std::ceil(margin_m / length(map.step_m[axis])) + 1);
+    margins[axis] = std::ceil(margin_m / length(map.step_m[axis])) + 1;
+    wanted *= map.size[axis] + 2 * margins[axis];
+  }
+  if (!(wanted <= static_cast<double>(kMostMapVoxels))) {
+    refuse(
+        "a wall of {:g} mm around a map with voxels of {:.3g} x {:.3g} x {:.3g} mm: {:.3g} voxels: "
+        "expected at most {}; is the spacing right?",
+        margin_m * 1e3, length(map.step_m[0]) * 1e3, length(map.step_m[1]) * 1e3,
+        length(map.step_m[2]) * 1e3, wanted, kMostMapVoxels);
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto margin = static_cast<std::uint32_t>(margins[axis]);
     before[axis] = reached[axis][0] ? 0 : margin;
     larger.size[axis] += static_cast<std::uint32_t>(before[axis]) + (reached[axis][1] ? 0 : margin);
     larger.origin_m = larger.origin_m - map.step_m[axis] * static_cast<double>(before[axis]);

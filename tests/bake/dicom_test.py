@@ -80,6 +80,21 @@ def write_series(folder, skip=(), series="1.2.3.6"):
         file.save_as(file.filename, write_like_original=False)
 
 
+def change_slices(folder, change):
+    """Rewrites every slice of a series after `change(file, index along the normal)`."""
+    normal = numpy.cross(ROW, COLUMN)
+    for path in sorted(folder.iterdir()):
+        file = pydicom.dcmread(str(path))
+        along = numpy.dot(normal, numpy.array(file.ImagePositionPatient, float)
+                          - numpy.array(ORIGIN)) / SPACING[2]
+        change(file, int(round(along)))
+        file.save_as(str(path), write_like_original=False)
+
+
+def moved(position, millimetres, direction):
+    return [float(p + millimetres * d) for p, d in zip(position, direction)]
+
+
 def item(**values):
     dataset = Dataset()
     for name, value in values.items():
@@ -212,6 +227,114 @@ class Dicom(unittest.TestCase):
         self.check_refused(self.folder / "two", "2 DICOM series: expected one")
         (self.folder / "none").mkdir()
         self.check_refused(self.folder / "none", "0 DICOM series: expected one")
+
+    def test_what_no_regular_grid_holds_is_refused_with_its_place(self):
+        random = numpy.random.default_rng(5)
+
+        def tilt(file, i):  # a gantry of 15 degrees: each slice lies a little farther down
+            shift = numpy.tan(numpy.radians(15)) * SPACING[2] * i
+            file.ImagePositionPatient = moved(file.ImagePositionPatient, shift, COLUMN)
+
+        one = int(random.integers(1, SIZE[2]))
+
+        def aside(file, i):
+            if i == one:
+                file.ImagePositionPatient = moved(file.ImagePositionPatient, 4.0, ROW)
+
+        def finer(file, i):
+            if i >= SIZE[2] // 2:
+                file.PixelSpacing = [SPACING[1] * 0.9, SPACING[0] * 0.9]
+
+        def no_size(file, i):
+            file.PixelSpacing = [0, 0]
+
+        def unsized(file, i):
+            if i == one:
+                del file.PixelSpacing
+
+        def coloured(file, i):
+            if i == one:
+                file.SamplesPerPixel, file.PhotometricInterpretation = 3, "RGB"
+                file.PlanarConfiguration = 0
+                file.BitsAllocated, file.BitsStored, file.HighBit = 8, 8, 7
+                file.PixelData = bytes(3 * SIZE[0] * SIZE[1])
+
+        def several(file, i):
+            if i == one:
+                file.NumberOfFrames = 2
+                file.PixelData = file.PixelData * 2
+
+        cases = ((tilt, "to the side of the first slice"), (aside, "lies 4 mm to the side"),
+                 (finer, "pixels of 1.35 mm"), (no_size, "PixelSpacing 0"),
+                 (unsized, "PixelSpacing nan"), (coloured, "3 values a pixel"),
+                 (several, "2 frames in a file"))
+        for change, said in cases:
+            with self.subTest(change.__name__):
+                folder = self.folder / change.__name__
+                write_series(folder)
+                change_slices(folder, change)
+                self.check_refused(folder, said)
+
+    def test_a_slice_that_is_cut_off_is_refused(self):
+        folder = self.folder / "cut"
+        write_series(folder)
+        path = sorted(folder.iterdir())[7]
+        whole = path.read_bytes()
+        for size in (len(whole) // 2, len(whole) - 10):
+            path.write_bytes(whole[:size])
+            done = self.tool("labels", folder)
+            self.assertEqual(done.returncode, 1, done.stdout)
+            self.assertIn(path.name, done.stderr)
+
+    def test_a_single_slice_is_as_thick_as_it_says(self):
+        folder = self.folder / "single"
+        write_series(folder, skip=[i for i in range(SIZE[2]) if i != 10])
+        volume = self.facts("labels", folder)["labels"][0]
+        pixels = int((labels()[10] == 1).sum())
+        expected = pixels * SPACING[0] * SPACING[1] * SPACING[2] * 1e-3
+        self.assertAlmostEqual(volume["volume_ml"], expected, places=2)
+
+        def thin(file, i):
+            del file.SliceThickness
+
+        change_slices(folder, thin)
+        self.check_refused(folder, "without SliceThickness")
+
+    def test_segments_far_apart_are_not_filled_up(self):
+        """A lesion in two slices with nothing between them: its volume is that of two slices."""
+        kept = labels
+        z = numpy.arange(SIZE[2])[:, None, None]
+        apart = numpy.where((z == 3) | (z == 15), (kept() > 0) * 0 + 1, 0)
+        apart[:, : SIZE[1] // 2] = 0
+        globals()["labels"] = lambda: apart.astype(numpy.uint8)
+        try:
+            write_seg(self.folder / "apart.dcm")
+        finally:
+            globals()["labels"] = kept
+        found = self.facts("labels", self.folder / "apart.dcm")["labels"]
+        self.assertEqual([each["voxels"] for each in found], [int(apart.sum())])
+        expected = apart.sum() * SPACING[0] * SPACING[1] * SPACING[2] * 1e-3
+        self.assertAlmostEqual(found[0]["volume_ml"], expected, places=2)
+
+    def test_segmentations_go_by_their_content_and_their_places(self):
+        write_seg(self.folder / "seg.dcm")
+        bare = self.folder / "segmentation"
+        bare.write_bytes((self.folder / "seg.dcm").read_bytes())
+        self.check_same(bare)
+        file = pydicom.dcmread(str(bare))
+        frames = file.PerFrameFunctionalGroupsSequence
+        # A ten-thousandth of a millimetre does not decide which segment has a voxel.
+        for frame in frames:
+            if frame.SegmentIdentificationSequence[0].ReferencedSegmentNumber == 1:
+                place = frame.PlanePositionSequence[0]
+                normal = numpy.cross(ROW, COLUMN)
+                place.ImagePositionPatient = moved(place.ImagePositionPatient, 1e-4, normal)
+        file.save_as(str(bare), write_like_original=False)
+        self.check_same(bare)
+        place = frames[3].PlanePositionSequence[0]
+        place.ImagePositionPatient = moved(place.ImagePositionPatient, 6.0, ROW)
+        file.save_as(str(bare), write_like_original=False)
+        self.check_refused(bare, "frame 3 lies 6 mm to the side")
 
     def test_other_segmentations_are_refused(self):
         path = self.folder / "seg.dcm"

@@ -179,9 +179,13 @@ class OrganFiles(Case):
         self.assertIn("those of the sum beside it", self.tool("check", path).stdout)
         subprocess.run(["sha256sum", "--status", "-c", f"{path.name}.sha256"], cwd=self.folder,
                        check=True)
-        self.tool("phantom", "layered", "--voxel-mm", 6, "-o", path)
+        other = self.folder / "other.organ"
+        self.tool("phantom", "layered", "--voxel-mm", 6, "-o", other)
+        path.write_bytes(other.read_bytes())
         self.check_refused(self.tool("check", path), "expected the file that lay beside it")
-        (self.folder / "a.organ.sha256").unlink()
+        # A new organ without a sum leaves none of the old one's.
+        self.tool("phantom", "layered", "--voxel-mm", 6, "-o", path)
+        self.assertFalse((self.folder / "a.organ.sha256").exists())
         self.assertEqual(self.tool("check", path).returncode, 0)
 
 

@@ -240,15 +240,19 @@ TEST(Program, WrongUsageIsTwoRefusalIsOne) {
   }
 }
 
+// A cube of 50 mm.
+void write_cube(const std::string& path) {
+  std::ofstream(path) << "OFF\n8 12 0\n0 0 0\n50 0 0\n50 50 0\n0 50 0\n0 0 50\n50 0 50\n"
+                         "50 50 50\n0 50 50\n3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n"
+                         "3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n";
+}
+
 // An output never destroys an input, a device or a directory, and has the rights that the user's
 // umask gives.
 TEST(Program, OutputsDestroyNothing) {
   const Scratch scratch;
   const auto at = [&](const char* name) { return (scratch.folder / name).string(); };
-  std::ofstream(at("cube.off"))
-      << "OFF\n8 12 0\n0 0 0\n50 0 0\n50 50 0\n0 50 0\n0 0 50\n50 0 50\n"
-         "50 50 50\n0 50 50\n3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n"
-         "3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n";
+  write_cube(at("cube.off"));
   const auto before = std::filesystem::file_size(at("cube.off"));
   std::filesystem::create_symlink(at("cube.off"), at("soft.organ"));
   const auto build_to = [&](const std::string& output) {
@@ -270,6 +274,41 @@ TEST(Program, OutputsDestroyNothing) {
   std::ofstream(at("mine.organ.sha256")) << "of another organ\n";
   EXPECT_EQ(build_to(at("mine.organ")).exit_code, 0);
   EXPECT_FALSE(std::filesystem::exists(at("mine.organ.sha256")));
+}
+
+// 64 voxels of a ten-thousandth of a millimetre, and a wall of centimetres around them: the product
+// of the sizes once wrapped.
+TEST(Program, WallsAroundTinyVoxelsAreRefusedBeforeMemoryIsTaken) {
+  const Scratch scratch;
+  const std::string map = (scratch.folder / "map.nrrd").string();
+  const std::string recipe = (scratch.folder / "r.toml").string();
+  std::ofstream(recipe)
+      << "[tissues]\nliver = [5]\n[[wall]]\ntissue = \"fat\"\nthickness_mm = 20\n";
+  for (const char* mm : {"1e-2", "1e-4", "1e-5", "1e-6", "3e-7"}) {
+    std::string voxels(64, '\0');
+    voxels[21] = voxels[22] = 5;
+    std::ofstream(map, std::ios::binary)
+        << "NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\nsizes: 4 4 4\n"
+        << "space directions: (" << mm << ",0,0) (0," << mm << ",0) (0,0," << mm
+        << ")\nencoding: raw\nspace origin: (0,0,0)\n\n"
+        << voxels;
+    const Result r =
+        run({"build", map, "--recipe", recipe, "-o", (scratch.folder / "a.organ").string()});
+    EXPECT_EQ(r.exit_code, 1) << mm << ": " << r.out << r.err;
+    EXPECT_NE(r.err.find("is the spacing right?"), std::string::npos) << r.err;
+  }
+}
+
+TEST(Program, WidthsOfGapsAreBounded) {
+  const Scratch scratch;
+  const std::string mesh = (scratch.folder / "cube.off").string();
+  write_cube(mesh);
+  for (const char* width : {"fat:10485745", "fat:1500", "fat:inf", "fat:nan", "fat:0", "fat:-3"}) {
+    const Result r = run({"build", mesh, "--units", "mm", "--fill-gaps", width, "-o",
+                          (scratch.folder / "a.organ").string()});
+    EXPECT_EQ(r.exit_code, 1) << width;
+    EXPECT_NE(r.err.find("--fill-gaps"), std::string::npos) << width << ": " << r.err;
+  }
 }
 
 TEST(Program, WarnsOfImplausibleSize) {
