@@ -165,7 +165,10 @@ Contact find_contact(const View& view, Vec3 tip_m, Vec3 direction, Vec3 came_m, 
   const bool sideways =
       whole && !search.found && way > kContactSkinM && dot(came_m, direction) > -kSideways * way;
   if (sideways) {
-    whole = search_along(view, {tip_m - came_m, (1 / way) * came_m, way}, search);
+    // From the skin before the last tip to the skin before this one: nothing is left out between
+    // ticks.
+    const Vec3 along = (1 / way) * came_m;
+    whole = search_along(view, {tip_m - came_m - kContactSkinM * along, along, way}, search);
     const float depth = dot(tip_m - search.place_m, direction);
     if (depth < kContactSkinM) search.place_m = tip_m - kContactSkinM * direction;
   }

@@ -33,6 +33,11 @@ def main():
     for folder in (organ.parent, report, outcome.parent):
         folder.mkdir(parents=True, exist_ok=True)
     organ.unlink(missing_ok=True)
+    # What a build that was killed left half written.
+    parts = [*organ.parent.glob(f"{patient}.*part-*"), *report.glob("*.part-*"),
+             *outcome.parent.glob(f"{patient}.part-*")]
+    for part in parts:
+        part.unlink(missing_ok=True)
     done = subprocess.run([*command, "--name", patient, "-o", str(organ), "--sum",
                            "--report", str(report)],
                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
