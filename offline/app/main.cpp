@@ -245,6 +245,12 @@ std::string scene_text(const Json& scene) {
   return text + fmt::format("scene         {}\n", scene["file"].get<std::string>());
 }
 
+void warn(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    fmt::print(stderr, "stylet-organ: warning: {}\n", warning);
+  }
+}
+
 // Builds, writes and reports. The progress bar goes before the report comes.
 void finish(const std::function<Built(const BuildOptions&, const Progress&)>& make,
             BuildOptions options, const CommonArguments& a) {
@@ -260,9 +266,7 @@ void finish(const std::function<Built(const BuildOptions&, const Progress&)>& ma
   } else {
     std::filesystem::remove(a.output + kSumEnding);  // that of the organ that was there before
   }
-  for (const std::string& warning : built.report.warnings) {
-    fmt::print(stderr, "stylet-organ: warning: {}\n", warning);
-  }
+  warn(built.report.warnings);
   const Organ organ = open_organ(a.output, built.bytes);
   Json facts = build_facts(built.report);
   facts["output"] = a.output;
@@ -515,6 +519,7 @@ void run_hull(const HullArguments& a) {
 
 void run_labels(const FileArguments& a) {
   const LabelMap map = read_label_map(a.file);
+  warn(map.notes);
   const double volume_ml = voxel_volume_m3(map) * 1e6;
   Json list = Json::array();
   for (const LabelCount& each : count_labels(map)) {
@@ -525,7 +530,8 @@ void run_labels(const FileArguments& a) {
                     {"volume_ml", static_cast<double>(each.voxels) * volume_ml}});
   }
   if (a.json) {
-    const Json facts = {{"file", a.file}, {"size", map.size}, {"labels", list}};
+    const Json facts = {
+        {"file", a.file}, {"size", map.size}, {"notes", map.notes}, {"labels", list}};
     fmt::print("{}\n", facts.dump(2));
     return;
   }

@@ -28,6 +28,7 @@ struct LabelMap {
   Vec origin_m;                                // centre of the first voxel
   std::array<Vec, 3> step_m;                   // from a voxel to the next one along each index
   std::map<std::uint16_t, std::string> names;  // as far as the file knows them
+  std::vector<std::string> notes;              // what its reader had to decide, a sentence each
   std::string sha256;  // of the file; with .nhdr and .mhd of the header, of a series of its sums
 };
 

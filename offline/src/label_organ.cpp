@@ -166,6 +166,7 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   Skin skin = label_skin(map, groups);
   Claimed claimed;
   Built built;
+  built.report.warnings = whole.notes;
   built.obstacles = find_obstacles(path, map, recipe);
   built.targets = find_targets(map, recipe);
   for (const Vec& point : skin.points) grow(claimed.box, point);
