@@ -13,7 +13,7 @@ scene=$root/hal/scenes/fig09-force-curve.toml
 # On the real-time loop; through sudo where this user lacks the rights for it; without them where
 # nobody has them; on a virtual clock where the host then is too late.
 run_insertion() {
-  local run=("$stylet" run "$scene" --organ "$organ" --record "$recording")
+  local run=("$stylet" run "$scene" --organ "$organ" --force --record "$recording")
   local unfit=4 trouble=3 status=0
   rm -f "$recording"
   "${run[@]}" || status=$?

@@ -44,6 +44,7 @@ struct RunOptions {
   bool fast = false;
   bool json = false;
   bool allow_non_rt = false;
+  bool force = false;  // over a recording that is there
   ServeOptions serve;  // the console, if `on`
   IgtlOptions igtl;
 };

@@ -9,7 +9,6 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -188,13 +187,7 @@ int probe(const ProbeOptions& options) {
   hal::probe_device(device, options.seconds, pushes, hal::monotonic_clock(), stop, *seen);
   Json record = record_of(options.uri, device.info, *seen);
   if (device.about != nullptr) record["about"] = device.about(device.self);
-  if (!options.output.empty()) {
-    std::ofstream file(options.output);
-    file << record.dump(2) << "\n";
-    if (!file.flush()) {
-      throw std::runtime_error(fmt::format("{}: cannot be written", options.output));
-    }
-  }
+  if (!options.output.empty()) hal::write_output(options.output, record.dump(2) + "\n");
   if (options.json) {
     fmt::print("{}\n", record.dump(2));
   } else {

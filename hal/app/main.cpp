@@ -48,7 +48,9 @@ void add_run(CLI::App& program, RunOptions& options) {
       "out.h5 keeps each as out-1.h5, out-2.h5 ...");
   run.add_option("scene", options.scene, "Scene file (TOML)")->required();
   run.add_option("--organ", options.organ, "Organ file, instead of the scene's");
-  run.add_option("--record", options.record, "Write a recording (HDF5)");
+  run.add_option("--record", options.record,
+                 "Write a recording (HDF5); NAME-2.h5 ... if it is there");
+  run.add_flag("--force", options.force, "Record over a file that is there");
   run.add_option("--flight", options.flight,
                  "Where the second before a fault goes, as NAME-1.h5, NAME-2.h5 ...")
       ->capture_default_str();
@@ -262,7 +264,11 @@ int dispatch(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     if (argc > 1 && std::string_view(argv[1]) == "bench") stylet::app::bench(argv + 1);
-    return stylet::app::dispatch(argc, argv);
+    const int code = stylet::app::dispatch(argc, argv);
+    if (std::fflush(stdout) != 0) {
+      throw std::runtime_error(fmt::format("standard output: {}", std::strerror(errno)));
+    }
+    return code;
   } catch (const std::exception& error) {
     fmt::print(stderr, "stylet: {}\n", error.what());
     return stylet::app::kExitRefused;

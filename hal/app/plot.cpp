@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,6 +18,7 @@
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "commands.h"
@@ -251,6 +253,28 @@ void run_gnuplot(const std::string& script, int output_fd) {
   }
 }
 
+// By way of memory: gnuplot says nothing of what it could not write.
+std::string gnuplot_picture(const std::string& script, bool svg) {
+  const int file = memfd_create("picture", MFD_CLOEXEC);
+  if (file < 0) throw std::runtime_error("gnuplot: no memory for its picture");
+  std::string picture;
+  try {
+    run_gnuplot(script, file);
+    picture.resize(static_cast<std::size_t>(lseek(file, 0, SEEK_END)));
+    const ssize_t size = pread(file, picture.data(), picture.size(), 0);
+    const std::string_view end = svg ? "</svg>" : "IEND";
+    if (size < 0 || picture.find(end, picture.size() - std::min<std::size_t>(20, picture.size())) ==
+                        std::string::npos) {
+      throw std::runtime_error("gnuplot: its picture is not whole: is memory full?");
+    }
+  } catch (...) {
+    close(file);
+    throw;
+  }
+  close(file);
+  return picture;
+}
+
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
@@ -275,25 +299,7 @@ int plot(const PlotOptions& options) {
   }
   const std::string script =
       script_of(read_curve(recording, options.needle), recording.info(), options.needle, svg);
-  const std::string temporary = fmt::format("{}.{}.tmp", options.output, getpid());
-  const int output = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (output < 0) {
-    throw std::runtime_error(
-        fmt::format("{}: cannot be written: {}", options.output, std::strerror(errno)));
-  }
-  try {
-    run_gnuplot(script, output);
-  } catch (...) {
-    close(output);
-    std::remove(temporary.c_str());
-    throw;
-  }
-  close(output);
-  if (std::rename(temporary.c_str(), options.output.c_str()) != 0) {
-    std::remove(temporary.c_str());
-    throw std::runtime_error(
-        fmt::format("{}: cannot be written: {}", options.output, std::strerror(errno)));
-  }
+  hal::write_output(options.output, gnuplot_picture(script, svg));
   fmt::print("{}\n", options.output);
   return kExitOk;
 }

@@ -75,6 +75,17 @@ void announce(const Session& s) {
   std::fflush(stdout);
 }
 
+// A recording cannot be made again: one that is there stays, unless told otherwise.
+std::string recording_name(const RunOptions& options) {
+  if (options.record.empty() || options.force) return options.record;
+  std::string name = hal::kept_name(options.record);
+  if (name != options.record) {
+    fmt::print(stderr, "stylet: {} is there already and stays: this one is {} (--force: over it)\n",
+               options.record, name);
+  }
+  return name;
+}
+
 }  // namespace
 
 int run(const RunOptions& options) {
@@ -88,7 +99,7 @@ int run(const RunOptions& options) {
   hal::check_output(options.record, std::array{options.scene, s.organ->path});
   open_devices(s);
   if (!options.fast) hal::prepare_process(host);
-  a.recording = options.record;
+  a.recording = recording_name(options);
   prepare(s, a, nullptr);
   announce(s);
   start(s, a);

@@ -79,8 +79,8 @@ def play(name, folder, more=()):
 
 def run(scene, organ, recording, more=()):
     """Records a scene; returns the recording's path and the report of the run."""
-    report = call([BIN / "stylet", "run", scene, "--organ", organ, "--fast", "--json", "--record",
-                   recording, *more])
+    report = call([BIN / "stylet", "run", scene, "--organ", organ, "--fast", "--json", "--force",
+                   "--record", recording, *more])
     return recording, json.loads(report)
 
 

@@ -20,6 +20,7 @@
 #include "hull.h"
 #include "info.h"
 #include "label_organ.h"
+#include "outputs.h"
 #include "phantom.h"
 #include "progress_bar.h"
 #include "quality.h"
@@ -202,7 +203,7 @@ BuildOptions common_options(const CommonArguments& a, double metres_per_unit) {
 }
 
 // Hulls of obstacles beside the organ, and a scene with them and the targets.
-Json write_scene(const Built& built, const std::filesystem::path& organ) {
+Json add_scene(Outputs& outputs, const Built& built, const std::filesystem::path& organ) {
   if (built.obstacles.empty() && built.targets.empty()) return nullptr;
   const std::string stem = organ.stem().string();
   Json facts = {{"file", organ.parent_path() / (stem + ".scene.toml")},
@@ -211,8 +212,8 @@ Json write_scene(const Built& built, const std::filesystem::path& organ) {
   std::vector<std::string> files;
   for (const auto& [name, hull] : built.obstacles) {
     files.push_back(stem + "." + name + ".toml");
-    const std::string text = hull_toml(hull, organ.filename().string() + ": " + name, "");
-    write_file(organ.parent_path() / files.back(), std::as_bytes(std::span(text)));
+    outputs.add(organ.parent_path() / files.back(),
+                hull_toml(hull, organ.filename().string() + ": " + name, ""));
     facts["obstacles"].push_back({{"name", name},
                                   {"file", organ.parent_path() / files.back()},
                                   {"volume_ml", hull.volume_m3 * 1e6},
@@ -225,8 +226,8 @@ Json write_scene(const Built& built, const std::filesystem::path& organ) {
                                 {"volume_ml", target.volume_m3 * 1e6},
                                 {"diameter_mm", target.radius_m * 2e3}});
   }
-  const std::string scene = scene_toml(organ.filename().string(), files, built.targets);
-  write_file(facts["file"].get<std::string>(), std::as_bytes(std::span(scene)));
+  outputs.add(facts["file"].get<std::string>(),
+              scene_toml(organ.filename().string(), files, built.targets));
   return facts;
 }
 
@@ -251,35 +252,43 @@ void warn(const std::vector<std::string>& warnings) {
   }
 }
 
+// What would be refused after minutes of work.
+void check_outputs(const CommonArguments& a) {
+  check_output(a.output);
+  if (!a.report.empty()) check_output_folder(a.report);
+}
+
 // Builds, writes and reports. The progress bar goes before the report comes.
 void finish(const std::function<Built(const BuildOptions&, const Progress&)>& make,
-            BuildOptions options, const CommonArguments& a) {
+            BuildOptions options, const CommonArguments& a, Outputs& outputs) {
+  check_outputs(a);
   constexpr double kUsualPeriodS = 1e-3;
   const double period_s = a.fit.empty() ? kUsualPeriodS : period_of(a.fit);
   const std::optional<Machine> machine = chosen_machine(a);
   if (machine) options.most_voxels = most_voxels(*machine, period_s, a.substeps);
   const Progress progress = progress_bar();
   const Built built = make(options, progress);
-  write_file(a.output, built.bytes);
+  outputs.add(a.output, built.bytes);
   if (a.sum) {
-    write_sum(a.output, built.bytes);
+    outputs.add(a.output + kSumEnding, sum_line(a.output, built.bytes));
   } else {
-    std::filesystem::remove(a.output + kSumEnding);  // that of the organ that was there before
+    outputs.remove(a.output + kSumEnding);  // that of the organ that was there before
   }
   warn(built.report.warnings);
   const Organ organ = open_organ(a.output, built.bytes);
   Json facts = build_facts(built.report);
   facts["output"] = a.output;
   facts["organ"] = organ_facts(organ, built.bytes);
-  facts["scene"] = write_scene(built, a.output);
+  facts["scene"] = add_scene(outputs, built, a.output);
   if (machine || !a.report.empty()) {
     facts["speed"] = speed_facts(organ, period_s, a.substeps, machine ? &*machine : nullptr);
   }
   if (!a.report.empty()) {
     const Quality quality = measure_quality(organ, built.input_m, progress);
     facts["quality"] = quality_facts(quality, built.report);
-    write_report(a.report, facts, organ, built.input_m);
+    add_report(outputs, a.report, facts, organ, built.input_m);
   }
+  outputs.commit();
   if (a.json) {
     fmt::print("{}\n", facts.dump(2));
   } else {
@@ -393,9 +402,10 @@ void run_build_labels(const BuildArguments& a) {
   choose_layers(a, recipe.groups, options);
   choose_capsule(a.capsule, recipe.groups, options);
   const LabelMap map = read_label_map(path);
+  Outputs outputs;
   finish([&](const BuildOptions& o,
              const Progress& p) { return build_labels(path, map, recipe, o, p); },
-         options, a);
+         options, a, outputs);
 }
 
 void run_build(const BuildArguments& a) {
@@ -425,8 +435,9 @@ void run_build(const BuildArguments& a) {
   choose_gaps(a, options);
   choose_layers(a, inputs, options);
   choose_capsule(a.capsule, inputs, options);
+  Outputs outputs;
   finish([&](const BuildOptions& o, const Progress& p) { return build(std::move(inputs), o, p); },
-         options, a);
+         options, a, outputs);
 }
 
 // Facets about as large as voxels, since finer ones would move with the same voxel anyway; but no
@@ -477,11 +488,12 @@ void run_phantom(PhantomArguments a) {
                                               : fmt::format(" --size-mm {},{},{}", a.size_mm[0],
                                                             a.size_mm[1], a.size_mm[2]);
   if (!a.layers.empty()) options.options_text += " --layer " + joined(a.layers);
-  if (!a.mesh_out.empty()) write_file(a.mesh_out, std::as_bytes(std::span(off)));
+  Outputs outputs;
+  if (!a.mesh_out.empty()) outputs.add(a.mesh_out, off);
   std::vector<Input> inputs = {std::move(input)};
   choose_capsule(a.capsule, inputs, options);
   finish([&](const BuildOptions& o, const Progress& p) { return build(std::move(inputs), o, p); },
-         options, a);
+         options, a, outputs);
 }
 
 // ---- hull ---------------------------------------------------------------------------------------
@@ -496,7 +508,7 @@ void run_hull(const HullArguments& a) {
   const Hull hull = simple_hull(a.input, points_m, a.most_vertices);
   const std::string source = std::filesystem::path(a.input).filename().string();
   const std::string text = hull_toml(hull, source, read.sha256);
-  write_file(a.output, std::as_bytes(std::span(text)));
+  write_file(a.output, text);
   if (a.json) {
     const Json facts = {{"source", source},
                         {"vertices", hull.vertices_m.size()},
@@ -711,6 +723,7 @@ int run(int argc, char** argv) {
     if (app.get_subcommands().empty()) {
       throw CLI::RequiredError("A command (build, phantom, hull, labels, info or check)");
     }
+    if (std::fflush(stdout) != 0) refuse("standard output: {}", std::strerror(errno));
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kExitUsage;
   } catch (const std::bad_alloc&) {

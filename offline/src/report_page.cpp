@@ -6,9 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "file.h"
 #include "picture.h"
-#include "refusal.h"
 
 namespace stylet::bake {
 namespace {
@@ -224,17 +222,10 @@ std::string pictures(const Organ& organ, const Mesh& input_m) {
   return html;
 }
 
-void write_text(const std::filesystem::path& path, const std::string& text) {
-  write_file(path, std::as_bytes(std::span(text)));
-}
-
 }  // namespace
 
-void write_report(const std::filesystem::path& folder, const nlohmann::ordered_json& facts,
-                  const Organ& organ, const Mesh& input_m) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) refuse("{}: cannot be made: {}", folder.string(), error.message());
+void add_report(Outputs& outputs, const std::filesystem::path& folder,
+                const nlohmann::ordered_json& facts, const Organ& organ, const Mesh& input_m) {
   const Json& quality = facts["quality"];
   const std::string html =
       "<!doctype html><html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
@@ -243,8 +234,9 @@ void write_report(const std::filesystem::path& folder, const nlohmann::ordered_j
       heading(facts) + findings(quality) + pictures(organ, input_m) + tissues(quality) +
       distances(quality) + repairs(facts) + speed(facts) + provenance(facts["organ"]) +
       "</body></html>\n";
-  write_text(folder / "report.json", facts.dump(2) + "\n");
-  write_text(folder / "report.html", html);
+  outputs.add_folder(folder);
+  outputs.add(folder / "report.json", facts.dump(2) + "\n");
+  outputs.add(folder / "report.html", html);
 }
 
 }  // namespace stylet::bake

@@ -7,12 +7,13 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "organ_shape.h"
+#include "outputs.h"
 
 namespace stylet::bake {
 
 // `facts` has the keys of build_facts, and `organ` and `quality` (organ_facts, quality_facts).
 // `input_m` is the surface of the input.
-void write_report(const std::filesystem::path& folder, const nlohmann::ordered_json& facts,
-                  const Organ& organ, const Mesh& input_m);
+void add_report(Outputs& outputs, const std::filesystem::path& folder,
+                const nlohmann::ordered_json& facts, const Organ& organ, const Mesh& input_m);
 
 }  // namespace stylet::bake

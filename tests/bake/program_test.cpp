@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 
 #include <chrono>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "bake_support.h"
@@ -274,6 +275,53 @@ TEST(Program, OutputsDestroyNothing) {
   std::ofstream(at("mine.organ.sha256")) << "of another organ\n";
   EXPECT_EQ(build_to(at("mine.organ")).exit_code, 0);
   EXPECT_FALSE(std::filesystem::exists(at("mine.organ.sha256")));
+}
+
+// Names and bytes of all files below a folder.
+std::map<std::string, std::string> all_files(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    files[entry.path()] = entry.is_directory() ? "a folder" : slurp(entry.path());
+  }
+  return files;
+}
+
+// Whatever one of a command's outputs meets: all of them appear, or every file is as it was.
+TEST(Program, OutputsAppearTogetherOrNotAtAll) {
+  const Scratch scratch;
+  const auto at = [&](const char* name) { return (scratch.folder / name).string(); };
+  write_cube(at("cube.off"));
+  const auto build = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"build", at("cube.off"), "--voxel-mm",
+                                   "10",    "-o",           at("a.organ")};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  };
+  std::filesystem::create_directories(at("page/report.html"));  // in the report's way
+  std::ofstream(at("file")) << "no folder";
+  std::filesystem::create_directory(at("a.organ.sha256"));
+  const std::vector<std::vector<std::string>> fails = {{"--report", at("page")},
+                                                       {"--report", at("file")},
+                                                       {"--report", at("file/below")},
+                                                       {"--sum"}};
+  for (const bool older : {false, true}) {
+    if (older) std::ofstream(at("a.organ")) << "an older organ";
+    const auto before = all_files(scratch.folder);
+    for (const auto& more : fails) {
+      const Result r = build(more);
+      EXPECT_EQ(r.exit_code, 1) << more.back() << r.err;
+      expect_one_line(r.err, scratch.folder.string());
+      EXPECT_EQ(all_files(scratch.folder), before) << more.back();
+    }
+  }
+  std::filesystem::remove(at("a.organ.sha256"));
+  EXPECT_EQ(build({"--report", at("new/below"), "--sum"}).exit_code, 0);
+  for (const char* name : {"a.organ.sha256", "new/below/report.html", "new/below/report.json"}) {
+    EXPECT_TRUE(std::filesystem::exists(at(name))) << name;
+  }
+  const Result twice = run({"phantom", "ball", "-o", at("b.organ"), "--mesh-out", at("b.organ")});
+  expect_one_line(twice.err, "would be written twice");
+  EXPECT_FALSE(std::filesystem::exists(at("b.organ")));
 }
 
 // 64 voxels of a ten-thousandth of a millimetre, and a wall of centimetres around them: the product

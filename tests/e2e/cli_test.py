@@ -10,6 +10,8 @@ import json
 import os
 import pathlib
 import re
+import resource
+import signal
 import socket
 import subprocess
 import sys
@@ -151,6 +153,42 @@ class Recording(Folder):
 
     def test_replay_has_the_same_bits(self):
         call("stylet", "replay", self.recording)
+
+    def test_recordings_are_kept(self):
+        """The same command again keeps what the first recorded; --force goes over it."""
+        kept, second = self.top / "kept.h5", self.top / "kept-2.h5"
+        kept.write_bytes(b"what cannot be had again")
+        words = ["run", SCENE, "--organ", self.organ, "--fast", "--duration-s", "0.2", "--record",
+                 kept]
+        done = call("stylet", *words, "--json")
+        self.assertEqual(json.loads(done.stdout)["recording"], str(second))
+        self.assertEqual(done.stderr, f"stylet: {kept} is there already and stays: this one is "
+                                      f"{second} (--force: over it)\n")
+        self.assertEqual(kept.read_bytes(), b"what cannot be had again")
+        call("stylet", "replay", second)
+        done = call("stylet", *words, "--json", "--force")
+        self.assertEqual(json.loads(done.stdout)["recording"], str(kept))
+        call("stylet", "replay", kept)
+        self.assertEqual(sorted(self.top.glob("kept*")), [second, kept])
+
+    def test_full_disk_leaves_no_picture(self):
+        """A limit on sizes, under which gnuplot draws half and is content; and a full /dev/full."""
+        def limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
+        for name in ("full.svg", "full.png"):
+            done = subprocess.run([BIN / "stylet", "plot", self.recording, "-o", self.top / name],
+                                  preexec_fn=limit, capture_output=True, text=True, timeout=60)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertRegex(done.stderr, "^stylet: gnuplot: its picture is not whole")
+            self.assertEqual(list(self.top.glob("full*")), [])
+        for program, *words in (["stylet", "score", self.recording],
+                                ["stylet-organ", "info", self.organ]):
+            with open("/dev/full", "w", encoding="utf-8") as full:
+                done = subprocess.run([BIN / program, *words], stdout=full, text=True,
+                                      stderr=subprocess.PIPE, timeout=60)
+            self.assertEqual(done.returncode, 1, program)
+            self.assertIn("No space left on device", done.stderr)
 
     def test_replay_names_what_differs(self):
         changed = self.top / "changed.h5"
