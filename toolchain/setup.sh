@@ -14,7 +14,7 @@ packages=(
   libboost-dev libcli11-dev libfmt-dev libhdf5-dev libopenigtlink-dev libtomlplusplus-dev
   nlohmann-json3-dev gnuplot-nox fonts-dejavu-core
   # offline
-  libcgal-dev libdcmtk-dev libinsighttoolkit5-dev libpng-dev libssl-dev zlib1g-dev
+  libcgal-dev libdcmtk-dev libexpat1-dev libinsighttoolkit5-dev libpng-dev libssl-dev zlib1g-dev
   # tests
   libbenchmark-dev libbullet-dev libclang-rt-14-dev libclang-rt-19-dev libgmock-dev libgtest-dev
   llvm python3-h5py python3-matplotlib python3-prometheus-client python3-pydicom snakemake valgrind

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Image_3.h>
 
+#include <algorithm>
+#include <map>
+
+#include "label_header.h"
 #include "label_readers.h"
 
 namespace stylet::bake {
@@ -46,9 +50,51 @@ bool read_voxels(_image& image) {
   return whole;
 }
 
+// NAME=VALUE up to an empty line or a comment, none longer than what CGAL takes for a line.
+void check_claim(const std::string& path, std::string_view bytes) {
+  constexpr std::size_t kLongest = 255;
+  const std::string whole = inflated(path, bytes);
+  std::string_view rest = whole;
+  HeaderLine line;
+  if (!next_line(path, rest, line) || line.text != "#INRIMAGE-4#{") {
+    refuse("{}: expected the header of an Inrimage (#INRIMAGE-4) with one value a voxel", path);
+  }
+  Claim claim;
+  std::map<std::string, std::int64_t> fields = {
+      {"XDIM", 0}, {"YDIM", 0}, {"ZDIM", 0}, {"VDIM", 0}, {"PIXSIZE", 0}};
+  while (next_line(path, rest, line) && !line.text.empty() && line.text.front() != '#') {
+    if (line.text.size() > kLongest) {
+      refuse("{}: header line {}: expected at most {} characters", path, line.number, kLongest);
+    }
+    const std::size_t sign = line.text.find('=');
+    const auto field = fields.find(std::string(line.text.substr(0, sign)));
+    if (field == fields.end() || sign == std::string_view::npos) continue;
+    std::string_view value = line.text.substr(sign + 1);
+    if (field->first == "PIXSIZE") value = value.substr(0, value.find(' '));
+    const auto numbers = whole_numbers(path, line, value, 1, INT32_MAX);
+    if (numbers.size() != 1 || field->second != 0) {
+      refuse("{}: header line {}: {}: expected it once, and one number", path, line.number,
+             field->first);
+    }
+    field->second = numbers.front();
+  }
+  for (const auto& [name, value] : fields) {
+    if (value == 0) refuse("{}: expected {} in the header of an Inrimage", path, name);
+    if (name.ends_with("DIM") && name != "VDIM")
+      claim.sizes.push_back(static_cast<std::uint64_t>(value));
+  }
+  constexpr std::int64_t kBitsOfByte = 8;
+  claim.bytes_each =
+      static_cast<std::uint64_t>(std::max<std::int64_t>(1, fields["PIXSIZE"] / kBitsOfByte));
+  const auto size = [&](const char* name) { return static_cast<std::size_t>(fields[name]); };
+  require_map_size(path, {size("XDIM"), size("YDIM"), size("ZDIM")});
+  require_held(path, claim, whole.size());
+}
+
 }  // namespace
 
-LabelMap read_inr(const std::string& path) {
+LabelMap read_inr(const std::string& path, std::string_view bytes) {
+  check_claim(path, bytes);
   constexpr double kMetresPerMm = 1e-3;
   const Image image = opened(path);
   if (!image || image->vdim != 1) {

@@ -3,34 +3,58 @@
 
 #include <itkMetaDataObject.h>
 #include <itkMetaImageIO.h>
-#include <itkNiftiImageIO.h>
 #include <itkNrrdImageIO.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <cstdlib>
-#include <cstring>
 
 #include "file.h"
+#include "label_header.h"
+#include "label_names.h"
 #include "label_readers.h"
 
 namespace stylet::bake {
 namespace {
 
+bool is_nrrd(const std::string& path) {
+  return path.ends_with(".nrrd") || path.ends_with(".nhdr");
+}
+
 itk::ImageIOBase::Pointer reader_for(const std::string& path) {
   itk::Object::GlobalWarningDisplayOff();
   itk::ImageIOBase::Pointer reader;
-  if (path.ends_with(".nrrd") || path.ends_with(".nhdr")) {
+  if (is_nrrd(path)) {
     reader = itk::NrrdImageIO::New();
-  } else if (path.ends_with(".nii") || path.ends_with(".nii.gz")) {
-    reader = itk::NiftiImageIO::New();
   } else {
     reader = itk::MetaImageIO::New();
   }
   reader->SetFileName(path);
   return reader;
+}
+
+// Of header and data files together, where there are any; those are read for it.
+std::uint64_t held_bytes(const std::string& path, const Claim& claim, std::string_view bytes,
+                         std::string& sha256_out) {
+  if (claim.files.empty()) return bytes.size();
+  std::uint64_t held = 0;
+  std::string sums = sha256_hex(bytes);
+  for (const std::filesystem::path& file : claim.files) {
+    const std::string voxels = read_file(std::filesystem::path(path).parent_path() / file);
+    held += voxels.size();
+    sums += sha256_hex(voxels);
+  }
+  sha256_out = sha256_hex(sums);
+  return held;
+}
+
+Claim checked_claim(const std::string& path, std::string_view bytes, std::string& sha256_out) {
+  Claim claim = is_nrrd(path) ? nrrd_claim(path, bytes) : meta_claim(path, bytes);
+  if (claim.sizes.size() >= 3) {  // layers come first
+    const std::size_t at = claim.sizes.size() - 3;
+    require_map_size(path, {claim.sizes[at], claim.sizes[at + 1], claim.sizes[at + 2]});
+  }
+  require_held(path, claim, held_bytes(path, claim, bytes, sha256_out));
+  return claim;
 }
 
 void check_dimensions(const std::string& path, const itk::ImageIOBase& reader) {
@@ -44,9 +68,8 @@ void check_dimensions(const std::string& path, const itk::ImageIOBase& reader) {
     if (axis < 3) sizes[axis] = size;
   }
   require_map_size(path, sizes);
-  if (reader.GetNumberOfDimensions() < 3 || reader.GetNumberOfComponents() != 1) {
-    refuse("{}: {} dimensions of {} values: expected 3 of 1", path, reader.GetNumberOfDimensions(),
-           reader.GetNumberOfComponents());
+  if (reader.GetNumberOfDimensions() < 3) {
+    refuse("{}: {} dimensions: expected 3", path, reader.GetNumberOfDimensions());
   }
 }
 
@@ -61,26 +84,6 @@ void read_frame(const std::string& path, const itk::ImageIOBase& reader, LabelMa
         Vec{direction[0], direction[1], direction[2]} * (reader.GetSpacing(axis) * kMetresPerMm);
   }
   require_frame(path, map);
-}
-
-// NIfTI's reader takes zeros for what a file cut short does not hold.
-void check_nifti_length(const std::string& path, const itk::ImageIOBase& reader,
-                        std::size_t image_bytes) {
-  std::string offset;
-  itk::ExposeMetaData<std::string>(reader.GetMetaDataDictionary(), "vox_offset", offset);
-  const std::size_t wanted = image_bytes + static_cast<std::size_t>(std::atof(offset.c_str()));
-  const gzFile file = gzopen(path.c_str(), "rb");
-  if (file == nullptr) refuse("{}: cannot be read", path);
-  std::vector<char> block(std::size_t{1} << 20U);
-  std::size_t total = 0;
-  int count = 0;
-  while ((count = gzread(file, block.data(), static_cast<unsigned>(block.size()))) > 0) {
-    total += static_cast<std::size_t>(count);
-  }
-  const bool whole = gzclose(file) == Z_OK && count == 0;
-  if (!whole || total < wanted) {
-    refuse("{}: ends or is damaged after {} bytes: expected {}", path, total, wanted);
-  }
 }
 
 // MetaIO leaves what a file cut short does not hold as it was: two readings differ there.
@@ -116,9 +119,6 @@ std::vector<char> read_bytes(const std::string& path, itk::ImageIOBase& reader) 
   }
   reader.SetIORegion(all);
   std::vector<char> bytes(static_cast<std::size_t>(reader.GetImageSizeInBytes()));
-  if (dynamic_cast<itk::NiftiImageIO*>(&reader) != nullptr) {
-    check_nifti_length(path, reader, bytes.size());
-  }
   reader.Read(bytes.data());
   if (dynamic_cast<itk::MetaImageIO*>(&reader) != nullptr) check_meta_length(path, reader, bytes);
   return bytes;
@@ -155,16 +155,20 @@ void take_any_labels(const std::string& path, itk::ImageIOBase::IOComponentType 
   }
 }
 
-LabelMap read_by_itk(const std::string& path) {
+LabelMap read_by_itk(const std::string& path, std::string_view bytes) {
   LabelMap map;
+  const Claim claim = checked_claim(path, bytes, map.sha256);
   try {
     const Silence silence;
     const itk::ImageIOBase::Pointer reader = reader_for(path);
     reader->ReadImageInformation();
     check_dimensions(path, *reader);
     read_frame(path, *reader, map);
+    const std::size_t layers = reader->GetNumberOfComponents();
+    const std::vector<Segment> segments = slicer_segments(path, claim, layers);
     std::set<std::uint16_t> different;
     take_any_labels(path, reader->GetComponentType(), read_bytes(path, *reader), map, different);
+    take_segments(path, segments, layers, map);
   } catch (const itk::ExceptionObject& failure) {
     refuse("{}: cannot be read: {}", path, reason_of(failure));
   }

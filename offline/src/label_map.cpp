@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "file.h"
+#include "label_names.h"
 #include "label_readers.h"
 
 namespace stylet::bake {
@@ -16,12 +17,17 @@ namespace {
 
 struct Format {
   const char* ending;
-  LabelMap (*read)(const std::string& path);
+  LabelMap (*read)(const std::string& path, std::string_view bytes);
 };
+
+LabelMap read_seg(const std::string& path, std::string_view /*bytes*/) {
+  return read_dicom_seg(path);
+}
+
 constexpr Format kFormats[] = {
-    {".nrrd", read_by_itk},   {".nhdr", read_by_itk}, {".nii", read_by_itk},
-    {".nii.gz", read_by_itk}, {".mha", read_by_itk},  {".mhd", read_by_itk},
-    {".inr", read_inr},       {".inr.gz", read_inr},  {".dcm", read_dicom_seg}};
+    {".nrrd", read_by_itk},  {".nhdr", read_by_itk}, {".nii", read_nifti},
+    {".nii.gz", read_nifti}, {".mha", read_by_itk},  {".mhd", read_by_itk},
+    {".inr", read_inr},      {".inr.gz", read_inr},  {".dcm", read_seg}};
 
 const Format* format_of(const std::string& name) {
   const auto* found = std::find_if(std::begin(kFormats), std::end(kFormats),
@@ -93,7 +99,7 @@ LabelMap read_label_map(const std::filesystem::path& file) {
   const std::string path = file.string();
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) return read_dicom_series(path);
-  constexpr Format kDicom = {"", read_dicom_seg};  // known by its first bytes
+  constexpr Format kDicom = {"", read_seg};  // known by its first bytes
   const Format* format = format_of(path);
   if (format == nullptr && is_dicom(path)) format = &kDicom;
   if (format == nullptr) {
@@ -102,9 +108,10 @@ LabelMap read_label_map(const std::filesystem::path& file) {
         "folder of DICOM slices",
         path);
   }
-  const std::string sum = sha256_hex(read_file(file));
-  LabelMap map = format->read(path);
-  map.sha256 = sum;
+  const std::string bytes = read_file(file);
+  LabelMap map = format->read(path, bytes);
+  if (map.sha256.empty()) map.sha256 = sha256_hex(bytes);
+  for (auto& [label, name] : map.names) name = printable(name);
   return map;
 }
 

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A label map: a number for every voxel of an image, and where the image lies in the patient.
 //
-// Read by ITK: NRRD (.nrrd .nhdr), NIfTI (.nii .nii.gz), MetaImage (.mha .mhd), a folder with one
-// series of DICOM slices; by DCMTK: a DICOM segmentation (.dcm), where the segment with the higher
-// number wins a voxel that two claim; by CGAL: Inrimage (.inr .inr.gz). Axes, spacing, direction
-// cosines and units are those of the header; Inrimage knows no directions and has x, y, z as
-// stored. Promise: what is no label map (fractions, negative numbers, more values than anybody
-// names, other than three dimensions) is refused with one line. Units: metres. Frame: the
-// patient's, x to the left, y to the back, z to the head (LPS).
+// Read by ITK: NRRD (.nrrd .nhdr), MetaImage (.mha .mhd), a folder with one series of DICOM slices;
+// by DCMTK: a DICOM segmentation (.dcm); by CGAL: Inrimage (.inr .inr.gz); by ourselves: NIfTI
+// (.nii .nii.gz), versions 1 and 2. Of segments that claim a voxel both, in DICOM or in layers of
+// 3D Slicer, the higher number wins. Axes, spacing, direction cosines and units are those of the
+// header; Inrimage knows no directions and has x, y, z as stored. Promises: what is no label map
+// (fractions, negative numbers, more values than anybody names, other than three dimensions) and
+// what contradicts itself is refused with one line; memory and time follow the bytes there are, not
+// what a header says. Units: metres. Frame: the patient's, x to the left, y to the back, z to the
+// head (LPS).
 #pragma once
 
 #include <array>
@@ -21,15 +23,17 @@
 
 namespace stylet::bake {
 
+using LabelNames = std::map<std::uint16_t, std::string>;
+
 // 0 is what lies between the organs.
 struct LabelMap {
   std::array<std::uint32_t, 3> size{};  // first index fastest
   std::vector<std::uint16_t> label;
-  Vec origin_m;                                // centre of the first voxel
-  std::array<Vec, 3> step_m;                   // from a voxel to the next one along each index
-  std::map<std::uint16_t, std::string> names;  // as far as the file knows them
-  std::vector<std::string> notes;              // what its reader had to decide, a sentence each
-  std::string sha256;  // of the file; with .nhdr and .mhd of the header, of a series of its sums
+  Vec origin_m;                    // centre of the first voxel
+  std::array<Vec, 3> step_m;       // from a voxel to the next one along each index
+  LabelNames names;                // as far as the file knows them
+  std::string sha256;              // of the file; of several that belong together, of their sums
+  std::vector<std::string> notes;  // what its reader had to decide, a sentence each
 };
 
 // By its name; nothing is read.

@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The readers behind read_label_map, one library each, and what they share. All refuse with one
-// line and print nothing. Units: metres. Frame: the patient's (LPS), as far as the format knows it.
+// The readers behind read_label_map, one library each at most, and what they share. All refuse with
+// one line and print nothing. Units: metres. Frame: the patient's (LPS), as far as the format knows
+// it.
 #pragma once
 
 #include <cmath>
 #include <cstring>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "label_map.h"
 #include "refusal.h"
 
 namespace stylet::bake {
 
-LabelMap read_by_itk(const std::string& path);          // NRRD, NIfTI, MetaImage
-LabelMap read_dicom_series(const std::string& folder);  // one series of slices, by ITK
-LabelMap read_dicom_seg(const std::string& path);       // segmentation object, by DCMTK
-LabelMap read_inr(const std::string& path);             // by CGAL
+// Of a file with these bytes.
+LabelMap read_by_itk(const std::string& path, std::string_view bytes);  // NRRD, MetaImage
+LabelMap read_nifti(const std::string& path, std::string_view bytes);
+LabelMap read_inr(const std::string& path, std::string_view bytes);  // by CGAL
+LabelMap read_dicom_series(const std::string& folder);               // one series of slices, by ITK
+LabelMap read_dicom_seg(const std::string& path);  // segmentation object, by DCMTK
 // A DICOM file of any kind that does not end before it should.
 void require_whole_dicom(const std::string& path);
 // Whether a file begins as DICOM does, whatever its name.

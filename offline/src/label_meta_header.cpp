@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "label_header.h"
+#include "label_readers.h"
+
+namespace stylet::bake {
+namespace {
+
+using Fields = std::map<std::string, std::pair<std::string, HeaderLine>>;
+
+// KEY = VALUE up to ElementDataFile, which is the last. MetaIO takes a colon for the sign, too.
+Fields read_fields(const std::string& path, std::string_view& rest) {
+  constexpr std::size_t kLongest = 250;       // MetaIO's texts are fields of 255 characters
+  constexpr std::size_t kLongestList = 4000;  // and its lists of 4096
+  Fields fields;
+  HeaderLine line;
+  while (next_line(path, rest, line)) {
+    const std::size_t sign = line.text.find_first_of("=:");
+    if (trimmed(line.text).empty()) continue;
+    if (sign == std::string_view::npos || sign > kLongest) {
+      refuse("{}: header line {}: expected KEY = VALUE", path, line.number);
+    }
+    const std::string key(trimmed(line.text.substr(0, sign)));
+    const std::string value(trimmed(line.text.substr(sign + 1)));
+    const bool is_list =
+        !value.empty() && value.find_first_not_of("+-.eE0123456789 \t") == std::string::npos;
+    if (value.size() > (is_list ? kLongestList : kLongest)) {
+      refuse("{}: header line {}: {}: {} characters: expected at most {}", path, line.number, key,
+             value.size(), is_list ? kLongestList : kLongest);
+    }
+    if (!fields.emplace(key, std::pair(value, line)).second) {
+      refuse("{}: header line {}: {}: expected it once", path, line.number, key);
+    }
+    if (key == "ElementDataFile") return fields;
+  }
+  refuse("{}: expected ElementDataFile in the header of a MetaImage", path);
+}
+
+// The one number of a key; `otherwise` where there is none.
+std::int64_t number_of(const std::string& path, const Fields& fields, const char* key,
+                       std::int64_t least, std::int64_t most, std::int64_t otherwise) {
+  const auto found = fields.find(key);
+  if (found == fields.end()) return otherwise;
+  const auto& [value, line] = found->second;
+  const auto numbers = whole_numbers(path, line, value, least, most);
+  if (numbers.size() != 1) refuse("{}: header line {}: expected one number", path, line.number);
+  return numbers.front();
+}
+
+bool is_true(const Fields& fields, const char* key, bool otherwise) {
+  const auto found = fields.find(key);
+  if (found == fields.end() || found->second.first.empty()) return otherwise;
+  return std::string_view("Tt1").find(found->second.first.front()) != std::string_view::npos;
+}
+
+std::uint64_t bytes_of_type(const std::string& path, const Fields& fields) {
+  constexpr std::array<std::pair<std::string_view, std::uint64_t>, 12> kTypes = {
+      {{"MET_CHAR", 1},
+       {"MET_UCHAR", 1},
+       {"MET_SHORT", 2},
+       {"MET_USHORT", 2},
+       {"MET_INT", 4},
+       {"MET_UINT", 4},
+       {"MET_LONG", 4},
+       {"MET_ULONG", 4},
+       {"MET_LONG_LONG", 8},
+       {"MET_ULONG_LONG", 8},
+       {"MET_FLOAT", 4},
+       {"MET_DOUBLE", 8}}};
+  const auto found = fields.find("ElementType");
+  const std::string type = found == fields.end() ? "" : found->second.first;
+  for (const auto& [name, bytes] : kTypes) {
+    if (type == name) return bytes;
+  }
+  refuse("{}: ElementType '{}': expected MET_UCHAR or another whole or real number", path, type);
+}
+
+void read_files(const std::string& path, const Fields& fields, std::string_view rest,
+                Claim& claim) {
+  auto [value, line] = fields.at("ElementDataFile");
+  if (lower(value) == "local") return;
+  if (value.starts_with("LIST")) {
+    while (next_line(path, rest, line)) {
+      if (!trimmed(line.text).empty()) claim.files.emplace_back(trimmed(line.text));
+    }
+  } else if (value.find('%') != std::string::npos) {
+    claim.files = numbered_files(path, line, value);
+  } else {
+    claim.files.emplace_back(value);
+  }
+  if (claim.files.empty() || value.empty()) {
+    refuse("{}: header line {}: expected LOCAL or the names of data files", path, line.number);
+  }
+}
+
+}  // namespace
+
+Claim meta_claim(const std::string& path, std::string_view bytes) {
+  constexpr std::int64_t kMostAxes = 10;  // MetaIO's fields have so many
+  Claim claim;
+  std::string_view rest = bytes;
+  const Fields fields = read_fields(path, rest);
+  const std::int64_t axes = number_of(path, fields, "NDims", 1, kMostAxes, 0);
+  const auto sizes = fields.find("DimSize");
+  if (axes == 0 || sizes == fields.end()) {
+    refuse("{}: expected NDims and DimSize in the header of a MetaImage", path);
+  }
+  for (const std::int64_t size :
+       whole_numbers(path, sizes->second.second, sizes->second.first, 1, INT32_MAX)) {
+    claim.sizes.push_back(static_cast<std::uint64_t>(size));
+  }
+  if (claim.sizes.size() != static_cast<std::size_t>(axes)) {
+    refuse("{}: header line {}: {} sizes: expected as many as NDims, {}", path,
+           sizes->second.second.number, claim.sizes.size(), axes);
+  }
+  if (number_of(path, fields, "ElementNumberOfChannels", 1, INT32_MAX, 1) != 1) {
+    refuse("{}: several values a voxel: expected labels, which are one", path);
+  }
+  claim.bytes_each = bytes_of_type(path, fields);
+  claim.packed = is_true(fields, "CompressedData", false);
+  claim.text = !claim.packed && !is_true(fields, "BinaryData", true);
+  read_files(path, fields, rest, claim);
+  const auto held = static_cast<std::int64_t>(bytes.size());
+  (void)number_of(path, fields, "HeaderSize", -1, INT32_MAX, 0);
+  if (claim.files.empty()) (void)number_of(path, fields, "CompressedDataSize", 0, held, 0);
+  return claim;
+}
+
+}  // namespace stylet::bake

@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: Apache-2.0
+// What headers of label maps claim: held against the bytes there are, and against themselves. Maps
+// and frames are drawn at random; expected places come from rotations written as axis and angle.
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <zlib.h>
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <random>
+
+#include "bake_support.h"
+#include "label_map.h"
+#include "refusal.h"
+
+namespace stylet::test {
+namespace {
+
+using bake::LabelMap;
+using bake::Vec;
+using testing::HasSubstr;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+std::string refusal_of(const std::filesystem::path& path) {
+  try {
+    (void)bake::read_label_map(path);
+  } catch (const bake::Refusal& refused) {
+    EXPECT_EQ(std::string(refused.what()).find('\n'), std::string::npos) << refused.what();
+    return refused.what();
+  }
+  return "";
+}
+
+std::string gzipped(const std::string& bytes) {
+  std::string out(compressBound(bytes.size()) + 32, '\0');
+  z_stream stream{};
+  deflateInit2(&stream, 9, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  deflate(&stream, Z_FINISH);
+  out.resize(stream.total_out);
+  deflateEnd(&stream);
+  return out;
+}
+
+// ---- what is claimed and what is there ----------------------------------------------------------
+
+using Sizes = std::array<std::string, 3>;
+
+std::string nrrd(const Sizes& n, const std::string& encoding, const std::string& voxels) {
+  return "NRRD0004\ntype: uchar\ndimension: 3\nsizes: " + n[0] + " " + n[1] + " " + n[2] +
+         "\nencoding: " + encoding + "\n\n" + voxels;
+}
+
+std::string meta(const Sizes& n, const std::string& keys, const std::string& voxels) {
+  return "ObjectType = Image\nNDims = 3\nDimSize = " + n[0] + " " + n[1] + " " + n[2] +
+         "\nElementType = MET_UCHAR\n" + keys + "ElementDataFile = LOCAL\n" + voxels;
+}
+
+std::string inr(const Sizes& n, const std::string& voxels) {
+  std::string head = "#INRIMAGE-4#{\nXDIM=" + n[0] + "\nYDIM=" + n[1] + "\nZDIM=" + n[2] +
+                     "\nVDIM=1\nTYPE=unsigned fixed\nPIXSIZE=8 bits\nCPU=decm\nVX=1\nVY=1\nVZ=1\n";
+  head.resize(252, '\n');
+  return head + "##}\n" + voxels;
+}
+
+// The same voxels in every spelling, right and then with a header that speaks of more.
+TEST(LabelHeader, SpeaksOfTheVoxelsThatAreThere) {
+  const Scratch scratch;
+  std::mt19937 random(11);
+  for (int round = 0; round < 40; ++round) {
+    std::array<std::size_t, 3> size{};
+    for (std::size_t& each : size) each = 1 + random() % 6;
+    std::string voxels;
+    for (std::size_t i = 0; i < size[0] * size[1] * size[2]; ++i) {
+      voxels += static_cast<char>(random() % 4);
+    }
+    const auto files = [&](const Sizes& n) {
+      const std::string zlib = gzipped(voxels);
+      return std::vector<std::filesystem::path>{scratch.write("a.nrrd", nrrd(n, "raw", voxels)),
+                                                scratch.write("b.nrrd", nrrd(n, "gzip", zlib)),
+                                                scratch.write("a.mha", meta(n, "", voxels)),
+                                                scratch.write("a.inr", inr(n, voxels)),
+                                                scratch.write("a.inr.gz", gzipped(inr(n, voxels)))};
+    };
+    const Sizes right = {std::to_string(size[0]), std::to_string(size[1]), std::to_string(size[2])};
+    for (const auto& path : files(right)) {
+      const LabelMap map = bake::read_label_map(path);
+      EXPECT_EQ(std::string(map.label.begin(), map.label.end()), voxels) << path;
+    }
+    // Far more than there are, negative, or so many that products of them wrap.
+    const char* const wrong[] = {
+        "40000", "-1",  "0", "4294967296", "65536", "-40000", "99999999999999999999", "x",
+        "2.5",   "1e3", ""};
+    Sizes claimed = right;
+    const std::string& taken = claimed[random() % 3] = wrong[random() % std::size(wrong)];
+    for (const auto& path : files(claimed)) {
+      EXPECT_THAT(refusal_of(path), HasSubstr("expected")) << path << " " << taken;
+    }
+  }
+}
+
+// A library would take memory for these: gigabytes for a file of 200 bytes, or never come back.
+TEST(LabelHeader, CostsWhatIsThereNotWhatIsClaimed) {
+  const Scratch scratch;
+  const Sizes large = {"16384", "16384", "1"}, small = {"2", "2", "2"};
+  const std::pair<std::string, const char*> files[] = {
+      {scratch.write("raw.nrrd", nrrd(large, "raw", "ab")), "bytes are there"},
+      {scratch.write("gzip.nrrd", nrrd(large, "gzip", gzipped("ab"))), "bytes are there"},
+      {scratch.write("text.nrrd", nrrd(large, "ascii", "1 2")), "bytes are there"},
+      {scratch.write("hex.nrrd", nrrd(large, "hex", "0102")), "bytes are there"},
+      {scratch.write("many.nrrd",
+                     "NRRD0004\ntype: uchar\ndimension: 4\nkinds: list domain domain "
+                     "domain\nsizes: 4611686018427387904 2 2 2\nencoding: raw\n\nab"),
+       "bytes are there"},
+      {scratch.write("far.nrrd", nrrd(small, "raw\nbyte skip: 99999999999", "abcdefgh")),
+       "header line 6: byte skip: 99999999999: expected"},
+      {scratch.write("twice.nrrd", nrrd(small, "raw\nsizes: 9 9 9", "abcdefgh")),
+       "sizes: expected"},
+      {scratch.write("a.nhdr", nrrd(small, "raw\ndata file: /dev/zero", "")), "/dev/zero: not a"},
+      {scratch.write("b.nhdr", nrrd(small, "raw\ndata file: %s%n 1 2 1", "")), "one %d or %0Nd"},
+      {scratch.write("raw.mha", meta(large, "", "ab")), "bytes are there"},
+      {scratch.write("zip.mha", meta(large, "CompressedData = True\n", "ab")), "bytes are there"},
+      {scratch.write("text.mha", meta(large, "BinaryData = False\n", "1 2")), "bytes are there"},
+      {scratch.write(
+           "size.mha",
+           meta(small, "CompressedData = True\nCompressedDataSize = 9999999999\n", "abcdefgh")),
+       "CompressedDataSize = 9999999999: expected"},
+      {scratch.write("part.mha", meta(small, "ElementNumberOfChannels = 2147483647\n", "abcdefgh")),
+       "several values a voxel"},
+      {scratch.write("name.mha",
+                     meta(small, "Comment = " + std::string(5000, 'c') + "\n", "abcdefgh")),
+       "5000 characters: expected at most"},
+      {scratch.write("a.mhd",
+                     "NDims = 3\nDimSize = 2 2 2\nElementType = MET_UCHAR\n"
+                     "ElementDataFile = /dev/zero\n"),
+       "/dev/zero: not a"},
+      {scratch.write("minus.mha", "NDims = -3\nDimSize = 2 2 2\nElementDataFile = LOCAL\nabcdefgh"),
+       "header line 1: NDims = -3: expected whole numbers from 1 to 10"},
+      {scratch.write("axes.mha", "NDims = 3000000000\nElementDataFile = LOCAL\nabcdefgh"),
+       "NDims = 3000000000: expected"},
+      {scratch.write("raw.inr", inr(large, "ab")), "bytes are there"},
+      {scratch.write("other.inr", "P5\n16384 16384\n255\nab"),
+       "expected the header of an Inrimage"}};
+  for (const auto& [path, reason] : files) EXPECT_THAT(refusal_of(path), HasSubstr(reason)) << path;
+#ifndef STYLET_SANITIZED
+  rusage use{};
+  getrusage(RUSAGE_SELF, &use);
+  EXPECT_LT(use.ru_maxrss, 200L << 10U);  // KiB
+#endif
+}
+
+TEST(LabelHeader, OfSeveralFilesHasTheSumOfAll) {
+  const Scratch scratch;
+  const auto header = scratch.write(
+      "a.nhdr",
+      "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\ndata file: v.raw\n");
+  const auto sum_with = [&](const std::string& voxels) {
+    scratch.write("v.raw", voxels);
+    return bake::read_label_map(header).sha256;
+  };
+  EXPECT_EQ(sum_with("\1\1\1\1\1\1\1\1"), sum_with("\1\1\1\1\1\1\1\1"));
+  EXPECT_NE(sum_with("\1\1\1\1\1\1\1\1"), sum_with("\1\1\1\1\1\1\1\2"));
+}
+
+// ---- NIfTI --------------------------------------------------------------------------------------
+
+// A file of 2 x 3 x 4 voxels, as either version has it.
+struct Nifti {
+  std::array<double, 8> pixdim{1, 1, 1, 1, 0, 0, 0, 0};
+  int qform_code = 0, sform_code = 0, units = 2, datatype = 2, version = 1;
+  double voxels_at = -1, slope = 1, inter = 0;  // -1: where they are
+  std::array<double, 3> quatern{}, qoffset{};
+  std::array<double, 12> srow{};
+  std::string extension;
+  std::string voxels = std::string(24, '\1');
+  bool swapped = false;
+};
+
+std::string bytes_of(const Nifti& n) {
+  const bool two = n.version == 2;
+  std::string head(two ? 540 : 348, '\0');
+  const auto put = [&](std::size_t at, auto value) {
+    std::array<char, sizeof value> raw{};
+    std::memcpy(raw.data(), &value, sizeof value);
+    if (n.swapped) std::reverse(raw.begin(), raw.end());
+    std::copy(raw.begin(), raw.end(), head.begin() + static_cast<std::ptrdiff_t>(at));
+  };
+  const auto real = [&](std::size_t one, std::size_t other, std::size_t i, double value) {
+    if (two) return put(other + i * 8, value);
+    put(one + i * 4, static_cast<float>(value));
+  };
+  put(0, static_cast<std::int32_t>(head.size()));
+  std::memcpy(head.data() + (two ? 4 : 344), two ? "n+2\0\r\n\032\n" : "n+1\0", two ? 8 : 4);
+  for (std::size_t i = 0; i < 8; ++i) {
+    constexpr int kDim[8] = {3, 2, 3, 4, 1, 1, 1, 1};
+    if (two) put(16 + i * 8, static_cast<std::int64_t>(kDim[i]));
+    if (!two) put(40 + i * 2, static_cast<std::int16_t>(kDim[i]));
+    real(76, 104, i, n.pixdim[i]);
+  }
+  put(two ? 12 : 70, static_cast<std::int16_t>(n.datatype));
+  const double at =
+      n.voxels_at != -1 ? n.voxels_at : static_cast<double>(head.size() + 4 + n.extension.size());
+  if (two) put(168, static_cast<std::int64_t>(at));
+  if (!two) put(108, static_cast<float>(at));
+  real(112, 176, 0, n.slope);
+  real(112, 176, 1, n.inter);
+  for (std::size_t i = 0; i < 3; ++i) {
+    real(256, 352, i, n.quatern[i]);
+    real(268, 376, i, n.qoffset[i]);
+  }
+  for (std::size_t i = 0; i < 12; ++i) real(280, 400, i, n.srow[i]);
+  if (two) {
+    put(344, static_cast<std::int32_t>(n.qform_code));
+    put(348, static_cast<std::int32_t>(n.sform_code));
+    put(500, static_cast<std::int32_t>(n.units));
+  } else {
+    put(252, static_cast<std::int16_t>(n.qform_code));
+    put(254, static_cast<std::int16_t>(n.sform_code));
+    put(123, static_cast<std::int8_t>(n.units));
+  }
+  const std::string flag = n.extension.empty() ? std::string(4, '\0') : std::string("\1\0\0\0", 4);
+  return head + flag + n.extension + n.voxels;
+}
+
+// A rotation about an axis (Rodrigues), spacings, a handedness and a place, in every field.
+struct Placed {
+  std::array<Vec, 3> step_mm;  // to the right, front, head
+  Vec origin_mm;
+};
+
+Placed place_at_random(std::mt19937& random, Nifti& n) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const Vec raw = {unit(random), unit(random), unit(random) + 2};
+  const Vec axis = raw * (1 / length(raw));
+  const double angle = 3 * unit(random);
+  const bool mirrored = random() % 2 == 0;
+  Placed placed;
+  n.pixdim[0] = mirrored ? -1 : 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec e = {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};
+    const Vec turned = e * std::cos(angle) + cross(axis, e) * std::sin(angle) +
+                       axis * (dot(axis, e) * (1 - std::cos(angle)));
+    n.pixdim[i + 1] = 1.5 + unit(random);
+    placed.step_mm[i] = turned * (n.pixdim[i + 1] * (mirrored && i == 2 ? -1 : 1));
+  }
+  placed.origin_mm = {100 * unit(random), 100 * unit(random), 100 * unit(random)};
+  const double turn = std::sin(angle / 2) * (std::cos(angle / 2) < 0 ? -1 : 1);
+  n.quatern = {axis.x * turn, axis.y * turn, axis.z * turn};
+  n.qoffset = {placed.origin_mm.x, placed.origin_mm.y, placed.origin_mm.z};
+  const auto& s = placed.step_mm;
+  n.srow = {s[0].x, s[1].x, s[2].x, placed.origin_mm.x, s[0].y, s[1].y, s[2].y, placed.origin_mm.y,
+            s[0].z, s[1].z, s[2].z, placed.origin_mm.z};
+  return placed;
+}
+
+void expect_place(const LabelMap& map, const Placed& placed, double metres_per_unit) {
+  const auto near = [&](Vec seen_m, Vec expected) {
+    const Vec lps_m = Vec{-expected.x, -expected.y, expected.z} * metres_per_unit;
+    EXPECT_LT(length(seen_m - lps_m), 2e-5 * metres_per_unit * (1 + length(expected)));
+  };
+  near(map.origin_m, placed.origin_mm);
+  for (std::size_t i = 0; i < 3; ++i) near(map.step_m[i], placed.step_mm[i]);
+}
+
+TEST(Nifti, LiesWhereEitherFormSaysInEitherVersionByteOrderAndUnit) {
+  const Scratch scratch;
+  std::mt19937 random(5);
+  for (int round = 0; round < 100; ++round) {
+    Nifti n;
+    n.version = 1 + static_cast<int>(random() % 2);
+    n.swapped = random() % 2 == 0;
+    const Placed placed = place_at_random(random, n);
+    const auto forms = static_cast<unsigned>(1 + random() % 3);
+    n.qform_code = (forms & 1U) != 0 ? 1 : 0;
+    n.sform_code = (forms & 2U) != 0 ? 2 : 0;
+    if (n.qform_code == 0) n.quatern = {kNan, kNan, kNan};
+    if (n.sform_code == 0) n.srow.fill(kNan);
+    n.units = static_cast<int>(random() % 4);
+    constexpr double kMetres[] = {1e-3, 1, 1e-3, 1e-6};
+    for (char& label : n.voxels) label = static_cast<char>(random() % 5);
+    const std::string bytes = bytes_of(n);
+    const bool zipped = random() % 2 == 0;
+    const auto path = scratch.write(zipped ? "a.nii.gz" : "a.nii", zipped ? gzipped(bytes) : bytes);
+    const LabelMap map = bake::read_label_map(path);
+    EXPECT_EQ(map.size, (std::array<std::uint32_t, 3>{2, 3, 4}));
+    EXPECT_EQ(std::string(map.label.begin(), map.label.end()), n.voxels);
+    EXPECT_TRUE(map.notes.empty());
+    expect_place(map, placed, kMetres[n.units]);
+  }
+}
+
+TEST(Nifti, FormsThatContradictEachOtherAreNamed) {
+  const Scratch scratch;
+  std::mt19937 random(6);
+  const auto said = [&](const Nifti& n) { return refusal_of(scratch.write("a.nii", bytes_of(n))); };
+  for (int round = 0; round < 30; ++round) {
+    Nifti good;
+    good.version = 1 + static_cast<int>(random() % 2);
+    place_at_random(random, good);
+    good.qform_code = good.sform_code = 1;
+    EXPECT_EQ(said(good), "");
+    Nifti n = good;
+    const std::size_t axis = random() % 3;
+    n.srow[4 * axis + 3] += 5;
+    EXPECT_THAT(said(n), HasSubstr("sform (code 1) and qform (code 1) put the same voxel up to 5"));
+    n.qform_code = 0;
+    EXPECT_EQ(said(n), "");
+    n = good;
+    n.pixdim[0] = -n.pixdim[0];
+    EXPECT_THAT(said(n), HasSubstr("sform (code 1) and qform (code 1)"));
+    n = good;
+    n.pixdim[axis + 1] *= 1.01;
+    EXPECT_THAT(said(n), HasSubstr("pixdim says"));
+    n = good;
+    for (std::size_t row = 0; row < 3; ++row) n.srow[4 * row] += 0.5 * n.srow[4 * row + 1];
+    EXPECT_THAT(said(n), HasSubstr("sform: axes 0 and 1 stand at"));
+  }
+}
+
+TEST(Nifti, NumbersThatAreNoneAreNamed) {
+  const Scratch scratch;
+  std::mt19937 random(7);
+  Nifti good;
+  place_at_random(random, good);
+  good.qform_code = good.sform_code = 1;
+  const std::pair<std::function<void(Nifti&)>, const char*> cases[] = {
+      {[](Nifti& n) { n.srow[5] = kNan; }, "sform: srow"},
+      {[](Nifti& n) { n.srow.fill(0); }, "sform: srow [0 0 0 0]"},
+      {[](Nifti& n) { n.srow[3] = HUGE_VAL; }, "inf"},
+      {[](Nifti& n) { n.quatern[1] = kNan; }, "qform: quatern"},
+      {[](Nifti& n) {
+         n.quatern = {1, 1, 0};
+       },
+       "qform: quatern 1 1 0"},
+      {[](Nifti& n) { n.qoffset[2] = kNan; }, "qoffset"},
+      {[](Nifti& n) { n.pixdim[2] = kNan; }, "pixdim[2] nan"},
+      {[](Nifti& n) { n.pixdim[3] = 0; }, "pixdim[3] 0: expected a length above 0"},
+      {[](Nifti& n) { n.units = 5; }, "xyzt_units 5"},
+      {[](Nifti& n) { n.datatype = 128; }, "datatype 128"},
+      {[](Nifti& n) { n.voxels_at = 40; }, "vox_offset 40: expected from 352"},
+      {[](Nifti& n) { n.voxels_at = 1e9; }, "vox_offset 1000000000: expected"},
+      {[](Nifti& n) { n.voxels_at = kNan; }, "vox_offset nan"},
+      {[](Nifti& n) { n.slope = kNan; }, "scl_slope nan"},
+      {[](Nifti& n) { n.slope = 0.5; }, "voxel 0: 1 with scl_slope 0.5 and scl_inter 0 is 0.5"},
+      {[](Nifti& n) { n.inter = -5; }, "-4: expected labels"},
+      {[](Nifti& n) { n.extension = std::string("\0\0\0\x7F\0\0\0\0", 8); }, "extension of"}};
+  for (const auto& [change, reason] : cases) {
+    Nifti n = good;
+    change(n);
+    EXPECT_THAT(refusal_of(scratch.write("a.nii", bytes_of(n))), HasSubstr(reason)) << reason;
+  }
+  Nifti n = good;
+  n.datatype = 16;
+  n.voxels.clear();
+  for (int i = 0; i < 24; ++i) {
+    const float label = i == 7 ? std::nanf("") : 1.0F;
+    n.voxels.append(reinterpret_cast<const char*>(&label), sizeof label);
+  }
+  EXPECT_THAT(refusal_of(scratch.write("a.nii", bytes_of(n))), HasSubstr("voxel 7: nan: expected"));
+}
+
+TEST(Nifti, SlopesThatGiveWholeNumbersAreTaken) {
+  const Scratch scratch;
+  Nifti n;
+  n.qform_code = 1;
+  n.slope = 3;
+  n.inter = 2;
+  EXPECT_EQ(bake::read_label_map(scratch.write("a.nii", bytes_of(n))).label.front(), 5);
+  n.slope = 0.1;  // in single precision
+  n.inter = 0;
+  n.voxels.assign(24, '\x64');
+  EXPECT_EQ(bake::read_label_map(scratch.write("a.nii", bytes_of(n))).label.front(), 10);
+  n.slope = 0;  // not scaled
+  EXPECT_EQ(bake::read_label_map(scratch.write("a.nii", bytes_of(n))).label.front(), 100);
+}
+
+TEST(Nifti, WithoutAFrameSaysThatLeftAndRightAreUnknown) {
+  const Scratch scratch;
+  const LabelMap map = bake::read_label_map(scratch.write("a.nii", bytes_of(Nifti{})));
+  EXPECT_THAT(map.notes, testing::ElementsAre(HasSubstr("left and right are not known")));
+}
+
+}  // namespace
+}  // namespace stylet::test
