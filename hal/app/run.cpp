@@ -134,7 +134,8 @@ int replay_recording(const ReplayOptions& options) {
   const hal::ReplayResult result = hal::replay(recording, instance.kernel, progress);
   if (show) rewrite_line("");
   if (result.same) {
-    fmt::print("same bits: {} ticks, state hash {:016x}\n", result.ticks, result.state_hash);
+    fmt::print("same bits: {} ticks, state hash {:016x}{}\n", result.ticks, result.state_hash,
+               info.unfinished ? " (the recording was not finished: to its last whole block)" : "");
     return kExitOk;
   }
   fmt::print("differs: tick {}, {}: recorded {}, replayed {}\n", result.tick, result.field,

@@ -376,6 +376,10 @@ bool tell_of_trouble(const Attempt& a) {
     fmt::print(stderr, "stylet: {} records lost: the recorder fell more than {} records behind\n",
                a.state.lost_records.load(), kRecordRing);
   }
+  if (a.recorder->forgot()) {
+    fmt::print(stderr, "stylet: phases and events are those of the last {} ticks at most\n",
+               hal::kMaxTrackPoints);
+  }
   for (const hal::Flight& each : a.flight->flights()) {
     fmt::print(stderr, "stylet: {} of needle {} in tick {}: what led to it is in {}\n",
                hal::fault_name(each.fault), each.needle, each.tick, each.path);

@@ -48,19 +48,23 @@ void Recorder::work() {
 
 std::size_t Recorder::drain() {
   block_.clear();
+  fresh_.clear();
+  std::uint64_t taken = 0;
   TickRecord record;
   while (block_.size() < kBlock && record_ring_.pop(record)) {
     block_.push_back(record);
-    tracks_[record.needle].push_back(track_point(record, courses_[record.needle]));
+    const TrackPoint point = track_point(record, courses_[record.needle]);
+    forgot_ = !keep_newest(tracks_[record.needle], point, kMaxTrackPoints) || forgot_;
+    taken += record.needle == 0 ? 1 : 0;
     if (scorer_ != nullptr) scorer_->add(record);
   }
-  const std::size_t events_before = events_.size();
   Event event;
-  while (event_ring_.pop(event)) {
-    events_.push_back(event);
+  while (fresh_.size() < kBlock && event_ring_.pop(event)) {
+    fresh_.push_back(event);
+    forgot_ = !keep_newest(events_, event, kMaxEventsKept) || forgot_;
     if (scorer_ != nullptr) scorer_->add(event);
   }
-  const std::span fresh = std::span(events_).subspan(events_before);
+  const std::span<const Event> fresh = fresh_;
   if (flight_ != nullptr) flight_->add(block_, fresh);
   if (tap_ && (!block_.empty() || !fresh.empty())) tap_(block_, fresh);
   if (writer_ != nullptr && error_.empty()) {
@@ -71,7 +75,7 @@ std::size_t Recorder::drain() {
       error_ = failure.what();
     }
   }
-  ticks_.store(tracks_[0].size(), std::memory_order_relaxed);
+  ticks_.fetch_add(taken, std::memory_order_relaxed);
   return block_.size() + fresh.size();
 }
 

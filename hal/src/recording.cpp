@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -19,7 +20,10 @@ namespace {
 
 constexpr const char* kFormatName = "stylet-recording";
 constexpr std::uint32_t kFormatVersion = 3;
-constexpr hsize_t kChunkRows = 4096;
+// Rows are kept for so long, as a whole chunk: none is written twice.
+constexpr double kBlockS = 0.5;
+constexpr std::uint64_t kMaxBlockRows = 4096;
+constexpr hsize_t kEventRows = 64;  // of a chunk
 constexpr unsigned kDeflateLevel = 1;
 
 // An HDF5 identifier and how to give it back.
@@ -137,6 +141,19 @@ struct AttributeWriter {
   }
 };
 
+// Of attributes that are there.
+struct AttributeRewriter {
+  hid_t file;
+  const std::string& path;
+
+  void number(const char* name, ColumnType type, std::uint32_t, const void* value) const {
+    const Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose);
+    if (attribute.id < 0 || H5Awrite(attribute.id, memory_type(type), value) < 0) {
+      fail(path, name, "attribute cannot be written");
+    }
+  }
+};
+
 struct AttributeReader {
   hid_t file;
   const std::string& path;
@@ -182,7 +199,7 @@ struct AttributeReader {
 class Table {
  public:
   Table(hid_t file, const std::string& path, std::span<const Column> columns,
-        std::string prefix = "", hsize_t chunk_rows = kChunkRows)
+        std::string prefix = "", hsize_t chunk_rows = 1)
       : file_(file),
         path_(path),
         columns_(columns),
@@ -196,27 +213,29 @@ class Table {
       const int rank = column.width == 1 ? 1 : 2;
       const Handle space(H5Screate_simple(rank, size, limit), H5Sclose);
       const Handle create_list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-      const Handle link_list(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-      H5Pset_create_intermediate_group(link_list.id, 1);
+      H5Pset_obj_track_times(create_list.id, false);  // the same run gives the same file
       H5Pset_chunk(create_list.id, rank, chunk);
       H5Pset_shuffle(create_list.id);
       H5Pset_deflate(create_list.id, kDeflateLevel);
       H5Pset_fletcher32(create_list.id);
+      make_groups(name(column));
       sets_.emplace_back(H5Dcreate2(file_, name(column).c_str(), file_type(column.type), space.id,
-                                    link_list.id, create_list.id, H5P_DEFAULT),
+                                    H5P_DEFAULT, create_list.id, H5P_DEFAULT),
                          H5Dclose);
       if (sets_.back().id < 0) fail(path_, name(column), "column cannot be made");
     }
   }
 
-  void open() {
+  // Of an unfinished recording those rows count that every column has.
+  void open(bool unfinished = false) {
     for (const Column& column : columns_) {
       if (!exists(name(column))) fail(path_, name(column), "column missing");
       sets_.emplace_back(H5Dopen2(file_, name(column).c_str(), H5P_DEFAULT), H5Dclose);
       if (sets_.back().id < 0) fail(path_, name(column), "column damaged");
       const std::uint64_t rows = check(column, sets_.back().id);
       if (&column == columns_.data()) rows_ = rows;
-      if (rows != rows_) {
+      if (unfinished) rows_ = std::min<hsize_t>(rows, rows_);
+      if (rows != rows_ && !unfinished) {
         fail(path_, name(column),
              fmt::format("{} rows: expected {} as in {}", rows, rows_, name(columns_.front())));
       }
@@ -224,6 +243,7 @@ class Table {
   }
 
   std::uint64_t rows() const { return rows_; }
+  void keep(std::uint64_t rows) { rows_ = rows; }
 
   template <typename Row>
   void append(std::span<const Row> rows) {
@@ -269,6 +289,17 @@ class Table {
       for (std::size_t i = 0; i < count; ++i) {
         std::memcpy(structs + i * stride + column.offset, &buffer_[i * bytes], bytes);
       }
+    }
+  }
+
+  void make_groups(const std::string& full) const {
+    const Handle create_list(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
+    H5Pset_obj_track_times(create_list.id, false);
+    for (std::size_t at = full.find('/'); at != std::string::npos; at = full.find('/', at + 1)) {
+      const std::string group = full.substr(0, at);
+      if (H5Lexists(file_, group.c_str(), H5P_DEFAULT) > 0) continue;
+      const Handle made(H5Gcreate2(file_, group.c_str(), H5P_DEFAULT, create_list.id, H5P_DEFAULT),
+                        H5Gclose);
     }
   }
 
@@ -318,11 +349,17 @@ class Table {
   std::uint64_t rows_ = 0;
 };
 
+std::uint64_t block_rows(double period_s) {
+  if (!(period_s * static_cast<double>(kMaxBlockRows) > kBlockS)) return kMaxBlockRows;
+  return std::max<std::uint64_t>(static_cast<std::uint64_t>(std::lround(kBlockS / period_s)), 1);
+}
+
 // One table of ticks a needle; the first one's has no prefix.
-std::vector<Table> tick_tables(hid_t file, const std::string& path, std::uint32_t needles) {
+std::vector<Table> tick_tables(hid_t file, const std::string& path, const Config& config) {
   std::vector<Table> tables;
-  for (std::uint32_t i = 0; i < needles; ++i) {
-    tables.emplace_back(file, path, tick_columns(), i == 0 ? "" : fmt::format("needle{}/", i));
+  for (std::uint32_t i = 0; i < config.needle_count; ++i) {
+    tables.emplace_back(file, path, tick_columns(), i == 0 ? "" : fmt::format("needle{}/", i),
+                        block_rows(static_cast<double>(config.period_s)));
   }
   return tables;
 }
@@ -415,16 +452,33 @@ struct RecordingWriter::File {
   Handle file;
   std::vector<Table> ticks;  // of each needle
   Table events;
-  std::array<std::vector<TickRecord>, kMaxNeedles> waiting;  // of each needle, less than a chunk
+  std::size_t block_rows;
+  // Less than a block.
+  std::array<std::vector<TickRecord>, kMaxNeedles> waiting;  // of each needle
+  std::vector<Event> waiting_events;
 
-  File(const std::string& path_in, const std::string& temporary_in, hid_t id, std::uint32_t needles)
+  File(const std::string& path_in, const std::string& temporary_in, hid_t id, const Config& config)
       : path(path_in),
         temporary(temporary_in),
         file(id, H5Fclose),
-        ticks(tick_tables(id, path, needles)),
-        events(id, path, event_columns()) {}
+        ticks(tick_tables(id, path, config)),
+        events(id, path, event_columns(), "", kEventRows),
+        block_rows(hal::block_rows(static_cast<double>(config.period_s))) {}
   ~File() {
     if (!temporary.empty()) std::remove(temporary.c_str());
+  }
+
+  void flush() const {
+    if (H5Fflush(file.id, H5F_SCOPE_LOCAL) < 0)
+      fail(path, "file", "cannot be written (disk full?)");
+  }
+  void put_down_events() {
+    events.append(std::span<const Event>(waiting_events));
+    waiting_events.clear();
+  }
+  void put_down(std::size_t needle) {
+    ticks[needle].append(std::span<const TickRecord>(waiting[needle]));
+    waiting[needle].clear();
   }
 };
 
@@ -438,12 +492,49 @@ std::string numbered_name(const std::string& path) {
   }
 }
 
+namespace {
+
+// In the format of which a file that is being written can be read at any time (SWMR): whoever is
+// killed leaves what was flushed. Attributes stay in their one place.
+hid_t create_file(const std::string& path) {
+  const Handle create_list(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  const Handle access_list(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_obj_track_times(create_list.id, false);
+  H5Pset_attr_phase_change(create_list.id, 64, 0);
+  H5Pset_libver_bounds(access_list.id, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
+  return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, create_list.id, access_list.id);
+}
+
+// What only the end tells.
+struct Ending {
+  std::uint64_t lost_records = 0, final_state_hash = 0, ticks = 0;
+};
+template <typename Visitor, typename Values>
+void visit_ending(Visitor& visit, Values& ending) {
+  visit.number("lost_records", ColumnType::kUint64, 1, &ending.lost_records);
+  visit.number("final_state_hash", ColumnType::kUint64, 1, &ending.final_state_hash);
+  visit.number("ticks", ColumnType::kUint64, 1, &ending.ticks);  // 0 until it is whole
+}
+
+// In a copy: a file that is closed and opened again could be left half changed.
+bool add_marks(const std::string& whole, const std::string& path, std::span<const Mark> marks) {
+  const std::string marked = whole + "+";
+  std::error_code error;
+  if (!std::filesystem::copy_file(whole, marked, error)) return false;
+  const Handle file(H5Fopen(marked.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+  if (file.id >= 0) write_marks(file.id, path, marks);
+  return file.id >= 0 && H5Fflush(file.id, H5F_SCOPE_LOCAL) >= 0 &&
+         std::rename(marked.c_str(), whole.c_str()) == 0;
+}
+
+}  // namespace
+
 RecordingWriter::RecordingWriter(const std::string& path, const RecordingInfo& info) {
   prepare_library();
   const std::string temporary = fmt::format("{}.{}.tmp", path, getpid());
-  const hid_t id = H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t id = create_file(temporary);
   if (id < 0) fail(path, "file", "cannot be created: expected a folder that can be written");
-  file_ = std::make_unique<File>(path, temporary, id, info.config.needle_count);
+  file_ = std::make_unique<File>(path, temporary, id, info.config);
   AttributeWriter writer{id, file_->path};
   writer.text("format", kFormatName);
   writer.number("format_version", ColumnType::kUint32, 1, &kFormatVersion);
@@ -452,6 +543,9 @@ RecordingWriter::RecordingWriter(const std::string& path, const RecordingInfo& i
   write_bodies(id, file_->path, info);
   for (Table& each : file_->ticks) each.create();
   file_->events.create();
+  const Ending none;
+  visit_ending(writer, none);
+  if (H5Fstart_swmr_write(id) < 0) fail(path, "file", "cannot be written (disk full?)");
 }
 
 RecordingWriter::~RecordingWriter() = default;
@@ -460,33 +554,33 @@ void RecordingWriter::append(std::span<const TickRecord> records) {
   for (const TickRecord& record : records) {
     std::vector<TickRecord>& waiting = file_->waiting[record.needle];
     waiting.push_back(record);
-    if (waiting.size() < kChunkRows) continue;
-    file_->ticks[record.needle].append(std::span<const TickRecord>(waiting));
-    waiting.clear();
+    if (waiting.size() < file_->block_rows) continue;
+    file_->put_down(record.needle);
+    file_->put_down_events();
+    file_->flush();
   }
 }
 
 void RecordingWriter::append(std::span<const Event> events) {
-  file_->events.append(events);
+  file_->waiting_events.insert(file_->waiting_events.end(), events.begin(), events.end());
 }
 
 void RecordingWriter::finish(std::uint64_t final_state_hash, std::uint64_t lost_records,
                              std::span<const Mark> marks) {
-  for (std::size_t i = 0; i < file_->ticks.size(); ++i) {
-    file_->ticks[i].append(std::span<const TickRecord>(file_->waiting[i]));
-  }
-  AttributeWriter writer{file_->file.id, file_->path};
-  write_marks(file_->file.id, file_->path, marks);
-  const std::uint64_t ticks = file_->ticks[0].rows();
-  writer.number("lost_records", ColumnType::kUint64, 1, &lost_records);
-  writer.number("final_state_hash", ColumnType::kUint64, 1, &final_state_hash);
-  writer.number("ticks", ColumnType::kUint64, 1, &ticks);  // last: a file that has it is whole
+  for (std::size_t i = 0; i < file_->ticks.size(); ++i) file_->put_down(i);
+  file_->put_down_events();
+  file_->flush();
+  const Ending ending = {lost_records, final_state_hash, file_->ticks[0].rows()};
+  AttributeRewriter writer{file_->file.id, file_->path};
+  visit_ending(writer, ending);
   const std::string path = file_->path;
   const std::string temporary = std::exchange(file_->temporary, "");
-  const bool flushed = H5Fflush(file_->file.id, H5F_SCOPE_LOCAL) >= 0;
+  bool whole = H5Fflush(file_->file.id, H5F_SCOPE_LOCAL) >= 0;
   file_.reset();
-  if (!flushed || std::rename(temporary.c_str(), path.c_str()) != 0) {
+  if (whole && !marks.empty()) whole = add_marks(temporary, path, marks);
+  if (!whole || std::rename(temporary.c_str(), path.c_str()) != 0) {
     std::remove(temporary.c_str());
+    std::remove((temporary + "+").c_str());
     fail(path, "file", "cannot be completed (disk full, or the name is taken by a folder?)");
   }
 }
@@ -504,12 +598,57 @@ struct RecordingReader::File {
 
   File(const std::string& path_in, hid_t id)
       : path(path_in), file(id, H5Fclose), events(id, path, event_columns()) {}
+
+  // Ticks of all needles, and how many are not there: they count from 1.
+  void take_what_is_whole() {
+    const auto shortest =
+        std::min_element(ticks.begin(), ticks.end(),
+                         [](const Table& a, const Table& b) { return a.rows() < b.rows(); });
+    const std::uint64_t rows = shortest->rows();
+    for (Table& each : ticks) each.keep(rows);
+    if (rows == 0) return;
+    TickRecord last;
+    ticks[0].read(rows - 1, std::span(&last, 1));
+    info.lost_records = last.output.tick - std::min(rows, last.output.tick);
+  }
 };
+
+namespace {
+
+// Whoever was killed left what it had under another name.
+std::string hint_of_parts(const std::string& path) {
+  namespace fs = std::filesystem;
+  const fs::path wanted = path;
+  const fs::path folder = wanted.has_parent_path() ? wanted.parent_path() : fs::path(".");
+  std::error_code error;
+  for (const auto& each : fs::directory_iterator(folder, error)) {
+    const std::string name = each.path().filename().string();
+    if (name.starts_with(wanted.filename().string() + ".") && name.ends_with(".tmp")) {
+      return fmt::format("; a run that is going on or was killed left {}", each.path().string());
+    }
+  }
+  return "";
+}
+
+// Somebody writes it, or was killed meanwhile. HDF5 File Format 3.0, superblock: version at 8,
+// consistency flags at 11, bit 2 for a file that may be read while it is written.
+bool is_growing(const std::string& path) {
+  std::array<unsigned char, 12> head = {};
+  std::FILE* const file = std::fopen(path.c_str(), "rb");
+  if (file == nullptr) return false;
+  const std::size_t got = std::fread(head.data(), 1, head.size(), file);
+  (void)std::fclose(file);
+  return got == head.size() && head[8] >= 3 && (head[11] & 4U) != 0;
+}
+
+}  // namespace
 
 RecordingReader::RecordingReader(const std::string& path) {
   prepare_library();
-  if (access(path.c_str(), R_OK) != 0) fail(path, "file", "cannot be read");
-  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (access(path.c_str(), R_OK) != 0) fail(path, "file", "cannot be read" + hint_of_parts(path));
+  const bool growing = is_growing(path);
+  const hid_t id = H5Fopen(
+      path.c_str(), growing ? H5F_ACC_RDONLY | H5F_ACC_SWMR_READ : H5F_ACC_RDONLY, H5P_DEFAULT);
   if (id < 0) fail(path, "file", "not an HDF5 file, or damaged, or cut short");
   file_ = std::make_unique<File>(path, id);
   AttributeReader reader{id, file_->path};
@@ -527,18 +666,20 @@ RecordingReader::RecordingReader(const std::string& path) {
   visit_attributes(reader, file_->info);
   visit_optional_texts(reader, file_->info);
   read_bodies(id, file_->path, file_->info);
-  std::uint64_t ticks = 0;
-  reader.number("ticks", ColumnType::kUint64, 1, &ticks);
-  reader.number("lost_records", ColumnType::kUint64, 1, &file_->info.lost_records);
-  reader.number("final_state_hash", ColumnType::kUint64, 1, &file_->info.final_state_hash);
-  file_->ticks = tick_tables(id, file_->path, file_->info.config.needle_count);
+  Ending ending;
+  visit_ending(reader, ending);
+  file_->info.lost_records = ending.lost_records;
+  file_->info.final_state_hash = ending.final_state_hash;
+  file_->info.unfinished = growing && ending.ticks == 0;
+  file_->ticks = tick_tables(id, file_->path, file_->info.config);
   for (Table& each : file_->ticks) {
-    each.open();
-    if (each.rows() != ticks) {
-      fail(path, "ticks", fmt::format("{} rows: expected {}", each.rows(), ticks));
+    each.open(file_->info.unfinished);
+    if (each.rows() != ending.ticks && !file_->info.unfinished) {
+      fail(path, "ticks", fmt::format("{} rows: expected {}", each.rows(), ending.ticks));
     }
   }
-  file_->events.open();
+  file_->events.open(file_->info.unfinished);
+  if (file_->info.unfinished) file_->take_what_is_whole();
   file_->marks = read_marks(id, file_->path);
 }
 

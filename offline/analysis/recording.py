@@ -33,9 +33,17 @@ EVENTS = ["contact", "release", "puncture", "reentry", "exit", "layer", "obstacl
 # that what resists the way in is positive, they are what papers plot.
 
 # %%
+def opened(path):
+    """The file, also of a run that is going on or was killed (`NAME.PROCESS.tmp`)."""
+    try:
+        return h5py.File(path, "r")
+    except OSError:
+        return h5py.File(path, "r", swmr=True)
+
+
 def load(path, needle=0):
     """One needle's curves as numpy arrays, in s, mm and N."""
-    with h5py.File(path) as file:
+    with opened(path) as file:
         period_s = float(file.attrs["config_period_s"])
         needles = len(file["needles/length_m"])
         if not 0 <= needle < needles:
@@ -44,10 +52,17 @@ def load(path, needle=0):
         direction = file["needles/direction"][needle].astype(float)
         entry_m = file["needles/entry_m"][needle].astype(float)
 
-        def axial(name):
-            return -(group[f"output/{name}_n"][:].astype(float) @ direction)
+        # Columns of a file that grows differ by some rows.
+        columns = [*group["output"].values(), group["loop/tick_ns"]]
+        rows = min(len(column) for column in columns)
 
-        force = group["output/force_n"][:].astype(float)
+        def output(name):
+            return group[f"output/{name}"][:rows]
+
+        def axial(name):
+            return -(output(f"{name}_n").astype(float) @ direction)
+
+        force = output("force_n").astype(float)
         along = force @ direction
         events = [dict(tick=int(tick), kind=EVENTS[kind], layer=int(layer),
                        depth_mm=1e3 * float(depth), force_n=float(size))
@@ -56,14 +71,14 @@ def load(path, needle=0):
                       file["events/depth_m"], file["events/force_n"], file["events/needle"])
                   if of == needle]
         return {
-            "time_s": group["output/tick"][:] * period_s,
-            "depth_mm": 1e3 * group["output/depth_m"][:].astype(float),
-            "travel_mm": 1e3 * ((group["output/tip_m"][:].astype(float) - entry_m) @ direction),
+            "time_s": output("tick") * period_s,
+            "depth_mm": 1e3 * output("depth_m").astype(float),
+            "travel_mm": 1e3 * ((output("tip_m").astype(float) - entry_m) @ direction),
             "force_n": axial("force"),
             "lateral_n": np.linalg.norm(force - np.outer(along, direction), axis=1),
             "causes_n": {cause: axial(cause) for cause in CAUSES},
-            "phase": group["output/phase"][:],
-            "tick_us": 1e-3 * group["loop/tick_ns"][:],
+            "phase": output("phase"),
+            "tick_us": 1e-3 * group["loop/tick_ns"][:rows],
             "events": events,
         }
 

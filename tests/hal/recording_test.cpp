@@ -4,9 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -14,6 +17,8 @@
 #include <fstream>
 #include <random>
 #include <vector>
+
+#include "stylet/hal/recorder.h"
 
 namespace stylet::hal {
 namespace {
@@ -238,6 +243,120 @@ TEST_F(RecordingTest, AFullDiskIsAnErrorAndLeavesNothing) {
   };
   EXPECT_EXIT(record_too_much(), testing::ExitedWithCode(3), "");
   EXPECT_EQ(files(), 0U);
+}
+
+// A process of its own that writes what it is told and is killed, whatever it is busy with; told by
+// shared memory how far it got.
+class Killed {
+ public:
+  explicit Killed(std::span<const TickRecord> records) : records_(records) {
+    void* const shared =
+        mmap(nullptr, sizeof *given_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    given_ = new (shared) std::atomic<std::size_t>(0);
+  }
+  ~Killed() { munmap(given_, sizeof *given_); }
+  Killed(const Killed&) = delete;
+  Killed& operator=(const Killed&) = delete;
+
+  // Records that were handed over when it was killed, at once or after `wait_us` more; 0: not even
+  // begun.
+  std::size_t write(const std::string& path, const RecordingInfo& info, std::size_t each,
+                    unsigned wait_us) {
+    given_->store(0);
+    const pid_t writer = fork();
+    if (writer == 0) {
+      RecordingWriter to(path, info);
+      for (std::size_t done = 0; done < records_.size(); done += each) {
+        to.append(records_.subspan(done, std::min(each, records_.size() - done)));
+        given_->store(std::min(done + each, records_.size()));
+      }
+      to.finish(42, 0);
+      _exit(0);
+    }
+    while (given_->load() == 0) usleep(100);
+    usleep(wait_us);
+    kill(writer, SIGKILL);
+    waitpid(writer, nullptr, 0);
+    return given_->load();
+  }
+  std::string temporary_of(const std::string& path) const {
+    for (const auto& each : fs::directory_iterator(fs::path(path).parent_path())) {
+      if (each.path().extension() == ".tmp") return each.path().string();
+    }
+    return path;
+  }
+
+ private:
+  std::span<const TickRecord> records_;
+  std::atomic<std::size_t>* given_;
+};
+
+// Every row that is there is the one that was written, of both needles.
+void expect_rows(const RecordingReader& reader, std::span<const TickRecord> records) {
+  std::vector<TickRecord> rows(reader.ticks());
+  for (std::uint32_t needle = 0; needle < 2; ++needle) {
+    reader.read(0, rows, needle);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      ASSERT_TRUE(same(tick_columns(), &records[2 * i + needle], &rows[i])) << needle << " " << i;
+    }
+  }
+}
+
+TEST_F(RecordingTest, AWriterThatIsKilledAtAnyTimeLosesHalfASecondAtMost) {
+  RecordingInfo info = some_info();
+  info.config.needle_count = 2;
+  const std::size_t block = 1000;  // half a second in ticks of 0.5 ms
+  auto records = any_records(8000);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    records[i].needle = i % 2;
+    records[i].output.tick = i / 2 + 1;
+  }
+  Killed killed(records);
+  std::mt19937 random(11);
+  std::size_t in_the_middle = 0;
+  for (int i = 0; i < 24; ++i) {
+    const std::size_t given =
+        killed.write(path(), info, 2 + random() % 600, static_cast<unsigned>(random() % 250000));
+    const bool whole = fs::exists(path());
+    const std::string left = whole ? path() : killed.temporary_of(path());
+    const RecordingReader reader(left);
+    EXPECT_EQ(reader.info().scene_text, info.scene_text);
+    EXPECT_GE(reader.ticks() + block, given / 2) << "of " << given / 2;
+    EXPECT_EQ(reader.info().lost_records, 0U);
+    expect_rows(reader, records);
+    EXPECT_TRUE(!whole || reader.ticks() == records.size() / 2);
+    in_the_middle += reader.info().unfinished && reader.ticks() > 0 ? 1 : 0;
+    fs::remove(left);
+  }
+  EXPECT_GT(in_the_middle, 2U);
+}
+
+TEST_F(RecordingTest, ARecordingIsReadWhileItGrows) {
+  const auto records = any_records(3000);
+  RecordingWriter writer(path(), some_info());
+  writer.append(std::span(records).first(1999));
+  const std::string growing = fs::directory_iterator(folder_)->path().string();
+  const RecordingReader reader(growing);
+  EXPECT_TRUE(reader.info().unfinished);
+  ASSERT_EQ(reader.ticks(), 1000U);
+  writer.append(std::span(records).subspan(1999));
+  writer.finish(42, 0);
+  EXPECT_FALSE(RecordingReader(path()).info().unfinished);
+  EXPECT_EQ(RecordingReader(path()).ticks(), 3000U);
+}
+
+// What a run of any length keeps is bounded, and the newest of it.
+TEST(Kept, TheNewestStay) {
+  std::vector<int> kept;
+  bool all = true;
+  for (int i = 0; i < 1000; ++i) {
+    all = keep_newest(kept, i, 64) && all;
+    ASSERT_LE(kept.size(), 64U);
+    ASSERT_EQ(kept.back(), i);
+    ASSERT_EQ(all, i < 64) << i;
+    for (std::size_t k = 1; k < kept.size(); ++k) ASSERT_EQ(kept[k], kept[k - 1] + 1);
+    ASSERT_GE(kept.size(), std::min<std::size_t>(static_cast<std::size_t>(i) + 1, 33));
+  }
 }
 
 TEST_F(RecordingTest, OtherFilesAreRefused) {

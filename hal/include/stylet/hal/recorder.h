@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The other end of the rings: a thread without priority that keeps what the loop did.
 //
-// It always keeps the curve that phases are read from (24 bytes a tick), feeds the flight recorder
-// and the score, and writes the full records where a recording is asked for. If writing fails the
-// run goes on; the reason is in `error`.
+// It always keeps the curve that phases are read from (24 bytes a tick, at most kMaxTrackPoints),
+// feeds the flight recorder and the score, and writes the full records where a recording is asked
+// for. If writing fails the run goes on; the reason is in `error`.
 #pragma once
 
 #include <atomic>
@@ -20,6 +20,21 @@
 #include "stylet/hal/score.h"
 
 namespace stylet::hal {
+
+// Of each needle: 70 minutes at 1 kHz, 100 MB. Full: the older half is forgotten, and the phases
+// are those of the rest; the recording has all.
+constexpr std::size_t kMaxTrackPoints = std::size_t{1} << 22U;
+// Of all needles. Full: likewise.
+constexpr std::size_t kMaxEventsKept = std::size_t{1} << 16U;
+
+// Adds to what is kept of a run; false: the older half was forgotten.
+template <typename T>
+bool keep_newest(std::vector<T>& kept, const T& item, std::size_t most) {
+  const bool full = kept.size() >= most;
+  if (full) kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(most / 2));
+  kept.push_back(item);
+  return !full;
+}
 
 class Recorder {
  public:
@@ -42,6 +57,8 @@ class Recorder {
   const std::vector<TrackPoint>& track(std::size_t needle = 0) const { return tracks_[needle]; }
   const std::vector<Event>& events() const { return events_; }
   const std::string& error() const { return error_; }
+  // Not all ticks, or events, of the run are in them.
+  bool forgot() const { return forgot_; }
 
   // Ticks taken so far, for a progress line.
   std::uint64_t ticks() const { return ticks_.load(std::memory_order_relaxed); }
@@ -59,7 +76,8 @@ class Recorder {
   std::vector<Course> courses_;  // of each needle
   std::vector<TickRecord> block_;
   std::vector<std::vector<TrackPoint>> tracks_;
-  std::vector<Event> events_;
+  std::vector<Event> events_, fresh_;
+  bool forgot_ = false;
   std::string error_;
   std::atomic<std::uint64_t> ticks_{0};
   std::vector<Fault> last_faults_;  // set before stop_

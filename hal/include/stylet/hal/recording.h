@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recording: the exact inputs and outputs of every tick in one HDF5 file. Layout: hal/README.md.
 //
-// Promises: the file appears under its name only when finish() succeeded; a file that is damaged,
-// cut short or of another kind is refused with RecordingError, one line with file, place and
-// reason. Never called from the real-time thread. Units: SI. Frame: world.
+// Promises: the file appears under its name only when finish() succeeded. Until then it grows as
+// `NAME.PROCESS.tmp`, by what half a second brought, and can be read at any time; whoever is killed
+// leaves it so. (HDF5's single writer, multiple readers; each chunk is written once. A flush alone
+// is not enough: a process killed in one leaves a file that cannot be opened.) A file that is
+// damaged, cut short or of another kind is refused with RecordingError, one line with file, place
+// and reason. Never called from the real-time thread. Units: SI. Frame: world.
 #pragma once
 
 #include <array>
@@ -37,6 +40,9 @@ struct RecordingInfo {
   std::vector<ObstacleConfig> obstacles;
   std::uint64_t final_state_hash = 0;
   std::uint64_t lost_records = 0;
+  // Read from a file that is still being written, or whose writer was killed: it has no hash of the
+  // end and no marks.
+  bool unfinished = false;
 };
 
 // What a teacher said of a tick: one line, without control characters.
