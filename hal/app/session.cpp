@@ -10,8 +10,10 @@
 #include <filesystem>
 #include <limits>
 
+#include "organ_recipe.h"
 #include "stylet/hal/devices.h"
 #include "stylet/hal/helpers.h"
+#include "stylet/hal/input_file.h"
 
 namespace stylet::app {
 namespace {
@@ -59,6 +61,18 @@ void choose_processors(Session& s) {
       s.scene.file, s.scene.threads, s.processors.size()));
 }
 
+// A scene's own organ need not be there yet: its file says how it is made.
+std::string organ_path(const Session& s) {
+  if (!s.options.organ.empty()) return s.options.organ;
+  const std::string path = beside(s.scene.file, s.scene.organ_path);
+  const std::string command = organ_command(s.scene, path);
+  if (!command.empty() && hal::why_unreadable(path) == "no such file") {
+    throw hal::SceneError(
+        fmt::format("{}: no such file: the organ of this scene is made by: {}", path, command));
+  }
+  return path;
+}
+
 }  // namespace
 
 void load(Session& s) {
@@ -72,8 +86,7 @@ void load(Session& s) {
     throw hal::SceneError(
         fmt::format("{}: organ.path: missing: an organ file, here or by --organ", s.scene.file));
   }
-  s.organ = std::make_shared<hal::OrganFile>(hal::load_organ(
-      !s.options.organ.empty() ? s.options.organ : beside(s.scene.file, s.scene.organ_path)));
+  s.organ = std::make_shared<hal::OrganFile>(hal::load_organ(organ_path(s)));
   s.stations.resize(s.scene.hands.size());
   for (std::uint32_t i = 0; i < s.stations.size(); ++i) {
     s.stations[i].placement = hal::place_needle(s.scene, s.organ->organ, i);

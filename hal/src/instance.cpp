@@ -9,17 +9,21 @@
 #include <new>
 
 #include "stylet/content_sum.h"
+#include "stylet/hal/input_file.h"
 
 namespace stylet::hal {
 
 OrganFile load_organ(const std::string& path) {
+  constexpr const char* kExpected = "expected an organ file, as stylet-organ makes them";
+  if (const std::string why = why_unreadable(path); !why.empty()) {
+    throw LoadError(fmt::format("{}: {}: {}", path, why, kExpected));
+  }
   OrganFile file;
   file.path = path;
   std::ifstream in(path, std::ios::binary | std::ios::ate);
   const std::streamoff size = in ? static_cast<std::streamoff>(in.tellg()) : -1;
   if (size < 0 || size == std::numeric_limits<std::streamoff>::max()) {
-    throw LoadError(fmt::format(
-        "{}: cannot be read: expected an organ file, as stylet-organ makes them", path));
+    throw LoadError(fmt::format("{}: is a pipe: {}", path, kExpected));
   }
   file.bytes.resize(static_cast<std::size_t>(size));
   in.seekg(0);

@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "stylet/hal/input_file.h"
+
 namespace stylet::hal {
 namespace {
 
@@ -645,7 +647,9 @@ bool is_growing(const std::string& path) {
 
 RecordingReader::RecordingReader(const std::string& path) {
   prepare_library();
-  if (access(path.c_str(), R_OK) != 0) fail(path, "file", "cannot be read" + hint_of_parts(path));
+  if (const std::string why = why_unreadable(path); !why.empty()) {
+    fail(path, "file", why + ": expected a recording (HDF5)" + hint_of_parts(path));
+  }
   const bool growing = is_growing(path);
   const hid_t id = H5Fopen(
       path.c_str(), growing ? H5F_ACC_RDONLY | H5F_ACC_SWMR_READ : H5F_ACC_RDONLY, H5P_DEFAULT);

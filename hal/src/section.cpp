@@ -5,6 +5,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "stylet/hal/input_file.h"
+
 namespace stylet::hal {
 namespace {
 
@@ -41,6 +43,9 @@ toml::table parse_toml(std::string_view text, const std::string& file) {
 }
 
 std::string read_text(const std::string& path, const char* kind) {
+  if (const std::string why = why_unreadable(path); !why.empty()) {
+    throw SceneError(fmt::format("{}: {}: expected {} (TOML)", path, why, kind));
+  }
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
   if (!in || !(text << in.rdbuf())) {

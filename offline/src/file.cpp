@@ -3,6 +3,7 @@
 
 #include <openssl/evp.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
@@ -27,17 +28,21 @@ constexpr std::uintmax_t kMaxFileBytes = 4ULL << 30U;
 }  // namespace
 
 std::string read_file(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) {
-    refuse("{}: {}: expected a readable file", path.string(),
-           std::filesystem::exists(path, error) ? "not a regular file" : "no such file");
-  }
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error || size > kMaxFileBytes) {
+  struct stat now {};
+  const int unknown = ::stat(path.c_str(), &now);
+  const std::string why = unknown != 0 && errno == ENOENT ? "no such file"
+                          : unknown != 0                  ? std::strerror(errno)
+                          : S_ISDIR(now.st_mode)          ? "is a directory"
+                          : !S_ISREG(now.st_mode) ? "is a device, a pipe or another special file"
+                          : ::access(path.c_str(), R_OK) != 0 ? std::strerror(errno)
+                          : now.st_size == 0                  ? "is empty"
+                                                              : "";
+  if (!why.empty()) refuse("{}: {}: expected a readable file", path.string(), why);
+  const auto size = static_cast<std::uintmax_t>(now.st_size);
+  if (size > kMaxFileBytes) {
     refuse("{}: {} bytes: expected at most {}", path.string(), size, kMaxFileBytes);
   }
-  struct stat now {};
-  if (::stat(path.c_str(), &now) == 0) files_read().insert({now.st_dev, now.st_ino});
+  files_read().insert({now.st_dev, now.st_ino});
   std::ifstream stream(path, std::ios::binary);
   std::string bytes(static_cast<std::size_t>(size), '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));

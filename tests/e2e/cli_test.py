@@ -591,6 +591,54 @@ class Refusals(Folder):
         self.expect_refusal(["nowhere.organ"], "stylet", "run", SCENE, "--fast", "--organ",
                             self.top / "nowhere.organ")
 
+    def test_scene_whose_organ_is_not_built_says_how(self):
+        """What it says is a command that a shell takes, after which the scene runs."""
+        scenes = self.top / "scenes of mine"
+        scenes.mkdir()
+        for name in ("fig10-steering.toml", "steering-gel.toml"):
+            (scenes / name).write_bytes((SOURCE / "hal/scenes" / name).read_bytes())
+        words = ["run", scenes / "fig10-steering.toml", "--fast", "--duration-s", "0.01"]
+        self.expect_refusal(["fig10-steering.organ: no such file"], "stylet", *words)
+        told = call("stylet", *words, expect=1).stderr
+        command = told.split(" is made by: ", 1)[1].strip()
+        subprocess.run(command, shell=True, check=True, timeout=120, stdout=subprocess.DEVNULL)
+        call("stylet", *words)
+
+    def test_every_kind_of_input_says_why_it_cannot_be_read(self):
+        """Missing, a directory, unreadable and empty read differently, whatever the file is."""
+        folder = self.top / "inputs"
+        for kind in ("folder.organ", "folder.toml", "folder.h5", "folder.stl", "folder.nrrd"):
+            (folder / kind).mkdir(parents=True)
+        whys = {"missing": "no such file", "folder": "is a directory", "empty": "is empty"}
+        if os.geteuid() != 0:  # whom no permission stops
+            whys["locked"] = "Permission denied"
+        organ, picture = self.top / "never.organ", self.top / "never.svg"
+        label_map = self.top / "map.nrrd"
+        label_map.write_text("NRRD0004\n")
+        readers = {
+            "organ": [["stylet", "run", SCENE, "--fast", "--organ", None],
+                      ["stylet-organ", "info", None], ["stylet-organ", "check", None]],
+            "toml": [["stylet", "run", None, "--fast"],
+                     ["stylet-organ", "build", label_map, "-o", organ, "--recipe", None],
+                     ["stylet-organ", "phantom", "ball", "-o", organ, "--materials", None]],
+            "h5": [["stylet", "replay", None], ["stylet", "score", None],
+                   ["stylet", "console", None], ["stylet", "plot", "-o", picture, None]],
+            "stl": [["stylet-organ", "build", "-o", organ, None],
+                    ["stylet-organ", "hull", "-o", organ, None]],
+            "nrrd": [["stylet-organ", "labels", None]]}
+        for ending, commands in readers.items():
+            (folder / f"empty.{ending}").touch()
+            (folder / f"locked.{ending}").write_text("locked")
+            (folder / f"locked.{ending}").chmod(0)
+            for name, why in whys.items():
+                if name == "folder" and ending in ("nrrd", "stl"):
+                    continue  # perhaps a folder of DICOM slices: that is what it then lacks
+                path = folder / f"{name}.{ending}"
+                for program, *words in commands:
+                    words = [path if word is None else word for word in words]
+                    self.expect_refusal([str(path), why], program, *words)
+        self.assertFalse(organ.exists() or picture.exists())
+
     def test_unknown_option_of_bench(self):
         self.expect_refusal(["--resuls=x", "--help"], "stylet", "bench", "--resuls=x")
 

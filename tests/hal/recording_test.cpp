@@ -360,11 +360,11 @@ TEST(Kept, TheNewestStay) {
 }
 
 TEST_F(RecordingTest, OtherFilesAreRefused) {
-  EXPECT_THAT(refusal(path("none.h5")), testing::HasSubstr("none.h5: file: cannot be read"));
+  EXPECT_THAT(refusal(path("none.h5")), testing::HasSubstr("none.h5: file: no such file"));
   std::ofstream(path("text.h5")) << "hello";
   EXPECT_THAT(refusal(path("text.h5")), testing::HasSubstr("not an HDF5 file"));
   std::ofstream(path("empty.h5")).flush();
-  EXPECT_THAT(refusal(path("empty.h5")), testing::HasSubstr("not an HDF5 file"));
+  EXPECT_THAT(refusal(path("empty.h5")), testing::HasSubstr("empty.h5: file: is empty"));
 }
 
 TEST_F(RecordingTest, CutShortIsRefused) {

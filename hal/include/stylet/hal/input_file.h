@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// What keeps a file from being read, in the same words for every kind of file.
+#pragma once
+
+#include <string>
+
+namespace stylet::hal {
+
+// "no such file", "is a directory", "is empty", "Permission denied" ...; empty: it can be read.
+// A pipe can.
+std::string why_unreadable(const std::string& path);
+
+}  // namespace stylet::hal
