@@ -121,7 +121,8 @@ TEST(LabelHeader, CostsWhatIsThereNotWhatIsClaimed) {
        "header line 6: byte skip: 99999999999: expected"},
       {scratch.write("twice.nrrd", nrrd(small, "raw\nsizes: 9 9 9", "abcdefgh")),
        "sizes: expected"},
-      {scratch.write("a.nhdr", nrrd(small, "raw\ndata file: /dev/zero", "")), "/dev/zero: not a"},
+      {scratch.write("a.nhdr", nrrd(small, "raw\ndata file: /dev/zero", "")),
+       "/dev/zero: is a device"},
       {scratch.write("b.nhdr", nrrd(small, "raw\ndata file: %s%n 1 2 1", "")), "one %d or %0Nd"},
       {scratch.write("raw.mha", meta(large, "", "ab")), "bytes are there"},
       {scratch.write("zip.mha", meta(large, "CompressedData = True\n", "ab")), "bytes are there"},
@@ -138,7 +139,7 @@ TEST(LabelHeader, CostsWhatIsThereNotWhatIsClaimed) {
       {scratch.write("a.mhd",
                      "NDims = 3\nDimSize = 2 2 2\nElementType = MET_UCHAR\n"
                      "ElementDataFile = /dev/zero\n"),
-       "/dev/zero: not a"},
+       "/dev/zero: is a device"},
       {scratch.write("minus.mha", "NDims = -3\nDimSize = 2 2 2\nElementDataFile = LOCAL\nabcdefgh"),
        "header line 1: NDims = -3: expected whole numbers from 1 to 10"},
       {scratch.write("axes.mha", "NDims = 3000000000\nElementDataFile = LOCAL\nabcdefgh"),

@@ -330,8 +330,8 @@ hold_s = 0.5
         organ = self.folder / "pushed.organ"
         play.call([play.BIN / recipe[0], *recipe[1:], "-o", organ])
         recording = self.folder / "pushed.h5"
-        play.call([play.BIN / "stylet", "run", scene, "--organ", organ, "--fast", "--record",
-                   recording])
+        play.call([play.BIN / "stylet", "run", scene, "--organ", organ, "--fast", "--force",
+                   "--record", recording])
         return draw.Run(recording)
 
     def test_reaches_the_target_past_the_cubes(self):
