@@ -5,21 +5,16 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 
 #include "build.h"
+#include "data_folder.h"
 #include "stylet/organ.h"
 
 namespace stylet::test {
-
-inline std::filesystem::path data_folder() {
-  const char* from_environment = std::getenv("STYLET_DATA");
-  return from_environment != nullptr ? from_environment : STYLET_DATA_DEFAULT;
-}
 
 // Leaves the calling test with a plain line where the shared data is not there.
 #define SKIP_WITHOUT(path)                                              \

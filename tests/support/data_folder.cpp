@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one source that is compiled with a path in it: ccache finds the others for any checkout.
+#include "data_folder.h"
+
+#include <cstdlib>
+
+std::filesystem::path stylet::test::data_folder() {
+  const char* from_environment = std::getenv("STYLET_DATA");
+  return from_environment != nullptr ? from_environment : STYLET_DATA_DEFAULT;
+}
