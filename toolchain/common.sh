@@ -32,20 +32,24 @@ job_count() {
   echo $((jobs > 0 ? jobs : 1))
 }
 
-# configure: the preset's build folder. A cache made by a checkout that has since moved is
-# thrown away, as CMake would only refuse it.
+# Whether the preset's build folder was configured, and by this checkout where it is now.
+is_configured() {
+  grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"
+}
+
+# configure [CMAKE_ARGUMENT...]: the preset's build folder. A cache made by a checkout that has
+# since moved is thrown away, as CMake would only refuse it.
 configure() {
   mkdir -p "$build" 2>/dev/null && [ -w "$build" ] ||
     die "cannot write to $build" "Give this user the right to write there, or run as its owner."
-  local cache=$build/CMakeCache.txt
-  if [ -f "$cache" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
+  if [ -f "$build/CMakeCache.txt" ] && ! is_configured; then
     note "build folder belongs to another place, starting it afresh"
     rm -rf "$build"
     mkdir -p "$build"
   fi
   say "Configuring ($preset) in ${build#"$root"/}"
   local log=$build/configure.log
-  (cd "$root" && cmake --preset "$preset" >"$log" 2>&1) || {
+  (cd "$root" && cmake --preset "$preset" "$@" >"$log" 2>&1) || {
     tail -n 25 "$log" >&2
     die "configuring failed" "The whole output is in $log"
   }

@@ -36,8 +36,10 @@ run_insertion() {
   [ $status -eq 0 ] || die "the insertion did not run, for the reason above"
 }
 
-"$root/toolchain/setup.sh"
-configure
+"$root/toolchain/setup.sh" develop
+# Tests need packages of their own; where they were built before, they stay.
+is_configured || without_tests=-DSTYLET_WITH_TESTS=OFF
+configure ${without_tests:-}
 compile stylet stylet-organ
 stylet=$build/bin/stylet
 stylet_organ=$build/bin/stylet-organ

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Do the tests notice a wrong line? Changes what hands depend on, one place at a time.
 

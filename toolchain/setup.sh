@@ -1,33 +1,57 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs what building, running and testing needs on Debian 12: the one list of packages.
-# Installs only what is missing, and asks for no right when nothing is.
+# Installs what is missing of Debian 12's packages: the one list of them, in three parts.
+#
+#   setup.sh run        running the programs and their scripts
+#   setup.sh develop    that, and building
+#   setup.sh test       that, and all tests; also without a word
+#   setup.sh --list run|develop|test    only says which packages those are
+#
+# Asks for no right when nothing is missing.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-packages=(
-  # build
-  build-essential clang cmake ninja-build ccache pkg-config python3
+to_run=(
+  # figures; the scripts beside scenes, and of offline/analysis
+  gnuplot-nox fonts-dejavu-core python3 python3-h5py python3-matplotlib
+  # libraries, where the programs were built elsewhere
+  libccd2 libdcmtk17 libexpat1 libfmt9 libgmp10 libhdf5-103-1 libinsighttoolkit5.2 libmpfr6
+  libopenigtlink1.11 libpng16-16 libssl3 libstdc++6 zlib1g
+)
+to_develop=(
+  build-essential ccache cmake ninja-build pkg-config
   # kernel
-  libccd-dev libeigen3-dev libflatbuffers-dev flatbuffers-compiler
+  flatbuffers-compiler libccd-dev libflatbuffers-dev
   # hal
   libboost-dev libcli11-dev libfmt-dev libhdf5-dev libopenigtlink-dev libtomlplusplus-dev
-  nlohmann-json3-dev gnuplot-nox fonts-dejavu-core
+  nlohmann-json3-dev
   # offline
-  libcgal-dev libdcmtk-dev libexpat1-dev libinsighttoolkit5-dev libpng-dev libssl-dev zlib1g-dev
-  # tests
-  libbenchmark-dev libbullet-dev libclang-rt-14-dev libclang-rt-19-dev libgmock-dev libgtest-dev
-  llvm python3-h5py python3-matplotlib python3-prometheus-client python3-pydicom snakemake valgrind
-  # test of cohorts under Slurm; it starts daemons of its own
+  libcgal-dev libdcmtk-dev libeigen3-dev libexpat1-dev libinsighttoolkit5-dev libpng-dev libssl-dev
+  zlib1g-dev
+)
+to_test=(
+  clang libbenchmark-dev libbullet-dev libclang-rt-14-dev libclang-rt-19-dev libgmock-dev
+  libgtest-dev llvm python3-prometheus-client python3-pydicom snakemake valgrind
+  # of cohorts under Slurm; it starts daemons of its own
   munge slurm-client slurmctld slurmd
-  # tests of the console's page; building and running need neither
+  # of the console's page; building and running need neither
   chromium nodejs
-  # tests on other processors
+  # on other processors
   g++-aarch64-linux-gnu g++-i686-linux-gnu gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib
   qemu-system-arm qemu-system-x86 qemu-user
 )
 # A nodejs that is not Debian's brings its own npm, and excludes Debian's.
-command -v npm >/dev/null || packages+=(npm)
+command -v npm >/dev/null || to_test+=(npm)
+
+list_only=
+[ "${1:-}" != --list ] || { list_only=yes && shift; }
+purpose=${1:-test}
+[[ $# -le 1 && $purpose =~ ^(run|develop|test)$ ]] ||
+  die "expected one of run, develop, test" "For example: toolchain/setup.sh develop"
+packages=("${to_run[@]}")
+[ "$purpose" = run ] || packages+=("${to_develop[@]}")
+[ "$purpose" != test ] || packages+=("${to_test[@]}")
+[ -z "$list_only" ] || { printf '%s\n' "${packages[@]}" && exit; }
 
 missing_packages() {
   local installed
@@ -119,5 +143,5 @@ if [ ${#missing[@]} -gt 0 ]; then
   mapfile -t missing < <(missing_packages)
   [ ${#missing[@]} -eq 0 ] || die "still missing after the installation: ${missing[*]}"
 fi
-install_page_packages
+[ "$purpose" != test ] || install_page_packages
 say "All ${#packages[@]} packages are there"

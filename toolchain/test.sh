@@ -5,7 +5,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-"$root/toolchain/setup.sh"
-configure
+"$root/toolchain/setup.sh" test
+configure -DSTYLET_WITH_TESTS=ON  # demo.sh may have left them out
 compile
 run_tests -LE '^(full|night)$' "$@"

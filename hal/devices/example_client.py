@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """A device of your own: pushes the needle in, feels it, pulls it out. README.md has the packets.
 

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """offline/cohort over phantoms and real label maps: the same bytes however many at once, through
 kills, on one machine and under a real Slurm; bad patients are listed and stop no other.

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """DICOM segmentations and series of slices, written here by pydicom, against the same labels as
 NRRD: same counts, same organ in the same place. What is damaged or incomplete is refused.

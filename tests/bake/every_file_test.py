@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Every label map and organ mesh of the shared data becomes an organ or is refused with a reason;
 every label keeps its volume; organ files are read by Python as by the program, and know damage.

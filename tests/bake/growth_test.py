@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Time and peak memory of a build grow linearly with triangles, to 10 million, and with voxels, to
 2 million.

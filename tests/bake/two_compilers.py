@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Organ files have the same bytes whichever compiler built stylet-organ, with the same voxels.
 

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """How the work grows: instructions (AVX2) against voxels, constraint particles, rods, triangles.
 

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Whoever looks, the loop does the same: as many instructions, to one in ten thousand, and the same
 bits, with no client of the console, with twenty, and with twenty and one that never reads. Counted

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Recorded insertions leave the same bits on another processor: every hash, and the tick of every
 contact and puncture. Where they do not: the first tick that differs, and in which field.

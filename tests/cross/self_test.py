@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """The replay matrix, checked: it names the tick and field that differ, and its image has no heap.
 

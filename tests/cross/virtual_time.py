@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Every tick of the bare Cortex-M7 image takes the same number of instructions on every run, and
 the most it takes is a committed number.

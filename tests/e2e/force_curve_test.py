@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """The judge of force curves, judged: an ideal curve passes, each kind of wrong one is named."""
 import dataclasses

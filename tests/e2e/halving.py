@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Halves the voxel, the needle unit or the step of a scene: what does that do to its forces?
 

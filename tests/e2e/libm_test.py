@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Organ files, scenes and recordings have the same bits whatever mathematical library is there.
 

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Every scene of hal/scenes with a real device's dynamics: does it buzz, does it make energy?
 

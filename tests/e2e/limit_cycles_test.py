@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """No scene buzzes or makes energy with the dynamics of a Touch or an omega.7; see limit_cycles.py.
 

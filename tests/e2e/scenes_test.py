@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Each scene of hal/scenes shows what its figure in the paper shows, and can be drawn.
 

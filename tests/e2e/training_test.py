@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """What a trainer and a laboratory use: scores, OpenIGTLink, recordings in Python and Octave.
 

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Golden replays: what each scene of hal/scenes gave when it was last looked at, bit for bit.
 

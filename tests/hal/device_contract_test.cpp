@@ -39,6 +39,9 @@ struct Backend {
   const char* name;
   MakeBench make;
 };
+void PrintTo(const Backend& backend, std::ostream* out) {
+  *out << backend.name;
+}
 
 class DeviceContract : public testing::TestWithParam<Backend> {
  protected:

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """The metrics' text as Prometheus reads it: its client library's parser, its naming rules, and
 promtool where it is installed.

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """The dearest tick of a scene takes as many instructions as committed, within one percent, and no
 tick more than its bound: the sum of prices in tick_work.h. README.md here says what came of the bar

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """The judge of costs, judged: a tick that is dearer or cheaper than committed, or beyond its bound,
 is noticed; and the committed costs fit together."""

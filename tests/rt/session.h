@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <ostream>
 #include <span>
 #include <utility>
 #include <vector>
@@ -157,6 +158,9 @@ constexpr Setup kSetups[] = {Setup::kPhysical, Setup::kPaper, Setup::kElastic};
 inline const char* setup_name(Setup setup) {
   constexpr const char* kNames[] = {"physical", "paper", "elastic"};
   return kNames[static_cast<int>(setup)];
+}
+inline void PrintTo(Setup setup, std::ostream* out) {
+  *out << setup_name(setup);
 }
 
 inline Config config_of(Setup setup) {

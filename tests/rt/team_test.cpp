@@ -30,6 +30,12 @@ struct Case {
   Variant variant;
   Setup setup;
 };
+std::string name_of(const Case& of) {
+  return std::string(of.variant.name) + "_" + setup_name(of.setup);
+}
+void PrintTo(const Case& of, std::ostream* out) {
+  *out << name_of(of);
+}
 
 std::vector<Case> cases() {
   std::vector<Case> all;
@@ -76,10 +82,7 @@ TEST_P(TeamBits, AreTheSameWhenNoHelperComes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rt, TeamBits, testing::ValuesIn(cases()),
-                         [](const testing::TestParamInfo<Case>& made) {
-                           return std::string(made.param.variant.name) + "_" +
-                                  setup_name(made.param.setup);
-                         });
+                         [](const auto& made) { return name_of(made.param); });
 
 TEST(Team, MayComeAndGoBetweenTicks) {
   const auto opened = block_organ(10, 10, 10);

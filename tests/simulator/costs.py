@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Ticks of random sessions take no more instructions than their bounds (tests/rt/tick_work.h), and
 none as many as the worst case (tests/rt/costs.txt).

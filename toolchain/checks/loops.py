@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Every loop of the kernel ends: it walks a range or counts towards a bound. Any other is on a
 list, with what ends it: a constant of limits.h, or a size that organ_open has checked.

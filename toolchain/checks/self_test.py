@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """The checks, checked: each refuses bad samples with the right place, and accepts good ones."""
 import pathlib
@@ -14,6 +14,7 @@ import loops  # noqa: E402
 import promises  # noqa: E402
 import stack  # noqa: E402
 import symbols  # noqa: E402
+import test_names  # noqa: E402
 import tidy  # noqa: E402
 
 APACHE = "// SPDX-License-Identifier: Apache-2.0\n"
@@ -52,6 +53,27 @@ class Headers(Sample):
 
     def test_refuses_nothing_found(self):
         self.expect_one(headers.faults(self.top), "no header")
+
+
+class TestNames(Sample):
+    """Stand-ins for programs of googletest."""
+
+    def faults(self, says):
+        program = self.write("program", "#!/bin/sh\n" + says)
+        program.chmod(0o755)
+        return test_names.faults(program)
+
+    def test_accepts_names(self):
+        self.assertEqual(list(self.faults("printf 'Suite.\\n  Case/0  # GetParam() = liver\\n'")),
+                         [])
+
+    def test_refuses_bytes(self):
+        self.expect_one(self.faults("echo '  Case/0  # GetParam() = 4-byte object <01-00>'"),
+                        "program: Case/0", "PrintTo")
+
+    def test_refuses_names_that_change_and_none(self):
+        self.expect_one(self.faults("echo Suite.$$"), "asked again")
+        self.expect_one(self.faults(""), "no test")
 
 
 class Symbols(Sample):
@@ -231,6 +253,13 @@ class Tidy(Sample):
     def test_refuses_missing_or_wrong_licence(self):
         self.write("offline/a.h", APACHE)
         self.expect_one(self.faults(), "offline/a.h:1", "GPL-3.0-or-later")
+
+    def test_refuses_a_python_that_may_lack_packages(self):
+        licence = "# SPDX-License-Identifier: Apache-2.0\n"
+        self.write("hal/good.py", "#!/usr/bin/python3\n" + licence)
+        self.write("hal/module.py", licence)
+        self.write("hal/bad.py", "#!/usr/bin/env python3\n" + licence)
+        self.expect_one(self.faults(), "hal/bad.py:1", "/usr/bin/python3")
 
     def test_refuses_marks_and_paths_also_in_texts(self):
         self.write("hal/README.md", "a TO" "DO\n" + "see /ho" "me/me/x\n")

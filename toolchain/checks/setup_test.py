@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """setup.sh on machines that are not this one: apt-get, dpkg-query, id and sudo are stand-ins that
 come first in the path and behave as the real ones do on a fresh, an offline or a locked machine."""
@@ -59,8 +59,9 @@ class Setup(unittest.TestCase):
         path.write_text(text)
         path.chmod(0o755)
 
-    def run_setup(self, expect=0):
-        done = subprocess.run([SETUP], stdin=subprocess.DEVNULL, capture_output=True, text=True,
+    def run_setup(self, *words, expect=0):
+        done = subprocess.run([SETUP, *words], stdin=subprocess.DEVNULL, capture_output=True,
+                              text=True,
                               env={"PATH": f"{self.top}:{os.environ['PATH']}",
                                    "STAND_IN": str(self.top)})
         self.assertEqual(done.returncode, expect, done.stdout + done.stderr)
@@ -70,6 +71,30 @@ class Setup(unittest.TestCase):
         done = self.run_setup()
         self.assertIn("packages are there", done.stdout)
         self.assertIn("downloaded 30 %\n    downloaded 100 %\n", done.stdout)
+
+    def listed(self, purpose):
+        return set(self.run_setup("--list", purpose).stdout.split())
+
+    def test_each_purpose_has_all_of_the_one_before_and_no_more_is_installed(self):
+        run, develop, test = (self.listed(purpose) for purpose in ("run", "develop", "test"))
+        self.assertLess(run, develop)
+        self.assertLess(develop, test)
+        self.assertFalse((self.top / "calls").exists())
+        for purpose, packages in ("run", run), ("develop", develop), ("test", test):
+            with self.subTest(purpose):
+                (self.top / "installed").unlink(missing_ok=True)
+                self.run_setup(purpose)
+                install = (self.top / "calls").read_text().splitlines()[-1]
+                self.assertLessEqual(packages, set(install.split()))
+                self.assertFalse((test - packages) & set(install.split()))
+
+    def test_one_curve_needs_neither_browser_nor_cluster_nor_other_processors(self):
+        for package in self.listed("develop"):
+            self.assertNotRegex(package, "chromium|nodejs|slurm|munge|qemu|aarch64|i686|arm-none")
+
+    def test_other_purposes_are_refused(self):
+        for words in ("deploy",), ("run", "test"), ("--list", "all"):
+            self.assertIn("run, develop, test", self.run_setup(*words, expect=1).stderr)
 
     def test_nothing_missing_asks_for_nothing(self):
         (self.top / "installed").touch()

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """The stack of a tick has a bound: the longest path of the call graph, times the frames on it.
 

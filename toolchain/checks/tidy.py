@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """House style as a test: what CONTRIBUTING.md says and a machine can see.
 
@@ -13,6 +13,7 @@ SOURCE = {".h", ".cpp", ".py", ".sh", ".cmake", ".ts", ".mjs", ".css"}
 NOT_WRITTEN_HERE = {"__pycache__", "node_modules", "generated", "dist"}
 COLUMNS = 100
 FUNCTION_LINES = 70
+PYTHON = "#!/usr/bin/python3"  # Debian's, whatever comes first in the PATH
 LEFT_OVER = re.compile(r"\b(TO" r"DO|FIX" r"ME|XX" r"X|HA" r"CK)\b")
 MACHINE_PATH = re.compile(r"(^|[^A-Za-z0-9_.}])/(work|root|home|farm)/")
 
@@ -80,6 +81,11 @@ def check_licence(name, lines):
         yield f"{name}:1: expected the line SPDX-License-Identifier: {wanted}"
 
 
+def check_interpreter(name, lines):
+    if lines and lines[0].startswith("#!") and lines[0] != PYTHON:
+        yield f"{name}:1: expected {PYTHON}: any other may lack the packages that setup.sh installs"
+
+
 def check_code(name, text):
     code = code_only(text)
     for first, last in functions(code):
@@ -109,6 +115,8 @@ def faults(repository):
             text = path.read_text()
             yield from check_text(name, text.splitlines())
             yield from check_licence(name, text.splitlines())
+            if path.suffix == ".py":
+                yield from check_interpreter(name, text.splitlines())
             if path.suffix in {".h", ".cpp"}:
                 yield from check_code(name, text)
         elif path.suffix in {".md", ".toml", ".fbs", ".txt", ""}:

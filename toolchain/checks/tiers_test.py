@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """check.sh runs the tests of its tier and no others: cmake, ctest and python3 are stand-ins that
 say how they were called."""

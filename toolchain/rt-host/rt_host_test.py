@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """rt-host.sh on the files of a machine that is not this one: nothing without --apply, twice is
 once, --undo gives back every byte."""

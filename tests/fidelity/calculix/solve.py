@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Solves the bodies of bodies.json with CalculiX (Debian's calculix-ccx) and writes calculix.csv.
 

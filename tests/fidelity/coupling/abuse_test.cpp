@@ -35,6 +35,14 @@ bool finite(const Output& out) {
 
 enum class Where { kFree, kContact, kInserted };
 
+const char* name_of(Where where) {
+  constexpr const char* kNames[] = {"Free", "Contact", "Inserted"};
+  return kNames[static_cast<int>(where)];
+}
+void PrintTo(Where where, std::ostream* out) {
+  *out << name_of(where);
+}
+
 Vec3 place_of(Where where) {
   const float x = where == Where::kFree ? -30e-3F : (where == Where::kContact ? 3e-3F : 30e-3F);
   return {x, kMiddle.y, kMiddle.z};
@@ -221,12 +229,9 @@ TEST_P(V25Abuse, HugeLateralDrag) {
   expect_back_at_rest(rig, "lateral drag");
 }
 
-std::string name_of(const testing::TestParamInfo<Where>& where) {
-  return where.param == Where::kFree ? "Free"
-                                     : (where.param == Where::kContact ? "Contact" : "Inserted");
-}
 INSTANTIATE_TEST_SUITE_P(AllPhases, V25Abuse,
-                         testing::Values(Where::kFree, Where::kContact, Where::kInserted), name_of);
+                         testing::Values(Where::kFree, Where::kContact, Where::kInserted),
+                         [](const auto& each) { return name_of(each.param); });
 
 // 1e5 ticks of a needle shaken in every direction, with every kind of bad sample among them; seed
 // 25. What was sent is counted outside and must be what the kernel counted.
