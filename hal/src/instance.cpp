@@ -58,9 +58,18 @@ KernelInstance::KernelInstance(const Organ& organ, const Config& config,
                                std::span<const ObstacleConfig> obstacles) {
   Status status = sizes(organ, config, predicted);
   if (status == Status::kOk) {
-    model_ = touched_block(predicted.model_bytes);
-    state_ = touched_block(predicted.state_bytes);
-    scratch_ = touched_block(predicted.scratch_bytes);
+    try {
+      model_ = touched_block(predicted.model_bytes);
+      state_ = touched_block(predicted.state_bytes);
+      scratch_ = touched_block(predicted.scratch_bytes);
+    } catch (const std::bad_alloc&) {
+      const double bytes = static_cast<double>(predicted.model_bytes) +
+                           static_cast<double>(predicted.state_bytes) +
+                           static_cast<double>(predicted.scratch_bytes);
+      throw LoadError(
+          fmt::format("organ \"{}\": {} voxels need {:.0f} MB: expected as much memory here",
+                      organ.name, organ.voxel_count, 1e-6 * bytes));
+    }
     status = create(organ, config,
                     {{model_.get(), predicted.model_bytes},
                      {state_.get(), predicted.state_bytes},
@@ -69,8 +78,8 @@ KernelInstance::KernelInstance(const Organ& organ, const Config& config,
   }
   if (status == Status::kOk) status = set_obstacles(kernel, obstacles);
   if (status != Status::kOk) {
-    throw LoadError(
-        fmt::format("organ \"{}\": kernel cannot be made: {}", organ.name, status_name(status)));
+    throw LoadError(fmt::format("organ \"{}\": {} voxels: kernel cannot be made: {}", organ.name,
+                                organ.voxel_count, status_name(status)));
   }
 }
 

@@ -306,8 +306,9 @@ SnapshotHeader snapshot_header(const Kernel& kernel) {
 
 Status sizes(const Organ& organ, const Config& config, Sizes& sizes_out) {
   if (organ.root == nullptr || !config_good(config)) return Status::kConfigValueOutOfRange;
-  sizes_out = block_sizes(count_lattice(organ, config));
-  return Status::kOk;
+  Counts counts;
+  const Status status = count_lattice(organ, config, counts);
+  return status == Status::kOk ? block_sizes(counts, sizes_out) : status;
 }
 
 Status create(const Organ& organ, const Config& config, const Memory& memory, Kernel& kernel_out) {
@@ -321,7 +322,8 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   if (!aligned(memory.model) || !aligned(memory.state) || !aligned(memory.scratch)) {
     return Status::kMemoryNotAligned;
   }
-  const Counts counts = count_lattice(organ, config);
+  Counts counts;
+  (void)count_lattice(organ, config, counts);  // as sizes did
   std::memset(memory.model.data(), 0, need.model_bytes);
   const ModelView model = model_view(memory.model.data(), counts);
   fill_head(organ, config, counts, *model.head);

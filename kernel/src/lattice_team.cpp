@@ -39,14 +39,14 @@ Found sweep_one(const Kernel& kernel, Team& team) {
 
 constexpr std::uint32_t kForceParts = 3;  // two in turn, and the one that is kept
 struct TeamSizes {
-  std::size_t sums, force;  // floats of one part, in whole blocks
+  std::uint64_t sums, force;  // floats of one part, in whole blocks
 };
 
 TeamSizes team_sizes(const Counts& counts) {
-  const auto whole = [](std::size_t floats) { return (floats + kLanes - 1) / kLanes * kLanes; };
+  const auto whole = [](std::uint64_t floats) { return (floats + kLanes - 1) / kLanes * kLanes; };
   // The lanes before the sums are read by windows, and not used.
-  return {kLanes + whole(std::size_t{12} * counts.slots_at_once),
-          whole(std::size_t{3} * kForceParts * counts.particles_per_plane)};
+  return {kLanes + whole(std::uint64_t{12} * counts.slots_at_once),
+          whole(std::uint64_t{3} * kForceParts * counts.particles_per_plane)};
 }
 
 // One for each thread.
@@ -105,7 +105,10 @@ void sweep_together(const Kernel& kernel, void (*sweep)(const Kernel&, Part&)) {
 std::size_t team_bytes(const Kernel& kernel, std::uint32_t helpers) {
   const Counts& counts = counts_of(kernel);
   const TeamSizes size = team_sizes(counts);
-  return sizeof(Team) + 2 * slabs_of(counts, helpers) * (size.sums + size.force) * sizeof(float);
+  const std::uint64_t bytes =
+      sizeof(Team) + 2 * slabs_of(counts, helpers) * (size.sums + size.force) * sizeof(float);
+  // More than there is on this machine: set_team refuses whatever it gets.
+  return static_cast<std::size_t>(std::min<std::uint64_t>(bytes, SIZE_MAX));
 }
 
 Status set_team(Kernel& kernel, std::uint32_t helpers, std::span<std::byte> memory) {

@@ -314,8 +314,9 @@ Extent voxel_extent(const Organ& organ, std::uint32_t y, std::uint32_t z);
 // Spread of the particles at (y, z): what the four voxel rows around them need.
 Extent node_extent(const Organ& organ, std::uint32_t y, std::uint32_t z);
 
-Counts count_lattice(const Organ& organ, const Config& config);
-Sizes block_sizes(const Counts& counts);
+// kOrganTooLarge where a count or a block does not fit this machine.
+Status count_lattice(const Organ& organ, const Config& config, Counts& counts_out);
+Status block_sizes(const Counts& counts, Sizes& sizes_out);
 const Counts& counts_of(const Kernel& kernel);
 
 ModelView model_view(std::byte* block, const Counts& counts);

@@ -23,6 +23,8 @@ const char* status_name(Status status) {
       return "organ array sizes disagree";
     case Status::kOrganOrderWrong:
       return "organ order wrong";
+    case Status::kOrganTooLarge:
+      return "organ too large for this machine's addresses";
     case Status::kConfigValueOutOfRange:
       return "configuration value out of range";
     case Status::kMemoryTooSmall:

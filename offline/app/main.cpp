@@ -574,6 +574,10 @@ void run_check(const FileArguments& a) {
     refuse("{}: the bytes are whole, but not those of {}{}: expected the file that lay beside it",
            a.file, a.file, kSumEnding);
   }
+  Sizes need{};
+  if (const Status status = sizes(organ, Config{}, need); status != Status::kOk) {
+    refuse("{}: {} voxels: {}", a.file, organ.voxel_count, status_name(status));
+  }
   fmt::print(
       "{}: ok: {} voxels, hash {:016x}, {}{}\n", a.file, organ.voxel_count, organ.hash,
       organ.content_sha256.empty() ? "without a sum of its bytes" : "the bytes that were built",

@@ -189,6 +189,16 @@ inline std::uint8_t fixed_corners(const TinyOrgan& organ, std::uint16_t x, std::
   return static_cast<std::uint8_t>(bits);
 }
 
+inline flatbuffers::Offset<format::Material> material_of(flatbuffers::FlatBufferBuilder& builder,
+                                                        const TinyMaterial& m) {
+  return format::CreateMaterialDirect(
+      builder, m.name.c_str(), "test", m.density_kg_per_m3, m.youngs_modulus_pa, m.poisson_ratio,
+      m.relaxing_fraction, m.relaxation_time_s, m.puncture_force_n, m.cutting_force_n,
+      m.recut_fraction, m.coulomb_friction_n_per_m, m.static_friction_n_per_m,
+      m.stribeck_velocity_m_per_s, m.viscous_friction_n_s_per_m2, m.puncture_velocity_exponent,
+      m.membrane_n_per_m);
+}
+
 }  // namespace detail
 
 inline std::vector<std::byte> tiny_organ(const TinyOrgan& organ) {
@@ -213,12 +223,7 @@ inline std::vector<std::byte> tiny_organ(const TinyOrgan& organ) {
   if (organ.fixed_faces == 0) fixed.clear();
   std::vector<flatbuffers::Offset<format::Material>> materials;
   for (const TinyMaterial& m : organ.materials) {
-    materials.push_back(format::CreateMaterialDirect(
-        builder, m.name.c_str(), "test", m.density_kg_per_m3, m.youngs_modulus_pa, m.poisson_ratio,
-        m.relaxing_fraction, m.relaxation_time_s, m.puncture_force_n, m.cutting_force_n,
-        m.recut_fraction, m.coulomb_friction_n_per_m, m.static_friction_n_per_m,
-        m.stribeck_velocity_m_per_s, m.viscous_friction_n_s_per_m2, m.puncture_velocity_exponent,
-        m.membrane_n_per_m));
+    materials.push_back(detail::material_of(builder, m));
   }
   const detail::Surface surface = detail::surface_of(organ);
   format::FinishOrganBuffer(

@@ -51,7 +51,7 @@ TEST(CApi, NamesAndNumbers) {
        {Status::kOk, Status::kOrganTooSmall, Status::kOrganNotAnOrganFile,
         Status::kOrganVersionUnknown, Status::kOrganStructureDamaged, Status::kOrganValueOutOfRange,
         Status::kOrganIndexOutOfRange, Status::kOrganSizesDisagree, Status::kOrganOrderWrong,
-        Status::kConfigValueOutOfRange, Status::kMemoryTooSmall, Status::kMemoryNotAligned,
+        Status::kOrganTooLarge, Status::kConfigValueOutOfRange, Status::kMemoryTooSmall, Status::kMemoryNotAligned,
         Status::kSnapshotDoesNotMatch}) {
     const char* name = stylet_status_name(static_cast<std::uint16_t>(status));
     EXPECT_STREQ(name, status_name(status));

@@ -105,7 +105,8 @@ struct Kernel {
   std::byte* team = nullptr;              // see set_team
 };
 
-// Exact: create uses these bytes and no others.
+// Exact: create uses these bytes and no others. kOrganTooLarge: a block of them has no such number
+// of bytes on this machine (32 bits).
 Status sizes(const Organ& organ, const Config& config, Sizes& sizes_out);
 // On kMemoryTooSmall or kMemoryNotAligned nothing was written. Ends with reset.
 Status create(const Organ& organ, const Config& config, const Memory& memory, Kernel& kernel_out);

@@ -18,6 +18,7 @@ enum class [[nodiscard]] Status : std::uint16_t{
     kOrganIndexOutOfRange = 105,
     kOrganSizesDisagree = 106,
     kOrganOrderWrong = 107,
+    kOrganTooLarge = 108,  // from sizes: a block of memory has no such number of bytes here
     // 200..299: the configuration.
     kConfigValueOutOfRange = 200,
     // 300..399: the memory.
