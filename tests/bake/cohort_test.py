@@ -3,16 +3,21 @@
 """offline/cohort over phantoms and real label maps: the same bytes however many at once, through
 kills, on one machine and under a real Slurm; bad patients are listed and stop no other.
 
-usage: cohort_test.py OneMachine|UnderSlurm   (STYLET_BIN, STYLET_SOURCE; STYLET_DATA overrides)
+usage: cohort_test.py OneMachine|Table|UnderSlurm   (STYLET_BIN, STYLET_SOURCE; STYLET_DATA overrides)
 """
 import base64
+import codecs
 import csv
 import hashlib
+import io
 import os
 import pathlib
+import random
+import shlex
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -143,11 +148,10 @@ class OneMachine(Case):
         self.assertIn("Nothing to be done", self.run_to_end("alone", "--cores", "1"))
 
     def test_a_wrong_table_is_one_line(self):
-        for text, said in (("patient,file\na,b\n", "patients.csv:1: expected the columns"),
-                           ("patient,input\na/b,c\n", "patients.csv:2: patient 'a/b'"),
-                           ("patient,input\na,b\na,b\n", "patients.csv:3: patient 'a' is there"),
-                           ("patient,input,memory_mb\na,b,x\n", "patients.csv:2: memory_mb 'x'"),
-                           ("patient,input\na,\n", "patients.csv:2: input: expected")):
+        for text, said in (("patient,file\na,b\n", "patients.csv:1: file: expected the columns"),
+                           ("patient,patient,input\n", "patients.csv:1: patient, patient: expected"),
+                           ("", "patients.csv:1: patient, input: expected the columns"),
+                           ('patient,input\n"a,b\n', "expected a table as CSV")):
             folder = self.folder / "wrong"
             folder.mkdir(exist_ok=True)
             (folder / "patients.csv").write_text(text)
@@ -156,6 +160,84 @@ class OneMachine(Case):
             self.assertNotEqual(done.returncode, 0)
             self.assertIn(said, done.stderr)
             self.assertNotIn("Traceback", done.stderr)
+
+    def test_a_bad_row_is_listed_and_costs_no_other_its_organ(self):
+        folder = self.folder / "rows"
+        folder.mkdir()
+        shutil.copy(self.folder / "ball0.off", folder)
+        crash = folder / "tool"
+        crash.write_text(f"#!/bin/sh\ncase \"$*\" in *crash*) kill -SEGV $$;; esac\n"
+                         f"exec {TOOL} \"$@\"\n")
+        crash.chmod(0o755)
+        good = "ball0.off:gel"
+        rows = [("good", good, "--units m --voxel-mm 9", ""), ("a/b", good, "", ""),
+                ("good", good, "", ""), ("memory", good, "", "lots"), ("none", "", "", ""),
+                ("quote", "'ball0.off", "", ""), ("usage", good, "--voxel-mm soft", ""),
+                ("twice", good, "-o other.organ", ""), ("crash", good, "--name crash", ""),
+                ("..", good, "", ""), ("last", good, "--units m --voxel-mm 8", "")]
+        with open(folder / "patients.csv", "w", newline="", encoding="utf-16") as file:
+            table = csv.writer(file, delimiter=";", quoting=csv.QUOTE_ALL)
+            table.writerow(["Patient", "Input", "Options", "Memory_MB"])
+            table.writerows(rows)
+        done = subprocess.run([str(word) for word in self.command("out", "--cores", "2")][:-1] +
+                              [f"stylet_organ={crash}"], cwd=folder, text=True,
+                              capture_output=True, timeout=300)
+        self.assertEqual(done.returncode, 0, done.stderr[-3000:])
+        with open(folder / "out/index.csv", newline="", encoding="utf-8") as file:
+            index = list(csv.DictReader(file))
+        self.assertEqual([row["patient"] for row in index], [row[0] for row in rows])
+        said = [row["refused"] for row in index]
+        self.assertEqual([bool(each) for each in said], [False] + [True] * 9 + [False])
+        for each, reason in zip(said[1:], ("patients.csv:3: patient 'a/b'", "is there already",
+                                           "memory_mb 'lots'", "expected a label map or meshes",
+                                           "No closing quotation", "options: ", "options: ",
+                                           "each time", "patient '..'")):
+            self.assertIn(reason, each)
+        self.assertEqual(len(list((folder / "out/organ").glob("*.organ"))), 2)
+
+
+class Table(unittest.TestCase):
+    """The table as spreadsheets write it: what was written is what is read."""
+
+    def test_every_spelling_gives_the_same_patients(self):
+        sys.path.insert(0, str(COHORT))
+        import patients  # pylint: disable=import-outside-toplevel
+        draw = random.Random(11)
+        marks = {"utf-8": b"", "utf-8-sig": b"", "utf-16": b"", "utf-16-le": codecs.BOM_UTF16_LE,
+                 "utf-16-be": codecs.BOM_UTF16_BE, "cp1252": b""}
+        with tempfile.TemporaryDirectory() as folder:
+            for number in range(200):
+                encoding = draw.choice(list(marks))
+                separator, end = draw.choice(",;\t"), draw.choice(["\n", "\r\n"])
+                columns = ["patient", "input"] + draw.sample(["recipe", "options", "memory_mb"],
+                                                             draw.randint(0, 3))
+                draw.shuffle(columns)
+                rows = [{"patient": f"p{i}", "input": draw.choice(["a b.off:gel:1", "m\u00e4p.nii"]),
+                         "recipe": draw.choice(["", "r; x,y.toml"]),
+                         "options": draw.choice(["", "--fix 'x>5, 6'", "--name \"a; b\""]),
+                         "memory_mb": draw.choice(["", "700"])} for i in range(5)]
+                text = io.StringIO(newline="")
+                table = csv.writer(text, delimiter=separator, lineterminator=end,
+                                   quoting=draw.choice([csv.QUOTE_ALL, csv.QUOTE_MINIMAL]))
+                table.writerow([draw.choice([name, name.upper(), f" {name}"]) for name in columns])
+                for row in rows:
+                    table.writerow([row[name] for name in columns])
+                    if draw.random() < 0.2:
+                        table.writerow([""] * len(columns))
+                told = f"sep={separator}{end}" if draw.random() < 0.2 else ""
+                path = pathlib.Path(folder) / f"{number}.csv"
+                path.write_bytes(marks[encoding] + (told + text.getvalue()).encode(encoding))
+                read = patients.read_patients(path)
+                self.assertEqual(list(read), [row["patient"] for row in rows])
+                for row, patient in zip(rows, read.values()):
+                    self.assertEqual(patient.refused, "")
+                    known = {name: row[name] if name in columns else "" for name in row}
+                    self.assertEqual(patient.inputs, [f"{folder}/{word}" for word in
+                                                      known["input"].split()])
+                    self.assertEqual(patient.options, shlex.split(known["options"]))
+                    self.assertEqual(patient.memory_mb, int(known["memory_mb"] or 1500))
+                    recipe = f"{folder}/{known['recipe']}" if known["recipe"] else ""
+                    self.assertEqual(patient.recipe, recipe)
 
 
 class UnderSlurm(Case):
