@@ -17,7 +17,8 @@ namespace stylet::bake {
 namespace {
 
 bool is_nrrd(const std::string& path) {
-  return path.ends_with(".nrrd") || path.ends_with(".nhdr");
+  const std::string name = lower(path);
+  return name.ends_with(".nrrd") || name.ends_with(".nhdr");
 }
 
 itk::ImageIOBase::Pointer reader_for(const std::string& path) {

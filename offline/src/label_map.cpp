@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "file.h"
+#include "label_header.h"
 #include "label_names.h"
 #include "label_readers.h"
 
@@ -29,7 +30,8 @@ constexpr Format kFormats[] = {
     {".nii.gz", read_nifti}, {".mha", read_by_itk},  {".mhd", read_by_itk},
     {".inr", read_inr},      {".inr.gz", read_inr},  {".dcm", read_seg}};
 
-const Format* format_of(const std::string& name) {
+const Format* format_of(const std::string& path) {
+  const std::string name = lower(path);
   const auto* found = std::find_if(std::begin(kFormats), std::end(kFormats),
                                    [&](const Format& f) { return name.ends_with(f.ending); });
   return found == std::end(kFormats) ? nullptr : found;

@@ -28,6 +28,12 @@ void add_checked(Collector& collector, Vec point, std::string place, std::string
 
 }  // namespace
 
+std::string_view without_mark(std::string_view bytes) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (bytes.starts_with(kMark)) bytes.remove_prefix(kMark.size());
+  return bytes;
+}
+
 bool next_line(Lines& lines) {
   if (lines.next >= lines.text.size()) {
     lines.rest = {};

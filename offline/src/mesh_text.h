@@ -23,6 +23,9 @@ struct Lines {
   char comment = '\0';         // begins a comment that runs to the end of the line
 };
 
+// Without the byte-order mark that editors of Windows put before UTF-8.
+std::string_view without_mark(std::string_view bytes);
+
 bool next_line(Lines& lines);               // false at the end of the file
 std::string_view next_token(Lines& lines);  // within the current line
 // Goes on to the following lines where the current one is used up; refuses at the end of the file.

@@ -41,7 +41,7 @@ std::uint32_t parse_corner(const Lines& lines, std::string_view token, std::size
 }  // namespace
 
 ReadMesh read_obj(std::string_view file, std::string_view bytes) {
-  Lines lines{.text = bytes, .file = file, .comment = '#'};
+  Lines lines{.text = without_mark(bytes), .file = file, .comment = '#'};
   Collector collector{.file = file};
   std::string joined;
   std::vector<std::uint32_t> corners;

@@ -28,7 +28,7 @@ void read_keyword(Lines& lines) {
 }  // namespace
 
 ReadMesh read_off(std::string_view file, std::string_view bytes) {
-  Lines lines{.text = bytes, .file = file, .comment = '#'};
+  Lines lines{.text = without_mark(bytes), .file = file, .comment = '#'};
   Collector collector{.file = file};
   read_keyword(lines);
   const auto count = [&](const char* what) {

@@ -215,6 +215,7 @@ void read_faces(Values& values, const Element& element, std::size_t points, Coll
 }  // namespace
 
 ReadMesh read_ply(std::string_view file, std::string_view bytes) {
+  bytes = without_mark(bytes);
   Values values{.lines = {.text = bytes, .file = file}};
   const Header header = read_header(values.lines);
   values.encoding = header.encoding;

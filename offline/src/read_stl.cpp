@@ -22,15 +22,36 @@ T load(std::string_view bytes, std::size_t at) {
   return value;
 }
 
+std::string lower(std::string_view token) {
+  std::string text(token.substr(0, 16));
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
 bool is_text(std::string_view bytes) {
   if (bytes.size() >= kHeaderBytes &&
       bytes.size() == kHeaderBytes + kFacetBytes * std::size_t{load<std::uint32_t>(bytes, 80)}) {
     return false;
   }
+  bytes = without_mark(bytes);
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
   constexpr std::size_t kProbe = 512;
-  return start != std::string_view::npos && bytes.substr(start, 5) == "solid" &&
+  return start != std::string_view::npos && lower(bytes.substr(start, 5)) == "solid" &&
          bytes.substr(0, kProbe).find('\0') == std::string_view::npos;
+}
+
+// Bytes behind the triangles that are claimed may fill up a block; triangles they are not.
+void require_claimed(std::string_view file, std::string_view bytes, std::size_t claimed) {
+  const std::size_t room = (bytes.size() - kHeaderBytes) / kFacetBytes;
+  if (claimed > room) {
+    refuse("{}: byte 80: {}: expected at most {} triangles, for which {} bytes have room", file,
+           claimed, room, bytes.size());
+  }
+  const std::string_view rest = bytes.substr(kHeaderBytes + claimed * kFacetBytes);
+  if (rest.size() >= kFacetBytes && rest.find_first_not_of('\0') != std::string_view::npos) {
+    refuse("{}: byte 80: {}: expected {} triangles, which {} bytes hold", file, claimed, room,
+           bytes.size());
+  }
 }
 
 ReadMesh read_binary(std::string_view file, std::string_view bytes) {
@@ -39,11 +60,7 @@ ReadMesh read_binary(std::string_view file, std::string_view bytes) {
            bytes.size(), kHeaderBytes);
   }
   const std::uint32_t claimed = load<std::uint32_t>(bytes, 80);
-  const std::size_t room = (bytes.size() - kHeaderBytes) / kFacetBytes;
-  if (claimed > room) {
-    refuse("{}: byte 80: {}: expected at most {} triangles, for which {} bytes have room", file,
-           claimed, room, bytes.size());
-  }
+  require_claimed(file, bytes, claimed);
   Collector collector{.file = file};
   collector.mesh.points.reserve(std::size_t{claimed} * 3);
   for (std::size_t i = 0; i < claimed; ++i) {
@@ -61,18 +78,44 @@ ReadMesh read_binary(std::string_view file, std::string_view bytes) {
   return finish(std::move(collector));
 }
 
-std::string lower(std::string_view token) {
-  std::string text(token.substr(0, 16));
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
+// Behind "solid" comes a name of any words up to the end of the line, or, where all is one line, up
+// to the first facet.
+void skip_name(Lines& lines) {
+  while (true) {
+    const Lines here = lines;
+    const std::string_view token = next_token(lines);
+    if (token.empty()) return;
+    const Lines behind = lines;
+    if (lower(token) == "facet" && lower(next_token(lines)) == "normal") {
+      lines = here;
+      return;
+    }
+    lines = behind;
+  }
+}
+
+// Behind "endsolid": up to the end of the line or the next solid.
+void skip_end_name(Lines& lines) {
+  while (true) {
+    const Lines here = lines;
+    const std::string_view token = next_token(lines);
+    if (token.empty()) return;
+    if (lower(token) != "solid") continue;
+    lines = here;
+    return;
+  }
 }
 
 ReadMesh read_text(std::string_view file, std::string_view bytes) {
   Lines lines{.text = bytes, .file = file};
   Collector collector{.file = file};
   std::vector<std::uint32_t> corners;
-  while (next_line(lines)) {
+  while (true) {
     const std::string_view token = next_token(lines);
+    if (token.empty()) {
+      if (next_line(lines)) continue;
+      break;
+    }
     const std::string keyword = lower(token);
     if (keyword == "vertex") {
       const std::string_view x = next_token(lines), y = next_token(lines), z = next_token(lines);
@@ -81,8 +124,14 @@ ReadMesh read_text(std::string_view file, std::string_view bytes) {
     } else if (keyword == "endloop") {
       add_polygon(collector, corners);
       corners.clear();
-    } else if (!keyword.empty() && keyword != "solid" && keyword != "endsolid" &&
-               keyword != "facet" && keyword != "outer" && keyword != "endfacet") {
+    } else if (keyword == "normal") {
+      for (int axis = 0; axis < 3; ++axis) (void)next_token(lines);
+    } else if (keyword == "solid") {
+      skip_name(lines);
+    } else if (keyword == "endsolid") {
+      skip_end_name(lines);
+    } else if (keyword != "facet" && keyword != "outer" && keyword != "loop" &&
+               keyword != "endfacet") {
       refuse_at(lines, token, "solid, facet, outer loop, vertex, endloop, endfacet or endsolid");
     }
   }
@@ -93,7 +142,7 @@ ReadMesh read_text(std::string_view file, std::string_view bytes) {
 }  // namespace
 
 ReadMesh read_stl(std::string_view file, std::string_view bytes) {
-  return is_text(bytes) ? read_text(file, bytes) : read_binary(file, bytes);
+  return is_text(bytes) ? read_text(file, without_mark(bytes)) : read_binary(file, bytes);
 }
 
 }  // namespace stylet::bake

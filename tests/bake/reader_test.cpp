@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <cstring>
+#include <initializer_list>
+#include <random>
 
 #include "bake_support.h"
 #include "mesh_text.h"
@@ -94,6 +96,32 @@ TEST(Stl, ReadsText) {
   EXPECT_EQ(m.mesh.triangles.size(), 1U);
 }
 
+// The facets of a tetrahedron with a random choice of what lies between the words: a line, a blank,
+// a name, capitals.
+TEST(Stl, TextMayBeOneLine) {
+  std::mt19937 engine(5);
+  const auto pick = [&](std::initializer_list<const char*> of) {
+    return std::string(of.begin()[engine() % of.size()]);
+  };
+  for (int round = 0; round < 200; ++round) {
+    const std::string gap = pick({" ", "\n", "\r", "\r\n", "\t"});
+    std::string text = pick({"", "\xEF\xBB\xBF"}) + pick({"solid", "SOLID", "Solid"}) +
+                       pick({"", " a", " made by solid facet works", " facet"}) + gap;
+    for (int facet = 0; facet < 4; ++facet) {
+      text += "facet normal 0 0" + pick({" 1", " nan"}) + gap + "outer loop" + gap;
+      for (int corner = 0; corner < 3; ++corner) {
+        const int at = (facet + corner) % 4;
+        text += fmt::format("vertex {:d} {:d} {:d}", at == 1, at == 2, at == 3) + gap;
+      }
+      text += "endloop" + gap + "endfacet" + gap;
+    }
+    text += "endsolid" + pick({"", " a", " made by solid facet works"}) + pick({"", "\n"});
+    const ReadMesh m = read("a.stl", text);
+    EXPECT_EQ(m.mesh.triangles.size(), 4U) << text;
+    EXPECT_EQ(m.mesh.points.size(), 12U) << text;
+  }
+}
+
 TEST(Stl, BinaryMayBeginWithSolid) {
   EXPECT_EQ(read("a.stl", binary_stl(2, 2, "solid made by an exporter")).mesh.triangles.size(), 2U);
 }
@@ -101,6 +129,9 @@ TEST(Stl, BinaryMayBeginWithSolid) {
 TEST(Stl, RefusesMoreThanTheFileHolds) {
   EXPECT_THAT(refusal("a.stl", binary_stl(0xFFFFFFFF, 2)),
               HasSubstr("byte 80: 4294967295: expected at most 2 triangles"));
+  EXPECT_THAT(refusal("a.stl", binary_stl(3, 6)),
+              HasSubstr("byte 80: 3: expected 6 triangles, which 384 bytes hold"));
+  EXPECT_EQ(read("a.stl", binary_stl(2, 2) + std::string(400, '\0')).mesh.triangles.size(), 2U);
   EXPECT_THAT(refusal("a.stl", "xx"), HasSubstr("2 bytes"));
   EXPECT_THAT(refusal("a.stl", "solid a\nvertex 0 0 0\nhello\n"), HasSubstr("a.stl:3: 'hello'"));
 }
@@ -191,6 +222,21 @@ TEST(Off, RefusesWithPlace) {
 TEST(Off, WrittenMeshReadsBackToTheBit) {
   const Mesh mesh{{{0.1, 1.0 / 3, -1e-300}, {1e22, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   EXPECT_EQ(read("a.off", bake::off_text(mesh)).mesh.points, mesh.points);
+}
+
+TEST(ReadMesh, TakesTextWithAByteOrderMark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  for (const auto& [name, text] :
+       {std::pair{"a.OBJ", "v 5 6 7\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"},
+        std::pair{"a.Off", "OFF\n3 1 0\n5 6 7\n1 0 0\n1 1 0\n3 0 1 2\n"},
+        std::pair{"a.PLY",
+                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                  "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+                  "end_header\n5 6 7\n1 0 0\n1 1 0\n3 0 1 2\n"}}) {
+    const ReadMesh m = read(name, mark + text);
+    ASSERT_EQ(m.mesh.points.size(), 3U) << name;
+    EXPECT_EQ(m.mesh.points[0], (Vec{5, 6, 7})) << name;
+  }
 }
 
 TEST(ReadMesh, RefusesOtherFilesByName) {
