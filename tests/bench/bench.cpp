@@ -5,7 +5,8 @@
 //
 // tissue: the lattice step with everything physical on and a needle inserted. threads: the same of
 // one thread `alone`; `shared` with one helper thread; and `beside`, two threads that each do steps
-// of their own: the time for each of all these steps, the least that shared can take here. tick:
+// of their own, each on a processor of its own: the time that passes for each of all these steps,
+// the least that shared can take here, and no figure without it (summary.h). tick:
 // the whole kernel, needle inserted and pulled sideways; tick_elastic with an elastic needle in
 // breathing tissue. cadence: kernel and guard at a real period, the processor spinning in between.
 // bullet, eigen: peers.h.
@@ -39,6 +40,7 @@
 #include "liver.h"
 #include "machine.h"
 #include "peers.h"
+#include "processors.h"
 #include "stylet/hal/guard.h"
 #include "summary.h"
 #include "variants.h"
@@ -144,18 +146,21 @@ void bench_tissue(benchmark::State& state, Subject& subject, const Variant& vari
   describe(state, subject, 1);
 }
 
-// Times steps one by one until `enough`: their median. The first one of all is left out; it fetches
-// what the other thread had.
-template <typename Enough>
-double step_us(const Kernel& kernel, const Enough& enough) {
+// Steps of a turn: for 2 ms, so that a step more or less of the other thread's matters little, and
+// at least 16.
+int turn_steps(const Kernel& kernel) {
+  const double start = now_us(Time::kPassing);
   kernel.step(kernel);
-  std::vector<double> us;
-  do {
-    const double start = now_us(Time::kPassing);
-    kernel.step(kernel);
-    us.push_back(now_us(Time::kPassing) - start);
-  } while (!enough(us.size()));
-  return middle(us);
+  return std::max(16, static_cast<int>(2000 / (now_us(Time::kPassing) - start)));
+}
+
+// The time that passes for one of so many steps. The first one of all is left out; it fetches what
+// the other thread had.
+double step_us(const Kernel& kernel, int steps) {
+  kernel.step(kernel);
+  const double start = now_us(Time::kPassing);
+  for (int i = 0; i < steps; ++i) kernel.step(kernel);
+  return (now_us(Time::kPassing) - start) / steps;
 }
 
 // The other one of two threads.
@@ -163,8 +168,9 @@ class Other {
  public:
   enum class Does { kNothing, kStepsOfItsOwn, kHelps, kEnds };
 
-  Other(const Kernel& own, const Kernel& helped)
-      : thread_([this, &own, &helped] {
+  Other(const Kernel& own, const Kernel& helped, int processor)
+      : thread_([this, &own, &helped, processor] {
+          stay_on({processor});
           while (follow(own, helped)) {
           }
         }) {}
@@ -181,7 +187,7 @@ class Other {
     while (does_.load() != what) {
     }
   }
-  double own_step_us() const { return own_step_us_; }  // before it was asked for something else
+  std::uint64_t own_steps() const { return own_steps_.load(); }  // so far
 
  private:
   bool follow(const Kernel& own, const Kernel& helped) {
@@ -189,19 +195,28 @@ class Other {
     does_.store(now);
     if (now == Does::kHelps) help(helped, 100);
     if (now == Does::kStepsOfItsOwn) {
-      own_step_us_ = step_us(own, [&](std::size_t) { return asked_.load() != now; });
+      own.step(own);
+      own_steps_.fetch_add(1);
     }
     return now != Does::kEnds;
   }
 
   std::atomic<Does> asked_ = Does::kNothing, does_ = Does::kEnds;
-  double own_step_us_ = 0;
+  std::atomic<std::uint64_t> own_steps_ = 0;
   std::thread thread_;
 };
 
 // A step of one thread alone, of two threads with nothing in common, and of one that is helped, in
-// turn within milliseconds, so that all of them meet the machine in the same state.
+// turn within milliseconds, so that all of them meet the machine in the same state. Of alone and
+// shared the median of the turns; beside is all the time that passed over all the steps that both
+// did in it: medians of single steps do not see that two threads take turns on one processor.
 void bench_threads(benchmark::State& state, Subject& subject, const Variant& variant) {
+  const std::vector<int> allowed = allowed_processors();
+  const auto two = two_processors(allowed);
+  if (!two || !stay_on({two->first})) {
+    state.SkipWithError("two threads need two processors, this process may use one only");
+    return;
+  }
   const auto session = [&] {
     return inserted_session(subject, config_of(Setup::kPhysical), variant);
   };
@@ -209,24 +224,28 @@ void bench_threads(benchmark::State& state, Subject& subject, const Variant& var
   Session helped = session();
   const Block memory = make_block(team_bytes(helped.kernel, 1));
   if (set_team(helped.kernel, 1, memory.span()) != Status::kOk) std::abort();
-  const auto turn_us = [](const Session& of) {
-    return step_us(of.kernel, [](std::size_t steps) { return steps == 16; });
-  };
-  std::vector<double> alone, beside, shared;
+  const int steps = turn_steps(own.kernel);
+  std::vector<double> alone, shared;
+  double beside_us = 0, beside_steps = 0;
   {
-    Other other(others.kernel, helped.kernel);
+    Other other(others.kernel, helped.kernel, two->second);
     for (auto _ : state) {
       other.ask(Other::Does::kNothing);
-      alone.push_back(turn_us(own));
+      alone.push_back(step_us(own.kernel, steps));
       other.ask(Other::Does::kStepsOfItsOwn);
-      const double us = turn_us(own);
+      own.kernel.step(own.kernel);
+      const std::uint64_t before = other.own_steps();
+      const double start = now_us(Time::kPassing);
+      for (int i = 0; i < steps; ++i) own.kernel.step(own.kernel);
+      beside_us += now_us(Time::kPassing) - start;
+      beside_steps += steps + static_cast<double>(other.own_steps() - before);
       other.ask(Other::Does::kHelps);
-      beside.push_back(1 / (1 / us + 1 / other.own_step_us()));
-      shared.push_back(turn_us(helped));
+      shared.push_back(step_us(helped.kernel, steps));
     }
   }
+  stay_on(allowed);
   state.counters[kAlone] = middle(alone);
-  state.counters[kBeside] = middle(beside);
+  state.counters[kBeside] = beside_us / beside_steps;
   state.counters[kShared] = middle(shared);
   describe(state, subject, 1);
 }
@@ -419,7 +438,9 @@ constexpr const char* kHelp =
     "  tissue    a step of the tissue, everything physical on, needle inserted\n"
     "  threads   in turn: alone, one thread; beside, two with nothing in common, the least that\n"
     "            shared can take; shared, one with a helper. From the repetitions in which beside\n"
-    "            took least; alone_any and so on: from all\n"
+    "            took least; alone_any and so on: from all. None where beside is not twice as "
+    "fast\n"
+    "            as alone: the two did not run at the same time\n"
     "  tick      the whole kernel; tick_elastic: elastic needle, breathing tissue\n"
     "  cadence   kernel and guard at a real period\n"
     "\n"

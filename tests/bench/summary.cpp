@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iomanip>
 #include <ostream>
+#include <sstream>
 #include <tuple>
 
 #include "machine.h"
@@ -59,7 +60,11 @@ bool Summary::ReportContext(const Context& context) {
 void Summary::ReportRuns(const std::vector<Run>& runs) {
   std::vector<const Run*> of_threads;
   for (const Run& run : runs) {
-    if (run.error_occurred) continue;
+    if (run.error_occurred) {
+      const std::string text = run.run_name.function_name + ": " + run.error_message;
+      if (refused_.empty() || refused_.back() != text) refused_.push_back(text);
+      continue;
+    }
     if (counter(run, kBeside) > 0) {
       if (run.run_type == Run::RT_Iteration) of_threads.push_back(&run);
     } else if (run.aggregate_name == "median") {
@@ -93,6 +98,15 @@ void Summary::add_threads(std::vector<const Run*> each) {
   std::sort(each.begin(), each.end(), by(kBeside));
   const std::vector<const Run*> quiet(
       each.begin(), each.begin() + static_cast<std::ptrdiff_t>((each.size() + 3) / 4));
+  const double times = median_us(quiet, kAlone) / median_us(quiet, kBeside);
+  if (!(times >= kLeastBeside && times <= kMostBeside)) {
+    std::ostringstream text;
+    text << each[0]->run_name.function_name << ": no figure: two threads with nothing in common "
+         << "were " << std::fixed << std::setprecision(2) << times << " x as fast as one, not 2: "
+         << "they had no processor each";
+    refused_.push_back(text.str());
+    return;
+  }
   for (const auto& [measure, name] :
        {std::pair("alone", kAlone), std::pair("beside", kBeside), std::pair("shared", kShared)}) {
     add_row(*each[0], measure, median_us(quiet, name));
@@ -117,6 +131,7 @@ double Summary::ratio(const std::string& measure, const std::string& variant, co
 }
 
 void Summary::print(std::ostream& out) const {
+  for (const std::string& text : refused_) out << text << "\n";
   if (rows_.empty()) return;
   out << "\n"
       << processor_name() << "\n"

@@ -570,11 +570,29 @@ class Bench(unittest.TestCase):
         for word in ("--results", "tissue", "threads", "tick", "cadence", "--benchmark_filter"):
             self.assertIn(word, text)
 
+    def two_threads(self, processors):
+        words = [BIN / "stylet", "bench", "--benchmark_filter=threads/liver_1k",
+                 "--benchmark_min_time=0.001", "--benchmark_repetitions=1"]
+        done = subprocess.run(words, capture_output=True, text=True, timeout=300,
+                              preexec_fn=lambda: os.sched_setaffinity(0, processors))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stderr
+
     def test_two_threads_are_compared_with_one_in_the_same_seconds(self):
-        table = call("stylet", "bench", "--benchmark_filter=threads/liver_1k",
-                     "--benchmark_min_time=0.001", "--benchmark_repetitions=1").stderr
-        for measure in ("alone", "beside", "shared", "alone_any", "beside_any", "shared_any"):
-            self.assertRegex(table, rf"(?m)^{measure}/liver_1k/\w+ +[\d.]+")
+        """Where others used the processors meanwhile, it says that instead."""
+        table = self.two_threads(os.sched_getaffinity(0))
+        refused = set(re.findall(r"(?m)^threads/liver_1k/(\w+): no figure: .* ([\d.]+) x as", table))
+        for times in (float(times) for _, times in refused):
+            self.assertFalse(1.9 <= times <= 2.1)
+        for variant in re.findall(r"(?m)^\w+/liver_1k/(\w+) ", table):
+            for measure in ("alone", "beside", "shared", "alone_any", "beside_any", "shared_any"):
+                self.assertRegex(table, rf"(?m)^{measure}/liver_1k/{variant} +[\d.]+")
+        self.assertTrue(refused or "shared/liver_1k" in table, table)
+
+    def test_two_threads_on_one_processor_are_no_figure(self):
+        table = self.two_threads({max(os.sched_getaffinity(0))})
+        self.assertRegex(table, r"(?m)^threads/liver_1k/\w+: two threads need two processors")
+        self.assertNotRegex(table, "alone|beside|shared")
 
 
 class Refusals(Folder):
