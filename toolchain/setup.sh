@@ -30,7 +30,7 @@ to_develop=(
   zlib1g-dev
 )
 to_test=(
-  clang libbenchmark-dev libbullet-dev libclang-rt-14-dev libclang-rt-19-dev libgmock-dev
+  clang groff-base libbenchmark-dev libbullet-dev libclang-rt-14-dev libclang-rt-19-dev libgmock-dev
   libgtest-dev llvm python3-prometheus-client python3-pydicom snakemake valgrind
   # of cohorts under Slurm; it starts daemons of its own
   munge slurm-client slurmctld slurmd

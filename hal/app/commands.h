@@ -64,6 +64,7 @@ int play_back(const PlaybackOptions& options);
 struct ReplayOptions {
   std::string recording;
   std::string organ;
+  bool json = false;
 };
 int replay_recording(const ReplayOptions& options);
 

@@ -14,16 +14,34 @@
 
 #include "commands.h"
 #include "console/limits.h"
+#include "stylet/command_texts.h"
 #include "stylet/hal/igtl.h"
 #include "stylet/limits.h"
 
 namespace stylet::app {
 namespace {
 
+CLI::Option* add_json(CLI::App& command, bool& json, const char* what) {
+  return command.add_flag("--json", json, fmt::format("{} on standard output, nothing else", what));
+}
+
+CLI::Option* add_organ(CLI::App& command, std::string& organ, const char* instead_of) {
+  return command.add_option("--organ", organ, fmt::format("Organ, instead of {}", instead_of))
+      ->type_name("FILE");
+}
+
+CLI::Option* add_recording(CLI::App& command, std::string& recording) {
+  return command.add_option("recording", recording, "Recording that stylet run --record wrote")
+      ->type_name("FILE")
+      ->required();
+}
+
 CLI::Option* add_serving(CLI::App& command, ServeOptions& options) {
   return command
       .add_option("--listen", options.listen,
-                  "Address for other machines; asks for a token, which is printed")
+                  "Address of this machine where others reach the page, with a token that is "
+                  "printed; without it, only this machine does")
+      ->type_name("ADDRESS")
       ->check(CLI::ValidIPV4);
 }
 
@@ -31,9 +49,13 @@ void add_igtl(CLI::App& run, IgtlOptions& options) {
   options.port = hal::kIgtlPort;
   CLI::Option* igtl =
       run.add_flag(fmt::format("--igtl{{{}}}", hal::kIgtlPort), options.port,
-                   "Let OpenIGTLink clients such as 3D Slicer follow, on this port of 127.0.0.1")
+                   fmt::format("Let OpenIGTLink clients such as 3D Slicer follow, on port {} of "
+                               "this machine or --igtl=PORT; 0: any that is free",
+                               hal::kIgtlPort))
           ->check(CLI::Range(0, 65535));
-  run.add_option("--igtl-listen", options.listen, "Address for clients on other machines")
+  run.add_option("--igtl-listen", options.listen,
+                 "Address of this machine where clients on others reach it")
+      ->type_name("ADDRESS")
       ->check(CLI::ValidIPV4)
       ->needs(igtl);
 }
@@ -46,31 +68,42 @@ void add_run(CLI::App& program, RunOptions& options) {
       "  stylet run fig09-force-curve.toml --organ liver.organ --console\n"
       "With --console: attempts as the page asks, also of other scenes beside this one; --record\n"
       "out.h5 keeps each as out-1.h5, out-2.h5 ...");
-  run.add_option("scene", options.scene, "Scene file (TOML)")->required();
-  run.add_option("--organ", options.organ, "Organ file, instead of the scene's");
+  run.add_option("scene", options.scene, "Scene (TOML)")->type_name("FILE")->required();
+  add_organ(run, options.organ, "the scene's");
   run.add_option("--record", options.record,
-                 "Write a recording (HDF5); NAME-2.h5 ... if it is there");
-  run.add_flag("--force", options.force, "Record over a file that is there");
+                 "Recording to write (HDF5); if it is there, NAME-2.h5 and so on")
+      ->type_name("FILE");
+  run.add_flag("--force", options.force, "Let --record write over a recording that is there");
   run.add_option("--flight", options.flight,
-                 "Where the second before a fault goes, as NAME-1.h5, NAME-2.h5 ...")
+                 "Where the second before a fault is kept, as NAME-1.h5, NAME-2.h5 ...")
+      ->type_name("FILE")
       ->capture_default_str();
-  run.add_option("--mode", options.mode, "Instead of the scene's")
+  run.add_option("--mode", options.mode, "Rules of the needle, instead of the scene's")
+      ->type_name("MODE")
       ->check(CLI::IsMember({"physical", "paper"}));
-  run.add_option("--duration-s", options.duration_s, "Simulated time, instead of the script's")
+  run.add_option("--duration-s", options.duration_s,
+                 "Simulated time, instead of as long as the hand moves")
+      ->type_name("SECONDS")
       ->check(CLI::Range(1e-3, 86400.0));
   run.add_option("--device", options.devices,
-                 "Device by URI instead of the scene's, once a needle (stylet devices lists them)");
+                 "Device instead of the scene's, such as hd: (stylet devices lists them); "
+                 "once for each needle")
+      ->type_name("URI")
+      ->allow_extra_args(false);
   run.add_option("--threads", options.threads,
                  "Threads of the tissue step, instead of the scene's: same bits with any number")
+      ->type_name("NUMBER")
       ->check(CLI::Range(1U, kMaxHelpers + 1));
   run.add_flag("--fast", options.fast, "Virtual clock: same bits, as fast as the machine goes");
-  run.add_flag("--json", options.json, "One JSON object on standard output, nothing else");
+  add_json(run, options.json, "One JSON object");
   run.add_flag("--allow-non-rt", options.allow_non_rt,
                "Go on with a warning where the machine refuses real-time rights");
   options.serve.port = console::kDefaultPort;
   CLI::Option* console =
       run.add_flag(fmt::format("--console{{{}}}", console::kDefaultPort), options.serve.port,
-                   "Serve a page to see and steer it, on this port of 127.0.0.1; --console=0: any")
+                   fmt::format("Serve a page that shows and steers the run, on port {} of this "
+                               "machine or --console=PORT; 0: any that is free",
+                               console::kDefaultPort))
           ->check(CLI::Range(0, 65535))
           ->excludes("--json");
   add_serving(run, options.serve)->needs(console);
@@ -78,30 +111,36 @@ void add_run(CLI::App& program, RunOptions& options) {
 }
 
 void add_playback(CLI::App& program, PlaybackOptions& options) {
-  CLI::App& play = *program.add_subcommand("console", "Look at a recording in a browser");
+  CLI::App& play = *program.add_subcommand("console", "Play a recording on a page in a browser");
   play.footer("Example: stylet console out.h5");
-  play.add_option("recording", options.recording, "Recording (HDF5)")->required();
-  play.add_option("--organ", options.organ, "Organ file, instead of the recorded path");
+  add_recording(play, options.recording);
+  add_organ(play, options.organ, "the recorded path");
   options.serve.port = console::kDefaultPort;
-  play.add_option("--port", options.serve.port, "Of 127.0.0.1; 0: any that is free")
+  play.add_option("--port", options.serve.port, "Of the page; 0: any that is free")
+      ->type_name("PORT")
       ->capture_default_str();
   add_serving(play, options.serve);
 }
 
 void add_replay(CLI::App& program, ReplayOptions& options) {
   CLI::App& replay =
-      *program.add_subcommand("replay", "Check that a recording gives the same bits");
-  replay.footer("Example: stylet replay out.h5");
-  replay.add_option("recording", options.recording, "Recording (HDF5)")->required();
-  replay.add_option("--organ", options.organ, "Organ file, instead of the recorded path");
+      *program.add_subcommand("replay", "Repeat a recording: same inputs, same bits?");
+  replay.footer("Example: stylet replay out.h5\nExit codes: 0 the same bits, 3 other bits");
+  add_recording(replay, options.recording);
+  add_organ(replay, options.organ, "the recorded path");
+  add_json(replay, options.json, "One JSON object");
 }
 
 void add_plot(CLI::App& program, PlotOptions& options) {
   CLI::App& plot = *program.add_subcommand("plot", "Draw the force curves of a recording");
   plot.footer("Example: stylet plot out.h5 -o force.svg");
-  plot.add_option("recording", options.recording, "Recording (HDF5)")->required();
-  plot.add_option("-o,--output", options.output, "Picture to write, .svg or .png")->required();
-  plot.add_option("--needle", options.needle, "Of several: 0 is the first");
+  add_recording(plot, options.recording);
+  plot.add_option("-o,--output", options.output, "Picture to write, .svg or .png")
+      ->type_name("FILE")
+      ->required();
+  plot.add_option("--needle", options.needle, "Which of several needles, from 0")
+      ->type_name("NUMBER")
+      ->capture_default_str();
 }
 
 void add_score(CLI::App& program, ScoreOptions& options) {
@@ -111,10 +150,15 @@ void add_score(CLI::App& program, ScoreOptions& options) {
       "Examples:\n"
       "  stylet score out.h5\n"
       "  stylet score monday.h5 tuesday.h5 --scene liver-biopsy.toml");
-  score.add_option("recordings", options.recordings, "Recordings (HDF5)")->required();
-  score.add_option("--scene", options.scene, "Scene whose targets count, instead of the recorded");
-  score.add_option("--organ", options.organ, "Organ file, instead of the recorded path");
-  score.add_flag("--json", options.json, "One JSON array on standard output, nothing else");
+  score.add_option("recordings", options.recordings, "Recordings that stylet run --record wrote")
+      ->type_name("FILE")
+      ->required();
+  score
+      .add_option("--scene", options.scene,
+                  "Scene whose targets count, instead of the recorded one")
+      ->type_name("FILE");
+  add_organ(score, options.organ, "the recorded path");
+  add_json(score, options.json, "One JSON array");
 }
 
 void add_doctor(CLI::App& program, DoctorOptions& options) {
@@ -125,60 +169,88 @@ void add_doctor(CLI::App& program, DoctorOptions& options) {
       "  stylet doctor\n"
       "  stylet doctor --measure 60 --replay out.h5\n"
       "Exit codes: 0 ready, 3 degraded (warnings, or what could not be read), 4 not suitable");
-  auto* measure =
-      doctor.add_option("--measure", options.measure_s, "Seconds to measure wake-ups for, in all")
-          ->check(CLI::Range(0.1, 86400.0));
-  auto* replay =
-      doctor.add_option("--replay", options.recording, "Measure the ticks of a recording, too")
-          ->needs(measure);
-  doctor.add_option("--organ", options.organ, "Organ file, instead of the recorded path")
-      ->needs(replay);
-  doctor.add_option("--cpu", options.cpu, "Processor of the loop, as loop.cpu of a scene")
+  auto* measure = doctor
+                      .add_option("--measure", options.measure_s,
+                                  "Measure for so long, in all, how late a thread wakes up")
+                      ->type_name("SECONDS")
+                      ->check(CLI::Range(0.1, 86400.0));
+  auto* replay = doctor
+                     .add_option("--replay", options.recording,
+                                 "And how long the ticks of this recording take meanwhile")
+                     ->type_name("FILE")
+                     ->needs(measure);
+  add_organ(doctor, options.organ, "the recorded path")->needs(replay);
+  doctor
+      .add_option("--cpu", options.cpu,
+                  "Processor to look at, as loop.cpu of a scene (default: as the loop chooses)")
+      ->type_name("NUMBER")
       ->check(CLI::Range(0, 1023));
-  doctor.add_option("--priority", options.priority, "As loop.rt_priority")
+  doctor
+      .add_option("--priority", options.priority,
+                  "Priority to ask for, as loop.rt_priority of a scene")
+      ->type_name("NUMBER")
       ->check(CLI::Range(1, 99))
       ->capture_default_str();
-  doctor.add_option("--root", options.root, "A captured tree of /proc and /sys to look at instead")
+  doctor
+      .add_option("--root", options.root, "A copy of another machine's /proc and /sys to look at")
+      ->type_name("FOLDER")
       ->check(CLI::ExistingDirectory)
       ->excludes(measure);
-  doctor.add_flag("--json", options.json, "One JSON object on standard output, nothing else");
+  add_json(doctor, options.json, "One JSON object");
 }
 
 // Returns the subcommand that opens one.
 CLI::App& add_devices(CLI::App& program, DevicesOptions& options, ProbeOptions& probed) {
-  CLI::App& devices = *program.add_subcommand("devices", "List devices, and why not the others");
+  CLI::App& devices =
+      *program.add_subcommand("devices", "List the devices here, and what the others lack");
   devices.footer("Examples:\n  stylet devices\n  stylet devices probe hd: --push -o touch.json");
-  devices.add_flag("--json", options.json, "One JSON array on standard output, nothing else");
-  devices.add_option("--root", options.root, "A captured tree of /proc, /sys and /dev instead")
+  add_json(devices, options.json, "One JSON array");
+  devices
+      .add_option("--root", options.root,
+                  "A copy of another machine's /proc, /sys and /dev to look at")
+      ->type_name("FOLDER")
       ->check(CLI::ExistingDirectory);
-  CLI::App& probe = *devices.add_subcommand("probe", "Open one and see what it really does");
-  probe.add_option("uri", probed.uri, "As in a scene: hd:, dhd:0, udp:7755 ...")->required();
-  probe.add_option("-o,--output", probed.output, "Write the record (JSON)");
-  probe.add_option("--seconds", probed.seconds, "To watch it without force")
+  CLI::App& probe =
+      *devices.add_subcommand("probe", "Open a device and measure what it really does");
+  probe.footer("Example: stylet devices probe hd: --push -o touch.json");
+  probe.add_option("uri", probed.uri, "Device as in a scene: hd:, dhd:0, udp:7755 ...")
+      ->type_name("URI")
+      ->required();
+  probe.add_option("-o,--output", probed.output, "What was measured, to write (JSON)")
+      ->type_name("FILE");
+  probe.add_option("--seconds", probed.seconds, "Watch it for so long, without force")
+      ->type_name("SECONDS")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
-  probe.add_flag("--push", probed.push, "And push along its axes, at most 1 N");
-  probe.add_flag("--json", probed.json, "The record on standard output, nothing else");
+  probe.add_flag("--push", probed.push, "Then push along its axes, with at most 1 N");
+  add_json(probe, probed.json, "What was measured as one JSON object");
   return probe;
 }
 
 void add_station(CLI::App& program, StationOptions& options) {
   CLI::App& station =
-      *program.add_subcommand("station", "Join the tissue of another machine with a device here");
+      *program.add_subcommand("station", "Hold a needle in the tissue of another machine");
   station.footer(
       "Example: stylet station hd: 192.168.0.5:7755, where stylet run SCENE --device\n"
       "udp:0.0.0.0:7755 runs on 192.168.0.5");
-  station.add_option("uri", options.uri, "Device: hd:, dhd:0 ...")->required();
-  station.add_option("to", options.to, "The other machine, ADDRESS:PORT")->required();
-  station.add_option("--duration-s", options.seconds, "End by itself")
+  station.add_option("uri", options.uri, "Device of this machine: hd:, dhd:0 ...")
+      ->type_name("URI")
+      ->required();
+  station.add_option("to", options.to, "The machine with the tissue")
+      ->type_name("ADDRESS:PORT")
+      ->required();
+  station.add_option("--duration-s", options.seconds, "End after so long (default: at Ctrl-C)")
+      ->type_name("SECONDS")
       ->check(CLI::Range(1e-3, 86400.0));
   station
       .add_option("--acknowledge-button", options.acknowledge_button,
-                  "Of the device, from 0: acknowledges a latched fault, as Enter does here")
+                  "Button, from 0, that acknowledges a latched fault, as Enter does here")
+      ->type_name("NUMBER")
       ->check(CLI::Range(0, 31));
   station
       .add_option("--dead-man-button", options.dead_man_button,
-                  "Of the device, from 0: must be held for any force")
+                  "Button, from 0, that must be held for any force")
+      ->type_name("NUMBER")
       ->check(CLI::Range(0, 31));
 }
 
@@ -195,12 +267,14 @@ void add_station(CLI::App& program, StationOptions& options) {
 
 // For the help; main hands its options on before they are read here.
 void add_bench(CLI::App& program) {
-  program.add_subcommand("bench", "Measure how long a tick takes (options: stylet bench --help)");
+  program.add_subcommand("bench",
+                         "Measure how long a tick takes here (has options: stylet bench --help)");
 }
 
 int dispatch(int argc, char** argv) {
-  CLI::App program("Haptic needle insertion: run scenes, replay and plot recordings", "stylet");
+  CLI::App program("Haptic needle insertion: runs scenes, repeats and draws recordings", "stylet");
   program.set_version_flag("--version", STYLET_VERSION);
+  cli::add_text_options(program, "stylet " STYLET_VERSION);
   program.require_subcommand(0, 1);
   program.footer(
       "Examples:\n"
@@ -214,8 +288,8 @@ int dispatch(int argc, char** argv) {
       "  stylet doctor --measure 60\n"
       "  stylet devices\n"
       "  stylet station hd: 192.168.0.5:7755\n"
-      "Exit codes: 0 ok, 1 a file was refused, 2 command line, 3 fault, other bits or doubts,\n"
-      "4 machine not fit for real time");
+      "Exit codes: 0 ok, 1 a file was refused, 2 wrong usage, 3 a device's fault, other bits or a\n"
+      "doubtful machine, 4 a machine not fit for real time");
   RunOptions run_options;
   ReplayOptions replay_options;
   PlaybackOptions playback_options;
@@ -235,6 +309,7 @@ int dispatch(int argc, char** argv) {
   add_station(program, station_options);
   add_bench(program);
   try {
+    cli::refuse_separate_values(program, argc, argv);
     program.parse(argc, argv);
     if (program.get_subcommands().empty()) {
       throw CLI::RequiredError(

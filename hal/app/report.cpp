@@ -302,6 +302,23 @@ std::string json_text(const RunReport& report) {
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::string replay_json(const std::string& recording, const hal::ReplayResult& result,
+                        bool unfinished) {
+  Json out = {{"recording", recording},
+              {"same", result.same},
+              {"ticks", result.ticks},
+              {"unfinished", unfinished}};
+  if (result.same) {
+    out["state_hash"] = fmt::format("{:016x}", result.state_hash);
+  } else {
+    out["differs"] = {{"tick", result.tick},
+                      {"field", result.field},
+                      {"recorded", result.recorded},
+                      {"replayed", result.replayed}};
+  }
+  return out.dump(2);
+}
+
 std::string human_text(const RunReport& report) {
   std::string text = phase_tables(report) + "\n" + score_text(report) + timing_table(report) +
                      "\n" + counter_table(report);

@@ -10,6 +10,7 @@
 #include "stylet/hal/host.h"
 #include "stylet/hal/loop.h"
 #include "stylet/hal/phases.h"
+#include "stylet/hal/replay.h"
 #include "stylet/kernel.h"
 
 namespace stylet::app {
@@ -38,5 +39,9 @@ struct RunReport {
 
 std::string json_text(const RunReport& report);
 std::string human_text(const RunReport& report);
+
+// What a replay came to; `unfinished`: the recording ends with its last whole block.
+std::string replay_json(const std::string& recording, const hal::ReplayResult& result,
+                        bool unfinished);
 
 }  // namespace stylet::app

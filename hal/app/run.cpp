@@ -133,6 +133,10 @@ int replay_recording(const ReplayOptions& options) {
   };
   const hal::ReplayResult result = hal::replay(recording, instance.kernel, progress);
   if (show) rewrite_line("");
+  if (options.json) {
+    fmt::print("{}\n", replay_json(options.recording, result, info.unfinished));
+    return result.same ? kExitOk : kExitTrouble;
+  }
   if (result.same) {
     fmt::print("same bits: {} ticks, state hash {:016x}{}\n", result.ticks, result.state_hash,
                info.unfinished ? " (the recording was not finished: to its last whole block)" : "");

@@ -12,12 +12,18 @@ import subprocess
 import h5py
 import numpy as np
 
-# Colours of Okabe and Ito: told apart with every kind of colour vision.
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
+import play
+
+PALETTE = dict(line.split(",") for line in (
+    pathlib.Path(__file__).resolve().parents[1] / "palette.csv").read_text().splitlines()
+    if not line.startswith("#"))
+# Of what has no name there; none of the palette's own. Tol's muted scheme, 2021.
+OTHERS = ["#882255", "#44aa99", "#88ccee", "#ddcc77", "#777777"]
+LABEL_GAP = 0.022  # of a panel's width: what a line of upright text needs
+LABEL_ROOM = 0.35  # of its height, above the curves: for the longest label
 MOST_POINTS = 1500  # of a line: more than a page can show
 EVENTS = ["contact", "release", "puncture", "re-entry", "exit", "layer", "obstacle"]
-BIN = pathlib.Path(os.environ.get(
-    "STYLET_BIN", pathlib.Path(__file__).resolve().parents[2] / "build/release/bin"))
+SAME = {"axial force": "total", "": "total"}  # other words for what the palette has
 
 
 class Run:
@@ -64,7 +70,7 @@ class Run:
 
         self.checks is then what was checked in the ticks on the way."""
         if not set(ticks) <= set(self.known_shapes):
-            done = subprocess.run([BIN / "stylet-snapshot", self.path, *map(str, ticks)],
+            done = subprocess.run([play.BIN / "stylet-snapshot", self.path, *map(str, ticks)],
                                   capture_output=True, text=True, check=True)
             new = json.loads(done.stdout)
             self.known_shapes |= {shape["tick"]: shape for shape in new["shapes"]}
@@ -82,22 +88,55 @@ def data_block(name, x, y):
     return f"${name} << EOD\n{rows}\nEOD\n"
 
 
+def placed(marks, low, high):
+    """(place of the label, text) of marks (place, text): none over another, all in the panel."""
+    gap = LABEL_GAP * (high - low)
+    rows = []  # what a mark says more than once within a line's width is said once
+    for x, words in sorted(marks):
+        if rows and rows[-1][1] == words and x - rows[-1][3] < gap:
+            rows[-1][2:] = [rows[-1][2] + 1, x]
+        else:
+            rows.append([x, words, 1, x])
+    places, before = [], low
+    for x, *_ in rows:
+        before = max(before + gap, x)
+        places.append(before)
+    after = high + gap
+    for i in reversed(range(len(places))):
+        after = places[i] = min(places[i], after - gap)
+    return [(place, words if count == 1 else f"{words}, {count} times")
+            for place, (_, words, count, _) in zip(places, rows)]
+
+
+def mark_script(panel):
+    """Lines where something happened, named beside them."""
+    low = min(float(np.min(x)) for x, _, _ in panel["lines"])
+    high = max(float(np.max(x)) for x, _, _ in panel["lines"])
+    text = f"set xrange [{low:.6g}:{high:.6g}]\nset offsets 0, 0, graph {LABEL_ROOM}, 0\n"
+    for x, _ in panel["marks"]:
+        text += (f"set arrow from first {x:.6g}, graph 0 to first {x:.6g}, graph 1 nohead "
+                 "lc rgb '#BBBBBB' dt 2\n")
+    for place, words in placed(panel["marks"], low, high):
+        text += (f"set label '{words}' at first {place:.6g}, graph 0.98 right rotate by 90 "
+                 "offset -0.6,0 font ',10' textcolor rgb '#555555'\n")
+    return text
+
+
 def panel_script(index, panel):
-    blocks, curves = "", []
+    blocks, curves, others = "", [], iter(OTHERS)
     for kind, style in (("lines", "lines lw 1.8"), ("points", "points pt 7 ps 0.45")):
         for x, y, name in panel.get(kind, []):
             block = f"p{index}_{len(curves)}"
             blocks += data_block(block, x, y)
-            colour = COLOURS[len(curves) % len(COLOURS)]
+            colour = PALETTE.get(SAME.get(name, name)) or next(others)
             title = f"title '{name}'" if name else "notitle"
             curves.append(f"${block} using 1:2 with {style} lc rgb '{colour}' {title}")
     text = blocks + f"set title '{panel['title']}'\nset xlabel '{panel['x']}'\n"
     text += f"set ylabel '{panel['y']}'\nunset label\nunset arrow\nset autoscale\n"
+    text += "set offsets\n"
     text += "set size ratio -1\n" if panel.get("equal") else "set size noratio\n"
-    for x, words in panel.get("marks", []):
-        text += (f"set arrow from first {x:.6g}, graph 0 to first {x:.6g}, graph 1 nohead "
-                 f"lc rgb '#BBBBBB' dt 2\nset label '{words}' at first {x:.6g}, graph 0.98 right "
-                 "rotate by 90 offset -0.6,0 font ',10' textcolor rgb '#555555'\n")
+    if panel.get("marks"):
+        text += mark_script(panel)
     text += f"set key {panel.get('key', 'top left')}\n"
     return text + "plot " + ", \\\n  ".join(curves) + "\n"
 
@@ -132,7 +171,8 @@ def force_over_travel(run, title, layers):
              and run.hand_m[tick - 1] < run.hand_m.max() * 0.999
              and tick <= int(np.argmax(run.hand_m)) + 1]
     return {"title": title, "x": "tip travel beyond the first contact / mm", "y": "force / N",
-            "lines": [(run.travel_m * 1e3, run.axial_n, "axial force")], "marks": marks}
+            "lines": [(run.travel_m * 1e3, run.axial_n, "axial force")], "marks": marks,
+            "key": "outside right top"}
 
 
 def cut_through(run, ticks, title, across=(1, 0, 0), up=(0, 0, 1)):
@@ -266,7 +306,7 @@ def lumbar_puncture(run):
 
 def draw(name, run, picture):
     if name == "fig09-force-curve":  # the program draws this one itself
-        subprocess.run([BIN / "stylet", "plot", run.path, "-o", picture], check=True,
+        subprocess.run([play.BIN / "stylet", "plot", run.path, "-o", picture], check=True,
                        capture_output=True)
         return
     panels = globals()[name.replace("-", "_")](run)

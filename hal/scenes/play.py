@@ -6,9 +6,9 @@
 
 A scene is named by its file, without folder or ending; none named: all. The organ's recipe is the
 line `# organ: stylet-organ ...` of the scene, `{data}` in it the shared data, `{scenes}` this
-folder. Programs come from STYLET_BIN or build/release/bin. Organ, recording and picture go to
-FOLDER (default: a new one); --pictures also puts the picture into hal/scenes/pictures. Needs
-python3-h5py and gnuplot.
+folder. Programs come from STYLET_BIN, else from build/release/bin, in an installed tree from its
+bin. Organ, recording and picture go to FOLDER (default: a new one); --pictures also puts the
+picture into hal/scenes/pictures (shown.py). Needs python3-h5py and gnuplot.
 """
 import argparse
 import json
@@ -24,7 +24,8 @@ sys.dont_write_bytecode = True  # a run leaves nothing in the repository
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 DATA = pathlib.Path(os.environ.get("STYLET_DATA", ROOT / "../shared/data"))
-BIN = pathlib.Path(os.environ.get("STYLET_BIN", ROOT / "build/release/bin"))
+BIN = pathlib.Path(os.environ.get("STYLET_BIN", ROOT / "build/release/bin" if
+                                  (ROOT / "CMakeLists.txt").exists() else ROOT.parents[1] / "bin"))
 RECIPE = "# organ: "
 
 
@@ -107,6 +108,8 @@ def main():
         draw.draw(name, draw.Run(recording), picture)
         if options.pictures:
             shutil.copy(picture, HERE / "pictures" / picture.name)
+            import shown  # of the repository
+            shown.keep("scenes", name, recording)
         print(f"{name}: {len(report['events'])} events, {picture}")
 
 

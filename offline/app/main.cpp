@@ -27,6 +27,7 @@
 #include "refusal.h"
 #include "report_page.h"
 #include "speed.h"
+#include "stylet/command_texts.h"
 #include "stylet/kernel.h"
 #include "stylet/limits.h"
 
@@ -99,46 +100,59 @@ const std::map<std::string, double> kMetresPerUnit{
     {"mm", 1e-3}, {"cm", 1e-2}, {"dm", 1e-1}, {"m", 1.0}};
 
 void add_common(CLI::App& command, CommonArguments& a) {
-  command.add_option("-o,--output", a.output, "Organ file to write")->required();
+  command.add_option("-o,--output", a.output, "Organ file to write")->type_name("FILE")->required();
   command.add_option("--name", a.name, "Name of the organ (default: that of the first input)");
-  auto* edge = command.add_option("--voxel-mm", a.voxel_mm, "Voxel edge")->capture_default_str();
+  auto* edge = command.add_option("--voxel-mm", a.voxel_mm, "Edge of a voxel")
+                   ->type_name("MM")
+                   ->capture_default_str();
   auto* across =
-      command.add_option("--voxels-across", a.voxels_across, "Voxels along the longest side")
+      command
+          .add_option("--voxels-across", a.voxels_across, "Instead: voxels along the longest side")
+          ->type_name("NUMBER")
           ->check(CLI::Range(1U, 65535U))
           ->excludes(edge);
   auto* fit = command.add_option("--fit", a.fit,
                                  "Rate, such as 1kHz: the finest voxel edge whose tick takes half "
                                  "the period at most");
-  fit->excludes(edge)->excludes(across);
+  fit->type_name("RATE")->excludes(edge)->excludes(across);
   command
       .add_option("--machine", a.machine,
                   "CSV of stylet-bench on the machine to fit to (default: measured here)")
+      ->type_name("FILE")
       ->needs(fit);
   command.add_option("--substeps", a.substeps, "Substeps of a tick that --fit reckons with")
+      ->type_name("NUMBER")
       ->check(CLI::Range(1U, kMaxSubsteps))
       ->capture_default_str();
   command
       .add_option(
           "--capsule", a.capsule,
           "Tissue of the voxels at the outer surface; auto: liver_capsule on liver; or none")
+      ->type_name("TISSUE")
       ->capture_default_str();
   command
       .add_option("--fix", a.fix,
                   "What is held in space, repeatable: x>MM, x<MM (or y, z; MM may be N%), "
                   "box:X0,Y0,Z0,X1,Y1,Z1, touching:MESH, or none")
+      ->type_name("REGION")
       ->allow_extra_args(false)
       ->capture_default_str();
   command
       .add_option("--crop", a.crop,
                   "Only the part of the organ that lies in x>MM, x<MM (or y, z; MM may be N%) or "
                   "box:X0,Y0,Z0,X1,Y1,Z1, repeatable: in all of them; held where it is cut")
+      ->type_name("REGION")
       ->allow_extra_args(false);
-  command.add_option("--materials", a.materials, "TOML file with tissues of your own");
-  command.add_option("--report", a.report,
-                     "Folder for a quality report: report.html with pictures, report.json");
+  command.add_option("--materials", a.materials, "TOML file with tissues of your own")
+      ->type_name("FILE");
+  command
+      .add_option("--report", a.report,
+                  "Folder for a quality report: report.html with pictures, report.json")
+      ->type_name("FOLDER");
   command
       .add_option("--memory-limit", a.memory_limit_bytes,
                   "Refuse instead of taking more memory, such as 2GiB (default: no limit)")
+      ->type_name("SIZE")
       ->transform(CLI::AsSizeValue(false));
   command.add_flag("--sum", a.sum,
                    "Also write OUTPUT.sha256, which check and sha256sum -c compare with");
@@ -578,6 +592,16 @@ void run_check(const FileArguments& a) {
   if (const Status status = sizes(organ, Config{}, need); status != Status::kOk) {
     refuse("{}: {} voxels: {}", a.file, organ.voxel_count, status_name(status));
   }
+  if (a.json) {
+    const Json facts = {{"file", a.file},
+                        {"ok", true},
+                        {"voxels", organ.voxel_count},
+                        {"hash", fmt::format("{:016x}", organ.hash)},
+                        {"bytes_are_those_built", !organ.content_sha256.empty()},
+                        {"sum_beside_it_agrees", sum == SumCheck::kSame}};
+    fmt::print("{}\n", facts.dump(2));
+    return;
+  }
   fmt::print(
       "{}: ok: {} voxels, hash {:016x}, {}{}\n", a.file, organ.voxel_count, organ.hash,
       organ.content_sha256.empty() ? "without a sum of its bytes" : "the bytes that were built",
@@ -596,32 +620,43 @@ void add_build(CLI::App& app, BuildArguments& a) {
       "  stylet-organ build scan.ply --voxels-across 60 --fix 'x>95%' --wrap -o scan.organ\n"
       "  stylet-organ build seg.nii.gz --recipe totalsegmentator.toml -o patient.organ");
   command
-      ->add_option("inputs", a.inputs,
-                   "Meshes (.obj .stl .ply .off), each PATH[:TISSUE[:PRIORITY]]; tissue liver and "
-                   "priority 0 unless given; the higher priority wins a voxel")
+      ->add_option(
+          "inputs", a.inputs,
+          "Meshes (.obj .stl .ply .off), each PATH[:TISSUE[:PRIORITY]]; tissue liver and "
+          "priority 0 unless given; the higher priority wins a voxel; with --recipe one label map")
+      ->type_name("FILE")
       ->required();
   command->add_option("--units", a.units, "Unit of the meshes")
+      ->type_name("UNIT")
       ->check(CLI::IsMember(kMetresPerUnit))
       ->capture_default_str();
-  command->add_option("--scale", a.scale, "Factor on top of the unit")->capture_default_str();
+  command->add_option("--scale", a.scale, "Factor on top of the unit")
+      ->type_name("NUMBER")
+      ->capture_default_str();
   auto* wrap = command->add_flag(
       "--wrap", a.wrap, "Last resort: replace each mesh by a closed skin around it (adds volume)");
   command
       ->add_option("--recipe", a.recipe,
                    "The input is a label map (see labels --help); this TOML file "
                    "says which labels are which tissue")
+      ->type_name("FILE")
       ->excludes(wrap);
   command
       ->add_option("--layer", a.layers,
                    "TISSUE:THICKNESS_MM, repeatable, from the outside; the last fills the rest")
+      ->type_name("LAYER")
       ->allow_extra_args(false);
-  command->add_option("--fill-gaps", a.fill_gaps,
-                      "TISSUE:MM: gaps between inputs up to so wide become this tissue");
+  command
+      ->add_option("--fill-gaps", a.fill_gaps,
+                   "TISSUE:MM: gaps between inputs up to so wide become this tissue")
+      ->type_name("GAP");
   command->add_flag("--split-gaps", a.split_gaps,
                     "Parts that lie in one voxel without touching get a voxel each, so that gaps "
                     "from a third of a voxel on do not glue");
-  command->add_option("--layers-of", a.layers_of, "Tissue that the layers take the place of");
+  command->add_option("--layers-of", a.layers_of, "Tissue that the layers take the place of")
+      ->type_name("TISSUE");
   command->add_option("--layers-along", a.layers_along, "The way in through the layers")
+      ->type_name("AXIS")
       ->check(CLI::IsMember({"+x", "-x", "+y", "-y", "+z", "-z"}))
       ->capture_default_str();
   add_common(*command, a);
@@ -636,20 +671,27 @@ void add_phantom(CLI::App& app, PhantomArguments& a) {
       "  stylet-organ phantom block --size-mm 100,60,60 --tissue gel -o block.organ\n"
       "  stylet-organ phantom layered --layer skin:5 --layer fat:10 --layer liver:85 -o "
       "layers.organ");
-  command->add_option("kind", a.kind, "block, layered, ball or liver")
+  command->add_option("kind", a.kind, "Body to make")
+      ->type_name("BODY")
       ->required()
       ->check(CLI::IsMember({"block", "layered", "ball", "liver"}));
   command->add_option("--size-mm", a.size_mm, "Block and layered: lengths along x, y, z")
+      ->type_name("X,Y,Z")
       ->delimiter(',')
       ->expected(3)
       ->capture_default_str();
-  command->add_option("--diameter-mm", a.diameter_mm, "Ball")->capture_default_str();
-  command->add_option("--tissue", a.tissue, "Tissue (default: gel; of liver: liver)");
+  command->add_option("--diameter-mm", a.diameter_mm, "Ball: its diameter")
+      ->type_name("MM")
+      ->capture_default_str();
+  command->add_option("--tissue", a.tissue, "What it is made of (default: gel; of liver: liver)")
+      ->type_name("TISSUE");
   command
       ->add_option("--layer", a.layers,
                    "Layered: TISSUE:THICKNESS_MM along +x, repeatable; the last fills the rest")
+      ->type_name("LAYER")
       ->allow_extra_args(false);
-  command->add_option("--mesh-out", a.mesh_out, "Also write the surface, in metres, as OFF");
+  command->add_option("--mesh-out", a.mesh_out, "Also write the surface, in metres, as OFF")
+      ->type_name("FILE");
   add_common(*command, a);
   command->callback([&a, command] {
     a.size_given = command->count("--size-mm") > 0;
@@ -664,24 +706,29 @@ void add_hull(CLI::App& app, HullArguments& a) {
       "Example:\n"
       "  stylet-organ hull rib.stl --units mm --max-vertices 64 -o rib.toml\n"
       "The body is convex: hollows of the mesh are filled. Coordinates stay those of the mesh.");
-  command->add_option("input", a.input, "Mesh (.obj .stl .ply .off)")->required();
+  command->add_option("input", a.input, "Mesh (.obj .stl .ply .off)")
+      ->type_name("FILE")
+      ->required();
   command->add_option("--units", a.units, "Unit of the mesh")
+      ->type_name("UNIT")
       ->check(CLI::IsMember(kMetresPerUnit))
       ->capture_default_str();
   command->add_option("--max-vertices", a.most_vertices, "Vertices to keep")
+      ->type_name("NUMBER")
       ->check(CLI::Range(kLeastHullVertices, std::size_t{kMaxHullVertices}))
       ->capture_default_str();
-  command->add_option("-o,--output", a.output, "TOML file to write")->required();
+  command->add_option("-o,--output", a.output, "TOML file to write")->type_name("FILE")->required();
   command->add_flag("--json", a.json, "Report as one JSON object on standard output");
   command->callback([&a] { run_hull(a); });
 }
 
 void add_labels(CLI::App& app, FileArguments& a) {
-  CLI::App* command = app.add_subcommand("labels", "What a label map holds");
+  CLI::App* command = app.add_subcommand("labels", "Show what a label map holds");
   command
       ->add_option("file", a.file,
                    "Label map: .nrrd .nhdr .nii .nii.gz .mha .mhd .inr .inr.gz, a DICOM "
                    "segmentation (.dcm), or the folder of a DICOM series")
+      ->type_name("FILE")
       ->required();
   command->add_flag("--json", a.json, "As one JSON object");
   command->footer("Example:\n  stylet-organ labels seg.nii.gz");
@@ -689,13 +736,14 @@ void add_labels(CLI::App& app, FileArguments& a) {
 }
 
 void add_info_and_check(CLI::App& app, FileArguments& info, FileArguments& check) {
-  CLI::App* show = app.add_subcommand("info", "What an organ file holds and needs");
-  show->add_option("file", info.file, "Organ file")->required();
+  CLI::App* show = app.add_subcommand("info", "Show what an organ file holds and needs");
+  show->add_option("file", info.file, "Organ file")->type_name("FILE")->required();
   show->add_flag("--json", info.json, "As one JSON object");
   show->footer("Example:\n  stylet-organ info liver.organ --json");
   show->callback([&info] { run_info(info); });
-  CLI::App* test = app.add_subcommand("check", "Whether an organ file is whole");
-  test->add_option("file", check.file, "Organ file")->required();
+  CLI::App* test = app.add_subcommand("check", "Check that an organ file is whole");
+  test->add_option("file", check.file, "Organ file")->type_name("FILE")->required();
+  test->add_flag("--json", check.json, "As one JSON object");
   test->footer(
       "Example:\n  stylet-organ check liver.organ\n"
       "Every value is checked as the kernel does, then every byte by the SHA-256 in the file; with "
@@ -704,9 +752,10 @@ void add_info_and_check(CLI::App& app, FileArguments& info, FileArguments& check
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Makes and inspects organ files, the anatomy that stylet runs on.", "stylet-organ"};
+  CLI::App app{"Makes and checks organ files, the anatomy that stylet runs on", "stylet-organ"};
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", kToolVersion);
+  cli::add_text_options(app, kToolVersion);
   app.footer(
       "Examples:\n"
       "  stylet-organ build Liver.stl --units mm --voxel-mm 5 -o liver.organ\n"
@@ -723,6 +772,7 @@ int run(int argc, char** argv) {
   add_labels(app, labels_arguments);
   add_info_and_check(app, info_arguments, check_arguments);
   try {
+    cli::refuse_separate_values(app, argc, argv);
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) {
       throw CLI::RequiredError("A command (build, phantom, hull, labels, info or check)");
