@@ -33,17 +33,17 @@ namespace {
 
 constexpr std::size_t kMaxPoints = 3000;  // more than a printed page can show
 
-// Colours of Okabe and Ito: told apart with every kind of colour vision.
+// Colours here are those of hal/palette.csv.
 struct Cause {
   const char* name;
   const char* colour;
   Vec3 ForceByCause::*force;
 };
-constexpr std::array kCauses = {Cause{"stiffness", "#E69F00", &ForceByCause::stiffness_n},
-                                Cause{"cutting", "#D55E00", &ForceByCause::cutting_n},
-                                Cause{"friction", "#0072B2", &ForceByCause::friction_n},
-                                Cause{"clamping", "#009E73", &ForceByCause::clamping_n},
-                                Cause{"obstacle", "#CC79A7", &ForceByCause::obstacle_n}};
+constexpr std::array kCauses = {Cause{"stiffness", "#0072b2", &ForceByCause::stiffness_n},
+                                Cause{"cutting", "#c24e00", &ForceByCause::cutting_n},
+                                Cause{"friction", "#009e73", &ForceByCause::friction_n},
+                                Cause{"clamping", "#a8478a", &ForceByCause::clamping_n},
+                                Cause{"obstacle", "#5c3d00", &ForceByCause::obstacle_n}};
 
 struct Curve {
   std::vector<hal::TrackPoint> track;
@@ -189,7 +189,7 @@ std::string script_of(const Curve& curve, const hal::RecordingInfo& info, std::u
   script += fmt::format("set xrange [0:{:.6g}]\n",
                         static_cast<double>(curve.track.back().tick) * curve.period_s);
   std::string plot =
-      "plot $total using 1:2 with lines linewidth 2.4 linecolor rgb '#000000' "
+      "plot $total using 1:2 with lines linewidth 2.4 linecolor rgb '#1d2733' "
       "title 'total'";
   for (std::size_t c = 0; c < kCauses.size(); ++c) {
     if (!felt(curve, c)) continue;
@@ -210,9 +210,9 @@ std::string script_of(const Curve& curve, const hal::RecordingInfo& info, std::u
   script +=
       "set tmargin screen 0.47\nset bmargin screen 0.125\nset autoscale x\n"
       "set xlabel 'Tip travel beyond the first contact / mm'\nset key top left\n"
-      "plot $in using 1:2 with lines linewidth 2.2 linecolor rgb '#0072B2' title 'way in', "
-      "$hold using 1:2 with lines linewidth 2.2 linecolor rgb '#E69F00' title 'hold', "
-      "$out using 1:2 with lines linewidth 2.2 linecolor rgb '#D55E00' title 'way out'\n";
+      "plot $in using 1:2 with lines linewidth 2.2 linecolor rgb '#332288' title 'way in', "
+      "$hold using 1:2 with lines linewidth 2.2 linecolor rgb '#8f8f2b' title 'hold', "
+      "$out using 1:2 with lines linewidth 2.2 linecolor rgb '#cc6677' title 'way out'\n";
   return script;
 }
 

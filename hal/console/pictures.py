@@ -20,6 +20,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "scenes"))
 sys.dont_write_bytecode = True
 import play
+import shown
 
 # Where in the recording, from where, and who looks; the others: half way, the teacher, the side.
 MOMENTS = {
@@ -84,6 +85,8 @@ def main():
                     print(f"{name}: skipped: {missing}")
                     continue
             take(name, folder / f"{name}.h5", folder / f"{name}.organ", options.out / f"{name}.png")
+            if options.out == HERE / "pictures":
+                shown.keep("page", name, folder / f"{name}.h5")
 
 
 if __name__ == "__main__":

@@ -122,15 +122,24 @@ def mark_script(panel):
     return text
 
 
-def panel_script(index, panel):
-    blocks, curves, others = "", [], iter(OTHERS)
+def colours_of(panels):
+    """Of every name in a picture, the same in all its panels."""
+    names = [name for panel in panels for kind in ("lines", "points")
+             for _, _, name in panel.get(kind, [])]
+    others, colours = iter(OTHERS), {}
+    for name in dict.fromkeys(names):
+        colours[name] = PALETTE.get(SAME.get(name, name)) or next(others)
+    return colours
+
+
+def panel_script(index, panel, colours):
+    blocks, curves = "", []
     for kind, style in (("lines", "lines lw 1.8"), ("points", "points pt 7 ps 0.45")):
         for x, y, name in panel.get(kind, []):
             block = f"p{index}_{len(curves)}"
             blocks += data_block(block, x, y)
-            colour = PALETTE.get(SAME.get(name, name)) or next(others)
             title = f"title '{name}'" if name else "notitle"
-            curves.append(f"${block} using 1:2 with {style} lc rgb '{colour}' {title}")
+            curves.append(f"${block} using 1:2 with {style} lc rgb '{colours[name]}' {title}")
     text = blocks + f"set title '{panel['title']}'\nset xlabel '{panel['x']}'\n"
     text += f"set ylabel '{panel['y']}'\nunset label\nunset arrow\nset autoscale\n"
     text += "set offsets\n"
@@ -146,7 +155,8 @@ def draw_panels(panels, picture):
               "background rgb 'white'\nset encoding utf8\nset border 3\nset tics nomirror out\n"
               "set grid lw 0.5 lc rgb '#DDDDDD'\n"
               f"set multiplot layout {len(panels)},1\n")
-    script += "".join(panel_script(i, panel) for i, panel in enumerate(panels))
+    colours = colours_of(panels)
+    script += "".join(panel_script(i, panel, colours) for i, panel in enumerate(panels))
     done = subprocess.run(["gnuplot", "--default-settings"], input=script, capture_output=True,
                           text=True, env={**os.environ, "LC_ALL": "C.UTF-8"})
     if done.returncode != 0 or not done.stdout:

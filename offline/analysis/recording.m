@@ -65,9 +65,13 @@ function print_phases(curves)
 end
 
 function draw(curves, causes, in)
-  colours = [230 159 0; 213 94 0; 0 114 178; 0 158 115; 204 121 167] / 255;
+  % Of each cause, of the total, the way in and out, as in every other figure (hal/palette.csv).
+  colours = [0 114 178; 194 78 0; 0 158 115; 168 71 138; 92 61 0] / 255;
+  total = [29 39 51] / 255;
+  way_in = [51 34 136] / 255;
+  way_out = [204 102 119] / 255;
   above = subplot(2, 1, 1, 'parent', in);
-  plot(above, curves.time_s, curves.force_n, 'k', 'linewidth', 1.6);
+  plot(above, curves.time_s, curves.force_n, 'color', total, 'linewidth', 1.6);
   hold(above, 'on');
   for i = 1:numel(causes)
     plot(above, curves.time_s, curves.causes_n.(causes{i}), 'color', colours(i, :));
@@ -77,9 +81,9 @@ function draw(curves, causes, in)
   ylabel(above, 'Axial force on the needle / N');
   below = subplot(2, 1, 2, 'parent', in);
   [~, deepest] = max(curves.depth_mm);
-  plot(below, curves.depth_mm(1:deepest), curves.force_n(1:deepest), 'color', colours(3, :));
+  plot(below, curves.depth_mm(1:deepest), curves.force_n(1:deepest), 'color', way_in);
   hold(below, 'on');
-  plot(below, curves.depth_mm(deepest:end), curves.force_n(deepest:end), 'color', colours(2, :));
+  plot(below, curves.depth_mm(deepest:end), curves.force_n(deepest:end), 'color', way_out);
   legend(below, {'way in', 'way out'});
   xlabel(below, 'Depth in tissue / mm');
   ylabel(below, 'Axial force on the needle / N');

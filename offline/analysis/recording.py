@@ -21,8 +21,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 CAUSES = ["stiffness", "cutting", "friction", "clamping", "obstacle"]
-# Told apart with every kind of colour vision (Okabe and Ito).
-COLOURS = ["#E69F00", "#D55E00", "#0072B2", "#009E73", "#CC79A7"]
+# Of each cause, as in every other figure (hal/palette.csv).
+COLOURS = ["#0072b2", "#c24e00", "#009e73", "#a8478a", "#5c3d00"]
+TOTAL, WAY_IN, WAY_OUT = "#1d2733", "#332288", "#cc6677"
 PHASES = ["free", "contact", "inserted", "retracting"]
 EVENTS = ["contact", "release", "puncture", "reentry", "exit", "layer", "obstacle"]
 
@@ -117,7 +118,7 @@ def print_phases(curves):
 # %%
 def draw(curves):
     figure, (above, below) = plt.subplots(2, 1, figsize=(9, 8), constrained_layout=True)
-    above.plot(curves["time_s"], curves["force_n"], color="black", linewidth=1.6, label="total")
+    above.plot(curves["time_s"], curves["force_n"], color=TOTAL, linewidth=1.6, label="total")
     for (cause, force), colour in zip(curves["causes_n"].items(), COLOURS):
         if np.abs(force).max(initial=0) > 1e-3:
             above.plot(curves["time_s"], force, color=colour, linewidth=1, label=cause)
@@ -128,8 +129,8 @@ def draw(curves):
     above.set(xlabel="Time / s", ylabel="Axial force on the needle / N")
     above.legend()
     deepest = int(curves["depth_mm"].argmax())
-    for part, colour, label in [(slice(0, deepest + 1), "#0072B2", "way in"),
-                                (slice(deepest, None), "#D55E00", "way out")]:
+    for part, colour, label in [(slice(0, deepest + 1), WAY_IN, "way in"),
+                                (slice(deepest, None), WAY_OUT, "way out")]:
         below.plot(curves["depth_mm"][part], curves["force_n"][part], color=colour,
                    linewidth=1.2, label=label)
     below.set(xlabel="Depth in tissue / mm", ylabel="Axial force on the needle / N")

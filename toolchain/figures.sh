@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Every figure and table of the READMEs anew, each by its own command.
+#
+#   figures.sh           all that this machine can make in minutes: scenes, page, offline, calculix
+#   figures.sh NAME...   only these
+#   figures.sh --list    which command makes which
+#   figures.sh --check   which pictures are not of what the scenes do now; a test does this, too
+#
+# Beside other work, `speed` measures the other work, and `promises` runs every test: by name only.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+names=(scenes page offline calculix growth speed promises)
+usual=(scenes page offline calculix)
+declare -A makes=(
+  [scenes]="hal/scenes/pictures/*.svg"
+  [page]="hal/console/pictures/*.png"
+  [offline]="offline/README.md: table of real organs"
+  [calculix]="tests/fidelity/calculix/convergence.svg"
+  [growth]="tests/bench/results/growth.svg"
+  [speed]="tests/bench/results/*.csv, README.md: tables of speed"
+  [promises]="README.md: table of promises"
+)
+declare -A commands=(
+  [scenes]="hal/scenes/play.py --pictures"
+  [page]="hal/console/pictures.py"
+  [offline]="offline/figures.py $build/bin/stylet-organ ${STYLET_DATA:-../shared/data}"
+  [calculix]="tests/fidelity/calculix/plot.py $build/bin/stylet_calculix_lattice"
+  [growth]="tests/bench/growth.py $build/bin/stylet-work --out tests/bench/results"
+  [speed]="$build/bin/stylet bench --results=tests/bench/results &&
+           tests/bench/table.py tests/bench/results README.md"
+  [promises]="toolchain/check.sh full"
+)
+
+cd "$root"
+case ${1:-} in
+  --list)
+    for name in "${names[@]}"; do
+      command=$(tr -s ' \n' ' ' <<<"${commands[$name]//"$root/"/}")
+      printf '%-9s %s\n          %s\n' "$name" "${makes[$name]}" "$command"
+    done
+    exit
+    ;;
+  --check) exec hal/scenes/shown.py ;;
+esac
+for name in "$@"; do
+  [ -n "${commands[$name]:-}" ] ||
+    die "$name: no such figure" "Expected some of: ${names[*]}"
+done
+[ $# -gt 0 ] || set -- "${usual[@]}"
+for name in "$@"; do
+  say "${makes[$name]}"
+  bash -c "${commands[$name]}" || die "$name: its command failed: ${commands[$name]}"
+done
