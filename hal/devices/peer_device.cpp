@@ -14,6 +14,9 @@
 namespace stylet::hal {
 namespace {
 
+constexpr std::int64_t kMostTimeNs = std::int64_t{1} << 60;  // 36 years, on any clock
+constexpr std::uint64_t kMicrosecondsAnArming = 1'000'000 / 16;
+
 // Nothing of it is trusted: what makes no sense is not said.
 float told(float value, float most, float otherwise) {
   return value > 0 && value <= most ? value : otherwise;
@@ -32,6 +35,7 @@ DeviceInfo told_info(const SamplePacket& first, const DeviceInfo& otherwise) {
 
 // True if it is the newest of the session that counts.
 bool accept(PeerDevice& peer, const SamplePacket& packet, std::int64_t now_ns) {
+  if (packet.t_ns < -kMostTimeNs || packet.t_ns > kMostTimeNs) return false;
   const std::int64_t offset_ns = now_ns - packet.t_ns;
   const bool another = packet.session != peer.newest.session;
   if (peer.heard && another && packet.limits != peer.newest.limits) {
@@ -51,6 +55,11 @@ bool accept(PeerDevice& peer, const SamplePacket& packet, std::int64_t now_ns) {
   peer.heard_ns = now_ns;
   peer.newest = packet;
   return true;
+}
+
+// When the newest sample was taken, on our clock.
+std::int64_t taken_ns(const PeerDevice& peer) {
+  return peer.newest.t_ns + peer.offset_ns;
 }
 
 void drain(PeerDevice& peer, std::int64_t now_ns) {
@@ -74,9 +83,17 @@ bool read(void* self, std::int64_t /*tick_ns*/, Sample& sample_out) {
   peer.looked_ns = now_ns;
   drain(peer, now_ns);
   if (!peer.heard || now_ns - peer.heard_ns > kSilenceNs) return false;
-  const std::int64_t taken_ns = std::min(peer.newest.t_ns + peer.offset_ns, now_ns);
-  sample_out = {peer.seq, taken_ns, peer.newest.pose, peer.newest.buttons};
+  sample_out = {peer.seq, std::min(taken_ns(peer), now_ns), peer.newest.pose, peer.newest.buttons};
   return true;
+}
+
+// What the hand has there. Nothing of it is trusted: more than it renders is not said.
+Vec3 felt_force(const PeerDevice& peer) {
+  const Vec3 told = peer.newest.force_n;
+  const float square = told.x * told.x + told.y * told.y + told.z * told.z;
+  const bool tells =
+      peer.newest.arming != 0 && square <= peer.info.max_force_n * peer.info.max_force_n;
+  return tells ? told : force_at(peer.model, peer.newest.pose.position_m);
 }
 
 // A force ends of itself when the sample it answers is too old, and when none comes through: the
@@ -84,35 +101,53 @@ bool read(void* self, std::int64_t /*tick_ns*/, Sample& sample_out) {
 bool motor(void* self, MotorReport& report_out) {
   const PeerDevice& peer = *static_cast<const PeerDevice*>(self);
   if (!peer.heard || peer.sent == peer.first_sent) return false;
-  const std::int64_t taken_ns = peer.newest.t_ns + peer.offset_ns;
-  const bool silent = peer.looked_ns - taken_ns > kForceLifeNs;
+  const bool silent = peer.looked_ns - taken_ns(peer) > kForceLifeNs;
   const bool deaf = peer.echo_ns != 0 && peer.looked_ns - peer.echo_ns > kForceLifeNs;
-  report_out = {peer.given.force_n, peer.given.torque_nm, peer.given.arming, silent || deaf};
+  const bool ended =
+      peer.newest.stopped != 0 && peer.newest.arming == peer.arming_base + peer.given.arming;
+  report_out = {felt_force(peer), peer.given.torque_nm, peer.given.arming, silent || deaf || ended};
   if (report_out.stopped) report_out.force_n = report_out.torque_nm = {};
   return true;
+}
+
+bool is_none(Vec3 v) {
+  return v.x == 0 && v.y == 0 && v.z == 0;
+}
+
+// The last forces of a fade end with it, though the network end meanwhile.
+std::int64_t life_of(PeerDevice& peer, const Command& command) {
+  if (!command.falls) peer.falls_ns = 0;
+  if (command.falls && peer.falls_ns == 0) peer.falls_ns = peer.looked_ns;
+  if (!command.falls || (is_none(command.force_n) && is_none(command.torque_nm))) {
+    return kForceLifeNs;
+  }
+  const std::int64_t left_ns = peer.falls_ns + kGoneNs - taken_ns(peer);
+  return std::clamp<std::int64_t>(left_ns, 0, kForceLifeNs);
 }
 
 void write(void* self, const Command& command) {
   PeerDevice& peer = *static_cast<PeerDevice*>(self);
   if (!peer.heard) return;
-  peer.given = command;
   ForcePacket packet;
   packet.seq = ++peer.sent;
   packet.echo = peer.newest.seq;
   packet.echo_t_ns = peer.newest.t_ns;
-  packet.life_ns = kForceLifeNs;
+  packet.life_ns = life_of(peer, command);
+  packet.arming = peer.arming_base + command.arming;
   packet.model.force_n = command.force_n;
   packet.model.torque_nm = command.torque_nm;
   packet.model.at_m = peer.newest.pose.position_m;
   for (std::size_t i : {0U, 4U, 8U}) packet.model.stiffness_n_per_m[i] = command.stiffness_n_per_m;
   packet.model.radius_m = kModelRadiusM;
   packet.model.max_force_n = command.max_force_n;
+  peer.given = command;
+  peer.model = packet.model;
   peer.link.send(peer.link.self, encode(packet));
 }
 
 void close(void* self) {
   PeerDevice& peer = *static_cast<PeerDevice*>(self);
-  write(self, {});
+  write(self, {.force_n = {}, .arming = peer.given.arming});
   peer.link.close(peer.link.self);
 }
 
@@ -145,6 +180,8 @@ Device wait_for_peer(const Link& link, const std::string& uri, double patience_s
   peer->sent = static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch() /
                                           std::chrono::microseconds(1));
   peer->first_sent = peer->sent;
+  // Of the time of day, too; nobody acknowledges more often.
+  peer->arming_base = static_cast<std::uint32_t>(peer->sent / kMicrosecondsAnArming);
   const auto start = std::chrono::steady_clock::now();
   const std::chrono::duration<double> patience(patience_s);
   for (Sample sample; !read(peer.get(), 0, sample);) {

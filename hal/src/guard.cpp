@@ -267,9 +267,13 @@ double largest_force(const GuardConfig& config, const GuardState& state) {
   return std::max(std::min(most + (always - most) * back, falls), always);
 }
 
+// By the larger of what was sent and what the motors say: a device that follows a spring by itself
+// may feel more than was sent.
 void note_heat(const GuardConfig& config, GuardState& state) {
   const double share = std::min(step_s(config, state) / of(config.thermal_s), 1.0);
-  state.heat_n2 += share * (dot(state.force_n, state.force_n) - state.heat_n2);
+  const double told_n2 = state.have_motor != 0 ? dot(state.motor_n, state.motor_n) : 0.0;
+  const double felt_n2 = std::max(dot(state.force_n, state.force_n), told_n2);
+  state.heat_n2 += share * (felt_n2 - state.heat_n2);
 }
 
 void watch_for_buzz(const GuardConfig& config, GuardState& state) {
@@ -324,8 +328,10 @@ bool faded(const GuardConfig& config, GuardState& state) {
 void begin_fade(GuardState& state, GuardMode mode) {
   state.mode = mode;
   state.fade_ns = 0;
-  // What was let through may not have come to the motors yet: a fade adds nothing.
-  state.fade_from_n = state.have_motor != 0 ? state.motor_n : state.force_n;
+  // What was let through may not have come to the motors yet, and what they had may be old: a fade
+  // adds to neither.
+  const bool less = state.have_motor != 0 && length(state.motor_n) < length(state.force_n);
+  state.fade_from_n = less ? state.motor_n : state.force_n;
 }
 
 // What the dead man's button does to the mode, before the force.

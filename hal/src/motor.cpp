@@ -48,9 +48,9 @@ double seconds(std::int64_t ns) {
   return static_cast<double>(ns) * 1e-9;
 }
 
-// A limit that is not a number, or none, is the smallest.
+// A limit that is not a number, or none, is the smallest; an infinite one is none.
 double limit(float value, float otherwise) {
-  return static_cast<double>(value > 0 ? value : otherwise);
+  return static_cast<double>(value > 0 && std::isfinite(value) ? value : otherwise);
 }
 
 void begin_fade(MotorState& state, std::int64_t since_ns) {
@@ -61,20 +61,29 @@ void begin_fade(MotorState& state, std::int64_t since_ns) {
   state.fade_torque_nm = state.report.torque_nm;
 }
 
+void take_order(MotorState& state, const MotorOrder& order, std::int64_t now_ns) {
+  if (order.t_ns == state.given_ns) return;
+  const bool first = state.given_ns == 0;
+  state.given_ns = order.t_ns;
+  state.order_ns = std::min(order.t_ns, now_ns);
+  if (!first && !is_newer_arming(order.arming, state.report.arming)) return;
+  state.report.stopped = false;
+  state.report.arming = order.arming;
+}
+
 // Which way the motors are to go: after the order, or out.
 void judge(MotorState& state, const MotorOrder& order, MotorCut cut, std::int64_t now_ns) {
+  take_order(state, order, now_ns);
   MotorReport& report = state.report;
-  const bool armed_anew = order.t_ns != 0 && order.arming != report.arming;
-  if (armed_anew) report.stopped = false;
-  if (order.t_ns != 0) report.arming = order.arming;
-  const std::int64_t age_ns = now_ns - order.t_ns;
-  const bool good = finite(order.force_n) && finite(order.torque_nm) && cut == MotorCut::kNone;
-  const bool fresh = order.t_ns != 0 && age_ns <= kOrderFreshNs;
-  if (order.t_ns != 0 && (!good || age_ns > kOrderLifeNs)) report.stopped = true;
-  if (!report.stopped && fresh) {
+  const bool given = state.given_ns != 0;
+  const std::int64_t age_ns = now_ns - state.order_ns;
+  const bool good = finite(order.force_n) && finite(order.torque_nm) && cut == MotorCut::kNone &&
+                    order.arming == report.arming;
+  if (given && (!good || age_ns > kOrderLifeNs)) report.stopped = true;
+  if (given && !report.stopped && age_ns <= kOrderFreshNs) {
     state.fading = false;
   } else {
-    begin_fade(state, good ? std::min(now_ns, order.t_ns + kOrderFreshNs) : now_ns);
+    begin_fade(state, good ? std::min(now_ns, state.order_ns + kOrderFreshNs) : now_ns);
   }
 }
 

@@ -3,9 +3,12 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
+
+#include "stylet/hal/motor.h"
 
 namespace stylet::hal {
 namespace {
@@ -26,6 +29,9 @@ void fields(SamplePacket& p, Visit&& visit) {
   visit(p.echo);
   visit(p.pose);
   visit(p.limits);
+  visit(p.arming);
+  visit(p.stopped);
+  visit(p.force_n);
 }
 template <typename Visit>
 void fields(ForcePacket& p, Visit&& visit) {
@@ -34,6 +40,7 @@ void fields(ForcePacket& p, Visit&& visit) {
   visit(p.echo_t_ns);
   visit(p.life_ns);
   visit(p.model);
+  visit(p.arming);
 }
 static_assert(sizeof(Pose) == 28 && sizeof(RenderLimits) == 16 && sizeof(ForceModel) == 80,
               "no padding in a packet");
@@ -95,9 +102,14 @@ bool near(const ForceModel& model, Vec3 away_m) {
   return model.radius_m == 0 || length(away_m) <= model.radius_m;
 }
 
+// Of any two times, as far apart as they may be.
+std::uint64_t age_ns(const ForcePacket& packet, std::int64_t now_ns) {
+  return static_cast<std::uint64_t>(now_ns) - static_cast<std::uint64_t>(packet.echo_t_ns);
+}
+
 bool lives(const ForcePacket& packet, std::int64_t now_ns) {
-  const std::int64_t age_ns = now_ns - packet.echo_t_ns;
-  return age_ns >= 0 && age_ns < packet.life_ns;
+  return packet.echo_t_ns <= now_ns && packet.life_ns > 0 &&
+         age_ns(packet, now_ns) < static_cast<std::uint64_t>(packet.life_ns);
 }
 
 }  // namespace
@@ -125,6 +137,27 @@ Vec3 torque_at(const ForcePacket& packet, std::int64_t now_ns, Vec3 position_m) 
   const bool felt = lives(packet, now_ns) && near(model, away_from(model, position_m)) &&
                     std::isfinite(length(model.torque_nm));
   return felt ? model.torque_nm : Vec3{};
+}
+
+bool obey(ObeyedForce& obeyed, const ForcePacket& packet, std::int64_t now_ns) {
+  const bool first = obeyed.newest.life_ns == 0;
+  const bool older = !first && (packet.seq <= obeyed.newest.seq ||
+                                is_newer_arming(obeyed.newest.arming, packet.arming));
+  // A force answers a sample that was taken, and lives no longer than forces do.
+  if (older || packet.life_ns > kForceLifeNs || !lives(packet, now_ns)) return false;
+  (void)obeyed_share(obeyed, now_ns);  // one that ended since has ended, whatever comes now
+  if (first || packet.arming != obeyed.newest.arming) obeyed.stopped = false;
+  obeyed.newest = packet;
+  return true;
+}
+
+float obeyed_share(ObeyedForce& obeyed, std::int64_t now_ns) {
+  const ForcePacket& newest = obeyed.newest;
+  if (newest.life_ns == 0) return 0;
+  if (!lives(newest, now_ns)) obeyed.stopped = true;
+  if (obeyed.stopped) return 0;
+  const auto left_ns = static_cast<float>(newest.life_ns - (now_ns - newest.echo_t_ns));
+  return std::min(1.0F, 2 * left_ns / static_cast<float>(newest.life_ns));
 }
 
 std::array<std::byte, kSamplePacketBytes> encode(const SamplePacket& packet) {

@@ -11,37 +11,29 @@ namespace {
 constexpr int kMostPerTick = 64;
 constexpr std::int64_t kFadeInNs = 100'000'000;
 
-// A force answers a sample that was taken, and lives no longer than forces do.
-bool is_sane(const ForcePacket& packet, std::int64_t now_ns) {
-  return packet.life_ns > 0 && packet.life_ns <= kForceLifeNs && packet.echo_t_ns <= now_ns;
-}
-
 void take_models(StationState& state, const Link& link, std::int64_t now_ns) {
   std::array<std::byte, kMaxPacketBytes> room;
   for (int i = 0; i < kMostPerTick; ++i) {
     const std::size_t size = link.receive(link.self, room);
     if (size == 0) return;
     ForcePacket packet;
-    const bool newer = decode(std::span(room).first(size), packet) &&
-                       packet.seq > state.newest.seq && is_sane(packet, now_ns);
-    if (newer) state.newest = packet;
-    ++(newer ? state.models : state.refused);
+    const bool taken =
+        decode(std::span(room).first(size), packet) && obey(state.obeyed, packet, now_ns);
+    ++(taken ? state.models : state.refused);
   }
 }
 
 // How much of the model is felt: it fades in after every time without one, and out in the second
 // half of its life: at the end nothing is left that the guard would let fall slowly.
 float model_share(StationState& state, std::int64_t now_ns) {
-  const std::int64_t age_ns = now_ns - state.newest.echo_t_ns;
-  if (age_ns >= state.newest.life_ns) {  // or none yet: that one has no life
+  const float out = obeyed_share(state.obeyed, now_ns);
+  if (!(out > 0)) {
     state.fade_ns = 0;
     ++state.starved;
     return 0;
   }
   state.fade_ns = std::min(state.fade_ns + state.guard.step_ns, kFadeInNs);
   const float in = static_cast<float>(state.fade_ns) / static_cast<float>(kFadeInNs);
-  const auto left_ns = static_cast<float>(state.newest.life_ns - age_ns);
-  const float out = 2 * left_ns / static_cast<float>(state.newest.life_ns);
   return std::min(in, out);
 }
 
@@ -57,12 +49,13 @@ Vec3 faded(float share, float most, Vec3 v) {
 void render(const StationConfig& config, StationState& state, std::int64_t now_ns) {
   const float share = model_share(state, now_ns);
   const Vec3 at_m = state.sample.pose.position_m;
+  const ForcePacket& newest = state.obeyed.newest;
   state.force_n =
       guard_force(config.guard, state.guard,
-                  faded(share, config.guard.max_force_n, force_at(state.newest, now_ns, at_m)));
+                  faded(share, config.guard.max_force_n, force_at(newest, now_ns, at_m)));
   state.torque_nm =
       guard_torque(config.guard, config.max_torque_nm, state.guard, state.torque_guard,
-                   faded(share, config.max_torque_nm, torque_at(state.newest, now_ns, at_m)));
+                   faded(share, config.max_torque_nm, torque_at(newest, now_ns, at_m)));
 }
 
 }  // namespace
@@ -91,7 +84,8 @@ StationState station_start(std::uint32_t session) {
 void station_tick(const StationConfig& config, StationState& state, const Device& device,
                   const Link& link, std::int64_t now_ns) {
   MotorReport motor;
-  if (device.motor != nullptr && device.motor(device.self, motor)) guard_motor(state.guard, motor);
+  const bool tells = device.motor != nullptr && device.motor(device.self, motor);
+  if (tells) guard_motor(state.guard, motor);
   const bool answered = device.read(device.self, now_ns, state.sample);
   const bool usable = guard_sample(config.guard, state.guard, answered, state.sample, now_ns);
   take_models(state, link, now_ns);
@@ -104,7 +98,10 @@ void station_tick(const StationConfig& config, StationState& state, const Device
   if (!usable || state.guard.fault != Fault::kNone) return;
   ++state.sent.seq;
   state.sent.t_ns = now_ns;
-  state.sent.echo = state.newest.seq;
+  state.sent.echo = state.obeyed.newest.seq;
+  state.sent.arming = state.obeyed.newest.arming;
+  state.sent.stopped = state.obeyed.stopped ? 1 : 0;
+  state.sent.force_n = tells ? motor.force_n : state.force_n;
   state.sent.pose = state.sample.pose;
   state.sent.buttons = state.sample.buttons;
   state.sent.limits = config.limits;

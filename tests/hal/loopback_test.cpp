@@ -162,7 +162,7 @@ class SecondMachine {
       station_tick(config, state, device, link, now_ns);
       if (state.guard.fault != Fault::kNone) (void)guard_rearm(state.guard, state.guard.fault);
       felt_n = size(state.force_n);
-      ticks.push_back({now_ns, now_ns - state.newest.echo_t_ns, felt_n, punctual >= 30});
+      ticks.push_back({now_ns, now_ns - state.obeyed.newest.echo_t_ns, felt_n, punctual >= 30});
       if (punctual >= 30) ++punctual_ticks;
     }
     link.close(link.self);

@@ -383,6 +383,47 @@ TEST(Motor, WhatHasFailedIsCutAndWhatIsClosedFades) {
   }
 }
 
+TEST(Motor, AnOrderOfTheFutureAgesFromWhenItWasSeen) {
+  for (const std::int64_t ahead_ns : {3 * kMs, 50 * kMs, std::int64_t{1} << 60}) {
+    Desk desk;
+    for (int i = 0; i < 10; ++i) desk.push({2.9F, 0, 0});
+    desk.order.t_ns = desk.now_ns + ahead_ns;
+    for (int i = 0; i < 25; ++i) desk.step();
+    EXPECT_EQ(size(desk.state.report.force_n), 0) << ahead_ns;
+    EXPECT_TRUE(desk.state.report.stopped) << ahead_ns;
+  }
+}
+
+TEST(Motor, ALimitThatIsNoneIsTheSmallest) {
+  for (const float none : {0.0F, -1.0F, kNan, std::numeric_limits<float>::infinity()}) {
+    Desk slews, pushes;
+    slews.limits.max_slew_n_per_s = none;
+    slews.push({});
+    EXPECT_NEAR(size(slews.push({2.5F, 0, 0})), 1e-3 * static_cast<double>(kUnknownSlewNPerS), 1e-6)
+        << none;
+    pushes.limits.max_force_n = none;
+    pushes.push({});
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(size(pushes.push({2.5F, 0, 0})), 0) << none;
+  }
+}
+
+TEST(Motor, OnlyANewerArmingMovesWhatHasStopped) {
+  for (const std::uint32_t arming : {7U, 0x7FFFFFFFU, 0xFFFFFFFFU, 0x80000000U}) {
+    Desk desk;
+    desk.order.arming = arming;
+    for (int i = 0; i < 10; ++i) desk.push({2.9F, 0, 0});
+    ASSERT_NEAR(size(desk.state.report.force_n), 2.9, 1e-6) << arming;
+    for (int i = 0; i < 30; ++i) desk.step();
+    for (const std::uint32_t not_newer : {0U, 1U, 6U, 1000U}) {
+      desk.order.arming = arming - not_newer;
+      for (int i = 0; i < 20; ++i) ASSERT_EQ(size(desk.push({2.9F, 0, 0})), 0) << not_newer;
+    }
+    desk.order.arming = arming + 1;
+    for (int i = 0; i < 5; ++i) desk.push({2.9F, 0, 0});
+    EXPECT_NEAR(size(desk.state.report.force_n), 2.9, 1e-6) << arming;
+  }
+}
+
 TEST(Motor, TorqueHasItsOwnLimitAndSlew) {
   Desk desk;
   desk.push({});
@@ -409,6 +450,36 @@ TEST(Guard, LearnsThatTheMotorsHaveStoppedAndStaysThere) {
   EXPECT_LE(size(guard_force(config, state, {2, 0, 0})), 0.5);
   for (int i = 0; i < 25; ++i) (void)guard_force(config, state, {2, 0, 0});
   EXPECT_EQ(state.mode, GuardMode::kFault);
+}
+
+// The report of a peer is as old as its way is long.
+TEST(Guard, FadesFromTheSmallerOfWhatWasSentAndWhatIsHad) {
+  for (const float had_n : {0.0F, 0.5F, 2.5F}) {
+    GuardConfig config;
+    config.ramp_s = 0;
+    GuardState state = guard_start();
+    for (int i = 0; i < 20; ++i) (void)guard_force(config, state, {1, 0, 0});
+    guard_motor(state, {{had_n, 0, 0}, {}, state.arming, false});
+    guard_trip(state, Fault::kTooLate);
+    const double first = size(guard_force(config, state, {1, 0, 0}));
+    EXPECT_NEAR(first, 0.95 * std::min(1.0, static_cast<double>(had_n)), 1e-6) << had_n;
+  }
+}
+
+// 60 s of 1 N sent are (1 - 1/e) N^2; of 2 N felt, four times that.
+TEST(Guard, HeatIsThatOfWhatTheMotorsHaveWhereItIsMore) {
+  GuardConfig config;
+  config.continuous_force_n = 4;
+  config.max_force_n = 8;
+  for (const float had_n : {0.0F, 2.0F}) {
+    GuardState state = guard_start();
+    for (int i = 0; i < 60'000; ++i) {
+      guard_motor(state, {{0, had_n, 0}, {}, state.arming, false});
+      (void)guard_force(config, state, {1, 0, 0});
+    }
+    const double expected = (1 - std::exp(-1)) * std::max(1.0, std::pow(had_n, 2.0));
+    EXPECT_NEAR(state.heat_n2, expected, 0.01 * expected) << had_n;
+  }
 }
 
 }  // namespace

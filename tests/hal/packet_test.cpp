@@ -29,6 +29,7 @@ ForcePacket some_force() {
   packet.model.stiffness_n_per_m = {100, 0, 0, 0, 200, 0, 0, 0, 300};
   packet.model.radius_m = 0.02F;
   packet.model.max_force_n = 4;
+  packet.arming = 6;
   return packet;
 }
 
@@ -42,10 +43,13 @@ TEST(Packet, FieldsLieWhereTheLayoutSays) {
   sample.echo = 15;
   sample.pose = {{1, 2, 3}, {4, 5, 6, 7}};
   sample.limits = {16, 17, 18, 19};
+  sample.arming = 20;
+  sample.stopped = 1;
+  sample.force_n = {21, 22, 23};
   const auto s = encode(sample);
   EXPECT_EQ(std::memcmp(s.data(), "STYS", 4), 0);
-  EXPECT_EQ(at<std::uint16_t>(s, 4), 2);
-  EXPECT_EQ(at<std::uint16_t>(s, 6), 88);
+  EXPECT_EQ(at<std::uint16_t>(s, 4), 3);
+  EXPECT_EQ(at<std::uint16_t>(s, 6), 108);
   EXPECT_EQ(at<std::uint32_t>(s, 8), 11U);
   EXPECT_EQ(at<std::uint32_t>(s, 12), 12U);
   EXPECT_EQ(at<std::uint64_t>(s, 16), 13U);
@@ -57,10 +61,15 @@ TEST(Packet, FieldsLieWhereTheLayoutSays) {
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(at<float>(s, 68 + 4 * i), 16 + static_cast<float>(i));
   }
+  EXPECT_EQ(at<std::uint32_t>(s, 84), 20U);
+  EXPECT_EQ(at<std::uint32_t>(s, 88), 1U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(at<float>(s, 92 + 4 * i), 21 + static_cast<float>(i));
+  }
 
   const auto f = encode(some_force());
   EXPECT_EQ(std::memcmp(f.data(), "STYF", 4), 0);
-  EXPECT_EQ(at<std::uint16_t>(f, 6), 124);
+  EXPECT_EQ(at<std::uint16_t>(f, 6), 128);
   EXPECT_EQ(at<std::uint64_t>(f, 8), 7U);
   EXPECT_EQ(at<std::uint64_t>(f, 16), 5U);
   EXPECT_EQ(at<std::int64_t>(f, 24), 1'000'000'000);
@@ -71,6 +80,7 @@ TEST(Packet, FieldsLieWhereTheLayoutSays) {
   EXPECT_EQ(at<float>(f, 92), 200);
   EXPECT_EQ(at<float>(f, 112), 0.02F);
   EXPECT_EQ(at<float>(f, 116), 4);
+  EXPECT_EQ(at<std::uint32_t>(f, 120), 6U);
 }
 
 TEST(Packet, ForceFallsByTheStiffnessRowByRow) {
@@ -133,6 +143,48 @@ TEST(Packet, ForceDiesAtTheEndOfItsLifeAndIsNotThereBeforeItsSample) {
   EXPECT_EQ(force_at(packet, packet.echo_t_ns + packet.life_ns - 1, at_m).x, 1);
   EXPECT_EQ(force_at(packet, packet.echo_t_ns + packet.life_ns, at_m).x, 0);
   EXPECT_EQ(force_at(packet, packet.echo_t_ns - 1, at_m).x, 0);
+}
+
+TEST(Packet, NoTimeIsTooFarAwayToBeJudged) {
+  ForcePacket packet = some_force();
+  constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+  for (const std::int64_t then : {kLeast, std::int64_t{0}, kMost}) {
+    for (const std::int64_t life : {kLeast, std::int64_t{-1}, kForceLifeNs}) {
+      packet.echo_t_ns = then;
+      packet.life_ns = life;
+      const bool alive = then == 0 && life == kForceLifeNs;
+      ObeyedForce obeyed;
+      EXPECT_EQ(obey(obeyed, packet, 5), alive) << then << " " << life;
+      EXPECT_EQ(force_at(packet, 5, packet.model.at_m).x, alive ? 1 : 0) << then << " " << life;
+    }
+  }
+}
+
+TEST(Packet, AnObeyedForceFadesInTheSecondHalfOfItsLifeAndStaysAway) {
+  ForcePacket packet = some_force();
+  const std::int64_t then = packet.echo_t_ns, life = packet.life_ns;
+  ObeyedForce obeyed;
+  EXPECT_EQ(obeyed_share(obeyed, then), 0);
+  ASSERT_TRUE(obey(obeyed, packet, then));
+  EXPECT_EQ(obeyed_share(obeyed, then + life / 2), 1);
+  EXPECT_NEAR(obeyed_share(obeyed, then + life * 3 / 4), 0.5F, 1e-6F);
+  packet.seq = 6;
+  EXPECT_FALSE(obey(obeyed, packet, then)) << "older";
+  packet.seq = 8;
+  packet.life_ns = kForceLifeNs + 1;
+  EXPECT_FALSE(obey(obeyed, packet, then)) << "lives too long";
+  // The newest is over when the next one comes, though nobody looked meanwhile.
+  packet.life_ns = life;
+  packet.echo_t_ns = then + 2 * life;
+  EXPECT_TRUE(obey(obeyed, packet, then + 2 * life));
+  EXPECT_EQ(obeyed_share(obeyed, then + 2 * life), 0);
+  packet.seq = 9;
+  packet.arming = 5;
+  EXPECT_FALSE(obey(obeyed, packet, then + 2 * life)) << "an older arming";
+  packet.arming = 7;
+  EXPECT_TRUE(obey(obeyed, packet, then + 2 * life));
+  EXPECT_EQ(obeyed_share(obeyed, then + 2 * life), 1);
 }
 
 TEST(Packet, TorqueLivesAndEndsWithTheForce) {

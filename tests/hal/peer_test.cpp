@@ -93,9 +93,9 @@ TEST(Peer, NobodyAndAnotherVersionAreToldApart) {
   };
   EXPECT_NE(refusal(0.05).find("no sample came in 0.05 s: start the program"), std::string::npos);
   std::vector<std::byte> old = bytes_of({});
-  old[4] = std::byte{1};
+  old[4] = std::byte{2};
   const Sender sender(old);
-  EXPECT_NE(refusal(0.3).find("packets of version 1 came: expected version 2"), std::string::npos);
+  EXPECT_NE(refusal(0.3).find("packets of version 2 came: expected version 3"), std::string::npos);
 }
 
 TEST(Peer, ZeroIsNoPort) {

@@ -27,6 +27,7 @@ struct Desk {
   Command felt = {};
   bool answers = true;
   std::uint64_t seq = 0, models = 0;
+  std::uint32_t arming = 1;
   std::int64_t now_ns = 5'000 * kMs;
 
   Desk() { config.guard.ramp_s = 0; }
@@ -44,6 +45,7 @@ struct Desk {
     packet.model.force_n = force_n;
     packet.model.torque_nm = torque_nm;
     packet.model.max_force_n = 100;
+    packet.arming = arming;
     return packet;
   }
   void tick() {
@@ -93,6 +95,7 @@ TEST(Station, ModelFadesInOverATenthOfASecondAndOutInTheSecondHalfOfItsLife) {
       ASSERT_NEAR(desk.felt.torque_nm.x, 0.05F * share, 1e-6F) << age;
     }
     EXPECT_EQ(desk.state.starved, 11U * static_cast<unsigned>(round + 1));
+    ++desk.arming;  // somebody acknowledged
   }
 }
 
@@ -119,7 +122,7 @@ TEST(Station, TakesWhatIsNewerAndCountsTheRest) {
   desk.tick();
   EXPECT_EQ(desk.state.models, 1U);
   EXPECT_EQ(desk.state.refused, 3U);
-  EXPECT_EQ(desk.state.newest.seq, second.seq);
+  EXPECT_EQ(desk.state.obeyed.newest.seq, second.seq);
 }
 
 TEST(Station, AFloodOfPacketsDoesNotHoldUpATick) {
@@ -142,6 +145,10 @@ TEST(Station, SendsEachUsableSampleAndNothingWhileAFaultIsLatched) {
   EXPECT_EQ(last.buttons, 5U);
   EXPECT_EQ(last.pose.position_m.x, 0.01F);
   EXPECT_EQ(last.limits, (RenderLimits{3, 0, 3, 0.1F}));
+  EXPECT_EQ(last.arming, 1U);
+  EXPECT_EQ(last.stopped, 0U);
+  EXPECT_EQ(last.force_n.x, desk.felt.force_n.x) << "what the hand has";
+  EXPECT_GT(last.force_n.x, 0);
   desk.answers = false;
   desk.tick();
   EXPECT_EQ(desk.sent.size(), 3U);
@@ -162,6 +169,32 @@ TEST(Station, KeepsToWeakDevicesAndToTheFadeOfAModel) {
   EXPECT_FLOAT_EQ(slow.guard.max_slew_n_per_s, 300);  // 3 N in 10 ms
   EXPECT_EQ(station_config({"without a limit", 0, 100}).guard.max_force_n,
             GuardConfig{}.max_force_n);
+}
+
+// Somebody must have acknowledged, on the other machine: until then the samples say that it ended.
+TEST(Station, AForceWhoseLifeIsOverComesBackWithANewerArmingOnly) {
+  Desk desk;
+  desk.arming = 8;
+  const auto felt_after = [&desk](std::uint32_t arming) {
+    desk.arming = arming;
+    for (int i = 0; i < 60; ++i) {
+      desk.send(desk.model({1, 0, 0}));
+      desk.tick();
+    }
+    return desk.felt.force_n.x;
+  };
+  EXPECT_GT(felt_after(8), 0.5F);
+  for (int i = 0; i < 20; ++i) desk.tick();
+  EXPECT_EQ(desk.felt.force_n.x, 0);
+  for (const std::uint32_t not_newer : {8U, 7U, 0U, 0xFFFFFFFFU}) {
+    EXPECT_EQ(felt_after(not_newer), 0) << not_newer;
+    EXPECT_EQ(desk.sent.back().stopped, 1U);
+    EXPECT_EQ(desk.sent.back().arming, 8U);
+    EXPECT_EQ(desk.sent.back().force_n.x, 0);
+  }
+  EXPECT_GT(felt_after(9), 0.5F);
+  EXPECT_EQ(desk.sent.back().stopped, 0U);
+  EXPECT_EQ(felt_after(8), 0) << "an older arming is not obeyed, and the newer one's life ends";
 }
 
 // As an outside check forged it: a life of years held the force long past its master's death.

@@ -111,7 +111,7 @@ struct TwoStations {
       now_ns += kMs;
       station_tick(config, station, hand, link_of(far), now_ns + kOtherClockNs);
       tick_stylet();
-      ticks.push_back({station.force_n, now_ns + kOtherClockNs - station.newest.echo_t_ns,
+      ticks.push_back({station.force_n, now_ns + kOtherClockNs - station.obeyed.newest.echo_t_ns,
                        rig.state.hand[0].guard.force_n, rig.state.hand[0].guard.fault});
     }
   }

@@ -4,7 +4,8 @@
 //
 // A force lives `life_ns` from the moment at which the sample it answers was taken, on the clock of
 // whoever took it: no clocks are compared, and whatever is lost, late, doubled or out of order, no
-// force outlives that time.
+// force outlives that time. In the second half of its life it fades; when the newest one's life is
+// over, nothing is felt before somebody acknowledged, which a newer arming number tells.
 // Promises: fixed size, little-endian, checked by CRC-32; no allocation; nothing is trusted.
 // Units: SI, ns. Frame: the device's.
 #pragma once
@@ -18,7 +19,7 @@
 
 namespace stylet::hal {
 
-constexpr std::uint16_t kPacketVersion = 2;
+constexpr std::uint16_t kPacketVersion = 3;
 constexpr std::int64_t kForceLifeNs = 20'000'000;
 
 // What the device renders at most. 0: it does not say; of torque: it renders none.
@@ -38,7 +39,10 @@ struct SamplePacket {
   std::int64_t t_ns = 0;   // when it was taken, on any clock of the sender that grows evenly
   std::uint64_t echo = 0;  // seq of the newest force received; 0: none
   Pose pose = {{}, {1, 0, 0, 0}};
-  RenderLimits limits;  // the same in every packet of a session
+  RenderLimits limits;        // the same in every packet of a session
+  std::uint32_t arming = 0;   // of the force that is obeyed; 0: the device does not tell
+  std::uint32_t stopped = 0;  // 1: forces of that arming move nothing any more
+  Vec3 force_n = {};          // on the hand, now; where arming tells
 };
 
 // The force at and around the place for which it was computed: force_n - stiffness (x - at_m),
@@ -61,14 +65,27 @@ struct ForcePacket {
   std::int64_t echo_t_ns = 0;  // and its t_ns
   std::int64_t life_ns = 0;    // counted from echo_t_ns
   ForceModel model;
+  std::uint32_t arming = 0;  // grows when somebody acknowledged, from run to run, too; never 0
 };
 // Zero when the force has outlived its time. `now_ns` on the clock of the samples. The torque is
 // the same within the radius.
 Vec3 force_at(const ForcePacket& packet, std::int64_t now_ns, Vec3 position_m);
 Vec3 torque_at(const ForcePacket& packet, std::int64_t now_ns, Vec3 position_m);
 
-constexpr std::size_t kSamplePacketBytes = 88;
-constexpr std::size_t kForcePacketBytes = 124;
+// What the device's side obeys: the newest force, while it lives. Whoever feels a force goes by
+// obey() and obeyed_share(), and changes what the motors have by a slew limit of its own, from
+// nothing to the largest force in half of kForceLifeNs or less.
+struct ObeyedForce {
+  ForcePacket newest;  // no life: none came yet
+  bool stopped = false;
+};
+// False: not newer, of an older arming, of a life that is over or longer than lives are.
+bool obey(ObeyedForce& obeyed, const ForcePacket& packet, std::int64_t now_ns);
+// How much of it is felt: 1, less in the second half of its life; 0 once it has stopped.
+float obeyed_share(ObeyedForce& obeyed, std::int64_t now_ns);
+
+constexpr std::size_t kSamplePacketBytes = 108;
+constexpr std::size_t kForcePacketBytes = 128;
 constexpr std::size_t kMaxPacketBytes = 128;
 
 std::array<std::byte, kSamplePacketBytes> encode(const SamplePacket& packet);

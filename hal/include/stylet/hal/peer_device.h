@@ -6,6 +6,9 @@
 // far: what was held up on the way is old when it comes, and the guard sees it. A new session of
 // the sender, started anew, is taken up when the old one has been silent for kSilenceNs, if its
 // device renders what the first one did: the guard's limits are those.
+// The motors are at the other end: samples tell what the hand has there, and that forces of this
+// arming have ended; of a device that does not tell, the force is taken as the model gives it where
+// it is. A force of a fade lives no longer than 25 ms from the fade's beginning on.
 // Promises: read looks at no more than kMostPerRead packets; no allocation, no lock.
 #pragma once
 
@@ -21,8 +24,9 @@ namespace stylet::hal {
 
 constexpr int kMostPerRead = 512;
 constexpr std::int64_t kSilenceNs = 100'000'000;
-constexpr float kModelRadiusM = 0.02F;     // 2 m/s for half the life of a force
-constexpr std::int64_t kDriftPart = 5000;  // two clocks drift apart by at most so small a part
+constexpr float kModelRadiusM = 0.02F;        // 2 m/s for half the life of a force
+constexpr std::int64_t kGoneNs = 25'000'000;  // from the beginning of a fade to no force
+constexpr std::int64_t kDriftPart = 5000;     // two clocks drift apart by at most so small a part
 
 struct PeerDevice {
   Link link;
@@ -37,7 +41,10 @@ struct PeerDevice {
   std::int64_t offset_ns = 0;              // our clock less the sender's
   std::uint64_t seq = 0;                   // of the samples handed on, over all sessions
   std::uint64_t sent = 0, first_sent = 0;  // numbers of packets: the newest, before the first
+  std::uint32_t arming_base = 0;           // of this run: armings grow from run to run
   Command given = {};                      // in the newest packet
+  ForceModel model = {};                   // likewise
+  std::int64_t falls_ns = 0;               // since when what is given only falls; 0: it does not
   std::int64_t echo_ns = 0;  // when a newer one of ours was last told to have come; 0: never
   SamplePacket newest;
   std::uint16_t other_version = 0;        // of packets that are not read

@@ -4,11 +4,11 @@
 //
 // Whatever the network does, the force on the hand ends when the model's life is over
 // (kForceLifeNs after the sample it answers, on this machine's clock; it fades from half of it on,
-// which the guard's slew must allow), and fades in again from zero when models come anew. The
-// station's own guard is between model and hand; a fault of it is latched, and told by silence: no
-// sample is sent before it is acknowledged.
-// Promises: one tick allocates nothing, takes no lock, and waits for nothing.
-// Units: SI. Frame: the device's.
+// which the guard's slew must allow), and fades in again from zero when models of a newer arming
+// come (packet.h). The samples tell what the hand has, and that it ended. The station's own guard
+// is between model and hand; a fault of it is latched, and told by silence: no sample is sent
+// before it is acknowledged. Promises: one tick allocates nothing, takes no lock, and waits for
+// nothing. Units: SI. Frame: the device's.
 #pragma once
 
 #include <cstdint>
@@ -33,12 +33,12 @@ struct StationState {
   GuardState torque_guard = guard_start();
   Sample sample = {};
   SamplePacket sent;
-  ForcePacket newest;
+  ObeyedForce obeyed;
   Vec3 force_n = {};          // on the hand
   Vec3 torque_nm = {};        // likewise
   std::int64_t fade_ns = 0;   // since models came anew
   std::uint64_t models = 0;   // accepted
-  std::uint64_t refused = 0;  // damaged, or not newer than the newest
+  std::uint64_t refused = 0;  // damaged, or not to be obeyed
   std::uint64_t starved = 0;  // ticks without a living model
 };
 
