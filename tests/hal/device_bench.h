@@ -30,6 +30,8 @@ class Bench {
   virtual void press(std::uint32_t mask) = 0;
   virtual Vec3 felt() = 0;
   virtual Vec3 felt_torque() { return {}; }
+  // How often its driver has written to it, so far as it tells.
+  virtual int writes() { return 0; }
   virtual void trouble(test::Trouble trouble) = 0;
   bool places = true;  // measures its place; else how fast it is to move
   bool feels = true;

@@ -32,6 +32,7 @@ struct Desk {
   std::int64_t now_ns = 0;
   std::uint64_t seq = 0;
   Vec3 position_m = {};
+  Quat rotation = {1, 0, 0, 0};
   Vec3 asked_n = {3, 0, 0};
 
   bool acknowledges = false;
@@ -40,7 +41,7 @@ struct Desk {
     now_ns += 1'000'000;
     const std::uint32_t buttons =
         (pressed ? 1U << kButton : 0U) | (acknowledges ? 1U << kAcknowledgeButton : 0U);
-    const Sample sample = {++seq, now_ns, {position_m, {1, 0, 0, 0}}, buttons};
+    const Sample sample = {++seq, now_ns, {position_m, rotation}, buttons};
     return guard_sample(config, state, true, sample, now_ns);
   }
   Vec3 tick(bool pressed) {

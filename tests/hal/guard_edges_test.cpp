@@ -267,6 +267,47 @@ TEST(GuardTorque, ThatIsNoNumberEndsBothAtOnce) {
   EXPECT_EQ(size(desk.force.tick(false)), 0);
 }
 
+// What a force may do as a share of its limit: 0.8 of 8 N buzz, and 0.06 of 0.1 N m do.
+TEST(GuardTorque, BuzzesAsAForceDoes) {
+  for (const float share : {0.6F, 0.05F}) {
+    TorqueDesk desk;
+    desk.force.asked_n = {};
+    for (int i = 0; i < 1000 && desk.force.state.fault == Fault::kNone; ++i) {
+      const double phase = 2 * 3.14159265358979324 * 40 * 1e-3 * i;
+      (void)desk.tick({0, share * desk.most_nm * static_cast<float>(std::sin(phase)), 0});
+    }
+    EXPECT_EQ(desk.force.state.fault, share > 0.5F ? Fault::kBuzz : Fault::kNone) << share;
+  }
+}
+
+TEST(GuardTorque, WarmsTheMotorsAsAForceDoes) {
+  TorqueDesk desk;
+  desk.force.config.continuous_force_n = 2;  // of 8: a quarter
+  desk.force.asked_n = {};
+  Vec3 last = {};
+  for (int i = 0; i < 400'000; ++i) last = desk.tick({0, 0, 1});
+  EXPECT_NEAR(size(last), 0.025, 1e-4);
+  EXPECT_LE(desk.torque.heat_n2, 0.025 * 0.025 * (1 + 1e-3));
+}
+
+// Turned by 0.2 rad about y with 0.05 N m along it, the hand was given 10 mJ; against it, it gave
+// them.
+TEST(GuardTorque, WorkIsThatOfTheTurn) {
+  for (const float way : {1.0F, -1.0F}) {
+    TorqueDesk desk;
+    desk.force.asked_n = {};
+    for (int i = 0; i < 20; ++i) (void)desk.tick({0, way * 0.05F, 0});
+    const double before_j = desk.force.state.energy.energy_j;
+    for (int i = 1; i <= 200; ++i) {
+      const float half = 0.5e-3F * static_cast<float>(i);
+      desk.force.rotation = {std::cos(half), 0, std::sin(half), 0};
+      (void)desk.tick({0, way * 0.05F, 0});
+    }
+    const double expected_j = std::min(-0.01 * static_cast<double>(way), 0.8 - before_j);
+    EXPECT_NEAR(desk.force.state.energy.energy_j - before_j, expected_j, 1e-5) << way;
+  }
+}
+
 TEST(GuardTorque, NeedsTheSameButton) {
   TorqueDesk desk;
   desk.force.config.dead_man_button = kButton;

@@ -228,6 +228,41 @@ TEST(LateTicks, TwentyInARowLatch) {
   }
 }
 
+// As an outside check loaded a machine: 17 ms busy and 1.5 free, or 8.5 of 11, for seconds. 20 ms
+// are lost within three rounds, less what the ticks between made up for.
+TEST(LateTicks, AgainAndAgainTheyAddUpToAFault) {
+  struct Load {
+    double busy_ms, free_ms;
+    bool latches;
+  };
+  for (const Load& load : {Load{17, 1.5, true}, Load{8.5, 2.5, true}, Load{4.2, 3.8, true},
+                           Load{3.5, 12.5, false}, Load{10.2, 30, false}}) {
+    Rig rig;
+    const auto busy_ns = static_cast<std::int64_t>(load.busy_ms * 1e6);
+    const auto round_ns = busy_ns + static_cast<std::int64_t>(load.free_ms * 1e6);
+    const std::int64_t start_ns = 100'000'000;
+    std::int64_t next_ns = start_ns, latched_ns = 0;
+    Spoiler spoiler{rig.device(), [&](std::uint64_t, Sample&) {
+                      std::int64_t& now_ns = rig.time.now_ns;
+                      const bool faulted = rig.state.hand[0].guard.fault != Fault::kNone;
+                      if (faulted && latched_ns == 0) latched_ns = now_ns;
+                      if (now_ns < next_ns) return true;
+                      now_ns += busy_ns;
+                      next_ns += round_ns;
+                      return true;
+                    }};
+    const auto records = rig.run(spoiled(spoiler));
+    expect_safe(records, rig.config.hand[0].guard);
+    EXPECT_EQ(rig.state.hand[0].guard.fault, load.latches ? Fault::kTooLate : Fault::kNone)
+        << load.busy_ms << " of " << load.busy_ms + load.free_ms;
+    if (!load.latches) continue;
+    const double lost_a_round_ms = load.busy_ms - 1 - 0.5 * (load.free_ms + 1);
+    const double rounds = std::ceil(20 / lost_a_round_ms) + 1;
+    EXPECT_LE(static_cast<double>(latched_ns - start_ns), rounds * static_cast<double>(round_ns))
+        << load.busy_ms << " of " << load.busy_ms + load.free_ms;
+  }
+}
+
 TEST(LateTicks, HistogramHoldsThem) {
   Histogram histogram;
   for (int i = 0; i < 990; ++i) histogram_add(histogram, 10'500);

@@ -9,67 +9,24 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
-#include <random>
 #include <string>
 
+#include "motor_draw.h"
 #include "stylet/hal/guard.h"
 #include "stylet/hal/relay.h"
 
 namespace stylet::hal {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
 constexpr double kZeroMs = 25;  // from any fault to no force, as hal/GUARD.md promises
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 double size(Vec3 v) {
-  return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
+  return size_of(v);
 }
 double apart(Vec3 a, Vec3 b) {
   return size({a.x - b.x, a.y - b.y, a.z - b.z});
 }
-
-// Numbers that are the same everywhere: the standard's distributions are not.
-struct Draw {
-  std::mt19937_64 engine;
-  double part() { return static_cast<double>(engine() >> 11U) * 0x1p-53; }
-  double between(double low, double high) { return low + (high - low) * part(); }
-  bool chance(double share) { return part() < share; }
-  std::int64_t ms(double low, double high) {
-    return static_cast<std::int64_t>(between(low, high) * 1e6);
-  }
-};
-
-// Somebody who does nothing until a time: now and then, or again and again.
-struct Stalls {
-  double share = 0;           // of wake-ups that begin one
-  std::int64_t every_ns = 0;  // 0: at random only
-  std::int64_t longest_ns = 0;
-  std::int64_t until_ns = 0, next_ns = 0;
-
-  static Stalls drawn(Draw& draw) {
-    Stalls out;
-    if (draw.chance(0.3)) return out;
-    // Short and long ones alike: 0.5 to 300 ms, evenly over their logarithm.
-    out.longest_ns = static_cast<std::int64_t>(0.5e6 * std::pow(600.0, draw.part()));
-    if (draw.chance(0.3)) {
-      out.every_ns = out.longest_ns + draw.ms(0.5, 40);
-    } else {
-      out.share = draw.between(0.0005, 0.02);
-    }
-    return out;
-  }
-  bool busy(Draw& draw, std::int64_t now_ns) {
-    if (now_ns < until_ns) return true;
-    const bool due = every_ns != 0 && now_ns >= next_ns;
-    if (!due && !draw.chance(share)) return false;
-    next_ns = now_ns + every_ns;
-    until_ns =
-        now_ns + (due ? longest_ns
-                      : static_cast<std::int64_t>(draw.part() * static_cast<double>(longest_ns)));
-    return until_ns > now_ns;
-  }
-};
 
 struct Session {
   Draw draw;

@@ -123,8 +123,9 @@ struct Wire {
     peer.clock = {&now_ns, [](void* self) { return *static_cast<std::int64_t*>(self); }, nullptr};
     device = peer_device(peer);
   }
+  SamplePacket told;  // beside
   void come(std::uint32_t session, std::uint64_t seq, std::int64_t t_ns) {
-    SamplePacket packet;
+    SamplePacket packet = told;
     packet.session = session;
     packet.seq = seq;
     packet.t_ns = t_ns;
@@ -224,6 +225,71 @@ TEST(Peer, AForceHasItsStiffnessInAllDirectionsAndGoesToNobodyBeforeASample) {
   for (std::size_t i = 0; i < 9; ++i) {
     EXPECT_EQ(packet.model.stiffness_n_per_m[i], i % 4 == 0 ? 250 : 0) << i;
   }
+}
+
+// A fade takes 20 ms; then the network ends. Nothing may be felt 25 ms after it began.
+TEST(Peer, LastForcesOfAFadeEndWithIt) {
+  Wire wire;
+  Sample sample;
+  constexpr std::int64_t kBeginNs = 100'000'000, kMs = 1'000'000;
+  for (std::uint64_t i = 0; i <= 60; ++i) {
+    wire.now_ns = kBeginNs + static_cast<std::int64_t>(i) * kMs;
+    wire.come(5, i + 1, wire.now_ns - 7);
+    ASSERT_TRUE(wire.read(sample));
+    const bool fades = i >= 10 && i < 30;
+    wire.device.write(wire.device.self, {.force_n = {0, i < 30 ? 1.0F : 0, 0},
+                                         .max_force_n = 4,
+                                         .arming = 3,
+                                         .falls = fades || i >= 30});
+    const ForcePacket& packet = wire.from_us.back();
+    const std::int64_t left_ns = packet.echo_t_ns + packet.life_ns - wire.now_ns;
+    if (fades) {
+      EXPECT_LE(wire.now_ns + left_ns, kBeginNs + 35 * kMs) << i;
+    }
+    if (fades && i < 15) {
+      EXPECT_GE(packet.life_ns, 19 * kMs) << i;
+    }
+    if (!fades) {
+      EXPECT_EQ(packet.life_ns, kForceLifeNs) << i;
+    }
+  }
+}
+
+// The guard hears from the hand what it has; where that cannot be, from the model.
+TEST(Peer, TellsWhatTheHandHasAndThatItEnded) {
+  Wire wire;
+  Sample sample;
+  MotorReport report;
+  wire.peer.arming_base = 1000;
+  wire.come(5, 1, 0);
+  ASSERT_TRUE(wire.read(sample));
+  EXPECT_FALSE(wire.device.motor(wire.device.self, report)) << "nothing was sent";
+  wire.device.write(
+      wire.device.self,
+      {.force_n = {0, 1, 0}, .stiffness_n_per_m = 100, .max_force_n = 4, .arming = 3});
+  EXPECT_EQ(wire.from_us.back().arming, 1003U);
+  const auto told = [&](std::uint32_t arming, std::uint32_t stopped, Vec3 force_n) {
+    wire.told.arming = arming;
+    wire.told.stopped = stopped;
+    wire.told.force_n = force_n;
+    wire.told.pose.position_m = {0, -0.01F, 0};  // the spring is drawn by 1 N
+    wire.now_ns += 1'000'000;
+    wire.come(5, wire.peer.newest.seq + 1, wire.now_ns);
+    EXPECT_TRUE(wire.read(sample));
+    EXPECT_TRUE(wire.device.motor(wire.device.self, report));
+    EXPECT_EQ(report.arming, 3U);
+    return report;
+  };
+  EXPECT_EQ(told(1003, 0, {0, 0.4F, 0}).force_n.y, 0.4F);
+  EXPECT_FLOAT_EQ(told(0, 0, {0, 0.4F, 0}).force_n.y, 2) << "it does not tell";
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  for (const float odd : {kNan, 8.1F, -1e30F, std::numeric_limits<float>::infinity()}) {
+    EXPECT_FLOAT_EQ(told(1003, 0, {0, odd, 0}).force_n.y, 2) << odd;
+  }
+  EXPECT_FALSE(told(1003, 0, {0, 0.4F, 0}).stopped);
+  EXPECT_FALSE(told(1002, 1, {0, 0.4F, 0}).stopped) << "of an earlier arming";
+  EXPECT_TRUE(told(1003, 1, {0, 0.4F, 0}).stopped);
+  EXPECT_EQ(report.force_n.y, 0);
 }
 
 }  // namespace

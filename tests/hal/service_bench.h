@@ -28,6 +28,7 @@ class HaplyService : public Bench {
   void move(const Pose& pose) override;
   void press(std::uint32_t mask) override;
   Vec3 felt() override;
+  int writes() override { return messages; }
   void trouble(test::Trouble trouble) override { trouble_ = trouble; }
   std::atomic<int> messages{0};
   std::atomic<bool> lists_ours{true}, grip_awake{true};

@@ -54,6 +54,7 @@ class VendorBench : public Bench {
   void press(std::uint32_t mask) override { standin_(0)->buttons = mask; }
   void trouble(test::Trouble trouble) override { standin_(0)->trouble = trouble; }
   Vec3 felt() override { return ours(standin_(0)->force); }
+  int writes() override { return standin_(0)->ticks; }
   Vec3 felt_torque() override { return ours(standin_(0)->torque); }
 
  private:

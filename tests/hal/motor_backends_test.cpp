@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a hand gets from the whole chain, in a process in virtual time: the real loop with kernel,
+// coupling, grip and guard; every backend that renders force with its threads and its stand-in,
+// opened again when it fails; `udp:` and `shm:` with a program that keeps the README's rules; a
+// station with a device of its own. Random sessions, judged where the force is felt, by rules that
+// know nothing of the code.
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+
+#include "device_bench.h"
+#include "peer_hand.h"
+#include "rig.h"
+#include "stylet/hal/lasting_device.h"
+#include "virtual_process.h"
+
+namespace stylet::hal {
+namespace {
+
+enum class Kind { kHd, kDhd, kHaply, kUdp, kShm, kStation };
+const char* name_of(Kind kind) {
+  constexpr const char* kNames[] = {"hd", "dhd", "haply", "udp", "shm", "station"};
+  return kNames[static_cast<int>(kind)];
+}
+
+constexpr double kZeroMs = 25;    // from any fault to no force, as hal/GUARD.md promises
+constexpr double kSlackMs = 1.1;  // whoever writes once a millisecond notices one later
+
+double ms(std::int64_t ns) {
+  return static_cast<double>(ns) * 1e-6;
+}
+
+// What is seen from outside, looked at whenever a thread comes to wait.
+struct Judge {
+  std::function<Vec3()> felt;
+  std::function<int()> writes;
+  double most_n = 0, slew_n_per_s = 0;
+  double lag_ms = 2;           // from the guard to the hand
+  double held_ms = 0;          // an order may be under way for so long when a service stands still
+  bool orders_expire = false;  // after 10 ms
+  bool supervised = true;      // somebody cuts the force when its writer is held up
+  std::function<std::int64_t()> now_ns = test::virtual_now_ns;
+
+  std::int64_t loop_ns = 0;     // of the newest order
+  std::int64_t fault_ns = 0;    // 0: none
+  std::int64_t trouble_ns = 0;  // of the device: till then it may cut the force
+  bool over = false;            // no force before somebody acknowledged
+  bool armed_anew = false;      // but no order has come yet
+  bool expired = false;         // no more than there is, likewise
+  Vec3 last_n = {};
+  int last_writes = 0;
+  std::int64_t written_ns = 0;
+  double strongest_n = 0;
+  int returns = 0;  // of a force, after somebody acknowledged
+  std::string broken;
+
+  void fail(const std::string& why) {
+    if (!broken.empty()) return;
+    broken = why + " (" + std::to_string(size_of(last_n)) + " N, loop " +
+             std::to_string(ms(now_ns() - loop_ns)) + " ms ago, fault " +
+             std::to_string(fault_ns == 0 ? -1 : ms(now_ns() - fault_ns)) + ", written " +
+             std::to_string(ms(now_ns() - written_ns)) + ")";
+  }
+
+  // Forces may come again with the next order.
+  void acknowledged() {
+    fault_ns = 0;
+    armed_anew = true;
+  }
+  void ordered(std::int64_t tick_ns) {
+    loop_ns = tick_ns;
+    if (armed_anew) over = expired = armed_anew = false;
+  }
+  void fault() {
+    if (fault_ns == 0) fault_ns = now_ns();
+  }
+
+  void look() {
+    const Vec3 force = felt();
+    const std::int64_t now = now_ns();
+    const bool wrote = writes() != last_writes;
+    const double size = size_of(force), passed_ms = written_ns == 0 ? 0 : ms(now - written_ns);
+    const double change = size_of({force.x - last_n.x, force.y - last_n.y, force.z - last_n.z});
+    strongest_n = std::max(strongest_n, size);
+    if (!std::isfinite(size)) fail("not finite");
+    if (size > most_n * (1 + 1e-4)) fail("over the limit: " + std::to_string(size) + " N");
+    // A vendor's own cut: of a device in trouble, or whose writer was held up.
+    const bool cut = size == 0 && (now < trouble_ns || passed_ms > 9.9);
+    const double most = slew_n_per_s * 1e-3 * passed_ms * (1 + 1e-4) + 1e-5;
+    if (change > 1e-6 && !cut && !(wrote && (written_ns == 0 || change <= most))) {
+      fail("a step of " + std::to_string(change) + " N");
+    }
+    judge_end(size, now);
+    if (orders_expire && wrote && loop_ns != 0 && std::max(ms(now - loop_ns), passed_ms) > 10) {
+      expired = true;
+    }
+    if (expired && size > size_of(last_n) * (1 + 1e-5) + 1e-6) fail("force after orders expired");
+    if (wrote || change > 0) {
+      written_ns = now;
+      last_writes = writes();
+    }
+    last_n = force;
+  }
+
+  // Zero in time, and then until somebody acknowledged.
+  void judge_end(double size, std::int64_t now) {
+    const std::int64_t stopped_ns = loop_ns + static_cast<std::int64_t>(kZeroMs * 1e6);
+    std::int64_t end_ns = std::numeric_limits<std::int64_t>::max();
+    if (loop_ns != 0) end_ns = stopped_ns;
+    if (fault_ns != 0)
+      end_ns = std::min(end_ns, fault_ns + static_cast<std::int64_t>(kZeroMs * 1e6));
+    const double late_ms = ms(now - end_ns);
+    const bool held =
+        written_ns < end_ns && (!supervised || ms(now - written_ns) < kZeroMs + kSlackMs);
+    if (late_ms > kSlackMs + held_ms && !held) {
+      if (size > 0) fail("force 25 ms after a fault");
+      over = true;
+    }
+    if (over && size > 0 && !held) fail("force before somebody acknowledged");
+    const bool falls = fault_ns != 0 && ms(now - fault_ns) > lag_ms;
+    if (falls && !over && size > size_of(last_n) * (1 + 1e-5) + 1e-6) {
+      fail("force grows after a fault");
+    }
+  }
+};
+
+struct Session {
+  Draw draw;
+  Kind kind;
+  Rig rig;
+  Judge judge;
+  std::unique_ptr<Bench> bench;
+  std::unique_ptr<PeerHand> peer;
+  std::unique_ptr<StationHand> station;
+  Device device = {}, seen = {};  // the backend's, and what the loop has of it
+  Stalls loop, driver, service;
+  int driver_thread = -1;
+  double trouble = 0;
+  std::int64_t service_until_ns = 0;
+  double hand_hz = 1, hand_m = 0.008, middle_m = 0.004;
+
+  Session(std::uint64_t seed, Kind of) : draw{std::mt19937_64(seed)}, kind(of) {
+    loop = Stalls::drawn(draw);
+    driver = Stalls::drawn(draw);
+    service = Stalls::drawn(draw);
+    trouble = draw.chance(0.5) ? 0 : draw.between(0, 0.004);
+    hand_hz = draw.between(0.5, 8);
+    open();
+    configure();
+  }
+
+  Weather weather(const Link& link) {
+    Weather out;
+    out.inner = link;
+    out.draw.engine.seed(draw.engine());
+    out.loss = draw.chance(0.5) ? 0 : draw.between(0, 0.1);
+    out.delay_ns = draw.ms(0, 2);
+    out.jitter_ns = draw.ms(0, 2);
+    out.stalls = Stalls::drawn(draw);
+    return out;
+  }
+
+  // ---- who is there
+
+  void open() {
+    const std::string port = test_port();
+    std::string uri = "udp:127.0.0.1:" + port;
+    if (kind == Kind::kHd || kind == Kind::kStation) bench = hd_bench();
+    if (kind == Kind::kDhd) bench = dhd_bench();
+    if (kind == Kind::kHaply) bench = haply_bench();
+    if (kind == Kind::kShm) {
+      uri = "shm:motor" + port;
+      const Link made = shared_memory("motor" + port, Side::kStylet);
+      made.close(made.self);
+    }
+    if (bench != nullptr && kind != Kind::kStation) uri = bench->uri();
+    if (kind == Kind::kUdp) {
+      peer = std::make_unique<PeerHand>(weather(udp_connect("127.0.0.1:" + port)), driver, trouble);
+    }
+    if (kind == Kind::kShm) {
+      peer = std::make_unique<PeerHand>(weather(shared_memory("motor" + port, Side::kDevice)),
+                                        driver, trouble);
+    }
+    if (kind == Kind::kStation) {
+      const Device own = open_device("hd:");
+      station =
+          std::make_unique<StationHand>(weather(udp_connect("127.0.0.1:" + port)), driver, own);
+    }
+    const auto opened = [this, uri] {
+      const Device made = open_device(uri);
+      driver_thread = test::newest_virtual_thread();
+      return made;
+    };
+    device = lasting_device(opened(), {.open = opened});
+    if (peer != nullptr) peer->begun = true;
+    if (station != nullptr) station->begun = true;
+    seen = {this, device.info, read, write, nullptr, nullptr, nullptr, motor};
+  }
+
+  void configure() {
+    HandConfig& hand = rig.config.hand[0];
+    GuardConfig& guard = hand.guard;
+    guard.max_force_n = static_cast<float>(
+        std::min(draw.between(0.5, 12), static_cast<double>(device.info.max_force_n)));
+    guard.max_slew_n_per_s = std::max(device.info.max_slew_n_per_s, guard.max_force_n / kDecayS);
+    guard.ramp_s = draw.chance(0.3) ? 0 : static_cast<float>(draw.between(0, 0.1));
+    guard.watchdog_s = watchdog_of(device.info, static_cast<float>(draw.between(3e-3, 5e-3)));
+    guard.max_speed_m_per_s = 5;
+    guard.stored_energy_j = 1e6F;
+    guard.buzz_n = draw.chance(0.5) ? 100 : 0.2F * guard.max_force_n;
+    guard.continuous_force_n = guard.max_force_n;
+    if (draw.chance(0.5)) hand.coupling.stiffness_n_per_m = 1400;
+    hand.grip.enabled = true;
+    hand.grip.force_scale = static_cast<float>(draw.between(5, 60));
+    judge.most_n = static_cast<double>(guard.max_force_n);
+    judge.slew_n_per_s = static_cast<double>(device.info.max_slew_n_per_s);
+    judge.felt = [this] { return peer != nullptr ? peer->force_n : bench->felt(); };
+    judge.writes = [this] { return peer != nullptr ? peer->steps : bench->writes(); };
+    judge.orders_expire = kind == Kind::kHd || kind == Kind::kDhd;
+    judge.supervised = kind == Kind::kHd || kind == Kind::kDhd || kind == Kind::kStation;
+    if (kind != Kind::kHd && kind != Kind::kDhd) judge.lag_ms = kZeroMs;
+    if (kind == Kind::kHaply) judge.held_ms = 21;
+    if (peer != nullptr) judge.slew_n_per_s = static_cast<double>(PeerHand::kSlewNPerS);
+    if (station != nullptr) judge.slew_n_per_s = 1000;
+  }
+
+  void leave() {
+    peer.reset();
+    station.reset();
+    bench.reset();
+  }
+
+  // ---- the loop's side
+
+  static bool read(void* self, std::int64_t tick_ns, Sample& out) {
+    Session& s = *static_cast<Session*>(self);
+    s.tick_ns = tick_ns;
+    if (s.draw.chance(s.trouble * 0.2)) s.stall(s.draw.ms(0.5, 40));
+    return s.device.read(s.device.self, tick_ns, out);
+  }
+  static void write(void* self, const Command& command) {
+    Session& s = *static_cast<Session*>(self);
+    if (s.draw.chance(s.trouble * 0.2)) s.stall(s.draw.ms(0.5, 40));
+    const HandConfig& hand = s.rig.config.hand[0];
+    const float stiffest = hand.coupling.stiffness_n_per_m * hand.grip.force_scale;
+    if (!(command.stiffness_n_per_m <= stiffest * 1.0001F)) s.judge.fail("too stiff a model");
+    s.device.write(s.device.self, command);
+    s.judge.ordered(s.tick_ns);
+    s.note_fault();
+  }
+  static bool motor(void* self, MotorReport& out) {
+    Session& s = *static_cast<Session*>(self);
+    return s.device.motor(s.device.self, out);
+  }
+  std::int64_t tick_ns = 0;
+
+  GuardState& guard() { return rig.state.hand[0].guard; }
+  void note_fault() {
+    if (guard().fault != Fault::kNone) judge.fault();
+  }
+  void stall(std::int64_t ns) { test::sleep_until_virtual(test::virtual_now_ns() + ns); }
+
+  // Until the loop's next tick.
+  void sleep_until(std::int64_t t_ns) {
+    note_fault();
+    operate();
+    upset();
+    test::sleep_until_virtual(t_ns);
+    if (loop.busy(draw, t_ns)) test::sleep_until_virtual(loop.until_ns);
+    move_hand();
+    if (!judge.broken.empty()) rig.state.stop = true;
+  }
+
+  void move_hand() {
+    const double t = ms(test::virtual_now_ns()) * 1e-3;
+    Pose pose = {{0, 0, static_cast<float>(-middle_m + hand_m * std::sin(6.283 * hand_hz * t))},
+                 {1, 0, 0, 0}};
+    if (draw.chance(trouble)) {
+      pose.position_m.x = draw.chance(0.5) ? std::numeric_limits<float>::quiet_NaN() : 50;
+    }
+    if (bench != nullptr) bench->move(pose);
+    if (peer != nullptr) peer->pose = pose;
+  }
+
+  void operate() {
+    if (guard().fault != Fault::kNone && draw.chance(0.02) && guard_rearm(guard(), guard().fault)) {
+      judge.acknowledged();
+      ++acknowledgements;
+    }
+    if (draw.chance(0.001)) rig.state.paused = !rig.state.paused.load();
+  }
+  int acknowledgements = 0;
+
+  // Devices and services that fail or are silent for a while.
+  void upset() {
+    if (bench == nullptr) return;
+    const std::int64_t now_ns = test::virtual_now_ns();
+    if (now_ns < service_until_ns) return;
+    if (service_until_ns != 0) {
+      service_until_ns = 0;
+      bench->trouble(test::Trouble::kNone);
+    }
+    if (kind == Kind::kHaply && service.busy(draw, now_ns)) {
+      bench->trouble(test::Trouble::kSilent);
+      service_until_ns = service.until_ns;
+    } else if (draw.chance(trouble * 0.3)) {
+      bench->trouble(test::Trouble::kNoAnswer);
+      service_until_ns = now_ns + draw.ms(30, 100);
+    }
+    if (service_until_ns != 0) judge.trouble_ns = service_until_ns + 100 * kMs;
+  }
+
+  // ---- the session
+
+  void run(int attempts, double seconds) {
+    const Clock clock = {
+        this, [](void*) { return test::virtual_now_ns(); },
+        [](void* self, std::int64_t t_ns) { static_cast<Session*>(self)->sleep_until(t_ns); }};
+    for (int i = 0; i < attempts && judge.broken.empty(); ++i) {
+      if (i > 0) resume();
+      rig.config.ticks = rig.state.ticks + static_cast<std::uint64_t>(seconds * 1e3);
+      run_loop(rig.config, rig.instance->kernel, std::span(&seen, 1), clock, {}, rig.state);
+      note_fault();
+      rig.state.paused = false;
+    }
+    judge.fault();  // the end of a run: gone in time, and for good
+    stall(draw.ms(20, 60));
+  }
+
+  // Reset and Start: what is latched stays so; one that let go in order is armed anew.
+  void resume() {
+    judge.fault();
+    const std::int64_t idle_ns = draw.ms(0, 100);
+    stall(idle_ns);
+    const bool had = guard().fault != Fault::kNone;
+    guard_resume(rig.config.hand[0].guard, guard(), idle_ns);
+    guard_resume(rig.config.hand[0].guard, rig.state.hand[0].torque_guard, idle_ns);
+    if ((guard().fault != Fault::kNone) != had) judge.fail("a latched fault was forgotten");
+    if (!had) judge.acknowledged();
+  }
+};
+
+struct Seen {
+  double strongest_n = 0;
+  int acknowledgements = 0;
+};
+
+Seen run_session(std::uint64_t seed, Kind kind) {
+  test::VirtualProcess& process = test::enter_virtual_time();
+  process = {};
+  Session session(seed, kind);
+  process.look = [&session] { session.judge.look(); };
+  process.wakes = [&session](int thread, std::int64_t wake_ns) {
+    const bool stalls = thread == session.driver_thread && session.bench != nullptr &&
+                        session.station == nullptr && session.driver.busy(session.draw, wake_ns);
+    return stalls ? session.driver.until_ns : wake_ns;
+  };
+  session.run(2, 0.5);
+  session.device.close(session.device.self);
+  process = {};
+  session.leave();
+  EXPECT_EQ(session.judge.broken, "") << name_of(kind) << " seed " << seed;
+  return {session.judge.strongest_n, session.acknowledgements};
+}
+
+class MotorBackends : public testing::TestWithParam<Kind> {};
+
+int number_from(const char* variable, int otherwise) {
+  const char* wanted = std::getenv(variable);
+  return wanted != nullptr ? std::atoi(wanted) : otherwise;
+}
+
+TEST_P(MotorBackends, GiveTheHandNothingThatHurts) {
+  const int first = number_from("STYLET_MOTOR_FIRST", 1);
+  const int count = number_from("STYLET_MOTOR_SESSIONS", GetParam() == Kind::kHaply ? 15 : 60);
+  double strongest_n = 0;
+  int acknowledgements = 0;
+  for (int i = 0; i < count && !HasFailure(); ++i) {
+    const Seen seen = run_session(static_cast<std::uint64_t>(first + i), GetParam());
+    strongest_n = std::max(strongest_n, seen.strongest_n);
+    acknowledgements += seen.acknowledgements;
+  }
+  if (count < 10) return;
+  EXPECT_GT(strongest_n, 1) << "there was a force to judge";
+  EXPECT_GT(acknowledgements, count / 4) << "and faults that were acknowledged";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, MotorBackends,
+                         testing::Values(Kind::kHd, Kind::kDhd, Kind::kHaply, Kind::kUdp,
+                                         Kind::kShm, Kind::kStation),
+                         [](const auto& each) { return name_of(each.param); });
+
+}  // namespace
+}  // namespace stylet::hal

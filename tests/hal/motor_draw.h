@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the random sessions of motors are drawn from: numbers that are the same everywhere, and
+// somebody who is away for a while.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+#include "stylet/units.h"
+
+namespace stylet::hal {
+
+constexpr std::int64_t kMs = 1'000'000;
+
+inline double size_of(Vec3 v) {
+  return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
+}
+
+// The standard's distributions differ from library to library.
+struct Draw {
+  std::mt19937_64 engine;
+  double part() { return static_cast<double>(engine() >> 11U) * 0x1p-53; }
+  double between(double low, double high) { return low + (high - low) * part(); }
+  bool chance(double share) { return part() < share; }
+  std::int64_t ms(double low, double high) {
+    return static_cast<std::int64_t>(between(low, high) * 1e6);
+  }
+};
+
+// Somebody who does nothing until a time: now and then, or again and again.
+struct Stalls {
+  double share = 0;           // of wake-ups that begin one
+  std::int64_t every_ns = 0;  // 0: at random only
+  std::int64_t longest_ns = 0;
+  std::int64_t until_ns = 0, next_ns = 0;
+
+  static Stalls drawn(Draw& draw) {
+    Stalls out;
+    if (draw.chance(0.3)) return out;
+    // Short and long ones alike: 0.5 to 300 ms, evenly over their logarithm.
+    out.longest_ns = static_cast<std::int64_t>(0.5e6 * std::pow(600.0, draw.part()));
+    if (draw.chance(0.3)) {
+      out.every_ns = out.longest_ns + draw.ms(0.5, 40);
+    } else {
+      out.share = draw.between(0.0005, 0.02);
+    }
+    return out;
+  }
+  bool busy(Draw& draw, std::int64_t now_ns) {
+    if (now_ns < until_ns) return true;
+    const bool due = every_ns != 0 && now_ns >= next_ns;
+    if (!due && !draw.chance(share)) return false;
+    next_ns = now_ns + every_ns;
+    until_ns =
+        now_ns + (due ? longest_ns
+                      : static_cast<std::int64_t>(draw.part() * static_cast<double>(longest_ns)));
+    return until_ns > now_ns;
+  }
+};
+
+}  // namespace stylet::hal

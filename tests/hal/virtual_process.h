@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// A process in virtual time: drivers, their threads, vendors' stand-ins and sockets run as they
+// are, but the clock jumps to the next wake-up, and one thread runs at a time.
+//
+// In place of the C library's, for the whole program: clock_gettime, sleeps, waits for files with
+// or without a time limit, for condition variables with one, for the ends of threads, and
+// sched_yield. A thread that waits for anything else holds up all others. The order of threads is
+// that of their wake-ups: the same calls give the same run, as far as sockets do.
+// Units: ns.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+namespace stylet::test {
+
+struct VirtualProcess {
+  // In a thread that comes to wait, before it does.
+  std::function<void()> look;
+  // When a thread that is to wake up at `wake_ns` does: no sooner.
+  std::function<std::int64_t(int thread, std::int64_t wake_ns)> wakes;
+};
+
+// The calling thread, number 0, and those that come from it, from now on and for good.
+VirtualProcess& enter_virtual_time();
+std::int64_t virtual_now_ns();
+void sleep_until_virtual(std::int64_t t_ns);
+// Number of the thread made last.
+int newest_virtual_thread();
+
+}  // namespace stylet::test
