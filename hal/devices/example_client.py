@@ -24,9 +24,9 @@ SESSION = int.from_bytes(os.urandom(4), "little")
 
 
 def sample_packet(seq, now_ns, position, rotation=(1, 0, 0, 0), buttons=0, motor=None):
-    told = (motor.seq, motor.arming, int(motor.stopped), motor.force) if motor else (0, 0, 0, (0, 0, 0))
-    body = SAMPLE.pack(b"STYS", VERSION, SAMPLE.size + 4, SESSION, buttons, seq, now_ns, told[0],
-                       *position, *rotation, *LIMITS, told[1], told[2], *told[3])
+    motor = motor or Motor()
+    body = SAMPLE.pack(b"STYS", VERSION, SAMPLE.size + 4, SESSION, buttons, seq, now_ns, motor.seq,
+                       *position, *rotation, *LIMITS, motor.arming, motor.stopped, *motor.force)
     return body + struct.pack("<I", zlib.crc32(body))
 
 
@@ -48,8 +48,8 @@ def shortened(vector, most):
 
 
 class Motor:
-    """What the hand gets, whatever comes and whenever: within LIMITS, changed by SLEW, and gone with
-    the life of the newest force. Then it waits for an arming that is newer: somebody acknowledged."""
+    """What the hand gets, whatever comes and whenever: within LIMITS, changed by SLEW, and gone
+    with the life of the newest force. Then it waits for a newer arming: somebody acknowledged."""
 
     def __init__(self):
         self.seq = self.arming = self.since_ns = self.life_ns = self.time_ns = 0

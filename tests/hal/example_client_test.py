@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """What a hand gets from the example client, whatever Stylet, network and the client's own program
 do: random sessions in virtual time, looked at by rules that know nothing of its code.
