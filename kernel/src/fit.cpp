@@ -80,11 +80,11 @@ void sort_by_plane(const View& view) {
   for (std::uint32_t z = 0; z < planes + 2; ++z) first[z] = 0;
   const std::uint32_t count = view.scratch.head->coupled_count;
   for (std::uint32_t i = 0; i < count; ++i) {
-    ++first[view.model.row[view.scratch.coupled[i].row].z + 2U];
+    ++first[view.model.row[view.scratch.coupled[i].row].plane + 2U];
   }
   for (std::uint32_t z = 2; z < planes + 2; ++z) first[z] += first[z - 1];
   for (std::uint32_t i = 0; i < count; ++i) {
-    const std::uint32_t z = view.model.row[view.scratch.coupled[i].row].z;
+    const std::uint32_t z = view.model.row[view.scratch.coupled[i].row].plane;
     view.scratch.plane_order[first[z + 1U]++] = i;
   }
 }
@@ -108,9 +108,10 @@ void fill_groups(const View& view) {
     for (std::uint32_t n = 0; n < 4; ++n) {
       group.side[n / 2].node[n % 2][lane] = row.node[n] + along;
     }
-    group.cell[0][lane] = static_cast<float>(row.x0 + along) + 0.5F;
-    group.cell[1][lane] = static_cast<float>(row.y) + 0.5F;
-    group.cell[2][lane] = static_cast<float>(row.z) + 0.5F;
+    const Vec3 cell = cell_of(view, voxel.slot, row);
+    group.cell[0][lane] = cell.x + 0.5F;
+    group.cell[1][lane] = cell.y + 0.5F;
+    group.cell[2][lane] = cell.z + 0.5F;
     group.k[lane] = view.model.slot_k[voxel.slot];
   }
 }

@@ -13,6 +13,7 @@
 #include "layout.h"
 #include "math.h"
 #include "needle.h"
+#include "voxel.h"
 
 namespace stylet {
 namespace {
@@ -98,59 +99,15 @@ void fill_head(const Organ& organ, const Config& config, const Counts& counts, M
   }
 }
 
-// Rows, planes and the places of particles, in the order the sweep walks them.
-void fill_topology(const Organ& organ, const ModelView& model, const Counts& counts) {
-  std::uint32_t slot = 0, particle = 0, row = 0;
-  for (std::uint32_t i = 0; i < counts.row_grid; ++i) model.row_of[i] = kNoRow;
-  for (std::uint32_t z = 0; z <= counts.planes; ++z) {
-    Plane& plane = model.plane[z];
-    plane.row_begin = row;
-    plane.slot_begin = slot;
-    plane.particle_begin = particle;
-    slot += z < counts.planes ? 1 : 0;
-    particle += kLanes;
-    for (std::uint32_t y = 0; y <= organ.size_y; ++y) {
-      const Extent nodes = node_extent(organ, y, z);
-      // Give each voxel row around these nodes the place of its first node.
-      for (std::uint32_t corner = 0; corner < 4; ++corner) {
-        const std::uint32_t dy = corner & 1U, dz = corner >> 1U;
-        if (y < dy || z < dz || y - dy >= organ.size_y || z - dz >= organ.size_z) continue;
-        const std::uint32_t at = (z - dz) * organ.size_y + (y - dy);
-        const Extent voxels = voxel_extent(organ, y - dy, z - dz);
-        if (voxels.begin == voxels.end) continue;
-        if (corner == 0) {
-          model.row_of[at] = row;
-          model.row[row] = {slot,
-                            static_cast<std::uint16_t>(voxels.end - voxels.begin),
-                            static_cast<std::uint16_t>(voxels.begin),
-                            static_cast<std::uint16_t>(y % organ.sheet_rows),
-                            static_cast<std::uint16_t>(z),
-                            {},
-                            {}};
-          slot += voxels.end - voxels.begin + 1;
-          ++row;
-        }
-        model.row[model.row_of[at]].node[corner] = particle + voxels.begin - nodes.begin;
-      }
-      particle += nodes.end - nodes.begin;
-    }
-    plane.row_end = row;
-    slot = (slot + kLanes - 1) / kLanes * kLanes;
-    particle = (particle + kLanes - 1) / kLanes * kLanes;
-    plane.slot_end = slot;
-    plane.particle_end = particle;
-  }
-}
-
 // Particle at a node that exists: that of any voxel row at its side.
 std::uint32_t particle_at(const ModelView& model, std::uint32_t x, std::uint32_t y,
                           std::uint32_t z) {
   const ModelHead& head = *model.head;
-  for (std::uint32_t side = 0; side < 4; ++side) {
-    const std::uint32_t dy = side & 1U, dz = side >> 1U;
-    if (y < dy || z < dz || y - dy >= head.size_y || z - dz >= head.size_z) continue;
-    const std::uint32_t row = model.row_of[(z - dz) * head.size_y + (y - dy)];
-    if (row != kNoRow) return model.row[row].node[side] + x - model.row[row].x0;
+  for (std::uint32_t side = 0; side < 8; ++side) {
+    const std::uint32_t dx = side & 1U, dy = (side >> 1U) & 1U, dz = side >> 2U;
+    if (x < dx || y < dy || z < dz || y - dy >= head.size_y || z - dz >= head.size_z) continue;
+    const std::uint32_t row = row_at(model, static_cast<std::int32_t>(x - dx), y - dy, z - dz);
+    if (row != kNoRow) return model.row[row].node[side >> 1U] + x - model.row[row].x0;
   }
   return 0;
 }
@@ -159,9 +116,9 @@ void fill_sheets(const Organ& organ, const ModelView& model, const Counts& count
   std::uint32_t tie = 0;
   for (std::uint32_t z = 0; z <= counts.planes; ++z) {
     model.plane[z].tie_begin = tie;
-    for (; tie < counts.ties && organ.ties[tie].z == z; ++tie) {
+    for (; tie < counts.ties && organ.ties[tie].z == model.plane[z].z; ++tie) {
       const OrganTie& t = organ.ties[tie];
-      model.tie[tie] = {particle_at(model, t.x, t.y, z), particle_at(model, t.x, t.to_y, z)};
+      model.tie[tie] = {particle_at(model, t.x, t.y, t.z), particle_at(model, t.x, t.to_y, t.z)};
     }
     model.plane[z].tie_end = tie;
   }
@@ -170,8 +127,7 @@ void fill_sheets(const Organ& organ, const ModelView& model, const Counts& count
   for (std::uint32_t i = 0; i < counts.ties; ++i) model.root[model.tie[i].node] = model.tie[i].root;
   for (std::uint32_t i = 0; i < counts.slots; ++i) model.quarters[i] = ~std::uint64_t{0};
   for (const OrganPart& part : organ.parts) {
-    const std::uint32_t row_index = model.row_of[part.z * organ.size_y + part.y];
-    const Row& row = model.row[row_index];
+    const Row& row = model.row[row_at(model, part.x, part.y, part.z)];
     model.quarters[row.slot + part.x - row.x0] = part.quarters;
   }
 }
@@ -200,7 +156,7 @@ void fill_voxels(const Organ& organ, const ModelView& model, const Counts& count
   }
   std::uint32_t voxel = 0;
   for (const OrganRun& run : organ.runs) {
-    const std::uint32_t row_index = model.row_of[run.z * organ.size_y + run.y];
+    const std::uint32_t row_index = row_at(model, run.x, run.y, run.z);
     const Row& row = model.row[row_index];
     for (std::uint32_t x = run.x; x < static_cast<std::uint32_t>(run.x) + run.count; ++x, ++voxel) {
       const std::uint32_t slot = row.slot + x - row.x0;
@@ -327,8 +283,7 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   std::memset(memory.model.data(), 0, need.model_bytes);
   const ModelView model = model_view(memory.model.data(), counts);
   fill_head(organ, config, counts, *model.head);
-  fill_topology(organ, model, counts);
-  fill_windows(model);
+  fill_lattice(organ, model);
   fill_sheets(organ, model, counts);
   fill_voxels(organ, model, counts);
   fill_mixed(organ, model);

@@ -332,8 +332,15 @@ void keep_slots(Sums sums, std::uint32_t from, std::uint32_t end) {
   }
 }
 
-// All stages for a voxel plane. The last row that is fitted stays for the line of nodes behind it,
-// and rows begun with the chunk for the next.
+// The first row of the same line.
+inline const Row* line_begin(const Row* first, const Row* row) {
+  for (; row != first && row[-1].y == row->y; --row) {
+  }
+  return row;
+}
+
+// All stages for a voxel plane. The last line of rows that is fitted stays for the line of nodes
+// behind it, and rows begun with the chunk for the next.
 template <bool kUp>
 void sweep_plane(const View& view, const Plane& plane, float* low, float* high) {
   constexpr std::uint32_t kList = kWide > 8 ? 1 : 0;
@@ -351,7 +358,7 @@ void sweep_plane(const View& view, const Plane& plane, float* low, float* high) 
                        view.state.qz + at};
   clear_first(sums);
   const Row* const first = view.model.row + plane.row_begin;
-  const Row* const end = view.model.row + plane.row_end;
+  const Row* const end = view.model.row + (&plane)[1].row_begin;
   const Row* row = first;   // the first without sums
   const Row* open = first;  // the first that is not fitted to its end
   const Window* const windows = kList == 0 ? view.model.window8 : view.model.window16;
@@ -369,7 +376,9 @@ void sweep_plane(const View& view, const Plane& plane, float* low, float* high) 
     window =
         spread_windows<kUp>(sums, static_cast<std::int32_t>(front), window, to, low, high, axis);
     if (open != end) {
-      const std::uint32_t kept = ((open - (open == first ? 0 : 1))->slot - at) / kLanes * kLanes;
+      const Row* const line = line_begin(first, open);
+      const Row* const before = line == first ? first : line_begin(first, line - 1);
+      const std::uint32_t kept = (before->slot - at) / kLanes * kLanes;
       const Row& last = row[-1];
       keep_slots(sums, kept - front, last.slot + last.count - at + 1 - front);
       front = kept;

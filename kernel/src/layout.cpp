@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "layout.h"
 
-#include <algorithm>
 #include <cstring>
-
-#include "lattice_plan.h"
 
 namespace stylet {
 namespace {
@@ -12,9 +9,6 @@ namespace {
 template <typename Bytes>
 constexpr Bytes round_block(Bytes bytes) {
   return (bytes + kBlockAlignment - 1) / kBlockAlignment * kBlockAlignment;
-}
-constexpr std::uint64_t round_lanes(std::uint64_t n) {
-  return (n + kLanes - 1) / kLanes * kLanes;
 }
 
 // In 64 bits, where no sum of counts below 2^32 wraps; what a pointer cannot span is refused.
@@ -37,64 +31,7 @@ std::uint64_t scratch_bytes(const Counts& c) {
 }
 #undef STYLET_FIELD_SIZE
 
-// Slots, particles and windows: differences of two are 32-bit numbers with a sign.
-constexpr std::uint64_t kMostOfACount = INT32_MAX - 64;
-
 }  // namespace
-
-Status count_lattice(const Organ& organ, const Config& config, Counts& counts_out) {
-  Counts& c = counts_out = {};
-  c.needles = config.needle_count;
-  c.voxels = organ.voxel_count;
-  c.sheets = organ.size_y / organ.sheet_rows;
-  c.ties = static_cast<std::uint32_t>(organ.ties.size());
-  c.planes = organ.size_z;
-  c.row_grid = static_cast<std::uint32_t>(organ.size_y) * organ.size_z;
-  std::uint64_t all_slots = 0, all_particles = 0, most_particles = 0;
-  std::uint32_t longest = 0;
-  for (std::uint32_t z = 0; z < organ.size_z; ++z) {
-    std::uint64_t slots = 1;
-    for (std::uint32_t y = 0; y < organ.size_y; ++y) {
-      const Extent e = voxel_extent(organ, y, z);
-      if (e.begin == e.end) continue;
-      slots += e.end - e.begin + 1;
-      longest = std::max(longest, e.end - e.begin + 1);
-      ++c.rows;
-    }
-    slots = round_lanes(slots);
-    all_slots += slots;
-  }
-  for (std::uint32_t z = 0; z <= organ.size_z; ++z) {
-    std::uint64_t particles = kLanes;
-    for (std::uint32_t y = 0; y <= organ.size_y; ++y) {
-      const Extent e = node_extent(organ, y, z);
-      particles += e.end - e.begin;
-    }
-    particles = round_lanes(particles);
-    all_particles += particles;
-    most_particles = std::max(most_particles, particles);
-  }
-  if (all_slots > kMostOfACount || all_particles > kMostOfACount) return Status::kOrganTooLarge;
-  c.slots = static_cast<std::uint32_t>(all_slots);
-  c.particles = static_cast<std::uint32_t>(all_particles);
-  c.particles_per_plane = static_cast<std::uint32_t>(most_particles);
-  for (std::uint32_t z = 0; z < organ.size_z; ++z) {
-    for (std::uint32_t y = 0; y <= organ.size_y; ++y) {
-      const Extent before = y > 0 ? voxel_extent(organ, y - 1, z) : Extent{0, 0};
-      const Extent behind = y < organ.size_y ? voxel_extent(organ, y, z) : Extent{0, 0};
-      for (std::uint32_t i = 0; i < 2; ++i) {
-        for_each_window(before, behind, 8U << i, [&](auto...) { ++c.windows[i]; });
-      }
-    }
-  }
-  // A chunk, the rest of the row it ends in, and two rows kept from the chunk before.
-  c.slots_at_once =
-      static_cast<std::uint32_t>(round_lanes(kChunk + 3 * std::uint64_t{longest} + 2 * kLanes));
-  // The sweep works in whole lanes, so it touches up to two groups behind the last row.
-  c.particles += 2 * kLanes;
-  c.particles_per_plane += 2 * kLanes;
-  return Status::kOk;
-}
 
 Status block_sizes(const Counts& counts, Sizes& sizes_out) {
   const std::uint64_t bytes[] = {model_bytes(counts), state_bytes(counts), scratch_bytes(counts)};

@@ -11,25 +11,23 @@
 
 #include "obstacle.h"
 #include "rod.h"
+#include "runs.h"
 #include "stylet/kernel.h"
 #include "stylet/limits.h"
 #include "stylet/organ.h"
 
 namespace stylet {
 
-// Lanes of the lattice sweep: the unit of padding on every instruction set, so that memory and bits
-// do not depend on it.
-constexpr std::uint32_t kLanes = 16;
-
 // All sizes of arrays, from the organ and the number of needles.
 struct Counts {
   std::uint32_t voxels;
-  std::uint32_t planes;         // voxel planes; there is one more plane of particles
-  std::uint32_t rows;           // voxel rows along x that hold a voxel
-  std::uint32_t row_grid;       // size_y * size_z
-  std::uint32_t slots;          // padded voxels
-  std::uint32_t slots_at_once;  // whose sums are kept
-  std::uint32_t particles;      // padded particles
+  std::uint32_t planes;               // voxel planes; there is one more plane of particles
+  std::uint32_t rows;                 // stretches of voxels along x (runs.h)
+  std::uint32_t row_grid;             // places (y, z) by 2^row_shift
+  std::uint32_t row_shift, row_bits;  // of 2^row_bits rows at most each
+  std::uint32_t slots;                // padded voxels
+  std::uint32_t slots_at_once;        // whose sums are kept
+  std::uint32_t particles;            // padded particles
   std::uint32_t particles_per_plane;
   std::uint32_t windows[2];  // of 8 and of 16 lanes, lattice_plan.h
   std::uint32_t sheets, ties;
@@ -41,18 +39,19 @@ struct Counts {
 constexpr std::uint32_t kChunk = 144;
 static_assert(kChunk % kLanes == 0);
 
-// A voxel row: voxels x0 .. x0 + count - 1 at (y, z) in space, whatever its sheet; holes are slots
-// without stiffness. The slot before the first and the one behind the last are empty, so a node
-// sees zeros beyond the ends.
+// A stretch of voxels x0 .. x0 + count - 1 of row y, all sheets counted, in a plane; holes are
+// slots without stiffness. The slot before the first and the one behind the last are empty, so a
+// node sees zeros beyond the ends. Rows are sorted by plane, y and x.
 struct Row {
   std::uint32_t slot;
-  std::uint16_t count, x0, y, z;
-  std::uint32_t node[4];    // particle at (x0, y + dy, z + dz), index dy + 2 dz
+  std::uint16_t count, x0, y, plane;
+  std::uint32_t node[4];    // particle at (x0, y + dy, plane + dz), index dy + 2 dz
   std::uint32_t window[2];  // the first of the line y, of either list
 };
 
 struct Plane {
-  std::uint32_t row_begin, row_end;
+  std::uint32_t row_begin;                     // up to that of the next
+  std::uint32_t z;                             // in space, of the particles at the low side
   std::uint32_t slot_begin, slot_end;          // multiples of kLanes
   std::uint32_t particle_begin, particle_end;  // of the particles at the plane's low side
   std::uint32_t window_begin[2], window_end[2];
@@ -305,17 +304,7 @@ struct ScratchView {
 };
 #undef STYLET_FIELD_POINTER
 
-// Spread of a voxel row, from its first voxel to behind its last, holes included; empty: begin =
-// end.
-struct Extent {
-  std::uint32_t begin, end;
-};
-Extent voxel_extent(const Organ& organ, std::uint32_t y, std::uint32_t z);
-// Spread of the particles at (y, z): what the four voxel rows around them need.
-Extent node_extent(const Organ& organ, std::uint32_t y, std::uint32_t z);
-
-// kOrganTooLarge where a count or a block does not fit this machine.
-Status count_lattice(const Organ& organ, const Config& config, Counts& counts_out);
+// kOrganTooLarge where a block does not fit this machine.
 Status block_sizes(const Counts& counts, Sizes& sizes_out);
 const Counts& counts_of(const Kernel& kernel);
 

@@ -8,8 +8,8 @@
 #include <bit>
 #include <cmath>
 
-#include "layout.h"
 #include "organ_generated.h"
+#include "runs.h"
 #include "stylet/limits.h"
 #include "triangle.h"
 
@@ -246,10 +246,6 @@ bool is_tied(const Organ& organ, const OrganTie& node) {
       [](const OrganTie& a, const OrganTie& b) { return order_of(a) < order_of(b); });
 }
 
-bool is_within(Extent extent, std::uint32_t x) {
-  return x >= extent.begin && x < extent.end;
-}
-
 // Each node is tied once at most, and to one that stands for itself, at the same place in space.
 bool check_ties(Checker& check, const Organ& organ) {
   for (std::size_t i = 0; i < organ.ties.size(); ++i) {
@@ -262,8 +258,7 @@ bool check_ties(Checker& check, const Organ& organ) {
                            (t.y - t.to_y) % organ.sheet_rows == 0,
                        Status::kOrganIndexOutOfRange, "sheets.ties", i, t.to_y,
                        "the same place of an earlier sheet") ||
-        !check.require(is_within(node_extent(organ, t.y, t.z), t.x) &&
-                           is_within(node_extent(organ, t.to_y, t.z), t.x),
+        !check.require(has_node(organ, t.x, t.y, t.z) && has_node(organ, t.x, t.to_y, t.z),
                        Status::kOrganIndexOutOfRange, "sheets.ties", i, t.x,
                        "nodes of the lattice") ||
         !check.require(!is_tied(organ, to), Status::kOrganOrderWrong, "sheets.ties", i, t.to_y,
@@ -280,7 +275,7 @@ bool check_parts(Checker& check, const Organ& organ) {
     if (!check.require(i == 0 || order_of(p) > order_of(organ.parts[i - 1]),
                        Status::kOrganOrderWrong, "sheets.parts", i, p.x,
                        "parts sorted by z, y, x, one for a voxel") ||
-        !check.require(is_within(voxel_extent(organ, p.y, p.z), p.x), Status::kOrganIndexOutOfRange,
+        !check.require(has_voxel(organ, {p.x, p.x + 1U}, p.y, p.z), Status::kOrganIndexOutOfRange,
                        "sheets.parts", i, p.x, "a voxel of the lattice")) {
       return false;
     }

@@ -3,6 +3,7 @@
 
 #include "needle.h"
 #include "triangle.h"
+#include "voxel.h"
 
 namespace stylet {
 namespace {
@@ -34,10 +35,7 @@ Vertex deformed(const View& view, const OrganVertex& v) {
   const float fy = static_cast<float>(v.fy) * kScale;
   const float fz = static_cast<float>(v.fz) * kScale;
   Vertex out = {};
-  out.rest_m = rest_place(
-      view.organ,
-      {static_cast<float>(row.x0 + along), static_cast<float>(row.y), static_cast<float>(row.z)},
-      v);
+  out.rest_m = rest_place(view.organ, cell_of(view, slot, row), v);
   Vec3 moved = {};
   for (std::uint32_t corner = 0; corner < 8; ++corner) {
     const std::uint32_t p = row.node[corner >> 1U] + along + (corner & 1U);

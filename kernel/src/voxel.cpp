@@ -12,10 +12,10 @@ void each_voxel(const View& view, std::int32_t x, std::int32_t y, std::int32_t z
   const ModelHead& head = *view.model.head;
   if (y < 0 || y >= head.sheet_rows || z < 0 || z >= head.size_z) return;
   for (std::int32_t sheet_y = y; sheet_y < head.size_y; sheet_y += head.sheet_rows) {
-    const std::uint32_t index = view.model.row_of[z * head.size_y + sheet_y];
+    const std::uint32_t index =
+        row_at(view.model, x, static_cast<std::uint32_t>(sheet_y), static_cast<std::uint32_t>(z));
     if (index == kNoRow) continue;
     const Row& row = view.model.row[index];
-    if (x < row.x0 || x >= row.x0 + row.count) continue;
     const std::uint32_t slot = row.slot + static_cast<std::uint32_t>(x - row.x0);
     if (view.model.slot_k[slot] > 0) visit(slot, index);  // else a hole in the row
   }
@@ -134,9 +134,7 @@ Corners sum_corners(const View& view, std::uint32_t slot, std::uint32_t row_inde
 
 Vec3 rest_centre(const View& view, std::uint32_t slot, const Row& row) {
   const ModelHead& head = *view.model.head;
-  return head.origin_m + head.edge_m * Vec3{static_cast<float>(row.x0 + (slot - row.slot)) + 0.5F,
-                                            static_cast<float>(row.y) + 0.5F,
-                                            static_cast<float>(row.z) + 0.5F};
+  return head.origin_m + head.edge_m * (cell_of(view, slot, row) + Vec3{0.5F, 0.5F, 0.5F});
 }
 
 Quat rotation_of(const float a[9], Quat start) {

@@ -22,6 +22,36 @@ struct Corners {
 // Sums over the eight corners of a voxel, displacements u.
 Corners sum_corners(const View& view, std::uint32_t slot, std::uint32_t row_index);
 
+// The row that holds a voxel, or kNoRow; y and z within the lattice. Of the rows of its place in
+// the table, the last that does not begin behind it.
+inline std::uint32_t row_at(const ModelView& model, std::int32_t x, std::uint32_t y,
+                            std::uint32_t z) {
+  const Counts& counts = model.head->counts;
+  const auto order = [](std::int32_t of_x, std::uint32_t of_y, std::uint32_t of_z) {
+    return (static_cast<std::int64_t>(of_z) << 40U) + (static_cast<std::int64_t>(of_y) << 20U) +
+           of_x;
+  };
+  std::uint32_t index = model.row_of[(z * model.head->size_y + y) >> counts.row_shift];
+  if (index == kNoRow) return kNoRow;
+  for (std::uint32_t bit = counts.row_bits; bit > 0; --bit) {
+    const std::uint32_t next = index + (1U << (bit - 1));
+    if (next >= counts.rows) continue;
+    const Row& row = model.row[next];
+    if (order(row.x0, row.y, model.plane[row.plane].z) <= order(x, y, z)) index = next;
+  }
+  const Row& row = model.row[index];
+  const bool holds = row.y == y && x >= row.x0 && x < row.x0 + row.count;
+  return holds && model.plane[row.plane].z == z ? index : kNoRow;
+}
+
+// Cell of a voxel in space, in edges from the lattice's origin.
+inline Vec3 cell_of(const View& view, std::uint32_t slot, const Row& row) {
+  const std::uint32_t sheet_rows = view.model.head->sheet_rows;
+  const std::uint32_t y = row.y < sheet_rows ? row.y : row.y % sheet_rows;
+  return {static_cast<float>(row.x0 + (slot - row.slot)), static_cast<float>(y),
+          static_cast<float>(view.model.plane[row.plane].z)};
+}
+
 Vec3 rest_centre(const View& view, std::uint32_t slot, const Row& row);
 
 // Best rotation of a matrix near `start`.

@@ -46,6 +46,19 @@ void write_sheets(const std::string& path) {
   write(path, builder.GetBufferPointer(), builder.GetSize());
 }
 
+// Runs as organ_target.cpp draws them: rows with voxels far apart, a comb, planes far apart.
+void write_sparse(const std::string& folder) {
+  const auto write_runs = [&](const char* name, std::initializer_list<int> numbers) {
+    std::string bytes = "sparse";
+    for (const int number : numbers) bytes.push_back(static_cast<char>(number));
+    write(folder + name, bytes.data(), bytes.size());
+  };
+  write_runs("far-rows.sparse", {0, 0x34, 0, 0, 0x14, 0xF0, 0, 0x05, 0x10, 0, 3, 0x24, 1, 0});
+  write_runs("comb.sparse", {128, 8, 6, 8, 6, 8, 7, 8, 8, 8, 9, 1, 0, 3, 8, 6, 8, 7, 0x11, 0, 0});
+  write_runs("planes.sparse",
+             {255, 0x30, 0, 0x32, 0, 0, 0, 0x36, 2, 0, 0, 0, 0x32, 0, 9, 40, 8, 20});
+}
+
 void write_organs(const std::string& folder) {
   TinyOrgan one;
   one.nx = one.ny = one.nz = 1;
@@ -72,6 +85,7 @@ void write_organs(const std::string& folder) {
   tall.origin_m = {0.1F, -0.2F, 0.05F};
   write_organ(folder + "tall.organ", tall);
   write_sheets(folder + "sheets.organ");
+  write_sparse(folder);
 }
 
 // Operations as tick_target.cpp reads them: needle, kind, repeats, and their numbers.

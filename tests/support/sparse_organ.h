@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Organs of any runs of voxels: no surface, nothing held, one material. Units: SI.
+// Organs of any runs of voxels: nothing held, one material, of one voxel the top as surface. Units:
+// SI.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +18,21 @@ inline std::uint32_t voxels_of(const std::vector<format::Run>& runs) {
   return voxels;
 }
 
-// The runs in the order of the format.
-inline std::vector<std::byte> organ_of_runs(const std::vector<format::Run>& runs) {
+// The place of a voxel, of those of the runs in order, in edges.
+struct Cell {
+  std::uint32_t x, y, z;
+};
+inline Cell cell_of_voxel(const std::vector<format::Run>& runs, std::uint32_t voxel) {
+  for (const format::Run& run : runs) {
+    if (voxel < run.count()) return {run.x() + voxel, run.y(), run.z()};
+    voxel -= run.count();
+  }
+  return {};
+}
+
+// The runs in the order of the format; `top`: the voxel with a surface.
+inline std::vector<std::byte> organ_of_runs(const std::vector<format::Run>& runs,
+                                            std::uint32_t top = 0) {
   flatbuffers::FlatBufferBuilder builder;
   const std::vector<std::uint8_t> material(voxels_of(runs), 0), fill(voxels_of(runs), 255);
   std::uint32_t size[3] = {};
@@ -29,15 +43,22 @@ inline std::vector<std::byte> organ_of_runs(const std::vector<format::Run>& runs
   }
   const std::vector<flatbuffers::Offset<format::Material>> materials = {
       detail::material_of(builder, TinyMaterial{})};
-  const std::vector<format::Vertex> vertices;
-  const std::vector<format::Triangle> triangles;
-  const std::vector<format::SphereNode> spheres;
+  constexpr std::uint16_t kEnd = 65535;
+  const std::vector<format::Vertex> vertices = {{top, 0, 0, kEnd, 0},
+                                                {top, kEnd, 0, kEnd, 0},
+                                                {top, kEnd, kEnd, kEnd, 0},
+                                                {top, 0, kEnd, kEnd, 0}};
+  const std::vector<format::Triangle> triangles = {{0, 1, 2}, {0, 2, 3}};
+  const float edge_m = TinyOrgan{}.voxel_edge_m;
+  const Cell cell = cell_of_voxel(runs, top);
+  const std::vector<format::SphereNode> spheres = {
+      {edge_m * (static_cast<float>(cell.x) + 0.5F), edge_m * (static_cast<float>(cell.y) + 0.5F),
+       edge_m * static_cast<float>(cell.z + 1), edge_m, 0, 2}};
   format::FinishOrganBuffer(
       builder, format::CreateOrganDirect(
-                   builder, 1, "sparse", TinyOrgan{}.voxel_edge_m, 0, 0, 0,
-                   static_cast<std::uint16_t>(size[0]), static_cast<std::uint16_t>(size[1]),
-                   static_cast<std::uint16_t>(size[2]), &runs, &material, &fill, nullptr,
-                   &materials, &vertices, &triangles, &spheres));
+                   builder, 1, "sparse", edge_m, 0, 0, 0, static_cast<std::uint16_t>(size[0]),
+                   static_cast<std::uint16_t>(size[1]), static_cast<std::uint16_t>(size[2]), &runs,
+                   &material, &fill, nullptr, &materials, &vertices, &triangles, &spheres));
   const auto* bytes = reinterpret_cast<const std::byte*>(builder.GetBufferPointer());
   return {bytes, bytes + builder.GetSize()};
 }

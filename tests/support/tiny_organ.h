@@ -190,7 +190,7 @@ inline std::uint8_t fixed_corners(const TinyOrgan& organ, std::uint16_t x, std::
 }
 
 inline flatbuffers::Offset<format::Material> material_of(flatbuffers::FlatBufferBuilder& builder,
-                                                        const TinyMaterial& m) {
+                                                         const TinyMaterial& m) {
   return format::CreateMaterialDirect(
       builder, m.name.c_str(), "test", m.density_kg_per_m3, m.youngs_modulus_pa, m.poisson_ratio,
       m.relaxing_fraction, m.relaxation_time_s, m.puncture_force_n, m.cutting_force_n,

@@ -96,9 +96,7 @@ std::unique_ptr<Owner> shared_cells() {
 
 std::uint32_t sheet_of(const View& view, std::uint32_t row) {
   const ModelHead& head = *view.model.head;
-  const std::uint32_t* const first = view.model.row_of;
-  const auto at = std::find(first, first + head.counts.row_grid, row) - first;
-  return static_cast<std::uint32_t>(at) % head.size_y / head.sheet_rows;
+  return view.model.row[row].y / head.sheet_rows;
 }
 
 // Calls visit(sheet, place in space, particle) for the nodes of the lattice.
@@ -109,8 +107,9 @@ void each_node(const View& view,
     const Row& row = view.model.row[r];
     for (std::uint32_t corner = 0; corner < 4; ++corner) {
       for (std::uint32_t i = 0; i <= row.count; ++i) {
-        const Vec3 at = {static_cast<float>(row.x0 + i), static_cast<float>(row.y + (corner & 1U)),
-                         static_cast<float>(row.z + (corner >> 1U))};
+        const Vec3 at = {static_cast<float>(row.x0 + i),
+                         static_cast<float>(row.y % head.sheet_rows + (corner & 1U)),
+                         static_cast<float>(view.model.plane[row.plane].z + (corner >> 1U))};
         visit(sheet_of(view, r), at, row.node[corner] + i);
       }
     }

@@ -8,8 +8,13 @@ namespace stylet {
 
 // ---- organ: checked by organ_open, which refuses the file -------------------------------------
 constexpr std::uint32_t kMaxVoxels = 4'000'000;
-// Rows (y, z) of the lattice's extent, whether they hold a voxel or not: each costs four bytes.
+// Rows (y, z) of the lattice's extent, whether they hold a voxel or not.
 constexpr std::uint32_t kMaxRows = 16'000'000;
+// Memory of a kernel follows its voxels, wherever they lie: at most this much for each, beyond what
+// an organ of one voxel takes. (Lone voxels 7 cells apart in planes of their own come near it; in
+// a body each takes some 150 bytes.) sizes says how much it is; no organ is refused for it, but
+// where addresses have 32 bits and a block would not fit: kOrganTooLarge.
+constexpr std::uint32_t kMaxBytesPerVoxel = 12'288;
 // Sheets of a lattice: voxels that lie in one cell of space. A place in the tissue looks at each.
 constexpr std::uint32_t kMaxSheets = 8;
 constexpr std::uint32_t kMaxMaterials = 64;

@@ -72,7 +72,8 @@ class ClusterReference {
         const double nu = static_cast<double>(m.poisson_ratio);
         cell.k = static_cast<double>(m.youngs_modulus_pa) / (2 * (1 + nu)) * h_;
         cell.volume = nu / (1 - 2 * nu);
-        cell.rest_centre = {h_ * (row.x0 + i + 0.5), h_ * (row.y + 0.5), h_ * (row.z + 0.5)};
+        cell.rest_centre = {h_ * (row.x0 + i + 0.5), h_ * (row.y + 0.5),
+                            h_ * (view.model.plane[row.plane].z + 0.5)};
         for (std::uint32_t c = 0; c < 8; ++c) cell.particle[c] = row.node[c >> 1U] + i + (c & 1U);
         cells_.push_back(cell);
       }

@@ -52,7 +52,7 @@ Momentum momentum(const View& view) {
         seen[p] = true;
         const double kg = static_cast<double>(head.substep_s / view.model.step_per_mass[p]);
         const Vec3d rest = {edge * (row.x0 + i), edge * (row.y + (n & 1U)),
-                            edge * (row.z + (n >> 1U))};
+                            edge * (view.model.plane[row.plane].z + (n >> 1U))};
         const Vec3d place =
             plus(rest, wide({view.state.ux[p], view.state.uy[p], view.state.uz[p]}));
         const Vec3d push = times(kg, wide({view.state.vx[p], view.state.vy[p], view.state.vz[p]}));

@@ -43,7 +43,7 @@ void strain(const View& view, const Mat& f) {
     const Row& row = view.model.row[r];
     for (std::uint32_t corner = 0; corner < 4; ++corner) {
       for (std::uint32_t x = 0; x <= row.count; ++x) {
-        const Vec cell(row.x0 + x, row.y + corner % 2, row.z + corner / 2);
+        const Vec cell(row.x0 + x, row.y + corner % 2, view.model.plane[row.plane].z + corner / 2);
         const Vec u = (f - Mat::Identity()) * (wide(head.origin_m) + edge_m * cell - middle(view));
         const std::uint32_t node = row.node[corner] + x;
         view.state.ux[node] = view.state.ex[node] = static_cast<float>(u.x());

@@ -24,6 +24,7 @@
 #include "math.h"
 #include "reference_cluster.h"
 #include "session.h"
+#include "voxel.h"
 
 namespace stylet::test {
 
@@ -102,13 +103,14 @@ inline TinyMaterial elastic(float shear_pa, float poisson) {
 }
 
 inline std::uint32_t voxel_row_of(const View& view, Node voxel) {
-  return view.model.row_of[voxel.z * view.model.head->size_y + voxel.y];
+  return row_at(view.model, static_cast<std::int32_t>(voxel.x), voxel.y, voxel.z);
 }
 
 inline std::uint32_t node_index(const View& view, Node node) {
   const ModelHead& head = *view.model.head;
-  const std::uint32_t dy = node.y == head.size_y ? 1 : 0, dz = node.z == head.size_z ? 1 : 0;
-  const Row& row = view.model.row[voxel_row_of(view, {0, node.y - dy, node.z - dz})];
+  const std::uint32_t dx = node.x == head.size_x ? 1 : 0, dy = node.y == head.size_y ? 1 : 0,
+                      dz = node.z == head.size_z ? 1 : 0;
+  const Row& row = view.model.row[voxel_row_of(view, {node.x - dx, node.y - dy, node.z - dz})];
   return row.node[dy + 2 * dz] + node.x - row.x0;
 }
 

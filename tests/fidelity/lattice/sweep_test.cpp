@@ -25,32 +25,34 @@ constexpr double kSpring = static_cast<double>(kShear) * kEdgeD;
 constexpr float kHourglassWeight = 1.0F / 3;
 
 struct RowPlan {
-  std::uint32_t begin, count;
+  std::uint32_t begin, count, hole;  // a hole of so many voxels in every 37 + hole
 };
 
-// Rows (y, z) that begin anywhere; some are empty, some as short as one voxel.
+// Rows (y, z) that begin anywhere; some are empty, some as short as one voxel, some in pieces.
 struct Lattice {
   static constexpr std::uint16_t kNx = 420, kNy = 9, kNz = 4;
   RowPlan row[kNz][kNy];
 
   bool holds(std::uint16_t x, std::uint16_t y, std::uint16_t z) const {
     const RowPlan& r = row[z][y];
-    const bool hole = x % 37 == 11 && r.count > 40;
+    const bool hole = x % (37 + r.hole) >= 37 && r.count > 40;
     return x >= r.begin && x < r.begin + r.count && !hole;
   }
 };
 
 Lattice draw_lattice(std::mt19937_64& random) {
   constexpr std::uint32_t kCounts[] = {0, 1, 15, 16, 17, 31, 127, 128, 129, 144, 260, 400};
+  constexpr std::uint32_t kHoles[] = {0, 1, 2, 6, 7, 8, 9, 15, 16, 17, 40, 80};
   Lattice lattice = {};
   for (auto& plane : lattice.row) {
     for (RowPlan& row : plane) {
       row.count = kCounts[random() % std::size(kCounts)];
       row.begin = static_cast<std::uint32_t>(random() % (Lattice::kNx - row.count));
+      row.hole = kHoles[random() % std::size(kHoles)];
     }
   }
-  lattice.row[1][3] = {10, 130};  // the organ has voxels in each plane
-  for (auto& plane : lattice.row) plane[4] = {5, 33};
+  lattice.row[1][3] = {10, 130, 1};  // the organ has voxels in each plane
+  for (auto& plane : lattice.row) plane[4] = {5, 33, 0};
   return lattice;
 }
 
