@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "disjoint_set.h"
+#include "nesting.h"
 #include "triangle_tree.h"
 
 namespace stylet::bake {
@@ -144,6 +145,7 @@ struct Piece {
   std::vector<std::uint32_t> triangles;
   double volume = 0;  // of a closed piece
   bool open = false;
+  bool says_sides = true;  // by the way its faces were turned in the file
 };
 
 std::vector<Triangle> select(const std::vector<Triangle>& triangles, const Piece& piece) {
@@ -188,19 +190,6 @@ void turn(std::vector<Triangle>& triangles, const Piece& piece) {
   for (const std::uint32_t i : piece.triangles) std::swap(triangles[i][1], triangles[i][2]);
 }
 
-// A closed piece that is inside out and lies within another is a cavity and stays as it is.
-bool is_cavity(const std::vector<Vec>& points, const std::vector<Triangle>& triangles,
-               const Piece& piece) {
-  std::vector<bool> own(triangles.size(), false);
-  for (const std::uint32_t i : piece.triangles) own[i] = true;
-  std::vector<Triangle> others;
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    if (!own[i]) others.push_back(triangles[i]);
-  }
-  const Vec probe = points[triangles[piece.triangles.front()][0]];
-  return std::abs(winding_number(triangle_tree(points, others), probe)) > 0.5;
-}
-
 // An open surface has no volume to tell its sides by, but it winds round the points it half
 // encloses: positively when it faces outward. `sum` over points spread through its box; `enclosed`
 // counts those that it winds round more than half.
@@ -209,18 +198,27 @@ struct Evidence {
   int enclosed = 0;
 };
 
+// A small piece is looked at from fewer points, so that the time follows the triangles: a soup has
+// as many pieces.
+int points_per_axis(std::size_t triangles) {
+  constexpr double kPointsEach = 16;
+  constexpr int kLeast = 2, kMost = 12;
+  const double wanted = std::ceil(std::cbrt(kPointsEach * static_cast<double>(triangles)));
+  return wanted < kMost ? std::max(kLeast, static_cast<int>(wanted)) : kMost;
+}
+
 Evidence look_around(const std::vector<Vec>& points, const std::vector<Triangle>& triangles) {
   Box box;
   for (const Triangle& t : triangles) {
     for (const std::uint32_t corner : t) grow(box, points[corner]);
   }
   const TriangleTree tree = triangle_tree(points, triangles);
-  constexpr int kPerAxis = 12;
-  const Vec step = (box.high - box.low) * (1.0 / kPerAxis);
+  const int per_axis = points_per_axis(triangles.size());
+  const Vec step = (box.high - box.low) * (1.0 / per_axis);
   Evidence evidence;
-  for (int z = 0; z < kPerAxis; ++z) {
-    for (int y = 0; y < kPerAxis; ++y) {
-      for (int x = 0; x < kPerAxis; ++x) {
+  for (int z = 0; z < per_axis; ++z) {
+    for (int y = 0; y < per_axis; ++y) {
+      for (int x = 0; x < per_axis; ++x) {
         const Vec offset{(x + 0.5) * step.x, (y + 0.5) * step.y, (z + 0.5) * step.z};
         const double winding = winding_number(tree, box.low + offset);
         evidence.sum += winding;
@@ -253,16 +251,79 @@ void turn_open(const std::vector<Vec>& points, std::vector<Triangle>& triangles,
   for (const Piece* piece : rest_pieces) turn(triangles, *piece);
 }
 
-// A closed piece is turned where its volume is negative, unless it is a cavity of another.
-void turn_closed(const std::vector<Vec>& points, std::vector<Triangle>& triangles,
-                 const std::vector<Piece>& pieces, bool faces_agreed) {
-  constexpr std::size_t kMostCavities = 64;  // bounds the time spent on looking for them
-  std::size_t probed = 0;
+// How often the open pieces wind round a closed one, by which they may hold it: -1, 0 or 1.
+int side_of_open(const TriangleTree& open, Vec point) {
+  const double winding = winding_number(open, point);
+  return winding > 0.5 ? 1 : winding < -0.5 ? -1 : 0;
+}
+
+TriangleTree tree_of_open(const std::vector<Vec>& points, const std::vector<Triangle>& triangles,
+                          const std::vector<Piece>& pieces) {
+  std::vector<Triangle> open;
   for (const Piece& piece : pieces) {
-    if (piece.open || piece.volume >= 0) continue;
-    const bool cavity = faces_agreed && pieces.size() > 1 && probed++ < kMostCavities &&
-                        is_cavity(points, triangles, piece);
-    if (!cavity) turn(triangles, piece);
+    if (!piece.open) continue;
+    for (const std::uint32_t i : piece.triangles) open.push_back(triangles[i]);
+  }
+  return triangle_tree(points, open);
+}
+
+std::vector<std::uint32_t> largest_first(const std::vector<ClosedPiece>& pieces) {
+  std::vector<std::uint32_t> order(pieces.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) {
+    return std::abs(pieces[a].volume) > std::abs(pieces[b].volume);
+  });
+  return order;
+}
+
+// From the outside in: an outer piece faces outward, and whoever had turned it had turned what is
+// in it, too. A piece in tissue that faces the other way is a cavity, of any number; one that faces
+// the same way is tissue in tissue. In a cavity there can only be tissue. `open` is of the file's
+// open pieces as they were, before they were turned.
+void turn_closed(const std::vector<Vec>& points, std::vector<Triangle>& triangles,
+                 const std::vector<Piece>& pieces, const TriangleTree& open) {
+  std::vector<ClosedPiece> closed;
+  std::vector<const Piece*> piece_of;
+  for (const Piece& piece : pieces) {
+    if (piece.open) continue;
+    closed.push_back({piece.triangles, piece.volume});
+    piece_of.push_back(&piece);
+  }
+  if (closed.empty()) return;
+  const std::vector<std::uint32_t> around = pieces_around(points, triangles, closed);
+  std::vector<int> winding(closed.size()), turned(closed.size());
+  for (const std::uint32_t i : largest_first(closed)) {
+    const std::uint32_t outer = around[i];
+    const bool outermost = outer == kNoPiece;
+    const Vec place = points[triangles[closed[i].triangles.front()][0]];
+    const int by_open = outermost ? side_of_open(open, place) : 0;
+    const int depth = outermost ? std::abs(by_open) : winding[outer];
+    const bool all_turned =
+        outermost ? by_open < 0 || (by_open == 0 && closed[i].volume < 0) : turned[outer] != 0;
+    const bool outward = piece_of[i]->says_sides ? (closed[i].volume > 0) != all_turned : depth < 1;
+    const bool cavity = !outward && depth > 0;
+    winding[i] = depth + (cavity ? -1 : 1);
+    const bool turns = (closed[i].volume < 0) != cavity;
+    turned[i] = (piece_of[i]->says_sides ? turns : all_turned) ? 1 : 0;
+    if (turns) turn(triangles, *piece_of[i]);
+  }
+}
+
+// Where faces disagreed, the greater part of them says which side is out; where it is not much
+// greater than the rest, none does. `before` are the triangles as they were read.
+void ask_faces(const std::vector<Triangle>& before, std::vector<Triangle>& triangles,
+               std::vector<Piece>& pieces) {
+  constexpr double kClearPart = 0.75;
+  for (Piece& piece : pieces) {
+    if (piece.open) continue;
+    std::size_t as_read = 0;
+    for (const std::uint32_t i : piece.triangles) as_read += triangles[i] == before[i] ? 1 : 0;
+    const double part = static_cast<double>(as_read) / static_cast<double>(piece.triangles.size());
+    if (part < 0.5) {
+      turn(triangles, piece);
+      piece.volume = -piece.volume;
+    }
+    piece.says_sides = std::max(part, 1 - part) >= kClearPart;
   }
 }
 
@@ -285,11 +346,13 @@ Solid repair(Mesh mesh) {
   if (before.inconsistent > 0) orient_neighbours(mesh.points, solid.boundary);
 
   const std::vector<Edge> edges = sorted_edges(solid.boundary);
-  const std::vector<Piece> pieces = find_pieces(mesh.points, solid.boundary, edges);
+  std::vector<Piece> pieces = find_pieces(mesh.points, solid.boundary, edges);
   counts.pieces = pieces.size();
   const bool faces_agreed = before.inconsistent == 0;
+  if (!faces_agreed) ask_faces(as_read, solid.boundary, pieces);
+  const TriangleTree open = tree_of_open(mesh.points, solid.boundary, pieces);
   turn_open(mesh.points, solid.boundary, pieces, faces_agreed);
-  turn_closed(mesh.points, solid.boundary, pieces, faces_agreed);
+  turn_closed(mesh.points, solid.boundary, pieces, open);
   const EdgeCounts after = count_edges(sorted_edges(solid.boundary));
   solid.oriented = after.inconsistent == 0;
   solid.closed = after.open == 0;

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// What tests of organ building draw at random, the same everywhere for a seed; meshes put together.
+#pragma once
+
+#include <numbers>
+#include <random>
+
+#include "geometry.h"
+
+namespace stylet::test {
+
+class Draw {
+ public:
+  explicit Draw(unsigned seed) : engine_(seed) {}
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine_() >> 11U) * 0x1p-53;
+  }
+  std::size_t below(std::size_t count) { return engine_() % count; }
+  bool coin() { return engine_() % 2 == 0; }
+  bake::Vec direction() {
+    const double z = between(-1, 1), angle = between(0, 2 * std::numbers::pi);
+    const double r = std::sqrt(1 - z * z);
+    return {r * std::cos(angle), r * std::sin(angle), z};
+  }
+  template <typename List>
+  void shuffle(List& list) {
+    for (std::size_t i = list.size(); i > 1; --i) std::swap(list[i - 1], list[below(i)]);
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+inline void append(bake::Mesh& mesh, const bake::Mesh& other) {
+  const auto base = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
+  for (const bake::Triangle& t : other.triangles) {
+    mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+  }
+}
+
+inline bake::Mesh both(bake::Mesh mesh, const bake::Mesh& other) {
+  append(mesh, other);
+  return mesh;
+}
+
+}  // namespace stylet::test
