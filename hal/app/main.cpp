@@ -52,7 +52,7 @@ void add_igtl(CLI::App& run, IgtlOptions& options) {
                    fmt::format("Let OpenIGTLink clients such as 3D Slicer follow, on port {} of "
                                "this machine or --igtl=PORT; 0: any that is free",
                                hal::kIgtlPort))
-          ->check(CLI::Range(0, 65535));
+          ->check(cli::between(0, 65535));
   run.add_option("--igtl-listen", options.listen,
                  "Address of this machine where clients on others reach it")
       ->type_name("ADDRESS")
@@ -84,7 +84,7 @@ void add_run(CLI::App& program, RunOptions& options) {
   run.add_option("--duration-s", options.duration_s,
                  "Simulated time, instead of as long as the hand moves")
       ->type_name("SECONDS")
-      ->check(CLI::Range(1e-3, 86400.0));
+      ->check(cli::between(1e-3, 86400.0));
   run.add_option("--device", options.devices,
                  "Device instead of the scene's, such as hd: (stylet devices lists them); "
                  "once for each needle")
@@ -93,7 +93,7 @@ void add_run(CLI::App& program, RunOptions& options) {
   run.add_option("--threads", options.threads,
                  "Threads of the tissue step, instead of the scene's: same bits with any number")
       ->type_name("NUMBER")
-      ->check(CLI::Range(1U, kMaxHelpers + 1));
+      ->check(cli::between(1U, kMaxHelpers + 1));
   run.add_flag("--fast", options.fast, "Virtual clock: same bits, as fast as the machine goes");
   add_json(run, options.json, "One JSON object");
   run.add_flag("--allow-non-rt", options.allow_non_rt,
@@ -104,7 +104,7 @@ void add_run(CLI::App& program, RunOptions& options) {
                    fmt::format("Serve a page that shows and steers the run, on port {} of this "
                                "machine or --console=PORT; 0: any that is free",
                                console::kDefaultPort))
-          ->check(CLI::Range(0, 65535))
+          ->check(cli::between(0, 65535))
           ->excludes("--json");
   add_serving(run, options.serve)->needs(console);
   add_igtl(run, options.igtl);
@@ -173,7 +173,7 @@ void add_doctor(CLI::App& program, DoctorOptions& options) {
                       .add_option("--measure", options.measure_s,
                                   "Measure for so long, in all, how late a thread wakes up")
                       ->type_name("SECONDS")
-                      ->check(CLI::Range(0.1, 86400.0));
+                      ->check(cli::between(0.1, 86400.0));
   auto* replay = doctor
                      .add_option("--replay", options.recording,
                                  "And how long the ticks of this recording take meanwhile")
@@ -184,12 +184,12 @@ void add_doctor(CLI::App& program, DoctorOptions& options) {
       .add_option("--cpu", options.cpu,
                   "Processor to look at, as loop.cpu of a scene (default: as the loop chooses)")
       ->type_name("NUMBER")
-      ->check(CLI::Range(0, 1023));
+      ->check(cli::between(0, 1023));
   doctor
       .add_option("--priority", options.priority,
                   "Priority to ask for, as loop.rt_priority of a scene")
       ->type_name("NUMBER")
-      ->check(CLI::Range(1, 99))
+      ->check(cli::between(1, 99))
       ->capture_default_str();
   doctor
       .add_option("--root", options.root, "A copy of another machine's /proc and /sys to look at")
@@ -220,7 +220,7 @@ CLI::App& add_devices(CLI::App& program, DevicesOptions& options, ProbeOptions& 
       ->type_name("FILE");
   probe.add_option("--seconds", probed.seconds, "Watch it for so long, without force")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(cli::between(0.1, 3600.0))
       ->capture_default_str();
   probe.add_flag("--push", probed.push, "Then push along its axes, with at most 1 N");
   add_json(probe, probed.json, "What was measured as one JSON object");
@@ -241,17 +241,17 @@ void add_station(CLI::App& program, StationOptions& options) {
       ->required();
   station.add_option("--duration-s", options.seconds, "End after so long (default: at Ctrl-C)")
       ->type_name("SECONDS")
-      ->check(CLI::Range(1e-3, 86400.0));
+      ->check(cli::between(1e-3, 86400.0));
   station
       .add_option("--acknowledge-button", options.acknowledge_button,
                   "Button, from 0, that acknowledges a latched fault, as Enter does here")
       ->type_name("NUMBER")
-      ->check(CLI::Range(0, 31));
+      ->check(cli::between(0, 31));
   station
       .add_option("--dead-man-button", options.dead_man_button,
                   "Button, from 0, that must be held for any force")
       ->type_name("NUMBER")
-      ->check(CLI::Range(0, 31));
+      ->check(cli::between(0, 31));
 }
 
 // The benchmarks are a program of their own, next to this one.

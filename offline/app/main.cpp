@@ -109,7 +109,7 @@ void add_common(CLI::App& command, CommonArguments& a) {
       command
           .add_option("--voxels-across", a.voxels_across, "Instead: voxels along the longest side")
           ->type_name("NUMBER")
-          ->check(CLI::Range(1U, 65535U))
+          ->check(cli::between(1U, 65535U))
           ->excludes(edge);
   auto* fit = command.add_option("--fit", a.fit,
                                  "Rate, such as 1kHz: the finest voxel edge whose tick takes half "
@@ -122,7 +122,7 @@ void add_common(CLI::App& command, CommonArguments& a) {
       ->needs(fit);
   command.add_option("--substeps", a.substeps, "Substeps of a tick that --fit reckons with")
       ->type_name("NUMBER")
-      ->check(CLI::Range(1U, kMaxSubsteps))
+      ->check(cli::between(1U, kMaxSubsteps))
       ->capture_default_str();
   command
       .add_option(
@@ -715,7 +715,7 @@ void add_hull(CLI::App& app, HullArguments& a) {
       ->capture_default_str();
   command->add_option("--max-vertices", a.most_vertices, "Vertices to keep")
       ->type_name("NUMBER")
-      ->check(CLI::Range(kLeastHullVertices, std::size_t{kMaxHullVertices}))
+      ->check(cli::between(kLeastHullVertices, std::size_t{kMaxHullVertices}))
       ->capture_default_str();
   command->add_option("-o,--output", a.output, "TOML file to write")->type_name("FILE")->required();
   command->add_flag("--json", a.json, "Report as one JSON object on standard output");

@@ -24,6 +24,12 @@ void add_text_options(CLI::App& program, const std::string& version);
 // be taken for a file, and the error name another word. Throws a CLI::ParseError that says so.
 void refuse_separate_values(const CLI::App& program, int argc, const char* const* argv);
 
+// CLI::Range, which --help would tell as "UINT in [1 - 16]".
+template <typename Number>
+CLI::Range between(Number low, Number high) {
+  return CLI::Range(low, high, CLI::detail::to_string(low) + " to " + CLI::detail::to_string(high));
+}
+
 // ---- parts of the above
 // --------------------------------------------------------------------------
 
