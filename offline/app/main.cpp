@@ -399,7 +399,8 @@ void run_build_labels(const BuildArguments& a) {
   if (a.inputs.size() != 1) refuse("--recipe: {} inputs: expected one label map", a.inputs.size());
   const std::string& path = a.inputs.front();
   BuildOptions options = common_options(a, 1e-3);
-  const Recipe recipe = read_recipe(a.recipe);
+  const LabelMap map = read_label_map(path);
+  const Recipe recipe = read_recipe(a.recipe, {path, map.names});
   for (const LabelGroup& group : recipe.groups) {
     (void)find_tissue(options.own_tissues, group.tissue);
   }
@@ -415,7 +416,6 @@ void run_build_labels(const BuildArguments& a) {
   options.split = options.split || recipe.open_gaps;
   choose_layers(a, recipe.groups, options);
   choose_capsule(a.capsule, recipe.groups, options);
-  const LabelMap map = read_label_map(path);
   Outputs outputs;
   finish([&](const BuildOptions& o,
              const Progress& p) { return build_labels(path, map, recipe, o, p); },
@@ -553,7 +553,9 @@ void run_labels(const FileArguments& a) {
     list.push_back({{"label", each.label},
                     {"name", name != map.names.end() ? name->second : ""},
                     {"voxels", each.voxels},
-                    {"volume_ml", static_cast<double>(each.voxels) * volume_ml}});
+                    {"volume_ml", static_cast<double>(each.voxels) * volume_ml},
+                    {"centroid_mm",
+                     {each.centroid_m.x * 1e3, each.centroid_m.y * 1e3, each.centroid_m.z * 1e3}}});
   }
   if (a.json) {
     const Json facts = {

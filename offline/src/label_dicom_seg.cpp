@@ -1,221 +1,165 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmfg/fgpixmsr.h>
-#include <dcmtk/dcmfg/fgplanor.h>
-#include <dcmtk/dcmfg/fgplanpo.h>
-#include <dcmtk/dcmfg/fgseg.h>
-#include <dcmtk/dcmseg/segdoc.h>
-#include <dcmtk/dcmseg/segment.h>
-#include <dcmtk/dcmseg/segutils.h>
-#include <dcmtk/oflog/oflog.h>
-
 #include <algorithm>
-#include <array>
-#include <fstream>
-#include <memory>
-#include <string_view>
+#include <cmath>
 
+#include "dicom_file.h"
 #include "label_readers.h"
 
 namespace stylet::bake {
 namespace {
 
-constexpr double kMetresPerMm = 1e-3;
-
-struct Plane {
-  Vec origin_m;
-  double along_m = 0;  // the planes' normal
+struct Frame {
+  std::size_t frame = 0, plane = 0;
   std::uint16_t segment = 0;
-  std::size_t frame = 0;
+  FramePlace place;
 };
 
-template <typename Group>
-Group& group_of(const std::string& path, FGInterface& groups, std::size_t frame,
-                DcmFGTypes::E_FGType type, const char* name) {
-  auto* group = dynamic_cast<Group*>(groups.get(static_cast<Uint32>(frame), type));
-  if (group == nullptr) refuse("{}: frame {}: expected its {}", path, frame, name);
-  return *group;
-}
-
-// Directions along a row and a column, and the pixels' size, which all frames share.
-void read_directions(const std::string& path, FGInterface& groups, LabelMap& map) {
-  Vec row, column;
-  auto& orientation = group_of<FGPlaneOrientationPatient>(
-      path, groups, 0, DcmFGTypes::EFG_PLANEORIENTPATIENT, "plane orientation");
-  Float64 row_mm = 0, column_mm = 0;
-  auto& measures =
-      group_of<FGPixelMeasures>(path, groups, 0, DcmFGTypes::EFG_PIXELMEASURES, "pixel measures");
-  if (orientation.getImageOrientationPatient(row.x, row.y, row.z, column.x, column.y, column.z)
-          .bad() ||
-      measures.getPixelSpacing(column_mm, 0).bad() || measures.getPixelSpacing(row_mm, 1).bad()) {
-    refuse("{}: expected ImageOrientationPatient and PixelSpacing", path);
+std::uint16_t segment_of(const DicomFile& file, std::size_t frame) {
+  const double number =
+      number_of(file, frame, DCM_SegmentIdentificationSequence, DCM_ReferencedSegmentNumber);
+  if (!(number >= 1 && number <= 65535)) {
+    refuse("{}: ReferencedSegmentNumber {}: expected 1 to 65535", frame_name(file, frame), number);
   }
-  map.step_m[0] = row * (row_mm * kMetresPerMm);
-  map.step_m[1] = column * (column_mm * kMetresPerMm);
+  return static_cast<std::uint16_t>(number);
 }
 
-std::vector<Plane> read_planes(const std::string& path, DcmSegmentation& file, Vec normal) {
-  std::vector<Plane> planes(file.getNumberOfFrames());
-  FGInterface& groups = file.getFunctionalGroups();
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    Plane& plane = planes[i];
-    plane.frame = i;
-    Vec at_mm;
-    auto& position = group_of<FGPlanePosPatient>(path, groups, i, DcmFGTypes::EFG_PLANEPOSPATIENT,
-                                                 "plane position");
-    auto& segment =
-        group_of<FGSegmentation>(path, groups, i, DcmFGTypes::EFG_SEGMENTATION, "segment number");
-    if (position.getImagePositionPatient(at_mm.x, at_mm.y, at_mm.z).bad() ||
-        segment.getReferencedSegmentNumber(plane.segment).bad()) {
-      refuse("{}: frame {}: expected ImagePositionPatient and ReferencedSegmentNumber", path, i);
+// Along the normal.
+std::vector<Frame> frames_of(const DicomFile& file) {
+  require_map_size(file.path, {file.columns, file.rows, file.frames});
+  std::vector<Frame> frames;
+  for (std::size_t i = 0; i < file.frames; ++i) {
+    frames.push_back({i, 0, segment_of(file, i), place_of(file, i)});
+    require_same_grid(frames.front().place, frames.back().place);
+  }
+  const PixelGrid& grid = frames.front().place.grid;
+  const Vec normal = cross(grid.column_step_m, grid.row_step_m);
+  const auto along = [&](const Frame& f) { return dot(normal, f.place.plane.origin_m); };
+  std::stable_sort(frames.begin(), frames.end(),
+                   [&](const Frame& a, const Frame& b) { return along(a) < along(b); });
+  return frames;
+}
+
+// Frames of several segments share a plane; the last digits of a place do not tell them apart.
+std::vector<Plane> planes_of(std::vector<Frame>& frames) {
+  constexpr double kSameM = 2e-5, kBeside = 0.1;  // of a pixel
+  const PixelGrid& grid = frames.front().place.grid;
+  const double pixel_m = std::min(length(grid.column_step_m), length(grid.row_step_m));
+  const Vec across = cross(grid.column_step_m, grid.row_step_m);
+  const Vec normal = across * (1 / length(across));
+  std::vector<Plane> planes;
+  for (Frame& each : frames) {
+    const Plane& plane = each.place.plane;
+    const Vec way = planes.empty() ? Vec{} : plane.origin_m - planes.back().origin_m;
+    const bool is_same = !planes.empty() && std::fabs(dot(normal, way)) <= kSameM;
+    if (!is_same) planes.push_back(plane);
+    const double beside_m = is_same ? length(way - normal * dot(normal, way)) : 0;
+    if (beside_m > kBeside * pixel_m) {
+      refuse("{}: lies {:.4g} mm to the side of {}: expected the same columns and rows", plane.what,
+             beside_m * 1e3, planes.back().what);
     }
-    plane.origin_m = at_mm * kMetresPerMm;
-    plane.along_m = dot(normal, plane.origin_m);
+    each.plane = planes.size() - 1;
   }
-  std::sort(planes.begin(), planes.end(),
-            [](const Plane& a, const Plane& b) { return a.along_m < b.along_m; });
   return planes;
 }
 
-// Distance of neighbouring planes: as the file says, else the smallest between its frames.
-double plane_step_m(const std::string& path, FGInterface& groups,
-                    const std::vector<Plane>& planes) {
-  constexpr double kSameM = 1e-5;
-  auto& measures =
-      group_of<FGPixelMeasures>(path, groups, 0, DcmFGTypes::EFG_PIXELMEASURES, "pixel measures");
-  Float64 mm = 0;
-  if (measures.getSpacingBetweenSlices(mm).good() && mm > 0) return mm * kMetresPerMm;
-  double step_m = 0, widest_m = 0;
+// Distance of neighbouring planes: as the file says, else between its frames where that is even,
+// else their thickness; a lesion in two slices far apart does not tell it.
+double plane_step_m(const DicomFile& file, const std::vector<Plane>& planes, Vec normal) {
+  const double told_mm = number_of(file, 0, DCM_PixelMeasuresSequence, DCM_SpacingBetweenSlices);
+  if (told_mm >= kLeastMm && told_mm <= kFarthestMm) return told_mm * 1e-3;
+  double least_m = 0, most_m = 0;
   for (std::size_t i = 1; i < planes.size(); ++i) {
-    const double gap_m = planes[i].along_m - planes[i - 1].along_m;
-    if (gap_m > kSameM && (step_m == 0 || gap_m < step_m)) step_m = gap_m;
-    widest_m = std::max(widest_m, gap_m);
+    const double gap_m = dot(normal, planes[i].origin_m - planes[i - 1].origin_m);
+    least_m = i == 1 ? gap_m : std::min(least_m, gap_m);
+    most_m = std::max(most_m, gap_m);
   }
-  // A lesion in two slices far apart: only planes that are regular tell their distance.
-  const bool regular = planes.size() > 2 && widest_m - step_m <= kSameM && step_m > 0;
-  const bool thick = measures.getSliceThickness(mm).good() && mm > 0;
-  if (regular && (!thick || step_m <= 1.5 * mm * kMetresPerMm)) return step_m;
-  if (!thick) {
+  constexpr double kSame = 1.01, kNext = 1.5;
+  const double thick_m = planes.front().thickness_m;
+  const bool even = planes.size() > 2 && least_m > 0 && most_m <= kSame * least_m;
+  if (even && (thick_m == 0 || least_m <= kNext * thick_m)) return least_m;
+  if (thick_m == 0) {
     refuse(
         "{}: neither SpacingBetweenSlices nor SliceThickness, and frames that do not tell it: "
         "expected one of them",
-        path);
+        file.path);
   }
-  return mm * kMetresPerMm;
+  return thick_m;
 }
 
-void take_frame(const std::string& path, DcmSegmentation& file, const Plane& plane,
-                std::size_t layer, LabelMap& map) {
-  const std::size_t pixels = std::size_t{map.size[0]} * map.size[1];
-  const std::unique_ptr<DcmIODTypes::Frame> frame(
-      DcmSegUtils::unpackBinaryFrame(file.getFrame(plane.frame), static_cast<Uint16>(map.size[1]),
-                                     static_cast<Uint16>(map.size[0])));
-  if (!frame || frame->length < pixels) {
-    refuse("{}: frame {}: expected {} pixels of a bit", path, plane.frame, pixels);
-  }
-  for (std::size_t i = 0; i < pixels; ++i) {
-    if (frame->pixData[i] != 0) map.label[layer * pixels + i] = plane.segment;
-  }
-}
-
-void read_names(DcmSegmentation& file, LabelMap& map) {
-  for (std::size_t number = 1; number <= file.getNumberOfSegments(); ++number) {
-    DcmSegment* segment = file.getSegment(number);
-    OFString name;
-    if (segment != nullptr && segment->getSegmentLabel(name).good()) {
-      map.names[static_cast<std::uint16_t>(number)] = name.c_str();
+// The sequence in which frames are put: a segment with a higher number takes the voxel.
+void sort_by_segment(std::vector<Frame>& frames) {
+  std::stable_sort(frames.begin(), frames.end(),
+                   [](const Frame& a, const Frame& b) { return a.segment < b.segment; });
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    if (frames[i].segment != frames[i - 1].segment) continue;
+    for (std::size_t j = i; j > 0 && frames[j - 1].segment == frames[i].segment; --j) {
+      if (frames[j - 1].plane < frames[i].plane) break;
+      refuse("{}: segment {} has this plane in frame {} already: expected it once",
+             frames[i].place.plane.what, frames[i].segment, frames[j - 1].frame);
     }
   }
 }
 
-// Where segments overlap, the one with the higher number has the voxel, whatever the last digits of
-// a frame's place are.
-std::vector<Plane> in_order(const std::vector<Plane>& planes, double step_m) {
-  std::vector<Plane> sorted = planes;
-  const auto key = [&](const Plane& plane) {
-    return std::pair(std::lround((plane.along_m - planes.front().along_m) / step_m), plane.segment);
-  };
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [&](const Plane& a, const Plane& b) { return key(a) < key(b); });
-  return sorted;
+// From which stored number on a pixel belongs to its segment.
+double threshold(const DicomFile& file, std::vector<std::string>& notes) {
+  const std::string kind = text_of(file, DCM_SegmentationType);
+  if (kind == "BINARY") return 1;
+  const double most = number_of(*file.format->getDataset(), DCM_MaximumFractionalValue);
+  if (kind != "FRACTIONAL" || !(most >= 1 && most <= 255)) {
+    refuse(
+        "{}: SegmentationType {}, MaximumFractionalValue {}: expected BINARY, or FRACTIONAL "
+        "and 1 to 255",
+        file.path, kind, most);
+  }
+  notes.push_back(
+      fmt::format("{}: a fractional segmentation ({}): a voxel is a segment's from "
+                  "half on",
+                  file.path, text_of(file, DCM_SegmentationFractionalType)));
+  return most / 2;
 }
 
-void fill(const std::string& path, DcmSegmentation& file, Uint16 columns, Uint16 rows,
-          LabelMap& map) {
-  if (file.getSegmentationType() != DcmSegTypes::ST_BINARY) {
-    refuse("{}: a fractional segmentation: expected a binary one", path);
-  }
-  read_directions(path, file.getFunctionalGroups(), map);
-  const Vec across = cross(map.step_m[0], map.step_m[1]);
-  const Vec normal = across * (1 / length(across));
-  const std::vector<Plane> planes = read_planes(path, file, normal);
-  if (planes.empty()) refuse("{}: no frames: expected one at least", path);
-  const double step_m = plane_step_m(path, file.getFunctionalGroups(), planes);
-  const double layers = (planes.back().along_m - planes.front().along_m) / step_m;
-  map.step_m[2] = normal * step_m;
-  map.origin_m = planes.front().origin_m;
-  require_frame(path, map);
-  require_map_size(path, {columns, rows, static_cast<std::size_t>(std::lround(layers)) + 1});
-  map.size = {columns, rows, static_cast<std::uint32_t>(std::lround(layers)) + 1};
-  map.label.assign(std::size_t{map.size[0]} * map.size[1] * map.size[2], 0);
-  for (const Plane& plane : in_order(planes, step_m)) {
-    constexpr double kOff = 0.05;  // of a step
-    const Vec way = plane.origin_m - planes.front().origin_m;
-    const Vec aside = way - normal * dot(normal, way);
-    if (length(aside) > kOff * std::min(length(map.step_m[0]), length(map.step_m[1]))) {
-      refuse(
-          "{}: frame {} lies {:.4g} mm to the side of the others: expected the same columns and "
-          "rows",
-          path, plane.frame, length(aside) * 1e3);
+void read_names(const DicomFile& file, LabelMap& map) {
+  for (DcmItem* const segment : items_of(*file.format->getDataset(), DCM_SegmentSequence)) {
+    const double number = number_of(*segment, DCM_SegmentNumber);
+    if (!(number >= 1 && number <= 65535)) {
+      refuse("{}: SegmentNumber {}: expected 1 to 65535", file.path, number);
     }
-    const double layer = (plane.along_m - planes.front().along_m) / step_m;
-    if (std::fabs(layer - std::round(layer)) > kOff) {
-      refuse("{}: frame {} lies between the planes that are {:.6g} mm apart: expected it on one",
-             path, plane.frame, step_m * 1e3);
+    std::string name = text_of(*segment, DCM_SegmentLabel);
+    for (DcmItem* const type : items_of(*segment, DCM_SegmentedPropertyTypeCodeSequence)) {
+      if (name.empty()) name = text_of(*type, DCM_CodeMeaning);
     }
-    take_frame(path, file, plane, static_cast<std::size_t>(std::lround(layer)), map);
+    if (!name.empty()) map.names[static_cast<std::uint16_t>(number)] = name;
   }
-  read_names(file, map);
 }
 
 }  // namespace
 
-bool is_dicom(const std::string& path) {
-  constexpr std::size_t kPreamble = 128;
-  std::array<char, kPreamble + 4> head{};
-  std::ifstream file(path, std::ios::binary);
-  file.read(head.data(), head.size());
-  return file && std::string_view(head.data() + kPreamble, 4) == "DICM";
-}
-
-void require_whole_dicom(const std::string& path) {
-  OFLog::configure(OFLogger::OFF_LOG_LEVEL);
-  DcmFileFormat format;
-  OFCondition condition = format.loadFile(path.c_str());
-  if (condition.good()) condition = format.loadAllDataIntoMemory();
-  if (condition.bad()) refuse("{}: ends too early, or is damaged: {}", path, condition.text());
-}
-
-LabelMap read_dicom_seg(const std::string& path) {
-  const Silence silence;
-  OFLog::configure(OFLogger::OFF_LOG_LEVEL);
-  DcmFileFormat format;
-  Uint16 rows = 0, columns = 0;
-  DcmSegmentation* loaded = nullptr;
-  OFCondition condition = format.loadFile(path.c_str());
-  if (condition.good()) {
-    DcmDataset& dataset = *format.getDataset();
-    (void)dataset.findAndGetUint16(DCM_Rows, rows);
-    (void)dataset.findAndGetUint16(DCM_Columns, columns);
-    condition = DcmSegmentation::loadDataset(dataset, loaded);
+LabelMap read_dicom_seg(const DicomFile& file) {
+  std::vector<Frame> frames = frames_of(file);
+  const std::vector<Plane> planes = planes_of(frames);
+  const PixelGrid grid = frames.front().place.grid;
+  const Vec across = cross(grid.column_step_m, grid.row_step_m);
+  const double step_m = plane_step_m(file, planes, across * (1 / length(across)));
+  sort_by_segment(frames);
+  load_pixels(file);
+  std::vector<std::string> notes;
+  const double least = threshold(file, notes);
+  Stack stack = sparse_stack(file.path, grid, planes, step_m);
+  for (const Frame& frame : frames) {
+    std::vector<std::uint16_t> labels;
+    for (const std::int32_t pixel : stored_pixels(file, frame.frame)) {
+      labels.push_back(pixel >= least ? frame.segment : 0);
+    }
+    put_plane(stack, frame.plane, labels);
   }
-  const std::unique_ptr<DcmSegmentation> file(loaded);
-  if (condition.bad() || !file) {
-    refuse("{}: expected a DICOM segmentation: {}; of a series of slices give the folder", path,
-           condition.text());
+  LabelMap map = std::move(stack.map);
+  map.notes.insert(map.notes.end(), notes.begin(), notes.end());
+  if (stack.claimed_twice > 0) {
+    map.notes.push_back(fmt::format(
+        "{}: {} voxels lie in several segments: the one with the higher number has them", file.path,
+        stack.claimed_twice));
   }
-  LabelMap map;
-  fill(path, *file, columns, rows, map);
+  read_names(file, map);
   return map;
 }
 

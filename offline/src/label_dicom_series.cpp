@@ -1,173 +1,171 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <itkGDCMImageIO.h>
-#include <itkGDCMSeriesFileNames.h>
-#include <itkMetaDataObject.h>
-
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <cstring>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
 
+#include "dicom_file.h"
 #include "file.h"
-#include "label_itk.h"
+#include "label_readers.h"
 
 namespace stylet::bake {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct Slice {
-  itk::GDCMImageIO::Pointer reader;
-  std::string path;
-  double along_m = 0;  // the slices' normal
+  std::size_t file = 0, frame = 0;
+  FramePlace place;
 };
 
-// A text of the header, as "0.7\\0.7"; the number at a place in it; not a number where there is
-// none.
-double told(const itk::ImageIOBase& reader, const char* tag, std::size_t place) {
-  std::string text;
-  itk::ExposeMetaData<std::string>(reader.GetMetaDataDictionary(), tag, text);
-  const char* at = text.c_str();
-  for (; place > 0; --place) {
-    at = std::strchr(at, '\\');
-    if (at == nullptr) return std::nan("");
-    ++at;
-  }
-  char* end = nullptr;
-  const double value = std::strtod(at, &end);
-  return end == at ? std::nan("") : value;
+// What lies in a folder, as far as it is DICOM.
+struct Folder {
+  std::vector<DicomFile> images;
+  std::vector<DicomFile> structures;  // RTSTRUCT
+  std::vector<std::string> notes;
+};
+
+bool is_named_dicom(const fs::path& path) {
+  const std::string ending = path.extension().string();
+  return ending == ".dcm" || ending == ".DCM" || ending == ".ima" || ending == ".IMA";
 }
 
-// What ITK would take for granted, or leave out without a word.
-void check_slice(const Slice& slice) {
-  const itk::ImageIOBase& reader = *slice.reader;
-  if (reader.GetNumberOfComponents() != 1) {
-    refuse("{}: {} values a pixel: expected labels, which are one", slice.path,
-           reader.GetNumberOfComponents());
+Folder open_folder(const std::string& folder) {
+  Folder found;
+  std::vector<fs::path> paths;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file()) paths.push_back(entry.path());
   }
-  if (reader.GetNumberOfDimensions() > 2 && reader.GetDimensions(2) > 1) {
-    refuse("{}: {} frames in a file: expected a slice a file, or one segmentation object (.dcm)",
-           slice.path, reader.GetDimensions(2));
-  }
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double mm = told(reader, "0028|0030", axis);
-    if (!(mm > 0)) {
-      refuse("{}: PixelSpacing {}: expected two sizes in mm, both above 0", slice.path, mm);
+  std::sort(paths.begin(), paths.end());
+  for (const fs::path& path : paths) {
+    if (!is_dicom(path.string()) && !is_named_dicom(path)) {
+      found.notes.push_back(fmt::format("{}: no DICOM file: left out", path.string()));
+      continue;
+    }
+    DicomFile file = open_dicom(path.string());
+    const std::string kind = text_of(file, DCM_SOPClassUID);
+    const std::string image_type = text_of(file, DCM_ImageType);
+    if (kind == UID_RTStructureSetStorage) {
+      found.structures.push_back(std::move(file));
+    } else if (image_type.find("LOCALIZER") != std::string::npos) {
+      found.notes.push_back(fmt::format("{}: a localizer: left out", path.string()));
+    } else if (file.columns > 0 && file.rows > 0) {
+      found.images.push_back(std::move(file));
+    } else if (items_of(*file.format->getDataset(), DCM_DirectoryRecordSequence).empty()) {
+      refuse("{}: {} x {} pixels: expected a slice", path.string(), file.columns, file.rows);
     }
   }
-  require_whole_dicom(slice.path);
+  return found;
 }
 
-std::vector<Slice> find_slices(const std::string& folder) {
-  const auto names = itk::GDCMSeriesFileNames::New();
-  names->SetUseSeriesDetails(false);
-  names->SetDirectory(folder);
-  const std::vector<std::string> series = names->GetSeriesUIDs();
+void require_one_series(const std::string& folder, const std::vector<DicomFile>& images) {
+  std::map<std::string, std::size_t> series;
+  for (const DicomFile& file : images) ++series[text_of(file, DCM_SeriesInstanceUID)];
   if (series.size() != 1) {
-    refuse("{}: {} DICOM series: expected one", folder, series.size());
+    std::string list;
+    for (const auto& [uid, files] : series) {
+      list += fmt::format("{}{}: {} files", list.empty() ? " (" : ", ", uid, files);
+    }
+    refuse("{}: {} DICOM series{}: expected one", folder, series.size(),
+           list.empty() ? list : list + ")");
   }
+  const std::string frame = text_of(images.front(), DCM_FrameOfReferenceUID);
+  for (const DicomFile& file : images) {
+    const std::string other = text_of(file, DCM_FrameOfReferenceUID);
+    if (other == frame) continue;
+    refuse("{}: FrameOfReferenceUID {}: expected {}, as in {}", file.path, other, frame,
+           images.front().path);
+  }
+}
+
+std::vector<Slice> slices_of(const std::vector<DicomFile>& files) {
   std::vector<Slice> slices;
-  for (const std::string& path : names->GetFileNames(series.front())) {
-    slices.push_back({itk::GDCMImageIO::New(), path, 0});
-    slices.back().reader->SetFileName(path);
-    slices.back().reader->ReadImageInformation();
-    check_slice(slices.back());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    require_map_size(files[i].path, {files[i].columns, files[i].rows, files[i].frames});
+    for (std::size_t frame = 0; frame < files[i].frames; ++frame) {
+      slices.push_back({i, frame, place_of(files[i], frame)});
+      require_same_grid(slices.front().place, slices.back().place);
+    }
   }
   return slices;
 }
 
-Vec vector_of(const std::vector<double>& v) {
-  return {v[0], v[1], v[2]};
-}
-
-Vec origin_of(const itk::ImageIOBase& reader) {
-  return Vec{reader.GetOrigin(0), reader.GetOrigin(1), reader.GetOrigin(2)} * 1e-3;
-}
-
-// Puts the slices in order along their normal; the distance between neighbours, which has to be the
-// same for all.
-double order_slices(std::vector<Slice>& slices) {
-  constexpr double kSameM = 1e-5;
-  const itk::ImageIOBase& first = *slices.front().reader;
-  const Vec normal = cross(vector_of(first.GetDirection(0)), vector_of(first.GetDirection(1)));
-  for (Slice& slice : slices) slice.along_m = dot(normal, origin_of(*slice.reader));
-  std::sort(slices.begin(), slices.end(),
-            [](const Slice& a, const Slice& b) { return a.along_m < b.along_m; });
-  if (slices.size() == 1) {
-    const double thick_mm = told(first, "0018|0050", 0);
-    if (!(thick_mm > 0)) {
-      refuse("{}: a single slice without SliceThickness: expected it, or more slices",
-             slices.front().path);
-    }
-    return thick_mm * 1e-3;
-  }
-  const double step_m = slices[1].along_m - slices[0].along_m;
-  for (std::size_t i = 1; i < slices.size(); ++i) {
-    const double gap_m = slices[i].along_m - slices[i - 1].along_m;
-    if (!(gap_m > kSameM) || std::fabs(gap_m - step_m) > kSameM + 1e-3 * step_m) {
-      refuse(
-          "{}: {:.6g} mm from the slice before, where others are {:.6g} mm apart: expected no "
-          "slice missing or twice",
-          slices[i].path, gap_m * 1e3, step_m * 1e3);
-    }
-    const Vec way = origin_of(*slices[i].reader) - origin_of(*slices[0].reader);
-    const Vec aside = way - normal * dot(normal, way);
-    if (length(aside) > kSameM + 1e-3 * step_m) {
-      refuse(
-          "{}: lies {:.4g} mm to the side of the first slice (a tilted gantry, or a slice that was "
-          "moved): expected all straight above each other; resample the series first",
-          slices[i].path, length(aside) * 1e3);
-    }
-    for (unsigned axis = 0; axis < 2; ++axis) {
-      const double here_mm = slices[i].reader->GetSpacing(axis),
-                   first_mm = slices[0].reader->GetSpacing(axis);
-      if (std::fabs(here_mm - first_mm) > 1e-4 * first_mm) {
-        refuse("{}: pixels of {:.6g} mm: expected {:.6g} mm, as in {}", slices[i].path, here_mm,
-               first_mm, slices[0].path);
-      }
-      if (slices[i].reader->GetDimensions(axis) != slices[0].reader->GetDimensions(axis) ||
-          slices[i].reader->GetDirection(axis) != slices[0].reader->GetDirection(axis)) {
-        refuse("{}: differs in size or direction: expected that of {}", slices[i].path,
-               slices[0].path);
-      }
-    }
-  }
-  return step_m;
-}
-
-LabelMap read_slices(const std::string& folder) {
-  std::vector<Slice> slices = find_slices(folder);
-  const double step_m = order_slices(slices);
-  const itk::ImageIOBase& first = *slices.front().reader;
-  LabelMap map;
-  require_map_size(folder, {first.GetDimensions(0), first.GetDimensions(1), slices.size()});
-  for (unsigned axis = 0; axis < 2; ++axis) {
-    map.size[axis] = static_cast<std::uint32_t>(first.GetDimensions(axis));
-    map.step_m[axis] = vector_of(first.GetDirection(axis)) * (first.GetSpacing(axis) * 1e-3);
-  }
-  map.size[2] = static_cast<std::uint32_t>(slices.size());
-  map.origin_m = origin_of(first);
-  map.step_m[2] =
-      cross(vector_of(first.GetDirection(0)), vector_of(first.GetDirection(1))) * step_m;
-  require_frame(folder, map);
+LabelMap map_of(const std::string& path, const std::vector<DicomFile>& files) {
+  const std::vector<Slice> slices = slices_of(files);
+  std::vector<Plane> planes;
+  for (const Slice& slice : slices) planes.push_back(slice.place.plane);
+  Stack stack = whole_stack(path, slices.front().place.grid, planes);
   std::set<std::uint16_t> different;
   std::string sums;
-  for (const Slice& slice : slices) {
-    sums += sha256_hex(read_file(slice.path));
-    take_any_labels(slice.path, slice.reader->GetComponentType(),
-                    read_bytes(slice.path, *slice.reader), map, different);
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    if (slices[i].frame == 0) {
+      sums += sha256_hex(read_file(files[slices[i].file].path));
+      load_pixels(files[slices[i].file]);
+    }
+    const DicomFile& file = files[slices[i].file];
+    put_plane(stack, i, label_pixels(file, slices[i].frame, different));
+    // What has been taken is let go.
+    if (slices[i].frame + 1 == file.frames) file.format->clear();
   }
-  map.sha256 = sha256_hex(sums);
+  stack.map.sha256 = sha256_hex(sums);
+  return std::move(stack.map);
+}
+
+// Pixels of the series do not count: it says where planes and pixels are.
+LabelMap map_of_contours(const std::string& folder, const Folder& found) {
+  if (found.structures.size() != 1) {
+    refuse("{}: {} structure sets: expected one", folder, found.structures.size());
+  }
+  const DicomFile& file = found.structures.front();
+  std::vector<FramePlace> series;
+  if (!found.images.empty()) {
+    require_one_series(folder, found.images);
+    for (const Slice& slice : slices_of(found.images)) series.push_back(slice.place);
+    const std::string frame = text_of(found.images.front(), DCM_FrameOfReferenceUID);
+    for (DcmItem* const roi : items_of(*file.format->getDataset(), DCM_StructureSetROISequence)) {
+      const std::string own = text_of(*roi, DCM_ReferencedFrameOfReferenceUID);
+      if (own == frame || own.empty() || frame.empty()) continue;
+      refuse("{}: ReferencedFrameOfReferenceUID {}: expected {}, as in {}", file.path, own, frame,
+             found.images.front().path);
+    }
+  }
+  LabelMap map = read_dicom_contours(file, series);
+  map.sha256 = sha256_hex(read_file(file.path));
   return map;
 }
 
 }  // namespace
 
+bool is_dicom(const std::string& path) {
+  constexpr std::size_t kPreamble = 128;
+  std::array<char, kPreamble + 4> head{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), head.size());
+  return file && std::string_view(head.data() + kPreamble, 4) == "DICM";
+}
+
 LabelMap read_dicom_series(const std::string& folder) {
-  try {
-    const Silence silence;
-    return read_slices(folder);
-  } catch (const itk::ExceptionObject& failure) {
-    refuse("{}: cannot be read: {}", folder, reason_of(failure));
+  const Folder found = open_folder(folder);
+  if (found.structures.empty()) require_one_series(folder, found.images);
+  LabelMap map =
+      found.structures.empty() ? map_of(folder, found.images) : map_of_contours(folder, found);
+  map.notes.insert(map.notes.end(), found.notes.begin(), found.notes.end());
+  return map;
+}
+
+LabelMap read_dicom_file(const std::string& path) {
+  const DicomFile file = open_dicom(path);
+  const std::string kind = text_of(file, DCM_SOPClassUID);
+  if (kind == UID_SegmentationStorage) return read_dicom_seg(file);
+  if (kind == UID_RTStructureSetStorage) return read_dicom_contours(file, {});
+  if (file.frames < 2) {
+    refuse(
+        "{}: expected a DICOM segmentation, a structure set or an image of several frames; of "
+        "a series of slices give the folder",
+        path);
   }
+  return map_of(path, {file});
 }
 
 }  // namespace stylet::bake

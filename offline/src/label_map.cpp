@@ -21,14 +21,14 @@ struct Format {
   LabelMap (*read)(const std::string& path, std::string_view bytes);
 };
 
-LabelMap read_seg(const std::string& path, std::string_view /*bytes*/) {
-  return read_dicom_seg(path);
+LabelMap read_dicom(const std::string& path, std::string_view /*bytes*/) {
+  return read_dicom_file(path);
 }
 
 constexpr Format kFormats[] = {
     {".nrrd", read_by_itk},  {".nhdr", read_by_itk}, {".nii", read_nifti},
     {".nii.gz", read_nifti}, {".mha", read_by_itk},  {".mhd", read_by_itk},
-    {".inr", read_inr},      {".inr.gz", read_inr},  {".dcm", read_seg}};
+    {".inr", read_inr},      {".inr.gz", read_inr},  {".dcm", read_dicom}};
 
 const Format* format_of(const std::string& path) {
   const std::string name = lower(path);
@@ -101,7 +101,7 @@ LabelMap read_label_map(const std::filesystem::path& file) {
   const std::string path = file.string();
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) return read_dicom_series(path);
-  constexpr Format kDicom = {"", read_seg};  // known by its first bytes
+  constexpr Format kDicom = {"", read_dicom};  // known by its first bytes
   const Format* format = format_of(path);
   if (format == nullptr && is_dicom(path)) format = &kDicom;
   if (format == nullptr) {
@@ -123,10 +123,25 @@ double voxel_volume_m3(const LabelMap& map) {
 
 std::vector<LabelCount> count_labels(const LabelMap& map) {
   std::vector<std::size_t> voxels(65536, 0);
-  for (const std::uint16_t label : map.label) ++voxels[label];
+  std::vector<Vec> indices(65536);  // their sums
+  std::size_t i = 0;
+  for (std::uint32_t z = 0; z < map.size[2]; ++z) {
+    for (std::uint32_t y = 0; y < map.size[1]; ++y) {
+      for (std::uint32_t x = 0; x < map.size[0]; ++x, ++i) {
+        const std::uint16_t label = map.label[i];
+        if (label == 0) continue;
+        ++voxels[label];
+        indices[label] = indices[label] + Vec{1.0 * x, 1.0 * y, 1.0 * z};
+      }
+    }
+  }
   std::vector<LabelCount> counts;
   for (std::size_t label = 1; label < voxels.size(); ++label) {
-    if (voxels[label] > 0) counts.push_back({static_cast<std::uint16_t>(label), voxels[label]});
+    if (voxels[label] == 0) continue;
+    const Vec mean = indices[label] * (1.0 / static_cast<double>(voxels[label]));
+    counts.push_back({static_cast<std::uint16_t>(label), voxels[label],
+                      map.origin_m + map.step_m[0] * mean.x + map.step_m[1] * mean.y +
+                          map.step_m[2] * mean.z});
   }
   return counts;
 }

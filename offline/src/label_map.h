@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A label map: a number for every voxel of an image, and where the image lies in the patient.
 //
-// Read by ITK: NRRD (.nrrd .nhdr), MetaImage (.mha .mhd), a folder with one series of DICOM slices;
-// by DCMTK: a DICOM segmentation (.dcm); by CGAL: Inrimage (.inr .inr.gz); by ourselves: NIfTI
-// (.nii .nii.gz), versions 1 and 2. Of segments that claim a voxel both, in DICOM or in layers of
-// 3D Slicer, the higher number wins. Axes, spacing, direction cosines and units are those of the
+// Read by ITK: NRRD (.nrrd .nhdr), MetaImage (.mha .mhd); by DCMTK: a folder with one series of
+// DICOM slices or a structure set, a DICOM segmentation, structure set or image of several frames
+// (.dcm, or whatever name); by CGAL: Inrimage (.inr .inr.gz); by ourselves: NIfTI (.nii .nii.gz),
+// versions 1 and 2. Of segments that claim a voxel both, in DICOM or in layers of 3D Slicer, the
+// higher number wins, of structures the smaller one. Axes, spacing, direction cosines and units are those of the
 // header; Inrimage knows no directions and has x, y, z as stored. Promises: what is no label map
 // (fractions, negative numbers, more values than anybody names, other than three dimensions) and
 // what contradicts itself is refused with one line; memory and time follow the bytes there are, not
@@ -45,6 +46,7 @@ double voxel_volume_m3(const LabelMap& map);
 struct LabelCount {
   std::uint16_t label = 0;
   std::size_t voxels = 0;
+  Vec centroid_m;
 };
 // In ascending order, without 0.
 std::vector<LabelCount> count_labels(const LabelMap& map);

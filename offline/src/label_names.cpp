@@ -15,13 +15,20 @@
 namespace stylet::bake {
 namespace {
 
-std::string essence(std::string_view name) {
-  std::string out;
+// Its words in lower case, in the alphabet's order.
+std::vector<std::string> essence(std::string_view name) {
+  std::vector<std::string> words(1);
   for (const unsigned char c : name) {
     constexpr unsigned char kAscii = 128;
-    if (c >= kAscii || std::isalnum(c) != 0) out += static_cast<char>(std::tolower(c));
+    if (c >= kAscii || std::isalnum(c) != 0) {
+      words.back() += static_cast<char>(std::tolower(c));
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
   }
-  return out;
+  if (words.back().empty()) words.pop_back();
+  std::sort(words.begin(), words.end());
+  return words;
 }
 
 // Bytes of the character at the front; 0 where it is none of UTF-8.
@@ -129,9 +136,9 @@ void read_label_table(const std::string& path, std::string_view xml, LabelMap& m
   XML_SetElementHandler(parser.get(), on_start, on_end);
   XML_SetCharacterDataHandler(parser.get(), on_text);
   if (XML_Parse(parser.get(), xml.data(), static_cast<int>(xml.size()), 1) == XML_STATUS_ERROR) {
-    map.notes.push_back(fmt::format("{}: the names of its labels cannot be read: line {}: {}",
-                                       path, XML_GetCurrentLineNumber(parser.get()),
-                                       XML_ErrorString(XML_GetErrorCode(parser.get()))));
+    map.notes.push_back(fmt::format("{}: the names of its labels cannot be read: line {}: {}", path,
+                                    XML_GetCurrentLineNumber(parser.get()),
+                                    XML_ErrorString(XML_GetErrorCode(parser.get()))));
     return;
   }
   for (const auto& [label, name] : table.names) map.names[label] = trimmed(name);

@@ -12,7 +12,7 @@
 
 namespace stylet::bake {
 
-// Letters and digits count, their case does not: "Portal vein" is portal_vein.
+// Words of letters and digits count, not their case or order: "Right kidney" is kidney_right.
 bool is_same_name(std::string_view a, std::string_view b);
 
 // The labels of a name: those spelled like it where there are any, else those that are the same.

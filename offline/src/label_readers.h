@@ -19,10 +19,8 @@ namespace stylet::bake {
 LabelMap read_by_itk(const std::string& path, std::string_view bytes);  // NRRD, MetaImage
 LabelMap read_nifti(const std::string& path, std::string_view bytes);
 LabelMap read_inr(const std::string& path, std::string_view bytes);  // by CGAL
-LabelMap read_dicom_series(const std::string& folder);               // one series of slices, by ITK
-LabelMap read_dicom_seg(const std::string& path);  // segmentation object, by DCMTK
-// A DICOM file of any kind that does not end before it should.
-void require_whole_dicom(const std::string& path);
+LabelMap read_dicom_series(const std::string& folder);               // one series, by DCMTK
+LabelMap read_dicom_file(const std::string& path);                   // of several frames, by DCMTK
 // Whether a file begins as DICOM does, whatever its name.
 bool is_dicom(const std::string& path);
 

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "label_names.h"
 #include "refusal.h"
 #include "toml_file.h"
 
@@ -36,19 +37,64 @@ void read_names(const std::string& file, const toml::table& table, Recipe& recip
   }
 }
 
-std::uint16_t named_label(const std::string& file, const Recipe& recipe, const toml::node& node) {
+// What a recipe is read from, and for.
+struct Source {
+  const std::string& file;
+  const FileNames& of_map;
+};
+
+std::string listed(const std::map<std::uint16_t, std::string>& names) {
+  std::string list;
+  for (const auto& [label, name] : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+// The recipe's own name, or all labels of that name in the map's file.
+std::vector<std::uint16_t> named_labels(const Source& source, const Recipe& recipe,
+                                        const toml::node& node) {
   const std::string name = *node.value<std::string>();
   const auto found = std::find_if(recipe.names.begin(), recipe.names.end(),
                                   [&](const auto& each) { return each.second == name; });
-  if (found == recipe.names.end()) {
-    refuse("{}: {}: expected one of the names of this recipe", place_of(file, node), name);
-  }
-  return found->first;
+  if (found != recipe.names.end()) return {found->first};
+  std::vector<std::uint16_t> labels = labels_named(source.of_map.names, name);
+  if (!labels.empty()) return labels;
+  refuse("{}: {}: expected one of the names of this recipe{}", place_of(source.file, node), name,
+         source.of_map.names.empty()
+             ? ""
+             : fmt::format(", or of {}: {}", source.of_map.path, listed(source.of_map.names)));
 }
 
-std::uint16_t any_label(const std::string& file, const std::string& key, const Recipe& recipe,
-                        const toml::node& node) {
-  return node.is_string() ? named_label(file, recipe, node) : label_of(file, key, node);
+std::vector<std::uint16_t> any_labels(const Source& source, const std::string& key,
+                                      const Recipe& recipe, const toml::node& node) {
+  if (node.is_string()) return named_labels(source, recipe, node);
+  return {label_of(source.file, key, node)};
+}
+
+// A label is called the same by the recipe and by the map's file, where both have a name.
+void check_name(const Source& source, const Recipe& recipe, std::uint16_t label) {
+  const auto here = recipe.names.find(label);
+  const auto& there = source.of_map.names;
+  if (here == recipe.names.end() || there.empty()) return;
+  const auto called = there.find(label);
+  if (called != there.end() && is_same_name(called->second, here->second)) return;
+  const std::vector<std::uint16_t> others = labels_named(there, here->second);
+  if (called == there.end() && others.empty()) return;
+  refuse(
+      "{}: [names]: {} = {}: in {} {}: expected the same; to go by the map's names, take this "
+      "one out of [names]",
+      source.file, here->second, label, source.of_map.path,
+      called != there.end() ? fmt::format("label {} is called {}", label, called->second)
+                            : fmt::format("{} is label {}", here->second, others.front()));
+}
+
+void check_names(const Source& source, const Recipe& recipe) {
+  const auto check = [&](const auto& labels) {
+    for (const std::uint16_t label : labels) check_name(source, recipe, label);
+  };
+  check(recipe.crop_around);
+  for (const LabelGroup& group : recipe.groups) check(group.labels);
+  for (const NamedLabels& body : recipe.obstacles) check(body.labels);
+  for (const NamedLabels& body : recipe.targets) check(body.labels);
 }
 
 double number_of(const std::string& file, const char* key, const toml::node& node, double most) {
@@ -59,14 +105,17 @@ double number_of(const std::string& file, const char* key, const toml::node& nod
   return *value;
 }
 
-void read_crop(const std::string& file, const toml::table& table, Recipe& recipe) {
+void read_crop(const Source& source, const toml::table& table, Recipe& recipe) {
   constexpr double kMostMarginMm = 1000;
+  const std::string& file = source.file;
   for (const auto& [key, node] : table) {
     if (key == "margin_mm") {
       recipe.crop_margin_m = number_of(file, "margin_mm", node, kMostMarginMm) * 1e-3;
     } else if (key == "around" && node.is_array()) {
       for (const toml::node& each : *node.as_array()) {
-        recipe.crop_around.push_back(any_label(file, "around", recipe, each));
+        for (const std::uint16_t label : any_labels(source, "around", recipe, each)) {
+          recipe.crop_around.push_back(label);
+        }
       }
     } else {
       refuse("{}: {}: expected around = [LABEL...] or margin_mm", place_of(file, node), key.str());
@@ -111,8 +160,9 @@ void read_contact(const std::string& file, const toml::table& table, Recipe& rec
 }
 
 // NAME = [LABEL...], each; names become parts of file names.
-std::vector<NamedLabels> read_named(const std::string& file, const toml::table& table,
+std::vector<NamedLabels> read_named(const Source& source, const toml::table& table,
                                     const Recipe& recipe) {
+  const std::string& file = source.file;
   std::vector<NamedLabels> list;
   for (const auto& [key, node] : table) {
     const std::string name(key.str());
@@ -128,7 +178,9 @@ std::vector<NamedLabels> read_named(const std::string& file, const toml::table& 
     }
     list.push_back({name, {}});
     for (const toml::node& each : *labels) {
-      list.back().labels.push_back(any_label(file, name, recipe, each));
+      for (const std::uint16_t label : any_labels(source, name, recipe, each)) {
+        list.back().labels.push_back(label);
+      }
     }
   }
   return list;
@@ -171,29 +223,36 @@ void check_obstacles(const std::string& file, const Recipe& recipe) {
   }
 }
 
-void read_group(const std::string& file, const std::string& tissue, const toml::node& node,
+void take_label(const std::string& file, const toml::node& node, std::uint16_t label,
                 Recipe& recipe) {
+  for (const LabelGroup& group : recipe.groups) {
+    if (std::find(group.labels.begin(), group.labels.end(), label) == group.labels.end()) continue;
+    refuse("{}: {}: label {} is {} already: expected it once", place_of(file, node),
+           recipe.groups.back().tissue, label, group.tissue);
+  }
+  recipe.groups.back().labels.push_back(label);
+}
+
+void read_group(const Source& source, const std::string& tissue, const toml::node& node,
+                Recipe& recipe) {
+  const std::string& file = source.file;
   const toml::array* labels = node.as_array();
   if (labels == nullptr || labels->empty()) {
     refuse("{}: {}: expected a list of labels", place_of(file, node), tissue);
   }
   recipe.groups.push_back({tissue, {}});
   for (const toml::node& each : *labels) {
-    const std::uint16_t label = any_label(file, tissue, recipe, each);
-    for (const LabelGroup& group : recipe.groups) {
-      if (std::find(group.labels.begin(), group.labels.end(), label) == group.labels.end())
-        continue;
-      refuse("{}: {}: label {} is {} already: expected it once", place_of(file, each), tissue,
-             label, group.tissue);
+    for (const std::uint16_t label : any_labels(source, tissue, recipe, each)) {
+      take_label(file, each, label, recipe);
     }
-    recipe.groups.back().labels.push_back(label);
   }
 }
 
 }  // namespace
 
-Recipe read_recipe(const std::filesystem::path& toml_file) {
+Recipe read_recipe(const std::filesystem::path& toml_file, const FileNames& of_map) {
   const std::string file = toml_file.string();
+  const Source source = {file, of_map};
   const toml::table root = read_toml(toml_file);
   Recipe recipe;
   for (const auto& [key, node] : root) {
@@ -207,19 +266,20 @@ Recipe read_recipe(const std::filesystem::path& toml_file) {
     }
   }
   if (root.contains("names")) read_names(file, table_of(file, root, "names"), recipe);
-  if (root.contains("crop")) read_crop(file, table_of(file, root, "crop"), recipe);
+  if (root.contains("crop")) read_crop(source, table_of(file, root, "crop"), recipe);
   if (root.contains("surface")) read_surface(file, table_of(file, root, "surface"), recipe);
   if (root.contains("contact")) read_contact(file, table_of(file, root, "contact"), recipe);
   if (root.contains("wall")) recipe.wall = read_wall(file, *root.get("wall"));
   for (const auto& [key, list] :
        {std::pair{"obstacles", &recipe.obstacles}, std::pair{"targets", &recipe.targets}}) {
-    if (root.contains(key)) *list = read_named(file, table_of(file, root, key), recipe);
+    if (root.contains(key)) *list = read_named(source, table_of(file, root, key), recipe);
   }
   for (const auto& [key, node] : table_of(file, root, "tissues")) {
-    read_group(file, std::string(key.str()), node, recipe);
+    read_group(source, std::string(key.str()), node, recipe);
   }
   if (recipe.groups.empty()) refuse("{}: [tissues]: expected at least one", file);
   check_obstacles(file, recipe);
+  check_names(source, recipe);
   return recipe;
 }
 

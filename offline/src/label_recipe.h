@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which labels of a map become which tissue: a TOML file.
 //
-//   [names]            # optional: names of labels
+//   [names]            # optional: names of labels; else those of the map's file count
 //   liver = 5
 //   [tissues]          # tissue = labels, by number or name
 //   liver = ["liver"]
@@ -29,8 +29,10 @@
 //   [targets]          # optional: what is to be reached; may be tissue, too
 //   lesion = [2]
 //
-// Labels that no tissue asks for are left out of the organ.
-// Promise: a recipe is taken whole or refused with `file:line: key: ...`.
+// Labels that no tissue asks for are left out of the organ. Names are compared by their words:
+// "Right kidney" is kidney_right.
+// Promise: a recipe is taken whole or refused with `file:line: key: ...`; so is one that gives a
+// label another name than the map's file does.
 #pragma once
 
 #include <cstdint>
@@ -71,6 +73,12 @@ struct Recipe {
   std::vector<NamedLabels> targets = {};
 };
 
-Recipe read_recipe(const std::filesystem::path& toml_file);
+// Names that the file of a label map gives its labels; none where it has none.
+struct FileNames {
+  std::string path = {};
+  std::map<std::uint16_t, std::string> names = {};
+};
+
+Recipe read_recipe(const std::filesystem::path& toml_file, const FileNames& of_map = {});
 
 }  // namespace stylet::bake

@@ -386,5 +386,106 @@ TEST(Nifti, WithoutAFrameSaysThatLeftAndRightAreUnknown) {
   EXPECT_THAT(map.notes, testing::ElementsAre(HasSubstr("left and right are not known")));
 }
 
+// ---- names --------------------------------------------------------------------------------------
+
+// As TotalSegmentator and the Connectome Workbench write them.
+std::string label_table(const bake::LabelNames& names) {
+  std::string xml = "<?xml version=\"1.0\"?><CaretExtension><VolumeInformation><LabelTable>";
+  for (const auto& [label, name] : names) {
+    xml +=
+        "<Label Key=\"" + std::to_string(label) + "\" Red=\"1\"><![CDATA[" + name + "]]></Label>";
+  }
+  return xml + "</LabelTable></VolumeInformation></CaretExtension>";
+}
+
+std::string extension(const std::string& text, bool swapped) {
+  const std::int32_t words[] = {static_cast<std::int32_t>(text.size() + 8), 30};
+  std::string out;
+  for (const std::int32_t word : words) {
+    std::array<char, 4> raw{};
+    std::memcpy(raw.data(), &word, sizeof word);
+    if (swapped) std::reverse(raw.begin(), raw.end());
+    out.append(raw.data(), raw.size());
+  }
+  return out + text;
+}
+
+TEST(Nifti, NamesItsLabels) {
+  const Scratch scratch;
+  std::mt19937 random(8);
+  for (int round = 0; round < 20; ++round) {
+    bake::LabelNames names;
+    for (int i = 0; i < 4; ++i) {
+      names[static_cast<std::uint16_t>(1 + random() % 65535)] =
+          "Vène <" + std::to_string(random() % 100) + "> & more";
+    }
+    Nifti n;
+    n.version = 1 + static_cast<int>(random() % 2);
+    n.swapped = random() % 2 == 0;
+    place_at_random(random, n);
+    n.qform_code = 1;
+    n.extension = extension(label_table(names) + std::string(random() % 9, '\0'), n.swapped);
+    EXPECT_EQ(bake::read_label_map(scratch.write("a.nii", bytes_of(n))).names, names);
+    n.extension = extension("<LabelTable><Label Key='1'>liver", n.swapped);
+    const LabelMap damaged = bake::read_label_map(scratch.write("a.nii", bytes_of(n)));
+    EXPECT_TRUE(damaged.names.empty());
+    EXPECT_THAT(damaged.notes, testing::ElementsAre(HasSubstr("names of its labels")));
+  }
+}
+
+// A segmentation of 3D Slicer: segments lie in layers, where they may have the same value.
+TEST(Nrrd, SegmentsInLayersAreAllRead) {
+  const Scratch scratch;
+  std::mt19937 random(9);
+  for (int round = 0; round < 30; ++round) {
+    const std::size_t layers = 1 + random() % 3, voxels = 24;
+    std::string stacked;
+    for (std::size_t i = 0; i < layers * voxels; ++i) stacked += static_cast<char>(random() % 4);
+    struct Listed {
+      std::size_t layer;
+      char value;
+    };
+    std::vector<Listed> listed;
+    std::string header =
+        "NRRD0004\ntype: unsigned char\n" +
+        std::string(layers > 1 ? "dimension: 4\nsizes: " : "dimension: 3\nsizes: ") +
+        (layers > 1 ? std::to_string(layers) + " " : "") +
+        "2 3 4\nspace: left-posterior-superior\nspace directions: " + (layers > 1 ? "none " : "") +
+        "(2,0,0) (0,3,0) (0,0,4)\n" + (layers > 1 ? "kinds: list domain domain domain\n" : "") +
+        "encoding: raw\n";
+    for (std::size_t layer = 0; layer < layers; ++layer) {
+      for (char value = 1; value < 4; ++value) {
+        if (random() % 4 == 0) continue;
+        const std::string key = "Segment" + std::to_string(listed.size());
+        listed.push_back({layer, value});
+        header += key + "_ID:=s\n" + key + "_Name:=Part " + key.substr(7) + "\n" + key +
+                  "_LabelValue:=" + std::to_string(value) + "\n" + key +
+                  "_Layer:=" + std::to_string(layer) + "\n";
+      }
+    }
+    if (listed.empty()) continue;
+    const LabelMap map = bake::read_label_map(scratch.write("a.seg.nrrd", header + "\n" + stacked));
+    std::size_t shared = 0;
+    for (std::size_t i = 0; i < voxels; ++i) {
+      std::size_t expected = layers > 1 ? 0 : static_cast<std::size_t>(stacked[i]), claims = 0;
+      for (std::size_t s = 0; s < listed.size() && layers > 1; ++s) {
+        if (stacked[i * layers + listed[s].layer] != listed[s].value) continue;
+        expected = s + 1;
+        ++claims;
+      }
+      shared += claims > 1 ? 1 : 0;
+      EXPECT_EQ(map.label[i], expected) << i;
+    }
+    for (std::size_t s = 0; s < listed.size(); ++s) {
+      const auto label = layers > 1 ? static_cast<std::uint16_t>(s + 1)
+                                    : static_cast<std::uint16_t>(listed[s].value);
+      EXPECT_EQ(map.names.at(label), "Part " + std::to_string(s));
+    }
+    ASSERT_EQ(map.notes.size(), shared > 0 ? 1U : 0U);
+    if (shared == 0) continue;
+    EXPECT_THAT(map.notes[0], HasSubstr(std::to_string(shared) + " voxels lie in"));
+  }
+}
+
 }  // namespace
 }  // namespace stylet::test

@@ -238,7 +238,7 @@ TEST(LabelMap, WhatIsNoVolumeOfLabelsIsRefused) {
   EXPECT_THAT(refusal("flat.nrrd",
                       "NRRD0004\ntype: uchar\ndimension: 2\nsizes: 2 2\nencoding: raw\n\nabcd"),
               testing::HasSubstr("expected 3"));
-  EXPECT_THAT(refusal("a.dcm", "x"), testing::HasSubstr("expected a DICOM segmentation"));
+  EXPECT_THAT(refusal("a.dcm", "x"), testing::HasSubstr("expected a whole DICOM file"));
   EXPECT_THAT(refusal("a.inr", "x"), testing::HasSubstr("expected the header of an Inrimage"));
   EXPECT_THAT(refusal("a.txt", "x"), testing::HasSubstr("expected a label map"));
   EXPECT_THAT(refusal_of([] { (void)bake::read_label_map("nowhere.nrrd"); }),
@@ -621,6 +621,50 @@ TEST(Recipe, RefusesWithFileAndLine) {
   for (const auto& [text, reason] : bad) {
     const auto path = scratch.write("r.toml", text);
     EXPECT_THAT(refusal_of([&] { (void)bake::read_recipe(path); }), testing::HasSubstr(reason));
+  }
+}
+
+// By the names of the map's file: in any order of words, all labels of that name.
+TEST(Recipe, GoesByTheNamesOfTheMap) {
+  const Scratch scratch;
+  const bake::FileNames names = {"seg.nrrd",
+                                 {{2, "Right kidney"}, {7, "portal vein"}, {9, "Portal Vein"}}};
+  const Recipe recipe =
+      bake::read_recipe(scratch.write("r.toml",
+                                      "[names]\nliver = 5\n[tissues]\nkidney = [\"kidney_right\"]\n"
+                                      "liver = [\"liver\"]\nvessel = [\"Portal_vein\"]\n"
+                                      "[targets]\nside = [\"right kidney\"]\n"),
+                        names);
+  EXPECT_THAT(recipe.groups.at(0).labels, testing::ElementsAre(2));
+  EXPECT_THAT(recipe.groups.at(1).labels, testing::ElementsAre(5));
+  EXPECT_THAT(recipe.groups.at(2).labels, testing::ElementsAre(7, 9));
+  EXPECT_THAT(recipe.targets.at(0).labels, testing::ElementsAre(2));
+  const auto exact = scratch.write("r.toml", "[tissues]\nvessel = [\"portal vein\"]\n");
+  EXPECT_THAT(bake::read_recipe(exact, names).groups.at(0).labels, testing::ElementsAre(7));
+}
+
+TEST(Recipe, AndTheMapCallALabelTheSame) {
+  const Scratch scratch;
+  const bake::FileNames names = {"mr.nii", {{52, "portal vein"}, {3, "liver"}}};
+  const auto refused = [&](const std::string& text) {
+    const auto path = scratch.write("r.toml", text);
+    return refusal_of([&] { (void)bake::read_recipe(path, names); });
+  };
+  EXPECT_THAT(refused("[names]\naorta = 52\n[tissues]\nvessel = [\"aorta\"]\n"),
+              testing::HasSubstr("aorta = 52: in mr.nii label 52 is called portal vein"));
+  EXPECT_THAT(refused("[names]\naorta = 52\n[tissues]\nvessel = [52]\n"),
+              testing::HasSubstr("label 52 is called portal vein"));
+  EXPECT_THAT(refused("[names]\naorta = 52\n[tissues]\nx = [3]\n[obstacles]\nb = [52]\n"),
+              testing::HasSubstr("label 52 is called portal vein"));
+  EXPECT_THAT(refused("[names]\nliver = 5\n[tissues]\nliver = [\"liver\"]\n"),
+              testing::HasSubstr("liver = 5: in mr.nii liver is label 3"));
+  EXPECT_THAT(refused("[tissues]\nliver = [\"spleen\"]\n"),
+              testing::HasSubstr("or of mr.nii: liver, portal vein"));
+  // What is not used, called the same or not called anything is no contradiction.
+  for (const char* const text : {"[names]\naorta = 52\n[tissues]\nliver = [3]\n",
+                                 "[names]\nPortal_Vein = 52\n[tissues]\nvessel = [52]\n",
+                                 "[names]\nspleen = 60\n[tissues]\nliver = [60]\n"}) {
+    EXPECT_EQ(refused(text), "") << text;
   }
 }
 

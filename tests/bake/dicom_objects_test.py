@@ -1,0 +1,331 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""DICOM segmentations and structure sets of drawn geometry, as dicom_conformance_test.py has
+series.
+
+usage: dicom_objects_test.py   (STYLET_BIN)
+"""
+import json
+import unittest
+
+try:
+    import numpy
+    import dicom_files as dicom
+    from dicom_files import Slice, blobs, held, stack, write_seg, write_slices
+except ImportError:
+    dicom = None
+
+from dicom_conformance_test import NEAR, Conformance, ran
+
+
+def segments(random, slices, numbers, overlap=False):
+    """Frames of each segment with the planes it has pixels in, and what a reader holds of them
+    where the higher number wins."""
+    frames, seen = [], []
+    shape = (len(slices), *slices[0].pixels.shape)
+    won = numpy.zeros(shape, int)
+    for number in sorted(numbers):
+        mask = blobs(random, shape, [1]) > 0
+        if not overlap:
+            mask &= won == 0
+        won[mask] = number
+        frames += [Slice(s.at, s.row, s.column, s.spacing, s.thickness, mask[i].astype(int), number)
+                   for i, s in enumerate(slices) if mask[i].any()]
+    seen = [Slice(s.at, s.row, s.column, s.spacing, s.thickness, won[i])
+            for i, s in enumerate(slices) if won[i].any()]
+    return frames, seen
+
+
+def shuffled(random, frames):
+    return [frames[i] for i in random.permutation(len(frames))]
+
+
+@unittest.skipIf(dicom is None, "pydicom is not installed: apt-get install python3-pydicom")
+class Segmentations(Conformance):
+    NAMES = {3: "Liver", 4: "Portal vein", 9: "Lesion"}
+
+    def rule(self, slices):
+        step = slices[0].thickness
+        return {"alone": step, "widest": 1.5 * step}
+
+    def test_several_segments_in_any_order(self):
+        def apart(folder, random):
+            slices = stack(random)
+            frames, seen = segments(random, slices, self.NAMES)
+            path = write_seg(folder / "seg.dcm", shuffled(random, frames), self.NAMES)
+            facts = self.check(path, held(seen, **self.rule(slices)))
+            self.assertEqual([each["name"] for each in facts["labels"]], list(self.NAMES.values()))
+            bare = path.rename(folder / "segmentation")
+            self.check(bare, held(seen, **self.rule(slices)))
+
+        def overlapping(folder, random):
+            slices = stack(random)
+            frames, seen = segments(random, slices, self.NAMES, overlap=True)
+            path = write_seg(folder / "seg.dcm", shuffled(random, frames), self.NAMES)
+            self.check(path, held(seen, **self.rule(slices)), said=["the one with the higher"])
+
+        def named_by_type(folder, random):
+            slices = stack(random)
+            frames, seen = segments(random, slices, self.NAMES)
+            path = write_seg(folder / "seg.dcm", frames, {n: "" for n in self.NAMES})
+            facts = self.check(path, held(seen, **self.rule(slices)))
+            self.assertEqual({each["name"] for each in facts["labels"]}, {"Tissue"})
+
+        def fractional(folder, random):
+            slices = stack(random)
+            frames, _ = segments(random, slices, [3])
+            for each in frames:
+                each.pixels = random.integers(0, 256, each.pixels.shape) * each.pixels
+            path = write_seg(folder / "seg.dcm", frames, self.NAMES, kind="FRACTIONAL")
+            for each in frames:
+                each.pixels = 3 * (each.pixels >= 127.5)
+            self.check(path, held(frames, **self.rule(slices)), said=["from half on"])
+
+        self.cases(2, apart)
+        self.cases(1, overlapping, named_by_type, fractional)
+
+    def test_places_of_frames_decide(self):
+        def holes(folder, random):
+            slices = stack(random, distances=[1.9] * 20)
+            frames, _ = segments(random, slices, [3])
+            kept = [f for i, f in enumerate(frames) if i in (0, 1, len(frames) - 1)]
+            for each in kept:
+                each.pixels = each.pixels * 3
+            path = write_seg(folder / "seg.dcm", shuffled(random, kept), self.NAMES)
+            self.check(path, held(kept, **self.rule(slices)), said=["taken as empty"])
+
+        def leaning(folder, random):
+            slices = stack(random, lean=random.uniform(-0.4, 0.4, 2))
+            frames, seen = segments(random, slices, self.NAMES)
+            path = write_seg(folder / "seg.dcm", shuffled(random, frames), self.NAMES)
+            self.check(path, held(seen, **self.rule(slices)), said=["put upright"],
+                       within=0.5 * numpy.hypot(*slices[0].spacing))
+
+        def uneven(folder, random):
+            slices = stack(random, distances=random.uniform(1.5, 2.6, 26), thickness=[2.0] * 27)
+            frames, seen = segments(random, slices, self.NAMES)
+            path = write_seg(folder / "seg.dcm", shuffled(random, frames), self.NAMES)
+            self.check(path, held(seen, **self.rule(slices)), NEAR, within=1.3,
+                       said=["brought into layers"])
+
+        def spaced(folder, random):  # told: 1.8 mm apart, though 1 mm thick
+            slices = stack(random, distances=[1.8] * 20, thickness=[1.0] * 21)
+            frames, seen = segments(random, slices, self.NAMES)
+            path = write_seg(folder / "seg.dcm", frames, self.NAMES, apart=1.8)
+            self.check(path, held(seen, alone=1.8, widest=2.7))
+
+        self.cases(1, holes, spaced)
+        self.cases(2, leaning, uneven)
+
+    def test_what_contradicts_itself_is_refused(self):
+        def written(folder, random, spoil, *said, change=None, apart=None):
+            slices = stack(random, distances=[2.0] * 18)
+            frames, _ = segments(random, slices, self.NAMES)
+            spoil(frames)
+            self.refused(write_seg(folder / "seg.dcm", frames, self.NAMES, change=change,
+                                   apart=apart), *said)
+
+        def aside(folder, random):
+            def spoil(frames):
+                frames[4].at = frames[4].at + 6 * frames[4].row
+            written(folder, random, spoil, "frame 4", "to the side")
+
+        def twice(folder, random):
+            written(folder, random, lambda frames: frames.append(frames[4]), "already")
+
+        def far(folder, random):
+            written(folder, random, lambda frames: None, "from the plane before", apart=5)
+
+        def fewer(folder, random):
+            def change(file):
+                file.NumberOfFrames += 1
+            written(folder, random, lambda frames: None, "functional groups", change=change)
+
+        def no_segment(folder, random):
+            def change(file):
+                del file.PerFrameFunctionalGroupsSequence[2].SegmentIdentificationSequence
+            written(folder, random, lambda frames: None, "frame 2", "ReferencedSegmentNumber",
+                    change=change)
+
+        def unknown_kind(folder, random):
+            def change(file):
+                file.SegmentationType = "OTHER"
+            written(folder, random, lambda frames: None, "SegmentationType OTHER", change=change)
+
+        def short(folder, random):
+            def change(file):
+                file.PixelData = file.PixelData[:-20]
+            written(folder, random, lambda frames: None, "bytes of pixels", change=change)
+
+        self.cases(1, aside, twice, far, fewer, no_segment, unknown_kind, short)
+
+
+class Drawn:
+    """Outlines in parallel planes, and what they enclose: volume and centroid by the polygons'."""
+
+    def __init__(self, random, frame=None, planes=14):
+        self.frame = dicom.turned(random) if frame is None else frame
+        self.origin, self.step = random.uniform(-100, 100, 3), random.uniform(1.5, 3.5)
+        self.planes, self.random = planes, random
+
+    def outlines(self, radius, middle):
+        """One in each plane, of a body that is round along the normal, too."""
+        along = (numpy.arange(self.planes) + 0.5) / self.planes * 2 - 1
+        return [dicom.polygon(self.random, radius * (0.6 + 0.4 * numpy.sqrt(1 - a * a)), middle)
+                for a in along]
+
+    def placed(self, points, plane):
+        at = self.origin + self.frame[2] * self.step * plane
+        return at + points @ self.frame[:2]
+
+    def contours(self, outlines):
+        return [self.placed(points, i) for i, points in enumerate(outlines)]
+
+    def held(self, outlines, holes=()):
+        ml, moment = 0, 0
+        for i, points in enumerate(outlines):
+            for outline, sign in ((points, 1), *((hole[i], -1) for hole in holes)):
+                area, centroid = dicom.area_and_centroid(outline)
+                volume = sign * area * self.step * 1e-3
+                ml += volume
+                moment = moment + volume * self.placed(centroid, i)
+        return 0, ml, moment / ml
+
+
+@unittest.skipIf(dicom is None, "pydicom is not installed: apt-get install python3-pydicom")
+class StructureSets(Conformance):
+    def test_outlines_become_labels(self):
+        def oblique(folder, random):
+            drawn = Drawn(random)
+            liver, lesion = drawn.outlines(28, (0, 0)), drawn.outlines(16, (60, 20))
+            structures = [(7, "Liver", shuffled(random, drawn.contours(liver))),
+                          (3, "Lesion 1", shuffled(random, drawn.contours(lesion)))]
+            path = dicom.write_structures(folder / "rt.dcm", structures)
+            facts = self.check(path, {7: drawn.held(liver), 3: drawn.held(lesion)}, NEAR)
+            self.assertEqual([each["name"] for each in facts["labels"]], ["Lesion 1", "Liver"])
+
+        def axial(folder, random):
+            drawn = Drawn(random, frame=numpy.eye(3))
+            liver = drawn.outlines(25, (3, 4))
+            path = dicom.write_structures(folder / "rt", [(1, "Liver", drawn.contours(liver))])
+            self.check(path, {1: drawn.held(liver)}, NEAR)
+
+        def holes(folder, random):
+            drawn = Drawn(random)
+            outer, inner = drawn.outlines(30, (0, 0)), drawn.outlines(14, (2, -1))
+            both = drawn.contours(outer) + drawn.contours(inner)
+            path = dicom.write_structures(folder / "rt.dcm",
+                                          [(1, "Wall", shuffled(random, both))])
+            self.check(path, {1: drawn.held(outer, [inner])}, NEAR)
+
+        def keyholes(folder, random):
+            drawn = Drawn(random)
+            outer, inner = drawn.outlines(30, (0, 0)), drawn.outlines(14, (2, -1))
+            joined = [numpy.concatenate([a, a[:1], b[:1], b[::-1]]) for a, b in zip(outer, inner)]
+            path = dicom.write_structures(folder / "rt.dcm",
+                                          [(1, "Wall", drawn.contours(joined))])
+            self.check(path, {1: drawn.held(outer, [inner])}, NEAR)
+
+        def inside(folder, random):
+            drawn = Drawn(random)
+            body, liver = drawn.outlines(50, (0, 0)), drawn.outlines(24, (8, 5))
+            structures = [(1, "Liver", drawn.contours(liver)), (2, "Body", drawn.contours(body))]
+            path = dicom.write_structures(folder / "rt.dcm", structures)
+            self.check(path, {1: drawn.held(liver), 2: drawn.held(body, [liver])}, NEAR,
+                       said=["the smallest of them has each"])
+
+        self.cases(3, oblique)
+        self.cases(1, axial, holes, keyholes, inside)
+
+    def on_series(self, folder, random, planes=14):
+        """A series, and outlines on its slices."""
+        slices = stack(random, distances=[float(random.uniform(1.5, 3.0))] * 17)
+        drawn = Drawn(random, numpy.stack([slices[0].row, slices[0].column,
+                                           numpy.cross(slices[0].row, slices[0].column)]), planes)
+        drawn.origin, drawn.step = slices[2].at, (slices[1].at - slices[0].at) @ drawn.frame[2]
+        write_slices(folder, slices, random)
+        return drawn
+
+    def test_outlines_lie_on_their_series(self):
+        def series(folder, random):
+            drawn = self.on_series(folder, random)
+            liver = drawn.outlines(24, (25, 30))
+            dicom.write_structures(folder / "rt.dcm", [(5, "Liver", drawn.contours(liver))])
+            self.check(folder, {5: drawn.held(liver)}, NEAR, within=0.2)
+
+        def one_plane(folder, random):
+            drawn = self.on_series(folder, random, planes=1)
+            lesion = drawn.outlines(24, (25, 30))
+            path = dicom.write_structures(folder / "rt.dcm", [(5, "x", drawn.contours(lesion))])
+            self.check(folder, {5: drawn.held(lesion)}, NEAR, within=0.3)
+            self.refused(path, "contours in 1 plane", "expected several")
+
+        def elsewhere(folder, random):
+            drawn = self.on_series(folder, random)
+            contours = drawn.contours(drawn.outlines(20, (0, 0)))
+            dicom.write_structures(folder / "rt.dcm", [(5, "x", contours)], frame="1.2.9")
+            self.refused(folder, "ReferencedFrameOfReferenceUID 1.2.9")
+
+        def two_sets(folder, random):
+            drawn = self.on_series(folder, random)
+            contours = drawn.contours(drawn.outlines(20, (0, 0)))
+            for name in "ab":
+                dicom.write_structures(folder / f"{name}.dcm", [(5, "x", contours)])
+            self.refused(folder, "2 structure sets: expected one")
+
+        self.cases(2, series)
+        self.cases(1, one_plane, elsewhere, two_sets)
+
+    def test_what_is_left_out_is_told(self):
+        def drawn_here_and_there(folder, random):
+            drawn = Drawn(random)
+            liver, sparse = drawn.outlines(24, (0, 0)), drawn.outlines(20, (60, 0))
+            kept = drawn.contours(sparse)[:6:5]
+            path = dicom.write_structures(
+                folder / "rt.dcm", [(1, "Liver", drawn.contours(liver)), (2, "Vein", kept)])
+            one = drawn.held(sparse)[1]
+            facts = json.loads(ran(path).stdout)
+            self.assertTrue(any("Vein has no contour in 4 layers" in n for n in facts["notes"]))
+            self.assertLess(facts["labels"][1]["volume_ml"], 0.2 * one)
+
+        def numbered_from_0(folder, random):
+            drawn = Drawn(random)
+            liver, other = drawn.outlines(24, (0, 0)), drawn.outlines(20, (60, 0))
+            structures = [(0, "a", drawn.contours(liver)), (1, "b", drawn.contours(other))]
+            path = dicom.write_structures(folder / "rt.dcm", structures)
+            self.check(path, {1: drawn.held(liver), 2: drawn.held(other)}, NEAR,
+                       said=["numbered by their order"])
+
+        self.cases(1, drawn_here_and_there, numbered_from_0)
+
+    def test_what_no_plane_holds_is_refused(self):
+        def written(folder, random, contours, *said, **options):
+            drawn = Drawn(random)
+            good = drawn.contours(drawn.outlines(24, (0, 0)))
+            path = dicom.write_structures(
+                folder / "rt.dcm", [(1, "Liver", good), (2, "Bad", contours(good))], **options)
+            self.refused(path, *said)
+
+        def bent(folder, random):
+            def contours(good):
+                points = good[0].copy()
+                points[5] += 3
+                return [points]
+            written(folder, random, contours, "Bad: contour 0 spans", "parallel planes")
+
+        def two_points(folder, random):
+            written(folder, random, lambda good: [good[0][:2]], "6 numbers in ContourData")
+
+        def unknown(folder, random):
+            def change(file):
+                file.ROIContourSequence[1].ReferencedROINumber = 9
+            written(folder, random, lambda good: good, "ReferencedROINumber 9", change=change)
+
+        def points(folder, random):
+            written(folder, random, lambda good: good, "no contour with an area", kind="POINT")
+
+        self.cases(1, bent, two_points, unknown, points)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
