@@ -22,9 +22,10 @@ import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 SOURCE = HERE.parents[1]
-TARGETS = ["organ", "tick", "mesh", "tissues", "scene", "recording"]
+TARGETS = ["organ", "tick", "mesh", "tissues", "label", "recipe", "scene", "recording"]
 # Longest inputs worth trying: beyond, they are slow and no different.
-MAX_BYTES = {"organ": 8192, "tick": 1024, "mesh": 2048, "tissues": 2048, "scene": 4096,
+MAX_BYTES = {"organ": 8192, "tick": 1024, "mesh": 2048, "tissues": 2048, "label": 4096,
+             "recipe": 2048, "scene": 4096,
              "recording": 64}
 
 
@@ -62,7 +63,8 @@ def command_of(folder, target, options):
 
 def fuzz(folder, target, options):
     """Whether every promise held, and what there is to say."""
-    environment = dict(os.environ, UBSAN_OPTIONS="print_stacktrace=1", TMPDIR=str(folder))
+    environment = dict(os.environ, UBSAN_OPTIONS="print_stacktrace=1", TMPDIR=str(folder),
+                       LSAN_OPTIONS=f"suppressions={SOURCE}/toolchain/leaks.txt")
     done = subprocess.run(command_of(folder, target, options), stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, errors="replace", env=environment)
     lines = done.stdout.splitlines()

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any text as a recipe, for a map with names of its own: refused with one line that names the file,
+// or tissues whose labels are in one of them each, and numbers that are finite.
+#include <cmath>
+#include <set>
+
+#include "label_recipe.h"
+#include "refusal.h"
+#include "target.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace stylet;
+  const test::InputFile file({data, size}, ".toml");
+  const bake::FileNames names = {"map", {{1, "liver"}, {5, "Portal vein"}, {52, "aorta"}}};
+  try {
+    const bake::Recipe recipe = bake::read_recipe(file.path(), names);
+    test::promise(!recipe.groups.empty(), "a recipe without a tissue");
+    std::set<std::uint16_t> taken;
+    for (const bake::LabelGroup& group : recipe.groups) {
+      test::promise(!group.labels.empty(), "a tissue without labels");
+      for (const std::uint16_t label : group.labels) {
+        test::promise(label > 0 && taken.insert(label).second, "a label in two tissues");
+      }
+    }
+    test::promise(
+        std::isfinite(recipe.crop_margin_m) && recipe.crop_margin_m >= 0 && recipe.smoothing >= 0,
+        "a recipe with a number that is none");
+    for (const bake::WallLayer& layer : recipe.wall) {
+      test::promise(std::isfinite(layer.thickness_m) && layer.thickness_m >= 0,
+                    "a wall of no thickness");
+    }
+  } catch (const bake::Refusal& refused) {
+    test::promise_one_line(refused.what());
+    test::promise(std::string_view(refused.what()).find(file.path()) == 0,
+                  "a refusal that does not name the file");
+  }
+  return 0;
+}
