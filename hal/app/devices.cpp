@@ -10,10 +10,13 @@
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <thread>
+#include <utility>
 
 #include "commands.h"
 #include "fault_desk.h"
+#include "opening.h"
 #include "stop_signal.h"
 #include "stylet/hal/device_probe.h"
 #include "stylet/hal/device_search.h"
@@ -28,10 +31,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Opened {
-  explicit Opened(const hal::Device& open) : device(open) {}
-  ~Opened() { device.close(device.self); }
+  Opened(std::string uri_in, Opener open)
+      : uri(std::move(uri_in)), device(open_or_stop(uri, open)) {}
+  ~Opened() {
+    close_or_leave(std::span(&device, 1), [this](std::size_t) { return uri; });
+  }
   Opened(const Opened&) = delete;
   Opened& operator=(const Opened&) = delete;
+  const std::string uri;
   const hal::Device device;
 };
 
@@ -173,7 +180,7 @@ int probe(const ProbeOptions& options) {
   fmt::print(stderr, "stylet: waiting for {}\n", options.uri);
   std::atomic<bool> stop{false};
   const StopOnSignal stop_on_signal(stop);  // before the device is open
-  const Opened opened(hal::open_device(options.uri));
+  const Opened opened(options.uri, hal::open_device);
   const hal::Device& device = opened.device;
   const bool pushes = options.push && device.info.max_force_n > 0;
   if (!options.json) {
@@ -202,7 +209,7 @@ int station(const StationOptions& options) {
   std::atomic<bool> stop{false}, done{false};
   const StopOnSignal stop_on_signal(stop);  // before the device is open
   fmt::print(stderr, "stylet: waiting for {}\n", options.uri);
-  const Opened opened(hal::open_lasting_device(options.uri));
+  const Opened opened(options.uri, hal::open_lasting_device);
   const hal::Link link = hal::udp_connect(options.to);
   hal::StationConfig config = hal::station_config(opened.device.info);
   config.guard.acknowledge_button = options.acknowledge_button;

@@ -15,6 +15,7 @@
 #include "commands.h"
 #include "console/limits.h"
 #include "stylet/command_texts.h"
+#include "stylet/hal/driver_call.h"
 #include "stylet/hal/igtl.h"
 #include "stylet/limits.h"
 
@@ -333,6 +334,13 @@ int dispatch(int argc, char** argv) {
   return plot(plot_options);
 }
 
+// Threads that hang in a driver are still there: nothing is destroyed under them.
+int leave(int code) {
+  if (hal::driver_calls_given_up() == 0) return code;
+  std::fflush(nullptr);
+  _exit(code == kExitOk ? kExitTrouble : code);
+}
+
 }  // namespace
 }  // namespace stylet::app
 
@@ -343,9 +351,9 @@ int main(int argc, char** argv) {
     if (std::fflush(stdout) != 0) {
       throw std::runtime_error(fmt::format("standard output: {}", std::strerror(errno)));
     }
-    return code;
+    return stylet::app::leave(code);
   } catch (const std::exception& error) {
     fmt::print(stderr, "stylet: {}\n", error.what());
-    return stylet::app::kExitRefused;
+    return stylet::app::leave(stylet::app::kExitRefused);
   }
 }

@@ -128,18 +128,15 @@ Json json_of(std::size_t predicted, std::size_t used) {
 // What the eye looks for in each phase.
 std::string remark(std::span<const hal::PhaseRow> rows, std::size_t i) {
   const hal::PhaseRow& row = rows[i];
-  const double start = static_cast<double>(row.start_force_n);
-  const double end = static_cast<double>(row.end_force_n);
   const bool punctured = i + 1 < rows.size() && rows[i + 1].stage == hal::Stage::kPuncture;
   if (row.stage == hal::Stage::kContact && punctured) {
-    return fmt::format("punctured at {:.3f} N, {:.2f} mm in", end,
+    return fmt::format("punctured at {:.3f} N, {:.2f} mm in", static_cast<double>(row.end_force_n),
                        static_cast<double>(row.travel_m) * 1e3);
   }
-  if (std::fabs(start) < 1e-3) return "";
-  if (row.stage == hal::Stage::kPuncture)
-    return fmt::format("drops {:.0f} %", 100 * (1 - end / start));
-  if (row.stage == hal::Stage::kHold)
-    return fmt::format("relaxes {:.0f} %", 100 * (1 - end / start));
+  const std::optional<double> fallen = hal::fallen_share(row);
+  if (!fallen) return "";
+  if (row.stage == hal::Stage::kPuncture) return fmt::format("drops {:.0f} %", 100 * *fallen);
+  if (row.stage == hal::Stage::kHold) return fmt::format("relaxes {:.0f} %", 100 * *fallen);
   return "";
 }
 
@@ -212,6 +209,27 @@ std::string counter_table(const RunReport& report) {
          pool("constraint particles", report.stats.constraint_particles) +
          pool("coupled voxels", report.stats.coupled_voxels) + pool("tracks", report.stats.tracks) +
          pool("obstacle contacts", report.stats.obstacle_contacts);
+}
+
+// A device that is too weak for its scene: what is felt, and where the needle goes, is not what the
+// scene says.
+std::string strength_text(const RunReport& report) {
+  std::string text;
+  for (std::size_t i = 0; i < report.most_force_n.size(); ++i) {
+    const std::uint64_t limited = report.loop->hand[i].guard.counters.force_limited;
+    if (limited == 0) continue;
+    double asked_n = 0;
+    for (const hal::PhaseRow& row : report.phases[i]) {
+      asked_n = std::max(asked_n, std::fabs(static_cast<double>(row.peak_force_n)));
+    }
+    text += fmt::format(
+        "too weak    needle {}: in {} of {} ticks more was asked than the {:g} N it may give; the "
+        "tissue's force on the needle was up to {:.2f} N along it. The hand goes further than the "
+        "scene's would, and the needle lags behind it: a stronger device, or mapping.force_scale "
+        "below 1\n",
+        i, limited, report.loop->ticks, static_cast<double>(report.most_force_n[i]), asked_n);
+  }
+  return text;
 }
 
 // Deepest dimple before a puncture of the surface, in voxels.
@@ -331,7 +349,7 @@ std::string human_text(const RunReport& report) {
           row("scratch", report.predicted.scratch_bytes, report.used.scratch_bytes);
   text += fmt::format("\nstate hash  {}\norgan hash  {}\norgan       {}\n", hex(report.state_hash),
                       hex(report.organ_hash), report.organ_file);
-  text += resolution_text(report);
+  text += strength_text(report) + resolution_text(report);
   if (!report.recording.empty()) text += fmt::format("recording   {}\n", report.recording);
   if (report.interrupted) text += "interrupted before the end of the script\n";
   if (first_fault(report) != hal::Fault::kNone) {

@@ -24,6 +24,7 @@ struct RunReport {
   double wall_s = 0;
   std::vector<NeedleConfig> needles;
   std::vector<double> least_received_j;  // of each needle's simulated hand; NaN: it is another
+  std::vector<float> most_force_n;       // that the guard of each needle lets through
   std::size_t obstacles = 0;
   std::vector<std::vector<hal::PhaseRow>> phases;  // of each needle
   std::vector<Event> events;

@@ -72,6 +72,8 @@ void announce(const Session& s) {
       s.open_end ? "until Ctrl-C" : fmt::format("{:.2f} s", length_s), hands_name(s),
       static_cast<double>(s.config.period_ns) * 1e-3,
       s.options.fast ? "virtual clock" : "real time");
+  for (const std::string& each : s.fits) fmt::print("{}\n", each);
+  if (!s.fits.empty()) fmt::print("\n");
   std::fflush(stdout);
 }
 

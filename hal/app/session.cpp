@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <limits>
 
+#include "opening.h"
 #include "organ_recipe.h"
 #include "stylet/hal/devices.h"
 #include "stylet/hal/helpers.h"
@@ -46,6 +48,16 @@ void attach_devices(Session& s) {
                       "hurried",
                       s.scene.file, hand.uri));
     }
+    const std::int64_t period_ns = std::llround(static_cast<double>(s.scene.config.period_s) * 1e9);
+    const bool renders = hand.device == "attached" && hal::device_renders(hand.uri);
+    if (renders && period_ns > hal::kLongestDevicePeriodNs) {
+      throw hal::SceneError(fmt::format(
+          "{}: loop.period_us: {:g}: expected at most {:g} with {}: its motors take an order for "
+          "fresh for {:g} us, and one lost tick must not be felt",
+          s.scene.file, static_cast<double>(period_ns) * 1e-3,
+          static_cast<double>(hal::kLongestDevicePeriodNs) * 1e-3, hand.uri,
+          static_cast<double>(hal::kOrderFreshNs) * 1e-3));
+    }
   }
 }
 
@@ -75,8 +87,17 @@ std::string organ_path(const Session& s) {
 
 }  // namespace
 
+Session::~Session() {
+  close_devices();  // however the run ends, no device keeps a force
+}
+
+void Session::close_devices() {
+  close_or_leave(devices, [this](std::size_t i) { return scene.hands[i].uri; });
+  devices.clear();
+}
+
 void load(Session& s) {
-  s.scene = hal::read_scene(s.options.scene);
+  s.scene = hal::read_scene(s.options.scene, s.options.devices.size());
   choose_processors(s);
   if (!s.options.mode.empty()) {
     s.scene.config.mode = s.options.mode == "paper" ? Mode::kPaper : Mode::kPhysical;
@@ -134,8 +155,8 @@ hal::Device open_device(Session& s, std::uint32_t needle) {
   if (hand.device == "steered") return hal::steered_device(station.steered, hand.limits);
   if (hand.device != "attached") return hal::simulated_hand_device(station.hand, hand.limits);
   fmt::print(stderr, "stylet: waiting for {}\n", hand.uri);
-  const hal::Device device = hal::open_lasting_device(hand.uri);
-  hal::fit_to_device(device.info, hand);
+  const hal::Device device = open_or_stop(hand.uri, hal::open_lasting_device);
+  s.fits.push_back(hand.uri + ": " + hal::fit_to_device(device.info, hand));
   return device;
 }
 
@@ -225,6 +246,18 @@ hal::Recorder::Tap with_igtl(const Session& s, hal::Recorder::Tap tap) {
 }  // namespace
 
 namespace {
+
+// What threads of devices were refused shows once they run.
+void note_device_threads(Session& s) {
+  const int error = hal::device_priority_refused();
+  if (error == 0 || s.told_of_threads) return;
+  s.told_of_threads = true;
+  s.host.report.notes.push_back(fmt::format(
+      "SCHED_FIFO priority {} of a device's thread refused ({}): its samples and forces wait for "
+      "whatever else runs; put \"@realtime - rtprio {}\" into /etc/security/limits.conf and your "
+      "user into the group realtime",
+      hal::kDevicePriority, std::strerror(error), hal::kDevicePriority));
+}
 
 void take_guards(const Session& s, Attempt& a) {
   for (std::size_t i = 0; i < s.stations.size(); ++i) {
@@ -330,6 +363,7 @@ void finish(Session& s, Attempt& a) {
     faults.push_back(a.state.hand[i].guard.fault);
   }
   a.recorder->stop(faults);
+  note_device_threads(s);
   a.wall_s = static_cast<double>(hal::monotonic_now_ns() - a.start_ns) * 1e-9;
   if (a.failure) std::rethrow_exception(a.failure);
 }
@@ -364,6 +398,7 @@ RunReport report_of(const Session& s, const Attempt& a) {
     report.phases.push_back(
         hal::find_phases(a.recorder->track(i), report.period_s, config.needle[i].unit_m));
     const bool simulated = s.scene.hands[i].device == "simulated";
+    report.most_force_n.push_back(s.config.hand[i].guard.max_force_n);
     report.least_received_j.push_back(simulated ? s.stations[i].hand.least_received_j
                                                 : std::numeric_limits<double>::quiet_NaN());
   }

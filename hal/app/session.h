@@ -47,12 +47,9 @@ struct Session {
       : options(std::move(options_in)), host(host_in) {}
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
-  ~Session() { close_devices(); }  // however the run ends, no device keeps a force
+  ~Session();
 
-  void close_devices() {
-    for (const hal::Device& device : devices) device.close(device.self);
-    devices.clear();
-  }
+  void close_devices();
 
   RunOptions options;
   hal::HostState& host;
@@ -61,6 +58,8 @@ struct Session {
   std::vector<Station> stations;  // of each needle
   std::unique_ptr<hal::KernelInstance> instance;
   std::vector<hal::Device> devices;
+  std::vector<std::string> fits;  // what was taken from each device that is attached, in words
+  bool told_of_threads = false;
   std::unique_ptr<hal::IgtlServer> igtl;  // null: not asked for
   hal::LoopConfig config;
   std::vector<int> processors;  // real time: the loop's and the helpers'

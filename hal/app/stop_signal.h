@@ -26,6 +26,10 @@ inline void on_signal(int number) {
   raise(number);
 }
 
+inline bool stop_was_asked() {
+  return g_stops_asked.load() > 0;
+}
+
 struct StopOnSignal {
   explicit StopOnSignal(std::atomic<bool>& stop) {
     g_stops_asked.store(0);

@@ -3,13 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <charconv>
 #include <chrono>
 #include <memory>
 #include <thread>
 
 #include "device_thread.h"
+#include "patience.h"
+#include "stylet/hal/device_model.h"
 #include "stylet/hal/devices.h"
 #include "stylet/hal/relay.h"
 #include "vendor_library.h"
@@ -47,6 +51,7 @@ struct Api {
   int (*expert)();
   int (*set_watchdog)(unsigned char, char);
   int (*emulate_button)(unsigned char, char);
+  int (*serial)(unsigned short*, char);
 };
 
 // Of the rest, every version has another choice.
@@ -74,6 +79,7 @@ Api load() {
   library.find("dhdEnableExpertMode", api.expert);
   library.find("dhdSetWatchdog", api.set_watchdog);
   library.find("dhdEmulateButton", api.emulate_button);
+  library.find("dhdGetSerialNumber", api.serial);
   return api;
 }
 
@@ -82,22 +88,24 @@ const Api& dhd() {
   return *the_only;
 }
 
-// What kinds of devices can do: forces and stiffness as CHAI3D's table has them; torque a careful
-// guess.
-struct Model {
+// Which of ours the vendor's numbers mean; of left-handed ones likewise. Beyond sigma.7 the numbers
+// are those of newer arms, none of which is weaker.
+struct Kind {
   int lowest_type, highest_type;
-  float force_n, stiffness_n_per_m;
+  const char* model;
 };
-constexpr std::array kModels = {Model{63, 63, 20, 4000}, Model{33, 37, 12, 5000},
-                                Model{60, 60, 8, 3000}, Model{104, 206, 12, 5000}};
-constexpr Model kUnknownModel = {0, 0, 5, 2000};
+constexpr std::array kKinds = {Kind{33, 33, "omega.3"}, Kind{34, 34, "omega.6"},
+                               Kind{35, 35, "omega.7"}, Kind{36, 36, "omega.6"},
+                               Kind{37, 37, "omega.7"}, Kind{60, 60, "falcon"},
+                               Kind{63, 64, "delta.6"}, Kind{104, 206, "sigma.7"}};
 constexpr float kShare = 0.9F;
-constexpr float kTorqueNm = 0.1F;
+constexpr float kTorqueNm = 0.1F;  // a careful guess
 
 // Why the relay failed: causes of the device as they are counted there, and our own.
 constexpr std::uint32_t kNoAnswer = 100;
 constexpr int kMostErrorsInARow = 5;
 constexpr std::int64_t kPollNs = 500'000;
+constexpr std::chrono::milliseconds kThreadTime(200);  // a poll takes less, unless it hangs
 constexpr std::uint64_t kPollsBetweenStatus = 20;
 
 struct DhdDevice {
@@ -105,11 +113,11 @@ struct DhdDevice {
   DeviceThread thread;
   char id = -1;
   bool has_frame = false;
-  std::string name;
+  std::string name, serial;
   DeviceInfo info = {};
   int errors_in_a_row = 0;
   std::uint64_t polls = 0;
-  bool force_was_on = false;
+  std::atomic<bool> force_was_on{false};
 };
 
 std::string last_error() {
@@ -173,27 +181,35 @@ void poll(DhdDevice& device) {
 
 void describe(const Api& api, DhdDevice& device) {
   const int type = api.system_type != nullptr ? api.system_type(device.id) : 0;
-  Model model = kUnknownModel;
-  for (const Model& each : kModels) {
-    if (type >= each.lowest_type && type <= each.highest_type) model = each;
+  const DeviceModel* model = &unknown_device_model();
+  for (const Kind& each : kKinds) {
+    const bool is = type >= each.lowest_type && type <= each.highest_type;
+    if (is) model = find_device_model(each.model);
   }
   const char* name = api.system_name != nullptr ? api.system_name(device.id) : nullptr;
   device.name = name != nullptr ? name : "DHD device";
   device.has_frame = api.frame != nullptr && type != kTypeFalcon;
   const bool torque = api.has_active_wrist != nullptr && api.has_active_wrist(device.id);
-  device.info = {.name = device.name.c_str(),
-                 .max_force_n = kShare * model.force_n,
-                 .max_slew_n_per_s = 2000,
-                 .max_stiffness_n_per_m = model.stiffness_n_per_m,
-                 .max_torque_nm = torque ? kTorqueNm : 0};
+  unsigned short serial = 0;
+  const bool told = api.serial != nullptr && api.serial(&serial, device.id) >= 0;
+  if (told) device.serial = fmt::format("{}", serial);
+  device.info = {
+      .name = device.name.c_str(),
+      .max_force_n = kShare * model->max_force_n,
+      .max_slew_n_per_s = 2000,
+      .max_stiffness_n_per_m = model->max_stiffness_n_per_m,
+      .max_torque_nm = torque ? kTorqueNm : 0,
+      .continuous_force_n = std::min(model->continuous_force_n, kShare * model->max_force_n),
+      .identity = device.serial.c_str(),
+      .model = model};
 }
 
 void wait_for_calibration(const Api& api, char id, double patience_s) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_s);
+  const Patience patience(patience_s);
   std::array<int, kStatusRoom> status = {};
   while (true) {
     if (api.status(status.data(), id) >= 0 && status[kStatusReset] == 0) return;
-    if (std::chrono::steady_clock::now() > end) {
+    if (patience.over()) {
       throw DeviceError(
           "dhd: not calibrated: put the end-effector into its rest position, or run the vendor's "
           "HapticInit; Stylet never moves the arm by itself");
@@ -203,10 +219,26 @@ void wait_for_calibration(const Api& api, char id, double patience_s) {
 }
 
 void wait_for_sample(const DhdDevice& device, double patience_s) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_s);
+  const Patience patience(patience_s);
   while (!device.relay.measured()) {
-    if (device.relay.failed() || std::chrono::steady_clock::now() > end) {
+    if (device.relay.failed() || patience.over()) {
       throw DeviceError("dhd: it was opened, but gives no sample: check cable and power");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+// Enabled by us, they still are off until its own button is pressed: a run without them looks like
+// one in air.
+void wait_for_forces(const DhdDevice& device, const std::string& index, double patience_s) {
+  const Patience patience(patience_s);
+  while (!device.force_was_on.load()) {
+    if (device.relay.failed() || patience.over()) {
+      throw DeviceError(
+          fmt::format("dhd:{}: its forces are off, or it does not tell: press the force button on "
+                      "its base (its "
+                      "light shows them) and start again",
+                      index));
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -216,6 +248,8 @@ void close(void* self) {
   const std::unique_ptr<DhdDevice> device(static_cast<DhdDevice*>(self));
   device->relay.end();
   std::this_thread::sleep_for(kFadeTime);
+  // Where it hangs, the motors are cut from here, before we hang with it.
+  if (!device->thread.stops_within(kThreadTime)) (void)dhd().enable_force(0, device->id);
   device->thread.stop();
   (void)apply(dhd(), *device, {});
   (void)dhd().enable_force(0, device->id);
@@ -281,6 +315,7 @@ Device open_force_dimension(const std::string& index, double patience_s) {
     }
     device->thread.start(kPollNs, [polled = device.get()] { poll(*polled); });
     wait_for_sample(*device, patience_s);
+    wait_for_forces(*device, index, patience_s);
   } catch (...) {
     close(device.release());
     throw;

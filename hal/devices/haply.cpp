@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -14,13 +15,17 @@
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
+#include <vector>
 
 #include "device_thread.h"
 #include "haply_events.h"
+#include "haply_state.h"
+#include "patience.h"
+#include "stylet/hal/device_model.h"
 #include "stylet/hal/devices.h"
 #include "stylet/hal/relay.h"
-#include "vendor_pose.h"
 
 namespace stylet::hal {
 namespace {
@@ -34,11 +39,8 @@ using Milliseconds = std::chrono::milliseconds;
 constexpr Milliseconds kAnswerTime(20), kOpeningTime(2000);
 constexpr std::uint32_t kNoAnswer = 1, kDeviceGone = 2, kBrake = 3;
 constexpr const char* kExpected =
-    "expected nothing, ID, or ID@ADDRESS:PORT, and then ,gate=0.3 ,damping=0 or ,events=10020";
-constexpr const char* kGrips[] = {"wireless_verse_grip", "verse_grip", "custom_verse_grip"};
-constexpr const char* kButtons[][2] = {
-    {"a", "button_0"}, {"b", "button_1"}, {"c", "button_2"}, {"home", "button_3"}};
-
+    "expected nothing, ID, or ID@ADDRESS:PORT, and then ,grip=ID ,gate=0.3 ,damping=0 or "
+    ",events=10020";
 // After the commas of a URI. What the service makes of a force: the gate takes some of it where it
 // sees oscillation, damping resists motion. Damping is the kernel's business, so it is none unless
 // asked for; the gate is a net of the service's own and stays as it is.
@@ -46,6 +48,43 @@ struct Wishes {
   double gate = -1;  // below zero: as the service has it
   double damping = 0;
   unsigned short events = 10020;
+  std::string grip;  // an id, or "none"; empty: the only one
+};
+
+// Devices and grips that this program holds: no two needles share one, so that a button held for
+// one hand never arms the other.
+class Claim {
+ public:
+  Claim() = default;
+  ~Claim() {
+    const std::lock_guard lock(mutex());
+    if (!key_.empty()) held().erase(key_);
+  }
+  Claim(const Claim&) = delete;
+  Claim& operator=(const Claim&) = delete;
+  // False: somebody else has it.
+  bool take(const std::string& key) {
+    const std::lock_guard lock(mutex());
+    if (!held().insert(key).second) return false;
+    key_ = key;
+    return true;
+  }
+  static bool is_free(const std::string& key) {
+    const std::lock_guard lock(mutex());
+    return !held().contains(key);
+  }
+
+ private:
+  // Never destroyed: a device may outlive what is static.
+  static std::mutex& mutex() {
+    static auto* const the_only = new std::mutex;
+    return *the_only;
+  }
+  static std::set<std::string>& held() {
+    static auto* const the_only = new std::set<std::string>;
+    return *the_only;
+  }
+  std::string key_;
 };
 
 struct Haply {
@@ -54,135 +93,17 @@ struct Haply {
   boost::asio::io_context io;
   websocket::stream<tcp::socket> socket{io};
   boost::beast::flat_buffer buffer;
-  std::string wanted_id, id;
   Wishes wishes;
-  // What the service tells of itself: filters at the start, the force it renders, the newest event.
-  double gate = -1, damping = -1;
+  std::string service;  // where
+  HaplyIds ids;         // for as long as it is open
+  Claim device_claim, grip_claim;
+  std::string identity;
+  HaplyState state;
   std::atomic<float> asked_n{0}, rendered_n{0};
   std::mutex mutex;
-  std::string warning;
+  std::string warning;  // the newest event
   std::unique_ptr<HaplyEvents> events;
-  bool calibrated = false;
-  Pose pose = {{}, {1, 0, 0, 0}};
-  std::uint32_t buttons = 0;
 };
-
-// ==== Messages: whatever is missing or of another type is left as it was
-
-std::string word(const json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
-const json* entry(const json& message, const char* list, const std::string& id) {
-  const auto found = message.find(list);
-  if (found == message.end() || !found->is_array()) return nullptr;
-  for (const json& each : *found) {
-    if (each.is_object() && (id.empty() || word(each, "device_id") == id)) return &each;
-  }
-  return nullptr;
-}
-
-const json* part(const json* object, const char* key) {
-  if (object == nullptr || !object->is_object()) return nullptr;
-  const auto found = object->find(key);
-  return found == object->end() ? nullptr : &*found;
-}
-
-bool number(const json* object, const char* key, double& out) {
-  const json* found = part(object, key);
-  if (found == nullptr || !found->is_number()) return false;
-  out = found->get<double>();
-  return true;
-}
-
-bool truth(const json* object, const char* key) {
-  const json* found = part(object, key);
-  if (found == nullptr) return false;
-  return found->is_boolean() ? found->get<bool>() : found->is_number() && *found != 0;
-}
-
-// One that sleeps or has gone holds no button: a dead man's must not stay pressed.
-void take_grip(const json& message, Haply& haply) {
-  haply.buttons = 0;
-  for (const char* kind : kGrips) {
-    const json* grip = entry(message, kind, "");
-    const json* status = part(grip, "status");
-    if (part(status, "awake") != nullptr && !truth(status, "awake")) continue;
-    const json* state = part(grip, "state");
-    const json* q = part(state, "orientation");
-    double w = 0, x = 0, y = 0, z = 0;
-    if (!number(q, "w", w) || !number(q, "x", x) || !number(q, "y", y) || !number(q, "z", z)) {
-      continue;
-    }
-    haply.pose.rotation = from_user_first(Quat{static_cast<float>(w), static_cast<float>(x),
-                                               static_cast<float>(y), static_cast<float>(z)});
-    const json* buttons = part(state, "buttons");
-    haply.buttons = truth(state, "button") ? 1U : 0U;
-    for (std::uint32_t i = 0; i < std::size(kButtons); ++i) {
-      for (const char* name : kButtons[i]) {
-        if (truth(buttons, name) || truth(state, name)) haply.buttons |= 1U << i;
-      }
-    }
-    return;
-  }
-}
-
-// The inventory, which comes first, tells it.
-void take_filters(const json& message, Haply& haply) {
-  const json* filters =
-      part(part(entry(message, "inverse3", haply.wanted_id), "config"), "filters");
-  (void)number(part(filters, "force_gate"), "gain", haply.gate);
-  (void)number(part(filters, "damping"), "scalar", haply.damping);
-}
-
-double length(const UserFirst& v) {
-  return std::hypot(v.x, v.y, v.z);
-}
-
-// What comes out of the service's filters.
-void take_rendered(const json* state, Haply& haply) {
-  const json* force = part(state, "current_cursor_force");
-  UserFirst f = {};
-  if (!number(force, "x", f.x) || !number(force, "y", f.y) || !number(force, "z", f.z)) return;
-  haply.rendered_n = static_cast<float>(length(f));
-}
-
-// True if it holds a place of our device.
-bool take(const json& message, Haply& haply) {
-  const json* device = entry(message, "inverse3", haply.wanted_id);
-  if (device == nullptr) return false;
-  if (haply.id.empty()) haply.id = word(*device, "device_id");
-  if (part(part(device, "status"), "calibrated") != nullptr) {
-    haply.calibrated = truth(part(device, "status"), "calibrated");
-  }
-  take_rendered(part(device, "state"), haply);
-  const json* place = part(part(device, "state"), "cursor_position");
-  double x = 0, y = 0, z = 0;
-  if (!number(place, "x", x) || !number(place, "y", y) || !number(place, "z", z)) return false;
-  haply.pose.position_m = from_user_first(x, y, z);
-  take_grip(message, haply);
-  return true;
-}
-
-std::string command(const Haply& haply, Vec3 force_n) {
-  const UserFirst f = to_user_first(force_n);
-  const auto values = fmt::format(R"({{"x":{:.6g},"y":{:.6g},"z":{:.6g}}})", f.x, f.y, f.z);
-  return fmt::format(
-      R"({{"inverse3":[{{"device_id":"{}","commands":{{"set_cursor_force":{{"values":{}}}}}}}]}})",
-      haply.id, values);
-}
-
-// Lasts as long as the connection.
-std::string configuration(const Haply& haply) {
-  std::string gate;
-  if (haply.wishes.gate >= 0) {
-    gate = fmt::format(R"(,"force_gate":{{"gain":{:g}}})", haply.wishes.gate);
-  }
-  return fmt::format(
-      R"({{"inverse3":[{{"device_id":"{}","configure":{{"damping":{{"scalar":{:g}}}{}}}}}]}})",
-      haply.id, haply.wishes.damping, gate);
-}
 
 // ==== The connection
 
@@ -226,13 +147,14 @@ void exchange_once(Haply& haply) {
   if (!haply.socket.next_layer().is_open()) return;
   json message;
   const Vec3 force_n = haply.relay.order(monotonic_now_ns()).force_n;
-  haply.asked_n = static_cast<float>(length(to_user_first(force_n)));
-  const bool answered = send(haply, command(haply, force_n)) && receive(haply, message);
+  haply.asked_n = std::hypot(force_n.x, force_n.y, force_n.z);
+  const bool answered = send(haply, force_message(haply.ids, force_n)) && receive(haply, message);
   if (!answered) haply.relay.fail(kNoAnswer);
   if (haply.relay.failed()) return hang_up(haply);  // an event may have said so, too
   if (message.is_discarded()) return;               // not a message: the next one may be
-  if (take(message, haply)) {
-    haply.relay.publish(haply.pose, haply.buttons, monotonic_now_ns());
+  if (take_state(message, haply.ids, haply.state)) {
+    haply.rendered_n = static_cast<float>(haply.state.rendered_n);
+    haply.relay.publish(haply.state.pose, haply.state.buttons, monotonic_now_ns());
   } else if (message.contains("inverse3")) {
     haply.relay.fail(kDeviceGone);
     hang_up(haply);
@@ -247,7 +169,7 @@ void exchange(Haply& haply) try { exchange_once(haply); } catch (const std::exce
 // In the thread of the events. What ends the device for the hand ends it for us, at once and by its
 // name; the rest is told when somebody asks.
 void hear(Haply& haply, const HaplyEvent& event) {
-  if (!event.device_id.empty() && event.device_id != haply.id) return;
+  if (!event.device_id.empty() && event.device_id != haply.ids.device) return;
   if (event.warns) {  // first: who learns that it has failed asks why
     const std::lock_guard lock(haply.mutex);
     haply.warning = event.name + (event.message.empty() ? "" : ": " + event.message);
@@ -264,7 +186,7 @@ void close(void* self) {
   haply->thread.stop();
   if (!haply->socket.next_layer().is_open()) return;
   json last;
-  if (send(*haply, command(*haply, {}))) (void)receive(*haply, last);
+  if (send(*haply, force_message(haply->ids, {}))) (void)receive(*haply, last);
   hang_up(*haply);
 }
 std::string trouble(void* self) {
@@ -291,10 +213,11 @@ std::string about(void* self) {
   const std::lock_guard lock(haply.mutex);
   return fmt::format(
       "its service came with force gate {} and damping {}, now {} and {:g}; {:.2f} N asked, "
-      "{:.2f} N rendered; {}{}",
-      said(haply.gate), said(haply.damping),
-      said(haply.wishes.gate >= 0 ? haply.wishes.gate : haply.gate), haply.wishes.damping, asked,
-      rendered, haply.events->connected() ? "events are heard" : "no events",
+      "{:.2f} N rendered; {}; {}{}",
+      said(haply.state.gate), said(haply.state.damping),
+      said(haply.wishes.gate >= 0 ? haply.wishes.gate : haply.state.gate), haply.wishes.damping,
+      asked, rendered, haply.ids.grip.empty() ? "no grip" : "grip " + haply.ids.grip,
+      haply.events->connected() ? "events are heard" : "no events",
       haply.warning.empty() ? "" : ": " + haply.warning);
 }
 
@@ -312,10 +235,13 @@ Wishes wishes_of(std::string& rest) {
     }
     const bool share = (key == "gate" || key == "damping") && value >= 0 && value <= 1;
     const bool port = key == "events" && value >= 1 && value <= 65535;
-    if (!share && !port) throw DeviceError(fmt::format("haply:{}: {}: {}", whole, wish, kExpected));
+    const bool grip = key == "grip" && equals + 1 < wish.size();
+    if (!share && !port && !grip)
+      throw DeviceError(fmt::format("haply:{}: {}: {}", whole, wish, kExpected));
     if (key == "gate") wishes.gate = value;
     if (key == "damping") wishes.damping = value;
     if (port) wishes.events = static_cast<unsigned short>(value);
+    if (grip) wishes.grip = wish.substr(equals + 1);
     rest.resize(comma);
   }
   return wishes;
@@ -338,7 +264,12 @@ tcp::endpoint endpoint_of(const std::string& rest, std::string& id) {
 
 void connect(Haply& haply, const tcp::endpoint& endpoint, const std::string& rest) {
   boost::beast::error_code error;
-  haply.socket.next_layer().connect(endpoint, error);
+  bool connected = false;
+  haply.socket.next_layer().async_connect(endpoint, [&](boost::beast::error_code result) {
+    error = result;
+    connected = true;
+  });
+  if (!finish(haply, connected, kOpeningTime)) error = boost::asio::error::timed_out;
   if (!error) {
     haply.socket.next_layer().set_option(tcp::no_delay(true));
     bool done = false;
@@ -355,59 +286,142 @@ void connect(Haply& haply, const tcp::endpoint& endpoint, const std::string& res
                   rest, endpoint.address().to_string(), endpoint.port(), error.message()));
 }
 
+std::string listed(const std::vector<std::string>& ids) {
+  std::string all;
+  for (const std::string& each : ids) all += (all.empty() ? "" : ", ") + each;
+  return all.empty() ? "none" : all;
+}
+
+// The one that is asked for, or the first that nobody here holds; from now on it and no other.
+bool choose_device(Haply& haply, const json& message, const std::string& wanted) {
+  for (const std::string& each : listed_devices(message)) {
+    if (!wanted.empty() && each != wanted) continue;
+    if (!haply.device_claim.take(haply.service + "/device/" + each)) continue;
+    haply.ids.device = each;
+    return true;
+  }
+  return false;
+}
+
+// The one that is asked for, or the only one. Which of several is in which hand nobody can know.
+void choose_grip(Haply& haply, const json& message, const std::string& rest) {
+  const std::string& wanted = haply.wishes.grip;
+  const std::string prefix = haply.service + "/grip/";
+  if (wanted == "none") return;
+  std::vector<std::string> there;
+  for (const std::string& each : listed_grips(message)) {
+    const bool free = wanted.empty() && Claim::is_free(prefix + each);
+    if (free || each == wanted) there.push_back(each);
+  }
+  if (wanted.empty() && there.empty()) return;
+  if (there.size() == 1 && haply.grip_claim.take(prefix + there[0])) {
+    haply.ids.grip = there[0];
+    return;
+  }
+  throw DeviceError(fmt::format(
+      "haply:{}: grip: {}: expected ,grip=ID of one that no other needle holds, or ,grip=none; the "
+      "service lists {}",
+      rest, wanted.empty() ? "several" : wanted, listed(listed_grips(message))));
+}
+
+std::string not_ready(const Haply& haply, const json& last, const std::string& wanted) {
+  if (!haply.ids.device.empty()) {
+    return "not calibrated: put the handle into the holder, as the vendor's guide says";
+  }
+  const std::vector<std::string> all = listed_devices(last);
+  const bool there = std::find(all.begin(), all.end(), wanted) != all.end();
+  if (there || (wanted.empty() && !all.empty())) {
+    return fmt::format("another needle holds it; the service lists {}", listed(all));
+  }
+  return fmt::format("the service lists no such Inverse3: check its cable and power; it lists {}",
+                     listed(all));
+}
+
 // The first message is the inventory; then one for each of ours, all with no force.
-void wait_until_ready(Haply& haply, const std::string& rest, double patience_s) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_s);
+void wait_until_ready(Haply& haply, const std::string& wanted, const std::string& rest,
+                      double patience_s) {
+  const Patience patience(patience_s);
   while (true) {
     json message;
-    const bool answered = receive(haply, message, kOpeningTime);
-    const bool found = answered && !message.is_discarded() && take(message, haply);
-    if (found) take_filters(message, haply);
-    if (found && haply.calibrated) return;
-    if (!answered || std::chrono::steady_clock::now() > end) {
-      hang_up(haply);
+    if (!receive(haply, message, kOpeningTime)) {
       throw DeviceError(fmt::format(
-          "haply:{}: {}", rest,
-          !answered ? "the service does not answer: systemctl restart haply-inverse-service"
-          : !found  ? "the service lists no such Inverse3: check its cable and power"
-                   : "not calibrated: put the handle into the holder, as the vendor's guide says"));
+          "haply:{}: the service does not answer: systemctl restart haply-inverse-service", rest));
     }
-    (void)send(haply, haply.id.empty() ? "{}" : command(haply, {}), kOpeningTime);
+    if (haply.ids.device.empty() && choose_device(haply, message, wanted)) {
+      take_filters(message, haply.ids, haply.state);
+      choose_grip(haply, message, rest);
+    }
+    const bool found = take_state(message, haply.ids, haply.state);
+    if (found && haply.state.calibrated) return;
+    if (patience.over()) {
+      throw DeviceError(fmt::format("haply:{}: {}", rest, not_ready(haply, message, wanted)));
+    }
+    const bool known = !haply.ids.device.empty();
+    (void)send(haply, known ? force_message(haply.ids, {}) : "{}", kOpeningTime);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
 }
 
+void configure(Haply& haply, const std::string& rest) {
+  json answer;
+  const Wishes& wishes = haply.wishes;
+  if (send(haply, filter_message(haply.ids, wishes.gate, wishes.damping), kOpeningTime) &&
+      receive(haply, answer, kOpeningTime)) {
+    return;
+  }
+  throw DeviceError(fmt::format(
+      "haply:{}: the service takes no configuration: expected version 3.1 or newer", rest));
+}
+
 }  // namespace
 
-Device open_haply(const std::string& rest, double patience_s) {
+Device open_haply(const std::string& rest, double patience_s) try {
   auto haply = std::make_unique<Haply>();
-  std::string where = rest;
+  std::string where = rest, wanted;
   haply->wishes = wishes_of(where);
-  const tcp::endpoint endpoint = endpoint_of(where, haply->wanted_id);
+  const tcp::endpoint endpoint = endpoint_of(where, wanted);
+  haply->service = fmt::format("{}:{}", endpoint.address().to_string(), endpoint.port());
   connect(*haply, endpoint, rest);
-  wait_until_ready(*haply, rest, patience_s);
-  json answer;
-  if (!send(*haply, configuration(*haply), kOpeningTime) ||
-      !receive(*haply, answer, kOpeningTime)) {
-    hang_up(*haply);
-    throw DeviceError(
-        fmt::format("haply:{}: the service takes no configuration: expected version "
-                    "3.1 or newer",
-                    rest));
-  }
+  wait_until_ready(*haply, wanted, rest, patience_s);
+  configure(*haply, rest);
   haply->events = std::make_unique<HaplyEvents>(
       tcp::endpoint(endpoint.address(), haply->wishes.events),
       [at = haply.get()](const HaplyEvent& event) { hear(*at, event); });
-  // Limits from the vendor's pages, kept low: the service does not tell.
+  haply->identity = fmt::format("{},grip={}", haply->ids.device,
+                                haply->ids.grip.empty() ? "none" : haply->ids.grip);
+  // Limits from the vendor's pages, kept low: the service does not tell. The rest is of a device
+  // that nothing is known of.
   const DeviceInfo info = {.name = "Haply Inverse3",
                            .max_force_n = 5,
                            .max_slew_n_per_s = 1000,
-                           .max_stiffness_n_per_m = 2000};
+                           .max_stiffness_n_per_m = 2000,
+                           .identity = haply->identity.c_str(),
+                           .model = &unknown_device_model()};
   haply->relay.limits = motor_limits(info);
   haply->thread.start(kExchangeNs, [at = haply.get()] { exchange(*at); });
   Device device = relayed(haply.release(), info, close, trouble);
   device.about = about;
   return device;
+} catch (const DeviceError&) {
+  throw;
+} catch (const std::exception& error) {  // of a message that nobody thought of
+  throw DeviceError(fmt::format("haply:{}: {}", rest, error.what()));
+}
+
+std::string same_haply(const std::string& rest, const std::string& identity) {
+  std::string where = rest, others;
+  const std::size_t comma = rest.find(',');
+  if (comma != std::string::npos) {
+    where = rest.substr(0, comma);
+    others = rest.substr(comma);
+    if (const std::size_t grip = others.find(",grip="); grip != std::string::npos) {
+      const std::size_t end = others.find(',', grip + 1);
+      others.erase(grip, end == std::string::npos ? end : end - grip);
+    }
+  }
+  const std::size_t at = where.find('@'), split = identity.find(",grip=");
+  return identity.substr(0, split) + (at == std::string::npos ? "" : where.substr(at)) +
+         identity.substr(split) + others;
 }
 
 }  // namespace stylet::hal

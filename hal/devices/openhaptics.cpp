@@ -8,12 +8,15 @@
 #include <atomic>
 #include <chrono>
 #include <clocale>
+#include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 #include "device_thread.h"
+#include "patience.h"
 #include "stylet/hal/clock.h"
 #include "stylet/hal/device_model.h"
 #include "stylet/hal/devices.h"
@@ -41,7 +44,7 @@ static_assert(sizeof(ErrorInfo) == 12);
 
 constexpr Handle kInvalidHandle = 0xFFFFFFFFU;
 constexpr Enum kCurrentButtons = 0x2000, kCurrentTransform = 0x2052, kCurrentForce = 0x2700;
-constexpr Enum kModelType = 0x2501, kCalibrationStyle = 0x2555;
+constexpr Enum kModelType = 0x2501, kSerialNumber = 0x2504, kCalibrationStyle = 0x2555;
 constexpr Enum kNominalMaxStiffness = 0x2602, kNominalMaxForce = 0x2603,
                kNominalMaxContinuousForce = 0x2604;
 constexpr Enum kForceOutput = 0x4000, kMaxForceClamping = 0x4001, kForceRamping = 0x4002,
@@ -110,7 +113,7 @@ struct HdDevice {
   Relay relay;
   Handle handle = kInvalidHandle;
   SchedulerHandle callback = 0;
-  std::string model;
+  std::string model, serial;
   DeviceInfo info = {};
   Enum calibration_style = 0;
   std::atomic<Enum> calibration{0};  // as last seen; asked for until it is good
@@ -233,6 +236,32 @@ const char* remedy(unsigned int code) {
   }
 }
 
+// Where the vendor's set-up program keeps one file for each device it has given a name.
+std::string names_folder() {
+  const char* home = std::getenv("GTDD_HOME");
+  return std::string(home != nullptr ? home : "/usr/share/3DSystems") + "/config";
+}
+
+// Empty: the name is configured, or none was given. Else what to do.
+std::string name_fault(const std::string& name) {
+  if (name.empty()) return "";
+  std::string names;
+  std::error_code error;
+  const std::string folder = names_folder();
+  for (const auto& each : std::filesystem::directory_iterator(folder, error)) {
+    if (each.path().extension() != ".config") continue;
+    if (each.path().stem() == name) return "";
+    names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", each.path().stem().string());
+  }
+  if (names.empty()) {
+    return fmt::format(
+        "no device of any name is configured in {}: expected one that the vendor's "
+        "set-up program shows",
+        folder);
+  }
+  return fmt::format("no device of this name is configured in {}: expected {}", folder, names);
+}
+
 Handle init(const Api& api, const std::string& name) {
   std::vector<const char*> names = {nullptr, "Default Device", "Default PHANToM"};
   if (!name.empty()) names = {name.c_str()};
@@ -244,9 +273,15 @@ Handle init(const Api& api, const std::string& name) {
     if (handle != kInvalidHandle && now.code == 0) return handle;
     if (error.code == 0) error = now;
   }
+  const std::string unnamed = name_fault(name);
   throw DeviceError(fmt::format("hd:{}: error 0x{:04x} ({}), internal {}: {}", name, error.code,
                                 api.get_error_string(error.code), error.internal,
-                                remedy(error.code)));
+                                unnamed.empty() ? remedy(error.code) : unnamed));
+}
+
+std::string string_of(const Api& api, Enum what) {
+  const char* text = api.get_string(what);
+  return text != nullptr ? text : "";
 }
 
 void read_capability(const Api& api, HdDevice& device) {
@@ -254,22 +289,29 @@ void read_capability(const Api& api, HdDevice& device) {
   api.get_doubles(kNominalMaxForce, &force);
   api.get_doubles(kNominalMaxStiffness, &stiffness);
   api.get_doubles(kNominalMaxContinuousForce, &continuous);
-  const char* model = api.get_string(kModelType);
-  device.model = model != nullptr ? model : "OpenHaptics device";
-  // What cannot be read is taken as the smallest of the vendor's devices has it: that of a Touch.
-  const DeviceModel& smallest = *find_device_model("touch");
-  const auto read = [](double value, double most, float otherwise) {
-    return value > 0 && value <= most ? value : static_cast<double>(otherwise);
+  device.model = string_of(api, kModelType);
+  device.serial = string_of(api, kSerialNumber);
+  const DeviceModel* known = recognise_device_model(device.model);
+  if (device.model.empty()) device.model = "OpenHaptics device";
+  // What cannot be read, or is more than its kind can, is that of its kind; of an unknown kind the
+  // most careful of all we know.
+  const DeviceModel& model = known != nullptr ? *known : unknown_device_model();
+  const auto read = [known](double value, double possible, float models) {
+    const double most = known != nullptr ? static_cast<double>(models) : possible;
+    if (!(value > 0 && value <= possible)) return static_cast<double>(models);
+    return std::min(value, most);
   };
-  force = read(force, 40, smallest.max_force_n);
-  stiffness = read(stiffness, 10, 1e-3F * smallest.max_stiffness_n_per_m);
-  continuous = read(continuous, force, smallest.continuous_force_n);
+  force = read(force, 40, model.max_force_n);
+  stiffness = read(stiffness, 10, 1e-3F * model.max_stiffness_n_per_m);
+  continuous = std::min(force, read(continuous, 40, model.continuous_force_n));
   constexpr double kShare = 0.9;  // of what it can do at most
   device.info = {.name = device.model.c_str(),
                  .max_force_n = static_cast<float>(kShare * force),
                  .max_slew_n_per_s = 1000,
                  .max_stiffness_n_per_m = static_cast<float>(stiffness * 1e3),
-                 .continuous_force_n = static_cast<float>(continuous)};
+                 .continuous_force_n = static_cast<float>(continuous),
+                 .identity = device.serial.c_str(),
+                 .model = &model};
   forget_errors(api);
 }
 
@@ -292,9 +334,9 @@ void supervise(HdDevice& device) {
 }
 
 void wait_until_ready(const HdDevice& device, const std::string& name, double patience_s) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_s);
+  const Patience patience(patience_s);
   while (!device.relay.measured() || device.calibration.load() != kCalibrationOk) {
-    const bool late = std::chrono::steady_clock::now() > end;
+    const bool late = patience.over();
     if (device.relay.failed() || (late && !device.relay.measured())) {
       throw DeviceError(
           fmt::format("hd:{}: it was opened, but gives no sample (error 0x{:04x}): "

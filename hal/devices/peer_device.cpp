@@ -9,6 +9,7 @@
 #include <memory>
 #include <thread>
 
+#include "patience.h"
 #include "stylet/hal/devices.h"
 
 namespace stylet::hal {
@@ -182,10 +183,9 @@ Device wait_for_peer(const Link& link, const std::string& uri, double patience_s
   peer->first_sent = peer->sent;
   // Of the time of day, too; nobody acknowledges more often.
   peer->arming_base = static_cast<std::uint32_t>(peer->sent / kMicrosecondsAnArming);
-  const auto start = std::chrono::steady_clock::now();
-  const std::chrono::duration<double> patience(patience_s);
+  const Patience patience(patience_s);
   for (Sample sample; !read(peer.get(), 0, sample);) {
-    if (std::chrono::steady_clock::now() - start > patience) {
+    if (patience.over()) {
       link.close(link.self);
       throw DeviceError(fmt::format("{}: {}", uri, nobody(*peer, patience_s)));
     }

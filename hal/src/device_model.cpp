@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stylet/hal/device_model.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
+#include <string>
 
 namespace stylet::hal {
 namespace {
@@ -84,6 +87,47 @@ constexpr std::array kModels = {
                 {0.25F, 0, 0, 0.03e-3F, kFastUsbS}}),
 };
 
+// Names of before, and families.
+struct Alias {
+  const char* called;
+  const char* model;
+};
+constexpr std::array kAliases = {Alias{"desktop", "touch-x"}, Alias{"premium", "premium-1.5"}};
+
+std::string letters(std::string_view text) {
+  std::string out;
+  for (const char each : text) {
+    const auto c = static_cast<unsigned char>(each);
+    if (std::isalnum(c) != 0) out += static_cast<char>(std::tolower(c));
+  }
+  return out;
+}
+
+// Forces, stiffness, damping and room: the smallest, and nothing that the arm dissipates may be
+// assumed beyond it. Steps and delay: the largest.
+DeviceModel most_careful() {
+  DeviceModel all = kModels[0];
+  all.name = "unknown";
+  for (const DeviceModel& each : kModels) {
+    const auto less = [](float& a, float b) { a = std::min(a, b); };
+    const auto more = [](float& a, float b) { a = std::max(a, b); };
+    less(all.max_force_n, each.max_force_n);
+    less(all.continuous_force_n, each.continuous_force_n);
+    less(all.max_slew_n_per_s, each.max_slew_n_per_s);
+    less(all.max_stiffness_n_per_m, each.max_stiffness_n_per_m);
+    less(all.max_damping_n_s_per_m, each.max_damping_n_s_per_m);
+    less(all.workspace_m.x, each.workspace_m.x);
+    less(all.workspace_m.y, each.workspace_m.y);
+    less(all.workspace_m.z, each.workspace_m.z);
+    less(all.motion.mass_kg, each.motion.mass_kg);
+    less(all.motion.damping_n_s_per_m, each.motion.damping_n_s_per_m);
+    less(all.motion.friction_n, each.motion.friction_n);
+    more(all.motion.resolution_m, each.motion.resolution_m);
+    more(all.motion.delay_s, each.motion.delay_s);
+  }
+  return all;
+}
+
 }  // namespace
 
 std::span<const DeviceModel> device_models() {
@@ -95,6 +139,26 @@ const DeviceModel* find_device_model(std::string_view name) {
     if (name == each.name) return &each;
   }
   return nullptr;
+}
+
+const DeviceModel* recognise_device_model(std::string_view called) {
+  const std::string own = letters(called);
+  const DeviceModel* best = nullptr;
+  std::size_t longest = 0;
+  const auto consider = [&](std::string_view name, const DeviceModel* model) {
+    const std::string wanted = letters(name);
+    if (wanted.size() <= longest || own.find(wanted) == std::string::npos) return;
+    best = model;
+    longest = wanted.size();
+  };
+  for (const DeviceModel& each : kModels) consider(each.name, &each);
+  for (const Alias& each : kAliases) consider(each.called, find_device_model(each.model));
+  return best;
+}
+
+const DeviceModel& unknown_device_model() {
+  static const DeviceModel the_only = most_careful();
+  return the_only;
 }
 
 }  // namespace stylet::hal

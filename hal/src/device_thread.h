@@ -12,13 +12,16 @@
 #include <thread>
 
 #include "stylet/hal/clock.h"
+#include "stylet/hal/devices.h"
 
 namespace stylet::hal {
 
 // The calling thread, the vendor's or ours: a sample must not wait for the loop that waits for it.
+inline std::atomic<int> g_priority_refused{0};  // errno of the newest one
 inline void rise_above_the_loop() {
-  constexpr sched_param kAboveTheLoop = {90};
-  (void)pthread_setschedparam(pthread_self(), SCHED_FIFO, &kAboveTheLoop);
+  constexpr sched_param kAboveTheLoop = {kDevicePriority};
+  const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &kAboveTheLoop);
+  if (error != 0) g_priority_refused.store(error);
 }
 
 class DeviceThread {
@@ -29,11 +32,22 @@ class DeviceThread {
     thread_ = std::thread([this, period_ns, work] {
       rise_above_the_loop();
       run(period_ns, work);
+      ended_.store(true);
     });
   }
   void stop() {
     stop_.store(true);
     if (thread_.joinable()) thread_.join();
+  }
+  // False: it hangs in its work; stop() would wait for ever.
+  bool stops_within(std::chrono::milliseconds longest) {
+    stop_.store(true);
+    const auto end = std::chrono::steady_clock::now() + longest;
+    while (thread_.joinable() && !ended_.load()) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return true;
   }
   bool stopping() const { return stop_.load(std::memory_order_relaxed); }
 
@@ -52,7 +66,7 @@ class DeviceThread {
     }
   }
 
-  std::atomic<bool> stop_{false};
+  std::atomic<bool> stop_{false}, ended_{false};
   std::thread thread_;
 };
 

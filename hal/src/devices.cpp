@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include "device_thread.h"
+#include "patience.h"
 #include "stylet/hal/force_dimension.h"
 #include "stylet/hal/haply.h"
 #include "stylet/hal/lasting_device.h"
@@ -27,11 +29,11 @@ constexpr std::array kKinds = {
                [] { return !openhaptics_in_use(); }},
     DeviceKind{"dhd", "dhd:0", "Force Dimension and Novint Falcon, DHD", open_force_dimension,
                always},
-    DeviceKind{"haply", "haply:", "Haply Inverse3, its service", open_haply, always},
+    DeviceKind{"haply", "haply:", "Haply Inverse3, its service", open_haply, always, same_haply},
     DeviceKind{"spacemouse", "spacemouse:", "3Dconnexion SpaceMouse, spacenavd: no force",
-               open_spacemouse, always},
+               open_spacemouse, always, nullptr, false},
     DeviceKind{"pointer", "pointer:", "mouse or finger on the console's page: no force",
-               open_pointer, nullptr},
+               open_pointer, nullptr, nullptr, false},
     DeviceKind{"udp", "udp:7755", "another program, over the network", open_udp, nullptr},
     DeviceKind{"shm", "shm:mine", "another program, through shared memory", open_shared_memory,
                nullptr},
@@ -59,6 +61,19 @@ std::string device_uri_fault(const std::string& uri) {
   return "a device's URI, which begins with one of " + expected;
 }
 
+bool device_renders(const std::string& uri) {
+  const DeviceKind* kind = kind_of(uri);
+  return kind != nullptr && kind->renders;
+}
+
+void stop_opening_when(bool (*asked)()) {
+  g_opening_stops.store(asked);
+}
+
+int device_priority_refused() {
+  return g_priority_refused.load();
+}
+
 Device open_device(const std::string& uri, double patience_s) {
   const DeviceKind* kind = kind_of(uri);
   if (kind == nullptr) {
@@ -71,7 +86,12 @@ Device open_lasting_device(const std::string& uri, double patience_s) {
   const DeviceKind* kind = kind_of(uri);
   const Device device = open_device(uri, patience_s);
   if (kind->may_open_again == nullptr) return device;
-  return lasting_device(device, {.open = [uri] { return open_device(uri, kAgainPatienceS); },
+  std::string again = uri;
+  if (kind->same != nullptr) {
+    const std::size_t rest = uri.find(':') + 1;
+    again = uri.substr(0, rest) + kind->same(uri.substr(rest), device.info.identity);
+  }
+  return lasting_device(device, {.open = [again] { return open_device(again, kAgainPatienceS); },
                                  .may_open = kind->may_open_again});
 }
 

@@ -21,7 +21,7 @@ constexpr Seconds kLookEvery(0.02);
 
 struct Lasting {
   Reopening reopening;
-  std::string name;
+  std::string name, identity;
   DeviceInfo info;
   // The device of the moment is lent to the loop; `used` is the one it is busy with.
   std::atomic<const Device*> lent{nullptr};
@@ -98,17 +98,29 @@ bool renders_less(const DeviceInfo& now, const DeviceInfo& first) {
          now.continuous_force_n < first.continuous_force_n;
 }
 
+// Why what came is not taken; empty: it is the same.
+std::string stranger(const DeviceInfo& now, const Lasting& lasting) {
+  if (now.identity != lasting.identity) {
+    const auto called = [](const std::string& id) {
+      return id.empty() ? "one without a name" : id;
+    };
+    return fmt::format("{} has come in the place of {}: end the run and start it again",
+                       called(now.identity), called(lasting.identity));
+  }
+  if (!renders_less(now, lasting.info)) return "";
+  return fmt::format("{} has come in its place, which renders less: end the run and start it again",
+                     now.name);
+}
+
 // Empty: it is open and lent to the loop.
 std::string open_again(Lasting& lasting) try {
   if (lasting.reopening.may_open != nullptr && !lasting.reopening.may_open()) {
     return "it can be opened again only when no other of its kind is in use: end the run";
   }
   const Device device = lasting.reopening.open();
-  if (renders_less(device.info, lasting.info)) {
+  if (std::string why = stranger(device.info, lasting); !why.empty()) {
     device.close(device.self);
-    return fmt::format(
-        "{} has come in its place, which renders less: end the run and start it again",
-        device.info.name);
+    return why;
   }
   lasting.device = std::make_unique<Device>(device);
   lasting.opened.fetch_add(1);
@@ -166,6 +178,8 @@ Device lasting_device(const Device& first, const Reopening& reopening) {
   lasting->name = first.info.name;  // the first device's own goes with it
   lasting->info = first.info;
   lasting->info.name = lasting->name.c_str();
+  lasting->identity = first.info.identity;
+  lasting->info.identity = lasting->identity.c_str();
   lasting->device = std::make_unique<Device>(first);
   lasting->lent.store(lasting->device.get());
   lasting->keeper = std::thread([at = lasting.get()] { keep(*at); });

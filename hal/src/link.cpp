@@ -4,8 +4,10 @@
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -118,6 +120,7 @@ struct Memory {
   Shared* shared = nullptr;
   Side side = Side::kStylet;
   std::string path;
+  int file = -1;  // Stylet's side: locked for as long as it is open
   std::array<std::byte, kMaxPacketBytes> last = {};
 };
 
@@ -149,6 +152,26 @@ std::size_t memory_receive(void* self, std::span<std::byte> room) {
 void memory_close(void* self) {
   const std::unique_ptr<Memory> memory(static_cast<Memory*>(self));
   munmap(memory->shared, sizeof(Shared));
+  if (memory->side == Side::kStylet) unlink(memory->path.c_str());  // while the lock is ours
+  ::close(memory->file);
+}
+
+// Below zero: errno says why. What a run that was killed has left is taken over: its lock went with
+// it. The file may be taken away between opening and locking it, by who had it.
+int open_and_lock(const std::string& path, Side side) {
+  const int flags = side == Side::kStylet ? O_RDWR | O_CREAT : O_RDWR;
+  for (int i = 0; i < 8; ++i) {
+    const int file = open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, 0660);
+    if (file < 0 || side == Side::kDevice) return file;
+    struct stat there = {};
+    const bool locked = flock(file, LOCK_EX | LOCK_NB) == 0;
+    if (locked && fstat(file, &there) == 0 && there.st_nlink > 0) return file;
+    ::close(file);
+    if (locked) continue;
+    errno = EBUSY;
+    return -1;
+  }
+  return -1;
 }
 
 }  // namespace
@@ -188,17 +211,20 @@ Link shared_memory(const std::string& name, Side side) {
   if (name.empty() || name.find('/') != std::string::npos) {
     throw DeviceError(fmt::format("shm:{}: expected a name without a slash", name));
   }
-  const int flags = side == Side::kStylet ? O_RDWR | O_CREAT : O_RDWR;
-  const int file = open(memory->path.c_str(), flags | O_CLOEXEC, 0660);
+  const int file = open_and_lock(memory->path, side);
   const bool sized = file >= 0 && ftruncate(file, sizeof(Shared)) == 0;
   void* at = sized ? mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0)
                    : MAP_FAILED;
-  const int error = errno;
-  if (file >= 0) ::close(file);
   if (at == MAP_FAILED) {
-    throw DeviceError(fmt::format("shm:{}: {}: {}{}", name, memory->path, std::strerror(error),
-                                  side == Side::kDevice ? ": is Stylet running?" : ""));
+    const int error = errno;
+    if (file >= 0) ::close(file);
+    const char* hint = side == Side::kDevice ? ": is Stylet running?"
+                       : error == EBUSY      ? ": another Stylet has it: expected a name of its own"
+                                             : "";
+    throw DeviceError(
+        fmt::format("shm:{}: {}: {}{}", name, memory->path, std::strerror(error), hint));
   }
+  memory->file = file;
   memory->shared = static_cast<Shared*>(at);
   if (side == Side::kStylet) {  // what an earlier run left there is not news
     for (auto& word : memory->shared->from_device) word.store(0, std::memory_order_relaxed);

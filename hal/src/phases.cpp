@@ -17,6 +17,7 @@ constexpr double kShortestStageS = 0.1;    // of those told apart by speed
 constexpr double kSlopeRangeM = 1e-3;      // less change of depth gives no slope
 constexpr double kSteadyShare = 0.9;       // of the median speed: the tip keeps its pace
 constexpr double kSettleS = 0.3;           // in which the tissue takes up a new pace
+constexpr double kFeltN = 0.02;            // less is not felt (GUARD.md), and a share of it nothing
 
 bool inside(Phase phase) {
   return phase == Phase::kInserted || phase == Phase::kRetracting;
@@ -232,6 +233,15 @@ TrackPoint track_point(const TickRecord& record, const Course& course) {
   const Vec3 way = {out.tip_m.x - from.x, out.tip_m.y - from.y, out.tip_m.z - from.z};
   const auto dot = [&d = course.direction](Vec3 v) { return v.x * d.x + v.y * d.y + v.z * d.z; };
   return {out.tick, -dot(out.force_n), out.depth_m, dot(way), out.phase};
+}
+
+std::optional<double> fallen_share(const PhaseRow& row) {
+  const auto start = static_cast<double>(row.start_force_n);
+  const auto end = static_cast<double>(row.end_force_n);
+  if (!(std::fabs(start) >= kFeltN)) return std::nullopt;
+  const double left = end / start;
+  if (!(left >= 0 && left <= 1)) return std::nullopt;
+  return 1 - left;
 }
 
 std::vector<PhaseRow> find_phases(std::span<const TrackPoint> track, double period_s,

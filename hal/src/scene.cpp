@@ -111,7 +111,7 @@ Waypoint read_waypoint(Section section, const Waypoint& last) {
   return w;
 }
 
-void read_hand(Section section, Hand& out) {
+void read_hand(Section section, bool held, Hand& out) {
   out.hand.mass_kg = si(section.number("mass_g", 200, 1, 1e5), 1e-3);
   out.hand.stiffness_n_per_m =
       static_cast<float>(section.number("stiffness_n_per_m", 2000, 1, 1e7));
@@ -122,7 +122,7 @@ void read_hand(Section section, Hand& out) {
     last = read_waypoint(each, last);
     out.waypoints.push_back(last);
   }
-  if (out.device == "simulated" && out.waypoints.empty()) {
+  if (out.device == "simulated" && out.waypoints.empty() && !held) {
     section.fail("waypoint", "at least one [[hand.waypoint]] for the simulated hand to follow");
   }
   section.finish();
@@ -182,7 +182,7 @@ void read_grip(Section section, const Config& config, const NeedleConfig& needle
 }
 
 // All tables but the needle's own, from the top of the file or from one of [[needles]].
-Hand read_hand_of(Section& owner, const Config& config, const NeedleConfig& needle) {
+Hand read_hand_of(Section& owner, const Config& config, const NeedleConfig& needle, bool held) {
   Hand hand;
   read_approach(owner.table("approach"), hand.approach);
   Section device = owner.table("device");
@@ -192,18 +192,18 @@ Hand read_hand_of(Section& owner, const Config& config, const NeedleConfig& need
   if (button >= 0) hand.hand.held_buttons = 1U << static_cast<std::uint32_t>(button);
   read_grip(owner.table("mapping"), config, needle, hand);
   hand.coupling = read_coupling(owner.table("coupling"), hand.model, hand.guard, hand.grip);
-  read_hand(owner.table("hand"), hand);
+  read_hand(owner.table("hand"), held, hand);
   read_steering(owner.table("steering"), needle, hand);
   return hand;
 }
 
 // One needle, with everything about it at the top, or [[needles]], each with its own.
-void read_needles(Section& root, Scene& scene) {
+void read_needles(Section& root, std::size_t held, Scene& scene) {
   if (!root.has("needles")) {
     Section needle = root.table("needle");
     scene.config.needle[0] = read_needle(needle);
     needle.finish();
-    scene.hands = {read_hand_of(root, scene.config, scene.config.needle[0])};
+    scene.hands = {read_hand_of(root, scene.config, scene.config.needle[0], held > 0)};
     return;
   }
   scene.hands.clear();
@@ -213,7 +213,8 @@ void read_needles(Section& root, Scene& scene) {
     }
     NeedleConfig& needle = scene.config.needle[scene.hands.size()];
     needle = read_needle(each);
-    scene.hands.push_back(read_hand_of(each, scene.config, needle));
+    const bool by_device = scene.hands.size() < held;
+    scene.hands.push_back(read_hand_of(each, scene.config, needle, by_device));
     each.finish();
   }
   if (scene.hands.empty()) root.fail("needles", "at least one [[needles]]");
@@ -250,29 +251,7 @@ void attach(Hand& hand, const std::string& uri) {
   hand.grip.enabled = true;
 }
 
-void fit_to_device(const DeviceInfo& info, Hand& hand) {
-  if (info.max_force_n > 0) {
-    hand.guard.max_force_n = std::min(hand.guard.max_force_n, info.max_force_n);
-    const float slew = std::min(hand.guard.max_slew_n_per_s, info.max_slew_n_per_s);
-    hand.guard.max_slew_n_per_s = std::max(slew, hand.guard.max_force_n / kDecayS);
-    hand.coupling.max_force_n = hand.guard.max_force_n / hand.grip.force_scale;
-    // A tenth of the largest force is what may buzz: of the device that is there.
-    hand.guard.buzz_n = std::min(hand.guard.buzz_n, 0.1F * hand.guard.max_force_n);
-  }
-  if (info.continuous_force_n > 0) {
-    hand.guard.continuous_force_n =
-        std::min(hand.guard.continuous_force_n, info.continuous_force_n);
-  }
-  if (info.max_stiffness_n_per_m > 0) {
-    const float most = most_coupling(info.max_stiffness_n_per_m, hand.grip);
-    float& coupling = hand.coupling.stiffness_n_per_m;
-    coupling = coupling > 0 ? std::min(coupling, most) : most;
-  }
-  hand.guard.watchdog_s = watchdog_of(info, hand.guard.watchdog_s);
-  hand.limits = info;
-}
-
-Scene parse_scene(std::string_view text, const std::string& file) {
+Scene parse_scene(std::string_view text, const std::string& file, std::size_t held) {
   Scene scene;
   scene.file = file;
   scene.text = text;
@@ -295,7 +274,7 @@ Scene parse_scene(std::string_view text, const std::string& file) {
   scene.config.breathing = read_breathing(root.table("breathing"));
   scene.obstacles = read_obstacles(root.tables("obstacles"), file);
   scene.targets = read_targets(root.tables("targets"));
-  read_needles(root, scene);
+  read_needles(root, held, scene);
   root.finish();
   return scene;
 }
@@ -305,8 +284,8 @@ std::vector<Target> parse_targets(std::string_view text, const std::string& file
   return read_targets(Section(file, &table, "").tables("targets"));
 }
 
-Scene read_scene(const std::string& path) {
-  return parse_scene(read_text(path, "a scene"), path);
+Scene read_scene(const std::string& path, std::size_t held) {
+  return parse_scene(read_text(path, "a scene"), path, held);
 }
 
 Placement place_needle(const Scene& scene, const Organ& organ, std::uint32_t needle) {

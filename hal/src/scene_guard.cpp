@@ -120,4 +120,93 @@ CouplingConfig read_coupling(Section coupling, const DeviceModel& model, const G
   return config;
 }
 
+namespace {
+
+// Of two limits the stricter one, and whose it is.
+float stricter(float scenes, float devices, const char*& whose) {
+  whose = scenes < devices ? "scene" : "device";
+  return std::min(scenes, devices);
+}
+
+// What the scene says counts only where it is stricter; where it says nothing it is zero.
+float assumed(float scenes, float devices) {
+  return scenes > 0 ? std::min(scenes, devices) : devices;
+}
+
+void fit_force(const DeviceInfo& info, Hand& hand, std::string& told) {
+  GuardConfig& guard = hand.guard;
+  const char* whose = "";
+  guard.max_force_n = stricter(guard.max_force_n, info.max_force_n, whose);
+  told += fmt::format("at most {:.3g} N ({})", of(guard.max_force_n), whose);
+  const float slew = std::min(guard.max_slew_n_per_s, info.max_slew_n_per_s);
+  guard.max_slew_n_per_s = std::max(slew, guard.max_force_n / kDecayS);
+  hand.coupling.max_force_n = guard.max_force_n / hand.grip.force_scale;
+  const float buzz_n = static_cast<float>(kBuzzShare) * guard.max_force_n;
+  guard.buzz_n = stricter(guard.buzz_n, buzz_n, whose);
+  told += fmt::format(", buzz {:.3g} N ({})", of(guard.buzz_n), whose);
+}
+
+void fit_heat_and_stiffness(const DeviceInfo& info, Hand& hand, std::string& told) {
+  const DeviceModel* model = info.model;
+  const auto known = [model](float read, float DeviceModel::*of_model) {
+    return read > 0 ? read : model != nullptr ? model->*of_model : 0;
+  };
+  const float always_n = known(info.continuous_force_n, &DeviceModel::continuous_force_n);
+  const char* whose = "";
+  if (always_n > 0) {
+    float& continuous_n = hand.guard.continuous_force_n;
+    continuous_n = stricter(continuous_n, always_n, whose);
+    told += fmt::format(", for ever {:.3g} N ({})", of(continuous_n), whose);
+  }
+  const float stiffness = known(info.max_stiffness_n_per_m, &DeviceModel::max_stiffness_n_per_m);
+  if (stiffness > 0) {
+    const float most = most_coupling(stiffness, hand.grip);
+    float& coupling = hand.coupling.stiffness_n_per_m;
+    coupling = stricter(coupling > 0 ? coupling : most, most, whose);
+    told += fmt::format(", coupling {:.3g} N/m ({})", of(coupling), whose);
+  }
+}
+
+// The observer of energy: what the device itself takes, not what the scene's would.
+void fit_energy(const DeviceInfo& info, Hand& hand, std::string& told) {
+  const DeviceModel& model = *info.model;
+  GuardConfig& guard = hand.guard;
+  const DeviceDynamics scenes = guard.device;
+  guard.device = model.motion;
+  guard.device.damping_n_s_per_m =
+      assumed(scenes.damping_n_s_per_m, model.motion.damping_n_s_per_m);
+  guard.device.friction_n = assumed(scenes.friction_n, model.motion.friction_n);
+  const Vec3 reach = model.workspace_m;
+  guard.stored_energy_j =
+      0.5F * std::min(info.max_force_n, model.max_force_n) * std::max({reach.x, reach.y, reach.z});
+  guard.passivity_damping_n_s_per_m =
+      assumed(guard.passivity_damping_n_s_per_m,
+              static_cast<float>(kPassivityShare) * model.max_damping_n_s_per_m);
+  told += fmt::format(
+      ", energy: damping {:.3g} N s/m, friction {:.3g} N, steps of {:.3g} mm, delay {:.3g} ms, at "
+      "most {:.3g} N s/m added, {:.3g} J stored ({})",
+      of(guard.device.damping_n_s_per_m), of(guard.device.friction_n),
+      of(guard.device.resolution_m) * 1e3, of(guard.device.delay_s) * 1e3,
+      of(guard.passivity_damping_n_s_per_m), of(guard.stored_energy_j), model.name);
+}
+
+}  // namespace
+
+std::string fit_to_device(const DeviceInfo& info, Hand& hand) {
+  std::string told = info.name;
+  if (info.identity[0] != 0) told += fmt::format(" {}", info.identity);
+  if (info.model != nullptr) told += fmt::format(", taken for \"{}\"", info.model->name);
+  told += ": ";
+  if (info.max_force_n > 0) {
+    fit_force(info, hand, told);
+    fit_heat_and_stiffness(info, hand, told);
+    if (info.model != nullptr) fit_energy(info, hand, told);
+  } else {
+    told += "no force";
+  }
+  hand.guard.watchdog_s = watchdog_of(info, hand.guard.watchdog_s);
+  hand.limits = info;
+  return told;
+}
+
 }  // namespace stylet::hal

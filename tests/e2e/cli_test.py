@@ -495,6 +495,47 @@ uri = "hd:Right"
         self.assertIn(done.returncode, (0, 3), done.stderr)  # 3: this machine was late
         self.assertEqual(len(json.loads(done.stdout)["needles"]), 2)
 
+    def test_run_says_what_was_taken_from_the_device(self):
+        done = subprocess.run(
+            [BIN / "stylet", "run", SCENE, "--organ", self.make_phantom(), "--device", "hd:",
+             "--allow-non-rt", "--duration-s", "0.3", "--flight", self.top / "flight.h5"],
+            env=self.with_touch(), capture_output=True, text=True, timeout=120)
+        self.assertIn(done.returncode, (0, 3), done.stderr)  # 3: this machine was late
+        for words in ('hd:: Stand-in Touch, taken for "touch"', "at most 2.97 N (device)",
+                      "buzz 0.297 N (device)", "friction 0.26 N"):
+            self.assertIn(words, done.stdout)
+
+    def test_period_too_long_for_a_device_is_refused(self):
+        scene = self.top / "slow.toml"
+        scene.write_text("[loop]\nperiod_us = 4000\n")  # and no script: a device holds the needle
+        done = subprocess.run([BIN / "stylet", "run", scene, "--organ", self.make_phantom(),
+                               "--device", "hd:"], env=self.with_touch(), capture_output=True,
+                              text=True, timeout=60)
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertIn("loop.period_us: 4000: expected at most 2000 with hd:", done.stderr)
+
+    def test_driver_that_hangs_does_not_hold_the_end(self):
+        organ = self.make_phantom()
+        for place in ("open", "read", "write", "close"):
+            with self.subTest(place):
+                record = self.top / f"{place}.h5"
+                run = subprocess.Popen(
+                    [BIN / "stylet", "run", SCENE, "--organ", organ, "--device", "hd:",
+                     "--allow-non-rt", "--record", record, "--flight", self.top / "flight.h5"],
+                    env=dict(self.with_touch(), STYLET_STANDIN_HANGS=place),
+                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                self.addCleanup(run.kill)
+                time.sleep(4)
+                run.send_signal(signal.SIGINT)
+                told = time.monotonic()
+                _, said = run.communicate(timeout=60)
+                self.assertLess(time.monotonic() - told, 30)  # 2 s, on a machine that is not busy
+                self.assertIn(run.returncode, (1, 3), said)
+                self.assertIn("hd:: its driver hangs in", said)
+                if place != "open":
+                    self.assertIn("same bits", call("stylet", "replay", record, "--organ",
+                                                    organ).stdout)
+
     def test_station_joins_another_machine(self):
         port = self.free_port()
         station = subprocess.Popen([BIN / "stylet", "station", "hd:", f"127.0.0.1:{port}",

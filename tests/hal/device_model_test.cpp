@@ -54,6 +54,39 @@ TEST(DeviceModel, EachIsPossible) {
   }
 }
 
+// As drivers call them, and as people would not; by data sheets' names.
+TEST(DeviceModel, DevicesAreRecognisedByWhatTheyCallThemselves) {
+  const auto model = [](const char* called) {
+    const DeviceModel* found = recognise_device_model(called);
+    return std::string(found != nullptr ? found->name : "none");
+  };
+  EXPECT_EQ(model("Touch"), "touch");
+  EXPECT_EQ(model("Geomagic Touch"), "touch");
+  EXPECT_EQ(model("Touch X"), "touch-x");
+  EXPECT_EQ(model("TOUCHX"), "touch-x");
+  EXPECT_EQ(model("PHANTOM Omni"), "omni");
+  EXPECT_EQ(model("PHANTOM Desktop"), "touch-x");
+  EXPECT_EQ(model("PHANTOM Premium 1.5"), "premium-1.5");
+  EXPECT_EQ(model("Premium 6DOF"), "premium-1.5");
+  EXPECT_EQ(model("PHANTOM Premium 3.0 6DOF"), "premium-3.0");
+  EXPECT_EQ(model("omega.7"), "omega.7");
+  EXPECT_EQ(model(""), "none");
+  EXPECT_EQ(model("Wooden spoon"), "none");
+}
+
+TEST(DeviceModel, NothingIsMoreCarefulThanWhatIsNotKnown) {
+  const DeviceModel& unknown = unknown_device_model();
+  for (const DeviceModel& each : device_models()) {
+    EXPECT_LE(unknown.max_force_n, each.max_force_n) << each.name;
+    EXPECT_LE(unknown.continuous_force_n, each.continuous_force_n) << each.name;
+    EXPECT_LE(unknown.max_stiffness_n_per_m, each.max_stiffness_n_per_m) << each.name;
+    EXPECT_LE(unknown.motion.damping_n_s_per_m, each.motion.damping_n_s_per_m) << each.name;
+    EXPECT_LE(unknown.motion.friction_n, each.motion.friction_n) << each.name;
+  }
+  EXPECT_EQ(unknown.max_force_n, 3.3F);
+  EXPECT_EQ(unknown.continuous_force_n, 0.88F);
+}
+
 // A hand so soft that it only carries the device along, and a push.
 struct Pushed {
   SimulatedHand hand;

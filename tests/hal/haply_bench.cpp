@@ -25,6 +25,7 @@ bool readable(int socket, int wait_ms) {
 struct HaplyService::Connection {
   explicit Connection(tcp::socket accepted) : socket(std::move(accepted)) {}
   websocket::stream<tcp::socket> socket;
+  bool ours = false;  // commands 049D
 };
 
 struct HaplyService::Listener {
@@ -33,15 +34,19 @@ struct HaplyService::Listener {
   std::string port() const { return std::to_string(acceptor.local_endpoint().port()); }
 };
 
-HaplyService::HaplyService()
+HaplyService::HaplyService(int clients)
     : listener_(std::make_unique<Listener>()),
       events_(std::make_unique<Listener>()),
       thread_([this] { serve(); }),
-      event_thread_([this] { serve_events(); }) {}
+      event_thread_([this] { serve_events(); }) {
+  listener_->acceptor.non_blocking(clients > 1);
+  while (--clients > 0) more_.emplace_back([this] { serve(); });
+}
 
 HaplyService::~HaplyService() {
   stop_ = true;
   thread_.join();
+  for (std::thread& each : more_) each.join();
   event_thread_.join();
 }
 
@@ -123,8 +128,15 @@ std::string HaplyService::state(bool inventory) {
     grip["state"]["button_0"] = buttons_ & 1;
     grip["state"]["button_1"] = buttons_ >> 1 & 1;
   }
-  json all = {{"inverse3", json::array({other})}, {"wireless_verse_grip", json::array({grip})}};
-  if (lists_ours) all["inverse3"].push_back(device);
+  json held = {{"device_id", "2"}, {"status", {{"awake", true}}}, {"state", grip["state"]}};
+  held["state"]["buttons"] = {{"a", true}, {"b", true}, {"c", true}};
+  json all = {{"inverse3", json::array()}, {"wireless_verse_grip", json::array({grip})}};
+  if (lists_ours && ours_first) all["inverse3"].push_back(device);
+  all["inverse3"].push_back(other);
+  if (lists_ours && !ours_first) all["inverse3"].push_back(device);
+  if (other_grip) all["verse_grip"] = json::array({held});
+  if (other_grip) all["wireless_verse_grip"] = json::array({held, grip});
+  if (change) change(all);
   return all.dump();
 }
 
@@ -132,7 +144,7 @@ void HaplyService::obey(const std::string& text) {
   const json message = json::parse(text);
   if (!message.contains("inverse3")) return;
   const json& device = message["inverse3"][0];
-  if (device["device_id"] != "049D") return;
+  if (device["device_id"] != "049D") return void(++told_others);
   if (device.contains("configure")) {
     const json& wanted = device["configure"];
     if (wanted.contains("damping")) damping = wanted["damping"]["scalar"].get<double>();
@@ -166,7 +178,9 @@ void HaplyService::talk(Connection& connection) {
     if (!readable(socket.next_layer().native_handle(), 2)) continue;
     buffer.clear();
     socket.read(buffer);
-    obey(boost::beast::buffers_to_string(buffer.data()));
+    const std::string text = boost::beast::buffers_to_string(buffer.data());
+    connection.ours = connection.ours || text.find("049D") != std::string::npos;
+    obey(text);
     ++messages;
     if (messages % 10 == 0) socket.ping({});
     std::string answer = state(false);
@@ -179,13 +193,15 @@ void HaplyService::serve() {
   tcp::acceptor& acceptor = listener_->acceptor;
   while (!stop_) {
     if (!readable(acceptor.native_handle(), 2)) continue;
-    Connection connection(acceptor.accept());
+    boost::system::error_code taken;
+    Connection connection(acceptor.accept(taken));
+    if (taken) continue;  // by another of our threads
     try {
       talk(connection);
     } catch (const boost::system::system_error&) {  // the client has gone
     }
     const std::lock_guard lock(mutex_);
-    force_n_ = {};
+    if (connection.ours) force_n_ = {};
   }
 }
 

@@ -32,6 +32,7 @@ struct Factory {
   std::vector<std::chrono::steady_clock::time_point> tries;
   std::atomic<bool> refuses{false};
   float max_force_n = 3;
+  const char* identity = "";
 
   Device open() {
     const std::lock_guard lock(mutex);
@@ -41,7 +42,10 @@ struct Factory {
     made.back()->max_force_n = max_force_n;
     Fake* fake = made.back().get();
     return {fake,
-            {"a fake", max_force_n, 100},
+            {.name = "a fake",
+             .max_force_n = max_force_n,
+             .max_slew_n_per_s = 100,
+             .identity = identity},
             [](void* self, std::int64_t now_ns, Sample& out) {
               Fake& f = *static_cast<Fake*>(self);
               ++(f.open ? f.touched : f.touched_closed);
@@ -164,6 +168,27 @@ TEST(LastingDevice, WhatRendersLessIsNotTakenAndNamed) {
   EXPECT_FALSE(factory.newest().open);
   EXPECT_EQ(factory.newest().touched, 0);
   EXPECT_STREQ(device.info.name, "a fake");
+  device.close(device.self);
+}
+
+// As strong as the first, but not the first.
+TEST(LastingDevice, AnotherDeviceIsNotTakenAndNamed) {
+  Factory factory;
+  factory.identity = "17";
+  const Device device = factory.lasting();
+  EXPECT_STREQ(device.info.identity, "17");
+  factory.newest().failed = true;
+  factory.identity = "18";
+  std::uint64_t seq = 0;
+  const auto told = [&](const char* what) {
+    return ticks_until(
+        device, [&] { return trouble_of(device).find(what) == 0; }, seq);
+  };
+  EXPECT_TRUE(told("18 has come in the place of 17"));
+  EXPECT_EQ(factory.newest().touched, 0);
+  factory.identity = "17";
+  EXPECT_TRUE(ticks_until(
+      device, [&] { return trouble_of(device).empty() && factory.newest().touched > 0; }, seq));
   device.close(device.self);
 }
 

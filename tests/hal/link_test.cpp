@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -15,6 +16,7 @@
 #include <span>
 #include <string>
 
+#include "stylet/hal/devices.h"
 #include "stylet/hal/packet.h"
 
 namespace stylet::hal {
@@ -45,6 +47,8 @@ class SharedMemory : public testing::Test {
     return link.receive(link.self, std::span(received_).first(room));
   }
 
+  const std::string& name() const { return name_; }
+  bool there() const { return access(("/dev/shm/stylet." + name_).c_str(), F_OK) == 0; }
   bool is_mapped() const {
     std::ifstream maps("/proc/self/maps");
     const std::string text(std::istreambuf_iterator<char>(maps), {});
@@ -64,10 +68,46 @@ TEST_F(SharedMemory, WhatAnEarlierRunLeftIsNoNews) {
   send(device, kSamplePacketBytes);
   EXPECT_EQ(receive(earlier), kSamplePacketBytes);
   close(earlier);
+  EXPECT_FALSE(there()) << "the run's end takes it away";
   Link& stylet = open(Side::kStylet);
   EXPECT_EQ(receive(stylet), 0U);
   send(device, kSamplePacketBytes);
-  EXPECT_EQ(receive(stylet), kSamplePacketBytes) << "the device's side stays from run to run";
+  EXPECT_EQ(receive(stylet), 0U) << "whoever wants to take part opens it anew";
+  send(open(Side::kDevice), kSamplePacketBytes);
+  EXPECT_EQ(receive(stylet), kSamplePacketBytes);
+}
+
+TEST_F(SharedMemory, TwoStyletsDoNotShareOne) {
+  Link& first = open(Side::kStylet);
+  try {
+    open(Side::kStylet);
+    ADD_FAILURE() << "the second took it";
+  } catch (const DeviceError& error) {
+    EXPECT_NE(std::string(error.what()).find("another Stylet has it"), std::string::npos);
+  }
+  send(open(Side::kDevice), kSamplePacketBytes);
+  EXPECT_EQ(receive(first), kSamplePacketBytes);
+}
+
+// A run that is killed leaves its file: the next one takes it over, and nothing of it is news.
+TEST_F(SharedMemory, WhatAKilledRunLeftIsTakenOver) {
+  const pid_t child = fork();
+  if (child == 0) {
+    send(shared_memory(name(), Side::kStylet), kForcePacketBytes);
+    send(shared_memory(name(), Side::kDevice), kSamplePacketBytes);
+    _exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(there());
+  Link& device = open(Side::kDevice);  // of before: it stays in the same file
+  Link& stylet = open(Side::kStylet);
+  EXPECT_EQ(receive(stylet), 0U);
+  EXPECT_EQ(receive(device), 0U);
+  send(device, kSamplePacketBytes);
+  EXPECT_EQ(receive(stylet), kSamplePacketBytes);
+  close(stylet);
+  EXPECT_FALSE(there());
 }
 
 TEST_F(SharedMemory, ADeviceThatComesLaterFindsTheLastForce) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Another program as a device, over UDP and shared memory: a thread that sends a sample every
 // millisecond and feels what the newest force packet says.
+#include <sys/stat.h>
+
 #include <atomic>
 #include <cstdio>
 #include <mutex>
@@ -42,21 +44,28 @@ class PeerBench : public Bench {
   void trouble(test::Trouble trouble) override { trouble_ = trouble; }
 
  private:
+  // Of the shared memory; 0: there is none, as with UDP.
+  static ino_t memory() {
+    struct stat there = {};
+    return stat(("/dev/shm/stylet.test" + test_port()).c_str(), &there) == 0 ? there.st_ino : 0;
+  }
   void run(Link (*connect)()) {
     Link link = {};
-    while (!stop_ && link.self == nullptr) {
-      try {
-        link = connect();
-      } catch (const DeviceError&) {  // shared memory that Stylet has not made yet
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      }
-    }
+    ino_t mine = 0;
     while (!stop_) {
-      exchange(link);
+      if (link.self != nullptr && memory() != mine) {  // that run is over, or another has begun
+        link.close(link.self);
+        link = {};
+      }
+      try {
+        if (link.self == nullptr) link = connect();
+        mine = memory();
+        exchange(link);
+      } catch (const DeviceError&) {  // shared memory that Stylet has not made yet
+      }
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     if (link.self != nullptr) link.close(link.self);
-    std::remove(("/dev/shm/stylet.test" + test_port()).c_str());
   }
 
   void exchange(const Link& link) {

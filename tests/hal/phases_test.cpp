@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
 namespace stylet::hal {
@@ -193,6 +194,65 @@ TEST(TrackPoint, ResistanceIsPositiveAndTravelCountsFromTheEntry) {
   EXPECT_EQ(p.tick, 7U);
   EXPECT_EQ(p.axial_n, 0.5F);
   EXPECT_NEAR(static_cast<double>(p.travel_m), 0.04, 1e-6);
+}
+
+// ---- how much a force has fallen
+
+PhaseRow from_to(float start_n, float end_n) {
+  PhaseRow row = {};
+  row.start_force_n = start_n;
+  row.end_force_n = end_n;
+  return row;
+}
+
+TEST(Phases, AForceThatFallsHasAShareAndNoOther) {
+  EXPECT_NEAR(fallen_share(from_to(0.8F, 0.6F)).value_or(-1), 0.25, 1e-6);
+  EXPECT_NEAR(fallen_share(from_to(-2, -0.5F)).value_or(-1), 0.75, 1e-6);
+  EXPECT_EQ(fallen_share(from_to(1, 0)), 1);
+  EXPECT_EQ(fallen_share(from_to(1, 1)), 0);
+  EXPECT_EQ(fallen_share(from_to(0.2F, 2.886F)), std::nullopt);  // no relaxation of -1343 %
+  EXPECT_EQ(fallen_share(from_to(1, -0.1F)), std::nullopt);
+  EXPECT_EQ(fallen_share(from_to(0.001F, 0.0005F)), std::nullopt);
+  EXPECT_EQ(fallen_share(from_to(NAN, 1)), std::nullopt);
+  EXPECT_EQ(fallen_share(from_to(1, NAN)), std::nullopt);
+}
+
+// Recordings of hands that do anything: rows without gaps, and no share beyond 0 to 1.
+TEST(Phases, RandomRecordingsHaveWholeRowsAndSharesWithinTheirBounds) {
+  std::mt19937 random(31);
+  const auto between = [&random](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() % 10'001) * 1e-4;
+  };
+  int shares = 0;
+  for (int run = 0; run < 200; ++run) {
+    std::vector<TrackPoint> track;
+    double travel_m = -0.01, force_n = 0;
+    auto phase = Phase::kFree;
+    while (track.size() < 2000) {
+      const double pace = random() % 3 == 0 ? 0 : between(-2e-4, 3e-4);
+      const double push = between(-5e-3, 5e-3);
+      if (random() % 3 == 0) phase = static_cast<Phase>(random() % 4);
+      for (auto n = random() % 400; n > 0 && track.size() < 2000; --n) {
+        travel_m += pace;
+        force_n += push;
+        track.push_back({track.size() + 1, static_cast<float>(force_n),
+                         static_cast<float>(std::max(travel_m, 0.0)), static_cast<float>(travel_m),
+                         phase});
+      }
+    }
+    std::uint64_t next = 1;
+    for (const PhaseRow& row : find_phases(track, kPeriodS, kUnitM)) {
+      EXPECT_EQ(row.start_tick, next);
+      next = row.end_tick;
+      const std::optional<double> share = fallen_share(row);
+      if (!share) continue;
+      ++shares;
+      EXPECT_GE(*share, 0);
+      EXPECT_LE(*share, 1);
+    }
+    EXPECT_EQ(next, 2001U);
+  }
+  EXPECT_GT(shares, 100);
 }
 
 }  // namespace

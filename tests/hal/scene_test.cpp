@@ -316,6 +316,60 @@ TEST(Scene, AnAttachedDeviceLowersItsLimits) {
   EXPECT_EQ(hand.guard.continuous_force_n, 0.88F);
 }
 
+// Thresholds are those of the device that is there; a scene's own make them stricter, never looser.
+TEST(Scene, TheGuardsThresholdsAreThoseOfTheOpenedDevice) {
+  const DeviceModel& touch = *find_device_model("touch");
+  const DeviceInfo info = {.name = "Touch",
+                           .max_force_n = 2.97F,
+                           .max_slew_n_per_s = 1000,
+                           .max_stiffness_n_per_m = 400,
+                           .continuous_force_n = 0.88F,
+                           .identity = "123",
+                           .model = &touch};
+  const char* strong = "[device]\nmax_force_n = 30\n[[hand.waypoint]]\nhold_s = 1\n";
+  Hand hand = parse_scene(strong, "s").hands[0];
+  const std::string told = fit_to_device(info, hand);
+  EXPECT_NEAR(of(hand.guard.max_force_n), 2.97, 1e-6);
+  EXPECT_NEAR(of(hand.guard.buzz_n), 0.297, 1e-6);
+  EXPECT_NEAR(of(hand.guard.continuous_force_n), 0.88, 1e-6);
+  EXPECT_NEAR(of(hand.guard.device.damping_n_s_per_m), 400 * 1.5e-3, 1e-6);
+  EXPECT_NEAR(of(hand.guard.device.friction_n), 0.26, 1e-6);
+  EXPECT_NEAR(of(hand.guard.device.resolution_m), 0.055e-3, 1e-9);
+  EXPECT_NEAR(of(hand.guard.device.delay_s), 1e-3, 1e-9);
+  EXPECT_NEAR(of(hand.guard.passivity_damping_n_s_per_m), 2, 1e-6);
+  EXPECT_NEAR(of(hand.guard.stored_energy_j), 0.5 * 2.97 * 0.16, 1e-5);
+  for (const char* part : {"Touch 123", "taken for \"touch\"", "at most 2.97 N (device)",
+                           "buzz 0.297 N (device)", "friction 0.26 N", "(touch)"}) {
+    EXPECT_NE(told.find(part), std::string::npos) << part << ": " << told;
+  }
+  Hand careful = parse_scene(std::string(strong) +
+                                 "[guard]\nbuzz_n = 0.05\nmax_force_n = 1\n"
+                                 "passivity_damping_n_s_per_m = 0.5\n",
+                             "s")
+                     .hands[0];
+  EXPECT_NE(fit_to_device(info, careful).find("buzz 0.05 N (scene)"), std::string::npos);
+  EXPECT_EQ(careful.guard.max_force_n, 1);
+  EXPECT_EQ(careful.guard.buzz_n, 0.05F);
+  EXPECT_EQ(careful.guard.passivity_damping_n_s_per_m, 0.5F);
+  Hand loose = parse_scene(
+                   "[device]\nmax_force_n = 30\nfriction_n = 5\n[guard]\nbuzz_n = 9\n"
+                   "passivity_damping_n_s_per_m = 900\n[[hand.waypoint]]\nhold_s = 1\n",
+                   "s")
+                   .hands[0];
+  (void)fit_to_device(info, loose);
+  EXPECT_NEAR(of(loose.guard.buzz_n), 0.297, 1e-6);
+  EXPECT_NEAR(of(loose.guard.device.friction_n), 0.26, 1e-6);
+  EXPECT_EQ(loose.guard.passivity_damping_n_s_per_m, 2);
+}
+
+TEST(Scene, ANeedleThatADeviceWillHoldNeedsNoScript) {
+  EXPECT_THROW(parse_scene("", "s"), SceneError);
+  EXPECT_EQ(parse_scene("", "s", 1).hands.size(), 1U);
+  const char* two = "[[needles]]\n[[needles]]\n";
+  EXPECT_THROW(parse_scene(two, "s", 1), SceneError);
+  EXPECT_EQ(parse_scene(two, "s", 2).hands.size(), 2U);
+}
+
 TEST(Scene, MistakesOfWaypoints) {
   expect_refusals({
       {"time_s = 0.5", "", "lateral_mm", "either speed_mm_s or time_s", 1},

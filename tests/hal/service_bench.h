@@ -3,7 +3,9 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
@@ -18,7 +20,7 @@ namespace stylet::hal {
 // damping 0.5, and renders 0.8 of a force while its gate is below 1.
 class HaplyService : public Bench {
  public:
-  HaplyService();
+  explicit HaplyService(int clients = 1);  // at a time
   ~HaplyService() override;
   std::string uri() const override { return uri_with(""); }
   std::string uri_with(const std::string& wishes) const;
@@ -32,6 +34,10 @@ class HaplyService : public Bench {
   void trouble(test::Trouble trouble) override { trouble_ = trouble; }
   std::atomic<int> messages{0};
   std::atomic<bool> lists_ours{true}, grip_awake{true};
+  std::atomic<bool> ours_first{false};          // else after AAAA, which is somewhere else
+  std::atomic<bool> other_grip{false};          // lists grip 2 first, awake, with all buttons held
+  std::atomic<int> told_others{0};              // commands and settings for others than 049D
+  std::function<void(nlohmann::json&)> change;  // what is sent; set it before it is opened
   std::atomic<double> gate{0.3}, damping{0.5};
 
  private:
@@ -52,6 +58,7 @@ class HaplyService : public Bench {
   std::atomic<test::Trouble> trouble_{test::Trouble::kNone};
   std::atomic<bool> stop_{false};
   std::thread thread_, event_thread_;
+  std::vector<std::thread> more_;
 };
 
 class Spacenavd : public Bench {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is particular to services: Haply's and spacenavd.
+#include <random>
+
+#include "haply_state.h"
 #include "service_bench.h"
+#include "stylet/hal/haply.h"
 
 namespace stylet::hal {
 namespace {
@@ -100,6 +104,222 @@ TEST(Haply, GripThatFallsAsleepHoldsNoButton) {
   service.grip_awake = false;
   EXPECT_TRUE(ticker.tick_until({}, [&] { return ticker.sample.buttons == 0; }));
   EXPECT_TRUE(ticker.usable || ticker.tick_until({}, [&] { return ticker.usable; }));
+}
+
+// ---- which device, which grip: by their ids, whatever is listed in whichever order
+
+std::string plain(const HaplyService& service) {
+  return service.address("");
+}
+
+TEST(Haply, StaysWithTheDeviceThatWasOpenedWhateverTheOrderOfTheList) {
+  HaplyService service;
+  service.ours_first = true;
+  Ticker ticker(plain(service));
+  EXPECT_STREQ(ticker.device.info.identity, "049D,grip=1");
+  service.move({{0.01F, 0.02F, 0.03F}, {1, 0, 0, 0}});
+  const auto ours = [&] {
+    return ticker.usable && ticker.sample.pose.position_m.x == 0.01F && service.felt().z > 0.9F;
+  };
+  ASSERT_TRUE(ticker.tick_until({0, 0, 1}, ours));
+  for (const bool first : {false, true, false}) {
+    service.ours_first = first;
+    const int before = service.messages;
+    EXPECT_TRUE(ticker.tick_until({0, 0, 1}, [&] { return service.messages > before + 20; }));
+    EXPECT_TRUE(ticker.tick_until({0, 0, 1}, ours));
+  }
+  service.lists_ours = false;
+  EXPECT_TRUE(says(ticker.trouble_under({0, 0, 1}), "does not list it"));
+  EXPECT_EQ(service.told_others, 0);
+}
+
+TEST(Haply, ComesBackAsTheSameDeviceOrNotAtAll) {
+  HaplyService service;
+  service.ours_first = true;
+  Ticker ticker(open_lasting_device(plain(service)), 15e-3F);
+  ASSERT_TRUE(ticker.tick_until({}, [&] { return ticker.usable; }));
+  service.lists_ours = false;
+  const auto missing = [&] { return says(trouble_of(ticker.device), "it lists AAAA"); };
+  for (int i = 0; i < 5 && !missing(); ++i) (void)ticker.tick_until({}, missing);
+  EXPECT_TRUE(missing());
+  service.ours_first = false;  // the other is first now
+  service.lists_ours = true;
+  service.move({{0.01F, 0, 0}, {1, 0, 0, 0}});
+  const auto back = [&] { return ticker.usable && ticker.sample.pose.position_m.x == 0.01F; };
+  bool seen = false;
+  for (int i = 0; i < 10 && !seen; ++i) seen = ticker.tick_until({}, back);
+  EXPECT_TRUE(seen);
+  EXPECT_EQ(service.told_others, 0);
+}
+
+TEST(Haply, ReopensWithTheIdsThatWereOpened) {
+  const std::string bound = "049D,grip=7";
+  EXPECT_EQ(same_haply("", bound), "049D,grip=7");
+  EXPECT_EQ(same_haply("@127.0.0.1:1,gate=1", bound), "049D@127.0.0.1:1,grip=7,gate=1");
+  EXPECT_EQ(same_haply("049D@127.0.0.1:1,grip=7,events=9", bound),
+            "049D@127.0.0.1:1,grip=7,events=9");
+  EXPECT_EQ(same_haply(",gate=1,grip=7", "049D,grip=none"), "049D,grip=none,gate=1");
+}
+
+// Whose is whose nobody can know: so it is asked for, and the other one's buttons arm nothing.
+TEST(Haply, OfSeveralGripsOneMustBeNamed) {
+  HaplyService service;
+  service.other_grip = true;
+  const std::string several = refusal(service.uri());
+  EXPECT_TRUE(says(several, "grip: several: expected ,grip=ID")) << several;
+  EXPECT_TRUE(says(several, "the service lists 2, 1")) << several;
+  EXPECT_TRUE(says(refusal(service.uri_with(",grip=3")), "grip: 3: expected"));
+  {
+    Ticker ticker(service.uri_with(",grip=1"));
+    for (const std::uint32_t mask : {0U, 1U, 0U}) {
+      service.press(mask);
+      EXPECT_TRUE(ticker.tick_until({}, [&] { return ticker.sample.buttons == mask; }));
+      for (int i = 0; i < 20; ++i) {
+        ticker.tick({});
+        EXPECT_EQ(ticker.sample.buttons, mask);
+      }
+    }
+  }
+  {
+    Ticker ticker(service.uri_with(",grip=2"));
+    EXPECT_TRUE(ticker.tick_until({}, [&] { return ticker.sample.buttons == 7; }));
+    // It disappears: nothing is held any more, least of all the other grip's buttons.
+    service.press(3);
+    service.other_grip = false;
+    EXPECT_TRUE(ticker.tick_until({}, [&] { return ticker.sample.buttons == 0; }));
+    for (int i = 0; i < 20; ++i) {
+      ticker.tick({});
+      EXPECT_EQ(ticker.sample.buttons, 0U);
+    }
+  }
+  service.press(1);
+  Ticker ticker(service.uri_with(",grip=none"));
+  for (int i = 0; i < 20; ++i) {
+    ticker.tick({});
+    EXPECT_EQ(ticker.sample.buttons, 0U);
+  }
+}
+
+// Both are of this program: what one needle holds no other gets.
+TEST(Haply, TwoNeedlesShareNeitherDeviceNorGrip) {
+  HaplyService service(2);
+  service.press(1);
+  Ticker first(service.uri());
+  EXPECT_STREQ(first.device.info.identity, "049D,grip=1");
+  EXPECT_TRUE(says(refusal(service.uri()), "another needle holds it"));
+  EXPECT_TRUE(says(refusal(service.address("AAAA") + ",grip=1"), "grip: 1: expected"));
+  Ticker second(plain(service));
+  EXPECT_STREQ(second.device.info.identity, "AAAA,grip=none");
+  EXPECT_TRUE(first.tick_until({}, [&] { return first.sample.buttons == 1; }));
+  for (int i = 0; i < 20; ++i) second.tick({});
+  EXPECT_EQ(second.sample.buttons, 0U);
+}
+
+// ---- whatever the service says
+
+using Json = nlohmann::json;
+
+Json random_value(std::mt19937& random, int depth) {
+  const auto number = [&random] { return static_cast<int>(random() % 2001) - 1000; };
+  switch (random() % (depth > 0 ? 9 : 7)) {
+    case 0:
+      return nullptr;
+    case 1:
+      return random() % 2 == 0;
+    case 2:
+      return number();
+    case 3:
+      return 1e-3 * number();
+    case 4:
+      return std::string(random() % 4, static_cast<char>('0' + random() % 10));
+    case 5:
+      return 1e300 * number();
+    case 6:
+      return "\"}{\u0001\n049D";
+    case 7: {
+      Json list = Json::array();
+      for (auto n = random() % 4; n > 0; --n) list.push_back(random_value(random, depth - 1));
+      return list;
+    }
+    default:
+      return {{"device_id", random_value(random, depth - 1)},
+              {"state", random_value(random, depth - 1)}};
+  }
+}
+
+// Something of it, at any depth, is another thing.
+void change_a_part(std::mt19937& random, Json& json) {
+  Json* at = &json;
+  while (at->is_structured() && !at->empty() && random() % 5 != 0) {
+    at = &*std::next(at->begin(), static_cast<std::ptrdiff_t>(random() % at->size()));
+  }
+  *at = random_value(random, 3);
+}
+
+TEST(Haply, AnyMessageIsTakenAndNoneIsOfAnother) {
+  const HaplyIds ids = {"049D", "1"};
+  const Json grip = {{"device_id", "1"},
+                     {"status", {{"awake", true}}},
+                     {"state",
+                      {{"orientation", {{"w", 1}, {"x", 0}, {"y", 0}, {"z", 0}}},
+                       {"buttons", {{"a", true}, {"b", 0}, {"home", 1}}}}}};
+  const Json device = {
+      {"device_id", "049D"},
+      {"status", {{"calibrated", true}}},
+      {"config", {{"filters", {{"force_gate", {{"gain", 0.3}}}, {"damping", {{"scalar", 0.5}}}}}}},
+      {"state",
+       {{"cursor_position", {{"x", 1}, {"y", 2}, {"z", 3}}},
+        {"current_cursor_force", {{"x", 1}, {"y", 0}, {"z", 0}}}}}};
+  Json other = device, other_grip = grip;
+  other["device_id"] = "AAAA";
+  other["state"]["cursor_position"] = {{"x", 77}, {"y", 77}, {"z", 77}};
+  other_grip["device_id"] = "2";
+  other_grip["state"]["buttons"] = {{"c", true}};
+  const Json whole = {{"inverse3", {other, device}},
+                      {"wireless_verse_grip", {other_grip, grip}},
+                      {"verse_grip", Json::array()}};
+  std::mt19937 random(20);
+  int taken = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    Json message = whole;
+    for (auto n = random() % 4; n > 0; --n) change_a_part(random, message);
+    message = Json::parse(message.dump());
+    HaplyState state;
+    take_filters(message, ids, state);
+    taken += take_state(message, ids, state) ? 1 : 0;
+    // Of the other device is nothing unless it now calls itself ours.
+    const bool still_there = message.dump().find("AAAA") != std::string::npos;
+    EXPECT_FALSE(still_there && state.pose.position_m.x == 77);
+    for (const std::string& id : listed_devices(message)) {
+      const Json sent = Json::parse(force_message({id, ""}, {1, 2, 3}));
+      EXPECT_EQ(sent["inverse3"][0]["device_id"], id);
+      EXPECT_EQ(sent["inverse3"][0]["commands"]["set_cursor_force"]["values"]["x"], 3);
+    }
+  }
+  EXPECT_GT(taken, 2'000);
+  EXPECT_LT(taken, 19'000);
+}
+
+// The same through the service: nothing ends the program, and nobody else is pushed.
+TEST(Haply, ServiceThatSaysAnythingIsRefusedOrFailsAndEndsNothing) {
+  HaplyService service;
+  std::mt19937 random(21);
+  const std::string open_uri = service.uri();
+  int opened = 0, refused = 0;
+  service.change = [&random](Json& all) {
+    if (random() % 8 == 0) change_a_part(random, all);
+  };
+  for (int i = 0; i < 30; ++i) {
+    try {
+      Ticker ticker(open_device(open_uri, 0.1), 15e-3F);
+      ++opened;
+      for (int k = 0; k < 40; ++k) ticker.tick({0, 0, 1});
+    } catch (const DeviceError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(opened, 0);
+  EXPECT_EQ(service.told_others, 0);
 }
 
 // Messages cut short, pings and pieces were among them.

@@ -4,11 +4,18 @@
 #include <dlfcn.h>
 
 #include <clocale>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <span>
 
 #include "device_bench.h"
+#include "stylet/hal/device_model.h"
 #include "stylet/hal/device_probe.h"
+#include "stylet/hal/driver_call.h"
 #include "stylet/hal/loop.h"
 #include "stylet/hal/openhaptics.h"
+#include "stylet/hal/scene.h"
 
 namespace stylet::hal {
 namespace {
@@ -207,6 +214,167 @@ TEST_F(OpenHaptics, TwoDevicesHaveTheirOwnPlacesAndForces) {
                                [&] { return std::fabs(standin(1)->force[1].load() - 1) < 1e-5; }));
 }
 
+// ---- names, serials, models
+
+class Folder {
+ public:
+  Folder() { std::filesystem::create_directories(path_ + "/config"); }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  void name(const std::string& device) const { std::ofstream(path_ + "/config/" + device); }
+  const std::string path_ = testing::TempDir() + "names" + std::to_string(getpid());
+};
+
+TEST_F(OpenHaptics, ANameThatIsNotConfiguredIsNoCable) {
+  const Folder folder;
+  setenv("GTDD_HOME", folder.path_.c_str(), 1);
+  EXPECT_TRUE(says(refusal("hd:Nobody"), "no device of any name is configured in"));
+  folder.name("Left.config");
+  folder.name("notes.txt");
+  const std::string why = refusal("hd:Nobody");
+  EXPECT_TRUE(says(why, "no device of this name is configured in")) << why;
+  EXPECT_TRUE(says(why, "expected \"Left\"")) << why;
+  EXPECT_FALSE(says(why, "check the cable")) << why;
+  EXPECT_FALSE(says(why, "notes")) << why;
+  bench->trouble(Trouble::kNoDevice);  // it has a name, but no cable
+  EXPECT_TRUE(says(refusal("hd:Left"), "check the cable"));
+  unsetenv("GTDD_HOME");
+}
+
+TEST_F(OpenHaptics, AnotherDeviceDoesNotTakeThePlaceOfTheFirst) {
+  standin(0)->serial = "40915001";
+  Ticker ticker(open_lasting_device("hd:"), 15e-3F);
+  EXPECT_STREQ(ticker.device.info.identity, "40915001");
+  standin(0)->serial = "50915002";
+  bench->trouble(Trouble::kNoAnswer);
+  (void)ticker.trouble_under({0, 0, 1});
+  bench->trouble(Trouble::kNone);
+  const auto refused = [&] {
+    return says(trouble_of(ticker.device), "50915002 has come in the place of 40915001");
+  };
+  bool told = false;
+  for (int i = 0; i < 10 && !told; ++i) told = ticker.tick_until({0, 0, 1}, refused);
+  EXPECT_TRUE(told) << trouble_of(ticker.device);
+  EXPECT_EQ(size(bench->felt()), 0);
+  ticker.close();
+  standin(0)->serial = nullptr;
+}
+
+// A guard that fits the opened device, in virtual time: what it latches under this motion and
+// force.
+Fault fault_under(const DeviceInfo& info, double hz, double way_m, double force_n) {
+  const char* strong = "[device]\nmax_force_n = 30\n[guard]\nramp_ms = 0\n";
+  Hand hand = parse_scene(strong, "s", 1).hands[0];
+  (void)fit_to_device(info, hand);
+  GuardState state = guard_start();
+  for (std::uint64_t tick = 1; tick <= 2000 && state.fault == Fault::kNone; ++tick) {
+    const double phase = 2 * std::numbers::pi * hz * static_cast<double>(tick) * 1e-3;
+    const auto now_ns = static_cast<std::int64_t>(tick) * 1'000'000;
+    const auto x = static_cast<float>(way_m * std::sin(phase));
+    const Sample sample = {tick, now_ns, {{x, 0, 0}, {1, 0, 0, 0}}, 0};
+    (void)guard_sample(hand.guard, state, true, sample, now_ns);
+    (void)guard_force(hand.guard, state, {static_cast<float>(force_n * std::cos(phase)), 0, 0});
+  }
+  return state.fault;
+}
+
+struct Told {
+  const char* calls_itself;
+  double most_n, stiffness_n_per_mm, always_n;  // as the vendor's library tells; 0: mute
+  const char* model;
+  double expected_most_n, expected_always_n;
+};
+
+// Data sheets' numbers. A buzz that is a tenth of what the device can do is a fault; one that is
+// less is none.
+TEST_F(OpenHaptics, EveryModelHasItsOwnThresholds) {
+  const Told all[] = {{"Touch", 3.3, 0.4, 0.88, "touch", 3.3, 0.88},
+                      {"PHANTOM Omni", 3.3, 0.5, 0.88, "omni", 3.3, 0.88},
+                      {"Touch X", 7.9, 1.8, 1.75, "touch-x", 7.9, 1.75},
+                      {"PHANTOM Premium 1.5", 8.5, 3.5, 1.4, "premium-1.5", 8.5, 1.4},
+                      {"PHANTOM Premium 3.0", 22, 1, 3, "premium-3.0", 22, 3},
+                      {"Touch", 30, 9, 30, "touch", 3.3, 0.88},  // more than its kind can
+                      {"Spoon", 5, 1, 2, "unknown", 5, 2},
+                      {"Spoon", 0, 0, 0, "unknown", 3.3, 0.88},
+                      {"Touch X", 0, 0, 0, "touch-x", 7.9, 1.75}};
+  for (const Told& each : all) {
+    standin(0)->model = each.calls_itself;
+    standin(0)->mute = each.most_n == 0;
+    standin(0)->most_force_n = each.most_n;
+    standin(0)->most_stiffness_n_per_mm = each.stiffness_n_per_mm;
+    standin(0)->always_n = each.always_n;
+    const Device device = open_device("hd:");
+    const DeviceInfo& info = device.info;
+    EXPECT_STREQ(info.model->name, each.model) << each.calls_itself;
+    EXPECT_NEAR(info.max_force_n, 0.9 * each.expected_most_n, 1e-5) << each.calls_itself;
+    EXPECT_NEAR(info.continuous_force_n, each.expected_always_n, 1e-5) << each.calls_itself;
+    const double buzz_n = 0.1 * 0.9 * each.expected_most_n;
+    EXPECT_EQ(fault_under(info, 40, 0, 1.4 * buzz_n), Fault::kBuzz) << each.calls_itself;
+    EXPECT_EQ(fault_under(info, 40, 0, 0.8 * buzz_n), Fault::kNone) << each.calls_itself;
+    // In step with the hand's velocity: some mJ are made in each turn, whatever the arm takes.
+    const double made_n = 0.9 * 0.9 * each.expected_most_n;
+    EXPECT_EQ(fault_under(info, 8, 5e-3, made_n), Fault::kEnergy) << each.calls_itself;
+    device.close(device.self);
+  }
+  standin(0)->model = nullptr;
+  standin(0)->mute = false;
+  standin(0)->most_force_n = standin(0)->most_stiffness_n_per_mm = standin(0)->always_n = 0;
+}
+
+TEST_F(OpenHaptics, WhatWasSeenOnATouchIsAFault) {
+  const Device device = open_device("hd:");
+  EXPECT_EQ(fault_under(device.info, 40, 0, 0.65), Fault::kBuzz);
+  EXPECT_NE(fault_under(device.info, 25, 3e-3, 0.65), Fault::kNone);
+  device.close(device.self);
+}
+
+// ---- calls that never return
+
+using test::Hang;
+
+// The end is bounded, names what hangs, and the motors are still.
+void expect_bounded_end(const std::string& uri, Bench& bench, StandIn& unit, Hang call) {
+  const Device device = open_device(uri);
+  {
+    Ticker ticker(device, 15e-3F);
+    EXPECT_TRUE(ticker.tick_until({0, 0, 1}, [&] { return size(bench.felt()) > 0.9; }));
+    ticker.device.close = nullptr;
+  }
+  unit.hangs = call;
+  const auto start = std::chrono::steady_clock::now();
+  const int before = driver_calls_given_up();
+  const std::vector<std::size_t> hang =
+      close_devices(std::span(&device, 1), std::chrono::milliseconds(600));
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  EXPECT_EQ(hang, std::vector<std::size_t>{0}) << static_cast<int>(call);
+  EXPECT_LT(took.count(), 5);  // on a machine that is very busy
+  EXPECT_EQ(driver_calls_given_up(), before + 1);
+  EXPECT_EQ(size(bench.felt()), 0) << static_cast<int>(call);
+  unit.hangs = Hang::kNone;
+  for (int i = 0; i < 500 && refusal(uri) != "opened"; ++i) {  // until that thread has ended, too
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+}
+
+TEST_F(OpenHaptics, ADriverThatHangsDoesNotHoldTheEnd) {
+  for (const Hang call : {Hang::kRead, Hang::kWrite, Hang::kClose}) {
+    expect_bounded_end("hd:", *bench, *standin(0), call);
+  }
+}
+
+TEST_F(OpenHaptics, OpeningThatHangsIsGivenUp) {
+  standin(0)->hangs = Hang::kOpen;
+  bench->trouble(Trouble::kNoDevice);  // what comes of it in the end is not wanted any more
+  int asked = 0;
+  const auto device =
+      call_driver<Device>([] { return open_device("hd:"); }, [&asked] { return ++asked > 20; });
+  EXPECT_FALSE(device.has_value());
+  standin(0)->hangs = Hang::kNone;
+  EXPECT_TRUE(says(refusal("hd:"), "0x0302"));
+  bench->trouble(Trouble::kNone);
+}
+
 class ForceDimension : public testing::Test {
  protected:
   std::unique_ptr<Bench> bench = dhd_bench();
@@ -246,6 +414,42 @@ TEST_F(ForceDimension, ForcesSwitchedOffStayOff) {
   for (int i = 0; i < 50; ++i) ticker.tick({0, 0, 1});  // its status was looked at
   bench->trouble(Trouble::kForcesOff);
   EXPECT_EQ(ticker.trouble_under({0, 0, 1}), "forces are off: its button was pressed");
+}
+
+TEST_F(ForceDimension, ADriverThatHangsDoesNotHoldTheEnd) {
+  for (const Hang call : {Hang::kRead, Hang::kWrite, Hang::kClose}) {
+    expect_bounded_end("dhd:0", *bench, *standin(0), call);
+  }
+}
+
+// Without its button pressed a whole run would be felt as air.
+TEST_F(ForceDimension, ForcesThatNeverCameOnAreRefused) {
+  bench->trouble(Trouble::kForcesOff);
+  EXPECT_TRUE(says(refusal("dhd:0"), "press the force button"));
+  bench->trouble(Trouble::kNone);
+  EXPECT_EQ(refusal("dhd:0"), "opened");
+}
+
+TEST_F(ForceDimension, NumbersAreModelsAndSerialsTellDevicesApart) {
+  struct Numbered {
+    int type;
+    const char* model;
+    float most_n;
+  };
+  const Numbered all[] = {{33, "omega.3", 12},  {36, "omega.6", 12}, {35, "omega.7", 12},
+                          {60, "falcon", 8},    {63, "delta.6", 20}, {104, "sigma.7", 12},
+                          {91, "unknown", 3.3F}};
+  for (const Numbered& each : all) {
+    standin(0)->type = each.type;
+    standin(0)->serial = "1234";
+    const Device device = open_device("dhd:0");
+    EXPECT_STREQ(device.info.model->name, each.model);
+    EXPECT_FLOAT_EQ(device.info.max_force_n, 0.9F * each.most_n);
+    EXPECT_STREQ(device.info.identity, "1234");
+    device.close(device.self);
+  }
+  standin(0)->type = 0;
+  standin(0)->serial = nullptr;
 }
 
 TEST_F(ForceDimension, AHandGoesWhereItIsPushed) {

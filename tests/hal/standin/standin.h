@@ -5,6 +5,8 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
+#include <thread>
 
 namespace stylet::test {
 
@@ -19,6 +21,9 @@ enum class Trouble : int {
   kForcesOff,     // by its own button
   kStopsSending,  // for a service: connected, but silent
 };
+
+// One of the vendor's calls that never returns, until it is told otherwise.
+enum class Hang : int { kNone, kOpen, kRead, kWrite, kClose };
 
 struct StandIn {
   std::atomic<double> position[3];
@@ -35,6 +40,11 @@ struct StandIn {
   std::atomic<bool> mute;           // tells nothing of what it can do
   std::atomic<double> hand_kg;      // more than 0: a mass that the motors move; else it stays put
   std::atomic<double> velocity[3];  // of that mass, m/s
+  std::atomic<Hang> hangs;
+  // What it says of itself; null or 0: the stand-in's own.
+  std::atomic<const char*> model, serial;
+  std::atomic<int> type;
+  std::atomic<double> most_force_n, most_stiffness_n_per_mm, always_n;
 };
 
 // The mass under the motors' force, a share of its weight and the hand's damping, for so long.
@@ -47,6 +57,11 @@ inline void move_hand(StandIn& unit, double seconds, double metre, int up, doubl
         unit.velocity[i] + (unit.force[i] + weight - 5 * unit.velocity[i]) / mass * seconds;
     unit.position[i] = unit.position[i] + metre * unit.velocity[i] * seconds;
   }
+}
+
+// That call stands as long as it is told to.
+inline void hang_in(Hang call, const StandIn& unit) {
+  while (unit.hangs.load() == call) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
 using StandInOf = StandIn* (*)(int index);

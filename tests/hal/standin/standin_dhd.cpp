@@ -8,11 +8,14 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 
 #include "standin.h"
 
 namespace {
 
+using stylet::test::Hang;
+using stylet::test::hang_in;
 using stylet::test::StandIn;
 using stylet::test::Trouble;
 using Clock = std::chrono::steady_clock;
@@ -118,6 +121,7 @@ StandIn* standin(int index) {
 int dhdOpenID(char index) {
   if (index < 0 || index >= kDevices) return failed(15);
   Unit& u = units[static_cast<int>(index)];
+  hang_in(Hang::kOpen, u.seen);
   if (u.seen.trouble.load() == Trouble::kNoDevice) return failed(5);
   if (u.seen.trouble.load() == Trouble::kInUse || u.open) return failed(20);
   u.open = true;
@@ -136,6 +140,7 @@ int dhdOpen() {
 int dhdClose(char id) {
   Unit& u = units[id == 1 ? 1 : 0];
   stop_motors(u);
+  hang_in(Hang::kClose, u.seen);
   u.output = u.open = false;
   return 0;
 }
@@ -143,8 +148,15 @@ int dhdClose(char id) {
 const char* dhdGetSystemName(char) {
   return "stand-in omega";
 }
-int dhdGetSystemType(char) {
-  return 35;
+int dhdGetSystemType(char id) {
+  const int type = units[id == 1 ? 1 : 0].seen.type.load();
+  return type != 0 ? type : 35;
+}
+int dhdGetSerialNumber(unsigned short* serial, char id) {
+  const char* told = units[id == 1 ? 1 : 0].seen.serial.load();
+  if (told == nullptr) return failed(2);
+  *serial = static_cast<unsigned short>(std::atoi(told));
+  return 0;
 }
 
 const char* dhdErrorGetLastStr() {
@@ -161,6 +173,7 @@ const char* dhdErrorGetLastStr() {
 int dhdGetPosition(double* x, double* y, double* z, char id) {
   Unit* u = answering(id);
   if (u == nullptr) return failed(2);
+  hang_in(Hang::kRead, u->seen);
   *x = u->seen.position[0];
   *y = u->seen.position[1];
   *z = u->seen.position[2];
@@ -182,6 +195,7 @@ int dhdGetOrientationFrame(double m[3][3], char id)
 int dhdSetForce(double x, double y, double z, char id) {
   Unit* u = answering(id);
   if (u == nullptr) return failed(2);
+  hang_in(Hang::kWrite, u->seen);
   live(*u);
   u->fed = now();
   ++u->seen.ticks;

@@ -21,6 +21,8 @@
 
 namespace {
 
+using stylet::test::Hang;
+using stylet::test::hang_in;
 using stylet::test::StandIn;
 using stylet::test::Trouble;
 
@@ -123,6 +125,7 @@ StandIn* standin(int index) {
 }
 
 unsigned hdInitDevice(const char* name) {
+  hang_in(Hang::kOpen, units[0].seen);
   const std::lock_guard lock(mutex);
   const std::string_view wanted = name != nullptr ? name : "Left";
   const unsigned handle = wanted == "Right" ? 1 : 0;
@@ -146,6 +149,7 @@ unsigned hdInitDevice(const char* name) {
 
 void hdDisableDevice(unsigned handle) {
   // No lock: the scheduler may hang in a callback.
+  if (handle < kDevices) hang_in(Hang::kClose, units[handle].seen);
   if (Unit* u = unit(handle); u != nullptr) {
     stop_motors(*u);
     u->open = false;
@@ -211,10 +215,12 @@ void hdGetDoublev(unsigned what, double* out) {
   Unit* u = asked();
   if (u == nullptr) return raise(0x0104, current);
   if (u->seen.mute.load() && what >= 0x2602 && what <= 0x2604) return raise(0x0101, current);
-  if (what == 0x2602) *out = 0.4;
-  if (what == 0x2603) *out = 3.3;
-  if (what == 0x2604) *out = 0.88;
+  const auto told = [out](double value, double otherwise) { *out = value > 0 ? value : otherwise; };
+  if (what == 0x2602) told(u->seen.most_stiffness_n_per_mm, 0.4);
+  if (what == 0x2603) told(u->seen.most_force_n, 3.3);
+  if (what == 0x2604) told(u->seen.always_n, 0.88);
   if (what != 0x2052) return;
+  hang_in(Hang::kRead, u->seen);
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
       out[4 * column + row] = u->seen.rotation[3 * row + column].load();
@@ -228,11 +234,15 @@ void hdGetDoublev(unsigned what, double* out) {
 void hdSetDoublev(unsigned what, const double* in) {
   Unit* u = asked();
   if (u == nullptr || !u->in_frame) return raise(0x0102, current);
+  hang_in(Hang::kWrite, u->seen);
   if (what == 0x2700) std::copy(in, in + 3, u->wanted);
 }
 
-const char* hdGetString(unsigned) {
-  return "Stand-in Touch";
+const char* hdGetString(unsigned what) {
+  const Unit* u = unit(current);
+  if (u == nullptr) return "";
+  const char* told = what == 0x2504 ? u->seen.serial.load() : u->seen.model.load();
+  return told != nullptr ? told : what == 0x2504 ? "" : "Stand-in Touch";
 }
 
 unsigned hdCheckCalibration() {
@@ -271,6 +281,24 @@ void hdUnschedule(unsigned long handle) {
 
 }  // extern "C"
 
+// For a program of its own: opening hangs at once, the rest when the device has lived for a while.
+namespace {
+void hang_later(std::string_view call) {
+  constexpr int kTicks = 500;
+  const Hang hang = call == "open"    ? Hang::kOpen
+                    : call == "read"  ? Hang::kRead
+                    : call == "write" ? Hang::kWrite
+                                      : Hang::kClose;
+  if (hang == Hang::kOpen) return units[0].seen.hangs.store(hang);
+  std::thread([hang] {
+    while (units[0].seen.ticks.load() < kTicks) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    units[0].seen.hangs = hang;
+  }).detach();
+}
+}  // namespace
+
 // Loaded a second time, the library does not work.
 namespace {
 struct Loads {
@@ -279,6 +307,7 @@ struct Loads {
     if (getenv(kMark) != nullptr)
       units[0].seen.trouble = units[1].seen.trouble = Trouble::kNoDevice;
     setenv(kMark, "1", 1);
+    if (const char* call = getenv("STYLET_STANDIN_HANGS")) hang_later(call);
   }
 } const loads;
 }  // namespace

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <string>
 
+#include "stylet/hal/device_model.h"
 #include "stylet/hal/motor.h"
 #include "stylet/units.h"
 
@@ -45,6 +46,8 @@ struct DeviceInfo {
   float max_torque_nm = 0;          // 0: it renders none
   float continuous_force_n = 0;     // what its motors stand for ever; 0: not known
   float force_life_s = 0;           // a force not renewed ends of itself after this; 0: it does not
+  const char* identity = "";  // tells it apart from others of its kind; empty: it does not say
+  const DeviceModel* model = nullptr;  // what it was recognised as; null: nothing known
 };
 
 // How long its guard may go without a sample, which is `otherwise_s` for most. A device whose

@@ -44,5 +44,10 @@ struct DeviceModel {
 std::span<const DeviceModel> device_models();
 // nullptr: none has this name.
 const DeviceModel* find_device_model(std::string_view name);
+// What a device is that calls itself so, as "PHANTOM Omni" or "Touch X": the longest name of ours
+// in its own, whatever is between the letters. nullptr: none.
+const DeviceModel* recognise_device_model(std::string_view called);
+// Of a device that nothing is known of: of each number the most careful that any of them has.
+const DeviceModel& unknown_device_model();
 
 }  // namespace stylet::hal

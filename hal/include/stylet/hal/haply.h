@@ -5,7 +5,9 @@
 // The service gives one state for each message it gets. A thread of ours sends the newest force
 // (relay.h) 2000 times a second and takes the state; an answer that does not come in 20 ms ends the
 // connection, and with it, as far as is known, the force. The service filters forces (damping,
-// gate, scale): what is rendered need not be what was sent. Source: docs.haply.co, service 3.5.
+// gate, scale): what is rendered need not be what was sent. Device and grip are bound by their ids
+// for as long as it is open: whatever is listed in whichever order, no other one is read, moved or
+// armed, and no two needles of this program share one. Source: docs.haply.co, service 3.5.
 #pragma once
 
 #include <string>
@@ -14,7 +16,10 @@
 
 namespace stylet::hal {
 
-// "", "ID", "@ADDRESS:PORT" or "ID@ADDRESS:PORT"; the first device, and 127.0.0.1:10001.
+// "", "ID", "@ADDRESS:PORT" or "ID@ADDRESS:PORT", and then wishes; the first device that nothing
+// here holds, its only grip, and 127.0.0.1:10001.
 Device open_haply(const std::string& rest, double patience_s);
+// What opens the same device and grip again: `rest` with the identity that was opened.
+std::string same_haply(const std::string& rest, const std::string& identity);
 
 }  // namespace stylet::hal

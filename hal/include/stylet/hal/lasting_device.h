@@ -3,8 +3,8 @@
 // that was restarted.
 //
 // While it is away it does not answer, so the guard latches its fault; when it is back it gives
-// samples, and no force before somebody acknowledges. A device that renders less than the first one
-// did is not taken: the guard's limits are the first one's.
+// samples, and no force before somebody acknowledges. Another device is not taken, nor one that
+// renders less than the first one did: the guard's limits are the first one's.
 // Promises: read and write are wait-free and allocate nothing; opening, closing and waiting happen
 // in a thread of its own, the first try kFirstTryS after the failure, then after twice as long each
 // time, at most kLongestTryS. Samples keep counting up over all of them.

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,11 @@ struct PhaseRow {
   // has taken up; NaN for phases at rest and where depth changes by less than 1 mm.
   float slope_n_per_mm;
 };
+
+// How much of the force at its start the tissue has let go of at the end of a phase, 0 to 1: a
+// force that falls and stays on its side. None of one that rises, turns or was not felt to begin
+// with.
+std::optional<double> fallen_share(const PhaseRow& row);
 
 // `unit_m`: sampling unit of the needle; the slope leaves out the first unit after the puncture.
 std::vector<PhaseRow> find_phases(std::span<const TrackPoint> track, double period_s, float unit_m);

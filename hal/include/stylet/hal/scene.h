@@ -68,12 +68,16 @@ struct Scene {
 
 // The needle is held by the device of this URI, whatever the scene says.
 void attach(Hand& hand, const std::string& uri);
-// What an open device cannot do, the hand does not ask of it.
-void fit_to_device(const DeviceInfo& info, Hand& hand);
+// What an open device cannot do, the hand does not ask of it; and the guard's thresholds are those
+// of the device that is there: the scene's count where they are stricter. What was taken from
+// where, in words.
+std::string fit_to_device(const DeviceInfo& info, Hand& hand);
 
-Scene read_scene(const std::string& path);
+// The first `held` needles will be held by devices (attach), whatever the scene says: their hands
+// need no script.
+Scene read_scene(const std::string& path, std::size_t held = 0);
 // `file` is only for messages.
-Scene parse_scene(std::string_view text, const std::string& file);
+Scene parse_scene(std::string_view text, const std::string& file, std::size_t held = 0);
 // Nothing but the targets of a scene, such as that of a recording, whose other files may be gone.
 std::vector<Target> parse_targets(std::string_view text, const std::string& file);
 

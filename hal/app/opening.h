@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Devices are opened and closed here, so that neither a stop signal nor a driver that hangs is
+// held.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <span>
+#include <string>
+
+#include "stop_signal.h"
+#include "stylet/hal/devices.h"
+#include "stylet/hal/driver_call.h"
+
+namespace stylet::app {
+
+using Opener = hal::Device (*)(const std::string& uri, double patience_s);
+constexpr double kOpeningPatienceS = 10;
+constexpr double kHangsS = 60;  // opening waits 10 s for a device; no driver needs a minute
+
+// Throws hal::DeviceError, also when a signal asks to stop: then a driver has as long as for
+// closing.
+inline hal::Device open_or_stop(const std::string& uri, Opener open) {
+  using Clock = std::chrono::steady_clock;
+  hal::stop_opening_when(stop_was_asked);
+  const Clock::time_point start = Clock::now();
+  Clock::time_point stopped = {};
+  const auto give_up = [&] {
+    const Clock::time_point now = Clock::now();
+    if (stop_was_asked() && stopped == Clock::time_point{}) stopped = now;
+    const bool late = stopped != Clock::time_point{} && now - stopped > hal::kClosingTime;
+    return late || now - start > std::chrono::duration<double>(kHangsS);
+  };
+  try {
+    const auto device = hal::call_driver<hal::Device>(
+        [uri, open] { return open(uri, kOpeningPatienceS); }, give_up);
+    if (device) return *device;
+  } catch (const hal::DeviceError&) {
+    if (!stop_was_asked()) throw;
+    throw hal::DeviceError(fmt::format("{}: stopped before it was open", uri));
+  }
+  throw hal::DeviceError(
+      fmt::format("{}: its driver hangs in opening: switch the device off and on again", uri));
+}
+
+// Says which of them hang; `uri` of each.
+inline void close_or_leave(std::span<const hal::Device> devices,
+                           const std::function<std::string(std::size_t)>& uri) {
+  for (const std::size_t i : hal::close_devices(devices)) {
+    fmt::print(stderr,
+               "stylet: {}: its driver hangs in closing, after zero force was ordered: switch the "
+               "device off\n",
+               uri(i));
+  }
+}
+
+}  // namespace stylet::app
