@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <functional>
@@ -798,5 +799,7 @@ int run(int argc, char** argv) {
 }  // namespace stylet::bake
 
 int main(int argc, char** argv) {
+  // A limit of file sizes is a full disk: the write says so, and nothing half written stays.
+  (void)std::signal(SIGXFSZ, SIG_IGN);
   return stylet::bake::run(argc, argv);
 }

@@ -25,6 +25,11 @@ bool write_all(int file, std::span<const std::byte> bytes) {
   return ::fsync(file) == 0;
 }
 
+// The same for all names of a place, also where there is no file yet.
+std::filesystem::path place_of(const std::filesystem::path& path) {
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+}
+
 // mkstemp lets only the owner read; what others may is for the umask to say.
 bool follow_umask(int file) {
   constexpr mode_t kAllMayWrite = 0666;
@@ -62,9 +67,9 @@ Outputs::~Outputs() {
 
 void Outputs::add(const std::filesystem::path& path, std::span<const std::byte> bytes) {
   check_output(path);
-  const auto place = std::filesystem::weakly_canonical(path);
+  const auto place = place_of(path);
   for (const File& other : files_) {
-    if (std::filesystem::weakly_canonical(other.path) == place) {
+    if (place_of(other.path) == place) {
       refuse("{}: would be written twice by this command: expected another name", path.string());
     }
   }
