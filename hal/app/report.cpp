@@ -256,6 +256,14 @@ std::string resolution_text(const RunReport& report) {
         "softer      a particle held its tissue {:.0f} % softer than the material: finer voxels\n",
         100 * shortfall);
   }
+  const double unit = static_cast<double>(report.stats.unit_in_voxels);
+  if (unit > 1) {
+    text += fmt::format(
+        "unit        {:.2g} voxels long: the shaft is 10 to 26 % too soft sideways, at most {:.3g} "
+        "mm "
+        "is right\n",
+        unit, 1e3 * static_cast<double>(report.voxel_edge_m));
+  }
   if (dimple > kShallowVoxels) {
     text += fmt::format(
         "dimple      {:.1f} voxels deep: the tissue below it is softer in finer voxels, forces by "
@@ -312,6 +320,7 @@ std::string json_text(const RunReport& report) {
   out["counters"] = Json::object();
   for (const auto& [name, value] : counters(report)) out["counters"][name] = value;
   out["coupling_shortfall"] = json_number(stats.coupling_shortfall);
+  out["unit_in_voxels"] = json_number(stats.unit_in_voxels);
   out["dimple_voxels"] = json_number(static_cast<float>(dimple_voxels(report)));
   out["fault"] = hal::fault_name(first_fault(report));
   out["host"] = {{"lacks", report.host.lacks}, {"notes", report.host.notes}};

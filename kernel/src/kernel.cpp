@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Life of a kernel: sizes, creation (everything derived from organ and config), reset, snapshots.
+// Life of a kernel: sizes, creation (everything derived from organ and config), reset, comparison.
 // What happens in a tick is in tick.cpp.
 
 #include "stylet/kernel.h"
@@ -13,6 +13,7 @@
 #include "layout.h"
 #include "math.h"
 #include "needle.h"
+#include "snapshot.h"
 #include "voxel.h"
 
 namespace stylet {
@@ -42,6 +43,31 @@ bool config_good(const Config& c) {
          within(c.paper_alpha, 1e-3F, 1) && breathing_good(c.breathing) && c.needle_count >= 1 &&
          c.needle_count <= kMaxNeedles &&
          std::all_of(c.needle, c.needle + c.needle_count, needle_good);
+}
+
+// What does not matter is the same in all: a float's zeros (a word that is a sign alone can be no
+// count, they are all smaller).
+template <typename Words>
+void drop_signs_of_zero(Words& words) {
+  static_assert(sizeof(Words) % sizeof(std::uint32_t) == 0);
+  for (std::size_t i = 0; i < sizeof(Words); i += sizeof(std::uint32_t)) {
+    std::byte* const at = reinterpret_cast<std::byte*>(&words) + i;
+    std::uint32_t word = 0;
+    std::memcpy(&word, at, sizeof word);
+    if (word == 0x80000000U) std::memset(at, 0, sizeof word);
+  }
+}
+
+Config canonical(Config config) {
+  for (std::uint32_t i = config.needle_count; i < kMaxNeedles; ++i) config.needle[i] = {};
+  drop_signs_of_zero(config);
+  return config;
+}
+
+ObstacleConfig canonical(ObstacleConfig config) {
+  for (std::uint32_t i = config.vertex_count; i < kMaxHullVertices; ++i) config.vertices_m[i] = {};
+  drop_signs_of_zero(config);
+  return config;
 }
 
 // A thin skin is spread over its voxels: in its plane it is as stiff whatever the voxel. A needle
@@ -79,7 +105,8 @@ float volume_ratio(const MaterialModel& m) {  // lambda / (2 G)
 }
 
 void fill_head(const Organ& organ, const Config& config, const Counts& counts, ModelHead& head) {
-  head.config = config;
+  head.organ = organ;
+  head.config = canonical(config);
   head.counts = counts;
   head.organ_hash = organ.hash;
   head.edge_m = organ.voxel_edge_m;
@@ -244,20 +271,6 @@ bool aligned(std::span<const std::byte> block) {
   return reinterpret_cast<std::uintptr_t>(block.data()) % kBlockAlignment == 0;
 }
 
-struct SnapshotHeader {
-  std::uint64_t magic, organ_hash, config_hash, state_bytes;
-};
-constexpr std::uint64_t kSnapshotMagic = 0x31504E5354595453ULL;
-
-SnapshotHeader snapshot_header(const Kernel& kernel) {
-  const auto& head = *reinterpret_cast<const ModelHead*>(kernel.model);
-  std::uint64_t config_hash = 0xcbf29ce484222325ULL;
-  const View view = view_of(kernel);
-  config_hash = fnv1a(config_hash, &head.config, sizeof(Config));
-  config_hash = fnv1a(config_hash, view.model.obstacle, sizeof(Obstacle) * kMaxObstacles);
-  return {kSnapshotMagic, head.organ_hash, config_hash, kernel.sizes.state_bytes};
-}
-
 }  // namespace
 
 Status sizes(const Organ& organ, const Config& config, Sizes& sizes_out) {
@@ -288,13 +301,11 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   fill_voxels(organ, model, counts);
   fill_mixed(organ, model);
   fill_masses(organ, model, counts);
-  kernel_out = {&organ,
-                memory.model.data(),
-                memory.state.data(),
-                memory.scratch.data(),
-                need,
+  kernel_out = {memory.model.data(), memory.state.data(), memory.scratch.data(), need,
                 lattice_step_for_this_processor()};
   const View view = view_of(kernel_out);
+  // Read before it is first written, and not believed (fit.cpp); memory checkers would not know.
+  std::fill_n(view.scratch.slot_mark, counts.slots, 0U);
   for (std::uint32_t i = 0; i < counts.needles; ++i) make_needle(needle_view(view, i));
   reset(kernel_out);
   return Status::kOk;
@@ -302,6 +313,7 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
 
 Status set_obstacles(Kernel& kernel, std::span<const ObstacleConfig> obstacles) {
   const View view = view_of(kernel);
+  if (view.state.head->tick != 0) return Status::kObstaclesTooLate;
   if (obstacles.size() > kMaxObstacles) return Status::kConfigValueOutOfRange;
   for (const ObstacleConfig& config : obstacles) {
     Obstacle checked;
@@ -309,7 +321,7 @@ Status set_obstacles(Kernel& kernel, std::span<const ObstacleConfig> obstacles) 
   }
   std::memset(static_cast<void*>(view.model.obstacle), 0, sizeof(Obstacle) * kMaxObstacles);
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    (void)obstacle_prepare(obstacles[i], view.model.obstacle[i]);
+    (void)obstacle_prepare(canonical(obstacles[i]), view.model.obstacle[i]);
   }
   view.model.head->obstacle_count = static_cast<std::uint32_t>(obstacles.size());
   return Status::kOk;
@@ -329,32 +341,16 @@ void reset(Kernel& kernel) {
   }
 }
 
-std::size_t snapshot_bytes(const Kernel& kernel) {
-  return sizeof(SnapshotHeader) + kernel.sizes.state_bytes;
-}
-
-Status snapshot(const Kernel& kernel, std::span<std::byte> out) {
-  if (out.size() < snapshot_bytes(kernel)) return Status::kMemoryTooSmall;
-  const SnapshotHeader header = snapshot_header(kernel);
-  std::memcpy(out.data(), &header, sizeof(header));
-  std::memcpy(out.data() + sizeof(header), kernel.state, kernel.sizes.state_bytes);
-  return Status::kOk;
-}
-
-Status restore(Kernel& kernel, std::span<const std::byte> in) {
-  const SnapshotHeader mine = snapshot_header(kernel);
-  if (in.size() < snapshot_bytes(kernel) || std::memcmp(in.data(), &mine, sizeof(mine)) != 0) {
-    return Status::kSnapshotDoesNotMatch;
-  }
-  std::memcpy(kernel.state, in.data() + sizeof(mine), kernel.sizes.state_bytes);
-  return Status::kOk;
-}
-
 std::uint64_t hash(const Kernel& kernel) {
   return hash_state(kernel);
 }
 
 Difference difference(const Kernel& a, const Kernel& b) {
+  const auto organ_hash = [](const Kernel& kernel) {
+    return reinterpret_cast<const ModelHead*>(kernel.model)->organ_hash;
+  };
+  if (organ_hash(a) != organ_hash(b)) return {"organ", 0};
+  if (config_hash(a) != config_hash(b)) return {"config", 0};
   return first_difference(a, b);
 }
 

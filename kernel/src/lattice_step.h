@@ -610,7 +610,7 @@ void STYLET_LATTICE_STEP(const Kernel& kernel) {
   const ModelHead& head = *view.model.head;
   Motion motion = start_motion(head);
   place_members(view);
-  if (kernel.team == nullptr) {
+  if (team_of(kernel) == nullptr) {
     fit_groups(view, 0, group_count(view));
     Slab all = {};
     all.end = head.counts.planes;
@@ -622,7 +622,7 @@ void STYLET_LATTICE_STEP(const Kernel& kernel) {
     clear(view, view.scratch.force + 3 * std::size_t{head.counts.particles_per_plane});
     sweep_planes(view, whole, motion);
   } else {
-    const Team& team = team_of(kernel);
+    const Team& team = *team_of(kernel);
     fit_between(view, team);
     sweep_together(kernel, sweep_part);
     const Part* below = nullptr;

@@ -88,7 +88,7 @@ void share_planes(const ModelView& model, Team& team) {
 }  // namespace
 
 void sweep_together(const Kernel& kernel, void (*sweep)(const Kernel&, Part&)) {
-  Team& team = team_of(kernel);
+  Team& team = *team_of(kernel);
   team.sweep = sweep;
   team.done.store(0, std::memory_order_relaxed);
   for (std::uint32_t s = 0; s < team.slab_count; ++s) {
@@ -113,8 +113,9 @@ std::size_t team_bytes(const Kernel& kernel, std::uint32_t helpers) {
 
 Status set_team(Kernel& kernel, std::uint32_t helpers, std::span<std::byte> memory) {
   if (helpers > kMaxHelpers) return Status::kConfigValueOutOfRange;
+  ModelHead& head = *reinterpret_cast<ModelHead*>(kernel.model);
   if (helpers == 0) {
-    kernel.team = nullptr;
+    head.team = nullptr;
     return Status::kOk;
   }
   if (memory.size() < team_bytes(kernel, helpers)) return Status::kMemoryTooSmall;
@@ -138,14 +139,18 @@ Status set_team(Kernel& kernel, std::uint32_t helpers, std::span<std::byte> memo
     floats += size.sums + size.force;
   }
   share_planes(view.model, team);
-  kernel.team = memory.data();
+  head.team = memory.data();
   return Status::kOk;
 }
 
+bool has_team(const Kernel& kernel) {
+  return team_of(kernel) != nullptr;
+}
+
 bool help(const Kernel& kernel, std::uint32_t looks) {
-  Team& team = team_of(kernel);
+  Team* const team = team_of(kernel);
   for (std::uint32_t look = 0; look < looks; ++look) {
-    if (sweep_one(kernel, team) == Found::kPlanes) return true;
+    if (team != nullptr && sweep_one(kernel, *team) == Found::kPlanes) return true;
     pause();
   }
   return false;

@@ -83,8 +83,9 @@ inline bool take_plane(const Part& part) {
   return slab.taken.fetch_add(1, std::memory_order_relaxed) < planes;
 }
 
-inline Team& team_of(const Kernel& kernel) {
-  return *reinterpret_cast<Team*>(kernel.team);
+// Null: nobody helps.
+inline Team* team_of(const Kernel& kernel) {
+  return reinterpret_cast<Team*>(reinterpret_cast<const ModelHead*>(kernel.model)->team);
 }
 
 // All slabs swept, by whoever is there.

@@ -70,8 +70,8 @@ ScratchView scratch_view(std::byte* block, const Counts& c) {
 
 View view_of(const Kernel& kernel) {
   const Counts& c = counts_of(kernel);
-  return {*kernel.organ, model_view(kernel.model, c), state_view(kernel.state, c),
-          scratch_view(kernel.scratch, c), 0};
+  return {reinterpret_cast<const ModelHead*>(kernel.model)->organ, model_view(kernel.model, c),
+          state_view(kernel.state, c), scratch_view(kernel.scratch, c), 0};
 }
 
 View needle_view(const View& view, std::uint32_t needle) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where everything lives: three pointer-free blocks, each a list of parallel arrays.
+// Where everything lives: three blocks, each a list of parallel arrays; state and scratch hold no
+// pointers.
 //
-// One table per block (the STYLET_..._FIELDS macros) gives the view, the size, the reset, the hash
-// and the field-by-field difference; nobody else computes an offset. Every array starts on a cache
-// line. Units: SI, displacements from the rest place in metres.
+// One table per block (the STYLET_..._FIELDS macros) gives the view, the size, the reset, the hash,
+// the field-by-field difference and what a snapshot is held against; nobody else computes an
+// offset. Every array starts on a cache line. Units: SI, displacements from the rest place in
+// metres.
 #pragma once
 
 #include <cstddef>
@@ -90,6 +92,8 @@ struct MaterialModel {
 };
 
 struct ModelHead {
+  Organ organ;      // of its own: only the file's bytes are the caller's
+  std::byte* team;  // see set_team; here, so that all copies of a Kernel know it
   Config config;
   Counts counts;
   std::uint64_t organ_hash;

@@ -61,6 +61,8 @@ Stats stats(const Kernel& kernel) {
     const NeedleState& needle = view.state.needle[i];
     add_use(needle.shaft_count, needle.shaft_max, out.constraint_particles);
     add_use(needle.touch_count, needle.touch_max, out.obstacle_contacts);
+    const float unit = view.model.head->config.needle[i].unit_m;
+    out.unit_in_voxels = max_of(out.unit_in_voxels, unit / view.model.head->edge_m);
   }
   out.coupled_voxels = {0, s.coupled_max, kMaxCoupledVoxels * view.model.head->counts.needles};
   out.tracks = {s.track_count, s.track_max, kMaxTracks};

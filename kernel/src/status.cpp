@@ -27,12 +27,16 @@ const char* status_name(Status status) {
       return "organ too large for this machine's addresses";
     case Status::kConfigValueOutOfRange:
       return "configuration value out of range";
+    case Status::kObstaclesTooLate:
+      return "obstacles after the first tick";
     case Status::kMemoryTooSmall:
       return "memory too small";
     case Status::kMemoryNotAligned:
       return "memory not aligned";
     case Status::kSnapshotDoesNotMatch:
       return "snapshot of another organ or configuration";
+    case Status::kSnapshotDamaged:
+      return "snapshot damaged";
   }
   return "unknown status";
 }

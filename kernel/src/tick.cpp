@@ -202,6 +202,7 @@ Output faulted(const View& view) {
   out.tick = view.state.head->tick;
   out.flags = kFlagFault;
   out.layer = kNoLayer;
+  out.events = view.state.head->event_count;
   return out;
 }
 

@@ -23,7 +23,9 @@ void each_voxel(const View& view, std::int32_t x, std::int32_t y, std::int32_t z
 
 // Whether a place in its cell (0 to 1 along each axis) is the voxel's own. Only with sheets.
 bool is_own(const View& view, std::uint32_t slot, Vec3 f) {
-  const auto quarter = [](float v) { return static_cast<std::uint32_t>(clamp(4 * v, 0, 3)); };
+  const auto quarter = [](float v) {
+    return static_cast<std::uint32_t>(max_of(0, min_of(4 * v, 3)));
+  };
   const std::uint32_t bit = quarter(f.x) + 4 * quarter(f.y) + 16 * quarter(f.z);
   return ((view.model.quarters[slot] >> bit) & 1U) != 0;
 }

@@ -137,6 +137,20 @@ void write_inputs(const std::string& folder) {
   }
 }
 
+// Changes as snapshot_target.cpp reads them: kernel, moment, how many; field, element, word, how.
+void write_snapshots(const std::string& folder) {
+  const std::uint8_t as_it_was[] = {0, 2, 0, 100, 3, 0, 0};
+  const std::uint8_t shaft_count[] = {0, 2, 1, 14, 0, 0, 13, 0, 0, 0xA0, 0x86, 0x01, 0};
+  const std::uint8_t neighbour_slot[] = {1, 2, 1, 15, 1, 0, 40, 0, 0x0D, 100, 3, 0, 0};
+  const std::uint8_t far_goal[] = {0, 2, 1, 15, 0, 0, 44, 0, 0x06, 100, 3, 0, 0};
+  const std::uint8_t fast_tissue[] = {2, 3, 2, 4, 90, 0, 0, 0, 0x02, 5, 80, 0, 0, 0, 0x06, 9};
+  write(folder + "as-it-was.bin", as_it_was, sizeof as_it_was);
+  write(folder + "shaft-count.bin", shaft_count, sizeof shaft_count);
+  write(folder + "neighbour-slot.bin", neighbour_slot, sizeof neighbour_slot);
+  write(folder + "far-goal.bin", far_goal, sizeof far_goal);
+  write(folder + "fast-tissue.bin", fast_tissue, sizeof fast_tissue);
+}
+
 // Changes as recording_target.cpp reads them.
 void write_changes(const std::string& folder) {
   const std::uint8_t none[] = {2, 0}, missing[] = {0, 3}, attribute[] = {1, 5, 0, 1, 9, 9, 9, 9},
@@ -156,6 +170,7 @@ int main(int argc, char** argv) {
   const std::string folder = argv[1];
   stylet::test::write_organs(folder + "/organ/");
   stylet::test::write_inputs(folder + "/tick/");
+  stylet::test::write_snapshots(folder + "/snapshot/");
   stylet::test::write_changes(folder + "/recording/");
   return 0;
 }

@@ -32,13 +32,13 @@ Ran run_with(std::uint32_t count, bool real_time) {
     std::unique_ptr<Helpers> helpers;
     if (count > 0) {
       helpers = std::make_unique<Helpers>(rig.instance->kernel, config, rig.state, ran.report);
-      EXPECT_NE(rig.instance->kernel.team, nullptr);
+      EXPECT_TRUE(has_team(rig.instance->kernel));
     }
     run_loop(rig.config, rig.instance->kernel, std::span(&device, 1),
              real_time ? monotonic_clock() : virtual_clock(rig.time), {&rig.records}, rig.state);
     if (helpers != nullptr) ran.parts = helpers->parts();
   }
-  EXPECT_EQ(rig.instance->kernel.team, nullptr);
+  EXPECT_FALSE(has_team(rig.instance->kernel));
   EXPECT_EQ(rig.state.ticks, kTicks);
   ran.hash = hash(rig.instance->kernel);
   return ran;

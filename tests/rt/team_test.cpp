@@ -126,7 +126,7 @@ TEST(Team, IsRefusedWithoutATrace) {
             Status::kMemoryNotAligned);
   EXPECT_EQ(set_team(session.kernel, kMaxHelpers + 1, memory.span()),
             Status::kConfigValueOutOfRange);
-  EXPECT_EQ(session.kernel.team, nullptr);
+  EXPECT_FALSE(has_team(session.kernel));
   for (const std::byte byte : memory.span()) ASSERT_EQ(byte, std::byte{0xA5});
 }
 
@@ -137,7 +137,7 @@ TEST(Team, SlabsOfHelpersWhoDoNotComeAreSweptByTheCaller) {
     const Block memory = make_block(team_bytes(session.kernel, helpers));
     ASSERT_EQ(set_team(session.kernel, helpers, memory.span()), Status::kOk);
     tick(session.kernel, Input{});
-    const Team& team = team_of(session.kernel);
+    const Team& team = *team_of(session.kernel);
     ASSERT_EQ(team.slab_count, helpers + 1);
     std::uint32_t plane = 0;
     for (std::uint32_t s = 0; s < team.slab_count; ++s) {
@@ -171,7 +171,7 @@ TEST(Team, HelpsOnlyWithWhatIsBegunAndFarFromDone) {
 class HeldUp {
  public:
   explicit HeldUp(const Kernel& kernel)
-      : team_(team_of(kernel)), thread_([this, &kernel] {
+      : team_(*team_of(kernel)), thread_([this, &kernel] {
           while (!stop_.load()) sweep(kernel);
         }) {}
   ~HeldUp() {

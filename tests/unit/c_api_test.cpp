@@ -51,8 +51,9 @@ TEST(CApi, NamesAndNumbers) {
        {Status::kOk, Status::kOrganTooSmall, Status::kOrganNotAnOrganFile,
         Status::kOrganVersionUnknown, Status::kOrganStructureDamaged, Status::kOrganValueOutOfRange,
         Status::kOrganIndexOutOfRange, Status::kOrganSizesDisagree, Status::kOrganOrderWrong,
-        Status::kOrganTooLarge, Status::kConfigValueOutOfRange, Status::kMemoryTooSmall, Status::kMemoryNotAligned,
-        Status::kSnapshotDoesNotMatch}) {
+        Status::kOrganTooLarge, Status::kConfigValueOutOfRange, Status::kObstaclesTooLate,
+        Status::kMemoryTooSmall, Status::kMemoryNotAligned, Status::kSnapshotDoesNotMatch,
+        Status::kSnapshotDamaged}) {
     const char* name = stylet_status_name(static_cast<std::uint16_t>(status));
     EXPECT_STREQ(name, status_name(status));
     EXPECT_STRNE(name, stylet_status_name(999));

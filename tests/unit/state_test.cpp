@@ -49,11 +49,14 @@ TEST(Snapshot, RefusesOtherOrgansConfigsSizesAndBytes) {
   EXPECT_EQ(restore(p.b.kernel, std::span(saved).first(saved.size() - 1)),
             Status::kSnapshotDoesNotMatch);
   EXPECT_EQ(restore(p.b.kernel, {}), Status::kSnapshotDoesNotMatch);
-  for (std::size_t at = 0; at < 32; ++at) {  // the header
+  for (std::size_t at = 0; at < 40; ++at) {  // the header, but for the checksum
     std::vector<std::byte> damaged = saved;
     damaged[at] ^= std::byte{1};
     EXPECT_EQ(restore(p.b.kernel, damaged), Status::kSnapshotDoesNotMatch) << at;
   }
+  std::vector<std::byte> damaged = saved;
+  damaged[40] ^= std::byte{1};
+  EXPECT_EQ(restore(p.b.kernel, damaged), Status::kSnapshotDamaged);
   Config other;
   other.needle[0].unit_m = 4e-3F;
   Session otherwise = make_session(p.organ->organ, other);

@@ -32,7 +32,9 @@ enum class Mode : std::uint32_t {
 struct NeedleConfig {
   float length_m = 0.15F;
   float outer_radius_m = 0.635e-3F;  // 18G
-  float unit_m = 5e-3F;     // sampling unit: shaft length one constraint particle stands for
+  // Sampling unit: shaft length one constraint particle stands for. Longer than a voxel's edge the
+  // shaft is 10 to 26 % too soft sideways (Stats::unit_in_voxels).
+  float unit_m = 5e-3F;
   float bending_nm2 = 0;    // EI of the shaft; 0 is rigid
   std::uint32_t rods = 32;  // of the elastic chain
   float bevel_per_m = 0;    // curvature of the path a bevelled tip cuts in stiff tissue
@@ -94,15 +96,14 @@ struct Memory {
   std::span<std::byte> scratch;
 };
 
-// Handle to the blocks; plain and copyable. Only the kernel's own functions look inside.
+// Handle to the blocks; plain and copyable: a copy is the same kernel. Only the kernel's own
+// functions look inside. The blocks and the organ's bytes must outlive it, the Organ need not.
 struct Kernel {
-  const Organ* organ = nullptr;  // must outlive the kernel
   std::byte* model = nullptr;
   std::byte* state = nullptr;
   std::byte* scratch = nullptr;
   Sizes sizes = {};
   void (*step)(const Kernel&) = nullptr;  // tissue step for this processor
-  std::byte* team = nullptr;              // see set_team
 };
 
 // Exact: create uses these bytes and no others. kOrganTooLarge: a block of them has no such number
@@ -113,8 +114,9 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
 // Back to tick 0: tissue at rest, needles away, no track. Obstacles stay.
 void reset(Kernel& kernel);
 
-// Bodies no needle enters, fixed in the world: between create and the first tick, at most
-// kMaxObstacles; replaces those given before. On an error nothing changes.
+// Bodies no needle enters, fixed in the world: before the first tick since create or reset (later:
+// kObstaclesTooLate), at most kMaxObstacles; replaces those given before. On an error nothing
+// changes.
 Status set_obstacles(Kernel& kernel, std::span<const ObstacleConfig> obstacles);
 
 // ==== One tick
@@ -181,8 +183,10 @@ std::size_t team_bytes(const Kernel& kernel, std::uint32_t helpers);
 // Between ticks, with no helper about: shares the step in as many parts as there are helpers and
 // one. The memory must outlive that; 0 helpers ends it. On an error nothing changes.
 Status set_team(Kernel& kernel, std::uint32_t helpers, std::span<std::byte> memory);
-// What a helper's thread calls again and again, with the same kernel: looks `looks` times (about
-// 40 ns each) whether a part is to be done, does one, and returns whether there was one.
+bool has_team(const Kernel& kernel);
+// What a helper's thread calls again and again, with any copy of the kernel: looks `looks` times
+// (about 40 ns each) whether a part is to be done, does one, and returns whether there was one.
+// Without a team there is none.
 bool help(const Kernel& kernel, std::uint32_t looks);
 
 // ==== What happened
@@ -219,7 +223,7 @@ struct Pool {
 struct Stats {
   std::uint64_t ticks;
   Pool constraint_particles;  // of all needles; capacity and most are of one needle
-  Pool coupled_voxels;  // of all needles; `used` is not kept after a tick, and 0
+  Pool coupled_voxels;        // of all needles; `used` is not kept after a tick, and 0
   Pool tracks;
   Pool obstacle_contacts;
   std::uint64_t input_not_finite, input_clamped, input_missing;
@@ -227,6 +231,7 @@ struct Stats {
   std::uint64_t obstacle_pool_full, needle_unstable;
   float
       coupling_shortfall;  // largest missing share of the stiffness asked of a constraint particle
+  float unit_in_voxels;    // the longest needle unit, in voxel edges: see NeedleConfig::unit_m
 };
 Stats stats(const Kernel& kernel);
 
@@ -281,7 +286,12 @@ Energy energy(const Kernel& kernel);
 // ==== Save, restore, compare
 // ========================================================================
 
-// A snapshot is the state block with a header; it fits any kernel of the same organ and config.
+// A snapshot is the state block behind a header: it fits any kernel of the same organ, config and
+// obstacles (bytes that do not matter, such as needles beyond needle_count, may differ) made by a
+// kernel with the same layout of state. restore takes no other bytes: kSnapshotDoesNotMatch for a
+// header of something else, kSnapshotDamaged where checksum, an index, a count or a number is not
+// what a tick leaves (not finite: only with a latched fault). Then nothing changes. What is taken
+// does no harm in any number of ticks: forces are finite, or the fault latches.
 std::size_t snapshot_bytes(const Kernel& kernel);
 Status snapshot(const Kernel& kernel, std::span<std::byte> out);
 Status restore(Kernel& kernel, std::span<const std::byte> in);
@@ -293,7 +303,8 @@ struct Difference {
   const char* field;  // nullptr: equal
   std::uint64_t index;
 };
-// First field that differs; both kernels must have the same organ and config.
+// First field of the state that differs; "organ" or "config" (obstacles included) where the kernels
+// are not of the same.
 Difference difference(const Kernel& a, const Kernel& b);
 
 }  // namespace stylet

@@ -20,6 +20,10 @@ constexpr std::uint32_t kMaxSheets = 8;
 constexpr std::uint32_t kMaxMaterials = 64;
 constexpr std::uint32_t kMaxVertices = 8'000'000;
 constexpr std::uint32_t kMaxTriangles = 16'000'000;
+// Largest coordinate of the lattice's origin. A needle comes within 2.5 m of it, so every place
+// that matters lies within 8 m of the world's, where floats resolve 0.5 um: a fortieth of the skins
+// that tell contact from rounding (surface.cpp). At 100 m they resolve 8 um.
+constexpr float kMaxOriginM = 4.0F;
 constexpr float kMinVoxelEdgeM = 1e-4F;
 constexpr float kMaxVoxelEdgeM = 0.1F;
 constexpr float kMaxPoissonRatio = 0.49F;
@@ -48,8 +52,11 @@ constexpr std::uint32_t kMaxHelpers = 15;
 // Constraint particles alive at once. Full: the needle advances without a new one, so the friction
 // of that stretch of shaft is not felt; cp_pool_full is counted and flagged.
 constexpr std::uint32_t kMaxConstraintParticles = 128;
-// Voxels that hold a part of any constraint particle, for each needle. Full: the part with no room
-// is left out and its weight goes to the others; cp_voxel_pool_full is counted.
+// Voxels that hold a part of any constraint particle, for each needle; the last eight are the
+// tip's. Full: the part of a shaft particle with no room is left out and its weight goes to the
+// others, at the same force; one without any room carries nothing, neither on the needle nor on the
+// tissue, so that stretch of shaft is not felt. It takes hold again where there is room.
+// cp_voxel_pool_full is counted.
 constexpr std::uint32_t kMaxCoupledVoxels = 512;
 // Voxels one constraint particle is shared by: the eight whose centres surround it.
 constexpr std::uint32_t kSharesPerParticle = 8;
@@ -62,9 +69,10 @@ constexpr std::uint32_t kMaxUnitsPerTick = 64;
 // Rods of the elastic needle. More: create refuses the configuration; longer rods bend less finely
 // (deflections err by 1 / (2 n^2)).
 constexpr std::uint32_t kMaxRods = 128;
-// Loads on the needle: every constraint particle, and contacts with obstacles. Full: the caller
-// leaves out the contacts that press least.
+// Contacts of a needle with obstacles, and those lost in this tick while there is room. Full: those
+// that press least are left out and push nothing (obstacle_pool_full is counted).
 constexpr std::uint32_t kMaxTouches = 16;
+// Loads on the needle: every constraint particle and contact.
 constexpr std::uint32_t kMaxRodLoads = kMaxConstraintParticles + 1 + kMaxTouches;
 // Newton steps of the needle's equilibrium in a tick. Reached: what is left is solved in the next
 // ticks: tens for a needle that snaps through, nothing that can be felt for a moving hand.
@@ -112,6 +120,15 @@ constexpr float kMaxHandleSpeedMPerS = 5.0F;
 constexpr float kMaxHandleSpinRadPerS = 60.0F;
 // Distance of the handle from the organ's origin; input beyond it is clamped.
 constexpr float kMaxHandleDistanceM = 2.0F;
+
+// ---- snapshots
+// ----------------------------------------------------------------------------------
+// Largest number in the state that restore takes, in SI units: beyond what any session reaches (the
+// stiffest material in the largest voxel has 1e10 N/m), below what ends numbers. Beyond: refused.
+constexpr float kMaxRestored = 1e12F;
+
+// ---- the caller's thread
+// ------------------------------------------------------------------------
 // Stack of a tick, callees included: what a thread that calls it must have left. Kept by a check of
 // the call graph, not at run time.
 constexpr std::uint32_t kTickStackBytes = 32'768;

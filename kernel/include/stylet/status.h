@@ -21,10 +21,12 @@ enum class [[nodiscard]] Status : std::uint16_t{
     kOrganTooLarge = 108,  // from sizes: a block of memory has no such number of bytes here
     // 200..299: the configuration.
     kConfigValueOutOfRange = 200,
+    kObstaclesTooLate = 201,
     // 300..399: the memory.
     kMemoryTooSmall = 300,
     kMemoryNotAligned = 301,
     kSnapshotDoesNotMatch = 302,
+    kSnapshotDamaged = 303,
 };
 
 const char* status_name(Status status);

@@ -65,8 +65,10 @@ typedef struct {
   size_t model_bytes, state_bytes, scratch_bytes;
 } stylet_sizes;
 
-/* Storage for the C++ objects; treat as opaque. The organ's bytes must outlive the organ, the organ
- * and the three blocks (aligned to 64 bytes) must outlive the kernel. Do not move the organ. */
+/* Storage for the C++ objects; treat as opaque. Both may be moved and copied byte by byte, as
+ * managed hosts do; a copy of a kernel is the same kernel. The organ's bytes must outlive organ and
+ * kernel, the three blocks (aligned to 64 bytes) the kernel, and neither may move; the organ may
+ * go. */
 typedef struct {
   uint64_t opaque[40];
 } stylet_organ;

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bytes as a snapshot: refused, or a state of this organ and configuration that does no harm; and
+// what may differ between two kernels that exchange them.
+#include "snapshot.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "session.h"
+
+namespace stylet::test {
+namespace {
+
+// Word of a float, of the upper half of a double, and of a count: a number that is none, and more
+// than any array holds.
+constexpr std::uint32_t kNoNumber = 0x7FF80001U;
+
+std::vector<std::byte> saved_of(const Kernel& kernel) {
+  std::vector<std::byte> bytes(snapshot_bytes(kernel));
+  EXPECT_EQ(snapshot(kernel, bytes), Status::kOk);
+  return bytes;
+}
+
+// As somebody would who means harm.
+void sign(const Kernel& kernel, std::vector<std::byte>& bytes) {
+  const SnapshotHeader header = snapshot_header(kernel, bytes.data() + sizeof(SnapshotHeader));
+  std::memcpy(bytes.data(), &header, sizeof header);
+}
+
+// Two needles in tissue, one of them on bone, and a snapshot.
+struct Taken {
+  std::unique_ptr<OpenOrgan> organ = block_organ(6, 5, 8);
+  Config config = config_of(Setup::kElastic);
+  Session session, other;
+  std::vector<std::byte> bytes;
+
+  Taken() : session(make()), other(make()) {
+    const Script script = block_script(organ->organ, config);
+    for (std::uint64_t i = 0; i < 1300; ++i) {
+      Input inputs[2] = {scripted_input(script, i), scripted_input(script, i)};
+      inputs[1].handle.position_m.x += 6e-3F;
+      Output outputs[2];
+      tick(session.kernel, inputs, outputs);
+    }
+    bytes = saved_of(session.kernel);
+  }
+  Session make() {
+    config.needle_count = 2;
+    config.needle[1].torsion_nm2 = 1e-3F;
+    Session made = make_session(organ->organ, config);
+    EXPECT_EQ(set_obstacles(made.kernel, obstacles_of(organ->organ, Setup::kElastic)), Status::kOk);
+    return made;
+  }
+};
+
+// Words that may be anything: counters, and the lower halves of doubles.
+bool free_word(const std::string& field, std::size_t offset) {
+  if (field == "event") return offset < offsetof(Event, kind);
+  if (field == "rod_shape") return offset % 8 == 0;
+  if (field != "head") return false;
+  const auto within = [offset](std::size_t first, std::size_t end) {
+    return offset >= first && offset < end;
+  };
+  const bool double_low = offset >= offsetof(StateHead, work_by_hand_j) && offset % 8 == 0;
+  return double_low || within(offsetof(StateHead, tick), offsetof(StateHead, latched_fault)) ||
+         within(offsetof(StateHead, event_count), offsetof(StateHead, coupled_max)) ||
+         within(offsetof(StateHead, input_not_finite), offsetof(StateHead, work_by_hand_j));
+}
+
+TEST(Snapshot, EveryWordOfEveryFieldIsLookedAt) {
+  Taken t;
+  const std::vector<std::byte>& good = t.bytes;
+  ASSERT_EQ(restore(t.other.kernel, good), Status::kOk);
+  const Counts& c = counts_of(t.session.kernel);
+  const StateView view = state_view(t.session.kernel.state, c);
+  std::size_t words = 0;
+  const auto try_field = [&](const std::string& name, const auto* field, std::size_t count) {
+    const std::size_t first = sizeof(SnapshotHeader) +
+                              static_cast<std::size_t>(reinterpret_cast<const std::byte*>(field) -
+                                                       t.session.kernel.state);
+    for (const std::size_t at : {std::size_t{0}, count / 2, count - 1}) {
+      for (std::size_t offset = 0; offset < sizeof(*field); offset += 4, ++words) {
+        if (free_word(name, offset)) continue;
+        std::vector<std::byte> bytes = good;
+        std::memcpy(bytes.data() + first + at * sizeof(*field) + offset, &kNoNumber, 4);
+        sign(t.session.kernel, bytes);
+        ASSERT_EQ(restore(t.other.kernel, bytes), Status::kSnapshotDamaged)
+            << name << at << " + " << offset;
+      }
+    }
+  };
+#define STYLET_TRY_FIELD(name, type, count) \
+  try_field(#name, view.name, static_cast<std::size_t>(count));
+  STYLET_STATE_FIELDS(STYLET_TRY_FIELD)
+#undef STYLET_TRY_FIELD
+  EXPECT_GT(words, 1000U);
+}
+
+// A change of what is used as an index or a count, to the first number that is too large.
+struct Wrong {
+  const char* what;
+  std::function<void(const StateView&)> change;
+};
+
+TEST(Snapshot, IndicesAndCountsAreHeldAgainstTheModel) {
+  Taken t;
+  const View view = view_of(t.session.kernel);
+  const Counts& c = counts_of(t.session.kernel);
+  const std::uint32_t materials = view.model.head->material_count;
+  ASSERT_GT(view.state.needle->shaft_count, 1U);
+  ASSERT_GT(view.state.shaft[0].share_count, 1U);
+  const std::vector<Wrong> all = {
+      {"shaft_count",
+       [](const StateView& s) { s.needle->shaft_count = kMaxConstraintParticles + 1; }},
+      {"far shaft_count", [](const StateView& s) { s.needle->shaft_count = 100000; }},
+      {"shaft_max", [](const StateView& s) { s.needle->shaft_max = s.needle->shaft_count - 1; }},
+      {"no shaft", [](const StateView& s) { s.needle->shaft_count = 0; }},
+      {"phase", [](const StateView& s) { s.needle->phase = static_cast<Phase>(4); }},
+      {"other phase", [](const StateView& s) { s.needle->phase = Phase::kFree; }},
+      {"no tip", [](const StateView& s) { s.needle->tip_alive = 0; }},
+      {"tip_alive", [](const StateView& s) { s.needle->tip_alive = 2; }},
+      {"layer", [=](const StateView& s) { s.needle->layer = materials; }},
+      {"spring_layer", [=](const StateView& s) { s.needle->spring_layer = materials; }},
+      {"track_current", [](const StateView& s) { s.needle->track_current = kMaxTracks; }},
+      {"track not there",
+       [](const StateView& s) { s.needle->track_current = s.head->track_count; }},
+      {"touch_count", [](const StateView& s) { s.needle->touch_count = kMaxTouches + 1; }},
+      {"handle", [](const StateView& s) { s.needle->handle.rotation.w = 2; }},
+      {"slot", [&](const StateView& s) { s.shaft->share[0].slot = c.slots; }},
+      {"slot of another row", [](const StateView& s) { ++s.shaft->share[0].row; }},
+      {"slot before its row",
+       [&](const StateView& s) {
+         s.shaft->share[0].slot = view.model.row[s.shaft->share[0].row].slot - 1;
+       }},
+      {"row", [&](const StateView& s) { s.shaft->share[0].row = c.rows; }},
+      {"weight", [](const StateView& s) { s.shaft->share[0].weight += 0.1F; }},
+      {"share_count", [](const StateView& s) { s.shaft->share_count = kSharesPerParticle + 1; }},
+      {"fewer shares", [](const StateView& s) { --s.shaft->share_count; }},
+      {"no spring", [](const StateView& s) { s.shaft->stiffness_n_per_m = 0; }},
+      {"material", [=](const StateView& s) { s.tip->material = materials; }},
+      {"rod", [](const StateView& s) { s.rod_shape->direction[3].y += 0.5; }},
+      {"touch.rod", [&](const StateView& s) { s.touch->rod = view.model.rod->rods; }},
+      {"touch.obstacle", [](const StateView& s) { s.touch->obstacle = kMaxObstacles; }},
+      {"track_next", [](const StateView& s) { s.head->track_next = kMaxTracks; }},
+      {"track_count", [](const StateView& s) { s.head->track_count = kMaxTracks + 1; }},
+      {"latched_fault", [](const StateView& s) { s.head->latched_fault = 2; }},
+      {"event.kind", [](const StateView& s) { s.event->kind = static_cast<EventKind>(7); }},
+      {"event.needle", [](const StateView& s) { s.event->needle = 2; }},
+      {"huge", [](const StateView& s) { s.vy[40] = 1e13F; }},
+      {"infinite", [](const StateView& s) { s.uz[40] = std::numeric_limits<float>::infinity(); }},
+  };
+  const std::uint64_t before = hash(t.other.kernel);
+  for (const Wrong& wrong : all) {
+    ASSERT_EQ(restore(t.session.kernel, t.bytes), Status::kOk);
+    wrong.change(view.state);
+    EXPECT_EQ(restore(t.other.kernel, saved_of(t.session.kernel)), Status::kSnapshotDamaged)
+        << wrong.what;
+    EXPECT_EQ(hash(t.other.kernel), before) << wrong.what;
+  }
+}
+
+TEST(Snapshot, OneFlippedBitAnywhereIsSeen) {
+  Taken t;
+  const std::uint64_t before = hash(t.other.kernel);
+  std::mt19937 random(1);
+  for (int i = 0; i < 500; ++i) {
+    std::vector<std::byte> bytes = t.bytes;
+    bytes[random() % bytes.size()] ^= std::byte(1U << random() % 8U);
+    EXPECT_NE(restore(t.other.kernel, bytes), Status::kOk);
+  }
+  EXPECT_EQ(hash(t.other.kernel), before);
+}
+
+TEST(Snapshot, ComesFromBytesAtAnyAddress) {
+  Taken t;
+  std::vector<std::byte> moved(t.bytes.size() + 1);
+  std::copy(t.bytes.begin(), t.bytes.end(), moved.begin() + 1);
+  ASSERT_EQ(restore(t.other.kernel, std::span(moved).subspan(1)), Status::kOk);
+  EXPECT_EQ(hash(t.other.kernel), hash(t.session.kernel));
+}
+
+// A kernel that has latched a fault may hold any numbers: force stays zero until reset.
+TEST(Snapshot, OfAFaultIsAFault) {
+  Taken t;
+  const View view = view_of(t.session.kernel);
+  for (std::uint32_t i = 0; i < counts_of(t.session.kernel).particles; ++i) {
+    view.state.ux[i] = std::numeric_limits<float>::quiet_NaN();
+  }
+  (void)tick(t.session.kernel, Input{});
+  const std::vector<std::byte> bytes = saved_of(t.session.kernel);
+  ASSERT_EQ(restore(t.other.kernel, bytes), Status::kOk);
+  for (int i = 0; i < 3; ++i) {
+    const Output out = tick(t.other.kernel, Input{});
+    EXPECT_EQ(out.flags, kFlagFault);
+    EXPECT_EQ(out.events, view.state.head->event_count) << "the log is still there to be read";
+    EXPECT_GT(out.events, 0U);
+  }
+}
+
+// Needles beyond needle_count, vertices beyond vertex_count, the sign of a zero.
+TEST(Snapshot, FitsAKernelThatDiffersInBytesThatDoNotMatter) {
+  Taken t;
+  Config config = t.config;
+  config.needle[2].length_m = 0.3F;
+  config.needle[3].unit_m = std::numeric_limits<float>::quiet_NaN();
+  config.needle[0].torsion_nm2 = -0.0F;
+  config.breathing.amplitude_m.x = -0.0F;
+  std::vector<ObstacleConfig> obstacles = obstacles_of(t.organ->organ, Setup::kElastic);
+  obstacles[0].vertices_m[0].y = -0.0F;
+  obstacles[0].vertices_m[5] = {1, 2, 3};
+  Session alike = make_session(t.organ->organ, config);
+  ASSERT_EQ(set_obstacles(alike.kernel, obstacles), Status::kOk);
+  ASSERT_EQ(restore(alike.kernel, t.bytes), Status::kOk);
+  EXPECT_EQ(difference(alike.kernel, t.session.kernel).field, nullptr);
+  const Script script = block_script(t.organ->organ, config);
+  run(alike.kernel, script, 1300, 300);
+  run(t.session.kernel, script, 1300, 300);
+  EXPECT_EQ(hash(alike.kernel), hash(t.session.kernel));
+  obstacles[0].friction = 0.3F;
+  Session unlike = make_session(t.organ->organ, config);
+  ASSERT_EQ(set_obstacles(unlike.kernel, obstacles), Status::kOk);
+  EXPECT_EQ(restore(unlike.kernel, t.bytes), Status::kSnapshotDoesNotMatch);
+}
+
+TEST(Difference, OfOtherOrgansAndConfigurationsIsNamed) {
+  const auto small = block_organ(2, 2, 2), large = block_organ(12, 12, 12);
+  Config other;
+  other.needle[0].unit_m = 4e-3F;
+  Session a = make_session(large->organ, Config{}), b = make_session(small->organ, Config{});
+  Session c = make_session(large->organ, other);
+  EXPECT_STREQ(difference(a.kernel, b.kernel).field, "organ");
+  EXPECT_STREQ(difference(b.kernel, a.kernel).field, "organ");
+  EXPECT_STREQ(difference(a.kernel, c.kernel).field, "config");
+}
+
+TEST(Obstacles, AreTakenBeforeTheFirstTickOnly) {
+  const auto organ = block_organ(3, 3, 3);
+  Session session = make_session(organ->organ, Setup::kElastic);
+  const std::vector<ObstacleConfig> ball = obstacles_of(organ->organ, Setup::kElastic);
+  (void)tick(session.kernel, Input{});
+  EXPECT_EQ(set_obstacles(session.kernel, {}), Status::kObstaclesTooLate);
+  EXPECT_EQ(view_of(session.kernel).model.head->obstacle_count, 1U);
+  reset(session.kernel);
+  EXPECT_EQ(set_obstacles(session.kernel, {}), Status::kOk);
+}
+
+// As managed hosts do: the Organ is moved, and its old place used for something else.
+TEST(Kernel, NeedsTheBytesOfItsOrganAlone) {
+  const auto opened = block_organ(6, 5, 8);
+  const Script script = block_script(opened->organ, Config{});
+  Session expected = make_session(opened->organ, Config{});
+  run(expected.kernel, script, 0, 1300);
+  auto elsewhere = std::make_unique<Organ>(opened->organ);
+  Session session = make_session(*elsewhere, Config{});
+  std::memset(static_cast<void*>(elsewhere.get()), 0xA5, sizeof(Organ));
+  elsewhere.reset();
+  run(session.kernel, script, 0, 1300);
+  EXPECT_EQ(hash(session.kernel), hash(expected.kernel));
+  std::vector<Vec3> places(opened->organ.vertices.size());
+  EXPECT_EQ(surface(session.kernel, places), places.size());
+}
+
+TEST(Kernel, ACopyMadeBeforeItsTeamIsTheSameKernel) {
+  const auto opened = block_organ(6, 5, 8);
+  Session session = make_session(opened->organ, Config{});
+  Kernel copy = session.kernel;
+  EXPECT_FALSE(help(copy, 3)) << "without a team";
+  Block memory = make_block(team_bytes(session.kernel, 1));
+  ASSERT_EQ(set_team(session.kernel, 1, memory.span()), Status::kOk);
+  EXPECT_TRUE(has_team(copy));
+  EXPECT_FALSE(help(copy, 3)) << "nothing to do yet";
+  (void)tick(copy, Input{});
+  EXPECT_EQ(hash(copy), hash(session.kernel));
+  ASSERT_EQ(set_team(copy, 0, {}), Status::kOk);
+  memory = {};
+  EXPECT_FALSE(help(session.kernel, 3));
+  (void)tick(session.kernel, Input{});
+}
+
+}  // namespace
+}  // namespace stylet::test
