@@ -310,9 +310,12 @@ bool check_lattice_header(Checker& check, const Organ& organ) {
                        static_cast<double>(organ.content_sha256.size()), "32 bytes, or none") &&
          check.in_range(organ.voxel_edge_m, kMinVoxelEdgeM, kMaxVoxelEdgeM, "voxel_edge_m", 0,
                         "0.0001 to 0.1") &&
-         check.in_range(organ.origin_m.x, -100, 100, "origin_x_m", 0, "within 100 m") &&
-         check.in_range(organ.origin_m.y, -100, 100, "origin_y_m", 0, "within 100 m") &&
-         check.in_range(organ.origin_m.z, -100, 100, "origin_z_m", 0, "within 100 m") &&
+         check.in_range(organ.origin_m.x, -kMaxOriginM, kMaxOriginM, "origin_x_m", 0,
+                        "within 4 m") &&
+         check.in_range(organ.origin_m.y, -kMaxOriginM, kMaxOriginM, "origin_y_m", 0,
+                        "within 4 m") &&
+         check.in_range(organ.origin_m.z, -kMaxOriginM, kMaxOriginM, "origin_z_m", 0,
+                        "within 4 m") &&
          check.require(static_cast<std::uint64_t>(organ.size_y) * organ.size_z <= kMaxRows,
                        Status::kOrganValueOutOfRange, "size_y", 0,
                        static_cast<double>(organ.size_y) * organ.size_z,

@@ -107,7 +107,8 @@ std::vector<Case> lattice_cases() {
        "content_sha256", 0, 20, "32 bytes, or none"},
       {"edge", [](Owner& o) { o.voxel_edge_m = 0.25F; }, range, "voxel_edge_m", 0, 0.25,
        "0.0001 to 0.1"},
-      {"origin", [](Owner& o) { o.origin_x_m = 128; }, range, "origin_x_m", 0, 128, "within 100 m"},
+      {"origin", [](Owner& o) { o.origin_x_m = 4.125F; }, range, "origin_x_m", 0, 4.125,
+       "within 4 m"},
       {"no voxels",
        [](Owner& o) {
          o.runs.clear();
@@ -285,9 +286,9 @@ TEST(OrganOpen, OfTwoFaultsNamesTheFirst) {
 // The value named must be the one that is wrong, not a neighbour.
 TEST(OrganOpen, NamesTheWrongOriginComponent) {
   expect_refused({"origin y", [](Owner& o) { o.origin_y_m = 128; }, Status::kOrganValueOutOfRange,
-                  "origin_y_m", 0, 128, "within 100 m"});
+                  "origin_y_m", 0, 128, "within 4 m"});
   expect_refused({"origin z", [](Owner& o) { o.origin_z_m = 128; }, Status::kOrganValueOutOfRange,
-                  "origin_z_m", 0, 128, "within 100 m"});
+                  "origin_z_m", 0, 128, "within 4 m"});
 }
 TEST(OrganOpen, NamesTheWrongTriangleCorner) {
   expect_refused({"triangle c", [](Owner& o) { o.triangles[3] = format::Triangle(0, 1, 100000); },
@@ -333,7 +334,7 @@ TEST(OrganOpen, AcceptsEveryLimitItself) {
           m.puncture_velocity_exponent = high ? 0.5F : 0;
           m.membrane_n_per_m = high ? 1e5F : 0;
           o.voxel_edge_m = high ? kMaxVoxelEdgeM : kMinVoxelEdgeM;
-          o.origin_x_m = o.origin_y_m = o.origin_z_m = high ? 100 : -100;
+          o.origin_x_m = o.origin_y_m = o.origin_z_m = high ? kMaxOriginM : -kMaxOriginM;
           std::fill(o.voxel_fill.begin(), o.voxel_fill.end(), std::uint8_t{1});
           o.format_version = 2;
           const float end = high ? 1 : -1;
