@@ -43,7 +43,7 @@ constexpr float kGapStep = 0.25F;
 constexpr float kEntrySkin = 0.5F;
 // Speed at which the puncture force of a material is given.
 constexpr float kPunctureSpeedMPerS = 0.01F;
-// The tip must go this far to come back to the layer it has just left.
+// The tip must go this far to come back to the layer it has just left, or for the log to tell it.
 constexpr float kLayerSkinM = 5e-4F;
 // A tip in contact must come this far clear of its goal to leave it: one that only slides sideways
 // is not in and out with every rounding.
@@ -283,6 +283,19 @@ Particle new_particle(const View& view, Vec3 rest_m, Vec3 place_m, float track_m
   if (place == Place::kShaft && physical) share_evenly(view, p);
   set_stiffness(view, p, place);
   return p;
+}
+
+// A CP whose voxels found no room (keep_shares) takes those around it again: next time there may
+// be.
+void refill_shares(const View& view, Particle& p) {
+  StateHead& state = *view.state.head;
+  if (state.cp_voxel_pool_full == 0 || p.share_count == kSharesPerParticle) return;
+  const bool paper = view.model.head->config.mode == Mode::kPaper;
+  const std::uint32_t material = p.material;
+  const double before = spring_energy(p);
+  renew_shares(view, p, paper ? Sharing::kTent : Sharing::kEven);
+  p.material = material;
+  state.friction_j += before - spring_energy(p);
 }
 
 // Deformation of the tissue around a CP: displacement gradient, averaged over its shares.
@@ -538,6 +551,53 @@ void enter_material(const View& view, Particle& tip) {
   view.state.head->cutting_j += before - spring_energy(tip);
 }
 
+// What the log last told of this needle's layer. Only there: the tip's forces follow where it is.
+struct Told {
+  bool known, crossed;          // known: it is still in the log; crossed: by a layer's event
+  std::uint32_t layer, before;  // and the one told before that
+  float track_m;
+};
+
+bool tells_layer(const Event& e, std::uint32_t needle) {
+  return e.needle == needle && (e.kind == EventKind::kLayer || e.kind == EventKind::kPuncture ||
+                                e.kind == EventKind::kReentry);
+}
+
+Told told_layer(const View& view) {
+  const std::uint32_t all = view.state.head->event_count;
+  const std::uint32_t kept = all < kMaxEvents ? all : kMaxEvents;
+  Told told = {};
+  for (std::uint32_t i = 1; i <= kept; ++i) {
+    const Event& e = view.state.event[(all - i) % kMaxEvents];
+    if (!tells_layer(e, view.needle)) continue;
+    told.before = e.layer;
+    if (told.known) return told;
+    told = {true, e.kind == EventKind::kLayer, e.layer, kNoLayer, e.depth_m};
+  }
+  return told;
+}
+
+bool is_near(const Told& told, float track_m) {
+  const float since = track_m - told.track_m;
+  return since < kLayerSkinM && since > -kLayerSkinM;
+}
+
+// The needle's layer has changed, at this force: told, unless it only comes back to the layer told
+// before the last one, near where it left that.
+void tell_layer(const View& view, float force_n) {
+  const Told told = told_layer(view);
+  const bool back = told.known && told.crossed && view.state.needle->layer == told.before &&
+                    is_near(told, view.state.tip->track_m);
+  if (!back) add_event(view, EventKind::kLayer, force_n);
+}
+
+// What was not told there is told from here, where it has stayed.
+void tell_layer_late(const View& view) {
+  const Told told = told_layer(view);
+  if (!told.known || told.layer == view.state.needle->layer) return;
+  if (!is_near(told, view.state.tip->track_m)) add_event(view, EventKind::kLayer, 0);
+}
+
 // The tip has come to another material. A layer that must be punctured holds it until it is pressed
 // on hard enough, but for one it has been through before: in a track, or on the way back.
 void enter_layer(const View& view, Particle& tip, Vec3 direction, bool in_track) {
@@ -557,7 +617,11 @@ void enter_layer(const View& view, Particle& tip, Vec3 direction, bool in_track)
   own.layer_before = own.layer;
   own.layer_track_m = tip.track_m;
   own.layer = tip.material;
-  add_event(view, must ? EventKind::kPuncture : EventKind::kLayer, max_of(axial, 0));
+  if (must) {
+    add_event(view, EventKind::kPuncture, max_of(axial, 0));
+  } else {
+    tell_layer(view, max_of(axial, 0));
+  }
 }
 
 // Force the tip may carry: nothing when pulled, the cutting force when pushed into new tissue, a
@@ -848,10 +912,27 @@ void leave_layers(const View& view) {
   NeedleState& own = *view.state.needle;
   if (view.state.tip->share_count > 0 || own.layer == kNoLayer) return;
   own.layer = kNoLayer;
-  add_event(view, EventKind::kLayer, 0);
+  tell_layer(view, 0);
 }
 
 }  // namespace
+
+void keep_shares(StateHead& state, Particle& p, std::uint32_t kept) {
+  const double before = spring_energy(p);
+  const auto [residual_m, spread_m2] = drawn(p);
+  std::uint32_t count = 0;
+  float sum = 0;
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    if (((kept >> i) & 1U) == 0) continue;
+    p.share[count++] = p.share[i];
+    sum += p.share[i].weight;
+  }
+  p.share_count = count;
+  for (std::uint32_t i = 0; i < count; ++i) p.share[i].weight = p.share[i].weight / sum;
+  gather_goals(p, residual_m, spread_m2);
+  if (count == 0) p.memory_m = p.give_m = p.slack_m = {};
+  state.friction_j += before - spring_energy(p);
+}
 
 float friction_limit_n(const View& view, const Particle& p) {
   return friction_n_per_m(p.friction, p.slip_m_per_s) * length_of(view, p);
@@ -893,6 +974,7 @@ std::uint32_t carry_particles(const View& view, const Needle& needle) {
     (void)relax(state, tip, drawn(tip));
     for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
       Particle& p = view.state.shaft[i];
+      refill_shares(view, p);
       const Drawn shares = drawn(p);
       const NeedlePoint point = needle_point(needle, p.arc_m);
       const double relaxed_j = relax(state, p, shares);
@@ -919,6 +1001,7 @@ std::uint32_t carry_particles(const View& view, const Needle& needle) {
     return 0;
   }
   leave_layers(view);
+  tell_layer_late(view);
   const std::uint32_t flags = drop_shaft(view, needle);
   meet_friction(view, from_m, from_track_m);
   return flags;

@@ -38,6 +38,11 @@ std::uint32_t couple_needle(const View& view, const Needle& needle);
 // the way it slips, and the hand would feel that.
 void let_slip(const View& view, const Needle& needle);
 
+// Leaves a shaft CP only those shares whose bits `kept` names, for there is no room for the others:
+// their weight goes to these, at the same force. With none left it holds nothing, and nothing holds
+// it. couple_needle gives shares back where there is room again.
+void keep_shares(StateHead& state, Particle& p, std::uint32_t kept);
+
 // Friction of the stretch of shaft a CP stands for, at its slip speed.
 float friction_limit_n(const View& view, const Particle& p);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fit.h"
 
+#include "coupling.h"
 #include "lattice.h"
 #include "voxel.h"
 
@@ -30,14 +31,14 @@ namespace {
 
 constexpr std::uint32_t kNoVoxel = 0xFFFFFFFFU;
 
-// Voxel of a share in this tick's list, entered if new; kNoVoxel when the list is full.
+// Voxel of a share in this tick's list, entered if new; kNoVoxel when that has no more `room`.
 // The mark of a slot is trusted only if the list entry it names points back, so stale marks do no
 // harm.
-std::uint32_t coupled_index(const View& view, const Share& share) {
+std::uint32_t coupled_index(const View& view, const Share& share, std::uint32_t room) {
   ScratchHead& head = *view.scratch.head;
   const std::uint32_t mark = view.scratch.slot_mark[share.slot];
   if (mark < head.coupled_count && view.scratch.coupled[mark].slot == share.slot) return mark;
-  if (head.coupled_count == kMaxCoupledVoxels * view.model.head->counts.needles) return kNoVoxel;
+  if (head.coupled_count >= room) return kNoVoxel;
   const std::uint32_t index = head.coupled_count++;
   view.scratch.coupled[index] = {share.slot, share.row, 0, 0, 0};
   view.scratch.slot_mark[share.slot] = index;
@@ -53,14 +54,11 @@ bool is_tip(std::uint32_t index) {
   return index % kNeedleParticles == kMaxConstraintParticles;
 }
 
-// Gives the weight of shares that found no room to the others.
-void share_out(Particle& p) {
-  float sum = 0;
-  for (std::uint32_t i = 0; i < p.share_count; ++i) sum += p.share[i].weight;
-  if (!(sum > 0) || sum > 0.999F) return;
-  for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    p.share[i].weight = p.share[i].weight / sum;
-  }
+// Voxels that may be in the list when a particle's come to it: tips find room whatever came before.
+std::uint32_t room_for(const View& view, std::uint32_t index) {
+  const std::uint32_t needles = view.model.head->counts.needles;
+  const std::uint32_t tips_before = index / kNeedleParticles + (is_tip(index) ? 1 : 0);
+  return kMaxCoupledVoxels * needles - kSharesPerParticle * (needles - tips_before);
 }
 
 template <typename Visit>
@@ -145,22 +143,27 @@ std::uint32_t gather_coupled(const View& view) {
   std::uint32_t flags = 0, members = 0;
   for_each_particle(view, [&](std::uint32_t index) {
     Particle& p = particle_at(view, index);
+    const std::uint32_t room = room_for(view, index);
+    std::uint32_t voxels[kSharesPerParticle], count = 0, found = 0;
     for (std::uint32_t s = 0; s < p.share_count; ++s) {
-      const std::uint32_t voxel = coupled_index(view, p.share[s]);
-      if (voxel == kNoVoxel) {
-        p.share[s].weight = 0;
-        ++state.cp_voxel_pool_full;
-        flags = kFlagCpVoxelPoolFull;
-        continue;
-      }
-      CoupledVoxel& c = view.scratch.coupled[voxel];
+      const std::uint32_t voxel = coupled_index(view, p.share[s], room);
+      if (voxel == kNoVoxel) continue;
+      voxels[count++] = voxel;
+      found |= 1U << s;
+    }
+    if (count < p.share_count) {
+      state.cp_voxel_pool_full += p.share_count - count;
+      flags = kFlagCpVoxelPoolFull;
+      keep_shares(state, p, found);
+    }
+    for (std::uint32_t s = 0; s < count; ++s) {
+      CoupledVoxel& c = view.scratch.coupled[voxels[s]];
       (c.member_count == 0 ? c.first_member : view.scratch.member[c.last_member].next) = members;
       ++c.member_count;
       c.last_member = members;
       view.scratch.member[members++] = {static_cast<std::uint16_t>(index),
                                         static_cast<std::uint16_t>(s), 0};
     }
-    if (flags != 0) share_out(p);
   });
   sort_by_plane(view);
   fill_groups(view);

@@ -156,6 +156,23 @@ struct Touching {
   double dissipated_j;
 };
 
+// In a full list, the place of one that presses less than `force_n`, those that are lost before all
+// others; null: the new one is left out.
+Touch* least_touch(const View& view, Touching& out, bool touches, Vec3 force_n) {
+  if (!touches) return nullptr;
+  Touch* least = nullptr;
+  float least_n2 = dot(force_n, force_n);
+  for (std::uint32_t i = 0; i < kMaxTouches; ++i) {
+    Touch& touch = view.scratch.touch[i];
+    const float n2 = touch.depth_m < 0 ? -1 : dot(touch.force_n, touch.force_n);
+    if (!(n2 < least_n2)) continue;
+    least = &touch;
+    least_n2 = n2;
+  }
+  if (least == nullptr || least->depth_m > 0) ++out.left_out;
+  return least;
+}
+
 // Looks at one piece and one body; enters what touches, and what is lost, into the list.
 void touch_piece(const View& view, const Needle& needle, Vec3 shift, std::uint32_t body,
                  std::uint32_t rod, Touching& out) {
@@ -166,17 +183,19 @@ void touch_piece(const View& view, const Needle& needle, Vec3 shift, std::uint32
   const ObstacleLoad load = obstacle_load(view.model.obstacle[body], piece, last, next);
   out.dissipated_j += static_cast<double>(load.dissipated_j);
   const bool touches = load.depth_m > 0, lost = load.depth_m < 0;
-  if (touches && out.count == kMaxTouches) ++out.left_out;
-  if ((!touches && !lost) || out.count == kMaxTouches) return;
-  view.scratch.touch[out.count++] = {body,
-                                     rod,
-                                     next,
-                                     load.at_m,
-                                     load.force_n,
-                                     (static_cast<float>(rod) + load.place) * needle.rod_m,
-                                     load.stiffness_n_per_m,
-                                     load.normal,
-                                     load.depth_m};
+  if (!touches && !lost) return;
+  Touch* const entry = out.count < kMaxTouches ? view.scratch.touch + out.count++
+                                               : least_touch(view, out, touches, load.force_n);
+  if (entry == nullptr) return;
+  *entry = {body,
+            rod,
+            next,
+            load.at_m,
+            load.force_n,
+            (static_cast<float>(rod) + load.place) * needle.rod_m,
+            load.stiffness_n_per_m,
+            load.normal,
+            load.depth_m};
 }
 
 // All pieces and bodies, into the list of scratch.
@@ -277,7 +296,9 @@ struct RodPlace {
 };
 RodPlace rod_place(const Needle& needle, float arc_from_tip_m) {
   const float at = arc_from_tip_m / needle.rod_m;
-  const auto rod = static_cast<std::uint32_t>(clamp(at, 0, static_cast<float>(needle.rods) - 0.5F));
+  // Also for what is not a number, which a broken state may bring.
+  const float within = max_of(0, min_of(at, static_cast<float>(needle.rods) - 0.5F));
+  const auto rod = static_cast<std::uint32_t>(within);
   const Vec3* end = needle.node + (needle.rods - rod);
   return {end[0], end[-1] - end[0], at - static_cast<float>(rod)};
 }

@@ -179,6 +179,31 @@ TEST(Edges, TooFarAwayIsClampedOnEachAxis) {
   }
 }
 
+// However long a tick is and however short the needle: the fastest hand that goes straight in is in
+// contact with the tick that takes its tip through the surface.
+TEST(Edges, TheFastestHandIsFeltAtEveryPeriod) {
+  const auto organ = block_organ(3, 3, 14);
+  for (const float period_s : {kMinPeriodS, 1e-3F, 3.7e-3F, kMaxPeriodS}) {
+    for (const float length_m : {0.01F, 0.15F}) {
+      Config config;
+      config.period_s = period_s;
+      config.needle[0].length_m = length_m;
+      Session session = make_session(organ->organ, config);
+      Vec3 base = block_script(organ->organ, config).entry_m;
+      const float surface_m = base.z;
+      base.x += 0.6e-3F;
+      base.z += length_m + 1e-3F;
+      Output out = tick(session.kernel, {{base, {1, 0, 0, 0}}, 1});
+      for (int i = 0; i < 60 && out.tip_m.z > surface_m; ++i) {
+        base.z -= 0.999F * kMaxHandleSpeedMPerS * period_s;
+        out = tick(session.kernel, {{base, {1, 0, 0, 0}}, 1});
+      }
+      EXPECT_LT(out.tip_m.z, surface_m);
+      EXPECT_NE(out.phase, Phase::kFree) << period_s << " s, " << length_m << " m";
+    }
+  }
+}
+
 // A needle with particles and a contact; answers into less room are as many as fit.
 TEST(Edges, AnswersIntoTooLittleRoom) {
   const auto organ = block_organ(5, 5, 6);
@@ -240,6 +265,50 @@ TEST(Edges, MoreContactsThanRoom) {
   EXPECT_LE(stats(session.kernel).obstacle_pool_full, full_ticks * kMaxTouches);
 }
 
+// Of all rods of a needle that leans on a wall, those that press most are kept, wherever they are
+// in the order they are looked at; depths as obstacle_gap sees them.
+TEST(Edges, TheContactsThatPressLeastAreLeftOut) {
+  const auto organ = block_organ(2, 2, 2);
+  Config config = config_of(Setup::kElastic);
+  config.breathing = {};
+  config.needle[0].rods = 2 * kMaxTouches;
+  config.needle[0].bending_nm2 = 10;          // it leans, and does not bend away
+  for (const float lean : {0.01F, -0.01F}) {  // tip first, handle first
+    Session session = make_session(organ->organ, config);
+    ObstacleConfig wall;
+    make_box(wall, {20e-3F, 0.05F, 0.3F});
+    wall.pose.position_m = {0.32F, 0, 0.1F};
+    wall.stiffness_n_per_m = 10;
+    wall.largest_force_n = 1;
+    ASSERT_EQ(set_obstacles(session.kernel, {&wall, 1}), Status::kOk);
+    const Quat turn = {std::sqrt(1 - lean * lean), 0, lean, 0};
+    Output out = {};
+    for (int i = 0; i < 560; ++i) {
+      const float x = 0.296F + 1e-5F * static_cast<float>(i);
+      out = tick(session.kernel, {{{x, 0, 0.2F}, turn}, 1});
+    }
+    ASSERT_NE(out.flags & kFlagObstaclePoolFull, 0U);
+    std::array<ObstacleTouch, kMaxTouches> kept;
+    ASSERT_EQ(obstacle_touches(session.kernel, kept), kMaxTouches) << "none that is lost has room";
+    std::vector<Vec3> node(config.needle[0].rods + 1);
+    ASSERT_EQ(needle_shape(session.kernel, 0, node), node.size());
+    Obstacle body;
+    ASSERT_EQ(obstacle_prepare(wall, body), Status::kOk);
+    std::vector<float> depth_m;
+    for (std::size_t i = 0; i + 1 < node.size(); ++i) {
+      const float radius_m = config.needle[0].outer_radius_m;
+      depth_m.push_back(-obstacle_gap(body, {node[i], node[i + 1], radius_m}).separation_m);
+    }
+    std::sort(depth_m.begin(), depth_m.end(), std::greater<>());
+    ASSERT_GT(depth_m[kMaxTouches], 0);
+    const float most_left_out_n = wall.stiffness_n_per_m * depth_m[kMaxTouches];
+    for (const ObstacleTouch& touch : kept) {
+      const Vec3 f = touch.force_on_needle_n;
+      EXPECT_GT(std::sqrt(f.x * f.x + f.y * f.y + f.z * f.z), 0.98F * most_left_out_n) << lean;
+    }
+  }
+}
+
 // A hole is entered again only along its own direction.
 TEST(Edges, AnotherDirectionIsAnotherTrack) {
   const auto organ = block_organ(6, 6, 6);
@@ -289,6 +358,17 @@ TEST(Edges, APieceThatIsNotFiniteTouchesNothing) {
     (part == 0 ? bad.a_m.y : part == 1 ? bad.b_m.z : bad.radius_m) = kNan;
     EXPECT_EQ(obstacle_load(obstacle, bad, {}, next).depth_m, 0) << part;
   }
+}
+
+// Of all needles, but of no others.
+TEST(Edges, TheLongestUnitIsToldInVoxels) {
+  const auto organ = block_organ(3, 3, 3);  // voxels of 5 mm
+  Config config;
+  config.needle[0].unit_m = 2e-3F;
+  config.needle[1].unit_m = 8e-3F;
+  EXPECT_FLOAT_EQ(stats(make_session(organ->organ, config).kernel).unit_in_voxels, 0.4F);
+  config.needle_count = 2;
+  EXPECT_FLOAT_EQ(stats(make_session(organ->organ, config).kernel).unit_in_voxels, 1.6F);
 }
 
 // Fewer inputs or outputs than needles.

@@ -116,18 +116,34 @@ Config long_needles(std::uint32_t count) {
   return config;
 }
 
-// The shaft CPs that have room, with weights that add up to 1; those without any have none at all.
+// The shaft CPs that have room, with weights that add up to 1; those without any have none at all,
+// and push nothing: nothing is pushed by them. (A force without weights was felt by the needle
+// alone.)
 int complete_particles(const View& view) {
   int complete = 0;
   for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
     const Particle& p = view.state.shaft[i];
     float sum = 0;
-    for (std::uint32_t j = 0; j < p.share_count; ++j) sum += p.share[j].weight;
-    if (sum == 0) continue;
+    for (std::uint32_t j = 0; j < p.share_count; ++j) {
+      EXPECT_GT(p.share[j].weight, 0) << "particle " << i;
+      sum += p.share[j].weight;
+    }
+    if (p.share_count == 0) {
+      EXPECT_EQ(norm_of(p.force_n), 0) << "particle " << i;
+      continue;
+    }
     EXPECT_NEAR(sum, 1, 1e-5F) << "particle " << i;
     ++complete;
   }
   return complete;
+}
+
+int whole_particles(const View& view) {
+  int whole = 0;
+  for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
+    whole += view.state.shaft[i].share_count == kSharesPerParticle ? 1 : 0;
+  }
+  return whole;
 }
 
 TEST(Pools, FullVoxelPoolGivesTheWeightToTheOthers) {
@@ -142,6 +158,9 @@ TEST(Pools, FullVoxelPoolGivesTheWeightToTheOthers) {
   EXPECT_GT(flagged, 0U);
   EXPECT_GE(s.cp_voxel_pool_full, flagged);
   EXPECT_GT(complete_particles(rig.view()), 40);
+  // The tip has room of its own, and goes on.
+  EXPECT_EQ(rig.view().state.tip->share_count, kSharesPerParticle);
+  EXPECT_GT(rig.view().state.tip->track_m, 0.195F);
 }
 
 // The first needle's CPs are served first: it takes the room of the second's deep ones, and then
@@ -162,11 +181,25 @@ TEST(Pools, FullVoxelPoolServesTheFirstNeedleWhereTheSecondWas) {
     }
   }
   EXPECT_GT(flagged, 0U);
-  const int first = complete_particles(rig.view());
-  const int second = complete_particles(needle_view(rig.view(), 1));
+  const int first = whole_particles(rig.view()), all = complete_particles(rig.view());
+  const int second = whole_particles(needle_view(rig.view(), 1));
   EXPECT_GT(first, 90);
-  EXPECT_GT(second, 30);
-  EXPECT_LT(second, first);
+  EXPECT_LE(all - first, 1) << "but for the entry, at the edge of the tissue";
+  EXPECT_LT(second, first - 20) << "the second has half of its voxels with the first";
+  (void)complete_particles(needle_view(rig.view(), 1));
+  // The first goes: what the second had lost it holds again, all of it.
+  for (int i = 0; i < 1300; ++i) {
+    tip_m[0].x -= 0.2e-3F;
+    const std::array<Input, 2> in = {along_x(tip_m[0], rig.length_m),
+                                     along_x(tip_m[1], rig.length_m)};
+    checked_tick(rig, in, out);
+    (void)complete_particles(rig.view());
+    (void)complete_particles(needle_view(rig.view(), 1));
+  }
+  EXPECT_EQ(out[0].phase, Phase::kFree);
+  const View held = needle_view(rig.view(), 1);
+  EXPECT_GE(whole_particles(held), 60) << "of " << held.state.needle->shaft_count;
+  EXPECT_GT(whole_particles(held), second);
 }
 
 TEST(Pools, SeventeenthTrackForgetsTheFirst) {

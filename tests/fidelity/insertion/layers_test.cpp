@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "rig.h"
@@ -198,6 +199,36 @@ TEST(Layers, WhatLiesBehindAGapHoldsTheNeedle) {
     EXPECT_NEAR(-static_cast<double>(out.cause.friction_n.x), expected, 0.05 * expected);
     from_x_m = 10e-3F;
     drive(rig, {65e-3F, kStart.y, kStart.z}, from_x_m, 20e-3F);
+  }
+}
+
+// A needle that has come out at the far face and is drawn back through it, fast and slow: the
+// tissue it drags along lets it go and is met again from tick to tick. The log tells of no layer
+// twice within half a millimetre, keeps what happened before, and ends with the layer the tip is
+// in.
+TEST(Layers, ATipDrawnBackThroughTheFarFaceTellsOfItOnce) {
+  std::mt19937 random(3);
+  for (int time = 0; time < 6; ++time) {
+    const auto draw = [&](float low, float high) {
+      return std::uniform_real_distribution<float>(low, high)(random);
+    };
+    TinyOrgan tiny = back();
+    tiny.fixed_faces = kLowX | kLowY | kLowZ;
+    Rig rig = make_rig(tiny, Config{});
+    const Vec3 at = {kStart.x, kStart.y + draw(-4e-3F, 4e-3F), kStart.z + draw(-4e-3F, 4e-3F)};
+    const float speed = draw(0.02F, 0.3F), far_m = 75e-3F + draw(5e-3F, 15e-3F);
+    drive(rig, at, far_m, 0.05F);
+    Output out = drive(rig, {far_m, at.y, at.z}, 60e-3F, speed);
+    out = hold(rig, {60e-3F, at.y, at.z}, 300);
+    const std::vector<Event> told = of_kind(rig.kernel(), EventKind::kLayer);
+    ASSERT_GT(told.size(), 2U);
+    for (std::size_t i = 2; i < told.size(); ++i) {
+      const bool back_again = told[i].layer == told[i - 2].layer;
+      const float since = std::fabs(told[i].depth_m - told[i - 1].depth_m);
+      EXPECT_FALSE(back_again && since < 0.5e-3F) << time << ": " << i << " at " << speed;
+    }
+    EXPECT_EQ(told.back().layer, out.layer) << time << " at " << speed;
+    EXPECT_EQ(of_kind(rig.kernel(), EventKind::kPuncture).size(), 2U);
   }
 }
 
