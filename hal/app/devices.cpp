@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <future>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <thread>
@@ -18,6 +19,7 @@
 #include "fault_desk.h"
 #include "opening.h"
 #include "stop_signal.h"
+#include "stylet/hal/contained.h"
 #include "stylet/hal/device_probe.h"
 #include "stylet/hal/device_search.h"
 #include "stylet/hal/host.h"
@@ -206,7 +208,7 @@ int probe(const ProbeOptions& options) {
 }
 
 int station(const StationOptions& options) {
-  std::atomic<bool> stop{false}, done{false};
+  std::atomic<bool> stop{false};
   const StopOnSignal stop_on_signal(stop);  // before the device is open
   fmt::print(stderr, "stylet: waiting for {}\n", options.uri);
   const Opened opened(options.uri, hal::open_lasting_device);
@@ -222,16 +224,15 @@ int station(const StationOptions& options) {
   hal::HostState host;
   hal::prepare_process(host);
   fmt::print(stderr, "stylet: {} is a station of {}; Ctrl-C ends it\n", options.uri, options.to);
-  std::thread loop([&] {
+  std::future<void> loop = std::async(std::launch::async, [&] {
     hal::prepare_thread(-1, 80, host.report);
     serve(options, config, opened.device, link, stop, mailbox[0], state);
-    done.store(true);
   });
-  while (!done.load()) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    desk.look();
-  }
-  loop.join();
+  const auto goes_on = [&] {
+    return loop.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready;
+  };
+  while (goes_on()) (void)hal::contained("station", [&] { desk.look(); });
+  loop.get();  // and throws what the loop threw
   link.close(link.self);
   fmt::print("{} samples sent, {} forces taken, {} refused, {} ticks without one\n", state.sent.seq,
              state.models, state.refused, state.starved);

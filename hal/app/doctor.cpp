@@ -12,6 +12,7 @@
 
 #include "commands.h"
 #include "doctor_text.h"
+#include "stylet/hal/contained.h"
 #include "stylet/hal/replay.h"
 #include "terminal.h"
 
@@ -104,14 +105,15 @@ void measure_all(const DoctorOptions& options, DoctorReport& report) {
   config.cycles = static_cast<std::uint64_t>(std::ceil(options.measure_s * 1e3 / share));
   const std::uint64_t all = config.cycles * report.measurements.size();
   std::atomic<std::uint64_t> cycles{0};
-  std::atomic<bool> done{false};
   const std::atomic<bool> stop{false};
-  std::thread watch([&] {
-    while (!done.load()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(200));
-      show_progress(cycles.load(), all);
-    }
-    if (terminal_rewrites_lines()) rewrite_line("");
+  const std::jthread watch([&](const std::stop_token& done) {
+    (void)hal::contained("doctor", [&] {
+      while (!done.stop_requested()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        show_progress(cycles.load(), all);
+      }
+      if (terminal_rewrites_lines()) rewrite_line("");
+    });
   });
   for (Measurement& each : report.measurements) {
     config.load_others = &each == &report.measurements.back();
@@ -121,8 +123,6 @@ void measure_all(const DoctorOptions& options, DoctorReport& report) {
       report.findings.push_back(judged(each, "tick", each.measured.body, kTickBudgetNs));
     }
   }
-  done.store(true);
-  watch.join();
 }
 
 // This machine, which can be asked and watched, not only looked at.

@@ -353,7 +353,9 @@ int main(int argc, char** argv) {
     }
     return stylet::app::leave(code);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "stylet: {}\n", error.what());
-    return stylet::app::leave(stylet::app::kExitRefused);
+    (void)std::fprintf(stderr, "stylet: %s\n", error.what());
+  } catch (...) {
+    (void)std::fputs("stylet: something was thrown that is no error\n", stderr);
   }
+  return stylet::app::leave(stylet::app::kExitRefused);
 }

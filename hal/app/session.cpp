@@ -13,6 +13,7 @@
 
 #include "opening.h"
 #include "organ_recipe.h"
+#include "stylet/hal/contained.h"
 #include "stylet/hal/devices.h"
 #include "stylet/hal/helpers.h"
 #include "stylet/hal/input_file.h"
@@ -314,6 +315,7 @@ std::unique_ptr<hal::Helpers> start_helpers(Session& s, Attempt& a) {
 
 // The thread of the loop, from its rights to the last tick.
 void servo(Session& s, Attempt& a) try {
+  hal::name_thread("stylet-loop");
   if (!s.options.fast) {
     hal::prepare_thread(s.processors[0], s.scene.rt_priority, s.host.report);
   }

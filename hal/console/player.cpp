@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "limits.h"
+#include "stylet/hal/contained.h"
 
 namespace stylet::console {
 namespace {
@@ -124,15 +125,20 @@ bool Player::next_wish(std::uint64_t& goal_out, std::uint64_t& wish_out) {
 }
 
 void Player::work() {
+  hal::name_thread("stylet-player");
   std::uint64_t on_display = 0, goal = 0, wish = 0;
   looked_ = Clock::now();
   while (next_wish(goal, wish)) {
-    if (goal == on_display) {
-      scout();
-    } else if (bring_to(goal, wish)) {
-      show(goal);
-      on_display = goal;
-    }
+    // A recording may be cut short while it is played.
+    const bool done = hal::contained("playback", [&] {
+      if (goal == on_display) {
+        scout();
+      } else if (bring_to(goal, wish)) {
+        show(goal);
+        on_display = goal;
+      }
+    });
+    if (!done) std::this_thread::sleep_for(kFramePause);
   }
 }
 
@@ -149,8 +155,8 @@ const hal::TickRecord& Player::record(std::uint64_t tick, std::uint32_t needle) 
   return block_[needle][tick - 1 - first];
 }
 
-void Player::step(Kernel& kernel, std::uint64_t& tick) {
-  ++tick;
+void Player::step(Kernel& kernel, std::uint64_t& at_tick) {
+  const std::uint64_t tick = at_tick + 1;
   std::array<Input, kMaxNeedles> inputs;
   std::array<Output, kMaxNeedles> outputs;
   for (std::uint32_t i = 0; i < block_.size(); ++i) inputs[i] = record(tick, i).input;
@@ -162,6 +168,7 @@ void Player::step(Kernel& kernel, std::uint64_t& tick) {
                       same_bits(outputs[i].tip_m, recorded.tip_m);
     if (!same && differs_at() == 0) differs_at_.store(tick, std::memory_order_relaxed);
   }
+  at_tick = tick;
 }
 
 bool Player::bring_to(std::uint64_t goal, std::uint64_t wish) {

@@ -66,7 +66,7 @@ class Player {
   bool bring_to(std::uint64_t goal, std::uint64_t wish);
   void show(std::uint64_t tick);
   void scout();
-  void step(Kernel& kernel, std::uint64_t& tick);
+  void step(Kernel& kernel, std::uint64_t& at_tick);
   const hal::TickRecord& record(std::uint64_t tick, std::uint32_t needle);
 
   const hal::RecordingReader& recording_;

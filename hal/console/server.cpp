@@ -21,6 +21,7 @@
 
 #include "assets.h"
 #include "limits.h"
+#include "stylet/hal/contained.h"
 
 namespace stylet::console {
 namespace {
@@ -334,8 +335,11 @@ Server::Impl::Impl(ServerConfig config_in, ServerEvents events_in)
   accept();
   wait_for_frame();
   thread = std::thread([this] {
+    hal::name_thread("stylet-console");
     stand_back(config.spared_processors);
-    io.run();
+    // What fails is one page's connection, not the others'.
+    while (!hal::contained("console", [this] { io.run(); })) {
+    }
   });
 }
 

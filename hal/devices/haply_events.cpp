@@ -11,6 +11,8 @@
 #include <thread>
 #include <utility>
 
+#include "stylet/hal/contained.h"
+
 namespace stylet::hal {
 
 using boost::asio::ip::tcp;
@@ -18,6 +20,8 @@ using nlohmann::json;
 namespace websocket = boost::beast::websocket;
 
 namespace {
+
+constexpr int kMostTries = 8;  // more than has been started
 
 std::string text(const json& object, const char* key) {
   const auto found = object.find(key);
@@ -68,18 +72,27 @@ struct HaplyEvents::Reader {
         if (!refused) read_next();
       });
     });
-    while (!stop && !io.stopped()) io.run_for(std::chrono::milliseconds(20));
+    if (!contained("haply", [this] {
+          while (!stop && !io.stopped()) io.run_for(std::chrono::milliseconds(20));
+        })) {
+      connected = false;
+    }
     boost::beast::error_code ignored;
     socket.next_layer().close(ignored);
     io.restart();
-    io.run();  // whatever had been started ends while what it points to is still there
+    // Whatever had been started ends while what it points to is still there.
+    for (int i = 0; i < kMostTries && !contained("haply", [this] { io.run(); }); ++i) {
+    }
   }
 };
 
 HaplyEvents::HaplyEvents(const tcp::endpoint& endpoint, std::function<void(const HaplyEvent&)> tell)
     : reader_(std::make_unique<Reader>()) {
   reader_->tell = std::move(tell);
-  reader_->thread = std::thread([at = reader_.get(), endpoint] { at->run(endpoint); });
+  reader_->thread = std::thread([at = reader_.get(), endpoint] {
+    name_thread("stylet-haply");
+    (void)contained("haply", [&] { at->run(endpoint); });
+  });
 }
 
 HaplyEvents::~HaplyEvents() {

@@ -18,6 +18,7 @@
 #include "device_thread.h"
 #include "patience.h"
 #include "stylet/hal/clock.h"
+#include "stylet/hal/contained.h"
 #include "stylet/hal/device_model.h"
 #include "stylet/hal/devices.h"
 #include "stylet/hal/relay.h"
@@ -398,7 +399,10 @@ void start(Hd& all, HdDevice& device, int style) {
   forget_errors(api);
   device.calibration_style =
       static_cast<Enum>((style & kStyleInkwell) != 0 ? kStyleInkwell : kStyleAuto);
-  device.supervisor = std::thread([&device] { supervise(device); });
+  device.supervisor = std::thread([&device] {
+    name_thread("stylet-hd");
+    (void)contained("hd", [&device] { supervise(device); });
+  });
   device.callback = api.schedule(servo, &device, kMaxPriority);
   resume(all);
   if (const ErrorInfo error = api.get_error(); error.code != 0 && error.code != kInvalidInputType) {

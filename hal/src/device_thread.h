@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "stylet/hal/clock.h"
+#include "stylet/hal/contained.h"
 #include "stylet/hal/devices.h"
 
 namespace stylet::hal {
@@ -24,12 +25,16 @@ inline void rise_above_the_loop() {
   if (error != 0) g_priority_refused.store(error);
 }
 
+// A turn that failed may have left out the waiting in it; above the loop it must not spin.
+constexpr std::int64_t kPauseAfterEscapeNs = 1'000'000;
+
 class DeviceThread {
  public:
   // `work` is called once a period, 0: again and again, with the thread's own waiting in it.
   template <typename Work>
   void start(std::int64_t period_ns, Work work) {
     thread_ = std::thread([this, period_ns, work] {
+      name_thread("stylet-device");
       rise_above_the_loop();
       run(period_ns, work);
       ended_.store(true);
@@ -57,8 +62,12 @@ class DeviceThread {
     const Clock clock = monotonic_clock();
     std::int64_t next_ns = clock.now_ns(clock.self);
     while (!stopping()) {
-      work();
-      if (period_ns == 0) continue;
+      // What fails once may not the next time, and then there is a force to be taken back.
+      const bool done = contained("device", work);
+      if (period_ns == 0) {
+        if (!done) clock.sleep_until_ns(clock.self, clock.now_ns(clock.self) + kPauseAfterEscapeNs);
+        continue;
+      }
       const std::int64_t now_ns = clock.now_ns(clock.self);
       next_ns += period_ns;
       if (next_ns < now_ns) next_ns = now_ns;

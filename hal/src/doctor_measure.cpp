@@ -9,11 +9,13 @@
 #include <cerrno>
 #include <cstring>
 #include <ctime>
+#include <future>
 #include <memory>
 #include <thread>
 #include <vector>
 
 #include "stylet/hal/clock.h"
+#include "stylet/hal/contained.h"
 
 namespace stylet::hal {
 namespace {
@@ -57,7 +59,7 @@ class Load {
     sched_getaffinity(0, sizeof allowed, &allowed);
     for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
       if (cpu == spared_cpu || !CPU_ISSET(cpu, &allowed)) continue;
-      threads_.emplace_back([this, cpu] { work(cpu); });
+      threads_.emplace_back([this, cpu] { (void)contained("load", [this, cpu] { work(cpu); }); });
     }
   }
   ~Load() {
@@ -100,7 +102,8 @@ Attempts attempt_rights(const HostState& host, int cpu, int priority, int& cpu_o
   if (clock_getres(CLOCK_MONOTONIC, &resolution) == 0) {
     attempts.clock_resolution_ns = resolution.tv_sec * 1'000'000'000 + resolution.tv_nsec;
   }
-  std::thread([&] {
+  // A future, so that what it throws is thrown here.
+  std::async(std::launch::async, [&] {
     HostReport refused;
     prepare_thread(cpu, priority, refused);
     cpu_out = sched_getcpu();
@@ -108,7 +111,7 @@ Attempts attempt_rights(const HostState& host, int cpu, int priority, int& cpu_o
     parameters.sched_priority = priority;
     const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
     attempts.fifo = attempt(error == 0, error);
-  }).join();
+  }).get();
   return attempts;
 }
 
@@ -117,7 +120,7 @@ void measure(const MeasureConfig& config, const Body& body, std::atomic<std::uin
   measured_out = {};
   const std::unique_ptr<Load> load =
       config.load_others ? std::make_unique<Load>(config.cpu) : nullptr;
-  std::thread([&] {
+  std::async(std::launch::async, [&] {
     prepare_thread(config.cpu, config.priority, measured_out.host);
     const ThreadUse before = thread_use();
     cycle(config, body, progress, stop, measured_out);
@@ -126,7 +129,7 @@ void measure(const MeasureConfig& config, const Body& body, std::atomic<std::uin
                         after.major_faults - before.major_faults,
                         after.voluntary_switches - before.voluntary_switches,
                         after.involuntary_switches - before.involuntary_switches};
-  }).join();
+  }).get();
 }
 
 }  // namespace stylet::hal

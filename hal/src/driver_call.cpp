@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stylet/hal/driver_call.h"
 
+#include "stylet/hal/contained.h"
+
 namespace stylet::hal {
 namespace {
 
@@ -23,7 +25,7 @@ std::vector<std::size_t> close_devices(std::span<const Device> devices,
   for (const Device& device : devices) {
     done.push_back(std::make_shared<std::atomic<bool>>(false));
     threads.emplace_back([device, mine = done.back()] {
-      device.close(device.self);
+      (void)contained("closing a device", [&device] { device.close(device.self); });
       mine->store(true);
     });
   }

@@ -8,6 +8,8 @@
 #include <new>
 #include <stdexcept>
 
+#include "stylet/hal/contained.h"
+
 namespace stylet::hal {
 namespace {
 
@@ -47,8 +49,14 @@ Helpers::Helpers(Kernel& kernel, const HelperConfig& config, const LoopState& lo
         fmt::format("{} helper threads: {}", config.count, status_name(status)));
   }
   std::vector<HostReport> reports(config.count);
-  for (std::uint32_t i = 0; i < config.count; ++i) {
-    threads_.emplace_back([this, &config, i, &own = reports[i]] { work(config, i, own); });
+  threads_.reserve(config.count);
+  try {
+    for (std::uint32_t i = 0; i < config.count; ++i) {
+      threads_.emplace_back([this, &config, i, &own = reports[i]] { work(config, i, own); });
+    }
+  } catch (...) {
+    end();
+    throw;
   }
   ready_.wait();  // `config` and `reports` are the caller's and this function's no longer than that
   for (std::uint32_t i = 0; i < config.count; ++i) {
@@ -59,6 +67,10 @@ Helpers::Helpers(Kernel& kernel, const HelperConfig& config, const LoopState& lo
 }
 
 Helpers::~Helpers() {
+  end();
+}
+
+void Helpers::end() {
   stop_.store(true);
   for (std::thread& thread : threads_) thread.join();
   (void)set_team(kernel_, 0, {});
@@ -66,9 +78,13 @@ Helpers::~Helpers() {
 
 void Helpers::work(const HelperConfig& config, std::uint32_t index, HostReport& report) {
   const bool real_time = config.real_time;
-  if (real_time) prepare_thread(config.cpus[index], config.priority, report);
+  name_thread("stylet-helper");
+  const bool prepared = !real_time || contained("helper thread", [&] {
+    prepare_thread(config.cpus[index], config.priority, report);
+  });
   ready_.count_down();
-  while (!stop_.load(std::memory_order_relaxed)) {
+  // Without its rights it would hold up the loop.
+  while (prepared && !stop_.load(std::memory_order_relaxed)) {
     if (real_time && sleep_until_tick(loop_.next_ns.load(std::memory_order_relaxed))) continue;
     if (help(kernel_, kLooks)) {
       parts_.fetch_add(1, std::memory_order_relaxed);

@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "igtl_messages.h"
+#include "stylet/hal/contained.h"
 
 namespace stylet::hal {
 namespace {
@@ -126,10 +127,13 @@ struct IgtlServer::Server {
 
   void work() {
     (void)setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kLowestPriority);
+    name_thread("stylet-igtl");
     while (!stop.load()) {
       std::this_thread::sleep_for(kIgtlPause);
-      take_up();
-      serve();
+      (void)contained("OpenIGTLink", [this] {
+        take_up();
+        serve();
+      });
     }
   }
 

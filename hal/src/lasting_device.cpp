@@ -11,6 +11,7 @@
 #include <mutex>
 #include <thread>
 
+#include "stylet/hal/contained.h"
 #include "stylet/hal/devices.h"
 
 namespace stylet::hal {
@@ -126,30 +127,38 @@ std::string open_again(Lasting& lasting) try {
   lasting.opened.fetch_add(1);
   lasting.lent.store(lasting.device.get());
   return "";
-} catch (const DeviceError& error) {
+} catch (const std::exception& error) {
   return error.what();
 }
 
+// What is wrong with it; afterwards it may be open again. Sets the pause until the next look.
+std::string look_after(Lasting& lasting, Seconds& wait, Seconds& pause) {
+  std::string trouble;
+  if (lasting.device != nullptr) {
+    trouble = trouble_of(*lasting.device);
+    wait = kLookEvery;
+    if (!trouble.empty()) {
+      retire(lasting);
+      wait = pause = Seconds(lasting.reopening.first_try_s);
+    }
+  } else {
+    trouble = open_again(lasting);
+    pause = std::min(2 * pause, Seconds(lasting.reopening.longest_try_s));
+    wait = trouble.empty() ? kLookEvery : pause;
+  }
+  return trouble;
+}
+
 void keep(Lasting& lasting) {
+  name_thread("stylet-keeper");
   Seconds wait = kLookEvery, pause(lasting.reopening.first_try_s);
   std::unique_lock lock(lasting.mutex);
   while (!lasting.wake.wait_for(lock, wait, [&] { return lasting.stop; })) {
     lock.unlock();
-    std::string trouble;
-    if (lasting.device != nullptr) {
-      trouble = trouble_of(*lasting.device);
-      wait = kLookEvery;
-      if (!trouble.empty()) {
-        retire(lasting);
-        wait = pause = Seconds(lasting.reopening.first_try_s);
-      }
-    } else {
-      trouble = open_again(lasting);
-      pause = std::min(2 * pause, Seconds(lasting.reopening.longest_try_s));
-      wait = trouble.empty() ? kLookEvery : pause;
-    }
+    std::string trouble = "out of memory";  // short enough to need none
+    (void)contained("device", [&] { trouble = look_after(lasting, wait, pause); });
     lock.lock();
-    lasting.trouble = trouble;
+    lasting.trouble.swap(trouble);
   }
 }
 

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "stylet/hal/contained.h"
+
 namespace stylet::hal {
 namespace {
 
@@ -36,14 +38,40 @@ void Recorder::stop(std::span<const Fault> faults) {
 }
 
 void Recorder::work() {
+  name_thread("stylet-recorder");
   for (;;) {
     const bool last = stop_.load(std::memory_order_acquire);
-    if (drain() == 0) {
-      if (last && flight_ != nullptr) flight_->finish(last_faults_);
-      if (last) return;
-      std::this_thread::sleep_for(kPause);
+    std::size_t taken = 0;
+    if (lame_) {
+      taken = throw_away();
+    } else if (!contained("recorder", [&] { taken = drain(); })) {
+      go_lame();
     }
+    if (taken > 0) continue;
+    if (!last) {
+      std::this_thread::sleep_for(kPause);
+      continue;
+    }
+    if (flight_ != nullptr && !contained("recorder", [&] { flight_->finish(last_faults_); })) {
+      go_lame();
+    }
+    return;
   }
+}
+
+// Nothing more is kept, as of memory: the loop must not wait for it.
+void Recorder::go_lame() {
+  lame_ = true;
+  if (error_.empty()) error_ = "no more memory";  // short enough to need none
+}
+
+std::size_t Recorder::throw_away() {
+  std::size_t taken = 0;
+  TickRecord record;
+  while (taken < kBlock && record_ring_.pop(record)) ++taken;
+  Event event;
+  while (event_ring_.pop(event)) ++taken;
+  return taken;
 }
 
 std::size_t Recorder::drain() {

@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <set>
 #include <thread>
 #include <vector>
@@ -30,7 +31,7 @@ struct Factory {
   std::mutex mutex;
   std::vector<std::unique_ptr<Fake>> made;
   std::vector<std::chrono::steady_clock::time_point> tries;
-  std::atomic<bool> refuses{false};
+  std::atomic<bool> refuses{false}, starves{false};
   float max_force_n = 3;
   const char* identity = "";
 
@@ -38,6 +39,7 @@ struct Factory {
     const std::lock_guard lock(mutex);
     tries.push_back(std::chrono::steady_clock::now());
     if (refuses) throw DeviceError("fake: not there");
+    if (starves) throw std::bad_alloc();
     made.push_back(std::make_unique<Fake>());
     made.back()->max_force_n = max_force_n;
     Fake* fake = made.back().get();
@@ -155,6 +157,20 @@ TEST(LastingDevice, WaitsLongerEachTimeAndSaysWhy) {
   };
   constexpr double kLeastMs[] = {0, 20, 40, 80, 80, 80};
   for (std::size_t i = 1; i < 6; ++i) EXPECT_GE(pause_ms(i), kLeastMs[i]) << i;
+}
+
+TEST(LastingDevice, WhateverOpeningThrowsIsATroubleAndTriedAgain) {
+  Factory factory;
+  const Device device = factory.lasting();
+  factory.starves = true;
+  factory.newest().failed = true;
+  std::uint64_t seq = 0;
+  ASSERT_TRUE(ticks_until(
+      device, [&] { return trouble_of(device) == std::bad_alloc().what(); }, seq));
+  factory.starves = false;
+  ASSERT_TRUE(ticks_until(
+      device, [&] { return factory.count() == 2 && trouble_of(device).empty(); }, seq));
+  device.close(device.self);
 }
 
 TEST(LastingDevice, WhatRendersLessIsNotTakenAndNamed) {

@@ -43,6 +43,7 @@ class Helpers {
 
  private:
   void work(const HelperConfig& config, std::uint32_t index, HostReport& report);
+  void end();
 
   struct Aligned {
     void operator()(std::byte* block) const;

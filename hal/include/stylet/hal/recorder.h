@@ -3,7 +3,7 @@
 //
 // It always keeps the curve that phases are read from (24 bytes a tick, at most kMaxTrackPoints),
 // feeds the flight recorder and the score, and writes the full records where a recording is asked
-// for. If writing fails the run goes on; the reason is in `error`.
+// for. If writing fails, or memory, the run goes on; the reason is in `error`.
 #pragma once
 
 #include <atomic>
@@ -66,6 +66,8 @@ class Recorder {
  private:
   void work();
   std::size_t drain();
+  void go_lame();
+  std::size_t throw_away();
 
   Ring<TickRecord>& record_ring_;
   Ring<Event>& event_ring_;
@@ -78,6 +80,7 @@ class Recorder {
   std::vector<std::vector<TrackPoint>> tracks_;
   std::vector<Event> events_, fresh_;
   bool forgot_ = false;
+  bool lame_ = false;  // something was thrown: nothing more is kept
   std::string error_;
   std::atomic<std::uint64_t> ticks_{0};
   std::vector<Fault> last_faults_;  // set before stop_

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// What no thread lets out, and a recorder without memory.
+#include "stylet/hal/contained.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "stylet/hal/recorder.h"
+
+namespace stylet::hal {
+namespace {
+
+TEST(Contained, LetsNothingOut) {
+  EXPECT_TRUE(contained("test", [] {}));
+  EXPECT_FALSE(contained("test", [] { throw std::bad_alloc(); }));
+  EXPECT_FALSE(contained("test", [] { throw std::runtime_error("an error"); }));
+  testing::internal::CaptureStderr();
+  EXPECT_FALSE(contained("test", [] { throw 28; }));
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "stylet: test: something was thrown that is no error\n");
+  testing::internal::CaptureStderr();
+  for (int i = 0; i < 100; ++i) (void)contained("test", [] { throw 28; });
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_LE(std::count(told.begin(), told.end(), '\n'), kMostEscapesTold);
+}
+
+// A loop in virtual time waits for room in the ring: it must not wait for good.
+TEST(Recorder, GoesOnTakingWhenSomethingIsThrown) {
+  Ring<TickRecord> records(8);
+  Ring<Event> events(8);
+  const Course course = {{}, {1, 0, 0}};
+  int told = 0;
+  Recorder recorder(records, events, nullptr, std::span(&course, 1), nullptr, nullptr,
+                    [&told](std::span<const TickRecord>, std::span<const Event>) {
+                      ++told;
+                      throw std::bad_alloc();
+                    });
+  for (int i = 0; i < 1000;) {
+    if (records.push({})) {
+      ++i;
+    } else {
+      std::this_thread::yield();
+    }
+  }
+  recorder.stop();
+  EXPECT_EQ(told, 1);
+  EXPECT_EQ(recorder.error(), "no more memory");
+}
+
+}  // namespace
+}  // namespace stylet::hal
