@@ -54,6 +54,7 @@ class PeerBench : public Bench {
     ino_t mine = 0;
     while (!stop_) {
       if (link.self != nullptr && memory() != mine) {  // that run is over, or another has begun
+        exchange(link);                                // its last word stays to be read
         link.close(link.self);
         link = {};
       }
