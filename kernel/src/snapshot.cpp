@@ -59,7 +59,8 @@ struct Limits {
   bool number(Vec3d v) const { return number(v.x) && number(v.y) && number(v.z); }
   bool number(Quat q) const { return number(q.w) && number(Vec3{q.x, q.y, q.z}); }
   bool no_less(float v, float least) const { return number(v) && (faulted || v >= least); }
-  bool part(float v) const { return faulted || (v >= 0 && v <= 1 + kRounding); }
+  // Sums that should end at 0 or 1 end beside it: relaxation's share of a spring at -2e-7.
+  bool part(float v) const { return faulted || (v >= -kRounding && v <= 1 + kRounding); }
   bool part(double v) const { return faulted || (v >= 0 && v <= 1); }
   bool one(double v) const { return faulted || (v >= 1 - kLength && v <= 1 + kLength); }
   bool material(std::uint32_t v) const { return v < head().material_count; }

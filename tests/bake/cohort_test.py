@@ -3,7 +3,8 @@
 """offline/cohort over phantoms and real label maps: the same bytes however many at once, through
 kills, on one machine and under a real Slurm; bad patients are listed and stop no other.
 
-usage: cohort_test.py OneMachine|Table|UnderSlurm   (STYLET_BIN, STYLET_SOURCE; STYLET_DATA overrides)
+usage: cohort_test.py OneMachine|Table|UnderSlurm
+STYLET_BIN and STYLET_SOURCE in the environment; STYLET_DATA wins over the data beside it.
 """
 import base64
 import codecs
@@ -149,7 +150,8 @@ class OneMachine(Case):
 
     def test_a_wrong_table_is_one_line(self):
         for text, said in (("patient,file\na,b\n", "patients.csv:1: file: expected the columns"),
-                           ("patient,patient,input\n", "patients.csv:1: patient, patient: expected"),
+                           ("patient,patient,input\n",
+                            "patients.csv:1: patient, patient: expected"),
                            ("", "patients.csv:1: patient, input: expected the columns"),
                            ('patient,input\n"a,b\n', "expected a table as CSV")):
             folder = self.folder / "wrong"
@@ -212,7 +214,8 @@ class Table(unittest.TestCase):
                 columns = ["patient", "input"] + draw.sample(["recipe", "options", "memory_mb"],
                                                              draw.randint(0, 3))
                 draw.shuffle(columns)
-                rows = [{"patient": f"p{i}", "input": draw.choice(["a b.off:gel:1", "m\u00e4p.nii"]),
+                rows = [{"patient": f"p{i}",
+                         "input": draw.choice(["a b.off:gel:1", "m\u00e4p.nii"]),
                          "recipe": draw.choice(["", "r; x,y.toml"]),
                          "options": draw.choice(["", "--fix 'x>5, 6'", "--name \"a; b\""]),
                          "memory_mb": draw.choice(["", "700"])} for i in range(5)]

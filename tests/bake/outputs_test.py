@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Outputs of stylet-organ never destroy: every output against every input under names drawn at
 random, devices, folders, full disks, failures half way, permissions, sums of older files.
@@ -36,7 +36,8 @@ class Case(unittest.TestCase):
         self.write("map.nrrd", MAP % b"")
         self.write("map.nhdr", HEADER + b"data file: map.raw\n")
         self.write("map.raw", 32 * b"\5" + 32 * b"\7")
-        self.write("r.toml", b"[tissues]\nliver = [5]\n[obstacles]\nrib = [7]\n[targets]\naim = [5]\n")
+        self.write("r.toml", b"[tissues]\nliver = [5]\n[obstacles]\nrib = [7]\n"
+                             b"[targets]\naim = [5]\n")
         self.write("own.toml", b"[liver]\nyoungs_modulus_kpa = 12.5\nsource = \"lab\"\n")
         self.write("box.csv", b"measure,organ,voxels,median_us,ns_per_voxel_substep\n"
                               b"tick_elastic,a,1000,70,35\ntick_elastic,b,20000,830,20.75\n")

@@ -16,7 +16,7 @@ import target  # noqa: E402
 import virtual_time  # noqa: E402
 
 REPOSITORY, TESTS_BUILD, _ = target.arguments()
-HEADER_BYTES = 32  # of a snapshot
+HEADER_BYTES = 48  # of a snapshot, the last eight of them the sum of its state
 WRONG_TICK = 333
 
 
@@ -25,11 +25,23 @@ def here(*words):
     return target.call([program, "elastic", *words]).splitlines()
 
 
+def sum_of(text):
+    """The checksum of a state (kernel/src/snapshot.cpp), as the 16 digits a snapshot has there."""
+    total = 0xcbf29ce484222325
+    for at in range(0, len(text), 16):
+        word = int(text[at + 8:at + 16] + text[at:at + 8], 16)  # the lower half comes first
+        total = (total ^ word) * 0x100000001b3 % 2**64
+        total ^= total >> 29
+    return f"{total % 2**32:08x}{total >> 32:08x}"
+
+
 def one_bit_wrong(lines):
-    """The snapshot with the lowest bit of the state's first number, the tick, turned over."""
+    """The snapshot with the lowest bit of the state's first number, the tick, turned over, as
+    whoever computes otherwise would write it: with the sum of what it has."""
     text = "".join(lines)
-    at = 2 * HEADER_BYTES + 7
-    return [text[:at] + format(int(text[at], 16) ^ 1, "x") + text[at + 1:]]
+    header, state = text[:2 * HEADER_BYTES - 16], text[2 * HEADER_BYTES:]
+    state = state[:7] + format(int(state[7], 16) ^ 1, "x") + state[8:]
+    return [header + sum_of(state) + state]
 
 
 class Difference(unittest.TestCase):
@@ -42,6 +54,11 @@ class Difference(unittest.TestCase):
                     else line for line in lines]
         said = replay_test.first_difference(here, there, "sample", "elastic", TESTS_BUILD)
         self.assertIn(f"after tick {WRONG_TICK}, in head[0]\n", said)
+
+    def test_knows_the_sum_of_a_state(self):
+        text = "".join(here("state", WRONG_TICK))
+        self.assertEqual(sum_of(text[2 * HEADER_BYTES:]),
+                         text[2 * HEADER_BYTES - 16:2 * HEADER_BYTES])
 
     def test_other_events_are_a_difference(self):
         said = replay_test.first_difference(here, lambda *words: here(*words)[:-1], "sample",

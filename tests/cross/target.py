@@ -26,9 +26,21 @@ def call(command):
     return done.stdout
 
 
+def runner_of(target, program):
+    """What runs the program; 32-bit x86 needs an emulator where the system runs none itself."""
+    runner = TARGETS[target][1]
+    if target != "i686":
+        return runner
+    try:
+        subprocess.run([program], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+    except OSError:
+        return ["qemu-i386"]
+    return runner
+
+
 def skip_without(target):
     compiler, runner = TARGETS[target]
-    for program in (compiler, *runner[:1]):
+    for program in (compiler, *runner[:1], *(["qemu-i386"] if target == "i686" else [])):
         if shutil.which(program) is None:
             print(f"skipped: no {program} here; toolchain/setup.sh installs it")
             sys.exit(SKIPPED)
@@ -47,7 +59,7 @@ def build(repository, tests_build, target):
 
 def run(target, program, *words, options=()):
     """The lines `replay` prints there."""
-    runner = TARGETS[target][1]
+    runner = runner_of(target, program)
     if runner is not BOARD:
         return call([*runner, program, *words]).splitlines()
     semihosting = ",".join(["enable=on,target=native,chardev=out,arg=replay",

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <limits>
+#include <ostream>
 
 #include "device_bench.h"
 #include "peer_hand.h"
@@ -22,6 +23,9 @@ enum class Kind { kHd, kDhd, kHaply, kUdp, kShm, kStation };
 const char* name_of(Kind kind) {
   constexpr const char* kNames[] = {"hd", "dhd", "haply", "udp", "shm", "station"};
   return kNames[static_cast<int>(kind)];
+}
+void PrintTo(Kind kind, std::ostream* out) {
+  *out << name_of(kind);
 }
 
 constexpr double kZeroMs = 25;    // from any fault to no force, as hal/GUARD.md promises
