@@ -400,6 +400,7 @@ void run_build_labels(const BuildArguments& a) {
   if (a.inputs.size() != 1) refuse("--recipe: {} inputs: expected one label map", a.inputs.size());
   const std::string& path = a.inputs.front();
   BuildOptions options = common_options(a, 1e-3);
+  (void)read_file(a.recipe);  // one that is not there is told before a map is read for a minute
   const LabelMap map = read_label_map(path);
   const Recipe recipe = read_recipe(a.recipe, {path, map.names});
   for (const LabelGroup& group : recipe.groups) {
