@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hull.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
 #include <CGAL/squared_distance_3.h>
 
 #include <nlohmann/json.hpp>
+#include <queue>
 
+#include "cgal_surface.h"
 #include "refusal.h"
 
 namespace stylet::bake {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Kernel = CgalKernel;
 using Point = Kernel::Point_3;
-using Surface = CGAL::Surface_mesh<Point>;
+using Surface = CgalSurface;
 
 // Thinner than this share of its length, a mesh is flat, and a hull of it no body.
 constexpr double kFlat = 1e-6;
@@ -77,29 +77,35 @@ std::array<std::size_t, 4> corners_of(const std::string& name, const std::vector
   return {a, b, c, d};
 }
 
-// The vertices left out, with their distance from the body: kept from earlier rounds as a bound,
-// because the body only grows.
+// The vertices left out, the farthest from the body first, the lower of two as far. The distances
+// are bounds, kept from earlier rounds, because the body only grows.
 struct Left {
-  std::vector<double> distance;
-  std::vector<std::size_t> round;
+  double distance;
+  std::size_t vertex, round;
+  bool operator<(const Left& other) const {
+    return distance != other.distance ? distance < other.distance : vertex > other.vertex;
+  }
 };
 
-// The vertex farthest from the body, whose distance is measured in this round.
-std::size_t farthest(const std::vector<Vec>& points, const Surface& body, std::size_t round,
-                     Left& left) {
-  const std::vector<Kernel::Triangle_3> triangles = triangles_of(body);
-  for (;;) {
-    const auto top = std::max_element(left.distance.begin(), left.distance.end());
-    const auto i = static_cast<std::size_t>(top - left.distance.begin());
-    if (left.round[i] == round) return i;
-    const Point p(points[i].x, points[i].y, points[i].z);
-    double square = std::numeric_limits<double>::infinity();
-    for (const Kernel::Triangle_3& t : triangles) {
-      square = std::min(square, CGAL::squared_distance(p, t));
-    }
-    left.distance[i] = std::sqrt(square);
-    left.round[i] = round;
+double distance_to(const std::vector<Kernel::Triangle_3>& triangles, Vec p) {
+  const Point point(p.x, p.y, p.z);
+  double square = std::numeric_limits<double>::infinity();
+  for (const Kernel::Triangle_3& t : triangles) {
+    square = std::min(square, CGAL::squared_distance(point, t));
   }
+  return std::sqrt(square);
+}
+
+// The vertex farthest from the body, whose distance is measured in this round.
+Left farthest(const std::vector<Vec>& points, const Surface& body, std::size_t round,
+              std::priority_queue<Left>& left) {
+  const std::vector<Kernel::Triangle_3> triangles = triangles_of(body);
+  while (left.top().round != round) {
+    const std::size_t vertex = left.top().vertex;
+    left.pop();
+    left.push({distance_to(triangles, points[vertex]), vertex, round});
+  }
+  return left.top();
 }
 
 std::vector<Vec> sorted_vertices(const Surface& surface) {
@@ -127,16 +133,18 @@ Hull simple_hull(const std::string& name, const std::vector<Vec>& points_m,
   const std::vector<Vec> all = sorted_vertices(hull_of(points_m));
   Hull hull;
   hull.hull_vertices = all.size();
-  Left left = {std::vector<double>(all.size(), std::numeric_limits<double>::infinity()),
-               std::vector<std::size_t>(all.size(), 0)};
+  std::priority_queue<Left> left;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    left.push({std::numeric_limits<double>::infinity(), i, 0});
+  }
   for (const std::size_t corner : corners_of(name, all)) hull.vertices_m.push_back(all[corner]);
   for (std::size_t round = 1;; ++round) {
     const Surface body = hull_of(hull.vertices_m);
-    const std::size_t next = farthest(all, body, round, left);
-    hull.deviation_m = left.distance[next];
+    const Left next = farthest(all, body, round, left);
+    hull.deviation_m = next.distance;
     hull.volume_m3 = std::fabs(volume_of(body, hull.vertices_m[0]));
     if (!(hull.deviation_m > 0) || hull.vertices_m.size() >= most_vertices) return hull;
-    hull.vertices_m.push_back(all[next]);
+    hull.vertices_m.push_back(all[next.vertex]);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "hull.h"
 
 #include <cstdlib>
+#include <ctime>
 #include <random>
 
 #include "bake_support.h"
@@ -76,6 +77,31 @@ TEST(Hull, OfRealBonesIsWithinTwoMillimetres) {
     EXPECT_LT(hull.deviation_m, 2e-3);
     EXPECT_LE(sampled_deviation(points, hull.vertices_m), hull.deviation_m + 1e-12);
   }
+}
+
+// Seconds of this thread's own time, the least of three.
+double seconds_for_ball(std::size_t count) {
+  std::mt19937_64 engine(count);
+  std::normal_distribution<double> draw;
+  std::vector<Vec> points;
+  while (points.size() < count) {
+    const Vec p = {draw(engine), draw(engine), draw(engine)};
+    points.push_back(p * (0.1 / bake::length(p)));
+  }
+  double least = 1e9;
+  for (int round = 0; round < 3; ++round) {
+    const std::clock_t start = std::clock();
+    EXPECT_EQ(bake::simple_hull("ball", points, 32).hull_vertices, count);
+    least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  return least;
+}
+
+// Every point is a vertex of the hull: the most there is to choose from.
+TEST(Hull, TakesAsMuchLongerAsThereAreMorePoints) {
+  const double few = seconds_for_ball(8000), many = seconds_for_ball(32000);
+  std::printf("8000 points: %.3f s; 32 000: %.3f s\n", few, many);
+  EXPECT_LT(many, 7 * few);  // a square: 16 times
 }
 
 TEST(Hull, RefusesWhatHasNoInside) {

@@ -81,6 +81,8 @@ void expect_few_bytes(const Organ& organ) {
   const std::size_t lattice = organ.runs.size_bytes() + organ.voxel_material.size_bytes() +
                               organ.voxel_fill.size_bytes() + organ.voxel_fixed.size_bytes();
   EXPECT_LE(lattice, std::size_t{12} * organ.voxel_count);
+  // At most a plane of 24 bytes for each.
+  EXPECT_LE(lattice + organ.mixed.size_bytes(), std::size_t{36} * organ.voxel_count);
   EXPECT_LE(sizeof(OrganVertex), 16U);
 }
 
