@@ -12,6 +12,7 @@
 #include "sample_cell.h"
 #include "sheets.h"
 #include "stylet/limits.h"
+#include "sweep.h"
 #include "wrap.h"
 
 namespace stylet::bake {
@@ -243,30 +244,42 @@ Claims claim_voxels(const Grid& grid, const std::vector<Input>& inputs,
   return claims;
 }
 
-// A grid beyond the format's limits has eight times what is allowed: try twice the edge.
-double voxels_in(const Box& box, double edge_m, std::uint32_t most,
-                 const std::function<std::size_t(const Grid&)>& voxels_at) {
+// What a tick sweeps at an edge, or what leads to one that will do: an edge too fine for the format
+// counts as eight times what is allowed, and one refused for another reason, which a finer one may
+// not be, as an eighth.
+struct TriedEdge {
+  double swept = 0;
+  std::optional<Refusal> refusal;
+};
+
+TriedEdge try_edge(double edge_m, double most, const SweptAtEdge& swept_at) {
   try {
-    return static_cast<double>(voxels_at(make_grid(box, edge_m)));
-  } catch (const Refusal&) {
-    return 8.0 * most;
+    return {std::max(1.0, swept_at(edge_m)), {}};
+  } catch (const TooFine&) {
+    return {8 * most, {}};
+  } catch (const Refusal& refusal) {
+    return {most / 8, refusal};
   }
 }
 
-// The finest edge, in steps of 0.05 mm, whose voxels are no more than `most`; the next step was
-// tried. The number of voxels grows about as the inverse cube of the edge.
-double finest_edge(const Box& box, std::uint32_t most,
-                   const std::function<std::size_t(const Grid&)>& voxels_at) {
+// The finest edge, in steps of 0.05 mm, at which a tick sweeps no more than `most`; the next step
+// was tried. What is swept grows about as the inverse cube of the edge.
+double finest_edge(const Box& box, double most, const SweptAtEdge& swept_at) {
   constexpr double kStepM = 5e-5;
   constexpr double kLeastSteps = 2, kMostSteps = 2000;
+  constexpr int kMostRefusals = 3;                      // running, each at half the edge
   double good = kMostSteps + 1, bad = kLeastSteps - 1;  // in steps; what lies beyond is not allowed
   double next = std::ceil(longest_side(box) / std::cbrt(most) / kStepM);
-  while (good - bad > 1) {
+  TriedEdge coarse;  // what was said of `good`
+  for (int refusals = 0; good - bad > 1 && refusals < kMostRefusals;) {
     next = std::clamp(next, bad + 1, good - 1);
-    const double voxels = voxels_in(box, next * kStepM, most, voxels_at);
-    (voxels <= most ? good : bad) = next;
-    next = std::round(next * std::cbrt(voxels / most));
+    const TriedEdge tried = try_edge(next * kStepM, most, swept_at);
+    refusals = tried.refusal ? refusals + 1 : 0;
+    (tried.swept <= most ? good : bad) = next;
+    if (tried.swept <= most) coarse = tried;
+    next = std::round(next * std::cbrt(tried.swept / most));
   }
+  if (coarse.refusal) throw Refusal(*coarse.refusal);
   if (good > kMostSteps) refuse("--fit: no voxel edge up to 100 mm needs {} voxels or less", most);
   return good * kStepM;
 }
@@ -310,9 +323,8 @@ void warn_of_size(const Box& box, std::vector<std::string>& warnings) {
   }
 }
 
-double choose_edge(const Box& box, const BuildOptions& options,
-                   const std::function<std::size_t(const Grid&)>& voxels_at) {
-  if (options.most_voxels > 0) return finest_edge(box, options.most_voxels, voxels_at);
+double choose_edge(const Box& box, const BuildOptions& options, const SweptAtEdge& swept_at) {
+  if (options.most_voxels > 0) return finest_edge(box, options.most_voxels, swept_at);
   if (options.voxels_across == 0) return options.voxel_edge_m;
   const double edge_m = longest_side(box) / options.voxels_across;
   if (!allowed_voxel_edge(edge_m)) {
@@ -338,11 +350,20 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
   }
   Box box;
   std::vector<Solid> solids = make_solids(inputs, box, progress);
-  const double edge_m = choose_edge(box, options, [&](const Grid& grid) {
+  const double edge_m = choose_edge(box, options, [&](double each_m) {
     BuildReport unused;
-    Claimed coarse = {
-        claim_voxels(grid, inputs, solids, unused, progress), {}, {}, box, join(solids), {}, {}};
-    return voxel_count(std::move(coarse), options);
+    std::vector<Solid> tried = solids;
+    Box tried_box = box;
+    if (options.wrap) wrap(tried, each_m, tried_box, progress);
+    const Grid grid = make_grid(tried_box, each_m);
+    return swept_voxels({claim_voxels(grid, inputs, tried, unused, progress),
+                         mesh_samples(),
+                         {},
+                         tried_box,
+                         join(tried),
+                         {},
+                         {}},
+                        options, progress);
   });
   if (options.wrap) wrap(solids, edge_m, box, progress);
   warn_of_size(box, built.report.warnings);
@@ -368,13 +389,10 @@ void cut_away(Claimed& claimed, const BuildOptions& options) {
   claimed.mesh = crop_surface(std::move(claimed.mesh), grid, claimed.cut);
 }
 
-std::size_t voxel_count(Claimed claimed, const BuildOptions& options) {
-  cut_away(claimed, options);
-  return make_lattice(claimed.claims, claimed.mesh.points, claimed.cut).cell_of_voxel.size();
-}
+namespace {
 
-std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
-                                const Progress& progress) {
+// Gaps filled, voxels numbered, and split where that is asked for.
+Lattice lattice_of(Claimed& claimed, const BuildOptions& options, const Progress& progress) {
   if (!options.gap_tissue.empty()) {
     progress("filling gaps", 0);
     const auto owner = static_cast<std::uint16_t>(claimed.tissues.size());
@@ -383,16 +401,27 @@ std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
     }
   }
   progress("embedding surface", 0);
-  OrganParts parts;
-  parts.name = options.name;
-  parts.lattice = make_lattice(claimed.claims, claimed.mesh.points, claimed.cut);
-  if (parts.lattice.cell_of_voxel.empty()) {
+  Lattice lattice = make_lattice(claimed.claims, claimed.mesh.points, claimed.cut);
+  if (lattice.cell_of_voxel.empty()) {
     refuse("--crop: no voxel lies in all of these regions: expected at least one");
   }
-  if (options.split) {
-    progress("splitting at gaps", 0);
-    parts.lattice = split_parts(claimed.claims, claimed.places, std::move(parts.lattice));
-  }
+  if (!options.split) return lattice;
+  progress("splitting at gaps", 0);
+  return split_parts(claimed.claims, claimed.places, std::move(lattice));
+}
+
+}  // namespace
+
+double swept_voxels(Claimed claimed, const BuildOptions& options, const Progress& progress) {
+  cut_away(claimed, options);
+  return swept_voxels(lattice_of(claimed, options, progress));
+}
+
+std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
+                                const Progress& progress) {
+  OrganParts parts;
+  parts.name = options.name;
+  parts.lattice = lattice_of(claimed, options, progress);
   MaterialList materials{options.own_tissues, {}};
   const TissueNumbers numbers =
       number_tissues(claimed.tissues, options, parts.lattice.grid.edge_m, materials);

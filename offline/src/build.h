@@ -36,7 +36,7 @@ struct BuildOptions {
   std::string name;
   double voxel_edge_m = 5e-3;
   std::uint32_t voxels_across = 0;  // along the longest side; replaces voxel_edge_m unless 0
-  std::uint32_t most_voxels = 0;    // unless 0: the finest edge that needs no more than these
+  std::uint32_t most_voxels = 0;    // unless 0: the finest edge that sweeps no more (sweep.h)
   std::string capsule;              // tissue of the voxels at the outer surface; empty: none
   std::string capsule_of;           // only where the input has this tissue; empty: everywhere
   std::vector<std::string> wall;    // tissues that the capsule has outside of it, as if bare
@@ -107,9 +107,9 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
 
 // ---- for other sources than meshes --------------------------------------------------------------
 
-// `voxels_at` counts the voxels of a grid, for where their number is what is given.
-double choose_edge(const Box& box, const BuildOptions& options,
-                   const std::function<std::size_t(const Grid&)>& voxels_at);
+// What a tick sweeps at an edge (sweep.h), for where that is what is given.
+using SweptAtEdge = std::function<double(double edge_m)>;
+double choose_edge(const Box& box, const BuildOptions& options, const SweptAtEdge& swept_at);
 void warn_of_size(const Box& box, std::vector<std::string>& warnings);
 
 // Volume of each owner's samples in the voxels that it owns.
@@ -125,9 +125,10 @@ struct Claimed {
   std::vector<std::uint8_t> cut;  // cells cut away, see crop.h
   std::vector<SourceRecord> sources;
 };
-// Only a part of it, where that is asked for; and of how many voxels that is.
+// Only a part of it, where that is asked for; and what a tick of the organ sweeps, with gaps filled
+// and parts split as options say.
 void cut_away(Claimed& claimed, const BuildOptions& options);
-std::size_t voxel_count(Claimed claimed, const BuildOptions& options);
+double swept_voxels(Claimed claimed, const BuildOptions& options, const Progress& progress);
 std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
                                 const Progress& progress);
 

@@ -177,18 +177,18 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   for (const Vec& point : claimed.mesh.points) grow(claimed.box, point);
   warn_of_size(claimed.box, built.report.warnings);
   built.report.labels = label_reports(map, groups, recipe);
-  const double edge_m = choose_edge(claimed.box, options, [&](const Grid& grid) {
+  claimed.places = map_samples();
+  const double edge_m = choose_edge(claimed.box, options, [&](double each_m) {
     std::vector<LabelReport> unused = built.report.labels;
-    Claimed coarse = claimed;
-    coarse.claims = claim_labels(grid, map, groups, unused, progress);
-    return voxel_count(std::move(coarse), options);
+    Claimed tried = claimed;
+    tried.claims = claim_labels(make_grid(claimed.box, each_m), map, groups, unused, progress);
+    return swept_voxels(std::move(tried), options, progress);
   });
   const Grid grid = make_grid(claimed.box, edge_m);
   warn_of_absent(recipe, built.report);
   warn_of_missing(recipe.obstacles, built.obstacles, built.report);
   warn_of_missing(recipe.targets, built.targets, built.report);
   claimed.claims = claim_labels(grid, map, groups, built.report.labels, progress);
-  claimed.places = map_samples();
   if (options.measured) {
     measure_shares(claimed.claims, map, groups, built.report);
     if (!options.split) built.report.closed_gaps = closed_gaps(claimed.claims, claimed.places);

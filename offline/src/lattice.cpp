@@ -261,8 +261,9 @@ Lattice make_lattice(Claims& claims, const std::vector<Vec>& points_m,
     lattice.fill.push_back(fill_of(claims.inside[cell]));
   }
   if (lattice.cell_of_voxel.size() > kMaxVoxels) {
-    refuse("voxel edge {:.6g} mm: {} voxels: expected at most {}: choose a larger voxel edge",
-           grid.edge_m * 1e3, lattice.cell_of_voxel.size(), kMaxVoxels);
+    refuse<TooFine>(
+        "voxel edge {:.6g} mm: {} voxels: expected at most {}: choose a larger voxel edge",
+        grid.edge_m * 1e3, lattice.cell_of_voxel.size(), kMaxVoxels);
   }
   return lattice;
 }

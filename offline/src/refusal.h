@@ -16,13 +16,18 @@ struct Refusal : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// A coarser voxel edge would do: what looks for an edge goes on.
+struct TooFine : Refusal {
+  using Refusal::Refusal;
+};
+
 // What is quoted from a file may hold line ends and other control characters: they become '?'.
-template <typename... Args>
+template <typename Kind = Refusal, typename... Args>
 [[noreturn]] void refuse(fmt::format_string<Args...> format, Args&&... args) {
   std::string text = fmt::format(format, std::forward<Args>(args)...);
   const auto control = [](unsigned char c) { return c < ' '; };
   std::replace_if(text.begin(), text.end(), control, '?');
-  throw Refusal(text);
+  throw Kind(text);
 }
 
 }  // namespace stylet::bake

@@ -430,7 +430,7 @@ class Splitter {
     const std::uint64_t rows = std::uint64_t{lattice_.grid.size[1]} + 1;
     if (sheets > kMaxSheets || rows * sheets > 65535 ||
         rows * sheets * lattice_.grid.size[2] > kMaxRows) {
-      refuse(
+      refuse<TooFine>(
           "--split-gaps: {} sheets of {} x {} rows: expected {} sheets and {} rows at most: choose "
           "another voxel edge",
           sheets, rows, lattice_.grid.size[2], kMaxSheets, kMaxRows);
@@ -455,8 +455,8 @@ class Splitter {
     std::sort(order.begin(), order.end(),
               [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
     if (order.size() > kMaxVoxels) {
-      refuse("--split-gaps: {} voxels: expected at most {}: choose a larger voxel edge",
-             order.size(), kMaxVoxels);
+      refuse<TooFine>("--split-gaps: {} voxels: expected at most {}: choose a larger voxel edge",
+                      order.size(), kMaxVoxels);
     }
     std::vector<std::uint32_t> parts_in_cell;
     for (std::size_t voxel = 0; voxel + 1 < first_.size(); ++voxel) {

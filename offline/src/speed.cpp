@@ -12,6 +12,7 @@
 #include "info.h"
 #include "refusal.h"
 #include "stylet/kernel.h"
+#include "sweep.h"
 
 namespace stylet::bake {
 namespace {
@@ -103,7 +104,7 @@ CostPoint time_block(const std::array<int, 3>& voxels) {
   const std::vector<std::byte> bytes = gel_block(voxels);
   const Organ organ = open_organ("block", bytes);
   const Config config;
-  return {1.0 * organ.voxel_count * config.substeps,
+  return {swept_voxels(organ) * config.substeps,
           time_tick(organ, static_cast<double>(config.period_s), config.substeps).value()};
 }
 
@@ -226,9 +227,10 @@ double period_of(const std::string& rate) {
 nlohmann::ordered_json speed_facts(const Organ& organ, double period_s, std::uint32_t substeps,
                                    const Machine* machine) {
   Json rows = Json::array();
+  const double voxels = swept_voxels(organ);
   for (const std::uint32_t each : {1U, 2U, 4U, 8U, 16U}) {
     Json row = {{"substeps", each}, {"mass_factor", material_masses(organ, period_s, each)}};
-    if (machine != nullptr) row["tick_us"] = tick_us(*machine, organ.voxel_count, each);
+    if (machine != nullptr) row["tick_us"] = tick_us(*machine, voxels, each);
     rows.push_back(row);
   }
   Json facts = {{"period_us", period_s * 1e6}, {"substeps", substeps}, {"by_substeps", rows}};
@@ -237,7 +239,8 @@ nlohmann::ordered_json speed_facts(const Organ& organ, double period_s, std::uin
                         {"start_us", machine->start_us},
                         {"ns_per_voxel_substep", machine->us_per_voxel_substep * 1e3}};
     facts["share_of_period"] = kShareOfPeriod;
-    facts["tick_us"] = tick_us(*machine, organ.voxel_count, substeps);
+    facts["swept_voxels"] = voxels;
+    facts["tick_us"] = tick_us(*machine, voxels, substeps);
     const std::optional<double> timed =
         machine->is_here ? time_tick(organ, period_s, substeps) : std::nullopt;
     if (timed) facts["timed_us"] = *timed;

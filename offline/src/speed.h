@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How fine an organ may be for a tick to meet its period, and what the step then does to its mass.
 //
-// Cost of a tick: a line, start + slope x voxels x substeps, with the needle in the tissue. Fitted
-// to what stylet-bench wrote on a machine (tests/bench/results), or measured here on two blocks.
-// Mass: the kernel's own report of what its bound for a stable step adds to each material.
+// Cost of a tick: a line, start + slope x voxels x substeps, with the needle in the tissue, over
+// the voxels that the kernel sweeps (sweep.h). Fitted to what stylet-bench wrote on a machine
+// (tests/bench/results), or measured here on two blocks. Mass: the kernel's own report of what its
+// bound for a stable step adds to each material.
 #pragma once
 
 #include <filesystem>

@@ -209,7 +209,7 @@ void require_bounded_work(const Grid& grid, const Solid& solid) {
     visits += cells;
   }
   if (visits > kMostVisits) {
-    refuse(
+    refuse<TooFine>(
         "voxel edge {:.6g} mm: the triangles reach over {:.3g} cells in all: expected at most "
         "{:.3g}: choose a larger voxel edge",
         grid.edge_m * 1e3, visits, kMostVisits);
@@ -240,7 +240,7 @@ Grid make_grid(const Box& box_m, double edge_m) {
     const double size = std::max(1.0, std::ceil(extent[axis] - kTouch));
     cells *= size;
     if (!(size <= kMostPerAxis) || !(cells <= static_cast<double>(kMaxCells))) {
-      refuse(
+      refuse<TooFine>(
           "voxel edge {:.6g} mm: the organ of {:.6g} x {:.6g} x {:.6g} mm needs more than {} "
           "lattice cells: expected a larger voxel edge",
           edge_m * 1e3, (box_m.high.x - box_m.low.x) * 1e3, (box_m.high.y - box_m.low.y) * 1e3,

@@ -9,6 +9,7 @@
 #include "bake_support.h"
 #include "phantom.h"
 #include "refusal.h"
+#include "sweep.h"
 
 namespace stylet::test {
 namespace {
@@ -72,11 +73,11 @@ TEST(Fit, TakesTheFinestEdgeWithinTheVoxels) {
     bake::BuildOptions options;
     options.most_voxels = most;
     const bake::Built fitted = build_quietly({input_of(ball, 1)}, options);
-    EXPECT_LE(opened(fitted.bytes).voxel_count, most);
+    EXPECT_LE(bake::swept_voxels(opened(fitted.bytes)), most);
     options.most_voxels = 0;
     options.voxel_edge_m = static_cast<double>(opened(fitted.bytes).voxel_edge_m) - 5e-5;
     const bake::Built finer = build_quietly({input_of(ball, 1)}, options);
-    EXPECT_GT(opened(finer.bytes).voxel_count, most);
+    EXPECT_GT(bake::swept_voxels(opened(finer.bytes)), most);
   }
 }
 

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// --fit counts what a tick sweeps, on bodies drawn at random.
+#include "sweep.h"
+
+#include <gmock/gmock.h>
+
+#include "bake_support.h"
+#include "crop.h"
+#include "random_bodies.h"
+#include "refusal.h"
+#include "speed.h"
+
+namespace stylet::test {
+namespace {
+
+using bake::Mesh;
+
+// A plate with teeth at random: rows with holes along x.
+Mesh comb(Draw& draw) {
+  Mesh mesh = box_mesh({0, 0, 0}, {120, 60, 12});
+  for (double x = 1; x < 110; x += draw.between(14, 30)) {
+    mesh = both(mesh, box_mesh({x, 1, 18}, {x + draw.between(4, 8), 59, draw.between(40, 70)}));
+  }
+  return mesh;
+}
+
+TEST(Fit, SweepsNoMoreThanItMay) {
+  Draw draw(3);
+  const Mesh teeth = comb(draw);
+  for (const int kind : {0, 1, 2}) {
+    bake::BuildOptions options;
+    options.most_voxels = 6000;
+    options.split = kind == 1;
+    options.gap_tissue = kind == 2 ? "fat" : "";
+    options.gap_m = 0.025;
+    const auto bytes = build_quietly({input_of(teeth, 1e-3)}, options).bytes;
+    const double swept = bake::swept_voxels(opened(bytes));
+    EXPECT_LE(swept, 6000) << kind;
+    EXPECT_GT(swept, 4000) << kind;  // the next step of 0.05 mm sweeps more
+  }
+}
+
+TEST(Fit, SaysWhyItRefuses) {
+  bake::BuildOptions options;
+  options.most_voxels = 5000;
+  options.crop = bake::parse_crop({"x>500"});
+  try {
+    (void)build_quietly({input_of(box_mesh({0, 0, 0}, {40, 40, 40}), 1e-3)}, options);
+    ADD_FAILURE() << "accepted";
+  } catch (const bake::Refusal& refusal) {
+    EXPECT_THAT(refusal.what(), testing::HasSubstr("--crop: no voxel lies in all"));
+  }
+}
+
+// Timed by the thread's own clock on an organ with holes, against the line through full blocks:
+// twice as much before what is swept was counted.
+TEST(Fit, KnowsWhatAnOrganWithHolesCosts) {
+  const bake::Machine here = bake::measure_machine([](const char*, double) {});
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    Draw draw(seed);
+    bake::BuildOptions options;
+    options.voxel_edge_m = draw.between(2.2, 3) * 1e-3;
+    const auto bytes = build_quietly({input_of(comb(draw), 1e-3, "gel")}, options).bytes;
+    const Organ organ = opened(bytes);
+    const double said = bake::tick_us(here, bake::swept_voxels(organ), 2);
+    const auto timed = bake::time_tick(organ, 1e-3, 2);
+    ASSERT_TRUE(timed.has_value());
+    std::printf("%u voxels, %.0f swept: %.0f us said, %.0f timed\n", organ.voxel_count,
+                bake::swept_voxels(organ), said, *timed);
+    EXPECT_LT(std::max(*timed / said, said / *timed), 1.5);
+  }
+}
+
+}  // namespace
+}  // namespace stylet::test
