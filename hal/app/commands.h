@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace stylet::app {
@@ -117,5 +118,8 @@ struct StationOptions {
   std::int32_t dead_man_button = -1;
 };
 int station(const StationOptions& options);
+
+// Beside another process of this program: not for users.
+int beside(std::string_view role);
 
 }  // namespace stylet::app

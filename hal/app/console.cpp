@@ -13,12 +13,15 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <thread>
 
 #include "console/limits.h"
 #include "console/server.h"
 #include "serve.h"
 #include "session.h"
 #include "stop_signal.h"
+#include "stylet/hal/contained.h"
+#include "stylet/hal/follower.h"
 #include "stylet/hal/metrics.h"
 #include "stylet/hal/output_file.h"
 #include "stylet/hal/pointer.h"
@@ -150,6 +153,45 @@ class Meter {
   const hal::LoopState* loop_ = nullptr;  // of the running attempt
 };
 
+// What the recorder gets, for the page and the meter.
+class Onlooker {
+ public:
+  Onlooker(hal::RecorderProcess& recorder, std::vector<hal::Course> courses, Meter& meter,
+           console::Server& server)
+      : records_(recorder.records()),
+        events_(recorder.events()),
+        courses_(std::move(courses)),
+        meter_(meter),
+        server_(server),
+        thread_([this](const std::stop_token& done) {
+          hal::name_thread("stylet-rows");
+          for (bool last = false; !last;) {
+            last = done.stop_requested();
+            (void)hal::contained("console", [this] { look(); });
+            if (!last) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+          }
+        }) {}
+
+ private:
+  void look() {
+    for (hal::TickRecord each; records_.next(each);) {
+      if (each.needle >= courses_.size()) continue;  // the recorder may write there, too
+      meter_.add(std::span(&each, 1));
+      (void)server_.tell({false, console::row_of(each, courses_[each.needle]), {}});
+    }
+    for (Event each; events_.next(each);) {
+      (void)server_.tell({true, {}, console::happened(each)});
+    }
+  }
+
+  hal::Follower<hal::TickRecord> records_;
+  hal::Follower<Event> events_;
+  std::vector<hal::Course> courses_;
+  Meter& meter_;
+  console::Server& server_;
+  std::jthread thread_;
+};
+
 class Console {
  public:
   explicit Console(const RunOptions& options)
@@ -176,11 +218,13 @@ class Console {
   void go_on() try {
     hal::pointer_stay();
     if (const std::optional<console::Order> order = orders_.wait(); order) obey(*order);
+    if (session_ != nullptr) watch_processes(*session_, attempt_.get());
     if (running() && attempt_->done.load()) end_attempt(console::Activity::Ended);
   } catch (const std::exception& error) {
     fmt::print(stderr, "stylet: {}\n", error.what());
     trouble_ = true;
     meter_.end();
+    onlooker_.reset();
     attempt_.reset();
     server_->refuse(error.what());
     become(console::Activity::Ended);
@@ -297,18 +341,9 @@ class Console {
       attempt_->trainee = trainee;
       scored_.recording = std::filesystem::path(attempt_->recording).filename().string();
     }
-    const auto courses = courses_of(*session_);
-    prepare(
-        *session_, *attempt_, display_.get(),
-        [this, courses](std::span<const hal::TickRecord> records, std::span<const Event> events) {
-          meter_.add(records);
-          for (const hal::TickRecord& each : records) {
-            (void)server_->tell({false, console::row_of(each, courses[each.needle]), {}});
-          }
-          for (const Event& each : events) {
-            (void)server_->tell({true, {}, console::happened(each)});
-          }
-        });
+    prepare(*session_, *attempt_, display_.get());
+    onlooker_ =
+        std::make_unique<Onlooker>(*attempt_->recorder, courses_of(*session_), meter_, *server_);
     meter_.begin(session_->scene, attempt_->state);
     start(*session_, *attempt_);
     become(console::Activity::Running);
@@ -317,6 +352,7 @@ class Console {
   void end_attempt(console::Activity then) {
     if (!attempt_->done.load()) attempt_->state.stop.store(true);
     finish(*session_, *attempt_);
+    onlooker_.reset();  // it has seen all
     meter_.end();
     host_fit_ = attempt_->host_fit;
     if (tell_of_host(*session_, host_fit_)) report();
@@ -335,8 +371,9 @@ class Console {
     }
     fmt::print("\nattempt {}\n{}", scored_.attempt, human_text(report));
     std::fflush(stdout);
-    trouble_ = tell_of_trouble(*attempt_) || !record_error.empty() || trouble_;
-    scored_.score = attempt_->scorer->score();
+    trouble_ = tell_of_trouble(*session_, *attempt_) || !record_error.empty() || trouble_;
+    if (attempt_->kept) scored_.score = attempt_->kept->score;
+    if (!attempt_->kept) scored_.recording.clear();
     server_->show(scored_);
   }
 
@@ -404,8 +441,9 @@ class Console {
   std::shared_ptr<hal::Display> display_;
   std::unique_ptr<console::Server> server_;
   std::unique_ptr<Attempt> attempt_;
-  std::vector<hal::Mark> marks_;   // of the present attempt
-  console::ScoredAttempt scored_;  // the present attempt, or the last
+  std::unique_ptr<Onlooker> onlooker_;  // of the attempt
+  std::vector<hal::Mark> marks_;        // of the present attempt
+  console::ScoredAttempt scored_;       // the present attempt, or the last
   console::Activity activity_ = console::Activity::Ready;
   bool host_fit_ = true;
   bool trouble_ = false;

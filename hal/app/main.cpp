@@ -17,6 +17,7 @@
 #include "stylet/command_texts.h"
 #include "stylet/hal/driver_call.h"
 #include "stylet/hal/igtl.h"
+#include "stylet/hal/side_process.h"
 #include "stylet/limits.h"
 
 namespace stylet::app {
@@ -347,6 +348,9 @@ int leave(int code) {
 int main(int argc, char** argv) {
   try {
     if (argc > 1 && std::string_view(argv[1]) == "bench") stylet::app::bench(argv + 1);
+    if (argc == 3 && std::string_view(argv[1]) == stylet::hal::kBesideCommand) {
+      return stylet::app::beside(argv[2]);
+    }
     const int code = stylet::app::dispatch(argc, argv);
     if (std::fflush(stdout) != 0) {
       throw std::runtime_error(fmt::format("standard output: {}", std::strerror(errno)));

@@ -68,7 +68,8 @@ Lines counters(const RunReport& report) {
           {"force_damped", guard.force_damped},
           {"guard_faults", guard.faults},
           {"lost_records", report.loop->lost_records.load()},
-          {"lost_events", report.loop->lost_events.load()}};
+          {"lost_events", report.loop->lost_events.load()},
+          {"lost_processes", report.lost_processes}};
 }
 
 Json json_of(const hal::Histogram& histogram) {

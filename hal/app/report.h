@@ -31,8 +31,9 @@ struct RunReport {
   std::optional<ScoredAttempt> score;  // where the scene has targets
   const hal::LoopState* loop = nullptr;
   hal::ThreadUse thread = {};
-  std::uint32_t threads = 1;       // of the tissue step
-  std::uint64_t helped_parts = 0;  // of the step, done by helpers
+  std::uint32_t threads = 1;         // of the tissue step
+  std::uint64_t helped_parts = 0;    // of the step, done by helpers
+  std::uint32_t lost_processes = 0;  // beside the loop's
   hal::HostReport host;
   Sizes predicted = {}, used = {};
   Stats stats = {};

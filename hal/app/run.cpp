@@ -30,15 +30,16 @@ std::vector<std::string> hand_names(const Session& s) {
 }
 
 // In virtual time nobody could answer: the report tells of the faults.
-void show_progress(const Session& s, Attempt& a) {
+void show_progress(Session& s, Attempt& a) {
   const bool show = terminal_rewrites_lines() && !s.options.json;
   FaultDesk desk(a.state.mailbox, hand_names(s),
                  [&s](std::size_t i) { return hal::trouble_of(s.devices[i]); });
   while (!a.done.load()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(s.options.fast ? 20 : 100));
     if (!s.options.fast) desk.look();
+    watch_processes(s, &a);
     if (!show) continue;
-    const double ticks = static_cast<double>(a.recorder->ticks());
+    const double ticks = static_cast<double>(a.recorder->records().pushed() / s.stations.size());
     const double all = static_cast<double>(s.config.ticks);
     const double period_s = static_cast<double>(s.scene.config.period_s);
     rewrite_line(s.open_end ? fmt::format("{:6.2f} s, Ctrl-C ends it", ticks * period_s)
@@ -115,7 +116,7 @@ int run(const RunOptions& options) {
   if (!tell_of_host(s, a.host_fit)) return kExitHostUnfit;
   fmt::print("{}", options.json ? json_text(report) : human_text(report));
   if (!record_error.empty()) throw hal::RecordingError(record_error);
-  return tell_of_trouble(a) ? kExitTrouble : kExitOk;
+  return tell_of_trouble(s, a) ? kExitTrouble : kExitOk;
 }
 
 int replay_recording(const ReplayOptions& options) {

@@ -10,6 +10,7 @@
 #include <ctime>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 #include "opening.h"
 #include "organ_recipe.h"
@@ -17,6 +18,7 @@
 #include "stylet/hal/devices.h"
 #include "stylet/hal/helpers.h"
 #include "stylet/hal/input_file.h"
+#include "stylet/hal/recorder.h"
 
 namespace stylet::app {
 namespace {
@@ -164,7 +166,7 @@ hal::Device open_device(Session& s, std::uint32_t needle) {
 void open_igtl(Session& s) {
   const IgtlOptions& options = s.options.igtl;
   if (!options.on) return;
-  s.igtl = std::make_unique<hal::IgtlServer>(
+  s.igtl = std::make_unique<hal::IgtlProcess>(
       hal::IgtlConfig{options.listen, options.port, courses_of(s), s.scene.targets});
   fmt::print(stderr, "stylet: OpenIGTLink at {}:{}\n", options.listen, s.igtl->port());
 }
@@ -235,19 +237,6 @@ hal::RecordingInfo recording_info(const Session& s, const std::vector<hal::Cours
   return info;
 }
 
-hal::Recorder::Tap with_igtl(const Session& s, hal::Recorder::Tap tap) {
-  if (s.igtl == nullptr) return tap;
-  return [igtl = s.igtl.get(), next = std::move(tap)](std::span<const hal::TickRecord> records,
-                                                      std::span<const Event> events) {
-    igtl->post(records);
-    if (next) next(records, events);
-  };
-}
-
-}  // namespace
-
-namespace {
-
 // What threads of devices were refused shows once they run.
 void note_device_threads(Session& s) {
   const int error = hal::device_priority_refused();
@@ -283,7 +272,7 @@ void leave_guards(Session& s, const Attempt& a) {
 
 }  // namespace
 
-void prepare(Session& s, Attempt& a, hal::Display* display, hal::Recorder::Tap tap) {
+void prepare(Session& s, Attempt& a, hal::Display* display) {
   const std::vector<hal::Course> courses = courses_of(s);
   hal::RecordingInfo info = recording_info(s, courses);
   // On a virtual clock there is no date: the same run gives the same file.
@@ -295,13 +284,8 @@ void prepare(Session& s, Attempt& a, hal::Display* display, hal::Recorder::Tap t
     for (std::uint32_t i = 0; i < s.stations.size(); ++i) rewind_hand(s, i);
   }
   take_guards(s, a);
-  if (!a.recording.empty()) a.writer = std::make_unique<hal::RecordingWriter>(a.recording, info);
-  a.flight = std::make_unique<hal::FlightRecorder>(s.options.flight, info);
-  a.scorer = std::make_unique<hal::Scorer>(s.scene.targets, courses,
-                                           static_cast<double>(s.scene.config.period_s));
-  a.recorder =
-      std::make_unique<hal::Recorder>(a.records, a.events, a.writer.get(), courses, a.flight.get(),
-                                      a.scorer.get(), with_igtl(s, std::move(tap)));
+  a.recorder = std::make_unique<hal::RecorderProcess>(
+      hal::RecorderTask{std::move(info), a.recording, s.options.flight, s.scene.targets});
 }
 
 namespace {
@@ -329,7 +313,8 @@ void servo(Session& s, Attempt& a) try {
   hal::warm_up(s.instance->kernel, starts, kWarmUpTicks);
   hal::VirtualTime time;
   const hal::Clock clock = s.options.fast ? hal::virtual_clock(time) : hal::monotonic_clock();
-  const hal::Outlets outlets = {&a.records, &a.events, a.display, s.options.fast};
+  const hal::Outlets outlets = {&a.recorder->records(), &a.recorder->events(), a.display,
+                                s.options.fast, s.igtl == nullptr ? nullptr : &s.igtl->newest()};
   const hal::ThreadUse before = hal::thread_use();
   hal::run_loop(s.config, s.instance->kernel, s.devices, clock, outlets, a.state);
   const hal::ThreadUse after = hal::thread_use();
@@ -352,8 +337,35 @@ void start(Session& s, Attempt& a) {
   });
 }
 
+namespace {
+
+void tell_of_recorder(Session& s, Attempt& a) {
+  if (std::exchange(a.recorder_lost, true)) return;
+  a.state.unread.store(true);
+  ++s.lost_processes;
+  hal::SideProcess& process = a.recorder->process();
+  fmt::print(stderr, "stylet: the recorder ended: {}; the run goes on without it\n",
+             process.ended());
+  if (a.recording.empty()) return;
+  fmt::print(stderr, "stylet: {} ends at tick {} and stays as {}.{}.tmp\n", a.recording,
+             a.recorder->ticks_kept(), a.recording, process.pid());
+}
+
+}  // namespace
+
+void watch_processes(Session& s, Attempt* a) {
+  if (a != nullptr && a->recorder->hangs()) a->recorder->process().kill();
+  if (a != nullptr && !a->recorder->process().ended().empty()) tell_of_recorder(s, *a);
+  if (s.igtl == nullptr || s.igtl_lost || s.igtl->process().ended().empty()) return;
+  s.igtl_lost = true;
+  ++s.lost_processes;
+  fmt::print(stderr, "stylet: OpenIGTLink ended: {}; the run goes on without it\n",
+             s.igtl->process().ended());
+}
+
 void finish(Session& s, Attempt& a) {
   a.loop.join();
+  watch_processes(s, &a);
   leave_guards(s, a);
   for (std::size_t i = 0; i < s.devices.size(); ++i) {
     const hal::Device& device = s.devices[i];
@@ -364,7 +376,13 @@ void finish(Session& s, Attempt& a) {
   for (std::size_t i = 0; i < s.stations.size(); ++i) {
     faults.push_back(a.state.hand[i].guard.fault);
   }
-  a.recorder->stop(faults);
+  a.kept = a.recorder->stop(faults);
+  if (!a.kept) {
+    tell_of_recorder(s, a);
+    const std::uint64_t kept = a.recording.empty() ? 0 : a.recorder->ticks_kept();
+    const std::uint64_t ticks = std::max(a.state.ticks, kept) - kept;
+    a.state.lost_records.store(ticks * s.stations.size());
+  }
   note_device_threads(s);
   a.wall_s = static_cast<double>(hal::monotonic_now_ns() - a.start_ns) * 1e-9;
   if (a.failure) std::rethrow_exception(a.failure);
@@ -372,13 +390,9 @@ void finish(Session& s, Attempt& a) {
 
 std::string finish_recording(Attempt& a, std::uint64_t state_hash,
                              std::span<const hal::Mark> marks) {
-  if (a.writer == nullptr || !a.recorder->error().empty()) return a.recorder->error();
-  try {
-    a.writer->finish(state_hash, a.state.lost_records, marks);
-  } catch (const hal::RecordingError& error) {
-    return error.what();
-  }
-  return "";
+  if (!a.kept) return "";  // told of
+  if (a.recording.empty() || !a.kept->error.empty()) return a.kept->error;
+  return a.recorder->finish(state_hash, a.state.lost_records, marks);
 }
 
 RunReport report_of(const Session& s, const Attempt& a) {
@@ -387,7 +401,7 @@ RunReport report_of(const Session& s, const Attempt& a) {
   report.organ_file = s.organ->path;
   report.organ_name = s.organ->organ.name;
   report.mode = mode_name(s);
-  report.recording = a.recording;
+  if (a.kept) report.recording = a.recording;
   report.organ_hash = s.organ->organ.hash;
   report.voxel_edge_m = s.organ->organ.voxel_edge_m;
   report.state_hash = hash(s.instance->kernel);
@@ -397,8 +411,7 @@ RunReport report_of(const Session& s, const Attempt& a) {
   report.wall_s = a.wall_s;
   const Config& config = s.scene.config;
   for (std::uint32_t i = 0; i < config.needle_count; ++i) {
-    report.phases.push_back(
-        hal::find_phases(a.recorder->track(i), report.period_s, config.needle[i].unit_m));
+    report.phases.push_back(a.kept ? a.kept->phases[i] : std::vector<hal::PhaseRow>{});
     const bool simulated = s.scene.hands[i].device == "simulated";
     report.most_force_n.push_back(s.config.hand[i].guard.max_force_n);
     report.least_received_j.push_back(simulated ? s.stations[i].hand.least_received_j
@@ -406,14 +419,15 @@ RunReport report_of(const Session& s, const Attempt& a) {
   }
   report.needles.assign(config.needle, config.needle + config.needle_count);
   report.obstacles = s.scene.obstacles.size();
-  report.events = a.recorder->events();
-  if (!s.scene.targets.empty()) {
-    report.score = {"", s.scene.targets, layer_names(s.organ->organ), a.scorer->score()};
+  if (a.kept) report.events = a.kept->events;
+  if (a.kept && !s.scene.targets.empty()) {
+    report.score = {"", s.scene.targets, layer_names(s.organ->organ), a.kept->score};
   }
   report.loop = &a.state;
   report.thread = a.thread_use;
   report.threads = s.scene.threads;
   report.helped_parts = a.helped_parts;
+  report.lost_processes = s.lost_processes;
   report.host = s.host.report;
   report.predicted = s.instance->predicted;
   report.used = s.instance->kernel.sizes;
@@ -421,25 +435,28 @@ RunReport report_of(const Session& s, const Attempt& a) {
   return report;
 }
 
-bool tell_of_trouble(const Attempt& a) {
-  if (a.state.lost_records > 0) {
+bool tell_of_trouble(const Session& s, const Attempt& a) {
+  if (a.kept && a.state.lost_records > 0) {
     fmt::print(stderr, "stylet: {} records lost: the recorder fell more than {} records behind\n",
-               a.state.lost_records.load(), kRecordRing);
+               a.state.lost_records.load(), hal::kRecordRing);
   }
-  if (a.recorder->forgot()) {
+  if (a.kept && a.kept->forgot) {
     fmt::print(stderr, "stylet: phases and events are those of the last {} ticks at most\n",
                hal::kMaxTrackPoints);
   }
-  for (const hal::Flight& each : a.flight->flights()) {
+  for (const hal::Flight& each : a.kept ? a.kept->flights : std::vector<hal::Flight>{}) {
     fmt::print(stderr, "stylet: {} of needle {} in tick {}: what led to it is in {}\n",
                hal::fault_name(each.fault), each.needle, each.tick, each.path);
   }
-  if (!a.flight->error().empty()) fmt::print(stderr, "stylet: {}\n", a.flight->error());
+  if (a.kept && !a.kept->flight_error.empty()) {
+    fmt::print(stderr, "stylet: {}\n", a.kept->flight_error);
+  }
   for (const std::string& each : a.troubles) fmt::print(stderr, "stylet: {}\n", each);
   const auto faulty = [](const hal::HandState& hand) {
     return hand.guard.fault != hal::Fault::kNone;
   };
-  return a.state.lost_records > 0 || std::any_of(a.state.hand.begin(), a.state.hand.end(), faulty);
+  return s.lost_processes > 0 || a.state.lost_records > 0 ||
+         std::any_of(a.state.hand.begin(), a.state.hand.end(), faulty);
 }
 
 namespace {

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -16,17 +17,14 @@
 #include "report.h"
 #include "stylet/hal/display.h"
 #include "stylet/hal/host.h"
-#include "stylet/hal/igtl.h"
+#include "stylet/hal/igtl_process.h"
 #include "stylet/hal/instance.h"
 #include "stylet/hal/loop.h"
-#include "stylet/hal/recorder.h"
+#include "stylet/hal/recorder_process.h"
 #include "stylet/hal/replay_device.h"
 #include "stylet/hal/scene.h"
 
 namespace stylet::app {
-
-// Eight seconds of all needles at 1 kHz: longer than any disk makes the recorder wait.
-constexpr std::size_t kRecordRing = 8192 * kMaxNeedles;
 
 // One needle's start and whoever holds it.
 struct Station {
@@ -60,7 +58,9 @@ struct Session {
   std::vector<hal::Device> devices;
   std::vector<std::string> fits;  // what was taken from each device that is attached, in words
   bool told_of_threads = false;
-  std::unique_ptr<hal::IgtlServer> igtl;  // null: not asked for
+  std::unique_ptr<hal::IgtlProcess> igtl;  // null: not asked for
+  std::uint32_t lost_processes = 0;        // beside the loop's, that ended before it
+  bool igtl_lost = false;
   hal::LoopConfig config;
   std::vector<int> processors;  // real time: the loop's and the helpers'
   bool open_end = false;        // nothing but the user ends a run
@@ -83,19 +83,17 @@ struct Attempt {
   Attempt& operator=(const Attempt&) = delete;
   ~Attempt() {
     state.stop.store(true);
+    state.unread.store(true);
     if (loop.joinable()) loop.join();
   }
 
   hal::LoopState state;
-  hal::Ring<hal::TickRecord> records{kRecordRing};
-  hal::Ring<Event> events{1024};
   hal::Display* display = nullptr;  // null: none
   std::string recording;            // empty: none
   std::string trainee;              // for the recording; empty: not said
-  std::unique_ptr<hal::RecordingWriter> writer;
-  std::unique_ptr<hal::FlightRecorder> flight;
-  std::unique_ptr<hal::Scorer> scorer;
-  std::unique_ptr<hal::Recorder> recorder;
+  std::unique_ptr<hal::RecorderProcess> recorder;
+  bool recorder_lost = false;         // told of
+  std::optional<hal::Recorded> kept;  // after finish(); none: the recorder was lost
   hal::ThreadUse thread_use = {};
   std::uint64_t helped_parts = 0;
   bool host_fit = true;
@@ -107,10 +105,8 @@ struct Attempt {
   std::thread loop;
 };
 
-// Opens the recording, and puts scripted hands back to their start. `tap` may be empty; `display`
-// null.
-void prepare(Session& session, Attempt& attempt, hal::Display* display,
-             hal::Recorder::Tap tap = {});
+// Opens the recording, and puts scripted hands back to their start. `display` may be null.
+void prepare(Session& session, Attempt& attempt, hal::Display* display);
 // The loop, in a thread of its own; `done` when it has ended.
 void start(Session& session, Attempt& attempt);
 // Waits for its end, and completes what the recorder does. Throws what the loop threw.
@@ -119,10 +115,14 @@ void finish(Session& session, Attempt& attempt);
 std::string finish_recording(Attempt& attempt, std::uint64_t state_hash,
                              std::span<const hal::Mark> marks = {});
 
+// Whether the processes beside this one are still there; on standard error when one is not. A few
+// times a second, on any thread but the loop's.
+void watch_processes(Session& session, Attempt* attempt);
+
 // What the machine refuses, on standard error; returns `fit`.
 bool tell_of_host(const Session& session, bool fit);
 RunReport report_of(const Session& session, const Attempt& attempt);
 // Faults, losses and files that a user should know of, on standard error; true: there were any.
-bool tell_of_trouble(const Attempt& attempt);
+bool tell_of_trouble(const Session& session, const Attempt& attempt);
 
 }  // namespace stylet::app

@@ -131,10 +131,11 @@ void count(std::atomic<std::uint64_t>& counter, std::uint64_t more) {
 }
 
 template <typename T>
-void push(Ring<T>* ring, const T& item, bool wait_for_room, std::atomic<std::uint64_t>& lost) {
+void push(Ring<T>* ring, const T& item, bool wait_for_room, const std::atomic<bool>& unread,
+          std::atomic<std::uint64_t>& lost) {
   if (ring == nullptr) return;
   bool done = ring->push(item);
-  while (!done && wait_for_room) {
+  while (!done && wait_for_room && !unread.load(std::memory_order_relaxed)) {
     std::this_thread::yield();
     done = ring->push(item);
   }
@@ -151,19 +152,26 @@ void hand_out(const Outlets& outlets, const Kernel& kernel, std::span<const Tick
         events(kernel, std::span(buffer).first(std::min(fresh, kMaxEvents)));
     count(state.lost_events, fresh - known);
     for (std::uint32_t i = 0; i < known; ++i) {
-      push(outlets.events, buffer[i], outlets.wait_for_room, state.lost_events);
+      push(outlets.events, buffer[i], outlets.wait_for_room, state.unread, state.lost_events);
     }
     state.events_seen = happened;
   }
   for (const TickRecord& r : records) {
-    push(outlets.records, r, outlets.wait_for_room, state.lost_records);
+    push(outlets.records, r, outlets.wait_for_room, state.unread, state.lost_records);
   }
 }
 
 void show(const LoopConfig& config, const Outlets& outlets, const Kernel& kernel,
           std::span<const TickRecord> records, std::uint64_t round, const LoopState& state) {
-  if (outlets.display == nullptr || config.display_every_ticks == 0) return;
+  if (config.display_every_ticks == 0) return;
   if (round % config.display_every_ticks != 0 && state.ticks != config.ticks) return;
+  if (outlets.newest != nullptr) {
+    NewestTick& newest = outlets.newest->draft();
+    newest.needles = static_cast<std::uint32_t>(records.size());
+    std::copy(records.begin(), records.end(), newest.record.begin());
+    outlets.newest->publish();
+  }
+  if (outlets.display == nullptr) return;
   outlets.display->publish(kernel, records, state.missed_ticks, state.lost_records);
 }
 

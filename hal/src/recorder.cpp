@@ -37,41 +37,25 @@ void Recorder::stop(std::span<const Fault> faults) {
   thread_.join();
 }
 
-void Recorder::work() {
+void Recorder::work() try {
   name_thread("stylet-recorder");
   for (;;) {
     const bool last = stop_.load(std::memory_order_acquire);
-    std::size_t taken = 0;
-    if (lame_) {
-      taken = throw_away();
-    } else if (!contained("recorder", [&] { taken = drain(); })) {
-      go_lame();
-    }
-    if (taken > 0) continue;
-    if (!last) {
+    if (drain() == 0) {
+      if (last && flight_ != nullptr) flight_->finish(last_faults_);
+      if (last) return;
       std::this_thread::sleep_for(kPause);
-      continue;
     }
-    if (flight_ != nullptr && !contained("recorder", [&] { flight_->finish(last_faults_); })) {
-      go_lame();
-    }
-    return;
   }
-}
-
-// Nothing more is kept, as of memory: the loop must not wait for it.
-void Recorder::go_lame() {
-  lame_ = true;
-  if (error_.empty()) error_ = "no more memory";  // short enough to need none
-}
-
-std::size_t Recorder::throw_away() {
-  std::size_t taken = 0;
-  TickRecord record;
-  while (taken < kBlock && record_ring_.pop(record)) ++taken;
-  Event event;
-  while (event_ring_.pop(event)) ++taken;
-  return taken;
+} catch (const std::bad_alloc&) {
+  error_ = "out of memory";  // short enough to need none
+  failed_.store(true, std::memory_order_release);
+} catch (const std::exception& error) {
+  (void)contained("recorder", [&] { error_ = error.what(); });
+  failed_.store(true, std::memory_order_release);
+} catch (...) {
+  error_ = "not an error";  // as above
+  failed_.store(true, std::memory_order_release);
 }
 
 std::size_t Recorder::drain() {

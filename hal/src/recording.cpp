@@ -567,6 +567,17 @@ void RecordingWriter::append(std::span<const Event> events) {
   file_->waiting_events.insert(file_->waiting_events.end(), events.begin(), events.end());
 }
 
+void RecordingWriter::leave() {
+  for (std::size_t i = 0; i < file_->ticks.size(); ++i) file_->put_down(i);
+  file_->put_down_events();
+  file_->temporary.clear();
+  file_.reset();
+}
+
+std::uint64_t RecordingWriter::ticks_kept() const {
+  return file_ == nullptr ? 0 : file_->ticks[0].rows();
+}
+
 void RecordingWriter::finish(std::uint64_t final_state_hash, std::uint64_t lost_records,
                              std::span<const Mark> marks) {
   for (std::size_t i = 0; i < file_->ticks.size(); ++i) file_->put_down(i);
@@ -674,10 +685,11 @@ RecordingReader::RecordingReader(const std::string& path) {
   visit_ending(reader, ending);
   file_->info.lost_records = ending.lost_records;
   file_->info.final_state_hash = ending.final_state_hash;
-  file_->info.unfinished = growing && ending.ticks == 0;
   file_->ticks = tick_tables(id, file_->path, file_->info.config);
   for (Table& each : file_->ticks) {
-    each.open(file_->info.unfinished);
+    each.open(ending.ticks == 0);
+    // Left behind: whole, but for its end.
+    file_->info.unfinished = ending.ticks == 0 && (growing || file_->ticks[0].rows() > 0);
     if (each.rows() != ending.ticks && !file_->info.unfinished) {
       fail(path, "ticks", fmt::format("{} rows: expected {}", each.rows(), ending.ticks));
     }

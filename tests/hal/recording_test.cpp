@@ -345,6 +345,22 @@ TEST_F(RecordingTest, ARecordingIsReadWhileItGrows) {
   EXPECT_EQ(RecordingReader(path()).ticks(), 3000U);
 }
 
+TEST_F(RecordingTest, WhatIsLeftHasAllButItsEnd) {
+  RecordingInfo info = some_info();
+  info.config.needle_count = 2;
+  auto records = any_records(2468);  // no whole number of blocks
+  for (std::size_t i = 0; i < records.size(); ++i) records[i].needle = i % 2;
+  RecordingWriter writer(path(), info);
+  writer.append(std::span(records));
+  const std::string left = fs::directory_iterator(folder_)->path().string();
+  writer.leave();
+  EXPECT_FALSE(fs::exists(path()));
+  const RecordingReader reader(left);
+  EXPECT_TRUE(reader.info().unfinished);
+  EXPECT_EQ(reader.ticks(), records.size() / 2);
+  expect_rows(reader, records);
+}
+
 // What a run of any length keeps is bounded, and the newest of it.
 TEST(Kept, TheNewestStay) {
   std::vector<int> kept;

@@ -4,13 +4,18 @@
 // Ring: every item, in order, for one reader; full: push says no and nothing is lost silently.
 // Latest: only the newest item, for one reader that looks when it likes. Slots: the same for items
 // that are filled and read in place.
+// Each also over memory that two processes share, zero at first. Then either side may write
+// anything there at any time: what a side relies on it keeps for itself, and the one number that
+// it reads of the other's is held within bounds. So a reader gone mad loses items, nothing else.
 // Promises: wait-free for both sides, no allocation after construction, one writer and one reader.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -21,36 +26,91 @@ constexpr std::size_t kCacheLine = 64;
 template <typename T>
 class Ring {
   static_assert(std::is_trivially_copyable_v<T>);
+  struct Ends {
+    alignas(kCacheLine) std::atomic<std::uint64_t> begin;
+    alignas(kCacheLine) std::atomic<std::uint64_t> end;
+  };
+  static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 
  public:
   // Touches every item, so that the writer meets no page for the first time.
-  explicit Ring(std::size_t capacity) : items_(capacity) {}
+  explicit Ring(std::size_t capacity) : own_(capacity), items_(own_), ends_(&own_ends_) {}
+  // Shared memory of bytes(capacity), on a cache line. One side pushes, the other pops.
+  explicit Ring(std::span<std::byte> shared)
+      : items_(reinterpret_cast<T*>(shared.data() + sizeof(Ends)),
+               (shared.size() - sizeof(Ends)) / sizeof(T)),
+        ends_(reinterpret_cast<Ends*>(shared.data())) {}
+  Ring(const Ring&) = delete;
+  Ring& operator=(const Ring&) = delete;
+
+  static constexpr std::size_t bytes(std::size_t capacity) {
+    return sizeof(Ends) + capacity * sizeof(T);
+  }
 
   bool push(const T& item) {
-    const std::size_t end = end_.load(std::memory_order_relaxed);
-    if (end - begin_.load(std::memory_order_acquire) == items_.size()) return false;
-    items_[end % items_.size()] = item;
-    end_.store(end + 1, std::memory_order_release);
+    if (end_ - ends_->begin.load(std::memory_order_acquire) >= items_.size()) return false;
+    items_[end_ % items_.size()] = item;
+    ends_->end.store(++end_, std::memory_order_release);
     return true;
   }
 
   bool pop(T& item_out) {
-    const std::size_t begin = begin_.load(std::memory_order_relaxed);
-    if (begin == end_.load(std::memory_order_acquire)) return false;
-    item_out = items_[begin % items_.size()];
-    begin_.store(begin + 1, std::memory_order_release);
+    const std::uint64_t ready = ends_->end.load(std::memory_order_acquire) - begin_;
+    if (ready == 0 || ready > items_.size()) return false;
+    item_out = items_[begin_ % items_.size()];
+    ends_->begin.store(++begin_, std::memory_order_release);
     return true;
   }
 
   std::size_t capacity() const { return items_.size(); }
+  // By any thread. The item pushed as this one, from 0 on: the writer may be at it once more.
+  const T& item(std::uint64_t number) const { return items_[number % items_.size()]; }
+  // Items ever pushed, and those the reader says it has taken.
+  std::uint64_t pushed() const { return ends_->end.load(std::memory_order_relaxed); }
+  std::uint64_t popped() const { return ends_->begin.load(std::memory_order_relaxed); }
 
  private:
-  std::vector<T> items_;
-  alignas(kCacheLine) std::atomic<std::size_t> begin_{0};
-  alignas(kCacheLine) std::atomic<std::size_t> end_{0};
+  std::vector<T> own_;
+  Ends own_ends_ = {};
+  std::span<T> items_;
+  Ends* ends_;
+  alignas(kCacheLine) std::uint64_t begin_ = 0;  // the reader's
+  alignas(kCacheLine) std::uint64_t end_ = 0;    // the writer's
 };
 
-// Triple buffer: writer and reader own one slot each and swap it with the one in the middle.
+// Which of three slots is whose: writer and reader own one each and swap it with the one in the
+// middle.
+class SlotIndex {
+ public:
+  SlotIndex() = default;
+  explicit SlotIndex(std::atomic<std::uint32_t>& shared) : middle_(&shared) {}
+  SlotIndex(const SlotIndex&) = delete;
+  SlotIndex& operator=(const SlotIndex&) = delete;
+
+  // Writer: the slot it fills, and that it is full.
+  std::uint32_t draft() const { return write_; }
+  void publish() {
+    write_ = slot_of(middle_->exchange(write_ | kFresh, std::memory_order_acq_rel));
+  }
+  // Reader: false: nothing new. The slot it reads.
+  bool take() {
+    if ((middle_->load(std::memory_order_relaxed) & kFresh) == 0) return false;
+    read_ = slot_of(middle_->exchange(read_, std::memory_order_acq_rel));
+    return true;
+  }
+  std::uint32_t taken() const { return read_; }
+
+ private:
+  static constexpr std::uint32_t kFresh = 4;
+  static std::uint32_t slot_of(std::uint32_t word) { return std::min(word & ~kFresh, 2U); }
+
+  std::atomic<std::uint32_t> own_{0};
+  std::atomic<std::uint32_t>* middle_ = &own_;
+  alignas(kCacheLine) std::uint32_t write_ = 1;
+  alignas(kCacheLine) std::uint32_t read_ = 2;
+};
+
+// Triple buffer.
 template <typename T>
 class Slots {
  public:
@@ -58,24 +118,15 @@ class Slots {
   explicit Slots(const T& each) { slots_.fill(each); }
 
   // Writer: what it fills, and that it is full. The next draft holds something older.
-  T& draft() { return slots_[write_]; }
-  void publish() {
-    write_ = middle_.exchange(write_ | kFresh, std::memory_order_acq_rel) & ~kFresh;
-  }
+  T& draft() { return slots_[index_.draft()]; }
+  void publish() { index_.publish(); }
 
   // Reader: the newest, its own until the next call; null: nothing new since the last one.
-  const T* take() {
-    if ((middle_.load(std::memory_order_relaxed) & kFresh) == 0) return nullptr;
-    read_ = middle_.exchange(read_, std::memory_order_acq_rel) & ~kFresh;
-    return &slots_[read_];
-  }
+  const T* take() { return index_.take() ? &slots_[index_.taken()] : nullptr; }
 
  private:
-  static constexpr std::uint32_t kFresh = 4;
   std::array<T, 3> slots_{};
-  alignas(kCacheLine) std::uint32_t write_ = 0;
-  alignas(kCacheLine) std::atomic<std::uint32_t> middle_{1};
-  alignas(kCacheLine) std::uint32_t read_ = 2;
+  SlotIndex index_;
 };
 
 template <typename T>
@@ -97,6 +148,30 @@ class Latest {
 
  private:
   Slots<T> slots_;
+};
+
+// The same in shared memory.
+template <typename T>
+class SharedLatest {
+  static_assert(std::is_trivially_copyable_v<T>);
+  struct Memory {
+    alignas(kCacheLine) std::atomic<std::uint32_t> middle;
+    alignas(kCacheLine) std::array<T, 3> slot;
+  };
+
+ public:
+  // Of bytes(), on a cache line.
+  explicit SharedLatest(std::span<std::byte> shared)
+      : memory_(reinterpret_cast<Memory*>(shared.data())), index_(memory_->middle) {}
+  static constexpr std::size_t bytes() { return sizeof(Memory); }
+
+  T& draft() { return memory_->slot[index_.draft()]; }
+  void publish() { index_.publish(); }
+  const T* take() { return index_.take() ? &memory_->slot[index_.taken()] : nullptr; }
+
+ private:
+  Memory* memory_;
+  SlotIndex index_;
 };
 
 }  // namespace stylet::hal

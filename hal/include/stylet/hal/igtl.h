@@ -15,9 +15,9 @@
 // Places are mm, protocol version 1. Frame: RAS. The world is taken for LPS, as segmentations are
 // here and mesh files are in 3D Slicer, so that x and y change their sign.
 //
-// Promises: the loop knows nothing of it: its thread has the lowest priority, and post() is called
-// by whoever takes the records off the ring. A client that reads too slowly misses whole frames and
-// is closed after kIgtlPatience; what a client says is read and thrown away, at a bounded rate.
+// Promises: the loop knows nothing of it: its thread has the lowest priority, in a process of its
+// own (igtl_process.h), where post() is called. A client that reads too slowly misses whole frames
+// and is closed after kIgtlPatience; what a client says is read and thrown away, at a bounded rate.
 // Loopback unless told otherwise. Protocol: openigtlink.org. Units: SI here.
 #pragma once
 

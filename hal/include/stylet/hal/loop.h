@@ -51,7 +51,8 @@ struct Outlets {
   Ring<TickRecord>* records = nullptr;  // may be null
   Ring<Event>* events = nullptr;
   Display* display = nullptr;
-  bool wait_for_room = false;  // virtual time only: rather wait than lose a record
+  bool wait_for_room = false;                  // virtual time only: rather wait than lose a record
+  SharedLatest<NewestTick>* newest = nullptr;  // published with the display
 };
 
 struct HandConfig {
@@ -91,6 +92,9 @@ struct LoopState {
   // Set by another thread: devices are read and guarded, but their force fades to zero as with the
   // clutch, and the kernel does not move. Nothing of that is recorded.
   std::atomic<bool> paused{false};
+  // Set by another thread: nobody takes records off their ring any more, and virtual time does not
+  // wait for room in it.
+  std::atomic<bool> unread{false};
   std::array<HandState, kMaxNeedles> hand;
   std::array<FaultMailbox, kMaxNeedles> mailbox;  // of each hand
   std::uint32_t events_seen = 0;

@@ -5,6 +5,7 @@
 // Units: SI. Frames: input and output in the world, device in the device's frame.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -28,6 +29,12 @@ struct TickRecord {
   std::uint32_t late_ns;     // wake-up after the grid point
   std::uint64_t state_hash;  // 0: not taken in this tick
   std::uint32_t needle;      // says which table of the recording it belongs to
+};
+
+// All needles in one tick: what those see who want only the newest.
+struct NewestTick {
+  std::uint32_t needles = 0;
+  std::array<TickRecord, kMaxNeedles> record = {};
 };
 
 // Where a needle goes in.

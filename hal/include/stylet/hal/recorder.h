@@ -3,7 +3,9 @@
 //
 // It always keeps the curve that phases are read from (24 bytes a tick, at most kMaxTrackPoints),
 // feeds the flight recorder and the score, and writes the full records where a recording is asked
-// for. If writing fails, or memory, the run goes on; the reason is in `error`.
+// for. If writing fails the run goes on; the reason is in `error`. If anything else does, such as
+// memory, the thread ends, and the reason is there, too. In a run it is in a process of its own
+// (recorder_process.h).
 #pragma once
 
 #include <atomic>
@@ -60,14 +62,14 @@ class Recorder {
   // Not all ticks, or events, of the run are in them.
   bool forgot() const { return forgot_; }
 
+  // The thread has ended before stop(); the reason is in error().
+  bool failed() const { return failed_.load(std::memory_order_acquire); }
   // Ticks taken so far, for a progress line.
   std::uint64_t ticks() const { return ticks_.load(std::memory_order_relaxed); }
 
  private:
   void work();
   std::size_t drain();
-  void go_lame();
-  std::size_t throw_away();
 
   Ring<TickRecord>& record_ring_;
   Ring<Event>& event_ring_;
@@ -80,11 +82,10 @@ class Recorder {
   std::vector<std::vector<TrackPoint>> tracks_;
   std::vector<Event> events_, fresh_;
   bool forgot_ = false;
-  bool lame_ = false;  // something was thrown: nothing more is kept
   std::string error_;
   std::atomic<std::uint64_t> ticks_{0};
   std::vector<Fault> last_faults_;  // set before stop_
-  std::atomic<bool> stop_{false};
+  std::atomic<bool> stop_{false}, failed_{false};
   std::thread thread_;
 };
 

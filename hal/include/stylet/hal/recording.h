@@ -66,6 +66,10 @@ class RecordingWriter {
   void append(std::span<const Event> events);
   void finish(std::uint64_t final_state_hash, std::uint64_t lost_records,
               std::span<const Mark> marks = {});
+  // Instead of it: what there is goes to the disk and stays as the temporary file.
+  void leave();
+  // Whose first needle is on the disk.
+  std::uint64_t ticks_kept() const;
 
  private:
   struct File;

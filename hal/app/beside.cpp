@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// What this program does where it runs beside another one of itself.
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "commands.h"
+#include "stylet/hal/igtl_process.h"
+#include "stylet/hal/recorder_process.h"
+
+namespace stylet::app {
+namespace {
+
+struct Role {
+  const char* name;
+  hal::SideWork work;
+  bool outlives;
+};
+constexpr std::array kRoles = {Role{hal::kIgtlRole, hal::igtl_beside, false},
+                               Role{hal::kRecorderRole, hal::recorder_beside, true}};
+
+}  // namespace
+
+int beside(std::string_view role) {
+  const auto* found = std::find_if(kRoles.begin(), kRoles.end(),
+                                   [role](const Role& each) { return role == each.name; });
+  if (found == kRoles.end()) return kExitUsage;
+  return hal::side_seat(found->name, found->work, found->outlives);
+}
+
+}  // namespace stylet::app
