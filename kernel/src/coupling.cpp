@@ -3,6 +3,7 @@
 
 #include "cone.h"
 #include "roll.h"
+#include "surface.h"
 
 namespace stylet {
 namespace {
@@ -48,6 +49,9 @@ constexpr float kLayerSkinM = 5e-4F;
 // A tip in contact must come this far clear of its goal to leave it: one that only slides sideways
 // is not in and out with every rounding.
 constexpr float kReleaseSkinM = 2e-5F;
+// A hole's mouth, in the needle's outer radii: a contact so near an entry is at that entry, and a
+// tip that has left its hole lies no deeper in it.
+constexpr float kMouthInRadii = 3;
 // At a tick's end CPs may carry so many times what they may where the needle has just moved.
 constexpr float kLoose = 2.0F;
 // A tip that slips back farther than this in a tick presses nothing at the tick's end.
@@ -770,10 +774,14 @@ void end_insertion(const View& view) {
   own.leaving = 1;
 }
 
+float mouth_m(const View& view) {
+  return kMouthInRadii * view.needle_config().outer_radius_m;
+}
+
 // The track this contact enters, if the tissue remembers one here.
 std::uint32_t find_track(const View& view, Vec3 rest_m, Vec3 rest_direction) {
   const StateHead& state = *view.state.head;
-  const float reach = 3 * view.needle_config().outer_radius_m;
+  const float reach = mouth_m(view);
   for (std::uint32_t i = 0; i < state.track_count; ++i) {
     const Track& track = view.state.track[i];
     const Vec3 gap = track.entry_rest_m - rest_m;
@@ -877,8 +885,77 @@ void begin_insertion(const View& view, const Needle& needle, std::uint32_t track
   add_event(view, again ? EventKind::kReentry : EventKind::kPuncture, force_n);
 }
 
+std::uint32_t track_of(const View& view, const Needle& needle, const Particle& entry) {
+  if (entry.share_count == 0) return kNoTrack;
+  const VoxelFrame frame =
+      voxel_frame(view, entry.share[heaviest(entry)].slot, entry.share[heaviest(entry)].row);
+  return find_track(view, entry.rest_m, transposed_times(frame.rotation, needle.tip_direction));
+}
+
+// The tissue has come over a tip that had left its hole, or never came clear of it: it lies in the
+// hole again, as deep as it is now, without force, and what friction there is holds the shaft.
+void take_in(const View& view, const Needle& needle, std::uint32_t track, const Particle& entry) {
+  NeedleState& own = *view.state.needle;
+  const Particle& tip = *view.state.tip;
+  own.track_current = track;
+  own.track_end_m = max_of(view.state.track[track].length_m, tip.track_m);
+  own.tissue_track_m = tip.track_m;
+  own.drop_track_m = 0;
+  own.shaft_count = 0;
+  (void)push_shaft(view, entry);
+  own.phase = Phase::kRetracting;
+  own.layer = own.spring_layer = own.layer_before = tip.material;
+  own.layer_track_m = tip.track_m;
+  own.cut = needle.tip_direction;
+  (void)drop_shaft(view, needle);
+  meet_friction(view, entry.rest_m, 0);
+  add_event(view, EventKind::kReentry, 0);
+}
+
+// The tip of a needle that lies this deep under a place of the surface: it holds the tissue it lies
+// in, without force. Where the deformation at the surface says nothing of the tissue there, it
+// holds the surface.
+Particle tip_under(const View& view, const Needle& needle, Vec3 rest_m, Vec3 place_m,
+                   float buried_m, Place place) {
+  Particle tip = new_particle(view, rest_m, place_m, 0, 0, place);
+  if (tip.share_count > 0 && buried_m > 0) {
+    const Vec3 step = buried_m * needle.tip_direction;
+    const Vec3 image = pull_back_step(view, gradient_around(view, tip), step);
+    const Particle under = new_particle(view, rest_m + image, place_m + step, 0, 0, place);
+    if (under.share_count > 0) {
+      tip = under;
+    } else {
+      shift_goals(tip, step);
+    }
+    if (place == Place::kTip) tip.track_m = norm(image);
+  }
+  tip.position_m = needle.tip_m;
+  return tip;
+}
+
+// A contact the tip is drawn back from: where tissue has come over the tip from elsewhere, or it
+// has come in from the side, the tip is not clear yet, and holds what it lies in now, without
+// force. The surface may be anywhere behind it.
+bool hold_on(const View& view, const Needle& needle, std::uint32_t& flags_out) {
+  Vec3 rest = {}, place = {};
+  const Contact contact = find_contact(view, needle.tip_m, needle.tip_direction,
+                                       view.needle_config().length_m, {}, rest, place, flags_out);
+  if (contact != Contact::kFound) return false;
+  const Particle& before = *view.state.tip;
+  const Vec3 step = pull_back_step(view, gradient_around(view, before), residual(before));
+  Particle tip = new_particle(view, before.rest_m + step, needle.tip_m, 0, 0, Place::kSurface);
+  if (tip.share_count == 0) {
+    const float buried = dot(needle.tip_m - place, needle.tip_direction);
+    tip = tip_under(view, needle, rest, place, buried, Place::kSurface);
+  }
+  if (tip.share_count == 0) return false;
+  *view.state.tip = tip;
+  view.state.needle->layer = tip.material;
+  return true;
+}
+
 // Contact holds, ends, or becomes a puncture.
-void update_contact(const View& view, const Needle& needle) {
+void update_contact(const View& view, const Needle& needle, std::uint32_t& flags_out) {
   StateHead& state = *view.state.head;
   NeedleState& own = *view.state.needle;
   const ModelHead& head = *view.model.head;
@@ -886,6 +963,7 @@ void update_contact(const View& view, const Needle& needle) {
   const float felt = dot(tip.force_n, needle.tip_direction);
   const float away = dot(residual(tip), needle.tip_direction);
   if (away < -kReleaseSkinM) {
+    if (hold_on(view, needle, flags_out)) return;
     add_event(view, EventKind::kRelease, 0);
     own.phase = Phase::kFree;
     own.tip_alive = 0;
@@ -896,10 +974,7 @@ void update_contact(const View& view, const Needle& needle) {
   } else {
     (void)relax(state, tip, drawn(tip));
   }
-  const VoxelFrame frame =
-      voxel_frame(view, tip.share[heaviest(tip)].slot, tip.share[heaviest(tip)].row);
-  const std::uint32_t track =
-      find_track(view, tip.rest_m, transposed_times(frame.rotation, needle.tip_direction));
+  const std::uint32_t track = track_of(view, needle, tip);
   const bool node_inside = away > view.needle_config().unit_m;
   const bool through = head.config.mode == Mode::kPaper
                            ? node_inside
@@ -941,20 +1016,21 @@ float friction_limit_n(const View& view, const Particle& p) {
 void begin_contact(const View& view, const Needle& needle, Vec3 rest_m, Vec3 place_m,
                    float came_m) {
   NeedleState& own = *view.state.needle;
-  const Vec3 direction = needle.tip_direction;
-  const float depth = dot(needle.tip_m - place_m, direction);
+  const float depth = dot(needle.tip_m - place_m, needle.tip_direction);
   const float buried = depth - max_of(came_m, 0);
-  if (came_m < 0 && buried > 0) return;  // on its way out
-  Particle tip = new_particle(view, rest_m, place_m, 0, 0, Place::kSurface);
-  if (tip.share_count > 0 && buried > 0) {
-    const Vec3 step = buried * direction;
-    const Vec3 image = pull_back_step(view, gradient_around(view, tip), step);
-    tip = new_particle(view, rest_m + image, place_m + step, 0, 0, Place::kSurface);
-  }
+  if (own.leaving != 0 && buried <= mouth_m(view)) return;
+  own.leaving = 0;
+  const Particle entry = new_particle(view, rest_m, place_m, 0, buried, Place::kShaft);
+  const std::uint32_t track = buried > mouth_m(view) ? track_of(view, needle, entry) : kNoTrack;
+  const Place place = track != kNoTrack ? Place::kTip : Place::kSurface;
+  const Particle tip = tip_under(view, needle, rest_m, place_m, buried, place);
   if (tip.share_count == 0) return;
-  tip.position_m = needle.tip_m;
   *view.state.tip = tip;
   own.tip_alive = 1;
+  if (track != kNoTrack) {
+    take_in(view, needle, track, entry);
+    return;
+  }
   own.phase = Phase::kContact;
   own.layer = tip.material;
   add_event(view, EventKind::kContact, 0);
@@ -986,8 +1062,9 @@ std::uint32_t carry_particles(const View& view, const Needle& needle) {
   tip.position_m = needle.tip_m;
   const float speed = moved / view.model.head->config.period_s;
   own.press_m_per_s = settle(speed + view.model.head->velocity_keep * (own.press_m_per_s - speed));
-  if (own.phase == Phase::kContact) update_contact(view, needle);
-  if (own.phase == Phase::kFree || own.phase == Phase::kContact) return 0;
+  std::uint32_t flags = 0;
+  if (own.phase == Phase::kContact) update_contact(view, needle, flags);
+  if (own.phase == Phase::kFree || own.phase == Phase::kContact) return flags;
   const Vec3 from_m = tip.rest_m;
   const float from_track_m = tip.track_m;
   cut_tip(view, needle, moved);
@@ -998,11 +1075,11 @@ std::uint32_t carry_particles(const View& view, const Needle& needle) {
   }
   if (own.shaft_count == 0) {
     end_insertion(view);
-    return 0;
+    return flags;
   }
   leave_layers(view);
   tell_layer_late(view);
-  const std::uint32_t flags = drop_shaft(view, needle);
+  flags |= drop_shaft(view, needle);
   meet_friction(view, from_m, from_track_m);
   return flags;
 }

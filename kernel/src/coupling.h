@@ -56,7 +56,8 @@ void sum_forces(const View& view, const Needle& needle, Output& out);
 // Starts contact: the tip holds the surface point `rest_m` (rest frame), now at `place_m`. Only the
 // `came_m` the tip moved forward this tick are pressed in: where it lies deeper (it has slid in
 // over an edge, or the tissue has come to it) it holds the tissue it lies in, without force, for
-// nobody has spent the work to press it there.
+// nobody has spent the work to press it there. One that lies deep behind the entry of a track is in
+// that track again. One that has just left its track does not touch what it lies in there.
 void begin_contact(const View& view, const Needle& needle, Vec3 rest_m, Vec3 place_m, float came_m);
 
 void add_event(const View& view, EventKind kind, float force_n);

@@ -147,17 +147,19 @@ bool search_along(const View& view, const Segment& segment, Search& search) {
 
 }  // namespace
 
-Contact find_contact(const View& view, Vec3 tip_m, Vec3 direction, Vec3 came_m, Vec3& rest_out_m,
-                     Vec3& place_out_m, std::uint32_t& flags_out) {
-  const float reach =
-      min_of(max_of(kContactReachM, kMaxHandleSpeedMPerS * view.model.head->config.period_s),
-             view.needle_config().length_m);
+float contact_reach_m(const View& view) {
+  return min_of(max_of(kContactReachM, kMaxHandleSpeedMPerS * view.model.head->config.period_s),
+                view.needle_config().length_m);
+}
+
+Contact find_contact(const View& view, Vec3 tip_m, Vec3 direction, float reach_m, Vec3 came_m,
+                     Vec3& rest_out_m, Vec3& place_out_m, std::uint32_t& flags_out) {
   Search search = {};
   // sqrt(3): the displacement bound is per axis.
   search.grow_m = 1.7320509F * view.state.head->max_displacement_m;
   search.triangles_left = kMaxTriangleTests;
   bool whole =
-      search_along(view, {tip_m - reach * direction, direction, reach - kContactSkinM}, search);
+      search_along(view, {tip_m - reach_m * direction, direction, reach_m - kContactSkinM}, search);
   // A tip that comes in sideways may have the surface farther behind it, or none.
   const float way = norm(came_m);
   const bool sideways =

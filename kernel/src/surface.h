@@ -20,10 +20,13 @@ namespace stylet {
 // found, and kFlagContactBudget is set; the tip must not go on.
 enum class Contact : std::uint32_t { kNone, kFound, kSideways, kUnknown };
 
-// Looks for the surface along the front part of the needle that ends here, then along the way
-// `came_m` of the tip in this tick. Found: with the rest and present place of the crossing nearest
-// the tip.
-Contact find_contact(const View& view, Vec3 tip_m, Vec3 direction, Vec3 came_m, Vec3& rest_out_m,
-                     Vec3& place_out_m, std::uint32_t& flags_out);
+// Length of the front part of a needle along which a tip that comes finds the surface.
+float contact_reach_m(const View& view);
+
+// Looks for the surface along the front part of the needle that ends here, `reach_m` long, then
+// along the way `came_m` of the tip in this tick. Found: with the rest and present place of the
+// crossing nearest the tip.
+Contact find_contact(const View& view, Vec3 tip_m, Vec3 direction, float reach_m, Vec3 came_m,
+                     Vec3& rest_out_m, Vec3& place_out_m, std::uint32_t& flags_out);
 
 }  // namespace stylet

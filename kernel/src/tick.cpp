@@ -97,22 +97,24 @@ Vec3 turn_between(const Quat& a, const Quat& b) {
 }
 
 // A tip that has just left its track lies in the mouth of the hole: it must come clear of the
-// surface before it can touch it again. What a tip that is swept aside comes forward is counted
-// along the mean of its directions before and after the `turn`: along the last one it would press
-// without anybody pushing. False: it is not known whether it touches.
+// surface, or lie deeper than the mouth, before it can touch it again. What a tip that is swept
+// aside comes forward is counted along the mean of its directions before and after the `turn`:
+// along the last one it would press without anybody pushing. False: it is not known whether it
+// touches.
 bool seek_contact(const View& view, const Needle& needle, Vec3 turn, bool known_before,
                   std::uint32_t& flags) {
   NeedleState& own = *view.state.needle;
   if (own.phase != Phase::kFree || own.handle_known == 0) return true;
   Vec3 rest = {}, place = {};
   const Vec3 step = needle.tip_m - view.state.tip->position_m;
-  const Contact contact = find_contact(view, needle.tip_m, needle.tip_direction,
-                                       known_before ? step : Vec3{}, rest, place, flags);
+  const Contact contact =
+      find_contact(view, needle.tip_m, needle.tip_direction, contact_reach_m(view),
+                   known_before ? step : Vec3{}, rest, place, flags);
   const Vec3 forward = needle.tip_direction - 0.5F * cross(turn, needle.tip_direction);
   float came = known_before ? dot(step, forward) : 0;
   if (contact == Contact::kSideways) came = norm(step);  // it has come by no other way
   const bool found = contact == Contact::kFound || contact == Contact::kSideways;
-  if (found && own.leaving == 0) begin_contact(view, needle, rest, place, came);
+  if (found) begin_contact(view, needle, rest, place, came);
   if (contact == Contact::kNone) own.leaving = 0;
   return contact != Contact::kUnknown;
 }
