@@ -6,6 +6,7 @@
 
 #include "crop.h"
 #include "gaps.h"
+#include "losses.h"
 #include "mixed.h"
 #include "pieces.h"
 #include "refusal.h"
@@ -13,6 +14,7 @@
 #include "sheets.h"
 #include "stylet/limits.h"
 #include "sweep.h"
+#include "voxel_materials.h"
 #include "wrap.h"
 
 namespace stylet::bake {
@@ -78,90 +80,6 @@ InputReport report_of(const Input& input, const Solid& solid, const Occupancy& o
   const double edge = grid.edge_m;
   report.filled_volume_m3 = static_cast<double>(samples) / 64 * edge * edge * edge;
   return report;
-}
-
-// Material numbers by tissue name, in order of first mention.
-struct MaterialList {
-  const std::vector<Tissue>& own;
-  std::vector<Tissue> tissues;
-};
-
-// The same tissue may be there with its membrane and, in a layer, without.
-std::uint8_t number_of(MaterialList& list, const Tissue& wanted) {
-  for (std::size_t i = 0; i < list.tissues.size(); ++i) {
-    const Tissue& there = list.tissues[i];
-    if (there.name == wanted.name && there.youngs_modulus_pa == wanted.youngs_modulus_pa) {
-      return static_cast<std::uint8_t>(i);
-    }
-  }
-  if (list.tissues.size() >= kMaxMaterials) refuse("more than {} tissues", kMaxMaterials);
-  list.tissues.push_back(wanted);
-  return static_cast<std::uint8_t>(list.tissues.size() - 1);
-}
-
-// Materials by owner and by layer, numbered in order of first mention.
-TissueNumbers number_tissues(const std::vector<std::string>& tissues, const BuildOptions& options,
-                             double edge_m, MaterialList& list) {
-  TissueNumbers numbers;
-  numbers.course = options.layer_course;
-  const std::string& of = options.layer_course.of;
-  for (const std::string& tissue : tissues) {
-    const bool layered = !options.layers.empty() && (of.empty() || of == tissue);
-    numbers.is_layered.push_back(layered ? 1 : 0);
-    numbers.of_owner.push_back(layered ? std::uint8_t{0}
-                                       : number_of(list, find_tissue(list.own, tissue)));
-  }
-  for (const Layer& layer : options.layers) {
-    const Tissue tissue = in_layer(find_tissue(list.own, layer.tissue), layer.thickness_m, edge_m);
-    numbers.layers.push_back({layer.thickness_m, number_of(list, tissue)});
-  }
-  return numbers;
-}
-
-// Whether the cell across a face has one of these tissues.
-bool touches(const Claims& claims, std::size_t cell, const std::vector<std::string>& tissues,
-             const std::vector<std::string>& wanted) {
-  const Grid& grid = claims.grid;
-  const std::size_t steps[3] = {1, grid.size[0], std::size_t{grid.size[0]} * grid.size[1]};
-  for (std::size_t axis = 0; axis < 3 && !wanted.empty(); ++axis) {
-    const std::size_t at = cell / steps[axis] % grid.size[axis];
-    for (const bool high : {false, true}) {
-      if (high ? at + 1 == grid.size[axis] : at == 0) continue;
-      const std::size_t next = high ? cell + steps[axis] : cell - steps[axis];
-      if (is_kept(claims, next) &&
-          std::find(wanted.begin(), wanted.end(), tissues[claims.owner[next]]) != wanted.end()) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-std::vector<std::uint8_t> voxel_materials(const Claims& claims, const Lattice& lattice,
-                                          const std::vector<std::uint16_t>& owner_of_voxel,
-                                          const std::vector<std::string>& tissues,
-                                          const TissueNumbers& numbers,
-                                          const std::vector<std::uint8_t>& layers,
-                                          const BuildOptions& options, MaterialList& list) {
-  const std::uint8_t capsule =
-      options.capsule.empty() ? 0 : number_of(list, find_tissue(list.own, options.capsule));
-  const Grid& grid = lattice.grid;
-  std::vector<std::uint8_t> materials;
-  for (std::size_t voxel = 0; voxel < lattice.cell_of_voxel.size(); ++voxel) {
-    const std::uint32_t cell = lattice.cell_of_voxel[voxel];
-    const std::uint16_t owner = owner_of_voxel[voxel];
-    const std::uint32_t x = cell % grid.size[0], row = cell / grid.size[0];
-    const bool has_capsule = !options.capsule.empty() &&
-                             (options.capsule_of.empty() || options.capsule_of == tissues[owner]);
-    const bool is_capsule =
-        has_capsule && (is_skin(claims, x, row % grid.size[1], row / grid.size[1]) ||
-                        touches(claims, cell, tissues, options.wall));
-    const std::uint8_t layer = voxel_layer(numbers, layers, cell, owner);
-    materials.push_back(is_capsule             ? capsule
-                        : layer != kNotLayered ? numbers.layers[layer].material
-                                               : numbers.of_owner[owner]);
-  }
-  return materials;
 }
 
 std::vector<std::uint8_t> fixed_corners(const Lattice& lattice, const Claimed& claimed,
@@ -284,6 +202,27 @@ double finest_edge(const Box& box, double most, const SweptAtEdge& swept_at) {
   return good * kStepM;
 }
 
+// How much of each mesh a sample of it stands for. Where they hold far from what its surface
+// encloses, the user is told, and they stand for themselves.
+std::vector<double> sample_volumes(const Grid& grid, BuildReport& report) {
+  const double sample_m3 = grid.edge_m * grid.edge_m * grid.edge_m / 64;
+  std::vector<double> volumes;
+  for (const InputReport& input : report.inputs) {
+    volumes.push_back(sample_m3);
+    const double ratio = input.mesh_volume_m3 / input.filled_volume_m3;
+    if (!input.closed) continue;
+    if (std::abs(ratio - 1) <= kMostOff) {
+      volumes.back() *= ratio;
+      continue;
+    }
+    report.warnings.push_back(fmt::format(
+        "{}: its surface encloses {:.3g} ml, of which {:.3g} ml are sampled at a voxel edge of "
+        "{:.3g} mm: expected finer voxels, or pieces that do not overlap",
+        input.path, input.mesh_volume_m3 * 1e6, input.filled_volume_m3 * 1e6, grid.edge_m * 1e3));
+  }
+  return volumes;
+}
+
 SamplePlaces mesh_samples() {
   SamplePlaces places;
   for (std::uint32_t i = 0; i < places.size(); ++i) places[i] = sample_point(i);
@@ -362,6 +301,7 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
                          tried_box,
                          join(tried),
                          {},
+                         {},
                          {}},
                         options, progress);
   });
@@ -374,12 +314,13 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
     measure_shares(claims, solids, built.report);
     if (!options.split) built.report.closed_gaps = closed_gaps(claims, places);
   }
-  Claimed claimed = {std::move(claims), places, {}, box, join(solids), {}, {}};
+  Claimed claimed = {std::move(claims), places, {}, box, join(solids), {}, {}, {}};
+  claimed.sample_m3 = sample_volumes(grid, built.report);
   cut_away(claimed, options);
   if (options.measured) built.input_m = claimed.mesh;
   for (const Input& input : inputs) claimed.tissues.push_back(input.tissue);
   claimed.sources = source_records(inputs, built.report);
-  built.bytes = assemble(std::move(claimed), options, progress);
+  built.bytes = assemble(std::move(claimed), options, built.report.warnings, progress);
   return built;
 }
 
@@ -410,6 +351,35 @@ Lattice lattice_of(Claimed& claimed, const BuildOptions& options, const Progress
   return split_parts(claimed.claims, claimed.places, std::move(lattice));
 }
 
+// What the inputs give, by materials numbered without those of gaps and capsule.
+struct Given {
+  std::vector<Tissue> tissues;
+  std::vector<bool> is_layer;
+  std::vector<double> volume_m3;
+};
+
+Given given_of(const Claimed& claimed, const BuildOptions& options) {
+  MaterialList list{options.own_tissues, {}};
+  const TissueNumbers numbers =
+      number_tissues(claimed.tissues, options, claimed.claims.grid.edge_m, list);
+  std::vector<bool> is_layer(list.tissues.size(), false);
+  for (const TissueNumbers::Numbered& layer : numbers.layers) is_layer[layer.material] = true;
+  return {list.tissues, is_layer,
+          given_volumes(claimed.claims, claimed.places, numbers, claimed.cut, claimed.sample_m3)};
+}
+
+void warn_of_losses(const OrganParts& parts, const std::vector<std::uint8_t>& given_of_voxel,
+                    const Given& given, MaterialList& materials,
+                    std::vector<std::string>& warnings) {
+  const std::vector<Held> held = held_volumes(parts, given_of_voxel);
+  for (std::size_t i = 0; i < given.tissues.size(); ++i) {
+    const std::string text =
+        loss((given.is_layer[i] ? "layer " : "tissue ") + given.tissues[i].name, given.volume_m3[i],
+             held[number_of(materials, given.tissues[i])], parts.lattice.grid.edge_m);
+    if (!text.empty()) warnings.push_back(text);
+  }
+}
+
 }  // namespace
 
 double swept_voxels(Claimed claimed, const BuildOptions& options, const Progress& progress) {
@@ -418,19 +388,22 @@ double swept_voxels(Claimed claimed, const BuildOptions& options, const Progress
 }
 
 std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
-                                const Progress& progress) {
+                                std::vector<std::string>& warnings, const Progress& progress) {
   OrganParts parts;
   parts.name = options.name;
+  const Given given = given_of(claimed, options);  // before gaps are filled
   parts.lattice = lattice_of(claimed, options, progress);
   MaterialList materials{options.own_tissues, {}};
   const TissueNumbers numbers =
       number_tissues(claimed.tissues, options, parts.lattice.grid.edge_m, materials);
   const std::vector<std::uint8_t> layers = cell_layers(claimed.claims, numbers);
   const std::vector<std::uint16_t> owner_of_voxel = owners(claimed.claims, parts.lattice);
-  parts.voxel_material = voxel_materials(claimed.claims, parts.lattice, owner_of_voxel,
-                                         claimed.tissues, numbers, layers, options, materials);
+  VoxelMaterials of_voxel = voxel_materials(claimed.claims, parts.lattice, owner_of_voxel,
+                                            claimed.tissues, numbers, layers, options, materials);
+  parts.voxel_material = std::move(of_voxel.material);
   parts.mixed = mixed_voxels(claimed.claims, claimed.places, parts.lattice,
                              {owner_of_voxel, parts.voxel_material, layers}, numbers);
+  warn_of_losses(parts, of_voxel.given, given, materials, warnings);
   parts.materials = std::move(materials.tissues);
   parts.voxel_fixed = fixed_corners(parts.lattice, claimed, options.held);
   embed_surface(claimed.mesh, parts);

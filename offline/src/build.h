@@ -124,12 +124,13 @@ struct Claimed {
   Mesh mesh;                      // metres
   std::vector<std::uint8_t> cut;  // cells cut away, see crop.h
   std::vector<SourceRecord> sources;
+  std::vector<double> sample_m3;  // what a sample of each owner stands for
 };
 // Only a part of it, where that is asked for; and what a tick of the organ sweeps, with gaps filled
 // and parts split as options say.
 void cut_away(Claimed& claimed, const BuildOptions& options);
 double swept_voxels(Claimed claimed, const BuildOptions& options, const Progress& progress);
 std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
-                                const Progress& progress);
+                                std::vector<std::string>& warnings, const Progress& progress);
 
 }  // namespace stylet::bake

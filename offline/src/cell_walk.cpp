@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cell_walk.h"
+
+#include <algorithm>
+#include <bit>
+#include <tuple>
+
+namespace stylet::bake {
+namespace {
+
+double side(const Plane& plane, Vec place) {
+  return dot(plane.normal, place);
+}
+
+// As many samples on either side as there are in `beyond` and not; some of both, or it stays.
+void set_limit(const SamplePlaces& places, std::uint64_t beyond, Plane& plane) {
+  const auto first = static_cast<std::size_t>(std::popcount(~beyond));
+  if (first == 0 || first == kCellSamples) return;
+  std::array<double, kCellSamples> along{};
+  for (std::uint32_t s = 0; s < kCellSamples; ++s) along[s] = side(plane, places[s]);
+  std::sort(along.begin(), along.end());
+  plane.limit = 0.5 * (along[first - 1] + along[first]);
+}
+
+// How much of the way from `from` to `to` lies on this side of a plane.
+double length_before(const Plane& plane, Vec from, Vec to) {
+  const double a = side(plane, from) - plane.limit, b = side(plane, to) - plane.limit;
+  const double whole = length(to - from);
+  if (a <= 0 && b <= 0) return whole;
+  if (a > 0 && b > 0) return 0;
+  return whole * (a <= 0 ? a / (a - b) : b / (b - a));
+}
+
+Vec with(Vec place, std::size_t axis, double value) {
+  return {axis == 0 ? value : place.x, axis == 1 ? value : place.y, axis == 2 ? value : place.z};
+}
+
+}  // namespace
+
+Plane fit_plane(const SamplePlaces& places, std::uint64_t beyond) {
+  const int count = std::popcount(beyond);
+  if (count == 0) return {{0, 0, 0}, 1};
+  if (count == kCellSamples) return {{0, 0, 0}, -1};
+  Vec there{}, here{};
+  for (std::uint32_t s = 0; s < kCellSamples; ++s) {
+    Vec& sum = (beyond >> s & 1U) != 0 ? there : here;
+    sum = sum + places[s];
+  }
+  const Vec way = there * (1.0 / count) - here * (1.0 / (static_cast<int>(kCellSamples) - count));
+  constexpr double kTooNear = 1e-3;  // one lies in the midst of the other: any direction is as good
+  const double distance = length(way);
+  Plane plane = {distance > kTooNear ? way * (1 / distance) : Vec{0, 0, 1}, 0};
+  set_limit(places, beyond, plane);
+  return plane;
+}
+
+CellWalk::CellWalk(const Claims& claims, const SamplePlaces& places, const TissueNumbers& numbers,
+                   Sides sides)
+    : claims_(claims), places_(places), numbers_(numbers), sides_(sides), shares_(claims.shares) {
+  std::stable_sort(shares_.begin(), shares_.end(), [](const auto& a, const auto& b) {
+    return std::make_tuple(a.cell, a.priority, std::popcount(a.inside)) <
+           std::make_tuple(b.cell, b.priority, std::popcount(b.inside));
+  });
+}
+
+// The strongest owner has the last word.
+OfSamples CellWalk::owners_of(std::size_t cell) const {
+  OfSamples owner{};
+  owner.fill(kNoOwner);
+  const std::uint64_t inside = claims_.inside[cell];
+  const auto take = [&](std::uint64_t samples, std::uint16_t of) {
+    for (std::uint32_t s = 0; s < kCellSamples; ++s) {
+      if ((samples >> s & 1U) != 0) owner[s] = of;
+    }
+  };
+  take(inside, claims_.owner[cell]);  // also what was filled in later, by no input
+  auto share =
+      std::lower_bound(shares_.begin(), shares_.end(), cell,
+                       [](const auto& each, std::size_t wanted) { return each.cell < wanted; });
+  for (; share != shares_.end() && share->cell == cell; ++share) {
+    take(share->inside & inside, share->owner);
+  }
+  return owner;
+}
+
+CellHere CellWalk::enter(std::size_t cell, Depths& depths) const {
+  CellHere here;
+  here.owner = owners_of(cell);
+  if (numbers_.layers.empty()) return here;
+  std::uint64_t layered = 0;
+  for (std::uint32_t s = 0; s < kCellSamples; ++s) {
+    layered |= std::uint64_t{is_layered(numbers_, here.owner[s])} << s;
+  }
+  Plane plane = fit_plane(places_, ~layered);
+  constexpr double kSteep = 0.25;  // what a plane of samples may lean without a slope
+  if (sides_ == Sides::kUpright && std::abs(plane.normal[numbers_.course.axis]) < kSteep) {
+    plane.normal = with(plane.normal, numbers_.course.axis, 0);
+    set_limit(places_, ~layered, plane);
+  }
+  const double start = numbers_.course.backwards ? 1 : 0;
+  for (std::uint32_t s = 0; s < kCellSamples; ++s) {
+    const Vec in = with(places_[s], numbers_.course.axis, start);
+    const Vec out = with(places_[s], numbers_.course.axis, 1 - start);
+    here.from[s] = depths[s];
+    here.at[s] = depths[s] + length_before(plane, in, places_[s]);
+    here.to[s] = layered == 0 ? 0 : depths[s] + length_before(plane, in, out);
+  }
+  depths = here.to;
+  return here;
+}
+
+}  // namespace stylet::bake

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the 64 samples of a cell lie in, walked along the rows in which layers are counted: an
+// owner, and how deep below the layered inputs' surface, to a plane through the cell and so finer
+// than its samples. Units: in a cell, edges. Time: linear in the cells walked.
+#pragma once
+
+#include "layers.h"
+#include "sample_parts.h"
+
+namespace stylet::bake {
+
+constexpr std::uint32_t kCellSamples = 64;
+constexpr std::uint16_t kNoOwner = 0xFFFF;
+using OfSamples = std::array<std::uint16_t, kCellSamples>;  // an owner or a material of each
+
+// `side` > limit for the places beyond it.
+struct Plane {
+  Vec normal;
+  double limit = 0;
+};
+
+// Between the samples in `beyond` and the others: from the middle of these towards the middle of
+// those, with as many samples on either side. None or all of them: everything lies on one side.
+Plane fit_plane(const SamplePlaces& places, std::uint64_t beyond);
+
+// How deep the rows through each sample have come where layers are.
+using Depths = std::array<double, kCellSamples>;
+
+inline bool is_layered(const TissueNumbers& numbers, std::uint16_t owner) {
+  return owner != kNoOwner && numbers.is_layered[owner] != 0;
+}
+
+struct CellHere {
+  OfSamples owner{};
+  Depths from{}, at{}, to{};  // of each row where it enters the cell, at its sample, at its end
+};
+
+// How the sides of a body bound rows. A plane of samples leans a little, and rows along it would be
+// inside only in part: as thick for a layer as rows that are inside, so they are in or out where
+// volumes count.
+enum class Sides { kAsSampled, kUpright };
+
+// Walks cell by cell along the rows of the course.
+class CellWalk {
+ public:
+  CellWalk(const Claims& claims, const SamplePlaces& places, const TissueNumbers& numbers,
+           Sides sides = Sides::kAsSampled);
+
+  // Calls visit(cell, what its samples lie in) for each kept cell.
+  template <typename Visit>
+  void each_cell(Visit visit) const {
+    const Grid& grid = claims_.grid;
+    const std::size_t axis = numbers_.course.axis, u = (axis + 1) % 3, v = (axis + 2) % 3;
+    std::array<std::uint32_t, 3> at{};
+    for (at[v] = 0; at[v] < grid.size[v]; ++at[v]) {
+      for (at[u] = 0; at[u] < grid.size[u]; ++at[u]) {
+        Depths depths{};
+        for (std::uint32_t step = 0; step < grid.size[axis]; ++step) {
+          at[axis] = numbers_.course.backwards ? grid.size[axis] - 1 - step : step;
+          const std::size_t cell = cell_index(grid, at[0], at[1], at[2]);
+          if (!is_kept(claims_, cell)) {
+            depths = {};
+            continue;
+          }
+          visit(cell, enter(cell, depths));
+        }
+      }
+    }
+  }
+
+ private:
+  OfSamples owners_of(std::size_t cell) const;
+  CellHere enter(std::size_t cell, Depths& depths) const;  // moves `depths` on
+
+  const Claims& claims_;
+  const SamplePlaces& places_;
+  const TissueNumbers& numbers_;
+  Sides sides_;
+  std::vector<Claims::Share> shares_;  // by cell, weakest first
+};
+
+}  // namespace stylet::bake

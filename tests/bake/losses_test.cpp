@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is off by more than 5 % is told: layers, labels and meshes drawn at random, against volumes
+// in closed form or voxels counted, and against what the file's voxels and planes hold.
+#include "losses.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "bake_support.h"
+#include "crop.h"
+#include "label_organ.h"
+#include "random_bodies.h"
+#include "refusal.h"
+
+namespace stylet::test {
+namespace {
+
+using bake::Mesh;
+using bake::Vec;
+
+// ---- from outside -------------------------------------------------------------------------------
+
+// The part of the unit cube where n . place <= limit: exact along the axis that the plane leans to
+// most, by midpoints across.
+double integrated_before(std::array<double, 3> n, double limit, int across = 24) {
+  std::size_t axis = 0;
+  for (std::size_t i = 1; i < 3; ++i) axis = std::abs(n[i]) > std::abs(n[axis]) ? i : axis;
+  if (n[axis] == 0) return limit >= 0 ? 1 : 0;
+  double sum = 0;
+  for (int i = 0; i < across * across; ++i) {
+    const double u = (i % across + 0.5) / across, v = (i / across + 0.5) / across;
+    const double at = (limit - n[(axis + 1) % 3] * u - n[(axis + 2) % 3] * v) / n[axis];
+    const double below = std::clamp(at, 0.0, 1.0);
+    sum += n[axis] > 0 ? below : 1 - below;
+  }
+  return sum / (across * across);
+}
+
+// Of a material in an organ file: where a needle meets it, and its voxels.
+bake::Held held_in(const Organ& organ, const std::string& name) {
+  std::vector<const OrganMixed*> plane(organ.voxel_count, nullptr);
+  for (const OrganMixed& each : organ.mixed) plane[each.voxel] = &each;
+  const auto is = [&](std::uint32_t material) {
+    return material != kNoTissue && organ_material(organ, material).name == name;
+  };
+  bake::Held cells;
+  for (std::uint32_t voxel = 0; voxel < organ.voxel_count; ++voxel) {
+    const bool own = is(organ.voxel_material[voxel]);
+    const double filled = own ? organ.voxel_fill[voxel] / 255.0 : 0;
+    cells.voxel_m3 += filled;
+    const OrganMixed* mixed = plane[voxel];
+    if (mixed == nullptr) {
+      cells.met_m3 += filled;
+    } else if (own || is(mixed->material)) {
+      const auto exact = [](float value) { return static_cast<double>(value); };
+      const double before = integrated_before(
+          {exact(mixed->nx), exact(mixed->ny), exact(mixed->nz)}, exact(mixed->limit));
+      cells.met_m3 += own ? before : 1 - before;
+    }
+  }
+  const double edge = static_cast<double>(organ.voxel_edge_m);
+  return {cells.met_m3 * edge * edge * edge, cells.voxel_m3 * edge * edge * edge};
+}
+
+struct Counts {
+  int told = 0, silent = 0;
+};
+
+// Nothing is off by more than 5 % without a warning, and none warns of what is off by 1 % at most.
+void expect_told(const bake::Built& built, const std::string& what, const std::string& material,
+                 double given_m3, unsigned seed, Counts& counts) {
+  const bake::Held held = held_in(opened(built.bytes), material);
+  const double off =
+      std::max(std::abs(held.met_m3 / given_m3 - 1), std::abs(held.voxel_m3 / given_m3 - 1));
+  const std::vector<std::string>& warnings = built.report.warnings;
+  const bool told = std::any_of(warnings.begin(), warnings.end(), [&](const std::string& each) {
+    return each.starts_with(what + " " + material + ": ");
+  });
+  if (off > 0.05) {
+    EXPECT_TRUE(told) << "seed " << seed << ", " << material << ": " << off;
+  }
+  if (off < 0.01) {
+    EXPECT_FALSE(told) << "seed " << seed << ", " << material << ": " << off;
+  }
+  ++(told ? counts.told : counts.silent);
+}
+
+TEST(Losses, AreMeasuredExactly) {
+  Draw draw(1);
+  for (int i = 0; i < 400; ++i) {
+    Vec n = draw.direction();
+    if (i % 4 == 0) n.x = 0;
+    if (i % 8 == 0) n.y = i % 16 == 0 ? 0 : 1e-7;
+    const double limit = draw.between(-1.2, 1.2);
+    EXPECT_NEAR(bake::volume_before(n, limit), integrated_before({n.x, n.y, n.z}, limit, 200), 2e-4)
+        << n.x << " " << n.y << " " << n.z << " " << limit;
+  }
+  EXPECT_EQ(bake::volume_before({0, 0, 0}, 1), 1);
+  EXPECT_EQ(bake::volume_before({0, 0, 0}, -1), 0);
+}
+
+// ---- layers -------------------------------------------------------------------------------------
+
+// A block with a footprint in any direction and a slope: as deep everywhere along z.
+Mesh sloping_block(Vec size_mm, double turn, double slope_x, double slope_y) {
+  Mesh mesh = box_mesh({0, 0, -size_mm.z}, {size_mm.x, size_mm.y, 0});
+  for (Vec& p : mesh.points) {
+    const double x = std::cos(turn) * p.x - std::sin(turn) * p.y;
+    const double y = std::sin(turn) * p.x + std::cos(turn) * p.y;
+    p = {x, y, p.z + slope_x * x + slope_y * y};
+  }
+  return mesh;
+}
+
+bake::BuildOptions layered(double fat_mm, double fascia_mm, double voxel_mm) {
+  bake::BuildOptions options;
+  options.voxel_edge_m = voxel_mm * 1e-3;
+  options.layers = {{fat_mm * 1e-3, "fat"}, {fascia_mm * 1e-3, "fascia"}, {1, "gel"}};
+  options.layer_course = {2, true, ""};
+  return options;
+}
+
+TEST(Losses, HalfAMillimetreOfFasciaIsMissedByName) {
+  const auto built = build_quietly({input_of(box_mesh({0, 0, 0}, {40, 36, 30}), 1e-3, "gel")},
+                                   layered(4, 0.5, 3.3));
+  // 40 x 36 x 0.5 mm.
+  EXPECT_THAT(built.report.warnings,
+              testing::Contains(testing::AllOf(
+                  testing::StartsWith("layer fascia: at a voxel edge of 3.3 mm, of 0.72"),
+                  testing::HasSubstr("voxels hold 0 ml (-100 %)"))));
+}
+
+TEST(Losses, OfLayersAreTold) {
+  Counts counts;
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    Draw draw(seed);
+    const Vec size_mm = {draw.between(30, 50), draw.between(30, 50), 30};
+    const Mesh block = sloping_block(size_mm, draw.between(0, 3), draw.between(-0.4, 0.4),
+                                     draw.between(-0.4, 0.4));
+    const double fat_mm = draw.between(3, 8), fascia_mm = draw.between(0.4, 6);
+    const auto built = build_quietly({input_of(block, 1e-3, "gel")},
+                                     layered(fat_mm, fascia_mm, draw.between(1, 4)));
+    const double area_m2 = size_mm.x * size_mm.y * 1e-6;
+    expect_told(built, "layer", "fat", area_m2 * fat_mm * 1e-3, seed, counts);
+    expect_told(built, "layer", "fascia", area_m2 * fascia_mm * 1e-3, seed, counts);
+  }
+  EXPECT_GT(counts.told, 10);
+  EXPECT_GT(counts.silent, 2);
+}
+
+// ---- labels -------------------------------------------------------------------------------------
+
+bake::LabelMap random_map(Draw& draw) {
+  bake::LabelMap map;
+  map.size = {60, 56, 40};
+  const std::array<Vec, 3> frame = random_frame(draw);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    map.step_m[axis] = frame[axis] * (draw.between(0.7, 2.5) * 1e-3);
+  }
+  map.sha256 = std::string(64, '0');
+  map.label.assign(60 * 56 * 40, 0);
+  for (std::uint16_t label = 1; label <= 3; ++label) {
+    const Vec middle = {draw.between(20, 40), draw.between(20, 36), draw.between(14, 26)};
+    const double share = label == 1 ? 1 : 0.3;
+    const Vec half = Vec{draw.between(5, 20), draw.between(5, 18), draw.between(3, 13)} * share;
+    for (int i = 0; i < 60 * 56 * 40; ++i) {
+      const Vec at = Vec{1.0 * (i % 60), 1.0 * (i / 60 % 56), 1.0 * (i / 3360)} - middle;
+      const Vec part = {at.x / half.x, at.y / half.y, at.z / half.z};
+      if (dot(part, part) <= 1) map.label[static_cast<std::size_t>(i)] = label;
+    }
+  }
+  return map;
+}
+
+TEST(Losses, OfLabelsAreTold) {
+  Counts counts;
+  const std::array<std::string, 3> tissues = {"liver", "kidney", "gel"};
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    Draw draw(seed);
+    const bake::LabelMap map = random_map(draw);
+    bake::Recipe recipe = {{}, {{"liver", {1}}, {"kidney", {2}}, {"gel", {3}}}};
+    bake::BuildOptions options;
+    options.voxel_edge_m = draw.between(1, 4) * 1e-3;
+    const auto built = bake::build_labels("map", map, recipe, options, [](const char*, double) {});
+    const double voxel_m3 = std::abs(dot(map.step_m[0], cross(map.step_m[1], map.step_m[2])));
+    for (std::uint16_t label = 1; label <= 3; ++label) {
+      const auto count = std::count(map.label.begin(), map.label.end(), label);
+      if (count == 0) continue;  // the next lies over it
+      const bake::Held held = held_in(opened(built.bytes), tissues[label - 1U]);
+      const bool lost = held.met_m3 == 0;
+      expect_told(built, lost ? "labels of" : "tissue", tissues[label - 1U],
+                  static_cast<double>(count) * voxel_m3, seed, counts);
+    }
+  }
+  EXPECT_GT(counts.told, 10);
+  EXPECT_GT(counts.silent, 10);
+}
+
+// Fat and skin of a wall around labels, of which skin falls between the map's voxels.
+TEST(Losses, AWallTooThinForTheMapIsTold) {
+  Draw draw(7);
+  bake::LabelMap map = random_map(draw);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    map.step_m[axis] = map.step_m[axis] * (2e-3 / length(map.step_m[axis]));
+  }
+  bake::Recipe recipe = {{}, {{"gel", {1, 2, 3}}}};
+  recipe.wall = {{"fat", 5e-3}, {"skin", 0.01e-3}};
+  const auto built = bake::build_labels("map", map, recipe, {}, [](const char*, double) {});
+  EXPECT_THAT(built.report.warnings,
+              testing::Contains(testing::StartsWith("layer skin: 0.01 mm lie between")));
+}
+
+// ---- meshes -------------------------------------------------------------------------------------
+
+TEST(Losses, OfMeshesInEachOtherAreTold) {
+  Counts counts;
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    Draw draw(seed);
+    const Vec outer = {draw.between(20, 50), draw.between(20, 50), draw.between(20, 50)};
+    const Vec inner = {draw.between(2, 15), draw.between(2, 15), draw.between(2, 15)};
+    const auto frame = random_frame(draw), inner_frame = random_frame(draw);
+    const Mesh body = turned(box_mesh(outer * -0.5, outer * 0.5), frame);
+    const Mesh lesion = turned(box_mesh(inner * -0.25, inner * 0.25), inner_frame);
+    bake::BuildOptions options;
+    options.voxel_edge_m = draw.between(1, 4) * 1e-3;
+    bake::Built built;
+    try {
+      built = build_quietly({input_of(body, 1e-3), input_of(lesion, 1e-3, "kidney", 1)}, options);
+    } catch (const bake::Refusal&) {
+      continue;  // between all samples
+    }
+    const double lesion_m3 = inner.x * inner.y * inner.z * 0.125e-9;
+    const double body_m3 = outer.x * outer.y * outer.z * 1e-9 - lesion_m3;
+    const bool sampled_badly = std::any_of(
+        built.report.warnings.begin(), built.report.warnings.end(),
+        [](const std::string& each) { return each.find("its surface encloses") < each.size(); });
+    expect_told(built, "tissue", "liver", body_m3, seed, counts);
+    if (!sampled_badly) expect_told(built, "tissue", "kidney", lesion_m3, seed, counts);
+  }
+  EXPECT_GT(counts.told, 10);
+  EXPECT_GT(counts.silent, 10);
+}
+
+// What is cut away was not lost.
+TEST(Losses, ACropIsNone) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    Draw draw(seed);
+    const Mesh body = turned(box_mesh({0, 0, 0}, {50, 40, 60}), random_frame(draw));
+    bake::BuildOptions options;
+    options.voxel_edge_m = draw.between(2, 3) * 1e-3;
+    options.crop = bake::parse_crop({fmt::format("x>{:.0f}%", draw.between(20, 60)),
+                                     fmt::format("z<{:.0f}%", draw.between(40, 80))});
+    EXPECT_THAT(build_quietly({input_of(body, 1e-3)}, options).report.warnings, testing::IsEmpty());
+  }
+}
+
+}  // namespace
+}  // namespace stylet::test
