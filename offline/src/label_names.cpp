@@ -18,7 +18,8 @@ namespace {
 // Its words in lower case, in the alphabet's order.
 std::vector<std::string> essence(std::string_view name) {
   std::vector<std::string> words(1);
-  for (const unsigned char c : name) {
+  for (const char each : name) {
+    const auto c = static_cast<unsigned char>(each);
     constexpr unsigned char kAscii = 128;
     if (c >= kAscii || std::isalnum(c) != 0) {
       words.back() += static_cast<char>(std::tolower(c));
