@@ -63,10 +63,35 @@ void check_output_folder(const std::filesystem::path& path) {
 
 Outputs::~Outputs() {
   take_back();
+  release_signals();
+}
+
+// Blocks what would end the command in between; refuses to go on once it has come. What was ignored
+// before, as by nohup, stays so.
+void Outputs::hold_signals() {
+  sigset_t pending{};
+  for (const int each : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction now {};
+    (void)::sigaction(each, nullptr, &now);
+    if (now.sa_handler != SIG_IGN) (void)::sigaddset(&held_, each);
+  }
+  (void)::pthread_sigmask(SIG_BLOCK, &held_, nullptr);
+  (void)::sigpending(&pending);
+  for (const int each : {SIGINT, SIGTERM, SIGHUP}) {
+    if (::sigismember(&held_, each) == 0 || ::sigismember(&pending, each) == 0) continue;
+    refuse("stopped by {}: nothing was written", ::strsignal(each));
+  }
+}
+
+// One that came meanwhile ends the command here.
+void Outputs::release_signals() {
+  (void)::pthread_sigmask(SIG_UNBLOCK, &held_, nullptr);
+  (void)::sigemptyset(&held_);
 }
 
 void Outputs::add(const std::filesystem::path& path, std::span<const std::byte> bytes) {
   check_output(path);
+  hold_signals();
   const auto place = place_of(path);
   for (const File& other : files_) {
     if (place_of(other.path) == place) {
@@ -89,6 +114,7 @@ void Outputs::add(const std::filesystem::path& path, std::string_view text) {
 
 void Outputs::add_folder(const std::filesystem::path& path) {
   check_output_folder(path);
+  hold_signals();
   std::error_code error;
   std::filesystem::path missing = std::filesystem::absolute(path).lexically_normal();
   if (!missing.has_filename()) missing = missing.parent_path();  // "folder/"
@@ -119,6 +145,7 @@ bool Outputs::name(File& file) {
 }
 
 void Outputs::commit() {
+  hold_signals();
   for (File& file : files_) {
     if (name(file)) continue;
     refuse("{}: cannot be written: {}", file.path.string(), std::strerror(errno));
@@ -130,6 +157,7 @@ void Outputs::commit() {
   for (const auto& path : removed_) std::filesystem::remove(path, error);
   files_.clear();
   folders_.clear();
+  release_signals();
 }
 
 void Outputs::take_back() {

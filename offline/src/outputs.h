@@ -4,10 +4,12 @@
 // Promises: an output that the command reads, that it writes twice, or that is a directory, a
 // device or another special file is refused; bytes lie in temporaries beside their names until
 // commit(), which gives them their names when all are complete and on the disk; without it, and
-// where it fails, every file is as it was. Permissions follow the umask. What goes wrong is refused
+// where it fails, every file is as it was. SIGINT, SIGTERM and SIGHUP wait until that is so (of
+// SIGKILL temporaries stay). Permissions follow the umask. What goes wrong is refused
 // with one line.
 #pragma once
 
+#include <csignal>
 #include <cstddef>
 #include <filesystem>
 #include <span>
@@ -44,9 +46,12 @@ class Outputs {
   };
   bool name(File& file);
   void take_back();
+  void hold_signals();
+  void release_signals();
 
   std::vector<File> files_;
   std::vector<std::filesystem::path> folders_, removed_;
+  sigset_t held_{};  // what this blocks
 };
 
 // One alone.

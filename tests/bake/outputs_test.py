@@ -22,7 +22,8 @@ CUBE = ("OFF\n8 12 0\n" + "".join(f"{30 * (i & 1)} {30 * (i >> 1 & 1)} {30 * (i 
                                   for i in range(8)) +
         "3 0 2 3\n3 0 3 1\n3 4 5 7\n3 4 7 6\n3 0 1 5\n3 0 5 4\n3 2 6 7\n3 2 7 3\n3 0 4 6\n3 0 6 2\n"
         "3 1 3 7\n3 1 7 5\n")
-MAP = (b"NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nspacings: 10 10 10\nencoding: raw\n"
+MAP = (b"NRRD0004\ntype: uchar\ndimension: 3\nspace: LPS\nsizes: 4 4 4\n"
+       b"space directions: (10,0,0) (0,10,0) (0,0,10)\nspace origin: (0,0,0)\nencoding: raw\n"
        b"%s\n" + 32 * b"\5" + 32 * b"\7")
 HEADER = MAP.split(b"%s")[0]
 

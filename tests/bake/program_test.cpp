@@ -6,10 +6,12 @@
 #include <sys/wait.h>
 
 #include <chrono>
+#include <csignal>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "bake_support.h"
+#include "outputs.h"
 
 namespace stylet::test {
 namespace {
@@ -324,6 +326,37 @@ TEST(Program, OutputsAppearTogetherOrNotAtAll) {
   EXPECT_FALSE(std::filesystem::exists(at("b.organ")));
 }
 
+// A signal between the first temporary and the last name ends the command, and every file is as it
+// was; one that is ignored does not.
+TEST(Outputs, SignalsWaitUntilFilesAreAsTheyWereOrComplete) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const bool before_the_last : {false, true}) {
+      const Scratch scratch;
+      scratch.write("a", "old");
+      const auto before = all_files(scratch.folder);
+      const auto write = [&] {
+        bake::Outputs outputs;
+        outputs.add(scratch.folder / "a", std::string_view("new"));
+        outputs.add_folder(scratch.folder / "page");
+        if (before_the_last) (void)::raise(signal);
+        outputs.add(scratch.folder / "page/b", std::string_view("new"));
+        if (!before_the_last) (void)::raise(signal);
+        outputs.commit();
+      };
+      EXPECT_EXIT(write(), testing::KilledBySignal(signal), "");
+      EXPECT_EQ(all_files(scratch.folder), before) << signal;
+      const auto ignoring = [&] {
+        (void)std::signal(signal, SIG_IGN);
+        write();
+        std::exit(0);
+      };
+      EXPECT_EXIT(ignoring(), testing::ExitedWithCode(0), "");
+      EXPECT_EQ(slurp(scratch.folder / "page/b"), "new");
+      EXPECT_EQ(all_files(scratch.folder).size(), 3U);
+    }
+  }
+}
+
 // 64 voxels of a ten-thousandth of a millimetre, and a wall of centimetres around them: the product
 // of the sizes once wrapped.
 TEST(Program, WallsAroundTinyVoxelsAreRefusedBeforeMemoryIsTaken) {
@@ -392,7 +425,8 @@ TEST(Program, LabelMapsNeedARecipe) {
   const std::string map =
       scratch
           .write("seg.v1.nrrd",
-                 "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nspacings: 10 10 10\n"
+                 "NRRD0004\ntype: uchar\ndimension: 3\nspace: LPS\nsizes: 4 4 4\n"
+                 "space directions: (10,0,0) (0,10,0) (0,0,10)\nspace origin: (0,0,0)\n"
                  "encoding: raw\n\n" +
                      std::string(32, '\5') + std::string(32, '\7'))
           .string();
