@@ -6,6 +6,7 @@
 #include <dcmtk/dcmjpls/djdecode.h>
 #include <dcmtk/oflog/oflog.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -80,6 +81,19 @@ std::uint16_t count_of(const DicomFile& file, const DcmTagKey& tag, std::uint16_
   return dataset_of(file).findAndGetUint16(tag, value).good() ? value : otherwise;
 }
 
+// Before anything is kept for each frame or pixel that is claimed.
+void require_pixels_held(const DicomFile& file) {
+  DcmDataset& data = dataset_of(file);
+  const std::uint16_t bits = std::max<std::uint16_t>(1, count_of(file, DCM_BitsAllocated, 1));
+  require_map_size(file.path, {file.columns, file.rows, file.frames});
+  const std::uint64_t pixels = std::uint64_t{file.columns} * file.rows * file.frames;
+  Claim claim;
+  claim.packed = DcmXfer(data.getOriginalXfer()).isEncapsulated();
+  claim.sizes = {(pixels * bits + 7) / 8};
+  std::error_code error;
+  require_held(file.path, claim, std::filesystem::file_size(file.path, error));
+}
+
 void read_groups(DicomFile& file) {
   DcmDataset& data = dataset_of(file);
   Sint32 frames = 1;
@@ -93,6 +107,7 @@ void read_groups(DicomFile& file) {
     refuse("{}: {} frames and functional groups of {}: expected as many", file.path, file.frames,
            file.groups.size());
   }
+  if (file.frames > 1 && file.columns > 0 && file.rows > 0) require_pixels_held(file);
 }
 
 Vec vector_at(const DicomFile& file, std::size_t frame, const DcmTagKey& group,
@@ -249,15 +264,10 @@ void load_pixels(const DicomFile& file) {
   if ((bits != 1 && bits != 8 && bits != 16) || used < 1 || used > bits) {
     refuse("{}: {} of {} bits a pixel: expected some of 1, 8 or 16", file.path, used, bits);
   }
-  require_map_size(file.path, {file.columns, file.rows, file.frames});
+  require_pixels_held(file);
   const std::uint64_t pixels = std::uint64_t{file.columns} * file.rows * file.frames;
   const std::uint64_t wanted = (pixels * bits + 7) / 8;
   const DcmXfer stored(data.getOriginalXfer());
-  Claim claim;
-  claim.packed = stored.isEncapsulated();
-  claim.sizes = {wanted};
-  std::error_code error;
-  require_held(file.path, claim, std::filesystem::file_size(file.path, error));
   if (stored.isEncapsulated() && stored.isLossy()) {
     refuse("{}: {}: loses values: expected labels as they were", file.path, stored.getXferName());
   }

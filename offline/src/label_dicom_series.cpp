@@ -22,7 +22,8 @@ struct Slice {
 // What lies in a folder, as far as it is DICOM.
 struct Folder {
   std::vector<DicomFile> images;
-  std::vector<DicomFile> structures;  // RTSTRUCT
+  std::vector<DicomFile> structures;     // RTSTRUCT
+  std::vector<DicomFile> segmentations;  // SEG
   std::vector<std::string> notes;
 };
 
@@ -48,6 +49,8 @@ Folder open_folder(const std::string& folder) {
     const std::string image_type = text_of(file, DCM_ImageType);
     if (kind == UID_RTStructureSetStorage) {
       found.structures.push_back(std::move(file));
+    } else if (kind == UID_SegmentationStorage) {
+      found.segmentations.push_back(std::move(file));
     } else if (image_type.find("LOCALIZER") != std::string::npos) {
       found.notes.push_back(fmt::format("{}: a localizer: left out", path.string()));
     } else if (file.columns > 0 && file.rows > 0) {
@@ -135,6 +138,21 @@ LabelMap map_of_contours(const std::string& folder, const Folder& found) {
   return map;
 }
 
+// It says itself where its planes are; which of several files holds the labels is not guessed.
+LabelMap map_of_segmentation(const std::string& folder, const Folder& found) {
+  const DicomFile& file = found.segmentations.front();
+  if (found.segmentations.size() + found.images.size() + found.structures.size() > 1) {
+    refuse(
+        "{}: {} segmentations (SEG), {} images and {} structure sets: expected one segmentation "
+        "alone; give its file instead of the folder, as {}",
+        folder, found.segmentations.size(), found.images.size(), found.structures.size(),
+        file.path);
+  }
+  LabelMap map = read_dicom_seg(file);
+  map.sha256 = sha256_hex(read_file(file.path));
+  return map;
+}
+
 }  // namespace
 
 bool is_dicom(const std::string& path) {
@@ -147,9 +165,13 @@ bool is_dicom(const std::string& path) {
 
 LabelMap read_dicom_series(const std::string& folder) {
   const Folder found = open_folder(folder);
-  if (found.structures.empty()) require_one_series(folder, found.images);
-  LabelMap map =
-      found.structures.empty() ? map_of(folder, found.images) : map_of_contours(folder, found);
+  const auto read = [&] {
+    if (!found.segmentations.empty()) return map_of_segmentation(folder, found);
+    if (!found.structures.empty()) return map_of_contours(folder, found);
+    require_one_series(folder, found.images);
+    return map_of(folder, found.images);
+  };
+  LabelMap map = read();
   map.notes.insert(map.notes.end(), found.notes.begin(), found.notes.end());
   return map;
 }

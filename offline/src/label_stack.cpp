@@ -269,6 +269,23 @@ Stack uneven_stack(const Frame& f, const std::vector<double>& distances, double 
   return stack;
 }
 
+// A few planes far apart claim no more layers than a body of 2.6 m has of 0.04 mm, and no more
+// memory than a packed file of their size could.
+void require_filled(const Frame& f, double step_m) {
+  constexpr double kMostLayers = 65536, kMostForAPlane = 64;
+  const double layers = f.order.back().along_m / step_m + 1;
+  const double voxels = layers * f.grid.columns * f.grid.rows;
+  const double planes = static_cast<double>(f.planes.size());
+  if (layers <= kMostLayers && (voxels <= kFineVoxels || layers <= kMostForAPlane * planes)) return;
+  refuse(
+      "{}: {} planes from first to last over {:.6g} mm, {:.6g} mm apart: {:.0f} layers: expected "
+      "at most {:.0f} of {} x {} pixels; is the distance of planes right?",
+      f.path, planes, f.order.back().along_m * 1e3, step_m * 1e3, layers,
+      std::min(kMostLayers, std::max(kMostForAPlane * planes,
+                                     std::floor(kFineVoxels / f.grid.columns / f.grid.rows))),
+      f.grid.columns, f.grid.rows);
+}
+
 Frame frame_of(const std::string& path, const PixelGrid& grid, const std::vector<Plane>& planes) {
   Frame f{path, grid, planes, {}, {}, {}, {}};
   put_in_order(f);
@@ -307,6 +324,7 @@ Stack whole_stack(const std::string& path, const PixelGrid& grid,
 Stack sparse_stack(const std::string& path, const PixelGrid& grid, const std::vector<Plane>& planes,
                    double step_m) {
   const Frame f = frame_of(path, grid, planes);
+  require_filled(f, step_m);
   const std::vector<double> distances = distances_m(f);
   std::vector<std::string> notes;
   for (std::size_t i = 0; i < distances.size(); ++i) {

@@ -6,6 +6,8 @@ series.
 usage: dicom_objects_test.py   (STYLET_BIN)
 """
 import json
+import resource
+import subprocess
 import unittest
 
 try:
@@ -15,7 +17,7 @@ try:
 except ImportError:
     dicom = None
 
-from dicom_conformance_test import NEAR, Conformance, ran
+from dicom_conformance_test import NEAR, TOOL, Conformance, ran
 
 
 def segments(random, slices, numbers, overlap=False):
@@ -158,6 +160,73 @@ class Segmentations(Conformance):
             written(folder, random, lambda frames: None, "bytes of pixels", change=change)
 
         self.cases(1, aside, twice, far, fewer, no_segment, unknown_kind, short)
+
+    def test_alone_in_a_folder_it_is_the_map(self):
+        def alone(folder, random):
+            slices = stack(random)
+            frames, seen = segments(random, slices, self.NAMES)
+            write_seg(folder / "seg.dcm", shuffled(random, frames), self.NAMES)
+            self.check(folder, held(seen, **self.rule(slices)))
+
+        def beside_its_series(folder, random):
+            slices = stack(random)
+            frames, _ = segments(random, slices, self.NAMES)
+            write_slices(folder, slices, random)
+            write_seg(folder / "seg.dcm", frames, self.NAMES)
+            self.refused(folder, f"1 segmentations (SEG), {len(slices)} images", "give its file",
+                         "seg.dcm")
+
+        def two(folder, random):
+            frames, _ = segments(random, stack(random), self.NAMES)
+            for name in ("a", "b"):
+                write_seg(folder / name, frames, self.NAMES)
+            self.refused(folder, "2 segmentations (SEG)", "give its file")
+
+        self.cases(1, alone, beside_its_series, two)
+
+    def test_memory_and_time_follow_the_bytes(self):
+        def bounded(path, *said):
+            done = subprocess.run(
+                [TOOL, "labels", path, "--json"], capture_output=True, text=True, timeout=20,
+                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (400 << 20, 400 << 20)))
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+            for words in said:
+                self.assertIn(words, done.stderr)
+
+        def frames_that_are_not_there(folder, random):
+            slices = stack(random)
+            frames, _ = segments(random, slices, [3])
+            for number in 10 ** 7, 2 ** 28 - 1:
+                def change(file):
+                    file.NumberOfFrames, file.Rows, file.Columns = number, 1, 1
+                    shared = file.SharedFunctionalGroupsSequence[0]
+                    own = file.PerFrameFunctionalGroupsSequence[0]
+                    shared.PlanePositionSequence = own.PlanePositionSequence
+                    shared.SegmentIdentificationSequence = own.SegmentIdentificationSequence
+                    file.PixelData = b"\1\0"
+                    del file.PerFrameFunctionalGroupsSequence
+                path = write_seg(folder / "seg.dcm", frames[:1], {3: "Lesion"}, change=change)
+                bounded(path, "bytes are there")
+
+                def image(file):
+                    change(file)
+                    file.SOPClassUID = "1.2.840.10008.5.1.4.1.1.2.1"
+                path = write_seg(folder / "image.dcm", frames[:1], {3: "Lesion"}, change=image)
+                bounded(path, "bytes are there")
+
+        def planes_far_apart(folder, random):
+            for apart, pixels in (0.01, 36), (1e-3, 1), (0.5, 600):
+                first = stack(random)[0]
+                first.pixels = numpy.ones((pixels, pixels), int)
+                far = Slice(first.at + 2000 * numpy.cross(first.row, first.column), first.row,
+                            first.column, first.spacing, first.thickness, first.pixels, 3)
+                near = Slice(first.at, first.row, first.column, first.spacing, first.thickness,
+                             first.pixels, 3)
+                path = write_seg(folder / "seg.dcm", [near, far], {3: "Lesion"}, apart=apart)
+                bounded(path, "layers: expected at most")
+
+        self.cases(1, frames_that_are_not_there, planes_far_apart)
 
 
 class Drawn:
