@@ -105,6 +105,22 @@ std::vector<std::int64_t> whole_numbers(const std::string& path, const HeaderLin
   return numbers;
 }
 
+std::vector<double> real_numbers(const std::string& path, const HeaderLine& line,
+                                 std::string_view text, std::size_t count) {
+  std::vector<double> numbers;
+  for (std::string_view rest = trimmed(text); !rest.empty(); rest = trimmed(rest)) {
+    const std::string_view word = rest.substr(0, std::min(rest.find_first_of(" \t"), rest.size()));
+    const std::string_view plain = word.substr(word.starts_with('+') ? 1 : 0);
+    double number = 0;
+    const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), number);
+    if (error != std::errc{} || end != plain.data() + plain.size()) break;
+    numbers.push_back(number);
+    rest.remove_prefix(word.size());
+    if (rest.empty() && numbers.size() == count) return numbers;
+  }
+  refuse("{}: header line {}: {}: expected {} numbers", path, line.number, line.text, count);
+}
+
 std::vector<std::filesystem::path> numbered_files(const std::string& path, const HeaderLine& line,
                                                   std::string_view text) {
   constexpr std::int64_t kMostFiles = 65535;

@@ -6,14 +6,25 @@
 // Sources: NRRD, teem.sourceforge.net/nrrd/format.html; MetaImage, the documentation of MetaIO.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "geometry.h"
+
 namespace stylet::bake {
+
+// Where the voxels lie in the patient's frame (LPS).
+struct HeaderFrame {
+  Vec origin_m;                    // centre of the first voxel
+  std::array<Vec, 3> step_m;       // from a voxel to the next one along each index
+  std::vector<std::string> notes;  // what the header leaves open, a sentence each
+};
 
 // What a header says of the voxels, and where they are.
 struct Claim {
@@ -23,6 +34,7 @@ struct Claim {
   bool text = false;                           // numbers, with something between them
   std::vector<std::filesystem::path> files;    // of the voxels; none: behind the header
   std::map<std::string, std::string> remarks;  // NRRD's KEY:=VALUE
+  HeaderFrame frame;
 };
 
 // Refuses a claim that cannot lie in so many bytes.
@@ -39,6 +51,14 @@ struct HeaderLine {
   std::size_t number = 0;
 };
 
+using HeaderFields = std::map<std::string, std::pair<std::string, HeaderLine>>;  // value, line
+
+// label_nrrd_frame.cpp, label_meta_frame.cpp: read by ourselves, as ITK takes every unit for
+// millimetres and no spacing for one, and turns left-anterior-superior the wrong way.
+HeaderFrame nrrd_frame(const std::string& path, const HeaderFields& fields,
+                       const std::vector<std::uint64_t>& sizes);
+HeaderFrame meta_frame(const std::string& path, const HeaderFields& fields, std::size_t axes);
+
 // All members of a gzip file; the bytes as they are where they are none.
 std::string inflated(const std::string& path, std::string_view bytes);
 
@@ -51,6 +71,9 @@ std::string lower(std::string_view text);
 std::vector<std::int64_t> whole_numbers(const std::string& path, const HeaderLine& line,
                                         std::string_view text, std::int64_t least,
                                         std::int64_t most);
+// So many numbers with blanks between them; also nan.
+std::vector<double> real_numbers(const std::string& path, const HeaderLine& line,
+                                 std::string_view text, std::size_t count);
 // Of the files NAME with %d or %0Nd in it, from, to, step; as both formats have it.
 std::vector<std::filesystem::path> numbered_files(const std::string& path, const HeaderLine& line,
                                                   std::string_view text);

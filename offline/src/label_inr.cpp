@@ -50,6 +50,21 @@ bool read_voxels(_image& image) {
   return whole;
 }
 
+// CGAL takes a spacing that is missing for 1 and leaves rotations to its caller.
+void check_frame(const std::string& path, const HeaderFields& fields) {
+  for (const char* name : {"VX", "VY", "VZ"}) {
+    if (!fields.contains(name)) refuse("{}: expected {} in the header of an Inrimage", path, name);
+  }
+  for (const char* name : {"RX", "RY", "RZ"}) {
+    const auto found = fields.find(name);
+    if (found == fields.end()) continue;
+    const auto& [value, line] = found->second;
+    if (real_numbers(path, line, value, 1).front() == 0) continue;
+    refuse("{}: header line {}: {}: expected 0: what it turns is not defined; resample it first",
+           path, line.number, line.text);
+  }
+}
+
 // NAME=VALUE up to an empty line or a comment, none longer than what CGAL takes for a line.
 void check_claim(const std::string& path, std::string_view bytes) {
   constexpr std::size_t kLongest = 255;
@@ -62,14 +77,19 @@ void check_claim(const std::string& path, std::string_view bytes) {
   Claim claim;
   std::map<std::string, std::int64_t> fields = {
       {"XDIM", 0}, {"YDIM", 0}, {"ZDIM", 0}, {"VDIM", 0}, {"PIXSIZE", 0}};
+  HeaderFields others;
   while (next_line(path, rest, line) && !line.text.empty() && line.text.front() != '#') {
     if (line.text.size() > kLongest) {
       refuse("{}: header line {}: expected at most {} characters", path, line.number, kLongest);
     }
     const std::size_t sign = line.text.find('=');
     const auto field = fields.find(std::string(line.text.substr(0, sign)));
-    if (field == fields.end() || sign == std::string_view::npos) continue;
+    if (sign == std::string_view::npos) continue;
     std::string_view value = line.text.substr(sign + 1);
+    if (field == fields.end()) {
+      others.insert_or_assign(std::string(line.text.substr(0, sign)), std::pair(value, line));
+      continue;
+    }
     if (field->first == "PIXSIZE") value = value.substr(0, value.find(' '));
     const auto numbers = whole_numbers(path, line, value, 1, INT32_MAX);
     if (numbers.size() != 1 || field->second != 0) {
@@ -89,6 +109,7 @@ void check_claim(const std::string& path, std::string_view bytes) {
   const auto size = [&](const char* name) { return static_cast<std::size_t>(fields[name]); };
   require_map_size(path, {size("XDIM"), size("YDIM"), size("ZDIM")});
   require_held(path, claim, whole.size());
+  check_frame(path, others);
 }
 
 }  // namespace
@@ -110,6 +131,7 @@ LabelMap read_inr(const std::string& path, std::string_view bytes) {
                      static_cast<double>(image->tz)} *
                  kMetresPerMm;
   require_frame(path, map);
+  map.notes = {fmt::format("{}: an Inrimage has no directions: {}", path, kAxesTaken)};
   if (!read_voxels(*image)) {
     refuse("{}: the voxels end early or are damaged: expected {} x {} x {} of {} bytes", path,
            map.size[0], map.size[1], map.size[2], image->wdim);

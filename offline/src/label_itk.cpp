@@ -58,7 +58,7 @@ Claim checked_claim(const std::string& path, std::string_view bytes, std::string
   return claim;
 }
 
-void check_dimensions(const std::string& path, const itk::ImageIOBase& reader) {
+void take_sizes(const std::string& path, const itk::ImageIOBase& reader, LabelMap& map) {
   std::array<std::size_t, 3> sizes = {1, 1, 1};
   for (unsigned axis = 0; axis < reader.GetNumberOfDimensions(); ++axis) {
     const std::size_t size = reader.GetDimensions(axis);
@@ -72,19 +72,9 @@ void check_dimensions(const std::string& path, const itk::ImageIOBase& reader) {
   if (reader.GetNumberOfDimensions() < 3) {
     refuse("{}: {} dimensions: expected 3", path, reader.GetNumberOfDimensions());
   }
-}
-
-void read_frame(const std::string& path, const itk::ImageIOBase& reader, LabelMap& map) {
-  constexpr double kMetresPerMm = 1e-3;
-  const auto at = [&](unsigned axis) { return reader.GetOrigin(axis) * kMetresPerMm; };
-  map.origin_m = {at(0), at(1), at(2)};
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    map.size[axis] = static_cast<std::uint32_t>(reader.GetDimensions(axis));
-    const std::vector<double> direction = reader.GetDirection(axis);
-    map.step_m[axis] =
-        Vec{direction[0], direction[1], direction[2]} * (reader.GetSpacing(axis) * kMetresPerMm);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    map.size[axis] = static_cast<std::uint32_t>(sizes[axis]);
   }
-  require_frame(path, map);
 }
 
 // MetaIO leaves what a file cut short does not hold as it was: two readings differ there.
@@ -146,6 +136,10 @@ void take_any_labels(const std::string& path, itk::ImageIOBase::IOComponentType 
       return take_labels<unsigned long>(path, bytes, map, different);
     case Type::LONG:
       return take_labels<long>(path, bytes, map, different);
+    case Type::ULONGLONG:
+      return take_labels<unsigned long long>(path, bytes, map, different);
+    case Type::LONGLONG:
+      return take_labels<long long>(path, bytes, map, different);
     case Type::FLOAT:
       return take_labels<float>(path, bytes, map, different);
     case Type::DOUBLE:
@@ -159,12 +153,15 @@ void take_any_labels(const std::string& path, itk::ImageIOBase::IOComponentType 
 LabelMap read_by_itk(const std::string& path, std::string_view bytes) {
   LabelMap map;
   const Claim claim = checked_claim(path, bytes, map.sha256);
+  map.origin_m = claim.frame.origin_m;
+  map.step_m = claim.frame.step_m;
+  map.notes = claim.frame.notes;
+  require_frame(path, map);
   try {
     const Silence silence;
     const itk::ImageIOBase::Pointer reader = reader_for(path);
     reader->ReadImageInformation();
-    check_dimensions(path, *reader);
-    read_frame(path, *reader, map);
+    take_sizes(path, *reader, map);
     const std::size_t layers = reader->GetNumberOfComponents();
     const std::vector<Segment> segments = slicer_segments(path, claim, layers);
     std::set<std::uint16_t> different;

@@ -9,13 +9,11 @@
 namespace stylet::bake {
 namespace {
 
-using Fields = std::map<std::string, std::pair<std::string, HeaderLine>>;
-
 // KEY = VALUE up to ElementDataFile, which is the last. MetaIO takes a colon for the sign, too.
-Fields read_fields(const std::string& path, std::string_view& rest) {
+HeaderFields read_fields(const std::string& path, std::string_view& rest) {
   constexpr std::size_t kLongest = 250;       // MetaIO's texts are fields of 255 characters
   constexpr std::size_t kLongestList = 4000;  // and its lists of 4096
-  Fields fields;
+  HeaderFields fields;
   HeaderLine line;
   while (next_line(path, rest, line)) {
     const std::size_t sign = line.text.find_first_of("=:");
@@ -40,7 +38,7 @@ Fields read_fields(const std::string& path, std::string_view& rest) {
 }
 
 // The one number of a key; `otherwise` where there is none.
-std::int64_t number_of(const std::string& path, const Fields& fields, const char* key,
+std::int64_t number_of(const std::string& path, const HeaderFields& fields, const char* key,
                        std::int64_t least, std::int64_t most, std::int64_t otherwise) {
   const auto found = fields.find(key);
   if (found == fields.end()) return otherwise;
@@ -50,13 +48,13 @@ std::int64_t number_of(const std::string& path, const Fields& fields, const char
   return numbers.front();
 }
 
-bool is_true(const Fields& fields, const char* key, bool otherwise) {
+bool is_true(const HeaderFields& fields, const char* key, bool otherwise) {
   const auto found = fields.find(key);
   if (found == fields.end() || found->second.first.empty()) return otherwise;
   return std::string_view("Tt1").find(found->second.first.front()) != std::string_view::npos;
 }
 
-std::uint64_t bytes_of_type(const std::string& path, const Fields& fields) {
+std::uint64_t bytes_of_type(const std::string& path, const HeaderFields& fields) {
   constexpr std::array<std::pair<std::string_view, std::uint64_t>, 12> kTypes = {
       {{"MET_CHAR", 1},
        {"MET_UCHAR", 1},
@@ -78,7 +76,7 @@ std::uint64_t bytes_of_type(const std::string& path, const Fields& fields) {
   refuse("{}: ElementType '{}': expected MET_UCHAR or another whole or real number", path, type);
 }
 
-void read_files(const std::string& path, const Fields& fields, std::string_view rest,
+void read_files(const std::string& path, const HeaderFields& fields, std::string_view rest,
                 Claim& claim) {
   auto [value, line] = fields.at("ElementDataFile");
   if (lower(value) == "local") return;
@@ -96,13 +94,27 @@ void read_files(const std::string& path, const Fields& fields, std::string_view 
   }
 }
 
+// What values mean is ignored by ITK; labels are what is stored.
+void check_values(const std::string& path, const HeaderFields& fields) {
+  constexpr std::array<std::pair<const char*, double>, 2> kPlain = {
+      {{"ElementToIntensityFunctionSlope", 1}, {"ElementToIntensityFunctionOffset", 0}}};
+  for (const auto& [key, plain] : kPlain) {
+    const auto found = fields.find(key);
+    if (found == fields.end()) continue;
+    const auto& [value, line] = found->second;
+    if (real_numbers(path, line, value, 1).front() == plain) continue;
+    refuse("{}: header line {}: {}: expected {}, as labels are numbers as they are stored", path,
+           line.number, line.text, plain);
+  }
+}
+
 }  // namespace
 
 Claim meta_claim(const std::string& path, std::string_view bytes) {
   constexpr std::int64_t kMostAxes = 10;  // MetaIO's fields have so many
   Claim claim;
   std::string_view rest = bytes;
-  const Fields fields = read_fields(path, rest);
+  const HeaderFields fields = read_fields(path, rest);
   const std::int64_t axes = number_of(path, fields, "NDims", 1, kMostAxes, 0);
   const auto sizes = fields.find("DimSize");
   if (axes == 0 || sizes == fields.end()) {
@@ -125,7 +137,14 @@ Claim meta_claim(const std::string& path, std::string_view bytes) {
   read_files(path, fields, rest, claim);
   const auto held = static_cast<std::int64_t>(bytes.size());
   (void)number_of(path, fields, "HeaderSize", -1, INT32_MAX, 0);
-  if (claim.files.empty()) (void)number_of(path, fields, "CompressedDataSize", 0, held, 0);
+  if (claim.files.empty()) {
+    const auto packed = number_of(path, fields, "CompressedDataSize", 0, held, 0);
+    if (claim.packed && packed == 0) {  // MetaIO would read nothing
+      refuse("{}: expected CompressedDataSize in the header of packed voxels", path);
+    }
+  }
+  check_values(path, fields);
+  claim.frame = meta_frame(path, fields, claim.sizes.size());
   return claim;
 }
 

@@ -268,10 +268,7 @@ void read_frame(const std::string& path, const Header& h, LabelMap& map) {
     frame = frame_of_qform(path, h);
   } else {
     frame.step = {Vec{-h.pixdim[1], 0, 0}, Vec{0, -h.pixdim[2], 0}, Vec{0, 0, h.pixdim[3]}};
-    map.notes.push_back(fmt::format(
-        "{}: neither sform nor qform: left and right are not known; x was taken to the left, y to "
-        "the back, z to the head",
-        path));
+    map.notes.push_back(fmt::format("{}: neither sform nor qform: {}", path, kAxesTaken));
   }
   const double unit_m = metres_per_unit(path, h.units);
   const auto to_lps_m = [unit_m](Vec v) { return Vec{-v.x, -v.y, v.z} * unit_m; };

@@ -9,8 +9,6 @@
 namespace stylet::bake {
 namespace {
 
-using Fields = std::map<std::string, std::pair<std::string, HeaderLine>>;
-
 std::string without_blanks(std::string_view text) {
   std::string out = lower(text);
   std::erase(out, ' ');
@@ -37,8 +35,8 @@ std::uint64_t bytes_of_type(const std::string& path, const std::string& type) {
 }
 
 // FIELD: VALUE and KEY:=VALUE up to an empty line, the names of data files behind LIST.
-Fields read_fields(const std::string& path, std::string_view& rest, Claim& claim) {
-  Fields fields;
+HeaderFields read_fields(const std::string& path, std::string_view& rest, Claim& claim) {
+  HeaderFields fields;
   HeaderLine line;
   (void)next_line(path, rest, line);
   if (!line.text.starts_with("NRRD000")) {
@@ -66,8 +64,8 @@ Fields read_fields(const std::string& path, std::string_view& rest, Claim& claim
   return fields;
 }
 
-const std::pair<std::string, HeaderLine>& field_of(const std::string& path, const Fields& fields,
-                                                   const char* name) {
+const std::pair<std::string, HeaderLine>& field_of(const std::string& path,
+                                                   const HeaderFields& fields, const char* name) {
   const auto found = fields.find(name);
   if (found == fields.end()) refuse("{}: expected the field {} in the header", path, name);
   return found->second;
@@ -85,7 +83,7 @@ void read_encoding(const std::string& path, const std::string& encoding, Claim& 
   }
 }
 
-void read_files(const std::string& path, const Fields& fields, Claim& claim) {
+void read_files(const std::string& path, const HeaderFields& fields, Claim& claim) {
   const auto given = fields.find("datafile");
   if (given == fields.end()) return;
   const auto& [value, line] = given->second;
@@ -100,7 +98,7 @@ void read_files(const std::string& path, const Fields& fields, Claim& claim) {
 }
 
 // What may be left out in front of the voxels.
-void check_skips(const std::string& path, const Fields& fields) {
+void check_skips(const std::string& path, const HeaderFields& fields) {
   constexpr std::int64_t kMost = std::int64_t{1} << 32U;
   for (const char* name : {"lineskip", "byteskip"}) {
     const auto given = fields.find(name);
@@ -115,7 +113,7 @@ Claim nrrd_claim(const std::string& path, std::string_view bytes) {
   constexpr std::int64_t kMostAxes = 16;  // NRRD_DIM_MAX
   Claim claim;
   std::string_view rest = bytes;
-  const Fields fields = read_fields(path, rest, claim);
+  const HeaderFields fields = read_fields(path, rest, claim);
   const auto& [dimension, dimension_line] = field_of(path, fields, "dimension");
   const auto axes = whole_numbers(path, dimension_line, dimension, 1, kMostAxes);
   const auto& [sizes, sizes_line] = field_of(path, fields, "sizes");
@@ -130,6 +128,7 @@ Claim nrrd_claim(const std::string& path, std::string_view bytes) {
   read_encoding(path, field_of(path, fields, "encoding").first, claim);
   read_files(path, fields, claim);
   check_skips(path, fields);
+  claim.frame = nrrd_frame(path, fields, claim.sizes);
   return claim;
 }
 

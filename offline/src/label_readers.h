@@ -24,6 +24,10 @@ LabelMap read_dicom_file(const std::string& path);                   // of sever
 // Whether a file begins as DICOM does, whatever its name.
 bool is_dicom(const std::string& path);
 
+// How axes are taken of which a file says nothing.
+constexpr const char* kAxesTaken =
+    "left and right are not known; x was taken to the left, y to the back, z to the head";
+
 constexpr std::size_t kMostMapVoxels = std::size_t{1} << 28U;
 constexpr std::size_t kMostLabels = 500;  // whole-body maps name about a hundred
 

@@ -52,13 +52,13 @@ std::string gzipped(const std::string& bytes) {
 using Sizes = std::array<std::string, 3>;
 
 std::string nrrd(const Sizes& n, const std::string& encoding, const std::string& voxels) {
-  return "NRRD0004\ntype: uchar\ndimension: 3\nsizes: " + n[0] + " " + n[1] + " " + n[2] +
-         "\nencoding: " + encoding + "\n\n" + voxels;
+  return "NRRD0004\ntype: uchar\ndimension: 3\nspacings: 1 1 1\nsizes: " + n[0] + " " + n[1] + " " +
+         n[2] + "\nencoding: " + encoding + "\n\n" + voxels;
 }
 
 std::string meta(const Sizes& n, const std::string& keys, const std::string& voxels) {
-  return "ObjectType = Image\nNDims = 3\nDimSize = " + n[0] + " " + n[1] + " " + n[2] +
-         "\nElementType = MET_UCHAR\n" + keys + "ElementDataFile = LOCAL\n" + voxels;
+  return "ObjectType = Image\nNDims = 3\nElementSpacing = 1 1 1\nDimSize = " + n[0] + " " + n[1] +
+         " " + n[2] + "\nElementType = MET_UCHAR\n" + keys + "ElementDataFile = LOCAL\n" + voxels;
 }
 
 std::string inr(const Sizes& n, const std::string& voxels) {
@@ -113,19 +113,22 @@ TEST(LabelHeader, CostsWhatIsThereNotWhatIsClaimed) {
       {scratch.write("gzip.nrrd", nrrd(large, "gzip", gzipped("ab"))), "bytes are there"},
       {scratch.write("text.nrrd", nrrd(large, "ascii", "1 2")), "bytes are there"},
       {scratch.write("hex.nrrd", nrrd(large, "hex", "0102")), "bytes are there"},
-      {scratch.write("many.nrrd",
-                     "NRRD0004\ntype: uchar\ndimension: 4\nkinds: list domain domain "
-                     "domain\nsizes: 4611686018427387904 2 2 2\nencoding: raw\n\nab"),
+      {scratch.write(
+           "many.nrrd",
+           "NRRD0004\ntype: uchar\ndimension: 4\nkinds: list domain domain "
+           "domain\nspacings: nan 1 1 1\nsizes: 4611686018427387904 2 2 2\nencoding: raw\n\nab"),
        "bytes are there"},
       {scratch.write("far.nrrd", nrrd(small, "raw\nbyte skip: 99999999999", "abcdefgh")),
-       "header line 6: byte skip: 99999999999: expected"},
+       "header line 7: byte skip: 99999999999: expected"},
       {scratch.write("twice.nrrd", nrrd(small, "raw\nsizes: 9 9 9", "abcdefgh")),
        "sizes: expected"},
       {scratch.write("a.nhdr", nrrd(small, "raw\ndata file: /dev/zero", "")),
        "/dev/zero: is a device"},
       {scratch.write("b.nhdr", nrrd(small, "raw\ndata file: %s%n 1 2 1", "")), "one %d or %0Nd"},
       {scratch.write("raw.mha", meta(large, "", "ab")), "bytes are there"},
-      {scratch.write("zip.mha", meta(large, "CompressedData = True\n", "ab")), "bytes are there"},
+      {scratch.write("zip.mha",
+                     meta(large, "CompressedData = True\nCompressedDataSize = 2\n", "ab")),
+       "bytes are there"},
       {scratch.write("text.mha", meta(large, "BinaryData = False\n", "1 2")), "bytes are there"},
       {scratch.write(
            "size.mha",
@@ -137,7 +140,7 @@ TEST(LabelHeader, CostsWhatIsThereNotWhatIsClaimed) {
                      meta(small, "Comment = " + std::string(5000, 'c') + "\n", "abcdefgh")),
        "5000 characters: expected at most"},
       {scratch.write("a.mhd",
-                     "NDims = 3\nDimSize = 2 2 2\nElementType = MET_UCHAR\n"
+                     "NDims = 3\nDimSize = 2 2 2\nElementSpacing = 1 1 1\nElementType = MET_UCHAR\n"
                      "ElementDataFile = /dev/zero\n"),
        "/dev/zero: is a device"},
       {scratch.write("minus.mha", "NDims = -3\nDimSize = 2 2 2\nElementDataFile = LOCAL\nabcdefgh"),
@@ -159,7 +162,8 @@ TEST(LabelHeader, OfSeveralFilesHasTheSumOfAll) {
   const Scratch scratch;
   const auto header = scratch.write(
       "a.nhdr",
-      "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\ndata file: v.raw\n");
+      "NRRD0004\ntype: uchar\ndimension: 3\nspacings: 1 1 1\nsizes: 2 2 2\nencoding: raw\n"
+      "data file: v.raw\n");
   const auto sum_with = [&](const std::string& voxels) {
     scratch.write("v.raw", voxels);
     return bake::read_label_map(header).sha256;
@@ -451,8 +455,8 @@ TEST(Nrrd, SegmentsInLayersAreAllRead) {
         std::string(layers > 1 ? "dimension: 4\nsizes: " : "dimension: 3\nsizes: ") +
         (layers > 1 ? std::to_string(layers) + " " : "") +
         "2 3 4\nspace: left-posterior-superior\nspace directions: " + (layers > 1 ? "none " : "") +
-        "(2,0,0) (0,3,0) (0,0,4)\n" + (layers > 1 ? "kinds: list domain domain domain\n" : "") +
-        "encoding: raw\n";
+        "(2,0,0) (0,3,0) (0,0,4)\nspace origin: (0,0,0)\n" +
+        (layers > 1 ? "kinds: list domain domain domain\n" : "") + "encoding: raw\n";
     for (std::size_t layer = 0; layer < layers; ++layer) {
       for (char value = 1; value < 4; ++value) {
         if (random() % 4 == 0) continue;

@@ -232,7 +232,8 @@ TEST(LabelMap, WhatIsNoVolumeOfLabelsIsRefused) {
                                      std::string(24, 1))),
               testing::HasSubstr("b.nrrd: "));
   EXPECT_THAT(refusal("huge.nrrd",
-                      "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 9999 9999 9999\nencoding: "
+                      "NRRD0004\ntype: uchar\ndimension: 3\nspacings: 1 1 1\nsizes: 9999 9999 "
+                      "9999\nencoding: "
                       "raw\n\nabc"),
               testing::HasSubstr("expected a smaller image"));
   EXPECT_THAT(refusal("flat.nrrd",
@@ -254,10 +255,10 @@ TEST(LabelMap, ManyValuesAreGreyNotLabels) {
       voxels += static_cast<char>(value & 0xFFU);
       voxels += static_cast<char>(value >> 8U);
     }
-    const auto path = scratch.write(
-        "a.nrrd",
-        "NRRD0004\ntype: ushort\ndimension: 3\nsizes: 10 10 10\nendian: little\nencoding: raw\n\n" +
-            voxels);
+    const auto path = scratch.write("a.nrrd",
+                                    "NRRD0004\ntype: ushort\ndimension: 3\nspacings: 1 1 1\nsizes: "
+                                    "10 10 10\nendian: little\nencoding: raw\n\n" +
+                                        voxels);
     const std::string said = refusal_of([&] { (void)bake::read_label_map(path); });
     EXPECT_EQ(said.find("expected a label map, not grey values") != std::string::npos,
               different == 501)
