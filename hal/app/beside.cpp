@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "commands.h"
+#include "console/console_process.h"
 #include "stylet/hal/igtl_process.h"
 #include "stylet/hal/recorder_process.h"
 
@@ -16,7 +17,8 @@ struct Role {
   hal::SideWork work;
   bool outlives;
 };
-constexpr std::array kRoles = {Role{hal::kIgtlRole, hal::igtl_beside, false},
+constexpr std::array kRoles = {Role{console::kConsoleRole, console::console_beside, false},
+                               Role{hal::kIgtlRole, hal::igtl_beside, false},
                                Role{hal::kRecorderRole, hal::recorder_beside, true}};
 
 }  // namespace

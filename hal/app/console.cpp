@@ -6,17 +6,16 @@
 #include <array>
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <cstdio>
-#include <deque>
 #include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <variant>
 
+#include "console/console_process.h"
 #include "console/limits.h"
-#include "console/server.h"
 #include "serve.h"
 #include "session.h"
 #include "stop_signal.h"
@@ -29,33 +28,8 @@
 namespace stylet::app {
 namespace {
 
-constexpr std::chrono::milliseconds kLook{20};  // at the attempt, between orders
-
-// From the server's thread to the session's.
-class Orders {
- public:
-  // What is wrong; empty: taken.
-  std::string push(const console::Order& order) {
-    const std::lock_guard lock(mutex_);
-    if (waiting_.size() >= console::kMaxWaitingOrders) return "too many orders at once";
-    waiting_.push_back(order);
-    arrived_.notify_one();
-    return "";
-  }
-  std::optional<console::Order> wait() {
-    std::unique_lock lock(mutex_);
-    arrived_.wait_for(lock, kLook, [this] { return !waiting_.empty(); });
-    if (waiting_.empty()) return std::nullopt;
-    console::Order order = std::move(waiting_.front());
-    waiting_.pop_front();
-    return order;
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable arrived_;
-  std::deque<console::Order> waiting_;
-};
+constexpr double kLookS = 0.02;     // at the attempt, between orders
+constexpr double kPageGoneS = 0.5;  // a hand on a page that hangs is nowhere
 
 // Other files may end in .toml, too: tissues, hulls.
 bool is_scene(const std::filesystem::path& path) try {
@@ -78,7 +52,7 @@ std::vector<std::string> scenes_beside(const std::string& file) {
   return names;
 }
 
-// Which pointers hold needles: asked by the server's thread, set by the session's.
+// Which pointers hold needles.
 class Pointers {
  public:
   Pointers() { hal::pointer_serve(true); }
@@ -88,36 +62,33 @@ class Pointers {
 
   void choose(const std::vector<hal::Hand>& hands) {
     for (std::size_t i = 0; i < number_.size(); ++i) {
-      number_[i].store(i < hands.size() ? hal::pointer_number(hands[i].uri).value_or(kNone)
-                                        : kNone);
+      number_[i] = i < hands.size() ? hal::pointer_number(hands[i].uri).value_or(kNone) : kNone;
     }
   }
   void move(const console::PointerMoved& moved) const {
     if (moved.needle >= number_.size()) return;
-    (void)hal::pointer_post(number_[moved.needle].load(), moved.pose, moved.buttons);
+    (void)hal::pointer_post(number_[moved.needle], moved.pose, moved.buttons);
   }
   void leave() const {
-    for (const auto& each : number_) hal::pointer_leave(each.load());
+    for (const std::uint32_t each : number_) hal::pointer_leave(each);
   }
 
  private:
   static constexpr std::uint32_t kNone = kMaxNeedles;  // posts to it are refused
-  std::array<std::atomic<std::uint32_t>, kMaxNeedles> number_ = {kNone, kNone, kNone, kNone};
+  std::array<std::uint32_t, kMaxNeedles> number_ = {kNone, kNone, kNone, kNone};
 };
 
-// Written by recorder and session, read by the server.
+// Written by onlooker and session.
 class Meter {
  public:
-  void add(std::span<const hal::TickRecord> records) {
+  void add(const hal::TickRecord& record) {
     const std::lock_guard lock(mutex_);
-    for (const hal::TickRecord& each : records) metrics_add(metrics_, each);
+    metrics_add(metrics_, record);
   }
   // The loop's counters until end().
   void begin(const hal::Scene& scene, const hal::LoopState& loop) {
     const std::lock_guard lock(mutex_);
     loop_ = &loop;
-    metrics_.version = STYLET_VERSION;
-    metrics_.scene = std::filesystem::path(scene.file).filename().string();
     metrics_.period_s = static_cast<double>(scene.config.period_s);
     metrics_.needles = scene.config.needle_count;
     metrics_.fault = {};
@@ -131,17 +102,15 @@ class Meter {
     add_losses(metrics_);
     loop_ = nullptr;
   }
-  std::string text(const console::ServerCounters& counters) {
+  hal::MetricNumbers now() {
     const std::lock_guard lock(mutex_);
-    hal::Metrics now = metrics_;
+    hal::MetricNumbers now = metrics_;
     add_losses(now);
-    now.connections = static_cast<std::uint32_t>(counters.connections);
-    now.lost_frames = counters.lost_frames;
-    return metrics_text(now);
+    return now;
   }
 
  private:
-  void add_losses(hal::Metrics& metrics) const {
+  void add_losses(hal::MetricNumbers& metrics) const {
     if (loop_ == nullptr) return;
     metrics.missed_ticks += loop_->missed_ticks.load(std::memory_order_relaxed);
     metrics.lost_records += loop_->lost_records.load(std::memory_order_relaxed);
@@ -149,7 +118,7 @@ class Meter {
   }
 
   std::mutex mutex_;
-  hal::Metrics metrics_;
+  hal::MetricNumbers metrics_;
   const hal::LoopState* loop_ = nullptr;  // of the running attempt
 };
 
@@ -157,7 +126,7 @@ class Meter {
 class Onlooker {
  public:
   Onlooker(hal::RecorderProcess& recorder, std::vector<hal::Course> courses, Meter& meter,
-           console::Server& server)
+           console::ConsoleProcess& server)
       : records_(recorder.records()),
         events_(recorder.events()),
         courses_(std::move(courses)),
@@ -176,7 +145,7 @@ class Onlooker {
   void look() {
     for (hal::TickRecord each; records_.next(each);) {
       if (each.needle >= courses_.size()) continue;  // the recorder may write there, too
-      meter_.add(std::span(&each, 1));
+      meter_.add(each);
       (void)server_.tell({false, console::row_of(each, courses_[each.needle]), {}});
     }
     for (Event each; events_.next(each);) {
@@ -188,7 +157,7 @@ class Onlooker {
   hal::Follower<Event> events_;
   std::vector<hal::Course> courses_;
   Meter& meter_;
-  console::Server& server_;
+  console::ConsoleProcess& server_;
   std::jthread thread_;
 };
 
@@ -206,7 +175,7 @@ class Console {
     hal::check_output(options_.record, std::array{options_.scene, session_->organ->path});
     if (!options_.fast) hal::prepare_process(host_);
     serve();
-    while (!quit.load() && host_fit_) go_on();
+    while (!quit.load() && host_fit_ && (!page_lost_ || running())) go_on();
     if (!host_fit_) return kExitHostUnfit;
     if (attempt_ != nullptr) end_attempt(console::Activity::Ended);
     return trouble_ ? kExitTrouble : kExitOk;
@@ -216,8 +185,12 @@ class Console {
   // One order, and one look at the attempt. An attempt that cannot begin or be kept is told of, and
   // the session goes on.
   void go_on() try {
-    hal::pointer_stay();
-    if (const std::optional<console::Order> order = orders_.wait(); order) obey(*order);
+    if (server_->alive_within(kPageGoneS)) hal::pointer_stay();
+    if (const std::optional<console::Wish> wish = next_wish(); wish) {
+      std::visit([this](const auto& each) { grant(each); }, *wish);
+    }
+    server_->publish(meter_.now());
+    watch_page();
     if (session_ != nullptr) watch_processes(*session_, attempt_.get());
     if (running() && attempt_->done.load()) end_attempt(console::Activity::Ended);
   } catch (const std::exception& error) {
@@ -233,15 +206,33 @@ class Console {
   void serve() {
     console::ServerConfig config = server_config(options_.serve);
     if (!options_.fast) config.spared_processors = session_->processors;
-    console::ServerEvents events;
-    events.ordered = [this](const console::Order& order) { return orders_.push(order); };
-    events.pointed = [this](const console::PointerMoved& moved) { pointers_.move(moved); };
-    events.pointer_left = [this] { pointers_.leave(); };
-    events.metrics = [this](const console::ServerCounters& c) { return meter_.text(c); };
-    server_ = std::make_unique<console::Server>(config, std::move(events));
+    server_ = std::make_unique<console::ConsoleProcess>(config);
     show_stage();
     fmt::print("{}: console at {}\nCtrl-C ends it\n", options_.scene, server_->url());
     std::fflush(stdout);
+  }
+
+  // None comes from a page that has gone.
+  std::optional<console::Wish> next_wish() {
+    if (page_lost_) std::this_thread::sleep_for(std::chrono::duration<double>(kLookS));
+    return page_lost_ ? std::nullopt : server_->next(kLookS);
+  }
+
+  void grant(const console::Order& order) { obey(order); }
+  void grant(const console::PointerMoved& moved) { pointers_.move(moved); }
+  void grant(const console::PointerLeft&) { pointers_.leave(); }
+
+  // The attempt goes on without a page; nothing can be begun any more.
+  void watch_page() {
+    if (page_lost_) return;
+    if (!server_->alive_within(hal::kSidePatienceS)) server_->process().kill();
+    if (server_->process().ended().empty()) return;
+    page_lost_ = trouble_ = true;
+    if (session_ != nullptr) ++session_->lost_processes;
+    pointers_.leave();
+    fmt::print(stderr,
+               "stylet: the console ended: {}; an attempt goes on to its end, or to Ctrl-C\n",
+               server_->process().ended());
   }
 
   // A scene whose files are not good leaves the present one as it is.
@@ -295,7 +286,7 @@ class Console {
     stage->obstacles = scene.obstacles;
     stage->targets = scene.targets;
     stage->display = display_;
-    server_->show(stage);
+    server_->show(*stage);
     become(console::Activity::Ready);
   }
 
@@ -434,19 +425,18 @@ class Console {
   std::vector<std::string> scenes_;
   std::string folder_;
   hal::HostState host_;
-  Orders orders_;
   Pointers pointers_;
   Meter meter_;
   std::unique_ptr<Session> session_;
   std::shared_ptr<hal::Display> display_;
-  std::unique_ptr<console::Server> server_;
+  std::unique_ptr<console::ConsoleProcess> server_;
   std::unique_ptr<Attempt> attempt_;
   std::unique_ptr<Onlooker> onlooker_;  // of the attempt
   std::vector<hal::Mark> marks_;        // of the present attempt
   console::ScoredAttempt scored_;       // the present attempt, or the last
   console::Activity activity_ = console::Activity::Ready;
   bool host_fit_ = true;
-  bool trouble_ = false;
+  bool trouble_ = false, page_lost_ = false;
 };
 
 }  // namespace

@@ -256,7 +256,8 @@ class Visit : public std::enable_shared_from_this<Visit> {
         return reply_organ();
       case Place::kMetrics:
         text_ = server_.events.metrics
-                    ? server_.events.metrics({server_.connections, server_.lost_frames})
+                    ? server_.events.metrics({server_.connections, server_.lost_frames,
+                                              server_.stage ? server_.stage->scene : ""})
                     : "";
         return reply(200, "text/plain; version=0.0.4; charset=utf-8", text_);
       case Place::kSocket:

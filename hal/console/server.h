@@ -36,6 +36,7 @@ struct ServerConfig {
 struct ServerCounters {
   std::size_t connections = 0;    // open now
   std::uint64_t lost_frames = 0;  // of all pages so far
+  std::string scene;              // shown now
 };
 
 struct ServerEvents {

@@ -2,7 +2,7 @@
 #include "stylet/hal/igtl_process.h"
 
 #include "stylet/hal/packing.h"
-#include "target_packing.h"
+#include "stylet/hal/score_packing.h"
 
 namespace stylet::hal {
 namespace {

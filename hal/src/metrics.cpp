@@ -70,7 +70,7 @@ std::string faults(const Metrics& metrics) {
 
 }  // namespace
 
-void metrics_add(Metrics& metrics, const TickRecord& record) {
+void metrics_add(MetricNumbers& metrics, const TickRecord& record) {
   if (record.needle >= kMaxNeedles) return;
   Fault& latched = metrics.fault[record.needle];
   const auto number = static_cast<std::size_t>(record.fault);

@@ -8,7 +8,7 @@
 
 #include "stylet/hal/packing.h"
 #include "stylet/hal/recorder.h"
-#include "target_packing.h"
+#include "stylet/hal/score_packing.h"
 
 namespace stylet::hal {
 namespace {
@@ -36,6 +36,7 @@ Kept& kept_in(std::span<std::byte> shared) {
 
 // ---- what they say
 
+// Way: a Packer's or an Unpacker's.
 template <typename Way>
 void visit(Way way, RecorderTask& task) {
   RecordingInfo& info = task.info;
@@ -69,22 +70,6 @@ RecorderTask task_of(const Bytes& greeting) {
   return task;
 }
 
-// Way: a Packer's or an Unpacker's.
-template <typename Way>
-void visit(Way way, Score& score) {
-  way(score.duration_s);
-  way(score.path_m);
-  way(score.depth_path_m);
-  way(score.puncture_count);
-  way(score.punctures);
-  way(score.withdrawals);
-  way(score.targets);
-  way(score.peak_force_n);
-  way(score.peak_lateral_n);
-  way(score.mean_force_n);
-  way(score.faults);
-}
-
 template <typename Way>
 void visit(Way way, Flight& flight) {
   way(flight.path);
@@ -98,7 +83,7 @@ Bytes packed(Recorded recorded) {
   const auto put = [&packer](const auto& each) { packer.put(each); };
   packer.put_each(recorded.phases, [](Packer& to, const auto& rows) { to.put(rows); });
   packer.put(recorded.events);
-  visit(put, recorded.score);
+  visit_score(put, recorded.score);
   packer.put_each(recorded.flights, [](Packer& to, const Flight& each) {
     Flight flight = each;
     visit([&to](const auto& part) { to.put(part); }, flight);
@@ -113,7 +98,7 @@ Recorded recorded_of(const Bytes& answer) {
   const auto get = [&unpacker](auto& each) { unpacker.get(each); };
   unpacker.get_each(recorded.phases, [](Unpacker& from, auto& rows) { from.get(rows); });
   get(recorded.events);
-  visit(get, recorded.score);
+  visit_score(get, recorded.score);
   unpacker.get_each(recorded.flights, [](Unpacker& from, Flight& flight) {
     visit([&from](auto& part) { from.get(part); }, flight);
   });

@@ -79,23 +79,68 @@ void SideLink::close() {
   gone_ = true;
 }
 
+// A signal that comes meanwhile is no answer.
 bool SideLink::wait(short events, double patience_s) const {
+  const Clock::time_point deadline = deadline_after(patience_s);
   pollfd at = {socket_, events, 0};
-  return ::poll(&at, 1, static_cast<int>(std::ceil(patience_s * 1e3))) > 0;
+  for (;;) {
+    const int ready = ::poll(&at, 1, static_cast<int>(std::ceil(seconds_to(deadline) * 1e3)));
+    if (ready >= 0 || errno != EINTR) return ready > 0;
+  }
 }
 
-bool SideLink::send(std::span<const std::byte> message, double patience_s) {
+namespace {
+
+// Room for the descriptors of one message.
+constexpr std::size_t kMaxDescriptors = 4;
+struct Rights {
+  alignas(cmsghdr) std::array<char, CMSG_SPACE(kMaxDescriptors * sizeof(int))> room = {};
+
+  void put(msghdr& message, std::span<const int> descriptors) {
+    message.msg_control = room.data();
+    message.msg_controllen = CMSG_SPACE(descriptors.size_bytes());
+    cmsghdr* head = CMSG_FIRSTHDR(&message);
+    head->cmsg_level = SOL_SOCKET;
+    head->cmsg_type = SCM_RIGHTS;
+    head->cmsg_len = CMSG_LEN(descriptors.size_bytes());
+    std::memcpy(CMSG_DATA(head), descriptors.data(), descriptors.size_bytes());
+  }
+  static void take(msghdr& message, std::vector<int>& descriptors) {
+    for (cmsghdr* head = CMSG_FIRSTHDR(&message); head != nullptr;
+         head = CMSG_NXTHDR(&message, head)) {
+      if (head->cmsg_level != SOL_SOCKET || head->cmsg_type != SCM_RIGHTS) continue;
+      const std::size_t before = descriptors.size();
+      descriptors.resize(before + (head->cmsg_len - CMSG_LEN(0)) / sizeof(int));
+      std::memcpy(descriptors.data() + before, CMSG_DATA(head), head->cmsg_len - CMSG_LEN(0));
+    }
+  }
+};
+
+}  // namespace
+
+bool SideLink::send(std::span<const std::byte> message, double patience_s,
+                    std::span<const int> descriptors) {
   const Clock::time_point deadline = deadline_after(patience_s);
   const std::uint64_t size = message.size();
-  std::array<std::span<const std::byte>, 2> parts = {std::as_bytes(std::span(&size, 1)), message};
-  for (std::span<const std::byte> part : parts) {
-    while (!part.empty() && !gone_) {
-      const ssize_t sent = ::send(socket_, part.data(), part.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
-      if (sent > 0) part = part.subspan(static_cast<std::size_t>(sent));
-      if (sent >= 0 || errno == EINTR) continue;
-      // Half a message cannot be taken back.
-      if (errno != EAGAIN || !wait(POLLOUT, seconds_to(deadline))) gone_ = true;
+  const auto size_bytes = std::as_bytes(std::span(&size, 1));
+  Bytes whole(size_bytes.begin(), size_bytes.end());
+  whole.insert(whole.end(), message.begin(), message.end());
+  Rights rights;
+  for (std::size_t done = 0; done < whole.size() && !gone_;) {
+    iovec part = {whole.data() + done, whole.size() - done};
+    msghdr head = {};
+    head.msg_iov = &part;
+    head.msg_iovlen = 1;
+    if (done == 0 && !descriptors.empty()) {
+      rights.put(head, descriptors.first(std::min(descriptors.size(), kMaxDescriptors)));
     }
+    const ssize_t sent = sendmsg(socket_, &head, MSG_DONTWAIT | MSG_NOSIGNAL);
+    if (sent > 0) done += static_cast<std::size_t>(sent);
+    if (sent >= 0 || errno == EINTR) continue;
+    if (errno != EAGAIN) gone_ = true;
+    if (gone_ || wait(POLLOUT, seconds_to(deadline))) continue;
+    if (done == 0) return false;
+    gone_ = true;  // half a message cannot be taken back
   }
   return !gone_;
 }
@@ -113,13 +158,23 @@ std::optional<Bytes> SideLink::take_whole() {
   return message;
 }
 
-std::optional<Bytes> SideLink::receive(double patience_s) {
+std::optional<Bytes> SideLink::receive(double patience_s, std::vector<int>* descriptors) {
   const Clock::time_point deadline = deadline_after(patience_s);
   std::array<std::byte, 65536> part;
   for (;;) {
     if (std::optional<Bytes> whole = take_whole()) return whole;
     if (gone_) return std::nullopt;
-    const ssize_t got = recv(socket_, part.data(), part.size(), MSG_DONTWAIT);
+    iovec into = {part.data(), part.size()};
+    Rights rights;
+    msghdr head = {};
+    head.msg_iov = &into;
+    head.msg_iovlen = 1;
+    if (descriptors != nullptr) {
+      head.msg_control = rights.room.data();
+      head.msg_controllen = rights.room.size();
+    }
+    const ssize_t got = recvmsg(socket_, &head, MSG_DONTWAIT | MSG_CMSG_CLOEXEC);
+    if (got >= 0 && descriptors != nullptr) Rights::take(head, *descriptors);
     if (got > 0) arrived_.insert(arrived_.end(), part.begin(), part.begin() + got);
     if (got == 0 || (got < 0 && errno != EAGAIN && errno != EINTR)) gone_ = true;
     if (got < 0 && errno == EAGAIN && !wait(POLLIN, seconds_to(deadline))) return std::nullopt;

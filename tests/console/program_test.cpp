@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 #include "client.h"
 #include "stylet/hal/recording.h"
@@ -109,6 +111,18 @@ class Program {
     return wait();
   }
 
+  // Its process of this role; 0: none.
+  pid_t beside(const std::string& role) const {
+    const std::string proc = "/proc/" + std::to_string(pid_);
+    std::ifstream children(proc + "/task/" + std::to_string(pid_) + "/children");
+    for (pid_t child = 0; children >> child;) {
+      std::ifstream in("/proc/" + std::to_string(child) + "/cmdline");
+      const std::string words{std::istreambuf_iterator<char>(in), {}};
+      if (words.find(std::string("beside\0", 7) + role) != std::string::npos) return child;
+    }
+    return 0;
+  }
+
   int wait() {
     int status = 0;
     waitpid(pid_, &status, 0);
@@ -180,6 +194,50 @@ TEST(Program, AttemptsGiveTheBitsOfARunWithoutConsole) {
   const std::uint64_t expected = final_hash(program.at("plain.h5"));
   EXPECT_EQ(final_hash(program.at("out-1.h5")), expected);
   EXPECT_EQ(final_hash(program.at("out-2.h5")), expected);
+}
+
+// Without end, but for --duration-s: some seconds of a clock on the wall.
+std::vector<std::string> long_run(const Program& program, const std::string& record) {
+  return {"run",      program.at("first.toml"), "--fast",       "--record", program.at(record),
+          "--flight", program.at("flight.h5"),  "--duration-s", "100"};
+}
+
+// Killed, crashed, starved or stopped at any time: the same bits, one line, one counter.
+TEST(Program, ThePageMayEndInAnyWay) {
+  Program program;
+  program.start(long_run(program, "plain.h5"));
+  ASSERT_EQ(program.wait(), 0) << program.output();
+  const std::uint64_t expected = final_hash(program.at("plain.h5"));
+  std::mt19937 random(28);
+  for (const int way : {SIGKILL, SIGSEGV, SIGSTOP, 0}) {
+    auto words = long_run(program, "out" + std::to_string(way) + ".h5");
+    words.push_back("--console=0");
+    program.start(words);
+    const std::uint16_t port = program.port();
+    ASSERT_NE(port, 0) << program.output();
+    Client client(port);
+    ASSERT_EQ(client.join(), 101U);
+    client.say_message(verb(Body::Start));
+    ASSERT_TRUE(await(client, Activity::Running)) << program.output();
+    const pid_t page = program.beside("console");
+    ASSERT_GT(page, 0);
+    usleep(static_cast<useconds_t>(random() % 400'000));
+    const rlimit little = {1U << 20U, 1U << 20U};
+    if (way == 0) {
+      ASSERT_EQ(prlimit(page, RLIMIT_AS, &little, nullptr), 0);
+      for (int i = 0; i < 30; ++i) Client(port).get("/organ");
+    } else {
+      ASSERT_EQ(kill(page, way), 0);
+    }
+    const std::string recording = program.at("out" + std::to_string(way) + "-1.h5");
+    for (int i = 0; i < 3000 && !fs::exists(recording); ++i) usleep(20'000);
+    EXPECT_EQ(final_hash(recording), expected) << way;
+    const bool lost = way == SIGKILL || way == SIGSEGV;
+    const std::string told = program.output();
+    const int code = lost ? program.wait() : program.end();
+    EXPECT_TRUE(code == 3 || (!lost && code == 0)) << code << program.output();
+    EXPECT_EQ(told.find("the console ended: signal") != std::string::npos, lost) << told;
+  }
 }
 
 // In real time, so that there is something to hold; the machine may refuse the rights for it.

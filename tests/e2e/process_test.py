@@ -169,13 +169,13 @@ class Igtl(Disturbed):
             self.assertEqual(run.process.returncode, 3)
 
     def test_killed_in_real_time(self):
-        run, _ = self.follow(duration_s=1, clock="--allow-non-rt")
+        run, _ = self.follow(duration_s=5, clock="--allow-non-rt")
         wait_until(lambda: loop_runs(run.process.pid))
         time.sleep(self.random.uniform(0, 0.5))
         os.kill(beside(run, "igtl"), signal.SIGKILL)
         out, error = run.process.communicate(timeout=60)
         report = json.loads(out)
-        self.assertEqual(report["timing"]["ticks"], 1000)
+        self.assertEqual(report["timing"]["ticks"], 5000)
         self.assertEqual(report["counters"]["lost_processes"], 1)
         self.assertEqual(error.count("OpenIGTLink ended"), 1)
 
@@ -280,13 +280,14 @@ class Recorder(Disturbed):
         run, recording = self.record("alone.h5", duration_s=20, clock="--allow-non-rt")
         time.sleep(self.random.uniform(0.2, 2))
         child = beside(run, "recorder")
-        run.end(signal.SIGKILL)
         killed_ns = time.monotonic_ns()
+        run.end(signal.SIGKILL)
         wait_until(lambda: has_ended(child), 5)
         left, = self.top.glob("alone.h5.*.tmp")
         with h5py.File(left, "r") as file:
             last_ns = int(file["device/t_ns"][-1])
-        self.assertLess(1e-9 * (killed_ns - last_ns), 0.1)  # but for a busy machine: 0.01
+        # Less than a block, which waits for half a second; the loop itself may have been held up.
+        self.assertLess(1e-9 * (killed_ns - last_ns), 0.4)
 
     def test_outside_signals_are_not_for_it(self):
         run, recording = self.record("deaf.h5")
@@ -296,6 +297,55 @@ class Recorder(Disturbed):
         self.same_run(run)
         self.assertEqual(run.process.returncode, 0)
         self.assertIn("same bits", call("stylet", "replay", recording).stdout)
+
+
+def of_session(session):
+    """Processes of it that have not ended."""
+    for each in pathlib.Path("/proc").glob("[0-9]*"):
+        try:
+            words = (each / "stat").read_text().rsplit(")", 1)[1].split()
+        except (FileNotFoundError, ProcessLookupError):
+            continue
+        if int(words[3]) == session and words[0] not in "ZX":
+            yield int(each.name)
+
+
+class Signals(Disturbed):
+    """A signal from outside at any time: all processes end, and a recording is whole or not there.
+
+    Before the program has begun, while it reads, starts its processes, runs and ends.
+    """
+
+    SIGNALS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT, signal.SIGPIPE]
+    DURATION_S = 5
+
+    def test_at_any_time(self):
+        for number in range(30):
+            sent = self.random.choice(self.SIGNALS)
+            with self.subTest(number=number, signal=sent.name):
+                self.signal_once(self.top / f"signal{number}.h5", sent)
+
+    def signal_once(self, recording, sent):
+        process = subprocess.Popen(
+            [str(part) for part in (BIN / "stylet", "run", SCENE, "--organ", self.organ, "--fast",
+                                    "--duration-s", self.DURATION_S, "--record", recording,
+                                    "--igtl=0")],
+            cwd=self.top, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+            start_new_session=True)
+        self.addCleanup(process.kill)
+        early = self.random.random() < 0.4
+        time.sleep(self.random.uniform(0, 0.2 if early else 1.1 * self.wall_s))
+        process.send_signal(sent)
+        _, error = process.communicate(timeout=60)
+        # By the signal alone before the program could take it.
+        self.assertIn(process.returncode, (0, 3, -sent), error)
+        wait_until(lambda: not list(of_session(process.pid)), 5)
+        self.assertEqual(list(self.top.glob(f"{recording.name}.*")), [])
+        if process.returncode >= 0:
+            with h5py.File(recording, "r") as file:
+                self.assertEqual(int(file.attrs["ticks"]), len(file["output/tick"]))
+        else:
+            self.assertFalse(recording.exists())
 
 
 class Starved(Disturbed):

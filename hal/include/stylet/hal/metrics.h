@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The loop in numbers for Prometheus: its text format 0.0.4, from plain counters.
 //
-// Whoever serves them fills a Metrics, most of it tick by tick with metrics_add, and gives a copy
-// to metrics_text. Names end in their unit, counters in _total; times are seconds.
-// Promises: metrics_add allocates nothing; metrics_text is a pure function, and whatever a label
-// holds, its result keeps to the format. Format:
+// Whoever serves them fills a MetricNumbers, most of it tick by tick with metrics_add, and gives
+// it, with the names, to metrics_text. Names end in their unit, counters in _total; times are
+// seconds. Promises: metrics_add allocates nothing; metrics_text is a pure function, and whatever a
+// label holds, its result keeps to the format. Format:
 // prometheus.io/docs/instrumenting/exposition_formats.
 #pragma once
 
@@ -29,8 +29,8 @@ struct MetricDurations {
   std::uint64_t sum_ns = 0;
 };
 
-struct Metrics {
-  std::string version, scene;
+// Plain data: it goes from process to process.
+struct MetricNumbers {
   double period_s = 0;
   bool running = false;
   std::uint32_t needles = 1;
@@ -44,8 +44,12 @@ struct Metrics {
   std::uint64_t lost_frames = 0;  // that the console's pages were too slow for
 };
 
+struct Metrics : MetricNumbers {
+  std::string version, scene;
+};
+
 // Ticks, their times, and faults.
-void metrics_add(Metrics& metrics, const TickRecord& record);
+void metrics_add(MetricNumbers& metrics, const TickRecord& record);
 std::string metrics_text(const Metrics& metrics);
 
 }  // namespace stylet::hal

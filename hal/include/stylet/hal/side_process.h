@@ -16,12 +16,14 @@
 
 #include <sys/types.h>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "stylet/hal/packing.h"
 
@@ -48,11 +50,14 @@ class SideLink {
   SideLink(const SideLink&) = delete;
   SideLink& operator=(const SideLink&) = delete;
 
-  // False: the other side has gone, or takes nothing.
-  bool send(std::span<const std::byte> message, double patience_s = kSidePatienceS);
+  // False: the other side has gone, or takes nothing. It is gone, too, where half a message went.
+  // `descriptors`: it gets its own of them.
+  bool send(std::span<const std::byte> message, double patience_s = kSidePatienceS,
+            std::span<const int> descriptors = {});
   // The next whole message. None: not all of it came in time, or the other side has gone.
-  std::optional<Bytes> receive(double patience_s);
-  // As the last call saw it.
+  // Descriptors that came with it are added to `descriptors`; null: the system closes them.
+  std::optional<Bytes> receive(double patience_s, std::vector<int>* descriptors = nullptr);
+  // As the last call saw it. One thread may send while another receives.
   bool gone() const { return gone_; }
   void close();
 
@@ -61,7 +66,7 @@ class SideLink {
   std::optional<Bytes> take_whole();
 
   int socket_;
-  bool gone_ = false;
+  std::atomic<bool> gone_{false};
   Bytes arrived_;
 };
 
