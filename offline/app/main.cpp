@@ -14,6 +14,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <tuple>
 
 #include "build.h"
 #include "crop.h"
@@ -225,13 +226,15 @@ Json add_scene(Outputs& outputs, const Built& built, const std::filesystem::path
                 {"obstacles", Json::array()},
                 {"targets", Json::array()}};
   std::vector<std::string> files;
-  for (const auto& [name, hull] : built.obstacles) {
+  for (const NamedHull& each : built.obstacles) {
+    const auto& [name, hull] = std::tie(each.name, each.hull);
     files.push_back(stem + "." + name + ".toml");
     outputs.add(organ.parent_path() / files.back(),
                 hull_toml(hull, organ.filename().string() + ": " + name, ""));
     facts["obstacles"].push_back({{"name", name},
                                   {"file", organ.parent_path() / files.back()},
                                   {"volume_ml", hull.volume_m3 * 1e6},
+                                  {"label_ml", each.label_m3 * 1e6},
                                   {"deviation_mm", hull.deviation_m * 1e3}});
   }
   for (const Target& target : built.targets) {
@@ -250,9 +253,9 @@ std::string scene_text(const Json& scene) {
   std::string text;
   if (scene.is_null()) return text;
   for (const Json& body : scene["obstacles"]) {
-    text +=
-        fmt::format("obstacle      {}: hull of {:.4g} ml, {}\n", body["name"].get<std::string>(),
-                    body["volume_ml"].get<double>(), body["file"].get<std::string>());
+    text += fmt::format("obstacle      {}: hull of {:.4g} ml around labels of {:.4g} ml, {}\n",
+                        body["name"].get<std::string>(), body["volume_ml"].get<double>(),
+                        body["label_ml"].get<double>(), body["file"].get<std::string>());
   }
   for (const Json& target : scene["targets"]) {
     text += fmt::format("target        {}: {:.4g} ml at {}\n", target["name"].get<std::string>(),
@@ -301,7 +304,7 @@ void finish(const std::function<Built(const BuildOptions&, const Progress&)>& ma
   if (!a.report.empty()) {
     const Quality quality = measure_quality(organ, built.input_m, progress);
     facts["quality"] = quality_facts(quality, built.report);
-    add_report(outputs, a.report, facts, organ, built.input_m);
+    add_report(outputs, a.report, facts, organ, built);
   }
   outputs.commit();
   if (a.json) {

@@ -148,6 +148,30 @@ Hull simple_hull(const std::string& name, const std::vector<Vec>& points_m,
   }
 }
 
+double hull_volume_m3(const std::vector<Vec>& points_m) {
+  if (points_m.size() < kLeastHullVertices) return 0;
+  return std::fabs(volume_of(hull_of(points_m), points_m.front()));
+}
+
+std::vector<HullPlane> hull_planes(const Hull& hull) {
+  const Mesh mesh = hull_mesh(hull);
+  Vec middle;
+  for (const Vec& p : hull.vertices_m) middle = middle + p;
+  middle = middle * (1.0 / static_cast<double>(hull.vertices_m.size()));
+  std::vector<HullPlane> planes;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec a = mesh.points[t[0]];
+    const Vec normal = cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a);
+    const double sign = dot(normal, a - middle) < 0 ? -1 : 1;
+    planes.push_back({normal * sign, dot(normal, a) * sign});
+  }
+  return planes;
+}
+
+Mesh hull_mesh(const Hull& hull) {
+  return mesh_of(hull_of(hull.vertices_m));
+}
+
 std::string hull_toml(const Hull& hull, const std::string& source, const std::string& sha256) {
   std::string text = fmt::format(
       "# Made by stylet-organ hull: {} of the {} vertices of a convex hull.\n"

@@ -28,6 +28,19 @@ struct Hull {
 Hull simple_hull(const std::string& name, const std::vector<Vec>& points_m,
                  std::size_t most_vertices);
 
+// Of the convex hull; 0 where the points span none.
+double hull_volume_m3(const std::vector<Vec>& points_m);
+
+// Its faces as planes that point outward: inside is where dot(normal, place) <= limit for all.
+struct HullPlane {
+  Vec normal;
+  double limit = 0;
+};
+std::vector<HullPlane> hull_planes(const Hull& hull);
+
+// As a mesh, to be shown.
+Mesh hull_mesh(const Hull& hull);
+
 std::string hull_toml(const Hull& hull, const std::string& source, const std::string& sha256);
 
 }  // namespace stylet::bake

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "losses.h"
 #include "stylet/limits.h"
 
 namespace stylet::bake {
@@ -30,35 +31,214 @@ void each_labelled(const LabelMap& map, const std::vector<std::uint16_t>& labels
   }
 }
 
-// Corners of the first and the last voxel of each row: the hull has no other.
-std::vector<Vec> outer_corners_m(const LabelMap& map, const std::vector<std::uint16_t>& labels) {
-  std::vector<Vec> ends;
-  each_labelled(map, labels, [&](Vec at) {
-    const bool same_row = ends.size() > 1 && ends.back().y == at.y && ends.back().z == at.z;
-    if (!same_row) ends.insert(ends.end(), 2, at);
-    ends.back() = at;
-  });
-  std::vector<Vec> corners_m;
-  for (const Vec& at : ends) {
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      const auto half = [&](unsigned bit) { return (corner >> bit & 1U) != 0 ? 0.5 : -0.5; };
-      corners_m.push_back(place_m(map, at + Vec{half(0), half(1), half(2)}));
+// Of an obstacle, by the voxels of its labels, row by row.
+struct Piece {
+  std::size_t obstacle = 0;
+  std::vector<Vec> voxels;
+  double hull_m3 = 0;
+};
+
+// The corners of the convex outline of places in one slice (Andrew's monotone chain).
+std::vector<Vec> convex_outline(std::vector<Vec> places) {
+  const auto before = [](Vec a, Vec b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
+  std::sort(places.begin(), places.end(), before);
+  std::vector<Vec> outline;
+  for (const bool back : {false, true}) {
+    const std::size_t start = outline.size();
+    for (const Vec& p : places) {
+      while (outline.size() >= start + 2) {
+        const Vec a = outline[outline.size() - 2], b = outline.back();
+        if ((b.x - a.x) * (p.y - a.y) > (b.y - a.y) * (p.x - a.x)) break;
+        outline.pop_back();
+      }
+      outline.push_back(p);
     }
+    if (!back) std::reverse(places.begin(), places.end());
+  }
+  return outline;
+}
+
+// Of each slice the corners of its outline: the hull has no other.
+std::vector<Vec> outer_corners_m(const LabelMap& map, const std::vector<Vec>& voxels) {
+  std::vector<Vec> corners_m, slice;
+  for (std::size_t i = 0; i < voxels.size(); ++i) {
+    const Vec at = voxels[i];
+    const auto same_row = [&](std::size_t other) {
+      return other < voxels.size() && voxels[other].y == at.y && voxels[other].z == at.z;
+    };
+    for (const double y : {-0.5, 0.5}) {
+      if (!same_row(i - 1)) slice.push_back(at + Vec{-0.5, y, 0});
+      if (!same_row(i + 1)) slice.push_back(at + Vec{0.5, y, 0});
+    }
+    if (i + 1 < voxels.size() && voxels[i + 1].z == at.z) continue;
+    for (const Vec& corner : convex_outline(std::move(slice))) {
+      for (const double z : {-0.5, 0.5}) corners_m.push_back(place_m(map, corner + Vec{0, 0, z}));
+    }
+    slice.clear();
   }
   return corners_m;
+}
+
+Piece piece_of(const LabelMap& map, std::size_t obstacle, std::vector<Vec> voxels) {
+  const double hull_m3 = hull_volume_m3(outer_corners_m(map, voxels));
+  return {obstacle, std::move(voxels), hull_m3};
+}
+
+double label_m3(const LabelMap& map, const Piece& piece) {
+  return static_cast<double>(piece.voxels.size()) * voxel_volume_m3(map);
+}
+
+// The direction in which the voxels reach farthest from their middle: of the largest variance, by
+// multiplying with their covariance again and again.
+Vec longest_axis(const LabelMap& map, const Piece& piece) {
+  Vec middle;
+  for (const Vec& at : piece.voxels) middle = middle + at;
+  middle = place_m(map, middle * (1.0 / static_cast<double>(piece.voxels.size())));
+  std::array<Vec, 3> covariance{};
+  for (const Vec& at : piece.voxels) {
+    const Vec from = place_m(map, at) - middle;
+    for (std::size_t row = 0; row < 3; ++row) covariance[row] = covariance[row] + from * from[row];
+  }
+  constexpr int kRounds = 50;
+  Vec axis{0.5, 0.6, 0.62};
+  for (int round = 0; round < kRounds; ++round) {
+    axis = {dot(covariance[0], axis), dot(covariance[1], axis), dot(covariance[2], axis)};
+    const double size = length(axis);
+    axis = size > 0 ? axis * (1 / size) : Vec{1, 0, 0};
+  }
+  return axis;
+}
+
+// In two across the longest axis, at the one of some places where their hulls hold least together.
+std::array<Piece, 2> cut_in_two(const LabelMap& map, const Piece& piece) {
+  const Vec axis = longest_axis(map, piece);
+  std::vector<double> along;
+  for (const Vec& at : piece.voxels) along.push_back(dot(place_m(map, at), axis));
+  const auto [low, high] = std::minmax_element(along.begin(), along.end());
+  constexpr int kPlaces = 8;
+  std::array<Piece, 2> best;
+  for (int place = 1; place < kPlaces; ++place) {
+    const double limit = *low + (*high - *low) * place / kPlaces;
+    std::array<std::vector<Vec>, 2> halves;
+    for (std::size_t i = 0; i < along.size(); ++i) {
+      halves[along[i] > limit ? 1 : 0].push_back(piece.voxels[i]);
+    }
+    if (halves[0].empty() || halves[1].empty()) continue;
+    std::array<Piece, 2> tried = {piece_of(map, piece.obstacle, std::move(halves[0])),
+                                  piece_of(map, piece.obstacle, std::move(halves[1]))};
+    const bool better = best[0].voxels.empty() ||
+                        tried[0].hull_m3 + tried[1].hull_m3 < best[0].hull_m3 + best[1].hull_m3;
+    if (better) best = std::move(tried);
+  }
+  return best;
+}
+
+// The piece whose hull holds most beside its labels is cut next.
+void cut_pieces(const LabelMap& map, std::vector<Piece>& pieces) {
+  while (pieces.size() < kMaxObstacles) {
+    const auto beside = [&](const Piece& piece) { return piece.hull_m3 - label_m3(map, piece); };
+    const auto worst =
+        std::max_element(pieces.begin(), pieces.end(), [&](const Piece& a, const Piece& b) {
+          const auto rank = [&](const Piece& piece) {
+            return piece.hull_m3 > kMostHullRatio * label_m3(map, piece) ? beside(piece) : 0;
+          };
+          return rank(a) < rank(b);
+        });
+    if (worst == pieces.end() || worst->hull_m3 <= kMostHullRatio * label_m3(map, *worst)) return;
+    std::array<Piece, 2> halves = cut_in_two(map, *worst);
+    if (halves[0].voxels.empty()) return;
+    *worst = std::move(halves[0]);
+    pieces.insert(worst + 1, std::move(halves[1]));
+  }
+}
+
+bool holds(const std::vector<HullPlane>& planes, Vec place_m) {
+  return std::all_of(planes.begin(), planes.end(), [&](const HullPlane& plane) {
+    return dot(plane.normal, place_m) <= plane.limit;
+  });
+}
+
+bool holds(const Box& box, Vec p) {
+  return p.x >= box.low.x && p.y >= box.low.y && p.z >= box.low.z && p.x <= box.high.x &&
+         p.y <= box.high.y && p.z <= box.high.z;
+}
+
+// How much of each tissue lies in the hull.
+void find_swallowed(const LabelMap& map, const Recipe& recipe, const Groups& groups,
+                    NamedHull& hull) {
+  const std::vector<HullPlane> planes = hull_planes(hull.hull);
+  Box box;
+  for (const Vec& p : hull.hull.vertices_m) grow(box, p);
+  std::size_t i = 0;
+  for (std::uint32_t z = 0; z < map.size[2]; ++z) {
+    for (std::uint32_t y = 0; y < map.size[1]; ++y) {
+      for (std::uint32_t x = 0; x < map.size[0]; ++x, ++i) {
+        if (groups[i] == 0) continue;
+        const Vec at = place_m(map, {1.0 * x, 1.0 * y, 1.0 * z});
+        if (!holds(box, at) || !holds(planes, at)) continue;
+        hull.swallowed_m3[recipe.groups[groups[i] - 1U].tissue] += voxel_volume_m3(map);
+      }
+    }
+  }
+}
+
+// The obstacle's own, or with a number where it has several pieces, which no other has.
+std::string name_of(const Piece& piece, const std::vector<Piece>& pieces, const Recipe& recipe,
+                    const std::vector<NamedHull>& before) {
+  const std::string& obstacle = recipe.obstacles[piece.obstacle].name;
+  const auto parts = std::count_if(pieces.begin(), pieces.end(), [&](const Piece& other) {
+    return other.obstacle == piece.obstacle;
+  });
+  if (parts == 1) return obstacle;
+  const auto is_taken = [&](const std::string& name) {
+    const auto is = [&](const auto& each) { return each.name == name; };
+    return std::any_of(recipe.obstacles.begin(), recipe.obstacles.end(), is) ||
+           std::any_of(before.begin(), before.end(), is);
+  };
+  for (int number = 1;; ++number) {
+    std::string name = fmt::format("{}-{}", obstacle, number);
+    if (!is_taken(name)) return name;
+  }
 }
 
 }  // namespace
 
 std::vector<NamedHull> find_obstacles(const std::string& path, const LabelMap& map,
-                                      const Recipe& recipe) {
+                                      const Recipe& recipe, const Groups& groups) {
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i < recipe.obstacles.size(); ++i) {
+    std::vector<Vec> voxels;
+    each_labelled(map, recipe.obstacles[i].labels, [&](Vec at) { voxels.push_back(at); });
+    if (!voxels.empty()) pieces.push_back(piece_of(map, i, std::move(voxels)));
+  }
+  cut_pieces(map, pieces);
   std::vector<NamedHull> hulls;
-  for (const NamedLabels& body : recipe.obstacles) {
-    const std::vector<Vec> corners_m = outer_corners_m(map, body.labels);
-    if (corners_m.empty()) continue;
-    hulls.push_back({body.name, simple_hull(path + ": " + body.name, corners_m, kMaxHullVertices)});
+  for (const Piece& piece : pieces) {
+    const std::string name = name_of(piece, pieces, recipe, hulls);
+    Hull hull =
+        simple_hull(path + ": " + name, outer_corners_m(map, piece.voxels), kMaxHullVertices);
+    hulls.push_back(
+        {name, recipe.obstacles[piece.obstacle].name, std::move(hull), label_m3(map, piece), {}});
+    find_swallowed(map, recipe, groups, hulls.back());
   }
   return hulls;
+}
+
+void warn_of_obstacles(const std::vector<NamedHull>& hulls, std::vector<std::string>& warnings) {
+  for (const NamedHull& each : hulls) {
+    const double off = each.hull.volume_m3 / each.label_m3 - 1;
+    if (std::abs(off) <= kMostOff) continue;
+    std::string tissues;
+    for (const auto& [tissue, m3] : each.swallowed_m3) {
+      tissues +=
+          fmt::format("{} {:.3g} ml of {}", tissues.empty() ? ", in it" : ",", m3 * 1e6, tissue);
+    }
+    warnings.push_back(fmt::format(
+        "obstacle {}: its hull of {:.3g} ml is {:+} % off its labels of {:.3g} ml{}: a needle is "
+        "kept out of the hull",
+        each.name, each.hull.volume_m3 * 1e6, std::lround(100 * off), each.label_m3 * 1e6,
+        tissues));
+  }
 }
 
 std::vector<Target> find_targets(const LabelMap& map, const Recipe& recipe) {

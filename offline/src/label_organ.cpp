@@ -113,10 +113,10 @@ std::vector<LabelReport> label_reports(const LabelMap& map, const Groups& groups
 
 template <typename Found>  // NamedHull, Target
 void warn_of_missing(const std::vector<NamedLabels>& wanted, const std::vector<Found>& found,
-                     BuildReport& report) {
+                     std::string Found::*name, BuildReport& report) {
   for (const NamedLabels& each : wanted) {
     const bool is_there = std::any_of(found.begin(), found.end(),
-                                      [&](const Found& f) { return f.name == each.name; });
+                                      [&](const Found& f) { return f.*name == each.name; });
     if (is_there) continue;
     report.warnings.push_back(fmt::format("none of the labels of {} is in the map", each.name));
   }
@@ -189,7 +189,7 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   Claimed claimed;
   Built built;
   built.report.warnings = whole.notes;
-  built.obstacles = find_obstacles(path, map, recipe);
+  built.obstacles = find_obstacles(path, map, recipe, groups);
   built.targets = find_targets(map, recipe);
   for (const Vec& point : skin.points) grow(claimed.box, point);
   if (options.measured) built.input_m = triangles_of(skin);
@@ -208,8 +208,8 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   });
   const Grid grid = make_grid(claimed.box, edge_m);
   warn_of_absent(recipe, built.report);
-  warn_of_missing(recipe.obstacles, built.obstacles, built.report);
-  warn_of_missing(recipe.targets, built.targets, built.report);
+  warn_of_missing(recipe.obstacles, built.obstacles, &NamedHull::obstacle, built.report);
+  warn_of_missing(recipe.targets, built.targets, &Target::name, built.report);
   claimed.claims = claim_labels(grid, map, groups, built.report.labels, progress);
   if (options.measured) {
     measure_shares(claimed.claims, map, groups, built.report);
@@ -219,6 +219,7 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   claimed.sources = {{std::filesystem::path(path).filename().string(), "labels", map.sha256, 1e-3,
                       0, static_cast<std::uint32_t>(claimed.mesh.triangles.size())}};
   cut_away(claimed, options);
+  warn_of_obstacles(built.obstacles, built.report.warnings);
   claimed.sample_m3 = sample_volumes(grid, built.report);
   built.bytes = assemble(std::move(claimed), options, built.report.warnings, progress);
   return built;

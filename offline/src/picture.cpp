@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <png.h>
 
-#include <map>
+#include <bit>
 #include <stdexcept>
 
 namespace stylet::bake {
@@ -46,7 +46,7 @@ std::string outline(const Sheet& sheet, const Mesh& mesh, double at_m) {
     }
     if (count == 2) {
       path +=
-          fmt::format("M{:.2f} {:.2f}L{:.2f} {:.2f}", ends[0].u, ends[0].v, ends[1].u, ends[1].v);
+          fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}", ends[0].u, ends[0].v, ends[1].u, ends[1].v);
     }
   }
   return path;
@@ -94,6 +94,101 @@ std::string rectangles(const Organ& organ, const std::vector<Cell>& cells,
   }
   end_run();
   return text;
+}
+
+// What the plane cuts of a convex body, filled: its cut points in order around their middle.
+std::string convex_cut(const Sheet& sheet, const Mesh& mesh, double at_m) {
+  std::vector<Place> points;
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec a = mesh.points[t[i]], b = mesh.points[t[(i + 1) % 3]];
+      const double from = a[sheet.across] - at_m, to = b[sheet.across] - at_m;
+      if ((from < 0) != (to < 0)) {
+        points.push_back(place_mm(sheet, a + (b - a) * (from / (from - to))));
+      }
+    }
+  }
+  Place middle;
+  for (const Place& p : points) {
+    middle.u += p.u / static_cast<double>(points.size());
+    middle.v += p.v / static_cast<double>(points.size());
+  }
+  std::sort(points.begin(), points.end(), [&](const Place& a, const Place& b) {
+    return std::atan2(a.v - middle.v, a.u - middle.u) < std::atan2(b.v - middle.v, b.u - middle.u);
+  });
+  std::string path;
+  for (const Place& p : points) path += fmt::format("{:.1f},{:.1f} ", p.u, p.v);
+  return path;
+}
+
+std::string beside(const Shown& shown, const Sheet& sheet, double at_m, double stroke) {
+  std::string text;
+  for (const Obstacle& body : shown.obstacles) {
+    const std::string points = convex_cut(sheet, body.mesh_m, at_m);
+    if (points.empty()) continue;
+    text += fmt::format(
+        "<polygon points='{}' fill='#000' fill-opacity='.35' stroke='#000' stroke-width='{:.3f}' "
+        "stroke-dasharray='{:.2f}'><title>obstacle {}</title></polygon>",
+        points, stroke, 2 * stroke, body.name);
+  }
+  for (const Aim& aim : shown.aims) {
+    const double away = aim.middle_m[sheet.across] - at_m;
+    if (std::fabs(away) >= aim.radius_m) continue;
+    const Place middle = place_mm(sheet, aim.middle_m);
+    const double radius_mm = 1e3 * std::sqrt(aim.radius_m * aim.radius_m - away * away);
+    for (const auto& [colour, width] : {std::pair("#fff", 1.6), std::pair("#000", 0.6)}) {
+      text += fmt::format(
+          "<circle cx='{:.2f}' cy='{:.2f}' r='{:.2f}' fill='none' stroke='{}' "
+          "stroke-width='{:.3f}'><title>target {}</title></circle>",
+          middle.u, middle.v, radius_mm, colour, width * stroke, aim.name);
+    }
+  }
+  return text;
+}
+
+// The sides of a picture: left, right, top, bottom.
+std::array<const char*, 4> sides_of(const Sheet& sheet, bool of_patient) {
+  if (of_patient) {
+    return {sheet.u == 0 ? "R" : "A", sheet.u == 0 ? "L" : "P", sheet.v == 1 ? "A" : "S",
+            sheet.v == 1 ? "P" : "I"};
+  }
+  return {sheet.u == 0 ? "-x" : "-y", sheet.u == 0 ? "+x" : "+y", sheet.v == 1 ? "-y" : "+z",
+          sheet.v == 1 ? "+y" : "-z"};
+}
+
+struct Frame {
+  double u, v, width, height;
+};
+
+// The longest of 1, 2, 5, 10, ... mm that is no longer than this.
+double scale_mm(double most_mm) {
+  const double tens = std::pow(10, std::floor(std::log10(most_mm)));
+  return (5 * tens <= most_mm ? 5 : 2 * tens <= most_mm ? 2 : 1) * tens;
+}
+
+std::string marks(const Sheet& sheet, bool of_patient, const Frame& frame) {
+  const double size = std::max(frame.width, frame.height) / 22;
+  const double middle_u = frame.u + frame.width / 2, middle_v = frame.v + frame.height / 2;
+  const std::array<const char*, 4> sides = sides_of(sheet, of_patient);
+  const Place places[] = {{frame.u + 0.8 * size, middle_v},
+                          {frame.u + frame.width - 0.8 * size, middle_v},
+                          {middle_u, frame.v + 1.1 * size},
+                          {middle_u, frame.v + frame.height - 0.4 * size}};
+  std::string text = fmt::format(
+      "<g font-family='sans-serif' font-size='{:.2f}' text-anchor='middle' fill='#222' "
+      "stroke='#fff' stroke-width='{:.2f}' paint-order='stroke'>",
+      size, size / 6);
+  for (std::size_t i = 0; i < 4; ++i) {
+    text +=
+        fmt::format("<text x='{:.2f}' y='{:.2f}'>{}</text>", places[i].u, places[i].v, sides[i]);
+  }
+  const double bar_mm = scale_mm(frame.width / 3);
+  const double bar_v = frame.v + frame.height - 0.7 * size, bar_u = frame.u + 0.5 * size;
+  return text + fmt::format(
+                    "<text x='{:.2f}' y='{:.2f}' font-size='{:.2f}'>{:g} mm</text></g>"
+                    "<path d='M{:.2f} {:.2f}h{:.3f}' stroke='#222' stroke-width='{:.2f}'/>",
+                    bar_u + bar_mm / 2, bar_v - 0.3 * size, 0.75 * size, bar_mm, bar_u, bar_v,
+                    bar_mm, size / 5);
 }
 
 // ---- views --------------------------------------------------------------------------------------
@@ -195,27 +290,13 @@ std::string css(Colour c) {
   return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue);
 }
 
-Colour colour_of(const std::string& tissue, std::size_t index) {
-  static const std::map<std::string, Colour> kUsual = {{"liver", {166, 82, 66}},
-                                                       {"liver_capsule", {205, 133, 114}},
-                                                       {"kidney", {190, 104, 120}},
-                                                       {"vessel", {196, 30, 42}},
-                                                       {"bone", {226, 214, 178}},
-                                                       {"muscle", {204, 112, 92}},
-                                                       {"fat", {240, 214, 110}},
-                                                       {"epidural_fat", {246, 226, 140}},
-                                                       {"skin", {236, 188, 160}},
-                                                       {"tumour", {104, 140, 60}},
-                                                       {"prostate", {180, 120, 160}},
-                                                       {"prostate_capsule", {206, 160, 190}},
-                                                       {"fascia", {214, 200, 196}},
-                                                       {"ligament", {198, 190, 164}},
-                                                       {"ligamentum_flavum", {214, 190, 90}},
-                                                       {"gel", {120, 170, 196}}};
-  static const Colour kOthers[] = {{120, 94, 168}, {72, 148, 140}, {208, 130, 52},
-                                   {84, 118, 178}, {150, 150, 70}, {176, 88, 140}};
-  const auto usual = kUsual.find(tissue);
-  return usual != kUsual.end() ? usual->second : kOthers[index % std::size(kOthers)];
+Colour material_colour(std::size_t index) {
+  static constexpr Colour kColours[] = {{0xE6, 0x9F, 0x00}, {0x56, 0xB4, 0xE9}, {0x00, 0x9E, 0x73},
+                                        {0xF0, 0xE4, 0x42}, {0x00, 0x72, 0xB2}, {0xD5, 0x5E, 0x00},
+                                        {0xCC, 0x79, 0xA7}, {0x33, 0x22, 0x88}, {0x11, 0x77, 0x33},
+                                        {0x88, 0x22, 0x55}, {0x44, 0xAA, 0x99}, {0xDD, 0xCC, 0x77},
+                                        {0xAA, 0x44, 0x99}};
+  return kColours[index % std::size(kColours)];
 }
 
 Section best_section(const Organ& organ, const std::vector<Cell>& cells, std::size_t axis) {
@@ -236,38 +317,51 @@ Section best_section(const Organ& organ, const std::vector<Cell>& cells, std::si
   return best;
 }
 
-std::string section_svg(const Organ& organ, const std::vector<Cell>& cells,
-                        const std::vector<Colour>& colours, const Section& section,
-                        const Mesh& input_m, const Mesh& surface_m) {
-  const Sheet sheet = sheet_of(section.axis);
+double section_at_m(const Organ& organ, const Section& section) {
   Cell middle{};
   middle[section.axis] = section.layer;
-  const double edge_m = static_cast<double>(organ.voxel_edge_m);
-  const double at_m = low_corner_m(organ, middle)[section.axis] + edge_m / 2;
+  return low_corner_m(organ, middle)[section.axis] + static_cast<double>(organ.voxel_edge_m) / 2;
+}
+
+std::string section_svg(const Shown& shown, const Section& section) {
+  const Organ& organ = shown.organ;
+  const Sheet sheet = sheet_of(section.axis);
+  const double at_m = section_at_m(organ, section);
   const Place a = place_mm(sheet, low_corner_m(organ, {0, 0, 0}));
   const Place b =
       place_mm(sheet, low_corner_m(organ, {organ.size_x, organ.sheet_rows, organ.size_z}));
-  const double margin = edge_m * 1e3, width = b.u - a.u, height = std::fabs(b.v - a.v);
+  const double width = b.u - a.u, height = std::fabs(b.v - a.v);
+  const double margin = std::max(width, height) / 12;
+  const Frame frame = {a.u - margin, std::min(a.v, b.v) - margin, width + 2 * margin,
+                       height + 2 * margin};
   const double stroke = std::max(width, height) / 130;
   return fmt::format(
       "<svg xmlns='http://www.w3.org/2000/svg' viewBox='{:.2f} {:.2f} {:.2f} {:.2f}'>"
       "<g shape-rendering='crispEdges'>{}</g><path d='{}' stroke='#fff' stroke-width='{:.3f}'/>"
-      "<path d='{}' stroke='#000' stroke-width='{:.3f}'/></svg>",
-      a.u - margin, std::min(a.v, b.v) - margin, width + 2 * margin, height + 2 * margin,
-      rectangles(organ, cells, colours, section, sheet), outline(sheet, surface_m, at_m), stroke,
-      outline(sheet, input_m, at_m), stroke / 3);
+      "<path d='{}' stroke='#000' stroke-width='{:.3f}'/>{}{}</svg>",
+      frame.u, frame.v, frame.width, frame.height,
+      rectangles(organ, shown.cells, shown.colours, section, sheet),
+      outline(sheet, shown.surface_m, at_m), stroke, outline(sheet, shown.input_m, at_m),
+      stroke / 3, beside(shown, sheet, at_m, stroke / 2), marks(sheet, shown.of_patient, frame));
 }
 
-std::string view_png(const Organ& organ, const VoxelMesh& shown,
-                     const std::vector<Colour>& colours) {
-  const Camera camera = camera_for(shown.mesh);
+std::string view_png(const Shown& shown, const VoxelMesh& mesh) {
+  const Camera camera = camera_for(mesh.mesh);
   Canvas canvas;
-  for (std::size_t i = 0; i < shown.mesh.triangles.size(); ++i) {
-    std::array<Vec, 3> corners;
-    for (std::size_t c = 0; c < 3; ++c) corners[c] = shown.mesh.points[shown.mesh.triangles[i][c]];
-    const Vec normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
-    for (Vec& corner : corners) corner = on_canvas(camera, corner);
-    draw(corners, lit(colours[organ.voxel_material[shown.voxel[i]]], normal), canvas);
+  const auto draw_all = [&](const Mesh& of, auto colour_of) {
+    for (std::size_t i = 0; i < of.triangles.size(); ++i) {
+      std::array<Vec, 3> corners;
+      for (std::size_t c = 0; c < 3; ++c) corners[c] = of.points[of.triangles[i][c]];
+      const Vec normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+      for (Vec& corner : corners) corner = on_canvas(camera, corner);
+      draw(corners, lit(colour_of(i), normal), canvas);
+    }
+  };
+  draw_all(mesh.mesh,
+           [&](std::size_t i) { return shown.colours[shown.organ.voxel_material[mesh.voxel[i]]]; });
+  constexpr Colour kObstacle = {70, 70, 70};
+  for (const Obstacle& body : shown.obstacles) {
+    draw_all(body.mesh_m, [&](std::size_t) { return kObstacle; });
   }
   return png_bytes(canvas);
 }

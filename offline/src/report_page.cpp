@@ -19,7 +19,8 @@ constexpr const char* kStyle =
     "table{border-collapse:collapse;margin:1em 0}td,th{padding:.3em .9em;text-align:right;"
     "border-bottom:1px solid #e4e4e4}td:first-child,th:first-child{text-align:left}"
     "figure{display:inline-block;width:32%;margin:0 .5% 1em 0;vertical-align:top}"
-    "figure.view{width:48%}figure svg,figure img{width:100%;height:auto;background:#f4f4f2;"
+    "figure.view{width:48%}figure.cut svg{display:none}figure.cut svg.on{display:block}"
+    "figure.cut input{width:100%}figure svg,figure img{width:100%;height:auto;background:#f4f4f2;"
     "border:1px solid #ddd}path{fill:none}figcaption{font-size:.85em;color:#555}"
     ".note{background:#fff6dc;border-left:4px solid #e0a100;padding:.6em 1em}"
     ".good{background:#e9f6ea;border-left:4px solid #3c9a46;padding:.6em 1em}"
@@ -180,58 +181,120 @@ std::string provenance(const Json& organ) {
 // ---- pictures -----------------------------------------------------------------------------------
 
 constexpr const char* kSections[] = {"sagittal, across x", "coronal, across y", "axial, across z"};
+constexpr const char* kScroll =
+    "<script>for(const r of document.querySelectorAll('figure.cut input')){const f=r.parentNode,"
+    "s=f.querySelectorAll('svg'),t=f.querySelector('b');r.oninput=()=>s.forEach((e,i)=>{"
+    "e.classList.toggle('on',i==r.value);if(i==r.value)t.textContent=r.dataset.at.split(' ')[i]})}"
+    "</script>";
 
-std::string pictures(const Organ& organ, const Mesh& input_m) {
-  const std::vector<Cell> cells = cells_of(organ);
-  const VoxelGrid grid = voxel_grid(organ, cells);
-  const VoxelMesh surface = surface_mesh(organ, cells);
-  std::vector<Colour> colours;
-  std::string key = "<p class='key'>";
-  for (std::uint32_t i = 0; i < organ.material_count; ++i) {
-    const char* name = organ_material(organ, i).name;
-    colours.push_back(colour_of(name, i));
-    key += fmt::format("<i style='background:{}'></i>{}", css(colours.back()), escaped(name));
+// The layers to scroll through, evenly spread, the best one among them.
+std::vector<std::uint32_t> layers_of(const Organ& organ, const Section& best) {
+  constexpr std::uint32_t kMostLayers = 32;
+  const std::uint32_t count[3] = {organ.size_x, organ.sheet_rows, organ.size_z};
+  const std::uint32_t step = (count[best.axis] + kMostLayers - 1) / kMostLayers;
+  std::vector<std::uint32_t> layers;
+  for (std::uint32_t layer = best.layer % step; layer < count[best.axis]; layer += step) {
+    layers.push_back(layer);
   }
-  std::string html = "<h2>Sections</h2>" + key + "</p>";
+  return layers;
+}
+
+std::string scrolled_sections(const Shown& shown, std::size_t axis) {
+  const Section best = best_section(shown.organ, shown.cells, axis);
+  const std::vector<std::uint32_t> layers = layers_of(shown.organ, best);
+  std::string pictures, places;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const Section section = {axis, layers[i]};
+    std::string svg = section_svg(shown, section);
+    if (layers[i] == best.layer) {
+      first = i;
+      svg.insert(svg.find(' '), " class='on'");
+    }
+    pictures += svg;
+    places += fmt::format("{}{:.1f}", i == 0 ? "" : " ", section_at_m(shown.organ, section) * 1e3);
+  }
+  return fmt::format(
+      "<figure class='cut'>{}<input type='range' min='0' max='{}' value='{}' aria-label='{}' "
+      "data-at='{}'><figcaption>{} at <b>{:.1f}</b> mm</figcaption></figure>",
+      pictures, layers.size() - 1, first, kSections[axis], places, kSections[axis],
+      section_at_m(shown.organ, best) * 1e3);
+}
+
+// Of label maps, whose formats know the patient's sides; Inrimage does not.
+bool is_of_patient(const Json& facts) {
+  if (facts["labels"].empty()) return false;
+  const std::string path = facts["organ"]["provenance"]["sources"][0]["path"];
+  return path.find(".inr") == std::string::npos;
+}
+
+Shown shown_of(const Json& facts, const Organ& organ, const Built& built, const Mesh& surface_m) {
+  Shown shown = {organ, cells_of(organ),     {}, built.input_m, surface_m, {},
+                 {},    is_of_patient(facts)};
+  for (std::uint32_t i = 0; i < organ.material_count; ++i) {
+    shown.colours.push_back(material_colour(i));
+  }
+  for (const NamedHull& each : built.obstacles) {
+    shown.obstacles.push_back({escaped(each.name), hull_mesh(each.hull)});
+  }
+  for (const Target& each : built.targets) {
+    shown.aims.push_back({escaped(each.name), each.middle_m, each.radius_m});
+  }
+  return shown;
+}
+
+std::string key_of(const Shown& shown) {
+  std::string key = "<p class='key'>";
+  for (std::uint32_t i = 0; i < shown.organ.material_count; ++i) {
+    key += fmt::format("<i style='background:{}'></i>{}", css(shown.colours[i]),
+                       escaped(organ_material(shown.organ, i).name));
+  }
+  if (!shown.obstacles.empty())
+    key += "<i style='background:#777;border-style:dashed'></i>obstacle";
+  if (!shown.aims.empty()) key += "<i style='border-radius:50%'></i>target";
+  return key + "</p>";
+}
+
+std::string pictures(const Json& facts, const Organ& organ, const Built& built) {
+  const VoxelMesh surface = surface_mesh(organ, cells_of(organ));
+  const Shown shown = shown_of(facts, organ, built, surface.mesh);
+  const VoxelGrid grid = voxel_grid(organ, shown.cells);
+  std::string html = "<h2>Sections</h2>" + key_of(shown);
   for (const std::size_t axis : {std::size_t{2}, std::size_t{1}, std::size_t{0}}) {
-    const Section section = best_section(organ, cells, axis);
-    Cell middle{};
-    middle[axis] = section.layer;
-    const double at_mm =
-        (low_corner_m(organ, middle)[axis] + static_cast<double>(organ.voxel_edge_m) / 2) * 1e3;
-    html += fmt::format("<figure>{}<figcaption>{} at {:.1f} mm</figcaption></figure>",
-                        section_svg(organ, cells, colours, section, input_m, surface.mesh),
-                        kSections[axis], at_mm);
+    html += scrolled_sections(shown, axis);
   }
   html +=
       "<p class='small'>Squares are voxels, paler the emptier. Black: the surface of the input; "
-      "white: that of the organ. In a patient's frame x is to the left, y to the back, z to the "
-      "head.</p><h2>Views</h2>";
-  const std::uint32_t front = best_section(organ, cells, 1).layer;
+      "white: that of the organ. ";
+  html += shown.of_patient ? "R, L: the patient's right and left; A, P: front and back; S, I: head "
+                             "and feet."
+                           : "The letters are the axes of the input.";
+  html += " The sliders go through the layers.</p><h2>Views</h2>";
+  const std::uint32_t front = best_section(organ, shown.cells, 1).layer;
   const VoxelMesh faces =
-      voxel_faces(organ, cells, grid, [front](const Cell& cell) { return cell[1] >= front; });
-  const auto add_view = [&](const VoxelMesh& shown, const char* caption) {
-    if (shown.mesh.triangles.empty()) return;
+      voxel_faces(organ, shown.cells, grid, [front](const Cell& cell) { return cell[1] >= front; });
+  const auto add_view = [&](const VoxelMesh& mesh, const char* caption) {
+    if (mesh.mesh.triangles.empty()) return;
     html += fmt::format(
         "<figure class='view'><img alt='{}' src='data:image/png;base64,{}'><figcaption>{}"
         "</figcaption></figure>",
-        caption, base64(view_png(organ, shown, colours)), caption);
+        caption, base64(view_png(shown, mesh)), caption);
   };
   add_view(surface, "surface, from low y (in a patient: the front)");
   add_view(faces, "voxels, cut open where the second section lies");
-  return html;
+  return html + kScroll;
 }
 
 }  // namespace
 
 void add_report(Outputs& outputs, const std::filesystem::path& folder,
-                const nlohmann::ordered_json& facts, const Organ& organ, const Mesh& input_m) {
+                const nlohmann::ordered_json& facts, const Organ& organ, const Built& built) {
   const Json& quality = facts["quality"];
   const std::string html =
       "<!doctype html><html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
       "content='width=device-width'><title>" +
       escaped(facts["organ"]["name"]) + "</title><style>" + kStyle + "</style></head><body>" +
-      heading(facts) + findings(quality) + pictures(organ, input_m) + tissues(quality) +
+      heading(facts) + findings(quality) + pictures(facts, organ, built) + tissues(quality) +
       distances(quality) + repairs(facts) + speed(facts) + provenance(facts["organ"]) +
       "</body></html>\n";
   outputs.add_folder(folder);

@@ -6,14 +6,15 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 
+#include "build.h"
 #include "organ_shape.h"
 #include "outputs.h"
 
 namespace stylet::bake {
 
 // `facts` has the keys of build_facts, and `organ` and `quality` (organ_facts, quality_facts).
-// `input_m` is the surface of the input.
+// Of `built` come the input's surface, obstacles and targets.
 void add_report(Outputs& outputs, const std::filesystem::path& folder,
-                const nlohmann::ordered_json& facts, const Organ& organ, const Mesh& input_m);
+                const nlohmann::ordered_json& facts, const Organ& organ, const Built& built);
 
 }  // namespace stylet::bake

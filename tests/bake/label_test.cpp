@@ -441,7 +441,7 @@ TEST(LabelOrgan, ObstaclesAndTargetsLieWhereTheirLabelsDo) {
   EXPECT_NEAR(built.targets[0].volume_m3, voxels(1), 1e-9);
   EXPECT_LT(length(built.targets[0].middle_m - Vec{-7.5e-3, 0, 0}), 1.5e-3);
   EXPECT_THAT(built.report.warnings,
-              testing::ElementsAre("none of the labels of nothing is in the map"));
+              testing::Contains("none of the labels of nothing is in the map"));
   const std::string scene =
       bake::scene_toml("a.organ", {"a.stone.toml"}, {{"lesion", {0.001, -0.02, 0.3}, 1e-6, 6e-3}});
   EXPECT_THAT(scene, testing::HasSubstr("point_mm = [1.00, -20.00, 300.00]"));

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bake_support.h"
+#include "random_bodies.h"
 #include "report_page.h"
 
 namespace stylet::test {
@@ -15,16 +16,6 @@ namespace {
 
 using bake::Mesh;
 using bake::Vec;
-
-Mesh both(const Mesh& a, const Mesh& b) {
-  Mesh mesh = a;
-  const auto base = static_cast<std::uint32_t>(a.points.size());
-  mesh.points.insert(mesh.points.end(), b.points.begin(), b.points.end());
-  for (const bake::Triangle& t : b.triangles) {
-    mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
-  }
-  return mesh;
-}
 
 bake::BuildOptions measured_at(double voxel_mm) {
   bake::BuildOptions options;
@@ -204,7 +195,12 @@ TEST(Page, OfAPatientHasPicturesTablesAndTheSameBytesTwice) {
     return slurp(scratch.folder / name / "report.html");
   };
   const std::string page = build("one");
-  EXPECT_EQ(count_of(page, "<svg"), 3U);
+  EXPECT_EQ(count_of(page, "<svg class='on'"), 3U);
+  EXPECT_GT(count_of(page, "<svg"), 3U * 16);
+  EXPECT_EQ(count_of(page, "<input type='range'"), 3U);
+  for (const char* side : {">R<", ">L<", ">A<", ">P<", ">S<", ">I<", " mm</text>"}) {
+    EXPECT_GT(count_of(page, side), 16U) << side;
+  }
   EXPECT_EQ(count_of(page, "data:image/png;base64,"), 2U);
   EXPECT_EQ(count_of(page, "<h2>"), 6U);
   EXPECT_EQ(page, build("two"));

@@ -290,7 +290,9 @@ speed_mm_s = 25
             "stylet-organ", "build", self.MAP, "--recipe",
             SOURCE / "offline/recipes/totalsegmentator-biopsy.toml", "--fix", "y>80%",
             "--voxel-mm", 7, "-o", self.top / "patient.organ", "--json").stdout)
-        self.assertEqual(len(made["scene"]["obstacles"]), 7)
+        bodies = made["scene"]["obstacles"]  # a bent one in several convex pieces
+        self.assertEqual(len({body["name"].partition("-")[0] for body in bodies}), 7)
+        self.assertLessEqual(len(bodies), 16)
         names = [m["name"] for m in made["organ"]["materials"]]
         report = json.loads(call("stylet", "run", self.top / "patient.scene.toml", "--fast",
                                  "--json").stdout)
