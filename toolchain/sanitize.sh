@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# What takes bytes from outside, and what stands between a force and a hand, under clang's address
+# and undefined-behaviour sanitizers: the part of check.sh's tier full that CI has time for. The
+# readers of every format are under them in fuzz.short.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+programs=(
+  unit_organ_open unit_odd_organ unit_sheets unit_state unit_snapshot unit_c_api unit_create
+  hal_scene hal_packet hal_guard hal_motor hal_recording
+)
+use_preset sanitize
+configure
+compile "${programs[@]}"
+names=$(printf '|%s' "${programs[@]}")
+run_tests -LE '^(full|night)$' -R "^(${names:1})\\." "$@"
