@@ -289,8 +289,8 @@ void finish(const std::function<Built(const BuildOptions&, const Progress&)>& ma
   outputs.add(a.output, built.bytes);
   if (a.sum) {
     outputs.add(a.output + kSumEnding, sum_line(a.output, built.bytes));
-  } else {
-    outputs.remove(a.output + kSumEnding);  // that of the organ that was there before
+  } else if (has_sum_line(a.output)) {  // of the organ that was there before
+    outputs.remove(a.output + kSumEnding);
   }
   warn(built.report.warnings);
   const Organ organ = open_organ(a.output, built.bytes);

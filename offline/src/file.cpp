@@ -77,6 +77,18 @@ std::string sum_line(const std::filesystem::path& path, std::span<const std::byt
   return sha256_hex(view) + "  " + path.filename().string() + "\n";
 }
 
+bool has_sum_line(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::path beside = path.string() + kSumEnding;
+  const std::string some = sum_line(path, {});
+  if (!std::filesystem::is_regular_file(beside, error) || error) return false;
+  if (std::filesystem::file_size(beside, error) != some.size() || error) return false;
+  const std::size_t digits = sha256_hex({}).size();
+  const std::string text = read_file(beside);
+  return text.find_first_not_of("0123456789abcdef") == digits &&
+         std::string_view(text).substr(digits) == std::string_view(some).substr(digits);
+}
+
 SumCheck check_sum(const std::filesystem::path& path, std::string_view bytes) {
   std::error_code error;
   const std::filesystem::path beside = path.string() + kSumEnding;

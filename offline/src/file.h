@@ -21,6 +21,8 @@ std::string sha256_hex(std::string_view bytes);
 // The sum of a file lies beside it under this ending, in the format of sha256sum.
 constexpr const char* kSumEnding = ".sha256";
 std::string sum_line(const std::filesystem::path& path, std::span<const std::byte> bytes);
+// Whether there is such a line beside a file, of whatever bytes: anything else is somebody's own.
+bool has_sum_line(const std::filesystem::path& path);
 enum class SumCheck { kNone, kSame, kDiffers };
 SumCheck check_sum(const std::filesystem::path& path, std::string_view bytes);
 

@@ -187,6 +187,14 @@ class Case(unittest.TestCase):
         self.assertFalse((self.folder / "a.organ.sha256").exists())
         self.assertEqual(self.run_tool("check", "a.organ").returncode, 0)
 
+    def test_what_is_no_sum_of_that_file_stays(self):
+        digits = hashlib.sha256(b"other").hexdigest()
+        for text in ("important", "", f"{digits}  b.organ\n", f"{digits}  a.organ\nand more\n",
+                     f"{digits[:-1]}g  a.organ\n"):
+            (self.folder / "a.organ.sha256").write_text(text)
+            self.assertEqual(self.run_tool("phantom", "ball", "-o", "a.organ").returncode, 0)
+            self.assertEqual((self.folder / "a.organ.sha256").read_text(), text)
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)
