@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -99,7 +98,7 @@ int run(const RunOptions& options) {
   Attempt& a = *attempt;
   const StopOnSignal stop_on_signal(a.state.stop);  // before the first device is open
   load(s);
-  hal::check_output(options.record, std::array{options.scene, s.organ->path});
+  hal::check_output(options.record, files_of(s));
   open_devices(s);
   if (!options.fast) hal::prepare_process(host);
   a.recording = recording_name(options);

@@ -119,6 +119,15 @@ void load(Session& s) {
       std::make_unique<hal::KernelInstance>(s.organ->organ, s.scene.config, s.scene.obstacles);
 }
 
+std::vector<std::string> files_of(const Session& s) {
+  std::vector<std::string> files = s.scene.hulls;
+  files.insert(files.end(), {s.options.scene, s.organ->path});
+  for (const hal::Hand& hand : s.scene.hands) {
+    if (hand.device == "replay") files.push_back(beside(s.scene.file, hand.replay_path));
+  }
+  return files;
+}
+
 namespace {
 
 // Puts the hand of a needle at the start of its script; for how many ticks it has something to do.

@@ -69,6 +69,8 @@ struct Session {
 
 // Scene, organ, kernel; no device yet.
 void load(Session& session);
+// What a loaded session reads: no output may be one of them.
+std::vector<std::string> files_of(const Session& session);
 // Devices, and the way to OpenIGTLink clients.
 void open_devices(Session& session);
 std::vector<hal::Course> courses_of(const Session& session);

@@ -104,7 +104,8 @@ void read_hull(const std::string& path, ObstacleConfig& config) {
   for (std::size_t i = 0; i < points.size(); ++i) config.vertices_m[i] = si(points[i], 1);
 }
 
-void read_shape(Section& section, const std::string& scene_file, ObstacleConfig& config) {
+void read_shape(Section& section, const std::string& scene_file, ObstacleConfig& config,
+                std::vector<std::string>& hulls_out) {
   const std::string shape = section.choice("shape", "", {"box", "sphere", "hull"});
   const std::array<std::array<const char*, 2>, 3> sizes = {
       {{"box", "size_mm"}, {"sphere", "radius_mm"}, {"hull", "hull"}}};
@@ -121,13 +122,15 @@ void read_shape(Section& section, const std::string& scene_file, ObstacleConfig&
   if (shape == "sphere") make_sphere(config, si(section.number("radius_mm", 0, 0.05, 1000), 1e-3));
   if (shape == "hull") {
     const std::filesystem::path folder = std::filesystem::path(scene_file).parent_path();
-    read_hull((folder / section.text("hull", "")).string(), config);
+    hulls_out.push_back((folder / section.text("hull", "")).string());
+    read_hull(hulls_out.back(), config);
   }
 }
 
-ObstacleConfig read_obstacle(Section section, const std::string& scene_file) {
+ObstacleConfig read_obstacle(Section section, const std::string& scene_file,
+                             std::vector<std::string>& hulls_out) {
   ObstacleConfig config;
-  read_shape(section, scene_file, config);
+  read_shape(section, scene_file, config, hulls_out);
   if (!section.has("at_mm")) section.fail("at_mm", "where the body is: a list of 3 numbers");
   config.pose.position_m = si(section.numbers<3>("at_mm", {}, -1000, 1000), 1e-3);
   config.pose.rotation = turned(section.numbers<3>("turn_deg", {}, -360, 360));
@@ -187,13 +190,14 @@ NeedleConfig read_needle(Section& needle) {
 }
 
 std::vector<ObstacleConfig> read_obstacles(std::vector<Section> sections,
-                                           const std::string& scene_file) {
+                                           const std::string& scene_file,
+                                           std::vector<std::string>& hulls_out) {
   std::vector<ObstacleConfig> obstacles;
   for (Section& each : sections) {
     if (obstacles.size() == kMaxObstacles) {
       each.fail("shape", fmt::format("at most {} obstacles", kMaxObstacles));
     }
-    obstacles.push_back(read_obstacle(each, scene_file));
+    obstacles.push_back(read_obstacle(each, scene_file, hulls_out));
   }
   return obstacles;
 }

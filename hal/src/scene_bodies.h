@@ -18,9 +18,10 @@ namespace stylet::hal {
 NeedleConfig read_needle(Section& needle);
 // By angles about the world's x, then y, then z.
 Quat turned(const std::array<double, 3>& degrees);
-// `scene_file`: hull files are named relative to its folder.
+// `scene_file`: hull files are named relative to its folder. Adds those read.
 std::vector<ObstacleConfig> read_obstacles(std::vector<Section> sections,
-                                           const std::string& scene_file);
+                                           const std::string& scene_file,
+                                           std::vector<std::string>& hulls_out);
 std::vector<Target> read_targets(std::vector<Section> sections);
 BreathingConfig read_breathing(Section breathing);
 

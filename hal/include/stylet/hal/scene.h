@@ -58,6 +58,7 @@ struct Scene {
   std::string organ_path;  // as written; relative to the scene's folder
   Config config;
   std::vector<ObstacleConfig> obstacles;
+  std::vector<std::string> hulls;  // files of obstacles
   std::vector<Target> targets;  // for the score alone
   int rt_priority = 80;
   int cpu = -1;               // -1: the last isolated one, else the last the process may use
