@@ -219,8 +219,7 @@ int station(const StationOptions& options) {
   hal::StationState state =
       hal::station_start(static_cast<std::uint32_t>(hal::monotonic_now_ns() / 1000));
   std::array<hal::FaultMailbox, 1> mailbox;
-  FaultDesk desk(mailbox, {options.uri},
-                 [&opened](std::size_t) { return hal::trouble_of(opened.device); });
+  FaultDesk desk(mailbox, {options.uri}, std::span(&opened.device, 1));
   hal::HostState host;
   hal::prepare_process(host);
   fmt::print(stderr, "stylet: {} is a station of {}; Ctrl-C ends it\n", options.uri, options.to);

@@ -12,12 +12,12 @@
 
 #include <array>
 #include <cstdio>
-#include <functional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "stylet/hal/device.h"
 #include "stylet/hal/fault_mailbox.h"
 
 namespace stylet::app {
@@ -35,14 +35,16 @@ inline bool enter_was_pressed() {
 
 class FaultDesk {
  public:
-  // `trouble`: of the device of this box, in words; empty: none.
+  // One device a box, which outlives this; what it notes now has been told.
   FaultDesk(std::span<hal::FaultMailbox> boxes, std::vector<std::string> names,
-            std::function<std::string(std::size_t)> trouble)
+            std::span<const hal::Device> devices)
       : boxes_(boxes),
         names_(std::move(names)),
-        trouble_(std::move(trouble)),
+        devices_(devices),
         told_(names_.size(), hal::Fault::kNone),
-        away_(names_.size()) {}
+        away_(names_.size()) {
+    for (const hal::Device& each : devices_) noted_.push_back(hal::note_of(each));
+  }
 
   void look() {
     const bool enter = enter_was_pressed();
@@ -74,7 +76,10 @@ class FaultDesk {
 
   // What is wrong with it, when that changes, and when it is right again.
   void tell_of_device(std::size_t i) {
-    std::string now = trouble_(i);
+    std::string note = hal::note_of(devices_[i]);
+    if (!note.empty() && note != noted_[i]) say(i, note);
+    noted_[i] = std::move(note);
+    std::string now = hal::trouble_of(devices_[i]);
     if (now == away_[i]) return;
     say(i, now.empty() ? "it is back" : now);
     away_[i] = std::move(now);
@@ -82,9 +87,9 @@ class FaultDesk {
 
   std::span<hal::FaultMailbox> boxes_;
   std::vector<std::string> names_;
-  std::function<std::string(std::size_t)> trouble_;
+  std::span<const hal::Device> devices_;
   std::vector<hal::Fault> told_;
-  std::vector<std::string> away_;  // told of the device
+  std::vector<std::string> away_, noted_;  // told of the device
   bool asked_ = false;
 };
 

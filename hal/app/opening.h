@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <functional>
 #include <span>
 #include <string>
@@ -20,6 +21,18 @@ namespace stylet::app {
 using Opener = hal::Device (*)(const std::string& uri, double patience_s);
 constexpr double kOpeningPatienceS = 10;
 constexpr double kHangsS = 60;  // opening waits 10 s for a device; no driver needs a minute
+
+// Before the first force: what is missing that should be there.
+inline void tell_of_opened(const std::string& uri, const hal::Device& device) {
+  const std::string note = hal::note_of(device);
+  if (!note.empty()) fmt::print(stderr, "stylet: {}: {}\n", uri, note);
+  const int error = hal::device_priority_refused();
+  if (error == 0) return;
+  fmt::print(stderr,
+             "stylet: {}: SCHED_FIFO priority {} of its thread refused ({}): samples and forces "
+             "wait for whatever else runs; stylet doctor has the remedy\n",
+             uri, hal::kDevicePriority, std::strerror(error));
+}
 
 // Throws hal::DeviceError, also when a signal asks to stop: then a driver has as long as for
 // closing.
@@ -37,7 +50,10 @@ inline hal::Device open_or_stop(const std::string& uri, Opener open) {
   try {
     const auto device = hal::call_driver<hal::Device>(
         [uri, open] { return open(uri, kOpeningPatienceS); }, give_up);
-    if (device) return *device;
+    if (device) {
+      tell_of_opened(uri, *device);
+      return *device;
+    }
   } catch (const hal::DeviceError&) {
     if (!stop_was_asked()) throw;
     throw hal::DeviceError(fmt::format("{}: stopped before it was open", uri));

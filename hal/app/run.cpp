@@ -31,8 +31,7 @@ std::vector<std::string> hand_names(const Session& s) {
 // In virtual time nobody could answer: the report tells of the faults.
 void show_progress(Session& s, Attempt& a) {
   const bool show = terminal_rewrites_lines() && !s.options.json;
-  FaultDesk desk(a.state.mailbox, hand_names(s),
-                 [&s](std::size_t i) { return hal::trouble_of(s.devices[i]); });
+  FaultDesk desk(a.state.mailbox, hand_names(s), s.devices);
   while (!a.done.load()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(s.options.fast ? 20 : 100));
     if (!s.options.fast) desk.look();

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "device_thread.h"
@@ -16,6 +17,7 @@
 #include "stylet/hal/device_model.h"
 #include "stylet/hal/devices.h"
 #include "stylet/hal/relay.h"
+#include "supervisor.h"
 #include "vendor_library.h"
 #include "vendor_pose.h"
 
@@ -102,7 +104,7 @@ constexpr float kShare = 0.9F;
 constexpr float kTorqueNm = 0.1F;  // a careful guess
 
 // Why the relay failed: causes of the device as they are counted there, and our own.
-constexpr std::uint32_t kNoAnswer = 100;
+constexpr std::uint32_t kNoAnswer = 100, kStalled = 101;
 constexpr int kMostErrorsInARow = 5;
 constexpr std::int64_t kPollNs = 500'000;
 constexpr std::chrono::milliseconds kThreadTime(200);  // a poll takes less, unless it hangs
@@ -111,12 +113,14 @@ constexpr std::uint64_t kPollsBetweenStatus = 20;
 struct DhdDevice {
   Relay relay;
   DeviceThread thread;
+  Supervisor supervisor;
   char id = -1;
+  bool watchdog = false;  // its firmware ends the force of a thread that is late
   bool has_frame = false;
   std::string name, serial;
   DeviceInfo info = {};
   int errors_in_a_row = 0;
-  std::uint64_t polls = 0;
+  std::atomic<std::uint64_t> polls{0};
   std::atomic<bool> force_was_on{false};
 };
 
@@ -173,8 +177,12 @@ void poll(DhdDevice& device) {
   }
   const int written = apply(api, device, device.relay.order(now_ns));
   device.errors_in_a_row = read < 0 || written < 0 ? device.errors_in_a_row + 1 : 0;
-  if (device.errors_in_a_row >= kMostErrorsInARow) device.relay.fail(kNoAnswer);
-  if (++device.polls % kPollsBetweenStatus == 0) look_at_status(api, device);
+  if (device.errors_in_a_row >= kMostErrorsInARow) {
+    device.relay.fail(kNoAnswer);
+    (void)api.enable_force(0, device.id);  // one of its calls may come through
+  }
+  const std::uint64_t polls = 1 + device.polls.fetch_add(1, std::memory_order_relaxed);
+  if (polls % kPollsBetweenStatus == 0) look_at_status(api, device);
 }
 
 // ==== Opening
@@ -250,6 +258,7 @@ void close(void* self) {
   std::this_thread::sleep_for(kFadeTime);
   // Where it hangs, the motors are cut from here, before we hang with it.
   if (!device->thread.stops_within(kThreadTime)) (void)dhd().enable_force(0, device->id);
+  device->supervisor.stop();
   device->thread.stop();
   (void)apply(dhd(), *device, {});
   (void)dhd().enable_force(0, device->id);
@@ -266,8 +275,30 @@ std::string trouble(void* self) {
                                   "software",
                                   "its cable was pulled",
                                   "its dead-man switch"};
+  if (relay.why() == kStalled) return "a call of its driver hangs: forces were switched off";
   if (relay.why() < kCauses.size()) return fmt::format("forces are off: {}", kCauses[relay.why()]);
   return "it does not answer: check cable and power";
+}
+
+std::string note(void* self) {
+  if (static_cast<DhdDevice*>(self)->watchdog) return "";
+  return "its firmware refuses the watchdog: when a call of the driver hangs, this program alone "
+         "switches its forces off; keep a hand at the force button on its base";
+}
+
+bool set_watchdog(const Api& api, char id, unsigned char periods) {
+  const bool expert = api.expert != nullptr && api.expert() >= 0;
+  return expert && api.set_watchdog != nullptr && api.set_watchdog(periods, id) >= 0;
+}
+
+// It is thread-safe, by the vendor's manual: the one call that reaches motors whose thread hangs.
+void supervise(DhdDevice& device) {
+  device.supervisor.start(
+      device.polls, [] { return false; },
+      [&device] {
+        device.relay.fail(kStalled);
+        (void)dhd().enable_force(0, device.id);
+      });
 }
 
 char open_index(const Api& api, const std::string& index) {
@@ -308,11 +339,11 @@ Device open_force_dimension(const std::string& index, double patience_s) {
     if (api.set_gravity != nullptr) (void)api.set_gravity(1, device->id);
     // The seventh axis: a gripper that is closed is button 0. Refused where there is none.
     if (api.emulate_button != nullptr) (void)api.emulate_button(1, device->id);
-    const bool expert = api.expert != nullptr && api.expert() >= 0;
-    if (expert && api.set_watchdog != nullptr) (void)api.set_watchdog(kWatchdog, device->id);
+    device->watchdog = set_watchdog(api, device->id, kWatchdog);
     if (api.enable_force(1, device->id) < 0) {
       throw DeviceError(fmt::format("dhd:{}: forces cannot be enabled: {}", index, last_error()));
     }
+    supervise(*device);
     device->thread.start(kPollNs, [polled = device.get()] { poll(*polled); });
     wait_for_sample(*device, patience_s);
     wait_for_forces(*device, index, patience_s);
@@ -321,7 +352,22 @@ Device open_force_dimension(const std::string& index, double patience_s) {
     throw;
   }
   DhdDevice* opened = device.release();
-  return relayed(opened, opened->info, close, trouble);
+  Device made = relayed(opened, opened->info, close, trouble);
+  made.note = note;
+  return made;
+}
+
+std::optional<bool> force_dimension_watchdog() try {
+  const Api& api = dhd();
+  if (api.expert == nullptr || api.set_watchdog == nullptr) return false;
+  const int id = api.open();
+  if (id < 0) return std::nullopt;
+  const bool taken = set_watchdog(api, static_cast<char>(id), kWatchdog);
+  (void)set_watchdog(api, static_cast<char>(id), 0);
+  (void)api.close(static_cast<char>(id));
+  return taken;
+} catch (const DeviceError&) {
+  return std::nullopt;
 }
 
 }  // namespace stylet::hal

@@ -18,10 +18,10 @@
 #include "device_thread.h"
 #include "patience.h"
 #include "stylet/hal/clock.h"
-#include "stylet/hal/contained.h"
 #include "stylet/hal/device_model.h"
 #include "stylet/hal/devices.h"
 #include "stylet/hal/relay.h"
+#include "supervisor.h"
 #include "vendor_library.h"
 #include "vendor_pose.h"
 
@@ -106,7 +106,6 @@ Api load() {
 
 // ==== One library, one scheduler, several devices
 
-constexpr std::int64_t kStallNs = 20'000'000;
 constexpr std::uint32_t kStalled = 1;  // beside the vendor's numbers
 constexpr std::uint64_t kTicksBetweenCalibrations = 100;
 
@@ -119,8 +118,7 @@ struct HdDevice {
   Enum calibration_style = 0;
   std::atomic<Enum> calibration{0};  // as last seen; asked for until it is good
   std::atomic<std::uint64_t> ticks{0};
-  std::atomic<bool> closing{false};
-  std::thread supervisor;
+  Supervisor supervisor;
 };
 
 constexpr std::size_t kMaxDevices = 4;
@@ -319,19 +317,12 @@ void read_capability(const Api& api, HdDevice& device) {
 // The vendor's thread may stop for good with a force in the motors: then nothing but disabling the
 // device takes it out.
 void supervise(HdDevice& device) {
-  std::uint64_t seen = 0;
-  std::int64_t moved_ns = monotonic_now_ns();
-  while (!device.closing.load()) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    const std::uint64_t ticks = device.ticks.load(std::memory_order_relaxed);
-    const std::int64_t now_ns = monotonic_now_ns();
-    if (ticks != seen || hd().paused.load()) moved_ns = now_ns;
-    seen = ticks;
-    if (ticks == 0 || now_ns - moved_ns < kStallNs) continue;
-    device.relay.fail(kStalled);
-    hd().api.disable_device(device.handle);
-    return;
-  }
+  device.supervisor.start(
+      device.ticks, [] { return hd().paused.load(); },
+      [&device] {
+        device.relay.fail(kStalled);
+        hd().api.disable_device(device.handle);
+      });
 }
 
 void wait_until_ready(const HdDevice& device, const std::string& name, double patience_s) {
@@ -361,8 +352,7 @@ void shut(HdDevice* device) {
   const std::lock_guard lock(all.mutex);
   device->relay.end();
   std::this_thread::sleep_for(kFadeTime);
-  device->closing.store(true);
-  if (device->supervisor.joinable()) device->supervisor.join();
+  device->supervisor.stop();
   pause(all);
   if (device->callback != 0) all.api.unschedule(device->callback);
   for (auto& slot : all.open) {
@@ -399,10 +389,7 @@ void start(Hd& all, HdDevice& device, int style) {
   forget_errors(api);
   device.calibration_style =
       static_cast<Enum>((style & kStyleInkwell) != 0 ? kStyleInkwell : kStyleAuto);
-  device.supervisor = std::thread([&device] {
-    name_thread("stylet-hd");
-    (void)contained("hd", [&device] { supervise(device); });
-  });
+  supervise(device);
   device.callback = api.schedule(servo, &device, kMaxPriority);
   resume(all);
   if (const ErrorInfo error = api.get_error(); error.code != 0 && error.code != kInvalidInputType) {

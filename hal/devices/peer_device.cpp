@@ -7,6 +7,7 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "patience.h"
@@ -34,22 +35,50 @@ DeviceInfo told_info(const SamplePacket& first, const DeviceInfo& otherwise) {
   return info;
 }
 
+// When the force that a sample has seen was sent, or before; 0: that is not known.
+std::int64_t echo_sent_ns(const PeerDevice& peer, const SamplePacket& packet) {
+  const bool known = packet.echo > peer.first_sent && packet.echo <= peer.sent &&
+                     peer.sent - packet.echo < kSentKept;
+  return known ? peer.sent_ns[packet.echo % kSentKept] : 0;
+}
+
+// A newer sample was taken later, and after the force it has seen was sent, whatever the network
+// did: a time that says otherwise is one of a clock that was set.
+void follow_clock(PeerDevice& peer, const SamplePacket& packet, std::int64_t now_ns) {
+  const std::int64_t offset_ns = now_ns - packet.t_ns;
+  peer.offset_ns = std::min(peer.offset_ns, offset_ns);
+  const std::int64_t seen_ns = echo_sent_ns(peer, packet);
+  const bool early = seen_ns != 0 && packet.t_ns + peer.offset_ns < seen_ns - kClockSlackNs;
+  if (peer.doubt_ns == 0 && (early || packet.t_ns < peer.newest.t_ns)) {
+    peer.doubt_ns = now_ns;
+    peer.doubt_offset_ns = offset_ns;
+  } else if (seen_ns != 0 && !early) {
+    peer.doubt_ns = 0;
+  }
+  if (peer.doubt_ns == 0) return;
+  peer.doubt_offset_ns = std::min(peer.doubt_offset_ns, offset_ns);
+  if (now_ns - peer.doubt_ns < kClockDoubtNs) return;
+  peer.offset_ns = peer.doubt_offset_ns;
+  peer.doubt_ns = 0;
+  peer.clock_sets.fetch_add(1, std::memory_order_relaxed);
+}
+
 // True if it is the newest of the session that counts.
 bool accept(PeerDevice& peer, const SamplePacket& packet, std::int64_t now_ns) {
   if (packet.t_ns < -kMostTimeNs || packet.t_ns > kMostTimeNs) return false;
-  const std::int64_t offset_ns = now_ns - packet.t_ns;
   const bool another = packet.session != peer.newest.session;
   if (peer.heard && another && packet.limits != peer.newest.limits) {
     peer.other_device.store(true, std::memory_order_relaxed);
     return false;
   }
   if (!peer.heard || (another && now_ns - peer.heard_ns > kSilenceNs)) {
-    peer.offset_ns = offset_ns;
+    peer.offset_ns = now_ns - packet.t_ns;
+    peer.doubt_ns = 0;
     ++peer.seq;
   } else {
     if (another || packet.seq <= peer.newest.seq) return false;
     peer.seq += packet.seq - peer.newest.seq;
-    peer.offset_ns = std::min(peer.offset_ns, offset_ns);
+    follow_clock(peer, packet, now_ns);
   }
   if (packet.echo != 0 && packet.echo != peer.newest.echo) peer.echo_ns = now_ns;
   peer.heard = true;
@@ -67,9 +96,9 @@ void drain(PeerDevice& peer, std::int64_t now_ns) {
   std::array<std::byte, kMaxPacketBytes> room;
   SamplePacket packet;
   for (int i = 0; i < kMostPerRead; ++i) {
-    const std::size_t size = peer.link.receive(peer.link.self, room);
-    if (size == 0) return;
-    const auto bytes = std::span(room).first(size);
+    const std::optional<std::size_t> size = peer.link.receive(peer.link.self, room);
+    if (!size) return;
+    const auto bytes = std::span(room).first(*size);
     const bool good = decode(bytes, packet) && accept(peer, packet, now_ns);
     if (good && peer.link.answer != nullptr) peer.link.answer(peer.link.self);
     const std::uint16_t version = packet_version(bytes);
@@ -131,13 +160,14 @@ void write(void* self, const Command& command) {
   if (!peer.heard) return;
   ForcePacket packet;
   packet.seq = ++peer.sent;
+  peer.sent_ns[packet.seq % kSentKept] = peer.looked_ns;
   packet.echo = peer.newest.seq;
   packet.echo_t_ns = peer.newest.t_ns;
   packet.life_ns = life_of(peer, command);
   packet.arming = peer.arming_base + command.arming;
   packet.model.force_n = command.force_n;
   packet.model.torque_nm = command.torque_nm;
-  packet.model.at_m = peer.newest.pose.position_m;
+  packet.model.at_m = command.place_m;
   for (std::size_t i : {0U, 4U, 8U}) packet.model.stiffness_n_per_m[i] = command.stiffness_n_per_m;
   packet.model.radius_m = kModelRadiusM;
   packet.model.max_force_n = command.max_force_n;
@@ -148,7 +178,7 @@ void write(void* self, const Command& command) {
 
 void close(void* self) {
   PeerDevice& peer = *static_cast<PeerDevice*>(self);
-  write(self, {.force_n = {}, .arming = peer.given.arming});
+  write(self, {.force_n = {}, .place_m = peer.given.place_m, .arming = peer.given.arming});
   peer.link.close(peer.link.self);
 }
 
@@ -162,6 +192,13 @@ std::string trouble(void* self) {
   if (!peer.other_device.load(std::memory_order_relaxed)) return "";
   return "another device, with other limits, wants to take the place of the first: end the run and "
          "start it again";
+}
+
+std::string note(void* self) {
+  const std::uint32_t sets =
+      static_cast<const PeerDevice*>(self)->clock_sets.load(std::memory_order_relaxed);
+  if (sets == 0) return "";
+  return fmt::format("the clock of its samples was set ({}): their times are taken anew", sets);
 }
 
 // Why nobody has come, and what to do.
@@ -200,6 +237,7 @@ Device wait_for_peer(const Link& link, const std::string& uri, double patience_s
 Device peer_device(PeerDevice& peer, bool close_frees) {
   Device device = {&peer, peer.info, read, write, close_frees ? close_and_free : close, trouble};
   device.motor = motor;
+  device.note = note;
   return device;
 }
 

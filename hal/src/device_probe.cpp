@@ -67,10 +67,8 @@ void tick(Probing& p, Vec3 force_n, DeviceProbe& out) {
   } else {
     look_at(p, now, out);
   }
-  p.device.write(p.device.self, {.force_n = guard_force(p.guard, p.state, force_n),
-                                 .max_force_n = p.guard.max_force_n,
-                                 .arming = p.state.arming,
-                                 .falls = guard_lets_go(p.state)});
+  (void)guard_force(p.guard, p.state, force_n);
+  p.device.write(p.device.self, guard_command(p.guard, p.state, guard_start()));
   out.fault = p.state.fault;
 }
 
@@ -112,9 +110,7 @@ void probe_device(const Device& device, double seconds, bool pushes, const Clock
     clock.sleep_until_ns(clock.self, p.next_ns);
     Sample unused;
     (void)device.read(device.self, p.next_ns, unused);  // a relay learns the time by it
-    device.write(
-        device.self,
-        {.force_n = p.state.force_n, .arming = p.state.arming, .falls = guard_lets_go(p.state)});
+    device.write(device.self, guard_command(p.guard, p.state, guard_start()));
   }
   out.seconds = static_cast<double>(clock.now_ns(clock.self) - start_ns) * 1e-9;
 }

@@ -36,9 +36,12 @@ class DeviceThread {
     thread_ = std::thread([this, period_ns, work] {
       name_thread("stylet-device");
       rise_above_the_loop();
+      risen_.store(true);
       run(period_ns, work);
       ended_.store(true);
     });
+    // So that whoever opens a device can tell what its thread was refused.
+    while (!risen_.load()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   void stop() {
     stop_.store(true);
@@ -75,7 +78,7 @@ class DeviceThread {
     }
   }
 
-  std::atomic<bool> stop_{false}, ended_{false};
+  std::atomic<bool> stop_{false}, risen_{false}, ended_{false};
   std::thread thread_;
 };
 

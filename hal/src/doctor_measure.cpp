@@ -7,15 +7,20 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <ctime>
 #include <future>
 #include <memory>
+#include <optional>
 #include <thread>
 #include <vector>
 
 #include "stylet/hal/clock.h"
 #include "stylet/hal/contained.h"
+#include "stylet/hal/devices.h"
+#include "stylet/hal/driver_call.h"
+#include "stylet/hal/force_dimension.h"
 
 namespace stylet::hal {
 namespace {
@@ -88,6 +93,14 @@ class Load {
   std::vector<std::thread> threads_;
 };
 
+// A driver that hangs says nothing.
+std::optional<bool> ask_for_watchdog() {
+  const auto end = std::chrono::steady_clock::now() + kClosingTime;
+  const auto told = call_driver<std::optional<bool>>(
+      force_dimension_watchdog, [end] { return std::chrono::steady_clock::now() > end; });
+  return told.value_or(std::nullopt);
+}
+
 }  // namespace
 
 Attempts attempt_rights(const HostState& host, int cpu, int priority, int& cpu_out) {
@@ -111,7 +124,11 @@ Attempts attempt_rights(const HostState& host, int cpu, int priority, int& cpu_o
     parameters.sched_priority = priority;
     const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
     attempts.fifo = attempt(error == 0, error);
+    parameters.sched_priority = kDevicePriority;
+    const int refused_above = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
+    attempts.device_fifo = attempt(refused_above == 0, refused_above);
   }).get();
+  attempts.watchdog = ask_for_watchdog();
   return attempts;
 }
 

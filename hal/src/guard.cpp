@@ -166,6 +166,15 @@ void follow_acknowledge_button(const GuardConfig& config, GuardState& state,
   }
 }
 
+// Nobody has felt anything yet, and the sample that has just come shows that the cause is gone:
+// there is nothing to acknowledge. Force fades in from nothing as ever.
+void clear_before_any_force(GuardState& state) {
+  const Fault fault = state.fault;
+  const bool of_time = fault == Fault::kStaleSamples || fault == Fault::kDeviceSilent ||
+                       fault == Fault::kTooLate || fault == Fault::kForceExpired;
+  if (of_time && state.forced == 0) (void)guard_rearm(state, fault);
+}
+
 // ---- energy
 // ----------------------------------------------------------------------------------------
 
@@ -439,6 +448,7 @@ void guard_resume(const GuardConfig& config, GuardState& state, std::int64_t idl
 void guard_motor(GuardState& state, const MotorReport& report) {
   state.have_motor = finite(report.force_n) ? 1 : 0;
   state.motor_n = report.force_n;
+  if (dot(report.force_n, report.force_n) != 0) state.forced = 1;
   // Motors that are ahead in a fade are not pushed back up.
   const bool falls = state.mode == GuardMode::kFading || state.mode == GuardMode::kRelease;
   if (const double ours = length(state.force_n), theirs = length(report.force_n);
@@ -501,6 +511,7 @@ bool guard_sample(const GuardConfig& config, GuardState& state, bool answered, c
     state.pose_m = sample.pose.position_m;
     state.blind_ns = 0;
     ++state.counters.samples_used;
+    clear_before_any_force(state);
     trip_on_motion(config, state);
     follow_acknowledge_button(config, state, sample.buttons);
     return true;
@@ -528,6 +539,7 @@ Vec3 guard_force(const GuardConfig& config, GuardState& state, Vec3 force_n) {
   const bool full = state.mode == GuardMode::kLive;
   remember(state.energy.force_n, full ? state.force_n : shortened(force_n, of(config.max_force_n)));
   note_heat(config, state);
+  if (dot(state.force_n, state.force_n) != 0) state.forced = 1;
   return state.force_n;
 }
 
@@ -548,10 +560,21 @@ Vec3 guard_torque(const GuardConfig& config, float max_torque_nm, GuardState& fo
   torque_state.button = force_state.button;
   torque_state.step_ns = force_state.step_ns;
   const Vec3 result = guard_force(limits, torque_state, torque_nm);
+  force_state.forced |= torque_state.forced;
   if (torque_state.fault != Fault::kNone) guard_trip(force_state, torque_state.fault);
   const bool full = torque_state.mode == GuardMode::kLive && finite(torque_nm);
   remember(force_state.energy.torque_nm, full ? result : Vec3{});
   return result;
+}
+
+Command guard_command(const GuardConfig& config, const GuardState& force_state,
+                      const GuardState& torque_state) {
+  return {.force_n = force_state.force_n,
+          .torque_nm = torque_state.force_n,
+          .place_m = force_state.pose_m,
+          .max_force_n = config.max_force_n,
+          .arming = force_state.arming,
+          .falls = guard_lets_go(force_state)};
 }
 
 bool guard_rearm(GuardState& state, Fault seen) {

@@ -35,7 +35,7 @@ struct Lasting {
   std::mutex mutex;
   std::condition_variable wake;
   bool stop = false;
-  std::string trouble;
+  std::string trouble, note;
   std::unique_ptr<Device> device;
   std::thread keeper;
 };
@@ -131,6 +131,12 @@ std::string open_again(Lasting& lasting) try {
   return error.what();
 }
 
+void tell(Lasting& lasting, std::string& trouble, std::string& note) {
+  const std::lock_guard lock(lasting.mutex);
+  lasting.trouble.swap(trouble);
+  lasting.note.swap(note);
+}
+
 // What is wrong with it; afterwards it may be open again. Sets the pause until the next look.
 std::string look_after(Lasting& lasting, Seconds& wait, Seconds& pause) {
   std::string trouble;
@@ -138,6 +144,8 @@ std::string look_after(Lasting& lasting, Seconds& wait, Seconds& pause) {
     trouble = trouble_of(*lasting.device);
     wait = kLookEvery;
     if (!trouble.empty()) {
+      std::string now = trouble, none;
+      tell(lasting, now, none);  // first: closing one that hangs may take for ever
       retire(lasting);
       wait = pause = Seconds(lasting.reopening.first_try_s);
     }
@@ -155,10 +163,13 @@ void keep(Lasting& lasting) {
   std::unique_lock lock(lasting.mutex);
   while (!lasting.wake.wait_for(lock, wait, [&] { return lasting.stop; })) {
     lock.unlock();
-    std::string trouble = "out of memory";  // short enough to need none
-    (void)contained("device", [&] { trouble = look_after(lasting, wait, pause); });
+    std::string trouble = "out of memory", note;  // short enough to need none
+    (void)contained("device", [&] {
+      trouble = look_after(lasting, wait, pause);
+      if (lasting.device != nullptr) note = note_of(*lasting.device);
+    });
+    tell(lasting, trouble, note);
     lock.lock();
-    lasting.trouble.swap(trouble);
   }
 }
 
@@ -179,6 +190,12 @@ std::string trouble(void* self) {
   return lasting.trouble;
 }
 
+std::string note(void* self) {
+  Lasting& lasting = *static_cast<Lasting*>(self);
+  const std::lock_guard lock(lasting.mutex);
+  return lasting.note;
+}
+
 }  // namespace
 
 Device lasting_device(const Device& first, const Reopening& reopening) {
@@ -190,11 +207,13 @@ Device lasting_device(const Device& first, const Reopening& reopening) {
   lasting->identity = first.info.identity;
   lasting->info.identity = lasting->identity.c_str();
   lasting->device = std::make_unique<Device>(first);
+  lasting->note = note_of(first);
   lasting->lent.store(lasting->device.get());
   lasting->keeper = std::thread([at = lasting.get()] { keep(*at); });
   Lasting* made = lasting.release();
   Device device = {made, made->info, read, write, close, trouble};
   if (first.motor != nullptr) device.motor = motor;
+  device.note = note;
   return device;
 }
 

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <optional>
 
 #include "stylet/hal/clock.h"
 #include "stylet/hal/devices.h"
@@ -64,13 +65,15 @@ void udp_send(void* self, std::span<const std::byte> packet) {
                reinterpret_cast<const sockaddr*>(&udp.peer), sizeof udp.peer);
 }
 
-std::size_t udp_receive(void* self, std::span<std::byte> room) {
+std::optional<std::size_t> udp_receive(void* self, std::span<std::byte> room) {
   Udp& udp = *static_cast<Udp*>(self);
   sockaddr_in from = {};
   socklen_t size = sizeof from;
   const ssize_t got = recvfrom(udp.socket, room.data(), room.size(), MSG_DONTWAIT,
                                reinterpret_cast<sockaddr*>(&from), &size);
-  if (got <= 0) return 0;
+  const bool nothing = got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK);
+  if (nothing) return std::nullopt;
+  if (got <= 0) return 0;  // empty; or an error of what was sent before, told here
   // Whoever is served is served alone, until nothing has come from there for a while.
   const bool peer =
       from.sin_addr.s_addr == udp.peer.sin_addr.s_addr && from.sin_port == udp.peer.sin_port;
@@ -133,7 +136,7 @@ void memory_send(void* self, std::span<const std::byte> packet) {
   for (std::size_t i = 0; i < kSlotWords; ++i) slot[i].store(words[i], std::memory_order_relaxed);
 }
 
-std::size_t memory_receive(void* self, std::span<std::byte> room) {
+std::optional<std::size_t> memory_receive(void* self, std::span<std::byte> room) {
   Memory& memory = *static_cast<Memory*>(self);
   const bool stylet = memory.side == Side::kStylet;
   const Slot& slot = stylet ? memory.shared->from_device : memory.shared->from_stylet;
@@ -141,7 +144,7 @@ std::size_t memory_receive(void* self, std::span<std::byte> room) {
   for (std::size_t i = 0; i < kSlotWords; ++i) words[i] = slot[i].load(std::memory_order_relaxed);
   std::array<std::byte, kMaxPacketBytes> packet;
   std::memcpy(packet.data(), words.data(), packet.size());
-  if (packet == memory.last) return 0;
+  if (packet == memory.last) return std::nullopt;
   memory.last = packet;
   const std::size_t size = stylet ? kSamplePacketBytes : kForcePacketBytes;
   if (room.size() < size) return 0;

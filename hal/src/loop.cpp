@@ -73,9 +73,10 @@ Vec3 send_force(const HandConfig& config, const Kernel& kernel, std::uint32_t ne
   const Wrench wanted = grip_wrench(
       config.grip, state.grip,
       {to_device(config.mapping, felt), to_device(config.mapping, state.output.torque_nm)});
-  Command command = {guard_force(config.guard, state.guard, wanted.force_n)};
-  command.torque_nm = guard_torque(config.guard, config.max_torque_nm, state.guard,
-                                   state.torque_guard, wanted.torque_nm);
+  (void)guard_force(config.guard, state.guard, wanted.force_n);
+  (void)guard_torque(config.guard, config.max_torque_nm, state.guard, state.torque_guard,
+                     wanted.torque_nm);
+  Command command = guard_command(config.guard, state.guard, state.torque_guard);
   // The guard's share of the force is its share of the spring; while it lets a force fall slowly it
   // sends more than is asked, and the spring is still no stiffer than it was.
   const float asked = length(wanted.force_n), sent = length(command.force_n);
@@ -83,9 +84,6 @@ Vec3 send_force(const HandConfig& config, const Kernel& kernel, std::uint32_t ne
       asked > 0 && state.guard.fault == Fault::kNone ? std::min(sent / asked, 1.0F) : 0;
   command.stiffness_n_per_m =
       share * config.coupling.stiffness_n_per_m * grip_stiffness(config.grip, state.grip);
-  command.max_force_n = config.guard.max_force_n;
-  command.arming = state.guard.arming;
-  command.falls = guard_lets_go(state.guard);
   std::array<Vec3, kMaxRods + 1> node;
   const std::uint32_t nodes = needle_shape(kernel, needle, node);
   if (nodes >= 2) {
@@ -266,10 +264,8 @@ void let_go(const LoopConfig& config, std::span<const Device> devices, const Clo
       if (devices[i].motor != nullptr) (void)devices[i].read(devices[i].self, grid_ns, unused);
       const bool force_gone = guard_end(config.hand[i].guard, hand.guard);
       const bool torque_gone = guard_end(config.hand[i].guard, hand.torque_guard);
-      devices[i].write(devices[i].self, {.force_n = hand.guard.force_n,
-                                         .torque_nm = hand.torque_guard.force_n,
-                                         .arming = hand.guard.arming,
-                                         .falls = guard_lets_go(hand.guard)});
+      devices[i].write(devices[i].self,
+                       guard_command(config.hand[i].guard, hand.guard, hand.torque_guard));
       done = done && force_gone && torque_gone;
     }
   }

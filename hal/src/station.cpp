@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace stylet::hal {
 namespace {
@@ -14,11 +15,11 @@ constexpr std::int64_t kFadeInNs = 100'000'000;
 void take_models(StationState& state, const Link& link, std::int64_t now_ns) {
   std::array<std::byte, kMaxPacketBytes> room;
   for (int i = 0; i < kMostPerTick; ++i) {
-    const std::size_t size = link.receive(link.self, room);
-    if (size == 0) return;
+    const std::optional<std::size_t> size = link.receive(link.self, room);
+    if (!size) return;
     ForcePacket packet;
     const bool taken =
-        decode(std::span(room).first(size), packet) && obey(state.obeyed, packet, now_ns);
+        decode(std::span(room).first(*size), packet) && obey(state.obeyed, packet, now_ns);
     ++(taken ? state.models : state.refused);
   }
 }
@@ -48,7 +49,7 @@ Vec3 faded(float share, float most, Vec3 v) {
 // The newest model, through the guard.
 void render(const StationConfig& config, StationState& state, std::int64_t now_ns) {
   const float share = model_share(state, now_ns);
-  const Vec3 at_m = state.sample.pose.position_m;
+  const Vec3 at_m = state.guard.pose_m;  // never that of a sample the guard refused
   const ForcePacket& newest = state.obeyed.newest;
   state.force_n =
       guard_force(config.guard, state.guard,
@@ -90,11 +91,7 @@ void station_tick(const StationConfig& config, StationState& state, const Device
   const bool usable = guard_sample(config.guard, state.guard, answered, state.sample, now_ns);
   take_models(state, link, now_ns);
   render(config, state, now_ns);
-  device.write(device.self, {.force_n = state.force_n,
-                             .torque_nm = state.torque_nm,
-                             .max_force_n = config.guard.max_force_n,
-                             .arming = state.guard.arming,
-                             .falls = guard_lets_go(state.guard)});
+  device.write(device.self, guard_command(config.guard, state.guard, state.torque_guard));
   if (!usable || state.guard.fault != Fault::kNone) return;
   ++state.sent.seq;
   state.sent.t_ns = now_ns;
@@ -113,10 +110,7 @@ bool station_end(const StationConfig& config, StationState& state, const Device&
   (void)device.read(device.self, now_ns, state.sample);  // a relay learns the time by it
   const bool force_gone = guard_end(config.guard, state.guard);
   const bool torque_gone = guard_end(config.guard, state.torque_guard);
-  device.write(device.self, {.force_n = state.guard.force_n,
-                             .torque_nm = state.torque_guard.force_n,
-                             .arming = state.guard.arming,
-                             .falls = guard_lets_go(state.guard)});
+  device.write(device.self, guard_command(config.guard, state.guard, state.torque_guard));
   return force_gone && torque_gone;
 }
 

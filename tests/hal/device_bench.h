@@ -33,6 +33,7 @@ class Bench {
   // How often its driver has written to it, so far as it tells.
   virtual int writes() { return 0; }
   virtual void trouble(test::Trouble trouble) = 0;
+  virtual void refuse_watchdog(bool /*refused*/) {}
   bool places = true;  // measures its place; else how fast it is to move
   bool feels = true;
   bool turns = true;    // measures its rotation
@@ -88,13 +89,9 @@ class Ticker {
     if (device.motor != nullptr && device.motor(device.self, motor)) guard_motor(state, motor);
     answered = device.read(device.self, next_ns_, sample);
     usable = guard_sample(guard, state, answered, sample, next_ns_);
-    Command command = {.force_n = guard_force(guard, state, force_n),
-                       .max_force_n = guard.max_force_n,
-                       .arming = state.arming,
-                       .falls = guard_lets_go(state)};
-    command.torque_nm =
-        guard_torque(guard, device.info.max_torque_nm, state, torque_state, torque_nm);
-    device.write(device.self, command);
+    (void)guard_force(guard, state, force_n);
+    (void)guard_torque(guard, device.info.max_torque_nm, state, torque_state, torque_nm);
+    device.write(device.self, guard_command(guard, state, torque_state));
   }
 
   // Until `done`, at most a second; a fault of this busy machine is acknowledged.

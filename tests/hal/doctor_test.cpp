@@ -316,12 +316,18 @@ TEST(Doctor, ATaskAboveTheLoopIsNamedOnlyWhereItMayRun) {
 TEST(Doctor, AnAttemptCountsMoreThanALimit) {
   const Machine machine("ready.tree");
   Patient patient = machine.patient(3);
-  patient.attempts = Attempts{{true, ""}, {true, ""}, {true, ""}, 1};
+  patient.attempts = Attempts{{true, ""}, {true, ""}, {true, ""}, 1, {true, ""}, std::nullopt};
   EXPECT_EQ(fitness(examine(patient)), Fitness::kReady);
-  patient.attempts = Attempts{{false, "not you"}, {false, "full"}, {false, ""}, 4'000'000};
+  EXPECT_EQ(find(examine(patient), "device watchdog").verdict, kInfo);
+  patient.attempts =
+      Attempts{{false, "not you"}, {false, "full"}, {false, ""}, 4'000'000, {false, "no"}, false};
   const std::vector<Finding> findings = examine(patient);
   EXPECT_EQ(find(findings, "real-time priority").verdict, kFail);
   EXPECT_EQ(find(findings, "real-time priority").value, "SCHED_FIFO 80 refused (not you)");
+  EXPECT_EQ(find(findings, "device priority").verdict, kWarn);
+  EXPECT_EQ(find(findings, "device priority").value, "SCHED_FIFO 90 refused (no)");
+  EXPECT_EQ(find(findings, "device watchdog").verdict, kWarn);
+  EXPECT_EQ(find(findings, "device watchdog").value, "refused");
   EXPECT_EQ(find(findings, "locked memory").verdict, kFail);
   EXPECT_EQ(find(findings, "clock resolution").verdict, kFail);
   EXPECT_EQ(find(findings, "idle states").verdict, kOk);  // none that is deep is on

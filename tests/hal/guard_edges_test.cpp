@@ -47,9 +47,9 @@ TEST(GuardButtons, NumberZeroIsOne) {
 TEST(GuardButtons, WhatWasSeenBeforeTheRearmSaysNothing) {
   Desk desk;
   desk.tick(5, true);
-  guard_trip(desk.state, Fault::kTooLate);
+  guard_trip(desk.state, Fault::kKernelFault);
   desk.tick(5, false);
-  ASSERT_TRUE(guard_rearm(desk.state, Fault::kTooLate));
+  ASSERT_TRUE(guard_rearm(desk.state, Fault::kKernelFault));
   (void)guard_force(desk.config, desk.state, desk.asked_n);
   EXPECT_EQ(desk.state.mode, GuardMode::kLetGo);
   (void)desk.tick(false);

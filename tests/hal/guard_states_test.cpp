@@ -2,11 +2,13 @@
 // The guard's states: every cell of the table in hal/GUARD.md, and what each of the new nets does.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <functional>
 #include <limits>
 #include <map>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -191,6 +193,73 @@ TEST(DeadMansButton, OfADeviceThatIsLostIsNoButtonHeld) {
   desk.miss(23);
   EXPECT_EQ(desk.state.mode, GuardMode::kFault);
   EXPECT_EQ(size(desk.state.force_n), 0);
+}
+
+// What the loop's or the device's time did before anybody felt anything; in any order, however
+// often.
+TEST(BeforeAnyForce, FaultsOfTimeClearWithTheNextUsableSampleAndNoOthers) {
+  std::mt19937 random(20);
+  constexpr std::array kOthers = {Fault::kForceNotFinite, Fault::kKernelFault, Fault::kTooFast,
+                                  Fault::kBuzz, Fault::kEnergy};
+  for (int round = 0; round < 200; ++round) {
+    Desk desk;
+    desk.config.dead_man_button = -1;
+    desk.config.ramp_s = 0.05F;
+    desk.asked_n = {};
+    const auto upset = [&] {
+      const std::uint64_t way = random() % 4, ticks = 1 + random() % 30;
+      if (way == 0) desk.miss(static_cast<int>(ticks));
+      if (way == 1) guard_trip(desk.state, Fault::kTooLate);
+      if (way == 2) guard_motor(desk.state, {{}, {}, desk.state.arming, true});
+      for (std::uint64_t i = 0; way == 3 && i < ticks; ++i) {  // the same again and again
+        (void)guard_sample(desk.config, desk.state, true, {desk.seq, desk.now_ns, {}, 0},
+                           desk.now_ns);
+        (void)guard_force(desk.config, desk.state, {});
+      }
+    };
+    for (std::uint64_t i = 0, times = random() % 5; i < times; ++i) {
+      upset();
+      const std::uint32_t arming = desk.state.arming;
+      const bool latched = desk.state.fault != Fault::kNone;
+      (void)desk.tick(false);
+      ASSERT_EQ(desk.state.fault, Fault::kNone) << round;
+      ASSERT_EQ(desk.state.arming, arming + (latched ? 1U : 0U)) << "motors need a newer one";
+    }
+    desk.tick(60, false);
+    ASSERT_EQ(desk.state.mode, GuardMode::kLive);
+    const Desk before = desk;
+    guard_trip(desk.state, kOthers[random() % kOthers.size()]);
+    desk.tick(50, false);
+    ASSERT_NE(desk.state.fault, Fault::kNone) << round;
+    desk = before;
+    desk.asked_n = {0, 1e-3F, 0};  // the least force is one
+    desk.tick(1, false);
+    desk.asked_n = {};
+    do upset();
+    while (desk.state.fault == Fault::kNone);
+    desk.tick(50, false);
+    ASSERT_NE(desk.state.fault, Fault::kNone) << round;
+  }
+}
+
+// A force of motors that are not ours to know, and a torque, are felt, too.
+TEST(BeforeAnyForce, AMotorsForceAndATorqueCountAsOne) {
+  Desk desk;
+  desk.config.dead_man_button = -1;
+  desk.asked_n = {};
+  Desk turned = desk;
+  GuardState torque = guard_start();
+  desk.tick(5, false);
+  guard_motor(desk.state, {{0, 0.1F, 0}, {}, desk.state.arming - 1, false});
+  guard_trip(desk.state, Fault::kTooLate);
+  desk.tick(50, false);
+  EXPECT_EQ(desk.state.fault, Fault::kTooLate);
+  turned.tick(5, false);
+  (void)guard_torque(turned.config, 0.1F, turned.state, torque, {0.01F, 0, 0});
+  ASSERT_GT(size(torque.force_n), 0);
+  guard_trip(turned.state, Fault::kTooLate);
+  turned.tick(50, false);
+  EXPECT_EQ(turned.state.fault, Fault::kTooLate);
 }
 
 // Held while the fault came and after, it was pressed for something else.

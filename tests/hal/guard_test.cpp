@@ -247,7 +247,9 @@ TEST(GuardRearm, TheWatchdogStartsAfresh) {
 
 TEST(GuardRearm, NotWhileTheDeviceIsSilent) {
   GuardState state = guard_start();
+  (void)guard_force(plain(), state, {1, 0, 0});  // with one that was felt
   for (int tick = 0; tick < 3; ++tick) (void)guard_sample(plain(), state, false, {}, 0);
+  for (int tick = 0; tick < 25; ++tick) (void)guard_force(plain(), state, {});
   ASSERT_EQ(state.fault, Fault::kDeviceSilent);
   EXPECT_FALSE(guard_rearm(state, Fault::kDeviceSilent));
   EXPECT_TRUE(guard_sample(plain(), state, true, sample(1), 0));

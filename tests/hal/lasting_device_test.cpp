@@ -20,7 +20,9 @@ namespace stylet::hal {
 namespace {
 
 // All that were ever made; whoever touches one that is closed is seen.
+struct Factory;
 struct Fake {
+  Factory* factory = nullptr;
   std::atomic<bool> open{true}, failed{false};
   std::atomic<int> touched_closed{0}, touched{0};
   std::uint64_t seq = 0;
@@ -31,7 +33,7 @@ struct Factory {
   std::mutex mutex;
   std::vector<std::unique_ptr<Fake>> made;
   std::vector<std::chrono::steady_clock::time_point> tries;
-  std::atomic<bool> refuses{false}, starves{false};
+  std::atomic<bool> refuses{false}, starves{false}, closes_slowly{false};
   float max_force_n = 3;
   const char* identity = "";
 
@@ -42,6 +44,7 @@ struct Factory {
     if (starves) throw std::bad_alloc();
     made.push_back(std::make_unique<Fake>());
     made.back()->max_force_n = max_force_n;
+    made.back()->factory = this;
     Fake* fake = made.back().get();
     return {fake,
             {.name = "a fake",
@@ -60,7 +63,11 @@ struct Factory {
               f.told_n = command.force_n;
               ++(f.open ? f.touched : f.touched_closed);
             },
-            [](void* self) { static_cast<Fake*>(self)->open = false; },
+            [](void* self) {
+              Fake& f = *static_cast<Fake*>(self);
+              while (f.factory->closes_slowly) std::this_thread::yield();
+              f.open = false;
+            },
             [](void* self) -> std::string {
               return static_cast<Fake*>(self)->failed ? "the fake has failed" : "";
             }};
@@ -92,6 +99,23 @@ bool ticks_until(const Device& device, const std::function<bool()>& done, std::u
     if (std::chrono::steady_clock::now() > end) return false;
   }
   return true;
+}
+
+// A driver that hangs in closing must not hide what was wrong before.
+TEST(LastingDevice, TroubleIsToldBeforeTheDeviceIsClosed) {
+  Factory factory;
+  factory.closes_slowly = true;
+  const Device device = factory.lasting();
+  factory.newest().failed = true;
+  std::string told;
+  for (int i = 0; i < 500 && told.empty(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    told = trouble_of(device);
+  }
+  EXPECT_EQ(told, "the fake has failed");
+  EXPECT_TRUE(factory.newest().open);
+  factory.closes_slowly = false;
+  device.close(device.self);
 }
 
 TEST(LastingDevice, PassesOnWhatTheDeviceSaysAndWhatItIsTold) {

@@ -13,6 +13,8 @@
 #include <fstream>
 #include <iterator>
 #include <list>
+#include <optional>
+#include <random>
 #include <span>
 #include <string>
 
@@ -44,7 +46,7 @@ class SharedMemory : public testing::Test {
 
   static std::size_t receive(const Link& link, std::size_t room = kMaxPacketBytes) {
     received_.fill(std::byte{0});
-    return link.receive(link.self, std::span(received_).first(room));
+    return link.receive(link.self, std::span(received_).first(room)).value_or(0);
   }
 
   const std::string& name() const { return name_; }
@@ -136,12 +138,12 @@ TEST_F(SharedMemory, ClosedLeavesNothingMapped) {
 struct Speaker {
   int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
   ~Speaker() { ::close(socket); }
-  void say(std::uint16_t port, unsigned char what) const {
+  void say(std::uint16_t port, unsigned char what, std::size_t bytes = 1) const {
     sockaddr_in to = {};
     to.sin_family = AF_INET;
     to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     to.sin_port = htons(port);
-    (void)sendto(socket, &what, 1, 0, reinterpret_cast<const sockaddr*>(&to), sizeof to);
+    (void)sendto(socket, &what, bytes, 0, reinterpret_cast<const sockaddr*>(&to), sizeof to);
   }
 };
 
@@ -162,6 +164,35 @@ TEST(Udp, AnotherSpeakerIsNotHeardWhileTheFirstSpeaks) {
   usleep(120'000);
   second.say(port, 4);
   EXPECT_EQ(heard(), 4);
+  link.close(link.self);
+}
+
+// Of a thousand datagrams of others and empty ones, in any order, none hides those of who is
+// served.
+TEST(Udp, WhatOthersSendIsNotTheEndOfWhatIsThere) {
+  const auto port = static_cast<std::uint16_t>(20000 + getpid() % 12000);
+  const Link link = udp_listen(std::to_string(port));
+  const Speaker served, other;
+  std::array<std::byte, kMaxPacketBytes> room;
+  served.say(port, 1);
+  ASSERT_EQ(link.receive(link.self, room), 1U);
+  link.answer(link.self);
+  std::mt19937 random(7);
+  for (int tick = 0; tick < 50; ++tick) {
+    int good = 0, came = 0;
+    for (int i = 0; i < 20; ++i) {
+      const bool own = random() % 4 == 0, empty = random() % 4 == 0;
+      (own ? served : other).say(port, 2, empty ? 0 : 1);
+      good += own && !empty ? 1 : 0;
+    }
+    for (int looks = 0; looks <= 20; ++looks) {
+      const auto got = link.receive(link.self, room);
+      if (!got) break;
+      came += *got == 1 && room[0] == std::byte{2} ? 1 : 0;
+    }
+    ASSERT_EQ(came, good) << tick;
+  }
+  EXPECT_EQ(link.receive(link.self, room), std::nullopt);
   link.close(link.self);
 }
 

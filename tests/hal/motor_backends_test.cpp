@@ -175,6 +175,7 @@ struct Session {
     std::string uri = "udp:127.0.0.1:" + port;
     if (kind == Kind::kHd || kind == Kind::kStation) bench = hd_bench();
     if (kind == Kind::kDhd) bench = dhd_bench();
+    if (kind == Kind::kDhd) bench->refuse_watchdog(draw.chance(0.5));
     if (kind == Kind::kHaply) bench = haply_bench();
     if (kind == Kind::kShm) {
       uri = "shm:motor" + port;
@@ -253,6 +254,9 @@ struct Session {
     const float stiffest = hand.coupling.stiffness_n_per_m * hand.grip.force_scale;
     if (!(command.stiffness_n_per_m <= stiffest * 1.0001F)) s.judge.fail("too stiff a model");
     s.device.write(s.device.self, command);
+    // Before there was any force, what is over needs nobody.
+    if (command.arming != s.arming && s.judge.strongest_n == 0) s.judge.acknowledged();
+    s.arming = command.arming;
     s.judge.ordered(s.tick_ns);
     s.note_fault();
   }
@@ -261,6 +265,7 @@ struct Session {
     return s.device.motor(s.device.self, out);
   }
   std::int64_t tick_ns = 0;
+  std::uint32_t arming = 1;
 
   GuardState& guard() { return rig.state.hand[0].guard; }
   void note_fault() {
@@ -288,6 +293,7 @@ struct Session {
     }
     if (bench != nullptr) bench->move(pose);
     if (peer != nullptr) peer->pose = pose;
+    if (peer != nullptr && peer->strange_place) judge.fail("the place of a refused sample");
   }
 
   void operate() {

@@ -48,6 +48,7 @@ struct Session {
   std::int64_t needed_ns = 0;                  // since when
   bool ordered = false;                        // since the last acknowledgement
   bool stopped = false;                        // orders were missing for longer than they live
+  bool felt = false;                           // a force, ever
   std::string broken;
 
   explicit Session(std::uint64_t seed) : draw{std::mt19937_64(seed)} {
@@ -122,6 +123,7 @@ struct Session {
     if (needed > acknowledged && !under_way && force > size(written_n) * (1 + 1e-6)) {
       return fail("force grows before it was acknowledged");
     }
+    felt = felt || force > 0;
     written_n = force_n;
     written_ns = now_ns;
   }
@@ -154,9 +156,16 @@ struct Session {
     }
   }
 
+  void accept() {
+    ++acknowledged;
+    fault_ns = 0;
+    stopped = ordered = false;
+  }
+
   void tick_loop() {
     if (loop.busy(draw, now_ns)) return;
     const bool had = state.fault != Fault::kNone;
+    const std::uint32_t arming = state.arming;
     MotorReport report;
     if (relay->motor(report)) guard_motor(state, report);
     Sample sample;
@@ -165,6 +174,7 @@ struct Session {
     relay->write({.force_n = guard_force(guard, state, asked()),
                   .arming = state.arming,
                   .falls = guard_lets_go(state)});
+    if (state.arming != arming && !felt) accept();  // nobody is needed before there was a force
     loop_ns = now_ns;
     ordered = true;
     note_fault(had);
@@ -173,9 +183,7 @@ struct Session {
   // An operator: acknowledges what is latched, resets and starts, opens a device again.
   void operate() {
     if (state.fault != Fault::kNone && draw.chance(0.02) && guard_rearm(state, state.fault)) {
-      ++acknowledged;
-      fault_ns = 0;
-      stopped = ordered = false;
+      accept();
     }
     // Not sooner than it really is, a quarter of a second later: the guard has let go.
     if (relay->failed() && state.mode == GuardMode::kFault && draw.chance(0.02)) {

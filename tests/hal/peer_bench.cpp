@@ -73,8 +73,8 @@ class PeerBench : public Bench {
     const std::lock_guard lock(mutex_);
     std::array<std::byte, kMaxPacketBytes> room;
     ForcePacket packet;
-    while (const std::size_t got = link.receive(link.self, room)) {
-      if (decode(std::span(room).first(got), packet) && packet.seq > force_.seq) force_ = packet;
+    while (const auto got = link.receive(link.self, room)) {
+      if (decode(std::span(room).first(*got), packet) && packet.seq > force_.seq) force_ = packet;
     }
     if (trouble_.load() != test::Trouble::kNone) return;
     ++sample_.seq;

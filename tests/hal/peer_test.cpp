@@ -2,6 +2,7 @@
 // What is particular to a peer: on a real socket, what it says of itself, and who it is not; in
 // virtual time, what becomes of its clock and its packets.
 #include <deque>
+#include <random>
 
 #include "device_bench.h"
 #include "stylet/hal/link.h"
@@ -139,10 +140,10 @@ struct Wire {
     ASSERT_TRUE(decode(bytes, packet));
     static_cast<Wire*>(self)->from_us.push_back(packet);
   }
-  static std::size_t receive(void* self, std::span<std::byte> room) {
+  static std::optional<std::size_t> receive(void* self, std::span<std::byte> room) {
     Wire& wire = *static_cast<Wire*>(self);
     ++wire.received;
-    if (wire.to_us.empty()) return 0;
+    if (wire.to_us.empty()) return std::nullopt;
     const std::vector<std::byte> packet = wire.to_us.front();
     if (!wire.endless) wire.to_us.pop_front();
     std::copy(packet.begin(), packet.end(), room.begin());
@@ -175,6 +176,127 @@ TEST(Peer, TimeOfASampleIsThatOfItsTakingWhateverTheWay) {
   }
 }
 
+// A peer of 1 kHz whose samples and forces take their time on the way, in one thread.
+struct Walk {
+  Wire wire;
+  std::mt19937_64 random;
+  bool echoes = true;
+  std::int64_t clock_ns = 0;                              // hers less ours
+  std::int64_t way_ns = 200'000, more_ns = 1'500'000;     // there, or back
+  std::deque<std::pair<std::int64_t, SamplePacket>> out;  // when they come
+  std::deque<std::pair<std::int64_t, std::uint64_t>> back;
+  std::deque<std::int64_t> taken_ns;  // by number
+  std::uint64_t seen = 0;             // the newest force she has
+  std::int64_t t_ns = 1'000'000'000'000;
+  double worst_late_s = 0, worst_early_s = 0;  // of what was told this tick
+
+  explicit Walk(std::uint64_t seed) : random(seed) {}
+  std::int64_t draw(std::int64_t most) {
+    return static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(most + 1));
+  }
+  std::int64_t due() { return t_ns + way_ns + draw(more_ns); }
+  // True if a sample came.
+  bool tick(std::int64_t sample_ahead_ns = 0) {
+    t_ns += 1'000'000;
+    while (!back.empty() && back.front().first <= t_ns) {
+      seen = std::max(seen, back.front().second);
+      back.pop_front();
+    }
+    SamplePacket packet;
+    packet.session = 5;
+    taken_ns.push_back(t_ns);
+    packet.seq = taken_ns.size();
+    packet.t_ns = t_ns + clock_ns + sample_ahead_ns;
+    packet.echo = echoes ? seen : 0;
+    out.emplace_back(due(), packet);
+    wire.now_ns = t_ns + 300'000;
+    for (auto at = out.begin(); at != out.end();) {
+      const bool comes = at->first <= wire.now_ns;
+      if (comes) {
+        const auto bytes = encode(at->second);
+        wire.to_us.emplace_back(bytes.begin(), bytes.end());
+      }
+      at = comes ? out.erase(at) : at + 1;
+    }
+    Sample sample;
+    const bool came = wire.read(sample);
+    worst_late_s = worst_early_s = 0;
+    if (came) {
+      const std::int64_t true_ns = taken_ns.at(wire.peer.newest.seq - 1);
+      worst_late_s = 1e-9 * static_cast<double>(sample.t_ns - true_ns);
+      worst_early_s = -worst_late_s;
+    }
+    wire.device.write(wire.device.self, {.force_n = {}});
+    if (!wire.from_us.empty()) back.emplace_back(due(), wire.from_us.back().seq);
+    return came;
+  }
+};
+
+constexpr double kWayS = 2.7e-3;  // the longest of these, until the next look
+// An error that no packet can show: one there and back, and what peers are forgiven.
+constexpr double kHiddenS = 2 * kWayS + 1e-9 * static_cast<double>(kClockSlackNs);
+
+// Set by a millisecond to a day, to and fro; with an echo and without. Nothing is ever younger than
+// it says, and after the named time nothing is older.
+TEST(Peer, AClockThatIsSetIsRecognisedInItsTime) {
+  std::mt19937_64 random(4);
+  for (int round = 0; round < 60; ++round) {
+    Walk walk(random());
+    walk.echoes = round % 3 != 0;
+    walk.clock_ns = walk.draw(2'000'000'000'000'000) - 1'000'000'000'000'000;
+    for (int i = 0; i < 500; ++i) walk.tick();
+    for (int set = 0; set < 3; ++set) {
+      const double by_s = std::pow(10, -3 + 8 * 1e-6 * static_cast<double>(walk.draw(1'000'000)));
+      const auto by_ns = static_cast<std::int64_t>(1e9 * by_s);
+      walk.clock_ns += random() % 2 == 0 ? by_ns : -by_ns;
+      for (int i = 0; i < 400; ++i) {
+        if (!walk.tick()) continue;
+        ASSERT_LE(walk.worst_late_s, kWayS) << round << " " << by_s << " " << i;
+        const bool known = i > kClockDoubtNs / 1'000'000 + 5;
+        if (!known) continue;
+        ASSERT_LE(walk.worst_early_s, kHiddenS) << round << " " << by_s;
+      }
+    }
+  }
+}
+
+// One sample whose time lies ahead, by a bit or by hours.
+TEST(Peer, OneTimeThatLiesAheadEndsNothing) {
+  for (const bool echoes : {true, false}) {
+    for (const double ahead_s : {0.02, 10.0, 40'000.0}) {
+      Walk walk(9);
+      walk.echoes = echoes;
+      for (int i = 0; i < 500; ++i) walk.tick();
+      walk.tick(static_cast<std::int64_t>(1e9 * ahead_s));
+      int usable = 0;
+      for (int i = 0; i < 300; ++i) {
+        const bool came = walk.tick() && walk.worst_early_s < 15e-3;
+        usable += i >= 110 && came ? 1 : 0;
+      }
+      EXPECT_EQ(usable, 190) << ahead_s;
+      EXPECT_LE(walk.worst_early_s, kHiddenS) << ahead_s;
+    }
+  }
+}
+
+// A network that holds everything up, for seconds, with whatever order: old stays old.
+TEST(Peer, WhatTheNetworkHoldsUpIsNeverFresh) {
+  std::mt19937_64 random(5);
+  for (int round = 0; round < 40; ++round) {
+    Walk walk(random());
+    walk.echoes = round % 3 != 0;
+    for (int i = 0; i < 500; ++i) walk.tick();
+    walk.way_ns = walk.draw(400'000'000);
+    walk.more_ns = 1'500'000 + walk.draw(100'000'000);
+    for (int i = 0; i < 3000; ++i) {
+      if (i == 2000) walk.way_ns = 200'000;  // and what was held up comes at once
+      const bool came = walk.tick();
+      ASSERT_TRUE(!came || walk.worst_late_s <= kWayS) << round << " " << i;
+    }
+    EXPECT_EQ(walk.wire.peer.clock_sets, 0U) << round;
+  }
+}
+
 TEST(Peer, NumbersGoOnOverSessionsAndOldOnesAreNotTakenUp) {
   Wire wire;
   Sample sample;
@@ -203,6 +325,18 @@ TEST(Peer, LooksAtNoMorePacketsThanItSays) {
   wire.come(5, 2, 0);
   ASSERT_TRUE(wire.read(sample));
   EXPECT_EQ(wire.received, 2 + kMostPerRead);
+}
+
+// What is empty or of somebody else is not the end of what there is.
+TEST(Peer, WhatIsOfNoUseDoesNotHideTheRest) {
+  Wire wire;
+  Sample sample;
+  for (std::uint64_t i = 1; i <= 20; ++i) {
+    for (std::uint64_t k = 0; k < 10 * i; ++k) wire.to_us.emplace_back(k % 3);
+    wire.come(5, i, 0);
+    ASSERT_TRUE(wire.read(sample));
+    EXPECT_EQ(sample.seq, i);
+  }
 }
 
 TEST(Peer, AForceHasItsStiffnessInAllDirectionsAndGoesToNobodyBeforeASample) {

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <deque>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace stylet::hal {
@@ -26,6 +28,7 @@ struct Desk {
   std::vector<SamplePacket> sent;
   Command felt = {};
   bool answers = true;
+  float x_m = 0.01F;
   std::uint64_t seq = 0, models = 0;
   std::uint32_t arming = 1;
   std::int64_t now_ns = 5'000 * kMs;
@@ -57,7 +60,7 @@ struct Desk {
 
   static bool read(void* self, std::int64_t at_ns, Sample& out) {
     Desk& desk = *static_cast<Desk*>(self);
-    if (desk.answers) out = {++desk.seq, at_ns, {{0.01F, 0, 0}, {1, 0, 0, 0}}, 5};
+    if (desk.answers) out = {++desk.seq, at_ns, {{desk.x_m, 0, 0}, {1, 0, 0, 0}}, 5};
     return desk.answers;
   }
   static void write(void* self, const Command& command) {
@@ -68,9 +71,9 @@ struct Desk {
     ASSERT_TRUE(decode(bytes, packet));
     static_cast<Desk*>(self)->sent.push_back(packet);
   }
-  static std::size_t receive(void* self, std::span<std::byte> room) {
+  static std::optional<std::size_t> receive(void* self, std::span<std::byte> room) {
     Desk& desk = *static_cast<Desk*>(self);
-    if (desk.coming.empty()) return 0;
+    if (desk.coming.empty()) return std::nullopt;
     const std::vector<std::byte> bytes = desk.coming.front();
     desk.coming.pop_front();
     std::copy(bytes.begin(), bytes.end(), room.begin());
@@ -169,6 +172,42 @@ TEST(Station, KeepsToWeakDevicesAndToTheFadeOfAModel) {
   EXPECT_FLOAT_EQ(slow.guard.max_slew_n_per_s, 300);  // 3 N in 10 ms
   EXPECT_EQ(station_config({"without a limit", 0, 100}).guard.max_force_n,
             GuardConfig{}.max_force_n);
+}
+
+// What the guard refuses is no place: the force is that at the newest one that counts.
+TEST(Station, ASampleThatIsRefusedDoesNotCutTheForce) {
+  Desk desk;
+  const auto tick_in = [&desk](float x_m) {
+    desk.x_m = x_m;
+    ForcePacket packet = desk.model({0, 1, 0});
+    packet.model.at_m = {0.01F, 0, 0};
+    packet.model.radius_m = 0.02F;
+    desk.send(packet);
+    desk.tick();
+  };
+  for (int i = 0; i < 120; ++i) tick_in(0.01F);
+  ASSERT_NEAR(desk.felt.force_n.y, 1, 1e-5F);
+  for (const float x_m : {11.0F, std::numeric_limits<float>::quiet_NaN(), 0.5F}) {
+    const std::size_t sent = desk.sent.size();
+    tick_in(x_m);
+    EXPECT_NEAR(desk.felt.force_n.y, 1, 1e-5F) << x_m;
+    EXPECT_EQ(desk.felt.place_m.x, 0.01F) << x_m;
+    EXPECT_EQ(desk.sent.size(), sent) << x_m;
+    tick_in(0.01F);
+  }
+}
+
+// A loop that was late before there was any force: nobody has to come.
+TEST(Station, WhatWasLateBeforeAnyForceSendsItsSamplesAgain) {
+  Desk desk;
+  for (int i = 0; i < 5; ++i) desk.tick();
+  desk.answers = false;
+  for (int i = 0; i < 40; ++i) desk.tick();
+  EXPECT_EQ(desk.state.guard.fault, Fault::kDeviceSilent);
+  desk.answers = true;
+  const std::size_t sent = desk.sent.size();
+  for (int i = 0; i < 5; ++i) desk.tick();
+  EXPECT_EQ(desk.sent.size(), sent + 5);
 }
 
 // Somebody must have acknowledged, on the other machine: until then the samples say that it ended.

@@ -43,7 +43,7 @@ struct Pipe {
       under_way.push_back({due, {bytes.begin(), bytes.end()}});
     }
   }
-  std::size_t receive(std::span<std::byte> room) {
+  std::optional<std::size_t> receive(std::span<std::byte> room) {
     for (std::size_t i = 0; i < under_way.size(); ++i) {
       if (under_way[i].due_ns > *now_ns) continue;
       const std::vector<std::byte> bytes = under_way[i].bytes;
@@ -51,7 +51,7 @@ struct Pipe {
       std::copy(bytes.begin(), bytes.end(), room.begin());
       return bytes.size();
     }
-    return 0;
+    return std::nullopt;
   }
 };
 

@@ -32,6 +32,7 @@ class VendorBench : public Bench {
     press(0);
     trouble(test::Trouble::kNone);
     standin_(0)->hand_kg = 0;
+    refuse_watchdog(false);
     for (auto& v : standin_(0)->velocity) v = 0;
   }
   std::string uri() const override { return uri_; }
@@ -53,6 +54,7 @@ class VendorBench : public Bench {
   }
   void press(std::uint32_t mask) override { standin_(0)->buttons = mask; }
   void trouble(test::Trouble trouble) override { standin_(0)->trouble = trouble; }
+  void refuse_watchdog(bool refused) override { standin_(0)->refuses_watchdog = refused; }
   Vec3 felt() override { return ours(standin_(0)->force); }
   int writes() override { return standin_(0)->ticks; }
   Vec3 felt_torque() override { return ours(standin_(0)->torque); }

@@ -13,6 +13,7 @@
 #include "stylet/hal/device_model.h"
 #include "stylet/hal/device_probe.h"
 #include "stylet/hal/driver_call.h"
+#include "stylet/hal/force_dimension.h"
 #include "stylet/hal/loop.h"
 #include "stylet/hal/openhaptics.h"
 #include "stylet/hal/scene.h"
@@ -420,6 +421,30 @@ TEST_F(ForceDimension, ADriverThatHangsDoesNotHoldTheEnd) {
   for (const Hang call : {Hang::kRead, Hang::kWrite, Hang::kClose}) {
     expect_bounded_end("dhd:0", *bench, *standin(0), call);
   }
+}
+
+// Nobody in the firmware cuts the force, so another thread of ours does, while the call still
+// hangs.
+TEST_F(ForceDimension, ACallThatHangsWithoutAWatchdogIsCutAndTold) {
+  for (const Hang call : {Hang::kRead, Hang::kWrite}) {
+    bench->refuse_watchdog(true);
+    EXPECT_EQ(force_dimension_watchdog(), std::optional<bool>(false));
+    Ticker ticker(open_lasting_device("dhd:0"), 15e-3F);
+    EXPECT_TRUE(says(note_of(ticker.device), "refuses the watchdog"));
+    ASSERT_TRUE(ticker.tick_until({0, 0, 1}, [&] { return size(bench->felt()) > 0.9; }));
+    standin(0)->hangs = call;
+    EXPECT_TRUE(ticker.tick_until({0, 0, 1}, [&] { return size(bench->felt()) == 0; }));
+    EXPECT_TRUE(says(ticker.trouble_under({0, 0, 1}), "hangs: forces were switched off"));
+    EXPECT_EQ(size(bench->felt()), 0);
+    standin(0)->hangs = Hang::kNone;
+  }
+}
+
+TEST_F(ForceDimension, AWatchdogThatIsTakenIsNoNote) {
+  EXPECT_EQ(force_dimension_watchdog(), std::optional<bool>(true));
+  const Ticker ticker("dhd:0");
+  EXPECT_EQ(note_of(ticker.device), "");
+  EXPECT_EQ(force_dimension_watchdog(), std::nullopt) << "it is in use";
 }
 
 // Without its button pressed a whole run would be felt as air.

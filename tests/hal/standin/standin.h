@@ -41,6 +41,7 @@ struct StandIn {
   std::atomic<double> hand_kg;      // more than 0: a mass that the motors move; else it stays put
   std::atomic<double> velocity[3];  // of that mass, m/s
   std::atomic<Hang> hangs;
+  std::atomic<bool> refuses_watchdog;
   // What it says of itself; null or 0: the stand-in's own.
   std::atomic<const char*> model, serial;
   std::atomic<int> type;

@@ -86,8 +86,11 @@ Unit* answering(char id) {
   Unit& u = units[id == 1 ? 1 : 0];
   const Trouble trouble = u.seen.trouble.load();
 #if defined(STYLET_DHD_OLD) || defined(STYLET_DHD_BARE)
-  if (trouble == Trouble::kNoAnswer) off(u, 5);  // no watchdog to set: the device feels its cable
+  const bool watched = false;
+#else
+  const bool watched = !u.seen.refuses_watchdog;
 #endif
+  if (trouble == Trouble::kNoAnswer && !watched) off(u, 5);  // the device feels its cable
   if (!u.open || trouble == Trouble::kNoAnswer) return nullptr;
   if (trouble == Trouble::kForcesOff) off(u, 1);
   return &u;
@@ -272,6 +275,7 @@ int dhdEnableExpertMode() {
   return 0;
 }
 int dhdSetWatchdog(unsigned char n, char id) {
+  if (units[id == 1 ? 1 : 0].seen.refuses_watchdog) return failed(2);
   units[id == 1 ? 1 : 0].watchdog_us = 125L * n;
   return 0;
 }

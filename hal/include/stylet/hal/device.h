@@ -29,9 +29,10 @@ struct Command {
   Vec3 tip_m = {};          // where the needle's tip is, for a device that steers it
   Vec3 tip_direction = {};  // unit length; zero: not known yet
   Vec3 torque_nm = {};      // on the operator's hand, for a device that renders it
-  // For a device that answers faster than it is asked: as it moves away from the place of the
-  // sample the force was computed for, the force on the hand falls by so much a metre, and stays
-  // this small.
+  // For a device that answers faster than it is asked: as it moves away from the place the force
+  // was computed for, that of the newest usable sample, the force on the hand falls by so much a
+  // metre, and stays this small.
+  Vec3 place_m = {};
   float stiffness_n_per_m = 0;
   float max_force_n = 0;
   std::uint32_t arming = 0;  // grows each time the guard begins anew, see motor.h
@@ -71,10 +72,17 @@ struct Device {
   std::string (*about)(void* self) = nullptr;
   // The loop's thread: what the motors have. False, or none: the device does not tell.
   bool (*motor)(void* self, MotorReport& report_out) = nullptr;
+  // Any thread but the loop's, before close: what whoever holds it should know of it now, a net
+  // that is missing or a clock that was set; empty: nothing. It goes on all the same.
+  std::string (*note)(void* self) = nullptr;
 };
 
 inline std::string trouble_of(const Device& device) {
   return device.trouble != nullptr ? device.trouble(device.self) : "";
+}
+
+inline std::string note_of(const Device& device) {
+  return device.note != nullptr ? device.note(device.self) : "";
 }
 
 }  // namespace stylet::hal

@@ -42,6 +42,8 @@ struct Attempt {
 struct Attempts {
   Attempt fifo, lock, awake;  // priority, mlockall, /dev/cpu_dma_latency
   std::int64_t clock_resolution_ns = 0;
+  Attempt device_fifo;           // priority of threads that talk to devices
+  std::optional<bool> watchdog;  // of a Force Dimension device; nothing: none could be asked
 };
 
 struct Patient {

@@ -5,13 +5,13 @@
 // most max_force_n long (shortened, never turned), at most max_slew_n_per_s away from the one
 // before, and in the long run no more than the motors stand. Forces fade in after arming. Trouble
 // latches a fault: the force goes to zero within kDecayS, or at once if it is not a number, and
-// stays there until guard_rearm names the fault. A hand that lets go of the dead man's button has
-// no force within kDecayS either. hal/GUARD.md has the states as a table, and every limit.
-// All of its times are those that pass, also where ticks are lost: `now_ns` of guard_sample. What
-// the motors really have it learns from their report (motor.h), and goes on from there.
-// Plain functions over a plain struct: no allocation, no clock, bounded time.
-// Units: SI. Frame: the device's.
-// Sources: Hannaford and Ryu 2002 (observer of energy and passivity controller).
+// stays there until guard_rearm names the fault; only one of the loop's or the device's time that
+// came before any force was let through clears by itself. A hand that lets go of the dead man's
+// button has no force within kDecayS either. hal/GUARD.md has the states as a table, and every
+// limit. All of its times are those that pass, also where ticks are lost: `now_ns` of guard_sample.
+// What the motors really have it learns from their report (motor.h), and goes on from there. Plain
+// functions over a plain struct: no allocation, no clock, bounded time. Units: SI. Frame: the
+// device's. Sources: Hannaford and Ryu 2002 (observer of energy and passivity controller).
 #pragma once
 
 #include <array>
@@ -138,6 +138,7 @@ struct GuardState {
   std::uint64_t seq;                  // of the newest sample
   std::uint32_t button_seen, button;  // dead man's, of the newest usable sample since arming
   std::uint32_t may_acknowledge;      // its button was seen released since the force is gone
+  std::uint32_t forced;               // a force was let through, or the motors had one, ever
   std::uint32_t have_pose;
   Vec3 pose_m;   // of the newest usable sample
   Vec3 force_n;  // last one let through
@@ -181,6 +182,10 @@ Vec3 guard_force(const GuardConfig& config, GuardState& state, Vec3 force_n);
 // fades. After guard_force.
 Vec3 guard_torque(const GuardConfig& config, float max_torque_nm, GuardState& force_state,
                   GuardState& torque_state, Vec3 torque_nm);
+
+// What to write to the device: what was let through last, at the place of the newest usable sample.
+Command guard_command(const GuardConfig& config, const GuardState& force_state,
+                      const GuardState& torque_state);
 
 // Latches `fault` unless one is latched already.
 void guard_trip(GuardState& state, Fault fault);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -14,8 +15,9 @@ namespace stylet::hal {
 struct Link {
   void* self = nullptr;
   void (*send)(void* self, std::span<const std::byte> packet) = nullptr;
-  // Bytes written to `room`; 0: nothing there.
-  std::size_t (*receive)(void* self, std::span<std::byte> room) = nullptr;
+  // Bytes written to `room`; 0: what came is of no use, or from somebody else, and there may be
+  // more. None: nothing there.
+  std::optional<std::size_t> (*receive)(void* self, std::span<std::byte> room) = nullptr;
   // From now on to whoever sent the packet received last; null: there is only one.
   void (*answer)(void* self) = nullptr;
   void (*close)(void* self) = nullptr;

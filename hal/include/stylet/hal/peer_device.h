@@ -3,7 +3,10 @@
 // own (station.h).
 //
 // The time of a sample is the sender's, moved by the smallest difference to the arrival seen so
-// far: what was held up on the way is old when it comes, and the guard sees it. A new session of
+// far: what was held up on the way is old when it comes, and the guard sees it. A clock that was
+// set shows: time went back while numbers grew, or a sample's time lies before that of the force it
+// has seen. When that lasts for kClockDoubtNs the difference is the smallest one since; till then,
+// samples are as old as they say, and a delay alone never shows so. A new session of
 // the sender, started anew, is taken up when the old one has been silent for kSilenceNs, if its
 // device renders what the first one did: the guard's limits are those.
 // The motors are at the other end: samples tell what the hand has there, and that forces of this
@@ -12,7 +15,9 @@
 // Promises: read looks at no more than kMostPerRead packets; no allocation, no lock.
 #pragma once
 
+#include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 
 #include "stylet/hal/clock.h"
@@ -27,6 +32,11 @@ constexpr std::int64_t kSilenceNs = 100'000'000;
 constexpr float kModelRadiusM = 0.02F;        // 2 m/s for half the life of a force
 constexpr std::int64_t kGoneNs = 25'000'000;  // from the beginning of a fade to no force
 constexpr std::int64_t kDriftPart = 5000;     // two clocks drift apart by at most so small a part
+// A clock that was set is recognised after this time. Its peer may take the time of a sample so
+// long before it looks for forces: no clock is doubted for that.
+constexpr std::int64_t kClockDoubtNs = 100'000'000;
+constexpr std::int64_t kClockSlackNs = 2'000'000;
+constexpr std::size_t kSentKept = 64;  // forces whose time is known; one echoed later tells nothing
 
 struct PeerDevice {
   Link link;
@@ -39,6 +49,8 @@ struct PeerDevice {
   std::int64_t heard_ns = 0;               // arrival of the newest sample
   std::int64_t looked_ns = 0;              // when
   std::int64_t offset_ns = 0;              // our clock less the sender's
+  std::int64_t doubt_ns = 0;               // since when that cannot be; 0: it can
+  std::int64_t doubt_offset_ns = 0;        // what it would be by the samples since
   std::uint64_t seq = 0;                   // of the samples handed on, over all sessions
   std::uint64_t sent = 0, first_sent = 0;  // numbers of packets: the newest, before the first
   std::uint32_t arming_base = 0;           // of this run: armings grow from run to run
@@ -46,9 +58,11 @@ struct PeerDevice {
   ForceModel model = {};                   // likewise
   std::int64_t falls_ns = 0;               // since when what is given only falls; 0: it does not
   std::int64_t echo_ns = 0;  // when a newer one of ours was last told to have come; 0: never
+  std::array<std::int64_t, kSentKept> sent_ns = {};  // of the newest packets, no later than sent
   SamplePacket newest;
   std::uint16_t other_version = 0;        // of packets that are not read
   std::atomic<bool> other_device{false};  // a session with other limits wants to join
+  std::atomic<std::uint32_t> clock_sets{0};
 };
 
 // `peer` must outlive the device, unless close_frees: then it was made by new.
