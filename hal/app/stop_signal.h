@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What ends a program from outside (Ctrl-C, SIGTERM, SIGHUP, SIGQUIT) ends what runs after a tick,
 // so that a device keeps no force and a recording is completed. Installed before the first device
-// is opened. A reader that has gone (SIGPIPE) ends nothing.
+// is opened. A reader that has gone (SIGPIPE) and a file that may not grow (SIGXFSZ) end nothing.
 #pragma once
 
 #include <signal.h>
@@ -38,7 +38,7 @@ struct StopOnSignal {
     action.sa_handler = on_signal;
     for (const int number : kStopSignals) sigaction(number, &action, nullptr);
     action.sa_handler = SIG_IGN;
-    sigaction(SIGPIPE, &action, nullptr);
+    for (const int number : {SIGPIPE, SIGXFSZ}) sigaction(number, &action, nullptr);
   }
   ~StopOnSignal() { g_stop.store(nullptr); }
   StopOnSignal(const StopOnSignal&) = delete;

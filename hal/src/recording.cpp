@@ -244,6 +244,18 @@ class Table {
     }
   }
 
+  // After a failure: nothing but these rows, which every column has.
+  void cut(std::uint64_t rows) {
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+      const hsize_t size[2] = {rows, columns_[c].width};
+      (void)H5Dset_extent(sets_[c].id, size);
+    }
+    rows_ = rows;
+  }
+  void abandon() {
+    for (Handle& each : sets_) each.id = -1;
+  }
+
   std::uint64_t rows() const { return rows_; }
   void keep(std::uint64_t rows) { rows_ = rows; }
 
@@ -439,9 +451,12 @@ std::vector<Mark> read_marks(hid_t file, const std::string& path) {
 
 // We report errors ourselves: the library's own stack print is not for users, and its cleaning up
 // at exit crashes on a file that could not be completed because the disk was full.
+void quieten() {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 void prepare_library() {
   H5dont_atexit();
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  quieten();
 }
 
 }  // namespace
@@ -455,6 +470,8 @@ struct RecordingWriter::File {
   std::vector<Table> ticks;  // of each needle
   Table events;
   std::size_t block_rows;
+  std::array<std::uint64_t, kMaxNeedles> flushed = {};  // rows that are on the disk
+  std::uint64_t flushed_events = 0;
   // Less than a block.
   std::array<std::vector<TickRecord>, kMaxNeedles> waiting;  // of each needle
   std::vector<Event> waiting_events;
@@ -470,9 +487,32 @@ struct RecordingWriter::File {
     if (!temporary.empty()) std::remove(temporary.c_str());
   }
 
-  void flush() const {
+  void flush() {
     if (H5Fflush(file.id, H5F_SCOPE_LOCAL) < 0)
       fail(path, "file", "cannot be written (disk full?)");
+    for (std::size_t i = 0; i < ticks.size(); ++i) flushed[i] = ticks[i].rows();
+    flushed_events = events.rows();
+  }
+  void put_down_all() try {
+    quieten();
+    for (std::size_t i = 0; i < ticks.size(); ++i) put_down(i);
+    put_down_events();
+    flush();
+  } catch (const RecordingError& error) {
+    give_up(error.what());
+  }
+  // Nothing more can be written: what is on the disk stays, under its temporary name. Throws. The
+  // library is not asked to close the file: it would write the length it wanted, and the file
+  // would count as cut short.
+  [[noreturn]] void give_up(const char* why) {
+    for (std::size_t i = 0; i < ticks.size(); ++i) ticks[i].cut(flushed[i]);
+    events.cut(flushed_events);
+    (void)H5Fflush(file.id, H5F_SCOPE_LOCAL);
+    for (Table& each : ticks) each.abandon();
+    events.abandon();
+    file.id = -1;
+    throw RecordingError(
+        fmt::format("{}; what was recorded before is {}", why, std::exchange(temporary, "")));
   }
   void put_down_events() {
     events.append(std::span<const Event>(waiting_events));
@@ -535,7 +575,10 @@ RecordingWriter::RecordingWriter(const std::string& path, const RecordingInfo& i
   prepare_library();
   const std::string temporary = fmt::format("{}.{}.tmp", path, getpid());
   const hid_t id = create_file(temporary);
-  if (id < 0) fail(path, "file", "cannot be created: expected a folder that can be written");
+  if (id < 0) {
+    std::remove(temporary.c_str());
+    fail(path, "file", "cannot be created: expected a folder that can be written, and room there");
+  }
   file_ = std::make_unique<File>(path, temporary, id, info.config);
   AttributeWriter writer{id, file_->path};
   writer.text("format", kFormatName);
@@ -552,15 +595,18 @@ RecordingWriter::RecordingWriter(const std::string& path, const RecordingInfo& i
 
 RecordingWriter::~RecordingWriter() = default;
 
-void RecordingWriter::append(std::span<const TickRecord> records) {
+void RecordingWriter::append(std::span<const TickRecord> records) try {
   for (const TickRecord& record : records) {
     std::vector<TickRecord>& waiting = file_->waiting[record.needle];
     waiting.push_back(record);
     if (waiting.size() < file_->block_rows) continue;
+    quieten();  // the library asks each thread
     file_->put_down(record.needle);
     file_->put_down_events();
     file_->flush();
   }
+} catch (const RecordingError& error) {
+  file_->give_up(error.what());
 }
 
 void RecordingWriter::append(std::span<const Event> events) {
@@ -568,8 +614,7 @@ void RecordingWriter::append(std::span<const Event> events) {
 }
 
 void RecordingWriter::leave() {
-  for (std::size_t i = 0; i < file_->ticks.size(); ++i) file_->put_down(i);
-  file_->put_down_events();
+  if (!file_->temporary.empty()) file_->put_down_all();
   file_->temporary.clear();
   file_.reset();
 }
@@ -580,9 +625,7 @@ std::uint64_t RecordingWriter::ticks_kept() const {
 
 void RecordingWriter::finish(std::uint64_t final_state_hash, std::uint64_t lost_records,
                              std::span<const Mark> marks) {
-  for (std::size_t i = 0; i < file_->ticks.size(); ++i) file_->put_down(i);
-  file_->put_down_events();
-  file_->flush();
+  file_->put_down_all();
   const Ending ending = {lost_records, final_state_hash, file_->ticks[0].rows()};
   AttributeRewriter writer{file_->file.id, file_->path};
   visit_ending(writer, ending);
@@ -592,9 +635,11 @@ void RecordingWriter::finish(std::uint64_t final_state_hash, std::uint64_t lost_
   file_.reset();
   if (whole && !marks.empty()) whole = add_marks(temporary, path, marks);
   if (!whole || std::rename(temporary.c_str(), path.c_str()) != 0) {
-    std::remove(temporary.c_str());
     std::remove((temporary + "+").c_str());
-    fail(path, "file", "cannot be completed (disk full, or the name is taken by a folder?)");
+    fail(path, "file",
+         fmt::format("cannot be completed (disk full, or the name is taken by a folder?); "
+                     "what was recorded is {}",
+                     temporary));
   }
 }
 

@@ -36,7 +36,7 @@ constexpr int kSocketDescriptor = 4;
 constexpr int kFirstOther = 5;
 // Above those, so that none is overwritten while they are put in their places.
 constexpr int kLeastDescriptor = 10;
-constexpr std::array kOutsideSignals = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
+constexpr std::array kOutsideSignals = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXFSZ};
 constexpr std::chrono::milliseconds kLook{1};
 constexpr const char* kOutOfMemory = "out of memory";
 

@@ -225,26 +225,6 @@ TEST_F(RecordingTest, UnwritableFolderIsNamed) {
   EXPECT_THROW(RecordingWriter("/nowhere/at/all.h5", some_info()), RecordingError);
 }
 
-// In a process of its own, because what happens at its exit counts too.
-TEST_F(RecordingTest, AFullDiskIsAnErrorAndLeavesNothing) {
-  const auto record_too_much = [this] {
-    const rlimit limit = {100'000, 100'000};
-    setrlimit(RLIMIT_FSIZE, &limit);
-    std::signal(SIGXFSZ, SIG_IGN);
-    bool refused = false;
-    try {
-      RecordingWriter writer(path(), some_info());
-      for (int i = 0; i < 4; ++i) writer.append(any_records(5000));
-      writer.finish(1, 0);
-    } catch (const RecordingError&) {
-      refused = true;
-    }
-    std::exit(refused && files() == 0 ? 3 : 4);
-  };
-  EXPECT_EXIT(record_too_much(), testing::ExitedWithCode(3), "");
-  EXPECT_EQ(files(), 0U);
-}
-
 // A process of its own that writes what it is told and is killed, whatever it is busy with; told by
 // shared memory how far it got.
 class Killed {
@@ -300,6 +280,49 @@ void expect_rows(const RecordingReader& reader, std::span<const TickRecord> reco
       ASSERT_TRUE(same(tick_columns(), &records[2 * i + needle], &rows[i])) << needle << " " << i;
     }
   }
+}
+
+// In a process of its own, because what happens at its exit counts too.
+TEST_F(RecordingTest, AFullDiskIsAnErrorAndKeepsWhatWasWhole) {
+  RecordingInfo info = some_info();
+  info.config.needle_count = 2;
+  auto records = any_records(20000);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    records[i].needle = i % 2;
+    records[i].output.tick = i / 2 + 1;
+  }
+  const auto record_too_much = [&](rlim_t most) {
+    const rlimit limit = {most, most};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::string refused;
+    try {
+      RecordingWriter writer(path(), info);
+      writer.append(records);
+      writer.finish(1, 0);
+    } catch (const RecordingError& error) {
+      refused = error.what();
+    }
+    // Not even begun: nothing is left; else it is said where it lies.
+    const bool told = files() == 0 || (files() == 1 && refused.find(".tmp") != std::string::npos);
+    std::exit(!refused.empty() && told ? 3 : 4);
+  };
+  std::mt19937 random(5);
+  std::size_t longest = 0;
+  for (int i = 0; i < 12; ++i) {
+    const rlim_t most = 20'000 + random() % 1'500'000;
+    EXPECT_EXIT(record_too_much(most), testing::ExitedWithCode(3), "") << most;
+    if (files() == 0) continue;
+    const std::string left = fs::directory_iterator(folder_)->path().string();
+    {
+      const RecordingReader reader(left);
+      EXPECT_EQ(reader.ticks() % 1000, 0U) << most;  // blocks of half a second
+      expect_rows(reader, records);
+      longest = std::max(longest, static_cast<std::size_t>(reader.ticks()));
+    }
+    fs::remove(left);
+  }
+  EXPECT_GT(longest, 1000U);
 }
 
 TEST_F(RecordingTest, AWriterThatIsKilledAtAnyTimeLosesHalfASecondAtMost) {
