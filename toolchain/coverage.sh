@@ -10,12 +10,13 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 programs=(
   unit_create unit_math unit_organ_open unit_state unit_surface unit_edges unit_c_api unit_odd_organ
   coupling_continuity coupling_pools fidelity_cluster fidelity_needle_shape fuzz_organ fuzz_tick
-  insertion_bone insertion_layers insertion_roll insertion_several obstacle_contact obstacle_gap
-  rt_team stylet-simulator unit_sheets unit_snapshot
+  insertion_bone insertion_felt insertion_layers insertion_roll insertion_several obstacle_contact
+  obstacle_gap rt_team stylet-simulator unit_sheets unit_snapshot
 )
 arguments_of() {
   case $1 in
     fuzz_*) echo "$root/tests/fuzz/seeds/${1#fuzz_}" ;;
+    insertion_felt) echo --gtest_filter=Felt.* ;;
     stylet-simulator) echo --seed 2 --sessions 6 ;;
   esac
 }
