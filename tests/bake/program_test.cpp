@@ -274,7 +274,7 @@ TEST(Program, OutputsDestroyNothing) {
   ::umask(mask);
   EXPECT_EQ(std::filesystem::status(at("mine.organ")).permissions(),
             std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
-  std::ofstream(at("mine.organ.sha256")) << "of another organ\n";
+  std::ofstream(at("mine.organ.sha256")) << std::string(64, '0') << "  mine.organ\n";
   EXPECT_EQ(build_to(at("mine.organ")).exit_code, 0);
   EXPECT_FALSE(std::filesystem::exists(at("mine.organ.sha256")));
 }
