@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "doctor_checks.h"
+#include "stylet/hal/devices.h"
 
 namespace stylet::hal {
 namespace {
@@ -47,6 +48,33 @@ Finding finding_of(const Check& check, const Seen& seen, const Patient& patient)
   replace_all(finding.remedy, "{cpu}", std::to_string(patient.cpu));
   replace_all(finding.remedy, "{priority}", std::to_string(patient.priority));
   return finding;
+}
+
+// ---- what only an attempt shows of devices ------------------------------------------------------
+
+Finding device_priority(const Patient& patient) {
+  static constexpr Check kPriority = {
+      "device priority", Verdict::kWarn, nullptr,
+      "put \"@realtime - rtprio 90\" into /etc/security/limits.conf: threads that talk to devices "
+      "run "
+      "above the loop, or samples and forces wait for whatever else runs"};
+  const Attempt& attempt = patient.attempts->device_fifo;
+  const string value =
+      attempt.granted ? fmt::format("SCHED_FIFO {} granted", kDevicePriority)
+                      : fmt::format("SCHED_FIFO {} refused ({})", kDevicePriority, attempt.why);
+  const State state = attempt.granted ? State::kGood : State::kBad;
+  return finding_of(kPriority, {state, value, "sched_setscheduler"}, patient);
+}
+
+Finding device_watchdog(const Patient& patient) {
+  static constexpr Check kWatchdog = {
+      "device watchdog", Verdict::kWarn, nullptr,
+      "take the newest SDK and firmware: without it a driver that hangs keeps its force until this "
+      "program switches it off, and for good if that hangs, too"};
+  const bool taken = *patient.attempts->watchdog;
+  const Seen seen = {taken ? State::kGood : State::kBad, taken ? "taken" : "refused",
+                     "dhdSetWatchdog"};
+  return finding_of(kWatchdog, seen, patient);
 }
 
 // ---- disturbances -------------------------------------------------------------------------------
@@ -139,6 +167,8 @@ std::vector<Finding> examine(const Patient& patient) {
       findings.push_back(finding_of(check, check.look(patient, tree), patient));
     }
   }
+  if (patient.attempts) findings.push_back(device_priority(patient));
+  if (patient.attempts && patient.attempts->watchdog) findings.push_back(device_watchdog(patient));
   return findings;
 }
 

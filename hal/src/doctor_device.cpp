@@ -61,21 +61,11 @@ Seen device_thread(const Patient& patient, const HostTree& tree) {
   return {State::kGood, "above the loop or elsewhere", path};
 }
 
-Seen watchdog(const Patient& patient, const HostTree&) {
-  const string source = "dhdSetWatchdog";
-  const auto taken = patient.attempts ? patient.attempts->watchdog : std::nullopt;
-  if (!taken) return {State::kBesides, "no Force Dimension device that could be asked", source};
-  return *taken ? Seen{State::kGood, "taken", source} : Seen{State::kBad, "refused", source};
-}
-
 constexpr Check kChecks[] = {
     {"device power", Verdict::kWarn, usb_power,
      "write on to its power/control; the udev rules of toolchain/rt-host do"},
     {"device IRQ thread", Verdict::kWarn, device_thread,
      "chrt -f -p 90 the thread, or keep its interrupt off processor {cpu} (irqaffinity=)"},
-    {"device watchdog", Verdict::kWarn, watchdog,
-     "take the newest SDK and firmware: without it a driver that hangs keeps its force until this "
-     "program switches it off, and for good if that hangs, too"},
 };
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "doctor_checks.h"
-#include "stylet/hal/devices.h"
 
 namespace stylet::hal {
 namespace {
@@ -92,28 +91,18 @@ Seen from_attempt(const Attempt& attempt, const string& what, const char* source
   return {State::kBad, fmt::format("{} refused ({})", what, attempt.why), source};
 }
 
-Seen priority_right(const Attempt* attempt, int priority, const HostTree& tree) {
-  const string what = fmt::format("SCHED_FIFO {}", priority);
-  if (attempt != nullptr) return from_attempt(*attempt, what, "sched_setscheduler");
+Seen priority_right(const Patient& patient, const HostTree& tree) {
+  const string what = fmt::format("SCHED_FIFO {}", patient.priority);
+  if (patient.attempts) return from_attempt(patient.attempts->fifo, what, "sched_setscheduler");
   if (has_capability(tree, kCapSysNice)) {
     return {State::kGood, "CAP_SYS_NICE", "/proc/self/status (CapEff)"};
   }
   const auto limit = limit_of(tree, "Max realtime priority");
   const auto number = parse_number(limit.value_or(""));
   if (!limit || (!number && *limit != "unlimited")) return not_read("/proc/self/limits");
-  const bool enough = !number || *number >= static_cast<std::uint64_t>(priority);
+  const bool enough = !number || *number >= static_cast<std::uint64_t>(patient.priority);
   return {enough ? State::kGood : State::kBad, "at most " + *limit,
           "/proc/self/limits (Max realtime priority)"};
-}
-
-Seen loop_priority(const Patient& patient, const HostTree& tree) {
-  return priority_right(patient.attempts ? &patient.attempts->fifo : nullptr, patient.priority,
-                        tree);
-}
-
-Seen device_priority(const Patient& patient, const HostTree& tree) {
-  return priority_right(patient.attempts ? &patient.attempts->device_fifo : nullptr,
-                        kDevicePriority, tree);
 }
 
 Seen memory_right(const Patient& patient, const HostTree& tree) {
@@ -236,12 +225,9 @@ constexpr Check kChecks[] = {
      "boot a kernel with CONFIG_HIGH_RES_TIMERS, without highres=off"},
     {"clock source", Verdict::kFail, clock_source,
      "boot with clocksource=tsc; dmesg says why the kernel gave it up"},
-    {"real-time priority", Verdict::kFail, loop_priority,
+    {"real-time priority", Verdict::kFail, priority_right,
      "run as root, or put \"@realtime - rtprio 90\" into /etc/security/limits.conf and your user "
      "into the group realtime"},
-    {"device priority", Verdict::kWarn, device_priority,
-     "put \"@realtime - rtprio 90\" into /etc/security/limits.conf: threads that talk to devices "
-     "run above the loop, or samples and forces wait for whatever else runs"},
     {"locked memory", Verdict::kFail, memory_right,
      "run as root, or put \"@realtime - memlock unlimited\" into /etc/security/limits.conf and "
      "your user into the group realtime"},
