@@ -189,6 +189,9 @@ void close_and_free(void* self) {
 
 std::string trouble(void* self) {
   const PeerDevice& peer = *static_cast<const PeerDevice*>(self);
+  if (peer.link.trouble != nullptr) {
+    if (std::string lost = peer.link.trouble(peer.link.self); !lost.empty()) return lost;
+  }
   if (!peer.other_device.load(std::memory_order_relaxed)) return "";
   return "another device, with other limits, wants to take the place of the first: end the run and "
          "start it again";

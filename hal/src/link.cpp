@@ -5,7 +5,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -19,6 +18,7 @@
 #include <memory>
 #include <optional>
 
+#include "lasting_pages.h"
 #include "stylet/hal/clock.h"
 #include "stylet/hal/devices.h"
 #include "stylet/hal/packet.h"
@@ -154,9 +154,18 @@ std::optional<std::size_t> memory_receive(void* self, std::span<std::byte> room)
 
 void memory_close(void* self) {
   const std::unique_ptr<Memory> memory(static_cast<Memory*>(self));
-  munmap(memory->shared, sizeof(Shared));
+  unmap_lasting(memory->shared, sizeof(Shared));
   if (memory->side == Side::kStylet) unlink(memory->path.c_str());  // while the lock is ours
   ::close(memory->file);
+}
+
+std::string memory_trouble(void* self) {
+  const Memory& memory = *static_cast<const Memory*>(self);
+  struct stat there = {};
+  const bool whole = fstat(memory.file, &there) == 0 && there.st_size >= off_t{sizeof(Shared)};
+  if (whole) return "";
+  return fmt::format("another program has shortened {}: end the run and start it again",
+                     memory.path);
 }
 
 // Below zero: errno says why. What a run that was killed has left is taken over: its lock went with
@@ -216,9 +225,8 @@ Link shared_memory(const std::string& name, Side side) {
   }
   const int file = open_and_lock(memory->path, side);
   const bool sized = file >= 0 && ftruncate(file, sizeof(Shared)) == 0;
-  void* at = sized ? mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0)
-                   : MAP_FAILED;
-  if (at == MAP_FAILED) {
+  void* at = sized ? map_lasting(file, sizeof(Shared)) : nullptr;
+  if (at == nullptr) {
     const int error = errno;
     if (file >= 0) ::close(file);
     const char* hint = side == Side::kDevice ? ": is Stylet running?"
@@ -233,7 +241,7 @@ Link shared_memory(const std::string& name, Side side) {
     for (auto& word : memory->shared->from_device) word.store(0, std::memory_order_relaxed);
     for (auto& word : memory->shared->from_stylet) word.store(0, std::memory_order_relaxed);
   }
-  return {memory.release(), memory_send, memory_receive, nullptr, memory_close};
+  return {memory.release(), memory_send, memory_receive, nullptr, memory_close, memory_trouble};
 }
 
 }  // namespace stylet::hal

@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 #include <netinet/in.h>
+#include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -132,6 +134,45 @@ TEST_F(SharedMemory, ClosedLeavesNothingMapped) {
   EXPECT_TRUE(is_mapped());
   close(stylet);
   EXPECT_FALSE(is_mapped());
+}
+
+// As `open(path, "wb")` does in a peer's program: nothing comes through, on neither side, and that
+// is all.
+TEST_F(SharedMemory, AFileThatIsShortenedIsSilenceAndTold) {
+  Link& stylet = open(Side::kStylet);
+  Link& device = open(Side::kDevice);
+  send(device, kSamplePacketBytes);
+  EXPECT_EQ(receive(stylet), kSamplePacketBytes);
+  EXPECT_EQ(stylet.trouble(stylet.self), "");
+  for (int round = 0; round < 3; ++round) {
+    ASSERT_EQ(truncate(("/dev/shm/stylet." + name()).c_str(), 0), 0);
+    for (int i = 0; i < 5; ++i) {
+      send(stylet, kForcePacketBytes);
+      (void)receive(stylet);
+      (void)receive(device);
+      send(device, kSamplePacketBytes);
+      EXPECT_EQ(receive(stylet), 0U);
+    }
+    EXPECT_NE(stylet.trouble(stylet.self).find("has shortened /dev/shm/stylet." + name()),
+              std::string::npos);
+  }
+  close(stylet);
+  Link& next = open(Side::kStylet);
+  send(open(Side::kDevice), kSamplePacketBytes);
+  EXPECT_EQ(receive(next), kSamplePacketBytes) << "the next run has a file of its own";
+}
+
+// What is not ours ends as it did.
+TEST_F(SharedMemory, PagesOfSomebodyElseAreNotMended) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(
+      {
+        open(Side::kStylet);
+        std::FILE* file = std::tmpfile();
+        void* at = mmap(nullptr, 4096, PROT_READ, MAP_SHARED, fileno(file), 0);
+        _exit(*static_cast<volatile char*>(at));
+      },
+      testing::KilledBySignal(SIGBUS), "");
 }
 
 // A socket of somebody's, on this machine.

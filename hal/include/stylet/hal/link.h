@@ -21,6 +21,8 @@ struct Link {
   // From now on to whoever sent the packet received last; null: there is only one.
   void (*answer)(void* self) = nullptr;
   void (*close)(void* self) = nullptr;
+  // Any thread: why nothing comes through any more; empty, or none: no trouble.
+  std::string (*trouble)(void* self) = nullptr;
 };
 
 // Where Stylet waits: "7755" (this machine only) or "ADDRESS:7755"; answers whoever it is told to.
