@@ -53,21 +53,26 @@ TEST(Fit, SaysWhyItRefuses) {
 }
 
 // Timed by the thread's own clock on an organ with holes, against the line through full blocks:
-// twice as much before what is swept was counted.
-TEST(Fit, KnowsWhatAnOrganWithHolesCosts) {
-  const bake::Machine here = bake::measure_machine([](const char*, double) {});
+// twice as much before what is swept was counted. What else the machine does only adds: the least
+// of several counts, of the machine and of the organ, in turns.
+TEST(FitTimed, KnowsWhatAnOrganWithHolesCosts) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     Draw draw(seed);
     bake::BuildOptions options;
     options.voxel_edge_m = draw.between(2.2, 3) * 1e-3;
     const auto bytes = build_quietly({input_of(comb(draw), 1e-3, "gel")}, options).bytes;
     const Organ organ = opened(bytes);
-    const double said = bake::tick_us(here, bake::swept_voxels(organ), 2);
-    const auto timed = bake::time_tick(organ, 1e-3, 2);
-    ASSERT_TRUE(timed.has_value());
+    double said = 1e9, timed = 1e9;
+    for (int i = 0; i < 5; ++i) {
+      const bake::Machine here = bake::measure_machine([](const char*, double) {});
+      said = std::min(said, bake::tick_us(here, bake::swept_voxels(organ), 2));
+      const auto now = bake::time_tick(organ, 1e-3, 2);
+      ASSERT_TRUE(now.has_value());
+      timed = std::min(timed, *now);
+    }
     std::printf("%u voxels, %.0f swept: %.0f us said, %.0f timed\n", organ.voxel_count,
-                bake::swept_voxels(organ), said, *timed);
-    EXPECT_LT(std::max(*timed / said, said / *timed), 1.5);
+                bake::swept_voxels(organ), said, timed);
+    EXPECT_LT(std::max(timed / said, said / timed), 1.5);
   }
 }
 
