@@ -55,9 +55,8 @@ Finding finding_of(const Check& check, const Seen& seen, const Patient& patient)
 Finding device_priority(const Patient& patient) {
   static constexpr Check kPriority = {
       "device priority", Verdict::kWarn, nullptr,
-      "put \"@realtime - rtprio 90\" into /etc/security/limits.conf: threads that talk to devices "
-      "run "
-      "above the loop, or samples and forces wait for whatever else runs"};
+      "put \"@realtime - rtprio 90\" into /etc/security/limits.conf: threads that talk to "
+      "devices run above the loop, or samples and forces wait for whatever else runs"};
   const Attempt& attempt = patient.attempts->device_fifo;
   const string value =
       attempt.granted ? fmt::format("SCHED_FIFO {} granted", kDevicePriority)

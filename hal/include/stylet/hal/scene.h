@@ -59,7 +59,7 @@ struct Scene {
   Config config;
   std::vector<ObstacleConfig> obstacles;
   std::vector<std::string> hulls;  // files of obstacles
-  std::vector<Target> targets;  // for the score alone
+  std::vector<Target> targets;     // for the score alone
   int rt_priority = 80;
   int cpu = -1;               // -1: the last isolated one, else the last the process may use
   std::uint32_t threads = 1;  // of the tissue step: the loop's, and the rest help it
