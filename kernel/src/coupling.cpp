@@ -861,27 +861,36 @@ void change_spring(const View& view, const Needle& needle, float force_n) {
   state.cutting_j += before - spring_energy(tip);
 }
 
+// The needle is in a track, its tip `depth_m` along it and its first shaft CP at the entry.
+void enter_track(const View& view, const Needle& needle, std::uint32_t track, float depth_m,
+                 const Particle& entry) {
+  NeedleState& own = *view.state.needle;
+  Particle& tip = *view.state.tip;
+  own.track_current = track;
+  own.track_end_m = max_of(view.state.track[track].length_m, depth_m);
+  tip.track_m = own.tissue_track_m = own.layer_track_m = depth_m;
+  own.drop_track_m = 0;
+  own.shaft_count = 0;
+  (void)push_shaft(view, entry);
+  own.layer = own.spring_layer = own.layer_before = tip.material;
+  own.cut = needle.tip_direction;
+}
+
 // Contact -> inserted: the entry becomes the first shaft CP, the tip starts to cut.
 void begin_insertion(const View& view, const Needle& needle, std::uint32_t track, float force_n) {
   NeedleState& own = *view.state.needle;
-  Particle& tip = *view.state.tip;
+  const Particle& tip = *view.state.tip;
   const VoxelFrame frame =
       voxel_frame(view, tip.share[heaviest(tip)].slot, tip.share[heaviest(tip)].row);
   const Vec3 rest_direction = transposed_times(frame.rotation, needle.tip_direction);
   const bool again = track != kNoTrack;
-  own.track_current = again ? track : remember_track(view, tip.rest_m, rest_direction);
-  own.track_end_m = again ? view.state.track[track].length_m : 0;
-  tip.track_m = own.tissue_track_m = own.drop_track_m = 0;
-  own.shaft_count = 0;
   // The entry is held where the surface is now, behind the tip by the depth of the dimple's cone.
   const float behind = dot(residual(tip), needle.tip_direction);
   const Vec3 place = tip.position_m - behind * needle.tip_direction;
-  (void)push_shaft(view, new_particle(view, tip.rest_m, place, 0, behind, Place::kShaft));
+  enter_track(view, needle, again ? track : remember_track(view, tip.rest_m, rest_direction), 0,
+              new_particle(view, tip.rest_m, place, 0, behind, Place::kShaft));
   change_spring(view, needle, force_n);
   own.phase = Phase::kInserted;
-  own.layer = own.spring_layer = own.layer_before = tip.material;
-  own.layer_track_m = 0;
-  own.cut = needle.tip_direction;
   add_event(view, again ? EventKind::kReentry : EventKind::kPuncture, force_n);
 }
 
@@ -895,18 +904,8 @@ std::uint32_t track_of(const View& view, const Needle& needle, const Particle& e
 // The tissue has come over a tip that had left its hole, or never came clear of it: it lies in the
 // hole again, as deep as it is now, without force, and what friction there is holds the shaft.
 void take_in(const View& view, const Needle& needle, std::uint32_t track, const Particle& entry) {
-  NeedleState& own = *view.state.needle;
-  const Particle& tip = *view.state.tip;
-  own.track_current = track;
-  own.track_end_m = max_of(view.state.track[track].length_m, tip.track_m);
-  own.tissue_track_m = tip.track_m;
-  own.drop_track_m = 0;
-  own.shaft_count = 0;
-  (void)push_shaft(view, entry);
-  own.phase = Phase::kRetracting;
-  own.layer = own.spring_layer = own.layer_before = tip.material;
-  own.layer_track_m = tip.track_m;
-  own.cut = needle.tip_direction;
+  enter_track(view, needle, track, view.state.tip->track_m, entry);
+  view.state.needle->phase = Phase::kRetracting;
   (void)drop_shaft(view, needle);
   meet_friction(view, entry.rest_m, 0);
   add_event(view, EventKind::kReentry, 0);
