@@ -53,12 +53,16 @@ double limit(float value, float otherwise) {
   return static_cast<double>(value > 0 && std::isfinite(value) ? value : otherwise);
 }
 
-void begin_fade(MotorState& state, std::int64_t since_ns) {
+// From no more than an order that falls: it came late, and its own fade has begun long ago.
+void begin_fade(MotorState& state, const MotorOrder& order, std::int64_t since_ns) {
   if (state.fading) return;
   state.fading = true;
   state.fade_ns = since_ns;
-  state.fade_force_n = state.report.force_n;
-  state.fade_torque_nm = state.report.torque_nm;
+  const MotorReport& report = state.report;
+  state.fade_force_n =
+      order.falls ? shortened(report.force_n, length(order.force_n)) : report.force_n;
+  state.fade_torque_nm =
+      order.falls ? shortened(report.torque_nm, length(order.torque_nm)) : report.torque_nm;
 }
 
 void take_order(MotorState& state, const MotorOrder& order, std::int64_t now_ns) {
@@ -83,7 +87,7 @@ void judge(MotorState& state, const MotorOrder& order, MotorCut cut, std::int64_
   if (given && !report.stopped && age_ns <= kOrderFreshNs) {
     state.fading = false;
   } else {
-    begin_fade(state, good ? std::min(now_ns, state.order_ns + kOrderFreshNs) : now_ns);
+    begin_fade(state, order, good ? std::min(now_ns, state.order_ns + kOrderFreshNs) : now_ns);
   }
 }
 

@@ -328,6 +328,16 @@ TEST(Motor, StallsAreADipOrAnEndAndNeverAKick) {
   }
 }
 
+// The guard lets go, and both threads are held up: the fade is the guard's, not one from the start.
+TEST(Motor, AnOrderThatFallsAndComesLateIsWhereTheFadeBegins) {
+  Desk desk;
+  for (int i = 0; i < 10; ++i) desk.push({2.9F, 0, 0});
+  desk.order = {{1.5F, 0, 0}, {}, desk.now_ns + 3 * kMs, 1, true};
+  desk.step(9 * kMs);  // 6 ms old when it is seen: 4 of them fresh
+  for (int i = 0; i < 8; ++i) desk.step();
+  EXPECT_NEAR(size(desk.state.report.force_n), 0, 1e-6) << "10 ms of 3 N in 20 ms";
+}
+
 TEST(Motor, WhatHasFailedIsCutAndWhatIsClosedFades) {
   Desk failed, closed;
   for (Desk* each : {&failed, &closed}) {
