@@ -79,7 +79,7 @@ TEST(Hull, OfRealBonesIsWithinTwoMillimetres) {
   }
 }
 
-// Seconds of this thread's own time, the least of five.
+// Seconds of this process's own time, the least of five.
 double seconds_for_ball(std::size_t count) {
   std::mt19937_64 engine(count);
   std::normal_distribution<double> draw;
@@ -98,10 +98,11 @@ double seconds_for_ball(std::size_t count) {
 }
 
 // Every point is a vertex of the hull: the most there is to choose from.
-TEST(Hull, TakesAsMuchLongerAsThereAreMorePoints) {
+TEST(HullTimed, TakesAsMuchLongerAsThereAreMorePoints) {
   const double few = seconds_for_ball(8000), many = seconds_for_ball(32000);
   std::printf("8000 points: %.3f s; 32 000: %.3f s\n", few, many);
-  EXPECT_LT(many, 10 * few);  // 5 to 6 times; a square: 16
+  // n log n: 4.6 times, a square: 16; the bound lies half-way between 4 and 16, in powers.
+  EXPECT_LT(many, 8 * few);
 }
 
 TEST(Hull, RefusesWhatHasNoInside) {
