@@ -18,6 +18,7 @@ constexpr double kFlatM = 1e-4;       // what points may be off their plane
 constexpr double kPixelM = 0.5e-3;    // of the raster without a series: a tenth of a lattice voxel
 constexpr double kMostAcross = 1024;  // pixels of it
 constexpr double kMostAcrossSeries = 4096;
+constexpr double kSame = 0.01;  // of the distance of slices, as label_stack.cpp has it
 
 struct Contour {
   std::vector<Vec> points_m;
@@ -200,8 +201,27 @@ std::vector<double> find_planes(const DicomFile& file, const Raster& raster,
   return planes;
 }
 
-double distance_m(const DicomFile& file, const Raster& raster, const std::vector<double>& planes) {
-  if (raster.step_m > 0) return raster.step_m;
+// The middle one of the ways from a contour of a structure to its next; infinite where it has none.
+double usual_gap_m(const Structure& structure) {
+  std::set<std::size_t> seen;
+  std::vector<double> along, gaps;
+  for (const Contour& contour : structure.contours) {
+    if (seen.insert(contour.plane).second) along.push_back(contour.along_m);
+  }
+  std::sort(along.begin(), along.end());
+  for (std::size_t i = 1; i < along.size(); ++i) gaps.push_back(along[i] - along[i - 1]);
+  std::sort(gaps.begin(), gaps.end());
+  return gaps.empty() ? HUGE_VAL : gaps[gaps.size() / 2];
+}
+
+// That of the series, unless a structure was drawn closer: its ends would reach too far.
+double distance_m(const DicomFile& file, const Raster& raster, const std::vector<double>& planes,
+                  const std::vector<Structure>& structures) {
+  if (raster.step_m > 0) {
+    double least = HUGE_VAL;
+    for (const Structure& structure : structures) least = std::min(least, usual_gap_m(structure));
+    return least < (1 - kSame) * raster.step_m ? least : raster.step_m;
+  }
   double least = 0;
   for (std::size_t i = 1; i < planes.size(); ++i) {
     const double gap = planes[i] - planes[i - 1];
@@ -357,7 +377,7 @@ LabelMap read_dicom_contours(const DicomFile& file, const std::vector<FramePlace
   Raster raster = series.empty() ? own_raster(file, structures) : raster_of_series(series);
   const std::vector<double> places = find_planes(file, raster, structures);
   if (places.empty()) refuse("{}: expected closed contours in planes", file.path);
-  const double step_m = distance_m(file, raster, places);
+  const double step_m = distance_m(file, raster, places, structures);
   const std::array<double, 2> low = fit(file, raster, structures);
   const Vec normal = normal_of(raster.grid);
   const Vec corner =

@@ -322,6 +322,13 @@ class StructureSets(Conformance):
             dicom.write_structures(folder / "rt.dcm", [(5, "Liver", drawn.contours(liver))])
             self.check(folder, {5: drawn.held(liver)}, NEAR, within=0.2)
 
+        def closer_than_slices(folder, random):
+            drawn = self.on_series(folder, random)
+            drawn.step /= random.choice([2, 3, 1.7])
+            liver = drawn.outlines(24, (25, 30))
+            dicom.write_structures(folder / "rt.dcm", [(5, "Liver", drawn.contours(liver))])
+            self.check(folder, {5: drawn.held(liver)}, NEAR, within=0.2)
+
         def one_plane(folder, random):
             drawn = self.on_series(folder, random, planes=1)
             lesion = drawn.outlines(24, (25, 30))
@@ -343,6 +350,7 @@ class StructureSets(Conformance):
             self.refused(folder, "2 structure sets: expected one")
 
         self.cases(2, series)
+        self.cases(3, closer_than_slices)
         self.cases(1, one_plane, elsewhere, two_sets)
 
     def test_what_is_left_out_is_told(self):
