@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "dicom_file.h"
 #include "label_readers.h"
@@ -14,7 +15,14 @@ struct Frame {
   FramePlace place;
 };
 
+// Pixels are numbers of segments; before that kind, each segment had frames of its own.
+// Source: DICOM PS3.3, C.8.20.2 (SegmentationType LABELMAP).
+bool pixels_are_segments(const DicomFile& file) {
+  return text_of(file, DCM_SegmentationType) == "LABELMAP";
+}
+
 std::uint16_t segment_of(const DicomFile& file, std::size_t frame) {
+  if (pixels_are_segments(file)) return 0;
   const double number =
       number_of(file, frame, DCM_SegmentIdentificationSequence, DCM_ReferencedSegmentNumber);
   if (!(number >= 1 && number <= 65535)) {
@@ -94,8 +102,9 @@ void sort_by_segment(std::vector<Frame>& frames) {
     if (frames[i].segment != frames[i - 1].segment) continue;
     for (std::size_t j = i; j > 0 && frames[j - 1].segment == frames[i].segment; --j) {
       if (frames[j - 1].plane < frames[i].plane) break;
-      refuse("{}: segment {} has this plane in frame {} already: expected it once",
-             frames[i].place.plane.what, frames[i].segment, frames[j - 1].frame);
+      refuse("{}: {} this plane in frame {} already: expected it once", frames[i].place.plane.what,
+             frames[i].segment > 0 ? fmt::format("segment {} has", frames[i].segment) : "there is",
+             frames[j - 1].frame);
     }
   }
 }
@@ -107,8 +116,8 @@ double threshold(const DicomFile& file, std::vector<std::string>& notes) {
   const double most = number_of(*file.format->getDataset(), DCM_MaximumFractionalValue);
   if (kind != "FRACTIONAL" || !(most >= 1 && most <= 255)) {
     refuse(
-        "{}: SegmentationType {}, MaximumFractionalValue {}: expected BINARY, or FRACTIONAL "
-        "and 1 to 255",
+        "{}: SegmentationType {}, MaximumFractionalValue {}: expected BINARY, LABELMAP, or "
+        "FRACTIONAL and 1 to 255",
         file.path, kind, most);
   }
   notes.push_back(
@@ -118,9 +127,45 @@ double threshold(const DicomFile& file, std::vector<std::string>& notes) {
   return most / 2;
 }
 
+// What the pixels of a label map have where there is no segment.
+double background_of(const DicomFile& file) {
+  const double told = number_of(*file.format->getDataset(), DCM_PixelPaddingValue);
+  return std::isnan(told) ? 0 : told;
+}
+
+void put_label_map(const DicomFile& file, const std::vector<Frame>& frames, Stack& stack) {
+  const double background = background_of(file);
+  std::set<std::uint16_t> different;
+  for (const Frame& frame : frames) {
+    std::vector<std::uint16_t> labels = label_pixels(file, frame.frame, different);
+    for (std::uint16_t& label : labels) {
+      if (label == background) {
+        label = 0;
+      } else if (label == 0) {
+        refuse("{}: segment 0, where PixelPaddingValue is {}: expected segments from 1 on",
+               frame.place.plane.what, background);
+      }
+    }
+    put_plane(stack, frame.plane, labels);
+  }
+}
+
+void put_segments(const DicomFile& file, const std::vector<Frame>& frames, Stack& stack,
+                  std::vector<std::string>& notes) {
+  const double least = threshold(file, notes);
+  for (const Frame& frame : frames) {
+    std::vector<std::uint16_t> labels;
+    for (const std::int32_t pixel : stored_pixels(file, frame.frame)) {
+      labels.push_back(pixel >= least ? frame.segment : 0);
+    }
+    put_plane(stack, frame.plane, labels);
+  }
+}
+
 void read_names(const DicomFile& file, LabelMap& map) {
   for (DcmItem* const segment : items_of(*file.format->getDataset(), DCM_SegmentSequence)) {
     const double number = number_of(*segment, DCM_SegmentNumber);
+    if (pixels_are_segments(file) && number == background_of(file)) continue;
     if (!(number >= 1 && number <= 65535)) {
       refuse("{}: SegmentNumber {}: expected 1 to 65535", file.path, number);
     }
@@ -143,14 +188,11 @@ LabelMap read_dicom_seg(const DicomFile& file) {
   sort_by_segment(frames);
   load_pixels(file);
   std::vector<std::string> notes;
-  const double least = threshold(file, notes);
   Stack stack = sparse_stack(file.path, grid, planes, step_m);
-  for (const Frame& frame : frames) {
-    std::vector<std::uint16_t> labels;
-    for (const std::int32_t pixel : stored_pixels(file, frame.frame)) {
-      labels.push_back(pixel >= least ? frame.segment : 0);
-    }
-    put_plane(stack, frame.plane, labels);
+  if (pixels_are_segments(file)) {
+    put_label_map(file, frames, stack);
+  } else {
+    put_segments(file, frames, stack, notes);
   }
   LabelMap map = std::move(stack.map);
   map.notes.insert(map.notes.end(), notes.begin(), notes.end());

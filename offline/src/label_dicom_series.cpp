@@ -27,6 +27,11 @@ struct Folder {
   std::vector<std::string> notes;
 };
 
+// DCMTK 3.6.7 has no name for the second, Label Map Segmentation Storage.
+bool is_segmentation(const std::string& kind) {
+  return kind == UID_SegmentationStorage || kind == "1.2.840.10008.5.1.4.1.1.66.7";
+}
+
 bool is_named_dicom(const fs::path& path) {
   const std::string ending = path.extension().string();
   return ending == ".dcm" || ending == ".DCM" || ending == ".ima" || ending == ".IMA";
@@ -49,7 +54,7 @@ Folder open_folder(const std::string& folder) {
     const std::string image_type = text_of(file, DCM_ImageType);
     if (kind == UID_RTStructureSetStorage) {
       found.structures.push_back(std::move(file));
-    } else if (kind == UID_SegmentationStorage) {
+    } else if (is_segmentation(kind)) {
       found.segmentations.push_back(std::move(file));
     } else if (image_type.find("LOCALIZER") != std::string::npos) {
       found.notes.push_back(fmt::format("{}: a localizer: left out", path.string()));
@@ -179,7 +184,7 @@ LabelMap read_dicom_series(const std::string& folder) {
 LabelMap read_dicom_file(const std::string& path) {
   const DicomFile file = open_dicom(path);
   const std::string kind = text_of(file, DCM_SOPClassUID);
-  if (kind == UID_SegmentationStorage) return read_dicom_seg(file);
+  if (is_segmentation(kind)) return read_dicom_seg(file);
   if (kind == UID_RTStructureSetStorage) return read_dicom_contours(file, {});
   if (file.frames < 2) {
     refuse(

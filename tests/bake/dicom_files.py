@@ -224,6 +224,25 @@ def write_seg(path, frames, names, apart=None, kind="BINARY", change=None):
     return path
 
 
+LABELMAP = "1.2.840.10008.5.1.4.1.1.66.7"
+
+
+def write_label_map(path, slices, names, bits=8, background=0, change=None):
+    """A segmentation whose pixels are numbers of segments (PS3.3 C.8.20.2, LABELMAP), the slices as
+    they come; `background`: of pixels that have none, described as highdicom does."""
+    def as_map(file):
+        file.SOPClassUID = file.file_meta.MediaStorageSOPClassUID = LABELMAP
+        file.SegmentationType, file.PixelPaddingValue = "LABELMAP", background
+        file.SegmentSequence.insert(0, item(SegmentNumber=background, SegmentLabel="Background"))
+        for groups in file.PerFrameFunctionalGroupsSequence:
+            del groups.SegmentIdentificationSequence
+        pixels = numpy.stack([each.pixels for each in slices])
+        put_pixels(file, numpy.where(pixels > 0, pixels, background), bits=bits)
+        if change is not None:
+            change(file)
+    return write_seg(path, slices, names, kind="LABELMAP", change=as_map)
+
+
 RTSTRUCT = "1.2.840.10008.5.1.4.1.1.481.3"
 
 

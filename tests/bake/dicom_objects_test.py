@@ -119,6 +119,38 @@ class Segmentations(Conformance):
         self.cases(1, holes, spaced)
         self.cases(2, leaning, uneven)
 
+    def test_pixels_that_are_numbers_of_segments(self):
+        def with_all_planes(folder, random):
+            numbers = random.choice(numpy.arange(1, 250), 3, replace=False)
+            slices = stack(random, labels=numbers)
+            names = {int(n): f"tissue {n}" for n in numbers}
+            kept = [s for s in slices if s.pixels.any()]
+            path = dicom.write_label_map(folder / "map.dcm", shuffled(random, kept), names)
+            facts = self.check(path, held(kept, **self.rule(slices)))
+            self.assertEqual({each["label"]: each["name"] for each in facts["labels"]}, names)
+            self.check(folder, held(kept, **self.rule(slices)))
+
+        def with_wide_numbers(folder, random):
+            numbers = random.choice(numpy.arange(300, 60000), 3, replace=False)
+            slices = stack(random, labels=numbers)
+            kept = [s for s in slices if s.pixels.any()]
+            path = dicom.write_label_map(folder / "map", kept, {}, bits=16, background=65535)
+            self.check(path, held(kept, **self.rule(slices)))
+
+        def with_a_plane_twice(folder, random):
+            slices = stack(random)
+            path = dicom.write_label_map(folder / "map", slices + [slices[5]], {})
+            self.refused(path, f"frame {len(slices)}: there is this plane in frame 5 already")
+
+        def with_a_segment_0(folder, random):
+            def change(file):
+                file.PixelPaddingValue = 255
+            path = dicom.write_label_map(folder / "map", stack(random), {}, change=change)
+            self.refused(path, "expected segments from 1 on")
+
+        self.cases(3, with_all_planes, with_wide_numbers)
+        self.cases(1, with_a_plane_twice, with_a_segment_0)
+
     def test_what_contradicts_itself_is_refused(self):
         def written(folder, random, spoil, *said, change=None, apart=None):
             slices = stack(random, distances=[2.0] * 18)
