@@ -144,15 +144,16 @@ bool is_none(Vec3 v) {
   return v.x == 0 && v.y == 0 && v.z == 0;
 }
 
-// The last forces of a fade end with it, though the network end meanwhile.
+// The last forces of a fade end with it, though the network end meanwhile; and none lives longer
+// than it is ordered to.
 std::int64_t life_of(PeerDevice& peer, const Command& command) {
   if (!command.falls) peer.falls_ns = 0;
   if (command.falls && peer.falls_ns == 0) peer.falls_ns = peer.looked_ns;
-  if (!command.falls || (is_none(command.force_n) && is_none(command.torque_nm))) {
-    return kForceLifeNs;
-  }
-  const std::int64_t left_ns = peer.falls_ns + kGoneNs - taken_ns(peer);
-  return std::clamp<std::int64_t>(left_ns, 0, kForceLifeNs);
+  if (is_none(command.force_n) && is_none(command.torque_nm)) return kForceLifeNs;
+  std::int64_t left_ns = kForceLifeNs;
+  if (command.falls) left_ns = std::min(left_ns, peer.falls_ns + kGoneNs - taken_ns(peer));
+  if (command.end_ns != 0) left_ns = std::min(left_ns, command.end_ns - taken_ns(peer));
+  return std::max<std::int64_t>(left_ns, 0);
 }
 
 void write(void* self, const Command& command) {

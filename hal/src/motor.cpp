@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stylet::hal {
 namespace {
@@ -102,6 +103,26 @@ Vec3 goal(const MotorState& state, const MotorOrder& order, Vec3 ordered, Vec3 f
   return shortened(ordered, order.falls ? std::min(most, length(now)) : most);
 }
 
+// How long until nothing may be left: a microsecond early, so that no rounding leaves a rest.
+double left_s(const MotorOrder& order, std::int64_t now_ns) {
+  constexpr std::int64_t kEarlyNs = 1000;
+  if (order.end_ns == 0) return std::numeric_limits<double>::infinity();
+  return std::max(seconds(order.end_ns - kEarlyNs - now_ns), 0.0);
+}
+
+// One of the two, force or torque, a step further. Of an order that ends there is never more than
+// the slew limit takes away in time; what is more is shortened, and turns no further.
+Vec3 stepped(const MotorState& state, const MotorOrder& order, Vec3 now, Vec3 ordered, Vec3 from,
+             double most, double slew, std::int64_t passed_ns) {
+  const double endable = slew * left_s(order, state.t_ns);
+  const bool ends = length(now) > endable;
+  const Vec3 to = shortened(ends ? now : goal(state, order, ordered, from, now, most), endable);
+  // Down with the time that has passed, up no faster than step by step.
+  const bool falls = ends || state.fading || order.falls;
+  const double step_s = seconds(falls ? passed_ns : std::min(passed_ns, kMotorStepNs));
+  return approached(now, to, slew * step_s);
+}
+
 }  // namespace
 
 void motor_step(const MotorLimits& limits, MotorState& state, const MotorOrder& order, MotorCut cut,
@@ -117,17 +138,11 @@ void motor_step(const MotorLimits& limits, MotorState& state, const MotorOrder& 
     report.force_n = report.torque_nm = state.fade_force_n = state.fade_torque_nm = {};
   }
   const double most_n = limit(limits.max_force_n, 0), most_nm = limit(limits.max_torque_nm, 0);
-  // Down with the time that has passed, up no faster than step by step.
-  const bool falls = state.fading || order.falls;
-  const double step_s = seconds(falls ? passed_ns : std::min(passed_ns, kMotorStepNs));
   const double slew = limit(limits.max_slew_n_per_s, kUnknownSlewNPerS);
-  report.force_n = approached(
-      report.force_n, goal(state, order, order.force_n, state.fade_force_n, report.force_n, most_n),
-      slew * step_s);
-  report.torque_nm = approached(
-      report.torque_nm,
-      goal(state, order, order.torque_nm, state.fade_torque_nm, report.torque_nm, most_nm),
-      2 * most_nm / seconds(kMotorFadeNs) * step_s);
+  report.force_n = stepped(state, order, report.force_n, order.force_n, state.fade_force_n, most_n,
+                           slew, passed_ns);
+  report.torque_nm = stepped(state, order, report.torque_nm, order.torque_nm, state.fade_torque_nm,
+                             most_nm, 2 * most_nm / seconds(kMotorFadeNs), passed_ns);
 }
 
 }  // namespace stylet::hal

@@ -36,7 +36,8 @@ bool Relay::read(std::int64_t now_ns, Sample& sample_out) {
 }
 
 void Relay::write(const Command& command) {
-  orders_.publish({command.force_n, command.torque_nm, tick_ns_, command.arming, command.falls});
+  orders_.publish({command.force_n, command.torque_nm, tick_ns_, command.arming, command.falls,
+                   command.end_ns});
 }
 
 bool Relay::motor(MotorReport& report_out) {

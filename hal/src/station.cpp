@@ -59,6 +59,15 @@ void render(const StationConfig& config, StationState& state, std::int64_t now_n
                    faded(share, config.max_torque_nm, torque_at(newest, now_ns, at_m)));
 }
 
+// The motors know when the model's life is over: whether the guard still fades, or the station is
+// held up, nothing is left then.
+void write(const StationConfig& config, const StationState& state, const Device& device) {
+  Command command = guard_command(config.guard, state.guard, state.torque_guard);
+  const ForcePacket& newest = state.obeyed.newest;
+  command.end_ns = newest.echo_t_ns + newest.life_ns;  // none came yet: 0, which is no end
+  device.write(device.self, command);
+}
+
 }  // namespace
 
 StationConfig station_config(const DeviceInfo& info) {
@@ -91,7 +100,7 @@ void station_tick(const StationConfig& config, StationState& state, const Device
   const bool usable = guard_sample(config.guard, state.guard, answered, state.sample, now_ns);
   take_models(state, link, now_ns);
   render(config, state, now_ns);
-  device.write(device.self, guard_command(config.guard, state.guard, state.torque_guard));
+  write(config, state, device);
   if (!usable || state.guard.fault != Fault::kNone) return;
   ++state.sent.seq;
   state.sent.t_ns = now_ns;
@@ -110,7 +119,7 @@ bool station_end(const StationConfig& config, StationState& state, const Device&
   (void)device.read(device.self, now_ns, state.sample);  // a relay learns the time by it
   const bool force_gone = guard_end(config.guard, state.guard);
   const bool torque_gone = guard_end(config.guard, state.torque_guard);
-  device.write(device.self, guard_command(config.guard, state.guard, state.torque_guard));
+  write(config, state, device);
   return force_gone && torque_gone;
 }
 

@@ -243,8 +243,10 @@ struct Session {
 
   static bool read(void* self, std::int64_t tick_ns, Sample& out) {
     Session& s = *static_cast<Session*>(self);
-    s.tick_ns = tick_ns;
     if (s.draw.chance(s.trouble * 0.2)) s.stall(s.draw.ms(0.5, 40));
+    // Motors of this process go by the tick. A peer's go by the sample that is answered, which may
+    // have been taken after a stall in the tick.
+    s.order_ns = s.goes_by_samples() ? test::virtual_now_ns() : tick_ns;
     return s.device.read(s.device.self, tick_ns, out);
   }
   static void write(void* self, const Command& command) {
@@ -257,14 +259,15 @@ struct Session {
     // Before there was any force, what is over needs nobody.
     if (command.arming != s.arming && s.judge.strongest_n == 0) s.judge.acknowledged();
     s.arming = command.arming;
-    s.judge.ordered(s.tick_ns);
+    s.judge.ordered(s.order_ns);
     s.note_fault();
   }
   static bool motor(void* self, MotorReport& out) {
     Session& s = *static_cast<Session*>(self);
     return s.device.motor(s.device.self, out);
   }
-  std::int64_t tick_ns = 0;
+  std::int64_t order_ns = 0;  // of which time what the loop knows is
+  bool goes_by_samples() const { return peer != nullptr || station != nullptr; }
   std::uint32_t arming = 1;
 
   GuardState& guard() { return rig.state.hand[0].guard; }

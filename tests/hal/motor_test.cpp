@@ -36,12 +36,14 @@ struct Session {
   Stalls loop, device;
   double trouble = 0;  // share of ticks with one
   bool presses_on = false;
+  bool ends = false;  // its orders, as those of a station
   std::unique_ptr<Relay> relay = std::make_unique<Relay>();
   GuardState state = guard_start();
   std::int64_t now_ns = 1'000 * kMs, written_ns = 0;
   Vec3 written_n = {};
   // What is known from outside.
   std::int64_t loop_ns = 0;                    // of the newest order
+  std::int64_t orders_end_ns = 0;              // the latest of all
   std::int64_t fault_ns = 0;                   // since when the guard has one; 0: none
   std::int64_t failed_ns = 0;                  // the device, in the eyes of its driver
   std::uint64_t acknowledged = 0, needed = 0;  // times; what must be reached for any force
@@ -70,6 +72,7 @@ struct Session {
     device = Stalls::drawn(draw);
     trouble = draw.chance(0.5) ? 0 : draw.between(0, 0.01);
     presses_on = draw.chance(0.5);
+    ends = draw.chance(0.3);
   }
 
   void fail(const char* why) {
@@ -112,6 +115,7 @@ struct Session {
     if (force > 0 && fault_ns != 0 && since_ms(fault_ns) > kZeroMs + slack_ms) {
       return fail("force 25 ms after a fault");
     }
+    if (force > 0 && ends && now_ns >= orders_end_ns) return fail("force after the orders' end");
     if (force > 0 && failed_ns != 0 && since_ms(failed_ns) > kZeroMs) {
       return fail("force after the device had failed");
     }
@@ -148,6 +152,13 @@ struct Session {
     return {most, most * 0.2F, 0};
   }
 
+  // The sample that is answered was under way, and some answers are lost.
+  std::int64_t next_end_ns() {
+    if (!ends) return 0;
+    if (draw.chance(0.7)) orders_end_ns = std::max(orders_end_ns, now_ns + draw.ms(8, 20));
+    return std::max<std::int64_t>(orders_end_ns, 1);
+  }
+
   void note_fault(bool had) {
     const bool has = state.fault != Fault::kNone;
     if (has && !had) {
@@ -173,7 +184,8 @@ struct Session {
     (void)guard_sample(guard, state, answered, sample, now_ns);
     relay->write({.force_n = guard_force(guard, state, asked()),
                   .arming = state.arming,
-                  .falls = guard_lets_go(state)});
+                  .falls = guard_lets_go(state),
+                  .end_ns = next_end_ns()});
     if (state.arming != arming && !felt) accept();  // nobody is needed before there was a force
     loop_ns = now_ns;
     ordered = true;
@@ -203,8 +215,10 @@ struct Session {
       gone = guard_end(guard, state);
       Sample unused;
       (void)relay->read(now_ns, unused);
-      relay->write(
-          {.force_n = state.force_n, .arming = state.arming, .falls = guard_lets_go(state)});
+      relay->write({.force_n = state.force_n,
+                    .arming = state.arming,
+                    .falls = guard_lets_go(state),
+                    .end_ns = ends ? std::max<std::int64_t>(orders_end_ns, 1) : 0});
       loop_ns = now_ns;
       judge(relay->order(now_ns).force_n);
     }
@@ -336,6 +350,26 @@ TEST(Motor, AnOrderThatFallsAndComesLateIsWhereTheFadeBegins) {
   desk.step(9 * kMs);  // 6 ms old when it is seen: 4 of them fresh
   for (int i = 0; i < 8; ++i) desk.step();
   EXPECT_NEAR(size(desk.state.report.force_n), 0, 1e-6) << "10 ms of 3 N in 20 ms";
+}
+
+// Whoever orders is held up from some tick on: the order itself says when nothing may be left.
+TEST(Motor, AnOrderThatEndsIsGoneByThenWithinTheSlewLimit) {
+  for (int held_ms = 0; held_ms <= 20; ++held_ms) {
+    for (const float slew_n_per_s : {150.0F, 300.0F, 1000.0F}) {
+      Desk desk;
+      desk.limits.max_slew_n_per_s = slew_n_per_s;
+      for (int i = 0; i < 30; ++i) desk.push({2.9F, 0, 0});
+      desk.order.end_ns = desk.now_ns + 20 * kMs;
+      double last = size(desk.state.report.force_n);
+      for (int i = 1; i <= 30; ++i) {
+        const Vec3 across = {0, i < held_ms ? 2.9F : 0, 2.0F};
+        const Vec3 now_n = i < held_ms ? desk.push(across) : desk.step();
+        EXPECT_LE(std::fabs(size(now_n) - last), 1e-3 * static_cast<double>(slew_n_per_s) + 1e-6);
+        EXPECT_TRUE(i < 20 || size(now_n) == 0) << held_ms << " at " << i << ": " << size(now_n);
+        last = size(now_n);
+      }
+    }
+  }
 }
 
 TEST(Motor, WhatHasFailedIsCutAndWhatIsClosedFades) {

@@ -389,6 +389,24 @@ TEST(Peer, LastForcesOfAFadeEndWithIt) {
   }
 }
 
+// A station's order ends by a time, and a device of the station's own may be a peer, too.
+TEST(Peer, NoForceOutlivesTheEndOfItsOrder) {
+  constexpr std::int64_t kMs = 1'000'000;
+  Wire wire;
+  Sample sample;
+  wire.now_ns = 1000 * kMs;
+  for (std::int64_t left_ms = -5; left_ms <= 30; ++left_ms) {
+    wire.now_ns += kMs;
+    wire.come(5, static_cast<std::uint64_t>(left_ms + 6), wire.now_ns);
+    ASSERT_TRUE(wire.read(sample));
+    wire.device.write(wire.device.self, {.force_n = {0, 1, 0},
+                                         .max_force_n = 4,
+                                         .arming = 3,
+                                         .end_ns = wire.now_ns + left_ms * kMs});
+    EXPECT_EQ(wire.from_us.back().life_ns, std::clamp<std::int64_t>(left_ms, 0, 20) * kMs);
+  }
+}
+
 // The guard hears from the hand what it has; where that cannot be, from the model.
 TEST(Peer, TellsWhatTheHandHasAndThatItEnded) {
   Wire wire;

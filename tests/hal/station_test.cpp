@@ -102,6 +102,24 @@ TEST(Station, ModelFadesInOverATenthOfASecondAndOutInTheSecondHalfOfItsLife) {
   }
 }
 
+// Also in a fade of its own guard, and at its end: whoever renders knows when nothing may be left.
+TEST(Station, WhatItOrdersEndsWithTheModelsLife) {
+  Desk desk;
+  for (int tick = 1; tick <= 120; ++tick) {
+    ForcePacket model = desk.model({0, 1, 0});
+    model.echo_t_ns -= tick % 7 * kMs;
+    model.life_ns = kForceLifeNs - tick % 3;
+    desk.send(model);
+    desk.tick();
+    ASSERT_EQ(desk.felt.end_ns, model.echo_t_ns + model.life_ns) << tick;
+  }
+  const std::int64_t end_ns = desk.felt.end_ns;
+  desk.answers = false;
+  for (int tick = 0; tick < 10; ++tick) desk.tick();
+  EXPECT_NE(desk.state.guard.fault, Fault::kNone);
+  EXPECT_EQ(desk.felt.end_ns, end_ns);
+}
+
 TEST(Station, ForceBeyondTheLimitIsCutBeforeItFades) {
   Desk desk;
   for (int tick = 1; tick <= 120; ++tick) {

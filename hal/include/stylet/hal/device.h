@@ -37,6 +37,7 @@ struct Command {
   float max_force_n = 0;
   std::uint32_t arming = 0;  // grows each time the guard begins anew, see motor.h
   bool falls = false;        // the guard lets go: what there is must not grow
+  std::int64_t end_ns = 0;   // nothing of it is left by then, CLOCK_MONOTONIC; 0: it ages only
 };
 
 struct DeviceInfo {

@@ -4,12 +4,14 @@
 // The guard decides in the loop's time; here the time is the motors' own. Whatever loop, guard or
 // channel do, what leaves is finite, within the device's limits, and changes by at most the slew
 // limit in the time that has really passed. An order that is not renewed begins to fade after
-// kOrderFreshNs, by the largest force in kMotorFadeNs: zero within 25 ms of the last one. After
-// kOrderLifeNs, as when the thread that writes was held up for so long, it is over for good: the
-// motors are stopped, and only an order with a newer arming number, which the guard gives after
-// somebody acknowledged, moves them again. The guard learns of it by the report, and begins its
-// fades and ramps from what the motors have. A loop that is 4 to 10 ms late is felt as a dip, by
-// at most 30 % of the largest force and slewed both ways: shorter than a fault is worth.
+// kOrderFreshNs, by the largest force in kMotorFadeNs: zero within 25 ms of the last one. One that
+// ends at a time of its own, as what a station's model gives, is gone by then, whoever is held up
+// or fades meanwhile. After kOrderLifeNs, as when the thread that writes was held up for so long,
+// it is over for good: the motors are stopped, and only an order with a newer arming number, which
+// the guard gives after somebody acknowledged, moves them again. The guard learns of it by the
+// report, and begins its fades and ramps from what the motors have. A loop that is 4 to 10 ms late
+// is felt as a dip, by at most 30 % of the largest force and slewed both ways: shorter than a fault
+// is worth.
 // Promises: no allocation, no clock, no lock; the same few steps each time.
 // Units: SI, ns on CLOCK_MONOTONIC. Frame: the device's.
 #pragma once
@@ -41,6 +43,7 @@ struct MotorOrder {
   std::int64_t t_ns = 0;     // of the tick that gave it, no two alike; 0: none was given yet
   std::uint32_t arming = 0;  // the guard's, see GuardState
   bool falls = false;        // the guard lets go: what there is must not grow
+  std::int64_t end_ns = 0;   // by when nothing of it may be left; 0: it ages only
 };
 
 struct MotorReport {
