@@ -4,9 +4,9 @@
 
 usage: coverage.py EXPORT_FILE SOURCE_FOLDER EXCEPTIONS_FILE
 
-Reads what `llvm-cov export` wrote. A branch is one side of a condition; what is compiled several
-times (a template, one source for several instruction sets) is reached where any of them is. Sources
-no test program holds a line of are an error. An exception is a line
+Reads what `llvm-cov export` wrote. A branch is one side of a condition, `true` being none; what is
+compiled several times (a template, one source for several instruction sets) is reached where any of
+them is. Sources no test program holds a line of are an error. An exception is a line
     FILE | CODE | REASON
 of EXCEPTIONS_FILE: CODE is the source line as it is, without its indentation; it excuses that line
 and its branches, wherever the file has it; NO CODE excuses a source that only includes others. An
@@ -38,7 +38,7 @@ def line_counts(segments):
 
 
 def branch_sides(branches):
-    """{line: {(column, end, side): count}}, instantiations added up."""
+    """{line: {(column, end line, end column, side): count}}, instantiations added up."""
     sides = collections.defaultdict(collections.Counter)
     for line, column, end_line, end_column, true, false, *_ in branches:
         for side, count in ((True, true), (False, false)):
@@ -71,17 +71,20 @@ class Report:
         self.lines += len(lines)
         self.branches += sum(len(each) for each in branches.values())
         for line in sorted(set(lines) | set(branches)):
-            without = sum(count == 0 for count in branches.get(line, {}).values())
+            without = [f"never {str(side).lower()}: {text[line - 1][first - 1:end - 1]}"
+                       if last == line else f"never {str(side).lower()}"
+                       for (first, last, end, side), count in branches.get(line, {}).items()
+                       if count == 0 and text[line - 1][first - 1:end - 1] != "true"]
             reached = lines.get(line, 1) > 0
-            if reached and without == 0:
+            if reached and not without:
                 continue
             key = short, text[line - 1].strip()
             if key in self.exceptions:
                 self.unused.pop(key, None)
                 self.excused_lines += not reached
-                self.excused_branches += without
+                self.excused_branches += len(without)
             else:
-                what = f"{without} branches not taken" if reached else "not reached"
+                what = "; ".join(without) if reached else "not reached"
                 self.missed.append(f"{short}:{line}: {what}: {key[1]}")
 
 

@@ -1,24 +1,54 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Every line and branch of kernel/src is reached by a test, but for coverage_exceptions.txt beside
-# this script.
+# Every line and branch of kernel/src or offline/src is reached by a test, but for those listed in
+# coverage_exceptions.txt and coverage_exceptions_offline.txt beside this script.
 # Prints the totals and what is missing, and exits 0 when nothing is.
+#
+# usage: coverage.sh [kernel|offline]      (kernel unless said)
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-# Tests that together reach all there is: a minute or two.
-programs=(
-  unit_create unit_math unit_organ_open unit_state unit_surface unit_edges unit_c_api unit_odd_organ
-  coupling_continuity coupling_pools fidelity_cluster fidelity_needle_shape fuzz_organ fuzz_tick
-  insertion_bone insertion_felt insertion_layers insertion_roll insertion_several obstacle_contact
-  obstacle_gap rt_team stylet-simulator unit_sheets unit_snapshot
-)
+subject=${1:-kernel}
+# Tests that together reach all there is of a subject. Scripts run stylet-organ.
+case $subject in
+  kernel)
+    programs=(
+      unit_create unit_math unit_organ_open unit_state unit_surface unit_edges unit_c_api
+      unit_odd_organ unit_sheets unit_snapshot unit_sparse_organ coupling_abuse coupling_continuity
+      coupling_pools fidelity_cluster fidelity_needle_shape fuzz_organ fuzz_snapshot fuzz_tick
+      insertion_bone insertion_felt insertion_layers insertion_roll insertion_several
+      obstacle_contact obstacle_gap rt_team stylet-simulator
+    )
+    scripts=()
+    exceptions=$root/toolchain/coverage_exceptions.txt
+    ;;
+  offline)
+    programs=(
+      stylet-organ fuzz_label fuzz_mesh fuzz_recipe fuzz_tissues bake_reader_test bake_solid_test
+      bake_nesting_test bake_organ_test bake_damage_test bake_hull_test bake_label_format_test
+      bake_label_test bake_losses_test bake_program_test bake_quality_test
+    )
+    scripts=(dicom dicom_conformance dicom_objects label_frame outputs every_file)
+    exceptions=$root/toolchain/coverage_exceptions_offline.txt
+    ;;
+  *) die "'$subject': expected kernel or offline" "For example: toolchain/coverage.sh offline" ;;
+esac
 arguments_of() {
   case $1 in
     fuzz_*) echo "$root/tests/fuzz/seeds/${1#fuzz_}" ;;
     insertion_felt) echo --gtest_filter=Felt.* ;;
+    bake_hull_test) echo --gtest_filter=-HullTimed.* ;;
+    bake_quality_test) echo --gtest_filter=-FitTimed.* ;;
+    every_file) echo LabelMaps Meshes OrganFiles ;;
     stylet-simulator) echo --seed 2 --sessions 6 ;;
+    stylet-organ) echo --help ;;
   esac
+}
+
+# watched NAME COMMAND...: its counts join those of every other run of the same program.
+watched() {
+  LLVM_PROFILE_FILE="$build/profiles/%m.profraw" "${@:2}" >"$build/$1.log" 2>&1 ||
+    die "$1 failed" "Its output: $build/$1.log"
 }
 
 # llvm-cov asks for sources by their whole paths.
@@ -26,21 +56,23 @@ unset CCACHE_BASEDIR
 use_preset coverage
 configure
 compile "${programs[@]}"
-say "Running ${#programs[@]} test programs"
+say "Running $((${#programs[@]} + ${#scripts[@]})) test programs"
 rm -rf "$build/profiles"
 objects=()
 for program in "${programs[@]}"; do
   objects+=(-object "$build/bin/$program")
   # shellcheck disable=SC2046
-  LLVM_PROFILE_FILE="$build/profiles/$program.profraw" \
-    "$build/bin/$program" $(arguments_of "$program") >"$build/$program.log" 2>&1 ||
-    die "$program failed" "Its output: $build/$program.log"
+  watched "$program" "$build/bin/$program" $(arguments_of "$program")
+done
+export STYLET_BIN=$build/bin STYLET_SOURCE=$root
+for script in "${scripts[@]}"; do
+  # shellcheck disable=SC2046
+  watched "$script" /usr/bin/python3 "$root/tests/bake/${script}_test.py" $(arguments_of "$script")
 done
 llvm-profdata merge -sparse -o "$build/all.profdata" "$build"/profiles/*.profraw
 # The first object goes without the option.
 llvm-cov export -skip-expansions -skip-functions -instr-profile="$build/all.profdata" \
-  "${objects[@]:1}" "$root/kernel/src" >"$build/kernel.json" 2>"$build/llvm-cov.log" ||
+  "${objects[@]:1}" "$root/$subject/src" >"$build/$subject.json" 2>"$build/llvm-cov.log" ||
   die "llvm-cov failed" "$(head -n 3 "$build/llvm-cov.log")"
-say "Coverage of kernel/src"
-python3 "$root/toolchain/coverage.py" "$build/kernel.json" "$root/kernel/src" \
-  "$root/toolchain/coverage_exceptions.txt"
+say "Coverage of $subject/src"
+python3 "$root/toolchain/coverage.py" "$build/$subject.json" "$root/$subject/src" "$exceptions"

@@ -294,10 +294,9 @@ Particle new_particle(const View& view, Vec3 rest_m, Vec3 place_m, float track_m
 void refill_shares(const View& view, Particle& p) {
   StateHead& state = *view.state.head;
   if (state.cp_voxel_pool_full == 0 || p.share_count == kSharesPerParticle) return;
-  const bool paper = view.model.head->config.mode == Mode::kPaper;
   const std::uint32_t material = p.material;
   const double before = spring_energy(p);
-  renew_shares(view, p, paper ? Sharing::kTent : Sharing::kEven);
+  renew_shares(view, p, Sharing::kEven);  // a voxel a CP, as in paper mode, fills no pool
   p.material = material;
   state.friction_j += before - spring_energy(p);
 }

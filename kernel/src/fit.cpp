@@ -124,7 +124,7 @@ FitFrame fit_frame(const View& view, std::uint32_t slot, std::uint32_t row) {
   for_each_particle(all, [&](std::uint32_t index) {
     const Particle& p = particle_at(all, index);
     for (std::uint32_t i = 0; i < p.share_count; ++i) {
-      if (p.share[i].slot == slot && p.share[i].weight > 0) found = &p.share[i];
+      if (p.share[i].slot == slot) found = &p.share[i];
     }
   });
   if (found != nullptr) {

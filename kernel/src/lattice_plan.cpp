@@ -63,8 +63,9 @@ class Reached {
 };
 
 // Calls visit(x, reach of the row before, reach of the row behind) for each window of `width` nodes
-// between two voxel rows that holds a node of either. Where another stretch begins, a window of its
-// own does: the lanes left over write zeros there, which it writes over.
+// between two voxel rows. Where another stretch begins, a window of its own does: the lanes left
+// over write zeros there, which it writes over. Each holds a node of either row: fewer than kGap
+// of neither lie between two of them.
 template <typename Visit>
 void for_each_window(Runs before, Runs behind, std::uint32_t width, Visit visit) {
   Reached one(before), other(behind);
@@ -74,8 +75,7 @@ void for_each_window(Runs before, Runs behind, std::uint32_t width, Visit visit)
     for (std::uint32_t x = all.begin; x <= all.end; x = end) {
       end = one.go_to(x, std::min(x + width, all.end + 1));
       end = other.go_to(x, end);
-      const Reach a = one.lanes(x, end), b = other.lanes(x, end);
-      if ((a.lanes | b.lanes) != 0) visit(x, a, b);
+      visit(x, one.lanes(x, end), other.lanes(x, end));
     }
   }
 }

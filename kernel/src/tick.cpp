@@ -104,7 +104,7 @@ Vec3 turn_between(const Quat& a, const Quat& b) {
 bool seek_contact(const View& view, const Needle& needle, Vec3 turn, bool known_before,
                   std::uint32_t& flags) {
   NeedleState& own = *view.state.needle;
-  if (own.phase != Phase::kFree || own.handle_known == 0) return true;
+  if (own.phase != Phase::kFree) return true;
   Vec3 rest = {}, place = {};
   const Vec3 step = needle.tip_m - view.state.tip->position_m;
   const Contact contact =

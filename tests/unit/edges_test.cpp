@@ -309,6 +309,43 @@ TEST(Edges, TheContactsThatPressLeastAreLeftOut) {
   }
 }
 
+// A needle between two walls, all of whose contacts with the one are lost in the tick in which it
+// meets the other: what is kept of those makes room, and nothing is left out.
+TEST(Edges, ContactsThatAreLostMakeRoom) {
+  const auto organ = block_organ(2, 2, 2);
+  Config config = config_of(Setup::kElastic);
+  config.breathing = {};
+  config.needle[0].rods = 2 * kMaxTouches;
+  config.needle[0].bending_nm2 = 10;  // both halves lie where the handle is
+  Session session = make_session(organ->organ, config);
+  const float radius_m = config.needle[0].outer_radius_m, half_m = 0.5F * config.needle[0].length_m;
+  constexpr float kSideM = 5e-3F, kRoomM = 2e-4F, kDepthM = 1e-4F, kAtM = 0.3F, kTopM = 0.2F;
+  std::array<ObstacleConfig, 2> walls;  // beside the upper half, and beside the lower
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const float way = i == 0 ? -1 : 1;
+    make_box(walls[i], {kSideM, 0.05F, 0.49F * half_m});
+    walls[i].pose.position_m = {kAtM + way * (radius_m + kRoomM / 2 + kSideM), 0,
+                                kTopM - (i == 0 ? 0.5F : 1.5F) * half_m};
+    walls[i].stiffness_n_per_m = 10;
+    walls[i].largest_force_n = 1;
+  }
+  ASSERT_EQ(set_obstacles(session.kernel, walls), Status::kOk);
+  std::array<ObstacleTouch, kMaxTouches> touches;
+  const auto touched = [&](float x_m, std::uint32_t obstacle) {
+    const Output out = tick(session.kernel, {{{kAtM + x_m, 0, kTopM}, {1, 0, 0, 0}}, 1});
+    EXPECT_EQ(out.flags & kFlagObstaclePoolFull, 0U);
+    const std::uint32_t count = obstacle_touches(session.kernel, touches);
+    for (std::uint32_t i = 0; i < count; ++i) EXPECT_EQ(touches[i].obstacle, obstacle);
+    return count;
+  };
+  const float in_m = kRoomM / 2 + kDepthM;
+  for (int i = 0; i < 10; ++i) (void)touched(0, 0);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_GT(touched(-in_m, 0), kMaxTouches - 3) << i;
+    EXPECT_GT(touched(in_m, 1), kMaxTouches - 3) << i;
+  }
+}
+
 // A hole is entered again only along its own direction.
 TEST(Edges, AnotherDirectionIsAnotherTrack) {
   const auto organ = block_organ(6, 6, 6);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <memory>
+#include <random>
 #include <vector>
 
 #include "layout.h"
@@ -115,6 +116,75 @@ TEST(OddOrgan, NeedlesThroughHolesAndShortRows) {
     EXPECT_EQ(surface(session.kernel, places), opened->organ.vertices.size());
   }
   EXPECT_GT(inserted, 20U);
+}
+
+// Two blocks with a gap of voxels between them, and a lid over all three.
+std::unique_ptr<OpenOrgan> bridged() {
+  constexpr std::uint16_t kRow = 6, kRows = 4;  // voxels of both blocks in a row
+  TinyOrgan tiny;
+  tiny.nx = 12;
+  tiny.ny = tiny.nz = kRows;
+  tiny.fixed_faces = kLowZ;
+  tiny.materials[0].puncture_force_n = 0.05F;
+  tiny.inside = [](std::uint16_t x, std::uint16_t, std::uint16_t) { return x < 3 || x > 8; };
+  const std::unique_ptr<Owner> owner(format::GetOrgan(tiny_organ(tiny).data())->UnPack());
+  owner->vertices.clear();
+  owner->triangles.clear();
+  for (const std::uint32_t column :
+       {0U, 2U, 3U, 5U}) {  // of a row's voxels: the ends of the blocks
+    const auto fx = static_cast<std::uint16_t>(column == 0 || column == 3 ? 0 : 65535);
+    const std::uint32_t top = (kRows - 1) * kRows * kRow + column;
+    owner->vertices.emplace_back(top, fx, std::uint16_t{0}, std::uint16_t{65535}, std::uint16_t{0});
+    owner->vertices.emplace_back(top + (kRows - 1) * kRow, fx, std::uint16_t{65535},
+                                 std::uint16_t{65535}, std::uint16_t{0});
+  }
+  for (std::uint32_t quad = 0; quad < 6; quad += 2) {
+    owner->triangles.emplace_back(quad, quad + 2, quad + 3);
+    owner->triangles.emplace_back(quad, quad + 3, quad + 1);
+  }
+  owner->sphere_nodes = {{0.03F, 0.01F, 0.01F, 0.04F, 0, 6}};
+  return packed(*owner);
+}
+
+// A surface that goes on over a gap, as other tools may write it: there is nothing under it to hold
+// on to. A needle that begins there is free, however deep; one that is moved anywhere, in and out
+// of both blocks and the gap, keeps every promise.
+TEST(OddOrgan, ASurfaceOverNothingIsNotFelt) {
+  const auto opened = bridged();
+  const float length_m = Config{}.needle[0].length_m;
+  const auto at = [&](Vec3 tip_m) {
+    return Input{{{tip_m.x, tip_m.y, tip_m.z + length_m}, {1, 0, 0, 0}}, 1};
+  };
+  for (const float depth_m : {1e-4F, 1e-3F, 9e-3F}) {
+    Session session = make_session(opened->organ, Config{});
+    for (int i = 0; i < 20; ++i) {
+      const Output out = tick(session.kernel, at({0.03F, 0.01F, 0.02F - depth_m}));
+      ASSERT_EQ(out.phase, Phase::kFree) << depth_m;
+      ASSERT_EQ(dot(out.force_n, out.force_n), 0) << depth_m;
+    }
+  }
+  std::mt19937_64 random(6);
+  const auto part = [&] { return static_cast<float>(random() >> 40U) * 0x1p-24F; };
+  std::uint32_t contacts = 0, inserted = 0;
+  for (int round = 0; round < 30; ++round) {
+    Session session = make_session(opened->organ, Config{});
+    Vec3 tip_m = {0.06F * part(), 0.01F, 0.022F};
+    for (int stroke = 0; stroke < 60; ++stroke) {
+      const Vec3 to_m = {0.06F * part(), 0.002F + 0.016F * part(), 0.012F + 0.012F * part()};
+      const int ticks = 2 + static_cast<int>(30 * part());
+      const Vec3 step_m = (1 / static_cast<float>(ticks)) * (to_m - tip_m);
+      for (int i = 0; i < ticks; ++i) {
+        tip_m = tip_m + step_m;
+        const Output out = tick(session.kernel, at(tip_m));
+        const char* broken = broken_promise(session.kernel, {&out, 1});
+        ASSERT_EQ(broken, nullptr) << broken << ", round " << round << ", stroke " << stroke;
+        contacts += out.phase == Phase::kContact ? 1 : 0;
+        inserted += out.phase == Phase::kInserted ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(contacts, 0U);
+  EXPECT_GT(inserted, 0U);
 }
 
 TEST(OddOrgan, InsideEndsAtEachSideOfTheLattice) {

@@ -5,14 +5,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <functional>
 #include <limits>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "session.h"
+#include "voxel.h"
 
 namespace stylet::test {
 namespace {
@@ -130,6 +134,7 @@ TEST(Snapshot, IndicesAndCountsAreHeldAgainstTheModel) {
       {"track_current", [](const StateView& s) { s.needle->track_current = kMaxTracks; }},
       {"track not there",
        [](const StateView& s) { s.needle->track_current = s.head->track_count; }},
+      {"touch_max", [](const StateView& s) { s.needle->touch_count = s.needle->touch_max + 1; }},
       {"touch_count", [](const StateView& s) { s.needle->touch_count = kMaxTouches + 1; }},
       {"handle", [](const StateView& s) { s.needle->handle.rotation.w = 2; }},
       {"slot", [&](const StateView& s) { s.shaft->share[0].slot = c.slots; }},
@@ -143,6 +148,9 @@ TEST(Snapshot, IndicesAndCountsAreHeldAgainstTheModel) {
       {"share_count", [](const StateView& s) { s.shaft->share_count = kSharesPerParticle + 1; }},
       {"fewer shares", [](const StateView& s) { --s.shaft->share_count; }},
       {"no spring", [](const StateView& s) { s.shaft->stiffness_n_per_m = 0; }},
+      {"no full spring", [](const StateView& s) { s.shaft->full_stiffness_n_per_m = 0; }},
+      {"more than all", [](const StateView& s) { s.shaft->memory_share = 1.1F; }},
+      {"more than whole", [](const StateView& s) { s.rod_shape->step_share = 1.1; }},
       {"material", [=](const StateView& s) { s.tip->material = materials; }},
       {"rod", [](const StateView& s) { s.rod_shape->direction[3].y += 0.5; }},
       {"touch.rod", [&](const StateView& s) { s.touch->rod = view.model.rod->rods; }},
@@ -153,6 +161,8 @@ TEST(Snapshot, IndicesAndCountsAreHeldAgainstTheModel) {
       {"event.kind", [](const StateView& s) { s.event->kind = static_cast<EventKind>(7); }},
       {"event.needle", [](const StateView& s) { s.event->needle = 2; }},
       {"huge", [](const StateView& s) { s.vy[40] = 1e13F; }},
+      {"huge sum", [](const StateView& s) { s.head->friction_j = 1e300; }},
+      {"below nothing", [](const StateView& s) { s.head->max_displacement_m = -1; }},
       {"infinite", [](const StateView& s) { s.uz[40] = std::numeric_limits<float>::infinity(); }},
   };
   const std::uint64_t before = hash(t.other.kernel);
@@ -163,6 +173,56 @@ TEST(Snapshot, IndicesAndCountsAreHeldAgainstTheModel) {
         << wrong.what;
     EXPECT_EQ(hash(t.other.kernel), before) << wrong.what;
   }
+}
+
+// A row stores short holes; no particle holds on to one.
+TEST(Snapshot, NoParticleHoldsOnToAHole) {
+  TinyOrgan tiny;
+  tiny.fixed_faces = kLowZ;
+  tiny.materials[0].puncture_force_n = 0.05F;
+  tiny.inside = [](std::uint16_t x, std::uint16_t y, std::uint16_t z) {
+    return x != 6 || y != 4 || z != 4;
+  };
+  const auto organ = open_organ(tiny_organ(tiny));
+  Session session = make_session(organ->organ, Config{});
+  run(session.kernel, block_script(organ->organ, Config{}), 0, 1300);
+  const View view = view_of(session.kernel);
+  ASSERT_GT(view.state.needle->shaft_count, 0U);
+  const std::uint32_t row = row_at(view.model, 6, 4, 4);
+  ASSERT_NE(row, kNoRow);
+  std::uint32_t refused = 0;
+  for (std::uint32_t slot = 0; slot < view.model.row[row].count; ++slot) {
+    Share& share = view.state.shaft->share[0];
+    share.slot = view.model.row[row].slot + slot;
+    share.row = row;
+    const Status status = restore(session.kernel, saved_of(session.kernel));
+    refused += status == Status::kSnapshotDamaged ? 1 : 0;
+    EXPECT_EQ(status != Status::kOk, slot == 6) << slot;
+  }
+  EXPECT_EQ(refused, 1U);
+}
+
+// One of each phase goes on with the same bits; one in contact with nothing is damaged.
+TEST(Snapshot, IsTakenInEveryPhase) {
+  const auto organ = block_organ(6, 5, 8);
+  const Script script = block_script(organ->organ, Config{});
+  Session session = make_session(organ->organ, Config{});
+  Session other = make_session(organ->organ, Config{});
+  const NeedleState& own = *view_of(session.kernel).state.needle;
+  std::array<bool, 4> seen = {};
+  for (std::uint64_t i = 0; i < kCycleTicks; ++i) {
+    const Input input = scripted_input(script, i);
+    (void)tick(session.kernel, input);
+    if (i == 0 || std::exchange(seen.at(static_cast<std::size_t>(own.phase)), true)) continue;
+    ASSERT_EQ(restore(other.kernel, saved_of(session.kernel)), Status::kOk) << i;
+    (void)tick(session.kernel, scripted_input(script, ++i));
+    (void)tick(other.kernel, scripted_input(script, i));
+    ASSERT_EQ(hash(other.kernel), hash(session.kernel)) << i;
+    if (own.phase != Phase::kContact) continue;
+    view_of(other.kernel).state.tip->share_count = 0;
+    EXPECT_EQ(restore(other.kernel, saved_of(other.kernel)), Status::kSnapshotDamaged);
+  }
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), true), 4);
 }
 
 TEST(Snapshot, OneFlippedBitAnywhereIsSeen) {

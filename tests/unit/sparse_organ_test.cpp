@@ -17,6 +17,7 @@
 
 #include "layout.h"
 #include "promises.h"
+#include "runs.h"
 #include "session.h"
 #include "stylet/limits.h"
 #include "tick_work.h"
@@ -212,6 +213,52 @@ TEST(SparseOrgan, EveryVoxelIsFound) {
       const auto z = (run.z() + below(random, 3)) % opened->organ.size_z;
       const bool there = x >= 0 && all.count({static_cast<std::uint32_t>(x), y, z}) > 0;
       EXPECT_EQ(found(x, y, z), there) << x << ' ' << y << ' ' << z;
+    }
+  }
+}
+
+// So are voxels and nodes in the file, which stores runs alone.
+TEST(SparseOrgan, EveryVoxelAndNodeOfTheFileIsFound) {
+  std::mt19937_64 random(78);
+  for (int round = 0; round < 50; ++round) {
+    constexpr std::uint16_t kSpan = 9;
+    std::vector<format::Run> runs;
+    std::set<std::array<std::uint32_t, 3>> voxels, nodes;
+    const std::uint32_t often = 2 + below(random, 40);
+    for (std::uint16_t z = 0; z < kSpan; ++z) {
+      for (std::uint16_t y = 0; y < kSpan; ++y) {
+        for (std::uint16_t x = 0; x < kSpan; ++x) {
+          if (below(random, often) != 0 && (x != 8 || y != 8 || z != 8)) continue;
+          if (voxels.count({x - 1U, y, z}) > 0) {
+            const format::Run last = runs.back();
+            runs.back() = {last.x(), y, z, static_cast<std::uint16_t>(last.count() + 1)};
+          } else {
+            runs.emplace_back(x, y, z, std::uint16_t{1});
+          }
+          voxels.insert({x, y, z});
+          for (std::uint32_t corner = 0; corner < 8; ++corner) {
+            nodes.insert({x + (corner & 1U), y + (corner >> 1U & 1U), z + (corner >> 2U)});
+          }
+        }
+      }
+    }
+    const auto opened = open_organ(organ_of_runs(runs));
+    const Session session = make_session(opened->organ, Config{});
+    const View view = view_of(session.kernel);
+    for (std::uint32_t z = 0; z <= kSpan; ++z) {
+      for (std::uint32_t y = 0; y <= kSpan; ++y) {
+        for (std::uint32_t x = 0; x <= kSpan; ++x) {
+          const bool there = voxels.count({x, y, z}) > 0;
+          ASSERT_EQ(has_voxel(opened->organ, {x, x + 1}, y, z), there) << x << ' ' << y << ' ' << z;
+          ASSERT_EQ(has_node(opened->organ, x, y, z), nodes.count({x, y, z}) > 0)
+              << x << ' ' << y << ' ' << z;
+          if (y == kSpan || z == kSpan) continue;
+          const Vec3 middle = {static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F,
+                               static_cast<float>(z) + 0.5F};
+          ASSERT_EQ(inside_lattice(view, opened->organ.voxel_edge_m * middle), there)
+              << x << ' ' << y << ' ' << z;
+        }
+      }
     }
   }
 }

@@ -231,14 +231,18 @@ TEST(FindContact, FindsWhatBruteForceFindsOnADeformedSurface) {
   EXPECT_LT(spent, 1000) << "of 10 000";
 }
 
-// A needle that lies in a fine surface meets more triangles than a tick may test: counted and
-// flagged, and it goes no farther.
-TEST(FindContact, CountsWhenItsBudgetIsSpent) {
+TinyOrgan fine_plate() {
   TinyOrgan tiny;
   tiny.nx = tiny.ny = 110;
   tiny.nz = 1;
   tiny.voxel_edge_m = 2e-4F;
-  const auto organ = open_organ(tiny_organ(tiny));
+  return tiny;
+}
+
+// A needle that lies in a fine surface meets more triangles than a tick may test: counted and
+// flagged, and it goes no farther.
+TEST(FindContact, CountsWhenItsBudgetIsSpent) {
+  const auto organ = open_organ(tiny_organ(fine_plate()));
   Session session = make_session(organ->organ, Config{});
   Input input = {{{0.0215F - 0.15F, 0.011F, 2e-4F}, {0.70710678F, 0, -0.70710678F, 0}}, 1};
   float& moved_m = view_of(session.kernel).state.head->max_displacement_m;  // elsewhere
@@ -256,6 +260,32 @@ TEST(FindContact, CountsWhenItsBudgetIsSpent) {
   input.handle.position_m.z += 0.05F;  // and away from it, it is free
   for (int i = 0; i < 20; ++i) out = tick(session.kernel, input);
   EXPECT_EQ(out.flags & kFlagContactBudget, 0U);
+}
+
+// One that lies nearly in it and goes through it a drawn way behind its tip: it has met the
+// surface, or it is not known whether it has, and no third.
+TEST(FindContact, TakesWhatItFoundWithinItsBudget) {
+  const auto organ = open_organ(tiny_organ(fine_plate()));
+  Session session = make_session(organ->organ, Config{});
+  const float length_m = Config{}.needle[0].length_m;
+  std::mt19937 random(12);
+  std::uint32_t found = 0, unknown = 0;
+  for (int i = 0; i < 300; ++i) {
+    const auto part = [&] { return static_cast<float>(random() % 10000U) * 1e-4F; };
+    const float slope = 1e-3F + 5e-3F * part(), behind_m = 15e-3F * part();
+    const float turn = 0.5F * (-1.57079633F + slope);  // half of that about y
+    const Vec3 tip_m = {0.0215F, 0.011F, 2e-4F - slope * behind_m};
+    const Vec3 base_m = tip_m - length_m * Vec3{std::cos(slope), 0, -std::sin(slope)};
+    reset(session.kernel);
+    view_of(session.kernel).state.head->max_displacement_m = 1e-3F;  // elsewhere
+    const Output out = tick(session.kernel, {{base_m, {std::cos(turn), 0, std::sin(turn), 0}}, 1});
+    const bool told = (out.flags & kFlagContactBudget) != 0;
+    if (slope * behind_m < 1e-6F) continue;  // within the skin
+    EXPECT_EQ(out.phase, told ? Phase::kFree : Phase::kContact) << behind_m << ", " << slope;
+    (told ? unknown : found) += 1;
+  }
+  EXPECT_GT(found, 0U);
+  EXPECT_GT(unknown, 0U);
 }
 
 }  // namespace
