@@ -103,8 +103,16 @@ class RegularSeries(Conformance):
             self.check(write_slices(folder, slices, random), held(slices),
                        said=["what is between them"])
 
+        def thick_without_end(folder, random):
+            slices = stack(random)
+
+            def change(file, _):
+                file.SliceThickness = "1e9"
+
+            self.check(write_slices(folder, slices, random, change=change), held(slices))
+
         self.cases(3, any_order)
-        self.cases(1, backwards, many_labels, other_kind, one_slice, apart)
+        self.cases(1, backwards, many_labels, other_kind, one_slice, apart, thick_without_end)
 
     def test_every_spelling_of_pixels(self):
         def bytes_(folder, random):
@@ -168,7 +176,34 @@ class RegularSeries(Conformance):
             (folder / "README").write_text("slices of a phantom")
             self.check(folder, held(slices), said=["README: no DICOM file: left out"])
 
-        self.cases(1, localizer, text)
+        def subfolder(folder, random):
+            slices = stack(random)
+            write_slices(folder, slices, random)
+            write_slices(folder / "other", stack(random), random)
+            self.check(folder, held(slices))
+
+        def text_that_claims_to_be_dicom(folder, random):
+            for ending in (".dcm", ".DCM", ".ima", ".IMA"):
+                (folder / f"a{ending}").write_text("slices of a phantom")
+                self.refused(folder, f"a{ending}", "expected a whole DICOM file")
+                (folder / f"a{ending}").unlink()
+
+        def many_items(folder, random):  # but none in the other, in both byte orders
+            for syntax in ("1.2.840.10008.1.2.1", "1.2.840.10008.1.2.2"):
+                slices = stack(random)
+
+                def change(file, _):
+                    file.ReferencedImageSequence = dicom.Sequence(
+                        dicom.item(ReferencedFrameNumber=i) for i in range(2500))
+                    file["ReferencedImageSequence"].is_undefined_length = True
+                    for each in file.ReferencedImageSequence:
+                        each.is_undefined_length_sequence_item = bool(random.integers(2))
+
+                inner = folder / syntax
+                self.check(write_slices(inner, slices[:3], random, syntax=syntax, change=change),
+                           held(slices[:3]))
+
+        self.cases(1, localizer, text, subfolder, text_that_claims_to_be_dicom, many_items)
 
 
 @unittest.skipIf(dicom is None, "pydicom is not installed: apt-get install python3-pydicom")
@@ -294,6 +329,14 @@ class IrregularSeries(Conformance):
             file.ImageOrientationPatient = dicom.texts([*(c * first + s * second),
                                                         *(c * second - s * first)])
 
+        def leaning_columns(file):
+            first, second = numpy.array(file.ImageOrientationPatient, float).reshape(2, 3)
+            other = numpy.cos(0.05) * second + numpy.sin(0.05) * numpy.cross(first, second)
+            file.ImageOrientationPatient = dicom.texts([*first, *other])
+
+        def fewer_columns(file):
+            file.Columns -= 1
+
         def larger(file):
             file.PixelSpacing = [float(v) * 1.1 for v in file.PixelSpacing]
 
@@ -329,7 +372,21 @@ class IrregularSeries(Conformance):
 
         for case in (("aside", aside, "lies 4 mm to the side"),
                      ("turned_more", turned_more, "differs in direction"),
+                     ("leaning_columns", leaning_columns, "differs in direction"),
                      ("larger", larger, "pixels of", "expected"),
+                     ("fewer_columns", fewer_columns, "pixels: expected"),
+                     ("no_frames", setter(NumberOfFrames=0), "NumberOfFrames 0: expected 1"),
+                     ("no_rows", setter(Rows=0), "x 0 pixels: expected a slice"),
+                     ("no_columns", setter(Columns=0), "0 x", "pixels: expected a slice"),
+                     ("no_rows_of_two", setter(Rows=0, NumberOfFrames=2), "expected a slice"),
+                     ("no_columns_of_two", setter(Columns=0, NumberOfFrames=2), "expected a slice"),
+                     ("not_square", setter(ImageOrientationPatient=[1, 0, 0, 0.6, 0.8, 0]),
+                      "ImageOrientationPatient 1 0 0 0.6 0.8 0"),
+                     ("endless", setter(PixelSpacing=[1e9, 1]), "PixelSpacing 1000000000"),
+                     ("no_bits", setter(BitsStored=0), "0 of 16 bits a pixel"),
+                     ("more_bits", setter(BitsStored=20), "20 of 16 bits a pixel"),
+                     ("low_bit", setter(HighBit=3), "HighBit 3: expected 15 to 15"),
+                     ("high_bit", setter(HighBit=16), "HighBit 16: expected 15 to 15"),
                      ("no_size", setter(PixelSpacing=[0, 0]), "PixelSpacing 0"),
                      ("without_spacing", without("PixelSpacing"), "PixelSpacing nan"),
                      ("without_place", without("ImagePositionPatient"),
@@ -342,6 +399,7 @@ class IrregularSeries(Conformance):
                      ("several", several, "frame 1", "missing or twice"),
                      ("fewer_rows", fewer_rows, "pixels: expected"),
                      ("other_frame", setter(FrameOfReferenceUID="1.2.9"), "FrameOfReferenceUID"),
+                     ("no_frame", without("FrameOfReferenceUID"), "FrameOfReferenceUID : expected"),
                      ("hounsfield", hounsfield, "expected labels"),
                      ("without_pixels", without("PixelData"), "bytes are there"),
                      ("odd_bits", setter(BitsAllocated=12), "of 12 bits a pixel"),

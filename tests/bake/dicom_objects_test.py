@@ -116,7 +116,42 @@ class Segmentations(Conformance):
             path = write_seg(folder / "seg.dcm", frames, self.NAMES, apart=1.8)
             self.check(path, held(seen, alone=1.8, widest=2.7))
 
-        self.cases(1, holes, spaced)
+        def told_by_its_frames(folder, random):  # where nothing else does
+            slices = stack(random, distances=[2.3] * 20, thickness=[2.3] * 21)
+            frames, seen = segments(random, slices, self.NAMES)
+
+            def change(file):
+                del file.SharedFunctionalGroupsSequence[0].PixelMeasuresSequence[0].SliceThickness
+
+            places = sorted({round(float(s.at @ numpy.cross(s.row, s.column)), 6) for s in seen})
+            path = write_seg(folder / "seg.dcm", frames, self.NAMES, change=change)
+            if numpy.ptp(numpy.diff(places)) < 0.01:
+                self.check(path, held(seen, alone=2.3, widest=3.5))
+            first = [f for f in frames if f.segment == 3][:2]
+            two = write_seg(folder / "two.dcm", first, self.NAMES, change=change)
+            self.refused(two, "neither SpacingBetweenSlices nor SliceThickness", "expected one")
+
+        def thinner_than_apart(folder, random):  # thin slices, and nothing told
+            slices = stack(random, distances=[3.0] * 20, thickness=[1.0] * 21)
+            frames, seen = segments(random, slices, self.NAMES)
+            path = write_seg(folder / "seg.dcm", frames, self.NAMES, apart=2e6)
+            self.check(path, held(seen, alone=1.0, widest=1.5), said=["empty"])
+
+        def nameless(folder, random):
+            slices = stack(random)
+            frames, seen = segments(random, slices, self.NAMES)
+
+            def change(file):
+                for segment in file.SegmentSequence:
+                    del segment.SegmentLabel
+                del file.SegmentSequence[0].SegmentedPropertyTypeCodeSequence
+
+            path = write_seg(folder / "seg.dcm", frames, self.NAMES, change=change)
+            facts = self.check(path, held(seen, **self.rule(slices)))
+            self.assertEqual([each.get("name", "") for each in facts["labels"]],
+                             ["", "Tissue", "Tissue"])
+
+        self.cases(1, holes, spaced, told_by_its_frames, thinner_than_apart, nameless)
         self.cases(2, leaning, uneven)
 
     def test_pixels_that_are_numbers_of_segments(self):
@@ -191,7 +226,27 @@ class Segmentations(Conformance):
                 file.PixelData = file.PixelData[:-20]
             written(folder, random, lambda frames: None, "bytes of pixels", change=change)
 
-        self.cases(1, aside, twice, far, fewer, no_segment, unknown_kind, short)
+        def far_segment(folder, random):
+            def change(file):
+                group = file.PerFrameFunctionalGroupsSequence[1]
+                group.SegmentIdentificationSequence[0].ReferencedSegmentNumber = 0
+            written(folder, random, lambda frames: None, "ReferencedSegmentNumber 0", change=change)
+
+        def segment_0(folder, random):
+            def change(file):
+                file.SegmentSequence[1].SegmentNumber = 0
+            written(folder, random, lambda frames: None, "SegmentNumber 0: expected 1 to",
+                    change=change)
+
+        def fraction_of_what(folder, random):
+            for most in (0, 256):
+                def change(file):
+                    file.SegmentationType, file.MaximumFractionalValue = "FRACTIONAL", most
+                written(folder, random, lambda frames: None, f"MaximumFractionalValue {most}",
+                        change=change)
+
+        self.cases(1, aside, twice, far, fewer, no_segment, unknown_kind, short, far_segment,
+                   segment_0, fraction_of_what)
 
     def test_alone_in_a_folder_it_is_the_map(self):
         def alone(folder, random):
@@ -311,6 +366,27 @@ class StructureSets(Conformance):
             path = dicom.write_structures(folder / "rt", [(1, "Liver", drawn.contours(liver))])
             self.check(path, {1: drawn.held(liver)}, NEAR)
 
+        def sagittal_and_coronal(folder, random):  # either way around
+            for turn in ((1, 2, 0), (2, 0, 1), (2, 1, 0), (0, 2, 1)):
+                drawn = Drawn(random, frame=numpy.eye(3)[list(turn)])
+                liver = drawn.outlines(25, (3, 4))
+                path = dicom.write_structures(folder / "rt", [(1, "Liver", drawn.contours(liver))])
+                self.check(path, {1: drawn.held(liver)}, NEAR)
+
+        def wide(folder, random):  # more pixels across than there are at first
+            drawn = Drawn(random)
+            body = drawn.outlines(600, (0, 0))
+            path = dicom.write_structures(folder / "rt", [(1, "Body", drawn.contours(body))])
+            self.check(path, {1: drawn.held(body)}, NEAR, within=2)
+
+        def exclusive(folder, random):  # outer and inner by exclusive or
+            drawn = Drawn(random)
+            outer, inner = drawn.outlines(30, (0, 0)), drawn.outlines(14, (2, -1))
+            both = drawn.contours(outer) + drawn.contours(inner)
+            path = dicom.write_structures(folder / "rt.dcm", [(1, "Wall", both)],
+                                          kind="CLOSEDPLANAR_XOR")
+            self.check(path, {1: drawn.held(outer, [inner])}, NEAR)
+
         def holes(folder, random):
             drawn = Drawn(random)
             outer, inner = drawn.outlines(30, (0, 0)), drawn.outlines(14, (2, -1))
@@ -336,7 +412,7 @@ class StructureSets(Conformance):
                        said=["the smallest of them has each"])
 
         self.cases(3, oblique)
-        self.cases(1, axial, holes, keyholes, inside)
+        self.cases(1, axial, holes, keyholes, inside, sagittal_and_coronal, wide, exclusive)
 
     def on_series(self, folder, random, planes=14):
         """A series, and outlines on its slices."""
@@ -374,6 +450,12 @@ class StructureSets(Conformance):
             dicom.write_structures(folder / "rt.dcm", [(5, "x", contours)], frame="1.2.9")
             self.refused(folder, "ReferencedFrameOfReferenceUID 1.2.9")
 
+        def of_no_frame(folder, random):  # which is the only one there is
+            drawn = self.on_series(folder, random)
+            liver = drawn.outlines(24, (25, 30))
+            dicom.write_structures(folder / "rt.dcm", [(5, "x", drawn.contours(liver))], frame="")
+            self.check(folder, {5: drawn.held(liver)}, NEAR, within=0.2)
+
         def two_sets(folder, random):
             drawn = self.on_series(folder, random)
             contours = drawn.contours(drawn.outlines(20, (0, 0)))
@@ -383,7 +465,7 @@ class StructureSets(Conformance):
 
         self.cases(2, series)
         self.cases(3, closer_than_slices)
-        self.cases(1, one_plane, elsewhere, two_sets)
+        self.cases(1, one_plane, elsewhere, of_no_frame, two_sets)
 
     def test_what_is_left_out_is_told(self):
         def drawn_here_and_there(folder, random):
@@ -405,7 +487,20 @@ class StructureSets(Conformance):
             self.check(path, {1: drawn.held(liver), 2: drawn.held(other)}, NEAR,
                        said=["numbered by their order"])
 
-        self.cases(1, drawn_here_and_there, numbered_from_0)
+        def numbered_too_high(folder, random):
+            drawn = Drawn(random)
+            liver = drawn.outlines(24, (0, 0))
+            path = dicom.write_structures(folder / "rt.dcm", [(70000, "a", drawn.contours(liver))])
+            self.check(path, {1: drawn.held(liver)}, NEAR, said=["numbered by their order"])
+
+        def without_contour(folder, random):
+            drawn = Drawn(random)
+            liver = drawn.outlines(24, (0, 0))
+            path = dicom.write_structures(
+                folder / "rt.dcm", [(1, "Liver", drawn.contours(liver)), (2, "Vein", [])])
+            self.check(path, {1: drawn.held(liver)}, NEAR, said=["Vein has no closed contour"])
+
+        self.cases(1, drawn_here_and_there, numbered_from_0, numbered_too_high, without_contour)
 
     def test_what_no_plane_holds_is_refused(self):
         def written(folder, random, contours, *said, **options):
@@ -433,7 +528,33 @@ class StructureSets(Conformance):
         def points(folder, random):
             written(folder, random, lambda good: good, "no contour with an area", kind="POINT")
 
-        self.cases(1, bent, two_points, unknown, points)
+        def no_numbers(folder, random):
+            def change(file):
+                del file.ROIContourSequence[1].ContourSequence[0].ContourData
+            written(folder, random, lambda good: good, "0 numbers in ContourData", change=change)
+
+        def odd_numbers(folder, random):
+            def change(file):
+                file.ROIContourSequence[1].ContourSequence[0].ContourData.append("1")
+            written(folder, random, lambda good: good, "241 numbers in ContourData", change=change)
+
+        def far_away(folder, random):
+            written(folder, random, lambda good: [good[0] + 1e6], "Bad: contour 0: point 0")
+
+        def twice(folder, random):
+            def change(file):
+                file.StructureSetROISequence[1].ROINumber = 1
+            written(folder, random, lambda good: good, "ROINumber 1: expected it once",
+                    change=change)
+
+        def none(folder, random):
+            def change(file):
+                del file.StructureSetROISequence
+            written(folder, random, lambda good: good, "0 structures: expected 1 to",
+                    change=change)
+
+        self.cases(1, bent, two_points, unknown, points, no_numbers, odd_numbers, far_away, twice,
+                   none)
 
 
 if __name__ == "__main__":

@@ -369,6 +369,102 @@ TEST(Nifti, NumbersThatAreNoneAreNamed) {
   EXPECT_THAT(refusal_of(scratch.write("a.nii", bytes_of(n))), HasSubstr("voxel 7: nan: expected"));
 }
 
+// The same labels as each type of number, in both versions and byte orders.
+template <typename T>
+void expect_labels_as(std::mt19937& random, int datatype) {
+  const Scratch scratch;
+  for (int round = 0; round < 4; ++round) {
+    Nifti n;
+    n.datatype = datatype;
+    n.version = 1 + round % 2;
+    n.swapped = round / 2 != 0;
+    n.voxels.clear();
+    std::vector<std::uint16_t> labels;
+    for (int i = 0; i < 24; ++i) {
+      labels.push_back(static_cast<std::uint16_t>(random() % 100));
+      std::array<char, sizeof(T)> raw{};
+      const auto value = static_cast<T>(labels.back());
+      std::memcpy(raw.data(), &value, sizeof(T));
+      if (n.swapped) std::reverse(raw.begin(), raw.end());
+      n.voxels.append(raw.data(), sizeof(T));
+    }
+    EXPECT_EQ(bake::read_label_map(scratch.write("a.nii", bytes_of(n))).label, labels) << datatype;
+  }
+}
+
+TEST(Nifti, EveryTypeOfNumberHoldsLabels) {
+  std::mt19937 random(23);
+  expect_labels_as<std::uint8_t>(random, 2);
+  expect_labels_as<std::int16_t>(random, 4);
+  expect_labels_as<std::int32_t>(random, 8);
+  expect_labels_as<float>(random, 16);
+  expect_labels_as<double>(random, 64);
+  expect_labels_as<std::int8_t>(random, 256);
+  expect_labels_as<std::uint16_t>(random, 512);
+  expect_labels_as<std::uint32_t>(random, 768);
+  expect_labels_as<std::int64_t>(random, 1024);
+  expect_labels_as<std::uint64_t>(random, 1280);
+}
+
+// One word of a good header, another one.
+TEST(Nifti, HeadersOfNoVolumeAreRefused) {
+  const Scratch scratch;
+  const auto with = [&](int version, std::size_t at, auto value) {
+    Nifti n;
+    n.version = version;
+    std::string bytes = bytes_of(n);
+    std::memcpy(bytes.data() + at, &value, sizeof value);
+    return refusal_of(scratch.write("a.nii", bytes));
+  };
+  const auto dim = [&](int version, std::size_t axis, std::int16_t size) {
+    return version == 1 ? with(1, 40 + 2 * axis, size)
+                        : with(2, 16 + 8 * axis, static_cast<std::int64_t>(size));
+  };
+  for (const int version : {1, 2}) {
+    EXPECT_EQ(dim(version, 0, 3), "");
+    EXPECT_EQ(dim(version, 0, 7), "") << "seven dimensions, four of them 1";
+    EXPECT_THAT(dim(version, 0, 2), HasSubstr("2 dimensions of 1 values: expected 3 of 1"));
+    EXPECT_THAT(dim(version, 0, 8), HasSubstr("8 dimensions of 1 values: expected 3 of 1"));
+    EXPECT_THAT(dim(version, 2, 0), HasSubstr("0 values along axis 1: expected a volume"));
+    const std::size_t magic = version == 1 ? 344 : 4;
+    EXPECT_THAT(with(version, magic, 'x'), HasSubstr("expected the header of a NIfTI-1 or"));
+    Nifti n;
+    n.version = version;
+    for (const std::size_t size : {100U, 347U, version == 1 ? 351U : 539U}) {
+      const auto path = scratch.write("a.nii", bytes_of(n).substr(0, size));
+      EXPECT_THAT(refusal_of(path), HasSubstr("expected"));
+    }
+    std::string four = bytes_of(n);
+    const std::size_t first = version == 1 ? 40 : 16, step = version == 1 ? 2 : 8;
+    four[first] = 4;
+    four[first + 4 * step] = 2;
+    EXPECT_THAT(refusal_of(scratch.write("a.nii", four)), HasSubstr("2 values along axis 3"));
+    n.pixdim[2] = std::numeric_limits<double>::infinity();
+    EXPECT_THAT(refusal_of(scratch.write("a.nii", bytes_of(n))), HasSubstr("pixdim[2] inf"));
+    n = Nifti();
+    n.version = version;
+    n.sform_code = 1;
+    n.srow = {kNan, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    EXPECT_THAT(refusal_of(scratch.write("a.nii", bytes_of(n))), HasSubstr("sform: srow [nan"));
+    n.sform_code = 0;
+    n.inter = kNan;
+    EXPECT_THAT(refusal_of(scratch.write("a.nii", bytes_of(n))), HasSubstr("scl_inter nan"));
+    n.inter = 0;
+    n.extension = std::string("\0\0\0\0abcd", 8);
+    EXPECT_THAT(refusal_of(scratch.write("a.nii", bytes_of(n))), HasSubstr("extension of 0 bytes"));
+    n.extension = "abcd";
+    EXPECT_THAT(refusal_of(scratch.write("a.nii", bytes_of(n))), HasSubstr("leaves no room"));
+  }
+}
+
+TEST(Gzip, MembersFollowEachOther) {
+  const Scratch scratch;
+  const std::string whole = bytes_of(Nifti{});
+  const auto two = gzipped(whole.substr(0, 200)) + gzipped(whole.substr(200));
+  EXPECT_EQ(bake::read_label_map(scratch.write("a.nii.gz", two)).label,
+            std::vector<std::uint16_t>(24, 1));
+}
+
 TEST(Nifti, SlopesThatGiveWholeNumbersAreTaken) {
   const Scratch scratch;
   Nifti n;

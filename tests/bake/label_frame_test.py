@@ -55,6 +55,13 @@ class Case(unittest.TestCase):
         self.steps = self.turn * self.spacing
         self.origin = self.random.uniform(-300, 300, 3)
 
+    def changed(self, path, old, new):
+        """The file with one part of its header another one."""
+        whole = path.read_bytes()
+        self.assertIn(old, whole)
+        path.write_bytes(whole.replace(old, new, 1))
+        return path
+
     def run_labels(self, path):
         return subprocess.run([TOOL, "labels", "--json", path], capture_output=True, text=True,
                               timeout=60)
@@ -170,11 +177,94 @@ class Nrrd(Case):
             with self.subTest(wrong):
                 self.refused(path, "space directions: " + wrong, "expected")
 
-    def test_whole_numbers_of_eight_bytes(self):
-        path = self.write()
-        head = path.read_bytes().split(b"\n\n", 1)[0].replace(b"uint8", b"int64\nendian: little")
-        path.write_bytes(head + b"\n\n" + self.map.astype("<i8").tobytes("F"))
-        self.held(path, self.steps, self.origin)
+    def test_every_type_of_number(self):
+        for kind, name in {"i1": "int8", "u1": "unsigned char", "i2": "signed short int",
+                           "u2": "uint16", "i4": "int", "u4": "uint32_t", "i8": "int64",
+                           "u8": "unsigned long long", "f4": "float", "f8": "double"}.items():
+            for order, endian in ("<", "little"), (">", "big"):
+                path = self.write()
+                head = path.read_bytes().split(b"\n\n", 1)[0].replace(
+                    b"uint8", f"{name}\nendian: {endian}".encode())
+                path.write_bytes(head + b"\n\n" + self.map.astype(order + kind).tobytes("F"))
+                with self.subTest(name, endian=endian):
+                    self.held(path, self.steps, self.origin)
+
+    def test_voxels_in_files_of_their_own(self):
+        """By name, as a list, and numbered, a file for each plane; lines may end as in Windows."""
+        planes = [self.map[:, :, z].tobytes("F") for z in range(self.map.shape[2])]
+        head = self.write().read_bytes().split(b"\n\n", 1)[0]
+        header, last = self.folder / "a.nhdr", len(planes)
+        for name, end in (("s%03d.raw", b"\n"), ("s%3d.raw", b"\r\n"), ("s%d.raw", b"\n")):
+            names = [name % (i + 1) for i in range(last)]
+            for each, plane in zip(names, planes):
+                (self.folder / each).write_bytes(plane)
+            for data in (f"{name} 1 {last} 1", "\n".join(["LIST", *names])):
+                if " " in names[0] and data.startswith("LIST"):
+                    continue  # NRRD's lists know no blanks
+                header.write_bytes((head + b"\ndata file: " + data.encode() + b"\n")
+                                   .replace(b"\n", end))
+                with self.subTest(data):
+                    self.held(header, self.steps, self.origin)
+        for wrong in ("LIST", "s%d 1 2", "s%d 1 2 0", "s%d", "s%0012d 1 2 1", "s%d%d 1 2 1",
+                      "s% 1 2 1", "s%03 1 2 1", "s%"):
+            header.write_bytes(head + f"\ndata file: {wrong}\n".encode())
+            self.refused(header, "expected")
+
+    def test_names_of_segments_are_those_of_utf_8(self):
+        def shown(name):
+            """By Python's codec: what is no character of UTF-8, or none to be seen, is a '?'."""
+            out = ""
+            while name:
+                for size in range(1, 5):
+                    try:
+                        each = name[:size].decode()
+                        break
+                    except UnicodeDecodeError:
+                        each = None
+                out += "?" if each is None or each < " " or each == "\x7f" else each
+                name = name[size if each is not None else 1:]
+            return out.strip(" ")
+
+        near = [b"\xc3", b"\xa4", b"\xe2", b"\x82", b"\xac", b"\xf0", b"\x9f", b"\xab", b"\x80",
+                b"\xe0", b"\x9f", b"\xed", b"\xa0", b"\xf4", b"\x90", b"\xc0", b"\xff", b"\x7f",
+                "ä".encode(), "€".encode(), "\U0001fac0".encode(), "\ud7ff".encode(),
+                "\u0800".encode(), "\U00010000".encode(), "\U0010ffff".encode(), b"a", b" ", b"Z"]
+        for _ in range(200):
+            name = b"x" + b"".join(self.random.choice(numpy.array(near, object), 6)) + b"x"
+            path = self.changed(self.write(), b"\n\n", b"\nSegment0_ID:=s\nSegment0_Name:=" + name +
+                                b"\n\n")
+            done = self.run_labels(path)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            facts = json.loads(done.stdout)
+            self.assertEqual({each["label"]: each.get("name") for each in facts["labels"]}[1],
+                             shown(name), name)
+
+    def test_headers_that_say_too_little_or_too_much(self):
+        for old, new, *said in (
+                (b"NRRD0005", b"NRRD9", "expected the header of an NRRD"),
+                (b"type: uint8", b"type: block", "type: block", "expected whole or real"),
+                (b"encoding: raw", b"encoding: bzip2", "encoding: bzip2", "expected raw"),
+                (b"dimension: 3", b"dimension: 3 3", "expected as many as the dimension"),
+                (b"dimension: 3", b"dimension 3", "expected FIELD: VALUE"),
+                (b"dimension: 3", b"dimension: 3\nkinds: domain domain", "expected 3 kinds"),
+                (b"dimension: 3", b"dimension: 3\nspace dimension: 2", "expected 3"),
+                (b"dimension: 3", b"dimension: 3\nbyte skip: x", "byte skip: x", "expected"),
+                (b"dimension: 3", b"dimension: 3\a", "control character"),
+                (b"space origin: (", b"space origin: (1,2,3) (", "expected one vector"),
+                (b"space origin: (", b"space origin: 1 (", "expected vectors")):
+            with self.subTest(new):
+                self.refused(self.changed(self.write(), old, new), *said)
+        ends = "axis mins: 1 2 3", "axis maxs: 9 9 9"
+        self.refused(self.write(*ends, "centers: cell cell", space=None), "3 of cell or node")
+        self.refused(self.write("axis mins: nan 2 3", ends[1], space=None), "expected")
+
+    def test_two_segments_of_one_value_are_refused(self):
+        two = b"\nSegment0_ID:=a\nSegment1_ID:=b\n\n"
+        self.refused(self.changed(self.write(), b"\n\n", two), "label value 1 of layer 0 is a")
+        for wrong in (b"-1", b"70000", b"x", b"1.5", b""):
+            one = b"\nSegment0_ID:=a\nSegment0_LabelValue:=" + wrong + b"\n\n"
+            self.refused(self.changed(self.write(), b"\n\n", one), "Segment0_LabelValue",
+                         "expected a whole number from 0 to 65535")
 
 
 class MetaImage(Case):
@@ -252,23 +342,80 @@ class MetaImage(Case):
         self.held(self.write("ElementToIntensityFunctionSlope = 1.0",
                              "ElementToIntensityFunctionOffset = 0"), self.steps, self.origin)
 
-    def test_whole_numbers_of_eight_bytes_and_packed_without_a_size(self):
-        self.held(self.write(kind="MET_LONG_LONG", voxels=self.map.astype("<i8").tobytes("F")),
-                  self.steps, self.origin)
+    def test_every_type_of_number_and_packed_without_a_size(self):
+        for kind, name in {"i1": "CHAR", "u1": "UCHAR", "i2": "SHORT", "u2": "USHORT", "i4": "INT",
+                           "u4": "UINT", "<i4": "LONG", "<u4": "ULONG", "i8": "LONG_LONG",
+                           "u8": "ULONG_LONG", "f4": "FLOAT", "f8": "DOUBLE"}.items():
+            with self.subTest(name):
+                voxels = self.map.astype(kind).tobytes("F")
+                self.held(self.write(kind=f"MET_{name}", voxels=voxels), self.steps, self.origin)
         self.refused(self.write("CompressedData = True"), "expected CompressedDataSize")
+
+    def test_voxels_in_files_of_their_own(self):
+        planes = [self.map[:, :, z].tobytes("F") for z in range(self.map.shape[2])]
+        whole, header, last = self.write().read_bytes(), self.folder / "a.mhd", len(planes)
+        head = whole[:whole.index(b"ElementDataFile")]
+        for name in ("s%03d.raw", "s%d.raw"):
+            names = [name % (i + 1) for i in range(last)]
+            for each, plane in zip(names, planes):
+                (self.folder / each).write_bytes(plane)
+            for data in (f"{name} 1 {last} 1", "\n".join(["LIST", *names, "", ""])):
+                header.write_bytes(head + f"ElementDataFile = {data}\n".encode())
+                with self.subTest(data):
+                    self.held(header, self.steps, self.origin)
+        for wrong in ("LIST", "", "s%d 1 2 0", "s%x 1 2 1"):
+            header.write_bytes(head + f"ElementDataFile = {wrong}\n".encode())
+            self.refused(header, "expected")
+
+    def test_headers_that_say_too_little_or_too_much(self):
+        for old, new, *said in (
+                (b"NDims = 3", b"NDims 3", "expected KEY = VALUE"),
+                (b"NDims = 3", b"NDims = 3 3", "expected one number"),
+                (b"NDims = 3", b"NDims = 3\nNDims = 3", "NDims: expected it once"),
+                (b"NDims = 3\n", b"", "expected NDims and DimSize"),
+                (b"DimSize", b"DimSizes", "expected NDims and DimSize"),
+                (b"MET_UCHAR", b"MET_STRING", "MET_STRING", "expected MET_UCHAR"),
+                (b"ElementType = MET_UCHAR\n", b"", "ElementType ''", "expected MET_UCHAR"),
+                (b"NDims", b"Comment = " + b"c" * 251 + b"\nNDims", "251 characters"),
+                (b"NDims", b"Spans = " + b"1 " * 2001 + b"\nNDims", "4001 characters"),
+                (b"NDims", b"k" * 251 + b" = 1\nNDims", "expected KEY = VALUE"),
+                (b"NDims", b"Comment = \a\nNDims", "control character")):
+            with self.subTest(new):
+                self.refused(self.changed(self.write(), old, new), *said)
+        for same in (b"\n \nNDims", b"\nComment =\nNDims", b"\nCompressedData =\nNDims"):
+            self.held(self.changed(self.write(), b"\nNDims", same), self.steps, self.origin)
+        flat = self.changed(self.write(), b"NDims = 3", b"NDims = 2")
+        x, y, z = self.map.shape
+        self.refused(self.changed(flat, f"DimSize = {x} {y} {z}".encode(),
+                                  f"DimSize = {x} {y * z}".encode()), "2 dimensions: expected 3")
 
 
 class Inrimage(Case):
-    def write(self, *lines, spacing="XYZ"):
+    def write(self, *lines, spacing="XYZ", kind="u1"):
         x, y, z = self.map.shape
+        name = {"u": "unsigned fixed", "i": "signed fixed", "f": "float"}[kind[0]]
         head = ["#INRIMAGE-4#{", f"XDIM={x}", f"YDIM={y}", f"ZDIM={z}", "VDIM=1",
-                "TYPE=unsigned fixed", "PIXSIZE=8 bits", "CPU=decm", *lines]
+                f"TYPE={name}", f"PIXSIZE={8 * int(kind[1])} bits", "CPU=decm", *lines]
         head += [f"V{axis}={self.spacing['XYZ'.index(axis)]!r}" for axis in spacing]
         text = "\n".join(head) + "\n"
         path = self.folder / "a.inr"
         path.write_bytes((text + "\n" * (252 - len(text)) + "##}\n").encode() +
-                         self.map.tobytes("F"))
+                         self.map.astype("<" + kind).tobytes("F"))
         return path
+
+    def test_every_type_of_number(self):
+        self.spacing = self.spacing.astype(numpy.float32).round(4).astype(float)
+        for kind in ("u1", "i1", "u2", "i2", "u4", "i4", "f4", "f8"):
+            with self.subTest(kind):
+                self.held(self.write(kind=kind), numpy.diag(self.spacing), numpy.zeros(3), UNKNOWN)
+
+    def test_headers_that_say_too_little_or_too_much(self):
+        for old, new, *said in ((b"VDIM=1", b"VDIM=2", "one value a voxel"),
+                                (b"VDIM=1", b"VDIMS=1", "expected VDIM"),
+                                (b"XDIM=", b"XDIM=3\nXDIM=", "XDIM: expected it once"),
+                                (b"CPU=", b"C" * 256 + b"\nCPU=", "at most 255 characters")):
+            with self.subTest(new):
+                self.refused(self.changed(self.write(), old, new), *said)
 
     def test_knows_no_directions_but_a_place(self):
         self.spacing = self.spacing.astype(numpy.float32).round(4).astype(float)

@@ -618,11 +618,39 @@ TEST(Recipe, RefusesWithFileAndLine) {
       {"[contact]\nsliding = true\n", "r.toml:2: sliding: expected gaps = "},
       {"[names]\na = 1\n", "expected a table [tissues]"},
       {"[tissues]\n", "[tissues]: expected at least one"},
-      {"[tissues\n", "r.toml:"}};
+      {"[tissues\n", "r.toml:"},
+      {"tissues = 3\n", "expected a table [tissues]"},
+      {"[crop]\nmargin_mm = \"wide\"\n", "r.toml:2: margin_mm: expected a number"},
+      {"[crop]\nmargin_mm = 1001\n", "r.toml:2: margin_mm: expected a number from 0 to 1000"},
+      {"[crop]\nbeside = [1]\n", "r.toml:2: beside: expected around"},
+      {"[surface]\ntriangles = 1e4\n", "r.toml:2: triangles: expected smoothing"},
+      {"[surface]\nfaces = 10\n", "r.toml:2: faces: expected smoothing"},
+      {"[obstacles]\nrib = []\n[tissues]\nliver = [5]\n", "r.toml:2: rib: expected a list"},
+      {"[[wall]]\ntissue = \"fat\"\nthick_mm = 2\n", "[[wall]]: expected tissue"},
+      {"[[wall]]\nlayer = \"fat\"\nthickness_mm = 2\n", "[[wall]]: expected tissue"},
+      {"[[wall]]\ntissue = 3\nthickness_mm = 2\n", "[[wall]]: expected tissue"}};
   for (const auto& [text, reason] : bad) {
     const auto path = scratch.write("r.toml", text);
     EXPECT_THAT(refusal_of([&] { (void)bake::read_recipe(path); }), testing::HasSubstr(reason));
   }
+}
+
+TEST(Recipe, NamesAsManyObstaclesAsAnOrganHas) {
+  const Scratch scratch;
+  const auto with = [&](std::uint32_t count) {
+    std::string text = "[tissues]\nliver = [5]\n[obstacles]\n";
+    for (std::uint32_t i = 0; i < count; ++i) text += fmt::format("rib_{0}-a = [{1}]\n", i, i + 6);
+    return scratch.write("r.toml", text);
+  };
+  const auto read = bake::read_recipe(with(kMaxObstacles));
+  ASSERT_EQ(read.obstacles.size(), kMaxObstacles);
+  std::set<std::string> names;
+  for (const auto& each : read.obstacles) names.insert(each.name);
+  EXPECT_EQ(names.size(), kMaxObstacles);
+  EXPECT_TRUE(names.contains("rib_0-a"));
+  EXPECT_THAT(refusal_of([&] { (void)bake::read_recipe(with(kMaxObstacles + 1)); }),
+              testing::HasSubstr(fmt::format("[obstacles]: {} bodies: expected at most {}",
+                                             kMaxObstacles + 1, kMaxObstacles)));
 }
 
 // By the names of the map's file: in any order of words, all labels of that name.

@@ -7,11 +7,13 @@
 
 #include <chrono>
 #include <csignal>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "bake_support.h"
 #include "outputs.h"
+#include "refusal.h"
 
 namespace stylet::test {
 namespace {
@@ -355,6 +357,58 @@ TEST(Outputs, SignalsWaitUntilFilesAreAsTheyWereOrComplete) {
       EXPECT_EQ(all_files(scratch.folder).size(), 3U);
     }
   }
+}
+
+// What is written in one go, and what meets an obstacle only then: all as it was.
+TEST(Outputs, WhatFailsLateIsTakenBack) {
+  const Scratch scratch;
+  const auto at = [&](const char* name) { return scratch.folder / name; };
+  scratch.write("old", "as it was");
+  const auto before = all_files(scratch.folder);
+  const auto refusal = [&](const std::function<void(bake::Outputs&)>& fill) {
+    std::string said;
+    try {
+      bake::Outputs outputs;
+      fill(outputs);
+      outputs.commit();
+    } catch (const bake::Refusal& refused) {
+      said = refused.what();
+    }
+    return said;
+  };
+  // Somebody takes the folder of the last one away in between.
+  const std::string late = refusal([&](bake::Outputs& outputs) {
+    outputs.add(at("old"), std::string_view("new"));
+    outputs.add(at("fresh"), std::string_view("new"));
+    outputs.add_folder(at("deep/page/"));
+    outputs.add(at("deep/page/last"), std::string_view("new"));
+    std::filesystem::remove_all(at("deep/page"));
+  });
+  EXPECT_NE(late.find("last: cannot be written: No such file"), std::string::npos) << late;
+  EXPECT_EQ(all_files(scratch.folder), before);
+  // A file that may not grow so large, as on a full disk.
+  rlimit most{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &most), 0);
+  const rlimit small{1000, most.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  const std::string said = refusal([&](bake::Outputs& outputs) {
+    outputs.add(at("old"), std::string_view("new"));
+    outputs.add(at("large"), std::string_view(std::string(5000, 'x')));
+  });
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &most), 0);
+  (void)std::signal(SIGXFSZ, handler);
+  EXPECT_NE(said.find("large: cannot be written: File too large"), std::string::npos) << said;
+  EXPECT_EQ(all_files(scratch.folder), before);
+  // A signal that is held back, as in a build that takes long.
+  (void)std::signal(SIGHUP, [](int) {});
+  EXPECT_EQ(refusal([&](bake::Outputs& outputs) {
+              outputs.add(at("old"), std::string_view("new"));
+              (void)::raise(SIGHUP);
+            }),
+            "stopped by Hangup: nothing was written");
+  (void)std::signal(SIGHUP, SIG_DFL);
+  EXPECT_EQ(all_files(scratch.folder), before);
 }
 
 // 64 voxels of a ten-thousandth of a millimetre, and a wall of centimetres around them: the product

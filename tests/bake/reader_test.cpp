@@ -3,7 +3,9 @@
 // in.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstring>
+#include <functional>
 #include <initializer_list>
 #include <random>
 
@@ -74,6 +76,42 @@ TEST(Obj, NamesPlaceAndValueOfWhatItRefuses) {
   EXPECT_THAT(refusal("a.obj", "v 0 0 0\n"), HasSubstr("no usable face"));
 }
 
+TEST(Obj, NumbersOfPointsAreWholeAndInRange) {
+  const std::string three = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+  for (const std::string corner :
+       {"x", "1.5", "1x", "4294967295", "99999999999999999999", "+-1", "/2", "-"}) {
+    EXPECT_THAT(refusal("a.obj", three + "f 1 2 " + corner + "\n"),
+                HasSubstr("a.obj:4: '" + corner + "': expected a point index"));
+  }
+  EXPECT_THAT(refusal("a.obj", three + "f 1 2 \x7f" + std::string(50, '\xe4') + "\n"),
+              HasSubstr("a.obj:4: '" + std::string(40, '?') + "...': expected"));
+  EXPECT_EQ(read("a.obj", three + "f +1 +2 +3\n").mesh.triangles[0], (bake::Triangle{0, 1, 2}));
+}
+
+TEST(Obj, JoinsAsManyLinesAsAreContinued) {
+  std::mt19937 engine(6);
+  for (int round = 0; round < 100; ++round) {
+    std::string text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf";
+    for (const char* corner : {"1", "2", "3"}) {
+      for (auto i = engine() % 3; i > 0; --i) text += engine() % 2 == 0 ? " \\\n" : " \\\r\r\n";
+      text += std::string(" ") + corner;
+    }
+    if (engine() % 2 == 0) text += "\\";  // and nothing behind
+    EXPECT_EQ(read("a.obj", text).mesh.triangles, (std::vector{bake::Triangle{0, 1, 2}})) << text;
+  }
+}
+
+TEST(ReadMesh, TakesNoMoreThanTenThousandPointsWithoutPlace) {
+  const auto with = [](int bad) {
+    std::string text = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+    for (int i = 0; i < bad; ++i) text += "v nan 0 0\n";
+    return text + "f 1 2 3\n";
+  };
+  EXPECT_EQ(read("a.obj", with(10000)).counts.unusable_points, 10000U);
+  EXPECT_THAT(refusal("a.obj", with(10001)),
+              HasSubstr("10004: 'nan': expected finite coordinates (more than 10000"));
+}
+
 // ---- STL ----------------------------------------------------------------------------------------
 
 std::string binary_stl(std::uint32_t claimed, std::uint32_t facets, std::string header = "") {
@@ -134,6 +172,14 @@ TEST(Stl, RefusesMoreThanTheFileHolds) {
   EXPECT_EQ(read("a.stl", binary_stl(2, 2) + std::string(400, '\0')).mesh.triangles.size(), 2U);
   EXPECT_THAT(refusal("a.stl", "xx"), HasSubstr("2 bytes"));
   EXPECT_THAT(refusal("a.stl", "solid a\nvertex 0 0 0\nhello\n"), HasSubstr("a.stl:3: 'hello'"));
+}
+
+TEST(Stl, TextEndsWithItsLastLoop) {
+  EXPECT_THAT(refusal("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"),
+              HasSubstr("a.stl:4: 'end of file': expected endloop"));
+  std::string binary = "solid a" + std::string(77, '\0');
+  binary[80] = '\5';
+  EXPECT_THAT(refusal("a.stl", binary), HasSubstr("byte 80: 5: expected at most 0 triangles"));
 }
 
 TEST(Stl, NamesTheByteOfANumberThatIsNone) {
@@ -201,6 +247,86 @@ TEST(Ply, RefusesWhatTheFileCannotHold) {
   EXPECT_THAT(refusal("a.ply", "ply\nformat ascii 1.0\n"), HasSubstr("expected end_header"));
 }
 
+// Numbers of every type, in every encoding, in any order of the properties.
+TEST(Ply, ReadsEveryTypeOfNumber) {
+  const std::pair<std::vector<const char*>, std::function<void(std::string&, int, bool)>> types[] =
+      {{{"char", "int8"},
+        [](auto& s, int v, bool b) { append(s, static_cast<std::int8_t>(v), b); }},
+       {{"uchar", "uint8"},
+        [](auto& s, int v, bool b) { append(s, static_cast<std::uint8_t>(v), b); }},
+       {{"short", "int16"},
+        [](auto& s, int v, bool b) { append(s, static_cast<std::int16_t>(v), b); }},
+       {{"ushort", "uint16"},
+        [](auto& s, int v, bool b) { append(s, static_cast<std::uint16_t>(v), b); }},
+       {{"int", "int32"}, [](auto& s, int v, bool b) { append(s, v, b); }},
+       {{"uint", "uint32"},
+        [](auto& s, int v, bool b) { append(s, static_cast<std::uint32_t>(v), b); }},
+       {{"float", "float32"}, [](auto& s, int v, bool b) { append(s, static_cast<float>(v), b); }},
+       {{"double", "float64"},
+        [](auto& s, int v, bool b) { append(s, static_cast<double>(v), b); }}};
+  std::mt19937 engine(9);
+  for (int round = 0; round < 300; ++round) {
+    const bool big = engine() % 2 == 0, text = engine() % 3 == 0;
+    const auto& point = types[engine() % 8];
+    const auto &count = types[engine() % 6], &index = types[engine() % 8];
+    const auto name = [&](const auto& type) { return std::string(type.first[engine() % 2]); };
+    std::string axes = "xyzt";
+    std::shuffle(axes.begin(), axes.end(), engine);
+    std::string bytes = "ply\nformat " +
+                        std::string(text  ? "ascii"
+                                    : big ? "binary_big_endian"
+                                          : "binary_little_endian") +
+                        " 1.0\nelement nothing 0\nelement vertex 4\n";
+    for (const char axis : axes) bytes += "property " + name(point) + " " + axis + "\n";
+    bytes += "element face 1\nproperty list " + name(count) + " " + name(index) +
+             (engine() % 2 == 0 ? " vertex_index\n" : " vertex_indices\n") +
+             "property list uchar uchar flags\nend_header\n";
+    const auto put = [&](const auto& type, int value) {
+      if (text) bytes += std::to_string(value) + "\n";
+      if (!text) type.second(bytes, value, big);
+    };
+    std::vector<Vec> places;
+    for (int i = 0; i < 4; ++i) {
+      Vec place;
+      for (const char axis : axes) {
+        const int value = static_cast<int>(engine() % 100);
+        put(point, value);
+        (axis == 'x' ? place.x : axis == 'y' ? place.y : place.z) = axis == 't' ? place.z : value;
+      }
+      places.push_back(place);
+    }
+    std::vector<std::uint32_t> corners = {0, 1, 2, 3};
+    std::shuffle(corners.begin(), corners.end(), engine);
+    put(count, 3);
+    for (int i = 0; i < 3; ++i) put(index, static_cast<int>(corners[static_cast<unsigned>(i)]));
+    put(types[1], 0);
+    const ReadMesh m = read("a.ply", bytes);
+    EXPECT_EQ(m.mesh.points, places) << bytes;
+    EXPECT_EQ(m.mesh.triangles[0], (bake::Triangle{corners[0], corners[1], corners[2]})) << bytes;
+  }
+}
+
+TEST(Ply, RefusesHeadersAndIndicesThatMeanNothing) {
+  const std::string head = "ply\nformat ascii 1.0\n";
+  const std::string points = "element vertex 3\nproperty float x\nproperty float y\n";
+  const std::string faces = "element face 1\nproperty list uchar int vertex_index\nend_header\n";
+  const std::pair<std::string, const char*> bad[] = {
+      {"property float x\n", "a.ply:3: 'property': expected an element before its properties"},
+      {points + "property list float int a\n", "a.ply:6: 'list': expected an integer as its count"},
+      {"element vertex 3\n" + faces + "3 0 1 2\n", "3 points without coordinates: expected"},
+      {points + "property float z\n" + faces + "0 0 0 1 0 0 1 1 0\n3 0 1 3\n",
+       "3: expected a point"},
+      {points + "property float z\n" + faces + "0 0 0 1 0 0 1 1 0\n3 0 1 -1\n", "-1: expected a"},
+      {points + "property float z\n" + faces + "0 0 0 1 0 0 1 1 0\n3 0 1 .5\n", "0.5: expected a"},
+      {points + faces + "0 0 1 0 1 1\n3 0 1 2\n", "expected finite"}};
+  for (const auto& [text, reason] : bad) {
+    EXPECT_THAT(refusal("a.ply", head + text), HasSubstr(reason)) << text;
+  }
+  std::string binary = binary_ply(false);
+  binary[binary.size() - 1] = '\1';  // of the last index
+  EXPECT_THAT(refusal("a.ply", binary), HasSubstr("a.ply: byte "));
+}
+
 // ---- OFF ----------------------------------------------------------------------------------------
 
 TEST(Off, ReadsGluedCountsCommentsAndColours) {
@@ -216,7 +342,10 @@ TEST(Off, RefusesWithPlace) {
   EXPECT_THAT(refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 3\n"),
               HasSubstr("a.off:6: '3': expected a point index from 0 to 2"));
   EXPECT_THAT(refusal("a.off", "OFF\n3 1 0\n0 0 0\n"), HasSubstr("end of file"));
-  EXPECT_THAT(refusal("a.off", "POFF\n"), HasSubstr("expected the keyword OFF"));
+  for (const char* keyword : {"POFF\n", "nOFF 3\n", "4OFF\n", "OF\n"}) {
+    EXPECT_THAT(refusal("a.off", keyword), HasSubstr("expected the keyword OFF"));
+  }
+  EXPECT_THAT(refusal("a.off", "OFF\n-3 1 0\n"), HasSubstr("'-3': expected a number of points"));
 }
 
 TEST(Off, WrittenMeshReadsBackToTheBit) {
