@@ -57,9 +57,10 @@ Plane fit_plane(const SamplePlaces& places, std::uint64_t beyond) {
 CellWalk::CellWalk(const Claims& claims, const SamplePlaces& places, const TissueNumbers& numbers,
                    Sides sides)
     : claims_(claims), places_(places), numbers_(numbers), sides_(sides), shares_(claims.shares) {
+  // Of equal ones the first input is the strongest, as in add_claim.
   std::stable_sort(shares_.begin(), shares_.end(), [](const auto& a, const auto& b) {
-    return std::make_tuple(a.cell, a.priority, std::popcount(a.inside)) <
-           std::make_tuple(b.cell, b.priority, std::popcount(b.inside));
+    return std::make_tuple(a.cell, a.priority, std::popcount(a.inside), b.owner) <
+           std::make_tuple(b.cell, b.priority, std::popcount(b.inside), a.owner);
   });
 }
 
