@@ -104,13 +104,14 @@ void probe_device(const Device& device, double seconds, bool pushes, const Clock
     (void)guard_rearm(p.state, p.state.fault);
     out.push[i] = push(p, kWays[i], stop, out);
   }
+  GuardState torque = guard_start();
   for (bool gone = false; !gone;) {  // a fade, 20 ms at most
-    gone = guard_end(p.guard, p.state);
     p.next_ns += kPeriodNs;
+    gone = guard_end(p.guard, p.state, torque, p.next_ns);
     clock.sleep_until_ns(clock.self, p.next_ns);
     Sample unused;
     (void)device.read(device.self, p.next_ns, unused);  // a relay learns the time by it
-    device.write(device.self, guard_command(p.guard, p.state, guard_start()));
+    device.write(device.self, guard_command(p.guard, p.state, torque));
   }
   out.seconds = static_cast<double>(clock.now_ns(clock.self) - start_ns) * 1e-9;
 }

@@ -343,6 +343,16 @@ void begin_fade(GuardState& state, GuardMode mode) {
   state.fade_from_n = less ? state.motor_n : state.force_n;
 }
 
+// Towards zero; true once it is there, and the mode is one without force.
+bool ended(const GuardConfig& config, GuardState& state) {
+  const bool falls = state.mode == GuardMode::kFading || state.mode == GuardMode::kRelease;
+  if (!falls && dot(state.force_n, state.force_n) == 0) return true;
+  if (!falls) begin_fade(state, GuardMode::kRelease);
+  if (!faded(config, state)) return false;
+  state.mode = state.mode == GuardMode::kFading ? GuardMode::kFault : GuardMode::kUnarmed;
+  return true;
+}
+
 // What the dead man's button does to the mode, before the force.
 void follow_button(const GuardConfig& config, GuardState& state) {
   const bool needed = config.dead_man_button >= 0;
@@ -474,13 +484,13 @@ bool guard_lets_go(const GuardState& state) {
   return !is_armed(state.mode);
 }
 
-bool guard_end(const GuardConfig& config, GuardState& state) {
-  const bool falls = state.mode == GuardMode::kFading || state.mode == GuardMode::kRelease;
-  if (!falls && dot(state.force_n, state.force_n) == 0) return true;
-  if (!falls) begin_fade(state, GuardMode::kRelease);
-  if (!faded(config, state)) return false;
-  state.mode = state.mode == GuardMode::kFading ? GuardMode::kFault : GuardMode::kUnarmed;
-  return true;
+bool guard_end(const GuardConfig& config, GuardState& force_state, GuardState& torque_state,
+               std::int64_t now_ns) {
+  note_time(config, force_state, now_ns);  // the ticks before may have been lost in a fade
+  torque_state.step_ns = force_state.step_ns;
+  const bool force_gone = ended(config, force_state);
+  const bool torque_gone = ended(config, torque_state);
+  return force_gone && torque_gone;
 }
 
 void guard_trip(GuardState& state, Fault fault) {

@@ -262,11 +262,10 @@ void let_go(const LoopConfig& config, std::span<const Device> devices, const Clo
       HandState& hand = state.hand[i];
       Sample unused;  // a relay learns the time by it; a script is over
       if (devices[i].motor != nullptr) (void)devices[i].read(devices[i].self, grid_ns, unused);
-      const bool force_gone = guard_end(config.hand[i].guard, hand.guard);
-      const bool torque_gone = guard_end(config.hand[i].guard, hand.torque_guard);
+      const bool gone = guard_end(config.hand[i].guard, hand.guard, hand.torque_guard, grid_ns);
       devices[i].write(devices[i].self,
                        guard_command(config.hand[i].guard, hand.guard, hand.torque_guard));
-      done = done && force_gone && torque_gone;
+      done = done && gone;
     }
   }
 }

@@ -117,10 +117,9 @@ void station_tick(const StationConfig& config, StationState& state, const Device
 bool station_end(const StationConfig& config, StationState& state, const Device& device,
                  std::int64_t now_ns) {
   (void)device.read(device.self, now_ns, state.sample);  // a relay learns the time by it
-  const bool force_gone = guard_end(config.guard, state.guard);
-  const bool torque_gone = guard_end(config.guard, state.torque_guard);
+  const bool gone = guard_end(config.guard, state.guard, state.torque_guard, now_ns);
   write(config, state, device);
-  return force_gone && torque_gone;
+  return gone;
 }
 
 }  // namespace stylet::hal

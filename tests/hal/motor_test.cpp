@@ -211,8 +211,9 @@ struct Session {
   // anew.
   void reset() {
     const bool had = state.fault != Fault::kNone;
+    GuardState torque = guard_start();
     for (bool gone = false; !gone; now_ns += kMs) {
-      gone = guard_end(guard, state);
+      gone = guard_end(guard, state, torque, now_ns);
       Sample unused;
       (void)relay->read(now_ns, unused);
       relay->write({.force_n = state.force_n,
@@ -459,6 +460,30 @@ TEST(Guard, LearnsThatTheMotorsHaveStoppedAndStaysThere) {
   EXPECT_LE(size(guard_force(config, state, {2, 0, 0})), 0.5);
   for (int i = 0; i < 25; ++i) (void)guard_force(config, state, {2, 0, 0});
   EXPECT_EQ(state.mode, GuardMode::kFault);
+}
+
+// A run ends after its last ticks were lost, in the fade of a fault: that is as late as it is.
+TEST(Guard, TheEndOfARunCountsTheTimeThatWasLost) {
+  for (int lost_ms = 1; lost_ms < 30; ++lost_ms) {
+    GuardConfig config;
+    config.ramp_s = 0;
+    GuardState state = guard_start(), torque = guard_start();
+    std::int64_t now_ns = 1000 * kMs;
+    const auto tick = [&](std::uint64_t i) {
+      now_ns += kMs;
+      (void)guard_sample(config, state, true, {i + 1, now_ns, {{}, {1, 0, 0, 0}}, 0}, now_ns);
+      (void)guard_force(config, state, {2, 0, 0});
+      (void)guard_torque(config, 0.1F, state, torque, {0, 0, 0.05F});
+    };
+    for (std::uint64_t i = 0; i < 20; ++i) tick(i);
+    guard_trip(state, Fault::kTooLate);
+    const std::int64_t fault_ns = now_ns;
+    for (std::uint64_t i = 20; i < 23; ++i) tick(i);
+    now_ns += lost_ms * kMs;
+    while (!guard_end(config, state, torque, now_ns)) now_ns += kMs;
+    EXPECT_LE(now_ns - fault_ns, std::max(20, 3 + lost_ms) * kMs) << lost_ms;
+    EXPECT_EQ(size(state.force_n) + size(torque.force_n), 0) << lost_ms;
+  }
 }
 
 // The report of a peer is as old as its way is long.

@@ -21,7 +21,6 @@
 namespace stylet::test {
 namespace {
 
-constexpr std::int64_t kLookNs = 100'000;  // how often a thread looks for what it waits for
 constexpr std::int64_t kNsPerS = 1'000'000'000;
 
 struct Thread {

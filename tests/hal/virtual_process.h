@@ -14,6 +14,8 @@
 
 namespace stylet::test {
 
+constexpr std::int64_t kLookNs = 100'000;  // how often a thread looks for what it waits for
+
 struct VirtualProcess {
   // In a thread that comes to wait, before it does.
   std::function<void()> look;

@@ -165,8 +165,9 @@ void guard_motor(GuardState& state, const MotorReport& report);
 // Whether its force only falls: in a fade, or without any.
 bool guard_lets_go(const GuardState& state);
 
-// Towards zero, whatever is asked: the end of a run. True once nothing is left.
-bool guard_end(const GuardConfig& config, GuardState& state);
+// Towards zero, force and torque, whatever is asked: the end of a run. True once nothing is left.
+bool guard_end(const GuardConfig& config, GuardState& force_state, GuardState& torque_state,
+               std::int64_t now_ns);
 
 // True if the kernel may use the sample. `answered`: the device gave one at all.
 bool guard_sample(const GuardConfig& config, GuardState& state, bool answered, const Sample& sample,
