@@ -2,17 +2,20 @@
 # SPDX-License-Identifier: Apache-2.0
 """Do the tests notice a wrong line? Changes what hands depend on, one place at a time.
 
-usage: mutation.py [SUBJECT]... [--build FOLDER] [--sample N]    (guard, grip, station, organ ...)
+usage: mutation.py [SUBJECT]... [--build FOLDER] [--sample N]    (guard, organ, read_stl ...)
 
 Each mutant is one change a programmer might make by mistake: a comparison flipped, an `and` made an
 `or`, a sign, a limit by one, a clamp or a statement left out. It is compiled and the tests of its
 file run, the quick ones first, until one fails; a mutant that no test fails on has survived. The
 known survivors and why each is harmless are in mutation_survivors.txt; any other is an error.
-With --sample only so many of each file, evenly spread.
+With --sample only so many of each file, evenly spread. kernel, hal, offline: all of that folder.
+Of offline, whatever decides what anatomy or bytes come out; not its reports, pictures, timings.
 """
 import argparse
+import os
 import pathlib
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -49,7 +52,66 @@ SUBJECTS = {
                  [["unit_determinism", "--gtest_filter=*Flush*"], ["obstacle_contact"],
                   ["stylet-simulator", "--seed", "2", "--sessions", "4"], ["coupling_abuse"]]),
 }
-TIMEOUT_S = 300
+# Tests of offline, programs and scripts; those that read every file there is come last.
+RANDOM_MESHES = ["fuzz_mesh", SOURCE / "tests/fuzz/seeds/mesh"]
+RANDOM_LABELS = ["fuzz_label", SOURCE / "tests/fuzz/seeds/label"]
+REAL_MESHES = [["every_file_test.py", "Meshes"], ["bake_program_test", "--gtest_filter=Broken.*"]]
+REAL_MAPS = [["bake_label_test", "--gtest_filter=RealMaps.*"], ["every_file_test.py", "LabelMaps"]]
+MESHES = [["bake_reader_test"], RANDOM_MESHES, *REAL_MESHES]
+HEADERS = [["bake_label_format_test"], ["bake_label_test", "--gtest_filter=LabelMap.*"],
+           RANDOM_LABELS]
+FRAMES = [*HEADERS, ["label_frame_test.py"], *REAL_MAPS]
+DICOM = {each: [f"dicom_{each[0]}_test.py", each[1]] for each in (
+    ("conformance", "RegularSeries"), ("conformance", "IrregularSeries"),
+    ("objects", "Segmentations"), ("objects", "StructureSets"))}
+DICOM = {each[1]: test for each, test in DICOM.items()} | {"All": ["dicom_test.py"]}
+ORGANS = ["bake_organ_test", "--gtest_filter=-*Real*"]
+MAPS = ["bake_label_test", "--gtest_filter=LabelOrgan.*-*WholeBody*"]
+LOSSES = ["bake_losses_test", "--gtest_filter=Losses.*"]
+SHEETS = ["bake_quality_test", "--gtest_filter=Sheets.*:Gaps.*"]
+REAL_ORGANS = ["bake_organ_test", "--gtest_filter=*Real*"]
+REAL_BODY = ["bake_label_test", "--gtest_filter=Recipe.OfTotal*"]
+VOXELS = [["bake_solid_test"], ORGANS, SHEETS, MAPS, LOSSES, ["bake_nesting_test"], REAL_ORGANS]
+LABELS = [MAPS, ["bake_label_test", "--gtest_filter=Recipe.*"], LOSSES,
+          ["bake_losses_test", "--gtest_filter=Obstacles.*"], SHEETS]
+OFFLINE = {
+    **dict.fromkeys(("read_mesh", "read_stl", "read_obj", "read_off", "read_ply", "mesh_text"),
+                    MESHES),
+    **dict.fromkeys(("label_header", "label_map", "label_itk"), FRAMES),
+    **dict.fromkeys(("label_nrrd_header", "label_nrrd_frame", "label_meta_header",
+                     "label_meta_frame", "label_inr"), FRAMES),
+    "label_nifti": [*HEADERS, *REAL_MAPS],
+    "label_names": [*HEADERS, ["dicom_test.py"], *REAL_MAPS],
+    "dicom_file": [RANDOM_LABELS, *DICOM.values()],
+    "label_dicom_series": [DICOM["RegularSeries"], DICOM["All"], DICOM["IrregularSeries"],
+                           DICOM["StructureSets"]],
+    "label_stack": [DICOM["All"], DICOM["RegularSeries"], DICOM["StructureSets"],
+                    DICOM["IrregularSeries"], DICOM["Segmentations"]],
+    "label_dicom_seg": [DICOM["All"], DICOM["Segmentations"]],
+    "label_dicom_contours": [DICOM["StructureSets"], RANDOM_LABELS],
+    "label_recipe": [["fuzz_recipe", SOURCE / "tests/fuzz/seeds/recipe"],
+                     ["bake_label_test", "--gtest_filter=Recipe.*"], *LABELS],
+    "materials": [["fuzz_tissues", SOURCE / "tests/fuzz/seeds/tissues"], ORGANS,
+                  ["bake_program_test", "--gtest_filter=Program.Own*"], MAPS, REAL_BODY],
+    **dict.fromkeys(("label_organ", "label_groups", "label_bodies", "label_skin", "label_wall"),
+                    LABELS),
+    **dict.fromkeys(("hull",), [["bake_hull_test", "--gtest_filter=Hull.*"], *LABELS]),
+    **dict.fromkeys(("repair", "orient", "nesting"),
+                    [["bake_solid_test"], ["bake_nesting_test", "--gtest_filter=Nesting.*"],
+                     ORGANS, REAL_ORGANS, ["bake_quality_test", "--gtest_filter=Quality.*"]]),
+    **dict.fromkeys(("voxelize", "sample_cell", "sample_parts", "triangle_tree", "lattice",
+                     "layers", "mixed", "sheets", "gaps", "sphere_tree", "voxel_materials",
+                     "organ_shape", "attach", "crop", "write_organ", "build"), VOXELS),
+    **dict.fromkeys(("cell_walk", "losses"),
+                    [LOSSES, ["bake_losses_test", "--gtest_filter=Obstacles.*"]]),
+    "phantom": [ORGANS, ["bake_solid_test"],
+                ["bake_program_test", "--gtest_filter=Program.Phantoms*"]],
+    "outputs": [["bake_program_test", "--gtest_filter=Outputs.*:Program.Outputs*"],
+                ["outputs_test.py"]],
+}
+SUBJECTS |= {name: (f"offline/src/{name}.cpp", tests) for name, tests in OFFLINE.items()}
+BUILD = "build/release"
+MOST_BYTES = 8 << 30  # a mutant may well ask for all there is
 FLIPS = {" < ": [" <= ", " >= "], " <= ": [" < "], " > ": [" >= ", " <= "], " >= ": [" > "],
          " == ": [" != "], " != ": [" == "], " && ": [" || "], " || ": [" && "],
          " + ": [" - "], " - ": [" + "], " += ": [" -= "], "++": ["--"],
@@ -135,49 +197,84 @@ def known_survivors():
     return known
 
 
-def run(command, timeout=None):
+def run(command, timeout=None, **options):
     try:
         return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                              errors="replace", timeout=timeout)
+                              errors="replace", timeout=timeout, **options)
     except subprocess.TimeoutExpired:
         return None
 
 
-def prepare(folder, programs):
-    """A copy of the sources that can be changed, configured and built."""
+def program(test):
+    """What a test needs built."""
+    return "stylet-organ" if test[0].endswith(".py") else test[0]
+
+
+def prepare(folder, subjects):
+    """A copy of the sources that can be changed, configured as any release build, so that ccache
+    knows its objects."""
     copy = folder / "source"
-    shutil.rmtree(copy, ignore_errors=True)
-    shutil.copytree(SOURCE, copy, ignore=shutil.ignore_patterns(".git", "build"))
+    for each in copy.glob("*"):
+        if each.name != "build":
+            shutil.rmtree(each) if each.is_dir() else each.unlink()
+    shutil.copytree(SOURCE, copy, ignore=shutil.ignore_patterns(".git", "build"),
+                    dirs_exist_ok=True)
     for each, _ in SUBJECTS.values():
         (copy / each).touch()  # newer than the object of the last mutant of a subject
-    done = run(["cmake", "-G", "Ninja", "-S", copy, "-B", folder / "build",
-                "-DSTYLET_WITH_OFFLINE=OFF", "-DCMAKE_BUILD_TYPE=Release",
-                "-DCMAKE_CXX_FLAGS=-Wno-error"])
-    if done.returncode == 0:
-        done = run(["ninja", "-C", folder / "build", *programs])
+    offline = any(SUBJECTS[each][0].startswith("offline/") for each in subjects)
+    linker = "-fuse-ld=lld" if shutil.which("ld.lld") else ""
+    done = run(["cmake", "-G", "Ninja", "-S", copy, "-B", copy / BUILD,
+                f"-DSTYLET_WITH_OFFLINE={'ON' if offline else 'OFF'}",
+                "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_EXE_LINKER_FLAGS={linker}"])
     if done.returncode != 0:
-        sys.exit(done.stdout[-3000:] + "\nmutation.py: the unchanged sources do not build")
+        sys.exit(done.stdout[-3000:] + "\nmutation.py: the unchanged sources do not configure")
+    os.environ["CCACHE_BASEDIR"] = str(copy)
+    # The copy has no shared data beside it.
+    os.environ.setdefault("STYLET_DATA", str(SOURCE.parent / "shared/data"))
+    os.environ |= {"STYLET_BIN": str(copy / BUILD / "bin"), "STYLET_SOURCE": str(copy),
+                   "GTEST_FAIL_FAST": "1"}
 
 
-def killer(folder, tests):
-    """The first program that fails, `compiler`, or None where all pass."""
-    build = folder / "build"
-    if run(["ninja", "-C", build, *{test[0] for test in tests}]).returncode != 0:
-        return "compiler"
-    for test in tests:
-        done = run([build / "bin" / test[0], *test[1:]], TIMEOUT_S)
-        if done is None or done.returncode != 0:
-            return test[0]
+def passes(folder, test, timeout=None):
+    """Whether a test does."""
+    command = [folder / "source" / BUILD / "bin" / test[0], *test[1:]]
+    if test[0].endswith(".py"):
+        command = ["/usr/bin/python3", SOURCE / "tests/bake" / test[0], "--failfast", *test[1:]]
+    done = run(command, timeout, preexec_fn=lambda: resource.setrlimit(
+        resource.RLIMIT_AS, (MOST_BYTES, MOST_BYTES)))
+    return done is not None and done.returncode == 0
+
+
+def killer(folder, tests, limits_s):
+    """The first test that fails, `compiler`, or None where all pass."""
+    for test, limit_s in zip(tests, limits_s):
+        if run(["ninja", "-C", folder / "source" / BUILD, program(test)]).returncode != 0:
+            return "compiler"
+        if not passes(folder, test, limit_s):
+            return " ".join(each for each in test if isinstance(each, str))
     return None
 
 
-def check(folder, subject, sample, known):
+def limits(folder, file, tests, measured):
+    """What each test may take: ten times what it takes on the unchanged sources, and more.
+    `measured` keeps it for the next subject."""
+    for test in tests:
+        done = run(["ninja", "-C", folder / "source" / BUILD, program(test)])
+        if done.returncode != 0:
+            sys.exit(done.stdout[-3000:] + "\nmutation.py: the unchanged sources do not build")
+        if tuple(test) in measured:
+            continue
+        start = time.monotonic()
+        if not passes(folder, test):
+            sys.exit(f"mutation.py: {test} of {file} fails without a change")
+        measured[tuple(test)] = 10 + 10 * (time.monotonic() - start)
+    return [measured[tuple(test)] for test in tests]
+
+
+def check(folder, subject, sample, known, measured):
     """Survivors that nobody explained."""
     file, tests = SUBJECTS[subject]
-    programs = sorted({test[0] for test in tests})
-    prepare(folder, programs)
-    if killer(folder, tests) is not None:
-        sys.exit(f"mutation.py: the tests of {file} fail without a change")
+    limits_s = limits(folder, file, tests, measured)
     target = folder / "source" / file
     text = target.read_text()
     changes = mutations(text)
@@ -187,7 +284,7 @@ def check(folder, subject, sample, known):
     for number, change in enumerate(changes, 1):
         mutant = Mutant(text, change)
         target.write_text(mutant.text)
-        by = killer(folder, tests)
+        by = killer(folder, tests, limits_s)
         count[by or "nobody"] = count.get(by or "nobody", 0) + 1
         if by is None and (file, mutant.before, mutant.after) in known:
             explained += 1
@@ -206,18 +303,23 @@ def check(folder, subject, sample, known):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("subjects", nargs="*", help=f"of {', '.join(SUBJECTS)}; none: all")
+    parser.add_argument("subjects", nargs="*",
+                        help=f"kernel, hal, offline, or of {', '.join(SUBJECTS)}; none: all")
     parser.add_argument("--build", type=pathlib.Path, default=SOURCE / "build" / "mutation")
     parser.add_argument("--sample", type=int, default=0)
     options = parser.parse_args()
-    for each in options.subjects:
-        if each not in SUBJECTS:
-            parser.error(f"{each}: expected one of {', '.join(SUBJECTS)}")
+    subjects = []
+    for each in options.subjects or ("kernel", "hal", "offline"):
+        of_folder = [name for name, (file, _) in SUBJECTS.items() if file.startswith(each + "/")]
+        subjects += of_folder or [each]
+        if not of_folder and each not in SUBJECTS:
+            parser.error(f"{each}: expected kernel, hal, offline, or one of {', '.join(SUBJECTS)}")
     folder = options.build.resolve()
     folder.mkdir(parents=True, exist_ok=True)
-    known = known_survivors()
-    survived = [mutant for each in options.subjects or SUBJECTS
-                for mutant in check(folder, each, options.sample, known)]
+    known, measured = known_survivors(), {}
+    prepare(folder, subjects)
+    survived = [mutant for each in subjects
+                for mutant in check(folder, each, options.sample, known, measured)]
     sys.exit(1 if survived else 0)
 
 
