@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 
 #include "bake_support.h"
 #include "organ_places.h"
@@ -282,6 +283,41 @@ TEST(Lattice, HoldsEveryPointToHalfAQuantum) {
       });
       EXPECT_TRUE(from_fullest) << round;
     }
+  }
+}
+
+// A cell that two voxels share, halved along a drawn axis, and a triangle that runs along the
+// middle, a little to either side: its corners and itself hang on the voxel below it, where its
+// body is.
+TEST(Lattice, AVertexOfASharedCellHangsOnTheVoxelBelowIt) {
+  Draw draw(47);
+  for (int round = 0; round < 200; ++round) {
+    const std::size_t axis = draw.below(3);
+    const bool faces_up = draw.coin();
+    bake::Lattice lattice;
+    lattice.grid = {{draw.between(-1, 1), draw.between(-1, 1), draw.between(-1, 1)},
+                    draw.between(0.002, 0.01),
+                    {1, 1, 1}};
+    std::uint64_t low_half = 0;
+    for (unsigned bit = 0; bit < 64; ++bit) {
+      low_half |= std::uint64_t{(bit >> (2 * axis) & 3U) < 2} << bit;
+    }
+    lattice.voxel_of_cell = {1};
+    lattice.cell_of_voxel = {0, 0};
+    lattice.shared = {{0, 0, low_half, low_half}, {0, 1, ~low_half, ~low_half}};
+    const double turn = draw.between(0, 2 * std::numbers::pi);
+    std::vector<Vec> points;
+    for (int corner = 0; corner < 3; ++corner) {
+      const double at = turn + (faces_up ? 1 : -1) * corner * 2 * std::numbers::pi / 3;
+      const double across[3] = {0.5 + draw.between(-0.05, 0.05), 0.5 + 0.4 * std::cos(at),
+                                0.5 + 0.4 * std::sin(at)};
+      const Vec in_cell{across[(3 - axis) % 3], across[(4 - axis) % 3], across[(5 - axis) % 3]};
+      points.push_back(lattice.grid.origin_m + in_cell * lattice.grid.edge_m);
+    }
+    const bake::Surface surface = bake::embed(lattice, points, {{0, 1, 2}});
+    const std::uint32_t below = faces_up ? 0 : 1;
+    for (const OrganVertex& v : surface.vertices) EXPECT_EQ(v.voxel, below) << round;
+    EXPECT_EQ(surface.voxel_of[0], below) << round;
   }
 }
 
