@@ -81,8 +81,8 @@ bool has_sum_line(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::path beside = path.string() + kSumEnding;
   const std::string some = sum_line(path, {});
-  if (!std::filesystem::is_regular_file(beside, error) || error) return false;
-  if (std::filesystem::file_size(beside, error) != some.size() || error) return false;
+  if (!std::filesystem::is_regular_file(beside, error)) return false;
+  if (std::filesystem::file_size(beside, error) != some.size()) return false;
   const std::size_t digits = sha256_hex({}).size();
   const std::string text = read_file(beside);
   return text.find_first_not_of("0123456789abcdef") == digits &&

@@ -7,14 +7,11 @@ namespace stylet::bake {
 namespace {
 
 constexpr std::string_view kBlank = " \t\r\v\f";
-constexpr std::size_t kMaxPoints = 0xFFFFFFFE;
 // More than this many unreadable points is no mesh with a blemish but another kind of file.
 constexpr std::size_t kMaxBadPoints = 10'000;
 
+// Fewer points than 32 bits count: read_file takes 4 GiB, and a point that is a place 2 bytes.
 void add_checked(Collector& collector, Vec point, std::string place, std::string value) {
-  if (collector.mesh.points.size() >= kMaxPoints) {
-    refuse("{}: {}: expected fewer than {} points", collector.file, place, kMaxPoints);
-  }
   if (!finite(point)) {
     if (collector.bad_points.size() >= kMaxBadPoints) {
       refuse("{}: {}: {}: expected finite coordinates (more than {} points have none)",

@@ -258,6 +258,20 @@ class Nrrd(Case):
         self.refused(self.write(*ends, "centers: cell cell", space=None), "3 of cell or node")
         self.refused(self.write("axis mins: nan 2 3", ends[1], space=None), "expected")
 
+    def test_numbers_may_be_spelt_in_any_way(self):
+        self.spacing = numpy.array([2, 0.5, 1.25])
+        said = "spacings: \t +2\t5e-1  1.25\t "
+        self.held(self.write(said, space=None), numpy.diag(self.spacing), numpy.zeros(3), UNKNOWN)
+        for wrong in ("1x 1 1", "++1 1 1", "0x1 1 1"):
+            self.refused(self.write(f"spacings: {wrong}", space=None), "expected 3 numbers")
+
+    def test_layers_without_segments_are_refused(self):
+        path = self.write(shape=(2, *self.map.shape))
+        head, voxels = path.read_bytes().split(b"\n\n", 1)
+        path.write_bytes(head + b"\nkinds: list domain domain domain\n\n" + voxels * 2)
+        self.changed(path, b"space directions: ", b"space directions: none ")
+        self.refused(path, "2 values a voxel and 0 segments: expected labels")
+
     def test_two_segments_of_one_value_are_refused(self):
         two = b"\nSegment0_ID:=a\nSegment1_ID:=b\n\n"
         self.refused(self.changed(self.write(), b"\n\n", two), "label value 1 of layer 0 is a")
@@ -382,6 +396,11 @@ class MetaImage(Case):
                 (b"NDims", b"Comment = \a\nNDims", "control character")):
             with self.subTest(new):
                 self.refused(self.changed(self.write(), old, new), *said)
+        sized = b"DimSize = " + " ".join(map(str, self.map.shape)).encode()
+        four = self.changed(self.write(), b"NDims = 3", b"NDims = 4")
+        self.changed(four, sized, sized + b" 2")
+        four.write_bytes(four.read_bytes() + self.map.tobytes("F"))
+        self.refused(four, "expected")
         for same in (b"\n \nNDims", b"\nComment =\nNDims", b"\nCompressedData =\nNDims"):
             self.held(self.changed(self.write(), b"\nNDims", same), self.steps, self.origin)
         flat = self.changed(self.write(), b"NDims = 3", b"NDims = 2")

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "bake_support.h"
+#include "label_names.h"
 #include "label_organ.h"
 #include "refusal.h"
 
@@ -651,6 +652,17 @@ TEST(Recipe, NamesAsManyObstaclesAsAnOrganHas) {
   EXPECT_THAT(refusal_of([&] { (void)bake::read_recipe(with(kMaxObstacles + 1)); }),
               testing::HasSubstr(fmt::format("[obstacles]: {} bodies: expected at most {}",
                                              kMaxObstacles + 1, kMaxObstacles)));
+}
+
+TEST(Recipe, NamesAreTheSameInAnyOrderOfWordsAndSpelling) {
+  const std::pair<const char*, const char*> same[] = {{"Kidney, left", "left_kidney"},
+                                                      {"left--kidney ", "  Kidney (LEFT)"},
+                                                      {"Größe 2", "2 größe"},
+                                                      {"", "--"}};
+  for (const auto& [a, b] : same) EXPECT_TRUE(bake::is_same_name(a, b)) << a;
+  const std::pair<const char*, const char*> other[] = {
+      {"kidney", "left kidney"}, {"left left", "left"}, {"Gr\xc3\xb6", "Gro"}, {"a1", "a 1"}};
+  for (const auto& [a, b] : other) EXPECT_FALSE(bake::is_same_name(a, b)) << a;
 }
 
 // By the names of the map's file: in any order of words, all labels of that name.

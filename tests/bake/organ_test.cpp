@@ -374,6 +374,30 @@ TEST(Build, CropsToRegionsAndHoldsTheCut) {
   EXPECT_THROW((void)build_quietly({input_of(block, 1)}, options), bake::Refusal);
 }
 
+TEST(Build, TakesOneToAThousandInputsOfAPlausibleSize) {
+  const auto said = [](std::vector<bake::Input> inputs, const BuildOptions& options) {
+    try {
+      const Built built = build_quietly(std::move(inputs), options);
+      return built.report.warnings.empty() ? std::string() : built.report.warnings[0];
+    } catch (const bake::Refusal& refused) {
+      return std::string(refused.what());
+    }
+  };
+  const bake::Input block = input_of(bake::block_phantom({0.04, 0.02, 0.02}, 0.01), 1);
+  BuildOptions options;
+  EXPECT_EQ(said({block}, options), "");
+  EXPECT_EQ(said({}, options), "0 inputs: expected 1 to 1000");
+  EXPECT_EQ(said(std::vector(1001, block), options), "1001 inputs: expected 1 to 1000");
+  const bake::Input large = input_of(bake::block_phantom({2.1, 0.5, 0.5}, 0.1), 1);
+  options.voxel_edge_m = 0.05;
+  EXPECT_EQ(said({large}, options).find("the longest side is 2100 mm"), 0U);
+  options.most_voxels = 10;
+  EXPECT_EQ(said({large}, options), "--fit: no voxel edge up to 100 mm needs 10 voxels or less");
+  options.most_voxels = 3000;
+  options.wrap = true;
+  EXPECT_EQ(said({block}, options), "");
+}
+
 TEST(Build, SameInputSameBytes) {
   BuildOptions options;
   options.capsule = "liver_capsule";

@@ -227,6 +227,10 @@ TEST(Program, WrongUsageIsTwoRefusalIsOne) {
   const std::vector<std::vector<std::string>> refused{
       {"phantom", "ball", "--tissue", "cheese", "-o", organ},
       {"phantom", "ball", "--fix", "x>", "-o", organ},
+      {"phantom", "ball", "--fix", "x>1e999", "-o", organ},
+      {"phantom", "ball", "--fix", "x=10", "-o", organ},
+      {"phantom", "ball", "--fix", "{>10", "-o", organ},
+      {"phantom", "ball", "--fix", "none", "--fix", "x>10", "-o", organ},
       {"phantom", "ball", "--size-mm", "9,9,9", "-o", organ},
       {"phantom", "liver", "--diameter-mm", "50", "-o", organ},
       {"phantom", "ball", "--fix", "box:900,900,900,901,901,901", "-o", organ},
@@ -529,8 +533,44 @@ TEST(Program, OwnTissuesReplacePresetsOrSayWhatIsWrong) {
   expect_one_line(build_with("[gel]\npoisson_ratio = \"a\"\n").err, "own.toml:2");
   expect_one_line(build_with("[gel]\nstatic_friction_n_per_mm = 0.0\n").err, "at least coulomb");
   expect_one_line(build_with("gel = 3\n").err, "expected a table");
+  expect_one_line(build_with("[gel]\nsource = 3\n").err, "own.toml:2: source: expected a string");
   expect_one_line(build_with("[gel\n").err, "own.toml:1");
   expect_one_line(build_with("[jelly]\ndensity_kg_per_m3 = 1000\n").err, "is missing");
+}
+
+TEST(Program, FilesThatCannotBeReadAreNamed) {
+  const Scratch scratch;
+  const std::string organ = (scratch.folder / "a.organ").string();
+  const auto large = scratch.write("large.stl", "solid");
+  std::filesystem::resize_file(large, (4ULL << 30U) + 1);  // sparse
+  const std::string longest = (scratch.folder / (std::string(300, 'a') + ".stl")).string();
+  for (const auto& [path, reason] :
+       {std::pair{large.string(), "4294967297 bytes: expected at most"},
+        {longest, "File name too long: expected a readable file"}}) {
+    const Result r = run({"build", path, "-o", organ});
+    EXPECT_EQ(r.exit_code, 1);
+    expect_one_line(r.err, reason);
+  }
+}
+
+// Whatever a report says of an open mesh with faces twice, under a name that HTML would read.
+TEST(Program, ReportsSayWhatWasRepaired) {
+  const Scratch scratch;
+  const auto mesh = scratch.write(
+      "a&b<c.off",
+      "OFF\n9 12 0\n0 0 0\n50 0 0\n50 50 0\n0 50 0\n0 0 50\n50 0 50\n50 50 50\n0 50 50\n9 9 9\n"
+      "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n"
+      "3 2 7 6\n3 3 0 4\n3 0 2 1\n");
+  const auto page = scratch.folder / "page";
+  const Result r = run({"build", mesh.string(), "--units", "mm", "--voxel-mm", "10", "--report",
+                        page.string(), "-o", (scratch.folder / "a.organ").string()});
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const std::string html = slurp(page / "report.html");
+  for (const char* part : {"a&amp;b&lt;c.off", "open", "1 duplicate triangles dropped",
+                           "1 unused points dropped", "the mesh is open"}) {
+    EXPECT_NE(html.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(html.find("a&b<c"), std::string::npos);
 }
 
 TEST(Program, ChecksExplainDamage) {

@@ -270,7 +270,7 @@ TEST(Ply, ReadsEveryTypeOfNumber) {
     const auto& point = types[engine() % 8];
     const auto &count = types[engine() % 6], &index = types[engine() % 8];
     const auto name = [&](const auto& type) { return std::string(type.first[engine() % 2]); };
-    std::string axes = "xyzt";
+    std::string axes = "xyzt{";
     std::shuffle(axes.begin(), axes.end(), engine);
     std::string bytes = "ply\nformat " +
                         std::string(text  ? "ascii"
@@ -291,7 +291,9 @@ TEST(Ply, ReadsEveryTypeOfNumber) {
       for (const char axis : axes) {
         const int value = static_cast<int>(engine() % 100);
         put(point, value);
-        (axis == 'x' ? place.x : axis == 'y' ? place.y : place.z) = axis == 't' ? place.z : value;
+        (axis == 'x'   ? place.x
+         : axis == 'y' ? place.y
+                       : place.z) = axis == 't' || axis == '{' ? place.z : value;
       }
       places.push_back(place);
     }

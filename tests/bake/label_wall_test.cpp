@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// Walls around label maps where the scan cuts the patient off, and what else may be asked of an
+// organ that has one. Boxes are drawn; expected voxels are counted.
+#include "label_wall.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "bake_support.h"
+#include "label_organ.h"
+#include "organ_places.h"
+#include "random_bodies.h"
+#include "refusal.h"
+
+namespace stylet::test {
+namespace {
+
+using bake::LabelMap;
+using bake::Recipe;
+using bake::Vec;
+
+constexpr double kStepM = 1e-3;
+
+LabelMap empty_map(std::array<std::uint32_t, 3> size) {
+  LabelMap map;
+  map.size = size;
+  map.step_m = {Vec{kStepM, 0, 0}, {0, kStepM, 0}, {0, 0, kStepM}};
+  map.label.assign(std::size_t{size[0]} * size[1] * size[2], 0);
+  return map;
+}
+
+template <typename Inside>
+void fill(LabelMap& map, std::uint16_t label, Inside inside) {
+  std::size_t i = 0;
+  for (std::uint32_t z = 0; z < map.size[2]; ++z) {
+    for (std::uint32_t y = 0; y < map.size[1]; ++y) {
+      for (std::uint32_t x = 0; x < map.size[0]; ++x, ++i) {
+        if (inside(std::array{x, y, z})) map.label[i] = label;
+      }
+    }
+  }
+}
+
+bake::Built build_quietly(const LabelMap& map, const Recipe& recipe,
+                          const bake::BuildOptions& options) {
+  return bake::build_labels("map.nrrd", map, recipe, options, [](const char*, double) {});
+}
+
+// A box that reaches some sides of its map: the map grows at the others alone, and a wall of whole
+// voxels lies over the faces there, nothing at the cut.
+TEST(Wall, EndsWhereTheScanDoes) {
+  Draw draw(4);
+  for (int round = 0; round < 20; ++round) {
+    std::array<std::uint32_t, 3> size{}, low{}, high{};
+    std::array<std::array<bool, 2>, 3> cut{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      size[axis] = 20 + static_cast<std::uint32_t>(draw.below(6));
+      cut[axis] = {draw.coin(), draw.coin()};
+      low[axis] = cut[axis][0] ? 0 : 3;
+      high[axis] = size[axis] - (cut[axis][1] ? 0 : 4);
+    }
+    LabelMap map = empty_map(size);
+    fill(map, 7, [&](const auto& at) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (at[axis] < low[axis] || at[axis] >= high[axis]) return false;
+      }
+      return true;
+    });
+    constexpr std::uint32_t kThick = 4;
+    Recipe recipe = {{}, {{"gel", {7}}, {"fat", {9}}}};
+    recipe.wall = {{"fat", kThick * kStepM}};
+    const LabelMap before = map;
+    bake::add_wall(map, recipe);
+    ASSERT_EQ(recipe.groups.size(), 2U) << "fat is there already";
+    ASSERT_EQ(recipe.groups[1].labels.size(), 2U);
+    const std::uint16_t wall = recipe.groups[1].labels[1];
+    EXPECT_NE(wall, 7);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double moved = before.origin_m[axis] - map.origin_m[axis];
+      EXPECT_EQ(moved > 0, !cut[axis][0]) << axis;
+      // From the middle of a face straight out, either way.
+      for (const bool up : {false, true}) {
+        std::array<std::int64_t, 3> at{};
+        for (std::size_t i = 0; i < 3; ++i) {
+          at[i] =
+              (low[i] + high[i]) / 2 + std::lround((before.origin_m[i] - map.origin_m[i]) * 1e3);
+        }
+        std::size_t layers = 0;
+        for (at[axis] += 0; at[axis] >= 0 && at[axis] < std::int64_t{map.size[axis]};
+             at[axis] += up ? 1 : -1) {
+          const auto index =
+              static_cast<std::size_t>((at[2] * map.size[1] + at[1]) * map.size[0] + at[0]);
+          layers += map.label[index] == wall ? 1 : 0;
+        }
+        EXPECT_EQ(layers, cut[axis][up ? 1 : 0] ? 0 : kThick) << axis << up;
+      }
+    }
+  }
+}
+
+TEST(Wall, NeedsALabelThatIsFree) {
+  LabelMap map = empty_map({65535, 1, 1});
+  std::iota(map.label.begin(), map.label.end(), std::uint16_t{1});
+  Recipe recipe = {{}, {{"gel", {1}}}};
+  recipe.wall = {{"fat", 1e-3}};
+  try {
+    bake::add_wall(map, recipe);
+    ADD_FAILURE() << "accepted";
+  } catch (const bake::Refusal& refused) {
+    EXPECT_THAT(refused.what(), testing::HasSubstr("uses every label from 1 to 65535"));
+  }
+}
+
+LabelMap ball() {
+  LabelMap map = empty_map({48, 48, 48});
+  fill(map, 5, [](const auto& at) {
+    const Vec from = {at[0] - 23.3, at[1] - 23.6, at[2] - 23.9};
+    return length(from) < 16;
+  });
+  return map;
+}
+
+Recipe walled() {
+  Recipe recipe = {{}, {{"gel", {5}}}};
+  recipe.wall = {{"fat", 6e-3}};
+  return recipe;
+}
+
+// The capsule of an organ in a wall lies where the wall begins, as if the organ were bare.
+TEST(Wall, BeginsAtTheCapsule) {
+  bake::BuildOptions options;
+  options.voxel_edge_m = 3e-3;
+  options.capsule = "liver_capsule";
+  options.capsule_of = "gel";
+  options.wall = {"fat"};
+  const auto bytes = build_quietly(ball(), walled(), options).bytes;
+  const Organ organ = opened(bytes);
+  const std::vector<Cell> cells = cells_of(organ);
+  std::map<std::array<std::uint32_t, 3>, std::string> material;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    material[{cells[i].x, cells[i].y, cells[i].z}] =
+        organ_material(organ, organ.voxel_material[i]).name;
+  }
+  std::size_t capsules = 0;
+  for (const auto& [at, name] : material) {
+    if (name == "fat") continue;
+    bool beside_fat = false;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const std::uint32_t step : {1U, ~0U}) {
+        std::array<std::uint32_t, 3> next = at;
+        next[axis] += step;
+        const auto found = material.find(next);
+        beside_fat = beside_fat || (found != material.end() && found->second == "fat");
+      }
+    }
+    EXPECT_EQ(name, beside_fat ? "liver_capsule" : "gel");
+    capsules += beside_fat ? 1 : 0;
+  }
+  EXPECT_GT(capsules, 200U);
+}
+
+// Cut to a box around the organ, a wall stays where the box has it.
+TEST(Wall, IsCroppedAsTheMapIs) {
+  Recipe recipe = walled();
+  recipe.crop_around = {5};
+  recipe.crop_margin_m = 2e-3;
+  const bake::Built built = build_quietly(ball(), recipe, {});
+  // 32 voxels of the ball, and 2 at either side; the wall alone is 6 thick.
+  constexpr double kAcrossM = 36e-3;
+  const Organ organ = opened(built.bytes);
+  const auto edge_m = static_cast<double>(organ.voxel_edge_m);
+  for (const std::uint32_t size : {organ.size_x, organ.size_y, organ.size_z}) {
+    EXPECT_NEAR(size * edge_m, kAcrossM, edge_m);
+  }
+  const LabelMap map = ball();
+  EXPECT_EQ(built.report.labels[0].voxels,
+            static_cast<std::size_t>(std::count(map.label.begin(), map.label.end(), 5)));
+  EXPECT_GT(built.report.labels[1].voxels, 1000U);
+}
+
+// As many voxels as asked for, and no gap between what was split; both measured.
+TEST(LabelOrgan, IsAsFineAsItMayBeAndSplitWhereAskedFor) {
+  bake::BuildOptions options;
+  options.most_voxels = 4000;
+  options.measured = true;
+  const bake::Built fine = build_quietly(ball(), {{}, {{"gel", {5}}}}, options);
+  const auto swept = opened(fine.bytes).voxel_count;
+  EXPECT_LE(swept, 4000U);
+  EXPECT_GT(swept, 1500U);
+  LabelMap two = empty_map({40, 20, 20});
+  fill(two, 1, [](const auto& at) { return at[0] > 2 && at[0] < 19 && at[1] > 2 && at[1] < 17; });
+  fill(two, 2, [](const auto& at) { return at[0] > 19 && at[0] < 37 && at[1] > 2 && at[1] < 17; });
+  options.most_voxels = 0;
+  options.voxel_edge_m = 4.3e-3;
+  const Recipe halves = {{}, {{"gel", {1}}, {"liver", {2}}}};
+  EXPECT_GT(build_quietly(two, halves, options).report.closed_gaps, 0U);
+  options.split = true;
+  EXPECT_EQ(build_quietly(two, halves, options).report.closed_gaps, 0U);
+}
+
+TEST(LabelOrgan, HasAtMostAsManyTissuesAsABytesNumbers) {
+  Recipe recipe;
+  for (std::uint16_t i = 1; i <= 256; ++i) recipe.groups.push_back({"gel", {i}});
+  try {
+    (void)build_quietly(ball(), recipe, {});
+    ADD_FAILURE() << "accepted";
+  } catch (const bake::Refusal& refused) {
+    EXPECT_STREQ(refused.what(), "256 tissues: expected at most 255");
+  }
+}
+
+}  // namespace
+}  // namespace stylet::test
