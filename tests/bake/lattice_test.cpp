@@ -10,6 +10,8 @@
 #include "bake_support.h"
 #include "organ_places.h"
 #include "random_bodies.h"
+#include "sample_cell.h"
+#include "sheets.h"
 #include "sphere_tree.h"
 
 namespace stylet::test {
@@ -319,6 +321,57 @@ TEST(Lattice, AVertexOfASharedCellHangsOnTheVoxelBelowIt) {
     for (const OrganVertex& v : surface.vertices) EXPECT_EQ(v.voxel, below) << round;
     EXPECT_EQ(surface.voxel_of[0], below) << round;
   }
+}
+
+// Plates thinner than their distance, several through one cell, drawn and turned: each quarter of a
+// cell that voxels share is that of the voxel whose samples are nearest to its middle.
+TEST(Lattice, QuartersOfASharedCellGoToTheNearestSamples) {
+  Draw draw(48);
+  bake::SamplePlaces places;
+  for (std::uint32_t i = 0; i < 64; ++i) places[i] = bake::sample_point(i);
+  int three = 0;
+  for (int round = 0; round < 6; ++round) {
+    const std::array<Vec, 3> frame = random_frame(draw);
+    bake::Mesh plates;
+    for (int i = 0; i < 4; ++i) {
+      const Vec low{-5 + draw.between(0, 1), -5 + draw.between(0, 1), 1.3 * i};
+      append(plates, box_mesh(low, {5, 5, low.z + draw.between(0.6, 0.75)}));
+    }
+    plates = turned(plates, frame);
+    const Grid grid = bake::make_grid(bake::bounds(plates), 1.5);
+    Claims claims = bake::no_claims(grid);
+    bake::add_claim(claims, bake::voxelize(grid, bake::repair(plates), [](const char*, double) {}),
+                    0, {0});
+    const bake::Lattice lattice =
+        bake::split_parts(claims, places, bake::make_lattice(claims, plates.points));
+    std::map<std::size_t, std::vector<bake::SharedCell>> cells;
+    for (const bake::SharedCell& each : lattice.shared) cells[each.cell].push_back(each);
+    for (const auto& [cell, parts] : cells) {
+      std::uint64_t all = 0;
+      bool known = true;
+      for (const bake::SharedCell& part : parts) {
+        EXPECT_EQ(all & part.quarters, 0U);
+        all |= part.quarters;
+        known = known && part.inside != 0;
+      }
+      EXPECT_EQ(all, kAll) << round << " " << parts.size();
+      three += parts.size() > 2 ? 1 : 0;
+      for (unsigned q = 0; q < 64 && known; ++q) {
+        const Vec middle = Vec{q % 4 + 0.5, q / 4 % 4 + 0.5, q / 16 + 0.5} * 0.25;
+        double nearest = 9, own = 9;
+        for (const bake::SharedCell& part : parts) {
+          for (unsigned s = 0; s < 64; ++s) {
+            if ((part.inside >> s & 1U) == 0) continue;
+            const double away = bake::length(places[s] - middle);
+            nearest = std::min(nearest, away);
+            if ((part.quarters >> q & 1U) != 0) own = std::min(own, away);
+          }
+        }
+        EXPECT_LT(own, nearest + 1e-12) << round;
+      }
+    }
+  }
+  EXPECT_GT(three, 0);
 }
 
 // ---- spheres ------------------------------------------------------------------------------------
