@@ -23,6 +23,8 @@ constexpr double kMetresPerMm = 1e-3;
 void prepare_library() {
   static const bool prepared = [] {
     OFLog::configure(OFLogger::OFF_LOG_LEVEL);
+    // A decimal string of 64 kB or more is written without its VR (PS3.5, 6.2.2): many points.
+    dcmEnableUnknownVRConversion.set(OFTrue);
     DcmRLEDecoderRegistration::registerCodecs();
     DJDecoderRegistration::registerCodecs();
     DJLSDecoderRegistration::registerCodecs();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Structure sets of radiotherapy (RTSTRUCT): closed contours in planes, inside by the even-odd rule
 // over all contours that a structure has in a plane: holes, whether contours of their own or
-// reached through a keyhole, stay open. Of structures that share a voxel the smaller one has it, as
-// an outline of the whole body holds all others. Source: DICOM PS3.3, C.8.8.5 and C.8.8.6.
+// reached through a keyhole, stay open; each structure as thick as it was drawn (label_slabs.h). Of
+// structures that share a voxel the smaller one has it, as an outline of the whole body holds all
+// others. Source: DICOM PS3.3, C.8.8.5 and C.8.8.6.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -10,6 +11,7 @@
 #include "dicom_file.h"
 #include "label_names.h"
 #include "label_readers.h"
+#include "label_slabs.h"
 
 namespace stylet::bake {
 namespace {
@@ -18,7 +20,6 @@ constexpr double kFlatM = 1e-4;       // what points may be off their plane
 constexpr double kPixelM = 0.5e-3;    // of the raster without a series: a tenth of a lattice voxel
 constexpr double kMostAcross = 1024;  // pixels of it
 constexpr double kMostAcrossSeries = 4096;
-constexpr double kSame = 0.01;  // of the distance of slices, as label_stack.cpp has it
 
 struct Contour {
   std::vector<Vec> points_m;
@@ -192,7 +193,7 @@ std::vector<double> find_planes(const DicomFile& file, const Raster& raster,
   std::sort(places.begin(), places.end());
   std::vector<double> planes;
   for (const double place : places) {
-    if (planes.empty() || place - planes.back() > kFlatM) planes.push_back(place);
+    if (planes.empty() || place - planes.back() > kSamePlaneM) planes.push_back(place);
   }
   each_contour(structures, [&](const Structure&, Contour& contour, std::size_t) {
     const auto behind = std::upper_bound(planes.begin(), planes.end(), contour.along_m);
@@ -201,37 +202,30 @@ std::vector<double> find_planes(const DicomFile& file, const Raster& raster,
   return planes;
 }
 
-// The middle one of the ways from a contour of a structure to its next; infinite where it has none.
-double usual_gap_m(const Structure& structure) {
-  std::set<std::size_t> seen;
-  std::vector<double> along, gaps;
-  for (const Contour& contour : structure.contours) {
-    if (seen.insert(contour.plane).second) along.push_back(contour.along_m);
-  }
-  std::sort(along.begin(), along.end());
-  for (std::size_t i = 1; i < along.size(); ++i) gaps.push_back(along[i] - along[i - 1]);
-  std::sort(gaps.begin(), gaps.end());
-  return gaps.empty() ? HUGE_VAL : gaps[gaps.size() / 2];
+// The planes that a structure has contours in.
+std::vector<std::size_t> planes_of(const Structure& structure) {
+  std::set<std::size_t> planes;
+  for (const Contour& contour : structure.contours) planes.insert(contour.plane);
+  return {planes.begin(), planes.end()};
 }
 
-// That of the series, unless a structure was drawn closer: its ends would reach too far.
-double distance_m(const DicomFile& file, const Raster& raster, const std::vector<double>& planes,
+// How far apart planes are where a structure does not tell: as its series says, else as the one
+// that was drawn closest.
+double distance_m(const DicomFile& file, const Raster& raster, const std::vector<double>& along,
                   const std::vector<Structure>& structures) {
-  if (raster.step_m > 0) {
-    double least = HUGE_VAL;
-    for (const Structure& structure : structures) least = std::min(least, usual_gap_m(structure));
-    return least < (1 - kSame) * raster.step_m ? least : raster.step_m;
+  if (raster.step_m > 0) return raster.step_m;
+  double several = HUGE_VAL, any = HUGE_VAL;
+  for (const Structure& structure : structures) {
+    const std::vector<double> gaps = gaps_of(planes_of(structure), along);
+    for (const double gap : gaps) any = std::min(any, gap);
+    if (gaps.size() > 1) several = std::min(several, median(gaps));
   }
-  double least = 0;
-  for (std::size_t i = 1; i < planes.size(); ++i) {
-    const double gap = planes[i] - planes[i - 1];
-    least = i == 1 ? gap : std::min(least, gap);
-  }
-  if (least > 0) return least;
+  if (several < HUGE_VAL) return several;
+  if (any < HUGE_VAL) return any;
   refuse(
       "{}: contours in {} plane: expected several, or the folder with the series they were "
       "drawn on, which tells how thick it is",
-      file.path, planes.size());
+      file.path, along.size());
 }
 
 // Makes the grid as large as the contours; places of the first pixel, in columns and rows.
@@ -315,12 +309,17 @@ std::vector<Run> runs_of(const Raster& raster, std::array<double, 2> low,
   return runs;
 }
 
-std::size_t pixels_of(const std::vector<Run>& runs) {
-  return std::accumulate(runs.begin(), runs.end(), std::size_t{0},
-                         [](std::size_t sum, const Run& run) { return sum + run.end - run.first; });
+std::size_t voxels_of(const Layers& layers, const Slabs& slabs, const std::vector<Run>& runs) {
+  std::size_t voxels = 0;
+  for (const Run& run : runs) {
+    const Span span = span_of(layers, slabs.at(run.plane));
+    voxels += std::size_t{run.end - run.first} * (span.end - span.first);
+  }
+  return voxels;
 }
 
-void put_runs(Stack& stack, std::uint16_t label, const std::vector<Run>& runs) {
+void put_runs(Stack& stack, const Layers& layers, const Slabs& slabs, std::uint16_t label,
+              const std::vector<Run>& runs) {
   std::vector<std::uint16_t> pixels(std::size_t{stack.grid.columns} * stack.grid.rows, 0);
   for (std::size_t i = 0; i < runs.size();) {
     const std::size_t first = i;
@@ -332,28 +331,49 @@ void put_runs(Stack& stack, std::uint16_t label, const std::vector<Run>& runs) {
       }
     };
     mark(label);
-    put_plane(stack, runs[first].plane, pixels);
+    put_layers(stack, span_of(layers, slabs.at(runs[first].plane)), pixels);
     mark(0);
   }
 }
 
-// A structure that was drawn in some of the planes only.
-void tell_holes(const DicomFile& file, const Stack& stack, const Structure& structure,
-                std::vector<std::string>& notes) {
-  std::set<std::uint32_t> layers;
-  for (const Contour& contour : structure.contours) {
-    const Span span = stack.spans[contour.plane];
-    for (std::uint32_t layer = span.first; layer < span.end; ++layer) layers.insert(layer);
-  }
-  if (layers.empty()) {
+// A structure that was not drawn all the way.
+void tell_holes(const DicomFile& file, const Layers& layers, const Slabs& slabs,
+                const Structure& structure, std::vector<std::string>& notes) {
+  if (slabs.empty()) {
     notes.push_back(fmt::format("{}: {} has no closed contour", file.path, structure.name));
     return;
   }
-  const std::size_t holes = *layers.rbegin() - *layers.begin() + 1 - layers.size();
+  std::size_t holes = 0;
+  std::uint32_t end = span_of(layers, slabs.begin()->second).first;
+  for (const auto& [plane, slab] : slabs) {
+    const Span span = span_of(layers, slab);
+    holes += span.first > end ? span.first - end : 0;
+    end = span.end;
+  }
   if (holes == 0) return;
-  notes.push_back(
-      fmt::format("{}: {} has no contour in {} layers between its first and its last: empty there",
-                  file.path, structure.name, holes));
+  notes.push_back(fmt::format(
+      "{}: {} has no contour in {} layers of {:.4g} mm between its first and its last: empty there",
+      file.path, structure.name, holes, layers.step_m * 1e3));
+}
+
+// Layers of zeros, and where they lie.
+Stack empty_stack(const DicomFile& file, const Raster& raster, std::array<double, 2> low,
+                  const Layers& layers) {
+  const PixelGrid& grid = raster.grid;
+  const Vec normal = normal_of(grid);
+  const Vec corner = raster.anchor_m + grid.column_step_m * low[0] + grid.row_step_m * low[1];
+  const Span all = span_of(layers, {layers.low_m, layers.high_m});
+  Stack stack;
+  stack.grid = grid;
+  stack.shift.resize(all.end);
+  LabelMap& map = stack.map;
+  require_map_size(file.path, {grid.columns, grid.rows, all.end});
+  map.size = {grid.columns, grid.rows, all.end};
+  map.step_m = {grid.column_step_m, grid.row_step_m, normal * layers.step_m};
+  map.origin_m = corner + normal * (layers.low_m + layers.step_m / 2 - dot(normal, corner));
+  require_frame(file.path, map);
+  map.label.assign(std::size_t{grid.columns} * grid.rows * all.end, 0);
+  return stack;
 }
 
 Raster raster_of_series(const std::vector<FramePlace>& series) {
@@ -375,29 +395,35 @@ LabelMap read_dicom_contours(const DicomFile& file, const std::vector<FramePlace
   std::vector<std::string> notes;
   std::vector<Structure> structures = structures_of(file, notes);
   Raster raster = series.empty() ? own_raster(file, structures) : raster_of_series(series);
-  const std::vector<double> places = find_planes(file, raster, structures);
-  if (places.empty()) refuse("{}: expected closed contours in planes", file.path);
-  const double step_m = distance_m(file, raster, places, structures);
+  const std::vector<double> along = find_planes(file, raster, structures);
+  if (along.empty()) refuse("{}: expected closed contours in planes", file.path);
+  const double step_m = distance_m(file, raster, along, structures);
   const std::array<double, 2> low = fit(file, raster, structures);
-  const Vec normal = normal_of(raster.grid);
-  const Vec corner =
-      raster.anchor_m + raster.grid.column_step_m * low[0] + raster.grid.row_step_m * low[1];
-  std::vector<Plane> planes;
-  for (const double place : places) {
-    planes.push_back({corner + normal * (place - dot(normal, corner)), 0,
-                      fmt::format("{}: plane at {:.6g} mm", file.path, place * 1e3)});
-  }
-  Stack stack = sparse_stack(file.path, raster.grid, planes, step_m);
-  std::vector<std::pair<const Structure*, std::vector<Run>>> filled;
+  std::vector<Slabs> slabs;
   for (const Structure& structure : structures) {
-    filled.emplace_back(&structure, runs_of(raster, low, structure));
-    tell_holes(file, stack, structure, notes);
-    stack.map.names[structure.label] = structure.name;
+    slabs.push_back(slabs_of(planes_of(structure), along, step_m));
   }
-  std::stable_sort(filled.begin(), filled.end(), [](const auto& a, const auto& b) {
-    return pixels_of(a.second) > pixels_of(b.second);
-  });
-  for (const auto& [structure, runs] : filled) put_runs(stack, structure->label, runs);
+  const Layers layers = layers_of(raster.grid, slabs);
+  require_filled(file.path, raster.grid, along.size(), layers.high_m - layers.low_m, layers.step_m);
+  Stack stack = empty_stack(file, raster, low, layers);
+  struct Filled {
+    std::size_t structure;
+    std::vector<Run> runs;
+    std::size_t voxels;
+  };
+  std::vector<Filled> filled;
+  for (std::size_t i = 0; i < structures.size(); ++i) {
+    std::vector<Run> runs = runs_of(raster, low, structures[i]);
+    const std::size_t voxels = voxels_of(layers, slabs[i], runs);
+    filled.push_back({i, std::move(runs), voxels});
+    tell_holes(file, layers, slabs[i], structures[i], notes);
+    stack.map.names[structures[i].label] = structures[i].name;
+  }
+  std::stable_sort(filled.begin(), filled.end(),
+                   [](const Filled& a, const Filled& b) { return a.voxels > b.voxels; });
+  for (const auto& [i, runs, voxels] : filled) {
+    put_runs(stack, layers, slabs[i], structures[i].label, runs);
+  }
   LabelMap map = std::move(stack.map);
   map.notes.insert(map.notes.end(), notes.begin(), notes.end());
   if (stack.claimed_twice > 0) {

@@ -248,9 +248,7 @@ Stack uneven_stack(const Frame& f, const std::vector<double>& distances, double 
   const std::vector<Slab> slabs = slabs_of(f, distances, alone_m);
   const double low_m = slabs.front().low_m, height_m = slabs.back().high_m - low_m;
   const double finest_m = alone_m > 0 ? std::min(alone_m, *least) : *least;
-  const double voxels = height_m / finest_m * f.grid.columns * f.grid.rows;
-  const double finer = std::clamp(std::floor(kFineVoxels / voxels), 1.0, 1.0 * kFiner);
-  const double step_m = finest_m / finer;
+  const double step_m = layer_step_m(f.grid, height_m, finest_m);
   notes.push_back(fmt::format(
       "{}: its planes lie {:.4g} to {:.4g} mm apart: brought into layers of {:.4g} mm, each with "
       "the labels of the nearest plane",
@@ -269,23 +267,6 @@ Stack uneven_stack(const Frame& f, const std::vector<double>& distances, double 
   return stack;
 }
 
-// A few planes far apart claim no more layers than a body of 2.6 m has of 0.04 mm, and no more
-// memory than a packed file of their size could.
-void require_filled(const Frame& f, double step_m) {
-  constexpr double kMostLayers = 65536, kMostForAPlane = 64;
-  const double layers = f.order.back().along_m / step_m + 1;
-  const double voxels = layers * f.grid.columns * f.grid.rows;
-  const double planes = static_cast<double>(f.planes.size());
-  if (layers <= kMostLayers && (voxels <= kFineVoxels || layers <= kMostForAPlane * planes)) return;
-  refuse(
-      "{}: {} planes from first to last over {:.6g} mm, {:.6g} mm apart: {:.0f} layers: expected "
-      "at most {:.0f} of {} x {} pixels; is the distance of planes right?",
-      f.path, planes, f.order.back().along_m * 1e3, step_m * 1e3, layers,
-      std::min(kMostLayers, std::max(kMostForAPlane * planes,
-                                     std::floor(kFineVoxels / f.grid.columns / f.grid.rows))),
-      f.grid.columns, f.grid.rows);
-}
-
 Frame frame_of(const std::string& path, const PixelGrid& grid, const std::vector<Plane>& planes) {
   Frame f{path, grid, planes, {}, {}, {}, {}};
   put_in_order(f);
@@ -295,6 +276,27 @@ Frame frame_of(const std::string& path, const PixelGrid& grid, const std::vector
 }
 
 }  // namespace
+
+double layer_step_m(const PixelGrid& grid, double height_m, double finest_m) {
+  const double voxels = height_m / finest_m * grid.columns * grid.rows;
+  return finest_m / std::clamp(std::floor(kFineVoxels / voxels), 1.0, 1.0 * kFiner);
+}
+
+void require_filled(const std::string& path, const PixelGrid& grid, std::size_t planes,
+                    double height_m, double step_m) {
+  constexpr double kMostLayers = 65536, kMostForAPlane = 64;
+  const double layers = height_m / step_m + 1;
+  const double voxels = layers * grid.columns * grid.rows;
+  const double most_filled = kMostForAPlane * static_cast<double>(planes);
+  if (layers <= kMostLayers && (voxels <= kFineVoxels || layers <= most_filled)) return;
+  refuse(
+      "{}: {} planes from first to last over {:.6g} mm, {:.6g} mm apart: {:.0f} layers: expected "
+      "at most {:.0f} of {} x {} pixels; is the distance of planes right?",
+      path, planes, height_m * 1e3, step_m * 1e3, layers,
+      std::min(kMostLayers,
+               std::max(most_filled, std::floor(kFineVoxels / grid.columns / grid.rows))),
+      grid.columns, grid.rows);
+}
 
 Stack whole_stack(const std::string& path, const PixelGrid& grid,
                   const std::vector<Plane>& planes) {
@@ -324,7 +326,7 @@ Stack whole_stack(const std::string& path, const PixelGrid& grid,
 Stack sparse_stack(const std::string& path, const PixelGrid& grid, const std::vector<Plane>& planes,
                    double step_m) {
   const Frame f = frame_of(path, grid, planes);
-  require_filled(f, step_m);
+  require_filled(path, grid, planes.size(), f.order.back().along_m, step_m);
   const std::vector<double> distances = distances_m(f);
   std::vector<std::string> notes;
   for (std::size_t i = 0; i < distances.size(); ++i) {
@@ -342,10 +344,10 @@ Stack sparse_stack(const std::string& path, const PixelGrid& grid, const std::ve
   return even_stack(f, step_m, std::move(notes));
 }
 
-void put_plane(Stack& stack, std::size_t plane, const std::vector<std::uint16_t>& pixels) {
+void put_layers(Stack& stack, Span layers, const std::vector<std::uint16_t>& pixels) {
   const auto& size = stack.map.size;
   const std::size_t columns = stack.grid.columns;
-  for (std::uint32_t layer = stack.spans[plane].first; layer < stack.spans[plane].end; ++layer) {
+  for (std::uint32_t layer = layers.first; layer < layers.end; ++layer) {
     const auto [right, down] = stack.shift[layer];
     for (std::size_t row = 0; row < stack.grid.rows; ++row) {
       const std::size_t to =
@@ -360,6 +362,10 @@ void put_plane(Stack& stack, std::size_t plane, const std::vector<std::uint16_t>
       }
     }
   }
+}
+
+void put_plane(Stack& stack, std::size_t plane, const std::vector<std::uint16_t>& pixels) {
+  put_layers(stack, stack.spans[plane], pixels);
 }
 
 }  // namespace stylet::bake

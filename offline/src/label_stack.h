@@ -50,7 +50,17 @@ Stack whole_stack(const std::string& path, const PixelGrid& grid, const std::vec
 Stack sparse_stack(const std::string& path, const PixelGrid& grid, const std::vector<Plane>& planes,
                    double step_m);
 
+// Of layers that end where the slabs of uneven planes do, of which the thinnest is `finest_m`: an
+// eighth of it, as long as a map of `height_m` does not get large.
+double layer_step_m(const PixelGrid& grid, double height_m, double finest_m);
+
+// A few planes far apart claim no more layers than a body of 2.6 m has of 0.04 mm, and no more
+// memory than a packed file of their size could.
+void require_filled(const std::string& path, const PixelGrid& grid, std::size_t planes,
+                    double height_m, double step_m);
+
 // Labels of a plane's pixels, row after row; 0 changes nothing, a label takes what another has.
+void put_layers(Stack& stack, Span layers, const std::vector<std::uint16_t>& pixels);
 void put_plane(Stack& stack, std::size_t plane, const std::vector<std::uint16_t>& pixels);
 
 }  // namespace stylet::bake

@@ -387,6 +387,14 @@ class StructureSets(Conformance):
                                           kind="CLOSEDPLANAR_XOR")
             self.check(path, {1: drawn.held(outer, [inner])}, NEAR)
 
+        def of_many_points(folder, random):  # of 64 kB and more, which has no VR of its own
+            drawn = Drawn(random, planes=4)
+            way = numpy.linspace(0, 1, 60, endpoint=False)[:, None]
+            liver = [numpy.concatenate([a + way * (b - a) for a, b in zip(p, numpy.roll(p, -1, 0))])
+                     for p in drawn.outlines(28, (0, 0))]
+            path = dicom.write_structures(folder / "rt.dcm", [(7, "x", drawn.contours(liver))])
+            self.check(path, {7: drawn.held(liver)}, NEAR)
+
         def holes(folder, random):
             drawn = Drawn(random)
             outer, inner = drawn.outlines(30, (0, 0)), drawn.outlines(14, (2, -1))
@@ -412,7 +420,7 @@ class StructureSets(Conformance):
                        said=["the smallest of them has each"])
 
         self.cases(3, oblique)
-        self.cases(1, axial, holes, keyholes, inside, sagittal_and_coronal, wide, exclusive)
+        self.cases(1, axial, of_many_points, holes, keyholes, inside, sagittal_and_coronal, wide, exclusive)
 
     def on_series(self, folder, random, planes=14):
         """A series, and outlines on its slices."""
@@ -466,6 +474,46 @@ class StructureSets(Conformance):
         self.cases(2, series)
         self.cases(3, closer_than_slices)
         self.cases(1, one_plane, elsewhere, of_no_frame, two_sets)
+
+    def drawn_apart(self, drawn, distances, middle):
+        """Contours at distances of their own, from a drawn place on, and what they hold: each as
+        thick as half of the way to its neighbours of the same structure."""
+        along = numpy.concatenate([[0], numpy.cumsum(distances)]) + drawn.random.uniform(0, 4)
+        ways = numpy.concatenate([distances[:1], distances, distances[-1:]])
+        drawn.planes, drawn.step = len(along), 1
+        contours, ml, moment = [], 0, 0
+        for i, points in enumerate(drawn.outlines(22, middle)):
+            contours.append(drawn.placed(points, along[i]))
+            area, centroid = dicom.area_and_centroid(points)
+            volume = area * (ways[i] + ways[i + 1]) / 2 * 1e-3
+            ml += volume
+            moment = moment + volume * drawn.placed(centroid,
+                                                    along[i] + (ways[i + 1] - ways[i]) / 4)
+        return contours, (0, ml, moment / ml)
+
+    def test_each_structure_is_as_thick_as_it_was_drawn(self):
+        def together(folder, random, distances):
+            drawn, structures, expected = Drawn(random), [], {}
+            for i, ways in enumerate(distances):
+                contours, expected[i + 1] = self.drawn_apart(drawn, ways, (60 * i, 0))
+                structures.append((i + 1, f"s{i}", contours))
+            path = dicom.write_structures(folder / "rt.dcm", shuffled(random, structures))
+            self.check(path, expected, NEAR, within=0.6)
+
+        def of_different_distances(folder, random):
+            together(folder, random, [numpy.full(14, d) for d in random.uniform(1, 5, 3)])
+
+        def beside_each_other(folder, random):
+            together(folder, random, [numpy.full(14, random.uniform(2, 4))] * 2)
+
+        def finer_in_the_middle(folder, random):
+            together(folder, random, [numpy.repeat([5, random.uniform(2, 3), 4.5], 5)])
+
+        def at_uneven_places(folder, random):
+            together(folder, random, [random.uniform(2.4, 3.4, 14) for _ in range(2)])
+
+        self.cases(2, of_different_distances, beside_each_other, finer_in_the_middle,
+                   at_uneven_places)
 
     def test_what_is_left_out_is_told(self):
         def drawn_here_and_there(folder, random):
