@@ -107,9 +107,10 @@ bool seek_contact(const View& view, const Needle& needle, Vec3 turn, bool known_
   if (own.phase != Phase::kFree) return true;
   Vec3 rest = {}, place = {};
   const Vec3 step = needle.tip_m - view.state.tip->position_m;
-  const Contact contact =
-      find_contact(view, needle.tip_m, needle.tip_direction, contact_reach_m(view),
-                   known_before ? step : Vec3{}, rest, place, flags);
+  // Tissue that it had drawn along springs back over a tip that has left it, at once and far.
+  const float reach_m = own.leaving != 0 ? view.needle_config().length_m : contact_reach_m(view);
+  const Contact contact = find_contact(view, needle.tip_m, needle.tip_direction, reach_m,
+                                       known_before ? step : Vec3{}, rest, place, flags);
   const Vec3 forward = needle.tip_direction - 0.5F * cross(turn, needle.tip_direction);
   float came = known_before ? dot(step, forward) : 0;
   if (contact == Contact::kSideways) came = norm(step);  // it has come by no other way
