@@ -420,7 +420,8 @@ class StructureSets(Conformance):
                        said=["the smallest of them has each"])
 
         self.cases(3, oblique)
-        self.cases(1, axial, of_many_points, holes, keyholes, inside, sagittal_and_coronal, wide, exclusive)
+        self.cases(1, axial, of_many_points, holes, keyholes, inside, sagittal_and_coronal, wide,
+                   exclusive)
 
     def on_series(self, folder, random, planes=14):
         """A series, and outlines on its slices."""
