@@ -31,7 +31,9 @@ constexpr int kMostPerRead = 512;
 constexpr std::int64_t kSilenceNs = 100'000'000;
 constexpr float kModelRadiusM = 0.02F;        // 2 m/s for half the life of a force
 constexpr std::int64_t kGoneNs = 25'000'000;  // from the beginning of a fade to no force
-constexpr std::int64_t kDriftPart = 5000;     // two clocks drift apart by at most so small a part
+// Two clocks drift apart by at most so small a part: a crystal by 100 millionths, and one that is
+// being set by NTP by 500 more (adjtimex(2)).
+constexpr std::int64_t kDriftPart = 1000;
 // A clock that was set is recognised after this time. Its peer may take the time of a sample so
 // long before it looks for forces: no clock is doubted for that.
 constexpr std::int64_t kClockDoubtNs = 100'000'000;
