@@ -332,27 +332,35 @@ struct Session {
 
   // ---- the session
 
-  void run(int attempts, double seconds) {
+  void run() {
     const Clock clock = {
         this, [](void*) { return test::virtual_now_ns(); },
         [](void* self, std::int64_t t_ns) { static_cast<Session*>(self)->sleep_until(t_ns); }};
+    const double attempts = draw.between(1, 4);
     for (int i = 0; i < attempts && judge.broken.empty(); ++i) {
       if (i > 0) resume();
-      rig.config.ticks = rig.state.ticks + static_cast<std::uint64_t>(seconds * 1e3);
+      rig.config.ticks = static_cast<std::uint64_t>(draw.between(10, 500));
       run_loop(rig.config, rig.instance->kernel, std::span(&seen, 1), clock, {}, rig.state);
       note_fault();
-      rig.state.paused = false;
     }
     judge.fault();  // the end of a run: gone in time, and for good
     stall(draw.ms(20, 60));
   }
 
-  // Reset and Start: what is latched stays so; one that let go in order is armed anew.
+  // Reset and Start, as the console does it: tissue, coupling and grip from their beginning, the
+  // guards of a device that stayed open go on. What is latched stays so; one that let go in order
+  // is armed anew.
   void resume() {
     judge.fault();
     const std::int64_t idle_ns = draw.ms(0, 100);
     stall(idle_ns);
     const bool had = guard().fault != Fault::kNone;
+    const HandState left = rig.state.hand[0];
+    std::destroy_at(&rig.state);
+    std::construct_at(&rig.state);
+    reset(rig.instance->kernel);
+    guard() = left.guard;
+    rig.state.hand[0].torque_guard = left.torque_guard;
     guard_resume(rig.config.hand[0].guard, guard(), idle_ns);
     guard_resume(rig.config.hand[0].guard, rig.state.hand[0].torque_guard, idle_ns);
     if ((guard().fault != Fault::kNone) != had) judge.fail("a latched fault was forgotten");
@@ -375,7 +383,7 @@ Seen run_session(std::uint64_t seed, Kind kind) {
                         session.station == nullptr && session.driver.busy(session.draw, wake_ns);
     return stalls ? session.driver.until_ns : wake_ns;
   };
-  session.run(2, 0.5);
+  session.run();
   session.device.close(session.device.self);
   process = {};
   session.leave();
