@@ -75,7 +75,7 @@ static_assert(std::size(kPrices) == kAmounts);
 using Amounts = std::array<std::uint64_t, kAmounts>;
 
 // What the worst case (worst_case.h) takes: costs.txt. No other tick may have a bound beyond it.
-constexpr std::uint64_t kDearestTick = 923'221'286;
+constexpr std::uint64_t kDearestTick = 923'220'522;
 
 inline std::uint64_t bound_of(const Amounts& amount) {
   std::uint64_t sum = 0;
