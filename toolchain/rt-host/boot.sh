@@ -137,6 +137,6 @@ for check in "real-time priority" "locked memory" isolation "RCU callbacks" work
   tracing "tasks above the loop"; do
   expect "doctor: $check" "^ok +$check "
 done
-expect "a thread of the loop has SCHED_FIFO 80" '^\(stylet\) priority 80 policy 1$'
+expect "a thread of the loop has SCHED_FIFO 80" '^\(stylet-loop\) priority 80 policy 1$'
 expect "the loop ran its 300 ticks" '^ticks 300,'
 [ $failed -eq 0 ] || die "the machine is not what it should be"
