@@ -6,7 +6,6 @@
 // others. Source: DICOM PS3.3, C.8.8.5 and C.8.8.6.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "dicom_file.h"
 #include "label_names.h"
@@ -384,8 +383,7 @@ Raster raster_of_series(const std::vector<FramePlace>& series) {
   }
   std::sort(along.begin(), along.end());
   for (std::size_t i = 1; i < along.size(); ++i) gaps.push_back(along[i] - along[i - 1]);
-  std::sort(gaps.begin(), gaps.end());
-  const double step_m = gaps.empty() ? series.front().plane.thickness_m : gaps[gaps.size() / 2];
+  const double step_m = gaps.empty() ? series.front().plane.thickness_m : median(gaps);
   return {grid, series.front().plane.origin_m, step_m};
 }
 

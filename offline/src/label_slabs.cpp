@@ -31,14 +31,10 @@ std::vector<bool> drawn_through(const std::vector<double>& gaps, double usual) {
 std::vector<double> gaps_of(const std::vector<std::size_t>& own,
                             const std::vector<double>& along_m) {
   std::vector<double> gaps;
-  for (std::size_t i = 1; i < own.size(); ++i)
+  for (std::size_t i = 1; i < own.size(); ++i) {
     gaps.push_back(along_m[own[i]] - along_m[own[i - 1]]);
+  }
   return gaps;
-}
-
-double median(std::vector<double> values) {  // the lower of two
-  std::sort(values.begin(), values.end());
-  return values[(values.size() - 1) / 2];
 }
 
 Slabs slabs_of(const std::vector<std::size_t>& own, const std::vector<double>& along_m,

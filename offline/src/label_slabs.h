@@ -16,10 +16,6 @@ namespace stylet::bake {
 
 constexpr double kSamePlaneM = 2e-5;  // what the last digits of a place may be off
 
-// What of the normal a structure's contours in a plane stand for.
-struct Slab {
-  double low_m = 0, high_m = 0;
-};
 using Slabs = std::map<std::size_t, Slab>;  // by the number of the plane
 
 // Layers of all slabs: of the same thickness where they are even, else fine ones.
@@ -30,7 +26,6 @@ struct Layers {
 // From each plane to the next, of those numbered `own`, ascending; `along_m`: of all planes.
 std::vector<double> gaps_of(const std::vector<std::size_t>& own,
                             const std::vector<double>& along_m);
-double median(std::vector<double> values);  // the lower of two; there is one at least
 // `otherwise_m`: how far apart planes are where a structure has too few of them to tell.
 Slabs slabs_of(const std::vector<std::size_t>& own, const std::vector<double>& along_m,
                double otherwise_m);

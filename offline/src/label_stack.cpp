@@ -39,12 +39,6 @@ struct Frame {
   std::array<double, 2> start{};  // of the line that planes lie on, where along_m is 0
 };
 
-double median(std::vector<double> values) {  // the lower of two
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 const std::string& name_of(const Frame& f, std::size_t place) {
   return f.planes[f.order[place].plane].what;
 }
@@ -224,10 +218,6 @@ Stack even_stack(const Frame& f, double step_m, std::vector<std::string> notes) 
 
 // What of the normal each plane stands for: half of the way to a neighbour, or half of `alone_m`
 // where that is farther than kWidest of it.
-struct Slab {
-  double low_m = 0, high_m = 0;
-};
-
 std::vector<Slab> slabs_of(const Frame& f, const std::vector<double>& distances, double alone_m) {
   const auto half = [&](std::size_t gap, std::size_t otherwise) {
     const double way = gap < distances.size() ? distances[gap] : 0;
@@ -276,6 +266,12 @@ Frame frame_of(const std::string& path, const PixelGrid& grid, const std::vector
 }
 
 }  // namespace
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 double layer_step_m(const PixelGrid& grid, double height_m, double finest_m) {
   const double voxels = height_m / finest_m * grid.columns * grid.rows;

@@ -34,6 +34,11 @@ struct Span {
   std::uint32_t first = 0, end = 0;
 };
 
+// What of the normal a plane stands for.
+struct Slab {
+  double low_m = 0, high_m = 0;
+};
+
 struct Stack {
   LabelMap map;  // labels all 0
   PixelGrid grid;
@@ -49,6 +54,8 @@ Stack whole_stack(const std::string& path, const PixelGrid& grid, const std::vec
 // `step_m`, or than half of 1.5 of it from its neighbour, is empty.
 Stack sparse_stack(const std::string& path, const PixelGrid& grid, const std::vector<Plane>& planes,
                    double step_m);
+
+double median(std::vector<double> values);  // the lower of two; there is one at least
 
 // Of layers that end where the slabs of uneven planes do, of which the thinnest is `finest_m`: an
 // eighth of it, as long as a map of `height_m` does not get large.
