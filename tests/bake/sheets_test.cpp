@@ -9,6 +9,7 @@
 #include "label_organ.h"
 #include "organ_places.h"
 #include "quality.h"
+#include "random_bodies.h"
 
 namespace stylet::test {
 namespace {
@@ -140,6 +141,37 @@ TEST(Sheets, BothPartsOfACellAndTheGapAreAsThickAsTheyAre) {
     }
   }
   EXPECT_LT(sum / (2 * kLines), 0.5e-3);
+}
+
+Mesh inside_out(Mesh mesh) {
+  for (bake::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+double volume(const Mesh& mesh) {
+  double sum = 0;
+  for (const bake::Triangle& t : mesh.triangles) {
+    sum += dot(mesh.points[t[0]], cross(mesh.points[t[1]], mesh.points[t[2]])) / 6;
+  }
+  return sum;
+}
+
+// The gap runs in every direction, through cells that hold a little of either, of both or only
+// their surfaces.
+TEST(Sheets, ABallInAHollowOneIsApartAllAround) {
+  Draw draw(3);
+  for (int i = 0; i < 6; ++i) {
+    const double radius = draw.between(17, 21), gap = draw.between(2.4, 4);
+    const Mesh inner = test::turned(ball(radius, 24), random_frame(draw));
+    const Mesh outer = test::turned(
+        both(ball(radius + gap + 9, 24), inside_out(ball(radius + gap, 24))), random_frame(draw));
+    const auto split = build_quietly({input_of(inner, 1e-3), input_of(outer, 1e-3, "kidney")},
+                                     split_at(draw.between(3.5, 4.5), true));
+    SCOPED_TRACE(testing::Message() << i << ": " << radius << " mm, gap " << gap);
+    EXPECT_EQ(pieces_of(split), 2U);
+    const double both_m3 = (volume(inner) + volume(outer)) * 1e-9;
+    EXPECT_NEAR(volume_m3(opened(split.bytes)), both_m3, 0.005 * both_m3);
+  }
 }
 
 // Two organs of a map of 1 mm, `gap` voxels apart.
