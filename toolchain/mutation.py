@@ -6,8 +6,9 @@ usage: mutation.py [SUBJECT]... [--build FOLDER] [--sample N]    (guard, organ, 
 
 Each mutant is one change a programmer might make by mistake: a comparison flipped, an `and` made an
 `or`, a sign, a limit by one, a clamp or a statement left out. It is compiled and the tests of its
-file run, the quick ones first, until one fails; a mutant that no test fails on has survived. The
-known survivors and why each is harmless are in mutation_survivors.txt; any other is an error.
+file run until one fails, first the one that killed the mutant before, then the quick ones; a mutant
+that no test fails on has survived. The known survivors and why each is harmless are in
+mutation_survivors.txt, and these are not run; any other is an error.
 With --sample only so many of each file, evenly spread. kernel, hal, offline: all of that folder.
 Of offline, whatever decides what anatomy or bytes come out; not its reports, pictures, timings.
 """
@@ -88,7 +89,8 @@ OFFLINE = {
     "label_stack": [DICOM["All"], DICOM["RegularSeries"], DICOM["StructureSets"],
                     DICOM["IrregularSeries"], DICOM["Segmentations"]],
     "label_dicom_seg": [DICOM["All"], DICOM["Segmentations"]],
-    "label_dicom_contours": [DICOM["StructureSets"], RANDOM_LABELS],
+    **dict.fromkeys(("label_dicom_contours", "label_slabs"),
+                    [DICOM["StructureSets"], RANDOM_LABELS]),
     "label_recipe": [["fuzz_recipe", SOURCE / "tests/fuzz/seeds/recipe"],
                      ["bake_label_test", "--gtest_filter=Recipe.*"], *LABELS],
     "materials": [["fuzz_tissues", SOURCE / "tests/fuzz/seeds/tissues"], ORGANS,
@@ -245,36 +247,43 @@ def passes(folder, test, timeout=None):
     return done is not None and done.returncode == 0
 
 
-def killer(folder, tests, limits_s):
-    """The first test that fails, `compiler`, or None where all pass."""
-    for test, limit_s in zip(tests, limits_s):
+def limit_s(folder, test):
+    """What a test may take: ten times what it takes on the unchanged sources, and more."""
+    done = run(["ninja", "-C", folder / "source" / BUILD, program(test)])
+    if done.returncode != 0:
+        sys.exit(done.stdout[-3000:] + "\nmutation.py: the unchanged sources do not build")
+    start = time.monotonic()
+    if not passes(folder, test):
+        sys.exit(f"mutation.py: {test} fails without a change")
+    return 10 + 10 * (time.monotonic() - start)
+
+
+def put(target, text):
+    """Writes a source where it is another one: its object is older then."""
+    if target.read_text() != text:
+        target.write_text(text)
+
+
+def killer(folder, target, unchanged, mutant, tests, measured):
+    """The first test that fails, `compiler`, or None where all pass. That test is tried first on the
+    next mutant. `measured`: limits of the tests that any mutant has needed."""
+    for test in tests:
+        if tuple(test) not in measured:
+            put(target, unchanged)
+            measured[tuple(test)] = limit_s(folder, test)
+        put(target, mutant.text)
         if run(["ninja", "-C", folder / "source" / BUILD, program(test)]).returncode != 0:
             return "compiler"
-        if not passes(folder, test, limit_s):
+        if not passes(folder, test, measured[tuple(test)]):
+            tests.remove(test)
+            tests.insert(0, test)
             return " ".join(each for each in test if isinstance(each, str))
     return None
 
 
-def limits(folder, file, tests, measured):
-    """What each test may take: ten times what it takes on the unchanged sources, and more.
-    `measured` keeps it for the next subject."""
-    for test in tests:
-        done = run(["ninja", "-C", folder / "source" / BUILD, program(test)])
-        if done.returncode != 0:
-            sys.exit(done.stdout[-3000:] + "\nmutation.py: the unchanged sources do not build")
-        if tuple(test) in measured:
-            continue
-        start = time.monotonic()
-        if not passes(folder, test):
-            sys.exit(f"mutation.py: {test} of {file} fails without a change")
-        measured[tuple(test)] = 10 + 10 * (time.monotonic() - start)
-    return [measured[tuple(test)] for test in tests]
-
-
 def check(folder, subject, sample, known, measured):
     """Survivors that nobody explained."""
-    file, tests = SUBJECTS[subject]
-    limits_s = limits(folder, file, tests, measured)
+    file, tests = SUBJECTS[subject][0], list(SUBJECTS[subject][1])
     target = folder / "source" / file
     text = target.read_text()
     changes = mutations(text)
@@ -283,10 +292,10 @@ def check(folder, subject, sample, known, measured):
     count, explained, unexplained, start = {}, 0, [], time.monotonic()
     for number, change in enumerate(changes, 1):
         mutant = Mutant(text, change)
-        target.write_text(mutant.text)
-        by = killer(folder, tests, limits_s)
+        is_known = (file, mutant.before, mutant.after) in known
+        by = None if is_known else killer(folder, target, text, mutant, tests, measured)
         count[by or "nobody"] = count.get(by or "nobody", 0) + 1
-        if by is None and (file, mutant.before, mutant.after) in known:
+        if is_known:
             explained += 1
         elif by is None:
             unexplained.append(mutant)
@@ -294,7 +303,7 @@ def check(folder, subject, sample, known, measured):
                   flush=True)
         if number % 20 == 0:
             print(f"    {subject}: {number} of {len(changes)}", flush=True)
-    target.write_text(text)
+    put(target, text)
     by_whom = ", ".join(f"{name} {times}" for name, times in sorted(count.items()))
     print(f"{file}: {len(changes)} mutants, killed by: {by_whom}; {explained} survivors explained, "
           f"{len(unexplained)} not; {time.monotonic() - start:.0f} s", flush=True)

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts that do not touch get voxels of their own: what is apart in the input is apart in the
 // kernel, what hangs together stays so, and bodies without gaps come out as they did.
+#include "sheets.h"
+
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <numbers>
+#include <set>
 
 #include "bake_support.h"
 #include "label_organ.h"
 #include "organ_places.h"
 #include "quality.h"
 #include "random_bodies.h"
+#include "sample_cell.h"
 
 namespace stylet::test {
 namespace {
@@ -209,6 +214,85 @@ TEST(Sheets, LobesHangTogetherWhereTheyDo) {
     const auto split = build_quietly({input_of(mesh, 1e-3)}, split_at(5, true));
     EXPECT_EQ(pieces_of(split), 1U) << angle;
     EXPECT_FALSE(opened(split.bytes).ties.empty()) << angle;
+  }
+}
+
+// ---- drawn cells --------------------------------------------------------------------------------
+
+constexpr std::uint64_t kAll = ~std::uint64_t{0};
+
+bake::Lattice split_of(bake::Claims claims) {
+  bake::SamplePlaces places;
+  for (std::uint32_t i = 0; i < 64; ++i) places[i] = bake::sample_point(i);
+  const bake::Lattice whole = bake::make_lattice(claims, {});
+  return bake::split_parts(claims, places, whole);
+}
+
+// Full cells touch wherever they meet, be it in an edge or a corner.
+TEST(Sheets, FullCellsHangTogetherHoweverTheyMeet) {
+  Draw draw(49);
+  for (int round = 0; round < 40; ++round) {
+    const auto side = [&] { return static_cast<std::uint32_t>(2 + draw.below(6)); };
+    bake::Claims claims = bake::no_claims({{}, 0.005, {side(), side(), side()}});
+    const std::size_t most = 2 + draw.below(4);
+    for (std::uint64_t& inside : claims.inside) inside = draw.below(most) == 0 ? kAll : 0;
+    const bake::Lattice split = split_of(claims);
+    EXPECT_EQ(split.sheets, 1U);
+    EXPECT_EQ(split.cell_of_voxel, bake::make_lattice(claims, {}).cell_of_voxel);
+    EXPECT_TRUE(split.parts.empty());
+    EXPECT_TRUE(split.ties.empty());
+  }
+}
+
+// The particles at the corners of a cell's voxels.
+std::set<std::array<std::uint32_t, 3>> particles_of(const bake::Lattice& lattice,
+                                                    std::size_t cell) {
+  std::set<std::array<std::uint32_t, 3>> particles;
+  std::size_t voxel = 0;
+  for (const OrganRun& run : lattice.runs) {
+    for (std::uint32_t i = 0; i < run.count; ++i) {
+      if (lattice.cell_of_voxel[voxel++] != cell) continue;
+      for (std::uint32_t c = 0; c < 8; ++c) {
+        std::array<std::uint32_t, 3> at{run.x + i + (c & 1U), run.y + (c >> 1U & 1U),
+                                        run.z + (c >> 2U)};
+        for (const OrganTie& tie : lattice.ties) {
+          if (tie.x == at[0] && tie.y == at[1] && tie.z == at[2]) at[1] = tie.to_y;
+        }
+        particles.insert(at);
+      }
+    }
+  }
+  return particles;
+}
+
+// Three cells a side: one on a face of the middle and one on a corner across from it, of two
+// bodies, and in the middle no sample but surface, which goes with the body on the face.
+TEST(Sheets, ACellOfSurfaceAloneGoesWithTheBodyOnItsFace) {
+  for (std::size_t face = 0; face < 6; ++face) {
+    for (unsigned across = 0; across < 4; ++across) {
+      const std::size_t axis = face / 2;
+      const std::size_t strides[] = {1, 3, 9};
+      const std::size_t up = strides[axis], u = strides[(axis + 1) % 3],
+                        v = strides[(axis + 2) % 3];
+      const std::size_t middle = 13, beside = face % 2 == 0 ? middle - up : middle + up;
+      const std::size_t plane = face % 2 == 0 ? middle + up : middle - up;
+      const std::size_t in_row = (across & 1U) != 0 ? plane + u : plane - u;
+      const std::size_t corner = (across & 2U) != 0 ? in_row + v : in_row - v;
+      bake::Claims claims = bake::no_claims({{}, 0.005, {3, 3, 3}});
+      claims.inside[beside] = claims.inside[corner] = kAll;
+      claims.pierced[middle] = 1;
+      const bake::Lattice split = split_of(claims);
+      const auto of_middle = particles_of(split, middle), of_beside = particles_of(split, beside),
+                 of_corner = particles_of(split, corner);
+      ASSERT_EQ(of_middle.size() + of_beside.size() + of_corner.size(), 24U);
+      std::vector<std::array<std::uint32_t, 3>> common;
+      std::set_intersection(of_middle.begin(), of_middle.end(), of_beside.begin(), of_beside.end(),
+                            std::back_inserter(common));
+      EXPECT_EQ(common.size(), 4U) << face << " " << across;
+      std::set_intersection(of_middle.begin(), of_middle.end(), of_corner.begin(), of_corner.end(),
+                            std::back_inserter(common));
+      EXPECT_EQ(common.size(), 4U) << face << " " << across;  // and none more
+    }
   }
 }
 
