@@ -265,8 +265,8 @@ def put(target, text):
 
 
 def killer(folder, target, unchanged, mutant, tests, measured):
-    """The first test that fails, `compiler`, or None where all pass. That test is tried first on the
-    next mutant. `measured`: limits of the tests that any mutant has needed."""
+    """The first test that fails, `compiler`, or None where all pass. That test is tried first on
+    the next mutant. `measured`: limits of the tests that any mutant has needed."""
     for test in tests:
         if tuple(test) not in measured:
             put(target, unchanged)
