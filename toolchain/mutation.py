@@ -121,6 +121,7 @@ FLIPS = {" < ": [" <= ", " >= "], " <= ": [" < "], " > ": [" >= ", " <= "], " >=
          "return true": ["return false"], "return false": ["return true"]}
 CALLS = re.compile(r"\b(clamp|max_of|min_of|settle)\(")
 NUMBER = re.compile(r"(?<![\w.\"])(\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)(F|U|UL|ULL)?(?![\w.])")
+DATA = re.compile(r"^[ \d.,eE+-]+\},$", re.M)  # a row of a table: its source stands beside it
 STATEMENT = re.compile(r"^ {2,}(?!return|const|constexpr|break|continue|using|case|default)"
                        r"[\w*(+].*[;]$", re.M)
 
@@ -145,6 +146,7 @@ def arguments_end(code, start):
 
 
 def numbers(code):
+    code = DATA.sub(lambda row: " " * len(row[0]), code)
     for match in NUMBER.finditer(code):
         digits, suffix = match[1], match[2] or ""
         if suffix == "F" or "." in digits or "e" in digits.lower():

@@ -391,6 +391,16 @@ TEST(Build, TakesOneToAThousandInputsOfAPlausibleSize) {
   const bake::Input large = input_of(bake::block_phantom({2.1, 0.5, 0.5}, 0.1), 1);
   options.voxel_edge_m = 0.05;
   EXPECT_EQ(said({large}, options).find("the longest side is 2100 mm"), 0U);
+  for (const double side_m : {4.9e-3, 5.1e-3, 1.99, 2.01}) {
+    BuildOptions coarse;
+    coarse.voxel_edge_m = std::min(side_m / 5, 0.1);
+    const Vec size = {side_m / 2, side_m, side_m / 3};
+    const bool is_plausible = side_m > 5e-3 && side_m < 2;
+    EXPECT_EQ(said({input_of(bake::block_phantom(size, side_m / 5), 1)}, coarse)
+                  .starts_with("the longest side is "),
+              !is_plausible)
+        << side_m;
+  }
   options.most_voxels = 10;
   EXPECT_EQ(said({large}, options), "--fit: no voxel edge up to 100 mm needs 10 voxels or less");
   options.most_voxels = 3000;
