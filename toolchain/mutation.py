@@ -73,7 +73,8 @@ SHEETS = ["bake_quality_test", "--gtest_filter=Sheets.*:Gaps.*"]
 REAL_ORGANS = ["bake_organ_test", "--gtest_filter=*Real*"]
 REAL_BODY = ["bake_label_test", "--gtest_filter=Recipe.OfTotal*"]
 VOXELS = [["bake_solid_test"], ORGANS, SHEETS, MAPS, LOSSES, ["bake_nesting_test"], REAL_ORGANS]
-LABELS = [MAPS, ["bake_label_test", "--gtest_filter=Recipe.*"], LOSSES,
+LABELS = [MAPS, ["bake_solid_test", "--gtest_filter=Mixed.*"],
+          ["bake_label_test", "--gtest_filter=Recipe.*"], LOSSES,
           ["bake_losses_test", "--gtest_filter=Obstacles.*"], SHEETS]
 OFFLINE = {
     **dict.fromkeys(("read_mesh", "read_stl", "read_obj", "read_off", "read_ply", "mesh_text"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is decided cell by cell, on drawn cells, against its definition: which gaps are filled,
-// which layer a cell lies in, what is cut away and which corners are held.
+// which layer a cell lies in, what is cut away and which corners are held; where tissues of a map
+// meet.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,8 +11,10 @@
 #include <set>
 
 #include "attach.h"
+#include "bake_support.h"
 #include "crop.h"
 #include "gaps.h"
+#include "label_organ.h"
 #include "layers.h"
 #include "random_bodies.h"
 
@@ -363,6 +366,50 @@ TEST(Regions, LeaveTheTrianglesThatLieInWhatStays) {
     left += triangle;
   }
   EXPECT_GT(left, 100U);
+}
+
+// A map of two labels, four of its voxels to a cell each way: where they meet within cells, the
+// plane between their tissues is the faces of the map's voxels.
+TEST(Mixed, TissuesOfAMapMeetAtItsFaces) {
+  Draw draw(57);
+  constexpr double kStep = 0x1p-9;  // of the map; exactly a float, as is the cells' edge
+  for (int round = 0; round < 12; ++round) {
+    bake::LabelMap map;
+    const auto size = [&] { return static_cast<std::uint32_t>(8 + 4 * draw.below(3)); };
+    map.size = {size(), size(), size()};
+    map.step_m = {Vec{kStep, 0, 0}, Vec{0, kStep, 0}, Vec{0, 0, kStep}};
+    map.origin_m = Vec{0.5, 7.5, -3.5} * kStep;
+    const std::size_t axis = draw.below(3);
+    const auto before = static_cast<std::uint32_t>(5 + draw.below(3));  // 1 to 3 in the second cell
+    for (std::uint32_t z = 0; z < map.size[2]; ++z) {
+      for (std::uint32_t y = 0; y < map.size[1]; ++y) {
+        for (std::uint32_t x = 0; x < map.size[0]; ++x) {
+          const std::uint32_t at[] = {x, y, z};
+          map.label.push_back(at[axis] < before ? 1 : 2);
+        }
+      }
+    }
+    bake::Recipe recipe;
+    recipe.groups = {{"liver", {1}}, {"kidney", {2}}};
+    recipe.smoothing = 0;
+    bake::BuildOptions options;
+    options.voxel_edge_m = 4 * kStep;
+    const bake::Built built =
+        bake::build_labels("map.nrrd", map, recipe, options, [](const char*, double) {});
+    const Organ organ = opened(built.bytes);
+    std::size_t found = 0;
+    for (const OrganMixed& mixed : organ.mixed) {
+      const float normal[] = {mixed.nx, mixed.ny, mixed.nz};
+      EXPECT_NEAR(std::abs(normal[axis]), 1, 1e-6) << round;
+      EXPECT_NEAR(normal[(axis + 1) % 3], 0, 1e-6) << round;
+      EXPECT_NEAR(normal[(axis + 2) % 3], 0, 1e-6) << round;
+      EXPECT_NEAR(mixed.limit * normal[axis], (before - 4) * 0.25, 1e-6) << round;
+      EXPECT_EQ(organ_material(organ, mixed.material).name == std::string("kidney"),
+                normal[axis] > 0);
+      ++found;
+    }
+    EXPECT_EQ(found, map.size[(axis + 1) % 3] / 4 * (map.size[(axis + 2) % 3] / 4)) << round;
+  }
 }
 
 }  // namespace
