@@ -177,9 +177,12 @@ void move_needle(const View& view, const Input& input, Moved& out) {
     roll_tip(view, dot(turn, column(rotation_matrix(own.handle.rotation), 2)));
   }
   out.flags |= place_needle(view, out.shape);
+  const bool was_free = own.phase == Phase::kFree;
   const bool known = seek_contact(view, out.shape, turn, out.known_before, out.flags);
   if (!known && out.known_before) out.flags |= hold_needle(view, out.before, out.shape);
   out.flags |= couple_needle(view, out.shape);
+  // One that has left its hole may have left it under other tissue, pressed or folded over it.
+  if (!was_free) (void)seek_contact(view, out.shape, turn, out.known_before, out.flags);
 }
 
 void latch_fault(StateHead& state) {
