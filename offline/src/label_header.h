@@ -59,8 +59,10 @@ HeaderFrame nrrd_frame(const std::string& path, const HeaderFields& fields,
                        const std::vector<std::uint64_t>& sizes);
 HeaderFrame meta_frame(const std::string& path, const HeaderFields& fields, std::size_t axes);
 
-// All members of a gzip file; the bytes as they are where they are none.
-std::string inflated(const std::string& path, std::string_view bytes);
+bool is_gzip(std::string_view bytes);
+// What a gzip file holds, all its members, or as much of it as `most` bytes: a small file may hold
+// a thousand times as much. The bytes as they are where they are none.
+std::string inflated(const std::string& path, std::string_view bytes, std::size_t most);
 
 // Takes the next line off `rest`; refuses control characters. False at the end.
 bool next_line(const std::string& path, std::string_view& rest, HeaderLine& line);

@@ -65,11 +65,12 @@ void check_frame(const std::string& path, const HeaderFields& fields) {
   }
 }
 
-// NAME=VALUE up to an empty line or a comment, none longer than what CGAL takes for a line.
+// NAME=VALUE up to an empty line or a comment, none longer than what CGAL takes for a line. Of a
+// packed file no more is unpacked here; CGAL unpacks as much as the header speaks of.
 void check_claim(const std::string& path, std::string_view bytes) {
-  constexpr std::size_t kLongest = 255;
-  const std::string whole = inflated(path, bytes);
-  std::string_view rest = whole;
+  constexpr std::size_t kLongest = 255, kMostHeader = 64 * 1024;
+  const std::string begin = inflated(path, bytes, kMostHeader);
+  std::string_view rest = begin;
   HeaderLine line;
   if (!next_line(path, rest, line) || line.text != "#INRIMAGE-4#{") {
     refuse("{}: expected the header of an Inrimage (#INRIMAGE-4) with one value a voxel", path);
@@ -108,7 +109,8 @@ void check_claim(const std::string& path, std::string_view bytes) {
       static_cast<std::uint64_t>(std::max<std::int64_t>(1, fields["PIXSIZE"] / kBitsOfByte));
   const auto size = [&](const char* name) { return static_cast<std::size_t>(fields[name]); };
   require_map_size(path, {size("XDIM"), size("YDIM"), size("ZDIM")});
-  require_held(path, claim, whole.size());
+  claim.packed = is_gzip(bytes);
+  require_held(path, claim, bytes.size());
   check_frame(path, others);
 }
 

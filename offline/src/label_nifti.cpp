@@ -122,9 +122,11 @@ auto with_type(const std::string& path, std::int64_t datatype, Visit visit) {
   }
 }
 
-// Sizes, and that all voxels are there.
-std::array<std::uint32_t, 3> read_sizes(const std::string& path, const Header& h,
-                                        std::size_t bytes) {
+// What may lie between header and voxels. The largest in use, a CIFTI matrix' description, is a few
+// megabytes; a packed file of some kilobytes could claim as many.
+constexpr double kMostExtensionBytes = 1 << 26;
+
+std::array<std::uint32_t, 3> read_sizes(const std::string& path, const Header& h) {
   const std::int64_t axes = h.dim[0];
   if (axes < 3 || axes > 7) {
     refuse("{}: {} dimensions of 1 values: expected 3 of 1", path, axes);
@@ -139,17 +141,20 @@ std::array<std::uint32_t, 3> read_sizes(const std::string& path, const Header& h
     if (axis < 3) sizes[axis] = static_cast<std::size_t>(size);
   }
   require_map_size(path, sizes);
-  const std::size_t each = with_type(path, h.datatype, [](auto number) { return sizeof number; });
   const auto first = static_cast<double>(h.bytes + 4);
-  if (!(h.voxels_at >= first && h.voxels_at <= static_cast<double>(bytes))) {
-    refuse("{}: vox_offset {}: expected from {} to the file's end, {}", path, h.voxels_at, first,
-           bytes);
+  if (!(h.voxels_at >= first && h.voxels_at <= first + kMostExtensionBytes)) {
+    refuse("{}: vox_offset {}: expected from {} to {}", path, h.voxels_at, first,
+           first + kMostExtensionBytes);
   }
-  const std::size_t wanted =
-      sizes[0] * sizes[1] * sizes[2] * each + static_cast<std::size_t>(h.voxels_at);
-  if (bytes < wanted) refuse("{}: ends after {} bytes: expected {}", path, bytes, wanted);
   return {static_cast<std::uint32_t>(sizes[0]), static_cast<std::uint32_t>(sizes[1]),
           static_cast<std::uint32_t>(sizes[2])};
+}
+
+// From the file's begin to the end of its voxels.
+std::size_t bytes_of(const std::string& path, const Header& h,
+                     const std::array<std::uint32_t, 3>& size) {
+  const std::size_t each = with_type(path, h.datatype, [](auto number) { return sizeof number; });
+  return std::size_t{size[0]} * size[1] * size[2] * each + static_cast<std::size_t>(h.voxels_at);
 }
 
 // ---- where it lies ------------------------------------------------------------------------------
@@ -334,13 +339,23 @@ void read_names(const std::string& path, const Header& h, std::string_view bytes
   }
 }
 
+// What a packed file may hold behind its voxels, that nobody reads.
+constexpr std::size_t kMostTail = std::size_t{1} << 20U;
+
 }  // namespace
 
 LabelMap read_nifti(const std::string& path, std::string_view stored) {
-  const std::string bytes = inflated(path, stored);
-  const Header header = read_header(path, bytes);
+  const Header header = read_header(path, inflated(path, stored, kNifti2.bytes));
   LabelMap map;
-  map.size = read_sizes(path, header, bytes.size());
+  map.size = read_sizes(path, header);
+  const std::size_t wanted = bytes_of(path, header, map.size), most = wanted + kMostTail;
+  const std::string bytes = inflated(path, stored, most);
+  if (bytes.size() < wanted) {
+    refuse("{}: ends after {} bytes: expected {}", path, bytes.size(), wanted);
+  }
+  if (is_gzip(stored) && bytes.size() == most) {
+    refuse("{}: {} bytes and more behind its voxels: expected none", path, kMostTail);
+  }
   read_frame(path, header, map);
   read_names(path, header, bytes, map);
   const auto voxels = std::string_view(bytes).substr(static_cast<std::size_t>(header.voxels_at));

@@ -465,6 +465,28 @@ TEST(Gzip, MembersFollowEachOther) {
             std::vector<std::uint16_t>(24, 1));
 }
 
+// Half a gigabyte of nothing in half a megabyte, behind an image of 24 voxels: no more memory is
+// taken than the image needs.
+TEST(Gzip, NoMoreIsUnpackedThanTheHeaderSpeaksOf) {
+  const Scratch scratch;
+  const auto most_kb = [] {
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    return used.ru_maxrss;
+  };
+  std::string tail;
+  for (int i = 0; i < 32; ++i) tail += gzipped(std::string(std::size_t{1} << 24U, '\0'));
+  const long before_kb = most_kb();
+  const std::string image = gzipped(bytes_of(Nifti{}));
+  EXPECT_THAT(refusal_of(scratch.write("a.nii.gz", image + tail)),
+              HasSubstr("bytes and more behind its voxels: expected none"));
+  const std::string little = gzipped(std::string(1000, '\0'));
+  EXPECT_EQ(refusal_of(scratch.write("a.nii.gz", image + little)), "");
+  const std::string inrimage = gzipped(inr({"2", "3", "4"}, std::string(24, '\1')));
+  EXPECT_EQ(refusal_of(scratch.write("a.inr.gz", inrimage + tail)), "");
+  EXPECT_LT(most_kb() - before_kb, 64 * 1024);
+}
+
 TEST(Nifti, SlopesThatGiveWholeNumbersAreTaken) {
   const Scratch scratch;
   Nifti n;
