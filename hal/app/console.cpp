@@ -411,14 +411,17 @@ class Console {
     if (!running() || order.needle >= session_->stations.size()) {
       return server_->refuse("acknowledge: no such needle is running");
     }
-    for (std::uint32_t f = 1; f <= static_cast<std::uint32_t>(hal::kLastFault); ++f) {
-      const auto fault = static_cast<hal::Fault>(f);
-      if (order.text == hal::fault_name(fault)) {
-        attempt_->state.mailbox[order.needle].seen.store(fault);
-        return;
-      }
+    hal::FaultMailbox& mailbox = attempt_->state.mailbox[order.needle];
+    const hal::LatchedFault latched = mailbox.latched.load();
+    if (latched.number == 0 || latched.number != order.fault_number ||
+        order.text != hal::fault_name(latched.fault)) {
+      return server_->refuse("acknowledge: expected the fault that is latched, name and number");
     }
-    server_->refuse("acknowledge: expected the name of the latched fault");
+    const double age_s = static_cast<double>(hal::monotonic_now_ns() - order.seen_ns) * 1e-9;
+    if (!(age_s >= 0 && age_s <= console::kAcknowledgeLifeS)) {
+      return server_->refuse("acknowledge: it came too late: look at the fault and ask again");
+    }
+    mailbox.seen.store(latched);
   }
 
   RunOptions options_;

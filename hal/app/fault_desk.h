@@ -41,7 +41,7 @@ class FaultDesk {
       : boxes_(boxes),
         names_(std::move(names)),
         devices_(devices),
-        told_(names_.size(), hal::Fault::kNone),
+        told_(names_.size()),
         away_(names_.size()) {
     for (const hal::Device& each : devices_) noted_.push_back(hal::note_of(each));
   }
@@ -49,18 +49,20 @@ class FaultDesk {
   void look() {
     const bool enter = enter_was_pressed();
     for (std::size_t i = 0; i < names_.size(); ++i) {
-      const hal::Fault latched = boxes_[i].latched.load(std::memory_order_relaxed);
-      if (latched != told_[i]) tell(i, latched);
+      const hal::LatchedFault latched = boxes_[i].latched.load(std::memory_order_relaxed);
+      // Enter that was pressed before a fault was told is not for it.
+      const bool known = latched == told_[i];
+      if (!known) tell(i, latched.fault);
       told_[i] = latched;
       tell_of_device(i);
-      if (!enter || latched == hal::Fault::kNone) continue;
+      if (!enter || !known || latched.number == 0) continue;
       boxes_[i].seen.store(latched, std::memory_order_relaxed);
       asked_ = true;
     }
     if (enter || !asked_) return;
     asked_ = false;
     for (std::size_t i = 0; i < names_.size(); ++i) {
-      if (told_[i] != hal::Fault::kNone) say(i, "not acknowledged: it gives no usable sample yet");
+      if (told_[i].number != 0) say(i, "not acknowledged: it gives no usable sample yet");
     }
   }
 
@@ -88,7 +90,7 @@ class FaultDesk {
   std::span<hal::FaultMailbox> boxes_;
   std::vector<std::string> names_;
   std::span<const hal::Device> devices_;
-  std::vector<hal::Fault> told_;
+  std::vector<hal::LatchedFault> told_;
   std::vector<std::string> away_, noted_;  // told of the device
   bool asked_ = false;
 };

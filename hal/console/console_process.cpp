@@ -79,7 +79,8 @@ void visit(Way way, ScoredAttempt& attempt) {
 
 template <typename Way>
 void visit(Way way, Order& order) {
-  way(order.verb, order.text, order.tick, order.speed, order.needle);
+  way(order.verb, order.text, order.tick, order.speed, order.needle, order.fault_number,
+      order.seen_ns);
 }
 
 Packer packed(const Stage& given) {

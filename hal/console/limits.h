@@ -9,7 +9,7 @@
 
 namespace stylet::console {
 
-constexpr std::uint32_t kProtocol = 1;
+constexpr std::uint32_t kProtocol = 2;
 constexpr std::uint16_t kDefaultPort = 7760;
 
 // ---- who may connect, and for how long
@@ -32,6 +32,9 @@ constexpr std::uint32_t kMaxMessagesPerSecond = 2000;
 // A trainee's name and a teacher's mark. Longer: refused.
 constexpr std::size_t kMaxNameBytes = 64;
 constexpr std::size_t kMaxMarkBytes = 500;
+// From the frame that showed a fault to its acknowledgement. Later: refused, and to be asked again.
+// By judgement: a frame, a press and the way there take a tenth; a hand expects force no longer.
+constexpr double kAcknowledgeLifeS = 1;
 
 // ---- what is kept for pages
 // How often pages are served. A page that has not taken its last frame misses this one.

@@ -100,7 +100,8 @@ flatbuffers::Offset<NeedleFrame> needle_frame(Builder& builder, const hal::Displ
   const Vec3 obstacle = packed(out.cause.obstacle_n);
   return CreateNeedleFrame(builder, nodes, &handle, &rotation, &tip, out.depth_m,
                            static_cast<Phase>(out.phase), out.layer, &force, &command, &stiffness,
-                           &cutting, &friction, &clamping, &obstacle, fault, mode, out.flags);
+                           &cutting, &friction, &clamping, &obstacle, fault, mode, out.flags,
+                           record.fault_number);
 }
 
 auto constraint_particles_of(Builder& builder, const hal::DisplayState& state) {
@@ -287,10 +288,11 @@ Bytes frame_message(const FrameParts& parts) {
   const auto event_vector = builder.CreateVectorOfStructs(parts.events.data(), parts.events.size());
   const auto row_vector = builder.CreateVectorOfStructs(parts.rows.data(), parts.rows.size());
   const auto timing_table = timing(builder, parts);
-  return finished(builder, Body::Frame,
-                  CreateFrame(builder, parts.state->hand[0].output.tick, parts.activity, key,
-                              moved_index, moved_to, needle_vector, particle_vector, touch_vector,
-                              event_vector, row_vector, timing_table, parts.attempt));
+  return finished(
+      builder, Body::Frame,
+      CreateFrame(builder, parts.state->hand[0].output.tick, parts.activity, key, moved_index,
+                  moved_to, needle_vector, particle_vector, touch_vector, event_vector, row_vector,
+                  timing_table, parts.attempt, parts.state->published_ns));
 }
 
 std::optional<Asked> read_message(std::span<const std::byte> bytes) {
@@ -320,7 +322,8 @@ std::optional<Asked> read_message(std::span<const std::byte> bytes) {
       return Order{Verb::kMark, text_of(message.body_as_Mark()->text())};
     case Body::Acknowledge: {
       const Acknowledge& a = *message.body_as_Acknowledge();
-      return Order{Verb::kAcknowledge, text_of(a.fault()), 0, 0, a.needle()};
+      return Order{Verb::kAcknowledge, text_of(a.fault()), 0,          0,
+                   a.needle(),         a.fault_number(),   a.time_ns()};
     }
     case Body::AskRows: {
       const AskRows& a = *message.body_as_AskRows();

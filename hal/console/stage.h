@@ -69,6 +69,8 @@ struct Order {
   std::uint64_t tick = 0;
   float speed = 0;
   std::uint32_t needle = 0;
+  std::uint32_t fault_number = 0;
+  std::int64_t seen_ns = 0;  // time of the frame that showed the fault
 };
 
 }  // namespace stylet::console

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "stylet/hal/clock.h"
+
 namespace stylet::hal {
 
 Display::Display(const Kernel& kernel)
@@ -31,6 +33,7 @@ void Display::publish(const Kernel& kernel, std::span<const TickRecord> records,
   out.touches = obstacle_touches(kernel, out.touch);
   out.missed_ticks = missed_ticks;
   out.lost_records = lost_records;
+  out.published_ns = monotonic_now_ns();
   particles(kernel, moved(index_.draft()));
   index_.publish();
 }

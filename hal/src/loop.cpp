@@ -97,6 +97,7 @@ Vec3 send_force(const HandConfig& config, const Kernel& kernel, std::uint32_t ne
 
 void note_guard(const HandState& hand, TickRecord& record) {
   record.fault = hand.guard.fault;
+  record.fault_number = latched_fault(hand.guard).number;
   record.mode = hand.guard.mode;
   record.energy_j = static_cast<float>(hand.guard.energy.energy_j);
 }

@@ -123,6 +123,13 @@ class Program {
     return 0;
   }
 
+  // Stops it for so long, as a machine does that is too busy.
+  void stall(useconds_t us) const {
+    kill(pid_, SIGSTOP);
+    usleep(us);
+    kill(pid_, SIGCONT);
+  }
+
   int wait() {
     int status = 0;
     waitpid(pid_, &status, 0);
@@ -323,6 +330,25 @@ TEST(Program, MarksAreInTheRecordingAndOnItsPage) {
   EXPECT_EQ(kept->tick(), tick);
 }
 
+// Forward by a pointer until the tissue is felt.
+constexpr float kFeltN = 0.02F;  // of 0.2 that break through
+struct Touched {
+  float place_m = 0, force_n = 0, depth_m = 0;
+};
+Touched touch(Client& client) {
+  Touched out;
+  for (int step = 0; step <= 100 && out.force_n < kFeltN; ++step) {
+    out.place_m = -1e-4F * static_cast<float>(step);
+    client.say_message(pointer_at(out.place_m));
+    const Frame* frame = client.next_of<Frame>(Body::Frame);
+    if (frame == nullptr) break;
+    const NeedleFrame& needle = *frame->needles()->Get(0);
+    out.force_n = std::abs(needle.force_n()->x());
+    out.depth_m = needle.depth_m();
+  }
+  return out;
+}
+
 // From the pointer's messages through guard and kernel to the force that the page draws, and the
 // counters of the attempt while it runs.
 TEST(Program, APointerOnAPageFeelsTheTissue) {
@@ -333,18 +359,9 @@ TEST(Program, APointerOnAPageFeelsTheTissue) {
   ASSERT_EQ(client.join(), 101U);
   client.say_message(verb(Body::Start));
   ASSERT_TRUE(await(client, Activity::Running)) << program.output();
-  constexpr float kFeltN = 0.02F;  // of 0.2 that break through
-  float force_n = 0, depth_m = 0;
-  for (int step = 0; step <= 100 && force_n < kFeltN; ++step) {
-    client.say_message(pointer_at(-1e-4F * static_cast<float>(step)));
-    const Frame* frame = client.next_of<Frame>(Body::Frame);
-    ASSERT_NE(frame, nullptr) << program.output();
-    const NeedleFrame& needle = *frame->needles()->Get(0);
-    force_n = std::abs(needle.force_n()->x());
-    depth_m = needle.depth_m();
-  }
-  EXPECT_GE(force_n, kFeltN);
-  EXPECT_GE(depth_m, 0);
+  const Touched touched = touch(client);
+  EXPECT_GE(touched.force_n, kFeltN) << program.output();
+  EXPECT_GE(touched.depth_m, 0);
   std::string body;
   Client counters(port);
   counters.get("/metrics");
@@ -356,6 +373,80 @@ TEST(Program, APointerOnAPageFeelsTheTissue) {
   const Score* score = client.next_of<Score>(Body::Score);
   ASSERT_NE(score, nullptr) << program.output();
   EXPECT_GE(score->peak_force_n(), kFeltN);
+}
+
+// What a frame told of a fault.
+struct Told {
+  std::string fault;
+  std::uint32_t number;
+  std::int64_t time_ns;
+
+  auto acknowledgement() const {
+    return page_message(Body::Acknowledge, [this](auto& b) {
+      return CreateAcknowledge(b, 0, b.CreateString(fault), number, time_ns);
+    });
+  }
+};
+// The next frame with a fault of another number than `last`, while the pointer stays.
+Told next_fault(Client& client, float place_m, std::uint32_t last) {
+  for (int i = 0; i < 1000; ++i) {
+    client.say_message(pointer_at(place_m));
+    const Frame* frame = client.next_of<Frame>(Body::Frame);
+    if (frame == nullptr) break;
+    const NeedleFrame& needle = *frame->needles()->Get(0);
+    if (needle.fault() == nullptr || needle.fault_number() == last) continue;
+    return {needle.fault()->str(), needle.fault_number(), frame->time_ns()};
+  }
+  return {};
+}
+
+// For one fault, the one that was seen, and for a second after it was: what is held up on its way
+// brings no force back for the next one. A busy machine adds faults of its own.
+TEST(Program, AnAcknowledgementIsForTheFaultThatWasSeen) {
+  Program program;
+  const std::uint16_t port = run_with_pointer(program);
+  ASSERT_NE(port, 0) << program.output();
+  Client client(port);
+  ASSERT_EQ(client.join(), 101U);
+  client.say_message(verb(Body::Start));
+  ASSERT_TRUE(await(client, Activity::Running)) << program.output();
+  const Touched touched = touch(client);  // before any force a fault clears itself
+  ASSERT_GE(touched.force_n, kFeltN) << program.output();
+  std::vector<Told> seen;
+  for (int round = 0; round < 3; ++round) {
+    program.stall(60'000);
+    const Told told = next_fault(client, touched.place_m, seen.empty() ? 0 : seen.back().number);
+    ASSERT_FALSE(told.fault.empty()) << program.output();
+    seen.push_back(told);
+    const Told other = {told.fault, told.number + 1, told.time_ns};
+    const Told early = {told.fault, told.number, told.time_ns - 2'000'000'000};
+    const Told late = {told.fault, told.number, told.time_ns + 60'000'000'000};
+    for (const Told& wrong : {other, early, late, Told{"buzz", told.number, told.time_ns},
+                              Told{told.fault, seen.front().number, told.time_ns}}) {
+      if (wrong.number == told.number && wrong.time_ns == told.time_ns &&
+          wrong.fault == told.fault) {
+        continue;  // the first one itself
+      }
+      client.say_message(wrong.acknowledgement());
+      const Refused* refused = client.next_of<Refused>(Body::Refused);
+      ASSERT_NE(refused, nullptr) << program.output();
+      EXPECT_NE(refused->what()->str().find("acknowledge: "), std::string::npos);
+    }
+    bool cleared = false;
+    for (int attempt = 0; attempt < 100 && !cleared; ++attempt) {
+      const Told now = next_fault(client, touched.place_m, 0);
+      ASSERT_FALSE(now.fault.empty()) << program.output();
+      seen.back() = now;
+      client.say_message(now.acknowledgement());
+      const Frame* frame = nullptr;
+      for (int i = 0; i < 30 && !cleared; ++i) {
+        client.say_message(pointer_at(touched.place_m));
+        ASSERT_NE(frame = client.next_of<Frame>(Body::Frame), nullptr) << program.output();
+        cleared = frame->needles()->Get(0)->fault() == nullptr;
+      }
+    }
+    EXPECT_TRUE(cleared) << round;
+  }
 }
 
 TEST(Program, ARecordingIsPlayedAndAnotherSceneChosen) {

@@ -137,11 +137,16 @@ TEST(Acknowledged, ByItsNameWhileTheDeviceAnswersAndNotLater) {
   FaultMailbox& mailbox = rig.state.mailbox[0];
   std::vector<Fault> latched;
   people = [&](std::uint64_t tick) {
-    latched.push_back(mailbox.latched.load());
+    latched.push_back(mailbox.latched.load().fault);
     silent = tick >= 100 && tick < 300;
-    if (tick == 200) mailbox.seen = Fault::kDeviceSilent;  // too early: it does not answer
-    if (tick == 320) mailbox.seen = Fault::kBuzz;          // not that one
-    if (tick == 340) mailbox.seen = Fault::kDeviceSilent;
+    if (tick == 200) mailbox.seen = {Fault::kDeviceSilent, 1};  // too early: it does not answer
+    if (tick == 320) mailbox.seen = {Fault::kBuzz, 1};          // not that one
+    if (tick == 330) mailbox.seen = {Fault::kDeviceSilent, 2};  // nor one that is to come
+    if (tick == 340) mailbox.seen = {Fault::kDeviceSilent, 1};
+    // The next one of its kind, and what was said of the first comes late.
+    if (tick == 450 || tick == 560) guard_trip(rig.state.hand[0].guard, Fault::kDeviceSilent);
+    if (tick == 500) mailbox.seen = {Fault::kDeviceSilent, 1};
+    if (tick == 520) mailbox.seen = {Fault::kDeviceSilent, 2};
   };
   (void)rig.run(spoiled(spoiler));
   EXPECT_EQ(latched[98], Fault::kNone);
@@ -149,8 +154,11 @@ TEST(Acknowledged, ByItsNameWhileTheDeviceAnswersAndNotLater) {
   EXPECT_EQ(latched[319], Fault::kDeviceSilent);
   EXPECT_EQ(latched[339], Fault::kDeviceSilent);
   EXPECT_EQ(latched[340], Fault::kNone);
-  EXPECT_EQ(latched[599], Fault::kNone);
-  EXPECT_EQ(rig.state.hand[0].guard.counters.rearms, 1U);
+  EXPECT_EQ(latched[440], Fault::kNone);
+  EXPECT_EQ(latched[519], Fault::kDeviceSilent);
+  EXPECT_EQ(latched[525], Fault::kNone);
+  EXPECT_EQ(latched[599], Fault::kDeviceSilent);
+  EXPECT_EQ(rig.state.hand[0].guard.counters.rearms, 2U);
 }
 
 // It was away, and somebody moved it: the needle goes on from where it was.
@@ -160,7 +168,8 @@ TEST(Acknowledged, DeviceThatComesBackElsewhereDoesNotMoveTheNeedle) {
   rig.config.hand[0].grip.enabled = true;
   Spoiler spoiler{rig.device(), [&](std::uint64_t tick, Sample& sample) {
                     if (tick >= 300) sample.pose.position_m.x += 0.05F;
-                    if (tick == 400) rig.state.mailbox[0].seen = Fault::kDeviceSilent;
+                    if (tick == 400)
+                      rig.state.mailbox[0].seen = LatchedFault{Fault::kDeviceSilent, 1};
                     return tick < 200 || tick >= 300;
                   }};
   const std::vector<TickRecord> records = rig.run(spoiled(spoiler));
@@ -180,7 +189,7 @@ TEST(Acknowledged, DuringTheFadeItWaitsForItsEnd) {
   Spoiler spoiler{rig.device(), [&](std::uint64_t tick, Sample& sample) {
                     if (tick == 200) sample.pose.position_m.x = kNan;
                     if (tick == 200) guard_trip(rig.state.hand[0].guard, Fault::kBuzz);
-                    if (tick == 205) rig.state.mailbox[0].seen = Fault::kBuzz;
+                    if (tick == 205) rig.state.mailbox[0].seen = LatchedFault{Fault::kBuzz, 1};
                     return true;
                   }};
   const std::vector<TickRecord> records = rig.run(spoiled(spoiler));

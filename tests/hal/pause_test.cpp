@@ -114,7 +114,7 @@ TEST(Pause, TheGuardLatchesAndIsRearmedMeanwhile) {
     static void sleep(void* self, std::int64_t t_ns) {
       Pauses& p = *static_cast<Asks*>(self)->pauses;
       Pauses::sleep(&p, t_ns);
-      if (p.round == 260) p.state->mailbox[0].seen.store(Fault::kDeviceSilent);
+      if (p.round == 260) p.state->mailbox[0].seen.store({Fault::kDeviceSilent, 1});
     }
   } asks = {&pauses};
   run_loop(rig.config, rig.instance->kernel, std::span(&device, 1), {&asks, Asks::now, Asks::sleep},

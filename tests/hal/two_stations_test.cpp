@@ -207,12 +207,12 @@ TEST(TwoStations, AcknowledgedFaultOfTheStationLetsItSendAgain) {
   both.run(100);
   ASSERT_EQ(both.rig.state.hand[0].guard.fault, Fault::kStaleSamples);
   FaultMailbox mailbox;
-  mailbox.seen = Fault::kTooLate;
+  mailbox.seen = LatchedFault{Fault::kTooLate, 1};
   exchange_mail(mailbox, both.station.guard);
-  EXPECT_EQ(mailbox.latched, Fault::kNone);
+  EXPECT_EQ(mailbox.latched.load(), LatchedFault{});
   both.run(50);
   EXPECT_EQ(of(both.station.force_n), 0);
-  both.rig.state.mailbox[0].seen = Fault::kStaleSamples;
+  both.rig.state.mailbox[0].seen = LatchedFault{Fault::kStaleSamples, 1};
   both.run(200);
   EXPECT_EQ(both.rig.state.hand[0].guard.fault, Fault::kNone);
   EXPECT_GT(of(both.ticks.back().force_n), 0.05);

@@ -7,7 +7,7 @@ import * as flatbuffers from 'flatbuffers';
 
 import * as wire from '../generated/console_generated';
 
-export const kProtocol = 1;
+export const kProtocol = 2;
 const kIdentifier = 'STLC';
 
 export interface Vec3 {
@@ -84,6 +84,7 @@ export interface NeedleFrame {
   command: Vec3;
   causes: Record<Cause, Vec3>;
   fault: string;
+  faultNumber: number;
   guard: string;
   flags: number;
 }
@@ -145,6 +146,7 @@ export interface Frame {
   rows: Row[];
   timing: Timing|null;
   attempt: number;  // from 1; 0: none yet, or a recording
+  timeNs: bigint;   // of the server's clock, for acknowledge
 }
 export interface RowsAnswer {
   kind: 'rows';
@@ -301,6 +303,7 @@ function needleFrame(n: wire.NeedleFrame): NeedleFrame {
       obstacle: vec3(n.obstacleN()),
     },
     fault: text(n.fault()),
+    faultNumber: n.faultNumber(),
     guard: text(n.guard()),
     flags: n.flags(),
   };
@@ -375,6 +378,7 @@ function frame(f: wire.Frame): Frame {
     rows: list(f.rowsLength(), (i) => f.rows(i), row),
     timing: timing(f.timing()),
     attempt: f.attempt(),
+    timeNs: f.timeNs(),
   };
 }
 
@@ -484,8 +488,11 @@ export const ask = {
         wire.Pointer.addButtons(b, buttons);
         return wire.Pointer.endPointer(b);
       }),
-  acknowledge: (needle: number, fault: string) => message(
+  acknowledge: (frame: Frame, needle: number) => message(
       wire.Body.Acknowledge,
-      (b) => wire.Acknowledge.createAcknowledge(b, needle, b.createString(fault)),
-      ),
+      (b) => {
+        const {fault, faultNumber} = frame.needles[needle];
+        return wire.Acknowledge.createAcknowledge(
+            b, needle, b.createString(fault), faultNumber, frame.timeNs);
+      }),
 };

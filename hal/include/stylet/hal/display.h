@@ -34,6 +34,7 @@ struct DisplayedTick {
   std::uint32_t touches = 0;
   std::array<ObstacleTouch, kMaxShownTouches> touch = {};
   std::uint64_t missed_ticks = 0, lost_records = 0;
+  std::int64_t published_ns = 0;  // of the monotonic clock
 };
 
 struct DisplayState : DisplayedTick {

@@ -19,16 +19,17 @@ namespace stylet::hal {
 struct TickRecord {
   Input input;
   Output output;
-  Sample sample;             // as the device gave it; the last one if it did not answer
-  std::uint32_t answered;    // the device gave a sample
-  Vec3 command_n;            // after the guard
-  Fault fault;               // of the guard
-  GuardMode mode;            // likewise
-  float energy_j;            // its observer's
-  std::uint32_t tick_ns;     // from reading the device to the force being written
-  std::uint32_t late_ns;     // wake-up after the grid point
-  std::uint64_t state_hash;  // 0: not taken in this tick
-  std::uint32_t needle;      // says which table of the recording it belongs to
+  Sample sample;               // as the device gave it; the last one if it did not answer
+  std::uint32_t answered;      // the device gave a sample
+  Vec3 command_n;              // after the guard
+  Fault fault;                 // of the guard
+  std::uint32_t fault_number;  // of all it has latched (fault_mailbox.h); 0: none
+  GuardMode mode;              // likewise
+  float energy_j;              // its observer's
+  std::uint32_t tick_ns;       // from reading the device to the force being written
+  std::uint32_t late_ns;       // wake-up after the grid point
+  std::uint64_t state_hash;    // 0: not taken in this tick
+  std::uint32_t needle;        // says which table of the recording it belongs to
 };
 
 // All needles in one tick: what those see who want only the newest.

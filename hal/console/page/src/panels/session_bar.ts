@@ -83,8 +83,9 @@ export class SessionBar {
   }
 
   private acknowledge(): void {
-    this.store.frame?.needles.forEach((needle, i) => {
-      if (needle.fault !== '') this.send(ask.acknowledge(i, needle.fault));
+    const {frame} = this.store;
+    frame?.needles.forEach((needle, i) => {
+      if (needle.fault !== '') this.send(ask.acknowledge(frame, i));
     });
   }
 
