@@ -67,7 +67,7 @@ DICOM = {each: [f"dicom_{each[0]}_test.py", each[1]] for each in (
     ("objects", "Segmentations"), ("objects", "StructureSets"))}
 DICOM = {each[1]: test for each, test in DICOM.items()} | {"All": ["dicom_test.py"]}
 ORGANS = ["bake_organ_test", "--gtest_filter=-*Real*"]
-MAPS = ["bake_label_test", "--gtest_filter=LabelOrgan.*-*WholeBody*"]
+MAPS = ["bake_label_test", "--gtest_filter=LabelOrgan.*:Wall.*-*WholeBody*"]
 LOSSES = ["bake_losses_test", "--gtest_filter=Losses.*"]
 SHEETS = ["bake_quality_test", "--gtest_filter=Sheets.*:Gaps.*"]
 REAL_ORGANS = ["bake_organ_test", "--gtest_filter=*Real*"]

@@ -47,7 +47,7 @@ TissueNumbers number_tissues(const std::vector<std::string>& tissues, const Buil
   const std::string& of = options.layer_course.of;
   for (const std::string& tissue : tissues) {
     const bool layered = !options.layers.empty() && (of.empty() || of == tissue);
-    numbers.is_layered.push_back(layered ? 1 : 0);
+    numbers.is_layered.push_back(layered);
     numbers.of_owner.push_back(layered ? std::uint8_t{0}
                                        : number_of(list, find_tissue(list.own, tissue)));
   }
