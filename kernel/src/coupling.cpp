@@ -368,7 +368,8 @@ float overshoot(const View& view, const Particle& p, float axial_n, float low_n,
     const float unit = view.needle_config().unit_m;
     const float away = axial_n / p.stiffness_n_per_m;
     constexpr auto kMost = static_cast<float>(kMaxUnitsPerTick);
-    return whole_part(clamp(away / unit, -kMost, kMost)) * unit;
+    const float units = clamp(away / unit, -kMost, kMost);
+    return is_finite(units) ? whole_part(units) * unit : 0;  // else a fault, at the tick's end
   }
   const float excess =
       axial_n > high_n ? axial_n - high_n : (axial_n < low_n ? axial_n - low_n : 0);

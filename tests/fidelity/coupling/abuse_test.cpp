@@ -229,6 +229,34 @@ TEST_P(V25Abuse, HugeLateralDrag) {
   expect_back_at_rest(rig, "lateral drag");
 }
 
+// Numbers that a snapshot may bring, but that leave what floats hold when they are added: a fault,
+// no force, and on the way to it no number that a conversion does not know (what the sanitizers
+// see). In the paper's mode slips are whole units.
+TEST(V25AbuseState, NumbersWithoutAnEndAreAFault) {
+  for (const Mode mode : {Mode::kPhysical, Mode::kPaper}) {
+    Config config;
+    config.mode = mode;
+    Rig rig = make_rig(soft_block(), config);
+    (void)drive(rig, {-31e-3F, kMiddle.y, kMiddle.z}, 30e-3F, 50e-3F);
+    ASSERT_GT(rig.view().state.needle->shaft_count, 1U);
+    constexpr float kLargest = std::numeric_limits<float>::max();
+    std::mt19937 random(79);
+    for (std::uint32_t i = 0; i < rig.view().state.needle->shaft_count; ++i) {
+      Particle& p = rig.view().state.shaft[i];
+      const auto any = [&random] { return random() % 2 == 0 ? kLargest : -kLargest; };
+      p.memory_m = {any(), any(), any()};
+      p.slack_m = {any(), any(), any()};
+      p.give_m = {any(), any(), any()};
+    }
+    Output out = {};
+    for (int i = 0; i < 3; ++i) {
+      out = tick(rig.kernel(), along_x({30e-3F, kMiddle.y, kMiddle.z}, rig.length_m));
+    }
+    EXPECT_NE(out.flags & kFlagFault, 0U);
+    EXPECT_EQ(norm_of(out.force_n), 0);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(AllPhases, V25Abuse,
                          testing::Values(Where::kFree, Where::kContact, Where::kInserted),
                          [](const auto& each) { return name_of(each.param); });
