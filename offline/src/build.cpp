@@ -203,14 +203,21 @@ double finest_edge(const Box& box, double most, const SweptAtEdge& swept_at) {
 }
 
 // How much of each mesh a sample of it stands for. Where they hold far from what its surface
-// encloses, the user is told, and they stand for themselves.
+// encloses, or nobody knows what an open one would, the user is told, and they stand for
+// themselves.
 std::vector<double> sample_volumes(const Grid& grid, BuildReport& report) {
   const double sample_m3 = grid.edge_m * grid.edge_m * grid.edge_m / 64;
   std::vector<double> volumes;
   for (const InputReport& input : report.inputs) {
     volumes.push_back(sample_m3);
     const double ratio = input.mesh_volume_m3 / input.filled_volume_m3;
-    if (!input.closed) continue;
+    if (!input.closed) {
+      report.warnings.push_back(fmt::format(
+          "{}: its surface is open ({} edges with one triangle), {:.3g} ml are taken for its "
+          "inside: expected a closed surface, or look at what became of it",
+          input.path, input.repair.border_edges, input.filled_volume_m3 * 1e6));
+      continue;
+    }
     if (std::abs(ratio - 1) <= kMostOff) {
       volumes.back() *= ratio;
       continue;

@@ -128,15 +128,37 @@ std::vector<double> distances_m(const Frame& f) {
   return distances;
 }
 
+// How far apart planes would lie that touch each other; empty where that is not known.
+std::vector<double> touching_m(const Frame& f) {
+  std::vector<double> out;
+  for (std::size_t i = 1; i < f.order.size(); ++i) {
+    const double before_m = f.planes[f.order[i - 1].plane].thickness_m;
+    const double own_m = f.planes[f.order[i].plane].thickness_m;
+    if (!(before_m > 0 && own_m > 0)) return {};
+    out.push_back((before_m + own_m) / 2);
+  }
+  return out;
+}
+
+// Where planes do not fill the space between them, by the widest of the gaps.
+void tell_gaps(const Frame& f, const std::vector<double>& distances,
+               std::vector<std::string>& notes) {
+  const std::vector<double> touching = touching_m(f);
+  std::size_t widest = 0;
+  for (std::size_t i = 0; i < touching.size(); ++i) {
+    if (distances[i] * touching[widest] > distances[widest] * touching[i]) widest = i;
+  }
+  if (touching.empty() || !(distances[widest] > kWidest * touching[widest])) return;
+  notes.push_back(fmt::format(
+      "{}: slices of {:.4g} mm lie {:.4g} mm apart: what is between them is taken to be as in the "
+      "nearest",
+      f.path, touching[widest] * 1e3, distances[widest] * 1e3));
+}
+
 // Planes follow each other as their thickness says, all by the same factor.
 void check_distances(const Frame& f, const std::vector<double>& distances) {
-  const bool thick = std::all_of(f.planes.begin(), f.planes.end(),
-                                 [](const Plane& plane) { return plane.thickness_m > 0; });
-  const auto expected = [&](std::size_t i) {
-    if (!thick) return 1.0;
-    return (f.planes[f.order[i].plane].thickness_m + f.planes[f.order[i + 1].plane].thickness_m) /
-           2;
-  };
+  const std::vector<double> touching = touching_m(f);
+  const auto expected = [&](std::size_t i) { return touching.empty() ? 1.0 : touching[i]; };
   std::vector<double> factors;
   for (std::size_t i = 0; i < distances.size(); ++i) factors.push_back(distances[i] / expected(i));
   const double usual = median(factors);
@@ -297,8 +319,8 @@ void require_filled(const std::string& path, const PixelGrid& grid, std::size_t 
 Stack whole_stack(const std::string& path, const PixelGrid& grid,
                   const std::vector<Plane>& planes) {
   const Frame f = frame_of(path, grid, planes);
-  const double thick_m = planes.front().thickness_m;
   if (planes.size() == 1) {
+    const double thick_m = planes.front().thickness_m;
     if (!(thick_m > 0)) {
       refuse("{}: a single slice without SliceThickness: expected it, or more slices",
              planes.front().what);
@@ -308,14 +330,9 @@ Stack whole_stack(const std::string& path, const PixelGrid& grid,
   const std::vector<double> distances = distances_m(f);
   check_distances(f, distances);
   const double step_m = f.order.back().along_m / static_cast<double>(distances.size());
-  if (!is_even(f, step_m)) return uneven_stack(f, distances, 0, {});
   std::vector<std::string> notes;
-  if (thick_m > 0 && step_m > kWidest * thick_m) {
-    notes.push_back(fmt::format(
-        "{}: slices of {:.4g} mm lie {:.4g} mm apart: what is between them is taken to be as in "
-        "the nearest",
-        path, thick_m * 1e3, step_m * 1e3));
-  }
+  tell_gaps(f, distances, notes);
+  if (!is_even(f, step_m)) return uneven_stack(f, distances, 0, std::move(notes));
   return even_stack(f, step_m, std::move(notes));
 }
 

@@ -246,8 +246,15 @@ class IrregularSeries(Conformance):
             self.check(write_slices(folder, slices, random), held(slices), NEAR, within=thick / 2,
                        said=["mm apart: brought into layers"])
 
+        def thin_with_some_missing(folder, random):  # each second one and more, so it is the rule
+            distances = random.permutation([2.0] * 8 + [1.2] * 3)
+            slices = stack(random, thickness=[1.0] * 12, distances=distances)
+            self.check(write_slices(folder, slices, random), held(slices), NEAR, within=1,
+                       said=["mm apart: brought into layers",
+                             "slices of 1 mm lie 2 mm apart: what is between them"])
+
         self.cases(3, uneven)
-        self.cases(2, two_thicknesses)
+        self.cases(2, two_thicknesses, thin_with_some_missing)
 
     def test_what_is_missing_or_twice_is_refused(self):
         def missing(folder, random):

@@ -114,6 +114,11 @@ TEST_P(RealOrganTest, BecomesAnOrgan) {
   const Organ organ = opened(built.bytes);
   const bake::InputReport& report = built.report.inputs[0];
   EXPECT_EQ(report.closed, GetParam().closed);
+  const auto told_open = [](const std::string& warning) {
+    return warning.find("its surface is open") != std::string::npos;
+  };
+  EXPECT_EQ(std::any_of(built.report.warnings.begin(), built.report.warnings.end(), told_open),
+            !GetParam().closed);
   if (GetParam().closed) {
     const bake::Box box = bake::bounds(mesh);
     const double exact = bake::signed_volume(mesh.points, mesh.triangles, box.low) *
