@@ -15,4 +15,5 @@ configure
 compile "${programs[@]}"
 names=$(printf '|%s' "${programs[@]}")
 # Left out: what a signal ends, which the sanitizers answer themselves, and what takes long.
-run_tests -LE '^(full|night)$' -R "^(${names:1})\\." -E "PagesOfSomebodyElse|V25Abuse(Long)?[.]" "$@"
+left_out='PagesOfSomebodyElse|V25Abuse(Long)?[.]'
+run_tests -LE '^(full|night)$' -R "^(${names:1})\\." -E "$left_out" "$@"
