@@ -46,8 +46,9 @@ std::string read_file(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   std::string bytes(static_cast<std::size_t>(size), '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!stream || stream.gcount() != static_cast<std::streamsize>(bytes.size())) {
-    refuse("{}: cannot be read: {}", path.string(), std::strerror(errno));
+  if (!stream) {
+    refuse("{}: ends or cannot be read after {} of {} bytes: expected all of them", path.string(),
+           stream.gcount(), size);
   }
   return bytes;
 }

@@ -155,15 +155,11 @@ double hull_volume_m3(const std::vector<Vec>& points_m) {
 
 std::vector<HullPlane> hull_planes(const Hull& hull) {
   const Mesh mesh = hull_mesh(hull);
-  Vec middle;
-  for (const Vec& p : hull.vertices_m) middle = middle + p;
-  middle = middle * (1.0 / static_cast<double>(hull.vertices_m.size()));
   std::vector<HullPlane> planes;
   for (const Triangle& t : mesh.triangles) {
     const Vec a = mesh.points[t[0]];
     const Vec normal = cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a);
-    const double sign = dot(normal, a - middle) < 0 ? -1 : 1;
-    planes.push_back({normal * sign, dot(normal, a) * sign});
+    planes.push_back({normal, dot(normal, a)});  // faces of the hull are outward
   }
   return planes;
 }

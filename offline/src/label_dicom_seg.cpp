@@ -83,7 +83,7 @@ double plane_step_m(const DicomFile& file, const std::vector<Plane>& planes, Vec
   }
   constexpr double kSame = 1.01, kNext = 1.5;
   const double thick_m = planes.front().thickness_m;
-  const bool even = planes.size() > 2 && least_m > 0 && most_m <= kSame * least_m;
+  const bool even = planes.size() > 2 && most_m <= kSame * least_m;
   if (even && (thick_m == 0 || least_m <= kNext * thick_m)) return least_m;
   if (thick_m == 0) {
     refuse(
@@ -99,13 +99,11 @@ void sort_by_segment(std::vector<Frame>& frames) {
   std::stable_sort(frames.begin(), frames.end(),
                    [](const Frame& a, const Frame& b) { return a.segment < b.segment; });
   for (std::size_t i = 1; i < frames.size(); ++i) {
-    if (frames[i].segment != frames[i - 1].segment) continue;
-    for (std::size_t j = i; j > 0 && frames[j - 1].segment == frames[i].segment; --j) {
-      if (frames[j - 1].plane < frames[i].plane) break;
-      refuse("{}: {} this plane in frame {} already: expected it once", frames[i].place.plane.what,
-             frames[i].segment > 0 ? fmt::format("segment {} has", frames[i].segment) : "there is",
-             frames[j - 1].frame);
-    }
+    const Frame &before = frames[i - 1], &each = frames[i];  // planes ascend in a segment
+    if (before.segment != each.segment || before.plane < each.plane) continue;
+    refuse("{}: {} this plane in frame {} already: expected it once", each.place.plane.what,
+           each.segment > 0 ? fmt::format("segment {} has", each.segment) : "there is",
+           before.frame);
   }
 }
 

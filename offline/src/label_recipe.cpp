@@ -98,8 +98,8 @@ void check_names(const Source& source, const Recipe& recipe) {
 }
 
 double number_of(const std::string& file, const char* key, const toml::node& node, double most) {
-  const std::optional<double> value = node.value<double>();
-  if (!node.is_number() || !value || !(*value >= 0 && *value <= most)) {
+  const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
+  if (!value || !(*value >= 0 && *value <= most)) {
     refuse("{}: {}: expected a number from 0 to {}", place_of(file, node), key, most);
   }
   return *value;

@@ -46,8 +46,8 @@ std::string known_keys() {
 }
 
 double read_number(const std::string& file, const Key& key, const toml::node& node) {
-  const std::optional<double> value = node.value<double>();
-  if (!node.is_number() || !value) {
+  const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
+  if (!value) {
     refuse("{}: {}: expected a number from {} to {}", place_of(file, node), key.name, key.low,
            key.high);
   }

@@ -11,10 +11,8 @@ using CgalPoint = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
 // True where `turned` runs round the points of `original` the other way.
 bool opposite(const Triangle& original, const Triangle& turned) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (turned[i] == original[0]) return turned[(i + 1) % 3] != original[1];
-  }
-  return false;
+  const auto* const first = std::find(turned.begin(), turned.end(), original[0]);
+  return turned[static_cast<std::size_t>(first - turned.begin() + 1) % 3] != original[1];
 }
 
 }  // namespace

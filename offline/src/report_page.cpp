@@ -135,7 +135,6 @@ std::string repairs(const Json& facts) {
 }
 
 std::string speed(const Json& facts) {
-  if (!facts.contains("speed")) return "";
   const Json& speed = facts["speed"];
   const bool timed = speed.contains("machine");
   std::string head = "<tr><th>substeps</th>", rows;

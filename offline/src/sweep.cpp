@@ -56,7 +56,7 @@ double swept_voxels(const Organ& organ) {
 }
 
 double swept_voxels(const Lattice& lattice) {
-  const std::uint32_t rows = lattice.sheet_rows > 0 ? lattice.sheet_rows : lattice.grid.size[1];
+  const std::uint32_t rows = lattice.sheet_rows;
   Organ organ = bare_organ({lattice.grid.size[0], rows, lattice.grid.size[2]}, lattice.runs);
   organ.size_y = static_cast<std::uint16_t>(rows * lattice.sheets);
   organ.ties = lattice.ties;

@@ -108,11 +108,9 @@ struct Place {
   std::uint32_t x, y, z;
 };
 
-// Gives every cell that hangs together with `seed` through faces the value `value`; returns whether
-// the region reaches the edge of the grid.
-bool fill_region(const Grid& grid, std::vector<Cell>& cells, Place seed, Cell value,
+// Gives every cell that hangs together with `seed` through faces the value `value`.
+void fill_region(const Grid& grid, std::vector<Cell>& cells, Place seed, Cell value,
                  std::vector<Place>& stack) {
-  bool reaches_edge = false;
   const auto visit = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     Cell& cell = cells[cell_index(grid, x, y, z)];
     if (cell != Cell::kUnknown) return;
@@ -123,8 +121,6 @@ bool fill_region(const Grid& grid, std::vector<Cell>& cells, Place seed, Cell va
   while (!stack.empty()) {
     const Place p = stack.back();
     stack.pop_back();
-    reaches_edge = reaches_edge || p.x == 0 || p.y == 0 || p.z == 0 || p.x + 1 == grid.size[0] ||
-                   p.y + 1 == grid.size[1] || p.z + 1 == grid.size[2];
     if (p.x > 0) visit(p.x - 1, p.y, p.z);
     if (p.y > 0) visit(p.x, p.y - 1, p.z);
     if (p.z > 0) visit(p.x, p.y, p.z - 1);
@@ -132,7 +128,6 @@ bool fill_region(const Grid& grid, std::vector<Cell>& cells, Place seed, Cell va
     if (p.y + 1 < grid.size[1]) visit(p.x, p.y + 1, p.z);
     if (p.z + 1 < grid.size[2]) visit(p.x, p.y, p.z + 1);
   }
-  return reaches_edge;
 }
 
 template <typename Visit>
@@ -145,7 +140,8 @@ void each_cell(const Grid& grid, Visit visit) {
 }
 
 // The outside first, from the grid's faces; then each enclosed region by itself. Enclosed means
-// inside, but for cavities, which only a closed and oriented surface can tell from flesh.
+// inside, but for cavities, which only a closed surface (and so an oriented one) can tell from
+// flesh.
 void flood(const Grid& grid, std::vector<Cell>& cells, const Solid& solid, const InsideTest& test) {
   std::vector<Place> stack;
   each_cell(grid, [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
@@ -153,10 +149,9 @@ void flood(const Grid& grid, std::vector<Cell>& cells, const Solid& solid, const
                          y + 1 == grid.size[1] || z + 1 == grid.size[2];
     if (at_edge) fill_region(grid, cells, {x, y, z}, Cell::kOutside, stack);
   });
-  const bool cavities_show = solid.closed && solid.oriented;
   each_cell(grid, [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     if (cells[cell_index(grid, x, y, z)] != Cell::kUnknown) return;
-    const bool inside = !cavities_show || is_inside(test, centre_of(x, y, z));
+    const bool inside = !solid.closed || is_inside(test, centre_of(x, y, z));
     fill_region(grid, cells, {x, y, z}, inside ? Cell::kInside : Cell::kOutside, stack);
   });
 }
@@ -270,7 +265,7 @@ Occupancy voxelize(const Grid& grid, const Solid& solid_m, const Progress& progr
   const TriangleTree tree = triangle_tree(points, solid.boundary);
   const InsideTest test{tree, solid.oriented};
   flood(grid, cells, solid, test);
-  const bool flood_is_proof = solid.closed && solid.oriented;
+  const bool flood_is_proof = solid.closed;
   const NearTriangles near = flood_is_proof ? near_triangles(grid, solid) : NearTriangles{};
   each_cell(grid, [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     const std::size_t i = cell_index(grid, x, y, z);
