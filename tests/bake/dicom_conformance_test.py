@@ -203,7 +203,22 @@ class RegularSeries(Conformance):
                 self.check(write_slices(inner, slices[:3], random, syntax=syntax, change=change),
                            held(slices[:3]))
 
-        self.cases(1, localizer, text, subfolder, text_that_claims_to_be_dicom, many_items)
+        def bytes_that_end_no_item(folder, random):  # but read so, in pixels and in an item
+            ends = b"\xfe\xff\x0d\xe0\0\0\0\0"
+            slices = stack(random, labels=[7, 57357, 65534])
+            for each in slices:
+                each.pixels[0, :4] = numpy.frombuffer(ends, "<u2")
+
+            def change(file, _):
+                block = dicom.item()
+                block.add_new(0x00090010, "LO", "STYLET")
+                block.add_new(0x00091001, "OB", ends * 3)
+                file.ReferencedImageSequence = dicom.Sequence([block])
+
+            self.check(write_slices(folder, slices, random, change=change), held(slices))
+
+        self.cases(1, localizer, text, subfolder, text_that_claims_to_be_dicom, many_items,
+                   bytes_that_end_no_item)
 
 
 @unittest.skipIf(dicom is None, "pydicom is not installed: apt-get install python3-pydicom")
@@ -228,9 +243,15 @@ class IrregularSeries(Conformance):
             slices = stack(random, lean=(1.1, 0.5))
             self.refused(write_slices(folder, slices, random), "lean by", "expected at most 45")
 
+        def too_far_aside(folder, random):  # 400 mm of pixels of a millionth of one, each
+            slices = [dicom.Slice(numpy.array([400.0 * i, 0, 1000 * i]), numpy.eye(3)[0],
+                                  numpy.eye(3)[1], (1e-6, 1e-6), 1000, numpy.ones((4, 4), int))
+                      for i in range(4)]
+            self.refused(write_slices(folder, slices, random), "pixels aside: expected a smaller")
+
         self.cases(4, tilted)
         self.cases(2, tilted_and_uneven)
-        self.cases(1, too_steep)
+        self.cases(1, too_steep, too_far_aside)
 
     def test_uneven_distances_decide(self):
         def uneven(folder, random):
@@ -377,6 +398,11 @@ class IrregularSeries(Conformance):
             file.PixelData = items([bytes(2000)])
             file["PixelData"].VR, file["PixelData"].is_undefined_length = "OB", True
 
+        def bytes_elsewhere(file):
+            file.add_new(0x00090010, "LO", "STYLET")
+            file.add_new(0x00091001, "OB", file.PixelData)
+            del file.PixelData
+
         for case in (("aside", aside, "lies 4 mm to the side"),
                      ("turned_more", turned_more, "differs in direction"),
                      ("leaning_columns", leaning_columns, "differs in direction"),
@@ -409,6 +435,7 @@ class IrregularSeries(Conformance):
                      ("no_frame", without("FrameOfReferenceUID"), "FrameOfReferenceUID : expected"),
                      ("hounsfield", hounsfield, "expected labels"),
                      ("without_pixels", without("PixelData"), "bytes are there"),
+                     ("bytes_elsewhere", bytes_elsewhere, "0 bytes of pixels: expected"),
                      ("odd_bits", setter(BitsAllocated=12), "of 12 bits a pixel"),
                      ("lossy", lossy, "loses values"),
                      ("deflated", deflated, "deflated as a whole"),

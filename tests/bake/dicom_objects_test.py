@@ -151,8 +151,17 @@ class Segmentations(Conformance):
             self.assertEqual([each.get("name", "") for each in facts["labels"]],
                              ["", "Tissue", "Tissue"])
 
+        def uneven_with_a_hole(folder, random):
+            distances = random.uniform(1.5, 2.6, 26)
+            distances[random.integers(8, 18)] = 9.3
+            slices = stack(random, distances=distances, thickness=[2.0] * 27)
+            frames, seen = segments(random, slices, self.NAMES)
+            path = write_seg(folder / "seg.dcm", shuffled(random, frames), self.NAMES)
+            self.check(path, held(seen, **self.rule(slices)), NEAR, within=1.3,
+                       said=["brought into layers"])
+
         self.cases(1, holes, spaced, told_by_its_frames, thinner_than_apart, nameless)
-        self.cases(2, leaning, uneven)
+        self.cases(2, leaning, uneven, uneven_with_a_hole)
 
     def test_pixels_that_are_numbers_of_segments(self):
         def with_all_planes(folder, random):
@@ -172,6 +181,13 @@ class Segmentations(Conformance):
             path = dicom.write_label_map(folder / "map", kept, {}, bits=16, background=65535)
             self.check(path, held(kept, **self.rule(slices)))
 
+        def with_no_word_of_a_background(folder, random):  # which then is 0
+            def change(file):
+                del file.PixelPaddingValue
+            kept = [s for s in stack(random) if s.pixels.any()]
+            path = dicom.write_label_map(folder / "map", kept, {}, change=change)
+            self.check(path, held(kept, **self.rule(kept)))
+
         def with_a_plane_twice(folder, random):
             slices = stack(random)
             path = dicom.write_label_map(folder / "map", slices + [slices[5]], {})
@@ -184,7 +200,7 @@ class Segmentations(Conformance):
             self.refused(path, "expected segments from 1 on")
 
         self.cases(3, with_all_planes, with_wide_numbers)
-        self.cases(1, with_a_plane_twice, with_a_segment_0)
+        self.cases(1, with_no_word_of_a_background, with_a_plane_twice, with_a_segment_0)
 
     def test_what_contradicts_itself_is_refused(self):
         def written(folder, random, spoil, *said, change=None, apart=None):
@@ -232,6 +248,25 @@ class Segmentations(Conformance):
                 group.SegmentIdentificationSequence[0].ReferencedSegmentNumber = 0
             written(folder, random, lambda frames: None, "ReferencedSegmentNumber 0", change=change)
 
+        def segments_beyond_all_labels(folder, random):  # as numbers of 32 bits
+            def frame(file):
+                group = file.PerFrameFunctionalGroupsSequence[1].SegmentIdentificationSequence[0]
+                del group.ReferencedSegmentNumber
+                group.add_new(0x0062000B, "SL", 70000)
+            written(folder, random, lambda frames: None, "ReferencedSegmentNumber 70000",
+                    change=frame)
+
+            def name(file):
+                del file.SegmentSequence[1].SegmentNumber
+                file.SegmentSequence[1].add_new(0x00620004, "SL", 70000)
+            written(folder, random, lambda frames: None, "SegmentNumber 70000: expected 1 to",
+                    change=name)
+
+        def no_rows(folder, random):
+            def change(file):
+                file.Rows = 0
+            written(folder, random, lambda frames: None, "0 voxels along an axis", change=change)
+
         def segment_0(folder, random):
             def change(file):
                 file.SegmentSequence[1].SegmentNumber = 0
@@ -246,7 +281,7 @@ class Segmentations(Conformance):
                         change=change)
 
         self.cases(1, aside, twice, far, fewer, no_segment, unknown_kind, short, far_segment,
-                   segment_0, fraction_of_what)
+                   segments_beyond_all_labels, no_rows, segment_0, fraction_of_what)
 
     def test_alone_in_a_folder_it_is_the_map(self):
         def alone(folder, random):
@@ -423,13 +458,13 @@ class StructureSets(Conformance):
         self.cases(1, axial, of_many_points, holes, keyholes, inside, sagittal_and_coronal, wide,
                    exclusive)
 
-    def on_series(self, folder, random, planes=14):
+    def on_series(self, folder, random, planes=14, change=None):
         """A series, and outlines on its slices."""
         slices = stack(random, distances=[float(random.uniform(1.5, 3.0))] * 17)
         drawn = Drawn(random, numpy.stack([slices[0].row, slices[0].column,
                                            numpy.cross(slices[0].row, slices[0].column)]), planes)
         drawn.origin, drawn.step = slices[2].at, (slices[1].at - slices[0].at) @ drawn.frame[2]
-        write_slices(folder, slices, random)
+        write_slices(folder, slices, random, change=change)
         return drawn
 
     def test_outlines_lie_on_their_series(self):
@@ -465,6 +500,37 @@ class StructureSets(Conformance):
             dicom.write_structures(folder / "rt.dcm", [(5, "x", drawn.contours(liver))], frame="")
             self.check(folder, {5: drawn.held(liver)}, NEAR, within=0.2)
 
+        def on_one_slice(folder, random):  # which says how thick it is
+            one = stack(random)[9:10]
+            drawn = Drawn(random, numpy.stack([one[0].row, one[0].column,
+                                               numpy.cross(one[0].row, one[0].column)]), planes=1)
+            drawn.origin, drawn.step = one[0].at, one[0].thickness
+            write_slices(folder, one, random)
+            liver = drawn.outlines(24, (25, 30))
+            dicom.write_structures(folder / "rt.dcm", [(5, "x", drawn.contours(liver))])
+            self.check(folder, {5: drawn.held(liver)}, NEAR, within=0.3)
+
+        def on_a_series_of_no_frame(folder, random):
+            def change(file, number):
+                del file.FrameOfReferenceUID
+            drawn = self.on_series(folder, random, change=change)
+            liver = drawn.outlines(24, (25, 30))
+            dicom.write_structures(folder / "rt.dcm", [(5, "x", drawn.contours(liver))])
+            self.check(folder, {5: drawn.held(liver)}, NEAR, within=0.2)
+
+        def points_alone(folder, random):
+            drawn = self.on_series(folder, random)
+            dicom.write_structures(folder / "rt.dcm",
+                                   [(5, "x", drawn.contours(drawn.outlines(20, (0, 0))))],
+                                   kind="POINT")
+            self.refused(folder, "expected closed contours in planes")
+
+        def far_beyond_it(folder, random):
+            drawn = self.on_series(folder, random)
+            dicom.write_structures(folder / "rt.dcm",
+                                   [(5, "x", drawn.contours(drawn.outlines(9000, (0, 0))))])
+            self.refused(folder, "pixels: expected at most 4096")
+
         def two_sets(folder, random):
             drawn = self.on_series(folder, random)
             contours = drawn.contours(drawn.outlines(20, (0, 0)))
@@ -474,7 +540,8 @@ class StructureSets(Conformance):
 
         self.cases(2, series)
         self.cases(3, closer_than_slices)
-        self.cases(1, one_plane, elsewhere, of_no_frame, two_sets)
+        self.cases(1, one_plane, elsewhere, of_no_frame, on_one_slice, on_a_series_of_no_frame,
+                   points_alone, far_beyond_it, two_sets)
 
     def drawn_apart(self, drawn, distances, middle):
         """Contours at distances of their own, from a drawn place on, and what they hold: each as
@@ -510,11 +577,14 @@ class StructureSets(Conformance):
         def finer_in_the_middle(folder, random):
             together(folder, random, [numpy.repeat([5, random.uniform(2, 3), 4.5], 5)])
 
+        def much_finer_in_the_middle(folder, random):
+            together(folder, random, [numpy.repeat([5, random.uniform(1.5, 2), 4.5], [4, 9, 4])])
+
         def at_uneven_places(folder, random):
             together(folder, random, [random.uniform(2.4, 3.4, 14) for _ in range(2)])
 
         self.cases(2, of_different_distances, beside_each_other, finer_in_the_middle,
-                   at_uneven_places)
+                   much_finer_in_the_middle, at_uneven_places)
 
     def test_what_is_left_out_is_told(self):
         def drawn_here_and_there(folder, random):
@@ -587,6 +657,18 @@ class StructureSets(Conformance):
                 file.ROIContourSequence[1].ContourSequence[0].ContourData.append("1")
             written(folder, random, lambda good: good, "241 numbers in ContourData", change=change)
 
+        def no_number(folder, random):
+            def change(file):
+                points = file.ROIContourSequence[1].ContourSequence[0]
+                points.add_new(0x30060050, "DS", None)
+                points["ContourData"]._value = "one\\two\\three\\four\\five\\six\\1\\2\\3"
+            written(folder, random, lambda good: good, "expected three", change=change)
+
+        def too_many(folder, random):
+            path = dicom.write_structures(folder / "rt.dcm",
+                                          [(i + 1, f"s{i}", []) for i in range(501)])
+            self.refused(path, "501 structures: expected 1 to 500")
+
         def far_away(folder, random):
             written(folder, random, lambda good: [good[0] + 1e6], "Bad: contour 0: point 0")
 
@@ -602,8 +684,8 @@ class StructureSets(Conformance):
             written(folder, random, lambda good: good, "0 structures: expected 1 to",
                     change=change)
 
-        self.cases(1, bent, two_points, unknown, points, no_numbers, odd_numbers, far_away, twice,
-                   none)
+        self.cases(1, bent, two_points, unknown, points, no_numbers, odd_numbers, no_number,
+                   too_many, far_away, twice, none)
 
 
 if __name__ == "__main__":

@@ -106,6 +106,7 @@ TEST(HullTimed, TakesAsMuchLongerAsThereAreMorePoints) {
 }
 
 TEST(Hull, RefusesWhatHasNoInside) {
+  EXPECT_EQ(bake::hull_volume_m3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), 0);
   const auto refusal = [](const std::vector<Vec>& points) -> std::string {
     try {
       (void)bake::simple_hull("bone.stl", points, 64);

@@ -360,6 +360,12 @@ TEST(Nifti, NumbersThatAreNoneAreNamed) {
     EXPECT_THAT(refusal_of(scratch.write("a.nii", bytes_of(n))), HasSubstr(reason)) << reason;
   }
   Nifti n = good;
+  n.datatype = 8;
+  n.voxels.clear();
+  for (const std::int32_t label : std::vector<std::int32_t>(24, 65536)) {
+    n.voxels.append(reinterpret_cast<const char*>(&label), sizeof label);
+  }
+  EXPECT_THAT(refusal_of(scratch.write("a.nii", bytes_of(n))), HasSubstr("voxel 0: 65536: expec"));
   n.datatype = 16;
   n.voxels.clear();
   for (int i = 0; i < 24; ++i) {
@@ -553,6 +559,20 @@ TEST(Nifti, NamesItsLabels) {
     EXPECT_TRUE(damaged.names.empty());
     EXPECT_THAT(damaged.notes, testing::ElementsAre(HasSubstr("names of its labels")));
   }
+}
+
+// A key that is no label and elements that are none name nothing; text in another one is no name.
+TEST(Nifti, TakesOnlyNamesOfLabels) {
+  const Scratch scratch;
+  Nifti n;
+  n.extension = extension(
+      "<LabelTable><Label Key='0'>zero</Label><Label Key='x'>letter</Label><Label "
+      "Red='1'>none</Label>"
+      "<Label Key='70000'>far</Label><Label Key='-1'>minus</Label><Note>text</Note>"
+      "<Label Red='1' Key='7'>  vena <i>cava</i> inferior</Label></LabelTable>",
+      false);
+  EXPECT_EQ(bake::read_label_map(scratch.write("a.nii", bytes_of(n))).names,
+            (bake::LabelNames{{7, "vena"}}));
 }
 
 // A segmentation of 3D Slicer: segments lie in layers, where they may have the same value.

@@ -7,6 +7,7 @@ the definitions of the formats. What a header leaves open is a warning or a refu
 
 usage: label_frame_test.py [CASE]   (STYLET_BIN)
 """
+import gzip
 import json
 import os
 import pathlib
@@ -117,6 +118,8 @@ class Nrrd(Case):
                           signs * self.origin)
         for space in ("scanner-xyz", "3D-right-handed"):
             self.held(self.write(space=space), self.steps, self.origin, UNKNOWN)
+        unnamed = self.changed(self.write(), b"space: LPS", b"space dimension: 3")
+        self.held(unnamed, self.steps, self.origin, UNKNOWN)
         for space in ("3D-left-handed", "left-posterior-inferior", "LPST"):
             self.refused(self.write(space=space), f"space: {space}", "expected left-posterior")
 
@@ -205,6 +208,8 @@ class Nrrd(Case):
                                    .replace(b"\n", end))
                 with self.subTest(data):
                     self.held(header, self.steps, self.origin)
+        header.write_bytes(head + "\n".join(["\ndata file: LIST", *names, "", ""]).encode())
+        self.refused(header, "cannot be read")  # teem counts the blank line, too
         for wrong in ("LIST", "s%d 1 2", "s%d 1 2 0", "s%d", "s%0012d 1 2 1", "s%d%d 1 2 1",
                       "s% 1 2 1", "s%03 1 2 1", "s%"):
             header.write_bytes(head + f"\ndata file: {wrong}\n".encode())
@@ -228,9 +233,11 @@ class Nrrd(Case):
         near = [b"\xc3", b"\xa4", b"\xe2", b"\x82", b"\xac", b"\xf0", b"\x9f", b"\xab", b"\x80",
                 b"\xe0", b"\x9f", b"\xed", b"\xa0", b"\xf4", b"\x90", b"\xc0", b"\xff", b"\x7f",
                 "ä".encode(), "€".encode(), "\U0001fac0".encode(), "\ud7ff".encode(),
-                "\u0800".encode(), "\U00010000".encode(), "\U0010ffff".encode(), b"a", b" ", b"Z"]
-        for _ in range(200):
-            name = b"x" + b"".join(self.random.choice(numpy.array(near, object), 6)) + b"x"
+                "\u0800".encode(), "\U00010000".encode(), "\U0010ffff".encode(), b"a", b" ", b"Z", b"\t"]
+        drawn = [b"".join(self.random.choice(numpy.array(near, object), 6)) for _ in range(200)]
+        surrogate, too_long, too_far = b"\xed\xa0\x80", b"\xf0\x8f\xbf\xbf", b"\xf4\x90\x80\x80"
+        for part in [*drawn, surrogate, too_long, too_far]:
+            name = b"x" + part + b"x"
             path = self.changed(self.write(), b"\n\n", b"\nSegment0_ID:=s\nSegment0_Name:=" + name +
                                 b"\n\n")
             done = self.run_labels(path)
@@ -238,6 +245,13 @@ class Nrrd(Case):
             facts = json.loads(done.stdout)
             self.assertEqual({each["label"]: each.get("name") for each in facts["labels"]}[1],
                              shown(name), name)
+
+    def test_keys_that_are_like_those_of_segments_name_nothing(self):
+        path = self.changed(self.write(), b"\n\n", b"\nSegmentX_ID:=a\nSegment1x_ID:=b\nOther1_ID:=c"
+                            b"\nSegment_ID:=d\n\n")
+        facts = json.loads(self.run_labels(path).stdout)
+        self.assertTrue(facts["labels"])
+        self.assertEqual({each["name"] for each in facts["labels"]}, {""})
 
     def test_headers_that_say_too_little_or_too_much(self):
         for old, new, *said in (
@@ -257,6 +271,18 @@ class Nrrd(Case):
         ends = "axis mins: 1 2 3", "axis maxs: 9 9 9"
         self.refused(self.write(*ends, "centers: cell cell", space=None), "3 of cell or node")
         self.refused(self.write("axis mins: nan 2 3", ends[1], space=None), "expected")
+        self.refused(self.write("axis mins: inf 2 3", "spacings: 1 1 1", space=None), "axis mins",
+                     "expected numbers")
+
+    def test_a_fourth_dimension_is_empty(self):
+        x, y, z = self.map.shape
+        said = "spacings: " + row([*self.spacing, 1])
+        for kinds in (), ("kinds: domain domain domain time",):
+            self.held(self.write(said, *kinds, space=None, shape=(x, y, z, 1)),
+                      numpy.diag(self.spacing), numpy.zeros(3), UNKNOWN)
+            path = self.write(said, *kinds, space=None, shape=(x, y, z, 2))
+            path.write_bytes(path.read_bytes() + self.map.tobytes("F"))
+            self.refused(path, "2 values along axis 3: expected a volume of three")
 
     def test_numbers_may_be_spelt_in_any_way(self):
         self.spacing = numpy.array([2, 0.5, 1.25])
@@ -271,6 +297,9 @@ class Nrrd(Case):
         path.write_bytes(head + b"\nkinds: list domain domain domain\n\n" + voxels * 2)
         self.changed(path, b"space directions: ", b"space directions: none ")
         self.refused(path, "2 values a voxel and 0 segments: expected labels")
+        many = "".join(f"\nSegment{i}_ID:=s\nSegment{i}_LabelValue:={i}" for i in range(501))
+        self.refused(self.changed(path, b"\n\n", many.encode() + b"\n\n"),
+                     "2 values a voxel and 501 segments: expected labels")
 
     def test_two_segments_of_one_value_are_refused(self):
         two = b"\nSegment0_ID:=a\nSegment1_ID:=b\n\n"
@@ -324,6 +353,8 @@ class MetaImage(Case):
         self.refused(self.write("TransformMatrix = 1 0 0 0 1 0", matrix=None), "TransformMatrix",
                      "expected 9")
         self.refused(self.write("Offset = 1 2", offset=None), "Offset", "expected 3")
+        self.refused(self.write("Offset = inf 1 2", offset=None), "expected")
+        self.refused(self.write("ElementSpacing = 1e200 1e200 1e200", spacing=None), "expected")
 
     def test_an_anatomical_orientation_that_contradicts_the_matrix_is_said(self):
         ends = ("RL", "AP", "IS")  # where an axis of LPS comes from, and where it goes
@@ -432,9 +463,26 @@ class Inrimage(Case):
         for old, new, *said in ((b"VDIM=1", b"VDIM=2", "one value a voxel"),
                                 (b"VDIM=1", b"VDIMS=1", "expected VDIM"),
                                 (b"XDIM=", b"XDIM=3\nXDIM=", "XDIM: expected it once"),
-                                (b"CPU=", b"C" * 256 + b"\nCPU=", "at most 255 characters")):
+                                (b"CPU=", b"C" * 256 + b"\nCPU=", "at most 255 characters"),
+                                (b"XDIM=", b"XDIM=3 ", "XDIM: expected it once, and one number"),
+                                (b"PIXSIZE=8 bits", b"PIXSIZE=64 bits", "bytes are there"),
+                                (b"unsigned fixed", b"imaginary fixe", "expected the header of"),
+                                (b"#INRIMAGE-4", b"#INRIMAGE-5", "expected the header of")):
             with self.subTest(new):
                 self.refused(self.changed(self.write(), old, new), *said)
+        self.refused(self.write(kind="u8"), "voxels of 8 bytes: expected 1, 2 or 4")
+        self.refused(self.write(kind="f2"), "expected")
+        for said_too in (b"no field\nCPU=", b"NOTE = a = b\nCPU="):
+            self.held(self.changed(self.write(), b"CPU=", said_too),
+                      numpy.diag(self.spacing), numpy.zeros(3), UNKNOWN)
+        path = self.write()
+        path.write_bytes(path.read_bytes()[:-5])  # no more than what the header itself makes up for
+        self.refused(path, "the voxels end early")
+        path.write_bytes(path.read_bytes()[:180].rstrip(b"\n") + b"\n")
+        self.refused(path, "expected")
+        path = self.folder / "a.inr.gz"
+        path.write_bytes(gzip.compress(b""))
+        self.refused(path, "expected the header of an Inrimage")
 
     def test_knows_no_directions_but_a_place(self):
         self.spacing = self.spacing.astype(numpy.float32).round(4).astype(float)

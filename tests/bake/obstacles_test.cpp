@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <regex>
+#include <set>
 
 #include "bake_support.h"
 #include "label_organ.h"
@@ -87,7 +88,11 @@ TEST(Obstacles, WhatAHullSwallowsIsTold) {
   const bake::LabelMap map = ring_map(draw);
   bake::LabelMap many = map;
   std::uint16_t next = 3;
-  bake::Recipe recipe = {{}, {{"liver", {1}}}};
+  constexpr std::uint16_t kTumour = 40;  // the half of the ball toward the head
+  for (std::size_t i = many.label.size() / 2; i < many.label.size(); ++i) {
+    if (many.label[i] == 1) many.label[i] = kTumour;
+  }
+  bake::Recipe recipe = {{}, {{"liver", {1}}, {"tumour", {kTumour}}}};
   recipe.obstacles = {{"rib", {2}}};
   for (; next < 3 + kMaxObstacles - 1; ++next) {
     many.label[next * std::size_t{4}] = next;
@@ -100,9 +105,37 @@ TEST(Obstacles, WhatAHullSwallowsIsTold) {
       static_cast<double>(std::count(map.label.begin(), map.label.end(), 1)) * 1e-3;
   EXPECT_THAT(said, testing::HasSubstr("% off its labels of "));
   std::smatch found;
-  ASSERT_TRUE(std::regex_search(said, found, std::regex("in it ([0-9.]+) ml of liver"))) << said;
-  EXPECT_GT(std::stod(found[1]), 0.3 * liver_ml);
-  EXPECT_LE(std::stod(found[1]), 1.01 * liver_ml);
+  const std::regex both("in it ([0-9.]+) ml of liver, ([0-9.]+) ml of tumour: ");
+  ASSERT_TRUE(std::regex_search(said, found, both)) << said;
+  EXPECT_GT(std::stod(found[1]) + std::stod(found[2]), 0.3 * liver_ml);
+  EXPECT_LE(std::stod(found[1]) + std::stod(found[2]), 1.01 * liver_ml);
+}
+
+// A piece of an obstacle does not get the name that another obstacle has; what is nowhere in the
+// map is told, and is not in the scene.
+TEST(Obstacles, NamesAreTheirOwnAndWhatIsMissingIsTold) {
+  Draw draw(5);
+  bake::LabelMap map = ring_map(draw);
+  for (const std::size_t corner : {0U, 1U, 90U, 91U, 8100U, 8101U, 8190U, 8191U}) {
+    map.label[corner] = 3;
+  }
+  bake::Recipe recipe = {{}, {{"liver", {1}}}};
+  recipe.obstacles = {{"rib", {2}}, {"rib-1", {3}}, {"spine", {8}}};
+  recipe.targets = {{"lesion", {9}}};
+  const bake::Built built = bake::build_labels("ring", map, recipe, {}, [](const char*, double) {});
+  std::set<std::string> names;
+  for (const bake::NamedHull& each : built.obstacles) {
+    EXPECT_TRUE(names.insert(each.name).second) << each.name;
+    EXPECT_EQ(each.name == "rib-1", each.obstacle == "rib-1");
+  }
+  EXPECT_TRUE(names.contains("rib-1") && names.contains("rib-2") && names.contains("rib-3"));
+  EXPECT_TRUE(built.targets.empty());
+  for (const char* missing : {"spine", "lesion"}) {
+    EXPECT_EQ(warning_of(built.report.warnings, std::string("none of the labels of ") + missing),
+              std::string("none of the labels of ") + missing + " is in the map");
+  }
+  EXPECT_THAT(bake::scene_toml("a.organ", {}, built.targets),
+              testing::Not(testing::HasSubstr("point_mm")));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "phantom.h"
 #include "refusal.h"
 #include "stylet/limits.h"
+#include "voxel_materials.h"
 #include "voxelize.h"
 
 namespace stylet::test {
@@ -187,6 +188,41 @@ TEST(Phantom, LayersLieAlongX) {
     const int expected = cells[i].x < 1 ? 0 : cells[i].x < 3 ? 1 : 2;
     ASSERT_EQ(organ.voxel_material[i], expected);
   }
+}
+
+// Along y, of one of two inputs; a layer of skin that is thicker than a voxel holds its membrane of
+// 2 N/mm as modulus, skin that is an input does not.
+TEST(Layers, OfOneTissueMayBeTwoMaterials) {
+  bake::Mesh layered = box_mesh({0, 0, 0}, {20, 40, 20}), skin = box_mesh({20, 0, 0}, {40, 40, 20});
+  BuildOptions options;
+  options.voxel_edge_m = 5e-3;
+  options.layers = {{0.010, "skin"}, {0.001, "muscle"}};
+  options.layer_course = {1, false, "fat"};
+  const Built built =
+      build_quietly({input_of(layered, 1e-3, "fat"), input_of(skin, 1e-3, "skin")}, options);
+  const Organ organ = opened(built.bytes);
+  const std::vector<Cell> cells = cells_of(organ);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const stylet::Material material = organ_material(organ, organ.voxel_material[i]);
+    const bool is_layer = cells[i].x < 4 && cells[i].y < 2;
+    const bool is_skin = cells[i].x >= 4 || is_layer;
+    ASSERT_STREQ(material.name, is_skin ? "skin" : "muscle") << i;
+    if (!is_skin) continue;
+    ASSERT_FLOAT_EQ(material.youngs_modulus_pa, is_layer ? 3e5F : 1e5F) << i;
+  }
+}
+
+TEST(Layers, OfMoreMaterialsThanThereAreNumbersAreRefused) {
+  const std::vector<bake::Tissue> own;
+  bake::MaterialList list{own, {}};
+  for (std::uint32_t i = 0; i < kMaxMaterials; ++i) {
+    bake::Tissue tissue;
+    tissue.name = std::to_string(i);
+    EXPECT_EQ(bake::number_of(list, tissue), i);
+  }
+  bake::Tissue one_more;
+  one_more.name = "one more";
+  EXPECT_THROW((void)bake::number_of(list, one_more), bake::Refusal);
 }
 
 // From above through a slab of 20 mm and a step of 7.5 mm: depth is counted from where each row

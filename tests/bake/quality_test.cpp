@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "bake_support.h"
+#include "label_organ.h"
+#include "phantom.h"
 #include "random_bodies.h"
 #include "report_page.h"
 
@@ -108,6 +110,32 @@ TEST(Quality, PieceThatNothingHoldsIsSaidToDrift) {
   EXPECT_NE(quality.pieces[0].held, quality.pieces[1].held);
   EXPECT_THAT(bake::quality_facts(quality, built.report)["findings"].dump(),
               testing::HasSubstr("1 of 2 separate pieces"));
+}
+
+// A map of 2 mm that one tissue fills up to its edges, but for one voxel of a lesion in it, which
+// no sample of voxels of 15 mm meets; and a triangle that has no area is no piece of a mesh.
+TEST(Quality, PiecesThatNoVoxelHasAreCounted) {
+  bake::LabelMap map;
+  map.size = {30, 22, 22};
+  map.step_m = {Vec{2e-3, 0, 0}, Vec{0, 2e-3, 0}, Vec{0, 0, 2e-3}};
+  map.label.assign(30 * 22 * 22, 1);
+  map.label[30 * 22 * 10 + 30 * 10 + 8] = 2;
+  bake::Recipe recipe;
+  recipe.groups = {{"liver", {1}}, {"tumour", {2}}};
+  const bake::Built built =
+      bake::build_labels("map.nrrd", map, recipe, measured_at(15), [](const char*, double) {});
+  ASSERT_EQ(built.report.shares.size(), 2U);
+  EXPECT_EQ(built.report.shares[0].pieces, 1U);
+  EXPECT_EQ(built.report.shares[0].pieces_lost, 0U);
+  EXPECT_EQ(built.report.shares[1].pieces, 1U);
+  EXPECT_EQ(built.report.shares[1].pieces_lost, 1U);
+  EXPECT_NEAR(built.report.shares[1].input_m3, 8e-9, 1e-15);
+  EXPECT_THAT(built.report.warnings,
+              testing::Contains(testing::HasSubstr("no voxel holds any and no needle feels it")));
+  Mesh mesh = box_mesh({0, 0, 0}, {40, 30, 20});
+  for (const double at : {5.0, 6.0, 7.0}) mesh.points.push_back({at, at, at});
+  mesh.triangles.push_back({8, 9, 10});
+  EXPECT_EQ(build_quietly({input_of(mesh, 1e-3)}, measured_at(5)).report.shares[0].pieces, 1U);
 }
 
 // What is measured does not change what is built.
@@ -214,6 +242,81 @@ TEST(Page, OfAPatientHasPicturesTablesAndTheSameBytesTwice) {
   // The smoothed surface stays within a voxel of the map, 3 mm.
   EXPECT_LT(quality["surface"]["hausdorff_mm"], 3.0);
   EXPECT_LT(quality["surface"]["mean_mm"], 1.0);
+}
+
+// A block of liver beside a rib, as NRRD, which knows the patient's sides, and as an Inrimage,
+// which does not; fitted to a machine whose ticks cost 30 us and 20 ns a voxel and substep.
+TEST(Page, SaysWhoseSidesItShowsWhatLiesBesideAndWhatATickTakes) {
+  const Scratch scratch;
+  std::string voxels;
+  for (int i = 0; i < 12 * 10 * 8; ++i) {
+    const int x = i % 12, y = i / 12 % 10, z = i / 120;
+    const bool rib = x >= 9 && x < 11 && y >= 2 && y < 8 && z >= 3 && z < 5;
+    const bool liver = x >= 1 && x < 8 && y >= 1 && y < 9 && z >= 1 && z < 7;
+    voxels += static_cast<char>(rib ? 2 : liver ? 1 : 0);
+  }
+  std::string head =
+      "#INRIMAGE-4#{\nXDIM=12\nYDIM=10\nZDIM=8\nVDIM=1\nTYPE=unsigned fixed\nPIXSIZE=8 bits\n"
+      "CPU=decm\nVX=5\nVY=5\nVZ=5\n";
+  head.resize(252, '\n');
+  scratch.write("a.inr", head + "##}\n" + voxels);
+  scratch.write("a.nrrd",
+                "NRRD0004\ntype: uchar\ndimension: 3\nspace: LPS\nsizes: 12 10 8\n"
+                "space directions: (5,0,0) (0,5,0) (0,0,5)\nspace origin: (0,0,0)\nencoding: "
+                "raw\n\n" +
+                    voxels);
+  scratch.write("r.toml", "[tissues]\nliver = [1]\n[obstacles]\nrib = [2]\n[targets]\naim = [1]\n");
+  scratch.write("box.csv",
+                "measure,organ,voxels,median_us,ns_per_voxel_substep\n"
+                "tick_elastic,a,1000,70,35\ntick_elastic,b,20000,830,20.75\n");
+  const auto page_of = [&](const std::string& map, const std::string& machine) {
+    const std::string command = "cd " + scratch.folder.string() + " && " STYLET_ORGAN " build " +
+                                map + " --name 'a>b' --recipe r.toml --fit 1kHz " + machine +
+                                " -o a.organ" + " --report " + map + ".page >/dev/null 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    return slurp(scratch.folder / (map + ".page") / "report.html");
+  };
+  const std::string of_patient = page_of("a.nrrd", "--machine box.csv"),
+                    of_axes = page_of("a.inr", "");
+  for (const char* side : {">R<", ">L<", ">A<", ">P<", ">S<", ">I<"}) {
+    EXPECT_GT(count_of(of_patient, side), 0U) << side;
+    EXPECT_EQ(count_of(of_axes, side), 0U) << side;
+  }
+  for (const char* side : {">-x<", ">+x<", ">-y<", ">+y<", ">-z<", ">+z<"}) {
+    EXPECT_EQ(count_of(of_patient, side), 0U) << side;
+    EXPECT_GT(count_of(of_axes, side), 0U) << side;
+  }
+  EXPECT_EQ(count_of(of_patient, " on box: a tick of "), 1U);
+  EXPECT_EQ(count_of(of_patient, "; timed on this organ "), 0U);
+  EXPECT_EQ(count_of(of_axes, " on this machine: a tick of "), 1U);
+  EXPECT_EQ(count_of(of_axes, "; timed on this organ "), 1U);
+  EXPECT_GT(count_of(of_axes, "The letters are the axes of the input."), 0U);
+  for (const std::string& page : {of_patient, of_axes}) {
+    EXPECT_GT(count_of(page, "<title>obstacle rib</title>"), 0U);
+    EXPECT_GT(count_of(page, "<title>target aim</title>"), 0U);
+    EXPECT_EQ(count_of(page, "<h1>a&gt;b</h1>"), 1U);
+    EXPECT_GT(count_of(page, "</i>obstacle<i"), 0U);
+    EXPECT_EQ(count_of(page, "<th>tick, us</th>"), 1U);
+  }
+}
+
+// A part from inside a block has no surface of the input to be compared with or to be seen.
+TEST(Page, OfAPartWithoutSurfaceLeavesItOut) {
+  const Scratch scratch;
+  bake::Mesh block = box_mesh({0, 0, 0}, {60, 60, 60});
+  scratch.write("a.off", bake::off_text(block));
+  scratch.write("b.off", bake::off_text(box_mesh({60, 0, 0}, {80, 60, 60})));
+  const std::string command = "cd " + scratch.folder.string() +
+                              " && " STYLET_ORGAN
+                              " build a.off b.off:kidney --crop box:20,20,20,40,40,40 --fix none"
+                              " --report page -o a.organ >/dev/null 2>&1";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const std::string page = slurp(scratch.folder / "page" / "report.html");
+  EXPECT_EQ(count_of(page, "Made from a.off, b.off."), 1U);
+  EXPECT_EQ(count_of(page, "surface that the needle meets"), 0U);
+  EXPECT_EQ(count_of(page, "data:image/png;base64,"), 1U);
+  const auto facts = nlohmann::json::parse(slurp(scratch.folder / "page" / "report.json"));
+  EXPECT_TRUE(facts["quality"]["surface"].is_null());
 }
 
 }  // namespace

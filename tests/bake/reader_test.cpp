@@ -348,6 +348,8 @@ TEST(Off, RefusesWithPlace) {
     EXPECT_THAT(refusal("a.off", keyword), HasSubstr("expected the keyword OFF"));
   }
   EXPECT_THAT(refusal("a.off", "OFF\n-3 1 0\n"), HasSubstr("'-3': expected a number of points"));
+  EXPECT_THAT(refusal("a.off", "OFF\n3 1 0\n0 0 +-1\n1 0 0\n0 1 0\n3 0 1 2\n"),
+              HasSubstr("expected"));
 }
 
 TEST(Off, WrittenMeshReadsBackToTheBit) {

@@ -6,14 +6,17 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
 
 #include "bake_support.h"
+#include "info.h"
 #include "label_organ.h"
 #include "organ_places.h"
 #include "quality.h"
 #include "random_bodies.h"
+#include "refusal.h"
 #include "sample_cell.h"
 
 namespace stylet::test {
@@ -103,7 +106,8 @@ std::size_t pieces_of(const bake::Built& built) {
 
 TEST(Sheets, BodiesWithoutGapsComeOutAsTheyDid) {
   for (const double voxel_mm : {3.1, 5.0, 7.3}) {
-    for (const Mesh& mesh : {ball(30, 24), turned(box_mesh({0, 0, 0}, {60, 40, 25}), 0.4)}) {
+    for (const Mesh& mesh : {ball(30, 24), turned(box_mesh({0, 0, 0}, {60, 40, 25}), 0.4),
+                             box_mesh({0, 0, 0}, {50, 45, 40})}) {
       const auto plain = build_quietly({input_of(mesh, 1e-3)}, split_at(voxel_mm, false));
       const auto split = build_quietly({input_of(mesh, 1e-3)}, split_at(voxel_mm, true));
       EXPECT_EQ(plain.bytes, split.bytes) << voxel_mm;
@@ -124,6 +128,14 @@ TEST(Sheets, SlabsInOneVoxelAreApart) {
   EXPECT_NEAR(volume_m3(organ), volume_m3(opened(plain.bytes)), 0.005 * volume_m3(organ));
   EXPECT_GT(organ.voxel_count, opened(plain.bytes).voxel_count);
   EXPECT_FALSE(organ.parts.empty());
+  EXPECT_THAT(bake::organ_text(bake::organ_facts(organ, split.bytes)),
+              testing::HasSubstr("gaps          " + std::to_string(organ.parts.size()) +
+                                 " voxels share cells"));
+  bake::BuildOptions measured = split_at(5, true);
+  measured.measured = true;
+  const auto with = build_quietly(inputs, measured);
+  EXPECT_EQ(with.bytes, split.bytes);
+  EXPECT_EQ(with.report.closed_gaps, 0U);  // none was
 }
 
 // A needle straight through both slabs meets each for as long as it is thick, and the gap between
@@ -293,6 +305,19 @@ TEST(Sheets, ACellOfSurfaceAloneGoesWithTheBodyOnItsFace) {
                             std::back_inserter(common));
       EXPECT_EQ(common.size(), 4U) << face << " " << across;  // and none more
     }
+  }
+}
+
+// 33 000 voxels along y take as many rows in each sheet, and two sheets more than an organ has.
+TEST(Sheets, RowsOfAllSheetsAreBounded) {
+  const std::vector<bake::Input> inputs = {
+      input_of(box_mesh({0, 0, 0}, {0.1, 3300, 0.13}), 1e-3),
+      input_of(box_mesh({0, 0, 0.17}, {0.1, 3300, 0.3}), 1e-3)};
+  try {
+    (void)build_quietly(inputs, split_at(0.1, true));
+    ADD_FAILURE() << "built";
+  } catch (const bake::Refusal& refusal) {
+    EXPECT_THAT(refusal.what(), testing::HasSubstr("--split-gaps: 2 sheets of 3300"));
   }
 }
 

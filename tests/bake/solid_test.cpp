@@ -140,6 +140,39 @@ TEST(Winding, IsOneInsideZeroOutside) {
   }
 }
 
+// A box that lacks a triangle, turned either way, and a box in it that is turned as it is: tissue
+// in tissue.
+TEST(Volume, WhatAnOpenSurfaceHoldsIsInIt) {
+  for (const bool inside_out : {false, true}) {
+    Mesh mesh, outer = box_mesh({-0.03, -0.03, -0.03}, {0.03, 0.03, 0.03});
+    outer.triangles.pop_back();
+    append(mesh, outer, inside_out);
+    append(mesh, box_mesh({-0.015, -0.015, -0.015}, {0.015, 0.015, 0.015}), inside_out);
+    EXPECT_NEAR(built_volume_ml(mesh, 5), 216, 216 * kEdgeRounding) << inside_out;
+  }
+}
+
+// A face three times, first the wrong way and then twice the right one.
+TEST(Volume, OfFacesThatContradictEachOtherTheMostCount) {
+  Mesh mesh = block_mm(40, 40, 40);
+  const bake::Triangle right = mesh.triangles.front();
+  mesh.triangles.front() = {right[0], right[2], right[1]};
+  mesh.triangles.push_back(right);
+  mesh.triangles.push_back(right);
+  EXPECT_NEAR(built_volume_ml(mesh, 5), 64, 64 * kEdgeRounding);
+}
+
+// Of a closed surface every ray from inside meets one face before it and one behind.
+TEST(Rays, GoOneWayAndMeetNothingWhereThereIsNothing) {
+  const Mesh block = box_mesh({0, 0, 0}, {3, 2, 1});
+  const bake::TriangleTree tree = bake::triangle_tree(block.points, block.triangles);
+  for (int i = 0; i < 100; ++i) {
+    const Vec ray{std::cos(0.9 * i), std::sin(0.9 * i), 0.31 * std::cos(2.3 * i + 1)};
+    EXPECT_EQ(bake::crossings(tree, {1.1, 0.7, 0.4}, ray), 1) << i;
+  }
+  EXPECT_EQ(bake::crossings(bake::triangle_tree({}, {}), {0, 0, 0}, {0.1, 1, 0.2}), 0);
+}
+
 // Faces turned at random, which no winding number can make sense of: rays do not look at sides.
 TEST(Rays, VoteWhereFacesDisagree) {
   Mesh block = block_mm(40, 40, 40);
@@ -173,6 +206,13 @@ TEST(SampleCell, ShortWayAgreesWithTheLongOne) {
 
 TEST(Grid, RefusesWhatMemoryCannotHold) {
   EXPECT_THROW((void)bake::make_grid({{0, 0, 0}, {1, 1, 1}}, 1e-4), bake::Refusal);
+  EXPECT_THROW((void)bake::make_grid({{0, 0, 0}, {7, 1e-4, 1e-4}}, 1e-4), bake::Refusal);
+  // A thousand triangles across as many cells as 160 along each side are 4 096 million visits.
+  const bake::Grid grid = bake::make_grid({{0, 0, 0}, {0.16, 0.16, 0.16}}, 1e-3);
+  bake::Solid solid;
+  solid.surface.points = {{0, 0, 0}, {0.16, 0.16, 0}, {0, 0.16, 0.16}};
+  solid.surface.triangles.assign(1000, {0, 1, 2});
+  EXPECT_THROW((void)bake::voxelize(grid, solid, [](const char*, double) {}), bake::Refusal);
 }
 
 // The overlap test against its definition: a cube is pierced when a dense set of the triangle's

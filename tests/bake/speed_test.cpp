@@ -8,6 +8,7 @@
 
 #include "bake_support.h"
 #include "phantom.h"
+#include "random_bodies.h"
 #include "refusal.h"
 #include "sweep.h"
 
@@ -50,6 +51,11 @@ TEST(Machine, RefusesWhatStyletBenchDidNotWrite) {
       testing::HasSubstr("1 lines of tick_elastic"));
   EXPECT_THAT(refusal_of([&] { bake::read_machine(bench_of(scratch, "tick_elastic,a,b\n")); }),
               testing::HasSubstr("box.csv:2: expected measure"));
+  for (const char* none : {"0,70,35", "1000,0,35", "1000,70,0"}) {
+    const std::string row = std::string("tick_elastic,a,") + none + "\n";
+    EXPECT_THAT(refusal_of([&] { bake::read_machine(bench_of(scratch, row)); }),
+                testing::HasSubstr("box.csv:2: expected measure"));
+  }
   const bake::Machine slow = {"slow", 600, 1};
   EXPECT_THAT(refusal_of([&] { (void)bake::most_voxels(slow, 1e-3, 2); }),
               testing::HasSubstr("room for 0 voxels on slow"));
@@ -64,6 +70,17 @@ TEST(Rate, HasAUnitAndALimit) {
                 testing::HasSubstr("expected a rate from 100 Hz to 100 kHz"))
         << bad;
   }
+}
+
+// Edges below 2.03 mm are too fine for the format, whatever they would cost.
+TEST(Fit, EdgesThatTheFormatDoesNotHoldAreNotTaken) {
+  bake::BuildOptions options;
+  options.most_voxels = 1000;
+  const auto swept = [](double edge_m) {
+    if (edge_m < 2.03e-3) throw bake::TooFine("too fine");
+    return 5.0;
+  };
+  EXPECT_DOUBLE_EQ(bake::choose_edge({{0, 0, 0}, {0.1, 0.1, 0.1}}, options, swept), 2.05e-3);
 }
 
 // The finest step of 0.05 mm that keeps within the number, and the next finer one does not.
@@ -123,6 +140,11 @@ TEST(Fit, TimesTheOrganOnThisMachine) {
   const bake::Machine elsewhere = {"elsewhere", 30, 0.02};
   const auto bytes = build_quietly({input_of(box_mesh({0, 0, 0}, {40, 40, 40}), 1e-3)}, {}).bytes;
   EXPECT_FALSE(bake::speed_facts(opened(bytes), 1e-3, 2, &elsewhere).contains("timed_us"));
+  // Between two blocks there is nothing to insert a needle into.
+  const bake::Mesh apart =
+      both(box_mesh({0, 0, 0}, {20, 20, 20}), box_mesh({60, 0, 0}, {80, 20, 20}));
+  const auto two = build_quietly({input_of(apart, 1e-3)}, {}).bytes;
+  EXPECT_FALSE(bake::time_tick(opened(two), 1e-3, 2).has_value());
 }
 
 }  // namespace

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is said of an organ file, whoever wrote it: against what the file was made of.
+#include "info.h"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "bake_support.h"
+#include "organ_objects.h"
+#include "refusal.h"
+#include "write_organ.h"
+
+namespace stylet::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::vector<std::byte> bytes_of(const format::OrganT& organ) {
+  flatbuffers::FlatBufferBuilder builder;
+  format::FinishOrganBuffer(builder, format::Organ::Pack(builder, &organ));
+  const auto* bytes = reinterpret_cast<const std::byte*>(builder.GetBufferPointer());
+  return {bytes, bytes + builder.GetSize()};
+}
+
+// A box of 6 x 4 x 2 voxels of 5 mm, as the format allows it to be written: nothing that a file may
+// leave out is there, and it is of version 1, which has no sum.
+format::OrganT barest() {
+  bake::BuildOptions options;
+  options.voxel_edge_m = 5e-3;
+  const auto bytes =
+      build_quietly({input_of(box_mesh({0, 0, 0}, {30, 20, 10}), 1e-3, "gel")}, options).bytes;
+  format::OrganT organ;
+  format::GetOrgan(bytes.data())->UnPackTo(&organ);
+  organ.format_version = 1;
+  organ.name.clear();
+  organ.voxel_fixed.clear();
+  organ.vertices.clear();
+  organ.triangles.clear();
+  organ.sphere_nodes.clear();
+  organ.provenance.reset();
+  organ.mixed.clear();
+  organ.content_sha256.clear();
+  return organ;
+}
+
+TEST(Info, OfTheBarestFileSaysWhatThereIs) {
+  const auto bytes = bytes_of(barest());
+  const Organ organ = bake::open_organ("bare.organ", bytes);
+  const auto facts = bake::organ_facts(organ, bytes);
+  EXPECT_EQ(facts["name"], "");
+  EXPECT_EQ(facts["content_sha256"], "");
+  EXPECT_EQ(facts["voxels"], 6 * 4 * 2);
+  EXPECT_NEAR(facts["volume_ml"].get<double>(), 6, 1e-6);
+  EXPECT_EQ(facts["held_corners"], 0);
+  for (const char* none : {"surface_vertices", "surface_triangles", "sphere_nodes"}) {
+    EXPECT_EQ(facts[none], 0) << none;
+  }
+  EXPECT_EQ(facts["bytes"]["per_vertex"], 0);
+  EXPECT_TRUE(facts["provenance"].is_null());
+  const std::string text = bake::organ_text(facts);
+  EXPECT_THAT(text, HasSubstr("48 voxels of 5 mm in 6 x 4 x 2, 6 ml"));
+  EXPECT_THAT(text, Not(HasSubstr("made by")));
+}
+
+TEST(Info, OriginsThatSayNothingAreShownEmpty) {
+  format::OrganT organ = barest();
+  organ.provenance = std::make_unique<format::ProvenanceT>();
+  const auto unsaid = bytes_of(organ);
+  const auto facts = bake::organ_facts(bake::open_organ("a.organ", unsaid), unsaid)["provenance"];
+  EXPECT_EQ(facts["tool_version"], "");
+  EXPECT_EQ(facts["options"], "");
+  EXPECT_TRUE(facts["sources"].empty());
+  organ.provenance->sources.push_back(std::make_unique<format::SourceT>());
+  organ.provenance->sources.back()->priority = -7;
+  const auto one = bytes_of(organ);
+  const auto all = bake::organ_facts(bake::open_organ("a.organ", one), one);
+  const auto& source = all["provenance"]["sources"][0];
+  for (const char* empty : {"path", "tissue", "sha256"}) EXPECT_EQ(source[empty], "") << empty;
+  EXPECT_THAT(bake::organ_text(all), HasSubstr("priority -7) as , sha256 \n"));
+}
+
+TEST(Info, AFileOfVersionTwoHasTheSumOfItsBytes) {
+  format::OrganT organ = barest();
+  organ.format_version = 2;
+  const auto bytes = bytes_of(organ);
+  try {
+    (void)bake::open_organ("a.organ", bytes);
+    ADD_FAILURE() << "opened";
+  } catch (const bake::Refusal& refusal) {
+    EXPECT_THAT(refusal.what(), HasSubstr("a.organ: content_sha256: none: expected "));
+  }
+}
+
+TEST(Info, WhatTheKernelWouldNotOpenIsNotWritten) {
+  try {
+    (void)bake::write_organ({});
+    ADD_FAILURE() << "written";
+  } catch (const bake::Refusal& refusal) {
+    EXPECT_THAT(refusal.what(), HasSubstr("the organ does not pass the kernel's check: "));
+  }
+}
+
+// A box, and beside it a band that is joined to itself the wrong way round (Moebius).
+TEST(Info, OfASurfaceWithOneSideSaysThatRaysVote) {
+  bake::Mesh mesh = box_mesh({0, 0, 0}, {40, 40, 40});
+  constexpr std::uint32_t kParts = 24;
+  const auto first = static_cast<std::uint32_t>(mesh.points.size());
+  for (std::uint32_t i = 0; i < kParts; ++i) {
+    const double around = 2 * std::numbers::pi * i / kParts, half = around / 2;
+    for (const double across : {-4.0, 4.0}) {
+      const double out = 15 + across * std::cos(half);
+      mesh.points.push_back(
+          {80 + out * std::cos(around), 20 + out * std::sin(around), 20 + across * std::sin(half)});
+    }
+  }
+  for (std::uint32_t i = 0; i < kParts; ++i) {
+    const std::uint32_t a = first + 2 * i, b = a + 1;
+    const bool last = i + 1 == kParts;
+    const std::uint32_t c = last ? first + 1 : a + 2, d = last ? first : b + 2;
+    mesh.triangles.push_back({a, c, b});
+    mesh.triangles.push_back({b, c, d});
+  }
+  const bake::Built built = build_quietly({input_of(mesh, 1e-3)}, {});
+  EXPECT_THAT(bake::build_text(bake::build_facts(built.report)),
+              HasSubstr("2 pieces, open, not orientable (rays vote)"));
+  EXPECT_NEAR(volume_m3(opened(built.bytes)) * 1e6, 64, 0.02 * 64);
+}
+
+}  // namespace
+}  // namespace stylet::test
