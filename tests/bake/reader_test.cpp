@@ -10,6 +10,7 @@
 #include <random>
 
 #include "bake_support.h"
+#include "file.h"
 #include "mesh_text.h"
 #include "read_mesh.h"
 #include "refusal.h"
@@ -355,6 +356,43 @@ TEST(Off, RefusesWithPlace) {
 TEST(Off, WrittenMeshReadsBackToTheBit) {
   const Mesh mesh{{{0.1, 1.0 / 3, -1e-300}, {1e22, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   EXPECT_EQ(read("a.off", bake::off_text(mesh)).mesh.points, mesh.points);
+}
+
+// The kernel's own files say a page as their size and end much before it.
+TEST(ReadFile, SaysWhereAFileEndsThatIsShorterThanItSays) {
+  const std::filesystem::path file = "/sys/devices/system/cpu/online";
+  SKIP_WITHOUT(file);
+  const std::string size = std::to_string(std::filesystem::file_size(file));
+  const std::string bytes = std::to_string(slurp(file).size());
+  try {
+    (void)bake::read_file(file);
+    ADD_FAILURE() << "read";
+  } catch (const bake::Refusal& refused) {
+    EXPECT_THAT(refused.what(), HasSubstr(" after " + bytes + " of " + size + " bytes: expected"));
+  }
+}
+
+// Root may read every file: what others may not is read as somebody else, if it is root who tests.
+TEST(ReadFile, NamesAFileThatOnlyOthersMayRead) {
+  constexpr uid_t kNobody = 65534;
+  const Scratch scratch;
+  const auto file = scratch.write("own.off", "OFF");
+  std::filesystem::permissions(scratch.folder, std::filesystem::perms(0755));
+  std::filesystem::permissions(file, std::filesystem::perms(0));
+  const uid_t tester = ::getuid();
+  if (tester == 0) {
+    ASSERT_EQ(::setresuid(kNobody, kNobody, 0), 0);
+  }
+  std::string said;
+  try {
+    (void)bake::read_file(file);
+  } catch (const bake::Refusal& refused) {
+    said = refused.what();
+  }
+  if (tester == 0) {
+    ASSERT_EQ(::setresuid(0, 0, 0), 0);
+  }
+  EXPECT_THAT(said, HasSubstr("own.off: Permission denied: expected a readable file"));
 }
 
 TEST(ReadMesh, TakesTextWithAByteOrderMark) {
