@@ -10,7 +10,8 @@ file run until one fails, first the one that killed the mutant before, then the 
 that no test fails on has survived. The known survivors and why each is harmless are in
 mutation_survivors.txt, and these are not run; any other is an error.
 With --sample only so many of each file, evenly spread. kernel, hal, offline: all of that folder.
-Of offline, whatever decides what anatomy or bytes come out; not its reports, pictures, timings.
+Of offline, whatever decides what anatomy or bytes come out; not its reports, pictures, timings, nor
+the rows of numbers that tissues have from their sources.
 """
 import argparse
 import os

@@ -112,7 +112,7 @@ TEST(Slabs, MakeLayersAsThickAsTheyAreWhereTheyAreEven) {
   for (int round = 0; round < 200; ++round) {
     const double step = draw.between(0.0005, 0.005), low = draw.between(-1, 1);
     const bool even = draw.coin();
-    const double off = even ? 0.4 * (2e-5 + 0.01 * step) : 2.5 * (2e-5 + 0.01 * step);
+    const double off = even ? 0.95 * (2e-5 + 0.01 * step) : 1.05 * (2e-5 + 0.01 * step);
     std::vector<bake::Slabs> slabs(1 + draw.below(3));
     std::vector<std::vector<bake::Span>> spans(slabs.size());
     slabs[0][0] = {low, low + step};  // the thinnest and the lowest, exactly
