@@ -567,6 +567,7 @@ TEST(Nifti, TakesOnlyNamesOfLabels) {
   Nifti n;
   n.extension = extension(
       "<LabelTable><Label Key='0'>zero</Label><Label Key='x'>letter</Label><Label "
+      "Key='8x'>both</Label><Label "
       "Red='1'>none</Label>"
       "<Label Key='70000'>far</Label><Label Key='-1'>minus</Label><Note>text</Note>"
       "<Label Red='1' Key='7'>  vena <i>cava</i> inferior</Label></LabelTable>",
