@@ -8,14 +8,14 @@
 #include <atomic>
 #include <chrono>
 #include <clocale>
-#include <cstdlib>
-#include <filesystem>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 #include "device_thread.h"
+#include "openhaptics_names.h"
 #include "patience.h"
 #include "stylet/hal/clock.h"
 #include "stylet/hal/device_model.h"
@@ -108,9 +108,17 @@ Api load() {
 
 constexpr std::uint32_t kStalled = 1;  // beside the vendor's numbers
 constexpr std::uint64_t kTicksBetweenCalibrations = 100;
+constexpr int kLastTurns = 20;  // of one that has failed, with zero force
+// What failed together comes back together: so long the first waits for the others, which are tried
+// a quarter of a second (kFirstTryS) after they were closed, or looked at again.
+constexpr double kTogetherS = 1;
 
 struct HdDevice {
   Relay relay;
+  std::string called;  // as it was opened
+  bool again = false;  // it had failed
+  std::atomic<bool> ready{false};
+  int last_turns = kLastTurns;
   Handle handle = kInvalidHandle;
   SchedulerHandle callback = 0;
   std::string model, serial;
@@ -128,6 +136,7 @@ struct Hd {
   std::mutex mutex;                 // opening and closing; never the servo
   std::atomic<bool> paused{false};  // the scheduler stands by our own order
   std::array<std::atomic<HdDevice*>, kMaxDevices> open{};
+  std::map<std::string, std::int64_t> away;  // closed after they had failed: since when
 };
 
 Hd& hd() {
@@ -135,15 +144,30 @@ Hd& hd() {
   return *the_only;
 }
 
-// The scheduler serves all devices, and takes no new one while it runs. Standing, it gives no
-// samples: the guard of another hand latches that, as it should.
+template <typename Do>
+void for_each_open(const Hd& all, Do act) {
+  for (const auto& slot : all.open) {
+    if (HdDevice* each = slot.load(std::memory_order_acquire); each != nullptr) act(*each);
+  }
+}
+
+// The scheduler serves all devices, and takes no new one while it runs. What force there is fades
+// before it stands, in whichever hand, and comes back when somebody has acknowledged: the vendor's
+// manual does not say what standing motors do. The guard of another hand latches the silence, too.
 void pause(Hd& all) {
+  bool any = false;
+  for_each_open(all, [&any](HdDevice& each) {
+    each.relay.rest(true);
+    any = true;
+  });
+  if (any) std::this_thread::sleep_for(kFadeTime);
   all.paused.store(true);
   all.api.stop_scheduler();
 }
 void resume(Hd& all) {
   all.api.start_scheduler();
   all.paused.store(false);
+  for_each_open(all, [](HdDevice& each) { each.relay.rest(false); });
 }
 bool any_open(const Hd& all) {
   return std::any_of(all.open.begin(), all.open.end(),
@@ -158,10 +182,9 @@ void drain_errors(HdDevice& mine) {
     if (error.code == 0) return;
     if (error.code >= kFirstHarmless && error.code <= kLastHarmless) continue;
     HdDevice* meant = &mine;
-    for (auto& slot : all.open) {
-      HdDevice* each = slot.load(std::memory_order_acquire);
-      if (each != nullptr && each->handle == error.device) meant = each;
-    }
+    for_each_open(all, [&](HdDevice& each) {
+      if (each.handle == error.device) meant = &each;
+    });
     meant->relay.fail(error.code);
   }
 }
@@ -179,6 +202,12 @@ void calibrate(const Api& api, HdDevice& device) {
 unsigned int servo(void* self) {
   HdDevice& device = *static_cast<HdDevice*>(self);
   const Api& api = hd().api;
+  // One that has failed is left alone: its errors may take the time of another hand.
+  if (device.relay.failed() && (device.relay.why() == kStalled || --device.last_turns < 0)) {
+    device.last_turns = 0;
+    device.ticks.fetch_add(1, std::memory_order_relaxed);
+    return kContinue;
+  }
   api.begin_frame(device.handle);
   double transform[16] = {};
   int buttons = 0;
@@ -233,32 +262,6 @@ const char* remedy(unsigned int code) {
       return "check the cable, the power, the right to use it (stylet devices) and the vendor's "
              "set-up program";
   }
-}
-
-// Where the vendor's set-up program keeps one file for each device it has given a name.
-std::string names_folder() {
-  const char* home = std::getenv("GTDD_HOME");
-  return std::string(home != nullptr ? home : "/usr/share/3DSystems") + "/config";
-}
-
-// Empty: the name is configured, or none was given. Else what to do.
-std::string name_fault(const std::string& name) {
-  if (name.empty()) return "";
-  std::string names;
-  std::error_code error;
-  const std::string folder = names_folder();
-  for (const auto& each : std::filesystem::directory_iterator(folder, error)) {
-    if (each.path().extension() != ".config") continue;
-    if (each.path().stem() == name) return "";
-    names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", each.path().stem().string());
-  }
-  if (names.empty()) {
-    return fmt::format(
-        "no device of any name is configured in {}: expected one that the vendor's "
-        "set-up program shows",
-        folder);
-  }
-  return fmt::format("no device of this name is configured in {}: expected {}", folder, names);
 }
 
 Handle init(const Api& api, const std::string& name) {
@@ -347,13 +350,32 @@ void wait_until_ready(const HdDevice& device, const std::string& name, double pa
   }
 }
 
+// Nobody can acknowledge this one before the others have been tried: once it is in use, they could
+// not be opened any more.
+void wait_for_the_others(Hd& all) {
+  const auto some_come = [&all] {
+    const std::lock_guard lock(all.mutex);
+    bool come = false;
+    for_each_open(all, [&come](const HdDevice& each) {
+      come = come || each.relay.failed() || !each.ready.load();
+    });
+    for (const auto& [name, since_ns] : all.away) {
+      come = come || static_cast<double>(monotonic_now_ns() - since_ns) < kTogetherS * 1e9;
+    }
+    return come;
+  };
+  for (const Patience patience(kTogetherS); some_come() && !patience.over();) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
 void shut(HdDevice* device) {
   Hd& all = hd();
-  const std::lock_guard lock(all.mutex);
   device->relay.end();
-  std::this_thread::sleep_for(kFadeTime);
-  device->supervisor.stop();
+  const std::lock_guard lock(all.mutex);
   pause(all);
+  device->supervisor.stop();
+  if (device->relay.failed()) all.away[device->called] = monotonic_now_ns();
   if (device->callback != 0) all.api.unschedule(device->callback);
   for (auto& slot : all.open) {
     HdDevice* expected = device;
@@ -408,7 +430,13 @@ std::string openhaptics_missing() try {
 }
 
 bool openhaptics_in_use() {
-  return any_open(hd());
+  Hd& all = hd();
+  const std::lock_guard lock(all.mutex);
+  bool used = false;
+  for_each_open(all, [&used](const HdDevice& each) {
+    used = used || (!each.relay.failed() && (!each.again || each.relay.used()));
+  });
+  return used;
 }
 
 Device open_openhaptics(const std::string& name, double patience_s) {
@@ -417,6 +445,8 @@ Device open_openhaptics(const std::string& name, double patience_s) {
   std::unique_lock lock(all.mutex);
   pause(all);
   auto made = std::make_unique<HdDevice>();
+  made->called = name;
+  made->again = all.away.erase(name) > 0;
   const auto restart = [&all] {
     if (any_open(all)) resume(all);
   };
@@ -443,6 +473,8 @@ Device open_openhaptics(const std::string& name, double patience_s) {
     start(all, *device, style);
     lock.unlock();
     wait_until_ready(*device, name, patience_s);
+    device->ready.store(true);
+    if (device->again) wait_for_the_others(all);
   } catch (...) {
     if (lock.owns_lock()) lock.unlock();
     shut(device);

@@ -37,6 +37,7 @@ struct Lasting {
   bool stop = false;
   std::string trouble, note;
   std::unique_ptr<Device> device;
+  bool failed = false;  // though it may not have been closed yet
   std::thread keeper;
 };
 
@@ -113,17 +114,19 @@ std::string stranger(const DeviceInfo& now, const Lasting& lasting) {
                      now.name);
 }
 
+bool may_open(const Lasting& lasting) {
+  return lasting.reopening.may_open == nullptr || lasting.reopening.may_open();
+}
+
 // Empty: it is open and lent to the loop.
 std::string open_again(Lasting& lasting) try {
-  if (lasting.reopening.may_open != nullptr && !lasting.reopening.may_open()) {
-    return "it can be opened again only when no other of its kind is in use: end the run";
-  }
   const Device device = lasting.reopening.open();
   if (std::string why = stranger(device.info, lasting); !why.empty()) {
     device.close(device.self);
     return why;
   }
   lasting.device = std::make_unique<Device>(device);
+  lasting.failed = false;
   lasting.opened.fetch_add(1);
   lasting.lent.store(lasting.device.get());
   return "";
@@ -139,21 +142,25 @@ void tell(Lasting& lasting, std::string& trouble, std::string& note) {
 
 // What is wrong with it; afterwards it may be open again. Sets the pause until the next look.
 std::string look_after(Lasting& lasting, Seconds& wait, Seconds& pause) {
-  std::string trouble;
-  if (lasting.device != nullptr) {
-    trouble = trouble_of(*lasting.device);
+  if (!lasting.failed) {
+    const std::string trouble = trouble_of(*lasting.device);
     wait = kLookEvery;
-    if (!trouble.empty()) {
-      std::string now = trouble, none;
-      tell(lasting, now, none);  // first: closing one that hangs may take for ever
-      retire(lasting);
-      wait = pause = Seconds(lasting.reopening.first_try_s);
-    }
-  } else {
-    trouble = open_again(lasting);
-    pause = std::min(2 * pause, Seconds(lasting.reopening.longest_try_s));
-    wait = trouble.empty() ? kLookEvery : pause;
+    if (trouble.empty()) return trouble;
+    lasting.failed = true;
+    std::string now = trouble, none;
+    tell(lasting, now, none);  // first: closing one that hangs may take for ever
+    if (may_open(lasting)) retire(lasting);
+    wait = pause = Seconds(lasting.reopening.first_try_s);
+    return trouble;
   }
+  if (!may_open(lasting)) {  // that is no try: asked often, it comes back with the others
+    wait = Seconds(lasting.reopening.first_try_s);
+    return "it can be opened again only when no other of its kind is in use: end the run";
+  }
+  if (lasting.device != nullptr) retire(lasting);
+  const std::string trouble = open_again(lasting);
+  pause = std::min(2 * pause, Seconds(lasting.reopening.longest_try_s));
+  wait = trouble.empty() ? kLookEvery : pause;
   return trouble;
 }
 

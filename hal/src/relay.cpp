@@ -9,8 +9,13 @@ void Relay::publish(const Pose& pose, std::uint32_t buttons, std::int64_t t_ns) 
 }
 
 MotorReport Relay::order(std::int64_t now_ns) {
+  const bool first = order_.t_ns == 0;
   (void)orders_.take(order_);
-  const bool ending = ending_.load(std::memory_order_relaxed);
+  if (first) first_ = order_.arming;
+  const Vec3 f = order_.force_n, t = order_.torque_nm;
+  const bool nothing = f.x == 0 && f.y == 0 && f.z == 0 && t.x == 0 && t.y == 0 && t.z == 0;
+  if (!nothing || order_.arming != first_) used_.store(true, std::memory_order_relaxed);
+  const bool ending = ending_.load(std::memory_order_relaxed) || resting_.load();
   const MotorCut cut = failed() ? MotorCut::kNow : ending ? MotorCut::kFade : MotorCut::kNone;
   motor_step(limits, motor_, order_, cut, now_ns);
   reports_.publish(motor_.report);
@@ -19,6 +24,10 @@ MotorReport Relay::order(std::int64_t now_ns) {
 
 void Relay::end() {
   ending_.store(true, std::memory_order_relaxed);
+}
+
+void Relay::rest(bool on) {
+  resting_.store(on);
 }
 
 void Relay::fail(std::uint32_t why) {

@@ -34,6 +34,7 @@ class Bench {
   virtual int writes() { return 0; }
   virtual void trouble(test::Trouble trouble) = 0;
   virtual void refuse_watchdog(bool /*refused*/) {}
+  virtual void hang(test::Hang /*call*/) {}
   bool places = true;  // measures its place; else how fast it is to move
   bool feels = true;
   bool turns = true;    // measures its rotation
@@ -48,6 +49,9 @@ inline std::string test_port() {
 
 std::unique_ptr<Bench> hd_bench();
 std::unique_ptr<Bench> dhd_bench();
+// One of the vendor's two devices, 0 or 1, by its name.
+std::unique_ptr<Bench> hd_bench_of(int unit);
+std::unique_ptr<Bench> dhd_bench_of(int unit);
 std::unique_ptr<Bench> haply_bench();
 std::unique_ptr<Bench> spacemouse_bench();
 std::unique_ptr<Bench> pointer_bench();

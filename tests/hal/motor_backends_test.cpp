@@ -11,6 +11,7 @@
 #include <ostream>
 
 #include "device_bench.h"
+#include "motor_judge.h"
 #include "peer_hand.h"
 #include "rig.h"
 #include "stylet/hal/lasting_device.h"
@@ -27,111 +28,6 @@ const char* name_of(Kind kind) {
 void PrintTo(Kind kind, std::ostream* out) {
   *out << name_of(kind);
 }
-
-constexpr double kZeroMs = 25;    // from any fault to no force, as hal/GUARD.md promises
-constexpr double kSlackMs = 1.1;  // whoever writes once a millisecond notices one later
-
-double ms(std::int64_t ns) {
-  return static_cast<double>(ns) * 1e-6;
-}
-
-// What is seen from outside, looked at whenever a thread comes to wait.
-struct Judge {
-  std::function<Vec3()> felt;
-  std::function<int()> writes;
-  double most_n = 0, slew_n_per_s = 0;
-  double lag_ms = 2;           // from the guard to the hand
-  double way_ms = 0;           // by so much two writes come closer together than they left
-  double held_ms = 0;          // an order may be under way for so long when a service stands still
-  bool drops = false;          // a service drops the force of a client that gives it up
-  bool orders_expire = false;  // after 10 ms
-  bool supervised = true;      // somebody cuts the force when its writer is held up
-  std::function<std::int64_t()> now_ns = test::virtual_now_ns;
-
-  std::int64_t loop_ns = 0;     // of the newest order
-  std::int64_t fault_ns = 0;    // 0: none
-  std::int64_t trouble_ns = 0;  // of the device: till then it may cut the force
-  bool over = false;            // no force before somebody acknowledged
-  bool armed_anew = false;      // but no order has come yet
-  bool expired = false;         // no more than there is, likewise
-  Vec3 last_n = {};
-  int last_writes = 0;
-  std::int64_t written_ns = 0;
-  double strongest_n = 0;
-  int returns = 0;  // of a force, after somebody acknowledged
-  std::string broken;
-
-  void fail(const std::string& why) {
-    if (!broken.empty()) return;
-    broken = why + " (" + std::to_string(size_of(last_n)) + " N, loop " +
-             std::to_string(ms(now_ns() - loop_ns)) + " ms ago, fault " +
-             std::to_string(fault_ns == 0 ? -1 : ms(now_ns() - fault_ns)) + ", written " +
-             std::to_string(ms(now_ns() - written_ns)) + ")";
-  }
-
-  // Forces may come again with the next order.
-  void acknowledged() {
-    fault_ns = 0;
-    armed_anew = true;
-  }
-  void ordered(std::int64_t tick_ns) {
-    loop_ns = tick_ns;
-    if (armed_anew) over = expired = armed_anew = false;
-  }
-  void fault() {
-    if (fault_ns == 0) fault_ns = now_ns();
-  }
-
-  void look() {
-    const Vec3 force = felt();
-    const std::int64_t now = now_ns();
-    const bool wrote = writes() != last_writes;
-    const double size = size_of(force), passed_ms = written_ns == 0 ? 0 : ms(now - written_ns);
-    const double change = size_of({force.x - last_n.x, force.y - last_n.y, force.z - last_n.z});
-    strongest_n = std::max(strongest_n, size);
-    if (!std::isfinite(size)) fail("not finite");
-    if (size > most_n * (1 + 1e-4)) fail("over the limit: " + std::to_string(size) + " N");
-    // A vendor's own cut: of a device in trouble, or whose writer was held up.
-    const bool dropped = drops && !wrote && size == 0 && change > 0;
-    const bool cut = dropped || (size == 0 && (now < trouble_ns || passed_ms > 9.9));
-    const double most = slew_n_per_s * 1e-3 * (passed_ms + way_ms) * (1 + 1e-4) + 1e-5;
-    if (change > 1e-6 && !cut && !(wrote && (written_ns == 0 || change <= most))) {
-      fail("a step of " + std::to_string(change) + " N");
-    }
-    if (dropped) over = true;
-    judge_end(size, now);
-    if (orders_expire && wrote && loop_ns != 0 && std::max(ms(now - loop_ns), passed_ms) > 10) {
-      expired = true;
-    }
-    if (expired && size > size_of(last_n) * (1 + 1e-5) + 1e-6) fail("force after orders expired");
-    if (wrote || change > 0) {
-      written_ns = now;
-      last_writes = writes();
-    }
-    last_n = force;
-  }
-
-  // Zero in time, and then until somebody acknowledged.
-  void judge_end(double size, std::int64_t now) {
-    const std::int64_t stopped_ns = loop_ns + static_cast<std::int64_t>(kZeroMs * 1e6);
-    std::int64_t end_ns = std::numeric_limits<std::int64_t>::max();
-    if (loop_ns != 0) end_ns = stopped_ns;
-    if (fault_ns != 0)
-      end_ns = std::min(end_ns, fault_ns + static_cast<std::int64_t>(kZeroMs * 1e6));
-    const double late_ms = ms(now - end_ns);
-    const bool held =
-        written_ns < end_ns && (!supervised || ms(now - written_ns) < kZeroMs + kSlackMs);
-    if (late_ms > kSlackMs + held_ms && !held) {
-      if (size > 0) fail("force 25 ms after a fault");
-      over = true;
-    }
-    if (over && size > 0 && !held) fail("force before somebody acknowledged");
-    const bool falls = fault_ns != 0 && ms(now - fault_ns) > lag_ms;
-    if (falls && !over && size > size_of(last_n) * (1 + 1e-5) + 1e-6) {
-      fail("force grows after a fault");
-    }
-  }
-};
 
 struct Session {
   Draw draw;
@@ -392,11 +288,6 @@ Seen run_session(std::uint64_t seed, Kind kind) {
 }
 
 class MotorBackends : public testing::TestWithParam<Kind> {};
-
-int number_from(const char* variable, int otherwise) {
-  const char* wanted = std::getenv(variable);
-  return wanted != nullptr ? std::atoi(wanted) : otherwise;
-}
 
 TEST_P(MotorBackends, GiveTheHandNothingThatHurts) {
   const int first = number_from("STYLET_MOTOR_FIRST", 1);

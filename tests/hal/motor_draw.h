@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <random>
 
 #include "stylet/units.h"
@@ -27,6 +28,12 @@ struct Draw {
     return static_cast<std::int64_t>(between(low, high) * 1e6);
   }
 };
+
+// From the environment, such as a seed.
+inline int number_from(const char* variable, int otherwise) {
+  const char* wanted = std::getenv(variable);
+  return wanted != nullptr ? std::atoi(wanted) : otherwise;
+}
 
 // Somebody who does nothing until a time: now and then, or again and again.
 struct Stalls {

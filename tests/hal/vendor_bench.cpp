@@ -22,8 +22,9 @@ struct Axes {
 
 class VendorBench : public Bench {
  public:
-  VendorBench(const char* variable, const char* library, const char* uri_text, Axes axes)
-      : uri_(uri_text), axes_(axes) {
+  VendorBench(const char* variable, const char* library, const char* uri_text, Axes axes,
+              int unit_number)
+      : uri_(uri_text), axes_(axes), unit_(unit_number) {
     setenv(variable, library, 1);
     void* loaded = dlopen(library, RTLD_NOW | RTLD_NODELETE);
     EXPECT_NE(loaded, nullptr) << dlerror();
@@ -31,14 +32,15 @@ class VendorBench : public Bench {
     move({{}, {1, 0, 0, 0}});
     press(0);
     trouble(test::Trouble::kNone);
-    standin_(0)->hand_kg = 0;
+    standin_(unit_)->hand_kg = 0;
     refuse_watchdog(false);
-    for (auto& v : standin_(0)->velocity) v = 0;
+    hang(test::Hang::kNone);
+    for (auto& v : standin_(unit_)->velocity) v = 0;
   }
   std::string uri() const override { return uri_; }
 
   void move(const Pose& pose) override {
-    StandIn& unit = *standin_(0);
+    StandIn& unit = *standin_(unit_);
     const std::array p = {pose.position_m.x, pose.position_m.y, pose.position_m.z};
     const std::array<Vec3, 3> columns = {rotate(pose.rotation, {1, 0, 0}),
                                          rotate(pose.rotation, {0, 1, 0}),
@@ -52,12 +54,13 @@ class VendorBench : public Bench {
       }
     }
   }
-  void press(std::uint32_t mask) override { standin_(0)->buttons = mask; }
-  void trouble(test::Trouble trouble) override { standin_(0)->trouble = trouble; }
-  void refuse_watchdog(bool refused) override { standin_(0)->refuses_watchdog = refused; }
-  Vec3 felt() override { return ours(standin_(0)->force); }
-  int writes() override { return standin_(0)->ticks; }
-  Vec3 felt_torque() override { return ours(standin_(0)->torque); }
+  void press(std::uint32_t mask) override { standin_(unit_)->buttons = mask; }
+  void trouble(test::Trouble trouble) override { standin_(unit_)->trouble = trouble; }
+  void refuse_watchdog(bool refused) override { standin_(unit_)->refuses_watchdog = refused; }
+  void hang(test::Hang call) override { standin_(unit_)->hangs = call; }
+  Vec3 felt() override { return ours(standin_(unit_)->force); }
+  int writes() override { return standin_(unit_)->writes; }
+  Vec3 felt_torque() override { return ours(standin_(unit_)->torque); }
 
  private:
   Vec3 ours(const std::atomic<double> (&vendors)[3]) const {
@@ -70,21 +73,35 @@ class VendorBench : public Bench {
 
   std::string uri_;
   Axes axes_;
+  int unit_;
   StandInOf standin_ = nullptr;
 };
 
 constexpr Axes kOurs = {{0, 1, 2}, 1e-3};
 constexpr Axes kUserFirst = {{2, 0, 1}, 1};  // x toward the user, y right, z up
 
+std::unique_ptr<Bench> hd(const char* uri, int unit) {
+  return std::make_unique<VendorBench>("STYLET_LIBHD", STYLET_STANDIN_HD, uri, kOurs, unit);
+}
+std::unique_ptr<Bench> dhd(const char* uri, int unit) {
+  const char* other = std::getenv("STYLET_STANDIN_DHD");  // of another age
+  return std::make_unique<VendorBench>(
+      "STYLET_LIBDHD", other != nullptr ? other : STYLET_STANDIN_DHD_NOW, uri, kUserFirst, unit);
+}
+
 }  // namespace
 
 std::unique_ptr<Bench> hd_bench() {
-  return std::make_unique<VendorBench>("STYLET_LIBHD", STYLET_STANDIN_HD, "hd:", kOurs);
+  return hd("hd:", 0);
 }
 std::unique_ptr<Bench> dhd_bench() {
-  const char* other = std::getenv("STYLET_STANDIN_DHD");  // of another age
-  return std::make_unique<VendorBench>(
-      "STYLET_LIBDHD", other != nullptr ? other : STYLET_STANDIN_DHD_NOW, "dhd:0", kUserFirst);
+  return dhd("dhd:0", 0);
+}
+std::unique_ptr<Bench> hd_bench_of(int unit) {
+  return hd(unit == 0 ? "hd:Left" : "hd:Right", unit);
+}
+std::unique_ptr<Bench> dhd_bench_of(int unit) {
+  return dhd(unit == 0 ? "dhd:0" : "dhd:1", unit);
 }
 
 }  // namespace stylet::hal

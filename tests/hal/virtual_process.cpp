@@ -217,6 +217,17 @@ int pthread_cond_clockwait(pthread_cond_t* cond, pthread_mutex_t* mutex, clockid
   return process.now_ns >= end_ns ? ETIMEDOUT : 0;
 }
 
+int pthread_mutex_lock(pthread_mutex_t* mutex) {
+  static const auto real_lock = real<int (*)(pthread_mutex_t*)>("pthread_mutex_lock");
+  if (self == nullptr) return real_lock(mutex);
+  int result = pthread_mutex_trylock(mutex);
+  while (result == EBUSY) {
+    sleep_until_virtual(process.now_ns + stylet::test::kLookNs);
+    result = pthread_mutex_trylock(mutex);
+  }
+  return result;
+}
+
 int pthread_create(pthread_t* id, const pthread_attr_t* attributes, void* (*start)(void*),
                    void* argument) {
   static const auto real_create =

@@ -36,6 +36,7 @@ struct StandIn {
   std::atomic<int> forbidden;  // calls that the vendor's manual forbids
   std::atomic<int> updates;    // of the calibration
   std::atomic<int> ticks;
+  std::atomic<int> writes;          // of a force to the motors
   std::atomic<int> late_ms;         // the next tick of the vendor's thread is so late
   std::atomic<bool> mute;           // tells nothing of what it can do
   std::atomic<double> hand_kg;      // more than 0: a mass that the motors move; else it stays put

@@ -202,6 +202,7 @@ int dhdSetForce(double x, double y, double z, char id) {
   live(*u);
   u->fed = now();
   ++u->seen.ticks;
+  ++u->seen.writes;
   const double size = std::sqrt(x * x + y * y + z * z);
   const double share = size > kMostForceN ? kMostForceN / size : 1;
   const double force[3] = {share * x, share * y, share * z};

@@ -140,7 +140,7 @@ unsigned hdInitDevice(const char* name) {
     return kInvalidHandle;
   }
   u.open = true;
-  u.output = false;
+  u.output = u.in_frame = false;
   // The trap: a comma where a point was meant.
   u.scale = std::strcmp(std::setlocale(LC_NUMERIC, nullptr), "C") == 0 ? 1 : 10;
   current = handle;
@@ -180,6 +180,7 @@ void hdEndFrame(unsigned handle) {
   u->in_frame = false;
   const Trouble trouble = u->seen.trouble.load();
   for (int i = 0; i < 3; ++i) u->seen.force[i] = u->output ? u->wanted[i] : 0;
+  ++u->seen.writes;
   if (trouble == Trouble::kNoAnswer) {
     stop_motors(*u);
     raise(0x0302, handle);

@@ -38,7 +38,8 @@ struct DeviceKind {
   const char* example;  // of a URI
   const char* name;
   Device (*open)(const std::string& rest, double patience_s);
-  // Whether it may be opened again now, once it has failed for good; null: it comes back by itself.
+  // Whether it may be closed and opened again now, once it has failed for good; null: it comes back
+  // by itself.
   bool (*may_open_again)();
   // What opens the same one again, where a kind can say so; null: `rest` itself.
   std::string (*same)(const std::string& rest, const std::string& identity) = nullptr;

@@ -21,7 +21,7 @@ constexpr double kLongestTryS = 4;
 
 struct Reopening {
   std::function<Device()> open;  // throws DeviceError
-  bool (*may_open)() = nullptr;  // not now: it would disturb another device
+  bool (*may_open)() = nullptr;  // nor close; not now: it would disturb another device
   double first_try_s = kFirstTryS;
   double longest_try_s = kLongestTryS;
 };

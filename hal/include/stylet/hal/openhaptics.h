@@ -16,7 +16,9 @@ namespace stylet::hal {
 
 // Empty name: the default device. Waits for calibration up to patience_s.
 Device open_openhaptics(const std::string& name, double patience_s);
-// One is open: another could be opened only by stopping its servo for a moment.
+// One is open, has not failed, and may have a force: another could be opened only by stopping its
+// servo for a moment. One that was opened again after it had failed has none before somebody
+// acknowledged.
 bool openhaptics_in_use();
 // Empty: the library is there. Else why not, in one line.
 std::string openhaptics_missing();

@@ -4,8 +4,9 @@
 //
 // What the device's thread gets is what the motors may have: slewed, and gone when a loop has
 // stopped (motor.h). fail() is for good: no sample and no force comes through any more, so that a
-// device that comes back by itself does not push. end(): what force there is fades. A device that
-// has shown nothing new for kQuietNs does not answer. Promises: wait-free, no allocation, no system
+// device that comes back by itself does not push. end(): what force there is fades. rest(): it
+// fades, and comes back when somebody acknowledged after the rest. A device that has shown nothing
+// new for kQuietNs does not answer. Promises: wait-free, no allocation, no system
 // call; one thread on each side. Units: SI.
 #pragma once
 
@@ -35,10 +36,13 @@ class Relay {
 
   // ---- any thread
   void end();
+  void rest(bool on);
   // Why, a number of the device's own; the first one stays.
   void fail(std::uint32_t why);
   bool failed() const { return failed_.load(std::memory_order_acquire); }
   std::uint32_t why() const { return why_.load(std::memory_order_relaxed); }
+  // A force was ordered, or somebody acknowledged, since the device was opened.
+  bool used() const { return used_.load(std::memory_order_relaxed); }
   bool measured() const { return measured_.load(std::memory_order_acquire); }
 
   // ---- the loop
@@ -52,10 +56,11 @@ class Relay {
   Latest<MotorReport> reports_;
   std::atomic<bool> failed_{false};
   std::atomic<bool> measured_{false};
-  std::atomic<bool> ending_{false};
+  std::atomic<bool> ending_{false}, resting_{false}, used_{false};
   std::atomic<std::uint32_t> why_{0};
   std::uint64_t seq_ = 0;     // the device's thread
   MotorOrder order_ = {};     // the device's thread
+  std::uint32_t first_ = 0;   // the device's thread: arming of the first order
   MotorState motor_ = {};     // the device's thread
   Sample newest_ = {};        // the loop
   MotorReport report_ = {};   // the loop
