@@ -22,10 +22,11 @@ import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 SOURCE = HERE.parents[1]
-TARGETS = ["organ", "tick", "snapshot", "mesh", "tissues", "label", "recipe", "scene", "recording"]
+TARGETS = ["organ", "tick", "snapshot", "mesh", "tissues", "label", "recipe", "scene", "recording",
+           "packet"]
 # Longest inputs worth trying: beyond, they are slow and no different.
 MAX_BYTES = {"organ": 8192, "tick": 1024, "snapshot": 96, "mesh": 2048, "tissues": 2048,
-             "label": 4096, "recipe": 2048, "scene": 4096, "recording": 64}
+             "label": 4096, "recipe": 2048, "scene": 4096, "recording": 64, "packet": 512}
 
 
 def run_quietly(command):

@@ -162,6 +162,24 @@ void write_changes(const std::string& folder) {
   write(folder + "missing-column.bin", deleted, sizeof deleted);
 }
 
+// Steps as packet_target.cpp reads them, after who listens: a good packet with its changes and a
+// tick with its force, time that passes, bytes as they are.
+void write_packets(const std::string& folder) {
+  const std::vector<std::uint8_t> steady = {4, 0, 10, 20, 0, 0, 0x80, 0x3F};
+  const std::vector<std::uint8_t> gap = {1, 30}, none = {0, 9, 'S', 'T', 'Y', 'S', 3, 0, 108, 0, 1},
+                                  nan = {2, 2, 47, 0x7F, 46, 0xC0}, later = {2, 1, 30, 1},
+                                  clock = {3, 2, 27, 0x40, 26, 0};
+  const char* const names[] = {"memory", "udp", "station"};
+  for (std::uint8_t who = 0; who < 3; ++who) {
+    std::vector<std::uint8_t> bytes = {who};
+    for (const auto& strange : {steady, gap, none, nan, later, clock}) {
+      for (int i = 0; i < 6; ++i) bytes.insert(bytes.end(), steady.begin(), steady.end());
+      bytes.insert(bytes.end(), strange.begin(), strange.end());
+    }
+    write(folder + names[who] + ".bin", bytes.data(), bytes.size());
+  }
+}
+
 }  // namespace
 }  // namespace stylet::test
 
@@ -172,5 +190,6 @@ int main(int argc, char** argv) {
   stylet::test::write_inputs(folder + "/tick/");
   stylet::test::write_snapshots(folder + "/snapshot/");
   stylet::test::write_changes(folder + "/recording/");
+  stylet::test::write_packets(folder + "/packet/");
   return 0;
 }
