@@ -233,7 +233,8 @@ class Nrrd(Case):
         near = [b"\xc3", b"\xa4", b"\xe2", b"\x82", b"\xac", b"\xf0", b"\x9f", b"\xab", b"\x80",
                 b"\xe0", b"\x9f", b"\xed", b"\xa0", b"\xf4", b"\x90", b"\xc0", b"\xff", b"\x7f",
                 "ä".encode(), "€".encode(), "\U0001fac0".encode(), "\ud7ff".encode(),
-                "\u0800".encode(), "\U00010000".encode(), "\U0010ffff".encode(), b"a", b" ", b"Z", b"\t"]
+                "\u0800".encode(), "\U00010000".encode(), "\U0010ffff".encode(),
+                b"a", b" ", b"Z", b"\t"]
         drawn = [b"".join(self.random.choice(numpy.array(near, object), 6)) for _ in range(200)]
         surrogate, too_long, too_far = b"\xed\xa0\x80", b"\xf0\x8f\xbf\xbf", b"\xf4\x90\x80\x80"
         for part in [*drawn, surrogate, too_long, too_far]:
@@ -247,8 +248,8 @@ class Nrrd(Case):
                              shown(name), name)
 
     def test_keys_that_are_like_those_of_segments_name_nothing(self):
-        path = self.changed(self.write(), b"\n\n", b"\nSegmentX_ID:=a\nSegment1x_ID:=b\nOther1_ID:=c"
-                            b"\nSegment_ID:=d\n\n")
+        path = self.changed(self.write(), b"\n\n", b"\nSegmentX_ID:=a\nSegment1x_ID:=b"
+                            b"\nOther1_ID:=c\nSegment_ID:=d\n\n")
         facts = json.loads(self.run_labels(path).stdout)
         self.assertTrue(facts["labels"])
         self.assertEqual({each["name"] for each in facts["labels"]}, {""})
