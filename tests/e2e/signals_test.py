@@ -148,7 +148,8 @@ class SignalsBeside(Disturbed):
 
     def send(self, process):
         """One that ends it, at once or after one that does not, or one of them again."""
-        self.sent = [self.random.choice([signal.SIGPIPE, *self.ENDING])] * self.random.choice([0, 1])
+        before = self.random.choice([signal.SIGPIPE, *self.ENDING])
+        self.sent = [before] * self.random.choice([0, 1])
         self.sent.append(self.random.choice(self.ENDING))
         for each in self.sent:
             process.send_signal(each)

@@ -4,8 +4,8 @@
 //
 // In place of the C library's, for the whole program: clock_gettime, sleeps, waits for files with
 // or without a time limit, for mutexes, for condition variables with a limit, for the ends of
-// threads, and sched_yield. A thread that waits for anything else holds up all others. The order of threads is
-// that of their wake-ups: the same calls give the same run, as far as sockets do.
+// threads, and sched_yield. A thread that waits for anything else holds up all others. The order of
+// threads is that of their wake-ups: the same calls give the same run, as far as sockets do.
 // Units: ns.
 #pragma once
 
