@@ -85,7 +85,7 @@ std::optional<std::vector<std::byte>> received(const Link& link) {
 
 // At most as large as a slot of shared memory.
 std::vector<std::byte> raw(Bytes& bytes) {
-  std::vector<std::byte> packet(bytes.byte() % (kMaxPacketBytes + 1));
+  std::vector<std::byte> packet(1 + bytes.byte() % kMaxPacketBytes);
   for (std::byte& each : packet) each = static_cast<std::byte>(bytes.byte());
   return packet;
 }
