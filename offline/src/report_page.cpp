@@ -45,7 +45,7 @@ std::string base64(const std::string& bytes) {
 }
 
 std::string number(const Json& value, int digits = 1) {
-  return value.is_null() ? "" : fmt::format("{:.{}f}", value.get<double>(), digits);
+  return fmt::format("{:.{}f}", value.get<double>(), digits);
 }
 
 std::string percent(double part, double whole) {

@@ -314,6 +314,9 @@ class Dicom(unittest.TestCase):
         bare = self.folder / "segmentation"
         bare.write_bytes((self.folder / "seg.dcm").read_bytes())
         self.check_same(bare)
+        done = self.tool("build", bare, "-o", self.folder / "y.organ")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("segmentation: expected --recipe, as this is a label map", done.stderr)
         file = pydicom.dcmread(str(bare))
         frames = file.PerFrameFunctionalGroupsSequence
         # A ten-thousandth of a millimetre does not decide which segment has a voxel.

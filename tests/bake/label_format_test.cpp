@@ -120,6 +120,11 @@ TEST(LabelHeader, CostsWhatIsThereNotWhatIsClaimed) {
        "bytes are there"},
       {scratch.write("far.nrrd", nrrd(small, "raw\nbyte skip: 99999999999", "abcdefgh")),
        "header line 7: byte skip: 99999999999: expected"},
+      {scratch.write("wide.nrrd",
+                     "NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\n"
+                     "space directions: (1e200,0,0) (0,1e200,0) (0,0,1e200)\n"
+                     "space origin: (0,0,0)\nsizes: 2 2 2\nencoding: raw\n\nabcdefgh"),
+       "span inf mm3 a voxel: expected"},
       {scratch.write("twice.nrrd", nrrd(small, "raw\nsizes: 9 9 9", "abcdefgh")),
        "sizes: expected"},
       {scratch.write("a.nhdr", nrrd(small, "raw\ndata file: /dev/zero", "")),

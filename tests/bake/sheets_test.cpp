@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <bit>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
@@ -18,6 +20,7 @@
 #include "random_bodies.h"
 #include "refusal.h"
 #include "sample_cell.h"
+#include "sample_parts.h"
 
 namespace stylet::test {
 namespace {
@@ -306,6 +309,55 @@ TEST(Sheets, ACellOfSurfaceAloneGoesWithTheBodyOnItsFace) {
       EXPECT_EQ(common.size(), 4U) << face << " " << across;  // and none more
     }
   }
+}
+
+// Samples of a cell by their place in it, in its edge.
+std::uint64_t samples_where(const std::function<bool(Vec)>& is) {
+  std::uint64_t inside = 0;
+  for (std::uint32_t i = 0; i < 64; ++i) {
+    if (is(bake::sample_point(i))) inside |= std::uint64_t{1} << i;
+  }
+  return inside;
+}
+
+std::multiset<std::uint64_t> parts_in(const bake::Lattice& lattice, std::size_t cell) {
+  std::multiset<std::uint64_t> parts;
+  for (const bake::SharedCell& each : bake::shared_in(lattice, cell)) parts.insert(each.inside);
+  return parts;
+}
+
+// Two bodies side by side in a cell, of eight samples each, and a speck of one sample beyond a gap.
+// It gets no voxel of its own: it goes with the nearest body where it hangs with nothing, and with
+// the body that it hangs together with around the cell, be it the farther one; it has its own voxel
+// where it hangs with something else.
+TEST(Sheets, ASpeckGoesWithWhatItHangsWithOrWithTheNearest) {
+  const std::uint64_t left = samples_where([](Vec at) { return at.x < 0.25 && at.y < 0.5; });
+  const std::uint64_t right = samples_where([](Vec at) { return at.x > 0.75 && at.y < 0.5; });
+  ASSERT_GE(std::min(std::popcount(left), std::popcount(right)), bake::kLeastPart);
+  int specks = 0;
+  for (std::uint32_t i = 0; i < 64; ++i) {
+    const Vec place = bake::sample_point(i);
+    if (place.y < 0.85 || (place.x > 0.35 && place.x < 0.65)) continue;
+    ++specks;
+    const std::uint64_t speck = std::uint64_t{1} << i;
+    bake::Claims claims = bake::no_claims({{}, 0.005, {3, 3, 3}});
+    const std::size_t middle = 13, behind = middle + 3;
+    claims.inside[middle] = left | right | speck;
+    const std::uint64_t beside = place.x < 0.5 ? left : right, across = (left | right) & ~beside;
+    EXPECT_THAT(parts_in(split_of(claims), middle),
+                testing::UnorderedElementsAre(beside | speck, across))
+        << i;
+    claims.inside[behind] = kAll;
+    EXPECT_THAT(parts_in(split_of(claims), middle),
+                testing::UnorderedElementsAre(left, right, speck))
+        << i;
+    // The left one reaches round to it.
+    claims.inside[middle - 1] = claims.inside[behind - 1] = kAll;
+    EXPECT_THAT(parts_in(split_of(claims), middle),
+                testing::UnorderedElementsAre(left | speck, right))
+        << i;
+  }
+  EXPECT_GT(specks, 4);
 }
 
 // 33 000 voxels along y take as many rows in each sheet, and two sheets more than an organ has.
