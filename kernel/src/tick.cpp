@@ -100,9 +100,9 @@ Vec3 turn_between(const Quat& a, const Quat& b) {
 // surface, or lie deeper than the mouth, before it can touch it again. What a tip that is swept
 // aside comes forward is counted along the mean of its directions before and after the `turn`:
 // along the last one it would press without anybody pushing. False: it is not known whether it
-// touches.
+// touches. `has_left`: in this very tick, so that the next one still has to look around it.
 bool seek_contact(const View& view, const Needle& needle, Vec3 turn, bool known_before,
-                  std::uint32_t& flags) {
+                  bool has_left, std::uint32_t& flags) {
   NeedleState& own = *view.state.needle;
   if (own.phase != Phase::kFree) return true;
   Vec3 rest = {}, place = {};
@@ -116,7 +116,7 @@ bool seek_contact(const View& view, const Needle& needle, Vec3 turn, bool known_
   if (contact == Contact::kSideways) came = norm(step);  // it has come by no other way
   const bool found = contact == Contact::kFound || contact == Contact::kSideways;
   if (found) begin_contact(view, needle, rest, place, came);
-  if (contact == Contact::kNone) own.leaving = 0;
+  if (contact == Contact::kNone && !has_left) own.leaving = 0;
   return contact != Contact::kUnknown;
 }
 
@@ -178,11 +178,11 @@ void move_needle(const View& view, const Input& input, Moved& out) {
   }
   out.flags |= place_needle(view, out.shape);
   const bool was_free = own.phase == Phase::kFree;
-  const bool known = seek_contact(view, out.shape, turn, out.known_before, out.flags);
+  const bool known = seek_contact(view, out.shape, turn, out.known_before, false, out.flags);
   if (!known && out.known_before) out.flags |= hold_needle(view, out.before, out.shape);
   out.flags |= couple_needle(view, out.shape);
   // One that has left its hole may have left it under other tissue, pressed or folded over it.
-  if (!was_free) (void)seek_contact(view, out.shape, turn, out.known_before, out.flags);
+  if (!was_free) (void)seek_contact(view, out.shape, turn, out.known_before, true, out.flags);
 }
 
 void latch_fault(StateHead& state) {
