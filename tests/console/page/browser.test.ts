@@ -244,9 +244,9 @@ test(
       assert.deepEqual(errors.filter((e) => !/WebSocket connection/.test(e)), []);
       await page.context().close();
 
-      const other = await serve({protocol: 2});
+      const other = await serve({protocol: 1});
       const wrong = await open(browser, other.url);
-      await wrong.page.locator('.banner').getByText('protocol 2, this page 1').waitFor();
+      await wrong.page.locator('.banner').getByText('protocol 1, this page 2').waitFor();
       await wrong.page.context().close();
     });
 

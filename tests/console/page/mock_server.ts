@@ -295,7 +295,7 @@ export class MockServer {
           b, recordingTicks ? [] : names.map((n) => b.createString(n)));
       const [version, scene] = [b.createString('0.1.0'), b.createString('liver-biopsy')];
       wire.Hello.startHello(b);
-      wire.Hello.addProtocol(b, protocol ?? 1);
+      wire.Hello.addProtocol(b, protocol ?? 2);
       wire.Hello.addStyletVersion(b, version);
       wire.Hello.addScene(b, scene);
       wire.Hello.addScenes(b, scenes);
