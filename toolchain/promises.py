@@ -56,7 +56,8 @@ ROWS = [
      "zero within 25 ms, back after an acknowledgement only",
      r"hal_motor\..*|hal_motor_backends\..*", None),
     ("recorder, OpenIGTLink and page may crash, hang or starve, and signals come at any time: hand "
-     "and recording stay whole", r"e2e\.process\..*|console\.(Program|Wishes)\..*", None),
+     "and recording stay whole",
+     r"e2e\.process\..*|e2e\.signals.*|console\.(Program|Wishes)\..*", None),
     ("a device may fail at any tick", r"device_faults\..*", None),
     ("the guard's states are those of hal/GUARD.md", r"hal_guard\.GuardStates\..*", None),
     ("no limit cycle, no energy for the hand, with a Touch and an omega.7",
