@@ -30,7 +30,7 @@ int winding_step(const std::array<Vec, 3>& c, Vec from, Vec to, bool& sure) {
   if ((start > slack && start - along > slack) || (start < -slack && start - along < -slack)) {
     return 0;
   }
-  if (std::abs(start) <= slack || std::abs(start - along) <= slack || std::abs(along) <= slack) {
+  if (std::abs(start) <= slack || std::abs(start - along) <= slack) {
     sure = false;
     return 0;
   }

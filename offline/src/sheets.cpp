@@ -294,7 +294,7 @@ class Splitter {
     if (k == kNone || l == kNone || k == l) return true;
     const Block block = block_around(a.inside == 0 || b.inside != 0 ? a.cell : b.cell);
     const std::uint32_t one = set_of(block, k), other = set_of(block, l);
-    return one == other || one == kNone || other == kNone;
+    return one == other || other == kNone;  // only a host of the other cell may lie beyond
   }
 
   bool find_crowded() {

@@ -274,8 +274,15 @@ class IrregularSeries(Conformance):
                        said=["mm apart: brought into layers",
                              "slices of 1 mm lie 2 mm apart: what is between them"])
 
+        def some_without_thickness(folder, random):  # any but the first
+            slices = stack(random, distances=random.uniform(1.5, 2.6, 26))
+            for i in random.permutation(numpy.arange(1, 27))[:9]:
+                slices[i].thickness = 0
+            self.check(write_slices(folder, slices, random), held(slices), NEAR, within=1.3,
+                       said=["mm apart: brought into layers"])
+
         self.cases(3, uneven)
-        self.cases(2, two_thicknesses, thin_with_some_missing)
+        self.cases(2, two_thicknesses, thin_with_some_missing, some_without_thickness)
 
     def test_what_is_missing_or_twice_is_refused(self):
         def missing(folder, random):

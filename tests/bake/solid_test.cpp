@@ -2,6 +2,7 @@
 // Repair, winding numbers and voxels on bodies whose volume is known in closed form.
 #include <bit>
 #include <numbers>
+#include <random>
 
 #include "bake_support.h"
 #include "phantom.h"
@@ -202,6 +203,24 @@ TEST(SampleCell, ShortWayAgreesWithTheLongOne) {
     }
   }
   EXPECT_GT(partly, 20);
+}
+
+// Faces exactly through samples, where a ray from sample to sample begins or ends on one.
+TEST(SampleCell, ShortWayAgreesWhereSamplesLieOnFaces) {
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> any(0, 63);
+  for (int n = 0; n < 200; ++n) {
+    const auto place = [&] { return (any(random) + 0.5) / 64; };
+    Vec low{place(), place(), place()}, high{place(), place(), place()};
+    for (double Vec::*axis : {&Vec::x, &Vec::y, &Vec::z}) {
+      if (low.*axis > high.*axis) std::swap(low.*axis, high.*axis);
+      high.*axis += 0.25;
+    }
+    const Mesh box = box_mesh(low, high);
+    const bake::TriangleTree tree = bake::triangle_tree(box.points, box.triangles);
+    const std::uint64_t bits = bake::sample_cell({tree, true}, {0, 0, 0});
+    EXPECT_EQ(bake::sample_cell({tree, true}, {0, 0, 0}, tree.corners), bits) << n;
+  }
 }
 
 TEST(Grid, RefusesWhatMemoryCannotHold) {
