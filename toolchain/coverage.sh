@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Which lines and branches of kernel/src or offline/src no test reaches, but for those listed in
-# coverage_exceptions.txt and coverage_exceptions_offline.txt beside this script. Of the kernel
-# there is none, as the test coverage.kernel holds; of offline there still are some.
+# coverage_exceptions.txt and coverage_exceptions_offline.txt beside this script. There are none, as
+# the tests coverage.kernel and coverage.offline hold.
 # Prints the totals and what is missing, and exits 0 when nothing is.
 #
 # usage: coverage.sh [kernel|offline]      (kernel unless said)
