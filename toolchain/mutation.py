@@ -121,7 +121,7 @@ FLIPS = {" < ": [" <= ", " >= "], " <= ": [" < "], " > ": [" >= ", " <= "], " >=
          " == ": [" != "], " != ": [" == "], " && ": [" || "], " || ": [" && "],
          " + ": [" - "], " - ": [" + "], " += ": [" -= "], "++": ["--"],
          "return true": ["return false"], "return false": ["return true"]}
-CALLS = re.compile(r"\b(clamp|max_of|min_of|settle)\(")
+CALLS = re.compile(r"(?:\bstd::)?\b(clamp|max_of|min_of|settle)\(")
 NUMBER = re.compile(r"(?<![\w.\"])(\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)(F|U|UL|ULL)?(?![\w.])")
 DATA = re.compile(r"^[ \d.,eE+-]+\},$", re.M)  # a row of a table: its source stands beside it
 STATEMENT = re.compile(r"^ {2,}(?!return|const|constexpr|break|continue|using|case|default)"

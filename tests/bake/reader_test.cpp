@@ -86,6 +86,8 @@ TEST(Obj, NumbersOfPointsAreWholeAndInRange) {
   }
   EXPECT_THAT(refusal("a.obj", three + "f 1 2 \x7f" + std::string(50, '\xe4') + "\n"),
               HasSubstr("a.obj:4: '" + std::string(40, '?') + "...': expected"));
+  EXPECT_THAT(refusal("a.obj", three + "f 1 2 " + std::string(40, 'x') + "\n"),
+              HasSubstr("a.obj:4: '" + std::string(40, 'x') + "': expected"));
   EXPECT_EQ(read("a.obj", three + "f +1 +2 +3\n").mesh.triangles[0], (bake::Triangle{0, 1, 2}));
 }
 
@@ -351,6 +353,14 @@ TEST(Off, RefusesWithPlace) {
   EXPECT_THAT(refusal("a.off", "OFF\n-3 1 0\n"), HasSubstr("'-3': expected a number of points"));
   EXPECT_THAT(refusal("a.off", "OFF\n3 1 0\n0 0 +-1\n1 0 0\n0 1 0\n3 0 1 2\n"),
               HasSubstr("expected"));
+}
+
+// Of two bytes at least, a digit and the end of its line: 17 bytes cannot hold nine.
+TEST(Off, ClaimsNoMoreThanTheFileHolds) {
+  EXPECT_THAT(refusal("a.off", "OFF\n9 1 0\n0 0 0\n\n"),
+              HasSubstr("a.off:2: '9': expected a number of points from 0 to 8"));
+  EXPECT_THAT(refusal("a.off", "OFF\n1 9 0\n0 0 0\n\n"),
+              HasSubstr("a.off:2: '9': expected a number of faces from 0 to 8"));
 }
 
 TEST(Off, WrittenMeshReadsBackToTheBit) {
