@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <numeric>
+
 #include "bake_support.h"
 #include "crop.h"
 #include "label_organ.h"
@@ -146,6 +148,58 @@ TEST(Losses, OfLayersAreTold) {
   }
   EXPECT_GT(counts.told, 10);
   EXPECT_GT(counts.silent, 2);
+}
+
+// A wall of cells along any axis, the first of which is filled in some of its rows only, beside
+// cells of another tissue. Counted by hand: a layer of t edges takes t of each of the 64 rows, what
+// lies below it the rest of the rows.
+TEST(Losses, WhatLayersAreGivenIsCountedInEveryRow) {
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    Draw draw(seed);
+    const std::size_t axis = draw.below(3), across = (axis + 1) % 3;
+    const std::uint32_t deep = 3;
+    bake::Grid grid{{0, 0, 0}, draw.between(1, 5) * 1e-3, {1, 1, 1}};
+    grid.size[axis] = deep;
+    grid.size[across] = 2;
+    bake::SamplePlaces places;
+    for (std::size_t s = 0; s < 64; ++s) {
+      const auto at = [&](std::size_t i) {
+        return (0.5 + static_cast<double>(i % 4) + draw.between(-0.1, 0.1)) / 4;
+      };
+      places[s] = {at(s), at(s / 4), at(s / 16)};
+    }
+    draw.shuffle(places);
+    const bool backwards = draw.coin(), low_side = draw.coin();
+    const auto quarters = static_cast<double>(1 + draw.below(3));
+    const auto index = [&](std::uint32_t step, std::uint32_t beside) {
+      std::array<std::uint32_t, 3> at{};
+      at[axis] = backwards ? deep - 1 - step : step;
+      at[across] = beside;
+      return bake::cell_index(grid, at[0], at[1], at[2]);
+    };
+    bake::Claims claims = bake::no_claims(grid);
+    double others = 0;
+    for (std::uint32_t step = 0; step < deep; ++step) {
+      for (std::size_t s = 0; s < 64; ++s) {
+        const bool filled = step > 0 || (places[s][across] < quarters / 4) == low_side;
+        claims.inside[index(step, 0)] |= std::uint64_t{filled} << s;
+        const bool other = draw.coin();
+        claims.inside[index(step, 1)] |= std::uint64_t{other} << s;
+        others += other ? 1 : 0;
+      }
+      claims.owner[index(step, 1)] = 1;
+    }
+    const double layer = draw.between(0.1, deep - 1.1), wall_m3 = draw.between(1, 2) * 1e-9;
+    const double filled = low_side ? 16 * quarters : 64 - 16 * quarters;
+    const bake::TissueNumbers numbers = {
+        {0, 4}, {1, 0}, {{layer * grid.edge_m, 2}, {1, 3}}, {axis, backwards, ""}};
+    const auto given_m3 = bake::given_volumes(claims, places, numbers, {}, {wall_m3, 3e-9});
+    EXPECT_NEAR(given_m3[2] / wall_m3, 64 * layer, 1e-9) << seed;
+    EXPECT_NEAR(given_m3[3] / wall_m3, 64 * (deep - 1 - layer) + filled, 1e-9) << seed;
+    EXPECT_NEAR(given_m3[4] / 3e-9, others, 1e-9) << seed;
+    EXPECT_EQ(std::accumulate(given_m3.begin(), given_m3.end(), 0.0),
+              given_m3[2] + given_m3[3] + given_m3[4]);
+  }
 }
 
 // ---- labels -------------------------------------------------------------------------------------
