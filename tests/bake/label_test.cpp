@@ -575,6 +575,25 @@ TEST(Recipe, TakesNumbersAndNames) {
   EXPECT_FALSE(recipe.open_gaps);
 }
 
+TEST(Recipe, TakesNumbersFromTheLeastToTheMostInMillimetres) {
+  const Scratch scratch;
+  const auto with = [&](int margin_mm, int smoothing, int triangles, int wall_mm) {
+    return bake::read_recipe(scratch.write(
+        "r.toml", fmt::format("[tissues]\nliver = [5]\n[crop]\naround = [5]\nmargin_mm = {}\n"
+                              "[surface]\nsmoothing = {}\ntriangles = {}\n"
+                              "[[wall]]\ntissue = \"fat\"\nthickness_mm = {}\n",
+                              margin_mm, smoothing, triangles, wall_mm)));
+  };
+  const Recipe least = with(0, 0, 1000, 0);
+  EXPECT_EQ(std::tuple(least.crop_margin_m, least.smoothing, least.most_triangles,
+                       least.wall.at(0).thickness_m),
+            std::tuple(0, 0, 1000U, 0));
+  const Recipe most = with(1000, 100, kMaxTriangles, 200);
+  EXPECT_EQ(std::tuple(most.crop_margin_m, most.smoothing, most.most_triangles,
+                       most.wall.at(0).thickness_m),
+            std::tuple(1.0, 100, kMaxTriangles, 0.2));
+}
+
 TEST(Recipe, SaysWhetherGapsStayOpen) {
   const Scratch scratch;
   const auto open_gaps = [&](const std::string& gaps) {
