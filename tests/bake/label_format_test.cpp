@@ -12,6 +12,7 @@
 #include <random>
 
 #include "bake_support.h"
+#include "label_header.h"
 #include "label_map.h"
 #include "refusal.h"
 
@@ -161,6 +162,26 @@ TEST(LabelHeader, CostsWhatIsThereNotWhatIsClaimed) {
   getrusage(RUSAGE_SELF, &use);
   EXPECT_LT(use.ru_maxrss, 200L << 10U);  // KiB
 #endif
+}
+
+// Deflate's longest match, of 258 bytes, takes two bits at least: a length and a distance.
+TEST(LabelHeader, SpeaksOfNoMoreThanItsBytesCanHold) {
+  std::mt19937_64 engine(3);
+  for (int round = 0; round < 200; ++round) {
+    const std::uint64_t held = 1 + engine() % 1000;
+    bake::Claim claim;
+    claim.packed = engine() % 2 == 0;
+    claim.text = engine() % 4 == 0;
+    claim.bytes_each = std::uint64_t{1} << engine() % 4;
+    const std::uint64_t bytes = claim.packed ? held * 258 * 8 / 2 : held;
+    const std::uint64_t most = claim.text ? bytes : bytes / claim.bytes_each;
+    if (most == 0) continue;
+    claim.sizes = {1, 1, 1};
+    claim.sizes[engine() % 3] = most;
+    EXPECT_NO_THROW(bake::require_held("a", claim, held));
+    claim.sizes[engine() % 3] *= most + 1;
+    EXPECT_THROW(bake::require_held("a", claim, held), bake::Refusal) << most;
+  }
 }
 
 TEST(LabelHeader, OfSeveralFilesHasTheSumOfAll) {
