@@ -9,6 +9,15 @@
 namespace stylet::bake {
 namespace {
 
+// Whose values MetaIO reads number by number; those of all other keys it copies as text, also
+// where it is of digits.
+bool is_list(std::string_view key) {
+  constexpr std::array<std::string_view, 10> kLists = {
+      "DimSize",  "ElementSpacing",  "ElementSize", "Offset",      "Origin",
+      "Position", "TransformMatrix", "Rotation",    "Orientation", "CenterOfRotation"};
+  return std::find(kLists.begin(), kLists.end(), key) != kLists.end();
+}
+
 // KEY = VALUE up to ElementDataFile, which is the last. MetaIO takes a colon for the sign, too.
 HeaderFields read_fields(const std::string& path, std::string_view& rest) {
   constexpr std::size_t kLongest = 250;       // MetaIO's texts are fields of 255 characters
@@ -23,11 +32,10 @@ HeaderFields read_fields(const std::string& path, std::string_view& rest) {
     }
     const std::string key(trimmed(line.text.substr(0, sign)));
     const std::string value(trimmed(line.text.substr(sign + 1)));
-    const bool is_list =
-        !value.empty() && value.find_first_not_of("+-.eE0123456789 \t") == std::string::npos;
-    if (value.size() > (is_list ? kLongestList : kLongest)) {
+    const std::size_t longest = is_list(key) ? kLongestList : kLongest;
+    if (value.size() > longest) {
       refuse("{}: header line {}: {}: {} characters: expected at most {}", path, line.number, key,
-             value.size(), is_list ? kLongestList : kLongest);
+             value.size(), longest);
     }
     if (!fields.emplace(key, std::pair(value, line)).second) {
       refuse("{}: header line {}: {}: expected it once", path, line.number, key);

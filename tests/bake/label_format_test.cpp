@@ -184,6 +184,38 @@ TEST(LabelHeader, SpeaksOfNoMoreThanItsBytesCanHold) {
   }
 }
 
+// MetaIO copies texts, also those of digits, into fields of 255 characters; CGAL takes lines of
+// 255.
+TEST(LabelHeader, TextsAreNoLongerThanTheirReadersTake) {
+  const Scratch scratch;
+  const Sizes n = {"2", "2", "2"};
+  for (const std::string key : {"Comment", "Name", "AcquisitionDate", "Modality", "Anything"}) {
+    for (const char c : {'c', '1', '-'}) {
+      const auto said = [&](std::size_t count) {
+        const auto text = key + " = " + std::string(count, c) + "\n";
+        return refusal_of(scratch.write("a.mha", meta(n, text, "abcdefgh")));
+      };
+      EXPECT_EQ(said(250), "") << key << c;
+      for (const std::size_t count : {251U, 255U, 300U, 4000U}) {
+        EXPECT_THAT(said(count), HasSubstr(fmt::format("header line 6: {}: {} characters: "
+                                                       "expected at most 250",
+                                                       key, count)));
+      }
+    }
+  }
+  const std::string zeros(400, '0');
+  const auto offset = "TransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = 1." + zeros + " 2 3\n";
+  const LabelMap map = bake::read_label_map(scratch.write("a.mha", meta(n, offset, "abcdefgh")));
+  EXPECT_EQ(map.origin_m, (Vec{1, 2, 3} * 1e-3));
+  const auto header = [&](std::size_t count) {
+    std::string text = inr(n, "abcdefgh");
+    const std::string line = "NOTE=" + std::string(count - 5, 'n') + "\n";
+    return refusal_of(scratch.write("a.inr", text.replace(text.find("VX="), 0, line)));
+  };
+  EXPECT_EQ(header(255), "");
+  EXPECT_THAT(header(256), HasSubstr("header line 9: expected at most 255 characters"));
+}
+
 TEST(LabelHeader, OfSeveralFilesHasTheSumOfAll) {
   const Scratch scratch;
   const auto header = scratch.write(
