@@ -50,16 +50,14 @@ std::uint64_t held_bytes(const std::string& path, const Claim& claim, std::strin
 
 Claim checked_claim(const std::string& path, std::string_view bytes, std::string& sha256_out) {
   Claim claim = is_nrrd(path) ? nrrd_claim(path, bytes) : meta_claim(path, bytes);
-  if (claim.sizes.size() >= 3) {  // layers come first
-    const std::size_t at = claim.sizes.size() - 3;
-    require_map_size(path, {claim.sizes[at], claim.sizes[at + 1], claim.sizes[at + 2]});
-  }
+  const std::size_t at = claim.sizes.size() - 3;  // layers come first
+  require_map_size(path, {claim.sizes[at], claim.sizes[at + 1], claim.sizes[at + 2]});
   require_held(path, claim, held_bytes(path, claim, bytes, sha256_out));
   return claim;
 }
 
 void take_sizes(const std::string& path, const itk::ImageIOBase& reader, LabelMap& map) {
-  std::array<std::size_t, 3> sizes = {1, 1, 1};
+  std::array<std::size_t, 3> sizes{};
   for (unsigned axis = 0; axis < reader.GetNumberOfDimensions(); ++axis) {
     const std::size_t size = reader.GetDimensions(axis);
     if (axis >= 3 && size != 1) {
@@ -69,9 +67,6 @@ void take_sizes(const std::string& path, const itk::ImageIOBase& reader, LabelMa
     if (axis < 3) sizes[axis] = size;
   }
   require_map_size(path, sizes);
-  if (reader.GetNumberOfDimensions() < 3) {
-    refuse("{}: {} dimensions: expected 3", path, reader.GetNumberOfDimensions());
-  }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     map.size[axis] = static_cast<std::uint32_t>(sizes[axis]);
   }
