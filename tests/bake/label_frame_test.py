@@ -150,8 +150,9 @@ class Nrrd(Case):
             self.held(self.write(least, most, *filter(None, [centers]), space=None), bare,
                       self.origin + self.spacing / 2, UNKNOWN)
         between = numpy.diag((ends - self.origin) / (numpy.array(self.map.shape) - 1))
-        self.held(self.write(least, most, "centers: node node node", space=None), between,
-                  self.origin, UNKNOWN)
+        for word in ("centers", "centerings"):
+            self.held(self.write(least, most, word + ": node node node", space=None), between,
+                      self.origin, UNKNOWN)
         said = "spacings: " + row(self.spacing)
         self.held(self.write(least, said, "centers: cell cell cell", space=None), bare,
                   self.origin + self.spacing / 2, UNKNOWN)

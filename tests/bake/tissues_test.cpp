@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tissues of a user's file: every number from the least to the most that the kernel takes in an
+// organ (kernel/src/organ.cpp, in SI), in the unit that its key names.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "bake_support.h"
+#include "materials.h"
+#include "refusal.h"
+
+namespace stylet::test {
+namespace {
+
+using bake::Tissue;
+using testing::HasSubstr;
+
+struct Number {
+  const char* key;
+  double Tissue::*member;
+  double unit;  // in SI
+  double least, most;
+};
+
+constexpr Number kNumbers[] = {
+    {"density_kg_per_m3", &Tissue::density_kg_per_m3, 1, 1, 20000},
+    {"youngs_modulus_kpa", &Tissue::youngs_modulus_pa, 1000, 1, 1e9},
+    {"poisson_ratio", &Tissue::poisson_ratio, 1, 0, 0.49},
+    {"relaxing_fraction", &Tissue::relaxing_fraction, 1, 0, 0.95},
+    {"relaxation_time_s", &Tissue::relaxation_time_s, 1, 1e-3, 1e5},
+    {"puncture_force_n", &Tissue::puncture_force_n, 1, 0, 1000},
+    {"cutting_force_n", &Tissue::cutting_force_n, 1, 0, 1000},
+    {"recut_fraction", &Tissue::recut_fraction, 1, 0, 1},
+    {"coulomb_friction_n_per_mm", &Tissue::coulomb_friction_n_per_m, 1000, 0, 1e4},
+    {"static_friction_n_per_mm", &Tissue::static_friction_n_per_m, 1000, 0, 1e4},
+    {"stribeck_velocity_mm_per_s", &Tissue::stribeck_velocity_m_per_s, 1e-3, 1e-6, 10},
+    {"viscous_friction_n_s_per_m2", &Tissue::viscous_friction_n_s_per_m2, 1, 0, 1e6},
+    {"membrane_n_per_mm", &Tissue::membrane_n_per_m, 1000, 0, 1e5},
+    {"puncture_velocity_exponent", &Tissue::puncture_velocity_exponent, 1, 0, 0.5}};
+
+// The other friction where any value of this one is taken.
+std::string beside(const std::string& key) {
+  if (key == "coulomb_friction_n_per_mm") return "static_friction_n_per_mm = 10\n";
+  if (key == "static_friction_n_per_mm") return "coulomb_friction_n_per_mm = 0\n";
+  return "";
+}
+
+std::string tissue_text(const Number& number, double value) {
+  return fmt::format("[gel]\n{} = {}\n{}", number.key, value, beside(number.key));
+}
+
+std::string refusal_of(const std::filesystem::path& file) {
+  try {
+    (void)bake::read_tissues(file);
+  } catch (const bake::Refusal& refused) {
+    return refused.what();
+  }
+  return "";
+}
+
+TEST(Tissues, TakeWhatTheKernelTakes) {
+  const Scratch scratch;
+  for (const Number& number : kNumbers) {
+    for (const double wanted :
+         {number.least, number.most, 0.3 * number.least + 0.7 * number.most}) {
+      const auto tissues =
+          bake::read_tissues(scratch.write("own.toml", tissue_text(number, wanted / number.unit)));
+      ASSERT_EQ(tissues.size(), 1U);
+      EXPECT_DOUBLE_EQ(tissues[0].*number.member, wanted) << number.key;
+      bake::BuildOptions options;
+      options.voxel_edge_m = 0.01;
+      options.own_tissues = tissues;
+      const auto built =
+          build_quietly({input_of(box_mesh({0, 0, 0}, {20, 20, 20}), 1e-3, "gel")}, options);
+      EXPECT_EQ(opened(built.bytes).material_count, 1U) << number.key;
+    }
+  }
+}
+
+TEST(Tissues, RefuseWhatTheKernelRefuses) {
+  const Scratch scratch;
+  for (const Number& number : kNumbers) {
+    const double least = number.least / number.unit, most = number.most / number.unit;
+    for (const double wanted : {least - 1e-3 * (least + 1), most * 1.001}) {
+      EXPECT_THAT(refusal_of(scratch.write("own.toml", tissue_text(number, wanted))),
+                  HasSubstr(fmt::format("own.toml:2: {} = {}: expected {} to {}", number.key,
+                                        wanted, least, most)));
+    }
+  }
+}
+
+// Of a tissue that no preset knows every number must be there, but for two that most have not.
+TEST(Tissues, OfTheirOwnNeedEveryNumber) {
+  const Scratch scratch;
+  const auto without = [&](const std::string& key) {
+    std::string text = "[jelly]\n";
+    for (const Number& number : kNumbers) {
+      if (number.key != key)
+        text += fmt::format("{} = {}\n", number.key, number.most / number.unit);
+    }
+    return scratch.write("own.toml", text);
+  };
+  EXPECT_EQ(refusal_of(without("")), "");
+  for (const Number& number : kNumbers) {
+    const std::string key = number.key;
+    const bool may_miss = key == "membrane_n_per_mm" || key == "puncture_velocity_exponent";
+    const std::string said = refusal_of(without(key));
+    if (may_miss) {
+      EXPECT_EQ(said, "") << key;
+    } else {
+      EXPECT_THAT(said, HasSubstr(fmt::format(
+                            "own.toml:1: jelly: {} is missing: expected a number from", key)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stylet::test
