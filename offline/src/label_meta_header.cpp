@@ -12,10 +12,10 @@ namespace {
 // Whose values MetaIO reads number by number; those of all other keys it copies as text, also
 // where it is of digits.
 bool is_list(std::string_view key) {
-  constexpr std::array<std::string_view, 10> kLists = {
+  constexpr std::string_view kLists[] = {
       "DimSize",  "ElementSpacing",  "ElementSize", "Offset",      "Origin",
       "Position", "TransformMatrix", "Rotation",    "Orientation", "CenterOfRotation"};
-  return std::find(kLists.begin(), kLists.end(), key) != kLists.end();
+  return std::find(std::begin(kLists), std::end(kLists), key) != std::end(kLists);
 }
 
 // KEY = VALUE up to ElementDataFile, which is the last. MetaIO takes a colon for the sign, too.

@@ -261,6 +261,68 @@ TEST(LabelHeader, TextsAreNoLongerThanTheirReadersTake) {
   EXPECT_THAT(header(256), HasSubstr("header line 9: expected at most 255 characters"));
 }
 
+// As MetaIO and teem have them: names of types, whether their numbers are real, bytes of each.
+struct Type {
+  std::vector<std::string> names;
+  bool real;
+  std::size_t bytes;
+};
+
+TEST(LabelHeader, KnowsTheBytesOfEveryTypeOfNumber) {
+  const Type types[] = {
+      {{"MET_CHAR", "MET_UCHAR", "signed char", "int8", "int8_t", "uchar", "unsigned char", "uint8",
+        "uint8_t"},
+       false,
+       1},
+      {{"MET_SHORT", "MET_USHORT", "short", "short int", "signed short", "int16", "int16_t",
+        "ushort", "unsigned short int", "uint16", "uint16_t"},
+       false,
+       2},
+      {{"MET_INT", "MET_UINT", "MET_LONG", "MET_ULONG", "int", "signed int", "int32", "int32_t",
+        "uint", "unsigned int", "uint32", "uint32_t"},
+       false,
+       4},
+      {{"MET_LONG_LONG", "MET_ULONG_LONG", "longlong", "long long int", "signed long long", "int64",
+        "int64_t", "ulonglong", "unsigned long long int", "uint64", "uint64_t"},
+       false,
+       8},
+      {{"MET_FLOAT", "float"}, true, 4},
+      {{"MET_DOUBLE", "double"}, true, 8}};
+  const Scratch scratch;
+  for (const Type& type : types) {
+    std::string voxels;
+    for (int i = 0; i < 512; ++i) {
+      const float single = static_cast<float>(i % 8);
+      const double real = i % 8;
+      char raw[8] = {static_cast<char>(i % 8)};  // a small number, its lowest byte first
+      if (type.real && type.bytes == 4) std::memcpy(raw, &single, 4);
+      if (type.real && type.bytes == 8) std::memcpy(raw, &real, 8);
+      voxels.append(raw, type.bytes);
+    }
+    for (const std::string& name : type.names) {
+      const auto file = [&](std::size_t bytes) {
+        const std::string data = voxels.substr(0, bytes);
+        if (name.starts_with("MET_")) {
+          return scratch.write("a.mha",
+                               "NDims = 3\nDimSize = 8 8 8\nElementSpacing = 1 1 1\n"
+                               "ElementType = " +
+                                   name + "\nElementDataFile = LOCAL\n" + data);
+        }
+        return scratch.write("a.nrrd", "NRRD0004\ntype: " + name +
+                                           "\ndimension: 3\nspacings: 1 1 1\nsizes: 8 8 8\n"
+                                           "endian: little\nencoding: raw\n\n" +
+                                           data);
+      };
+      const LabelMap map = bake::read_label_map(file(voxels.size()));
+      for (std::size_t i = 0; i < 512; ++i) ASSERT_EQ(map.label[i], i % 8) << name;
+      // The half: with the header there are more bytes than half-size numbers would need.
+      EXPECT_THAT(refusal_of(file(voxels.size() / 2)),
+                  HasSubstr(fmt::format("8 x 8 x 8 voxels of {} bytes: ", type.bytes)))
+          << name;
+    }
+  }
+}
+
 TEST(LabelHeader, OfSeveralFilesHasTheSumOfAll) {
   const Scratch scratch;
   const auto header = scratch.write(
