@@ -6,6 +6,8 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <algorithm>
+#include <functional>
 #include <numeric>
 #include <optional>
 
@@ -122,9 +124,8 @@ std::vector<std::uint32_t> around_along(const std::vector<Vec>& points,
   }
   std::vector<std::uint32_t> order(pieces.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) {
-    return dot(start[a], direction) > dot(start[b], direction);
-  });
+  std::ranges::stable_sort(order, std::greater<>{},
+                           [&](std::uint32_t i) { return dot(start[i], direction); });
   // A piece that is met reaches farther, so what is around it is known by then.
   std::vector<std::uint32_t> around(pieces.size(), kNoPiece);
   std::size_t tests = 0;

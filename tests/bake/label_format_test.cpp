@@ -315,6 +315,7 @@ TEST(LabelHeader, KnowsTheBytesOfEveryTypeOfNumber) {
       };
       const LabelMap map = bake::read_label_map(file(voxels.size()));
       for (std::size_t i = 0; i < 512; ++i) ASSERT_EQ(map.label[i], i % 8) << name;
+      EXPECT_EQ(map.step_m, (std::array{Vec{1e-3, 0, 0}, Vec{0, 1e-3, 0}, Vec{0, 0, 1e-3}}));
       // The half: with the header there are more bytes than half-size numbers would need.
       EXPECT_THAT(refusal_of(file(voxels.size() / 2)),
                   HasSubstr(fmt::format("8 x 8 x 8 voxels of {} bytes: ", type.bytes)))
