@@ -261,6 +261,13 @@ TEST(LabelHeader, TextsAreNoLongerThanTheirReadersTake) {
   EXPECT_THAT(header(256), HasSubstr("header line 9: expected at most 255 characters"));
 }
 
+// The library's last words say why; those before name its own functions.
+TEST(LabelHeader, OfAFileThatALibraryCannotReadSaysItsReason) {
+  const Scratch scratch;
+  EXPECT_THAT(refusal_of(scratch.write("a.nrrd", nrrd({"2", "2", "2"}, "raw", "abcdefg"))),
+              testing::ContainsRegex("a.nrrd: cannot be read: .*fread got only 7 .*, not 8"));
+}
+
 // As MetaIO and teem have them: names of types, whether their numbers are real, bytes of each.
 struct Type {
   std::vector<std::string> names;
