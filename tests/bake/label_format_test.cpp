@@ -15,6 +15,7 @@
 #include "bake_support.h"
 #include "label_header.h"
 #include "label_map.h"
+#include "label_names.h"
 #include "random_bodies.h"
 #include "refusal.h"
 
@@ -266,6 +267,26 @@ TEST(LabelHeader, OfAFileThatALibraryCannotReadSaysItsReason) {
   const Scratch scratch;
   EXPECT_THAT(refusal_of(scratch.write("a.nrrd", nrrd({"2", "2", "2"}, "raw", "abcdefg"))),
               testing::ContainsRegex("a.nrrd: cannot be read: .*fread got only 7 .*, not 8"));
+}
+
+// First and last characters of each length, and what table 3-7 of the Unicode Standard leaves out.
+TEST(LabelNames, OfBytesThatAreNoCharacterShowAQuestionMarkForEach) {
+  const std::pair<std::string, std::string> shown[] = {
+      {"Gr\xc3\xb6\xc3\x9f"
+       "e",
+       "Gr\xc3\xb6\xc3\x9f"
+       "e"},
+      {"\xe0\xa0\x80\xed\x9f\xbf", "\xe0\xa0\x80\xed\x9f\xbf"},
+      {"\xf0\x90\x80\x80\xf4\x8f\xbf\xbf", "\xf0\x90\x80\x80\xf4\x8f\xbf\xbf"},
+      {"a\xffz", "a?z"},
+      {"\xc0\x80", "??"},
+      {"\xe0\x9f\xbf", "???"},
+      {"\xed\xa0\x80", "???"},
+      {"\xf0\x8f\xbf\xbf", "????"},
+      {"\xf4\x90\x80\x80", "????"},
+      {"\xc3", "?"},
+      {"a\tb\x7f", "a?b?"}};
+  for (const auto& [name, expected] : shown) EXPECT_EQ(bake::printable(name), expected);
 }
 
 // As MetaIO and teem have them: names of types, whether their numbers are real, bytes of each.
