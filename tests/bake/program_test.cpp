@@ -332,22 +332,23 @@ TEST(Program, OutputsAppearTogetherOrNotAtAll) {
   EXPECT_FALSE(std::filesystem::exists(at("b.organ")));
 }
 
-// A signal between the first temporary and the last name ends the command, and every file is as it
-// was; one that is ignored does not.
+// A signal between the first folder or temporary and the last name ends the command, and every file
+// is as it was; one that is ignored does not.
 TEST(Outputs, SignalsWaitUntilFilesAreAsTheyWereOrComplete) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    for (const bool before_the_last : {false, true}) {
+    for (const int after : {1, 2, 3}) {
       const Scratch scratch;
       scratch.write("a", "old");
       const auto before = all_files(scratch.folder);
       const auto write = [&](void (*handler)(int)) {
         (void)std::signal(signal, handler);  // under nohup it is ignored from before
         bake::Outputs outputs;
-        outputs.add(scratch.folder / "a", std::string_view("new"));
         outputs.add_folder(scratch.folder / "page");
-        if (before_the_last) (void)::raise(signal);
+        if (after == 1) (void)::raise(signal);
+        outputs.add(scratch.folder / "a", std::string_view("new"));
+        if (after == 2) (void)::raise(signal);
         outputs.add(scratch.folder / "page/b", std::string_view("new"));
-        if (!before_the_last) (void)::raise(signal);
+        if (after == 3) (void)::raise(signal);
         outputs.commit();
       };
       EXPECT_EXIT(write(SIG_DFL), testing::KilledBySignal(signal), "");
