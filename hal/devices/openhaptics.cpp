@@ -20,6 +20,7 @@
 #include "stylet/hal/clock.h"
 #include "stylet/hal/device_model.h"
 #include "stylet/hal/devices.h"
+#include "stylet/hal/lasting_device.h"
 #include "stylet/hal/relay.h"
 #include "supervisor.h"
 #include "vendor_library.h"
@@ -109,9 +110,10 @@ Api load() {
 constexpr std::uint32_t kStalled = 1;  // beside the vendor's numbers
 constexpr std::uint64_t kTicksBetweenCalibrations = 100;
 constexpr int kLastTurns = 20;  // of one that has failed, with zero force
-// What failed together comes back together: so long the first waits for the others, which are tried
-// a quarter of a second (kFirstTryS) after they were closed, or looked at again.
-constexpr double kTogetherS = 1;
+// What failed together comes back together: the first waits until the others have been tried, too.
+// Their next try is at most kLongestTryS away; the second more is for opening.
+constexpr double kTogetherS = kLongestTryS + 1;
+constexpr std::int64_t kNotTried = 0;
 
 struct HdDevice {
   Relay relay;
@@ -136,7 +138,7 @@ struct Hd {
   std::mutex mutex;                 // opening and closing; never the servo
   std::atomic<bool> paused{false};  // the scheduler stands by our own order
   std::array<std::atomic<HdDevice*>, kMaxDevices> open{};
-  std::map<std::string, std::int64_t> away;  // closed after they had failed: since when
+  std::map<std::string, std::int64_t> away;  // closed after they had failed: when tried since
 };
 
 Hd& hd() {
@@ -351,20 +353,19 @@ void wait_until_ready(const HdDevice& device, const std::string& name, double pa
 }
 
 // Nobody can acknowledge this one before the others have been tried: once it is in use, they could
-// not be opened any more.
-void wait_for_the_others(Hd& all) {
-  const auto some_come = [&all] {
+// not be opened any more. One that fails meanwhile waits no longer: the others wait for it.
+void wait_for_the_others(Hd& all, const HdDevice& mine) {
+  const auto some_come = [&all, back_ns = monotonic_now_ns()] {
     const std::lock_guard lock(all.mutex);
     bool come = false;
     for_each_open(all, [&come](const HdDevice& each) {
       come = come || each.relay.failed() || !each.ready.load();
     });
-    for (const auto& [name, since_ns] : all.away) {
-      come = come || static_cast<double>(monotonic_now_ns() - since_ns) < kTogetherS * 1e9;
-    }
+    for (const auto& [name, tried_ns] : all.away) come = come || tried_ns < back_ns;
     return come;
   };
-  for (const Patience patience(kTogetherS); some_come() && !patience.over();) {
+  const Patience patience(kTogetherS);
+  while (!mine.relay.failed() && some_come() && !patience.over()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 }
@@ -375,7 +376,8 @@ void shut(HdDevice* device) {
   const std::lock_guard lock(all.mutex);
   pause(all);
   device->supervisor.stop();
-  if (device->relay.failed()) all.away[device->called] = monotonic_now_ns();
+  if (device->ready.load() && device->relay.failed()) all.away[device->called] = kNotTried;
+  if (!device->ready.load() && device->again) all.away[device->called] = monotonic_now_ns();
   if (device->callback != 0) all.api.unschedule(device->callback);
   for (auto& slot : all.open) {
     HdDevice* expected = device;
@@ -446,16 +448,19 @@ Device open_openhaptics(const std::string& name, double patience_s) {
   pause(all);
   auto made = std::make_unique<HdDevice>();
   made->called = name;
-  made->again = all.away.erase(name) > 0;
+  const auto away = all.away.find(name);
+  made->again = away != all.away.end();
   const auto restart = [&all] {
     if (any_open(all)) resume(all);
   };
   try {
     made->handle = init(all.api, name);
   } catch (const DeviceError&) {
+    if (made->again) away->second = monotonic_now_ns();
     restart();
     throw;
   }
+  if (made->again) all.away.erase(away);
   const auto free_slot = std::find_if(all.open.begin(), all.open.end(),
                                       [](auto& slot) { return slot.load() == nullptr; });
   if (free_slot == all.open.end()) {
@@ -474,7 +479,7 @@ Device open_openhaptics(const std::string& name, double patience_s) {
     lock.unlock();
     wait_until_ready(*device, name, patience_s);
     device->ready.store(true);
-    if (device->again) wait_for_the_others(all);
+    if (device->again) wait_for_the_others(all, *device);
   } catch (...) {
     if (lock.owns_lock()) lock.unlock();
     shut(device);

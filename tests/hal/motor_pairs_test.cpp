@@ -28,6 +28,10 @@ constexpr std::size_t kHands = 2;
 // What the motors have is within what was asked of them in this time, or nothing.
 constexpr std::int64_t kAskedNs = 60 * kMs;
 
+// What failed together is back by then: a try every 4 s (kLongestTryS) at the least, one of them for
+// each hand, and the acknowledgement.
+constexpr std::uint64_t kBackTicks = 9000;
+
 struct Asked {
   std::int64_t t_ns;
   Vec3 force_n;
@@ -222,7 +226,7 @@ struct Session {
     for (OneHand& each : hand) stall(each, until_ns);
     run_ticks(200);
     for (OneHand& each : hand) each.forced = false;
-    run_ticks(4000);
+    run_ticks(kBackTicks);
     for (std::size_t i = 0; i < kHands && broken().empty(); ++i) {
       const std::string left = trouble_of(hand[i].device);
       if (!left.empty()) hand[i].judge.fail("not back: " + left);
