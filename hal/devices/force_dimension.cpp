@@ -176,6 +176,7 @@ void poll(DhdDevice& device) {
     device.relay.publish(pose, pressed(api, device.id), now_ns);
   }
   const int written = apply(api, device, device.relay.order(now_ns));
+  device.relay.written(monotonic_now_ns());
   device.errors_in_a_row = read < 0 || written < 0 ? device.errors_in_a_row + 1 : 0;
   if (device.errors_in_a_row >= kMostErrorsInARow) {
     device.relay.fail(kNoAnswer);

@@ -149,6 +149,7 @@ void exchange_once(Haply& haply) {
   const Vec3 force_n = haply.relay.order(monotonic_now_ns()).force_n;
   haply.asked_n = std::hypot(force_n.x, force_n.y, force_n.z);
   const bool answered = send(haply, force_message(haply.ids, force_n)) && receive(haply, message);
+  haply.relay.written(monotonic_now_ns());
   if (!answered) haply.relay.fail(kNoAnswer);
   if (haply.relay.failed()) return hang_up(haply);  // an event may have said so, too
   if (message.is_discarded()) return;               // not a message: the next one may be

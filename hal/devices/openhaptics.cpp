@@ -221,6 +221,7 @@ unsigned int servo(void* self) {
                            static_cast<double>(f.z)};
   api.set_doubles(kCurrentForce, force);
   api.end_frame(device.handle);
+  device.relay.written(monotonic_now_ns());
   const std::uint64_t tick = device.ticks.fetch_add(1, std::memory_order_relaxed);
   if (tick == 0) rise_above_the_loop();  // the vendor chose its thread's priority without ours
   if (device.calibration.load() != kCalibrationOk && tick % kTicksBetweenCalibrations == 0) {

@@ -127,11 +127,13 @@ Vec3 stepped(const MotorState& state, const MotorOrder& order, Vec3 now, Vec3 or
 
 void motor_step(const MotorLimits& limits, MotorState& state, const MotorOrder& order, MotorCut cut,
                 std::int64_t now_ns) {
-  const std::int64_t passed_ns =
-      state.t_ns == 0 ? 0 : std::max<std::int64_t>(now_ns - state.t_ns, 0);
-  state.t_ns = now_ns;
+  const auto passed_since = [&](std::int64_t t_ns) {
+    return state.t_ns == 0 ? 0 : std::max<std::int64_t>(now_ns - t_ns, 0);
+  };
+  const std::int64_t passed_ns = passed_since(state.had_ns);
   // Whoever writes was held up: the device may have cut the force by itself.
-  if (passed_ns > kOrderLifeNs) cut = MotorCut::kNow;
+  if (passed_since(state.t_ns) > kOrderLifeNs) cut = MotorCut::kNow;
+  state.t_ns = state.had_ns = now_ns;
   judge(state, order, cut, now_ns);
   MotorReport& report = state.report;
   if (cut == MotorCut::kNow) {
@@ -143,6 +145,12 @@ void motor_step(const MotorLimits& limits, MotorState& state, const MotorOrder& 
                            slew, passed_ns);
   report.torque_nm = stepped(state, order, report.torque_nm, order.torque_nm, state.fade_torque_nm,
                              most_nm, 2 * most_nm / seconds(kMotorFadeNs), passed_ns);
+}
+
+void motor_written(MotorState& state, std::int64_t now_ns) {
+  std::rotate(state.call_ns.begin(), state.call_ns.begin() + 1, state.call_ns.end());
+  state.call_ns.back() = std::max<std::int64_t>(now_ns - state.t_ns, 0);
+  state.had_ns = now_ns - *std::min_element(state.call_ns.begin(), state.call_ns.end());
 }
 
 }  // namespace stylet::hal

@@ -22,6 +22,10 @@ MotorReport Relay::order(std::int64_t now_ns) {
   return motor_.report;
 }
 
+void Relay::written(std::int64_t now_ns) {
+  motor_written(motor_, now_ns);
+}
+
 void Relay::end() {
   ending_.store(true, std::memory_order_relaxed);
 }

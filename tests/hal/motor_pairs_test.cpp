@@ -177,7 +177,8 @@ struct Session {
     one.until_ns = until_ns;
   }
   void stall(OneHand& one, std::int64_t until_ns) {
-    one.bench->hang(test::Hang::kRead);
+    one.judge.writes_hang = draw.chance(0.5);
+    one.bench->hang(one.judge.writes_hang ? test::Hang::kWrite : test::Hang::kRead);
     in_trouble(one, until_ns);
   }
   void upset(OneHand& one) {

@@ -316,6 +316,46 @@ TEST(Motor, FollowsTheOrderWithinItsLimits) {
   }
 }
 
+// Calls of one length each, some held up, at whose end the motors get their force.
+TEST(Motor, ACallThatIsHeldUpIsNotFollowedByAStep) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Draw draw{std::mt19937_64(seed)};
+    Desk desk;
+    const std::int64_t call_ns = draw.ms(0, 0.9);
+    std::int64_t had_ns = desk.now_ns;
+    double held_up = 0;
+    for (int i = 0; i < 400; ++i) {
+      const Vec3 before = desk.state.report.force_n;
+      const double way = draw.between(-3, 3);
+      desk.push({static_cast<float>(way), i % 7 < 3 ? 2.0F : -2.0F, 0}, kMs - call_ns);
+      desk.order.falls = draw.chance(0.1);
+      desk.now_ns += call_ns + (draw.chance(0.1) ? draw.ms(0, 9) : 0);
+      motor_written(desk.state, desk.now_ns);
+      const double passed_ms = static_cast<double>(desk.now_ns - had_ns) * 1e-6;
+      had_ns = desk.now_ns;
+      EXPECT_LE(apart(desk.state.report.force_n, before), passed_ms * (1 + 1e-5)) << seed << " " << i;
+      held_up = std::max(held_up, passed_ms);
+    }
+    EXPECT_GT(held_up, 5);
+  }
+}
+
+TEST(Motor, CallsThatTakeLongKeepTheSlewLimit) {
+  for (const std::int64_t call_ns : {kMs / 10, kMs / 2, 9 * kMs / 10}) {
+    Desk desk;
+    for (int i = 0; i < 20; ++i) {
+      const double before = size(desk.state.report.force_n);
+      desk.push({i < 10 ? 0.0F : 2.9F, 0, 0}, kMs - call_ns);
+      desk.now_ns += call_ns;
+      motor_written(desk.state, desk.now_ns);
+      if (i == 10 || i == 11) {
+        EXPECT_NEAR(size(desk.state.report.force_n) - before, 1, 1e-5);
+      }
+    }
+    EXPECT_EQ(desk.state.report.force_n.x, 2.9F);
+  }
+}
+
 // The stalls of a loop that an outside check used.
 TEST(Motor, StallsAreADipOrAnEndAndNeverAKick) {
   for (int stall_ms = 1; stall_ms <= 60; ++stall_ms) {

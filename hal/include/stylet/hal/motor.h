@@ -3,7 +3,7 @@
 //
 // The guard decides in the loop's time; here the time is the motors' own. Whatever loop, guard or
 // channel do, what leaves is finite, within the device's limits, and changes by at most the slew
-// limit in the time that has really passed. An order that is not renewed begins to fade after
+// limit in the time that has really passed, also when a vendor's call has held a force back. An order that is not renewed begins to fade after
 // kOrderFreshNs, by the largest force in kMotorFadeNs: zero within 25 ms of the last one. One that
 // ends at a time of its own, as what a station's model gives, is gone by then, whoever is held up
 // or fades meanwhile. After kOrderLifeNs, as when the thread that writes was held up for so long,
@@ -16,6 +16,7 @@
 // Units: SI, ns on CLOCK_MONOTONIC. Frame: the device's.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "stylet/units.h"
@@ -29,6 +30,8 @@ constexpr std::int64_t kOrderLifeNs = 10'000'000;
 constexpr std::int64_t kMotorFadeNs = 20'000'000;
 // A thread that was held up does not make up for it in one step.
 constexpr std::int64_t kMotorStepNs = 2'000'000;
+// Of so many calls the shortest is what a call takes; one that takes longer was held up.
+constexpr int kUsualCalls = 8;
 constexpr float kUnknownSlewNPerS = 1000;  // of a device that tells none: the smallest of all known
 
 struct MotorLimits {
@@ -56,6 +59,8 @@ struct MotorReport {
 struct MotorState {
   MotorReport report;
   std::int64_t t_ns = 0;      // of the last step; 0: none yet
+  std::int64_t had_ns = 0;    // since when the motors have the last force
+  std::array<std::int64_t, kUsualCalls> call_ns = {};  // how long the last ones took
   std::int64_t given_ns = 0;  // the newest order's time as it is written; 0: none yet
   std::int64_t order_ns = 0;  // from which it ages: one of the future is of when it was seen
   bool fading = false;
@@ -76,5 +81,10 @@ constexpr bool is_newer_arming(std::uint32_t arming, std::uint32_t than) {
 // What to write now; state.report is what was written.
 void motor_step(const MotorLimits& limits, MotorState& state, const MotorOrder& order, MotorCut cut,
                 std::int64_t now_ns);
+
+// The call that wrote it has come back. The motors may have had the force from its beginning, or
+// have got it at its end, after a call that was held up: what comes next is slewed from its end,
+// less what a call usually takes. Whoever does not say so has calls that take no time.
+void motor_written(MotorState& state, std::int64_t now_ns);
 
 }  // namespace stylet::hal

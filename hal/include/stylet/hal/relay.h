@@ -33,6 +33,7 @@ class Relay {
   void publish(const Pose& pose, std::uint32_t buttons, std::int64_t t_ns);
   // What to write to the motors now. Once a period: time is what a force changes with.
   MotorReport order(std::int64_t now_ns);
+  void written(std::int64_t now_ns);  // once it was, see motor_written
 
   // ---- any thread
   void end();
