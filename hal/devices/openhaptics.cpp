@@ -113,7 +113,7 @@ constexpr int kLastTurns = 20;  // of one that has failed, with zero force
 // What failed together comes back together: the first waits until the others have been tried, too.
 // Their next try is at most kLongestTryS away; the second more is for opening.
 constexpr double kTogetherS = kLongestTryS + 1;
-constexpr std::int64_t kNotTried = 0;
+constexpr auto kTogetherNs = static_cast<std::int64_t>(kTogetherS * 1e9);
 
 struct HdDevice {
   Relay relay;
@@ -131,6 +131,11 @@ struct HdDevice {
   Supervisor supervisor;
 };
 
+struct Away {
+  std::int64_t last_ns = 0;  // try to open it again, or until the first the closing
+  bool tried = false;
+};
+
 constexpr std::size_t kMaxDevices = 4;
 
 struct Hd {
@@ -138,7 +143,7 @@ struct Hd {
   std::mutex mutex;                 // opening and closing; never the servo
   std::atomic<bool> paused{false};  // the scheduler stands by our own order
   std::array<std::atomic<HdDevice*>, kMaxDevices> open{};
-  std::map<std::string, std::int64_t> away;  // closed after they had failed: when tried since
+  std::map<std::string, Away> away;  // closed after they had failed
 };
 
 Hd& hd() {
@@ -362,7 +367,10 @@ void wait_for_the_others(Hd& all, const HdDevice& mine) {
     for_each_open(all, [&come](const HdDevice& each) {
       come = come || each.relay.failed() || !each.ready.load();
     });
-    for (const auto& [name, tried_ns] : all.away) come = come || tried_ns < back_ns;
+    for (const auto& [name, away] : all.away) {
+      const bool dropped = monotonic_now_ns() - away.last_ns > kTogetherNs;  // none tries any more
+      come = come || (!dropped && (!away.tried || away.last_ns < back_ns));
+    }
     return come;
   };
   const Patience patience(kTogetherS);
@@ -377,8 +385,8 @@ void shut(HdDevice* device) {
   const std::lock_guard lock(all.mutex);
   pause(all);
   device->supervisor.stop();
-  if (device->ready.load() && device->relay.failed()) all.away[device->called] = kNotTried;
-  if (!device->ready.load() && device->again) all.away[device->called] = monotonic_now_ns();
+  const Away away = {monotonic_now_ns(), !device->ready.load()};
+  if (away.tried ? device->again : device->relay.failed()) all.away[device->called] = away;
   if (device->callback != 0) all.api.unschedule(device->callback);
   for (auto& slot : all.open) {
     HdDevice* expected = device;
@@ -457,7 +465,7 @@ Device open_openhaptics(const std::string& name, double patience_s) {
   try {
     made->handle = init(all.api, name);
   } catch (const DeviceError&) {
-    if (made->again) away->second = monotonic_now_ns();
+    if (made->again) away->second = {monotonic_now_ns(), true};
     restart();
     throw;
   }

@@ -44,7 +44,7 @@ struct Judge {
   bool expired = false;         // no more than there is, likewise
   Vec3 last_n = {};
   int last_writes = 0;
-  std::int64_t written_ns = 0;
+  std::int64_t written_ns = 0, before_ns = 0;  // last, and the time before
   double strongest_n = 0;
   int returns = 0;  // of a force, after somebody acknowledged
   std::string broken;
@@ -95,6 +95,7 @@ struct Judge {
     if (expired && size > size_of(last_n) * (1 + 1e-5) + 1e-6) fail("force after orders expired");
     if (late) expired = true;
     if (wrote || change > 0) {
+      before_ns = written_ns;
       written_ns = now;
       last_writes = writes();
     }
@@ -109,8 +110,11 @@ struct Judge {
     if (fault_ns != 0)
       end_ns = std::min(end_ns, fault_ns + static_cast<std::int64_t>(kZeroMs * 1e6));
     const double late_ms = ms(now - end_ns);
-    const bool held =
-        written_ns < end_ns && (!supervised || ms(now - written_ns) < kZeroMs + kSlackMs);
+    const auto held_since = [&](std::int64_t since_ns, std::int64_t until_ns) {
+      return since_ns < end_ns && (!supervised || ms(until_ns - since_ns) < kZeroMs + kSlackMs);
+    };
+    const bool landed = writes_hang && ms(now - written_ns) <= kSlackMs;
+    const bool held = held_since(written_ns, now) || (landed && held_since(before_ns, written_ns));
     if (late_ms > kSlackMs + held_ms && !held) {
       if (size > 0) fail("force 25 ms after a fault");
       over = true;

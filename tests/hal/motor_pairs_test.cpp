@@ -28,8 +28,8 @@ constexpr std::size_t kHands = 2;
 // What the motors have is within what was asked of them in this time, or nothing.
 constexpr std::int64_t kAskedNs = 60 * kMs;
 
-// What failed together is back by then: a try every 4 s (kLongestTryS) at the least, one of them for
-// each hand, and the acknowledgement.
+// What failed together is back by then: a try every 4 s (kLongestTryS) at the least, one of them
+// for each hand, and the acknowledgement.
 constexpr std::uint64_t kBackTicks = 9000;
 
 struct Asked {

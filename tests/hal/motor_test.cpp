@@ -333,7 +333,8 @@ TEST(Motor, ACallThatIsHeldUpIsNotFollowedByAStep) {
       motor_written(desk.state, desk.now_ns);
       const double passed_ms = static_cast<double>(desk.now_ns - had_ns) * 1e-6;
       had_ns = desk.now_ns;
-      EXPECT_LE(apart(desk.state.report.force_n, before), passed_ms * (1 + 1e-5)) << seed << " " << i;
+      EXPECT_LE(apart(desk.state.report.force_n, before), passed_ms * (1 + 1e-5))
+          << seed << " " << i;
       held_up = std::max(held_up, passed_ms);
     }
     EXPECT_GT(held_up, 5);

@@ -3,15 +3,15 @@
 //
 // The guard decides in the loop's time; here the time is the motors' own. Whatever loop, guard or
 // channel do, what leaves is finite, within the device's limits, and changes by at most the slew
-// limit in the time that has really passed, also when a vendor's call has held a force back. An order that is not renewed begins to fade after
-// kOrderFreshNs, by the largest force in kMotorFadeNs: zero within 25 ms of the last one. One that
-// ends at a time of its own, as what a station's model gives, is gone by then, whoever is held up
-// or fades meanwhile. After kOrderLifeNs, as when the thread that writes was held up for so long,
-// it is over for good: the motors are stopped, and only an order with a newer arming number, which
-// the guard gives after somebody acknowledged, moves them again. The guard learns of it by the
-// report, and begins its fades and ramps from what the motors have. A loop that is 4 to 10 ms late
-// is felt as a dip, by at most 30 % of the largest force and slewed both ways: shorter than a fault
-// is worth.
+// limit in the time that has really passed, also when a vendor's call has held a force back. An
+// order that is not renewed begins to fade after kOrderFreshNs, by the largest force in
+// kMotorFadeNs: zero within 25 ms of the last one. One that ends at a time of its own, as what a
+// station's model gives, is gone by then, whoever is held up or fades meanwhile. After
+// kOrderLifeNs, as when the thread that writes was held up for so long, it is over for good: the
+// motors are stopped, and only an order with a newer arming number, which the guard gives after
+// somebody acknowledged, moves them again. The guard learns of it by the report, and begins its
+// fades and ramps from what the motors have. A loop that is 4 to 10 ms late is felt as a dip, by at
+// most 30 % of the largest force and slewed both ways: shorter than a fault is worth.
 // Promises: no allocation, no clock, no lock; the same few steps each time.
 // Units: SI, ns on CLOCK_MONOTONIC. Frame: the device's.
 #pragma once
@@ -58,8 +58,8 @@ struct MotorReport {
 
 struct MotorState {
   MotorReport report;
-  std::int64_t t_ns = 0;      // of the last step; 0: none yet
-  std::int64_t had_ns = 0;    // since when the motors have the last force
+  std::int64_t t_ns = 0;                               // of the last step; 0: none yet
+  std::int64_t had_ns = 0;                             // since when the motors have the last force
   std::array<std::int64_t, kUsualCalls> call_ns = {};  // how long the last ones took
   std::int64_t given_ns = 0;  // the newest order's time as it is written; 0: none yet
   std::int64_t order_ns = 0;  // from which it ages: one of the future is of when it was seen
