@@ -37,6 +37,7 @@ namespace websocket = boost::beast::websocket;
 constexpr std::int64_t kExchangeNs = 500'000;
 using Milliseconds = std::chrono::milliseconds;
 constexpr Milliseconds kAnswerTime(20), kOpeningTime(2000);
+constexpr int kMostUnasked = 16;  // messages at once; more is a flood
 constexpr std::uint32_t kNoAnswer = 1, kDeviceGone = 2, kBrake = 3;
 constexpr const char* kExpected =
     "expected nothing, ID, or ID@ADDRESS:PORT, and then ,grip=ID ,gate=0.3 ,damping=0 or "
@@ -93,6 +94,7 @@ struct Haply {
   boost::asio::io_context io;
   websocket::stream<tcp::socket> socket{io};
   boost::beast::flat_buffer buffer;
+  bool reading = false, heard = false;  // a message is waited for; one has come
   Wishes wishes;
   std::string service;  // where
   HaplyIds ids;         // for as long as it is open
@@ -118,22 +120,50 @@ void hang_up(Haply& haply) {
 // Runs what was started; false: not done in time, or broken. Then the connection is closed, so that
 // what was started ends here, while what it writes to is still there.
 bool finish(Haply& haply, const bool& done, Milliseconds longest) {
+  const auto end = std::chrono::steady_clock::now() + longest;
   haply.io.restart();
-  haply.io.run_for(longest);
+  while (!done && haply.io.run_one_until(end) > 0) {
+  }
   const bool in_time = done;
   if (!in_time) hang_up(haply);
   return in_time;
 }
 
-bool receive(Haply& haply, json& message, Milliseconds longest = kAnswerTime) {
-  bool done = false;
+// The next message into the buffer, whenever it comes.
+void listen(Haply& haply) {
+  if (haply.reading || haply.heard) return;
+  haply.reading = true;
   haply.buffer.clear();
-  haply.socket.async_read(haply.buffer,
-                          [&](boost::beast::error_code error, std::size_t) { done = !error; });
-  if (!finish(haply, done, longest)) return false;
+  haply.socket.async_read(haply.buffer, [&haply](boost::beast::error_code error, std::size_t) {
+    haply.reading = false;
+    haply.heard = !error;
+  });
+}
+
+void take(Haply& haply, json& message) {
   const auto* text = static_cast<const char*>(haply.buffer.data().data());
   message = json::parse(text, text + haply.buffer.size(), nullptr, false);
+  haply.heard = false;
+}
+
+bool receive(Haply& haply, json& message, Milliseconds longest = kAnswerTime) {
+  listen(haply);
+  if (!finish(haply, haply.heard, longest)) return false;
+  take(haply, message);
   return true;
+}
+
+// The service answers each message once. What came besides would make every later answer an old
+// one: the newest counts, and a service that does not end to talk is none.
+bool catch_up(Haply& haply, json& message) {
+  for (int i = 0; i < kMostUnasked; ++i) {
+    listen(haply);
+    haply.io.restart();
+    haply.io.poll();
+    if (!haply.heard) return true;
+    take(haply, message);
+  }
+  return false;
 }
 
 bool send(Haply& haply, const std::string& text, Milliseconds longest = kAnswerTime) {
@@ -148,7 +178,8 @@ void exchange_once(Haply& haply) {
   json message;
   const Vec3 force_n = haply.relay.order(monotonic_now_ns()).force_n;
   haply.asked_n = std::hypot(force_n.x, force_n.y, force_n.z);
-  const bool answered = send(haply, force_message(haply.ids, force_n)) && receive(haply, message);
+  const bool answered = send(haply, force_message(haply.ids, force_n)) && receive(haply, message) &&
+                        catch_up(haply, message);
   haply.relay.written(monotonic_now_ns());
   if (!answered) haply.relay.fail(kNoAnswer);
   if (haply.relay.failed()) return hang_up(haply);  // an event may have said so, too

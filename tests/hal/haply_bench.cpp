@@ -186,6 +186,7 @@ void HaplyService::talk(Connection& connection) {
     std::string answer = state(false);
     if (messages % 50 == 0) answer.resize(answer.size() / 2);
     socket.write(boost::asio::buffer(answer));
+    if (unasked > 0 && messages % unasked == 0) socket.write(boost::asio::buffer(state(false)));
   }
 }
 

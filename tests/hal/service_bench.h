@@ -33,6 +33,7 @@ class HaplyService : public Bench {
   int writes() override { return messages; }
   void trouble(test::Trouble trouble) override { trouble_ = trouble; }
   std::atomic<int> messages{0};
+  std::atomic<int> unasked{0};  // one of so many answers is given twice; 0: none
   std::atomic<bool> lists_ours{true}, grip_awake{true};
   std::atomic<bool> ours_first{false};          // else after AAAA, which is somewhere else
   std::atomic<bool> other_grip{false};          // lists grip 2 first, awake, with all buttons held

@@ -330,6 +330,22 @@ TEST(Haply, GoesOnThroughBrokenMessages) {
   EXPECT_TRUE(ticker.answered);
 }
 
+// A service that says more than it is asked does not make samples old.
+TEST(Haply, MoreAnswersThanMessagesMakeNoSampleOld) {
+  HaplyService service;
+  service.unasked = 3;
+  Ticker ticker(service.uri());
+  ASSERT_TRUE(ticker.tick_until({0, 0, 1}, [&] { return service.messages > 600; }));
+  const Vec3 place = {0.01F, 0.02F, -0.03F};
+  service.move({place, {1, 0, 0, 0}});
+  const int since = service.messages;
+  EXPECT_TRUE(ticker.tick_until({0, 0, 1}, [&] {
+    const Vec3 way = minus(ticker.sample.pose.position_m, place);
+    return way.x * way.x + way.y * way.y + way.z * way.z < 1e-8F;
+  }));
+  EXPECT_LT(service.messages - since, 30);
+}
+
 double of(float value) {
   return static_cast<double>(value);
 }
