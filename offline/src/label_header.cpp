@@ -11,6 +11,18 @@
 
 namespace stylet::bake {
 
+namespace {
+
+std::string sizes_of(const Claim& claim) {
+  std::string sizes;
+  for (const std::uint64_t size : claim.sizes) {
+    sizes += fmt::format("{}{}", sizes.empty() ? "" : " x ", size);
+  }
+  return sizes;
+}
+
+}  // namespace
+
 void require_held(const std::string& path, const Claim& claim, std::uint64_t held_bytes) {
   constexpr std::uint64_t kDeflateAtMost = 1032;  // zlib.net/zlib_tech.html
   const std::uint64_t most = held_bytes * (claim.packed ? kDeflateAtMost : 1) /
@@ -18,14 +30,22 @@ void require_held(const std::string& path, const Claim& claim, std::uint64_t hel
   std::uint64_t left = most;
   for (const std::uint64_t size : claim.sizes) left = size == 0 ? 0 : left / size;
   if (left > 0) return;
-  std::string sizes;
-  for (const std::uint64_t size : claim.sizes) {
-    sizes += fmt::format("{}{}", sizes.empty() ? "" : " x ", size);
-  }
   refuse(
       "{}: the header speaks of {} voxels of {} bytes: {} bytes are there, expected more, or "
       "smaller sizes",
-      path, sizes, claim.bytes_each, held_bytes);
+      path, sizes_of(claim), claim.bytes_each, held_bytes);
+}
+
+void require_no_more(const std::string& path, const Claim& claim, std::uint64_t voxel_bytes) {
+  if (claim.packed || claim.text || claim.skips) return;
+  std::uint64_t claimed = claim.bytes_each;
+  for (const std::uint64_t size : claim.sizes) claimed *= size;
+  if (voxel_bytes <= claimed) return;
+  refuse(
+      "{}: the header speaks of {} voxels of {} bytes: {} bytes of voxels are there, expected {}, "
+      "or "
+      "larger sizes",
+      path, sizes_of(claim), claim.bytes_each, voxel_bytes, claimed);
 }
 
 bool is_gzip(std::string_view bytes) {

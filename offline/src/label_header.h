@@ -33,12 +33,18 @@ struct Claim {
   bool packed = false;                         // by deflate
   bool text = false;                           // numbers, with something between them
   std::vector<std::filesystem::path> files;    // of the voxels; none: behind the header
+  std::uint64_t behind = 0;                    // bytes, the header
+  bool skips = false;                          // something in front of the voxels
   std::map<std::string, std::string> remarks;  // NRRD's KEY:=VALUE
   HeaderFrame frame;
 };
 
 // Refuses a claim that cannot lie in so many bytes.
 void require_held(const std::string& path, const Claim& claim, std::uint64_t held_bytes);
+
+// Refuses voxels as they are, of which there are more than claimed: sizes that are wrong would
+// shift all of them. Only of a claim that can be held.
+void require_no_more(const std::string& path, const Claim& claim, std::uint64_t voxel_bytes);
 
 // Both of a whole file; require_held is the caller's, who knows the files' sizes.
 Claim nrrd_claim(const std::string& path, std::string_view bytes);

@@ -52,7 +52,9 @@ Claim checked_claim(const std::string& path, std::string_view bytes, std::string
   Claim claim = is_nrrd(path) ? nrrd_claim(path, bytes) : meta_claim(path, bytes);
   const std::size_t at = claim.sizes.size() - 3;  // layers come first
   require_map_size(path, {claim.sizes[at], claim.sizes[at + 1], claim.sizes[at + 2]});
-  require_held(path, claim, held_bytes(path, claim, bytes, sha256_out));
+  const std::uint64_t held = held_bytes(path, claim, bytes, sha256_out);
+  require_held(path, claim, held);
+  require_no_more(path, claim, claim.files.empty() ? claim.behind : held);
   return claim;
 }
 

@@ -144,7 +144,8 @@ Claim meta_claim(const std::string& path, std::string_view bytes) {
   claim.text = !claim.packed && !is_true(fields, "BinaryData", true);
   read_files(path, fields, rest, claim);
   const auto held = static_cast<std::int64_t>(bytes.size());
-  (void)number_of(path, fields, "HeaderSize", -1, INT32_MAX, 0);
+  claim.behind = rest.size();
+  claim.skips = number_of(path, fields, "HeaderSize", -1, INT32_MAX, 0) != 0;
   if (claim.files.empty()) {
     const auto packed = number_of(path, fields, "CompressedDataSize", 0, held, 0);
     if (claim.packed && packed == 0) {  // MetaIO would read nothing

@@ -357,6 +357,10 @@ LabelMap read_nifti(const std::string& path, std::string_view stored) {
     refuse("{}: {} bytes and more behind its voxels: expected none", path, kMostTail);
   }
   read_frame(path, header, map);
+  if (bytes.size() > wanted) {
+    map.notes.push_back(
+        fmt::format("{}: {} bytes behind its voxels: not read", path, bytes.size() - wanted));
+  }
   read_names(path, header, bytes, map);
   const auto voxels = std::string_view(bytes).substr(static_cast<std::size_t>(header.voxels_at));
   with_type(path, header.datatype,

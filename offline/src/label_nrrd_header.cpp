@@ -98,13 +98,16 @@ void read_files(const std::string& path, const HeaderFields& fields, Claim& clai
 }
 
 // What may be left out in front of the voxels.
-void check_skips(const std::string& path, const HeaderFields& fields) {
+bool skips(const std::string& path, const HeaderFields& fields) {
+  bool any = false;
   constexpr std::int64_t kMost = std::int64_t{1} << 32U;
   for (const char* name : {"lineskip", "byteskip"}) {
     const auto given = fields.find(name);
     if (given == fields.end()) continue;
-    (void)whole_numbers(path, given->second.second, given->second.first, -1, kMost);
+    const auto skip = whole_numbers(path, given->second.second, given->second.first, -1, kMost);
+    any = any || skip != std::vector<std::int64_t>{0};
   }
+  return any;
 }
 
 }  // namespace
@@ -127,7 +130,8 @@ Claim nrrd_claim(const std::string& path, std::string_view bytes) {
   claim.bytes_each = bytes_of_type(path, field_of(path, fields, "type").first);
   read_encoding(path, field_of(path, fields, "encoding").first, claim);
   read_files(path, fields, claim);
-  check_skips(path, fields);
+  claim.behind = rest.size();
+  claim.skips = skips(path, fields);
   claim.frame = nrrd_frame(path, fields, claim.sizes);
   return claim;
 }
