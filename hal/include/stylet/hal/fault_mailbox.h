@@ -17,7 +17,8 @@
 
 namespace stylet::hal {
 
-struct LatchedFault {
+// Aligned as the word it fills: of less, Clang asks a library that may lock.
+struct alignas(std::uint64_t) LatchedFault {
   Fault fault = Fault::kNone;
   std::uint32_t number = 0;  // of all that this guard has latched, from 1; 0: none
 
