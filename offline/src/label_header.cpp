@@ -43,8 +43,7 @@ void require_no_more(const std::string& path, const Claim& claim, std::uint64_t 
   if (voxel_bytes <= claimed) return;
   refuse(
       "{}: the header speaks of {} voxels of {} bytes: {} bytes of voxels are there, expected {}, "
-      "or "
-      "larger sizes",
+      "or larger sizes",
       path, sizes_of(claim), claim.bytes_each, voxel_bytes, claimed);
 }
 

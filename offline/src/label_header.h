@@ -33,7 +33,7 @@ struct Claim {
   bool packed = false;                         // by deflate
   bool text = false;                           // numbers, with something between them
   std::vector<std::filesystem::path> files;    // of the voxels; none: behind the header
-  std::uint64_t behind = 0;                    // bytes, the header
+  std::uint64_t behind = 0;                    // bytes after the header
   bool skips = false;                          // something in front of the voxels
   std::map<std::string, std::string> remarks;  // NRRD's KEY:=VALUE
   HeaderFrame frame;
