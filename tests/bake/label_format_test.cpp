@@ -394,6 +394,13 @@ TEST(LabelHeader, MoreVoxelsThanItSpeaksOfAreRefused) {
                                                   "are there, expected 24"))
         << each.name;
   }
+  EXPECT_THAT(refusal_of(scratch.write("c.nrrd", nrrd + "byteskip: 0\n\n" + more)),
+              HasSubstr("expected 24"));
+  const std::string text =
+      "NRRD0004\ntype: uchar\ndimension: 3\nspacings: 1 1 1\nsizes: 3 2 2\n"
+      "encoding: ascii\n\n";
+  EXPECT_EQ(bake::read_label_map(scratch.write("d.nrrd", text + "1 1 1 1 1 1 1 1 1 1 1 1\n")).size,
+            (std::array<std::uint32_t, 3>{3, 2, 2}));
   scratch.write("v.raw", more);  // said to be in front
   (void)bake::read_label_map(scratch.write("b.nhdr", nrrd + "byteskip: 2\ndata file: v.raw\n"));
   (void)bake::read_label_map(
