@@ -288,7 +288,7 @@ void read_frame(const std::string& path, const Header& h, LabelMap& map) {
 template <typename T>
 void take(const std::string& path, const Header& h, std::string_view voxels, LabelMap& map) {
   const std::size_t count = std::size_t{map.size[0]} * map.size[1] * map.size[2];
-  constexpr double kRounding = 1e-4;  // of a slope in single precision, at 500
+  constexpr double kRounding = 0x1p-22;  // four times that of slope and intercept as floats
   const bool scaled = h.slope != 0 && (h.slope != 1 || h.inter != 0);
   if (!std::isfinite(h.slope) || !std::isfinite(h.inter)) {
     refuse("{}: scl_slope {}, scl_inter {}: expected numbers", path, h.slope, h.inter);
@@ -300,8 +300,10 @@ void take(const std::string& path, const Header& h, std::string_view voxels, Lab
       std::memcpy(bytes.data() + i * sizeof(T), &raw, sizeof(T));
       continue;
     }
-    double value = static_cast<double>(raw) * h.slope + h.inter;
-    if (std::fabs(value - std::round(value)) < kRounding) value = std::round(value);
+    const double part = static_cast<double>(raw) * h.slope;
+    double value = part + h.inter;
+    const double error = kRounding * (std::fabs(part) + std::fabs(h.inter));
+    if (std::fabs(value - std::round(value)) <= error) value = std::round(value);
     if (value != std::floor(value)) {
       refuse(
           "{}: voxel {}: {} with scl_slope {} and scl_inter {} is {}: expected labels, which are "

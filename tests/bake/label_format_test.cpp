@@ -366,47 +366,6 @@ TEST(LabelHeader, OfSeveralFilesHasTheSumOfAll) {
   EXPECT_NE(sum_with("\1\1\1\1\1\1\1\1"), sum_with("\1\1\1\1\1\1\1\2"));
 }
 
-// Sizes that are too small would shift every voxel but the first row.
-TEST(LabelHeader, MoreVoxelsThanItSpeaksOfAreRefused) {
-  const Scratch scratch;
-  const std::string nrrd =
-      "NRRD0004\ntype: ushort\ndimension: 3\nspacings: 1 1 1\nsizes: 3 2 2\n"
-      "encoding: raw\nendian: little\n";
-  const std::string meta =
-      "ObjectType = Image\nNDims = 3\nDimSize = 3 2 2\n"
-      "ElementType = MET_USHORT\nElementSpacing = 1 1 1\n";
-  const std::string voxels(24, '\0'), more(26, '\0');
-  struct Case {
-    const char* name;
-    std::string header;
-  };
-  for (const Case& each : {Case{"a.nrrd", nrrd + "\n"}, Case{"a.nhdr", nrrd + "data file: v.raw\n"},
-                           Case{"a.mha", meta + "ElementDataFile = LOCAL\n"},
-                           Case{"a.mhd", meta + "ElementDataFile = v.raw\n"}}) {
-    const bool attached =
-        std::string(each.name).ends_with("mha") || std::string(each.name).ends_with("nrrd");
-    const auto with = [&](const std::string& bytes) {
-      scratch.write("v.raw", bytes);
-      return scratch.write(each.name, attached ? each.header + bytes : each.header);
-    };
-    EXPECT_EQ(bake::read_label_map(with(voxels)).size, (std::array<std::uint32_t, 3>{3, 2, 2}));
-    EXPECT_THAT(refusal_of(with(more)), HasSubstr("3 x 2 x 2 voxels of 2 bytes: 26 bytes of voxels "
-                                                  "are there, expected 24"))
-        << each.name;
-  }
-  EXPECT_THAT(refusal_of(scratch.write("c.nrrd", nrrd + "byteskip: 0\n\n" + more)),
-              HasSubstr("expected 24"));
-  const std::string text =
-      "NRRD0004\ntype: uchar\ndimension: 3\nspacings: 1 1 1\nsizes: 3 2 2\n"
-      "encoding: ascii\n\n";
-  EXPECT_EQ(bake::read_label_map(scratch.write("d.nrrd", text + "1 1 1 1 1 1 1 1 1 1 1 1\n")).size,
-            (std::array<std::uint32_t, 3>{3, 2, 2}));
-  scratch.write("v.raw", more);  // said to be in front
-  (void)bake::read_label_map(scratch.write("b.nhdr", nrrd + "byteskip: 2\ndata file: v.raw\n"));
-  (void)bake::read_label_map(
-      scratch.write("b.mhd", meta + "HeaderSize = -1\nElementDataFile = v.raw\n"));
-}
-
 // ---- NIfTI --------------------------------------------------------------------------------------
 
 // A file of 2 x 3 x 4 voxels, as either version has it.
@@ -587,6 +546,8 @@ TEST(Nifti, NumbersThatAreNoneAreNamed) {
       {[](Nifti& n) { n.voxels_at = kNan; }, "vox_offset nan"},
       {[](Nifti& n) { n.slope = kNan; }, "scl_slope nan"},
       {[](Nifti& n) { n.slope = 0.5; }, "voxel 0: 1 with scl_slope 0.5 and scl_inter 0 is 0.5"},
+      {[](Nifti& n) { n.slope = 2e-5; }, "voxel 0: 1 with scl_slope 1.99"},
+      {[](Nifti& n) { n.inter = 0.0001; }, "voxel 0: 1 with scl_slope 1 and scl_inter 9.99"},
       {[](Nifti& n) { n.inter = -5; }, "-4: expected labels"},
       {[](Nifti& n) { n.extension = std::string("\0\0\0\x7F\0\0\0\0", 8); }, "extension of"}};
   for (const auto& [change, reason] : cases) {
@@ -863,6 +824,51 @@ TEST(Nrrd, SegmentsInLayersAreAllRead) {
     if (shared == 0) continue;
     EXPECT_THAT(map.notes[0], HasSubstr(std::to_string(shared) + " voxels lie in"));
   }
+}
+
+// Sizes that are too small would shift every voxel but the first row.
+TEST(LabelHeader, MoreVoxelsThanItSpeaksOfAreRefused) {
+  const Scratch scratch;
+  const std::string nrrd =
+      "NRRD0004\ntype: ushort\ndimension: 3\nspacings: 1 1 1\nsizes: 3 2 2\n"
+      "encoding: raw\nendian: little\n";
+  const std::string meta =
+      "ObjectType = Image\nNDims = 3\nDimSize = 3 2 2\n"
+      "ElementType = MET_USHORT\nElementSpacing = 1 1 1\n";
+  const std::string voxels(24, '\0'), more(26, '\0');
+  struct Case {
+    const char* name;
+    std::string header;
+  };
+  for (const Case& each : {Case{"a.nrrd", nrrd + "\n"}, Case{"a.nhdr", nrrd + "data file: v.raw\n"},
+                           Case{"a.mha", meta + "ElementDataFile = LOCAL\n"},
+                           Case{"a.mhd", meta + "ElementDataFile = v.raw\n"}}) {
+    const bool attached =
+        std::string(each.name).ends_with("mha") || std::string(each.name).ends_with("nrrd");
+    const auto with = [&](const std::string& bytes) {
+      scratch.write("v.raw", bytes);
+      return scratch.write(each.name, attached ? each.header + bytes : each.header);
+    };
+    EXPECT_EQ(bake::read_label_map(with(voxels)).size, (std::array<std::uint32_t, 3>{3, 2, 2}));
+    EXPECT_THAT(refusal_of(with(more)), HasSubstr("3 x 2 x 2 voxels of 2 bytes: 26 bytes of voxels "
+                                                  "are there, expected 24"))
+        << each.name;
+  }
+  EXPECT_THAT(refusal_of(scratch.write("c.nrrd", nrrd + "byteskip: 0\n\n" + more)),
+              HasSubstr("expected 24"));
+  const std::string text =
+      "NRRD0004\ntype: uchar\ndimension: 3\nspacings: 1 1 1\nsizes: 3 2 2\n"
+      "encoding: ascii\n\n";
+  EXPECT_EQ(bake::read_label_map(scratch.write("d.nrrd", text + "1 1 1 1 1 1 1 1 1 1 1 1\n")).size,
+            (std::array<std::uint32_t, 3>{3, 2, 2}));
+  Nifti tail;
+  tail.voxels = std::string(24 + 5, '\1');
+  EXPECT_THAT(bake::read_label_map(scratch.write("a.nii", bytes_of(tail))).notes,
+              testing::Contains(HasSubstr("5 bytes behind its voxels: not read")));
+  scratch.write("v.raw", more);  // said to be in front
+  (void)bake::read_label_map(scratch.write("b.nhdr", nrrd + "byteskip: 2\ndata file: v.raw\n"));
+  (void)bake::read_label_map(
+      scratch.write("b.mhd", meta + "HeaderSize = -1\nElementDataFile = v.raw\n"));
 }
 
 }  // namespace
