@@ -71,9 +71,11 @@ ORGANS = ["bake_organ_test", "--gtest_filter=-*Real*"]
 MAPS = ["bake_label_test", "--gtest_filter=LabelOrgan.*:Wall.*-*WholeBody*"]
 LOSSES = ["bake_losses_test", "--gtest_filter=Losses.*"]
 SHEETS = ["bake_quality_test", "--gtest_filter=Sheets.*:Gaps.*"]
+QUALITY = ["bake_quality_test", "--gtest_filter=Distance.*:Quality.*"]
 REAL_ORGANS = ["bake_organ_test", "--gtest_filter=*Real*"]
 REAL_BODY = ["bake_label_test", "--gtest_filter=Recipe.OfTotal*"]
-VOXELS = [["bake_solid_test"], ORGANS, SHEETS, MAPS, LOSSES, ["bake_nesting_test"], REAL_ORGANS]
+VOXELS = [["bake_solid_test"], ORGANS, SHEETS, MAPS, LOSSES, QUALITY,
+          ["bake_nesting_test"], REAL_ORGANS]
 LABELS = [MAPS, ["bake_solid_test", "--gtest_filter=Mixed.*"],
           ["bake_label_test", "--gtest_filter=Recipe.*"], LOSSES,
           ["bake_losses_test", "--gtest_filter=Obstacles.*"], SHEETS]
@@ -103,7 +105,7 @@ OFFLINE = {
     **dict.fromkeys(("hull",), [["bake_hull_test", "--gtest_filter=Hull.*"], *LABELS]),
     **dict.fromkeys(("repair", "orient", "nesting"),
                     [["bake_solid_test"], ["bake_nesting_test", "--gtest_filter=Nesting.*"],
-                     ORGANS, REAL_ORGANS, ["bake_quality_test", "--gtest_filter=Quality.*"]]),
+                     ORGANS, REAL_ORGANS, QUALITY]),
     **dict.fromkeys(("voxelize", "sample_cell", "sample_parts", "triangle_tree", "lattice",
                      "layers", "mixed", "sheets", "gaps", "sphere_tree", "voxel_materials",
                      "organ_shape", "attach", "crop", "write_organ", "build"), VOXELS),

@@ -65,6 +65,22 @@ TEST(Hull, OfABallIsAsCloseAsItSays) {
   EXPECT_LT(last, 3.6e-3);
 }
 
+// Four points anywhere: the volume is a sixth of their determinant.
+TEST(Hull, OfFourPointsIsTheirTetrahedronWhereverItIs) {
+  std::mt19937_64 engine(28);
+  const auto draw = [&engine] { return static_cast<double>(engine() >> 11U) * 0x1p-52 - 1; };
+  for (int i = 0; i < 100; ++i) {
+    const Vec from = {0.2 * draw(), 0.2 * draw(), 0.2 * draw()};
+    std::vector<Vec> points;
+    for (int p = 0; p < 4; ++p) points.push_back(from + Vec{draw(), draw(), draw()} * 0.03);
+    const double determinant =
+        dot(points[1] - points[0], cross(points[2] - points[0], points[3] - points[0]));
+    if (std::abs(determinant) < 1e-7) continue;  // nearly flat
+    const bake::Hull hull = bake::simple_hull("four", points, kMaxHullVertices);
+    EXPECT_NEAR(hull.volume_m3, std::abs(determinant) / 6, 1e-12) << i;
+  }
+}
+
 TEST(Hull, OfRealBonesIsWithinTwoMillimetres) {
   for (const char* name : {"cgal_femur.off", "sofa_pelvis_f.obj"}) {
     const auto path = data_folder() / "organs" / name;

@@ -153,6 +153,20 @@ TEST(Volume, WhatAnOpenSurfaceHoldsIsInIt) {
   }
 }
 
+// Two boxes that lack a triangle each, one of them inside out: each tells its own sides. Just under
+// a missing triangle the winding number is one half, and a sum of clusters: a voxel may be lost.
+TEST(Volume, OpenBodiesThatEncloseSomethingAreTurnedEachByItself) {
+  for (const bool small_one : {false, true}) {
+    Mesh mesh, large = box_mesh({0, 0, 0}, {0.06, 0.06, 0.06});
+    Mesh small = box_mesh({0.1, 0, 0}, {0.13, 0.03, 0.03});
+    large.triangles.pop_back();
+    small.triangles.pop_back();
+    append(mesh, large, !small_one);
+    append(mesh, small, small_one);
+    EXPECT_NEAR(built_volume_ml(mesh, 5), 216 + 27, 0.125) << small_one;
+  }
+}
+
 // A face three times, first the wrong way and then twice the right one.
 TEST(Volume, OfFacesThatContradictEachOtherTheMostCount) {
   Mesh mesh = block_mm(40, 40, 40);
