@@ -371,10 +371,8 @@ void follow_button(const GuardConfig& config, GuardState& state) {
 void force_of_mode(const GuardConfig& config, GuardState& state, Vec3 force_n) {
   if (is_armed(state.mode)) {
     state.force_n = limited(config, state, damped(config, state, force_n));
-    watch_for_buzz(config, state);
-  }
-  if (is_armed(state.mode)) return;
-  if (state.mode == GuardMode::kRelease) {
+    watch_for_buzz(config, state);  // its fade begins with the next tick: this one has its step
+  } else if (state.mode == GuardMode::kRelease) {
     if (faded(config, state)) state.mode = GuardMode::kUnarmed;
   } else if (state.mode == GuardMode::kFading) {
     if (faded(config, state)) state.mode = GuardMode::kFault;

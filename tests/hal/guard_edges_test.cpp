@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <random>
 
 #include "guard_desk.h"
 
@@ -214,6 +215,33 @@ TEST(GuardBuzz, WhatSwungBeforeTheButtonWasPressedIsForgotten) {
   (void)desk.tick(true);
   EXPECT_EQ(desk.state.mode, GuardMode::kLive);
   EXPECT_EQ(desk.state.fault, Fault::kNone);
+}
+
+// Forces thrown to and fro about others, in all directions: the tick in which the fault is latched
+// has one step, not also that of a fade.
+TEST(GuardBuzz, FaultItselfIsNoFasterThanTheSlewLimit) {
+  std::mt19937_64 engine(33);
+  const auto draw = [&engine] { return static_cast<float>(engine() >> 40U) * 0x1p-23F - 1; };
+  int faults = 0;
+  for (int session = 0; session < 300; ++session) {
+    Desk desk = plain_desk();
+    desk.config.max_slew_n_per_s = 1500 + 1000 * draw();
+    const Vec3 about = {4 * draw(), 4 * draw(), 4 * draw()};
+    const Vec3 swing = {6 * draw(), 6 * draw(), 6 * draw()};
+    const int half_period_ticks = 5 + static_cast<int>(4 * draw());
+    const double most = static_cast<double>(desk.config.max_slew_n_per_s) * 1e-3 * (1 + 1e-5);
+    Vec3 last = {};
+    for (int i = 0; i < 400; ++i) {
+      const float side = i / half_period_ticks % 2 == 0 ? 1 : -1;
+      desk.asked_n = {about.x + side * swing.x, about.y + side * swing.y, about.z + side * swing.z};
+      const Vec3 force = desk.tick(false);
+      ASSERT_LE(size({force.x - last.x, force.y - last.y, force.z - last.z}), most)
+          << "session " << session << ", tick " << i;
+      last = force;
+    }
+    faults += desk.state.fault == Fault::kBuzz ? 1 : 0;
+  }
+  EXPECT_GT(faults, 100);
 }
 
 // ==== Torque
