@@ -626,8 +626,8 @@ class Bench(unittest.TestCase):
         """Where others used the processors meanwhile, it says that instead."""
         table = self.two_threads(os.sched_getaffinity(0))
         refused = re.findall(r"(?m)^threads/liver_1k/\w+: no figure: .* ([\d.]+) x as", table)
-        for times in refused:
-            self.assertFalse(1.9 <= float(times) <= 2.1)
+        for times in refused:  # in two digits: 1.896 is refused, and written 1.90
+            self.assertFalse(1.9 < float(times) < 2.1)
         for variant in re.findall(r"(?m)^\w+/liver_1k/(\w+) ", table):
             for measure in ("alone", "beside", "shared", "alone_any", "beside_any", "shared_any"):
                 self.assertRegex(table, rf"(?m)^{measure}/liver_1k/{variant} +[\d.]+")
