@@ -203,10 +203,17 @@ TEST(Program, AttemptsGiveTheBitsOfARunWithoutConsole) {
   EXPECT_EQ(final_hash(program.at("out-2.h5")), expected);
 }
 
-// Without end, but for --duration-s: some seconds of a clock on the wall.
+// Without end, but for --duration-s: some seconds of a clock on the wall. Less than
+// hal::kSidePatienceS of them, after which a page that is stopped is ended; the thread sanitizer
+// takes longer for each.
+#if defined(__SANITIZE_THREAD__)
+constexpr const char* kLongRunS = "4";
+#else
+constexpr const char* kLongRunS = "30";
+#endif
 std::vector<std::string> long_run(const Program& program, const std::string& record) {
   return {"run",      program.at("first.toml"), "--fast",       "--record", program.at(record),
-          "--flight", program.at("flight.h5"),  "--duration-s", "30"};
+          "--flight", program.at("flight.h5"),  "--duration-s", kLongRunS};
 }
 
 // Killed, crashed, starved or stopped at any time: the same bits, one line, one counter.
@@ -243,7 +250,7 @@ TEST(Program, ThePageMayEndInAnyWay) {
     const std::string told = program.output();
     const int code = lost ? program.wait() : program.end();
     EXPECT_TRUE(code == 3 || (!lost && code == 0)) << code << program.output();
-    EXPECT_EQ(told.find("the console ended: signal") != std::string::npos, lost) << told;
+    EXPECT_EQ(told.find("the console ended: signal") != std::string::npos, lost) << way << told;
   }
 }
 
@@ -442,7 +449,9 @@ TEST(Program, AnAcknowledgementIsForTheFaultThatWasSeen) {
       for (int i = 0; i < 30 && !cleared; ++i) {
         client.say_message(pointer_at(touched.place_m));
         ASSERT_NE(frame = client.next_of<Frame>(Body::Frame), nullptr) << program.output();
-        cleared = frame->needles()->Get(0)->fault() == nullptr;
+        // A slow machine may have latched the next one before this frame.
+        const NeedleFrame& needle = *frame->needles()->Get(0);
+        cleared = needle.fault() == nullptr || needle.fault_number() != now.number;
       }
     }
     EXPECT_TRUE(cleared) << round;

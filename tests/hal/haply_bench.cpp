@@ -29,17 +29,18 @@ struct HaplyService::Connection {
 };
 
 struct HaplyService::Listener {
+  // Shared by several threads: what one of them has taken holds none of the others.
+  explicit Listener(bool shared = false) { acceptor.non_blocking(shared); }
   boost::asio::io_context io;
   tcp::acceptor acceptor{io, {boost::asio::ip::make_address("127.0.0.1"), 0}};
   std::string port() const { return std::to_string(acceptor.local_endpoint().port()); }
 };
 
 HaplyService::HaplyService(int clients)
-    : listener_(std::make_unique<Listener>()),
+    : listener_(std::make_unique<Listener>(clients > 1)),
       events_(std::make_unique<Listener>()),
       thread_([this] { serve(); }),
       event_thread_([this] { serve_events(); }) {
-  listener_->acceptor.non_blocking(clients > 1);
   while (--clients > 0) more_.emplace_back([this] { serve(); });
 }
 
