@@ -21,7 +21,7 @@ namespace stylet::hal {
 namespace {
 
 constexpr const char* kFormatName = "stylet-recording";
-constexpr std::uint32_t kFormatVersion = 3;
+constexpr std::uint32_t kFormatVersion = 4;
 // Rows are kept for so long, as a whole chunk: none is written twice.
 constexpr double kBlockS = 0.5;
 constexpr std::uint64_t kMaxBlockRows = 4096;
@@ -86,6 +86,7 @@ void visit_attributes(Visitor& visit, Info& info) {
   visit.number("config_mode", ColumnType::kUint32, 1, &info.config.mode);
   visit.number("config_period_s", ColumnType::kFloat32, 1, &info.config.period_s);
   visit.number("config_substeps", ColumnType::kUint32, 1, &info.config.substeps);
+  visit.number("config_inertia", ColumnType::kUint32, 1, &info.config.inertia);
   visit.number("config_tissue_damping_s", ColumnType::kFloat32, 1, &info.config.tissue_damping_s);
   visit.number("config_surround_drag_per_s", ColumnType::kFloat32, 1,
                &info.config.surround_drag_per_s);

@@ -22,6 +22,8 @@ void read_loop(Section loop, Scene& scene) {
   scene.config.period_s = si(loop.number("period_us", 1000, low_us, high_us), 1e-6);
   scene.config.substeps =
       static_cast<std::uint32_t>(loop.integer("substeps", Config{}.substeps, 1, kMaxSubsteps));
+  const std::string inertia = loop.choice("inertia", "added_mass", {"added_mass", "true_mass"});
+  scene.config.inertia = inertia == "true_mass" ? Inertia::kTrueMass : Inertia::kAddedMass;
   scene.rt_priority = static_cast<int>(loop.integer("rt_priority", 80, 1, 98));
   scene.cpu = static_cast<int>(loop.integer("cpu", -1, -1, 1023));
   scene.threads = static_cast<std::uint32_t>(loop.integer("threads", 1, 1, kMaxHelpers + 1));

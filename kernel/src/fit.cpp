@@ -114,6 +114,47 @@ void fill_groups(const View& view) {
   }
 }
 
+// A spring at a point r from a voxel's centre, at most sqrt(3) / 2 edges, pulls at the corners by
+// shares whose squares sum to 1 / 8 + r^2 / (4 edge^2).
+constexpr float kMostOfPull = 5.0F / 16;
+
+// Stiffness of the springs that pull at a coupled voxel.
+float pull_n_per_m(const View& view, const CoupledVoxel& voxel) {
+  float sum = 0;
+  std::uint32_t at = voxel.first_member;
+  for (std::uint32_t i = 0; i < voxel.member_count; ++i) {
+    const Member& member = view.scratch.member[at];
+    const Particle& p = particle_at(view, member.particle);
+    sum = sum + p.stiffness_n_per_m * p.share[member.share].weight;
+    at = member.next;
+  }
+  return sum;
+}
+
+// What the springs of constraint particles may add to the stiffness of a particle (filter.h).
+void bound_held(const View& view) {
+  const Counts& counts = view.model.head->counts;
+  float* const sums = view.scratch.held;
+  for (std::uint32_t i = 0; i < counts.filtered_particles; ++i) sums[i] = 0;
+  for (std::uint32_t i = 0; i < view.scratch.head->coupled_count; ++i) {
+    const CoupledVoxel& voxel = view.scratch.coupled[i];
+    const Row& row = view.model.row[voxel.row];
+    const float k = view.model.slot_k[voxel.slot];
+    const float pull = kMostOfPull * pull_n_per_m(view, voxel);
+    const float more = pull * k / (k + pull);
+    for (const std::uint32_t node : row.node) {
+      sums[node + voxel.slot - row.slot] += more;
+      sums[node + voxel.slot - row.slot + 1] += more;
+    }
+  }
+  for (std::uint32_t i = 0; i < counts.ties; ++i) {
+    sums[view.model.tie[i].root] += sums[view.model.tie[i].node];
+  }
+  for (std::uint32_t i = 0; i < counts.ties; ++i) {
+    sums[view.model.tie[i].node] = sums[view.model.tie[i].root];
+  }
+}
+
 }  // namespace
 
 FitFrame fit_frame(const View& view, std::uint32_t slot, std::uint32_t row) {
@@ -167,6 +208,7 @@ std::uint32_t gather_coupled(const View& view) {
   });
   sort_by_plane(view);
   fill_groups(view);
+  if (has_true_mass(view)) bound_held(view);
   state.coupled_max =
       head.coupled_count > state.coupled_max ? head.coupled_count : state.coupled_max;
   return flags;

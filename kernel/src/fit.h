@@ -29,7 +29,8 @@ struct FitFrame {
 };
 FitFrame fit_frame(const View& view, std::uint32_t slot, std::uint32_t row);
 
-// Lists the coupled voxels of this tick, plane by plane. Returns output flags.
+// Lists the coupled voxels of this tick, plane by plane; with true mass, what their springs add to
+// the bounds on stiffness. Returns output flags.
 std::uint32_t gather_coupled(const View& view);
 
 // Forces of all CPs from the goals of the fit just made, and what their slips have cost.

@@ -65,6 +65,18 @@ inline Wide lanes_behind(Wide before, Wide now) {
   return __builtin_shufflevector(before, now, 3, 4, 5, 6);
 #endif
 }
+// The lanes one place later: all but the first of `now`, then the first of `behind`.
+inline Wide lanes_ahead(Wide now, Wide behind) {
+#if defined(__AVX512F__)
+  const __m512i shifted = _mm512_maskz_alignr_epi32(0xFFFF, __builtin_bit_cast(__m512i, behind),
+                                                    __builtin_bit_cast(__m512i, now), 1);
+  return __builtin_bit_cast(Wide, shifted);
+#elif defined(__AVX2__)
+  return __builtin_shufflevector(now, behind, 1, 2, 3, 4, 5, 6, 7, 8);
+#else
+  return __builtin_shufflevector(now, behind, 1, 2, 3, 4);
+#endif
+}
 // Each lane of `a` followed by that of `b`.
 inline void store_pairs(float* to, Wide a, Wide b) {
 #if defined(__AVX512F__)

@@ -84,7 +84,7 @@ void for_each_window(Runs before, Runs behind, std::uint32_t width, Visit visit)
 
 struct Totals {
   std::uint64_t rows, slots, particles, windows[2];
-  std::uint64_t slots_of_line, particles_of_plane;  // at most
+  std::uint64_t slots_of_line, slots_of_plane, particles_of_plane;  // at most
 };
 
 void count_voxels(Runs plane, Totals& totals) {
@@ -100,7 +100,9 @@ void count_voxels(Runs plane, Totals& totals) {
       for_each_window(rows[1], rows[0], 8U << i, [&](auto...) { ++totals.windows[i]; });
     }
   }
-  totals.slots += round_lanes(slots);
+  slots = round_lanes(slots);
+  totals.slots += slots;
+  totals.slots_of_plane = std::max(totals.slots_of_plane, slots);
 }
 
 // Of the nodes between two voxel planes.
@@ -129,6 +131,14 @@ void for_each_row(const Organ& organ, Visit visit) {
       for (Extent e; stretches.next(e);) visit(y, z);
     }
   }
+}
+
+// All that the passes keep of the planes they have at hand (lattice_filter.h).
+std::uint64_t filter_floats(const Counts& c) {
+  const std::uint64_t passes =
+      std::uint64_t{kMaxFilterPasses} * kPassPlanes * 3 * c.particles_per_plane;
+  // Rows are read a group of lanes beyond their end.
+  return kLanes + std::uint64_t{3} * c.slots_per_plane + passes + 2 * kLanes;
 }
 
 std::uint32_t place_of(const Organ& organ, const Counts& counts, std::uint32_t y, std::uint32_t z) {
@@ -270,6 +280,12 @@ Status count_lattice(const Organ& organ, const Config& config, Counts& counts_ou
   // The sweep works in whole lanes, so it touches up to two groups behind the last row.
   c.particles = static_cast<std::uint32_t>(totals.particles) + 2 * kLanes;
   c.particles_per_plane = static_cast<std::uint32_t>(totals.particles_of_plane) + 2 * kLanes;
+  c.slots_per_plane = static_cast<std::uint32_t>(totals.slots_of_plane) + 2 * kLanes;
+  if (config.inertia == Inertia::kTrueMass) {
+    c.filtered_particles = c.particles;
+    c.filtered_slots = c.slots + kLanes;  // rows are read in whole lanes
+    c.filter_floats = filter_floats(c);
+  }
   count_places(organ, c);
   return Status::kOk;
 }

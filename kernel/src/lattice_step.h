@@ -6,8 +6,8 @@
 // cluster and what a row sends to its nodes, over all slots in full lanes, as soon as some dozens
 // are summed; 3 each window of nodes collects what the voxel rows at its sides send
 // (lattice_plan.h), as soon as both are fitted; then the particles of the plane's low side have all
-// their forces and move. Some rows of clusters and two planes of forces stay in cache; nothing else
-// is stored. (A whole plane of clusters was: it leaves the nearest cache, 8 % more time.)
+// their forces and move (with true mass: get their momentum, and lattice_filter.h moves them). Some
+// rows of clusters and two planes of forces stay in cache; nothing else is stored. (A whole plane of clusters was: it leaves the nearest cache, 8 % more time.)
 //
 // Voxels that hold constraint particles are fitted before the sweep, all together: plane by plane
 // each few of them cost the time of a full group of lanes, at 5000 voxels 7 % of the step.
@@ -17,15 +17,14 @@
 #include "fit_lanes.h"
 #include "lanes.h"
 #include "lattice.h"
+#include "lattice_filter.h"
 #include "lattice_team.h"
 #include "rotation.h"
 
 namespace stylet {
 namespace {
 
-// Smallest steps of velocity, displacement and rotation: keeps denormals (20 times slower, and
-// rounded differently by processors that flush them) out of the state.
-constexpr float kQuantum = 1.52587890625e-05F;  // 2^-16: displacements and velocities to 2e-12
+// As kQuantum, of rotations.
 constexpr float kQuantumTurn = 1.953125e-3F;    // 2^-9: quaternion parts to 2e-10
 
 // Twelve arrays over some slots of a plane, `stride` apart: for each component of the displacement
@@ -386,45 +385,15 @@ void sweep_plane(const View& view, const Plane& plane, float* low, float* high) 
   }
 }
 
-struct Motion {
-  float dt, tau, keep, fastest;
-  // Largest displacement so far: its bits, which as integers have the order of floats.
-  WideBits largest = {};
-};
-
-// Moves a group of lanes along one axis.
-inline void move_lanes(const float* force, Wide per_mass, Wide hold, float* u, float* v, float* e,
-                       Motion& motion) {
-  Wide velocity = motion.keep * load(v) - per_mass * (hold * load(e) - load(force));
-  velocity = (velocity + kQuantum) - kQuantum;
-  velocity = no_larger(velocity, motion.fastest);
-  Wide place = load(u) + motion.dt * velocity;
-  place = (place + kQuantum) - kQuantum;
-  store(v, velocity);
-  store(u, place);
-  store(e, place + motion.tau * velocity);
-  const WideBits size = __builtin_bit_cast(WideBits, place) & 0x7FFFFFFF;
-  motion.largest = motion.largest > size ? motion.largest : size;
-}
-
-// Nodes that are one particle get the forces on all of them; `force` as below.
-void join_tied(const View& view, const Plane& plane, float* force) {
-  const TiedNode* const first = view.model.tie + plane.tie_begin;
-  const TiedNode* const end = view.model.tie + plane.tie_end;
-  for (int c = 0; c < 3; ++c, force += view.model.head->counts.particles_per_plane) {
-    const auto on = [&](std::uint32_t node) -> float& {
-      return force[node - plane.particle_begin];
-    };
-    for (const TiedNode* tie = first; tie != end; ++tie) on(tie->root) += on(tie->node);
-    for (const TiedNode* tie = first; tie != end; ++tie) on(tie->node) = on(tie->root);
-  }
+// Velocity of a group of lanes along one axis, or momentum over mass, after the forces on it.
+inline Wide pushed(const float* force, Wide per_mass, Wide hold, const float* v, const float* e,
+                   float keep) {
+  return keep * load(v) - per_mass * (hold * load(e) - load(force));
 }
 
 // Moves the particles of a plane. `force`: x, y, z, `particles_per_plane` apart; zero afterwards,
 // for the next plane that uses it.
 void move_particles(const View& view, const Plane& plane, float* force, Motion& motion_out) {
-  add_changes(view, static_cast<std::uint32_t>(&plane - view.model.plane), force);
-  if (plane.tie_begin != plane.tie_end) join_tied(view, plane, force);
   const auto force_axis = static_cast<std::ptrdiff_t>(view.model.head->counts.particles_per_plane);
   const std::ptrdiff_t axis = view.state.uy - view.state.ux;  // as from y to z, for u, v and e
   Motion motion = motion_out;
@@ -433,18 +402,47 @@ void move_particles(const View& view, const Plane& plane, float* force, Motion& 
   float* e = view.state.ex + plane.particle_begin;
   const float* per_mass = view.model.step_per_mass + plane.particle_begin;
   const float* hold = view.model.hold + plane.particle_begin;
-  const std::ptrdiff_t count = plane.particle_end - plane.particle_begin;
-  // The first group is padding. It is not written: the slab below may read it meanwhile.
-  for (std::ptrdiff_t group = kLanes; group < count; group += kLanes) {
-    for (std::ptrdiff_t i = group; i < group + std::ptrdiff_t{kLanes}; i += kWide) {
-      for (std::ptrdiff_t c = 0; c < 3; ++c) {
-        move_lanes(force + i + c * force_axis, load(per_mass + i), load(hold + i), u + i + c * axis,
-                   v + i + c * axis, e + i + c * axis, motion);
-        store(force + i + c * force_axis, Wide{});
-      }
+  // The padding is not written: the slab below may read it meanwhile.
+  for_each_group(plane, [&](std::ptrdiff_t i) {
+    for (std::ptrdiff_t c = 0; c < 3; ++c) {
+      const std::ptrdiff_t at = i + c * axis, f = i + c * force_axis;
+      const Wide velocity =
+          pushed(force + f, load(per_mass + i), load(hold + i), v + at, e + at, motion.keep);
+      displace_lanes(bounded(velocity, motion), u + at, v + at, e + at, motion);
+      store(force + f, Wide{});
     }
-  }
+  });
   motion_out = motion;
+}
+
+// With true mass the particles get their momentum only, for the filter.
+void push_particles(const View& view, const Plane& plane, float* force, const Motion& motion) {
+  const auto force_axis = static_cast<std::ptrdiff_t>(view.model.head->counts.particles_per_plane);
+  const std::ptrdiff_t axis = view.state.wy - view.state.wx;  // as that of e
+  float* w = view.state.wx + plane.particle_begin;
+  const float* e = view.state.ex + plane.particle_begin;
+  const float* per_mass = view.model.step_per_mass + plane.particle_begin;
+  const float* hold = view.model.hold + plane.particle_begin;
+  for_each_group(plane, [&](std::ptrdiff_t i) {
+    for (std::ptrdiff_t c = 0; c < 3; ++c) {
+      const std::ptrdiff_t at = i + c * axis, f = i + c * force_axis;
+      const Wide momentum =
+          pushed(force + f, load(per_mass + i), load(hold + i), w + at, e + at, motion.keep);
+      store(w + at, bounded(momentum, motion));
+      store(force + f, Wide{});
+    }
+  });
+}
+
+// What all forces on the particles of a plane do to them.
+void finish_particles(const View& view, const Plane& plane, float* force, Motion& motion) {
+  add_changes(view, static_cast<std::uint32_t>(&plane - view.model.plane), force);
+  if (plane.tie_begin != plane.tie_end) join_tied(view, plane, force);
+  if (has_true_mass(view)) {
+    push_particles(view, plane, force, motion);
+  } else {
+    move_particles(view, plane, force, motion);
+  }
 }
 
 float largest_displacement(const Motion& motion) {
@@ -502,7 +500,7 @@ void move_between(const View& view, Part& part, Motion& motion) {
     return;
   }
   take_forces(view, between, part.apart->kept, part.kept);
-  move_particles(view, between, part.kept, motion);
+  finish_particles(view, between, part.kept, motion);
   part.moved = true;
 }
 
@@ -528,13 +526,13 @@ void sweep_planes(const View& view, Part& part, Motion& motion) {
     if (z == part.first && !part.helping) part.slab->begun.store(1, std::memory_order_release);
     const std::uint32_t done = z + behind;
     const bool move = z != part.first || done == 0 || done == top;
-    if (move) move_particles(view, plane[done], here, motion);
+    if (move) finish_particles(view, plane[done], here, motion);
     move_between(view, part, motion);
     more = take_plane(part);
     z += more ? ahead - behind : 0;
   }
   const std::uint32_t last = z + ahead;
-  if (last == 0 || last == top) move_particles(view, plane[last], here, motion);
+  if (last == 0 || last == top) finish_particles(view, plane[last], here, motion);
   part.begin = part.up ? part.first : z;
   part.planes = (part.up ? z - part.first : part.first - z) + 1;
   part.low = part.up ? part.kept : here;
@@ -585,6 +583,20 @@ void sweep_part(const Kernel& kernel, Part& part) {
   part.largest_m = largest_displacement(motion);
 }
 
+// The particles of a slab: those at its low side, and the last one's also at its high side.
+void filter_part(const Kernel& kernel, Part& part) {
+  part.planes = 0;
+  part.largest_m = 0;
+  if (part.helping) return;
+  const View view = view_of(kernel);
+  Motion motion = start_motion(*view.model.head);
+  const Slab& slab = *part.slab;
+  const bool last = slab.end == view.model.head->counts.planes;
+  filter_planes(view, slab.begin, last ? slab.end + 1 : slab.end, part.filter, motion);
+  part.planes = slab.end - slab.begin;
+  part.largest_m = largest_displacement(motion);
+}
+
 void join(Motion& motion, const Part& part) {
   const auto size = __builtin_bit_cast(std::int32_t, part.largest_m);
   if (size > motion.largest[0]) motion.largest[0] = size;
@@ -598,7 +610,7 @@ const Part* join_part(const View& view, const Part* below, const Part& part, Mot
   if (below != nullptr && !below->moved) {
     const Plane& plane = view.model.plane[part.begin];
     take_forces(view, plane, part.low, below->high);
-    move_particles(view, plane, below->high, motion);
+    finish_particles(view, plane, below->high, motion);
   }
   return &part;
 }
@@ -621,6 +633,9 @@ void STYLET_LATTICE_STEP(const Kernel& kernel) {
     clear(view, view.scratch.force);
     clear(view, view.scratch.force + 3 * std::size_t{head.counts.particles_per_plane});
     sweep_planes(view, whole, motion);
+    if (has_true_mass(view)) {
+      filter_planes(view, 0, head.counts.planes + 1, view.scratch.filter, motion);
+    }
   } else {
     const Team& team = *team_of(kernel);
     fit_between(view, team);
@@ -630,6 +645,10 @@ void STYLET_LATTICE_STEP(const Kernel& kernel) {
       const Part &own = team.part[s], &helping = team.part[team.slab_count + s];
       below = join_part(view, below, own.up ? own : helping, motion);
       below = join_part(view, below, own.up ? helping : own, motion);
+    }
+    if (has_true_mass(view)) {
+      sweep_together(kernel, filter_part);
+      for (std::uint32_t s = 0; s < team.slab_count; ++s) join(motion, team.part[s]);
     }
   }
   view.state.head->max_displacement_m = largest_displacement(motion);

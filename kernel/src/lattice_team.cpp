@@ -39,14 +39,15 @@ Found sweep_one(const Kernel& kernel, Team& team) {
 
 constexpr std::uint32_t kForceParts = 3;  // two in turn, and the one that is kept
 struct TeamSizes {
-  std::uint64_t sums, force;  // floats of one part, in whole blocks
+  std::uint64_t sums, force, filter;  // floats of one part, in whole blocks
 };
 
 TeamSizes team_sizes(const Counts& counts) {
   const auto whole = [](std::uint64_t floats) { return (floats + kLanes - 1) / kLanes * kLanes; };
   // The lanes before the sums are read by windows, and not used.
   return {kLanes + whole(std::uint64_t{12} * counts.slots_at_once),
-          whole(std::uint64_t{3} * kForceParts * counts.particles_per_plane)};
+          whole(std::uint64_t{3} * kForceParts * counts.particles_per_plane),
+          whole(counts.filter_floats)};
 }
 
 // One for each thread.
@@ -105,8 +106,8 @@ void sweep_together(const Kernel& kernel, void (*sweep)(const Kernel&, Part&)) {
 std::size_t team_bytes(const Kernel& kernel, std::uint32_t helpers) {
   const Counts& counts = counts_of(kernel);
   const TeamSizes size = team_sizes(counts);
-  const std::uint64_t bytes =
-      sizeof(Team) + 2 * slabs_of(counts, helpers) * (size.sums + size.force) * sizeof(float);
+  const std::uint64_t slab = 2 * (size.sums + size.force) + size.filter;
+  const std::uint64_t bytes = sizeof(Team) + slabs_of(counts, helpers) * slab * sizeof(float);
   // More than there is on this machine: set_team refuses whatever it gets.
   return static_cast<std::size_t>(std::min<std::uint64_t>(bytes, SIZE_MAX));
 }
@@ -137,6 +138,9 @@ Status set_team(Kernel& kernel, std::uint32_t helpers, std::span<std::byte> memo
     part.kept = part.force + std::size_t{3} * (kForceParts - 1) * counts.particles_per_plane;
     std::fill_n(part.force, size.force, 0.0F);
     floats += size.sums + size.force;
+  }
+  for (std::uint32_t s = 0; s < team.slab_count; ++s, floats += size.filter) {
+    team.part[s].filter = floats;
   }
   share_planes(view.model, team);
   head.team = memory.data();

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "filter.h"
 #include "obstacle.h"
 #include "rod.h"
 #include "runs.h"
@@ -34,12 +35,20 @@ struct Counts {
   std::uint32_t windows[2];  // of 8 and of 16 lanes, lattice_plan.h
   std::uint32_t sheets, ties;
   std::uint32_t needles;
+  // Only with true mass, else zero: particles and slots, and floats of a filter's scratch.
+  std::uint32_t filtered_particles, filtered_slots;
+  std::uint32_t slots_per_plane;
+  std::uint64_t filter_floats;
 };
 
 // Slots the lattice sweep fits at a time: they and what is made of them stay in the nearest cache.
 // (With 128 the step takes 0.7 % more instructions, with 160 up to 2 % more time.)
 constexpr std::uint32_t kChunk = 144;
 static_assert(kChunk % kLanes == 0);
+
+// Planes of particles that each pass of the filter has at hand: three of what it starts from, and
+// two of what neighbours send.
+constexpr std::uint32_t kPassPlanes = 5;
 
 // A stretch of voxels x0 .. x0 + count - 1 of row y, all sheets counted, in a plane; holes are
 // slots without stiffness. The slot before the first and the one behind the last are empty, so a
@@ -83,7 +92,8 @@ struct Friction {
 // What the tick needs of a material; derived once.
 struct MaterialModel {
   float shear_pa, poisson_ratio;
-  float lattice_shear_pa;  // of a voxel, over which a thin skin is spread
+  // Of a voxel, over which a thin skin is spread: shear modulus, and lambda over twice that.
+  float lattice_shear_pa, lattice_volume_ratio;
   float puncture_n, cutting_n, recut_fraction;
   float puncture_exponent;
   Friction friction;
@@ -102,6 +112,7 @@ struct ModelHead {
   std::uint16_t size_x, size_y, size_z, sheet_rows;
   float substep_s;
   float hourglass_weight;
+  Filter filter;        // of no use with added mass
   float velocity_keep;  // of the slip velocity's low pass, per tick
   std::uint32_t obstacle_count;
   std::uint32_t material_count;
@@ -229,7 +240,9 @@ struct ScratchHead {
 
 // F(name, type, count); `c` is Counts. Of a constraint particle's spring: how far this tick pulls
 // it (`stretch`), and where its end is in this substep (`place`).
-// The last two only with sheets: the particle that each node is, and which quarters of its cell are
+// Only with true mass: the bound on the stiffness of a voxel and of a particle (filter.h), what
+// constraint particles add to a particle's in this tick (`held`), and its momentum over its mass (w).
+// The last two of the model only with sheets: the particle that each node is, and which quarters of its cell are
 // a voxel's own (organ.fbs).
 #define STYLET_MODEL_FIELDS(F)                           \
   F(head, ModelHead, 1)                                  \
@@ -249,6 +262,8 @@ struct ScratchHead {
   F(step_per_mass, float, c.particles)                   \
   F(particle_kg, float, c.particles)                     \
   F(hold, float, c.particles)                            \
+  F(slot_bound, float, c.filtered_slots)                 \
+  F(bound, float, c.filtered_particles)                  \
   F(rod, RodModel, c.needles)                            \
   F(obstacle, Obstacle, kMaxObstacles)                   \
   F(root, std::uint32_t, c.sheets > 1 ? c.particles : 0) \
@@ -262,6 +277,9 @@ struct ScratchHead {
   F(vx, float, c.particles)                       \
   F(vy, float, c.particles)                       \
   F(vz, float, c.particles)                       \
+  F(wx, float, c.filtered_particles)              \
+  F(wy, float, c.filtered_particles)              \
+  F(wz, float, c.filtered_particles)              \
   F(ex, float, c.particles)                       \
   F(ey, float, c.particles)                       \
   F(ez, float, c.particles)                       \
@@ -290,6 +308,8 @@ struct ScratchHead {
   F(plane_order, std::uint32_t, kMaxCoupledVoxels* c.needles)   \
   F(group, FitGroup, kMaxCoupledVoxels / kLanes * c.needles)    \
   F(slot_mark, std::uint32_t, c.slots)                          \
+  F(held, float, c.filtered_particles)                          \
+  F(filter, float, c.filter_floats)                             \
   F(loads, RodLoads, 1)                                         \
   F(rod, RodScratch, 1)                                         \
   F(rod_result, RodResult, 1)                                   \
@@ -326,6 +346,9 @@ struct View {
 
   const NeedleConfig& needle_config() const { return model.head->config.needle[needle]; }
 };
+inline bool has_true_mass(const View& view) {
+  return view.model.head->counts.filtered_particles != 0;
+}
 // Of the first needle.
 View view_of(const Kernel& kernel);
 // Of another needle.

@@ -6,6 +6,7 @@
 #include "math.h"
 #include "needle.h"
 #include "roll.h"
+#include "vec3d.h"
 #include "voxel.h"
 
 namespace stylet {
@@ -169,6 +170,10 @@ double voxel_energy(const View& view, std::uint32_t row_index, std::uint32_t slo
   return k * h * h * (stretch + volume * (trace - 3) * (trace - 3)) + 0.5 * k * chi * hourglass;
 }
 
+Vec3 momentum_per_mass(const View& view, std::uint32_t particle) {
+  return {view.state.wx[particle], view.state.wy[particle], view.state.wz[particle]};
+}
+
 double kinetic_energy(const View& view) {
   const ModelHead& head = *view.model.head;
   double sum = 0;
@@ -179,11 +184,10 @@ double kinetic_energy(const View& view) {
       continue;
     }
     if (!(view.model.step_per_mass[i] > 0)) continue;
-    const double vx = static_cast<double>(view.state.vx[i]);
-    const double vy = static_cast<double>(view.state.vy[i]);
-    const double vz = static_cast<double>(view.state.vz[i]);
+    const Vec3 v = {view.state.vx[i], view.state.vy[i], view.state.vz[i]};
+    const Vec3 w = has_true_mass(view) ? momentum_per_mass(view, i) : v;
     sum += 0.5 * static_cast<double>(head.substep_s / view.model.step_per_mass[i]) *
-           (vx * vx + vy * vy + vz * vz);
+           dot(to_double(v), to_double(w));
   }
   return sum;
 }

@@ -30,6 +30,7 @@ Config config_from(Bytes& bytes) {
   Config config;
   config.mode = (kind & 1U) != 0 ? Mode::kPaper : Mode::kPhysical;
   config.substeps = 1 + ((kind >> 1U) & 3U);
+  config.inertia = (kind & 128U) != 0 ? Inertia::kTrueMass : Inertia::kAddedMass;
   config.needle_count = 1 + ((kind >> 3U) & 3U);
   if ((kind & 32U) != 0) config.breathing = {{1e-3F, 0, 3e-3F}, 1};
   for (NeedleConfig& needle : config.needle) {

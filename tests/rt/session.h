@@ -151,12 +151,12 @@ inline void run(Kernel& kernel, const Script& script, std::uint64_t first_tick,
 }
 
 // What the real-time tests run: both modes with a rigid needle, and everything the needle can be:
-// elastic, bevelled, in tissue that breathes, with bone in its way.
-enum class Setup { kPhysical, kPaper, kElastic };
-constexpr Setup kSetups[] = {Setup::kPhysical, Setup::kPaper, Setup::kElastic};
+// elastic, bevelled, in tissue that breathes, with bone in its way; that with true mass, too.
+enum class Setup { kPhysical, kPaper, kElastic, kTrueMass };
+constexpr Setup kSetups[] = {Setup::kPhysical, Setup::kPaper, Setup::kElastic, Setup::kTrueMass};
 
 inline const char* setup_name(Setup setup) {
-  constexpr const char* kNames[] = {"physical", "paper", "elastic"};
+  constexpr const char* kNames[] = {"physical", "paper", "elastic", "true_mass"};
   return kNames[static_cast<int>(setup)];
 }
 inline void PrintTo(Setup setup, std::ostream* out) {
@@ -166,17 +166,20 @@ inline void PrintTo(Setup setup, std::ostream* out) {
 inline Config config_of(Setup setup) {
   Config config;
   config.mode = setup == Setup::kPaper ? Mode::kPaper : Mode::kPhysical;
-  if (setup != Setup::kElastic) return config;
+  if (setup != Setup::kElastic && setup != Setup::kTrueMass) return config;
   config.needle[0].outer_radius_m = 0.359e-3F;
   config.needle[0].bending_nm2 = 2.318e-3F;  // 22G
   config.needle[0].bevel_per_m = 5;
   config.breathing = {{0, 1e-3F, 3e-3F}, 3};
+  if (setup == Setup::kElastic) return config;
+  config.substeps = 1;
+  config.inertia = Inertia::kTrueMass;
   return config;
 }
 
-// A ball of bone 25 mm under the middle of the surface, for the elastic needle.
+// A ball of bone 25 mm under the middle of the surface, for the elastic needles.
 inline std::vector<ObstacleConfig> obstacles_of(const Organ& organ, Setup setup) {
-  if (setup != Setup::kElastic) return {};
+  if (setup != Setup::kElastic && setup != Setup::kTrueMass) return {};
   ObstacleConfig ball;
   make_sphere(ball, 4e-3F);
   ball.pose.position_m = block_script(organ, config_of(setup)).entry_m;

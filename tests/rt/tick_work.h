@@ -30,6 +30,10 @@ constexpr Price kPrices[] = {
     {"padded particle and substep", 21},
     {"voxel row and substep", 281},
     {"tie and substep", 125},
+    {"padded voxel and pass of the filter", 40},
+    {"padded particle and pass of the filter", 40},
+    {"voxel row and pass of the filter", 100},
+    {"tie and pass of the filter", 60},
     {"voxel with constraint particles and substep", 190},
     {"eight such voxels, or fewer, and substep", 1860},
     {"constraint particle in each of sixteen such voxels, or fewer, and substep", 340},
@@ -53,6 +57,10 @@ enum Amount : std::uint32_t {  // in the order of the prices
   kNodes,
   kRows,
   kTies,
+  kFilteredSlots,
+  kFilteredNodes,
+  kFilteredRows,
+  kFilteredTies,
   kCoupled,
   kEights,
   kPasses,
@@ -161,6 +169,17 @@ inline std::uint32_t passes_of(const View& view) {
   return passes;
 }
 
+// What the motion of particles takes counts as a pass, and what springs add to their masses.
+inline void add_filter(const View& view, Amounts& amount) {
+  const ModelHead& head = *view.model.head;
+  if (!has_true_mass(view)) return;
+  const std::uint64_t passes = std::uint64_t{head.config.substeps} * (head.filter.passes + 1);
+  amount[kFilteredSlots] = passes * head.counts.slots;
+  amount[kFilteredNodes] = passes * head.counts.particles;
+  amount[kFilteredRows] = passes * head.counts.rows;
+  amount[kFilteredTies] = passes * head.counts.ties;
+}
+
 // After each tick.
 inline void count_work(const Kernel& kernel, Vec3 shift, TickWork& work) {
   const View view = view_of(kernel);
@@ -174,6 +193,7 @@ inline void count_work(const Kernel& kernel, Vec3 shift, TickWork& work) {
   amount[kNodes] = substeps * head.counts.particles;
   amount[kRows] = substeps * head.counts.rows;
   amount[kTies] = substeps * head.counts.ties;
+  add_filter(view, amount);
   const std::uint32_t voxels = view.scratch.head->coupled_count;
   amount[kCoupled] = substeps * voxels;
   amount[kEights] = substeps * ((voxels + 7) / 8);

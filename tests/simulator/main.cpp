@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random sessions until enough ticks are done, or the one session of a seed.
-// usage: stylet-simulator [--seed FIRST] [--sessions COUNT | --ticks TICKS] [--each]
+// usage: stylet-simulator [--seed FIRST] [--sessions COUNT | --ticks TICKS] [--each] [--true-mass]
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
@@ -20,6 +20,7 @@ struct Options {
   std::uint64_t sessions = 1;
   std::uint64_t ticks = 0;
   bool each = false;
+  bool true_mass = false;
 };
 
 std::uint64_t number(const char* text) {
@@ -38,6 +39,8 @@ Options parse(int argc, char** argv) {
     const std::string_view name = argv[i];
     if (name == "--each") {
       options.each = true;
+    } else if (name == "--true-mass") {
+      options.true_mass = true;
     } else if (i + 1 < argc && name == "--seed") {
       options.seed = number(argv[++i]);
     } else if (i + 1 < argc && name == "--sessions") {
@@ -45,7 +48,8 @@ Options parse(int argc, char** argv) {
     } else if (i + 1 < argc && name == "--ticks") {
       options.ticks = number(argv[++i]);
     } else {
-      std::fprintf(stderr, "%s: expected --seed N, --sessions N, --ticks N or --each\n", argv[i]);
+      std::fprintf(stderr, "%s: expected --seed N, --sessions N, --ticks N, --each or "
+                   "--true-mass\n", argv[i]);
       std::exit(2);
     }
   }
@@ -64,10 +68,12 @@ void describe(const Verdict& v, std::uint64_t seed) {
       static_cast<unsigned long long>(v.dearest_bound));
 }
 
-int report_failure(const Verdict& v, std::uint64_t seed, const char* program) {
+int report_failure(const Verdict& v, const Options& options, std::uint64_t seed,
+                   const char* program) {
   std::printf("seed %llu, tick %llu: %s (observer %.3g J)\n", static_cast<unsigned long long>(seed),
               static_cast<unsigned long long>(v.tick), v.broken, v.observer_min_j);
-  std::printf("again: %s --seed %llu\nat commit: ", program, static_cast<unsigned long long>(seed));
+  std::printf("again: %s --seed %llu%s\nat commit: ", program,
+              static_cast<unsigned long long>(seed), options.true_mass ? " --true-mass" : "");
   std::fflush(stdout);
   if (std::system("git -C " STYLET_SOURCE " describe --always --dirty") != 0) std::printf("?\n");
   return 1;
@@ -82,10 +88,11 @@ int main(int argc, char** argv) {
   std::uint64_t dearest = 0;
   while (done < options.sessions && (options.ticks == 0 || ticks < options.ticks)) {
     const std::uint64_t seed = options.seed + done++;
-    const Scenario scenario = stylet::test::draw_scenario(seed);
+    Scenario scenario = stylet::test::draw_scenario(seed);
+    if (options.true_mass) scenario.config.inertia = stylet::Inertia::kTrueMass;
     const Verdict v = stylet::test::simulate(scenario);
     if (options.each) describe(v, seed);
-    if (v.broken != nullptr) return report_failure(v, seed, argv[0]);
+    if (v.broken != nullptr) return report_failure(v, options, seed, argv[0]);
     ticks += v.ticks;
     observed += v.observed_ticks;
     dearest = std::max(dearest, v.dearest_bound);

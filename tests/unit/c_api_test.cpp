@@ -74,6 +74,10 @@ TEST(CApi, RefusalsAreTheStatus) {
   stylet_sizes need = {};
   EXPECT_EQ(stylet_kernel_sizes(&c.organ, &bad, &need),
             static_cast<std::uint16_t>(Status::kConfigValueOutOfRange));
+  bad = c.config;
+  bad.inertia = 2;
+  EXPECT_EQ(stylet_kernel_sizes(&c.organ, &bad, &need),
+            static_cast<std::uint16_t>(Status::kConfigValueOutOfRange));
   stylet_obstacle_config obstacle = ball();
   obstacle.friction = -1;
   EXPECT_EQ(stylet_kernel_set_obstacles(&c.kernel, &obstacle, 1),

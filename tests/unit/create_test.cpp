@@ -133,11 +133,16 @@ TEST(Config, AcceptsItsBoundsAndRefusesTheNextFloat) {
   }
 }
 
-TEST(Config, RefusesOtherModesAndSubsteps) {
+TEST(Config, RefusesOtherModesInertiasAndSubsteps) {
   for (const std::uint32_t mode : {2U, 7U, 0xFFFFFFFFU}) {
     Config config;
     config.mode = static_cast<Mode>(mode);
     EXPECT_EQ(status_of(config), Status::kConfigValueOutOfRange) << mode;
+  }
+  for (const std::uint32_t inertia : {2U, 0xFFFFFFFFU}) {
+    Config config;
+    config.inertia = static_cast<Inertia>(inertia);
+    EXPECT_EQ(status_of(config), Status::kConfigValueOutOfRange) << inertia;
   }
   for (const std::uint32_t substeps : {0U, kMaxSubsteps + 1, 0xFFFFFFFFU}) {
     Config config;

@@ -14,7 +14,7 @@ extern "C" {
 #endif
 
 /* Changes when a struct or function below changes; compare with stylet_c_version(). */
-#define STYLET_C_VERSION 2
+#define STYLET_C_VERSION 3
 #define STYLET_MAX_NEEDLES 4
 #define STYLET_MAX_HULL_VERTICES 64
 
@@ -52,6 +52,7 @@ typedef struct {
   uint32_t mode; /* 0 physical, 1 paper */
   float period_s;
   uint32_t substeps;
+  uint32_t inertia; /* 0 mass is added, 1 true mass */
   float tissue_damping_s;
   float surround_drag_per_s;
   float hourglass_weight;
