@@ -73,6 +73,8 @@ double bending_nm2(const Gauge& gauge) {
 
 // Keys of one kind of tip are refused with another: they would do nothing.
 void read_tip(Section& needle, NeedleConfig& config) {
+  config.tip_half_angle_rad =
+      si(needle.number("half_angle_deg", 15, 5, 80), std::numbers::pi / 180);
   const std::string tip = needle.choice("tip", "conical", {"conical", "diamond", "bevel", "bent"});
   if (tip != "bevel" && needle.has("curvature_per_m")) {
     needle.fail("curvature_per_m", "only with tip = \"bevel\"");

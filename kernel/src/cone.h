@@ -18,17 +18,23 @@
 #pragma once
 
 #include "math.h"
+#include "stylet/kernel.h"
 
 namespace stylet {
-
-// pi over the tangent of a tip's half angle of 15 degrees.
-constexpr float kConeLengthInRadii = 11.7246F;
 
 struct Cone {
   float stiffness_n_per_m;  // of the punch on all the tissue, k
   float length_m;           // l
   float lattice_part;       // c, below 1
 };
+
+// pi a / tan(half angle) of a needle's tip.
+inline float cone_length_m(const NeedleConfig& needle) {
+  constexpr float kPi = 3.14159265F;
+  const float half_turns = needle.tip_half_angle_rad / kPi;
+  const float cosine = sine_of_half_turns(0.5F - half_turns);
+  return kPi * needle.outer_radius_m * cosine / sine_of_half_turns(half_turns);
+}
 
 // Depth over the spring's own, at least 1: the positive root of
 // (1 - c) d^2 + (l - y) d - l y = 0, over y.

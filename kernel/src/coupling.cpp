@@ -808,8 +808,7 @@ Cone cone_of(const View& view) {
   const float k = head.material[view.state.tip->material].lattice_shear_pa * head.edge_m;
   const float own = 1 / view.state.tip->full_stiffness_n_per_m;
   const float lattice = kLatticeComplianceSurface / k;
-  return {1 / (own + lattice), kConeLengthInRadii * view.needle_config().outer_radius_m,
-          lattice / (own + lattice)};
+  return {1 / (own + lattice), head.cone_length_m[view.needle], lattice / (own + lattice)};
 }
 
 // The spread of the shares about their mean is carried by the spring of the moment.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "cone.h"
 #include "coupling.h"
 #include "lattice.h"
 #include "lattice_plan.h"
@@ -28,7 +29,8 @@ bool needle_good(const NeedleConfig& n) {
          within(n.unit_m, 1e-4F, 0.05F) && within(n.bending_nm2, 0, kMaxBendingNm2) &&
          n.rods >= 1 && n.rods <= kMaxRods && within(n.bevel_per_m, 0, kMaxBevelPerM) &&
          within(n.bent_length_m, 0, n.length_m) && within(n.bent_angle_rad, 0, kMaxBentAngleRad) &&
-         within(n.torsion_nm2, 0, kMaxTorsionNm2);
+         within(n.torsion_nm2, 0, kMaxTorsionNm2) &&
+         within(n.tip_half_angle_rad, kMinTipHalfAngleRad, kMaxTipHalfAngleRad);
 }
 
 bool breathing_good(const BreathingConfig& b) {
@@ -127,6 +129,9 @@ void fill_head(const Organ& organ, const Config& config, const Counts& counts, M
   head.substep_s = config.period_s / static_cast<float>(config.substeps);
   head.hourglass_weight = config.mode == Mode::kPaper ? 1.0F : config.hourglass_weight;
   head.velocity_keep = exp_minus(config.period_s / kSlipFilterS);
+  for (std::uint32_t i = 0; i < config.needle_count; ++i) {
+    head.cone_length_m[i] = cone_length_m(config.needle[i]);
+  }
   head.material_count = organ.material_count;
   for (std::uint32_t i = 0; i < organ.material_count; ++i) {
     head.material[i] =

@@ -112,8 +112,9 @@ struct ModelHead {
   std::uint16_t size_x, size_y, size_z, sheet_rows;
   float substep_s;
   float hourglass_weight;
-  Filter filter;        // of no use with added mass
-  float velocity_keep;  // of the slip velocity's low pass, per tick
+  Filter filter;                     // of no use with added mass
+  float velocity_keep;               // of the slip velocity's low pass, per tick
+  float cone_length_m[kMaxNeedles];  // of the tips, cone.h
   std::uint32_t obstacle_count;
   std::uint32_t material_count;
   MaterialModel material[kMaxMaterials];

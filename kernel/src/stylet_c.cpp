@@ -17,6 +17,8 @@ static_assert(sizeof(stylet_config) == sizeof(Config));
 static_assert(offsetof(stylet_config, needle) == offsetof(Config, needle));
 static_assert(offsetof(stylet_config, breathing) == offsetof(Config, breathing));
 static_assert(sizeof(stylet_needle_config) == sizeof(NeedleConfig));
+static_assert(offsetof(stylet_needle_config, tip_half_angle_rad) ==
+              offsetof(NeedleConfig, tip_half_angle_rad));
 static_assert(sizeof(stylet_obstacle_config) == sizeof(ObstacleConfig));
 static_assert(STYLET_MAX_NEEDLES == kMaxNeedles && STYLET_MAX_HULL_VERTICES == kMaxHullVertices);
 static_assert(sizeof(stylet_sizes) == sizeof(Sizes));

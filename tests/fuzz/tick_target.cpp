@@ -40,6 +40,9 @@ Config config_from(Bytes& bytes) {
     needle.rods = (tip & 4U) != 0 ? 8 : 32;
     if ((tip & 8U) != 0) needle.bevel_per_m = 20;
     if ((tip & 4U) != 0) needle.torsion_nm2 = 1e-4F;
+    if ((tip & 32U) != 0) {
+      needle.tip_half_angle_rad = (tip & 64U) != 0 ? kMinTipHalfAngleRad : kMaxTipHalfAngleRad;
+    }
     if ((tip & 16U) != 0) {
       needle.bent_length_m = 0.02F;
       needle.bent_angle_rad = 0.3F;

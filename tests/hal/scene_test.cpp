@@ -200,6 +200,7 @@ TEST(Scene, MistakesOfNeedles) {
       {"gauge = \"22G\"", "od_mm = 1\nid_mm = 1", "id_mm", "a number from 0 to 0.99"},
       {"unit_mm = 4", "flexible = 1", "flexible", "needle.flexible: 1: true or false"},
       {"unit_mm = 4", "rods = 129", "rods", "a whole number from 1 to 128"},
+      {"unit_mm = 4", "half_angle_deg = 4.9", "half_angle_deg", "a number from 5 to 80"},
       {"unit_mm = 4", "tip = \"sharp\"", "tip", "\"bevel\" or \"bent\""},
       {"unit_mm = 4", "curvature_per_m = 5", "curvature_per_m", "only with tip = \"bevel\""},
       {"unit_mm = 4", "tip = \"bevel\"\nbent_angle_deg = 5", "bent_angle", "with tip = \"bent\""},
@@ -422,6 +423,9 @@ TEST(Scene, NeedlesOfOnesOwn) {
   EXPECT_NEAR(of(bent.bent_length_m), 8e-3, 1e-8);
   EXPECT_NEAR(of(bent.bent_angle_rad), 0.314159, 1e-6);
   EXPECT_EQ(needle("rods = 64").rods, 64U);
+  EXPECT_EQ(needle("rods = 64").tip_half_angle_rad, NeedleConfig{}.tip_half_angle_rad);
+  EXPECT_EQ(needle("half_angle_deg = 5").tip_half_angle_rad, kMinTipHalfAngleRad);
+  EXPECT_EQ(needle("half_angle_deg = 80").tip_half_angle_rad, kMaxTipHalfAngleRad);
 }
 
 TEST(Scene, ObstaclesAndBreathing) {

@@ -63,6 +63,16 @@ TEST(CApi, NamesAndNumbers) {
   for (std::uint32_t i = 0; i < 8; ++i) EXPECT_STREQ(stylet_event_name(i), kinds[i]);
 }
 
+TEST(CApi, TipIsThatOfTheConfiguration) {
+  Plain c;
+  EXPECT_EQ(c.config.needle[0].tip_half_angle_rad, NeedleConfig{}.tip_half_angle_rad);
+  c.config.needle[0].tip_half_angle_rad = kMaxTipHalfAngleRad;
+  EXPECT_EQ(c.create(c.need.state_bytes), 0);
+  c.config.needle[0].tip_half_angle_rad = 0;
+  EXPECT_EQ(c.create(c.need.state_bytes),
+            static_cast<std::uint16_t>(Status::kConfigValueOutOfRange));
+}
+
 TEST(CApi, RefusalsAreTheStatus) {
   Plain c;
   stylet_organ other = {};

@@ -40,6 +40,13 @@ TEST(Edges, EveryBoundOfTheConfiguration) {
        true},
       {"more than the needle bent", [](Config& c) { c.needle[0].bent_length_m = 1; }, false},
       {"angle", [](Config& c) { c.needle[0].bent_angle_rad = 1.1F; }, false},
+      {"sharpest tip", [](Config& c) { c.needle[0].tip_half_angle_rad = kMinTipHalfAngleRad; },
+       true},
+      {"tip too sharp", [](Config& c) { c.needle[0].tip_half_angle_rad = 0.0872F; }, false},
+      {"bluntest tip", [](Config& c) { c.needle[0].tip_half_angle_rad = kMaxTipHalfAngleRad; },
+       true},
+      {"tip too blunt", [](Config& c) { c.needle[0].tip_half_angle_rad = 1.3963F; }, false},
+      {"tip without an angle", [](Config& c) { c.needle[0].tip_half_angle_rad = kNan; }, false},
       {"breath too quick", [](Config& c) { c.breathing.period_s = 0.05F; }, false},
       {"breath too deep",
        [](Config& c) {

@@ -50,6 +50,9 @@ struct NeedleConfig {
   float bent_length_m = 0;  // pre-bent tip: its length, and the angle it is turned by at rest
   float bent_angle_rad = 0;
   float torsion_nm2 = 0;  // GJ of the shaft; 0: the tip rolls with the hand
+  // Half of the tip's included angle, between axis and surface: how fast contact widens. 15
+  // degrees.
+  float tip_half_angle_rad = 0.261799388F;
 };
 
 // Prescribed motion of all attachments together, A sin^4(pi t / T): a breath that rests at its

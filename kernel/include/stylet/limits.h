@@ -44,6 +44,10 @@ constexpr float kMaxBendingNm2 = 1e3F;   // a steel bar of 15 mm
 constexpr float kMaxTorsionNm2 = 1e3F;   // likewise
 constexpr float kMaxBevelPerM = 100.0F;  // a path with 10 mm of radius
 constexpr float kMaxBentAngleRad = 1.0F;
+// Half angle of the tip, 5 to 80 degrees. Beyond: create refuses the configuration. A sharper tip
+// would be as wide as the needle only 18 radii deep, a blunter one is a flat punch in all but name.
+constexpr float kMinTipHalfAngleRad = 0.0872664626F;
+constexpr float kMaxTipHalfAngleRad = 1.39626340F;
 constexpr float kMaxBreathM = 0.1F;
 constexpr std::uint32_t kMaxNeedles = 4;
 constexpr std::uint32_t kMaxObstacles = 16;

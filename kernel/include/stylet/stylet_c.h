@@ -33,7 +33,7 @@ typedef struct {
   float length_m, outer_radius_m, unit_m;
   float bending_nm2;
   uint32_t rods;
-  float bevel_per_m, bent_length_m, bent_angle_rad, torsion_nm2;
+  float bevel_per_m, bent_length_m, bent_angle_rad, torsion_nm2, tip_half_angle_rad;
 } stylet_needle_config;
 
 typedef struct {

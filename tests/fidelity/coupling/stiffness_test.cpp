@@ -143,6 +143,25 @@ TEST(Stiffness, ContactFollowsTheLawOfTheHalfSpaceForAnyVoxel) {
   }
 }
 
+// Long before contact is as wide as the needle, it is that of a cone: force with the tangent of the
+// half angle (Sneddon 1965).
+TEST(Stiffness, ShallowContactGoesAsTheTangentOfTheTipsHalfAngle) {
+  constexpr float kShallowM = 0.1e-3F;
+  std::vector<double> per_tangent;
+  for (const double degrees : {6.0, 10.0, 15.0, 20.0}) {
+    const double half_angle = degrees * 3.14159265 / 180;
+    Config config;
+    config.needle[0].tip_half_angle_rad = static_cast<float>(half_angle);
+    TinyOrgan tiny = soft_block(5e-3F, 0.04F);
+    tiny.materials[0].puncture_force_n = 10;
+    Rig rig = make_rig(tiny, config);
+    drive(rig, {-1e-3F, 0.02F, 0.02F}, kShallowM, 0.005F);
+    const double force = -static_cast<double>(hold(rig, {kShallowM, 0.02F, 0.02F}, 200).force_n.x);
+    per_tangent.push_back(force / std::tan(half_angle));
+  }
+  for (const double each : per_tangent) EXPECT_NEAR(each / per_tangent[2], 1, 0.03);
+}
+
 // A thin skin of 1 N/mm, spread over the outermost voxels, over tissue as soft as liver.
 double force_on_skin(float edge_m, Vec3 place, float depth_m) {
   TinyOrgan tiny = soft_block(edge_m, 0.08F);
