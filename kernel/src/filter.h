@@ -7,9 +7,9 @@
 // corner, and
 //     (L u)_i = sum over the voxels c of node i of  b_c (u_i - mean of u over the corners of c).
 // No voxel is stiffer than its part of L, so no organ is stiffer than L, whatever its materials.
-// Springs of constraint particles hold a voxel as a whole, which L does not see: they add a bound of
-// their own at each corner, at most k, to the diagonal (fit.cpp). With S = M^-1 L, largest eigenvalue
-// s at most the largest sum of b_c + k over m_i, the step
+// Springs of constraint particles hold a voxel as a whole, which L does not see: they add a bound
+// of their own at each corner, at most k, to the diagonal (fit.cpp). With S = M^-1 L, whose largest
+// eigenvalue s is at most the largest sum of b_c + k over m_i, the step
 //     w += dt f / m,   v = p(S) w,   u += dt v
 // is stable when x p(x) stays below that limit for x in [0, s]. p is the polynomial of Chebyshev
 // with damping, p(0) = 1: with n passes of L it divides s by about (n + 1)^2. So

@@ -2,11 +2,11 @@
 // Body of the filter (filter.h): velocities from momenta, and the particles' motion; part of the
 // lattice sweep, compiled with it once per instruction set.
 //
-// A wave through the planes: pass j is a plane behind pass j - 1, so three planes of what each pass
-// but the first (which has w) starts from, and two of what voxels send, are all that is kept, in the nearest caches. (Pass after pass over
-// whole arrays leaves them: with 20 000 voxels the passes took twice the time.) A slab makes the
-// iterates of the planes beside it that it needs once more, so that no pass waits for another
-// thread; the bits do not depend on slabs.
+// A wave through the planes: pass j is a plane behind pass j - 1, so all that is kept of a pass are
+// three planes of what it starts from and two of what voxels send. They stay in a near cache. (Pass
+// after pass over whole arrays leaves it: with 20 000 voxels the passes took twice the time.) A slab
+// makes the iterates of the planes beside it that it needs once more, so that no pass waits for
+// another thread; the bits do not depend on slabs.
 //
 // In a pass each voxel takes the mean of its eight corners, and gives it to them: sums along x in
 // lanes as in the sweep, then through the sweep's windows.
@@ -68,17 +68,15 @@ struct Wave {
   float* planes;
   std::ptrdiff_t axis;
 
-  // What pass j starts from, j > 1, and what voxels send in it.
-  float* iterate(std::uint32_t j, std::uint32_t z) const { return at(j, z % 3); }
-  float* sent(std::uint32_t j, std::uint32_t z) const { return at(j, 3 + z % 2); }
-
- private:
   float* at(std::uint32_t j, std::uint32_t which) const {
     return planes + static_cast<std::ptrdiff_t>((j - 1) * kPassPlanes + which) * 3 * axis;
   }
+  // What pass j > 1 starts from, and what voxels send in any pass.
+  float* iterate(std::uint32_t j, std::uint32_t z) const { return at(j, z % 3); }
+  float* sent(std::uint32_t j, std::uint32_t z) const { return at(j, 3 + z % 2); }
 };
 
-// What pass j starts from on a plane of particles: x, y, z, `axis` apart.
+// What pass j starts from, the first from w, on a plane of particles: x, y, z, `axis` apart.
 struct Iterate {
   const float* at;
   std::ptrdiff_t axis;

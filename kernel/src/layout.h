@@ -47,7 +47,7 @@ constexpr std::uint32_t kChunk = 144;
 static_assert(kChunk % kLanes == 0);
 
 // Planes of particles that each pass of the filter has at hand: three of what it starts from, and
-// two of what neighbours send.
+// two of what voxels send.
 constexpr std::uint32_t kPassPlanes = 5;
 
 // A stretch of voxels x0 .. x0 + count - 1 of row y, all sheets counted, in a plane; holes are

@@ -108,8 +108,10 @@ CostPoint time_block(const std::array<int, 3>& voxels) {
           time_tick(organ, static_cast<double>(config.period_s), config.substeps).value()};
 }
 
-Json material_masses(const Organ& organ, double period_s, std::uint32_t substeps) {
+Json material_masses(const Organ& organ, double period_s, std::uint32_t substeps,
+                     Inertia inertia) {
   Config config;
+  config.inertia = inertia;
   config.period_s = static_cast<float>(period_s);
   config.substeps = substeps;
   OwnKernel kernel(organ, config);
@@ -229,11 +231,13 @@ nlohmann::ordered_json speed_facts(const Organ& organ, double period_s, std::uin
   Json rows = Json::array();
   const double voxels = swept_voxels(organ);
   for (const std::uint32_t each : {1U, 2U, 4U, 8U, 16U}) {
-    Json row = {{"substeps", each}, {"mass_factor", material_masses(organ, period_s, each)}};
+    Json row = {{"substeps", each},
+                {"mass_factor", material_masses(organ, period_s, each, Inertia::kAddedMass)}};
     if (machine != nullptr) row["tick_us"] = tick_us(*machine, voxels, each);
     rows.push_back(row);
   }
   Json facts = {{"period_us", period_s * 1e6}, {"substeps", substeps}, {"by_substeps", rows}};
+  facts["true_mass_factor"] = material_masses(organ, period_s, 1, Inertia::kTrueMass);
   if (machine != nullptr) {
     facts["machine"] = {{"name", machine->name},
                         {"start_us", machine->start_us},
@@ -259,16 +263,20 @@ std::string speed_text(const nlohmann::ordered_json& facts) {
             ? fmt::format("; timed on this organ {:.0f} us", facts["timed_us"].get<double>())
             : "");
   }
-  for (const Json& row : facts["by_substeps"]) {
-    std::string masses;
-    for (const auto& [name, factor] : row["mass_factor"].items()) {
-      masses += fmt::format("  {} x{:.3g}", name, factor.get<double>());
+  const auto factors = [](const Json& masses) {
+    std::string all;
+    for (const auto& [name, factor] : masses.items()) {
+      all += fmt::format("  {} x{:.3g}", name, factor.get<double>());
     }
+    return all;
+  };
+  for (const Json& row : facts["by_substeps"]) {
     text += fmt::format(
         "mass          {:>2} substeps{}{}\n", row["substeps"].get<std::uint32_t>(),
         row.contains("tick_us") ? fmt::format(", {:.0f} us", row["tick_us"].get<double>()) : "",
-        masses);
+        factors(row["mass_factor"]));
   }
+  text += fmt::format("mass           1 substep of true mass{}\n", factors(facts["true_mass_factor"]));
   return text;
 }
 

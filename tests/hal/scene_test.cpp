@@ -82,6 +82,7 @@ TEST(Scene, EveryValueArrivesInSi) {
   EXPECT_EQ(scene.organ_path, "liver.organ");
   EXPECT_NEAR(of(scene.config.period_s), 5e-4, 1e-10);
   EXPECT_EQ(scene.config.substeps, 2U);
+  EXPECT_EQ(scene.config.inertia, Inertia::kAddedMass);
   EXPECT_EQ(scene.cpu, 1);
   EXPECT_NEAR(of(scene.config.tissue_damping_s), 1.5e-3, 1e-9);
   EXPECT_NEAR(of(scene.config.paper_alpha), 0.25, 1e-9);
@@ -101,6 +102,15 @@ TEST(Scene, EveryValueArrivesInSi) {
   EXPECT_NEAR(of(scene.hands[0].waypoints[1].travel_m), 0.04, 1e-8);  // stays where it was
   EXPECT_NEAR(of(scene.hands[0].waypoints[1].right_m), 2e-3, 1e-9);
   EXPECT_NEAR(of(scene.hands[0].waypoints[1].up_m), -1e-3, 1e-9);
+}
+
+TEST(Scene, InertiaIsChosenByName) {
+  const auto inertia = [](const std::string& name) {
+    return parse_scene(changed("substeps = 2", "inertia = \"" + name + "\""), "s.toml")
+        .config.inertia;
+  };
+  EXPECT_EQ(inertia("true_mass"), Inertia::kTrueMass);
+  EXPECT_EQ(inertia("added_mass"), Inertia::kAddedMass);
 }
 
 // The tables of a device that is there, in place of the simulated one's.
@@ -175,6 +185,7 @@ TEST(Scene, MistakesOfTheFileAndTheLoop) {
        "substep =", "loop.substep: 2: unknown key; allowed here: cpu"},
       {"[tissue]", "[tisue]", "[tisue]", "unknown key; allowed here: approach"},
       {"substeps = 2", "substeps = 2.5", "2.5", "loop.substeps: 2.5: a whole number from 1 to 32"},
+      {"substeps = 2", "inertia = \"none\"", "inertia", "added_mass"},
       {"substeps = 2", "substeps = 0", "substeps", "0: a whole number from 1 to 32"},
       {"cpu = 1", "threads = 0", "threads", "loop.threads: 0: a whole number from 1 to 16"},
       {"cpu = 1", "threads = 17", "threads", "loop.threads: 17: a whole number from 1 to 16"},

@@ -248,7 +248,8 @@ struct Stats {
 };
 Stats stats(const Kernel& kernel);
 
-// Mass added by the stability bound, per material: real mass and mass in the step, kg.
+// Mass added by the stability bound, per material: real mass and mass in the step, kg. With true
+// mass they are the same where kMaxFilterPasses do.
 struct MassReport {
   float real_kg, stepped_kg;
 };
