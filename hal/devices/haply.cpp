@@ -31,13 +31,15 @@ namespace stylet::hal {
 namespace {
 
 using boost::asio::ip::tcp;
+using boost::beast::string_view;
 using nlohmann::json;
 namespace websocket = boost::beast::websocket;
 
 constexpr std::int64_t kExchangeNs = 500'000;
 using Milliseconds = std::chrono::milliseconds;
+using TimePoint = std::chrono::steady_clock::time_point;
 constexpr Milliseconds kAnswerTime(20), kOpeningTime(2000);
-constexpr int kMostUnasked = 16;  // messages at once; more is a flood
+constexpr int kMostUnasked = 16;  // messages besides an answer; more is a flood
 constexpr std::uint32_t kNoAnswer = 1, kDeviceGone = 2, kBrake = 3;
 constexpr const char* kExpected =
     "expected nothing, ID, or ID@ADDRESS:PORT, and then ,grip=ID ,gate=0.3 ,damping=0 or "
@@ -95,6 +97,9 @@ struct Haply {
   websocket::stream<tcp::socket> socket{io};
   boost::beast::flat_buffer buffer;
   bool reading = false, heard = false;  // a message is waited for; one has come
+  std::uint32_t pings = 0;              // sent so far
+  websocket::ping_data ping;            // what the newest one says
+  bool ponged = false;                  // its pong has come
   Wishes wishes;
   std::string service;  // where
   HaplyIds ids;         // for as long as it is open
@@ -117,14 +122,18 @@ void hang_up(Haply& haply) {
   haply.io.run();
 }
 
+TimePoint within(Milliseconds longest) {
+  return std::chrono::steady_clock::now() + longest;
+}
+
 // Runs what was started; false: not done in time, or broken. Then the connection is closed, so that
 // what was started ends here, while what it writes to is still there.
-bool finish(Haply& haply, const bool& done, Milliseconds longest) {
-  const auto end = std::chrono::steady_clock::now() + longest;
+template <typename Done>
+bool finish(Haply& haply, TimePoint end, Done done) {
   haply.io.restart();
-  while (!done && haply.io.run_one_until(end) > 0) {
+  while (!done() && haply.io.run_one_until(end) > 0) {
   }
-  const bool in_time = done;
+  const bool in_time = done();
   if (!in_time) hang_up(haply);
   return in_time;
 }
@@ -146,31 +155,57 @@ void take(Haply& haply, json& message) {
   haply.heard = false;
 }
 
-bool receive(Haply& haply, json& message, Milliseconds longest = kAnswerTime) {
+bool receive(Haply& haply, json& message, TimePoint end) {
   listen(haply);
-  if (!finish(haply, haply.heard, longest)) return false;
+  if (!finish(haply, end, [&] { return haply.heard; })) return false;
   take(haply, message);
   return true;
 }
 
-// The service answers each message once. What came besides would make every later answer an old
-// one: the newest counts, and a service that does not end to talk is none.
-bool catch_up(Haply& haply, json& message) {
+bool send(Haply& haply, const std::string& text, TimePoint end) {
+  bool done = false;
+  haply.socket.async_write(boost::asio::buffer(text),
+                           [&](boost::beast::error_code error, std::size_t) { done = !error; });
+  return finish(haply, end, [&] { return done; });
+}
+
+// Each has a number of its own: a pong that nobody asked for is allowed, and says nothing.
+bool send_ping(Haply& haply, TimePoint end) {
+  bool done = false;
+  const std::string number = std::to_string(++haply.pings);
+  haply.ping.assign(number.data(), number.size());
+  haply.ponged = false;
+  haply.socket.async_ping(haply.ping, [&](boost::beast::error_code error) { done = !error; });
+  return finish(haply, end, [&] { return done; });
+}
+
+// Everything until the pong, and what is there already behind it: the newest counts. A service that
+// does not end to talk is none.
+bool hear_out(Haply& haply, json& newest, TimePoint end) {
   for (int i = 0; i < kMostUnasked; ++i) {
     listen(haply);
+    if (!finish(haply, end, [&] { return haply.heard || haply.ponged; })) return false;
     haply.io.restart();
     haply.io.poll();
-    if (!haply.heard) return true;
-    take(haply, message);
+    if (haply.heard) {
+      take(haply, newest);
+    } else if (haply.ponged) {
+      return true;
+    }
   }
   return false;
 }
 
-bool send(Haply& haply, const std::string& text, Milliseconds longest = kAnswerTime) {
-  bool done = false;
-  haply.socket.async_write(boost::asio::buffer(text),
-                           [&](boost::beast::error_code error, std::size_t) { done = !error; });
-  return finish(haply, done, longest);
+// A message, and a ping behind it. The service answers each message once, but may speak unasked,
+// too, and what comes does not say which message it answers: whoever sent the next one for each
+// that comes would get ahead of a slow service by one for each unasked one, and the forces that
+// wait there would grow old. The pong shows that the service has read all that was sent, so that no
+// more than one of our messages is ever on its way. `newest` is null where no message came.
+bool tell(Haply& haply, const std::string& text, json& newest, Milliseconds longest = kAnswerTime) {
+  newest = nullptr;
+  if (!send(haply, text, within(longest)) || !send_ping(haply, within(longest))) return false;
+  const TimePoint end = within(longest);
+  return receive(haply, newest, end) && hear_out(haply, newest, end);
 }
 
 void exchange_once(Haply& haply) {
@@ -178,8 +213,7 @@ void exchange_once(Haply& haply) {
   json message;
   const Vec3 force_n = haply.relay.order(monotonic_now_ns()).force_n;
   haply.asked_n = std::hypot(force_n.x, force_n.y, force_n.z);
-  const bool answered = send(haply, force_message(haply.ids, force_n)) && receive(haply, message) &&
-                        catch_up(haply, message);
+  const bool answered = tell(haply, force_message(haply.ids, force_n), message);
   haply.relay.written(monotonic_now_ns());
   if (!answered) haply.relay.fail(kNoAnswer);
   if (haply.relay.failed()) return hang_up(haply);  // an event may have said so, too
@@ -218,7 +252,7 @@ void close(void* self) {
   haply->thread.stop();
   if (!haply->socket.next_layer().is_open()) return;
   json last;
-  if (send(*haply, force_message(haply->ids, {}))) (void)receive(*haply, last);
+  (void)tell(*haply, force_message(haply->ids, {}), last);
   hang_up(*haply);
 }
 std::string trouble(void* self) {
@@ -301,15 +335,21 @@ void connect(Haply& haply, const tcp::endpoint& endpoint, const std::string& res
     error = result;
     connected = true;
   });
-  if (!finish(haply, connected, kOpeningTime)) error = boost::asio::error::timed_out;
+  if (!finish(haply, within(kOpeningTime), [&] { return connected; }))
+    error = boost::asio::error::timed_out;
   if (!error) {
     haply.socket.next_layer().set_option(tcp::no_delay(true));
+    haply.socket.control_callback([&haply](websocket::frame_type type, string_view said) {
+      const string_view wanted(haply.ping.data(), haply.ping.size());
+      if (type == websocket::frame_type::pong && said == wanted) haply.ponged = true;
+    });
     bool done = false;
     haply.socket.async_handshake("localhost", "/", [&](boost::beast::error_code result) {
       error = result;
       done = true;
     });
-    if (!finish(haply, done, kOpeningTime)) error = boost::asio::error::timed_out;
+    if (!finish(haply, within(kOpeningTime), [&] { return done; }))
+      error = boost::asio::error::timed_out;
   }
   if (!error) return;
   throw DeviceError(
@@ -369,15 +409,22 @@ std::string not_ready(const Haply& haply, const json& last, const std::string& w
                      listed(all));
 }
 
+const char* no_answer(const Haply& haply, const json& newest) {
+  if (newest.is_null() || haply.ponged) {
+    return "the service does not answer: systemctl restart haply-inverse-service";
+  }
+  return "the service answers no ping: expected a pong to each, as RFC 6455 (5.5.2) asks of it";
+}
+
 // The first message is the inventory; then one for each of ours, all with no force.
 void wait_until_ready(Haply& haply, const std::string& wanted, const std::string& rest,
                       double patience_s) {
   const Patience patience(patience_s);
+  json message;
+  bool answered = receive(haply, message, within(kOpeningTime));
   while (true) {
-    json message;
-    if (!receive(haply, message, kOpeningTime)) {
-      throw DeviceError(fmt::format(
-          "haply:{}: the service does not answer: systemctl restart haply-inverse-service", rest));
+    if (!answered) {
+      throw DeviceError(fmt::format("haply:{}: {}", rest, no_answer(haply, message)));
     }
     if (haply.ids.device.empty() && choose_device(haply, message, wanted)) {
       take_filters(message, haply.ids, haply.state);
@@ -388,21 +435,21 @@ void wait_until_ready(Haply& haply, const std::string& wanted, const std::string
     if (patience.over()) {
       throw DeviceError(fmt::format("haply:{}: {}", rest, not_ready(haply, message, wanted)));
     }
-    const bool known = !haply.ids.device.empty();
-    (void)send(haply, known ? force_message(haply.ids, {}) : "{}", kOpeningTime);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    const bool known = !haply.ids.device.empty();
+    answered = tell(haply, known ? force_message(haply.ids, {}) : "{}", message, kOpeningTime);
   }
 }
 
 void configure(Haply& haply, const std::string& rest) {
   json answer;
   const Wishes& wishes = haply.wishes;
-  if (send(haply, filter_message(haply.ids, wishes.gate, wishes.damping), kOpeningTime) &&
-      receive(haply, answer, kOpeningTime)) {
-    return;
-  }
+  const std::string wanted = filter_message(haply.ids, wishes.gate, wishes.damping);
+  if (tell(haply, wanted, answer, kOpeningTime)) return;
   throw DeviceError(fmt::format(
-      "haply:{}: the service takes no configuration: expected version 3.1 or newer", rest));
+      "haply:{}: {}", rest,
+      answer.is_null() ? "the service takes no configuration: expected version 3.1 or newer"
+                       : no_answer(haply, answer)));
 }
 
 }  // namespace

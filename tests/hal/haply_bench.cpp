@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <poll.h>
 
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core/buffers_to_string.hpp>
@@ -20,12 +23,37 @@ bool readable(int socket, int wait_ms) {
   pollfd wanted = {socket, POLLIN, 0};
   return ::poll(&wanted, 1, wait_ms) > 0;
 }
+
+// All that has come so far, whoever has looked at it. The C library's tcp_info ends before this
+// field of the kernel's (linux/tcp.h, Linux 4.1), and its header excludes that one.
+std::uint64_t bytes_received(int socket) {
+  struct {
+    tcp_info first;
+    std::uint64_t pacing_rate, max_pacing_rate, bytes_acked, bytes_received;
+  } info = {};
+  socklen_t size = sizeof info;
+  (void)getsockopt(socket, IPPROTO_TCP, TCP_INFO, &info, &size);
+  return info.bytes_received;
+}
+
+// Of a client's frame in one piece: two bytes, a mask of four, and two for a longer size.
+std::uint64_t frame_bytes(std::size_t payload) {
+  return payload + (payload < 126 ? 6 : 8);
+}
 }  // namespace
 
 struct HaplyService::Connection {
-  explicit Connection(tcp::socket accepted) : socket(std::move(accepted)) {}
-  websocket::stream<tcp::socket> socket;
-  bool ours = false;  // commands 049D
+  explicit Connection(Listener& listener);
+  // The next message, with pongs to the pings before it; false: none in 2 ms.
+  bool read();
+
+  boost::asio::io_context io;
+  boost::beast::flat_buffer buffer;
+  websocket::stream<tcp::socket> socket{io};
+  boost::system::error_code error;
+  bool reading = false, heard = false;
+  std::uint64_t read_bytes = 0;  // of messages, pings and pongs
+  bool ours = false;             // commands 049D
 };
 
 struct HaplyService::Listener {
@@ -35,6 +63,30 @@ struct HaplyService::Listener {
   tcp::acceptor acceptor{io, {boost::asio::ip::make_address("127.0.0.1"), 0}};
   std::string port() const { return std::to_string(acceptor.local_endpoint().port()); }
 };
+
+HaplyService::Connection::Connection(Listener& listener) {
+  listener.acceptor.accept(socket.next_layer(), error);
+}
+
+bool HaplyService::Connection::read() {
+  if (!reading) {
+    reading = true;
+    buffer.clear();
+    socket.async_read(buffer, [this](boost::system::error_code failed, std::size_t size) {
+      reading = false;
+      heard = true;
+      error = failed;
+      read_bytes += frame_bytes(size);
+    });
+  }
+  heard = false;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(2);
+  io.restart();
+  while (!heard && io.run_one_until(end) > 0) {
+  }
+  if (error) throw boost::system::system_error(error);
+  return heard;
+}
 
 HaplyService::HaplyService(int clients)
     : listener_(std::make_unique<Listener>(clients > 1)),
@@ -67,7 +119,7 @@ void HaplyService::tell(const std::string& event) {
 void HaplyService::serve_events() {
   while (!stop_) {
     if (!readable(events_->acceptor.native_handle(), 2)) continue;
-    Connection connection(events_->acceptor.accept());
+    Connection connection(*events_);
     try {
       connection.socket.accept();
       const auto gone = [&](int wait_ms) {
@@ -159,45 +211,53 @@ void HaplyService::obey(const std::string& text) {
 
 void HaplyService::talk(Connection& connection) {
   auto& socket = connection.socket;
+  const int handle = socket.next_layer().native_handle();
   socket.next_layer().set_option(tcp::no_delay(true));
+  socket.control_callback([&](websocket::frame_type, boost::beast::string_view said) {
+    connection.read_bytes += frame_bytes(said.size());
+  });
   socket.accept();
+  connection.read_bytes = bytes_received(handle);
   socket.auto_fragment(true);
   socket.write_buffer_bytes(64);
   socket.text(true);
   socket.write(boost::asio::buffer(state(true)));
-  boost::beast::flat_buffer buffer;
   while (!stop_ && trouble_ != test::Trouble::kNoAnswer) {
     if (trouble_ == test::Trouble::kSilent) {
       // It does not look at its messages either; the end of the connection it does notice.
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       char room[65536];
-      const ssize_t got =
-          recv(socket.next_layer().native_handle(), room, sizeof room, MSG_DONTWAIT);
+      const ssize_t got = recv(handle, room, sizeof room, MSG_DONTWAIT);
       if (got == 0) return;
       continue;
     }
-    if (!readable(socket.next_layer().native_handle(), 2)) continue;
-    buffer.clear();
-    socket.read(buffer);
-    const std::string text = boost::beast::buffers_to_string(buffer.data());
+    if (!connection.read()) continue;
+    const std::string text = boost::beast::buffers_to_string(connection.buffer.data());
     connection.ours = connection.ours || text.find("049D") != std::string::npos;
     obey(text);
     ++messages;
-    if (messages % 10 == 0) socket.ping({});
-    std::string answer = state(false);
-    if (messages % 50 == 0) answer.resize(answer.size() / 2);
-    socket.write(boost::asio::buffer(answer));
-    if (unasked > 0 && messages % unasked == 0) socket.write(boost::asio::buffer(state(false)));
+    std::this_thread::sleep_for(std::chrono::microseconds(answer_time_us));
+    const std::uint64_t waiting = bytes_received(handle) - connection.read_bytes;
+    most_waiting_bytes = std::max(most_waiting_bytes.load(), waiting);
+    answer(connection);
   }
+}
+
+void HaplyService::answer(Connection& connection) {
+  auto& socket = connection.socket;
+  if (messages % 10 == 0) socket.ping({});
+  std::string answer = state(false);
+  if (messages % 50 == 0) answer.resize(answer.size() / 2);
+  socket.write(boost::asio::buffer(answer));
+  if (unasked > 0 && messages % unasked == 0) socket.write(boost::asio::buffer(state(false)));
 }
 
 void HaplyService::serve() {
   tcp::acceptor& acceptor = listener_->acceptor;
   while (!stop_) {
     if (!readable(acceptor.native_handle(), 2)) continue;
-    boost::system::error_code taken;
-    Connection connection(acceptor.accept(taken));
-    if (taken) continue;  // by another of our threads
+    Connection connection(*listener_);
+    if (connection.error) continue;  // taken by another of our threads
     try {
       talk(connection);
     } catch (const boost::system::system_error&) {  // the client has gone

@@ -33,7 +33,9 @@ class HaplyService : public Bench {
   int writes() override { return messages; }
   void trouble(test::Trouble trouble) override { trouble_ = trouble; }
   std::atomic<int> messages{0};
-  std::atomic<int> unasked{0};  // one of so many answers is given twice; 0: none
+  std::atomic<int> unasked{0};         // one of so many answers is given twice; 0: none
+  std::atomic<int> answer_time_us{0};  // from a message to its answer; it reads nothing meanwhile
+  std::atomic<std::uint64_t> most_waiting_bytes{0};  // had come unread when a message was answered
   std::atomic<bool> lists_ours{true}, grip_awake{true};
   std::atomic<bool> ours_first{false};          // else after AAAA, which is somewhere else
   std::atomic<bool> other_grip{false};          // lists grip 2 first, awake, with all buttons held
@@ -47,6 +49,7 @@ class HaplyService : public Bench {
   void serve();
   void serve_events();
   void talk(Connection& connection);
+  void answer(Connection& connection);
   std::string state(bool inventory);
   void obey(const std::string& message);
 

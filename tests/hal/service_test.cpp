@@ -346,6 +346,46 @@ TEST(Haply, MoreAnswersThanMessagesMakeNoSampleOld) {
   EXPECT_LT(service.messages - since, 30);
 }
 
+// The worst for a client that takes any message for its answer: a service that is slower than the
+// exchange (0.5 ms) and speaks unasked gives it no pause in which it could learn how far it is
+// ahead. Counted in messages, which a busy machine makes no more of; a device that it ends (20 ms
+// without an answer) is opened again.
+TEST(Haply, SlowServiceThatSpeaksUnaskedGetsOneForceAtATime) {
+  constexpr double kStepM = 1e-6;
+  HaplyService service;
+  service.answer_time_us = 700;
+  service.unasked = 10;
+  service.change = [&service](Json& all) {  // our x is the vendor's y
+    all["inverse3"][1]["state"]["cursor_position"]["y"] = kStepM * service.messages;
+  };
+  Ticker ticker(open_lasting_device(service.uri()), 15e-3F);
+  double oldest = 0;
+  for (int i = 0; i < 2000; ++i) {
+    ticker.tick({0, 0, 1});
+    const int now = service.messages;
+    Sample sample = {};
+    if (!ticker.device.read(ticker.device.self, monotonic_now_ns(), sample)) continue;
+    const double then = static_cast<double>(sample.pose.position_m.x) / kStepM;
+    oldest = std::max(oldest, now - then);
+  }
+  EXPECT_GT(service.messages, 500);
+  // The one before has its answer when this one comes; every fiftieth answer is cut short.
+  EXPECT_LT(oldest, 2.5);
+  // Its ping at most, which the service reads later; a force has more than a hundred.
+  EXPECT_LT(service.most_waiting_bytes, 100U);
+}
+
+// One message is answered, and nothing is read any more.
+TEST(Haply, ServiceThatAnswersNoPingIsRefused) {
+  HaplyService service;
+  int said = 0;
+  service.change = [&](Json&) {
+    if (++said == 2) service.trouble(test::Trouble::kSilent);
+  };
+  const std::string refused = refusal(service.uri());
+  EXPECT_TRUE(says(refused, "answers no ping: expected a pong")) << refused;
+}
+
 double of(float value) {
   return static_cast<double>(value);
 }

@@ -3,11 +3,15 @@
 // and buttons.
 //
 // The service gives one state for each message it gets. A thread of ours sends the newest force
-// (relay.h) 2000 times a second and takes the state; an answer that does not come in 20 ms ends the
-// connection, and with it, as far as is known, the force. The service filters forces (damping,
-// gate, scale): what is rendered need not be what was sent. Device and grip are bound by their ids
-// for as long as it is open: whatever is listed in whichever order, no other one is read, moved or
-// armed, and no two needles of this program share one. Source: docs.haply.co, service 3.5.
+// (relay.h) 2000 times a second, a ping behind it, and takes the newest state once the pong has
+// come, which RFC 6455 (5.5.2) obliges the service to give: so no more than one of our messages is
+// on its way to it, whatever it says unasked. A service that first reads and then answers, as one
+// loop does, has no older force to render; what one with a queue of its own holds back behind its
+// pongs is not known here. An answer or a pong that does not come in 20 ms ends the connection, and
+// with it, as far as is known, the force. The service filters forces (damping, gate, scale): what
+// is rendered need not be what was sent. Device and grip are bound by their ids for as long as it
+// is open: whatever is listed in whichever order, no other one is read, moved or armed, and no two
+// needles of this program share one. Source: docs.haply.co, service 3.5.
 #pragma once
 
 #include <string>
