@@ -416,24 +416,26 @@ const char* no_answer(const Haply& haply, const json& newest) {
   return "the service answers no ping: expected a pong to each, as RFC 6455 (5.5.2) asks of it";
 }
 
-// The first message is the inventory; then one for each of ours, all with no force.
+// The first message is the inventory; then one for each of ours, all with no force. What is listed
+// is what the last one lists that came whole.
 void wait_until_ready(Haply& haply, const std::string& wanted, const std::string& rest,
                       double patience_s) {
   const Patience patience(patience_s);
-  json message;
+  json message, whole;
   bool answered = receive(haply, message, within(kOpeningTime));
   while (true) {
     if (!answered) {
       throw DeviceError(fmt::format("haply:{}: {}", rest, no_answer(haply, message)));
     }
-    if (haply.ids.device.empty() && choose_device(haply, message, wanted)) {
-      take_filters(message, haply.ids, haply.state);
-      choose_grip(haply, message, rest);
+    if (!message.is_discarded()) whole = std::move(message);
+    if (haply.ids.device.empty() && choose_device(haply, whole, wanted)) {
+      take_filters(whole, haply.ids, haply.state);
+      choose_grip(haply, whole, rest);
     }
-    const bool found = take_state(message, haply.ids, haply.state);
+    const bool found = take_state(whole, haply.ids, haply.state);
     if (found && haply.state.calibrated) return;
     if (patience.over()) {
-      throw DeviceError(fmt::format("haply:{}: {}", rest, not_ready(haply, message, wanted)));
+      throw DeviceError(fmt::format("haply:{}: {}", rest, not_ready(haply, whole, wanted)));
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     const bool known = !haply.ids.device.empty();

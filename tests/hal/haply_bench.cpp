@@ -247,7 +247,7 @@ void HaplyService::answer(Connection& connection) {
   auto& socket = connection.socket;
   if (messages % 10 == 0) socket.ping({});
   std::string answer = state(false);
-  if (messages % 50 == 0) answer.resize(answer.size() / 2);
+  if (messages % cut == 0) answer.resize(answer.size() / 2);
   socket.write(boost::asio::buffer(answer));
   if (unasked > 0 && messages % unasked == 0) socket.write(boost::asio::buffer(state(false)));
 }

@@ -15,7 +15,7 @@
 namespace stylet::hal {
 
 // As the vendor's: an inventory at first, then one state for each message. Frames come in pieces,
-// pings between them, every fiftieth message is cut short, and buttons have either of their names.
+// pings between them, every fiftieth answer is cut short, and buttons have either of their names.
 // A silent service holds the last force until the connection ends. It comes with force gate 0.3 and
 // damping 0.5, and renders 0.8 of a force while its gate is below 1.
 class HaplyService : public Bench {
@@ -34,6 +34,7 @@ class HaplyService : public Bench {
   void trouble(test::Trouble trouble) override { trouble_ = trouble; }
   std::atomic<int> messages{0};
   std::atomic<int> unasked{0};         // one of so many answers is given twice; 0: none
+  std::atomic<int> cut{50};            // one of so many is cut short
   std::atomic<int> answer_time_us{0};  // from a message to its answer; it reads nothing meanwhile
   std::atomic<std::uint64_t> most_waiting_bytes{0};  // had come unread when a message was answered
   std::atomic<bool> lists_ours{true}, grip_awake{true};
