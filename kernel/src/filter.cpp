@@ -4,7 +4,8 @@
 namespace stylet {
 namespace {
 
-// Damping of the polynomial: p then stays above 0.011. With 0.05, which divides s by a little more, the shortest waves hardly move and come to rest slowly.
+// Damping of the polynomial: p then stays above 0.011. With 0.05, which divides s by a little more,
+// the shortest waves hardly move and come to rest slowly.
 constexpr double kDamping = 2;
 // Part of the limit that is used. With all of it a lattice in paper mode, whose waves reach the
 // bound, gained a thousandth a step in large motion, which no linear bound speaks of.
@@ -55,7 +56,9 @@ Filter choose_filter(float limit_per_s2, float fastest_per_s2) {
   out.limit_per_s2 = limit_per_s2;
   const double fastest = static_cast<double>(fastest_per_s2);
   const double limit = static_cast<double>(limit_per_s2);
-  while (out.passes < kMaxFilterPasses && fastest * share_left(out.passes) > limit) ++out.passes;
+  for (std::uint32_t passes = 1; passes <= kMaxFilterPasses; ++passes) {
+    if (fastest * share_left(out.passes) > limit) out.passes = passes;
+  }
   const Chebyshev t = chebyshev(out.passes + 1);
   for (std::uint32_t j = 1; j <= out.passes; ++j) {
     const double next = t.slope[j + 1];

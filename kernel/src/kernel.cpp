@@ -41,7 +41,8 @@ bool config_good(const Config& c) {
   return (c.mode == Mode::kPhysical || c.mode == Mode::kPaper) &&
          within(c.period_s, kMinPeriodS, kMaxPeriodS) && c.substeps >= 1 &&
          c.substeps <= kMaxSubsteps &&
-         (c.inertia == Inertia::kAddedMass || c.inertia == Inertia::kTrueMass) && within(c.tissue_damping_s, 0, 1) &&
+         (c.inertia == Inertia::kAddedMass || c.inertia == Inertia::kTrueMass) &&
+         within(c.tissue_damping_s, 0, 1) &&
          within(c.surround_drag_per_s, 0, 100) && within(c.hourglass_weight, 0.05F, 1) &&
          within(c.paper_alpha, 1e-3F, 1) && breathing_good(c.breathing) && c.needle_count >= 1 &&
          c.needle_count <= kMaxNeedles &&
@@ -77,16 +78,6 @@ ObstacleConfig canonical(ObstacleConfig config) {
 // feels it spread over this depth of tissue, that of a dimple, whatever the voxel.
 constexpr float kMembraneSpreadM = 5e-3F;
 
-// Lambda / (2 G) of a voxel that a skin is spread over. Nothing presses on a skin from outside, so
-// its share resists as in plane stress: nu / (1 - nu). As a body's, nu / (1 - 2 nu), it made a
-// liver's capsule three times stiffer against what changes its area together with its thickness.
-float spread_volume_ratio(const Material& m, float edge_m) {
-  const float body = m.poisson_ratio / (1 - 2 * m.poisson_ratio);
-  const float skin = m.poisson_ratio / (1 - m.poisson_ratio);
-  const float skin_pa = m.membrane_n_per_m / edge_m;
-  return (m.youngs_modulus_pa * body + skin_pa * skin) / (m.youngs_modulus_pa + skin_pa);
-}
-
 // What the sweep needs of a material: in paper mode every voxel has the stiffness that the averaged
 // goals with factor alpha have at this step, and no volume term (physics: Mueller et al. 2005).
 MaterialModel material_model(const Material& m, const Config& config, float edge_m,
@@ -96,7 +87,7 @@ MaterialModel material_model(const Material& m, const Config& config, float edge
   out.shear_pa = (m.youngs_modulus_pa + m.membrane_n_per_m / kMembraneSpreadM) / per_shear;
   out.lattice_shear_pa = (m.youngs_modulus_pa + m.membrane_n_per_m / edge_m) / per_shear;
   out.poisson_ratio = m.poisson_ratio;
-  out.lattice_volume_ratio = spread_volume_ratio(m, edge_m);
+  out.lattice_volume_ratio = m.poisson_ratio / (1 - 2 * m.poisson_ratio);
   if (config.mode == Mode::kPaper) {
     const float mass_share = m.density_kg_per_m3 * edge_m * edge_m * edge_m / 8;
     out.shear_pa = config.paper_alpha * mass_share / (substep_s * substep_s) / edge_m;

@@ -4,9 +4,9 @@
 //
 // A wave through the planes: pass j is a plane behind pass j - 1, so all that is kept of a pass are
 // three planes of what it starts from and two of what voxels send. They stay in a near cache. (Pass
-// after pass over whole arrays leaves it: with 20 000 voxels the passes took twice the time.) A slab
-// makes the iterates of the planes beside it that it needs once more, so that no pass waits for
-// another thread; the bits do not depend on slabs.
+// after pass over whole arrays leaves it: with 20 000 voxels the passes took twice the time.) A
+// slab makes the iterates of the planes beside it that it needs once more, so that no pass waits
+// for another thread; the bits do not depend on slabs.
 //
 // In a pass each voxel takes the mean of its eight corners, and gives it to them: sums along x in
 // lanes as in the sweep, then through the sweep's windows.

@@ -7,7 +7,8 @@
 // are summed; 3 each window of nodes collects what the voxel rows at its sides send
 // (lattice_plan.h), as soon as both are fitted; then the particles of the plane's low side have all
 // their forces and move (with true mass: get their momentum, and lattice_filter.h moves them). Some
-// rows of clusters and two planes of forces stay in cache; nothing else is stored. (A whole plane of clusters was: it leaves the nearest cache, 8 % more time.)
+// rows of clusters and two planes of forces stay in cache; nothing else is stored. (A whole plane
+// of clusters was: it leaves the nearest cache, 8 % more time.)
 //
 // Voxels that hold constraint particles are fitted before the sweep, all together: plane by plane
 // each few of them cost the time of a full group of lanes, at 5000 voxels 7 % of the step.

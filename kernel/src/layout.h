@@ -242,9 +242,9 @@ struct ScratchHead {
 // F(name, type, count); `c` is Counts. Of a constraint particle's spring: how far this tick pulls
 // it (`stretch`), and where its end is in this substep (`place`).
 // Only with true mass: the bound on the stiffness of a voxel and of a particle (filter.h), what
-// constraint particles add to a particle's in this tick (`held`), and its momentum over its mass (w).
-// The last two of the model only with sheets: the particle that each node is, and which quarters of its cell are
-// a voxel's own (organ.fbs).
+// constraint particles add to a particle's in this tick (`held`), its momentum over its mass (w).
+// The last two of the model only with sheets: the particle that each node is, and which quarters of
+// its cell are a voxel's own (organ.fbs).
 #define STYLET_MODEL_FIELDS(F)                           \
   F(head, ModelHead, 1)                                  \
   F(plane, Plane, c.planes + 1)                          \

@@ -150,7 +150,8 @@ std::string speed(const Json& facts) {
     }
     rows += "</tr>";
   }
-  rows += timed ? "<tr><td>1, true mass</td><td></td>" : "<tr><td>1, true mass</td>";
+  rows += fmt::format("<tr><td>{}, true mass</td>{}", speed["substeps"].get<std::uint32_t>(),
+                      timed ? "<td></td>" : "");
   for (const auto& [name, factor] : speed["true_mass_factor"].items()) {
     rows += fmt::format("<td>x {}</td>", number(factor, factor < 10 ? 2 : 0));
   }
@@ -168,7 +169,7 @@ std::string speed(const Json& facts) {
          "</table><p class='small'>Tissue too stiff or voxels too small for the step get more mass "
          "than they have (factor of the whole material), which keeps the step stable: forces at "
          "rest stay exact, fast motion becomes sluggish. More substeps give the mass "
-         "back; so does loop.inertia = \"true_mass\" at one substep, where the tick has the time.</p>";
+         "back; so does loop.inertia = \"true_mass\", where the tick has the time.</p>";
 }
 
 std::string provenance(const Json& organ) {

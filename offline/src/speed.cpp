@@ -237,7 +237,7 @@ nlohmann::ordered_json speed_facts(const Organ& organ, double period_s, std::uin
     rows.push_back(row);
   }
   Json facts = {{"period_us", period_s * 1e6}, {"substeps", substeps}, {"by_substeps", rows}};
-  facts["true_mass_factor"] = material_masses(organ, period_s, 1, Inertia::kTrueMass);
+  facts["true_mass_factor"] = material_masses(organ, period_s, substeps, Inertia::kTrueMass);
   if (machine != nullptr) {
     facts["machine"] = {{"name", machine->name},
                         {"start_us", machine->start_us},
@@ -276,7 +276,8 @@ std::string speed_text(const nlohmann::ordered_json& facts) {
         row.contains("tick_us") ? fmt::format(", {:.0f} us", row["tick_us"].get<double>()) : "",
         factors(row["mass_factor"]));
   }
-  text += fmt::format("mass           1 substep of true mass{}\n", factors(facts["true_mass_factor"]));
+  text += fmt::format("mass          {:>2} substeps of true mass{}\n",
+                      facts["substeps"].get<std::uint32_t>(), factors(facts["true_mass_factor"]));
   return text;
 }
 

@@ -116,10 +116,14 @@ TEST(Mass, FactorIsThatOfTheStabilityBound) {
   }
   // With true mass, what seven passes leave to add: they divide by (1 + T_8(w0)) / ((1 + w0)
   // T_8'(w0)) = 1 / 49.0 at w0 = 1 + 2 / 64.
-  const double limit = 0.8 * 4 / (1e-3 * (1e-3 + 2 * tau));
-  const double fastest = 8 * shear * 2e-3 * (2 + 1.5 * lambda / shear) / (1050 * 8e-9);
-  EXPECT_NEAR(facts["true_mass_factor"]["kidney"].get<double>(),
-              std::max(1.0, fastest / (limit * 49.0)), 0.01);
+  for (const std::uint32_t substeps : {1U, 2U}) {
+    const double dt = 1e-3 / substeps, limit = 0.8 * 4 / (dt * (dt + 2 * tau));
+    const double fastest = 8 * shear * 2e-3 * (2 + 1.5 * lambda / shear) / (1050 * 8e-9);
+    const auto of = bake::speed_facts(organ, 1e-3, substeps, nullptr);
+    EXPECT_NEAR(of["true_mass_factor"]["kidney"].get<double>(),
+                std::max(1.0, fastest / (limit * 49.0)), 0.01);
+    EXPECT_THAT(bake::speed_text(of), testing::HasSubstr("substeps of true mass  kidney x"));
+  }
 }
 
 TEST(Fit, OnThisMachineMeetsThePeriodItSays) {

@@ -5,8 +5,8 @@
 // constraint particles a tick and needle, until each has kMaxConstraintParticles of them and as
 // many voxels of its own as the lattice can give; all their rods are inside all kMaxObstacles
 // obstacles, hulls of kMaxHullVertices vertices, too soft to push anything away; kMaxSubsteps
-// substeps of true mass with kMaxFilterPasses passes, for one voxel is stiff. The hand is a function of the tick alone. Units: SI. Frame: world, the needles come
-// from +z.
+// substeps of true mass with kMaxFilterPasses passes, for one voxel is stiff. The hand is a
+// function of the tick alone. Units: SI. Frame: world, the needles come from +z.
 #pragma once
 
 #include <cmath>

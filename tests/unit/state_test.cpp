@@ -79,6 +79,10 @@ TEST(Reset, IsTheFirstState) {
 // difference names field and element, and the hash changes.
 TEST(Difference, NamesEveryFieldAndElement) {
   Pair p;
+  Config config;
+  config.inertia = Inertia::kTrueMass;  // which has fields of its own
+  p.a = make_session(p.organ->organ, config);
+  p.b = make_session(p.organ->organ, config);
   run(p.a.kernel, p.script, 0, 1300);
   run(p.b.kernel, p.script, 0, 1300);
   expect_equal(p.a.kernel, p.b.kernel);
