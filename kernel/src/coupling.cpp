@@ -9,10 +9,19 @@ namespace stylet {
 namespace {
 
 constexpr float kPi = 3.14159265F;
-// Compliance of the lattice under one stiff CP, in 1 / (G h), inside and at the surface (measured:
-// tests/fidelity).
+// Compliance of the lattice under one stiff CP inside, in 1 / (G h) (measured: tests/fidelity).
 constexpr float kLatticeComplianceInside = 0.20F;
-constexpr float kLatticeComplianceSurface = 0.28F;
+// The same under the tip in contact, which two layers of voxels hold: at Poisson ratio 0, by how
+// much less at 1, by how much more where one voxel holds all of it, and by how much more where it
+// acts an edge beside that voxel's middle. Then by how much more, of itself, for each G h^2 of
+// force, by how much less of that where one voxel holds all, and up to what force (all measured:
+// tests/fidelity/coupling/contact_test.cpp).
+constexpr float kSurfaceGive = 0.170F, kSurfaceGiveSlope = 0.101F, kSurfaceGiveSquares = 0.097F;
+constexpr float kSurfaceGiveBeside = 0.281F;
+constexpr float kGiveGrowth = 0.06F, kGiveGrowthSquares = 0.1F, kGiveGrowthEnd = 5.0F;
+// The tip's own spring gives at least this part of what the lattice does: with less, tissue dragged
+// far gained energy.
+constexpr float kLeastOwnPart = 0.25F;
 // A row of CPs shared evenly moves as a cylinder of this radius would, in voxel edges: at Poisson
 // ratio 0 and by how much less at 1. Its springs count this much: they also let the voxels slip
 // across each other (measured: tests/fidelity/coupling/stiffness_test.cpp).
@@ -56,8 +65,10 @@ constexpr float kMouthInRadii = 3;
 constexpr float kLoose = 2.0F;
 // A tip that slips back farther than this in a tick presses nothing at the tick's end.
 constexpr float kFastBackM = 1e-4F;
+// Pressed on by more than this in a tick, a contact's spring is the law's chord, not its tangent.
+constexpr float kChordM = 1e-5F;
 // A shaft CP keeps at least this part of its spring, so that forces can be divided by it.
-constexpr float kLeastPart = 0.01F;
+constexpr float kLeastPart = 0.002F;
 
 // ---- stiffness of a CP
 // ----------------------------------------------------------------------------
@@ -100,6 +111,38 @@ void set_relaxation(const ModelHead& head, Particle& p) {
 
 enum class Place { kSurface, kTip, kShaft };
 
+// Mean weight of the voxel that holds a part of a CP.
+float squares_of(const Particle& p) {
+  float sum = 0;
+  for (std::uint32_t i = 0; i < p.share_count; ++i) sum += p.share[i].weight * p.share[i].weight;
+  return sum;
+}
+
+// Compliance of the lattice under the tip in contact; in 1 / (G h), with G each voxel's own. The
+// shares' mean offset is along the needle: the place they surround lies an edge deeper than the
+// tip.
+float surface_compliance(const View& view, const Particle& p, float poisson) {
+  const ModelHead& head = *view.model.head;
+  Vec3 mean = {};
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    mean = mean + p.share[i].weight * p.share[i].offset_m;
+  }
+  const float along2 = max_of(dot(mean, mean), 1e-12F);
+  float beside = 0, per_shear = 0;
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    const Share& share = p.share[i];
+    const Vec3 arm = cross(share.offset_m, mean);
+    beside += share.weight * share.weight * dot(arm, arm);
+    const std::uint32_t material = view.model.slot_material[share.slot];
+    per_shear += share.weight / head.material[material].lattice_shear_pa;
+  }
+  const float edge2 = head.edge_m * head.edge_m;
+  const float give = kSurfaceGive - kSurfaceGiveSlope * poisson +
+                     kSurfaceGiveSquares * squares_of(p) +
+                     kSurfaceGiveBeside * beside / (along2 * edge2);
+  return give * per_shear / head.edge_m;
+}
+
 // Spring that makes lattice and CP together as stiff as a needle of this radius in this material:
 // flat punch at the surface, rigid sphere at the inserted tip, cylinder along the shaft. Where the
 // lattice alone is softer, the largest weight is used and the shortfall reported.
@@ -111,10 +154,12 @@ void set_stiffness(const View& view, Particle& particle, Place place) {
   const float nu = m.poisson_ratio;
   const float unit = view.needle_config().unit_m;
   float target = 0, lattice_compliance = 0, slack = 1;
+  float least = 1 / (kMaxCpWeight * k);
   switch (place) {
     case Place::kSurface:
       target = 4 * m.shear_pa * a / (1 - nu);
-      lattice_compliance = kLatticeComplianceSurface / k;
+      lattice_compliance = surface_compliance(view, particle, nu);
+      least = kLeastOwnPart * lattice_compliance;
       break;
     case Place::kTip:
       target = 24 * kPi * m.shear_pa * a * (1 - nu) / (5 - 6 * nu);
@@ -126,10 +171,10 @@ void set_stiffness(const View& view, Particle& particle, Place place) {
           1 / (m.lattice_shear_pa * unit *
                line_stiffness((kRowRadius - kRowRadiusSlope * nu) * head.edge_m, nu));
       slack = kRowSlack;
+      least = least * head.edge_m / unit;
       break;
   }
-  const float largest = kMaxCpWeight * k * (place == Place::kShaft ? unit / head.edge_m : 1.0F);
-  const float own_compliance = max_of((1 / target - lattice_compliance) / slack, 1 / largest);
+  const float own_compliance = max_of((1 / target - lattice_compliance) / slack, least);
   particle.stiffness_n_per_m = head.config.mode == Mode::kPaper ? k : 1 / own_compliance;
   particle.full_stiffness_n_per_m = particle.stiffness_n_per_m;
   if (place == Place::kShaft) {
@@ -138,6 +183,7 @@ void set_stiffness(const View& view, Particle& particle, Place place) {
   const float reached = 1 / (slack * own_compliance + lattice_compliance);
   view.state.head->coupling_shortfall =
       max_of(view.state.head->coupling_shortfall, 1 - reached / target);
+  if (place == Place::kSurface) particle.tissue_compliance = lattice_compliance / own_compliance;
   set_relaxation(head, particle);
 }
 
@@ -273,10 +319,26 @@ void share_evenly(const View& view, Particle& p) {
   if (p.share_count > 0) p.rest_m = unloaded_place(view, p);
 }
 
+// For the tip in contact: the voxels around the place one edge deeper hold it, at a face those of
+// two layers, each as much as it is stiff (fat does not carry what presses on skin). Held by the
+// outer layer alone it presses the lattice in by an amount that no formula of Poisson's ratio and
+// place gave.
+void share_deeper(const View& view, Particle& p, Vec3 direction) {
+  if (p.share_count == 0) return;
+  const VoxelFrame frame = voxel_frame(view, p.share[heaviest(p)].slot, p.share[heaviest(p)].row);
+  const Particle before = p;
+  const float edge_m = view.model.head->edge_m;
+  p.rest_m = p.rest_m + edge_m * transposed_times(frame.rotation, direction);
+  renew_shares(view, p, Sharing::kStiff);
+  if (p.share_count == 0) p = before;
+  p.rest_m = before.rest_m;
+  p.material = before.material;
+}
+
 // Puts a CP at a rest place with its goals at `place_m` (rigid pull-back: fits, goals and energy of
 // all voxels stay as they are when the needle holds it there).
-Particle new_particle(const View& view, Vec3 rest_m, Vec3 place_m, float track_m, float arc_m,
-                      Place place) {
+Particle new_particle(const View& view, const Needle& needle, Vec3 rest_m, Vec3 place_m,
+                      float track_m, float arc_m, Place place) {
   Particle p = {};
   p.rest_m = rest_m;
   p.position_m = place_m;
@@ -285,6 +347,7 @@ Particle new_particle(const View& view, Vec3 rest_m, Vec3 place_m, float track_m
   renew_shares(view, p);
   const bool physical = view.model.head->config.mode == Mode::kPhysical;
   if (place == Place::kShaft && physical) share_evenly(view, p);
+  if (place == Place::kSurface && physical) share_deeper(view, p, needle.tip_direction);
   set_stiffness(view, p, place);
   return p;
 }
@@ -741,7 +804,7 @@ std::uint32_t drop_shaft(const View& view, const Needle& needle) {
     const Vec3 rest = point - behind * along;
     const float arc = arc_at(view, needle, rest, behind);
     const Particle p =
-        new_particle(view, rest, needle_place(needle, arc), track, arc, Place::kShaft);
+        new_particle(view, needle, rest, needle_place(needle, arc), track, arc, Place::kShaft);
     if (p.share_count == 0 || !holds_track(view, rest, track)) {
       own.drop_track_m += kGapStep * unit;
       continue;
@@ -802,46 +865,67 @@ std::uint32_t remember_track(const View& view, Vec3 rest_m, Vec3 rest_direction)
   return index;
 }
 
-// The contact's law: see cone.h. Its memory is the relaxed force over the punch's stiffness.
-Cone cone_of(const View& view) {
+// The contact's law: see cone.h. Its memory is the force that is missing over the spring's
+// stiffness. The lattice gives way faster only as far as its part stays what it may be.
+ContactLaw law_of(const View& view) {
   const ModelHead& head = *view.model.head;
-  const float k = head.material[view.state.tip->material].lattice_shear_pa * head.edge_m;
-  const float own = 1 / view.state.tip->full_stiffness_n_per_m;
-  const float lattice = kLatticeComplianceSurface / k;
-  return {1 / (own + lattice), head.cone_length_m[view.needle], lattice / (own + lattice)};
+  const Particle& tip = *view.state.tip;
+  const MaterialModel& m = head.material[tip.material];
+  // A snapshot may bring any number.
+  const float tissue = min_of(tip.tissue_compliance, 1 / kLeastOwnPart);
+  const float whole = 1 + tissue, part = tissue / whole;  // over the spring's own; of all
+  const float unit_n = m.lattice_shear_pa * head.edge_m * head.edge_m;
+  constexpr float kMostPart = 1 / (1 + kLeastOwnPart);
+  const float growth = max_of(kGiveGrowth - kGiveGrowthSquares * squares_of(tip), 1e-3F);
+  const float end = (kMostPart / max_of(part, 1e-3F) - 1) / (2 * growth);
+  return contact_law({tip.full_stiffness_n_per_m / whole, head.cone_length_m[view.needle], part,
+                      growth / unit_n, unit_n * clamp(end, 0, kGiveGrowthEnd)},
+                     m.relaxing_fraction);
 }
 
 // The spread of the shares about their mean is carried by the spring of the moment.
 double contact_energy(const View& view, const Particle& p) {
   if (view.model.head->config.mode == Mode::kPaper) return spring_energy(p);
   const Vec3 d = residual(p);
-  return cone_energy(cone_of(view), d, p.full_stiffness_n_per_m * p.memory_m, p.memory_share) +
+  return contact_energy(law_of(view), d, p.full_stiffness_n_per_m * p.memory_m) +
          0.5 * static_cast<double>(p.stiffness_n_per_m * spread_of(p, d));
 }
 
-// Creep of the contact; then the law's tangent at this depth is the spring of the coming fit.
-// Tissue that has crept can let go of the tip but not pull it: the relaxed force is bounded by
-// that.
-void relax_contact(const View& view, Vec3 direction) {
+// The spring of the coming fit: the law's tangent. Where the needle has just pressed on, tissue
+// gives way until the depth is about what it was, and there the tangent would lie far below the
+// law: the hand would press for less than is stored. So there it is the chord to that depth.
+float contact_spring(const ContactLaw& law, float depth_m, float before_m) {
+  const float tangent = cone_tangent(law.now, depth_m);
+  if (!(depth_m - before_m > kChordM)) return tangent;
+  const float change =
+      contact_secant(law, depth_m) * depth_m - contact_secant(law, before_m) * before_m;
+  return min_of(tangent, change / (depth_m - before_m));
+}
+
+// Creep of the contact, whose needle has moved by `step_m`; then its spring. Tissue that has crept
+// can let go of the tip but not pull it: what is missing is bounded by that.
+void relax_contact(const View& view, Vec3 direction, Vec3 step_m) {
   StateHead& state = *view.state.head;
   Particle& p = *view.state.tip;
-  const Cone cone = cone_of(view);
+  const ContactLaw law = law_of(view);
   const double before = contact_energy(view, p);
   const Vec3 d = residual(p);
-  const float depth = norm(d);
-  const Vec3 force = cone_secant(cone, depth) * d;
+  const float depth = norm(d), period_s = view.model.head->config.period_s;
+  const Vec3 force = contact_secant(law, depth) * d;
+  const Vec3 all = missing_secant(law, depth) * d;
   const float k = p.full_stiffness_n_per_m;
-  Vec3 relaxed = force + p.memory_keep * (k * p.memory_m - force);
-  const float pull = p.memory_share * dot(relaxed, direction) - dot(force, direction);
-  if (pull > 0 && p.memory_share > 0) {
-    relaxed = relaxed - (pull / p.memory_share) * direction;
-  }
-  p.memory_m = settle((1 / k) * relaxed);
+  const float time_s =
+      view.model.head->material[p.material].relaxation_time_s * relaxation_pace(law, depth);
+  const float keep = exp_minus(period_s / max_of(time_s, period_s));
+  Vec3 missing = all + keep * (k * p.memory_m - all);
+  const float pull = dot(missing - force, direction);
+  if (pull > 0 && law.fraction > 0) missing = missing - pull * direction;
+  p.memory_m = settle((1 / k) * missing);
   state.relaxation_j += before - contact_energy(view, p);
   const float old = p.stiffness_n_per_m;
-  p.stiffness_n_per_m = max_of(cone_tangent(cone, depth), kLeastPart * k);
+  p.stiffness_n_per_m = max_of(contact_spring(law, depth, norm(d - step_m)), kLeastPart * k);
   gather_goals(p, d, spread_of(p, d) * min_of(old / p.stiffness_n_per_m, 1));
-  p.slack_m = settle(d - (1 / p.stiffness_n_per_m) * (force - p.memory_share * relaxed));
+  p.slack_m = settle(d - (1 / p.stiffness_n_per_m) * (force - missing));
 }
 
 // From the spring of contact to that of cutting, at the same force along the needle and across; the
@@ -853,6 +937,7 @@ void change_spring(const View& view, const Needle& needle, float force_n) {
   const Vec3 direction = needle.tip_direction, pressed = force_on_tissue(tip);
   const Vec3 across = pressed - dot(pressed, direction) * direction;
   const float old = tip.stiffness_n_per_m, spread = spread_of(tip, residual(tip));
+  tip.tissue_compliance = 0;  // not yet measured
   set_stiffness(view, tip, Place::kTip);
   tip.memory_m = tip.slack_m = {};
   const float k = tip.stiffness_n_per_m;
@@ -887,7 +972,7 @@ void begin_insertion(const View& view, const Needle& needle, std::uint32_t track
   const float behind = dot(residual(tip), needle.tip_direction);
   const Vec3 place = tip.position_m - behind * needle.tip_direction;
   enter_track(view, needle, again ? track : remember_track(view, tip.rest_m, rest_direction), 0,
-              new_particle(view, tip.rest_m, place, 0, behind, Place::kShaft));
+              new_particle(view, needle, tip.rest_m, place, 0, behind, Place::kShaft));
   change_spring(view, needle, force_n);
   own.phase = Phase::kInserted;
   add_event(view, again ? EventKind::kReentry : EventKind::kPuncture, force_n);
@@ -915,11 +1000,11 @@ void take_in(const View& view, const Needle& needle, std::uint32_t track, const 
 // holds the surface.
 Particle tip_under(const View& view, const Needle& needle, Vec3 rest_m, Vec3 place_m,
                    float buried_m, Place place) {
-  Particle tip = new_particle(view, rest_m, place_m, 0, 0, place);
+  Particle tip = new_particle(view, needle, rest_m, place_m, 0, 0, place);
   if (tip.share_count > 0 && buried_m > 0) {
     const Vec3 step = buried_m * needle.tip_direction;
     const Vec3 image = pull_back_step(view, gradient_around(view, tip), step);
-    const Particle under = new_particle(view, rest_m + image, place_m + step, 0, 0, place);
+    const Particle under = new_particle(view, needle, rest_m + image, place_m + step, 0, 0, place);
     if (under.share_count > 0) {
       tip = under;
     } else {
@@ -941,7 +1026,8 @@ bool hold_on(const View& view, const Needle& needle, std::uint32_t& flags_out) {
   if (contact != Contact::kFound) return false;
   const Particle& before = *view.state.tip;
   const Vec3 step = pull_back_step(view, gradient_around(view, before), residual(before));
-  Particle tip = new_particle(view, before.rest_m + step, needle.tip_m, 0, 0, Place::kSurface);
+  Particle tip =
+      new_particle(view, needle, before.rest_m + step, needle.tip_m, 0, 0, Place::kSurface);
   if (tip.share_count == 0) {
     const float buried = dot(needle.tip_m - place, needle.tip_direction);
     tip = tip_under(view, needle, rest, place, buried, Place::kSurface);
@@ -953,7 +1039,7 @@ bool hold_on(const View& view, const Needle& needle, std::uint32_t& flags_out) {
 }
 
 // Contact holds, ends, or becomes a puncture.
-void update_contact(const View& view, const Needle& needle, std::uint32_t& flags_out) {
+void update_contact(const View& view, const Needle& needle, Vec3 step_m, std::uint32_t& flags_out) {
   StateHead& state = *view.state.head;
   NeedleState& own = *view.state.needle;
   const ModelHead& head = *view.model.head;
@@ -968,7 +1054,7 @@ void update_contact(const View& view, const Needle& needle, std::uint32_t& flags
     return;
   }
   if (head.config.mode == Mode::kPhysical) {
-    relax_contact(view, needle.tip_direction);
+    relax_contact(view, needle.tip_direction, step_m);
   } else {
     (void)relax(state, tip, drawn(tip));
   }
@@ -1018,7 +1104,7 @@ void begin_contact(const View& view, const Needle& needle, Vec3 rest_m, Vec3 pla
   const float buried = depth - max_of(came_m, 0);
   if (own.leaving != 0 && buried <= mouth_m(view)) return;
   own.leaving = 0;
-  const Particle entry = new_particle(view, rest_m, place_m, 0, buried, Place::kShaft);
+  const Particle entry = new_particle(view, needle, rest_m, place_m, 0, buried, Place::kShaft);
   const std::uint32_t track = buried > mouth_m(view) ? track_of(view, needle, entry) : kNoTrack;
   const Place place = track != kNoTrack ? Place::kTip : Place::kSurface;
   const Particle tip = tip_under(view, needle, rest_m, place_m, buried, place);
@@ -1056,12 +1142,13 @@ std::uint32_t carry_particles(const View& view, const Needle& needle) {
       p.position_m = point.place_m;
     }
   }
-  const float moved = dot(needle.tip_m - tip.position_m, needle.tip_direction);
+  const Vec3 step = needle.tip_m - tip.position_m;
+  const float moved = dot(step, needle.tip_direction);
   tip.position_m = needle.tip_m;
   const float speed = moved / view.model.head->config.period_s;
   own.press_m_per_s = settle(speed + view.model.head->velocity_keep * (own.press_m_per_s - speed));
   std::uint32_t flags = 0;
-  if (own.phase == Phase::kContact) update_contact(view, needle, flags);
+  if (own.phase == Phase::kContact) update_contact(view, needle, step, flags);
   if (own.phase == Phase::kFree || own.phase == Phase::kContact) return flags;
   const Vec3 from_m = tip.rest_m;
   const float from_track_m = tip.track_m;

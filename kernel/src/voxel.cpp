@@ -225,7 +225,10 @@ std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kShare
     const float of_corner = sharing == Sharing::kEven ? 0.125F : tent(around, corner);
     bool taken = false;  // one voxel of a cell is enough
     each_voxel(view, around, corner, [&](std::uint32_t slot, std::uint32_t row_index) {
-      const float weight = of_corner * view.model.slot_fill[slot];
+      const float fill = view.model.slot_fill[slot];
+      const float part =
+          sharing == Sharing::kStiff ? std::sqrt(fill * view.model.slot_k[slot]) : fill;
+      const float weight = of_corner * part;
       const auto common = 7U - static_cast<std::uint32_t>(corner);
       if (taken || !(weight > 0) ||
           !(one_sheet ||

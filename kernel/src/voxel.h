@@ -68,8 +68,9 @@ struct VoxelFrame {
 VoxelFrame voxel_frame(const View& view, std::uint32_t slot, std::uint32_t row);
 
 // Weights of the voxels around a rest point, times fill; 0 shares outside the tissue. Tent weights
-// change smoothly along a way; even ones are the same for all places between the same centres.
-enum class Sharing { kTent, kEven };
+// change smoothly along a way; even ones are the same for all places between the same centres;
+// stiff ones are tent weights times the voxels' stiffness.
+enum class Sharing { kTent, kEven, kStiff };
 std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kSharesPerParticle],
                           Sharing sharing = Sharing::kTent);
 

@@ -5,8 +5,8 @@
 // constraint particles a tick and needle, until each has kMaxConstraintParticles of them and as
 // many voxels of its own as the lattice can give; all their rods are inside all kMaxObstacles
 // obstacles, hulls of kMaxHullVertices vertices, too soft to push anything away; kMaxSubsteps
-// substeps of true mass with kMaxFilterPasses passes, for one voxel is stiff. The hand is a
-// function of the tick alone. Units: SI. Frame: world, the needles come from +z.
+// substeps. The hand is a function of the tick alone. Units: SI. Frame: world, the needles come
+// from +z.
 #pragma once
 
 #include <cmath>
@@ -42,17 +42,11 @@ inline std::unique_ptr<OpenOrgan> worst_organ() {
   gel.viscous_friction_n_s_per_m2 = 1e-3F;
   gel.relaxing_fraction = 0.5F;
   gel.puncture_velocity_exponent = 0.1F;
-  tiny.materials.push_back(gel);
-  tiny.materials[1].youngs_modulus_pa = kMaxYoungsModulusPa;
-  tiny.material_at = [](std::uint16_t x, std::uint16_t y, std::uint16_t z) {
-    return static_cast<std::uint8_t>(x == 1 && y == 1 && z == 1 ? 1 : 0);
-  };
   return open_organ(tiny_organ(tiny));
 }
 
 inline Config worst_config() {
   Config config;
-  config.inertia = Inertia::kTrueMass;
   config.substeps = kMaxSubsteps;
   config.needle_count = kMaxNeedles;
   config.breathing = {{1e-5F, 0, 0}, 2};

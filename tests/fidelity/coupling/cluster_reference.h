@@ -148,37 +148,87 @@ class ClusterReference {
     if (head.tip_alive != 0) visit(*view.state.tip);
   }
 
-  // The tip in contact is a cone, F = k d^2 / (d + l) with l = a pi / tan 15 degrees, with quasi-
-  // linear relaxation: its energy instead of that of the spring which stands for it in this tick.
-  // The lattice's part of the depth, F 0.28 / (G h), is not the spring's.
+  // The tip in contact is a cone of radius a that goes over into a cylinder at the depth
+  // l = a pi / (2 tan 15 degrees): F = k d^2 / (2 l), then k (d - l / 2). The lattice's part of the
+  // depth, L F, is not the spring's. Where the lattice gives way faster, by L g F^2, the spring
+  // carries more: in all, what stores L g F^3 / 3. Of the force, q is missing; all that may be
+  // missing is the difference to a cone with (1 - phi) k.
+  struct ContactReference {
+    double l, lattice, growth, most;  // growth up to the force `most`
+
+    double force(double k, double d) const { return d < l ? k * d * d / (2 * l) : k * (d - l / 2); }
+    // Of all the tissue where the spring is this deep.
+    double depth(double k, double spring) const {
+      double low = spring, high = spring;
+      while (high - lattice * force(k, high) < spring) high = 2 * high + l;
+      for (int i = 0; i < 200; ++i) {
+        const double mid = 0.5 * (low + high);
+        (mid - lattice * force(k, mid) < spring ? low : high) = mid;
+      }
+      return 0.5 * (low + high);
+    }
+    double energy(double k, double spring) const {
+      const double d = depth(k, spring), f = force(k, d);
+      const double whole =
+          d < l ? k * d * d * d / (6 * l) : k * (d * d / 2 - l * d / 2 + l * l / 6);
+      return whole - 0.5 * lattice * f * f;
+    }
+    double growth_energy(double k, double spring) const {
+      const double f = force(k, depth(k, spring)), m = std::min(f, most);
+      return lattice * growth * (m * m * m / 3 + m * f * (f - m));
+    }
+    double missing(double k, double relaxed, double spring) const {
+      return force(k, depth(k, spring)) - force(relaxed, depth(relaxed, spring));
+    }
+    double depth_missing(double k, double relaxed, double q) const {
+      double low = 0, high = q > 0 ? l : 0;
+      while (missing(k, relaxed, high) < q) high = 2 * high;
+      for (int i = 0; i < 200; ++i) {
+        const double mid = 0.5 * (low + high);
+        (missing(k, relaxed, mid) < q ? low : high) = mid;
+      }
+      return 0.5 * (low + high);
+    }
+  };
+
   static double cone_energy(const View& view) {
     if (view.state.needle->phase != Phase::kContact) return 0;
     const Particle& tip = *view.state.tip;
     const ModelHead& head = *view.model.head;
+    const MaterialModel& m = head.material[tip.material];
     Vec3 off = {};
+    double squares = 0, beside = 0, per_shear = 0;
     for (std::uint32_t i = 0; i < tip.share_count; ++i) {
-      off = off + tip.share[i].weight * (tip.position_m - tip.share[i].goal_m);
+      const Share& s = tip.share[i];
+      const double w = static_cast<double>(s.weight);
+      off = off + s.weight * (tip.position_m - s.goal_m);
+      squares += w * w;
+      const MaterialModel& of = head.material[view.model.slot_material[s.slot]];
+      per_shear += w / static_cast<double>(of.lattice_shear_pa);
+      // The needle of the tests goes along x.
+      beside += w * w *
+                (std::pow(static_cast<double>(s.offset_m.y), 2) +
+                 std::pow(static_cast<double>(s.offset_m.z), 2)) /
+                std::pow(static_cast<double>(head.edge_m), 2);
     }
+    const double unit = static_cast<double>(m.lattice_shear_pa * head.edge_m);
+    const double edge = static_cast<double>(head.edge_m);
     const double radius = static_cast<double>(head.config.needle[0].outer_radius_m);
-    const double l = radius * 3.14159265 / std::tan(3.14159265 / 12);
     const double own = static_cast<double>(tip.full_stiffness_n_per_m);
     const double lattice =
-        0.28 / static_cast<double>(head.material[tip.material].lattice_shear_pa * head.edge_m);
+        (0.170 - 0.101 * static_cast<double>(m.poisson_ratio) + 0.097 * squares + 0.281 * beside) *
+        per_shear / edge;
     const double k = 1 / (1 / own + lattice);
-    const auto force = [l, k](double d) { return k * d * d / (d + l); };
-    // Energy of the spring when all the tissue is this deep.
-    const auto energy = [&](double d) {
-      return k * (0.5 * d * d - l * d + l * l * std::log1p(d / l)) -
-             0.5 * lattice * force(d) * force(d);
-    };
-    const double spring = norm_of(off);
-    double d = spring;  // of all the tissue
-    for (int i = 0; i < 200; ++i) d = 0.5 * (d + spring + lattice * force(d));
-    const double q = own * norm_of(tip.memory_m);
-    const double y = q / (2 * k) + std::sqrt(q * q / (4 * k * k) + q * l / k);
+    const double relaxed = k * (1 - static_cast<double>(m.relaxing_fraction));
+    const double grows = 0.06 - 0.1 * squares;
+    const ContactReference law = {
+        radius * 3.14159265 / (2 * std::tan(3.14159265 / 12)), lattice, grows / (unit * edge),
+        unit * edge * std::min(5.0, (0.8 / (lattice * k) - 1) / (2 * grows))};
+    const double q = own * norm_of(tip.memory_m), z = law.depth_missing(k, relaxed, q);
     const double along = own * static_cast<double>(dot(tip.memory_m, off));
-    const double share = static_cast<double>(tip.memory_share);
-    return energy(d) - share * (energy(y) + along - q * (y - lattice * q)) -
+    const double d = norm_of(off);
+    return law.energy(k, d) + law.growth_energy(k, d) -
+           (law.energy(k, z) - law.energy(relaxed, z) + along - q * z) -
            0.5 * static_cast<double>(tip.stiffness_n_per_m) *
                std::pow(norm_of(off - tip.slack_m), 2);
   }

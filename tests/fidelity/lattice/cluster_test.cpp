@@ -486,11 +486,12 @@ TEST(FidelityV7, NeutralInsertionChangesNothingInDouble) {
 }
 
 // The kernel's own insertion: a needle that takes hold of strained tissue is not felt, and the
-// tissue does not feel it, though the new particle is shared by eight voxels.
+// tissue does not feel it, though the new particle is shared by eight voxels, around the place an
+// edge deeper.
 TEST(FidelityV7, NeutralInsertionChangesNoForceInTheKernel) {
   Draw draw;
   for (int i = 0; i < 20; ++i) {
-    Rig rig = make_rig(block_of(4, 4, 4, elastic(kShear, 0.3F)), resting_config(1.0F / 3, 0.3F, 4));
+    Rig rig = make_rig(block_of(6, 6, 6, elastic(kShear, 0.3F)), resting_config(1.0F / 3, 0.3F, 6));
     const View view = rig.view();
     const Mat turned = draw.rotation(2.0);
     for_each_node(view, [&](Node node) {
@@ -499,7 +500,7 @@ TEST(FidelityV7, NeutralInsertionChangesNoForceInTheKernel) {
     });
     let_rotations_follow(rig);
     const std::vector<Vec> before = node_forces(rig);
-    const Vec rest = kEdgeD * (Vec::Constant(2) + draw.within(1));
+    const Vec rest = kEdgeD * (Vec::Constant(3) + draw.within(1));
     const Vec where = turned * rest + draw.within(0.2 * kEdgeD);
     const Vec3 tip = to_float(where);
     Needle needle = {};
