@@ -37,10 +37,11 @@ void sign(const Kernel& kernel, std::vector<std::byte>& bytes) {
   std::memcpy(bytes.data(), &header, sizeof header);
 }
 
-// Two needles in tissue, one of them on bone, and a snapshot.
+// Two needles in tissue of true mass, which has fields of its own, one of them on bone, and a
+// snapshot.
 struct Taken {
   std::unique_ptr<OpenOrgan> organ = block_organ(6, 5, 8);
-  Config config = config_of(Setup::kElastic);
+  Config config = config_of(Setup::kTrueMass);
   Session session, other;
   std::vector<std::byte> bytes;
 
