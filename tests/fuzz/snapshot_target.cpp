@@ -52,7 +52,8 @@ Kept keep(Setup setup, std::uint32_t needles) {
 }
 
 Kept& kept_of(std::uint8_t kind) {
-  static Kept all[] = {keep(Setup::kPhysical, 1), keep(Setup::kElastic, 2), keep(Setup::kPaper, 1)};
+  static Kept all[] = {keep(Setup::kPhysical, 1), keep(Setup::kElastic, 2), keep(Setup::kPaper, 1),
+                       keep(Setup::kTrueMass, 2)};
   return all[kind % std::size(all)];
 }
 
@@ -70,6 +71,7 @@ std::vector<Field> fields_of(const Kernel& kernel) {
        sizeof(type), static_cast<std::size_t>(count)});
   STYLET_STATE_FIELDS(STYLET_FUZZ_FIELD)
 #undef STYLET_FUZZ_FIELD
+  std::erase_if(fields, [](const Field& field) { return field.count == 0; });
   return fields;
 }
 
