@@ -69,7 +69,7 @@ VoxelFrame voxel_frame(const View& view, std::uint32_t slot, std::uint32_t row);
 
 // Weights of the voxels around a rest point, times fill; 0 shares outside the tissue. Tent weights
 // change smoothly along a way; even ones are the same for all places between the same centres;
-// stiff ones are tent weights times the voxels' stiffness.
+// stiff ones are tent weights times the root of fill and stiffness (coupling.cpp says why).
 enum class Sharing { kTent, kEven, kStiff };
 std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kSharesPerParticle],
                           Sharing sharing = Sharing::kTent);

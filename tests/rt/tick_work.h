@@ -24,6 +24,7 @@ struct Price {
   const char* of;
   std::uint64_t instructions;
 };
+// Those of the filter are not counted yet: guesses from above.
 constexpr Price kPrices[] = {
     {"tick", 4000},
     {"padded voxel and substep", 71},
