@@ -222,16 +222,13 @@ void fill_mixed(const Organ& organ, const ModelView& model) {
   }
 }
 
-// With true mass: the bounds that the filter goes by. On entry step_per_mass has them without, on
-// return with all that constraint particles may add.
-void fill_filter(const ModelView& model, const Counts& counts) {
+// The passes of the filter; step_per_mass has the bounds on stiffness (filter.h), all that
+// constraint particles may add included.
+void fill_filter(const ModelView& model, const Counts& counts, float limit) {
   ModelHead& head = *model.head;
-  const float limit = wave_limit_per_s2(head.substep_s, head.config.tissue_damping_s);
   const float most = most_filtered_per_s2(limit);
   float fastest = 0;
   for (std::uint32_t i = 0; i < counts.particles; ++i) {
-    model.bound[i] = model.step_per_mass[i];
-    model.step_per_mass[i] += model.hold[i] / head.hourglass_weight;
     const float kg = max_of(model.particle_kg[i], model.step_per_mass[i] / most);
     if (kg > 0) fastest = max_of(fastest, model.step_per_mass[i] / kg);
   }
@@ -243,16 +240,23 @@ void fill_filter(const ModelView& model, const Counts& counts) {
 }
 
 // The mass of the step: real mass, or what keeps the explicit step stable, whichever is more; on
-// entry step_per_mass has the bounds on stiffness. Attached particles get none of the motion.
+// entry step_per_mass has the bounds on the tissue's stiffness. Attached particles get none of the
+// motion.
 void fill_masses(const Organ& organ, const ModelView& model, const Counts& counts) {
   ModelHead& head = *model.head;
-  const float dt = head.substep_s, tau = head.config.tissue_damping_s;
-  const bool filtered = counts.filtered_particles != 0;
-  if (filtered) fill_filter(model, counts);
-  const float bound = filtered ? 1 / most_filtered_per_s2(head.filter.limit_per_s2)
-                               : dt * dt * 0.5F * (1 + 2 * tau / dt);
+  const float dt = head.substep_s;
+  const float limit = wave_limit_per_s2(dt, head.config.tissue_damping_s);
+  for (std::uint32_t i = 0; i < counts.filtered_particles; ++i) {
+    model.bound[i] = model.step_per_mass[i];
+  }
   for (std::uint32_t i = 0; i < counts.particles; ++i) {
-    const float least_kg = bound * model.step_per_mass[i];
+    model.step_per_mass[i] += model.hold[i] / head.hourglass_weight;  // constraint particles
+  }
+  const bool filtered = counts.filtered_particles != 0;
+  if (filtered) fill_filter(model, counts, limit);
+  const float most = filtered ? most_filtered_per_s2(limit) : limit;
+  for (std::uint32_t i = 0; i < counts.particles; ++i) {
+    const float least_kg = model.step_per_mass[i] / most;
     const float real_kg = model.particle_kg[i];
     const float kg = max_of(real_kg, least_kg);
     model.step_per_mass[i] = kg > 0 ? dt / kg : 0;

@@ -18,7 +18,8 @@ namespace {
 constexpr float kEdge = 0.005F, kShear = 2000;
 constexpr double kSpring = static_cast<double>(kShear * kEdge);  // G h
 constexpr float kPush = 0.01F * kEdge;
-constexpr double kStill = 1e-5;  // goals are rounded to 1e-7 of an edge, 1e-5 of the push
+// Goals are rounded to 1e-7 of an edge, 1e-5 of the push, and tissue moves by a quarter of it.
+constexpr double kStill = 4e-5;
 
 // Origin that puts a place, in voxel edges, at 0. The needle's places are world coordinates in
 // float: near 0 their rounding does not show in these small pushes.

@@ -419,7 +419,7 @@ std::vector<double> swings(const Organ& organ, const Config& config, Vec3 entry_
 
 // Directions and places drawn. With two substeps up to 4 Hz: at 8 Hz, near the block's resonance,
 // the filter's hundredths of mass are a tenth of the force. (With added mass the swing at 4 Hz is
-// up to 2.5 times as large.)
+// up to 4.4 times as large.)
 TEST(TrueMass, MovingHandFeelsWhatItFeelsWithThirtyTwoSubsteps) {
   Random random(53);
   for (const double edge_m : {5e-3, 3.3e-3}) {

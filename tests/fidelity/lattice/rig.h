@@ -76,7 +76,8 @@ inline Config resting_config(float hourglass_weight, float poisson, std::uint32_
   config.substeps = 1;
   config.tissue_damping_s = 0;
   config.hourglass_weight = hourglass_weight;
-  const float slowness = std::sqrt(1 + 3 * poisson / (1 - 2 * poisson));
+  // The bound on stiffness with that of constraint particles, of 0.8 of the limit (filter.h).
+  const float slowness = std::sqrt((2 + 3 * poisson / (1 - 2 * poisson)) / 1.6F);
   const float turn = 3.14F / (2 * static_cast<float>(cells) * slowness);  // angle per step
   config.surround_drag_per_s = std::min(2 * turn, 0.9F) / config.period_s;
   return config;
