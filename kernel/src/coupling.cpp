@@ -67,6 +67,10 @@ constexpr float kLoose = 2.0F;
 constexpr float kFastBackM = 1e-4F;
 // Pressed on by more than this in a tick, a contact's spring is the law's chord, not its tangent.
 constexpr float kChordM = 1e-5F;
+// In the bend at a tick's end, whose spring is the tangent from before it, the tip of an elastic
+// needle takes tissue aside no farther than kChordM and this share of what it is off already: the
+// tangent's force is 0.5 % below the law's there.
+constexpr float kAsideShare = 0.1F;
 // A shaft CP keeps at least this part of its spring, so that forces can be divided by it.
 constexpr float kLeastPart = 0.002F;
 
@@ -349,6 +353,11 @@ Particle new_particle(const View& view, const Needle& needle, Vec3 rest_m, Vec3 
   if (place == Place::kShaft && physical) share_evenly(view, p);
   if (place == Place::kSurface && physical) share_deeper(view, p, needle.tip_direction);
   set_stiffness(view, p, place);
+  // No depth yet: the law's spring is soft there, and a stiff one would hold an elastic needle back
+  // until the next tick lets it go.
+  if (place == Place::kSurface && physical) {
+    p.stiffness_n_per_m = kLeastPart * p.full_stiffness_n_per_m;
+  }
   return p;
 }
 
@@ -1016,6 +1025,13 @@ Particle tip_under(const View& view, const Needle& needle, Vec3 rest_m, Vec3 pla
   return tip;
 }
 
+// A tip in contact that holds the tissue it lies in now, without force.
+Particle tip_here(const View& view, const Needle& needle) {
+  const Particle& before = *view.state.tip;
+  const Vec3 step = pull_back_step(view, gradient_around(view, before), residual(before));
+  return new_particle(view, needle, before.rest_m + step, needle.tip_m, 0, 0, Place::kSurface);
+}
+
 // A contact the tip is drawn back from: where tissue has come over the tip from elsewhere, or it
 // has come in from the side, the tip is not clear yet, and holds what it lies in now, without
 // force. The surface may be anywhere behind it.
@@ -1024,10 +1040,7 @@ bool hold_on(const View& view, const Needle& needle, std::uint32_t& flags_out) {
   const Contact contact = find_contact(view, needle.tip_m, needle.tip_direction,
                                        view.needle_config().length_m, {}, rest, place, flags_out);
   if (contact != Contact::kFound) return false;
-  const Particle& before = *view.state.tip;
-  const Vec3 step = pull_back_step(view, gradient_around(view, before), residual(before));
-  Particle tip =
-      new_particle(view, needle, before.rest_m + step, needle.tip_m, 0, 0, Place::kSurface);
+  Particle tip = tip_here(view, needle);
   if (tip.share_count == 0) {
     const float buried = dot(needle.tip_m - place, needle.tip_direction);
     tip = tip_under(view, needle, rest, place, buried, Place::kSurface);
@@ -1038,19 +1051,21 @@ bool hold_on(const View& view, const Needle& needle, std::uint32_t& flags_out) {
   return true;
 }
 
+void end_contact(const View& view) {
+  add_event(view, EventKind::kRelease, 0);
+  view.state.needle->phase = Phase::kFree;
+  view.state.needle->tip_alive = 0;
+}
+
 // Contact holds, ends, or becomes a puncture.
 void update_contact(const View& view, const Needle& needle, Vec3 step_m, std::uint32_t& flags_out) {
   StateHead& state = *view.state.head;
-  NeedleState& own = *view.state.needle;
   const ModelHead& head = *view.model.head;
   Particle& tip = *view.state.tip;
   const float felt = dot(tip.force_n, needle.tip_direction);
   const float away = dot(residual(tip), needle.tip_direction);
   if (away < -kReleaseSkinM) {
-    if (hold_on(view, needle, flags_out)) return;
-    add_event(view, EventKind::kRelease, 0);
-    own.phase = Phase::kFree;
-    own.tip_alive = 0;
+    if (!hold_on(view, needle, flags_out)) end_contact(view);
     return;
   }
   if (head.config.mode == Mode::kPhysical) {
@@ -1231,6 +1246,18 @@ void let_slip(const View& view, const Needle& needle) {
   for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
     let_slip(view, needle, view.state.shaft[i]);
   }
+}
+
+void throw_aside(const View& view, const Needle& needle, Vec3 moved_m) {
+  Particle& tip = *view.state.tip;
+  if (view.state.needle->phase != Phase::kContact || tip.share_count == 0) return;
+  if (view.model.head->config.mode == Mode::kPaper) return;
+  const Vec3 aside = moved_m - dot(moved_m, needle.tip_direction) * needle.tip_direction;
+  const float before_m = norm(residual(tip) - moved_m);
+  const float held_m = kChordM + kAsideShare * before_m;
+  if (!(norm(residual(tip)) > before_m + held_m && dot(aside, aside) > held_m * held_m)) return;
+  tip = tip_here(view, needle);
+  if (tip.share_count == 0) end_contact(view);
 }
 
 double shaft_energy(const Particle& particle) {

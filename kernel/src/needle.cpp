@@ -383,7 +383,9 @@ std::uint32_t settle_needle(const View& view, Needle& needle) {
   }
   needle.tip_m = needle.node[needle.rods];
   for (std::uint32_t i = 0; i < own.shaft_count; ++i) carry(needle, view.state.shaft[i]);
+  const Vec3 moved = needle.tip_m - view.state.tip->position_m;
   carry(needle, *view.state.tip);
+  throw_aside(view, needle, moved);
   return flags;
 }
 
