@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random sessions until enough ticks are done, or the one session of a seed.
 // usage: stylet-simulator [--seed FIRST] [--sessions COUNT | --ticks TICKS] [--each] [--true-mass]
+//        [--procedures]
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
@@ -21,6 +22,7 @@ struct Options {
   std::uint64_t ticks = 0;
   bool each = false;
   bool true_mass = false;
+  bool procedures = false;
 };
 
 std::uint64_t number(const char* text) {
@@ -41,6 +43,8 @@ Options parse(int argc, char** argv) {
       options.each = true;
     } else if (name == "--true-mass") {
       options.true_mass = true;
+    } else if (name == "--procedures") {
+      options.procedures = true;
     } else if (i + 1 < argc && name == "--seed") {
       options.seed = number(argv[++i]);
     } else if (i + 1 < argc && name == "--sessions") {
@@ -48,8 +52,8 @@ Options parse(int argc, char** argv) {
     } else if (i + 1 < argc && name == "--ticks") {
       options.ticks = number(argv[++i]);
     } else {
-      std::fprintf(stderr, "%s: expected --seed N, --sessions N, --ticks N, --each or "
-                   "--true-mass\n", argv[i]);
+      std::fprintf(stderr, "%s: expected --seed N, --sessions N, --ticks N, --each, "
+                   "--true-mass or --procedures\n", argv[i]);
       std::exit(2);
     }
   }
@@ -72,8 +76,9 @@ int report_failure(const Verdict& v, const Options& options, std::uint64_t seed,
                    const char* program) {
   std::printf("seed %llu, tick %llu: %s (observer %.3g J)\n", static_cast<unsigned long long>(seed),
               static_cast<unsigned long long>(v.tick), v.broken, v.observer_min_j);
-  std::printf("again: %s --seed %llu%s\nat commit: ", program,
-              static_cast<unsigned long long>(seed), options.true_mass ? " --true-mass" : "");
+  std::printf("again: %s --seed %llu%s%s\nat commit: ", program,
+              static_cast<unsigned long long>(seed), options.true_mass ? " --true-mass" : "",
+              options.procedures ? " --procedures" : "");
   std::fflush(stdout);
   if (std::system("git -C " STYLET_SOURCE " describe --always --dirty") != 0) std::printf("?\n");
   return 1;
@@ -84,17 +89,20 @@ int report_failure(const Verdict& v, const Options& options, std::uint64_t seed,
 int main(int argc, char** argv) {
   const Options options = parse(argc, argv);
   Verdict most;
-  std::uint64_t done = 0, ticks = 0, observed = 0, busiest_seed = 0;
+  std::uint64_t done = 0, ticks = 0, observed = 0, busiest_seed = 0, touched = 0, went_in = 0;
   std::uint64_t dearest = 0;
   while (done < options.sessions && (options.ticks == 0 || ticks < options.ticks)) {
     const std::uint64_t seed = options.seed + done++;
-    Scenario scenario = stylet::test::draw_scenario(seed);
+    Scenario scenario = options.procedures ? stylet::test::draw_procedure(seed)
+                                           : stylet::test::draw_scenario(seed);
     if (options.true_mass) scenario.config.inertia = stylet::Inertia::kTrueMass;
     const Verdict v = stylet::test::simulate(scenario);
     if (options.each) describe(v, seed);
     if (v.broken != nullptr) return report_failure(v, options, seed, argv[0]);
     ticks += v.ticks;
     observed += v.observed_ticks;
+    went_in += v.busiest_load > 1 ? 1 : 0;
+    touched += v.touches_max > 0 ? 1 : 0;
     dearest = std::max(dearest, v.dearest_bound);
     if (v.busiest_load > most.busiest_load) {
       most = v;
@@ -105,6 +113,8 @@ int main(int argc, char** argv) {
       "%llu sessions, %llu ticks, every promise held (energy observed in %.1f %% of them)\n",
       static_cast<unsigned long long>(done), static_cast<unsigned long long>(ticks),
       100 * static_cast<double>(observed) / static_cast<double>(ticks));
+  std::printf("%llu with more than one particle or contact, %llu that met an obstacle\n",
+              static_cast<unsigned long long>(went_in), static_cast<unsigned long long>(touched));
   std::printf("dearest tick of all: at most %llu instructions\n",
               static_cast<unsigned long long>(dearest));
   std::printf("busiest: ");

@@ -9,6 +9,9 @@
 namespace stylet::test {
 namespace {
 
+// So that procedures are other sessions than those of the same seed.
+constexpr std::uint64_t kProcedures = 1ULL << 48U;
+
 TinyMaterial draw_material(Draw& draw) {
   TinyMaterial m;
   m.density_kg_per_m3 = draw.between(900, 1900);
@@ -162,6 +165,73 @@ void draw_nets(Draw draw, bool gentle, HandPlan& plan) {
   plan.release_share = static_cast<double>(draw.magnitude(1e-4, 1e-2));
 }
 
+// In, and rest; sideways and back; deeper, as far as bone may be; some way back, and out. Each rest
+// is a time in which what relaxes and creeps is seen.
+std::vector<hal::Waypoint> draw_steps(Draw& draw, float thickness_m, double fastest) {
+  std::vector<hal::Waypoint> points;
+  float deep_m = thickness_m * draw.between(0.3, 0.7), right_m = 0, up_m = 0;
+  const auto go = [&](double hold_s) {
+    points.push_back({.travel_m = deep_m,
+                      .right_m = right_m,
+                      .up_m = up_m,
+                      .speed_m_per_s = draw.magnitude(5e-3, fastest),
+                      .hold_s = draw.between(0, hold_s)});
+  };
+  go(0.4);
+  for (std::uint32_t i = 1 + draw.below(3); i > 0; --i) {
+    right_m = draw.between(-3e-3, 3e-3);
+    up_m = draw.between(-3e-3, 3e-3);
+    go(0.3);
+  }
+  right_m = up_m = 0;
+  go(0);
+  deep_m = thickness_m * draw.between(0.6, 0.95);
+  go(0.4);
+  if (draw.chance(0.5)) {
+    right_m = draw.between(-3e-3, 3e-3);
+    go(0.3);
+  }
+  deep_m = deep_m * draw.between(0.3, 0.9);
+  go(0.2);
+  points.push_back({.travel_m = -0.02F, .speed_m_per_s = draw.magnitude(5e-3, fastest)});
+  return points;
+}
+
+// A sphere or a turned box whose surface the needle's way meets somewhere inside, seldom in its
+// middle.
+ObstacleConfig draw_bone(Draw& draw, const HandPlan& plan, float length_m, float thickness_m) {
+  ObstacleConfig bone;
+  const float size_m = draw.magnitude(1.5e-3, 8e-3);
+  if (draw.chance(0.5)) {
+    make_sphere(bone, size_m);
+  } else {
+    make_box(bone, {size_m, size_m * draw.between(0.5, 2), size_m * draw.between(0.5, 2)});
+    float turn[4];
+    for (float& part : turn) part = draw.between(-1, 1);
+    const float norm = std::sqrt(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] +
+                                 turn[3] * turn[3]);
+    bone.pose.rotation = {turn[0] / norm, turn[1] / norm, turn[2] / norm, turn[3] / norm};
+  }
+  const Mat3 frame = rotation_matrix(plan.mapping.rotation);
+  const float deep_m = length_m + plan.start_m + thickness_m * draw.between(0.5, 0.9) + size_m;
+  const Vec3 off = {size_m * draw.between(-0.9, 0.9), size_m * draw.between(-0.9, 0.9), -deep_m};
+  bone.pose.position_m = plan.mapping.origin_m + frame * off;
+  bone.stiffness_n_per_m = draw.magnitude(500, 5e4);
+  bone.largest_force_n = draw.magnitude(2, 50);
+  bone.friction = draw.between(0, 1);
+  return bone;
+}
+
+std::uint64_t ticks_of(const Scenario& scenario, double longest_s) {
+  const double period_s = static_cast<double>(scenario.config.period_s);
+  std::uint64_t ticks = 0;
+  for (const HandPlan& plan : scenario.hands) {
+    const auto script = hal::make_script(plan.waypoints, plan.start_m);
+    ticks = std::max(ticks, hal::script_ticks(script, period_s));
+  }
+  return std::min(ticks, static_cast<std::uint64_t>(longest_s / period_s));
+}
+
 }  // namespace
 
 float Draw::magnitude(double low, double high) {
@@ -169,8 +239,6 @@ float Draw::magnitude(double low, double high) {
 }
 
 Scenario draw_scenario(std::uint64_t seed) {
-  // The longest session that is still a session; a slow script is cut there.
-  constexpr double kLongestS = 3;
   Draw draw(seed);
   Scenario scenario;
   scenario.seed = seed;
@@ -179,16 +247,39 @@ Scenario draw_scenario(std::uint64_t seed) {
   scenario.obstacles = draw_obstacles(draw, scenario.organ->organ);
   scenario.gentle = draw.chance(0.3);
   if (draw.chance(0.3)) scenario.late_share = static_cast<double>(draw.magnitude(1e-3, 0.02));
-  const double period_s = static_cast<double>(scenario.config.period_s);
   for (std::uint32_t i = 0; i < scenario.config.needle_count; ++i) {
     scenario.hands.push_back(draw_hand(draw, scenario.organ->organ, scenario.config,
                                        scenario.config.needle[i].length_m, scenario.gentle));
-    HandPlan& plan = scenario.hands.back();
-    draw_nets(Draw(~(seed * kMaxNeedles + i)), scenario.gentle, plan);
-    const auto script = hal::make_script(plan.waypoints, plan.start_m);
-    scenario.ticks = std::max(scenario.ticks, hal::script_ticks(script, period_s));
+    draw_nets(Draw(~(seed * kMaxNeedles + i)), scenario.gentle, scenario.hands.back());
   }
-  scenario.ticks = std::min(scenario.ticks, static_cast<std::uint64_t>(kLongestS / period_s));
+  // A slow script is cut at the longest session that is still a session.
+  scenario.ticks = ticks_of(scenario, 3);
+  return scenario;
+}
+
+Scenario draw_procedure(std::uint64_t seed) {
+  Draw draw(seed ^ kProcedures);
+  Scenario scenario;
+  scenario.seed = seed;
+  scenario.organ = draw_organ(draw);
+  const Organ& organ = scenario.organ->organ;
+  const float thickness_m = organ.voxel_edge_m * static_cast<float>(organ.size_z);
+  scenario.config = draw_config(draw);
+  scenario.gentle = draw.chance(0.6);
+  for (std::uint32_t i = 0; i < scenario.config.needle_count; ++i) {
+    NeedleConfig& needle = scenario.config.needle[i];
+    needle.length_m = std::max(needle.length_m, thickness_m + 0.05F);  // goes in, and is held
+    needle.unit_m = std::min(needle.unit_m, organ.voxel_edge_m);
+    if (needle.bending_nm2 > 0) needle.bending_nm2 = draw.magnitude(5e-4, 4e-2);  // 25G and thicker
+    HandPlan plan = draw_hand(draw, organ, scenario.config, needle.length_m, scenario.gentle);
+    draw_nets(Draw(~(seed * kMaxNeedles + i)), scenario.gentle, plan);
+    plan.waypoints = draw_steps(draw, thickness_m, scenario.gentle ? kGentleMPerS : 0.2);
+    if (draw.chance(0.6)) {
+      scenario.obstacles.push_back(draw_bone(draw, plan, needle.length_m, thickness_m));
+    }
+    scenario.hands.push_back(plan);
+  }
+  scenario.ticks = ticks_of(scenario, 20);
   return scenario;
 }
 

@@ -25,6 +25,9 @@ constexpr double kLeaveM = 0.12;
 constexpr double kLongestRestS = 60;
 constexpr double kAtRestM = 1e-6;
 constexpr double kZeroForceS = 25e-3;
+// How long nothing must have touched a needle before energy is observed again: bent needles swing
+// back, and voxels that were inside out turn back, within some tens of ticks.
+constexpr std::uint64_t kLostTicks = 100;
 
 double square_sum(Vec3 a, Vec3 b) {
   const double x = static_cast<double>(a.x) - static_cast<double>(b.x),
@@ -155,8 +158,10 @@ struct Base {
 struct Observer {
   std::array<Base, kMaxNeedles> last{};
   std::array<bool, kMaxNeedles> known{};
+  double stored_before_j = 0;  // what was stored when it began
   double work_j = 0, slack_j = 0, least_j = 0;
-  bool off = false;
+  std::uint64_t begin_tick = 0;  // not before
+  bool on = false;
 };
 
 Vec3 turned_by(const Quat& a, const Quat& b) {
@@ -200,6 +205,11 @@ void watch_work(Observer& observer, const Kernel& kernel, std::span<const Output
     observer.last[i] = now;
     observer.known[i] = true;
   }
+}
+
+bool all_outside(const Kernel& kernel) {
+  const Stats now = stats(kernel);
+  return now.constraint_particles.used == 0 && now.obstacle_contacts.used == 0;
 }
 
 // ---- the session
@@ -291,22 +301,32 @@ bool inside_out(const Kernel& kernel) {
   return false;
 }
 
-// A needle that began inside an obstacle holds energy that nobody brought, and one that found no
-// stable shape (it says so by a flag) moves by more than a step of its equilibrium.
+// A needle that found no stable shape (it says so by a flag) moves by more than a step of its
+// equilibrium.
 bool loses_count(const Simulation& s, std::span<const Output> outputs) {
-  if (outputs[0].tick == 1 && stats(s.session.kernel).obstacle_contacts.used > 0) return true;
   if (!s.scenario.gentle && inside_out(s.session.kernel)) return true;
   return std::any_of(outputs.begin(), outputs.end(),
                      [](const Output& out) { return (out.flags & kFlagNeedleUnstable) != 0; });
 }
 
 const char* broken_energy(Simulation& s, std::span<const Output> outputs) {
-  s.observer.off = s.observer.off || loses_count(s, outputs);
-  if (s.observer.off) return nullptr;
-  ++s.verdict.observed_ticks;
-  watch_work(s.observer, s.session.kernel, outputs);
+  Observer& observer = s.observer;
   const Energy e = energy(s.session.kernel);
-  const double observed = s.observer.work_j - (e.elastic + e.kinetic + e.coupling);
+  const double stored_j = e.elastic + e.kinetic + e.coupling;
+  // It begins (again) when nothing has touched a needle for a while: one that is bent, or swings
+  // back, stores more than is known.
+  const bool lost = loses_count(s, outputs);
+  const bool touched = e.coupling != 0 || !all_outside(s.session.kernel);
+  if (lost || (!observer.on && touched)) {
+    observer.on = false;
+    observer.begin_tick = outputs[0].tick + kLostTicks;
+  } else if (!observer.on && outputs[0].tick >= observer.begin_tick) {
+    observer = {.stored_before_j = stored_j, .least_j = observer.least_j, .on = true};
+  }
+  if (!observer.on) return nullptr;
+  ++s.verdict.observed_ticks;
+  watch_work(observer, s.session.kernel, outputs);
+  const double observed = observer.work_j + observer.stored_before_j - stored_j;
   s.observer.least_j = std::min(s.observer.least_j, observed);
   double allowed = kObserverJ;
   if (!s.scenario.gentle) allowed += s.observer.slack_j;
@@ -413,11 +433,6 @@ double largest_displacement(const Kernel& kernel) {
         std::max(largest, square_sum({view.state.ux[i], view.state.uy[i], view.state.uz[i]}, {}));
   }
   return std::sqrt(largest);
-}
-
-bool all_outside(const Kernel& kernel) {
-  const Stats now = stats(kernel);
-  return now.constraint_particles.used == 0 && now.obstacle_contacts.used == 0;
 }
 
 // Withdraws all needles so far.

@@ -18,8 +18,9 @@
 // the way is not known better than by half its change: the check is E > -(kObserverJ + slack),
 // slack the sum of half the change of the wrench times the motion; there the observer also stops
 // once a voxel is turned inside out. It stops where an elastic needle has found no stable shape
-// (kFlagNeedleUnstable), and does not begin where one starts inside an obstacle. Obstacles move in
-// the frame of the attachments, and do work on a needle that touches them.
+// (kFlagNeedleUnstable), and begins, at first and again, when nothing has touched a needle for a
+// while: with what the tissue stores then. Obstacles move in the frame of the attachments, and do work on a needle
+// that touches them.
 #pragma once
 
 #include <cstdint>
