@@ -19,8 +19,8 @@
 // slack the sum of half the change of the wrench times the motion; there the observer also stops
 // once a voxel is turned inside out. It stops where an elastic needle has found no stable shape
 // (kFlagNeedleUnstable), and begins, at first and again, when nothing has touched a needle for a
-// while: with what the tissue stores then. Obstacles move in the frame of the attachments, and do work on a needle
-// that touches them.
+// while: with what the tissue stores then. Obstacles move in the frame of the attachments, and do
+// work on a needle that touches them.
 #pragma once
 
 #include <cstdint>

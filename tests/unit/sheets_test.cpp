@@ -191,10 +191,10 @@ void add_tick(Vec3 off_n, FeltDifference& difference) {
 }
 
 // Along a cut, a needle feels what it would in the whole: the forces of the two bodies differ no
-// more, in the mean, than those of one body under two hands 0.1 um apart, the worst of twenty drawn.
-// (Sums in another order are magnified where the needle stops and where it punctures; so is the
-// hand's place. Of the worst of four the halves, one draw more of the same, would be the worst by
-// chance on every fifth change of the bits.)
+// more, in the mean, than those of one body under two hands 0.1 um apart, the worst of twenty
+// drawn. (Sums in another order are magnified where the needle stops and where it punctures; so is
+// the hand's place. Of the worst of four the halves, one draw more of the same, would be the worst
+// by chance on every fifth change of the bits.)
 TEST(Sheets, NeedleInTiedHalvesFeelsTheWhole) {
   std::mt19937 random(3);
   std::vector<Vec3> aside_m(20);
