@@ -32,12 +32,8 @@ constexpr float kRowRadiusAlong = 0.78F;
 constexpr float kGiveRate = 0.5F;
 // Radius over which the far field of a needle dies out: half of an organ's usual thickness.
 constexpr float kFarFieldM = 0.025F;
-// Tissue this many times softer than the CP's spring is as good as all of the compliance.
-constexpr float kLargestCompliance = 100.0F;
 // Slower than this a CP sticks.
 constexpr float kSlidingMPerS = 1e-4F;
-// Part of a new measure of the compliance that is taken over in a tick.
-constexpr float kComplianceGain = 0.02F;
 // The tip must be this far behind a shaft CP to have passed it: a tip that re-enters a track starts
 // beside the first one.
 constexpr float kTrackSkinM = 1e-5F;
@@ -71,6 +67,9 @@ constexpr float kChordM = 1e-5F;
 // needle takes tissue aside no farther than kChordM and this share of what it is off already: the
 // tangent's force is 0.5 % below the law's there.
 constexpr float kAsideShare = 0.1F;
+// Where all of a tick's creep would gain energy, at least this part of it is tried: with short
+// times the spring gives way faster than the lattice follows.
+constexpr float kLeastCreep = 1.0F / 16;
 // A shaft CP keeps at least this part of its spring, so that forces can be divided by it.
 constexpr float kLeastPart = 0.002F;
 
@@ -101,16 +100,13 @@ float share_of_give(const ModelHead& head, const MaterialModel& m, float radius_
   return 1 - min_of(1, own_compliance * slack * (m.shear_pa * unit_m) / max_of(along, 1e-6F));
 }
 
-// The Maxwell branch sits in the CP's own spring, but the whole force must relax as the material
-// says, as it does when all of the tissue relaxes alike. With c the compliance of the tissue around
-// over that of the spring, this share and time of the spring alone give that whole.
+// A CP's force relaxes as its material says: see creep.
 void set_relaxation(const ModelHead& head, Particle& p) {
   if (head.config.mode == Mode::kPaper) return;
   const MaterialModel& m = head.material[p.material];
-  const float c = p.tissue_compliance;
-  p.memory_share = 1 - 1 / ((1 + c) / (1 - m.relaxing_fraction) - c);
-  const float time_s = m.relaxation_time_s * (1 - p.memory_share * c / (1 + c));
-  p.memory_keep = exp_minus(head.config.period_s / max_of(time_s, head.config.period_s));
+  p.memory_share = m.relaxing_fraction;
+  p.memory_keep =
+      exp_minus(head.config.period_s / max_of(m.relaxation_time_s, head.config.period_s));
 }
 
 enum class Place { kSurface, kTip, kShaft };
@@ -204,10 +200,10 @@ float spread_of(const Particle& p, Vec3 mean_m) {
   return sum;
 }
 
-// Energy in the Maxwell branch at the force the CP has now.
+// Energy in the Maxwell branch; of one CP, see creep.
 double memory_energy(const Particle& p) {
   const float share = p.memory_share * (1 - p.memory_share);
-  return 0.5 * static_cast<double>(p.stiffness_n_per_m * share * dot(p.memory_m, p.memory_m));
+  return 0.5 * static_cast<double>(share * max_of(dot(p.memory_n, p.memory_m), 0));
 }
 
 // How the shares of a CP lie: their mean residual, and how much they differ from it.
@@ -235,6 +231,13 @@ double spring_energy(const Particle& p) {
 // The residual is the give, the relaxed part of the spring, and what pulls.
 void set_slack(Particle& p) {
   p.slack_m = p.memory_share * p.memory_m + p.give_m;
+}
+
+// Fresh tissue, which has relaxed nothing yet.
+void forget(Particle& p) {
+  p.memory_m = p.memory_n = {};
+  p.memory_spread = 0;
+  set_slack(p);
 }
 
 void shift_goal(Share& share, Vec3 step_m) {
@@ -303,13 +306,14 @@ void renew_shares(const View& view, Particle& p, Sharing sharing = Sharing::kTen
   p.material = there != kNoTissue ? there : view.model.slot_material[p.share[heaviest(p)].slot];
 }
 
-// Where the goals of a CP lie in unloaded tissue.
+// Where the goal of a share lies in unloaded tissue; that of a CP, the mean of them.
+Vec3 unloaded_place(const View& view, const Share& share) {
+  return rest_centre(view, share.slot, view.model.row[share.row]) + share.offset_m;
+}
 Vec3 unloaded_place(const View& view, const Particle& p) {
   Vec3 sum = {};
   for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    const Share& share = p.share[i];
-    const Vec3 centre = rest_centre(view, share.slot, view.model.row[share.row]);
-    sum = sum + share.weight * (centre + share.offset_m);
+    sum = sum + p.share[i].weight * unloaded_place(view, p.share[i]);
   }
   return sum;
 }
@@ -448,53 +452,94 @@ float overshoot(const View& view, const Particle& p, float axial_n, float low_n,
   return excess / p.stiffness_n_per_m;
 }
 
-// While a CP slides, its tissue has given way by the force the CP carries (and by that of its
-// neighbours): that is the compliance set_relaxation needs.
-void measure_compliance(const View& view, Particle& p, Vec3 residual_m, Vec3 direction) {
-  const float spring_m = dot(residual_m - p.slack_m, direction);
-  const Vec3 tissue = (p.position_m - residual_m) - unloaded_place(view, p) + p.give_m;
-  const float tissue_m = dot(tissue, direction);
-  const float c = tissue_m * spring_m > 0 ? min_of(tissue_m / spring_m, kLargestCompliance) : 0.0F;
-  p.tissue_compliance = settle(p.tissue_compliance + kComplianceGain * (c - p.tissue_compliance));
-  set_relaxation(*view.model.head, p);
-}
-
 // A slip brings fresh tissue to the needle, which has relaxed nothing yet. The force stays: returns
-// how much farther the CP slips for that, and books what the branch loses. A share that changes
-// fades the memory so far that its energy cannot rise.
-float renew(const View& view, Particle& p, Vec3 residual_m, Vec3 direction, float slip_m,
-            double& booked_j) {
+// how much farther the CP slips for that, and books what the branch loses.
+float renew(const View& view, Particle& p, Vec3 direction, float slip_m, double& booked_j) {
   const float size = slip_m < 0 ? -slip_m : slip_m;
   if (!(size > kSlidingMPerS * view.model.head->config.period_s)) return 0;
   const double before = memory_energy(p);
-  const Vec3 slack = p.slack_m;
-  const float old = p.memory_share;
-  measure_compliance(view, p, residual_m, direction);
-  const float share = p.memory_share;
-  const float fade = share > 0 ? min_of(old / share, (1 - old) / (1 - share)) : 0.0F;
-  const float lost = size / (kRenewalLengthM + size) * dot(p.memory_m, direction);
-  p.memory_m = settle(fade * (p.memory_m - lost * direction));
+  const float along = dot(p.slack_m, direction);
+  const float part = size / (kRenewalLengthM + size);
+  p.memory_m = settle(p.memory_m - part * dot(p.memory_m, direction) * direction);
+  p.memory_n = settle(p.memory_n - part * dot(p.memory_n, direction) * direction);
+  p.memory_spread = (1 - part) * p.memory_spread;
   set_slack(p);
+  const double after = memory_energy(p);
+  // It would rise where what is forgotten was negative.
+  if (after > before) p.memory_n = settle(static_cast<float>(before / after) * p.memory_n);
   booked_j += before - memory_energy(p);
-  const Vec3 change = slack - p.slack_m;
-  const float along = dot(change, direction);
-  shift_goals(p, change - along * direction);
-  return along;
+  return along - dot(p.slack_m, direction);
 }
 
-// The Maxwell branch creeps; what it dissipates is booked. Returns the spring's energy after that.
-double relax(StateHead& state, Particle& p, const Drawn& shares) {
-  const double before = spring_energy(p, shares);
-  const Vec3 d = shares.residual_m - p.give_m;
-  p.memory_m = settle(d + p.memory_keep * (p.memory_m - d));
+// All of the force must relax, not the part that the CP's own spring has in it. With d the way of
+// the needle's point from where its tissue lies unloaded, all CPs' forces are F = K d: K is the
+// springs and the lattice behind them, whatever that is. So each spring ends phi m behind that
+// point, m' = (d - m) / tau, and all of F relaxes by the part phi in the time tau. (d is the
+// needle's way alone: no swing of the tissue feeds back.) That takes a Maxwell branch with the
+// energy phi (1 - phi) m n / 2 summed over all CPs, n = K m, which needs no K: n' = (F + phi n - n)
+// / tau. Where one CP's m n is below 0 it stores nothing.
+//
+// A CP's shares hold the tissue as it was deformed when the CP took hold of it. So their d differ;
+// as these do not change, the places where they lie unloaded are drawn together by that part.
+//
+// The branch goes this part of its way; `residual_m` is the CP's.
+void creep(const View& view, Particle& p, Vec3 residual_m, float part) {
+  const Vec3 rest_m = unloaded_place(view, p);
+  const Vec3 d = p.position_m - rest_m;
+  const Vec3 f = force_on_tissue(p, residual_m) + p.memory_share * p.memory_n;
+  p.memory_m = settle(p.memory_m + part * (d - p.memory_m));
+  p.memory_n = settle(p.memory_n + part * (f - p.memory_n));
   set_slack(p);
-  const double after = spring_energy(p, shares);
-  state.relaxation_j += before - after;
-  return after;
+  const float before = p.memory_spread;
+  p.memory_spread = before + part * (p.memory_share - before);
+  if (p.memory_spread == before) return;
+  const float drawn = (p.memory_spread - before) / max_of(1 - before, kLeastPart);
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    Share& share = p.share[i];
+    const Vec3 step = drawn * (rest_m - unloaded_place(view, share));
+    share.offset_m = share.offset_m + step;
+    share.goal_m = share.goal_m + rotation_matrix(share.turn) * step;
+  }
 }
 
-// The give follows the force along the needle, as over a damper. The spring holds `before_j`.
-void give_way(StateHead& state, Particle& p, const Drawn& shares, Vec3 direction, double before_j) {
+// The Maxwell branch creeps by this part of its way; what it dissipates is booked, and may be spent
+// by others (`spare_j`). Energy must not rise by more than that: else nothing changes, and how much
+// it would have risen is returned.
+double try_creep(const View& view, Particle& p, Drawn& shares, float part, double& spare_j) {
+  if (p.memory_share == 0 || p.share_count == 0) return 0;
+  const Particle before = p;
+  const double before_j = spring_energy(p, shares);
+  creep(view, p, shares.residual_m, part);
+  const Drawn crept = drawn(p);
+  const double rise_j = spring_energy(p, crept) - before_j;
+  if (rise_j <= spare_j) {
+    spare_j -= rise_j;
+    view.state.head->relaxation_j -= rise_j;
+    shares = crept;
+    return 0;
+  }
+  p = before;
+  return rise_j;
+}
+
+// The Maxwell branch creeps for a tick. False: it did not, for energy would rise.
+bool relax(const View& view, Particle& p, Drawn& shares, double& spare_j) {
+  return try_creep(view, p, shares, 1 - p.memory_keep, spare_j) == 0;
+}
+
+// The same for one that has to be paid by the others: as far as they do.
+void relax_late(const View& view, Particle& p, Drawn& shares, double& spare_j) {
+  const float all = 1 - p.memory_keep;
+  const double rise_j = try_creep(view, p, shares, all, spare_j);
+  if (rise_j == 0) return;
+  const float part = all * max_of(kLeastCreep, static_cast<float>(spare_j / rise_j));
+  (void)try_creep(view, p, shares, part, spare_j);
+}
+
+// The give follows the force along the needle, as over a damper.
+void give_way(StateHead& state, Particle& p, const Drawn& shares, Vec3 direction) {
+  if (p.give_share == 0) return;
+  const double before_j = spring_energy(p, shares);
   const float pull_m = dot(force_on_tissue(p, shares.residual_m), direction) / p.stiffness_n_per_m;
   const Vec3 rest = p.give_share * pull_m * direction;
   p.give_m = settle(p.give_m + kGiveRate * (rest - (1 - p.give_share) * p.give_m));
@@ -529,6 +574,8 @@ void stand_for(const View& view, Particle& p) {
     p.memory_m = old * p.memory_m;
     p.give_m = old * p.give_m;
     p.slack_m = old * p.slack_m;
+  } else {
+    p.memory_n = (stiffness / p.stiffness_n_per_m) * p.memory_n;
   }
   p.stiffness_n_per_m = stiffness;
   view.state.head->friction_j += before - spring_energy(p);
@@ -600,7 +647,7 @@ void slip_shaft(const View& view, const Needle& needle) {
     const Vec3 residual_m = residual(p), force = force_on_tissue(p, residual_m);
     const float slip = overshoot(view, p, dot(force, direction), -limit, limit);
     stretch_of(view, i) = (1 / p.stiffness_n_per_m) * (force - p.force_n) - slip * direction;
-    const float all = slip + renew(view, p, residual_m, direction, slip, state.friction_j);
+    const float all = slip + renew(view, p, direction, slip, state.friction_j);
     p.arc_m += all;
     p.position_m = needle_place(needle, p.arc_m);
     note_slip(head, p, all);
@@ -621,7 +668,7 @@ void enter_material(const View& view, Particle& tip) {
   const double before = spring_energy(tip);
   const float old = tip.stiffness_n_per_m;
   shift_goals(tip, tip.slack_m);
-  tip.memory_m = tip.slack_m = {};
+  forget(tip);
   set_stiffness(view, tip, Place::kTip);
   if (tip.stiffness_n_per_m > old) draw_goals(tip, 1 - old / tip.stiffness_n_per_m);
   view.state.head->cutting_j += before - spring_energy(tip);
@@ -732,7 +779,7 @@ void cut_tip(const View& view, const Needle& needle, float moved_m) {
     enter_layer(view, tip, direction, in_track);
     const float axial = dot(force_on_tissue(tip), direction);
     move = overshoot(view, tip, axial, 0, tip_limit(view, tip, in_track));
-    all = move + renew(view, tip, residual(tip), direction, move, state.cutting_j);
+    all = move + renew(view, tip, direction, move, state.cutting_j);
   }
   const Vec3 cut = turn_cut(view, needle, 0.5F * all);
   advance_tip(view, tip, cut, all);
@@ -760,7 +807,7 @@ void rehome_tip(const View& view) {
   renew_shares(view, tip);
   if (!holds_track(view, tip.rest_m, tip.track_m)) {
     tip.share_count = 0;
-    tip.memory_m = tip.slack_m = {};
+    forget(tip);
   }
   view.state.head->cutting_j += before - spring_energy(tip);
   if (tip.share_count > 0) own.tissue_track_m = tip.track_m;
@@ -946,9 +993,9 @@ void change_spring(const View& view, const Needle& needle, float force_n) {
   const Vec3 direction = needle.tip_direction, pressed = force_on_tissue(tip);
   const Vec3 across = pressed - dot(pressed, direction) * direction;
   const float old = tip.stiffness_n_per_m, spread = spread_of(tip, residual(tip));
-  tip.tissue_compliance = 0;  // not yet measured
+  tip.tissue_compliance = 0;  // of the contact only
   set_stiffness(view, tip, Place::kTip);
-  tip.memory_m = tip.slack_m = {};
+  forget(tip);
   const float k = tip.stiffness_n_per_m;
   gather_goals(tip, (1 / k) * (across + force_n * direction), spread * min_of(old / k, 1));
   state.cutting_j += before - spring_energy(tip);
@@ -1059,7 +1106,6 @@ void end_contact(const View& view) {
 
 // Contact holds, ends, or becomes a puncture.
 void update_contact(const View& view, const Needle& needle, Vec3 step_m, std::uint32_t& flags_out) {
-  StateHead& state = *view.state.head;
   const ModelHead& head = *view.model.head;
   Particle& tip = *view.state.tip;
   const float felt = dot(tip.force_n, needle.tip_direction);
@@ -1068,11 +1114,7 @@ void update_contact(const View& view, const Needle& needle, Vec3 step_m, std::ui
     if (!hold_on(view, needle, flags_out)) end_contact(view);
     return;
   }
-  if (head.config.mode == Mode::kPhysical) {
-    relax_contact(view, needle.tip_direction, step_m);
-  } else {
-    (void)relax(state, tip, drawn(tip));
-  }
+  if (head.config.mode == Mode::kPhysical) relax_contact(view, needle.tip_direction, step_m);
   const std::uint32_t track = track_of(view, needle, tip);
   const bool node_inside = away > view.needle_config().unit_m;
   const bool through = head.config.mode == Mode::kPaper
@@ -1104,7 +1146,10 @@ void keep_shares(StateHead& state, Particle& p, std::uint32_t kept) {
   p.share_count = count;
   for (std::uint32_t i = 0; i < count; ++i) p.share[i].weight = p.share[i].weight / sum;
   gather_goals(p, residual_m, spread_m2);
-  if (count == 0) p.memory_m = p.give_m = p.slack_m = {};
+  if (count == 0) {
+    p.give_m = {};
+    forget(p);
+  }
   state.friction_j += before - spring_energy(p);
 }
 
@@ -1137,26 +1182,46 @@ void begin_contact(const View& view, const Needle& needle, Vec3 rest_m, Vec3 pla
 
 namespace {
 
+// A CP of the shaft goes with the needle.
+void follow(const View& view, const Needle& needle, Particle& p, const Drawn& shares) {
+  const NeedlePoint point = needle_point(needle, p.arc_m);
+  give_way(*view.state.head, p, shares, point.direction);
+  p.position_m = point.place_m;
+}
+
+// The CPs creep at the last tick's forces; then those of the shaft go with the needle. As they load
+// the tissue together, one may gain energy where others lose more: those come last.
+void relax_and_follow(const View& view, const Needle& needle) {
+  const NeedleState& own = *view.state.needle;
+  Particle& tip = *view.state.tip;
+  bool late[kMaxConstraintParticles] = {};
+  double spare_j = 0;
+  for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
+    Particle& p = view.state.shaft[i];
+    refill_shares(view, p);
+    Drawn shares = drawn(p);
+    late[i] = !relax(view, p, shares, spare_j);
+    if (!late[i]) follow(view, needle, p, shares);
+  }
+  Drawn tip_shares = drawn(tip);
+  if (!relax(view, tip, tip_shares, spare_j)) relax_late(view, tip, tip_shares, spare_j);
+  for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
+    if (!late[i]) continue;
+    Particle& p = view.state.shaft[i];
+    Drawn shares = drawn(p);
+    relax_late(view, p, shares, spare_j);
+    follow(view, needle, p, shares);
+  }
+}
+
 std::uint32_t carry_particles(const View& view, const Needle& needle) {
-  StateHead& state = *view.state.head;
   NeedleState& own = *view.state.needle;
   Particle& tip = *view.state.tip;
   if (own.tip_alive == 0) {
     tip.position_m = needle.tip_m;  // seek_contact measures from here
     return 0;
   }
-  if (own.phase != Phase::kContact) {  // creep at the last tick's forces, then go with the needle
-    (void)relax(state, tip, drawn(tip));
-    for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
-      Particle& p = view.state.shaft[i];
-      refill_shares(view, p);
-      const Drawn shares = drawn(p);
-      const NeedlePoint point = needle_point(needle, p.arc_m);
-      const double relaxed_j = relax(state, p, shares);
-      give_way(state, p, shares, point.direction, relaxed_j);
-      p.position_m = point.place_m;
-    }
-  }
+  if (own.phase != Phase::kContact) relax_and_follow(view, needle);
   const Vec3 step = needle.tip_m - tip.position_m;
   const float moved = dot(step, needle.tip_direction);
   tip.position_m = needle.tip_m;

@@ -132,7 +132,7 @@ struct Share {
 struct Particle {                // a constraint particle
   Vec3 rest_m;                   // place in the rest frame; chooses the voxels
   Vec3 position_m;               // the needle's point that holds it
-  Vec3 memory_m;                 // relaxed part of the residual (Maxwell branch)
+  Vec3 memory_m, memory_n;       // Maxwell branch: displacement and force, both lagged
   Vec3 give_m;                   // of the tissue along the needle, beyond that across
   Vec3 slack_m;                  // residual at which the spring carries nothing
   Vec3 force_n;                  // on the tissue, from the last fit
@@ -140,9 +140,10 @@ struct Particle {                // a constraint particle
   float arc_m;                   // arc length on the needle, from the tip
   float stiffness_n_per_m;       // of the stretch it stands for now
   float full_stiffness_n_per_m;  // of a whole unit
-  float tissue_compliance;       // of the tissue around, over that of the spring
-  float memory_share;            // relaxing share of the spring's own stiffness
+  float tissue_compliance;       // of the tissue under the tip in contact, over that of the spring
+  float memory_share;            // relaxing part of all of the force
   float memory_keep;             // of the difference, per tick
+  float memory_spread;           // relaxed part of how the shares lie apart
   float give_share;              // of spring and give together along the needle, the give's
   float slip_m_per_s;            // low-passed
   Friction friction;             // mean of what the tip has met on the stretch it stands for

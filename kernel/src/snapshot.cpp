@@ -149,12 +149,13 @@ bool sound_shares(const Limits& is, const Particle& p) {
 // Of the shaft, the last one the tip.
 bool sound(const Limits& is, const Particle& p, std::size_t) {
   return is.number(p.rest_m) && is.number(p.position_m) && is.number(p.memory_m) &&
-         is.number(p.give_m) && is.number(p.slack_m) && is.number(p.force_n) &&
-         is.number(p.track_m) && is.number(p.arc_m) && is.no_less(p.stiffness_n_per_m, 0) &&
-         is.no_less(p.full_stiffness_n_per_m, 0) && is.no_less(p.tissue_compliance, 0) &&
-         is.part(p.memory_share) && is.part(p.memory_keep) && is.part(p.give_share) &&
-         is.number(p.slip_m_per_s) && sound(is, p.friction) && is.number(p.met_m) &&
-         is.number(p.slip_m) && is.material(p.material) && sound_shares(is, p);
+         is.number(p.memory_n) && is.number(p.give_m) && is.number(p.slack_m) &&
+         is.number(p.force_n) && is.number(p.track_m) && is.number(p.arc_m) &&
+         is.no_less(p.stiffness_n_per_m, 0) && is.no_less(p.full_stiffness_n_per_m, 0) &&
+         is.no_less(p.tissue_compliance, 0) && is.part(p.memory_share) && is.part(p.memory_keep) &&
+         is.part(p.memory_spread) && is.part(p.give_share) && is.number(p.slip_m_per_s) &&
+         sound(is, p.friction) && is.number(p.met_m) && is.number(p.slip_m) &&
+         is.material(p.material) && sound_shares(is, p);
 }
 
 bool sound(const Limits& is, const RodShape& shape, std::size_t needle) {

@@ -94,7 +94,7 @@ class ClusterReference {
       if (&p == view.state.tip && view.state.needle->phase == Phase::kContact) return;
       const double s = static_cast<double>(p.stiffness_n_per_m);
       const double m = static_cast<double>(p.memory_share);
-      sum += 0.5 * s * m * (1 - m) * std::pow(norm_of(p.memory_m), 2);
+      sum += 0.5 * m * (1 - m) * std::max(0.0, static_cast<double>(dot(p.memory_n, p.memory_m)));
       const double give = static_cast<double>(p.give_share);
       if (give > 0) sum += 0.5 * s * (1 / give - 1) * std::pow(norm_of(p.give_m), 2);
     });

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// V28: a CP is displaced in one step and held; its force decays as the material says. With attached
-// corners a CP of spring s is in series with the corner springs 8 k, so the decay has a closed
-// form:
-//   F(t) = F_inf + (F_0 - F_inf) exp(-t / T),
-// F_0 with the spring s, F_inf with its lasting part s (1 - m), T stretched by the series.
+// V28: a CP is displaced in one step and held; its force decays as the material says,
+//   F(t) = F_0 (1 - phi + phi exp(-t / tau)),
+// however soft the voxels are that it is in series with: with attached corners a CP of spring s,
+// with the corner springs 8 k.
 
 #include <gtest/gtest.h>
 
@@ -84,33 +83,31 @@ TEST(V28Relaxation, DecaysByTheFractionAndTimeWritten) {
   EXPECT_LT(decay.worst, kTolerance);
 }
 
-// Any spring and Maxwell branch, one CP in the middle of one voxel: the exact series.
-TEST(V28Relaxation, StepOfOneShaftParticleFollowsTheSeriesFormula) {
-  for (const double share : {0.2, 0.5, 0.8}) {
-    TinyOrgan tiny;
-    tiny.nx = tiny.ny = tiny.nz = 1;
-    tiny.voxel_edge_m = kEdgeM;
-    tiny.materials = {relaxing()};
-    tiny.materials[0].coulomb_friction_n_per_m = 1000;
-    tiny.materials[0].static_friction_n_per_m = 1000;
-    Rig rig = make_rig(tiny, Config{}, Tissue::kFixed);
-    const double corner = 8 * 20000 / 2.9 * static_cast<double>(kEdgeM), spring = 100, time_s = 0.5;
-    const Vec3 tip = hold_one_shaft_particle(rig, {kEdgeM / 2, kEdgeM / 2, kEdgeM / 2}, 100);
-    Particle& p = rig.view().state.shaft[0];
-    p.memory_share = static_cast<float>(share);
-    p.memory_keep = static_cast<float>(std::exp(-1e-3 / time_s));
-    const double step = 1e-3;
-    const std::vector<double> force = forces_held(rig, tip + Vec3{1e-3F, 0, 0}, 10000);
-    const auto series = [corner](double s) { return s * corner / (s + corner); };
-    const double first = series(spring) * step, last = series(spring * (1 - share)) * step;
-    // dy/dt = (d - y) / time with d = X - F / corner: the series slows it by this.
-    const double slower = (corner + spring) / (corner + spring * (1 - share));
-    EXPECT_NEAR(force.front() / first, 1, kTolerance);
-    EXPECT_NEAR(force.back() / last, 1, kTolerance);
-    for (std::size_t i = 0; i < force.size(); i += 100) {
-      const double model =
-          last + (first - last) * std::exp(-1e-3 * static_cast<double>(i) / (time_s * slower));
-      ASSERT_NEAR(force[i] / model, 1, kTolerance) << "share " << share << ", tick " << i;
+// Any spring and Maxwell branch, one CP in the middle of one voxel. Of the series of 100 N/m with
+// eight corners of 28 N/m each, and of 100 times as much, that gives way mostly at the corners.
+TEST(V28Relaxation, StepOfOneShaftParticleRelaxesAllOfItsForce) {
+  for (const double spring : {100.0, 10000.0}) {
+    for (const double share : {0.2, 0.5, 0.8}) {
+      TinyOrgan tiny;
+      tiny.nx = tiny.ny = tiny.nz = 1;
+      tiny.voxel_edge_m = kEdgeM;
+      tiny.materials = {relaxing()};
+      tiny.materials[0].coulomb_friction_n_per_m = 10000;
+      tiny.materials[0].static_friction_n_per_m = 10000;
+      Rig rig = make_rig(tiny, Config{}, Tissue::kFixed);
+      const double corners = 8 * 20000 / 2.9 * static_cast<double>(kEdgeM), time_s = 0.5;
+      const Vec3 centre = {kEdgeM / 2, kEdgeM / 2, kEdgeM / 2};
+      const Vec3 tip = hold_one_shaft_particle(rig, centre, static_cast<float>(spring));
+      Particle& p = rig.view().state.shaft[0];
+      p.memory_share = static_cast<float>(share);
+      p.memory_keep = static_cast<float>(std::exp(-1e-3 / time_s));
+      const double step = 1e-3, first = spring * corners / (spring + corners) * step;
+      const std::vector<double> force = forces_held(rig, tip + Vec3{1e-3F, 0, 0}, 10000);
+      for (std::size_t i = 0; i < force.size(); i += 100) {
+        const double left = std::exp(-1e-3 * static_cast<double>(i) / time_s);
+        ASSERT_NEAR(force[i] / (first * (1 - share + share * left)), 1, kTolerance)
+            << "spring " << spring << ", share " << share << ", tick " << i;
+      }
     }
   }
 }
@@ -150,34 +147,6 @@ TEST(V28Relaxation, InsertedNeedleRelaxesAsWritten) {
   EXPECT_NEAR(decay.time_s / static_cast<double>(kTimeS), 1, 0.1);
 }
 
-// A CP that slides almost freely in tissue that its neighbours drag along: the ratio of the
-// tissue's way to its own spring's has no bound. The compliance taken from it has one, or the CP's
-// force would relax wholly and at once.
-TEST(Relaxation, TissueDraggedByNeighboursSaysLittleOfACpsOwn) {
-  TinyOrgan tiny;
-  tiny.nx = 10;
-  tiny.ny = tiny.nz = 5;
-  TinyMaterial rough = relaxing(), smooth = relaxing();
-  rough.puncture_force_n = smooth.puncture_force_n = 0.3F;
-  rough.coulomb_friction_n_per_m = rough.static_friction_n_per_m = 60;
-  smooth.coulomb_friction_n_per_m = smooth.static_friction_n_per_m = 1e-3F;
-  tiny.materials = {rough, smooth};
-  tiny.material_at = [](std::uint16_t x, std::uint16_t, std::uint16_t) {
-    return static_cast<std::uint8_t>(x % 3 == 1 ? 1 : 0);
-  };
-  tiny.fixed_faces = kHighX | kLowY | kHighY | kLowZ | kHighZ;
-  Rig rig = make_rig(tiny, Config{});
-  float most = 0;
-  drive(rig, {-1e-3F, 12e-3F, 13e-3F}, 45e-3F, 20e-3F, [&](const Output&) {
-    const View view = rig.view();
-    for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
-      most = std::max(most, view.state.shaft[i].tissue_compliance);
-    }
-  });
-  EXPECT_GT(most, 50) << "the bound is met";
-  EXPECT_LE(most, 100);
-}
-
 // Nothing that fades ends among denormal numbers, which processors may flush: a needle goes in a
 // little askew, and is then turned along x, across which nothing pulls any more.
 TEST(Relaxation, WhatFadesEndsAtZero) {
@@ -200,30 +169,13 @@ TEST(Relaxation, WhatFadesEndsAtZero) {
   ASSERT_NE(view.state.shaft[1].give_m.y, 0.0F);
   for (int i = 0; i < 1000; ++i) {
     move_tip(rig, end);
-    for (const Vec3 v : {view.state.shaft[1].give_m, view.state.shaft[1].memory_m,
-                         view.state.shaft[1].slack_m, view.state.tip->memory_m}) {
+    for (const Vec3 v :
+         {view.state.shaft[1].give_m, view.state.shaft[1].memory_m, view.state.shaft[1].memory_n,
+          view.state.shaft[1].slack_m, view.state.tip->memory_m, view.state.tip->memory_n}) {
       for (const float part : {v.x, v.y, v.z}) ASSERT_NE(std::fpclassify(part), FP_SUBNORMAL);
     }
   }
   EXPECT_LT(std::fabs(view.state.shaft[1].give_m.y), 1e-11F);
-}
-
-// Likewise the compliance, in a tick in which the tissue has moved against the CP's spring.
-TEST(Relaxation, AComplianceThatFadesEndsAtZero) {
-  TinyOrgan tiny;
-  tiny.nx = tiny.ny = tiny.nz = 1;
-  tiny.voxel_edge_m = kEdgeM;
-  tiny.materials = {relaxing()};
-  tiny.materials[0].coulomb_friction_n_per_m = tiny.materials[0].static_friction_n_per_m = 1;
-  Rig rig = make_rig(tiny, Config{}, Tissue::kFixed);
-  Vec3 tip_m = hold_one_shaft_particle(rig, {kEdgeM / 2, kEdgeM / 2, kEdgeM / 2}, 100);
-  Particle& p = rig.view().state.shaft[0];
-  p.tissue_compliance = 1.2e-38F;
-  p.give_m.x = -2e-3F;
-  tip_m.x += 1e-3F;
-  move_tip(rig, tip_m);
-  ASSERT_NE(norm_of(p.slip_m), 0) << "it slides";
-  EXPECT_EQ(p.tissue_compliance, 0);
 }
 
 }  // namespace
