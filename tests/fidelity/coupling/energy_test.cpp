@@ -351,6 +351,31 @@ TEST(EnergyFromNowhere, BevelCutsAgainstALoadForWork) {
   }
 }
 
+// The branch that relaxes is lagged by the needle's way alone, while the tissue swings as it likes:
+// at its resonances, above them, and far below.
+TEST(EnergyFromNowhere, ANeedleShakenInRelaxingTissueGainsNone) {
+  for (const float relaxation_time_s : {0.01F, 0.2F}) {
+    for (const float hertz : {1.0F, 4.0F, 10.0F, 30.0F}) {
+      TinyOrgan tiny = liver_block();
+      for (TinyMaterial& m : tiny.materials) m.relaxation_time_s = relaxation_time_s;
+      tiny.fixed_faces = kHighX;
+      Config config;
+      config.surround_drag_per_s = 1;
+      Rig rig = make_rig(tiny, config);
+      const Vec3 start = {-1e-3F, 16e-3F, 18.5e-3F}, in = {25e-3F, start.y, start.z};
+      Observer observer;
+      drive(rig, start, in.x, 40e-3F, [&](const Output& out) { observer.see(rig, out); });
+      for (int i = 0; i < 2000; ++i) {
+        const float angle = 6.2832F * hertz * 1e-3F * static_cast<float>(i);
+        const float way_m = 2e-3F / std::max(1.0F, 0.1F * hertz) * std::sin(angle);
+        observer.see(rig, move_tip(rig, in + way_m * Vec3{0.3F, 0.6F, 0.8F}));
+      }
+      EXPECT_EQ(rig.view().state.needle->phase == Phase::kFree, false);
+      EXPECT_LT(observer.fall_j, 1e-8) << hertz << " Hz, tau " << relaxation_time_s << " s";
+    }
+  }
+}
+
 // A thin needle leans on tissue while its handle swings across: what its joints and the tissue
 // store is no more than the hand gave. (With one bend a tick, before the tissue gives way, they
 // store some per cent more.)
