@@ -1369,7 +1369,6 @@ void sum_forces(const View& view, const Needle& needle, Output& out) {
   const Vec3 shift = attachment_shift(view);
   for (std::uint32_t i = 0; i < own.touch_count; ++i) {
     const Touch& touch = view.state.touch[i];
-    if (touch.depth_m < 0) continue;
     const Mat3& k = touch.stiffness_n_per_m;
     cause.obstacle_n = cause.obstacle_n + touch.force_n;
     out.stiffness_n_per_m = out.stiffness_n_per_m + (k.m[0][0] + k.m[1][1] + k.m[2][2]);

@@ -182,7 +182,7 @@ struct NeedleState {
   std::uint32_t touch_count, touch_max;
 };
 
-// A piece of needle that touches an obstacle, or did in the last tick (depth_m < 0).
+// A piece of needle that touches an obstacle.
 struct Touch {
   std::uint32_t obstacle, rod;
   ObstacleContact contact;

@@ -12,8 +12,11 @@ namespace {
 constexpr double kImperfectionRad = 1e-7;
 // Of what a needle is taken to be made of when it is thrown about: solid steel.
 constexpr double kSteelKgPerM3 = 7850;
-// A needle in contact bends so far in a tick without meeting its own inertia.
-constexpr double kFreeBendM = 1e-4;
+// Obstacles nearer than this are looked for. All steps of one look go no farther, so that a needle
+// that snaps over does not go through what it has not seen.
+constexpr double kReachM = 2e-3;
+// A touch so near to a rod's end, in rods, may go on at the next rod.
+constexpr float kNearNode = 0.1F;
 // Where the last Newton step turns a rod farther than this, the steps have not ended: the needle
 // snaps over. (At rest they end below 1e-5, with a jerk on obstacles below 1e-3.)
 constexpr double kSettledTurnRad = 1e-2;
@@ -43,11 +46,6 @@ Sym3d across(Vec3 direction, float stiffness) {
           k * (1 - t.y * t.y), -k * t.y * t.z, k * (1 - t.z * t.z)};
 }
 
-Sym3d symmetric(const Mat3& m) {
-  const auto d = [](float v) { return static_cast<double>(v); };
-  return {d(m.m[0][0]), d(m.m[0][1]), d(m.m[0][2]), d(m.m[1][1]), d(m.m[1][2]), d(m.m[2][2])};
-}
-
 // Where a particle has slipped along the shaft it will slip on: its force there is on its limit.
 bool slides(const Particle& p) {
   return dot(p.slip_m, p.slip_m) > 0;
@@ -65,8 +63,8 @@ void add_particle(const View& view, const Needle& last, const Particle& p, RodLo
                                -1.0 * to_double(p.force_n), across(along, p.stiffness_n_per_m)};
 }
 
-// All that pushed the needle in the last tick, as it answers to being moved.
-void gather_loads(const View& view, Vec3 shift, RodLoads& loads) {
+// All that the tissue pushed the needle with in the last step, as it answers to being moved.
+void gather_loads(const View& view, RodLoads& loads) {
   const NeedleState& own = *view.state.needle;
   const Needle last = needle_of(view);
   loads.count = 0;
@@ -74,22 +72,15 @@ void gather_loads(const View& view, Vec3 shift, RodLoads& loads) {
     add_particle(view, last, view.state.shaft[i], loads);
   }
   if (own.tip_alive != 0) add_particle(view, last, *view.state.tip, loads);
-  for (std::uint32_t i = 0; i < own.touch_count; ++i) {
-    const Touch& touch = view.state.touch[i];
-    loads.load[loads.count++] = {static_cast<double>(touch.arc_m),
-                                 to_double(touch.at_m - shift) - to_double(own.base_m),
-                                 to_double(touch.force_n), symmetric(touch.stiffness_n_per_m)};
-  }
 }
 
-// A node's mass over the square of a tick: from rest its inertia lets it go no farther. Only in
-// contact with obstacles, where a needle that snaps over would go through them: elsewhere it rests.
-double drag_n_per_m(const View& view) {
-  if (view.state.needle->touch_count == 0) return 0;
+// A step near obstacles takes no node past what was looked at. What holds it, if need be, is a
+// node's mass over the square of a tick: more than that its inertia would let no needle go.
+RodCare care_of(const View& view) {
   const double radius = static_cast<double>(view.needle_config().outer_radius_m);
   const double period = static_cast<double>(view.model.head->config.period_s);
   const double kg_per_m = kSteelKgPerM3 * 3.14159265 * radius * radius;
-  return kg_per_m * view.model.rod->rod_m / (period * period);
+  return {kReachM / kRodFaceSteps, kg_per_m * view.model.rod->rod_m / (period * period)};
 }
 
 struct HandleTurn {
@@ -107,28 +98,12 @@ void put_nodes(const View& view) {
   }
 }
 
-void solve(const View& view, Vec3 shift) {
-  RodLoads& loads = *view.scratch.loads;
-  gather_loads(view, shift, loads);
-  solve_rod(*view.model.rod, handle_turn(view).wxyz, loads, *view.state.rod_shape,
-            *view.scratch.rod, *view.scratch.rod_result);
-}
-
 std::uint32_t keep_bend(const View& view) {
   put_nodes(view);
   const RodResult& result = *view.scratch.rod_result;
   if (result.least_pivot > 0 && result.last_turn_rad < kSettledTurnRad) return 0;
   ++view.state.head->needle_unstable;
   return kFlagNeedleUnstable;
-}
-
-std::uint32_t bend(const View& view, Vec3 shift) {
-  solve(view, shift);
-  if (view.model.head->obstacle_count > 0) {
-    slow_bend(*view.model.rod, handle_turn(view).wxyz, drag_n_per_m(view), kFreeBendM,
-              *view.state.rod_shape, *view.scratch.rod, *view.scratch.rod_result);
-  }
-  return keep_bend(view);
 }
 
 // A particle goes where the needle has gone; one that slips, only across, for how far along is
@@ -142,136 +117,210 @@ void carry(const Needle& needle, Particle& p) {
   p.force_n = force_on_tissue(p);
 }
 
-// What a piece remembers of an obstacle; nothing if it did not touch it in the last tick.
-ObstacleContact remembered(const View& view, std::uint32_t obstacle, std::uint32_t rod) {
+// ==== Obstacles
+// =====================================================================================
+
+// The touch of the last tick that goes on at a piece: its own, or that of a piece beside it which
+// it has come from along the shaft. Null: it did not touch.
+const Touch* remembered(const View& view, std::uint32_t obstacle, std::uint32_t rod) {
+  const Touch* beside = nullptr;
   for (std::uint32_t i = 0; i < view.state.needle->touch_count; ++i) {
     const Touch& touch = view.state.touch[i];
-    if (touch.obstacle == obstacle && touch.rod == rod) return touch.contact;
+    if (touch.obstacle != obstacle) continue;
+    if (touch.rod == rod) return &touch;
+    const float place = touch.contact.place;
+    const bool from_above = touch.rod + 1 == rod && place > 1 - kNearNode;
+    const bool from_below = touch.rod == rod + 1 && place < kNearNode;
+    if (from_above || from_below) beside = &touch;
   }
-  return {};
+  return beside;
 }
 
-struct Touching {
-  std::uint32_t count, left_out;
-  double dissipated_j;
+// A face of a body beside a piece of the needle.
+struct Near {
+  std::uint32_t body, rod;
+  ObstacleFace face;
+  const Touch* last;
+};
+// Those that reach deepest, and the same for the rods.
+struct Nearest {
+  std::uint32_t left_out;  // that touch
+  Near near[kMaxTouches];
+  RodFaces faces;
 };
 
-// In a full list, the place of one that presses less than `force_n`, those that are lost before all
-// others; null: the new one is left out.
-Touch* least_touch(const View& view, Touching& out, bool touches, Vec3 force_n) {
-  if (!touches) return nullptr;
-  Touch* least = nullptr;
-  float least_n2 = dot(force_n, force_n);
-  for (std::uint32_t i = 0; i < kMaxTouches; ++i) {
-    Touch& touch = view.scratch.touch[i];
-    const float n2 = touch.depth_m < 0 ? -1 : dot(touch.force_n, touch.force_n);
-    if (!(n2 < least_n2)) continue;
-    least = &touch;
-    least_n2 = n2;
+Vec3d world_origin(const View& view, Vec3 shift) {
+  return to_double(view.state.needle->base_m) + to_double(shift);
+}
+
+RodFace rod_face(const View& view, const Near& near, Vec3d origin_m) {
+  const ObstacleConfig& config = view.model.obstacle[near.body].config;
+  const double k = static_cast<double>(config.stiffness_n_per_m);
+  const double most_n = static_cast<double>(config.largest_force_n);
+  return {(near.rod + static_cast<double>(near.face.place)) * view.model.rod->rod_m,
+          near.face.at_m - origin_m,
+          near.face.normal,
+          near.face.depth_m,
+          near.face.bristle_m,
+          k < kMaxRodStiffnessNPerM ? k : kMaxRodStiffnessNPerM,
+          most_n < kMaxRodForceN ? most_n : kMaxRodForceN,
+          static_cast<double>(config.friction),
+          near.face.goes_on ? static_cast<double>(near.last->contact.limit_n) : 0,
+          near.face.depth_m > 0 || near.last != nullptr,
+          false,
+          0,
+          0};
+}
+
+// In a full list, the place of the face that is least deep; null: the new one is left out.
+Near* place_for(Nearest& out, double depth_m) {
+  if (out.faces.count < kMaxTouches) return out.near + out.faces.count++;
+  Near* least = out.near;
+  for (Near& each : out.near) {
+    if (each.face.depth_m < least->face.depth_m) least = &each;
   }
-  if (least == nullptr || least->depth_m > 0) ++out.left_out;
-  return least;
+  if (depth_m > 0 && least->face.depth_m > 0) ++out.left_out;
+  return least->face.depth_m < depth_m ? least : nullptr;
 }
 
-// Looks at one piece and one body; enters what touches, and what is lost, into the list.
-void touch_piece(const View& view, const Needle& needle, Vec3 shift, std::uint32_t body,
-                 std::uint32_t rod, Touching& out) {
-  const NeedlePiece piece = {needle.node[rod] + shift, needle.node[rod + 1] + shift,
-                             view.needle_config().outer_radius_m};
-  const ObstacleContact last = remembered(view, body, rod);
-  ObstacleContact next = {};
-  const ObstacleLoad load = obstacle_load(view.model.obstacle[body], piece, last, next);
-  out.dissipated_j += static_cast<double>(load.dissipated_j);
-  const bool touches = load.depth_m > 0, lost = load.depth_m < 0;
-  if (!touches && !lost) return;
-  Touch* const entry = out.count < kMaxTouches ? view.scratch.touch + out.count++
-                                               : least_touch(view, out, touches, load.force_n);
-  if (entry == nullptr) return;
-  *entry = {body,
-            rod,
-            next,
-            load.at_m,
-            load.force_n,
-            (static_cast<float>(rod) + load.place) * needle.rod_m,
-            load.stiffness_n_per_m,
-            load.normal,
-            load.depth_m};
-}
-
-// All pieces and bodies, into the list of scratch.
-Touching find_touches(const View& view, const Needle& needle, Vec3 shift) {
-  Touching out = {};
-  for (std::uint32_t body = 0; body < view.model.head->obstacle_count; ++body) {
-    for (std::uint32_t rod = 0; rod < needle.rods; ++rod) {
-      touch_piece(view, needle, shift, body, rod, out);
-    }
+// Where a body was seen beside a piece in the last look.
+Vec3d seen_at(const Nearest& before, std::uint32_t body, std::uint32_t rod) {
+  for (std::uint32_t i = 0; i < before.faces.count; ++i) {
+    const Near& near = before.near[i];
+    if (near.body == body && near.rod == rod) return near.face.normal;
   }
-  return out;
+  return {0, 0, 0};
 }
 
-// How much of the bending of this tick presses none of the `count` touches more than kMaxPlungeM
-// deeper.
-double bend_allowed(const View& view, std::uint32_t count) {
+// All pieces, at the shape of the rods' result, and all bodies.
+void look_around(const View& view, Vec3 shift, const Nearest& before, Nearest& out) {
   const RodResult& result = *view.scratch.rod_result;
-  const Vec3d* const start = view.scratch.rod->start_m;
-  double share = 1;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const Touch& touch = view.scratch.touch[i];
-    const std::uint32_t j = touch.rod;
-    const double place = static_cast<double>(touch.arc_m) / view.model.rod->rod_m - j;
-    const Vec3d from = start[j] + place * (start[j + 1] - start[j]);
-    const Vec3d to = result.node_m[j] + place * (result.node_m[j + 1] - result.node_m[j]);
-    const double moved = dot(to_double(touch.normal), from - to);
-    const double depth = static_cast<double>(touch.depth_m);
-    const double deeper = moved < depth ? moved : depth;
-    if (deeper > kMaxPlungeM && kMaxPlungeM < share * deeper) share = kMaxPlungeM / deeper;
-  }
-  return share;
-}
-
-// A needle that bends in air as fast as it likes would find itself deep in a body, and be thrown
-// back through the other side of it. Looked at again after that: the way there may lead deeper
-// through the body than where it ends.
-void approach_obstacles(const View& view, Vec3 shift) {
-  for (std::uint32_t look = 0; look < kApproachLooks; ++look) {
-    const Touching found = find_touches(view, needle_of(view), shift);
-    shorten_bend(*view.model.rod, handle_turn(view).wxyz, bend_allowed(view, found.count),
-                 *view.state.rod_shape, *view.scratch.rod, *view.scratch.rod_result);
-    put_nodes(view);
-  }
-}
-
-// Whether a piece of the needle passes the sphere around a body.
-bool near_obstacles(const View& view, Vec3 shift) {
-  const Vec3* const node = view.state.node;
-  const float radius_m = view.needle_config().outer_radius_m;
-  bool near = false;
+  const double radius_m = static_cast<double>(view.needle_config().outer_radius_m);
+  const Vec3d origin_m = world_origin(view, shift);
+  out = {};
   for (std::uint32_t body = 0; body < view.model.head->obstacle_count; ++body) {
     for (std::uint32_t rod = 0; rod < view.model.rod->rods; ++rod) {
-      const NeedlePiece piece = {node[rod] + shift, node[rod + 1] + shift, radius_m};
-      near |= obstacle_near(view.model.obstacle[body], piece);
+      const Segment axis = {origin_m + result.node_m[rod], origin_m + result.node_m[rod + 1]};
+      const Touch* last = remembered(view, body, rod);
+      Vec3d now = {0, 0, 0};
+      if (last != nullptr) {
+        const double arc =
+            (last->rod + static_cast<double>(last->contact.place)) * view.model.rod->rod_m;
+        now = origin_m + rod_point(*view.model.rod, result, arc).place_m;
+      }
+      Near found = {body, rod, {}, last};
+      if (!find_face(view.model.obstacle[body], axis, radius_m,
+                     last != nullptr ? last->contact : ObstacleContact{}, now,
+                     seen_at(before, body, rod), kReachM, found.face)) {
+        continue;
+      }
+      Near* const place = place_for(out, found.face.depth_m);
+      if (place == nullptr) continue;
+      *place = found;
+      out.faces.face[place - out.near] = rod_face(view, found, origin_m);
     }
   }
-  return near;
 }
 
-// Takes the last bend back, to the nodes it began with.
-void unbend(const View& view, const Vec3* node) {
-  shorten_bend(*view.model.rod, handle_turn(view).wxyz, 0, *view.state.rod_shape, *view.scratch.rod,
-               *view.scratch.rod_result);
-  for (std::uint32_t i = 0; i <= view.model.rod->rods; ++i) view.state.node[i] = node[i];
+// Bends the needle against tissue and bodies together: looks at the bodies, bends, and looks again
+// from there. Returns output flags.
+std::uint32_t bend(const View& view, Vec3 shift, std::uint32_t looks, Nearest& nearest) {
+  const RodModel& model = *view.model.rod;
+  const HandleTurn turn = handle_turn(view);
+  RodResult& result = *view.scratch.rod_result;
+  RodLoads& loads = *view.scratch.loads;
+  gather_loads(view, loads);
+  nearest = {};
+  if (view.model.head->obstacle_count > 0) {
+    carry_rod(model, turn.wxyz, *view.state.rod_shape, *view.scratch.rod, result);
+    Nearest before = {};
+    look_around(view, shift, before, nearest);
+    for (std::uint32_t look = 0; look < looks && nearest.faces.count > 0; ++look) {
+      if (look > 0) {
+        before = nearest;
+        look_around(view, shift, before, nearest);
+      }
+      bend_rod(model, turn.wxyz, loads, nearest.faces, care_of(view), *view.state.rod_shape,
+               *view.scratch.rod, result);
+    }
+  }
+  if (nearest.faces.count == 0) {
+    solve_rod(model, turn.wxyz, loads, *view.state.rod_shape, *view.scratch.rod, result);
+  }
+  return keep_bend(view);
 }
 
-std::uint32_t touch_obstacles(const View& view, const Needle& needle, Vec3 shift) {
+// What a face did, as the touch that the next tick remembers; its loss goes into the books.
+bool enter_touch(const View& view, const Nearest& nearest, std::uint32_t i, Touch& out) {
+  const Near& near = nearest.near[i];
+  const RodFace& face = nearest.faces.face[i];
+  const Obstacle& obstacle = view.model.obstacle[near.body];
+  const RodTouch touch = touch_face(*view.model.rod, *view.scratch.rod_result, face);
+  // No friction without force, whatever the limit was on the way.
+  const double most_n = face.friction * touch.force_n, most = most_n / face.stiffness_n_per_m;
+  const double length = norm(touch.bristle_m);
+  const Vec3d bristle = length > most ? (most / length) * touch.bristle_m : touch.bristle_m;
+  const ObstacleContact last = near.last != nullptr ? near.last->contact : ObstacleContact{};
+  view.state.head->obstacles_j += face_loss(obstacle, near.face, last, touch.moved_m, bristle);
+  if (!(touch.force_n > 0)) return false;
+  const Vec3 normal = to_float(near.face.normal);
+  const Vec3d at = near.face.at_m + touch.moved_m;
+  out = {near.body,
+         near.rod,
+         {normal, to_float(bristle), at, near.face.place,
+          static_cast<float>(touch.slips && face.limit_n < most_n ? face.limit_n : most_n)},
+         to_float(at),
+         to_float(touch.force_n * near.face.normal - face.stiffness_n_per_m * bristle),
+         static_cast<float>(face.arc_m),
+         obstacle_stiffness(obstacle, normal, touch.depth_m, touch.slips),
+         normal,
+         static_cast<float>(touch.depth_m)};
+  return true;
+}
+
+std::uint32_t keep_touches(const View& view, const Touch* touch, std::uint32_t count,
+                           std::uint32_t left_out) {
   NeedleState& own = *view.state.needle;
-  const Touching found = find_touches(view, needle, shift);
-  view.state.head->obstacles_j += found.dissipated_j;
-  view.state.head->obstacle_pool_full += found.left_out;
-  if (found.count > 0 && own.touch_count == 0) add_event(view, EventKind::kObstacle, 0);
-  for (std::uint32_t i = 0; i < found.count; ++i) view.state.touch[i] = view.scratch.touch[i];
-  own.touch_count = found.count;
-  own.touch_max = own.touch_max > found.count ? own.touch_max : found.count;
-  return found.left_out > 0 ? std::uint32_t{kFlagObstaclePoolFull} : 0U;
+  view.state.head->obstacle_pool_full += left_out;
+  if (count > 0 && own.touch_count == 0) add_event(view, EventKind::kObstacle, 0);
+  for (std::uint32_t i = 0; i < count; ++i) view.state.touch[i] = touch[i];
+  own.touch_count = count;
+  own.touch_max = own.touch_max > count ? own.touch_max : count;
+  return left_out > 0 ? std::uint32_t{kFlagObstaclePoolFull} : 0U;
+}
+
+std::uint32_t enter_touches(const View& view, const Nearest& nearest) {
+  std::uint32_t count = 0;
+  for (std::uint32_t i = 0; i < nearest.faces.count; ++i) {
+    if (enter_touch(view, nearest, i, view.scratch.touch[count])) ++count;
+  }
+  return keep_touches(view, view.scratch.touch, count, nearest.left_out);
+}
+
+// A stiff needle goes where the hand does.
+std::uint32_t touch_obstacles(const View& view, const Needle& needle, Vec3 shift) {
+  std::uint32_t count = 0;
+  for (std::uint32_t body = 0; body < view.model.head->obstacle_count; ++body) {
+    const NeedlePiece piece = {needle.node[0] + shift, needle.node[1] + shift,
+                               view.needle_config().outer_radius_m};
+    const Touch* const last = remembered(view, body, 0);
+    ObstacleContact next = {};
+    const ObstacleLoad load =
+        obstacle_load(view.model.obstacle[body], piece,
+                      last != nullptr ? last->contact : ObstacleContact{}, next);
+    view.state.head->obstacles_j += static_cast<double>(load.dissipated_j);
+    if (!(load.depth_m > 0)) continue;
+    view.scratch.touch[count++] = {body,
+                                   0,
+                                   next,
+                                   load.at_m,
+                                   load.force_n,
+                                   load.place * needle.rod_m,
+                                   load.stiffness_n_per_m,
+                                   load.normal,
+                                   load.depth_m};
+  }
+  return keep_touches(view, view.scratch.touch, count, 0);
 }
 
 }  // namespace
@@ -350,8 +399,10 @@ std::uint32_t place_needle(const View& view, Needle& needle_out) {
   own.base_m = own.handle.position_m - shift;
   std::uint32_t flags = 0;
   if (is_elastic(config)) {
-    flags |= bend(view, shift);
-    approach_obstacles(view, shift);
+    // In the tissue the touches are those of the second bend.
+    Nearest nearest;
+    flags |= bend(view, shift, kRodFaceLooks, nearest);
+    if (own.tip_alive == 0) flags |= enter_touches(view, nearest);
   } else {
     view.state.node[0] = own.base_m;
     view.state.node[1] = own.base_m - config.length_m * column(r, 2);
@@ -365,22 +416,17 @@ std::uint32_t place_needle(const View& view, Needle& needle_out) {
     needle_out.side = carried(needle_out.side, from, to);
     needle_out.tip_direction = from = to;
   }
-  return flags | touch_obstacles(view, needle_out, shift);
+  if (!is_elastic(config)) flags |= touch_obstacles(view, needle_out, shift);
+  return flags;
 }
 
 std::uint32_t settle_needle(const View& view, Needle& needle) {
   NeedleState& own = *view.state.needle;
   if (!is_elastic(view.needle_config()) || own.tip_alive == 0) return 0;
   const Vec3 shift = attachment_shift(view);
-  if (own.touch_count > 0 || near_obstacles(view, shift)) return 0;
-  Vec3 before[kMaxRods + 1];
-  for (std::uint32_t i = 0; i <= needle.rods; ++i) before[i] = needle.node[i];
-  solve(view, shift);
-  const std::uint32_t flags = keep_bend(view);
-  if (near_obstacles(view, shift)) {
-    unbend(view, before);
-    return flags;
-  }
+  Nearest nearest;
+  std::uint32_t flags = bend(view, shift, 1, nearest);
+  flags |= enter_touches(view, nearest);
   needle.tip_m = needle.node[needle.rods];
   for (std::uint32_t i = 0; i < own.shaft_count; ++i) carry(needle, view.state.shaft[i]);
   const Vec3 moved = needle.tip_m - view.state.tip->position_m;

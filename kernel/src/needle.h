@@ -4,10 +4,10 @@
 // A rigid needle is a line from the handle. An elastic one is the chain of rod.h, bent by the
 // forces of its constraint particles and contacts. Needle and tissue answer each other in turn,
 // which is stable because each lowers the energy they share; the needle answers twice, before and
-// after the tissue (once where there are obstacles), so that the hand feels what its joints store.
-// (With one answer it bends against tissue that stands still, so too far, and the difference came
-// out at the hand: up to 10 % of its work.) Both are given as nodes from the handle to the tip; arc
-// lengths count from the tip, as constraint particles do.
+// after the tissue, so that the hand feels what its joints store. (With one answer it bends against
+// tissue that stands still, so too far, and the difference came out at the hand: up to 10 % of its
+// work.) Obstacles are part of both answers (rod.h). Both shapes are given as nodes from the handle
+// to the tip; arc lengths count from the tip, as constraint particles do.
 //
 // Everything here is in the frame of the attachments (see BreathingConfig): the world, shifted.
 //
@@ -47,12 +47,12 @@ Vec3 attachment_shift(const View& view);
 // Rods and their rest shape; obstacles are given by set_obstacles.
 void make_needle(const View& view);
 
-// Shape of this view's needle at its handle's pose, and its contacts with obstacles. Returns output
-// flags.
+// Shape of this view's needle at its handle's pose, and its contacts with obstacles, unless it is
+// in the tissue: then they are what settle_needle finds. Returns output flags.
 std::uint32_t place_needle(const View& view, Needle& needle_out);
 
-// After the tissue's step: bends by the forces that came, and takes the particles along. Not near
-// obstacles: it would go into them unseen until the next tick. Returns output flags.
+// After the tissue's step: bends by the forces that came, and takes the particles along. Returns
+// output flags.
 std::uint32_t settle_needle(const View& view, Needle& needle);
 
 // Where a bevelled tip cuts after `advance_m` more: the path bends towards `side` by `bevel_per_m`,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "obstacle.h"
 
-#include "convex.h"
+#include "touch_law.h"
 
 namespace stylet {
 namespace {
@@ -40,18 +40,22 @@ Vec3d to_body(const Mat3& rotation, Vec3d v) {
   return v.x * row(rotation, 0) + v.y * row(rotation, 1) + v.z * row(rotation, 2);
 }
 
-Segment axis_in_body(const Obstacle& obstacle, const NeedlePiece& piece) {
-  const Vec3d origin = to_double(obstacle.config.pose.position_m);
-  return {to_body(obstacle.rotation, to_double(piece.a_m) - origin),
-          to_body(obstacle.rotation, to_double(piece.b_m) - origin)};
+Vec3d in_body(const Obstacle& obstacle, Vec3d world_m) {
+  return to_body(obstacle.rotation, world_m - to_double(obstacle.config.pose.position_m));
+}
+Segment in_body(const Obstacle& obstacle, const Segment& world_m) {
+  return {in_body(obstacle, world_m.a_m), in_body(obstacle, world_m.b_m)};
+}
+Segment axis_of(const NeedlePiece& piece) {
+  return {to_double(piece.a_m), to_double(piece.b_m)};
 }
 
 ConvexHull hull_of(const Obstacle& obstacle) {
   return {{obstacle.config.vertices_m, obstacle.config.vertex_count}, to_double(obstacle.centre_m)};
 }
 
-double rounding_of(const Obstacle& obstacle, const NeedlePiece& piece) {
-  return static_cast<double>(obstacle.config.rounding_m) + static_cast<double>(piece.radius_m);
+double rounding_of(const Obstacle& obstacle, double radius_m) {
+  return static_cast<double>(obstacle.config.rounding_m) + radius_m;
 }
 
 // ---- where --------------------------------------------------------------------------------------
@@ -97,66 +101,15 @@ bool is_far(const Obstacle& obstacle, const Segment& axis, double rounding) {
   return dot(left, left) > limit * limit;
 }
 
-struct Touch {
-  Vec3d normal;         // world
-  double depth_m;       // along it
-  double depth_last_m;  // along the last normal, at the last place
-  double place;
-  bool goes_on;  // the contact of the last call, not a new one
-};
-
-Touch find_touch(const Obstacle& obstacle, const NeedlePiece& piece, const ObstacleContact& last) {
-  const double rounding = rounding_of(obstacle, piece);
-  const Segment axis = axis_in_body(obstacle, piece);
-  if (is_far(obstacle, axis, rounding)) return {};
-  const ConvexHull hull = hull_of(obstacle);
-  const Vec3d last_normal = to_body(obstacle.rotation, to_double(last.normal));
-  const Closest seen = view(hull, axis, kCoreShare * rounding, last_normal);
-  Touch touch = {};
-  Vec3d normal = seen.normal;
-  touch.place = seen.place;
-  if (!is_zero(last.normal)) {
-    const Vec3d last_point = point_on(axis, static_cast<double>(last.place));
-    touch.goes_on = dot(last_normal, normal) >= kThroughCosine;
-    touch.depth_last_m = depth_along(hull, last_normal, last_point, rounding);
-    normal = turn(last_normal, normal);
-  }
-  touch.depth_m = depth_along(hull, normal, point_on(axis, touch.place), rounding);
-  touch.normal = to_world(obstacle.rotation, normal);
-  return touch;
-}
-
 // ---- what it does -------------------------------------------------------------------------------
 
-// k depth at first, the largest force at last: F = k d / sqrt(1 + (k d / F_max)^2).
-struct Press {
-  double force_n, stiffness_n_per_m, energy_j;
-};
-
-Press press(const ObstacleConfig& config, double depth_m) {
-  if (!(depth_m > 0)) return {};
-  const double k = static_cast<double>(config.stiffness_n_per_m);
-  const double u = k * depth_m / static_cast<double>(config.largest_force_n);
-  const double root = std::sqrt(1 + u * u);
-  return {k * depth_m / root, k / (root * root * root), k * depth_m * depth_m / (1 + root)};
+Press press_of(const ObstacleConfig& config, double depth_m) {
+  return press(static_cast<double>(config.stiffness_n_per_m),
+               static_cast<double>(config.largest_force_n), depth_m);
 }
 
-struct Slip {
-  Vec3d bristle_m;
-  double dissipated_j;
-  bool slips;
-};
-
-// Return map: the bristle follows the needle until its tension reaches the limit of friction.
-Slip slip(double k, double limit_n, Vec3d normal, Vec3d last_bristle, Vec3d moved) {
-  const double lifted = dot(normal, last_bristle);  // lost as the plane of contact turns
-  const Vec3d trial = last_bristle + moved;
-  const Vec3d bristle = trial - dot(normal, trial) * normal;
-  const double tension = k * norm(bristle), turned = 0.5 * k * lifted * lifted;
-  if (tension <= limit_n) return {bristle, turned, false};
-  const double held = min_of(tension, max_of(limit_n, k * norm(last_bristle)));
-  const double slipped = (tension - limit_n) / k;
-  return {(limit_n / tension) * bristle, turned + 0.5 * (held + limit_n) * slipped, true};
+Vec3d across(Vec3d normal, Vec3d v) {
+  return v - dot(normal, v) * normal;
 }
 
 Mat3 stiffness_matrix(Vec3 n, float normal, float across) {
@@ -228,14 +181,10 @@ Status obstacle_prepare(const ObstacleConfig& config, Obstacle& obstacle_out) {
   return Status::kOk;
 }
 
-bool obstacle_near(const Obstacle& obstacle, const NeedlePiece& piece) {
-  return !is_far(obstacle, axis_in_body(obstacle, piece), rounding_of(obstacle, piece));
-}
-
 Gap obstacle_gap(const Obstacle& obstacle, const NeedlePiece& piece) {
-  const double rounding = rounding_of(obstacle, piece);
+  const double rounding = rounding_of(obstacle, static_cast<double>(piece.radius_m));
   const ConvexHull hull = hull_of(obstacle);
-  const Segment axis = axis_in_body(obstacle, piece);
+  const Segment axis = in_body(obstacle, axis_of(piece));
   const Closest seen = view(hull, axis, kCoreShare * rounding, {0, 0, 0});
   const Vec3d point = point_on(axis, seen.place);
   const Vec3d normal = seen.normal;
@@ -243,47 +192,87 @@ Gap obstacle_gap(const Obstacle& obstacle, const NeedlePiece& piece) {
           to_float(to_world(obstacle.rotation, normal)), static_cast<float>(seen.place)};
 }
 
+Mat3 obstacle_stiffness(const Obstacle& obstacle, Vec3 normal, double depth_m, bool slips) {
+  const float k = obstacle.config.stiffness_n_per_m;
+  const double least = kLeastStiffnessShare * static_cast<double>(k);
+  const double along = max_of(press_of(obstacle.config, depth_m).stiffness_n_per_m, least);
+  return stiffness_matrix(normal, static_cast<float>(along), slips ? 0 : k);
+}
+
+bool find_face(const Obstacle& obstacle, const Segment& axis_m, double radius_m,
+               const ObstacleContact& last, Vec3d now_m, Vec3d seen, double reach_m,
+               ObstacleFace& out) {
+  const double rounding = rounding_of(obstacle, radius_m);
+  const Segment axis = in_body(obstacle, axis_m);
+  if (is_far(obstacle, axis, rounding + reach_m)) return false;
+  const ConvexHull hull = hull_of(obstacle);
+  const bool known = !is_zero(last.normal);
+  const Vec3d before = to_body(obstacle.rotation, known ? to_double(last.normal) : seen);
+  const Closest closest = view(hull, axis, kCoreShare * rounding, before);
+  out = {};
+  out.place = static_cast<float>(closest.place);
+  Vec3d normal = closest.normal;
+  if (known) {
+    out.goes_on = dot(before, normal) >= kThroughCosine;
+    out.depth_last_m = depth_along(hull, before, in_body(obstacle, now_m), rounding);
+    normal = turn(before, normal);
+  }
+  const double place = static_cast<double>(out.place);
+  out.depth_m = depth_along(hull, normal, point_on(axis, place), rounding);
+  out.normal = to_world(obstacle.rotation, normal);
+  out.at_m = point_on(axis_m, place);
+  if (out.goes_on) {
+    out.bristle_m = across(out.normal, to_double(last.bristle_m) + (now_m - last.at_m));
+  }
+  return out.depth_m > -reach_m;
+}
+
+double face_loss(const Obstacle& obstacle, const ObstacleFace& face, const ObstacleContact& last,
+                 Vec3d moved_m, Vec3d bristle_m) {
+  if (is_zero(last.normal)) return 0;
+  const double k = static_cast<double>(obstacle.config.stiffness_n_per_m);
+  const double depth_last = face.depth_last_m - dot(to_double(last.normal), moved_m);
+  const double depth = face.depth_m - dot(face.normal, moved_m);
+  const double turned =
+      press_of(obstacle.config, depth_last).energy_j - press_of(obstacle.config, depth).energy_j;
+  const Vec3d before = to_double(last.bristle_m),
+              trial = face.bristle_m + across(face.normal, moved_m);
+  const double lifted = dot(face.normal, before);  // lost as the plane of contact turns
+  const double tension = k * norm(face.goes_on ? trial : before), left = k * norm(bristle_m);
+  const double held = min_of(tension, max_of(left, k * norm(before)));
+  return turned + 0.5 * k * lifted * lifted + 0.5 * (held + left) * (tension - left) / k;
+}
+
 ObstacleLoad obstacle_load(const Obstacle& obstacle, const NeedlePiece& piece,
                            const ObstacleContact& last, ObstacleContact& next_out) {
   next_out = {};
-  const bool usable = is_finite(piece.a_m) && is_finite(piece.b_m) && is_finite(piece.radius_m);
-  const Touch touch = usable ? find_touch(obstacle, piece, last) : Touch{};
+  ObstacleLoad load = {};
+  if (!is_finite(piece.a_m) || !is_finite(piece.b_m) || !is_finite(piece.radius_m)) return load;
+  const Segment axis = axis_of(piece);
+  const Vec3d now = point_on(axis, static_cast<double>(last.place));
+  ObstacleFace face = {};
+  (void)find_face(obstacle, axis, static_cast<double>(piece.radius_m), last, now, {0, 0, 0}, 0,
+                  face);
   const ObstacleConfig& config = obstacle.config;
   const double k = static_cast<double>(config.stiffness_n_per_m);
-  const Press pressed = press(config, touch.depth_m);
-  const double before_j = press(config, touch.depth_last_m).energy_j;
-  const double turned_j = is_zero(last.normal) ? 0 : before_j - pressed.energy_j;
-  const double held_at = static_cast<double>(last.place);
-  const Vec3d moved = touch.goes_on ? (1 - held_at) * (to_double(piece.a_m) - to_double(last.a_m)) +
-                                          held_at * (to_double(piece.b_m) - to_double(last.b_m))
-                                    : Vec3d{0, 0, 0};
-  const double limit_n = touch.goes_on || is_zero(last.normal)
-                             ? static_cast<double>(config.friction) * pressed.force_n
-                             : 0;
-  const Slip slid = slip(k, limit_n, touch.normal, to_double(last.bristle_m), moved);
-  ObstacleLoad load = {};
-  load.dissipated_j = static_cast<float>(turned_j + slid.dissipated_j);
-  const bool known = !is_zero(to_float(touch.normal)) && !is_zero(last.normal);
-  if (!(touch.depth_m > 0) && !known) return load;
-  const Vec3d place_m = point_on({to_double(piece.a_m), to_double(piece.b_m)}, touch.place);
-  load.normal = to_float(touch.normal);
-  load.place = static_cast<float>(touch.place);
-  load.depth_m = static_cast<float>(touch.depth_m);
-  if (!(touch.depth_m > 0)) {
-    load.at_m = to_float(place_m + touch.depth_m * touch.normal);
-    load.stiffness_n_per_m = stiffness_matrix(load.normal, config.stiffness_n_per_m, 0);
-    return load;
-  }
-  next_out = {to_float(touch.normal), to_float(slid.bristle_m), piece.a_m, piece.b_m,
-              static_cast<float>(touch.place)};
-  load.force_n = to_float(pressed.force_n * touch.normal - k * slid.bristle_m);
-  load.at_m = to_float(place_m);
+  const Press pressed = press_of(config, face.depth_m);
+  const bool holds = face.goes_on || is_zero(last.normal);
+  const double limit_n = holds ? static_cast<double>(config.friction) * pressed.force_n : 0;
+  const Slip slid = slip(k, limit_n, face.bristle_m);
+  load.dissipated_j =
+      static_cast<float>(face_loss(obstacle, face, last, {0, 0, 0}, slid.bristle_m));
+  if (!(face.depth_m > 0)) return load;
+  load.normal = to_float(face.normal);
+  load.place = face.place;
+  load.depth_m = static_cast<float>(face.depth_m);
+  next_out = {load.normal, to_float(slid.bristle_m), face.at_m, face.place,
+              static_cast<float>(limit_n)};
+  load.force_n = to_float(pressed.force_n * face.normal - k * slid.bristle_m);
+  load.at_m = to_float(face.at_m);
   load.elastic_j =
       static_cast<float>(pressed.energy_j + 0.5 * k * dot(slid.bristle_m, slid.bristle_m));
   load.slips = slid.slips ? 1 : 0;
-  load.stiffness_n_per_m = stiffness_matrix(
-      load.normal, static_cast<float>(max_of(pressed.stiffness_n_per_m, kLeastStiffnessShare * k)),
-      slid.slips ? 0 : config.stiffness_n_per_m);
+  load.stiffness_n_per_m = obstacle_stiffness(obstacle, load.normal, face.depth_m, slid.slips);
   return load;
 }
 

@@ -109,7 +109,6 @@ std::uint32_t obstacle_touches(const Kernel& kernel, std::span<ObstacleTouch> ou
     const View one = needle_view(view, n);
     for (std::uint32_t i = 0; i < one.state.needle->touch_count && count < out.size(); ++i) {
       const Touch& touch = one.state.touch[i];
-      if (touch.depth_m < 0) continue;
       out[count++] = {touch.at_m, touch.normal, touch.force_n, touch.obstacle, n};
     }
   }

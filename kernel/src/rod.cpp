@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "touch_law.h"
+
 namespace stylet {
 namespace {
 
@@ -11,8 +13,12 @@ constexpr double kLeastOpening = 0.02;
 constexpr double kMaxTurnRad = 0.5;
 // Pivots below this share of the joint's stiffness are lifted, by this slope: a small positive
 // pivot stays soft enough to buckle, and none becomes so small that the next ones explode.
-constexpr double kLeastPivot = 0.01;
-constexpr double kPivotLift = 100;
+struct PivotLift {
+  double least, slope;
+};
+constexpr PivotLift kFirmLift = {0.01, 100};
+// Where the energy says how far to go: a soft way of the needle stays soft.
+constexpr PivotLift kSoftLift = {1e-6, 2};
 constexpr double kLeastCompressionShare = 1.0 / 1024;
 constexpr double kLeastStepShare = 0.1;
 // Square of a change of direction that is rounding, rad^2.
@@ -30,6 +36,12 @@ constexpr Sym3d operator*(double s, const Sym3d& a) {
 constexpr Vec3d operator*(const Sym3d& a, Vec3d v) {
   return {a.xx * v.x + a.xy * v.y + a.xz * v.z, a.xy * v.x + a.yy * v.y + a.yz * v.z,
           a.xz * v.x + a.yz * v.y + a.zz * v.z};
+}
+constexpr Sym3d square(Vec3d a) {
+  return {a.x * a.x, a.x * a.y, a.x * a.z, a.y * a.y, a.y * a.z, a.z * a.z};
+}
+constexpr Vec3d across(Vec3d normal, Vec3d v) {
+  return v - dot(normal, v) * normal;
 }
 constexpr double max_of(double a, double b) {
   return a > b ? a : b;
@@ -122,6 +134,15 @@ OnRod on_rod(const RodModel& model, double arc_m) {
   return {rod, max_of(0, min_of(rest_m, model.rod_m))};
 }
 
+// A quadratic function of a place on a rod: force there and stiffness.
+void add_to_lump(RodScratch::Lump& lump, double from_start_m, const Sym3d& k, Vec3d at_origin_n) {
+  lump.start = lump.start + k;
+  lump.mixed = lump.mixed + from_start_m * k;
+  lump.along = lump.along + (from_start_m * from_start_m) * k;
+  lump.start_n = lump.start_n + at_origin_n;
+  lump.along_nm = lump.along_nm + from_start_m * at_origin_n;
+}
+
 // A place on a rod is linear in the rod's start and direction, so the loads of a rod add up to one
 // quadratic function, whatever their number.
 void lump_loads(const RodModel& model, const RodLoads& loads, RodScratch& scratch) {
@@ -130,30 +151,16 @@ void lump_loads(const RodModel& model, const RodLoads& loads, RodScratch& scratc
     const RodLoad& a = scratch.load[i] = bounded(loads, i);
     const OnRod on = on_rod(model, a.arc_m);
     const Sym3d& k = a.stiffness_n_per_m;
-    const Vec3d at_origin_n = a.force_n + k * a.place_m;
-    RodScratch::Lump& lump = scratch.lump[on.rod];
-    lump.start = lump.start + k;
-    lump.mixed = lump.mixed + on.from_start_m * k;
-    lump.along = lump.along + (on.from_start_m * on.from_start_m) * k;
-    lump.start_n = lump.start_n + at_origin_n;
-    lump.along_nm = lump.along_nm + on.from_start_m * at_origin_n;
+    add_to_lump(scratch.lump[on.rod], on.from_start_m, k, a.force_n + k * a.place_m);
   }
 }
 
-// Springs from the nodes to where they may be.
-void add_drag(const RodModel& model, double drag_n_per_m, double free_m, const RodResult& result,
+// Springs that hold the nodes where they are.
+void add_hold(const RodModel& model, double hold_n_per_m, const RodResult& result,
               RodScratch& scratch) {
-  const Sym3d k{drag_n_per_m, 0, 0, drag_n_per_m, 0, drag_n_per_m};
+  const Sym3d k{hold_n_per_m, 0, 0, hold_n_per_m, 0, hold_n_per_m};
   for (std::uint32_t j = 0; j < model.rods; ++j) {
-    const Vec3d way = result.node_m[j + 1] - scratch.start_m[j + 1];
-    const double length = std::sqrt(dot(way, way));
-    const Vec3d may = scratch.start_m[j + 1] + share_below(free_m, length) * way;
-    RodScratch::Lump& lump = scratch.lump[j];
-    lump.start = lump.start + k;
-    lump.mixed = lump.mixed + model.rod_m * k;
-    lump.along = lump.along + (model.rod_m * model.rod_m) * k;
-    lump.start_n = lump.start_n + drag_n_per_m * may;
-    lump.along_nm = lump.along_nm + (model.rod_m * drag_n_per_m) * may;
+    add_to_lump(scratch.lump[j], model.rod_m, k, hold_n_per_m * result.node_m[j + 1]);
   }
 }
 
@@ -219,15 +226,15 @@ struct Pivot {
   double least;  // eigenvalue, before
   double i00, i01, i11;
 };
-Pivot invert(double m00, double m01, double m11, double joint_stiffness) {
+Pivot invert(double m00, double m01, double m11, double joint_stiffness, PivotLift lift) {
   const double mean = 0.5 * (m00 + m11), apart = 0.5 * (m00 - m11);
   const double least = mean - std::sqrt(apart * apart + m01 * m01);
   double a = m00, b = m11;
-  const double wanted = kLeastPivot * joint_stiffness;
+  const double wanted = lift.least * joint_stiffness;
   // A branch, because it is rare: the division need not wait for the square root.
   if (least < wanted) [[unlikely]] {
-    a += kPivotLift * (wanted - least);
-    b += kPivotLift * (wanted - least);
+    a += lift.slope * (wanted - least);
+    b += lift.slope * (wanted - least);
   }
   const double scale = 1 / (a * b - m01 * m01);
   return {least, b * scale, -m01 * scale, a * scale};
@@ -241,7 +248,7 @@ constexpr Sym3d product(Vec3d a, Vec3d b, Vec3d c, Vec3d d) {
 
 // From a function of the rod after a joint to one of the rod before it: adds the joint's energy and
 // minimises over its two angles. Returns the least eigenvalue of the pivot.
-double cross_joint(double stiffness, Vec3d t, RodScratch::Joint& joint, Energy& e) {
+double cross_joint(double stiffness, Vec3d t, PivotLift lift, RodScratch::Joint& joint, Energy& e) {
   const Vec3d u = joint.rest, v = cross(t, u), b1 = joint.axis_1, b2 = joint.axis_2;
   const double c = dot(u, t);
   const double s = 1 / max_of(1 + c, kLeastOpening);
@@ -251,9 +258,10 @@ double cross_joint(double stiffness, Vec3d t, RodScratch::Joint& joint, Energy& 
   const double v1 = dot(b1, v), v2 = dot(b2, v);
 
   const Vec3d turn_1 = e.turn_turn * b1, turn_2 = e.turn_turn * b2;
-  const Pivot pivot = invert(dot(b1, turn_1) + k2 * v1 * v1 + k * c * (1 - t1 * t1),
-                             dot(b1, turn_2) + k2 * v1 * v2 - k * c * t1 * t2,
-                             dot(b2, turn_2) + k2 * v2 * v2 + k * c * (1 - t2 * t2), stiffness);
+  const Pivot pivot =
+      invert(dot(b1, turn_1) + k2 * v1 * v1 + k * c * (1 - t1 * t1),
+             dot(b1, turn_2) + k2 * v1 * v2 - k * c * t1 * t2,
+             dot(b2, turn_2) + k2 * v2 * v2 + k * c * (1 - t2 * t2), stiffness, lift);
   const double g1 = dot(b1, e.turn) - k * v1, g2 = dot(b2, e.turn) - k * v2;
   // How the two angles couple to displacement and turn of the rod before.
   const Vec3d* const m = e.move_turn;
@@ -284,15 +292,15 @@ double cross_joint(double stiffness, Vec3d t, RodScratch::Joint& joint, Energy& 
 }
 
 // Tip to handle. Returns the least pivot over EI / l.
-double sweep_back(const RodModel& model, double compression_share, const RodResult& result,
-                  RodScratch& scratch) {
+double sweep_back(const RodModel& model, double compression_share, PivotLift lift,
+                  const RodResult& result, RodScratch& scratch) {
   Energy energy{};
   double least = kRigidBendingNm2;
   for (std::uint32_t j = model.rods; j-- > 0;) {
     const double stiffness = j == 0 ? 2 * model.joint_nm_per_rad : model.joint_nm_per_rad;
     const Vec3d t = result.direction[j];
     move_to_start(model.rod_m, t, result.node_m[j], scratch.lump[j], compression_share, energy);
-    const double pivot = cross_joint(stiffness, t, scratch.joint[j], energy);
+    const double pivot = cross_joint(stiffness, t, lift, scratch.joint[j], energy);
     least = min_of(least, pivot / model.joint_nm_per_rad);
   }
   return least;
@@ -348,10 +356,7 @@ void newton_steps(const RodModel& model, const Frame& handle, RodShape& shape, R
   }
   for (std::uint32_t step = 0; step < kRodNewtonSteps; ++step) {
     place_rods(model, handle, scratch, result);
-    for (std::uint32_t j = 0; step == 0 && j <= model.rods; ++j) {
-      scratch.start_m[j] = result.node_m[j];
-    }
-    const double least = sweep_back(model, shape.compression_share, result, scratch);
+    const double least = sweep_back(model, shape.compression_share, kFirmLift, result, scratch);
     result.least_pivot = min_of(result.least_pivot, least);
     result.last_turn_rad = sweep_forth(model, result, scratch);
     take_step(model, least, shape, scratch, result);
@@ -366,6 +371,225 @@ void keep_shape(const RodModel& model, const Frame& handle, RodShape& shape, Rod
     result.node_m[j + 1] = result.node_m[j] + model.rod_m * t;
     shape.direction[j] = {dot(t, handle.x), dot(t, handle.y), dot(t, z)};
   }
+}
+
+// The shape as the handle carries it.
+void start_rods(const RodModel& model, const Frame& handle, const RodShape& shape,
+                RodScratch& scratch) {
+  const Vec3d z = -1.0 * handle.along;
+  for (std::uint32_t j = 0; j < model.rods; ++j) {
+    const Vec3d t = shape.direction[j];
+    scratch.start_direction[j] = t.x * handle.x + t.y * handle.y + t.z * z;
+  }
+}
+
+// ==== Among faces
+// ==================================================================================
+
+// Shares of a step that are tried. The first is Newton's; the others find the way where faces are
+// met or left on it, or the shape is not stable.
+constexpr double kTriedShare[kRodTrials] = {1, 0.5, 0.2, 0.05};
+// Beyond this a pivot says that those before it were next to nothing, and the step is no better.
+constexpr double kWildPivot = -0.1;
+// A step that is rounding.
+constexpr double kRestsRad = 1e-7;
+// Slope of what friction allows over its limit from which on the contact is taken to stick.
+constexpr double kHoldsItself = 0.95;
+// A slope steeper than this is taken for one of faces that were met or left: a tenth of the way.
+constexpr double kSteepestFall = -9;
+// Limits that differ by less than this share say nothing about how the force follows them.
+constexpr double kLeastLimitShare = 0.01;
+
+RodTouch touch_at(const RodFace& face, Vec3d x) {
+  const Vec3d moved = x - face.place_m;
+  const double into = -dot(face.normal, moved), depth = face.depth_m + into;
+  const Press pressed = press(face.stiffness_n_per_m, face.largest_force_n, depth);
+  const Vec3d trial = face.bristle_m + moved + into * face.normal;
+  const Slip slid = slip(face.stiffness_n_per_m, face.limit_n, trial);
+  return {moved, depth, pressed.force_n, slid.bristle_m, slid.slips};
+}
+
+// What a face adds to the energy and its derivatives. Along the normal the chord of the law stands
+// for its slope: more, so that a step does not go too far. A careful step does not reckon with
+// sliding on either, which friction ends where it turns back.
+void add_faces(const RodModel& model, const RodResult& result, const RodFaces& faces, bool careful,
+               RodScratch& scratch) {
+  for (std::uint32_t i = 0; i < faces.count; ++i) {
+    const RodFace& face = faces.face[i];
+    const OnRod on = on_rod(model, face.arc_m);
+    const Vec3d x = result.node_m[on.rod] + on.from_start_m * result.direction[on.rod];
+    const RodTouch touch = touch_at(face, x);
+    if (!face.holds) continue;
+    const double k = face.stiffness_n_per_m;
+    const double along =
+        touch.depth_m > 0 ? press(k, face.largest_force_n, touch.depth_m).chord_n_per_m : k;
+    // Across: k where it sticks; where it slips, what turning the bristle costs.
+    const double length = norm(face.bristle_m + across(face.normal, touch.moved_m));
+    const double side = touch.slips ? face.limit_n / max_of(length, 1e-12) : k;
+    const Vec3d n = face.normal;
+    Sym3d stiffness = Sym3d{side, 0, 0, side, 0, side} + (along - side) * square(n);
+    if (touch.slips && !careful) {
+      const Vec3d d = (1 / max_of(norm(touch.bristle_m), 1e-15)) * touch.bristle_m;
+      stiffness = stiffness - side * square(d);
+    }
+    const Vec3d force = along * touch.depth_m * n - k * touch.bristle_m;
+    add_to_lump(scratch.lump[on.rod], on.from_start_m, stiffness, force + stiffness * x);
+  }
+}
+
+// Which faces touch where the step that was found would end. Whether these are others than it
+// reckoned with.
+bool expect_faces(const RodModel& model, const RodResult& result, const RodScratch& scratch,
+                  RodFaces& faces) {
+  bool changes = false;
+  for (std::uint32_t i = 0; i < faces.count; ++i) {
+    RodFace& face = faces.face[i];
+    const OnRod on = on_rod(model, face.arc_m);
+    Vec3d moved = on.from_start_m * scratch.change[on.rod];
+    for (std::uint32_t j = 0; j < on.rod; ++j) moved = moved + model.rod_m * scratch.change[j];
+    const double depth = touch_face(model, result, face).depth_m;
+    const bool holds = depth > 0 || depth - dot(face.normal, moved) > 0;
+    changes |= holds != face.holds;
+    face.holds = holds;
+  }
+  return changes;
+}
+
+// What friction allows follows the force, and the force what friction allows: linearly, while the
+// faces are the same, so two limits tell the third. Where it grows faster than its limit the
+// contact holds itself, and sticks.
+double next_limit(const RodFace& face, double allowed_n) {
+  const double change = face.limit_n - face.limit_before_n;
+  const double least = kLeastLimitShare * (face.limit_n + allowed_n);
+  if (!face.slid || (change < least && change > -least)) return 0.5 * (face.limit_n + allowed_n);
+  const double slope = (allowed_n - face.allowed_before_n) / change;
+  if (slope > kHoldsItself) return kMaxRodForceN;
+  return max_of(0, face.limit_n + (allowed_n - face.limit_n) / (1 - max_of(slope, kSteepestFall)));
+}
+
+void settle_limits(const RodModel& model, const RodResult& result, RodFaces& faces) {
+  for (std::uint32_t i = 0; i < faces.count; ++i) {
+    RodFace& face = faces.face[i];
+    const RodTouch touch = touch_face(model, result, face);
+    const double allowed = face.friction * touch.force_n;
+    const double limit = touch.slips ? next_limit(face, allowed) : allowed;
+    face.slid = touch.slips;
+    face.limit_before_n = face.limit_n;
+    face.allowed_before_n = allowed;
+    face.limit_n = limit;
+  }
+}
+
+double joint_energy(double stiffness, Vec3d rest, Vec3d along) {
+  // 1 - c from the difference: a stiff joint would show the rounding of c.
+  const Vec3d apart = along - rest;
+  const double d = 0.5 * dot(apart, apart);
+  return (2.0 / 3) * stiffness * d * (3 - d) / max_of(2 - d, kLeastOpening);
+}
+
+double face_energy(const RodFace& face, Vec3d x) {
+  const Vec3d moved = x - face.place_m;
+  const double into = -dot(face.normal, moved);
+  const Vec3d trial = face.bristle_m + moved + into * face.normal;
+  const double pressed_j =
+      press(face.stiffness_n_per_m, face.largest_force_n, face.depth_m + into).energy_j;
+  return face.holds ? pressed_j + slip(face.stiffness_n_per_m, face.limit_n, trial).energy_j
+                    : pressed_j;
+}
+
+// Of a shape, without a constant.
+double energy_of(const RodModel& model, const Frame& handle, const Vec3d* direction,
+                 const RodFaces& faces, const RodScratch& scratch) {
+  Frame frame = handle, half;
+  Vec3d node[kMaxRods + 1];
+  node[0] = {0, 0, 0};
+  double sum = 0;
+  for (std::uint32_t j = 0; j < model.rods; ++j) {
+    const Vec3d rest = rest_direction(model.rest[j], frame), t = direction[j];
+    const double stiffness = j == 0 ? 2 * model.joint_nm_per_rad : model.joint_nm_per_rad;
+    sum += joint_energy(stiffness, rest, t);
+    frame = carried(model.rest[j], frame, rest, t, half);
+    const RodScratch::Lump& lump = scratch.load_lump[j];
+    const Vec3d x = node[j];
+    sum += dot(x, 0.5 * (lump.start * x) + lump.mixed * t - lump.start_n) +
+           dot(t, 0.5 * (lump.along * t) - lump.along_nm);
+    node[j + 1] = x + model.rod_m * t;
+  }
+  for (std::uint32_t i = 0; i < faces.count; ++i) {
+    const OnRod on = on_rod(model, faces.face[i].arc_m);
+    sum += face_energy(faces.face[i], node[on.rod] + on.from_start_m * direction[on.rod]);
+  }
+  return sum;
+}
+
+// How far the step that was found takes a node.
+double farthest(const RodModel& model, const RodScratch& scratch) {
+  Vec3d moved{0, 0, 0};
+  double largest = 0;
+  for (std::uint32_t j = 0; j < model.rods; ++j) {
+    moved = moved + model.rod_m * scratch.change[j];
+    largest = max_of(largest, dot(moved, moved));
+  }
+  return std::sqrt(largest);
+}
+
+// How long the tried steps are, in the step that was found: no farther than a fold or a look
+// allows. A needle that buckles leaves a straight shape by next to nothing, so it tries half of all
+// that.
+void choose_lengths(const RodModel& model, double farthest_m, const RodScratch& scratch,
+                    const RodResult& result, double (&length_out)[kRodTrials]) {
+  const double far_m = farthest(model, scratch);
+  const double allowed = min_of(kMaxTurnRad / max_of(result.last_turn_rad, kRestsRad),
+                                farthest_m / max_of(far_m, kRestsRad));
+  for (std::uint32_t trial = 0; trial < kRodTrials; ++trial) {
+    length_out[trial] = min_of(1, allowed) * kTriedShare[trial];
+  }
+  if (!(result.least_pivot > 0) && allowed > 2) length_out[1] = 0.5 * allowed;
+}
+
+enum class Step { kWhole, kPart, kNone };
+
+// Takes the tried step with the least energy, or none where each would raise it. At rest none
+// lowers it beyond its rounding: that counts as whole.
+Step take_best_step(const RodModel& model, const Frame& handle, const RodFaces& faces,
+                    double farthest_m, RodScratch& scratch, RodResult& result) {
+  double length[kRodTrials];
+  choose_lengths(model, farthest_m, scratch, result, length);
+  double least = energy_of(model, handle, result.direction, faces, scratch);
+  const Vec3d* best = result.direction;
+  Step step = result.last_turn_rad < kRestsRad ? Step::kWhole : Step::kNone;
+  for (std::uint32_t trial = 0; trial < kRodTrials; ++trial) {
+    Vec3d* const tried = scratch.tried[trial];
+    for (std::uint32_t j = 0; j < model.rods; ++j) {
+      const Vec3d t = result.direction[j] + length[trial] * scratch.change[j];
+      tried[j] = (1 / std::sqrt(dot(t, t))) * t;
+    }
+    const double energy = energy_of(model, handle, tried, faces, scratch);
+    if (!(energy < least)) continue;
+    least = energy;
+    best = tried;
+    step = trial == 0 || length[trial] > length[0] ? Step::kWhole : Step::kPart;
+  }
+  for (std::uint32_t j = 0; j < model.rods; ++j) result.direction[j] = best[j];
+  return step;
+}
+
+// One step. After one that was none, or that came of pivots next to nothing, the next are careful.
+Step bend_step(const RodModel& model, const Frame& handle, const RodCare& care, bool last,
+               RodFaces& faces, RodShape& shape, RodScratch& scratch, RodResult& result) {
+  for (std::uint32_t j = 0; j < model.rods; ++j) scratch.lump[j] = scratch.load_lump[j];
+  const bool careful = shape.compression_share < 1;
+  add_faces(model, result, faces, careful, scratch);
+  if (careful) add_hold(model, care.hold_n_per_m, result, scratch);
+  const PivotLift lift = careful ? kFirmLift : kSoftLift;
+  result.least_pivot = sweep_back(model, shape.compression_share, lift, result, scratch);
+  result.last_turn_rad = sweep_forth(model, result, scratch);
+  if (expect_faces(model, result, scratch, faces) && !last) return Step::kNone;
+  const Step step = take_best_step(model, handle, faces, care.farthest_m, scratch, result);
+  const bool wild = step == Step::kNone || result.least_pivot < kWildPivot;
+  shape.compression_share = wild ? max_of(kLeastCompressionShare, 0.25 * shape.compression_share)
+                                 : min_of(1, 2 * shape.compression_share);
+  return step;
 }
 
 }  // namespace
@@ -397,11 +621,7 @@ void relax_rod(const RodModel& model, RodShape& shape_out) {
 void solve_rod(const RodModel& model, const double (&handle_wxyz)[4], const RodLoads& loads,
                RodShape& shape, RodScratch& scratch, RodResult& result_out) {
   const Frame handle = handle_frame(handle_wxyz);
-  const Vec3d z = -1.0 * handle.along;
-  for (std::uint32_t j = 0; j < model.rods; ++j) {
-    const Vec3d t = shape.direction[j];
-    scratch.start_direction[j] = t.x * handle.x + t.y * handle.y + t.z * z;
-  }
+  start_rods(model, handle, shape, scratch);
   lump_loads(model, loads, scratch);
   result_out.least_pivot = kRigidBendingNm2;
   newton_steps(model, handle, shape, scratch, result_out);
@@ -409,24 +629,34 @@ void solve_rod(const RodModel& model, const double (&handle_wxyz)[4], const RodL
   read_loads(model, scratch, result_out);
 }
 
-void slow_bend(const RodModel& model, const double (&handle_wxyz)[4], double drag_n_per_m,
-               double free_m, RodShape& shape, RodScratch& scratch, RodResult& result) {
+void carry_rod(const RodModel& model, const double (&handle_wxyz)[4], RodShape& shape,
+               RodScratch& scratch, RodResult& result) {
   const Frame handle = handle_frame(handle_wxyz);
-  add_drag(model, drag_n_per_m, free_m, result, scratch);
-  newton_steps(model, handle, shape, scratch, result);
+  start_rods(model, handle, shape, scratch);
+  for (std::uint32_t j = 0; j < model.rods; ++j) result.direction[j] = scratch.start_direction[j];
+  place_rods(model, handle, scratch, result);
+}
+
+void bend_rod(const RodModel& model, const double (&handle_wxyz)[4], const RodLoads& loads,
+              RodFaces& faces, const RodCare& care, RodShape& shape, RodScratch& scratch,
+              RodResult& result) {
+  const Frame handle = handle_frame(handle_wxyz);
+  lump_loads(model, loads, scratch);
+  for (std::uint32_t j = 0; j < model.rods; ++j) scratch.load_lump[j] = scratch.lump[j];
+  for (std::uint32_t i = 0; i < kRodFaceSteps; ++i) {
+    const bool last = i + 1 == kRodFaceSteps;
+    place_rods(model, handle, scratch, result);
+    const Step step = bend_step(model, handle, care, last, faces, shape, scratch, result);
+    if (last || step != Step::kWhole) continue;
+    place_rods(model, handle, scratch, result);
+    settle_limits(model, result, faces);
+  }
   keep_shape(model, handle, shape, result);
   read_loads(model, scratch, result);
 }
 
-void shorten_bend(const RodModel& model, const double (&handle_wxyz)[4], double share,
-                  RodShape& shape, const RodScratch& scratch, RodResult& result) {
-  if (!(share < 1)) return;
-  for (std::uint32_t j = 0; j < model.rods; ++j) {
-    const Vec3d from = scratch.start_direction[j];
-    const Vec3d t = from + share * (result.direction[j] - from);
-    result.direction[j] = (1 / std::sqrt(dot(t, t))) * t;
-  }
-  keep_shape(model, handle_frame(handle_wxyz), shape, result);
+RodTouch touch_face(const RodModel& model, const RodResult& result, const RodFace& face) {
+  return touch_at(face, rod_point(model, result, face.arc_m).place_m);
 }
 
 double bending_energy(const RodModel& model, const RodShape& shape) {
@@ -434,11 +664,7 @@ double bending_energy(const RodModel& model, const RodShape& shape) {
   double sum = 0;
   for (std::uint32_t j = 0; j < model.rods; ++j) {
     const Vec3d rest = rest_direction(model.rest[j], frame), along = shape.direction[j];
-    // 1 - c from the difference: a stiff joint would show the rounding of c.
-    const Vec3d apart = along - rest;
-    const double d = 0.5 * dot(apart, apart);
-    const double joint = (2.0 / 3) * d * (3 - d) / max_of(2 - d, kLeastOpening);
-    sum += (j == 0 ? 2 : 1) * model.joint_nm_per_rad * joint;
+    sum += joint_energy((j == 0 ? 2 : 1) * model.joint_nm_per_rad, rest, along);
     frame = carried(model.rest[j], frame, rest, along, half);
   }
   return sum;

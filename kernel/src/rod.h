@@ -25,11 +25,23 @@
 // 22G needle swung and rolled in tissue within 3 nm. Of 10 000 drawn needles under hard loads (30
 // N, springs of 10 kN/m pulled by 3 cm) 99.7 % rest within 20 ticks and all within 160.
 //
-// Promises: no allocation; the number of operations depends on the number of rods only, not on
-// loads or shape; any finite input gives a finite result; only + - * / and sqrt in a written order.
-// Units: SI, double. Frame: world directions, places relative to the handle's position; the needle
-// leaves the handle along its -z. Source: Dehghan, Goksel, Salcudean 2006 (angular springs); Hencky
-// 1920 (the chain's buckling load).
+// Among faces of bodies (bend_rod) contact and friction are terms of the same energy: a face
+// presses by its law where the needle is in it, and holds by a bristle up to a limit (Huber's
+// function). A step reckons with the faces that it is expected to end in, and where these turn out
+// to be others it is found anew; of some lengths the one with the least energy is taken, none that
+// raises it. Between steps the limits of friction go to what the force allows: by the secant
+// through two limits, as the force answers to the limit linearly; where it grows faster than the
+// limit, friction holds itself and the contact sticks. Rejected: contact forces of the last tick
+// with their stiffness (alternate at 500 Hz, and pass in and out of stiff bodies); limits that take
+// over the force at once (swing where friction relieves the contact) or by half (slide through
+// places where friction holds itself); the needle's inertia (delays buckling: 1.3 to 1.7 times
+// Euler's load).
+//
+// Promises: no allocation; the number of operations depends on the numbers of rods and faces only,
+// not on loads or shape; any finite input gives a finite result; only + - * / and sqrt in a written
+// order. Units: SI, double. Frame: world directions, places relative to the handle's position; the
+// needle leaves the handle along its -z. Source: Dehghan, Goksel, Salcudean 2006 (angular springs);
+// Hencky 1920 (the chain's buckling load).
 #pragma once
 
 #include <cstdint>
@@ -41,6 +53,8 @@
 namespace stylet {
 
 constexpr double kRigidBendingNm2 = 1e6;
+// Lengths of a step among faces that are tried.
+constexpr std::uint32_t kRodTrials = 4;
 
 struct Sym3d {
   double xx, xy, xz, yy, yz, zz;
@@ -84,6 +98,34 @@ struct RodShape {
   double step_share;          // of a Newton step that is taken
 };
 
+// A body's face beside a place of the needle. It pushes out along its normal by the law of
+// touch_law.h, and holds what slides over it up to the limit of friction.
+struct RodFace {
+  double arc_m;     // from the handle
+  Vec3d place_m;    // where the needle was there when the face was looked at
+  Vec3d normal;     // unit, out of the body
+  double depth_m;   // along it, there; negative: apart
+  Vec3d bristle_m;  // sideways give there, were there no slip
+  double stiffness_n_per_m, largest_force_n, friction;
+  double limit_n;  // of friction; comes to `friction` times the force
+  bool holds;      // it is taken to touch where the next step ends
+  bool slid;       // with limit_before_n, when `friction` times the force was allowed_before_n
+  double limit_before_n, allowed_before_n;
+};
+struct RodFaces {
+  std::uint32_t count;
+  RodFace face[kMaxTouches];
+};
+
+// What a face does to the needle where it is.
+struct RodTouch {
+  Vec3d moved_m;  // since the face was looked at
+  double depth_m;
+  double force_n;  // along the normal
+  Vec3d bristle_m;
+  bool slips;
+};
+
 struct RodScratch {
   struct Joint {
     Vec3d rest;                            // where the rod would point without load
@@ -95,9 +137,10 @@ struct RodScratch {
     Sym3d start, mixed, along;
     Vec3d start_n, along_nm;
   } lump[kMaxRods];
+  Lump load_lump[kMaxRods];  // without what faces and inertia add
+  Vec3d tried[kRodTrials][kMaxRods];
   RodLoad load[kMaxRodLoads];  // within the limits
   Vec3d change[kMaxRods], change_before[kMaxRods];
-  Vec3d start_m[kMaxRods + 1];  // nodes as the handle alone would have carried them
   Vec3d start_direction[kMaxRods];
 };
 
@@ -124,16 +167,22 @@ void relax_rod(const RodModel& model, RodShape& shape_out);
 void solve_rod(const RodModel& model, const double (&handle_wxyz)[4], const RodLoads& loads,
                RodShape& shape, RodScratch& scratch, RodResult& result_out);
 
-// After solve_rod, with the same loads: bends anew, but now every node that went farther than
-// `free_m` from where the handle alone would have carried it is drawn back to that distance by
-// `drag_n_per_m`. Where none did, nothing changes but the rest of the iteration.
-void slow_bend(const RodModel& model, const double (&handle_wxyz)[4], double drag_n_per_m,
-               double free_m, RodShape& shape, RodScratch& scratch, RodResult& result);
+// The same among faces of bodies, in two parts. carry_rod: what the handle alone does to the shape.
+// bend_rod: from there, or from where the last call ended, kRodFaceSteps Newton steps, each of the
+// tried length that lowers the energy (of joints, loads and faces) most, and none that raises it.
+// No step takes a node farther than `farthest_m`. After one that found no lower energy the next are
+// held by springs of `hold_n_per_m` to where the nodes are, which moves no equilibrium.
+void carry_rod(const RodModel& model, const double (&handle_wxyz)[4], RodShape& shape,
+               RodScratch& scratch, RodResult& result);
+struct RodCare {
+  double farthest_m, hold_n_per_m;
+};
+void bend_rod(const RodModel& model, const double (&handle_wxyz)[4], const RodLoads& loads,
+              RodFaces& faces, const RodCare& care, RodShape& shape, RodScratch& scratch,
+              RodResult& result);
 
-// Takes back a part of the bending that was just found: the shape is only `share` of the way
-// from where the tick began. 1: nothing changes.
-void shorten_bend(const RodModel& model, const double (&handle_wxyz)[4], double share,
-                  RodShape& shape, const RodScratch& scratch, RodResult& result);
+// What a face does at the shape that was found; friction by its own limit.
+RodTouch touch_face(const RodModel& model, const RodResult& result, const RodFace& face);
 
 // What the joints of a shape store, in J.
 double bending_energy(const RodModel& model, const RodShape& shape);

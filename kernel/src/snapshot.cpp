@@ -167,8 +167,8 @@ bool sound(const Limits& is, const RodShape& shape, std::size_t needle) {
 }
 
 bool sound(const Limits& is, const ObstacleContact& c) {
-  return is.number(c.normal) && is.number(c.bristle_m) && is.number(c.a_m) && is.number(c.b_m) &&
-         is.part(c.place);
+  return is.number(c.normal) && is.number(c.bristle_m) && is.number(c.at_m) && is.part(c.place) &&
+         is.number(c.limit_n);
 }
 
 bool sound(const Limits& is, const Touch& t, std::size_t index) {

@@ -115,13 +115,13 @@ inline bool is_near(const Obstacle& body, Vec3 a, Vec3 b, float radius_m) {
   return dot(left, left) <= limit * limit;
 }
 
-// An elastic needle looks for obstacles where it would bend to as well, not far from where it ends,
-// as often as its bend is shortened.
+// An elastic needle looks for obstacles from where the hand has carried it to where it ends, not
+// far from there, before the tissue's step and after it.
 inline void add_obstacles(const View& view, std::uint32_t rods, Vec3 shift, Amounts& amount) {
-  constexpr float kBendM = 5e-3F;
+  constexpr float kReachM = 2e-3F, kBendM = 5e-3F;
   const bool elastic = bends(view.needle_config());
-  const std::uint32_t looks = elastic ? 1 + kApproachLooks : 1;
-  const float radius_m = view.needle_config().outer_radius_m + (elastic ? kBendM : 0);
+  const std::uint32_t looks = elastic ? kRodFaceLooks + (view.state.needle->tip_alive != 0) : 1;
+  const float radius_m = view.needle_config().outer_radius_m + (elastic ? kReachM + kBendM : 0);
   for (std::uint32_t body = 0; body < view.model.head->obstacle_count; ++body) {
     const Obstacle& obstacle = view.model.obstacle[body];
     for (std::uint32_t rod = 0; rod < rods; ++rod) {
@@ -153,12 +153,10 @@ inline void add_needle(const View& view, Vec3 shift, TickWork& work) {
   if (looks || looked || own.tip_alive == 0) ++amount[kSearches];
   const std::uint32_t rods = view.model.rod->rods;
   if (bends(view.needle_config())) {
-    const std::uint32_t settles = own.tip_alive != 0 && own.touch_count == 0 ? 1 : 0;
-    amount[kPairs] += 2 * settles * rods * view.model.head->obstacle_count;
-    const std::uint32_t solves = (view.model.head->obstacle_count > 0 ? 2 : 1) + settles;
-    amount[kSolves] += solves;
-    amount[kRods] += solves * rods;
-    amount[kLoads] += (1 + settles) * particles + own.touch_count;
+    const std::uint32_t bends = own.tip_alive != 0 ? 2 : 1;
+    amount[kSolves] += bends;
+    amount[kRods] += bends * rods;
+    amount[kLoads] += bends * particles;
   }
   add_obstacles(view, rods, shift, amount);
 }

@@ -68,6 +68,10 @@ struct Taken {
 bool free_word(const std::string& field, std::size_t offset) {
   if (field == "event") return offset < offsetof(Event, kind);
   if (field == "rod_shape") return offset % 8 == 0;
+  if (field == "touch") {
+    constexpr std::size_t kAt = offsetof(Touch, contact) + offsetof(ObstacleContact, at_m);
+    return offset >= kAt && offset < kAt + sizeof(Vec3d) && offset % 8 == 0;
+  }
   if (field != "head") return false;
   const auto within = [offset](std::size_t first, std::size_t end) {
     return offset >= first && offset < end;

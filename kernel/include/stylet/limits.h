@@ -77,14 +77,18 @@ constexpr std::uint32_t kMaxUnitsPerTick = 64;
 // Rods of the elastic needle. More: create refuses the configuration; longer rods bend less finely
 // (deflections err by 1 / (2 n^2)).
 constexpr std::uint32_t kMaxRods = 128;
-// Contacts of a needle with obstacles, and those lost in this tick while there is room. Full: those
-// that press least are left out and push nothing (obstacle_pool_full is counted).
+// Places of a needle that an obstacle is near to. Full: those that press least are left out and
+// push nothing (obstacle_pool_full is counted).
 constexpr std::uint32_t kMaxTouches = 16;
 // Loads on the needle: every constraint particle and contact.
 constexpr std::uint32_t kMaxRodLoads = kMaxConstraintParticles + 1 + kMaxTouches;
 // Newton steps of the needle's equilibrium in a tick. Reached: what is left is solved in the next
 // ticks: tens for a needle that snaps through, nothing that can be felt for a moving hand.
 constexpr std::uint32_t kRodNewtonSteps = 2;
+// The same for each look at obstacles near it, and looks before the tissue's step; after it
+// there is one for a needle in the tissue. Reached: what is left is solved in the next ticks.
+constexpr std::uint32_t kRodFaceSteps = 6;
+constexpr std::uint32_t kRodFaceLooks = 2;
 // Motion of a particle of tissue in a substep along an axis, in voxel edges. Beyond: clamped.
 // Forces travel one voxel in a substep, so the step cannot follow more: tissue torn along by a
 // needle gained energy until numbers ended.
@@ -118,11 +122,6 @@ constexpr std::uint32_t kMaxGjkSteps = 32;
 constexpr std::uint32_t kMaxEscapeSupports = 64;
 // Turn of an obstacle contact's normal in one tick. Reached: the rest follows in the next ticks.
 constexpr float kMaxNormalTurnRad = 0.1F;
-// How much deeper the needle's bending presses it into an obstacle in one tick. Reached: the rest
-// of the bending follows in the next ticks.
-constexpr double kMaxPlungeM = 3e-5;
-// How often a bend is looked at and shortened for that. Reached: the needle may be pressed deeper.
-constexpr std::uint32_t kApproachLooks = 2;
 // Motion of the handle accepted in one second; faster input is clamped, flagged and followed later.
 constexpr float kMaxHandleSpeedMPerS = 5.0F;
 constexpr float kMaxHandleSpinRadPerS = 60.0F;
