@@ -475,7 +475,8 @@ float renew(const View& view, Particle& p, Vec3 direction, float slip_m, double&
 // the needle's point from where its tissue lies unloaded, all CPs' forces are F = K d: K is the
 // springs and the lattice behind them, whatever that is. So each spring ends phi m behind that
 // point, m' = (d - m) / tau, and all of F relaxes by the part phi in the time tau. (d is the
-// needle's way alone: no swing of the tissue feeds back.) That takes a Maxwell branch with the
+// needle's way alone: no swing of the tissue feeds back. Nor is it how far others had moved the
+// tissue that this one came to, by which it is not pulled.) That takes a Maxwell branch with the
 // energy phi (1 - phi) m n / 2 summed over all CPs, n = K m, which needs no K: n' = (F + phi n - n)
 // / tau. Where one CP's m n is below 0 it stores nothing.
 //
@@ -485,7 +486,7 @@ float renew(const View& view, Particle& p, Vec3 direction, float slip_m, double&
 // The branch goes this part of its way; `residual_m` is the CP's.
 void creep(const View& view, Particle& p, Vec3 residual_m, float part) {
   const Vec3 rest_m = unloaded_place(view, p);
-  const Vec3 d = p.position_m - rest_m;
+  const Vec3 d = (p.position_m - rest_m) - view.state.needle->moved_m;
   const Vec3 f = force_on_tissue(p, residual_m) + p.memory_share * p.memory_n;
   p.memory_m = settle(p.memory_m + part * (d - p.memory_m));
   p.memory_n = settle(p.memory_n + part * (f - p.memory_n));
@@ -1164,6 +1165,7 @@ void begin_contact(const View& view, const Needle& needle, Vec3 rest_m, Vec3 pla
   const float buried = depth - max_of(came_m, 0);
   if (own.leaving != 0 && buried <= mouth_m(view)) return;
   own.leaving = 0;
+  own.moved_m = view.model.head->counts.needles > 1 ? place_m - rest_m : Vec3{};
   const Particle entry = new_particle(view, needle, rest_m, place_m, 0, buried, Place::kShaft);
   const std::uint32_t track = buried > mouth_m(view) ? track_of(view, needle, entry) : kNoTrack;
   const Place place = track != kNoTrack ? Place::kTip : Place::kSurface;

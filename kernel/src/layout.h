@@ -177,6 +177,7 @@ struct NeedleState {
   float drop_track_m;    // where the last shaft CP was dropped, or could not be: in a gap
   float tissue_track_m;  // the tip's track coordinate when it was last in tissue
   float twist_rad, twist_nm_per_rad;  // the hand's roll less the tip's, see roll.h
+  Vec3 moved_m;  // of the tissue it came to, by other needles; zero if there are none
   Vec3 cut;  // where the tip cuts: the needle's direction there, but for a bevel
   Vec3 last_force_n, last_torque_nm;
   std::uint32_t touch_count, touch_max;

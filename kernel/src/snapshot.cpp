@@ -112,7 +112,8 @@ bool sound(const Limits& is, const NeedleState& own, std::size_t) {
          is.number(own.layer_track_m) && is.number(own.press_m_per_s) &&
          is.number(own.track_end_m) && is.number(own.drop_track_m) &&
          is.number(own.tissue_track_m) && is.part(twist * twist) &&
-         is.no_less(own.twist_nm_per_rad, 0) && is.number(own.cut) && is.number(own.last_force_n) &&
+         is.no_less(own.twist_nm_per_rad, 0) && is.number(own.cut) && is.number(own.moved_m) &&
+         is.number(own.last_force_n) &&
          is.number(own.last_torque_nm) && own.touch_count <= kMaxTouches &&
          own.touch_max <= kMaxTouches && own.touch_max >= own.touch_count;
 }

@@ -147,6 +147,46 @@ TEST(V28Relaxation, InsertedNeedleRelaxesAsWritten) {
   EXPECT_NEAR(decay.time_s / static_cast<double>(kTimeS), 1, 0.1);
 }
 
+// Tissue that another needle holds aside relaxes there, and pulls at none that came to it then: a
+// twentieth of what the other holds is allowed, an anchor that took the tissue's place for the
+// needle's way pulled with an eighth.
+TEST(Relaxation, NeedleInTissueThatAnotherHoldsAsideIsNotPulled) {
+  TinyOrgan tiny;
+  tiny.nx = 14;
+  tiny.ny = tiny.nz = 10;
+  tiny.voxel_edge_m = kEdgeM;
+  tiny.fixed_faces = kLowX | kHighX | kLowY | kHighY | kLowZ;
+  tiny.materials = {relaxing()};
+  tiny.materials[0].puncture_force_n = tiny.materials[0].cutting_force_n = 0.05F;
+  tiny.materials[0].coulomb_friction_n_per_m = tiny.materials[0].static_friction_n_per_m = 5;
+  Config config;
+  config.needle_count = 2;
+  const auto opened = open_organ(tiny_organ(tiny));
+  for (const float apart_m : {6e-3F, 8.5e-3F, 12e-3F}) {
+    Session session = make_session(opened->organ, config);
+    Vec3 tip_m[2] = {{0.02F, 0.0205F, 0.042F}, {0.02F + apart_m, 0.0203F, 0.06F}};
+    Output out[2];
+    const auto go = [&](int ticks, std::size_t needle, Vec3 step_m) {
+      for (int i = 0; i < ticks; ++i) {
+        tip_m[needle] = tip_m[needle] + step_m;
+        Input in[2];
+        for (std::size_t n = 0; n < 2; ++n) {
+          in[n] = {{tip_m[n] + Vec3{0, 0, config.needle[n].length_m}, {1, 0, 0, 0}}, 1};
+        }
+        tick(session.kernel, in, out);
+      }
+    };
+    go(1600, 0, {0, 0, -2e-5F});
+    go(200, 0, {1e-5F, 0, 0});
+    go(1000, 1, {0, 0, -2e-5F});
+    go(1500, 1, {0, 0, -2e-5F});
+    go(4000, 1, {});
+    const double held_n = static_cast<double>(out[0].force_n.x);
+    EXPECT_LT(held_n, -0.2) << "the first needle holds the tissue";
+    EXPECT_LT(std::abs(static_cast<double>(out[1].force_n.x)), 0.05 * std::abs(held_n)) << apart_m;
+  }
+}
+
 // Nothing that fades ends among denormal numbers, which processors may flush: a needle goes in a
 // little askew, and is then turned along x, across which nothing pulls any more.
 TEST(Relaxation, WhatFadesEndsAtZero) {
