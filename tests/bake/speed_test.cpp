@@ -98,8 +98,9 @@ TEST(Fit, TakesTheFinestEdgeWithinTheVoxels) {
   }
 }
 
-// For full voxels the mass in the step is that of the bound for stability: dt^2 / 2 (1 + 2 tau /
-// dt) 8 k (1 + 1.5 lambda / G) / (rho h^3).
+// For full voxels the mass in the step is that of the bound for stability (filter.h): its fastest
+// wave, squared frequency 8 k (2 + 1.5 lambda / G) / (rho h^3) with the springs of constraint
+// particles, stays below 0.8 of 4 / (dt (dt + 2 tau)).
 TEST(Mass, FactorIsThatOfTheStabilityBound) {
   bake::BuildOptions options;
   options.voxel_edge_m = 2e-3;
@@ -108,20 +109,18 @@ TEST(Mass, FactorIsThatOfTheStabilityBound) {
   const Organ organ = opened(bytes);
   const auto facts = bake::speed_facts(organ, 1e-3, 2, nullptr);
   const double shear = 30000 / (2 * 1.45), lambda = 2 * shear * 0.45 / 0.1, tau = 0.25e-3;
+  const double fastest = 8 * shear * 2e-3 * (2 + 1.5 * lambda / shear) / (1050 * 8e-9);
+  const auto limit = [&](double dt) { return 0.8 * 4 / (dt * (dt + 2 * tau)); };
   for (const auto& row : facts["by_substeps"]) {
-    const double dt = 1e-3 / row["substeps"].get<double>();
-    const double bound = dt * dt / 2 * (1 + 2 * tau / dt) * 8 * shear * 2e-3 *
-                         (1 + 1.5 * lambda / shear) / (1050 * 8e-9);
+    const double dt = 1e-3 / row["substeps"].get<double>(), bound = fastest / limit(dt);
     EXPECT_NEAR(row["mass_factor"]["kidney"].get<double>() / std::max(1.0, bound), 1, 1e-3) << dt;
   }
   // With true mass, what seven passes leave to add: they divide by (1 + T_8(w0)) / ((1 + w0)
   // T_8'(w0)) = 1 / 49.0 at w0 = 1 + 2 / 64.
   for (const std::uint32_t substeps : {1U, 2U}) {
-    const double dt = 1e-3 / substeps, limit = 0.8 * 4 / (dt * (dt + 2 * tau));
-    const double fastest = 8 * shear * 2e-3 * (2 + 1.5 * lambda / shear) / (1050 * 8e-9);
     const auto of = bake::speed_facts(organ, 1e-3, substeps, nullptr);
     EXPECT_NEAR(of["true_mass_factor"]["kidney"].get<double>(),
-                std::max(1.0, fastest / (limit * 49.0)), 0.01);
+                std::max(1.0, fastest / (limit(1e-3 / substeps) * 49.0)), 0.01);
     EXPECT_THAT(bake::speed_text(of), testing::HasSubstr("substeps of true mass  kidney x"));
   }
 }
