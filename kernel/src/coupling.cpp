@@ -65,7 +65,7 @@ constexpr float kFastBackM = 1e-4F;
 constexpr float kChordM = 1e-5F;
 // In the bend at a tick's end, whose spring is the tangent from before it, the tip of an elastic
 // needle takes tissue aside no farther than kChordM and this share of what it is off already: the
-// tangent's force is 0.5 % below the law's there.
+// tangent's force is 0.8 % below that of a law that goes with the square. A choice, no sensitivity.
 constexpr float kAsideShare = 0.1F;
 // Where all of a tick's creep would gain energy, at least this part of it is tried: with short
 // times the spring gives way faster than the lattice follows.

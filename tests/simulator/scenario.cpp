@@ -197,8 +197,7 @@ std::vector<hal::Waypoint> draw_steps(Draw& draw, float thickness_m, double fast
   return points;
 }
 
-// A sphere or a turned box whose surface the needle's way meets somewhere inside, seldom in its
-// middle.
+// A sphere or a turned box on the needle's way, seldom with its middle; the way may miss the box.
 ObstacleConfig draw_bone(Draw& draw, const HandPlan& plan, float length_m, float thickness_m) {
   ObstacleConfig bone;
   const float size_m = draw.magnitude(1.5e-3, 8e-3);

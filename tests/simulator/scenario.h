@@ -65,7 +65,7 @@ struct Scenario {
 
 Scenario draw_scenario(std::uint64_t seed);
 // What a hand does on purpose: every needle goes in, rests, moves sideways and back, goes deeper,
-// more often than not onto bone that lies on its way, and comes out.
+// more often than not towards bone on its way, and comes out.
 Scenario draw_procedure(std::uint64_t seed);
 
 }  // namespace stylet::test

@@ -25,8 +25,8 @@ constexpr double kLeaveM = 0.12;
 constexpr double kLongestRestS = 60;
 constexpr double kAtRestM = 1e-6;
 constexpr double kZeroForceS = 25e-3;
-// How long nothing must have touched a needle before energy is observed again: bent needles swing
-// back, and voxels that were inside out turn back, within some tens of ticks.
+// How long nothing must have touched a needle before energy is observed again: for bent needles to
+// swing back, and voxels that were inside out to turn back. A choice, not measured.
 constexpr std::uint64_t kLostTicks = 100;
 
 double square_sum(Vec3 a, Vec3 b) {

@@ -80,7 +80,7 @@ constexpr std::uint32_t kMaxRods = 128;
 // Places of a needle that an obstacle is near to. Full: those that press least are left out and
 // push nothing (obstacle_pool_full is counted).
 constexpr std::uint32_t kMaxTouches = 16;
-// Loads on the needle: every constraint particle and contact.
+// Loads on the needle: every constraint particle. (The places of contacts are of no use any more.)
 constexpr std::uint32_t kMaxRodLoads = kMaxConstraintParticles + 1 + kMaxTouches;
 // Newton steps of the needle's equilibrium in a tick. Reached: what is left is solved in the next
 // ticks: tens for a needle that snaps through, nothing that can be felt for a moving hand.
