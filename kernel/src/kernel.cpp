@@ -5,6 +5,7 @@
 #include "stylet/kernel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "cone.h"
@@ -74,9 +75,18 @@ ObstacleConfig canonical(ObstacleConfig config) {
   return config;
 }
 
-// A thin skin is spread over its voxels: in its plane it is as stiff whatever the voxel. A needle
+// A thin skin is spread over its voxels: in tension it is as stiff whatever the voxel. A needle
 // feels it spread over this depth of tissue, that of a dimple, whatever the voxel.
 constexpr float kMembraneSpreadM = 5e-3F;
+
+// Shear modulus of a material by its modulus in tension and lambda (Lame's first): the root of
+// 2 G^2 + (3 lambda - E) G - E lambda = 0, written so that no digits cancel.
+float shear_modulus_pa(float youngs_modulus_pa, float lambda_pa) {
+  const float apart = youngs_modulus_pa - 3 * lambda_pa;
+  const float product = youngs_modulus_pa * lambda_pa;
+  const float root = std::sqrt(apart * apart + 8 * product);
+  return apart < 0 ? 2 * product / (root - apart) : (apart + root) / 4;
+}
 
 // What the sweep needs of a material: in paper mode every voxel has the stiffness that the averaged
 // goals with factor alpha have at this step, and no volume term (physics: Mueller et al. 2005).
@@ -85,9 +95,15 @@ MaterialModel material_model(const Material& m, const Config& config, float edge
   MaterialModel out = {};
   const float per_shear = 2 * (1 + m.poisson_ratio);
   out.shear_pa = (m.youngs_modulus_pa + m.membrane_n_per_m / kMembraneSpreadM) / per_shear;
-  out.lattice_shear_pa = (m.youngs_modulus_pa + m.membrane_n_per_m / edge_m) / per_shear;
   out.poisson_ratio = m.poisson_ratio;
-  out.lattice_volume_ratio = m.poisson_ratio / (1 - 2 * m.poisson_ratio);
+  // A skin is free to get thinner: it adds to the voxel's modulus in tension, not to lambda. (Were
+  // it as incompressible as the tissue, waves of pressure, which no hand feels, would be the fastest
+  // there are: of a liver's capsule five times as fast, squared.)
+  const float lambda_pa = 2 * (m.youngs_modulus_pa / per_shear) * m.poisson_ratio /
+                          (1 - 2 * m.poisson_ratio);
+  out.lattice_shear_pa =
+      shear_modulus_pa(m.youngs_modulus_pa + m.membrane_n_per_m / edge_m, lambda_pa);
+  out.lattice_volume_ratio = lambda_pa / (2 * out.lattice_shear_pa);
   if (config.mode == Mode::kPaper) {
     const float mass_share = m.density_kg_per_m3 * edge_m * edge_m * edge_m / 8;
     out.shear_pa = config.paper_alpha * mass_share / (substep_s * substep_s) / edge_m;

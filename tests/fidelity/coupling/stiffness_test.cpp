@@ -148,25 +148,6 @@ TEST(Stiffness, ThinSkinIsFeltAlikeWhateverTheVoxelItIsSpreadOver) {
   }
 }
 
-// What a skin adds to its voxels, times their edge, is its own modulus times thickness: in shear
-// 1000 N/m / (2 (1 + 0.45)).
-TEST(Stiffness, SkinSpreadOverVoxelsIsAsStiffInItsPlane) {
-  double force_per_voxel_row[2] = {};
-  for (int fine = 0; fine < 2; ++fine) {
-    TinyOrgan tiny;
-    tiny.voxel_edge_m = fine != 0 ? 2.5e-3F : 5e-3F;
-    tiny.nx = tiny.ny = tiny.nz = 2;
-    tiny.materials[0].youngs_modulus_pa = 20000;
-    tiny.materials[0].membrane_n_per_m = 1000;
-    const Rig rig = make_rig(tiny, Config{});
-    const MaterialModel& m = rig.view().model.head->material[0];
-    force_per_voxel_row[fine] = static_cast<double>(m.lattice_shear_pa - 20000 / (2 * 1.45F)) *
-                                static_cast<double>(tiny.voxel_edge_m);
-  }
-  EXPECT_NEAR(force_per_voxel_row[0], 1000 / 2.9, 0.01);
-  EXPECT_NEAR(force_per_voxel_row[1] / force_per_voxel_row[0], 1, 1e-4);
-}
-
 // Below a dimple some voxels deep the tissue is pressed to a fraction of its length, and finer
 // voxels are softer: what kernel/README.md says of it.
 TEST(Stiffness, DeepDimplesAreSofterInFinerVoxelsByAnEighthAtMost) {

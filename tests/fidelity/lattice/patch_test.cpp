@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <random>
 
 #include "rig.h"
 
@@ -83,6 +84,38 @@ TEST(FidelityV8, UniaxialPatchReturnsYoungsModulusAndPoissonRatio) {
           << "nu " << poisson;
       EXPECT_NEAR(read.poisson_ratio, static_cast<double>(poisson), 3e-5);
     }
+  }
+}
+
+double lambda_of(const Elasticity& e) {
+  return e.youngs_modulus_pa * e.poisson_ratio /
+         ((1 + e.poisson_ratio) * (1 - 2 * e.poisson_ratio));
+}
+
+// A bar that is skin all through, one voxel thick or several: in tension it has the tissue's modulus
+// and the skin's modulus times thickness over the edge, whatever the tissue's Poisson ratio; its
+// lambda, so the speed of pressure, is the tissue's.
+TEST(FidelityV8, SkinAddsToTensionAloneWhateverTheVoxelAndTheTissue) {
+  std::mt19937 random(29);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (int round = 0; round < 12; ++round) {
+    const double edge = between(2e-3, 7e-3), skin = between(50, 2000);
+    const auto poisson = static_cast<float>(between(0, 0.47));
+    TinyMaterial material = elastic(static_cast<float>(between(1e3, 2e4)), poisson);
+    const double tissue = static_cast<double>(material.youngs_modulus_pa);
+    material.membrane_n_per_m = static_cast<float>(skin);
+    const auto thick = static_cast<std::uint16_t>(1 + round % 3);
+    Rig rig = make_rig(block_of(3, thick, 6, material, static_cast<float>(edge)),
+                       resting_config(1.0F / 3, poisson, 6));
+    pull_bar(rig);
+    settle(rig);
+    const Elasticity read = read_bar(rig);
+    EXPECT_NEAR(read.youngs_modulus_pa / (tissue + skin / edge), 1, 1e-4)
+        << edge << " m, " << skin << " N/m, nu " << poisson << ", tissue " << tissue << " Pa";
+    EXPECT_NEAR(lambda_of(read), lambda_of({tissue, static_cast<double>(poisson)}),
+                1e-4 * (tissue + skin / edge));
   }
 }
 
