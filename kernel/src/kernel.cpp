@@ -97,8 +97,8 @@ MaterialModel material_model(const Material& m, const Config& config, float edge
   out.shear_pa = (m.youngs_modulus_pa + m.membrane_n_per_m / kMembraneSpreadM) / per_shear;
   out.poisson_ratio = m.poisson_ratio;
   // A skin is free to get thinner: it adds to the voxel's modulus in tension, not to lambda. (Were
-  // it as incompressible as the tissue, waves of pressure, which no hand feels, would be the fastest
-  // there are: of a liver's capsule five times as fast, squared.)
+  // it as incompressible as the tissue, its waves of pressure, which no hand feels, would be the
+  // fastest there are: of a liver's capsule five times as fast, squared.)
   const float lambda_pa = 2 * (m.youngs_modulus_pa / per_shear) * m.poisson_ratio /
                           (1 - 2 * m.poisson_ratio);
   out.lattice_shear_pa =

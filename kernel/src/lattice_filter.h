@@ -9,7 +9,8 @@
 // for another thread; the bits do not depend on slabs.
 //
 // In a pass each voxel takes the mean of its eight corners, and gives it to them: sums along x in
-// lanes as in the sweep, then through the sweep's windows.
+// lanes as in the sweep, then through the sweep's windows; some lines of voxels at a time, and the
+// particles below them right behind.
 //
 // Internal linkage throughout, as in lanes.h.
 #pragma once
@@ -93,14 +94,13 @@ Wave wave_in(const View& view, float* floats) {
           static_cast<std::ptrdiff_t>(counts.particles_per_plane)};
 }
 
-// Of each row of a voxel plane, for the node between two slots: the sum of both slots' means of
-// `low` and `high`, the iterates below and above, each times its bound.
+// Of voxel rows up to `end`, for the node between two slots: the sum of both slots' means of `low`
+// and `high`, the iterates below and above, each times its bound.
 STYLET_KEEP_APART void sum_voxels(const View& view, std::uint32_t z, Iterate low, Iterate high,
-                                  const Wave& wave) {
+                                  const Wave& wave, const Row* row, const Row* end) {
   const Plane *const plane = view.model.plane + z, *const above = plane + 1;
   const std::ptrdiff_t stride = view.model.head->counts.slots_per_plane;
-  const Row* const end = view.model.row + above->row_begin;
-  for (const Row* row = view.model.row + plane->row_begin; row != end; ++row) {
+  for (; row != end; ++row) {
     const float* n[4] = {
         low.at + (row->node[0] - plane->particle_begin),
         low.at + (row->node[1] - plane->particle_begin),
@@ -114,29 +114,35 @@ STYLET_KEEP_APART void sum_voxels(const View& view, std::uint32_t z, Iterate low
     };
     Wide last[3] = {};
     Wide here[3] = {across(0), across(low.axis), across(2 * low.axis)};
-    for (const float* const behind = to + row->count; to <= behind; to += kWide, bound += kWide) {
+    const auto emit = [&](std::ptrdiff_t c, Wide b, Wide now, Wide behind) {
+      // An empty slot's corners may be anything.
+      const Wide own = zero_unless(b > 0, b * (now + lanes_ahead(now, behind)));
+      store(to + c * stride, lanes_behind(last[c], own) + own);
+      last[c] = own;
+    };
+    for (const float* const end_of = to + row->count; to + kWide <= end_of; to += kWide) {
       const Wide b = load(bound);
+      bound += kWide;
       for (const float*& node : n) node += kWide;
       for (std::ptrdiff_t c = 0; c < 3; ++c) {
         const Wide next = across(c * low.axis);
-        // An empty slot's corners may be anything.
-        const Wide own = zero_unless(b > 0, b * (here[c] + lanes_ahead(here[c], next)));
-        store(to + c * stride, lanes_behind(last[c], own) + own);
-        last[c] = own;
+        emit(c, b, here[c], next);
         here[c] = next;
       }
     }
+    // Behind the last node is no voxel.
+    const Wide b = load(bound);
+    for (std::ptrdiff_t c = 0; c < 3; ++c) emit(c, b, here[c], here[c]);
   }
 }
 
-// Gives a plane's sums to the particles below, which others have given to, and above.
-STYLET_KEEP_APART void spread_sums(const View& view, std::uint32_t z, const Wave& wave, float* low,
-                                   float* high) {
-  constexpr std::uint32_t kList = kWide > 8 ? 1 : 0, kWindow = kWide > 8 ? 16 : 8;
+// Gives the sums of windows up to `end` to the particles below, which others have given to, and
+// above.
+STYLET_KEEP_APART void spread_sums(const View& view, const Wave& wave, const Window* w,
+                                   const Window* end, float* low, float* high) {
+  constexpr std::uint32_t kWindow = kWide > 8 ? 16 : 8;
   const std::ptrdiff_t stride = view.model.head->counts.slots_per_plane;
-  const Window* const windows = kList == 0 ? view.model.window8 : view.model.window16;
-  const Window* const end = windows + view.model.plane[z].window_end[kList];
-  for (const Window* w = windows + view.model.plane[z].window_begin[kList]; w != end; ++w) {
+  for (; w != end; ++w) {
     for (std::uint32_t i = 0; i < kWindow; i += kWide) {
       const WideBits before = lanes_set(std::uint32_t{w->lanes[0]} >> i);
       const WideBits behind = lanes_set(std::uint32_t{w->lanes[1]} >> i);
@@ -164,11 +170,11 @@ inline void for_each_group(const Plane& plane, Visit visit) {
   for (std::ptrdiff_t i = kLanes; i < count; i += kWide) visit(i);
 }
 
-// Calls use(axis, lane in the plane, next iterate) for a plane's particles after pass j; what was
-// sent is zero afterwards, for the next plane that uses it.
+// Calls use(axis, lane in the plane, next iterate) for the groups [begin, end) of a plane's
+// particles after pass j; what was sent is zero afterwards, for the next plane that uses it.
 template <typename Use>
-inline void finish_pass(const View& view, const Wave& wave, std::uint32_t j, std::uint32_t z,
-                        Use use) {
+inline void finish_groups(const View& view, const Wave& wave, std::uint32_t j, std::uint32_t z,
+                          std::ptrdiff_t begin, std::ptrdiff_t end, Use use) {
   const Plane& plane = view.model.plane[z];
   const ModelHead& head = *view.model.head;
   const FilterPass pass = head.filter.pass[j - 1];
@@ -179,8 +185,7 @@ inline void finish_pass(const View& view, const Wave& wave, std::uint32_t j, std
   const float* const bound = view.model.bound + plane.particle_begin;
   const float* const held = view.scratch.held + plane.particle_begin;
   float* const sent = wave.sent(j, z);
-  if (plane.tie_begin != plane.tie_end) join_tied(view, plane, sent);
-  for_each_group(plane, [&](std::ptrdiff_t i) {
+  for (std::ptrdiff_t i = begin; i < end; i += kWide) {
     const Wide by = slope * load(per_mass + i);
     const Wide d = load(bound + i) + load(held + i);
     for (std::ptrdiff_t c = 0; c < 3; ++c) {
@@ -191,7 +196,49 @@ inline void finish_pass(const View& view, const Wave& wave, std::uint32_t j, std
       use(c, i, kept + (pass.before * load(before.at + (i + c * before.axis)) - by * pull));
       store(from, Wide{});
     }
-  });
+  }
+}
+
+// Rows from `row` on that pass over a plane together: whole lines, as many as stay in the nearest
+// cache with all that is done with them.
+constexpr std::uint32_t kSlotsTogether = 64;
+inline const Row* lines_together(const Row* row, const Row* end) {
+  const std::uint32_t until = row->slot + kSlotsTogether;
+  for (++row; row != end && (row->y == row[-1].y || row->slot < until); ++row) {
+  }
+  return row;
+}
+
+// Pass j for a voxel plane, if there is one, and then the particles below it, which have all they
+// are sent then: `use` as finish_groups has it.
+template <typename Use>
+void pass_plane(const View& view, const Wave& wave, std::uint32_t j, std::uint32_t z, Use use) {
+  constexpr std::uint32_t kList = kWide > 8 ? 1 : 0;
+  const Plane& plane = view.model.plane[z];
+  const std::ptrdiff_t count = plane.particle_end - plane.particle_begin;
+  std::ptrdiff_t done = kLanes;  // before are padding and groups that are finished
+  const bool tied = plane.tie_begin != plane.tie_end;
+  if (z != view.model.head->counts.planes) {
+    const Window* const windows = kList == 0 ? view.model.window8 : view.model.window16;
+    const Window* window = windows + plane.window_begin[kList];
+    const Row* const end = view.model.row + (&plane)[1].row_begin;
+    const Iterate low = iterate_of(view, wave, j, z), high = iterate_of(view, wave, j, z + 1);
+    for (const Row* row = view.model.row + plane.row_begin; row != end;) {
+      const Row* const next = lines_together(row, end);
+      sum_voxels(view, z, low, high, wave, row, next);
+      const Window* const to =
+          windows + (next == end ? plane.window_end[kList] : next->window[kList]);
+      spread_sums(view, wave, window, to, wave.sent(j, z), wave.sent(j, z + 1));
+      row = next;
+      window = to;
+      if (tied || next == end) continue;
+      const std::ptrdiff_t until = to->low / kWide * kWide;
+      finish_groups(view, wave, j, z, done, until, use);
+      done = until > done ? until : done;
+    }
+  }
+  if (tied) join_tied(view, plane, wave.sent(j, z));
+  finish_groups(view, wave, j, z, done, count, use);
 }
 
 // Moves a plane's particles with the velocities that the last pass makes.
@@ -208,7 +255,7 @@ void move_filtered(const View& view, const Wave& wave, std::uint32_t z, Motion& 
     displace_lanes(bounded(velocity, motion), u + at, v + at, e + at, motion);
   };
   if (passes > 0) {
-    finish_pass(view, wave, passes, z, move);
+    pass_plane(view, wave, passes, z, move);
   } else {
     const Iterate w = iterate_of(view, wave, 1, z);
     for_each_group(plane, [&](std::ptrdiff_t i) {
@@ -216,17 +263,6 @@ void move_filtered(const View& view, const Wave& wave, std::uint32_t z, Motion& 
     });
   }
   motion_out = motion;
-}
-
-// Pass j for voxel plane z, if there is one: the particles below it have all they are sent then.
-// `first`: of the planes that this pass comes to.
-void pass_plane(const View& view, const Wave& wave, std::uint32_t j, std::uint32_t z, bool first) {
-  if (first) {
-    for (std::ptrdiff_t i = 0; i < 6 * wave.axis; i += kWide) store(wave.sent(j, 0) + i, Wide{});
-  }
-  if (z == view.model.head->counts.planes) return;
-  sum_voxels(view, z, iterate_of(view, wave, j, z), iterate_of(view, wave, j, z + 1), wave);
-  spread_sums(view, z, wave, wave.sent(j, z), wave.sent(j, z + 1));
 }
 
 // Filters and moves the particles of planes [begin, end).
@@ -244,18 +280,25 @@ void filter_planes(const View& view, std::uint32_t begin, std::uint32_t end, flo
     const std::uint32_t reach = passes + 1 - j;
     return planes - end > reach ? end + reach : planes;
   };
+  for (std::uint32_t j = 1; j <= passes; ++j) {
+    for (std::ptrdiff_t i = 0; i < 6 * wave.axis; i += kWide) store(wave.sent(j, 0) + i, Wide{});
+  }
   for (std::uint32_t t = first_of(1); t < end + passes; ++t) {
-    for (std::uint32_t j = 1; j <= passes && j <= t; ++j) {
+    for (std::uint32_t j = 1; j < passes && j <= t; ++j) {
       const std::uint32_t z = t - j;
       if (z < first_of(j) || (z + 1 >= end_of(j) && z + 1 != planes)) continue;
-      pass_plane(view, wave, j, z, z == first_of(j));
-      if (j == passes || z < first_of(j + 1) || z >= end_of(j + 1)) continue;
       float* const next = wave.iterate(j + 1, z);
-      finish_pass(view, wave, j, z, [&](std::ptrdiff_t c, std::ptrdiff_t i, Wide value) {
+      pass_plane(view, wave, j, z, [&](std::ptrdiff_t c, std::ptrdiff_t i, Wide value) {
         store(next + i + c * wave.axis, value);
       });
     }
-    if (t >= begin + passes) move_filtered(view, wave, t - passes, motion);
+    if (t < first_of(passes) + passes) continue;
+    const std::uint32_t z = t - passes;
+    if (z >= begin) {
+      move_filtered(view, wave, z, motion);
+    } else {  // what the plane below gives to the first
+      pass_plane(view, wave, passes, z, [](std::ptrdiff_t, std::ptrdiff_t, Wide) {});
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <numbers>
 #include <random>
@@ -230,6 +231,31 @@ TEST(Filter, IsThePolynomialOnEveryWave) {
   EXPECT_GT(seen[0] + seen[1] + seen[2], 3);
   EXPECT_GT(seen[kMaxFilterPasses - 2] + seen[kMaxFilterPasses - 1], 0);
   EXPECT_GT(seen[kMaxFilterPasses], 3);
+}
+
+// Shared out to helpers (none come: one thread does all parts) a step has the same bits, in bodies
+// with holes and overhangs at any plane.
+TEST(Filter, HasTheBitsOfOneThreadWhateverPartsThePlanesAreIn) {
+  for (std::uint32_t round = 0; round < 60; ++round) {
+    const auto moved = [&](std::uint32_t helpers) {
+      Random random(round);
+      const TinyOrgan tiny = random_body(random, 1e3, 1e5, 0.45);
+      Rig rig = random_rig(random, tiny, random_config(random));
+      Kernel& kernel = rig.session.kernel;
+      const Block memory = make_block(team_bytes(kernel, helpers), std::byte{0xFF});
+      EXPECT_EQ(set_team(kernel, helpers, memory.span()), Status::kOk);
+      for (int i = 0; i < 3; ++i) kernel.step(kernel);
+      const View view = rig.view();
+      return std::vector<float>(view.state.vx,
+                                view.state.vx + view.model.head->counts.particles);
+    };
+    const std::vector<float> alone = moved(0);
+    for (const std::uint32_t helpers : {1U, 2U, 3U}) {
+      const std::vector<float> parts = moved(helpers);
+      EXPECT_EQ(std::memcmp(alone.data(), parts.data(), alone.size() * sizeof(float)), 0)
+          << "body " << round << ", " << helpers << " helpers";
+    }
+  }
 }
 
 // Large displacements, so that all forces of the law act.

@@ -92,9 +92,9 @@ double lambda_of(const Elasticity& e) {
          ((1 + e.poisson_ratio) * (1 - 2 * e.poisson_ratio));
 }
 
-// A bar that is skin all through, one voxel thick or several: in tension it has the tissue's modulus
-// and the skin's modulus times thickness over the edge, whatever the tissue's Poisson ratio; its
-// lambda, so the speed of pressure, is the tissue's.
+// A bar that is skin all through, one voxel thick or several: in tension it has the tissue's
+// modulus and the skin's modulus times thickness over the edge, whatever the tissue's Poisson
+// ratio; its lambda, so the speed of pressure, is the tissue's.
 TEST(FidelityV8, SkinAddsToTensionAloneWhateverTheVoxelAndTheTissue) {
   std::mt19937 random(29);
   const auto between = [&](double low, double high) {
