@@ -14,6 +14,7 @@
 #include "doctor_text.h"
 #include "stylet/hal/contained.h"
 #include "stylet/hal/replay.h"
+#include "stylet/resonance.h"
 #include "terminal.h"
 
 namespace stylet::app {
@@ -42,6 +43,8 @@ class Patrol {
       }
     }
   }
+
+  const Kernel& kernel() const { return instance_->kernel; }
 
   hal::Body body() {
     return {[this] {
@@ -85,6 +88,27 @@ hal::Finding judged(const Measurement& each, const char* what, const hal::Spread
   return finding;
 }
 
+// Whether a moving hand feels mass that the recording's tissue does not have.
+hal::Finding judged(const Resonance& of) {
+  hal::Finding finding;
+  finding.name = "inertia";
+  finding.severity = hal::Verdict::kWarn;
+  const bool departs = of.departs_hz < kFastestHandHz;
+  finding.verdict = departs ? hal::Verdict::kWarn : hal::Verdict::kOk;
+  finding.value =
+      of.real_hz > 0 ? fmt::format("first resonance {:.3g} Hz, really {:.3g}", of.stepped_hz,
+                                   of.real_hz)
+                     : "nothing holds the organ";
+  finding.source = "the recording's organ, step and mass";
+  if (departs) {
+    finding.remedy =
+        fmt::format("the force on a hand may be a tenth off from {:.2g} Hz on: loop.inertia = "
+                    "\"true_mass\", or more loop.substeps",
+                    of.departs_hz);
+  }
+  return finding;
+}
+
 void show_progress(std::uint64_t done, std::uint64_t all) {
   if (!terminal_rewrites_lines()) return;
   rewrite_line(fmt::format("{:.0f} of {:.0f} s", static_cast<double>(done) * 1e-3,
@@ -96,6 +120,7 @@ void measure_all(const DoctorOptions& options, DoctorReport& report) {
   std::unique_ptr<Patrol> patrol;
   if (!options.recording.empty()) {
     patrol = std::make_unique<Patrol>(options.recording, options.organ);
+    report.findings.push_back(judged(first_resonance(patrol->kernel())));
   }
   const hal::Body ticks = patrol ? patrol->body() : hal::Body{};
   report.measurements = {{"quiet", false, {}}, {"loaded", patrol != nullptr, {}}};

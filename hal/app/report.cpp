@@ -247,6 +247,15 @@ double dimple_voxels(const RunReport& report) {
   return most;
 }
 
+// Where a moving hand feels mass that tissue does not have.
+std::string inertia_text(const Resonance& of) {
+  if (!(of.departs_hz < kFastestHandHz)) return "";
+  return fmt::format(
+      "inertia     first resonance {:.3g} Hz, really {:.3g}: the force on a hand may be a tenth "
+      "off from {:.2g} Hz on\n",
+      of.stepped_hz, of.real_hz, of.departs_hz);
+}
+
 // Where the forces are softer than the materials say, or would be in finer voxels.
 std::string resolution_text(const RunReport& report) {
   constexpr double kShallowVoxels = 1, kNoShortfall = 0.02;
@@ -324,6 +333,9 @@ std::string json_text(const RunReport& report) {
   out["coupling_shortfall"] = json_number(stats.coupling_shortfall);
   out["unit_in_voxels"] = json_number(stats.unit_in_voxels);
   out["dimple_voxels"] = json_number(static_cast<float>(dimple_voxels(report)));
+  out["first_resonance_hz"] = json_number(static_cast<float>(report.resonance.stepped_hz));
+  out["real_first_resonance_hz"] = json_number(static_cast<float>(report.resonance.real_hz));
+  out["inertia_departs_hz"] = json_number(static_cast<float>(report.resonance.departs_hz));
   out["fault"] = hal::fault_name(first_fault(report));
   out["host"] = {{"lacks", report.host.lacks}, {"notes", report.host.notes}};
   out["state_hash"] = hex(report.state_hash);
@@ -360,7 +372,7 @@ std::string human_text(const RunReport& report) {
           row("scratch", report.predicted.scratch_bytes, report.used.scratch_bytes);
   text += fmt::format("\nstate hash  {}\norgan hash  {}\norgan       {}\n", hex(report.state_hash),
                       hex(report.organ_hash), report.organ_file);
-  text += strength_text(report) + resolution_text(report);
+  text += strength_text(report) + resolution_text(report) + inertia_text(report.resonance);
   if (!report.recording.empty()) text += fmt::format("recording   {}\n", report.recording);
   if (report.interrupted) text += "interrupted before the end of the script\n";
   if (first_fault(report) != hal::Fault::kNone) {

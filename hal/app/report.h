@@ -12,6 +12,7 @@
 #include "stylet/hal/phases.h"
 #include "stylet/hal/replay.h"
 #include "stylet/kernel.h"
+#include "stylet/resonance.h"
 
 namespace stylet::app {
 
@@ -37,6 +38,7 @@ struct RunReport {
   hal::HostReport host;
   Sizes predicted = {}, used = {};
   Stats stats = {};
+  Resonance resonance = {};
 };
 
 std::string json_text(const RunReport& report);

@@ -134,6 +134,16 @@ std::string repairs(const Json& facts) {
          "</table>";
 }
 
+std::string inertia(const Json& of, const char* mass) {
+  if (!(of["real_hz"].get<double>() > 0)) return "";
+  return fmt::format("<p>With {} the organ's first resonance is at {} Hz, really at {} Hz{}.</p>",
+                     mass, number(of["stepped_hz"], 1), number(of["real_hz"], 1),
+                     of.contains("departs_hz")
+                         ? ": the force on a moving hand may be a tenth off from " +
+                               number(of["departs_hz"], 1) + " Hz on"
+                         : "");
+}
+
 std::string speed(const Json& facts) {
   const Json& speed = facts["speed"];
   const bool timed = speed.contains("machine");
@@ -163,8 +173,10 @@ std::string speed(const Json& facts) {
   if (speed.contains("timed_us")) {
     on += fmt::format("; timed on this organ {} us", number(speed["timed_us"], 0));
   }
-  return fmt::format("<h2>Speed and added mass</h2><p>Period {} us, {} substeps{}.</p><table>",
-                     number(speed["period_us"], 0), speed["substeps"].get<std::uint32_t>(), on) +
+  return fmt::format("<h2>Speed and added mass</h2><p>Period {} us, {} substeps{}.</p>{}<table>",
+                     number(speed["period_us"], 0), speed["substeps"].get<std::uint32_t>(), on,
+                     inertia(speed["resonance"], "added mass") +
+                         inertia(speed["true_mass_resonance"], "true mass")) +
          head + "</tr>" + rows +
          "</table><p class='small'>Tissue too stiff or voxels too small for the step get more mass "
          "than they have (factor of the whole material), which keeps the step stable: forces at "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "speed.h"
 
+#include <cmath>
 #include <cstring>
 #include <ctime>
 #include <new>
@@ -12,6 +13,7 @@
 #include "info.h"
 #include "refusal.h"
 #include "stylet/kernel.h"
+#include "stylet/resonance.h"
 #include "sweep.h"
 
 namespace stylet::bake {
@@ -126,6 +128,19 @@ Json material_masses(const Organ& organ, double period_s, std::uint32_t substeps
   return masses;
 }
 
+// The first resonance, and from which frequency on a moving hand feels the step's inertia.
+Json resonance_facts(const Organ& organ, double period_s, std::uint32_t substeps, Inertia inertia) {
+  Config config;
+  config.inertia = inertia;
+  config.period_s = static_cast<float>(period_s);
+  config.substeps = substeps;
+  OwnKernel kernel(organ, config);
+  const Resonance of = first_resonance(kernel.get());
+  Json facts = {{"real_hz", of.real_hz}, {"stepped_hz", of.stepped_hz}};
+  if (std::isfinite(of.departs_hz)) facts["departs_hz"] = of.departs_hz;
+  return facts;
+}
+
 // Time that this thread was given: what else the machine does must not make an organ coarser.
 double own_time_us() {
   timespec t{};
@@ -238,6 +253,8 @@ nlohmann::ordered_json speed_facts(const Organ& organ, double period_s, std::uin
   }
   Json facts = {{"period_us", period_s * 1e6}, {"substeps", substeps}, {"by_substeps", rows}};
   facts["true_mass_factor"] = material_masses(organ, period_s, substeps, Inertia::kTrueMass);
+  facts["resonance"] = resonance_facts(organ, period_s, substeps, Inertia::kAddedMass);
+  facts["true_mass_resonance"] = resonance_facts(organ, period_s, substeps, Inertia::kTrueMass);
   if (machine != nullptr) {
     facts["machine"] = {{"name", machine->name},
                         {"start_us", machine->start_us},
@@ -251,6 +268,21 @@ nlohmann::ordered_json speed_facts(const Organ& organ, double period_s, std::uin
   }
   return facts;
 }
+
+namespace {
+
+std::string inertia_text(const Json& of, const char* mass) {
+  if (!(of["real_hz"].get<double>() > 0)) return "";
+  const double departs_hz = of.value("departs_hz", kFastestHandHz);
+  return fmt::format("inertia       {}: first resonance {:.3g} Hz, really {:.3g}; {}\n", mass,
+                     of["stepped_hz"].get<double>(), of["real_hz"].get<double>(),
+                     departs_hz < kFastestHandHz
+                         ? fmt::format("the force on a hand may be a tenth off from {:.2g} Hz on",
+                                       departs_hz)
+                         : "no hand feels the difference");
+}
+
+}  // namespace
 
 std::string speed_text(const nlohmann::ordered_json& facts) {
   std::string text;
@@ -278,7 +310,8 @@ std::string speed_text(const nlohmann::ordered_json& facts) {
   }
   text += fmt::format("mass          {:>2} substeps of true mass{}\n",
                       facts["substeps"].get<std::uint32_t>(), factors(facts["true_mass_factor"]));
-  return text;
+  return text + inertia_text(facts["resonance"], "added mass") +
+         inertia_text(facts["true_mass_resonance"], "true mass");
 }
 
 }  // namespace stylet::bake

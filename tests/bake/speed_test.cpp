@@ -122,7 +122,27 @@ TEST(Mass, FactorIsThatOfTheStabilityBound) {
     EXPECT_NEAR(of["true_mass_factor"]["kidney"].get<double>(),
                 std::max(1.0, fastest / (limit(1e-3 / substeps) * 49.0)), 0.01);
     EXPECT_THAT(bake::speed_text(of), testing::HasSubstr("substeps of true mass  kidney x"));
+    EXPECT_THAT(bake::speed_text(of), testing::Not(testing::HasSubstr("inertia")));  // not held
   }
+}
+
+// A block held below: with two substeps of added mass a slow hand feels it, and the report says so;
+// with true mass only a fast one does.
+TEST(Mass, TellsFromWhichFrequencyOnAHandFeelsTheStep) {
+  bake::BuildOptions options;
+  options.voxel_edge_m = 5e-3;
+  options.held = bake::parse_regions({"z<5%"}, 1);
+  const bake::Mesh block = box_mesh({0, 0, 0}, {40, 60, 80});
+  const auto bytes = build_quietly({input_of(block, 1e-3, "liver")}, options).bytes;
+  const auto facts = bake::speed_facts(opened(bytes), 1e-3, 2, nullptr);
+  const auto &added = facts["resonance"], &real = facts["true_mass_resonance"];
+  EXPECT_LT(added["stepped_hz"].get<double>(), 0.9 * added["real_hz"].get<double>());
+  EXPECT_GT(real["stepped_hz"].get<double>(), 0.95 * real["real_hz"].get<double>());
+  EXPECT_LT(added["departs_hz"].get<double>(), added["stepped_hz"].get<double>());
+  EXPECT_GT(real.value("departs_hz", 1e3), 5 * added["departs_hz"].get<double>());
+  EXPECT_THAT(bake::speed_text(facts),
+              testing::AllOf(testing::ContainsRegex("added mass: first resonance .* a tenth off"),
+                             testing::HasSubstr("true mass: first resonance ")));
 }
 
 TEST(Fit, OnThisMachineMeetsThePeriodItSays) {

@@ -369,7 +369,9 @@ class Doctor(Folder):
                                "--json"], capture_output=True, text=True, timeout=60)
         report = json.loads(done.stdout)
         verdicts = [finding["verdict"] for finding in report["findings"]]
-        self.assertEqual(len(verdicts), 30 + 3 + 5)
+        self.assertEqual(len(verdicts), 30 + 3 + 5 + 1)
+        self.assertEqual([f["value"] for f in report["findings"] if f["name"] == "inertia"],
+                         ["nothing holds the organ"])
         expected = 4 if "fail" in verdicts else 3 if report["verdict"] == "degraded" else 0
         self.assertEqual(done.returncode, expected, done.stderr)
         self.assertEqual([m["name"] for m in report["measurements"]], ["quiet", "busy", "loaded"])
