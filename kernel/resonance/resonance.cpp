@@ -263,8 +263,8 @@ Shapes real_mass(const View& view, const Coarse& coarse, const Shapes& shapes) {
   Shapes out = Shapes::Zero(shapes.rows(), 3);
   for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) {
     if (!coarse.holds(i)) continue;
-    out.middleRows<3>(Coarse::dof(i, 0)) = static_cast<double>(view.model.particle_kg[i]) *
-                                           shapes.middleRows<3>(Coarse::dof(i, 0));
+    out.middleRows<3>(Coarse::dof(i, 0)) =
+        static_cast<double>(view.model.particle_kg[i]) * shapes.middleRows<3>(Coarse::dof(i, 0));
   }
   return out;
 }
@@ -275,8 +275,8 @@ Eigen::VectorXd per_stepped_kg(const View& view, const Coarse& coarse) {
   Eigen::VectorXd out = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(count));
   for (std::uint32_t i = 0; i < count; ++i) {
     if (!coarse.holds(i)) continue;
-    out.segment<3>(Coarse::dof(i, 0)).setConstant(
-        static_cast<double>(view.model.step_per_mass[i] / view.model.head->substep_s));
+    out.segment<3>(Coarse::dof(i, 0))
+        .setConstant(static_cast<double>(view.model.step_per_mass[i] / view.model.head->substep_s));
   }
   return out;
 }
@@ -349,8 +349,8 @@ double lowest_hz(const Eigen::SimplicialLDLT<Sparse>& solver, const Coarse& coar
     shapes = coarse.to_particles(moved);
     const Eigen::Matrix3d k = moved.transpose() * load;
     const Eigen::Matrix3d m = shapes.transpose() * mass(shapes);
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> ritz(
-        0.5 * (k + k.transpose()), 0.5 * (m + m.transpose()));
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> ritz(0.5 * (k + k.transpose()),
+                                                                         0.5 * (m + m.transpose()));
     lowest = ritz.eigenvalues()[0];
     shapes = shapes * ritz.eigenvectors();
   }
@@ -379,8 +379,7 @@ Resonance first_resonance(const Kernel& kernel) {
   });
   // The force of one shape alone is that at rest times 1 - (f / resonance)^2.
   const double apart = 1 / (out.stepped_hz * out.stepped_hz) - 1 / (out.real_hz * out.real_hz);
-  out.departs_hz = apart > 0 ? std::sqrt(kTenth / apart)
-                             : std::numeric_limits<double>::infinity();
+  out.departs_hz = apart > 0 ? std::sqrt(kTenth / apart) : std::numeric_limits<double>::infinity();
   return out;
 }
 

@@ -2,6 +2,8 @@
 // The first resonance that set-up and reports speak of: that of beams in closed form, and that of
 // the kernel's own lattice let go, with added and with true mass.
 
+#include "stylet/resonance.h"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -9,7 +11,6 @@
 #include <random>
 
 #include "rig.h"
-#include "stylet/resonance.h"
 
 namespace stylet::test {
 namespace {
@@ -35,8 +36,8 @@ TEST(Resonance, OfABeamIsThatOfItsClosedForm) {
     TinyMaterial tissue = elastic(static_cast<float>(between(random, 1e3, 3e4)), 0);
     tissue.density_kg_per_m3 = static_cast<float>(between(random, 800, 1200));
     const auto thin = static_cast<std::uint16_t>(3 + random() % 2);
-    const auto wide = static_cast<std::uint16_t>(thin + 2), nz = static_cast<std::uint16_t>(
-                                                                6 * thin + random() % 12);
+    const auto wide = static_cast<std::uint16_t>(thin + 2),
+               nz = static_cast<std::uint16_t>(6 * thin + random() % 12);
     const bool turned = random() % 2 == 0;
     const TinyOrgan tiny =
         turned ? beam(thin, wide, nz, tissue, edge_m) : beam(wide, thin, nz, tissue, edge_m);
