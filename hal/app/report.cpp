@@ -93,7 +93,8 @@ Json json_of(const hal::PhaseRow& row) {
           {"mean_force_n", json_number(row.mean_force_n)},
           {"start_force_n", json_number(row.start_force_n)},
           {"end_force_n", json_number(row.end_force_n)},
-          {"slope_n_per_mm", json_number(row.slope_n_per_mm)}};
+          {"slope_n_per_mm", json_number(row.slope_n_per_mm)},
+          {"presliding_m", json_number(row.presliding_m)}};
 }
 
 Json json_of(const std::vector<hal::PhaseRow>& rows) {
@@ -134,6 +135,12 @@ std::string remark(std::span<const hal::PhaseRow> rows, std::size_t i) {
   if (row.stage == hal::Stage::kContact && punctured) {
     return fmt::format("punctured at {:.3f} N, {:.2f} mm in", static_cast<double>(row.end_force_n),
                        static_cast<double>(row.travel_m) * 1e3);
+  }
+  constexpr float kWorthAWordM = 1e-3F;
+  if (row.presliding_m > kWorthAWordM) {
+    return std::isfinite(row.slope_n_per_mm)
+               ? fmt::format("slides after {:.1f} mm", static_cast<double>(row.presliding_m) * 1e3)
+               : "takes the tissue along";
   }
   const std::optional<double> fallen = hal::fallen_share(row);
   if (!fallen) return "";

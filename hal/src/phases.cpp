@@ -17,7 +17,14 @@ constexpr double kShortestStageS = 0.1;    // of those told apart by speed
 constexpr double kSlopeRangeM = 1e-3;      // less change of depth gives no slope
 constexpr double kSteadyShare = 0.9;       // of the median speed: the tip keeps its pace
 constexpr double kSettleS = 0.3;           // in which the tissue takes up a new pace
-constexpr double kFeltN = 0.02;            // less is not felt (GUARD.md), and a share of it nothing
+// Of a shaft that slides, the tip's way through the tissue, of its way, over so much of it: a voxel
+// or more, within which depth is uneven. Where tissue is soft the turn of the friction takes it
+// along for many mm, a part of the shaft after the other.
+constexpr float kSlideWindowM = 5e-3F;
+constexpr double kSlideShare = 0.9;   // of what the phase reaches
+constexpr double kLeastSlide = 0.75;  // less of it is no sliding: tissue is still taken along
+constexpr double kMostSlide = 1.5;    // more: tissue comes back, as after a puncture
+constexpr double kFeltN = 0.02;       // less is not felt (GUARD.md), and a share of it nothing
 
 bool inside(Phase phase) {
   return phase == Phase::kInserted || phase == Phase::kRetracting;
@@ -160,6 +167,34 @@ std::span<const TrackPoint> steady_part(std::span<const TrackPoint> part, double
                       length - settle);
 }
 
+// The first point from which on the shaft slides to the end; the size of the part if it does not.
+std::size_t sliding_from(std::span<const TrackPoint> part) {
+  struct Window {
+    std::size_t end;
+    double share;  // of the tip's way
+  };
+  std::vector<Window> windows;
+  std::vector<double> shares;
+  for (std::size_t begin = 0, end = 0; begin < part.size(); ++begin) {
+    const auto way = [&] { return std::fabs(part[end].travel_m - part[begin].travel_m); };
+    while (end < part.size() && way() < kSlideWindowM) ++end;
+    if (end == part.size()) break;
+    const float deeper_m = std::fabs(part[end].depth_m - part[begin].depth_m);
+    windows.push_back({end, static_cast<double>(deeper_m / way())});
+    shares.push_back(windows.back().share);
+  }
+  if (windows.empty()) return 0;
+  const auto high = shares.begin() + static_cast<std::ptrdiff_t>(shares.size() * 9 / 10);
+  std::nth_element(shares.begin(), high, shares.end());
+  const double least = std::max(kLeastSlide, kSlideShare * std::min(1.0, *high));
+  const auto slides = [least](double share) { return share >= least && share <= kMostSlide; };
+  std::size_t from = 0;
+  for (const Window& each : windows) {
+    if (!slides(each.share)) from = each.end;
+  }
+  return slides(windows.back().share) ? from : part.size();
+}
+
 float slope(std::span<const TrackPoint> part, float skip_below_m) {
   double n = 0, sum_x = 0, sum_y = 0;
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -199,9 +234,13 @@ PhaseRow row_of(Stage stage, std::span<const TrackPoint> part, double period_s, 
   row.mean_force_n = static_cast<float>(sum / static_cast<double>(part.size()));
   row.end_force_n = part.back().axial_n;
   const bool moving = stage == Stage::kInsertion || stage == Stage::kRetraction;
+  row.slope_n_per_mm = row.presliding_m = std::numeric_limits<float>::quiet_NaN();
+  if (!moving) return row;
+  const std::size_t slides = sliding_from(part);
+  row.presliding_m =
+      std::fabs(part[std::min(slides, part.size() - 1)].travel_m - part.front().travel_m);
   row.slope_n_per_mm =
-      moving ? slope(steady_part(part, period_s), stage == Stage::kInsertion ? unit_m : 0)
-             : std::numeric_limits<float>::quiet_NaN();
+      slope(steady_part(part.subspan(slides), period_s), stage == Stage::kInsertion ? unit_m : 0);
   return row;
 }
 

@@ -48,8 +48,12 @@ struct PhaseRow {
   float start_force_n;  // at the last tick before
   float end_force_n;    // at the last tick of the phase
   // Least squares of axial force over depth, where the tip moves at a steady pace that the tissue
-  // has taken up; NaN for phases at rest and where depth changes by less than 1 mm.
+  // has taken up and the shaft slides; NaN for phases at rest and where depth changes by less than
+  // 1 mm there.
   float slope_n_per_mm;
+  // Of the tip, before the shaft slides all along: until then friction takes the tissue along, and
+  // its slope is the tissue's stiffness. NaN for phases at rest.
+  float presliding_m;
 };
 
 // How much of the force at its start the tissue has let go of at the end of a phase, 0 to 1: a
