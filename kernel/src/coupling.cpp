@@ -63,8 +63,8 @@ constexpr float kLoose = 2.0F;
 constexpr float kFastBackM = 1e-4F;
 // Pressed on by more than this in a tick, a contact's spring is the law's chord, not its tangent.
 constexpr float kChordM = 1e-5F;
-// In the bend at a tick's end, whose spring is the tangent from before it, the tip of an elastic
-// needle takes tissue aside no farther than kChordM and this share of what it is off already: the
+// In a bend in contact, whose spring is the tangent from before it, the tip of an elastic needle
+// takes tissue aside no farther than kChordM and this share of what it is off already: the
 // tangent's force is 0.8 % below that of a law that goes with the square. A choice, no sensitivity.
 constexpr float kAsideShare = 0.1F;
 // Where all of a tick's creep would gain energy, at least this part of it is tried: with short
@@ -1177,6 +1177,8 @@ void begin_contact(const View& view, const Needle& needle, Vec3 rest_m, Vec3 pla
     take_in(view, needle, track, entry);
     return;
   }
+  // couple_needle presses it in, as far as it is then: see contact_spring.
+  view.state.tip->position_m = needle.tip_m - residual(tip);
   own.phase = Phase::kContact;
   own.layer = tip.material;
   add_event(view, EventKind::kContact, 0);
@@ -1320,7 +1322,7 @@ void throw_aside(const View& view, const Needle& needle, Vec3 moved_m) {
   if (view.state.needle->phase != Phase::kContact || tip.share_count == 0) return;
   if (view.model.head->config.mode == Mode::kPaper) return;
   const Vec3 aside = moved_m - dot(moved_m, needle.tip_direction) * needle.tip_direction;
-  const float before_m = norm(residual(tip) - moved_m);
+  const float before_m = max_of(norm(residual(tip) - moved_m), needle.off_m);
   const float held_m = kChordM + kAsideShare * before_m;
   if (!(norm(residual(tip)) > before_m + held_m && dot(aside, aside) > held_m * held_m)) return;
   tip = tip_here(view, needle);

@@ -38,9 +38,10 @@ std::uint32_t couple_needle(const View& view, const Needle& needle);
 // the way it slips, and the hand would feel that.
 void let_slip(const View& view, const Needle& needle);
 
-// After the bend at a tick's end, which has moved the tip by `moved_m`. A tip in contact that is
-// thrown aside by it holds the tissue it lies in now, without force: the tangent it was held by
-// says nothing of so long a way, and would let the needle drag tissue along for next to no work.
+// After a bend that has moved the tip by `moved_m`. A tip in contact that is thrown aside by it,
+// farther than it was off when the tissue's step began, holds the tissue it lies in now, without
+// force: the tangent it was held by says nothing of so long a way, and would let the needle drag
+// tissue along for next to no work.
 void throw_aside(const View& view, const Needle& needle, Vec3 moved_m);
 
 // Leaves a shaft CP only those shares whose bits `kept` names, for there is no room for the others:

@@ -420,19 +420,38 @@ std::uint32_t place_needle(const View& view, Needle& needle_out) {
   return flags;
 }
 
-std::uint32_t settle_needle(const View& view, Needle& needle) {
-  NeedleState& own = *view.state.needle;
-  if (!is_elastic(view.needle_config()) || own.tip_alive == 0) return 0;
-  const Vec3 shift = attachment_shift(view);
-  Nearest nearest;
-  std::uint32_t flags = bend(view, shift, 1, nearest);
-  flags |= enter_touches(view, nearest);
+namespace {
+
+// Bends the needle by the forces on it, and takes its particles along. Returns output flags.
+std::uint32_t bend_on(const View& view, Needle& needle, Nearest& nearest) {
+  const Vec3 before_m = view.state.tip->position_m;
+  const std::uint32_t flags = bend(view, attachment_shift(view), 1, nearest);
   needle.tip_m = needle.node[needle.rods];
-  for (std::uint32_t i = 0; i < own.shaft_count; ++i) carry(needle, view.state.shaft[i]);
-  const Vec3 moved = needle.tip_m - view.state.tip->position_m;
+  for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
+    carry(needle, view.state.shaft[i]);
+  }
   carry(needle, *view.state.tip);
-  throw_aside(view, needle, moved);
+  throw_aside(view, needle, needle.tip_m - before_m);
   return flags;
+}
+
+}  // namespace
+
+std::uint32_t meet_tissue(const View& view, Needle& needle) {
+  Particle& tip = *view.state.tip;
+  if (!is_elastic(view.needle_config()) || view.state.needle->phase != Phase::kContact) return 0;
+  tip.force_n = force_on_tissue(tip);
+  Nearest nearest;
+  const std::uint32_t flags = bend_on(view, needle, nearest);
+  needle.off_m = norm(residual(tip));
+  return flags;
+}
+
+std::uint32_t settle_needle(const View& view, Needle& needle) {
+  if (!is_elastic(view.needle_config()) || view.state.needle->tip_alive == 0) return 0;
+  Nearest nearest;
+  const std::uint32_t flags = bend_on(view, needle, nearest);
+  return flags | enter_touches(view, nearest);
 }
 
 Vec3 turn_cut(Vec3 cut, const Needle& needle, float bevel_per_m, float advance_m) {

@@ -6,8 +6,9 @@
 // which is stable because each lowers the energy they share; the needle answers twice, before and
 // after the tissue, so that the hand feels what its joints store. (With one answer it bends against
 // tissue that stands still, so too far, and the difference came out at the hand: up to 10 % of its
-// work.) Obstacles are part of both answers (rod.h). Both shapes are given as nodes from the handle
-// to the tip; arc lengths count from the tip, as constraint particles do.
+// work.) With its tip in contact it answers once more (meet_tissue). Obstacles are part of all
+// answers (rod.h). The shape is given as nodes from the handle to the tip; arc lengths count from
+// the tip, as constraint particles do.
 //
 // Everything here is in the frame of the attachments (see BreathingConfig): the world, shifted.
 //
@@ -27,6 +28,7 @@ struct Needle {
   const Vec3* node;  // rods + 1 places, handle first
   std::uint32_t rods;
   float rod_m;
+  float off_m;  // of a tip in contact from the tissue it holds, before that gives way in this tick
 };
 
 struct NeedlePoint {
@@ -50,6 +52,11 @@ void make_needle(const View& view);
 // Shape of this view's needle at its handle's pose, and its contacts with obstacles, unless it is
 // in the tissue: then they are what settle_needle finds. Returns output flags.
 std::uint32_t place_needle(const View& view, Needle& needle_out);
+
+// A needle whose tip is in contact bends once more before the tissue's step, by the force that the
+// tip would press with: its place was found by what the tissue was at the depth before, or by none.
+// Returns output flags.
+std::uint32_t meet_tissue(const View& view, Needle& needle);
 
 // After the tissue's step: bends by the forces that came, and takes the particles along. Returns
 // output flags.

@@ -2,8 +2,8 @@
 // One tick: the only place that knows the order of its parts.
 //
 //   check input -> place needle -> contact -> coupling (cut, slip, add, remove)
-//     -> tissue substeps (the fits inside include the CPs) -> slip once more -> settle needle
-//     -> forces -> check output
+//     -> bend once more where the tip is in contact -> tissue substeps (the fits inside include the
+//     CPs) -> slip once more -> settle needle -> forces -> check output
 
 #include "coupling.h"
 #include "lattice.h"
@@ -181,6 +181,7 @@ void move_needle(const View& view, const Input& input, Moved& out) {
   const bool known = seek_contact(view, out.shape, turn, out.known_before, false, out.flags);
   if (!known && out.known_before) out.flags |= hold_needle(view, out.before, out.shape);
   out.flags |= couple_needle(view, out.shape);
+  out.flags |= meet_tissue(view, out.shape);
   // One that has left its hole may have left it under other tissue, pressed or folded over it.
   if (!was_free) (void)seek_contact(view, out.shape, turn, out.known_before, true, out.flags);
 }

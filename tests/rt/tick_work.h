@@ -116,11 +116,12 @@ inline bool is_near(const Obstacle& body, Vec3 a, Vec3 b, float radius_m) {
 }
 
 // An elastic needle looks for obstacles from where the hand has carried it to where it ends, not
-// far from there, before the tissue's step and after it.
-inline void add_obstacles(const View& view, std::uint32_t rods, Vec3 shift, Amounts& amount) {
+// far from there, and again each time that it answers the tissue.
+inline void add_obstacles(const View& view, std::uint32_t rods, Vec3 shift, std::uint32_t answers,
+                          Amounts& amount) {
   constexpr float kReachM = 2e-3F, kBendM = 5e-3F;
   const bool elastic = bends(view.needle_config());
-  const std::uint32_t looks = elastic ? kRodFaceLooks + (view.state.needle->tip_alive != 0) : 1;
+  const std::uint32_t looks = elastic ? kRodFaceLooks + answers : 1;
   const float radius_m = view.needle_config().outer_radius_m + (elastic ? kReachM + kBendM : 0);
   for (std::uint32_t body = 0; body < view.model.head->obstacle_count; ++body) {
     const Obstacle& obstacle = view.model.obstacle[body];
@@ -136,11 +137,19 @@ inline void add_obstacles(const View& view, std::uint32_t rods, Vec3 shift, Amou
   }
 }
 
+// Bends of an elastic needle against the tissue, beyond that by which it is placed. One that has
+// let go in this tick may have done so in the first of two.
+inline std::uint32_t answers_of(const NeedleState& own, bool was_held) {
+  if (own.tip_alive == 0) return was_held ? 1 : 0;
+  return own.phase == Phase::kContact ? 2 : 1;
+}
+
 inline void add_needle(const View& view, Vec3 shift, TickWork& work) {
   const NeedleState& own = *view.state.needle;
   Amounts& amount = work.amount;
   const std::uint32_t particles = own.shaft_count + own.tip_alive;
   std::uint32_t& before = work.particles_before[view.needle];
+  const std::uint32_t answers = answers_of(own, before > 0);
   amount[kAdded] += particles > before ? particles - before : 0;
   amount[kParticles] += particles;
   before = particles;
@@ -157,12 +166,12 @@ inline void add_needle(const View& view, Vec3 shift, TickWork& work) {
     // the lengths tried.
     const bool bodies = view.model.head->obstacle_count > 0;
     const std::uint32_t first = bodies ? 5 * kRodFaceLooks : 1, second = bodies ? 5 : 1;
-    const std::uint32_t bends = first + (own.tip_alive != 0 ? second : 0);
+    const std::uint32_t bends = first + answers * second;
     amount[kSolves] += bends;
     amount[kRods] += bends * rods;
     amount[kLoads] += bends * particles;
   }
-  add_obstacles(view, rods, shift, amount);
+  add_obstacles(view, rods, shift, answers, amount);
 }
 
 // How often the fits take a constraint particle of each voxel of a group.
