@@ -59,8 +59,6 @@ constexpr float kReleaseSkinM = 2e-5F;
 constexpr float kMouthInRadii = 3;
 // At a tick's end CPs may carry so many times what they may where the needle has just moved.
 constexpr float kLoose = 2.0F;
-// A tip that slips back farther than this in a tick presses nothing at the tick's end.
-constexpr float kFastBackM = 1e-4F;
 // Pressed on by more than this in a tick, a contact's spring is the law's chord, not its tangent.
 constexpr float kChordM = 1e-5F;
 // In a bend in contact, whose spring is the tangent from before it, the tip of an elastic needle
@@ -1269,17 +1267,19 @@ std::uint32_t couple_needle(const View& view, const Needle& needle) {
 
 namespace {
 
-// The tissue may pull at the tip as hard as the tip may press. One that slips back fast presses
-// nothing, though the tissue it has let go comes after it; one that has just come to another
-// material enters it with the next cut.
+// The tissue may pull at the tip as hard as the tip may press. One that has slipped back in this
+// tick, without force, takes back as much of that as the tissue it has let go comes after it: it
+// would press at the tick's end and not while it slipped, and the hand would have that for nothing.
+// One that has just come to another material enters it with the next cut.
 void let_cut(const View& view) {
   NeedleState& own = *view.state.needle;
   Particle& tip = *view.state.tip;
   if (own.phase == Phase::kFree || own.phase == Phase::kContact || tip.share_count == 0) return;
   if (tip.material != own.spring_layer) return;
   const float limit = kLoose * tip_limit(view, tip, tip.track_m < own.track_end_m);
-  const float high_n = dot(tip.slip_m, own.cut) < -kFastBackM ? 0 : limit;
   const float before_n = dot(tip.force_n, own.cut);
+  const float back_m = max_of(-dot(tip.slip_m, own.cut), 0);
+  const float high_n = clamp(before_n - back_m * tip.stiffness_n_per_m, 0, limit);
   const float move = overshoot(view, tip, before_n, -limit, high_n);
   if (move == 0) return;
   advance_tip(view, tip, own.cut, move);
