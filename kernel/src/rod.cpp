@@ -127,11 +127,13 @@ struct OnRod {
   double from_start_m;
 };
 
+// What a violent hand has left ahead of the tip is held at its own place, as needle_point says:
+// with less of a lever the hand took 0.6 uJ a tick out of a needle that was bent by it.
 OnRod on_rod(const RodModel& model, double arc_m) {
   const double last = static_cast<double>(model.rods - 1);
   const auto rod = static_cast<std::uint32_t>(max_of(0, min_of(arc_m / model.rod_m, last)));
   const double rest_m = arc_m - static_cast<double>(rod) * model.rod_m;
-  return {rod, max_of(0, min_of(rest_m, model.rod_m))};
+  return {rod, max_of(0, min_of(rest_m, static_cast<double>(model.rods) * model.rod_m))};
 }
 
 // A quadratic function of a place on a rod: force there and stiffness.

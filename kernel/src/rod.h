@@ -80,7 +80,7 @@ struct RodModel {
 // semidefinite. Components beyond kMaxRodForceN and kMaxRodPlaceM are clamped, a stiffness with a
 // trace beyond kMaxRodStiffnessNPerM is scaled down.
 struct RodLoad {
-  double arc_m;  // from the handle; clamped to the needle
+  double arc_m;  // from the handle; beyond the tip straight on, as far again as the needle is long
   Vec3d place_m;
   Vec3d force_n;
   Sym3d stiffness_n_per_m;
