@@ -265,12 +265,10 @@ Scene drawn_out(std::uint64_t seed) {
   return scene;
 }
 
-// Whose surface a tip is held against: the one at the tick's end, or the one the tick decided by,
-// where tissue may move farther within a tick than a tip may be deep.
-enum class Surface { kAfter, kBefore };
-
-// Ticks in which a needle was inside and felt nothing.
-void expect_felt(std::uint64_t seed, Scene scene, Surface held_against = Surface::kAfter) {
+// Ticks in which a needle was inside and felt nothing. Held against the surface that the tick
+// decided by, the one at its start: within a tick tissue may move farther over a tip than that may
+// be deep (by more than 0.1 mm in 3 of 800 scenes), and is found in the next.
+void expect_felt(std::uint64_t seed, Scene scene) {
   Rig rig = make_rig(scene.tiny, scene.config);
   const std::uint32_t needles = scene.config.needle_count;
   std::vector<Input> inputs(needles);
@@ -284,9 +282,8 @@ void expect_felt(std::uint64_t seed, Scene scene, Surface held_against = Surface
       inputs[i] = along(way.direction, way.tip_m(scene.config.period_s, t),
                         scene.config.needle[i].length_m);
     }
-    if (held_against == Surface::kBefore) surface(rig.kernel(), judge.places);
+    surface(rig.kernel(), judge.places);
     tick(rig.kernel(), inputs, outputs);
-    if (held_against == Surface::kAfter) surface(rig.kernel(), judge.places);
     for (std::uint32_t i = 0; i < needles; ++i) {
       if (outputs[i].phase != Phase::kFree) {
         met[i] = true;
@@ -321,7 +318,7 @@ TEST(Felt, NoTipIsInTissueInPhaseFreeWhenItHasJustLeft) {
   std::vector<std::uint64_t> seeds = {1057, 1101};  // 19 and 49 ticks without a force, once
   for (std::uint64_t seed = 1; seed <= 12; ++seed) seeds.push_back(seed);
   for (const std::uint64_t seed : seeds) {
-    expect_felt(seed, drawn_out(seed), Surface::kBefore);
+    expect_felt(seed, drawn_out(seed));
     if (testing::Test::HasFatalFailure()) return;
   }
 }
@@ -342,7 +339,7 @@ TEST(FeltExhaustive, NoTipIsInTissueInPhaseFreeOnItsWayBack) {
 
 TEST(FeltExhaustive, NoTipIsInTissueInPhaseFreeWhenItHasJustLeft) {
   for (std::uint64_t seed = 1000; seed < 1400; ++seed) {
-    expect_felt(seed, drawn_out(seed), Surface::kBefore);
+    expect_felt(seed, drawn_out(seed));
     if (testing::Test::HasFatalFailure()) return;
   }
 }
