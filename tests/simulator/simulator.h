@@ -7,20 +7,19 @@
 // tissue is back at rest.
 //
 // The observer. Of all needles together, from the start of the session,
-//   E(t) = work of the hands on the needles' bases - energy stored in the tissue and in the springs
-//          of the constraint particles.
+//   E(t) = work of the hands on the needles' bases - energy stored in the tissue, in the springs of
+//          the constraint particles, in bent needles and in what they press of obstacles.
 // The work is the integral of the wrench felt over the motion of the bases in the frame of the
 // attachments (breathing moves that frame, and does no work in it), each tick by the mean of the
-// wrenches at its two ends. What the kernel dissipates makes E grow, what an elastic needle and
-// obstacles store is positive and left in it (README.md says where that needle's share is not
-// exact): a kernel that makes no energy keeps E above zero. In a gentle session E stays above
-// -kObserverJ. In the others a hand may move by millimetres in a tick, and what the force did on
-// the way is not known better than by half its change: the check is E > -(kObserverJ + slack),
-// slack the sum of half the change of the wrench times the motion; there the observer also stops
-// once a voxel is turned inside out. It stops where an elastic needle has found no stable shape
-// (kFlagNeedleUnstable), and begins, at first and again, when nothing has touched a needle for a
-// while: with what the tissue stores then. Obstacles move in the frame of the attachments, and do
-// work on a needle that touches them.
+// wrenches at its two ends. Of the tissue it is the energy that the step keeps (tissue_energy in
+// simulator.cpp). What the kernel dissipates makes E grow: a kernel that makes no energy keeps E
+// above zero. In a gentle session E stays above -kObserverJ. In the others a hand may move by
+// millimetres in a tick, and what the force did on the way is not known better than by half its
+// change: the check is E > -(kObserverJ + slack), slack the sum of half the change of the wrench
+// times the motion; there the observer also stops once a voxel is turned inside out. It stops where
+// an elastic needle has found no stable shape (kFlagNeedleUnstable), and begins again a while after
+// the last such tick: with what is stored then. Obstacles move in the frame of the attachments, and
+// do work on a needle that touches them.
 #pragma once
 
 #include <cstdint>
