@@ -70,6 +70,13 @@ constexpr float kAsideShare = 0.1F;
 constexpr float kLeastCreep = 1.0F / 16;
 // A shaft CP keeps at least this part of its spring, so that forces can be divided by it.
 constexpr float kLeastPart = 0.002F;
+// Tissue pressed to less than this part of its volume, or turned inside out, has no direction that
+// is better than another.
+constexpr float kCrushed = 0.05F;
+// Speeds over kPunctureSpeedMPerS between which pressing faster makes a puncture easier.
+constexpr float kSlowestPress = 0.01F, kFastestPress = 100.0F;
+// A needle at the mouth of a hole goes into it if it points as the hole does, within 18 degrees.
+constexpr float kSameWayCosine = 0.95F;
 
 // ---- stiffness of a CP
 // ----------------------------------------------------------------------------
@@ -396,7 +403,7 @@ Gradient gradient_around(const View& view, const Particle& p) {
 // rotation alone: else a needle that leaves strained tissue does not find its way back to its
 // entry.
 Vec3 pull_back(const Gradient& g, Vec3 step) {
-  if (!(g.det > 0.05F)) return step;  // crushed or inverted: no direction is better than another
+  if (!(g.det > kCrushed)) return step;
   return (1 / g.det) * Vec3{dot(step, cross(g.c1, g.c2)), dot(step, cross(g.c2, g.c0)),
                             dot(step, cross(g.c0, g.c1))};
 }
@@ -656,7 +663,8 @@ void slip_shaft(const View& view, const Needle& needle) {
 
 // Force that breaks a surface: less when pressed faster (Mahvash and Dupont 2010).
 float puncture_force(const View& view, const MaterialModel& m) {
-  const float v = clamp(view.state.needle->press_m_per_s / kPunctureSpeedMPerS, 0.01F, 100.0F);
+  const float v =
+      clamp(view.state.needle->press_m_per_s / kPunctureSpeedMPerS, kSlowestPress, kFastestPress);
   const float x = m.puncture_exponent * natural_log(v);
   return x < 0 ? m.puncture_n / exp_minus(-x) : m.puncture_n * exp_minus(x);
 }
@@ -903,7 +911,8 @@ std::uint32_t find_track(const View& view, Vec3 rest_m, Vec3 rest_direction) {
   for (std::uint32_t i = 0; i < state.track_count; ++i) {
     const Track& track = view.state.track[i];
     const Vec3 gap = track.entry_rest_m - rest_m;
-    if (dot(gap, gap) < reach * reach && dot(track.direction_rest, rest_direction) > 0.95F) {
+    if (dot(gap, gap) < reach * reach &&
+        dot(track.direction_rest, rest_direction) > kSameWayCosine) {
       return i;
     }
   }

@@ -233,10 +233,6 @@ std::uint64_t ticks_of(const Scenario& scenario, double longest_s) {
 
 }  // namespace
 
-float Draw::magnitude(double low, double high) {
-  return static_cast<float>(low * std::pow(high / low, unit()));
-}
-
 Scenario draw_scenario(std::uint64_t seed) {
   Draw draw(seed);
   Scenario scenario;

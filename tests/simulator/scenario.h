@@ -9,31 +9,15 @@
 
 #include <cstdint>
 #include <memory>
-#include <random>
 #include <vector>
 
+#include "draw.h"
 #include "session.h"
 #include "stylet/hal/guard.h"
 #include "stylet/hal/mapping.h"
 #include "stylet/hal/simulated_hand.h"
 
 namespace stylet::test {
-
-// Numbers from a seed, the same with every standard library.
-class Draw {
- public:
-  explicit Draw(std::uint64_t seed) : engine_(seed) {}
-
-  double unit() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
-  float between(double low, double high) { return static_cast<float>(low + (high - low) * unit()); }
-  // Each factor of ten as likely as any other.
-  float magnitude(double low, double high);
-  std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(engine_() % count); }
-  bool chance(double share) { return unit() < share; }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 // A hand and its device.
 struct HandPlan {

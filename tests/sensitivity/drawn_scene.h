@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes whose hands keep moving, drawn from a seed: what the kernel's constants are tried on.
+//
+// Every needle goes in, rests, steps aside, swings to and fro at 4 Hz across and along, goes
+// deeper, back and in again, and comes out. Organs and needles are those of anatomy: 3 to 50 kPa,
+// voxels of 3 to 6 mm, 25G to 16G; a surface breaks at a dimple of 2 to 8 mm.
+//
+// Promises: the same seed gives the same scene; the way of a hand depends on time alone, not on
+// forces, nor on how long a tick is. Units: SI. Frame: world; needles come from +z.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "session.h"
+#include "stylet/kernel.h"
+
+namespace stylet::test {
+
+// What a scene is about; each has all the motions.
+enum class Kind : std::uint32_t { kRigid, kElastic, kBone, kTwo, kSurface, kLayers };
+constexpr std::uint32_t kKinds = 6;
+const char* kind_name(Kind kind);
+
+// A part of a hand's way: it comes to a place of the tip, evenly begun and ended, and then swings
+// about it. Places are from the entry: to the right, up, and deep along the needle.
+struct Move {
+  Vec3 to_m;
+  double duration_s = 0;
+  Vec3 swing_m = {};     // amplitude at kSwingHz
+  bool is_rest = false;  // at its end the force must be steady
+};
+constexpr double kSwingHz = 4;  // as fast as a hand trembles on purpose
+
+struct Hand {
+  Vec3 entry_m;
+  Quat rotation;
+  float length_m;
+  std::vector<Move> moves;
+};
+
+struct DrawnScene {
+  Kind kind;
+  std::unique_ptr<OpenOrgan> organ;
+  Config config;
+  std::vector<ObstacleConfig> obstacles;
+  std::vector<Hand> hands;
+  double duration_s = 0;
+};
+
+DrawnScene draw_scene(std::uint64_t seed, Kind kind);
+
+// Where the hand is at a time, its tip `deeper_m` deeper than drawn; and whether it rests there.
+struct HandPlace {
+  Pose pose;
+  bool at_rest;  // in the last kJudgedS of a rest
+};
+constexpr double kJudgedS = 0.05;
+HandPlace hand_place(const Hand& hand, double time_s, double deeper_m);
+
+}  // namespace stylet::test
