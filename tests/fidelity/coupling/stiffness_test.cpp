@@ -108,6 +108,61 @@ TEST(Stiffness, NeitherVoxelNorUnitNorPlaceIsFelt) {
   }
 }
 
+// How far a tip that holds the tissue at this place, in voxel edges from the middle of a block that
+// is held on all sides, takes the lattice along, over its force, in 1 / (G h).
+struct Given {
+  double per_force, squares;  // and the sum of the squared weights
+};
+
+Given given_inside(float poisson, Vec3 place, std::uint16_t voxels) {
+  constexpr float kEdgeM = 5e-3F, kTakenM = 1e-3F, kSpringNPerM = 10;
+  TinyOrgan tiny;
+  tiny.nx = tiny.ny = tiny.nz = voxels;
+  tiny.voxel_edge_m = kEdgeM;
+  tiny.fixed_faces = kLowX | kHighX | kLowY | kHighY | kLowZ | kHighZ;
+  TinyMaterial& m = tiny.materials[0];
+  m.youngs_modulus_pa = 10000;
+  m.poisson_ratio = poisson;
+  m.puncture_force_n = m.cutting_force_n = 100;
+  m.coulomb_friction_n_per_m = m.static_friction_n_per_m = 1e-6F;  // the tip alone
+  Config config;
+  config.surround_drag_per_s = 60;
+  Rig rig = make_rig(tiny, config);
+  const float middle = kEdgeM * static_cast<float>(voxels / 2);
+  const Vec3 rest = Vec3{middle, middle, middle} + kEdgeM * place;
+  hold(rig, hold_tip(rig, rest, kSpringNPerM) + Vec3{kTakenM, 0, 0}, 800);
+  const View view = needle_view(rig.view(), 0);
+  const Particle& tip = *view.state.tip;
+  Given given = {0, 0};
+  for (std::uint32_t i = 0; i < tip.share_count; ++i) {
+    const Share& s = tip.share[i];
+    const double w = static_cast<double>(s.weight);
+    const Vec3 centre = rest_centre(view, s.slot, view.model.row[s.row]);
+    given.per_force += w * static_cast<double>(s.goal_m.x - centre.x - s.offset_m.x);
+    given.squares += w * w;
+  }
+  const double shear_pa = 10000 / (2 * (1 + static_cast<double>(poisson)));
+  given.per_force *= shear_pa * static_cast<double>(kEdgeM / tip.force_n.x);
+  return given;
+}
+
+// What the lattice itself gives under a tip inside, in a block without an end. coupling.cpp takes
+// 0.20 for it (kLatticeComplianceInside), which is more than any of these.
+TEST(Stiffness, LatticeGivesWayToATipInsideAsItsWeightIsShared) {
+  constexpr Vec3 kInside[] = {{0, 0, 0},          {0, 0, 0.5F},          {0, 0.25F, 0.25F},
+                              {0, 0.5F, 0.5F},    {0.25F, 0.25F, 0.25F}, {0.5F, 0.5F, 0.5F},
+                              {0.5F, 0.25F, 0.0F}};
+  for (const float poisson : {0.0F, 0.3F, 0.45F}) {
+    for (const Vec3 place : kInside) {
+      const Given coarse = given_inside(poisson, place, 8), fine = given_inside(poisson, place, 16);
+      const double endless = 2 * fine.per_force - coarse.per_force;
+      const double formula = 0.104 - 0.040 * static_cast<double>(poisson) + 0.076 * fine.squares;
+      EXPECT_NEAR(formula / endless, 1, 0.12)
+          << "nu " << poisson << ", at " << place.x << ", " << place.y << ", " << place.z;
+    }
+  }
+}
+
 TinyOrgan soft_block(float edge_m, float size_m) {
   TinyOrgan tiny;
   tiny.nx = tiny.ny = tiny.nz = static_cast<std::uint16_t>(std::lround(size_m / edge_m));
