@@ -7,11 +7,12 @@
 #   figures.sh --list    which command makes which
 #   figures.sh --check   which pictures are not of what the scenes do now; a test does this, too
 #
-# Beside other work, `speed` measures the other work, and `promises` runs every test: by name only.
+# Beside other work, `speed` measures the other work; `constants` takes long, and `promises` runs
+# every test: by name only.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-names=(scenes page offline calculix growth speed promises)
+names=(scenes page offline calculix growth speed constants promises)
 usual=(scenes page offline calculix)
 declare -A makes=(
   [scenes]="hal/scenes/pictures/*.svg"
@@ -20,6 +21,7 @@ declare -A makes=(
   [calculix]="tests/fidelity/calculix/convergence.svg"
   [growth]="tests/bench/results/growth.svg"
   [speed]="tests/bench/results/*.csv, README.md: tables of speed"
+  [constants]="kernel/constants.md"
   [promises]="README.md: table of promises"
 )
 declare -A commands=(
@@ -30,6 +32,7 @@ declare -A commands=(
   [growth]="tests/bench/growth.py $build/bin/stylet-work --out tests/bench/results"
   [speed]="$build/bin/stylet bench --results=tests/bench/results &&
            tests/bench/table.py tests/bench/results README.md"
+  [constants]="toolchain/sensitivity.py"
   [promises]="toolchain/check.sh full"
 )
 

@@ -12,6 +12,7 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 import headers  # noqa: E402
 import loops  # noqa: E402
 import promises  # noqa: E402
+import sensitivity  # noqa: E402
 import stack  # noqa: E402
 import symbols  # noqa: E402
 import test_names  # noqa: E402
@@ -185,6 +186,53 @@ class Promises(Sample):
                                      (r"a\.Case\..*", "a.Other.case", False)):
             with self.subTest(test):
                 self.assertEqual(promises.tests_of_row(pattern, [test]) == [test], there)
+
+
+class Constants(Sample):
+    CODE = ("constexpr float kA = 0.5F, kB = 2;  // kB = 3\n"
+            "constexpr double kC[2] = {1, 0.2};\nconstexpr float kD = 1 / kA;\n"
+            "struct Config {\n  float rate_per_s =\n      8;\n};\n")
+    FILE = "kernel/src/a.h"
+    LIST = ["kernel/src/a.h | " + row
+            for row in ("kA | m | chosen | so", "kB | 1 | exact | two", "kC | 1 | measured | there",
+                        "kD | 1/m | derived | kA", "Config::rate_per_s | 1/s | chosen | so")]
+
+    def faults(self, rows, results=None, code=CODE):
+        self.write(self.FILE, code)
+        constants = sensitivity.listed("# words\n\n" + "\n".join(rows))
+        values = sensitivity.read_values(constants, self.top)
+        known = [each for each in constants if each[:2] in values]
+        felt = {part: ("1, 2 (rigid)", "0", "") for each in known
+                for part in sensitivity.parts_of(each, values)} if results is None else results
+        table = sensitivity.made_table(known, values, felt, {})
+        return sensitivity.faults(constants, values, table)
+
+    def test_accepts_listed_and_played(self):
+        self.assertEqual(list(self.faults(self.LIST)), [])
+
+    def test_refuses_what_is_not_listed_and_what_is_gone(self):
+        self.expect_one(self.faults(self.LIST[:1] + self.LIST[2:]), self.FILE, "kB")
+        gone = f"{self.FILE} | kE | 1 | exact | none"
+        self.expect_one(self.faults([*self.LIST, gone]), "kE")
+        self.expect_one(self.faults(self.LIST + self.LIST[1:2]), "2 times")
+        self.expect_one(self.faults([row.replace("exact", "guess") for row in self.LIST]), "guess")
+
+    def test_refuses_another_value_and_rows_not_played(self):
+        constants = sensitivity.listed("\n".join(self.LIST))
+        self.write(self.FILE, self.CODE)
+        values = sensitivity.read_values(constants, self.top)
+        table = sensitivity.made_table(constants, values, {}, {})
+        self.assertEqual(len(list(sensitivity.faults(constants, values, table))), 4)
+        played = table.replace("|  |  |  |", "| 0 | 0 |  |").replace("| 8 |", "| 9 |")
+        self.expect_one(sensitivity.faults(constants, values, played), "rate_per_s", "9")
+
+    def test_makes_variables_of_what_is_played_and_what_comes_of_it(self):
+        code = sensitivity.patched(self.CODE, {"kA", "kC", "Config::rate_per_s"}, {"kA", "kC"})
+        for line in ('const float kA = tuned<float>("kA", 0.5F), kB = 2;',
+                     'const double kC[2] = {tuned<double>("kC[0]", 1), tuned<double>("kC[1]"',
+                     "const float kD = 1 / kA;", 'tuned<float>("Config::rate_per_s", 8);'):
+            self.assertIn(line, code)
+        self.assertNotIn("constexpr", code)
 
 
 class Stack(Sample):
