@@ -390,7 +390,7 @@ def differences(results, rows):
         cells = rows.get(name if name in CONTROLS else f"`{name}`", [""] * 5)[2:5]
         for now, then in zip(felt, cells):
             a, b = ([float(each) for each in re.findall(r"\d+(?:\.\d+)?|inf", text)]
-                    for text in (now, then))
+                    for text in ("0, 0" if each == "0" else each for each in (now, then)))
             if len(a) != len(b) or any(
                     not abs(x - y) <= max(ALIKE_PERCENT, ALIKE_SHARE * max(x, y))
                     for x, y in zip(a, b) if x != y):
