@@ -29,8 +29,8 @@ enum class Mode : std::uint32_t {
 
 // How the explicit step is kept stable for any material. Forces at rest are the same in both.
 enum class Inertia : std::uint32_t {
-  // Mass is added where the step needs it: liver of 5 mm voxels is 14 times too heavy at two
-  // substeps, and a hand that moves at 4 Hz feels up to 2.5 times the force.
+  // Mass is added where the step needs it: liver of 5 mm voxels is 6 times too heavy at two
+  // substeps, and a hand that moves at 4 Hz feels half of the force, or several times it.
   kAddedMass = 0,
   // The mass that tissue has; short waves, which no hand feels, are slowed instead (filter.h).
   kTrueMass = 1,
