@@ -223,13 +223,13 @@ void pass_plane(const View& view, const Wave& wave, std::uint32_t j, std::uint32
     const Window* window = windows + plane.window_begin[kList];
     const Row* const end = view.model.row + (&plane)[1].row_begin;
     const Iterate low = iterate_of(view, wave, j, z), high = iterate_of(view, wave, j, z + 1);
-    for (const Row* row = view.model.row + plane.row_begin; row != end;) {
-      const Row* const next = lines_together(row, end);
+    const Row* next = view.model.row + plane.row_begin;
+    for (const Row* row = next; row != end; row = next) {
+      next = lines_together(row, end);
       sum_voxels(view, z, low, high, wave, row, next);
       const Window* const to =
           windows + (next == end ? plane.window_end[kList] : next->window[kList]);
       spread_sums(view, wave, window, to, wave.sent(j, z), wave.sent(j, z + 1));
-      row = next;
       window = to;
       if (tied || next == end) continue;
       const std::ptrdiff_t until = to->low / kWide * kWide;
