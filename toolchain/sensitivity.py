@@ -405,6 +405,7 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=SOURCE / "build/sensitivity")
     parser.add_argument("names", nargs="*")
     options = parser.parse_args()
+    options.build = options.build.resolve()  # ccache takes no other
     constants = listed((SOURCE / LIST).read_text())
     values = read_values(constants)
     path = SOURCE / TABLE
