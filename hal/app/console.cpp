@@ -360,6 +360,7 @@ class Console {
       report.recording.clear();
       scored_.recording.clear();
     }
+    report.resonance = first_resonance(session_->instance->kernel);
     fmt::print("\nattempt {}\n{}", scored_.attempt, human_text(report));
     std::fflush(stdout);
     trouble_ = tell_of_trouble(*session_, *attempt_) || !record_error.empty() || trouble_;

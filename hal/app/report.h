@@ -38,7 +38,7 @@ struct RunReport {
   hal::HostReport host;
   Sizes predicted = {}, used = {};
   Stats stats = {};
-  Resonance resonance = {};
+  Resonance resonance = {};  // by whoever asks: takes time, so after recording and devices
 };
 
 std::string json_text(const RunReport& report);

@@ -441,7 +441,6 @@ RunReport report_of(const Session& s, const Attempt& a) {
   report.predicted = s.instance->predicted;
   report.used = s.instance->kernel.sizes;
   report.stats = stats(s.instance->kernel);
-  report.resonance = first_resonance(s.instance->kernel);
   return report;
 }
 

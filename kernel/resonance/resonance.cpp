@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -16,7 +17,6 @@
 namespace stylet {
 namespace {
 
-using Dense = Eigen::MatrixXd;
 using Sparse = Eigen::SparseMatrix<double>;
 using Element = Eigen::Matrix<double, 24, 24>;
 using Shapes = Eigen::Matrix<double, Eigen::Dynamic, 3>;  // three at a time
@@ -31,12 +31,6 @@ struct Voxel {
   Cell at;
   double k_n_per_m, volume_ratio;
   std::array<std::uint32_t, 8> corner;  // particles, at x + bit 0, y + bit 1, z + bit 2
-};
-
-// Where a particle lies in the coarse lattice: weights of eight nodes.
-struct Place {
-  std::array<std::uint32_t, 8> node;
-  std::array<double, 8> weight;
 };
 
 std::vector<Voxel> voxels_of(const View& view) {
@@ -95,159 +89,145 @@ Parts unit_parts() {
           Element::Identity() - linear};
 }
 
-// Cells of `size` voxels along each edge, those that hang together with what is held.
-class Coarse {
- public:
-  Coarse(const View& view, const std::vector<Voxel>& voxels, std::int32_t size)
-      : size_(size), places_(view.model.head->counts.particles), held_(places_.size()) {
-    for (const Voxel& voxel : voxels) {
-      const Cell cell = {voxel.at.x / size, voxel.at.y / size, voxel.at.z / size};
-      Sum& sum = cells_[cell];
-      // Of a voxel k is the shear modulus times its edge.
-      sum.k += voxel.k_n_per_m / (size * size);
-      sum.volume += voxel.k_n_per_m * voxel.volume_ratio / (size * size);
-    }
-    for (auto& [cell, sum] : cells_) {
-      for (std::int32_t c = 0; c < 8; ++c) {
-        const Cell at = {cell.x + (c & 1), cell.y + ((c >> 1) & 1), cell.z + (c >> 2)};
-        const auto found = nodes_.emplace(at, static_cast<std::uint32_t>(nodes_.size())).first;
-        sum.node[static_cast<std::size_t>(c)] = found->second;
-      }
-    }
-    for (const Voxel& voxel : voxels) place(view, voxel);
-    keep_held();
-  }
-
-  bool holds(std::uint32_t particle) const {
-    return places_[particle].weight[0] >= 0 && kept_[places_[particle].node[0]];
-  }
-  bool any_held() const { return any_held_; }
-
-  // K, with what is held on stiff springs; nodes that nothing holds stay where they are.
-  Sparse stiffness(double hourglass_weight) const {
-    const Parts parts = unit_parts();
-    std::vector<Eigen::Triplet<double>> all;
-    for (const auto& [cell, sum] : cells_) {
-      if (!kept_[sum.node[0]]) continue;
-      const Element k = sum.k * parts.shear + sum.volume * parts.volume +
-                        sum.k * hourglass_weight * parts.hourglass;
-      for (int i = 0; i < 24; ++i) {
-        for (int j = 0; j < 24; ++j) {
-          all.emplace_back(dof(sum.node[static_cast<std::size_t>(i / 3)], i % 3),
-                           dof(sum.node[static_cast<std::size_t>(j / 3)], j % 3), k(i, j));
-        }
-      }
-    }
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      if (!(held_[i] > 0)) continue;
-      const Place& p = places_[i];
-      for (std::size_t a = 0; a < 8; ++a) {
-        for (std::size_t b = 0; b < 8; ++b) {
-          for (int c = 0; c < 3; ++c) {
-            all.emplace_back(dof(p.node[a], c), dof(p.node[b], c),
-                             held_[i] * p.weight[a] * p.weight[b]);
-          }
-        }
-      }
-    }
-    for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
-      for (int c = 0; c < 3 && !kept_[n]; ++c) all.emplace_back(dof(n, c), dof(n, c), 1);
-    }
-    const auto size = static_cast<Eigen::Index>(3 * nodes_.size());
-    Sparse out(size, size);
-    out.setFromTriplets(all.begin(), all.end());
-    return out;
-  }
-
-  // What particles do when nodes do this, and the forces on nodes of those on particles.
-  Shapes to_particles(const Shapes& of_nodes) const {
-    Shapes out = Shapes::Zero(static_cast<Eigen::Index>(3 * places_.size()), 3);
-    for (std::uint32_t i = 0; i < places_.size(); ++i) {
-      if (!holds(i)) continue;
-      for (std::size_t a = 0; a < 8; ++a) {
-        out.middleRows<3>(dof(i, 0)) +=
-            places_[i].weight[a] * of_nodes.middleRows<3>(dof(places_[i].node[a], 0));
-      }
-    }
-    return out;
-  }
-  Shapes to_nodes(const Shapes& of_particles) const {
-    Shapes out = Shapes::Zero(static_cast<Eigen::Index>(3 * nodes_.size()), 3);
-    for (std::uint32_t i = 0; i < places_.size(); ++i) {
-      if (!holds(i)) continue;
-      for (std::size_t a = 0; a < 8; ++a) {
-        out.middleRows<3>(dof(places_[i].node[a], 0)) +=
-            places_[i].weight[a] * of_particles.middleRows<3>(dof(i, 0));
-      }
-    }
-    return out;
-  }
-
-  static Eigen::Index dof(std::uint32_t of, int axis) {
-    return 3 * static_cast<Eigen::Index>(of) + axis;
-  }
-
- private:
+// Cells of `size` voxels along each edge, with nodes at their corners.
+struct Coarse {
   struct Sum {
     double k = 0, volume = 0;
     std::array<std::uint32_t, 8> node = {};
   };
+  std::int32_t size;
+  std::map<Cell, Sum> cells;
+  std::uint32_t nodes = 0;
+};
 
-  // The places of a voxel's corners, and stiff springs where they are held.
-  void place(const View& view, const Voxel& voxel) {
-    constexpr double kStiff = 100;  // voxels in a row; a held face gives way by a hundredth of one
-    const Cell cell = {voxel.at.x / size_, voxel.at.y / size_, voxel.at.z / size_};
-    for (std::uint32_t c = 0; c < 8; ++c) {
+Cell cell_of(const Coarse& coarse, const Voxel& voxel) {
+  return {voxel.at.x / coarse.size, voxel.at.y / coarse.size, voxel.at.z / coarse.size};
+}
+
+Coarse coarse_of(const std::vector<Voxel>& voxels, std::int32_t size) {
+  Coarse out = {size, {}, 0};
+  for (const Voxel& voxel : voxels) {
+    Coarse::Sum& sum = out.cells[cell_of(out, voxel)];
+    // Of a voxel k is the shear modulus times its edge.
+    sum.k += voxel.k_n_per_m / (size * size);
+    sum.volume += voxel.k_n_per_m * voxel.volume_ratio / (size * size);
+  }
+  std::map<Cell, std::uint32_t> nodes;
+  for (auto& [cell, sum] : out.cells) {
+    for (std::int32_t c = 0; c < 8; ++c) {
+      const Cell at = {cell.x + (c & 1), cell.y + ((c >> 1) & 1), cell.z + (c >> 2)};
+      sum.node[static_cast<std::size_t>(c)] = nodes.emplace(at, out.nodes).first->second;
+      out.nodes = static_cast<std::uint32_t>(nodes.size());
+    }
+  }
+  return out;
+}
+
+Eigen::Index dof(std::uint32_t of, int axis) {
+  return 3 * static_cast<Eigen::Index>(of) + axis;
+}
+
+// Springs that hold a particle, N/m for each coordinate; 0 for one that is free.
+Eigen::VectorXd springs_of(const View& view, const std::vector<Voxel>& voxels) {
+  constexpr double kStiff = 100;  // voxels in a row; a held face gives way by a hundredth of one
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(dof(view.model.head->counts.particles, 0));
+  for (const Voxel& voxel : voxels) {
+    for (const std::uint32_t p : voxel.corner) {
+      if (view.model.step_per_mass[p] > 0) continue;
+      out.segment<3>(dof(p, 0)).array() += kStiff * voxel.k_n_per_m;
+    }
+  }
+  return out;
+}
+
+// Nodes that hang together with a held particle.
+std::vector<bool> held_nodes(const Coarse& coarse, const std::vector<Voxel>& voxels,
+                             const Eigen::VectorXd& springs) {
+  std::vector<bool> held(coarse.nodes);
+  std::vector<std::vector<const Coarse::Sum*>> at(coarse.nodes);
+  for (const auto& [cell, sum] : coarse.cells) {
+    for (const std::uint32_t node : sum.node) at[node].push_back(&sum);
+  }
+  std::vector<std::uint32_t> to_visit;
+  const auto hold = [&](const Coarse::Sum& cell) {
+    for (const std::uint32_t node : cell.node) {
+      if (!held[node]) to_visit.push_back(node);
+      held[node] = true;
+    }
+  };
+  for (const Voxel& voxel : voxels) {
+    const bool any = std::any_of(voxel.corner.begin(), voxel.corner.end(),
+                                 [&](std::uint32_t p) { return springs[dof(p, 0)] > 0; });
+    if (any) hold(coarse.cells.at(cell_of(coarse, voxel)));
+  }
+  while (!to_visit.empty()) {
+    const std::uint32_t node = to_visit.back();
+    to_visit.pop_back();
+    for (const Coarse::Sum* cell : at[node]) hold(*cell);
+  }
+  return held;
+}
+
+// What particles do when held nodes do something: their weights, trilinear in a cell.
+Sparse weights_of(const View& view, const Coarse& coarse, const std::vector<Voxel>& voxels,
+                  const std::vector<bool>& held) {
+  const std::uint32_t particles = view.model.head->counts.particles;
+  std::vector<bool> placed(particles);
+  std::vector<Eigen::Triplet<double>> all;
+  for (const Voxel& voxel : voxels) {
+    const Cell cell = cell_of(coarse, voxel);
+    const Coarse::Sum& of = coarse.cells.at(cell);
+    for (std::uint32_t c = 0; c < 8 && held[of.node[0]]; ++c) {
       const std::uint32_t particle = voxel.corner[c];
-      if (!(view.model.step_per_mass[particle] > 0)) held_[particle] += kStiff * voxel.k_n_per_m;
-      const std::array<double, 3> within = {
-          double(voxel.at.x - cell.x * size_ + std::int32_t(c & 1U)) / size_,
-          double(voxel.at.y - cell.y * size_ + std::int32_t((c >> 1U) & 1U)) / size_,
-          double(voxel.at.z - cell.z * size_ + std::int32_t(c >> 2U)) / size_};
-      places_[particle].node = cells_.at(cell).node;
+      if (placed[particle]) continue;
+      placed[particle] = true;
+      const auto within = [&](std::int32_t at, std::int32_t first, std::uint32_t bit) {
+        const auto further = static_cast<std::int32_t>((c >> bit) & 1U);
+        return static_cast<double>(at - first * coarse.size + further) / coarse.size;
+      };
+      const std::array<double, 3> place = {within(voxel.at.x, cell.x, 0),
+                                           within(voxel.at.y, cell.y, 1),
+                                           within(voxel.at.z, cell.z, 2)};
       for (unsigned n = 0; n < 8; ++n) {
         double weight = 1;
-        for (unsigned j = 0; j < 3; ++j) {
-          weight *= ((n >> j) & 1U) != 0 ? within[j] : 1 - within[j];
+        for (unsigned j = 0; j < 3; ++j) weight *= ((n >> j) & 1U) != 0 ? place[j] : 1 - place[j];
+        for (int axis = 0; axis < 3; ++axis) {
+          all.emplace_back(dof(particle, axis), dof(of.node[n], axis), weight);
         }
-        places_[particle].weight[n] = weight;
       }
     }
   }
+  Sparse out(dof(particles, 0), dof(coarse.nodes, 0));
+  out.setFromTriplets(all.begin(), all.end());
+  return out;
+}
 
-  // Nodes that hang together with a held one.
-  void keep_held() {
-    kept_.assign(nodes_.size(), false);
-    std::vector<std::vector<const Sum*>> at(nodes_.size());
-    for (const auto& [cell, sum] : cells_) {
-      for (const std::uint32_t node : sum.node) at[node].push_back(&sum);
-    }
-    std::vector<std::uint32_t> to_visit;
-    const auto keep = [&](const std::array<std::uint32_t, 8>& nodes) {
-      for (const std::uint32_t node : nodes) {
-        if (!kept_[node]) to_visit.push_back(node);
-        kept_[node] = true;
+// K, with what is held on stiff springs; nodes that nothing holds stay where they are.
+Sparse stiffness_of(const Coarse& coarse, const std::vector<bool>& held, const Sparse& weights,
+                    const Eigen::VectorXd& springs, double hourglass_weight) {
+  const Parts parts = unit_parts();
+  std::vector<Eigen::Triplet<double>> all;
+  for (const auto& [cell, sum] : coarse.cells) {
+    if (!held[sum.node[0]]) continue;
+    const Element k = sum.k * parts.shear + sum.volume * parts.volume +
+                      sum.k * hourglass_weight * parts.hourglass;
+    for (int i = 0; i < 24; ++i) {
+      for (int j = 0; j < 24; ++j) {
+        all.emplace_back(dof(sum.node[static_cast<std::size_t>(i / 3)], i % 3),
+                         dof(sum.node[static_cast<std::size_t>(j / 3)], j % 3), k(i, j));
       }
-    };
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      if (held_[i] > 0) keep(places_[i].node);
-    }
-    any_held_ = !to_visit.empty();
-    while (!to_visit.empty()) {
-      const std::uint32_t node = to_visit.back();
-      to_visit.pop_back();
-      for (const Sum* cell : at[node]) keep(cell->node);
     }
   }
-
-  std::int32_t size_;
-  std::map<Cell, Sum> cells_;
-  std::map<Cell, std::uint32_t> nodes_;
-  std::vector<Place> places_;  // of a particle that is none: weights below 0
-  std::vector<double> held_;   // springs, N/m
-  std::vector<bool> kept_;
-  bool any_held_ = false;
-};
+  for (std::uint32_t n = 0; n < coarse.nodes; ++n) {
+    for (int axis = 0; axis < 3 && !held[n]; ++axis) {
+      all.emplace_back(dof(n, axis), dof(n, axis), 1);
+    }
+  }
+  Sparse out(weights.cols(), weights.cols());
+  out.setFromTriplets(all.begin(), all.end());
+  const Sparse on_springs = springs.asDiagonal() * weights;
+  return out + Sparse(weights.transpose() * on_springs);
+}
 
 // The fewest voxels a cell that leave few enough cells.
 std::int32_t cell_size(const std::vector<Voxel>& voxels) {
@@ -258,25 +238,20 @@ std::int32_t cell_size(const std::vector<Voxel>& voxels) {
   }
 }
 
-// Mass times shapes of the particles: what tissue has.
-Shapes real_mass(const View& view, const Coarse& coarse, const Shapes& shapes) {
-  Shapes out = Shapes::Zero(shapes.rows(), 3);
+// Of each coordinate of the particles: the mass that tissue has, and 1 / mass in the step, which is
+// 0 for what is held.
+Eigen::VectorXd real_kg(const View& view) {
+  Eigen::VectorXd out(dof(view.model.head->counts.particles, 0));
   for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) {
-    if (!coarse.holds(i)) continue;
-    out.middleRows<3>(Coarse::dof(i, 0)) =
-        static_cast<double>(view.model.particle_kg[i]) * shapes.middleRows<3>(Coarse::dof(i, 0));
+    out.segment<3>(dof(i, 0)).setConstant(static_cast<double>(view.model.particle_kg[i]));
   }
   return out;
 }
-
-// 1 / mass in the step of each coordinate; 0 for what is held or left out.
-Eigen::VectorXd per_stepped_kg(const View& view, const Coarse& coarse) {
-  const std::uint32_t count = view.model.head->counts.particles;
-  Eigen::VectorXd out = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(count));
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (!coarse.holds(i)) continue;
-    out.segment<3>(Coarse::dof(i, 0))
-        .setConstant(static_cast<double>(view.model.step_per_mass[i] / view.model.head->substep_s));
+Eigen::VectorXd per_stepped_kg(const View& view) {
+  const float dt = view.model.head->substep_s;
+  Eigen::VectorXd out(dof(view.model.head->counts.particles, 0));
+  for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) {
+    out.segment<3>(dof(i, 0)).setConstant(static_cast<double>(view.model.step_per_mass[i] / dt));
   }
   return out;
 }
@@ -289,11 +264,10 @@ Shapes filtered(const Filter& filter, const std::vector<Voxel>& voxels,
     Shapes pull = Shapes::Zero(shapes.rows(), 3);
     for (const Voxel& voxel : voxels) {
       Eigen::Matrix3d mean = Eigen::Matrix3d::Zero();
-      for (const std::uint32_t p : voxel.corner) mean += last.middleRows<3>(Coarse::dof(p, 0)) / 8;
+      for (const std::uint32_t p : voxel.corner) mean += last.middleRows<3>(dof(p, 0)) / 8;
       const double by = voxel.k_n_per_m * (1 + 3 * voxel.volume_ratio);
       for (const std::uint32_t p : voxel.corner) {
-        pull.middleRows<3>(Coarse::dof(p, 0)) +=
-            by * (last.middleRows<3>(Coarse::dof(p, 0)) - mean);
+        pull.middleRows<3>(dof(p, 0)) += by * (last.middleRows<3>(dof(p, 0)) - mean);
       }
     }
     const FilterPass& pass = filter.pass[j];
@@ -310,11 +284,10 @@ Shapes filtered(const Filter& filter, const std::vector<Voxel>& voxels,
 // Mass in the step times shapes; with true mass M p(S)^-1, which is symmetric: conjugate gradients
 // in M, for each shape. (M (1 + c S) alone, with c the slope of p, is too light by up to a fifth
 // where stiff tissue turns: S is large at its surface then.)
-Shapes stepped_mass(const View& view, const Coarse& coarse, const std::vector<Voxel>& voxels,
-                    const Shapes& shapes) {
+Shapes stepped_mass(const View& view, const std::vector<Voxel>& voxels, const Shapes& shapes) {
   constexpr int kMostRounds = 40;
   constexpr double kGood = 1e-6;  // of the square of what is asked for
-  const Eigen::VectorXd per_kg = per_stepped_kg(view, coarse);
+  const Eigen::VectorXd per_kg = per_stepped_kg(view);
   const Eigen::VectorXd kg = per_kg.unaryExpr([](double v) { return v > 0 ? 1 / v : 0; });
   if (!has_true_mass(view)) return kg.asDiagonal() * shapes;
   Shapes out = shapes;
@@ -339,14 +312,14 @@ Shapes stepped_mass(const View& view, const Coarse& coarse, const std::vector<Vo
 
 // Lowest frequency of K and a mass, by subspace iteration from what gravity along x, y, z does.
 template <typename Mass>
-double lowest_hz(const Eigen::SimplicialLDLT<Sparse>& solver, const Coarse& coarse, Shapes shapes,
-                 Mass mass) {
+double lowest_hz(const Eigen::SimplicialLDLT<Sparse>& solver, const Sparse& weights, Mass mass) {
   constexpr int kRounds = 3;  // what is left of the fourth shape falls by its frequency to the 4th
+  Shapes shapes = Eigen::Matrix3d::Identity().replicate(weights.rows() / 3, 1);
   double lowest = 0;
   for (int round = 0; round < kRounds; ++round) {
-    const Shapes load = coarse.to_nodes(mass(shapes));
+    const Shapes load = weights.transpose() * mass(shapes);
     const Shapes moved = solver.solve(load);
-    shapes = coarse.to_particles(moved);
+    shapes = weights * moved;
     const Eigen::Matrix3d k = moved.transpose() * load;
     const Eigen::Matrix3d m = shapes.transpose() * mass(shapes);
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> ritz(0.5 * (k + k.transpose()),
@@ -360,26 +333,25 @@ double lowest_hz(const Eigen::SimplicialLDLT<Sparse>& solver, const Coarse& coar
 }  // namespace
 
 Resonance first_resonance(const Kernel& kernel) {
-  constexpr double kTenth = 0.1;
+  constexpr double kTenth = 0.1, kNever = std::numeric_limits<double>::infinity();
   const View view = view_of(kernel);
   const std::vector<Voxel> voxels = voxels_of(view);
-  const Coarse coarse(view, voxels, cell_size(voxels));
-  if (!coarse.any_held()) return {0, 0, std::numeric_limits<double>::infinity()};
-  const Eigen::SimplicialLDLT<Sparse> solver(
-      coarse.stiffness(static_cast<double>(view.model.head->hourglass_weight)));
-  Shapes gravity(static_cast<Eigen::Index>(3 * view.model.head->counts.particles), 3);
-  for (Eigen::Index i = 0; i < gravity.rows(); i += 3) {
-    gravity.middleRows<3>(i) = Eigen::Matrix3d::Identity();
-  }
+  const Eigen::VectorXd springs = springs_of(view, voxels);
+  if (!(springs.array() > 0).any()) return {0, 0, kNever};
+  const Coarse coarse = coarse_of(voxels, cell_size(voxels));
+  const std::vector<bool> held = held_nodes(coarse, voxels, springs);
+  const Sparse weights = weights_of(view, coarse, voxels, held);
+  const Eigen::SimplicialLDLT<Sparse> solver(stiffness_of(
+      coarse, held, weights, springs, static_cast<double>(view.model.head->hourglass_weight)));
+  const Eigen::VectorXd kg = real_kg(view);
   Resonance out = {};
-  out.real_hz = lowest_hz(solver, coarse, gravity,
-                          [&](const Shapes& s) { return real_mass(view, coarse, s); });
-  out.stepped_hz = lowest_hz(solver, coarse, gravity, [&](const Shapes& s) {
-    return stepped_mass(view, coarse, voxels, s);
-  });
+  out.real_hz =
+      lowest_hz(solver, weights, [&](const Shapes& s) { return Shapes(kg.asDiagonal() * s); });
+  out.stepped_hz =
+      lowest_hz(solver, weights, [&](const Shapes& s) { return stepped_mass(view, voxels, s); });
   // The force of one shape alone is that at rest times 1 - (f / resonance)^2.
   const double apart = 1 / (out.stepped_hz * out.stepped_hz) - 1 / (out.real_hz * out.real_hz);
-  out.departs_hz = apart > 0 ? std::sqrt(kTenth / apart) : std::numeric_limits<double>::infinity();
+  out.departs_hz = apart > 0 ? std::sqrt(kTenth / apart) : kNever;
   return out;
 }
 

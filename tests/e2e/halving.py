@@ -58,9 +58,8 @@ SWING_HEAD = """
 Change of the force along the swing, over the way, in per cent, when the voxel, the unit or the step
 is halved: of a hand that swings by 1 mm across the needle where the scene is deepest. Both in phase
 with the hand and behind it count. With `added_mass` a step or a voxel half as long adds another
-mass, which a fast hand feels. The liver of fig08 is held at its ends and resonates near 4 to 8 Hz
-with its true mass (the force in phase falls from 642 to 348 N/m): there small changes of stiffness
-turn the phase.
+mass, which a fast hand feels. The first resonance of fig08's liver, as a run of it says, lies
+between 4 and 8 Hz with its true mass: there small changes of stiffness turn the phase.
 
 | scene | inertia | """ + " | ".join(f"{hz} Hz: voxel, unit, step" for hz in SWINGS_S) + """ |
 | --- | --- | """ + " | ".join("---" for _ in SWINGS_S) + """ |
