@@ -34,6 +34,7 @@ class Patrol {
     organ_ = hal::load_recorded_organ(path, info, organ_path);
     instance_ = std::make_unique<hal::KernelInstance>(organ_.organ, info.config, info.obstacles);
     needles_ = info.config.needle_count;
+    inertia_ = info.config.inertia;
     inputs_.resize(recording.ticks() * needles_);
     std::vector<hal::TickRecord> records(recording.ticks());
     for (std::uint32_t needle = 0; needle < needles_; ++needle) {
@@ -45,6 +46,7 @@ class Patrol {
   }
 
   const Kernel& kernel() const { return instance_->kernel; }
+  Inertia inertia() const { return inertia_; }
 
   hal::Body body() {
     return {[this] {
@@ -62,6 +64,7 @@ class Patrol {
  private:
   hal::OrganFile organ_;
   std::unique_ptr<hal::KernelInstance> instance_;
+  Inertia inertia_ = Inertia::kTrueMass;
   std::vector<Input> inputs_;  // of all needles, tick by tick
   std::array<Output, kMaxNeedles> outputs_ = {};
   std::size_t needles_ = 1, next_ = 0;
@@ -89,7 +92,7 @@ hal::Finding judged(const Measurement& each, const char* what, const hal::Spread
 }
 
 // Whether a moving hand feels mass that the recording's tissue does not have.
-hal::Finding judged(const Resonance& of) {
+hal::Finding judged(const Resonance& of, Inertia inertia) {
   hal::Finding finding;
   finding.name = "inertia";
   finding.severity = hal::Verdict::kWarn;
@@ -101,10 +104,10 @@ hal::Finding judged(const Resonance& of) {
                      : "nothing holds the organ";
   finding.source = "the recording's organ, step and mass";
   if (departs) {
-    finding.remedy =
-        fmt::format("the force on a hand may be a tenth off from {:.2g} Hz on: loop.inertia = "
-                    "\"true_mass\", or more loop.substeps",
-                    of.departs_hz);
+    finding.remedy = fmt::format(
+        "the force on a hand may be a tenth off from {:.2g} Hz on: {}more loop.substeps",
+        of.departs_hz,
+        inertia == Inertia::kTrueMass ? "" : "loop.inertia = \"true_mass\", or ");
   }
   return finding;
 }
@@ -120,7 +123,7 @@ void measure_all(const DoctorOptions& options, DoctorReport& report) {
   std::unique_ptr<Patrol> patrol;
   if (!options.recording.empty()) {
     patrol = std::make_unique<Patrol>(options.recording, options.organ);
-    report.findings.push_back(judged(first_resonance(patrol->kernel())));
+    report.findings.push_back(judged(first_resonance(patrol->kernel()), patrol->inertia()));
   }
   const hal::Body ticks = patrol ? patrol->body() : hal::Body{};
   report.measurements = {{"quiet", false, {}}, {"loaded", patrol != nullptr, {}}};

@@ -20,10 +20,13 @@ void read_loop(Section loop, Scene& scene) {
   const double low_us = std::round(static_cast<double>(kMinPeriodS) * 1e6);
   const double high_us = std::round(static_cast<double>(kMaxPeriodS) * 1e6);
   scene.config.period_s = si(loop.number("period_us", 1000, low_us, high_us), 1e-6);
-  scene.config.substeps =
-      static_cast<std::uint32_t>(loop.integer("substeps", Config{}.substeps, 1, kMaxSubsteps));
-  const std::string inertia = loop.choice("inertia", "added_mass", {"added_mass", "true_mass"});
+  const std::string inertia = loop.choice("inertia", "true_mass", {"added_mass", "true_mass"});
   scene.config.inertia = inertia == "true_mass" ? Inertia::kTrueMass : Inertia::kAddedMass;
+  // Added mass goes with the substep's square: with one, four times as much.
+  const std::uint32_t substeps =
+      scene.config.inertia == Inertia::kTrueMass ? Config{}.substeps : 2;
+  scene.config.substeps =
+      static_cast<std::uint32_t>(loop.integer("substeps", substeps, 1, kMaxSubsteps));
   scene.rt_priority = static_cast<int>(loop.integer("rt_priority", 80, 1, 98));
   scene.cpu = static_cast<int>(loop.integer("cpu", -1, -1, 1023));
   scene.threads = static_cast<std::uint32_t>(loop.integer("threads", 1, 1, kMaxHelpers + 1));

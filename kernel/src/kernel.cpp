@@ -407,4 +407,8 @@ MassReport mass_report(const Kernel& kernel, std::uint32_t material) {
   return {head.material[material].real_kg, head.material[material].stepped_kg};
 }
 
+std::uint32_t filter_passes(const Kernel& kernel) {
+  return reinterpret_cast<const ModelHead*>(kernel.model)->filter.passes;
+}
+
 }  // namespace stylet

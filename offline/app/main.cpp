@@ -55,7 +55,8 @@ struct CommonArguments {  // of build and phantom
   std::string materials;
   std::string fit;  // rate
   std::string machine;
-  std::uint32_t substeps = Config{}.substeps;
+  std::uint32_t substeps = 0;  // the usual ones of the inertia
+  Inertia inertia = Config{}.inertia;
   std::string report;  // folder
   bool sum = false;
   std::uint64_t memory_limit_bytes = 0;
@@ -101,6 +102,9 @@ struct FileArguments {
 const std::map<std::string, double> kMetresPerUnit{
     {"mm", 1e-3}, {"cm", 1e-2}, {"dm", 1e-1}, {"m", 1.0}};
 
+const std::map<std::string, Inertia> kInertias{{"true_mass", Inertia::kTrueMass},
+                                               {"added_mass", Inertia::kAddedMass}};
+
 void add_common(CLI::App& command, CommonArguments& a) {
   command.add_option("-o,--output", a.output, "Organ file to write")->type_name("FILE")->required();
   command.add_option("--name", a.name, "Name of the organ (default: that of the first input)");
@@ -122,10 +126,15 @@ void add_common(CLI::App& command, CommonArguments& a) {
                   "CSV of stylet-bench on the machine to fit to (default: measured here)")
       ->type_name("FILE")
       ->needs(fit);
-  command.add_option("--substeps", a.substeps, "Substeps of a tick that --fit reckons with")
+  command.add_option("--inertia", a.inertia, "loop.inertia of the scene, to reckon with")
+      ->type_name("true_mass|added_mass")
+      ->transform(CLI::CheckedTransformer(kInertias))
+      ->default_str("true_mass");
+  command
+      .add_option("--substeps", a.substeps,
+                  "loop.substeps of the scene, to reckon with (default: 1, with added mass 2)")
       ->type_name("NUMBER")
-      ->check(cli::between(1U, kMaxSubsteps))
-      ->capture_default_str();
+      ->check(cli::between(1U, kMaxSubsteps));
   command
       .add_option(
           "--capsule", a.capsule,
@@ -276,14 +285,22 @@ void check_outputs(const CommonArguments& a) {
   if (!a.report.empty()) check_output_folder(a.report);
 }
 
+Stepping stepping_of(const CommonArguments& a) {
+  Stepping stepping;
+  if (!a.fit.empty()) stepping.period_s = period_of(a.fit);
+  stepping.inertia = a.inertia;
+  const std::uint32_t usual = a.inertia == Inertia::kTrueMass ? 1 : 2;
+  stepping.substeps = a.substeps > 0 ? a.substeps : usual;
+  return stepping;
+}
+
 // Builds, writes and reports. The progress bar goes before the report comes.
 void finish(const std::function<Built(const BuildOptions&, const Progress&)>& make,
             BuildOptions options, const CommonArguments& a, Outputs& outputs) {
   check_outputs(a);
-  constexpr double kUsualPeriodS = 1e-3;
-  const double period_s = a.fit.empty() ? kUsualPeriodS : period_of(a.fit);
+  const Stepping stepping = stepping_of(a);
   const std::optional<Machine> machine = chosen_machine(a);
-  if (machine) options.most_voxels = most_voxels(*machine, period_s, a.substeps);
+  if (machine) options.most_voxels = most_voxels(*machine, stepping);
   const Progress progress = progress_bar();
   const Built built = make(options, progress);
   outputs.add(a.output, built.bytes);
@@ -298,9 +315,7 @@ void finish(const std::function<Built(const BuildOptions&, const Progress&)>& ma
   facts["output"] = a.output;
   facts["organ"] = organ_facts(organ, built.bytes);
   facts["scene"] = add_scene(outputs, built, a.output);
-  if (machine || !a.report.empty()) {
-    facts["speed"] = speed_facts(organ, period_s, a.substeps, machine ? &*machine : nullptr);
-  }
+  facts["speed"] = speed_facts(organ, stepping, machine ? &*machine : nullptr);
   if (!a.report.empty()) {
     const Quality quality = measure_quality(organ, built.input_m, progress);
     facts["quality"] = quality_facts(quality, built.report);
@@ -310,8 +325,9 @@ void finish(const std::function<Built(const BuildOptions&, const Progress&)>& ma
   if (a.json) {
     fmt::print("{}\n", facts.dump(2));
   } else {
-    fmt::print("{}{}{}{}wrote         {}\n", build_text(facts), organ_text(facts["organ"]),
-               facts.contains("speed") ? speed_text(facts["speed"]) : "",
+    const bool asked = machine || !a.report.empty();
+    fmt::print("{}{}{}{}{}wrote         {}\n", build_text(facts), organ_text(facts["organ"]),
+               asked ? speed_text(facts["speed"]) : "", inertia_text(facts["speed"]),
                scene_text(facts["scene"]), a.output);
   }
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "picture.h"
+#include "speed.h"
 
 namespace stylet::bake {
 namespace {
@@ -134,10 +135,11 @@ std::string repairs(const Json& facts) {
          "</table>";
 }
 
-std::string inertia(const Json& of, const char* mass) {
+std::string inertia(const Json& speed) {
+  const Json& of = speed["resonance"];
   if (!(of["real_hz"].get<double>() > 0)) return "";
   return fmt::format("<p>With {} the organ's first resonance is at {} Hz, really at {} Hz{}.</p>",
-                     mass, number(of["stepped_hz"], 1), number(of["real_hz"], 1),
+                     stepping_text(speed), number(of["stepped_hz"], 1), number(of["real_hz"], 1),
                      of.contains("departs_hz")
                          ? ": the force on a moving hand may be a tenth off from " +
                                number(of["departs_hz"], 1) + " Hz on"
@@ -147,25 +149,24 @@ std::string inertia(const Json& of, const char* mass) {
 std::string speed(const Json& facts) {
   const Json& speed = facts["speed"];
   const bool timed = speed.contains("machine");
-  std::string head = "<tr><th>substeps</th>", rows;
+  std::string head = "<tr><th>substeps</th><th>passes</th>", rows;
   if (timed) head += "<th>tick, us</th>";
-  for (const auto& [name, factor] : speed["by_substeps"][0]["mass_factor"].items()) {
+  for (const auto& [name, factor] : speed["by_substeps"][0]["true_mass"]["mass_factor"].items()) {
     head += "<th>" + escaped(name) + "</th>";
   }
-  for (const Json& row : speed["by_substeps"]) {
-    rows += fmt::format("<tr><td>{}</td>", row["substeps"].get<std::uint32_t>());
-    if (timed) rows += "<td>" + number(row["tick_us"], 0) + "</td>";
-    for (const auto& [name, factor] : row["mass_factor"].items()) {
-      rows += fmt::format("<td>x {}</td>", number(factor, factor < 10 ? 2 : 0));
+  for (const auto& [inertia, name] :
+       {std::pair("true_mass", "true mass"), std::pair("added_mass", "added mass")}) {
+    for (const Json& row : speed["by_substeps"]) {
+      const Json& of = row[inertia];
+      rows += fmt::format("<tr><td>{}, {}</td><td>{}</td>", row["substeps"].get<std::uint32_t>(),
+                          name, of["passes"].get<std::uint32_t>());
+      if (timed) rows += "<td>" + number(of["tick_us"], 0) + "</td>";
+      for (const auto& [material, factor] : of["mass_factor"].items()) {
+        rows += fmt::format("<td>x {}</td>", number(factor, factor < 10 ? 2 : 0));
+      }
+      rows += "</tr>";
     }
-    rows += "</tr>";
   }
-  rows += fmt::format("<tr><td>{}, true mass</td>{}", speed["substeps"].get<std::uint32_t>(),
-                      timed ? "<td></td>" : "");
-  for (const auto& [name, factor] : speed["true_mass_factor"].items()) {
-    rows += fmt::format("<td>x {}</td>", number(factor, factor < 10 ? 2 : 0));
-  }
-  rows += "</tr>";
   std::string on = timed
                        ? fmt::format(" on {}: a tick of {} us, half of the period at most",
                                      escaped(speed["machine"]["name"]), number(speed["tick_us"], 0))
@@ -173,15 +174,15 @@ std::string speed(const Json& facts) {
   if (speed.contains("timed_us")) {
     on += fmt::format("; timed on this organ {} us", number(speed["timed_us"], 0));
   }
-  return fmt::format("<h2>Speed and added mass</h2><p>Period {} us, {} substeps{}.</p>{}<table>",
-                     number(speed["period_us"], 0), speed["substeps"].get<std::uint32_t>(), on,
-                     inertia(speed["resonance"], "added mass") +
-                         inertia(speed["true_mass_resonance"], "true mass")) +
+  return fmt::format("<h2>Speed and inertia</h2><p>Period {} us, {}{}.</p>{}<table>",
+                     number(speed["period_us"], 0), stepping_text(speed), on,
+                     inertia(speed)) +
          head + "</tr>" + rows +
-         "</table><p class='small'>Tissue too stiff or voxels too small for the step get more mass "
-         "than they have (factor of the whole material), which keeps the step stable: forces at "
-         "rest stay exact, fast motion becomes sluggish. More substeps give the mass "
-         "back; so does loop.inertia = \"true_mass\", where the tick has the time.</p>";
+         "</table><p class='small'>Tissue too stiff or voxels too small for the step: with true "
+         "mass its short waves, which no hand feels, are slowed in passes, and mass is added only "
+         "where these do not do; with added mass, which takes half the time, the tissue gets more "
+         "mass than it has (factor of the whole material). Forces at rest are exact either way; "
+         "fast motion becomes sluggish with the mass. More substeps give it back.</p>";
 }
 
 std::string provenance(const Json& organ) {

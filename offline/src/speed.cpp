@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "speed.h"
 
+#include <Eigen/Dense>
 #include <cstring>
 #include <ctime>
 #include <new>
@@ -11,7 +12,7 @@
 #include "file.h"
 #include "info.h"
 #include "refusal.h"
-#include "stylet/kernel.h"
+#include "stylet/limits.h"
 #include "stylet/resonance.h"
 #include "sweep.h"
 
@@ -21,22 +22,22 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct CostPoint {
-  double voxel_substeps, us;
+  double voxel_substeps, passes, us;
 };
 
 // Least squares of the relative error, so that small organs count as much as large ones.
 Machine fitted(const std::string& name, const std::vector<CostPoint>& points) {
-  double w = 0, wx = 0, wy = 0, wxx = 0, wxy = 0;
-  for (const CostPoint& p : points) {
-    const double weight = 1 / (p.us * p.us);
-    w += weight;
-    wx += weight * p.voxel_substeps;
-    wy += weight * p.us;
-    wxx += weight * p.voxel_substeps * p.voxel_substeps;
-    wxy += weight * p.voxel_substeps * p.us;
+  Eigen::MatrixXd of(points.size(), 3);
+  for (Eigen::Index i = 0; i < of.rows(); ++i) {
+    const CostPoint& p = points[static_cast<std::size_t>(i)];
+    of.row(i) << 1 / p.us, p.voxel_substeps / p.us, p.voxel_substeps * p.passes / p.us;
   }
-  const double slope = (w * wxy - wx * wy) / (w * wxx - wx * wx);
-  return {name, (wy - slope * wx) / w, slope};
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factored(of);
+  if (factored.rank() < 3) {
+    refuse("{}: expected elastic ticks of two organs at least, with added and with true mass", name);
+  }
+  const Eigen::Vector3d line = factored.solve(Eigen::VectorXd::Ones(of.rows()));
+  return {name, line[0], line[1], line[2]};
 }
 
 // ---- a kernel with memory of its own ------------------------------------------------------------
@@ -101,24 +102,30 @@ Vec3 near_middle(const Organ& organ) {
           organ.origin_m.z + static_cast<float>(organ.size_z + 1) * edge_m};
 }
 
-CostPoint time_block(const std::array<int, 3>& voxels) {
-  const std::vector<std::byte> bytes = gel_block(voxels);
-  const Organ organ = open_organ("block", bytes);
-  const Config config;
-  return {swept_voxels(organ) * config.substeps,
-          time_tick(organ, static_cast<double>(config.period_s), config.substeps).value()};
+Config config_of(const Stepping& stepping) {
+  Config config;
+  config.inertia = stepping.inertia;
+  config.period_s = static_cast<float>(stepping.period_s);
+  config.substeps = stepping.substeps;
+  return config;
 }
 
-Json material_masses(const Organ& organ, double period_s, std::uint32_t substeps,
-                     Inertia inertia) {
-  Config config;
-  config.inertia = inertia;
-  config.period_s = static_cast<float>(period_s);
-  config.substeps = substeps;
-  OwnKernel kernel(organ, config);
+// With true mass at the longest period, where the stiffest gel takes all passes; what they cost
+// does not hang on it.
+void time_block(const std::array<int, 3>& voxels, std::vector<CostPoint>& points) {
+  const std::vector<std::byte> bytes = gel_block(voxels);
+  const Organ organ = open_organ("block", bytes);
+  for (const Inertia inertia : {Inertia::kAddedMass, Inertia::kTrueMass}) {
+    const Stepping stepping = {static_cast<double>(kMaxPeriodS), 1, inertia};
+    points.push_back({swept_voxels(organ), static_cast<double>(passes_of(organ, stepping)),
+                      time_tick(organ, stepping).value()});
+  }
+}
+
+Json material_masses(const Organ& organ, const Kernel& kernel) {
   Json masses = Json::object();
   for (std::uint32_t i = 0; i < organ.material_count; ++i) {
-    const MassReport mass = mass_report(kernel.get(), i);
+    const MassReport mass = mass_report(kernel, i);
     if (mass.real_kg > 0) {
       masses[organ_material(organ, i).name] =
           static_cast<double>(mass.stepped_kg) / static_cast<double>(mass.real_kg);
@@ -127,13 +134,19 @@ Json material_masses(const Organ& organ, double period_s, std::uint32_t substeps
   return masses;
 }
 
+Json stepped_facts(const Organ& organ, const Stepping& stepping, const Machine* machine) {
+  OwnKernel kernel(organ, config_of(stepping));
+  const std::uint32_t passes = filter_passes(kernel.get());
+  Json facts = {{"passes", passes}, {"mass_factor", material_masses(organ, kernel.get())}};
+  if (machine != nullptr) {
+    facts["tick_us"] = tick_us(*machine, swept_voxels(organ), stepping.substeps, passes);
+  }
+  return facts;
+}
+
 // The first resonance, and from which frequency on a moving hand feels the step's inertia.
-Json resonance_facts(const Organ& organ, double period_s, std::uint32_t substeps, Inertia inertia) {
-  Config config;
-  config.inertia = inertia;
-  config.period_s = static_cast<float>(period_s);
-  config.substeps = substeps;
-  OwnKernel kernel(organ, config);
+Json resonance_facts(const Organ& organ, const Stepping& stepping) {
+  OwnKernel kernel(organ, config_of(stepping));
   const Resonance of = first_resonance(kernel.get());
   Json facts = {{"real_hz", of.real_hz}, {"stepped_hz", of.stepped_hz}};
   if (of.departs_hz < kFastestHandHz) facts["departs_hz"] = of.departs_hz;  // else none feels it
@@ -155,33 +168,31 @@ Machine read_machine(const std::filesystem::path& bench_csv) {
   std::vector<CostPoint> points;
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
-    if (!line.starts_with("tick_elastic,")) continue;
-    char organ[64] = {};
-    double voxels = 0, us = 0, ns = 0;
-    if (std::sscanf(line.c_str(), "tick_elastic,%63[^,],%lf,%lf,%lf", organ, &voxels, &us, &ns) !=
-            4 ||
-        !(voxels >= 1 && us > 0 && ns > 0)) {
-      refuse("{}:{}: expected measure,organ,voxels,median_us,ns_per_voxel_substep", file, number);
+    if (!line.starts_with("tick_elastic,") && !line.starts_with("tick_elastic_added,")) continue;
+    double voxels = 0, substeps = 0, passes = 0, us = 0;
+    if (std::sscanf(line.c_str(), "%*[^,],%*[^,],%lf,%lf,%lf,%lf,%*f", &voxels, &substeps, &passes,
+                    &us) != 4 ||
+        !(voxels >= 1 && substeps >= 1 && passes >= 0 && us > 0)) {
+      refuse("{}:{}: expected measure,organ,voxels,substeps,passes,median_us,ns_per_voxel_substep",
+             file, number);
     }
-    points.push_back({us * 1e3 / ns, us});
+    points.push_back({voxels * substeps, passes, us});
   }
-  if (points.size() < 2) {
-    refuse("{}: {} lines of tick_elastic: expected two at least, as stylet-bench writes them", file,
-           points.size());
+  if (points.size() < 3) {
+    refuse("{}: {} lines of tick_elastic: expected three at least, as stylet-bench writes them",
+           file, points.size());
   }
   return fitted(bench_csv.stem().string(), points);
 }
 
-std::optional<double> time_tick(const Organ& organ, double period_s, std::uint32_t substeps) {
+std::optional<double> time_tick(const Organ& organ, const Stepping& stepping) {
   constexpr int kInsertion = 500, kMeasured = 200;
   constexpr float kStepM = 1e-4F;
   constexpr float kSteel18GNm2 = 0.02F;
   const Vec3 above = near_middle(organ);
   float distance_m = 0;
   if (!organ_raycast(organ, above, {0, 0, -1}, distance_m)) return std::nullopt;
-  Config config;
-  config.period_s = static_cast<float>(period_s);
-  config.substeps = substeps;
+  Config config = config_of(stepping);
   config.needle[0].bending_nm2 = kSteel18GNm2;
   OwnKernel kernel(organ, config);
   stylet::Input hand = {};
@@ -201,26 +212,35 @@ std::optional<double> time_tick(const Organ& organ, double period_s, std::uint32
 }
 
 Machine measure_machine(const Progress& progress) {
+  std::vector<CostPoint> points;
   progress("timing the kernel", 0);
-  const CostPoint small = time_block({12, 12, 14});
+  time_block({12, 12, 14}, points);
   progress("timing the kernel", 0.3);
-  const CostPoint large = time_block({26, 26, 30});
-  Machine here = fitted("this machine", {small, large});
+  time_block({26, 26, 30}, points);
+  Machine here = fitted("this machine", points);
   here.is_here = true;
   return here;
 }
 
-double tick_us(const Machine& machine, double voxels, std::uint32_t substeps) {
-  return machine.start_us + machine.us_per_voxel_substep * voxels * substeps;
+std::uint32_t passes_of(const Organ& organ, const Stepping& stepping) {
+  return filter_passes(OwnKernel(organ, config_of(stepping)).get());
 }
 
-std::uint32_t most_voxels(const Machine& machine, double period_s, std::uint32_t substeps) {
-  const double room_us = period_s * 1e6 * kShareOfPeriod - machine.start_us;
-  const double voxels = room_us / (machine.us_per_voxel_substep * substeps);
+double tick_us(const Machine& machine, double voxels, std::uint32_t substeps,
+               std::uint32_t passes) {
+  return machine.start_us +
+         (machine.us_per_voxel_substep + machine.us_per_voxel_pass * passes) * voxels * substeps;
+}
+
+std::uint32_t most_voxels(const Machine& machine, const Stepping& stepping) {
+  const std::uint32_t passes = stepping.inertia == Inertia::kTrueMass ? kMaxFilterPasses : 0;
+  const double room_us = stepping.period_s * 1e6 * kShareOfPeriod - machine.start_us;
+  const double voxels =
+      room_us / (tick_us(machine, 1, stepping.substeps, passes) - machine.start_us);
   constexpr double kLeast = 8;
   if (!(voxels >= kLeast)) {
     refuse("--fit: a tick of {:.0f} us has room for {:.0f} voxels on {}: expected a lower rate",
-           period_s * 1e6, std::max(0.0, voxels), machine.name);
+           stepping.period_s * 1e6, std::max(0.0, voxels), machine.name);
   }
   return static_cast<std::uint32_t>(std::min(voxels, double{kMaxVoxels}));
 }
@@ -240,76 +260,82 @@ double period_of(const std::string& rate) {
   return 1 / hertz;
 }
 
-nlohmann::ordered_json speed_facts(const Organ& organ, double period_s, std::uint32_t substeps,
+nlohmann::ordered_json speed_facts(const Organ& organ, const Stepping& stepping,
                                    const Machine* machine) {
+  const bool true_mass = stepping.inertia == Inertia::kTrueMass;
   Json rows = Json::array();
-  const double voxels = swept_voxels(organ);
   for (const std::uint32_t each : {1U, 2U, 4U, 8U, 16U}) {
-    Json row = {{"substeps", each},
-                {"mass_factor", material_masses(organ, period_s, each, Inertia::kAddedMass)}};
-    if (machine != nullptr) row["tick_us"] = tick_us(*machine, voxels, each);
+    Json row = {{"substeps", each}};
+    for (const Inertia inertia : {Inertia::kTrueMass, Inertia::kAddedMass}) {
+      row[inertia == Inertia::kTrueMass ? "true_mass" : "added_mass"] =
+          stepped_facts(organ, {stepping.period_s, each, inertia}, machine);
+    }
     rows.push_back(row);
   }
-  Json facts = {{"period_us", period_s * 1e6}, {"substeps", substeps}, {"by_substeps", rows}};
-  facts["true_mass_factor"] = material_masses(organ, period_s, substeps, Inertia::kTrueMass);
-  facts["resonance"] = resonance_facts(organ, period_s, substeps, Inertia::kAddedMass);
-  facts["true_mass_resonance"] = resonance_facts(organ, period_s, substeps, Inertia::kTrueMass);
+  Json facts = {{"period_us", stepping.period_s * 1e6},
+                {"substeps", stepping.substeps},
+                {"inertia", true_mass ? "true_mass" : "added_mass"},
+                {"passes", passes_of(organ, stepping)},
+                {"by_substeps", rows},
+                {"resonance", resonance_facts(organ, stepping)}};
   if (machine != nullptr) {
     facts["machine"] = {{"name", machine->name},
                         {"start_us", machine->start_us},
-                        {"ns_per_voxel_substep", machine->us_per_voxel_substep * 1e3}};
+                        {"ns_per_voxel_substep", machine->us_per_voxel_substep * 1e3},
+                        {"ns_per_voxel_pass", machine->us_per_voxel_pass * 1e3}};
     facts["share_of_period"] = kShareOfPeriod;
-    facts["swept_voxels"] = voxels;
-    facts["tick_us"] = tick_us(*machine, voxels, substeps);
+    facts["swept_voxels"] = swept_voxels(organ);
+    facts["tick_us"] = stepped_facts(organ, stepping, machine)["tick_us"];
     const std::optional<double> timed =
-        machine->is_here ? time_tick(organ, period_s, substeps) : std::nullopt;
+        machine->is_here ? time_tick(organ, stepping) : std::nullopt;
     if (timed) facts["timed_us"] = *timed;
   }
   return facts;
 }
 
-namespace {
+std::string stepping_text(const nlohmann::ordered_json& facts) {
+  const auto substeps = facts["substeps"].get<std::uint32_t>();
+  return fmt::format("{} substep{} of {} mass", substeps, substeps == 1 ? "" : "s",
+                     facts["inertia"] == "true_mass" ? "true" : "added");
+}
 
-std::string inertia_text(const Json& of, const char* mass) {
+std::string inertia_text(const nlohmann::ordered_json& facts) {
+  const Json& of = facts["resonance"];
   if (!(of["real_hz"].get<double>() > 0)) return "";
-  return fmt::format("inertia       {}: first resonance {:.3g} Hz, really {:.3g}; {}\n", mass,
-                     of["stepped_hz"].get<double>(), of["real_hz"].get<double>(),
+  return fmt::format("inertia       {}: first resonance {:.3g} Hz, really {:.3g}; {}\n",
+                     stepping_text(facts), of["stepped_hz"].get<double>(),
+                     of["real_hz"].get<double>(),
                      of.contains("departs_hz")
                          ? fmt::format("the force on a hand may be a tenth off from {:.2g} Hz on",
                                        of["departs_hz"].get<double>())
                          : "no hand feels the difference");
 }
 
-}  // namespace
-
 std::string speed_text(const nlohmann::ordered_json& facts) {
   std::string text;
   if (facts.contains("machine")) {
-    text += fmt::format(
-        "tick          {:.0f} us of {:.0f} on {}, {} substeps{}\n", facts["tick_us"].get<double>(),
-        facts["period_us"].get<double>(), facts["machine"]["name"].get<std::string>(),
-        facts["substeps"].get<std::uint32_t>(),
-        facts.contains("timed_us")
-            ? fmt::format("; timed on this organ {:.0f} us", facts["timed_us"].get<double>())
-            : "");
+    text += fmt::format("tick          {:.0f} us of {:.0f} on {}, {}{}\n",
+                        facts["tick_us"].get<double>(), facts["period_us"].get<double>(),
+                        facts["machine"]["name"].get<std::string>(), stepping_text(facts),
+                        facts.contains("timed_us") ? fmt::format("; timed on this organ {:.0f} us",
+                                                                 facts["timed_us"].get<double>())
+                                                   : "");
   }
-  const auto factors = [](const Json& masses) {
-    std::string all;
-    for (const auto& [name, factor] : masses.items()) {
-      all += fmt::format("  {} x{:.3g}", name, factor.get<double>());
+  for (const char* inertia : {"true_mass", "added_mass"}) {
+    for (const Json& row : facts["by_substeps"]) {
+      const Json& of = row[inertia];
+      text += fmt::format("{:<13} {:>2} substeps", std::strcmp(inertia, "true_mass") == 0
+                                                       ? "true mass" : "added mass",
+                          row["substeps"].get<std::uint32_t>());
+      if (of["passes"] > 0) text += fmt::format(", {} passes", of["passes"].get<std::uint32_t>());
+      if (of.contains("tick_us")) text += fmt::format(", {:.0f} us", of["tick_us"].get<double>());
+      for (const auto& [name, factor] : of["mass_factor"].items()) {
+        text += fmt::format("  {} x{:.3g}", name, factor.get<double>());
+      }
+      text += "\n";
     }
-    return all;
-  };
-  for (const Json& row : facts["by_substeps"]) {
-    text += fmt::format(
-        "mass          {:>2} substeps{}{}\n", row["substeps"].get<std::uint32_t>(),
-        row.contains("tick_us") ? fmt::format(", {:.0f} us", row["tick_us"].get<double>()) : "",
-        factors(row["mass_factor"]));
   }
-  text += fmt::format("mass          {:>2} substeps of true mass{}\n",
-                      facts["substeps"].get<std::uint32_t>(), factors(facts["true_mass_factor"]));
-  return text + inertia_text(facts["resonance"], "added mass") +
-         inertia_text(facts["true_mass_resonance"], "true mass");
+  return text;
 }
 
 }  // namespace stylet::bake

@@ -267,8 +267,9 @@ TEST(Page, SaysWhoseSidesItShowsWhatLiesBesideAndWhatATickTakes) {
                     voxels);
   scratch.write("r.toml", "[tissues]\nliver = [1]\n[obstacles]\nrib = [2]\n[targets]\naim = [1]\n");
   scratch.write("box.csv",
-                "measure,organ,voxels,median_us,ns_per_voxel_substep\n"
-                "tick_elastic,a,1000,70,35\ntick_elastic,b,20000,830,20.75\n");
+                "measure,organ,voxels,substeps,passes,median_us,ns_per_voxel_substep\n"
+                "tick_elastic_added,a,1000,2,0,70,35\ntick_elastic_added,b,20000,2,0,830,20.75\n"
+                "tick_elastic,b,20000,1,7,850,42\n");
   const auto page_of = [&](const std::string& map, const std::string& machine) {
     const std::string command = "cd " + scratch.folder.string() + " && " STYLET_ORGAN " build " +
                                 map + " --name 'a>b' --recipe r.toml --fit 1kHz " + machine +

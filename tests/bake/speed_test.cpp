@@ -25,39 +25,52 @@ std::string refusal_of(const std::function<void()>& action) {
 }
 
 std::filesystem::path bench_of(const Scratch& scratch, const std::string& rows) {
-  return scratch.write("box.csv", "measure,organ,voxels,median_us,ns_per_voxel_substep\n" + rows);
+  return scratch.write("box.csv", "measure,organ,voxels,substeps,passes,median_us,ns\n" + rows);
 }
 
-TEST(Machine, IsTheLineThroughTheMeasuredTicks) {
+TEST(Machine, IsThePlaneThroughTheMeasuredTicks) {
   const Scratch scratch;
-  // 30 us and 20 ns a voxel and substep, 2 substeps: 1000 voxels 70 us, 20000 voxels 830 us.
+  // 30 us, 20 ns a voxel and substep and 3 a pass: with 2 substeps of added mass 1000 voxels take
+  // 70 us, 20000 830 us; with a substep of 5 passes 65 us, with one of 7 850 us.
   const auto csv = bench_of(scratch,
-                            "tissue,a,1000,1,0.5\ntick_elastic,a,1000,70,35\n"
-                            "tick_elastic,b,20000,830,20.75\n");
+                            "tissue,a,1000,1,0,1,0.5\ntick_elastic_added,a,1000,2,0,70,35\n"
+                            "tick_elastic_added,b,20000,2,0,830,20.75\n"
+                            "tick_elastic,a,1000,1,5,65,65\ntick_elastic,b,20000,1,7,850,42\n");
   const bake::Machine machine = bake::read_machine(csv);
   EXPECT_EQ(machine.name, "box");
   EXPECT_NEAR(machine.start_us, 30, 1e-9);
-  EXPECT_NEAR(machine.us_per_voxel_substep, 0.020, 1e-12);
-  EXPECT_NEAR(bake::tick_us(machine, 5000, 4), 430, 1e-6);
-  EXPECT_EQ(bake::most_voxels(machine, 1e-3, 2), 11750U);  // (500 - 30) / 0.04
+  EXPECT_NEAR(machine.us_per_voxel_substep, 0.020, 1e-9);
+  EXPECT_NEAR(machine.us_per_voxel_pass, 0.003, 1e-9);
+  EXPECT_NEAR(bake::tick_us(machine, 5000, 4, 0), 430, 1e-6);
+  EXPECT_NEAR(bake::tick_us(machine, 5000, 2, 6), 410, 1e-6);
+  const auto most = [&](std::uint32_t substeps, Inertia inertia) {
+    return bake::most_voxels(machine, {1e-3, substeps, inertia});
+  };
+  EXPECT_NEAR(most(2, Inertia::kAddedMass), 11750, 1);  // (500 - 30) / 0.04
+  EXPECT_NEAR(most(1, Inertia::kTrueMass), 11463, 1);   // (500 - 30) / 0.041: of seven passes
 }
 
 TEST(Machine, RefusesWhatStyletBenchDidNotWrite) {
   const Scratch scratch;
   EXPECT_THAT(refusal_of([&] { bake::read_machine(bench_of(scratch, "")); }),
               testing::HasSubstr("0 lines of tick_elastic"));
-  EXPECT_THAT(
-      refusal_of([&] { bake::read_machine(bench_of(scratch, "tick_elastic,a,1000,70,35\nx\n")); }),
-      testing::HasSubstr("1 lines of tick_elastic"));
+  const std::string good = "tick_elastic,a,1000,1,7,70,70\n";
+  EXPECT_THAT(refusal_of([&] { bake::read_machine(bench_of(scratch, good + "x\n")); }),
+              testing::HasSubstr("1 lines of tick_elastic"));
+  EXPECT_THAT(refusal_of([&] { bake::read_machine(bench_of(scratch, good + good + good)); }),
+              testing::HasSubstr("two organs at least, with added and with true mass"));
+  // As it wrote them before it told passes.
+  EXPECT_THAT(refusal_of([&] { bake::read_machine(bench_of(scratch, "tick_elastic,a,1,70,35\n")); }),
+              testing::HasSubstr("box.csv:2: expected measure"));
   EXPECT_THAT(refusal_of([&] { bake::read_machine(bench_of(scratch, "tick_elastic,a,b\n")); }),
               testing::HasSubstr("box.csv:2: expected measure"));
-  for (const char* none : {"0,70,35", "1000,0,35", "1000,70,0"}) {
+  for (const char* none : {"0,1,7,70,35", "9,0,7,70,35", "9,1,-1,70,35", "9,1,7,0,35"}) {
     const std::string row = std::string("tick_elastic,a,") + none + "\n";
     EXPECT_THAT(refusal_of([&] { bake::read_machine(bench_of(scratch, row)); }),
                 testing::HasSubstr("box.csv:2: expected measure"));
   }
-  const bake::Machine slow = {"slow", 600, 1};
-  EXPECT_THAT(refusal_of([&] { (void)bake::most_voxels(slow, 1e-3, 2); }),
+  const bake::Machine slow = {"slow", 600, 1, 0};
+  EXPECT_THAT(refusal_of([&] { (void)bake::most_voxels(slow, {}); }),
               testing::HasSubstr("room for 0 voxels on slow"));
 }
 
@@ -107,73 +120,82 @@ TEST(Mass, FactorIsThatOfTheStabilityBound) {
   const bake::Mesh block = box_mesh({0, 0, 0}, {60, 60, 60});
   const auto bytes = build_quietly({input_of(block, 1e-3, "kidney")}, options).bytes;
   const Organ organ = opened(bytes);
-  const auto facts = bake::speed_facts(organ, 1e-3, 2, nullptr);
+  const auto facts = bake::speed_facts(organ, {}, nullptr);
   const double shear = 30000 / (2 * 1.45), lambda = 2 * shear * 0.45 / 0.1, tau = 0.25e-3;
   const double fastest = 8 * shear * 2e-3 * (2 + 1.5 * lambda / shear) / (1050 * 8e-9);
   const auto limit = [&](double dt) { return 0.8 * 4 / (dt * (dt + 2 * tau)); };
   for (const auto& row : facts["by_substeps"]) {
     const double dt = 1e-3 / row["substeps"].get<double>(), bound = fastest / limit(dt);
-    EXPECT_NEAR(row["mass_factor"]["kidney"].get<double>() / std::max(1.0, bound), 1, 1e-3) << dt;
+    EXPECT_NEAR(row["added_mass"]["mass_factor"]["kidney"].get<double>() / std::max(1.0, bound), 1,
+                1e-3)
+        << dt;
+    EXPECT_EQ(row["added_mass"]["passes"], 0);
+    // With true mass, what seven passes leave to add: they divide by (1 + T_8(w0)) / ((1 + w0)
+    // T_8'(w0)) = 1 / 49.0 at w0 = 1 + 2 / 64.
+    EXPECT_NEAR(row["true_mass"]["mass_factor"]["kidney"].get<double>(),
+                std::max(1.0, bound / 49.0), 0.01)
+        << dt;
+    EXPECT_EQ(row["true_mass"]["passes"] > 0, bound > 1) << dt;
   }
-  // With true mass, what seven passes leave to add: they divide by (1 + T_8(w0)) / ((1 + w0)
-  // T_8'(w0)) = 1 / 49.0 at w0 = 1 + 2 / 64.
-  for (const std::uint32_t substeps : {1U, 2U}) {
-    const auto of = bake::speed_facts(organ, 1e-3, substeps, nullptr);
-    EXPECT_NEAR(of["true_mass_factor"]["kidney"].get<double>(),
-                std::max(1.0, fastest / (limit(1e-3 / substeps) * 49.0)), 0.01);
-    EXPECT_THAT(bake::speed_text(of), testing::HasSubstr("substeps of true mass  kidney x"));
-    EXPECT_THAT(bake::speed_text(of), testing::Not(testing::HasSubstr("inertia")));  // not held
-  }
+  const std::string text = bake::speed_text(facts);
+  EXPECT_THAT(text, testing::ContainsRegex("true mass      1 substeps, 7 passes  kidney x2.9"));
+  EXPECT_THAT(text, testing::ContainsRegex("added mass     1 substeps  kidney x[1-9]"));
+  EXPECT_EQ(bake::inertia_text(facts), "");  // nothing holds it
 }
 
-// A block held below: with two substeps of added mass a slow hand feels it, and the report says so;
-// with true mass only a fast one does.
+// A block held below: with two substeps of added mass a slow hand feels it, and it is said; with
+// true mass only a fast one does.
 TEST(Mass, TellsFromWhichFrequencyOnAHandFeelsTheStep) {
   bake::BuildOptions options;
   options.voxel_edge_m = 5e-3;
   options.held = bake::parse_regions({"z<5%"}, 1);
   const bake::Mesh block = box_mesh({0, 0, 0}, {40, 60, 80});
   const auto bytes = build_quietly({input_of(block, 1e-3, "liver")}, options).bytes;
-  const auto facts = bake::speed_facts(opened(bytes), 1e-3, 2, nullptr);
-  const auto &added = facts["resonance"], &real = facts["true_mass_resonance"];
+  const Organ organ = opened(bytes);
+  const auto of_added = bake::speed_facts(organ, {1e-3, 2, Inertia::kAddedMass}, nullptr);
+  const auto of_real = bake::speed_facts(organ, {}, nullptr);
+  const auto &added = of_added["resonance"], &real = of_real["resonance"];
   EXPECT_LT(added["stepped_hz"].get<double>(), 0.9 * added["real_hz"].get<double>());
   EXPECT_GT(real["stepped_hz"].get<double>(), 0.95 * real["real_hz"].get<double>());
   EXPECT_LT(added["departs_hz"].get<double>(), added["stepped_hz"].get<double>());
   EXPECT_GT(real.value("departs_hz", 1e3), 5 * added["departs_hz"].get<double>());
-  EXPECT_THAT(bake::speed_text(facts),
-              testing::AllOf(testing::ContainsRegex("added mass: first resonance .* a tenth off"),
-                             testing::HasSubstr("true mass: first resonance ")));
+  EXPECT_THAT(bake::inertia_text(of_added),
+              testing::ContainsRegex("2 substeps of added mass: first resonance .* a tenth off"));
+  EXPECT_THAT(bake::inertia_text(of_real),
+              testing::HasSubstr("1 substep of true mass: first resonance "));
 }
 
 TEST(Fit, OnThisMachineMeetsThePeriodItSays) {
   const bake::Machine here = bake::measure_machine([](const char*, double) {});
   EXPECT_GT(here.us_per_voxel_substep, 1e-4);
   EXPECT_LT(here.us_per_voxel_substep, 1);
-  const std::uint32_t voxels = bake::most_voxels(here, 1e-2, 1);
-  EXPECT_LE(bake::tick_us(here, voxels, 1), 1e4 * bake::kShareOfPeriod);
+  EXPECT_GT(here.us_per_voxel_pass, 0.1 * here.us_per_voxel_substep);  // a filter's row is shorter
+  EXPECT_LT(here.us_per_voxel_pass, here.us_per_voxel_substep);
+  const std::uint32_t voxels = bake::most_voxels(here, {1e-2});
+  EXPECT_LE(bake::tick_us(here, voxels, 1, 7), 1e4 * bake::kShareOfPeriod);
 }
 
 // An organ is timed itself, beside the line through two blocks.
 TEST(Fit, TimesTheOrganOnThisMachine) {
-  const bake::Machine here = {"here", 30, 0.02, true};
+  const bake::Machine here = {"here", 30, 0.02, 0.005, true};
   bake::BuildOptions options;
   double us[2] = {};
   for (const int fine : {0, 1}) {
     options.voxel_edge_m = fine == 1 ? 3e-3 : 8e-3;
     const auto bytes = build_quietly({input_of(bake::ball_phantom(0.12, 0.004), 1)}, options).bytes;
-    const auto facts = bake::speed_facts(opened(bytes), 1e-3, 2, &here);
+    const auto facts = bake::speed_facts(opened(bytes), {}, &here);
     us[fine] = facts["timed_us"].get<double>();
     EXPECT_THAT(bake::speed_text(facts), testing::HasSubstr("; timed on this organ "));
   }
   EXPECT_GT(us[1], 3 * us[0]);  // 19 times as many voxels
-  const bake::Machine elsewhere = {"elsewhere", 30, 0.02};
+  const bake::Machine elsewhere = {"elsewhere", 30, 0.02, 0.005};
   const auto bytes = build_quietly({input_of(box_mesh({0, 0, 0}, {40, 40, 40}), 1e-3)}, {}).bytes;
-  EXPECT_FALSE(bake::speed_facts(opened(bytes), 1e-3, 2, &elsewhere).contains("timed_us"));
+  EXPECT_FALSE(bake::speed_facts(opened(bytes), {}, &elsewhere).contains("timed_us"));
   // Between two blocks there is nothing to insert a needle into.
   const bake::Mesh apart =
       both(box_mesh({0, 0, 0}, {20, 20, 20}), box_mesh({60, 0, 0}, {80, 20, 20}));
   const auto two = build_quietly({input_of(apart, 1e-3)}, {}).bytes;
-  EXPECT_FALSE(bake::time_tick(opened(two), 1e-3, 2).has_value());
+  EXPECT_FALSE(bake::time_tick(opened(two), {}).has_value());
 }
 
 }  // namespace

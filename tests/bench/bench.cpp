@@ -60,9 +60,9 @@ struct Subject {
   const Organ& organ() const { return opened->organ; }
 };
 
-Config config_at(Setup setup, float period_s, std::uint32_t substeps) {
-  Config config = config_of(setup);
-  config.period_s = period_s;
+// The step without passes, as peers have none: mass is added instead.
+Config added_mass(Config config, std::uint32_t substeps) {
+  config.inertia = Inertia::kAddedMass;
   config.substeps = substeps;
   return config;
 }
@@ -132,18 +132,21 @@ int runs_for(const Subject& subject) {
   return subject.organ().voxel_count < 10000 ? 8 : 1;
 }
 
-void describe(benchmark::State& state, const Subject& subject, std::uint32_t substeps) {
+void describe(benchmark::State& state, const Subject& subject, std::uint32_t substeps,
+              std::uint32_t passes) {
   state.counters[kVoxels] = subject.organ().voxel_count;
   state.counters[kSubsteps] = substeps;
+  state.counters[kPasses] = passes;
 }
 
-void bench_tissue(benchmark::State& state, Subject& subject, const Variant& variant) {
-  Session session = inserted_session(subject, config_of(Setup::kPhysical), variant);
+void bench_tissue(benchmark::State& state, Subject& subject, const Config& config,
+                  const Variant& variant) {
+  Session session = inserted_session(subject, config, variant);
   {
     Stopwatch watch(state, Time::kOwn, runs_for(subject));
     for (auto _ : state) watch.time([&] { session.kernel.step(session.kernel); });
   }
-  describe(state, subject, 1);
+  describe(state, subject, 1, filter_passes(session.kernel));
 }
 
 // Steps of a turn: for 2 ms, so that a step more or less of the other thread's matters little, and
@@ -247,11 +250,11 @@ void bench_threads(benchmark::State& state, Subject& subject, const Variant& var
   state.counters[kAlone] = middle(alone);
   state.counters[kBeside] = beside_us / beside_steps;
   state.counters[kShared] = middle(shared);
-  describe(state, subject, 1);
+  describe(state, subject, 1, filter_passes(own.kernel));
 }
 
-void bench_tick(benchmark::State& state, Subject& subject, Setup setup, const Variant& variant) {
-  const Config config = config_of(setup);
+void bench_tick(benchmark::State& state, Subject& subject, const Config& config,
+                const Variant& variant) {
   const Script script = script_for(subject.organ(), config);
   Session session = inserted_session(subject, config, variant);
   std::uint64_t at = kPauseBegin;
@@ -264,7 +267,7 @@ void bench_tick(benchmark::State& state, Subject& subject, Setup setup, const Va
       });
     }
   }
-  describe(state, subject, config.substeps);
+  describe(state, subject, config.substeps, filter_passes(session.kernel));
 }
 
 // As the loop does it: sample, tick, guard, then wait for the next period.
@@ -291,7 +294,7 @@ void bench_cadence(benchmark::State& state, Subject& subject, const Config& conf
       at = at + 1 < kPauseEnd ? at + 1 : kPauseBegin;
     }
   }
-  describe(state, subject, config.substeps);
+  describe(state, subject, config.substeps, filter_passes(session.kernel));
 }
 
 // Denormal numbers flushed to zero in this scope: bodies that come to rest are twenty times slower
@@ -324,7 +327,7 @@ void bench_peer(benchmark::State& state, Subject& subject, const std::string& na
     Stopwatch watch(state, Time::kOwn, 1);
     for (auto _ : state) watch.time(step);
   }
-  describe(state, subject, 1);
+  describe(state, subject, 1, 0);
 }
 
 // All together take minutes: on a terminal, what is measured now.
@@ -348,14 +351,23 @@ benchmark::internal::Benchmark* add(const std::string& name, Body body) {
 void register_subject(Subject& subject) {
   for (const Variant& variant : variants_here()) {
     const std::string tail = "/" + subject.name + "/" + variant.name;
-    add("tissue" + tail, [&subject, variant](auto& s) { bench_tissue(s, subject, variant); });
+    const Config rigid = config_of(Setup::kPhysical), elastic = config_of(Setup::kElastic);
     add("threads" + tail, [&subject, variant](auto& s) {
       bench_threads(s, subject, variant);
     })->UseRealTime();
-    for (const auto& [name, setup] :
-         {std::pair("tick", Setup::kPhysical), std::pair("tick_elastic", Setup::kElastic)}) {
-      add(name + tail,
-          [&subject, setup = setup, variant](auto& s) { bench_tick(s, subject, setup, variant); });
+    for (const auto& [name, config] :
+         {std::pair("tissue", rigid), std::pair("tissue_added", added_mass(rigid, 1))}) {
+      add(name + tail, [&subject, config = config, variant](auto& s) {
+        bench_tissue(s, subject, config, variant);
+      });
+    }
+    for (const auto& [name, config] :
+         {std::pair("tick", rigid), std::pair("tick_added", added_mass(rigid, 2)),
+          std::pair("tick_elastic", elastic),
+          std::pair("tick_elastic_added", config_of(Setup::kAddedMass))}) {
+      add(name + tail, [&subject, config = config, variant](auto& s) {
+        bench_tick(s, subject, config, variant);
+      });
     }
   }
 }
@@ -369,7 +381,9 @@ void register_peers(Subject& subject) {
 
 void register_cadence(Subject& subject, const std::string& name, float period_s,
                       std::uint32_t substeps) {
-  const Config config = config_at(Setup::kPhysical, period_s, substeps);
+  Config config = config_of(Setup::kPhysical);
+  config.period_s = period_s;
+  config.substeps = substeps;
   for (const Variant& variant : variants_here()) {
     add("cadence_" + name + "/" + subject.name + "/" + variant.name,
         [&subject, config, variant](auto& s) { bench_cadence(s, subject, config, variant); })
@@ -431,17 +445,19 @@ constexpr const char* kHelp =
     "\n"
     "Measures the tissue step and the tick with every instruction set this processor has: of the\n"
     "organ files given, or of liver-like lattices of 1000 to 100 000 voxels, with those also\n"
-    "Bullet's soft body, the textbook with Eigen, and ticks at a real period (four minutes). Ends\n"
+    "Bullet's soft body, the textbook with Eigen, and ticks at a real period (six minutes). Ends\n"
     "with a table of medians and ratios; --results writes it as CSV, a file for each instruction\n"
     "set. Measure while nothing else runs.\n"
     "\n"
-    "  tissue    a step of the tissue, everything physical on, needle inserted\n"
+    "  tissue    a step of the tissue, everything physical on, needle inserted; tissue_added: with\n"
+    "            added mass, so without the filter\n"
     "  threads   in turn: alone, one thread; beside, two with nothing in common, the least that\n"
     "            shared can take; shared, one with a helper. From the repetitions in which beside\n"
     "            took least; alone_any and so on: from all. None where beside is not twice as "
     "fast\n"
     "            as alone: the two did not run at the same time\n"
-    "  tick      the whole kernel; tick_elastic: elastic needle, breathing tissue\n"
+    "  tick      the whole kernel; tick_elastic: elastic needle, breathing tissue; _added: the same\n"
+    "            with added mass and two substeps\n"
     "  cadence   kernel and guard at a real period\n"
     "\n"
     "stylet bench --benchmark_filter=tissue/liver_5k     one measure of one body\n"

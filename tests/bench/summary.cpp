@@ -80,9 +80,11 @@ void Summary::add_row(const Run& run, const std::string& measure, double median_
           parts.size() > 1 ? parts[1] : "",
           parts.size() > 2 ? parts[2] : "",
           counter(run, kVoxels),
+          counter(run, kSubsteps),
+          counter(run, kPasses),
           median_us,
           0};
-  row.ns_per_voxel = 1e3 * row.median_us / (row.voxels * counter(run, kSubsteps));
+  row.ns_per_voxel = 1e3 * row.median_us / (row.voxels * row.substeps);
   rows_.push_back(row);
 }
 
@@ -153,8 +155,9 @@ void Summary::print(std::ostream& out) const {
             << "  ";
       }
     };
-    times(row.measure == "tissue" ? ratio("bullet", "", row) : 0, 9);
-    times(row.measure == "tissue" ? ratio("eigen", "", row) : 0, 9);
+    const bool is_step = row.measure == "tissue" || row.measure == "tissue_added";
+    times(is_step ? ratio("bullet", "", row) : 0, 9);
+    times(is_step ? ratio("eigen", "", row) : 0, 9);
     times(ratio(one_thread(row.measure), row.variant, row), 11);
     out << "\n";
   }
@@ -168,10 +171,10 @@ void Summary::write(const std::string& folder) const {
     if (!file.is_open()) {
       file.open(folder + "/" + file_name(processor_name()) + "-" +
                 (row.variant.empty() ? "peers" : row.variant) + ".csv");
-      file << "measure,organ,voxels,median_us,ns_per_voxel_substep\n";
+      file << "measure,organ,voxels,substeps,passes,median_us,ns_per_voxel_substep\n";
     }
     file << row.measure << "," << row.organ << "," << std::setprecision(8) << row.voxels << ","
-         << std::setprecision(5) << row.median_us << "," << row.ns_per_voxel << "\n";
+         << row.substeps << "," << row.passes << "," << std::setprecision(5) << row.median_us << "," << row.ns_per_voxel << "\n";
   }
 }
 

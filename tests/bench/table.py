@@ -32,10 +32,11 @@ def rows(of):
             continue
         voxels, avx2 = of["tissue", organ, "avx2"]
         _, avx512 = of.get(("tissue", organ, "avx512"), (0, 0))
+        added = [of.get(("tissue_added", organ, of_set), (0, 0))[1] for of_set in ("avx512", "avx2")]
         _, bullet = of.get(("bullet", organ, "peers"), (0, 0))
         _, eigen = of.get(("eigen", organ, "peers"), (0, 0))
         best = avx512 or avx2
-        each = [f"{1e3 * us / voxels:.1f}" if us else "" for us in (avx512, avx2)]
+        each = [f"{1e3 * us / voxels:.1f}" if us else "" for us in (avx512, avx2, *added)]
         yield [f"{voxels:,}".replace(",", " "), f"{best:.0f}", *each,
                f"{1e6 / best:,.0f}".replace(",", " "), f"{1e6 / best / PAPER_FPS:.0f}",
                f"{bullet / best:.0f} x" if bullet else "",
@@ -66,8 +67,9 @@ def lines(head, rows):
 
 def table(found):
     for machine, of in found.items():
-        yield f"\nOne thread of `{machine}`, one tissue step with a needle inserted, median:\n\n"
-        head = ["voxels", "us", "ns a voxel, AVX-512", "AVX2", "steps a second",
+        yield f"\nOne thread of `{machine}`, one tissue step of 1 ms with a needle inserted, median:\n\n"
+        head = ["voxels", "us", "ns a voxel, AVX-512", "AVX2", "with added mass, AVX-512", "AVX2",
+                "steps a second",
                 f"times the paper's {PAPER_FPS}", "Bullet takes", "Eigen takes"]
         yield from lines(head, rows(of))
         yield ("\nThe same step with one helper thread, times as fast as without; and two threads\n"

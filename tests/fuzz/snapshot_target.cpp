@@ -53,7 +53,7 @@ Kept keep(Setup setup, std::uint32_t needles) {
 
 Kept& kept_of(std::uint8_t kind) {
   static Kept all[] = {keep(Setup::kPhysical, 1), keep(Setup::kElastic, 2), keep(Setup::kPaper, 1),
-                       keep(Setup::kTrueMass, 2)};
+                       keep(Setup::kAddedMass, 2)};
   return all[kind % std::size(all)];
 }
 

@@ -82,7 +82,7 @@ TEST(Scene, EveryValueArrivesInSi) {
   EXPECT_EQ(scene.organ_path, "liver.organ");
   EXPECT_NEAR(of(scene.config.period_s), 5e-4, 1e-10);
   EXPECT_EQ(scene.config.substeps, 2U);
-  EXPECT_EQ(scene.config.inertia, Inertia::kAddedMass);
+  EXPECT_EQ(scene.config.inertia, Inertia::kTrueMass);
   EXPECT_EQ(scene.cpu, 1);
   EXPECT_NEAR(of(scene.config.tissue_damping_s), 1.5e-3, 1e-9);
   EXPECT_NEAR(of(scene.config.paper_alpha), 0.25, 1e-9);
@@ -105,12 +105,15 @@ TEST(Scene, EveryValueArrivesInSi) {
 }
 
 TEST(Scene, InertiaIsChosenByName) {
-  const auto inertia = [](const std::string& name) {
-    return parse_scene(changed("substeps = 2", "inertia = \"" + name + "\""), "s.toml")
-        .config.inertia;
+  const auto config = [](const std::string& line) {
+    return parse_scene(changed("substeps = 2", line), "s.toml").config;
   };
-  EXPECT_EQ(inertia("true_mass"), Inertia::kTrueMass);
-  EXPECT_EQ(inertia("added_mass"), Inertia::kAddedMass);
+  EXPECT_EQ(config("inertia = \"true_mass\"").inertia, Inertia::kTrueMass);
+  EXPECT_EQ(config("inertia = \"true_mass\"").substeps, 1U);
+  EXPECT_EQ(config("").substeps, 1U);
+  EXPECT_EQ(config("inertia = \"added_mass\"").inertia, Inertia::kAddedMass);
+  EXPECT_EQ(config("inertia = \"added_mass\"").substeps, 2U);  // mass goes with their square
+  EXPECT_EQ(config("inertia = \"added_mass\"\nsubsteps = 1").substeps, 1U);
 }
 
 // The tables of a device that is there, in place of the simulated one's.

@@ -151,12 +151,12 @@ inline void run(Kernel& kernel, const Script& script, std::uint64_t first_tick,
 }
 
 // What the real-time tests run: both modes with a rigid needle, and everything the needle can be:
-// elastic, bevelled, in tissue that breathes, with bone in its way; that with true mass, too.
-enum class Setup { kPhysical, kPaper, kElastic, kTrueMass };
-constexpr Setup kSetups[] = {Setup::kPhysical, Setup::kPaper, Setup::kElastic, Setup::kTrueMass};
+// elastic, bevelled, in tissue that breathes, with bone in its way; that with added mass, too.
+enum class Setup { kPhysical, kPaper, kElastic, kAddedMass };
+constexpr Setup kSetups[] = {Setup::kPhysical, Setup::kPaper, Setup::kElastic, Setup::kAddedMass};
 
 inline const char* setup_name(Setup setup) {
-  constexpr const char* kNames[] = {"physical", "paper", "elastic", "true_mass"};
+  constexpr const char* kNames[] = {"physical", "paper", "elastic", "added_mass"};
   return kNames[static_cast<int>(setup)];
 }
 inline void PrintTo(Setup setup, std::ostream* out) {
@@ -166,20 +166,20 @@ inline void PrintTo(Setup setup, std::ostream* out) {
 inline Config config_of(Setup setup) {
   Config config;
   config.mode = setup == Setup::kPaper ? Mode::kPaper : Mode::kPhysical;
-  if (setup != Setup::kElastic && setup != Setup::kTrueMass) return config;
+  if (setup != Setup::kElastic && setup != Setup::kAddedMass) return config;
   config.needle[0].outer_radius_m = 0.359e-3F;
   config.needle[0].bending_nm2 = 2.318e-3F;  // 22G
   config.needle[0].bevel_per_m = 5;
   config.breathing = {{0, 1e-3F, 3e-3F}, 3};
   if (setup == Setup::kElastic) return config;
-  config.substeps = 1;
-  config.inertia = Inertia::kTrueMass;
+  config.substeps = 2;
+  config.inertia = Inertia::kAddedMass;
   return config;
 }
 
 // A ball of bone 25 mm under the middle of the surface, for the elastic needles.
 inline std::vector<ObstacleConfig> obstacles_of(const Organ& organ, Setup setup) {
-  if (setup != Setup::kElastic && setup != Setup::kTrueMass) return {};
+  if (setup != Setup::kElastic && setup != Setup::kAddedMass) return {};
   ObstacleConfig ball;
   make_sphere(ball, 4e-3F);
   ball.pose.position_m = block_script(organ, config_of(setup)).entry_m;

@@ -47,6 +47,7 @@ inline std::unique_ptr<OpenOrgan> worst_organ() {
 
 inline Config worst_config() {
   Config config;
+  config.inertia = Inertia::kAddedMass;  // with which the tissue is dragged where pools are full
   config.substeps = kMaxSubsteps;
   config.needle_count = kMaxNeedles;
   config.breathing = {{1e-5F, 0, 0}, 2};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random sessions until enough ticks are done, or the one session of a seed.
-// usage: stylet-simulator [--seed FIRST] [--sessions COUNT | --ticks TICKS] [--each] [--true-mass]
+// usage: stylet-simulator [--seed FIRST] [--sessions COUNT | --ticks TICKS] [--each] [--added-mass]
 //        [--procedures]
 #include <algorithm>
 #include <charconv>
@@ -21,7 +21,7 @@ struct Options {
   std::uint64_t sessions = 1;
   std::uint64_t ticks = 0;
   bool each = false;
-  bool true_mass = false;
+  bool added_mass = false;
   bool procedures = false;
 };
 
@@ -41,8 +41,8 @@ Options parse(int argc, char** argv) {
     const std::string_view name = argv[i];
     if (name == "--each") {
       options.each = true;
-    } else if (name == "--true-mass") {
-      options.true_mass = true;
+    } else if (name == "--added-mass") {
+      options.added_mass = true;
     } else if (name == "--procedures") {
       options.procedures = true;
     } else if (i + 1 < argc && name == "--seed") {
@@ -53,7 +53,7 @@ Options parse(int argc, char** argv) {
       options.ticks = number(argv[++i]);
     } else {
       std::fprintf(stderr, "%s: expected --seed N, --sessions N, --ticks N, --each, "
-                   "--true-mass or --procedures\n", argv[i]);
+                   "--added-mass or --procedures\n", argv[i]);
       std::exit(2);
     }
   }
@@ -77,7 +77,7 @@ int report_failure(const Verdict& v, const Options& options, std::uint64_t seed,
   std::printf("seed %llu, tick %llu: %s (observer %.3g J)\n", static_cast<unsigned long long>(seed),
               static_cast<unsigned long long>(v.tick), v.broken, v.observer_min_j);
   std::printf("again: %s --seed %llu%s%s\nat commit: ", program,
-              static_cast<unsigned long long>(seed), options.true_mass ? " --true-mass" : "",
+              static_cast<unsigned long long>(seed), options.added_mass ? " --added-mass" : "",
               options.procedures ? " --procedures" : "");
   std::fflush(stdout);
   if (std::system("git -C " STYLET_SOURCE " describe --always --dirty") != 0) std::printf("?\n");
@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
     const std::uint64_t seed = options.seed + done++;
     Scenario scenario = options.procedures ? stylet::test::draw_procedure(seed)
                                            : stylet::test::draw_scenario(seed);
-    if (options.true_mass) scenario.config.inertia = stylet::Inertia::kTrueMass;
+    if (options.added_mass) scenario.config.inertia = stylet::Inertia::kAddedMass;
     const Verdict v = stylet::test::simulate(scenario);
     if (options.each) describe(v, seed);
     if (v.broken != nullptr) return report_failure(v, options, seed, argv[0]);

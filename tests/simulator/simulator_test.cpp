@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "layout.h"
+#include "set_speed.h"
 
 namespace stylet::test {
 namespace {
@@ -61,7 +62,7 @@ TEST(Simulator, SeesEnergyFromNowhere) {
               const View view = view_of(kernel);
               if (tick != 300) return;
               for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) {
-                if (view.model.step_per_mass[i] > 0) view.state.vx[i] += 0.5F;
+                if (view.model.step_per_mass[i] > 0) set_speed(view, i, {0.5F, 0, 0});
               }
             }),
             "more energy comes out of the tissue than went in");

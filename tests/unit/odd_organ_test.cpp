@@ -12,6 +12,7 @@
 #include "owned_organ.h"
 #include "promises.h"
 #include "session.h"
+#include "set_speed.h"
 #include "voxel.h"
 
 namespace stylet::test {
@@ -221,7 +222,7 @@ TEST(OddOrgan, RowsFarApart) {
   Session session = make_session(opened->organ, Config{});
   const View view = view_of(session.kernel);
   const Row& near = view.model.row[0];
-  view.state.vx[near.node[0]] = 0.1F;
+  set_speed(view, near.node[0], {0.1F, 0, 0});
   for (int i = 0; i < 20; ++i) (void)tick(session.kernel, Input{});
   const Row& far = view.model.row[1];
   EXPECT_GT(std::fabs(view.state.ux[near.node[0] + 2]), 0.0F);

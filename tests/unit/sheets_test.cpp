@@ -14,6 +14,7 @@
 #include "layout.h"
 #include "owned_organ.h"
 #include "session.h"
+#include "set_speed.h"
 #include "voxel.h"
 
 namespace stylet::test {
@@ -121,9 +122,7 @@ void each_node(const View& view,
 void push(const View& view, const std::function<bool(const Vec3&)>& pushed) {
   each_node(view, [&](std::uint32_t, const Vec3& at, std::uint32_t particle) {
     if (!pushed(at) || !(view.model.step_per_mass[particle] > 0)) return;
-    view.state.vx[particle] = 0.01F * at.z + 0.003F * at.y;
-    view.state.vy[particle] = 0.005F * at.x;
-    view.state.vz[particle] = -0.002F * at.x * at.y;
+    set_speed(view, particle, {0.01F * at.z + 0.003F * at.y, 0.005F * at.x, -0.002F * at.x * at.y});
   });
 }
 
@@ -254,7 +253,9 @@ TEST(Sheets, PartsWithoutTiesDoNotMoveEachOther) {
   Session session = make_session(cut->organ, Config{});
   const View view = view_of(session.kernel);
   each_node(view, [&](std::uint32_t sheet, const Vec3&, std::uint32_t particle) {
-    if (sheet == 1 && view.model.step_per_mass[particle] > 0) view.state.vx[particle] = 0.05F;
+    if (sheet == 1 && view.model.step_per_mass[particle] > 0) {
+      set_speed(view, particle, {0.05F, 0, 0});
+    }
   });
   let_go(session, 100);
   double moved[2] = {};

@@ -41,7 +41,7 @@ void sign(const Kernel& kernel, std::vector<std::byte>& bytes) {
 // snapshot.
 struct Taken {
   std::unique_ptr<OpenOrgan> organ = block_organ(6, 5, 8);
-  Config config = config_of(Setup::kTrueMass);
+  Config config = config_of(Setup::kElastic);
   Session session, other;
   std::vector<std::byte> bytes;
 

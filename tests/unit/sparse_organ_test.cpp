@@ -19,6 +19,7 @@
 #include "promises.h"
 #include "runs.h"
 #include "session.h"
+#include "set_speed.h"
 #include "stylet/limits.h"
 #include "tick_work.h"
 #include "voxel.h"
@@ -79,7 +80,7 @@ TEST(SparseOrgan, RowsFromEndToEndRun) {
   Session session = make_session(opened->organ, Config{});
   const View view = view_of(session.kernel);
   const Row& far = view.model.row[view.model.head->counts.rows - 1];
-  view.state.vx[far.node[0]] = 0.1F;
+  set_speed(view, far.node[0], {0.1F, 0, 0});
   for (int i = 0; i < 3; ++i) {
     const Output out = tick(session.kernel, Input{});
     EXPECT_EQ(broken_promise(session.kernel, {&out, 1}), nullptr);

@@ -32,7 +32,8 @@ enum class Inertia : std::uint32_t {
   // Mass is added where the step needs it: liver of 5 mm voxels is 6 times too heavy at two
   // substeps; a hand at 4 Hz feels 0.6 to 1.3 of the force, near a resonance many times it.
   kAddedMass = 0,
-  // The mass that tissue has; short waves, which no hand feels, are slowed instead (filter.h).
+  // The mass that tissue has; short waves, which no hand feels, are slowed instead (filter.h), in
+  // as many passes as the stiffest tissue needs (filter_passes).
   kTrueMass = 1,
 };
 
@@ -66,8 +67,8 @@ struct BreathingConfig {
 struct Config {
   Mode mode = Mode::kPhysical;
   float period_s = 1e-3F;
-  std::uint32_t substeps = 2;
-  Inertia inertia = Inertia::kAddedMass;
+  std::uint32_t substeps = 1;
+  Inertia inertia = Inertia::kTrueMass;
   float tissue_damping_s = 0.25e-3F;  // Kelvin-Voigt time constant of the tissue
   float surround_drag_per_s =
       8.0F;  // drag of what surrounds the organ, per mass; 0 for a free body
@@ -254,6 +255,8 @@ struct MassReport {
   float real_kg, stepped_kg;
 };
 MassReport mass_report(const Kernel& kernel, std::uint32_t material);
+// Passes of the filter in a substep, 0 to kMaxFilterPasses; 0 with added mass.
+std::uint32_t filter_passes(const Kernel& kernel);
 
 struct ConstraintParticle {
   Vec3 position_m, goal_m, force_on_needle_n;

@@ -54,6 +54,7 @@ OneParticle one_particle(const TinyMaterial& material, std::uint32_t substeps = 
   tiny.voxel_edge_m = kEdgeM;
   tiny.materials = {material};
   Config config = short_needle();
+  config.inertia = Inertia::kAddedMass;  // with it attached tissue keeps a velocity it is given
   config.substeps = substeps;
   config.surround_drag_per_s = 0;
   OneParticle one = {make_rig(tiny, config, Tissue::kFixed), {}};
@@ -225,6 +226,7 @@ TEST(V22Friction, TissueDraggedAtARestingTipPullsWithTwiceItsCutAtMost) {
     tiny.materials = {rubbing(0, 0, 0)};
     tiny.materials[0].cutting_force_n = static_cast<float>(kCutN);
     Config config = short_needle();
+    config.inertia = Inertia::kAddedMass;
     config.substeps = 1;
     config.surround_drag_per_s = 0;
     Rig rig = make_rig(tiny, config, Tissue::kFixed);

@@ -333,8 +333,7 @@ Vec spin(const Vec& place, const Vec& centre) {
 
 // A free block, crumpled at random by a part of an edge, at rest or turning about its middle.
 Rig free_block(float damping_s, bool turning, double crumple = 0.1) {
-  Config config;
-  config.substeps = 1;
+  Config config = sweep_config();
   config.tissue_damping_s = damping_s;
   config.surround_drag_per_s = 0;
   TinyMaterial material = elastic(kShear, 0.3F);

@@ -484,6 +484,8 @@ TEST(AddedMass, DepartsFromTheFrequencyThatIsTold) {
   Random random(61);
   const auto opened = open_organ(tiny_organ(liver_block(5e-3, 0.15)));
   Config config;
+  config.inertia = Inertia::kAddedMass;
+  config.substeps = 2;
   const Session session = make_session(opened->organ, config);
   const double hertz = first_resonance(session.kernel).departs_hz;
   EXPECT_LT(hertz, kFastestHandHz);

@@ -128,9 +128,8 @@ TEST(FidelityV9, ModulusDependsNeitherOnVoxelEdgeNorOnStep) {
     for (const float step_s : {0.25e-3F, 0.5e-3F, 1e-3F}) {
       const auto across = static_cast<std::uint16_t>(0.0201F / edge);
       const auto along = static_cast<std::uint16_t>(2 * across);
-      Config config;
+      Config config = sweep_config();
       config.period_s = step_s;
-      config.substeps = 1;
       config.surround_drag_per_s = 100;
       Rig rig = make_rig(block_of(across, across, along, material, edge), config);
       pull_bar(rig);
@@ -145,9 +144,8 @@ TEST(FidelityV9, ModulusDependsNeitherOnVoxelEdgeNorOnStep) {
 TEST(FidelityV9b, PaperModeHasTheModulusOfAveragedGoals) {
   TinyMaterial material;
   material.density_kg_per_m3 = 1060;
-  Config config;
+  Config config = sweep_config();
   config.mode = Mode::kPaper;
-  config.substeps = 1;
   config.tissue_damping_s = 0;
   config.surround_drag_per_s = 100;
   Rig rig = make_rig(block_of(4, 4, 8, material), config);

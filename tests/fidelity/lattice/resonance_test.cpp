@@ -11,6 +11,7 @@
 #include <random>
 
 #include "rig.h"
+#include "set_speed.h"
 
 namespace stylet::test {
 namespace {
@@ -57,12 +58,8 @@ TEST(Resonance, OfABeamIsThatOfItsClosedForm) {
 double swaying_hz(Rig& rig, Vec3 push, double expected_hz) {
   const View view = rig.view();
   const Counts& counts = view.model.head->counts;
-  float* const v[3] = {view.state.vx, view.state.vy, view.state.vz};
-  float* const w[3] = {view.state.wx, view.state.wy, view.state.wz};
-  const float speed[3] = {push.x, push.y, push.z};
   for (std::uint32_t i = 0; i < counts.particles; ++i) {
-    if (!(view.model.step_per_mass[i] > 0)) continue;
-    for (int c = 0; c < 3; ++c) (has_true_mass(view) ? w : v)[c][i] = speed[c];
+    if (view.model.step_per_mass[i] > 0) set_speed(view, i, push);
   }
   const double dt = static_cast<double>(view.model.head->substep_s);
   const auto steps = static_cast<int>(16 / (expected_hz * dt));

@@ -68,12 +68,20 @@ inline Rig make_rig(const TinyOrgan& tiny, const Config& config) {
   return rig;
 }
 
+// The sweep alone, from forces straight to velocities, which the tests here read and hold; the
+// filter that comes between them with true mass has tests of its own (filter_test.cpp).
+inline Config sweep_config() {
+  Config config;
+  config.inertia = Inertia::kAddedMass;
+  config.substeps = 1;
+  return config;
+}
+
 // Softly damped step that ends at rest in few steps: the time step is so long that every mass is
 // the least stable one, and the drag is critical for a wave as long as twice `cells`.
 inline Config resting_config(float hourglass_weight, float poisson, std::uint32_t cells) {
-  Config config;
+  Config config = sweep_config();
   config.period_s = kMaxPeriodS;
-  config.substeps = 1;
   config.tissue_damping_s = 0;
   config.hourglass_weight = hourglass_weight;
   // The bound on stiffness with that of constraint particles, of 0.8 of the limit (filter.h).

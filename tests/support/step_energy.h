@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// What tissue and springs hold, as the explicit step keeps it: what an observer of energy must look
+// at. Units: J.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+#include "layout.h"
+#include "stylet/kernel.h"
+
+namespace stylet::test {
+
+// Where the tissue's dampers feel the particles: tau ahead of where they are. Swapped twice, they
+// are back.
+inline void swap_ahead(const View& view) {
+  const std::uint32_t count = view.model.head->counts.particles;
+  std::swap_ranges(view.state.ux, view.state.ux + count, view.state.ex);
+  std::swap_ranges(view.state.uy, view.state.uy + count, view.state.ey);
+  std::swap_ranges(view.state.uz, view.state.uz + count, view.state.ez);
+}
+
+// `now` is the kernel's. Its velocities v are those half a substep h before its places u, so that
+// the sum of its energies swings with a wave of w by up to h w / 2 of it. With P the energy of
+// places, for waves
+//   v M v / 2 + P(u) - h / (2 tau) (P(u + tau v) - P(u))
+// is what steps without damping keep, and steps with damping lower it, each by h tau w^2 (v + v')^2
+// / 4 (tau to zero: v M v / 2 + u K u' / 2, which leapfrog keeps).
+inline double tissue_energy(const Kernel& kernel, const Energy& now) {
+  const View view = view_of(kernel);
+  const ModelHead& head = *view.model.head;
+  swap_ahead(view);
+  const Energy ahead = energy(kernel);
+  swap_ahead(view);
+  const double part = 0.5 * static_cast<double>(head.substep_s) /
+                      static_cast<double>(head.config.tissue_damping_s);
+  const double held = now.elastic + now.coupling;
+  return now.kinetic + held - part * (ahead.elastic + ahead.coupling - held);
+}
+
+}  // namespace stylet::test
