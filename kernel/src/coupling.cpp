@@ -9,10 +9,12 @@ namespace stylet {
 namespace {
 
 constexpr float kPi = 3.14159265F;
-// Compliance of the lattice under one stiff CP inside, in 1 / (G h). It is that of one voxel that
-// holds all; of eight it is 0.10 to 0.13 (measured: tests/fidelity/coupling/stiffness_test.cpp), so
-// that a tip which they share is held too firmly.
-constexpr float kLatticeComplianceInside = 0.20F;
+// Compliance of the lattice under the tip inside, in 1 / (G h): at Poisson ratio 0, by how much less
+// at 1, and by how much more where one voxel holds all of it (measured in a block without an end:
+// tests/fidelity/coupling/stiffness_test.cpp). The tip keeps its spring while it passes through a
+// tissue, so it has that of a mean place: what its shares' squares come to there, (2/3)^3.
+constexpr float kInsideGive = 0.104F, kInsideGiveSlope = 0.040F, kInsideGiveSquares = 0.076F;
+constexpr float kMeanSquares = 8.0F / 27.0F;
 // The same under the tip in contact, which two layers of voxels hold: at Poisson ratio 0, by how
 // much less at 1, by how much more where one voxel holds all of it, and by how much more where it
 // acts an edge beside that voxel's middle. Then by how much more, of itself, for each G h^2 of
@@ -170,7 +172,8 @@ void set_stiffness(const View& view, Particle& particle, Place place) {
       break;
     case Place::kTip:
       target = 24 * kPi * m.shear_pa * a * (1 - nu) / (5 - 6 * nu);
-      lattice_compliance = kLatticeComplianceInside / k;
+      lattice_compliance =
+          (kInsideGive - kInsideGiveSlope * nu + kInsideGiveSquares * kMeanSquares) / k;
       break;
     case Place::kShaft:
       target = m.shear_pa * unit * line_stiffness(a, nu);
@@ -849,7 +852,8 @@ float arc_at(const View& view, const Needle& needle, Vec3 rest_m, float otherwis
 
 // One shaft CP for each unit of track the tip has left behind, but for gaps between organs. The
 // track is as long as the tissue at rest: so near the tip it is straight there, and the needle
-// holds what was on it.
+// holds what was on it. Tissue that the tip pushes before it may end before that: there the needle
+// holds what the tip has passed.
 std::uint32_t drop_shaft(const View& view, const Needle& needle) {
   NeedleState& own = *view.state.needle;
   const Particle& tip = *view.state.tip;
@@ -866,7 +870,8 @@ std::uint32_t drop_shaft(const View& view, const Needle& needle) {
   for (std::uint32_t drop = 0; drop < kMaxDropsPerTick; ++drop) {
     const float track = own.drop_track_m + unit, behind = tip.track_m - track;
     if (behind < 0) return 0;
-    const Vec3 rest = point - behind * along;
+    Vec3 rest = point - behind * along;
+    if (!holds_track(view, rest, track)) rest = tip.rest_m - behind * along;
     const float arc = arc_at(view, needle, rest, behind);
     const Particle p =
         new_particle(view, needle, rest, needle_place(needle, arc), track, arc, Place::kShaft);

@@ -29,6 +29,7 @@ struct Work {
   std::uint32_t rods = 0;  // 0: rigid
   Hand hand = Hand::kQuiet;
   bool tick = false;
+  bool filtered = true;  // true mass
   std::optional<std::string_view> counted_for;  // instruction set; none: callgrind counts
 };
 
@@ -71,6 +72,7 @@ const Variant* variant(std::string_view name) {
 int count(const Work& work) {
   const auto opened = liver_organ(work.voxels);
   Config config = config_of(work.rods > 0 ? Setup::kElastic : Setup::kPhysical);
+  if (!work.filtered) config.inertia = Inertia::kAddedMass;
   config.needle[0].unit_m = work.unit_m;
   if (work.rods > 0) config.needle[0].rods = work.rods;
   const Script script = script_for(opened->organ, config);
@@ -97,7 +99,8 @@ int count(const Work& work) {
     session.kernel.step(session.kernel);
   }
   CALLGRIND_TOGGLE_COLLECT;
-  std::printf("voxels=%u cps=%u coupled=%u rods=%u triangles=%zu\n", opened->organ.voxel_count,
+  std::printf("voxels=%u passes=%u cps=%u coupled=%u rods=%u triangles=%zu\n",
+              opened->organ.voxel_count, filter_passes(session.kernel),
               stats(session.kernel).constraint_particles.used,
               view_of(session.kernel).scratch.head->coupled_count, work.rods,
               opened->organ.triangles.size());
@@ -107,8 +110,8 @@ int count(const Work& work) {
 }  // namespace
 }  // namespace stylet::test
 
-// usage: stylet-work VOXELS UNIT_MM RODS away|quiet|violent step|tick [avx2|avx512]
-// Ends with 77 where this machine cannot do that.
+// usage: stylet-work VOXELS UNIT_MM RODS away|quiet|violent step|tick|sweep [avx2|avx512]
+// A sweep is a step with added mass, so without the filter. Ends with 77 where this machine cannot do that.
 int main(int argc, char** argv) {
   using namespace stylet::test;
   if (argc != 6 && argc != 7) return 2;
@@ -119,6 +122,7 @@ int main(int argc, char** argv) {
   work.rods = static_cast<std::uint32_t>(std::strtoul(argv[3], nullptr, 10));
   work.hand = hand == "away" ? Hand::kAway : hand == "violent" ? Hand::kViolent : Hand::kQuiet;
   work.tick = std::string_view(argv[5]) == "tick";
+  work.filtered = std::string_view(argv[5]) != "sweep";
   if (argc == 7) work.counted_for = argv[6];
   return count(work);
 }

@@ -193,7 +193,8 @@ void add_tick(Vec3 off_n, FeltDifference& difference) {
 // more, in the mean, than those of one body under two hands 0.1 um apart, the worst of twenty
 // drawn. (Sums in another order are magnified where the needle stops and where it punctures; so is
 // the hand's place. Of the worst of four the halves, one draw more of the same, would be the worst
-// by chance on every fifth change of the bits.)
+// by chance on every fifth change of the bits. In the very middle of the block, a place of symmetry,
+// any hand aside goes in at another moment, so the place is drawn, too.)
 TEST(Sheets, NeedleInTiedHalvesFeelsTheWhole) {
   std::mt19937 random(3);
   std::vector<Vec3> aside_m(20);
@@ -210,7 +211,9 @@ TEST(Sheets, NeedleInTiedHalvesFeelsTheWhole) {
   for (std::size_t i = 0; i < aside_m.size(); ++i) {
     beside.push_back(make_session(whole->organ, config));
   }
-  const Script script = block_script(whole->organ, config);
+  Script script = block_script(whole->organ, config);
+  std::uniform_real_distribution<float> beside_m(-2e-3F, 2e-3F);
+  script.entry_m = script.entry_m + Vec3{beside_m(random), beside_m(random), 0};
   FeltDifference halves_off;
   std::vector<FeltDifference> hand_off(aside_m.size());
   double all = 0, deepest = 0, worst_hand = 0, worst_each = 0;
@@ -226,7 +229,7 @@ TEST(Sheets, NeedleInTiedHalvesFeelsTheWhole) {
     all += squared(one.force_n);
     deepest = std::max(deepest, static_cast<double>(view_of(b.kernel).state.needle->shaft_count));
   }
-  EXPECT_GT(deepest, 5);
+  EXPECT_GT(deepest, 3);
   for (const FeltDifference& hand : hand_off) {
     worst_hand = std::max(worst_hand, hand.sum);
     worst_each = std::max(worst_each, hand.each_sum);

@@ -12,8 +12,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
+#include "draw.h"
 #include "rig.h"
 
 namespace stylet::test {
@@ -146,8 +148,8 @@ Given given_inside(float poisson, Vec3 place, std::uint16_t voxels) {
   return given;
 }
 
-// What the lattice itself gives under a tip inside, in a block without an end. coupling.cpp takes
-// 0.20 for it (kLatticeComplianceInside), which is more than any of these.
+// What the lattice itself gives under a tip inside, in a block without an end; coupling.cpp takes
+// this formula (kInsideGive).
 TEST(Stiffness, LatticeGivesWayToATipInsideAsItsWeightIsShared) {
   constexpr Vec3 kInside[] = {{0, 0, 0},          {0, 0, 0.5F},          {0, 0.25F, 0.25F},
                               {0, 0.5F, 0.5F},    {0.25F, 0.25F, 0.25F}, {0.5F, 0.5F, 0.5F},
@@ -159,6 +161,52 @@ TEST(Stiffness, LatticeGivesWayToATipInsideAsItsWeightIsShared) {
       const double formula = 0.104 - 0.040 * static_cast<double>(poisson) + 0.076 * fine.squares;
       EXPECT_NEAR(formula / endless, 1, 0.12)
           << "nu " << poisson << ", at " << place.x << ", " << place.y << ", " << place.z;
+    }
+  }
+}
+
+// A tip that has gone in to a place drawn at random, drawn back by less than what lets it slide:
+// over the way, what it takes, as a rigid sphere in a medium without an end. Nothing holds the
+// shaft.
+double stiffness_inside(Draw& draw, float edge_m, float poisson, float shear_pa) {
+  constexpr float kBackM = 0.2e-3F;
+  TinyOrgan tiny;
+  tiny.nx = tiny.ny = tiny.nz = 16;
+  tiny.voxel_edge_m = edge_m;
+  tiny.fixed_faces = kHighX | kLowY | kHighY | kLowZ | kHighZ;
+  TinyMaterial& m = tiny.materials[0];
+  m.youngs_modulus_pa = 2 * shear_pa * (1 + poisson);
+  m.poisson_ratio = poisson;
+  m.puncture_force_n = 0.05F;
+  m.cutting_force_n = 0.02F;
+  m.coulomb_friction_n_per_m = m.static_friction_n_per_m = 1e-6F;
+  m.relaxing_fraction = 0;
+  Rig rig = make_rig(tiny, Config{});
+  const Vec3 tip =
+      edge_m * Vec3{draw.between(7.5, 8.5), draw.between(7.5, 8.5), draw.between(7.5, 8.5)};
+  drive(rig, {-1e-3F, tip.y, tip.z}, tip.x, 0.02F);
+  const float in_n = hold(rig, tip, 400).force_n.x;
+  const float back_n = hold(rig, tip - Vec3{kBackM, 0, 0}, 400).force_n.x;
+  return static_cast<double>((back_n - in_n) / kBackM);
+}
+
+TEST(Stiffness, TipInsideIsAsStiffAsASphereWhereverItIs) {
+  Draw draw(71);
+  for (const float edge_m : {3e-3F, 5e-3F, 7e-3F}) {
+    for (const float poisson : {0.3F, 0.45F}) {
+      constexpr float kShearPa = 3000;
+      constexpr double kRadiusM = 0.635e-3;
+      const auto nu = static_cast<double>(poisson);
+      const double sphere = 24 * std::numbers::pi * static_cast<double>(kShearPa) * kRadiusM *
+                            (1 - nu) / (5 - 6 * nu);
+      double sum = 0;
+      constexpr int kTips = 8;
+      for (int i = 0; i < kTips; ++i) {
+        const double ratio = stiffness_inside(draw, edge_m, poisson, kShearPa) / sphere;
+        EXPECT_NEAR(ratio, 1, 0.1) << edge_m << " m, nu " << nu;
+        sum += ratio;
+      }
+      EXPECT_NEAR(sum / kTips, 1, 0.05) << edge_m << " m, nu " << nu;
     }
   }
 }

@@ -279,11 +279,15 @@ TEST(Layers, TissueEndsWithinAVoxel) {
   tiny.mixed.insert(tiny.mixed.end(), far.begin(), far.end());
   std::sort(tiny.mixed.begin(), tiny.mixed.end(),
             [](const format::Mixed& a, const format::Mixed& b) { return a.voxel() < b.voxel(); });
-  Rig rig = make_rig(tiny, Config{});
-  const Output out = drive(rig, kStart, 65e-3F, 20e-3F);
-  EXPECT_EQ(held_between(rig, 17e-3F, 38e-3F), 0);
-  const double expected = 5 * (17e-3 + static_cast<double>(out.depth_m) - 38e-3);
-  EXPECT_NEAR(-static_cast<double>(out.cause.friction_n.x), expected, 0.05 * expected);
+  for (const float unit_m : {5e-3F, 2.5e-3F, 1.25e-3F}) {
+    Config config;
+    config.needle[0].unit_m = unit_m;
+    Rig rig = make_rig(tiny, config);
+    const Output out = drive(rig, kStart, 65e-3F, 20e-3F);
+    EXPECT_EQ(held_between(rig, 17e-3F, 38e-3F), 0);
+    const double expected = 5 * (17e-3 + static_cast<double>(out.depth_m) - 38e-3);
+    EXPECT_NEAR(-static_cast<double>(out.cause.friction_n.x), expected, 0.05 * expected) << unit_m;
+  }
 }
 
 // The force that breaks a surface falls with speed as written: (v / 10 mm/s)^-m.
