@@ -16,10 +16,10 @@
 // above zero. In a gentle session E stays above -kObserverJ. In the others a hand may move by
 // millimetres in a tick, and what the force did on the way is not known better than by half its
 // change: the check is E > -(kObserverJ + slack), slack the sum of half the change of the wrench
-// times the motion; there the observer also stops once a voxel is turned inside out. It stops where
-// an elastic needle has found no stable shape (kFlagNeedleUnstable), and begins again a while after
-// the last such tick: with what is stored then. Obstacles move in the frame of the attachments, and
-// do work on a needle that touches them.
+// times the motion; there the observer also stops once a voxel is turned inside out, alone or with
+// the constraint particles in it. It stops where an elastic needle has found no stable shape
+// (kFlagNeedleUnstable), and begins again a while after the last such tick: with what is stored
+// then. Obstacles move in the frame of the attachments, and do work on a needle that touches them.
 #pragma once
 
 #include <cstdint>
