@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <limits>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "needle.h"
 #include "promises.h"
@@ -32,6 +34,10 @@ constexpr double kZeroForceS = 25e-3;
 // another: for bent needles to swing back, and voxels that were inside out to turn back. A choice,
 // not measured.
 constexpr std::uint64_t kLostTicks = 100;
+// No needle that moves less in a tick passes a body unseen: the kernel looks so far for bodies
+// (needle.cpp). On a longer way it is looked at in steps of half the radius of the smallest body
+// that is drawn (scenario.cpp).
+constexpr double kLookedAtM = 2e-3, kWayStepM = 0.5e-3;
 
 double square_sum(Vec3 a, Vec3 b) {
   const double x = static_cast<double>(a.x) - static_cast<double>(b.x),
@@ -238,6 +244,7 @@ struct Simulation {
   std::array<Vec3, kMaxNeedles> command_n{};
   std::array<std::uint32_t, kMaxNeedles> ticks_since_fault{}, blind_ticks{}, released_ticks{};
   std::array<double, kMaxNeedles> heat_n2{};
+  std::array<std::vector<Vec3>, kMaxNeedles> nodes_m;  // after the last tick, in the world
   std::int64_t tick_ns = 0, passed_ns = 0;  // of the newest tick, and since the one before
 
   std::uint32_t needles() const { return scenario.config.needle_count; }
@@ -380,10 +387,61 @@ double stored_energy(const Kernel& kernel) {
   return sum;
 }
 
+float depth_m(const View& view, std::uint32_t body, Vec3 a_m, Vec3 b_m) {
+  const NeedlePiece piece = {a_m, b_m, view.needle_config().outer_radius_m};
+  return std::max(-obstacle_gap(view.model.obstacle[body], piece).separation_m, 0.0F);
+}
+
+// Whether a piece was deeper in a body on its straight way, in so many steps, than at both ends.
+bool passes(const View& view, std::uint32_t body, const Vec3* before_m, const Vec3* now_m,
+            std::uint32_t steps) {
+  const float ends_m = std::max(depth_m(view, body, before_m[0], before_m[1]),
+                                depth_m(view, body, now_m[0], now_m[1]));
+  for (std::uint32_t i = 1; i < steps; ++i) {
+    const float part = static_cast<float>(i) / static_cast<float>(steps);
+    const Vec3 a_m = before_m[0] + part * (now_m[0] - before_m[0]);
+    const Vec3 b_m = before_m[1] + part * (now_m[1] - before_m[1]);
+    if (depth_m(view, body, a_m, b_m) > ends_m) return true;
+  }
+  return false;
+}
+
+bool passes_body(const View& view, std::span<const Vec3> before_m, std::span<const Vec3> now_m) {
+  double farthest_m = 0;
+  for (std::size_t i = 0; i < now_m.size(); ++i) {
+    farthest_m = std::max(farthest_m, std::sqrt(square_sum(now_m[i], before_m[i])));
+  }
+  if (!(farthest_m > kLookedAtM)) return false;
+  const auto steps = static_cast<std::uint32_t>(std::ceil(farthest_m / kWayStepM));
+  for (std::uint32_t body = 0; body < view.model.head->obstacle_count; ++body) {
+    for (std::size_t i = 0; i + 1 < now_m.size(); ++i) {
+      if (passes(view, body, &before_m[i], &now_m[i], steps)) return true;
+    }
+  }
+  return false;
+}
+
+// A needle that a hand has thrown through a body in a tick, or deeper into it than it is at either
+// end: what pushed it on the way is not between the wrenches at the ends, as the slack takes it.
+bool passes_bodies(Simulation& s) {
+  const View view = view_of(s.session.kernel);
+  const Vec3 shift_m = attachment_shift(view);
+  bool passed = false;
+  for (std::uint32_t i = 0; i < s.needles(); ++i) {
+    const View one = needle_view(view, i);
+    if (one.state.needle->handle_known == 0) continue;
+    std::vector<Vec3> now_m(one.state.node, one.state.node + one.model.rod->rods + 1);
+    for (Vec3& node_m : now_m) node_m = node_m + shift_m;
+    std::swap(s.nodes_m[i], now_m);
+    passed |= !now_m.empty() && passes_body(one, now_m, s.nodes_m[i]);
+  }
+  return passed;
+}
+
 // A needle that found no stable shape (it says so by a flag) moves by more than a step of its
 // equilibrium.
-bool loses_count(const Simulation& s, std::span<const Output> outputs) {
-  if (!s.scenario.gentle && inside_out(s.session.kernel)) return true;
+bool loses_count(Simulation& s, std::span<const Output> outputs) {
+  if (!s.scenario.gentle && (passes_bodies(s) || inside_out(s.session.kernel))) return true;
   return std::any_of(outputs.begin(), outputs.end(),
                      [](const Output& out) { return (out.flags & kFlagNeedleUnstable) != 0; });
 }
@@ -571,7 +629,8 @@ Verdict simulate(const Scenario& scenario, const Tamper& tamper, const Meter& me
                .draw = Draw(scenario.seed + 1),
                .observer = {},
                .work = {},
-               .verdict = {}};
+               .verdict = {},
+               .nodes_m = {}};
   const double period_s = static_cast<double>(scenario.config.period_s);
   s.config.period_ns = std::llround(period_s * 1e9);
   for (std::uint32_t i = 0; i < s.needles(); ++i) {
