@@ -1273,9 +1273,10 @@ std::uint32_t couple_needle(const View& view, const Needle& needle) {
   const std::uint32_t flags = carry_particles(view, needle);
   const NeedleState& own = *view.state.needle;
   const Particle& tip = *view.state.tip;
-  // In contact the spring is a tangent at this tick's depth, and leads not back to the last one's.
+  // In contact, too: with the needle moved before the first substep the tissue would be pushed by
+  // more than the hand feels, which sees the forces of the last one.
   stretch_of(view, kMaxConstraintParticles) = {};
-  if (own.tip_alive == 0 || own.phase == Phase::kContact) return flags;
+  if (own.tip_alive == 0) return flags;
   const Vec3 change_n = force_on_tissue(tip) - tip.force_n;
   stretch_of(view, kMaxConstraintParticles) = (1 / tip.stiffness_n_per_m) * change_n;
   return flags;
@@ -1342,7 +1343,13 @@ void throw_aside(const View& view, const Needle& needle, Vec3 moved_m) {
   const float held_m = kChordM + kAsideShare * before_m;
   if (!(norm(residual(tip)) > before_m + held_m && dot(aside, aside) > held_m * held_m)) return;
   tip = tip_here(view, needle);
+  stretch_of(view, kMaxConstraintParticles) = {};
   if (tip.share_count == 0) end_contact(view);
+}
+
+void stretch_tip(const View& view, Vec3 moved_m) {
+  Vec3& stretch = stretch_of(view, kMaxConstraintParticles);
+  stretch = stretch + moved_m;
 }
 
 double shaft_energy(const Particle& particle) {

@@ -38,6 +38,9 @@ std::uint32_t couple_needle(const View& view, const Needle& needle);
 // the way it slips, and the hand would feel that.
 void let_slip(const View& view, const Needle& needle);
 
+// A bend before the tissue's step has moved the tip by so much: that, too, comes substep by substep.
+void stretch_tip(const View& view, Vec3 moved_m);
+
 // After a bend that has moved the tip by `moved_m`. A tip in contact that is thrown aside by it,
 // farther than it was off when the tissue's step began, holds the tissue it lies in now, without
 // force: the tangent it was held by says nothing of so long a way, and would let the needle drag

@@ -431,6 +431,7 @@ std::uint32_t bend_on(const View& view, Needle& needle, Nearest& nearest) {
     carry(needle, view.state.shaft[i]);
   }
   carry(needle, *view.state.tip);
+  stretch_tip(view, needle.tip_m - before_m);
   throw_aside(view, needle, needle.tip_m - before_m);
   return flags;
 }
