@@ -547,13 +547,14 @@ void relax_late(const View& view, Particle& p, Drawn& shares, double& spare_j) {
   (void)try_creep(view, p, shares, part, spare_j);
 }
 
-// The give follows the force along the needle, as over a damper.
+// The give follows the force along the needle, as over a damper. Only what lies along: to take back
+// what lies across would take work against the force there.
 void give_way(StateHead& state, Particle& p, const Drawn& shares, Vec3 direction) {
   if (p.give_share == 0) return;
   const double before_j = spring_energy(p, shares);
   const float pull_m = dot(force_on_tissue(p, shares.residual_m), direction) / p.stiffness_n_per_m;
-  const Vec3 rest = p.give_share * pull_m * direction;
-  p.give_m = settle(p.give_m + kGiveRate * (rest - (1 - p.give_share) * p.give_m));
+  const float to_go_m = p.give_share * pull_m - (1 - p.give_share) * dot(p.give_m, direction);
+  p.give_m = settle(p.give_m + kGiveRate * to_go_m * direction);
   set_slack(p);
   state.relaxation_j += before_j - spring_energy(p, shares);
 }
@@ -1168,6 +1169,13 @@ void keep_shares(StateHead& state, Particle& p, std::uint32_t kept) {
   state.friction_j += before - spring_energy(p);
 }
 
+void turn_give(Particle& p, Vec3 direction) {
+  if (p.give_share == 0) return;
+  const float size_m = norm(p.give_m);
+  p.give_m = settle((dot(p.give_m, direction) < 0 ? -size_m : size_m) * direction);
+  set_slack(p);
+}
+
 float friction_limit_n(const View& view, const Particle& p) {
   return friction_n_per_m(p.friction, p.slip_m_per_s) * length_of(view, p);
 }
@@ -1205,6 +1213,7 @@ void follow(const View& view, const Needle& needle, Particle& p, const Drawn& sh
   const NeedlePoint point = needle_point(needle, p.arc_m);
   give_way(*view.state.head, p, shares, point.direction);
   p.position_m = point.place_m;
+  turn_give(p, point.direction);
 }
 
 // The CPs creep at the last tick's forces; then those of the shaft go with the needle. As they load

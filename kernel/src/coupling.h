@@ -38,7 +38,8 @@ std::uint32_t couple_needle(const View& view, const Needle& needle);
 // the way it slips, and the hand would feel that.
 void let_slip(const View& view, const Needle& needle);
 
-// A bend before the tissue's step has moved the tip by so much: that, too, comes substep by substep.
+// A bend before the tissue's step has moved the tip by so much, which its spring feels substep by
+// substep, too.
 void stretch_tip(const View& view, Vec3 moved_m);
 
 // After a bend that has moved the tip by `moved_m`. A tip in contact that is thrown aside by it,
@@ -51,6 +52,10 @@ void throw_aside(const View& view, const Needle& needle, Vec3 moved_m);
 // their weight goes to these, at the same force. With none left it holds nothing, and nothing holds
 // it. couple_needle gives shares back where there is room again.
 void keep_shares(StateHead& state, Particle& p, std::uint32_t kept);
+
+// The needle has turned: the give of a shaft CP is a way along it, and turns with it. Its spring is
+// fixed to a point of the needle (grip), which a turn moves, and whose torque pays for it.
+void turn_give(Particle& p, Vec3 direction);
 
 // Friction of the stretch of shaft a CP stands for, at its slip speed.
 float friction_limit_n(const View& view, const Particle& p);

@@ -51,15 +51,17 @@ bool slides(const Particle& p) {
   return dot(p.slip_m, p.slip_m) > 0;
 }
 
-// A held particle bends the needle by its spring: one that slips, only across the shaft. (Without
-// the spring along it, one pressed at the tip buckles under a load that does not give way.)
+// A held particle bends the needle by its spring, where that is fixed to it: one that slips, only
+// across the shaft. (Without the spring along it, one pressed at the tip buckles under a load that
+// does not give way.)
 void add_particle(const View& view, const Needle& last, const Particle& p, RodLoads& loads) {
   if (p.share_count == 0) return;
   const NeedleState& own = *view.state.needle;
-  const Vec3 along = slides(p) ? needle_point(last, p.arc_m).direction : Vec3{};
+  const Vec3 direction = needle_point(last, p.arc_m).direction;
+  const Vec3 along = slides(p) ? direction : Vec3{};
+  const double grip_arc_m = static_cast<double>(p.arc_m + dot(p.give_m, direction));
   const double length = static_cast<double>(view.needle_config().length_m);
-  loads.load[loads.count++] = {length - static_cast<double>(p.arc_m),
-                               to_double(p.position_m) - to_double(own.base_m),
+  loads.load[loads.count++] = {length - grip_arc_m, to_double(grip(p)) - to_double(own.base_m),
                                -1.0 * to_double(p.force_n), across(along, p.stiffness_n_per_m)};
 }
 
@@ -114,6 +116,7 @@ void carry(const Needle& needle, Particle& p) {
   const Vec3 moved = at.place_m - p.position_m;
   const float along = slides(p) ? dot(moved, at.direction) : 0;
   p.position_m = p.position_m + (moved - along * at.direction);
+  turn_give(p, at.direction);
   p.force_n = force_on_tissue(p);
 }
 
