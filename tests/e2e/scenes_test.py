@@ -425,7 +425,7 @@ class ProstateSpinning(Scene):
         self.check_quiet()
         runs = [draw.Run(self.run_.path, needle) for needle in range(3)]
         aside = [run.tip_m[-1, 2] - run.tip_m[0, 2] for run in runs]
-        self.assertGreater(aside[0], 3e-3)
+        self.assertGreater(aside[0], 2e-3)  # out of the target on its line
         for duty, way in zip(self.DUTY, aside):
             self.assertLess(abs(way / aside[0] - (1 - duty)), 0.05, aside)
 
