@@ -98,16 +98,14 @@ hal::Finding judged(const Resonance& of, Inertia inertia) {
   finding.severity = hal::Verdict::kWarn;
   const bool departs = of.departs_hz < kFastestHandHz;
   finding.verdict = departs ? hal::Verdict::kWarn : hal::Verdict::kOk;
-  finding.value =
-      of.real_hz > 0 ? fmt::format("first resonance {:.3g} Hz, really {:.3g}", of.stepped_hz,
-                                   of.real_hz)
-                     : "nothing holds the organ";
+  finding.value = of.real_hz > 0 ? fmt::format("first resonance {:.3g} Hz, really {:.3g}",
+                                               of.stepped_hz, of.real_hz)
+                                 : "nothing holds the organ";
   finding.source = "the recording's organ, step and mass";
   if (departs) {
     finding.remedy = fmt::format(
         "the force on a hand may be a tenth off from {:.2g} Hz on: {}more loop.substeps",
-        of.departs_hz,
-        inertia == Inertia::kTrueMass ? "" : "loop.inertia = \"true_mass\", or ");
+        of.departs_hz, inertia == Inertia::kTrueMass ? "" : "loop.inertia = \"true_mass\", or ");
   }
   return finding;
 }

@@ -23,8 +23,7 @@ void read_loop(Section loop, Scene& scene) {
   const std::string inertia = loop.choice("inertia", "true_mass", {"added_mass", "true_mass"});
   scene.config.inertia = inertia == "true_mass" ? Inertia::kTrueMass : Inertia::kAddedMass;
   // Added mass goes with the substep's square: with one, four times as much.
-  const std::uint32_t substeps =
-      scene.config.inertia == Inertia::kTrueMass ? Config{}.substeps : 2;
+  const std::uint32_t substeps = scene.config.inertia == Inertia::kTrueMass ? Config{}.substeps : 2;
   scene.config.substeps =
       static_cast<std::uint32_t>(loop.integer("substeps", substeps, 1, kMaxSubsteps));
   scene.rt_priority = static_cast<int>(loop.integer("rt_priority", 80, 1, 98));

@@ -9,10 +9,10 @@ namespace stylet {
 namespace {
 
 constexpr float kPi = 3.14159265F;
-// Compliance of the lattice under the tip inside, in 1 / (G h): at Poisson ratio 0, by how much less
-// at 1, and by how much more where one voxel holds all of it (measured in a block without an end:
-// tests/fidelity/coupling/stiffness_test.cpp). The tip keeps its spring while it passes through a
-// tissue, so it has that of a mean place: what its shares' squares come to there, (2/3)^3.
+// Compliance of the lattice under the tip inside, in 1 / (G h): at Poisson ratio 0, by how much
+// less at 1, and by how much more where one voxel holds all of it (measured in a block without an
+// end: tests/fidelity/coupling/stiffness_test.cpp). The tip keeps its spring while it passes
+// through a tissue, so it has that of a mean place: what its shares' squares come to, (2/3)^3.
 constexpr float kInsideGive = 0.104F, kInsideGiveSlope = 0.040F, kInsideGiveSquares = 0.076F;
 constexpr float kMeanSquares = 8.0F / 27.0F;
 // The same under the tip in contact, which two layers of voxels hold: at Poisson ratio 0, by how

@@ -175,8 +175,7 @@ std::string speed(const Json& facts) {
     on += fmt::format("; timed on this organ {} us", number(speed["timed_us"], 0));
   }
   return fmt::format("<h2>Speed and inertia</h2><p>Period {} us, {}{}.</p>{}<table>",
-                     number(speed["period_us"], 0), stepping_text(speed), on,
-                     inertia(speed)) +
+                     number(speed["period_us"], 0), stepping_text(speed), on, inertia(speed)) +
          head + "</tr>" + rows +
          "</table><p class='small'>Tissue too stiff or voxels too small for the step: with true "
          "mass its short waves, which no hand feels, are slowed in passes, and mass is added only "

@@ -34,7 +34,8 @@ Machine fitted(const std::string& name, const std::vector<CostPoint>& points) {
   }
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factored(of);
   if (factored.rank() < 3) {
-    refuse("{}: expected elastic ticks of two organs at least, with added and with true mass", name);
+    refuse("{}: expected elastic ticks of two organs at least, with added and with true mass",
+           name);
   }
   const Eigen::Vector3d line = factored.solve(Eigen::VectorXd::Ones(of.rows()));
   return {name, line[0], line[1], line[2]};
@@ -324,8 +325,8 @@ std::string speed_text(const nlohmann::ordered_json& facts) {
   for (const char* inertia : {"true_mass", "added_mass"}) {
     for (const Json& row : facts["by_substeps"]) {
       const Json& of = row[inertia];
-      text += fmt::format("{:<13} {:>2} substeps", std::strcmp(inertia, "true_mass") == 0
-                                                       ? "true mass" : "added mass",
+      text += fmt::format("{:<13} {:>2} substeps",
+                          std::strcmp(inertia, "true_mass") == 0 ? "true mass" : "added mass",
                           row["substeps"].get<std::uint32_t>());
       if (of["passes"] > 0) text += fmt::format(", {} passes", of["passes"].get<std::uint32_t>());
       if (of.contains("tick_us")) text += fmt::format(", {:.0f} us", of["tick_us"].get<double>());

@@ -60,8 +60,9 @@ TEST(Machine, RefusesWhatStyletBenchDidNotWrite) {
   EXPECT_THAT(refusal_of([&] { bake::read_machine(bench_of(scratch, good + good + good)); }),
               testing::HasSubstr("two organs at least, with added and with true mass"));
   // As it wrote them before it told passes.
-  EXPECT_THAT(refusal_of([&] { bake::read_machine(bench_of(scratch, "tick_elastic,a,1,70,35\n")); }),
-              testing::HasSubstr("box.csv:2: expected measure"));
+  EXPECT_THAT(
+      refusal_of([&] { bake::read_machine(bench_of(scratch, "tick_elastic,a,1,70,35\n")); }),
+      testing::HasSubstr("box.csv:2: expected measure"));
   EXPECT_THAT(refusal_of([&] { bake::read_machine(bench_of(scratch, "tick_elastic,a,b\n")); }),
               testing::HasSubstr("box.csv:2: expected measure"));
   for (const char* none : {"0,1,7,70,35", "9,0,7,70,35", "9,1,-1,70,35", "9,1,7,0,35"}) {

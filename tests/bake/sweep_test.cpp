@@ -77,8 +77,8 @@ TEST(FitTimed, KnowsWhatAnOrganWithHolesCosts) {
       }
     }
     for (const int k : {0, 1}) {
-      std::printf("%u voxels, %.0f swept, %u passes: %.0f us said, %.0f timed\n",
-                  organ.voxel_count, bake::swept_voxels(organ), passes[k], said[k], timed[k]);
+      std::printf("%u voxels, %.0f swept, %u passes: %.0f us said, %.0f timed\n", organ.voxel_count,
+                  bake::swept_voxels(organ), passes[k], said[k], timed[k]);
       EXPECT_LT(std::max(timed[k] / said[k], said[k] / timed[k]), 1.5);
     }
   }

@@ -174,7 +174,8 @@ void Summary::write(const std::string& folder) const {
       file << "measure,organ,voxels,substeps,passes,median_us,ns_per_voxel_substep\n";
     }
     file << row.measure << "," << row.organ << "," << std::setprecision(8) << row.voxels << ","
-         << row.substeps << "," << row.passes << "," << std::setprecision(5) << row.median_us << "," << row.ns_per_voxel << "\n";
+         << row.substeps << "," << row.passes << "," << std::setprecision(5) << row.median_us << ","
+         << row.ns_per_voxel << "\n";
   }
 }
 

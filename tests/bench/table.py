@@ -32,7 +32,7 @@ def rows(of):
             continue
         voxels, avx2 = of["tissue", organ, "avx2"]
         _, avx512 = of.get(("tissue", organ, "avx512"), (0, 0))
-        added = [of.get(("tissue_added", organ, of_set), (0, 0))[1] for of_set in ("avx512", "avx2")]
+        added = [of.get(("tissue_added", organ, lanes), (0, 0))[1] for lanes in ("avx512", "avx2")]
         _, bullet = of.get(("bullet", organ, "peers"), (0, 0))
         _, eigen = of.get(("eigen", organ, "peers"), (0, 0))
         best = avx512 or avx2
@@ -67,10 +67,10 @@ def lines(head, rows):
 
 def table(found):
     for machine, of in found.items():
-        yield f"\nOne thread of `{machine}`, one tissue step of 1 ms with a needle inserted, median:\n\n"
+        yield (f"\nOne thread of `{machine}`, one tissue step of 1 ms with a needle inserted, "
+               "median:\n\n")
         head = ["voxels", "us", "ns a voxel, AVX-512", "AVX2", "with added mass, AVX-512", "AVX2",
-                "steps a second",
-                f"times the paper's {PAPER_FPS}", "Bullet takes", "Eigen takes"]
+                "steps a second", f"times the paper's {PAPER_FPS}", "Bullet takes", "Eigen takes"]
         yield from lines(head, rows(of))
         yield ("\nThe same step with one helper thread, times as fast as without; and two threads\n"
                "with nothing in common, each at steps of its own. Others may use this machine's\n"

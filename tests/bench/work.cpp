@@ -29,7 +29,7 @@ struct Work {
   std::uint32_t rods = 0;  // 0: rigid
   Hand hand = Hand::kQuiet;
   bool tick = false;
-  bool filtered = true;  // true mass
+  bool filtered = true;                         // true mass
   std::optional<std::string_view> counted_for;  // instruction set; none: callgrind counts
 };
 
@@ -111,7 +111,8 @@ int count(const Work& work) {
 }  // namespace stylet::test
 
 // usage: stylet-work VOXELS UNIT_MM RODS away|quiet|violent step|tick|sweep [avx2|avx512]
-// A sweep is a step with added mass, so without the filter. Ends with 77 where this machine cannot do that.
+// A sweep is a step with added mass, so without the filter. Ends with 77 where this machine cannot
+// do that.
 int main(int argc, char** argv) {
   using namespace stylet::test;
   if (argc != 6 && argc != 7) return 2;

@@ -167,9 +167,10 @@ def check_physical(curve):
     check_drop(curve, faults)
     check_insertion(curve, faults, ripple_share=0.02)
     check_hold(curve, faults)
-    # Liver's 0.9 N of friction and cutting (60 mm of 18G), six tenths of it after the hold, over what
-    # holds the shaft along (2 pi G l / ln(50 mm / a), 690 N/m) and the tip (a sphere's 24 pi G a
-    # (1 - nu) / (5 - 6 nu), 92 N/m): 0.7 mm, and by half more as the organ gives way as a whole.
+    # Liver's 0.9 N of friction and cutting (60 mm of 18G), six tenths of it after the hold, over
+    # what holds the shaft along (2 pi G l / ln(50 mm / a), 690 N/m) and the tip (a sphere's
+    # 24 pi G a (1 - nu) / (5 - 6 nu), 92 N/m): 0.7 mm, and by half more as the organ gives way as a
+    # whole.
     check_retraction(curve, faults, presliding_m=1.05e-3)
     check_exit(curve, faults)
     return faults

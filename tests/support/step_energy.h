@@ -32,8 +32,8 @@ inline double tissue_energy(const Kernel& kernel, const Energy& now) {
   swap_ahead(view);
   const Energy ahead = energy(kernel);
   swap_ahead(view);
-  const double part = 0.5 * static_cast<double>(head.substep_s) /
-                      static_cast<double>(head.config.tissue_damping_s);
+  const double part =
+      0.5 * static_cast<double>(head.substep_s) / static_cast<double>(head.config.tissue_damping_s);
   const double held = now.elastic + now.coupling;
   return now.kinetic + held - part * (ahead.elastic + ahead.coupling - held);
 }

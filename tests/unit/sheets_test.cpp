@@ -193,8 +193,8 @@ void add_tick(Vec3 off_n, FeltDifference& difference) {
 // more, in the mean, than those of one body under two hands 0.1 um apart, the worst of twenty
 // drawn. (Sums in another order are magnified where the needle stops and where it punctures; so is
 // the hand's place. Of the worst of four the halves, one draw more of the same, would be the worst
-// by chance on every fifth change of the bits. In the very middle of the block, a place of symmetry,
-// any hand aside goes in at another moment, so the place is drawn, too.)
+// by chance on every fifth change of the bits. In the very middle of the block, a place of
+// symmetry, any hand aside goes in at another moment, so the place is drawn, too.)
 TEST(Sheets, NeedleInTiedHalvesFeelsTheWhole) {
   std::mt19937 random(3);
   std::vector<Vec3> aside_m(20);

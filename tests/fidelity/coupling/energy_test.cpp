@@ -355,8 +355,8 @@ TEST(EnergyFromNowhere, BevelCutsAgainstALoadForWork) {
   }
 }
 
-// How the tissue is stepped, and ticks for a millisecond: with true mass tissue is quick, and what a
-// fast hand does to it is known only as well as the force between two poses.
+// How the tissue is stepped, and ticks for a millisecond: with true mass tissue is quick, and what
+// a fast hand does to it is known only as well as the force between two poses.
 struct Stepped {
   Inertia inertia;
   std::uint32_t substeps;
