@@ -15,6 +15,7 @@ blob blob_organ, organ.bin
 blob blob_physical, physical.bin
 blob blob_paper, paper.bin
 blob blob_elastic, elastic.bin
+blob blob_added_mass, added_mass.bin
 #if defined(__linux__)
 .section .note.GNU-stack, "", %progbits
 #endif

@@ -15,6 +15,7 @@ extern const std::byte blob_organ[], blob_organ_end[];
 extern const std::byte blob_physical[], blob_physical_end[];
 extern const std::byte blob_paper[], blob_paper_end[];
 extern const std::byte blob_elastic[], blob_elastic_end[];
+extern const std::byte blob_added_mass[], blob_added_mass_end[];
 }
 
 namespace stylet::test {
@@ -23,7 +24,7 @@ namespace {
 // What 288 voxels need; `create` refuses if it is too little.
 alignas(kBlockAlignment) std::byte model[128 * 1024];
 alignas(kBlockAlignment) std::byte state[192 * 1024];
-alignas(kBlockAlignment) std::byte scratch[256 * 1024];
+alignas(kBlockAlignment) std::byte scratch[320 * 1024];
 alignas(8) std::byte saved[sizeof state + 64];
 
 struct Blob {
@@ -32,7 +33,8 @@ struct Blob {
 };
 constexpr Blob kCases[] = {{"physical", blob_physical, blob_physical_end},
                            {"paper", blob_paper, blob_paper_end},
-                           {"elastic", blob_elastic, blob_elastic_end}};
+                           {"elastic", blob_elastic, blob_elastic_end},
+                           {"added_mass", blob_added_mass, blob_added_mass_end}};
 
 std::span<const std::byte> bytes_of(const std::byte* begin, const std::byte* end) {
   return {begin, static_cast<std::size_t>(end - begin)};

@@ -5,7 +5,7 @@ import shutil
 import subprocess
 import sys
 
-CASES = ("physical", "paper", "elastic")
+CASES = ("physical", "paper", "elastic", "added_mass")
 SKIPPED = 77
 # Name -> (compiler, what runs the program; the board runs it as its kernel).
 BOARD = ["qemu-system-arm", "-M", "mps2-an500", "-nographic", "-monitor", "none", "-serial", "none",
