@@ -40,8 +40,10 @@ class Case(unittest.TestCase):
         self.write("r.toml", b"[tissues]\nliver = [5]\n[obstacles]\nrib = [7]\n"
                              b"[targets]\naim = [5]\n")
         self.write("own.toml", b"[liver]\nyoungs_modulus_kpa = 12.5\nsource = \"lab\"\n")
-        self.write("box.csv", b"measure,organ,voxels,median_us,ns_per_voxel_substep\n"
-                              b"tick_elastic,a,1000,70,35\ntick_elastic,b,20000,830,20.75\n")
+        self.write("box.csv", b"measure,organ,voxels,substeps,passes,median_us,ns\n"
+                              b"tick_elastic_added,a,1000,2,0,70,35\n"
+                              b"tick_elastic_added,b,20000,2,0,830,20.75\n"
+                              b"tick_elastic,b,20000,1,7,850,42.5\n")
 
     def write(self, name, data):
         (self.folder / name).write_bytes(data)
