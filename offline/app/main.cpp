@@ -294,6 +294,10 @@ Stepping stepping_of(const CommonArguments& a) {
   return stepping;
 }
 
+// Of organs with more, which no tick of a millisecond has room for, a build says what a hand feels
+// of the step's inertia only when it is asked to look (--fit, --report): it takes seconds there.
+constexpr std::uint32_t kInertiaVoxels = 100'000;
+
 // Builds, writes and reports. The progress bar goes before the report comes.
 void finish(const std::function<Built(const BuildOptions&, const Progress&)>& make,
             BuildOptions options, const CommonArguments& a, Outputs& outputs) {
@@ -315,7 +319,12 @@ void finish(const std::function<Built(const BuildOptions&, const Progress&)>& ma
   facts["output"] = a.output;
   facts["organ"] = organ_facts(organ, built.bytes);
   facts["scene"] = add_scene(outputs, built, a.output);
-  facts["speed"] = speed_facts(organ, stepping, machine ? &*machine : nullptr);
+  const bool asked = machine || !a.report.empty();
+  if (asked) {
+    facts["speed"] = speed_facts(organ, stepping, machine ? &*machine : nullptr);
+  } else if (organ.voxel_count <= kInertiaVoxels) {
+    facts["speed"] = inertia_facts(organ, stepping);
+  }
   if (!a.report.empty()) {
     const Quality quality = measure_quality(organ, built.input_m, progress);
     facts["quality"] = quality_facts(quality, built.report);
@@ -325,9 +334,9 @@ void finish(const std::function<Built(const BuildOptions&, const Progress&)>& ma
   if (a.json) {
     fmt::print("{}\n", facts.dump(2));
   } else {
-    const bool asked = machine || !a.report.empty();
     fmt::print("{}{}{}{}{}wrote         {}\n", build_text(facts), organ_text(facts["organ"]),
-               asked ? speed_text(facts["speed"]) : "", inertia_text(facts["speed"]),
+               asked ? speed_text(facts["speed"]) : "",
+               facts.contains("speed") ? inertia_text(facts["speed"]) : "",
                scene_text(facts["scene"]), a.output);
   }
 }

@@ -261,9 +261,15 @@ double period_of(const std::string& rate) {
   return 1 / hertz;
 }
 
+nlohmann::ordered_json inertia_facts(const Organ& organ, const Stepping& stepping) {
+  return {{"period_us", stepping.period_s * 1e6},
+          {"substeps", stepping.substeps},
+          {"inertia", stepping.inertia == Inertia::kTrueMass ? "true_mass" : "added_mass"},
+          {"resonance", resonance_facts(organ, stepping)}};
+}
+
 nlohmann::ordered_json speed_facts(const Organ& organ, const Stepping& stepping,
                                    const Machine* machine) {
-  const bool true_mass = stepping.inertia == Inertia::kTrueMass;
   Json rows = Json::array();
   for (const std::uint32_t each : {1U, 2U, 4U, 8U, 16U}) {
     Json row = {{"substeps", each}};
@@ -273,12 +279,9 @@ nlohmann::ordered_json speed_facts(const Organ& organ, const Stepping& stepping,
     }
     rows.push_back(row);
   }
-  Json facts = {{"period_us", stepping.period_s * 1e6},
-                {"substeps", stepping.substeps},
-                {"inertia", true_mass ? "true_mass" : "added_mass"},
-                {"passes", passes_of(organ, stepping)},
-                {"by_substeps", rows},
-                {"resonance", resonance_facts(organ, stepping)}};
+  Json facts = inertia_facts(organ, stepping);
+  facts["passes"] = passes_of(organ, stepping);
+  facts["by_substeps"] = rows;
   if (machine != nullptr) {
     facts["machine"] = {{"name", machine->name},
                         {"start_us", machine->start_us},
