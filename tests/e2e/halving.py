@@ -78,9 +78,10 @@ def halved(text, variant):
         if re.search(r"^substeps = \d+$", text, re.M):
             return re.sub(r"^substeps = (\d+)$", lambda m: f"substeps = {2 * int(m[1])}", text,
                           flags=re.M)
+        half = "substeps = 4" if 'inertia = "added_mass"' in text else "substeps = 2"  # of 2, of 1
         if re.search(r"^\[loop\]$", text, re.M):
-            return re.sub(r"^\[loop\]$", "[loop]\nsubsteps = 4", text, flags=re.M)
-        return text + "\n[loop]\nsubsteps = 4\n"
+            return re.sub(r"^\[loop\]$", f"[loop]\n{half}", text, flags=re.M)
+        return text + f"\n[loop]\n{half}\n"
     return text
 
 
