@@ -56,9 +56,9 @@ double period_of(const std::string& rate);
 // "period_us", "substeps", "inertia", and "resonance" of the organ as it is stepped. Takes a second
 // for 50 000 voxels, and goes with their number.
 nlohmann::ordered_json inertia_facts(const Organ& organ, const Stepping& stepping);
-// These, and a row for 1, 2, 4, ... substeps with true mass and with added mass: passes, the factor by which
-// each material's mass grows, and with a machine the time of a tick, timed on the organ itself if
-// it is this machine.
+// These, and a row for 1, 2, 4, ... substeps with true mass and with added mass: passes, the factor
+// by which each material's mass grows, and with a machine the time of a tick, timed on the organ
+// itself if it is this machine.
 nlohmann::ordered_json speed_facts(const Organ& organ, const Stepping& stepping,
                                    const Machine* machine);
 // "1 substep of true mass".
