@@ -22,7 +22,7 @@ void read_loop(Section loop, Scene& scene) {
   scene.config.period_s = si(loop.number("period_us", 1000, low_us, high_us), 1e-6);
   const std::string inertia = loop.choice("inertia", "true_mass", {"added_mass", "true_mass"});
   scene.config.inertia = inertia == "true_mass" ? Inertia::kTrueMass : Inertia::kAddedMass;
-  // Added mass goes with the substep's square: with one, four times as much.
+  // Added mass goes with dt (dt + 2 tau) of the substep: with one, three times as much.
   const std::uint32_t substeps = scene.config.inertia == Inertia::kTrueMass ? Config{}.substeps : 2;
   scene.config.substeps =
       static_cast<std::uint32_t>(loop.integer("substeps", substeps, 1, kMaxSubsteps));

@@ -179,7 +179,8 @@ std::string speed(const Json& facts) {
          head + "</tr>" + rows +
          "</table><p class='small'>Tissue too stiff or voxels too small for the step: with true "
          "mass its short waves, which no hand feels, are slowed in passes, and mass is added only "
-         "where these do not do; with added mass, which takes half the time, the tissue gets more "
+         "where these do not do; with added mass, which may take half the time, the tissue gets "
+         "more "
          "mass than it has (factor of the whole material). Forces at rest are exact either way; "
          "fast motion becomes sluggish with the mass. More substeps give it back.</p>";
 }

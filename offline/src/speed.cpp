@@ -279,8 +279,9 @@ nlohmann::ordered_json speed_facts(const Organ& organ, const Stepping& stepping,
     }
     rows.push_back(row);
   }
+  const Json own = stepped_facts(organ, stepping, machine);
   Json facts = inertia_facts(organ, stepping);
-  facts["passes"] = passes_of(organ, stepping);
+  facts["passes"] = own["passes"];
   facts["by_substeps"] = rows;
   if (machine != nullptr) {
     facts["machine"] = {{"name", machine->name},
@@ -289,7 +290,7 @@ nlohmann::ordered_json speed_facts(const Organ& organ, const Stepping& stepping,
                         {"ns_per_voxel_pass", machine->us_per_voxel_pass * 1e3}};
     facts["share_of_period"] = kShareOfPeriod;
     facts["swept_voxels"] = swept_voxels(organ);
-    facts["tick_us"] = stepped_facts(organ, stepping, machine)["tick_us"];
+    facts["tick_us"] = own["tick_us"];
     const std::optional<double> timed =
         machine->is_here ? time_tick(organ, stepping) : std::nullopt;
     if (timed) facts["timed_us"] = *timed;
@@ -325,16 +326,15 @@ std::string speed_text(const nlohmann::ordered_json& facts) {
                                                                  facts["timed_us"].get<double>())
                                                    : "");
   }
-  for (const char* inertia : {"true_mass", "added_mass"}) {
+  for (const auto& [inertia, name] :
+       {std::pair("true_mass", "true mass"), std::pair("added_mass", "added mass")}) {
     for (const Json& row : facts["by_substeps"]) {
       const Json& of = row[inertia];
-      text += fmt::format("{:<13} {:>2} substeps",
-                          std::strcmp(inertia, "true_mass") == 0 ? "true mass" : "added mass",
-                          row["substeps"].get<std::uint32_t>());
+      text += fmt::format("{:<13} {:>2} substeps", name, row["substeps"].get<std::uint32_t>());
       if (of["passes"] > 0) text += fmt::format(", {} passes", of["passes"].get<std::uint32_t>());
       if (of.contains("tick_us")) text += fmt::format(", {:.0f} us", of["tick_us"].get<double>());
-      for (const auto& [name, factor] : of["mass_factor"].items()) {
-        text += fmt::format("  {} x{:.3g}", name, factor.get<double>());
+      for (const auto& [material, factor] : of["mass_factor"].items()) {
+        text += fmt::format("  {} x{:.3g}", material, factor.get<double>());
       }
       text += "\n";
     }

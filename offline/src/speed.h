@@ -53,8 +53,8 @@ std::uint32_t most_voxels(const Machine& machine, const Stepping& stepping);
 // "1kHz", "500 Hz" to seconds; refuses what the kernel does not run at.
 double period_of(const std::string& rate);
 
-// "period_us", "substeps", "inertia", and "resonance" of the organ as it is stepped. Takes a second
-// for 50 000 voxels, and goes with their number.
+// "period_us", "substeps", "inertia", and "resonance" of the organ as it is stepped. Takes some
+// seconds for 70 000 voxels, and goes with their number.
 nlohmann::ordered_json inertia_facts(const Organ& organ, const Stepping& stepping);
 // These, and a row for 1, 2, 4, ... substeps with true mass and with added mass: passes, the factor
 // by which each material's mass grows, and with a machine the time of a tick, timed on the organ

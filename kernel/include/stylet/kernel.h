@@ -67,7 +67,7 @@ struct BreathingConfig {
 struct Config {
   Mode mode = Mode::kPhysical;
   float period_s = 1e-3F;
-  std::uint32_t substeps = 1;
+  std::uint32_t substeps = 1;  // with added mass rather 2: one adds three times as much
   Inertia inertia = Inertia::kTrueMass;
   float tissue_damping_s = 0.25e-3F;  // Kelvin-Voigt time constant of the tissue
   float surround_drag_per_s =

@@ -35,8 +35,8 @@ constexpr float kMaxMembraneNPerM = 1e5F;  // 1 mm of 100 MPa
 constexpr std::uint32_t kMaxSubsteps = 32;
 constexpr float kMinPeriodS = 1e-5F;
 // Passes of the filter that true mass needs, at most. A stiffer organ, or a longer substep, gets
-// mass added beyond that, where it needs it (mass_report says how much). Each pass costs nearly
-// half of a sweep.
+// mass added beyond that, where it needs it (mass_report says how much). Each pass costs a quarter
+// to a third of a sweep.
 constexpr std::uint32_t kMaxFilterPasses = 7;
 constexpr float kMaxPeriodS = 1e-2F;
 constexpr float kMaxNeedleLengthM = 0.5F;

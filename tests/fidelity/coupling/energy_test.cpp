@@ -445,7 +445,9 @@ TEST(EnergyFromNowhere, TissueDraggedFarHoldsNoMoreThanTheHandGave) {
     Observer observer;
     const auto see = [&](const Output& out) { observer.see(rig, out); };
     drive(rig, {-1e-3F, 0.06e-3F, 0.06e-3F}, 49e-3F, 0.5F, see);
-    EXPECT_GT(rig.view().state.head->max_displacement_m, 3e-3F);
+    // True mass is dragged less far; 3 mm are still 24 edges.
+    const float far_m = stepped.inertia == Inertia::kAddedMass ? 5e-3F : 3e-3F;
+    EXPECT_GT(rig.view().state.head->max_displacement_m, far_m);
     EXPECT_GT(observer.work_j, 1e-5);
     EXPECT_LT(observer.fall_j, 1e-8) << stepped.substeps << " substeps";
   }
