@@ -1,41 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "coupling.h"
 
-#include "cone.h"
 #include "roll.h"
+#include "stiffness.h"
 #include "surface.h"
 
 namespace stylet {
 namespace {
 
-constexpr float kPi = 3.14159265F;
-// Compliance of the lattice under the tip inside, in 1 / (G h): at Poisson ratio 0, by how much
-// less at 1, and by how much more where one voxel holds all of it (measured in a block without an
-// end: tests/fidelity/coupling/stiffness_test.cpp). The tip keeps its spring while it passes
-// through a tissue, so it has that of a mean place: what its shares' squares come to, (2/3)^3.
-constexpr float kInsideGive = 0.104F, kInsideGiveSlope = 0.040F, kInsideGiveSquares = 0.076F;
-constexpr float kMeanSquares = 8.0F / 27.0F;
-// The same under the tip in contact, which two layers of voxels hold: at Poisson ratio 0, by how
-// much less at 1, by how much more where one voxel holds all of it, and by how much more where it
-// acts an edge beside that voxel's middle. Then by how much more, of itself, for each G h^2 of
-// force, by how much less of that where one voxel holds all, and up to what force (all measured:
-// tests/fidelity/coupling/contact_test.cpp).
-constexpr float kSurfaceGive = 0.170F, kSurfaceGiveSlope = 0.101F, kSurfaceGiveSquares = 0.097F;
-constexpr float kSurfaceGiveBeside = 0.281F;
-constexpr float kGiveGrowth = 0.06F, kGiveGrowthSquares = 0.1F, kGiveGrowthEnd = 5.0F;
-// The tip's own spring gives at least this part of what the lattice does: with less, tissue dragged
-// far gained energy.
-constexpr float kLeastOwnPart = 0.25F;
-// A row of CPs shared evenly moves as a cylinder of this radius would, in voxel edges: at Poisson
-// ratio 0 and by how much less at 1. Its springs count this much: they also let the voxels slip
-// across each other (measured: tests/fidelity/coupling/stiffness_test.cpp).
-constexpr float kRowRadius = 0.58F, kRowRadiusSlope = 0.33F, kRowSlack = 1.2F;
-// Along its axis that row moves as a cylinder of this radius.
-constexpr float kRowRadiusAlong = 0.78F;
 // Part of the way to its rest that the give along the needle goes in a tick.
 constexpr float kGiveRate = 0.5F;
-// Radius over which the far field of a needle dies out: half of an organ's usual thickness.
-constexpr float kFarFieldM = 0.025F;
 // Slower than this a CP sticks.
 constexpr float kSlidingMPerS = 1e-4F;
 // The tip must be this far behind a shaft CP to have passed it: a tip that re-enters a track starts
@@ -81,121 +55,6 @@ constexpr float kCrushed = 0.05F;
 constexpr float kSlowestPress = 0.01F, kFastestPress = 100.0F;
 // A needle at the mouth of a hole goes into it if it points as the hole does, within 18 degrees.
 constexpr float kSameWayCosine = 0.95F;
-
-// ---- stiffness of a CP
-// ----------------------------------------------------------------------------
-
-// Lateral stiffness per length of a rigid cylinder of radius a in an elastic annulus, over G.
-float line_stiffness(float radius_m, float poisson) {
-  const float a2 = radius_m * radius_m, b2 = kFarFieldM * kFarFieldM;
-  const float n = 3 - 4 * poisson;
-  const float ratio = max_of(kFarFieldM / radius_m, 1.5F);
-  return 8 * kPi * (1 - poisson) * n / (n * n * natural_log(ratio) - (b2 - a2) / (b2 + a2));
-}
-
-// Compliance per length of that annulus when the cylinder moves along, times G.
-float line_compliance_along(float radius_m) {
-  return natural_log(max_of(kFarFieldM / radius_m, 1.5F)) / (2 * kPi);
-}
-
-// Tissue gives way to a needle more easily along than across, but the fits hold one spring, as
-// stiff as across. What is missing along is a second one behind it, whose way is give_m: this share
-// of both. (Two stiffnesses in one fit would have no rotation in closed form.)
-float share_of_give(const ModelHead& head, const MaterialModel& m, float radius_m, float unit_m,
-                    float own_compliance, float slack) {
-  if (head.config.mode == Mode::kPaper) return 0;
-  const float row = line_compliance_along(kRowRadiusAlong * head.edge_m);
-  const float along = line_compliance_along(radius_m) - row * (m.shear_pa / m.lattice_shear_pa);
-  return 1 - min_of(1, own_compliance * slack * (m.shear_pa * unit_m) / max_of(along, 1e-6F));
-}
-
-// A CP's force relaxes as its material says: see creep.
-void set_relaxation(const ModelHead& head, Particle& p) {
-  if (head.config.mode == Mode::kPaper) return;
-  const MaterialModel& m = head.material[p.material];
-  p.memory_share = m.relaxing_fraction;
-  p.memory_keep =
-      exp_minus(head.config.period_s / max_of(m.relaxation_time_s, head.config.period_s));
-}
-
-enum class Place { kSurface, kTip, kShaft };
-
-// Mean weight of the voxel that holds a part of a CP.
-float squares_of(const Particle& p) {
-  float sum = 0;
-  for (std::uint32_t i = 0; i < p.share_count; ++i) sum += p.share[i].weight * p.share[i].weight;
-  return sum;
-}
-
-// Compliance of the lattice under the tip in contact; in 1 / (G h), with G each voxel's own. The
-// shares' mean offset is along the needle: the place they surround lies an edge deeper than the
-// tip.
-float surface_compliance(const View& view, const Particle& p, float poisson) {
-  const ModelHead& head = *view.model.head;
-  Vec3 mean = {};
-  for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    mean = mean + p.share[i].weight * p.share[i].offset_m;
-  }
-  const float along2 = max_of(dot(mean, mean), 1e-12F);
-  float beside = 0, per_shear = 0;
-  for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    const Share& share = p.share[i];
-    const Vec3 arm = cross(share.offset_m, mean);
-    beside += share.weight * share.weight * dot(arm, arm);
-    const std::uint32_t material = view.model.slot_material[share.slot];
-    per_shear += share.weight / head.material[material].lattice_shear_pa;
-  }
-  const float edge2 = head.edge_m * head.edge_m;
-  const float give = kSurfaceGive - kSurfaceGiveSlope * poisson +
-                     kSurfaceGiveSquares * squares_of(p) +
-                     kSurfaceGiveBeside * beside / (along2 * edge2);
-  return give * per_shear / head.edge_m;
-}
-
-// Spring that makes lattice and CP together as stiff as a needle of this radius in this material:
-// flat punch at the surface, rigid sphere at the inserted tip, cylinder along the shaft. Where the
-// lattice alone is softer, the largest weight is used and the shortfall reported.
-void set_stiffness(const View& view, Particle& particle, Place place) {
-  const ModelHead& head = *view.model.head;
-  const MaterialModel& m = head.material[particle.material];
-  const float k = m.lattice_shear_pa * head.edge_m;
-  const float a = view.needle_config().outer_radius_m;
-  const float nu = m.poisson_ratio;
-  const float unit = view.needle_config().unit_m;
-  float target = 0, lattice_compliance = 0, slack = 1;
-  float least = 1 / (kMaxCpWeight * k);
-  switch (place) {
-    case Place::kSurface:
-      target = 4 * m.shear_pa * a / (1 - nu);
-      lattice_compliance = surface_compliance(view, particle, nu);
-      least = kLeastOwnPart * lattice_compliance;
-      break;
-    case Place::kTip:
-      target = 24 * kPi * m.shear_pa * a * (1 - nu) / (5 - 6 * nu);
-      lattice_compliance =
-          (kInsideGive - kInsideGiveSlope * nu + kInsideGiveSquares * kMeanSquares) / k;
-      break;
-    case Place::kShaft:
-      target = m.shear_pa * unit * line_stiffness(a, nu);
-      lattice_compliance =
-          1 / (m.lattice_shear_pa * unit *
-               line_stiffness((kRowRadius - kRowRadiusSlope * nu) * head.edge_m, nu));
-      slack = kRowSlack;
-      least = least * head.edge_m / unit;
-      break;
-  }
-  const float own_compliance = max_of((1 / target - lattice_compliance) / slack, least);
-  particle.stiffness_n_per_m = head.config.mode == Mode::kPaper ? k : 1 / own_compliance;
-  particle.full_stiffness_n_per_m = particle.stiffness_n_per_m;
-  if (place == Place::kShaft) {
-    particle.give_share = share_of_give(head, m, a, unit, own_compliance, slack);
-  }
-  const float reached = 1 / (slack * own_compliance + lattice_compliance);
-  view.state.head->coupling_shortfall =
-      max_of(view.state.head->coupling_shortfall, 1 - reached / target);
-  if (place == Place::kSurface) particle.tissue_compliance = lattice_compliance / own_compliance;
-  set_relaxation(head, particle);
-}
 
 // ---- residuals and forces
 // -------------------------------------------------------------------------
@@ -671,8 +530,7 @@ void slip_shaft(const View& view, const Needle& needle) {
 float puncture_force(const View& view, const MaterialModel& m) {
   const float v =
       clamp(view.state.needle->press_m_per_s / kPunctureSpeedMPerS, kSlowestPress, kFastestPress);
-  const float x = m.puncture_exponent * natural_log(v);
-  return x < 0 ? m.puncture_n / exp_minus(-x) : m.puncture_n * exp_minus(x);
+  return m.puncture_n * power(v, -m.puncture_exponent);
 }
 
 // Takes the spring the tip has against the material it has come to: a stiffer one holds at the same
@@ -935,24 +793,6 @@ std::uint32_t remember_track(const View& view, Vec3 rest_m, Vec3 rest_direction)
   if (state.track_count < kMaxTracks) ++state.track_count;
   state.track_max = state.track_count;
   return index;
-}
-
-// The contact's law: see cone.h. Its memory is the force that is missing over the spring's
-// stiffness. The lattice gives way faster only as far as its part stays what it may be.
-ContactLaw law_of(const View& view) {
-  const ModelHead& head = *view.model.head;
-  const Particle& tip = *view.state.tip;
-  const MaterialModel& m = head.material[tip.material];
-  // A snapshot may bring any number.
-  const float tissue = min_of(tip.tissue_compliance, 1 / kLeastOwnPart);
-  const float whole = 1 + tissue, part = tissue / whole;  // over the spring's own; of all
-  const float unit_n = m.lattice_shear_pa * head.edge_m * head.edge_m;
-  constexpr float kMostPart = 1 / (1 + kLeastOwnPart);
-  const float growth = max_of(kGiveGrowth - kGiveGrowthSquares * squares_of(tip), 1e-3F);
-  const float end = (kMostPart / max_of(part, 1e-3F) - 1) / (2 * growth);
-  return contact_law({tip.full_stiffness_n_per_m / whole, head.cone_length_m[view.needle], part,
-                      growth / unit_n, unit_n * clamp(end, 0, kGiveGrowthEnd)},
-                     m.relaxing_fraction);
 }
 
 // The spread of the shares about their mean is carried by the spring of the moment.

@@ -25,8 +25,6 @@ namespace stylet {
 constexpr float kSlipFilterS = 0.02F;
 // Sliding this far renews the tissue a CP touches, and with it the relaxed part of its force.
 constexpr float kRenewalLengthM = 1e-3F;
-// Largest spring of a CP, in voxel springs k: stiffer changes nothing but the numbers' condition.
-constexpr float kMaxCpWeight = 128.0F;
 constexpr std::uint32_t kNoTrack = 0xFFFFFFFFU;
 
 // Moves the CPs of this view's needle with it, lets them slip and cut, adds and removes; needs the

@@ -75,10 +75,6 @@ ObstacleConfig canonical(ObstacleConfig config) {
   return config;
 }
 
-// A thin skin is spread over its voxels: in tension it is as stiff whatever the voxel. A needle
-// feels it spread over this depth of tissue, that of a dimple, whatever the voxel.
-constexpr float kMembraneSpreadM = 5e-3F;
-
 // Shear modulus of a material by its modulus in tension and lambda (Lame's first): the root of
 // 2 G^2 + (3 lambda - E) G - E lambda = 0, written so that no digits cancel.
 float shear_modulus_pa(float youngs_modulus_pa, float lambda_pa) {
@@ -94,11 +90,17 @@ MaterialModel material_model(const Material& m, const Config& config, float edge
                              float substep_s) {
   MaterialModel out = {};
   const float per_shear = 2 * (1 + m.poisson_ratio);
-  out.shear_pa = (m.youngs_modulus_pa + m.membrane_n_per_m / kMembraneSpreadM) / per_shear;
+  out.shear_pa = m.youngs_modulus_pa / per_shear;
   out.poisson_ratio = m.poisson_ratio;
-  // A skin is free to get thinner: it adds to the voxel's modulus in tension, not to lambda. (Were
-  // it as incompressible as the tissue, its waves of pressure, which no hand feels, would be the
-  // fastest there are: of a liver's capsule five times as fast, squared.)
+  out.skin_shear_n_per_m = m.membrane_n_per_m / per_shear;
+  if (m.membrane_n_per_m > 0) {
+    const float plane_pa = m.youngs_modulus_pa / (1 - m.poisson_ratio * m.poisson_ratio);
+    out.film = film_at(plane_pa, m.membrane_n_per_m, m.puncture_force_n);
+  }
+  // A thin skin is spread over its voxels: in tension it is as stiff whatever the voxel. It is free
+  // to get thinner: it adds to the voxel's modulus in tension, not to lambda. (Were it as
+  // incompressible as the tissue, its waves of pressure, which no hand feels, would be the fastest
+  // there are: of a liver's capsule five times as fast, squared.)
   const float lambda_pa = 2 * (m.youngs_modulus_pa / per_shear) * m.poisson_ratio /
                           (1 - 2 * m.poisson_ratio);
   out.lattice_shear_pa =
@@ -108,7 +110,8 @@ MaterialModel material_model(const Material& m, const Config& config, float edge
     const float mass_share = m.density_kg_per_m3 * edge_m * edge_m * edge_m / 8;
     out.shear_pa = config.paper_alpha * mass_share / (substep_s * substep_s) / edge_m;
     out.lattice_shear_pa = out.shear_pa;
-    out.poisson_ratio = out.lattice_volume_ratio = 0;
+    out.poisson_ratio = out.lattice_volume_ratio = out.skin_shear_n_per_m = 0;
+    out.film = {};
   }
   out.puncture_n = m.puncture_force_n;
   out.cutting_n = m.cutting_force_n;

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "film.h"
 #include "filter.h"
 #include "obstacle.h"
 #include "rod.h"
@@ -91,8 +92,10 @@ struct Friction {
 
 // What the tick needs of a material; derived once.
 struct MaterialModel {
-  float shear_pa, poisson_ratio;
-  // Of a voxel, over which a thin skin is spread: shear modulus, and lambda over twice that.
+  float shear_pa, poisson_ratio;  // without its thin skin
+  float skin_shear_n_per_m;       // of the skin, over its thickness
+  Film film;                      // the skin on the tissue
+  // Of a voxel, over which the skin is spread: shear modulus, and lambda over twice that.
   float lattice_shear_pa, lattice_volume_ratio;
   float puncture_n, cutting_n, recut_fraction;
   float puncture_exponent;

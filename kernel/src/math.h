@@ -148,4 +148,10 @@ inline float natural_log(float x) {
   return static_cast<float>(exponent) * 0.693147181F + 2.0F * s * p;
 }
 
+// Of a positive, normal base.
+inline float power(float base, float exponent) {
+  const float x = exponent * natural_log(base);
+  return x < 0 ? exp_minus(-x) : 1 / exp_minus(x);
+}
+
 }  // namespace stylet

@@ -197,32 +197,41 @@ class ClusterReference {
     const ModelHead& head = *view.model.head;
     const MaterialModel& m = head.material[tip.material];
     Vec3 off = {};
-    double squares = 0, beside = 0, per_shear = 0;
+    double squares = 0, beside = 0, all = 0;
     for (std::uint32_t i = 0; i < tip.share_count; ++i) {
       const Share& s = tip.share[i];
-      const double w = static_cast<double>(s.weight);
       off = off + s.weight * (tip.position_m - s.goal_m);
-      squares += w * w;
+      // Weights go with the roots of stiffnesses; without them they are those of one tissue.
       const MaterialModel& of = head.material[view.model.slot_material[s.slot]];
-      per_shear += w / static_cast<double>(of.lattice_shear_pa);
+      const double w =
+          static_cast<double>(s.weight) / std::sqrt(static_cast<double>(of.lattice_shear_pa));
+      all += w;
+      squares += w * w;
       // The needle of the tests goes along x.
       beside += w * w *
                 (std::pow(static_cast<double>(s.offset_m.y), 2) +
                  std::pow(static_cast<double>(s.offset_m.z), 2)) /
                 std::pow(static_cast<double>(head.edge_m), 2);
     }
+    squares /= all * all;
+    beside /= all * all;
     const double unit = static_cast<double>(m.lattice_shear_pa * head.edge_m);
     const double edge = static_cast<double>(head.edge_m);
     const double radius = static_cast<double>(head.config.needle[0].outer_radius_m);
     const double own = static_cast<double>(tip.full_stiffness_n_per_m);
     const double lattice =
-        (0.170 - 0.101 * static_cast<double>(m.poisson_ratio) + 0.097 * squares + 0.281 * beside) *
-        per_shear / edge;
+        (0.170 - 0.101 * static_cast<double>(m.poisson_ratio) + 0.097 * squares + 0.281 * beside) /
+        unit;
     const double k = 1 / (1 / own + lattice);
+    const double punch =
+        4 * static_cast<double>(m.shear_pa) * radius / (1 - static_cast<double>(m.poisson_ratio));
+    // Where the lattice is softer than the punch, the cone ends at a narrower one.
+    const double narrower = std::min(1.0, k / punch);
     const double relaxed = k * (1 - static_cast<double>(m.relaxing_fraction));
     const double grows = 0.06 - 0.1 * squares;
     const ContactReference law = {
-        radius * 3.14159265 / (2 * std::tan(3.14159265 / 12)), lattice, grows / (unit * edge),
+        narrower * radius * 3.14159265 / (2 * std::tan(3.14159265 / 12)), lattice,
+        grows / (unit * edge),
         unit * edge * std::min(5.0, (0.8 / (lattice * k) - 1) / (2 * grows))};
     const double q = own * norm_of(tip.memory_m), z = law.depth_missing(k, relaxed, q);
     const double along = own * static_cast<double>(dot(tip.memory_m, off));

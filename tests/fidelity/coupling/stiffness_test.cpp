@@ -244,7 +244,7 @@ TEST(Stiffness, ThinSkinIsFeltAlikeWhateverTheVoxelItIsSpreadOver) {
     for (const float depth_m : {0.5e-3F, 1e-3F}) {
       const double usual_n = force_on_skin(5e-3F, place, depth_m);
       for (const float edge_m : {10e-3F, 2.5e-3F}) {
-        EXPECT_NEAR(force_on_skin(edge_m, place, depth_m) / usual_n, 1, 0.1)
+        EXPECT_NEAR(force_on_skin(edge_m, place, depth_m) / usual_n, 1, 0.03)
             << "voxel " << edge_m << " m, depth " << depth_m;
       }
     }
