@@ -186,13 +186,17 @@ Near* place_for(Nearest& out, double depth_m) {
   return least->face.depth_m < depth_m ? least : nullptr;
 }
 
-// Where a body was seen beside a piece in the last look.
-Vec3d seen_at(const Nearest& before, std::uint32_t body, std::uint32_t rod) {
+// A face as it was in the last look and what bending made of it; null: it was not seen.
+struct Seen {
+  const Near* near;
+  const RodFace* face;
+};
+Seen seen(const Nearest& before, std::uint32_t body, std::uint32_t rod) {
   for (std::uint32_t i = 0; i < before.faces.count; ++i) {
     const Near& near = before.near[i];
-    if (near.body == body && near.rod == rod) return near.face.normal;
+    if (near.body == body && near.rod == rod) return {&near, before.faces.face + i};
   }
-  return {0, 0, 0};
+  return {nullptr, nullptr};
 }
 
 // All pieces, at the shape of the rods' result, and all bodies.
@@ -212,15 +216,20 @@ void look_around(const View& view, Vec3 shift, const Nearest& before, Nearest& o
         now = origin_m + rod_point(*view.model.rod, result, arc).place_m;
       }
       Near found = {body, rod, {}, last};
+      const Seen at = seen(before, body, rod);
       if (!find_face(view.model.obstacle[body], axis, radius_m,
                      last != nullptr ? last->contact : ObstacleContact{}, now,
-                     seen_at(before, body, rod), kReachM, found.face)) {
+                     at.near != nullptr ? at.near->face.normal : Vec3d{0, 0, 0}, kReachM,
+                     found.face)) {
         continue;
       }
       Near* const place = place_for(out, found.face.depth_m);
       if (place == nullptr) continue;
       *place = found;
-      out.faces.face[place - out.near] = rod_face(view, found, origin_m);
+      RodFace& face = out.faces.face[place - out.near];
+      face = rod_face(view, found, origin_m);
+      // Friction goes on from the limit that it came to, not from the last tick's once more.
+      if (at.face != nullptr) face.limit_n = at.face->limit_n;
     }
   }
 }
