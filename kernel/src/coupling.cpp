@@ -423,6 +423,12 @@ void note_slip(const ModelHead& head, Particle& p, float slip_m) {
   p.slip_m_per_s = settle(speed + head.velocity_keep * (p.slip_m_per_s - speed));
 }
 
+// A part of that slip was none.
+void note_no_slip(const ModelHead& head, Particle& p, float slip_m) {
+  const float speed = (slip_m < 0 ? -slip_m : slip_m) / head.config.period_s;
+  p.slip_m_per_s = settle(max_of(p.slip_m_per_s - (1 - head.velocity_keep) * speed, 0));
+}
+
 // Shaft length a CP stands for.
 float length_of(const View& view, const Particle& p) {
   return clamp(view.state.needle->tissue_track_m - p.track_m, 0, view.needle_config().unit_m);
@@ -1155,19 +1161,30 @@ void let_cut(const View& view) {
   view.state.head->cutting_j += static_cast<double>(work);
 }
 
-// Any CP may carry the friction of a whole unit, and one that has met none yet what it has.
+// Any CP may carry the friction of a whole unit, and one that has met none yet what it has. But
+// friction does not push the needle on the way it slips: one that has slipped in this tick takes
+// back as much of that as the tissue has come after the needle since, until it carries nothing. At
+// the next slip it would be at its limit again, and the hand would have the push for nothing.
 void let_slip(const View& view, const Needle& needle, Particle& p) {
   const float loose_m = kLoose * view.needle_config().unit_m;
   const float least = loose_m * p.friction.coulomb_n_per_m;
-  if (!(p.met_m > 0) || dot(p.force_n, p.force_n) <= least * least) return;
+  const bool pushes = dot(p.force_n, p.slip_m) < 0;
+  if (!(p.met_m > 0) || (!pushes && dot(p.force_n, p.force_n) <= least * least)) return;
   const float limit = loose_m * friction_n_per_m(p.friction, p.slip_m_per_s);
   const Vec3 direction = needle_point(needle, p.arc_m).direction;
-  const float before_n = dot(p.force_n, direction);
-  const float slip = overshoot(view, p, before_n, -limit, limit);
+  const float before_n = dot(p.force_n, direction), slipped_m = dot(p.slip_m, direction);
+  const float stuck_n = before_n + slipped_m * p.stiffness_n_per_m;  // had it not slipped
+  const float low_n = slipped_m > 0 ? clamp(stuck_n, -limit, 0) : -limit;
+  const float high_n = slipped_m < 0 ? clamp(stuck_n, 0, limit) : limit;
+  const float slip = overshoot(view, p, before_n, low_n, high_n);
   if (slip == 0) return;
   p.arc_m += slip;
   p.position_m = needle_place(needle, p.arc_m);
-  p.slip_m = p.slip_m + slip * direction;
+  if (pushes) {
+    note_no_slip(*view.model.head, p, slip);  // it still slides: how far is for the next tick to say
+  } else {
+    p.slip_m = p.slip_m + slip * direction;
+  }
   p.force_n = force_on_tissue(p);
   const float work = 0.5F * slip * (before_n + dot(p.force_n, direction));
   view.state.head->friction_j += static_cast<double>(work);

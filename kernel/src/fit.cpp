@@ -361,14 +361,14 @@ void add_changes(const View& view, std::uint32_t plane, float* force) {
   }
 }
 
-// A slip takes work at the mean of the forces before and after, as the hand's work is booked. Where
-// the force changes sign in between it takes none.
+// A slip takes work at the mean of the forces before and after, as the hand's work is booked. A
+// force that would push it on is taken back (let_slip).
 void measure_forces(const View& view) {
   StateHead& state = *view.state.head;
   for_each_particle(view, [&](std::uint32_t index) {
     Particle& p = particle_at(view, index);
     const Vec3 f = force_on_tissue(p);
-    const float work = 0.5F * dot(p.force_n + f, p.slip_m);
+    const float work = 0.5F * (dot(p.force_n, p.slip_m) + max_of(dot(f, p.slip_m), 0));
     (is_tip(index) ? state.cutting_j : state.friction_j) += static_cast<double>(max_of(work, 0));
     p.force_n = f;
   });

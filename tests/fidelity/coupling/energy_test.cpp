@@ -404,6 +404,36 @@ TEST(EnergyFromNowhere, ANeedleShakenInRelaxingTissueGainsNone) {
   }
 }
 
+// A tip that sticks in a layer is let go by the hand that pressed it, and tissue comes back with it,
+// by more in a tick than the shaft's friction holds. That friction must not push the needle on: it
+// did, and the hand had 22 uJ for nothing. (The jerk at which the hand turns back costs 0.2 uJ: its
+// work is known only as well as the force between two poses.)
+TEST(EnergyFromNowhere, FrictionOfAShaftDrawnBackDoesNotPushIt) {
+  TinyOrgan tiny = liver_block();
+  tiny.material_at = [](std::uint16_t x, std::uint16_t, std::uint16_t) {
+    return static_cast<std::uint8_t>(x < 5 ? 0 : 1);
+  };
+  for (TinyMaterial& m : tiny.materials) {
+    m.youngs_modulus_pa = 3000;
+    m.puncture_force_n = 0.1F;
+    m.relaxing_fraction = 0;
+    m.coulomb_friction_n_per_m = m.static_friction_n_per_m = 0.1F;
+    m.viscous_friction_n_s_per_m2 = 0;
+  }
+  tiny.materials[0].cutting_force_n = 0.02F;
+  tiny.materials[1].cutting_force_n = 2;
+  Rig rig = make_rig(tiny, Config{});
+  Observer observer;
+  const auto see = [&](const Output& out) { observer.see(rig, out); };
+  const Vec3 start = {-1e-3F, 16e-3F, 18.5e-3F}, in = {35e-3F, start.y, start.z};
+  drive(rig, start, in.x, 20e-3F, see);
+  ASSERT_GT(rig.view().state.needle->shaft_count, 4U);
+  const double stored_j = tissue_energy(rig.kernel(), energy(rig.kernel()));
+  EXPECT_GT(stored_j, 5e-4);
+  drive(rig, in, -10e-3F, 0.3F, see);
+  EXPECT_LT(observer.fall_j, 1e-6);
+}
+
 // A thin needle leans on tissue while its handle swings across: what its joints and the tissue
 // store is no more than the hand gave. (With one bend a tick, before the tissue gives way, they
 // store some per cent more.)
