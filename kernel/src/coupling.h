@@ -32,8 +32,8 @@ constexpr std::uint32_t kNoTrack = 0xFFFFFFFFU;
 std::uint32_t couple_needle(const View& view, const Needle& needle);
 
 // Lets CPs slip and cut once more that the tissue has taken far beyond their limits in the
-// substeps: dragged along by a fast tip it pushes a slipping shaft with many times its friction, and
-// the hand would feel that. In the way it slips it does not push it at all.
+// substeps: dragged along by a fast tip it pushes a slipping shaft with many times its friction,
+// and the hand would feel that. In the way it slips it does not push it at all.
 void let_slip(const View& view, const Needle& needle);
 
 // A bend before the tissue's step has moved the tip by so much, which its spring feels substep by

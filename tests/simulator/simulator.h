@@ -17,11 +17,12 @@
 // millimetres in a tick, and what the force did on the way is not known better than by half its
 // change: the check is E > -(kObserverJ + slack), slack the sum of half the change of the wrench
 // times the motion; there the observer also stops once a voxel is turned inside out, alone or with
-// the constraint particles in it, and where a hand throws a needle through an obstacle in a tick:
-// what pushed it on the way is not between the wrenches at the ends. It stops where an elastic
-// needle has found no stable shape (kFlagNeedleUnstable), and begins again a while after the last
-// such tick: with what is stored then. Obstacles move in the frame of the attachments, and do work
-// on a needle that touches them.
+// the constraint particles in it. Where a hand throws a needle through an obstacle in a tick, what
+// pushed it on the way is not between the wrenches at the ends: twice the force at its deepest on a
+// straight way, times the way, is the slack of that tick, and the observer goes on from what is
+// stored then. It stops where an elastic needle has found no stable shape (kFlagNeedleUnstable),
+// and begins again a while after the last such tick: with what is stored then. Obstacles move in
+// the frame of the attachments, and do work on a needle that touches them.
 #pragma once
 
 #include <cstdint>

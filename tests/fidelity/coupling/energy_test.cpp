@@ -404,10 +404,10 @@ TEST(EnergyFromNowhere, ANeedleShakenInRelaxingTissueGainsNone) {
   }
 }
 
-// A tip that sticks in a layer is let go by the hand that pressed it, and tissue comes back with it,
-// by more in a tick than the shaft's friction holds. That friction must not push the needle on: it
-// did, and the hand had 22 uJ for nothing. (The jerk at which the hand turns back costs 0.2 uJ: its
-// work is known only as well as the force between two poses.)
+// A tip that sticks in a layer is let go by the hand that pressed it, and tissue comes back with
+// it, by more in a tick than the shaft's friction holds. That friction must not push the needle on:
+// it did, and the hand had 22 uJ for nothing. (The jerk at which the hand turns back costs 0.2 uJ:
+// its work is known only as well as the force between two poses.)
 TEST(EnergyFromNowhere, FrictionOfAShaftDrawnBackDoesNotPushIt) {
   TinyOrgan tiny = liver_block();
   tiny.material_at = [](std::uint16_t x, std::uint16_t, std::uint16_t) {
