@@ -1181,7 +1181,8 @@ void let_slip(const View& view, const Needle& needle, Particle& p) {
   p.arc_m += slip;
   p.position_m = needle_place(needle, p.arc_m);
   if (pushes) {
-    note_no_slip(*view.model.head, p, slip);  // it still slides: how far is for the next tick to say
+    // It still slides (slip_m): how far is for the next tick to say.
+    note_no_slip(*view.model.head, p, slip);
   } else {
     p.slip_m = p.slip_m + slip * direction;
   }
