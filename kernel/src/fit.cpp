@@ -274,6 +274,12 @@ void begin_fits(const View& view, const FitGroup& group, Fits& fits_out) {
     fits_out.corner_turn[1][lane] = view.state.qx[slot];
     fits_out.corner_turn[2][lane] = view.state.qy[slot];
     fits_out.corner_turn[3][lane] = view.state.qz[slot];
+    const Member& member = view.scratch.member[group.first_member[lane]];
+    const Quat turn = view.state.shaft[member.particle].share[member.share].turn;
+    fits_out.joint_turn[0][lane] = turn.w;
+    fits_out.joint_turn[1][lane] = turn.x;
+    fits_out.joint_turn[2][lane] = turn.y;
+    fits_out.joint_turn[3][lane] = turn.z;
   }
 }
 

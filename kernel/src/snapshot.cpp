@@ -125,6 +125,10 @@ bool sound(const Limits& is, const Share& share, bool used) {
   if (used) {
     const Row& row = is.model.row[share.row];
     if (share.slot - row.slot >= row.count || !(is.model.slot_k[share.slot] > 0)) return false;
+    // The next fit begins there.
+    const Quat& q = share.turn;
+    const float length2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+    if (!is.faulted && !is.one(static_cast<double>(length2))) return false;
   }
   return is.part(share.weight) && is.number(share.offset_m) && is.number(share.goal_m) &&
          is.number(share.turn);

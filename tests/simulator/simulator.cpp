@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -301,73 +300,24 @@ void note_use(Simulation& s, std::span<const Output> outputs) {
   s.verdict.busiest_tick = outputs[0].tick;
 }
 
-// The matrix whose rotation a voxel follows, by columns: of its corners, and what constraint
-// particles add, whose springs may be stiffer than it (fit_lanes.h derives it).
-struct Cluster {
-  Vec3 centre_m;
-  float weight_n_per_m;
-  Vec3 place_n, offset_n;  // sums over the particles, times their weights
-  Vec3 x, y, z;
-};
-
-Cluster cluster_of(const View& view, std::uint32_t slot, std::uint32_t row) {
-  const Corners corners = sum_corners(view, slot, row);
+// Whether the corners of a voxel are turned inside out. It then has no nearest rotation to follow:
+// from there its energy is that of another one in every substep.
+bool turned_over(const Corners& corners) {
   const float* g = corners.gradient;
-  const float k = view.model.slot_k[slot], edge_m = view.model.head->edge_m;
-  const float corner = 2 * k * edge_m * edge_m;
-  return {rest_centre(view, slot, view.model.row[row]) + corners.mean_m,
-          8 * k,
-          {},
-          {},
-          corner * Vec3{1 + g[0], g[3], g[6]},
-          corner * Vec3{g[1], 1 + g[4], g[7]},
-          corner * Vec3{g[2], g[5], 1 + g[8]}};
-}
-
-bool turned_over(const Cluster& c) {
-  const Vec3 mean = (1 / c.weight_n_per_m) * c.place_n;
-  const Vec3 x = c.x - c.offset_n.x * mean, y = c.y - c.offset_n.y * mean,
-             z = c.z - c.offset_n.z * mean;
+  const Vec3 x = {1 + g[0], g[3], g[6]}, y = {g[1], 1 + g[4], g[7]}, z = {g[2], g[5], 1 + g[8]};
   return dot(x, cross(y, z)) < 0;
 }
 
-void join(const View& view, const Particle& p, std::map<std::uint32_t, Cluster>& clusters) {
-  for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    const Share& share = p.share[i];
-    const float weight = p.stiffness_n_per_m * share.weight;
-    const Cluster alone = cluster_of(view, share.slot, share.row);
-    Cluster& c = clusters.try_emplace(share.slot, alone).first->second;
-    const Vec3 pull = weight * ((p.position_m - p.slack_m) - c.centre_m);
-    c.weight_n_per_m += weight;
-    c.place_n = c.place_n + pull;
-    c.offset_n = c.offset_n + weight * share.offset_m;
-    c.x = c.x + share.offset_m.x * pull;
-    c.y = c.y + share.offset_m.y * pull;
-    c.z = c.z + share.offset_m.z * pull;
-  }
-}
-
-// Turned inside out a voxel has no nearest rotation to follow: from there its energy is that of
-// another one in every substep. Its corners may be, or they and the needle's particles together:
-// a shaft dragged sideways by more than the voxel's edge turns over what it holds.
 bool inside_out(const Kernel& kernel) {
   const View view = view_of(kernel);
   for (std::uint32_t index = 0; index < view.model.head->counts.rows; ++index) {
     const Row& row = view.model.row[index];
     for (std::uint32_t slot = row.slot; slot < row.slot + row.count; ++slot) {
       if (!(view.model.slot_k[slot] > 0)) continue;
-      if (turned_over(cluster_of(view, slot, index))) return true;
+      if (turned_over(sum_corners(view, slot, index))) return true;
     }
   }
-  std::map<std::uint32_t, Cluster> clusters;
-  for (std::uint32_t i = 0; i < counts_of(kernel).needles; ++i) {
-    const View one = needle_view(view, i);
-    const NeedleState& own = *one.state.needle;
-    for (std::uint32_t j = 0; j < own.shaft_count; ++j) join(view, one.state.shaft[j], clusters);
-    if (own.tip_alive != 0) join(view, *one.state.tip, clusters);
-  }
-  return std::any_of(clusters.begin(), clusters.end(),
-                     [](const auto& each) { return turned_over(each.second); });
+  return false;
 }
 
 // What the touches of a needle with obstacles hold: where it presses, and where it sticks.

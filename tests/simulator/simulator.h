@@ -12,17 +12,17 @@
 // The work is the integral of the wrench felt over the motion of the bases in the frame of the
 // attachments (breathing moves that frame, and does no work in it), each tick by the mean of the
 // wrenches at its two ends. Of the tissue it is the energy that the step keeps (tissue_energy in
-// simulator.cpp). What the kernel dissipates makes E grow: a kernel that makes no energy keeps E
+// step_energy.h). What the kernel dissipates makes E grow: a kernel that makes no energy keeps E
 // above zero. In a gentle session E stays above -kObserverJ. In the others a hand may move by
 // millimetres in a tick, and what the force did on the way is not known better than by half its
 // change: the check is E > -(kObserverJ + slack), slack the sum of half the change of the wrench
-// times the motion; there the observer also stops once a voxel is turned inside out, alone or with
-// the constraint particles in it. Where a hand throws a needle through an obstacle in a tick, what
-// pushed it on the way is not between the wrenches at the ends: twice the force at its deepest on a
-// straight way, times the way, is the slack of that tick, and the observer goes on from what is
-// stored then. It stops where an elastic needle has found no stable shape (kFlagNeedleUnstable),
-// and begins again a while after the last such tick: with what is stored then. Obstacles move in
-// the frame of the attachments, and do work on a needle that touches them.
+// times the motion; there the observer also stops once a voxel is turned inside out. Where a hand
+// throws a needle through an obstacle in a tick, what pushed it on the way is not between the
+// wrenches at the ends: twice the force at its deepest on a straight way, times the way, is the
+// slack of that tick, and the observer goes on from what is stored then. It stops where an elastic
+// needle has found no stable shape (kFlagNeedleUnstable), and begins again a while after the last
+// such tick: with what is stored then. Obstacles move in the frame of the attachments, and do work
+// on a needle that touches them.
 #pragma once
 
 #include <cstdint>

@@ -150,6 +150,7 @@ TEST(Snapshot, IndicesAndCountsAreHeldAgainstTheModel) {
        }},
       {"row", [&](const StateView& s) { s.shaft->share[0].row = c.rows; }},
       {"weight", [](const StateView& s) { s.shaft->share[0].weight += 0.1F; }},
+      {"no turn", [](const StateView& s) { s.shaft->share[0].turn = {}; }},
       {"share_count", [](const StateView& s) { s.shaft->share_count = kSharesPerParticle + 1; }},
       {"fewer shares", [](const StateView& s) { --s.shaft->share_count; }},
       {"no spring", [](const StateView& s) { s.shaft->stiffness_n_per_m = 0; }},

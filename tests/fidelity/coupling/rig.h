@@ -107,6 +107,7 @@ inline void hold_tissue(const View& view, Particle& p, Vec3 rest_m, float stiffn
   p.share_count = find_shares(view, rest_m, p.share);
   for (std::uint32_t i = 0; i < p.share_count; ++i) {
     p.share[i].goal_m = rest_m;
+    p.share[i].turn = {1, 0, 0, 0};
     p.share[i].offset_m = rest_m - voxel_frame(view, p.share[i].slot, p.share[i].row).rest_centre_m;
   }
 }
