@@ -15,8 +15,8 @@ to_run=(
   # figures; the scripts beside scenes, and of offline/analysis
   gnuplot-nox fonts-dejavu-core python3 python3-h5py python3-matplotlib
   # libraries, where the programs were built elsewhere
-  libccd2 libdcmtk17 libexpat1 libfmt9 libgmp10 libhdf5-103-1 libinsighttoolkit5.2 libmpfr6
-  libopenigtlink1.11 libpng16-16 libssl3 libstdc++6 zlib1g
+  libbz2-1.0 libccd2 libdcmtk17 libexpat1 libfmt9 libgmp10 libhdf5-103-1 libinsighttoolkit5.2
+  libmpfr6 libopenigtlink1.11 libpng16-16 libssl3 libstdc++6 zlib1g
 )
 to_develop=(
   build-essential ccache cmake ninja-build pkg-config
@@ -26,8 +26,8 @@ to_develop=(
   libboost-dev libcli11-dev libfmt-dev libhdf5-dev libopenigtlink-dev libtomlplusplus-dev
   nlohmann-json3-dev
   # offline
-  libcgal-dev libdcmtk-dev libeigen3-dev libexpat1-dev libinsighttoolkit5-dev libpng-dev libssl-dev
-  zlib1g-dev
+  libbz2-dev libcgal-dev libdcmtk-dev libeigen3-dev libexpat1-dev libinsighttoolkit5-dev libpng-dev
+  libssl-dev zlib1g-dev
 )
 to_test=(
   clang groff-base libbenchmark-dev libbullet-dev libclang-rt-14-dev libclang-rt-19-dev libgmock-dev

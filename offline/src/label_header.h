@@ -24,6 +24,12 @@ struct HeaderFrame {
   Vec origin_m;                    // centre of the first voxel
   std::array<Vec, 3> step_m;       // from a voxel to the next one along each index
   std::vector<std::string> notes;  // what the header leaves open, a sentence each
+  bool space_last = true;          // layers and components come before the axes in space
+};
+
+// How a number of the voxels is stored.
+struct HeaderNumber {
+  bool real = false, without_sign = false, big_endian = false;
 };
 
 // What a header says of the voxels, and where they are.
@@ -31,11 +37,13 @@ struct Claim {
   std::vector<std::uint64_t> sizes;  // first axis fastest
   std::uint64_t bytes_each = 1;
   bool packed = false;                         // by deflate
+  bool bzip2 = false;                          // by bzip2, which we unpack ourselves
   bool text = false;                           // numbers, with something between them
   std::vector<std::filesystem::path> files;    // of the voxels; none: behind the header
   std::uint64_t behind = 0;                    // bytes after the header
   bool skips = false;                          // something in front of the voxels
   std::map<std::string, std::string> remarks;  // NRRD's KEY:=VALUE
+  HeaderNumber number;                         // only of voxels packed by bzip2
   HeaderFrame frame;
 };
 

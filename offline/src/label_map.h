@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A label map: a number for every voxel of an image, and where the image lies in the patient.
 //
-// Read by ITK: NRRD (.nrrd .nhdr), MetaImage (.mha .mhd); by DCMTK: a folder with one series of
-// DICOM slices or a structure set, a DICOM segmentation, structure set or image of several frames
-// (.dcm, or whatever name); by CGAL: Inrimage (.inr .inr.gz); by ourselves: NIfTI (.nii .nii.gz),
-// versions 1 and 2. Of segments that claim a voxel both, in DICOM or in layers of 3D Slicer, the
+// Read by ITK: NRRD (.nrrd .nhdr; by libbz2 where it is packed so), MetaImage (.mha .mhd); by
+// DCMTK: a folder with one series of DICOM slices or a structure set, a DICOM segmentation,
+// structure set or image of several frames (.dcm, or whatever name); by CGAL: Inrimage (.inr
+// .inr.gz); by ourselves: NIfTI (.nii .nii.gz), versions 1 and 2. Of segments that claim a voxel both, in DICOM or in layers of 3D Slicer, the
 // higher number wins, of structures the smaller one. Axes, spacing, direction cosines and units are
 // those of the header; left and right may stay open, with a note, spacing not. Promises: what is no
 // label map (fractions, negative numbers, more values than anybody names, other than three

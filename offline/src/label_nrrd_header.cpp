@@ -77,10 +77,39 @@ void read_encoding(const std::string& path, const std::string& encoding, Claim& 
     return std::any_of(names.begin(), names.end(), [&](const char* n) { return plain == n; });
   };
   claim.packed = is({"gz", "gzip"});
+  claim.bzip2 = is({"bz2", "bzip2"});
   claim.text = is({"ascii", "text", "txt"});
-  if (!claim.packed && !claim.text && !is({"raw", "hex"})) {
-    refuse("{}: encoding: {}: expected raw, gzip, ascii or hex", path, encoding);
+  if (!claim.packed && !claim.bzip2 && !claim.text && !is({"raw", "hex"})) {
+    refuse("{}: encoding: {}: expected raw, gzip, bzip2, ascii or hex", path, encoding);
   }
+}
+
+// The names of the format's table of types: a sign where it has one, and how long it is.
+HeaderNumber read_number(const std::string& path, const HeaderFields& fields,
+                         std::uint64_t bytes_each) {
+  constexpr std::array<std::string_view, 10> kWhole = {"char",        "int8", "short", "shortint",
+                                                       "int16",       "int",  "int32", "longlong",
+                                                       "longlongint", "int64"};
+  const std::string& type = field_of(path, fields, "type").first;
+  const std::string plain = without_blanks(type);
+  std::string_view length = plain;
+  for (const std::string_view sign : {"unsigned", "signed", "u"}) {
+    if (length == plain && plain.starts_with(sign)) length.remove_prefix(sign.size());
+  }
+  if (length.ends_with("_t")) length.remove_suffix(2);
+  HeaderNumber number;
+  number.real = plain == "float" || plain == "double";
+  number.without_sign = plain.starts_with('u');
+  if (!number.real && std::find(kWhole.begin(), kWhole.end(), length) == kWhole.end()) {
+    refuse("{}: type: {}: expected whole or real numbers", path, type);
+  }
+  if (bytes_each == 1) return number;
+  const auto& [endian, line] = field_of(path, fields, "endian");
+  number.big_endian = lower(endian) == "big";
+  if (!number.big_endian && lower(endian) != "little") {
+    refuse("{}: header line {}: {}: expected little or big", path, line.number, line.text);
+  }
+  return number;
 }
 
 void read_files(const std::string& path, const HeaderFields& fields, Claim& claim) {
@@ -133,6 +162,7 @@ Claim nrrd_claim(const std::string& path, std::string_view bytes) {
   claim.behind = rest.size();
   claim.skips = skips(path, fields);
   claim.frame = nrrd_frame(path, fields, claim.sizes);
+  if (claim.bzip2) claim.number = read_number(path, fields, claim.bytes_each);
   return claim;
 }
 

@@ -4,6 +4,7 @@
 
 usage: make_label_seeds.py tests/fuzz/seeds/label
 """
+import bz2
 import gzip
 import pathlib
 import struct
@@ -28,12 +29,12 @@ def nrrd(text="", layers=1, encoding="raw"):
     sizes = " ".join(map(str, SIZE))
     layered = f"{layers} " if layers > 1 else ""
     data = numpy.repeat(voxels().astype(numpy.uint8).ravel(), layers).tobytes()
+    pack = {"raw": bytes, "gzip": gzip.compress, "bzip2": bz2.compress}[encoding]
     return (f"NRRD0004\ntype: uchar\ndimension: {3 + (layers > 1)}\nspace: "
             f"left-posterior-superior\nsizes: {layered}{sizes}\nspace directions: "
             f"{'none ' if layers > 1 else ''}(0.8,0.6,0) (-1.2,1.6,0) (0,0,3)\n"
             f"{'kinds: list domain domain domain' + chr(10) if layers > 1 else ''}"
-            f"space origin: (-4,2,11)\nencoding: {encoding}\n{text}\n").encode() + (
-                gzip.compress(data) if encoding == "gzip" else data)
+            f"space origin: (-4,2,11)\nencoding: {encoding}\n{text}\n").encode() + pack(data)
 
 
 SEGMENTS = ("Segment0_ID:=a\nSegment0_Name:=Liver\nSegment0_LabelValue:=1\nSegment0_Layer:=0\n"
@@ -119,7 +120,8 @@ def main():
     out = pathlib.Path(sys.argv[1])
     with tempfile.TemporaryDirectory() as folder:
         seeds = [("plain.nrrd", NRRD, nrrd(SEGMENTS)), ("layers.nrrd", NRRD, nrrd(SEGMENTS, 2)),
-                 ("gzip.nrrd", NRRD, nrrd(encoding="gzip")), ("one.nii", NIFTI, nifti()),
+                 ("gzip.nrrd", NRRD, nrrd(encoding="gzip")),
+                 ("bzip2.nrrd", NRRD, nrrd(SEGMENTS, 2, "bzip2")), ("one.nii", NIFTI, nifti()),
                  ("two.nii", NIFTI, nifti(True)), ("gz.nii", NIFTI_GZ, gzip.compress(nifti())),
                  ("plain.mha", META, meta()), ("plain.inr", INR, inr()),
                  ("gz.inr", INR_GZ, gzip.compress(inr())), *dicom_seeds(pathlib.Path(folder))]

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// NRRD packed by bzip2: drawn labels, in every type of number and byte order, in one stream or
+// several, attached or in files of their own; and streams that are none, end early or hold other
+// than the header says.
+#include <bzlib.h>
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cstring>
+
+#include "bake_support.h"
+#include "label_map.h"
+#include "random_bodies.h"
+#include "refusal.h"
+
+namespace stylet::test {
+namespace {
+
+using bake::LabelMap;
+using testing::HasSubstr;
+
+std::string refusal_of(const std::filesystem::path& path) {
+  try {
+    (void)bake::read_label_map(path);
+  } catch (const bake::Refusal& refused) {
+    EXPECT_EQ(std::string(refused.what()).find('\n'), std::string::npos) << refused.what();
+    return refused.what();
+  }
+  return "";
+}
+
+std::string packed(const std::string& bytes) {
+  auto size = static_cast<unsigned>(bytes.size() + bytes.size() / 100 + 600);  // bzip2's manual
+  std::string out(size, '\0');
+  EXPECT_EQ(BZ2_bzBuffToBuffCompress(out.data(), &size, const_cast<char*>(bytes.data()),
+                                     static_cast<unsigned>(bytes.size()), 9, 0, 0),
+            BZ_OK);
+  return out.substr(0, size);
+}
+
+// Several streams that follow each other, as parallel packers write them.
+std::string packed_in_parts(Draw& draw, const std::string& bytes) {
+  std::string out;
+  for (std::size_t at = 0; at < bytes.size();) {
+    const std::size_t size = 1 + draw.below(bytes.size() - at);
+    out += packed(bytes.substr(at, size));
+    at += size;
+  }
+  return out;
+}
+
+std::string header(const std::string& type, const std::string& sizes, const std::string& more) {
+  return "NRRD0004\ntype: " + type + "\ndimension: 3\nspacings: 1 2 3\nsizes: " + sizes +
+         "\nencoding: bzip2\n" + more;
+}
+
+template <typename T>
+void expect_labels_as(const char* type) {
+  const Scratch scratch;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    Draw draw(seed);
+    const std::array<std::size_t, 3> size = {1 + draw.below(40), 1 + draw.below(40),
+                                             1 + draw.below(40)};
+    const bool big = draw.below(2) == 0;
+    std::vector<std::uint16_t> labels;
+    std::string voxels;
+    for (std::size_t i = 0; i < size[0] * size[1] * size[2]; ++i) {
+      labels.push_back(static_cast<std::uint16_t>(draw.below(100)));
+      const auto value = static_cast<T>(labels.back());
+      std::array<char, sizeof(T)> raw{};
+      std::memcpy(raw.data(), &value, sizeof(T));
+      if (big) std::reverse(raw.begin(), raw.end());
+      voxels.append(raw.data(), sizeof(T));
+    }
+    const std::string sizes = fmt::format("{} {} {}", size[0], size[1], size[2]);
+    const std::string endian = std::string("endian: ") + (big ? "big" : "little") + "\n";
+    const std::string head = header(type, sizes, endian);
+    const std::size_t half = voxels.size() / sizeof(T) / 2 * sizeof(T);
+    scratch.write("a.bz2", packed(voxels.substr(0, half)));
+    scratch.write("b.bz2", packed_in_parts(draw, voxels.substr(half)));
+    for (const auto& path :
+         {scratch.write("one.nrrd", head + "\n" + packed(voxels)),
+          scratch.write("parts.nrrd", head + "byte skip: 0\n\n" + packed_in_parts(draw, voxels)),
+          scratch.write("files.nhdr", head + "data file: LIST\na.bz2\nb.bz2\n")}) {
+      const LabelMap map = bake::read_label_map(path);
+      EXPECT_EQ(map.label, labels) << path << type << seed;
+      EXPECT_EQ(map.step_m[2], (bake::Vec{0, 0, 3e-3}));
+    }
+  }
+}
+
+TEST(Bzip2, EveryTypeOfNumberHoldsLabels) {
+  expect_labels_as<std::int8_t>("signed char");
+  expect_labels_as<std::uint8_t>("uchar");
+  expect_labels_as<std::int16_t>("short");
+  expect_labels_as<std::uint16_t>("uint16_t");
+  expect_labels_as<std::int32_t>("signed int");
+  expect_labels_as<std::uint32_t>("unsigned int");
+  expect_labels_as<std::int64_t>("long long int");
+  expect_labels_as<std::uint64_t>("uint64");
+  expect_labels_as<float>("float");
+  expect_labels_as<double>("double");
+}
+
+TEST(Bzip2, LayersOfSlicerAreRead) {
+  const Scratch scratch;
+  const auto path = scratch.write(
+      "a.seg.nrrd",
+      "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 2 2 1 1\nspace: left-posterior-superior\n"
+      "space directions: none (2,0,0) (0,3,0) (0,0,4)\nspace origin: (0,0,0)\n"
+      "kinds: list domain domain domain\nencoding: bz2\nSegment0_ID:=a\nSegment0_Name:=Liver\n"
+      "Segment0_LabelValue:=1\nSegment0_Layer:=0\nSegment1_ID:=b\nSegment1_Name:=Vein\n"
+      "Segment1_LabelValue:=1\nSegment1_Layer:=1\n\n" +
+          packed(std::string("\1\0\0\1", 4)));
+  const LabelMap map = bake::read_label_map(path);
+  EXPECT_EQ(map.label, (std::vector<std::uint16_t>{1, 2}));
+  EXPECT_EQ(map.names, (bake::LabelNames{{1, "Liver"}, {2, "Vein"}}));
+}
+
+// Every place a stream may end at, and bytes of it that are others: none is taken for whole.
+TEST(Bzip2, WhatEndsOrIsDamagedIsRefusedWithThePlace) {
+  const Scratch scratch;
+  Draw draw(5);
+  std::string voxels;
+  for (int i = 0; i < 4096; ++i) voxels += static_cast<char>(draw.below(4));
+  const std::string head = header("uchar", "16 16 16", "\n"), whole = packed(voxels);
+  for (std::size_t size = 0; size < whole.size(); size += 1 + draw.below(20)) {
+    EXPECT_THAT(refusal_of(scratch.write("a.nrrd", head + whole.substr(0, size))),
+                HasSubstr("bytes of "))
+        << size;
+  }
+  // But for the digit that says how large blocks may be, and bits that fill up the last byte.
+  constexpr std::size_t kDigit = 3;
+  for (int round = 0; round < 200; ++round) {
+    std::string damaged = whole;
+    const std::size_t at = draw.below(damaged.size() - 1);
+    if (at == kDigit) continue;
+    damaged[at] ^= static_cast<char>(1U << draw.below(8));
+    EXPECT_THAT(refusal_of(scratch.write("a.nrrd", head + damaged)), HasSubstr("expected "));
+  }
+  EXPECT_THAT(refusal_of(scratch.write("a.nrrd", head + whole + "tail")),
+              HasSubstr("damaged after 4096 bytes of what it holds"));
+}
+
+TEST(Bzip2, OtherVoxelsThanTheHeaderSpeaksOfAreRefused) {
+  const Scratch scratch;
+  const auto said = [&](const char* type, const char* sizes, const char* more, std::size_t bytes) {
+    return refusal_of(scratch.write(
+        "a.nrrd", header(type, sizes, more) + "\n" + packed(std::string(bytes, '\0'))));
+  };
+  EXPECT_EQ(said("uchar", "4 4 4", "", 64), "");
+  EXPECT_THAT(said("uchar", "4 4 4", "", 63), HasSubstr("64 bytes of voxels: 63 bytes were"));
+  EXPECT_THAT(said("uchar", "4 4 4", "", 65), HasSubstr("64 bytes of voxels: 65 or more were"));
+  EXPECT_THAT(said("uchar", "4 4 4", "", std::size_t{1} << 24U), HasSubstr("65 or more were"));
+  EXPECT_THAT(said("short", "4 4 4", "", 128), HasSubstr("expected the field endian"));
+  EXPECT_THAT(said("short", "4 4 4", "endian: middle\n", 128), HasSubstr("expected little or big"));
+  EXPECT_THAT(said("short", "4 4 4", "endian: big\n", 127), HasSubstr("128 bytes of voxels"));
+  EXPECT_THAT(said("signed float", "4 4 4", "endian: big\n", 256), HasSubstr("expected whole or"));
+  EXPECT_THAT(said("uchar", "4 4 4", "byte skip: 1\n", 65), HasSubstr("no byte skip"));
+  EXPECT_THAT(said("uchar", "4 4 4", "line skip: 1\n", 65), HasSubstr("no line skip"));
+  EXPECT_THAT(said("uchar", "40000 40000 1", "", 64), HasSubstr("expected a smaller image"));
+  EXPECT_THAT(refusal_of(scratch.write(
+                  "a.nrrd",
+                  "NRRD0004\ntype: uchar\ndimension: 4\nkinds: list domain domain domain"
+                  "\nspacings: nan 1 1 1\nsizes: 4611686018427387904 2 2 2\n"
+                  "encoding: bzip2\n\nBZh9")),
+              HasSubstr("more than 268435456 values"));
+}
+
+// Headers that speak of a quarter of a milliard voxels, over a few bytes; and half a gigabyte of
+// nothing in 500 bytes, over a header that speaks of 64.
+TEST(Bzip2, CostsWhatIsThereNotWhatIsClaimed) {
+  const Scratch scratch;
+  const auto start = std::chrono::steady_clock::now();
+  const std::string some = packed(std::string(1000, '\0'));
+  EXPECT_THAT(refusal_of(scratch.write("a.nrrd", header("uchar", "16384 16384 1", "\n") + some)),
+              HasSubstr("1000 bytes were unpacked"));
+  std::string bomb;
+  const std::string nothing = packed(std::string(std::size_t{1} << 26U, '\0'));
+  for (int i = 0; i < 8; ++i) bomb += nothing;
+  EXPECT_LT(bomb.size(), 1000U);
+  rusage before{}, after{};
+  getrusage(RUSAGE_SELF, &before);
+  EXPECT_THAT(refusal_of(scratch.write("a.nrrd", header("uchar", "4 4 4", "\n") + bomb)),
+              HasSubstr("65 or more were"));
+  getrusage(RUSAGE_SELF, &after);
+  EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 64L << 10U);  // KiB
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
+}
+
+}  // namespace
+}  // namespace stylet::test
