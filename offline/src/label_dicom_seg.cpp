@@ -125,26 +125,52 @@ double threshold(const DicomFile& file, std::vector<std::string>& notes) {
   return most / 2;
 }
 
-// What the pixels of a label map have where there is no segment.
-double background_of(const DicomFile& file) {
-  const double told = number_of(*file.format->getDataset(), DCM_PixelPaddingValue);
-  return std::isnan(told) ? 0 : told;
+bool is_background(DcmItem& segment) {
+  const auto types = items_of(segment, DCM_SegmentedPropertyTypeCodeSequence);
+  return std::any_of(types.begin(), types.end(), [](DcmItem* type) {
+    return text_of(*type, DCM_CodingSchemeDesignator) == "DCM" &&
+           text_of(*type, DCM_CodeValue) == "125040";
+  });
 }
 
-void put_label_map(const DicomFile& file, const std::vector<Frame>& frames, Stack& stack) {
+// What the pixels of a label map have where there is no segment: its PixelPaddingValue. Without one
+// every pixel belongs to a segment, but for files that describe segment 0 as background, or not at
+// all, as those of dcmqi before 1.5.5 do. Source: DICOM PS3.3, C.8.20.2; PS3.16, CID 7150.
+double background_of(const DicomFile& file) {
+  const double told = number_of(*file.format->getDataset(), DCM_PixelPaddingValue);
+  if (!std::isnan(told)) return told;
+  for (DcmItem* const segment : items_of(*file.format->getDataset(), DCM_SegmentSequence)) {
+    if (number_of(*segment, DCM_SegmentNumber) != 0 || is_background(*segment)) continue;
+    refuse(
+        "{}: no PixelPaddingValue, and segment 0 is {}: expected segments from 1 on, or "
+        "PixelPaddingValue 0 where that is the background",
+        file.path, text_of(*segment, DCM_SegmentLabel));
+  }
+  return 0;
+}
+
+void put_label_map(const DicomFile& file, const std::vector<Frame>& frames, Stack& stack,
+                   std::vector<std::string>& notes) {
   const double background = background_of(file);
   std::set<std::uint16_t> different;
+  std::size_t empty = 0;
   for (const Frame& frame : frames) {
     std::vector<std::uint16_t> labels = label_pixels(file, frame.frame, different);
     for (std::uint16_t& label : labels) {
       if (label == background) {
         label = 0;
+        ++empty;
       } else if (label == 0) {
         refuse("{}: segment 0, where PixelPaddingValue is {}: expected segments from 1 on",
                frame.place.plane.what, background);
       }
     }
     put_plane(stack, frame.plane, labels);
+  }
+  if (empty > 0 && std::isnan(number_of(*file.format->getDataset(), DCM_PixelPaddingValue))) {
+    notes.push_back(fmt::format(
+        "{}: no PixelPaddingValue: its {} pixels of 0 were taken as belonging to no segment",
+        file.path, empty));
   }
 }
 
@@ -188,7 +214,7 @@ LabelMap read_dicom_seg(const DicomFile& file) {
   std::vector<std::string> notes;
   Stack stack = sparse_stack(file.path, grid, planes, step_m);
   if (pixels_are_segments(file)) {
-    put_label_map(file, frames, stack);
+    put_label_map(file, frames, stack, notes);
   } else {
     put_segments(file, frames, stack, notes);
   }

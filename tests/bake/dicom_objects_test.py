@@ -181,12 +181,40 @@ class Segmentations(Conformance):
             path = dicom.write_label_map(folder / "map", kept, {}, bits=16, background=65535)
             self.check(path, held(kept, **self.rule(slices)))
 
-        def with_no_word_of_a_background(folder, random):  # which then is 0
+        def with_no_word_of_a_background(folder, random):
+            """Without PixelPaddingValue every pixel is a segment's, unless segment 0 is the
+            background, or is not described at all."""
+            def written(described):
+                def change(file):
+                    del file.PixelPaddingValue
+                    del file.SegmentSequence[0]
+                    if described is not None:
+                        file.SegmentSequence.insert(0, described)
+                return dicom.write_label_map(folder / "map", kept, {}, change=change)
+
+            def segment_0(label, scheme, value):
+                return dicom.item(
+                    SegmentNumber=0, SegmentLabel=label,
+                    SegmentedPropertyTypeCodeSequence=dicom.one(
+                        CodeValue=value, CodingSchemeDesignator=scheme, CodeMeaning=label))
+            kept = [s for s in stack(random) if s.pixels.any()]
+            empty = sum(int((s.pixels == 0).sum()) for s in kept)
+            for described in (None, segment_0("Nothing", "DCM", "125040")):
+                self.check(written(described), held(kept, **self.rule(kept)),
+                           said=[f"no PixelPaddingValue: its {empty} pixels of 0 were taken as"])
+            for scheme, value in (("SCT", "85756007"), ("SCT", "125040"), ("DCM", "125041")):
+                self.refused(written(segment_0("Muscle", scheme, value)),
+                             "no PixelPaddingValue, and segment 0 is Muscle: expected")
+
+        def with_a_segment_in_every_pixel(folder, random):  # in which nothing is background
             def change(file):
                 del file.PixelPaddingValue
-            kept = [s for s in stack(random) if s.pixels.any()]
-            path = dicom.write_label_map(folder / "map", kept, {}, change=change)
-            self.check(path, held(kept, **self.rule(kept)))
+                del file.SegmentSequence[0]
+            slices = stack(random)
+            for each in slices:
+                each.pixels = each.pixels + 1
+            path = dicom.write_label_map(folder / "map", slices, {}, change=change)
+            self.check(path, held(slices, **self.rule(slices)))
 
         def with_a_plane_twice(folder, random):
             slices = stack(random)
@@ -200,7 +228,8 @@ class Segmentations(Conformance):
             self.refused(path, "expected segments from 1 on")
 
         self.cases(3, with_all_planes, with_wide_numbers)
-        self.cases(1, with_no_word_of_a_background, with_a_plane_twice, with_a_segment_0)
+        self.cases(1, with_no_word_of_a_background, with_a_segment_in_every_pixel,
+                   with_a_plane_twice, with_a_segment_0)
 
     def test_what_contradicts_itself_is_refused(self):
         def written(folder, random, spoil, *said, change=None, apart=None):
