@@ -4,6 +4,7 @@
 #include <set>
 
 #include "dicom_file.h"
+#include "label_names.h"
 #include "label_readers.h"
 
 namespace stylet::bake {
@@ -197,7 +198,7 @@ void read_names(const DicomFile& file, LabelMap& map) {
     for (DcmItem* const type : items_of(*segment, DCM_SegmentedPropertyTypeCodeSequence)) {
       if (name.empty()) name = text_of(*type, DCM_CodeMeaning);
     }
-    if (!name.empty()) map.names[static_cast<std::uint16_t>(number)] = name;
+    name_label(file.path, map, static_cast<std::uint16_t>(number), name);
   }
 }
 

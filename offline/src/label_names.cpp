@@ -9,6 +9,7 @@
 #include <memory>
 #include <set>
 #include <type_traits>
+#include <utility>
 
 #include "label_readers.h"
 
@@ -52,31 +53,33 @@ std::size_t character_bytes(std::string_view text) {
 
 // What expat is between a <Label Key="N"> and its end.
 struct LabelTable {
-  LabelNames names;
-  std::uint16_t open = 0;  // label; 0: none
+  std::vector<std::pair<std::uint16_t, std::string>> names;
+  bool is_open = false;
 };
 
 void on_start(void* user, const XML_Char* element, const XML_Char** attributes) {
   auto& table = *static_cast<LabelTable*>(user);
-  table.open = 0;
+  table.is_open = false;
   if (std::string_view(element) != "Label") return;
+  std::uint16_t open = 0;  // 0: none
   for (; attributes[0] != nullptr; attributes += 2) {
     if (std::string_view(attributes[0]) != "Key") continue;
     const std::string_view key = attributes[1];
     std::uint16_t label = 0;
     const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), label);
-    if (error == std::errc{} && end == key.data() + key.size()) table.open = label;
+    if (error == std::errc{} && end == key.data() + key.size()) open = label;
   }
-  if (table.open != 0) table.names[table.open].clear();
+  table.is_open = open != 0;
+  if (table.is_open) table.names.emplace_back(open, "");
 }
 
 void on_text(void* user, const XML_Char* text, int size) {
   auto& table = *static_cast<LabelTable*>(user);
-  if (table.open != 0) table.names[table.open].append(text, static_cast<std::size_t>(size));
+  if (table.is_open) table.names.back().second.append(text, static_cast<std::size_t>(size));
 }
 
 void on_end(void* user, const XML_Char* /*element*/) {
-  static_cast<LabelTable*>(user)->open = 0;
+  static_cast<LabelTable*>(user)->is_open = false;
 }
 
 // SegmentN_FIELD; N, or nothing where it is another remark.
@@ -129,6 +132,16 @@ std::string printable(std::string_view name) {
   return out;
 }
 
+void name_label(const std::string& path, LabelMap& map, std::uint16_t label,
+                std::string_view name) {
+  const std::string plain(trimmed(name));
+  if (plain.empty()) return;
+  const auto [named, is_new] = map.names.emplace(label, plain);
+  if (is_new || named->second == plain) return;
+  refuse("{}: label {} is called {} and {}: expected one name for each label", path, label,
+         printable(named->second), printable(plain));
+}
+
 void read_label_table(const std::string& path, std::string_view xml, LabelMap& map) {
   using Parser = std::unique_ptr<std::remove_pointer_t<XML_Parser>, decltype(&XML_ParserFree)>;
   const Parser parser(XML_ParserCreate("UTF-8"), &XML_ParserFree);
@@ -142,7 +155,7 @@ void read_label_table(const std::string& path, std::string_view xml, LabelMap& m
                                     XML_ErrorString(XML_GetErrorCode(parser.get()))));
     return;
   }
-  for (const auto& [label, name] : table.names) map.names[label] = trimmed(name);
+  for (const auto& [label, name] : table.names) name_label(path, map, label, name);
 }
 
 std::vector<Segment> slicer_segments(const std::string& path, const Claim& claim,

@@ -21,8 +21,11 @@ std::vector<std::uint16_t> labels_named(const LabelNames& names, std::string_vie
 // One printable line of UTF-8, whatever the file has.
 std::string printable(std::string_view name);
 
+// A name that is none changes nothing; a second one that is another is refused with both.
+void name_label(const std::string& path, LabelMap& map, std::uint16_t label, std::string_view name);
+
 // The XML of Caret and the Connectome Workbench: <Label Key="5"...>liver</Label> in a LabelTable.
-// What cannot be read becomes a note of the map.
+// What cannot be read becomes a note of the map; two names for one label are refused.
 void read_label_table(const std::string& path, std::string_view xml, LabelMap& map);
 
 // A segment of 3D Slicer: the voxels of a layer that have a value.

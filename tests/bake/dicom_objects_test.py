@@ -250,6 +250,12 @@ class Segmentations(Conformance):
         def far(folder, random):
             written(folder, random, lambda frames: None, "from the plane before", apart=5)
 
+        def named_twice(folder, random):
+            def change(file):
+                file.SegmentSequence[1].SegmentNumber = file.SegmentSequence[0].SegmentNumber
+            written(folder, random, lambda frames: None,
+                    "label 3 is called Liver and Portal vein: expected one name", change=change)
+
         def fewer(folder, random):
             def change(file):
                 file.NumberOfFrames += 1
@@ -309,8 +315,8 @@ class Segmentations(Conformance):
                 written(folder, random, lambda frames: None, f"MaximumFractionalValue {most}",
                         change=change)
 
-        self.cases(1, aside, twice, far, fewer, no_segment, unknown_kind, short, far_segment,
-                   segments_beyond_all_labels, no_rows, segment_0, fraction_of_what)
+        self.cases(1, aside, twice, named_twice, far, fewer, no_segment, unknown_kind, short,
+                   far_segment, segments_beyond_all_labels, no_rows, segment_0, fraction_of_what)
 
     def test_alone_in_a_folder_it_is_the_map(self):
         def alone(folder, random):

@@ -772,6 +772,39 @@ TEST(Nifti, TakesOnlyNamesOfLabels) {
             (bake::LabelNames{{7, "vena"}}));
 }
 
+// In one table or two, whatever stands between: a value has one name, or the file is refused.
+TEST(Nifti, TwoNamesForOneLabelAreRefusedWithBoth) {
+  const Scratch scratch;
+  std::mt19937 random(12);
+  const auto label = [](int key, const std::string& name) {
+    return "<Label Key='" + std::to_string(key) + "'>" + name + "</Label>";
+  };
+  for (int round = 0; round < 20; ++round) {
+    const int key = 1 + static_cast<int>(random() % 65535);
+    const auto said = [&](const std::string& first, const std::string& second, bool two_tables) {
+      const std::string between = two_tables ? "</LabelTable>\n<LabelTable>" : label(key - 1, "c");
+      Nifti n;
+      n.version = 1 + static_cast<int>(random() % 2);
+      if (two_tables && random() % 2 == 0) {
+        for (const std::string& name : {first, second}) {
+          n.extension += extension("<LabelTable>" + label(key, name) + "</LabelTable>", false);
+        }
+      } else {
+        n.extension = extension("<T><LabelTable>" + label(key, first) + between +
+                                    label(key, second) + "</LabelTable></T>",
+                                false);
+      }
+      return refusal_of(scratch.write("a.nii", bytes_of(n)));
+    };
+    for (const bool two_tables : {false, true}) {
+      EXPECT_THAT(said("liver", "spleen", two_tables),
+                  HasSubstr(fmt::format("label {} is called liver and spleen: expected one", key)));
+      EXPECT_EQ(said("liver", " liver ", two_tables), "");
+      EXPECT_EQ(said("liver", "", two_tables), "");
+    }
+  }
+}
+
 // A segmentation of 3D Slicer: segments lie in layers, where they may have the same value.
 TEST(Nrrd, SegmentsInLayersAreAllRead) {
   const Scratch scratch;
