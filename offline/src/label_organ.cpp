@@ -180,7 +180,7 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   Recipe recipe = as_read;
   LabelMap part = has_wall ? whole : LabelMap{};
   if (has_wall) progress("growing the wall", 0);
-  add_wall(part, recipe);
+  const std::vector<std::string> of_wall = add_wall(part, recipe);
   if (crops) part = cropped(path, has_wall ? part : whole, recipe);
   const LabelMap& map = crops || has_wall ? part : whole;
   const Groups groups = groups_of(path, map, recipe);
@@ -189,6 +189,7 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   Claimed claimed;
   Built built;
   built.report.warnings = whole.notes;
+  built.report.warnings.insert(built.report.warnings.end(), of_wall.begin(), of_wall.end());
   built.obstacles = find_obstacles(path, map, recipe, groups);
   built.targets = find_targets(map, recipe);
   for (const Vec& point : skin.points) grow(claimed.box, point);

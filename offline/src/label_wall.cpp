@@ -5,7 +5,9 @@
 #include <limits>
 
 #include "label_readers.h"
+#include "losses.h"
 #include "refusal.h"
+#include "wall_thickness.h"
 
 namespace stylet::bake {
 namespace {
@@ -146,10 +148,36 @@ void add_label(Recipe& recipe, const std::string& tissue, std::uint16_t label) {
   }
 }
 
+std::vector<float> roots(std::vector<float> squared) {
+  for (float& each : squared) each = std::sqrt(each);
+  return squared;
+}
+
+// Of layers that are not as thick as they were asked to be.
+std::vector<std::string> warnings_of(const LabelMap& map, const WallDistances& distances,
+                                     const Recipe& recipe,
+                                     const std::vector<std::uint16_t>& label_of_layer) {
+  const std::vector<double> thickness_m = layer_thickness_m(map, distances, label_of_layer);
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < thickness_m.size(); ++i) {
+    const WallLayer& layer = recipe.wall[i];
+    const double off = thickness_m[i] / layer.thickness_m - 1;
+    if (!(std::abs(off) > kMostOff)) continue;
+    warnings.push_back(fmt::format(
+        "layer {}: {:.3g} mm thick on average on the map's voxels of {:.3g} x {:.3g} x {:.3g} mm, "
+        "of "
+        "{:.3g} mm given ({:+} %): expected a finer map, or a thickness of whole voxels",
+        layer.tissue, thickness_m[i] * 1e3, length(map.step_m[0]) * 1e3,
+        length(map.step_m[1]) * 1e3, length(map.step_m[2]) * 1e3, layer.thickness_m * 1e3,
+        std::lround(100 * off)));
+  }
+  return warnings;
+}
+
 }  // namespace
 
-void add_wall(LabelMap& map, Recipe& recipe) {
-  if (recipe.wall.empty()) return;
+std::vector<std::string> add_wall(LabelMap& map, Recipe& recipe) {
+  if (recipe.wall.empty()) return {};
   double thickness_m = 0;
   for (const WallLayer& layer : recipe.wall) thickness_m += layer.thickness_m;
   map = padded(map, thickness_m);
@@ -159,6 +187,7 @@ void add_wall(LabelMap& map, Recipe& recipe) {
   // A surface lies about 0.3 voxels beyond the middle that is nearest to it, over all directions.
   const double beyond_m = 0.3 * std::cbrt(voxel_volume_m3(map));
   const auto within = static_cast<float>((thickness_m + beyond_m) * (thickness_m + beyond_m));
+  WallDistances distances{roots(squared_m2), {}, thickness_m};
   for (float& each : squared_m2) each = each > within ? 0 : kFar;  // now from what lies outside
   square_distances(map, squared_m2);
   std::vector<std::uint16_t> label_of_layer;
@@ -175,6 +204,8 @@ void add_wall(LabelMap& map, Recipe& recipe) {
     }
     map.label[i] = label_of_layer[layer];
   }
+  distances.from_outside_m = roots(std::move(squared_m2));
+  return warnings_of(map, distances, recipe, label_of_layer);
 }
 
 }  // namespace stylet::bake
