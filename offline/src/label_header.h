@@ -39,11 +39,13 @@ struct Claim {
   bool packed = false;                         // by deflate
   bool bzip2 = false;                          // by bzip2, which we unpack ourselves
   bool text = false;                           // numbers, with something between them
+  bool commas = false;                         // which may be commas
+  bool hex = false;                            // two digits a byte
   std::vector<std::filesystem::path> files;    // of the voxels; none: behind the header
   std::uint64_t behind = 0;                    // bytes after the header
   bool skips = false;                          // something in front of the voxels
   std::map<std::string, std::string> remarks;  // NRRD's KEY:=VALUE
-  HeaderNumber number;                         // only of voxels packed by bzip2
+  HeaderNumber number;                         // of voxels packed by bzip2, or of text
   HeaderFrame frame;
 };
 

@@ -13,6 +13,7 @@
 #include "label_header.h"
 #include "label_names.h"
 #include "label_readers.h"
+#include "label_whole.h"
 
 namespace stylet::bake {
 namespace {
@@ -49,6 +50,17 @@ std::uint64_t held_bytes(const std::string& path, const Claim& claim, std::strin
   return held;
 }
 
+void require_whole(const std::string& path, const Claim& claim, std::string_view bytes) {
+  if (!WholeVoxels::concern(claim)) return;
+  WholeVoxels voxels(path, claim);
+  if (claim.files.empty()) voxels.add(path, bytes.substr(bytes.size() - claim.behind));
+  for (const std::filesystem::path& file : claim.files) {
+    const std::filesystem::path beside = std::filesystem::path(path).parent_path() / file;
+    voxels.add(beside.string(), read_file(beside));
+  }
+  voxels.finish();
+}
+
 Claim checked_claim(const std::string& path, std::string_view bytes, std::string& sha256_out) {
   Claim claim = is_nrrd(path) ? nrrd_claim(path, bytes) : meta_claim(path, bytes);
   const std::size_t at = claim.sizes.size() - 3;  // layers come first
@@ -57,6 +69,7 @@ Claim checked_claim(const std::string& path, std::string_view bytes, std::string
   if (claim.bzip2) return claim;  // its reader unpacks what is there, and counts
   require_held(path, claim, held);
   require_no_more(path, claim, claim.files.empty() ? claim.behind : held);
+  require_whole(path, claim, bytes);
   return claim;
 }
 

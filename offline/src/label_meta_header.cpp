@@ -140,6 +140,9 @@ Claim meta_claim(const std::string& path, std::string_view bytes) {
     refuse("{}: several values a voxel: expected labels, which are one", path);
   }
   claim.bytes_each = bytes_of_type(path, fields);
+  const std::string& type = fields.at("ElementType").first;
+  claim.number.real = type == "MET_FLOAT" || type == "MET_DOUBLE";
+  claim.number.without_sign = type.starts_with("MET_U");
   claim.packed = is_true(fields, "CompressedData", false);
   claim.text = !claim.packed && !is_true(fields, "BinaryData", true);
   read_files(path, fields, rest, claim);

@@ -78,15 +78,15 @@ void read_encoding(const std::string& path, const std::string& encoding, Claim& 
   };
   claim.packed = is({"gz", "gzip"});
   claim.bzip2 = is({"bz2", "bzip2"});
-  claim.text = is({"ascii", "text", "txt"});
-  if (!claim.packed && !claim.bzip2 && !claim.text && !is({"raw", "hex"})) {
+  claim.text = claim.commas = is({"ascii", "text", "txt"});
+  claim.hex = is({"hex"});
+  if (!claim.packed && !claim.bzip2 && !claim.text && !claim.hex && !is({"raw"})) {
     refuse("{}: encoding: {}: expected raw, gzip, bzip2, ascii or hex", path, encoding);
   }
 }
 
 // The names of the format's table of types: a sign where it has one, and how long it is.
-HeaderNumber read_number(const std::string& path, const HeaderFields& fields,
-                         std::uint64_t bytes_each) {
+HeaderNumber read_number(const std::string& path, const HeaderFields& fields, const Claim& claim) {
   constexpr std::array<std::string_view, 10> kWhole = {"char",        "int8", "short", "shortint",
                                                        "int16",       "int",  "int32", "longlong",
                                                        "longlongint", "int64"};
@@ -103,7 +103,7 @@ HeaderNumber read_number(const std::string& path, const HeaderFields& fields,
   if (!number.real && std::find(kWhole.begin(), kWhole.end(), length) == kWhole.end()) {
     refuse("{}: type: {}: expected whole or real numbers", path, type);
   }
-  if (bytes_each == 1) return number;
+  if (claim.text || claim.bytes_each == 1) return number;
   const auto& [endian, line] = field_of(path, fields, "endian");
   number.big_endian = lower(endian) == "big";
   if (!number.big_endian && lower(endian) != "little") {
@@ -162,7 +162,7 @@ Claim nrrd_claim(const std::string& path, std::string_view bytes) {
   claim.behind = rest.size();
   claim.skips = skips(path, fields);
   claim.frame = nrrd_frame(path, fields, claim.sizes);
-  if (claim.bzip2) claim.number = read_number(path, fields, claim.bytes_each);
+  if (claim.bzip2 || claim.text) claim.number = read_number(path, fields, claim);
   return claim;
 }
 
