@@ -4,13 +4,13 @@
 // Read by ITK: NRRD (.nrrd .nhdr; by libbz2 where it is packed so), MetaImage (.mha .mhd); by
 // DCMTK: a folder with one series of DICOM slices or a structure set, a DICOM segmentation,
 // structure set or image of several frames (.dcm, or whatever name); by CGAL: Inrimage (.inr
-// .inr.gz); by ourselves: NIfTI (.nii .nii.gz), versions 1 and 2. Of segments that claim a voxel both, in DICOM or in layers of 3D Slicer, the
-// higher number wins, of structures the smaller one. Axes, spacing, direction cosines and units are
-// those of the header; left and right may stay open, with a note, spacing not. Promises: what is no
-// label map (fractions, negative numbers, more values than anybody names, other than three
-// dimensions) and what contradicts itself is refused with one line; memory and time follow the
-// bytes there are, not what a header says. Units: metres. Frame: the patient's, x to the left, y to
-// the back, z to the head (LPS).
+// .inr.gz); by ourselves: NIfTI (.nii .nii.gz), versions 1 and 2. Of segments that claim a voxel
+// both, in DICOM or in layers of 3D Slicer, the higher number wins, of structures the smaller one.
+// Axes, spacing, direction cosines and units are those of the header; left and right may stay open,
+// with a note, spacing not. Promises: what is no label map (fractions, negative numbers, more
+// values than anybody names, other than three dimensions) and what contradicts itself is refused
+// with one line; memory and time follow the bytes there are, not what a header says. Units: metres.
+// Frame: the patient's, x to the left, y to the back, z to the head (LPS).
 #pragma once
 
 #include <array>

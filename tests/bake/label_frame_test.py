@@ -259,7 +259,7 @@ class Nrrd(Case):
         for old, new, *said in (
                 (b"NRRD0005", b"NRRD9", "expected the header of an NRRD"),
                 (b"type: uint8", b"type: block", "type: block", "expected whole or real"),
-                (b"encoding: raw", b"encoding: bzip2", "encoding: bzip2", "expected raw"),
+                (b"encoding: raw", b"encoding: zstd", "encoding: zstd", "expected raw"),
                 (b"dimension: 3", b"dimension: 3 3", "expected as many as the dimension"),
                 (b"dimension: 3", b"dimension 3", "expected FIELD: VALUE"),
                 (b"dimension: 3", b"dimension: 3\nkinds: domain domain", "expected 3 kinds"),
