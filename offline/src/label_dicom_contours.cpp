@@ -5,7 +5,10 @@
 // structures that share a voxel the smaller one has it, as an outline of the whole body holds all
 // others. Source: DICOM PS3.3, C.8.8.5 and C.8.8.6.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <compare>
+#include <numeric>
 
 #include "dicom_file.h"
 #include "label_names.h"
@@ -59,6 +62,11 @@ Contour contour_of(const std::string& where, DcmItem& item) {
     refuse("{}: {} numbers in ContourData: expected three for each of three points or more", where,
            numbers.size());
   }
+  const double told = number_of(item, DCM_NumberOfContourPoints);
+  if (!std::isnan(told) && told != static_cast<double>(numbers.size() / 3)) {
+    refuse("{}: NumberOfContourPoints {}, but ContourData holds {}: expected as many", where, told,
+           numbers.size() / 3);
+  }
   Contour contour;
   for (std::size_t i = 0; i < numbers.size(); i += 3) {
     contour.points_m.push_back(Vec{numbers[i], numbers[i + 1], numbers[i + 2]} * 1e-3);
@@ -81,6 +89,33 @@ void take_contours(const DicomFile& file, DcmItem& roi, Structure& structure,
       ++left_out;
     }
   }
+}
+
+// Takes out what is there a second time, which as a contour inside of itself would be a hole. How
+// many those are.
+std::size_t drop_repeated(std::vector<Contour>& contours) {
+  std::vector<std::size_t> order(contours.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto compare = [&](std::size_t a, std::size_t b) {
+    const auto &p = contours[a].points_m, &q = contours[b].points_m;
+    return std::lexicographical_compare_three_way(
+        p.begin(), p.end(), q.begin(), q.end(), [](Vec u, Vec v) {
+          return std::array{u.x, u.y, u.z} <=> std::array{v.x, v.y, v.z};
+        });
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return compare(a, b) < 0; });
+  std::vector<bool> repeated(contours.size(), false);
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    repeated[order[i]] = compare(order[i - 1], order[i]) == 0;
+  }
+  std::vector<Contour> kept;
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    if (!repeated[i]) kept.push_back(std::move(contours[i]));
+  }
+  const std::size_t dropped = contours.size() - kept.size();
+  contours = std::move(kept);
+  return dropped;
 }
 
 // In the order of the file; by ROINumber, where all of them are labels, else by their order.
@@ -118,6 +153,12 @@ std::vector<Structure> structures_of(const DicomFile& file, std::vector<std::str
   if (left_out > 0) {
     notes.push_back(
         fmt::format("{}: {} contours are points or open lines: left out", file.path, left_out));
+  }
+  for (Structure& each : structures) {
+    const std::size_t repeated = drop_repeated(each.contours);
+    if (repeated == 0) continue;
+    notes.push_back(fmt::format("{}: {}: {} contours are there a second time: taken once",
+                                file.path, each.name, repeated));
   }
   return structures;
 }

@@ -22,22 +22,27 @@ bool pixels_are_segments(const DicomFile& file) {
   return text_of(file, DCM_SegmentationType) == "LABELMAP";
 }
 
-std::uint16_t segment_of(const DicomFile& file, std::size_t frame) {
+std::uint16_t segment_of(const DicomFile& file, std::size_t frame,
+                         const std::set<std::uint16_t>& described) {
   if (pixels_are_segments(file)) return 0;
   const double number =
       number_of(file, frame, DCM_SegmentIdentificationSequence, DCM_ReferencedSegmentNumber);
   if (!(number >= 1 && number <= 65535)) {
     refuse("{}: ReferencedSegmentNumber {}: expected 1 to 65535", frame_name(file, frame), number);
   }
+  if (!described.contains(static_cast<std::uint16_t>(number))) {
+    refuse("{}: ReferencedSegmentNumber {}: expected that of a segment in SegmentSequence",
+           frame_name(file, frame), number);
+  }
   return static_cast<std::uint16_t>(number);
 }
 
 // Along the normal.
-std::vector<Frame> frames_of(const DicomFile& file) {
+std::vector<Frame> frames_of(const DicomFile& file, const std::set<std::uint16_t>& described) {
   require_map_size(file.path, {file.columns, file.rows, file.frames});
   std::vector<Frame> frames;
   for (std::size_t i = 0; i < file.frames; ++i) {
-    frames.push_back({i, 0, segment_of(file, i), place_of(file, i)});
+    frames.push_back({i, 0, segment_of(file, i, described), place_of(file, i)});
     require_same_grid(frames.front().place, frames.back().place);
   }
   const PixelGrid& grid = frames.front().place.grid;
@@ -187,7 +192,9 @@ void put_segments(const DicomFile& file, const std::vector<Frame>& frames, Stack
   }
 }
 
-void read_names(const DicomFile& file, LabelMap& map) {
+// The numbers of all segments, also of those without a name.
+std::set<std::uint16_t> read_names(const DicomFile& file, LabelMap& map) {
+  std::set<std::uint16_t> numbers;
   for (DcmItem* const segment : items_of(*file.format->getDataset(), DCM_SegmentSequence)) {
     const double number = number_of(*segment, DCM_SegmentNumber);
     if (pixels_are_segments(file) && number == background_of(file)) continue;
@@ -198,14 +205,17 @@ void read_names(const DicomFile& file, LabelMap& map) {
     for (DcmItem* const type : items_of(*segment, DCM_SegmentedPropertyTypeCodeSequence)) {
       if (name.empty()) name = text_of(*type, DCM_CodeMeaning);
     }
+    numbers.insert(static_cast<std::uint16_t>(number));
     name_label(file.path, map, static_cast<std::uint16_t>(number), name);
   }
+  return numbers;
 }
 
 }  // namespace
 
 LabelMap read_dicom_seg(const DicomFile& file) {
-  std::vector<Frame> frames = frames_of(file);
+  LabelMap named;
+  std::vector<Frame> frames = frames_of(file, read_names(file, named));
   const std::vector<Plane> planes = planes_of(frames);
   const PixelGrid grid = frames.front().place.grid;
   const Vec across = cross(grid.column_step_m, grid.row_step_m);
@@ -226,7 +236,7 @@ LabelMap read_dicom_seg(const DicomFile& file) {
         "{}: {} voxels lie in several segments: the one with the higher number has them", file.path,
         stack.claimed_twice));
   }
-  read_names(file, map);
+  map.names = std::move(named.names);
   return map;
 }
 

@@ -224,6 +224,7 @@ class Segmentations(Conformance):
         def with_a_segment_0(folder, random):
             def change(file):
                 file.PixelPaddingValue = 255
+                del file.SegmentSequence[0]
             path = dicom.write_label_map(folder / "map", stack(random), {}, change=change)
             self.refused(path, "expected segments from 1 on")
 
@@ -249,6 +250,14 @@ class Segmentations(Conformance):
 
         def far(folder, random):
             written(folder, random, lambda frames: None, "from the plane before", apart=5)
+
+        def undescribed(folder, random):
+            def change(file):
+                file.PerFrameFunctionalGroupsSequence[5].SegmentIdentificationSequence[
+                    0].ReferencedSegmentNumber = 6
+            written(folder, random, lambda frames: None,
+                    "frame 5: ReferencedSegmentNumber 6: expected that of a segment",
+                    change=change)
 
         def named_twice(folder, random):
             def change(file):
@@ -315,8 +324,8 @@ class Segmentations(Conformance):
                 written(folder, random, lambda frames: None, f"MaximumFractionalValue {most}",
                         change=change)
 
-        self.cases(1, aside, twice, named_twice, far, fewer, no_segment, unknown_kind, short,
-                   far_segment, segments_beyond_all_labels, no_rows, segment_0, fraction_of_what)
+        self.cases(1, aside, twice, named_twice, undescribed, far, fewer, no_segment, unknown_kind,
+                   short, far_segment, segments_beyond_all_labels, no_rows, segment_0, fraction_of_what)
 
     def test_alone_in_a_folder_it_is_the_map(self):
         def alone(folder, random):
@@ -473,6 +482,15 @@ class StructureSets(Conformance):
                                           [(1, "Wall", shuffled(random, both))])
             self.check(path, {1: drawn.held(outer, [inner])}, NEAR)
 
+        def repeated(folder, random):  # would be holes of themselves
+            drawn = Drawn(random)
+            liver = drawn.outlines(30, (0, 0))
+            contours = drawn.contours(liver)
+            path = dicom.write_structures(folder / "rt.dcm", [
+                (1, "Liver", shuffled(random, contours + contours[2:5] + contours[3:4]))])
+            self.check(path, {1: drawn.held(liver)}, NEAR,
+                       said=["Liver: 4 contours are there a second time: taken once"])
+
         def keyholes(folder, random):
             drawn = Drawn(random)
             outer, inner = drawn.outlines(30, (0, 0)), drawn.outlines(14, (2, -1))
@@ -490,8 +508,8 @@ class StructureSets(Conformance):
                        said=["the smallest of them has each"])
 
         self.cases(3, oblique)
-        self.cases(1, axial, of_many_points, holes, keyholes, inside, sagittal_and_coronal, wide,
-                   exclusive)
+        self.cases(1, axial, of_many_points, holes, repeated, keyholes, inside,
+                   sagittal_and_coronal, wide, exclusive)
 
     def on_series(self, folder, random, planes=14, change=None):
         """A series, and outlines on its slices."""
@@ -687,6 +705,13 @@ class StructureSets(Conformance):
                 del file.ROIContourSequence[1].ContourSequence[0].ContourData
             written(folder, random, lambda good: good, "0 numbers in ContourData", change=change)
 
+        def other_count(folder, random):
+            def change(file):
+                file.ROIContourSequence[1].ContourSequence[0].NumberOfContourPoints = 79
+            written(folder, random, lambda good: good,
+                    "NumberOfContourPoints 79, but ContourData holds 80: expected as many",
+                    change=change)
+
         def odd_numbers(folder, random):
             def change(file):
                 file.ROIContourSequence[1].ContourSequence[0].ContourData.append("1")
@@ -719,8 +744,8 @@ class StructureSets(Conformance):
             written(folder, random, lambda good: good, "0 structures: expected 1 to",
                     change=change)
 
-        self.cases(1, bent, two_points, unknown, points, no_numbers, odd_numbers, no_number,
-                   too_many, far_away, twice, none)
+        self.cases(1, bent, two_points, unknown, points, no_numbers, other_count, odd_numbers,
+                   no_number, too_many, far_away, twice, none)
 
 
 if __name__ == "__main__":
