@@ -25,7 +25,8 @@ Order any_order(std::mt19937& random) {
 
 // As the session relies on.
 bool within_bounds(const Order& order) {
-  for (const unsigned char each : order.text) {
+  for (const char letter : order.text) {
+    const auto each = static_cast<unsigned char>(letter);
     if (order.verb == Verb::kMark && (each < ' ' || each == 0x7F)) return false;
   }
   return order.verb >= Verb::kStart && order.verb <= Verb::kAcknowledge &&
