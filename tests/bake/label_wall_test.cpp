@@ -306,8 +306,8 @@ TEST(Wall, LayersThatVoxelsMakeThinnerOrThickerAreTold) {
     const std::vector<std::string> warnings = bake::add_wall(map, recipe);
     double below = drawn_larger_mm(map, body);
     for (std::size_t i = 0; i < recipe.wall.size(); ++i) {
-      const auto& [tissue, thickness_m] = recipe.wall[i];
-      const double above = below + thickness_m * 1e3;
+      const std::string& tissue = recipe.wall[i].tissue;
+      const double above = below + recipe.wall[i].thickness_m * 1e3;
       const auto voxels =
           std::count(map.label.begin(), map.label.end(), recipe.groups[i + 1].labels[0]);
       const double drawn_mm3 = static_cast<double>(voxels) * bake::voxel_volume_m3(map) * 1e9;

@@ -513,10 +513,10 @@ TEST(Program, AnotherSceneHasAnOrganOfItsOwn) {
     return hello == nullptr ? 0 : hello->corners()->size() / 8;
   };
   EXPECT_EQ(voxels("first.toml"), 5 * 4 * 4U) << program.output();
-  for (const auto& [scene, expected] : {std::pair("second.toml", 64U), {"first.toml", 80U}}) {
+  for (const auto& each : {std::pair("second.toml", 64U), {"first.toml", 80U}}) {
     client.say_message(page_message(
-        Body::Choose, [&](auto& b) { return CreateChoose(b, b.CreateString(scene)); }));
-    EXPECT_EQ(voxels(scene), expected) << program.output();
+        Body::Choose, [&](auto& b) { return CreateChoose(b, b.CreateString(each.first)); }));
+    EXPECT_EQ(voxels(each.first), each.second) << program.output();
   }
 }
 
