@@ -66,18 +66,34 @@ compile() {
     die "the build failed" "The first message above that says 'error' or 'FAILED' is the cause."
 }
 
+# What the address sanitizer said of any process of the tests, also of one beside a run whose end
+# a test forgives. Out of memory are those that a test starves.
+sanitizer_reports() {
+  grep -lsE 'ERROR: AddressSanitizer: |runtime error: |ERROR: LeakSanitizer: detected' \
+    "$build"/Testing/sanitizer.* |
+    xargs -r grep -LE 'AddressSanitizer: (out-of-memory|allocator is out of memory)' || true
+}
+
 # run_tests [CTEST_ARGUMENT...]: the results stay for promises.py until the same are run again.
 run_tests() {
   say "Testing ($preset)"
-  local results=$build/Testing/results
+  local results=$build/Testing/results status=0 found watch=()
   results+=/$(cksum <<<"$*" | cut -d' ' -f1).xml
+  if [ "$preset" = sanitize ]; then
+    rm -f "$build"/Testing/sanitizer.*
+    watch=({ASAN,UBSAN}_OPTIONS="log_path=$build/Testing/sanitizer")
+  fi
   # Libraries leak too; only the address sanitizer asks.
-  LSAN_OPTIONS="suppressions=$root/toolchain/leaks.txt:print_suppressions=0" \
+  env LSAN_OPTIONS="suppressions=$root/toolchain/leaks.txt:print_suppressions=0" "${watch[@]}" \
     ctest --test-dir "$build" --output-on-failure -j 2 --output-junit "$results" \
-      --test-output-size-passed 100000 "$@" || {
-    local status=$?
+      --test-output-size-passed 100000 "$@" || status=$?
+  found=$(sanitizer_reports)
+  [ -z "$found" ] || xargs head -n 60 <<<"$found" >&2
+  [ $status -eq 0 ] ||
     die "some tests failed; they are listed above" \
       "One of them again, with its output:  ctest --test-dir ${build#"$root"/} -V -R NAME" \
       "The whole log: $build/Testing/Temporary/LastTest.log (ctest exit code $status)"
-  }
+  [ -z "$found" ] ||
+    die "every test passed, but a sanitizer found something in a process of theirs; it is above" \
+      "$found"
 }
