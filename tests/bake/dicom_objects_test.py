@@ -325,7 +325,8 @@ class Segmentations(Conformance):
                         change=change)
 
         self.cases(1, aside, twice, named_twice, undescribed, far, fewer, no_segment, unknown_kind,
-                   short, far_segment, segments_beyond_all_labels, no_rows, segment_0, fraction_of_what)
+                   short, far_segment, segments_beyond_all_labels, no_rows, segment_0,
+                   fraction_of_what)
 
     def test_alone_in_a_folder_it_is_the_map(self):
         def alone(folder, random):
