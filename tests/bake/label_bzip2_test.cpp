@@ -11,6 +11,7 @@
 
 #include "bake_support.h"
 #include "label_map.h"
+#include "label_support.h"
 #include "random_bodies.h"
 #include "refusal.h"
 
@@ -19,16 +20,6 @@ namespace {
 
 using bake::LabelMap;
 using testing::HasSubstr;
-
-std::string refusal_of(const std::filesystem::path& path) {
-  try {
-    (void)bake::read_label_map(path);
-  } catch (const bake::Refusal& refused) {
-    EXPECT_EQ(std::string(refused.what()).find('\n'), std::string::npos) << refused.what();
-    return refused.what();
-  }
-  return "";
-}
 
 std::string packed(const std::string& bytes) {
   auto size = static_cast<unsigned>(bytes.size() + bytes.size() / 100 + 600);  // bzip2's manual

@@ -16,6 +16,7 @@
 #include "label_header.h"
 #include "label_map.h"
 #include "label_names.h"
+#include "label_support.h"
 #include "random_bodies.h"
 #include "refusal.h"
 
@@ -26,30 +27,6 @@ using bake::LabelMap;
 using bake::Vec;
 using testing::HasSubstr;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-std::string refusal_of(const std::filesystem::path& path) {
-  try {
-    (void)bake::read_label_map(path);
-  } catch (const bake::Refusal& refused) {
-    EXPECT_EQ(std::string(refused.what()).find('\n'), std::string::npos) << refused.what();
-    return refused.what();
-  }
-  return "";
-}
-
-std::string gzipped(const std::string& bytes) {
-  std::string out(compressBound(bytes.size()) + 32, '\0');
-  z_stream stream{};
-  deflateInit2(&stream, 9, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-  stream.avail_in = static_cast<uInt>(bytes.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  deflate(&stream, Z_FINISH);
-  out.resize(stream.total_out);
-  deflateEnd(&stream);
-  return out;
-}
 
 // ---- what is counted ---------------------------------------------------------------------------
 
@@ -127,12 +104,12 @@ TEST(LabelHeader, SpeaksOfTheVoxelsThatAreThere) {
       voxels += static_cast<char>(random() % 4);
     }
     const auto files = [&](const Sizes& n) {
-      const std::string zlib = gzipped(voxels);
-      return std::vector<std::filesystem::path>{scratch.write("a.nrrd", nrrd(n, "raw", voxels)),
-                                                scratch.write("b.nrrd", nrrd(n, "gzip", zlib)),
-                                                scratch.write("a.mha", meta(n, "", voxels)),
-                                                scratch.write("a.inr", inr(n, voxels)),
-                                                scratch.write("a.inr.gz", gzipped(inr(n, voxels)))};
+      const std::string zlib = deflated(voxels);
+      return std::vector<std::filesystem::path>{
+          scratch.write("a.nrrd", nrrd(n, "raw", voxels)),
+          scratch.write("b.nrrd", nrrd(n, "gzip", zlib)),
+          scratch.write("a.mha", meta(n, "", voxels)), scratch.write("a.inr", inr(n, voxels)),
+          scratch.write("a.inr.gz", deflated(inr(n, voxels)))};
     };
     const Sizes right = {std::to_string(size[0]), std::to_string(size[1]), std::to_string(size[2])};
     for (const auto& path : files(right)) {
@@ -157,7 +134,7 @@ TEST(LabelHeader, CostsWhatIsThereNotWhatIsClaimed) {
   const Sizes large = {"16384", "16384", "1"}, small = {"2", "2", "2"};
   const std::pair<std::string, const char*> files[] = {
       {scratch.write("raw.nrrd", nrrd(large, "raw", "ab")), "bytes are there"},
-      {scratch.write("gzip.nrrd", nrrd(large, "gzip", gzipped("ab"))), "bytes are there"},
+      {scratch.write("gzip.nrrd", nrrd(large, "gzip", deflated("ab"))), "bytes are there"},
       {scratch.write("text.nrrd", nrrd(large, "ascii", "1 2")), "bytes are there"},
       {scratch.write("hex.nrrd", nrrd(large, "hex", "0102")), "bytes are there"},
       {scratch.write(
@@ -484,7 +461,8 @@ TEST(Nifti, LiesWhereEitherFormSaysInEitherVersionByteOrderAndUnit) {
     for (char& label : n.voxels) label = static_cast<char>(random() % 5);
     const std::string bytes = bytes_of(n);
     const bool zipped = random() % 2 == 0;
-    const auto path = scratch.write(zipped ? "a.nii.gz" : "a.nii", zipped ? gzipped(bytes) : bytes);
+    const auto path =
+        scratch.write(zipped ? "a.nii.gz" : "a.nii", zipped ? deflated(bytes) : bytes);
     const LabelMap map = bake::read_label_map(path);
     EXPECT_EQ(map.size, (std::array<std::uint32_t, 3>{2, 3, 4}));
     EXPECT_EQ(std::string(map.label.begin(), map.label.end()), n.voxels);
@@ -662,7 +640,7 @@ TEST(Nifti, HeadersOfNoVolumeAreRefused) {
 TEST(Gzip, MembersFollowEachOther) {
   const Scratch scratch;
   const std::string whole = bytes_of(Nifti{});
-  const auto two = gzipped(whole.substr(0, 200)) + gzipped(whole.substr(200));
+  const auto two = deflated(whole.substr(0, 200)) + deflated(whole.substr(200));
   EXPECT_EQ(bake::read_label_map(scratch.write("a.nii.gz", two)).label,
             std::vector<std::uint16_t>(24, 1));
 }
@@ -677,14 +655,14 @@ TEST(Gzip, NoMoreIsUnpackedThanTheHeaderSpeaksOf) {
     return used.ru_maxrss;
   };
   std::string tail;
-  for (int i = 0; i < 32; ++i) tail += gzipped(std::string(std::size_t{1} << 24U, '\0'));
+  for (int i = 0; i < 32; ++i) tail += deflated(std::string(std::size_t{1} << 24U, '\0'));
   const long before_kb = most_kb();
-  const std::string image = gzipped(bytes_of(Nifti{}));
+  const std::string image = deflated(bytes_of(Nifti{}));
   EXPECT_THAT(refusal_of(scratch.write("a.nii.gz", image + tail)),
               HasSubstr("bytes and more behind its voxels: expected none"));
-  const std::string little = gzipped(std::string(1000, '\0'));
+  const std::string little = deflated(std::string(1000, '\0'));
   EXPECT_EQ(refusal_of(scratch.write("a.nii.gz", image + little)), "");
-  const std::string inrimage = gzipped(inr({"2", "3", "4"}, std::string(24, '\1')));
+  const std::string inrimage = deflated(inr({"2", "3", "4"}, std::string(24, '\1')));
   EXPECT_EQ(refusal_of(scratch.write("a.inr.gz", inrimage + tail)), "");
   EXPECT_LT(most_kb() - before_kb, 64 * 1024);
 }

@@ -9,6 +9,7 @@
 
 #include "bake_support.h"
 #include "label_map.h"
+#include "label_support.h"
 #include "random_bodies.h"
 #include "refusal.h"
 
@@ -16,30 +17,6 @@ namespace stylet::test {
 namespace {
 
 using testing::HasSubstr;
-
-std::string refusal_of(const std::filesystem::path& path) {
-  try {
-    (void)bake::read_label_map(path);
-  } catch (const bake::Refusal& refused) {
-    EXPECT_EQ(std::string(refused.what()).find('\n'), std::string::npos) << refused.what();
-    return refused.what();
-  }
-  return "";
-}
-
-std::string deflated(const std::string& bytes, int window) {
-  std::string out(compressBound(bytes.size()) + 32, '\0');
-  z_stream stream{};
-  deflateInit2(&stream, 9, Z_DEFLATED, window, 8, Z_DEFAULT_STRATEGY);
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-  stream.avail_in = static_cast<uInt>(bytes.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  deflate(&stream, Z_FINISH);
-  out.resize(stream.total_out);
-  deflateEnd(&stream);
-  return out;
-}
 
 struct Written {
   const char* name;  // of the file

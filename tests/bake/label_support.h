@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// For tests of label readers: what a file is refused with, and bytes packed as files pack them.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <filesystem>
+#include <string>
+
+#include "label_map.h"
+#include "refusal.h"
+
+namespace stylet::test {
+
+// In one line; empty: it is read.
+inline std::string refusal_of(const std::filesystem::path& path) {
+  try {
+    (void)bake::read_label_map(path);
+  } catch (const bake::Refusal& refused) {
+    EXPECT_EQ(std::string(refused.what()).find('\n'), std::string::npos) << refused.what();
+    return refused.what();
+  }
+  return "";
+}
+
+// In gzip's format; with a window of MAX_WBITS in zlib's.
+inline std::string deflated(const std::string& bytes, int window = 16 + MAX_WBITS) {
+  std::string out(compressBound(bytes.size()) + 32, '\0');
+  z_stream stream{};
+  deflateInit2(&stream, 9, Z_DEFLATED, window, 8, Z_DEFAULT_STRATEGY);
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  deflate(&stream, Z_FINISH);
+  out.resize(stream.total_out);
+  deflateEnd(&stream);
+  return out;
+}
+
+}  // namespace stylet::test
