@@ -99,7 +99,8 @@ def main():
         if path.is_relative_to(folder):
             seen.add(path)
             report.add(path, line_counts(file["segments"]), branch_sides(file["branches"]))
-    absent = [path.name for path in sorted(folder.glob("*.cpp")) if path not in seen]
+    absent = [path.relative_to(folder).as_posix() for path in sorted(folder.rglob("*.cpp"))
+              if path not in seen]
     missed = report.missed + [f"{name}: in no test program" for name in absent
                               if report.unused.pop((name, "NO CODE"), None) is None]
     missed += [f"{file}: excused for nothing: {code}"

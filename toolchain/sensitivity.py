@@ -27,7 +27,7 @@ import numpy as np
 
 SOURCE = pathlib.Path(__file__).resolve().parents[1]
 LIST, TABLE = "toolchain/constants.txt", "kernel/constants.md"
-KERNEL = ("kernel/src/*.h", "kernel/src/*.cpp", "kernel/include/stylet/*.h")
+KERNEL = ("kernel/src/**/*.h", "kernel/src/**/*.cpp", "kernel/include/stylet/*.h")
 KINDS = ("exact", "bound", "published", "derived", "speed", "measured", "chosen")
 PLAYED = ("measured", "chosen")
 SCENES = 12  # two of each kind

@@ -11,8 +11,8 @@
 #include <numbers>
 #include <vector>
 
-#include "layout.h"
-#include "voxel.h"
+#include "state/layout.h"
+#include "lattice/voxel.h"
 
 namespace stylet {
 namespace {

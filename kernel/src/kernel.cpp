@@ -8,15 +8,15 @@
 #include <cmath>
 #include <cstring>
 
-#include "cone.h"
-#include "coupling.h"
-#include "lattice.h"
-#include "lattice_plan.h"
-#include "layout.h"
-#include "math.h"
-#include "needle.h"
-#include "snapshot.h"
-#include "voxel.h"
+#include "laws/cone.h"
+#include "coupling/coupling.h"
+#include "lattice/lattice.h"
+#include "lattice/plan.h"
+#include "state/layout.h"
+#include "base/math.h"
+#include "coupling/needle.h"
+#include "state/snapshot.h"
+#include "lattice/voxel.h"
 
 namespace stylet {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a caller may ask between ticks: counters, events, constraint particles, energies. Cold path.
 
-#include "coupling.h"
-#include "layout.h"
-#include "math.h"
-#include "needle.h"
-#include "roll.h"
-#include "vec3d.h"
-#include "voxel.h"
+#include "base/math.h"
+#include "base/vec3d.h"
+#include "coupling/coupling.h"
+#include "coupling/needle.h"
+#include "coupling/roll.h"
+#include "lattice/voxel.h"
+#include "state/layout.h"
 
 namespace stylet {
 

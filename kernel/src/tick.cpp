@@ -5,11 +5,11 @@
 //     -> bend once more where the tip is in contact -> tissue substeps (the fits inside include the
 //     CPs) -> slip once more -> settle needle -> forces -> check output
 
-#include "coupling.h"
-#include "lattice.h"
-#include "math.h"
-#include "roll.h"
-#include "surface.h"
+#include "base/math.h"
+#include "coupling/coupling.h"
+#include "coupling/roll.h"
+#include "coupling/surface.h"
+#include "lattice/lattice.h"
 
 namespace stylet {
 namespace {

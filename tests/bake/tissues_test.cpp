@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tissues of a user's file: every number from the least to the most that the kernel takes in an
-// organ (kernel/src/organ.cpp, in SI), in the unit that its key names.
+// organ (kernel/src/organ/organ.cpp, in SI), in the unit that its key names.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 

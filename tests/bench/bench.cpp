@@ -36,7 +36,7 @@
 #include <thread>
 #include <vector>
 
-#include "layout.h"
+#include "state/layout.h"
 #include "liver.h"
 #include "machine.h"
 #include "peers.h"

@@ -14,7 +14,7 @@
 #include <optional>
 #include <string_view>
 
-#include "layout.h"
+#include "state/layout.h"
 #include "liver.h"
 #include "variants.h"
 

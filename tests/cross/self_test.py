@@ -26,7 +26,7 @@ def here(*words):
 
 
 def sum_of(text):
-    """The checksum of a state (kernel/src/snapshot.cpp), as the 16 digits a snapshot has there."""
+    """The checksum of a state (kernel/src/state/snapshot.cpp): 16 digits, as in a snapshot."""
     total = 0xcbf29ce484222325
     for at in range(0, len(text), 16):
         word = int(text[at + 8:at + 16] + text[at:at + 8], 16)  # the lower half comes first

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "layout.h"
+#include "state/layout.h"
 #include "session.h"
 #include "sparse_organ.h"
 

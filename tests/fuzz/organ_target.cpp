@@ -11,7 +11,7 @@
 #include "sparse_organ.h"
 #include "stylet/limits.h"
 #include "target.h"
-#include "voxel.h"
+#include "lattice/voxel.h"
 
 namespace stylet::test {
 namespace {

@@ -8,9 +8,9 @@
 // index is met.
 #include <vector>
 
-#include "math.h"
+#include "base/math.h"
 #include "session.h"
-#include "snapshot.h"
+#include "state/snapshot.h"
 #include "target.h"
 
 namespace stylet::test {

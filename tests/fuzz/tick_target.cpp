@@ -8,7 +8,7 @@
 // sends.
 #include <vector>
 
-#include "needle.h"
+#include "coupling/needle.h"
 #include "promises.h"
 #include "session.h"
 #include "target.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "helper_threads.h"
-#include "lattice_team.h"
+#include "lattice/team.h"
 #include "session.h"
 #include "variants.h"
 

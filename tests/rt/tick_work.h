@@ -15,8 +15,8 @@
 #include <iterator>
 #include <utility>
 
-#include "layout.h"
-#include "math.h"
+#include "state/layout.h"
+#include "base/math.h"
 
 namespace stylet::test {
 

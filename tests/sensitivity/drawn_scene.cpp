@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "draw.h"
-#include "math.h"
+#include "base/math.h"
 
 namespace stylet::test {
 namespace {

@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "drawn_scene.h"
-#include "math.h"
-#include "vec3d.h"
+#include "base/math.h"
+#include "base/vec3d.h"
 
 namespace stylet::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math.h"
+#include "base/math.h"
 
 namespace stylet::test {
 namespace {

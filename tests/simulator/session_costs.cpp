@@ -12,7 +12,7 @@
 #include <fstream>
 #include <string>
 
-#include "needle.h"
+#include "coupling/needle.h"
 #include "simulator.h"
 #include "tick_work.h"
 

@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "needle.h"
+#include "coupling/needle.h"
 #include "promises.h"
 #include "step_energy.h"
 #include "stylet/hal/loop.h"
 #include "tick_work.h"
-#include "touch_law.h"
-#include "voxel.h"
+#include "laws/touch.h"
+#include "lattice/voxel.h"
 
 namespace stylet::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "layout.h"
+#include "state/layout.h"
 #include "set_speed.h"
 
 namespace stylet::test {

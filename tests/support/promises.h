@@ -11,10 +11,10 @@
 #include <span>
 #include <string>
 
-#include "coupling.h"
-#include "layout.h"
-#include "math.h"
-#include "roll.h"
+#include "coupling/coupling.h"
+#include "state/layout.h"
+#include "base/math.h"
+#include "coupling/roll.h"
 #include "stylet/kernel.h"
 
 namespace stylet::test {

@@ -4,7 +4,8 @@
 // Written from the minimisation itself, not from the kernel's closed forms: rotations by singular
 // value decomposition, sums over every particle, ghost particles as particles with places of their
 // own. Units: SI. Frame: world; corner i of a voxel is at (i & 1, i >> 1 & 1, i >> 2).
-// Source: Mueller et al. 2005 (fit); the energies are those at the head of kernel/src/lattice.h.
+// Source: Mueller et al. 2005 (fit); the energies are those at the head of
+// kernel/src/lattice/lattice.h.
 #pragma once
 
 #include <Eigen/Dense>

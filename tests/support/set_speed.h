@@ -4,7 +4,7 @@
 // Units: m/s, world.
 #pragma once
 
-#include "layout.h"
+#include "state/layout.h"
 
 namespace stylet::test {
 

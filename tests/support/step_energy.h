@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "layout.h"
+#include "state/layout.h"
 #include "stylet/kernel.h"
 
 namespace stylet::test {

@@ -13,7 +13,7 @@
 #include <xmmintrin.h>
 #endif
 
-#include "layout.h"
+#include "state/layout.h"
 #include "session.h"
 #include "variants.h"
 

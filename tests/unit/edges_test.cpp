@@ -9,8 +9,8 @@
 #include <limits>
 #include <vector>
 
-#include "layout.h"
-#include "obstacle.h"
+#include "state/layout.h"
+#include "needle/obstacle.h"
 #include "session.h"
 
 namespace stylet::test {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kernel's own exponential and logarithm against the library's, in double precision.
 
-#include "math.h"
+#include "base/math.h"
 
 #include <gtest/gtest.h>
 

@@ -8,12 +8,12 @@
 #include <random>
 #include <vector>
 
-#include "layout.h"
+#include "state/layout.h"
 #include "owned_organ.h"
 #include "promises.h"
 #include "session.h"
 #include "set_speed.h"
-#include "voxel.h"
+#include "lattice/voxel.h"
 
 namespace stylet::test {
 namespace {

@@ -11,7 +11,7 @@
 #include <random>
 #include <string>
 
-#include "layout.h"
+#include "state/layout.h"
 #include "organ_objects.h"  // before organ_generated.h, which it replaces
 #include "session.h"
 #include "stylet/organ.h"

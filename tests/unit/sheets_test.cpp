@@ -11,11 +11,11 @@
 #include <string>
 #include <utility>
 
-#include "layout.h"
+#include "state/layout.h"
 #include "owned_organ.h"
 #include "session.h"
 #include "set_speed.h"
-#include "voxel.h"
+#include "lattice/voxel.h"
 
 namespace stylet::test {
 namespace {

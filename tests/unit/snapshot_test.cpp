@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bytes as a snapshot: refused, or a state of this organ and configuration that does no harm; and
 // what may differ between two kernels that exchange them.
-#include "snapshot.h"
+#include "state/snapshot.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "session.h"
-#include "voxel.h"
+#include "lattice/voxel.h"
 
 namespace stylet::test {
 namespace {

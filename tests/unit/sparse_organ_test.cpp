@@ -15,14 +15,14 @@
 #include <tuple>
 #include <vector>
 
-#include "layout.h"
+#include "state/layout.h"
 #include "promises.h"
-#include "runs.h"
+#include "organ/runs.h"
 #include "session.h"
 #include "set_speed.h"
 #include "stylet/limits.h"
 #include "tick_work.h"
-#include "voxel.h"
+#include "lattice/voxel.h"
 
 namespace stylet::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "coupling.h"
-#include "layout.h"
+#include "coupling/coupling.h"
+#include "state/layout.h"
 #include "session.h"
 
 namespace stylet::test {

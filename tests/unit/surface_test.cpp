@@ -2,7 +2,7 @@
 // The sphere tree against brute force: ray casts on the rest surface, first contact on a deformed
 // one.
 
-#include "surface.h"
+#include "coupling/surface.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-#include "layout.h"
+#include "state/layout.h"
 #include "session.h"
 #include "tiny_organ.h"
 

@@ -60,8 +60,9 @@ def faults(kernel, allow_list):
     kernel = pathlib.Path(kernel)
     limits = (kernel / "include/stylet/limits.h").read_text()
     allowed, used = read_list(allow_list), set()
-    for path in sorted((kernel / "src").glob("*")):
-        for name, line, loop in uncounted(path.name, path.read_text()):
+    for path in sorted((kernel / "src").rglob("*.*")):
+        file = path.relative_to(kernel / "src").as_posix()
+        for name, line, loop in uncounted(file, path.read_text()):
             if (name, loop) not in allowed:
                 yield f"{name}:{line}: {loop}: nothing in its head bounds it"
             used.add((name, loop))

@@ -12,6 +12,7 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 import headers  # noqa: E402
 import loops  # noqa: E402
 import promises  # noqa: E402
+import rooms  # noqa: E402
 import sensitivity  # noqa: E402
 import stack  # noqa: E402
 import symbols  # noqa: E402
@@ -121,6 +122,47 @@ class Loops(Sample):
 
     def test_refuses_rows_without_a_loop(self):
         self.expect_one(self.faults("", "a.cpp | while (f(1)) | kMaxTurns\n"), "not in the code")
+
+
+class Rooms(Sample):
+    """Two folders and a file beside them: cellar, hall above it, roof.cpp on top."""
+    LIST = "house by/\n  cellar:\n  hall: cellar\n  roof.cpp: hall\n"
+
+    def setUp(self):
+        super().setUp()
+        self.write("house/cellar/wine.h", "")
+        self.write("house/hall/table.h", '#include "by/cellar/wine.h"\n')
+        self.write("house/roof.cpp", '#include "by/hall/table.h"\n#include <cstdint>\n')
+
+    def faults(self, rows=LIST):
+        return rooms.faults(self.top, self.write("rooms.txt", rows))
+
+    def test_accepts_arrows_that_run_down(self):
+        self.write("house/hall/chair.h", '#include "by/hall/table.h"\n#include "elsewhere.h"\n')
+        self.assertEqual(list(self.faults()), [])
+
+    def test_refuses_arrows_up_and_past_a_room(self):
+        self.write("house/cellar/coal.h", '// why\n#include "by/hall/table.h"\n')
+        self.expect_one(self.faults(), "house/cellar/coal.h:2", "cellar does not use hall")
+        self.write("house/cellar/coal.h", "")
+        self.write("house/roof.cpp", '#include "by/hall/table.h"\n#  include "by/cellar/wine.h"\n')
+        self.expect_one(self.faults(), "house/roof.cpp:2", "roof.cpp does not use cellar")
+
+    def test_refuses_names_without_a_room(self):
+        self.write("house/hall/chair.h", '#include "table.h"\n')
+        self.expect_one(self.faults(), "chair.h:1", "by/hall")
+
+    def test_refuses_rooms_that_are_not_listed(self):
+        self.write("house/shed/saw.h", "")
+        self.expect_one(self.faults(), "house/shed/saw.h")
+
+    def test_refuses_a_list_that_runs_up_or_says_too_much(self):
+        self.write("house/cellar/coal.h", '#include "by/hall/table.h"\n')
+        self.expect_one(self.faults(self.LIST.replace("cellar:", "cellar: hall", 1)),
+                        "cellar is to use hall")
+        self.write("house/cellar/coal.h", "")
+        self.write("house/roof.cpp", "")
+        self.expect_one(self.faults(), "roof.cpp is listed to use hall")
 
 
 class Promises(Sample):

@@ -15,9 +15,9 @@
 #include <utility>
 #include <vector>
 
-#include "coupling.h"
-#include "layout.h"
-#include "math.h"
+#include "coupling/coupling.h"
+#include "state/layout.h"
+#include "base/math.h"
 #include "promises.h"
 #include "session.h"
 #include "stylet/kernel.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "obstacle.h"
+#include "needle/obstacle.h"
 #include "rig.h"
 
 namespace stylet::test {

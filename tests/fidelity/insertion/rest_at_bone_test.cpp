@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-#include "obstacle.h"
+#include "needle/obstacle.h"
 #include "rig.h"
 
 namespace stylet::test {

@@ -3,13 +3,13 @@
 // friction per length, r the radius, d the depth and L the needle's length the tip lags by
 //   f r (d (L - d) + d^2 / 2) / GJ
 // when the shaft slips all along, and the hand then feels the torque f r d.
-#include "roll.h"
+#include "coupling/roll.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "needle.h"
+#include "coupling/needle.h"
 #include "rig.h"
 
 namespace stylet::test {

@@ -12,7 +12,7 @@
 #include <random>
 #include <string>
 
-#include "filter.h"
+#include "laws/filter.h"
 #include "rig.h"
 #include "stylet/resonance.h"
 

@@ -18,13 +18,13 @@
 #include <utility>
 #include <vector>
 
-#include "coupling.h"
-#include "lattice.h"
-#include "layout.h"
-#include "math.h"
+#include "coupling/coupling.h"
+#include "lattice/lattice.h"
+#include "state/layout.h"
+#include "base/math.h"
 #include "reference_cluster.h"
 #include "session.h"
-#include "voxel.h"
+#include "lattice/voxel.h"
 
 namespace stylet::test {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // V1, V2: the rotation of a cluster against singular value decomposition.
 
-#include "rotation.h"
+#include "lattice/rotation.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <span>
 
-#include "rod.h"
+#include "needle/rod.h"
 
 namespace stylet::test {
 

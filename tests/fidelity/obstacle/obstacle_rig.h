@@ -10,8 +10,8 @@
 #include <cmath>
 #include <random>
 
-#include "convex.h"
-#include "obstacle.h"
+#include "needle/convex.h"
+#include "needle/obstacle.h"
 
 namespace stylet::test {
 

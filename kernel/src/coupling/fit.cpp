@@ -1,0 +1,443 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "coupling/fit.h"
+
+#include "coupling/coupling.h"
+#include "lattice/lattice.h"
+#include "lattice/voxel.h"
+
+namespace stylet {
+
+Vec3 residual(const Particle& p) {
+  Vec3 sum = {};
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    sum = sum + p.share[i].weight * (p.position_m - p.share[i].goal_m);
+  }
+  return sum;
+}
+
+Vec3 force_on_tissue(const Particle& p, Vec3 residual_m) {
+  if (p.share_count == 0) return {};
+  return p.stiffness_n_per_m * (residual_m - p.slack_m);
+}
+Vec3 force_on_tissue(const Particle& p) {
+  return force_on_tissue(p, residual(p));
+}
+
+Vec3 grip(const Particle& p) {
+  return p.position_m - p.give_m;
+}
+
+namespace {
+
+constexpr std::uint32_t kNoVoxel = 0xFFFFFFFFU;
+
+// Voxel of a share in this tick's list, entered if new; kNoVoxel when that has no more `room`.
+// The mark of a slot is trusted only if the list entry it names points back, so stale marks do no
+// harm.
+std::uint32_t coupled_index(const View& view, const Share& share, std::uint32_t room) {
+  ScratchHead& head = *view.scratch.head;
+  const std::uint32_t mark = view.scratch.slot_mark[share.slot];
+  if (mark < head.coupled_count && view.scratch.coupled[mark].slot == share.slot) return mark;
+  if (head.coupled_count >= room) return kNoVoxel;
+  const std::uint32_t index = head.coupled_count++;
+  view.scratch.coupled[index] = {share.slot, share.row, 0, 0, 0};
+  view.scratch.slot_mark[share.slot] = index;
+  return index;
+}
+
+// Particle of any needle, by its place in the state; `view` is that of the first needle.
+Particle& particle_at(const View& view, std::uint32_t index) {
+  return view.state.shaft[index];
+}
+
+bool is_tip(std::uint32_t index) {
+  return index % kNeedleParticles == kMaxConstraintParticles;
+}
+
+// Voxels that may be in the list when a particle's come to it: tips find room whatever came before.
+std::uint32_t room_for(const View& view, std::uint32_t index) {
+  const std::uint32_t needles = view.model.head->counts.needles;
+  const std::uint32_t tips_before = index / kNeedleParticles + (is_tip(index) ? 1 : 0);
+  return kMaxCoupledVoxels * needles - kSharesPerParticle * (needles - tips_before);
+}
+
+template <typename Visit>
+void for_each_particle(const View& view, Visit visit) {
+  for (std::uint32_t n = 0; n < view.model.head->counts.needles; ++n) {
+    const NeedleState& needle = view.state.needle[n];
+    const std::uint32_t first = n * kNeedleParticles;
+    for (std::uint32_t i = 0; i < needle.shaft_count; ++i) visit(first + i);
+    if (needle.tip_alive != 0) visit(first + kMaxConstraintParticles);
+  }
+}
+
+// Coupled voxels in the order of their planes: plane_order[plane_first[z]] .. plane_first[z + 1].
+void sort_by_plane(const View& view) {
+  const std::uint32_t planes = view.model.head->counts.planes;
+  std::uint32_t* first = view.scratch.plane_first;
+  for (std::uint32_t z = 0; z < planes + 2; ++z) first[z] = 0;
+  const std::uint32_t count = view.scratch.head->coupled_count;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    ++first[view.model.row[view.scratch.coupled[i].row].plane + 2U];
+  }
+  for (std::uint32_t z = 2; z < planes + 2; ++z) first[z] += first[z - 1];
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t z = view.model.row[view.scratch.coupled[i].row].plane;
+    view.scratch.plane_order[first[z + 1U]++] = i;
+  }
+}
+
+// Where they are does not change within a tick, and is looked up once.
+void fill_groups(const View& view) {
+  const std::uint32_t count = view.scratch.head->coupled_count;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const CoupledVoxel& voxel = view.scratch.coupled[view.scratch.plane_order[i]];
+    const Row& row = view.model.row[voxel.row];
+    const std::uint32_t along = voxel.slot - row.slot, lane = i % kLanes;
+    FitGroup& group = view.scratch.group[i / kLanes];
+    if (lane == 0) {
+      group.count = count - i < kLanes ? count - i : kLanes;
+      group.most_members = 0;
+    }
+    group.first_member[lane] = voxel.first_member;
+    group.member_count[lane] = voxel.member_count;
+    if (voxel.member_count > group.most_members) group.most_members = voxel.member_count;
+    group.slot[lane] = voxel.slot;
+    for (std::uint32_t n = 0; n < 4; ++n) {
+      group.side[n / 2].node[n % 2][lane] = row.node[n] + along;
+    }
+    const Vec3 cell = cell_of(view, voxel.slot, row);
+    group.cell[0][lane] = cell.x + 0.5F;
+    group.cell[1][lane] = cell.y + 0.5F;
+    group.cell[2][lane] = cell.z + 0.5F;
+    group.k[lane] = view.model.slot_k[voxel.slot];
+  }
+}
+
+// A spring at a point r from a voxel's centre, at most sqrt(3) / 2 edges, pulls at the corners by
+// shares whose squares sum to 1 / 8 + r^2 / (4 edge^2).
+constexpr float kMostOfPull = 5.0F / 16;
+
+// Stiffness of the springs that pull at a coupled voxel.
+float pull_n_per_m(const View& view, const CoupledVoxel& voxel) {
+  float sum = 0;
+  std::uint32_t at = voxel.first_member;
+  for (std::uint32_t i = 0; i < voxel.member_count; ++i) {
+    const Member& member = view.scratch.member[at];
+    const Particle& p = particle_at(view, member.particle);
+    sum = sum + p.stiffness_n_per_m * p.share[member.share].weight;
+    at = member.next;
+  }
+  return sum;
+}
+
+// What the springs of constraint particles may add to the stiffness of a particle (filter.h).
+void bound_held(const View& view) {
+  const Counts& counts = view.model.head->counts;
+  float* const sums = view.scratch.held;
+  for (std::uint32_t i = 0; i < counts.filtered_particles; ++i) sums[i] = 0;
+  for (std::uint32_t i = 0; i < view.scratch.head->coupled_count; ++i) {
+    const CoupledVoxel& voxel = view.scratch.coupled[i];
+    const Row& row = view.model.row[voxel.row];
+    const float k = view.model.slot_k[voxel.slot];
+    const float pull = kMostOfPull * pull_n_per_m(view, voxel);
+    const float more = pull * k / (k + pull);
+    for (const std::uint32_t node : row.node) {
+      sums[node + voxel.slot - row.slot] += more;
+      sums[node + voxel.slot - row.slot + 1] += more;
+    }
+  }
+  for (std::uint32_t i = 0; i < counts.ties; ++i) {
+    sums[view.model.tie[i].root] += sums[view.model.tie[i].node];
+  }
+  for (std::uint32_t i = 0; i < counts.ties; ++i) {
+    sums[view.model.tie[i].node] = sums[view.model.tie[i].root];
+  }
+}
+
+}  // namespace
+
+FitFrame fit_frame(const View& view, std::uint32_t slot, std::uint32_t row) {
+  View all = view;  // from the first needle on
+  all.state.needle -= view.needle;
+  all.state.shaft -= view.needle * kNeedleParticles;
+  const Share* found = nullptr;
+  for_each_particle(all, [&](std::uint32_t index) {
+    const Particle& p = particle_at(all, index);
+    for (std::uint32_t i = 0; i < p.share_count; ++i) {
+      if (p.share[i].slot == slot) found = &p.share[i];
+    }
+  });
+  if (found != nullptr) {
+    return {found->turn, found->goal_m - rotation_matrix(found->turn) * found->offset_m};
+  }
+  const Corners corners = sum_corners(view, slot, row);
+  return {corner_rotation(view, slot, corners),
+          rest_centre(view, slot, view.model.row[row]) + corners.mean_m};
+}
+
+std::uint32_t gather_coupled(const View& view) {
+  StateHead& state = *view.state.head;
+  ScratchHead& head = *view.scratch.head;
+  head.coupled_count = 0;
+  head.substeps_to_come = 0;
+  std::uint32_t flags = 0, members = 0;
+  for_each_particle(view, [&](std::uint32_t index) {
+    Particle& p = particle_at(view, index);
+    const std::uint32_t room = room_for(view, index);
+    std::uint32_t voxels[kSharesPerParticle], count = 0, found = 0;
+    for (std::uint32_t s = 0; s < p.share_count; ++s) {
+      const std::uint32_t voxel = coupled_index(view, p.share[s], room);
+      if (voxel == kNoVoxel) continue;
+      voxels[count++] = voxel;
+      found |= 1U << s;
+    }
+    if (count < p.share_count) {
+      state.cp_voxel_pool_full += p.share_count - count;
+      flags = kFlagCpVoxelPoolFull;
+      keep_shares(state, p, found);
+    }
+    for (std::uint32_t s = 0; s < count; ++s) {
+      CoupledVoxel& c = view.scratch.coupled[voxels[s]];
+      (c.member_count == 0 ? c.first_member : view.scratch.member[c.last_member].next) = members;
+      ++c.member_count;
+      c.last_member = members;
+      view.scratch.member[members++] = {static_cast<std::uint16_t>(index),
+                                        static_cast<std::uint16_t>(s), 0};
+    }
+  });
+  sort_by_plane(view);
+  fill_groups(view);
+  if (has_true_mass(view)) bound_held(view);
+  state.coupled_max =
+      head.coupled_count > state.coupled_max ? head.coupled_count : state.coupled_max;
+  return flags;
+}
+
+namespace {
+
+// Sums over the CPs of one voxel; positions relative to the mean of the corners.
+struct CpSums {
+  float stiffness;
+  Vec3 place, offset;  // weighted sums
+  float product[9];    // sum of place * offset^T, weighted
+  float offset_square;
+};
+
+void add_member(const Particle& p, const Share& share, Vec3 centre_m, CpSums& s) {
+  const float w = p.stiffness_n_per_m * share.weight;
+  const Vec3 x = (p.position_m - p.slack_m) - centre_m;
+  const Vec3 r = share.offset_m;
+  s.stiffness = s.stiffness + w;
+  s.place = s.place + w * x;
+  s.offset = s.offset + w * r;
+  s.offset_square = s.offset_square + w * dot(r, r);
+  const float xs[3] = {x.x, x.y, x.z}, rs[3] = {r.x, r.y, r.z};
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) s.product[3 * a + b] += w * xs[a] * rs[b];
+  }
+}
+
+// Matrix whose rotation is the fit of corners and CPs together: join_members (fit_lanes.h) for one
+// voxel.
+void fit_matrix(const Corners& corners, const CpSums& s, float k, float edge_m, float a_out[9]) {
+  const float whole = 8 * k + s.stiffness;
+  const float corner = 2 * k * edge_m * edge_m;
+  const float trace = 3 * corner + (s.offset_square - dot(s.offset, s.offset) / whole);
+  const float scale = 3 / trace;
+  const float place[3] = {s.place.x, s.place.y, s.place.z};
+  const float offset[3] = {s.offset.x, s.offset.y, s.offset.z};
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) {
+      const float unit = a == b ? 1.0F : 0.0F;
+      a_out[3 * a + b] = scale * (corner * (unit + corners.gradient[3 * a + b]) +
+                                  (s.product[3 * a + b] - place[a] * offset[b] / whole));
+    }
+  }
+}
+
+}  // namespace
+
+void begin_fits(const View& view, const FitGroup& group, Fits& fits_out) {
+  const float* const u[3] = {view.state.ux, view.state.uy, view.state.uz};
+  for (std::uint32_t lane = 0; lane < group.count; ++lane) {
+    fits_out.next_member[lane] = group.first_member[lane];
+    for (std::uint32_t n = 0; n < 4; ++n) {
+      const std::size_t node = group.side[n / 2].node[n % 2][lane];
+      for (std::uint32_t c = 0; c < 3; ++c) {
+        fits_out.corner_m[c][2 * n][lane] = u[c][node];
+        fits_out.corner_m[c][2 * n + 1][lane] = u[c][node + 1];
+      }
+    }
+    const std::uint32_t slot = group.slot[lane];
+    fits_out.corner_turn[0][lane] = view.state.qw[slot];
+    fits_out.corner_turn[1][lane] = view.state.qx[slot];
+    fits_out.corner_turn[2][lane] = view.state.qy[slot];
+    fits_out.corner_turn[3][lane] = view.state.qz[slot];
+    const Member& member = view.scratch.member[group.first_member[lane]];
+    const Quat turn = view.state.shaft[member.particle].share[member.share].turn;
+    fits_out.joint_turn[0][lane] = turn.w;
+    fits_out.joint_turn[1][lane] = turn.x;
+    fits_out.joint_turn[2][lane] = turn.y;
+    fits_out.joint_turn[3][lane] = turn.z;
+  }
+}
+
+void place_members(const View& view) {
+  // Of the needles' motion in this tick.
+  const float to_come = static_cast<float>(view.scratch.head->substeps_to_come) /
+                        static_cast<float>(view.model.head->config.substeps);
+  for_each_particle(view, [&](std::uint32_t index) {
+    const Particle& p = particle_at(view, index);
+    view.scratch.place[index] = (p.position_m - p.slack_m) - to_come * view.scratch.stretch[index];
+  });
+}
+
+void take_members(const View& view, const FitGroup& group, std::uint32_t n, Fits& fits,
+                  FitMembers& members_out) {
+  const Member* const members = view.scratch.member;
+  const Particle* const particles = view.state.shaft;
+  const Vec3* const places = view.scratch.place;
+  for (std::uint32_t lane = 0; lane < group.count; ++lane) {
+    members_out.weight_n_per_m[lane] = 0;
+    if (n >= group.member_count[lane]) continue;
+    const Member& member = members[fits.next_member[lane]];
+    fits.next_member[lane] = member.next;
+    const Particle& p = particles[member.particle];
+    const Share& share = p.share[member.share];
+    const Vec3 place = places[member.particle];
+    members_out.weight_n_per_m[lane] = p.stiffness_n_per_m * share.weight;
+    members_out.place_m[0][lane] = place.x;
+    members_out.place_m[1][lane] = place.y;
+    members_out.place_m[2][lane] = place.z;
+    members_out.offset_m[0][lane] = share.offset_m.x;
+    members_out.offset_m[1][lane] = share.offset_m.y;
+    members_out.offset_m[2][lane] = share.offset_m.z;
+  }
+}
+
+void give_goals(const View& view, const FitGroup& group, const Fits& fits) {
+  const Member* const members = view.scratch.member;
+  Particle* const particles = view.state.shaft;
+  for (std::uint32_t lane = 0; lane < group.count; ++lane) {
+    const Quat turn = {fits.joint_turn[0][lane], fits.joint_turn[1][lane], fits.joint_turn[2][lane],
+                       fits.joint_turn[3][lane]};
+    const Vec3 centre_m = {fits.centre_m[0][lane], fits.centre_m[1][lane], fits.centre_m[2][lane]};
+    Mat3 r;
+    for (std::uint32_t i = 0; i < 9; ++i) r.m[i / 3][i % 3] = fits.rotation[i][lane];
+    std::uint32_t at = group.first_member[lane];
+    for (std::uint32_t n = 0; n < group.member_count[lane]; ++n) {
+      const Member& member = members[at];
+      Share& share = particles[member.particle].share[member.share];
+      share.goal_m = centre_m + r * share.offset_m;
+      share.turn = turn;
+      at = member.next;
+    }
+  }
+}
+
+namespace {
+
+// Voxels from `begin` up to `end` in plane_order, at one side. `force` as below.
+void add_side(const View& view, std::uint32_t begin, std::uint32_t end, std::uint32_t side,
+              std::uint32_t first_particle, float* force) {
+  const std::size_t axis = view.model.head->counts.particles_per_plane;
+  for (std::uint32_t i = begin; i < end; ++i) {
+    const FitGroup::Side& own = view.scratch.group[i / kLanes].side[side];
+    const std::uint32_t lane = i % kLanes;
+    for (std::uint32_t n = 0; n < 2; ++n) {
+      float* at = force + (own.node[n][lane] - first_particle);
+      for (std::uint32_t c = 0; c < 3; ++c, at += axis) {
+        const float near = own.change_n[n][c][lane][0], far = own.change_n[n][c][lane][1];
+        at[0] = at[0] + near;
+        at[1] = at[1] + far;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void add_changes(const View& view, std::uint32_t plane, float* force) {
+  const std::uint32_t* const first = view.scratch.plane_first;
+  const std::uint32_t particle = view.model.plane[plane].particle_begin;
+  if (plane > 0) add_side(view, first[plane - 1], first[plane], 1, particle, force);
+  if (plane < view.model.head->counts.planes) {
+    add_side(view, first[plane], first[plane + 1], 0, particle, force);
+  }
+}
+
+// A slip takes work at the mean of the forces before and after, as the hand's work is booked. A
+// force that would push it on is taken back (let_slip).
+void measure_forces(const View& view) {
+  StateHead& state = *view.state.head;
+  for_each_particle(view, [&](std::uint32_t index) {
+    Particle& p = particle_at(view, index);
+    const Vec3 f = force_on_tissue(p);
+    const float work = 0.5F * (dot(p.force_n, p.slip_m) + max_of(dot(f, p.slip_m), 0));
+    (is_tip(index) ? state.cutting_j : state.friction_j) += static_cast<double>(max_of(work, 0));
+    p.force_n = f;
+  });
+}
+
+namespace {
+
+double square_sum(const Mat3& r, const float gradient[9]) {
+  double sum = 0;
+  for (int i = 0; i < 9; ++i) {
+    const double f = static_cast<double>(gradient[i]) + (i % 4 == 0 ? 1.0 : 0.0);
+    const double off = f - static_cast<double>(r.m[i / 3][i % 3]);
+    sum += off * off;
+  }
+  return sum;
+}
+
+// The fit of a voxel and its CPs to where all of them are now.
+struct PresentFit {
+  Mat3 rotation;
+  Vec3 centre_m;
+  double corners_j;     // what the corners hold more than by their own fit
+  std::uint32_t first;  // particle in the voxel, so that each voxel is counted once
+};
+
+PresentFit present_fit(const View& view, const Share& own) {
+  const Corners corners = sum_corners(view, own.slot, own.row);
+  const Vec3 centre = rest_centre(view, own.slot, view.model.row[own.row]) + corners.mean_m;
+  CpSums sums = {};
+  std::uint32_t first = kNoVoxel;
+  for_each_particle(view, [&](std::uint32_t index) {
+    const Particle& p = particle_at(view, index);
+    for (std::uint32_t s = 0; s < p.share_count; ++s) {
+      if (p.share[s].slot != own.slot) continue;
+      if (first == kNoVoxel) first = index;
+      add_member(p, p.share[s], centre, sums);
+    }
+  });
+  const float k = view.model.slot_k[own.slot], h = view.model.head->edge_m;
+  const Quat alone = corner_rotation(view, own.slot, corners);
+  float a[9];
+  fit_matrix(corners, sums, k, h, a);
+  const Mat3 r8 = rotation_matrix(alone);
+  const Mat3 r = rotation_matrix(rotation_of(a, rotation_of(a, alone)));
+  const Vec3 shift = (1 / (8 * k + sums.stiffness)) * (sums.place - r * sums.offset);
+  const double turned = square_sum(r, corners.gradient) - square_sum(r8, corners.gradient);
+  const double energy =
+      static_cast<double>(4 * k * dot(shift, shift)) + static_cast<double>(k * h * h) * turned;
+  return {r, centre + shift, energy, first};
+}
+
+}  // namespace
+
+double refit(const View& view, std::uint32_t index, Particle& particle_out) {
+  particle_out = particle_at(view, index);
+  double corners_j = 0;
+  for (std::uint32_t i = 0; i < particle_out.share_count; ++i) {
+    Share& share = particle_out.share[i];
+    const PresentFit fit = present_fit(view, share);
+    if (fit.first == index) corners_j += fit.corners_j;
+    share.goal_m = fit.centre_m + fit.rotation * share.offset_m;
+  }
+  return corners_j;
+}
+
+}  // namespace stylet

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fits of voxels that hold constraint particles (CPs): corners and CPs together, exactly, with
+// the paper's ghost particles eliminated in closed form (they sit on their goals and drop out).
+//
+// The lattice sweep makes its fit of the corners alone; the fits of lattice.h add what the CPs of a
+// voxel change in it, and leave the CPs their goals.
+//
+// Promises: bounded by limits.h, no allocation, a fixed order of sums: needles, their CPs, their
+// shares. Units SI, frame of the attachments. Source: paper section IV; model section 3.
+#pragma once
+
+#include "base/math.h"
+#include "state/layout.h"
+
+namespace stylet {
+
+// Mean of needle point minus goal over a CP's shares.
+Vec3 residual(const Particle& p);
+Vec3 force_on_tissue(const Particle& p);
+Vec3 force_on_tissue(const Particle& p, Vec3 residual_m);
+// Point of the needle's axis where that force acts: the spring's end, behind the give.
+Vec3 grip(const Particle& p);
+
+// Where the last fit put a voxel: together with its CPs, if it has any. (A CP that joins others in
+// a voxel, held by the fit of the corners alone, would be moved by the next fit and felt.)
+struct FitFrame {
+  Quat turn;
+  Vec3 centre_m;
+};
+FitFrame fit_frame(const View& view, std::uint32_t slot, std::uint32_t row);
+
+// Lists the coupled voxels of this tick, plane by plane; with true mass, what their springs add to
+// the bounds on stiffness. Returns output flags.
+std::uint32_t gather_coupled(const View& view);
+
+// Forces of all CPs from the goals of the fit just made, and what their slips have cost.
+void measure_forces(const View& view);
+
+// Copies a CP (its number: needle, then place in the shaft, the tip last) with its goals where the
+// tissue is now: those of the last fit are a substep old. Returns what the corners of its voxels
+// hold beyond their own fit, each voxel with its first CP. Cold path: looks at all CPs.
+double refit(const View& first_needle, std::uint32_t index, Particle& particle_out);
+
+}  // namespace stylet

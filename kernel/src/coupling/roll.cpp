@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "coupling/roll.h"
+
+#include "coupling/coupling.h"
+
+namespace stylet {
+namespace {
+
+// Below this a particle has no hold on the shaft, N.
+constexpr float kLeastHoldN = 1e-9F;
+
+// A violent hand may leave particles behind its own place: nothing is held nearer than this.
+constexpr float kLeastArmM = 1e-3F;
+
+struct Hold {
+  float torque_nm, moment_nm2;  // sums of t and of t s
+};
+
+Hold hold_of(const View& view) {
+  const NeedleState& own = *view.state.needle;
+  const float length = view.needle_config().length_m, radius = view.needle_config().outer_radius_m;
+  const Needle last = needle_of(view);
+  Hold hold = {};
+  for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
+    const Particle& p = view.state.shaft[i];
+    const float limit = friction_limit_n(view, p);
+    const float carried = dot(p.force_n, needle_point(last, p.arc_m).direction);
+    const float left = std::sqrt(max_of(limit * limit - carried * carried, 0));
+    hold.torque_nm += left * radius;
+    hold.moment_nm2 += left * radius * max_of(length - p.arc_m, kLeastArmM);
+  }
+  return hold;
+}
+
+}  // namespace
+
+void roll_tip(const View& view, float rolled_rad) {
+  const float torsion = view.needle_config().torsion_nm2;
+  NeedleState& own = *view.state.needle;
+  if (!(torsion > 0)) return;
+  const Hold hold = hold_of(view);
+  const double before = roll_energy(view);
+  const bool held = hold.torque_nm > kLeastHoldN * view.needle_config().outer_radius_m;
+  const float stiffness = held ? torsion * hold.torque_nm / hold.moment_nm2 : 0;
+  // Where the hold has moved, torque or twist stays, whichever brings no energy.
+  if (stiffness > own.twist_nm_per_rad) own.twist_rad *= own.twist_nm_per_rad / stiffness;
+  own.twist_nm_per_rad = stiffness;
+  view.state.head->friction_j += before - roll_energy(view);
+  const float limit = held ? min_of(hold.moment_nm2 / torsion, kMaxTwistRad) : 0;
+  const float wound = own.twist_rad + rolled_rad, twist = clamp(wound, -limit, limit);
+  // At the mean of the torques before and after, as the hand's work is booked.
+  const float torque = 0.5F * stiffness * (own.twist_rad + twist);
+  view.state.head->friction_j += static_cast<double>(torque * (wound - twist));
+  own.twist_rad = settle(twist);
+}
+
+Vec3 rolled_side(const View& view, const Mat3& handle) {
+  const float twist = view.state.needle->twist_rad;
+  const float part = (twist < 0 ? -twist : twist) * (1 / 3.14159265F);
+  const float sine = sine_of_half_turns(part);
+  const float cosine =
+      part < 0.5F ? sine_of_half_turns(0.5F - part) : -sine_of_half_turns(part - 0.5F);
+  return cosine * column(handle, 0) - (twist < 0 ? -sine : sine) * column(handle, 1);
+}
+
+Vec3 roll_torque_nm(const View& view) {
+  const NeedleState& own = *view.state.needle;
+  const Mat3 handle = rotation_matrix(own.handle.rotation);
+  return (-own.twist_nm_per_rad * own.twist_rad) * column(handle, 2);
+}
+
+double roll_energy(const View& view) {
+  const NeedleState& own = *view.state.needle;
+  return 0.5 * static_cast<double>(own.twist_nm_per_rad * own.twist_rad * own.twist_rad);
+}
+
+}  // namespace stylet

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "coupling/stiffness.h"
+
+namespace stylet {
+namespace {
+
+constexpr float kPi = 3.14159265F;
+// Compliance of the lattice under the tip inside, in 1 / (G h): at Poisson ratio 0, by how much
+// less at 1, and by how much more where one voxel holds all of it (measured in a block without an
+// end: tests/fidelity/coupling/stiffness_test.cpp). The tip keeps its spring while it passes
+// through a tissue, so it has that of a mean place: what its shares' squares come to, (2/3)^3.
+constexpr float kInsideGive = 0.104F, kInsideGiveSlope = 0.040F, kInsideGiveSquares = 0.076F;
+constexpr float kMeanSquares = 8.0F / 27.0F;
+// The same under the tip in contact, which two layers of voxels hold: at Poisson ratio 0, by how
+// much less at 1, by how much more where one voxel holds all of it, and by how much more where it
+// acts an edge beside that voxel's middle. Then by how much more, of itself, for each G h^2 of
+// force, by how much less of that where one voxel holds all, and up to what force (all measured:
+// tests/fidelity/coupling/contact_test.cpp).
+constexpr float kSurfaceGive = 0.170F, kSurfaceGiveSlope = 0.101F, kSurfaceGiveSquares = 0.097F;
+constexpr float kSurfaceGiveBeside = 0.281F;
+constexpr float kGiveGrowth = 0.06F, kGiveGrowthSquares = 0.1F, kGiveGrowthEnd = 5.0F;
+// What squares and places add comes to this on average, under tissue as stiff as that below; under
+// a layer of voxels that is stiffer only a part of them is left, by the logarithm of how many times
+// (10: none). All of it falls with a power of how such a layer spreads the force, which goes by its
+// root (measured in the same test: within 6 % between a tenth and 50 times, 14 % too much at 230).
+constexpr float kPlaceMean = 0.03F, kPlaceSlope = 0.43F, kUpperPart = 2.3F, kUpperPower = 0.58F;
+// A layer with less than this part of the tip's weights is none.
+constexpr float kLeastLayer = 0.01F;
+// The tip's own spring gives at least this part of what the lattice does: with less, tissue dragged
+// far gained energy.
+constexpr float kLeastOwnPart = 0.25F;
+// A row of CPs shared evenly moves as a cylinder of this radius would, in voxel edges: at Poisson
+// ratio 0 and by how much less at 1. Its springs count this much: they also let the voxels slip
+// across each other (measured: tests/fidelity/coupling/stiffness_test.cpp).
+constexpr float kRowRadius = 0.58F, kRowRadiusSlope = 0.33F, kRowSlack = 1.2F;
+// Along its axis that row moves as a cylinder of this radius.
+constexpr float kRowRadiusAlong = 0.78F;
+// Radius over which the far field of a needle dies out: half of an organ's usual thickness.
+constexpr float kFarFieldM = 0.025F;
+
+// Lateral stiffness per length of a rigid cylinder of radius a in an elastic annulus, over G.
+float line_stiffness(float radius_m, float poisson) {
+  const float a2 = radius_m * radius_m, b2 = kFarFieldM * kFarFieldM;
+  const float n = 3 - 4 * poisson;
+  const float ratio = max_of(kFarFieldM / radius_m, 1.5F);
+  return 8 * kPi * (1 - poisson) * n / (n * n * natural_log(ratio) - (b2 - a2) / (b2 + a2));
+}
+
+// Compliance per length of that annulus when the cylinder moves along, times G.
+float line_compliance_along(float radius_m) {
+  return natural_log(max_of(kFarFieldM / radius_m, 1.5F)) / (2 * kPi);
+}
+
+// Shear modulus around a needle inside. A thin skin holds it with its own thickness, which the one
+// CP that lies in the skin's voxels stands for, or more of them where units are shorter than edges.
+float shear_inside_pa(const ModelHead& head, const MaterialModel& m, float unit_m) {
+  return m.shear_pa + m.skin_shear_n_per_m / max_of(unit_m, head.edge_m);
+}
+
+// Tissue gives way to a needle more easily along than across, but the fits hold one spring, as
+// stiff as across. What is missing along is a second one behind it, whose way is give_m: this share
+// of both. (Two stiffnesses in one fit would have no rotation in closed form.)
+float share_of_give(const ModelHead& head, const MaterialModel& m, float radius_m, float unit_m,
+                    float own_compliance, float slack) {
+  if (head.config.mode == Mode::kPaper) return 0;
+  const float shear_pa = shear_inside_pa(head, m, unit_m);
+  const float row = line_compliance_along(kRowRadiusAlong * head.edge_m);
+  const float along = line_compliance_along(radius_m) - row * (shear_pa / m.lattice_shear_pa);
+  return 1 - min_of(1, own_compliance * slack * (shear_pa * unit_m) / max_of(along, 1e-6F));
+}
+
+// A CP's force relaxes as its material says: see creep.
+void set_relaxation(const ModelHead& head, Particle& p) {
+  if (head.config.mode == Mode::kPaper) return;
+  const MaterialModel& m = head.material[p.material];
+  p.memory_share = m.relaxing_fraction;
+  p.memory_keep =
+      exp_minus(head.config.period_s / max_of(m.relaxation_time_s, head.config.period_s));
+}
+
+// What the tip in contact stands on: the deeper of the two layers of voxels that hold it, and how
+// many times as stiff the upper one is; what the squares of the weights come to where all is one
+// tissue, and of these times how far beside the voxel's middle they act. The mean offset of the
+// shares is along the needle: the place they surround lies an edge below the tip.
+struct Ground {
+  float deep_pa, upper_ratio, squares, beside;
+};
+
+Ground ground_under(const View& view, const Particle& p) {
+  const ModelHead& head = *view.model.head;
+  Vec3 mean = {};
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    mean = mean + p.share[i].weight * p.share[i].offset_m;
+  }
+  const Vec3 along = (1 / (max_of(norm(mean), 1e-6F) * head.edge_m)) * mean;  // over edges
+  float all = 0, upper = 0, upper_pa = 0, deep_pa = 0, squares = 0, beside = 0;
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    const Share& share = p.share[i];
+    const float shear_pa = head.material[view.model.slot_material[share.slot]].lattice_shear_pa;
+    const float part = share.weight / std::sqrt(max_of(shear_pa, 1));  // share_deeper took the root
+    const float above = part * clamp(1.5F - dot(share.offset_m, along), 0, 1);
+    const Vec3 arm = cross(share.offset_m, along);
+    all += part;
+    upper += above;
+    upper_pa += above * shear_pa;
+    deep_pa += (part - above) * shear_pa;
+    squares += part * part;
+    beside += part * part * dot(arm, arm);
+  }
+  const float deep = all - upper, few = kLeastLayer * all, all2 = max_of(all * all, 1e-30F);
+  const float upper_mean = upper_pa / max_of(upper, 1e-30F);
+  const float deep_mean = max_of(deep > few ? deep_pa / deep : upper_mean, 1);
+  const float ratio = upper > few ? clamp(upper_mean / deep_mean, 0.01F, 1000) : 1;
+  return {deep_mean, ratio, squares / all2, beside / all2};
+}
+
+// What gives way under a small force, and how much more of it under a larger one: that of one
+// tissue like the tip's, so that layers below add what they really give; below a thin skin, whose
+// law is that of all that is under it, also what they give.
+Ground ground_of(const View& view, const Particle& p) {
+  const MaterialModel& m = view.model.head->material[p.material];
+  Ground ground = ground_under(view, p);
+  if (m.film.force_n > 0) return ground;
+  ground.deep_pa = m.lattice_shear_pa;
+  ground.upper_ratio = 1;
+  return ground;
+}
+
+// How much of it is felt on which voxels the tip stands: the stiffer the upper layer, the less.
+float place_part(const Ground& g) {
+  return clamp(1 - kPlaceSlope * natural_log(g.upper_ratio), 0, 2);
+}
+
+// Compliance of the lattice under the tip in contact: what the deeper layer gives, less below a
+// stiffer one.
+float surface_compliance(const View& view, const Ground& g, float poisson) {
+  const float place = kSurfaceGiveSquares * g.squares + kSurfaceGiveBeside * g.beside;
+  const float give = kSurfaceGive - kSurfaceGiveSlope * poisson + kPlaceMean +
+                     place_part(g) * (place - kPlaceMean);
+  const float spread = (1 + kUpperPart * std::sqrt(g.upper_ratio)) / (1 + kUpperPart);
+  return give * power(spread, -kUpperPower) / (g.deep_pa * view.model.head->edge_m);
+}
+
+// The law of contact that is wanted (cone.h): that of the needle's point on the tissue, or of the
+// thin skin over it (film.h) where this is stiffer, and in between where it is hardly so.
+struct Punch {
+  float stiffness_n_per_m, length_m;
+};
+
+Punch wanted_punch(const View& view, const MaterialModel& m) {
+  const float radius_m = view.needle_config().outer_radius_m;
+  const float cone_m = view.model.head->cone_length_m[view.needle];
+  const float punch_n_per_m = 4 * m.shear_pa * radius_m / (1 - m.poisson_ratio);
+  const float press_m = 2 * m.film.force_n / punch_n_per_m;
+  const float bare_m = press_m < cone_m ? std::sqrt(press_m * cone_m) : 0.5F * (press_m + cone_m);
+  const float depth_m = m.film.depth_m;
+  if (!(depth_m < bare_m)) return {punch_n_per_m, cone_m};
+  const float length_m = cone_m + (1 - depth_m / bare_m) * (kFilmChange * depth_m - cone_m);
+  const float wide_m = min_of(depth_m, length_m);
+  const float shape_m = wide_m * wide_m / (2 * length_m) + (depth_m - wide_m);
+  return {m.film.force_n / shape_m, length_m};
+}
+
+}  // namespace
+
+void set_stiffness(const View& view, Particle& particle, Place place) {
+  const ModelHead& head = *view.model.head;
+  const MaterialModel& m = head.material[particle.material];
+  const float k = m.lattice_shear_pa * head.edge_m;
+  const float a = view.needle_config().outer_radius_m;
+  const float nu = m.poisson_ratio;
+  const float unit = view.needle_config().unit_m;
+  float target = 0, lattice_compliance = 0, slack = 1;
+  float least = 1 / (kMaxCpWeight * k);
+  switch (place) {
+    case Place::kSurface:
+      target = wanted_punch(view, m).stiffness_n_per_m;
+      lattice_compliance = surface_compliance(view, ground_of(view, particle), nu);
+      least = kLeastOwnPart * lattice_compliance;
+      break;
+    case Place::kTip:
+      target = 24 * kPi * shear_inside_pa(head, m, unit) * a * (1 - nu) / (5 - 6 * nu);
+      lattice_compliance =
+          (kInsideGive - kInsideGiveSlope * nu + kInsideGiveSquares * kMeanSquares) / k;
+      break;
+    case Place::kShaft:
+      target = shear_inside_pa(head, m, unit) * unit * line_stiffness(a, nu);
+      lattice_compliance =
+          1 / (m.lattice_shear_pa * unit *
+               line_stiffness((kRowRadius - kRowRadiusSlope * nu) * head.edge_m, nu));
+      slack = kRowSlack;
+      least = least * head.edge_m / unit;
+      break;
+  }
+  const float own_compliance = max_of((1 / target - lattice_compliance) / slack, least);
+  particle.stiffness_n_per_m = head.config.mode == Mode::kPaper ? k : 1 / own_compliance;
+  particle.full_stiffness_n_per_m = particle.stiffness_n_per_m;
+  if (place == Place::kShaft) {
+    particle.give_share = share_of_give(head, m, a, unit, own_compliance, slack);
+  }
+  const float reached = 1 / (slack * own_compliance + lattice_compliance);
+  view.state.head->coupling_shortfall =
+      max_of(view.state.head->coupling_shortfall, 1 - reached / target);
+  if (place == Place::kSurface) particle.tissue_compliance = lattice_compliance / own_compliance;
+  set_relaxation(head, particle);
+}
+
+ContactLaw law_of(const View& view) {
+  const ModelHead& head = *view.model.head;
+  const Particle& tip = *view.state.tip;
+  const MaterialModel& m = head.material[tip.material];
+  // A snapshot may bring any number.
+  const float tissue = min_of(tip.tissue_compliance, 1 / kLeastOwnPart);
+  const float whole = 1 + tissue, part = tissue / whole;  // over the spring's own; of all
+  const Ground ground = ground_of(view, tip);
+  const float unit_n = ground.deep_pa * head.edge_m * head.edge_m;
+  constexpr float kMostPart = 1 / (1 + kLeastOwnPart);
+  const float growth =
+      max_of((kGiveGrowth - kGiveGrowthSquares * ground.squares) * place_part(ground), 1e-3F);
+  const float end = (kMostPart / max_of(part, 1e-3F) - 1) / (2 * growth);
+  const float punch_n_per_m = tip.full_stiffness_n_per_m / whole;
+  const Punch wanted = wanted_punch(view, m);
+  const float narrower = min_of(punch_n_per_m / wanted.stiffness_n_per_m, 1);
+  return contact_law({punch_n_per_m, narrower * wanted.length_m, part, growth / unit_n,
+                      unit_n * clamp(end, 0, kGiveGrowthEnd)},
+                     m.relaxing_fraction);
+}
+
+}  // namespace stylet

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The embedded surface: where it is now, and where the needle first meets it.
+//
+// The sphere tree stays at rest. Every vertex is a convex combination of corner displacements, so
+// no point of the surface is farther from its rest place than the largest displacement of any
+// particle; the query is grown by that much and the tree never refitted. Only triangles of the
+// leaves reached are deformed, those nearest to the tip first. This replaces the per-voxel refit of
+// leaf spheres: it needs no per-leaf work and is exact for a tissue at rest, which is when first
+// contact mostly happens; where another needle dents it, more leaves are reached.
+//
+// Promises: at most kMaxTreeVisits nodes and kMaxTriangleTests triangles. Units SI, world frame.
+#pragma once
+
+#include "base/math.h"
+#include "state/layout.h"
+
+namespace stylet {
+
+// kSideways: on the tip's way of this tick alone. kUnknown: a bound was reached before anything was
+// found, and kFlagContactBudget is set; the tip must not go on.
+enum class Contact : std::uint32_t { kNone, kFound, kSideways, kUnknown };
+
+// Length of the front part of a needle along which a tip that comes finds the surface.
+float contact_reach_m(const View& view);
+
+// Looks for the surface along the front part of the needle that ends here, `reach_m` long, then
+// along the way `came_m` of the tip in this tick. Found: with the rest and present place of the
+// crossing nearest the tip.
+Contact find_contact(const View& view, Vec3 tip_m, Vec3 direction, float reach_m, Vec3 came_m,
+                     Vec3& rest_out_m, Vec3& place_out_m, std::uint32_t& flags_out);
+
+}  // namespace stylet

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// One voxel of the deformed lattice: sums over its corners, its frame, and which voxels share a
+// point.
+//
+// Promises: a fixed number of operations; no allocation. Units SI, world frame.
+#pragma once
+
+#include "base/math.h"
+#include "state/layout.h"
+
+namespace stylet {
+
+// Partly filled voxels count at least this much, else thin slivers have no stiffness of their own.
+constexpr float kMinFill = 0.1F;
+constexpr std::uint32_t kNoRow = 0xFFFFFFFFU;
+constexpr std::uint32_t kNotMixed = 0xFFFFFFFFU;
+
+struct Corners {
+  Vec3 mean_m;        // displacement
+  float gradient[9];  // of the displacement, row-major
+};
+// Sums over the eight corners of a voxel, displacements u.
+Corners sum_corners(const View& view, std::uint32_t slot, std::uint32_t row_index);
+
+// The row that holds a voxel, or kNoRow; y and z within the lattice. Of the rows of its place in
+// the table, the last that does not begin behind it.
+inline std::uint32_t row_at(const ModelView& model, std::int32_t x, std::uint32_t y,
+                            std::uint32_t z) {
+  const Counts& counts = model.head->counts;
+  const auto order = [](std::int32_t of_x, std::uint32_t of_y, std::uint32_t of_z) {
+    return (static_cast<std::int64_t>(of_z) << 40U) + (static_cast<std::int64_t>(of_y) << 20U) +
+           of_x;
+  };
+  std::uint32_t index = model.row_of[(z * model.head->size_y + y) >> counts.row_shift];
+  if (index == kNoRow) return kNoRow;
+  for (std::uint32_t bit = counts.row_bits; bit > 0; --bit) {
+    const std::uint32_t next = index + (1U << (bit - 1));
+    if (next >= counts.rows) continue;
+    const Row& row = model.row[next];
+    if (order(row.x0, row.y, model.plane[row.plane].z) <= order(x, y, z)) index = next;
+  }
+  const Row& row = model.row[index];
+  const bool holds = row.y == y && x >= row.x0 && x < row.x0 + row.count;
+  return holds && model.plane[row.plane].z == z ? index : kNoRow;
+}
+
+// Cell of a voxel in space, in edges from the lattice's origin.
+inline Vec3 cell_of(const View& view, std::uint32_t slot, const Row& row) {
+  const std::uint32_t sheet_rows = view.model.head->sheet_rows;
+  const std::uint32_t y = row.y < sheet_rows ? row.y : row.y % sheet_rows;
+  return {static_cast<float>(row.x0 + (slot - row.slot)), static_cast<float>(y),
+          static_cast<float>(view.model.plane[row.plane].z)};
+}
+
+Vec3 rest_centre(const View& view, std::uint32_t slot, const Row& row);
+
+// Best rotation of a matrix near `start`.
+Quat rotation_of(const float a[9], Quat start);
+// Of a voxel's corners alone.
+Quat corner_rotation(const View& view, std::uint32_t slot, const Corners& corners);
+
+// Frame of a voxel from its corners alone: x = rotation * rest offset + centre.
+struct VoxelFrame {
+  Mat3 rotation;
+  Vec3 centre_m;  // now
+  Vec3 rest_centre_m;
+};
+VoxelFrame voxel_frame(const View& view, std::uint32_t slot, std::uint32_t row);
+
+// Weights of the voxels around a rest point, times fill; 0 shares outside the tissue. Tent weights
+// change smoothly along a way; even ones are the same for all places between the same centres;
+// stiff ones are tent weights times the root of fill and stiffness (coupling.cpp says why).
+enum class Sharing { kTent, kEven, kStiff };
+std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kSharesPerParticle],
+                          Sharing sharing = Sharing::kTent);
+
+// Present place of a rest point, trilinear in the voxel that holds it; false outside the tissue.
+bool present_place(const View& view, Vec3 rest_m, Vec3& place_out_m);
+bool inside_lattice(const View& view, Vec3 rest_m);
+
+// What a rest point lies in, finer than voxels (OrganMixed); kNoTissue where there is none.
+std::uint32_t material_at(const View& view, Vec3 rest_m);
+
+}  // namespace stylet

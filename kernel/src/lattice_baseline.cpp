@@ -1,3 +1,0 @@
-// SPDX-License-Identifier: Apache-2.0
-#define STYLET_LATTICE_STEP lattice_step_baseline
-#include "lattice_step.h"

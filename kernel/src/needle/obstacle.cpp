@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "needle/obstacle.h"
+
+#include "laws/touch.h"
+
+namespace stylet {
+namespace {
+
+// An axis nearer to the body than this share of the rounding is looked at from where the last
+// normal leads out: the direction of a distance needs a distance.
+constexpr double kCoreShare = 0.25;
+// A normal that turns by more than 120 degrees has not turned: the needle has passed through.
+constexpr double kThroughCosine = -0.5;
+// Normal stiffness left where the force is saturated, so that rounding cannot make it negative.
+constexpr double kLeastStiffnessShare = 1e-5;
+
+constexpr float kLargestConfigM = 10;
+constexpr float kRotationTolerance = 1e-3F;
+
+double max_of(double a, double b) {
+  return a > b ? a : b;
+}
+double min_of(double a, double b) {
+  return a < b ? a : b;
+}
+
+bool is_zero(Vec3 v) {
+  return v.x == 0 && v.y == 0 && v.z == 0;
+}
+
+// ---- the body's frame ---------------------------------------------------------------------------
+
+Vec3d row(const Mat3& m, int i) {
+  return to_double({m.m[i][0], m.m[i][1], m.m[i][2]});
+}
+Vec3d to_world(const Mat3& rotation, Vec3d v) {
+  return {dot(row(rotation, 0), v), dot(row(rotation, 1), v), dot(row(rotation, 2), v)};
+}
+Vec3d to_body(const Mat3& rotation, Vec3d v) {
+  return v.x * row(rotation, 0) + v.y * row(rotation, 1) + v.z * row(rotation, 2);
+}
+
+Vec3d in_body(const Obstacle& obstacle, Vec3d world_m) {
+  return to_body(obstacle.rotation, world_m - to_double(obstacle.config.pose.position_m));
+}
+Segment in_body(const Obstacle& obstacle, const Segment& world_m) {
+  return {in_body(obstacle, world_m.a_m), in_body(obstacle, world_m.b_m)};
+}
+Segment axis_of(const NeedlePiece& piece) {
+  return {to_double(piece.a_m), to_double(piece.b_m)};
+}
+
+ConvexHull hull_of(const Obstacle& obstacle) {
+  return {{obstacle.config.vertices_m, obstacle.config.vertex_count}, to_double(obstacle.centre_m)};
+}
+
+double rounding_of(const Obstacle& obstacle, double radius_m) {
+  return static_cast<double>(obstacle.config.rounding_m) + radius_m;
+}
+
+// ---- where --------------------------------------------------------------------------------------
+
+// The closest points, seen with the axis moved to at least `margin` outside the body along `out`:
+// which side of the body is near a needle that is pressed into it.
+Closest view_along(const ConvexHull& hull, const Segment& axis, Vec3d out, double margin) {
+  const double depth = reach(hull, out) - min_of(dot(out, axis.a_m), dot(out, axis.b_m));
+  const Vec3d shift = max_of(depth + margin, 0) * out;
+  return closest(hull, {axis.a_m + shift, axis.b_m + shift});
+}
+
+Closest view(const ConvexHull& hull, const Segment& axis, double margin, Vec3d last_normal) {
+  const bool remembers = dot(last_normal, last_normal) > 0;
+  const Closest near = closest(hull, axis);
+  if (near.distance_m >= margin || (!remembers && near.distance_m > 0)) return near;
+  return view_along(hull, axis, remembers ? last_normal : way_out(hull, axis), margin);
+}
+
+double depth_along(const ConvexHull& hull, Vec3d normal, Vec3d point, double rounding) {
+  return rounding + reach(hull, normal) - dot(normal, point);
+}
+
+// Towards `target`, by at most kMaxNormalTurnRad (to third order).
+Vec3d turn(Vec3d from, Vec3d target) {
+  constexpr double kMost = static_cast<double>(kMaxNormalTurnRad);
+  const double along = dot(from, target);
+  const Vec3d across = target - along * from;
+  const double sine = norm(across);
+  if (along < kThroughCosine || (along > 0 && sine <= kMost * along)) return target;
+  const Vec3d turned = from + (kMost / sine) * across;
+  return (1 / norm(turned)) * turned;
+}
+
+// No point of the axis can be within the rounding of the body.
+bool is_far(const Obstacle& obstacle, const Segment& axis, double rounding) {
+  const Vec3d centre = to_double(obstacle.centre_m);
+  const Vec3d along = axis.b_m - axis.a_m, gap = centre - axis.a_m;
+  const double length2 = dot(along, along);
+  const double t = length2 > 0 ? max_of(0, min_of(1, dot(gap, along) / length2)) : 0;
+  const double limit = static_cast<double>(obstacle.bound_m) + rounding;
+  const Vec3d left = gap - t * along;
+  return dot(left, left) > limit * limit;
+}
+
+// ---- what it does -------------------------------------------------------------------------------
+
+Press press_of(const ObstacleConfig& config, double depth_m) {
+  return press(static_cast<double>(config.stiffness_n_per_m),
+               static_cast<double>(config.largest_force_n), depth_m);
+}
+
+Vec3d across(Vec3d normal, Vec3d v) {
+  return v - dot(normal, v) * normal;
+}
+
+Mat3 stiffness_matrix(Vec3 n, float normal, float across) {
+  const float d = normal - across;
+  return {{{across + d * n.x * n.x, d * n.x * n.y, d * n.x * n.z},
+           {d * n.x * n.y, across + d * n.y * n.y, d * n.y * n.z},
+           {d * n.x * n.z, d * n.y * n.z, across + d * n.z * n.z}}};
+}
+
+bool all_finite(const ObstacleConfig& c) {
+  bool finite = is_finite(c.pose.position_m) && is_finite(c.rounding_m) &&
+                is_finite(c.stiffness_n_per_m) && is_finite(c.largest_force_n) &&
+                is_finite(c.friction);
+  const Quat q = c.pose.rotation;
+  finite = finite && is_finite(q.w) && is_finite(Vec3{q.x, q.y, q.z});
+  for (std::uint32_t i = 0; i < c.vertex_count; ++i) finite = finite && is_finite(c.vertices_m[i]);
+  return finite;
+}
+
+bool in_range(const ObstacleConfig& c) {
+  if (c.vertex_count == 0 || c.vertex_count > kMaxHullVertices || !all_finite(c)) return false;
+  for (std::uint32_t i = 0; i < c.vertex_count; ++i) {
+    if (!(norm(c.vertices_m[i]) <= kLargestConfigM)) return false;
+  }
+  const Quat q = c.pose.rotation;
+  const float length2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+  return norm(c.pose.position_m) <= kLargestConfigM && length2 > 1 - kRotationTolerance &&
+         length2 < 1 + kRotationTolerance && c.rounding_m >= 0 && c.rounding_m <= kLargestConfigM &&
+         c.stiffness_n_per_m > 0 && c.largest_force_n > 0 && c.friction >= 0;
+}
+
+}  // namespace
+
+void make_box(ObstacleConfig& config, Vec3 half_m) {
+  config.vertex_count = 8;
+  config.rounding_m = 0;
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    config.vertices_m[i] = {(i & 1U) != 0 ? half_m.x : -half_m.x,
+                            (i & 2U) != 0 ? half_m.y : -half_m.y,
+                            (i & 4U) != 0 ? half_m.z : -half_m.z};
+  }
+}
+
+void make_sphere(ObstacleConfig& config, float radius_m) {
+  config.vertex_count = 1;
+  config.vertices_m[0] = {0, 0, 0};
+  config.rounding_m = radius_m;
+}
+
+Status obstacle_prepare(const ObstacleConfig& config, Obstacle& obstacle_out) {
+  if (!in_range(config)) return Status::kConfigValueOutOfRange;
+  obstacle_out = {};
+  obstacle_out.config = config;
+  Quat& q = obstacle_out.config.pose.rotation;
+  const float length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  q = {q.w / length, q.x / length, q.y / length, q.z / length};
+  obstacle_out.rotation = rotation_matrix(q);
+  Vec3d sum = {0, 0, 0};
+  for (std::uint32_t i = 0; i < config.vertex_count; ++i) {
+    sum = sum + to_double(config.vertices_m[i]);
+  }
+  obstacle_out.centre_m = to_float((1.0 / config.vertex_count) * sum);
+  float farthest = 0;
+  for (std::uint32_t i = 0; i < config.vertex_count; ++i) {
+    farthest = max_of(farthest, norm(config.vertices_m[i] - obstacle_out.centre_m));
+  }
+  constexpr float kRoundUp = 1.0001F;
+  obstacle_out.bound_m = farthest * kRoundUp;
+  return Status::kOk;
+}
+
+Gap obstacle_gap(const Obstacle& obstacle, const NeedlePiece& piece) {
+  const double rounding = rounding_of(obstacle, static_cast<double>(piece.radius_m));
+  const ConvexHull hull = hull_of(obstacle);
+  const Segment axis = in_body(obstacle, axis_of(piece));
+  const Closest seen = view(hull, axis, kCoreShare * rounding, {0, 0, 0});
+  const Vec3d point = point_on(axis, seen.place);
+  const Vec3d normal = seen.normal;
+  return {static_cast<float>(-depth_along(hull, normal, point, rounding)),
+          to_float(to_world(obstacle.rotation, normal)), static_cast<float>(seen.place)};
+}
+
+Mat3 obstacle_stiffness(const Obstacle& obstacle, Vec3 normal, double depth_m, bool slips) {
+  const float k = obstacle.config.stiffness_n_per_m;
+  const double least = kLeastStiffnessShare * static_cast<double>(k);
+  const double along = max_of(press_of(obstacle.config, depth_m).stiffness_n_per_m, least);
+  return stiffness_matrix(normal, static_cast<float>(along), slips ? 0 : k);
+}
+
+bool find_face(const Obstacle& obstacle, const Segment& axis_m, double radius_m,
+               const ObstacleContact& last, Vec3d now_m, Vec3d seen, double reach_m,
+               ObstacleFace& out) {
+  const double rounding = rounding_of(obstacle, radius_m);
+  const Segment axis = in_body(obstacle, axis_m);
+  if (is_far(obstacle, axis, rounding + reach_m)) return false;
+  const ConvexHull hull = hull_of(obstacle);
+  const bool known = !is_zero(last.normal);
+  const Vec3d before = to_body(obstacle.rotation, known ? to_double(last.normal) : seen);
+  const Closest closest = view(hull, axis, kCoreShare * rounding, before);
+  out = {};
+  out.place = static_cast<float>(closest.place);
+  Vec3d normal = closest.normal;
+  if (known) {
+    out.goes_on = dot(before, normal) >= kThroughCosine;
+    out.depth_last_m = depth_along(hull, before, in_body(obstacle, now_m), rounding);
+    normal = turn(before, normal);
+  }
+  const double place = static_cast<double>(out.place);
+  out.depth_m = depth_along(hull, normal, point_on(axis, place), rounding);
+  out.normal = to_world(obstacle.rotation, normal);
+  out.at_m = point_on(axis_m, place);
+  if (out.goes_on) {
+    out.bristle_m = across(out.normal, to_double(last.bristle_m) + (now_m - last.at_m));
+  }
+  return out.depth_m > -reach_m;
+}
+
+double face_loss(const Obstacle& obstacle, const ObstacleFace& face, const ObstacleContact& last,
+                 Vec3d moved_m, Vec3d bristle_m) {
+  if (is_zero(last.normal)) return 0;
+  const double k = static_cast<double>(obstacle.config.stiffness_n_per_m);
+  const double depth_last = face.depth_last_m - dot(to_double(last.normal), moved_m);
+  const double depth = face.depth_m - dot(face.normal, moved_m);
+  const double turned =
+      press_of(obstacle.config, depth_last).energy_j - press_of(obstacle.config, depth).energy_j;
+  const Vec3d before = to_double(last.bristle_m),
+              trial = face.bristle_m + across(face.normal, moved_m);
+  const double lifted = dot(face.normal, before);  // lost as the plane of contact turns
+  const double tension = k * norm(face.goes_on ? trial : before), left = k * norm(bristle_m);
+  const double held = min_of(tension, max_of(left, k * norm(before)));
+  return turned + 0.5 * k * lifted * lifted + 0.5 * (held + left) * (tension - left) / k;
+}
+
+ObstacleLoad obstacle_load(const Obstacle& obstacle, const NeedlePiece& piece,
+                           const ObstacleContact& last, ObstacleContact& next_out) {
+  next_out = {};
+  ObstacleLoad load = {};
+  if (!is_finite(piece.a_m) || !is_finite(piece.b_m) || !is_finite(piece.radius_m)) return load;
+  const Segment axis = axis_of(piece);
+  const Vec3d now = point_on(axis, static_cast<double>(last.place));
+  ObstacleFace face = {};
+  (void)find_face(obstacle, axis, static_cast<double>(piece.radius_m), last, now, {0, 0, 0}, 0,
+                  face);
+  const ObstacleConfig& config = obstacle.config;
+  const double k = static_cast<double>(config.stiffness_n_per_m);
+  const Press pressed = press_of(config, face.depth_m);
+  const bool holds = face.goes_on || is_zero(last.normal);
+  const double limit_n = holds ? static_cast<double>(config.friction) * pressed.force_n : 0;
+  const Slip slid = slip(k, limit_n, face.bristle_m);
+  load.dissipated_j =
+      static_cast<float>(face_loss(obstacle, face, last, {0, 0, 0}, slid.bristle_m));
+  if (!(face.depth_m > 0)) return load;
+  load.normal = to_float(face.normal);
+  load.place = face.place;
+  load.depth_m = static_cast<float>(face.depth_m);
+  next_out = {load.normal, to_float(slid.bristle_m), face.at_m, face.place,
+              static_cast<float>(limit_n)};
+  load.force_n = to_float(pressed.force_n * face.normal - k * slid.bristle_m);
+  load.at_m = to_float(face.at_m);
+  load.elastic_j =
+      static_cast<float>(pressed.energy_j + 0.5 * k * dot(slid.bristle_m, slid.bristle_m));
+  load.slips = slid.slips ? 1 : 0;
+  load.stiffness_n_per_m = obstacle_stiffness(obstacle, load.normal, face.depth_m, slid.slips);
+  return load;
+}
+
+}  // namespace stylet

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where everything lives: three blocks, each a list of parallel arrays; state and scratch hold no
+// pointers.
+//
+// One table per block (the STYLET_..._FIELDS macros) gives the view, the size, the reset, the hash,
+// the field-by-field difference and what a snapshot is held against; nobody else computes an
+// offset. Every array starts on a cache line. Units: SI, displacements from the rest place in
+// metres.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "laws/film.h"
+#include "laws/filter.h"
+#include "needle/obstacle.h"
+#include "needle/rod.h"
+#include "organ/runs.h"
+#include "stylet/kernel.h"
+#include "stylet/limits.h"
+#include "stylet/organ.h"
+
+namespace stylet {
+
+// All sizes of arrays, from the organ and the number of needles.
+struct Counts {
+  std::uint32_t voxels;
+  std::uint32_t planes;               // voxel planes; there is one more plane of particles
+  std::uint32_t rows;                 // stretches of voxels along x (runs.h)
+  std::uint32_t row_grid;             // places (y, z) by 2^row_shift
+  std::uint32_t row_shift, row_bits;  // of 2^row_bits rows at most each
+  std::uint32_t slots;                // padded voxels
+  std::uint32_t slots_at_once;        // whose sums are kept
+  std::uint32_t particles;            // padded particles
+  std::uint32_t particles_per_plane;
+  std::uint32_t windows[2];  // of 8 and of 16 lanes, lattice/plan.h
+  std::uint32_t sheets, ties;
+  std::uint32_t needles;
+  // Only with true mass, else zero: particles and slots, and floats of a filter's scratch.
+  std::uint32_t filtered_particles, filtered_slots;
+  std::uint32_t slots_per_plane;
+  std::uint64_t filter_floats;
+};
+
+// Slots the lattice sweep fits at a time: they and what is made of them stay in the nearest cache.
+// (With 128 the step takes 0.7 % more instructions, with 160 up to 2 % more time.)
+constexpr std::uint32_t kChunk = 144;
+static_assert(kChunk % kLanes == 0);
+
+// Planes of particles that each pass of the filter has at hand: three of what it starts from, and
+// two of what voxels send.
+constexpr std::uint32_t kPassPlanes = 5;
+
+// A stretch of voxels x0 .. x0 + count - 1 of row y, all sheets counted, in a plane; holes are
+// slots without stiffness. The slot before the first and the one behind the last are empty, so a
+// node sees zeros beyond the ends. Rows are sorted by plane, y and x.
+struct Row {
+  std::uint32_t slot;
+  std::uint16_t count, x0, y, plane;
+  std::uint32_t node[4];    // particle at (x0, y + dy, plane + dz), index dy + 2 dz
+  std::uint32_t window[2];  // the first of the line y, of either list
+};
+
+struct Plane {
+  std::uint32_t row_begin;                     // up to that of the next
+  std::uint32_t z;                             // in space, of the particles at the low side
+  std::uint32_t slot_begin, slot_end;          // multiples of kLanes
+  std::uint32_t particle_begin, particle_end;  // of the particles at the plane's low side
+  std::uint32_t window_begin[2], window_end[2];
+  std::uint32_t tie_begin, tie_end;  // of the particles at the plane's low side
+};
+
+// Two nodes that are one particle, in different sheets of the lattice; `root` stands for it.
+struct TiedNode {
+  std::uint32_t node, root;
+};
+
+// Neighbouring nodes of one line (y) of a voxel plane, a group of lanes, and the voxel rows y - 1
+// and y that send forces to them (lattice/plan.h).
+struct Window {
+  // At the low side of the first node, in the plane: at least -kLanes. A row without a bit has that
+  // of the other: no sums but those of rows that reach the window are at hand.
+  std::int32_t slot[2];
+  std::uint16_t lanes[2];   // a bit for each node that belongs to the row
+  std::uint32_t low, high;  // the first node, in the particle planes below and above
+};
+
+// Friction of a shaft, per metre of it.
+struct Friction {
+  float coulomb_n_per_m, static_n_per_m, inverse_stribeck_s_per_m, viscous_n_s_per_m2;
+};
+
+// What the tick needs of a material; derived once.
+struct MaterialModel {
+  float shear_pa, poisson_ratio;  // without its thin skin
+  float skin_shear_n_per_m;       // of the skin, over its thickness
+  Film film;                      // the skin on the tissue
+  // Of a voxel, over which the skin is spread: shear modulus, and lambda over twice that.
+  float lattice_shear_pa, lattice_volume_ratio;
+  float puncture_n, cutting_n, recut_fraction;
+  float puncture_exponent;
+  Friction friction;
+  float relaxing_fraction, relaxation_time_s;
+  float real_kg, stepped_kg;
+};
+
+struct ModelHead {
+  Organ organ;      // of its own: only the file's bytes are the caller's
+  std::byte* team;  // see set_team; here, so that all copies of a Kernel know it
+  Config config;
+  Counts counts;
+  std::uint64_t organ_hash;
+  float edge_m, inverse_edge_per_m;
+  Vec3 origin_m;
+  std::uint16_t size_x, size_y, size_z, sheet_rows;
+  float substep_s;
+  float hourglass_weight;
+  Filter filter;                     // of no use with added mass
+  float velocity_keep;               // of the slip velocity's low pass, per tick
+  float cone_length_m[kMaxNeedles];  // of the tips, cone.h
+  std::uint32_t obstacle_count;
+  std::uint32_t material_count;
+  MaterialModel material[kMaxMaterials];
+};
+
+// One voxel's share of a constraint particle.
+struct Share {
+  std::uint32_t slot, row;
+  float weight;   // shares of one particle add up to 1
+  Vec3 offset_m;  // rest offset from the voxel's centre
+  Vec3 goal_m;    // from the last fit of the voxel, and the rotation of that fit
+  Quat turn;
+};
+
+struct Particle {                // a constraint particle
+  Vec3 rest_m;                   // place in the rest frame; chooses the voxels
+  Vec3 position_m;               // the needle's point that holds it
+  Vec3 memory_m, memory_n;       // Maxwell branch: displacement and force, both lagged
+  Vec3 give_m;                   // of the tissue along the needle, beyond that across
+  Vec3 slack_m;                  // residual at which the spring carries nothing
+  Vec3 force_n;                  // on the tissue, from the last fit
+  float track_m;                 // track coordinate: length from the entry
+  float arc_m;                   // arc length on the needle, from the tip
+  float stiffness_n_per_m;       // of the stretch it stands for now
+  float full_stiffness_n_per_m;  // of a whole unit
+  float tissue_compliance;       // of the tissue under the tip in contact, over that of the spring
+  float memory_share;            // relaxing part of all of the force
+  float memory_keep;             // of the difference, per tick
+  float memory_spread;           // relaxed part of how the shares lie apart
+  float give_share;              // of spring and give together along the needle, the give's
+  float slip_m_per_s;            // low-passed
+  Friction friction;             // mean of what the tip has met on the stretch it stands for
+  float met_m;                   // length of that
+  Vec3 slip_m;                   // of the needle past the tissue in this tick
+  std::uint32_t material;
+  std::uint32_t share_count;
+  Share share[kSharesPerParticle];
+};
+
+constexpr std::uint32_t kNoTrack = 0xFFFFFFFFU;
+struct Track {
+  Vec3 entry_rest_m, direction_rest;
+  float length_m;
+};
+
+struct NeedleState {
+  Pose handle;
+  Vec3 base_m;  // of the handle, in the frame of the attachments
+  std::uint32_t handle_known;
+  Phase phase;
+  std::uint32_t layer;         // the material the tip is through to
+  std::uint32_t spring_layer;  // the material its spring is of: `layer`, or one that holds it
+  std::uint32_t shaft_count, shaft_max;
+  std::uint32_t tip_alive;
+  std::uint32_t leaving;  // the tip has left a track but not yet the surface around it
+  std::uint32_t track_current;
+  float layer_track_m;  // where the tip last changed layer
+  std::uint32_t layer_before;
+  float press_m_per_s;   // of the needle towards a surface that holds it, low-passed
+  float track_end_m;     // length of the current track
+  float drop_track_m;    // where the last shaft CP was dropped, or could not be: in a gap
+  float tissue_track_m;  // the tip's track coordinate when it was last in tissue
+  float twist_rad, twist_nm_per_rad;  // the hand's roll less the tip's, see roll.h
+  Vec3 moved_m;  // of the tissue it came to, by other needles; zero if there are none
+  Vec3 cut;      // where the tip cuts: the needle's direction there, but for a bevel
+  Vec3 last_force_n, last_torque_nm;
+  std::uint32_t touch_count, touch_max;
+};
+
+// A piece of needle that touches an obstacle.
+struct Touch {
+  std::uint32_t obstacle, rod;
+  ObstacleContact contact;
+  Vec3 at_m, force_n;  // on the needle, in the world
+  float arc_m;         // from the handle
+  Mat3 stiffness_n_per_m;
+  Vec3 normal;
+  float depth_m;
+};
+
+struct StateHead {
+  std::uint64_t tick;
+  std::uint32_t latched_fault;
+  std::uint32_t track_count, track_next;
+  float max_displacement_m;
+  float coupling_shortfall;
+  std::uint32_t event_count;
+  std::uint32_t coupled_max, track_max;
+  std::uint64_t input_not_finite, input_clamped, input_missing;
+  std::uint64_t cp_pool_full, cp_voxel_pool_full, contact_budget, fault_count;
+  std::uint64_t obstacle_pool_full, needle_unstable;
+  double work_by_hand_j, friction_j, cutting_j, relaxation_j, obstacles_j;
+};
+
+// A voxel coupled to the needle in this tick.
+struct CoupledVoxel {
+  std::uint32_t slot, row, first_member, last_member, member_count;
+};
+// kLanes of them in the order of plane_order: where they are, and what their constraint particles
+// change for their corners.
+struct FitGroup {
+  struct Side {                       // low or high, along z
+    std::uint32_t node[2][kLanes];    // particle at the voxel's (x, y + dy)
+    float change_n[2][3][kLanes][2];  // at dx = 0 and 1 of it
+  };
+  Side side[2];
+  std::uint32_t count;         // voxels
+  std::uint32_t most_members;  // constraint particles' shares in one of them
+  std::uint32_t first_member[kLanes], member_count[kLanes];
+  std::uint32_t slot[kLanes];
+  float cell[3][kLanes];  // centre at rest, in edges from the lattice's origin
+  float k[kLanes];        // stiffness of a corner
+};
+static_assert(kMaxCoupledVoxels % kLanes == 0);
+struct Member {  // of a coupled voxel: a particle's share; a needle's last particle is its tip
+  std::uint16_t particle, share;
+  std::uint32_t next;  // of the same voxel
+};
+constexpr std::uint32_t kNeedleParticles = kMaxConstraintParticles + 1;
+constexpr std::uint32_t kMaxMembers = kNeedleParticles * kSharesPerParticle;
+
+struct ScratchHead {
+  std::uint32_t coupled_count;
+  std::uint32_t substeps_to_come;  // of this tick, after this one
+  std::uint32_t padding[14];
+};
+
+// F(name, type, count); `c` is Counts. Of a constraint particle's spring: how far this tick pulls
+// it (`stretch`), and where its end is in this substep (`place`).
+// Only with true mass: the bound on the stiffness of a voxel and of a particle (filter.h), what
+// constraint particles add to a particle's in this tick (`held`), its momentum over its mass (w).
+// The last two of the model only with sheets: the particle that each node is, and which quarters of
+// its cell are a voxel's own (organ.fbs).
+#define STYLET_MODEL_FIELDS(F)                           \
+  F(head, ModelHead, 1)                                  \
+  F(plane, Plane, c.planes + 1)                          \
+  F(row, Row, c.rows)                                    \
+  F(window8, Window, c.windows[0])                       \
+  F(window16, Window, c.windows[1])                      \
+  F(tie, TiedNode, c.ties)                               \
+  F(row_of, std::uint32_t, c.row_grid)                   \
+  F(voxel_slot, std::uint32_t, c.voxels)                 \
+  F(voxel_row, std::uint32_t, c.voxels)                  \
+  F(slot_k, float, c.slots)                              \
+  F(slot_volume, float, c.slots)                         \
+  F(slot_fill, float, c.slots)                           \
+  F(slot_material, std::uint8_t, c.slots)                \
+  F(slot_mixed, std::uint32_t, c.slots)                  \
+  F(step_per_mass, float, c.particles)                   \
+  F(particle_kg, float, c.particles)                     \
+  F(hold, float, c.particles)                            \
+  F(slot_bound, float, c.filtered_slots)                 \
+  F(bound, float, c.filtered_particles)                  \
+  F(rod, RodModel, c.needles)                            \
+  F(obstacle, Obstacle, kMaxObstacles)                   \
+  F(root, std::uint32_t, c.sheets > 1 ? c.particles : 0) \
+  F(quarters, std::uint64_t, c.sheets > 1 ? c.slots : 0)
+
+#define STYLET_STATE_FIELDS(F)                    \
+  F(head, StateHead, 1)                           \
+  F(ux, float, c.particles)                       \
+  F(uy, float, c.particles)                       \
+  F(uz, float, c.particles)                       \
+  F(vx, float, c.particles)                       \
+  F(vy, float, c.particles)                       \
+  F(vz, float, c.particles)                       \
+  F(wx, float, c.filtered_particles)              \
+  F(wy, float, c.filtered_particles)              \
+  F(wz, float, c.filtered_particles)              \
+  F(ex, float, c.particles)                       \
+  F(ey, float, c.particles)                       \
+  F(ez, float, c.particles)                       \
+  F(qw, float, c.slots)                           \
+  F(qx, float, c.slots)                           \
+  F(qy, float, c.slots)                           \
+  F(qz, float, c.slots)                           \
+  F(needle, NeedleState, c.needles)               \
+  F(shaft, Particle, kNeedleParticles* c.needles) \
+  F(rod_shape, RodShape, c.needles)               \
+  F(node, Vec3, (kMaxRods + 1) * c.needles)       \
+  F(touch, Touch, kMaxTouches* c.needles)         \
+  F(track, Track, kMaxTracks)                     \
+  F(event, Event, kMaxEvents)
+
+#define STYLET_SCRATCH_FIELDS(F)                                \
+  F(head, ScratchHead, 1)                                       \
+  F(before_sums, float, kLanes) /* read by windows, not used */ \
+  F(sums, float, 12 * c.slots_at_once)                          \
+  F(force, float, 6 * c.particles_per_plane)                    \
+  F(coupled, CoupledVoxel, kMaxCoupledVoxels* c.needles)        \
+  F(member, Member, kMaxMembers* c.needles)                     \
+  F(stretch, Vec3, kNeedleParticles* c.needles)                 \
+  F(place, Vec3, kNeedleParticles* c.needles)                   \
+  F(plane_first, std::uint32_t, c.planes + 2)                   \
+  F(plane_order, std::uint32_t, kMaxCoupledVoxels* c.needles)   \
+  F(group, FitGroup, kMaxCoupledVoxels / kLanes * c.needles)    \
+  F(slot_mark, std::uint32_t, c.slots)                          \
+  F(held, float, c.filtered_particles)                          \
+  F(filter, float, c.filter_floats)                             \
+  F(loads, RodLoads, 1)                                         \
+  F(rod, RodScratch, 1)                                         \
+  F(rod_result, RodResult, 1)                                   \
+  F(touch, Touch, kMaxTouches)
+
+#define STYLET_FIELD_POINTER(name, type, count) type* name;
+struct ModelView {
+  STYLET_MODEL_FIELDS(STYLET_FIELD_POINTER)
+};
+struct StateView {
+  STYLET_STATE_FIELDS(STYLET_FIELD_POINTER)
+  Particle* tip;  // the needle's last particle
+};
+struct ScratchView {
+  STYLET_SCRATCH_FIELDS(STYLET_FIELD_POINTER)
+};
+#undef STYLET_FIELD_POINTER
+
+// kOrganTooLarge where a block does not fit this machine.
+Status block_sizes(const Counts& counts, Sizes& sizes_out);
+const Counts& counts_of(const Kernel& kernel);
+
+ModelView model_view(std::byte* block, const Counts& counts);
+StateView state_view(std::byte* block, const Counts& counts);
+ScratchView scratch_view(std::byte* block, const Counts& counts);
+
+// All three at once, as the tick uses them.
+struct View {
+  const Organ& organ;
+  ModelView model;
+  StateView state;
+  ScratchView scratch;
+  std::uint32_t needle;  // whose `needle`, `shaft`, `tip`, ... these are
+
+  const NeedleConfig& needle_config() const { return model.head->config.needle[needle]; }
+};
+inline bool has_true_mass(const View& view) {
+  return view.model.head->counts.filtered_particles != 0;
+}
+// Of the first needle.
+View view_of(const Kernel& kernel);
+// Of another needle.
+View needle_view(const View& view, std::uint32_t needle);
+
+std::uint64_t fnv1a(std::uint64_t hash, const void* data, std::size_t bytes);
+std::uint64_t hash_state(const Kernel& kernel);
+Difference first_difference(const Kernel& a, const Kernel& b);
+
+}  // namespace stylet

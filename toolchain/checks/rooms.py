@@ -1,0 +1,87 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Which room may use which: includes run down the list of rooms.txt, never up or sideways.
+
+A room is a folder of sources, or one file that stands alone beside the folders. The list names,
+from the bottom up, each room and the rooms it uses; so a circle cannot even be written down.
+Refused are: an include of a room that is not named, a room that is not listed, an include that
+does not say its room, and a listed arrow that no file needs any more.
+
+usage: rooms.py REPOSITORY LIST
+"""
+import pathlib
+import re
+import sys
+
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.M)
+SOURCES = {".h", ".cpp", ".c"}
+
+
+def read_list(path):
+    """[(root, prefix of its includes, {room: rooms it uses}, from the bottom up)]"""
+    houses = []
+    for line in pathlib.Path(path).read_text().splitlines():
+        if not line.strip() or line.startswith("#"):
+            continue
+        if not line.startswith(" "):
+            root, *prefix = line.split()
+            houses.append((root, prefix[0] if prefix else "", {}))
+        else:
+            room, _, uses = line.strip().partition(":")
+            houses[-1][2][room] = uses.split()
+    return houses
+
+
+def room_of(rooms, file):
+    """The listed room with the longest name that `file`, a path below the root, lies in."""
+    found = [room for room in rooms if file == room or file.startswith(room + "/")]
+    return max(found, key=len, default=None)
+
+
+def list_faults(root, rooms):
+    """Arrows of the list itself that do not run down."""
+    below = set()
+    for room, uses in rooms.items():
+        for used in uses:
+            if used not in below:
+                yield f"{root}: {room} is to use {used}, which is not listed below it"
+        below.add(room)
+
+
+def house_faults(repository, root, prefix, rooms):
+    yield from list_faults(root, rooms)
+    top, used = repository / root, set()
+    for path in sorted(top.rglob("*")):
+        if path.suffix not in SOURCES:
+            continue
+        file = path.relative_to(top).as_posix()
+        room, text = room_of(rooms, file), path.read_text()
+        if room is None:
+            yield f"{root}/{file}: its room is not listed"
+            continue
+        for match in INCLUDE.finditer(text):
+            place = f"{root}/{file}:{text.count(chr(10), 0, match.start()) + 1}"
+            named = match[1].removeprefix(prefix)
+            if match[1].startswith(prefix) and (top / named).is_file():
+                other = room_of(rooms, named)
+                used.add((room, other))
+                if other not in (None, room, *rooms[room]):
+                    yield f"{place}: {room} does not use {other} ({match[1]})"
+            elif (path.parent / match[1]).is_file():
+                folder = prefix + file.rpartition("/")[0]
+                yield f"{place}: {match[1]} does not say its room, {folder}"
+    for room, uses in rooms.items():
+        for other in uses:
+            if (room, other) not in used:
+                yield f"{root}: {room} is listed to use {other}, but no file does"
+
+
+def faults(repository, list_path):
+    for root, prefix, rooms in read_list(list_path):
+        yield from house_faults(pathlib.Path(repository), root, prefix, rooms)
+
+
+if __name__ == "__main__":
+    found = list(faults(*sys.argv[1:]))
+    print("\n".join(found))
+    sys.exit(bool(found))
