@@ -9,12 +9,12 @@
 #include <cstring>
 
 #include "laws/cone.h"
-#include "coupling/coupling.h"
+#include "coupling/bend.h"
+#include "coupling/return_map.h"
 #include "lattice/lattice.h"
 #include "lattice/plan.h"
 #include "state/layout.h"
 #include "base/math.h"
-#include "coupling/needle.h"
 #include "state/snapshot.h"
 #include "lattice/voxel.h"
 

@@ -3,10 +3,13 @@
 
 #include "base/math.h"
 #include "base/vec3d.h"
-#include "coupling/coupling.h"
-#include "coupling/needle.h"
+#include "coupling/bend.h"
+#include "coupling/contact_spring.h"
+#include "coupling/fit.h"
 #include "coupling/roll.h"
+#include "coupling/spring.h"
 #include "lattice/voxel.h"
+#include "state/attachment.h"
 #include "state/layout.h"
 
 namespace stylet {
@@ -200,7 +203,7 @@ double coupling_energy(const View& view) {
     const NeedleState& own = *one.state.needle;
     const std::uint32_t first = n * kNeedleParticles;
     for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
-      sum += refit(view, first + i, p) + shaft_energy(p);
+      sum += refit(view, first + i, p) + spring_energy(p);
     }
     sum += roll_energy(one);
     if (own.tip_alive != 0) {

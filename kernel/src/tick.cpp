@@ -1,100 +1,57 @@
 // SPDX-License-Identifier: Apache-2.0
-// One tick: the only place that knows the order of its parts.
+// One tick: the automaton of the paper, and the only place that knows the order of its steps.
 //
-//   check input -> place needle -> contact -> coupling (cut, slip, add, remove)
-//     -> bend once more where the tip is in contact -> tissue substeps (the fits inside include the
-//     CPs) -> slip once more -> settle needle -> forces -> check output
+//   for each needle
+//     1  input     the hand's pose, checked and clamped
+//     2  place     the needle there, bent by the last tick's forces          paper IV.C, step 1
+//     3  contact   free: does the tip meet the surface?                      IV.B, step 1
+//     4  carry     constraint particles (CPs) creep and go with the needle   IV.C, step 2
+//     5  puncture  contact: it holds, ends, or breaks the surface            IV.B, step 3
+//     6  cut       the tip moves on to other tissue                          IV.C, step 3
+//     7  slip      the shaft's CPs slip back to the limit of friction        IV.C, step 3; V
+//     8  add, remove  CPs behind a tip that goes on or comes back            IV.C, step 4
+//     9  bend      a tip in contact once more, by what it presses with       IV.B, step 4
+//   for all together
+//     10 tissue    shape matching, CPs included, substep by substep          IV.B, step 2
+//   for each needle
+//     11 slip      once more, what the tissue dragged along
+//     12 bend      by the forces that came                                   IV.B, step 4
+//     13 force     on the hand, by cause                                     V
+//
+// Phases: free -> contact (3) -> inserted (5) <-> retracting (6) -> free (8). A needle that finds
+// its old hole goes from contact into it (5), or from free where tissue has come over it (3).
+//
+// Promises: bounded by limits.h, no allocation, fixed order. Units SI, frame of the attachments.
 
 #include "base/math.h"
-#include "coupling/coupling.h"
+#include "coupling/bend.h"
+#include "coupling/contact.h"
+#include "coupling/cut.h"
+#include "coupling/fit.h"
+#include "coupling/friction.h"
+#include "coupling/insertion.h"
+#include "coupling/layers.h"
+#include "coupling/relaxation.h"
 #include "coupling/roll.h"
+#include "coupling/shaft.h"
+#include "coupling/spring.h"
 #include "coupling/surface.h"
-#include "lattice/lattice.h"
+#include "hand/force.h"
+#include "hand/input.h"
+#include "state/attachment.h"
 
 namespace stylet {
 namespace {
 
-bool pose_finite(const Pose& pose) {
-  const Quat& q = pose.rotation;
-  return is_finite(pose.position_m) && is_finite(q.w) && is_finite(q.x) && is_finite(q.y) &&
-         is_finite(q.z);
-}
+// A needle of a tick, at its pose.
+struct Moved {
+  Pose before;
+  bool known_before;
+  std::uint32_t flags;
+  Needle shape;
+};
 
-// Unit length, on the same side as `reference`; false when there is no direction in it.
-bool normalize(Quat& q, const Quat& reference) {
-  const float largest = max_of(max_of(max_of(q.w, -q.w), max_of(q.x, -q.x)),
-                               max_of(max_of(q.y, -q.y), max_of(q.z, -q.z)));
-  if (!(largest > 1e-6F) || !(largest < 1e6F)) return false;
-  const float side = q.w * reference.w + q.x * reference.x + q.y * reference.y + q.z * reference.z;
-  const float size = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-  const float scale = side < 0 ? -1 / size : 1 / size;
-  q = {scale * q.w, scale * q.x, scale * q.y, scale * q.z};
-  return true;
-}
-
-bool clamp_distance(const View& view, Vec3& position_m) {
-  const Vec3 from = position_m - view.organ.origin_m;
-  const Vec3 near = {clamp(from.x, -kMaxHandleDistanceM, kMaxHandleDistanceM),
-                     clamp(from.y, -kMaxHandleDistanceM, kMaxHandleDistanceM),
-                     clamp(from.z, -kMaxHandleDistanceM, kMaxHandleDistanceM)};
-  position_m = view.organ.origin_m + near;
-  return near.x != from.x || near.y != from.y || near.z != from.z;
-}
-
-// Follows the wanted pose at most at the hand's highest speed.
-bool clamp_motion(const Pose& last, float period_s, Pose& wanted) {
-  bool clamped = false;
-  const Vec3 step = wanted.position_m - last.position_m;
-  const float length = norm(step);
-  const float most = kMaxHandleSpeedMPerS * period_s;
-  if (length > most) {
-    wanted.position_m = last.position_m + (most / length) * step;
-    clamped = true;
-  }
-  // Chord between unit quaternions: half the angle, for the small angles of one tick.
-  const Quat a = last.rotation, b = wanted.rotation;
-  const Quat turn = {b.w - a.w, b.x - a.x, b.y - a.y, b.z - a.z};
-  const float chord =
-      std::sqrt(turn.w * turn.w + turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
-  const float widest = kMaxHandleSpinRadPerS * period_s * 0.5F;
-  if (chord > widest) {
-    const float s = widest / chord;
-    wanted.rotation = {a.w + s * turn.w, a.x + s * turn.x, a.y + s * turn.y, a.z + s * turn.z};
-    (void)normalize(wanted.rotation, a);
-    clamped = true;
-  }
-  return clamped;
-}
-
-// Takes the sample into the state, or keeps the last pose; never an error.
-std::uint32_t accept_input(const View& view, const Input& input) {
-  StateHead& state = *view.state.head;
-  NeedleState& own = *view.state.needle;
-  if (input.valid == 0) {
-    ++state.input_missing;
-    return kFlagInputMissing;
-  }
-  Pose wanted = input.handle;
-  if (!pose_finite(wanted) || !normalize(wanted.rotation, own.handle.rotation)) {
-    ++state.input_not_finite;
-    return kFlagInputNotFinite;
-  }
-  bool clamped = clamp_distance(view, wanted.position_m);
-  if (own.handle_known != 0) {
-    clamped |= clamp_motion(own.handle, view.model.head->config.period_s, wanted);
-  }
-  own.handle = wanted;
-  own.handle_known = 1;
-  if (!clamped) return 0;
-  ++state.input_clamped;
-  return kFlagInputClamped;
-}
-
-// The turn from one rotation to another, a vector along its axis.
-Vec3 turn_between(const Quat& a, const Quat& b) {
-  const Vec3 va = {a.x, a.y, a.z}, vb = {b.x, b.y, b.z};
-  return 2.0F * (a.w * vb - b.w * va - cross(vb, va));
-}
+// ---- step 3: contact
 
 // A tip that has just left its track lies in the mouth of the hole: it must come clear of the
 // surface, or lie deeper than the mouth, before it can touch it again. What a tip that is swept
@@ -127,18 +84,102 @@ std::uint32_t hold_needle(const View& view, const Pose& before, Needle& shape_ou
   return kFlagInputClamped | place_needle(view, shape_out);
 }
 
-// Work of the hand since the last tick: mean of the forces at both ends times the motion.
-void book_work(const View& view, const Pose& before, const Output& out) {
-  StateHead& state = *view.state.head;
+// ---- steps 4 to 8: constraint particles
+
+// The tip goes where the needle has it; how fast it presses decides how easily a surface breaks.
+// Returns how far it has come along the needle.
+float move_tip(const View& view, const Needle& needle) {
   NeedleState& own = *view.state.needle;
-  const Pose& now = own.handle;
-  const Vec3 step = now.position_m - before.position_m;
-  const Vec3 turn = turn_between(before.rotation, now.rotation);
-  const float work = -0.5F * (dot(out.force_n + own.last_force_n, step) +
-                              dot(out.torque_nm + own.last_torque_nm, turn));
-  state.work_by_hand_j += static_cast<double>(work);
-  own.last_force_n = out.force_n;
-  own.last_torque_nm = out.torque_nm;
+  const float moved_m = dot(needle.tip_m - view.state.tip->position_m, needle.tip_direction);
+  view.state.tip->position_m = needle.tip_m;
+  const float speed = moved_m / view.model.head->config.period_s;
+  own.press_m_per_s = settle(speed + view.model.head->velocity_keep * (own.press_m_per_s - speed));
+  return moved_m;
+}
+
+// Behind a tip that comes back the shaft's CPs go, with the last of them the insertion ends; behind
+// one that goes on there are new ones. `from_m` (rest frame) and `from_track_m`: where the tip was.
+std::uint32_t add_and_remove(const View& view, const Needle& needle, Vec3 from_m,
+                             float from_track_m) {
+  NeedleState& own = *view.state.needle;
+  while (own.shaft_count > 0 && is_behind(view, view.state.shaft[own.shaft_count - 1])) {
+    --own.shaft_count;
+  }
+  if (own.shaft_count == 0) {
+    end_insertion(view);
+    return 0;
+  }
+  leave_layers(view);
+  tell_layer_late(view);
+  const std::uint32_t flags = drop_shaft(view, needle);
+  meet_friction(view, from_m, from_track_m);
+  return flags;
+}
+
+std::uint32_t move_particles(const View& view, const Needle& needle) {
+  NeedleState& own = *view.state.needle;
+  Particle& tip = *view.state.tip;
+  if (own.tip_alive == 0) {
+    tip.position_m = needle.tip_m;  // seek_contact measures from here
+    return 0;
+  }
+  if (own.phase != Phase::kContact) relax_and_follow(view, needle);  // 4: carry
+  const Vec3 step = needle.tip_m - tip.position_m;
+  const float moved_m = move_tip(view, needle);
+  std::uint32_t flags = 0;
+  if (own.phase == Phase::kContact) update_contact(view, needle, step, flags);  // 5: puncture
+  if (own.phase == Phase::kFree || own.phase == Phase::kContact) return flags;
+  const Vec3 from_m = tip.rest_m;
+  const float from_track_m = tip.track_m;
+  cut_tip(view, needle, moved_m);  // 6: cut
+  rehome_tip(view);
+  slip_shaft(view, needle);                                           // 7: slip
+  return flags | add_and_remove(view, needle, from_m, from_track_m);  // 8
+}
+
+// How far the needle's motion in this tick pulls the tip's spring is given to the tissue substep by
+// substep. In contact, too: with the needle moved before the first substep the tissue would be
+// pushed by more than the hand feels, which sees the forces of the last one.
+void stretch_tip_spring(const View& view) {
+  const Particle& tip = *view.state.tip;
+  Vec3& stretch = stretch_of(view, kMaxConstraintParticles);
+  stretch = {};
+  if (view.state.needle->tip_alive == 0) return;
+  stretch = (1 / tip.stiffness_n_per_m) * (force_on_tissue(tip) - tip.force_n);
+}
+
+// Steps 1 to 9.
+void move_needle(const View& view, const Input& input, Moved& out) {
+  NeedleState& own = *view.state.needle;
+  out.before = own.handle;
+  out.known_before = own.handle_known != 0;
+  out.flags = accept_input(view, input);  // 1: input
+  if (own.handle_known == 0) return;
+  Vec3 turn = {};
+  if (out.known_before) {
+    turn = turn_between(out.before.rotation, own.handle.rotation);
+    roll_tip(view, dot(turn, column(rotation_matrix(own.handle.rotation), 2)));
+  }
+  out.flags |= place_needle(view, out.shape);  // 2: place
+  const bool was_free = own.phase == Phase::kFree;
+  const bool known = seek_contact(view, out.shape, turn, out.known_before, false, out.flags);  // 3
+  if (!known && out.known_before) out.flags |= hold_needle(view, out.before, out.shape);
+  out.flags |= move_particles(view, out.shape);  // 4 to 8
+  stretch_tip_spring(view);
+  out.flags |= meet_tissue(view, out.shape);  // 9: bend
+  // One that has left its hole may have left it under other tissue, pressed or folded over it.
+  if (!was_free) (void)seek_contact(view, out.shape, turn, out.known_before, true, out.flags);
+}
+
+// ---- steps 11 to 13: what the hand feels
+
+// In the paper a CP is moved by whole needle units, before the tissue's step alone.
+void slip_again(const View& view, const Needle& needle) {
+  if (view.model.head->config.mode == Mode::kPaper) return;
+  let_cut(view);
+  for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
+    let_slip(view, needle, view.state.shaft[i]);
+  }
 }
 
 bool output_finite(const Output& out) {
@@ -157,35 +198,6 @@ void describe(const View& view, const Needle& needle, Output& out) {
   out.events = state.event_count;
 }
 
-// A needle of a tick, at its pose.
-struct Moved {
-  Pose before;
-  bool known_before;
-  std::uint32_t flags;
-  Needle shape;
-};
-
-void move_needle(const View& view, const Input& input, Moved& out) {
-  NeedleState& own = *view.state.needle;
-  out.before = own.handle;
-  out.known_before = own.handle_known != 0;
-  out.flags = accept_input(view, input);
-  if (own.handle_known == 0) return;
-  Vec3 turn = {};
-  if (out.known_before) {
-    turn = turn_between(out.before.rotation, own.handle.rotation);
-    roll_tip(view, dot(turn, column(rotation_matrix(own.handle.rotation), 2)));
-  }
-  out.flags |= place_needle(view, out.shape);
-  const bool was_free = own.phase == Phase::kFree;
-  const bool known = seek_contact(view, out.shape, turn, out.known_before, false, out.flags);
-  if (!known && out.known_before) out.flags |= hold_needle(view, out.before, out.shape);
-  out.flags |= couple_needle(view, out.shape);
-  out.flags |= meet_tissue(view, out.shape);
-  // One that has left its hole may have left it under other tissue, pressed or folded over it.
-  if (!was_free) (void)seek_contact(view, out.shape, turn, out.known_before, true, out.flags);
-}
-
 void latch_fault(StateHead& state) {
   if (state.latched_fault != 0) return;
   state.latched_fault = 1;
@@ -195,9 +207,9 @@ void latch_fault(StateHead& state) {
 void report_needle(const View& view, Moved& moved, Output& out) {
   out.flags |= moved.flags;
   if (view.state.needle->handle_known != 0) {
-    let_slip(view, moved.shape);
-    out.flags |= settle_needle(view, moved.shape);
-    sum_forces(view, moved.shape, out);
+    slip_again(view, moved.shape);                  // 11: slip
+    out.flags |= settle_needle(view, moved.shape);  // 12: bend
+    sum_forces(view, moved.shape, out);             // 13: force
   }
   describe(view, moved.shape, out);
   if (moved.known_before) book_work(view, moved.before, out);
@@ -226,7 +238,7 @@ void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outpu
     for (std::uint32_t i = 0; i < count; ++i) {
       move_needle(needle_view(view, i), i < inputs.size() ? inputs[i] : Input{}, moved[i]);
     }
-    const std::uint32_t flags = gather_coupled(view);
+    const std::uint32_t flags = gather_coupled(view);  // 10: tissue
     const std::uint32_t substeps = view.model.head->config.substeps;
     for (std::uint32_t s = 0; s < substeps; ++s) {
       view.scratch.head->substeps_to_come = substeps - 1 - s;

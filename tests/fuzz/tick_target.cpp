@@ -8,9 +8,9 @@
 // sends.
 #include <vector>
 
-#include "coupling/needle.h"
 #include "promises.h"
 #include "session.h"
+#include "state/attachment.h"
 #include "target.h"
 #include "tick_work.h"
 

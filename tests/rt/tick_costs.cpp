@@ -18,7 +18,7 @@
 #include <string_view>
 #include <vector>
 
-#include "coupling/needle.h"
+#include "state/attachment.h"
 #include "stylet/hal/instance.h"
 #include "stylet/hal/recording.h"
 #include "stylet/hal/replay.h"

@@ -12,8 +12,8 @@
 #include <fstream>
 #include <string>
 
-#include "coupling/needle.h"
 #include "simulator.h"
+#include "state/attachment.h"
 #include "tick_work.h"
 
 namespace stylet::test {

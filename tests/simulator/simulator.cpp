@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "coupling/needle.h"
+#include "lattice/voxel.h"
+#include "laws/touch.h"
 #include "promises.h"
+#include "state/attachment.h"
 #include "step_energy.h"
 #include "stylet/hal/loop.h"
 #include "tick_work.h"
-#include "laws/touch.h"
-#include "lattice/voxel.h"
 
 namespace stylet::test {
 namespace {
@@ -350,8 +350,8 @@ float depth_m(const View& view, std::uint32_t body, Vec3 a_m, Vec3 b_m) {
 
 // How deep a piece was in a body on its straight way, in so many steps, where that is deeper than
 // at both ends; else nothing.
-double passed_depth_m(const View& view, std::uint32_t body, const Vec3* before_m,
-                      const Vec3* now_m, std::uint32_t steps) {
+double passed_depth_m(const View& view, std::uint32_t body, const Vec3* before_m, const Vec3* now_m,
+                      std::uint32_t steps) {
   const float ends_m = std::max(depth_m(view, body, before_m[0], before_m[1]),
                                 depth_m(view, body, now_m[0], now_m[1]));
   float deepest_m = ends_m;

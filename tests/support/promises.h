@@ -11,10 +11,9 @@
 #include <span>
 #include <string>
 
-#include "coupling/coupling.h"
-#include "state/layout.h"
 #include "base/math.h"
 #include "coupling/roll.h"
+#include "state/layout.h"
 #include "stylet/kernel.h"
 
 namespace stylet::test {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "coupling/coupling.h"
-#include "state/layout.h"
 #include "session.h"
+#include "state/events.h"
+#include "state/layout.h"
 
 namespace stylet::test {
 namespace {

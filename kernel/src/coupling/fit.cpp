@@ -1,31 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "coupling/fit.h"
 
-#include "coupling/coupling.h"
+#include "coupling/spring.h"
+#include "coupling/support.h"
 #include "lattice/lattice.h"
 #include "lattice/voxel.h"
 
 namespace stylet {
-
-Vec3 residual(const Particle& p) {
-  Vec3 sum = {};
-  for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    sum = sum + p.share[i].weight * (p.position_m - p.share[i].goal_m);
-  }
-  return sum;
-}
-
-Vec3 force_on_tissue(const Particle& p, Vec3 residual_m) {
-  if (p.share_count == 0) return {};
-  return p.stiffness_n_per_m * (residual_m - p.slack_m);
-}
-Vec3 force_on_tissue(const Particle& p) {
-  return force_on_tissue(p, residual(p));
-}
-
-Vec3 grip(const Particle& p) {
-  return p.position_m - p.give_m;
-}
 
 namespace {
 

@@ -14,13 +14,6 @@
 
 namespace stylet {
 
-// Mean of needle point minus goal over a CP's shares.
-Vec3 residual(const Particle& p);
-Vec3 force_on_tissue(const Particle& p);
-Vec3 force_on_tissue(const Particle& p, Vec3 residual_m);
-// Point of the needle's axis where that force acts: the spring's end, behind the give.
-Vec3 grip(const Particle& p);
-
 // Where the last fit put a voxel: together with its CPs, if it has any. (A CP that joins others in
 // a voxel, held by the fit of the corners alone, would be moved by the next fit and felt.)
 struct FitFrame {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "coupling/roll.h"
 
-#include "coupling/coupling.h"
+#include "coupling/bend.h"
+#include "coupling/friction.h"
 
 namespace stylet {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "coupling/surface.h"
 
-#include "coupling/needle.h"
 #include "lattice/voxel.h"
 #include "organ/triangle.h"
+#include "state/attachment.h"
 
 namespace stylet {
 namespace {

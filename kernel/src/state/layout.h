@@ -13,6 +13,7 @@
 
 #include "laws/film.h"
 #include "laws/filter.h"
+#include "laws/friction.h"
 #include "needle/obstacle.h"
 #include "needle/rod.h"
 #include "organ/runs.h"
@@ -83,11 +84,6 @@ struct Window {
   std::int32_t slot[2];
   std::uint16_t lanes[2];   // a bit for each node that belongs to the row
   std::uint32_t low, high;  // the first node, in the particle planes below and above
-};
-
-// Friction of a shaft, per metre of it.
-struct Friction {
-  float coulomb_n_per_m, static_n_per_m, inverse_stribeck_s_per_m, viscous_n_s_per_m2;
 };
 
 // What the tick needs of a material; derived once.

@@ -15,11 +15,16 @@
 #include <utility>
 #include <vector>
 
-#include "coupling/coupling.h"
-#include "state/layout.h"
 #include "base/math.h"
+#include "coupling/contact.h"
+#include "coupling/fit.h"
+#include "coupling/spring.h"
+#include "coupling/stiffness.h"
+#include "coupling/support.h"
+#include "lattice/voxel.h"
 #include "promises.h"
 #include "session.h"
+#include "state/layout.h"
 #include "stylet/kernel.h"
 #include "tiny_organ.h"
 

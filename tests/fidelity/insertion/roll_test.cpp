@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-#include "coupling/needle.h"
+#include "coupling/friction.h"
 #include "rig.h"
 
 namespace stylet::test {

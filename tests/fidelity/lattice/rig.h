@@ -18,13 +18,14 @@
 #include <utility>
 #include <vector>
 
-#include "coupling/coupling.h"
-#include "lattice/lattice.h"
-#include "state/layout.h"
 #include "base/math.h"
+#include "coupling/contact.h"
+#include "coupling/fit.h"
+#include "lattice/lattice.h"
+#include "lattice/voxel.h"
 #include "reference_cluster.h"
 #include "session.h"
-#include "lattice/voxel.h"
+#include "state/layout.h"
 
 namespace stylet::test {
 

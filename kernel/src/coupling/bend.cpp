@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "coupling/bend.h"
+
+#include "coupling/contact.h"
+#include "coupling/roll.h"
+#include "coupling/spring.h"
+#include "coupling/touches.h"
+#include "state/attachment.h"
+
+namespace stylet {
+namespace {
+
+// No needle is quite straight: this kink at every joint decides to which side one pressed exactly
+// along its axis buckles.
+constexpr double kImperfectionRad = 1e-7;
+// Of what a needle is taken to be made of when it is thrown about: solid steel.
+constexpr double kSteelKgPerM3 = 7850;
+// Where the last Newton step turns a rod farther than this, the steps have not ended: the needle
+// snaps over. (At rest they end below 1e-5, with a jerk on obstacles below 1e-3.)
+constexpr double kSettledTurnRad = 1e-2;
+
+bool is_elastic(const NeedleConfig& config) {
+  return config.bending_nm2 > 0 || config.bent_angle_rad > 0;
+}
+
+// A direction across `from`, carried by the smallest turn from `from` to `to`.
+Vec3 carried(Vec3 across, Vec3 from, Vec3 to) {
+  const float opening = max_of(1 + dot(from, to), 1e-6F);
+  const Vec3 moved = across - (dot(across, to) / opening) * (from + to);
+  return unit(moved - dot(moved, to) * to);
+}
+
+Sym3d across(Vec3 direction, float stiffness) {
+  const double k = static_cast<double>(stiffness);
+  const Vec3d t = to_double(direction);
+  return {k * (1 - t.x * t.x), -k * t.x * t.y, -k * t.x * t.z,
+          k * (1 - t.y * t.y), -k * t.y * t.z, k * (1 - t.z * t.z)};
+}
+
+// Where a particle has slipped along the shaft it will slip on: its force there is on its limit.
+bool slides(const Particle& p) {
+  return dot(p.slip_m, p.slip_m) > 0;
+}
+
+// A held particle bends the needle by its spring, where that is fixed to it: one that slips, only
+// across the shaft. (Without the spring along it, one pressed at the tip buckles under a load that
+// does not give way.)
+void add_particle(const View& view, const Needle& last, const Particle& p, RodLoads& loads) {
+  if (p.share_count == 0) return;
+  const NeedleState& own = *view.state.needle;
+  const Vec3 direction = needle_point(last, p.arc_m).direction;
+  const Vec3 along = slides(p) ? direction : Vec3{};
+  const double grip_arc_m = static_cast<double>(p.arc_m + dot(p.give_m, direction));
+  const double length = static_cast<double>(view.needle_config().length_m);
+  loads.load[loads.count++] = {length - grip_arc_m, to_double(grip(p)) - to_double(own.base_m),
+                               -1.0 * to_double(p.force_n), across(along, p.stiffness_n_per_m)};
+}
+
+// All that the tissue pushed the needle with in the last step, as it answers to being moved.
+void gather_loads(const View& view, RodLoads& loads) {
+  const NeedleState& own = *view.state.needle;
+  const Needle last = needle_of(view);
+  loads.count = 0;
+  for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
+    add_particle(view, last, view.state.shaft[i], loads);
+  }
+  if (own.tip_alive != 0) add_particle(view, last, *view.state.tip, loads);
+}
+
+// A step near obstacles takes no node past what was looked at. What holds it, if need be, is a
+// node's mass over the square of a tick: more than that its inertia would let no needle go.
+RodCare care_of(const View& view) {
+  const double radius = static_cast<double>(view.needle_config().outer_radius_m);
+  const double period = static_cast<double>(view.model.head->config.period_s);
+  const double kg_per_m = kSteelKgPerM3 * 3.14159265 * radius * radius;
+  return {kReachM / kRodFaceSteps, kg_per_m * view.model.rod->rod_m / (period * period)};
+}
+
+struct HandleTurn {
+  double wxyz[4];
+};
+HandleTurn handle_turn(const View& view) {
+  const Quat& q = view.state.needle->handle.rotation;
+  return {{static_cast<double>(q.w), static_cast<double>(q.x), static_cast<double>(q.y),
+           static_cast<double>(q.z)}};
+}
+
+void put_nodes(const View& view) {
+  for (std::uint32_t i = 0; i <= view.model.rod->rods; ++i) {
+    view.state.node[i] = view.state.needle->base_m + to_float(view.scratch.rod_result->node_m[i]);
+  }
+}
+
+std::uint32_t keep_bend(const View& view) {
+  put_nodes(view);
+  const RodResult& result = *view.scratch.rod_result;
+  if (result.least_pivot > 0 && result.last_turn_rad < kSettledTurnRad) return 0;
+  ++view.state.head->needle_unstable;
+  return kFlagNeedleUnstable;
+}
+
+// A particle goes where the needle has gone; one that slips, only across, for how far along is
+// decided in the next tick.
+void carry(const Needle& needle, Particle& p) {
+  if (p.share_count == 0) return;
+  const NeedlePoint at = needle_point(needle, p.arc_m);
+  const Vec3 moved = at.place_m - p.position_m;
+  const float along = slides(p) ? dot(moved, at.direction) : 0;
+  p.position_m = p.position_m + (moved - along * at.direction);
+  turn_give(p, at.direction);
+  p.force_n = force_on_tissue(p);
+}
+
+// Bends the needle against tissue and bodies together: looks at the bodies, bends, and looks again
+// from there. Returns output flags.
+std::uint32_t bend(const View& view, Vec3 shift, std::uint32_t looks, Nearest& nearest) {
+  const RodModel& model = *view.model.rod;
+  const HandleTurn turn = handle_turn(view);
+  RodResult& result = *view.scratch.rod_result;
+  RodLoads& loads = *view.scratch.loads;
+  gather_loads(view, loads);
+  nearest = {};
+  if (view.model.head->obstacle_count > 0) {
+    carry_rod(model, turn.wxyz, *view.state.rod_shape, *view.scratch.rod, result);
+    Nearest before = {};
+    look_around(view, shift, before, nearest);
+    for (std::uint32_t look = 0; look < looks && nearest.faces.count > 0; ++look) {
+      if (look > 0) {
+        before = nearest;
+        look_around(view, shift, before, nearest);
+      }
+      bend_rod(model, turn.wxyz, loads, nearest.faces, care_of(view), *view.state.rod_shape,
+               *view.scratch.rod, result);
+    }
+  }
+  if (nearest.faces.count == 0) {
+    solve_rod(model, turn.wxyz, loads, *view.state.rod_shape, *view.scratch.rod, result);
+  }
+  return keep_bend(view);
+}
+
+}  // namespace
+
+Needle needle_of(const View& view) {
+  Needle needle = {};
+  needle.node = view.state.node;
+  needle.rods = view.model.rod->rods;
+  needle.rod_m = static_cast<float>(view.model.rod->rod_m);
+  needle.base_m = needle.node[0];
+  needle.tip_m = needle.node[needle.rods];
+  return needle;
+}
+
+void make_needle(const View& view) {
+  const NeedleConfig& config = view.needle_config();
+  const std::uint32_t rods = is_elastic(config) ? config.rods : 1;
+  const double bending =
+      config.bending_nm2 > 0 ? static_cast<double>(config.bending_nm2) : kRigidBendingNm2;
+  RodKink kinks[kMaxRods] = {};
+  const float rod_m = config.length_m / static_cast<float>(rods);
+  const float bent = config.bent_length_m / rod_m + 0.5F;
+  const std::uint32_t count = bent < 1 ? 1 : static_cast<std::uint32_t>(bent);
+  const double angle = static_cast<double>(config.bent_angle_rad) / count;
+  for (std::uint32_t i = 0; i < rods; ++i) kinks[i].x = kImperfectionRad;
+  for (std::uint32_t i = 0; i < count && i < rods; ++i) {
+    kinks[rods - 1 - i].x += angle * (1 - angle * angle / 6 * (1 - angle * angle / 20));
+  }
+  make_rod(rods, static_cast<double>(config.length_m), bending, {kinks, rods}, *view.model.rod);
+}
+
+std::uint32_t place_needle(const View& view, Needle& needle_out) {
+  NeedleState& own = *view.state.needle;
+  const NeedleConfig& config = view.needle_config();
+  const Vec3 shift = attachment_shift(view);
+  const Mat3 r = rotation_matrix(own.handle.rotation);
+  own.base_m = own.handle.position_m - shift;
+  std::uint32_t flags = 0;
+  if (is_elastic(config)) {
+    // In the tissue the touches are those of the second bend.
+    Nearest nearest;
+    flags |= bend(view, shift, kRodFaceLooks, nearest);
+    if (own.tip_alive == 0) flags |= enter_touches(view, nearest);
+  } else {
+    view.state.node[0] = own.base_m;
+    view.state.node[1] = own.base_m - config.length_m * column(r, 2);
+  }
+  needle_out = needle_of(view);
+  Vec3 from = -1.0F * column(r, 2);
+  needle_out.side = rolled_side(view, r);
+  needle_out.tip_direction = from;
+  for (std::uint32_t i = 0; is_elastic(config) && i < needle_out.rods; ++i) {
+    const Vec3 to = unit(needle_out.node[i + 1] - needle_out.node[i]);
+    needle_out.side = carried(needle_out.side, from, to);
+    needle_out.tip_direction = from = to;
+  }
+  if (!is_elastic(config)) flags |= touch_obstacles(view, needle_out, shift);
+  return flags;
+}
+
+namespace {
+
+// Bends the needle by the forces on it, and takes its particles along. Returns output flags.
+std::uint32_t bend_on(const View& view, Needle& needle, Nearest& nearest) {
+  const Vec3 before_m = view.state.tip->position_m;
+  const std::uint32_t flags = bend(view, attachment_shift(view), 1, nearest);
+  needle.tip_m = needle.node[needle.rods];
+  for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
+    carry(needle, view.state.shaft[i]);
+  }
+  carry(needle, *view.state.tip);
+  stretch_tip(view, needle.tip_m - before_m);
+  throw_aside(view, needle, needle.tip_m - before_m);
+  return flags;
+}
+
+}  // namespace
+
+std::uint32_t meet_tissue(const View& view, Needle& needle) {
+  Particle& tip = *view.state.tip;
+  if (!is_elastic(view.needle_config()) || view.state.needle->phase != Phase::kContact) return 0;
+  tip.force_n = force_on_tissue(tip);
+  Nearest nearest;
+  const std::uint32_t flags = bend_on(view, needle, nearest);
+  needle.off_m = norm(residual(tip));
+  return flags;
+}
+
+std::uint32_t settle_needle(const View& view, Needle& needle) {
+  if (!is_elastic(view.needle_config()) || view.state.needle->tip_alive == 0) return 0;
+  Nearest nearest;
+  const std::uint32_t flags = bend_on(view, needle, nearest);
+  return flags | enter_touches(view, nearest);
+}
+
+}  // namespace stylet

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// What bends a needle: the forces of its constraint particles and contacts.
+//
+// Needle and tissue answer each other in turn, which is stable because each lowers the energy they
+// share; the needle answers twice, before and after the tissue, so that the hand feels what its
+// joints store. (With one answer it bends against tissue that stands still, so too far, and the
+// difference came out at the hand: up to 10 % of its work.) With its tip in contact it answers once
+// more (meet_tissue). Obstacles are part of all answers (needle/rod.h).
+//
+// Promises: no allocation; operations bounded by limits.h. Units SI, frame of the attachments.
+#pragma once
+
+#include "needle/shape.h"
+#include "state/layout.h"
+
+namespace stylet {
+
+// The needle in the state's nodes, as the last tick left it; without directions.
+Needle needle_of(const View& view);
+
+// Rods and their rest shape; obstacles are given by set_obstacles.
+void make_needle(const View& view);
+
+// Shape of this view's needle at its handle's pose, and its contacts with obstacles, unless it is
+// in the tissue: then they are what settle_needle finds. Returns output flags.
+std::uint32_t place_needle(const View& view, Needle& needle_out);
+
+// A needle whose tip is in contact bends once more before the tissue's step, by the force that the
+// tip would press with: its place was found by what the tissue was at the depth before, or by none.
+// Returns output flags.
+std::uint32_t meet_tissue(const View& view, Needle& needle);
+
+// After the tissue's step: bends by the forces that came, and takes the particles along. Returns
+// output flags.
+std::uint32_t settle_needle(const View& view, Needle& needle);
+
+}  // namespace stylet

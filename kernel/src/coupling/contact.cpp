@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "coupling/contact.h"
+
+#include "coupling/contact_spring.h"
+#include "coupling/cut.h"
+#include "coupling/deformation.h"
+#include "coupling/insertion.h"
+#include "coupling/spring.h"
+#include "coupling/support.h"
+#include "coupling/surface.h"
+#include "coupling/track.h"
+#include "state/events.h"
+
+namespace stylet {
+namespace {
+
+// A tip in contact must come this far clear of its goal to leave it: one that only slides sideways
+// is not in and out with every rounding.
+constexpr float kReleaseSkinM = 2e-5F;
+// In a bend in contact, whose spring is the tangent from before it, the tip of an elastic needle
+// takes tissue aside no farther than kChordM and this share of what it is off already: the
+// tangent's force is 0.8 % below that of a law that goes with the square. A choice, no sensitivity.
+constexpr float kAsideShare = 0.1F;
+
+// The tip of a needle that lies this deep under a place of the surface: it holds the tissue it lies
+// in, without force. Where the deformation at the surface says nothing of the tissue there, it
+// holds the surface.
+Particle tip_under(const View& view, const Needle& needle, Vec3 rest_m, Vec3 place_m,
+                   float buried_m, Place place) {
+  Particle tip = new_particle(view, needle, rest_m, place_m, 0, 0, place);
+  if (tip.share_count > 0 && buried_m > 0) {
+    const Vec3 step = buried_m * needle.tip_direction;
+    const Vec3 image = pull_back_step(view, gradient_around(view, tip), step);
+    const Particle under = new_particle(view, needle, rest_m + image, place_m + step, 0, 0, place);
+    if (under.share_count > 0) {
+      tip = under;
+    } else {
+      shift_goals(tip, step);
+    }
+    if (place == Place::kTip) tip.track_m = norm(image);
+  }
+  tip.position_m = needle.tip_m;
+  return tip;
+}
+
+// A tip in contact that holds the tissue it lies in now, without force.
+Particle tip_here(const View& view, const Needle& needle) {
+  const Particle& before = *view.state.tip;
+  const Vec3 step = pull_back_step(view, gradient_around(view, before), residual(before));
+  return new_particle(view, needle, before.rest_m + step, needle.tip_m, 0, 0, Place::kSurface);
+}
+
+// A contact the tip is drawn back from: where tissue has come over the tip from elsewhere, or it
+// has come in from the side, the tip is not clear yet, and holds what it lies in now, without
+// force. The surface may be anywhere behind it.
+bool hold_on(const View& view, const Needle& needle, std::uint32_t& flags_out) {
+  Vec3 rest = {}, place = {};
+  const Contact contact = find_contact(view, needle.tip_m, needle.tip_direction,
+                                       view.needle_config().length_m, {}, rest, place, flags_out);
+  if (contact != Contact::kFound) return false;
+  Particle tip = tip_here(view, needle);
+  if (tip.share_count == 0) {
+    const float buried = dot(needle.tip_m - place, needle.tip_direction);
+    tip = tip_under(view, needle, rest, place, buried, Place::kSurface);
+  }
+  if (tip.share_count == 0) return false;
+  *view.state.tip = tip;
+  view.state.needle->layer = tip.material;
+  return true;
+}
+
+void end_contact(const View& view) {
+  add_event(view, EventKind::kRelease, 0);
+  view.state.needle->phase = Phase::kFree;
+  view.state.needle->tip_alive = 0;
+}
+
+}  // namespace
+
+void begin_contact(const View& view, const Needle& needle, Vec3 rest_m, Vec3 place_m,
+                   float came_m) {
+  NeedleState& own = *view.state.needle;
+  const float depth = dot(needle.tip_m - place_m, needle.tip_direction);
+  const float buried = depth - max_of(came_m, 0);
+  if (own.leaving != 0 && buried <= mouth_m(view)) return;
+  own.leaving = 0;
+  own.moved_m = view.model.head->counts.needles > 1 ? place_m - rest_m : Vec3{};
+  const Particle entry = new_particle(view, needle, rest_m, place_m, 0, buried, Place::kShaft);
+  const std::uint32_t track = buried > mouth_m(view) ? track_of(view, needle, entry) : kNoTrack;
+  const Place place = track != kNoTrack ? Place::kTip : Place::kSurface;
+  const Particle tip = tip_under(view, needle, rest_m, place_m, buried, place);
+  if (tip.share_count == 0) return;
+  *view.state.tip = tip;
+  own.tip_alive = 1;
+  if (track != kNoTrack) {
+    take_in(view, needle, track, entry);
+    return;
+  }
+  // couple_needle presses it in, as far as it is then: see contact_spring.
+  view.state.tip->position_m = needle.tip_m - residual(tip);
+  own.phase = Phase::kContact;
+  own.layer = tip.material;
+  add_event(view, EventKind::kContact, 0);
+}
+
+void update_contact(const View& view, const Needle& needle, Vec3 step_m, std::uint32_t& flags_out) {
+  const ModelHead& head = *view.model.head;
+  Particle& tip = *view.state.tip;
+  const float felt = dot(tip.force_n, needle.tip_direction);
+  const float away = dot(residual(tip), needle.tip_direction);
+  if (away < -kReleaseSkinM) {
+    if (!hold_on(view, needle, flags_out)) end_contact(view);
+    return;
+  }
+  if (head.config.mode == Mode::kPhysical) relax_contact(view, needle.tip_direction, step_m);
+  const std::uint32_t track = track_of(view, needle, tip);
+  const bool node_inside = away > view.needle_config().unit_m;
+  const bool through = head.config.mode == Mode::kPaper
+                           ? node_inside
+                           : felt >= puncture_force(view, head.material[tip.material]);
+  if (through || track != kNoTrack) begin_insertion(view, needle, track, felt);
+}
+
+void throw_aside(const View& view, const Needle& needle, Vec3 moved_m) {
+  Particle& tip = *view.state.tip;
+  if (view.state.needle->phase != Phase::kContact || tip.share_count == 0) return;
+  if (view.model.head->config.mode == Mode::kPaper) return;
+  const Vec3 aside = moved_m - dot(moved_m, needle.tip_direction) * needle.tip_direction;
+  const float before_m = max_of(norm(residual(tip) - moved_m), needle.off_m);
+  const float held_m = kChordM + kAsideShare * before_m;
+  if (!(norm(residual(tip)) > before_m + held_m && dot(aside, aside) > held_m * held_m)) return;
+  tip = tip_here(view, needle);
+  stretch_of(view, kMaxConstraintParticles) = {};
+  if (tip.share_count == 0) end_contact(view);
+}
+
+void stretch_tip(const View& view, Vec3 moved_m) {
+  Vec3& stretch = stretch_of(view, kMaxConstraintParticles);
+  stretch = stretch + moved_m;
+}
+
+}  // namespace stylet

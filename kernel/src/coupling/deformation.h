@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the tissue around a constraint particle (CP) is deformed, to take steps back to the rest
+// frame.
+//
+// Rest places must follow the material, not the rotation alone: else a needle that leaves strained
+// tissue does not find its way back to its entry.
+//
+// Promises: bounded by kSharesPerParticle, no allocation. Units SI.
+#pragma once
+
+#include "lattice/voxel.h"
+
+namespace stylet {
+
+// Deformation of the tissue around a CP: displacement gradient, averaged over its shares.
+struct Gradient {
+  Vec3 c0, c1, c2;  // columns of I + gradient
+  float det;
+};
+
+Gradient gradient_around(const View& view, const Particle& p);
+
+// Rest-frame image of a step in deformed tissue. Rest places must follow the material, not the
+// rotation alone: else a needle that leaves strained tissue does not find its way back to its
+// entry.
+Vec3 pull_back(const Gradient& g, Vec3 step);
+
+// The same for a step of some length. A voxel's deformation says nothing about the next one: in
+// tissue pressed to a fraction of its length (the dimple of a puncture) the image ends within the
+// voxel.
+Vec3 pull_back_step(const View& view, const Gradient& g, Vec3 step_m);
+
+}  // namespace stylet

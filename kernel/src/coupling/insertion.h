@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact -> inserted -> out: a track begins, is entered again, and ends.
+//
+// Promises: a fixed number of operations, no allocation. Units SI. Source: paper section IV.B,
+// IV.D.
+#pragma once
+
+#include "needle/shape.h"
+#include "state/layout.h"
+
+namespace stylet {
+
+// Contact -> inserted: the entry becomes the first shaft CP, the tip starts to cut.
+void begin_insertion(const View& view, const Needle& needle, std::uint32_t track, float force_n);
+
+// The tissue has come over a tip that had left its hole, or never came clear of it: it lies in the
+// hole again, as deep as it is now, without force, and what friction there is holds the shaft.
+void take_in(const View& view, const Needle& needle, std::uint32_t track, const Particle& entry);
+
+void end_insertion(const View& view);
+
+}  // namespace stylet

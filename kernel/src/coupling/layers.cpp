@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "coupling/layers.h"
+
+#include "state/events.h"
+
+namespace stylet {
+
+namespace {
+
+// What the log last told of this needle's layer. Only there: the tip's forces follow where it is.
+struct Told {
+  bool known, crossed;          // known: it is still in the log; crossed: by a layer's event
+  std::uint32_t layer, before;  // and the one told before that
+  float track_m;
+};
+
+bool tells_layer(const Event& e, std::uint32_t needle) {
+  return e.needle == needle && (e.kind == EventKind::kLayer || e.kind == EventKind::kPuncture ||
+                                e.kind == EventKind::kReentry);
+}
+
+Told told_layer(const View& view) {
+  const std::uint32_t all = view.state.head->event_count;
+  const std::uint32_t kept = all < kMaxEvents ? all : kMaxEvents;
+  Told told = {};
+  for (std::uint32_t i = 1; i <= kept; ++i) {
+    const Event& e = view.state.event[(all - i) % kMaxEvents];
+    if (!tells_layer(e, view.needle)) continue;
+    told.before = e.layer;
+    if (told.known) return told;
+    told = {true, e.kind == EventKind::kLayer, e.layer, kNoLayer, e.depth_m};
+  }
+  return told;
+}
+
+bool is_near(const Told& told, float track_m) {
+  const float since = track_m - told.track_m;
+  return since < kLayerSkinM && since > -kLayerSkinM;
+}
+
+}  // namespace
+
+void tell_layer(const View& view, float force_n) {
+  const Told told = told_layer(view);
+  const bool back = told.known && told.crossed && view.state.needle->layer == told.before &&
+                    is_near(told, view.state.tip->track_m);
+  if (!back) add_event(view, EventKind::kLayer, force_n);
+}
+
+void tell_layer_late(const View& view) {
+  const Told told = told_layer(view);
+  if (!told.known || told.layer == view.state.needle->layer) return;
+  if (!is_near(told, view.state.tip->track_m)) add_event(view, EventKind::kLayer, 0);
+}
+
+void leave_layers(const View& view) {
+  NeedleState& own = *view.state.needle;
+  if (view.state.tip->share_count > 0 || own.layer == kNoLayer) return;
+  own.layer = kNoLayer;
+  tell_layer(view, 0);
+}
+
+}  // namespace stylet

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "coupling/relaxation.h"
+
+#include "coupling/spring.h"
+#include "coupling/support.h"
+
+namespace stylet {
+namespace {
+
+// Part of the way to its rest that the give along the needle goes in a tick.
+constexpr float kGiveRate = 0.5F;
+// Where all of a tick's creep would gain energy, at least this part of it is tried: with short
+// times the spring gives way faster than the lattice follows.
+constexpr float kLeastCreep = 1.0F / 16;
+
+// All of the force must relax, not the part that the CP's own spring has in it. With d the way of
+// the needle's point from where its tissue lies unloaded, all CPs' forces are F = K d: K is the
+// springs and the lattice behind them, whatever that is. So each spring ends phi m behind that
+// point, m' = (d - m) / tau, and all of F relaxes by the part phi in the time tau. (d is the
+// needle's way alone: no swing of the tissue feeds back. Nor is it how far others had moved the
+// tissue that this one came to, by which it is not pulled.) That takes a Maxwell branch with the
+// energy phi (1 - phi) m n / 2 summed over all CPs, n = K m, which needs no K: n' = (F + phi n - n)
+// / tau. Where one CP's m n is below 0 it stores nothing.
+//
+// A CP's shares hold the tissue as it was deformed when the CP took hold of it. So their d differ;
+// as these do not change, the places where they lie unloaded are drawn together by that part.
+//
+// The branch goes this part of its way; `residual_m` is the CP's.
+void creep(const View& view, Particle& p, Vec3 residual_m, float part) {
+  const Vec3 rest_m = unloaded_place(view, p);
+  const Vec3 d = (p.position_m - rest_m) - view.state.needle->moved_m;
+  const Vec3 f = force_on_tissue(p, residual_m) + p.memory_share * p.memory_n;
+  p.memory_m = settle(p.memory_m + part * (d - p.memory_m));
+  p.memory_n = settle(p.memory_n + part * (f - p.memory_n));
+  set_slack(p);
+  const float before = p.memory_spread;
+  p.memory_spread = before + part * (p.memory_share - before);
+  if (p.memory_spread == before) return;
+  const float drawn = (p.memory_spread - before) / max_of(1 - before, kLeastPart);
+  for (std::uint32_t i = 0; i < p.share_count; ++i) {
+    Share& share = p.share[i];
+    const Vec3 step = drawn * (rest_m - unloaded_place(view, share));
+    share.offset_m = share.offset_m + step;
+    share.goal_m = share.goal_m + rotation_matrix(share.turn) * step;
+  }
+}
+
+// The Maxwell branch creeps by this part of its way; what it dissipates is booked, and may be spent
+// by others (`spare_j`). Energy must not rise by more than that: else nothing changes, and how much
+// it would have risen is returned.
+double try_creep(const View& view, Particle& p, Drawn& shares, float part, double& spare_j) {
+  if (p.memory_share == 0 || p.share_count == 0) return 0;
+  const Particle before = p;
+  const double before_j = spring_energy(p, shares);
+  creep(view, p, shares.residual_m, part);
+  const Drawn crept = drawn(p);
+  const double rise_j = spring_energy(p, crept) - before_j;
+  if (rise_j <= spare_j) {
+    spare_j -= rise_j;
+    view.state.head->relaxation_j -= rise_j;
+    shares = crept;
+    return 0;
+  }
+  p = before;
+  return rise_j;
+}
+
+// The Maxwell branch creeps for a tick. False: it did not, for energy would rise.
+bool relax(const View& view, Particle& p, Drawn& shares, double& spare_j) {
+  return try_creep(view, p, shares, 1 - p.memory_keep, spare_j) == 0;
+}
+
+// The same for one that has to be paid by the others: as far as they do.
+void relax_late(const View& view, Particle& p, Drawn& shares, double& spare_j) {
+  const float all = 1 - p.memory_keep;
+  const double rise_j = try_creep(view, p, shares, all, spare_j);
+  if (rise_j == 0) return;
+  const float part = all * max_of(kLeastCreep, static_cast<float>(spare_j / rise_j));
+  (void)try_creep(view, p, shares, part, spare_j);
+}
+
+// The give follows the force along the needle, as over a damper. Only what lies along: to take back
+// what lies across would take work against the force there.
+void give_way(StateHead& state, Particle& p, const Drawn& shares, Vec3 direction) {
+  if (p.give_share == 0) return;
+  const double before_j = spring_energy(p, shares);
+  const float pull_m = dot(force_on_tissue(p, shares.residual_m), direction) / p.stiffness_n_per_m;
+  const float to_go_m = p.give_share * pull_m - (1 - p.give_share) * dot(p.give_m, direction);
+  p.give_m = settle(p.give_m + kGiveRate * to_go_m * direction);
+  set_slack(p);
+  state.relaxation_j += before_j - spring_energy(p, shares);
+}
+
+// A CP of the shaft goes with the needle.
+void follow(const View& view, const Needle& needle, Particle& p, const Drawn& shares) {
+  const NeedlePoint point = needle_point(needle, p.arc_m);
+  give_way(*view.state.head, p, shares, point.direction);
+  p.position_m = point.place_m;
+  turn_give(p, point.direction);
+}
+
+}  // namespace
+
+void relax_and_follow(const View& view, const Needle& needle) {
+  const NeedleState& own = *view.state.needle;
+  Particle& tip = *view.state.tip;
+  bool late[kMaxConstraintParticles] = {};
+  double spare_j = 0;
+  for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
+    Particle& p = view.state.shaft[i];
+    refill_shares(view, p);
+    Drawn shares = drawn(p);
+    late[i] = !relax(view, p, shares, spare_j);
+    if (!late[i]) follow(view, needle, p, shares);
+  }
+  Drawn tip_shares = drawn(tip);
+  if (!relax(view, tip, tip_shares, spare_j)) relax_late(view, tip, tip_shares, spare_j);
+  for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
+    if (!late[i]) continue;
+    Particle& p = view.state.shaft[i];
+    Drawn shares = drawn(p);
+    relax_late(view, p, shares, spare_j);
+    follow(view, needle, p, shares);
+  }
+}
+
+}  // namespace stylet

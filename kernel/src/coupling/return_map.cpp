@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "coupling/return_map.h"
+
+#include "coupling/spring.h"
+
+namespace stylet {
+namespace {
+
+// Slower than this a CP sticks.
+constexpr float kSlidingMPerS = 1e-4F;
+
+}  // namespace
+
+float overshoot(const View& view, const Particle& p, float axial_n, float low_n, float high_n) {
+  const ModelHead& head = *view.model.head;
+  if (head.config.mode == Mode::kPaper) {
+    const float unit = view.needle_config().unit_m;
+    const float away = axial_n / p.stiffness_n_per_m;
+    constexpr auto kMost = static_cast<float>(kMaxUnitsPerTick);
+    const float units = clamp(away / unit, -kMost, kMost);
+    return is_finite(units) ? whole_part(units) * unit : 0;  // else a fault, at the tick's end
+  }
+  const float excess =
+      axial_n > high_n ? axial_n - high_n : (axial_n < low_n ? axial_n - low_n : 0);
+  return excess / p.stiffness_n_per_m;
+}
+
+float renew(const View& view, Particle& p, Vec3 direction, float slip_m, double& booked_j) {
+  const float size = slip_m < 0 ? -slip_m : slip_m;
+  if (!(size > kSlidingMPerS * view.model.head->config.period_s)) return 0;
+  const double before = memory_energy(p);
+  const float along = dot(p.slack_m, direction);
+  const float part = size / (kRenewalLengthM + size);
+  p.memory_m = settle(p.memory_m - part * dot(p.memory_m, direction) * direction);
+  p.memory_n = settle(p.memory_n - part * dot(p.memory_n, direction) * direction);
+  p.memory_spread = (1 - part) * p.memory_spread;
+  set_slack(p);
+  const double after = memory_energy(p);
+  // It would rise where what is forgotten was negative.
+  if (after > before) p.memory_n = settle(static_cast<float>(before / after) * p.memory_n);
+  booked_j += before - memory_energy(p);
+  return along - dot(p.slack_m, direction);
+}
+
+void note_slip(const ModelHead& head, Particle& p, float slip_m) {
+  const float speed = (slip_m < 0 ? -slip_m : slip_m) / head.config.period_s;
+  p.slip_m_per_s = settle(speed + head.velocity_keep * (p.slip_m_per_s - speed));
+}
+
+void note_no_slip(const ModelHead& head, Particle& p, float slip_m) {
+  const float speed = (slip_m < 0 ? -slip_m : slip_m) / head.config.period_s;
+  p.slip_m_per_s = settle(max_of(p.slip_m_per_s - (1 - head.velocity_keep) * speed, 0));
+}
+
+}  // namespace stylet

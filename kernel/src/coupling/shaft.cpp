@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "coupling/shaft.h"
+
+#include "coupling/deformation.h"
+#include "coupling/friction.h"
+#include "coupling/spring.h"
+#include "coupling/support.h"
+#include "coupling/track.h"
+
+namespace stylet {
+namespace {
+
+// The tip must be this far behind a shaft CP to have passed it: a tip that re-enters a track starts
+// beside the first one.
+constexpr float kTrackSkinM = 1e-5F;
+// In a gap a place for a shaft CP is looked for in steps of this many units.
+constexpr float kGapStep = 0.25F;
+
+}  // namespace
+
+std::uint32_t push_shaft(const View& view, Particle p) {
+  StateHead& state = *view.state.head;
+  NeedleState& own = *view.state.needle;
+  if (own.shaft_count == kMaxConstraintParticles) {
+    ++state.cp_pool_full;
+    return kFlagCpPoolFull;
+  }
+  stand_for(view, p);
+  stretch_of(view, own.shaft_count) = {};
+  view.state.shaft[own.shaft_count++] = p;
+  own.shaft_max = own.shaft_count > own.shaft_max ? own.shaft_count : own.shaft_max;
+  return 0;
+}
+
+namespace {
+
+// Where on the needle a point of the tissue near the tip is: the arc length from the tip.
+float arc_at(const View& view, const Needle& needle, Vec3 rest_m, float otherwise_m) {
+  Vec3 present = {};
+  if (!present_place(view, rest_m, present)) return otherwise_m;
+  return max_of(dot(needle.tip_m - present, needle.tip_direction), 0);
+}
+
+}  // namespace
+
+std::uint32_t drop_shaft(const View& view, const Needle& needle) {
+  NeedleState& own = *view.state.needle;
+  const Particle& tip = *view.state.tip;
+  const float unit = view.needle_config().unit_m;
+  if (tip.share_count == 0) return 0;  // the stretch lies outside the tissue
+  if (own.drop_track_m > tip.track_m) {
+    own.drop_track_m = view.state.shaft[own.shaft_count - 1].track_m;
+  }
+  if (tip.track_m - (own.drop_track_m + unit) < 0) return 0;
+  const Gradient g = gradient_around(view, tip);
+  const Vec3 image = pull_back(g, needle.tip_direction);
+  const Vec3 along = (1 / norm(image)) * image;
+  const Vec3 point = tip.rest_m + pull_back_step(view, g, residual(tip));  // at the needle's tip
+  for (std::uint32_t drop = 0; drop < kMaxDropsPerTick; ++drop) {
+    const float track = own.drop_track_m + unit, behind = tip.track_m - track;
+    if (behind < 0) return 0;
+    Vec3 rest = point - behind * along;
+    if (!holds_track(view, rest, track)) rest = tip.rest_m - behind * along;
+    const float arc = arc_at(view, needle, rest, behind);
+    const Particle p =
+        new_particle(view, needle, rest, needle_place(needle, arc), track, arc, Place::kShaft);
+    if (p.share_count == 0 || !holds_track(view, rest, track)) {
+      own.drop_track_m += kGapStep * unit;
+      continue;
+    }
+    const std::uint32_t flags = push_shaft(view, p);
+    if (flags != 0) return flags;
+    own.drop_track_m = track;
+  }
+  return 0;
+}
+
+bool is_behind(const View& view, const Particle& p) {
+  return view.state.tip->track_m < p.track_m - kTrackSkinM ||
+         p.arc_m < -view.needle_config().unit_m;
+}
+
+}  // namespace stylet

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shaft's constraint particles (CPs): a stack ordered along the track, one for each needle unit
+// of it. Added behind a tip that goes on, removed as it comes back.
+//
+// Promises: bounded by kMaxConstraintParticles and kMaxDropsPerTick, no allocation. Units SI.
+// Source: paper section IV.B.
+#pragma once
+
+#include "needle/shape.h"
+#include "state/layout.h"
+
+namespace stylet {
+
+std::uint32_t push_shaft(const View& view, Particle p);
+
+// One shaft CP for each unit of track the tip has left behind, but for gaps between organs. The
+// track is as long as the tissue at rest: so near the tip it is straight there, and the needle
+// holds what was on it. Tissue that the tip pushes before it may end before that: there the needle
+// holds what the tip has passed.
+std::uint32_t drop_shaft(const View& view, const Needle& needle);
+
+// The tip has come back past a shaft CP: along the track, or, when a violent hand has made the
+// track unreliable, by the needle's own length.
+bool is_behind(const View& view, const Particle& p);
+
+}  // namespace stylet

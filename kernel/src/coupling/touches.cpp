@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "coupling/touches.h"
+
+#include "state/events.h"
+
+namespace stylet {
+namespace {
+
+// A touch so near to a rod's end, in rods, may go on at the next rod.
+constexpr float kNearNode = 0.1F;
+
+// The touch of the last tick that goes on at a piece: its own, or that of a piece beside it which
+// it has come from along the shaft. Null: it did not touch.
+const Touch* remembered(const View& view, std::uint32_t obstacle, std::uint32_t rod) {
+  const Touch* beside = nullptr;
+  for (std::uint32_t i = 0; i < view.state.needle->touch_count; ++i) {
+    const Touch& touch = view.state.touch[i];
+    if (touch.obstacle != obstacle) continue;
+    if (touch.rod == rod) return &touch;
+    const float place = touch.contact.place;
+    const bool from_above = touch.rod + 1 == rod && place > 1 - kNearNode;
+    const bool from_below = touch.rod == rod + 1 && place < kNearNode;
+    if (from_above || from_below) beside = &touch;
+  }
+  return beside;
+}
+
+Vec3d world_origin(const View& view, Vec3 shift) {
+  return to_double(view.state.needle->base_m) + to_double(shift);
+}
+
+RodFace rod_face(const View& view, const Near& near, Vec3d origin_m) {
+  const ObstacleConfig& config = view.model.obstacle[near.body].config;
+  const double k = static_cast<double>(config.stiffness_n_per_m);
+  const double most_n = static_cast<double>(config.largest_force_n);
+  return {(near.rod + static_cast<double>(near.face.place)) * view.model.rod->rod_m,
+          near.face.at_m - origin_m,
+          near.face.normal,
+          near.face.depth_m,
+          near.face.bristle_m,
+          k < kMaxRodStiffnessNPerM ? k : kMaxRodStiffnessNPerM,
+          most_n < kMaxRodForceN ? most_n : kMaxRodForceN,
+          static_cast<double>(config.friction),
+          near.face.goes_on ? static_cast<double>(near.last->contact.limit_n) : 0,
+          near.face.depth_m > 0 || near.last != nullptr,
+          false,
+          0,
+          0};
+}
+
+// In a full list, the place of the face that is least deep; null: the new one is left out.
+Near* place_for(Nearest& out, double depth_m) {
+  if (out.faces.count < kMaxTouches) return out.near + out.faces.count++;
+  Near* least = out.near;
+  for (Near& each : out.near) {
+    if (each.face.depth_m < least->face.depth_m) least = &each;
+  }
+  if (depth_m > 0 && least->face.depth_m > 0) ++out.left_out;
+  return least->face.depth_m < depth_m ? least : nullptr;
+}
+
+// A face as it was in the last look and what bending made of it; null: it was not seen.
+struct Seen {
+  const Near* near;
+  const RodFace* face;
+};
+Seen seen(const Nearest& before, std::uint32_t body, std::uint32_t rod) {
+  for (std::uint32_t i = 0; i < before.faces.count; ++i) {
+    const Near& near = before.near[i];
+    if (near.body == body && near.rod == rod) return {&near, before.faces.face + i};
+  }
+  return {nullptr, nullptr};
+}
+
+}  // namespace
+
+void look_around(const View& view, Vec3 shift, const Nearest& before, Nearest& out) {
+  const RodResult& result = *view.scratch.rod_result;
+  const double radius_m = static_cast<double>(view.needle_config().outer_radius_m);
+  const Vec3d origin_m = world_origin(view, shift);
+  out = {};
+  for (std::uint32_t body = 0; body < view.model.head->obstacle_count; ++body) {
+    for (std::uint32_t rod = 0; rod < view.model.rod->rods; ++rod) {
+      const Segment axis = {origin_m + result.node_m[rod], origin_m + result.node_m[rod + 1]};
+      const Touch* last = remembered(view, body, rod);
+      Vec3d now = {0, 0, 0};
+      if (last != nullptr) {
+        const double arc =
+            (last->rod + static_cast<double>(last->contact.place)) * view.model.rod->rod_m;
+        now = origin_m + rod_point(*view.model.rod, result, arc).place_m;
+      }
+      Near found = {body, rod, {}, last};
+      const Seen at = seen(before, body, rod);
+      if (!find_face(view.model.obstacle[body], axis, radius_m,
+                     last != nullptr ? last->contact : ObstacleContact{}, now,
+                     at.near != nullptr ? at.near->face.normal : Vec3d{0, 0, 0}, kReachM,
+                     found.face)) {
+        continue;
+      }
+      Near* const place = place_for(out, found.face.depth_m);
+      if (place == nullptr) continue;
+      *place = found;
+      RodFace& face = out.faces.face[place - out.near];
+      face = rod_face(view, found, origin_m);
+      // Friction goes on from the limit that it came to, not from the last tick's once more.
+      if (at.face != nullptr) face.limit_n = at.face->limit_n;
+    }
+  }
+}
+
+namespace {
+
+// What a face did, as the touch that the next tick remembers; its loss goes into the books.
+bool enter_touch(const View& view, const Nearest& nearest, std::uint32_t i, Touch& out) {
+  const Near& near = nearest.near[i];
+  const RodFace& face = nearest.faces.face[i];
+  const Obstacle& obstacle = view.model.obstacle[near.body];
+  const RodTouch touch = touch_face(*view.model.rod, *view.scratch.rod_result, face);
+  // No friction without force, whatever the limit was on the way.
+  const double most_n = face.friction * touch.force_n, most = most_n / face.stiffness_n_per_m;
+  const double length = norm(touch.bristle_m);
+  const Vec3d bristle = length > most ? (most / length) * touch.bristle_m : touch.bristle_m;
+  const ObstacleContact last = near.last != nullptr ? near.last->contact : ObstacleContact{};
+  view.state.head->obstacles_j += face_loss(obstacle, near.face, last, touch.moved_m, bristle);
+  if (!(touch.force_n > 0)) return false;
+  const Vec3 normal = to_float(near.face.normal);
+  const Vec3d at = near.face.at_m + touch.moved_m;
+  out = {near.body,
+         near.rod,
+         {normal, to_float(bristle), at, near.face.place,
+          static_cast<float>(touch.slips && face.limit_n < most_n ? face.limit_n : most_n)},
+         to_float(at),
+         to_float(touch.force_n * near.face.normal - face.stiffness_n_per_m * bristle),
+         static_cast<float>(face.arc_m),
+         obstacle_stiffness(obstacle, normal, touch.depth_m, touch.slips),
+         normal,
+         static_cast<float>(touch.depth_m)};
+  return true;
+}
+
+std::uint32_t keep_touches(const View& view, const Touch* touch, std::uint32_t count,
+                           std::uint32_t left_out) {
+  NeedleState& own = *view.state.needle;
+  view.state.head->obstacle_pool_full += left_out;
+  if (count > 0 && own.touch_count == 0) add_event(view, EventKind::kObstacle, 0);
+  for (std::uint32_t i = 0; i < count; ++i) view.state.touch[i] = touch[i];
+  own.touch_count = count;
+  own.touch_max = own.touch_max > count ? own.touch_max : count;
+  return left_out > 0 ? std::uint32_t{kFlagObstaclePoolFull} : 0U;
+}
+
+}  // namespace
+
+std::uint32_t enter_touches(const View& view, const Nearest& nearest) {
+  std::uint32_t count = 0;
+  for (std::uint32_t i = 0; i < nearest.faces.count; ++i) {
+    if (enter_touch(view, nearest, i, view.scratch.touch[count])) ++count;
+  }
+  return keep_touches(view, view.scratch.touch, count, nearest.left_out);
+}
+
+std::uint32_t touch_obstacles(const View& view, const Needle& needle, Vec3 shift) {
+  std::uint32_t count = 0;
+  for (std::uint32_t body = 0; body < view.model.head->obstacle_count; ++body) {
+    const NeedlePiece piece = {needle.node[0] + shift, needle.node[1] + shift,
+                               view.needle_config().outer_radius_m};
+    const Touch* const last = remembered(view, body, 0);
+    ObstacleContact next = {};
+    const ObstacleLoad load =
+        obstacle_load(view.model.obstacle[body], piece,
+                      last != nullptr ? last->contact : ObstacleContact{}, next);
+    view.state.head->obstacles_j += static_cast<double>(load.dissipated_j);
+    if (!(load.depth_m > 0)) continue;
+    view.scratch.touch[count++] = {body,
+                                   0,
+                                   next,
+                                   load.at_m,
+                                   load.force_n,
+                                   load.place * needle.rod_m,
+                                   load.stiffness_n_per_m,
+                                   load.normal,
+                                   load.depth_m};
+  }
+  return keep_touches(view, view.scratch.touch, count, 0);
+}
+
+}  // namespace stylet

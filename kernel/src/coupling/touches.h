@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// What touches obstacles: the faces of bodies near the needle, and the touches that a tick keeps.
+//
+// An elastic needle bends against the faces that are found here (needle/rod.h); a rigid one goes
+// where the hand does and is pushed back.
+//
+// Promises: at most kMaxTouches touches, bounded by kMaxObstacles and kMaxRods; no allocation.
+// Units SI; places of touches in the world.
+#pragma once
+
+#include "needle/obstacle.h"
+#include "needle/rod.h"
+#include "needle/shape.h"
+#include "state/layout.h"
+
+namespace stylet {
+
+// Obstacles nearer than this are looked for. All steps of one look go no farther, so that a needle
+// that snaps over does not go through what it has not seen.
+constexpr double kReachM = 2e-3;
+
+// A face of a body beside a piece of the needle.
+struct Near {
+  std::uint32_t body, rod;
+  ObstacleFace face;
+  const Touch* last;
+};
+// Those that reach deepest, and the same for the rods.
+struct Nearest {
+  std::uint32_t left_out;  // that touch
+  Near near[kMaxTouches];
+  RodFaces faces;
+};
+
+// All pieces, at the shape of the rods' result, and all bodies.
+void look_around(const View& view, Vec3 shift, const Nearest& before, Nearest& out);
+
+std::uint32_t enter_touches(const View& view, const Nearest& nearest);
+
+// A stiff needle goes where the hand does.
+std::uint32_t touch_obstacles(const View& view, const Needle& needle, Vec3 shift);
+
+}  // namespace stylet

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "coupling/track.h"
+
+#include "coupling/spring.h"
+#include "lattice/voxel.h"
+
+namespace stylet {
+namespace {
+
+// Just behind the entry all of a voxel counts as tissue, this far along the track, in voxel edges.
+constexpr float kEntrySkin = 0.5F;
+// A hole's mouth, in the needle's outer radii: a contact so near an entry is at that entry, and a
+// tip that has left its hole lies no deeper in it.
+constexpr float kMouthInRadii = 3;
+// A needle at the mouth of a hole goes into it if it points as the hole does, within 18 degrees.
+constexpr float kSameWayCosine = 0.95F;
+
+}  // namespace
+
+bool holds_track(const View& view, Vec3 rest_m, float track_m) {
+  if (track_m < kEntrySkin * view.model.head->edge_m) return inside_lattice(view, rest_m);
+  return material_at(view, rest_m) != kNoTissue;
+}
+
+float mouth_m(const View& view) {
+  return kMouthInRadii * view.needle_config().outer_radius_m;
+}
+
+namespace {
+
+// The track this contact enters, if the tissue remembers one here.
+std::uint32_t find_track(const View& view, Vec3 rest_m, Vec3 rest_direction) {
+  const StateHead& state = *view.state.head;
+  const float reach = mouth_m(view);
+  for (std::uint32_t i = 0; i < state.track_count; ++i) {
+    const Track& track = view.state.track[i];
+    const Vec3 gap = track.entry_rest_m - rest_m;
+    if (dot(gap, gap) < reach * reach &&
+        dot(track.direction_rest, rest_direction) > kSameWayCosine) {
+      return i;
+    }
+  }
+  return kNoTrack;
+}
+
+}  // namespace
+
+std::uint32_t remember_track(const View& view, Vec3 rest_m, Vec3 rest_direction) {
+  StateHead& state = *view.state.head;
+  const std::uint32_t index = state.track_next;
+  view.state.track[index] = {rest_m, rest_direction, 0};
+  state.track_next = (index + 1) % kMaxTracks;
+  if (state.track_count < kMaxTracks) ++state.track_count;
+  state.track_max = state.track_count;
+  return index;
+}
+
+std::uint32_t track_of(const View& view, const Needle& needle, const Particle& entry) {
+  if (entry.share_count == 0) return kNoTrack;
+  const VoxelFrame frame =
+      voxel_frame(view, entry.share[heaviest(entry)].slot, entry.share[heaviest(entry)].row);
+  return find_track(view, entry.rest_m, transposed_times(frame.rotation, needle.tip_direction));
+}
+
+}  // namespace stylet

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tracks: the holes that needles have left, each an entry and a direction at rest and a length.
+//
+// Promises: bounded by kMaxTracks, no allocation. Units SI, rest frame. Source: paper section IV.D.
+#pragma once
+
+#include "needle/shape.h"
+#include "state/layout.h"
+
+namespace stylet {
+
+// Whether a place of the track lies in tissue. Just behind the entry the surface has the word: the
+// planes of mixed voxels lie a little beside it.
+bool holds_track(const View& view, Vec3 rest_m, float track_m);
+
+float mouth_m(const View& view);
+
+std::uint32_t remember_track(const View& view, Vec3 rest_m, Vec3 rest_direction);
+
+std::uint32_t track_of(const View& view, const Needle& needle, const Particle& entry);
+
+}  // namespace stylet

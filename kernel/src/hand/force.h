@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Force and torque on the hand: the sum over constraint particles and contacts, by cause.
+//
+// Promises: bounded by limits.h, fixed order of sums. Units SI; forces in the world, torques about
+// the handle. Source: paper section V.
+#pragma once
+
+#include "needle/shape.h"
+#include "state/layout.h"
+
+namespace stylet {
+
+// Of this view's needle, on its hand.
+void sum_forces(const View& view, const Needle& needle, Output& out);
+
+// Work of the hand since the last tick, into the books: mean of the forces at both ends times the
+// motion from the handle's pose `before`.
+void book_work(const View& view, const Pose& before, const Output& out);
+
+}  // namespace stylet

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the hand says in a tick: checked, clamped, flagged and counted, never refused.
+//
+// Promises: whatever the bytes are, the pose that is kept is finite, its rotation of unit length,
+// and its motion in the tick within limits.h (kMaxHandleDistanceM, kMaxHandleSpeedMPerS,
+// kMaxHandleSpinRadPerS). Units SI, world frame.
+#pragma once
+
+#include "state/layout.h"
+
+namespace stylet {
+
+// Takes the sample into the state, or keeps the last pose; never an error. Returns output flags.
+std::uint32_t accept_input(const View& view, const Input& input);
+
+// The turn from one rotation to another, a vector along its axis, for small ones.
+Vec3 turn_between(const Quat& a, const Quat& b);
+
+}  // namespace stylet

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Friction of a shaft in tissue: the law, per metre of shaft.
+//
+// Coulomb's friction, the static one that fades over the Stribeck speed, and a viscous part:
+//     f(v) = f_c + (f_s - f_c) exp(-(v / v_s)^2) + c v.
+// Speeds are sizes; which way it points is the return map's. Another law is another
+// friction_n_per_m and its numbers in Friction, which a tissue's material gives (kernel.cpp).
+//
+// Promises: no branch on the outside, no allocation; same bits everywhere. Units SI.
+// Source: Okamura, Simone, O'Leary 2004 (needle friction by the modified Karnopp model); Stribeck's
+// curve as in Armstrong-Helouvry, Dupont, Canudas de Wit 1994.
+#pragma once
+
+#include "base/math.h"
+
+namespace stylet {
+
+// Friction of a shaft, per metre of it.
+struct Friction {
+  float coulomb_n_per_m, static_n_per_m, inverse_stribeck_s_per_m, viscous_n_s_per_m2;
+};
+
+// Friction per metre of shaft at a slip speed: Coulomb, static (Stribeck), viscous.
+inline float friction_n_per_m(const Friction& f, float speed_m_per_s) {
+  const float s = speed_m_per_s * f.inverse_stribeck_s_per_m;
+  return f.coulomb_n_per_m +
+         (f.static_n_per_m - f.coulomb_n_per_m) * exp_minus(min_of(s * s, 80.0F)) +
+         f.viscous_n_s_per_m2 * speed_m_per_s;
+}
+
+// The mean of a stretch, `part` of which is of `next`.
+inline Friction mixed(const Friction& mean, const Friction& next, float part) {
+  const auto towards = [part](float from, float to) { return from + part * (to - from); };
+  return {towards(mean.coulomb_n_per_m, next.coulomb_n_per_m),
+          towards(mean.static_n_per_m, next.static_n_per_m),
+          towards(mean.inverse_stribeck_s_per_m, next.inverse_stribeck_s_per_m),
+          towards(mean.viscous_n_s_per_m2, next.viscous_n_s_per_m2)};
+}
+
+}  // namespace stylet

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// The needle of one tick as a line of straight rods: where it is and which way it points.
+//
+// A rigid needle is one rod from the handle; an elastic one is the chain of rod.h. Nodes run from
+// the handle to the tip; arc lengths count from the tip, as constraint particles do.
+//
+// Promises: a fixed number of operations, no allocation. Units SI, frame of the attachments.
+// Source: Webster et al. 2006 for the bevel.
+#pragma once
+
+#include <cstdint>
+
+#include "base/math.h"
+
+namespace stylet {
+
+struct Needle {
+  Vec3 base_m, tip_m;
+  Vec3 tip_direction;
+  Vec3 side;         // where bevel and bend face at the tip: unit, across tip_direction
+  const Vec3* node;  // rods + 1 places, handle first
+  std::uint32_t rods;
+  float rod_m;
+  float off_m;  // of a tip in contact from the tissue it holds, before that gives way in this tick
+};
+
+struct NeedlePoint {
+  Vec3 place_m, direction;
+};
+
+// Of unit length; straight down for one without a length.
+Vec3 unit(Vec3 v);
+
+// Beyond the ends: straight on.
+NeedlePoint needle_point(const Needle& needle, float arc_from_tip_m);
+// Its place alone.
+Vec3 needle_place(const Needle& needle, float arc_from_tip_m);
+
+// Where a bevelled tip cuts after `advance_m` more: the path bends towards `side` by `bevel_per_m`,
+// and the direction of the cut falls in with the needle's own over kBevelAlignM. In stiff tissue
+// the needle follows its cut and the path is the arc of the bevel; in soft tissue the shaft lags
+// behind and the arc is wider.
+Vec3 turn_cut(Vec3 cut, const Needle& needle, float bevel_per_m, float advance_m);
+
+}  // namespace stylet

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "state/attachment.h"
+
+#include "base/math.h"
+
+namespace stylet {
+
+Vec3 attachment_shift(const View& view) {
+  const BreathingConfig& b = view.model.head->config.breathing;
+  const double breaths = static_cast<double>(view.state.head->tick) *
+                         static_cast<double>(view.model.head->config.period_s) /
+                         static_cast<double>(b.period_s);
+  const double part = breaths - static_cast<double>(static_cast<std::int64_t>(breaths));
+  const float s = sine_of_half_turns(static_cast<float>(part));
+  return ((s * s) * (s * s)) * b.amplitude_m;
+}
+
+}  // namespace stylet

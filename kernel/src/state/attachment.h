@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// The frame of the attachments: the world, shifted as the patient breathes (BreathingConfig).
+#pragma once
+
+#include "state/layout.h"
+
+namespace stylet {
+
+// Shift of the attachments at the state's tick.
+Vec3 attachment_shift(const View& view);
+
+}  // namespace stylet
