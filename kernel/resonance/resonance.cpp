@@ -33,8 +33,7 @@ struct Voxel {
   std::array<std::uint32_t, 8> corner;  // particles, at x + bit 0, y + bit 1, z + bit 2
 };
 
-std::vector<Voxel> voxels_of(const View& view) {
-  const ModelView& model = view.model;
+std::vector<Voxel> voxels_of(const Model& model) {
   std::vector<std::uint32_t> root(model.head->counts.particles);
   for (std::uint32_t i = 0; i < root.size(); ++i) root[i] = i;
   for (std::uint32_t i = 0; i < model.head->counts.ties; ++i) {
@@ -44,7 +43,7 @@ std::vector<Voxel> voxels_of(const View& view) {
   for (std::uint32_t i = 0; i < all.size(); ++i) {
     const std::uint32_t slot = model.voxel_slot[i];
     const Row& row = model.row[model.voxel_row[i]];
-    const Vec3 cell = cell_of(view, slot, row);
+    const Vec3 cell = cell_of(model, slot, row);
     all[i].at = {static_cast<std::int32_t>(cell.x), static_cast<std::int32_t>(cell.y),
                  static_cast<std::int32_t>(cell.z)};
     all[i].k_n_per_m = static_cast<double>(model.slot_k[slot]);
@@ -128,12 +127,12 @@ Eigen::Index dof(std::uint32_t of, int axis) {
 }
 
 // Springs that hold a particle, N/m for each coordinate; 0 for one that is free.
-Eigen::VectorXd springs_of(const View& view, const std::vector<Voxel>& voxels) {
+Eigen::VectorXd springs_of(const Model& model, const std::vector<Voxel>& voxels) {
   constexpr double kStiff = 100;  // voxels in a row; a held face gives way by a hundredth of one
-  Eigen::VectorXd out = Eigen::VectorXd::Zero(dof(view.model.head->counts.particles, 0));
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(dof(model.head->counts.particles, 0));
   for (const Voxel& voxel : voxels) {
     for (const std::uint32_t p : voxel.corner) {
-      if (view.model.step_per_mass[p] > 0) continue;
+      if (model.step_per_mass[p] > 0) continue;
       out.segment<3>(dof(p, 0)).array() += kStiff * voxel.k_n_per_m;
     }
   }
@@ -169,9 +168,9 @@ std::vector<bool> held_nodes(const Coarse& coarse, const std::vector<Voxel>& vox
 }
 
 // What particles do when held nodes do something: their weights, trilinear in a cell.
-Sparse weights_of(const View& view, const Coarse& coarse, const std::vector<Voxel>& voxels,
+Sparse weights_of(const Model& model, const Coarse& coarse, const std::vector<Voxel>& voxels,
                   const std::vector<bool>& held) {
-  const std::uint32_t particles = view.model.head->counts.particles;
+  const std::uint32_t particles = model.head->counts.particles;
   std::vector<bool> placed(particles);
   std::vector<Eigen::Triplet<double>> all;
   for (const Voxel& voxel : voxels) {
@@ -240,18 +239,18 @@ std::int32_t cell_size(const std::vector<Voxel>& voxels) {
 
 // Of each coordinate of the particles: the mass that tissue has, and 1 / mass in the step, which is
 // 0 for what is held.
-Eigen::VectorXd real_kg(const View& view) {
-  Eigen::VectorXd out(dof(view.model.head->counts.particles, 0));
-  for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) {
-    out.segment<3>(dof(i, 0)).setConstant(static_cast<double>(view.model.particle_kg[i]));
+Eigen::VectorXd real_kg(const Model& model) {
+  Eigen::VectorXd out(dof(model.head->counts.particles, 0));
+  for (std::uint32_t i = 0; i < model.head->counts.particles; ++i) {
+    out.segment<3>(dof(i, 0)).setConstant(static_cast<double>(model.particle_kg[i]));
   }
   return out;
 }
-Eigen::VectorXd per_stepped_kg(const View& view) {
-  const float dt = view.model.head->substep_s;
-  Eigen::VectorXd out(dof(view.model.head->counts.particles, 0));
-  for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) {
-    out.segment<3>(dof(i, 0)).setConstant(static_cast<double>(view.model.step_per_mass[i] / dt));
+Eigen::VectorXd per_stepped_kg(const Model& model) {
+  const float dt = model.head->substep_s;
+  Eigen::VectorXd out(dof(model.head->counts.particles, 0));
+  for (std::uint32_t i = 0; i < model.head->counts.particles; ++i) {
+    out.segment<3>(dof(i, 0)).setConstant(static_cast<double>(model.step_per_mass[i] / dt));
   }
   return out;
 }
@@ -284,14 +283,14 @@ Shapes filtered(const Filter& filter, const std::vector<Voxel>& voxels,
 // Mass in the step times shapes; with true mass M p(S)^-1, which is symmetric: conjugate gradients
 // in M, for each shape. (M (1 + c S) alone, with c the slope of p, is too light by up to a fifth
 // where stiff tissue turns: S is large at its surface then.)
-Shapes stepped_mass(const View& view, const std::vector<Voxel>& voxels, const Shapes& shapes) {
+Shapes stepped_mass(const Model& model, const std::vector<Voxel>& voxels, const Shapes& shapes) {
   constexpr int kMostRounds = 40;
   constexpr double kGood = 1e-6;  // of the square of what is asked for
-  const Eigen::VectorXd per_kg = per_stepped_kg(view);
+  const Eigen::VectorXd per_kg = per_stepped_kg(model);
   const Eigen::VectorXd kg = per_kg.unaryExpr([](double v) { return v > 0 ? 1 / v : 0; });
-  if (!has_true_mass(view)) return kg.asDiagonal() * shapes;
+  if (!has_true_mass(model)) return kg.asDiagonal() * shapes;
   Shapes out = shapes;
-  Shapes left = shapes - filtered(view.model.head->filter, voxels, per_kg, out);
+  Shapes left = shapes - filtered(model.head->filter, voxels, per_kg, out);
   Shapes way = left;
   const auto squares = [&](const Shapes& a, const Shapes& b) {
     return Eigen::Array3d((a.array() * (kg.asDiagonal() * b).array()).colwise().sum());
@@ -299,7 +298,7 @@ Shapes stepped_mass(const View& view, const std::vector<Voxel>& voxels, const Sh
   const Eigen::Array3d enough = kGood * squares(shapes, shapes);
   Eigen::Array3d size = squares(left, left);
   for (int round = 0; round < kMostRounds && (size > enough).any(); ++round) {
-    const Shapes changed = filtered(view.model.head->filter, voxels, per_kg, way);
+    const Shapes changed = filtered(model.head->filter, voxels, per_kg, way);
     const Eigen::Array3d length = (size > enough).select(size / squares(way, changed), 0);
     out += way * length.matrix().asDiagonal();
     left -= changed * length.matrix().asDiagonal();
@@ -335,20 +334,20 @@ double lowest_hz(const Eigen::SimplicialLDLT<Sparse>& solver, const Sparse& weig
 Resonance first_resonance(const Kernel& kernel) {
   constexpr double kTenth = 0.1, kNever = std::numeric_limits<double>::infinity();
   const View view = view_of(kernel);
-  const std::vector<Voxel> voxels = voxels_of(view);
-  const Eigen::VectorXd springs = springs_of(view, voxels);
+  const std::vector<Voxel> voxels = voxels_of(view.model);
+  const Eigen::VectorXd springs = springs_of(view.model, voxels);
   if (!(springs.array() > 0).any()) return {0, 0, kNever};
   const Coarse coarse = coarse_of(voxels, cell_size(voxels));
   const std::vector<bool> held = held_nodes(coarse, voxels, springs);
-  const Sparse weights = weights_of(view, coarse, voxels, held);
+  const Sparse weights = weights_of(view.model, coarse, voxels, held);
   const Eigen::SimplicialLDLT<Sparse> solver(stiffness_of(
       coarse, held, weights, springs, static_cast<double>(view.model.head->hourglass_weight)));
-  const Eigen::VectorXd kg = real_kg(view);
+  const Eigen::VectorXd kg = real_kg(view.model);
   Resonance out = {};
   out.real_hz =
       lowest_hz(solver, weights, [&](const Shapes& s) { return Shapes(kg.asDiagonal() * s); });
   out.stepped_hz =
-      lowest_hz(solver, weights, [&](const Shapes& s) { return stepped_mass(view, voxels, s); });
+      lowest_hz(solver, weights, [&](const Shapes& s) { return stepped_mass(view.model, voxels, s); });
   // The force of one shape alone is that at rest times 1 - (f / resonance)^2.
   const double apart = 1 / (out.stepped_hz * out.stepped_hz) - 1 / (out.real_hz * out.real_hz);
   out.departs_hz = apart > 0 ? std::sqrt(kTenth / apart) : kNever;

@@ -150,7 +150,7 @@ void fill_head(const Organ& organ, const Config& config, const Counts& counts, M
 }
 
 // Particle at a node that exists: that of any voxel row at its side.
-std::uint32_t particle_at(const ModelView& model, std::uint32_t x, std::uint32_t y,
+std::uint32_t particle_at(const Model& model, std::uint32_t x, std::uint32_t y,
                           std::uint32_t z) {
   const ModelHead& head = *model.head;
   for (std::uint32_t side = 0; side < 8; ++side) {
@@ -162,7 +162,7 @@ std::uint32_t particle_at(const ModelView& model, std::uint32_t x, std::uint32_t
   return 0;
 }
 
-void fill_sheets(const Organ& organ, const ModelView& model, const Counts& counts) {
+void fill_sheets(const Organ& organ, Model& model, const Counts& counts) {
   std::uint32_t tie = 0;
   for (std::uint32_t z = 0; z <= counts.planes; ++z) {
     model.plane[z].tie_begin = tie;
@@ -183,7 +183,7 @@ void fill_sheets(const Organ& organ, const ModelView& model, const Counts& count
 }
 
 // Tied nodes are one particle: each gets the sum of what they have.
-void sum_tied(const ModelView& model, const Counts& counts, float* of_node) {
+void sum_tied(Model& model, const Counts& counts, float* of_node) {
   for (std::uint32_t i = 0; i < counts.ties; ++i) {
     of_node[model.tie[i].root] += of_node[model.tie[i].node];
   }
@@ -193,7 +193,7 @@ void sum_tied(const ModelView& model, const Counts& counts, float* of_node) {
 }
 
 // Stiffness of the slots; sums of mass and stiffness of the particles.
-void fill_voxels(const Organ& organ, const ModelView& model, const Counts& counts) {
+void fill_voxels(const Organ& organ, Model& model, const Counts& counts) {
   const ModelHead& head = *model.head;
   const float corner_m3 = head.edge_m * head.edge_m * head.edge_m / 8;
   for (std::uint32_t i = 0; i < counts.slots; ++i) {
@@ -228,13 +228,12 @@ void fill_voxels(const Organ& organ, const ModelView& model, const Counts& count
       }
     }
   }
-  for (float* sums : {model.particle_kg, model.hold, model.step_per_mass}) {
-    sum_tied(model, counts, sums);
-  }
+  float* const sums[] = {model.particle_kg, model.hold, model.step_per_mass};
+  for (float* of_particles : sums) sum_tied(model, counts, of_particles);
 }
 
 // Where two tissues meet. In paper mode a voxel is of one.
-void fill_mixed(const Organ& organ, const ModelView& model) {
+void fill_mixed(const Organ& organ, Model& model) {
   if (model.head->config.mode == Mode::kPaper) return;
   for (std::uint32_t i = 0; i < organ.mixed.size(); ++i) {
     model.slot_mixed[model.voxel_slot[organ.mixed[i].voxel]] = i;
@@ -243,7 +242,7 @@ void fill_mixed(const Organ& organ, const ModelView& model) {
 
 // The passes of the filter; step_per_mass has the bounds on stiffness (filter.h), all that
 // constraint particles may add included.
-void fill_filter(const ModelView& model, const Counts& counts, float limit) {
+void fill_filter(Model& model, const Counts& counts, float limit) {
   ModelHead& head = *model.head;
   const float most = most_filtered_per_s2(limit);
   float fastest = 0;
@@ -261,7 +260,7 @@ void fill_filter(const ModelView& model, const Counts& counts, float limit) {
 // The mass of the step: real mass, or what keeps the explicit step stable, whichever is more; on
 // entry step_per_mass has the bounds on the tissue's stiffness. Attached particles get none of the
 // motion.
-void fill_masses(const Organ& organ, const ModelView& model, const Counts& counts) {
+void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
   ModelHead& head = *model.head;
   const float dt = head.substep_s;
   const float limit = wave_limit_per_s2(dt, head.config.tissue_damping_s);
@@ -344,7 +343,7 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   Counts counts;
   (void)count_lattice(organ, config, counts);  // as sizes did
   std::memset(memory.model.data(), 0, need.model_bytes);
-  const ModelView model = model_view(memory.model.data(), counts);
+  Model model = model_of(memory.model.data(), counts);
   fill_head(organ, config, counts, *model.head);
   fill_lattice(organ, model);
   fill_sheets(organ, model, counts);
@@ -353,16 +352,16 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   fill_masses(organ, model, counts);
   kernel_out = {memory.model.data(), memory.state.data(), memory.scratch.data(), need,
                 lattice_step_for_this_processor()};
-  const View view = view_of(kernel_out);
+  View view = view_of(kernel_out);
   // Read before it is first written, and not believed (fit.cpp); memory checkers would not know.
-  std::fill_n(view.scratch.slot_mark, counts.slots, 0U);
-  for (std::uint32_t i = 0; i < counts.needles; ++i) make_needle(needle_view(view, i));
+  for (std::uint32_t i = 0; i < counts.slots; ++i) view.scratch.slot_mark[i] = 0;
+  for (std::uint32_t i = 0; i < counts.needles; ++i) make_needle(config.needle[i], view.model.rod[i]);
   reset(kernel_out);
   return Status::kOk;
 }
 
 Status set_obstacles(Kernel& kernel, std::span<const ObstacleConfig> obstacles) {
-  const View view = view_of(kernel);
+  View view = view_of(kernel);
   if (view.state.head->tick != 0) return Status::kObstaclesTooLate;
   if (obstacles.size() > kMaxObstacles) return Status::kConfigValueOutOfRange;
   for (const ObstacleConfig& config : obstacles) {
@@ -379,7 +378,7 @@ Status set_obstacles(Kernel& kernel, std::span<const ObstacleConfig> obstacles) 
 
 void reset(Kernel& kernel) {
   std::memset(kernel.state, 0, kernel.sizes.state_bytes);
-  const View view = view_of(kernel);
+  View view = view_of(kernel);
   const Counts& counts = view.model.head->counts;
   for (std::uint32_t i = 0; i < counts.slots; ++i) view.state.qw[i] = 1;
   for (std::uint32_t i = 0; i < counts.needles; ++i) {

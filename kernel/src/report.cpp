@@ -85,7 +85,7 @@ Stats stats(const Kernel& kernel) {
 
 std::uint32_t constraint_particles(const Kernel& kernel, std::span<ConstraintParticle> out) {
   const View view = view_of(kernel);
-  const Vec3 shift = attachment_shift(view);
+  const Vec3 shift = attachment_shift(view.model, view.state);
   std::uint32_t count = 0;
   for (std::uint32_t n = 0; n < view.model.head->counts.needles; ++n) {
     const View one = needle_view(view, n);
@@ -123,7 +123,7 @@ std::uint32_t needle_shape(const Kernel& kernel, std::uint32_t needle, std::span
   if (needle >= view.model.head->counts.needles) return 0;
   const View one = needle_view(view, needle);
   if (one.state.needle->handle_known == 0) return 0;
-  const Vec3 shift = attachment_shift(view);
+  const Vec3 shift = attachment_shift(view.model, view.state);
   std::uint32_t count = 0;
   for (std::uint32_t i = 0; i <= one.model.rod->rods && count < out.size(); ++i) {
     out[count++] = one.state.node[i] + shift;
@@ -134,15 +134,17 @@ std::uint32_t needle_shape(const Kernel& kernel, std::uint32_t needle, std::span
 namespace {
 
 // Energy of a voxel without its CPs: stretch, hourglass part and volume, as in lattice.h.
-double voxel_energy(const View& view, std::uint32_t row_index, std::uint32_t slot) {
-  const Row& row = view.model.row[row_index];
-  const ModelHead& head = *view.model.head;
+double voxel_energy(const Model& model, const State& state, std::uint32_t row_index,
+                    std::uint32_t slot) {
+  const Row& row = model.row[row_index];
+  const ModelHead& head = *model.head;
   const double h = static_cast<double>(head.edge_m);
-  const double k = static_cast<double>(view.model.slot_k[slot]);
+  const double k = static_cast<double>(model.slot_k[slot]);
   // Of where the corners are now: the state's rotation is a substep old.
-  const Mat3 r = rotation_matrix(corner_rotation(view, slot, sum_corners(view, slot, row_index)));
+  const Mat3 r =
+      rotation_matrix(corner_rotation(state, slot, sum_corners(model, state, slot, row_index)));
   const std::uint32_t along = slot - row.slot;
-  const float* u[3] = {view.state.ux, view.state.uy, view.state.uz};
+  const float* u[3] = {state.ux, state.uy, state.uz};
   double stretch = 0, hourglass = 0, trace = 0;
   for (int c = 0; c < 3; ++c) {
     double value[8], mean = 0, gradient[3] = {};
@@ -168,56 +170,57 @@ double voxel_energy(const View& view, std::uint32_t row_index, std::uint32_t slo
     }
   }
   const double chi = static_cast<double>(head.hourglass_weight);
-  const double volume = static_cast<double>(view.model.slot_volume[slot]);
+  const double volume = static_cast<double>(model.slot_volume[slot]);
   return k * h * h * (stretch + volume * (trace - 3) * (trace - 3)) + 0.5 * k * chi * hourglass;
 }
 
-Vec3 momentum_per_mass(const View& view, std::uint32_t particle) {
-  return {view.state.wx[particle], view.state.wy[particle], view.state.wz[particle]};
+Vec3 momentum_per_mass(const State& state, std::uint32_t particle) {
+  return {state.wx[particle], state.wy[particle], state.wz[particle]};
 }
 
-double kinetic_energy(const View& view) {
-  const ModelHead& head = *view.model.head;
+double kinetic_energy(const Model& model, const State& state) {
+  const ModelHead& head = *model.head;
   double sum = 0;
   std::uint32_t tie = 0;  // in the order of the particles
   for (std::uint32_t i = 0; i < head.counts.particles; ++i) {
-    if (tie < head.counts.ties && view.model.tie[tie].node == i) {  // its root counts
+    if (tie < head.counts.ties && model.tie[tie].node == i) {  // its root counts
       ++tie;
       continue;
     }
-    if (!(view.model.step_per_mass[i] > 0)) continue;
-    const Vec3 v = {view.state.vx[i], view.state.vy[i], view.state.vz[i]};
-    const Vec3 w = has_true_mass(view) ? momentum_per_mass(view, i) : v;
-    sum += 0.5 * static_cast<double>(head.substep_s / view.model.step_per_mass[i]) *
+    if (!(model.step_per_mass[i] > 0)) continue;
+    const Vec3 v = {state.vx[i], state.vy[i], state.vz[i]};
+    const Vec3 w = has_true_mass(model) ? momentum_per_mass(state, i) : v;
+    sum += 0.5 * static_cast<double>(head.substep_s / model.step_per_mass[i]) *
            dot(to_double(v), to_double(w));
   }
   return sum;
 }
 
 // Springs of the CPs, with their Maxwell branch, and what their voxels hold for them.
-double coupling_energy(const View& view) {
+double coupling_energy(const Model& model, const State& state) {
   double sum = 0;
   Particle p = {};
-  for (std::uint32_t n = 0; n < view.model.head->counts.needles; ++n) {
-    const View one = needle_view(view, n);
-    const NeedleState& own = *one.state.needle;
+  for (std::uint32_t n = 0; n < model.head->counts.needles; ++n) {
+    const Model model_n = needle_model(model, n);
+    const State state_n = needle_state(state, n);
+    const NeedleState& own = state.needle[n];
     const std::uint32_t first = n * kNeedleParticles;
     for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
-      sum += refit(view, first + i, p) + spring_energy(p);
+      sum += refit(model, state, first + i, p) + spring_energy(p);
     }
-    sum += roll_energy(one);
+    sum += roll_energy(state_n);
     if (own.tip_alive != 0) {
-      sum += refit(view, first + kMaxConstraintParticles, p) + tip_energy(one, p);
+      sum +=
+          refit(model, state, first + kMaxConstraintParticles, p) + tip_energy(model_n, state_n, p);
     }
   }
   return sum;
 }
 
-double needles_energy(const View& view) {
+double needles_energy(const Model& model, const State& state) {
   double sum = 0;
-  for (std::uint32_t n = 0; n < view.model.head->counts.needles; ++n) {
-    const View one = needle_view(view, n);
-    sum += bending_energy(*one.model.rod, *one.state.rod_shape);
+  for (std::uint32_t n = 0; n < model.head->counts.needles; ++n) {
+    sum += bending_energy(model.rod[n], state.rod_shape[n]);
   }
   return sum;
 }
@@ -231,12 +234,12 @@ Energy energy(const Kernel& kernel) {
   for (std::uint32_t r = 0; r < view.model.head->counts.rows; ++r) {
     const Row& row = view.model.row[r];
     for (std::uint32_t slot = row.slot; slot < row.slot + row.count; ++slot) {
-      if (view.model.slot_k[slot] > 0) out.elastic += voxel_energy(view, r, slot);
+      if (view.model.slot_k[slot] > 0) out.elastic += voxel_energy(view.model, view.state, r, slot);
     }
   }
-  out.kinetic = kinetic_energy(view);
-  out.coupling = coupling_energy(view);
-  out.bending = needles_energy(view);
+  out.kinetic = kinetic_energy(view.model, view.state);
+  out.coupling = coupling_energy(view.model, view.state);
+  out.bending = needles_energy(view.model, view.state);
   out.work_by_hand = s.work_by_hand_j;
   out.friction = s.friction_j;
   out.cutting = s.cutting_j;

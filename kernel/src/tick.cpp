@@ -58,127 +58,134 @@ struct Moved {
 // aside comes forward is counted along the mean of its directions before and after the `turn`:
 // along the last one it would press without anybody pushing. False: it is not known whether it
 // touches. `has_left`: in this very tick, so that the next one still has to look around it.
-bool seek_contact(const View& view, const Needle& needle, Vec3 turn, bool known_before,
-                  bool has_left, std::uint32_t& flags) {
-  NeedleState& own = *view.state.needle;
+bool seek_contact(const Model& model, State& state, Scratch& scratch, const Needle& needle,
+                  Vec3 turn, bool known_before, bool has_left, std::uint32_t& flags) {
+  NeedleState& own = *state.needle;
   if (own.phase != Phase::kFree) return true;
   Vec3 rest = {}, place = {};
-  const Vec3 step = needle.tip_m - view.state.tip->position_m;
+  const Vec3 step = needle.tip_m - state.tip->position_m;
   // Tissue that it had drawn along springs back over a tip that has left it, at once and far.
-  const float reach_m = own.leaving != 0 ? view.needle_config().length_m : contact_reach_m(view);
-  const Contact contact = find_contact(view, needle.tip_m, needle.tip_direction, reach_m,
+  const float reach_m = own.leaving != 0 ? model.needle_config().length_m : contact_reach_m(model);
+  const Contact contact = find_contact(model, state, needle.tip_m, needle.tip_direction, reach_m,
                                        known_before ? step : Vec3{}, rest, place, flags);
   const Vec3 forward = needle.tip_direction - 0.5F * cross(turn, needle.tip_direction);
   float came = known_before ? dot(step, forward) : 0;
   if (contact == Contact::kSideways) came = norm(step);  // it has come by no other way
   const bool found = contact == Contact::kFound || contact == Contact::kSideways;
-  if (found) begin_contact(view, needle, rest, place, came);
+  if (found) begin_contact(model, state, scratch, needle, rest, place, came);
   if (contact == Contact::kNone && !has_left) own.leaving = 0;
   return contact != Contact::kUnknown;
 }
 
 // A tip that may be in the tissue goes no farther than it was: a hand feels that by its coupling.
-std::uint32_t hold_needle(const View& view, const Pose& before, Needle& shape_out) {
-  ++view.state.head->input_clamped;
-  view.state.needle->handle = before;
-  return kFlagInputClamped | place_needle(view, shape_out);
+std::uint32_t hold_needle(const Model& model, State& state, Scratch& scratch, const Pose& before,
+                          Needle& shape_out) {
+  ++state.head->input_clamped;
+  state.needle->handle = before;
+  return kFlagInputClamped | place_needle(model, state, scratch, shape_out);
 }
 
 // ---- steps 4 to 8: constraint particles
 
 // The tip goes where the needle has it; how fast it presses decides how easily a surface breaks.
 // Returns how far it has come along the needle.
-float move_tip(const View& view, const Needle& needle) {
-  NeedleState& own = *view.state.needle;
-  const float moved_m = dot(needle.tip_m - view.state.tip->position_m, needle.tip_direction);
-  view.state.tip->position_m = needle.tip_m;
-  const float speed = moved_m / view.model.head->config.period_s;
-  own.press_m_per_s = settle(speed + view.model.head->velocity_keep * (own.press_m_per_s - speed));
+float move_tip(const Model& model, State& state, const Needle& needle) {
+  NeedleState& own = *state.needle;
+  const float moved_m = dot(needle.tip_m - state.tip->position_m, needle.tip_direction);
+  state.tip->position_m = needle.tip_m;
+  const float speed = moved_m / model.head->config.period_s;
+  own.press_m_per_s = settle(speed + model.head->velocity_keep * (own.press_m_per_s - speed));
   return moved_m;
 }
 
 // Behind a tip that comes back the shaft's CPs go, with the last of them the insertion ends; behind
 // one that goes on there are new ones. `from_m` (rest frame) and `from_track_m`: where the tip was.
-std::uint32_t add_and_remove(const View& view, const Needle& needle, Vec3 from_m,
-                             float from_track_m) {
-  NeedleState& own = *view.state.needle;
-  while (own.shaft_count > 0 && is_behind(view, view.state.shaft[own.shaft_count - 1])) {
+std::uint32_t add_and_remove(const Model& model, State& state, Scratch& scratch,
+                             const Needle& needle, Vec3 from_m, float from_track_m) {
+  NeedleState& own = *state.needle;
+  while (own.shaft_count > 0 && is_behind(model, state, state.shaft[own.shaft_count - 1])) {
     --own.shaft_count;
   }
   if (own.shaft_count == 0) {
-    end_insertion(view);
+    end_insertion(state);
     return 0;
   }
-  leave_layers(view);
-  tell_layer_late(view);
-  const std::uint32_t flags = drop_shaft(view, needle);
-  meet_friction(view, from_m, from_track_m);
+  leave_layers(state);
+  tell_layer_late(state);
+  const std::uint32_t flags = drop_shaft(model, state, scratch, needle);
+  meet_friction(model, state, from_m, from_track_m);
   return flags;
 }
 
-std::uint32_t move_particles(const View& view, const Needle& needle) {
-  NeedleState& own = *view.state.needle;
-  Particle& tip = *view.state.tip;
+std::uint32_t move_particles(const Model& model, State& state, Scratch& scratch,
+                             const Needle& needle) {
+  NeedleState& own = *state.needle;
+  Particle& tip = *state.tip;
   if (own.tip_alive == 0) {
     tip.position_m = needle.tip_m;  // seek_contact measures from here
     return 0;
   }
-  if (own.phase != Phase::kContact) relax_and_follow(view, needle);  // 4: carry
+  if (own.phase != Phase::kContact) relax_and_follow(model, state, needle);  // 4: carry
   const Vec3 step = needle.tip_m - tip.position_m;
-  const float moved_m = move_tip(view, needle);
+  const float moved_m = move_tip(model, state, needle);
   std::uint32_t flags = 0;
-  if (own.phase == Phase::kContact) update_contact(view, needle, step, flags);  // 5: puncture
+  if (own.phase == Phase::kContact)
+    update_contact(model, state, scratch, needle, step, flags);  // 5: puncture
   if (own.phase == Phase::kFree || own.phase == Phase::kContact) return flags;
   const Vec3 from_m = tip.rest_m;
   const float from_track_m = tip.track_m;
-  cut_tip(view, needle, moved_m);  // 6: cut
-  rehome_tip(view);
-  slip_shaft(view, needle);                                           // 7: slip
-  return flags | add_and_remove(view, needle, from_m, from_track_m);  // 8
+  cut_tip(model, state, needle, moved_m);  // 6: cut
+  rehome_tip(model, state);
+  slip_shaft(model, state, scratch, needle);                                           // 7: slip
+  return flags | add_and_remove(model, state, scratch, needle, from_m, from_track_m);  // 8
 }
 
 // How far the needle's motion in this tick pulls the tip's spring is given to the tissue substep by
 // substep. In contact, too: with the needle moved before the first substep the tissue would be
 // pushed by more than the hand feels, which sees the forces of the last one.
-void stretch_tip_spring(const View& view) {
-  const Particle& tip = *view.state.tip;
-  Vec3& stretch = stretch_of(view, kMaxConstraintParticles);
+void stretch_tip_spring(const State& state, Scratch& scratch) {
+  const Particle& tip = *state.tip;
+  Vec3& stretch = stretch_of(state, scratch, kMaxConstraintParticles);
   stretch = {};
-  if (view.state.needle->tip_alive == 0) return;
+  if (state.needle->tip_alive == 0) return;
   stretch = (1 / tip.stiffness_n_per_m) * (force_on_tissue(tip) - tip.force_n);
 }
 
 // Steps 1 to 9.
-void move_needle(const View& view, const Input& input, Moved& out) {
-  NeedleState& own = *view.state.needle;
+void move_needle(const Model& model, State& state, Scratch& scratch, const Input& input,
+                 Moved& out) {
+  NeedleState& own = *state.needle;
   out.before = own.handle;
   out.known_before = own.handle_known != 0;
-  out.flags = accept_input(view, input);  // 1: input
+  out.flags = accept_input(model, state, input);  // 1: input
   if (own.handle_known == 0) return;
   Vec3 turn = {};
   if (out.known_before) {
     turn = turn_between(out.before.rotation, own.handle.rotation);
-    roll_tip(view, dot(turn, column(rotation_matrix(own.handle.rotation), 2)));
+    roll_tip(model, state, dot(turn, column(rotation_matrix(own.handle.rotation), 2)));
   }
-  out.flags |= place_needle(view, out.shape);  // 2: place
+  out.flags |= place_needle(model, state, scratch, out.shape);  // 2: place
   const bool was_free = own.phase == Phase::kFree;
-  const bool known = seek_contact(view, out.shape, turn, out.known_before, false, out.flags);  // 3
-  if (!known && out.known_before) out.flags |= hold_needle(view, out.before, out.shape);
-  out.flags |= move_particles(view, out.shape);  // 4 to 8
-  stretch_tip_spring(view);
-  out.flags |= meet_tissue(view, out.shape);  // 9: bend
+  const bool known = seek_contact(model, state, scratch, out.shape, turn, out.known_before, false,
+                                  out.flags);  // 3
+  if (!known && out.known_before)
+    out.flags |= hold_needle(model, state, scratch, out.before, out.shape);
+  out.flags |= move_particles(model, state, scratch, out.shape);  // 4 to 8
+  stretch_tip_spring(state, scratch);
+  out.flags |= meet_tissue(model, state, scratch, out.shape);  // 9: bend
   // One that has left its hole may have left it under other tissue, pressed or folded over it.
-  if (!was_free) (void)seek_contact(view, out.shape, turn, out.known_before, true, out.flags);
+  if (!was_free)
+    (void)seek_contact(model, state, scratch, out.shape, turn, out.known_before, true, out.flags);
 }
 
 // ---- steps 11 to 13: what the hand feels
 
 // In the paper a CP is moved by whole needle units, before the tissue's step alone.
-void slip_again(const View& view, const Needle& needle) {
-  if (view.model.head->config.mode == Mode::kPaper) return;
-  let_cut(view);
-  for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
-    let_slip(view, needle, view.state.shaft[i]);
+void slip_again(const Model& model, State& state, const Needle& needle) {
+  if (model.head->config.mode == Mode::kPaper) return;
+  let_cut(model, state);
+  for (std::uint32_t i = 0; i < state.needle->shaft_count; ++i) {
+    let_slip(model, state, needle, state.shaft[i]);
   }
 }
 
@@ -186,16 +193,15 @@ bool output_finite(const Output& out) {
   return is_finite(out.force_n) && is_finite(out.torque_nm);
 }
 
-void describe(const View& view, const Needle& needle, Output& out) {
-  const StateHead& state = *view.state.head;
-  const NeedleState& own = *view.state.needle;
-  out.tick = state.tick;
-  out.tip_m = own.handle_known != 0 ? needle.tip_m + attachment_shift(view) : Vec3{};
+void describe(const Model& model, const State& state, const Needle& needle, Output& out) {
+  const NeedleState& own = *state.needle;
+  out.tick = state.head->tick;
+  out.tip_m = own.handle_known != 0 ? needle.tip_m + attachment_shift(model, state) : Vec3{};
   out.phase = own.phase;
   out.layer = own.layer;
   out.depth_m = own.tip_alive != 0 ? max_of(own.tissue_track_m, 0) : 0;
   out.constraint_particles = own.shaft_count + own.tip_alive;
-  out.events = state.event_count;
+  out.events = state.head->event_count;
 }
 
 void latch_fault(StateHead& state) {
@@ -204,58 +210,61 @@ void latch_fault(StateHead& state) {
   ++state.fault_count;
 }
 
-void report_needle(const View& view, Moved& moved, Output& out) {
+void report_needle(const Model& model, State& state, Scratch& scratch, Moved& moved, Output& out) {
   out.flags |= moved.flags;
-  if (view.state.needle->handle_known != 0) {
-    slip_again(view, moved.shape);                  // 11: slip
-    out.flags |= settle_needle(view, moved.shape);  // 12: bend
-    sum_forces(view, moved.shape, out);             // 13: force
+  if (state.needle->handle_known != 0) {
+    slip_again(model, state, moved.shape);                           // 11: slip
+    out.flags |= settle_needle(model, state, scratch, moved.shape);  // 12: bend
+    sum_forces(model, state, moved.shape, out);                      // 13: force
   }
-  describe(view, moved.shape, out);
-  if (moved.known_before) book_work(view, moved.before, out);
-  if (!output_finite(out)) latch_fault(*view.state.head);
+  describe(model, state, moved.shape, out);
+  if (moved.known_before) book_work(state, moved.before, out);
+  if (!output_finite(out)) latch_fault(*state.head);
 }
 
-Output faulted(const View& view) {
+Output faulted(const State& state) {
   Output out = {};
-  out.tick = view.state.head->tick;
+  out.tick = state.head->tick;
   out.flags = kFlagFault;
   out.layer = kNoLayer;
-  out.events = view.state.head->event_count;
+  out.events = state.head->event_count;
   return out;
 }
 
 }  // namespace
 
 void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outputs) {
-  const View view = view_of(kernel);
-  StateHead& state = *view.state.head;
-  const std::uint32_t count = view.model.head->counts.needles;
+  auto [model, all, scratch] = view_of(kernel);  // `all`: the first needle's, and the tissue's
+  StateHead& state = *all.head;
+  const std::uint32_t count = model.head->counts.needles;
   ++state.tick;
   Moved moved[kMaxNeedles] = {};
   Output out[kMaxNeedles] = {};
   if (state.latched_fault == 0) {
     for (std::uint32_t i = 0; i < count; ++i) {
-      move_needle(needle_view(view, i), i < inputs.size() ? inputs[i] : Input{}, moved[i]);
+      State own = needle_state(all, i);
+      const Input input = i < inputs.size() ? inputs[i] : Input{};
+      move_needle(needle_model(model, i), own, scratch, input, moved[i]);
     }
-    const std::uint32_t flags = gather_coupled(view);  // 10: tissue
-    const std::uint32_t substeps = view.model.head->config.substeps;
+    const std::uint32_t flags = gather_coupled(model, all, scratch);  // 10: tissue
+    const std::uint32_t substeps = model.head->config.substeps;
     for (std::uint32_t s = 0; s < substeps; ++s) {
-      view.scratch.head->substeps_to_come = substeps - 1 - s;
+      scratch.head->substeps_to_come = substeps - 1 - s;
       kernel.step(kernel);
     }
     // Tissue dragged to a hundredfold of its length may leave the numbers there are, and a needle
     // that has left it would not tell.
     if (!is_finite(state.max_displacement_m)) latch_fault(state);
-    measure_forces(view);
+    measure_forces(model, all);
     for (std::uint32_t i = 0; i < count; ++i) {
       out[i].flags = flags;
-      report_needle(needle_view(view, i), moved[i], out[i]);
+      State own = needle_state(all, i);
+      report_needle(needle_model(model, i), own, scratch, moved[i], out[i]);
     }
   }
   // One needle's fault stops them all: they share the tissue.
   for (std::uint32_t i = 0; i < count && i < outputs.size(); ++i) {
-    outputs[i] = state.latched_fault == 0 ? out[i] : faulted(view);
+    outputs[i] = state.latched_fault == 0 ? out[i] : faulted(all);
   }
 }
 

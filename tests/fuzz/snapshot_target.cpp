@@ -57,27 +57,27 @@ Kept& kept_of(std::uint8_t kind) {
   return all[kind % std::size(all)];
 }
 
-struct Field {
+struct Span {
   std::size_t at, size, count;  // in the state block; of an element
 };
 
-std::vector<Field> fields_of(const Kernel& kernel) {
+std::vector<Span> fields_of(const Kernel& kernel) {
   const Counts& c = counts_of(kernel);
-  const StateView view = state_view(kernel.state, c);
-  std::vector<Field> fields;
+  State view = state_of(kernel.state, c);
+  std::vector<Span> fields;
 #define STYLET_FUZZ_FIELD(name, type, count)                                                   \
   fields.push_back(                                                                            \
-      {static_cast<std::size_t>(reinterpret_cast<const std::byte*>(view.name) - kernel.state), \
+      {static_cast<std::size_t>(reinterpret_cast<const std::byte*>(&view.name[0]) - kernel.state), \
        sizeof(type), static_cast<std::size_t>(count)});
   STYLET_STATE_FIELDS(STYLET_FUZZ_FIELD)
 #undef STYLET_FUZZ_FIELD
-  std::erase_if(fields, [](const Field& field) { return field.count == 0; });
+  std::erase_if(fields, [](const Span& field) { return field.count == 0; });
   return fields;
 }
 
 // One word of one element: any, or a little more or less than it was, or as large as may be.
-void change(Bytes& bytes, const std::vector<Field>& fields, std::byte* state) {
-  const Field& field = fields[bytes.byte() % fields.size()];
+void change(Bytes& bytes, const std::vector<Span>& fields, std::byte* state) {
+  const Span& field = fields[bytes.byte() % fields.size()];
   const std::size_t element = (bytes.byte() + 256U * bytes.byte()) % field.count;
   const std::size_t word = (bytes.byte() + 256U * bytes.byte()) % (field.size / 4);
   std::byte* const at = state + field.at + element * field.size + 4 * word;
@@ -154,7 +154,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   promise(restore(kernel, moment) == Status::kOk, "what a kernel saved is refused");
   std::vector<std::byte> changed = moment;
   std::byte* const state = changed.data() + sizeof(SnapshotHeader);
-  const std::vector<Field> fields = fields_of(kernel);
+  const std::vector<Span> fields = fields_of(kernel);
   const std::uint32_t changes = bytes.byte() % 8U;
   for (std::uint32_t i = 0; i < changes; ++i) change(bytes, fields, state);
   const SnapshotHeader header = snapshot_header(kernel, state);

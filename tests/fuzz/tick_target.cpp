@@ -157,7 +157,8 @@ Input apply(const Operation& op, const Config& config, Hand& hand) {
 void check(const Kernel& kernel, std::span<const Output> outputs, TickWork& work) {
   const char* broken = broken_promise(kernel, outputs);
   promise(broken == nullptr, broken);
-  count_work(kernel, attachment_shift(view_of(kernel)), work);
+  const View view = view_of(kernel);
+  count_work(kernel, attachment_shift(view.model, view.state), work);
   promise(bound_of(work.amount) <= kDearestTick, "a tick may cost more than the worst case");
 }
 

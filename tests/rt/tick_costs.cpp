@@ -120,7 +120,8 @@ void count_window(Player& player, const Window& window) {
     CALLGRIND_TOGGLE_COLLECT;
     tick(kernel, player.inputs, player.outputs);
     CALLGRIND_TOGGLE_COLLECT;
-    count_work(kernel, attachment_shift(view_of(kernel)), work);
+    const View view = view_of(kernel);
+    count_work(kernel, attachment_shift(view.model, view.state), work);
     char text[80];
     std::snprintf(text, sizeof text, "%llu %s %llu", static_cast<unsigned long long>(at),
                   inserted(player.outputs) ? "inserted" : "other",

@@ -121,9 +121,9 @@ inline bool is_near(const Obstacle& body, Vec3 a, Vec3 b, float radius_m) {
 inline void add_obstacles(const View& view, std::uint32_t rods, Vec3 shift, std::uint32_t answers,
                           Amounts& amount) {
   constexpr float kReachM = 2e-3F, kBendM = 5e-3F;
-  const bool elastic = bends(view.needle_config());
+  const bool elastic = bends(view.model.needle_config());
   const std::uint32_t looks = elastic ? kRodFaceLooks + answers : 1;
-  const float radius_m = view.needle_config().outer_radius_m + (elastic ? kReachM + kBendM : 0);
+  const float radius_m = view.model.needle_config().outer_radius_m + (elastic ? kReachM + kBendM : 0);
   for (std::uint32_t body = 0; body < view.model.head->obstacle_count; ++body) {
     const Obstacle& obstacle = view.model.obstacle[body];
     for (std::uint32_t rod = 0; rod < rods; ++rod) {
@@ -149,20 +149,20 @@ inline void add_needle(const View& view, Vec3 shift, TickWork& work) {
   const NeedleState& own = *view.state.needle;
   Amounts& amount = work.amount;
   const std::uint32_t particles = own.shaft_count + own.tip_alive;
-  std::uint32_t& before = work.particles_before[view.needle];
+  std::uint32_t& before = work.particles_before[view.state.needle_index];
   const std::uint32_t answers = answers_of(own, before > 0);
   amount[kAdded] += particles > before ? particles - before : 0;
   amount[kParticles] += particles;
   before = particles;
   // A tip that is free looks for tissue, one that leaves its contact for what it lies in now.
   const bool looks = own.phase == Phase::kFree || own.phase == Phase::kContact;
-  const bool looked = std::exchange(work.looked_before[view.needle], looks);
+  const bool looked = std::exchange(work.looked_before[view.state.needle_index], looks);
   if (own.handle_known == 0) return;
   ++amount[kNeedlesUsed];
   amount[kFurtherSheets] += view.model.head->counts.sheets - 1;
   if (looks || looked || own.tip_alive == 0) ++amount[kSearches];
   const std::uint32_t rods = view.model.rod->rods;
-  if (bends(view.needle_config())) {
+  if (bends(view.model.needle_config())) {
     // Beside bodies each look is three times the Newton steps, and as much as two solves for
     // the lengths tried.
     const bool bodies = view.model.head->obstacle_count > 0;
@@ -186,7 +186,7 @@ inline std::uint32_t passes_of(const View& view) {
 // What the motion of particles takes counts as a pass, and what springs add to their masses.
 inline void add_filter(const View& view, Amounts& amount) {
   const ModelHead& head = *view.model.head;
-  if (!has_true_mass(view)) return;
+  if (!has_true_mass(view.model)) return;
   const std::uint64_t passes = std::uint64_t{head.config.substeps} * (head.filter.passes + 1);
   amount[kFilteredSlots] = passes * head.counts.slots;
   amount[kFilteredNodes] = passes * head.counts.particles;
@@ -196,7 +196,7 @@ inline void add_filter(const View& view, Amounts& amount) {
 
 // After each tick.
 inline void count_work(const Kernel& kernel, Vec3 shift, TickWork& work) {
-  const View view = view_of(kernel);
+  View view = view_of(kernel);
   const ModelHead& head = *view.model.head;
   const std::uint64_t substeps = head.config.substeps;
   work.amount = {};

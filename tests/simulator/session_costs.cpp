@@ -64,7 +64,8 @@ void count_tick(Kernel& kernel, std::span<const Input> inputs, std::uint64_t see
   CALLGRIND_TOGGLE_COLLECT;
   tick(kernel, inputs, std::span(outputs).first(inputs.size()));
   CALLGRIND_TOGGLE_COLLECT;
-  count_work(kernel, attachment_shift(view_of(kernel)), work);
+  const View view = view_of(kernel);
+  count_work(kernel, attachment_shift(view.model, view.state), work);
   char text[80];
   std::snprintf(text, sizeof text, "%llu seed%llu %llu",
                 static_cast<unsigned long long>(outputs[0].tick),

@@ -173,6 +173,12 @@ struct Observer {
   bool on = false;
 };
 
+// Shift of the attachments at the tick the kernel is at.
+Vec3 shift_of(const Kernel& kernel) {
+  const View view = view_of(kernel);
+  return attachment_shift(view.model, view.state);
+}
+
 Vec3 turned_by(const Quat& a, const Quat& b) {
   const Vec3 va = {a.x, a.y, a.z}, vb = {b.x, b.y, b.z};
   return 2.0F * (a.w * vb - b.w * va - cross(vb, va));
@@ -198,7 +204,7 @@ void watch_work(Observer& observer, const Kernel& kernel, std::span<const Output
                       own.handle.rotation,
                       outputs[i].force_n,
                       outputs[i].torque_nm,
-                      attachment_shift(view_of(kernel)),
+                      shift_of(kernel),
                       outputs[i].cause.obstacle_n};
     const Base& last = observer.last[i];
     if (observer.known[i]) {
@@ -309,12 +315,12 @@ bool turned_over(const Corners& corners) {
 }
 
 bool inside_out(const Kernel& kernel) {
-  const View view = view_of(kernel);
+  View view = view_of(kernel);
   for (std::uint32_t index = 0; index < view.model.head->counts.rows; ++index) {
     const Row& row = view.model.row[index];
     for (std::uint32_t slot = row.slot; slot < row.slot + row.count; ++slot) {
       if (!(view.model.slot_k[slot] > 0)) continue;
-      if (turned_over(sum_corners(view, slot, index))) return true;
+      if (turned_over(sum_corners(view.model, view.state, slot, index))) return true;
     }
   }
   return false;
@@ -344,7 +350,7 @@ double stored_energy(const Kernel& kernel) {
 }
 
 float depth_m(const View& view, std::uint32_t body, Vec3 a_m, Vec3 b_m) {
-  const NeedlePiece piece = {a_m, b_m, view.needle_config().outer_radius_m};
+  const NeedlePiece piece = {a_m, b_m, view.model.needle_config().outer_radius_m};
   return std::max(-obstacle_gap(view.model.obstacle[body], piece).separation_m, 0.0F);
 }
 
@@ -396,13 +402,14 @@ double passed_slack_j(const View& view, std::span<const Vec3> before_m,
 // For needles that a hand has thrown through a body in a tick, or deeper into it than they are at
 // either end: what pushed them on the way is not between the wrenches at the ends.
 double passed_slack_j(Simulation& s) {
-  const View view = view_of(s.session.kernel);
-  const Vec3 shift_m = attachment_shift(view);
+  View view = view_of(s.session.kernel);
+  const Vec3 shift_m = attachment_shift(view.model, view.state);
   double sum_j = 0;
   for (std::uint32_t i = 0; i < s.needles(); ++i) {
-    const View one = needle_view(view, i);
+    View one = needle_view(view, i);
     if (one.state.needle->handle_known == 0) continue;
-    std::vector<Vec3> now_m(one.state.node, one.state.node + one.model.rod->rods + 1);
+    const Vec3* const node = one.state.node;
+    std::vector<Vec3> now_m(node, node + one.model.rod->rods + 1);
     for (Vec3& node_m : now_m) node_m = node_m + shift_m;
     std::swap(s.nodes_m[i], now_m);
     if (!now_m.empty()) sum_j += passed_slack_j(one, now_m, s.nodes_m[i]);
@@ -443,7 +450,7 @@ const char* broken_energy(Simulation& s, std::span<const Output> outputs) {
 // How much the tick may have cost.
 const char* broken_bound(Simulation& s, std::uint64_t tick) {
   const Kernel& kernel = s.session.kernel;
-  count_work(kernel, attachment_shift(view_of(kernel)), s.work);
+  count_work(kernel, shift_of(kernel), s.work);
   const std::uint64_t bound = bound_of(s.work.amount);
   if (bound > s.verdict.dearest_bound) {
     s.verdict.dearest_bound = bound;
@@ -533,7 +540,7 @@ void run_ticks(Simulation& s, std::uint64_t ticks) {
 }
 
 double largest_displacement(const Kernel& kernel) {
-  const View view = view_of(kernel);
+  View view = view_of(kernel);
   double largest = 0;
   for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) {
     largest =

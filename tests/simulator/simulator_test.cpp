@@ -20,7 +20,7 @@ std::string verdict_of(const Tamper& tamper) {
   return verdict.broken != nullptr ? verdict.broken : "held";
 }
 
-StateView state_of(Kernel& kernel) {
+State state_of(Kernel& kernel) {
   return view_of(kernel).state;
 }
 
@@ -35,7 +35,7 @@ TEST(Simulator, SameSeedSameSession) {
 
 // The last particle that moves.
 std::uint32_t moving(Kernel& kernel) {
-  const View view = view_of(kernel);
+  View view = view_of(kernel);
   std::uint32_t i = view.model.head->counts.particles;
   while (!(view.model.step_per_mass[i - 1] > 0)) --i;
   return i - 1;
@@ -51,7 +51,7 @@ TEST(Simulator, SeesTissueThatIsNotFinite) {
 
 TEST(Simulator, SeesAForceThatIsNotTheSumOfItsParticles) {
   EXPECT_EQ(verdict_of([](Kernel& kernel, std::uint64_t) {
-              const StateView state = state_of(kernel);
+              State state = state_of(kernel);
               if (state.needle->shaft_count > 2) state.shaft[1].force_n.y += 1e-4F;
             }),
             "force is not the sum over its particles");
@@ -59,7 +59,7 @@ TEST(Simulator, SeesAForceThatIsNotTheSumOfItsParticles) {
 
 TEST(Simulator, SeesEnergyFromNowhere) {
   EXPECT_EQ(verdict_of([](Kernel& kernel, std::uint64_t tick) {
-              const View view = view_of(kernel);
+              View view = view_of(kernel);
               if (tick != 300) return;
               for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) {
                 if (view.model.step_per_mass[i] > 0) set_speed(view, i, {0.5F, 0, 0});

@@ -72,10 +72,10 @@ inline Wrench wrench_on(const Kernel& kernel, std::uint32_t needle) {
   static thread_local std::array<ConstraintParticle, kMaxNeedles*(kMaxConstraintParticles + 1)>
       particles;
   static thread_local std::array<ObstacleTouch, kMaxNeedles * kMaxTouches> touches;
-  const View view = needle_view(view_of(kernel), needle);
+  View view = needle_view(view_of(kernel), needle);
   const Vec3 handle = view.state.needle->handle.position_m;
   Wrench sum;
-  sum.torque.add(roll_torque_nm(view));
+  sum.torque.add(roll_torque_nm(view.state));
   const std::uint32_t held = constraint_particles(kernel, particles);
   for (const ConstraintParticle& p : std::span(particles).first(held)) {
     if (p.needle != needle) continue;

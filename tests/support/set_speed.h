@@ -8,8 +8,8 @@
 
 namespace stylet::test {
 
-inline void set_speed(const View& view, std::uint32_t particle, Vec3 speed) {
-  const bool filtered = has_true_mass(view);
+inline void set_speed(View view, std::uint32_t particle, Vec3 speed) {
+  const bool filtered = has_true_mass(view.model);
   (filtered ? view.state.wx : view.state.vx)[particle] = speed.x;
   (filtered ? view.state.wy : view.state.vy)[particle] = speed.y;
   (filtered ? view.state.wz : view.state.vz)[particle] = speed.z;

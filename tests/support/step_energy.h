@@ -13,11 +13,13 @@ namespace stylet::test {
 
 // Where the tissue's dampers feel the particles: tau ahead of where they are. Swapped twice, they
 // are back.
-inline void swap_ahead(const View& view) {
+inline void swap_ahead(View view) {
   const std::uint32_t count = view.model.head->counts.particles;
-  std::swap_ranges(view.state.ux, view.state.ux + count, view.state.ex);
-  std::swap_ranges(view.state.uy, view.state.uy + count, view.state.ey);
-  std::swap_ranges(view.state.uz, view.state.uz + count, view.state.ez);
+  float* const places[] = {view.state.ux, view.state.uy, view.state.uz};
+  float* const ahead[] = {view.state.ex, view.state.ey, view.state.ez};
+  for (int axis = 0; axis < 3; ++axis) {
+    std::swap_ranges(places[axis], places[axis] + count, ahead[axis]);
+  }
 }
 
 // `now` is the kernel's. Its velocities v are those half a substep h before its places u, so that
@@ -27,7 +29,7 @@ inline void swap_ahead(const View& view) {
 // is what steps without damping keep, and steps with damping lower it, each by h tau w^2 (v + v')^2
 // / 4 (tau to zero: v M v / 2 + u K u' / 2, which leapfrog keeps).
 inline double tissue_energy(const Kernel& kernel, const Energy& now) {
-  const View view = view_of(kernel);
+  View view = view_of(kernel);
   const ModelHead& head = *view.model.head;
   swap_ahead(view);
   const Energy ahead = energy(kernel);

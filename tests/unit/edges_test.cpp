@@ -441,7 +441,7 @@ TEST(Edges, ABrokenStateLatchesAFaultUntilReset) {
   Session session = make_session(organ->organ, Config{});
   const Script script = block_script(organ->organ, Config{});
   run(session.kernel, script, 0, 1200);
-  const View view = view_of(session.kernel);
+  View view = view_of(session.kernel);
   ASSERT_GT(view.state.needle->shaft_count, 0U);
   for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) view.state.ux[i] = kNan;
   Output out = {};
@@ -465,7 +465,7 @@ TEST(Edges, TissueThatIsNotFiniteLatchesAFaultThoughTheNeedleIsOutside) {
     Session session = make_session(organ->organ, Config{});
     const Input outside = {{{0, 0, 1}, {1, 0, 0, 0}}, 1};
     EXPECT_EQ(tick(session.kernel, outside).flags, 0U);
-    const View view = view_of(session.kernel);
+    View view = view_of(session.kernel);
     const std::uint32_t middle = view.model.head->counts.particles / 2;
     for (std::uint32_t i = middle; i < middle + 40; ++i) view.state.uy[i] = odd;
     EXPECT_EQ(tick(session.kernel, outside).flags, kFlagFault) << odd;

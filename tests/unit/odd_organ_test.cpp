@@ -191,18 +191,18 @@ TEST(OddOrgan, ASurfaceOverNothingIsNotFelt) {
 TEST(OddOrgan, InsideEndsAtEachSideOfTheLattice) {
   const auto opened = packed(*block());
   Session session = make_session(opened->organ, Config{});
-  const View view = view_of(session.kernel);
+  View view = view_of(session.kernel);
   const Vec3 size_m = {kNx * 5e-3F, kNy * 5e-3F, kNz * 5e-3F}, middle = 0.5F * size_m;
-  EXPECT_TRUE(inside_lattice(view, middle));
+  EXPECT_TRUE(inside_lattice(view.model, middle));
   for (int axis = 0; axis < 3; ++axis) {
     for (const bool high : {false, true}) {
       Vec3 place = middle;
       float* at[] = {&place.x, &place.y, &place.z};
       const float* end[] = {&size_m.x, &size_m.y, &size_m.z};
       *at[axis] = high ? *end[axis] - 1e-5F : 1e-5F;
-      EXPECT_TRUE(inside_lattice(view, place)) << axis << high;
+      EXPECT_TRUE(inside_lattice(view.model, place)) << axis << high;
       *at[axis] = high ? *end[axis] + 1e-5F : -1e-5F;
-      EXPECT_FALSE(inside_lattice(view, place)) << axis << high;
+      EXPECT_FALSE(inside_lattice(view.model, place)) << axis << high;
     }
   }
 }
@@ -220,7 +220,7 @@ TEST(OddOrgan, RowsFarApart) {
   owner->sphere_nodes.clear();
   const auto opened = packed(*owner);
   Session session = make_session(opened->organ, Config{});
-  const View view = view_of(session.kernel);
+  View view = view_of(session.kernel);
   const Row& near = view.model.row[0];
   set_speed(view, near.node[0], {0.1F, 0, 0});
   for (int i = 0; i < 20; ++i) (void)tick(session.kernel, Input{});
@@ -252,10 +252,10 @@ TEST(OddOrgan, PlacesBesideAShortRowAreOutside) {
   };
   const auto opened = open_organ(tiny_organ(tiny));
   const Session session = make_session(opened->organ, Config{});
-  const View view = view_of(session.kernel);
+  View view = view_of(session.kernel);
   const auto is_inside = [&](float x, float y) {
     Vec3 place = {};
-    return present_place(view, tiny.voxel_edge_m * Vec3{x, y, 0.5F}, place);
+    return present_place(view.model, view.state, tiny.voxel_edge_m * Vec3{x, y, 0.5F}, place);
   };
   EXPECT_TRUE(is_inside(2.5F, 0.5F));
   EXPECT_FALSE(is_inside(3.5F, 0.5F)) << "behind the end of a row";

@@ -133,7 +133,7 @@ void let_go(Session& session, int ticks) {
 TEST(Sheets, TiedHalvesMoveAsTheWhole) {
   const auto whole = packed(*without_surface(block())), cut = packed(*halves(true));
   Session a = make_session(whole->organ, Config{}), b = make_session(cut->organ, Config{});
-  const View of_whole = view_of(a.kernel), of_cut = view_of(b.kernel);
+  View of_whole = view_of(a.kernel), of_cut = view_of(b.kernel);
   const auto everywhere = [](const Vec3&) { return true; };
   push(of_whole, everywhere);
   push(of_cut, everywhere);
@@ -158,7 +158,7 @@ TEST(Sheets, TiedHalvesMoveAsTheWhole) {
 TEST(Sheets, TiedNodesStayTogetherToTheBit) {
   const auto cut = packed(*halves(true));
   Session session = make_session(cut->organ, Config{});
-  const View view = view_of(session.kernel);
+  View view = view_of(session.kernel);
   push(view, [](const Vec3&) { return true; });
   let_go(session, 50);
   ASSERT_EQ(view.model.head->counts.ties, static_cast<std::uint32_t>(kRows * kRows));
@@ -254,7 +254,7 @@ TEST(Sheets, HelpersChangeNoBit) {
 TEST(Sheets, PartsWithoutTiesDoNotMoveEachOther) {
   const auto cut = packed(*halves(false));
   Session session = make_session(cut->organ, Config{});
-  const View view = view_of(session.kernel);
+  View view = view_of(session.kernel);
   each_node(view, [&](std::uint32_t sheet, const Vec3&, std::uint32_t particle) {
     if (sheet == 1 && view.model.step_per_mass[particle] > 0) {
       set_speed(view, particle, {0.05F, 0, 0});
@@ -273,23 +273,23 @@ TEST(Sheets, PartsWithoutTiesDoNotMoveEachOther) {
 TEST(Sheets, APlaceIsHeldByThePartItLiesIn) {
   const auto shared = packed(*shared_cells());
   Session session = make_session(shared->organ, Config{});
-  const View view = view_of(session.kernel);
+  View view = view_of(session.kernel);
   const float edge_m = view.model.head->edge_m;
   for (const float along : {0.1F, 0.45F, 0.55F, 0.9F}) {
     const Vec3 place_m = edge_m * Vec3{1 + along, 2.3F, 1.6F};
     Share shares[kSharesPerParticle];
-    const std::uint32_t count = find_shares(view, place_m, shares);
+    const std::uint32_t count = find_shares(view.model, place_m, shares);
     ASSERT_EQ(count, 8U);
     for (const Share& share : shares) {
       EXPECT_EQ(sheet_of(view, share.row), along < 0.5F ? 0U : 1U) << along;
-      const Vec3 away = rest_centre(view, share.slot, view.model.row[share.row]) - place_m;
+      const Vec3 away = rest_centre(view.model, share.slot, view.model.row[share.row]) - place_m;
       EXPECT_LT(norm(away), 1.8F * edge_m) << along;
     }
     Vec3 present = {};
-    ASSERT_TRUE(present_place(view, place_m, present));
+    ASSERT_TRUE(present_place(view.model, view.state, place_m, present));
     EXPECT_NEAR(static_cast<double>(norm(present - place_m)), 0, 1e-7);
   }
-  EXPECT_FALSE(inside_lattice(view, edge_m * Vec3{1, kEdge + 1.5F, 1}));  // the second sheet
+  EXPECT_FALSE(inside_lattice(view.model, edge_m * Vec3{1, kEdge + 1.5F, 1}));  // the second sheet
 }
 
 // Two voxels of one cell, each with a plane before the gap between them: what lies at a place goes
@@ -308,11 +308,11 @@ TEST(Sheets, EachPartOfACellHasAPlaneOfItsOwn) {
   }
   const auto shared = packed(*owner);
   Session session = make_session(shared->organ, Config{});
-  const View view = view_of(session.kernel);
+  View view = view_of(session.kernel);
   const float edge_m = view.model.head->edge_m;
   for (const float along : {0.1F, 0.35F, 0.45F, 0.55F, 0.65F, 0.9F}) {
     const bool gap = along > 0.4F && along < 0.6F;
-    EXPECT_EQ(material_at(view, edge_m * Vec3{1 + along, 2.3F, 1.6F}), gap ? kNoTissue : 0U)
+    EXPECT_EQ(material_at(view.model, edge_m * Vec3{1 + along, 2.3F, 1.6F}), gap ? kNoTissue : 0U)
         << along;
   }
 }

@@ -87,7 +87,7 @@ TEST(Snapshot, EveryWordOfEveryFieldIsLookedAt) {
   const std::vector<std::byte>& good = t.bytes;
   ASSERT_EQ(restore(t.other.kernel, good), Status::kOk);
   const Counts& c = counts_of(t.session.kernel);
-  const StateView view = state_view(t.session.kernel.state, c);
+  State view = state_of(t.session.kernel.state, c);
   std::size_t words = 0;
   const auto try_field = [&](const std::string& name, const auto* field, std::size_t count) {
     const std::size_t first = sizeof(SnapshotHeader) +
@@ -105,7 +105,7 @@ TEST(Snapshot, EveryWordOfEveryFieldIsLookedAt) {
     }
   };
 #define STYLET_TRY_FIELD(name, type, count) \
-  try_field(#name, view.name, static_cast<std::size_t>(count));
+  try_field(#name, &view.name[0], static_cast<std::size_t>(count));
   STYLET_STATE_FIELDS(STYLET_TRY_FIELD)
 #undef STYLET_TRY_FIELD
   EXPECT_GT(words, 1000U);
@@ -114,62 +114,62 @@ TEST(Snapshot, EveryWordOfEveryFieldIsLookedAt) {
 // A change of what is used as an index or a count, to the first number that is too large.
 struct Wrong {
   const char* what;
-  std::function<void(const StateView&)> change;
+  std::function<void(State&)> change;
 };
 
 TEST(Snapshot, IndicesAndCountsAreHeldAgainstTheModel) {
   Taken t;
-  const View view = view_of(t.session.kernel);
+  View view = view_of(t.session.kernel);
   const Counts& c = counts_of(t.session.kernel);
   const std::uint32_t materials = view.model.head->material_count;
   ASSERT_GT(view.state.needle->shaft_count, 1U);
   ASSERT_GT(view.state.shaft[0].share_count, 1U);
   const std::vector<Wrong> all = {
       {"shaft_count",
-       [](const StateView& s) { s.needle->shaft_count = kMaxConstraintParticles + 1; }},
-      {"far shaft_count", [](const StateView& s) { s.needle->shaft_count = 100000; }},
-      {"shaft_max", [](const StateView& s) { s.needle->shaft_max = s.needle->shaft_count - 1; }},
-      {"no shaft", [](const StateView& s) { s.needle->shaft_count = 0; }},
-      {"phase", [](const StateView& s) { s.needle->phase = static_cast<Phase>(4); }},
-      {"other phase", [](const StateView& s) { s.needle->phase = Phase::kFree; }},
-      {"no tip", [](const StateView& s) { s.needle->tip_alive = 0; }},
-      {"tip_alive", [](const StateView& s) { s.needle->tip_alive = 2; }},
-      {"layer", [=](const StateView& s) { s.needle->layer = materials; }},
-      {"spring_layer", [=](const StateView& s) { s.needle->spring_layer = materials; }},
-      {"track_current", [](const StateView& s) { s.needle->track_current = kMaxTracks; }},
+       [](State& s) { s.needle->shaft_count = kMaxConstraintParticles + 1; }},
+      {"far shaft_count", [](State& s) { s.needle->shaft_count = 100000; }},
+      {"shaft_max", [](State& s) { s.needle->shaft_max = s.needle->shaft_count - 1; }},
+      {"no shaft", [](State& s) { s.needle->shaft_count = 0; }},
+      {"phase", [](State& s) { s.needle->phase = static_cast<Phase>(4); }},
+      {"other phase", [](State& s) { s.needle->phase = Phase::kFree; }},
+      {"no tip", [](State& s) { s.needle->tip_alive = 0; }},
+      {"tip_alive", [](State& s) { s.needle->tip_alive = 2; }},
+      {"layer", [=](State& s) { s.needle->layer = materials; }},
+      {"spring_layer", [=](State& s) { s.needle->spring_layer = materials; }},
+      {"track_current", [](State& s) { s.needle->track_current = kMaxTracks; }},
       {"track not there",
-       [](const StateView& s) { s.needle->track_current = s.head->track_count; }},
-      {"touch_max", [](const StateView& s) { s.needle->touch_count = s.needle->touch_max + 1; }},
-      {"touch_count", [](const StateView& s) { s.needle->touch_count = kMaxTouches + 1; }},
-      {"handle", [](const StateView& s) { s.needle->handle.rotation.w = 2; }},
-      {"slot", [&](const StateView& s) { s.shaft->share[0].slot = c.slots; }},
-      {"slot of another row", [](const StateView& s) { ++s.shaft->share[0].row; }},
+       [](State& s) { s.needle->track_current = s.head->track_count; }},
+      {"touch_max", [](State& s) { s.needle->touch_count = s.needle->touch_max + 1; }},
+      {"touch_count", [](State& s) { s.needle->touch_count = kMaxTouches + 1; }},
+      {"handle", [](State& s) { s.needle->handle.rotation.w = 2; }},
+      {"slot", [&](State& s) { s.shaft->share[0].slot = c.slots; }},
+      {"slot of another row", [](State& s) { ++s.shaft->share[0].row; }},
       {"slot before its row",
-       [&](const StateView& s) {
+       [&](State& s) {
          s.shaft->share[0].slot = view.model.row[s.shaft->share[0].row].slot - 1;
        }},
-      {"row", [&](const StateView& s) { s.shaft->share[0].row = c.rows; }},
-      {"weight", [](const StateView& s) { s.shaft->share[0].weight += 0.1F; }},
-      {"no turn", [](const StateView& s) { s.shaft->share[0].turn = {}; }},
-      {"share_count", [](const StateView& s) { s.shaft->share_count = kSharesPerParticle + 1; }},
-      {"fewer shares", [](const StateView& s) { --s.shaft->share_count; }},
-      {"no spring", [](const StateView& s) { s.shaft->stiffness_n_per_m = 0; }},
-      {"no full spring", [](const StateView& s) { s.shaft->full_stiffness_n_per_m = 0; }},
-      {"more than all", [](const StateView& s) { s.shaft->memory_share = 1.1F; }},
-      {"more than whole", [](const StateView& s) { s.rod_shape->step_share = 1.1; }},
-      {"material", [=](const StateView& s) { s.tip->material = materials; }},
-      {"rod", [](const StateView& s) { s.rod_shape->direction[3].y += 0.5; }},
-      {"touch.rod", [&](const StateView& s) { s.touch->rod = view.model.rod->rods; }},
-      {"touch.obstacle", [](const StateView& s) { s.touch->obstacle = kMaxObstacles; }},
-      {"track_next", [](const StateView& s) { s.head->track_next = kMaxTracks; }},
-      {"track_count", [](const StateView& s) { s.head->track_count = kMaxTracks + 1; }},
-      {"latched_fault", [](const StateView& s) { s.head->latched_fault = 2; }},
-      {"event.kind", [](const StateView& s) { s.event->kind = static_cast<EventKind>(7); }},
-      {"event.needle", [](const StateView& s) { s.event->needle = 2; }},
-      {"huge", [](const StateView& s) { s.vy[40] = 1e13F; }},
-      {"huge sum", [](const StateView& s) { s.head->friction_j = 1e300; }},
-      {"below nothing", [](const StateView& s) { s.head->max_displacement_m = -1; }},
-      {"infinite", [](const StateView& s) { s.uz[40] = std::numeric_limits<float>::infinity(); }},
+      {"row", [&](State& s) { s.shaft->share[0].row = c.rows; }},
+      {"weight", [](State& s) { s.shaft->share[0].weight += 0.1F; }},
+      {"no turn", [](State& s) { s.shaft->share[0].turn = {}; }},
+      {"share_count", [](State& s) { s.shaft->share_count = kSharesPerParticle + 1; }},
+      {"fewer shares", [](State& s) { --s.shaft->share_count; }},
+      {"no spring", [](State& s) { s.shaft->stiffness_n_per_m = 0; }},
+      {"no full spring", [](State& s) { s.shaft->full_stiffness_n_per_m = 0; }},
+      {"more than all", [](State& s) { s.shaft->memory_share = 1.1F; }},
+      {"more than whole", [](State& s) { s.rod_shape->step_share = 1.1; }},
+      {"material", [=](State& s) { s.tip->material = materials; }},
+      {"rod", [](State& s) { s.rod_shape->direction[3].y += 0.5; }},
+      {"touch.rod", [&](State& s) { s.touch->rod = view.model.rod->rods; }},
+      {"touch.obstacle", [](State& s) { s.touch->obstacle = kMaxObstacles; }},
+      {"track_next", [](State& s) { s.head->track_next = kMaxTracks; }},
+      {"track_count", [](State& s) { s.head->track_count = kMaxTracks + 1; }},
+      {"latched_fault", [](State& s) { s.head->latched_fault = 2; }},
+      {"event.kind", [](State& s) { s.event->kind = static_cast<EventKind>(7); }},
+      {"event.needle", [](State& s) { s.event->needle = 2; }},
+      {"huge", [](State& s) { s.vy[40] = 1e13F; }},
+      {"huge sum", [](State& s) { s.head->friction_j = 1e300; }},
+      {"below nothing", [](State& s) { s.head->max_displacement_m = -1; }},
+      {"infinite", [](State& s) { s.uz[40] = std::numeric_limits<float>::infinity(); }},
   };
   const std::uint64_t before = hash(t.other.kernel);
   for (const Wrong& wrong : all) {
@@ -192,7 +192,7 @@ TEST(Snapshot, NoParticleHoldsOnToAHole) {
   const auto organ = open_organ(tiny_organ(tiny));
   Session session = make_session(organ->organ, Config{});
   run(session.kernel, block_script(organ->organ, Config{}), 0, 1300);
-  const View view = view_of(session.kernel);
+  View view = view_of(session.kernel);
   ASSERT_GT(view.state.needle->shaft_count, 0U);
   const std::uint32_t row = row_at(view.model, 6, 4, 4);
   ASSERT_NE(row, kNoRow);
@@ -254,7 +254,7 @@ TEST(Snapshot, ComesFromBytesAtAnyAddress) {
 // A kernel that has latched a fault may hold any numbers: force stays zero until reset.
 TEST(Snapshot, OfAFaultIsAFault) {
   Taken t;
-  const View view = view_of(t.session.kernel);
+  View view = view_of(t.session.kernel);
   for (std::uint32_t i = 0; i < counts_of(t.session.kernel).particles; ++i) {
     view.state.ux[i] = std::numeric_limits<float>::quiet_NaN();
   }

@@ -78,7 +78,7 @@ TEST(SparseOrgan, WhatIsClaimedCostsNothing) {
 TEST(SparseOrgan, RowsFromEndToEndRun) {
   const auto opened = open_organ(organ_of_runs(rows_of_two(1024, 64, 65534)));
   Session session = make_session(opened->organ, Config{});
-  const View view = view_of(session.kernel);
+  View view = view_of(session.kernel);
   const Row& far = view.model.row[view.model.head->counts.rows - 1];
   set_speed(view, far.node[0], {0.1F, 0, 0});
   for (int i = 0; i < 3; ++i) {
@@ -193,13 +193,13 @@ TEST(SparseOrgan, EveryVoxelIsFound) {
     const std::vector<format::Run> runs = draw(random, shape);
     const auto opened = open_organ(organ_of_runs(runs));
     const Session session = make_session(opened->organ, Config{});
-    const View view = view_of(session.kernel);
+    View view = view_of(session.kernel);
     std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> all;
     const auto found = [&](std::int32_t x, std::uint32_t y, std::uint32_t z) {
       const float edge = opened->organ.voxel_edge_m;
       const Vec3 middle = {static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F,
                            static_cast<float>(z) + 0.5F};
-      return inside_lattice(view, edge * middle);
+      return inside_lattice(view.model, edge * middle);
     };
     for (const format::Run& run : runs) {
       for (std::uint32_t x = run.x(); x < std::uint32_t{run.x()} + run.count(); ++x) {
@@ -245,7 +245,7 @@ TEST(SparseOrgan, EveryVoxelAndNodeOfTheFileIsFound) {
     }
     const auto opened = open_organ(organ_of_runs(runs));
     const Session session = make_session(opened->organ, Config{});
-    const View view = view_of(session.kernel);
+    View view = view_of(session.kernel);
     for (std::uint32_t z = 0; z <= kSpan; ++z) {
       for (std::uint32_t y = 0; y <= kSpan; ++y) {
         for (std::uint32_t x = 0; x <= kSpan; ++x) {
@@ -256,7 +256,7 @@ TEST(SparseOrgan, EveryVoxelAndNodeOfTheFileIsFound) {
           if (y == kSpan || z == kSpan) continue;
           const Vec3 middle = {static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F,
                                static_cast<float>(z) + 0.5F};
-          ASSERT_EQ(inside_lattice(view, opened->organ.voxel_edge_m * middle), there)
+          ASSERT_EQ(inside_lattice(view.model, opened->organ.voxel_edge_m * middle), there)
               << x << ' ' << y << ' ' << z;
         }
       }
@@ -271,7 +271,7 @@ TEST(SparseOrgan, WindowsReachEveryNodeOnce) {
   for (const Shape& shape : kShapes) {
     const auto opened = open_organ(organ_of_runs(draw(random, shape)));
     const Session session = make_session(opened->organ, Config{});
-    const View view = view_of(session.kernel);
+    View view = view_of(session.kernel);
     for (std::uint32_t list = 0; list < 2; ++list) {
       for (std::uint32_t p = 0; p < view.model.head->counts.planes; ++p) {
         EXPECT_EQ(sent(view, p, list), wanted(view, p)) << list << ", plane " << p;

@@ -87,7 +87,7 @@ TEST(Difference, NamesEveryFieldAndElement) {
   run(p.b.kernel, p.script, 0, 1300);
   expect_equal(p.a.kernel, p.b.kernel);
   const Counts& c = counts_of(p.b.kernel);
-  const StateView view = state_view(p.b.kernel.state, c);
+  State view = state_of(p.b.kernel.state, c);
   const std::uint64_t same = hash(p.b.kernel);
   const auto try_field = [&](const char* name, auto* values, std::size_t count) {
     for (const std::size_t at : {std::size_t{0}, count / 2, count - 1}) {
@@ -104,7 +104,7 @@ TEST(Difference, NamesEveryFieldAndElement) {
     }
   };
 #define STYLET_TRY_FIELD(name, type, count) \
-  try_field(#name, view.name, static_cast<std::size_t>(count));
+  try_field(#name, &view.name[0], static_cast<std::size_t>(count));
   STYLET_STATE_FIELDS(STYLET_TRY_FIELD)
 #undef STYLET_TRY_FIELD
   expect_equal(p.a.kernel, p.b.kernel);
@@ -112,11 +112,11 @@ TEST(Difference, NamesEveryFieldAndElement) {
 
 TEST(Events, OldestIsOverwrittenAndOrderIsKept) {
   Pair p;
-  const View view = view_of(p.a.kernel);
+  View view = view_of(p.a.kernel);
   constexpr std::uint32_t kAll = kMaxEvents + 37;
   for (std::uint32_t i = 0; i < kAll; ++i) {
     view.state.head->tick = 1000 + i;
-    add_event(view, EventKind::kLayer, static_cast<float>(i));
+    add_event(view.state, EventKind::kLayer, static_cast<float>(i));
     Event list[kMaxEvents + 1];
     const std::uint32_t count = events(p.a.kernel, list);
     ASSERT_EQ(count, std::min(i + 1, kMaxEvents));

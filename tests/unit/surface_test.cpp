@@ -182,7 +182,7 @@ TEST(OrganRaycast, FindsWhatBruteForceFinds) {
 TEST(FindContact, FindsWhatBruteForceFindsOnADeformedSurface) {
   const auto organ = open_organ(tiny_organ(block()));
   Session session = make_session(organ->organ, Config{});
-  const View view = view_of(session.kernel);
+  View view = view_of(session.kernel);
   std::mt19937 random(6);
   std::uniform_real_distribution<float> uniform(-1, 1);
   int hits = 0, misses = 0, spent = 0;
@@ -208,7 +208,7 @@ TEST(FindContact, FindsWhatBruteForceFindsOnADeformedSurface) {
       Vec3 rest = {}, place = {};
       std::uint32_t flags = 0;
       const Contact contact =
-          find_contact(view, tip, way, contact_reach_m(view), {}, rest, place, flags);
+          find_contact(view.model, view.state, tip, way, contact_reach_m(view.model), {}, rest, place, flags);
       const bool found = contact == Contact::kFound;
       if (flags != 0) {  // more triangles than a tick may test: an answer later, never a wrong one
         ASSERT_EQ(flags, static_cast<std::uint32_t>(kFlagContactBudget));

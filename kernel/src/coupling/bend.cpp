@@ -45,57 +45,58 @@ bool slides(const Particle& p) {
 // A held particle bends the needle by its spring, where that is fixed to it: one that slips, only
 // across the shaft. (Without the spring along it, one pressed at the tip buckles under a load that
 // does not give way.)
-void add_particle(const View& view, const Needle& last, const Particle& p, RodLoads& loads) {
+void add_particle(const Model& model, const State& state, const Needle& last, const Particle& p,
+                  RodLoads& loads) {
   if (p.share_count == 0) return;
-  const NeedleState& own = *view.state.needle;
+  const NeedleState& own = *state.needle;
   const Vec3 direction = needle_point(last, p.arc_m).direction;
   const Vec3 along = slides(p) ? direction : Vec3{};
   const double grip_arc_m = static_cast<double>(p.arc_m + dot(p.give_m, direction));
-  const double length = static_cast<double>(view.needle_config().length_m);
+  const double length = static_cast<double>(model.needle_config().length_m);
   loads.load[loads.count++] = {length - grip_arc_m, to_double(grip(p)) - to_double(own.base_m),
                                -1.0 * to_double(p.force_n), across(along, p.stiffness_n_per_m)};
 }
 
 // All that the tissue pushed the needle with in the last step, as it answers to being moved.
-void gather_loads(const View& view, RodLoads& loads) {
-  const NeedleState& own = *view.state.needle;
-  const Needle last = needle_of(view);
+void gather_loads(const Model& model, const State& state, RodLoads& loads) {
+  const NeedleState& own = *state.needle;
+  const Needle last = needle_of(model, state);
   loads.count = 0;
   for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
-    add_particle(view, last, view.state.shaft[i], loads);
+    add_particle(model, state, last, state.shaft[i], loads);
   }
-  if (own.tip_alive != 0) add_particle(view, last, *view.state.tip, loads);
+  if (own.tip_alive != 0) add_particle(model, state, last, *state.tip, loads);
 }
 
 // A step near obstacles takes no node past what was looked at. What holds it, if need be, is a
 // node's mass over the square of a tick: more than that its inertia would let no needle go.
-RodCare care_of(const View& view) {
-  const double radius = static_cast<double>(view.needle_config().outer_radius_m);
-  const double period = static_cast<double>(view.model.head->config.period_s);
+RodCare care_of(const Model& model) {
+  const double radius = static_cast<double>(model.needle_config().outer_radius_m);
+  const double period = static_cast<double>(model.head->config.period_s);
   const double kg_per_m = kSteelKgPerM3 * 3.14159265 * radius * radius;
-  return {kReachM / kRodFaceSteps, kg_per_m * view.model.rod->rod_m / (period * period)};
+  return {kReachM / kRodFaceSteps, kg_per_m * model.rod->rod_m / (period * period)};
 }
 
 struct HandleTurn {
   double wxyz[4];
 };
-HandleTurn handle_turn(const View& view) {
-  const Quat& q = view.state.needle->handle.rotation;
+HandleTurn handle_turn(const State& state) {
+  const Quat& q = state.needle->handle.rotation;
   return {{static_cast<double>(q.w), static_cast<double>(q.x), static_cast<double>(q.y),
            static_cast<double>(q.z)}};
 }
 
-void put_nodes(const View& view) {
-  for (std::uint32_t i = 0; i <= view.model.rod->rods; ++i) {
-    view.state.node[i] = view.state.needle->base_m + to_float(view.scratch.rod_result->node_m[i]);
+void put_nodes(const Model& model, State& state, const Scratch& scratch) {
+  for (std::uint32_t i = 0; i <= model.rod->rods; ++i) {
+    state.node[i] = state.needle->base_m + to_float(scratch.rod_result->node_m[i]);
   }
 }
 
-std::uint32_t keep_bend(const View& view) {
-  put_nodes(view);
-  const RodResult& result = *view.scratch.rod_result;
+std::uint32_t keep_bend(const Model& model, State& state, const Scratch& scratch) {
+  put_nodes(model, state, scratch);
+  const RodResult& result = *scratch.rod_result;
   if (result.least_pivot > 0 && result.last_turn_rad < kSettledTurnRad) return 0;
-  ++view.state.head->needle_unstable;
+  ++state.head->needle_unstable;
   return kFlagNeedleUnstable;
 }
 
@@ -113,46 +114,46 @@ void carry(const Needle& needle, Particle& p) {
 
 // Bends the needle against tissue and bodies together: looks at the bodies, bends, and looks again
 // from there. Returns output flags.
-std::uint32_t bend(const View& view, Vec3 shift, std::uint32_t looks, Nearest& nearest) {
-  const RodModel& model = *view.model.rod;
-  const HandleTurn turn = handle_turn(view);
-  RodResult& result = *view.scratch.rod_result;
-  RodLoads& loads = *view.scratch.loads;
-  gather_loads(view, loads);
+std::uint32_t bend(const Model& model, State& state, Scratch& scratch, Vec3 shift,
+                   std::uint32_t looks, Nearest& nearest) {
+  const RodModel& rod = *model.rod;
+  const HandleTurn turn = handle_turn(state);
+  RodResult& result = *scratch.rod_result;
+  RodLoads& loads = *scratch.loads;
+  gather_loads(model, state, loads);
   nearest = {};
-  if (view.model.head->obstacle_count > 0) {
-    carry_rod(model, turn.wxyz, *view.state.rod_shape, *view.scratch.rod, result);
+  if (model.head->obstacle_count > 0) {
+    carry_rod(rod, turn.wxyz, *state.rod_shape, *scratch.rod, result);
     Nearest before = {};
-    look_around(view, shift, before, nearest);
+    look_around(model, state, scratch, shift, before, nearest);
     for (std::uint32_t look = 0; look < looks && nearest.faces.count > 0; ++look) {
       if (look > 0) {
         before = nearest;
-        look_around(view, shift, before, nearest);
+        look_around(model, state, scratch, shift, before, nearest);
       }
-      bend_rod(model, turn.wxyz, loads, nearest.faces, care_of(view), *view.state.rod_shape,
-               *view.scratch.rod, result);
+      bend_rod(rod, turn.wxyz, loads, nearest.faces, care_of(model), *state.rod_shape, *scratch.rod,
+               result);
     }
   }
   if (nearest.faces.count == 0) {
-    solve_rod(model, turn.wxyz, loads, *view.state.rod_shape, *view.scratch.rod, result);
+    solve_rod(rod, turn.wxyz, loads, *state.rod_shape, *scratch.rod, result);
   }
-  return keep_bend(view);
+  return keep_bend(model, state, scratch);
 }
 
 }  // namespace
 
-Needle needle_of(const View& view) {
+Needle needle_of(const Model& model, const State& state) {
   Needle needle = {};
-  needle.node = view.state.node;
-  needle.rods = view.model.rod->rods;
-  needle.rod_m = static_cast<float>(view.model.rod->rod_m);
+  needle.node = state.node;
+  needle.rods = model.rod->rods;
+  needle.rod_m = static_cast<float>(model.rod->rod_m);
   needle.base_m = needle.node[0];
   needle.tip_m = needle.node[needle.rods];
   return needle;
 }
 
-void make_needle(const View& view) {
-  const NeedleConfig& config = view.needle_config();
+void make_needle(const NeedleConfig& config, RodModel& rod_out) {
   const std::uint32_t rods = is_elastic(config) ? config.rods : 1;
   const double bending =
       config.bending_nm2 > 0 ? static_cast<double>(config.bending_nm2) : kRigidBendingNm2;
@@ -165,71 +166,73 @@ void make_needle(const View& view) {
   for (std::uint32_t i = 0; i < count && i < rods; ++i) {
     kinks[rods - 1 - i].x += angle * (1 - angle * angle / 6 * (1 - angle * angle / 20));
   }
-  make_rod(rods, static_cast<double>(config.length_m), bending, {kinks, rods}, *view.model.rod);
+  make_rod(rods, static_cast<double>(config.length_m), bending, {kinks, rods}, rod_out);
 }
 
-std::uint32_t place_needle(const View& view, Needle& needle_out) {
-  NeedleState& own = *view.state.needle;
-  const NeedleConfig& config = view.needle_config();
-  const Vec3 shift = attachment_shift(view);
+std::uint32_t place_needle(const Model& model, State& state, Scratch& scratch, Needle& needle_out) {
+  NeedleState& own = *state.needle;
+  const NeedleConfig& config = model.needle_config();
+  const Vec3 shift = attachment_shift(model, state);
   const Mat3 r = rotation_matrix(own.handle.rotation);
   own.base_m = own.handle.position_m - shift;
   std::uint32_t flags = 0;
   if (is_elastic(config)) {
     // In the tissue the touches are those of the second bend.
     Nearest nearest;
-    flags |= bend(view, shift, kRodFaceLooks, nearest);
-    if (own.tip_alive == 0) flags |= enter_touches(view, nearest);
+    flags |= bend(model, state, scratch, shift, kRodFaceLooks, nearest);
+    if (own.tip_alive == 0) flags |= enter_touches(model, state, scratch, nearest);
   } else {
-    view.state.node[0] = own.base_m;
-    view.state.node[1] = own.base_m - config.length_m * column(r, 2);
+    state.node[0] = own.base_m;
+    state.node[1] = own.base_m - config.length_m * column(r, 2);
   }
-  needle_out = needle_of(view);
+  needle_out = needle_of(model, state);
   Vec3 from = -1.0F * column(r, 2);
-  needle_out.side = rolled_side(view, r);
+  needle_out.side = rolled_side(state, r);
   needle_out.tip_direction = from;
   for (std::uint32_t i = 0; is_elastic(config) && i < needle_out.rods; ++i) {
     const Vec3 to = unit(needle_out.node[i + 1] - needle_out.node[i]);
     needle_out.side = carried(needle_out.side, from, to);
     needle_out.tip_direction = from = to;
   }
-  if (!is_elastic(config)) flags |= touch_obstacles(view, needle_out, shift);
+  if (!is_elastic(config)) flags |= touch_obstacles(model, state, scratch, needle_out, shift);
   return flags;
 }
 
 namespace {
 
 // Bends the needle by the forces on it, and takes its particles along. Returns output flags.
-std::uint32_t bend_on(const View& view, Needle& needle, Nearest& nearest) {
-  const Vec3 before_m = view.state.tip->position_m;
-  const std::uint32_t flags = bend(view, attachment_shift(view), 1, nearest);
+std::uint32_t bend_on(const Model& model, State& state, Scratch& scratch, Needle& needle,
+                      Nearest& nearest) {
+  const Vec3 before_m = state.tip->position_m;
+  const std::uint32_t flags =
+      bend(model, state, scratch, attachment_shift(model, state), 1, nearest);
   needle.tip_m = needle.node[needle.rods];
-  for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
-    carry(needle, view.state.shaft[i]);
+  for (std::uint32_t i = 0; i < state.needle->shaft_count; ++i) {
+    carry(needle, state.shaft[i]);
   }
-  carry(needle, *view.state.tip);
-  stretch_tip(view, needle.tip_m - before_m);
-  throw_aside(view, needle, needle.tip_m - before_m);
+  carry(needle, *state.tip);
+  stretch_tip(state, scratch, needle.tip_m - before_m);
+  throw_aside(model, state, scratch, needle, needle.tip_m - before_m);
   return flags;
 }
 
 }  // namespace
 
-std::uint32_t meet_tissue(const View& view, Needle& needle) {
-  Particle& tip = *view.state.tip;
-  if (!is_elastic(view.needle_config()) || view.state.needle->phase != Phase::kContact) return 0;
+std::uint32_t meet_tissue(const Model& model, State& state, Scratch& scratch, Needle& needle) {
+  Particle& tip = *state.tip;
+  if (!is_elastic(model.needle_config()) || state.needle->phase != Phase::kContact) return 0;
   tip.force_n = force_on_tissue(tip);
   Nearest nearest;
-  const std::uint32_t flags = bend_on(view, needle, nearest);
+  const std::uint32_t flags = bend_on(model, state, scratch, needle, nearest);
   needle.off_m = norm(residual(tip));
   return flags;
 }
 
-std::uint32_t settle_needle(const View& view, Needle& needle) {
-  if (!is_elastic(view.needle_config()) || view.state.needle->tip_alive == 0) return 0;
+std::uint32_t settle_needle(const Model& model, State& state, Scratch& scratch, Needle& needle) {
+  if (!is_elastic(model.needle_config()) || state.needle->tip_alive == 0) return 0;
   Nearest nearest;
-  const std::uint32_t flags = bend_on(view, needle, nearest);
-  return flags | enter_touches(view, nearest);
+  const std::uint32_t flags = bend_on(model, state, scratch, needle, nearest);
+  return flags | enter_touches(model, state, scratch, nearest);
 }
 
 }  // namespace stylet

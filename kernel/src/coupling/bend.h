@@ -16,22 +16,22 @@
 namespace stylet {
 
 // The needle in the state's nodes, as the last tick left it; without directions.
-Needle needle_of(const View& view);
+Needle needle_of(const Model& model, const State& state);
 
 // Rods and their rest shape; obstacles are given by set_obstacles.
-void make_needle(const View& view);
+void make_needle(const NeedleConfig& config, RodModel& rod_out);
 
 // Shape of this view's needle at its handle's pose, and its contacts with obstacles, unless it is
 // in the tissue: then they are what settle_needle finds. Returns output flags.
-std::uint32_t place_needle(const View& view, Needle& needle_out);
+std::uint32_t place_needle(const Model& model, State& state, Scratch& scratch, Needle& needle_out);
 
 // A needle whose tip is in contact bends once more before the tissue's step, by the force that the
 // tip would press with: its place was found by what the tissue was at the depth before, or by none.
 // Returns output flags.
-std::uint32_t meet_tissue(const View& view, Needle& needle);
+std::uint32_t meet_tissue(const Model& model, State& state, Scratch& scratch, Needle& needle);
 
 // After the tissue's step: bends by the forces that came, and takes the particles along. Returns
 // output flags.
-std::uint32_t settle_needle(const View& view, Needle& needle);
+std::uint32_t settle_needle(const Model& model, State& state, Scratch& scratch, Needle& needle);
 
 }  // namespace stylet

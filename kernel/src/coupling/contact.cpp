@@ -25,13 +25,14 @@ constexpr float kAsideShare = 0.1F;
 // The tip of a needle that lies this deep under a place of the surface: it holds the tissue it lies
 // in, without force. Where the deformation at the surface says nothing of the tissue there, it
 // holds the surface.
-Particle tip_under(const View& view, const Needle& needle, Vec3 rest_m, Vec3 place_m,
-                   float buried_m, Place place) {
-  Particle tip = new_particle(view, needle, rest_m, place_m, 0, 0, place);
+Particle tip_under(const Model& model, State& state, const Needle& needle, Vec3 rest_m,
+                   Vec3 place_m, float buried_m, Place place) {
+  Particle tip = new_particle(model, state, needle, rest_m, place_m, 0, 0, place);
   if (tip.share_count > 0 && buried_m > 0) {
     const Vec3 step = buried_m * needle.tip_direction;
-    const Vec3 image = pull_back_step(view, gradient_around(view, tip), step);
-    const Particle under = new_particle(view, needle, rest_m + image, place_m + step, 0, 0, place);
+    const Vec3 image = pull_back_step(model, gradient_around(model, state, tip), step);
+    const Particle under =
+        new_particle(model, state, needle, rest_m + image, place_m + step, 0, 0, place);
     if (under.share_count > 0) {
       tip = under;
     } else {
@@ -44,98 +45,104 @@ Particle tip_under(const View& view, const Needle& needle, Vec3 rest_m, Vec3 pla
 }
 
 // A tip in contact that holds the tissue it lies in now, without force.
-Particle tip_here(const View& view, const Needle& needle) {
-  const Particle& before = *view.state.tip;
-  const Vec3 step = pull_back_step(view, gradient_around(view, before), residual(before));
-  return new_particle(view, needle, before.rest_m + step, needle.tip_m, 0, 0, Place::kSurface);
+Particle tip_here(const Model& model, State& state, const Needle& needle) {
+  const Particle& before = *state.tip;
+  const Vec3 step = pull_back_step(model, gradient_around(model, state, before), residual(before));
+  return new_particle(model, state, needle, before.rest_m + step, needle.tip_m, 0, 0,
+                      Place::kSurface);
 }
 
 // A contact the tip is drawn back from: where tissue has come over the tip from elsewhere, or it
 // has come in from the side, the tip is not clear yet, and holds what it lies in now, without
 // force. The surface may be anywhere behind it.
-bool hold_on(const View& view, const Needle& needle, std::uint32_t& flags_out) {
+bool hold_on(const Model& model, State& state, const Needle& needle, std::uint32_t& flags_out) {
   Vec3 rest = {}, place = {};
-  const Contact contact = find_contact(view, needle.tip_m, needle.tip_direction,
-                                       view.needle_config().length_m, {}, rest, place, flags_out);
+  const Contact contact = find_contact(model, state, needle.tip_m, needle.tip_direction,
+                                       model.needle_config().length_m, {}, rest, place, flags_out);
   if (contact != Contact::kFound) return false;
-  Particle tip = tip_here(view, needle);
+  Particle tip = tip_here(model, state, needle);
   if (tip.share_count == 0) {
     const float buried = dot(needle.tip_m - place, needle.tip_direction);
-    tip = tip_under(view, needle, rest, place, buried, Place::kSurface);
+    tip = tip_under(model, state, needle, rest, place, buried, Place::kSurface);
   }
   if (tip.share_count == 0) return false;
-  *view.state.tip = tip;
-  view.state.needle->layer = tip.material;
+  *state.tip = tip;
+  state.needle->layer = tip.material;
   return true;
 }
 
-void end_contact(const View& view) {
-  add_event(view, EventKind::kRelease, 0);
-  view.state.needle->phase = Phase::kFree;
-  view.state.needle->tip_alive = 0;
+void end_contact(State& state) {
+  add_event(state, EventKind::kRelease, 0);
+  state.needle->phase = Phase::kFree;
+  state.needle->tip_alive = 0;
 }
 
 }  // namespace
 
-void begin_contact(const View& view, const Needle& needle, Vec3 rest_m, Vec3 place_m,
-                   float came_m) {
-  NeedleState& own = *view.state.needle;
+void begin_contact(const Model& model, State& state, Scratch& scratch, const Needle& needle,
+                   Vec3 rest_m, Vec3 place_m, float came_m) {
+  NeedleState& own = *state.needle;
   const float depth = dot(needle.tip_m - place_m, needle.tip_direction);
   const float buried = depth - max_of(came_m, 0);
-  if (own.leaving != 0 && buried <= mouth_m(view)) return;
+  if (own.leaving != 0 && buried <= mouth_m(model)) return;
   own.leaving = 0;
-  own.moved_m = view.model.head->counts.needles > 1 ? place_m - rest_m : Vec3{};
-  const Particle entry = new_particle(view, needle, rest_m, place_m, 0, buried, Place::kShaft);
-  const std::uint32_t track = buried > mouth_m(view) ? track_of(view, needle, entry) : kNoTrack;
+  own.moved_m = model.head->counts.needles > 1 ? place_m - rest_m : Vec3{};
+  const Particle entry =
+      new_particle(model, state, needle, rest_m, place_m, 0, buried, Place::kShaft);
+  const std::uint32_t track =
+      buried > mouth_m(model) ? track_of(model, state, needle, entry) : kNoTrack;
   const Place place = track != kNoTrack ? Place::kTip : Place::kSurface;
-  const Particle tip = tip_under(view, needle, rest_m, place_m, buried, place);
+  const Particle tip = tip_under(model, state, needle, rest_m, place_m, buried, place);
   if (tip.share_count == 0) return;
-  *view.state.tip = tip;
+  *state.tip = tip;
   own.tip_alive = 1;
   if (track != kNoTrack) {
-    take_in(view, needle, track, entry);
+    take_in(model, state, scratch, needle, track, entry);
     return;
   }
   // couple_needle presses it in, as far as it is then: see contact_spring.
-  view.state.tip->position_m = needle.tip_m - residual(tip);
+  state.tip->position_m = needle.tip_m - residual(tip);
   own.phase = Phase::kContact;
   own.layer = tip.material;
-  add_event(view, EventKind::kContact, 0);
+  add_event(state, EventKind::kContact, 0);
 }
 
-void update_contact(const View& view, const Needle& needle, Vec3 step_m, std::uint32_t& flags_out) {
-  const ModelHead& head = *view.model.head;
-  Particle& tip = *view.state.tip;
+void update_contact(const Model& model, State& state, Scratch& scratch, const Needle& needle,
+                    Vec3 step_m, std::uint32_t& flags_out) {
+  const ModelHead& head = *model.head;
+  Particle& tip = *state.tip;
   const float felt = dot(tip.force_n, needle.tip_direction);
   const float away = dot(residual(tip), needle.tip_direction);
   if (away < -kReleaseSkinM) {
-    if (!hold_on(view, needle, flags_out)) end_contact(view);
+    if (!hold_on(model, state, needle, flags_out)) end_contact(state);
     return;
   }
-  if (head.config.mode == Mode::kPhysical) relax_contact(view, needle.tip_direction, step_m);
-  const std::uint32_t track = track_of(view, needle, tip);
-  const bool node_inside = away > view.needle_config().unit_m;
+  if (head.config.mode == Mode::kPhysical)
+    relax_contact(model, state, needle.tip_direction, step_m);
+  const std::uint32_t track = track_of(model, state, needle, tip);
+  const bool node_inside = away > model.needle_config().unit_m;
   const bool through = head.config.mode == Mode::kPaper
                            ? node_inside
-                           : felt >= puncture_force(view, head.material[tip.material]);
-  if (through || track != kNoTrack) begin_insertion(view, needle, track, felt);
+                           : felt >= puncture_force(state, head.material[tip.material]);
+  if (through || track != kNoTrack) begin_insertion(model, state, scratch, needle, track, felt);
 }
 
-void throw_aside(const View& view, const Needle& needle, Vec3 moved_m) {
-  Particle& tip = *view.state.tip;
-  if (view.state.needle->phase != Phase::kContact || tip.share_count == 0) return;
-  if (view.model.head->config.mode == Mode::kPaper) return;
+void throw_aside(const Model& model, State& state, Scratch& scratch, const Needle& needle,
+                 Vec3 moved_m) {
+  Particle& tip = *state.tip;
+  if (state.needle->phase != Phase::kContact || tip.share_count == 0) return;
+  if (model.head->config.mode == Mode::kPaper) return;
   const Vec3 aside = moved_m - dot(moved_m, needle.tip_direction) * needle.tip_direction;
   const float before_m = max_of(norm(residual(tip) - moved_m), needle.off_m);
   const float held_m = kChordM + kAsideShare * before_m;
   if (!(norm(residual(tip)) > before_m + held_m && dot(aside, aside) > held_m * held_m)) return;
-  tip = tip_here(view, needle);
-  stretch_of(view, kMaxConstraintParticles) = {};
-  if (tip.share_count == 0) end_contact(view);
+  tip = tip_here(model, state, needle);
+  stretch_of(state, scratch, kMaxConstraintParticles) = {};
+  if (tip.share_count == 0) end_contact(state);
 }
 
-void stretch_tip(const View& view, Vec3 moved_m) {
-  Vec3& stretch = stretch_of(view, kMaxConstraintParticles);
+void stretch_tip(const State& state, Scratch& scratch, Vec3 moved_m) {
+  Vec3& stretch = stretch_of(state, scratch, kMaxConstraintParticles);
   stretch = stretch + moved_m;
 }
 

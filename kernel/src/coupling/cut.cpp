@@ -22,9 +22,9 @@ constexpr float kSlowestPress = 0.01F, kFastestPress = 100.0F;
 
 }  // namespace
 
-float puncture_force(const View& view, const MaterialModel& m) {
+float puncture_force(const State& state, const MaterialModel& m) {
   const float v =
-      clamp(view.state.needle->press_m_per_s / kPunctureSpeedMPerS, kSlowestPress, kFastestPress);
+      clamp(state.needle->press_m_per_s / kPunctureSpeedMPerS, kSlowestPress, kFastestPress);
   return m.puncture_n * power(v, -m.puncture_exponent);
 }
 
@@ -33,18 +33,19 @@ namespace {
 // Moves the tissue that the tip holds forward by `move_m` along the needle. The step is integrated
 // in the rest frame; while it moves, or when they are voxels apart, the tip's rest place is drawn
 // to the material that really lies at its goal, so that errors of the integration do not pile up.
-void advance_tip(const View& view, Particle& tip, Vec3 direction, float move_m) {
-  const Gradient g = gradient_around(view, tip);
+void advance_tip(const Model& model, const State& state, Particle& tip, Vec3 direction,
+                 float move_m) {
+  const Gradient g = gradient_around(model, state, tip);
   const Vec3 step = move_m * direction;
-  const Vec3 image = tip.share_count > 0 ? pull_back_step(view, g, step) : step;
+  const Vec3 image = tip.share_count > 0 ? pull_back_step(model, g, step) : step;
   shift_goals(tip, step);
   tip.rest_m = tip.rest_m + image;
   tip.track_m += move_m < 0 ? -norm(image) : norm(image);
   Vec3 present = {};
-  if (tip.share_count == 0 || !present_place(view, tip.rest_m, present)) return;
+  if (tip.share_count == 0 || !present_place(model, state, tip.rest_m, present)) return;
   const Vec3 off = (tip.position_m - residual(tip)) - present;
   const float size = move_m < 0 ? -move_m : move_m;
-  const Vec3 miss = (size / (size + kMaterialPullM)) * pull_back_step(view, g, off);
+  const Vec3 miss = (size / (size + kMaterialPullM)) * pull_back_step(model, g, off);
   tip.rest_m = tip.rest_m + miss;
   const Vec3 along = pull_back(g, direction);
   tip.track_m += dot(miss, along) / norm(along);
@@ -52,24 +53,24 @@ void advance_tip(const View& view, Particle& tip, Vec3 direction, float move_m) 
 
 // Takes the spring the tip has against the material it has come to: a stiffer one holds at the same
 // force, and fresh tissue has relaxed nothing yet. What is lost counts as cutting.
-void enter_material(const View& view, Particle& tip) {
+void enter_material(const Model& model, State& state, Particle& tip) {
   const double before = spring_energy(tip);
   const float old = tip.stiffness_n_per_m;
   shift_goals(tip, tip.slack_m);
   forget(tip);
-  set_stiffness(view, tip, Place::kTip);
+  set_stiffness(model, state, tip, Place::kTip);
   if (tip.stiffness_n_per_m > old) draw_goals(tip, 1 - old / tip.stiffness_n_per_m);
-  view.state.head->cutting_j += before - spring_energy(tip);
+  state.head->cutting_j += before - spring_energy(tip);
 }
 
 // The tip has come to another material. A layer that must be punctured holds it until it is pressed
 // on hard enough, but for one it has been through before: in a track, or on the way back.
-void enter_layer(const View& view, Particle& tip, Vec3 direction, bool in_track) {
-  NeedleState& own = *view.state.needle;
-  const ModelHead& head = *view.model.head;
+void enter_layer(const Model& model, State& state, Particle& tip, Vec3 direction, bool in_track) {
+  NeedleState& own = *state.needle;
+  const ModelHead& head = *model.head;
   if (tip.material == own.layer) return;
   const float axial = dot(force_on_tissue(tip), direction);
-  if (own.spring_layer != tip.material) enter_material(view, tip);
+  if (own.spring_layer != tip.material) enter_material(model, state, tip);
   own.spring_layer = tip.material;
   // A tip at the face between two layers is not in and out of them with every tremor.
   const float since = tip.track_m - own.layer_track_m;
@@ -77,90 +78,89 @@ void enter_layer(const View& view, Particle& tip, Vec3 direction, bool in_track)
   const MaterialModel& m = head.material[tip.material];
   const bool must = m.puncture_n > m.cutting_n && !in_track && own.phase != Phase::kRetracting &&
                     head.config.mode == Mode::kPhysical;
-  if (must && axial < puncture_force(view, m)) return;
+  if (must && axial < puncture_force(state, m)) return;
   own.layer_before = own.layer;
   own.layer_track_m = tip.track_m;
   own.layer = tip.material;
   if (must) {
-    add_event(view, EventKind::kPuncture, max_of(axial, 0));
+    add_event(state, EventKind::kPuncture, max_of(axial, 0));
   } else {
-    tell_layer(view, max_of(axial, 0));
+    tell_layer(state, max_of(axial, 0));
   }
 }
 
 // Force the tip may carry: nothing when pulled, the cutting force when pushed into new tissue, a
 // fraction of it in a track that exists, the puncture force before a layer that holds it.
-float tip_limit(const View& view, const Particle& tip, bool in_track) {
-  const MaterialModel& m = view.model.head->material[tip.material];
+float tip_limit(const Model& model, const State& state, const Particle& tip, bool in_track) {
+  const MaterialModel& m = model.head->material[tip.material];
   if (in_track) return m.cutting_n * m.recut_fraction;
-  if (tip.material == view.state.needle->layer) return m.cutting_n;
-  return max_of(puncture_force(view, m), m.cutting_n);
+  if (tip.material == state.needle->layer) return m.cutting_n;
+  return max_of(puncture_force(state, m), m.cutting_n);
 }
 
 // Where the tip cuts after `advance_m` more; an unbevelled one cuts where it points.
-Vec3 turn_cut(const View& view, const Needle& needle, float advance_m) {
-  const float bevel = view.needle_config().bevel_per_m;
+Vec3 turn_cut(const Model& model, const State& state, const Needle& needle, float advance_m) {
+  const float bevel = model.needle_config().bevel_per_m;
   if (!(bevel > 0)) return needle.tip_direction;
-  return turn_cut(view.state.needle->cut, needle, bevel, advance_m);
+  return turn_cut(state.needle->cut, needle, bevel, advance_m);
 }
 
 }  // namespace
 
-void cut_tip(const View& view, const Needle& needle, float moved_m) {
-  const ModelHead& head = *view.model.head;
-  StateHead& state = *view.state.head;
-  NeedleState& own = *view.state.needle;
-  Particle& tip = *view.state.tip;
-  const Vec3 direction = turn_cut(view, needle, 0);
+void cut_tip(const Model& model, State& state, const Needle& needle, float moved_m) {
+  const ModelHead& head = *model.head;
+  NeedleState& own = *state.needle;
+  Particle& tip = *state.tip;
+  const Vec3 direction = turn_cut(model, state, needle, 0);
   float move = moved_m;  // outside the tissue the tip carries nothing and follows the needle
   float all = move;
   if (tip.share_count > 0) {
     const bool in_track = tip.track_m < own.track_end_m;
-    enter_layer(view, tip, direction, in_track);
+    enter_layer(model, state, tip, direction, in_track);
     const float axial = dot(force_on_tissue(tip), direction);
-    move = overshoot(view, tip, axial, 0, tip_limit(view, tip, in_track));
-    all = move + renew(view, tip, direction, move, state.cutting_j);
+    move = overshoot(model, tip, axial, 0, tip_limit(model, state, tip, in_track));
+    all = move + renew(model, tip, direction, move, state.head->cutting_j);
   }
-  const Vec3 cut = turn_cut(view, needle, 0.5F * all);
-  advance_tip(view, tip, cut, all);
+  const Vec3 cut = turn_cut(model, state, needle, 0.5F * all);
+  advance_tip(model, state, tip, cut, all);
   own.cut = cut;  // half of the turn is behind the tip
-  own.cut = turn_cut(view, needle, 0.5F * all);
+  own.cut = turn_cut(model, state, needle, 0.5F * all);
   note_slip(head, tip, all);
   tip.slip_m = move * cut;
   if (move > 0) own.phase = Phase::kInserted;
   if (move < 0) own.phase = Phase::kRetracting;
 }
 
-void rehome_tip(const View& view) {
-  NeedleState& own = *view.state.needle;
-  Particle& tip = *view.state.tip;
+void rehome_tip(const Model& model, State& state) {
+  NeedleState& own = *state.needle;
+  Particle& tip = *state.tip;
   const double before = spring_energy(tip);
-  renew_shares(view, tip);
-  if (!holds_track(view, tip.rest_m, tip.track_m)) {
+  renew_shares(model, state, tip);
+  if (!holds_track(model, tip.rest_m, tip.track_m)) {
     tip.share_count = 0;
     forget(tip);
   }
-  view.state.head->cutting_j += before - spring_energy(tip);
+  state.head->cutting_j += before - spring_energy(tip);
   if (tip.share_count > 0) own.tissue_track_m = tip.track_m;
   own.track_end_m = max_of(own.track_end_m, tip.track_m);
 }
 
-void let_cut(const View& view) {
-  NeedleState& own = *view.state.needle;
-  Particle& tip = *view.state.tip;
+void let_cut(const Model& model, State& state) {
+  NeedleState& own = *state.needle;
+  Particle& tip = *state.tip;
   if (own.phase == Phase::kFree || own.phase == Phase::kContact || tip.share_count == 0) return;
   if (tip.material != own.spring_layer) return;
-  const float limit = kLoose * tip_limit(view, tip, tip.track_m < own.track_end_m);
+  const float limit = kLoose * tip_limit(model, state, tip, tip.track_m < own.track_end_m);
   const float before_n = dot(tip.force_n, own.cut);
   const float back_m = max_of(-dot(tip.slip_m, own.cut), 0);
   const float high_n = clamp(before_n - back_m * tip.stiffness_n_per_m, 0, limit);
-  const float move = overshoot(view, tip, before_n, -limit, high_n);
+  const float move = overshoot(model, tip, before_n, -limit, high_n);
   if (move == 0) return;
-  advance_tip(view, tip, own.cut, move);
+  advance_tip(model, state, tip, own.cut, move);
   tip.slip_m = tip.slip_m + move * own.cut;
   tip.force_n = force_on_tissue(tip);
   const float work = 0.5F * move * (before_n + dot(tip.force_n, own.cut));
-  view.state.head->cutting_j += static_cast<double>(work);
+  state.head->cutting_j += static_cast<double>(work);
 }
 
 }  // namespace stylet

@@ -14,10 +14,10 @@ constexpr float kCrushed = 0.05F;
 
 }  // namespace
 
-Gradient gradient_around(const View& view, const Particle& p) {
+Gradient gradient_around(const Model& model, const State& state, const Particle& p) {
   float f[9] = {};
   for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    const Corners corners = sum_corners(view, p.share[i].slot, p.share[i].row);
+    const Corners corners = sum_corners(model, state, p.share[i].slot, p.share[i].row);
     for (int j = 0; j < 9; ++j) f[j] += p.share[i].weight * corners.gradient[j];
   }
   Gradient g = {{1 + f[0], f[3], f[6]}, {f[1], 1 + f[4], f[7]}, {f[2], f[5], 1 + f[8]}, 0};
@@ -31,10 +31,10 @@ Vec3 pull_back(const Gradient& g, Vec3 step) {
                             dot(step, cross(g.c0, g.c1))};
 }
 
-Vec3 pull_back_step(const View& view, const Gradient& g, Vec3 step_m) {
+Vec3 pull_back_step(const Model& model, const Gradient& g, Vec3 step_m) {
   const Vec3 image = pull_back(g, step_m);
   const float length = norm(image);
-  const float most = max_of(kVoxelReach * view.model.head->edge_m, norm(step_m));
+  const float most = max_of(kVoxelReach * model.head->edge_m, norm(step_m));
   return length > most ? (most / length) * image : image;
 }
 

@@ -18,7 +18,7 @@ struct Gradient {
   float det;
 };
 
-Gradient gradient_around(const View& view, const Particle& p);
+Gradient gradient_around(const Model& model, const State& state, const Particle& p);
 
 // Rest-frame image of a step in deformed tissue. Rest places must follow the material, not the
 // rotation alone: else a needle that leaves strained tissue does not find its way back to its
@@ -28,6 +28,6 @@ Vec3 pull_back(const Gradient& g, Vec3 step);
 // The same for a step of some length. A voxel's deformation says nothing about the next one: in
 // tissue pressed to a fraction of its length (the dimple of a puncture) the image ends within the
 // voxel.
-Vec3 pull_back_step(const View& view, const Gradient& g, Vec3 step_m);
+Vec3 pull_back_step(const Model& model, const Gradient& g, Vec3 step_m);
 
 }  // namespace stylet

@@ -15,20 +15,23 @@ constexpr std::uint32_t kNoVoxel = 0xFFFFFFFFU;
 // Voxel of a share in this tick's list, entered if new; kNoVoxel when that has no more `room`.
 // The mark of a slot is trusted only if the list entry it names points back, so stale marks do no
 // harm.
-std::uint32_t coupled_index(const View& view, const Share& share, std::uint32_t room) {
-  ScratchHead& head = *view.scratch.head;
-  const std::uint32_t mark = view.scratch.slot_mark[share.slot];
-  if (mark < head.coupled_count && view.scratch.coupled[mark].slot == share.slot) return mark;
+std::uint32_t coupled_index(Scratch& scratch, const Share& share, std::uint32_t room) {
+  ScratchHead& head = *scratch.head;
+  const std::uint32_t mark = scratch.slot_mark[share.slot];
+  if (mark < head.coupled_count && scratch.coupled[mark].slot == share.slot) return mark;
   if (head.coupled_count >= room) return kNoVoxel;
   const std::uint32_t index = head.coupled_count++;
-  view.scratch.coupled[index] = {share.slot, share.row, 0, 0, 0};
-  view.scratch.slot_mark[share.slot] = index;
+  scratch.coupled[index] = {share.slot, share.row, 0, 0, 0};
+  scratch.slot_mark[share.slot] = index;
   return index;
 }
 
 // Particle of any needle, by its place in the state; `view` is that of the first needle.
-Particle& particle_at(const View& view, std::uint32_t index) {
-  return view.state.shaft[index];
+Particle& particle_at(State& state, std::uint32_t index) {
+  return state.shaft[index];
+}
+const Particle& particle_at(const State& state, std::uint32_t index) {
+  return state.shaft[index];
 }
 
 bool is_tip(std::uint32_t index) {
@@ -36,16 +39,16 @@ bool is_tip(std::uint32_t index) {
 }
 
 // Voxels that may be in the list when a particle's come to it: tips find room whatever came before.
-std::uint32_t room_for(const View& view, std::uint32_t index) {
-  const std::uint32_t needles = view.model.head->counts.needles;
+std::uint32_t room_for(const Model& model, std::uint32_t index) {
+  const std::uint32_t needles = model.head->counts.needles;
   const std::uint32_t tips_before = index / kNeedleParticles + (is_tip(index) ? 1 : 0);
   return kMaxCoupledVoxels * needles - kSharesPerParticle * (needles - tips_before);
 }
 
 template <typename Visit>
-void for_each_particle(const View& view, Visit visit) {
-  for (std::uint32_t n = 0; n < view.model.head->counts.needles; ++n) {
-    const NeedleState& needle = view.state.needle[n];
+void for_each_particle(const Model& model, const State& state, Visit visit) {
+  for (std::uint32_t n = 0; n < model.head->counts.needles; ++n) {
+    const NeedleState& needle = state.needle[n];
     const std::uint32_t first = n * kNeedleParticles;
     for (std::uint32_t i = 0; i < needle.shaft_count; ++i) visit(first + i);
     if (needle.tip_alive != 0) visit(first + kMaxConstraintParticles);
@@ -53,29 +56,29 @@ void for_each_particle(const View& view, Visit visit) {
 }
 
 // Coupled voxels in the order of their planes: plane_order[plane_first[z]] .. plane_first[z + 1].
-void sort_by_plane(const View& view) {
-  const std::uint32_t planes = view.model.head->counts.planes;
-  std::uint32_t* first = view.scratch.plane_first;
+void sort_by_plane(const Model& model, Scratch& scratch) {
+  const std::uint32_t planes = model.head->counts.planes;
+  std::uint32_t* first = scratch.plane_first;
   for (std::uint32_t z = 0; z < planes + 2; ++z) first[z] = 0;
-  const std::uint32_t count = view.scratch.head->coupled_count;
+  const std::uint32_t count = scratch.head->coupled_count;
   for (std::uint32_t i = 0; i < count; ++i) {
-    ++first[view.model.row[view.scratch.coupled[i].row].plane + 2U];
+    ++first[model.row[scratch.coupled[i].row].plane + 2U];
   }
   for (std::uint32_t z = 2; z < planes + 2; ++z) first[z] += first[z - 1];
   for (std::uint32_t i = 0; i < count; ++i) {
-    const std::uint32_t z = view.model.row[view.scratch.coupled[i].row].plane;
-    view.scratch.plane_order[first[z + 1U]++] = i;
+    const std::uint32_t z = model.row[scratch.coupled[i].row].plane;
+    scratch.plane_order[first[z + 1U]++] = i;
   }
 }
 
 // Where they are does not change within a tick, and is looked up once.
-void fill_groups(const View& view) {
-  const std::uint32_t count = view.scratch.head->coupled_count;
+void fill_groups(const Model& model, Scratch& scratch) {
+  const std::uint32_t count = scratch.head->coupled_count;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const CoupledVoxel& voxel = view.scratch.coupled[view.scratch.plane_order[i]];
-    const Row& row = view.model.row[voxel.row];
+    const CoupledVoxel& voxel = scratch.coupled[scratch.plane_order[i]];
+    const Row& row = model.row[voxel.row];
     const std::uint32_t along = voxel.slot - row.slot, lane = i % kLanes;
-    FitGroup& group = view.scratch.group[i / kLanes];
+    FitGroup& group = scratch.group[i / kLanes];
     if (lane == 0) {
       group.count = count - i < kLanes ? count - i : kLanes;
       group.most_members = 0;
@@ -87,11 +90,11 @@ void fill_groups(const View& view) {
     for (std::uint32_t n = 0; n < 4; ++n) {
       group.side[n / 2].node[n % 2][lane] = row.node[n] + along;
     }
-    const Vec3 cell = cell_of(view, voxel.slot, row);
+    const Vec3 cell = cell_of(model, voxel.slot, row);
     group.cell[0][lane] = cell.x + 0.5F;
     group.cell[1][lane] = cell.y + 0.5F;
     group.cell[2][lane] = cell.z + 0.5F;
-    group.k[lane] = view.model.slot_k[voxel.slot];
+    group.k[lane] = model.slot_k[voxel.slot];
   }
 }
 
@@ -100,12 +103,12 @@ void fill_groups(const View& view) {
 constexpr float kMostOfPull = 5.0F / 16;
 
 // Stiffness of the springs that pull at a coupled voxel.
-float pull_n_per_m(const View& view, const CoupledVoxel& voxel) {
+float pull_n_per_m(const State& state, const Scratch& scratch, const CoupledVoxel& voxel) {
   float sum = 0;
   std::uint32_t at = voxel.first_member;
   for (std::uint32_t i = 0; i < voxel.member_count; ++i) {
-    const Member& member = view.scratch.member[at];
-    const Particle& p = particle_at(view, member.particle);
+    const Member& member = scratch.member[at];
+    const Particle& p = particle_at(state, member.particle);
     sum = sum + p.stiffness_n_per_m * p.share[member.share].weight;
     at = member.next;
   }
@@ -113,15 +116,15 @@ float pull_n_per_m(const View& view, const CoupledVoxel& voxel) {
 }
 
 // What the springs of constraint particles may add to the stiffness of a particle (filter.h).
-void bound_held(const View& view) {
-  const Counts& counts = view.model.head->counts;
-  float* const sums = view.scratch.held;
+void bound_held(const Model& model, const State& state, Scratch& scratch) {
+  const Counts& counts = model.head->counts;
+  float* const sums = scratch.held;
   for (std::uint32_t i = 0; i < counts.filtered_particles; ++i) sums[i] = 0;
-  for (std::uint32_t i = 0; i < view.scratch.head->coupled_count; ++i) {
-    const CoupledVoxel& voxel = view.scratch.coupled[i];
-    const Row& row = view.model.row[voxel.row];
-    const float k = view.model.slot_k[voxel.slot];
-    const float pull = kMostOfPull * pull_n_per_m(view, voxel);
+  for (std::uint32_t i = 0; i < scratch.head->coupled_count; ++i) {
+    const CoupledVoxel& voxel = scratch.coupled[i];
+    const Row& row = model.row[voxel.row];
+    const float k = model.slot_k[voxel.slot];
+    const float pull = kMostOfPull * pull_n_per_m(state, scratch, voxel);
     const float more = pull * k / (k + pull);
     for (const std::uint32_t node : row.node) {
       sums[node + voxel.slot - row.slot] += more;
@@ -129,22 +132,20 @@ void bound_held(const View& view) {
     }
   }
   for (std::uint32_t i = 0; i < counts.ties; ++i) {
-    sums[view.model.tie[i].root] += sums[view.model.tie[i].node];
+    sums[model.tie[i].root] += sums[model.tie[i].node];
   }
   for (std::uint32_t i = 0; i < counts.ties; ++i) {
-    sums[view.model.tie[i].node] = sums[view.model.tie[i].root];
+    sums[model.tie[i].node] = sums[model.tie[i].root];
   }
 }
 
 }  // namespace
 
-FitFrame fit_frame(const View& view, std::uint32_t slot, std::uint32_t row) {
-  View all = view;  // from the first needle on
-  all.state.needle -= view.needle;
-  all.state.shaft -= view.needle * kNeedleParticles;
+FitFrame fit_frame(const Model& model, const State& state, std::uint32_t slot, std::uint32_t row) {
+  const State first = needle_state(state, 0);
   const Share* found = nullptr;
-  for_each_particle(all, [&](std::uint32_t index) {
-    const Particle& p = particle_at(all, index);
+  for_each_particle(model, first, [&](std::uint32_t index) {
+    const Particle& p = particle_at(first, index);
     for (std::uint32_t i = 0; i < p.share_count; ++i) {
       if (p.share[i].slot == slot) found = &p.share[i];
     }
@@ -152,46 +153,45 @@ FitFrame fit_frame(const View& view, std::uint32_t slot, std::uint32_t row) {
   if (found != nullptr) {
     return {found->turn, found->goal_m - rotation_matrix(found->turn) * found->offset_m};
   }
-  const Corners corners = sum_corners(view, slot, row);
-  return {corner_rotation(view, slot, corners),
-          rest_centre(view, slot, view.model.row[row]) + corners.mean_m};
+  const Corners corners = sum_corners(model, state, slot, row);
+  return {corner_rotation(state, slot, corners),
+          rest_centre(model, slot, model.row[row]) + corners.mean_m};
 }
 
-std::uint32_t gather_coupled(const View& view) {
-  StateHead& state = *view.state.head;
-  ScratchHead& head = *view.scratch.head;
+std::uint32_t gather_coupled(const Model& model, State& state, Scratch& scratch) {
+  ScratchHead& head = *scratch.head;
   head.coupled_count = 0;
   head.substeps_to_come = 0;
   std::uint32_t flags = 0, members = 0;
-  for_each_particle(view, [&](std::uint32_t index) {
-    Particle& p = particle_at(view, index);
-    const std::uint32_t room = room_for(view, index);
+  for_each_particle(model, state, [&](std::uint32_t index) {
+    Particle& p = particle_at(state, index);
+    const std::uint32_t room = room_for(model, index);
     std::uint32_t voxels[kSharesPerParticle], count = 0, found = 0;
     for (std::uint32_t s = 0; s < p.share_count; ++s) {
-      const std::uint32_t voxel = coupled_index(view, p.share[s], room);
+      const std::uint32_t voxel = coupled_index(scratch, p.share[s], room);
       if (voxel == kNoVoxel) continue;
       voxels[count++] = voxel;
       found |= 1U << s;
     }
     if (count < p.share_count) {
-      state.cp_voxel_pool_full += p.share_count - count;
+      state.head->cp_voxel_pool_full += p.share_count - count;
       flags = kFlagCpVoxelPoolFull;
-      keep_shares(state, p, found);
+      keep_shares(*state.head, p, found);
     }
     for (std::uint32_t s = 0; s < count; ++s) {
-      CoupledVoxel& c = view.scratch.coupled[voxels[s]];
-      (c.member_count == 0 ? c.first_member : view.scratch.member[c.last_member].next) = members;
+      CoupledVoxel& c = scratch.coupled[voxels[s]];
+      (c.member_count == 0 ? c.first_member : scratch.member[c.last_member].next) = members;
       ++c.member_count;
       c.last_member = members;
-      view.scratch.member[members++] = {static_cast<std::uint16_t>(index),
-                                        static_cast<std::uint16_t>(s), 0};
+      scratch.member[members++] = {static_cast<std::uint16_t>(index), static_cast<std::uint16_t>(s),
+                                   0};
     }
   });
-  sort_by_plane(view);
-  fill_groups(view);
-  if (has_true_mass(view)) bound_held(view);
-  state.coupled_max =
-      head.coupled_count > state.coupled_max ? head.coupled_count : state.coupled_max;
+  sort_by_plane(model, scratch);
+  fill_groups(model, scratch);
+  if (has_true_mass(model)) bound_held(model, state, scratch);
+  state.head->coupled_max =
+      head.coupled_count > state.head->coupled_max ? head.coupled_count : state.head->coupled_max;
   return flags;
 }
 
@@ -239,8 +239,8 @@ void fit_matrix(const Corners& corners, const CpSums& s, float k, float edge_m, 
 
 }  // namespace
 
-void begin_fits(const View& view, const FitGroup& group, Fits& fits_out) {
-  const float* const u[3] = {view.state.ux, view.state.uy, view.state.uz};
+void begin_fits(const State& state, const Scratch& scratch, const FitGroup& group, Fits& fits_out) {
+  const float* const u[3] = {state.ux, state.uy, state.uz};
   for (std::uint32_t lane = 0; lane < group.count; ++lane) {
     fits_out.next_member[lane] = group.first_member[lane];
     for (std::uint32_t n = 0; n < 4; ++n) {
@@ -251,12 +251,12 @@ void begin_fits(const View& view, const FitGroup& group, Fits& fits_out) {
       }
     }
     const std::uint32_t slot = group.slot[lane];
-    fits_out.corner_turn[0][lane] = view.state.qw[slot];
-    fits_out.corner_turn[1][lane] = view.state.qx[slot];
-    fits_out.corner_turn[2][lane] = view.state.qy[slot];
-    fits_out.corner_turn[3][lane] = view.state.qz[slot];
-    const Member& member = view.scratch.member[group.first_member[lane]];
-    const Quat turn = view.state.shaft[member.particle].share[member.share].turn;
+    fits_out.corner_turn[0][lane] = state.qw[slot];
+    fits_out.corner_turn[1][lane] = state.qx[slot];
+    fits_out.corner_turn[2][lane] = state.qy[slot];
+    fits_out.corner_turn[3][lane] = state.qz[slot];
+    const Member& member = scratch.member[group.first_member[lane]];
+    const Quat turn = state.shaft[member.particle].share[member.share].turn;
     fits_out.joint_turn[0][lane] = turn.w;
     fits_out.joint_turn[1][lane] = turn.x;
     fits_out.joint_turn[2][lane] = turn.y;
@@ -264,21 +264,21 @@ void begin_fits(const View& view, const FitGroup& group, Fits& fits_out) {
   }
 }
 
-void place_members(const View& view) {
+void place_members(const Model& model, const State& state, Scratch& scratch) {
   // Of the needles' motion in this tick.
-  const float to_come = static_cast<float>(view.scratch.head->substeps_to_come) /
-                        static_cast<float>(view.model.head->config.substeps);
-  for_each_particle(view, [&](std::uint32_t index) {
-    const Particle& p = particle_at(view, index);
-    view.scratch.place[index] = (p.position_m - p.slack_m) - to_come * view.scratch.stretch[index];
+  const float to_come = static_cast<float>(scratch.head->substeps_to_come) /
+                        static_cast<float>(model.head->config.substeps);
+  for_each_particle(model, state, [&](std::uint32_t index) {
+    const Particle& p = particle_at(state, index);
+    scratch.place[index] = (p.position_m - p.slack_m) - to_come * scratch.stretch[index];
   });
 }
 
-void take_members(const View& view, const FitGroup& group, std::uint32_t n, Fits& fits,
-                  FitMembers& members_out) {
-  const Member* const members = view.scratch.member;
-  const Particle* const particles = view.state.shaft;
-  const Vec3* const places = view.scratch.place;
+void take_members(const State& state, const Scratch& scratch, const FitGroup& group,
+                  std::uint32_t n, Fits& fits, FitMembers& members_out) {
+  const Member* const members = scratch.member;
+  const Particle* const particles = state.shaft;
+  const Vec3* const places = scratch.place;
   for (std::uint32_t lane = 0; lane < group.count; ++lane) {
     members_out.weight_n_per_m[lane] = 0;
     if (n >= group.member_count[lane]) continue;
@@ -297,9 +297,9 @@ void take_members(const View& view, const FitGroup& group, std::uint32_t n, Fits
   }
 }
 
-void give_goals(const View& view, const FitGroup& group, const Fits& fits) {
-  const Member* const members = view.scratch.member;
-  Particle* const particles = view.state.shaft;
+void give_goals(State& state, const Scratch& scratch, const FitGroup& group, const Fits& fits) {
+  const Member* const members = scratch.member;
+  Particle* const particles = state.shaft;
   for (std::uint32_t lane = 0; lane < group.count; ++lane) {
     const Quat turn = {fits.joint_turn[0][lane], fits.joint_turn[1][lane], fits.joint_turn[2][lane],
                        fits.joint_turn[3][lane]};
@@ -320,11 +320,11 @@ void give_goals(const View& view, const FitGroup& group, const Fits& fits) {
 namespace {
 
 // Voxels from `begin` up to `end` in plane_order, at one side. `force` as below.
-void add_side(const View& view, std::uint32_t begin, std::uint32_t end, std::uint32_t side,
-              std::uint32_t first_particle, float* force) {
-  const std::size_t axis = view.model.head->counts.particles_per_plane;
+void add_side(const Model& model, Scratch& scratch, std::uint32_t begin, std::uint32_t end,
+              std::uint32_t side, std::uint32_t first_particle, float* force) {
+  const std::size_t axis = model.head->counts.particles_per_plane;
   for (std::uint32_t i = begin; i < end; ++i) {
-    const FitGroup::Side& own = view.scratch.group[i / kLanes].side[side];
+    const FitGroup::Side& own = scratch.group[i / kLanes].side[side];
     const std::uint32_t lane = i % kLanes;
     for (std::uint32_t n = 0; n < 2; ++n) {
       float* at = force + (own.node[n][lane] - first_particle);
@@ -339,24 +339,24 @@ void add_side(const View& view, std::uint32_t begin, std::uint32_t end, std::uin
 
 }  // namespace
 
-void add_changes(const View& view, std::uint32_t plane, float* force) {
-  const std::uint32_t* const first = view.scratch.plane_first;
-  const std::uint32_t particle = view.model.plane[plane].particle_begin;
-  if (plane > 0) add_side(view, first[plane - 1], first[plane], 1, particle, force);
-  if (plane < view.model.head->counts.planes) {
-    add_side(view, first[plane], first[plane + 1], 0, particle, force);
+void add_changes(const Model& model, Scratch& scratch, std::uint32_t plane, float* force) {
+  const std::uint32_t* const first = scratch.plane_first;
+  const std::uint32_t particle = model.plane[plane].particle_begin;
+  if (plane > 0) add_side(model, scratch, first[plane - 1], first[plane], 1, particle, force);
+  if (plane < model.head->counts.planes) {
+    add_side(model, scratch, first[plane], first[plane + 1], 0, particle, force);
   }
 }
 
 // A slip takes work at the mean of the forces before and after, as the hand's work is booked. A
 // force that would push it on is taken back (let_slip).
-void measure_forces(const View& view) {
-  StateHead& state = *view.state.head;
-  for_each_particle(view, [&](std::uint32_t index) {
-    Particle& p = particle_at(view, index);
+void measure_forces(const Model& model, State& state) {
+  for_each_particle(model, state, [&](std::uint32_t index) {
+    Particle& p = particle_at(state, index);
     const Vec3 f = force_on_tissue(p);
     const float work = 0.5F * (dot(p.force_n, p.slip_m) + max_of(dot(f, p.slip_m), 0));
-    (is_tip(index) ? state.cutting_j : state.friction_j) += static_cast<double>(max_of(work, 0));
+    (is_tip(index) ? state.head->cutting_j : state.head->friction_j) +=
+        static_cast<double>(max_of(work, 0));
     p.force_n = f;
   });
 }
@@ -381,21 +381,21 @@ struct PresentFit {
   std::uint32_t first;  // particle in the voxel, so that each voxel is counted once
 };
 
-PresentFit present_fit(const View& view, const Share& own) {
-  const Corners corners = sum_corners(view, own.slot, own.row);
-  const Vec3 centre = rest_centre(view, own.slot, view.model.row[own.row]) + corners.mean_m;
+PresentFit present_fit(const Model& model, const State& state, const Share& own) {
+  const Corners corners = sum_corners(model, state, own.slot, own.row);
+  const Vec3 centre = rest_centre(model, own.slot, model.row[own.row]) + corners.mean_m;
   CpSums sums = {};
   std::uint32_t first = kNoVoxel;
-  for_each_particle(view, [&](std::uint32_t index) {
-    const Particle& p = particle_at(view, index);
+  for_each_particle(model, state, [&](std::uint32_t index) {
+    const Particle& p = particle_at(state, index);
     for (std::uint32_t s = 0; s < p.share_count; ++s) {
       if (p.share[s].slot != own.slot) continue;
       if (first == kNoVoxel) first = index;
       add_member(p, p.share[s], centre, sums);
     }
   });
-  const float k = view.model.slot_k[own.slot], h = view.model.head->edge_m;
-  const Quat alone = corner_rotation(view, own.slot, corners);
+  const float k = model.slot_k[own.slot], h = model.head->edge_m;
+  const Quat alone = corner_rotation(state, own.slot, corners);
   float a[9];
   fit_matrix(corners, sums, k, h, a);
   const Mat3 r8 = rotation_matrix(alone);
@@ -409,12 +409,12 @@ PresentFit present_fit(const View& view, const Share& own) {
 
 }  // namespace
 
-double refit(const View& view, std::uint32_t index, Particle& particle_out) {
-  particle_out = particle_at(view, index);
+double refit(const Model& model, const State& state, std::uint32_t index, Particle& particle_out) {
+  particle_out = particle_at(state, index);
   double corners_j = 0;
   for (std::uint32_t i = 0; i < particle_out.share_count; ++i) {
     Share& share = particle_out.share[i];
-    const PresentFit fit = present_fit(view, share);
+    const PresentFit fit = present_fit(model, state, share);
     if (fit.first == index) corners_j += fit.corners_j;
     share.goal_m = fit.centre_m + fit.rotation * share.offset_m;
   }

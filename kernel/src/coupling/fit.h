@@ -20,18 +20,18 @@ struct FitFrame {
   Quat turn;
   Vec3 centre_m;
 };
-FitFrame fit_frame(const View& view, std::uint32_t slot, std::uint32_t row);
+FitFrame fit_frame(const Model& model, const State& state, std::uint32_t slot, std::uint32_t row);
 
 // Lists the coupled voxels of this tick, plane by plane; with true mass, what their springs add to
 // the bounds on stiffness. Returns output flags.
-std::uint32_t gather_coupled(const View& view);
+std::uint32_t gather_coupled(const Model& model, State& state, Scratch& scratch);
 
 // Forces of all CPs from the goals of the fit just made, and what their slips have cost.
-void measure_forces(const View& view);
+void measure_forces(const Model& model, State& state);
 
 // Copies a CP (its number: needle, then place in the shaft, the tip last) with its goals where the
 // tissue is now: those of the last fit are a substep old. Returns what the corners of its voxels
 // hold beyond their own fit, each voxel with its first CP. Cold path: looks at all CPs.
-double refit(const View& first_needle, std::uint32_t index, Particle& particle_out);
+double refit(const Model& model, const State& state, std::uint32_t index, Particle& particle_out);
 
 }  // namespace stylet

@@ -12,16 +12,16 @@ namespace {
 constexpr std::uint32_t kFrictionSamples = 4;
 
 // Shaft length a CP stands for.
-float length_of(const View& view, const Particle& p) {
-  return clamp(view.state.needle->tissue_track_m - p.track_m, 0, view.needle_config().unit_m);
+float length_of(const Model& model, const State& state, const Particle& p) {
+  return clamp(state.needle->tissue_track_m - p.track_m, 0, model.needle_config().unit_m);
 }
 
 }  // namespace
 
-void stand_for(const View& view, Particle& p) {
-  const bool paper = view.model.head->config.mode == Mode::kPaper;
+void stand_for(const Model& model, State& state, Particle& p) {
+  const bool paper = model.head->config.mode == Mode::kPaper;
   const float part =
-      paper ? 1.0F : max_of(length_of(view, p) / view.needle_config().unit_m, kLeastPart);
+      paper ? 1.0F : max_of(length_of(model, state, p) / model.needle_config().unit_m, kLeastPart);
   const float stiffness = part * p.full_stiffness_n_per_m;
   if (stiffness == p.stiffness_n_per_m) return;
   const double before = spring_energy(p);
@@ -36,56 +36,56 @@ void stand_for(const View& view, Particle& p) {
     p.memory_n = (stiffness / p.stiffness_n_per_m) * p.memory_n;
   }
   p.stiffness_n_per_m = stiffness;
-  view.state.head->friction_j += before - spring_energy(p);
+  state.head->friction_j += before - spring_energy(p);
 }
 
 namespace {
 
 // None in a gap.
-Friction friction_at(const View& view, Vec3 rest_m) {
-  const std::uint32_t there = material_at(view, rest_m);
-  return there == kNoTissue ? Friction{} : view.model.head->material[there].friction;
+Friction friction_at(const Model& model, Vec3 rest_m) {
+  const std::uint32_t there = material_at(model, rest_m);
+  return there == kNoTissue ? Friction{} : model.head->material[there].friction;
 }
 
 }  // namespace
 
-void meet_friction(const View& view, Vec3 from_m, float from_track_m) {
-  const Particle& tip = *view.state.tip;
-  for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
-    Particle& p = view.state.shaft[i];
-    const float length = length_of(view, p), grown = length - p.met_m;
+void meet_friction(const Model& model, State& state, Vec3 from_m, float from_track_m) {
+  const Particle& tip = *state.tip;
+  for (std::uint32_t i = 0; i < state.needle->shaft_count; ++i) {
+    Particle& p = state.shaft[i];
+    const float length = length_of(model, state, p), grown = length - p.met_m;
     if (!(grown > 0)) continue;
     const float step = grown * (1.0F / kFrictionSamples), all = tip.track_m - from_track_m;
     for (std::uint32_t k = 0; k < kFrictionSamples; ++k) {
       const float at = p.track_m + p.met_m + 0.5F * step - from_track_m;
       const float part = all > 0 ? clamp(at / all, 0, 1) : 1.0F;
       p.met_m += step;
-      const Friction here = friction_at(view, from_m + part * (tip.rest_m - from_m));
+      const Friction here = friction_at(model, from_m + part * (tip.rest_m - from_m));
       p.friction = mixed(p.friction, here, step / p.met_m);
     }
     p.met_m = length;  // exactly, or rounding is met again and again
   }
 }
 
-float friction_limit_n(const View& view, const Particle& p) {
-  return friction_n_per_m(p.friction, p.slip_m_per_s) * length_of(view, p);
+float friction_limit_n(const Model& model, const State& state, const Particle& p) {
+  return friction_n_per_m(p.friction, p.slip_m_per_s) * length_of(model, state, p);
 }
 
-void slip_shaft(const View& view, const Needle& needle) {
-  const ModelHead& head = *view.model.head;
-  StateHead& state = *view.state.head;
-  NeedleState& own = *view.state.needle;
+void slip_shaft(const Model& model, State& state, Scratch& scratch, const Needle& needle) {
+  const ModelHead& head = *model.head;
+  NeedleState& own = *state.needle;
   for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
-    Particle& p = view.state.shaft[i];
+    Particle& p = state.shaft[i];
     // All that changes the spring comes before the return map, which has the last word on the
     // force.
-    stand_for(view, p);
-    const float limit = friction_limit_n(view, p);
+    stand_for(model, state, p);
+    const float limit = friction_limit_n(model, state, p);
     const Vec3 direction = needle_point(needle, p.arc_m).direction;
     const Vec3 residual_m = residual(p), force = force_on_tissue(p, residual_m);
-    const float slip = overshoot(view, p, dot(force, direction), -limit, limit);
-    stretch_of(view, i) = (1 / p.stiffness_n_per_m) * (force - p.force_n) - slip * direction;
-    const float all = slip + renew(view, p, direction, slip, state.friction_j);
+    const float slip = overshoot(model, p, dot(force, direction), -limit, limit);
+    stretch_of(state, scratch, i) =
+        (1 / p.stiffness_n_per_m) * (force - p.force_n) - slip * direction;
+    const float all = slip + renew(model, p, direction, slip, state.head->friction_j);
     p.arc_m += all;
     p.position_m = needle_place(needle, p.arc_m);
     note_slip(head, p, all);
@@ -93,8 +93,8 @@ void slip_shaft(const View& view, const Needle& needle) {
   }
 }
 
-void let_slip(const View& view, const Needle& needle, Particle& p) {
-  const float loose_m = kLoose * view.needle_config().unit_m;
+void let_slip(const Model& model, State& state, const Needle& needle, Particle& p) {
+  const float loose_m = kLoose * model.needle_config().unit_m;
   const float least = loose_m * p.friction.coulomb_n_per_m;
   const bool pushes = dot(p.force_n, p.slip_m) < 0;
   if (!(p.met_m > 0) || (!pushes && dot(p.force_n, p.force_n) <= least * least)) return;
@@ -104,19 +104,19 @@ void let_slip(const View& view, const Needle& needle, Particle& p) {
   const float stuck_n = before_n + slipped_m * p.stiffness_n_per_m;  // had it not slipped
   const float low_n = slipped_m > 0 ? clamp(stuck_n, -limit, 0) : -limit;
   const float high_n = slipped_m < 0 ? clamp(stuck_n, 0, limit) : limit;
-  const float slip = overshoot(view, p, before_n, low_n, high_n);
+  const float slip = overshoot(model, p, before_n, low_n, high_n);
   if (slip == 0) return;
   p.arc_m += slip;
   p.position_m = needle_place(needle, p.arc_m);
   if (pushes) {
     // It still slides (slip_m): how far is for the next tick to say.
-    note_no_slip(*view.model.head, p, slip);
+    note_no_slip(*model.head, p, slip);
   } else {
     p.slip_m = p.slip_m + slip * direction;
   }
   p.force_n = force_on_tissue(p);
   const float work = 0.5F * slip * (before_n + dot(p.force_n, direction));
-  view.state.head->friction_j += static_cast<double>(work);
+  state.head->friction_j += static_cast<double>(work);
 }
 
 }  // namespace stylet

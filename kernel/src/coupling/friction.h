@@ -17,22 +17,22 @@ namespace stylet {
 // Gives a CP the spring of the shaft it stands for: that and friction vanish when the tip comes
 // back to it, so that neither friction nor clamping jumps when it is added or removed. What that
 // costs is booked as friction.
-void stand_for(const View& view, Particle& p);
+void stand_for(const Model& model, State& state, Particle& p);
 
 // The stretch a CP stands for may lie in several materials: its friction is their mean, taken on
 // the way on which the tip passed it in this tick, from `from_m` in the rest frame and
 // `from_track_m` on the track. (The CP's own place would be one sample of a unit of shaft.)
-void meet_friction(const View& view, Vec3 from_m, float from_track_m);
+void meet_friction(const Model& model, State& state, Vec3 from_m, float from_track_m);
 
-void slip_shaft(const View& view, const Needle& needle);
+void slip_shaft(const Model& model, State& state, Scratch& scratch, const Needle& needle);
 
 // Friction of the stretch of shaft a CP stands for, at its slip speed.
-float friction_limit_n(const View& view, const Particle& p);
+float friction_limit_n(const Model& model, const State& state, const Particle& p);
 
 // Any CP may carry the friction of a whole unit, and one that has met none yet what it has. But
 // friction does not push the needle on the way it slips: one that has slipped in this tick takes
 // back as much of that as the tissue has come after the needle since, until it carries nothing. At
 // the next slip it would be at its limit again, and the hand would have the push for nothing.
-void let_slip(const View& view, const Needle& needle, Particle& p);
+void let_slip(const Model& model, State& state, const Needle& needle, Particle& p);
 
 }  // namespace stylet

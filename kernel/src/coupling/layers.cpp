@@ -19,13 +19,13 @@ bool tells_layer(const Event& e, std::uint32_t needle) {
                                 e.kind == EventKind::kReentry);
 }
 
-Told told_layer(const View& view) {
-  const std::uint32_t all = view.state.head->event_count;
+Told told_layer(const State& state) {
+  const std::uint32_t all = state.head->event_count;
   const std::uint32_t kept = all < kMaxEvents ? all : kMaxEvents;
   Told told = {};
   for (std::uint32_t i = 1; i <= kept; ++i) {
-    const Event& e = view.state.event[(all - i) % kMaxEvents];
-    if (!tells_layer(e, view.needle)) continue;
+    const Event& e = state.event[(all - i) % kMaxEvents];
+    if (!tells_layer(e, state.needle_index)) continue;
     told.before = e.layer;
     if (told.known) return told;
     told = {true, e.kind == EventKind::kLayer, e.layer, kNoLayer, e.depth_m};
@@ -40,24 +40,24 @@ bool is_near(const Told& told, float track_m) {
 
 }  // namespace
 
-void tell_layer(const View& view, float force_n) {
-  const Told told = told_layer(view);
-  const bool back = told.known && told.crossed && view.state.needle->layer == told.before &&
-                    is_near(told, view.state.tip->track_m);
-  if (!back) add_event(view, EventKind::kLayer, force_n);
+void tell_layer(State& state, float force_n) {
+  const Told told = told_layer(state);
+  const bool back = told.known && told.crossed && state.needle->layer == told.before &&
+                    is_near(told, state.tip->track_m);
+  if (!back) add_event(state, EventKind::kLayer, force_n);
 }
 
-void tell_layer_late(const View& view) {
-  const Told told = told_layer(view);
-  if (!told.known || told.layer == view.state.needle->layer) return;
-  if (!is_near(told, view.state.tip->track_m)) add_event(view, EventKind::kLayer, 0);
+void tell_layer_late(State& state) {
+  const Told told = told_layer(state);
+  if (!told.known || told.layer == state.needle->layer) return;
+  if (!is_near(told, state.tip->track_m)) add_event(state, EventKind::kLayer, 0);
 }
 
-void leave_layers(const View& view) {
-  NeedleState& own = *view.state.needle;
-  if (view.state.tip->share_count > 0 || own.layer == kNoLayer) return;
+void leave_layers(State& state) {
+  NeedleState& own = *state.needle;
+  if (state.tip->share_count > 0 || own.layer == kNoLayer) return;
   own.layer = kNoLayer;
-  tell_layer(view, 0);
+  tell_layer(state, 0);
 }
 
 }  // namespace stylet

@@ -13,12 +13,12 @@ constexpr float kLayerSkinM = 5e-4F;
 
 // The needle's layer has changed, at this force: told, unless it only comes back to the layer told
 // before the last one, near where it left that.
-void tell_layer(const View& view, float force_n);
+void tell_layer(State& state, float force_n);
 
 // What was not told there is told from here, where it has stayed.
-void tell_layer_late(const View& view);
+void tell_layer_late(State& state);
 
 // Outside the tissue there is no layer.
-void leave_layers(const View& view);
+void leave_layers(State& state);
 
 }  // namespace stylet

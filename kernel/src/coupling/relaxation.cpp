@@ -26,9 +26,9 @@ constexpr float kLeastCreep = 1.0F / 16;
 // as these do not change, the places where they lie unloaded are drawn together by that part.
 //
 // The branch goes this part of its way; `residual_m` is the CP's.
-void creep(const View& view, Particle& p, Vec3 residual_m, float part) {
-  const Vec3 rest_m = unloaded_place(view, p);
-  const Vec3 d = (p.position_m - rest_m) - view.state.needle->moved_m;
+void creep(const Model& model, const State& state, Particle& p, Vec3 residual_m, float part) {
+  const Vec3 rest_m = unloaded_place(model, p);
+  const Vec3 d = (p.position_m - rest_m) - state.needle->moved_m;
   const Vec3 f = force_on_tissue(p, residual_m) + p.memory_share * p.memory_n;
   p.memory_m = settle(p.memory_m + part * (d - p.memory_m));
   p.memory_n = settle(p.memory_n + part * (f - p.memory_n));
@@ -39,7 +39,7 @@ void creep(const View& view, Particle& p, Vec3 residual_m, float part) {
   const float drawn = (p.memory_spread - before) / max_of(1 - before, kLeastPart);
   for (std::uint32_t i = 0; i < p.share_count; ++i) {
     Share& share = p.share[i];
-    const Vec3 step = drawn * (rest_m - unloaded_place(view, share));
+    const Vec3 step = drawn * (rest_m - unloaded_place(model, share));
     share.offset_m = share.offset_m + step;
     share.goal_m = share.goal_m + rotation_matrix(share.turn) * step;
   }
@@ -48,16 +48,17 @@ void creep(const View& view, Particle& p, Vec3 residual_m, float part) {
 // The Maxwell branch creeps by this part of its way; what it dissipates is booked, and may be spent
 // by others (`spare_j`). Energy must not rise by more than that: else nothing changes, and how much
 // it would have risen is returned.
-double try_creep(const View& view, Particle& p, Drawn& shares, float part, double& spare_j) {
+double try_creep(const Model& model, State& state, Particle& p, Drawn& shares, float part,
+                 double& spare_j) {
   if (p.memory_share == 0 || p.share_count == 0) return 0;
   const Particle before = p;
   const double before_j = spring_energy(p, shares);
-  creep(view, p, shares.residual_m, part);
+  creep(model, state, p, shares.residual_m, part);
   const Drawn crept = drawn(p);
   const double rise_j = spring_energy(p, crept) - before_j;
   if (rise_j <= spare_j) {
     spare_j -= rise_j;
-    view.state.head->relaxation_j -= rise_j;
+    state.head->relaxation_j -= rise_j;
     shares = crept;
     return 0;
   }
@@ -66,17 +67,17 @@ double try_creep(const View& view, Particle& p, Drawn& shares, float part, doubl
 }
 
 // The Maxwell branch creeps for a tick. False: it did not, for energy would rise.
-bool relax(const View& view, Particle& p, Drawn& shares, double& spare_j) {
-  return try_creep(view, p, shares, 1 - p.memory_keep, spare_j) == 0;
+bool relax(const Model& model, State& state, Particle& p, Drawn& shares, double& spare_j) {
+  return try_creep(model, state, p, shares, 1 - p.memory_keep, spare_j) == 0;
 }
 
 // The same for one that has to be paid by the others: as far as they do.
-void relax_late(const View& view, Particle& p, Drawn& shares, double& spare_j) {
+void relax_late(const Model& model, State& state, Particle& p, Drawn& shares, double& spare_j) {
   const float all = 1 - p.memory_keep;
-  const double rise_j = try_creep(view, p, shares, all, spare_j);
+  const double rise_j = try_creep(model, state, p, shares, all, spare_j);
   if (rise_j == 0) return;
   const float part = all * max_of(kLeastCreep, static_cast<float>(spare_j / rise_j));
-  (void)try_creep(view, p, shares, part, spare_j);
+  (void)try_creep(model, state, p, shares, part, spare_j);
 }
 
 // The give follows the force along the needle, as over a damper. Only what lies along: to take back
@@ -92,35 +93,36 @@ void give_way(StateHead& state, Particle& p, const Drawn& shares, Vec3 direction
 }
 
 // A CP of the shaft goes with the needle.
-void follow(const View& view, const Needle& needle, Particle& p, const Drawn& shares) {
+void follow(State& state, const Needle& needle, Particle& p, const Drawn& shares) {
   const NeedlePoint point = needle_point(needle, p.arc_m);
-  give_way(*view.state.head, p, shares, point.direction);
+  give_way(*state.head, p, shares, point.direction);
   p.position_m = point.place_m;
   turn_give(p, point.direction);
 }
 
 }  // namespace
 
-void relax_and_follow(const View& view, const Needle& needle) {
-  const NeedleState& own = *view.state.needle;
-  Particle& tip = *view.state.tip;
+void relax_and_follow(const Model& model, State& state, const Needle& needle) {
+  const NeedleState& own = *state.needle;
+  Particle& tip = *state.tip;
   bool late[kMaxConstraintParticles] = {};
   double spare_j = 0;
   for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
-    Particle& p = view.state.shaft[i];
-    refill_shares(view, p);
+    Particle& p = state.shaft[i];
+    refill_shares(model, state, p);
     Drawn shares = drawn(p);
-    late[i] = !relax(view, p, shares, spare_j);
-    if (!late[i]) follow(view, needle, p, shares);
+    late[i] = !relax(model, state, p, shares, spare_j);
+    if (!late[i]) follow(state, needle, p, shares);
   }
   Drawn tip_shares = drawn(tip);
-  if (!relax(view, tip, tip_shares, spare_j)) relax_late(view, tip, tip_shares, spare_j);
+  if (!relax(model, state, tip, tip_shares, spare_j))
+    relax_late(model, state, tip, tip_shares, spare_j);
   for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
     if (!late[i]) continue;
-    Particle& p = view.state.shaft[i];
+    Particle& p = state.shaft[i];
     Drawn shares = drawn(p);
-    relax_late(view, p, shares, spare_j);
-    follow(view, needle, p, shares);
+    relax_late(model, state, p, shares, spare_j);
+    follow(state, needle, p, shares);
   }
 }
 

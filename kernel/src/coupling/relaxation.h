@@ -13,6 +13,6 @@ namespace stylet {
 
 // The CPs creep at the last tick's forces; then those of the shaft go with the needle. As they load
 // the tissue together, one may gain energy where others lose more: those come last.
-void relax_and_follow(const View& view, const Needle& needle);
+void relax_and_follow(const Model& model, State& state, const Needle& needle);
 
 }  // namespace stylet

@@ -11,10 +11,10 @@ constexpr float kSlidingMPerS = 1e-4F;
 
 }  // namespace
 
-float overshoot(const View& view, const Particle& p, float axial_n, float low_n, float high_n) {
-  const ModelHead& head = *view.model.head;
+float overshoot(const Model& model, const Particle& p, float axial_n, float low_n, float high_n) {
+  const ModelHead& head = *model.head;
   if (head.config.mode == Mode::kPaper) {
-    const float unit = view.needle_config().unit_m;
+    const float unit = model.needle_config().unit_m;
     const float away = axial_n / p.stiffness_n_per_m;
     constexpr auto kMost = static_cast<float>(kMaxUnitsPerTick);
     const float units = clamp(away / unit, -kMost, kMost);
@@ -25,9 +25,9 @@ float overshoot(const View& view, const Particle& p, float axial_n, float low_n,
   return excess / p.stiffness_n_per_m;
 }
 
-float renew(const View& view, Particle& p, Vec3 direction, float slip_m, double& booked_j) {
+float renew(const Model& model, Particle& p, Vec3 direction, float slip_m, double& booked_j) {
   const float size = slip_m < 0 ? -slip_m : slip_m;
-  if (!(size > kSlidingMPerS * view.model.head->config.period_s)) return 0;
+  if (!(size > kSlidingMPerS * model.head->config.period_s)) return 0;
   const double before = memory_energy(p);
   const float along = dot(p.slack_m, direction);
   const float part = size / (kRenewalLengthM + size);

@@ -20,11 +20,11 @@ constexpr float kLoose = 2.0F;
 
 // How far the CP must move for its axial force to come back between the limits. Paper mode: whole
 // needle units, once the point is more than one unit away from its goal.
-float overshoot(const View& view, const Particle& p, float axial_n, float low_n, float high_n);
+float overshoot(const Model& model, const Particle& p, float axial_n, float low_n, float high_n);
 
 // A slip brings fresh tissue to the needle, which has relaxed nothing yet. The force stays: returns
 // how much farther the CP slips for that, and books what the branch loses.
-float renew(const View& view, Particle& p, Vec3 direction, float slip_m, double& booked_j);
+float renew(const Model& model, Particle& p, Vec3 direction, float slip_m, double& booked_j);
 
 void note_slip(const ModelHead& head, Particle& p, float slip_m);
 

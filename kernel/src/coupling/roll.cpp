@@ -17,14 +17,15 @@ struct Hold {
   float torque_nm, moment_nm2;  // sums of t and of t s
 };
 
-Hold hold_of(const View& view) {
-  const NeedleState& own = *view.state.needle;
-  const float length = view.needle_config().length_m, radius = view.needle_config().outer_radius_m;
-  const Needle last = needle_of(view);
+Hold hold_of(const Model& model, const State& state) {
+  const NeedleState& own = *state.needle;
+  const float length = model.needle_config().length_m,
+              radius = model.needle_config().outer_radius_m;
+  const Needle last = needle_of(model, state);
   Hold hold = {};
   for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
-    const Particle& p = view.state.shaft[i];
-    const float limit = friction_limit_n(view, p);
+    const Particle& p = state.shaft[i];
+    const float limit = friction_limit_n(model, state, p);
     const float carried = dot(p.force_n, needle_point(last, p.arc_m).direction);
     const float left = std::sqrt(max_of(limit * limit - carried * carried, 0));
     hold.torque_nm += left * radius;
@@ -35,28 +36,28 @@ Hold hold_of(const View& view) {
 
 }  // namespace
 
-void roll_tip(const View& view, float rolled_rad) {
-  const float torsion = view.needle_config().torsion_nm2;
-  NeedleState& own = *view.state.needle;
+void roll_tip(const Model& model, State& state, float rolled_rad) {
+  const float torsion = model.needle_config().torsion_nm2;
+  NeedleState& own = *state.needle;
   if (!(torsion > 0)) return;
-  const Hold hold = hold_of(view);
-  const double before = roll_energy(view);
-  const bool held = hold.torque_nm > kLeastHoldN * view.needle_config().outer_radius_m;
+  const Hold hold = hold_of(model, state);
+  const double before = roll_energy(state);
+  const bool held = hold.torque_nm > kLeastHoldN * model.needle_config().outer_radius_m;
   const float stiffness = held ? torsion * hold.torque_nm / hold.moment_nm2 : 0;
   // Where the hold has moved, torque or twist stays, whichever brings no energy.
   if (stiffness > own.twist_nm_per_rad) own.twist_rad *= own.twist_nm_per_rad / stiffness;
   own.twist_nm_per_rad = stiffness;
-  view.state.head->friction_j += before - roll_energy(view);
+  state.head->friction_j += before - roll_energy(state);
   const float limit = held ? min_of(hold.moment_nm2 / torsion, kMaxTwistRad) : 0;
   const float wound = own.twist_rad + rolled_rad, twist = clamp(wound, -limit, limit);
   // At the mean of the torques before and after, as the hand's work is booked.
   const float torque = 0.5F * stiffness * (own.twist_rad + twist);
-  view.state.head->friction_j += static_cast<double>(torque * (wound - twist));
+  state.head->friction_j += static_cast<double>(torque * (wound - twist));
   own.twist_rad = settle(twist);
 }
 
-Vec3 rolled_side(const View& view, const Mat3& handle) {
-  const float twist = view.state.needle->twist_rad;
+Vec3 rolled_side(const State& state, const Mat3& handle) {
+  const float twist = state.needle->twist_rad;
   const float part = (twist < 0 ? -twist : twist) * (1 / 3.14159265F);
   const float sine = sine_of_half_turns(part);
   const float cosine =
@@ -64,14 +65,14 @@ Vec3 rolled_side(const View& view, const Mat3& handle) {
   return cosine * column(handle, 0) - (twist < 0 ? -sine : sine) * column(handle, 1);
 }
 
-Vec3 roll_torque_nm(const View& view) {
-  const NeedleState& own = *view.state.needle;
+Vec3 roll_torque_nm(const State& state) {
+  const NeedleState& own = *state.needle;
   const Mat3 handle = rotation_matrix(own.handle.rotation);
   return (-own.twist_nm_per_rad * own.twist_rad) * column(handle, 2);
 }
 
-double roll_energy(const View& view) {
-  const NeedleState& own = *view.state.needle;
+double roll_energy(const State& state) {
+  const NeedleState& own = *state.needle;
   return 0.5 * static_cast<double>(own.twist_nm_per_rad * own.twist_rad * own.twist_rad);
 }
 

@@ -19,13 +19,13 @@
 namespace stylet {
 
 // Takes over how far the hand has rolled in this tick, about the handle's z.
-void roll_tip(const View& view, float rolled_rad);
+void roll_tip(const Model& model, State& state, float rolled_rad);
 
 // The handle's x, rolled as the tip is.
-Vec3 rolled_side(const View& view, const Mat3& handle);
+Vec3 rolled_side(const State& state, const Mat3& handle);
 
 // On the hand.
-Vec3 roll_torque_nm(const View& view);
-double roll_energy(const View& view);
+Vec3 roll_torque_nm(const State& state);
+double roll_energy(const State& state);
 
 }  // namespace stylet

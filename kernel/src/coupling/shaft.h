@@ -11,16 +11,16 @@
 
 namespace stylet {
 
-std::uint32_t push_shaft(const View& view, Particle p);
+std::uint32_t push_shaft(const Model& model, State& state, Scratch& scratch, Particle p);
 
 // One shaft CP for each unit of track the tip has left behind, but for gaps between organs. The
 // track is as long as the tissue at rest: so near the tip it is straight there, and the needle
 // holds what was on it. Tissue that the tip pushes before it may end before that: there the needle
 // holds what the tip has passed.
-std::uint32_t drop_shaft(const View& view, const Needle& needle);
+std::uint32_t drop_shaft(const Model& model, State& state, Scratch& scratch, const Needle& needle);
 
 // The tip has come back past a shaft CP: along the track, or, when a violent hand has made the
 // track unreliable, by the needle's own length.
-bool is_behind(const View& view, const Particle& p);
+bool is_behind(const Model& model, const State& state, const Particle& p);
 
 }  // namespace stylet

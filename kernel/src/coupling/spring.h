@@ -137,8 +137,8 @@ inline void turn_give(Particle& p, Vec3 direction) {
 
 // By how much the needle's motion in this tick pulls the spring of a CP of the shaft, or of the
 // tip, the last: substep by substep (place_members).
-inline Vec3& stretch_of(const View& view, std::uint32_t index) {
-  return view.scratch.stretch[view.needle * kNeedleParticles + index];
+inline Vec3& stretch_of(const State& state, Scratch& scratch, std::uint32_t index) {
+  return scratch.stretch[state.needle_index * kNeedleParticles + index];
 }
 
 }  // namespace stylet

@@ -86,8 +86,8 @@ struct Ground {
   float deep_pa, upper_ratio, squares, beside;
 };
 
-Ground ground_under(const View& view, const Particle& p) {
-  const ModelHead& head = *view.model.head;
+Ground ground_under(const Model& model, const Particle& p) {
+  const ModelHead& head = *model.head;
   Vec3 mean = {};
   for (std::uint32_t i = 0; i < p.share_count; ++i) {
     mean = mean + p.share[i].weight * p.share[i].offset_m;
@@ -96,7 +96,7 @@ Ground ground_under(const View& view, const Particle& p) {
   float all = 0, upper = 0, upper_pa = 0, deep_pa = 0, squares = 0, beside = 0;
   for (std::uint32_t i = 0; i < p.share_count; ++i) {
     const Share& share = p.share[i];
-    const float shear_pa = head.material[view.model.slot_material[share.slot]].lattice_shear_pa;
+    const float shear_pa = head.material[model.slot_material[share.slot]].lattice_shear_pa;
     const float part = share.weight / std::sqrt(max_of(shear_pa, 1));  // share_deeper took the root
     const float above = part * clamp(1.5F - dot(share.offset_m, along), 0, 1);
     const Vec3 arm = cross(share.offset_m, along);
@@ -117,9 +117,9 @@ Ground ground_under(const View& view, const Particle& p) {
 // What gives way under a small force, and how much more of it under a larger one: that of one
 // tissue like the tip's, so that layers below add what they really give; below a thin skin, whose
 // law is that of all that is under it, also what they give.
-Ground ground_of(const View& view, const Particle& p) {
-  const MaterialModel& m = view.model.head->material[p.material];
-  Ground ground = ground_under(view, p);
+Ground ground_of(const Model& model, const Particle& p) {
+  const MaterialModel& m = model.head->material[p.material];
+  Ground ground = ground_under(model, p);
   if (m.film.force_n > 0) return ground;
   ground.deep_pa = m.lattice_shear_pa;
   ground.upper_ratio = 1;
@@ -133,12 +133,12 @@ float place_part(const Ground& g) {
 
 // Compliance of the lattice under the tip in contact: what the deeper layer gives, less below a
 // stiffer one.
-float surface_compliance(const View& view, const Ground& g, float poisson) {
+float surface_compliance(const Model& model, const Ground& g, float poisson) {
   const float place = kSurfaceGiveSquares * g.squares + kSurfaceGiveBeside * g.beside;
   const float give = kSurfaceGive - kSurfaceGiveSlope * poisson + kPlaceMean +
                      place_part(g) * (place - kPlaceMean);
   const float spread = (1 + kUpperPart * std::sqrt(g.upper_ratio)) / (1 + kUpperPart);
-  return give * power(spread, -kUpperPower) / (g.deep_pa * view.model.head->edge_m);
+  return give * power(spread, -kUpperPower) / (g.deep_pa * model.head->edge_m);
 }
 
 // The law of contact that is wanted (cone.h): that of the needle's point on the tissue, or of the
@@ -147,9 +147,9 @@ struct Punch {
   float stiffness_n_per_m, length_m;
 };
 
-Punch wanted_punch(const View& view, const MaterialModel& m) {
-  const float radius_m = view.needle_config().outer_radius_m;
-  const float cone_m = view.model.head->cone_length_m[view.needle];
+Punch wanted_punch(const Model& model, const State& state, const MaterialModel& m) {
+  const float radius_m = model.needle_config().outer_radius_m;
+  const float cone_m = model.head->cone_length_m[state.needle_index];
   const float punch_n_per_m = 4 * m.shear_pa * radius_m / (1 - m.poisson_ratio);
   const float press_m = 2 * m.film.force_n / punch_n_per_m;
   const float bare_m = press_m < cone_m ? std::sqrt(press_m * cone_m) : 0.5F * (press_m + cone_m);
@@ -163,19 +163,19 @@ Punch wanted_punch(const View& view, const MaterialModel& m) {
 
 }  // namespace
 
-void set_stiffness(const View& view, Particle& particle, Place place) {
-  const ModelHead& head = *view.model.head;
+void set_stiffness(const Model& model, State& state, Particle& particle, Place place) {
+  const ModelHead& head = *model.head;
   const MaterialModel& m = head.material[particle.material];
   const float k = m.lattice_shear_pa * head.edge_m;
-  const float a = view.needle_config().outer_radius_m;
+  const float a = model.needle_config().outer_radius_m;
   const float nu = m.poisson_ratio;
-  const float unit = view.needle_config().unit_m;
+  const float unit = model.needle_config().unit_m;
   float target = 0, lattice_compliance = 0, slack = 1;
   float least = 1 / (kMaxCpWeight * k);
   switch (place) {
     case Place::kSurface:
-      target = wanted_punch(view, m).stiffness_n_per_m;
-      lattice_compliance = surface_compliance(view, ground_of(view, particle), nu);
+      target = wanted_punch(model, state, m).stiffness_n_per_m;
+      lattice_compliance = surface_compliance(model, ground_of(model, particle), nu);
       least = kLeastOwnPart * lattice_compliance;
       break;
     case Place::kTip:
@@ -199,27 +199,26 @@ void set_stiffness(const View& view, Particle& particle, Place place) {
     particle.give_share = share_of_give(head, m, a, unit, own_compliance, slack);
   }
   const float reached = 1 / (slack * own_compliance + lattice_compliance);
-  view.state.head->coupling_shortfall =
-      max_of(view.state.head->coupling_shortfall, 1 - reached / target);
+  state.head->coupling_shortfall = max_of(state.head->coupling_shortfall, 1 - reached / target);
   if (place == Place::kSurface) particle.tissue_compliance = lattice_compliance / own_compliance;
   set_relaxation(head, particle);
 }
 
-ContactLaw law_of(const View& view) {
-  const ModelHead& head = *view.model.head;
-  const Particle& tip = *view.state.tip;
+ContactLaw law_of(const Model& model, const State& state) {
+  const ModelHead& head = *model.head;
+  const Particle& tip = *state.tip;
   const MaterialModel& m = head.material[tip.material];
   // A snapshot may bring any number.
   const float tissue = min_of(tip.tissue_compliance, 1 / kLeastOwnPart);
   const float whole = 1 + tissue, part = tissue / whole;  // over the spring's own; of all
-  const Ground ground = ground_of(view, tip);
+  const Ground ground = ground_of(model, tip);
   const float unit_n = ground.deep_pa * head.edge_m * head.edge_m;
   constexpr float kMostPart = 1 / (1 + kLeastOwnPart);
   const float growth =
       max_of((kGiveGrowth - kGiveGrowthSquares * ground.squares) * place_part(ground), 1e-3F);
   const float end = (kMostPart / max_of(part, 1e-3F) - 1) / (2 * growth);
   const float punch_n_per_m = tip.full_stiffness_n_per_m / whole;
-  const Punch wanted = wanted_punch(view, m);
+  const Punch wanted = wanted_punch(model, state, m);
   const float narrower = min_of(punch_n_per_m / wanted.stiffness_n_per_m, 1);
   return contact_law({punch_n_per_m, narrower * wanted.length_m, part, growth / unit_n,
                       unit_n * clamp(end, 0, kGiveGrowthEnd)},

@@ -18,20 +18,21 @@ namespace stylet {
 
 // Takes the voxels around the CP's rest place. A voxel that is kept keeps its offset; a new one is
 // given the residual the CP has. The force does not change, and the energy does not rise.
-void renew_shares(const View& view, Particle& p, Sharing sharing = Sharing::kTent);
+void renew_shares(const Model& model, const State& state, Particle& p,
+                  Sharing sharing = Sharing::kTent);
 
 // Where the goal of a share lies in unloaded tissue; that of a CP, the mean of them.
-Vec3 unloaded_place(const View& view, const Share& share);
-Vec3 unloaded_place(const View& view, const Particle& p);
+Vec3 unloaded_place(const Model& model, const Share& share);
+Vec3 unloaded_place(const Model& model, const Particle& p);
 
 // Puts a CP at a rest place with its goals at `place_m` (rigid pull-back: fits, goals and energy of
 // all voxels stay as they are when the needle holds it there).
-Particle new_particle(const View& view, const Needle& needle, Vec3 rest_m, Vec3 place_m,
-                      float track_m, float arc_m, Place place);
+Particle new_particle(const Model& model, State& state, const Needle& needle, Vec3 rest_m,
+                      Vec3 place_m, float track_m, float arc_m, Place place);
 
 // A CP whose voxels found no room (keep_shares) takes those around it again: next time there may
 // be.
-void refill_shares(const View& view, Particle& p);
+void refill_shares(const Model& model, State& state, Particle& p);
 
 // Leaves a shaft CP only those shares whose bits `kept` names, for there is no room for the others:
 // their weight goes to these, at the same force. With none left it holds nothing, and nothing holds

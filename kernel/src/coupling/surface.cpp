@@ -26,22 +26,22 @@ struct Vertex {
 };
 
 // Trilinear: rest place plus the weighted displacements of the voxel's corners.
-Vertex deformed(const View& view, const OrganVertex& v) {
+Vertex deformed(const Model& model, const State& state, const OrganVertex& v) {
   constexpr float kScale = 1.0F / 65535.0F;
-  const std::uint32_t slot = view.model.voxel_slot[v.voxel];
-  const Row& row = view.model.row[view.model.voxel_row[v.voxel]];
+  const std::uint32_t slot = model.voxel_slot[v.voxel];
+  const Row& row = model.row[model.voxel_row[v.voxel]];
   const std::uint32_t along = slot - row.slot;
   const float fx = static_cast<float>(v.fx) * kScale;
   const float fy = static_cast<float>(v.fy) * kScale;
   const float fz = static_cast<float>(v.fz) * kScale;
   Vertex out = {};
-  out.rest_m = rest_place(view.organ, cell_of(view, slot, row), v);
+  out.rest_m = rest_place(model.organ(), cell_of(model, slot, row), v);
   Vec3 moved = {};
   for (std::uint32_t corner = 0; corner < 8; ++corner) {
     const std::uint32_t p = row.node[corner >> 1U] + along + (corner & 1U);
     const float weight = ((corner & 1U) != 0 ? fx : 1 - fx) * ((corner & 2U) != 0 ? fy : 1 - fy) *
                          ((corner & 4U) != 0 ? fz : 1 - fz);
-    moved = moved + weight * Vec3{view.state.ux[p], view.state.uy[p], view.state.uz[p]};
+    moved = moved + weight * Vec3{state.ux[p], state.uy[p], state.uz[p]};
   }
   out.place_m = out.rest_m + moved;
   return out;
@@ -68,24 +68,25 @@ struct Search {
 
 // Where one vertex of a leaf is now tells where they all are: tissue that elsewhere is dragged far
 // makes a search reach many leaves, most of which have hardly moved.
-bool is_near(const View& view, const OrganSphere& leaf, const Segment& segment) {
-  const OrganVertex& one = view.organ.vertices[view.organ.triangles[leaf.first].a];
-  const Vec3 place = deformed(view, one).place_m;
+bool is_near(const Model& model, const State& state, const OrganSphere& leaf,
+             const Segment& segment) {
+  const OrganVertex& one = model.organ().vertices[model.organ().triangles[leaf.first].a];
+  const Vec3 place = deformed(model, state, one).place_m;
   float unused = 0;
   return reaches({place.x, place.y, place.z, 0, 0, 0}, segment,
                  2 * kMaxSurfaceStretch * leaf.radius, unused);
 }
 
 // Tests the triangles of a leaf; false when the triangle budget is spent.
-bool search_leaf(const View& view, const OrganSphere& leaf, Search& search) {
-  if (!is_near(view, leaf, search.segment)) return true;
+bool search_leaf(const Model& model, const State& state, const OrganSphere& leaf, Search& search) {
+  if (!is_near(model, state, leaf, search.segment)) return true;
   for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
     if (search.triangles_left == 0) return false;
     --search.triangles_left;
-    const OrganTriangle& t = view.organ.triangles[i];
-    const Vertex a = deformed(view, view.organ.vertices[t.a]);
-    const Vertex b = deformed(view, view.organ.vertices[t.b]);
-    const Vertex c = deformed(view, view.organ.vertices[t.c]);
+    const OrganTriangle& t = model.organ().triangles[i];
+    const Vertex a = deformed(model, state, model.organ().vertices[t.a]);
+    const Vertex b = deformed(model, state, model.organ().vertices[t.b]);
+    const Vertex c = deformed(model, state, model.organ().vertices[t.c]);
     float at = 0, u = 0, v = 0;
     const Segment& segment = search.segment;
     if (!hit_triangle(segment.from_m, segment.direction, a.place_m, b.place_m, c.place_m, at, u,
@@ -108,13 +109,13 @@ struct Open {
 };
 
 // Nearest to the tip first, with a fixed stack; false when a bound was reached.
-bool search_tree(const View& view, Search& search) {
+bool search_tree(const Model& model, const State& state, Search& search) {
   Open stack[kMaxTreeDepth];
   std::uint32_t top = 0;
-  if (view.organ.spheres.empty()) return true;
+  if (model.organ().spheres.empty()) return true;
   const auto push = [&](std::uint32_t node) {
     float latest_m = 0;
-    if (!reaches(view.organ.spheres[node], search.segment, search.grow_m, latest_m)) return;
+    if (!reaches(model.organ().spheres[node], search.segment, search.grow_m, latest_m)) return;
     stack[top++] = {node, latest_m};
     if (top < 2 || stack[top - 2].latest_m <= latest_m) return;
     const Open other = stack[top - 2];
@@ -126,9 +127,9 @@ bool search_tree(const View& view, Search& search) {
     if (top == 0) return true;
     const Open open = stack[--top];
     if (search.found && open.latest_m <= search.best_m) continue;
-    const OrganSphere& node = view.organ.spheres[open.node];
+    const OrganSphere& node = model.organ().spheres[open.node];
     if (node.count > 0) {
-      if (!search_leaf(view, node, search)) return false;
+      if (!search_leaf(model, state, node, search)) return false;
       continue;
     }
     if (top + 2 > kMaxTreeDepth) return false;
@@ -139,27 +140,27 @@ bool search_tree(const View& view, Search& search) {
 }
 
 // Along a segment, of which nothing is known yet.
-bool search_along(const View& view, const Segment& segment, Search& search) {
+bool search_along(const Model& model, const State& state, const Segment& segment, Search& search) {
   search.segment = segment;
   search.found = false;
-  return search_tree(view, search);
+  return search_tree(model, state, search);
 }
 
 }  // namespace
 
-float contact_reach_m(const View& view) {
-  return min_of(max_of(kContactReachM, kMaxHandleSpeedMPerS * view.model.head->config.period_s),
-                view.needle_config().length_m);
+float contact_reach_m(const Model& model) {
+  return min_of(max_of(kContactReachM, kMaxHandleSpeedMPerS * model.head->config.period_s),
+                model.needle_config().length_m);
 }
 
-Contact find_contact(const View& view, Vec3 tip_m, Vec3 direction, float reach_m, Vec3 came_m,
-                     Vec3& rest_out_m, Vec3& place_out_m, std::uint32_t& flags_out) {
+Contact find_contact(const Model& model, State& state, Vec3 tip_m, Vec3 direction, float reach_m,
+                     Vec3 came_m, Vec3& rest_out_m, Vec3& place_out_m, std::uint32_t& flags_out) {
   Search search = {};
   // sqrt(3): the displacement bound is per axis.
-  search.grow_m = 1.7320509F * view.state.head->max_displacement_m;
+  search.grow_m = 1.7320509F * state.head->max_displacement_m;
   search.triangles_left = kMaxTriangleTests;
-  bool whole =
-      search_along(view, {tip_m - reach_m * direction, direction, reach_m - kContactSkinM}, search);
+  bool whole = search_along(
+      model, state, {tip_m - reach_m * direction, direction, reach_m - kContactSkinM}, search);
   // A tip that comes in sideways may have the surface farther behind it, or none.
   const float way = norm(came_m);
   const bool sideways =
@@ -168,12 +169,13 @@ Contact find_contact(const View& view, Vec3 tip_m, Vec3 direction, float reach_m
     // From the skin before the last tip to the skin before this one: nothing is left out between
     // ticks.
     const Vec3 along = (1 / way) * came_m;
-    whole = search_along(view, {tip_m - came_m - kContactSkinM * along, along, way}, search);
+    whole =
+        search_along(model, state, {tip_m - came_m - kContactSkinM * along, along, way}, search);
     const float depth = dot(tip_m - search.place_m, direction);
     if (depth < kContactSkinM) search.place_m = tip_m - kContactSkinM * direction;
   }
   if (!whole && !search.found) {
-    ++view.state.head->contact_budget;
+    ++state.head->contact_budget;
     flags_out |= kFlagContactBudget;
     return Contact::kUnknown;
   }
@@ -185,12 +187,13 @@ Contact find_contact(const View& view, Vec3 tip_m, Vec3 direction, float reach_m
 
 std::uint32_t surface(const Kernel& kernel, std::span<Vec3> positions_out) {
   const View view = view_of(kernel);
-  const std::size_t count = view.organ.vertices.size() < positions_out.size()
-                                ? view.organ.vertices.size()
+  const std::size_t count = view.model.organ().vertices.size() < positions_out.size()
+                                ? view.model.organ().vertices.size()
                                 : positions_out.size();
-  const Vec3 shift = attachment_shift(view);
+  const Vec3 shift = attachment_shift(view.model, view.state);
   for (std::size_t i = 0; i < count; ++i) {
-    positions_out[i] = deformed(view, view.organ.vertices[i]).place_m + shift;
+    positions_out[i] =
+        deformed(view.model, view.state, view.model.organ().vertices[i]).place_m + shift;
   }
   return static_cast<std::uint32_t>(count);
 }
@@ -202,7 +205,7 @@ std::uint32_t particle_count(const Kernel& kernel) {
 std::uint32_t voxel_corners(const Kernel& kernel, std::span<std::uint32_t> corners_out) {
   const View view = view_of(kernel);
   std::uint32_t written = 0;
-  for (std::uint32_t v = 0; v < view.organ.voxel_count; ++v) {
+  for (std::uint32_t v = 0; v < view.model.organ().voxel_count; ++v) {
     const Row& row = view.model.row[view.model.voxel_row[v]];
     const std::uint32_t along = view.model.voxel_slot[v] - row.slot;
     for (std::uint32_t corner = 0; corner < 8 && written < corners_out.size(); ++corner) {
@@ -216,7 +219,7 @@ std::uint32_t particles(const Kernel& kernel, std::span<Vec3> moved_out_m) {
   const View view = view_of(kernel);
   const std::uint32_t all = counts_of(kernel).particles;
   const std::size_t count = all < moved_out_m.size() ? all : moved_out_m.size();
-  const Vec3 shift = attachment_shift(view);
+  const Vec3 shift = attachment_shift(view.model, view.state);
   for (std::size_t i = 0; i < count; ++i) {
     moved_out_m[i] = Vec3{view.state.ux[i], view.state.uy[i], view.state.uz[i]} + shift;
   }

@@ -21,12 +21,12 @@ namespace stylet {
 enum class Contact : std::uint32_t { kNone, kFound, kSideways, kUnknown };
 
 // Length of the front part of a needle along which a tip that comes finds the surface.
-float contact_reach_m(const View& view);
+float contact_reach_m(const Model& model);
 
 // Looks for the surface along the front part of the needle that ends here, `reach_m` long, then
 // along the way `came_m` of the tip in this tick. Found: with the rest and present place of the
 // crossing nearest the tip.
-Contact find_contact(const View& view, Vec3 tip_m, Vec3 direction, float reach_m, Vec3 came_m,
-                     Vec3& rest_out_m, Vec3& place_out_m, std::uint32_t& flags_out);
+Contact find_contact(const Model& model, State& state, Vec3 tip_m, Vec3 direction, float reach_m,
+                     Vec3 came_m, Vec3& rest_out_m, Vec3& place_out_m, std::uint32_t& flags_out);
 
 }  // namespace stylet

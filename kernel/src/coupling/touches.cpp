@@ -11,10 +11,10 @@ constexpr float kNearNode = 0.1F;
 
 // The touch of the last tick that goes on at a piece: its own, or that of a piece beside it which
 // it has come from along the shaft. Null: it did not touch.
-const Touch* remembered(const View& view, std::uint32_t obstacle, std::uint32_t rod) {
+const Touch* remembered(const State& state, std::uint32_t obstacle, std::uint32_t rod) {
   const Touch* beside = nullptr;
-  for (std::uint32_t i = 0; i < view.state.needle->touch_count; ++i) {
-    const Touch& touch = view.state.touch[i];
+  for (std::uint32_t i = 0; i < state.needle->touch_count; ++i) {
+    const Touch& touch = state.touch[i];
     if (touch.obstacle != obstacle) continue;
     if (touch.rod == rod) return &touch;
     const float place = touch.contact.place;
@@ -25,15 +25,15 @@ const Touch* remembered(const View& view, std::uint32_t obstacle, std::uint32_t 
   return beside;
 }
 
-Vec3d world_origin(const View& view, Vec3 shift) {
-  return to_double(view.state.needle->base_m) + to_double(shift);
+Vec3d world_origin(const State& state, Vec3 shift) {
+  return to_double(state.needle->base_m) + to_double(shift);
 }
 
-RodFace rod_face(const View& view, const Near& near, Vec3d origin_m) {
-  const ObstacleConfig& config = view.model.obstacle[near.body].config;
+RodFace rod_face(const Model& model, const Near& near, Vec3d origin_m) {
+  const ObstacleConfig& config = model.obstacle[near.body].config;
   const double k = static_cast<double>(config.stiffness_n_per_m);
   const double most_n = static_cast<double>(config.largest_force_n);
-  return {(near.rod + static_cast<double>(near.face.place)) * view.model.rod->rod_m,
+  return {(near.rod + static_cast<double>(near.face.place)) * model.rod->rod_m,
           near.face.at_m - origin_m,
           near.face.normal,
           near.face.depth_m,
@@ -74,24 +74,25 @@ Seen seen(const Nearest& before, std::uint32_t body, std::uint32_t rod) {
 
 }  // namespace
 
-void look_around(const View& view, Vec3 shift, const Nearest& before, Nearest& out) {
-  const RodResult& result = *view.scratch.rod_result;
-  const double radius_m = static_cast<double>(view.needle_config().outer_radius_m);
-  const Vec3d origin_m = world_origin(view, shift);
+void look_around(const Model& model, const State& state, const Scratch& scratch, Vec3 shift,
+                 const Nearest& before, Nearest& out) {
+  const RodResult& result = *scratch.rod_result;
+  const double radius_m = static_cast<double>(model.needle_config().outer_radius_m);
+  const Vec3d origin_m = world_origin(state, shift);
   out = {};
-  for (std::uint32_t body = 0; body < view.model.head->obstacle_count; ++body) {
-    for (std::uint32_t rod = 0; rod < view.model.rod->rods; ++rod) {
+  for (std::uint32_t body = 0; body < model.head->obstacle_count; ++body) {
+    for (std::uint32_t rod = 0; rod < model.rod->rods; ++rod) {
       const Segment axis = {origin_m + result.node_m[rod], origin_m + result.node_m[rod + 1]};
-      const Touch* last = remembered(view, body, rod);
+      const Touch* last = remembered(state, body, rod);
       Vec3d now = {0, 0, 0};
       if (last != nullptr) {
         const double arc =
-            (last->rod + static_cast<double>(last->contact.place)) * view.model.rod->rod_m;
-        now = origin_m + rod_point(*view.model.rod, result, arc).place_m;
+            (last->rod + static_cast<double>(last->contact.place)) * model.rod->rod_m;
+        now = origin_m + rod_point(*model.rod, result, arc).place_m;
       }
       Near found = {body, rod, {}, last};
       const Seen at = seen(before, body, rod);
-      if (!find_face(view.model.obstacle[body], axis, radius_m,
+      if (!find_face(model.obstacle[body], axis, radius_m,
                      last != nullptr ? last->contact : ObstacleContact{}, now,
                      at.near != nullptr ? at.near->face.normal : Vec3d{0, 0, 0}, kReachM,
                      found.face)) {
@@ -101,7 +102,7 @@ void look_around(const View& view, Vec3 shift, const Nearest& before, Nearest& o
       if (place == nullptr) continue;
       *place = found;
       RodFace& face = out.faces.face[place - out.near];
-      face = rod_face(view, found, origin_m);
+      face = rod_face(model, found, origin_m);
       // Friction goes on from the limit that it came to, not from the last tick's once more.
       if (at.face != nullptr) face.limit_n = at.face->limit_n;
     }
@@ -111,17 +112,18 @@ void look_around(const View& view, Vec3 shift, const Nearest& before, Nearest& o
 namespace {
 
 // What a face did, as the touch that the next tick remembers; its loss goes into the books.
-bool enter_touch(const View& view, const Nearest& nearest, std::uint32_t i, Touch& out) {
+bool enter_touch(const Model& model, State& state, const Scratch& scratch, const Nearest& nearest,
+                 std::uint32_t i, Touch& out) {
   const Near& near = nearest.near[i];
   const RodFace& face = nearest.faces.face[i];
-  const Obstacle& obstacle = view.model.obstacle[near.body];
-  const RodTouch touch = touch_face(*view.model.rod, *view.scratch.rod_result, face);
+  const Obstacle& obstacle = model.obstacle[near.body];
+  const RodTouch touch = touch_face(*model.rod, *scratch.rod_result, face);
   // No friction without force, whatever the limit was on the way.
   const double most_n = face.friction * touch.force_n, most = most_n / face.stiffness_n_per_m;
   const double length = norm(touch.bristle_m);
   const Vec3d bristle = length > most ? (most / length) * touch.bristle_m : touch.bristle_m;
   const ObstacleContact last = near.last != nullptr ? near.last->contact : ObstacleContact{};
-  view.state.head->obstacles_j += face_loss(obstacle, near.face, last, touch.moved_m, bristle);
+  state.head->obstacles_j += face_loss(obstacle, near.face, last, touch.moved_m, bristle);
   if (!(touch.force_n > 0)) return false;
   const Vec3 normal = to_float(near.face.normal);
   const Vec3d at = near.face.at_m + touch.moved_m;
@@ -138,12 +140,12 @@ bool enter_touch(const View& view, const Nearest& nearest, std::uint32_t i, Touc
   return true;
 }
 
-std::uint32_t keep_touches(const View& view, const Touch* touch, std::uint32_t count,
+std::uint32_t keep_touches(State& state, const Touch* touch, std::uint32_t count,
                            std::uint32_t left_out) {
-  NeedleState& own = *view.state.needle;
-  view.state.head->obstacle_pool_full += left_out;
-  if (count > 0 && own.touch_count == 0) add_event(view, EventKind::kObstacle, 0);
-  for (std::uint32_t i = 0; i < count; ++i) view.state.touch[i] = touch[i];
+  NeedleState& own = *state.needle;
+  state.head->obstacle_pool_full += left_out;
+  if (count > 0 && own.touch_count == 0) add_event(state, EventKind::kObstacle, 0);
+  for (std::uint32_t i = 0; i < count; ++i) state.touch[i] = touch[i];
   own.touch_count = count;
   own.touch_max = own.touch_max > count ? own.touch_max : count;
   return left_out > 0 ? std::uint32_t{kFlagObstaclePoolFull} : 0U;
@@ -151,37 +153,38 @@ std::uint32_t keep_touches(const View& view, const Touch* touch, std::uint32_t c
 
 }  // namespace
 
-std::uint32_t enter_touches(const View& view, const Nearest& nearest) {
+std::uint32_t enter_touches(const Model& model, State& state, Scratch& scratch,
+                            const Nearest& nearest) {
   std::uint32_t count = 0;
   for (std::uint32_t i = 0; i < nearest.faces.count; ++i) {
-    if (enter_touch(view, nearest, i, view.scratch.touch[count])) ++count;
+    if (enter_touch(model, state, scratch, nearest, i, scratch.touch[count])) ++count;
   }
-  return keep_touches(view, view.scratch.touch, count, nearest.left_out);
+  return keep_touches(state, scratch.touch, count, nearest.left_out);
 }
 
-std::uint32_t touch_obstacles(const View& view, const Needle& needle, Vec3 shift) {
+std::uint32_t touch_obstacles(const Model& model, State& state, Scratch& scratch,
+                              const Needle& needle, Vec3 shift) {
   std::uint32_t count = 0;
-  for (std::uint32_t body = 0; body < view.model.head->obstacle_count; ++body) {
+  for (std::uint32_t body = 0; body < model.head->obstacle_count; ++body) {
     const NeedlePiece piece = {needle.node[0] + shift, needle.node[1] + shift,
-                               view.needle_config().outer_radius_m};
-    const Touch* const last = remembered(view, body, 0);
+                               model.needle_config().outer_radius_m};
+    const Touch* const last = remembered(state, body, 0);
     ObstacleContact next = {};
-    const ObstacleLoad load =
-        obstacle_load(view.model.obstacle[body], piece,
-                      last != nullptr ? last->contact : ObstacleContact{}, next);
-    view.state.head->obstacles_j += static_cast<double>(load.dissipated_j);
+    const ObstacleLoad load = obstacle_load(
+        model.obstacle[body], piece, last != nullptr ? last->contact : ObstacleContact{}, next);
+    state.head->obstacles_j += static_cast<double>(load.dissipated_j);
     if (!(load.depth_m > 0)) continue;
-    view.scratch.touch[count++] = {body,
-                                   0,
-                                   next,
-                                   load.at_m,
-                                   load.force_n,
-                                   load.place * needle.rod_m,
-                                   load.stiffness_n_per_m,
-                                   load.normal,
-                                   load.depth_m};
+    scratch.touch[count++] = {body,
+                              0,
+                              next,
+                              load.at_m,
+                              load.force_n,
+                              load.place * needle.rod_m,
+                              load.stiffness_n_per_m,
+                              load.normal,
+                              load.depth_m};
   }
-  return keep_touches(view, view.scratch.touch, count, 0);
+  return keep_touches(state, scratch.touch, count, 0);
 }
 
 }  // namespace stylet

@@ -33,11 +33,14 @@ struct Nearest {
 };
 
 // All pieces, at the shape of the rods' result, and all bodies.
-void look_around(const View& view, Vec3 shift, const Nearest& before, Nearest& out);
+void look_around(const Model& model, const State& state, const Scratch& scratch, Vec3 shift,
+                 const Nearest& before, Nearest& out);
 
-std::uint32_t enter_touches(const View& view, const Nearest& nearest);
+std::uint32_t enter_touches(const Model& model, State& state, Scratch& scratch,
+                            const Nearest& nearest);
 
 // A stiff needle goes where the hand does.
-std::uint32_t touch_obstacles(const View& view, const Needle& needle, Vec3 shift);
+std::uint32_t touch_obstacles(const Model& model, State& state, Scratch& scratch,
+                              const Needle& needle, Vec3 shift);
 
 }  // namespace stylet

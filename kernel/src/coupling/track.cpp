@@ -17,23 +17,22 @@ constexpr float kSameWayCosine = 0.95F;
 
 }  // namespace
 
-bool holds_track(const View& view, Vec3 rest_m, float track_m) {
-  if (track_m < kEntrySkin * view.model.head->edge_m) return inside_lattice(view, rest_m);
-  return material_at(view, rest_m) != kNoTissue;
+bool holds_track(const Model& model, Vec3 rest_m, float track_m) {
+  if (track_m < kEntrySkin * model.head->edge_m) return inside_lattice(model, rest_m);
+  return material_at(model, rest_m) != kNoTissue;
 }
 
-float mouth_m(const View& view) {
-  return kMouthInRadii * view.needle_config().outer_radius_m;
+float mouth_m(const Model& model) {
+  return kMouthInRadii * model.needle_config().outer_radius_m;
 }
 
 namespace {
 
 // The track this contact enters, if the tissue remembers one here.
-std::uint32_t find_track(const View& view, Vec3 rest_m, Vec3 rest_direction) {
-  const StateHead& state = *view.state.head;
-  const float reach = mouth_m(view);
-  for (std::uint32_t i = 0; i < state.track_count; ++i) {
-    const Track& track = view.state.track[i];
+std::uint32_t find_track(const Model& model, const State& state, Vec3 rest_m, Vec3 rest_direction) {
+  const float reach = mouth_m(model);
+  for (std::uint32_t i = 0; i < state.head->track_count; ++i) {
+    const Track& track = state.track[i];
     const Vec3 gap = track.entry_rest_m - rest_m;
     if (dot(gap, gap) < reach * reach &&
         dot(track.direction_rest, rest_direction) > kSameWayCosine) {
@@ -45,21 +44,22 @@ std::uint32_t find_track(const View& view, Vec3 rest_m, Vec3 rest_direction) {
 
 }  // namespace
 
-std::uint32_t remember_track(const View& view, Vec3 rest_m, Vec3 rest_direction) {
-  StateHead& state = *view.state.head;
-  const std::uint32_t index = state.track_next;
-  view.state.track[index] = {rest_m, rest_direction, 0};
-  state.track_next = (index + 1) % kMaxTracks;
-  if (state.track_count < kMaxTracks) ++state.track_count;
-  state.track_max = state.track_count;
+std::uint32_t remember_track(State& state, Vec3 rest_m, Vec3 rest_direction) {
+  const std::uint32_t index = state.head->track_next;
+  state.track[index] = {rest_m, rest_direction, 0};
+  state.head->track_next = (index + 1) % kMaxTracks;
+  if (state.head->track_count < kMaxTracks) ++state.head->track_count;
+  state.head->track_max = state.head->track_count;
   return index;
 }
 
-std::uint32_t track_of(const View& view, const Needle& needle, const Particle& entry) {
+std::uint32_t track_of(const Model& model, const State& state, const Needle& needle,
+                       const Particle& entry) {
   if (entry.share_count == 0) return kNoTrack;
-  const VoxelFrame frame =
-      voxel_frame(view, entry.share[heaviest(entry)].slot, entry.share[heaviest(entry)].row);
-  return find_track(view, entry.rest_m, transposed_times(frame.rotation, needle.tip_direction));
+  const VoxelFrame frame = voxel_frame(model, state, entry.share[heaviest(entry)].slot,
+                                       entry.share[heaviest(entry)].row);
+  return find_track(model, state, entry.rest_m,
+                    transposed_times(frame.rotation, needle.tip_direction));
 }
 
 }  // namespace stylet

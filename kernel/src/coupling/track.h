@@ -11,12 +11,13 @@ namespace stylet {
 
 // Whether a place of the track lies in tissue. Just behind the entry the surface has the word: the
 // planes of mixed voxels lie a little beside it.
-bool holds_track(const View& view, Vec3 rest_m, float track_m);
+bool holds_track(const Model& model, Vec3 rest_m, float track_m);
 
-float mouth_m(const View& view);
+float mouth_m(const Model& model);
 
-std::uint32_t remember_track(const View& view, Vec3 rest_m, Vec3 rest_direction);
+std::uint32_t remember_track(State& state, Vec3 rest_m, Vec3 rest_direction);
 
-std::uint32_t track_of(const View& view, const Needle& needle, const Particle& entry);
+std::uint32_t track_of(const Model& model, const State& state, const Needle& needle,
+                       const Particle& entry);
 
 }  // namespace stylet

@@ -11,10 +11,10 @@
 namespace stylet {
 
 // Of this view's needle, on its hand.
-void sum_forces(const View& view, const Needle& needle, Output& out);
+void sum_forces(const Model& model, const State& state, const Needle& needle, Output& out);
 
 // Work of the hand since the last tick, into the books: mean of the forces at both ends times the
 // motion from the handle's pose `before`.
-void book_work(const View& view, const Pose& before, const Output& out);
+void book_work(State& state, const Pose& before, const Output& out);
 
 }  // namespace stylet

@@ -24,12 +24,12 @@ bool normalize(Quat& q, const Quat& reference) {
   return true;
 }
 
-bool clamp_distance(const View& view, Vec3& position_m) {
-  const Vec3 from = position_m - view.organ.origin_m;
+bool clamp_distance(const Model& model, Vec3& position_m) {
+  const Vec3 from = position_m - model.organ().origin_m;
   const Vec3 near = {clamp(from.x, -kMaxHandleDistanceM, kMaxHandleDistanceM),
                      clamp(from.y, -kMaxHandleDistanceM, kMaxHandleDistanceM),
                      clamp(from.z, -kMaxHandleDistanceM, kMaxHandleDistanceM)};
-  position_m = view.organ.origin_m + near;
+  position_m = model.organ().origin_m + near;
   return near.x != from.x || near.y != from.y || near.z != from.z;
 }
 
@@ -60,26 +60,25 @@ bool clamp_motion(const Pose& last, float period_s, Pose& wanted) {
 
 }  // namespace
 
-std::uint32_t accept_input(const View& view, const Input& input) {
-  StateHead& state = *view.state.head;
-  NeedleState& own = *view.state.needle;
+std::uint32_t accept_input(const Model& model, State& state, const Input& input) {
+  NeedleState& own = *state.needle;
   if (input.valid == 0) {
-    ++state.input_missing;
+    ++state.head->input_missing;
     return kFlagInputMissing;
   }
   Pose wanted = input.handle;
   if (!pose_finite(wanted) || !normalize(wanted.rotation, own.handle.rotation)) {
-    ++state.input_not_finite;
+    ++state.head->input_not_finite;
     return kFlagInputNotFinite;
   }
-  bool clamped = clamp_distance(view, wanted.position_m);
+  bool clamped = clamp_distance(model, wanted.position_m);
   if (own.handle_known != 0) {
-    clamped |= clamp_motion(own.handle, view.model.head->config.period_s, wanted);
+    clamped |= clamp_motion(own.handle, model.head->config.period_s, wanted);
   }
   own.handle = wanted;
   own.handle_known = 1;
   if (!clamped) return 0;
-  ++state.input_clamped;
+  ++state.head->input_clamped;
   return kFlagInputClamped;
 }
 

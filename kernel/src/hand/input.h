@@ -11,7 +11,7 @@
 namespace stylet {
 
 // Takes the sample into the state, or keeps the last pose; never an error. Returns output flags.
-std::uint32_t accept_input(const View& view, const Input& input);
+std::uint32_t accept_input(const Model& model, State& state, const Input& input);
 
 // The turn from one rotation to another, a vector along its axis, for small ones.
 Vec3 turn_between(const Quat& a, const Quat& b);

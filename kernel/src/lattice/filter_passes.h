@@ -51,10 +51,10 @@ inline void displace_lanes(Wide velocity, float* u, float* v, float* e, Motion& 
 
 // Nodes that are one particle get what all of them have; `values`: x, y, z of a plane,
 // particles_per_plane apart.
-void join_tied(const View& view, const Plane& plane, float* values) {
-  const TiedNode* const first = view.model.tie + plane.tie_begin;
-  const TiedNode* const end = view.model.tie + plane.tie_end;
-  for (int c = 0; c < 3; ++c, values += view.model.head->counts.particles_per_plane) {
+void join_tied(const Model& model, const Plane& plane, float* values) {
+  const TiedNode* const first = model.tie + plane.tie_begin;
+  const TiedNode* const end = model.tie + plane.tie_end;
+  for (int c = 0; c < 3; ++c, values += model.head->counts.particles_per_plane) {
     const auto at = [&](std::uint32_t node) -> float& {
       return values[node - plane.particle_begin];
     };
@@ -82,13 +82,14 @@ struct Iterate {
   const float* at;
   std::ptrdiff_t axis;
 };
-Iterate iterate_of(const View& view, const Wave& wave, std::uint32_t j, std::uint32_t z) {
+Iterate iterate_of(const Model& model, const State& state, const Wave& wave, std::uint32_t j,
+                   std::uint32_t z) {
   if (j > 1) return {wave.iterate(j, z), wave.axis};
-  return {view.state.wx + view.model.plane[z].particle_begin, view.state.wy - view.state.wx};
+  return {state.wx + model.plane[z].particle_begin, state.wy - state.wx};
 }
 
-Wave wave_in(const View& view, float* floats) {
-  const Counts& counts = view.model.head->counts;
+Wave wave_in(const Model& model, float* floats) {
+  const Counts& counts = model.head->counts;
   float* const sums = floats + kLanes;  // the lanes before are read by windows, and not used
   return {sums, sums + std::size_t{3} * counts.slots_per_plane,
           static_cast<std::ptrdiff_t>(counts.particles_per_plane)};
@@ -96,17 +97,17 @@ Wave wave_in(const View& view, float* floats) {
 
 // Of voxel rows up to `end`, for the node between two slots: the sum of both slots' means of `low`
 // and `high`, the iterates below and above, each times its bound.
-STYLET_KEEP_APART void sum_voxels(const View& view, std::uint32_t z, Iterate low, Iterate high,
+STYLET_KEEP_APART void sum_voxels(const Model& model, std::uint32_t z, Iterate low, Iterate high,
                                   const Wave& wave, const Row* row, const Row* end) {
-  const Plane *const plane = view.model.plane + z, *const above = plane + 1;
-  const std::ptrdiff_t stride = view.model.head->counts.slots_per_plane;
+  const Plane *const plane = model.plane + z, *const above = plane + 1;
+  const std::ptrdiff_t stride = model.head->counts.slots_per_plane;
   for (; row != end; ++row) {
     const float* n[4] = {low.at + (row->node[0] - plane->particle_begin),
                          low.at + (row->node[1] - plane->particle_begin),
                          high.at + (row->node[2] - above->particle_begin),
                          high.at + (row->node[3] - above->particle_begin)};
     float* to = wave.sums + (row->slot - plane->slot_begin);
-    const float* bound = view.model.slot_bound + row->slot;
+    const float* bound = model.slot_bound + row->slot;
     // Of the four rows of nodes at a voxel row, at each x.
     const auto across = [&](std::ptrdiff_t at) {
       return (load(n[0] + at) + load(n[1] + at)) + (load(n[2] + at) + load(n[3] + at));
@@ -137,10 +138,10 @@ STYLET_KEEP_APART void sum_voxels(const View& view, std::uint32_t z, Iterate low
 
 // Gives the sums of windows up to `end` to the particles below, which others have given to, and
 // above.
-STYLET_KEEP_APART void spread_sums(const View& view, const Wave& wave, const Window* w,
+STYLET_KEEP_APART void spread_sums(const Model& model, const Wave& wave, const Window* w,
                                    const Window* end, float* low, float* high) {
   constexpr std::uint32_t kWindow = kWide > 8 ? 16 : 8;
-  const std::ptrdiff_t stride = view.model.head->counts.slots_per_plane;
+  const std::ptrdiff_t stride = model.head->counts.slots_per_plane;
   for (; w != end; ++w) {
     for (std::uint32_t i = 0; i < kWindow; i += kWide) {
       const WideBits before = lanes_set(std::uint32_t{w->lanes[0]} >> i);
@@ -172,17 +173,20 @@ inline void for_each_group(const Plane& plane, Visit visit) {
 // Calls use(axis, lane in the plane, next iterate) for the groups [begin, end) of a plane's
 // particles after pass j; what was sent is zero afterwards, for the next plane that uses it.
 template <typename Use>
-inline void finish_groups(const View& view, const Wave& wave, std::uint32_t j, std::uint32_t z,
-                          std::ptrdiff_t begin, std::ptrdiff_t end, Use use) {
-  const Plane& plane = view.model.plane[z];
-  const ModelHead& head = *view.model.head;
+inline void finish_groups(const Model& model, const State& state, const Scratch& scratch,
+                          const Wave& wave, std::uint32_t j, std::uint32_t z, std::ptrdiff_t begin,
+                          std::ptrdiff_t end, Use use) {
+  const Plane& plane = model.plane[z];
+  const ModelHead& head = *model.head;
   const FilterPass pass = head.filter.pass[j - 1];
   const float slope = pass.bound_s2 / head.substep_s;  // of dt / m
-  const Iterate first = iterate_of(view, wave, 1, z), last = iterate_of(view, wave, j, z);
-  const Iterate before = j > 1 ? iterate_of(view, wave, j - 1, z) : first;  // in pass 1 times zero
-  const float* const per_mass = view.model.step_per_mass + plane.particle_begin;
-  const float* const bound = view.model.bound + plane.particle_begin;
-  const float* const held = view.scratch.held + plane.particle_begin;
+  const Iterate first = iterate_of(model, state, wave, 1, z),
+                last = iterate_of(model, state, wave, j, z);
+  const Iterate before =
+      j > 1 ? iterate_of(model, state, wave, j - 1, z) : first;  // in pass 1 times zero
+  const float* const per_mass = model.step_per_mass + plane.particle_begin;
+  const float* const bound = model.bound + plane.particle_begin;
+  const float* const held = scratch.held + plane.particle_begin;
   float* const sent = wave.sent(j, z);
   for (std::ptrdiff_t i = begin; i < end; i += kWide) {
     const Wide by = slope * load(per_mass + i);
@@ -211,52 +215,55 @@ inline const Row* lines_together(const Row* row, const Row* end) {
 // Pass j for a voxel plane, if there is one, and then the particles below it, which have all they
 // are sent then: `use` as finish_groups has it.
 template <typename Use>
-void pass_plane(const View& view, const Wave& wave, std::uint32_t j, std::uint32_t z, Use use) {
+void pass_plane(const Model& model, const State& state, const Scratch& scratch, const Wave& wave,
+                std::uint32_t j, std::uint32_t z, Use use) {
   constexpr std::uint32_t kList = kWide > 8 ? 1 : 0;
-  const Plane& plane = view.model.plane[z];
+  const Plane& plane = model.plane[z];
   const std::ptrdiff_t count = plane.particle_end - plane.particle_begin;
   std::ptrdiff_t done = kLanes;  // before are padding and groups that are finished
   const bool tied = plane.tie_begin != plane.tie_end;
-  if (z != view.model.head->counts.planes) {
-    const Window* const windows = kList == 0 ? view.model.window8 : view.model.window16;
+  if (z != model.head->counts.planes) {
+    const Window* const windows = kList == 0 ? model.window8 : model.window16;
     const Window* window = windows + plane.window_begin[kList];
-    const Row* const end = view.model.row + (&plane)[1].row_begin;
-    const Iterate low = iterate_of(view, wave, j, z), high = iterate_of(view, wave, j, z + 1);
-    const Row* next = view.model.row + plane.row_begin;
+    const Row* const end = model.row + (&plane)[1].row_begin;
+    const Iterate low = iterate_of(model, state, wave, j, z),
+                  high = iterate_of(model, state, wave, j, z + 1);
+    const Row* next = model.row + plane.row_begin;
     for (const Row* row = next; row != end; row = next) {
       next = lines_together(row, end);
-      sum_voxels(view, z, low, high, wave, row, next);
+      sum_voxels(model, z, low, high, wave, row, next);
       const Window* const to =
           windows + (next == end ? plane.window_end[kList] : next->window[kList]);
-      spread_sums(view, wave, window, to, wave.sent(j, z), wave.sent(j, z + 1));
+      spread_sums(model, wave, window, to, wave.sent(j, z), wave.sent(j, z + 1));
       window = to;
       if (tied || next == end) continue;
       const std::ptrdiff_t until = to->low / kWide * kWide;
-      finish_groups(view, wave, j, z, done, until, use);
+      finish_groups(model, state, scratch, wave, j, z, done, until, use);
       done = until > done ? until : done;
     }
   }
-  if (tied) join_tied(view, plane, wave.sent(j, z));
-  finish_groups(view, wave, j, z, done, count, use);
+  if (tied) join_tied(model, plane, wave.sent(j, z));
+  finish_groups(model, state, scratch, wave, j, z, done, count, use);
 }
 
 // Moves a plane's particles with the velocities that the last pass makes.
-void move_filtered(const View& view, const Wave& wave, std::uint32_t z, Motion& motion_out) {
-  const Plane& plane = view.model.plane[z];
-  const std::uint32_t passes = view.model.head->filter.passes;
-  const std::ptrdiff_t axis = view.state.uy - view.state.ux;
-  float* const u = view.state.ux + plane.particle_begin;
-  float* const v = view.state.vx + plane.particle_begin;
-  float* const e = view.state.ex + plane.particle_begin;
+void move_filtered(const Model& model, State& state, const Scratch& scratch, const Wave& wave,
+                   std::uint32_t z, Motion& motion_out) {
+  const Plane& plane = model.plane[z];
+  const std::uint32_t passes = model.head->filter.passes;
+  const std::ptrdiff_t axis = state.uy - state.ux;
+  float* const u = state.ux + plane.particle_begin;
+  float* const v = state.vx + plane.particle_begin;
+  float* const e = state.ex + plane.particle_begin;
   Motion motion = motion_out;
   const auto move = [&](std::ptrdiff_t c, std::ptrdiff_t i, Wide velocity) {
     const std::ptrdiff_t at = i + c * axis;
     displace_lanes(bounded(velocity, motion), u + at, v + at, e + at, motion);
   };
   if (passes > 0) {
-    pass_plane(view, wave, passes, z, move);
+    pass_plane(model, state, scratch, wave, passes, z, move);
   } else {
-    const Iterate w = iterate_of(view, wave, 1, z);
+    const Iterate w = iterate_of(model, state, wave, 1, z);
     for_each_group(plane, [&](std::ptrdiff_t i) {
       for (std::ptrdiff_t c = 0; c < 3; ++c) move(c, i, load(w.at + (i + c * w.axis)));
     });
@@ -265,11 +272,11 @@ void move_filtered(const View& view, const Wave& wave, std::uint32_t z, Motion& 
 }
 
 // Filters and moves the particles of planes [begin, end).
-void filter_planes(const View& view, std::uint32_t begin, std::uint32_t end, float* floats,
-                   Motion& motion) {
-  const Wave wave = wave_in(view, floats);
-  const std::uint32_t passes = view.model.head->filter.passes;
-  const std::uint32_t planes = view.model.head->counts.planes + 1;  // of particles
+void filter_planes(const Model& model, State& state, const Scratch& scratch, std::uint32_t begin,
+                   std::uint32_t end, float* floats, Motion& motion) {
+  const Wave wave = wave_in(model, floats);
+  const std::uint32_t passes = model.head->filter.passes;
+  const std::uint32_t planes = model.head->counts.planes + 1;  // of particles
   // Pass j comes to planes from passes + 1 - j before the first to as many after the last.
   const auto first_of = [&](std::uint32_t j) {
     const std::uint32_t reach = passes + 1 - j;
@@ -287,16 +294,18 @@ void filter_planes(const View& view, std::uint32_t begin, std::uint32_t end, flo
       const std::uint32_t z = t - j;
       if (z < first_of(j) || (z + 1 >= end_of(j) && z + 1 != planes)) continue;
       float* const next = wave.iterate(j + 1, z);
-      pass_plane(view, wave, j, z, [&](std::ptrdiff_t c, std::ptrdiff_t i, Wide value) {
-        store(next + i + c * wave.axis, value);
-      });
+      pass_plane(model, state, scratch, wave, j, z,
+                 [&](std::ptrdiff_t c, std::ptrdiff_t i, Wide value) {
+                   store(next + i + c * wave.axis, value);
+                 });
     }
     if (t < first_of(passes) + passes) continue;
     const std::uint32_t z = t - passes;
     if (z >= begin) {
-      move_filtered(view, wave, z, motion);
+      move_filtered(model, state, scratch, wave, z, motion);
     } else {  // what the plane below gives to the first
-      pass_plane(view, wave, passes, z, [](std::ptrdiff_t, std::ptrdiff_t, Wide) {});
+      pass_plane(model, state, scratch, wave, passes, z,
+                 [](std::ptrdiff_t, std::ptrdiff_t, Wide) {});
     }
   }
 }

@@ -159,31 +159,32 @@ void place_fits(std::uint32_t lanes, float edge_m, Fits& fits, FitGroup& group) 
   }
 }
 
-std::uint32_t group_count(const View& view) {
-  return (view.scratch.head->coupled_count + kLanes - 1) / kLanes;
+std::uint32_t group_count(const Scratch& scratch) {
+  return (scratch.head->coupled_count + kLanes - 1) / kLanes;
 }
 
 // Fits of a substep, before their planes are swept; needs place_members.
-STYLET_KEEP_APART void fit_groups(const View& view, std::uint32_t first, std::uint32_t end) {
-  const ModelHead& head = *view.model.head;
+STYLET_KEEP_APART void fit_groups(const Model& model, State& state, Scratch& scratch,
+                                  std::uint32_t first, std::uint32_t end) {
+  const ModelHead& head = *model.head;
   Fits fits = {};  // lanes without a voxel are computed, too
   FitMembers members = {};
   for (std::uint32_t index = first; index < end; ++index) {
-    FitGroup& group = view.scratch.group[index];
-    begin_fits(view, group, fits);
+    FitGroup& group = scratch.group[index];
+    begin_fits(state, scratch, group, fits);
     // No more lanes than the voxels need: without wide registers each is work.
     const std::uint32_t lanes = (group.count + kWide - 1) / kWide * kWide;
     see_corners(lanes, head, group, fits);
-    take_members(view, group, 0, fits, members);
+    take_members(state, scratch, group, 0, fits, members);
     sum_members<true>(lanes, members, fits);
     for (std::uint32_t n = 1; n < group.most_members; ++n) {
-      take_members(view, group, n, fits, members);
+      take_members(state, scratch, group, n, fits, members);
       sum_members<false>(lanes, members, fits);
     }
     join_members(lanes, head.edge_m, group, fits);
     turn_fits(lanes, fits);
     place_fits(lanes, head.edge_m, fits, group);
-    if (view.scratch.head->substeps_to_come == 0) give_goals(view, group, fits);
+    if (scratch.head->substeps_to_come == 0) give_goals(state, scratch, group, fits);
   }
 }
 

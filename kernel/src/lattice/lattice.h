@@ -59,19 +59,19 @@ struct FitMembers {
 };
 
 // Where a group's corners are, and their rotations of the last substep.
-void begin_fits(const View& view, const FitGroup& group, Fits& fits_out);
+void begin_fits(const State& state, const Scratch& scratch, const FitGroup& group, Fits& fits_out);
 // Pulls the constraint particles' springs as far as the needles have come in this substep: evenly,
 // by what `stretch` (layout.h) says. Pulled at once they would press on tissue that cannot give way
 // yet, and the hand would not feel the work of that in the force at the end.
-void place_members(const View& view);
+void place_members(const Model& model, const State& state, Scratch& scratch);
 // Of each voxel its constraint particle `n`, the next one.
-void take_members(const View& view, const FitGroup& group, std::uint32_t n, Fits& fits,
-                  FitMembers& members_out);
+void take_members(const State& state, const Scratch& scratch, const FitGroup& group,
+                  std::uint32_t n, Fits& fits, FitMembers& members_out);
 // Where the fits put their constraint particles; nobody asks before the last substep.
-void give_goals(const View& view, const FitGroup& group, const Fits& fits);
+void give_goals(State& state, const Scratch& scratch, const FitGroup& group, const Fits& fits);
 // Adds what the fits change to the forces on a plane of particles: x, y, z, `particles_per_plane`
 // apart. In an order of its own, after all that clusters send: the sum is the same for sweeps from
 // either side.
-void add_changes(const View& view, std::uint32_t plane, float* force);
+void add_changes(const Model& model, Scratch& scratch, std::uint32_t plane, float* force);
 
 }  // namespace stylet

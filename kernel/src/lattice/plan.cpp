@@ -163,7 +163,7 @@ void count_places(const Organ& organ, Counts& c) {
 // ---- filling ------------------------------------------------------------------------------------
 
 // Rows of a plane in order, their slots from `slot` on; the first slot before them stays empty.
-void fill_rows(Runs runs, std::uint32_t plane, const ModelView& model, std::uint32_t& row,
+void fill_rows(Runs runs, std::uint32_t plane, Model& model, std::uint32_t& row,
                std::uint32_t& slot) {
   std::uint32_t y = 0;
   Lines<1> lines({runs});
@@ -186,8 +186,8 @@ void fill_rows(Runs runs, std::uint32_t plane, const ModelView& model, std::uint
 
 // Places of the particles between two voxel planes, from `particle` on. Each row gets that of its
 // first node; `rows_end`: of those made so far.
-void fill_nodes(Runs above, Runs below, std::uint32_t plane, const ModelView& model,
-                std::uint32_t rows_end, std::uint32_t& particle) {
+void fill_nodes(Runs above, Runs below, std::uint32_t plane, Model& model, std::uint32_t rows_end,
+                std::uint32_t& particle) {
   const std::uint32_t begin = model.plane[plane].row_begin;
   const std::uint32_t begin_below = plane > 0 ? model.plane[plane - 1].row_begin : begin;
   std::uint32_t next[4] = {begin, begin, begin_below, begin_below};
@@ -217,8 +217,8 @@ std::int32_t slot_of(const Row& row, const Plane& plane, std::uint32_t x) {
          static_cast<std::int32_t>(plane.slot_begin + row.x0);
 }
 
-Window window_at(const ModelView& model, std::uint32_t plane_index, std::uint32_t x,
-                 const Row* before, const Row* behind, std::uint16_t one, std::uint16_t other) {
+Window window_at(const Model& model, std::uint32_t plane_index, std::uint32_t x, const Row* before,
+                 const Row* behind, std::uint16_t one, std::uint16_t other) {
   const Plane& plane = model.plane[plane_index];
   const Row& row = other != 0 ? *behind : *before;
   const std::uint32_t side = other != 0 ? 0 : 1;
@@ -230,7 +230,7 @@ Window window_at(const ModelView& model, std::uint32_t plane_index, std::uint32_
 }
 
 // Windows of a plane, `list` of them from `next` on.
-void fill_windows(Runs runs, std::uint32_t plane, const ModelView& model, std::uint32_t list,
+void fill_windows(Runs runs, std::uint32_t plane, Model& model, std::uint32_t list,
                   std::uint32_t& next) {
   Window* const windows = list == 0 ? model.window8 : model.window16;
   Row* before = model.row + model.plane[plane].row_begin;
@@ -290,7 +290,7 @@ Status count_lattice(const Organ& organ, const Config& config, Counts& counts_ou
   return Status::kOk;
 }
 
-void fill_lattice(const Organ& organ, const ModelView& model) {
+void fill_lattice(const Organ& organ, Model& model) {
   const Counts& counts = model.head->counts;
   Planes planes(organ);
   Runs here = {}, below = {};

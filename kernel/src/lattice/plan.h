@@ -19,6 +19,6 @@ namespace stylet {
 Status count_lattice(const Organ& organ, const Config& config, Counts& counts_out);
 
 // Planes, rows with the places of their particles, and windows; needs the head.
-void fill_lattice(const Organ& organ, const ModelView& model);
+void fill_lattice(const Organ& organ, Model& model);
 
 }  // namespace stylet

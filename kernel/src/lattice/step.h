@@ -39,8 +39,8 @@ struct Sums {
     return at + (4 * component + which) * stride;
   }
 };
-Sums sums_of(const View& view) {
-  return {view.scratch.sums, static_cast<std::ptrdiff_t>(view.model.head->counts.slots_at_once)};
+Sums sums_of(const Model& model, Scratch& scratch) {
+  return {scratch.sums, static_cast<std::ptrdiff_t>(model.head->counts.slots_at_once)};
 }
 
 // Where nodes are. Read once a plane: behind every store of a float it would be read again.
@@ -342,26 +342,22 @@ inline const Row* line_begin(const Row* first, const Row* row) {
 // All stages for a voxel plane. The last line of rows that is fitted stays for the line of nodes
 // behind it, and rows begun with the chunk for the next.
 template <bool kUp>
-void sweep_plane(const View& view, const Plane& plane, float* low, float* high) {
+void sweep_plane(const Model& model, State& state, Scratch& scratch, const Plane& plane, float* low,
+                 float* high) {
   constexpr std::uint32_t kList = kWide > 8 ? 1 : 0;
-  const ModelHead& head = *view.model.head;
+  const ModelHead& head = *model.head;
   const std::uint32_t at = plane.slot_begin, count = plane.slot_end - plane.slot_begin;
   const auto axis = static_cast<std::ptrdiff_t>(head.counts.particles_per_plane);
-  const Places places = {view.state.ex, view.state.ey - view.state.ex};
-  const Sums sums = sums_of(view);
-  const Slots slots = {sums,
-                       view.model.slot_k + at,
-                       view.model.slot_volume + at,
-                       view.state.qw + at,
-                       view.state.qx + at,
-                       view.state.qy + at,
-                       view.state.qz + at};
+  const Places places = {state.ex, state.ey - state.ex};
+  const Sums sums = sums_of(model, scratch);
+  const Slots slots = {sums,          model.slot_k + at, model.slot_volume + at, state.qw + at,
+                       state.qx + at, state.qy + at,     state.qz + at};
   clear_first(sums);
-  const Row* const first = view.model.row + plane.row_begin;
-  const Row* const end = view.model.row + (&plane)[1].row_begin;
+  const Row* const first = model.row + plane.row_begin;
+  const Row* const end = model.row + (&plane)[1].row_begin;
   const Row* row = first;   // the first without sums
   const Row* open = first;  // the first that is not fitted to its end
-  const Window* const windows = kList == 0 ? view.model.window8 : view.model.window16;
+  const Window* const windows = kList == 0 ? model.window8 : model.window16;
   const Window* window = windows + plane.window_begin[kList];
   std::uint32_t front = 0;
   Carry carry = {};
@@ -394,15 +390,16 @@ inline Wide pushed(const float* force, Wide per_mass, Wide hold, const float* v,
 
 // Moves the particles of a plane. `force`: x, y, z, `particles_per_plane` apart; zero afterwards,
 // for the next plane that uses it.
-void move_particles(const View& view, const Plane& plane, float* force, Motion& motion_out) {
-  const auto force_axis = static_cast<std::ptrdiff_t>(view.model.head->counts.particles_per_plane);
-  const std::ptrdiff_t axis = view.state.uy - view.state.ux;  // as from y to z, for u, v and e
+void move_particles(const Model& model, State& state, const Plane& plane, float* force,
+                    Motion& motion_out) {
+  const auto force_axis = static_cast<std::ptrdiff_t>(model.head->counts.particles_per_plane);
+  const std::ptrdiff_t axis = state.uy - state.ux;  // as from y to z, for u, v and e
   Motion motion = motion_out;
-  float* u = view.state.ux + plane.particle_begin;
-  float* v = view.state.vx + plane.particle_begin;
-  float* e = view.state.ex + plane.particle_begin;
-  const float* per_mass = view.model.step_per_mass + plane.particle_begin;
-  const float* hold = view.model.hold + plane.particle_begin;
+  float* u = state.ux + plane.particle_begin;
+  float* v = state.vx + plane.particle_begin;
+  float* e = state.ex + plane.particle_begin;
+  const float* per_mass = model.step_per_mass + plane.particle_begin;
+  const float* hold = model.hold + plane.particle_begin;
   // The padding is not written: the slab below may read it meanwhile.
   for_each_group(plane, [&](std::ptrdiff_t i) {
     for (std::ptrdiff_t c = 0; c < 3; ++c) {
@@ -417,13 +414,14 @@ void move_particles(const View& view, const Plane& plane, float* force, Motion& 
 }
 
 // With true mass the particles get their momentum only, for the filter.
-void push_particles(const View& view, const Plane& plane, float* force, const Motion& motion) {
-  const auto force_axis = static_cast<std::ptrdiff_t>(view.model.head->counts.particles_per_plane);
-  const std::ptrdiff_t axis = view.state.wy - view.state.wx;  // as that of e
-  float* w = view.state.wx + plane.particle_begin;
-  const float* e = view.state.ex + plane.particle_begin;
-  const float* per_mass = view.model.step_per_mass + plane.particle_begin;
-  const float* hold = view.model.hold + plane.particle_begin;
+void push_particles(const Model& model, State& state, const Plane& plane, float* force,
+                    const Motion& motion) {
+  const auto force_axis = static_cast<std::ptrdiff_t>(model.head->counts.particles_per_plane);
+  const std::ptrdiff_t axis = state.wy - state.wx;  // as that of e
+  float* w = state.wx + plane.particle_begin;
+  const float* e = state.ex + plane.particle_begin;
+  const float* per_mass = model.step_per_mass + plane.particle_begin;
+  const float* hold = model.hold + plane.particle_begin;
   for_each_group(plane, [&](std::ptrdiff_t i) {
     for (std::ptrdiff_t c = 0; c < 3; ++c) {
       const std::ptrdiff_t at = i + c * axis, f = i + c * force_axis;
@@ -436,13 +434,14 @@ void push_particles(const View& view, const Plane& plane, float* force, const Mo
 }
 
 // What all forces on the particles of a plane do to them.
-void finish_particles(const View& view, const Plane& plane, float* force, Motion& motion) {
-  add_changes(view, static_cast<std::uint32_t>(&plane - view.model.plane), force);
-  if (plane.tie_begin != plane.tie_end) join_tied(view, plane, force);
-  if (has_true_mass(view)) {
-    push_particles(view, plane, force, motion);
+void finish_particles(const Model& model, State& state, Scratch& scratch, const Plane& plane,
+                      float* force, Motion& motion) {
+  add_changes(model, scratch, static_cast<std::uint32_t>(&plane - model.plane), force);
+  if (plane.tie_begin != plane.tie_end) join_tied(model, plane, force);
+  if (has_true_mass(model)) {
+    push_particles(model, state, plane, force, motion);
   } else {
-    move_particles(view, plane, force, motion);
+    move_particles(model, state, plane, force, motion);
   }
 }
 
@@ -455,8 +454,8 @@ float largest_displacement(const Motion& motion) {
 }
 
 // Forces on the particles of any plane, to zero.
-void clear(const View& view, float* force) {
-  const auto axis = static_cast<std::ptrdiff_t>(view.model.head->counts.particles_per_plane);
+void clear(const Model& model, float* force) {
+  const auto axis = static_cast<std::ptrdiff_t>(model.head->counts.particles_per_plane);
   const float* const end = force + axis;
   for (force += kLanes; force != end; force += kWide) {  // the first group is padding
     store(force, Wide{});
@@ -466,8 +465,8 @@ void clear(const View& view, float* force) {
 }
 
 // Adds forces on the particles of a plane to others, and sets them to zero.
-void take_forces(const View& view, const Plane& plane, float* more, float* force) {
-  const auto axis = static_cast<std::ptrdiff_t>(view.model.head->counts.particles_per_plane);
+void take_forces(const Model& model, const Plane& plane, float* more, float* force) {
+  const auto axis = static_cast<std::ptrdiff_t>(model.head->counts.particles_per_plane);
   const std::ptrdiff_t count = plane.particle_end - plane.particle_begin;
   for (std::ptrdiff_t i = kLanes; i < count; i += kWide) {
     for (std::ptrdiff_t at = i; at < i + 3 * axis; at += axis) {
@@ -490,50 +489,50 @@ void fetch(const Plane& plane, const float* at, std::ptrdiff_t axis) {
 
 // Moves the particles between two parts that are swept apart, a plane after both have sent their
 // forces: by then the other thread's lines are here.
-void move_between(const View& view, Part& part, Motion& motion) {
+void move_between(const Model& model, State& state, Scratch& scratch, Part& part, Motion& motion) {
   if (part.moved || part.apart == nullptr) return;
   if (part.apart->slab->begun.load(std::memory_order_acquire) == 0) return;
-  const Plane& between = view.model.plane[part.first + 1];
+  const Plane& between = model.plane[part.first + 1];
   if (!part.fetched) {
-    fetch(between, view.state.ex + between.particle_begin, view.state.ey - view.state.ex);
-    fetch(between, part.apart->kept, view.model.head->counts.particles_per_plane);
+    fetch(between, state.ex + between.particle_begin, state.ey - state.ex);
+    fetch(between, part.apart->kept, model.head->counts.particles_per_plane);
     part.fetched = true;
     return;
   }
-  take_forces(view, between, part.apart->kept, part.kept);
-  finish_particles(view, between, part.kept, motion);
+  take_forces(model, between, part.apart->kept, part.kept);
+  finish_particles(model, state, scratch, between, part.kept, motion);
   part.moved = true;
 }
 
 // Sweeps the first voxel plane of a part and as many of those that follow as it gets, and moves the
 // particles between them. Those at its ends stay, unless they are the lattice's or move_between's,
 // and the part has the forces on them.
-void sweep_planes(const View& view, Part& part, Motion& motion) {
-  const Plane* const plane = view.model.plane;
-  const std::uint32_t top = view.model.head->counts.planes;
-  const std::size_t size = 3 * std::size_t{view.model.head->counts.particles_per_plane};
+void sweep_planes(const Model& model, State& state, Scratch& scratch, Part& part, Motion& motion) {
+  const Plane* const plane = model.plane;
+  const std::uint32_t top = model.head->counts.planes;
+  const std::size_t size = 3 * std::size_t{model.head->counts.particles_per_plane};
   const std::uint32_t behind = part.up ? 0 : 1, ahead = 1 - behind;  // of a voxel plane's particles
   float* here = part.kept;
   float* next = nullptr;
   std::uint32_t z = part.first;
   part.fetched = part.moved = false;
   for (bool more = true; more; here = next) {
-    next = view.scratch.force + (z + 1) % 2 * size;
+    next = scratch.force + (z + 1) % 2 * size;
     if (part.up) {
-      sweep_plane<true>(view, plane[z], here, next);
+      sweep_plane<true>(model, state, scratch, plane[z], here, next);
     } else {
-      sweep_plane<false>(view, plane[z], next, here);
+      sweep_plane<false>(model, state, scratch, plane[z], next, here);
     }
     if (z == part.first && !part.helping) part.slab->begun.store(1, std::memory_order_release);
     const std::uint32_t done = z + behind;
     const bool move = z != part.first || done == 0 || done == top;
-    if (move) finish_particles(view, plane[done], here, motion);
-    move_between(view, part, motion);
+    if (move) finish_particles(model, state, scratch, plane[done], here, motion);
+    move_between(model, state, scratch, part, motion);
     more = take_plane(part);
     z += more ? ahead - behind : 0;
   }
   const std::uint32_t last = z + ahead;
-  if (last == 0 || last == top) finish_particles(view, plane[last], here, motion);
+  if (last == 0 || last == top) finish_particles(model, state, scratch, plane[last], here, motion);
   part.begin = part.up ? part.first : z;
   part.planes = (part.up ? z - part.first : part.first - z) + 1;
   part.low = part.up ? part.kept : here;
@@ -550,19 +549,19 @@ Motion start_motion(const ModelHead& head) {
 struct Groups {
   std::uint32_t begin, end;
 };
-Groups groups_within(const View& view, const Slab& slab) {
-  const std::uint32_t first = view.scratch.plane_first[slab.begin];
-  const std::uint32_t end = view.scratch.plane_first[slab.end];
-  const bool last = end == view.scratch.head->coupled_count;
-  return {(first + kLanes - 1) / kLanes, last ? group_count(view) : end / kLanes};
+Groups groups_within(const Scratch& scratch, const Slab& slab) {
+  const std::uint32_t first = scratch.plane_first[slab.begin];
+  const std::uint32_t end = scratch.plane_first[slab.end];
+  const bool last = end == scratch.head->coupled_count;
+  return {(first + kLanes - 1) / kLanes, last ? group_count(scratch) : end / kLanes};
 }
 
 // The other groups, which two slabs or more have voxels of.
-void fit_between(const View& view, const Team& team) {
+void fit_between(const Model& model, State& state, Scratch& scratch, const Team& team) {
   std::uint32_t next = 0;
   for (std::uint32_t s = 0; s < team.slab_count; ++s) {
-    const Groups own = groups_within(view, team.slab[s]);
-    fit_groups(view, next, own.begin);
+    const Groups own = groups_within(scratch, team.slab[s]);
+    fit_groups(model, state, scratch, next, own.begin);
     next = std::max({next, own.begin, own.end});
   }
 }
@@ -575,11 +574,11 @@ void sweep_part(const Kernel& kernel, Part& part) {
   Motion motion = start_motion(*view.model.head);
   part.planes = 0;
   if (!part.helping) {
-    const Groups own = groups_within(view, *part.slab);
-    fit_groups(view, own.begin, own.end);
-    sweep_planes(view, part, motion);
+    const Groups own = groups_within(view.scratch, *part.slab);
+    fit_groups(view.model, view.state, view.scratch, own.begin, own.end);
+    sweep_planes(view.model, view.state, view.scratch, part, motion);
   } else if (take_plane(part)) {
-    sweep_planes(view, part, motion);
+    sweep_planes(view.model, view.state, view.scratch, part, motion);
   }
   part.largest_m = largest_displacement(motion);
 }
@@ -589,11 +588,12 @@ void filter_part(const Kernel& kernel, Part& part) {
   part.planes = 0;
   part.largest_m = 0;
   if (part.helping) return;
-  const View view = view_of(kernel);
+  View view = view_of(kernel);
   Motion motion = start_motion(*view.model.head);
   const Slab& slab = *part.slab;
   const bool last = slab.end == view.model.head->counts.planes;
-  filter_planes(view, slab.begin, last ? slab.end + 1 : slab.end, part.filter, motion);
+  filter_planes(view.model, view.state, view.scratch, slab.begin, last ? slab.end + 1 : slab.end,
+                part.filter, motion);
   part.planes = slab.end - slab.begin;
   part.largest_m = largest_displacement(motion);
 }
@@ -605,13 +605,14 @@ void join(Motion& motion, const Part& part) {
 
 // Joins a part, if it has any planes, to the one `below`, and moves the particles between them.
 // Returns what is below the next.
-const Part* join_part(const View& view, const Part* below, const Part& part, Motion& motion) {
+const Part* join_part(const Model& model, State& state, Scratch& scratch, const Part* below,
+                      const Part& part, Motion& motion) {
   join(motion, part);
   if (part.planes == 0) return below;
   if (below != nullptr && !below->moved) {
-    const Plane& plane = view.model.plane[part.begin];
-    take_forces(view, plane, part.low, below->high);
-    finish_particles(view, plane, below->high, motion);
+    const Plane& plane = model.plane[part.begin];
+    take_forces(model, plane, part.low, below->high);
+    finish_particles(model, state, scratch, plane, below->high, motion);
   }
   return &part;
 }
@@ -619,35 +620,38 @@ const Part* join_part(const View& view, const Part* below, const Part& part, Mot
 }  // namespace
 
 void STYLET_LATTICE_STEP(const Kernel& kernel) {
-  const View view = view_of(kernel);
+  View view = view_of(kernel);
   const ModelHead& head = *view.model.head;
   Motion motion = start_motion(head);
-  place_members(view);
+  place_members(view.model, view.state, view.scratch);
   if (team_of(kernel) == nullptr) {
-    fit_groups(view, 0, group_count(view));
+    fit_groups(view.model, view.state, view.scratch, 0, group_count(view.scratch));
     Slab all = {};
     all.end = head.counts.planes;
     Part whole = {};
     whole.slab = &all;
     whole.up = true;
     whole.kept = view.scratch.force;
-    clear(view, view.scratch.force);
-    clear(view, view.scratch.force + 3 * std::size_t{head.counts.particles_per_plane});
-    sweep_planes(view, whole, motion);
-    if (has_true_mass(view)) {
-      filter_planes(view, 0, head.counts.planes + 1, view.scratch.filter, motion);
+    clear(view.model, view.scratch.force);
+    clear(view.model, view.scratch.force + 3 * std::size_t{head.counts.particles_per_plane});
+    sweep_planes(view.model, view.state, view.scratch, whole, motion);
+    if (has_true_mass(view.model)) {
+      filter_planes(view.model, view.state, view.scratch, 0, head.counts.planes + 1,
+                    view.scratch.filter, motion);
     }
   } else {
     const Team& team = *team_of(kernel);
-    fit_between(view, team);
+    fit_between(view.model, view.state, view.scratch, team);
     sweep_together(kernel, sweep_part);
     const Part* below = nullptr;
     for (std::uint32_t s = 0; s < team.slab_count; ++s) {
       const Part &own = team.part[s], &helping = team.part[team.slab_count + s];
-      below = join_part(view, below, own.up ? own : helping, motion);
-      below = join_part(view, below, own.up ? helping : own, motion);
+      below =
+          join_part(view.model, view.state, view.scratch, below, own.up ? own : helping, motion);
+      below =
+          join_part(view.model, view.state, view.scratch, below, own.up ? helping : own, motion);
     }
-    if (has_true_mass(view)) {
+    if (has_true_mass(view.model)) {
       sweep_together(kernel, filter_part);
       for (std::uint32_t s = 0; s < team.slab_count; ++s) join(motion, team.part[s]);
     }

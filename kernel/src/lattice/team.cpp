@@ -72,7 +72,7 @@ void set_slab(Team& team, std::uint32_t s, std::uint32_t begin, std::uint32_t en
 }
 
 // As many slots in each slab as there are in all by now, and a plane for each that follows.
-void share_planes(const ModelView& model, Team& team) {
+void share_planes(const Model& model, Team& team) {
   const Counts& counts = model.head->counts;
   std::uint32_t plane = 0;
   for (std::uint32_t s = 0; s < team.slab_count; ++s) {

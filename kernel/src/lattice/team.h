@@ -39,10 +39,10 @@ struct alignas(64) Part {
   Slab* slab;
   std::uint32_t first;  // voxel plane it is swept from
   bool up, helping;
-  // Scratch of its own: as ScratchView::sums and force, and for the forces on the particles where
+  // Scratch of its own: as Scratch::sums and force, and for the forces on the particles where
   // it begins. Forces are zero between steps.
   float *sums, *force, *kept;
-  float* filter;      // as ScratchView::filter, of a slab's own part
+  float* filter;      // as Scratch::filter, of a slab's own part
   const Part* apart;  // begins at the same particles, which this one moves; or null
   // From the last sweep: its lowest voxel plane and how many, forces on the particles at both
   // ends, whether it has asked for and moved those where it begins, largest displacement.

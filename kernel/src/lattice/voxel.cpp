@@ -8,35 +8,35 @@ namespace {
 
 // Calls visit(slot, row) for the filled voxels of all sheets in a cell of space.
 template <typename Visit>
-void each_voxel(const View& view, std::int32_t x, std::int32_t y, std::int32_t z, Visit visit) {
-  const ModelHead& head = *view.model.head;
+void each_voxel(const Model& model, std::int32_t x, std::int32_t y, std::int32_t z, Visit visit) {
+  const ModelHead& head = *model.head;
   if (y < 0 || y >= head.sheet_rows || z < 0 || z >= head.size_z) return;
   for (std::int32_t sheet_y = y; sheet_y < head.size_y; sheet_y += head.sheet_rows) {
     const std::uint32_t index =
-        row_at(view.model, x, static_cast<std::uint32_t>(sheet_y), static_cast<std::uint32_t>(z));
+        row_at(model, x, static_cast<std::uint32_t>(sheet_y), static_cast<std::uint32_t>(z));
     if (index == kNoRow) continue;
-    const Row& row = view.model.row[index];
+    const Row& row = model.row[index];
     const std::uint32_t slot = row.slot + static_cast<std::uint32_t>(x - row.x0);
-    if (view.model.slot_k[slot] > 0) visit(slot, index);  // else a hole in the row
+    if (model.slot_k[slot] > 0) visit(slot, index);  // else a hole in the row
   }
 }
 
 // Whether a place in its cell (0 to 1 along each axis) is the voxel's own. Only with sheets.
-bool is_own(const View& view, std::uint32_t slot, Vec3 f) {
+bool is_own(const Model& model, std::uint32_t slot, Vec3 f) {
   const auto quarter = [](float v) {
     return static_cast<std::uint32_t>(max_of(0, min_of(4 * v, 3)));
   };
   const std::uint32_t bit = quarter(f.x) + 4 * quarter(f.y) + 16 * quarter(f.z);
-  return ((view.model.quarters[slot] >> bit) & 1U) != 0;
+  return ((model.quarters[slot] >> bit) & 1U) != 0;
 }
 
 // The filled voxel of a cell in space, of all sheets, for a place `f` in it: its own; else any.
-bool voxel_around(const View& view, Vec3 cell, Vec3 f, std::uint32_t& slot_out,
+bool voxel_around(const Model& model, Vec3 cell, Vec3 f, std::uint32_t& slot_out,
                   std::uint32_t& row_out) {
   bool found = false;
-  each_voxel(view, static_cast<std::int32_t>(cell.x), static_cast<std::int32_t>(cell.y),
+  each_voxel(model, static_cast<std::int32_t>(cell.x), static_cast<std::int32_t>(cell.y),
              static_cast<std::int32_t>(cell.z), [&](std::uint32_t slot, std::uint32_t row) {
-               if (found && !is_own(view, slot, f)) return;
+               if (found && !is_own(model, slot, f)) return;
                found = true;
                slot_out = slot;
                row_out = row;
@@ -45,9 +45,9 @@ bool voxel_around(const View& view, Vec3 cell, Vec3 f, std::uint32_t& slot_out,
 }
 
 // The particle at a voxel's corner (bits x, y, z), or the one it is tied to. Only with sheets.
-std::uint32_t corner_particle(const View& view, std::uint32_t slot, const Row& row,
+std::uint32_t corner_particle(const Model& model, std::uint32_t slot, const Row& row,
                               std::uint32_t corner) {
-  return view.model.root[row.node[corner >> 1U] + (slot - row.slot) + (corner & 1U)];
+  return model.root[row.node[corner >> 1U] + (slot - row.slot) + (corner & 1U)];
 }
 
 // The eight cells around a place, the low one first, and where between their middles it lies.
@@ -78,14 +78,14 @@ float tent(const Around& around, std::int32_t corner) {
 }
 
 template <typename Visit>
-void each_voxel(const View& view, const Around& around, std::int32_t corner, Visit visit) {
-  each_voxel(view, around.x0 + (corner & 1), around.y0 + ((corner >> 1) & 1),
+void each_voxel(const Model& model, const Around& around, std::int32_t corner, Visit visit) {
+  each_voxel(model, around.x0 + (corner & 1), around.y0 + ((corner >> 1) & 1),
              around.z0 + (corner >> 2), visit);
 }
 
 // The eight cells have one node in common. With sheets, which particle is there depends on the part
 // that the place lies in; parts without it do not hold the place.
-std::uint32_t common_particle(const View& view, const Around& around) {
+std::uint32_t common_particle(const Model& model, const Around& around) {
   std::uint32_t particle = 0;
   float best = 0;
   for (std::int32_t corner = 0; corner < 8; ++corner) {
@@ -95,12 +95,12 @@ std::uint32_t common_particle(const View& view, const Around& around) {
     };
     const Vec3 f = {in_cell(around.f.x, 0), in_cell(around.f.y, 1), in_cell(around.f.z, 2)};
     const float weight = tent(around, corner);
-    each_voxel(view, around, corner, [&](std::uint32_t slot, std::uint32_t row_index) {
-      const Row& row = view.model.row[row_index];
-      const float rank = is_own(view, slot, f) ? 2 * weight : weight;
+    each_voxel(model, around, corner, [&](std::uint32_t slot, std::uint32_t row_index) {
+      const Row& row = model.row[row_index];
+      const float rank = is_own(model, slot, f) ? 2 * weight : weight;
       if (!(rank > best)) return;
       best = rank;
-      particle = corner_particle(view, slot, row, 7U - static_cast<std::uint32_t>(corner));
+      particle = corner_particle(model, slot, row, 7U - static_cast<std::uint32_t>(corner));
     });
   }
   return particle;
@@ -108,11 +108,12 @@ std::uint32_t common_particle(const View& view, const Around& around) {
 
 }  // namespace
 
-Corners sum_corners(const View& view, std::uint32_t slot, std::uint32_t row_index) {
-  const Row& row = view.model.row[row_index];
+Corners sum_corners(const Model& model, const State& state, std::uint32_t slot,
+                    std::uint32_t row_index) {
+  const Row& row = model.row[row_index];
   const std::uint32_t along = slot - row.slot;
-  const float scale = view.model.head->inverse_edge_per_m * 0.25F;
-  const float* u[3] = {view.state.ux, view.state.uy, view.state.uz};
+  const float scale = model.head->inverse_edge_per_m * 0.25F;
+  const float* u[3] = {state.ux, state.uy, state.uz};
   Corners out = {};
   float mean[3] = {};
   for (int c = 0; c < 3; ++c) {
@@ -134,9 +135,9 @@ Corners sum_corners(const View& view, std::uint32_t slot, std::uint32_t row_inde
   return out;
 }
 
-Vec3 rest_centre(const View& view, std::uint32_t slot, const Row& row) {
-  const ModelHead& head = *view.model.head;
-  return head.origin_m + head.edge_m * (cell_of(view, slot, row) + Vec3{0.5F, 0.5F, 0.5F});
+Vec3 rest_centre(const Model& model, std::uint32_t slot, const Row& row) {
+  const ModelHead& head = *model.head;
+  return head.origin_m + head.edge_m * (cell_of(model, slot, row) + Vec3{0.5F, 0.5F, 0.5F});
 }
 
 Quat rotation_of(const float a[9], Quat start) {
@@ -147,19 +148,18 @@ Quat rotation_of(const float a[9], Quat start) {
   return q;
 }
 
-Quat corner_rotation(const View& view, std::uint32_t slot, const Corners& corners) {
+Quat corner_rotation(const State& state, std::uint32_t slot, const Corners& corners) {
   const float* g = corners.gradient;
   const float a[9] = {1 + g[0], g[1], g[2], g[3], 1 + g[4], g[5], g[6], g[7], 1 + g[8]};
-  return rotation_of(
-      a, {view.state.qw[slot], view.state.qx[slot], view.state.qy[slot], view.state.qz[slot]});
+  return rotation_of(a, {state.qw[slot], state.qx[slot], state.qy[slot], state.qz[slot]});
 }
 
 namespace {
 
 // The voxel a rest point lies in, and where in it (0 to 1 along each axis); false outside them all.
-bool find_voxel(const View& view, Vec3 rest_m, std::uint32_t& slot_out, std::uint32_t& row_out,
+bool find_voxel(const Model& model, Vec3 rest_m, std::uint32_t& slot_out, std::uint32_t& row_out,
                 Vec3& part_out) {
-  const ModelHead& head = *view.model.head;
+  const ModelHead& head = *model.head;
   const Vec3 g = head.inverse_edge_per_m * (rest_m - head.origin_m);
   if (!(g.x >= 0 && g.y >= 0 && g.z >= 0 && g.x < static_cast<float>(head.size_x) &&
         g.y < static_cast<float>(head.sheet_rows) && g.z < static_cast<float>(head.size_z))) {
@@ -169,70 +169,69 @@ bool find_voxel(const View& view, Vec3 rest_m, std::uint32_t& slot_out, std::uin
                     static_cast<float>(static_cast<std::uint32_t>(g.y)),
                     static_cast<float>(static_cast<std::uint32_t>(g.z))};
   part_out = g - low;
-  return voxel_around(view, low, part_out, slot_out, row_out);
+  return voxel_around(model, low, part_out, slot_out, row_out);
 }
 
 }  // namespace
 
-bool present_place(const View& view, Vec3 rest_m, Vec3& place_out_m) {
+bool present_place(const Model& model, const State& state, Vec3 rest_m, Vec3& place_out_m) {
   std::uint32_t slot = 0, row_index = 0;
   Vec3 f = {};
-  if (!find_voxel(view, rest_m, slot, row_index, f)) return false;
-  const Row& row = view.model.row[row_index];
+  if (!find_voxel(model, rest_m, slot, row_index, f)) return false;
+  const Row& row = model.row[row_index];
   place_out_m = rest_m;
   for (std::uint32_t corner = 0; corner < 8; ++corner) {
     const std::uint32_t p = row.node[corner >> 1U] + (slot - row.slot) + (corner & 1U);
     const float weight = ((corner & 1U) != 0 ? f.x : 1 - f.x) *
                          ((corner & 2U) != 0 ? f.y : 1 - f.y) *
                          ((corner & 4U) != 0 ? f.z : 1 - f.z);
-    place_out_m = place_out_m + weight * Vec3{view.state.ux[p], view.state.uy[p], view.state.uz[p]};
+    place_out_m = place_out_m + weight * Vec3{state.ux[p], state.uy[p], state.uz[p]};
   }
   return true;
 }
 
-bool inside_lattice(const View& view, Vec3 rest_m) {
+bool inside_lattice(const Model& model, Vec3 rest_m) {
   std::uint32_t slot = 0, row = 0;
   Vec3 part = {};
-  return find_voxel(view, rest_m, slot, row, part);
+  return find_voxel(model, rest_m, slot, row, part);
 }
 
-std::uint32_t material_at(const View& view, Vec3 rest_m) {
+std::uint32_t material_at(const Model& model, Vec3 rest_m) {
   std::uint32_t slot = 0, row = 0;
   Vec3 part = {};
-  if (!find_voxel(view, rest_m, slot, row, part)) return kNoTissue;
-  const std::uint32_t mixed = view.model.slot_mixed[slot];
-  if (mixed == kNotMixed) return view.model.slot_material[slot];
-  const OrganMixed& two = view.organ.mixed[mixed];
+  if (!find_voxel(model, rest_m, slot, row, part)) return kNoTissue;
+  const std::uint32_t mixed = model.slot_mixed[slot];
+  if (mixed == kNotMixed) return model.slot_material[slot];
+  const OrganMixed& two = model.organ().mixed[mixed];
   const bool beyond = dot({two.nx, two.ny, two.nz}, part) > two.limit;
-  return beyond ? two.material : view.model.slot_material[slot];
+  return beyond ? two.material : model.slot_material[slot];
 }
 
-VoxelFrame voxel_frame(const View& view, std::uint32_t slot, std::uint32_t row) {
-  const Corners corners = sum_corners(view, slot, row);
-  const Vec3 rest = rest_centre(view, slot, view.model.row[row]);
-  return {rotation_matrix(corner_rotation(view, slot, corners)), rest + corners.mean_m, rest};
+VoxelFrame voxel_frame(const Model& model, const State& state, std::uint32_t slot,
+                       std::uint32_t row) {
+  const Corners corners = sum_corners(model, state, slot, row);
+  const Vec3 rest = rest_centre(model, slot, model.row[row]);
+  return {rotation_matrix(corner_rotation(state, slot, corners)), rest + corners.mean_m, rest};
 }
 
-std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kSharesPerParticle],
+std::uint32_t find_shares(const Model& model, Vec3 rest_m, Share shares_out[kSharesPerParticle],
                           Sharing sharing) {
-  const ModelHead& head = *view.model.head;
+  const ModelHead& head = *model.head;
   const Around around = cells_around(head, rest_m);
   const bool one_sheet = head.counts.sheets == 1;
-  const std::uint32_t particle = one_sheet ? 0 : common_particle(view, around);
+  const std::uint32_t particle = one_sheet ? 0 : common_particle(model, around);
   std::uint32_t count = 0;
   float sum = 0;
   for (std::int32_t corner = 0; corner < 8; ++corner) {
     const float of_corner = sharing == Sharing::kEven ? 0.125F : tent(around, corner);
     bool taken = false;  // one voxel of a cell is enough
-    each_voxel(view, around, corner, [&](std::uint32_t slot, std::uint32_t row_index) {
-      const float fill = view.model.slot_fill[slot];
-      const float part =
-          sharing == Sharing::kStiff ? std::sqrt(fill * view.model.slot_k[slot]) : fill;
+    each_voxel(model, around, corner, [&](std::uint32_t slot, std::uint32_t row_index) {
+      const float fill = model.slot_fill[slot];
+      const float part = sharing == Sharing::kStiff ? std::sqrt(fill * model.slot_k[slot]) : fill;
       const float weight = of_corner * part;
       const auto common = 7U - static_cast<std::uint32_t>(corner);
       if (taken || !(weight > 0) ||
-          !(one_sheet ||
-            corner_particle(view, slot, view.model.row[row_index], common) == particle)) {
+          !(one_sheet || corner_particle(model, slot, model.row[row_index], common) == particle)) {
         return;
       }
       shares_out[count++] = {slot, row_index, weight, {}, {}, {}};

@@ -20,12 +20,12 @@ struct Corners {
   float gradient[9];  // of the displacement, row-major
 };
 // Sums over the eight corners of a voxel, displacements u.
-Corners sum_corners(const View& view, std::uint32_t slot, std::uint32_t row_index);
+Corners sum_corners(const Model& model, const State& state, std::uint32_t slot,
+                    std::uint32_t row_index);
 
 // The row that holds a voxel, or kNoRow; y and z within the lattice. Of the rows of its place in
 // the table, the last that does not begin behind it.
-inline std::uint32_t row_at(const ModelView& model, std::int32_t x, std::uint32_t y,
-                            std::uint32_t z) {
+inline std::uint32_t row_at(const Model& model, std::int32_t x, std::uint32_t y, std::uint32_t z) {
   const Counts& counts = model.head->counts;
   const auto order = [](std::int32_t of_x, std::uint32_t of_y, std::uint32_t of_z) {
     return (static_cast<std::int64_t>(of_z) << 40U) + (static_cast<std::int64_t>(of_y) << 20U) +
@@ -45,19 +45,19 @@ inline std::uint32_t row_at(const ModelView& model, std::int32_t x, std::uint32_
 }
 
 // Cell of a voxel in space, in edges from the lattice's origin.
-inline Vec3 cell_of(const View& view, std::uint32_t slot, const Row& row) {
-  const std::uint32_t sheet_rows = view.model.head->sheet_rows;
+inline Vec3 cell_of(const Model& model, std::uint32_t slot, const Row& row) {
+  const std::uint32_t sheet_rows = model.head->sheet_rows;
   const std::uint32_t y = row.y < sheet_rows ? row.y : row.y % sheet_rows;
   return {static_cast<float>(row.x0 + (slot - row.slot)), static_cast<float>(y),
-          static_cast<float>(view.model.plane[row.plane].z)};
+          static_cast<float>(model.plane[row.plane].z)};
 }
 
-Vec3 rest_centre(const View& view, std::uint32_t slot, const Row& row);
+Vec3 rest_centre(const Model& model, std::uint32_t slot, const Row& row);
 
 // Best rotation of a matrix near `start`.
 Quat rotation_of(const float a[9], Quat start);
 // Of a voxel's corners alone.
-Quat corner_rotation(const View& view, std::uint32_t slot, const Corners& corners);
+Quat corner_rotation(const State& state, std::uint32_t slot, const Corners& corners);
 
 // Frame of a voxel from its corners alone: x = rotation * rest offset + centre.
 struct VoxelFrame {
@@ -65,20 +65,21 @@ struct VoxelFrame {
   Vec3 centre_m;  // now
   Vec3 rest_centre_m;
 };
-VoxelFrame voxel_frame(const View& view, std::uint32_t slot, std::uint32_t row);
+VoxelFrame voxel_frame(const Model& model, const State& state, std::uint32_t slot,
+                       std::uint32_t row);
 
 // Weights of the voxels around a rest point, times fill; 0 shares outside the tissue. Tent weights
 // change smoothly along a way; even ones are the same for all places between the same centres;
 // stiff ones are tent weights times the root of fill and stiffness (coupling.cpp says why).
 enum class Sharing { kTent, kEven, kStiff };
-std::uint32_t find_shares(const View& view, Vec3 rest_m, Share shares_out[kSharesPerParticle],
+std::uint32_t find_shares(const Model& model, Vec3 rest_m, Share shares_out[kSharesPerParticle],
                           Sharing sharing = Sharing::kTent);
 
 // Present place of a rest point, trilinear in the voxel that holds it; false outside the tissue.
-bool present_place(const View& view, Vec3 rest_m, Vec3& place_out_m);
-bool inside_lattice(const View& view, Vec3 rest_m);
+bool present_place(const Model& model, const State& state, Vec3 rest_m, Vec3& place_out_m);
+bool inside_lattice(const Model& model, Vec3 rest_m);
 
 // What a rest point lies in, finer than voxels (OrganMixed); kNoTissue where there is none.
-std::uint32_t material_at(const View& view, Vec3 rest_m);
+std::uint32_t material_at(const Model& model, Vec3 rest_m);
 
 }  // namespace stylet

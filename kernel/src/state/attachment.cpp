@@ -5,10 +5,10 @@
 
 namespace stylet {
 
-Vec3 attachment_shift(const View& view) {
-  const BreathingConfig& b = view.model.head->config.breathing;
-  const double breaths = static_cast<double>(view.state.head->tick) *
-                         static_cast<double>(view.model.head->config.period_s) /
+Vec3 attachment_shift(const Model& model, const State& state) {
+  const BreathingConfig& b = model.head->config.breathing;
+  const double breaths = static_cast<double>(state.head->tick) *
+                         static_cast<double>(model.head->config.period_s) /
                          static_cast<double>(b.period_s);
   const double part = breaths - static_cast<double>(static_cast<std::int64_t>(breaths));
   const float s = sine_of_half_turns(static_cast<float>(part));

@@ -7,6 +7,6 @@
 namespace stylet {
 
 // Shift of the attachments at the state's tick.
-Vec3 attachment_shift(const View& view);
+Vec3 attachment_shift(const Model& model, const State& state);
 
 }  // namespace stylet

@@ -3,13 +3,12 @@
 
 namespace stylet {
 
-void add_event(const View& view, EventKind kind, float force_n) {
-  StateHead& state = *view.state.head;
-  NeedleState& own = *view.state.needle;
-  const float depth = own.tip_alive != 0 ? view.state.tip->track_m : 0;
-  view.state.event[state.event_count % kMaxEvents] = {state.tick, kind,        own.layer, depth,
-                                                      force_n,    view.needle, 0};
-  ++state.event_count;
+void add_event(State& state, EventKind kind, float force_n) {
+  NeedleState& own = *state.needle;
+  const float depth = own.tip_alive != 0 ? state.tip->track_m : 0;
+  state.event[state.head->event_count % kMaxEvents] = {
+      state.head->tick, kind, own.layer, depth, force_n, state.needle_index, 0};
+  ++state.head->event_count;
 }
 
 }  // namespace stylet

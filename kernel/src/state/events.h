@@ -6,6 +6,6 @@
 
 namespace stylet {
 
-void add_event(const View& view, EventKind kind, float force_n);
+void add_event(State& state, EventKind kind, float force_n);
 
 }  // namespace stylet

@@ -48,44 +48,53 @@ const Counts& counts_of(const Kernel& kernel) {
 }
 
 #define STYLET_FIELD_PLACE(name, type, count) \
-  view.name = reinterpret_cast<type*>(block); \
+  out.name = reinterpret_cast<type*>(block);  \
   block += round_block(sizeof(type) * static_cast<std::size_t>(count));
-ModelView model_view(std::byte* block, const Counts& c) {
-  ModelView view = {};
+Model model_of(std::byte* block, const Counts& c) {
+  Model out = {};
   STYLET_MODEL_FIELDS(STYLET_FIELD_PLACE)
-  return view;
+  return out;
 }
-StateView state_view(std::byte* block, const Counts& c) {
-  StateView view = {};
+State state_of(std::byte* block, const Counts& c) {
+  State out = {};
   STYLET_STATE_FIELDS(STYLET_FIELD_PLACE)
-  view.tip = view.shaft + kMaxConstraintParticles;
-  return view;
+  out.tip = out.shaft + kMaxConstraintParticles;
+  return out;
 }
-ScratchView scratch_view(std::byte* block, const Counts& c) {
-  ScratchView view = {};
+Scratch scratch_of(std::byte* block, const Counts& c) {
+  Scratch out = {};
   STYLET_SCRATCH_FIELDS(STYLET_FIELD_PLACE)
-  return view;
+  return out;
 }
 #undef STYLET_FIELD_PLACE
 
 View view_of(const Kernel& kernel) {
   const Counts& c = counts_of(kernel);
-  return {reinterpret_cast<const ModelHead*>(kernel.model)->organ, model_view(kernel.model, c),
-          state_view(kernel.state, c), scratch_view(kernel.scratch, c), 0};
+  return {model_of(kernel.model, c), state_of(kernel.state, c), scratch_of(kernel.scratch, c)};
+}
+
+Model needle_model(const Model& model, std::uint32_t needle) {
+  Model out = model;
+  out.rod += static_cast<std::ptrdiff_t>(needle) - model.needle_index;
+  out.needle_index = needle;
+  return out;
+}
+
+State needle_state(const State& state, std::uint32_t needle) {
+  State out = state;
+  const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(needle) - state.needle_index;
+  out.needle_index = needle;
+  out.needle += n;
+  out.shaft += n * kNeedleParticles;
+  out.tip = out.shaft + kMaxConstraintParticles;
+  out.rod_shape += n;
+  out.node += n * (kMaxRods + 1);
+  out.touch += n * kMaxTouches;
+  return out;
 }
 
 View needle_view(const View& view, std::uint32_t needle) {
-  View out = view;
-  const std::size_t n = needle;
-  out.needle = needle;
-  out.model.rod += n;
-  out.state.needle += n;
-  out.state.shaft += n * kNeedleParticles;
-  out.state.tip = out.state.shaft + kMaxConstraintParticles;
-  out.state.rod_shape += n;
-  out.state.node += n * (kMaxRods + 1);
-  out.state.touch += n * kMaxTouches;
-  return out;
+  return {needle_model(view.model, needle), needle_state(view.state, needle), view.scratch};
 }
 
 // Padding inside a struct is zero from reset on and never written apart from its fields, so bytes
@@ -98,7 +107,7 @@ std::uint64_t fnv1a(std::uint64_t hash, const void* data, std::size_t bytes) {
 
 std::uint64_t hash_state(const Kernel& kernel) {
   const Counts& c = counts_of(kernel);
-  const StateView view = state_view(kernel.state, c);
+  const State view = state_of(kernel.state, c);
   std::uint64_t hash = 0xcbf29ce484222325ULL;
 #define STYLET_FIELD_HASH(name, type, count) \
   hash = fnv1a(hash, view.name, sizeof(type) * static_cast<std::size_t>(count));
@@ -109,8 +118,8 @@ std::uint64_t hash_state(const Kernel& kernel) {
 
 Difference first_difference(const Kernel& a, const Kernel& b) {
   const Counts& c = counts_of(a);
-  const StateView va = state_view(a.state, c);
-  const StateView vb = state_view(b.state, c);
+  const State va = state_of(a.state, c);
+  const State vb = state_of(b.state, c);
 #define STYLET_FIELD_COMPARE(name, type, count)                                      \
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {                \
     if (std::memcmp(&va.name[i], &vb.name[i], sizeof(type)) != 0) return {#name, i}; \

@@ -318,44 +318,78 @@ struct ScratchHead {
   F(rod_result, RodResult, 1)                                   \
   F(touch, Touch, kMaxTouches)
 
-#define STYLET_FIELD_POINTER(name, type, count) type* name;
-struct ModelView {
-  STYLET_MODEL_FIELDS(STYLET_FIELD_POINTER)
+// An array of a block, constant where its owner is: `const State&` can be read, not written.
+template <typename T>
+class Field {
+ public:
+  Field() = default;
+  Field(T* first) : first_(first) {}  // NOLINT: an array is given by its first element
+  operator T*() { return first_; }
+  operator const T*() const { return first_; }
+  T* operator->() { return first_; }
+  const T* operator->() const { return first_; }
+  T& operator*() { return *first_; }
+  const T& operator*() const { return *first_; }
+  template <typename Index>
+  T& operator[](Index i) {
+    return first_[i];
+  }
+  template <typename Index>
+  const T& operator[](Index i) const {
+    return first_[i];
+  }
+  Field& operator+=(std::ptrdiff_t count) {
+    first_ += count;
+    return *this;
+  }
+
+ private:
+  T* first_ = nullptr;
 };
-struct StateView {
-  STYLET_STATE_FIELDS(STYLET_FIELD_POINTER)
-  Particle* tip;  // the needle's last particle
+
+// What a function may write is in its signature: `const Model&` what creation derived, constant in
+// a tick; `State&` what a tick hands to the next; `Scratch&` what it hands on within itself. Fields
+// of one needle (rod; needle, shaft, tip, rod_shape, node, touch) are those of `needle_index`.
+#define STYLET_FIELD(name, type, count) Field<type> name;
+struct Model {
+  STYLET_MODEL_FIELDS(STYLET_FIELD)
+  std::uint32_t needle_index;
+
+  const Organ& organ() const { return head->organ; }
+  const NeedleConfig& needle_config() const { return head->config.needle[needle_index]; }
 };
-struct ScratchView {
-  STYLET_SCRATCH_FIELDS(STYLET_FIELD_POINTER)
+struct State {
+  STYLET_STATE_FIELDS(STYLET_FIELD)
+  Field<Particle> tip;  // the needle's last particle
+  std::uint32_t needle_index;
 };
-#undef STYLET_FIELD_POINTER
+struct Scratch {
+  STYLET_SCRATCH_FIELDS(STYLET_FIELD)
+};
+#undef STYLET_FIELD
 
 // kOrganTooLarge where a block does not fit this machine.
 Status block_sizes(const Counts& counts, Sizes& sizes_out);
 const Counts& counts_of(const Kernel& kernel);
 
-ModelView model_view(std::byte* block, const Counts& counts);
-StateView state_view(std::byte* block, const Counts& counts);
-ScratchView scratch_view(std::byte* block, const Counts& counts);
+Model model_of(std::byte* block, const Counts& counts);
+State state_of(std::byte* block, const Counts& counts);
+Scratch scratch_of(std::byte* block, const Counts& counts);
 
-// All three at once, as the tick uses them.
+// All three of a kernel at once.
 struct View {
-  const Organ& organ;
-  ModelView model;
-  StateView state;
-  ScratchView scratch;
-  std::uint32_t needle;  // whose `needle`, `shaft`, `tip`, ... these are
-
-  const NeedleConfig& needle_config() const { return model.head->config.needle[needle]; }
+  Model model;
+  State state;
+  Scratch scratch;
 };
-inline bool has_true_mass(const View& view) {
-  return view.model.head->counts.filtered_particles != 0;
+inline bool has_true_mass(const Model& model) {
+  return model.head->counts.filtered_particles != 0;
 }
-// Of the first needle.
+// Of the first needle; of another.
 View view_of(const Kernel& kernel);
-// Of another needle.
 View needle_view(const View& view, std::uint32_t needle);
+Model needle_model(const Model& model, std::uint32_t needle);
+State needle_state(const State& state, std::uint32_t needle);
 
 std::uint64_t fnv1a(std::uint64_t hash, const void* data, std::size_t bytes);
 std::uint64_t hash_state(const Kernel& kernel);

@@ -45,7 +45,7 @@ std::uint64_t checksum(const std::byte* bytes, std::size_t count) {
 // What the numbers of a state are held against. A kernel that has latched a fault computes nothing
 // until reset: its numbers may be anything, its indices not, for they are still reported by.
 struct Limits {
-  const ModelView& model;
+  const Model& model;
   bool faulted;
 
   const ModelHead& head() const { return *model.head; }
@@ -231,9 +231,9 @@ SnapshotHeader snapshot_header(const Kernel& kernel, const std::byte* state) {
 bool state_sound(const Kernel& kernel, const std::byte* state) {
   const View view = view_of(kernel);
   const Counts& c = view.model.head->counts;
-  const StateView& mine = view.state;
-  const auto theirs = [&](const auto* field) {
-    return state + (reinterpret_cast<const std::byte*>(field) - kernel.state);
+  const State& mine = view.state;
+  const auto theirs = [&](const auto& field) {
+    return state + (reinterpret_cast<const std::byte*>(&field[0]) - kernel.state);
   };
   const auto head = element<StateHead>(theirs(mine.head), 0);
   const Limits is = {view.model, head.latched_fault == 1};

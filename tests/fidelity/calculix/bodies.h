@@ -121,7 +121,7 @@ inline bool inside(Node node, Node low, Node high) {
 // Mirrors at x = 0 and y = 0: what is moved along `axis` looks the same in both, so on a mirror
 // across that axis nothing moves sideways, and on any other nothing moves through it.
 inline void hold_mirrors(Rig& rig, std::size_t axis) {
-  const View view = rig.view();
+  View view = rig.view();
   for_each_node(view, [&](Node node) {
     const std::uint32_t i = node_index(view, node);
     if (view.model.step_per_mass[i] <= 0) return;
@@ -157,7 +157,7 @@ inline NodeForces even_load(const View& view, Node low, Node high, double force_
 // Constraint particles in the voxels along a line on the z axis, half an edge off it: their mirror
 // images make the line.
 inline void hold_line(Rig& rig, Node low, Node high) {
-  const View view = rig.view();
+  View view = rig.view();
   const float spring = 8 * view.model.slot_k[view.model.voxel_slot[0]];
   for (std::uint32_t z = low.z; z < high.z; ++z) {
     hold_constraint_particle(rig, {low.x, low.y, z}, {0, 0, 0}, {0, 0, 0}, spring);
@@ -166,9 +166,9 @@ inline void hold_line(Rig& rig, Node low, Node high) {
 
 // Moves the needle's points so that each particle pulls with an equal part of the force.
 inline void pull_line(Rig& rig, std::size_t axis, double force_n) {
-  const View view = rig.view();
+  View view = rig.view();
   const std::uint32_t count = view.state.needle->shaft_count;
-  measure_forces(view);
+  measure_forces(view.model, view.state);
   Vec3 part = {};
   (axis == 0 ? part.x : axis == 1 ? part.y : part.z) = static_cast<float>(force_n / count);
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -183,7 +183,7 @@ using Values = std::map<std::string, double>;
 constexpr double kStill = 3e-6;
 
 inline Values move_box(Rig& rig, const BodyCase& body, Node low, Node high) {
-  const View view = rig.view();
+  View view = rig.view();
   const std::size_t first = rig.holds.size();
   for_each_node(view, [&](Node node) {
     if (inside(node, low, high)) hold(rig, node_index(view, node), body.axis, body.amount);
@@ -195,7 +195,7 @@ inline Values move_box(Rig& rig, const BodyCase& body, Node low, Node high) {
 }
 
 inline Values pull_box(Rig& rig, const BodyCase& body, Node low, Node high) {
-  const View view = rig.view();
+  View view = rig.view();
   const NodeForces forces = even_load(view, low, high, body.amount);
   for (const auto& [node, force_n] : forces) {
     rig.loads.push_back({node, body.axis, static_cast<float>(force_n)});
@@ -221,7 +221,7 @@ inline Values solve_body(const Bodies& bodies, const BodyCase& body, double pois
   const std::uint32_t wave = bends ? 3U * tiny.nz : tiny.nz;  // bending is slower
   Rig rig =
       make_rig(tiny, resting_config(Config{}.hourglass_weight, static_cast<float>(poisson), wave));
-  const View view = rig.view();
+  View view = rig.view();
   const Node low = node_at(body.low_m, edge_m), high = node_at(body.high_m, edge_m);
   hold_mirrors(rig, body.axis);
   Values values = body.act == Act::kMove      ? move_box(rig, body, low, high)

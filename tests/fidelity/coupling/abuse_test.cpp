@@ -66,7 +66,7 @@ void expect_back_at_rest(Rig& rig, const std::string& after) {
     out = move_tip(rig, away);
     ASSERT_TRUE(finite(out)) << after << ", leaving, tick " << i;
   }
-  const View view = rig.view();
+  View view = rig.view();
   double largest = 0;
   for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) {
     largest = std::max(largest, norm_of({view.state.ux[i], view.state.uy[i], view.state.uz[i]}));

@@ -85,7 +85,8 @@ class ClusterReference {
     const auto members = members_of(view);
     double sum = 0;
     for (const Cell& cell : cells_) {
-      const Corner8 c = corners(cell, view.state.ux, view.state.uy, view.state.uz);
+      const State& s = view.state;
+      const Corner8 c = corners(cell, &s.ux[0], &s.uy[0], &s.uz[0]);
       const auto found = members.find(cell.slot);
       sum +=
           found == members.end() ? cell_energy(cell, c, {}) : cell_energy(cell, c, found->second);

@@ -237,13 +237,13 @@ Give give_of(double poisson, Vec3 place, double depth_in_edges, std::uint16_t vo
   const Press p = {kEdgeM / 4, 80 * kPi / 180, kEdgeM, poisson, 0, kYoungsPa, place};
   Rig rig = rig_of(p, voxels, {}, upper);
   const double force = force_at_rest(rig, start_of(p, voxels), depth_in_edges * kEdgeM);
-  const View view = needle_view(rig.view(), 0);
+  View view = needle_view(rig.view(), 0);
   Give give = {0, force / p.crush_n(), 0, 0};
   for (std::uint32_t i = 0; i < view.state.tip->share_count; ++i) {
     const Share& s = view.state.tip->share[i];
     const double w = static_cast<double>(s.weight), y = static_cast<double>(s.offset_m.y);
     const double z = static_cast<double>(s.offset_m.z);
-    const Vec3 centre = rest_centre(view, s.slot, view.model.row[s.row]);
+    const Vec3 centre = rest_centre(view.model, s.slot, view.model.row[s.row]);
     give.per_force += w * static_cast<double>(s.goal_m.x - centre.x - s.offset_m.x);
     give.squares += w * w;
     give.beside += w * w * (y * y + z * z) / (kEdgeM * kEdgeM);

@@ -26,7 +26,7 @@ Losses* g_losses = nullptr;
 
 void step_with_losses(const Kernel& kernel) {
   Losses& losses = *g_losses;
-  const View view = view_of(kernel);
+  View view = view_of(kernel);
   const std::size_t count = view.model.head->counts.particles;
   const float* u[3] = {view.state.ux, view.state.uy, view.state.uz};
   const float* v[3] = {view.state.vx, view.state.vy, view.state.vz};

@@ -184,7 +184,7 @@ TEST(V22Friction, NeedleThroughTheOrganIsHeldByTheLengthInTissue) {
 TEST(V22Friction, TissueThatMovesOverARestingNeedleSlidesByTheSameRule) {
   for (const float speed : {10e-3F, -10e-3F}) {
     OneParticle one = one_particle(rubbing(10, 14, 20));
-    const View view = one.rig.view();
+    View view = one.rig.view();
     std::fill_n(view.state.vx, view.model.head->counts.particles, speed);
     double force = 0;
     for (int i = 0; i < 800; ++i) force = -one.force_at(0);
@@ -200,7 +200,7 @@ TEST(V22Friction, TissueDraggedPastARestingNeedleSlipsBeyondTwiceItsFriction) {
   constexpr double kFrictionN = 2 * kUnit;
   for (const double way : {0.2e-3, -0.4e-3, 1e-3, -1.5e-3}) {
     OneParticle one = one_particle(rubbing(2, 2, 0), 1);
-    const View view = one.rig.view();
+    View view = one.rig.view();
     std::fill_n(view.state.vx, view.model.head->counts.particles, static_cast<float>(way * 1e3));
     one.force_at(0);
     std::fill_n(view.state.vx, view.model.head->counts.particles, 0.0F);
@@ -232,7 +232,7 @@ TEST(V22Friction, TissueDraggedAtARestingTipPullsWithTwiceItsCutAtMost) {
     Rig rig = make_rig(tiny, config, Tissue::kFixed);
     const Vec3 centre = {kEdgeM / 2, kEdgeM / 2, kEdgeM / 2};
     const Vec3 tip_m = hold_tip(rig, centre, kSpring);
-    const View view = rig.view();
+    View view = rig.view();
     ASSERT_EQ(view.state.tip->share_count, 1U);
     const auto force = [&] { return static_cast<double>(move_tip(rig, tip_m).force_n.x); };
     std::fill_n(view.state.vx, view.model.head->counts.particles, static_cast<float>(way * 1e3));
@@ -279,10 +279,10 @@ TEST(V22Friction, VoxelsLargerThanTheFarFieldHoldTheNeedle) {
   // A cylinder in an annulus of 25 mm, over a unit: with the lattice's compliance in series it is
   // the particle's spring that must be stiffer.
   const double n = 3, b = 25e-3, a = 0.635e-3, b2 = b * b, a2 = a * a;
-  const double cylinder = 2500 * static_cast<double>(rig.view().needle_config().unit_m) * 8 *
+  const double cylinder = 2500 * static_cast<double>(rig.view().model.needle_config().unit_m) * 8 *
                           std::numbers::pi * n / (n * n * std::log(b / a) - (b2 - a2) / (b2 + a2));
   const Output out = drive(rig, {-1e-3F, 49e-3F, 51e-3F}, 0.1F, 0.1F);
-  const View view = rig.view();
+  View view = rig.view();
   ASSERT_GT(view.state.needle->shaft_count, 10U);
   for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
     const Particle& p = view.state.shaft[i];

@@ -197,7 +197,7 @@ TEST(Pools, FullVoxelPoolServesTheFirstNeedleWhereTheSecondWas) {
     (void)complete_particles(needle_view(rig.view(), 1));
   }
   EXPECT_EQ(out[0].phase, Phase::kFree);
-  const View held = needle_view(rig.view(), 1);
+  View held = needle_view(rig.view(), 1);
   EXPECT_GE(whole_particles(held), 60) << "of " << held.state.needle->shaft_count;
   EXPECT_GT(whole_particles(held), second);
 }

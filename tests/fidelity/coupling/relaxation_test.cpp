@@ -204,7 +204,7 @@ TEST(Relaxation, WhatFadesEndsAtZero) {
     input.handle.position_m = end + (-rig.length_m - 2e-5F * static_cast<float>(2000 - i)) * askew;
     checked_tick(rig, input);
   }
-  const View view = needle_view(rig.view(), 0);
+  View view = needle_view(rig.view(), 0);
   ASSERT_GT(view.state.needle->shaft_count, 2U);
   ASSERT_NE(view.state.shaft[1].give_m.y, 0.0F);
   for (int i = 0; i < 1000; ++i) {

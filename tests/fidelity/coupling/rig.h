@@ -18,6 +18,7 @@
 #include "base/math.h"
 #include "coupling/contact.h"
 #include "coupling/fit.h"
+#include "coupling/return_map.h"
 #include "coupling/spring.h"
 #include "coupling/stiffness.h"
 #include "coupling/support.h"
@@ -109,11 +110,11 @@ inline Output hold(Rig& rig, Vec3 tip_m, int ticks) {
 inline void hold_tissue(const View& view, Particle& p, Vec3 rest_m, float stiffness_n_per_m) {
   p.rest_m = p.position_m = rest_m;
   p.stiffness_n_per_m = p.full_stiffness_n_per_m = stiffness_n_per_m;
-  p.share_count = find_shares(view, rest_m, p.share);
+  p.share_count = find_shares(view.model, rest_m, p.share);
   for (std::uint32_t i = 0; i < p.share_count; ++i) {
     p.share[i].goal_m = rest_m;
     p.share[i].turn = {1, 0, 0, 0};
-    p.share[i].offset_m = rest_m - voxel_frame(view, p.share[i].slot, p.share[i].row).rest_centre_m;
+    p.share[i].offset_m = rest_m - voxel_frame(view.model, view.state, p.share[i].slot, p.share[i].row).rest_centre_m;
   }
 }
 
@@ -124,12 +125,12 @@ constexpr float kTipBeyondM = 0.03F;
 inline Vec3 hold_one_shaft_particle(Rig& rig, Vec3 rest_m, float stiffness_n_per_m) {
   const Vec3 tip_m = rest_m + Vec3{kTipBeyondM, 0, 0};
   move_tip(rig, tip_m);
-  const View view = rig.view();
+  View view = rig.view();
   Particle& p = view.state.shaft[0];
   p = {};
   p.arc_m = kTipBeyondM;
   p.friction = view.model.head->material[0].friction;
-  p.met_m = view.needle_config().unit_m;
+  p.met_m = view.model.needle_config().unit_m;
   hold_tissue(view, p, rest_m, stiffness_n_per_m);
   Particle& tip = *view.state.tip;
   tip = {};
@@ -146,7 +147,7 @@ inline Vec3 hold_one_shaft_particle(Rig& rig, Vec3 rest_m, float stiffness_n_per
 // The same of the tip, which holds the tissue at `rest_m`; the shaft CP behind it holds none.
 inline Vec3 hold_tip(Rig& rig, Vec3 rest_m, float stiffness_n_per_m) {
   const Vec3 tip_m = hold_one_shaft_particle(rig, rest_m - Vec3{kTipBeyondM, 0, 0}, 1);
-  const View view = rig.view();
+  View view = rig.view();
   Particle& tip = *view.state.tip;
   tip.track_m = kTipBeyondM;
   hold_tissue(view, tip, rest_m, stiffness_n_per_m);

@@ -53,7 +53,7 @@ Rig insert_needle(Grid grid, float poisson, Vec3 tip_m) {
 
 // Half a unit at either end of the row, and friction nothing overcomes.
 void stick(Rig& rig) {
-  const View view = needle_view(rig.view(), 0);
+  View view = needle_view(rig.view(), 0);
   view.model.head->material[0].cutting_n = 1e4F;
   for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
     Friction& friction = view.state.shaft[i].friction;
@@ -133,13 +133,13 @@ Given given_inside(float poisson, Vec3 place, std::uint16_t voxels) {
   const float middle = kEdgeM * static_cast<float>(voxels / 2);
   const Vec3 rest = Vec3{middle, middle, middle} + kEdgeM * place;
   hold(rig, hold_tip(rig, rest, kSpringNPerM) + Vec3{kTakenM, 0, 0}, 800);
-  const View view = needle_view(rig.view(), 0);
+  View view = needle_view(rig.view(), 0);
   const Particle& tip = *view.state.tip;
   Given given = {0, 0};
   for (std::uint32_t i = 0; i < tip.share_count; ++i) {
     const Share& s = tip.share[i];
     const double w = static_cast<double>(s.weight);
-    const Vec3 centre = rest_centre(view, s.slot, view.model.row[s.row]);
+    const Vec3 centre = rest_centre(view.model, s.slot, view.model.row[s.row]);
     given.per_force += w * static_cast<double>(s.goal_m.x - centre.x - s.offset_m.x);
     given.squares += w * w;
   }

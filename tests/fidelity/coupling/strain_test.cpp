@@ -36,7 +36,7 @@ Vec middle(const View& view) {
 }
 
 // Displaces every node as the deformation gradient `f` says; what is fixed stays there.
-void strain(const View& view, const Mat& f) {
+void strain(View view, const Mat& f) {
   const ModelHead& head = *view.model.head;
   const auto edge_m = static_cast<double>(head.edge_m);
   for (std::uint32_t r = 0; r < head.counts.rows; ++r) {

@@ -173,7 +173,7 @@ TEST(Layers, FrictionIsThatOfTheStretchInEach) {
 
 // Shaft CPs that hold tissue whose rest place lies between these along x.
 int held_between(const Rig& rig, float low_m, float high_m) {
-  const View view = needle_view(rig.view(), 0);
+  View view = needle_view(rig.view(), 0);
   int count = 0;
   for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
     const float x = view.state.shaft[i].rest_m.x;

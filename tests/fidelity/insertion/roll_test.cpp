@@ -71,7 +71,7 @@ class Rolled : public testing::Test {
     }
   }
   // On the hand, about the handle's z, which is -x here.
-  double torque_nm() const { return -static_cast<double>(roll_torque_nm(rig_.view()).x); }
+  double torque_nm() const { return -static_cast<double>(roll_torque_nm(rig_.view().state).x); }
   double lag_rad() const { return static_cast<double>(rig_.view().state.needle->twist_rad); }
 
   // The shaft as its particles stand for it: f r and the sums over stretches of it.
@@ -86,15 +86,15 @@ class Rolled : public testing::Test {
   }
   template <typename Of>
   double sum(Of of) const {
-    const View view = rig_.view();
+    View view = rig_.view();
     double total = 0;
     for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
       const Particle& p = view.state.shaft[i];
-      const double limit = static_cast<double>(friction_limit_n(view, p));
+      const double limit = static_cast<double>(friction_limit_n(view.model, view.state, p));
       const double axial = static_cast<double>(p.force_n.x);
       const double left = std::sqrt(std::fmax(limit * limit - axial * axial, 0));
       total += of(static_cast<double>(p.arc_m),
-                  left * static_cast<double>(view.needle_config().outer_radius_m));
+                  left * static_cast<double>(view.model.needle_config().outer_radius_m));
     }
     return total;
   }
@@ -123,10 +123,10 @@ TEST_F(Rolled, TurnsBackOnlyAfterTwiceTheLag) {
   roll(2.0);
   const double lag = lag_rad();
   const Vec3 faced =
-      rolled_side(rig_.view(), rotation_matrix(rig_.view().state.needle->handle.rotation));
+      rolled_side(rig_.view().state, rotation_matrix(rig_.view().state.needle->handle.rotation));
   roll(-1.9 * lag);
   const Vec3 still =
-      rolled_side(rig_.view(), rotation_matrix(rig_.view().state.needle->handle.rotation));
+      rolled_side(rig_.view().state, rotation_matrix(rig_.view().state.needle->handle.rotation));
   EXPECT_NEAR(static_cast<double>(dot(faced, still)), 1, 1e-4) << "the bevel has not turned";
   roll(-0.5 * lag);
   EXPECT_NEAR(lag_rad(), -lag, 0.01 * lag);
@@ -161,7 +161,7 @@ TEST_F(Rolled, TipFacesTheHandlesSideTurnedBackByTheLag) {
   for (float lag = -kMaxTwistRad; lag <= kMaxTwistRad; lag += 0.1F) {
     rig_.view().state.needle->twist_rad = lag;
     const Vec3 faced = std::cos(lag) * column(handle, 0) - std::sin(lag) * column(handle, 1);
-    EXPECT_LT(norm_of(rolled_side(rig_.view(), handle) - faced), 1e-6) << "lag " << lag;
+    EXPECT_LT(norm_of(rolled_side(rig_.view().state, handle) - faced), 1e-6) << "lag " << lag;
   }
 }
 
@@ -169,7 +169,7 @@ TEST(Roll, IsTheHandsWithoutTorsion) {
   Rig rig = make_rig(gel(), Config{});
   drive(rig, {-1e-3F, 17e-3F, 16e-3F}, kDepthM, 20e-3F);
   EXPECT_EQ(rig.view().state.needle->twist_rad, 0);
-  EXPECT_EQ(norm_of(roll_torque_nm(rig.view())), 0);
+  EXPECT_EQ(norm_of(roll_torque_nm(rig.view().state)), 0);
 }
 
 }  // namespace

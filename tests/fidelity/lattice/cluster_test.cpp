@@ -56,7 +56,7 @@ ReferenceVoxel draw_voxel(Draw& draw, std::size_t particles) {
 Rig rig_of(const ReferenceVoxel& voxel, float poisson) {
   const auto chi = static_cast<float>(voxel.hourglass_weight);
   Rig rig = make_rig(block_of(1, 1, 1, elastic(kShear, poisson)), resting_config(chi, poisson, 1));
-  const View view = rig.view();
+  View view = rig.view();
   const Vec middle = Vec::Constant(kEdgeD / 2);
   for (std::uint32_t i = 0; i < 8; ++i) {
     place(view, node_index(view, {i & 1U, (i >> 1U) & 1U, i >> 2U}),
@@ -76,7 +76,8 @@ std::array<Vec, 8> corner_forces(Rig& rig) {
   for (std::uint32_t i = 0; i < 8; ++i) {
     out[i] = all[node_index(rig.view(), {i & 1U, (i >> 1U) & 1U, i >> 2U})];
   }
-  measure_forces(rig.view());
+  View seen = rig.view();
+  measure_forces(seen.model, seen.state);
   return out;
 }
 
@@ -85,12 +86,12 @@ std::array<Vec, 8> corner_forces(Rig& rig) {
 // Largest deviation from orthonormal of the stored rotation of a stretched voxel that sways.
 double worst_while_swaying(Draw& draw, int steps) {
   Rig rig = make_rig(block_of(1, 1, 1, elastic(kShear, 0)), resting_config(1, 0, 1));
-  const View view = rig.view();
+  View view = rig.view();
   const Mat axes = draw.rotation(3);
   const Mat stretched = axes * Vec(1.1, 0.95, 1).asDiagonal() * axes.transpose();
   const Vec axis = draw.within(1).normalized();
   const std::uint32_t slot = view.model.voxel_slot[0];
-  const StateView& s = view.state;
+  State& s = view.state;
   double worst = 0;
   for (int i = 0; i < steps; ++i) {
     const double angle = 0.3 * std::sin(0.01 * i);
@@ -141,7 +142,7 @@ TEST(FidelityV3, RigidMotionOfABlockMakesNoForceInTheKernel) {
     for (int i = 0; i < 20; ++i) {
       Rig rig = make_rig(block_of(4, 3, 5, elastic(kShear, poisson)),
                          resting_config(1.0F / 3, poisson, 4));
-      const View view = rig.view();
+      View view = rig.view();
       const Mat turned = draw.rotation(3.0);
       const Vec middle = kEdgeD * Vec(2, 1.5, 2.5);
       const Vec moved = middle - turned * middle + draw.within(kEdgeD);
@@ -161,7 +162,7 @@ TEST(FidelityV3, RigidMotionOfABlockMakesNoForceInTheKernel) {
         const float springs = view.model.hold[n] / view.model.head->hourglass_weight;
         worst = std::max(worst, forces[n].norm() / static_cast<double>(springs));
       });
-      measure_forces(view);
+      measure_forces(view.model, view.state);
       worst = std::max(worst, to_vec(view.state.shaft[0].force_n).norm() / (8 * kSpring));
       EXPECT_LT(worst, 8e-6 * kEdgeD) << "nu " << poisson << ", draw " << i;
     }
@@ -339,7 +340,7 @@ Rig free_block(float damping_s, bool turning, double crumple = 0.1) {
   TinyMaterial material = elastic(kShear, 0.3F);
   material.density_kg_per_m3 = 1060;
   Rig rig = make_rig(block_of(4, 4, 4, material), config);
-  const View view = rig.view();
+  View view = rig.view();
   Draw draw;
   for_each_node(view, [&](Node node) {
     const std::uint32_t i = node_index(view, node);
@@ -416,7 +417,7 @@ TEST(FidelityV6, TurningBlockKeepsItsMomentaInTheKernel) {
 TEST(FidelityV6, DampingKeepsLinearMomentumAndHasNoTorqueAboutWhereItActs) {
   for (const bool turning : {false, true}) {
     Rig rig = free_block(Config{}.tissue_damping_s, turning);
-    const View view = rig.view();
+    View view = rig.view();
     const double step_s = static_cast<double>(view.model.head->substep_s);
     const Momentum start = momentum_of(view);
     double drift = 0, size = 0, torque = 0, arm = 0;
@@ -491,7 +492,7 @@ TEST(FidelityV7, NeutralInsertionChangesNoForceInTheKernel) {
   Draw draw;
   for (int i = 0; i < 20; ++i) {
     Rig rig = make_rig(block_of(6, 6, 6, elastic(kShear, 0.3F)), resting_config(1.0F / 3, 0.3F, 6));
-    const View view = rig.view();
+    View view = rig.view();
     const Mat turned = draw.rotation(2.0);
     for_each_node(view, [&](Node node) {
       const Vec rest = kEdgeD * in_edges(node);
@@ -505,12 +506,12 @@ TEST(FidelityV7, NeutralInsertionChangesNoForceInTheKernel) {
     Needle needle = {};
     needle.tip_m = tip;
     needle.tip_direction = {1, 0, 0};
-    begin_contact(view, needle, to_float(rest), tip, 0);
+    begin_contact(view.model, view.state, view.scratch, needle, to_float(rest), tip, 0);
     ASSERT_EQ(view.state.tip->share_count, kSharesPerParticle);
-    gather_coupled(view);
+    gather_coupled(view.model, view.state, view.scratch);
     const std::vector<Vec> after = node_forces(rig);
     let_rotations_follow(rig, 1);  // makes the fit that forces are measured from
-    measure_forces(view);
+    measure_forces(view.model, view.state);
     const double weight = static_cast<double>(view.state.tip->stiffness_n_per_m) / kSpring;
     EXPECT_LT(to_vec(view.state.tip->force_n).norm(), 3e-6 * kForceScale * weight);
     double worst = 0;

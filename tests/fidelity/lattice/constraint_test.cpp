@@ -30,7 +30,8 @@ Vec3 middle_at(const Vec& centre) {
 
 // Force over displacement, in G h, of the constraint particle as the last step left it.
 double stiffness_felt(const Rig& rig, const Particle& p, std::size_t axis, float push_m = kPush) {
-  measure_forces(rig.view());
+  View seen = rig.view();
+  measure_forces(seen.model, seen.state);
   const float force[3] = {p.force_n.x, p.force_n.y, p.force_n.z};
   return static_cast<double>(force[axis]) / static_cast<double>(push_m) / kSpring;
 }
@@ -151,7 +152,7 @@ double line_stiffness(std::uint32_t radius, float poisson, float weight) {
   TinyOrgan tiny = block_of(across, across, 1, elastic(kShear, poisson));
   tiny.origin_m = middle_at(centre);
   Rig rig = make_rig(tiny, resting_config(1, poisson, radius));
-  const View view = rig.view();
+  View view = rig.view();
   fix_beyond(rig, centre, radius, {1, 1, 0});
   for_each_node(view, [&](Node node) {
     const std::uint32_t i = node_index(view, node);

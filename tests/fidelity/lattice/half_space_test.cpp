@@ -116,7 +116,7 @@ TEST(FidelityV12b, FarFieldOfASurfacePointLoadIsBoussinesq) {
     constexpr std::uint32_t kRadius = 30;
     Rig rig = half_ball(kRadius, poisson, kWeighted);
     constexpr double kForce = 1e-3;
-    const View view = rig.view();
+    View view = rig.view();
     std::vector<Spot> ring;
     for (const Spot& spot : surface_nodes(view)) {
       const double r = std::hypot(spot.x, spot.y);
@@ -155,7 +155,7 @@ struct Indent {
 // half-space.
 Indent press_sphere(double sphere_radius_m, double depth_m, float poisson, double beta) {
   Rig rig = half_ball(kFar, poisson, kWeighted);
-  const View view = rig.view();
+  View view = rig.view();
   const std::vector<Spot> spots = surface_nodes(view);
   Indent out = {};
   const auto keep_below = [&] {

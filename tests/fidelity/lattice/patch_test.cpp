@@ -22,7 +22,7 @@ struct Elasticity {
 // Holds a bar at its low z face, pulls its high z face; the low x and y faces are planes of
 // symmetry, the rest is free.
 void pull_bar(Rig& rig) {
-  const View view = rig.view();
+  View view = rig.view();
   const ModelHead& head = *view.model.head;
   const double length = static_cast<double>(head.edge_m) * head.size_z;
   for_each_node(view, [&](Node node) {
@@ -36,7 +36,7 @@ void pull_bar(Rig& rig) {
 
 // What a tester would read off the pulled bar: force on the clamp over area, narrowing of the side.
 Elasticity read_bar(const Rig& rig) {
-  const View view = rig.view();
+  View view = rig.view();
   const ModelHead& head = *view.model.head;
   const double edge = static_cast<double>(head.edge_m);
   double force = 0;
@@ -180,7 +180,7 @@ double bending_ratio(int layers, float hourglass) {
   Rig rig = make_rig(block_of(kLength, 1, static_cast<std::uint16_t>(layers),
                               elastic(static_cast<float>(kShear), 0)),
                      resting_config(hourglass, 0, kLength));
-  const View view = rig.view();
+  View view = rig.view();
   const double edge = static_cast<double>(view.model.head->edge_m);
   const double curvature = 1e-3 / edge;
   const auto place_of = [&](Node node) {  // from the middle of the plate

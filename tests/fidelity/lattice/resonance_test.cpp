@@ -56,7 +56,7 @@ TEST(Resonance, OfABeamIsThatOfItsClosedForm) {
 
 // The lowest frequency at which the body sways after a push, by the peak of its spectrum.
 double swaying_hz(Rig& rig, Vec3 push, double expected_hz) {
-  const View view = rig.view();
+  View view = rig.view();
   const Counts& counts = view.model.head->counts;
   for (std::uint32_t i = 0; i < counts.particles; ++i) {
     if (view.model.step_per_mass[i] > 0) set_speed(view, i, push);

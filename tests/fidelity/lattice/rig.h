@@ -65,7 +65,8 @@ inline Vec to_vec(Vec3 v) {
 inline Rig make_rig(const TinyOrgan& tiny, const Config& config) {
   Rig rig{open_organ(tiny_organ(tiny)), {}, {}, {}};
   rig.session = make_session(rig.organ->organ, config);
-  gather_coupled(rig.view());
+  View view = rig.view();
+  gather_coupled(view.model, view.state, view.scratch);
   return rig;
 }
 
@@ -142,8 +143,8 @@ struct Motion {  // arrays of one axis
   float *u, *v, *e;
 };
 
-inline Motion motion(const View& view, std::size_t axis) {
-  const StateView& s = view.state;
+inline Motion motion(View view, std::size_t axis) {
+  State& s = view.state;
   const Motion all[3] = {{s.ux, s.vx, s.ex}, {s.uy, s.vy, s.ey}, {s.uz, s.vz, s.ez}};
   return all[axis];
 }
@@ -153,7 +154,7 @@ inline Vec displacement_of(const View& view, std::uint32_t node) {
           static_cast<double>(view.state.uz[node])};
 }
 
-inline void place(const View& view, std::uint32_t node, std::size_t axis, float displacement_m) {
+inline void place(View view, std::uint32_t node, std::size_t axis, float displacement_m) {
   const Motion m = motion(view, axis);
   m.u[node] = m.e[node] = displacement_m;
   m.v[node] = 0;
@@ -172,7 +173,7 @@ inline void hold(Rig& rig, std::uint32_t node, std::size_t axis, double displace
 
 // Nodes at this distance (voxel edges) or beyond never move again.
 inline void fix_beyond(Rig& rig, const Vec& centre, double radius, const Vec& along = {1, 1, 1}) {
-  const View view = rig.view();
+  View view = rig.view();
   for_each_node(view, [&](Node node) {
     if ((in_edges(node) - centre).cwiseProduct(along).norm() < radius) return;
     view.model.step_per_mass[node_index(view, node)] = 0;
@@ -180,7 +181,7 @@ inline void fix_beyond(Rig& rig, const Vec& centre, double radius, const Vec& al
 }
 
 inline void step(Rig& rig) {
-  const View view = rig.view();
+  View view = rig.view();
   const ModelHead& head = *view.model.head;
   const float keep = 1 - head.substep_s * head.config.surround_drag_per_s;  // as the step does
   for (const Load& load : rig.loads) {
@@ -210,7 +211,7 @@ inline double largest_speed(const View& view) {
 // step `constrain` may put nodes back. A body that does not come to rest fails the test.
 template <typename Constrain>
 int settle(Rig& rig, double still, Constrain constrain) {
-  const View view = rig.view();
+  View view = rig.view();
   constexpr int kMostSteps = 20000, kBetweenLooks = 20;
   for (int i = 1; i <= kMostSteps; ++i) {
     step(rig);
@@ -230,12 +231,12 @@ inline int settle(Rig& rig, double still = 1e-6) {
 
 // Forces on all nodes as they stand, without moving anything.
 inline std::vector<Vec> node_forces(Rig& rig) {
-  const View view = rig.view();
+  View view = rig.view();
   const Kernel& kernel = rig.session.kernel;
   const std::vector<std::byte> state(kernel.state, kernel.state + kernel.sizes.state_bytes);
   const std::uint32_t count = view.model.head->counts.particles;
-  const std::vector<float> step_per_mass(view.model.step_per_mass,
-                                         view.model.step_per_mass + count);
+  float* const of_step = view.model.step_per_mass;
+  const std::vector<float> step_per_mass(of_step, of_step + count);
   for (std::uint32_t i = 0; i < count; ++i) {
     view.model.step_per_mass[i] = view.model.particle_kg[i] > 0 ? 1.0F : 0.0F;
     view.state.vx[i] = view.state.vy[i] = view.state.vz[i] = 0;
@@ -253,20 +254,20 @@ inline std::vector<Vec> node_forces(Rig& rig) {
 
 // Lets the rotations of all voxels follow what the nodes do, with every node where it is.
 inline void let_rotations_follow(Rig& rig, int steps = 30) {
-  const View view = rig.view();
+  View view = rig.view();
   const std::uint32_t count = view.model.head->counts.particles;
-  const std::vector<float> step_per_mass(view.model.step_per_mass,
-                                         view.model.step_per_mass + count);
-  std::fill_n(view.model.step_per_mass, count, 0.0F);
+  float* const of_step = view.model.step_per_mass;
+  const std::vector<float> step_per_mass(of_step, of_step + count);
+  std::fill_n(of_step, count, 0.0F);
   for (int i = 0; i < steps; ++i) rig.session.kernel.step(rig.session.kernel);
-  std::copy(step_per_mass.begin(), step_per_mass.end(), view.model.step_per_mass);
+  std::copy(step_per_mass.begin(), step_per_mass.end(), of_step);
 }
 
 // A constraint particle by hand: one share of weight 1 in `voxel`, at `offset_m` from its centre,
 // held `displacement_m` away from where it was at rest.
 inline Particle& hold_constraint_particle(Rig& rig, Node voxel, Vec3 offset_m, Vec3 displacement_m,
                                           float stiffness_n_per_m) {
-  const View view = rig.view();
+  View view = rig.view();
   const ModelHead& head = *view.model.head;
   const std::uint32_t row = voxel_row_of(view, voxel);
   const std::uint32_t slot = view.model.row[row].slot + voxel.x - view.model.row[row].x0;
@@ -281,7 +282,7 @@ inline Particle& hold_constraint_particle(Rig& rig, Node voxel, Vec3 offset_m, V
   p.stiffness_n_per_m = p.full_stiffness_n_per_m = stiffness_n_per_m;
   p.share_count = 1;
   p.share[0] = {slot, row, 1, offset_m, {}, {1, 0, 0, 0}};
-  gather_coupled(view);
+  gather_coupled(view.model, view.state, view.scratch);
   return p;
 }
 
