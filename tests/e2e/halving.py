@@ -14,7 +14,7 @@ Then the hand of some scenes goes in as deep as theirs, rests, and swings to and
 and faster, across the needle, with mass added and with true mass. Compared is the force along the
 swing and at its frequency, over the way, as a complex number: in the second half of each swing, a
 slow drift taken off. --swings plays only that. Nothing is refused there: what a longer step does to
-a moving hand is what kernel/README.md says of added mass. Programs from STYLET_BIN or
+a moving hand is what PHYSICS 3.3 says of added mass. Programs from STYLET_BIN or
 build/release/bin. Needs python3-h5py.
 """
 import argparse

@@ -2,7 +2,7 @@
 // The tissue's energy and internal friction, by the textbook, in double precision: an independent
 // check of what the kernel books. Slow: every voxel, every time.
 //
-// Per voxel of edge h (physics notes sections 1.2, 1.3, 1.5; model section 2), k = G h fill:
+// Per voxel of edge h (PHYSICS 2.3, 2.4), k = G h fill:
 //   U = k/2 sum |x_i - R q_i - t|^2 + (chi - 1) k/2 sum |e_i|^2 + k h^2 nu/(1 - 2 nu) (tr R^T F -
 //   3)^2
 // with the CPs of the voxel inside the fit of R and t in the first term, and R of the corners alone

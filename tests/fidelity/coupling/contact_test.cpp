@@ -138,7 +138,7 @@ TEST(Contact, FilmIsThatOfFiniteElements) {
 }
 
 // The last contact before the skin is punctured, of a slow needle. Beyond 12 G h^2 voxels are
-// softer than the film (kernel/README.md).
+// softer than the film (PHYSICS 18.4).
 TEST(Contact, ThinSkinIsPuncturedAtTheDepthOfAFilmWhateverTheVoxelItIsSpreadOver) {
   constexpr std::uint16_t kVoxels = 24;
   Draw draw = {std::mt19937_64(3)};
@@ -252,8 +252,8 @@ Give give_of(double poisson, Vec3 place, double depth_in_edges, std::uint16_t vo
   return give;
 }
 
-// The constants of coupling.cpp, kSurfaceGive and those behind it: what the lattice itself gives
-// under a small force, in a block of 12 and of 24 voxels, and from both in one without an end.
+// The constants kSurfaceGive and those behind it (PHYSICS 8.4): what the lattice itself gives
+// under a small force, in a block of 16 and of 32 voxels, and from both in one without an end.
 TEST(Contact, LatticeGivesWayAsTheFormulaSays) {
   for (const double poisson : {0.3, 0.39, 0.48}) {
     for (const Vec3 place : kPlaces) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// V23: the six phases of a needle's force curve (physics notes section 5.3), on a liver-like block
+// V23: the six phases of a needle's force curve (PHYSICS 17.7), on a liver-like block
 // with a stiff layer one voxel thick, the needle moved by position: 10 mm/s in, 3 s rest, 10 mm/s
-// out. Bands are those of the notes; the slope and ripple bounds of the insertion are tighter.
+// out. Bands are those named there; the slope and ripple bounds of the insertion are tighter.
 
 #include <gtest/gtest.h>
 

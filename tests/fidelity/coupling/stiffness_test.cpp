@@ -148,8 +148,8 @@ Given given_inside(float poisson, Vec3 place, std::uint16_t voxels) {
   return given;
 }
 
-// What the lattice itself gives under a tip inside, in a block without an end; coupling.cpp takes
-// this formula (kInsideGive).
+// What the lattice itself gives under a tip inside, in a block without an end: the formula of the
+// tip's spring (kInsideGive, PHYSICS 11.2).
 TEST(Stiffness, LatticeGivesWayToATipInsideAsItsWeightIsShared) {
   constexpr Vec3 kInside[] = {{0, 0, 0},          {0, 0, 0.5F},          {0, 0.25F, 0.25F},
                               {0, 0.5F, 0.5F},    {0.25F, 0.25F, 0.25F}, {0.5F, 0.5F, 0.5F},
@@ -252,7 +252,7 @@ TEST(Stiffness, ThinSkinIsFeltAlikeWhateverTheVoxelItIsSpreadOver) {
 }
 
 // Below a dimple some voxels deep the tissue is pressed to a fraction of its length, and finer
-// voxels are softer: what kernel/README.md says of it.
+// voxels are softer: PHYSICS 18.1.
 TEST(Stiffness, DeepDimplesAreSofterInFinerVoxelsByAnEighthAtMost) {
   for (const float depth_m : {8e-3F, 12e-3F}) {
     double force[2] = {};

@@ -13,7 +13,7 @@ namespace stylet::test {
 namespace {
 
 constexpr double kBending22GNm2 = 2.318e-3;
-// Clamped-pinned, physics notes 3.4.
+// Clamped-pinned: PHYSICS 6.2.
 constexpr double kEulerLoadN = 20.19 * kBending22GNm2 / (0.15 * 0.15);
 
 NeedleConfig needle_22g() {
@@ -85,7 +85,7 @@ TEST(Bone, SaysHowStiffItIs) {
 }
 
 // Pressed on bone that holds its tip, a needle buckles at the clamped-pinned load 20.19 EI / L^2
-// (physics notes 3.4) and feels no more than a little above it however far it is pushed.
+// (PHYSICS 6.2) and feels no more than a little above it however far it is pushed.
 TEST(Bone, AThinNeedleBucklesOnItAtEulersLoad) {
   Rig rig = make_bone(needle_22g(), bone(5.0F));  // the tip sticks
   double most = 0;

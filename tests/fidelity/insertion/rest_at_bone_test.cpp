@@ -32,7 +32,7 @@ NeedleConfig needle_of(const Gauge& gauge) {
   return needle;
 }
 
-// Clamped at the handle, its tip held in place: physics notes 3.4.
+// Clamped at the handle, its tip held in place: PHYSICS 6.2.
 double euler_load_n(const Gauge& gauge) {
   const double length = static_cast<double>(NeedleConfig{}.length_m);
   return 20.19 * gauge.bending_nm2 / (length * length);
@@ -230,7 +230,7 @@ TEST(RestAtBone, ATipThatSticksBucklesTheNeedleAtEulersLoad) {
 
 // On hard bone, where a tick's way alone is several times the load at which the needle buckles: the
 // most that is felt, over what a hand as slow as 5 um a tick feels. Not all are below the bar
-// of 1.2 (kernel/README.md); those that are not are told by how many there are.
+// of 1.2 (PHYSICS 18.6); those that are not are told by how many there are.
 TEST(RestAtBone, PressedFastOnHardBoneTheLoadIsThatOfASlowHand) {
   constexpr int kDraws = 48;
   Draw draw = {std::mt19937_64(5)};

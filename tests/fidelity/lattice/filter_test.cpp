@@ -365,7 +365,7 @@ TEST(Filter, NoWaveGrows) {
 
 // ---- the hand -----------------------------------------------------------------------------------
 
-// Liver with a capsule all around, held from below, as physics.md has them.
+// Liver with a capsule all around, held from below.
 TinyOrgan liver_block(double edge_m, double lean) {
   TinyOrgan tiny;
   const auto voxels = [&](double length_m) {
