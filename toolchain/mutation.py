@@ -44,16 +44,21 @@ SUBJECTS = {
                ["unit_sheets", "--gtest_filter=*Refused*"], ["unit_surface"],
                ["fuzz_organ", SOURCE / "tests/fuzz/seeds/organ"],
                ["unit_organ_open", "--gtest_filter=*Fuzz*"]]),
-    "coupling": ("kernel/src/coupling/coupling.cpp",
-                 [["fuzz_tick", SOURCE / "tests/fuzz/seeds/tick"]] +
-                 [[f"coupling_{each}"] for each in ("friction", "pools", "relaxation", "continuity",
-                                                    "strain", "energy", "phase_curve",
-                                                    "momentum")] +
-                 [[f"insertion_{each}"] for each in ("layers", "steering", "several", "bone",
-                                                     "breathing")] +
-                 [["unit_determinism", "--gtest_filter=*Flush*"], ["obstacle_contact"],
-                  ["stylet-simulator", "--seed", "2", "--sessions", "4"], ["coupling_abuse"]]),
 }
+# All of a needle's coupling with the tissue moves it; any of these may notice.
+COUPLING = (
+    [["fuzz_tick", SOURCE / "tests/fuzz/seeds/tick"]] +
+    [[f"coupling_{each}"] for each in ("friction", "pools", "relaxation", "continuity",
+                                       "strain", "energy", "phase_curve",
+                                       "momentum")] +
+    [[f"insertion_{each}"] for each in ("layers", "steering", "several", "bone",
+                                        "breathing")] +
+    [["unit_determinism", "--gtest_filter=*Flush*"], ["obstacle_contact"],
+     ["stylet-simulator", "--seed", "2", "--sessions", "4"], ["coupling_abuse"]])
+SUBJECTS |= {name: (f"kernel/src/coupling/{name}.cpp", COUPLING)
+             for name in ("contact", "contact_spring", "cut", "deformation", "friction",
+                          "insertion", "layers", "relaxation", "return_map", "shaft",
+                          "stiffness", "support", "track")}
 # Tests of offline, programs and scripts; those that read every file there is come last.
 RANDOM_MESHES = ["fuzz_mesh", SOURCE / "tests/fuzz/seeds/mesh"]
 RANDOM_LABELS = ["fuzz_label", SOURCE / "tests/fuzz/seeds/label"]

@@ -11,8 +11,8 @@
 #include <numbers>
 #include <vector>
 
-#include "state/layout.h"
 #include "lattice/voxel.h"
+#include "state/layout.h"
 
 namespace stylet {
 namespace {
@@ -37,7 +37,7 @@ std::vector<Voxel> voxels_of(const Model& model) {
   std::vector<std::uint32_t> root(model.head->counts.particles);
   for (std::uint32_t i = 0; i < root.size(); ++i) root[i] = i;
   for (std::uint32_t i = 0; i < model.head->counts.ties; ++i) {
-    root[model.tie[i].node] = model.tie[i].root;
+    root[model.tie[i].node] = model.tie[i].representative;
   }
   std::vector<Voxel> all(model.head->counts.voxels);
   for (std::uint32_t i = 0; i < all.size(); ++i) {
@@ -346,8 +346,8 @@ Resonance first_resonance(const Kernel& kernel) {
   Resonance out = {};
   out.real_hz =
       lowest_hz(solver, weights, [&](const Shapes& s) { return Shapes(kg.asDiagonal() * s); });
-  out.stepped_hz =
-      lowest_hz(solver, weights, [&](const Shapes& s) { return stepped_mass(view.model, voxels, s); });
+  out.stepped_hz = lowest_hz(solver, weights,
+                             [&](const Shapes& s) { return stepped_mass(view.model, voxels, s); });
   // The force of one shape alone is that at rest times 1 - (f / resonance)^2.
   const double apart = 1 / (out.stepped_hz * out.stepped_hz) - 1 / (out.real_hz * out.real_hz);
   out.departs_hz = apart > 0 ? std::sqrt(kTenth / apart) : kNever;

@@ -124,6 +124,16 @@ MaterialModel material_model(const Material& m, const Config& config, float edge
   return out;
 }
 
+Rules rules_of(Mode mode) {
+  const bool paper = mode == Mode::kPaper;
+  Rules rules = {};
+  rules.one_support = rules.voxel_springs = paper;
+  rules.unit_punctures = rules.unit_slips = paper;
+  rules.relaxes = rules.contact_law = rules.layer_punctures = !paper;
+  rules.slips_again = rules.planes_in_voxels = !paper;
+  return rules;
+}
+
 void fill_head(const Organ& organ, const Config& config, const Counts& counts, ModelHead& head) {
   head.organ = organ;
   head.config = canonical(config);
@@ -136,6 +146,7 @@ void fill_head(const Organ& organ, const Config& config, const Counts& counts, M
   head.size_y = organ.size_y;
   head.size_z = organ.size_z;
   head.sheet_rows = organ.sheet_rows;
+  head.rules = rules_of(config.mode);
   head.substep_s = config.period_s / static_cast<float>(config.substeps);
   head.hourglass_weight = config.mode == Mode::kPaper ? 1.0F : config.hourglass_weight;
   head.velocity_keep = exp_minus(config.period_s / kSlipFilterS);
@@ -173,8 +184,10 @@ void fill_sheets(const Organ& organ, Model& model, const Counts& counts) {
     model.plane[z].tie_end = tie;
   }
   if (counts.sheets == 1) return;
-  for (std::uint32_t i = 0; i < counts.particles; ++i) model.root[i] = i;
-  for (std::uint32_t i = 0; i < counts.ties; ++i) model.root[model.tie[i].node] = model.tie[i].root;
+  for (std::uint32_t i = 0; i < counts.particles; ++i) model.representative[i] = i;
+  for (std::uint32_t i = 0; i < counts.ties; ++i) {
+    model.representative[model.tie[i].node] = model.tie[i].representative;
+  }
   for (std::uint32_t i = 0; i < counts.slots; ++i) model.quarters[i] = ~std::uint64_t{0};
   for (const OrganPart& part : organ.parts) {
     const Row& row = model.row[row_at(model, part.x, part.y, part.z)];
@@ -185,10 +198,10 @@ void fill_sheets(const Organ& organ, Model& model, const Counts& counts) {
 // Tied nodes are one particle: each gets the sum of what they have.
 void sum_tied(Model& model, const Counts& counts, float* of_node) {
   for (std::uint32_t i = 0; i < counts.ties; ++i) {
-    of_node[model.tie[i].root] += of_node[model.tie[i].node];
+    of_node[model.tie[i].representative] += of_node[model.tie[i].node];
   }
   for (std::uint32_t i = 0; i < counts.ties; ++i) {
-    of_node[model.tie[i].node] = of_node[model.tie[i].root];
+    of_node[model.tie[i].node] = of_node[model.tie[i].representative];
   }
 }
 
@@ -202,7 +215,7 @@ void fill_voxels(const Organ& organ, Model& model, const Counts& counts) {
     model.slot_mixed[i] = kNotMixed;
   }
   for (std::uint32_t i = 0; i < counts.particles; ++i) {
-    model.particle_kg[i] = model.hold[i] = model.step_per_mass[i] = 0;
+    model.particle_kg[i] = model.hourglass_n_per_m[i] = model.step_per_mass[i] = 0;
   }
   std::uint32_t voxel = 0;
   for (const OrganRun& run : organ.runs) {
@@ -223,18 +236,18 @@ void fill_voxels(const Organ& organ, Model& model, const Counts& counts) {
       for (std::uint32_t corner = 0; corner < 8; ++corner) {
         const std::uint32_t p = row.node[corner >> 1U] + x - row.x0 + (corner & 1U);
         model.particle_kg[p] += density * fill * corner_m3;
-        model.hold[p] += model.slot_k[slot] * head.hourglass_weight;
+        model.hourglass_n_per_m[p] += model.slot_k[slot] * head.hourglass_weight;
         model.step_per_mass[p] += model.slot_k[slot] * (1 + 3 * model.slot_volume[slot]);
       }
     }
   }
-  float* const sums[] = {model.particle_kg, model.hold, model.step_per_mass};
+  float* const sums[] = {model.particle_kg, model.hourglass_n_per_m, model.step_per_mass};
   for (float* of_particles : sums) sum_tied(model, counts, of_particles);
 }
 
-// Where two tissues meet. In paper mode a voxel is of one.
+// Where two tissues meet.
 void fill_mixed(const Organ& organ, Model& model) {
-  if (model.head->config.mode == Mode::kPaper) return;
+  if (!model.head->rules.planes_in_voxels) return;
   for (std::uint32_t i = 0; i < organ.mixed.size(); ++i) {
     model.slot_mixed[model.voxel_slot[organ.mixed[i].voxel]] = i;
   }
@@ -268,7 +281,8 @@ void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
     model.bound[i] = model.step_per_mass[i];
   }
   for (std::uint32_t i = 0; i < counts.particles; ++i) {
-    model.step_per_mass[i] += model.hold[i] / head.hourglass_weight;  // constraint particles
+    // Constraint particles.
+    model.step_per_mass[i] += model.hourglass_n_per_m[i] / head.hourglass_weight;
   }
   const bool filtered = counts.filtered_particles != 0;
   if (filtered) fill_filter(model, counts, limit);
@@ -309,10 +323,10 @@ void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
   }
   for (std::uint32_t i = 0; i < counts.ties; ++i) {  // what holds one node holds the particle
     const TiedNode& tie = model.tie[i];
-    if (!(model.step_per_mass[tie.node] > 0)) model.step_per_mass[tie.root] = 0;
+    if (!(model.step_per_mass[tie.node] > 0)) model.step_per_mass[tie.representative] = 0;
   }
   for (std::uint32_t i = 0; i < counts.ties; ++i) {
-    model.step_per_mass[model.tie[i].node] = model.step_per_mass[model.tie[i].root];
+    model.step_per_mass[model.tie[i].node] = model.step_per_mass[model.tie[i].representative];
   }
 }
 
@@ -353,9 +367,11 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   kernel_out = {memory.model.data(), memory.state.data(), memory.scratch.data(), need,
                 lattice_step_for_this_processor()};
   View view = view_of(kernel_out);
-  // Read before it is first written, and not believed (fit.cpp); memory checkers would not know.
+  // Read before it is first written, and not believed (match.cpp); memory checkers would not know.
   for (std::uint32_t i = 0; i < counts.slots; ++i) view.scratch.slot_mark[i] = 0;
-  for (std::uint32_t i = 0; i < counts.needles; ++i) make_needle(config.needle[i], view.model.rod[i]);
+  for (std::uint32_t i = 0; i < counts.needles; ++i) {
+    make_needle(config.needle[i], view.model.rod[i]);
+  }
   reset(kernel_out);
   return Status::kOk;
 }

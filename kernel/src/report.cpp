@@ -5,7 +5,7 @@
 #include "base/vec3d.h"
 #include "coupling/bend.h"
 #include "coupling/contact_spring.h"
-#include "coupling/fit.h"
+#include "coupling/match.h"
 #include "coupling/roll.h"
 #include "coupling/spring.h"
 #include "lattice/voxel.h"
@@ -95,8 +95,8 @@ std::uint32_t constraint_particles(const Kernel& kernel, std::span<ConstraintPar
       if (is_tip && one.state.needle->tip_alive == 0) break;
       const Particle& p = is_tip ? *one.state.tip : one.state.shaft[i];
       Vec3 goal = {};
-      for (std::uint32_t j = 0; j < p.share_count; ++j) {
-        goal = goal + p.share[j].weight * p.share[j].goal_m;
+      for (std::uint32_t j = 0; j < p.support_count; ++j) {
+        goal = goal + p.support[j].weight * p.support[j].goal_m;
       }
       out[count++] = {grip(p) + shift,      goal + shift,     -1.0F * p.force_n,
                       is_tip ? 0 : p.arc_m, is_tip ? 1U : 0U, n};
@@ -206,12 +206,12 @@ double coupling_energy(const Model& model, const State& state) {
     const NeedleState& own = state.needle[n];
     const std::uint32_t first = n * kNeedleParticles;
     for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
-      sum += refit(model, state, first + i, p) + spring_energy(p);
+      sum += rematch(model, state, first + i, p) + spring_energy(p);
     }
     sum += roll_energy(state_n);
     if (own.tip_alive != 0) {
-      sum +=
-          refit(model, state, first + kMaxConstraintParticles, p) + tip_energy(model_n, state_n, p);
+      sum += rematch(model, state, first + kMaxConstraintParticles, p) +
+             tip_energy(model_n, state_n, p);
     }
   }
   return sum;

@@ -10,7 +10,8 @@
 //     6  cut       the tip moves on to other tissue                          IV.C, step 3
 //     7  slip      the shaft's CPs slip back to the limit of friction        IV.C, step 3; V
 //     8  add, remove  CPs behind a tip that goes on or comes back            IV.C, step 4
-//     9  bend      a tip in contact once more, by what it presses with       IV.B, step 4
+//     9  bend      a tip in contact once more, by what it presses with       IV.B, step 4;
+//                  a tip that has just left its hole looks for the surface again (as in 3)
 //   for all together
 //     10 tissue    shape matching, CPs included, substep by substep          IV.B, step 2
 //   for each needle
@@ -27,10 +28,10 @@
 #include "coupling/bend.h"
 #include "coupling/contact.h"
 #include "coupling/cut.h"
-#include "coupling/fit.h"
 #include "coupling/friction.h"
 #include "coupling/insertion.h"
 #include "coupling/layers.h"
+#include "coupling/match.h"
 #include "coupling/relaxation.h"
 #include "coupling/roll.h"
 #include "coupling/shaft.h"
@@ -39,6 +40,7 @@
 #include "hand/force.h"
 #include "hand/input.h"
 #include "state/attachment.h"
+#include "state/invariants.h"
 
 namespace stylet {
 namespace {
@@ -57,9 +59,14 @@ struct Moved {
 // surface, or lie deeper than the mouth, before it can touch it again. What a tip that is swept
 // aside comes forward is counted along the mean of its directions before and after the `turn`:
 // along the last one it would press without anybody pushing. False: it is not known whether it
-// touches. `has_left`: in this very tick, so that the next one still has to look around it.
+// touches.
+struct Search {
+  Vec3 turn;          // of the handle, in this tick
+  bool known_before;  // the pose
+  bool has_left;      // its hole, in this very tick: the next one still has to look around it
+};
 bool seek_contact(const Model& model, State& state, Scratch& scratch, const Needle& needle,
-                  Vec3 turn, bool known_before, bool has_left, std::uint32_t& flags) {
+                  const Search& search, std::uint32_t& flags) {
   NeedleState& own = *state.needle;
   if (own.phase != Phase::kFree) return true;
   Vec3 rest = {}, place = {};
@@ -67,13 +74,13 @@ bool seek_contact(const Model& model, State& state, Scratch& scratch, const Need
   // Tissue that it had drawn along springs back over a tip that has left it, at once and far.
   const float reach_m = own.leaving != 0 ? model.needle_config().length_m : contact_reach_m(model);
   const Contact contact = find_contact(model, state, needle.tip_m, needle.tip_direction, reach_m,
-                                       known_before ? step : Vec3{}, rest, place, flags);
-  const Vec3 forward = needle.tip_direction - 0.5F * cross(turn, needle.tip_direction);
-  float came = known_before ? dot(step, forward) : 0;
+                                       search.known_before ? step : Vec3{}, rest, place, flags);
+  const Vec3 forward = needle.tip_direction - 0.5F * cross(search.turn, needle.tip_direction);
+  float came = search.known_before ? dot(step, forward) : 0;
   if (contact == Contact::kSideways) came = norm(step);  // it has come by no other way
   const bool found = contact == Contact::kFound || contact == Contact::kSideways;
   if (found) begin_contact(model, state, scratch, needle, rest, place, came);
-  if (contact == Contact::kNone && !has_left) own.leaving = 0;
+  if (contact == Contact::kNone && !search.has_left) own.leaving = 0;
   return contact != Contact::kUnknown;
 }
 
@@ -113,7 +120,7 @@ std::uint32_t add_and_remove(const Model& model, State& state, Scratch& scratch,
   leave_layers(state);
   tell_layer_late(state);
   const std::uint32_t flags = drop_shaft(model, state, scratch, needle);
-  meet_friction(model, state, from_m, from_track_m);
+  gather_friction(model, state, from_m, from_track_m);
   return flags;
 }
 
@@ -166,23 +173,29 @@ void move_needle(const Model& model, State& state, Scratch& scratch, const Input
   }
   out.flags |= place_needle(model, state, scratch, out.shape);  // 2: place
   const bool was_free = own.phase == Phase::kFree;
-  const bool known = seek_contact(model, state, scratch, out.shape, turn, out.known_before, false,
-                                  out.flags);  // 3
-  if (!known && out.known_before)
+  const Search from_outside = {turn, out.known_before, false};
+  const bool known = seek_contact(model, state, scratch, out.shape, from_outside, out.flags);  // 3
+  if (!known && out.known_before) {
     out.flags |= hold_needle(model, state, scratch, out.before, out.shape);
+  }
+  assert_needle(model, state);
   out.flags |= move_particles(model, state, scratch, out.shape);  // 4 to 8
+  assert_needle(model, state);
   stretch_tip_spring(state, scratch);
   out.flags |= meet_tissue(model, state, scratch, out.shape);  // 9: bend
   // One that has left its hole may have left it under other tissue, pressed or folded over it.
-  if (!was_free)
-    (void)seek_contact(model, state, scratch, out.shape, turn, out.known_before, true, out.flags);
+  if (!was_free) {
+    const Search after_leaving = {turn, out.known_before, true};
+    (void)seek_contact(model, state, scratch, out.shape, after_leaving, out.flags);
+  }
+  assert_needle(model, state);
 }
 
 // ---- steps 11 to 13: what the hand feels
 
 // In the paper a CP is moved by whole needle units, before the tissue's step alone.
 void slip_again(const Model& model, State& state, const Needle& needle) {
-  if (model.head->config.mode == Mode::kPaper) return;
+  if (!model.head->rules.slips_again) return;
   let_cut(model, state);
   for (std::uint32_t i = 0; i < state.needle->shaft_count; ++i) {
     let_slip(model, state, needle, state.shaft[i]);

@@ -15,8 +15,8 @@
 #include <iterator>
 #include <utility>
 
-#include "state/layout.h"
 #include "base/math.h"
+#include "state/layout.h"
 
 namespace stylet::test {
 
@@ -123,7 +123,8 @@ inline void add_obstacles(const View& view, std::uint32_t rods, Vec3 shift, std:
   constexpr float kReachM = 2e-3F, kBendM = 5e-3F;
   const bool elastic = bends(view.model.needle_config());
   const std::uint32_t looks = elastic ? kRodFaceLooks + answers : 1;
-  const float radius_m = view.model.needle_config().outer_radius_m + (elastic ? kReachM + kBendM : 0);
+  const float radius_m =
+      view.model.needle_config().outer_radius_m + (elastic ? kReachM + kBendM : 0);
   for (std::uint32_t body = 0; body < view.model.head->obstacle_count; ++body) {
     const Obstacle& obstacle = view.model.obstacle[body];
     for (std::uint32_t rod = 0; rod < rods; ++rod) {

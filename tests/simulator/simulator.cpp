@@ -34,8 +34,8 @@ constexpr double kZeroForceS = 25e-3;
 // not measured.
 constexpr std::uint64_t kLostTicks = 100;
 // No needle that moves less in a tick passes a body unseen: the kernel looks so far for bodies
-// (needle.cpp). On a longer way it is looked at in steps of half the radius of the smallest body
-// that is drawn (scenario.cpp).
+// (coupling/touches.h). On a longer way it is looked at in steps of half the radius of the smallest
+// body that is drawn (scenario.cpp).
 constexpr double kLookedAtM = 2e-3, kWayStepM = 0.5e-3;
 
 double square_sum(Vec3 a, Vec3 b) {
@@ -200,12 +200,8 @@ void watch_work(Observer& observer, const Kernel& kernel, std::span<const Output
   for (std::uint32_t i = 0; i < outputs.size(); ++i) {
     const NeedleState& own = *needle_view(view_of(kernel), i).state.needle;
     if (own.handle_known == 0) continue;
-    const Base now = {own.base_m,
-                      own.handle.rotation,
-                      outputs[i].force_n,
-                      outputs[i].torque_nm,
-                      shift_of(kernel),
-                      outputs[i].cause.obstacle_n};
+    const Base now = {own.base_m,           own.handle.rotation, outputs[i].force_n,
+                      outputs[i].torque_nm, shift_of(kernel),    outputs[i].cause.obstacle_n};
     const Base& last = observer.last[i];
     if (observer.known[i]) {
       const Vec3 step = now.position_m - last.position_m,

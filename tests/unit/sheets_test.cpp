@@ -11,11 +11,11 @@
 #include <string>
 #include <utility>
 
-#include "state/layout.h"
+#include "lattice/voxel.h"
 #include "owned_organ.h"
 #include "session.h"
 #include "set_speed.h"
-#include "lattice/voxel.h"
+#include "state/layout.h"
 
 namespace stylet::test {
 namespace {
@@ -277,10 +277,10 @@ TEST(Sheets, APlaceIsHeldByThePartItLiesIn) {
   const float edge_m = view.model.head->edge_m;
   for (const float along : {0.1F, 0.45F, 0.55F, 0.9F}) {
     const Vec3 place_m = edge_m * Vec3{1 + along, 2.3F, 1.6F};
-    Share shares[kSharesPerParticle];
-    const std::uint32_t count = find_shares(view.model, place_m, shares);
+    Support shares[kSupportsPerParticle];
+    const std::uint32_t count = find_supports(view.model, place_m, shares);
     ASSERT_EQ(count, 8U);
-    for (const Share& share : shares) {
+    for (const Support& share : shares) {
       EXPECT_EQ(sheet_of(view, share.row), along < 0.5F ? 0U : 1U) << along;
       const Vec3 away = rest_centre(view.model, share.slot, view.model.row[share.row]) - place_m;
       EXPECT_LT(norm(away), 1.8F * edge_m) << along;

@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-#include "session.h"
 #include "lattice/voxel.h"
+#include "session.h"
 
 namespace stylet::test {
 namespace {
@@ -123,10 +123,9 @@ TEST(Snapshot, IndicesAndCountsAreHeldAgainstTheModel) {
   const Counts& c = counts_of(t.session.kernel);
   const std::uint32_t materials = view.model.head->material_count;
   ASSERT_GT(view.state.needle->shaft_count, 1U);
-  ASSERT_GT(view.state.shaft[0].share_count, 1U);
+  ASSERT_GT(view.state.shaft[0].support_count, 1U);
   const std::vector<Wrong> all = {
-      {"shaft_count",
-       [](State& s) { s.needle->shaft_count = kMaxConstraintParticles + 1; }},
+      {"shaft_count", [](State& s) { s.needle->shaft_count = kMaxConstraintParticles + 1; }},
       {"far shaft_count", [](State& s) { s.needle->shaft_count = 100000; }},
       {"shaft_max", [](State& s) { s.needle->shaft_max = s.needle->shaft_count - 1; }},
       {"no shaft", [](State& s) { s.needle->shaft_count = 0; }},
@@ -137,25 +136,24 @@ TEST(Snapshot, IndicesAndCountsAreHeldAgainstTheModel) {
       {"layer", [=](State& s) { s.needle->layer = materials; }},
       {"spring_layer", [=](State& s) { s.needle->spring_layer = materials; }},
       {"track_current", [](State& s) { s.needle->track_current = kMaxTracks; }},
-      {"track not there",
-       [](State& s) { s.needle->track_current = s.head->track_count; }},
+      {"track not there", [](State& s) { s.needle->track_current = s.head->track_count; }},
       {"touch_max", [](State& s) { s.needle->touch_count = s.needle->touch_max + 1; }},
       {"touch_count", [](State& s) { s.needle->touch_count = kMaxTouches + 1; }},
       {"handle", [](State& s) { s.needle->handle.rotation.w = 2; }},
-      {"slot", [&](State& s) { s.shaft->share[0].slot = c.slots; }},
-      {"slot of another row", [](State& s) { ++s.shaft->share[0].row; }},
+      {"slot", [&](State& s) { s.shaft->support[0].slot = c.slots; }},
+      {"slot of another row", [](State& s) { ++s.shaft->support[0].row; }},
       {"slot before its row",
        [&](State& s) {
-         s.shaft->share[0].slot = view.model.row[s.shaft->share[0].row].slot - 1;
+         s.shaft->support[0].slot = view.model.row[s.shaft->support[0].row].slot - 1;
        }},
-      {"row", [&](State& s) { s.shaft->share[0].row = c.rows; }},
-      {"weight", [](State& s) { s.shaft->share[0].weight += 0.1F; }},
-      {"no turn", [](State& s) { s.shaft->share[0].turn = {}; }},
-      {"share_count", [](State& s) { s.shaft->share_count = kSharesPerParticle + 1; }},
-      {"fewer shares", [](State& s) { --s.shaft->share_count; }},
+      {"row", [&](State& s) { s.shaft->support[0].row = c.rows; }},
+      {"weight", [](State& s) { s.shaft->support[0].weight += 0.1F; }},
+      {"no turn", [](State& s) { s.shaft->support[0].turn = {}; }},
+      {"support_count", [](State& s) { s.shaft->support_count = kSupportsPerParticle + 1; }},
+      {"fewer shares", [](State& s) { --s.shaft->support_count; }},
       {"no spring", [](State& s) { s.shaft->stiffness_n_per_m = 0; }},
       {"no full spring", [](State& s) { s.shaft->full_stiffness_n_per_m = 0; }},
-      {"more than all", [](State& s) { s.shaft->memory_share = 1.1F; }},
+      {"more than all", [](State& s) { s.shaft->relaxing_fraction = 1.1F; }},
       {"more than whole", [](State& s) { s.rod_shape->step_share = 1.1; }},
       {"material", [=](State& s) { s.tip->material = materials; }},
       {"rod", [](State& s) { s.rod_shape->direction[3].y += 0.5; }},
@@ -198,7 +196,7 @@ TEST(Snapshot, NoParticleHoldsOnToAHole) {
   ASSERT_NE(row, kNoRow);
   std::uint32_t refused = 0;
   for (std::uint32_t slot = 0; slot < view.model.row[row].count; ++slot) {
-    Share& share = view.state.shaft->share[0];
+    Support& share = view.state.shaft->support[0];
     share.slot = view.model.row[row].slot + slot;
     share.row = row;
     const Status status = restore(session.kernel, saved_of(session.kernel));
@@ -225,7 +223,7 @@ TEST(Snapshot, IsTakenInEveryPhase) {
     (void)tick(other.kernel, scripted_input(script, i));
     ASSERT_EQ(hash(other.kernel), hash(session.kernel)) << i;
     if (own.phase != Phase::kContact) continue;
-    view_of(other.kernel).state.tip->share_count = 0;
+    view_of(other.kernel).state.tip->support_count = 0;
     EXPECT_EQ(restore(other.kernel, saved_of(other.kernel)), Status::kSnapshotDamaged);
   }
   EXPECT_EQ(std::count(seen.begin(), seen.end(), true), 4);

@@ -11,8 +11,8 @@
 #include <random>
 #include <vector>
 
-#include "state/layout.h"
 #include "session.h"
+#include "state/layout.h"
 #include "tiny_organ.h"
 
 namespace stylet::test {
@@ -207,8 +207,8 @@ TEST(FindContact, FindsWhatBruteForceFindsOnADeformedSurface) {
       if (wanted.doubtful) continue;
       Vec3 rest = {}, place = {};
       std::uint32_t flags = 0;
-      const Contact contact =
-          find_contact(view.model, view.state, tip, way, contact_reach_m(view.model), {}, rest, place, flags);
+      const Contact contact = find_contact(view.model, view.state, tip, way,
+                                           contact_reach_m(view.model), {}, rest, place, flags);
       const bool found = contact == Contact::kFound;
       if (flags != 0) {  // more triangles than a tick may test: an answer later, never a wrong one
         ASSERT_EQ(flags, static_cast<std::uint32_t>(kFlagContactBudget));

@@ -24,7 +24,7 @@ namespace stylet {
 
 enum class Mode : std::uint32_t {
   kPhysical = 0,  // every parameter a physical quantity
-  kPaper = 1,     // the paper's rules: averaged goals, node puncture, whole-unit re-association
+  kPaper = 1,     // the paper's rules: its stiffness, node puncture, whole-unit re-association
 };
 
 // How the explicit step is kept stable for any material. Forces at rest are the same in both.
@@ -73,7 +73,7 @@ struct Config {
   float surround_drag_per_s =
       8.0F;  // drag of what surrounds the organ, per mass; 0 for a free body
   float hourglass_weight = 1.0F / 3.0F;  // physical mode; paper mode uses 1
-  float paper_alpha = 0.5F;              // paper mode: stiffness factor of the averaged goals, 0..1
+  float paper_alpha = 0.5F;              // paper mode: stiffness factor of goals, 0..1
   std::uint32_t needle_count = 1;        // needles in this tissue, each with its own hand
   NeedleConfig needle[kMaxNeedles];
   BreathingConfig breathing;
@@ -169,7 +169,7 @@ struct Output {
   Vec3 torque_nm;      // about the handle's position
   ForceByCause cause;
   Vec3 tip_m;
-  float depth_m;  // needle length inside the tissue
+  float depth_m;  // of the tip along its track, in tissue at rest, gaps included
   Phase phase;
   std::uint32_t layer;  // material under the tip; kNoLayer outside
   std::uint32_t constraint_particles;

@@ -67,7 +67,7 @@ constexpr std::uint32_t kMaxConstraintParticles = 128;
 // cp_voxel_pool_full is counted.
 constexpr std::uint32_t kMaxCoupledVoxels = 512;
 // Voxels one constraint particle is shared by: the eight whose centres surround it.
-constexpr std::uint32_t kSharesPerParticle = 8;
+constexpr std::uint32_t kSupportsPerParticle = 8;
 // Constraint particles placed in one tick. Reached by a needle that jumps: the rest follow in the
 // next ticks.
 constexpr std::uint32_t kMaxDropsPerTick = 8;

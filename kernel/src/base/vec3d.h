@@ -38,4 +38,15 @@ constexpr Vec3 to_float(Vec3d a) {
   return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
 }
 
+// The part of v across a unit normal.
+constexpr Vec3d across(Vec3d normal, Vec3d v) {
+  return v - dot(normal, v) * normal;
+}
+constexpr double max_of(double a, double b) {
+  return a > b ? a : b;
+}
+constexpr double min_of(double a, double b) {
+  return a < b ? a : b;
+}
+
 }  // namespace stylet

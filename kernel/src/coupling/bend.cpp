@@ -27,7 +27,7 @@ bool is_elastic(const NeedleConfig& config) {
 Vec3 carried(Vec3 across, Vec3 from, Vec3 to) {
   const float opening = max_of(1 + dot(from, to), 1e-6F);
   const Vec3 moved = across - (dot(across, to) / opening) * (from + to);
-  return unit(moved - dot(moved, to) * to);
+  return unit_vector(moved - dot(moved, to) * to);
 }
 
 Sym3d across(Vec3 direction, float stiffness) {
@@ -47,7 +47,7 @@ bool slides(const Particle& p) {
 // does not give way.)
 void add_particle(const Model& model, const State& state, const Needle& last, const Particle& p,
                   RodLoads& loads) {
-  if (p.share_count == 0) return;
+  if (p.support_count == 0) return;
   const NeedleState& own = *state.needle;
   const Vec3 direction = needle_point(last, p.arc_m).direction;
   const Vec3 along = slides(p) ? direction : Vec3{};
@@ -103,7 +103,7 @@ std::uint32_t keep_bend(const Model& model, State& state, const Scratch& scratch
 // A particle goes where the needle has gone; one that slips, only across, for how far along is
 // decided in the next tick.
 void carry(const Needle& needle, Particle& p) {
-  if (p.share_count == 0) return;
+  if (p.support_count == 0) return;
   const NeedlePoint at = needle_point(needle, p.arc_m);
   const Vec3 moved = at.place_m - p.position_m;
   const float along = slides(p) ? dot(moved, at.direction) : 0;
@@ -190,7 +190,7 @@ std::uint32_t place_needle(const Model& model, State& state, Scratch& scratch, N
   needle_out.side = rolled_side(state, r);
   needle_out.tip_direction = from;
   for (std::uint32_t i = 0; is_elastic(config) && i < needle_out.rods; ++i) {
-    const Vec3 to = unit(needle_out.node[i + 1] - needle_out.node[i]);
+    const Vec3 to = unit_vector(needle_out.node[i + 1] - needle_out.node[i]);
     needle_out.side = carried(needle_out.side, from, to);
     needle_out.tip_direction = from = to;
   }

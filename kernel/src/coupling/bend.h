@@ -21,8 +21,8 @@ Needle needle_of(const Model& model, const State& state);
 // Rods and their rest shape; obstacles are given by set_obstacles.
 void make_needle(const NeedleConfig& config, RodModel& rod_out);
 
-// Shape of this view's needle at its handle's pose, and its contacts with obstacles, unless it is
-// in the tissue: then they are what settle_needle finds. Returns output flags.
+// Shape of this needle at its handle's pose, and its contacts with obstacles. Those of an elastic
+// needle in tissue are what settle_needle finds. Returns output flags.
 std::uint32_t place_needle(const Model& model, State& state, Scratch& scratch, Needle& needle_out);
 
 // A needle whose tip is in contact bends once more before the tissue's step, by the force that the

@@ -18,7 +18,7 @@ namespace {
 // is not in and out with every rounding.
 constexpr float kReleaseSkinM = 2e-5F;
 // In a bend in contact, whose spring is the tangent from before it, the tip of an elastic needle
-// takes tissue aside no farther than kChordM and this share of what it is off already: the
+// takes tissue aside no farther than kChordM and this part of what it is off already: the
 // tangent's force is 0.8 % below that of a law that goes with the square. A choice, no sensitivity.
 constexpr float kAsideShare = 0.1F;
 
@@ -26,19 +26,19 @@ constexpr float kAsideShare = 0.1F;
 // in, without force. Where the deformation at the surface says nothing of the tissue there, it
 // holds the surface.
 Particle tip_under(const Model& model, State& state, const Needle& needle, Vec3 rest_m,
-                   Vec3 place_m, float buried_m, Place place) {
-  Particle tip = new_particle(model, state, needle, rest_m, place_m, 0, 0, place);
-  if (tip.share_count > 0 && buried_m > 0) {
+                   Vec3 place_m, float buried_m, Role role) {
+  Particle tip = new_particle(model, state, needle, rest_m, place_m, 0, 0, role);
+  if (tip.support_count > 0 && buried_m > 0) {
     const Vec3 step = buried_m * needle.tip_direction;
     const Vec3 image = pull_back_step(model, gradient_around(model, state, tip), step);
     const Particle under =
-        new_particle(model, state, needle, rest_m + image, place_m + step, 0, 0, place);
-    if (under.share_count > 0) {
+        new_particle(model, state, needle, rest_m + image, place_m + step, 0, 0, role);
+    if (under.support_count > 0) {
       tip = under;
     } else {
       shift_goals(tip, step);
     }
-    if (place == Place::kTip) tip.track_m = norm(image);
+    if (role == Role::kTip) tip.track_m = norm(image);
   }
   tip.position_m = needle.tip_m;
   return tip;
@@ -49,7 +49,7 @@ Particle tip_here(const Model& model, State& state, const Needle& needle) {
   const Particle& before = *state.tip;
   const Vec3 step = pull_back_step(model, gradient_around(model, state, before), residual(before));
   return new_particle(model, state, needle, before.rest_m + step, needle.tip_m, 0, 0,
-                      Place::kSurface);
+                      Role::kSurface);
 }
 
 // A contact the tip is drawn back from: where tissue has come over the tip from elsewhere, or it
@@ -61,11 +61,11 @@ bool hold_on(const Model& model, State& state, const Needle& needle, std::uint32
                                        model.needle_config().length_m, {}, rest, place, flags_out);
   if (contact != Contact::kFound) return false;
   Particle tip = tip_here(model, state, needle);
-  if (tip.share_count == 0) {
+  if (tip.support_count == 0) {
     const float buried = dot(needle.tip_m - place, needle.tip_direction);
-    tip = tip_under(model, state, needle, rest, place, buried, Place::kSurface);
+    tip = tip_under(model, state, needle, rest, place, buried, Role::kSurface);
   }
-  if (tip.share_count == 0) return false;
+  if (tip.support_count == 0) return false;
   *state.tip = tip;
   state.needle->layer = tip.material;
   return true;
@@ -88,19 +88,19 @@ void begin_contact(const Model& model, State& state, Scratch& scratch, const Nee
   own.leaving = 0;
   own.moved_m = model.head->counts.needles > 1 ? place_m - rest_m : Vec3{};
   const Particle entry =
-      new_particle(model, state, needle, rest_m, place_m, 0, buried, Place::kShaft);
+      new_particle(model, state, needle, rest_m, place_m, 0, buried, Role::kShaft);
   const std::uint32_t track =
       buried > mouth_m(model) ? track_of(model, state, needle, entry) : kNoTrack;
-  const Place place = track != kNoTrack ? Place::kTip : Place::kSurface;
-  const Particle tip = tip_under(model, state, needle, rest_m, place_m, buried, place);
-  if (tip.share_count == 0) return;
+  const Role role = track != kNoTrack ? Role::kTip : Role::kSurface;
+  const Particle tip = tip_under(model, state, needle, rest_m, place_m, buried, role);
+  if (tip.support_count == 0) return;
   *state.tip = tip;
   own.tip_alive = 1;
   if (track != kNoTrack) {
     take_in(model, state, scratch, needle, track, entry);
     return;
   }
-  // couple_needle presses it in, as far as it is then: see contact_spring.
+  // update_contact presses it in, as far as it is then: see contact_spring.
   state.tip->position_m = needle.tip_m - residual(tip);
   own.phase = Phase::kContact;
   own.layer = tip.material;
@@ -117,11 +117,10 @@ void update_contact(const Model& model, State& state, Scratch& scratch, const Ne
     if (!hold_on(model, state, needle, flags_out)) end_contact(state);
     return;
   }
-  if (head.config.mode == Mode::kPhysical)
-    relax_contact(model, state, needle.tip_direction, step_m);
+  if (head.rules.contact_law) relax_contact(model, state, needle.tip_direction, step_m);
   const std::uint32_t track = track_of(model, state, needle, tip);
   const bool node_inside = away > model.needle_config().unit_m;
-  const bool through = head.config.mode == Mode::kPaper
+  const bool through = head.rules.unit_punctures
                            ? node_inside
                            : felt >= puncture_force(state, head.material[tip.material]);
   if (through || track != kNoTrack) begin_insertion(model, state, scratch, needle, track, felt);
@@ -130,15 +129,15 @@ void update_contact(const Model& model, State& state, Scratch& scratch, const Ne
 void throw_aside(const Model& model, State& state, Scratch& scratch, const Needle& needle,
                  Vec3 moved_m) {
   Particle& tip = *state.tip;
-  if (state.needle->phase != Phase::kContact || tip.share_count == 0) return;
-  if (model.head->config.mode == Mode::kPaper) return;
+  if (state.needle->phase != Phase::kContact || tip.support_count == 0) return;
+  if (!model.head->rules.contact_law) return;
   const Vec3 aside = moved_m - dot(moved_m, needle.tip_direction) * needle.tip_direction;
   const float before_m = max_of(norm(residual(tip) - moved_m), needle.off_m);
   const float held_m = kChordM + kAsideShare * before_m;
   if (!(norm(residual(tip)) > before_m + held_m && dot(aside, aside) > held_m * held_m)) return;
   tip = tip_here(model, state, needle);
   stretch_of(state, scratch, kMaxConstraintParticles) = {};
-  if (tip.share_count == 0) end_contact(state);
+  if (tip.support_count == 0) end_contact(state);
 }
 
 void stretch_tip(const State& state, Scratch& scratch, Vec3 moved_m) {

@@ -6,7 +6,7 @@
 namespace stylet {
 
 double contact_energy(const Model& model, const State& state, const Particle& p) {
-  if (model.head->config.mode == Mode::kPaper) return spring_energy(p);
+  if (!model.head->rules.contact_law) return spring_energy(p);
   const Vec3 d = residual(p);
   return contact_energy(law_of(model, state), d, p.full_stiffness_n_per_m * p.memory_m) +
          0.5 * static_cast<double>(p.stiffness_n_per_m * spread_of(p, d));
@@ -19,7 +19,7 @@ double tip_energy(const Model& model, const State& state, const Particle& tip) {
 
 namespace {
 
-// The spring of the coming fit: the law's tangent. Where the needle has just pressed on, tissue
+// The spring of the coming match: the law's tangent. Where the needle has just pressed on, tissue
 // gives way until the depth is about what it was, and there the tangent would lie far below the
 // law: the hand would press for less than is stored. So there it is the chord to that depth.
 float contact_spring(const ContactLaw& law, float depth_m, float before_m) {

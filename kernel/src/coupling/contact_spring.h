@@ -10,7 +10,7 @@
 
 namespace stylet {
 
-// The spread of the shares about their mean is carried by the spring of the moment.
+// The spread of the supports about their mean is carried by the spring of the moment.
 double contact_energy(const Model& model, const State& state, const Particle& p);
 
 // Creep of the contact, whose needle has moved by `step_m`; then its spring. Tissue that has crept

@@ -37,12 +37,12 @@ void advance_tip(const Model& model, const State& state, Particle& tip, Vec3 dir
                  float move_m) {
   const Gradient g = gradient_around(model, state, tip);
   const Vec3 step = move_m * direction;
-  const Vec3 image = tip.share_count > 0 ? pull_back_step(model, g, step) : step;
+  const Vec3 image = tip.support_count > 0 ? pull_back_step(model, g, step) : step;
   shift_goals(tip, step);
   tip.rest_m = tip.rest_m + image;
   tip.track_m += move_m < 0 ? -norm(image) : norm(image);
   Vec3 present = {};
-  if (tip.share_count == 0 || !present_place(model, state, tip.rest_m, present)) return;
+  if (tip.support_count == 0 || !present_place(model, state, tip.rest_m, present)) return;
   const Vec3 off = (tip.position_m - residual(tip)) - present;
   const float size = move_m < 0 ? -move_m : move_m;
   const Vec3 miss = (size / (size + kMaterialPullM)) * pull_back_step(model, g, off);
@@ -58,8 +58,8 @@ void enter_material(const Model& model, State& state, Particle& tip) {
   const float old = tip.stiffness_n_per_m;
   shift_goals(tip, tip.slack_m);
   forget(tip);
-  set_stiffness(model, state, tip, Place::kTip);
-  if (tip.stiffness_n_per_m > old) draw_goals(tip, 1 - old / tip.stiffness_n_per_m);
+  set_stiffness(model, state, tip, Role::kTip);
+  if (tip.stiffness_n_per_m > old) pull_goals(tip, 1 - old / tip.stiffness_n_per_m);
   state.head->cutting_j += before - spring_energy(tip);
 }
 
@@ -77,7 +77,7 @@ void enter_layer(const Model& model, State& state, Particle& tip, Vec3 direction
   if (tip.material == own.layer_before && since < kLayerSkinM && since > -kLayerSkinM) return;
   const MaterialModel& m = head.material[tip.material];
   const bool must = m.puncture_n > m.cutting_n && !in_track && own.phase != Phase::kRetracting &&
-                    head.config.mode == Mode::kPhysical;
+                    head.rules.layer_punctures;
   if (must && axial < puncture_force(state, m)) return;
   own.layer_before = own.layer;
   own.layer_track_m = tip.track_m;
@@ -114,7 +114,7 @@ void cut_tip(const Model& model, State& state, const Needle& needle, float moved
   const Vec3 direction = turn_cut(model, state, needle, 0);
   float move = moved_m;  // outside the tissue the tip carries nothing and follows the needle
   float all = move;
-  if (tip.share_count > 0) {
+  if (tip.support_count > 0) {
     const bool in_track = tip.track_m < own.track_end_m;
     enter_layer(model, state, tip, direction, in_track);
     const float axial = dot(force_on_tissue(tip), direction);
@@ -135,22 +135,22 @@ void rehome_tip(const Model& model, State& state) {
   NeedleState& own = *state.needle;
   Particle& tip = *state.tip;
   const double before = spring_energy(tip);
-  renew_shares(model, state, tip);
+  renew_supports(model, state, tip);
   if (!holds_track(model, tip.rest_m, tip.track_m)) {
-    tip.share_count = 0;
+    tip.support_count = 0;
     forget(tip);
   }
   state.head->cutting_j += before - spring_energy(tip);
-  if (tip.share_count > 0) own.tissue_track_m = tip.track_m;
+  if (tip.support_count > 0) own.tissue_track_m = tip.track_m;
   own.track_end_m = max_of(own.track_end_m, tip.track_m);
 }
 
 void let_cut(const Model& model, State& state) {
   NeedleState& own = *state.needle;
   Particle& tip = *state.tip;
-  if (own.phase == Phase::kFree || own.phase == Phase::kContact || tip.share_count == 0) return;
+  if (own.phase == Phase::kFree || own.phase == Phase::kContact || tip.support_count == 0) return;
   if (tip.material != own.spring_layer) return;
-  const float limit = kLoose * tip_limit(model, state, tip, tip.track_m < own.track_end_m);
+  const float limit = kEndTolerance * tip_limit(model, state, tip, tip.track_m < own.track_end_m);
   const float before_n = dot(tip.force_n, own.cut);
   const float back_m = max_of(-dot(tip.slip_m, own.cut), 0);
   const float high_n = clamp(before_n - back_m * tip.stiffness_n_per_m, 0, limit);

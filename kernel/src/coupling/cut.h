@@ -21,7 +21,7 @@ float puncture_force(const State& state, const MaterialModel& m);
 // hand that pushes.
 void cut_tip(const Model& model, State& state, const Needle& needle, float moved_m);
 
-// Takes the voxels where the tip now is. Shares that fade take along what their goals differ from
+// Takes the voxels where the tip now is. Supports that fade take along what their goals differ from
 // the others'; a tip that leaves, all.
 void rehome_tip(const Model& model, State& state);
 

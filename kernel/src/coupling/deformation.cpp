@@ -16,9 +16,9 @@ constexpr float kCrushed = 0.05F;
 
 Gradient gradient_around(const Model& model, const State& state, const Particle& p) {
   float f[9] = {};
-  for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    const Corners corners = sum_corners(model, state, p.share[i].slot, p.share[i].row);
-    for (int j = 0; j < 9; ++j) f[j] += p.share[i].weight * corners.gradient[j];
+  for (std::uint32_t i = 0; i < p.support_count; ++i) {
+    const Corners corners = sum_corners(model, state, p.support[i].slot, p.support[i].row);
+    for (int j = 0; j < 9; ++j) f[j] += p.support[i].weight * corners.gradient[j];
   }
   Gradient g = {{1 + f[0], f[3], f[6]}, {f[1], 1 + f[4], f[7]}, {f[2], f[5], 1 + f[8]}, 0};
   g.det = dot(g.c0, cross(g.c1, g.c2));

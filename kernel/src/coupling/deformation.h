@@ -5,14 +5,14 @@
 // Rest places must follow the material, not the rotation alone: else a needle that leaves strained
 // tissue does not find its way back to its entry.
 //
-// Promises: bounded by kSharesPerParticle, no allocation. Units SI.
+// Promises: bounded by kSupportsPerParticle, no allocation. Units SI.
 #pragma once
 
 #include "lattice/voxel.h"
 
 namespace stylet {
 
-// Deformation of the tissue around a CP: displacement gradient, averaged over its shares.
+// Deformation of the tissue around a CP: displacement gradient, averaged over its supports.
 struct Gradient {
   Vec3 c0, c1, c2;  // columns of I + gradient
   float det;

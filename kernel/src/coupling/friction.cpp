@@ -18,17 +18,18 @@ float length_of(const Model& model, const State& state, const Particle& p) {
 
 }  // namespace
 
-void stand_for(const Model& model, State& state, Particle& p) {
-  const bool paper = model.head->config.mode == Mode::kPaper;
+void take_tributary_spring(const Model& model, State& state, Particle& p) {
   const float part =
-      paper ? 1.0F : max_of(length_of(model, state, p) / model.needle_config().unit_m, kLeastPart);
+      model.head->rules.voxel_springs
+          ? 1.0F
+          : max_of(length_of(model, state, p) / model.needle_config().unit_m, kLeastPart);
   const float stiffness = part * p.full_stiffness_n_per_m;
   if (stiffness == p.stiffness_n_per_m) return;
   const double before = spring_energy(p);
   // What is added holds its tissue where it lies, without force.
   if (stiffness > p.stiffness_n_per_m) {
     const float old = p.stiffness_n_per_m / stiffness;
-    draw_goals(p, 1 - old);
+    pull_goals(p, 1 - old);
     p.memory_m = old * p.memory_m;
     p.give_m = old * p.give_m;
     p.slack_m = old * p.slack_m;
@@ -49,21 +50,21 @@ Friction friction_at(const Model& model, Vec3 rest_m) {
 
 }  // namespace
 
-void meet_friction(const Model& model, State& state, Vec3 from_m, float from_track_m) {
+void gather_friction(const Model& model, State& state, Vec3 from_m, float from_track_m) {
   const Particle& tip = *state.tip;
   for (std::uint32_t i = 0; i < state.needle->shaft_count; ++i) {
     Particle& p = state.shaft[i];
-    const float length = length_of(model, state, p), grown = length - p.met_m;
+    const float length = length_of(model, state, p), grown = length - p.friction_length_m;
     if (!(grown > 0)) continue;
     const float step = grown * (1.0F / kFrictionSamples), all = tip.track_m - from_track_m;
     for (std::uint32_t k = 0; k < kFrictionSamples; ++k) {
-      const float at = p.track_m + p.met_m + 0.5F * step - from_track_m;
+      const float at = p.track_m + p.friction_length_m + 0.5F * step - from_track_m;
       const float part = all > 0 ? clamp(at / all, 0, 1) : 1.0F;
-      p.met_m += step;
+      p.friction_length_m += step;
       const Friction here = friction_at(model, from_m + part * (tip.rest_m - from_m));
-      p.friction = mixed(p.friction, here, step / p.met_m);
+      p.friction = mixed(p.friction, here, step / p.friction_length_m);
     }
-    p.met_m = length;  // exactly, or rounding is met again and again
+    p.friction_length_m = length;  // exactly, or rounding is met again and again
   }
 }
 
@@ -78,7 +79,7 @@ void slip_shaft(const Model& model, State& state, Scratch& scratch, const Needle
     Particle& p = state.shaft[i];
     // All that changes the spring comes before the return map, which has the last word on the
     // force.
-    stand_for(model, state, p);
+    take_tributary_spring(model, state, p);
     const float limit = friction_limit_n(model, state, p);
     const Vec3 direction = needle_point(needle, p.arc_m).direction;
     const Vec3 residual_m = residual(p), force = force_on_tissue(p, residual_m);
@@ -94,10 +95,10 @@ void slip_shaft(const Model& model, State& state, Scratch& scratch, const Needle
 }
 
 void let_slip(const Model& model, State& state, const Needle& needle, Particle& p) {
-  const float loose_m = kLoose * model.needle_config().unit_m;
+  const float loose_m = kEndTolerance * model.needle_config().unit_m;
   const float least = loose_m * p.friction.coulomb_n_per_m;
   const bool pushes = dot(p.force_n, p.slip_m) < 0;
-  if (!(p.met_m > 0) || (!pushes && dot(p.force_n, p.force_n) <= least * least)) return;
+  if (!(p.friction_length_m > 0) || (!pushes && dot(p.force_n, p.force_n) <= least * least)) return;
   const float limit = loose_m * friction_n_per_m(p.friction, p.slip_m_per_s);
   const Vec3 direction = needle_point(needle, p.arc_m).direction;
   const float before_n = dot(p.force_n, direction), slipped_m = dot(p.slip_m, direction);

@@ -17,12 +17,12 @@ namespace stylet {
 // Gives a CP the spring of the shaft it stands for: that and friction vanish when the tip comes
 // back to it, so that neither friction nor clamping jumps when it is added or removed. What that
 // costs is booked as friction.
-void stand_for(const Model& model, State& state, Particle& p);
+void take_tributary_spring(const Model& model, State& state, Particle& p);
 
 // The stretch a CP stands for may lie in several materials: its friction is their mean, taken on
 // the way on which the tip passed it in this tick, from `from_m` in the rest frame and
 // `from_track_m` on the track. (The CP's own place would be one sample of a unit of shaft.)
-void meet_friction(const Model& model, State& state, Vec3 from_m, float from_track_m);
+void gather_friction(const Model& model, State& state, Vec3 from_m, float from_track_m);
 
 void slip_shaft(const Model& model, State& state, Scratch& scratch, const Needle& needle);
 

@@ -24,7 +24,7 @@ void change_spring(const Model& model, State& state, const Needle& needle, float
   const Vec3 across = pressed - dot(pressed, direction) * direction;
   const float old = tip.stiffness_n_per_m, spread = spread_of(tip, residual(tip));
   tip.tissue_compliance = 0;  // of the contact only
-  set_stiffness(model, state, tip, Place::kTip);
+  set_stiffness(model, state, tip, Role::kTip);
   forget(tip);
   const float k = tip.stiffness_n_per_m;
   gather_goals(tip, (1 / k) * (across + force_n * direction), spread * min_of(old / k, 1));
@@ -53,7 +53,7 @@ void begin_insertion(const Model& model, State& state, Scratch& scratch, const N
   NeedleState& own = *state.needle;
   const Particle& tip = *state.tip;
   const VoxelFrame frame =
-      voxel_frame(model, state, tip.share[heaviest(tip)].slot, tip.share[heaviest(tip)].row);
+      voxel_frame(model, state, tip.support[heaviest(tip)].slot, tip.support[heaviest(tip)].row);
   const Vec3 rest_direction = transposed_times(frame.rotation, needle.tip_direction);
   const bool again = track != kNoTrack;
   // The entry is held where the surface is now, behind the tip by the depth of the dimple's cone.
@@ -61,7 +61,7 @@ void begin_insertion(const Model& model, State& state, Scratch& scratch, const N
   const Vec3 place = tip.position_m - behind * needle.tip_direction;
   enter_track(model, state, scratch, needle,
               again ? track : remember_track(state, tip.rest_m, rest_direction), 0,
-              new_particle(model, state, needle, tip.rest_m, place, 0, behind, Place::kShaft));
+              new_particle(model, state, needle, tip.rest_m, place, 0, behind, Role::kShaft));
   change_spring(model, state, needle, force_n);
   own.phase = Phase::kInserted;
   add_event(state, again ? EventKind::kReentry : EventKind::kPuncture, force_n);
@@ -72,7 +72,7 @@ void take_in(const Model& model, State& state, Scratch& scratch, const Needle& n
   enter_track(model, state, scratch, needle, track, state.tip->track_m, entry);
   state.needle->phase = Phase::kRetracting;
   (void)drop_shaft(model, state, scratch, needle);
-  meet_friction(model, state, entry.rest_m, 0);
+  gather_friction(model, state, entry.rest_m, 0);
   add_event(state, EventKind::kReentry, 0);
 }
 

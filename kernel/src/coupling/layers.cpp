@@ -55,7 +55,7 @@ void tell_layer_late(State& state) {
 
 void leave_layers(State& state) {
   NeedleState& own = *state.needle;
-  if (state.tip->share_count > 0 || own.layer == kNoLayer) return;
+  if (state.tip->support_count > 0 || own.layer == kNoLayer) return;
   own.layer = kNoLayer;
   tell_layer(state, 0);
 }

@@ -22,44 +22,45 @@ constexpr float kLeastCreep = 1.0F / 16;
 // energy phi (1 - phi) m n / 2 summed over all CPs, n = K m, which needs no K: n' = (F + phi n - n)
 // / tau. Where one CP's m n is below 0 it stores nothing.
 //
-// A CP's shares hold the tissue as it was deformed when the CP took hold of it. So their d differ;
-// as these do not change, the places where they lie unloaded are drawn together by that part.
+// A CP's supports hold the tissue as it was deformed when the CP took hold of it. So their d
+// differ; as these do not change, the places where they lie unloaded are drawn together by that
+// part.
 //
 // The branch goes this part of its way; `residual_m` is the CP's.
 void creep(const Model& model, const State& state, Particle& p, Vec3 residual_m, float part) {
   const Vec3 rest_m = unloaded_place(model, p);
   const Vec3 d = (p.position_m - rest_m) - state.needle->moved_m;
-  const Vec3 f = force_on_tissue(p, residual_m) + p.memory_share * p.memory_n;
+  const Vec3 f = force_on_tissue(p, residual_m) + p.relaxing_fraction * p.memory_n;
   p.memory_m = settle(p.memory_m + part * (d - p.memory_m));
   p.memory_n = settle(p.memory_n + part * (f - p.memory_n));
   set_slack(p);
   const float before = p.memory_spread;
-  p.memory_spread = before + part * (p.memory_share - before);
+  p.memory_spread = before + part * (p.relaxing_fraction - before);
   if (p.memory_spread == before) return;
   const float drawn = (p.memory_spread - before) / max_of(1 - before, kLeastPart);
-  for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    Share& share = p.share[i];
-    const Vec3 step = drawn * (rest_m - unloaded_place(model, share));
-    share.offset_m = share.offset_m + step;
-    share.goal_m = share.goal_m + rotation_matrix(share.turn) * step;
+  for (std::uint32_t i = 0; i < p.support_count; ++i) {
+    Support& support = p.support[i];
+    const Vec3 step = drawn * (rest_m - unloaded_place(model, support));
+    support.offset_m = support.offset_m + step;
+    support.goal_m = support.goal_m + rotation_matrix(support.turn) * step;
   }
 }
 
 // The Maxwell branch creeps by this part of its way; what it dissipates is booked, and may be spent
 // by others (`spare_j`). Energy must not rise by more than that: else nothing changes, and how much
 // it would have risen is returned.
-double try_creep(const Model& model, State& state, Particle& p, Drawn& shares, float part,
+double try_creep(const Model& model, State& state, Particle& p, Residuals& supports, float part,
                  double& spare_j) {
-  if (p.memory_share == 0 || p.share_count == 0) return 0;
+  if (p.relaxing_fraction == 0 || p.support_count == 0) return 0;
   const Particle before = p;
-  const double before_j = spring_energy(p, shares);
-  creep(model, state, p, shares.residual_m, part);
-  const Drawn crept = drawn(p);
+  const double before_j = spring_energy(p, supports);
+  creep(model, state, p, supports.residual_m, part);
+  const Residuals crept = residuals(p);
   const double rise_j = spring_energy(p, crept) - before_j;
   if (rise_j <= spare_j) {
     spare_j -= rise_j;
     state.head->relaxation_j -= rise_j;
-    shares = crept;
+    supports = crept;
     return 0;
   }
   p = before;
@@ -67,35 +68,38 @@ double try_creep(const Model& model, State& state, Particle& p, Drawn& shares, f
 }
 
 // The Maxwell branch creeps for a tick. False: it did not, for energy would rise.
-bool relax(const Model& model, State& state, Particle& p, Drawn& shares, double& spare_j) {
-  return try_creep(model, state, p, shares, 1 - p.memory_keep, spare_j) == 0;
+bool relax(const Model& model, State& state, Particle& p, Residuals& supports, double& spare_j) {
+  return try_creep(model, state, p, supports, 1 - p.memory_keep, spare_j) == 0;
 }
 
 // The same for one that has to be paid by the others: as far as they do.
-void relax_late(const Model& model, State& state, Particle& p, Drawn& shares, double& spare_j) {
+void relax_late(const Model& model, State& state, Particle& p, Residuals& supports,
+                double& spare_j) {
   const float all = 1 - p.memory_keep;
-  const double rise_j = try_creep(model, state, p, shares, all, spare_j);
+  const double rise_j = try_creep(model, state, p, supports, all, spare_j);
   if (rise_j == 0) return;
   const float part = all * max_of(kLeastCreep, static_cast<float>(spare_j / rise_j));
-  (void)try_creep(model, state, p, shares, part, spare_j);
+  (void)try_creep(model, state, p, supports, part, spare_j);
 }
 
 // The give follows the force along the needle, as over a damper. Only what lies along: to take back
 // what lies across would take work against the force there.
-void give_way(StateHead& state, Particle& p, const Drawn& shares, Vec3 direction) {
-  if (p.give_share == 0) return;
-  const double before_j = spring_energy(p, shares);
-  const float pull_m = dot(force_on_tissue(p, shares.residual_m), direction) / p.stiffness_n_per_m;
-  const float to_go_m = p.give_share * pull_m - (1 - p.give_share) * dot(p.give_m, direction);
+void give_way(StateHead& state, Particle& p, const Residuals& supports, Vec3 direction) {
+  if (p.axial_fraction == 0) return;
+  const double before_j = spring_energy(p, supports);
+  const float pull_m =
+      dot(force_on_tissue(p, supports.residual_m), direction) / p.stiffness_n_per_m;
+  const float to_go_m =
+      p.axial_fraction * pull_m - (1 - p.axial_fraction) * dot(p.give_m, direction);
   p.give_m = settle(p.give_m + kGiveRate * to_go_m * direction);
   set_slack(p);
-  state.relaxation_j += before_j - spring_energy(p, shares);
+  state.relaxation_j += before_j - spring_energy(p, supports);
 }
 
 // A CP of the shaft goes with the needle.
-void follow(State& state, const Needle& needle, Particle& p, const Drawn& shares) {
+void follow(State& state, const Needle& needle, Particle& p, const Residuals& supports) {
   const NeedlePoint point = needle_point(needle, p.arc_m);
-  give_way(*state.head, p, shares, point.direction);
+  give_way(*state.head, p, supports, point.direction);
   p.position_m = point.place_m;
   turn_give(p, point.direction);
 }
@@ -109,20 +113,20 @@ void relax_and_follow(const Model& model, State& state, const Needle& needle) {
   double spare_j = 0;
   for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
     Particle& p = state.shaft[i];
-    refill_shares(model, state, p);
-    Drawn shares = drawn(p);
-    late[i] = !relax(model, state, p, shares, spare_j);
-    if (!late[i]) follow(state, needle, p, shares);
+    refill_supports(model, state, p);
+    Residuals supports = residuals(p);
+    late[i] = !relax(model, state, p, supports, spare_j);
+    if (!late[i]) follow(state, needle, p, supports);
   }
-  Drawn tip_shares = drawn(tip);
+  Residuals tip_shares = residuals(tip);
   if (!relax(model, state, tip, tip_shares, spare_j))
     relax_late(model, state, tip, tip_shares, spare_j);
   for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
     if (!late[i]) continue;
     Particle& p = state.shaft[i];
-    Drawn shares = drawn(p);
-    relax_late(model, state, p, shares, spare_j);
-    follow(state, needle, p, shares);
+    Residuals supports = residuals(p);
+    relax_late(model, state, p, supports, spare_j);
+    follow(state, needle, p, supports);
   }
 }
 

@@ -13,7 +13,7 @@ constexpr float kSlidingMPerS = 1e-4F;
 
 float overshoot(const Model& model, const Particle& p, float axial_n, float low_n, float high_n) {
   const ModelHead& head = *model.head;
-  if (head.config.mode == Mode::kPaper) {
+  if (head.rules.unit_slips) {
     const float unit = model.needle_config().unit_m;
     const float away = axial_n / p.stiffness_n_per_m;
     constexpr auto kMost = static_cast<float>(kMaxUnitsPerTick);

@@ -16,7 +16,7 @@ constexpr float kSlipFilterS = 0.02F;
 // Sliding this far renews the tissue a CP touches, and with it the relaxed part of its force.
 constexpr float kRenewalLengthM = 1e-3F;
 // At a tick's end CPs may carry so many times what they may where the needle has just moved.
-constexpr float kLoose = 2.0F;
+constexpr float kEndTolerance = 2.0F;
 
 // How far the CP must move for its axial force to come back between the limits. Paper mode: whole
 // needle units, once the point is more than one unit away from its goal.

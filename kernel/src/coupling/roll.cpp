@@ -7,31 +7,31 @@
 namespace stylet {
 namespace {
 
-// Below this a particle has no hold on the shaft, N.
+// Below this a particle has no grip on the shaft, N.
 constexpr float kLeastHoldN = 1e-9F;
 
 // A violent hand may leave particles behind its own place: nothing is held nearer than this.
 constexpr float kLeastArmM = 1e-3F;
 
-struct Hold {
+struct RollGrip {
   float torque_nm, moment_nm2;  // sums of t and of t s
 };
 
-Hold hold_of(const Model& model, const State& state) {
+RollGrip roll_grip(const Model& model, const State& state) {
   const NeedleState& own = *state.needle;
   const float length = model.needle_config().length_m,
               radius = model.needle_config().outer_radius_m;
   const Needle last = needle_of(model, state);
-  Hold hold = {};
+  RollGrip grip = {};
   for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
     const Particle& p = state.shaft[i];
     const float limit = friction_limit_n(model, state, p);
     const float carried = dot(p.force_n, needle_point(last, p.arc_m).direction);
     const float left = std::sqrt(max_of(limit * limit - carried * carried, 0));
-    hold.torque_nm += left * radius;
-    hold.moment_nm2 += left * radius * max_of(length - p.arc_m, kLeastArmM);
+    grip.torque_nm += left * radius;
+    grip.moment_nm2 += left * radius * max_of(length - p.arc_m, kLeastArmM);
   }
-  return hold;
+  return grip;
 }
 
 }  // namespace
@@ -40,15 +40,15 @@ void roll_tip(const Model& model, State& state, float rolled_rad) {
   const float torsion = model.needle_config().torsion_nm2;
   NeedleState& own = *state.needle;
   if (!(torsion > 0)) return;
-  const Hold hold = hold_of(model, state);
+  const RollGrip grip = roll_grip(model, state);
   const double before = roll_energy(state);
-  const bool held = hold.torque_nm > kLeastHoldN * model.needle_config().outer_radius_m;
-  const float stiffness = held ? torsion * hold.torque_nm / hold.moment_nm2 : 0;
-  // Where the hold has moved, torque or twist stays, whichever brings no energy.
+  const bool held = grip.torque_nm > kLeastHoldN * model.needle_config().outer_radius_m;
+  const float stiffness = held ? torsion * grip.torque_nm / grip.moment_nm2 : 0;
+  // Where the grip has moved, torque or twist stays, whichever brings no energy.
   if (stiffness > own.twist_nm_per_rad) own.twist_rad *= own.twist_nm_per_rad / stiffness;
   own.twist_nm_per_rad = stiffness;
   state.head->friction_j += before - roll_energy(state);
-  const float limit = held ? min_of(hold.moment_nm2 / torsion, kMaxTwistRad) : 0;
+  const float limit = held ? min_of(grip.moment_nm2 / torsion, kMaxTwistRad) : 0;
   const float wound = own.twist_rad + rolled_rad, twist = clamp(wound, -limit, limit);
   // At the mean of the torques before and after, as the hand's work is booked.
   const float torque = 0.5F * stiffness * (own.twist_rad + twist);

@@ -24,7 +24,7 @@ std::uint32_t push_shaft(const Model& model, State& state, Scratch& scratch, Par
     ++state.head->cp_pool_full;
     return kFlagCpPoolFull;
   }
-  stand_for(model, state, p);
+  take_tributary_spring(model, state, p);
   stretch_of(state, scratch, own.shaft_count) = {};
   state.shaft[own.shaft_count++] = p;
   own.shaft_max = own.shaft_count > own.shaft_max ? own.shaft_count : own.shaft_max;
@@ -47,7 +47,7 @@ std::uint32_t drop_shaft(const Model& model, State& state, Scratch& scratch, con
   NeedleState& own = *state.needle;
   const Particle& tip = *state.tip;
   const float unit = model.needle_config().unit_m;
-  if (tip.share_count == 0) return 0;  // the stretch lies outside the tissue
+  if (tip.support_count == 0) return 0;  // the stretch lies outside the tissue
   if (own.drop_track_m > tip.track_m) {
     own.drop_track_m = state.shaft[own.shaft_count - 1].track_m;
   }
@@ -63,8 +63,8 @@ std::uint32_t drop_shaft(const Model& model, State& state, Scratch& scratch, con
     if (!holds_track(model, rest, track)) rest = tip.rest_m - behind * along;
     const float arc = arc_at(model, state, needle, rest, behind);
     const Particle p = new_particle(model, state, needle, rest, needle_place(needle, arc), track,
-                                    arc, Place::kShaft);
-    if (p.share_count == 0 || !holds_track(model, rest, track)) {
+                                    arc, Role::kShaft);
+    if (p.support_count == 0 || !holds_track(model, rest, track)) {
       own.drop_track_m += kGapStep * unit;
       continue;
     }

@@ -8,7 +8,7 @@ constexpr float kPi = 3.14159265F;
 // Compliance of the lattice under the tip inside, in 1 / (G h): at Poisson ratio 0, by how much
 // less at 1, and by how much more where one voxel holds all of it (measured in a block without an
 // end: tests/fidelity/coupling/stiffness_test.cpp). The tip keeps its spring while it passes
-// through a tissue, so it has that of a mean place: what its shares' squares come to, (2/3)^3.
+// through a tissue, so it has that of a mean place: what its supports' squares come to, (2/3)^3.
 constexpr float kInsideGive = 0.104F, kInsideGiveSlope = 0.040F, kInsideGiveSquares = 0.076F;
 constexpr float kMeanSquares = 8.0F / 27.0F;
 // The same under the tip in contact, which two layers of voxels hold: at Poisson ratio 0, by how
@@ -57,12 +57,12 @@ float shear_inside_pa(const ModelHead& head, const MaterialModel& m, float unit_
   return m.shear_pa + m.skin_shear_n_per_m / max_of(unit_m, head.edge_m);
 }
 
-// Tissue gives way to a needle more easily along than across, but the fits hold one spring, as
-// stiff as across. What is missing along is a second one behind it, whose way is give_m: this share
-// of both. (Two stiffnesses in one fit would have no rotation in closed form.)
+// Tissue gives way to a needle more easily along than across, but the matches hold one spring, as
+// stiff as across. What is missing along is a second one behind it, whose way is give_m: this part
+// of both. (Two stiffnesses in one match would have no rotation in closed form.)
 float share_of_give(const ModelHead& head, const MaterialModel& m, float radius_m, float unit_m,
                     float own_compliance, float slack) {
-  if (head.config.mode == Mode::kPaper) return 0;
+  if (!head.rules.relaxes) return 0;
   const float shear_pa = shear_inside_pa(head, m, unit_m);
   const float row = line_compliance_along(kRowRadiusAlong * head.edge_m);
   const float along = line_compliance_along(radius_m) - row * (shear_pa / m.lattice_shear_pa);
@@ -71,9 +71,9 @@ float share_of_give(const ModelHead& head, const MaterialModel& m, float radius_
 
 // A CP's force relaxes as its material says: see creep.
 void set_relaxation(const ModelHead& head, Particle& p) {
-  if (head.config.mode == Mode::kPaper) return;
+  if (!head.rules.relaxes) return;
   const MaterialModel& m = head.material[p.material];
-  p.memory_share = m.relaxing_fraction;
+  p.relaxing_fraction = m.relaxing_fraction;
   p.memory_keep =
       exp_minus(head.config.period_s / max_of(m.relaxation_time_s, head.config.period_s));
 }
@@ -81,7 +81,7 @@ void set_relaxation(const ModelHead& head, Particle& p) {
 // What the tip in contact stands on: the deeper of the two layers of voxels that hold it, and how
 // many times as stiff the upper one is; what the squares of the weights come to where all is one
 // tissue, and of these times how far beside the voxel's middle they act. The mean offset of the
-// shares is along the needle: the place they surround lies an edge below the tip.
+// supports is along the needle: the place they surround lies an edge below the tip.
 struct Ground {
   float deep_pa, upper_ratio, squares, beside;
 };
@@ -89,17 +89,18 @@ struct Ground {
 Ground ground_under(const Model& model, const Particle& p) {
   const ModelHead& head = *model.head;
   Vec3 mean = {};
-  for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    mean = mean + p.share[i].weight * p.share[i].offset_m;
+  for (std::uint32_t i = 0; i < p.support_count; ++i) {
+    mean = mean + p.support[i].weight * p.support[i].offset_m;
   }
   const Vec3 along = (1 / (max_of(norm(mean), 1e-6F) * head.edge_m)) * mean;  // over edges
   float all = 0, upper = 0, upper_pa = 0, deep_pa = 0, squares = 0, beside = 0;
-  for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    const Share& share = p.share[i];
-    const float shear_pa = head.material[model.slot_material[share.slot]].lattice_shear_pa;
-    const float part = share.weight / std::sqrt(max_of(shear_pa, 1));  // share_deeper took the root
-    const float above = part * clamp(1.5F - dot(share.offset_m, along), 0, 1);
-    const Vec3 arm = cross(share.offset_m, along);
+  for (std::uint32_t i = 0; i < p.support_count; ++i) {
+    const Support& support = p.support[i];
+    const float shear_pa = head.material[model.slot_material[support.slot]].lattice_shear_pa;
+    const float part =
+        support.weight / std::sqrt(max_of(shear_pa, 1));  // support_deeper took the root
+    const float above = part * clamp(1.5F - dot(support.offset_m, along), 0, 1);
+    const Vec3 arm = cross(support.offset_m, along);
     all += part;
     upper += above;
     upper_pa += above * shear_pa;
@@ -163,7 +164,7 @@ Punch wanted_punch(const Model& model, const State& state, const MaterialModel& 
 
 }  // namespace
 
-void set_stiffness(const Model& model, State& state, Particle& particle, Place place) {
+void set_stiffness(const Model& model, State& state, Particle& particle, Role role) {
   const ModelHead& head = *model.head;
   const MaterialModel& m = head.material[particle.material];
   const float k = m.lattice_shear_pa * head.edge_m;
@@ -172,18 +173,18 @@ void set_stiffness(const Model& model, State& state, Particle& particle, Place p
   const float unit = model.needle_config().unit_m;
   float target = 0, lattice_compliance = 0, slack = 1;
   float least = 1 / (kMaxCpWeight * k);
-  switch (place) {
-    case Place::kSurface:
+  switch (role) {
+    case Role::kSurface:
       target = wanted_punch(model, state, m).stiffness_n_per_m;
       lattice_compliance = surface_compliance(model, ground_of(model, particle), nu);
       least = kLeastOwnPart * lattice_compliance;
       break;
-    case Place::kTip:
+    case Role::kTip:
       target = 24 * kPi * shear_inside_pa(head, m, unit) * a * (1 - nu) / (5 - 6 * nu);
       lattice_compliance =
           (kInsideGive - kInsideGiveSlope * nu + kInsideGiveSquares * kMeanSquares) / k;
       break;
-    case Place::kShaft:
+    case Role::kShaft:
       target = shear_inside_pa(head, m, unit) * unit * line_stiffness(a, nu);
       lattice_compliance =
           1 / (m.lattice_shear_pa * unit *
@@ -193,14 +194,14 @@ void set_stiffness(const Model& model, State& state, Particle& particle, Place p
       break;
   }
   const float own_compliance = max_of((1 / target - lattice_compliance) / slack, least);
-  particle.stiffness_n_per_m = head.config.mode == Mode::kPaper ? k : 1 / own_compliance;
+  particle.stiffness_n_per_m = head.rules.voxel_springs ? k : 1 / own_compliance;
   particle.full_stiffness_n_per_m = particle.stiffness_n_per_m;
-  if (place == Place::kShaft) {
-    particle.give_share = share_of_give(head, m, a, unit, own_compliance, slack);
+  if (role == Role::kShaft) {
+    particle.axial_fraction = share_of_give(head, m, a, unit, own_compliance, slack);
   }
   const float reached = 1 / (slack * own_compliance + lattice_compliance);
   state.head->coupling_shortfall = max_of(state.head->coupling_shortfall, 1 - reached / target);
-  if (place == Place::kSurface) particle.tissue_compliance = lattice_compliance / own_compliance;
+  if (role == Role::kSurface) particle.tissue_compliance = lattice_compliance / own_compliance;
   set_relaxation(head, particle);
 }
 

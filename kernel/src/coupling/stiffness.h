@@ -19,13 +19,13 @@ namespace stylet {
 // Largest spring of a CP, in voxel springs k: stiffer changes nothing but the numbers' condition.
 constexpr float kMaxCpWeight = 128.0F;
 
-enum class Place { kSurface, kTip, kShaft };
+enum class Role { kSurface, kTip, kShaft };
 
 // Gives a CP its spring, and what relaxes of it. Where the lattice alone is softer than what is
 // wanted, the largest spring is taken and the shortfall reported.
-void set_stiffness(const Model& model, State& state, Particle& particle, Place place);
+void set_stiffness(const Model& model, State& state, Particle& particle, Role role);
 
-// The law of the contact of this view's tip. Its memory is the force that is missing over the
+// The law of the contact of this needle's tip. Its memory is the force that is missing over the
 // spring's stiffness. The lattice gives way faster only as far as its part stays what it may be.
 // Where it is too soft for a punch as wide as the needle, contact widens as the needle's tip does
 // and ends at a width for which it is not.

@@ -55,9 +55,9 @@ std::uint32_t remember_track(State& state, Vec3 rest_m, Vec3 rest_direction) {
 
 std::uint32_t track_of(const Model& model, const State& state, const Needle& needle,
                        const Particle& entry) {
-  if (entry.share_count == 0) return kNoTrack;
-  const VoxelFrame frame = voxel_frame(model, state, entry.share[heaviest(entry)].slot,
-                                       entry.share[heaviest(entry)].row);
+  if (entry.support_count == 0) return kNoTrack;
+  const VoxelFrame frame = voxel_frame(model, state, entry.support[heaviest(entry)].slot,
+                                       entry.support[heaviest(entry)].row);
   return find_track(model, state, entry.rest_m,
                     transposed_times(frame.rotation, needle.tip_direction));
 }

@@ -10,7 +10,7 @@
 
 namespace stylet {
 
-// Of this view's needle, on its hand.
+// Of this needle, on its hand.
 void sum_forces(const Model& model, const State& state, const Needle& needle, Output& out);
 
 // Work of the hand since the last tick, into the books: mean of the forces at both ends times the

@@ -58,8 +58,8 @@ void join_tied(const Model& model, const Plane& plane, float* values) {
     const auto at = [&](std::uint32_t node) -> float& {
       return values[node - plane.particle_begin];
     };
-    for (const TiedNode* tie = first; tie != end; ++tie) at(tie->root) += at(tie->node);
-    for (const TiedNode* tie = first; tie != end; ++tie) at(tie->node) = at(tie->root);
+    for (const TiedNode* tie = first; tie != end; ++tie) at(tie->representative) += at(tie->node);
+    for (const TiedNode* tie = first; tie != end; ++tie) at(tie->node) = at(tie->representative);
   }
 }
 
@@ -186,7 +186,7 @@ inline void finish_groups(const Model& model, const State& state, const Scratch&
       j > 1 ? iterate_of(model, state, wave, j - 1, z) : first;  // in pass 1 times zero
   const float* const per_mass = model.step_per_mass + plane.particle_begin;
   const float* const bound = model.bound + plane.particle_begin;
-  const float* const held = scratch.held + plane.particle_begin;
+  const float* const held = scratch.coupling_bound + plane.particle_begin;
   float* const sent = wave.sent(j, z);
   for (std::ptrdiff_t i = begin; i < end; i += kWide) {
     const Wide by = slope * load(per_mass + i);

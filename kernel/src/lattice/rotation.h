@@ -138,7 +138,7 @@ static inline Correction<T> unit(const Correction<T>& p, T length_of_p) {
 }
 
 // `Refinements`: Rayleigh quotients taken to sharpen lambda before the step (0 in the lattice
-// sweep, 1 where constraint particles make the fit anisotropic).
+// sweep, 1 where constraint particles make the match anisotropic).
 template <int Refinements, typename T>
 static inline void rotation_step(T a00, T a01, T a02, T a10, T a11, T a12, T a20, T a21, T a22,
                                  T& qw, T& qx, T& qy, T& qz) {

@@ -28,7 +28,7 @@ namespace stylet {
 
 struct Slab {
   // Of this step: how many planes after its first are taken, and more once all are; and that its
-  // coupled voxels are fitted and its first plane is swept.
+  // coupled voxels are matched and its first plane is swept.
   alignas(64) std::atomic<std::uint32_t> taken;
   std::atomic<std::uint32_t> begun;
   std::uint32_t begin, end;  // voxel planes

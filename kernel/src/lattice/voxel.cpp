@@ -47,7 +47,7 @@ bool voxel_around(const Model& model, Vec3 cell, Vec3 f, std::uint32_t& slot_out
 // The particle at a voxel's corner (bits x, y, z), or the one it is tied to. Only with sheets.
 std::uint32_t corner_particle(const Model& model, std::uint32_t slot, const Row& row,
                               std::uint32_t corner) {
-  return model.root[row.node[corner >> 1U] + (slot - row.slot) + (corner & 1U)];
+  return model.representative[row.node[corner >> 1U] + (slot - row.slot) + (corner & 1U)];
 }
 
 // The eight cells around a place, the low one first, and where between their middles it lies.
@@ -214,8 +214,8 @@ VoxelFrame voxel_frame(const Model& model, const State& state, std::uint32_t slo
   return {rotation_matrix(corner_rotation(state, slot, corners)), rest + corners.mean_m, rest};
 }
 
-std::uint32_t find_shares(const Model& model, Vec3 rest_m, Share shares_out[kSharesPerParticle],
-                          Sharing sharing) {
+std::uint32_t find_supports(const Model& model, Vec3 rest_m,
+                            Support supports_out[kSupportsPerParticle], Weighting weighting) {
   const ModelHead& head = *model.head;
   const Around around = cells_around(head, rest_m);
   const bool one_sheet = head.counts.sheets == 1;
@@ -223,32 +223,33 @@ std::uint32_t find_shares(const Model& model, Vec3 rest_m, Share shares_out[kSha
   std::uint32_t count = 0;
   float sum = 0;
   for (std::int32_t corner = 0; corner < 8; ++corner) {
-    const float of_corner = sharing == Sharing::kEven ? 0.125F : tent(around, corner);
+    const float of_corner = weighting == Weighting::kEven ? 0.125F : tent(around, corner);
     bool taken = false;  // one voxel of a cell is enough
     each_voxel(model, around, corner, [&](std::uint32_t slot, std::uint32_t row_index) {
       const float fill = model.slot_fill[slot];
-      const float part = sharing == Sharing::kStiff ? std::sqrt(fill * model.slot_k[slot]) : fill;
+      const float part =
+          weighting == Weighting::kStiff ? std::sqrt(fill * model.slot_k[slot]) : fill;
       const float weight = of_corner * part;
       const auto common = 7U - static_cast<std::uint32_t>(corner);
       if (taken || !(weight > 0) ||
           !(one_sheet || corner_particle(model, slot, model.row[row_index], common) == particle)) {
         return;
       }
-      shares_out[count++] = {slot, row_index, weight, {}, {}, {}};
+      supports_out[count++] = {slot, row_index, weight, {}, {}, {}};
       sum = sum + weight;
       taken = true;
     });
   }
-  if (count > 0 && head.config.mode == Mode::kPaper) {  // one voxel, as in the paper
+  if (count > 0 && head.rules.one_support) {
     std::uint32_t best = 0;
     for (std::uint32_t i = 1; i < count; ++i) {
-      if (shares_out[i].weight > shares_out[best].weight) best = i;
+      if (supports_out[i].weight > supports_out[best].weight) best = i;
     }
-    shares_out[0] = shares_out[best];
+    supports_out[0] = supports_out[best];
     count = 1;
-    sum = shares_out[0].weight;
+    sum = supports_out[0].weight;
   }
-  for (std::uint32_t i = 0; i < count; ++i) shares_out[i].weight = shares_out[i].weight / sum;
+  for (std::uint32_t i = 0; i < count; ++i) supports_out[i].weight = supports_out[i].weight / sum;
   return count;
 }
 

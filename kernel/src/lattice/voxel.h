@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One voxel of the deformed lattice: sums over its corners, its frame, and which voxels share a
+// One voxel of the deformed lattice: sums over its corners, its frame, and which voxels hold a
 // point.
 //
 // Promises: a fixed number of operations; no allocation. Units SI, world frame.
@@ -68,12 +68,13 @@ struct VoxelFrame {
 VoxelFrame voxel_frame(const Model& model, const State& state, std::uint32_t slot,
                        std::uint32_t row);
 
-// Weights of the voxels around a rest point, times fill; 0 shares outside the tissue. Tent weights
+// Weights of the voxels around a rest point, times fill; none outside the tissue. Tent weights
 // change smoothly along a way; even ones are the same for all places between the same centres;
-// stiff ones are tent weights times the root of fill and stiffness (coupling.cpp says why).
-enum class Sharing { kTent, kEven, kStiff };
-std::uint32_t find_shares(const Model& model, Vec3 rest_m, Share shares_out[kSharesPerParticle],
-                          Sharing sharing = Sharing::kTent);
+// stiff ones are tent weights times the root of fill and stiffness (coupling/support.cpp says why).
+enum class Weighting { kTent, kEven, kStiff };
+std::uint32_t find_supports(const Model& model, Vec3 rest_m,
+                            Support supports_out[kSupportsPerParticle],
+                            Weighting weighting = Weighting::kTent);
 
 // Present place of a rest point, trilinear in the voxel that holds it; false outside the tissue.
 bool present_place(const Model& model, const State& state, Vec3 rest_m, Vec3& place_out_m);

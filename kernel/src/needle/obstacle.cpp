@@ -17,13 +17,6 @@ constexpr double kLeastStiffnessShare = 1e-5;
 constexpr float kLargestConfigM = 10;
 constexpr float kRotationTolerance = 1e-3F;
 
-double max_of(double a, double b) {
-  return a > b ? a : b;
-}
-double min_of(double a, double b) {
-  return a < b ? a : b;
-}
-
 bool is_zero(Vec3 v) {
   return v.x == 0 && v.y == 0 && v.z == 0;
 }
@@ -106,10 +99,6 @@ bool is_far(const Obstacle& obstacle, const Segment& axis, double rounding) {
 Press press_of(const ObstacleConfig& config, double depth_m) {
   return press(static_cast<double>(config.stiffness_n_per_m),
                static_cast<double>(config.largest_force_n), depth_m);
-}
-
-Vec3d across(Vec3d normal, Vec3d v) {
-  return v - dot(normal, v) * normal;
 }
 
 Mat3 stiffness_matrix(Vec3 n, float normal, float across) {

@@ -24,14 +24,14 @@ RodPlace rod_place(const Needle& needle, float arc_from_tip_m) {
 
 }  // namespace
 
-Vec3 unit(Vec3 v) {
+Vec3 unit_vector(Vec3 v) {
   const float length = norm(v);
   return length > 1e-12F ? (1 / length) * v : Vec3{0, 0, -1};
 }
 
 NeedlePoint needle_point(const Needle& needle, float arc_from_tip_m) {
   const RodPlace rod = rod_place(needle, arc_from_tip_m);
-  return {rod.end + rod.along * rod.back, unit(-1.0F * rod.back)};
+  return {rod.end + rod.along * rod.back, unit_vector(-1.0F * rod.back)};
 }
 
 Vec3 needle_place(const Needle& needle, float arc_from_tip_m) {
@@ -41,10 +41,10 @@ Vec3 needle_place(const Needle& needle, float arc_from_tip_m) {
 
 Vec3 turn_cut(Vec3 cut, const Needle& needle, float bevel_per_m, float advance_m) {
   const float size = advance_m < 0 ? -advance_m : advance_m;
-  const Vec3 side = unit(needle.side - dot(needle.side, cut) * cut);
+  const Vec3 side = unit_vector(needle.side - dot(needle.side, cut) * cut);
   const float part = size / (size + kBevelAlignM);
   const Vec3 turned = cut + max_of(advance_m, 0) * bevel_per_m * side;
-  return unit(turned + part * (needle.tip_direction - cut));
+  return unit_vector(turned + part * (needle.tip_direction - cut));
 }
 
 }  // namespace stylet

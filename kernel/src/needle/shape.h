@@ -29,7 +29,7 @@ struct NeedlePoint {
 };
 
 // Of unit length; straight down for one without a length.
-Vec3 unit(Vec3 v);
+Vec3 unit_vector(Vec3 v);
 
 // Beyond the ends: straight on.
 NeedlePoint needle_point(const Needle& needle, float arc_from_tip_m);

@@ -43,8 +43,8 @@ struct Counts {
   std::uint64_t filter_floats;
 };
 
-// Slots the lattice sweep fits at a time: they and what is made of them stay in the nearest cache.
-// (With 128 the step takes 0.7 % more instructions, with 160 up to 2 % more time.)
+// Slots the lattice sweep matches at a time: they and what is made of them stay in the nearest
+// cache. (With 128 the step takes 0.7 % more instructions, with 160 up to 2 % more time.)
 constexpr std::uint32_t kChunk = 144;
 static_assert(kChunk % kLanes == 0);
 
@@ -71,9 +71,9 @@ struct Plane {
   std::uint32_t tie_begin, tie_end;  // of the particles at the plane's low side
 };
 
-// Two nodes that are one particle, in different sheets of the lattice; `root` stands for it.
+// Two nodes that are one particle, in different sheets of the lattice.
 struct TiedNode {
-  std::uint32_t node, root;
+  std::uint32_t node, representative;
 };
 
 // Neighbouring nodes of one line (y) of a voxel plane, a group of lanes, and the voxel rows y - 1
@@ -100,6 +100,21 @@ struct MaterialModel {
   float real_kg, stepped_kg;
 };
 
+// What the paper does otherwise than the physical model (PHYSICS 16), filled once from
+// Config::mode: functions ask for the rule, not for the mode.
+struct Rules {
+  bool one_support;  // one voxel holds a CP; else the eight around it, and those of two layers
+  bool
+      voxel_springs;  // a CP's spring is its voxel's; else what the needle lacks behind the lattice
+  bool relaxes;       // a CP's force relaxes, and gives way along the needle
+  bool contact_law;   // contact follows the law of cone and film; else a CP's spring
+  bool unit_punctures;    // a surface breaks once a needle unit is inside; else at its force
+  bool layer_punctures;   // layers inside must be punctured, too
+  bool unit_slips;        // a CP moves by whole needle units; else exactly back to its limit
+  bool slips_again;       // CPs slip once more after the tissue's step
+  bool planes_in_voxels;  // a voxel where two tissues meet knows the plane between them
+};
+
 struct ModelHead {
   Organ organ;      // of its own: only the file's bytes are the caller's
   std::byte* team;  // see set_team; here, so that all copies of a Kernel know it
@@ -109,6 +124,7 @@ struct ModelHead {
   float edge_m, inverse_edge_per_m;
   Vec3 origin_m;
   std::uint16_t size_x, size_y, size_z, sheet_rows;
+  Rules rules;
   float substep_s;
   float hourglass_weight;
   Filter filter;                     // of no use with added mass
@@ -119,12 +135,12 @@ struct ModelHead {
   MaterialModel material[kMaxMaterials];
 };
 
-// One voxel's share of a constraint particle.
-struct Share {
+// One voxel's support of a constraint particle.
+struct Support {
   std::uint32_t slot, row;
-  float weight;   // shares of one particle add up to 1
+  float weight;   // supports of one particle add up to 1
   Vec3 offset_m;  // rest offset from the voxel's centre
-  Vec3 goal_m;    // from the last fit of the voxel, and the rotation of that fit
+  Vec3 goal_m;    // from the last match of the voxel, and the rotation of that match
   Quat turn;
 };
 
@@ -134,23 +150,23 @@ struct Particle {                // a constraint particle
   Vec3 memory_m, memory_n;       // Maxwell branch: displacement and force, both lagged
   Vec3 give_m;                   // of the tissue along the needle, beyond that across
   Vec3 slack_m;                  // residual at which the spring carries nothing
-  Vec3 force_n;                  // on the tissue, from the last fit
+  Vec3 force_n;                  // on the tissue, from the last match
   float track_m;                 // track coordinate: length from the entry
   float arc_m;                   // arc length on the needle, from the tip
   float stiffness_n_per_m;       // of the stretch it stands for now
   float full_stiffness_n_per_m;  // of a whole unit
-  float tissue_compliance;       // of the tissue under the tip in contact, over that of the spring
-  float memory_share;            // relaxing part of all of the force
+  float tissue_compliance;       // of the lattice under the tip in contact, over that of the spring
+  float relaxing_fraction;       // relaxing part of all of the force
   float memory_keep;             // of the difference, per tick
-  float memory_spread;           // relaxed part of how the shares lie apart
-  float give_share;              // of spring and give together along the needle, the give's
+  float memory_spread;           // relaxed part of how the supports lie apart
+  float axial_fraction;          // of spring and give together along the needle, the give's
   float slip_m_per_s;            // low-passed
   Friction friction;             // mean of what the tip has met on the stretch it stands for
-  float met_m;                   // length of that
+  float friction_length_m;       // length of that
   Vec3 slip_m;                   // of the needle past the tissue in this tick
   std::uint32_t material;
-  std::uint32_t share_count;
-  Share share[kSharesPerParticle];
+  std::uint32_t support_count;
+  Support support[kSupportsPerParticle];
 };
 
 constexpr std::uint32_t kNoTrack = 0xFFFFFFFFU;
@@ -214,26 +230,26 @@ struct CoupledVoxel {
 };
 // kLanes of them in the order of plane_order: where they are, and what their constraint particles
 // change for their corners.
-struct FitGroup {
+struct MatchGroup {
   struct Side {                       // low or high, along z
     std::uint32_t node[2][kLanes];    // particle at the voxel's (x, y + dy)
     float change_n[2][3][kLanes][2];  // at dx = 0 and 1 of it
   };
   Side side[2];
   std::uint32_t count;         // voxels
-  std::uint32_t most_members;  // constraint particles' shares in one of them
+  std::uint32_t most_members;  // constraint particles' supports in one of them
   std::uint32_t first_member[kLanes], member_count[kLanes];
   std::uint32_t slot[kLanes];
   float cell[3][kLanes];  // centre at rest, in edges from the lattice's origin
   float k[kLanes];        // stiffness of a corner
 };
 static_assert(kMaxCoupledVoxels % kLanes == 0);
-struct Member {  // of a coupled voxel: a particle's share; a needle's last particle is its tip
-  std::uint16_t particle, share;
+struct Member {  // of a coupled voxel: a particle's support; a needle's last particle is its tip
+  std::uint16_t particle, support;
   std::uint32_t next;  // of the same voxel
 };
 constexpr std::uint32_t kNeedleParticles = kMaxConstraintParticles + 1;
-constexpr std::uint32_t kMaxMembers = kNeedleParticles * kSharesPerParticle;
+constexpr std::uint32_t kMaxMembers = kNeedleParticles * kSupportsPerParticle;
 
 struct ScratchHead {
   std::uint32_t coupled_count;
@@ -247,75 +263,129 @@ struct ScratchHead {
 // constraint particles add to a particle's in this tick (`held`), its momentum over its mass (w).
 // The last two of the model only with sheets: the particle that each node is, and which quarters of
 // its cell are a voxel's own (organ.fbs).
-#define STYLET_MODEL_FIELDS(F)                           \
-  F(head, ModelHead, 1)                                  \
-  F(plane, Plane, c.planes + 1)                          \
-  F(row, Row, c.rows)                                    \
-  F(window8, Window, c.windows[0])                       \
-  F(window16, Window, c.windows[1])                      \
-  F(tie, TiedNode, c.ties)                               \
-  F(row_of, std::uint32_t, c.row_grid)                   \
-  F(voxel_slot, std::uint32_t, c.voxels)                 \
-  F(voxel_row, std::uint32_t, c.voxels)                  \
-  F(slot_k, float, c.slots)                              \
-  F(slot_volume, float, c.slots)                         \
-  F(slot_fill, float, c.slots)                           \
-  F(slot_material, std::uint8_t, c.slots)                \
-  F(slot_mixed, std::uint32_t, c.slots)                  \
-  F(step_per_mass, float, c.particles)                   \
-  F(particle_kg, float, c.particles)                     \
-  F(hold, float, c.particles)                            \
-  F(slot_bound, float, c.filtered_slots)                 \
-  F(bound, float, c.filtered_particles)                  \
-  F(rod, RodModel, c.needles)                            \
-  F(obstacle, Obstacle, kMaxObstacles)                   \
-  F(root, std::uint32_t, c.sheets > 1 ? c.particles : 0) \
+#define STYLET_MODEL_FIELDS(F)                                                           \
+  /* head: configuration, counts, materials, what creation derived */                    \
+  F(head, ModelHead, 1)                                                                  \
+  /* plane: voxel planes from the bottom up, and one more of particles */                \
+  F(plane, Plane, c.planes + 1)                                                          \
+  /* row: stretches of voxels along x, by plane, y and x */                              \
+  F(row, Row, c.rows)                                                                    \
+  /* window8: what the sweep gathers per 8 lanes (lattice/plan.h) */                     \
+  F(window8, Window, c.windows[0])                                                       \
+  /* window16: the same for 16 lanes */                                                  \
+  F(window16, Window, c.windows[1])                                                      \
+  /* tie: nodes of different sheets that are one particle */                             \
+  F(tie, TiedNode, c.ties)                                                               \
+  /* row_of: first row of a place (y, z), to find the row of a voxel */                  \
+  F(row_of, std::uint32_t, c.row_grid)                                                   \
+  /* voxel_slot: slot of each of the organ file's voxels */                              \
+  F(voxel_slot, std::uint32_t, c.voxels)                                                 \
+  /* voxel_row: its row */                                                               \
+  F(voxel_row, std::uint32_t, c.voxels)                                                  \
+  /* slot_k: N/m: spring of a corner, of a voxel; 0 in a hole */                         \
+  F(slot_k, float, c.slots)                                                              \
+  /* slot_volume: 1: lambda over 2 G of a voxel */                                       \
+  F(slot_volume, float, c.slots)                                                         \
+  /* slot_fill: 1: part of the voxel that is tissue */                                   \
+  F(slot_fill, float, c.slots)                                                           \
+  /* slot_material: index of its material */                                             \
+  F(slot_material, std::uint8_t, c.slots)                                                \
+  /* slot_mixed: its entry in the organ's mixed voxels, or kNotMixed */                  \
+  F(slot_mixed, std::uint32_t, c.slots)                                                  \
+  /* step_per_mass: s/kg: time step over stepped mass; 0 where it is held */             \
+  F(step_per_mass, float, c.particles)                                                   \
+  /* particle_kg: kg: stepped mass */                                                    \
+  F(particle_kg, float, c.particles)                                                     \
+  /* hourglass_n_per_m: resistance of a particle to hourglass motion, over its voxels */ \
+  F(hourglass_n_per_m, float, c.particles)                                               \
+  /* slot_bound: N/m: bound on a voxel's stiffness, true mass only (laws/filter.h) */    \
+  F(slot_bound, float, c.filtered_slots)                                                 \
+  /* bound: N/m: the same for a particle */                                              \
+  F(bound, float, c.filtered_particles)                                                  \
+  /* rod: each needle's chain of rods at rest */                                         \
+  F(rod, RodModel, c.needles)                                                            \
+  /* obstacle: convex bodies, as set_obstacles took them */                              \
+  F(obstacle, Obstacle, kMaxObstacles)                                                   \
+  /* representative: with sheets only: the particle that each node is */                 \
+  F(representative, std::uint32_t, c.sheets > 1 ? c.particles : 0)                       \
+  /* quarters: with sheets only: which quarters of its cell a voxel owns (organ.fbs) */  \
   F(quarters, std::uint64_t, c.sheets > 1 ? c.slots : 0)
 
-#define STYLET_STATE_FIELDS(F)                    \
-  F(head, StateHead, 1)                           \
-  F(ux, float, c.particles)                       \
-  F(uy, float, c.particles)                       \
-  F(uz, float, c.particles)                       \
-  F(vx, float, c.particles)                       \
-  F(vy, float, c.particles)                       \
-  F(vz, float, c.particles)                       \
-  F(wx, float, c.filtered_particles)              \
-  F(wy, float, c.filtered_particles)              \
-  F(wz, float, c.filtered_particles)              \
-  F(ex, float, c.particles)                       \
-  F(ey, float, c.particles)                       \
-  F(ez, float, c.particles)                       \
-  F(qw, float, c.slots)                           \
-  F(qx, float, c.slots)                           \
-  F(qy, float, c.slots)                           \
-  F(qz, float, c.slots)                           \
-  F(needle, NeedleState, c.needles)               \
-  F(shaft, Particle, kNeedleParticles* c.needles) \
-  F(rod_shape, RodShape, c.needles)               \
-  F(node, Vec3, (kMaxRods + 1) * c.needles)       \
-  F(touch, Touch, kMaxTouches* c.needles)         \
-  F(track, Track, kMaxTracks)                     \
+#define STYLET_STATE_FIELDS(F)                                                            \
+  /* head: tick, faults, counters and energy books; written by all steps */               \
+  F(head, StateHead, 1)                                                                   \
+  /* ux: m: displacement from the rest place; written by the lattice step */              \
+  F(ux, float, c.particles)                                                               \
+  F(uy, float, c.particles)                                                               \
+  F(uz, float, c.particles)                                                               \
+  /* vx: m/s: velocity; written by the lattice step */                                    \
+  F(vx, float, c.particles)                                                               \
+  F(vy, float, c.particles)                                                               \
+  F(vz, float, c.particles)                                                               \
+  /* wx: m/s: momentum over mass, true mass only; written by the lattice step */          \
+  F(wx, float, c.filtered_particles)                                                      \
+  F(wy, float, c.filtered_particles)                                                      \
+  F(wz, float, c.filtered_particles)                                                      \
+  /* ex: m: u + tau v, what voxels are matched to; written by the lattice step */         \
+  F(ex, float, c.particles)                                                               \
+  F(ey, float, c.particles)                                                               \
+  F(ez, float, c.particles)                                                               \
+  /* qw: 1: rotation of a voxel's last match, a unit quaternion; lattice step */          \
+  F(qw, float, c.slots)                                                                   \
+  F(qx, float, c.slots)                                                                   \
+  F(qy, float, c.slots)                                                                   \
+  F(qz, float, c.slots)                                                                   \
+  /* needle: each needle's pose, phase and track; written by tick.cpp and coupling/ */    \
+  F(needle, NeedleState, c.needles)                                                       \
+  /* shaft: each needle's constraint particles, its tip the last; written by coupling/ */ \
+  F(shaft, Particle, kNeedleParticles* c.needles)                                         \
+  /* rod_shape: joints of an elastic needle; written by coupling/bend */                  \
+  F(rod_shape, RodShape, c.needles)                                                       \
+  /* node: m: its nodes, handle first; written by coupling/bend */                        \
+  F(node, Vec3, (kMaxRods + 1) * c.needles)                                               \
+  /* touch: what it touches of obstacles; written by coupling/touches */                  \
+  F(touch, Touch, kMaxTouches* c.needles)                                                 \
+  /* track: holes in the tissue; written by coupling/track and insertion */               \
+  F(track, Track, kMaxTracks)                                                             \
+  /* event: the last kMaxEvents events, a ring; written by state/events */                \
   F(event, Event, kMaxEvents)
 
-#define STYLET_SCRATCH_FIELDS(F)                                \
-  F(head, ScratchHead, 1)                                       \
-  F(before_sums, float, kLanes) /* read by windows, not used */ \
-  F(sums, float, 12 * c.slots_at_once)                          \
-  F(force, float, 6 * c.particles_per_plane)                    \
-  F(coupled, CoupledVoxel, kMaxCoupledVoxels* c.needles)        \
-  F(member, Member, kMaxMembers* c.needles)                     \
-  F(stretch, Vec3, kNeedleParticles* c.needles)                 \
-  F(place, Vec3, kNeedleParticles* c.needles)                   \
-  F(plane_first, std::uint32_t, c.planes + 2)                   \
-  F(plane_order, std::uint32_t, kMaxCoupledVoxels* c.needles)   \
-  F(group, FitGroup, kMaxCoupledVoxels / kLanes * c.needles)    \
-  F(slot_mark, std::uint32_t, c.slots)                          \
-  F(held, float, c.filtered_particles)                          \
-  F(filter, float, c.filter_floats)                             \
-  F(loads, RodLoads, 1)                                         \
-  F(rod, RodScratch, 1)                                         \
-  F(rod_result, RodResult, 1)                                   \
+#define STYLET_SCRATCH_FIELDS(F)                                                      \
+  /* head: counts of this tick */                                                     \
+  F(head, ScratchHead, 1)                                                             \
+  /* before_sums: what windows read before the first sum and do not use */            \
+  F(before_sums, float, kLanes)                                                       \
+  /* sums: N: forces that voxels send to their corners, a chunk of slots */           \
+  F(sums, float, 12 * c.slots_at_once)                                                \
+  /* force: N: forces on two planes of particles */                                   \
+  F(force, float, 6 * c.particles_per_plane)                                          \
+  /* coupled: voxels that hold constraint particles in this tick */                   \
+  F(coupled, CoupledVoxel, kMaxCoupledVoxels* c.needles)                              \
+  /* member: their particles' supports, lists by voxel */                             \
+  F(member, Member, kMaxMembers* c.needles)                                           \
+  /* stretch: m: how far this tick pulls each particle's spring */                    \
+  F(stretch, Vec3, kNeedleParticles* c.needles)                                       \
+  /* place: m: where that spring's end is in this substep */                          \
+  F(place, Vec3, kNeedleParticles* c.needles)                                         \
+  /* plane_first: first entry of each plane in plane_order */                         \
+  F(plane_first, std::uint32_t, c.planes + 2)                                         \
+  /* plane_order: coupled voxels by plane */                                          \
+  F(plane_order, std::uint32_t, kMaxCoupledVoxels* c.needles)                         \
+  /* group: the same in lanes, and what their particles change for corners */         \
+  F(group, MatchGroup, kMaxCoupledVoxels / kLanes * c.needles)                        \
+  /* slot_mark: entry of a slot in `coupled`, if that points back */                  \
+  F(slot_mark, std::uint32_t, c.slots)                                                \
+  /* coupling_bound: N/m: what constraint particles add to `bound`, true mass only */ \
+  F(coupling_bound, float, c.filtered_particles)                                      \
+  /* filter: passes of the filter, true mass only (lattice/filter_passes.h) */        \
+  F(filter, float, c.filter_floats)                                                   \
+  /* loads: on the rods: forces of particles (needle/rod.h) */                        \
+  F(loads, RodLoads, 1)                                                               \
+  /* rod: the rods' equilibrium at work */                                            \
+  F(rod, RodScratch, 1)                                                               \
+  /* rod_result: what came of it */                                                   \
+  F(rod_result, RodResult, 1)                                                         \
+  /* touch: touches of this tick, before they are kept */                             \
   F(touch, Touch, kMaxTouches)
 
 // An array of a block, constant where its owner is: `const State&` can be read, not written.

@@ -58,7 +58,7 @@ struct Limits {
   bool number(Vec3d v) const { return number(v.x) && number(v.y) && number(v.z); }
   bool number(Quat q) const { return number(q.w) && number(Vec3{q.x, q.y, q.z}); }
   bool no_less(float v, float least) const { return number(v) && (faulted || v >= least); }
-  // Sums that should end at 0 or 1 end beside it: relaxation's share of a spring at -2e-7.
+  // Sums that should end at 0 or 1 end beside it: a spring's relaxing part at -2e-7.
   bool part(float v) const { return faulted || (v >= -kRounding && v <= 1 + kRounding); }
   bool part(double v) const { return faulted || (v >= 0 && v <= 1); }
   bool one(double v) const { return faulted || (v >= 1 - kLength && v <= 1 + kLength); }
@@ -118,19 +118,19 @@ bool sound(const Limits& is, const NeedleState& own, std::size_t) {
 }
 
 // Of a voxel that exists: `slot` lies in `row`, and is no hole in it.
-bool sound(const Limits& is, const Share& share, bool used) {
+bool sound(const Limits& is, const Support& support, bool used) {
   const Counts& counts = is.head().counts;
-  if (share.slot >= counts.slots || share.row >= counts.rows) return false;
+  if (support.slot >= counts.slots || support.row >= counts.rows) return false;
   if (used) {
-    const Row& row = is.model.row[share.row];
-    if (share.slot - row.slot >= row.count || !(is.model.slot_k[share.slot] > 0)) return false;
-    // The next fit begins there.
-    const Quat& q = share.turn;
+    const Row& row = is.model.row[support.row];
+    if (support.slot - row.slot >= row.count || !(is.model.slot_k[support.slot] > 0)) return false;
+    // The next match begins there.
+    const Quat& q = support.turn;
     const float length2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
     if (!is.faulted && !is.one(static_cast<double>(length2))) return false;
   }
-  return is.part(share.weight) && is.number(share.offset_m) && is.number(share.goal_m) &&
-         is.number(share.turn);
+  return is.part(support.weight) && is.number(support.offset_m) && is.number(support.goal_m) &&
+         is.number(support.turn);
 }
 
 bool sound(const Limits& is, const Friction& f) {
@@ -139,15 +139,15 @@ bool sound(const Limits& is, const Friction& f) {
 }
 
 bool sound_shares(const Limits& is, const Particle& p) {
-  if (p.share_count > kSharesPerParticle) return false;
-  float sum = p.share_count > 0 ? 0.0F : 1.0F;
-  for (std::uint32_t i = 0; i < kSharesPerParticle; ++i) {
-    const bool used = i < p.share_count;
-    if (!sound(is, p.share[i], used)) return false;
-    if (used) sum += p.share[i].weight;
+  if (p.support_count > kSupportsPerParticle) return false;
+  float sum = p.support_count > 0 ? 0.0F : 1.0F;
+  for (std::uint32_t i = 0; i < kSupportsPerParticle; ++i) {
+    const bool used = i < p.support_count;
+    if (!sound(is, p.support[i], used)) return false;
+    if (used) sum += p.support[i].weight;
   }
   const bool springs = p.stiffness_n_per_m > 0 && p.full_stiffness_n_per_m > 0;
-  return is.one(static_cast<double>(sum)) && (p.share_count == 0 || is.faulted || springs);
+  return is.one(static_cast<double>(sum)) && (p.support_count == 0 || is.faulted || springs);
 }
 
 // Of the shaft, the last one the tip.
@@ -156,10 +156,10 @@ bool sound(const Limits& is, const Particle& p, std::size_t) {
          is.number(p.memory_n) && is.number(p.give_m) && is.number(p.slack_m) &&
          is.number(p.force_n) && is.number(p.track_m) && is.number(p.arc_m) &&
          is.no_less(p.stiffness_n_per_m, 0) && is.no_less(p.full_stiffness_n_per_m, 0) &&
-         is.no_less(p.tissue_compliance, 0) && is.part(p.memory_share) && is.part(p.memory_keep) &&
-         is.part(p.memory_spread) && is.part(p.give_share) && is.number(p.slip_m_per_s) &&
-         sound(is, p.friction) && is.number(p.met_m) && is.number(p.slip_m) &&
-         is.material(p.material) && sound_shares(is, p);
+         is.no_less(p.tissue_compliance, 0) && is.part(p.relaxing_fraction) &&
+         is.part(p.memory_keep) && is.part(p.memory_spread) && is.part(p.axial_fraction) &&
+         is.number(p.slip_m_per_s) && sound(is, p.friction) && is.number(p.friction_length_m) &&
+         is.number(p.slip_m) && is.material(p.material) && sound_shares(is, p);
 }
 
 bool sound(const Limits& is, const RodShape& shape, std::size_t needle) {
@@ -245,7 +245,7 @@ bool state_sound(const Kernel& kernel, const std::byte* state) {
     const auto own = element<NeedleState>(theirs(mine.needle), n);
     const std::size_t at = std::size_t{n} * kNeedleParticles + kMaxConstraintParticles;
     const auto tip = element<Particle>(theirs(mine.shaft), at);
-    if (own.phase == Phase::kContact && tip.share_count == 0) return false;
+    if (own.phase == Phase::kContact && tip.support_count == 0) return false;
     if (own.track_current != kNoTrack && own.track_current >= head.track_count) return false;
   }
   return true;

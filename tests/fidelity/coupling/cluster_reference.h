@@ -94,9 +94,9 @@ class ClusterReference {
     for_each_particle(view, [&](const Particle& p) {
       if (&p == view.state.tip && view.state.needle->phase == Phase::kContact) return;
       const double s = static_cast<double>(p.stiffness_n_per_m);
-      const double m = static_cast<double>(p.memory_share);
+      const double m = static_cast<double>(p.relaxing_fraction);
       sum += 0.5 * m * (1 - m) * std::max(0.0, static_cast<double>(dot(p.memory_n, p.memory_m)));
-      const double give = static_cast<double>(p.give_share);
+      const double give = static_cast<double>(p.axial_fraction);
       if (give > 0) sum += 0.5 * s * (1 / give - 1) * std::pow(norm_of(p.give_m), 2);
     });
     return sum + cone_energy(view);
@@ -199,8 +199,8 @@ class ClusterReference {
     const MaterialModel& m = head.material[tip.material];
     Vec3 off = {};
     double squares = 0, beside = 0, all = 0;
-    for (std::uint32_t i = 0; i < tip.share_count; ++i) {
-      const Share& s = tip.share[i];
+    for (std::uint32_t i = 0; i < tip.support_count; ++i) {
+      const Support& s = tip.support[i];
       off = off + s.weight * (tip.position_m - s.goal_m);
       // Weights go with the roots of stiffnesses; without them they are those of one tissue.
       const MaterialModel& of = head.material[view.model.slot_material[s.slot]];
@@ -250,8 +250,8 @@ class ClusterReference {
     for_each_particle(view, [&](const Particle& p) {
       const float place[3] = {p.position_m.x, p.position_m.y, p.position_m.z};
       const float slack[3] = {p.slack_m.x, p.slack_m.y, p.slack_m.z};
-      for (std::uint32_t s = 0; s < p.share_count; ++s) {
-        const Share& share = p.share[s];
+      for (std::uint32_t s = 0; s < p.support_count; ++s) {
+        const Support& share = p.support[s];
         Member member = {};
         member.w = static_cast<double>(p.stiffness_n_per_m) * static_cast<double>(share.weight);
         const float offset[3] = {share.offset_m.x, share.offset_m.y, share.offset_m.z};

@@ -239,8 +239,8 @@ Give give_of(double poisson, Vec3 place, double depth_in_edges, std::uint16_t vo
   const double force = force_at_rest(rig, start_of(p, voxels), depth_in_edges * kEdgeM);
   View view = needle_view(rig.view(), 0);
   Give give = {0, force / p.crush_n(), 0, 0};
-  for (std::uint32_t i = 0; i < view.state.tip->share_count; ++i) {
-    const Share& s = view.state.tip->share[i];
+  for (std::uint32_t i = 0; i < view.state.tip->support_count; ++i) {
+    const Support& s = view.state.tip->support[i];
     const double w = static_cast<double>(s.weight), y = static_cast<double>(s.offset_m.y);
     const double z = static_cast<double>(s.offset_m.z);
     const Vec3 centre = rest_centre(view.model, s.slot, view.model.row[s.row]);

@@ -29,9 +29,9 @@ constexpr Vec3 kStart = {-1e-3F, 16.5e-3F, 18.1e-3F};
 // Mean square of how the residuals of a CP's voxels differ from their mean.
 double spread_of(const Particle& p) {
   double sum = 0;
-  for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    const double off = norm_of((p.position_m - p.share[i].goal_m) - residual(p));
-    sum += static_cast<double>(p.share[i].weight) * off * off;
+  for (std::uint32_t i = 0; i < p.support_count; ++i) {
+    const double off = norm_of((p.position_m - p.support[i].goal_m) - residual(p));
+    sum += static_cast<double>(p.support[i].weight) * off * off;
   }
   return sum;
 }
@@ -230,11 +230,11 @@ TEST(Continuity, VoxelsThatHoldTheTipDifferentlyGoOnDoingSo) {
   const Vec3 from_m = {0.6F * edge_m, 0.5F * edge_m, 0.5F * edge_m};
   Vec3 tip_m = hold_tip(rig, from_m, 100);
   Particle& tip = *rig.view().state.tip;
-  ASSERT_EQ(tip.share_count, 2U);
+  ASSERT_EQ(tip.support_count, 2U);
   for (std::uint32_t i = 0; i < 2; ++i) {
     const Vec3 aside = {0, i == 0 ? 1e-4F : -1e-4F, 0};
-    tip.share[i].goal_m = tip.share[i].goal_m + aside;
-    tip.share[i].offset_m = tip.share[i].offset_m + aside;
+    tip.support[i].goal_m = tip.support[i].goal_m + aside;
+    tip.support[i].offset_m = tip.support[i].offset_m + aside;
   }
   move_tip(rig, tip_m);
   const double before = spread_of(tip);

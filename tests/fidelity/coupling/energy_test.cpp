@@ -310,7 +310,7 @@ TEST(EnergyFromNowhere, ContactThatBeginsDeepBeginsWithoutForce) {
   EXPECT_LT(observer.fall_j, 1e-8);
 }
 
-// Drawn back it comes out, without a contact a tick.
+// Residuals back it comes out, without a contact a tick.
 TEST(EnergyFromNowhere, TipThatSlidInComesOut) {
   Rig rig = make_rig(liver_block(), Config{});
   Observer observer;

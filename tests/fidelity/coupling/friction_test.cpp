@@ -233,7 +233,7 @@ TEST(V22Friction, TissueDraggedAtARestingTipPullsWithTwiceItsCutAtMost) {
     const Vec3 centre = {kEdgeM / 2, kEdgeM / 2, kEdgeM / 2};
     const Vec3 tip_m = hold_tip(rig, centre, kSpring);
     View view = rig.view();
-    ASSERT_EQ(view.state.tip->share_count, 1U);
+    ASSERT_EQ(view.state.tip->support_count, 1U);
     const auto force = [&] { return static_cast<double>(move_tip(rig, tip_m).force_n.x); };
     std::fill_n(view.state.vx, view.model.head->counts.particles, static_cast<float>(way * 1e3));
     force();
@@ -287,7 +287,7 @@ TEST(V22Friction, VoxelsLargerThanTheFarFieldHoldTheNeedle) {
   for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
     const Particle& p = view.state.shaft[i];
     EXPECT_GT(static_cast<double>(p.full_stiffness_n_per_m), cylinder) << i;
-    EXPECT_TRUE(p.give_share >= 0 && p.give_share < 1) << i << ": " << p.give_share;
+    EXPECT_TRUE(p.axial_fraction >= 0 && p.axial_fraction < 1) << i << ": " << p.axial_fraction;
   }
   EXPECT_NEAR(
       -static_cast<double>(out.cause.friction_n.x) / (10 * static_cast<double>(out.depth_m)), 1,

@@ -124,11 +124,11 @@ int complete_particles(const View& view) {
   for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
     const Particle& p = view.state.shaft[i];
     float sum = 0;
-    for (std::uint32_t j = 0; j < p.share_count; ++j) {
-      EXPECT_GT(p.share[j].weight, 0) << "particle " << i;
-      sum += p.share[j].weight;
+    for (std::uint32_t j = 0; j < p.support_count; ++j) {
+      EXPECT_GT(p.support[j].weight, 0) << "particle " << i;
+      sum += p.support[j].weight;
     }
-    if (p.share_count == 0) {
+    if (p.support_count == 0) {
       EXPECT_EQ(norm_of(p.force_n), 0) << "particle " << i;
       continue;
     }
@@ -141,7 +141,7 @@ int complete_particles(const View& view) {
 int whole_particles(const View& view) {
   int whole = 0;
   for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
-    whole += view.state.shaft[i].share_count == kSharesPerParticle ? 1 : 0;
+    whole += view.state.shaft[i].support_count == kSupportsPerParticle ? 1 : 0;
   }
   return whole;
 }
@@ -159,7 +159,7 @@ TEST(Pools, FullVoxelPoolGivesTheWeightToTheOthers) {
   EXPECT_GE(s.cp_voxel_pool_full, flagged);
   EXPECT_GT(complete_particles(rig.view()), 40);
   // The tip has room of its own, and goes on.
-  EXPECT_EQ(rig.view().state.tip->share_count, kSharesPerParticle);
+  EXPECT_EQ(rig.view().state.tip->support_count, kSupportsPerParticle);
   EXPECT_GT(rig.view().state.tip->track_m, 0.195F);
 }
 

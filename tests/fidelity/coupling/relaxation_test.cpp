@@ -32,7 +32,7 @@ struct Decay {
   double fraction, time_s, worst;  // worst: off the exponential, of the first force
 };
 
-// Fits F = F_inf + (F_0 - F_inf) exp(-t / T) by the force at 0, T0 and 10 T0.
+// Matches F = F_inf + (F_0 - F_inf) exp(-t / T) by the force at 0, T0 and 10 T0.
 Decay decay_of(const std::vector<double>& force, double period_s) {
   const double first = force.front(), last = force.back();
   Decay decay = {1 - last / first, 0, 0};
@@ -99,7 +99,7 @@ TEST(V28Relaxation, StepOfOneShaftParticleRelaxesAllOfItsForce) {
       const Vec3 centre = {kEdgeM / 2, kEdgeM / 2, kEdgeM / 2};
       const Vec3 tip = hold_one_shaft_particle(rig, centre, static_cast<float>(spring));
       Particle& p = rig.view().state.shaft[0];
-      p.memory_share = static_cast<float>(share);
+      p.relaxing_fraction = static_cast<float>(share);
       p.memory_keep = static_cast<float>(std::exp(-1e-3 / time_s));
       const double step = 1e-3, first = spring * corners / (spring + corners) * step;
       const std::vector<double> force = forces_held(rig, tip + Vec3{1e-3F, 0, 0}, 10000);

@@ -17,7 +17,7 @@
 
 #include "base/math.h"
 #include "coupling/contact.h"
-#include "coupling/fit.h"
+#include "coupling/match.h"
 #include "coupling/return_map.h"
 #include "coupling/spring.h"
 #include "coupling/stiffness.h"
@@ -110,11 +110,13 @@ inline Output hold(Rig& rig, Vec3 tip_m, int ticks) {
 inline void hold_tissue(const View& view, Particle& p, Vec3 rest_m, float stiffness_n_per_m) {
   p.rest_m = p.position_m = rest_m;
   p.stiffness_n_per_m = p.full_stiffness_n_per_m = stiffness_n_per_m;
-  p.share_count = find_shares(view.model, rest_m, p.share);
-  for (std::uint32_t i = 0; i < p.share_count; ++i) {
-    p.share[i].goal_m = rest_m;
-    p.share[i].turn = {1, 0, 0, 0};
-    p.share[i].offset_m = rest_m - voxel_frame(view.model, view.state, p.share[i].slot, p.share[i].row).rest_centre_m;
+  p.support_count = find_supports(view.model, rest_m, p.support);
+  for (std::uint32_t i = 0; i < p.support_count; ++i) {
+    p.support[i].goal_m = rest_m;
+    p.support[i].turn = {1, 0, 0, 0};
+    p.support[i].offset_m =
+        rest_m -
+        voxel_frame(view.model, view.state, p.support[i].slot, p.support[i].row).rest_centre_m;
   }
 }
 
@@ -130,7 +132,7 @@ inline Vec3 hold_one_shaft_particle(Rig& rig, Vec3 rest_m, float stiffness_n_per
   p = {};
   p.arc_m = kTipBeyondM;
   p.friction = view.model.head->material[0].friction;
-  p.met_m = view.model.needle_config().unit_m;
+  p.friction_length_m = view.model.needle_config().unit_m;
   hold_tissue(view, p, rest_m, stiffness_n_per_m);
   Particle& tip = *view.state.tip;
   tip = {};

@@ -136,8 +136,8 @@ Given given_inside(float poisson, Vec3 place, std::uint16_t voxels) {
   View view = needle_view(rig.view(), 0);
   const Particle& tip = *view.state.tip;
   Given given = {0, 0};
-  for (std::uint32_t i = 0; i < tip.share_count; ++i) {
-    const Share& s = tip.share[i];
+  for (std::uint32_t i = 0; i < tip.support_count; ++i) {
+    const Support& s = tip.support[i];
     const double w = static_cast<double>(s.weight);
     const Vec3 centre = rest_centre(view.model, s.slot, view.model.row[s.row]);
     given.per_force += w * static_cast<double>(s.goal_m.x - centre.x - s.offset_m.x);

@@ -135,7 +135,7 @@ TEST(Bone, AThinNeedleSlidesAndSnapsWithoutChatter) {
   }
 }
 
-// Drawn along a face the needle is pulled back by friction times the normal force.
+// Residuals along a face the needle is pulled back by friction times the normal force.
 TEST(Bone, SlidesAlongAFace) {
   const float friction = 0.2F;
   Rig rig = make_bone(NeedleConfig{}, bone(friction));

@@ -123,8 +123,8 @@ TEST(Layers, ASingleVoxelSaysWhichTissueItIs) {
   const Vec3 start = {-1e-3F, 2.5e-3F, 2.5e-3F};
   const Output out = drive(rig, start, 25e-3F, 20e-3F, [&](const Output&) {
     const Particle& tip = *rig.view().state.tip;
-    if (tip.share_count == 0 || tip.rest_m.x < 10.1e-3F) return;
-    EXPECT_EQ(tip.share_count, 1U);
+    if (tip.support_count == 0 || tip.rest_m.x < 10.1e-3F) return;
+    EXPECT_EQ(tip.support_count, 1U);
     EXPECT_EQ(tip.material, static_cast<std::uint32_t>(kEpidural)) << tip.rest_m.x;
     ++seen;
   });

@@ -159,7 +159,7 @@ TEST(FidelityV3, RigidMotionOfABlockMakesNoForceInTheKernel) {
       double worst = 0;
       for_each_node(view, [&](Node node) {
         const std::uint32_t n = node_index(view, node);
-        const float springs = view.model.hold[n] / view.model.head->hourglass_weight;
+        const float springs = view.model.hourglass_n_per_m[n] / view.model.head->hourglass_weight;
         worst = std::max(worst, forces[n].norm() / static_cast<double>(springs));
       });
       measure_forces(view.model, view.state);
@@ -240,7 +240,7 @@ TEST(FidelityGhosts, ClosedFormAgreesWithGhostsAsRealParticles) {
           << "draw " << i;
     }
     for (std::size_t p = 0; p < voxel.held.size(); ++p) {
-      const Vec goal = to_vec(rig.view().state.shaft[p].share[0].goal_m);
+      const Vec goal = to_vec(rig.view().state.shaft[p].support[0].goal_m);
       EXPECT_LT((goal - ghosts.goal(voxel.held[p].rest)).norm(), 3e-6 * kEdgeD)
           << "draw " << i << ", particle " << p;
     }
@@ -507,7 +507,7 @@ TEST(FidelityV7, NeutralInsertionChangesNoForceInTheKernel) {
     needle.tip_m = tip;
     needle.tip_direction = {1, 0, 0};
     begin_contact(view.model, view.state, view.scratch, needle, to_float(rest), tip, 0);
-    ASSERT_EQ(view.state.tip->share_count, kSharesPerParticle);
+    ASSERT_EQ(view.state.tip->support_count, kSupportsPerParticle);
     gather_coupled(view.model, view.state, view.scratch);
     const std::vector<Vec> after = node_forces(rig);
     let_rotations_follow(rig, 1);  // makes the fit that forces are measured from

@@ -3,6 +3,8 @@
 // the eigenvectors of a dense matrix), what it conserves, that it is stable, and that a moving hand
 // feels what it feels with 32 substeps.
 
+#include "laws/filter.h"
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -12,7 +14,6 @@
 #include <random>
 #include <string>
 
-#include "laws/filter.h"
 #include "rig.h"
 #include "stylet/resonance.h"
 
@@ -116,8 +117,8 @@ Lattice lattice_of(const TinyOrgan& tiny, const View& view) {
   for (Eigen::Index a = 0; a < size; ++a) {
     out.mass_kg[a] = mass[out.node[static_cast<std::size_t>(a)]];
     for (Eigen::Index b = 0; b < size; ++b) {
-      out.bound(a, b) = all(out.node[static_cast<std::size_t>(a)],
-                            out.node[static_cast<std::size_t>(b)]);
+      out.bound(a, b) =
+          all(out.node[static_cast<std::size_t>(a)], out.node[static_cast<std::size_t>(b)]);
     }
   }
   return out;
@@ -188,16 +189,16 @@ TEST(Filter, IsThePolynomialOnEveryWave) {
     double fastest = 0;
     for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) {
       const double all = static_cast<double>(view.model.bound[i]) +
-                         static_cast<double>(view.model.hold[i]) /
+                         static_cast<double>(view.model.hourglass_n_per_m[i]) /
                              static_cast<double>(view.model.head->hourglass_weight);
-      const double most = static_cast<double>(
-          most_filtered_per_s2(view.model.head->filter.limit_per_s2));
+      const double most =
+          static_cast<double>(most_filtered_per_s2(view.model.head->filter.limit_per_s2));
       const double kg = std::max(static_cast<double>(view.model.particle_kg[i]), all / most);
       if (kg > 0) fastest = std::max(fastest, all / kg);
     }
     const Column root = mass.cwiseSqrt();
-    const Dense s = root.cwiseInverse().asDiagonal() * lattice.bound *
-                    root.cwiseInverse().asDiagonal();
+    const Dense s =
+        root.cwiseInverse().asDiagonal() * lattice.bound * root.cwiseInverse().asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Dense> waves(s);
     const double dt = static_cast<double>(view.model.head->substep_s);
     const double tau = static_cast<double>(view.model.head->config.tissue_damping_s);
@@ -214,8 +215,8 @@ TEST(Filter, IsThePolynomialOnEveryWave) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       w[axis].resize(size);
       for (Eigen::Index a = 0; a < size; ++a) {
-        w[axis][a] = static_cast<double>(
-            momentum(view, axis)[lattice.node[static_cast<std::size_t>(a)]]);
+        w[axis][a] =
+            static_cast<double>(momentum(view, axis)[lattice.node[static_cast<std::size_t>(a)]]);
       }
     }
     step(rig);
@@ -264,8 +265,9 @@ void crush(Random& random, const View& view, double edges) {
   const double most_m = edges * static_cast<double>(view.model.head->edge_m);
   for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) {
     if (!(view.model.step_per_mass[i] > 0)) continue;
-    place(view, i, Vec(between(random, -most_m, most_m), between(random, -most_m, most_m),
-                       between(random, -most_m, most_m)));
+    place(view, i,
+          Vec(between(random, -most_m, most_m), between(random, -most_m, most_m),
+              between(random, -most_m, most_m)));
   }
 }
 
@@ -297,10 +299,9 @@ TEST(Filter, KeepsMomentumAndItsMoment) {
       size = 0;
       for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) {
         if (!(view.model.step_per_mass[i] > 0)) continue;
-        const Vec push = kg_of_step(view, i) *
-                         Vec(static_cast<double>(view.state.wx[i]),
-                             static_cast<double>(view.state.wy[i]),
-                             static_cast<double>(view.state.wz[i]));
+        const Vec push = kg_of_step(view, i) * Vec(static_cast<double>(view.state.wx[i]),
+                                                   static_cast<double>(view.state.wy[i]),
+                                                   static_cast<double>(view.state.wz[i]));
         linear += push;
         angular += (rest[i] + displacement_of(view, i)).cross(push);
         size += push.norm();
@@ -338,11 +339,11 @@ TEST(Filter, KeepsMomentumAndItsMoment) {
 TEST(Filter, NoWaveGrows) {
   Random random(37);
   for (int round = 0; round < 100; ++round) {
-    const TinyOrgan tiny = random_body(random, static_cast<double>(kMinYoungsModulusPa) * 10,
-                                       1e8, static_cast<double>(kMaxPoissonRatio));
+    const TinyOrgan tiny = random_body(random, static_cast<double>(kMinYoungsModulusPa) * 10, 1e8,
+                                       static_cast<double>(kMaxPoissonRatio));
     Config config = random_config(random);
-    config.period_s = static_cast<float>(magnitude(random, static_cast<double>(kMinPeriodS),
-                                                   static_cast<double>(kMaxPeriodS)));
+    config.period_s = static_cast<float>(
+        magnitude(random, static_cast<double>(kMinPeriodS), static_cast<double>(kMaxPeriodS)));
     config.tissue_damping_s *= static_cast<float>(below(random, 2));
     Rig rig = make_rig(tiny, config);
     View view = rig.view();
@@ -395,8 +396,8 @@ TinyOrgan liver_block(double edge_m, double lean) {
   };
   tiny.inside = [=](std::uint16_t x, std::uint16_t y, std::uint16_t z) { return in(x, y, z); };
   tiny.material_at = [=](std::uint16_t x, std::uint16_t y, std::uint16_t z) {
-    const bool deep = in(x - 1, y, z) && in(x + 1, y, z) && in(x, y - 1, z) && in(x, y + 1, z) &&
-                      in(x, y, z + 1);
+    const bool deep =
+        in(x - 1, y, z) && in(x + 1, y, z) && in(x, y - 1, z) && in(x, y + 1, z) && in(x, y, z + 1);
     return static_cast<std::uint8_t>(deep ? 0 : 1);
   };
   return tiny;
@@ -409,8 +410,8 @@ std::vector<double> swings(const Organ& organ, const Config& config, Vec3 entry_
   Session session = make_session(organ, config);
   Input hand = {{{}, {1, 0, 0, 0}}, 1};
   const double period_s = static_cast<double>(config.period_s);
-  const double above_m = static_cast<double>(entry_m.z) +
-                         static_cast<double>(config.needle[0].length_m);
+  const double above_m =
+      static_cast<double>(entry_m.z) + static_cast<double>(config.needle[0].length_m);
   const auto at = [&](double depth_m) {
     hand.handle.position_m = {entry_m.x, entry_m.y, static_cast<float>(above_m - depth_m)};
   };

@@ -20,7 +20,7 @@
 
 #include "base/math.h"
 #include "coupling/contact.h"
-#include "coupling/fit.h"
+#include "coupling/match.h"
 #include "lattice/lattice.h"
 #include "lattice/voxel.h"
 #include "reference_cluster.h"
@@ -280,8 +280,8 @@ inline Particle& hold_constraint_particle(Rig& rig, Node voxel, Vec3 offset_m, V
       offset_m;
   p.position_m = p.rest_m + displacement_m;
   p.stiffness_n_per_m = p.full_stiffness_n_per_m = stiffness_n_per_m;
-  p.share_count = 1;
-  p.share[0] = {slot, row, 1, offset_m, {}, {1, 0, 0, 0}};
+  p.support_count = 1;
+  p.support[0] = {slot, row, 1, offset_m, {}, {1, 0, 0, 0}};
   gather_coupled(view.model, view.state, view.scratch);
   return p;
 }

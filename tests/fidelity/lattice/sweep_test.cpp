@@ -64,7 +64,7 @@ Rig rig_of(const Lattice& lattice) {
   return make_rig(tiny, resting_config(kHourglassWeight, 0.3F, 4));
 }
 
-Vec drawn(std::mt19937_64& random, double size) {
+Vec residuals(std::mt19937_64& random, double size) {
   std::uniform_real_distribution<double> any(-size, size);
   return {any(random), any(random), any(random)};
 }
@@ -90,7 +90,7 @@ Expected load(Rig& rig, const Lattice& lattice, std::mt19937_64& random) {
   View view = rig.view();
   std::vector<Vec> moved(view.model.head->counts.particles);
   for (std::uint32_t i = 0; i < moved.size(); ++i) {
-    moved[i] = drawn(random, kEdgeD / 4);
+    moved[i] = residuals(random, kEdgeD / 4);
     if (view.model.particle_kg[i] > 0) place(view, i, moved[i]);
   }
   Expected wanted = {std::vector<Vec>(moved.size(), Vec::Zero()), {}};
@@ -106,7 +106,7 @@ Expected load(Rig& rig, const Lattice& lattice, std::mt19937_64& random) {
       voxel.corner[i] += moved[node[i]];
     }
     if (++voxels % 80 == 0) {
-      const Vec rest = drawn(random, 0.4 * kEdgeD), to = drawn(random, 0.2 * kEdgeD);
+      const Vec rest = residuals(random, 0.4 * kEdgeD), to = residuals(random, 0.2 * kEdgeD);
       hold_constraint_particle(rig, at, to_float(rest), to_float(to),
                                static_cast<float>(3 * kSpring));
       voxel.held.push_back({rest, rest + to, 3 * kSpring});

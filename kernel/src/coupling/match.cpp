@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "coupling/fit.h"
+#include "coupling/match.h"
 
 #include "coupling/spring.h"
 #include "coupling/support.h"
@@ -12,17 +12,17 @@ namespace {
 
 constexpr std::uint32_t kNoVoxel = 0xFFFFFFFFU;
 
-// Voxel of a share in this tick's list, entered if new; kNoVoxel when that has no more `room`.
+// Voxel of a support in this tick's list, entered if new; kNoVoxel when that has no more `room`.
 // The mark of a slot is trusted only if the list entry it names points back, so stale marks do no
 // harm.
-std::uint32_t coupled_index(Scratch& scratch, const Share& share, std::uint32_t room) {
+std::uint32_t coupled_index(Scratch& scratch, const Support& support, std::uint32_t room) {
   ScratchHead& head = *scratch.head;
-  const std::uint32_t mark = scratch.slot_mark[share.slot];
-  if (mark < head.coupled_count && scratch.coupled[mark].slot == share.slot) return mark;
+  const std::uint32_t mark = scratch.slot_mark[support.slot];
+  if (mark < head.coupled_count && scratch.coupled[mark].slot == support.slot) return mark;
   if (head.coupled_count >= room) return kNoVoxel;
   const std::uint32_t index = head.coupled_count++;
-  scratch.coupled[index] = {share.slot, share.row, 0, 0, 0};
-  scratch.slot_mark[share.slot] = index;
+  scratch.coupled[index] = {support.slot, support.row, 0, 0, 0};
+  scratch.slot_mark[support.slot] = index;
   return index;
 }
 
@@ -42,7 +42,7 @@ bool is_tip(std::uint32_t index) {
 std::uint32_t room_for(const Model& model, std::uint32_t index) {
   const std::uint32_t needles = model.head->counts.needles;
   const std::uint32_t tips_before = index / kNeedleParticles + (is_tip(index) ? 1 : 0);
-  return kMaxCoupledVoxels * needles - kSharesPerParticle * (needles - tips_before);
+  return kMaxCoupledVoxels * needles - kSupportsPerParticle * (needles - tips_before);
 }
 
 template <typename Visit>
@@ -78,7 +78,7 @@ void fill_groups(const Model& model, Scratch& scratch) {
     const CoupledVoxel& voxel = scratch.coupled[scratch.plane_order[i]];
     const Row& row = model.row[voxel.row];
     const std::uint32_t along = voxel.slot - row.slot, lane = i % kLanes;
-    FitGroup& group = scratch.group[i / kLanes];
+    MatchGroup& group = scratch.group[i / kLanes];
     if (lane == 0) {
       group.count = count - i < kLanes ? count - i : kLanes;
       group.most_members = 0;
@@ -99,7 +99,7 @@ void fill_groups(const Model& model, Scratch& scratch) {
 }
 
 // A spring at a point r from a voxel's centre, at most sqrt(3) / 2 edges, pulls at the corners by
-// shares whose squares sum to 1 / 8 + r^2 / (4 edge^2).
+// supports whose squares sum to 1 / 8 + r^2 / (4 edge^2).
 constexpr float kMostOfPull = 5.0F / 16;
 
 // Stiffness of the springs that pull at a coupled voxel.
@@ -109,7 +109,7 @@ float pull_n_per_m(const State& state, const Scratch& scratch, const CoupledVoxe
   for (std::uint32_t i = 0; i < voxel.member_count; ++i) {
     const Member& member = scratch.member[at];
     const Particle& p = particle_at(state, member.particle);
-    sum = sum + p.stiffness_n_per_m * p.share[member.share].weight;
+    sum = sum + p.stiffness_n_per_m * p.support[member.support].weight;
     at = member.next;
   }
   return sum;
@@ -118,7 +118,7 @@ float pull_n_per_m(const State& state, const Scratch& scratch, const CoupledVoxe
 // What the springs of constraint particles may add to the stiffness of a particle (filter.h).
 void bound_held(const Model& model, const State& state, Scratch& scratch) {
   const Counts& counts = model.head->counts;
-  float* const sums = scratch.held;
+  float* const sums = scratch.coupling_bound;
   for (std::uint32_t i = 0; i < counts.filtered_particles; ++i) sums[i] = 0;
   for (std::uint32_t i = 0; i < scratch.head->coupled_count; ++i) {
     const CoupledVoxel& voxel = scratch.coupled[i];
@@ -132,22 +132,23 @@ void bound_held(const Model& model, const State& state, Scratch& scratch) {
     }
   }
   for (std::uint32_t i = 0; i < counts.ties; ++i) {
-    sums[model.tie[i].root] += sums[model.tie[i].node];
+    sums[model.tie[i].representative] += sums[model.tie[i].node];
   }
   for (std::uint32_t i = 0; i < counts.ties; ++i) {
-    sums[model.tie[i].node] = sums[model.tie[i].root];
+    sums[model.tie[i].node] = sums[model.tie[i].representative];
   }
 }
 
 }  // namespace
 
-FitFrame fit_frame(const Model& model, const State& state, std::uint32_t slot, std::uint32_t row) {
+MatchFrame match_frame(const Model& model, const State& state, std::uint32_t slot,
+                       std::uint32_t row) {
   const State first = needle_state(state, 0);
-  const Share* found = nullptr;
+  const Support* found = nullptr;
   for_each_particle(model, first, [&](std::uint32_t index) {
     const Particle& p = particle_at(first, index);
-    for (std::uint32_t i = 0; i < p.share_count; ++i) {
-      if (p.share[i].slot == slot) found = &p.share[i];
+    for (std::uint32_t i = 0; i < p.support_count; ++i) {
+      if (p.support[i].slot == slot) found = &p.support[i];
     }
   });
   if (found != nullptr) {
@@ -166,17 +167,17 @@ std::uint32_t gather_coupled(const Model& model, State& state, Scratch& scratch)
   for_each_particle(model, state, [&](std::uint32_t index) {
     Particle& p = particle_at(state, index);
     const std::uint32_t room = room_for(model, index);
-    std::uint32_t voxels[kSharesPerParticle], count = 0, found = 0;
-    for (std::uint32_t s = 0; s < p.share_count; ++s) {
-      const std::uint32_t voxel = coupled_index(scratch, p.share[s], room);
+    std::uint32_t voxels[kSupportsPerParticle], count = 0, found = 0;
+    for (std::uint32_t s = 0; s < p.support_count; ++s) {
+      const std::uint32_t voxel = coupled_index(scratch, p.support[s], room);
       if (voxel == kNoVoxel) continue;
       voxels[count++] = voxel;
       found |= 1U << s;
     }
-    if (count < p.share_count) {
-      state.head->cp_voxel_pool_full += p.share_count - count;
+    if (count < p.support_count) {
+      state.head->cp_voxel_pool_full += p.support_count - count;
       flags = kFlagCpVoxelPoolFull;
-      keep_shares(*state.head, p, found);
+      keep_supports(*state.head, p, found);
     }
     for (std::uint32_t s = 0; s < count; ++s) {
       CoupledVoxel& c = scratch.coupled[voxels[s]];
@@ -205,10 +206,10 @@ struct CpSums {
   float offset_square;
 };
 
-void add_member(const Particle& p, const Share& share, Vec3 centre_m, CpSums& s) {
-  const float w = p.stiffness_n_per_m * share.weight;
+void add_member(const Particle& p, const Support& support, Vec3 centre_m, CpSums& s) {
+  const float w = p.stiffness_n_per_m * support.weight;
   const Vec3 x = (p.position_m - p.slack_m) - centre_m;
-  const Vec3 r = share.offset_m;
+  const Vec3 r = support.offset_m;
   s.stiffness = s.stiffness + w;
   s.place = s.place + w * x;
   s.offset = s.offset + w * r;
@@ -219,9 +220,9 @@ void add_member(const Particle& p, const Share& share, Vec3 centre_m, CpSums& s)
   }
 }
 
-// Matrix whose rotation is the fit of corners and CPs together: join_members (fit_lanes.h) for one
-// voxel.
-void fit_matrix(const Corners& corners, const CpSums& s, float k, float edge_m, float a_out[9]) {
+// Matrix whose rotation is the match of corners and CPs together: join_members (match_lanes.h) for
+// one voxel.
+void match_matrix(const Corners& corners, const CpSums& s, float k, float edge_m, float a_out[9]) {
   const float whole = 8 * k + s.stiffness;
   const float corner = 2 * k * edge_m * edge_m;
   const float trace = 3 * corner + (s.offset_square - dot(s.offset, s.offset) / whole);
@@ -239,28 +240,29 @@ void fit_matrix(const Corners& corners, const CpSums& s, float k, float edge_m, 
 
 }  // namespace
 
-void begin_fits(const State& state, const Scratch& scratch, const FitGroup& group, Fits& fits_out) {
+void begin_matches(const State& state, const Scratch& scratch, const MatchGroup& group,
+                   Matches& matches_out) {
   const float* const u[3] = {state.ux, state.uy, state.uz};
   for (std::uint32_t lane = 0; lane < group.count; ++lane) {
-    fits_out.next_member[lane] = group.first_member[lane];
+    matches_out.next_member[lane] = group.first_member[lane];
     for (std::uint32_t n = 0; n < 4; ++n) {
       const std::size_t node = group.side[n / 2].node[n % 2][lane];
       for (std::uint32_t c = 0; c < 3; ++c) {
-        fits_out.corner_m[c][2 * n][lane] = u[c][node];
-        fits_out.corner_m[c][2 * n + 1][lane] = u[c][node + 1];
+        matches_out.corner_m[c][2 * n][lane] = u[c][node];
+        matches_out.corner_m[c][2 * n + 1][lane] = u[c][node + 1];
       }
     }
     const std::uint32_t slot = group.slot[lane];
-    fits_out.corner_turn[0][lane] = state.qw[slot];
-    fits_out.corner_turn[1][lane] = state.qx[slot];
-    fits_out.corner_turn[2][lane] = state.qy[slot];
-    fits_out.corner_turn[3][lane] = state.qz[slot];
+    matches_out.corner_turn[0][lane] = state.qw[slot];
+    matches_out.corner_turn[1][lane] = state.qx[slot];
+    matches_out.corner_turn[2][lane] = state.qy[slot];
+    matches_out.corner_turn[3][lane] = state.qz[slot];
     const Member& member = scratch.member[group.first_member[lane]];
-    const Quat turn = state.shaft[member.particle].share[member.share].turn;
-    fits_out.joint_turn[0][lane] = turn.w;
-    fits_out.joint_turn[1][lane] = turn.x;
-    fits_out.joint_turn[2][lane] = turn.y;
-    fits_out.joint_turn[3][lane] = turn.z;
+    const Quat turn = state.shaft[member.particle].support[member.support].turn;
+    matches_out.joint_turn[0][lane] = turn.w;
+    matches_out.joint_turn[1][lane] = turn.x;
+    matches_out.joint_turn[2][lane] = turn.y;
+    matches_out.joint_turn[3][lane] = turn.z;
   }
 }
 
@@ -274,44 +276,46 @@ void place_members(const Model& model, const State& state, Scratch& scratch) {
   });
 }
 
-void take_members(const State& state, const Scratch& scratch, const FitGroup& group,
-                  std::uint32_t n, Fits& fits, FitMembers& members_out) {
+void take_members(const State& state, const Scratch& scratch, const MatchGroup& group,
+                  std::uint32_t n, Matches& matches, MatchMembers& members_out) {
   const Member* const members = scratch.member;
   const Particle* const particles = state.shaft;
   const Vec3* const places = scratch.place;
   for (std::uint32_t lane = 0; lane < group.count; ++lane) {
     members_out.weight_n_per_m[lane] = 0;
     if (n >= group.member_count[lane]) continue;
-    const Member& member = members[fits.next_member[lane]];
-    fits.next_member[lane] = member.next;
+    const Member& member = members[matches.next_member[lane]];
+    matches.next_member[lane] = member.next;
     const Particle& p = particles[member.particle];
-    const Share& share = p.share[member.share];
+    const Support& support = p.support[member.support];
     const Vec3 place = places[member.particle];
-    members_out.weight_n_per_m[lane] = p.stiffness_n_per_m * share.weight;
+    members_out.weight_n_per_m[lane] = p.stiffness_n_per_m * support.weight;
     members_out.place_m[0][lane] = place.x;
     members_out.place_m[1][lane] = place.y;
     members_out.place_m[2][lane] = place.z;
-    members_out.offset_m[0][lane] = share.offset_m.x;
-    members_out.offset_m[1][lane] = share.offset_m.y;
-    members_out.offset_m[2][lane] = share.offset_m.z;
+    members_out.offset_m[0][lane] = support.offset_m.x;
+    members_out.offset_m[1][lane] = support.offset_m.y;
+    members_out.offset_m[2][lane] = support.offset_m.z;
   }
 }
 
-void give_goals(State& state, const Scratch& scratch, const FitGroup& group, const Fits& fits) {
+void give_goals(State& state, const Scratch& scratch, const MatchGroup& group,
+                const Matches& matches) {
   const Member* const members = scratch.member;
   Particle* const particles = state.shaft;
   for (std::uint32_t lane = 0; lane < group.count; ++lane) {
-    const Quat turn = {fits.joint_turn[0][lane], fits.joint_turn[1][lane], fits.joint_turn[2][lane],
-                       fits.joint_turn[3][lane]};
-    const Vec3 centre_m = {fits.centre_m[0][lane], fits.centre_m[1][lane], fits.centre_m[2][lane]};
+    const Quat turn = {matches.joint_turn[0][lane], matches.joint_turn[1][lane],
+                       matches.joint_turn[2][lane], matches.joint_turn[3][lane]};
+    const Vec3 centre_m = {matches.centre_m[0][lane], matches.centre_m[1][lane],
+                           matches.centre_m[2][lane]};
     Mat3 r;
-    for (std::uint32_t i = 0; i < 9; ++i) r.m[i / 3][i % 3] = fits.rotation[i][lane];
+    for (std::uint32_t i = 0; i < 9; ++i) r.m[i / 3][i % 3] = matches.rotation[i][lane];
     std::uint32_t at = group.first_member[lane];
     for (std::uint32_t n = 0; n < group.member_count[lane]; ++n) {
       const Member& member = members[at];
-      Share& share = particles[member.particle].share[member.share];
-      share.goal_m = centre_m + r * share.offset_m;
-      share.turn = turn;
+      Support& support = particles[member.particle].support[member.support];
+      support.goal_m = centre_m + r * support.offset_m;
+      support.turn = turn;
       at = member.next;
     }
   }
@@ -324,7 +328,7 @@ void add_side(const Model& model, Scratch& scratch, std::uint32_t begin, std::ui
               std::uint32_t side, std::uint32_t first_particle, float* force) {
   const std::size_t axis = model.head->counts.particles_per_plane;
   for (std::uint32_t i = begin; i < end; ++i) {
-    const FitGroup::Side& own = scratch.group[i / kLanes].side[side];
+    const MatchGroup::Side& own = scratch.group[i / kLanes].side[side];
     const std::uint32_t lane = i % kLanes;
     for (std::uint32_t n = 0; n < 2; ++n) {
       float* at = force + (own.node[n][lane] - first_particle);
@@ -373,31 +377,31 @@ double square_sum(const Mat3& r, const float gradient[9]) {
   return sum;
 }
 
-// The fit of a voxel and its CPs to where all of them are now.
-struct PresentFit {
+// The match of a voxel and its CPs to where all of them are now.
+struct PresentMatch {
   Mat3 rotation;
   Vec3 centre_m;
-  double corners_j;     // what the corners hold more than by their own fit
+  double corners_j;     // what the corners hold more than by their own match
   std::uint32_t first;  // particle in the voxel, so that each voxel is counted once
 };
 
-PresentFit present_fit(const Model& model, const State& state, const Share& own) {
+PresentMatch present_match(const Model& model, const State& state, const Support& own) {
   const Corners corners = sum_corners(model, state, own.slot, own.row);
   const Vec3 centre = rest_centre(model, own.slot, model.row[own.row]) + corners.mean_m;
   CpSums sums = {};
   std::uint32_t first = kNoVoxel;
   for_each_particle(model, state, [&](std::uint32_t index) {
     const Particle& p = particle_at(state, index);
-    for (std::uint32_t s = 0; s < p.share_count; ++s) {
-      if (p.share[s].slot != own.slot) continue;
+    for (std::uint32_t s = 0; s < p.support_count; ++s) {
+      if (p.support[s].slot != own.slot) continue;
       if (first == kNoVoxel) first = index;
-      add_member(p, p.share[s], centre, sums);
+      add_member(p, p.support[s], centre, sums);
     }
   });
   const float k = model.slot_k[own.slot], h = model.head->edge_m;
   const Quat alone = corner_rotation(state, own.slot, corners);
   float a[9];
-  fit_matrix(corners, sums, k, h, a);
+  match_matrix(corners, sums, k, h, a);
   const Mat3 r8 = rotation_matrix(alone);
   const Mat3 r = rotation_matrix(rotation_of(a, rotation_of(a, alone)));
   const Vec3 shift = (1 / (8 * k + sums.stiffness)) * (sums.place - r * sums.offset);
@@ -409,14 +413,15 @@ PresentFit present_fit(const Model& model, const State& state, const Share& own)
 
 }  // namespace
 
-double refit(const Model& model, const State& state, std::uint32_t index, Particle& particle_out) {
+double rematch(const Model& model, const State& state, std::uint32_t index,
+               Particle& particle_out) {
   particle_out = particle_at(state, index);
   double corners_j = 0;
-  for (std::uint32_t i = 0; i < particle_out.share_count; ++i) {
-    Share& share = particle_out.share[i];
-    const PresentFit fit = present_fit(model, state, share);
-    if (fit.first == index) corners_j += fit.corners_j;
-    share.goal_m = fit.centre_m + fit.rotation * share.offset_m;
+  for (std::uint32_t i = 0; i < particle_out.support_count; ++i) {
+    Support& support = particle_out.support[i];
+    const PresentMatch match = present_match(model, state, support);
+    if (match.first == index) corners_j += match.corners_j;
+    support.goal_m = match.centre_m + match.rotation * support.offset_m;
   }
   return corners_j;
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arithmetic of fits of corners and constraint particles together (fit.h), a voxel in each
-// lane. Included once per instruction set by lattice/step.h; memory is read and written by fit.cpp.
+// The arithmetic of matches of corners and constraint particles together (match.h), a voxel in each
+// lane. Included once per instruction set by lattice/step.h; memory is read and written by
+// match.cpp.
 //
-// With w the weights of a voxel's constraint particles (stiffness times share), r their rest
-// offsets and x their places from the mean of the corners, ghosts eliminated: the fit's matrix is
+// With w the weights of a voxel's constraint particles (stiffness times support), r their rest
+// offsets and x their places from the mean of the corners, ghosts eliminated: the match's matrix is
 //     2 k h^2 F + sum w x r^T - (sum w x) (sum w r)^T / (8 k + sum w),
 // and its translation moves from the corners' mean by (sum w x - R sum w r) / (8 k + sum w).
 //
@@ -18,22 +19,23 @@ namespace stylet {
 namespace {
 
 // Mean and gradient of the corners.
-void see_corners(std::uint32_t lanes, const ModelHead& head, const FitGroup& group, Fits& fits) {
+void see_corners(std::uint32_t lanes, const ModelHead& head, const MatchGroup& group,
+                 Matches& matches) {
   const float origin_m[3] = {head.origin_m.x, head.origin_m.y, head.origin_m.z};
   const float scale = head.inverse_edge_per_m * 0.25F;
   for (std::uint32_t i = 0; i < lanes; i += kWide) {
     for (int c = 0; c < 3; ++c) {
-      const float(&u)[8][kLanes] = fits.corner_m[c];
+      const float(&u)[8][kLanes] = matches.corner_m[c];
       const Wide a0 = load(u[0] + i), b0 = load(u[1] + i), s0 = a0 + b0, d0 = b0 - a0;
       const Wide a1 = load(u[2] + i), b1 = load(u[3] + i), s1 = a1 + b1, d1 = b1 - a1;
       const Wide a2 = load(u[4] + i), b2 = load(u[5] + i), s2 = a2 + b2, d2 = b2 - a2;
       const Wide a3 = load(u[6] + i), b3 = load(u[7] + i), s3 = a3 + b3, d3 = b3 - a3;
       const Wide rest = origin_m[c] + head.edge_m * load(group.cell[c] + i);
-      store(fits.centre_m[c] + i, rest + ((s0 + s1) + (s2 + s3)) * 0.125F);
+      store(matches.centre_m[c] + i, rest + ((s0 + s1) + (s2 + s3)) * 0.125F);
       const Wide along[3] = {((d0 + d1) + (d2 + d3)) * scale, ((s1 - s0) + (s3 - s2)) * scale,
                              ((s2 + s3) - (s0 + s1)) * scale};
       for (int b = 0; b < 3; ++b) {
-        store(fits.corner[3 * c + b] + i, (b == c ? 1.0F : 0.0F) + along[b]);
+        store(matches.corner[3 * c + b] + i, (b == c ? 1.0F : 0.0F) + along[b]);
       }
     }
   }
@@ -41,51 +43,52 @@ void see_corners(std::uint32_t lanes, const ModelHead& head, const FitGroup& gro
 
 // Adds one constraint particle of each voxel, or none, with weight 0, to those before.
 template <bool kFirst>
-void sum_members(std::uint32_t lanes, const FitMembers& members, Fits& fits) {
+void sum_members(std::uint32_t lanes, const MatchMembers& members, Matches& matches) {
   for (std::uint32_t i = 0; i < lanes; i += kWide) {
     const Wide w = load(members.weight_n_per_m + i);
     const auto add = [&](std::uint32_t sum, Wide value) {
-      store(fits.sum[sum] + i, (kFirst ? Wide{} : load(fits.sum[sum] + i)) + value);
+      store(matches.sum[sum] + i, (kFirst ? Wide{} : load(matches.sum[sum] + i)) + value);
     };
     Wide x[3], r[3];
     for (std::uint32_t c = 0; c < 3; ++c) {
-      x[c] = load(members.place_m[c] + i) - load(fits.centre_m[c] + i);
+      x[c] = load(members.place_m[c] + i) - load(matches.centre_m[c] + i);
       r[c] = load(members.offset_m[c] + i);
     }
-    add(Fits::kWeight, w);
-    add(Fits::kOffsetSquare, w * (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]));
+    add(Matches::kWeight, w);
+    add(Matches::kOffsetSquare, w * (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]));
     for (std::uint32_t a = 0; a < 3; ++a) {
-      add(Fits::kPlace + a, w * x[a]);
-      add(Fits::kOffset + a, w * r[a]);
-      for (std::uint32_t b = 0; b < 3; ++b) add(Fits::kProduct + 3 * a + b, w * x[a] * r[b]);
+      add(Matches::kPlace + a, w * x[a]);
+      add(Matches::kOffset + a, w * r[a]);
+      for (std::uint32_t b = 0; b < 3; ++b) add(Matches::kProduct + 3 * a + b, w * x[a] * r[b]);
     }
   }
 }
 
-// Matrices whose rotations are the fits, scaled to be near the identity at rest. They must be
+// Matrices whose rotations are the matches, scaled to be near the identity at rest. They must be
 // scaled by a number only: rot(A Aqq^-1) is not the minimiser when constraint particles make Aqq
 // anisotropic.
-void join_members(std::uint32_t lanes, float edge_m, const FitGroup& group, Fits& fits) {
+void join_members(std::uint32_t lanes, float edge_m, const MatchGroup& group, Matches& matches) {
   for (std::uint32_t i = 0; i < lanes; i += kWide) {
-    const auto sum = [&](std::uint32_t which) { return load(fits.sum[which] + i); };
-    const Wide k = load(group.k + i), whole = 8 * k + sum(Fits::kWeight);
+    const auto sum = [&](std::uint32_t which) { return load(matches.sum[which] + i); };
+    const Wide k = load(group.k + i), whole = 8 * k + sum(Matches::kWeight);
     const Wide corner = 2 * k * edge_m * edge_m;
     Wide offset[3];
-    for (std::uint32_t c = 0; c < 3; ++c) offset[c] = sum(Fits::kOffset + c);
+    for (std::uint32_t c = 0; c < 3; ++c) offset[c] = sum(Matches::kOffset + c);
     const Wide trace =
         3 * corner +
-        (sum(Fits::kOffsetSquare) -
+        (sum(Matches::kOffsetSquare) -
          (offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2]) / whole);
     const Wide scale = 3 / trace;
     for (std::uint32_t a = 0; a < 3; ++a) {
-      const Wide place = sum(Fits::kPlace + a);
+      const Wide place = sum(Matches::kPlace + a);
       for (std::uint32_t b = 0; b < 3; ++b) {
         const std::uint32_t ab = 3 * a + b;
-        store(fits.joint[ab] + i, scale * (corner * load(fits.corner[ab] + i) +
-                                           (sum(Fits::kProduct + ab) - place * offset[b] / whole)));
+        store(matches.joint[ab] + i,
+              scale * (corner * load(matches.corner[ab] + i) +
+                       (sum(Matches::kProduct + ab) - place * offset[b] / whole)));
       }
     }
-    store(fits.whole + i, whole);
+    store(matches.whole + i, whole);
   }
 }
 
@@ -109,10 +112,10 @@ inline void turn_lanes(std::uint32_t lanes, const float (&m)[9][kLanes],
 // from that of all where a shaft has been dragged sideways by more than a voxel, they came to
 // another one in every substep, and gave 0.7 mJ. With the sweep's plain step for the corners, or
 // with two, tissue dragged to a hundredfold of its length gained 0.2 to 0.3 uJ.)
-STYLET_KEEP_APART void turn_fits(std::uint32_t lanes, Fits& fits) {
-  turn_lanes(lanes, fits.corner, fits.corner_turn, fits.corner_turn);
+STYLET_KEEP_APART void turn_matches(std::uint32_t lanes, Matches& matches) {
+  turn_lanes(lanes, matches.corner, matches.corner_turn, matches.corner_turn);
   for (int pass = 0; pass < 2; ++pass) {
-    turn_lanes(lanes, fits.joint, fits.joint_turn, fits.joint_turn);
+    turn_lanes(lanes, matches.joint, matches.joint_turn, matches.joint_turn);
   }
 }
 
@@ -135,19 +138,20 @@ inline Wide turned(const WideMat3& by, std::uint32_t c, const Wide (&v)[3]) {
   return by.m[c][0] * v[0] + by.m[c][1] * v[1] + by.m[c][2] * v[2];
 }
 
-// Where the fits are now, and what they change for the corners, k ((t' - t) + (R' - R) q).
-void place_fits(std::uint32_t lanes, float edge_m, Fits& fits, FitGroup& group) {
+// Where the matches are now, and what they change for the corners, k ((t' - t) + (R' - R) q).
+void place_matches(std::uint32_t lanes, float edge_m, Matches& matches, MatchGroup& group) {
   for (std::uint32_t i = 0; i < lanes; i += kWide) {
-    const WideMat3 r8 = rotation_matrix(fits.corner_turn, i);
-    const WideMat3 r = rotation_matrix(fits.joint_turn, i);
+    const WideMat3 r8 = rotation_matrix(matches.corner_turn, i);
+    const WideMat3 r = rotation_matrix(matches.joint_turn, i);
     const Wide k = load(group.k + i), turn_k = k * edge_m * 0.5F;
-    const Wide inverse = 1 / load(fits.whole + i);
+    const Wide inverse = 1 / load(matches.whole + i);
     Wide offset[3];
-    for (std::uint32_t c = 0; c < 3; ++c) offset[c] = load(fits.sum[Fits::kOffset + c] + i);
+    for (std::uint32_t c = 0; c < 3; ++c) offset[c] = load(matches.sum[Matches::kOffset + c] + i);
     for (std::uint32_t c = 0; c < 3; ++c) {
-      const Wide shift = inverse * (load(fits.sum[Fits::kPlace + c] + i) - turned(r, c, offset));
-      store(fits.centre_m[c] + i, load(fits.centre_m[c] + i) + shift);
-      for (std::uint32_t b = 0; b < 3; ++b) store(fits.rotation[3 * c + b] + i, r.m[c][b]);
+      const Wide shift =
+          inverse * (load(matches.sum[Matches::kPlace + c] + i) - turned(r, c, offset));
+      store(matches.centre_m[c] + i, load(matches.centre_m[c] + i) + shift);
+      for (std::uint32_t b = 0; b < 3; ++b) store(matches.rotation[3 * c + b] + i, r.m[c][b]);
       const Wide along = k * shift, x = turn_k * (r.m[c][0] - r8.m[c][0]);
       const Wide y = turn_k * (r.m[c][1] - r8.m[c][1]), z = turn_k * (r.m[c][2] - r8.m[c][2]);
       const Wide ends[2] = {along - x, along + x}, sides[4] = {-y - z, y - z, z - y, y + z};
@@ -163,28 +167,28 @@ std::uint32_t group_count(const Scratch& scratch) {
   return (scratch.head->coupled_count + kLanes - 1) / kLanes;
 }
 
-// Fits of a substep, before their planes are swept; needs place_members.
-STYLET_KEEP_APART void fit_groups(const Model& model, State& state, Scratch& scratch,
-                                  std::uint32_t first, std::uint32_t end) {
+// Matches of a substep, before their planes are swept; needs place_members.
+STYLET_KEEP_APART void match_groups(const Model& model, State& state, Scratch& scratch,
+                                    std::uint32_t first, std::uint32_t end) {
   const ModelHead& head = *model.head;
-  Fits fits = {};  // lanes without a voxel are computed, too
-  FitMembers members = {};
+  Matches matches = {};  // lanes without a voxel are computed, too
+  MatchMembers members = {};
   for (std::uint32_t index = first; index < end; ++index) {
-    FitGroup& group = scratch.group[index];
-    begin_fits(state, scratch, group, fits);
+    MatchGroup& group = scratch.group[index];
+    begin_matches(state, scratch, group, matches);
     // No more lanes than the voxels need: without wide registers each is work.
     const std::uint32_t lanes = (group.count + kWide - 1) / kWide * kWide;
-    see_corners(lanes, head, group, fits);
-    take_members(state, scratch, group, 0, fits, members);
-    sum_members<true>(lanes, members, fits);
+    see_corners(lanes, head, group, matches);
+    take_members(state, scratch, group, 0, matches, members);
+    sum_members<true>(lanes, members, matches);
     for (std::uint32_t n = 1; n < group.most_members; ++n) {
-      take_members(state, scratch, group, n, fits, members);
-      sum_members<false>(lanes, members, fits);
+      take_members(state, scratch, group, n, matches, members);
+      sum_members<false>(lanes, members, matches);
     }
-    join_members(lanes, head.edge_m, group, fits);
-    turn_fits(lanes, fits);
-    place_fits(lanes, head.edge_m, fits, group);
-    if (scratch.head->substeps_to_come == 0) give_goals(state, scratch, group, fits);
+    join_members(lanes, head.edge_m, group, matches);
+    turn_matches(lanes, matches);
+    place_matches(lanes, head.edge_m, matches, group);
+    if (scratch.head->substeps_to_come == 0) give_goals(state, scratch, group, matches);
   }
 }
 

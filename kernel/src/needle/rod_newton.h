@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Newton step of the chain of rods (rod.h says what it solves and why so): frames carried along
+// the chain, loads gathered at the joints, the sweep that eliminates them and the one that hands
+// out the turns. What rod.cpp makes of it: an equilibrium, or one among faces.
+//
+// Promises, units and frame as in rod.h.
+#pragma once
+
+#include "needle/rod.h"
+
+namespace stylet::rod {
+
+// A joint folded back further than this (163 degrees) gets no stiffer.
+constexpr double kLeastOpening = 0.02;
+constexpr double kMaxTurnRad = 0.5;
+// Pivots below this share of the joint's stiffness are lifted, by this slope: a small positive
+// pivot stays soft enough to buckle, and none becomes so small that the next ones explode.
+struct PivotLift {
+  double least, slope;
+};
+constexpr PivotLift kFirmLift = {0.01, 100};
+// Where the energy says how far to go: a soft way of the needle stays soft.
+constexpr PivotLift kSoftLift = {1e-6, 2};
+constexpr double kLeastCompressionShare = 1.0 / 1024;
+
+constexpr Sym3d operator+(const Sym3d& a, const Sym3d& b) {
+  return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
+}
+constexpr Sym3d operator-(const Sym3d& a, const Sym3d& b) {
+  return {a.xx - b.xx, a.xy - b.xy, a.xz - b.xz, a.yy - b.yy, a.yz - b.yz, a.zz - b.zz};
+}
+constexpr Sym3d operator*(double s, const Sym3d& a) {
+  return {s * a.xx, s * a.xy, s * a.xz, s * a.yy, s * a.yz, s * a.zz};
+}
+constexpr Vec3d operator*(const Sym3d& a, Vec3d v) {
+  return {a.xx * v.x + a.xy * v.y + a.xz * v.z, a.xy * v.x + a.yy * v.y + a.yz * v.z,
+          a.xz * v.x + a.yz * v.y + a.zz * v.z};
+}
+constexpr Sym3d square(Vec3d a) {
+  return {a.x * a.x, a.x * a.y, a.x * a.z, a.y * a.y, a.y * a.z, a.z * a.z};
+}
+
+// The direction of a rod and the axes of its material; y = x cross along.
+struct Frame {
+  Vec3d along, x, y;
+};
+
+struct OnRod {
+  std::uint32_t rod;
+  double from_start_m;
+};
+
+Frame handle_frame(const double (&q)[4]);
+
+Vec3d rest_direction(const RodModel::Rest& rest, const Frame& before);
+
+// The frame of a rod that points along `along` and would at rest point along `rest`: the smallest
+// turn from before to rest, then the smallest from rest to along. half_out is the frame half way
+// along the second one; half_out.x and .y are the axes about which the joint bends.
+Frame carried(const RodModel::Rest& kink, const Frame& before, Vec3d rest, Vec3d along,
+              Frame& half_out);
+
+void place_rods(const RodModel& model, const Frame& handle, RodScratch& scratch, RodResult& result);
+
+// What a violent hand has left ahead of the tip is held at its own place, as needle_point says:
+// with less of a lever the hand took 0.6 uJ a tick out of a needle that was bent by it.
+OnRod on_rod(const RodModel& model, double arc_m);
+
+// A quadratic function of a place on a rod: force there and stiffness.
+void add_to_lump(RodScratch::Lump& lump, double from_start_m, const Sym3d& k, Vec3d at_origin_n);
+
+// A place on a rod is linear in the rod's start and direction, so the loads of a rod add up to one
+// quadratic function, whatever their number.
+void lump_loads(const RodModel& model, const RodLoads& loads, RodScratch& scratch);
+
+// Springs that hold the nodes where they are.
+void add_hold(const RodModel& model, double hold_n_per_m, const RodResult& result,
+              RodScratch& scratch);
+
+void read_loads(const RodModel& model, const RodScratch& scratch, RodResult& result);
+
+// Tip to handle. Returns the least pivot over EI / l.
+double sweep_back(const RodModel& model, double compression_share, PivotLift lift,
+                  const RodResult& result, RodScratch& scratch);
+
+// Handle to tip: the change of each direction. Returns the largest, a joint's kink counting double.
+double sweep_forth(const RodModel& model, const RodResult& result, RodScratch& scratch);
+
+// From the shape of the tick's start.
+void newton_steps(const RodModel& model, const Frame& handle, RodShape& shape, RodScratch& scratch,
+                  RodResult& result);
+
+// Nodes and state from the directions.
+void keep_shape(const RodModel& model, const Frame& handle, RodShape& shape, RodResult& result);
+
+// The shape as the handle carries it.
+void start_rods(const RodModel& model, const Frame& handle, const RodShape& shape,
+                RodScratch& scratch);
+
+}  // namespace stylet::rod
