@@ -3,8 +3,9 @@
 """Every loop of the kernel ends: it walks a range or counts towards a bound. Any other is on a
 list, with what ends it: a constant of limits.h, or a size that organ_open has checked.
 
-A loop that counts compares in its head and steps in its head. `while`, `do`, goto and heads without
-a comparison or a step do not count; they may stand on the list alone.
+A loop counts if one variable of its head is compared with a bound and stepped towards it (up to
+<, <= or !=, down to >, >= or !=), and its body does not write that variable. `while`, `do`, goto
+and other heads may stand on the list alone.
 
 usage: loops.py KERNEL_FOLDER ALLOW_LIST
 """
@@ -16,35 +17,65 @@ sys.dont_write_bytecode = True
 import tidy  # noqa: E402
 
 LOOP = re.compile(r"\b(for|while|do|goto)\b\s*(\()?")
-COMPARISON = re.compile(r"[^<>=!-](<=?|>=?|!=)[^<>=]")
-STEP = re.compile(r"\+\+|--|\+=|-=")
+STEPS = {  # direction: how a variable is stepped so
+    1: r"\+\+ ?{0}\b|{0} ?\+\+|{0} ?\+=",
+    -1: r"-- ?{0}\b|{0} ?--|{0} ?-=",
+}
+# What such a variable is compared with: before it, and behind it.
+BOUNDS = {1: (r">=?", r"<=?"), -1: (r"<=?", r">=?")}
+WRITTEN = (r"\+\+ ?{0}\b|-- ?{0}\b|{0} ?(\+\+|--|[-+*/%&|^]?=(?!=)|<<=|>>=)|"
+           r"(?<![&\w] )&{0}\b")
 
 
 def head_of(code, begin):
-    """The text between the bracket before `begin` and its partner."""
+    """The text between the bracket before `begin` and its partner, and where that ends."""
     depth, end = 1, begin
     while depth > 0 and end < len(code):
         depth += {"(": 1, ")": -1}.get(code[end], 0)
         end += 1
-    return " ".join(code[begin:end - 1].split())
+    return " ".join(code[begin:end - 1].split()), end
 
 
-def counts(head):
-    """Whether the head of a `for` walks a range or counts towards a bound."""
+def body_of(code, begin):
+    """The statement or block that begins behind `begin`, where the head has been closed."""
+    depth = 0
+    for end in range(begin, len(code)):
+        depth += {"(": 1, "{": 1, ")": -1, "}": -1}.get(code[end], 0)
+        if depth == 0 and code[end] in ";}":
+            return code[begin:end + 1]
+    return code[begin:]
+
+
+def counts_with(name, condition, step, body):
+    name = rf"(?<![\w.>]){name}\b"  # and no member of that name
+    for direction, how in STEPS.items():
+        how, (before, behind) = how.format(name), BOUNDS[direction]
+        compared = (rf"(?<![<>=-])({before}|!=) ?{name}",
+                    rf"{name}( ?\+\+| ?--| \+ \w+)? ?({behind}|!=)(?![<>=])")
+        if re.search(how, step) or re.search(how, condition):
+            return (any(re.search(each, condition) for each in compared) and
+                    not re.search(WRITTEN.format(name), body))
+    return False
+
+
+def counts(head, body):
+    """Whether a `for` walks a range or counts towards a bound."""
     parts = head.split(";")
     if len(parts) == 1:
         return ":" in head
+    if len(parts) != 3:
+        return False
     _, condition, step = parts
-    return bool(COMPARISON.search(f" {condition} ") and
-                (STEP.search(step) or STEP.search(condition)))
+    names = set(re.findall(r"[A-Za-z_]\w*", condition))
+    return any(counts_with(name, condition, step, body) for name in names)
 
 
 def uncounted(name, text):
     """(file, line, word and head) of each loop that does not count by itself."""
     code = tidy.code_only(text)
     for match in LOOP.finditer(code):
-        head = head_of(code, match.end()) if match[2] else ""
-        if match[1] == "for" and counts(head):
+        head, end = head_of(code, match.end()) if match[2] else ("", match.end())
+        if match[1] == "for" and counts(head, body_of(code, end)):
             continue
         yield name, code.count("\n", 0, match.start()) + 1, f"{match[1]} ({head})"
 

@@ -105,12 +105,17 @@ class Loops(Sample):
     def test_accepts_ranges_and_counting(self):
         code = ("for (int i = 0; i < n; ++i) {}\nfor (const int& x : list) {}\n"
                 "for (std::uint32_t j = n; j-- > 0;) {}\nfor (; p != end; p += 4) {}\n"
+                "for (; p + 8 <= end; p += 8) {}\nfor (i = 0; n > i; i++) { own.i = 0; }\n"
                 "// while (true) in words\n")
         self.assertEqual(list(self.faults(code)), [])
 
     def test_refuses_others(self):
         for code in ("while (true) {}", "for (;;) {}", "do { } while (f());", "goto again;",
-                     "for (int i = 0; more(i); ++i) {}", "for (int i = 0; i < 3;) {}"):
+                     "for (int i = 0; more(i); ++i) {}", "for (int i = 0; i < 3;) {}",
+                     "for (int i = 0; i < 3; --i) {}", "for (int i = 0; i > -3; ++i) {}",
+                     "for (int i = 0; i < 3; ++j) {}", "for (int i = 0; left < 3; ++i) {}",
+                     "for (int i = 0; i < 3; ++i) { i = f(i); }", "for (; i < 3; ++i) --i;",
+                     "for (int i = 0; i < 3; ++i) f(&i);"):
             with self.subTest(code):
                 self.assertTrue(list(self.faults(f"int a;\n{code}\n"))[0].startswith("a.cpp:2"))
 
