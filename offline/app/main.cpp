@@ -16,22 +16,22 @@
 #include <optional>
 #include <tuple>
 
-#include "build.h"
-#include "crop.h"
-#include "file.h"
-#include "hull.h"
-#include "info.h"
-#include "label_organ.h"
-#include "outputs.h"
-#include "phantom.h"
+#include "base/file.h"
+#include "base/outputs.h"
+#include "base/refusal.h"
+#include "meshes/hull.h"
+#include "meshes/phantom.h"
+#include "pipeline/build.h"
+#include "pipeline/label_organ.h"
 #include "progress_bar.h"
-#include "quality.h"
-#include "refusal.h"
-#include "report_page.h"
-#include "speed.h"
+#include "report/info.h"
+#include "report/page.h"
+#include "report/quality.h"
+#include "report/speed.h"
 #include "stylet/command_texts.h"
 #include "stylet/kernel.h"
 #include "stylet/limits.h"
+#include "voxels/crop.h"
 
 namespace stylet::bake {
 namespace {

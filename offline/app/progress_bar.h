@@ -3,7 +3,7 @@
 // only once a second has passed.
 #pragma once
 
-#include "progress.h"
+#include "base/progress.h"
 
 namespace stylet::bake {
 

@@ -10,8 +10,8 @@
 #include <iterator>
 #include <string>
 
-#include "build.h"
 #include "data_folder.h"
+#include "pipeline/build.h"
 #include "stylet/organ.h"
 
 namespace stylet::test {

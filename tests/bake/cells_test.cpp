@@ -10,13 +10,13 @@
 #include <functional>
 #include <set>
 
-#include "attach.h"
 #include "bake_support.h"
-#include "crop.h"
-#include "gaps.h"
-#include "label_organ.h"
-#include "layers.h"
+#include "pipeline/label_organ.h"
 #include "random_bodies.h"
+#include "voxels/attach.h"
+#include "voxels/crop.h"
+#include "voxels/gaps.h"
+#include "voxels/layers.h"
 
 namespace stylet::test {
 namespace {

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "bake_support.h"
-#include "info.h"
-#include "phantom.h"
-#include "refusal.h"
+#include "base/refusal.h"
+#include "meshes/phantom.h"
+#include "report/info.h"
 
 namespace stylet::test {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // stylet-organ hull: obstacles of meshes, as close as they say, and one line for what is none.
-#include "hull.h"
+#include "meshes/hull.h"
 
 #include <cstdlib>
 #include <ctime>
 #include <random>
 
 #include "bake_support.h"
-#include "phantom.h"
-#include "refusal.h"
+#include "base/refusal.h"
+#include "meshes/phantom.h"
 #include "stylet/limits.h"
 
 namespace stylet::test {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is said of an organ file, whoever wrote it: against what the file was made of.
-#include "info.h"
+#include "report/info.h"
 
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "asset/write_organ.h"
 #include "bake_support.h"
+#include "base/refusal.h"
 #include "organ_objects.h"
-#include "refusal.h"
-#include "write_organ.h"
 
 namespace stylet::test {
 namespace {

@@ -13,12 +13,12 @@
 #include <random>
 
 #include "bake_support.h"
-#include "label_header.h"
-#include "label_map.h"
-#include "label_names.h"
+#include "base/refusal.h"
 #include "label_support.h"
+#include "maps/header.h"
+#include "maps/label_map.h"
+#include "maps/names.h"
 #include "random_bodies.h"
-#include "refusal.h"
 
 namespace stylet::test {
 namespace {

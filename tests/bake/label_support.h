@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <string>
 
-#include "label_map.h"
-#include "refusal.h"
+#include "base/refusal.h"
+#include "maps/label_map.h"
 
 namespace stylet::test {
 

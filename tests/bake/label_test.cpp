@@ -12,9 +12,9 @@
 #include <set>
 
 #include "bake_support.h"
-#include "label_names.h"
-#include "label_organ.h"
-#include "refusal.h"
+#include "base/refusal.h"
+#include "maps/names.h"
+#include "pipeline/label_organ.h"
 
 namespace stylet::test {
 namespace {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Walls around label maps where the scan cuts the patient off, and what else may be asked of an
 // organ that has one. Boxes are drawn; expected voxels are counted.
-#include "label_wall.h"
-
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -11,10 +9,11 @@
 #include <numeric>
 
 #include "bake_support.h"
-#include "label_organ.h"
+#include "base/refusal.h"
+#include "maps/wall.h"
 #include "organ_places.h"
+#include "pipeline/label_organ.h"
 #include "random_bodies.h"
-#include "refusal.h"
 
 namespace stylet::test {
 namespace {

@@ -8,10 +8,10 @@
 #include <functional>
 
 #include "bake_support.h"
-#include "label_map.h"
+#include "base/refusal.h"
 #include "label_support.h"
+#include "maps/label_map.h"
 #include "random_bodies.h"
-#include "refusal.h"
 
 namespace stylet::test {
 namespace {

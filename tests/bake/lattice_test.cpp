@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lattice and sphere tree on drawn numbers, against their definitions: which input has a cell,
 // which cells are kept, numbered and skin, where vertices lie, and what each sphere holds.
-#include "lattice.h"
+#include "voxels/lattice.h"
 
 #include <algorithm>
 #include <map>
 #include <numbers>
 
+#include "asset/sphere_tree.h"
 #include "bake_support.h"
 #include "organ_places.h"
 #include "random_bodies.h"
-#include "sample_cell.h"
-#include "sheets.h"
-#include "sphere_tree.h"
+#include "voxels/sample_cell.h"
+#include "voxels/sheets.h"
 
 namespace stylet::test {
 namespace {

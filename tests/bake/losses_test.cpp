@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is off by more than 5 % is told: layers, labels and meshes drawn at random, against volumes
 // in closed form or voxels counted, and against what the file's voxels and planes hold.
-#include "losses.h"
+#include "voxels/losses.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -9,10 +9,10 @@
 #include <numeric>
 
 #include "bake_support.h"
-#include "crop.h"
-#include "label_organ.h"
+#include "base/refusal.h"
+#include "pipeline/label_organ.h"
 #include "random_bodies.h"
-#include "refusal.h"
+#include "voxels/crop.h"
 
 namespace stylet::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "bake_support.h"
+#include "meshes/repair.h"
 #include "random_bodies.h"
-#include "repair.h"
 
 namespace stylet::test {
 namespace {

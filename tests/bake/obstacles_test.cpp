@@ -9,7 +9,7 @@
 #include <set>
 
 #include "bake_support.h"
-#include "label_organ.h"
+#include "pipeline/label_organ.h"
 #include "random_bodies.h"
 #include "stylet/limits.h"
 

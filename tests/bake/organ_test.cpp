@@ -4,13 +4,13 @@
 #include <numbers>
 
 #include "bake_support.h"
-#include "crop.h"
+#include "base/refusal.h"
+#include "meshes/phantom.h"
 #include "organ_places.h"
-#include "phantom.h"
-#include "refusal.h"
+#include "pipeline/voxel_materials.h"
 #include "stylet/limits.h"
-#include "voxel_materials.h"
-#include "voxelize.h"
+#include "voxels/crop.h"
+#include "voxels/voxelize.h"
 
 namespace stylet::test {
 namespace {

@@ -12,8 +12,8 @@
 #include <nlohmann/json.hpp>
 
 #include "bake_support.h"
-#include "outputs.h"
-#include "refusal.h"
+#include "base/outputs.h"
+#include "base/refusal.h"
 
 namespace stylet::test {
 namespace {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The quality report: distances, pieces and gaps against what is known of simple bodies, and the
 // page as a user gets it.
-#include "quality.h"
+#include "report/quality.h"
 
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 
 #include "bake_support.h"
-#include "label_organ.h"
-#include "phantom.h"
+#include "meshes/phantom.h"
+#include "pipeline/label_organ.h"
 #include "random_bodies.h"
-#include "report_page.h"
+#include "report/page.h"
 
 namespace stylet::test {
 namespace {

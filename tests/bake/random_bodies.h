@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "geometry.h"
+#include "base/geometry.h"
 
 namespace stylet::test {
 

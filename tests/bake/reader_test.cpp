@@ -10,10 +10,10 @@
 #include <random>
 
 #include "bake_support.h"
-#include "file.h"
-#include "mesh_text.h"
-#include "read_mesh.h"
-#include "refusal.h"
+#include "base/file.h"
+#include "base/refusal.h"
+#include "meshes/mesh_text.h"
+#include "meshes/read_mesh.h"
 
 namespace stylet::test {
 namespace {

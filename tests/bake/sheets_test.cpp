@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts that do not touch get voxels of their own: what is apart in the input is apart in the
 // kernel, what hangs together stays so, and bodies without gaps come out as they did.
-#include "sheets.h"
+#include "voxels/sheets.h"
 
 #include <gmock/gmock.h>
 
@@ -13,14 +13,14 @@
 #include <set>
 
 #include "bake_support.h"
-#include "info.h"
-#include "label_organ.h"
+#include "base/refusal.h"
 #include "organ_places.h"
-#include "quality.h"
+#include "pipeline/label_organ.h"
 #include "random_bodies.h"
-#include "refusal.h"
-#include "sample_cell.h"
-#include "sample_parts.h"
+#include "report/info.h"
+#include "report/quality.h"
+#include "voxels/sample_cell.h"
+#include "voxels/sample_parts.h"
 
 namespace stylet::test {
 namespace {

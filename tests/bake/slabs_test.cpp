@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // How thick structures are at the planes that they were drawn in, on drawn distances and by hand.
+#include "maps/slabs.h"
+
 #include <gmock/gmock.h>
 
 #include <algorithm>
 
-#include "label_slabs.h"
 #include "random_bodies.h"
 
 namespace stylet::test {

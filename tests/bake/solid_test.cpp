@@ -5,12 +5,12 @@
 #include <random>
 
 #include "bake_support.h"
-#include "phantom.h"
-#include "refusal.h"
-#include "sample_cell.h"
-#include "triangle_tree.h"
-#include "voxelize.h"
-#include "wrap.h"
+#include "base/refusal.h"
+#include "meshes/phantom.h"
+#include "meshes/triangle_tree.h"
+#include "meshes/wrap.h"
+#include "voxels/sample_cell.h"
+#include "voxels/voxelize.h"
 
 namespace stylet::test {
 namespace {

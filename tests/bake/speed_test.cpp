@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Choosing the voxel edge by the cost of a tick, and what is said of the step's mass.
-#include "speed.h"
+#include "report/speed.h"
 
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 
 #include "bake_support.h"
-#include "phantom.h"
+#include "base/refusal.h"
+#include "meshes/phantom.h"
 #include "random_bodies.h"
-#include "refusal.h"
-#include "sweep.h"
+#include "voxels/sweep.h"
 
 namespace stylet::test {
 namespace {

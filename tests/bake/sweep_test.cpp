@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // --fit counts what a tick sweeps, on bodies drawn at random.
-#include "sweep.h"
+#include "voxels/sweep.h"
 
 #include <gmock/gmock.h>
 
 #include "bake_support.h"
-#include "crop.h"
+#include "base/refusal.h"
 #include "random_bodies.h"
-#include "refusal.h"
-#include "speed.h"
+#include "report/speed.h"
+#include "voxels/crop.h"
 
 namespace stylet::test {
 namespace {

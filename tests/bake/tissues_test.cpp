@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "asset/materials.h"
 #include "bake_support.h"
-#include "materials.h"
-#include "refusal.h"
+#include "base/refusal.h"
 
 namespace stylet::test {
 namespace {

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "label_map.h"
-#include "label_readers.h"
-#include "refusal.h"
+#include "base/refusal.h"
+#include "maps/label_map.h"
+#include "maps/readers.h"
 #include "target.h"
 
 namespace stylet::test {

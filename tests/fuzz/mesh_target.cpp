@@ -3,7 +3,7 @@
 // into triangles whose points are there and finite.
 #include <new>
 
-#include "mesh_text.h"
+#include "meshes/mesh_text.h"
 #include "target.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

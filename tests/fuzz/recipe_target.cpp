@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "label_recipe.h"
-#include "refusal.h"
+#include "base/refusal.h"
+#include "maps/recipe.h"
 #include "target.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -3,8 +3,8 @@
 // numbers are finite.
 #include <cmath>
 
-#include "materials.h"
-#include "refusal.h"
+#include "asset/materials.h"
+#include "base/refusal.h"
 #include "target.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "materials.h"
+
+#include <algorithm>
+
+#include "base/refusal.h"
+#include "base/toml_file.h"
+#include "stylet/limits.h"
+
+namespace stylet::bake {
+namespace {
+
+// One key of a tissue table: where it goes, its unit, and what is allowed (in the key's unit).
+struct Key {
+  const char* name;
+  double Tissue::*member;
+  double si_per_unit;
+  double low, high;
+  bool optional = false;  // in a new tissue, which then has the 0 of Tissue
+};
+
+constexpr Key kKeys[] = {
+    {"density_kg_per_m3", &Tissue::density_kg_per_m3, 1, 1, 20000},
+    {"youngs_modulus_kpa", &Tissue::youngs_modulus_pa, 1e3,
+     static_cast<double>(kMinYoungsModulusPa) * 1e-3,
+     static_cast<double>(kMaxYoungsModulusPa) * 1e-3},
+    {"poisson_ratio", &Tissue::poisson_ratio, 1, 0, 0.49},
+    {"relaxing_fraction", &Tissue::relaxing_fraction, 1, 0, 0.95},
+    {"relaxation_time_s", &Tissue::relaxation_time_s, 1, 1e-3, 1e5},
+    {"puncture_force_n", &Tissue::puncture_force_n, 1, 0, 1000},
+    {"cutting_force_n", &Tissue::cutting_force_n, 1, 0, 1000},
+    {"recut_fraction", &Tissue::recut_fraction, 1, 0, 1},
+    {"coulomb_friction_n_per_mm", &Tissue::coulomb_friction_n_per_m, 1e3, 0, 10},
+    {"static_friction_n_per_mm", &Tissue::static_friction_n_per_m, 1e3, 0, 10},
+    {"stribeck_velocity_mm_per_s", &Tissue::stribeck_velocity_m_per_s, 1e-3, 1e-3, 1e4},
+    {"viscous_friction_n_s_per_m2", &Tissue::viscous_friction_n_s_per_m2, 1, 0, 1e6},
+    // Most tissues have no skin of their own, and break at a force that hardly depends on speed.
+    {"membrane_n_per_mm", &Tissue::membrane_n_per_m, 1e3, 0, 100, true},
+    {"puncture_velocity_exponent", &Tissue::puncture_velocity_exponent, 1, 0, 0.5, true},
+};
+
+std::string known_keys() {
+  std::string text;
+  for (const Key& key : kKeys) text += fmt::format("{}, ", key.name);
+  return text + "source";
+}
+
+double read_number(const std::string& file, const Key& key, const toml::node& node) {
+  const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
+  if (!value) {
+    refuse("{}: {}: expected a number from {} to {}", place_of(file, node), key.name, key.low,
+           key.high);
+  }
+  if (!(*value >= key.low && *value <= key.high)) {
+    refuse("{}: {} = {}: expected {} to {}", place_of(file, node), key.name, *value, key.low,
+           key.high);
+  }
+  return *value * key.si_per_unit;
+}
+
+Tissue read_tissue(const std::string& file, const std::string& name, const toml::table& table) {
+  const auto& presets = preset_tissues();
+  const auto base = std::find_if(presets.begin(), presets.end(),
+                                 [&](const Tissue& preset) { return preset.name == name; });
+  const bool has_base = base != presets.end();
+  Tissue tissue = has_base ? *base : Tissue{};
+  tissue.name = name;
+  tissue.source = file;
+  for (const auto& [toml_key, node] : table) {
+    const std::string key_name(toml_key.str());
+    if (key_name == "source") {
+      if (!node.is_string()) refuse("{}: source: expected a string", place_of(file, node));
+      tissue.source = *node.value<std::string>();
+      continue;
+    }
+    const auto* key = std::find_if(std::begin(kKeys), std::end(kKeys),
+                                   [&](const Key& k) { return key_name == k.name; });
+    if (key == std::end(kKeys)) {
+      refuse("{}: {}: unknown key: expected one of {}", place_of(file, node), key_name,
+             known_keys());
+    }
+    tissue.*(key->member) = read_number(file, *key, node);
+  }
+  for (const Key& key : kKeys) {
+    if (!has_base && !key.optional && !table.contains(key.name)) {
+      refuse("{}: {}: {} is missing: expected a number from {} to {}", place_of(file, table), name,
+             key.name, key.low, key.high);
+    }
+  }
+  if (tissue.static_friction_n_per_m < tissue.coulomb_friction_n_per_m) {
+    refuse(
+        "{}: {}: static_friction_n_per_mm = {}: expected at least coulomb_friction_n_per_mm = {}",
+        place_of(file, table), name, tissue.static_friction_n_per_m * 1e-3,
+        tissue.coulomb_friction_n_per_m * 1e-3);
+  }
+  return tissue;
+}
+
+// Numbers in the order of Tissue, SI. A tissue that has no surface of its own to break punctures at
+// its cutting force.
+std::vector<Tissue> organ_tissues() {
+  return {
+      {"liver",
+       "parenchyma under its capsule; effective modulus at needle scale, G = 8 kPa (Gokgol 2012; "
+       "small-strain G is 1.8 kPa); forces and friction for 18G within Okamura, Simone, O'Leary "
+       "2004",
+       1060, 23200, 0.45, 0.4, 1.0, 0.3, 0.3, 0.1, 10, 12, 1e-3, 20},
+      {"liver_capsule",
+       "liver under its capsule: 10 MPa times 0.1 mm of membrane spread over the voxel; puncture "
+       "by 18G takes 0.5 to 3 N",
+       1060, 23200, 0.45, 0.4, 1.0, 0.7, 0.3, 0.1, 10, 12, 1e-3, 20, 1000},
+      {"tumour",
+       "hepatocellular carcinoma: G = 23.4 kPa (PMC6925591), within E 40 to 240 kPa of prostate "
+       "cancer (Krouskop 1998); forces above those of liver by judgement",
+       1060, 67900, 0.45, 0.3, 1.0, 1.0, 0.5, 0.1, 12, 15, 1e-3, 20},
+      {"vessel",
+       "hepatic artery: G = 210 kPa (PMC6925591); density of blood 1055 (Kaye and Laby); forces by "
+       "judgement, below those of skin",
+       1055, 609000, 0.45, 0.2, 1.0, 1.0, 0.3, 0.1, 10, 12, 1e-3, 10},
+      {"kidney",
+       "cortex E 5 to 15 kPa at small strain, scaled to needle scale as liver; density 1050 (Kaye "
+       "and Laby); friction 0.005 to 0.05 N/mm for 17G to 18G",
+       1050, 30000, 0.45, 0.5, 1.0, 1.0, 0.4, 0.1, 12, 15, 1e-3, 20},
+      {"spleen",
+       "liver's modulus at needle scale times 1.6, the ratio of the two by MR elastography at 60 "
+       "Hz (3.6 kPa, Mannelli 2010; liver 2.2 to 2.3); density 1054 (Kaye and Laby); forces by "
+       "judgement",
+       1054, 37000, 0.45, 0.4, 1.0, 0.5, 0.3, 0.1, 10, 12, 1e-3, 20},
+      {"pancreas",
+       "liver's modulus at needle scale times 0.8, the ratio of the two by MR elastography at 40 "
+       "and 60 Hz (An, Shi, Guo 2015; Xu 2020); forces by judgement, as liver's",
+       1050, 18600, 0.45, 0.4, 1.0, 0.3, 0.3, 0.1, 10, 12, 1e-3, 20},
+      {"stomach",
+       "wall and content as one, by judgement as soft as relaxed muscle across its fibres; "
+       "punctures and slides less than muscle",
+       1050, 20000, 0.45, 0.4, 1.0, 0.6, 0.4, 0.1, 20, 25, 1e-3, 20},
+      {"prostate",
+       "E 15 to 70 kPa (Krouskop 1998), shaft friction 0.03 to 0.12 N/mm; 18G: less than the 8.9 N "
+       "met at the perineum (Podder et al. 2006); density 1027 (PMC4201780)",
+       1027, 40000, 0.45, 0.4, 1.0, 1.0, 1.0, 0.1, 50, 60, 1e-3, 30},
+      {"prostate_capsule",
+       "prostate under its capsule, a membrane and a puncture of it by judgement", 1027, 40000,
+       0.45, 0.4, 1.0, 2.0, 1.0, 0.1, 50, 60, 1e-3, 30, 2000},
+  };
+}
+
+// Layers on the way to organs, phantoms and bone.
+std::vector<Tissue> other_tissues() {
+  return {
+      {"fat",
+       "E 1 to 20 kPa, typical 3.3 (Samani 2007), doubled at needle scale; density 901 to 923 "
+       "(Kaye and Laby); forces below those of muscle by judgement",
+       911, 6600, 0.45, 0.4, 0.8, 0.1, 0.1, 0.1, 5, 6, 1e-3, 10},
+      {"epidural_fat",
+       "half liquid: E 3.3 kPa (fat, Samani 2007); a needle meets next to nothing, by judgement",
+       911, 3300, 0.45, 0.4, 0.8, 0.05, 0.05, 0.1, 3, 4, 1e-3, 5},
+      {"muscle",
+       "relaxed, across fibres: E 10 to 50 kPa; density 1047 (Kaye and Laby); shaft friction 0.03 "
+       "to 0.12 N/mm",
+       1047, 40000, 0.45, 0.4, 1.0, 0.6, 0.6, 0.1, 40, 50, 1e-3, 30},
+      {"fascia",
+       "muscle under its fascia, a membrane of 2 N/mm, and the puncture of it, by judgement", 1047,
+       40000, 0.45, 0.4, 1.0, 1.2, 0.6, 0.1, 40, 50, 1e-3, 30, 2000},
+      {"ligament",
+       "supraspinous and interspinous: 9.1 and 7.6 to 8 N on a Tuohy needle (layer table of "
+       "epidural simulators after Brett); modulus across the fibres and friction by judgement",
+       1100, 5e5, 0.45, 0.2, 1.0, 7.8, 4.0, 0.1, 50, 60, 1e-3, 30},
+      {"ligamentum_flavum",
+       "12.1 N on a Tuohy needle (same table), 11.1 to 11.8 N before loss of resistance in the "
+       "pig (Vaughan et al. 2012); E across the fibres below the 2 to 10 MPa along them",
+       1100, 1e6, 0.45, 0.2, 1.0, 12.1, 9.0, 0.1, 50, 60, 1e-3, 30},
+      {"skin",
+       "E 50 to 200 kPa in vivo by indentation, up to 20 MPa in tension, of which 1 MPa times 2 mm "
+       "as membrane; density 1150 (Kaye and Laby); puncture by 21G to 27G 0.3 to 2 N, 18G at the "
+       "upper end",
+       1150, 100000, 0.45, 0.3, 1.0, 2.0, 0.8, 0.1, 40, 50, 1e-3, 30, 2000},
+      {"gel",
+       "gelatin and PVC phantoms E 5 to 100 kPa; needle in agarose: mu 0.255, radial stress 248 Pa "
+       "at 1.8 mm/s, so 0.25 N/m for 18G",
+       1000, 10000, 0.45, 0.0, 1.0, 0.3, 0.2, 0.1, 0.25, 0.29, 1e-3, 5},
+      {"bone",
+       "a stop, not a model of bone: as stiff and as strong as the format carries comfortably",
+       1900, 1e8, 0.3, 0.0, 1.0, 500, 500, 1.0, 1000, 1200, 1e-3, 1000},
+  };
+}
+
+}  // namespace
+
+const std::vector<Tissue>& preset_tissues() {
+  static const std::vector<Tissue> kPresets = [] {
+    std::vector<Tissue> all = organ_tissues();
+    for (const Tissue& tissue : other_tissues()) all.push_back(tissue);
+    return all;
+  }();
+  return kPresets;
+}
+
+std::vector<Tissue> read_tissues(const std::filesystem::path& toml_file) {
+  const std::string file = toml_file.string();
+  std::vector<Tissue> tissues;
+  const toml::table root = read_toml(toml_file);
+  for (const auto& [name, node] : root) {
+    if (!node.is_table()) {
+      refuse("{}: {}: expected a table [{}] of tissue properties", place_of(file, node), name.str(),
+             name.str());
+    }
+    tissues.push_back(read_tissue(file, std::string(name.str()), *node.as_table()));
+  }
+  return tissues;
+}
+
+const Tissue& find_tissue(const std::vector<Tissue>& own, const std::string& name) {
+  std::string known;
+  for (const auto* list : {&own, &preset_tissues()}) {
+    for (const Tissue& tissue : *list) {
+      if (tissue.name == name) return tissue;
+      known += (known.empty() ? "" : ", ") + tissue.name;
+    }
+  }
+  refuse("tissue '{}': expected one of {}", name, known);
+}
+
+}  // namespace stylet::bake

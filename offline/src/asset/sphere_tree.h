@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sphere tree over an embedded surface (Quinlan 1994: leaves cover triangles, halving above),
+// with leaves that never mix voxels, so that a leaf can follow its voxel's deformation.
+//
+// Promises: each sphere holds all positions below it, and each child's sphere, at float precision;
+// children behind parents; depth at most 2 + log2(leaves). Units: metres, rest frame.
+#pragma once
+
+#include "base/geometry.h"
+#include "stylet/organ.h"
+
+namespace stylet::bake {
+
+struct SphereTree {
+  std::vector<OrganSphere> nodes;    // root first, children side by side
+  std::vector<std::uint32_t> order;  // triangle i of the file is triangle order[i] of the input
+};
+
+// `voxel_of[i]` is the voxel that triangle i is grouped under.
+SphereTree sphere_tree(const std::vector<Vec>& points_m, const std::vector<Triangle>& triangles,
+                       const std::vector<std::uint32_t>& voxel_of);
+
+}  // namespace stylet::bake

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "write_organ.h"
+
+#include <cstring>
+
+#include "base/refusal.h"
+#include "organ_generated.h"
+#include "stylet/content_sum.h"
+
+namespace stylet::bake {
+namespace {
+
+using flatbuffers::FlatBufferBuilder;
+using flatbuffers::Offset;
+
+constexpr std::uint32_t kFormatVersion = 2;
+
+// Our plain structs and the generated ones have the same bytes.
+template <typename Theirs, typename Mine>
+auto write_structs(FlatBufferBuilder& builder, const std::vector<Mine>& values) {
+  static_assert(sizeof(Theirs) == sizeof(Mine));
+  return builder.CreateVectorOfStructs(reinterpret_cast<const Theirs*>(values.data()),
+                                       values.size());
+}
+
+Offset<format::Material> write_material(FlatBufferBuilder& builder, const Tissue& t) {
+  const auto name = builder.CreateString(t.name);
+  const auto source = builder.CreateString(t.source);
+  const auto f = [](double value) { return static_cast<float>(value); };
+  return format::CreateMaterial(
+      builder, name, source, f(t.density_kg_per_m3), f(t.youngs_modulus_pa), f(t.poisson_ratio),
+      f(t.relaxing_fraction), f(t.relaxation_time_s), f(t.puncture_force_n), f(t.cutting_force_n),
+      f(t.recut_fraction), f(t.coulomb_friction_n_per_m), f(t.static_friction_n_per_m),
+      f(t.stribeck_velocity_m_per_s), f(t.viscous_friction_n_s_per_m2),
+      f(t.puncture_velocity_exponent), f(t.membrane_n_per_m));
+}
+
+Offset<format::Provenance> write_provenance(FlatBufferBuilder& builder, const OrganParts& parts) {
+  std::vector<Offset<format::Source>> sources;
+  for (const SourceRecord& s : parts.sources) {
+    const auto path = builder.CreateString(s.path);
+    const auto tissue = builder.CreateString(s.tissue);
+    const auto sha256 = builder.CreateString(s.sha256);
+    sources.push_back(format::CreateSource(builder, path, tissue, sha256, s.metres_per_unit,
+                                           s.priority, s.triangle_count));
+  }
+  const auto version = builder.CreateString(parts.tool_version);
+  const auto options = builder.CreateString(parts.options);
+  const auto list = builder.CreateVector(sources);
+  return format::CreateProvenance(builder, version, options, list);
+}
+
+Offset<format::Sheets> write_sheets(FlatBufferBuilder& builder, const Lattice& lattice) {
+  const auto ties = write_structs<format::Tie>(builder, lattice.ties);
+  const auto parts = write_structs<format::Part>(builder, lattice.parts);
+  return format::CreateSheets(builder, static_cast<std::uint16_t>(lattice.sheet_rows), ties, parts);
+}
+
+void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
+  const Lattice& lattice = parts.lattice;
+  const Grid& grid = lattice.grid;
+  std::vector<Offset<format::Material>> materials;
+  for (const Tissue& t : parts.materials) {
+    materials.push_back(write_material(builder, t));
+  }
+  const auto name = builder.CreateString(parts.name);
+  const auto runs = write_structs<format::Run>(builder, lattice.runs);
+  const auto voxel_material = builder.CreateVector(parts.voxel_material);
+  const auto voxel_fill = builder.CreateVector(lattice.fill);
+  const auto voxel_fixed = parts.voxel_fixed.empty() ? Offset<flatbuffers::Vector<std::uint8_t>>()
+                                                     : builder.CreateVector(parts.voxel_fixed);
+  const auto material_list = builder.CreateVector(materials);
+  const auto vertices = write_structs<format::Vertex>(builder, parts.vertices);
+  const auto triangles = write_structs<format::Triangle>(builder, parts.triangles);
+  const auto spheres = write_structs<format::SphereNode>(builder, parts.spheres);
+  const bool has_mixed = !parts.mixed.empty();
+  const auto mixed = has_mixed ? write_structs<format::Mixed>(builder, parts.mixed)
+                               : Offset<flatbuffers::Vector<const format::Mixed*>>();
+  const auto provenance = write_provenance(builder, parts);
+  const bool has_sheets = lattice.sheets > 1;
+  const auto sheets = has_sheets ? write_sheets(builder, lattice) : Offset<format::Sheets>();
+  const auto seal = builder.CreateVector(std::vector<std::uint8_t>(32, 0));  // sealed below
+  const auto f = [](double value) { return static_cast<float>(value); };
+  const auto u = [](std::uint32_t value) { return static_cast<std::uint16_t>(value); };
+  format::FinishOrganBuffer(
+      builder,
+      format::CreateOrgan(builder, kFormatVersion, name, f(grid.edge_m), f(grid.origin_m.x),
+                          f(grid.origin_m.y), f(grid.origin_m.z), u(grid.size[0]),
+                          u(lattice.sheets * lattice.sheet_rows), u(grid.size[2]), runs,
+                          voxel_material, voxel_fill, voxel_fixed, material_list, vertices,
+                          triangles, spheres, provenance, mixed, sheets, seal));
+}
+
+}  // namespace
+
+std::vector<std::byte> write_organ(const OrganParts& parts) {
+  FlatBufferBuilder builder;
+  builder.ForceDefaults(true);  // a value that happens to be zero takes its place all the same
+  write_root(builder, parts);
+  const auto* first = reinterpret_cast<const std::byte*>(builder.GetBufferPointer());
+  std::vector<std::byte> bytes(first, first + builder.GetSize());
+  Organ organ;
+  OrganRefusal refusal;
+  if (organ_open(bytes, organ, &refusal) != Status::kOk) {
+    refuse("the organ does not pass the kernel's check: {}", describe(refusal));
+  }
+  const auto sum = content_sha256(bytes, organ);
+  const auto place = reinterpret_cast<const std::byte*>(organ.content_sha256.data()) - bytes.data();
+  std::memcpy(bytes.data() + place, sum.data(), sum.size());
+  return bytes;
+}
+
+std::string describe(const OrganRefusal& refusal) {
+  return fmt::format("{}: {}[{}] = {}: expected {}", status_name(refusal.status), refusal.place,
+                     refusal.index, refusal.value, refusal.expected);
+}
+
+}  // namespace stylet::bake

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of an organ to the bytes of an organ file (kernel/schema/organ.fbs).
+//
+// Promises: the bytes depend on nothing but the parts; they have passed organ_open.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "materials.h"
+#include "sphere_tree.h"
+#include "voxels/lattice.h"
+
+namespace stylet::bake {
+
+struct SourceRecord {
+  std::string path;  // file name without folders
+  std::string tissue;
+  std::string sha256;
+  double metres_per_unit = 0;
+  int priority = 0;
+  std::uint32_t triangle_count = 0;
+};
+
+struct OrganParts {
+  std::string name;
+  Lattice lattice;
+  std::vector<std::uint8_t> voxel_material;
+  std::vector<OrganMixed> mixed;
+  std::vector<std::uint8_t> voxel_fixed;  // empty: a free body
+  std::vector<Tissue> materials;
+  std::vector<OrganVertex> vertices;
+  std::vector<Triangle> triangles;
+  std::vector<OrganSphere> spheres;
+  std::string tool_version;
+  std::string options;
+  std::vector<SourceRecord> sources;
+};
+
+std::vector<std::byte> write_organ(const OrganParts& parts);
+
+// "place[index] = value: expected ..." of a refusal by organ_open.
+std::string describe(const OrganRefusal& refusal);
+
+}  // namespace stylet::bake

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "maps/bzip2.h"
+
+#include <bzlib.h>
+
+#include <algorithm>
+
+#include "base/file.h"
+#include "maps/readers.h"
+
+namespace stylet::bake {
+namespace {
+
+// Of the streams that follow each other in a file; a block at a time.
+class Unpacker {
+ public:
+  Unpacker(const std::string& path, std::string_view packed) : path_(path), packed_(packed) {}
+  Unpacker(const Unpacker&) = delete;
+  Unpacker& operator=(const Unpacker&) = delete;
+  ~Unpacker() { (void)BZ2_bzDecompressEnd(&stream_); }
+
+  // Fills `block` as far as there is something; how much that is.
+  std::size_t fill(std::vector<char>& block) {
+    std::size_t filled = 0;
+    while (filled < block.size() && !(packed_.empty() && state_ == BZ_STREAM_END)) {
+      if (state_ == BZ_STREAM_END) open();
+      // The library counts in unsigned int, files may be larger.
+      const auto offered = static_cast<unsigned>(std::min<std::size_t>(packed_.size(), kOffered));
+      stream_.next_in = const_cast<char*>(packed_.data());
+      stream_.avail_in = offered;
+      stream_.next_out = block.data() + filled;
+      stream_.avail_out = static_cast<unsigned>(block.size() - filled);
+      if (state_ == BZ_OK) state_ = BZ2_bzDecompress(&stream_);
+      const std::size_t made = block.size() - filled - stream_.avail_out;
+      const std::size_t taken = offered - stream_.avail_in;
+      packed_.remove_prefix(taken);
+      filled += made;
+      unpacked_ += made;
+      const bool stuck = state_ == BZ_OK && made == 0 && taken == 0;
+      if (stuck || (state_ != BZ_OK && state_ != BZ_STREAM_END)) {
+        refuse("{}: ends or is damaged after {} bytes of what it holds: expected whole bzip2 data",
+               path_, unpacked_);
+      }
+    }
+    return filled;
+  }
+
+ private:
+  void open() {
+    (void)BZ2_bzDecompressEnd(&stream_);
+    stream_ = {};
+    state_ = BZ2_bzDecompressInit(&stream_, 0, 0);
+  }
+
+  static constexpr std::size_t kOffered = std::size_t{1} << 30U;
+  const std::string& path_;
+  std::string_view packed_;
+  bz_stream stream_{};
+  int state_ = BZ_STREAM_END;
+  std::uint64_t unpacked_ = 0;
+};
+
+// What has been taken of the voxels.
+struct Voxels {
+  const std::string& path;
+  const Claim& claim;
+  std::size_t wanted = 0, taken = 0;  // bytes
+  std::set<std::uint16_t> different;
+};
+
+[[noreturn]] void refuse_bytes(const Voxels& voxels) {
+  refuse(
+      "{}: the header speaks of {} bytes of voxels: {} {} were unpacked, expected all and no more",
+      voxels.path, voxels.wanted, voxels.taken, voxels.taken > voxels.wanted ? "or more" : "bytes");
+}
+
+template <typename WithSign, typename WithoutSign>
+void take(Voxels& voxels, const std::vector<char>& bytes, LabelMap& map) {
+  if (voxels.claim.number.without_sign) {
+    return take_labels<WithoutSign>(voxels.path, bytes, map, voxels.different);
+  }
+  take_labels<WithSign>(voxels.path, bytes, map, voxels.different);
+}
+
+void take_numbers(Voxels& voxels, std::vector<char>& bytes, LabelMap& map) {
+  const std::size_t each = voxels.claim.bytes_each;
+  for (std::size_t at = 0; voxels.claim.number.big_endian && at < bytes.size(); at += each) {
+    std::reverse(bytes.data() + at, bytes.data() + at + each);
+  }
+  if (voxels.claim.number.real) {
+    return each == 4 ? take<float, float>(voxels, bytes, map)
+                     : take<double, double>(voxels, bytes, map);
+  }
+  if (each == 1) return take<std::int8_t, std::uint8_t>(voxels, bytes, map);
+  if (each == 2) return take<std::int16_t, std::uint16_t>(voxels, bytes, map);
+  if (each == 4) return take<std::int32_t, std::uint32_t>(voxels, bytes, map);
+  take<std::int64_t, std::uint64_t>(voxels, bytes, map);
+}
+
+void unpack(const std::string& name, std::string_view packed, Voxels& voxels, LabelMap& map) {
+  constexpr std::size_t kBlock = std::size_t{1} << 20U;  // whole numbers of every type
+  Unpacker unpacker(name, packed);
+  std::vector<char> block;
+  for (std::size_t filled = 1; filled > 0;) {
+    block.resize(std::min(kBlock, voxels.wanted - voxels.taken + 1));
+    filled = unpacker.fill(block);
+    block.resize(filled);
+    voxels.taken += filled;
+    if (voxels.taken > voxels.wanted || filled % voxels.claim.bytes_each != 0) {
+      refuse_bytes(voxels);
+    }
+    take_numbers(voxels, block, map);
+  }
+}
+
+// Layers times voxels. bzip2 holds up to a million times its own bytes, so that files do not bound
+// what comes of them.
+std::size_t values_of(const std::string& path, const Claim& claim) {
+  std::size_t values = 1;
+  for (const std::uint64_t size : claim.sizes) {
+    if (size > kMostMapVoxels || (values *= size) > kMostMapVoxels) {
+      refuse("{}: encoding bzip2, more than {} values: expected fewer, or gzip", path,
+             kMostMapVoxels);
+    }
+  }
+  return values;
+}
+
+}  // namespace
+
+std::size_t read_bzip2(const std::string& path, std::string_view bytes, const Claim& claim,
+                       LabelMap& map) {
+  if (claim.skips || !claim.frame.space_last) {
+    refuse("{}: encoding bzip2: expected no line skip, no byte skip, and the axes in space last",
+           path);
+  }
+  const std::size_t values = values_of(path, claim), at = claim.sizes.size() - 3;
+  for (std::size_t i = 0; i < 3; ++i) map.size[i] = static_cast<std::uint32_t>(claim.sizes[at + i]);
+  Voxels voxels{path, claim, values * claim.bytes_each, 0, {}};
+  if (claim.files.empty()) unpack(path, bytes.substr(bytes.size() - claim.behind), voxels, map);
+  for (const std::filesystem::path& file : claim.files) {
+    const std::filesystem::path beside = std::filesystem::path(path).parent_path() / file;
+    unpack(beside.string(), read_file(beside), voxels, map);
+  }
+  if (voxels.taken < voxels.wanted) refuse_bytes(voxels);
+  return values / (std::size_t{map.size[0]} * map.size[1] * map.size[2]);
+}
+
+}  // namespace stylet::bake

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "dicom_file.h"
+#include "maps/names.h"
+#include "maps/readers.h"
+
+namespace stylet::bake {
+namespace {
+
+struct Frame {
+  std::size_t frame = 0, plane = 0;
+  std::uint16_t segment = 0;
+  FramePlace place;
+};
+
+// Pixels are numbers of segments; before that kind, each segment had frames of its own.
+// Source: DICOM PS3.3, C.8.20.2 (SegmentationType LABELMAP).
+bool pixels_are_segments(const DicomFile& file) {
+  return text_of(file, DCM_SegmentationType) == "LABELMAP";
+}
+
+std::uint16_t segment_of(const DicomFile& file, std::size_t frame,
+                         const std::set<std::uint16_t>& described) {
+  if (pixels_are_segments(file)) return 0;
+  const double number =
+      number_of(file, frame, DCM_SegmentIdentificationSequence, DCM_ReferencedSegmentNumber);
+  if (!(number >= 1 && number <= 65535)) {
+    refuse("{}: ReferencedSegmentNumber {}: expected 1 to 65535", frame_name(file, frame), number);
+  }
+  if (!described.contains(static_cast<std::uint16_t>(number))) {
+    refuse("{}: ReferencedSegmentNumber {}: expected that of a segment in SegmentSequence",
+           frame_name(file, frame), number);
+  }
+  return static_cast<std::uint16_t>(number);
+}
+
+// Along the normal.
+std::vector<Frame> frames_of(const DicomFile& file, const std::set<std::uint16_t>& described) {
+  require_map_size(file.path, {file.columns, file.rows, file.frames});
+  std::vector<Frame> frames;
+  for (std::size_t i = 0; i < file.frames; ++i) {
+    frames.push_back({i, 0, segment_of(file, i, described), place_of(file, i)});
+    require_same_grid(frames.front().place, frames.back().place);
+  }
+  const PixelGrid& grid = frames.front().place.grid;
+  const Vec normal = cross(grid.column_step_m, grid.row_step_m);
+  const auto along = [&](const Frame& f) { return dot(normal, f.place.plane.origin_m); };
+  std::stable_sort(frames.begin(), frames.end(),
+                   [&](const Frame& a, const Frame& b) { return along(a) < along(b); });
+  return frames;
+}
+
+// Frames of several segments share a plane; the last digits of a place do not tell them apart.
+std::vector<Plane> planes_of(std::vector<Frame>& frames) {
+  constexpr double kSameM = 2e-5, kBeside = 0.1;  // of a pixel
+  const PixelGrid& grid = frames.front().place.grid;
+  const double pixel_m = std::min(length(grid.column_step_m), length(grid.row_step_m));
+  const Vec across = cross(grid.column_step_m, grid.row_step_m);
+  const Vec normal = across * (1 / length(across));
+  std::vector<Plane> planes;
+  for (Frame& each : frames) {
+    const Plane& plane = each.place.plane;
+    const Vec way = planes.empty() ? Vec{} : plane.origin_m - planes.back().origin_m;
+    const bool is_same = !planes.empty() && std::fabs(dot(normal, way)) <= kSameM;
+    if (!is_same) planes.push_back(plane);
+    const double beside_m = is_same ? length(way - normal * dot(normal, way)) : 0;
+    if (beside_m > kBeside * pixel_m) {
+      refuse("{}: lies {:.4g} mm to the side of {}: expected the same columns and rows", plane.what,
+             beside_m * 1e3, planes.back().what);
+    }
+    each.plane = planes.size() - 1;
+  }
+  return planes;
+}
+
+// Distance of neighbouring planes: as the file says, else between its frames where that is even,
+// else their thickness; a lesion in two slices far apart does not tell it.
+double plane_step_m(const DicomFile& file, const std::vector<Plane>& planes, Vec normal) {
+  const double told_mm = number_of(file, 0, DCM_PixelMeasuresSequence, DCM_SpacingBetweenSlices);
+  if (told_mm >= kLeastMm && told_mm <= kFarthestMm) return told_mm * 1e-3;
+  double least_m = 0, most_m = 0;
+  for (std::size_t i = 1; i < planes.size(); ++i) {
+    const double gap_m = dot(normal, planes[i].origin_m - planes[i - 1].origin_m);
+    least_m = i == 1 ? gap_m : std::min(least_m, gap_m);
+    most_m = std::max(most_m, gap_m);
+  }
+  constexpr double kSame = 1.01, kNext = 1.5;
+  const double thick_m = planes.front().thickness_m;
+  const bool even = planes.size() > 2 && most_m <= kSame * least_m;
+  if (even && (thick_m == 0 || least_m <= kNext * thick_m)) return least_m;
+  if (thick_m == 0) {
+    refuse(
+        "{}: neither SpacingBetweenSlices nor SliceThickness, and frames that do not tell it: "
+        "expected one of them",
+        file.path);
+  }
+  return thick_m;
+}
+
+// The sequence in which frames are put: a segment with a higher number takes the voxel.
+void sort_by_segment(std::vector<Frame>& frames) {
+  std::stable_sort(frames.begin(), frames.end(),
+                   [](const Frame& a, const Frame& b) { return a.segment < b.segment; });
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    const Frame &before = frames[i - 1], &each = frames[i];  // planes ascend in a segment
+    if (before.segment != each.segment || before.plane < each.plane) continue;
+    refuse("{}: {} this plane in frame {} already: expected it once", each.place.plane.what,
+           each.segment > 0 ? fmt::format("segment {} has", each.segment) : "there is",
+           before.frame);
+  }
+}
+
+// From which stored number on a pixel belongs to its segment.
+double threshold(const DicomFile& file, std::vector<std::string>& notes) {
+  const std::string kind = text_of(file, DCM_SegmentationType);
+  if (kind == "BINARY") return 1;
+  const double most = number_of(*file.format->getDataset(), DCM_MaximumFractionalValue);
+  if (kind != "FRACTIONAL" || !(most >= 1 && most <= 255)) {
+    refuse(
+        "{}: SegmentationType {}, MaximumFractionalValue {}: expected BINARY, LABELMAP, or "
+        "FRACTIONAL and 1 to 255",
+        file.path, kind, most);
+  }
+  notes.push_back(
+      fmt::format("{}: a fractional segmentation ({}): a voxel is a segment's from "
+                  "half on",
+                  file.path, text_of(file, DCM_SegmentationFractionalType)));
+  return most / 2;
+}
+
+bool is_background(DcmItem& segment) {
+  const auto types = items_of(segment, DCM_SegmentedPropertyTypeCodeSequence);
+  return std::any_of(types.begin(), types.end(), [](DcmItem* type) {
+    return text_of(*type, DCM_CodingSchemeDesignator) == "DCM" &&
+           text_of(*type, DCM_CodeValue) == "125040";
+  });
+}
+
+// What the pixels of a label map have where there is no segment: its PixelPaddingValue. Without one
+// every pixel belongs to a segment, but for files that describe segment 0 as background, or not at
+// all, as those of dcmqi before 1.5.5 do. Source: DICOM PS3.3, C.8.20.2; PS3.16, CID 7150.
+double background_of(const DicomFile& file) {
+  const double told = number_of(*file.format->getDataset(), DCM_PixelPaddingValue);
+  if (!std::isnan(told)) return told;
+  for (DcmItem* const segment : items_of(*file.format->getDataset(), DCM_SegmentSequence)) {
+    if (number_of(*segment, DCM_SegmentNumber) != 0 || is_background(*segment)) continue;
+    refuse(
+        "{}: no PixelPaddingValue, and segment 0 is {}: expected segments from 1 on, or "
+        "PixelPaddingValue 0 where that is the background",
+        file.path, text_of(*segment, DCM_SegmentLabel));
+  }
+  return 0;
+}
+
+void put_label_map(const DicomFile& file, const std::vector<Frame>& frames, Stack& stack,
+                   std::vector<std::string>& notes) {
+  const double background = background_of(file);
+  std::set<std::uint16_t> different;
+  std::size_t empty = 0;
+  for (const Frame& frame : frames) {
+    std::vector<std::uint16_t> labels = label_pixels(file, frame.frame, different);
+    for (std::uint16_t& label : labels) {
+      if (label == background) {
+        label = 0;
+        ++empty;
+      } else if (label == 0) {
+        refuse("{}: segment 0, where PixelPaddingValue is {}: expected segments from 1 on",
+               frame.place.plane.what, background);
+      }
+    }
+    put_plane(stack, frame.plane, labels);
+  }
+  if (empty > 0 && std::isnan(number_of(*file.format->getDataset(), DCM_PixelPaddingValue))) {
+    notes.push_back(fmt::format(
+        "{}: no PixelPaddingValue: its {} pixels of 0 were taken as belonging to no segment",
+        file.path, empty));
+  }
+}
+
+void put_segments(const DicomFile& file, const std::vector<Frame>& frames, Stack& stack,
+                  std::vector<std::string>& notes) {
+  const double least = threshold(file, notes);
+  for (const Frame& frame : frames) {
+    std::vector<std::uint16_t> labels;
+    for (const std::int32_t pixel : stored_pixels(file, frame.frame)) {
+      labels.push_back(pixel >= least ? frame.segment : 0);
+    }
+    put_plane(stack, frame.plane, labels);
+  }
+}
+
+// The numbers of all segments, also of those without a name.
+std::set<std::uint16_t> read_names(const DicomFile& file, LabelMap& map) {
+  std::set<std::uint16_t> numbers;
+  for (DcmItem* const segment : items_of(*file.format->getDataset(), DCM_SegmentSequence)) {
+    const double number = number_of(*segment, DCM_SegmentNumber);
+    if (pixels_are_segments(file) && number == background_of(file)) continue;
+    if (!(number >= 1 && number <= 65535)) {
+      refuse("{}: SegmentNumber {}: expected 1 to 65535", file.path, number);
+    }
+    std::string name = text_of(*segment, DCM_SegmentLabel);
+    for (DcmItem* const type : items_of(*segment, DCM_SegmentedPropertyTypeCodeSequence)) {
+      if (name.empty()) name = text_of(*type, DCM_CodeMeaning);
+    }
+    numbers.insert(static_cast<std::uint16_t>(number));
+    name_label(file.path, map, static_cast<std::uint16_t>(number), name);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+LabelMap read_dicom_seg(const DicomFile& file) {
+  LabelMap named;
+  std::vector<Frame> frames = frames_of(file, read_names(file, named));
+  const std::vector<Plane> planes = planes_of(frames);
+  const PixelGrid grid = frames.front().place.grid;
+  const Vec across = cross(grid.column_step_m, grid.row_step_m);
+  const double step_m = plane_step_m(file, planes, across * (1 / length(across)));
+  sort_by_segment(frames);
+  load_pixels(file);
+  std::vector<std::string> notes;
+  Stack stack = sparse_stack(file.path, grid, planes, step_m);
+  if (pixels_are_segments(file)) {
+    put_label_map(file, frames, stack, notes);
+  } else {
+    put_segments(file, frames, stack, notes);
+  }
+  LabelMap map = std::move(stack.map);
+  map.notes.insert(map.notes.end(), notes.begin(), notes.end());
+  if (stack.claimed_twice > 0) {
+    map.notes.push_back(fmt::format(
+        "{}: {} voxels lie in several segments: the one with the higher number has them", file.path,
+        stack.claimed_twice));
+  }
+  map.names = std::move(named.names);
+  return map;
+}
+
+}  // namespace stylet::bake

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which tissue of a recipe each voxel of a label map belongs to, and which voxel a place is in.
+// Units: metres. Frame: the patient's (LPS).
+#pragma once
+
+#include "label_map.h"
+#include "maps/recipe.h"
+
+namespace stylet::bake {
+
+// Number of the recipe's group plus one; 0 is none.
+using Groups = std::vector<std::uint8_t>;
+
+// What of the map lies in the box, along its axes, around the labels and margin of the recipe.
+LabelMap cropped(const std::string& path, const LabelMap& map, const Recipe& recipe);
+
+// `path` is for messages. Refuses a recipe none of whose labels is in the map.
+Groups groups_of(const std::string& path, const LabelMap& map, const Recipe& recipe);
+
+// From the patient's frame to the map's indices.
+struct ToIndex {
+  Vec origin_m;
+  std::array<Vec, 3> row;
+
+  explicit ToIndex(const LabelMap& map) : origin_m(map.origin_m) {
+    const auto& s = map.step_m;
+    const double volume = dot(s[0], cross(s[1], s[2]));
+    row = {cross(s[1], s[2]) * (1 / volume), cross(s[2], s[0]) * (1 / volume),
+           cross(s[0], s[1]) * (1 / volume)};
+  }
+};
+
+// Group of the voxel around a place; 0 outside the map.
+std::uint8_t group_at(const LabelMap& map, const Groups& groups, const ToIndex& to_index,
+                      Vec point_m);
+
+}  // namespace stylet::bake

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "maps/header.h"
+#include "maps/readers.h"
+
+namespace stylet::bake {
+namespace {
+
+std::string without_blanks(std::string_view text) {
+  std::string out = lower(text);
+  std::erase(out, ' ');
+  return out;
+}
+
+// NRRD has each type under several names: int16, short, signed short int.
+std::uint64_t bytes_of_type(const std::string& path, const std::string& type) {
+  constexpr std::array<std::pair<std::string_view, std::uint64_t>, 10> kParts = {{{"char", 1},
+                                                                                  {"int8", 1},
+                                                                                  {"short", 2},
+                                                                                  {"int16", 2},
+                                                                                  {"longlong", 8},
+                                                                                  {"int64", 8},
+                                                                                  {"double", 8},
+                                                                                  {"int32", 4},
+                                                                                  {"float", 4},
+                                                                                  {"int", 4}}};
+  const std::string plain = without_blanks(type);
+  for (const auto& [part, bytes] : kParts) {
+    if (plain.find(part) != std::string::npos) return bytes;
+  }
+  refuse("{}: type: {}: expected whole or real numbers", path, type);
+}
+
+// FIELD: VALUE and KEY:=VALUE up to an empty line, the names of data files behind LIST.
+HeaderFields read_fields(const std::string& path, std::string_view& rest, Claim& claim) {
+  HeaderFields fields;
+  HeaderLine line;
+  (void)next_line(path, rest, line);
+  if (!line.text.starts_with("NRRD000")) {
+    refuse("{}: expected the header of an NRRD (NRRD0001 to NRRD0006)", path);
+  }
+  while (next_line(path, rest, line) && !line.text.empty()) {
+    if (line.text.front() == '#') continue;
+    const std::size_t colon = line.text.find(':');
+    if (colon == std::string_view::npos) {
+      refuse("{}: header line {}: expected FIELD: VALUE", path, line.number);
+    }
+    const std::string_view value = line.text.substr(colon + 1);
+    if (value.starts_with('=')) {
+      claim.remarks[std::string(line.text.substr(0, colon))] = value.substr(1);
+      continue;
+    }
+    const std::string name = without_blanks(line.text.substr(0, colon));
+    if (!fields.emplace(name, std::pair(std::string(trimmed(value)), line)).second) {
+      refuse("{}: header line {}: {}: expected it once", path, line.number, name);
+    }
+    if (name != "datafile" || !lower(trimmed(value)).starts_with("list")) continue;
+    while (next_line(path, rest, line) && !line.text.empty()) claim.files.emplace_back(line.text);
+    break;
+  }
+  return fields;
+}
+
+const std::pair<std::string, HeaderLine>& field_of(const std::string& path,
+                                                   const HeaderFields& fields, const char* name) {
+  const auto found = fields.find(name);
+  if (found == fields.end()) refuse("{}: expected the field {} in the header", path, name);
+  return found->second;
+}
+
+void read_encoding(const std::string& path, const std::string& encoding, Claim& claim) {
+  const std::string plain = lower(encoding);
+  const auto is = [&](std::initializer_list<const char*> names) {
+    return std::any_of(names.begin(), names.end(), [&](const char* n) { return plain == n; });
+  };
+  claim.packed = is({"gz", "gzip"});
+  claim.bzip2 = is({"bz2", "bzip2"});
+  claim.text = claim.commas = is({"ascii", "text", "txt"});
+  claim.hex = is({"hex"});
+  if (!claim.packed && !claim.bzip2 && !claim.text && !claim.hex && !is({"raw"})) {
+    refuse("{}: encoding: {}: expected raw, gzip, bzip2, ascii or hex", path, encoding);
+  }
+}
+
+// The names of the format's table of types: a sign where it has one, and how long it is.
+HeaderNumber read_number(const std::string& path, const HeaderFields& fields, const Claim& claim) {
+  constexpr std::array<std::string_view, 10> kWhole = {"char",        "int8", "short", "shortint",
+                                                       "int16",       "int",  "int32", "longlong",
+                                                       "longlongint", "int64"};
+  const std::string& type = field_of(path, fields, "type").first;
+  const std::string plain = without_blanks(type);
+  std::string_view length = plain;
+  for (const std::string_view sign : {"unsigned", "signed", "u"}) {
+    if (length == plain && plain.starts_with(sign)) length.remove_prefix(sign.size());
+  }
+  if (length.ends_with("_t")) length.remove_suffix(2);
+  HeaderNumber number;
+  number.real = plain == "float" || plain == "double";
+  number.without_sign = plain.starts_with('u');
+  if (!number.real && std::find(kWhole.begin(), kWhole.end(), length) == kWhole.end()) {
+    refuse("{}: type: {}: expected whole or real numbers", path, type);
+  }
+  if (claim.text || claim.bytes_each == 1) return number;
+  const auto& [endian, line] = field_of(path, fields, "endian");
+  number.big_endian = lower(endian) == "big";
+  if (!number.big_endian && lower(endian) != "little") {
+    refuse("{}: header line {}: {}: expected little or big", path, line.number, line.text);
+  }
+  return number;
+}
+
+void read_files(const std::string& path, const HeaderFields& fields, Claim& claim) {
+  const auto given = fields.find("datafile");
+  if (given == fields.end()) return;
+  const auto& [value, line] = given->second;
+  if (value.find('%') != std::string::npos) {
+    claim.files = numbered_files(path, line, value);
+  } else if (!lower(value).starts_with("list")) {
+    claim.files.emplace_back(value);
+  }
+  if (claim.files.empty()) {
+    refuse("{}: header line {}: expected the names of data files", path, line.number);
+  }
+}
+
+// What may be left out in front of the voxels.
+bool skips(const std::string& path, const HeaderFields& fields) {
+  bool any = false;
+  constexpr std::int64_t kMost = std::int64_t{1} << 32U;
+  for (const char* name : {"lineskip", "byteskip"}) {
+    const auto given = fields.find(name);
+    if (given == fields.end()) continue;
+    const auto skip = whole_numbers(path, given->second.second, given->second.first, -1, kMost);
+    any = any || skip != std::vector<std::int64_t>{0};
+  }
+  return any;
+}
+
+}  // namespace
+
+Claim nrrd_claim(const std::string& path, std::string_view bytes) {
+  constexpr std::int64_t kMostAxes = 16;  // NRRD_DIM_MAX
+  Claim claim;
+  std::string_view rest = bytes;
+  const HeaderFields fields = read_fields(path, rest, claim);
+  const auto& [dimension, dimension_line] = field_of(path, fields, "dimension");
+  const auto axes = whole_numbers(path, dimension_line, dimension, 1, kMostAxes);
+  const auto& [sizes, sizes_line] = field_of(path, fields, "sizes");
+  for (const std::int64_t size : whole_numbers(path, sizes_line, sizes, 1, INT64_MAX)) {
+    claim.sizes.push_back(static_cast<std::uint64_t>(size));
+  }
+  if (axes.size() != 1 || claim.sizes.size() != static_cast<std::size_t>(axes.front())) {
+    refuse("{}: header line {}: {} sizes: expected as many as the dimension, {}", path,
+           sizes_line.number, claim.sizes.size(), dimension);
+  }
+  claim.bytes_each = bytes_of_type(path, field_of(path, fields, "type").first);
+  read_encoding(path, field_of(path, fields, "encoding").first, claim);
+  read_files(path, fields, claim);
+  claim.behind = rest.size();
+  claim.skips = skips(path, fields);
+  claim.frame = nrrd_frame(path, fields, claim.sizes);
+  if (claim.bzip2 || claim.text) claim.number = read_number(path, fields, claim);
+  return claim;
+}
+
+}  // namespace stylet::bake

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "maps/recipe.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+#include "base/refusal.h"
+#include "base/toml_file.h"
+#include "maps/names.h"
+
+namespace stylet::bake {
+namespace {
+
+const toml::table& table_of(const std::string& file, const toml::table& root, const char* key) {
+  const toml::node* node = root.get(key);
+  if (node == nullptr || !node->is_table()) refuse("{}: expected a table [{}]", file, key);
+  return *node->as_table();
+}
+
+std::uint16_t label_of(const std::string& file, const std::string& key, const toml::node& node) {
+  const auto number = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;
+  if (!number || *number < 1 || *number > 65535) {
+    refuse("{}: {}: expected a label from 1 to 65535", place_of(file, node), key);
+  }
+  return static_cast<std::uint16_t>(*number);
+}
+
+void read_names(const std::string& file, const toml::table& table, Recipe& recipe) {
+  for (const auto& [key, node] : table) {
+    const std::uint16_t label = label_of(file, std::string(key.str()), node);
+    const auto [named, is_new] = recipe.names.emplace(label, std::string(key.str()));
+    if (!is_new) {
+      refuse("{}: {}: label {} is {} already: expected one name for each", place_of(file, node),
+             key.str(), label, named->second);
+    }
+  }
+}
+
+// What a recipe is read from, and for.
+struct Source {
+  const std::string& file;
+  const FileNames& of_map;
+};
+
+std::string listed(const std::map<std::uint16_t, std::string>& names) {
+  std::string list;
+  for (const auto& [label, name] : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+// The recipe's own name, or all labels of that name in the map's file.
+std::vector<std::uint16_t> named_labels(const Source& source, const Recipe& recipe,
+                                        const toml::node& node) {
+  const std::string name = *node.value<std::string>();
+  const auto found = std::find_if(recipe.names.begin(), recipe.names.end(),
+                                  [&](const auto& each) { return each.second == name; });
+  if (found != recipe.names.end()) return {found->first};
+  std::vector<std::uint16_t> labels = labels_named(source.of_map.names, name);
+  if (!labels.empty()) return labels;
+  refuse("{}: {}: expected one of the names of this recipe{}", place_of(source.file, node), name,
+         source.of_map.names.empty()
+             ? ""
+             : fmt::format(", or of {}: {}", source.of_map.path, listed(source.of_map.names)));
+}
+
+std::vector<std::uint16_t> any_labels(const Source& source, const std::string& key,
+                                      const Recipe& recipe, const toml::node& node) {
+  if (node.is_string()) return named_labels(source, recipe, node);
+  return {label_of(source.file, key, node)};
+}
+
+// A label is called the same by the recipe and by the map's file, where both have a name.
+void check_name(const Source& source, const Recipe& recipe, std::uint16_t label) {
+  const auto here = recipe.names.find(label);
+  const auto& there = source.of_map.names;
+  if (here == recipe.names.end() || there.empty()) return;
+  const auto called = there.find(label);
+  if (called != there.end() && is_same_name(called->second, here->second)) return;
+  const std::vector<std::uint16_t> others = labels_named(there, here->second);
+  if (called == there.end() && others.empty()) return;
+  refuse(
+      "{}: [names]: {} = {}: in {} {}: expected the same; to go by the map's names, take this "
+      "one out of [names]",
+      source.file, here->second, label, source.of_map.path,
+      called != there.end() ? fmt::format("label {} is called {}", label, called->second)
+                            : fmt::format("{} is label {}", here->second, others.front()));
+}
+
+void check_names(const Source& source, const Recipe& recipe) {
+  const auto check = [&](const auto& labels) {
+    for (const std::uint16_t label : labels) check_name(source, recipe, label);
+  };
+  check(recipe.crop_around);
+  for (const LabelGroup& group : recipe.groups) check(group.labels);
+  for (const NamedLabels& body : recipe.obstacles) check(body.labels);
+  for (const NamedLabels& body : recipe.targets) check(body.labels);
+}
+
+double number_of(const std::string& file, const char* key, const toml::node& node, double most) {
+  const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
+  if (!value || !(*value >= 0 && *value <= most)) {
+    refuse("{}: {}: expected a number from 0 to {}", place_of(file, node), key, most);
+  }
+  return *value;
+}
+
+void read_crop(const Source& source, const toml::table& table, Recipe& recipe) {
+  constexpr double kMostMarginMm = 1000;
+  const std::string& file = source.file;
+  for (const auto& [key, node] : table) {
+    if (key == "margin_mm") {
+      recipe.crop_margin_m = number_of(file, "margin_mm", node, kMostMarginMm) * 1e-3;
+    } else if (key == "around" && node.is_array()) {
+      for (const toml::node& each : *node.as_array()) {
+        for (const std::uint16_t label : any_labels(source, "around", recipe, each)) {
+          recipe.crop_around.push_back(label);
+        }
+      }
+    } else {
+      refuse("{}: {}: expected around = [LABEL...] or margin_mm", place_of(file, node), key.str());
+    }
+  }
+  if (recipe.crop_around.empty()) refuse("{}: [crop]: expected around = [LABEL...]", file);
+}
+
+void read_surface(const std::string& file, const toml::table& table, Recipe& recipe) {
+  constexpr double kMostRounds = 100;
+  constexpr std::uint32_t kFewestTriangles = 1000;
+  for (const auto& [key, node] : table) {
+    if (key == "smoothing" && node.is_integer()) {
+      recipe.smoothing = static_cast<int>(number_of(file, "smoothing", node, kMostRounds));
+    } else if (key == "triangles" && node.is_integer()) {
+      recipe.most_triangles =
+          static_cast<std::uint32_t>(number_of(file, "triangles", node, kMaxTriangles));
+      if (recipe.most_triangles < kFewestTriangles) {
+        refuse("{}: triangles: expected {} or more", place_of(file, node), kFewestTriangles);
+      }
+    } else {
+      refuse("{}: {}: expected smoothing = or triangles = a whole number", place_of(file, node),
+             key.str());
+    }
+  }
+}
+
+void read_contact(const std::string& file, const toml::table& table, Recipe& recipe) {
+  for (const auto& [key, node] : table) {
+    const std::string value = node.value<std::string>().value_or("");
+    if (key == "touching" && value == "shared") continue;
+    if (key == "touching") {
+      refuse("{}: touching: expected \"shared\": organs that touch share particles, nothing slides",
+             place_of(file, node));
+    }
+    if (key != "gaps" || (value != "open" && value != "closed")) {
+      refuse("{}: {}: expected gaps = \"open\" or \"closed\", touching = \"shared\"",
+             place_of(file, node), key.str());
+    }
+    recipe.open_gaps = value == "open";
+  }
+}
+
+// NAME = [LABEL...], each; names become parts of file names.
+std::vector<NamedLabels> read_named(const Source& source, const toml::table& table,
+                                    const Recipe& recipe) {
+  const std::string& file = source.file;
+  std::vector<NamedLabels> list;
+  for (const auto& [key, node] : table) {
+    const std::string name(key.str());
+    const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+      return std::isalnum(c) != 0 || c == '_' || c == '-';
+    });
+    if (!plain) {
+      refuse("{}: {}: expected a name of letters, digits, _ and -", place_of(file, node), name);
+    }
+    const toml::array* labels = node.as_array();
+    if (labels == nullptr || labels->empty()) {
+      refuse("{}: {}: expected a list of labels", place_of(file, node), name);
+    }
+    list.push_back({name, {}});
+    for (const toml::node& each : *labels) {
+      for (const std::uint16_t label : any_labels(source, name, recipe, each)) {
+        list.back().labels.push_back(label);
+      }
+    }
+  }
+  return list;
+}
+
+// [[wall]], from the inside out.
+std::vector<WallLayer> read_wall(const std::string& file, const toml::node& node) {
+  constexpr double kMostMm = 200;
+  const char* const wanted = "{}: [[wall]]: expected tissue = \"NAME\" and thickness_mm, each";
+  if (!node.is_array_of_tables()) refuse(fmt::runtime(wanted), place_of(file, node));
+  std::vector<WallLayer> wall;
+  for (const toml::node& each : *node.as_array()) {
+    const toml::table& layer = *each.as_table();
+    const toml::node* tissue = layer.get("tissue");
+    const toml::node* thickness = layer.get("thickness_mm");
+    if (layer.size() != 2 || tissue == nullptr || !tissue->is_string() || thickness == nullptr) {
+      refuse(fmt::runtime(wanted), place_of(file, each));
+    }
+    wall.push_back({*tissue->value<std::string>(),
+                    number_of(file, "thickness_mm", *thickness, kMostMm) * 1e-3});
+  }
+  return wall;
+}
+
+// What no needle enters is no tissue.
+void check_obstacles(const std::string& file, const Recipe& recipe) {
+  if (recipe.obstacles.size() > kMaxObstacles) {
+    refuse("{}: [obstacles]: {} bodies: expected at most {}", file, recipe.obstacles.size(),
+           kMaxObstacles);
+  }
+  for (const NamedLabels& body : recipe.obstacles) {
+    for (const LabelGroup& group : recipe.groups) {
+      for (const std::uint16_t label : body.labels) {
+        if (std::find(group.labels.begin(), group.labels.end(), label) == group.labels.end())
+          continue;
+        refuse("{}: [obstacles]: {}: label {} is {} already: expected a label of no tissue", file,
+               body.name, label, group.tissue);
+      }
+    }
+  }
+}
+
+void take_label(const std::string& file, const toml::node& node, std::uint16_t label,
+                Recipe& recipe) {
+  for (const LabelGroup& group : recipe.groups) {
+    if (std::find(group.labels.begin(), group.labels.end(), label) == group.labels.end()) continue;
+    refuse("{}: {}: label {} is {} already: expected it once", place_of(file, node),
+           recipe.groups.back().tissue, label, group.tissue);
+  }
+  recipe.groups.back().labels.push_back(label);
+}
+
+void read_group(const Source& source, const std::string& tissue, const toml::node& node,
+                Recipe& recipe) {
+  const std::string& file = source.file;
+  const toml::array* labels = node.as_array();
+  if (labels == nullptr || labels->empty()) {
+    refuse("{}: {}: expected a list of labels", place_of(file, node), tissue);
+  }
+  recipe.groups.push_back({tissue, {}});
+  for (const toml::node& each : *labels) {
+    for (const std::uint16_t label : any_labels(source, tissue, recipe, each)) {
+      take_label(file, each, label, recipe);
+    }
+  }
+}
+
+}  // namespace
+
+Recipe read_recipe(const std::filesystem::path& toml_file, const FileNames& of_map) {
+  const std::string file = toml_file.string();
+  const Source source = {file, of_map};
+  const toml::table root = read_toml(toml_file);
+  Recipe recipe;
+  for (const auto& [key, node] : root) {
+    constexpr std::string_view kTables[] = {"names", "tissues", "crop",      "surface",
+                                            "wall",  "contact", "obstacles", "targets"};
+    if (std::find(std::begin(kTables), std::end(kTables), key.str()) == std::end(kTables)) {
+      refuse(
+          "{}: {}: expected [names], [tissues], [crop], [surface], [[wall]], [contact], "
+          "[obstacles] or [targets]",
+          place_of(file, node), key.str());
+    }
+  }
+  if (root.contains("names")) read_names(file, table_of(file, root, "names"), recipe);
+  if (root.contains("crop")) read_crop(source, table_of(file, root, "crop"), recipe);
+  if (root.contains("surface")) read_surface(file, table_of(file, root, "surface"), recipe);
+  if (root.contains("contact")) read_contact(file, table_of(file, root, "contact"), recipe);
+  if (root.contains("wall")) recipe.wall = read_wall(file, *root.get("wall"));
+  for (const auto& [key, list] :
+       {std::pair{"obstacles", &recipe.obstacles}, std::pair{"targets", &recipe.targets}}) {
+    if (root.contains(key)) *list = read_named(source, table_of(file, root, key), recipe);
+  }
+  for (const auto& [key, node] : table_of(file, root, "tissues")) {
+    read_group(source, std::string(key.str()), node, recipe);
+  }
+  if (recipe.groups.empty()) refuse("{}: [tissues]: expected at least one", file);
+  check_obstacles(file, recipe);
+  check_names(source, recipe);
+  return recipe;
+}
+
+}  // namespace stylet::bake

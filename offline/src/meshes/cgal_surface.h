@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// CGAL's surfaces and ours. Only for the few files that call CGAL: it takes long to compile.
+#pragma once
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include "base/geometry.h"
+
+namespace stylet::bake {
+
+using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using CgalSurface = CGAL::Surface_mesh<CgalKernel::Point_3>;
+
+inline std::vector<CgalKernel::Point_3> cgal_points(const Mesh& mesh) {
+  std::vector<CgalKernel::Point_3> points;
+  for (const Vec& p : mesh.points) points.emplace_back(p.x, p.y, p.z);
+  return points;
+}
+
+inline Mesh mesh_of(const CgalSurface& surface) {
+  Mesh mesh;
+  std::vector<std::uint32_t> number(surface.num_vertices());
+  for (const auto vertex : surface.vertices()) {
+    number[vertex.idx()] = static_cast<std::uint32_t>(mesh.points.size());
+    const CgalKernel::Point_3& p = surface.point(vertex);
+    mesh.points.push_back({p.x(), p.y(), p.z()});
+  }
+  for (const auto face : surface.faces()) {
+    Triangle t{};
+    std::size_t corner = 0;
+    for (const auto vertex : surface.vertices_around_face(surface.halfedge(face))) {
+      t[corner++] = number[vertex.idx()];
+    }
+    mesh.triangles.push_back(t);
+  }
+  return mesh;
+}
+
+}  // namespace stylet::bake

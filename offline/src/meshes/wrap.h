@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The last resort for a soup that encloses nothing: a closed skin around it (CGAL alpha wrapping,
+// Portaneri et al. 2022). It bridges gaps up to `gap`, stands off by `offset`, and so adds volume.
+#pragma once
+
+#include "base/geometry.h"
+
+namespace stylet::bake {
+
+Mesh alpha_wrap(const Mesh& mesh, double gap, double offset);
+
+}  // namespace stylet::bake

@@ -1,0 +1,424 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "build.h"
+
+#include <bit>
+#include <filesystem>
+
+#include "base/refusal.h"
+#include "meshes/wrap.h"
+#include "pieces.h"
+#include "stylet/limits.h"
+#include "voxel_materials.h"
+#include "voxels/crop.h"
+#include "voxels/gaps.h"
+#include "voxels/losses.h"
+#include "voxels/mixed.h"
+#include "voxels/sample_cell.h"
+#include "voxels/sheets.h"
+#include "voxels/sweep.h"
+
+namespace stylet::bake {
+namespace {
+
+constexpr double kSmallestPlausibleM = 5e-3;
+constexpr double kLargestPlausibleM = 2.0;
+
+// The limits are floats; what rounds to them is within them.
+bool allowed_voxel_edge(double edge_m) {
+  const auto rounded = static_cast<float>(edge_m);
+  return rounded >= kMinVoxelEdgeM && rounded <= kMaxVoxelEdgeM;
+}
+
+// All meshes to metres, repaired.
+std::vector<Solid> make_solids(std::vector<Input>& inputs, Box& box_out, const Progress& progress) {
+  for (Input& input : inputs) {
+    for (Vec& p : input.read.mesh.points) p = p * input.metres_per_unit;
+  }
+  std::vector<Solid> solids;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    progress("repairing", static_cast<double>(i) / static_cast<double>(inputs.size()));
+    solids.push_back(repair(std::move(inputs[i].read.mesh)));
+    if (solids.back().surface.triangles.empty()) {
+      refuse("{}: all {} triangles are degenerate: expected a surface", inputs[i].path,
+             solids.back().counts.triangles_read);
+    }
+    for (const Vec& p : solids.back().surface.points) grow(box_out, p);
+  }
+  return solids;
+}
+
+void wrap(std::vector<Solid>& solids, double edge_m, Box& box_out, const Progress& progress) {
+  constexpr double kOffsetOfEdge = 0.1;
+  const double offset_m = edge_m * kOffsetOfEdge;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    progress("wrapping", static_cast<double>(i) / static_cast<double>(solids.size()));
+    const RepairCounts counts = solids[i].counts;
+    solids[i] = repair(alpha_wrap(solids[i].surface, edge_m, offset_m));
+    solids[i].counts = counts;
+    for (const Vec& p : solids[i].surface.points) grow(box_out, p);
+  }
+}
+
+InputReport report_of(const Input& input, const Solid& solid, const Occupancy& occupancy,
+                      const Grid& grid) {
+  InputReport report{input.path,
+                     input.tissue,
+                     input.read.counts,
+                     solid.counts,
+                     solid.closed,
+                     solid.oriented,
+                     0,
+                     0,
+                     occupancy.decided_by_winding};
+  const Box box = bounds(solid.surface);
+  report.mesh_volume_m3 =
+      signed_volume(solid.surface.points, solid.boundary, (box.low + box.high) * 0.5);
+  std::size_t samples = 0;
+  for (const std::uint64_t bits : occupancy.inside) {
+    samples += static_cast<std::size_t>(std::popcount(bits));
+  }
+  const double edge = grid.edge_m;
+  report.filled_volume_m3 = static_cast<double>(samples) / 64 * edge * edge * edge;
+  return report;
+}
+
+std::vector<std::uint8_t> fixed_corners(const Lattice& lattice, const Claimed& claimed,
+                                        const std::vector<Region>& held_regions) {
+  if (held_regions.empty() && claimed.cut.empty()) return {};
+  const Grid& grid = lattice.grid;
+  std::vector<std::uint8_t> held = held_corners(grid, claimed.box, held_regions);
+  hold_cut(claimed.claims, claimed.cut, held);
+  std::vector<std::uint8_t> fixed;
+  bool any = false;
+  for (const std::uint32_t cell : lattice.cell_of_voxel) {
+    const std::uint32_t x = cell % grid.size[0], row = cell / grid.size[0];
+    const std::uint32_t y = row % grid.size[1], z = row / grid.size[1];
+    std::uint32_t bits = 0;
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+      const std::size_t at =
+          corner_index(grid, x + (corner & 1U), y + (corner >> 1U & 1U), z + (corner >> 2U));
+      bits |= static_cast<std::uint32_t>(held[at]) << corner;
+    }
+    any = any || bits != 0;
+    fixed.push_back(static_cast<std::uint8_t>(bits));
+  }
+  if (!any)
+    refuse("--fix: no corner of the organ lies in these regions: expected at least one, or none");
+  return fixed;
+}
+
+Mesh join(const std::vector<Solid>& solids) {
+  Mesh all;
+  for (const Solid& solid : solids) {
+    const auto base = static_cast<std::uint32_t>(all.points.size());
+    all.points.insert(all.points.end(), solid.surface.points.begin(), solid.surface.points.end());
+    for (const Triangle& t : solid.surface.triangles) {
+      all.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+    }
+    if (all.points.size() > kMaxVertices || all.triangles.size() > kMaxTriangles) {
+      refuse("{} surface points and {} triangles: expected at most {} and {}", all.points.size(),
+             all.triangles.size(), kMaxVertices, kMaxTriangles);
+    }
+  }
+  return all;
+}
+
+void embed_surface(const Mesh& mesh, OrganParts& parts) {
+  Surface surface = embed(parts.lattice, mesh.points, mesh.triangles);
+  SphereTree tree = sphere_tree(surface.rest_m, mesh.triangles, surface.voxel_of);
+  for (const std::uint32_t i : tree.order) parts.triangles.push_back(mesh.triangles[i]);
+  parts.vertices = std::move(surface.vertices);
+  parts.spheres = std::move(tree.nodes);
+}
+
+std::vector<SourceRecord> source_records(const std::vector<Input>& inputs,
+                                         const BuildReport& report) {
+  std::vector<SourceRecord> records;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    records.push_back({std::filesystem::path(inputs[i].path).filename().string(), inputs[i].tissue,
+                       inputs[i].read.sha256, inputs[i].metres_per_unit, inputs[i].priority,
+                       static_cast<std::uint32_t>(report.inputs[i].repair.triangles_read)});
+  }
+  return records;
+}
+
+Claims claim_voxels(const Grid& grid, const std::vector<Input>& inputs,
+                    const std::vector<Solid>& solids, BuildReport& report,
+                    const Progress& progress) {
+  Claims claims = no_claims(grid);
+  std::vector<int> priorities;
+  for (const Input& input : inputs) priorities.push_back(input.priority);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const Occupancy occupancy = voxelize(grid, solids[i], progress);
+    report.inputs.push_back(report_of(inputs[i], solids[i], occupancy, grid));
+    if (report.inputs.back().filled_volume_m3 <= 0) {
+      refuse(
+          "{}: longest side {:.4g} mm, encloses no volume at a voxel edge of {:.6g} mm: expected a "
+          "surface with an inside, a finer voxel edge, other --units, or --wrap",
+          inputs[i].path, longest_side(bounds(solids[i].surface)) * 1e3, grid.edge_m * 1e3);
+    }
+    add_claim(claims, occupancy, static_cast<std::uint16_t>(i), priorities);
+  }
+  return claims;
+}
+
+// What a tick sweeps at an edge, or what leads to one that will do: an edge too fine for the format
+// counts as eight times what is allowed, and one refused for another reason, which a finer one may
+// not be, as an eighth.
+struct TriedEdge {
+  double swept = 0;
+  std::optional<Refusal> refusal;
+};
+
+TriedEdge try_edge(double edge_m, double most, const SweptAtEdge& swept_at) {
+  try {
+    return {std::max(1.0, swept_at(edge_m)), {}};
+  } catch (const TooFine&) {
+    return {8 * most, {}};
+  } catch (const Refusal& refusal) {
+    return {most / 8, refusal};
+  }
+}
+
+// The finest edge, in steps of 0.05 mm, at which a tick sweeps no more than `most`; the next step
+// was tried. What is swept grows about as the inverse cube of the edge.
+double finest_edge(const Box& box, double most, const SweptAtEdge& swept_at) {
+  constexpr double kStepM = 5e-5;
+  constexpr double kLeastSteps = 2, kMostSteps = 2000;
+  constexpr int kMostRefusals = 3;                      // running, each at half the edge
+  double good = kMostSteps + 1, bad = kLeastSteps - 1;  // in steps; what lies beyond is not allowed
+  double next = std::ceil(longest_side(box) / std::cbrt(most) / kStepM);
+  TriedEdge coarse;  // what was said of `good`
+  for (int refusals = 0; good - bad > 1 && refusals < kMostRefusals;) {
+    next = std::clamp(next, bad + 1, good - 1);
+    const TriedEdge tried = try_edge(next * kStepM, most, swept_at);
+    refusals = tried.refusal ? refusals + 1 : 0;
+    (tried.swept <= most ? good : bad) = next;
+    if (tried.swept <= most) coarse = tried;
+    next = std::round(next * std::cbrt(tried.swept / most));
+  }
+  if (coarse.refusal) throw Refusal(*coarse.refusal);
+  if (good > kMostSteps) refuse("--fit: no voxel edge up to 100 mm needs {} voxels or less", most);
+  return good * kStepM;
+}
+
+// How much of each mesh a sample of it stands for. Where they hold far from what its surface
+// encloses, or nobody knows what an open one would, the user is told, and they stand for
+// themselves.
+std::vector<double> sample_volumes(const Grid& grid, BuildReport& report) {
+  const double sample_m3 = grid.edge_m * grid.edge_m * grid.edge_m / 64;
+  std::vector<double> volumes;
+  for (const InputReport& input : report.inputs) {
+    volumes.push_back(sample_m3);
+    const double ratio = input.mesh_volume_m3 / input.filled_volume_m3;
+    if (!input.closed) {
+      report.warnings.push_back(fmt::format(
+          "{}: its surface is open ({} edges with one triangle), {:.3g} ml are taken for its "
+          "inside: expected a closed surface, or look at what became of it",
+          input.path, input.repair.border_edges, input.filled_volume_m3 * 1e6));
+      continue;
+    }
+    if (std::abs(ratio - 1) <= kMostOff) {
+      volumes.back() *= ratio;
+      continue;
+    }
+    report.warnings.push_back(fmt::format(
+        "{}: its surface encloses {:.3g} ml, of which {:.3g} ml are sampled at a voxel edge of "
+        "{:.3g} mm: expected finer voxels, or pieces that do not overlap",
+        input.path, input.mesh_volume_m3 * 1e6, input.filled_volume_m3 * 1e6, grid.edge_m * 1e3));
+  }
+  return volumes;
+}
+
+SamplePlaces mesh_samples() {
+  SamplePlaces places;
+  for (std::uint32_t i = 0; i < places.size(); ++i) places[i] = sample_point(i);
+  return places;
+}
+
+void measure_shares(const Claims& claims, const std::vector<Solid>& solids, BuildReport& report) {
+  const std::vector<double> given_m3 = given_volumes_m3(claims, solids.size());
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    const InputReport& input = report.inputs[i];
+    const PieceCount count = mesh_pieces(claims, static_cast<std::uint16_t>(i), solids[i].surface);
+    report.shares.push_back({std::filesystem::path(input.path).filename().string(), input.tissue,
+                             input.mesh_volume_m3, input.filled_volume_m3, given_m3[i],
+                             count.pieces, count.lost});
+  }
+}
+
+}  // namespace
+
+std::vector<double> given_volumes_m3(const Claims& claims, std::size_t owner_count) {
+  std::vector<double> samples(owner_count, 0);
+  for (std::size_t cell = 0; cell < claims.owner.size(); ++cell) {
+    if (is_kept(claims, cell)) samples[claims.owner[cell]] += claims.owner_fill[cell];
+  }
+  const double edge_m = claims.grid.edge_m;
+  for (double& each : samples) each *= edge_m * edge_m * edge_m / 64;
+  return samples;
+}
+
+void warn_of_size(const Box& box, std::vector<std::string>& warnings) {
+  const double side = longest_side(box);
+  if (side < kSmallestPlausibleM || side > kLargestPlausibleM) {
+    warnings.push_back(fmt::format(
+        "the longest side is {:.4g} mm: expected 5 mm to 2 m for an organ; check --units and "
+        "--scale",
+        side * 1e3));
+  }
+}
+
+double choose_edge(const Box& box, const BuildOptions& options, const SweptAtEdge& swept_at) {
+  if (options.most_voxels > 0) return finest_edge(box, options.most_voxels, swept_at);
+  if (options.voxels_across == 0) return options.voxel_edge_m;
+  const double edge_m = longest_side(box) / options.voxels_across;
+  if (!allowed_voxel_edge(edge_m)) {
+    refuse(
+        "--voxels-across {}: voxel edge {:.6g} mm, as the longest side is {:.6g} mm: expected 0.1 "
+        "to 100 mm; check --units and --scale",
+        options.voxels_across, edge_m * 1e3, longest_side(box) * 1e3);
+  }
+  return edge_m;
+}
+
+void require_voxel_edge(double edge_m) {
+  if (!allowed_voxel_edge(edge_m)) {
+    refuse("voxel edge {:.6g} mm: expected 0.1 to 100 mm", edge_m * 1e3);
+  }
+}
+
+Built build(std::vector<Input> inputs, const BuildOptions& options, const Progress& progress) {
+  Built built;
+  constexpr std::size_t kMostInputs = 1000;
+  if (inputs.empty() || inputs.size() > kMostInputs) {
+    refuse("{} inputs: expected 1 to {}", inputs.size(), kMostInputs);
+  }
+  Box box;
+  std::vector<Solid> solids = make_solids(inputs, box, progress);
+  const double edge_m = choose_edge(box, options, [&](double each_m) {
+    BuildReport unused;
+    std::vector<Solid> tried = solids;
+    Box tried_box = box;
+    if (options.wrap) wrap(tried, each_m, tried_box, progress);
+    const Grid grid = make_grid(tried_box, each_m);
+    return swept_voxels({claim_voxels(grid, inputs, tried, unused, progress),
+                         mesh_samples(),
+                         {},
+                         tried_box,
+                         join(tried),
+                         {},
+                         {},
+                         {}},
+                        options, progress);
+  });
+  if (options.wrap) wrap(solids, edge_m, box, progress);
+  warn_of_size(box, built.report.warnings);
+  const Grid grid = make_grid(box, edge_m);
+  Claims claims = claim_voxels(grid, inputs, solids, built.report, progress);
+  const SamplePlaces places = mesh_samples();
+  if (options.measured) {
+    measure_shares(claims, solids, built.report);
+    if (!options.split) built.report.closed_gaps = closed_gaps(claims, places);
+  }
+  Claimed claimed = {std::move(claims), places, {}, box, join(solids), {}, {}, {}};
+  claimed.sample_m3 = sample_volumes(grid, built.report);
+  cut_away(claimed, options);
+  if (options.measured) built.input_m = claimed.mesh;
+  for (const Input& input : inputs) claimed.tissues.push_back(input.tissue);
+  claimed.sources = source_records(inputs, built.report);
+  built.bytes = assemble(std::move(claimed), options, built.report.warnings, progress);
+  return built;
+}
+
+void cut_away(Claimed& claimed, const BuildOptions& options) {
+  const Grid& grid = claimed.claims.grid;
+  claimed.cut = cut_cells(grid, claimed.box, options.crop);
+  claimed.mesh = crop_surface(std::move(claimed.mesh), grid, claimed.cut);
+}
+
+namespace {
+
+// Gaps filled, voxels numbered, and split where that is asked for.
+Lattice lattice_of(Claimed& claimed, const BuildOptions& options, const Progress& progress) {
+  if (!options.gap_tissue.empty()) {
+    progress("filling gaps", 0);
+    const auto owner = static_cast<std::uint16_t>(claimed.tissues.size());
+    if (fill_gaps(claimed.claims, options.gap_m, owner) > 0) {
+      claimed.tissues.push_back(options.gap_tissue);
+    }
+  }
+  progress("embedding surface", 0);
+  Lattice lattice = make_lattice(claimed.claims, claimed.mesh.points, claimed.cut);
+  if (lattice.cell_of_voxel.empty()) {
+    refuse("--crop: no voxel lies in all of these regions: expected at least one");
+  }
+  if (!options.split) return lattice;
+  progress("splitting at gaps", 0);
+  return split_parts(claimed.claims, claimed.places, std::move(lattice));
+}
+
+// What the inputs give, by materials numbered without those of gaps and capsule.
+struct Given {
+  std::vector<Tissue> tissues;
+  std::vector<bool> is_layer;
+  std::vector<double> volume_m3;
+};
+
+Given given_of(const Claimed& claimed, const BuildOptions& options) {
+  MaterialList list{options.own_tissues, {}};
+  const TissueNumbers numbers =
+      number_tissues(claimed.tissues, options, claimed.claims.grid.edge_m, list);
+  std::vector<bool> is_layer(list.tissues.size(), false);
+  for (const TissueNumbers::Numbered& layer : numbers.layers) is_layer[layer.material] = true;
+  return {list.tissues, is_layer,
+          given_volumes(claimed.claims, claimed.places, numbers, claimed.cut, claimed.sample_m3)};
+}
+
+void warn_of_losses(const OrganParts& parts, const std::vector<std::uint8_t>& given_of_voxel,
+                    const Given& given, MaterialList& materials,
+                    std::vector<std::string>& warnings) {
+  const std::vector<Held> held = held_volumes(parts, given_of_voxel);
+  for (std::size_t i = 0; i < given.tissues.size(); ++i) {
+    const std::string text =
+        loss((given.is_layer[i] ? "layer " : "tissue ") + given.tissues[i].name, given.volume_m3[i],
+             held[number_of(materials, given.tissues[i])], parts.lattice.grid.edge_m);
+    if (!text.empty()) warnings.push_back(text);
+  }
+}
+
+}  // namespace
+
+double swept_voxels(Claimed claimed, const BuildOptions& options, const Progress& progress) {
+  cut_away(claimed, options);
+  return swept_voxels(lattice_of(claimed, options, progress));
+}
+
+std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
+                                std::vector<std::string>& warnings, const Progress& progress) {
+  OrganParts parts;
+  parts.name = options.name;
+  const Given given = given_of(claimed, options);  // before gaps are filled
+  parts.lattice = lattice_of(claimed, options, progress);
+  MaterialList materials{options.own_tissues, {}};
+  const TissueNumbers numbers =
+      number_tissues(claimed.tissues, options, parts.lattice.grid.edge_m, materials);
+  const std::vector<std::uint8_t> layers = cell_layers(claimed.claims, numbers);
+  const std::vector<std::uint16_t> owner_of_voxel = owners(claimed.claims, parts.lattice);
+  VoxelMaterials of_voxel = voxel_materials(claimed.claims, parts.lattice, owner_of_voxel,
+                                            claimed.tissues, numbers, layers, options, materials);
+  parts.voxel_material = std::move(of_voxel.material);
+  parts.mixed = mixed_voxels(claimed.claims, claimed.places, parts.lattice,
+                             {owner_of_voxel, parts.voxel_material, layers}, numbers);
+  warn_of_losses(parts, of_voxel.given, given, materials, warnings);
+  parts.materials = std::move(materials.tissues);
+  parts.voxel_fixed = fixed_corners(parts.lattice, claimed, options.held);
+  embed_surface(claimed.mesh, parts);
+  parts.tool_version = options.tool_version;
+  parts.options = options.options_text;
+  parts.sources = std::move(claimed.sources);
+  progress("writing", 0);
+  return write_organ(parts);
+}
+
+}  // namespace stylet::bake

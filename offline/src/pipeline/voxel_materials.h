@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which materials an organ has, and which of them each voxel is of: its owner's tissue, the layer's
+// that replaces it, or the capsule's.
+#pragma once
+
+#include "asset/materials.h"
+#include "build.h"
+#include "voxels/layers.h"
+
+namespace stylet::bake {
+
+// Material numbers by tissue name, in order of first mention.
+struct MaterialList {
+  const std::vector<Tissue>& own;
+  std::vector<Tissue> tissues;
+};
+
+// The same tissue may be there with its membrane and, in a layer, without.
+std::uint8_t number_of(MaterialList& list, const Tissue& wanted);
+
+// Materials by owner and by layer, numbered in order of first mention.
+TissueNumbers number_tissues(const std::vector<std::string>& tissues, const BuildOptions& options,
+                             double edge_m, MaterialList& list);
+
+// Of each voxel: as what it is of, and as which it was given where a capsule takes its place.
+struct VoxelMaterials {
+  std::vector<std::uint8_t> material, given;
+};
+VoxelMaterials voxel_materials(const Claims& claims, const Lattice& lattice,
+                               const std::vector<std::uint16_t>& owner_of_voxel,
+                               const std::vector<std::string>& tissues,
+                               const TissueNumbers& numbers,
+                               const std::vector<std::uint8_t>& layers, const BuildOptions& options,
+                               MaterialList& list);
+
+}  // namespace stylet::bake

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "info.h"
+
+#include <nlohmann/json.hpp>
+
+#include "asset/write_organ.h"
+#include "base/file.h"
+#include "base/refusal.h"
+#include "organ_generated.h"
+#include "stylet/content_sum.h"
+#include "stylet/kernel.h"
+
+namespace stylet::bake {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string text_of(const flatbuffers::String* text) {
+  return text != nullptr ? text->str() : "";
+}
+
+// Shortest decimal that gives the float back, as a double: 0.1F shows as 0.1.
+double shown(float value) {
+  return std::stod(fmt::format("{}", value));
+}
+
+Json material_facts(const Organ& organ) {
+  std::vector<std::size_t> voxels(organ.material_count, 0);
+  std::vector<double> fill(organ.material_count, 0);
+  for (std::size_t i = 0; i < organ.voxel_count; ++i) {
+    ++voxels[organ.voxel_material[i]];
+    fill[organ.voxel_material[i]] += organ.voxel_fill[i] / 255.0;
+  }
+  const double edge_mm = shown(organ.voxel_edge_m) * 1e3;
+  Json list = Json::array();
+  for (std::uint32_t i = 0; i < organ.material_count; ++i) {
+    const Material m = organ_material(organ, i);
+    list.push_back({{"name", m.name},
+                    {"voxels", voxels[i]},
+                    {"volume_ml", fill[i] * edge_mm * edge_mm * edge_mm * 1e-3},
+                    {"density_kg_per_m3", shown(m.density_kg_per_m3)},
+                    {"youngs_modulus_kpa", shown(m.youngs_modulus_pa) * 1e-3},
+                    {"poisson_ratio", shown(m.poisson_ratio)},
+                    {"relaxing_fraction", shown(m.relaxing_fraction)},
+                    {"relaxation_time_s", shown(m.relaxation_time_s)},
+                    {"puncture_force_n", shown(m.puncture_force_n)},
+                    {"cutting_force_n", shown(m.cutting_force_n)},
+                    {"recut_fraction", shown(m.recut_fraction)},
+                    {"coulomb_friction_n_per_mm", shown(m.coulomb_friction_n_per_m) * 1e-3},
+                    {"static_friction_n_per_mm", shown(m.static_friction_n_per_m) * 1e-3},
+                    {"stribeck_velocity_mm_per_s", shown(m.stribeck_velocity_m_per_s) * 1e3},
+                    {"viscous_friction_n_s_per_m2", shown(m.viscous_friction_n_s_per_m2)},
+                    {"puncture_velocity_exponent", shown(m.puncture_velocity_exponent)},
+                    {"membrane_n_per_mm", shown(m.membrane_n_per_m) * 1e-3},
+                    {"source", m.source}});
+  }
+  return list;
+}
+
+Json byte_facts(const Organ& organ, std::size_t total) {
+  const std::size_t lattice = organ.runs.size_bytes() + organ.voxel_material.size_bytes() +
+                              organ.voxel_fill.size_bytes() + organ.voxel_fixed.size_bytes() +
+                              organ.mixed.size_bytes() + organ.ties.size_bytes() +
+                              organ.parts.size_bytes();
+  const std::size_t known = lattice + organ.vertices.size_bytes() + organ.triangles.size_bytes() +
+                            organ.spheres.size_bytes();
+  Json facts{{"total", total},
+             {"lattice", lattice},
+             {"vertices", organ.vertices.size_bytes()},
+             {"triangles", organ.triangles.size_bytes()},
+             {"sphere_tree", organ.spheres.size_bytes()},
+             {"materials_provenance_and_tables", total - known},
+             {"lattice_per_voxel", static_cast<double>(lattice) / organ.voxel_count}};
+  facts["per_vertex"] = organ.vertices.empty() ? 0 : sizeof(OrganVertex);
+  return facts;
+}
+
+// Corners are shared, so each is counted once: an inner one is the low corner of some voxel or lies
+// on the rim; a set of lattice places settles it.
+std::size_t held_corner_count(const Organ& organ) {
+  std::vector<std::uint64_t> corners;
+  std::size_t voxel = 0;
+  for (const OrganRun& run : organ.runs) {
+    for (std::uint32_t i = 0; i < run.count; ++i, ++voxel) {
+      for (std::uint32_t c = 0; c < 8 && !organ.voxel_fixed.empty(); ++c) {
+        if ((organ.voxel_fixed[voxel] >> c & 1U) == 0) continue;
+        const std::uint64_t x = run.x + i + (c & 1U), y = run.y + (c >> 1U & 1U);
+        corners.push_back((std::uint64_t{run.z + (c >> 2U)} << 40U) | (y << 20U) | x);
+      }
+    }
+  }
+  std::sort(corners.begin(), corners.end());
+  return static_cast<std::size_t>(std::unique(corners.begin(), corners.end()) - corners.begin());
+}
+
+Json provenance_facts(const format::Organ& root) {
+  const format::Provenance* p = root.provenance();
+  if (p == nullptr) return nullptr;
+  Json sources = Json::array();
+  if (p->sources() != nullptr) {
+    for (const format::Source* s : *p->sources()) {
+      sources.push_back({{"path", text_of(s->path())},
+                         {"tissue", text_of(s->tissue())},
+                         {"sha256", text_of(s->sha256())},
+                         {"metres_per_unit", s->metres_per_unit()},
+                         {"priority", s->priority()},
+                         {"triangles", s->triangle_count()}});
+    }
+  }
+  return {{"tool_version", text_of(p->tool_version())},
+          {"options", text_of(p->options())},
+          {"sources", sources}};
+}
+
+Json kernel_facts(const Organ& organ) {
+  Sizes bytes{};
+  const Status status = sizes(organ, Config{}, bytes);
+  if (status != Status::kOk) return {{"status", status_name(status)}};
+  return {{"status", "ok"},
+          {"model_bytes", bytes.model_bytes},
+          {"state_bytes", bytes.state_bytes},
+          {"scratch_bytes", bytes.scratch_bytes}};
+}
+
+double megabytes(const Json& bytes) {
+  return bytes.get<double>() * 1e-6;
+}
+
+std::string count_line(const Json& counts) {
+  std::string text;
+  for (const auto& [name, count] : counts.items()) {
+    if (count.get<std::size_t>() == 0) continue;
+    std::string words = name;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count.get<std::size_t>(), words);
+  }
+  return text.empty() ? "nothing" : text;
+}
+
+}  // namespace
+
+Organ open_organ(const std::string& file, std::span<const std::byte> bytes) {
+  Organ organ;
+  OrganRefusal refusal;
+  if (organ_open(bytes, organ, &refusal) != Status::kOk) {
+    refuse("{}: {}", file, describe(refusal));
+  }
+  if (!has_its_bytes(bytes, organ)) {
+    refuse("{}: content_sha256: {}: expected {}, that of its bytes: they are not those written",
+           file, organ.content_sha256.empty() ? "none" : hex_of(organ.content_sha256),
+           hex_of(content_sha256(bytes, organ)));
+  }
+  return organ;
+}
+
+nlohmann::ordered_json organ_facts(const Organ& organ, std::span<const std::byte> bytes) {
+  const auto& root = *format::GetOrgan(bytes.data());
+  double fill = 0;
+  for (const std::uint8_t f : organ.voxel_fill) fill += f / 255.0;
+  const double edge_mm = shown(organ.voxel_edge_m) * 1e3;
+  return {{"name", organ.name},
+          {"hash", fmt::format("{:016x}", organ.hash)},
+          {"content_sha256", hex_of(organ.content_sha256)},
+          {"format_version", root.format_version()},
+          {"voxel_edge_mm", edge_mm},
+          {"origin_mm",
+           {shown(organ.origin_m.x) * 1e3, shown(organ.origin_m.y) * 1e3,
+            shown(organ.origin_m.z) * 1e3}},
+          {"lattice_size", {organ.size_x, organ.sheet_rows, organ.size_z}},
+          {"sheets", organ.size_y / organ.sheet_rows},
+          {"voxels_that_share_cells", organ.parts.size()},
+          {"voxels", organ.voxel_count},
+          {"mixed_voxels", organ.mixed.size()},
+          {"runs", organ.runs.size()},
+          {"volume_ml", fill * edge_mm * edge_mm * edge_mm * 1e-3},
+          {"held_corners", held_corner_count(organ)},
+          {"surface_vertices", organ.vertices.size()},
+          {"surface_triangles", organ.triangles.size()},
+          {"sphere_nodes", organ.spheres.size()},
+          {"materials", material_facts(organ)},
+          {"bytes", byte_facts(organ, bytes.size())},
+          {"kernel_memory", kernel_facts(organ)},
+          {"provenance", provenance_facts(root)}};
+}
+
+std::string organ_text(const nlohmann::ordered_json& f) {
+  std::string text = fmt::format(
+      "organ         {}  (hash {})\nlattice       {} voxels of {:.6g} mm in {} x {} x {}, {:.4g} "
+      "ml; {} hold two tissues, or tissue and none\nheld          {} corners\nsurface       {} "
+      "vertices, {} triangles, {} spheres\n",
+      f["name"].get<std::string>(), f["hash"].get<std::string>(), f["voxels"].get<std::size_t>(),
+      f["voxel_edge_mm"].get<double>(), f["lattice_size"][0].get<int>(),
+      f["lattice_size"][1].get<int>(), f["lattice_size"][2].get<int>(),
+      f["volume_ml"].get<double>(), f["mixed_voxels"].get<std::size_t>(),
+      f["held_corners"].get<std::size_t>(), f["surface_vertices"].get<std::size_t>(),
+      f["surface_triangles"].get<std::size_t>(), f["sphere_nodes"].get<std::size_t>());
+  if (f["sheets"].get<int>() > 1) {
+    text += fmt::format("gaps          {} voxels share cells with others they do not touch\n",
+                        f["voxels_that_share_cells"].get<std::size_t>());
+  }
+  for (const auto& m : f["materials"]) {
+    text += fmt::format(
+        "material      {:<14} {:>8} voxels {:>9.4g} ml  E {:.4g} kPa  nu {:.2g}  puncture {:.3g} N "
+        " "
+        "cutting {:.3g} N  friction {:.4g} N/mm\n",
+        m["name"].get<std::string>(), m["voxels"].get<std::size_t>(), m["volume_ml"].get<double>(),
+        m["youngs_modulus_kpa"].get<double>(), m["poisson_ratio"].get<double>(),
+        m["puncture_force_n"].get<double>(), m["cutting_force_n"].get<double>(),
+        m["coulomb_friction_n_per_mm"].get<double>());
+  }
+  const auto& b = f["bytes"];
+  text += fmt::format(
+      "file          {:.3f} MB: lattice {:.3f} ({:.2f} bytes per voxel), vertices {:.3f}, "
+      "triangles "
+      "{:.3f}, spheres {:.3f}\n",
+      megabytes(b["total"]), megabytes(b["lattice"]), b["lattice_per_voxel"].get<double>(),
+      megabytes(b["vertices"]), megabytes(b["triangles"]), megabytes(b["sphere_tree"]));
+  const auto& k = f["kernel_memory"];
+  text += k["status"] == "ok"
+              ? fmt::format("kernel needs  {:.2f} MB model, {:.2f} MB state, {:.2f} MB scratch\n",
+                            megabytes(k["model_bytes"]), megabytes(k["state_bytes"]),
+                            megabytes(k["scratch_bytes"]))
+              : fmt::format("kernel needs  unknown: {}\n", k["status"].get<std::string>());
+  if (f["provenance"].is_null()) return text;
+  text += fmt::format("made by       {}: {}\n", f["provenance"]["tool_version"].get<std::string>(),
+                      f["provenance"]["options"].get<std::string>());
+  for (const auto& s : f["provenance"]["sources"]) {
+    text += fmt::format(
+        "from          {} ({} triangles, {} m per unit, priority {}) as {}, sha256 "
+        "{}\n",
+        s["path"].get<std::string>(), s["triangles"].get<std::size_t>(),
+        s["metres_per_unit"].get<double>(), s["priority"].get<int>(),
+        s["tissue"].get<std::string>(), s["sha256"].get<std::string>());
+  }
+  return text;
+}
+
+nlohmann::ordered_json build_facts(const BuildReport& report) {
+  Json inputs = Json::array();
+  for (const InputReport& i : report.inputs) {
+    inputs.push_back({{"path", i.path},
+                      {"tissue", i.tissue},
+                      {"triangles", i.repair.triangles_read},
+                      {"pieces", i.repair.pieces},
+                      {"closed", i.closed},
+                      {"oriented", i.oriented},
+                      {"mesh_volume_ml", i.mesh_volume_m3 * 1e6},
+                      {"filled_volume_ml", i.filled_volume_m3 * 1e6},
+                      {"found",
+                       {{"border_edges", i.repair.border_edges},
+                        {"non_manifold_edges", i.repair.non_manifold_edges},
+                        {"inconsistent_edges", i.repair.inconsistent_edges},
+                        {"polygons", i.read.polygons}}},
+                      {"repaired",
+                       {{"points_merged", i.repair.points_merged},
+                        {"triangles_turned", i.repair.triangles_turned},
+                        {"degenerate_triangles_dropped", i.repair.degenerate},
+                        {"duplicate_triangles_dropped", i.repair.duplicates},
+                        {"unused_points_dropped", i.repair.points_unused},
+                        {"unreadable_unused_points_dropped", i.read.unusable_points},
+                        {"faces_of_1_or_2_corners_dropped", i.read.short_faces},
+                        {"lines_and_points_dropped", i.read.lines_and_points},
+                        {"cells_behind_holes_filled", i.decided_by_winding}}}});
+  }
+  Json labels = Json::array();
+  for (const LabelReport& i : report.labels) {
+    labels.push_back({{"tissue", i.tissue},
+                      {"voxels", i.voxels},
+                      {"map_volume_ml", i.map_volume_m3 * 1e6},
+                      {"filled_volume_ml", i.filled_volume_m3 * 1e6}});
+  }
+  return {{"inputs", inputs}, {"labels", labels}, {"warnings", report.warnings}};
+}
+
+std::string build_text(const nlohmann::ordered_json& facts) {
+  std::string text;
+  for (const auto& i : facts["inputs"]) {
+    text += fmt::format("input         {} as {}: {} triangles, {} pieces, {}, {}\n",
+                        i["path"].get<std::string>(), i["tissue"].get<std::string>(),
+                        i["triangles"].get<std::size_t>(), i["pieces"].get<std::size_t>(),
+                        i["closed"].get<bool>() ? "closed" : "open",
+                        i["oriented"].get<bool>() ? "oriented" : "not orientable (rays vote)");
+    text += fmt::format("found         {}\nrepaired      {}\n", count_line(i["found"]),
+                        count_line(i["repaired"]));
+    text += fmt::format("volume        mesh {:.6g} ml, voxels {:.6g} ml\n",
+                        i["mesh_volume_ml"].get<double>(), i["filled_volume_ml"].get<double>());
+  }
+  for (const auto& i : facts["labels"]) {
+    text += fmt::format("tissue        {:<14} {:>8} voxels of the map, {:.6g} ml, here {:.6g} ml\n",
+                        i["tissue"].get<std::string>(), i["voxels"].get<std::size_t>(),
+                        i["map_volume_ml"].get<double>(), i["filled_volume_ml"].get<double>());
+  }
+  return text;
+}
+
+}  // namespace stylet::bake

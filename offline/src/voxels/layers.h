@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Layers: which of them each cell lies in, and the numbers of their tissues.
+//
+// A tissue's membrane (modulus times thickness of a thin skin) is spread over the voxel by the
+// kernel. In a layer of several voxels each would carry it all; so there it is spread over the
+// layer here, and is part of the modulus. (Only the layer's first voxels with it was tried: they
+// are partly filled and form stairs, and a slope lost its membrane as voxels became finer.) Units:
+// metres; time and memory linear in the cells.
+#pragma once
+
+#include <vector>
+
+#include "asset/materials.h"
+#include "lattice.h"
+
+namespace stylet::bake {
+
+// Layers lie one below the other along an axis of space and override the inputs' tissues. A voxel
+// takes the layer at its middle, as deep as what is filled above it in its row, down from where the
+// row enters the inputs they replace; the last layer has no end.
+struct Layer {
+  double thickness_m = 0;
+  std::string tissue;
+};
+struct LayerCourse {
+  std::size_t axis = 0;
+  bool backwards = false;  // from the high end of the axis
+  std::string of;          // tissue of the inputs that are replaced; empty: all
+};
+
+// What the tissues of owners and layers are in the organ file.
+struct TissueNumbers {
+  struct Numbered {
+    double thickness_m;
+    std::uint8_t material;
+  };
+  std::vector<std::uint8_t> of_owner;    // 0 where layers replace it
+  std::vector<std::uint8_t> is_layered;  // of each owner
+  std::vector<Numbered> layers;
+  LayerCourse course;
+};
+
+constexpr std::uint8_t kNotLayered = 255;
+
+// The layer at a depth.
+std::uint8_t layer_at(const TissueNumbers& numbers, double depth_m);
+
+// The layer of each cell; none where there are no layers at all.
+std::vector<std::uint8_t> cell_layers(const Claims& claims, const TissueNumbers& numbers);
+
+// That of a voxel, kNotLayered where none replaces its owner. Where the cell is another owner's
+// (voxels/sheets.h) the row enters: the first layer.
+std::uint8_t voxel_layer(const TissueNumbers& numbers, const std::vector<std::uint8_t>& cell_layers,
+                         std::size_t cell, std::uint16_t owner);
+
+// A tissue in a layer of this thickness.
+Tissue in_layer(Tissue tissue, double thickness_m, double edge_m);
+
+}  // namespace stylet::bake
