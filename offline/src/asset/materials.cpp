@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "materials.h"
+#include "asset/materials.h"
 
 #include <algorithm>
 
@@ -218,6 +218,14 @@ const Tissue& find_tissue(const std::vector<Tissue>& own, const std::string& nam
     }
   }
   refuse("tissue '{}': expected one of {}", name, known);
+}
+
+Tissue in_layer(Tissue tissue, double thickness_m, double edge_m) {
+  if (thickness_m > edge_m) {
+    tissue.youngs_modulus_pa += tissue.membrane_n_per_m / thickness_m;
+    tissue.membrane_n_per_m = 0;
+  }
+  return tissue;
 }
 
 }  // namespace stylet::bake

@@ -40,4 +40,11 @@ std::vector<Tissue> read_tissues(const std::filesystem::path& toml_file);
 // Refuses an unknown name and lists the known ones.
 const Tissue& find_tissue(const std::vector<Tissue>& own, const std::string& name);
 
+// A tissue in a layer of this thickness. Its membrane (modulus times thickness of a thin skin) is
+// spread over the voxel by the kernel, and in a layer of several voxels each would carry it all; so
+// there it is spread over the layer here, and is part of the modulus. (Only the layer's first
+// voxels with it was tried: they are partly filled and form stairs, and a slope lost its membrane
+// as voxels became finer.)
+Tissue in_layer(Tissue tissue, double thickness_m, double edge_m);
+
 }  // namespace stylet::bake

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "organ_shape.h"
+#include "asset/organ_shape.h"
 
 namespace stylet::bake {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sphere_tree.h"
+#include "asset/sphere_tree.h"
 
 #include <numeric>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "write_organ.h"
+#include "asset/write_organ.h"
 
 #include <cstring>
 
@@ -50,23 +50,22 @@ Offset<format::Provenance> write_provenance(FlatBufferBuilder& builder, const Or
   return format::CreateProvenance(builder, version, options, list);
 }
 
-Offset<format::Sheets> write_sheets(FlatBufferBuilder& builder, const Lattice& lattice) {
-  const auto ties = write_structs<format::Tie>(builder, lattice.ties);
-  const auto parts = write_structs<format::Part>(builder, lattice.parts);
-  return format::CreateSheets(builder, static_cast<std::uint16_t>(lattice.sheet_rows), ties, parts);
+Offset<format::Sheets> write_sheets(FlatBufferBuilder& builder, const OrganParts& parts) {
+  const auto ties = write_structs<format::Tie>(builder, parts.ties);
+  const auto cell_parts = write_structs<format::Part>(builder, parts.cell_parts);
+  return format::CreateSheets(builder, static_cast<std::uint16_t>(parts.sheet_rows), ties,
+                              cell_parts);
 }
 
 void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
-  const Lattice& lattice = parts.lattice;
-  const Grid& grid = lattice.grid;
   std::vector<Offset<format::Material>> materials;
   for (const Tissue& t : parts.materials) {
     materials.push_back(write_material(builder, t));
   }
   const auto name = builder.CreateString(parts.name);
-  const auto runs = write_structs<format::Run>(builder, lattice.runs);
+  const auto runs = write_structs<format::Run>(builder, parts.runs);
   const auto voxel_material = builder.CreateVector(parts.voxel_material);
-  const auto voxel_fill = builder.CreateVector(lattice.fill);
+  const auto voxel_fill = builder.CreateVector(parts.voxel_fill);
   const auto voxel_fixed = parts.voxel_fixed.empty() ? Offset<flatbuffers::Vector<std::uint8_t>>()
                                                      : builder.CreateVector(parts.voxel_fixed);
   const auto material_list = builder.CreateVector(materials);
@@ -77,18 +76,18 @@ void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
   const auto mixed = has_mixed ? write_structs<format::Mixed>(builder, parts.mixed)
                                : Offset<flatbuffers::Vector<const format::Mixed*>>();
   const auto provenance = write_provenance(builder, parts);
-  const bool has_sheets = lattice.sheets > 1;
-  const auto sheets = has_sheets ? write_sheets(builder, lattice) : Offset<format::Sheets>();
+  const bool has_sheets = parts.sheets > 1;
+  const auto sheets = has_sheets ? write_sheets(builder, parts) : Offset<format::Sheets>();
   const auto seal = builder.CreateVector(std::vector<std::uint8_t>(32, 0));  // sealed below
   const auto f = [](double value) { return static_cast<float>(value); };
   const auto u = [](std::uint32_t value) { return static_cast<std::uint16_t>(value); };
   format::FinishOrganBuffer(
       builder,
-      format::CreateOrgan(builder, kFormatVersion, name, f(grid.edge_m), f(grid.origin_m.x),
-                          f(grid.origin_m.y), f(grid.origin_m.z), u(grid.size[0]),
-                          u(lattice.sheets * lattice.sheet_rows), u(grid.size[2]), runs,
-                          voxel_material, voxel_fill, voxel_fixed, material_list, vertices,
-                          triangles, spheres, provenance, mixed, sheets, seal));
+      format::CreateOrgan(builder, kFormatVersion, name, f(parts.edge_m), f(parts.origin_m.x),
+                          f(parts.origin_m.y), f(parts.origin_m.z), u(parts.size_x),
+                          u(parts.sheets * parts.sheet_rows), u(parts.size_z), runs, voxel_material,
+                          voxel_fill, voxel_fixed, material_list, vertices, triangles, spheres,
+                          provenance, mixed, sheets, seal));
 }
 
 }  // namespace

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parts of an organ to the bytes of an organ file (kernel/schema/organ.fbs).
 //
-// Promises: the bytes depend on nothing but the parts; they have passed organ_open.
+// Promises: the bytes depend on nothing but the parts; they have passed organ_open. Units: metres.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
-#include "materials.h"
-#include "sphere_tree.h"
-#include "voxels/lattice.h"
+#include "asset/materials.h"
+#include "asset/sphere_tree.h"
+#include "base/geometry.h"
+#include "stylet/organ.h"
 
 namespace stylet::bake {
 
@@ -25,7 +26,14 @@ struct SourceRecord {
 
 struct OrganParts {
   std::string name;
-  Lattice lattice;
+  Vec origin_m;
+  double edge_m = 0;
+  std::uint32_t size_x = 0, size_z = 0;      // of the lattice, in voxels
+  std::uint32_t sheets = 1, sheet_rows = 0;  // along y one sheet lies beside the other
+  std::vector<OrganRun> runs;
+  std::vector<OrganTie> ties;            // of several sheets
+  std::vector<OrganPart> cell_parts;     // of several sheets
+  std::vector<std::uint8_t> voxel_fill;  // 1..255
   std::vector<std::uint8_t> voxel_material;
   std::vector<OrganMixed> mixed;
   std::vector<std::uint8_t> voxel_fixed;  // empty: a free body

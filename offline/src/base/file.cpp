@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "file.h"
+#include "base/file.h"
 
 #include <openssl/evp.h>
 #include <sys/stat.h>
@@ -12,7 +12,7 @@
 #include <set>
 #include <utility>
 
-#include "refusal.h"
+#include "base/refusal.h"
 
 namespace stylet::bake {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "outputs.h"
+#include "base/outputs.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -9,8 +9,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "file.h"
-#include "refusal.h"
+#include "base/file.h"
+#include "base/refusal.h"
 
 namespace stylet::bake {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "toml_file.h"
+#include "base/toml_file.h"
 
-#include "file.h"
-#include "refusal.h"
+#include "base/file.h"
+#include "base/refusal.h"
 
 namespace stylet::bake {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "label_map.h"
 #include "maps/header.h"
+#include "maps/label_map.h"
 
 namespace stylet::bake {
 

@@ -10,7 +10,7 @@
 #include <compare>
 #include <numeric>
 
-#include "dicom_file.h"
+#include "maps/dicom_file.h"
 #include "maps/names.h"
 #include "maps/readers.h"
 #include "maps/slabs.h"

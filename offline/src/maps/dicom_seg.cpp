@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "dicom_file.h"
+#include "maps/dicom_file.h"
 #include "maps/names.h"
 #include "maps/readers.h"
 

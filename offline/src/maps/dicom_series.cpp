@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "base/file.h"
-#include "dicom_file.h"
+#include "maps/dicom_file.h"
 #include "maps/readers.h"
 
 namespace stylet::bake {

@@ -3,7 +3,7 @@
 // Units: metres. Frame: the patient's (LPS).
 #pragma once
 
-#include "label_map.h"
+#include "maps/label_map.h"
 #include "maps/recipe.h"
 
 namespace stylet::bake {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "label_map.h"
+#include "maps/label_map.h"
 
 #include <fcntl.h>
 #include <unistd.h>

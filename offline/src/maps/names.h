@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "label_map.h"
 #include "maps/header.h"
+#include "maps/label_map.h"
 
 namespace stylet::bake {
 

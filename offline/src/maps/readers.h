@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "base/refusal.h"
-#include "label_map.h"
+#include "maps/label_map.h"
 
 namespace stylet::bake {
 

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "label_map.h"
+#include "maps/label_map.h"
 
 namespace stylet::bake {
 

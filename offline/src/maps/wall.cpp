@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/most_off.h"
 #include "base/refusal.h"
 #include "maps/readers.h"
-#include "voxels/losses.h"
-#include "wall_thickness.h"
+#include "maps/wall_thickness.h"
 
 namespace stylet::bake {
 namespace {

@@ -6,7 +6,7 @@
 // Units: metres. Time: linear in voxels.
 #pragma once
 
-#include "label_map.h"
+#include "maps/label_map.h"
 #include "maps/recipe.h"
 
 namespace stylet::bake {
@@ -14,7 +14,7 @@ namespace stylet::bake {
 // The map with the wall as labels of its own, larger by it at the sides that no label reaches (at
 // the others the scan cuts the patient off, and there is no wall); and the recipe with their
 // tissues. Both come back as they are without [[wall]]. Returns a sentence for each layer that the
-// voxels make 5 % thinner or thicker (voxels/losses.h).
+// voxels make 5 % thinner or thicker (base/most_off.h).
 std::vector<std::string> add_wall(LabelMap& map, Recipe& recipe);
 
 }  // namespace stylet::bake

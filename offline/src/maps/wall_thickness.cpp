@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "wall_thickness.h"
+#include "maps/wall_thickness.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 
 #include <vector>
 
-#include "label_map.h"
+#include "maps/label_map.h"
 
 namespace stylet::bake {
 

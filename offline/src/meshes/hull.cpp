@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hull.h"
+#include "meshes/hull.h"
 
 #include <CGAL/convex_hull_3.h>
 #include <CGAL/squared_distance_3.h>
@@ -8,7 +8,7 @@
 #include <queue>
 
 #include "base/refusal.h"
-#include "cgal_surface.h"
+#include "meshes/cgal_surface.h"
 
 namespace stylet::bake {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh_text.h"
+#include "meshes/mesh_text.h"
 
 #include <charconv>
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/refusal.h"
-#include "read_mesh.h"
+#include "meshes/read_mesh.h"
 
 namespace stylet::bake {
 

@@ -2,7 +2,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 
-#include "repair.h"
+#include "meshes/repair.h"
 
 namespace stylet::bake {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "phantom.h"
+#include "meshes/phantom.h"
 
 #include <CGAL/Labeled_mesh_domain_3.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
@@ -13,7 +13,7 @@
 #include <map>
 #include <random>
 
-#include "cgal_surface.h"
+#include "meshes/cgal_surface.h"
 
 namespace stylet::bake {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "read_mesh.h"
+#include "meshes/read_mesh.h"
 
 #include <cctype>
 
 #include "base/file.h"
-#include "mesh_text.h"
+#include "meshes/mesh_text.h"
 
 namespace stylet::bake {
 

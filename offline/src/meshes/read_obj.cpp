@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wavefront OBJ: v and f are read, l and p counted, everything else (vt, vn, groups, materials,
 // curves) skipped. A backslash at the end of a line continues it.
-#include "mesh_text.h"
+#include "meshes/mesh_text.h"
 
 namespace stylet::bake {
 namespace {

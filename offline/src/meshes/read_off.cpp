@@ -3,7 +3,7 @@
 // each point and the corner indices each face; what follows on the line is skipped. Comments start
 // with
 // '#'. The counts may follow the keyword on its line, even without a blank ("OFF8 6 12").
-#include "mesh_text.h"
+#include "meshes/mesh_text.h"
 
 namespace stylet::bake {
 namespace {

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <cstring>
 
-#include "mesh_text.h"
+#include "meshes/mesh_text.h"
 
 namespace stylet::bake {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "repair.h"
+#include "meshes/repair.h"
 
 #include <numeric>
 #include <tuple>
 
 #include "base/disjoint_set.h"
-#include "nesting.h"
-#include "triangle_tree.h"
+#include "meshes/nesting.h"
+#include "meshes/triangle_tree.h"
 
 namespace stylet::bake {
 namespace {

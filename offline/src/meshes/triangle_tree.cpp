@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "triangle_tree.h"
+#include "meshes/triangle_tree.h"
 
 #include <numeric>
 #include <utility>

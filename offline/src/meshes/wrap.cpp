@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "wrap.h"
+#include "meshes/wrap.h"
 
 #include <CGAL/alpha_wrap_3.h>
 
-#include "cgal_surface.h"
+#include "meshes/cgal_surface.h"
 
 namespace stylet::bake {
 

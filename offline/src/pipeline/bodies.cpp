@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "base/most_off.h"
 #include "stylet/limits.h"
-#include "voxels/losses.h"
 
 namespace stylet::bake {
 namespace {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "build.h"
+#include "pipeline/build.h"
 
 #include <bit>
 #include <filesystem>
 
+#include "base/most_off.h"
 #include "base/refusal.h"
 #include "meshes/wrap.h"
-#include "pieces.h"
+#include "pipeline/pieces.h"
+#include "pipeline/voxel_materials.h"
 #include "stylet/limits.h"
-#include "voxel_materials.h"
 #include "voxels/crop.h"
 #include "voxels/gaps.h"
 #include "voxels/losses.h"
@@ -123,8 +124,8 @@ Mesh join(const std::vector<Solid>& solids) {
   return all;
 }
 
-void embed_surface(const Mesh& mesh, OrganParts& parts) {
-  Surface surface = embed(parts.lattice, mesh.points, mesh.triangles);
+void embed_surface(const Mesh& mesh, const Lattice& lattice, OrganParts& parts) {
+  Surface surface = embed(lattice, mesh.points, mesh.triangles);
   SphereTree tree = sphere_tree(surface.rest_m, mesh.triangles, surface.voxel_of);
   for (const std::uint32_t i : tree.order) parts.triangles.push_back(mesh.triangles[i]);
   parts.vertices = std::move(surface.vertices);
@@ -375,16 +376,28 @@ Given given_of(const Claimed& claimed, const BuildOptions& options) {
           given_volumes(claimed.claims, claimed.places, numbers, claimed.cut, claimed.sample_m3)};
 }
 
-void warn_of_losses(const OrganParts& parts, const std::vector<std::uint8_t>& given_of_voxel,
-                    const Given& given, MaterialList& materials,
-                    std::vector<std::string>& warnings) {
-  const std::vector<Held> held = held_volumes(parts, given_of_voxel);
+void warn_of_losses(const std::vector<Held>& held, double edge_m, const Given& given,
+                    MaterialList& materials, std::vector<std::string>& warnings) {
   for (std::size_t i = 0; i < given.tissues.size(); ++i) {
     const std::string text =
         loss((given.is_layer[i] ? "layer " : "tissue ") + given.tissues[i].name, given.volume_m3[i],
-             held[number_of(materials, given.tissues[i])], parts.lattice.grid.edge_m);
+             held[number_of(materials, given.tissues[i])], edge_m);
     if (!text.empty()) warnings.push_back(text);
   }
+}
+
+// What the organ file says of the lattice.
+void take_lattice(Lattice lattice, OrganParts& parts) {
+  parts.origin_m = lattice.grid.origin_m;
+  parts.edge_m = lattice.grid.edge_m;
+  parts.size_x = lattice.grid.size[0];
+  parts.size_z = lattice.grid.size[2];
+  parts.sheets = lattice.sheets;
+  parts.sheet_rows = lattice.sheet_rows;
+  parts.runs = std::move(lattice.runs);
+  parts.ties = std::move(lattice.ties);
+  parts.cell_parts = std::move(lattice.parts);
+  parts.voxel_fill = std::move(lattice.fill);
 }
 
 }  // namespace
@@ -399,21 +412,23 @@ std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
   OrganParts parts;
   parts.name = options.name;
   const Given given = given_of(claimed, options);  // before gaps are filled
-  parts.lattice = lattice_of(claimed, options, progress);
+  Lattice lattice = lattice_of(claimed, options, progress);
+  const double edge_m = lattice.grid.edge_m;
   MaterialList materials{options.own_tissues, {}};
-  const TissueNumbers numbers =
-      number_tissues(claimed.tissues, options, parts.lattice.grid.edge_m, materials);
+  const TissueNumbers numbers = number_tissues(claimed.tissues, options, edge_m, materials);
   const std::vector<std::uint8_t> layers = cell_layers(claimed.claims, numbers);
-  const std::vector<std::uint16_t> owner_of_voxel = owners(claimed.claims, parts.lattice);
-  VoxelMaterials of_voxel = voxel_materials(claimed.claims, parts.lattice, owner_of_voxel,
+  const std::vector<std::uint16_t> owner_of_voxel = owners(claimed.claims, lattice);
+  VoxelMaterials of_voxel = voxel_materials(claimed.claims, lattice, owner_of_voxel,
                                             claimed.tissues, numbers, layers, options, materials);
   parts.voxel_material = std::move(of_voxel.material);
-  parts.mixed = mixed_voxels(claimed.claims, claimed.places, parts.lattice,
+  parts.mixed = mixed_voxels(claimed.claims, claimed.places, lattice,
                              {owner_of_voxel, parts.voxel_material, layers}, numbers);
-  warn_of_losses(parts, of_voxel.given, given, materials, warnings);
+  warn_of_losses(held_volumes(lattice, parts.mixed, of_voxel.given), edge_m, given, materials,
+                 warnings);
   parts.materials = std::move(materials.tissues);
-  parts.voxel_fixed = fixed_corners(parts.lattice, claimed, options.held);
-  embed_surface(claimed.mesh, parts);
+  parts.voxel_fixed = fixed_corners(lattice, claimed, options.held);
+  embed_surface(claimed.mesh, lattice, parts);
+  take_lattice(std::move(lattice), parts);
   parts.tool_version = options.tool_version;
   parts.options = options.options_text;
   parts.sources = std::move(claimed.sources);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "label_organ.h"
+#include "pipeline/label_organ.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "maps/skin.h"
 #include "maps/wall.h"
 #include "meshes/simplify.h"
-#include "pieces.h"
+#include "pipeline/pieces.h"
 #include "voxels/losses.h"
 
 namespace stylet::bake {

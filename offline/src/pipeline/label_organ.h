@@ -7,9 +7,9 @@
 // Promises: as pipeline/build.h.
 #pragma once
 
-#include "build.h"
 #include "maps/label_map.h"
 #include "maps/recipe.h"
+#include "pipeline/build.h"
 
 namespace stylet::bake {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pieces.h"
+#include "pipeline/pieces.h"
 
 #include <bit>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "voxel_materials.h"
+#include "pipeline/voxel_materials.h"
 
 #include "base/refusal.h"
 #include "stylet/limits.h"

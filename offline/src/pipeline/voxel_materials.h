@@ -4,7 +4,7 @@
 #pragma once
 
 #include "asset/materials.h"
-#include "build.h"
+#include "pipeline/build.h"
 #include "voxels/layers.h"
 
 namespace stylet::bake {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "info.h"
+#include "report/info.h"
 
 #include <nlohmann/json.hpp>
 

@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "picture.h"
-#include "speed.h"
+#include "report/picture.h"
+#include "report/speed.h"
 
 namespace stylet::bake {
 namespace {

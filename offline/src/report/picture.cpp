@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "picture.h"
+#include "report/picture.h"
 
 #include <fmt/format.h>
 #include <png.h>

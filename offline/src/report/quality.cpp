@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "quality.h"
+#include "report/quality.h"
 
 #include <fmt/format.h>
 

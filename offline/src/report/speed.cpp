@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "speed.h"
+#include "report/speed.h"
 
 #include <Eigen/Dense>
 #include <cstring>
@@ -10,8 +10,8 @@
 
 #include "base/file.h"
 #include "base/refusal.h"
-#include "info.h"
 #include "pipeline/build.h"
+#include "report/info.h"
 #include "stylet/limits.h"
 #include "stylet/resonance.h"
 #include "voxels/sweep.h"

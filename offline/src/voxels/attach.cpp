@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "attach.h"
+#include "voxels/attach.h"
 
 #include <charconv>
 #include <string_view>

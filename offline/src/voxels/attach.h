@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "voxelize.h"
+#include "voxels/voxelize.h"
 
 namespace stylet::bake {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cell_walk.h"
+#include "voxels/cell_walk.h"
 
 #include <algorithm>
 #include <bit>

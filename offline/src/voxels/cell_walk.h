@@ -4,8 +4,8 @@
 // than its samples. Units: in a cell, edges. Time: linear in the cells walked.
 #pragma once
 
-#include "layers.h"
-#include "sample_parts.h"
+#include "voxels/layers.h"
+#include "voxels/sample_parts.h"
 
 namespace stylet::bake {
 

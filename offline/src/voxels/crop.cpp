@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "crop.h"
+#include "voxels/crop.h"
 
 #include <algorithm>
 

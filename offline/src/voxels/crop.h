@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "attach.h"
-#include "lattice.h"
+#include "voxels/attach.h"
+#include "voxels/lattice.h"
 
 namespace stylet::bake {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gaps.h"
+#include "voxels/gaps.h"
 
 namespace stylet::bake {
 namespace {

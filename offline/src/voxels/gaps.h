@@ -4,7 +4,7 @@
 // Promise: no cell loses what it holds. Time: linear in cells times width.
 #pragma once
 
-#include "lattice.h"
+#include "voxels/lattice.h"
 
 namespace stylet::bake {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lattice.h"
+#include "voxels/lattice.h"
 
 #include <bit>
 #include <tuple>

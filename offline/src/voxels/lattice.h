@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "stylet/organ.h"
-#include "voxelize.h"
+#include "voxels/voxelize.h"
 
 namespace stylet::bake {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "layers.h"
+#include "voxels/layers.h"
 
 #include <bit>
 
@@ -44,14 +44,6 @@ std::uint8_t voxel_layer(const TissueNumbers& numbers, const std::vector<std::ui
                          std::size_t cell, std::uint16_t owner) {
   if (cell_layers.empty() || numbers.is_layered[owner] == 0) return kNotLayered;
   return cell_layers[cell] != kNotLayered ? cell_layers[cell] : std::uint8_t{0};
-}
-
-Tissue in_layer(Tissue tissue, double thickness_m, double edge_m) {
-  if (thickness_m > edge_m) {
-    tissue.youngs_modulus_pa += tissue.membrane_n_per_m / thickness_m;
-    tissue.membrane_n_per_m = 0;
-  }
-  return tissue;
 }
 
 }  // namespace stylet::bake

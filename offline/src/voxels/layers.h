@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Layers: which of them each cell lies in, and the numbers of their tissues.
-//
-// A tissue's membrane (modulus times thickness of a thin skin) is spread over the voxel by the
-// kernel. In a layer of several voxels each would carry it all; so there it is spread over the
-// layer here, and is part of the modulus. (Only the layer's first voxels with it was tried: they
-// are partly filled and form stairs, and a slope lost its membrane as voxels became finer.) Units:
-// metres; time and memory linear in the cells.
+// Layers: which of them each cell lies in, and the numbers of their tissues. Units: metres; time
+// and memory linear in the cells.
 #pragma once
 
 #include <vector>
 
-#include "asset/materials.h"
-#include "lattice.h"
+#include "voxels/lattice.h"
 
 namespace stylet::bake {
 
@@ -52,8 +46,5 @@ std::vector<std::uint8_t> cell_layers(const Claims& claims, const TissueNumbers&
 // (voxels/sheets.h) the row enters: the first layer.
 std::uint8_t voxel_layer(const TissueNumbers& numbers, const std::vector<std::uint8_t>& cell_layers,
                          std::size_t cell, std::uint16_t owner);
-
-// A tissue in a layer of this thickness.
-Tissue in_layer(Tissue tissue, double thickness_m, double edge_m);
 
 }  // namespace stylet::bake

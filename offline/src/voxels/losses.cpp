@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "losses.h"
+#include "voxels/losses.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
 
+#include "base/most_off.h"
 #include "stylet/limits.h"
 
 namespace stylet::bake {
@@ -66,25 +67,25 @@ std::vector<double> given_volumes(const Claims& claims, const SamplePlaces& plac
   return given_m3;
 }
 
-std::vector<Held> held_volumes(const OrganParts& parts,
+std::vector<Held> held_volumes(const Lattice& lattice, const std::vector<OrganMixed>& mixed,
                                const std::vector<std::uint8_t>& material_of_voxel) {
-  const double edge_m = parts.lattice.grid.edge_m, cell_m3 = edge_m * edge_m * edge_m;
+  const double edge_m = lattice.grid.edge_m, cell_m3 = edge_m * edge_m * edge_m;
   std::vector<Held> held(kMaxMaterials);
-  auto mixed = parts.mixed.begin();
+  auto plane = mixed.begin();
   for (std::uint32_t voxel = 0; voxel < material_of_voxel.size(); ++voxel) {
     Held& own = held[material_of_voxel[voxel]];
-    const double filled_m3 = parts.lattice.fill[voxel] / 255.0 * cell_m3;
+    const double filled_m3 = lattice.fill[voxel] / 255.0 * cell_m3;
     own.voxel_m3 += filled_m3;
-    if (mixed == parts.mixed.end() || mixed->voxel != voxel) {
+    if (plane == mixed.end() || plane->voxel != voxel) {
       own.met_m3 += filled_m3;
       continue;
     }
     const auto exact = [](float value) { return static_cast<double>(value); };
     const double before =
-        volume_before({exact(mixed->nx), exact(mixed->ny), exact(mixed->nz)}, exact(mixed->limit));
+        volume_before({exact(plane->nx), exact(plane->ny), exact(plane->nz)}, exact(plane->limit));
     own.met_m3 += before * cell_m3;
-    if (mixed->material != kNoTissue) held[mixed->material].met_m3 += (1 - before) * cell_m3;
-    ++mixed;
+    if (plane->material != kNoTissue) held[plane->material].met_m3 += (1 - before) * cell_m3;
+    ++plane;
   }
   return held;
 }

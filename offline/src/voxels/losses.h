@@ -10,15 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "asset/write_organ.h"
-#include "cell_walk.h"
+#include "voxels/cell_walk.h"
 
 namespace stylet::bake {
-
-// What is off by more than this part of it is told. Users are promised 5 %; the rest is for what is
-// given, which samples know to 2 % where inputs overlap or a layer ends at a body's sides
-// (measured: 1.9 % at most for 1000 layers that end after 8 to 50 voxels).
-constexpr double kMostOff = 0.03;
 
 // Volume of each material of `numbers` in the cells that are not cut away (empty: all). A sample of
 // an owner stands for `sample_m3` of it.
@@ -33,7 +27,7 @@ struct Held {
 };
 
 // Of each material. `material_of_voxel` as given: a capsule is of what it is around.
-std::vector<Held> held_volumes(const OrganParts& parts,
+std::vector<Held> held_volumes(const Lattice& lattice, const std::vector<OrganMixed>& mixed,
                                const std::vector<std::uint8_t>& material_of_voxel);
 
 // The part of the unit cube where normal . place <= limit. Source: Scardovelli and Zaleski 2000.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mixed.h"
+#include "voxels/mixed.h"
 
 #include <algorithm>
 
-#include "cell_walk.h"
+#include "voxels/cell_walk.h"
 
 namespace stylet::bake {
 namespace {

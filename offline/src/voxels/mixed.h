@@ -13,8 +13,8 @@
 
 #include <vector>
 
-#include "layers.h"
-#include "sample_parts.h"
+#include "voxels/layers.h"
+#include "voxels/sample_parts.h"
 
 namespace stylet::bake {
 

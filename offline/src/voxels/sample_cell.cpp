@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sample_cell.h"
+#include "voxels/sample_cell.h"
 
 namespace stylet::bake {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sample_parts.h"
+#include "voxels/sample_parts.h"
 
 #include <bit>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sheets.h"
+#include "voxels/sheets.h"
 
 #include <bit>
 #include <numeric>

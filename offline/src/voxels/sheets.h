@@ -11,8 +11,8 @@
 // of a voxel on. Time: linear in voxels. Units: cell edges.
 #pragma once
 
-#include "lattice.h"
-#include "sample_parts.h"
+#include "voxels/lattice.h"
+#include "voxels/sample_parts.h"
 
 namespace stylet::bake {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sweep.h"
+#include "voxels/sweep.h"
 
 #include "base/refusal.h"
 #include "stylet/kernel.h"

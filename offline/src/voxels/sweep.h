@@ -6,7 +6,7 @@
 // cells. So it is the bytes of state that are counted, and two full blocks say what a voxel's are.
 #pragma once
 
-#include "lattice.h"
+#include "voxels/lattice.h"
 
 namespace stylet::bake {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "voxelize.h"
+#include "voxels/voxelize.h"
 
 #include <numeric>
 
 #include "base/refusal.h"
-#include "sample_cell.h"
+#include "voxels/sample_cell.h"
 
 namespace stylet::bake {
 namespace {
