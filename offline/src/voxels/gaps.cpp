@@ -4,8 +4,6 @@
 namespace stylet::bake {
 namespace {
 
-constexpr std::uint64_t kFull = ~std::uint64_t{0};
-
 // A bit for each cell of a grid with a rim of empty ones.
 struct Mask {
   std::array<std::size_t, 3> size{};
@@ -73,10 +71,10 @@ std::size_t fill_gaps(Claims& claims, double width_m, std::uint16_t owner) {
     if (claims.inside[cell] == 0) {
       claims.owner[cell] = owner;
       claims.owner_fill[cell] = 64;
-      claims.inside[cell] = kFull;
+      claims.inside[cell] = kFullCell;
       ++added;
     } else if (is_enclosed(mask, at)) {
-      claims.inside[cell] = kFull;
+      claims.inside[cell] = kFullCell;
     }
   }
   return added;

@@ -10,7 +10,6 @@
 namespace stylet::bake {
 namespace {
 
-constexpr std::uint64_t kFull = ~std::uint64_t{0};
 constexpr int kSamples = 64;  // of a cell
 
 struct CellPlace {
@@ -92,9 +91,9 @@ std::uint16_t owner_beside(const Claims& claims, CellPlace at) {
 void keep_share(Claims& claims, std::size_t cell, Claims::Share share, int owner_priority) {
   share.cell = static_cast<std::uint32_t>(cell);
   const bool is_first = claims.inside[cell] == 0;
-  if (share.inside == 0 || (is_first && share.inside == kFull)) return;
+  if (share.inside == 0 || (is_first && share.inside == kFullCell)) return;
   if (claims.owner_fill[cell] == kSamples) {
-    claims.shares.push_back({share.cell, claims.owner[cell], owner_priority, kFull});
+    claims.shares.push_back({share.cell, claims.owner[cell], owner_priority, kFullCell});
   }
   claims.shares.push_back(share);
 }
@@ -210,7 +209,7 @@ bool is_skin(const Claims& claims, std::uint32_t x, std::uint32_t y, std::uint32
                              ny <= grid.size[1] && nz <= grid.size[2];
         const std::size_t cell = in_grid ? cell_index(grid, nx - 1, ny - 1, nz - 1) : 0;
         const bool across_face = (dx != 1 ? 1 : 0) + (dy != 1 ? 1 : 0) + (dz != 1 ? 1 : 0) == 1;
-        all_full = all_full && in_grid && claims.inside[cell] == kFull;
+        all_full = all_full && in_grid && claims.inside[cell] == kFullCell;
         bare_face = bare_face || (across_face && !(in_grid && is_kept(claims, cell)));
       }
     }

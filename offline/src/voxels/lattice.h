@@ -13,6 +13,8 @@
 
 namespace stylet::bake {
 
+constexpr std::uint64_t kFullCell = ~std::uint64_t{0};  // all 64 samples inside
+
 // What the inputs say about each cell, combined one input after the other.
 struct Claims {
   Grid grid;

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What hangs together in the cells of a lattice, by their 64 samples: the parts of each cell, which
+// of them are too small to count, and which parts of neighbouring cells hang together.
+//
+// Time: linear in the cells. Units: cell edges.
+#pragma once
+
+#include <algorithm>
+
+#include "voxels/lattice.h"
+#include "voxels/sample_parts.h"
+
+namespace stylet::bake {
+
+constexpr std::uint32_t kNoPart = 0xFFFFFFFF, kNoSheet = 0xFFFFFFFF;
+
+struct CellPlace {
+  std::uint32_t x, y, z;
+};
+
+// A step to one of the 26 neighbours, or none.
+struct CellStep {
+  int x, y, z;
+
+  std::size_t index() const { return static_cast<std::size_t>(x + 1 + 3 * (y + 1) + 9 * (z + 1)); }
+  Vec vec() const { return {1.0 * x, 1.0 * y, 1.0 * z}; }
+  bool is_small() const { return std::max({std::abs(x), std::abs(y), std::abs(z)}) <= 1; }
+};
+constexpr CellStep step_of(int index) {
+  return {index % 3 - 1, index / 3 % 3 - 1, index / 9 - 1};
+}
+
+struct CellPart {
+  std::uint32_t cell = 0;
+  std::uint32_t host = kNoPart;  // of one without samples: the part of a neighbour that it hangs on
+  std::uint32_t sheet = kNoSheet;
+  bool crowded = false;      // a neighbour is apart from it
+  std::uint64_t inside = 0;  // samples
+  std::uint64_t quarters = kFullCell;
+  std::array<std::uint8_t, 8> group{};  // at each corner: parts with the same share the particle
+};
+
+class CellParts {
+ public:
+  // Finds the parts. All three must outlive it, and no number of a voxel of `lattice` may change
+  // while parts are asked for.
+  CellParts(const Claims& claims, const SamplePlaces& places, const Lattice& lattice);
+
+  std::vector<CellPart> parts;
+  std::vector<std::uint32_t> first;  // part of each voxel of the lattice as it came, and the end
+
+  CellPlace place_of(std::uint32_t cell) const;
+  CellStep between(const CellPart& a, const CellPart& b) const;
+
+  // Calls visit(number) for the parts of the cell a step away.
+  template <typename Visit>
+  void each_part(const CellPlace& from, const CellStep& step, Visit visit) const {
+    const auto& size = lattice_.grid.size;
+    const auto x = from.x + static_cast<std::uint32_t>(step.x);  // below 0: beyond the size
+    const auto y = from.y + static_cast<std::uint32_t>(step.y);
+    const auto z = from.z + static_cast<std::uint32_t>(step.z);
+    if (x >= size[0] || y >= size[1] || z >= size[2]) return;
+    const std::uint32_t voxel = lattice_.voxel_of_cell[cell_index(lattice_.grid, x, y, z)];
+    if (voxel == kNoVoxel) return;
+    for (std::uint32_t i = first[voxel]; i < first[voxel + 1]; ++i) visit(i);
+  }
+
+  // Of two parts in neighbouring cells. Where samples are few, what hangs together around does,
+  // too; parts without samples go with their hosts, and as before where these are too far apart.
+  bool linked(std::uint32_t i, std::uint32_t j) const;
+
+ private:
+  // The parts with samples in the 27 cells around one, and which of them hang together there.
+  struct Block {
+    std::vector<std::uint32_t> part, set;
+  };
+
+  void find_parts();
+  void settle_specks();
+  void find_empty_parts();
+  std::size_t nearest(const std::vector<std::uint64_t>& bits, Vec place) const;
+  std::vector<CellPart> settled(std::size_t voxel) const;
+  std::vector<CellPart> empty_parts(const CellPart& empty) const;
+  bool touch(const CellPart& a, const CellPart& b) const;
+  Block block_around(std::uint32_t cell) const;
+  static std::uint32_t set_of(const Block& block, std::uint32_t part);
+
+  const Claims& claims_;
+  const SamplePlaces& places_;
+  const Lattice& lattice_;
+  std::array<Near, 27> near_{};
+};
+
+}  // namespace stylet::bake
