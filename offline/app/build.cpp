@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// stylet-organ build: an organ of meshes, or of a label map.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "asset/materials.h"
+#include "base/file.h"
+#include "base/refusal.h"
+#include "commands.h"
+#include "maps/label_map.h"
+#include "maps/recipe.h"
+#include "meshes/read_mesh.h"
+#include "organ_command.h"
+#include "pipeline/label_organ.h"
+
+namespace stylet::bake {
+namespace {
+
+struct BuildArguments : CommonArguments {
+  std::vector<std::string> inputs;
+  std::string units = "mm";
+  double scale = 1;
+  bool wrap = false;
+  std::vector<std::string> layers;
+  std::string layers_of;
+  std::string layers_along = "+x";
+  std::string recipe;
+  std::string fill_gaps;
+  bool split_gaps = false;
+};
+
+// PATH[:TISSUE[:PRIORITY]]; a file that has colons in its name is taken as it is.
+Input parse_input(const std::string& text) {
+  Input input;
+  input.path = text;
+  input.tissue = "liver";
+  std::error_code error;
+  if (std::filesystem::exists(text, error)) return input;
+  const std::size_t first = text.find(':', text.find_last_of('/') + 1);
+  if (first == std::string::npos) return input;
+  input.path = text.substr(0, first);
+  const std::size_t second = text.find(':', first + 1);
+  input.tissue = text.substr(first + 1, second == std::string::npos ? second : second - first - 1);
+  if (second != std::string::npos &&
+      !CLI::detail::lexical_cast(text.substr(second + 1), input.priority)) {
+    refuse("{}: priority '{}': expected a whole number", text, text.substr(second + 1));
+  }
+  return input;
+}
+
+void choose_gaps(const BuildArguments& a, BuildOptions& options) {
+  options.split = a.split_gaps;
+  if (a.split_gaps) options.options_text += " --split-gaps";
+  if (a.fill_gaps.empty()) return;
+  const std::vector<Layer> gap = parse_layers({a.fill_gaps}, "--fill-gaps");
+  constexpr double kWidestGapM = 0.1;  // wider ones lie between organs, not between their meshes
+  if (!(gap.front().thickness_m > 0 && gap.front().thickness_m <= kWidestGapM)) {
+    refuse("--fill-gaps '{}': expected a width of more than 0 and at most {:g} mm", a.fill_gaps,
+           kWidestGapM * 1e3);
+  }
+  options.gap_tissue = find_tissue(options.own_tissues, gap.front().tissue).name;
+  options.gap_m = gap.front().thickness_m;
+  options.options_text += " --fill-gaps " + a.fill_gaps;
+}
+
+// Layers in place of one of the inputs' tissues.
+template <typename HaveTissue>  // as above
+void choose_layers(const BuildArguments& a, const std::vector<HaveTissue>& sources,
+                   BuildOptions& options) {
+  options.layers = parse_layers(a.layers, "--layer");
+  if (a.layers.empty() && a.layers_of.empty()) return;
+  const auto is_replaced = [&](const HaveTissue& source) { return source.tissue == a.layers_of; };
+  if (a.layers.empty() || std::none_of(sources.begin(), sources.end(), is_replaced)) {
+    refuse("--layers-of '{}': expected the tissue of an input, and --layer with it", a.layers_of);
+  }
+  options.layer_course = {static_cast<std::size_t>(a.layers_along[1] - 'x'),
+                          a.layers_along[0] == '-', a.layers_of};
+  options.options_text += fmt::format(" --layers-of {} --layers-along {} --layer {}", a.layers_of,
+                                      a.layers_along, joined(a.layers));
+}
+
+void run_build_labels(const BuildArguments& a) {
+  if (a.inputs.size() != 1) refuse("--recipe: {} inputs: expected one label map", a.inputs.size());
+  const std::string& path = a.inputs.front();
+  BuildOptions options = common_options(a, 1e-3);
+  (void)read_file(a.recipe);  // one that is not there is told before a map is read for a minute
+  const LabelMap map = read_label_map(path);
+  const Recipe recipe = read_recipe(a.recipe, {path, map.names});
+  for (const LabelGroup& group : recipe.groups) {
+    (void)find_tissue(options.own_tissues, group.tissue);
+  }
+  for (const WallLayer& layer : recipe.wall) {
+    options.wall.push_back(find_tissue(options.own_tissues, layer.tissue).name);
+  }
+  options.options_text += " --recipe " + std::filesystem::path(a.recipe).filename().string();
+  if (options.name.empty()) {
+    const std::string file = std::filesystem::path(path).filename().string();
+    options.name = file.substr(0, file.find('.'));
+  }
+  choose_gaps(a, options);
+  options.split = options.split || recipe.open_gaps;
+  choose_layers(a, recipe.groups, options);
+  choose_capsule(a.capsule, recipe.groups, options);
+  Outputs outputs;
+  finish([&](const BuildOptions& o,
+             const Progress& p) { return build_labels(path, map, recipe, o, p); },
+         options, a, outputs);
+}
+
+void run_build(const BuildArguments& a) {
+  if (!a.recipe.empty()) return run_build_labels(a);
+  for (const std::string& input : a.inputs) {
+    if (is_label_map(input)) refuse("{}: expected --recipe, as this is a label map", input);
+  }
+  constexpr double kLeastScale = 1e-9, kMostScale = 1e9;
+  if (!(a.scale >= kLeastScale && a.scale <= kMostScale)) {
+    refuse("--scale {}: expected {} to {}", a.scale, kLeastScale, kMostScale);
+  }
+  const double metres_per_unit = kMetresPerUnit.at(a.units) * a.scale;
+  BuildOptions options = common_options(a, metres_per_unit);
+  options.wrap = a.wrap;
+  options.options_text +=
+      fmt::format(" --units {} --scale {}{}", a.units, a.scale, a.wrap ? " --wrap" : "");
+  std::vector<Input> inputs;
+  for (const std::string& text : a.inputs) {
+    inputs.push_back(parse_input(text));
+    (void)find_tissue(options.own_tissues, inputs.back().tissue);
+    inputs.back().metres_per_unit = metres_per_unit;
+    inputs.back().read = read_mesh(inputs.back().path);
+  }
+  if (options.name.empty()) {
+    options.name = std::filesystem::path(inputs.front().path).stem().string();
+  }
+  choose_gaps(a, options);
+  choose_layers(a, inputs, options);
+  choose_capsule(a.capsule, inputs, options);
+  Outputs outputs;
+  finish([&](const BuildOptions& o, const Progress& p) { return build(std::move(inputs), o, p); },
+         options, a, outputs);
+}
+
+}  // namespace
+
+void add_build(CLI::App& app) {
+  const auto arguments = std::make_shared<BuildArguments>();
+  BuildArguments& a = *arguments;
+  CLI::App* command = app.add_subcommand("build", "Make an organ file from meshes");
+  command->footer(
+      "Examples:\n"
+      "  stylet-organ build Liver.stl --units mm --voxel-mm 5 -o liver.organ\n"
+      "  stylet-organ build wall.stl:muscle Liver.stl:liver:1 --capsule liver_capsule -o "
+      "torso.organ\n"
+      "  stylet-organ build scan.ply --voxels-across 60 --fix 'x>95%' --wrap -o scan.organ\n"
+      "  stylet-organ build seg.nii.gz --recipe totalsegmentator.toml -o patient.organ");
+  command
+      ->add_option(
+          "inputs", a.inputs,
+          "Meshes (.obj .stl .ply .off), each PATH[:TISSUE[:PRIORITY]]; tissue liver and "
+          "priority 0 unless given; the higher priority wins a voxel; with --recipe one label map")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--units", a.units, "Unit of the meshes")
+      ->type_name("UNIT")
+      ->check(CLI::IsMember(kMetresPerUnit))
+      ->capture_default_str();
+  command->add_option("--scale", a.scale, "Factor on top of the unit")
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  auto* wrap = command->add_flag(
+      "--wrap", a.wrap, "Last resort: replace each mesh by a closed skin around it (adds volume)");
+  command
+      ->add_option("--recipe", a.recipe,
+                   "The input is a label map (see labels --help); this TOML file "
+                   "says which labels are which tissue")
+      ->type_name("FILE")
+      ->excludes(wrap);
+  command
+      ->add_option("--layer", a.layers,
+                   "TISSUE:THICKNESS_MM, repeatable, from the outside; the last fills the rest")
+      ->type_name("LAYER")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--fill-gaps", a.fill_gaps,
+                   "TISSUE:MM: gaps between inputs up to so wide become this tissue")
+      ->type_name("GAP");
+  command->add_flag("--split-gaps", a.split_gaps,
+                    "Parts that lie in one voxel without touching get a voxel each, so that gaps "
+                    "from a third of a voxel on do not glue");
+  command->add_option("--layers-of", a.layers_of, "Tissue that the layers take the place of")
+      ->type_name("TISSUE");
+  command->add_option("--layers-along", a.layers_along, "The way in through the layers")
+      ->type_name("AXIS")
+      ->check(CLI::IsMember({"+x", "-x", "+y", "-y", "+z", "-z"}))
+      ->capture_default_str();
+  add_common(*command, a);
+  command->callback([arguments] { run_build(*arguments); });
+}
+
+}  // namespace stylet::bake

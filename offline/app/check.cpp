@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// stylet-organ check: whether an organ file is whole.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "base/file.h"
+#include "base/outputs.h"
+#include "base/refusal.h"
+#include "commands.h"
+#include "report/info.h"
+#include "stylet/kernel.h"
+
+namespace stylet::bake {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void run_check(const FileArguments& a) {
+  const std::string bytes = read_file(a.file);
+  const SumCheck sum = check_sum(a.file, bytes);
+  const Organ organ = open_organ(a.file, std::as_bytes(std::span(bytes)));
+  if (sum == SumCheck::kDiffers) {
+    refuse("{}: the bytes are whole, but not those of {}{}: expected the file that lay beside it",
+           a.file, a.file, kSumEnding);
+  }
+  Sizes need{};
+  if (const Status status = sizes(organ, Config{}, need); status != Status::kOk) {
+    refuse("{}: {} voxels: {}", a.file, organ.voxel_count, status_name(status));
+  }
+  if (a.json) {
+    const Json facts = {{"file", a.file},
+                        {"ok", true},
+                        {"voxels", organ.voxel_count},
+                        {"hash", fmt::format("{:016x}", organ.hash)},
+                        {"bytes_are_those_built", !organ.content_sha256.empty()},
+                        {"sum_beside_it_agrees", sum == SumCheck::kSame}};
+    fmt::print("{}\n", facts.dump(2));
+    return;
+  }
+  fmt::print(
+      "{}: ok: {} voxels, hash {:016x}, {}{}\n", a.file, organ.voxel_count, organ.hash,
+      organ.content_sha256.empty() ? "without a sum of its bytes" : "the bytes that were built",
+      sum == SumCheck::kSame ? ", those of the sum beside it" : "");
+}
+
+}  // namespace
+
+void add_check(CLI::App& app) {
+  const auto arguments = std::make_shared<FileArguments>();
+  FileArguments& a = *arguments;
+  CLI::App* command = app.add_subcommand("check", "Check that an organ file is whole");
+  command->add_option("file", a.file, "Organ file")->type_name("FILE")->required();
+  command->add_flag("--json", a.json, "As one JSON object");
+  command->footer(
+      "Example:\n  stylet-organ check liver.organ\n"
+      "Every value is checked as the kernel does, then every byte by the SHA-256 in the file; with "
+      "FILE.sha256 beside it (build --sum), whether it is that file.");
+  command->callback([arguments] { run_check(*arguments); });
+}
+
+}  // namespace stylet::bake

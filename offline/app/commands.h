@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commands of stylet-organ, a file each. Each adds itself to the program with its options,
+// which it owns, and runs when CLI11 calls it back. A refusal leaves as an exception
+// (base/refusal.h).
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace stylet::bake {
+
+void add_build(CLI::App& app);
+void add_phantom(CLI::App& app);
+void add_hull(CLI::App& app);
+void add_labels(CLI::App& app);
+void add_info(CLI::App& app);
+void add_check(CLI::App& app);
+
+// ---- what several of them use -------------------------------------------------------------------
+
+// Of a command that shows one file.
+struct FileArguments {
+  std::string file;
+  bool json = false;
+};
+
+inline const std::map<std::string, double> kMetresPerUnit{
+    {"mm", 1e-3}, {"cm", 1e-2}, {"dm", 1e-1}, {"m", 1.0}};
+
+// On standard error, a line each.
+void warn(const std::vector<std::string>& warnings);
+
+}  // namespace stylet::bake

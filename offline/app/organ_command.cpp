@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "organ_command.h"
+
+#include <sys/resource.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "base/file.h"
+#include "base/refusal.h"
+#include "commands.h"
+#include "progress_bar.h"
+#include "report/info.h"
+#include "report/page.h"
+#include "report/quality.h"
+#include "report/speed.h"
+#include "scene_files.h"
+#include "stylet/command_texts.h"
+#include "stylet/limits.h"
+#include "voxels/crop.h"
+
+namespace stylet::bake {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::map<std::string, Inertia> kInertias{{"true_mass", Inertia::kTrueMass},
+                                               {"added_mass", Inertia::kAddedMass}};
+
+// How fine the voxels are, or what decides it.
+void add_resolution(CLI::App& command, CommonArguments& a) {
+  auto* edge = command.add_option("--voxel-mm", a.voxel_mm, "Edge of a voxel")
+                   ->type_name("MM")
+                   ->capture_default_str();
+  auto* across =
+      command
+          .add_option("--voxels-across", a.voxels_across, "Instead: voxels along the longest side")
+          ->type_name("NUMBER")
+          ->check(cli::between(1U, 65535U))
+          ->excludes(edge);
+  auto* fit = command.add_option("--fit", a.fit,
+                                 "Rate, such as 1kHz: the finest voxel edge whose tick takes half "
+                                 "the period at most");
+  fit->type_name("RATE")->excludes(edge)->excludes(across);
+  command
+      .add_option("--machine", a.machine,
+                  "CSV of stylet-bench on the machine to fit to (default: measured here)")
+      ->type_name("FILE")
+      ->needs(fit);
+  command.add_option("--inertia", a.inertia, "loop.inertia of the scene, to reckon with")
+      ->type_name("true_mass|added_mass")
+      ->transform(CLI::CheckedTransformer(kInertias))
+      ->default_str("true_mass");
+  command
+      .add_option("--substeps", a.substeps,
+                  "loop.substeps of the scene, to reckon with (default: 1, with added mass 2)")
+      ->type_name("NUMBER")
+      ->check(cli::between(1U, kMaxSubsteps));
+}
+
+// Without folders, so that the bytes do not depend on where the files lie.
+std::string without_folder(const std::string& fix) {
+  const std::string word = "touching:";
+  if (!fix.starts_with(word)) return fix;
+  return word + std::filesystem::path(fix.substr(word.size())).filename().string();
+}
+
+// The heap and all mappings of our own; what goes beyond fails as if memory were out.
+void limit_memory(std::uint64_t bytes) {
+  constexpr std::uint64_t kLeast = std::uint64_t{64} << 20U;
+  if (bytes == 0) return;
+  if (bytes < kLeast) refuse("--memory-limit {} bytes: expected at least 64MiB", bytes);
+  const rlimit limit = {bytes, bytes};
+  if (::setrlimit(RLIMIT_DATA, &limit) != 0) {
+    refuse("--memory-limit: the system does not take it: {}", std::strerror(errno));
+  }
+}
+
+// The machine that --fit reckons with.
+std::optional<Machine> chosen_machine(const CommonArguments& a) {
+  if (a.fit.empty()) return std::nullopt;
+  (void)period_of(a.fit);  // before anything takes time
+  return a.machine.empty() ? measure_machine(progress_bar()) : read_machine(a.machine);
+}
+
+// What would be refused after minutes of work.
+void check_outputs(const CommonArguments& a) {
+  check_output(a.output);
+  if (!a.report.empty()) check_output_folder(a.report);
+}
+
+Stepping stepping_of(const CommonArguments& a) {
+  Stepping stepping;
+  if (!a.fit.empty()) stepping.period_s = period_of(a.fit);
+  stepping.inertia = a.inertia;
+  const std::uint32_t usual = a.inertia == Inertia::kTrueMass ? 1 : 2;
+  stepping.substeps = a.substeps > 0 ? a.substeps : usual;
+  return stepping;
+}
+
+// Of organs with more, which no tick of a millisecond has room for, a build says what a hand feels
+// of the step's inertia only when it is asked to look (--fit, --report): it takes seconds there.
+constexpr std::uint32_t kInertiaVoxels = 100'000;
+
+}  // namespace
+
+void add_common(CLI::App& command, CommonArguments& a) {
+  command.add_option("-o,--output", a.output, "Organ file to write")->type_name("FILE")->required();
+  command.add_option("--name", a.name, "Name of the organ (default: that of the first input)");
+  add_resolution(command, a);
+  command
+      .add_option(
+          "--capsule", a.capsule,
+          "Tissue of the voxels at the outer surface; auto: liver_capsule on liver; or none")
+      ->type_name("TISSUE")
+      ->capture_default_str();
+  command
+      .add_option("--fix", a.fix,
+                  "What is held in space, repeatable: x>MM, x<MM (or y, z; MM may be N%), "
+                  "box:X0,Y0,Z0,X1,Y1,Z1, touching:MESH, or none")
+      ->type_name("REGION")
+      ->allow_extra_args(false)
+      ->capture_default_str();
+  command
+      .add_option("--crop", a.crop,
+                  "Only the part of the organ that lies in x>MM, x<MM (or y, z; MM may be N%) or "
+                  "box:X0,Y0,Z0,X1,Y1,Z1, repeatable: in all of them; held where it is cut")
+      ->type_name("REGION")
+      ->allow_extra_args(false);
+  command.add_option("--materials", a.materials, "TOML file with tissues of your own")
+      ->type_name("FILE");
+  command
+      .add_option("--report", a.report,
+                  "Folder for a quality report: report.html with pictures, report.json")
+      ->type_name("FOLDER");
+  command
+      .add_option("--memory-limit", a.memory_limit_bytes,
+                  "Refuse instead of taking more memory, such as 2GiB (default: no limit)")
+      ->type_name("SIZE")
+      ->transform(CLI::AsSizeValue(false));
+  command.add_flag("--sum", a.sum,
+                   "Also write OUTPUT.sha256, which check and sha256sum -c compare with");
+  command.add_flag("--json", a.json, "Report as one JSON object on standard output");
+}
+
+BuildOptions common_options(const CommonArguments& a, double metres_per_unit) {
+  limit_memory(a.memory_limit_bytes);
+  BuildOptions options;
+  options.name = a.name;
+  options.voxel_edge_m = a.voxel_mm * 1e-3;
+  require_voxel_edge(options.voxel_edge_m);
+  options.voxels_across = a.voxels_across;
+  options.held = parse_regions(a.fix, metres_per_unit);
+  options.crop = parse_crop(a.crop);
+  if (!a.materials.empty()) options.own_tissues = read_tissues(a.materials);
+  options.measured = !a.report.empty();
+  options.tool_version = kToolVersion;
+  options.options_text = a.voxels_across > 0 ? fmt::format("--voxels-across {}", a.voxels_across)
+                         : !a.fit.empty()    ? "--fit " + a.fit
+                                             : fmt::format("--voxel-mm {}", a.voxel_mm);
+  for (const std::string& fix : a.fix) options.options_text += " --fix " + without_folder(fix);
+  for (const std::string& crop : a.crop) options.options_text += " --crop " + crop;
+  if (!a.materials.empty()) {
+    options.options_text +=
+        " --materials " + std::filesystem::path(a.materials).filename().string();
+  }
+  return options;
+}
+
+std::vector<Layer> parse_layers(const std::vector<std::string>& texts, const char* option) {
+  std::vector<Layer> layers;
+  for (const std::string& text : texts) {
+    const std::size_t colon = text.find(':');
+    double mm = 0;
+    if (colon == std::string::npos || !CLI::detail::lexical_cast(text.substr(colon + 1), mm) ||
+        !(mm > 0)) {
+      refuse("{} '{}': expected TISSUE:MM", option, text);
+    }
+    layers.push_back({mm * 1e-3, text.substr(0, colon)});
+  }
+  return layers;
+}
+
+std::string joined(const std::vector<std::string>& texts) {
+  std::string text;
+  for (const std::string& t : texts) text += (text.empty() ? "" : " ") + t;
+  return text;
+}
+
+void finish(const std::function<Built(const BuildOptions&, const Progress&)>& make,
+            BuildOptions options, const CommonArguments& a, Outputs& outputs) {
+  check_outputs(a);
+  const Stepping stepping = stepping_of(a);
+  const std::optional<Machine> machine = chosen_machine(a);
+  if (machine) options.most_voxels = most_voxels(*machine, stepping);
+  const Progress progress = progress_bar();
+  const Built built = make(options, progress);
+  outputs.add(a.output, built.bytes);
+  if (a.sum) {
+    outputs.add(a.output + kSumEnding, sum_line(a.output, built.bytes));
+  } else if (has_sum_line(a.output)) {  // of the organ that was there before
+    outputs.remove(a.output + kSumEnding);
+  }
+  warn(built.report.warnings);
+  const Organ organ = open_organ(a.output, built.bytes);
+  Json facts = build_facts(built.report);
+  facts["output"] = a.output;
+  facts["organ"] = organ_facts(organ, built.bytes);
+  facts["scene"] = add_scene(outputs, built, a.output);
+  const bool asked = machine || !a.report.empty();
+  if (asked) {
+    facts["speed"] = speed_facts(organ, stepping, machine ? &*machine : nullptr);
+  } else if (organ.voxel_count <= kInertiaVoxels) {
+    facts["speed"] = inertia_facts(organ, stepping);
+  }
+  if (!a.report.empty()) {
+    const Quality quality = measure_quality(organ, built.input_m, progress);
+    facts["quality"] = quality_facts(quality, built.report);
+    add_report(outputs, a.report, facts, organ, built);
+  }
+  outputs.commit();
+  if (a.json) {
+    fmt::print("{}\n", facts.dump(2));
+  } else {
+    fmt::print("{}{}{}{}{}wrote         {}\n", build_text(facts), organ_text(facts["organ"]),
+               asked ? speed_text(facts["speed"]) : "",
+               facts.contains("speed") ? inertia_text(facts["speed"]) : "",
+               scene_text(facts["scene"]), a.output);
+  }
+}
+
+}  // namespace stylet::bake
