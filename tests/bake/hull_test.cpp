@@ -2,6 +2,7 @@
 // stylet-organ hull: obstacles of meshes, as close as they say, and one line for what is none.
 #include "meshes/hull.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <ctime>
 #include <random>
@@ -44,6 +45,41 @@ TEST(Hull, OfABlockIsItsEightCorners) {
   EXPECT_EQ(hull.vertices_m.size(), 8U);
   EXPECT_EQ(hull.deviation_m, 0);
   EXPECT_NEAR(hull.volume_m3, 0.04 * 0.03 * 0.02, 1e-12);
+}
+
+// Leaves holes of many sizes in the heap, other ones for each seed.
+std::vector<std::vector<char>> litter(std::uint64_t seed) {
+  std::mt19937_64 engine(seed);
+  std::vector<std::vector<char>> blocks(4000);
+  for (std::vector<char>& block : blocks) block.resize(16 + engine() % 8000);
+  std::shuffle(blocks.begin(), blocks.end(), engine);
+  blocks.resize(blocks.size() / 2);
+  return blocks;
+}
+
+// Of voxels many corners lie in one plane and equally far from a body: where the hull's order would
+// follow addresses, another of them would be chosen.
+TEST(Hull, IsTheSameWhateverLiesInTheHeap) {
+  std::vector<Vec> corners;
+  for (int z = -9; z <= 9; ++z) {
+    for (int y = -9; y <= 9; ++y) {
+      for (int x = -9; x <= 9; ++x) {
+        if (x * x + 2 * y * y + z * z <= 81)
+          corners.push_back(Vec{1.0 * x, 1.0 * y, 1.0 * z} * 0.003);
+      }
+    }
+  }
+  const bake::Hull first = bake::simple_hull("voxels", corners, 24);
+  const double volume_m3 = bake::hull_volume_m3(corners);
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const std::vector<std::vector<char>> blocks = litter(seed);
+    const bake::Hull hull = bake::simple_hull("voxels", corners, 24);
+    EXPECT_EQ(hull.vertices_m, first.vertices_m);
+    EXPECT_EQ(hull.hull_vertices, first.hull_vertices);
+    EXPECT_EQ(hull.volume_m3, first.volume_m3);
+    EXPECT_EQ(hull.deviation_m, first.deviation_m);
+    EXPECT_EQ(bake::hull_volume_m3(corners), volume_m3);
+  }
 }
 
 TEST(Hull, OfABallIsAsCloseAsItSays) {

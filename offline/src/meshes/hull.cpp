@@ -17,9 +17,34 @@ using Kernel = CgalKernel;
 using Point = Kernel::Point_3;
 using Surface = CgalSurface;
 
+// CGAL's quickhull keeps the rim of what a point sees in a map in the order of the vertices'
+// addresses. Which of several points in one plane become vertices, and how its faces are cut, would
+// follow the heap: the hull of a rib was another one after other allocations. A name of our own in
+// its traits makes its vertices a type of our own, whose order is written below.
+struct OrderedByPlace;
+using Traits = CGAL::Convex_hull_traits_3<Kernel, OrderedByPlace, CGAL::Tag_true>;
+using QuickhullVertex =
+    CGAL::Triangulation_data_structure_2<CGAL::Convex_hull_vertex_base_2<CGAL::GT3_for_CH3<Traits>>,
+                                         CGAL::Convex_hull_face_base_2<Traits>>::Vertex_handle;
+
+}  // namespace
+}  // namespace stylet::bake
+
+// No two vertices of a hull are at one place.
+template <>
+struct std::less<stylet::bake::QuickhullVertex> {
+  bool operator()(const stylet::bake::QuickhullVertex& a,
+                  const stylet::bake::QuickhullVertex& b) const {
+    return a->point() < b->point();
+  }
+};
+
+namespace stylet::bake {
+namespace {
+
 // Thinner than this share of its length, a mesh is flat, and a hull of it no body.
 constexpr double kFlat = 1e-6;
-// The kernel refuses a configuration with vertices farther out (kernel/src/obstacle.cpp).
+// The kernel refuses a configuration with vertices farther out (kernel/src/needle/obstacle.cpp).
 constexpr double kFarthestM = 10;
 
 Vec to_vec(const Point& p) {
@@ -30,7 +55,7 @@ Surface hull_of(const std::vector<Vec>& points) {
   std::vector<Point> given;
   for (const Vec& p : points) given.emplace_back(p.x, p.y, p.z);
   Surface surface;
-  CGAL::convex_hull_3(given.begin(), given.end(), surface);
+  CGAL::convex_hull_3(given.begin(), given.end(), surface, Traits());
   return surface;
 }
 
