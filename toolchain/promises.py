@@ -59,7 +59,7 @@ ROWS = [
      "and recording stay whole",
      r"e2e\.process\..*|e2e\.signals.*|console\.(Program|Wishes)\..*", None),
     ("a device may fail at any tick", r"device_faults\..*", None),
-    ("the guard's states are those of hal/GUARD.md", r"hal_guard\.GuardStates\..*", None),
+    ("the guard's states are those of hal/guard/GUARD.md", r"hal_guard\.GuardStates\..*", None),
     ("no limit cycle, no energy for the hand, with a Touch and an omega.7",
      r"e2e\.limit_cycles\..*|hal_coupling\.SafetyScenes\..*", None),
     ("the second before a fault is kept", r"hal_flight\..*", None),

@@ -4,10 +4,10 @@
 #include <array>
 #include <string_view>
 
-#include "commands.h"
-#include "console/console_process.h"
-#include "stylet/hal/igtl_process.h"
-#include "stylet/hal/recorder_process.h"
+#include "hal/app/commands.h"
+#include "hal/console/console_process.h"
+#include "hal/publish/igtl_process.h"
+#include "hal/record/recorder_process.h"
 
 namespace stylet::app {
 namespace {

@@ -14,16 +14,16 @@
 #include <thread>
 #include <variant>
 
-#include "console/console_process.h"
-#include "console/limits.h"
-#include "serve.h"
-#include "session.h"
-#include "stop_signal.h"
-#include "stylet/hal/contained.h"
-#include "stylet/hal/follower.h"
-#include "stylet/hal/metrics.h"
-#include "stylet/hal/output_file.h"
-#include "stylet/hal/pointer.h"
+#include "hal/app/serve.h"
+#include "hal/app/session.h"
+#include "hal/app/stop_signal.h"
+#include "hal/base/contained.h"
+#include "hal/base/follower.h"
+#include "hal/base/output_file.h"
+#include "hal/console/console_process.h"
+#include "hal/console/limits.h"
+#include "hal/device/drivers/pointer.h"
+#include "hal/publish/metrics.h"
 
 namespace stylet::app {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // stylet devices, stylet devices probe, and stylet station.
-#include "stylet/hal/devices.h"
+#include "hal/device/devices.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -15,17 +15,17 @@
 #include <thread>
 #include <utility>
 
-#include "commands.h"
-#include "fault_desk.h"
-#include "opening.h"
-#include "stop_signal.h"
-#include "stylet/hal/contained.h"
-#include "stylet/hal/device_probe.h"
-#include "stylet/hal/device_search.h"
-#include "stylet/hal/host.h"
-#include "stylet/hal/output_file.h"
-#include "stylet/hal/station.h"
-#include "terminal.h"
+#include "hal/app/commands.h"
+#include "hal/app/fault_desk.h"
+#include "hal/app/opening.h"
+#include "hal/app/stop_signal.h"
+#include "hal/app/terminal.h"
+#include "hal/base/contained.h"
+#include "hal/base/output_file.h"
+#include "hal/device/search.h"
+#include "hal/doctor/probe.h"
+#include "hal/loop/host.h"
+#include "hal/loop/station.h"
 
 namespace stylet::app {
 namespace {

@@ -10,12 +10,12 @@
 #include <stdexcept>
 #include <thread>
 
-#include "commands.h"
-#include "doctor_text.h"
-#include "stylet/hal/contained.h"
-#include "stylet/hal/replay.h"
+#include "hal/app/commands.h"
+#include "hal/app/doctor_text.h"
+#include "hal/app/terminal.h"
+#include "hal/base/contained.h"
+#include "hal/record/replay.h"
 #include "stylet/resonance.h"
-#include "terminal.h"
 
 namespace stylet::app {
 namespace {

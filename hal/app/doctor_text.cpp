@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "doctor_text.h"
+#include "hal/app/doctor_text.h"
 
 #include <fmt/format.h>
 

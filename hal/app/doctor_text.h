@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "stylet/hal/doctor.h"
-#include "stylet/hal/doctor_measure.h"
+#include "hal/doctor/doctor.h"
+#include "hal/doctor/measure.h"
 
 namespace stylet::app {
 

@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
-#include "stylet/hal/device.h"
-#include "stylet/hal/fault_mailbox.h"
+#include "hal/device/device.h"
+#include "hal/guard/fault_mailbox.h"
 
 namespace stylet::app {
 

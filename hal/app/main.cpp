@@ -12,12 +12,12 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "commands.h"
-#include "console/limits.h"
+#include "hal/app/commands.h"
+#include "hal/base/side_process.h"
+#include "hal/console/limits.h"
+#include "hal/device/driver_call.h"
+#include "hal/publish/igtl.h"
 #include "stylet/command_texts.h"
-#include "stylet/hal/driver_call.h"
-#include "stylet/hal/igtl.h"
-#include "stylet/hal/side_process.h"
 #include "stylet/limits.h"
 
 namespace stylet::app {

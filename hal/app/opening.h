@@ -12,9 +12,9 @@
 #include <span>
 #include <string>
 
-#include "stop_signal.h"
-#include "stylet/hal/devices.h"
-#include "stylet/hal/driver_call.h"
+#include "hal/app/stop_signal.h"
+#include "hal/device/devices.h"
+#include "hal/device/driver_call.h"
 
 namespace stylet::app {
 

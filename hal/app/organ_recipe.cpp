@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "organ_recipe.h"
+#include "hal/app/organ_recipe.h"
 
 #include <fmt/format.h>
 

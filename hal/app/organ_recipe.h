@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "stylet/hal/scene.h"
+#include "hal/scene/scene.h"
 
 namespace stylet::app {
 

@@ -7,14 +7,14 @@
 #include <filesystem>
 #include <thread>
 
-#include "commands.h"
-#include "console/player.h"
-#include "console/server.h"
-#include "recorded_score.h"
-#include "serve.h"
-#include "stop_signal.h"
-#include "stylet/hal/replay.h"
-#include "stylet/hal/scene.h"
+#include "hal/app/commands.h"
+#include "hal/app/recorded_score.h"
+#include "hal/app/serve.h"
+#include "hal/app/stop_signal.h"
+#include "hal/console/player.h"
+#include "hal/console/server.h"
+#include "hal/record/replay.h"
+#include "hal/scene/scene.h"
 
 namespace stylet::app {
 namespace {

@@ -21,10 +21,10 @@
 #include <string_view>
 #include <vector>
 
-#include "commands.h"
-#include "stylet/hal/output_file.h"
-#include "stylet/hal/phases.h"
-#include "stylet/hal/recording.h"
+#include "hal/app/commands.h"
+#include "hal/base/output_file.h"
+#include "hal/record/recording.h"
+#include "hal/score/phases.h"
 
 extern char** environ;
 

@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "stylet/hal/recording.h"
-#include "stylet/hal/score.h"
+#include "hal/record/recording.h"
+#include "hal/score/score.h"
 
 namespace stylet::app {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "report.h"
+#include "hal/app/report.h"
 
 #include <fmt/format.h>
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "score_text.h"
-#include "stylet/hal/host.h"
-#include "stylet/hal/loop.h"
-#include "stylet/hal/phases.h"
-#include "stylet/hal/replay.h"
+#include "hal/app/score_text.h"
+#include "hal/loop/host.h"
+#include "hal/loop/loop.h"
+#include "hal/record/replay.h"
+#include "hal/score/phases.h"
 #include "stylet/kernel.h"
 #include "stylet/resonance.h"
 

@@ -7,14 +7,14 @@
 #include <memory>
 #include <thread>
 
-#include "commands.h"
-#include "fault_desk.h"
-#include "report.h"
-#include "session.h"
-#include "stop_signal.h"
-#include "stylet/hal/output_file.h"
-#include "stylet/hal/replay.h"
-#include "terminal.h"
+#include "hal/app/commands.h"
+#include "hal/app/fault_desk.h"
+#include "hal/app/report.h"
+#include "hal/app/session.h"
+#include "hal/app/stop_signal.h"
+#include "hal/app/terminal.h"
+#include "hal/base/output_file.h"
+#include "hal/record/replay.h"
 
 namespace stylet::app {
 namespace {

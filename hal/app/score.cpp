@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "commands.h"
-#include "recorded_score.h"
-#include "score_text.h"
-#include "stylet/hal/recording.h"
-#include "stylet/hal/replay.h"
-#include "stylet/hal/scene.h"
+#include "hal/app/commands.h"
+#include "hal/app/recorded_score.h"
+#include "hal/app/score_text.h"
+#include "hal/record/recording.h"
+#include "hal/record/replay.h"
+#include "hal/scene/scene.h"
 
 namespace stylet::app {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "score_text.h"
+#include "hal/app/score_text.h"
 
 #include <fmt/format.h>
 

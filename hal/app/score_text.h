@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "stylet/hal/score.h"
+#include "hal/score/score.h"
 #include "stylet/organ.h"
 
 namespace stylet::app {

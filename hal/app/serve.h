@@ -2,8 +2,8 @@
 // Where the console listens, and under which token, from the command line.
 #pragma once
 
-#include "commands.h"
-#include "console/server.h"
+#include "hal/app/commands.h"
+#include "hal/console/server.h"
 
 namespace stylet::app {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "session.h"
+#include "hal/app/session.h"
 
 #include <fmt/format.h>
 
@@ -12,13 +12,13 @@
 #include <limits>
 #include <utility>
 
-#include "opening.h"
-#include "organ_recipe.h"
-#include "stylet/hal/contained.h"
-#include "stylet/hal/devices.h"
-#include "stylet/hal/helpers.h"
-#include "stylet/hal/input_file.h"
-#include "stylet/hal/recorder.h"
+#include "hal/app/opening.h"
+#include "hal/app/organ_recipe.h"
+#include "hal/base/contained.h"
+#include "hal/base/input_file.h"
+#include "hal/device/devices.h"
+#include "hal/loop/helpers.h"
+#include "hal/record/recorder.h"
 
 namespace stylet::app {
 namespace {

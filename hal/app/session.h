@@ -13,16 +13,16 @@
 #include <thread>
 #include <vector>
 
-#include "commands.h"
-#include "report.h"
-#include "stylet/hal/display.h"
-#include "stylet/hal/host.h"
-#include "stylet/hal/igtl_process.h"
-#include "stylet/hal/instance.h"
-#include "stylet/hal/loop.h"
-#include "stylet/hal/recorder_process.h"
-#include "stylet/hal/replay_device.h"
-#include "stylet/hal/scene.h"
+#include "hal/app/commands.h"
+#include "hal/app/report.h"
+#include "hal/loop/display.h"
+#include "hal/loop/host.h"
+#include "hal/loop/instance.h"
+#include "hal/loop/loop.h"
+#include "hal/publish/igtl_process.h"
+#include "hal/record/recorder_process.h"
+#include "hal/record/replay_device.h"
+#include "hal/scene/scene.h"
 
 namespace stylet::app {
 

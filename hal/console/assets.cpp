@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "assets.h"
+#include "hal/console/assets.h"
 
 // STYLET_PAGE_DIST: the folder, from CMake; the files are dependencies of this one there.
 #define STYLET_EMBED(name, file)                 \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "console_process.h"
+#include "hal/console/console_process.h"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "limits.h"
-#include "stylet/hal/packing.h"
-#include "stylet/hal/score_packing.h"
+#include "hal/base/packing.h"
+#include "hal/console/limits.h"
+#include "hal/score/packing.h"
 
 namespace stylet::console {
 namespace {

@@ -16,10 +16,10 @@
 #include <string>
 #include <variant>
 
-#include "server.h"
-#include "stylet/hal/channel.h"
-#include "stylet/hal/metrics.h"
-#include "stylet/hal/side_process.h"
+#include "hal/base/channel.h"
+#include "hal/base/side_process.h"
+#include "hal/console/server.h"
+#include "hal/publish/metrics.h"
 
 namespace stylet::console {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gate.h"
+#include "hal/console/gate.h"
 
 #include <sys/random.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "messages.h"
+#include "hal/console/messages.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "limits.h"
+#include "hal/console/limits.h"
 
 namespace stylet::console {
 namespace {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "console_generated.h"
-#include "rows.h"
-#include "stage.h"
+#include "hal/console/rows.h"
+#include "hal/console/stage.h"
 
 namespace stylet::console {
 

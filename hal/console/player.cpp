@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "player.h"
+#include "hal/console/player.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "limits.h"
-#include "stylet/hal/contained.h"
+#include "hal/base/contained.h"
+#include "hal/console/limits.h"
 
 namespace stylet::console {
 namespace {

@@ -20,11 +20,11 @@
 #include <thread>
 #include <vector>
 
-#include "limits.h"
-#include "rows.h"
-#include "stylet/hal/display.h"
-#include "stylet/hal/instance.h"
-#include "stylet/hal/recording.h"
+#include "hal/console/limits.h"
+#include "hal/console/rows.h"
+#include "hal/loop/display.h"
+#include "hal/loop/instance.h"
+#include "hal/record/recording.h"
 
 namespace stylet::console {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "rows.h"
+#include "hal/console/rows.h"
 
 #include <algorithm>
 #include <array>

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "console_generated.h"
-#include "stylet/hal/loop.h"
-#include "stylet/hal/record.h"
+#include "hal/loop/loop.h"
+#include "hal/loop/record.h"
 
 namespace stylet::console {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "server.h"
+#include "hal/console/server.h"
 
 #include <fmt/format.h>
 #include <pthread.h>
@@ -19,9 +19,9 @@
 #include <thread>
 #include <utility>
 
-#include "assets.h"
-#include "limits.h"
-#include "stylet/hal/contained.h"
+#include "hal/base/contained.h"
+#include "hal/console/assets.h"
+#include "hal/console/limits.h"
 
 namespace stylet::console {
 namespace {

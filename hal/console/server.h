@@ -15,11 +15,11 @@
 #include <string>
 #include <vector>
 
-#include "gate.h"
-#include "messages.h"
-#include "stage.h"
-#include "stylet/hal/channel.h"
-#include "stylet/hal/recording.h"
+#include "hal/base/channel.h"
+#include "hal/console/gate.h"
+#include "hal/console/messages.h"
+#include "hal/console/stage.h"
+#include "hal/record/recording.h"
 
 namespace stylet::console {
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "stylet/hal/display.h"
-#include "stylet/hal/instance.h"
-#include "stylet/hal/record.h"
-#include "stylet/hal/score.h"
+#include "hal/loop/display.h"
+#include "hal/loop/instance.h"
+#include "hal/loop/record.h"
+#include "hal/score/score.h"
 
 namespace stylet::console {
 

@@ -36,12 +36,12 @@
 #include <thread>
 #include <vector>
 
+#include "hal/guard/guard.h"
 #include "state/layout.h"
 #include "liver.h"
 #include "machine.h"
 #include "peers.h"
 #include "processors.h"
-#include "stylet/hal/guard.h"
 #include "summary.h"
 #include "variants.h"
 

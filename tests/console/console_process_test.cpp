@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the console's process may say to the loop's, also gone mad.
-#include "console/console_process.h"
+#include "hal/console/console_process.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "console/limits.h"
+#include "hal/console/limits.h"
 
 namespace stylet::console {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who may ask the console for what.
-#include "console/gate.h"
+#include "hal/console/gate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frames: deltas rebuild what a key frame says, and the places in them deform the surface as the
 // kernel does. What a page sends: anything else than a message is refused.
-#include "console/messages.h"
+#include "hal/console/messages.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "console/limits.h"
-#include "hal/rig.h"
+#include "hal/console/limits.h"
+#include "tests/hal/rig.h"
 
 namespace stylet::console {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recording on the console: the recorded force at the tick that was sought, to the bit, and the
 // tissue as the kernel has it there, whatever was sought before.
-#include "console/player.h"
+#include "hal/console/player.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 #include <random>
 #include <thread>
 
-#include "console/limits.h"
+#include "hal/console/limits.h"
+#include "hal/record/recording.h"
 #include "served.h"
-#include "stylet/hal/recording.h"
 
 namespace stylet::console::test {
 namespace {

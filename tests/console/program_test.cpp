@@ -14,7 +14,7 @@
 #include <random>
 
 #include "client.h"
-#include "stylet/hal/recording.h"
+#include "hal/record/recording.h"
 #include "tiny_organ.h"
 
 namespace stylet::console::test {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "client.h"
-#include "console/server.h"
-#include "hal/rig.h"
-#include "stylet/hal/recorder.h"
+#include "hal/console/server.h"
+#include "hal/record/recorder.h"
+#include "tests/hal/rig.h"
 
 namespace stylet::console::test {
 

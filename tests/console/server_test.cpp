@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The server against good and bad clients: whatever one of them does, at most its connection ends.
-#include "console/server.h"
+#include "hal/console/server.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <random>
 
-#include "console/assets.h"
-#include "console/limits.h"
+#include "hal/console/assets.h"
+#include "hal/console/limits.h"
 #include "served.h"
 
 namespace stylet::console::test {

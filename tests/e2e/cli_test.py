@@ -411,7 +411,7 @@ class Help(unittest.TestCase):
 class Devices(Folder):
     """A device is found, probed, and holds a needle; here it is the example client."""
 
-    CLIENT = SOURCE / "hal/devices/example_client.py"
+    CLIENT = SOURCE / "hal/device/example_client.py"
 
     def client(self, port, seconds):
         client = subprocess.Popen([sys.executable, self.CLIENT, "127.0.0.1", str(port),

@@ -23,7 +23,7 @@ import h5py
 from cli_test import BIN, SCENE, SOURCE
 from process_test import Disturbed, of_session, wait_until
 
-sys.path.insert(0, str(SOURCE / "hal/devices"))
+sys.path.insert(0, str(SOURCE / "hal/device"))
 from example_client import sample_packet  # noqa: E402
 
 

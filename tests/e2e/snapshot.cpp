@@ -15,10 +15,10 @@
 #include <string>
 #include <vector>
 
+#include "hal/loop/instance.h"
+#include "hal/record/recording.h"
+#include "hal/record/replay.h"
 #include "promises.h"
-#include "stylet/hal/instance.h"
-#include "stylet/hal/recording.h"
-#include "stylet/hal/replay.h"
 
 namespace stylet::test {
 namespace {

@@ -17,12 +17,12 @@
 #include <optional>
 #include <vector>
 
-#include "stylet/hal/devices.h"
-#include "stylet/hal/guard.h"
-#include "stylet/hal/link.h"
-#include "stylet/hal/packet.h"
-#include "stylet/hal/peer_device.h"
-#include "stylet/hal/station.h"
+#include "hal/device/devices.h"
+#include "hal/device/drivers/peer.h"
+#include "hal/device/link.h"
+#include "hal/device/packet.h"
+#include "hal/guard/guard.h"
+#include "hal/loop/station.h"
 #include "target.h"
 
 namespace stylet::test {

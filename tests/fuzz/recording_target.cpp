@@ -11,8 +11,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "hal/record/recording.h"
 #include "session.h"
-#include "stylet/hal/recording.h"
 #include "target.h"
 
 namespace stylet::test {

@@ -3,10 +3,10 @@
 // something the kernel, the guard and the hand take.
 #include <cmath>
 
+#include "hal/device/drivers/simulated_hand.h"
+#include "hal/device/drivers/steered.h"
+#include "hal/scene/scene.h"
 #include "session.h"
-#include "stylet/hal/scene.h"
-#include "stylet/hal/simulated_hand.h"
-#include "stylet/hal/steered.h"
 #include "target.h"
 
 namespace stylet::test {

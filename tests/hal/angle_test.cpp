@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sine and cosine without libm, against libm.
-#include "stylet/hal/angle.h"
+#include "hal/base/angle.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stylet/hal/channel.h"
+#include "hal/base/channel.h"
 
 #include <gtest/gtest.h>
 

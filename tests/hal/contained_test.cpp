@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What no thread lets out, and a recorder without memory.
-#include "stylet/hal/contained.h"
+#include "hal/base/contained.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "stylet/hal/recorder.h"
+#include "hal/record/recorder.h"
 
 namespace stylet::hal {
 namespace {

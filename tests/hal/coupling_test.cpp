@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The virtual coupling: stiffness felt, no lag where there is nothing, and no energy for the hand.
-#include "stylet/hal/coupling.h"
+#include "hal/loop/coupling.h"
 
 #include <gtest/gtest.h>
 

@@ -14,11 +14,11 @@
 #include <string>
 #include <thread>
 
+#include "hal/base/clock.h"
+#include "hal/device/device.h"
+#include "hal/device/devices.h"
+#include "hal/guard/guard.h"
 #include "standin/standin.h"
-#include "stylet/hal/clock.h"
-#include "stylet/hal/device.h"
-#include "stylet/hal/devices.h"
-#include "stylet/hal/guard.h"
 
 namespace stylet::hal {
 

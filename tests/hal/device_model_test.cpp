@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Devices by name, and what the simulated hand does with their dynamics: against closed forms.
-#include "stylet/hal/device_model.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,9 +7,10 @@
 #include <set>
 #include <string>
 
-#include "stylet/hal/guard.h"
-#include "stylet/hal/simulated_hand.h"
-#include "stylet/hal/steady.h"
+#include "hal/device/drivers/simulated_hand.h"
+#include "hal/device/model.h"
+#include "hal/guard/guard.h"
+#include "hal/loop/steady.h"
 
 namespace stylet::hal {
 namespace {

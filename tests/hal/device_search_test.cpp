@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `stylet devices`: what is here, why something is not, and the remedy; on trees of /sys, /proc and
 // /dev made for the purpose, with the vendors' libraries there.
-#include "stylet/hal/device_search.h"
-
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -10,6 +8,7 @@
 #include <fstream>
 
 #include "device_bench.h"
+#include "hal/device/search.h"
 
 namespace stylet::hal {
 namespace {

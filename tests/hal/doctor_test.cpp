@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The doctor on captured machines: what it says of each, and that every check can say no.
-#include "stylet/hal/doctor.h"
+#include "hal/doctor/doctor.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "doctor_tree.h"
-#include "stylet/hal/doctor_measure.h"
+#include "hal/base/host_tree.h"
+#include "hal/doctor/measure.h"
 
 namespace stylet::hal {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The flight recorder: the second before a fault and what followed, and nothing without one.
-#include "stylet/hal/flight.h"
+#include "hal/record/flight.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "hal/record/recorder.h"
 #include "rig.h"
-#include "stylet/hal/recorder.h"
 
 namespace stylet::hal {
 namespace {

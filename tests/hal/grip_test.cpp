@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stylet/hal/grip.h"
+#include "hal/loop/grip.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "stylet/hal/mapping.h"
+#include "hal/loop/mapping.h"
 
 namespace stylet::hal {
 namespace {

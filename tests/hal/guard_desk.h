@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "stylet/hal/guard.h"
+#include "hal/guard/guard.h"
 
 namespace stylet::hal {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The guard's states: every cell of the table in hal/GUARD.md, and what each of the new nets does.
+// The guard's states: every cell of the table in hal/guard/GUARD.md, and what each of the new nets
+// does.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stylet/hal/guard.h"
+#include "hal/guard/guard.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Helper threads beside the loop: same bits, in virtual and in real time; asleep between ticks.
-#include "stylet/hal/helpers.h"
+#include "hal/loop/helpers.h"
 
 #include <gtest/gtest.h>
 #include <time.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The server as the library's own client sees it, and as clients see it that mean no good.
-#include "stylet/hal/igtl.h"
+#include "hal/publish/igtl.h"
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>

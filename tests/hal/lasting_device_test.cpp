@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A device that fails and is opened again, while a loop reads and writes it without a pause.
-#include "stylet/hal/lasting_device.h"
+#include "hal/device/lasting_device.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "stylet/hal/devices.h"
+#include "hal/device/devices.h"
 
 namespace stylet::hal {
 namespace {

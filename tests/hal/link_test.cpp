@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The slots of shared memory: who may come first, what is news, what is left behind.
-#include "stylet/hal/link.h"
+#include "hal/device/link.h"
 
 #include <gtest/gtest.h>
 #include <netinet/in.h>
@@ -20,8 +20,8 @@
 #include <span>
 #include <string>
 
-#include "stylet/hal/devices.h"
-#include "stylet/hal/packet.h"
+#include "hal/device/devices.h"
+#include "hal/device/packet.h"
 
 namespace stylet::hal {
 namespace {

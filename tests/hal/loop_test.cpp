@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The whole loop on a virtual clock: kernel, guard, devices that misbehave, recorder and replay.
-#include "stylet/hal/loop.h"
+#include "hal/loop/loop.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -12,11 +12,11 @@
 #include <limits>
 #include <vector>
 
+#include "hal/record/recorder.h"
+#include "hal/record/recording.h"
+#include "hal/record/replay.h"
+#include "hal/record/replay_device.h"
 #include "rig.h"
-#include "stylet/hal/recorder.h"
-#include "stylet/hal/recording.h"
-#include "stylet/hal/replay.h"
-#include "stylet/hal/replay_device.h"
 
 namespace stylet::hal {
 namespace {

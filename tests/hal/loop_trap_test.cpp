@@ -15,8 +15,8 @@
 #include <cstdint>
 
 #include "allocation_trap.h"
+#include "hal/loop/host.h"
 #include "rig.h"
-#include "stylet/hal/host.h"
 
 namespace stylet::hal {
 namespace {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "device_bench.h"
-#include "stylet/hal/link.h"
-#include "stylet/hal/station.h"
+#include "hal/device/link.h"
+#include "hal/loop/station.h"
 
 namespace stylet::hal {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers of the metrics. That their text is of the format is for metrics_test.py, which reads what
 // Metrics.Sample prints with Prometheus' own parser.
-#include "stylet/hal/metrics.h"
+#include "hal/publish/metrics.h"
 
 #include <gtest/gtest.h>
 

@@ -11,10 +11,10 @@
 #include <ostream>
 
 #include "device_bench.h"
+#include "hal/device/lasting_device.h"
 #include "motor_judge.h"
 #include "peer_hand.h"
 #include "rig.h"
-#include "stylet/hal/lasting_device.h"
 #include "virtual_process.h"
 
 namespace stylet::hal {

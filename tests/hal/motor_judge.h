@@ -15,7 +15,7 @@
 
 namespace stylet::hal {
 
-constexpr double kZeroMs = 25;    // from any fault to no force, as hal/GUARD.md promises
+constexpr double kZeroMs = 25;    // from any fault to no force, as hal/guard/GUARD.md promises
 constexpr double kSlackMs = 1.1;  // whoever writes once a millisecond notices one later
 
 inline double ms(std::int64_t ns) {

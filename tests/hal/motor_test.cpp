@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the motors get, whatever loop, device and hand do: random sessions of guard, relay and motor
 // in virtual time, looked at where the force is written, by rules that know nothing of the code.
-#include "stylet/hal/motor.h"
+#include "hal/device/motor.h"
 
 #include <gtest/gtest.h>
 
@@ -11,14 +11,14 @@
 #include <memory>
 #include <string>
 
+#include "hal/device/relay.h"
+#include "hal/guard/guard.h"
 #include "motor_draw.h"
-#include "stylet/hal/guard.h"
-#include "stylet/hal/relay.h"
 
 namespace stylet::hal {
 namespace {
 
-constexpr double kZeroMs = 25;  // from any fault to no force, as hal/GUARD.md promises
+constexpr double kZeroMs = 25;  // from any fault to no force, as hal/guard/GUARD.md promises
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 double size(Vec3 v) {

@@ -20,14 +20,14 @@
 #include <thread>
 
 #include "device_bench.h"
+#include "hal/device/devices.h"
 #include "motor_draw.h"
 #include "rig.h"
-#include "stylet/hal/devices.h"
 
 namespace stylet::hal {
 namespace {
 
-constexpr double kZeroMs = 25;    // from any fault to no force, as hal/GUARD.md promises
+constexpr double kZeroMs = 25;    // from any fault to no force, as hal/guard/GUARD.md promises
 constexpr double kSlackMs = 1.2;  // a write a millisecond, and the look of this test
 constexpr double kLateMs = 1.5;   // whoever waits longer for a processor is held up by the machine
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // An output never destroys what it is made from, nor what is no file.
-#include "stylet/hal/output_file.h"
+#include "hal/base/output_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stylet/hal/packet.h"
+#include "hal/device/packet.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ ForcePacket some_force() {
   return packet;
 }
 
-// The layout that devices/README.md gives to others.
+// The layout that device/README.md gives to others.
 TEST(Packet, FieldsLieWhereTheLayoutSays) {
   SamplePacket sample;
   sample.session = 11;

@@ -8,8 +8,8 @@
 #include <mutex>
 
 #include "device_bench.h"
-#include "stylet/hal/link.h"
-#include "stylet/hal/packet.h"
+#include "hal/device/link.h"
+#include "hal/device/packet.h"
 
 namespace stylet::hal {
 namespace {

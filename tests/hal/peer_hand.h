@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Programs at the other end of a link, for sessions in virtual time: one that follows the rules of
-// hal/devices/README.md, and a station with a device of its own; and the weather between.
+// hal/device/README.md, and a station with a device of its own; and the weather between.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,13 @@
 #include <thread>
 #include <vector>
 
+#include "hal/base/clock.h"
+#include "hal/device/devices.h"
+#include "hal/device/link.h"
+#include "hal/device/packet.h"
+#include "hal/loop/loop.h"
+#include "hal/loop/station.h"
 #include "motor_draw.h"
-#include "stylet/hal/clock.h"
-#include "stylet/hal/devices.h"
-#include "stylet/hal/link.h"
-#include "stylet/hal/loop.h"
-#include "stylet/hal/packet.h"
-#include "stylet/hal/station.h"
 
 namespace stylet::hal {
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is particular to a peer: on a real socket, what it says of itself, and who it is not; in
 // virtual time, what becomes of its clock and its packets.
+#include "hal/device/drivers/peer.h"
+
 #include <deque>
 #include <random>
 
 #include "device_bench.h"
-#include "stylet/hal/link.h"
-#include "stylet/hal/packet.h"
-#include "stylet/hal/peer_device.h"
+#include "hal/device/link.h"
+#include "hal/device/packet.h"
 
 namespace stylet::hal {
 namespace {

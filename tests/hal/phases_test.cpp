@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Curves made by formula, so that every number of a phase is known.
-#include "stylet/hal/phases.h"
+#include "hal/score/phases.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <mutex>
 
 #include "device_bench.h"
-#include "stylet/hal/pointer.h"
+#include "hal/device/drivers/pointer.h"
 
 namespace stylet::hal {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The pointer in virtual time: a millisecond a tick, posts when the test says so.
-#include "stylet/hal/pointer.h"
+#include "hal/device/drivers/pointer.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <thread>
 #include <vector>
 
-#include "stylet/hal/devices.h"
-#include "stylet/hal/guard.h"
+#include "hal/device/devices.h"
+#include "hal/guard/guard.h"
 
 namespace stylet::hal {
 namespace {

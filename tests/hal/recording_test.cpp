@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stylet/hal/recording.h"
+#include "hal/record/recording.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@
 #include <random>
 #include <vector>
 
-#include "stylet/hal/recorder.h"
+#include "hal/record/recorder.h"
 
 namespace stylet::hal {
 namespace {

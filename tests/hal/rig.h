@@ -9,10 +9,10 @@
 #include <memory>
 #include <vector>
 
-#include "stylet/hal/instance.h"
-#include "stylet/hal/loop.h"
-#include "stylet/hal/scene.h"
-#include "stylet/hal/simulated_hand.h"
+#include "hal/device/drivers/simulated_hand.h"
+#include "hal/loop/instance.h"
+#include "hal/loop/loop.h"
+#include "hal/scene/scene.h"
 #include "tiny_organ.h"
 
 namespace stylet::hal {

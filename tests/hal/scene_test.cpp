@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stylet/hal/scene.h"
+#include "hal/scene/scene.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Attempts made by formula, scored by hand.
-#include "stylet/hal/score.h"
+#include "hal/score/score.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "stylet/hal/scene.h"
+#include "hal/scene/scene.h"
 
 namespace stylet::hal {
 namespace {

@@ -2,9 +2,9 @@
 // What is particular to services: Haply's and spacenavd.
 #include <random>
 
-#include "haply_state.h"
+#include "hal/device/drivers/haply.h"
+#include "hal/device/drivers/haply_state.h"
 #include "service_bench.h"
-#include "stylet/hal/haply.h"
 
 namespace stylet::hal {
 namespace {

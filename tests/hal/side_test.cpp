@@ -9,9 +9,9 @@
 #include <thread>
 #include <vector>
 
-#include "stylet/hal/channel.h"
-#include "stylet/hal/follower.h"
-#include "stylet/hal/packing.h"
+#include "hal/base/channel.h"
+#include "hal/base/follower.h"
+#include "hal/base/packing.h"
 
 namespace stylet::hal {
 namespace {

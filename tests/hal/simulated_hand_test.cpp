@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The simulated hand against the closed form of a mass, a spring and a damper.
-#include "stylet/hal/simulated_hand.h"
+#include "hal/device/drivers/simulated_hand.h"
 
 #include <gtest/gtest.h>
 

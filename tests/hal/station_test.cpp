@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One station by itself, tick by tick: what it takes, how it fades, what it counts and what it
 // sends.
-#include "stylet/hal/station.h"
+#include "hal/loop/station.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The steering hand: on a needle that follows its bevel exactly (arcs of Webster et al. 2006), and
 // in the loop with the kernel.
-#include "stylet/hal/steered.h"
+#include "hal/device/drivers/steered.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 #include <deque>
 #include <random>
 
+#include "hal/device/drivers/peer.h"
+#include "hal/loop/station.h"
 #include "rig.h"
-#include "stylet/hal/peer_device.h"
-#include "stylet/hal/station.h"
 
 namespace stylet::hal {
 namespace {

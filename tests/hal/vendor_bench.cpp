@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "device_bench.h"
-#include "stylet/hal/mapping.h"
+#include "hal/loop/mapping.h"
 
 namespace stylet::hal {
 namespace {

@@ -10,13 +10,13 @@
 #include <span>
 
 #include "device_bench.h"
-#include "stylet/hal/device_model.h"
-#include "stylet/hal/device_probe.h"
-#include "stylet/hal/driver_call.h"
-#include "stylet/hal/force_dimension.h"
-#include "stylet/hal/loop.h"
-#include "stylet/hal/openhaptics.h"
-#include "stylet/hal/scene.h"
+#include "hal/device/driver_call.h"
+#include "hal/device/drivers/force_dimension.h"
+#include "hal/device/drivers/openhaptics.h"
+#include "hal/device/model.h"
+#include "hal/doctor/probe.h"
+#include "hal/loop/loop.h"
+#include "hal/scene/scene.h"
 
 namespace stylet::hal {
 namespace {

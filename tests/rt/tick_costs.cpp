@@ -18,10 +18,10 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/loop/instance.h"
+#include "hal/record/recording.h"
+#include "hal/record/replay.h"
 #include "state/attachment.h"
-#include "stylet/hal/instance.h"
-#include "stylet/hal/recording.h"
-#include "stylet/hal/replay.h"
 #include "tick_work.h"
 #include "worst_case.h"
 

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "draw.h"
+#include "hal/device/drivers/simulated_hand.h"
+#include "hal/guard/guard.h"
+#include "hal/loop/mapping.h"
 #include "session.h"
-#include "stylet/hal/guard.h"
-#include "stylet/hal/mapping.h"
-#include "stylet/hal/simulated_hand.h"
 
 namespace stylet::test {
 

@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "hal/loop/loop.h"
 #include "lattice/voxel.h"
 #include "laws/touch.h"
 #include "promises.h"
 #include "state/attachment.h"
 #include "step_energy.h"
-#include "stylet/hal/loop.h"
 #include "tick_work.h"
 
 namespace stylet::test {

@@ -366,7 +366,7 @@ class Tidy(Sample):
                           "std::vector<int> v;", "throw 1;",
                           "std::function<void()> f;", "virtual ~A();", 'printf("x");']:
             with self.subTest(statement):
-                self.write("hal/src/other.cpp", APACHE + statement + "\n")
+                self.write("hal/record/other.cpp", APACHE + statement + "\n")
                 self.write("kernel/src/a.cpp", APACHE + statement + "\n")
                 self.expect_one(self.faults(), "kernel/src/a.cpp:2", "real-time path")
 

@@ -207,7 +207,7 @@ class Tree(unittest.TestCase):
         rules = (HERE / "tree/etc/udev/rules.d/70-stylet-haptic.rules").read_text()
         for_udev = set(re.findall(r'"usb_device", ATTR\{idVendor\}=="(\w+)"'
                                   r'(?:, ATTR\{idProduct\}=="(\w+)")?', rules))
-        source = (HERE.parents[1] / "hal/src/usb_devices.h").read_text()
+        source = (HERE.parents[1] / "hal/device/usb_devices.h").read_text()
         for_stylet = set(re.findall(r'\{"\w+", "(\w{4})", "(\w*)", "', source))
         self.assertGreater(len(for_udev), 2)
         self.assertEqual(for_udev, for_stylet)

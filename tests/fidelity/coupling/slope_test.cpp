@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
+#include "hal/score/phases.h"
 #include "rig.h"
-#include "stylet/hal/phases.h"
 
 namespace stylet::test {
 namespace {

@@ -1,0 +1,508 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hal/device/drivers/haply.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/websocket.hpp>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <thread>
+#include <vector>
+
+#include "hal/device/devices.h"
+#include "hal/device/drivers/haply_events.h"
+#include "hal/device/drivers/haply_state.h"
+#include "hal/device/model.h"
+#include "hal/device/patience.h"
+#include "hal/device/relay.h"
+#include "hal/device/thread.h"
+
+namespace stylet::hal {
+namespace {
+
+using boost::asio::ip::tcp;
+using boost::beast::string_view;
+using nlohmann::json;
+namespace websocket = boost::beast::websocket;
+
+constexpr std::int64_t kExchangeNs = 500'000;
+using Milliseconds = std::chrono::milliseconds;
+using TimePoint = std::chrono::steady_clock::time_point;
+constexpr Milliseconds kAnswerTime(20), kOpeningTime(2000);
+constexpr int kMostUnasked = 16;  // messages besides an answer; more is a flood
+constexpr std::uint32_t kNoAnswer = 1, kDeviceGone = 2, kBrake = 3;
+constexpr const char* kExpected =
+    "expected nothing, ID, or ID@ADDRESS:PORT, and then ,grip=ID ,gate=0.3 ,damping=0 or "
+    ",events=10020";
+// After the commas of a URI. What the service makes of a force: the gate takes some of it where it
+// sees oscillation, damping resists motion. Damping is the kernel's business, so it is none unless
+// asked for; the gate is a net of the service's own and stays as it is.
+struct Wishes {
+  double gate = -1;  // below zero: as the service has it
+  double damping = 0;
+  unsigned short events = 10020;
+  std::string grip;  // an id, or "none"; empty: the only one
+};
+
+// Devices and grips that this program holds: no two needles share one, so that a button held for
+// one hand never arms the other.
+class Claim {
+ public:
+  Claim() = default;
+  ~Claim() {
+    const std::lock_guard lock(mutex());
+    if (!key_.empty()) held().erase(key_);
+  }
+  Claim(const Claim&) = delete;
+  Claim& operator=(const Claim&) = delete;
+  // False: somebody else has it.
+  bool take(const std::string& key) {
+    const std::lock_guard lock(mutex());
+    if (!held().insert(key).second) return false;
+    key_ = key;
+    return true;
+  }
+  static bool is_free(const std::string& key) {
+    const std::lock_guard lock(mutex());
+    return !held().contains(key);
+  }
+
+ private:
+  // Never destroyed: a device may outlive what is static.
+  static std::mutex& mutex() {
+    static auto* const the_only = new std::mutex;
+    return *the_only;
+  }
+  static std::set<std::string>& held() {
+    static auto* const the_only = new std::set<std::string>;
+    return *the_only;
+  }
+  std::string key_;
+};
+
+struct Haply {
+  Relay relay;
+  DeviceThread thread;
+  boost::asio::io_context io;
+  websocket::stream<tcp::socket> socket{io};
+  boost::beast::flat_buffer buffer;
+  bool reading = false, heard = false;  // a message is waited for; one has come
+  std::uint32_t pings = 0;              // sent so far
+  websocket::ping_data ping;            // what the newest one says
+  bool ponged = false;                  // its pong has come
+  Wishes wishes;
+  std::string service;  // where
+  HaplyIds ids;         // for as long as it is open
+  Claim device_claim, grip_claim;
+  std::string identity;
+  HaplyState state;
+  std::atomic<float> asked_n{0}, rendered_n{0};
+  std::mutex mutex;
+  std::string warning;  // the newest event
+  std::unique_ptr<HaplyEvents> events;
+};
+
+// ==== The connection
+
+// A closed connection is all that can be done about a force the service may still hold.
+void hang_up(Haply& haply) {
+  boost::beast::error_code ignored;
+  haply.socket.next_layer().close(ignored);
+  haply.io.restart();
+  haply.io.run();
+}
+
+TimePoint within(Milliseconds longest) {
+  return std::chrono::steady_clock::now() + longest;
+}
+
+// Runs what was started; false: not done in time, or broken. Then the connection is closed, so that
+// what was started ends here, while what it writes to is still there.
+template <typename Done>
+bool finish(Haply& haply, TimePoint end, Done done) {
+  haply.io.restart();
+  while (!done() && haply.io.run_one_until(end) > 0) {
+  }
+  const bool in_time = done();
+  if (!in_time) hang_up(haply);
+  return in_time;
+}
+
+// The next message into the buffer, whenever it comes.
+void listen(Haply& haply) {
+  if (haply.reading || haply.heard) return;
+  haply.reading = true;
+  haply.buffer.clear();
+  haply.socket.async_read(haply.buffer, [&haply](boost::beast::error_code error, std::size_t) {
+    haply.reading = false;
+    haply.heard = !error;
+  });
+}
+
+void take(Haply& haply, json& message) {
+  const auto* text = static_cast<const char*>(haply.buffer.data().data());
+  message = json::parse(text, text + haply.buffer.size(), nullptr, false);
+  haply.heard = false;
+}
+
+bool receive(Haply& haply, json& message, TimePoint end) {
+  listen(haply);
+  if (!finish(haply, end, [&] { return haply.heard; })) return false;
+  take(haply, message);
+  return true;
+}
+
+bool send(Haply& haply, const std::string& text, TimePoint end) {
+  bool done = false;
+  haply.socket.async_write(boost::asio::buffer(text),
+                           [&](boost::beast::error_code error, std::size_t) { done = !error; });
+  return finish(haply, end, [&] { return done; });
+}
+
+// Each has a number of its own: a pong that nobody asked for is allowed, and says nothing.
+bool send_ping(Haply& haply, TimePoint end) {
+  bool done = false;
+  const std::string number = std::to_string(++haply.pings);
+  haply.ping.assign(number.data(), number.size());
+  haply.ponged = false;
+  haply.socket.async_ping(haply.ping, [&](boost::beast::error_code error) { done = !error; });
+  return finish(haply, end, [&] { return done; });
+}
+
+// Everything until the pong, and what is there already behind it: the newest counts. A service that
+// does not end to talk is none.
+bool hear_out(Haply& haply, json& newest, TimePoint end) {
+  for (int i = 0; i < kMostUnasked; ++i) {
+    listen(haply);
+    if (!finish(haply, end, [&] { return haply.heard || haply.ponged; })) return false;
+    haply.io.restart();
+    haply.io.poll();
+    if (haply.heard) {
+      take(haply, newest);
+    } else if (haply.ponged) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// A message, and a ping behind it. The service answers each message once, but may speak unasked,
+// too, and what comes does not say which message it answers: whoever sent the next one for each
+// that comes would get ahead of a slow service by one for each unasked one, and the forces that
+// wait there would grow old. The pong shows that the service has read all that was sent, so that no
+// more than one of our messages is ever on its way. `newest` is null where no message came.
+bool tell(Haply& haply, const std::string& text, json& newest, Milliseconds longest = kAnswerTime) {
+  newest = nullptr;
+  if (!send(haply, text, within(longest)) || !send_ping(haply, within(longest))) return false;
+  const TimePoint end = within(longest);
+  return receive(haply, newest, end) && hear_out(haply, newest, end);
+}
+
+void exchange_once(Haply& haply) {
+  if (!haply.socket.next_layer().is_open()) return;
+  json message;
+  const Vec3 force_n = haply.relay.order(monotonic_now_ns()).force_n;
+  haply.asked_n = std::hypot(force_n.x, force_n.y, force_n.z);
+  const bool answered = tell(haply, force_message(haply.ids, force_n), message);
+  haply.relay.written(monotonic_now_ns());
+  if (!answered) haply.relay.fail(kNoAnswer);
+  if (haply.relay.failed()) return hang_up(haply);  // an event may have said so, too
+  if (message.is_discarded()) return;               // not a message: the next one may be
+  if (take_state(message, haply.ids, haply.state)) {
+    haply.rendered_n = static_cast<float>(haply.state.rendered_n);
+    haply.relay.publish(haply.state.pose, haply.state.buttons, monotonic_now_ns());
+  } else if (message.contains("inverse3")) {
+    haply.relay.fail(kDeviceGone);
+    hang_up(haply);
+  }
+}
+
+// Nothing leaves the thread: what cannot be handled is a device that does not answer.
+void exchange(Haply& haply) try { exchange_once(haply); } catch (const std::exception&) {
+  haply.relay.fail(kNoAnswer);
+}
+
+// In the thread of the events. What ends the device for the hand ends it for us, at once and by its
+// name; the rest is told when somebody asks.
+void hear(Haply& haply, const HaplyEvent& event) {
+  if (!event.device_id.empty() && event.device_id != haply.ids.device) return;
+  if (event.warns) {  // first: who learns that it has failed asks why
+    const std::lock_guard lock(haply.mutex);
+    haply.warning = event.name + (event.message.empty() ? "" : ": " + event.message);
+  }
+  if (event.name == "device-disconnected") haply.relay.fail(kDeviceGone);
+  if (event.safety == "ebrake_triggered") haply.relay.fail(kBrake);
+}
+
+void close(void* self) {
+  const std::unique_ptr<Haply> haply(static_cast<Haply*>(self));
+  haply->events.reset();
+  haply->relay.end();
+  std::this_thread::sleep_for(kFadeTime);
+  haply->thread.stop();
+  if (!haply->socket.next_layer().is_open()) return;
+  json last;
+  (void)tell(*haply, force_message(haply->ids, {}), last);
+  hang_up(*haply);
+}
+std::string trouble(void* self) {
+  Haply& haply = *static_cast<Haply*>(self);
+  if (!haply.relay.failed()) return "";
+  const std::lock_guard lock(haply.mutex);
+  const std::string told = haply.warning.empty() ? "" : " (" + haply.warning + ")";
+  switch (haply.relay.why()) {
+    case kDeviceGone:
+      return "the service does not list it any more: check its cable" + told;
+    case kBrake:
+      return "its emergency brake has locked it" + told;
+    default:
+      return "the service does not answer: systemctl restart haply-inverse-service" + told;
+  }
+}
+
+std::string about(void* self) {
+  Haply& haply = *static_cast<Haply*>(self);
+  const auto said = [](double value) {
+    return value < 0 ? "not told" : fmt::format("{:g}", value);
+  };
+  const float asked = haply.asked_n, rendered = haply.rendered_n;
+  const std::lock_guard lock(haply.mutex);
+  return fmt::format(
+      "its service came with force gate {} and damping {}, now {} and {:g}; {:.2f} N asked, "
+      "{:.2f} N rendered; {}; {}{}",
+      said(haply.state.gate), said(haply.state.damping),
+      said(haply.wishes.gate >= 0 ? haply.wishes.gate : haply.state.gate), haply.wishes.damping,
+      asked, rendered, haply.ids.grip.empty() ? "no grip" : "grip " + haply.ids.grip,
+      haply.events->connected() ? "events are heard" : "no events",
+      haply.warning.empty() ? "" : ": " + haply.warning);
+}
+
+// Takes what is behind the commas off the URI's end.
+Wishes wishes_of(std::string& rest) {
+  Wishes wishes;
+  const std::string whole = rest;
+  for (std::size_t comma = rest.rfind(','); comma != std::string::npos; comma = rest.rfind(',')) {
+    const std::string wish = rest.substr(comma + 1);
+    const std::size_t equals = wish.find('=');
+    const std::string key = wish.substr(0, equals);
+    double value = -1;
+    if (equals != std::string::npos) {
+      std::from_chars(wish.data() + equals + 1, wish.data() + wish.size(), value);
+    }
+    const bool share = (key == "gate" || key == "damping") && value >= 0 && value <= 1;
+    const bool port = key == "events" && value >= 1 && value <= 65535;
+    const bool grip = key == "grip" && equals + 1 < wish.size();
+    if (!share && !port && !grip)
+      throw DeviceError(fmt::format("haply:{}: {}: {}", whole, wish, kExpected));
+    if (key == "gate") wishes.gate = value;
+    if (key == "damping") wishes.damping = value;
+    if (port) wishes.events = static_cast<unsigned short>(value);
+    if (grip) wishes.grip = wish.substr(equals + 1);
+    rest.resize(comma);
+  }
+  return wishes;
+}
+
+tcp::endpoint endpoint_of(const std::string& rest, std::string& id) {
+  const std::size_t at = rest.find('@');
+  id = rest.substr(0, at);
+  const std::string where = at == std::string::npos ? "127.0.0.1:10001" : rest.substr(at + 1);
+  const std::size_t colon = where.rfind(':');
+  boost::beast::error_code error;
+  unsigned short port = 0;
+  if (colon != std::string::npos) {
+    std::from_chars(where.data() + colon + 1, where.data() + where.size(), port);
+  }
+  const auto address = boost::asio::ip::make_address(where.substr(0, colon), error);
+  if (error || port == 0) throw DeviceError(fmt::format("haply:{}: {}", rest, kExpected));
+  return {address, port};
+}
+
+void connect(Haply& haply, const tcp::endpoint& endpoint, const std::string& rest) {
+  boost::beast::error_code error;
+  bool connected = false;
+  haply.socket.next_layer().async_connect(endpoint, [&](boost::beast::error_code result) {
+    error = result;
+    connected = true;
+  });
+  if (!finish(haply, within(kOpeningTime), [&] { return connected; }))
+    error = boost::asio::error::timed_out;
+  if (!error) {
+    haply.socket.next_layer().set_option(tcp::no_delay(true));
+    haply.socket.control_callback([&haply](websocket::frame_type type, string_view said) {
+      const string_view wanted(haply.ping.data(), haply.ping.size());
+      if (type == websocket::frame_type::pong && said == wanted) haply.ponged = true;
+    });
+    bool done = false;
+    haply.socket.async_handshake("localhost", "/", [&](boost::beast::error_code result) {
+      error = result;
+      done = true;
+    });
+    if (!finish(haply, within(kOpeningTime), [&] { return done; }))
+      error = boost::asio::error::timed_out;
+  }
+  if (!error) return;
+  throw DeviceError(
+      fmt::format("haply:{}: {}:{}: {}: install haply-inverse-service and start it "
+                  "(systemctl start haply-inverse-service)",
+                  rest, endpoint.address().to_string(), endpoint.port(), error.message()));
+}
+
+std::string listed(const std::vector<std::string>& ids) {
+  std::string all;
+  for (const std::string& each : ids) all += (all.empty() ? "" : ", ") + each;
+  return all.empty() ? "none" : all;
+}
+
+// The one that is asked for, or the first that nobody here holds; from now on it and no other.
+bool choose_device(Haply& haply, const json& message, const std::string& wanted) {
+  for (const std::string& each : listed_devices(message)) {
+    if (!wanted.empty() && each != wanted) continue;
+    if (!haply.device_claim.take(haply.service + "/device/" + each)) continue;
+    haply.ids.device = each;
+    return true;
+  }
+  return false;
+}
+
+// The one that is asked for, or the only one. Which of several is in which hand nobody can know.
+void choose_grip(Haply& haply, const json& message, const std::string& rest) {
+  const std::string& wanted = haply.wishes.grip;
+  const std::string prefix = haply.service + "/grip/";
+  if (wanted == "none") return;
+  std::vector<std::string> there;
+  for (const std::string& each : listed_grips(message)) {
+    const bool free = wanted.empty() && Claim::is_free(prefix + each);
+    if (free || each == wanted) there.push_back(each);
+  }
+  if (wanted.empty() && there.empty()) return;
+  if (there.size() == 1 && haply.grip_claim.take(prefix + there[0])) {
+    haply.ids.grip = there[0];
+    return;
+  }
+  throw DeviceError(fmt::format(
+      "haply:{}: grip: {}: expected ,grip=ID of one that no other needle holds, or ,grip=none; the "
+      "service lists {}",
+      rest, wanted.empty() ? "several" : wanted, listed(listed_grips(message))));
+}
+
+std::string not_ready(const Haply& haply, const json& last, const std::string& wanted) {
+  if (!haply.ids.device.empty()) {
+    return "not calibrated: put the handle into the holder, as the vendor's guide says";
+  }
+  const std::vector<std::string> all = listed_devices(last);
+  const bool there = std::find(all.begin(), all.end(), wanted) != all.end();
+  if (there || (wanted.empty() && !all.empty())) {
+    return fmt::format("another needle holds it; the service lists {}", listed(all));
+  }
+  return fmt::format("the service lists no such Inverse3: check its cable and power; it lists {}",
+                     listed(all));
+}
+
+const char* no_answer(const Haply& haply, const json& newest) {
+  if (newest.is_null() || haply.ponged) {
+    return "the service does not answer: systemctl restart haply-inverse-service";
+  }
+  return "the service answers no ping: expected a pong to each, as RFC 6455 (5.5.2) asks of it";
+}
+
+// The first message is the inventory; then one for each of ours, all with no force. What is listed
+// is what the last one lists that came whole.
+void wait_until_ready(Haply& haply, const std::string& wanted, const std::string& rest,
+                      double patience_s) {
+  const Patience patience(patience_s);
+  json message, whole;
+  bool answered = receive(haply, message, within(kOpeningTime));
+  while (true) {
+    if (!answered) {
+      throw DeviceError(fmt::format("haply:{}: {}", rest, no_answer(haply, message)));
+    }
+    if (!message.is_discarded()) whole = std::move(message);
+    if (haply.ids.device.empty() && choose_device(haply, whole, wanted)) {
+      take_filters(whole, haply.ids, haply.state);
+      choose_grip(haply, whole, rest);
+    }
+    const bool found = take_state(whole, haply.ids, haply.state);
+    if (found && haply.state.calibrated) return;
+    if (patience.over()) {
+      throw DeviceError(fmt::format("haply:{}: {}", rest, not_ready(haply, whole, wanted)));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    const bool known = !haply.ids.device.empty();
+    answered = tell(haply, known ? force_message(haply.ids, {}) : "{}", message, kOpeningTime);
+  }
+}
+
+void configure(Haply& haply, const std::string& rest) {
+  json answer;
+  const Wishes& wishes = haply.wishes;
+  const std::string wanted = filter_message(haply.ids, wishes.gate, wishes.damping);
+  if (tell(haply, wanted, answer, kOpeningTime)) return;
+  throw DeviceError(fmt::format(
+      "haply:{}: {}", rest,
+      answer.is_null() ? "the service takes no configuration: expected version 3.1 or newer"
+                       : no_answer(haply, answer)));
+}
+
+}  // namespace
+
+Device open_haply(const std::string& rest, double patience_s) try {
+  auto haply = std::make_unique<Haply>();
+  std::string where = rest, wanted;
+  haply->wishes = wishes_of(where);
+  const tcp::endpoint endpoint = endpoint_of(where, wanted);
+  haply->service = fmt::format("{}:{}", endpoint.address().to_string(), endpoint.port());
+  connect(*haply, endpoint, rest);
+  wait_until_ready(*haply, wanted, rest, patience_s);
+  configure(*haply, rest);
+  haply->events = std::make_unique<HaplyEvents>(
+      tcp::endpoint(endpoint.address(), haply->wishes.events),
+      [at = haply.get()](const HaplyEvent& event) { hear(*at, event); });
+  haply->identity = fmt::format("{},grip={}", haply->ids.device,
+                                haply->ids.grip.empty() ? "none" : haply->ids.grip);
+  // Limits from the vendor's pages, kept low: the service does not tell. The rest is of a device
+  // that nothing is known of.
+  const DeviceInfo info = {.name = "Haply Inverse3",
+                           .max_force_n = 5,
+                           .max_slew_n_per_s = 1000,
+                           .max_stiffness_n_per_m = 2000,
+                           .identity = haply->identity.c_str(),
+                           .model = &unknown_device_model()};
+  haply->relay.limits = motor_limits(info);
+  haply->thread.start(kExchangeNs, [at = haply.get()] { exchange(*at); });
+  Device device = relayed(haply.release(), info, close, trouble);
+  device.about = about;
+  return device;
+} catch (const DeviceError&) {
+  throw;
+} catch (const std::exception& error) {  // of a message that nobody thought of
+  throw DeviceError(fmt::format("haply:{}: {}", rest, error.what()));
+}
+
+std::string same_haply(const std::string& rest, const std::string& identity) {
+  std::string where = rest, others;
+  const std::size_t comma = rest.find(',');
+  if (comma != std::string::npos) {
+    where = rest.substr(0, comma);
+    others = rest.substr(comma);
+    if (const std::size_t grip = others.find(",grip="); grip != std::string::npos) {
+      const std::size_t end = others.find(',', grip + 1);
+      others.erase(grip, end == std::string::npos ? end : end - grip);
+    }
+  }
+  const std::size_t at = where.find('@'), split = identity.find(",grip=");
+  return identity.substr(0, split) + (at == std::string::npos ? "" : where.substr(at)) +
+         identity.substr(split) + others;
+}
+
+}  // namespace stylet::hal

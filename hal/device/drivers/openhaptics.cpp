@@ -1,0 +1,500 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hal/device/drivers/openhaptics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <clocale>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "hal/base/clock.h"
+#include "hal/device/devices.h"
+#include "hal/device/drivers/openhaptics_names.h"
+#include "hal/device/lasting_device.h"
+#include "hal/device/model.h"
+#include "hal/device/patience.h"
+#include "hal/device/relay.h"
+#include "hal/device/supervisor.h"
+#include "hal/device/thread.h"
+#include "hal/device/vendor_library.h"
+#include "hal/device/vendor_pose.h"
+
+namespace stylet::hal {
+namespace {
+
+// ==== The vendor's interface, as far as it is used
+
+using Handle = unsigned int;
+using Enum = unsigned int;
+using Callback = unsigned int (*)(void*);
+using SchedulerHandle = unsigned long;
+
+// By value in two registers: a struct of another size is another calling convention.
+struct ErrorInfo {
+  unsigned int code;
+  int internal;
+  Handle device;
+};
+static_assert(sizeof(ErrorInfo) == 12);
+
+constexpr Handle kInvalidHandle = 0xFFFFFFFFU;
+constexpr Enum kCurrentButtons = 0x2000, kCurrentTransform = 0x2052, kCurrentForce = 0x2700;
+constexpr Enum kModelType = 0x2501, kSerialNumber = 0x2504, kCalibrationStyle = 0x2555;
+constexpr Enum kNominalMaxStiffness = 0x2602, kNominalMaxForce = 0x2603,
+               kNominalMaxContinuousForce = 0x2604;
+constexpr Enum kForceOutput = 0x4000, kMaxForceClamping = 0x4001, kForceRamping = 0x4002,
+               kSoftwareForceLimit = 0x4003;
+constexpr Enum kCalibrationOk = 0x5000, kCalibrationNeedsUpdate = 0x5001;
+constexpr int kStyleEncoderReset = 1, kStyleAuto = 2, kStyleInkwell = 4;
+constexpr unsigned short kMaxPriority = 65535;
+constexpr unsigned int kContinue = 1;
+constexpr unsigned int kInvalidInputType = 0x0103;
+// Warm motors and exceeded limits: the vendor lowers the force itself and goes on.
+constexpr unsigned int kFirstHarmless = 0x0200, kLastHarmless = 0x0204;
+
+struct Api {
+  Handle (*init_device)(const char*);
+  void (*disable_device)(Handle);
+  void (*make_current)(Handle);
+  void (*begin_frame)(Handle);
+  void (*end_frame)(Handle);
+  ErrorInfo (*get_error)();
+  const char* (*get_error_string)(unsigned int);
+  void (*enable)(Enum);
+  void (*get_integers)(Enum, int*);
+  void (*get_doubles)(Enum, double*);
+  void (*set_doubles)(Enum, const double*);
+  const char* (*get_string)(Enum);
+  Enum (*check_calibration)();
+  void (*update_calibration)(Enum);
+  void (*start_scheduler)();
+  void (*stop_scheduler)();
+  SchedulerHandle (*schedule)(Callback, void*, unsigned short);
+  void (*unschedule)(SchedulerHandle);
+};
+
+Api load() {
+  const VendorLibrary library("hd", "STYLET_LIBHD",
+                              {"libHD.so", "libHD.so.3.4", "libHD.so.3.4.0", "libHD.so.3.0"});
+  Api api = {};
+  library.need("hdInitDevice", api.init_device);
+  library.need("hdDisableDevice", api.disable_device);
+  library.need("hdMakeCurrentDevice", api.make_current);
+  library.need("hdBeginFrame", api.begin_frame);
+  library.need("hdEndFrame", api.end_frame);
+  library.need("hdGetError", api.get_error);
+  library.need("hdGetErrorString", api.get_error_string);
+  library.need("hdEnable", api.enable);
+  library.need("hdGetIntegerv", api.get_integers);
+  library.need("hdGetDoublev", api.get_doubles);
+  library.need("hdSetDoublev", api.set_doubles);
+  library.need("hdGetString", api.get_string);
+  library.need("hdCheckCalibration", api.check_calibration);
+  library.need("hdUpdateCalibration", api.update_calibration);
+  library.need("hdStartScheduler", api.start_scheduler);
+  library.need("hdStopScheduler", api.stop_scheduler);
+  library.need("hdScheduleAsynchronous", api.schedule);
+  library.need("hdUnschedule", api.unschedule);
+  return api;
+}
+
+// ==== One library, one scheduler, several devices
+
+constexpr std::uint32_t kStalled = 1;  // beside the vendor's numbers
+constexpr std::uint64_t kTicksBetweenCalibrations = 100;
+constexpr int kLastTurns = 20;  // of one that has failed, with zero force
+// What failed together comes back together: the first waits until the others have been tried, too.
+// Their next try is at most kLongestTryS away; the second more is for opening.
+constexpr double kTogetherS = kLongestTryS + 1;
+constexpr auto kTogetherNs = static_cast<std::int64_t>(kTogetherS * 1e9);
+
+struct HdDevice {
+  Relay relay;
+  std::string called;  // as it was opened
+  bool again = false;  // it had failed
+  std::atomic<bool> ready{false};
+  int last_turns = kLastTurns;
+  Handle handle = kInvalidHandle;
+  SchedulerHandle callback = 0;
+  std::string model, serial;
+  DeviceInfo info = {};
+  Enum calibration_style = 0;
+  std::atomic<Enum> calibration{0};  // as last seen; asked for until it is good
+  std::atomic<std::uint64_t> ticks{0};
+  Supervisor supervisor;
+};
+
+struct Away {
+  std::int64_t last_ns = 0;  // try to open it again, or until the first the closing
+  bool tried = false;
+};
+
+constexpr std::size_t kMaxDevices = 4;
+
+struct Hd {
+  Api api = load();
+  std::mutex mutex;                 // opening and closing; never the servo
+  std::atomic<bool> paused{false};  // the scheduler stands by our own order
+  std::array<std::atomic<HdDevice*>, kMaxDevices> open{};
+  std::map<std::string, Away> away;  // closed after they had failed
+};
+
+Hd& hd() {
+  static Hd* const the_only = new Hd;  // outlives every thread of the vendor
+  return *the_only;
+}
+
+template <typename Do>
+void for_each_open(const Hd& all, Do act) {
+  for (const auto& slot : all.open) {
+    if (HdDevice* each = slot.load(std::memory_order_acquire); each != nullptr) act(*each);
+  }
+}
+
+// The scheduler serves all devices, and takes no new one while it runs. What force there is fades
+// before it stands, in whichever hand, and comes back when somebody has acknowledged: the vendor's
+// manual does not say what standing motors do. The guard of another hand latches the silence, too.
+void pause(Hd& all) {
+  bool any = false;
+  for_each_open(all, [&any](HdDevice& each) {
+    each.relay.rest(true);
+    any = true;
+  });
+  if (any) std::this_thread::sleep_for(kFadeTime);
+  all.paused.store(true);
+  all.api.stop_scheduler();
+}
+void resume(Hd& all) {
+  all.api.start_scheduler();
+  all.paused.store(false);
+  for_each_open(all, [](HdDevice& each) { each.relay.rest(false); });
+}
+bool any_open(const Hd& all) {
+  return std::any_of(all.open.begin(), all.open.end(),
+                     [](const auto& slot) { return slot.load() != nullptr; });
+}
+
+// The stack of errors is one for all devices; what names none of them is meant for `mine`.
+void drain_errors(HdDevice& mine) {
+  Hd& all = hd();
+  for (int i = 0; i < 16; ++i) {
+    const ErrorInfo error = all.api.get_error();
+    if (error.code == 0) return;
+    if (error.code >= kFirstHarmless && error.code <= kLastHarmless) continue;
+    HdDevice* meant = &mine;
+    for_each_open(all, [&](HdDevice& each) {
+      if (each.handle == error.device) meant = &each;
+    });
+    meant->relay.fail(error.code);
+  }
+}
+
+// Auto styles settle by themselves, an inkwell wants the stylus in it. In the vendor's thread:
+// nowhere else may the device be asked.
+void calibrate(const Api& api, HdDevice& device) {
+  api.make_current(device.handle);
+  const Enum state = api.check_calibration();
+  if (state == kCalibrationNeedsUpdate) api.update_calibration(device.calibration_style);
+  device.calibration.store(state);
+}
+
+// In the vendor's thread, once a tick.
+unsigned int servo(void* self) {
+  HdDevice& device = *static_cast<HdDevice*>(self);
+  const Api& api = hd().api;
+  // One that has failed is left alone: its errors may take the time of another hand.
+  if (device.relay.failed() && (device.relay.why() == kStalled || --device.last_turns < 0)) {
+    device.last_turns = 0;
+    device.ticks.fetch_add(1, std::memory_order_relaxed);
+    return kContinue;
+  }
+  api.begin_frame(device.handle);
+  double transform[16] = {};
+  int buttons = 0;
+  api.get_doubles(kCurrentTransform, transform);
+  api.get_integers(kCurrentButtons, &buttons);
+  const std::int64_t now_ns = monotonic_now_ns();
+  const Vec3 f = device.relay.order(now_ns).force_n;
+  const double force[3] = {static_cast<double>(f.x), static_cast<double>(f.y),
+                           static_cast<double>(f.z)};
+  api.set_doubles(kCurrentForce, force);
+  api.end_frame(device.handle);
+  device.relay.written(monotonic_now_ns());
+  const std::uint64_t tick = device.ticks.fetch_add(1, std::memory_order_relaxed);
+  if (tick == 0) rise_above_the_loop();  // the vendor chose its thread's priority without ours
+  if (device.calibration.load() != kCalibrationOk && tick % kTicksBetweenCalibrations == 0) {
+    calibrate(api, device);
+  }
+  drain_errors(device);
+  if (device.relay.failed()) return kContinue;
+  const double* t = transform;  // column by column
+  const double rows[3][3] = {{t[0], t[4], t[8]}, {t[1], t[5], t[9]}, {t[2], t[6], t[10]}};
+  const Vec3 position = {static_cast<float>(t[12] * 1e-3), static_cast<float>(t[13] * 1e-3),
+                         static_cast<float>(t[14] * 1e-3)};
+  device.relay.publish({position, rotation_of(rows)}, static_cast<std::uint32_t>(buttons), now_ns);
+  return kContinue;
+}
+
+// ==== Opening
+
+// The vendor reads numbers with a point, whatever the user's language writes.
+struct PointForNumbers {
+  PointForNumbers() { std::setlocale(LC_NUMERIC, "C"); }
+  ~PointForNumbers() { std::setlocale(LC_NUMERIC, before.c_str()); }
+  PointForNumbers(const PointForNumbers&) = delete;
+  PointForNumbers& operator=(const PointForNumbers&) = delete;
+  const std::string before = std::setlocale(LC_NUMERIC, nullptr);
+};
+
+void forget_errors(const Api& api) {
+  for (int i = 0; i < 64 && api.get_error().code != 0; ++i) {
+  }
+}
+
+const char* remedy(unsigned int code) {
+  switch (code) {
+    case 0x0301:
+      return "close the other program that has it";
+    case 0x0303:
+      return "unplug it and plug it in again: a program that was killed may have left it so";
+    case 0x0600:
+      return "install the vendor's licence";
+    default:
+      return "check the cable, the power, the right to use it (stylet devices) and the vendor's "
+             "set-up program";
+  }
+}
+
+Handle init(const Api& api, const std::string& name) {
+  std::vector<const char*> names = {nullptr, "Default Device", "Default PHANToM"};
+  if (!name.empty()) names = {name.c_str()};
+  ErrorInfo error = {};  // the first: the other names are guesses
+  for (const char* each : names) {
+    forget_errors(api);
+    const Handle handle = api.init_device(each);
+    const ErrorInfo now = api.get_error();
+    if (handle != kInvalidHandle && now.code == 0) return handle;
+    if (error.code == 0) error = now;
+  }
+  const std::string unnamed = name_fault(name);
+  throw DeviceError(fmt::format("hd:{}: error 0x{:04x} ({}), internal {}: {}", name, error.code,
+                                api.get_error_string(error.code), error.internal,
+                                unnamed.empty() ? remedy(error.code) : unnamed));
+}
+
+std::string string_of(const Api& api, Enum what) {
+  const char* text = api.get_string(what);
+  return text != nullptr ? text : "";
+}
+
+void read_capability(const Api& api, HdDevice& device) {
+  double force = 0, stiffness = 0, continuous = 0;
+  api.get_doubles(kNominalMaxForce, &force);
+  api.get_doubles(kNominalMaxStiffness, &stiffness);
+  api.get_doubles(kNominalMaxContinuousForce, &continuous);
+  device.model = string_of(api, kModelType);
+  device.serial = string_of(api, kSerialNumber);
+  const DeviceModel* known = recognise_device_model(device.model);
+  if (device.model.empty()) device.model = "OpenHaptics device";
+  // What cannot be read, or is more than its kind can, is that of its kind; of an unknown kind the
+  // most careful of all we know.
+  const DeviceModel& model = known != nullptr ? *known : unknown_device_model();
+  const auto read = [known](double value, double possible, float models) {
+    const double most = known != nullptr ? static_cast<double>(models) : possible;
+    if (!(value > 0 && value <= possible)) return static_cast<double>(models);
+    return std::min(value, most);
+  };
+  force = read(force, 40, model.max_force_n);
+  stiffness = read(stiffness, 10, 1e-3F * model.max_stiffness_n_per_m);
+  continuous = std::min(force, read(continuous, 40, model.continuous_force_n));
+  constexpr double kShare = 0.9;  // of what it can do at most
+  device.info = {.name = device.model.c_str(),
+                 .max_force_n = static_cast<float>(kShare * force),
+                 .max_slew_n_per_s = 1000,
+                 .max_stiffness_n_per_m = static_cast<float>(stiffness * 1e3),
+                 .continuous_force_n = static_cast<float>(continuous),
+                 .identity = device.serial.c_str(),
+                 .model = &model};
+  forget_errors(api);
+}
+
+// The vendor's thread may stop for good with a force in the motors: then nothing but disabling the
+// device takes it out.
+void supervise(HdDevice& device) {
+  device.supervisor.start(
+      device.ticks, [] { return hd().paused.load(); },
+      [&device] {
+        device.relay.fail(kStalled);
+        hd().api.disable_device(device.handle);
+      });
+}
+
+void wait_until_ready(const HdDevice& device, const std::string& name, double patience_s) {
+  const Patience patience(patience_s);
+  while (!device.relay.measured() || device.calibration.load() != kCalibrationOk) {
+    const bool late = patience.over();
+    if (device.relay.failed() || (late && !device.relay.measured())) {
+      throw DeviceError(
+          fmt::format("hd:{}: it was opened, but gives no sample (error 0x{:04x}): "
+                      "check cable and power",
+                      name, device.relay.why()));
+    }
+    if (late) {
+      throw DeviceError(fmt::format("hd:{}: not calibrated (0x{:04x}): {}", name,
+                                    device.calibration.load(),
+                                    device.calibration_style == kStyleInkwell
+                                        ? "put the stylus into the inkwell and try again"
+                                        : "move the stylus through its range, or run the vendor's "
+                                          "set-up program"));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+// Nobody can acknowledge this one before the others have been tried: once it is in use, they could
+// not be opened any more. One that fails meanwhile waits no longer: the others wait for it.
+void wait_for_the_others(Hd& all, const HdDevice& mine) {
+  const auto some_come = [&all, back_ns = monotonic_now_ns()] {
+    const std::lock_guard lock(all.mutex);
+    bool come = false;
+    for_each_open(all, [&come](const HdDevice& each) {
+      come = come || each.relay.failed() || !each.ready.load();
+    });
+    for (const auto& [name, away] : all.away) {
+      const bool dropped = monotonic_now_ns() - away.last_ns > kTogetherNs;  // none tries any more
+      come = come || (!dropped && (!away.tried || away.last_ns < back_ns));
+    }
+    return come;
+  };
+  const Patience patience(kTogetherS);
+  while (!mine.relay.failed() && some_come() && !patience.over()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+void shut(HdDevice* device) {
+  Hd& all = hd();
+  device->relay.end();
+  const std::lock_guard lock(all.mutex);
+  pause(all);
+  device->supervisor.stop();
+  const Away away = {monotonic_now_ns(), !device->ready.load()};
+  if (away.tried ? device->again : device->relay.failed()) all.away[device->called] = away;
+  if (device->callback != 0) all.api.unschedule(device->callback);
+  for (auto& slot : all.open) {
+    HdDevice* expected = device;
+    (void)slot.compare_exchange_strong(expected, nullptr);
+  }
+  all.api.disable_device(device->handle);
+  if (any_open(all)) resume(all);
+  delete device;
+}
+
+void close(void* self) {
+  shut(static_cast<HdDevice*>(self));
+}
+std::string trouble(void* self) {
+  const Relay& relay = static_cast<HdDevice*>(self)->relay;
+  if (!relay.failed()) return "";
+  if (relay.why() == kStalled) return "the vendor's servo has stopped";
+  return fmt::format("error 0x{:04x} ({}): {}", relay.why(), hd().api.get_error_string(relay.why()),
+                     remedy(relay.why()));
+}
+
+// The scheduler comes last: with it the forces are live.
+void start(Hd& all, HdDevice& device, int style) {
+  const Api& api = all.api;
+  api.make_current(device.handle);
+  if ((style & (kStyleAuto | kStyleInkwell)) == 0 && (style & kStyleEncoderReset) != 0 &&
+      api.check_calibration() != kCalibrationOk) {
+    api.update_calibration(kStyleEncoderReset);
+  }
+  for (Enum net : {kForceOutput, kMaxForceClamping, kForceRamping, kSoftwareForceLimit}) {
+    api.enable(net);
+  }
+  forget_errors(api);
+  device.calibration_style =
+      static_cast<Enum>((style & kStyleInkwell) != 0 ? kStyleInkwell : kStyleAuto);
+  supervise(device);
+  device.callback = api.schedule(servo, &device, kMaxPriority);
+  resume(all);
+  if (const ErrorInfo error = api.get_error(); error.code != 0 && error.code != kInvalidInputType) {
+    throw DeviceError(fmt::format("hd: the vendor's servo did not start: error 0x{:04x} ({})",
+                                  error.code, api.get_error_string(error.code)));
+  }
+}
+
+}  // namespace
+
+std::string openhaptics_missing() try {
+  (void)hd();
+  return "";
+} catch (const DeviceError& error) {
+  return error.what();
+}
+
+bool openhaptics_in_use() {
+  Hd& all = hd();
+  const std::lock_guard lock(all.mutex);
+  bool used = false;
+  for_each_open(all, [&used](const HdDevice& each) {
+    used = used || (!each.relay.failed() && (!each.again || each.relay.used()));
+  });
+  return used;
+}
+
+Device open_openhaptics(const std::string& name, double patience_s) {
+  Hd& all = hd();
+  const PointForNumbers point;
+  std::unique_lock lock(all.mutex);
+  pause(all);
+  auto made = std::make_unique<HdDevice>();
+  made->called = name;
+  const auto away = all.away.find(name);
+  made->again = away != all.away.end();
+  const auto restart = [&all] {
+    if (any_open(all)) resume(all);
+  };
+  try {
+    made->handle = init(all.api, name);
+  } catch (const DeviceError&) {
+    if (made->again) away->second = {monotonic_now_ns(), true};
+    restart();
+    throw;
+  }
+  if (made->again) all.away.erase(away);
+  const auto free_slot = std::find_if(all.open.begin(), all.open.end(),
+                                      [](auto& slot) { return slot.load() == nullptr; });
+  if (free_slot == all.open.end()) {
+    all.api.disable_device(made->handle);
+    restart();
+    throw DeviceError(fmt::format("hd:{}: expected at most {} devices", name, kMaxDevices));
+  }
+  HdDevice* device = made.release();
+  free_slot->store(device);
+  try {
+    read_capability(all.api, *device);
+    device->relay.limits = motor_limits(device->info);
+    int style = 0;
+    all.api.get_integers(kCalibrationStyle, &style);
+    start(all, *device, style);
+    lock.unlock();
+    wait_until_ready(*device, name, patience_s);
+    device->ready.store(true);
+    if (device->again) wait_for_the_others(all, *device);
+  } catch (...) {
+    if (lock.owns_lock()) lock.unlock();
+    shut(device);
+    throw;
+  }
+  return relayed(device, device->info, close, trouble);
+}
+
+}  // namespace stylet::hal

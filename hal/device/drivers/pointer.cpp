@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hal/device/drivers/pointer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <mutex>
+
+#include "hal/base/channel.h"
+#include "hal/device/devices.h"
+#include "hal/loop/mapping.h"
+#include "stylet/limits.h"
+
+namespace stylet::hal {
+namespace {
+
+constexpr double kRate = 1 / kPointerFollowS;
+constexpr double kLongestStepS = 0.01;  // after a stall of the loop, as one tick of the longest
+constexpr double kUnitTolerance = 0.01;
+
+using Vec = std::array<double, 3>;
+
+struct Posted {
+  Pose pose;
+  std::uint32_t buttons;
+  std::uint32_t session;  // grows when a page leaves
+  std::uint32_t present;
+};
+
+// Between the page's threads and the loop.
+struct Mailbox {
+  std::mutex writers;
+  std::uint32_t session = 0;
+  Posted last = {};  // present: the page is there
+  Latest<Posted> posts;
+  std::atomic<bool> held{false};  // by an open device
+};
+std::array<Mailbox, kMaxNeedles> g_mailboxes;
+std::atomic<bool> g_served{false};
+
+struct Pointer {
+  Mailbox* mailbox;
+  Posted newest = {{{}, {1, 0, 0, 0}}, 0, 0, 0};
+  bool heard = false;  // there is a newest that counts
+  bool gone = false;
+  std::int64_t heard_ns = 0, last_ns = 0;
+  std::uint64_t seq = 0;
+  Vec offset_m = {};         // from the page's place to the device's
+  Quat turn = {1, 0, 0, 0};  // likewise
+  Vec place_m = {}, velocity_m_per_s = {}, spin_rad_per_s = {};
+  Quat rotation = {1, 0, 0, 0};
+};
+
+double size(const Vec& v) {
+  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+Vec wide(Vec3 v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+Vec3 narrow(const Vec& v) {
+  return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+
+Quat inverse(const Quat& q) {
+  return {q.w, -q.x, -q.y, -q.z};
+}
+
+bool usable(const Pose& pose) {
+  const Quat& q = pose.rotation;
+  const double imaginary = size(wide({q.x, q.y, q.z}));
+  const double norm = std::hypot(static_cast<double>(q.w), imaginary);
+  return size(wide(pose.position_m)) <= kPointerReachM && std::fabs(norm - 1) <= kUnitTolerance;
+}
+
+// One step towards a rest at `error` from here: critically damped, at most `most` fast.
+void pull(Vec& velocity, const Vec& error, double most, double dt_s) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    velocity[i] += kRate * (kRate * error[i] - 2 * velocity[i]) * dt_s;
+  }
+  const double speed = size(velocity);
+  if (!(speed > most)) return;
+  for (double& each : velocity) each *= most / speed;
+}
+
+void follow(Pointer& p, double dt_s) {
+  const Vec told = wide(p.newest.pose.position_m);
+  Vec error;
+  for (std::size_t i = 0; i < 3; ++i) error[i] = told[i] + p.offset_m[i] - p.place_m[i];
+  pull(p.velocity_m_per_s, error, kPointerSpeedMPerS, dt_s);
+  for (std::size_t i = 0; i < 3; ++i) p.place_m[i] += p.velocity_m_per_s[i] * dt_s;
+
+  const Quat& now = p.rotation;
+  const Quat way = product(product(p.turn, p.newest.pose.rotation), inverse(now));
+  Vec turn = wide({way.x, way.y, way.z});
+  for (double& each : turn) each *= way.w < 0 ? -2 : 2;  // the shorter way round
+  pull(p.spin_rad_per_s, turn, kPointerTurnRadPerS, dt_s);
+  Vec half = p.spin_rad_per_s;
+  for (double& each : half) each *= 0.5 * dt_s;
+  const Vec3 step = narrow(half);
+  const Quat q = product({1, step.x, step.y, step.z}, now);
+  const float norm = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  p.rotation = {q.w / norm, q.x / norm, q.y / norm, q.z / norm};
+}
+
+// The needle is taken up where it is.
+void take_up(Pointer& p, const Posted& post) {
+  const Vec told = wide(post.pose.position_m);
+  for (std::size_t i = 0; i < 3; ++i) p.offset_m[i] = p.place_m[i] - told[i];
+  p.turn = product(p.rotation, inverse(post.pose.rotation));
+  p.velocity_m_per_s = p.spin_rad_per_s = {};
+}
+
+void listen(Pointer& p, std::int64_t now_ns) {
+  Posted post;
+  if (p.mailbox->posts.take(post)) {
+    if (post.present == 0) {
+      p.gone = true;
+    } else {
+      if (!p.heard || p.gone || post.session != p.newest.session) take_up(p, post);
+      p.newest = post;
+      p.heard = true;
+      p.gone = false;
+      p.heard_ns = now_ns;
+    }
+  }
+  if (p.heard && now_ns - p.heard_ns > kPointerGoneNs) p.gone = true;
+}
+
+bool read(void* self, std::int64_t now_ns, Sample& sample_out) {
+  Pointer& p = *static_cast<Pointer*>(self);
+  listen(p, now_ns);
+  const double since_s = static_cast<double>(now_ns - p.last_ns) * 1e-9;
+  const double dt_s = p.last_ns == 0 ? 0 : std::clamp(since_s, 0.0, kLongestStepS);
+  if (since_s > kPointerAnewS) take_up(p, p.newest);
+  p.last_ns = now_ns;
+  if (p.gone) return false;
+  if (p.heard) follow(p, dt_s);
+  sample_out = {++p.seq, now_ns, {narrow(p.place_m), p.rotation}, p.newest.buttons};
+  return true;
+}
+
+void write(void* /*self*/, const Command& /*command*/) {}
+
+void close(void* self) {
+  const std::unique_ptr<Pointer> pointer(static_cast<Pointer*>(self));
+  pointer->mailbox->held.store(false);
+}
+
+std::string trouble(void* self) {
+  const bool gone = static_cast<Pointer*>(self)->gone;
+  return gone ? "the console's page has gone, or shows something else: open it again" : "";
+}
+
+}  // namespace
+
+bool pointer_post(std::uint32_t number, const Pose& pose, std::uint32_t buttons) {
+  if (number >= g_mailboxes.size() || !usable(pose)) return false;
+  Mailbox& mailbox = g_mailboxes[number];
+  const std::lock_guard lock(mailbox.writers);
+  mailbox.last = {pose, buttons, mailbox.session, 1};
+  mailbox.posts.publish(mailbox.last);
+  return true;
+}
+
+void pointer_stay() {
+  for (Mailbox& mailbox : g_mailboxes) {
+    const std::lock_guard lock(mailbox.writers);
+    if (mailbox.last.present != 0) mailbox.posts.publish(mailbox.last);
+  }
+}
+
+void pointer_leave(std::uint32_t number) {
+  if (number >= g_mailboxes.size()) return;
+  Mailbox& mailbox = g_mailboxes[number];
+  const std::lock_guard lock(mailbox.writers);
+  mailbox.last = {{{}, {1, 0, 0, 0}}, 0, ++mailbox.session, 0};
+  mailbox.posts.publish(mailbox.last);
+}
+
+void pointer_serve(bool served) {
+  g_served.store(served);
+}
+
+std::optional<std::uint32_t> pointer_number(const std::string& uri) {
+  const std::string scheme = "pointer:";
+  if (!uri.starts_with(scheme)) return std::nullopt;
+  const std::string rest = uri.substr(scheme.size());
+  if (rest.empty()) return 0;
+  const auto number = static_cast<std::uint32_t>(rest[0] - '0');
+  if (rest.size() != 1 || rest[0] < '0' || number >= kMaxNeedles) return std::nullopt;
+  return number;
+}
+
+Device open_pointer(const std::string& rest, double /*patience_s*/) {
+  const auto number = pointer_number("pointer:" + rest);
+  if (!number) {
+    throw DeviceError(fmt::format("pointer:{}: expected a number from 0 to {}, or nothing", rest,
+                                  kMaxNeedles - 1));
+  }
+  if (!g_served.load()) {
+    throw DeviceError(
+        fmt::format("pointer:{}: expected --console: it is the mouse or finger on its page", rest));
+  }
+  Mailbox& mailbox = g_mailboxes[*number];
+  if (mailbox.held.exchange(true)) {
+    throw DeviceError(fmt::format("pointer:{}: it holds another needle already", rest));
+  }
+  auto pointer = std::make_unique<Pointer>();
+  pointer->mailbox = &mailbox;
+  Posted old;
+  (void)mailbox.posts.take(old);  // from before
+  return {pointer.release(),
+          {.name = "pointer on the page", .max_force_n = 0, .max_slew_n_per_s = 0},
+          read,
+          write,
+          close,
+          trouble};
+}
+
+}  // namespace stylet::hal

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hal/device/packet.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "hal/device/motor.h"
+
+namespace stylet::hal {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "packets are copied as they lie");
+
+constexpr std::array kSampleMagic = {'S', 'T', 'Y', 'S'};
+constexpr std::array kForceMagic = {'S', 'T', 'Y', 'F'};
+constexpr std::size_t kCrcBytes = sizeof(std::uint32_t);
+
+// One order of fields for writing and reading.
+template <typename Visit>
+void fields(SamplePacket& p, Visit&& visit) {
+  visit(p.session);
+  visit(p.buttons);
+  visit(p.seq);
+  visit(p.t_ns);
+  visit(p.echo);
+  visit(p.pose);
+  visit(p.limits);
+  visit(p.arming);
+  visit(p.stopped);
+  visit(p.force_n);
+}
+template <typename Visit>
+void fields(ForcePacket& p, Visit&& visit) {
+  visit(p.seq);
+  visit(p.echo);
+  visit(p.echo_t_ns);
+  visit(p.life_ns);
+  visit(p.model);
+  visit(p.arming);
+}
+static_assert(sizeof(Pose) == 28 && sizeof(RenderLimits) == 16 && sizeof(ForceModel) == 80,
+              "no padding in a packet");
+
+std::uint32_t checksum(std::span<const std::byte> bytes) {
+  return static_cast<std::uint32_t>(
+      crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
+}
+
+template <std::size_t kBytes, typename Packet>
+std::array<std::byte, kBytes> encoded(Packet packet, const std::array<char, 4>& magic) {
+  std::array<std::byte, kBytes> bytes = {};
+  std::size_t at = 0;
+  const auto put = [&](const auto& value) {
+    std::memcpy(bytes.data() + at, &value, sizeof value);
+    at += sizeof value;
+  };
+  put(magic);
+  put(kPacketVersion);
+  put(static_cast<std::uint16_t>(kBytes));
+  fields(packet, put);
+  put(checksum(std::span(bytes).first(kBytes - kCrcBytes)));
+  return bytes;
+}
+
+template <std::size_t kBytes, typename Packet>
+bool decoded(std::span<const std::byte> bytes, const std::array<char, 4>& magic, Packet& out) {
+  if (bytes.size() != kBytes) return false;
+  std::size_t at = 0;
+  const auto get = [&](auto& value) {
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    at += sizeof value;
+  };
+  std::array<char, 4> seen = {};
+  std::uint16_t version = 0, size = 0;
+  get(seen);
+  get(version);
+  get(size);
+  if (seen != magic || version != kPacketVersion || size != kBytes) return false;
+  Packet packet;
+  fields(packet, get);
+  std::uint32_t crc = 0;
+  get(crc);
+  if (crc != checksum(bytes.first(kBytes - kCrcBytes))) return false;
+  out = packet;
+  return true;
+}
+
+float length(Vec3 v) {
+  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+}
+
+Vec3 away_from(const ForceModel& model, Vec3 position_m) {
+  return {position_m.x - model.at_m.x, position_m.y - model.at_m.y, position_m.z - model.at_m.z};
+}
+
+// Written so that whatever is not a number gives no force.
+bool near(const ForceModel& model, Vec3 away_m) {
+  return model.radius_m == 0 || length(away_m) <= model.radius_m;
+}
+
+// Of any two times, as far apart as they may be.
+std::uint64_t age_ns(const ForcePacket& packet, std::int64_t now_ns) {
+  return static_cast<std::uint64_t>(now_ns) - static_cast<std::uint64_t>(packet.echo_t_ns);
+}
+
+bool lives(const ForcePacket& packet, std::int64_t now_ns) {
+  return packet.echo_t_ns <= now_ns && packet.life_ns > 0 &&
+         age_ns(packet, now_ns) < static_cast<std::uint64_t>(packet.life_ns);
+}
+
+}  // namespace
+
+Vec3 force_at(const ForceModel& model, Vec3 position_m) {
+  const Vec3 away = away_from(model, position_m);
+  if (!near(model, away)) return {};
+  const auto& k = model.stiffness_n_per_m;
+  const Vec3 force = {model.force_n.x - (k[0] * away.x + k[1] * away.y + k[2] * away.z),
+                      model.force_n.y - (k[3] * away.x + k[4] * away.y + k[5] * away.z),
+                      model.force_n.z - (k[6] * away.x + k[7] * away.y + k[8] * away.z)};
+  const float size = length(force);
+  if (size <= model.max_force_n) return force;
+  if (!(std::isfinite(size) && model.max_force_n > 0)) return {};
+  const float share = model.max_force_n / size;
+  return {share * force.x, share * force.y, share * force.z};
+}
+
+Vec3 force_at(const ForcePacket& packet, std::int64_t now_ns, Vec3 position_m) {
+  return lives(packet, now_ns) ? force_at(packet.model, position_m) : Vec3{};
+}
+
+Vec3 torque_at(const ForcePacket& packet, std::int64_t now_ns, Vec3 position_m) {
+  const ForceModel& model = packet.model;
+  const bool felt = lives(packet, now_ns) && near(model, away_from(model, position_m)) &&
+                    std::isfinite(length(model.torque_nm));
+  return felt ? model.torque_nm : Vec3{};
+}
+
+bool obey(ObeyedForce& obeyed, const ForcePacket& packet, std::int64_t now_ns) {
+  const bool first = obeyed.newest.life_ns == 0;
+  const bool older = !first && (packet.seq <= obeyed.newest.seq ||
+                                is_newer_arming(obeyed.newest.arming, packet.arming));
+  // A force answers a sample that was taken, and lives no longer than forces do.
+  if (older || packet.life_ns > kForceLifeNs || !lives(packet, now_ns)) return false;
+  (void)obeyed_share(obeyed, now_ns);  // one that ended since has ended, whatever comes now
+  if (first || packet.arming != obeyed.newest.arming) obeyed.stopped = false;
+  obeyed.newest = packet;
+  return true;
+}
+
+float obeyed_share(ObeyedForce& obeyed, std::int64_t now_ns) {
+  const ForcePacket& newest = obeyed.newest;
+  if (newest.life_ns == 0) return 0;
+  if (!lives(newest, now_ns)) obeyed.stopped = true;
+  if (obeyed.stopped) return 0;
+  const auto left_ns = static_cast<float>(newest.life_ns - (now_ns - newest.echo_t_ns));
+  return std::min(1.0F, 2 * left_ns / static_cast<float>(newest.life_ns));
+}
+
+std::array<std::byte, kSamplePacketBytes> encode(const SamplePacket& packet) {
+  return encoded<kSamplePacketBytes>(packet, kSampleMagic);
+}
+std::array<std::byte, kForcePacketBytes> encode(const ForcePacket& packet) {
+  return encoded<kForcePacketBytes>(packet, kForceMagic);
+}
+std::uint16_t packet_version(std::span<const std::byte> bytes) {
+  std::array<char, 4> magic = {};
+  std::uint16_t version = 0;
+  if (bytes.size() < sizeof magic + sizeof version) return 0;
+  std::memcpy(magic.data(), bytes.data(), sizeof magic);
+  std::memcpy(&version, bytes.data() + sizeof magic, sizeof version);
+  return magic == kSampleMagic || magic == kForceMagic ? version : 0;
+}
+
+bool decode(std::span<const std::byte> bytes, SamplePacket& out) {
+  return decoded<kSamplePacketBytes>(bytes, kSampleMagic, out);
+}
+bool decode(std::span<const std::byte> bytes, ForcePacket& out) {
+  return decoded<kForcePacketBytes>(bytes, kForceMagic, out);
+}
+
+}  // namespace stylet::hal

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a check is: a look at the machine, how bad it is when that is not good, and what to do then.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "hal/base/host_tree.h"
+#include "hal/doctor/doctor.h"
+
+namespace stylet::hal {
+
+// kMinor: bad, but one step less than the check's severity. kBesides: neither good nor bad.
+enum class State { kGood, kBesides, kMinor, kBad, kUnknown };
+
+struct Seen {
+  State state = State::kUnknown;
+  std::string value;
+  std::string source;
+};
+
+struct Check {
+  const char* name;
+  Verdict severity;
+  Seen (*look)(const Patient& patient, const HostTree& tree);
+  const char* remedy;  // "{cpu}" stands for the loop's processor, "{priority}" for its priority
+};
+
+std::span<const Check> kernel_checks();     // kernel, clocks, rights, settings that add noise
+std::span<const Check> processor_checks();  // who else may use the processor, and how it sleeps
+std::span<const Check> device_checks();     // USB, and the threads that serve it
+
+inline Seen not_read(const std::string& path) {
+  return {State::kUnknown, "cannot be read", path};
+}
+
+}  // namespace stylet::hal

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a device really does: rate and jitter of its samples, resolution, buttons, and, if asked,
+// whether a force pushes the way it should. For hardware nobody here has seen.
+// Promise: forces stay below a third of the device's, at most 1 N, and go through the guard.
+// Units: SI. Frame: the device's.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+#include "hal/base/clock.h"
+#include "hal/device/device.h"
+#include "hal/guard/guard.h"
+#include "hal/loop/loop.h"
+
+namespace stylet::hal {
+
+struct PushSeen {
+  float force_n;  // largest of the ramp
+  Vec3 moved_m;   // of the hand, while it lasted
+};
+
+struct DeviceProbe {
+  double seconds = 0;
+  std::uint64_t ticks = 0, unanswered = 0, repeated = 0, samples = 0, lost = 0;
+  Histogram interval;                // between the times of two samples
+  Histogram age;                     // of a new sample in the tick that reads it
+  std::array<float, 3> step_m = {};  // smallest change seen of a coordinate; 0: none
+  Vec3 low_m = {}, high_m = {};
+  std::uint32_t buttons_seen = 0;     // pressed at least once
+  std::array<PushSeen, 6> push = {};  // along +x, -x, +y, ...; no force: not asked for
+  Fault fault = Fault::kNone;
+};
+
+// Ticks the device a thousand times a second: `seconds` without force, then, if `pushes`, half a
+// second along every axis. Stops early when `stop` is set.
+void probe_device(const Device& device, double seconds, bool pushes, const Clock& clock,
+                  const std::atomic<bool>& stop, DeviceProbe& out);
+
+}  // namespace stylet::hal

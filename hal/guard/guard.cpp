@@ -1,0 +1,600 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hal/guard/guard.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stylet::hal {
+namespace {
+
+constexpr std::int64_t kBlindForEverNs = 1'000'000'000'000;
+
+double of(float value) {
+  return static_cast<double>(value);
+}
+
+bool finite(Vec3 v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool finite(const Pose& pose) {
+  const Quat& q = pose.rotation;
+  return finite(pose.position_m) && std::isfinite(q.w) && std::isfinite(q.x) &&
+         std::isfinite(q.y) && std::isfinite(q.z);
+}
+
+// Double: the square of any finite float stays finite.
+double dot(Vec3 a, Vec3 b) {
+  return of(a.x) * of(b.x) + of(a.y) * of(b.y) + of(a.z) * of(b.z);
+}
+
+double length(Vec3 v) {
+  return std::sqrt(dot(v, v));
+}
+
+Vec3 scaled(Vec3 v, double s) {
+  return {static_cast<float>(of(v.x) * s), static_cast<float>(of(v.y) * s),
+          static_cast<float>(of(v.z) * s)};
+}
+
+Vec3 minus(Vec3 a, Vec3 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+Vec3 plus(Vec3 a, Vec3 b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+Vec3 shortened(Vec3 v, double most) {
+  const double size = length(v);
+  return size > most ? scaled(v, most / size) : v;
+}
+
+// How far a value that follows another with the time constant `slow_s` comes in `step_s`.
+double share_of(double step_s, double slow_s) {
+  return step_s / (step_s + slow_s);
+}
+
+bool plausible(const Pose& pose) {
+  const Quat& q = pose.rotation;
+  const double axis = length({q.x, q.y, q.z}), w = of(q.w);
+  return length(pose.position_m) <= of(kMaxDistanceM) &&
+         std::fabs(axis * axis + w * w - 1.0) <= kRotationTolerance;
+}
+
+std::int64_t in_ns(float time_s) {
+  return std::llround(of(time_s) * 1e9);
+}
+
+// Whether a time is over, or will be before the next tick: so a promise in seconds is kept.
+bool is_over(const GuardConfig& config, std::int64_t passed_ns, float time_s) {
+  return passed_ns + in_ns(config.period_s) > in_ns(time_s);
+}
+
+// Ticks may be lost; then one stands for all the time that has passed.
+void note_time(const GuardConfig& config, GuardState& state, std::int64_t now_ns) {
+  const std::int64_t period_ns = in_ns(config.period_s);
+  const std::int64_t passed_ns = state.now_ns == 0 ? period_ns : now_ns - state.now_ns;
+  state.now_ns = now_ns;
+  state.step_ns = std::clamp(passed_ns, period_ns, std::max(period_ns, kMaxStepNs));
+}
+
+double step_s(const GuardConfig& config, const GuardState& state) {
+  const bool one_period = state.step_ns == 0 || state.step_ns == in_ns(config.period_s);
+  return one_period ? of(config.period_s) : static_cast<double>(state.step_ns) * 1e-9;
+}
+
+std::int64_t step_ns(const GuardConfig& config, const GuardState& state) {
+  return state.step_ns == 0 ? in_ns(config.period_s) : state.step_ns;
+}
+
+bool is_latched(GuardMode mode) {
+  return mode == GuardMode::kFading || mode == GuardMode::kFault;
+}
+
+bool is_armed(GuardMode mode) {
+  return mode == GuardMode::kRamp || mode == GuardMode::kLive;
+}
+
+// ---- samples
+// ---------------------------------------------------------------------------------------
+
+// Since the last usable sample, this one included.
+double since_last_s(const GuardConfig& config, const GuardState& state) {
+  return step_s(config, state) + static_cast<double>(state.blind_ns) * 1e-9;
+}
+
+bool jumped(const GuardConfig& config, const GuardState& state, Vec3 position_m) {
+  const double most = of(kJumpM) + of(config.max_speed_m_per_s) * since_last_s(config, state);
+  return state.have_pose != 0 && length(minus(position_m, state.pose_m)) > most;
+}
+
+// The device is somewhere else, and what was drawn on the way is not known: it may be all that a
+// spring can hold.
+void lose_sight(const GuardConfig& config, EnergyObserver& energy) {
+  if (energy.have_position != 0) energy.energy_j = of(config.stored_energy_j);
+  energy.have_position = energy.have_rotation = 0;
+}
+
+// One rule a line; what is wrong with the sample is counted where it is found.
+Fault judge(const GuardConfig& config, GuardState& state, const Sample& sample,
+            std::int64_t now_ns) {
+  GuardCounters& count = state.counters;
+  if (state.have_seq != 0 && sample.seq <= state.seq) {
+    ++count.samples_repeated;
+    return Fault::kStaleSamples;
+  }
+  if (state.have_seq != 0) count.samples_lost += sample.seq - state.seq - 1;
+  state.have_seq = 1;
+  state.seq = sample.seq;
+  if (static_cast<double>(now_ns) - static_cast<double>(sample.t_ns) >
+      of(config.watchdog_s) * 1e9) {
+    ++count.samples_old;
+    return Fault::kStaleSamples;
+  }
+  if (!finite(sample.pose)) {
+    ++count.samples_not_finite;
+    return Fault::kStaleSamples;
+  }
+  if (!plausible(sample.pose)) {
+    ++count.samples_absurd;
+    return Fault::kStaleSamples;
+  }
+  if (jumped(config, state, sample.pose.position_m)) {
+    ++count.samples_jumped;
+    if (!is_latched(state.mode)) return Fault::kTooFast;
+    lose_sight(config, state.energy);  // without force it may come back anywhere
+  }
+  return Fault::kNone;
+}
+
+void note_button(const GuardConfig& config, GuardState& state, std::uint32_t buttons) {
+  if (config.dead_man_button < 0) return;
+  state.button_seen = 1;
+  state.button = (buttons >> static_cast<std::uint32_t>(config.dead_man_button)) & 1U;
+}
+
+// Pressed while the fault came, it was pressed for something else.
+void follow_acknowledge_button(const GuardConfig& config, GuardState& state,
+                               std::uint32_t buttons) {
+  if (config.acknowledge_button < 0 || state.mode != GuardMode::kFault) return;
+  const bool pressed = ((buttons >> static_cast<std::uint32_t>(config.acknowledge_button)) & 1U);
+  if (!pressed) {
+    state.may_acknowledge = 1;
+  } else if (state.may_acknowledge != 0) {
+    (void)guard_rearm(state, state.fault);
+  }
+}
+
+// Nobody has felt anything yet, and the sample that has just come shows that the cause is gone:
+// there is nothing to acknowledge. Force fades in from nothing as ever.
+void clear_before_any_force(GuardState& state) {
+  const Fault fault = state.fault;
+  const bool of_time = fault == Fault::kStaleSamples || fault == Fault::kDeviceSilent ||
+                       fault == Fault::kTooLate || fault == Fault::kForceExpired;
+  if (of_time && state.forced == 0) (void)guard_rearm(state, fault);
+}
+
+// ---- energy
+// ----------------------------------------------------------------------------------------
+
+// The force, or torque, that acted while the device made the motion it tells of now.
+Vec3 acted_then(const GuardConfig& config,
+                const std::array<Vec3, kMaxDelayTicks + 2>& newest_first) {
+  const double ticks = std::clamp(of(config.device.delay_s) / of(config.period_s), 0.0,
+                                  static_cast<double>(kMaxDelayTicks));
+  const auto whole = static_cast<std::size_t>(ticks);
+  const double part = ticks - static_cast<double>(whole);
+  return plus(scaled(newest_first[whole], 1 - part), scaled(newest_first[whole + 1], part));
+}
+
+// Work of the hand in this motion. A position within the resolution of the last is no motion, so
+// that a count that flickers does no work.
+void observe_motion(const GuardConfig& config, GuardState& state, Vec3 position_m) {
+  EnergyObserver& energy = state.energy;
+  if (energy.have_position == 0) energy.position_m = position_m;
+  energy.have_position = 1;
+  const Vec3 way = minus(position_m, energy.position_m);
+  const double size = length(way), slack = of(config.device.resolution_m);
+  const Vec3 before = energy.position_m;
+  if (size > slack) energy.position_m = plus(before, scaled(way, 1 - slack / size));
+  const Vec3 moved = minus(energy.position_m, before);
+  const double time_s = since_last_s(config, state);
+  const Vec3 slower = minus(scaled(moved, 1 / time_s), energy.velocity_m_per_s);
+  energy.velocity_m_per_s =
+      plus(energy.velocity_m_per_s, scaled(slower, share_of(time_s, of(kSpeedS))));
+  const double damped =
+      of(config.device.damping_n_s_per_m) * std::max(dot(energy.velocity_m_per_s, moved), 0.0);
+  energy.energy_j += damped + of(config.device.friction_n) * length(moved) -
+                     dot(acted_then(config, energy.force_n), moved);
+  energy.energy_j = std::min(energy.energy_j, of(config.stored_energy_j));
+  energy.least_j = std::min(energy.least_j, energy.energy_j);
+}
+
+// The small turn from one rotation to the next, as a vector along its axis, rad.
+Vec3 turn_between(Quat from, Quat to) {
+  const double w =
+      of(to.w) * of(from.w) + of(to.x) * of(from.x) + of(to.y) * of(from.y) + of(to.z) * of(from.z);
+  const double twice = w < 0 ? -2 : 2;  // both signs are the same rotation
+  const auto part = [&](float a, float b, float c, float d, float e, float f, float g, float h) {
+    return static_cast<float>(twice *
+                              (of(a) * of(b) - of(c) * of(d) - of(e) * of(f) + of(g) * of(h)));
+  };
+  return {part(to.x, from.w, to.w, from.x, to.y, from.z, to.z, from.y),
+          part(to.y, from.w, to.w, from.y, to.z, from.x, to.x, from.z),
+          part(to.z, from.w, to.w, from.z, to.x, from.y, to.y, from.x)};
+}
+
+void observe_turn(const GuardConfig& config, EnergyObserver& energy, Quat rotation) {
+  if (energy.have_rotation != 0) {
+    const Vec3 turned = turn_between(energy.rotation, rotation);
+    energy.energy_j -= dot(acted_then(config, energy.torque_nm), turned);
+  }
+  energy.have_rotation = 1;
+  energy.rotation = rotation;
+}
+
+void remember(std::array<Vec3, kMaxDelayTicks + 2>& newest_first, Vec3 value) {
+  std::copy_backward(newest_first.begin(), newest_first.end() - 1, newest_first.end());
+  newest_first[0] = value;
+}
+
+// Takes back what was made, as far as damping can in this tick.
+Vec3 damped(const GuardConfig& config, GuardState& state, Vec3 force_n) {
+  const EnergyObserver& energy = state.energy;
+  const double square = dot(energy.velocity_m_per_s, energy.velocity_m_per_s);
+  const double most = of(config.passivity_damping_n_s_per_m);
+  if (!(most > 0 && energy.energy_j < 0 && square > 0)) return force_n;
+  ++state.counters.force_damped;
+  const double damping = std::min(most, -energy.energy_j / (step_s(config, state) * square));
+  return minus(force_n, scaled(energy.velocity_m_per_s, damping));
+}
+
+void trip_on_motion(const GuardConfig& config, GuardState& state) {
+  const EnergyObserver& energy = state.energy;
+  if (length(energy.velocity_m_per_s) > of(config.max_speed_m_per_s)) {
+    guard_trip(state, Fault::kTooFast);
+  }
+  const bool controlled = config.passivity_damping_n_s_per_m > 0 && is_armed(state.mode);
+  if (controlled && energy.energy_j < -kLostEnergyJ) guard_trip(state, Fault::kEnergy);
+}
+
+// ---- force
+// -----------------------------------------------------------------------------------------
+
+// The budget of the motors: full force while they are cool, the continuous one once they are warm;
+// and never one whose fall, by slew or in a fade, would take more than is left.
+double largest_force(const GuardConfig& config, const GuardState& state) {
+  const double most = of(config.max_force_n), always = of(config.continuous_force_n);
+  if (always >= most) return most;
+  const double warm = state.heat_n2 / (always * always);
+  const double back = std::max((warm - of(kWarmShare)) / (1 - of(kWarmShare)), 0.0);
+  const double fall_s =
+      std::max(most / of(config.max_slew_n_per_s), of(kDecayS)) / 3 + of(config.period_s);
+  const double left_n2 = std::max(always * always - state.heat_n2, 0.0);
+  const double falls = std::sqrt(left_n2 * of(config.thermal_s) / fall_s);
+  return std::max(std::min(most + (always - most) * back, falls), always);
+}
+
+// By the larger of what was sent and what the motors say: a device that follows a spring by itself
+// may feel more than was sent.
+void note_heat(const GuardConfig& config, GuardState& state) {
+  const double share = std::min(step_s(config, state) / of(config.thermal_s), 1.0);
+  const double told_n2 = state.have_motor != 0 ? dot(state.motor_n, state.motor_n) : 0.0;
+  const double felt_n2 = std::max(dot(state.force_n, state.force_n), told_n2);
+  state.heat_n2 += share * (felt_n2 - state.heat_n2);
+}
+
+void watch_for_buzz(const GuardConfig& config, GuardState& state) {
+  BuzzDetector& buzz = state.buzz;
+  constexpr double kPi = 3.14159265358979324;
+  const double share = share_of(step_s(config, state), 1 / (2 * kPi * of(kBuzzHz)));
+  buzz.slow_n = plus(buzz.slow_n, scaled(minus(state.force_n, buzz.slow_n), share));
+  const Vec3 quick = minus(state.force_n, buzz.slow_n);
+  buzz.ns += step_ns(config, state);
+  if (buzz.ns > in_ns(0.5F / kBuzzHz)) buzz.turns = 0;
+  if (length(quick) < of(config.buzz_n)) return;
+  if (buzz.turns != 0 && dot(quick, buzz.last_n) >= 0) return;
+  ++buzz.turns;
+  buzz.ns = 0;
+  buzz.last_n = quick;
+  if (buzz.turns >= kBuzzTurns) guard_trip(state, Fault::kBuzz);
+}
+
+Vec3 limited(const GuardConfig& config, GuardState& state, Vec3 wanted) {
+  state.ramp_ns = std::min(state.ramp_ns + step_ns(config, state), in_ns(config.ramp_s));
+  const bool full = is_over(config, state.ramp_ns, config.ramp_s);
+  if (full) state.mode = GuardMode::kLive;
+  const double gain =
+      full ? 1.0 : static_cast<double>(state.ramp_ns) / static_cast<double>(in_ns(config.ramp_s));
+  const double max_force = largest_force(config, state);
+  Vec3 force = scaled(wanted, gain);
+  if (const double size = length(force); size > max_force) {
+    ++state.counters.force_limited;
+    if (max_force < of(config.max_force_n)) ++state.counters.force_warm;
+    force = scaled(force, max_force / size);
+  }
+  const Vec3 last = state.force_n;
+  const Vec3 change = minus(force, last);
+  const double max_change = of(config.max_slew_n_per_s) * of(config.period_s);
+  if (const double size = length(change); size > max_change) {
+    ++state.counters.slew_limited;
+    force = plus(last, scaled(change, max_change / size));
+  }
+  return force;
+}
+
+// Towards zero; true once it is there.
+bool faded(const GuardConfig& config, GuardState& state) {
+  state.fade_ns += step_ns(config, state);
+  const bool over = is_over(config, state.fade_ns, kDecayS);
+  const double left =
+      over ? 0.0 : 1 - static_cast<double>(state.fade_ns) / static_cast<double>(kDecayNs);
+  state.force_n = scaled(state.fade_from_n, left);
+  return over;
+}
+
+void begin_fade(GuardState& state, GuardMode mode) {
+  state.mode = mode;
+  state.fade_ns = 0;
+  // What was let through may not have come to the motors yet, and what they had may be old: a fade
+  // adds to neither.
+  const bool less = state.have_motor != 0 && length(state.motor_n) < length(state.force_n);
+  state.fade_from_n = less ? state.motor_n : state.force_n;
+}
+
+// Towards zero; true once it is there, and the mode is one without force.
+bool ended(const GuardConfig& config, GuardState& state) {
+  const bool falls = state.mode == GuardMode::kFading || state.mode == GuardMode::kRelease;
+  if (!falls && dot(state.force_n, state.force_n) == 0) return true;
+  if (!falls) begin_fade(state, GuardMode::kRelease);
+  if (!faded(config, state)) return false;
+  state.mode = state.mode == GuardMode::kFading ? GuardMode::kFault : GuardMode::kUnarmed;
+  return true;
+}
+
+// What the dead man's button does to the mode, before the force.
+void follow_button(const GuardConfig& config, GuardState& state) {
+  const bool needed = config.dead_man_button >= 0;
+  const bool held = !needed || state.button != 0;
+  const bool released = !needed || (state.button_seen != 0 && state.button == 0);
+  if (state.mode == GuardMode::kLetGo && released) state.mode = GuardMode::kUnarmed;
+  if (state.mode == GuardMode::kUnarmed && held) {
+    state.mode = GuardMode::kRamp;
+    state.ramp_ns = 0;
+    state.buzz = {};
+  }
+  if (is_armed(state.mode) && !held) begin_fade(state, GuardMode::kRelease);
+}
+
+// The force of this tick, in the mode that it has come to.
+void force_of_mode(const GuardConfig& config, GuardState& state, Vec3 force_n) {
+  if (is_armed(state.mode)) {
+    state.force_n = limited(config, state, damped(config, state, force_n));
+    watch_for_buzz(config, state);  // its fade begins with the next tick: this one has its step
+  } else if (state.mode == GuardMode::kRelease) {
+    if (faded(config, state)) state.mode = GuardMode::kUnarmed;
+  } else if (state.mode == GuardMode::kFading) {
+    if (faded(config, state)) state.mode = GuardMode::kFault;
+  } else {
+    state.force_n = {};
+  }
+}
+
+}  // namespace
+
+const char* fault_name(Fault fault) {
+  switch (fault) {
+    case Fault::kNone:
+      return "none";
+    case Fault::kForceNotFinite:
+      return "force not finite";
+    case Fault::kStaleSamples:
+      return "no usable sample";
+    case Fault::kDeviceSilent:
+      return "device silent";
+    case Fault::kTooLate:
+      return "too many missed ticks";
+    case Fault::kKernelFault:
+      return "kernel fault";
+    case Fault::kTooFast:
+      return "device too fast";
+    case Fault::kBuzz:
+      return "force buzzes";
+    case Fault::kEnergy:
+      return "energy made";
+    case Fault::kForceExpired:
+      return "force expired";
+  }
+  return "unknown fault";
+}
+
+const char* mode_name(GuardMode mode) {
+  switch (mode) {
+    case GuardMode::kLetGo:
+      return "let go";
+    case GuardMode::kUnarmed:
+      return "unarmed";
+    case GuardMode::kRamp:
+      return "ramp";
+    case GuardMode::kLive:
+      return "live";
+    case GuardMode::kRelease:
+      return "release";
+    case GuardMode::kFading:
+      return "fading";
+    case GuardMode::kFault:
+      return "fault";
+  }
+  return "unknown mode";
+}
+
+GuardState guard_start() {
+  GuardState state = {};
+  state.arming = 1;
+  return state;
+}
+
+void guard_resume(const GuardConfig& config, GuardState& state, std::int64_t idle_ns) {
+  const double idle_s = static_cast<double>(std::max<std::int64_t>(idle_ns, 0)) * 1e-9;
+  state.heat_n2 /= 1 + idle_s / of(config.thermal_s);  // slower than an exponential: never too cool
+  lose_sight(config, state.energy);
+  state.have_seq = state.have_pose = 0;
+  state.now_ns = state.step_ns = 0;
+  state.button_seen = state.may_acknowledge = 0;
+  state.force_n = {};
+  state.have_motor = 0;
+  state.buzz = {};
+  if (is_latched(state.mode)) {
+    state.mode = GuardMode::kFault;
+    return;
+  }
+  state.mode = GuardMode::kLetGo;
+  ++state.arming;
+}
+
+void guard_motor(GuardState& state, const MotorReport& report) {
+  state.have_motor = finite(report.force_n) ? 1 : 0;
+  state.motor_n = report.force_n;
+  if (dot(report.force_n, report.force_n) != 0) state.forced = 1;
+  // Motors that are ahead in a fade are not pushed back up.
+  const bool falls = state.mode == GuardMode::kFading || state.mode == GuardMode::kRelease;
+  if (const double ours = length(state.force_n), theirs = length(report.force_n);
+      falls && theirs < ours) {
+    state.fade_from_n = scaled(state.fade_from_n, theirs / ours);
+    state.force_n = scaled(state.force_n, theirs / ours);
+  }
+  if (!report.stopped || report.arming != state.arming) return;
+  if (!finite(report.force_n) || length(report.force_n) < length(state.force_n)) {
+    state.force_n = finite(report.force_n) ? report.force_n : Vec3{};
+  }
+  const bool nothing_left = dot(state.force_n, state.force_n) == 0;
+  if (!is_latched(state.mode)) {
+    guard_trip(state, Fault::kForceExpired);
+  } else if (state.mode == GuardMode::kFading && nothing_left) {
+    state.mode = GuardMode::kFault;
+  } else if (state.mode == GuardMode::kFading) {
+    begin_fade(state, GuardMode::kFading);
+  }
+}
+
+bool guard_lets_go(const GuardState& state) {
+  return !is_armed(state.mode);
+}
+
+bool guard_end(const GuardConfig& config, GuardState& force_state, GuardState& torque_state,
+               std::int64_t now_ns) {
+  note_time(config, force_state, now_ns);  // the ticks before may have been lost in a fade
+  torque_state.step_ns = force_state.step_ns;
+  const bool force_gone = ended(config, force_state);
+  const bool torque_gone = ended(config, torque_state);
+  return force_gone && torque_gone;
+}
+
+void guard_trip(GuardState& state, Fault fault) {
+  if (is_latched(state.mode)) return;
+  state.fault = fault;
+  state.may_acknowledge = 0;
+  ++state.counters.faults;
+  if (fault == Fault::kForceNotFinite) state.force_n = {};
+  const bool nothing_left = dot(state.force_n, state.force_n) == 0;
+  if (nothing_left) {
+    state.mode = GuardMode::kFault;
+  } else if (state.mode == GuardMode::kRelease) {
+    state.mode = GuardMode::kFading;  // the fade goes on
+  } else {
+    begin_fade(state, GuardMode::kFading);
+  }
+}
+
+bool guard_sample(const GuardConfig& config, GuardState& state, bool answered, const Sample& sample,
+                  std::int64_t now_ns) {
+  note_time(config, state, now_ns);
+  const Fault wrong = answered ? judge(config, state, sample, now_ns) : Fault::kDeviceSilent;
+  if (wrong == Fault::kNone) {
+    observe_motion(config, state, sample.pose.position_m);
+    observe_turn(config, state.energy, sample.pose.rotation);
+    note_button(config, state, sample.buttons);
+    state.have_pose = 1;
+    state.pose_m = sample.pose.position_m;
+    state.blind_ns = 0;
+    ++state.counters.samples_used;
+    clear_before_any_force(state);
+    trip_on_motion(config, state);
+    follow_acknowledge_button(config, state, sample.buttons);
+    return true;
+  }
+  if (!answered) ++state.counters.samples_missing;
+  state.blind_ns = std::min(state.blind_ns + state.step_ns, kBlindForEverNs);
+  if (is_over(config, state.blind_ns, config.watchdog_s)) {
+    guard_trip(state, wrong);
+    lose_sight(config, state.energy);
+  }
+  return false;
+}
+
+Vec3 guard_force(const GuardConfig& config, GuardState& state, Vec3 force_n) {
+  if (!finite(force_n)) {
+    ++state.counters.force_not_finite;
+    guard_trip(state, Fault::kForceNotFinite);
+    force_n = {};
+    state.mode = GuardMode::kFault;  // out of a fade, too
+  }
+  follow_button(config, state);
+  force_of_mode(config, state, force_n);
+  // Without a full force the observer follows what the kernel asks: a spring that is switched on
+  // gives back what it has stored, and did not make that.
+  const bool full = state.mode == GuardMode::kLive;
+  remember(state.energy.force_n, full ? state.force_n : shortened(force_n, of(config.max_force_n)));
+  note_heat(config, state);
+  if (dot(state.force_n, state.force_n) != 0) state.forced = 1;
+  return state.force_n;
+}
+
+Vec3 guard_torque(const GuardConfig& config, float max_torque_nm, GuardState& force_state,
+                  GuardState& torque_state, Vec3 torque_nm) {
+  if (!(max_torque_nm > 0)) return {};
+  GuardConfig limits = config;
+  limits.max_force_n = max_torque_nm;
+  limits.max_slew_n_per_s = 2 * max_torque_nm / kDecayS;
+  // The same shares of a limit as of a force; what damps a motion does not damp a turn.
+  const float share = max_torque_nm / config.max_force_n;
+  limits.buzz_n = share * config.buzz_n;
+  limits.continuous_force_n = share * config.continuous_force_n;
+  limits.passivity_damping_n_s_per_m = 0;
+  if (force_state.fault != Fault::kNone) guard_trip(torque_state, force_state.fault);
+  if (force_state.fault == Fault::kNone) (void)guard_rearm(torque_state, torque_state.fault);
+  torque_state.button_seen = force_state.button_seen;
+  torque_state.button = force_state.button;
+  torque_state.step_ns = force_state.step_ns;
+  const Vec3 result = guard_force(limits, torque_state, torque_nm);
+  force_state.forced |= torque_state.forced;
+  if (torque_state.fault != Fault::kNone) guard_trip(force_state, torque_state.fault);
+  const bool full = torque_state.mode == GuardMode::kLive && finite(torque_nm);
+  remember(force_state.energy.torque_nm, full ? result : Vec3{});
+  return result;
+}
+
+Command guard_command(const GuardConfig& config, const GuardState& force_state,
+                      const GuardState& torque_state) {
+  return {.force_n = force_state.force_n,
+          .torque_nm = torque_state.force_n,
+          .place_m = force_state.pose_m,
+          .max_force_n = config.max_force_n,
+          .arming = force_state.arming,
+          .falls = guard_lets_go(force_state)};
+}
+
+bool guard_rearm(GuardState& state, Fault seen) {
+  const bool named = state.fault != Fault::kNone && state.fault == seen;
+  if (!named || state.mode != GuardMode::kFault || state.blind_ns != 0) return false;
+  state.mode = GuardMode::kLetGo;
+  state.fault = Fault::kNone;
+  state.button_seen = 0;
+  state.energy.energy_j = std::max(state.energy.energy_j, 0.0);
+  ++state.arming;
+  ++state.counters.rearms;
+  return true;
+}
+
+}  // namespace stylet::hal

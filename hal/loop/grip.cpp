@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hal/loop/grip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hal/loop/mapping.h"
+
+namespace stylet::hal {
+namespace {
+
+constexpr Vec3 kInwards = {0, 0, -1};
+
+Quat inverse(const Quat& q) {
+  return {q.w, -q.x, -q.y, -q.z};
+}
+Vec3 sum(Vec3 a, Vec3 b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+Vec3 scaled(float s, Vec3 v) {
+  return {s * v.x, s * v.y, s * v.z};
+}
+float dot(Vec3 a, Vec3 b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+// From the base to the point of entry: distance and direction.
+struct Lever {
+  float length_m;
+  Vec3 direction;
+};
+Lever lever_of(const GripConfig& config, Vec3 base_m) {
+  const Vec3 way = {-base_m.x, -base_m.y, -config.pivot_depth_m - base_m.z};
+  const float length = std::sqrt(dot(way, way));
+  return {length, scaled(1 / length, way)};
+}
+
+// The part of a rotation that is about z; none where there is no telling.
+Quat roll_of(const Quat& q) {
+  const float size = std::sqrt(q.w * q.w + q.z * q.z);
+  if (!(size > 1e-3F)) return {1, 0, 0, 0};
+  return {q.w / size, 0, 0, q.z / size};
+}
+
+Pose placed(const GripConfig& config, Vec3 wanted_m, const Quat& rotation) {
+  const Vec3 &low = config.box_low_m, &high = config.box_high_m;
+  Vec3 base = {std::clamp(wanted_m.x, low.x, high.x), std::clamp(wanted_m.y, low.y, high.y),
+               std::clamp(wanted_m.z, low.z, high.z)};
+  if (!config.pivots) return {base, rotation};
+  base.z = std::max(base.z, kHubM - config.pivot_depth_m);
+  const Quat aim = needle_rotation(lever_of(config, base).direction);
+  return {base, product(aim, roll_of(rotation))};
+}
+
+// Virtual work of the torque when the base moves: its direction turns by d x (change of d), and the
+// shortest rotation from the start's direction to d turns about d itself besides.
+Vec3 force_of_torque(const GripConfig& config, Vec3 base_m, Vec3 torque_nm) {
+  const Lever lever = lever_of(config, base_m);
+  const Vec3 d = lever.direction;
+  const float share = dot(torque_nm, d) / (1 + dot(d, kInwards));
+  const Vec3 swing = cross(d, torque_nm);
+  const Vec3 spin = scaled(share, cross(kInwards, d));
+  return scaled(1 / lever.length_m, sum(swing, spin));
+}
+
+}  // namespace
+
+Pose grip_pose(const GripConfig& config, GripState& state, const Sample& sample) {
+  if (!config.enabled) return sample.pose;
+  const bool clutched =
+      config.clutch_button != kNoButton &&
+      ((sample.buttons >> static_cast<std::uint32_t>(config.clutch_button)) & 1U) != 0;
+  const bool pressed = clutched || state.waits;
+  const bool takes_up = !pressed && (state.held || !state.started);
+  state.held = pressed;
+  if (pressed) return state.needle;
+  const Vec3 place = scaled(config.motion_scale, rotate(config.turn, sample.pose.position_m));
+  const Quat turned = product(product(config.turn, sample.pose.rotation), inverse(config.turn));
+  if (takes_up) {
+    state.started = true;
+    state.offset_m = sum(state.needle.position_m, scaled(-1, place));
+    state.offset_rotation = product(state.rotation, inverse(turned));
+  }
+  state.rotation = product(state.offset_rotation, turned);
+  state.needle = placed(config, sum(place, state.offset_m), state.rotation);
+  return state.needle;
+}
+
+void grip_take_up(GripState& state) {
+  state.started = false;
+}
+
+Wrench grip_wrench(const GripConfig& config, GripState& state, const Wrench& needle) {
+  if (!config.enabled) return needle;
+  const float step = state.held ? -config.period_s / kLetGoS : config.period_s / kTakeUpS;
+  state.gain = std::clamp(state.gain + step, 0.0F, 1.0F);
+  Wrench felt = needle;
+  if (config.pivots) {
+    felt.force_n =
+        sum(felt.force_n, force_of_torque(config, state.needle.position_m, needle.torque_nm));
+    felt.torque_nm = {};
+  }
+  const float force_scale = state.gain * config.force_scale;
+  const Quat back = inverse(config.turn);
+  return {scaled(force_scale, rotate(back, felt.force_n)),
+          scaled(force_scale / config.motion_scale, rotate(back, felt.torque_nm))};
+}
+
+float grip_stiffness(const GripConfig& config, const GripState& state) {
+  return config.enabled ? state.gain * config.force_scale * config.motion_scale : 1.0F;
+}
+
+}  // namespace stylet::hal

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// The servo loop: one tick a period, from the devices' poses to the devices' forces. One device a
+// needle, each with its own frame, guard and coupling.
+//
+// Promises, from the first tick to the last: no allocation, lock or log; no system call but
+// clock_gettime and clock_nanosleep and what the device itself needs. A late tick is counted and
+// the loop goes on at the next grid point; it never runs ticks back to back to catch up. The kernel
+// sees inputs only, never the clock: missed ticks change no bit of what it computes. Units: SI,
+// times in ns. Frames: the device's outside, the world inside.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <span>
+
+#include "hal/base/channel.h"
+#include "hal/base/clock.h"
+#include "hal/device/device.h"
+#include "hal/guard/fault_mailbox.h"
+#include "hal/guard/guard.h"
+#include "hal/loop/coupling.h"
+#include "hal/loop/display.h"
+#include "hal/loop/grip.h"
+#include "hal/loop/mapping.h"
+#include "hal/loop/record.h"
+#include "hal/loop/steady.h"
+#include "stylet/kernel.h"
+
+namespace stylet::hal {
+
+// Lost time after which the guard latches Fault::kTooLate: at once, or bit by bit where ticks in
+// time do not make up for it. One in time makes up for half a period: a loop that loses more than a
+// third of its ticks for long is none.
+constexpr std::int64_t kMaxLateNs = 20'000'000;
+constexpr std::int64_t kLostTicksPart = 2;
+
+// Durations in bins of 1 us; the last bin holds everything longer.
+struct Histogram {
+  static constexpr std::size_t kBins = 5001;
+  std::array<std::uint64_t, kBins> count{};
+  std::uint64_t total = 0;
+  std::int64_t max_ns = 0;
+};
+void histogram_add(Histogram& histogram, std::int64_t ns);
+// Upper edge of the bin that holds the share `fraction` of all entries, us; the maximum for entries
+// beyond the last bin.
+double histogram_quantile_us(const Histogram& histogram, double fraction);
+
+struct Outlets {
+  Ring<TickRecord>* records = nullptr;  // may be null
+  Ring<Event>* events = nullptr;
+  Display* display = nullptr;
+  bool wait_for_room = false;                  // virtual time only: rather wait than lose a record
+  SharedLatest<NewestTick>* newest = nullptr;  // published with the display
+};
+
+struct HandConfig {
+  Mapping mapping;
+  GuardConfig guard;
+  CouplingConfig coupling;
+  GripConfig grip = {};
+  float max_torque_nm = 0;  // 0: the device renders none
+  bool scripted = false;    // the device plays a script: while the loop is paused, it is left alone
+};
+
+struct LoopConfig {
+  std::int64_t period_ns = 1'000'000;
+  std::uint64_t ticks = 0;
+  std::uint32_t hash_every_ticks = 0;     // 0: never
+  std::uint32_t display_every_ticks = 1;  // the last tick of a run is always published
+  bool lets_go = true;  // at its end what force there is fades; false: another run goes on with it
+  std::array<HandConfig, kMaxNeedles> hand;
+};
+
+struct HandState {
+  GuardState guard = guard_start();
+  GuardState torque_guard = guard_start();  // the same rules for a torque: N m instead of N
+  GripState grip = {};
+  Sample sample = {};
+  Pose handle = {};  // of the device, last usable one, world
+  bool have_handle = false;
+  SteadyState steady;
+  CouplingState coupling;
+  Output output = {};  // of the last tick
+};
+
+// Everything the loop changes beside the kernel. Large: keep it out of the stack.
+struct LoopState {
+  std::atomic<bool> stop{false};         // set by another thread or a signal: end after this tick
+  std::atomic<std::int64_t> next_ns{0};  // when the coming or present tick begins; for helpers
+  // Set by another thread: devices are read and guarded, but their force fades to zero as with the
+  // clutch, and the kernel does not move. Nothing of that is recorded.
+  std::atomic<bool> paused{false};
+  // Set by another thread: nobody takes records off their ring any more, and virtual time does not
+  // wait for room in it.
+  std::atomic<bool> unread{false};
+  std::array<HandState, kMaxNeedles> hand;
+  std::array<FaultMailbox, kMaxNeedles> mailbox;  // of each hand
+  std::uint32_t events_seen = 0;
+  std::int64_t lost_ns = 0;  // by missed ticks, less what was made up for
+  std::uint64_t ticks = 0;
+  // Written by the loop alone; other threads may read them while it runs.
+  std::atomic<std::uint64_t> missed_ticks{0};  // grid points passed over
+  std::atomic<std::uint64_t> lost_records{0};
+  std::atomic<std::uint64_t> lost_events{0};
+  Histogram tick_time;  // from reading the device to the force being written
+  Histogram lateness;   // of the wake-up
+};
+
+// Device i holds needle i; as many devices as the kernel has needles.
+void run_loop(const LoopConfig& config, Kernel& kernel, std::span<const Device> devices,
+              const Clock& clock, const Outlets& outlets, LoopState& state);
+
+}  // namespace stylet::hal

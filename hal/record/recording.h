@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// A recording: the exact inputs and outputs of every tick in one HDF5 file. Layout: hal/README.md.
+//
+// Promises: the file appears under its name only when finish() succeeded. Until then it grows as
+// `NAME.PROCESS.tmp`, by what half a second brought, and can be read at any time; whoever is killed
+// leaves it so. (HDF5's single writer, multiple readers; each chunk is written once. A flush alone
+// is not enough: a process killed in one leaves a file that cannot be opened.) A file that is
+// damaged, cut short or of another kind is refused with RecordingError, one line with file, place
+// and reason. Never called from the real-time thread. Units: SI. Frame: world.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "hal/loop/record.h"
+#include "stylet/kernel.h"
+
+namespace stylet::hal {
+
+struct RecordingError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct RecordingInfo {
+  std::string stylet_version;
+  std::string began;    // ISO 8601, local time with its offset; empty: not kept
+  std::string trainee;  // whose hand; empty: not said
+  std::string scene_file;
+  std::string scene_text;
+  std::string organ_file;  // full path at the time of recording
+  std::string organ_name;
+  std::uint64_t organ_hash = 0;
+  Config config;
+  std::array<Course, kMaxNeedles> course = {};  // of each needle
+  std::vector<ObstacleConfig> obstacles;
+  std::uint64_t final_state_hash = 0;
+  std::uint64_t lost_records = 0;
+  // Read from a file that is still being written, or whose writer was killed: it has no hash of the
+  // end and no marks.
+  bool unfinished = false;
+};
+
+// What a teacher said of a tick: one line, without control characters.
+struct Mark {
+  std::uint64_t tick = 0;
+  std::string text;
+};
+
+// `path` with -1, -2, ... before its extension: the first name that is free.
+std::string numbered_name(const std::string& path);
+
+class RecordingWriter {
+ public:
+  RecordingWriter(const std::string& path, const RecordingInfo& info);
+  ~RecordingWriter();  // without finish(): removes the temporary file
+  RecordingWriter(const RecordingWriter&) = delete;
+  RecordingWriter& operator=(const RecordingWriter&) = delete;
+
+  // Each record into the table of its needle.
+  void append(std::span<const TickRecord> records);
+  void append(std::span<const Event> events);
+  void finish(std::uint64_t final_state_hash, std::uint64_t lost_records,
+              std::span<const Mark> marks = {});
+  // Instead of it: what there is goes to the disk and stays as the temporary file.
+  void leave();
+  // Whose first needle is on the disk.
+  std::uint64_t ticks_kept() const;
+
+ private:
+  struct File;
+  std::unique_ptr<File> file_;
+};
+
+class RecordingReader {
+ public:
+  explicit RecordingReader(const std::string& path);
+  ~RecordingReader();
+  RecordingReader(const RecordingReader&) = delete;
+  RecordingReader& operator=(const RecordingReader&) = delete;
+
+  const RecordingInfo& info() const;
+  std::uint64_t ticks() const;
+  // Rows [first, first + out.size()) of a needle, which must exist.
+  void read(std::uint64_t first, std::span<TickRecord> out, std::uint32_t needle = 0) const;
+  std::uint64_t event_count() const;
+  void read(std::uint64_t first, std::span<Event> out) const;
+  const std::vector<Mark>& marks() const;
+
+ private:
+  struct File;
+  std::unique_ptr<File> file_;
+};
+
+}  // namespace stylet::hal

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hal/scene/bodies.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "hal/base/angle.h"
+#include "hal/loop/mapping.h"
+#include "stylet/limits.h"
+
+namespace stylet::hal {
+namespace {
+
+constexpr double kSteelGpa = 200;
+constexpr double kNitinolGpa = 75;
+
+struct Gauge {
+  const char* name;
+  double outer_mm, inner_mm, length_mm, youngs_modulus_gpa;
+};
+constexpr std::array kGauges = {Gauge{"17G", 1.473, 1.067, 90, kSteelGpa},
+                                Gauge{"18G", 1.270, 0.838, 150, kSteelGpa},
+                                Gauge{"20G", 0.9081, 0.603, 150, kSteelGpa},
+                                Gauge{"22G", 0.7176, 0.413, 150, kSteelGpa},
+                                Gauge{"25G", 0.5144, 0.260, 90, kSteelGpa},
+                                Gauge{"nitinol-0.46", 0.46, 0, 200, kNitinolGpa},
+                                Gauge{"nitinol-0.58", 0.58, 0, 200, kNitinolGpa},
+                                Gauge{"nitinol-0.70", 0.70, 0, 200, kNitinolGpa},
+                                Gauge{"nitinol-1.0", 1.0, 0, 200, kNitinolGpa}};
+
+double in_mm(float metres) {
+  return std::round(static_cast<double>(metres) * 1e3);
+}
+
+// A gauge by name, or the scene's own diameters.
+Gauge read_gauge(Section& needle) {
+  std::vector<const char*> names;
+  for (const Gauge& each : kGauges) names.push_back(each.name);
+  const char* key = needle.has("preset") ? "preset" : "gauge";  // preset: its older name
+  if (needle.has("gauge") && needle.has("preset")) needle.fail("preset", "either gauge or preset");
+  (void)needle.get("gauge");
+  (void)needle.get("preset");
+  if (needle.has("od_mm") && needle.has(key)) needle.fail(key, "either gauge or od_mm");
+  if (!needle.has("od_mm") && needle.has("id_mm")) {
+    needle.fail("id_mm", "only with od_mm: a gauge has its own");
+  }
+  const std::string name = needle.choice(key, "18G", names);
+  Gauge gauge = {};
+  for (const Gauge& each : kGauges) {
+    if (name == each.name) gauge = each;
+  }
+  if (needle.has("od_mm")) gauge.inner_mm = 0;
+  gauge.outer_mm = needle.number("od_mm", gauge.outer_mm, 0.05, 10);
+  gauge.inner_mm = needle.number("id_mm", gauge.inner_mm, 0, 0.99 * gauge.outer_mm);
+  if (needle.has("material")) {
+    const std::string material = needle.choice("material", "steel", {"steel", "nitinol"});
+    gauge.youngs_modulus_gpa = material == "steel" ? kSteelGpa : kNitinolGpa;
+  }
+  (void)needle.get("material");
+  gauge.youngs_modulus_gpa = needle.number("e_gpa", gauge.youngs_modulus_gpa, 0.01, 500);
+  return gauge;
+}
+
+double bending_nm2(const Gauge& gauge) {
+  const double outer_m = gauge.outer_mm * 1e-3, inner_m = gauge.inner_mm * 1e-3;
+  const double outer_m2 = outer_m * outer_m, inner_m2 = inner_m * inner_m;
+  return gauge.youngs_modulus_gpa * 1e9 * std::numbers::pi / 64 *
+         (outer_m2 * outer_m2 - inner_m2 * inner_m2);
+}
+
+// Keys of one kind of tip are refused with another: they would do nothing.
+void read_tip(Section& needle, NeedleConfig& config) {
+  config.tip_half_angle_rad =
+      si(needle.number("half_angle_deg", 15, 5, 80), std::numbers::pi / 180);
+  const std::string tip = needle.choice("tip", "conical", {"conical", "diamond", "bevel", "bent"});
+  if (tip != "bevel" && needle.has("curvature_per_m")) {
+    needle.fail("curvature_per_m", "only with tip = \"bevel\"");
+  }
+  for (const char* key : {"bent_length_mm", "bent_angle_deg"}) {
+    if (tip != "bent" && needle.has(key)) needle.fail(key, "only with tip = \"bent\"");
+    (void)needle.get(key);
+  }
+  const double curvature =
+      needle.number("curvature_per_m", 5, 0.01, static_cast<double>(kMaxBevelPerM));
+  if (tip == "bevel") config.bevel_per_m = static_cast<float>(curvature);
+  if (tip != "bent") return;
+  config.bent_length_m =
+      si(needle.needed_number("bent_length_mm", 0.1, in_mm(config.length_m)), 1e-3);
+  config.bent_angle_rad =
+      si(needle.needed_number("bent_angle_deg", 0.1, 57), std::numbers::pi / 180);
+}
+
+void read_hull(const std::string& path, ObstacleConfig& config) {
+  const std::string text = read_text(path, "a hull, as stylet-organ hull makes them");
+  const toml::table root = parse_toml(text, path);
+  Section hull(path, &root, "");
+  for (const char* key : {"source", "sha256"}) (void)hull.text(key, "");
+  (void)hull.number("deviation_mm", 0, 0, 1e6);
+  const auto points = hull.points("vertices_m", 1, kMaxHullVertices, -2, 2);
+  if (points.empty()) hull.fail("vertices_m", "the hull's vertices");
+  hull.finish();
+  config.vertex_count = static_cast<std::uint32_t>(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) config.vertices_m[i] = si(points[i], 1);
+}
+
+void read_shape(Section& section, const std::string& scene_file, ObstacleConfig& config,
+                std::vector<std::string>& hulls_out) {
+  const std::string shape = section.choice("shape", "", {"box", "sphere", "hull"});
+  const std::array<std::array<const char*, 2>, 3> sizes = {
+      {{"box", "size_mm"}, {"sphere", "radius_mm"}, {"hull", "hull"}}};
+  for (const auto& [of, key] : sizes) {
+    if (shape != of && section.has(key)) {
+      section.fail(key, fmt::format("only with shape = \"{}\"", of));
+    }
+    if (shape == of && !section.has(key)) {
+      section.fail(key, fmt::format("needed with shape = \"{}\"", of));
+    }
+    (void)section.get(key);
+  }
+  if (shape == "box") make_box(config, si(section.numbers<3>("size_mm", {}, 0.1, 1000), 0.5e-3));
+  if (shape == "sphere") make_sphere(config, si(section.number("radius_mm", 0, 0.05, 1000), 1e-3));
+  if (shape == "hull") {
+    const std::filesystem::path folder = std::filesystem::path(scene_file).parent_path();
+    hulls_out.push_back((folder / section.text("hull", "")).string());
+    read_hull(hulls_out.back(), config);
+  }
+}
+
+ObstacleConfig read_obstacle(Section section, const std::string& scene_file,
+                             std::vector<std::string>& hulls_out) {
+  ObstacleConfig config;
+  read_shape(section, scene_file, config, hulls_out);
+  if (!section.has("at_mm")) section.fail("at_mm", "where the body is: a list of 3 numbers");
+  config.pose.position_m = si(section.numbers<3>("at_mm", {}, -1000, 1000), 1e-3);
+  config.pose.rotation = turned(section.numbers<3>("turn_deg", {}, -360, 360));
+  config.stiffness_n_per_m = si(section.number("stiffness_n_per_mm", 20, 1e-3, 1000), 1e3);
+  config.largest_force_n = static_cast<float>(section.number("largest_force_n", 50, 0.01, 1000));
+  config.friction = static_cast<float>(section.number("friction", 0.3, 0, 2));
+  section.finish();
+  return config;
+}
+
+Target read_target(Section section) {
+  constexpr std::size_t kLongestName = 40;
+  Target target;
+  target.name = section.text("name", "");
+  const auto control = [](unsigned char c) { return c < ' ' || c == 127; };
+  if (target.name.empty() || target.name.size() > kLongestName ||
+      std::any_of(target.name.begin(), target.name.end(), control)) {
+    section.fail("name", fmt::format("a text of 1 to {} bytes in one line", kLongestName));
+  }
+  if (!section.has("at_mm")) section.fail("at_mm", "where its middle is: a list of 3 numbers");
+  target.position_m = si(section.numbers<3>("at_mm", {}, -2000, 2000), 1e-3);
+  target.radius_m = si(section.needed_number("radius_mm", 0.1, 1000), 1e-3);
+  target.forbidden = section.flag("forbidden", false);
+  section.finish();
+  return target;
+}
+
+}  // namespace
+
+Quat turned(const std::array<double, 3>& degrees) {
+  Quat result = {1, 0, 0, 0};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const SineCosine half = sine_cosine(degrees[axis] / 720);
+    const float s = static_cast<float>(half.sine);
+    result = product(
+        {static_cast<float>(half.cosine), axis == 0 ? s : 0, axis == 1 ? s : 0, axis == 2 ? s : 0},
+        result);
+  }
+  return result;
+}
+
+NeedleConfig read_needle(Section& needle) {
+  NeedleConfig config;
+  const Gauge gauge = read_gauge(needle);
+  config.outer_radius_m = si(gauge.outer_mm, 0.5e-3);
+  config.length_m =
+      si(needle.number("length_mm", gauge.length_mm, 1, in_mm(kMaxNeedleLengthM)), 1e-3);
+  config.unit_m = si(needle.number("unit_mm", 5, 0.1, 50), 1e-3);
+  if (needle.flag("flexible", false)) config.bending_nm2 = static_cast<float>(bending_nm2(gauge));
+  // GJ = E 2 I / (2 (1 + nu)), nu 0.3 for steel and nitinol.
+  if (needle.flag("roll_lag", false)) {
+    config.torsion_nm2 = static_cast<float>(bending_nm2(gauge) / 1.3);
+  }
+  config.rods = static_cast<std::uint32_t>(needle.integer("rods", config.rods, 1, kMaxRods));
+  read_tip(needle, config);
+  return config;
+}
+
+std::vector<ObstacleConfig> read_obstacles(std::vector<Section> sections,
+                                           const std::string& scene_file,
+                                           std::vector<std::string>& hulls_out) {
+  std::vector<ObstacleConfig> obstacles;
+  for (Section& each : sections) {
+    if (obstacles.size() == kMaxObstacles) {
+      each.fail("shape", fmt::format("at most {} obstacles", kMaxObstacles));
+    }
+    obstacles.push_back(read_obstacle(each, scene_file, hulls_out));
+  }
+  return obstacles;
+}
+
+std::vector<Target> read_targets(std::vector<Section> sections) {
+  std::vector<Target> targets;
+  for (Section& each : sections) {
+    if (targets.size() == kMaxTargets) {
+      each.fail("name", fmt::format("at most {} targets", kMaxTargets));
+    }
+    targets.push_back(read_target(each));
+    const std::string& name = targets.back().name;
+    const auto same = [&name](const Target& other) { return other.name == name; };
+    if (std::count_if(targets.begin(), targets.end(), same) > 1) {
+      each.fail("name", "another name than those before");
+    }
+  }
+  return targets;
+}
+
+BreathingConfig read_breathing(Section breathing) {
+  BreathingConfig config;
+  const double most = in_mm(kMaxBreathM);
+  const auto a = breathing.numbers<3>("amplitude_mm", {}, -most, most);
+  if (a[0] * a[0] + a[1] * a[1] + a[2] * a[2] > most * most) {
+    breathing.fail("amplitude_mm", fmt::format("at most {} mm long", most));
+  }
+  config.amplitude_m = si(a, 1e-3);
+  config.period_s = static_cast<float>(breathing.number("period_s", 4, 0.1, 1000));
+  if (breathing.has("period_s") && !breathing.has("amplitude_mm")) {
+    breathing.fail("amplitude_mm", "how far the attachments move: a list of 3 numbers");
+  }
+  breathing.finish();
+  return config;
+}
+
+}  // namespace stylet::hal

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of a scene that are things: the needle, what it cannot enter, and what it shall reach.
+//
+// Needles by gauge: outer and inner diameter of regular-wall tubes from the usual gauge table; E of
+// 304/316 steel 200 GPa (193 to 200 in data sheets) and of austenitic nitinol 75 GPa (40 to 83
+// quoted); lengths as these needles are sold. EI = E pi (OD^4 - ID^4) / 64.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "hal/scene/section.h"
+#include "stylet/kernel.h"
+
+namespace stylet::hal {
+
+// The caller ends with needle.finish(): other tables may lie in this one.
+NeedleConfig read_needle(Section& needle);
+// By angles about the world's x, then y, then z.
+Quat turned(const std::array<double, 3>& degrees);
+// `scene_file`: hull files are named relative to its folder. Adds those read.
+std::vector<ObstacleConfig> read_obstacles(std::vector<Section> sections,
+                                           const std::string& scene_file,
+                                           std::vector<std::string>& hulls_out);
+std::vector<Target> read_targets(std::vector<Section> sections);
+BreathingConfig read_breathing(Section breathing);
+
+}  // namespace stylet::hal

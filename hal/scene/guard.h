@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of a scene that keep the hand safe: what the device can do, and the guard's limits.
+#pragma once
+
+#include "hal/scene/section.h"
+
+namespace stylet::hal {
+
+// The keys of [device] that say what it can do and how it moves; those of `model` where a key is
+// missing. The caller ends with device.finish().
+DeviceModel read_device_model(Section& device, float period_s);
+// `device` is for messages: whose keys make a limit impossible.
+GuardConfig read_guard(Section guard, const Section& device, const DeviceModel& model,
+                       float period_s);
+// The stiffest coupling for a device that renders `limit_n_per_m`: it is felt through the scales of
+// the grip.
+float most_coupling(float limit_n_per_m, const GripConfig& grip);
+CouplingConfig read_coupling(Section coupling, const DeviceModel& model, const GuardConfig& guard,
+                             const GripConfig& grip);
+
+}  // namespace stylet::hal
