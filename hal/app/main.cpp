@@ -15,7 +15,9 @@
 #include "hal/app/commands.h"
 #include "hal/base/side_process.h"
 #include "hal/console/limits.h"
+#include "hal/device/devices.h"
 #include "hal/device/driver_call.h"
+#include "hal/device/drivers/haply.h"
 #include "hal/publish/igtl.h"
 #include "stylet/command_texts.h"
 #include "stylet/limits.h"
@@ -351,6 +353,7 @@ int main(int argc, char** argv) {
     if (argc == 3 && std::string_view(argv[1]) == stylet::hal::kBesideCommand) {
       return stylet::app::beside(argv[2]);
     }
+    stylet::hal::use_drivers(stylet::hal::drivers_with_haply());
     const int code = stylet::app::dispatch(argc, argv);
     if (std::fflush(stdout) != 0) {
       throw std::runtime_error(fmt::format("standard output: {}", std::strerror(errno)));

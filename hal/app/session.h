@@ -20,6 +20,7 @@
 #include "hal/loop/instance.h"
 #include "hal/loop/loop.h"
 #include "hal/publish/igtl_process.h"
+#include "hal/record/organ_file.h"
 #include "hal/record/recorder_process.h"
 #include "hal/record/replay_device.h"
 #include "hal/scene/scene.h"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "hal/loop/display.h"
-#include "hal/loop/instance.h"
 #include "hal/loop/record.h"
+#include "hal/record/organ_file.h"
 #include "hal/score/score.h"
 
 namespace stylet::console {

@@ -5,12 +5,6 @@
 
 #include <array>
 
-#include "hal/device/drivers/force_dimension.h"
-#include "hal/device/drivers/haply.h"
-#include "hal/device/drivers/openhaptics.h"
-#include "hal/device/drivers/peer.h"
-#include "hal/device/drivers/pointer.h"
-#include "hal/device/drivers/spacemouse.h"
 #include "hal/device/lasting_device.h"
 #include "hal/device/patience.h"
 #include "hal/device/thread.h"
@@ -20,50 +14,44 @@ namespace {
 
 constexpr double kAgainPatienceS = 1;  // for calibration and first samples, each time it is tried
 
-bool always() {
-  return true;
-}
-
-constexpr std::array kKinds = {
-    DeviceKind{"hd", "hd:", "3D Systems Touch and relatives, OpenHaptics", open_openhaptics,
-               [] { return !openhaptics_in_use(); }},
-    DeviceKind{"dhd", "dhd:0", "Force Dimension and Novint Falcon, DHD", open_force_dimension,
-               always},
-    DeviceKind{"haply", "haply:", "Haply Inverse3, its service", open_haply, always, same_haply},
-    DeviceKind{"spacemouse", "spacemouse:", "3Dconnexion SpaceMouse, spacenavd: no force",
-               open_spacemouse, always, nullptr, false},
-    DeviceKind{"pointer", "pointer:", "mouse or finger on the console's page: no force",
-               open_pointer, nullptr, nullptr, false},
-    DeviceKind{"udp", "udp:7755", "another program, over the network", open_udp, nullptr},
-    DeviceKind{"shm", "shm:mine", "another program, through shared memory", open_shared_memory,
-               nullptr},
+constexpr std::array kOwn = {
+#define STYLET_DRIVER(file, descriptor) &descriptor,
+#define STYLET_LIBRARY_DRIVER(file, descriptor)
+#include "hal/device/drivers.inc"
+#undef STYLET_DRIVER
+#undef STYLET_LIBRARY_DRIVER
 };
+constinit std::span<const DriverDescriptor* const> g_drivers = kOwn;
 
-const DeviceKind* kind_of(const std::string& uri) {
-  for (const DeviceKind& each : kKinds) {
-    if (uri.starts_with(std::string(each.scheme) + ":")) return &each;
+const DriverDescriptor* driver_of(const std::string& uri) {
+  for (const DriverDescriptor* each : g_drivers) {
+    if (uri.starts_with(std::string(each->scheme) + ":")) return each;
   }
   return nullptr;
 }
 
 }  // namespace
 
-std::span<const DeviceKind> device_kinds() {
-  return kKinds;
+std::span<const DriverDescriptor* const> drivers() {
+  return g_drivers;
+}
+
+void use_drivers(std::span<const DriverDescriptor* const> known) {
+  g_drivers = known;
 }
 
 std::string device_uri_fault(const std::string& uri) {
-  if (kind_of(uri) != nullptr) return "";
+  if (driver_of(uri) != nullptr) return "";
   std::string expected;
-  for (const DeviceKind& each : kKinds) {
-    expected += fmt::format("{}{}:", expected.empty() ? "" : ", ", each.scheme);
+  for (const DriverDescriptor* each : g_drivers) {
+    expected += fmt::format("{}{}:", expected.empty() ? "" : ", ", each->scheme);
   }
   return "a device's URI, which begins with one of " + expected;
 }
 
 bool device_renders(const std::string& uri) {
-  const DeviceKind* kind = kind_of(uri);
-  return kind != nullptr && kind->renders;
+  const DriverDescriptor* driver = driver_of(uri);
+  return driver != nullptr && driver->renders;
 }
 
 void stop_opening_when(bool (*asked)()) {
@@ -75,24 +63,24 @@ int device_priority_refused() {
 }
 
 Device open_device(const std::string& uri, double patience_s) {
-  const DeviceKind* kind = kind_of(uri);
-  if (kind == nullptr) {
+  const DriverDescriptor* driver = driver_of(uri);
+  if (driver == nullptr) {
     throw DeviceError(fmt::format("{}: expected {}", uri, device_uri_fault(uri)));
   }
-  return kind->open(uri.substr(uri.find(':') + 1), patience_s);
+  return driver->open(uri.substr(uri.find(':') + 1), patience_s);
 }
 
 Device open_lasting_device(const std::string& uri, double patience_s) {
-  const DeviceKind* kind = kind_of(uri);
+  const DriverDescriptor* driver = driver_of(uri);
   const Device device = open_device(uri, patience_s);
-  if (kind->may_open_again == nullptr) return device;
+  if (driver->may_open_again == nullptr) return device;
   std::string again = uri;
-  if (kind->same != nullptr) {
+  if (driver->same != nullptr) {
     const std::size_t rest = uri.find(':') + 1;
-    again = uri.substr(0, rest) + kind->same(uri.substr(rest), device.info.identity);
+    again = uri.substr(0, rest) + driver->same(uri.substr(rest), device.info.identity);
   }
   return lasting_device(device, {.open = [again] { return open_device(again, kAgainPatienceS); },
-                                 .may_open = kind->may_open_again});
+                                 .may_open = driver->may_open_again});
 }
 
 }  // namespace stylet::hal

@@ -5,87 +5,20 @@
 #include <array>
 #include <cctype>
 #include <string>
+#include <vector>
+
+#include "hal/device/devices.h"
 
 namespace stylet::hal {
 namespace {
 
-constexpr float kSlew = 2000;  // N/s
-constexpr float kUsbS = 1e-3F, kFastUsbS = 0.25e-3F;
-
-constexpr Vec3 mm(float right, float up, float near) {
-  return {1e-3F * right, 1e-3F * up, 1e-3F * near};
+// Without the heap: a model is also asked for where none may be used.
+template <typename Visit>
+void for_each_model(Visit visit) {
+  for (const DriverDescriptor* driver : drivers()) {
+    for (const DeviceModel& each : driver->models) visit(each);
+  }
 }
-
-// The damping is what the advertised stiffness implies, if that is where the device begins to buzz
-// in a light grip: b = K (T/2 + delay) at T = 1 ms (Gil et al. 2009).
-constexpr DeviceModel make_model(DeviceModel model) {
-  constexpr float kHalfPeriodS = 0.5e-3F;
-  model.motion.damping_n_s_per_m =
-      model.max_stiffness_n_per_m * (kHalfPeriodS + model.motion.delay_s);
-  return model;
-}
-
-// name; largest force, continuous force; slew; stiffness; damping; workspace; mass, (damping),
-// friction, resolution, delay.
-constexpr std::array kModels = {
-    make_model({"touch",
-                3.3F,
-                0.88F,
-                kSlew,
-                400,
-                4,
-                mm(160, 120, 70),
-                {0.045F, 0, 0.26F, 0.055e-3F, kUsbS}}),
-    make_model({"omni",
-                3.3F,
-                0.88F,
-                kSlew,
-                700,
-                5,
-                mm(160, 120, 70),
-                {0.045F, 0, 0.26F, 0.055e-3F, kUsbS}}),
-    make_model({"touch-x",
-                7.9F,
-                1.75F,
-                kSlew,
-                1000,
-                5,
-                mm(160, 120, 120),
-                {0.045F, 0, 0.06F, 0.023e-3F, kUsbS}}),
-    make_model({"premium-1.5",
-                8.5F,
-                1.4F,
-                kSlew,
-                800,
-                5,
-                mm(381, 267, 191),
-                {0.075F, 0, 0.04F, 0.03e-3F, kUsbS}}),
-    make_model({"premium-3.0",
-                22,
-                3,
-                kSlew,
-                1000,
-                5,
-                mm(838, 584, 406),
-                {0.159F, 0, 0.2F, 0.02e-3F, kUsbS}}),
-    make_model({"falcon", 8, 2, kSlew, 3000, 20, mm(100, 100, 100), {0.2F, 0, 0, 0.06e-3F, kUsbS}}),
-    make_model(
-        {"omega.3", 12, 12, kSlew, 5000, 30, mm(160, 160, 110), {0.2F, 0, 0, 0.01e-3F, kFastUsbS}}),
-    make_model(
-        {"omega.6", 12, 12, kSlew, 5000, 30, mm(160, 160, 110), {0.2F, 0, 0, 0.01e-3F, kFastUsbS}}),
-    make_model(
-        {"omega.7", 12, 12, kSlew, 5000, 30, mm(160, 160, 110), {0.2F, 0, 0, 0.01e-3F, kFastUsbS}}),
-    make_model(
-        {"sigma.7", 12, 12, kSlew, 4000, 30, mm(190, 190, 130), {0.2F, 0, 0, 0.01e-3F, kFastUsbS}}),
-    make_model({"delta.6",
-                20,
-                20,
-                kSlew,
-                5000,
-                30,
-                mm(400, 400, 260),
-                {0.25F, 0, 0, 0.03e-3F, kFastUsbS}}),
-};
 
 // Names of before, and families.
 struct Alias {
@@ -106,9 +39,9 @@ std::string letters(std::string_view text) {
 // Forces, stiffness, damping and room: the smallest, and nothing that the arm dissipates may be
 // assumed beyond it. Steps and delay: the largest.
 DeviceModel most_careful() {
-  DeviceModel all = kModels[0];
+  DeviceModel all = device_models().front();
   all.name = "unknown";
-  for (const DeviceModel& each : kModels) {
+  for_each_model([&all](const DeviceModel& each) {
     const auto less = [](float& a, float b) { a = std::min(a, b); };
     const auto more = [](float& a, float b) { a = std::max(a, b); };
     less(all.max_force_n, each.max_force_n);
@@ -124,21 +57,27 @@ DeviceModel most_careful() {
     less(all.motion.friction_n, each.motion.friction_n);
     more(all.motion.resolution_m, each.motion.resolution_m);
     more(all.motion.delay_s, each.motion.delay_s);
-  }
+  });
   return all;
 }
 
 }  // namespace
 
 std::span<const DeviceModel> device_models() {
-  return kModels;
+  static const std::vector<DeviceModel> all = [] {
+    std::vector<DeviceModel> found;
+    for_each_model([&found](const DeviceModel& each) { found.push_back(each); });
+    return found;
+  }();
+  return all;
 }
 
 const DeviceModel* find_device_model(std::string_view name) {
-  for (const DeviceModel& each : kModels) {
-    if (name == each.name) return &each;
-  }
-  return nullptr;
+  const DeviceModel* found = nullptr;
+  for_each_model([&](const DeviceModel& each) {
+    if (name == each.name) found = &each;
+  });
+  return found;
 }
 
 const DeviceModel* recognise_device_model(std::string_view called) {
@@ -151,7 +90,7 @@ const DeviceModel* recognise_device_model(std::string_view called) {
     best = model;
     longest = wanted.size();
   };
-  for (const DeviceModel& each : kModels) consider(each.name, &each);
+  for_each_model([&](const DeviceModel& each) { consider(each.name, &each); });
   for (const Alias& each : kAliases) consider(each.called, find_device_model(each.model));
   return best;
 }

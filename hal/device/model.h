@@ -6,7 +6,8 @@
 // workspace: their data sheets; workspace and resolution of the others likewise. Not published and
 // assumed on the safe side: 0.2 kg and no friction for parallel arms, a quarter of the largest
 // force as a Falcon's continuous one. Delay: a period of 1 ms over USB, a quarter of it for devices
-// that can be polled at 4 kHz. Damping of the arm: see make_model. Promise: plain data. Units: SI.
+// that can be polled at 4 kHz. Damping of the arm: see with_arm_damping. Each
+// driver has the models of its devices. Promise: plain data. Units: SI.
 // Frame: the device's.
 #pragma once
 
@@ -41,6 +42,24 @@ struct DeviceModel {
   DeviceDynamics motion = {};
 };
 
+constexpr float kAssumedSlewNPerS = 2000;  // of every model: none is published
+// A period of 1 ms, and a quarter of it for devices that can be polled at 4 kHz.
+constexpr float kUsbS = 1e-3F, kPolledUsbS = 0.25e-3F;
+
+constexpr Vec3 mm(float right, float up, float near) {
+  return {1e-3F * right, 1e-3F * up, 1e-3F * near};
+}
+
+// The damping is what the advertised stiffness implies, if that is where the device begins to buzz
+// in a light grip: b = K (T/2 + delay) at T = 1 ms (Gil et al. 2009).
+constexpr DeviceModel with_arm_damping(DeviceModel model) {
+  constexpr float kHalfPeriodS = 0.5e-3F;
+  model.motion.damping_n_s_per_m =
+      model.max_stiffness_n_per_m * (kHalfPeriodS + model.motion.delay_s);
+  return model;
+}
+
+// Of all drivers that are known (devices.h).
 std::span<const DeviceModel> device_models();
 // nullptr: none has this name.
 const DeviceModel* find_device_model(std::string_view name);

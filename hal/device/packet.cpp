@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hal/device/packet.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -45,9 +43,16 @@ void fields(ForcePacket& p, Visit&& visit) {
 static_assert(sizeof(Pose) == 28 && sizeof(RenderLimits) == 16 && sizeof(ForceModel) == 80,
               "no padding in a packet");
 
+// CRC-32 as zlib, gzip and PNG have it (ISO 3309), lowest bit first; written here so that the
+// loop's library needs no other for 108 bytes.
 std::uint32_t checksum(std::span<const std::byte> bytes) {
-  return static_cast<std::uint32_t>(
-      crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
+  constexpr std::uint32_t kPolynomial = 0xedb88320;
+  std::uint32_t crc = ~0U;
+  for (const std::byte each : bytes) {
+    crc ^= std::to_integer<std::uint32_t>(each);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) != 0 ? kPolynomial : 0);
+  }
+  return ~crc;
 }
 
 template <std::size_t kBytes, typename Packet>

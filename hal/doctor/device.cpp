@@ -2,7 +2,7 @@
 // Checks of haptic devices on USB, and of the interrupt threads that bring their samples.
 #include <fmt/format.h>
 
-#include "hal/device/usb_devices.h"
+#include "hal/device/devices.h"
 #include "hal/doctor/checks.h"
 
 namespace stylet::hal {
@@ -13,8 +13,10 @@ using std::string;
 const char* haptic_name(const HostTree& tree, const string& folder) {
   const string vendor = read_text(tree, folder + "/idVendor").value_or("");
   const string product = read_text(tree, folder + "/idProduct").value_or("");
-  for (const UsbDevice& known : kUsbDevices) {
-    if (known.is(vendor, product)) return known.name;
+  for (const DriverDescriptor* driver : drivers()) {
+    for (const UsbId& known : driver->usb) {
+      if (known.is(vendor, product)) return known.name;
+    }
   }
   return nullptr;
 }

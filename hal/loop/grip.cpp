@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hal/base/rotation.h"
 #include "hal/loop/mapping.h"
 
 namespace stylet::hal {
@@ -11,9 +12,6 @@ namespace {
 
 constexpr Vec3 kInwards = {0, 0, -1};
 
-Quat inverse(const Quat& q) {
-  return {q.w, -q.x, -q.y, -q.z};
-}
 Vec3 sum(Vec3 a, Vec3 b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// An organ file in memory, and a kernel with the memory it asked for.
-// Promise: LoadError is one line with file, place, value and what was expected. Before the loop
-// only.
+// A kernel with the memory it asked for.
+// Promise: LoadError is one line with place, value and what was expected. Before the loop only.
 #pragma once
 
 #include <cstddef>
 #include <memory>
 #include <span>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "stylet/kernel.h"
 
@@ -18,13 +15,6 @@ namespace stylet::hal {
 struct LoadError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-
-struct OrganFile {
-  std::string path;
-  std::vector<std::byte> bytes;
-  Organ organ;  // points into bytes
-};
-OrganFile load_organ(const std::string& path);
 
 // Blocks of exactly the predicted size, every page of them touched, and the kernel in them.
 class KernelInstance {

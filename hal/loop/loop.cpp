@@ -210,26 +210,6 @@ std::int64_t next_grid_point(const LoopConfig& config, LoopState& state, std::in
 
 }  // namespace
 
-void histogram_add(Histogram& histogram, std::int64_t ns) {
-  const std::int64_t bin = std::clamp<std::int64_t>(ns / 1000, 0, Histogram::kBins - 1);
-  ++histogram.count[static_cast<std::size_t>(bin)];
-  ++histogram.total;
-  histogram.max_ns = std::max(histogram.max_ns, ns);
-}
-
-double histogram_quantile_us(const Histogram& histogram, double fraction) {
-  const double wanted = fraction * static_cast<double>(histogram.total);
-  const double max_us = static_cast<double>(histogram.max_ns) * 1e-3;
-  std::uint64_t seen = 0;
-  for (std::size_t bin = 0; bin + 1 < Histogram::kBins; ++bin) {
-    seen += histogram.count[bin];
-    if (static_cast<double>(seen) >= wanted) {
-      return std::min(static_cast<double>(bin + 1), max_us);
-    }
-  }
-  return max_us;
-}
-
 namespace {
 
 // What a tick takes, and who gets to know of it.

@@ -16,6 +16,7 @@
 
 #include "hal/base/channel.h"
 #include "hal/base/clock.h"
+#include "hal/base/histogram.h"
 #include "hal/device/device.h"
 #include "hal/guard/fault_mailbox.h"
 #include "hal/guard/guard.h"
@@ -34,18 +35,6 @@ namespace stylet::hal {
 // third of its ticks for long is none.
 constexpr std::int64_t kMaxLateNs = 20'000'000;
 constexpr std::int64_t kLostTicksPart = 2;
-
-// Durations in bins of 1 us; the last bin holds everything longer.
-struct Histogram {
-  static constexpr std::size_t kBins = 5001;
-  std::array<std::uint64_t, kBins> count{};
-  std::uint64_t total = 0;
-  std::int64_t max_ns = 0;
-};
-void histogram_add(Histogram& histogram, std::int64_t ns);
-// Upper edge of the bin that holds the share `fraction` of all entries, us; the maximum for entries
-// beyond the last bin.
-double histogram_quantile_us(const Histogram& histogram, double fraction);
 
 struct Outlets {
   Ring<TickRecord>* records = nullptr;  // may be null

@@ -13,10 +13,6 @@ struct Mapping {
   Vec3 origin_m = {};            // of the device, in the world
 };
 
-Vec3 cross(Vec3 a, Vec3 b);
-Vec3 rotate(const Quat& q, Vec3 v);
-// First `b`, then `a`.
-Quat product(const Quat& a, const Quat& b);
 Pose to_world(const Mapping& mapping, const Pose& device);
 Vec3 to_device(const Mapping& mapping, Vec3 world_vector);
 Vec3 place_in_device(const Mapping& mapping, Vec3 world_place);

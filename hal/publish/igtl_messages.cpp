@@ -12,8 +12,8 @@
 #include <array>
 #include <cmath>
 
+#include "hal/base/rotation.h"
 #include "hal/guard/guard.h"
-#include "hal/loop/mapping.h"
 
 namespace stylet::hal {
 namespace {

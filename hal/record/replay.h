@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "hal/loop/instance.h"
+#include "hal/record/organ_file.h"
 #include "hal/record/recording.h"
 #include "stylet/kernel.h"
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "hal/base/angle.h"
-#include "hal/loop/mapping.h"
+#include "hal/base/rotation.h"
 #include "stylet/limits.h"
 
 namespace stylet::hal {

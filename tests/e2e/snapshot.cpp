@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "hal/loop/instance.h"
+#include "hal/record/organ_file.h"
 #include "hal/record/recording.h"
 #include "hal/record/replay.h"
 #include "promises.h"

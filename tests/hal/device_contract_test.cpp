@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "device_bench.h"
-#include "hal/loop/mapping.h"
 
 // A sanitizer brings a heap and locks of its own.
 #ifndef STYLET_SANITIZED

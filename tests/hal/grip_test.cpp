@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "hal/loop/mapping.h"
+#include "hal/base/rotation.h"
 
 namespace stylet::hal {
 namespace {

@@ -11,6 +11,8 @@
 #include <boost/beast/websocket.hpp>
 #include <nlohmann/json.hpp>
 
+#include "hal/device/devices.h"
+#include "hal/device/drivers/haply.h"
 #include "service_bench.h"
 
 namespace stylet::hal {
@@ -18,6 +20,12 @@ namespace {
 using boost::asio::ip::tcp;
 using nlohmann::json;
 namespace websocket = boost::beast::websocket;
+
+// A program says which drivers it has before its first device.
+[[maybe_unused]] const bool g_haply_is_known = [] {
+  use_drivers(drivers_with_haply());
+  return true;
+}();
 
 bool readable(int socket, int wait_ms) {
   pollfd wanted = {socket, POLLIN, 0};

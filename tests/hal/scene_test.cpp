@@ -10,6 +10,7 @@
 #include <fstream>
 #include <string>
 
+#include "hal/base/rotation.h"
 #include "tiny_organ.h"
 
 namespace stylet::hal {

@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "hal/base/rotation.h"
 #include "rig.h"
 
 namespace stylet::hal {

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "device_bench.h"
-#include "hal/loop/mapping.h"
+#include "hal/base/rotation.h"
 
 namespace stylet::hal {
 namespace {

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "hal/loop/instance.h"
+#include "hal/record/organ_file.h"
 #include "hal/record/recording.h"
 #include "hal/record/replay.h"
 #include "state/attachment.h"

@@ -9,6 +9,7 @@ import unittest
 
 sys.dont_write_bytecode = True
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+import drivers  # noqa: E402
 import headers  # noqa: E402
 import loops  # noqa: E402
 import promises  # noqa: E402
@@ -168,6 +169,28 @@ class Rooms(Sample):
         self.write("house/cellar/coal.h", "")
         self.write("house/roof.cpp", "")
         self.expect_one(self.faults(), "roof.cpp is listed to use hall")
+
+
+class Drivers(Sample):
+    README = f"before\n{drivers.BEGIN}| a |\n{drivers.END}behind\n"
+
+    def faults(self, udev="rules\n", table="| a |\n", readme=README):
+        self.write(drivers.RULES, "rules\n")
+        self.write(drivers.README, readme)
+        return drivers.faults(self.top, udev, table)
+
+    def test_accepts_what_the_drivers_say(self):
+        self.assertEqual(list(self.faults()), [])
+
+    def test_refuses_other_rules_and_another_table(self):
+        self.expect_one(self.faults(udev="rules of another device\n"), drivers.RULES)
+        self.expect_one(self.faults(table="| a |\n| b |\n"), drivers.README)
+        self.expect_one(self.faults(readme=self.README.replace("| a |", "| by hand |")),
+                        drivers.README)
+
+    def test_refuses_a_page_without_the_table(self):
+        with self.assertRaises(ValueError):
+            list(self.faults(readme="| a |\n"))
 
 
 class Promises(Sample):

@@ -203,15 +203,6 @@ class Tree(unittest.TestCase):
                                   text=True)
             self.assertEqual(done.stdout, expected + "\n", cpus)
 
-    def test_udev_and_stylet_know_the_same_devices(self):
-        rules = (HERE / "tree/etc/udev/rules.d/70-stylet-haptic.rules").read_text()
-        for_udev = set(re.findall(r'"usb_device", ATTR\{idVendor\}=="(\w+)"'
-                                  r'(?:, ATTR\{idProduct\}=="(\w+)")?', rules))
-        source = (HERE.parents[1] / "hal/device/usb_devices.h").read_text()
-        for_stylet = set(re.findall(r'\{"\w+", "(\w{4})", "(\w*)", "', source))
-        self.assertGreater(len(for_udev), 2)
-        self.assertEqual(for_udev, for_stylet)
-
 
 if __name__ == "__main__":
     sys.exit(unittest.main())

@@ -13,11 +13,13 @@
 #include <thread>
 
 #include "hal/device/devices.h"
+#include "hal/device/driver.h"
 #include "hal/device/model.h"
 #include "hal/device/patience.h"
 #include "hal/device/relay.h"
 #include "hal/device/supervisor.h"
 #include "hal/device/thread.h"
+#include "hal/device/usb.h"
 #include "hal/device/vendor_library.h"
 #include "hal/device/vendor_pose.h"
 
@@ -370,5 +372,96 @@ std::optional<bool> force_dimension_watchdog() try {
 } catch (const DeviceError&) {
   return std::nullopt;
 }
+
+namespace {
+
+constexpr std::array kUsb = {UsbId{.vendor = "1451", .product = "", .name = "Force Dimension"},
+                             UsbId{.vendor = "0403", .product = "cb48", .name = "Novint Falcon"}};
+
+// name; largest force, continuous force; slew; stiffness; damping; workspace; mass, (damping),
+// friction, resolution, delay.
+constexpr std::array kModels = {
+    with_arm_damping({"falcon",
+                      8,
+                      2,
+                      kAssumedSlewNPerS,
+                      3000,
+                      20,
+                      mm(100, 100, 100),
+                      {0.2F, 0, 0, 0.06e-3F, kUsbS}}),
+    with_arm_damping({"omega.3",
+                      12,
+                      12,
+                      kAssumedSlewNPerS,
+                      5000,
+                      30,
+                      mm(160, 160, 110),
+                      {0.2F, 0, 0, 0.01e-3F, kPolledUsbS}}),
+    with_arm_damping({"omega.6",
+                      12,
+                      12,
+                      kAssumedSlewNPerS,
+                      5000,
+                      30,
+                      mm(160, 160, 110),
+                      {0.2F, 0, 0, 0.01e-3F, kPolledUsbS}}),
+    with_arm_damping({"omega.7",
+                      12,
+                      12,
+                      kAssumedSlewNPerS,
+                      5000,
+                      30,
+                      mm(160, 160, 110),
+                      {0.2F, 0, 0, 0.01e-3F, kPolledUsbS}}),
+    with_arm_damping({"sigma.7",
+                      12,
+                      12,
+                      kAssumedSlewNPerS,
+                      4000,
+                      30,
+                      mm(190, 190, 130),
+                      {0.2F, 0, 0, 0.01e-3F, kPolledUsbS}}),
+    with_arm_damping({"delta.6",
+                      20,
+                      20,
+                      kAssumedSlewNPerS,
+                      5000,
+                      30,
+                      mm(400, 400, 260),
+                      {0.25F, 0, 0, 0.03e-3F, kPolledUsbS}}),
+};
+
+void search(const HostTree& tree, DeviceSighting& out) {
+  const Attached device = find_usb(tree, kUsb);
+  if (const std::string missing = force_dimension_missing(); !missing.empty()) {
+    out.seen = (device.place.empty() ? "" : device.place + ", but ") + missing;
+    out.remedy = "install the vendor's SDK (libdhd.so.3 and libusb-1.0)";
+    return;
+  }
+  if (device.place.empty()) {
+    out.seen = "library, but no such device on USB";
+    out.remedy = "check cable and power";
+    return;
+  }
+  if (!may_use(tree, device, out)) return;
+  out.ready = true;
+  out.seen = "library, " + device.place;
+}
+
+}  // namespace
+
+constinit const DriverDescriptor dhd_driver = {
+    .scheme = "dhd",
+    .uri = "dhd:",
+    .name = "Force Dimension, Novint Falcon",
+    .open = open_force_dimension,
+    .search = search,
+    .may_open_again = may_always_open_again,
+    .usb = kUsb,
+    .models = kModels,
+    .row = {"`dhd:`, `dhd:INDEX`", "Force Dimension, Novint Falcon",
+            "3 to 7 / 3 to 6; a gripper that is closed is button 0",
+            "SDK 3.x (`libdhd.so.3`, or `STYLET_LIBDHD`); its forces on: the button on its base"},
+};
 
 }  // namespace stylet::hal

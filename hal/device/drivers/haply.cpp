@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "hal/device/devices.h"
+#include "hal/device/driver.h"
 #include "hal/device/drivers/haply_events.h"
 #include "hal/device/drivers/haply_state.h"
 #include "hal/device/model.h"
@@ -503,6 +504,57 @@ std::string same_haply(const std::string& rest, const std::string& identity) {
   const std::size_t at = where.find('@'), split = identity.find(",grip=");
   return identity.substr(0, split) + (at == std::string::npos ? "" : where.substr(at)) +
          identity.substr(split) + others;
+}
+
+namespace {
+
+// Somebody listens on this port of this machine.
+bool listens(std::uint16_t port) {
+  const int probe = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address = {};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(port);
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const auto* at = reinterpret_cast<const sockaddr*>(&address);
+  const bool good = connect(probe, at, sizeof address) == 0;
+  ::close(probe);
+  return good;
+}
+
+void search(const HostTree&, DeviceSighting& out) {
+  constexpr std::uint16_t kPort = 10001;
+  out.ready = listens(kPort);
+  out.seen = out.ready ? "its service answers" : "no service on 127.0.0.1:10001";
+  if (!out.ready) out.remedy = "install haply-inverse-service and start it";
+}
+
+}  // namespace
+
+constinit const DriverDescriptor haply_driver = {
+    .scheme = "haply",
+    .uri = "haply:",
+    .name = "Haply Inverse3",
+    .open = open_haply,
+    .search = search,
+    .may_open_again = may_always_open_again,
+    .same = same_haply,
+    .row = {"`haply:`, `haply:ID@ADDRESS:PORT`, then `,grip=ID` `,gate=0.3` `,damping=0` "
+            "`,events=10020`",
+            "Haply Inverse3, rotation and buttons with a VerseGrip", "3 or 6 / 3",
+            "`haply-inverse-service` 3.1, which answers pings as any WebSocket has to; its damping "
+            "is switched off (the kernel renders it), its force gate stays as it is, its events "
+            "name what ended"},
+};
+
+std::span<const DriverDescriptor* const> drivers_with_haply() {
+  static constexpr std::array kAll = {
+#define STYLET_DRIVER(file, descriptor) &descriptor,
+#define STYLET_LIBRARY_DRIVER STYLET_DRIVER
+#include "hal/device/drivers.inc"
+#undef STYLET_DRIVER
+#undef STYLET_LIBRARY_DRIVER
+  };
+  return kAll;
 }
 
 }  // namespace stylet::hal

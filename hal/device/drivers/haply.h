@@ -14,15 +14,19 @@
 // needles of this program share one. Source: docs.haply.co, service 3.5.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "hal/device/device.h"
+#include "hal/device/driver.h"
 
 namespace stylet::hal {
 
 // "", "ID", "@ADDRESS:PORT" or "ID@ADDRESS:PORT", and then wishes; the first device that nothing
 // here holds, its only grip, and 127.0.0.1:10001.
 Device open_haply(const std::string& rest, double patience_s);
+// All drivers, this one too: for use_drivers (devices.h).
+std::span<const DriverDescriptor* const> drivers_with_haply();
 // What opens the same device and grip again: `rest` with the identity that was opened.
 std::string same_haply(const std::string& rest, const std::string& identity);
 

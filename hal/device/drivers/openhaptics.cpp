@@ -16,6 +16,7 @@
 
 #include "hal/base/clock.h"
 #include "hal/device/devices.h"
+#include "hal/device/driver.h"
 #include "hal/device/drivers/openhaptics_names.h"
 #include "hal/device/lasting_device.h"
 #include "hal/device/model.h"
@@ -23,6 +24,7 @@
 #include "hal/device/relay.h"
 #include "hal/device/supervisor.h"
 #include "hal/device/thread.h"
+#include "hal/device/usb.h"
 #include "hal/device/vendor_library.h"
 #include "hal/device/vendor_pose.h"
 
@@ -496,5 +498,107 @@ Device open_openhaptics(const std::string& name, double patience_s) {
   }
   return relayed(device, device->info, close, trouble);
 }
+
+namespace {
+
+constexpr std::array kUsb = {UsbId{.vendor = "2988",
+                                   .product = "",
+                                   .name = "3D Systems Touch",
+                                   .has_terminal = true,
+                                   .has_raw_hid = true}};
+
+// name; largest force, continuous force; slew; stiffness; damping; workspace; mass, (damping),
+// friction, resolution, delay.
+constexpr std::array kModels = {
+    with_arm_damping({"touch",
+                      3.3F,
+                      0.88F,
+                      kAssumedSlewNPerS,
+                      400,
+                      4,
+                      mm(160, 120, 70),
+                      {0.045F, 0, 0.26F, 0.055e-3F, kUsbS}}),
+    with_arm_damping({"omni",
+                      3.3F,
+                      0.88F,
+                      kAssumedSlewNPerS,
+                      700,
+                      5,
+                      mm(160, 120, 70),
+                      {0.045F, 0, 0.26F, 0.055e-3F, kUsbS}}),
+    with_arm_damping({"touch-x",
+                      7.9F,
+                      1.75F,
+                      kAssumedSlewNPerS,
+                      1000,
+                      5,
+                      mm(160, 120, 120),
+                      {0.045F, 0, 0.06F, 0.023e-3F, kUsbS}}),
+    with_arm_damping({"premium-1.5",
+                      8.5F,
+                      1.4F,
+                      kAssumedSlewNPerS,
+                      800,
+                      5,
+                      mm(381, 267, 191),
+                      {0.075F, 0, 0.04F, 0.03e-3F, kUsbS}}),
+    with_arm_damping({"premium-3.0",
+                      22,
+                      3,
+                      kAssumedSlewNPerS,
+                      1000,
+                      5,
+                      mm(838, 584, 406),
+                      {0.159F, 0, 0.2F, 0.02e-3F, kUsbS}}),
+};
+
+bool modem_manager_runs(const HostTree& tree) {
+  for (const std::string& process : names_in(tree, "/proc")) {
+    if (!parse_number(process)) continue;
+    if (read_text(tree, "/proc/" + process + "/comm") == "ModemManager") return true;
+  }
+  return false;
+}
+
+void search(const HostTree& tree, DeviceSighting& out) {
+  Attached touch = find_usb(tree, kUsb);
+  touch.nodes.clear();  // the driver talks to a terminal or a raw HID
+  add_nodes(tree, "tty", kUsb, touch);
+  add_nodes(tree, "hidraw", kUsb, touch);
+  if (const std::string missing = openhaptics_missing(); !missing.empty()) {
+    out.seen = (touch.place.empty() ? "" : touch.place + ", but ") + missing;
+    out.remedy =
+        "install the vendor's OpenHaptics and Touch driver; a library it lacks, such as "
+        "libncurses.so.5, is in Debian (apt install libncurses5)";
+    return;
+  }
+  if (!touch.place.empty() && !may_use(tree, touch, out)) return;
+  const bool terminal = !touch.nodes.empty() && touch.nodes[0].find("tty") != std::string::npos;
+  if (terminal && !has_rules(tree) && modem_manager_runs(tree)) {
+    out.seen = touch.place + ": ModemManager takes it for a modem";
+    out.remedy = kUdevRemedy;
+    return;
+  }
+  out.ready = true;
+  out.seen = touch.place.empty() ? "library; none on USB (older ones are on Ethernet or FireWire)"
+                                 : "library, " + touch.place;
+}
+
+}  // namespace
+
+constinit const DriverDescriptor hd_driver = {
+    .scheme = "hd",
+    .uri = "hd:",
+    .name = "3D Systems Touch and relatives",
+    .open = open_openhaptics,
+    .search = search,
+    .may_open_again = [] { return !openhaptics_in_use(); },
+    .usb = kUsb,
+    .models = kModels,
+    .row = {"`hd:`, `hd:NAME`", "3D Systems Touch, Touch X, Omni, Premium", "6 / 3",
+            "OpenHaptics 3.x (`libHD.so`, or its path in `STYLET_LIBHD`), the Touch driver, "
+            "`libncurses5`; NAME as in the vendor's set-up (`$GTDD_HOME/config`). Your locale is "
+            "kept from it: it reads numbers with a point"},
+};
 
 }  // namespace stylet::hal

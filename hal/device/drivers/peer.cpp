@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "hal/device/devices.h"
+#include "hal/device/driver.h"
 #include "hal/device/patience.h"
 
 namespace stylet::hal {
@@ -252,5 +253,34 @@ Device open_udp(const std::string& rest, double patience_s) {
 Device open_shared_memory(const std::string& rest, double patience_s) {
   return wait_for_peer(shared_memory(rest, Side::kStylet), "shm:" + rest, patience_s);
 }
+
+namespace {
+
+void search(const HostTree&, DeviceSighting& out) {
+  out.ready = true;
+  out.seen = "always";
+}
+
+}  // namespace
+
+constinit const DriverDescriptor udp_driver = {
+    .scheme = "udp",
+    .uri = "udp:7755",
+    .name = "another program, over the network",
+    .open = open_udp,
+    .search = search,
+    .row = {"`udp:PORT`, `udp:ADDRESS:PORT`", "another program, another machine", "6 / as it says",
+            "who speaks in packets; `udp:PORT` listens to this machine only"},
+};
+
+constinit const DriverDescriptor shm_driver = {
+    .scheme = "shm",
+    .uri = "shm:NAME",
+    .name = "another program, through shared memory",
+    .open = open_shared_memory,
+    .search = search,
+    .row = {"`shm:NAME`", "another program here", "6 / as it says",
+            "the same packets in `/dev/shm/stylet.NAME`"},
+};
 
 }  // namespace stylet::hal

@@ -11,8 +11,9 @@
 #include <mutex>
 
 #include "hal/base/channel.h"
+#include "hal/base/rotation.h"
 #include "hal/device/devices.h"
-#include "hal/loop/mapping.h"
+#include "hal/device/driver.h"
 #include "stylet/limits.h"
 
 namespace stylet::hal {
@@ -63,10 +64,6 @@ Vec wide(Vec3 v) {
 }
 Vec3 narrow(const Vec& v) {
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
-}
-
-Quat inverse(const Quat& q) {
-  return {q.w, -q.x, -q.y, -q.z};
 }
 
 bool usable(const Pose& pose) {
@@ -220,5 +217,25 @@ Device open_pointer(const std::string& rest, double /*patience_s*/) {
           close,
           trouble};
 }
+
+namespace {
+
+void search(const HostTree&, DeviceSighting& out) {
+  out.ready = true;
+  out.seen = "with --console";
+}
+
+}  // namespace
+
+constinit const DriverDescriptor pointer_driver = {
+    .scheme = "pointer",
+    .uri = "pointer:",
+    .name = "mouse or finger on the console's page",
+    .open = open_pointer,
+    .search = search,
+    .renders = false,
+    .row = {"`pointer:`, `pointer:NUMBER`", "mouse or finger on the console's page",
+            "6 / 0: the page draws the force", "`--console`; a number from 0 to 3 for each needle"},
+};
 
 }  // namespace stylet::hal

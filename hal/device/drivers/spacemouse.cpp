@@ -16,10 +16,12 @@
 #include <fstream>
 #include <memory>
 
+#include "hal/base/rotation.h"
 #include "hal/device/devices.h"
+#include "hal/device/driver.h"
 #include "hal/device/relay.h"
 #include "hal/device/thread.h"
-#include "hal/loop/mapping.h"
+#include "hal/device/usb.h"
 
 namespace stylet::hal {
 namespace {
@@ -187,5 +189,39 @@ Device open_spacemouse(const std::string& rest, double /*patience_s*/) {
   const DeviceInfo info = {.name = "SpaceMouse", .max_force_n = 0, .max_slew_n_per_s = 0};
   return relayed(mouse.release(), info, close, trouble);
 }
+
+namespace {
+
+constexpr std::array kUsb = {
+    UsbId{.vendor = "256f", .product = "", .name = "3Dconnexion SpaceMouse", .has_raw_hid = true},
+    UsbId{.vendor = "046d", .product = "c626", .name = "3Dconnexion SpaceNavigator"}};
+
+void search(const HostTree& tree, DeviceSighting& out) {
+  const Attached mouse = find_usb(tree, kUsb);
+  const std::string path = spacenavd_socket();
+  if (!exists(tree, path)) {
+    out.seen = (mouse.place.empty() ? "" : mouse.place + ", but ") + ("no socket " + path);
+    out.remedy = "apt install spacenavd; systemctl start spacenavd";
+    return;
+  }
+  out.ready = access((tree.root + path).c_str(), R_OK | W_OK) == 0;
+  out.seen = path + (out.ready ? "" : " may not be used by this user") +
+             (mouse.place.empty() ? "" : ", " + mouse.place);
+  if (!out.ready) out.remedy = "chmod 666 " + path;
+}
+
+}  // namespace
+
+constinit const DriverDescriptor spacemouse_driver = {
+    .scheme = "spacemouse",
+    .uri = "spacemouse:",
+    .name = "3Dconnexion SpaceMouse",
+    .open = open_spacemouse,
+    .search = search,
+    .may_open_again = may_always_open_again,
+    .renders = false,
+    .usb = kUsb,
+    .row = {"`spacemouse:`", "3Dconnexion SpaceMouse", "6 / 0: deflection is speed", "`spacenavd`"},
+};
 
 }  // namespace stylet::hal

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// A driver, as the rest of the program knows it: one descriptor, in the driver's own file. The list
+// of devices, the help, the doctor, the udev rules of toolchain/rt-host and the table in README.md
+// follow it.
+// Promise: plain data that outlives the program's last device.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "hal/base/host_tree.h"
+#include "hal/device/device.h"
+#include "hal/device/model.h"
+#include "hal/device/search.h"
+
+namespace stylet::hal {
+
+// On USB: vendor, and product where the vendor makes other things too.
+struct UsbId {
+  const char* vendor;
+  const char* product;  // empty: any
+  const char* name;
+  bool has_terminal = false;  // it is also a terminal in /dev, which ModemManager must leave alone
+  bool has_raw_hid = false;   // it is also a raw HID in /dev
+
+  bool is(std::string_view its_vendor, std::string_view its_product) const {
+    return its_vendor == vendor && (*product == 0 || its_product == product);
+  }
+};
+
+// Its row of the table in README.md, in Markdown.
+struct DriverRow {
+  const char* uris;
+  const char* device;
+  const char* renders;  // degrees of freedom that are measured / rendered
+  const char* needs;
+};
+
+struct DriverDescriptor {
+  const char* scheme;  // of its URIs, before the colon
+  const char* uri;     // as `stylet devices` lists it
+  const char* name;
+  // `rest`: of the URI, after the colon.
+  Device (*open)(const std::string& rest, double patience_s);
+  // Says what is here or missing (seen), the remedy, and whether it is ready; opens nothing.
+  void (*search)(const HostTree& tree, DeviceSighting& out);
+  // Whether it may be closed and opened again now, once it has failed for good; null: it comes back
+  // by itself.
+  bool (*may_open_again)() = nullptr;
+  // What opens the same one again, where a kind can say so; null: `rest` itself.
+  std::string (*same)(const std::string& rest, const std::string& identity) = nullptr;
+  bool renders = true;  // forces
+  std::span<const UsbId> usb = {};
+  std::span<const DeviceModel> models = {};  // that are recognised by their names
+  DriverRow row;
+};
+
+inline bool may_always_open_again() {
+  return true;
+}
+
+#define STYLET_DRIVER(file, descriptor) extern const DriverDescriptor descriptor;
+#define STYLET_LIBRARY_DRIVER STYLET_DRIVER
+#include "hal/device/drivers.inc"
+#undef STYLET_DRIVER
+#undef STYLET_LIBRARY_DRIVER
+
+}  // namespace stylet::hal

@@ -1,0 +1,81 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""A driver is one file and one line: in a copy of the source a new one is added so, nothing else
+is touched, and the example's loop runs with a device of it.
+
+usage: add_driver_test.py SOURCE ORGAN
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCE, ORGAN = (pathlib.Path(each) for each in sys.argv[1:3])
+
+DRIVER = """// SPDX-License-Identifier: Apache-2.0
+// A stylus that lies on the table: it is where it is, and feels no force.
+#include "hal/device/driver.h"
+
+namespace stylet::hal {
+namespace {
+
+bool read(void*, std::int64_t now_ns, Sample& sample_out) {
+  sample_out.seq += 1;
+  sample_out.t_ns = now_ns;
+  sample_out.pose = {{}, {1, 0, 0, 0}};
+  return true;
+}
+void write(void*, const Command&) {}
+void close(void*) {}
+
+Device open(const std::string&, double) {
+  return {nullptr, {.name = "a stylus at rest", .max_force_n = 1, .max_slew_n_per_s = 2000},
+          read, write, close};
+}
+void search(const HostTree&, DeviceSighting& out) {
+  out.ready = true;
+  out.seen = "on the table";
+}
+
+}  // namespace
+
+constinit const DriverDescriptor still_driver = {
+    .scheme = "still", .uri = "still:", .name = "a stylus at rest", .open = open,
+    .search = search, .row = {"`still:`", "a stylus at rest", "6 / 0", "a table"}};
+
+}  // namespace stylet::hal
+"""
+
+
+def run(*command):
+    done = subprocess.run([str(each) for each in command], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True)
+    if done.returncode != 0:
+        raise AssertionError(f"{command}\n{done.stdout}")
+    return done.stdout
+
+
+class AddDriver(unittest.TestCase):
+    def test_one_file_and_one_line(self):
+        with tempfile.TemporaryDirectory(prefix="stylet-driver-") as folder:
+            copy = pathlib.Path(folder) / "source"
+            for name in "kernel", "hal", "toolchain":
+                shutil.copytree(SOURCE / name, copy / name)
+            shutil.copy(SOURCE / "CMakeLists.txt", copy)
+            (copy / "hal/device/drivers/still.cpp").write_text(DRIVER)
+            with (copy / "hal/device/drivers.inc").open("a") as drivers:
+                drivers.write("STYLET_DRIVER(still, still_driver)\n")
+            build = copy / "build"
+            run("cmake", "-S", copy, "-B", build, "-DCMAKE_BUILD_TYPE=Release",
+                "-DSTYLET_WITH_OFFLINE=OFF", "-DSTYLET_WITH_TESTS=OFF")
+            run("cmake", "--build", build, "--target", "stylet_example_loop", "--parallel", 2)
+            program = next(build.rglob("stylet_example_loop"))
+            self.assertRegex(run(program, ORGAN, "still:"),
+                             r"^a stylus at rest: 45[01] ticks, .* none$")
+            self.assertEqual(subprocess.run([program, ORGAN, "moving:"]).returncode, 1)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
