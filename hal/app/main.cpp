@@ -275,25 +275,27 @@ void add_bench(CLI::App& program) {
                          "Measure how long a tick takes here (has options: stylet bench --help)");
 }
 
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  stylet run fig09-force-curve.toml --organ liver.organ --record out.h5\n"
+    "  stylet plot out.h5 -o force.svg\n"
+    "  stylet run fig09-force-curve.toml --organ liver.organ --console\n"
+    "  stylet console out.h5\n"
+    "  stylet replay out.h5\n"
+    "  stylet score out.h5\n"
+    "  stylet bench liver.organ\n"
+    "  stylet doctor --measure 60\n"
+    "  stylet devices\n"
+    "  stylet station hd: 192.168.0.5:7755\n"
+    "Exit codes: 0 ok, 1 a file was refused, 2 wrong usage, 3 a device's fault, other bits or a\n"
+    "doubtful machine, 4 a machine not fit for real time";
+
 int dispatch(int argc, char** argv) {
   CLI::App program("Haptic needle insertion: runs scenes, repeats and draws recordings", "stylet");
   program.set_version_flag("--version", STYLET_VERSION);
   cli::add_text_options(program, "stylet " STYLET_VERSION);
   program.require_subcommand(0, 1);
-  program.footer(
-      "Examples:\n"
-      "  stylet run fig09-force-curve.toml --organ liver.organ --record out.h5\n"
-      "  stylet plot out.h5 -o force.svg\n"
-      "  stylet run fig09-force-curve.toml --organ liver.organ --console\n"
-      "  stylet console out.h5\n"
-      "  stylet replay out.h5\n"
-      "  stylet score out.h5\n"
-      "  stylet bench liver.organ\n"
-      "  stylet doctor --measure 60\n"
-      "  stylet devices\n"
-      "  stylet station hd: 192.168.0.5:7755\n"
-      "Exit codes: 0 ok, 1 a file was refused, 2 wrong usage, 3 a device's fault, other bits or a\n"
-      "doubtful machine, 4 a machine not fit for real time");
+  program.footer(kFooter);
   RunOptions run_options;
   ReplayOptions replay_options;
   PlaybackOptions playback_options;

@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hal/guard/arithmetic.h"
+#include "hal/guard/energy.h"
+
 namespace stylet::hal {
 namespace {
 
-constexpr std::int64_t kBlindForEverNs = 1'000'000'000'000;
+using namespace guarding;
 
-double of(float value) {
-  return static_cast<double>(value);
-}
+constexpr std::int64_t kBlindForEverNs = 1'000'000'000'000;
 
 bool finite(Vec3 v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -23,47 +24,11 @@ bool finite(const Pose& pose) {
          std::isfinite(q.y) && std::isfinite(q.z);
 }
 
-// Double: the square of any finite float stays finite.
-double dot(Vec3 a, Vec3 b) {
-  return of(a.x) * of(b.x) + of(a.y) * of(b.y) + of(a.z) * of(b.z);
-}
-
-double length(Vec3 v) {
-  return std::sqrt(dot(v, v));
-}
-
-Vec3 scaled(Vec3 v, double s) {
-  return {static_cast<float>(of(v.x) * s), static_cast<float>(of(v.y) * s),
-          static_cast<float>(of(v.z) * s)};
-}
-
-Vec3 minus(Vec3 a, Vec3 b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-Vec3 plus(Vec3 a, Vec3 b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
-Vec3 shortened(Vec3 v, double most) {
-  const double size = length(v);
-  return size > most ? scaled(v, most / size) : v;
-}
-
-// How far a value that follows another with the time constant `slow_s` comes in `step_s`.
-double share_of(double step_s, double slow_s) {
-  return step_s / (step_s + slow_s);
-}
-
 bool plausible(const Pose& pose) {
   const Quat& q = pose.rotation;
   const double axis = length({q.x, q.y, q.z}), w = of(q.w);
   return length(pose.position_m) <= of(kMaxDistanceM) &&
          std::fabs(axis * axis + w * w - 1.0) <= kRotationTolerance;
-}
-
-std::int64_t in_ns(float time_s) {
-  return std::llround(of(time_s) * 1e9);
 }
 
 // Whether a time is over, or will be before the next tick: so a promise in seconds is kept.
@@ -77,11 +42,6 @@ void note_time(const GuardConfig& config, GuardState& state, std::int64_t now_ns
   const std::int64_t passed_ns = state.now_ns == 0 ? period_ns : now_ns - state.now_ns;
   state.now_ns = now_ns;
   state.step_ns = std::clamp(passed_ns, period_ns, std::max(period_ns, kMaxStepNs));
-}
-
-double step_s(const GuardConfig& config, const GuardState& state) {
-  const bool one_period = state.step_ns == 0 || state.step_ns == in_ns(config.period_s);
-  return one_period ? of(config.period_s) : static_cast<double>(state.step_ns) * 1e-9;
 }
 
 std::int64_t step_ns(const GuardConfig& config, const GuardState& state) {
@@ -99,21 +59,9 @@ bool is_armed(GuardMode mode) {
 // ---- samples
 // ---------------------------------------------------------------------------------------
 
-// Since the last usable sample, this one included.
-double since_last_s(const GuardConfig& config, const GuardState& state) {
-  return step_s(config, state) + static_cast<double>(state.blind_ns) * 1e-9;
-}
-
 bool jumped(const GuardConfig& config, const GuardState& state, Vec3 position_m) {
   const double most = of(kJumpM) + of(config.max_speed_m_per_s) * since_last_s(config, state);
   return state.have_pose != 0 && length(minus(position_m, state.pose_m)) > most;
-}
-
-// The device is somewhere else, and what was drawn on the way is not known: it may be all that a
-// spring can hold.
-void lose_sight(const GuardConfig& config, EnergyObserver& energy) {
-  if (energy.have_position != 0) energy.energy_j = of(config.stored_energy_j);
-  energy.have_position = energy.have_rotation = 0;
 }
 
 // One rule a line; what is wrong with the sample is counted where it is found.
@@ -173,81 +121,6 @@ void clear_before_any_force(GuardState& state) {
   const bool of_time = fault == Fault::kStaleSamples || fault == Fault::kDeviceSilent ||
                        fault == Fault::kTooLate || fault == Fault::kForceExpired;
   if (of_time && state.forced == 0) (void)guard_rearm(state, fault);
-}
-
-// ---- energy
-// ----------------------------------------------------------------------------------------
-
-// The force, or torque, that acted while the device made the motion it tells of now.
-Vec3 acted_then(const GuardConfig& config,
-                const std::array<Vec3, kMaxDelayTicks + 2>& newest_first) {
-  const double ticks = std::clamp(of(config.device.delay_s) / of(config.period_s), 0.0,
-                                  static_cast<double>(kMaxDelayTicks));
-  const auto whole = static_cast<std::size_t>(ticks);
-  const double part = ticks - static_cast<double>(whole);
-  return plus(scaled(newest_first[whole], 1 - part), scaled(newest_first[whole + 1], part));
-}
-
-// Work of the hand in this motion. A position within the resolution of the last is no motion, so
-// that a count that flickers does no work.
-void observe_motion(const GuardConfig& config, GuardState& state, Vec3 position_m) {
-  EnergyObserver& energy = state.energy;
-  if (energy.have_position == 0) energy.position_m = position_m;
-  energy.have_position = 1;
-  const Vec3 way = minus(position_m, energy.position_m);
-  const double size = length(way), slack = of(config.device.resolution_m);
-  const Vec3 before = energy.position_m;
-  if (size > slack) energy.position_m = plus(before, scaled(way, 1 - slack / size));
-  const Vec3 moved = minus(energy.position_m, before);
-  const double time_s = since_last_s(config, state);
-  const Vec3 slower = minus(scaled(moved, 1 / time_s), energy.velocity_m_per_s);
-  energy.velocity_m_per_s =
-      plus(energy.velocity_m_per_s, scaled(slower, share_of(time_s, of(kSpeedS))));
-  const double damped =
-      of(config.device.damping_n_s_per_m) * std::max(dot(energy.velocity_m_per_s, moved), 0.0);
-  energy.energy_j += damped + of(config.device.friction_n) * length(moved) -
-                     dot(acted_then(config, energy.force_n), moved);
-  energy.energy_j = std::min(energy.energy_j, of(config.stored_energy_j));
-  energy.least_j = std::min(energy.least_j, energy.energy_j);
-}
-
-// The small turn from one rotation to the next, as a vector along its axis, rad.
-Vec3 turn_between(Quat from, Quat to) {
-  const double w =
-      of(to.w) * of(from.w) + of(to.x) * of(from.x) + of(to.y) * of(from.y) + of(to.z) * of(from.z);
-  const double twice = w < 0 ? -2 : 2;  // both signs are the same rotation
-  const auto part = [&](float a, float b, float c, float d, float e, float f, float g, float h) {
-    return static_cast<float>(twice *
-                              (of(a) * of(b) - of(c) * of(d) - of(e) * of(f) + of(g) * of(h)));
-  };
-  return {part(to.x, from.w, to.w, from.x, to.y, from.z, to.z, from.y),
-          part(to.y, from.w, to.w, from.y, to.z, from.x, to.x, from.z),
-          part(to.z, from.w, to.w, from.z, to.x, from.y, to.y, from.x)};
-}
-
-void observe_turn(const GuardConfig& config, EnergyObserver& energy, Quat rotation) {
-  if (energy.have_rotation != 0) {
-    const Vec3 turned = turn_between(energy.rotation, rotation);
-    energy.energy_j -= dot(acted_then(config, energy.torque_nm), turned);
-  }
-  energy.have_rotation = 1;
-  energy.rotation = rotation;
-}
-
-void remember(std::array<Vec3, kMaxDelayTicks + 2>& newest_first, Vec3 value) {
-  std::copy_backward(newest_first.begin(), newest_first.end() - 1, newest_first.end());
-  newest_first[0] = value;
-}
-
-// Takes back what was made, as far as damping can in this tick.
-Vec3 damped(const GuardConfig& config, GuardState& state, Vec3 force_n) {
-  const EnergyObserver& energy = state.energy;
-  const double square = dot(energy.velocity_m_per_s, energy.velocity_m_per_s);
-  const double most = of(config.passivity_damping_n_s_per_m);
-  if (!(most > 0 && energy.energy_j < 0 && square > 0)) return force_n;
-  ++state.counters.force_damped;
-  const double damping = std::min(most, -energy.energy_j / (step_s(config, state) * square));
-  return minus(force_n, scaled(energy.velocity_m_per_s, damping));
 }
 
 void trip_on_motion(const GuardConfig& config, GuardState& state) {
@@ -382,52 +255,6 @@ void force_of_mode(const GuardConfig& config, GuardState& state, Vec3 force_n) {
 }
 
 }  // namespace
-
-const char* fault_name(Fault fault) {
-  switch (fault) {
-    case Fault::kNone:
-      return "none";
-    case Fault::kForceNotFinite:
-      return "force not finite";
-    case Fault::kStaleSamples:
-      return "no usable sample";
-    case Fault::kDeviceSilent:
-      return "device silent";
-    case Fault::kTooLate:
-      return "too many missed ticks";
-    case Fault::kKernelFault:
-      return "kernel fault";
-    case Fault::kTooFast:
-      return "device too fast";
-    case Fault::kBuzz:
-      return "force buzzes";
-    case Fault::kEnergy:
-      return "energy made";
-    case Fault::kForceExpired:
-      return "force expired";
-  }
-  return "unknown fault";
-}
-
-const char* mode_name(GuardMode mode) {
-  switch (mode) {
-    case GuardMode::kLetGo:
-      return "let go";
-    case GuardMode::kUnarmed:
-      return "unarmed";
-    case GuardMode::kRamp:
-      return "ramp";
-    case GuardMode::kLive:
-      return "live";
-    case GuardMode::kRelease:
-      return "release";
-    case GuardMode::kFading:
-      return "fading";
-    case GuardMode::kFault:
-      return "fault";
-  }
-  return "unknown mode";
-}
 
 GuardState guard_start() {
   GuardState state = {};

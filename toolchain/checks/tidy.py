@@ -18,7 +18,7 @@ LEFT_OVER = re.compile(r"\b(TO" r"DO|FIX" r"ME|XX" r"X|HA" r"CK)\b")
 MACHINE_PATH = re.compile(r"(^|[^A-Za-z0-9_.}])/(work|root|home|farm)/")
 
 # The real-time path: the kernel, and the part of hal between the first tick and the last.
-REAL_TIME = ["kernel/src/*", "hal/loop/loop.cpp", "hal/guard/guard.cpp"]
+REAL_TIME = ["kernel/src/*", "hal/loop/loop.cpp", "hal/guard/*.cpp"]
 BANNED = {
     r"\bnew\b(?!\s*\((?!std::nothrow))": "new (the caller owns all memory; placement is fine)",
     r"\b(malloc|calloc|realloc|free)\s*\(": "the heap (the caller owns all memory)",

@@ -5,10 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/websocket.hpp>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -21,6 +18,7 @@
 
 #include "hal/device/devices.h"
 #include "hal/device/driver.h"
+#include "hal/device/drivers/haply_connection.h"
 #include "hal/device/drivers/haply_events.h"
 #include "hal/device/drivers/haply_state.h"
 #include "hal/device/model.h"
@@ -31,16 +29,11 @@
 namespace stylet::hal {
 namespace {
 
+using namespace haply;
 using boost::asio::ip::tcp;
-using boost::beast::string_view;
 using nlohmann::json;
-namespace websocket = boost::beast::websocket;
 
 constexpr std::int64_t kExchangeNs = 500'000;
-using Milliseconds = std::chrono::milliseconds;
-using TimePoint = std::chrono::steady_clock::time_point;
-constexpr Milliseconds kAnswerTime(20), kOpeningTime(2000);
-constexpr int kMostUnasked = 16;  // messages besides an answer; more is a flood
 constexpr std::uint32_t kNoAnswer = 1, kDeviceGone = 2, kBrake = 3;
 constexpr const char* kExpected =
     "expected nothing, ID, or ID@ADDRESS:PORT, and then ,grip=ID ,gate=0.3 ,damping=0 or "
@@ -94,13 +87,7 @@ class Claim {
 struct Haply {
   Relay relay;
   DeviceThread thread;
-  boost::asio::io_context io;
-  websocket::stream<tcp::socket> socket{io};
-  boost::beast::flat_buffer buffer;
-  bool reading = false, heard = false;  // a message is waited for; one has come
-  std::uint32_t pings = 0;              // sent so far
-  websocket::ping_data ping;            // what the newest one says
-  bool ponged = false;                  // its pong has come
+  HaplyConnection link;
   Wishes wishes;
   std::string service;  // where
   HaplyIds ids;         // for as long as it is open
@@ -113,118 +100,22 @@ struct Haply {
   std::unique_ptr<HaplyEvents> events;
 };
 
-// ==== The connection
-
-// A closed connection is all that can be done about a force the service may still hold.
-void hang_up(Haply& haply) {
-  boost::beast::error_code ignored;
-  haply.socket.next_layer().close(ignored);
-  haply.io.restart();
-  haply.io.run();
-}
-
-TimePoint within(Milliseconds longest) {
-  return std::chrono::steady_clock::now() + longest;
-}
-
-// Runs what was started; false: not done in time, or broken. Then the connection is closed, so that
-// what was started ends here, while what it writes to is still there.
-template <typename Done>
-bool finish(Haply& haply, TimePoint end, Done done) {
-  haply.io.restart();
-  while (!done() && haply.io.run_one_until(end) > 0) {
-  }
-  const bool in_time = done();
-  if (!in_time) hang_up(haply);
-  return in_time;
-}
-
-// The next message into the buffer, whenever it comes.
-void listen(Haply& haply) {
-  if (haply.reading || haply.heard) return;
-  haply.reading = true;
-  haply.buffer.clear();
-  haply.socket.async_read(haply.buffer, [&haply](boost::beast::error_code error, std::size_t) {
-    haply.reading = false;
-    haply.heard = !error;
-  });
-}
-
-void take(Haply& haply, json& message) {
-  const auto* text = static_cast<const char*>(haply.buffer.data().data());
-  message = json::parse(text, text + haply.buffer.size(), nullptr, false);
-  haply.heard = false;
-}
-
-bool receive(Haply& haply, json& message, TimePoint end) {
-  listen(haply);
-  if (!finish(haply, end, [&] { return haply.heard; })) return false;
-  take(haply, message);
-  return true;
-}
-
-bool send(Haply& haply, const std::string& text, TimePoint end) {
-  bool done = false;
-  haply.socket.async_write(boost::asio::buffer(text),
-                           [&](boost::beast::error_code error, std::size_t) { done = !error; });
-  return finish(haply, end, [&] { return done; });
-}
-
-// Each has a number of its own: a pong that nobody asked for is allowed, and says nothing.
-bool send_ping(Haply& haply, TimePoint end) {
-  bool done = false;
-  const std::string number = std::to_string(++haply.pings);
-  haply.ping.assign(number.data(), number.size());
-  haply.ponged = false;
-  haply.socket.async_ping(haply.ping, [&](boost::beast::error_code error) { done = !error; });
-  return finish(haply, end, [&] { return done; });
-}
-
-// Everything until the pong, and what is there already behind it: the newest counts. A service that
-// does not end to talk is none.
-bool hear_out(Haply& haply, json& newest, TimePoint end) {
-  for (int i = 0; i < kMostUnasked; ++i) {
-    listen(haply);
-    if (!finish(haply, end, [&] { return haply.heard || haply.ponged; })) return false;
-    haply.io.restart();
-    haply.io.poll();
-    if (haply.heard) {
-      take(haply, newest);
-    } else if (haply.ponged) {
-      return true;
-    }
-  }
-  return false;
-}
-
-// A message, and a ping behind it. The service answers each message once, but may speak unasked,
-// too, and what comes does not say which message it answers: whoever sent the next one for each
-// that comes would get ahead of a slow service by one for each unasked one, and the forces that
-// wait there would grow old. The pong shows that the service has read all that was sent, so that no
-// more than one of our messages is ever on its way. `newest` is null where no message came.
-bool tell(Haply& haply, const std::string& text, json& newest, Milliseconds longest = kAnswerTime) {
-  newest = nullptr;
-  if (!send(haply, text, within(longest)) || !send_ping(haply, within(longest))) return false;
-  const TimePoint end = within(longest);
-  return receive(haply, newest, end) && hear_out(haply, newest, end);
-}
-
 void exchange_once(Haply& haply) {
-  if (!haply.socket.next_layer().is_open()) return;
+  if (!haply.link.socket.next_layer().is_open()) return;
   json message;
   const Vec3 force_n = haply.relay.order(monotonic_now_ns()).force_n;
   haply.asked_n = std::hypot(force_n.x, force_n.y, force_n.z);
-  const bool answered = tell(haply, force_message(haply.ids, force_n), message);
+  const bool answered = tell(haply.link, force_message(haply.ids, force_n), message);
   haply.relay.written(monotonic_now_ns());
   if (!answered) haply.relay.fail(kNoAnswer);
-  if (haply.relay.failed()) return hang_up(haply);  // an event may have said so, too
-  if (message.is_discarded()) return;               // not a message: the next one may be
+  if (haply.relay.failed()) return hang_up(haply.link);  // an event may have said so, too
+  if (message.is_discarded()) return;                    // not a message: the next one may be
   if (take_state(message, haply.ids, haply.state)) {
     haply.rendered_n = static_cast<float>(haply.state.rendered_n);
     haply.relay.publish(haply.state.pose, haply.state.buttons, monotonic_now_ns());
   } else if (message.contains("inverse3")) {
     haply.relay.fail(kDeviceGone);
-    hang_up(haply);
+    hang_up(haply.link);
   }
 }
 
@@ -251,10 +142,10 @@ void close(void* self) {
   haply->relay.end();
   std::this_thread::sleep_for(kFadeTime);
   haply->thread.stop();
-  if (!haply->socket.next_layer().is_open()) return;
+  if (!haply->link.socket.next_layer().is_open()) return;
   json last;
-  (void)tell(*haply, force_message(haply->ids, {}), last);
-  hang_up(*haply);
+  (void)tell(haply->link, force_message(haply->ids, {}), last);
+  hang_up(haply->link);
 }
 std::string trouble(void* self) {
   Haply& haply = *static_cast<Haply*>(self);
@@ -329,36 +220,6 @@ tcp::endpoint endpoint_of(const std::string& rest, std::string& id) {
   return {address, port};
 }
 
-void connect(Haply& haply, const tcp::endpoint& endpoint, const std::string& rest) {
-  boost::beast::error_code error;
-  bool connected = false;
-  haply.socket.next_layer().async_connect(endpoint, [&](boost::beast::error_code result) {
-    error = result;
-    connected = true;
-  });
-  if (!finish(haply, within(kOpeningTime), [&] { return connected; }))
-    error = boost::asio::error::timed_out;
-  if (!error) {
-    haply.socket.next_layer().set_option(tcp::no_delay(true));
-    haply.socket.control_callback([&haply](websocket::frame_type type, string_view said) {
-      const string_view wanted(haply.ping.data(), haply.ping.size());
-      if (type == websocket::frame_type::pong && said == wanted) haply.ponged = true;
-    });
-    bool done = false;
-    haply.socket.async_handshake("localhost", "/", [&](boost::beast::error_code result) {
-      error = result;
-      done = true;
-    });
-    if (!finish(haply, within(kOpeningTime), [&] { return done; }))
-      error = boost::asio::error::timed_out;
-  }
-  if (!error) return;
-  throw DeviceError(
-      fmt::format("haply:{}: {}:{}: {}: install haply-inverse-service and start it "
-                  "(systemctl start haply-inverse-service)",
-                  rest, endpoint.address().to_string(), endpoint.port(), error.message()));
-}
-
 std::string listed(const std::vector<std::string>& ids) {
   std::string all;
   for (const std::string& each : ids) all += (all.empty() ? "" : ", ") + each;
@@ -411,7 +272,7 @@ std::string not_ready(const Haply& haply, const json& last, const std::string& w
 }
 
 const char* no_answer(const Haply& haply, const json& newest) {
-  if (newest.is_null() || haply.ponged) {
+  if (newest.is_null() || haply.link.ponged) {
     return "the service does not answer: systemctl restart haply-inverse-service";
   }
   return "the service answers no ping: expected a pong to each, as RFC 6455 (5.5.2) asks of it";
@@ -423,7 +284,7 @@ void wait_until_ready(Haply& haply, const std::string& wanted, const std::string
                       double patience_s) {
   const Patience patience(patience_s);
   json message, whole;
-  bool answered = receive(haply, message, within(kOpeningTime));
+  bool answered = receive(haply.link, message, within(kOpeningTime));
   while (true) {
     if (!answered) {
       throw DeviceError(fmt::format("haply:{}: {}", rest, no_answer(haply, message)));
@@ -440,7 +301,7 @@ void wait_until_ready(Haply& haply, const std::string& wanted, const std::string
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     const bool known = !haply.ids.device.empty();
-    answered = tell(haply, known ? force_message(haply.ids, {}) : "{}", message, kOpeningTime);
+    answered = tell(haply.link, known ? force_message(haply.ids, {}) : "{}", message, kOpeningTime);
   }
 }
 
@@ -448,7 +309,7 @@ void configure(Haply& haply, const std::string& rest) {
   json answer;
   const Wishes& wishes = haply.wishes;
   const std::string wanted = filter_message(haply.ids, wishes.gate, wishes.damping);
-  if (tell(haply, wanted, answer, kOpeningTime)) return;
+  if (tell(haply.link, wanted, answer, kOpeningTime)) return;
   throw DeviceError(fmt::format(
       "haply:{}: {}", rest,
       answer.is_null() ? "the service takes no configuration: expected version 3.1 or newer"
@@ -463,7 +324,7 @@ Device open_haply(const std::string& rest, double patience_s) try {
   haply->wishes = wishes_of(where);
   const tcp::endpoint endpoint = endpoint_of(where, wanted);
   haply->service = fmt::format("{}:{}", endpoint.address().to_string(), endpoint.port());
-  connect(*haply, endpoint, rest);
+  connect(haply->link, endpoint, rest);
   wait_until_ready(*haply, wanted, rest, patience_s);
   configure(*haply, rest);
   haply->events = std::make_unique<HaplyEvents>(

@@ -17,7 +17,7 @@
 #include "hal/base/clock.h"
 #include "hal/device/devices.h"
 #include "hal/device/driver.h"
-#include "hal/device/drivers/openhaptics_names.h"
+#include "hal/device/drivers/openhaptics_api.h"
 #include "hal/device/lasting_device.h"
 #include "hal/device/model.h"
 #include "hal/device/patience.h"
@@ -25,87 +25,12 @@
 #include "hal/device/supervisor.h"
 #include "hal/device/thread.h"
 #include "hal/device/usb.h"
-#include "hal/device/vendor_library.h"
 #include "hal/device/vendor_pose.h"
 
 namespace stylet::hal {
 namespace {
 
-// ==== The vendor's interface, as far as it is used
-
-using Handle = unsigned int;
-using Enum = unsigned int;
-using Callback = unsigned int (*)(void*);
-using SchedulerHandle = unsigned long;
-
-// By value in two registers: a struct of another size is another calling convention.
-struct ErrorInfo {
-  unsigned int code;
-  int internal;
-  Handle device;
-};
-static_assert(sizeof(ErrorInfo) == 12);
-
-constexpr Handle kInvalidHandle = 0xFFFFFFFFU;
-constexpr Enum kCurrentButtons = 0x2000, kCurrentTransform = 0x2052, kCurrentForce = 0x2700;
-constexpr Enum kModelType = 0x2501, kSerialNumber = 0x2504, kCalibrationStyle = 0x2555;
-constexpr Enum kNominalMaxStiffness = 0x2602, kNominalMaxForce = 0x2603,
-               kNominalMaxContinuousForce = 0x2604;
-constexpr Enum kForceOutput = 0x4000, kMaxForceClamping = 0x4001, kForceRamping = 0x4002,
-               kSoftwareForceLimit = 0x4003;
-constexpr Enum kCalibrationOk = 0x5000, kCalibrationNeedsUpdate = 0x5001;
-constexpr int kStyleEncoderReset = 1, kStyleAuto = 2, kStyleInkwell = 4;
-constexpr unsigned short kMaxPriority = 65535;
-constexpr unsigned int kContinue = 1;
-constexpr unsigned int kInvalidInputType = 0x0103;
-// Warm motors and exceeded limits: the vendor lowers the force itself and goes on.
-constexpr unsigned int kFirstHarmless = 0x0200, kLastHarmless = 0x0204;
-
-struct Api {
-  Handle (*init_device)(const char*);
-  void (*disable_device)(Handle);
-  void (*make_current)(Handle);
-  void (*begin_frame)(Handle);
-  void (*end_frame)(Handle);
-  ErrorInfo (*get_error)();
-  const char* (*get_error_string)(unsigned int);
-  void (*enable)(Enum);
-  void (*get_integers)(Enum, int*);
-  void (*get_doubles)(Enum, double*);
-  void (*set_doubles)(Enum, const double*);
-  const char* (*get_string)(Enum);
-  Enum (*check_calibration)();
-  void (*update_calibration)(Enum);
-  void (*start_scheduler)();
-  void (*stop_scheduler)();
-  SchedulerHandle (*schedule)(Callback, void*, unsigned short);
-  void (*unschedule)(SchedulerHandle);
-};
-
-Api load() {
-  const VendorLibrary library("hd", "STYLET_LIBHD",
-                              {"libHD.so", "libHD.so.3.4", "libHD.so.3.4.0", "libHD.so.3.0"});
-  Api api = {};
-  library.need("hdInitDevice", api.init_device);
-  library.need("hdDisableDevice", api.disable_device);
-  library.need("hdMakeCurrentDevice", api.make_current);
-  library.need("hdBeginFrame", api.begin_frame);
-  library.need("hdEndFrame", api.end_frame);
-  library.need("hdGetError", api.get_error);
-  library.need("hdGetErrorString", api.get_error_string);
-  library.need("hdEnable", api.enable);
-  library.need("hdGetIntegerv", api.get_integers);
-  library.need("hdGetDoublev", api.get_doubles);
-  library.need("hdSetDoublev", api.set_doubles);
-  library.need("hdGetString", api.get_string);
-  library.need("hdCheckCalibration", api.check_calibration);
-  library.need("hdUpdateCalibration", api.update_calibration);
-  library.need("hdStartScheduler", api.start_scheduler);
-  library.need("hdStopScheduler", api.stop_scheduler);
-  library.need("hdScheduleAsynchronous", api.schedule);
-  library.need("hdUnschedule", api.unschedule);
-  return api;
-}
+using namespace openhaptics;
 
 // ==== One library, one scheduler, several devices
 
@@ -123,7 +48,7 @@ struct HdDevice {
   bool again = false;  // it had failed
   std::atomic<bool> ready{false};
   int last_turns = kLastTurns;
-  Handle handle = kInvalidHandle;
+  HdHandle handle = kInvalidHandle;
   SchedulerHandle callback = 0;
   std::string model, serial;
   DeviceInfo info = {};
@@ -254,47 +179,6 @@ struct PointForNumbers {
   PointForNumbers& operator=(const PointForNumbers&) = delete;
   const std::string before = std::setlocale(LC_NUMERIC, nullptr);
 };
-
-void forget_errors(const Api& api) {
-  for (int i = 0; i < 64 && api.get_error().code != 0; ++i) {
-  }
-}
-
-const char* remedy(unsigned int code) {
-  switch (code) {
-    case 0x0301:
-      return "close the other program that has it";
-    case 0x0303:
-      return "unplug it and plug it in again: a program that was killed may have left it so";
-    case 0x0600:
-      return "install the vendor's licence";
-    default:
-      return "check the cable, the power, the right to use it (stylet devices) and the vendor's "
-             "set-up program";
-  }
-}
-
-Handle init(const Api& api, const std::string& name) {
-  std::vector<const char*> names = {nullptr, "Default Device", "Default PHANToM"};
-  if (!name.empty()) names = {name.c_str()};
-  ErrorInfo error = {};  // the first: the other names are guesses
-  for (const char* each : names) {
-    forget_errors(api);
-    const Handle handle = api.init_device(each);
-    const ErrorInfo now = api.get_error();
-    if (handle != kInvalidHandle && now.code == 0) return handle;
-    if (error.code == 0) error = now;
-  }
-  const std::string unnamed = name_fault(name);
-  throw DeviceError(fmt::format("hd:{}: error 0x{:04x} ({}), internal {}: {}", name, error.code,
-                                api.get_error_string(error.code), error.internal,
-                                unnamed.empty() ? remedy(error.code) : unnamed));
-}
-
-std::string string_of(const Api& api, Enum what) {
-  const char* text = api.get_string(what);
-  return text != nullptr ? text : "";
-}
 
 void read_capability(const Api& api, HdDevice& device) {
   double force = 0, stiffness = 0, continuous = 0;

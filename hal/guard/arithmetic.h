@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vectors and times as the guard computes them.
+// Promise: double inside, where the square of any finite float stays finite; only + - * / and sqrt,
+// so the same bits everywhere; no allocation. Units: SI, times of the clock in ns.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "hal/guard/guard.h"
+
+namespace stylet::hal::guarding {
+
+inline double of(float value) {
+  return static_cast<double>(value);
+}
+
+inline double dot(Vec3 a, Vec3 b) {
+  return of(a.x) * of(b.x) + of(a.y) * of(b.y) + of(a.z) * of(b.z);
+}
+
+inline double length(Vec3 v) {
+  return std::sqrt(dot(v, v));
+}
+
+inline Vec3 scaled(Vec3 v, double s) {
+  return {static_cast<float>(of(v.x) * s), static_cast<float>(of(v.y) * s),
+          static_cast<float>(of(v.z) * s)};
+}
+
+inline Vec3 minus(Vec3 a, Vec3 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+inline Vec3 plus(Vec3 a, Vec3 b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+inline Vec3 shortened(Vec3 v, double most) {
+  const double size = length(v);
+  return size > most ? scaled(v, most / size) : v;
+}
+
+// How far a value that follows another with the time constant `slow_s` comes in `step_s`.
+inline double share_of(double step_s, double slow_s) {
+  return step_s / (step_s + slow_s);
+}
+
+inline std::int64_t in_ns(float time_s) {
+  return std::llround(of(time_s) * 1e9);
+}
+
+// The time that the present tick stands for.
+inline double step_s(const GuardConfig& config, const GuardState& state) {
+  const bool one_period = state.step_ns == 0 || state.step_ns == in_ns(config.period_s);
+  return one_period ? of(config.period_s) : static_cast<double>(state.step_ns) * 1e-9;
+}
+
+// Since the last usable sample, this one included.
+inline double since_last_s(const GuardConfig& config, const GuardState& state) {
+  return step_s(config, state) + static_cast<double>(state.blind_ns) * 1e-9;
+}
+
+}  // namespace stylet::hal::guarding
