@@ -32,7 +32,8 @@ export const kMaterials = [
 ];
 
 // What a tissue has in every organ, as long as no other there has it; tissues as in
-// offline/src/materials.cpp. Tissues that lie beside each other have one of the first six each.
+// offline/src/asset/materials.cpp. Tissues that lie beside each other have one of the first six
+// each.
 const kUsual: Record<string, number> = {
   liver: 8,
   kidney: 0,
