@@ -62,7 +62,8 @@ class AddDriver(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix="stylet-driver-") as folder:
             copy = pathlib.Path(folder) / "source"
             for name in "kernel", "hal", "toolchain":
-                shutil.copytree(SOURCE / name, copy / name)
+                shutil.copytree(SOURCE / name, copy / name,
+                                ignore=shutil.ignore_patterns("node_modules", "__pycache__"))
             shutil.copy(SOURCE / "CMakeLists.txt", copy)
             (copy / "hal/device/drivers/still.cpp").write_text(DRIVER)
             with (copy / "hal/device/drivers.inc").open("a") as drivers:
