@@ -164,8 +164,8 @@ TEST(Sheets, TiedNodesStayTogetherToTheBit) {
   ASSERT_EQ(view.model.head->counts.ties, static_cast<std::uint32_t>(kRows * kRows));
   for (std::uint32_t i = 0; i < view.model.head->counts.ties; ++i) {
     const TiedNode& tie = view.model.tie[i];
-    EXPECT_EQ(view.state.ux[tie.node], view.state.ux[tie.root]);
-    EXPECT_EQ(view.state.vz[tie.node], view.state.vz[tie.root]);
+    EXPECT_EQ(view.state.ux[tie.node], view.state.ux[tie.representative]);
+    EXPECT_EQ(view.state.vz[tie.node], view.state.vz[tie.representative]);
   }
 }
 

@@ -185,7 +185,7 @@ TEST(V22Friction, TissueThatMovesOverARestingNeedleSlidesByTheSameRule) {
   for (const float speed : {10e-3F, -10e-3F}) {
     OneParticle one = one_particle(rubbing(10, 14, 20));
     View view = one.rig.view();
-    std::fill_n(view.state.vx, view.model.head->counts.particles, speed);
+    std::fill_n(&view.state.vx[0], view.model.head->counts.particles, speed);
     double force = 0;
     for (int i = 0; i < 800; ++i) force = -one.force_at(0);
     const double expected = std::copysign((10 + 20 * 10e-3) * kUnit, static_cast<double>(speed));
@@ -201,9 +201,9 @@ TEST(V22Friction, TissueDraggedPastARestingNeedleSlipsBeyondTwiceItsFriction) {
   for (const double way : {0.2e-3, -0.4e-3, 1e-3, -1.5e-3}) {
     OneParticle one = one_particle(rubbing(2, 2, 0), 1);
     View view = one.rig.view();
-    std::fill_n(view.state.vx, view.model.head->counts.particles, static_cast<float>(way * 1e3));
+    std::fill_n(&view.state.vx[0], view.model.head->counts.particles, static_cast<float>(way * 1e3));
     one.force_at(0);
-    std::fill_n(view.state.vx, view.model.head->counts.particles, 0.0F);
+    std::fill_n(&view.state.vx[0], view.model.head->counts.particles, 0.0F);
     const double stuck = kStiffness * way;
     const double expected = std::copysign(std::min(std::fabs(stuck), 2 * kFrictionN), way);
     EXPECT_NEAR(-one.force_at(0) / expected, 1, kTolerance) << way;
@@ -235,9 +235,9 @@ TEST(V22Friction, TissueDraggedAtARestingTipPullsWithTwiceItsCutAtMost) {
     View view = rig.view();
     ASSERT_EQ(view.state.tip->support_count, 1U);
     const auto force = [&] { return static_cast<double>(move_tip(rig, tip_m).force_n.x); };
-    std::fill_n(view.state.vx, view.model.head->counts.particles, static_cast<float>(way * 1e3));
+    std::fill_n(&view.state.vx[0], view.model.head->counts.particles, static_cast<float>(way * 1e3));
     force();
-    std::fill_n(view.state.vx, view.model.head->counts.particles, 0.0F);
+    std::fill_n(&view.state.vx[0], view.model.head->counts.particles, 0.0F);
     const double stuck = kStiffness * way;
     const double expected = std::copysign(std::min(std::fabs(stuck), 2 * kCutN), way);
     EXPECT_NEAR(force() / expected, 1, kTolerance) << way;
