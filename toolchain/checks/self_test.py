@@ -359,9 +359,23 @@ class Tidy(Sample):
         self.expect_one(self.faults(), "hal/a.cpp:2", "101 columns")
 
     def test_refuses_long_function(self):
-        body = "  f();\n" * 69
+        body = "  f();\n" * 59
         self.write("hal/a.cpp", APACHE + "void f(int a,\n       int b) {\n" + body + "}\n")
-        self.expect_one(self.faults(), "hal/a.cpp:2", "72 lines")
+        self.expect_one(self.faults(), "hal/a.cpp:2", "62 lines")
+
+    def test_refuses_long_file(self):
+        self.write("hal/a.cpp", APACHE + "int a;\n" * 500)
+        self.write("tests/a.cpp", APACHE + "int a;\n" * 500)
+        self.expect_one(self.faults(), "hal/a.cpp", "501 lines")
+
+    def test_refuses_dead_links(self):
+        self.write("hal/b.md", "# b\n")
+        self.write("hal/a.md", "[b](b.md#b) [c](https://c.org/x)\n[gone](../gone.md)\n")
+        self.expect_one(self.faults(), "hal/a.md:2", "../gone.md")
+
+    def test_looks_into_every_room_of_the_real_time_path(self):
+        self.write("kernel/src/room/a.cpp", APACHE + "auto* a = malloc(1);\n")
+        self.expect_one(self.faults(), "kernel/src/room/a.cpp:2", "real-time path")
 
     def test_long_namespace_and_table_are_no_function(self):
         body = "  {1, 2},\n" * 80

@@ -96,7 +96,7 @@ void slip_shaft(const Model& model, State& state, Scratch& scratch, const Needle
 
 void let_slip(const Model& model, State& state, const Needle& needle, Particle& p) {
   const float loose_m = kEndTolerance * model.needle_config().unit_m;
-  const float least = loose_m * p.friction.coulomb_n_per_m;
+  const float least = loose_m * least_friction_n_per_m(p.friction);
   const bool pushes = dot(p.force_n, p.slip_m) < 0;
   if (!(p.friction_length_m > 0) || (!pushes && dot(p.force_n, p.force_n) <= least * least)) return;
   const float limit = loose_m * friction_n_per_m(p.friction, p.slip_m_per_s);

@@ -3,8 +3,9 @@
 //
 // Coulomb's friction, the static one that fades over the Stribeck speed, and a viscous part:
 //     f(v) = f_c + (f_s - f_c) exp(-(v / v_s)^2) + c v.
-// Speeds are sizes; which way it points is the return map's. Another law is another
-// friction_n_per_m and its numbers in Friction, which a tissue's material gives (kernel.cpp).
+// Speeds are sizes; which way it points is the return map's. Another law with these numbers is
+// another friction_n_per_m and least_friction_n_per_m; a number more is a field of Friction, too,
+// its mean in `mixed`, its source in material_model (kernel.cpp) and its bounds in snapshot.cpp.
 //
 // Promises: no branch on the outside, no allocation; same bits everywhere. Units SI.
 // Source: Okamura, Simone, O'Leary 2004 (needle friction by the modified Karnopp model); Stribeck's
@@ -26,6 +27,12 @@ inline float friction_n_per_m(const Friction& f, float speed_m_per_s) {
   return f.coulomb_n_per_m +
          (f.static_n_per_m - f.coulomb_n_per_m) * exp_minus(min_of(s * s, 80.0F)) +
          f.viscous_n_s_per_m2 * speed_m_per_s;
+}
+
+// What it is at least (no material's static friction is below Coulomb's): up to there a force needs
+// no look at the law.
+inline float least_friction_n_per_m(const Friction& f) {
+  return f.coulomb_n_per_m;
 }
 
 // The mean of a stretch, `part` of which is of `next`.

@@ -201,7 +201,8 @@ TEST(V22Friction, TissueDraggedPastARestingNeedleSlipsBeyondTwiceItsFriction) {
   for (const double way : {0.2e-3, -0.4e-3, 1e-3, -1.5e-3}) {
     OneParticle one = one_particle(rubbing(2, 2, 0), 1);
     View view = one.rig.view();
-    std::fill_n(&view.state.vx[0], view.model.head->counts.particles, static_cast<float>(way * 1e3));
+    std::fill_n(&view.state.vx[0], view.model.head->counts.particles,
+                static_cast<float>(way * 1e3));
     one.force_at(0);
     std::fill_n(&view.state.vx[0], view.model.head->counts.particles, 0.0F);
     const double stuck = kStiffness * way;
@@ -235,7 +236,8 @@ TEST(V22Friction, TissueDraggedAtARestingTipPullsWithTwiceItsCutAtMost) {
     View view = rig.view();
     ASSERT_EQ(view.state.tip->support_count, 1U);
     const auto force = [&] { return static_cast<double>(move_tip(rig, tip_m).force_n.x); };
-    std::fill_n(&view.state.vx[0], view.model.head->counts.particles, static_cast<float>(way * 1e3));
+    std::fill_n(&view.state.vx[0], view.model.head->counts.particles,
+                static_cast<float>(way * 1e3));
     force();
     std::fill_n(&view.state.vx[0], view.model.head->counts.particles, 0.0F);
     const double stuck = kStiffness * way;
