@@ -373,6 +373,13 @@ class Tidy(Sample):
         self.write("hal/a.md", "[b](b.md#b) [c](https://c.org/x)\n[gone](../gone.md)\n")
         self.expect_one(self.faults(), "hal/a.md:2", "../gone.md")
 
+    def test_refuses_sections_that_are_not_there(self):
+        self.write("kernel/PHYSICS.md", "# Physics\n## 2. Lattice\n### 2.1 Voxels\n")
+        self.write("hal/a.cpp", APACHE + "// PHYSICS 2, 2.1.\n")
+        self.assertEqual(list(self.faults()), [])
+        self.write("hal/a.cpp", APACHE + "// PHYSICS 2.1 and 2.4.\n")
+        self.expect_one(self.faults(), "hal/a.cpp:2", "no section 2.4")
+
     def test_looks_into_every_room_of_the_real_time_path(self):
         self.write("kernel/src/room/a.cpp", APACHE + "auto* a = malloc(1);\n")
         self.expect_one(self.faults(), "kernel/src/room/a.cpp:2", "real-time path")

@@ -93,6 +93,18 @@ def check_links(path, name, text):
                 yield f"{name}:{number}: no {link[1]} where the link goes"
 
 
+CITED = re.compile(r"\bPHYSICS ((?:\d+(?:\.\d+)?(?:, | to | and )?)+)")
+
+
+def check_cited(name, text, sections):
+    """Sections of kernel/PHYSICS.md that are cited, against those it has."""
+    for number, line in enumerate(text.splitlines(), 1):
+        for cited in CITED.finditer(line):
+            for section in re.findall(r"\d+(?:\.\d+)?", cited[1]):
+                if section not in sections:
+                    yield f"{name}:{number}: PHYSICS has no section {section}"
+
+
 def check_licence(name, lines):
     wanted = "GPL-3.0-or-later" if name.startswith("offline/") else "Apache-2.0"
     if not any(f"SPDX-License-Identifier: {wanted}" in line for line in lines[:2]):
@@ -123,6 +135,9 @@ def is_source(path):
 
 def faults(repository):
     top = pathlib.Path(repository)
+    physics = top / "kernel/PHYSICS.md"
+    sections = set(re.findall(r"^#+ (\d+(?:\.\d+)?)", physics.read_text(), re.M)
+                   if physics.is_file() else ())
     files = [path for folder in FOLDERS for path in sorted((top / folder).rglob("*"))]
     for path in files + sorted(top.glob("*.md")) + [top / "CMakeLists.txt"]:
         name = path.relative_to(top)
@@ -133,6 +148,7 @@ def faults(repository):
             text = path.read_text()
             yield from check_text(name, text.splitlines())
             yield from check_licence(name, text.splitlines())
+            yield from check_cited(name, text, sections)
             if path.suffix == ".py":
                 yield from check_interpreter(name, text.splitlines())
             if path.suffix in {".h", ".cpp"}:
@@ -143,6 +159,7 @@ def faults(repository):
             yield from (fault for fault in check_text(name, lines) if "columns" not in fault)
             if path.suffix == ".md":
                 yield from check_links(path, name, "\n".join(lines))
+                yield from check_cited(name, "\n".join(lines), sections)
 
 
 if __name__ == "__main__":

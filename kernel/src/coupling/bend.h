@@ -8,6 +8,7 @@
 // more (meet_tissue). Obstacles are part of all answers (needle/rod.h).
 //
 // Promises: no allocation; operations bounded by limits.h. Units SI, frame of the attachments.
+// PHYSICS 6.4.
 #pragma once
 
 #include "needle/shape.h"

@@ -2,7 +2,7 @@
 // Free -> contact, and how a contact goes on: it holds, ends, or becomes a puncture.
 //
 // Promises: bounded by limits.h, no allocation, fixed order. Units SI, frame of the attachments.
-// Source: paper section IV.B.
+// Source: paper section IV.B. PHYSICS 7.2, 7.3.
 #pragma once
 
 #include "needle/shape.h"

@@ -2,7 +2,7 @@
 // The spring of a tip in contact: the law of stiffness.h, its chord or tangent, and its creep.
 //
 // Promises: a fixed number of operations. Units SI, frame of the attachments.
-// Source: cone.h and film.h for the law.
+// Source: cone.h and film.h for the law. PHYSICS 8.5, 8.6.
 #pragma once
 
 #include "coupling/stiffness.h"

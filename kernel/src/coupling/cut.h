@@ -5,7 +5,8 @@
 // it moves on to other tissue (return_map.h). Where it goes is integrated in the rest frame.
 //
 // Promises: a fixed number of operations, no allocation. Units SI, frame of the attachments.
-// Source: paper section IV.B; Mahvash and Dupont 2010 (force of a rupture by speed).
+// Source: paper section IV.C, step 3; Mahvash and Dupont 2010 (force of a rupture by speed).
+// PHYSICS 9.1 to 9.3.
 #pragma once
 
 #include "needle/shape.h"

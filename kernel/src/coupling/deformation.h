@@ -5,7 +5,7 @@
 // Rest places must follow the material, not the rotation alone: else a needle that leaves strained
 // tissue does not find its way back to its entry.
 //
-// Promises: bounded by kSupportsPerParticle, no allocation. Units SI.
+// Promises: bounded by kSupportsPerParticle, no allocation. Units SI. PHYSICS 9.3.
 #pragma once
 
 #include "lattice/voxel.h"

@@ -6,7 +6,7 @@
 // returns, so adding and removing one is never felt. The law is laws/friction.h's.
 //
 // Promises: bounded by kMaxConstraintParticles, no allocation, fixed order. Units SI.
-// Source: paper section IV.C.
+// Source: paper section V (sticking and slipping). PHYSICS 12.1, 12.6.
 #pragma once
 
 #include "needle/shape.h"
@@ -24,6 +24,7 @@ void take_tributary_spring(const Model& model, State& state, Particle& p);
 // `from_track_m` on the track. (The CP's own place would be one sample of a unit of shaft.)
 void gather_friction(const Model& model, State& state, Vec3 from_m, float from_track_m);
 
+// The shaft's CPs slip back to their limits, and remember how far the tick pulls their springs.
 void slip_shaft(const Model& model, State& state, Scratch& scratch, const Needle& needle);
 
 // Friction of the stretch of shaft a CP stands for, at its slip speed.

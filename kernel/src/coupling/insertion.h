@@ -2,7 +2,7 @@
 // Contact -> inserted -> out: a track begins, is entered again, and ends.
 //
 // Promises: a fixed number of operations, no allocation. Units SI. Source: paper section IV.B,
-// IV.D.
+// IV.C. PHYSICS 9.1, 9.5.
 #pragma once
 
 #include "needle/shape.h"

@@ -2,6 +2,7 @@
 // Layers as the event log tells them: a tip that trembles at a face is told once.
 //
 // Promises: bounded by kMaxEvents, no allocation; changes the log and nothing that is felt.
+// PHYSICS 9.2.
 #pragma once
 
 #include "state/layout.h"

@@ -4,6 +4,7 @@
 //
 // Promises: bounded by limits.h; energy never rises, and what falls is booked. Units SI.
 // Source: Maxwell branch in parallel with a spring (standard linear solid), Fung 1993.
+// PHYSICS 11.3, 12.4.
 #pragma once
 
 #include "needle/shape.h"

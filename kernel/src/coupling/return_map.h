@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The return map: slip and cutting are one rule. The axial force of a constraint particle (CP) has
 // a limit; beyond it the CP moves exactly so far that the force is back on the limit (passive for
-// any step, paper section IV.C).
+// any step). The paper's moves whole needle units (section IV.C, step 3).
 //
 // Promises: a fixed number of operations. Units SI.
-// Source: Simo and Hughes 1998, chapter 1 (return mapping in one dimension).
+// Source: Simo and Hughes 1998, chapter 1 (return mapping in one dimension). PHYSICS 12.1 to 12.3.
 #pragma once
 
 #include "state/layout.h"
@@ -26,6 +26,7 @@ float overshoot(const Model& model, const Particle& p, float axial_n, float low_
 // how much farther the CP slips for that, and books what the branch loses.
 float renew(const Model& model, Particle& p, Vec3 direction, float slip_m, double& booked_j);
 
+// A slip of this tick into the low-passed speed, by which friction is chosen.
 void note_slip(const ModelHead& head, Particle& p, float slip_m);
 
 // A part of that slip was none.

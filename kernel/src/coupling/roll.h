@@ -10,7 +10,7 @@
 //
 // Left out: the tissue does not turn with the shaft. Promises: operations bounded by the particles,
 // no allocation. Units SI. Source: Reed, Okamura, Cowan 2009 (torsional lag in needle steering);
-// the elastic-plastic bar is the textbook's.
+// the elastic-plastic bar is the textbook's. PHYSICS 6.6.
 #pragma once
 
 #include "base/math.h"

@@ -3,7 +3,7 @@
 // of it. Added behind a tip that goes on, removed as it comes back.
 //
 // Promises: bounded by kMaxConstraintParticles and kMaxDropsPerTick, no allocation. Units SI.
-// Source: paper section IV.B.
+// Source: paper section IV.C, step 4. PHYSICS 10.4.
 #pragma once
 
 #include "needle/shape.h"
@@ -11,6 +11,7 @@
 
 namespace stylet {
 
+// Adds a CP on top of the stack; kFlagCpPoolFull where there is no room.
 std::uint32_t push_shaft(const Model& model, State& state, Scratch& scratch, Particle p);
 
 // One shaft CP for each unit of track the tip has left behind, but for gaps between organs. The

@@ -7,7 +7,7 @@
 // tissue. Everything here reads and writes one CP and nothing else.
 //
 // Promises: bounded by kSupportsPerParticle, no allocation, fixed order of sums. Units SI, frame of
-// the attachments. Source: paper section IV.A.
+// the attachments. Source: paper section IV.A. PHYSICS 10.3, 12.4.
 #pragma once
 
 #include "base/math.h"
@@ -27,6 +27,7 @@ inline Vec3 residual(const Particle& p) {
   return sum;
 }
 
+// On the tissue; `residual_m`, where it is known, is residual(p).
 inline Vec3 force_on_tissue(const Particle& p, Vec3 residual_m) {
   if (p.support_count == 0) return {};
   return p.stiffness_n_per_m * (residual_m - p.slack_m);
@@ -91,6 +92,7 @@ inline void forget(Particle& p) {
   set_slack(p);
 }
 
+// Lets a voxel hold tissue that lies `step_m` farther on.
 inline void shift_goal(Support& support, Vec3 step_m) {
   support.offset_m = support.offset_m + transposed_times(rotation_matrix(support.turn), step_m);
   support.goal_m = support.goal_m + step_m;
@@ -119,6 +121,7 @@ inline void gather_goals(Particle& p, Vec3 residual_m, float spread_m2) {
   }
 }
 
+// Which support has the largest weight.
 inline std::uint32_t heaviest(const Particle& p) {
   std::uint32_t best = 0;
   for (std::uint32_t i = 1; i < p.support_count; ++i) {

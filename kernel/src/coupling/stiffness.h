@@ -8,7 +8,7 @@
 // part of it that goes by voxel, Poisson's ratio and place (measured, below); what is left is the
 // spring's.
 //
-// Promises: bounded by limits.h, no allocation, fixed order. Units SI.
+// Promises: bounded by limits.h, no allocation, fixed order. Units SI. PHYSICS 8.4, 11.
 #pragma once
 
 #include "lattice/voxel.h"

@@ -9,7 +9,7 @@
 // the CP has, so a change of support changes no force.
 //
 // Promises: bounded by kSupportsPerParticle, no allocation, fixed order. Units SI, frame of the
-// attachments.
+// attachments. PHYSICS 10.1.
 #pragma once
 
 #include "coupling/stiffness.h"

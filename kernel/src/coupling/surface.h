@@ -9,6 +9,7 @@
 // contact mostly happens; where another needle dents it, more leaves are reached.
 //
 // Promises: at most kMaxTreeVisits nodes and kMaxTriangleTests triangles. Units SI, world frame.
+// PHYSICS 7.1.
 #pragma once
 
 #include "base/math.h"

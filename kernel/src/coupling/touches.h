@@ -5,7 +5,7 @@
 // where the hand does and is pushed back.
 //
 // Promises: at most kMaxTouches touches, bounded by kMaxObstacles and kMaxRods; no allocation.
-// Units SI; places of touches in the world.
+// Units SI; places of touches in the world. PHYSICS 13.
 #pragma once
 
 #include "needle/obstacle.h"

@@ -2,7 +2,7 @@
 // Force and torque on the hand: the sum over constraint particles and contacts, by cause.
 //
 // Promises: bounded by limits.h, fixed order of sums. Units SI; forces in the world, torques about
-// the handle. Source: paper section V.
+// the handle. Source: paper section V. PHYSICS 14.
 #pragma once
 
 #include "needle/shape.h"

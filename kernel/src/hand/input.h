@@ -3,7 +3,7 @@
 //
 // Promises: whatever the bytes are, the pose that is kept is finite, its rotation of unit length,
 // and its motion in the tick within limits.h (kMaxHandleDistanceM, kMaxHandleSpeedMPerS,
-// kMaxHandleSpinRadPerS). Units SI, world frame.
+// kMaxHandleSpinRadPerS). Units SI, world frame. PHYSICS 5.
 #pragma once
 
 #include "state/layout.h"

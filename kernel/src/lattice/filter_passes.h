@@ -12,7 +12,7 @@
 // lanes as in the sweep, then through the sweep's windows; some lines of voxels at a time, and the
 // particles below them right behind.
 //
-// Internal linkage throughout, as in lanes.h.
+// Internal linkage throughout, as in lanes.h. PHYSICS 3.4.
 #pragma once
 
 #include "base/lanes.h"

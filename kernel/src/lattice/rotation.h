@@ -16,7 +16,7 @@
 //
 // Promise: no branch, no iteration count, finite for finite A, collapsed and inverted clusters
 // included. A is near the identity at rest, or near the lattice's 4 h times that: a constant that
-// keeps M regular (`tiny`) goes with the scale.
+// keeps M regular (`tiny`) goes with the scale. PHYSICS 2.2.
 #pragma once
 
 namespace stylet {

@@ -2,7 +2,7 @@
 // One voxel of the deformed lattice: sums over its corners, its frame, and which voxels hold a
 // point.
 //
-// Promises: a fixed number of operations; no allocation. Units SI, world frame.
+// Promises: a fixed number of operations; no allocation. Units SI, world frame. PHYSICS 2.1, 10.1.
 #pragma once
 
 #include "base/math.h"

@@ -23,7 +23,7 @@
 // energy is U(y) - (U_Q(z) + q (y - z)), which creep can only lower. As vectors: F and Q point
 // along the displacement they belong to.
 //
-// Promises: no branch on hardware, no allocation. Units SI.
+// Promises: no branch on hardware, no allocation. Units SI. PHYSICS 8.1.
 #pragma once
 
 #include "base/math.h"

@@ -16,7 +16,7 @@
 // force 1 mm deep, 0.9 to 0.95 at 2 mm, 1.05 at 3 mm. Matched there it would be far off where
 // needles go through.
 //
-// Promises: no allocation, no branch on hardware. Units SI.
+// Promises: no allocation, no branch on hardware. Units SI. PHYSICS 8.2.
 #pragma once
 
 #include "base/math.h"

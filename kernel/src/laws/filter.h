@@ -23,7 +23,7 @@
 //
 // Promises: what is here happens at creation, in a fixed order; the passes are
 // lattice/filter_passes.h's. Units SI. Source: Carle, Hochbruck and Sturm 2020
-// (leapfrog-Chebyshev), with L in place of the stiffness.
+// (leapfrog-Chebyshev), with L in place of the stiffness. PHYSICS 3.4.
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,7 @@
 //
 // Promises: no branch on the outside, no allocation; same bits everywhere. Units SI.
 // Source: Okamura, Simone, O'Leary 2004 (needle friction by the modified Karnopp model); Stribeck's
-// curve as in Armstrong-Helouvry, Dupont, Canudas de Wit 1994.
+// curve as in Armstrong-Helouvry, Dupont, Canudas de Wit 1994. PHYSICS 12.1.
 #pragma once
 
 #include "base/math.h"

@@ -3,7 +3,7 @@
 //
 // Promises: finite for finite arguments, no negative stiffness. Units SI. Source: the law of
 // pressing is ours; friction is Coulomb's as a return map, which for a given limit has a potential
-// (Huber's function), so that a needle's equilibrium is the minimum of an energy.
+// (Huber's function), so that a needle's equilibrium is the minimum of an energy. PHYSICS 13.3.
 #pragma once
 
 #include "base/vec3d.h"

@@ -16,7 +16,7 @@
 // in and out as the body passes the node. A piece that lies flat is held at its deepest point,
 // which may jump from one end to the other (the force does not): make the pieces as short as the
 // torque should be smooth. No memory smooths that jump, because a load that lags behind the tilt
-// feeds it.
+// feeds it. PHYSICS 13.
 #pragma once
 
 #include <cstdint>

@@ -41,7 +41,7 @@
 // not on loads or shape; any finite input gives a finite result; only + - * / and sqrt in a written
 // order. Units: SI, double. Frame: world directions, places relative to the handle's position; the
 // needle leaves the handle along its -z. Source: Dehghan, Goksel, Salcudean 2006 (angular springs);
-// Hencky 1920 (the chain's buckling load).
+// Hencky 1920 (the chain's buckling load). PHYSICS 6.2, 6.3.
 #pragma once
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 // the handle to the tip; arc lengths count from the tip, as constraint particles do.
 //
 // Promises: a fixed number of operations, no allocation. Units SI, frame of the attachments.
-// Source: Webster et al. 2006 for the bevel.
+// Source: Webster et al. 2006 for the bevel. PHYSICS 6.1, 6.5.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The frame of the attachments: the world, shifted as the patient breathes (BreathingConfig).
+// PHYSICS 4.5.
 #pragma once
 
 #include "state/layout.h"
