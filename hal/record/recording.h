@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording: the exact inputs and outputs of every tick in one HDF5 file. Layout: hal/README.md.
+// A recording: the exact inputs and outputs of every tick in one HDF5 file. Layout:
+// hal/record/README.md.
 //
 // Promises: the file appears under its name only when finish() succeeded. Until then it grows as
 // `NAME.PROCESS.tmp`, by what half a second brought, and can be read at any time; whoever is killed

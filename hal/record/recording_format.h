@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a recording is made of in its file: attributes, texts and tables, for the one who writes it
-// and the one who reads it. Layout: hal/README.md.
+// and the one who reads it. Layout: hal/record/README.md.
 // Promise: what cannot be read or written throws RecordingError: one line with file, place and
 // reason. Units: SI. Frame: world.
 #pragma once

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene: one TOML file that says what is run and how. Every key is listed in hal/README.md.
+// A scene: one TOML file that says what is run and how. Every key is listed in hal/scene/README.md.
 //
 // Promise: an unknown key, a wrong type, a missing or an impossible value throws SceneError with
 // one line "file:line: key: value: what is allowed". May allocate; never called from the loop.
