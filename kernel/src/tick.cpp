@@ -11,7 +11,7 @@
 //     7  slip      the shaft's CPs slip back to the limit of friction        IV.C, step 3; V
 //     8  add, remove  CPs behind a tip that goes on or comes back            IV.C, step 4
 //     9  bend      a tip in contact once more, by what it presses with       IV.B, step 4;
-//                  a tip that has just left its hole looks for the surface again (as in 3)
+//                  one that has just left its hole looks for the surface again
 //   for all together
 //     10 tissue    shape matching, CPs included, substep by substep          IV.B, step 2
 //   for each needle
@@ -136,8 +136,9 @@ std::uint32_t move_particles(const Model& model, State& state, Scratch& scratch,
   const Vec3 step = needle.tip_m - tip.position_m;
   const float moved_m = move_tip(model, state, needle);
   std::uint32_t flags = 0;
-  if (own.phase == Phase::kContact)
+  if (own.phase == Phase::kContact) {
     update_contact(model, state, scratch, needle, step, flags);  // 5: puncture
+  }
   if (own.phase == Phase::kFree || own.phase == Phase::kContact) return flags;
   const Vec3 from_m = tip.rest_m;
   const float from_track_m = tip.track_m;
