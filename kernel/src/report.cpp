@@ -183,7 +183,7 @@ double kinetic_energy(const Model& model, const State& state) {
   double sum = 0;
   std::uint32_t tie = 0;  // in the order of the particles
   for (std::uint32_t i = 0; i < head.counts.particles; ++i) {
-    if (tie < head.counts.ties && model.tie[tie].node == i) {  // its root counts
+    if (tie < head.counts.ties && model.tie[tie].node == i) {  // its representative counts
       ++tie;
       continue;
     }

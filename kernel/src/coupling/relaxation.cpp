@@ -49,18 +49,18 @@ void creep(const Model& model, const State& state, Particle& p, Vec3 residual_m,
 // The Maxwell branch creeps by this part of its way; what it dissipates is booked, and may be spent
 // by others (`spare_j`). Energy must not rise by more than that: else nothing changes, and how much
 // it would have risen is returned.
-double try_creep(const Model& model, State& state, Particle& p, Residuals& supports, float part,
+double try_creep(const Model& model, State& state, Particle& p, Residuals& d, float part,
                  double& spare_j) {
   if (p.relaxing_fraction == 0 || p.support_count == 0) return 0;
   const Particle before = p;
-  const double before_j = spring_energy(p, supports);
-  creep(model, state, p, supports.residual_m, part);
+  const double before_j = spring_energy(p, d);
+  creep(model, state, p, d.residual_m, part);
   const Residuals crept = residuals(p);
   const double rise_j = spring_energy(p, crept) - before_j;
   if (rise_j <= spare_j) {
     spare_j -= rise_j;
     state.head->relaxation_j -= rise_j;
-    supports = crept;
+    d = crept;
     return 0;
   }
   p = before;
@@ -68,38 +68,36 @@ double try_creep(const Model& model, State& state, Particle& p, Residuals& suppo
 }
 
 // The Maxwell branch creeps for a tick. False: it did not, for energy would rise.
-bool relax(const Model& model, State& state, Particle& p, Residuals& supports, double& spare_j) {
-  return try_creep(model, state, p, supports, 1 - p.memory_keep, spare_j) == 0;
+bool relax(const Model& model, State& state, Particle& p, Residuals& d, double& spare_j) {
+  return try_creep(model, state, p, d, 1 - p.memory_keep, spare_j) == 0;
 }
 
 // The same for one that has to be paid by the others: as far as they do.
-void relax_late(const Model& model, State& state, Particle& p, Residuals& supports,
-                double& spare_j) {
+void relax_late(const Model& model, State& state, Particle& p, Residuals& d, double& spare_j) {
   const float all = 1 - p.memory_keep;
-  const double rise_j = try_creep(model, state, p, supports, all, spare_j);
+  const double rise_j = try_creep(model, state, p, d, all, spare_j);
   if (rise_j == 0) return;
   const float part = all * max_of(kLeastCreep, static_cast<float>(spare_j / rise_j));
-  (void)try_creep(model, state, p, supports, part, spare_j);
+  (void)try_creep(model, state, p, d, part, spare_j);
 }
 
 // The give follows the force along the needle, as over a damper. Only what lies along: to take back
 // what lies across would take work against the force there.
-void give_way(StateHead& state, Particle& p, const Residuals& supports, Vec3 direction) {
+void give_way(StateHead& state, Particle& p, const Residuals& d, Vec3 direction) {
   if (p.axial_fraction == 0) return;
-  const double before_j = spring_energy(p, supports);
-  const float pull_m =
-      dot(force_on_tissue(p, supports.residual_m), direction) / p.stiffness_n_per_m;
+  const double before_j = spring_energy(p, d);
+  const float pull_m = dot(force_on_tissue(p, d.residual_m), direction) / p.stiffness_n_per_m;
   const float to_go_m =
       p.axial_fraction * pull_m - (1 - p.axial_fraction) * dot(p.give_m, direction);
   p.give_m = settle(p.give_m + kGiveRate * to_go_m * direction);
   set_slack(p);
-  state.relaxation_j += before_j - spring_energy(p, supports);
+  state.relaxation_j += before_j - spring_energy(p, d);
 }
 
 // A CP of the shaft goes with the needle.
-void follow(State& state, const Needle& needle, Particle& p, const Residuals& supports) {
+void follow(State& state, const Needle& needle, Particle& p, const Residuals& d) {
   const NeedlePoint point = needle_point(needle, p.arc_m);
-  give_way(*state.head, p, supports, point.direction);
+  give_way(*state.head, p, d, point.direction);
   p.position_m = point.place_m;
   turn_give(p, point.direction);
 }
@@ -114,19 +112,20 @@ void relax_and_follow(const Model& model, State& state, const Needle& needle) {
   for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
     Particle& p = state.shaft[i];
     refill_supports(model, state, p);
-    Residuals supports = residuals(p);
-    late[i] = !relax(model, state, p, supports, spare_j);
-    if (!late[i]) follow(state, needle, p, supports);
+    Residuals d = residuals(p);
+    late[i] = !relax(model, state, p, d, spare_j);
+    if (!late[i]) follow(state, needle, p, d);
   }
-  Residuals tip_shares = residuals(tip);
-  if (!relax(model, state, tip, tip_shares, spare_j))
-    relax_late(model, state, tip, tip_shares, spare_j);
+  Residuals tip_d = residuals(tip);
+  if (!relax(model, state, tip, tip_d, spare_j)) {
+    relax_late(model, state, tip, tip_d, spare_j);
+  }
   for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
     if (!late[i]) continue;
     Particle& p = state.shaft[i];
-    Residuals supports = residuals(p);
-    relax_late(model, state, p, supports, spare_j);
-    follow(state, needle, p, supports);
+    Residuals d = residuals(p);
+    relax_late(model, state, p, d, spare_j);
+    follow(state, needle, p, d);
   }
 }
 
