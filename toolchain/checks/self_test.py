@@ -322,7 +322,7 @@ class Stack(Sample):
                                   "void flat() { int a[10]; use(a); }\n", "int a[500]; use(a);"
                                   "flat(); deep();")
         self.assertEqual(faults, [])
-        self.assertTrue(6000 <= size < 6200, size)
+        self.assertTrue(6000 + stack.RED_ZONE <= size < 6200 + stack.RED_ZONE, size)
 
     def test_refuses_recursion(self):
         self.expect_one(self.bound("int f(int n); int g(int n) { asm(\"\"); return n * f(n); }\n"

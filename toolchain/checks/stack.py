@@ -29,6 +29,7 @@ POINTERS = {
 OUTSIDE = {"ccdMPRPenetration": 2048, "memcpy": 256, "memmove": 256, "memset": 256, "memcmp": 256,
            "sqrt": 64, "sqrtf": 64, "__assert_fail": 0}
 ALIGNMENT = 64  # what a realigned frame may lose
+RED_ZONE = 128  # what a function that calls nothing may use below its frame (x86-64 ABI, 3.2.2)
 NODE = re.compile(r'node: \{ title: "([^"]*)" label: "([^"]*)"')
 EDGE = re.compile(r'edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"')
 FRAME = re.compile(r"\\n(\d+) bytes \(([a-z,]+)\)")
@@ -82,7 +83,7 @@ class Graph:
                 self.faults.append(f"{self.label.get(function, function)}: a frame nobody knows")
                 frame = 0
             below = max((self.deepest(callee, (*path, function), known)
-                         for callee in self.callees(function)), default=(0, ()))
+                         for callee in self.callees(function)), default=(RED_ZONE, ()))
             known[function] = (frame + below[0], (function, *below[1]))
         return known[function]
 
