@@ -50,24 +50,56 @@ struct OnRod {
   double from_start_m;
 };
 
-Frame handle_frame(const double (&q)[4]);
+inline Frame handle_frame(const double (&q)[4]) {
+  const double w = q[0], x = q[1], y = q[2], z = q[3];
+  const double s = 2 / (w * w + x * x + y * y + z * z);
+  return {{-s * (x * z + w * y), s * (w * x - y * z), s * (x * x + y * y) - 1},
+          {1 - s * (y * y + z * z), s * (x * y + w * z), s * (x * z - w * y)},
+          {s * (x * y - w * z), 1 - s * (x * x + z * z), s * (y * z + w * x)}};
+}
 
-Vec3d rest_direction(const RodModel::Rest& rest, const Frame& before);
+inline Vec3d rest_direction(const RodModel::Rest& rest, const Frame& before) {
+  return rest.x * before.x + rest.y * before.y + rest.along * before.along;
+}
 
 // The frame of a rod that points along `along` and would at rest point along `rest`: the smallest
 // turn from before to rest, then the smallest from rest to along. half_out is the frame half way
 // along the second one; half_out.x and .y are the axes about which the joint bends.
-Frame carried(const RodModel::Rest& kink, const Frame& before, Vec3d rest, Vec3d along,
-              Frame& half_out);
+inline Frame carried(const RodModel::Rest& kink, const Frame& before, Vec3d rest, Vec3d along,
+                     Frame& half_out) {
+  const Vec3d x = before.x - kink.turn * (before.along + rest);
+  const Vec3d sum = rest + along;
+  const double opening = max_of(1 + dot(rest, along), 1e-9);
+  const double length = std::sqrt(2 * opening), per_length = 1 / length;  // of sum
+  const double across = dot(along, x);
+  const double lean = across * per_length;
+  half_out.along = per_length * sum;
+  half_out.x = x - (lean / (1 + 0.5 * length)) * (rest + half_out.along);
+  half_out.y = cross(half_out.x, half_out.along);
+  const Vec3d carried_x = x - (across / opening) * sum;
+  return {along, carried_x, cross(carried_x, along)};
+}
 
 void place_rods(const RodModel& model, const Frame& handle, RodScratch& scratch, RodResult& result);
 
 // What a violent hand has left ahead of the tip is held at its own place, as needle_point says:
 // with less of a lever the hand took 0.6 uJ a tick out of a needle that was bent by it.
-OnRod on_rod(const RodModel& model, double arc_m);
+inline OnRod on_rod(const RodModel& model, double arc_m) {
+  const double last = static_cast<double>(model.rods - 1);
+  const auto rod = static_cast<std::uint32_t>(max_of(0, min_of(arc_m / model.rod_m, last)));
+  const double rest_m = arc_m - static_cast<double>(rod) * model.rod_m;
+  return {rod, max_of(0, min_of(rest_m, static_cast<double>(model.rods) * model.rod_m))};
+}
 
 // A quadratic function of a place on a rod: force there and stiffness.
-void add_to_lump(RodScratch::Lump& lump, double from_start_m, const Sym3d& k, Vec3d at_origin_n);
+inline void add_to_lump(RodScratch::Lump& lump, double from_start_m, const Sym3d& k,
+                        Vec3d at_origin_n) {
+  lump.start = lump.start + k;
+  lump.mixed = lump.mixed + from_start_m * k;
+  lump.along = lump.along + (from_start_m * from_start_m) * k;
+  lump.start_n = lump.start_n + at_origin_n;
+  lump.along_nm = lump.along_nm + from_start_m * at_origin_n;
+}
 
 // A place on a rod is linear in the rod's start and direction, so the loads of a rod add up to one
 // quadratic function, whatever their number.
