@@ -19,7 +19,7 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 using Element = Eigen::Matrix<double, 24, 24>;
-using Shapes = Eigen::Matrix<double, Eigen::Dynamic, 3>;  // three at a time
+using Shapes = Eigen::Matrix<double, Eigen::Dynamic, 3>;  // three shapes at a time
 
 struct Cell {
   std::int32_t x, y, z;
@@ -55,15 +55,15 @@ std::vector<Voxel> voxels_of(const Model& model) {
   return all;
 }
 
-// Stiffness of a voxel with k = 1 N/m in small motion about rest, of three parts: shear, what the
-// volume ratio multiplies, and what the weight of hourglass motion does (report.cpp has the same
-// energy in large motion).
+// Stiffness of a voxel with k = 1 N/m in small motion about rest, in three parts: shear, the part
+// that the volume ratio multiplies, and the part that the hourglass weight multiplies (report.cpp
+// has the same energy in large motion).
 struct Parts {
   Element shear, volume, hourglass;
 };
 Parts unit_parts() {
   Eigen::Matrix<double, 9, 24> gradient = Eigen::Matrix<double, 9, 24>::Zero();  // times the edge
-  Element linear = Element::Zero();  // the part of the motion that has this gradient, and the mean
+  Element linear = Element::Zero();  // affine part of the motion: this gradient, and the mean
   for (int corner = 0; corner < 8; ++corner) {
     for (int other = 0; other < 8; ++other) {
       double same = 1.0 / 8;
@@ -107,7 +107,7 @@ Coarse coarse_of(const std::vector<Voxel>& voxels, std::int32_t size) {
   Coarse out = {size, {}, 0};
   for (const Voxel& voxel : voxels) {
     Coarse::Sum& sum = out.cells[cell_of(out, voxel)];
-    // Of a voxel k is the shear modulus times its edge.
+    // k of a voxel is its shear modulus times its edge.
     sum.k += voxel.k_n_per_m / (size * size);
     sum.volume += voxel.k_n_per_m * voxel.volume_ratio / (size * size);
   }
@@ -126,9 +126,9 @@ Eigen::Index dof(std::uint32_t of, int axis) {
   return 3 * static_cast<Eigen::Index>(of) + axis;
 }
 
-// Springs that hold a particle, N/m for each coordinate; 0 for one that is free.
+// Stiffness of the spring that attaches a particle, N/m for each coordinate; 0 for a free one.
 Eigen::VectorXd springs_of(const Model& model, const std::vector<Voxel>& voxels) {
-  constexpr double kStiff = 100;  // voxels in a row; a held face gives way by a hundredth of one
+  constexpr double kStiff = 100;  // in k of a voxel: a face gives way by a hundredth of a voxel
   Eigen::VectorXd out = Eigen::VectorXd::Zero(dof(model.head->counts.particles, 0));
   for (const Voxel& voxel : voxels) {
     for (const std::uint32_t p : voxel.corner) {
@@ -139,7 +139,7 @@ Eigen::VectorXd springs_of(const Model& model, const std::vector<Voxel>& voxels)
   return out;
 }
 
-// Nodes that hang together with a held particle.
+// Nodes that are connected, through cells, with an attached particle.
 std::vector<bool> held_nodes(const Coarse& coarse, const std::vector<Voxel>& voxels,
                              const Eigen::VectorXd& springs) {
   std::vector<bool> held(coarse.nodes);
@@ -167,7 +167,7 @@ std::vector<bool> held_nodes(const Coarse& coarse, const std::vector<Voxel>& vox
   return held;
 }
 
-// What particles do when held nodes do something: their weights, trilinear in a cell.
+// Motion of particles from the motion of such nodes: their weights, trilinear in a cell.
 Sparse weights_of(const Model& model, const Coarse& coarse, const std::vector<Voxel>& voxels,
                   const std::vector<bool>& held) {
   const std::uint32_t particles = model.head->counts.particles;
@@ -201,7 +201,7 @@ Sparse weights_of(const Model& model, const Coarse& coarse, const std::vector<Vo
   return out;
 }
 
-// K, with what is held on stiff springs; nodes that nothing holds stay where they are.
+// K; attached particles are on stiff springs, nodes connected to none stay where they are.
 Sparse stiffness_of(const Coarse& coarse, const std::vector<bool>& held, const Sparse& weights,
                     const Eigen::VectorXd& springs, double hourglass_weight) {
   const Parts parts = unit_parts();
@@ -228,7 +228,7 @@ Sparse stiffness_of(const Coarse& coarse, const std::vector<bool>& held, const S
   return out + Sparse(weights.transpose() * on_springs);
 }
 
-// The fewest voxels a cell that leave few enough cells.
+// The smallest cells, in voxels along an edge, that are few enough.
 std::int32_t cell_size(const std::vector<Voxel>& voxels) {
   for (std::int32_t size = 1;; ++size) {
     std::map<Cell, bool> cells;
@@ -237,8 +237,8 @@ std::int32_t cell_size(const std::vector<Voxel>& voxels) {
   }
 }
 
-// Of each coordinate of the particles: the mass that tissue has, and 1 / mass in the step, which is
-// 0 for what is held.
+// For each coordinate of the particles: the mass that tissue has, and 1 / mass in the step, which
+// is 0 for attached particles.
 Eigen::VectorXd real_kg(const Model& model) {
   Eigen::VectorXd out(dof(model.head->counts.particles, 0));
   for (std::uint32_t i = 0; i < model.head->counts.particles; ++i) {
@@ -280,12 +280,12 @@ Shapes filtered(const Filter& filter, const std::vector<Voxel>& voxels,
   return last;
 }
 
-// Mass in the step times shapes; with true mass M p(S)^-1, which is symmetric: conjugate gradients
-// in M, for each shape. (M (1 + c S) alone, with c the slope of p, is too light by up to a fifth
-// where stiff tissue turns: S is large at its surface then.)
+// Mass in the step times shapes. With true mass it is M p(S)^-1, which is symmetric, so conjugate
+// gradients in M serve for each shape. (M (1 + c S) alone, with c the slope of p, is too light by
+// up to a fifth where stiff tissue turns: there S is large at its surface.)
 Shapes stepped_mass(const Model& model, const std::vector<Voxel>& voxels, const Shapes& shapes) {
   constexpr int kMostRounds = 40;
-  constexpr double kGood = 1e-6;  // of the square of what is asked for
+  constexpr double kGood = 1e-6;  // of the square of the right-hand side
   const Eigen::VectorXd per_kg = per_stepped_kg(model);
   const Eigen::VectorXd kg = per_kg.unaryExpr([](double v) { return v > 0 ? 1 / v : 0; });
   if (!has_true_mass(model)) return kg.asDiagonal() * shapes;
@@ -309,10 +309,10 @@ Shapes stepped_mass(const Model& model, const std::vector<Voxel>& voxels, const 
   return kg.asDiagonal() * out;
 }
 
-// Lowest frequency of K and a mass, by subspace iteration from what gravity along x, y, z does.
+// Lowest frequency for K and a mass; subspace iteration starts from gravity along x, y, z.
 template <typename Mass>
 double lowest_hz(const Eigen::SimplicialLDLT<Sparse>& solver, const Sparse& weights, Mass mass) {
-  constexpr int kRounds = 3;  // what is left of the fourth shape falls by its frequency to the 4th
+  constexpr int kRounds = 3;  // the rest of the fourth shape falls by its frequency to the 4th
   Shapes shapes = Eigen::Matrix3d::Identity().replicate(weights.rows() / 3, 1);
   double lowest = 0;
   for (int round = 0; round < kRounds; ++round) {
@@ -348,7 +348,7 @@ Resonance first_resonance(const Kernel& kernel) {
       lowest_hz(solver, weights, [&](const Shapes& s) { return Shapes(kg.asDiagonal() * s); });
   out.stepped_hz = lowest_hz(solver, weights,
                              [&](const Shapes& s) { return stepped_mass(view.model, voxels, s); });
-  // The force of one shape alone is that at rest times 1 - (f / resonance)^2.
+  // The force of one shape alone is its force at rest times 1 - (f / resonance)^2.
   const double apart = 1 / (out.stepped_hz * out.stepped_hz) - 1 / (out.real_hz * out.real_hz);
   out.departs_hz = apart > 0 ? std::sqrt(kTenth / apart) : kNever;
   return out;

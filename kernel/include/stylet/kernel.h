@@ -29,11 +29,11 @@ enum class Mode : std::uint32_t {
 
 // How the explicit step is kept stable for any material. Forces at rest are the same in both.
 enum class Inertia : std::uint32_t {
-  // Mass is added where the step needs it: liver of 5 mm voxels is 6 times too heavy at two
-  // substeps; a hand at 4 Hz feels 0.6 to 1.3 of the force, near a resonance many times it.
+  // The step adds mass where it needs it: liver in 5 mm voxels is 6 times too heavy at two
+  // substeps; a hand at 4 Hz feels 0.6 to 1.3 of the force, near a resonance many times the force.
   kAddedMass = 0,
-  // The mass that tissue has; short waves, which no hand feels, are slowed instead (filter.h), in
-  // as many passes as the stiffest tissue needs (filter_passes).
+  // Tissue keeps its true mass. Short waves, which no hand feels, are slowed instead (filter.h):
+  // in as many passes as the stiffest tissue needs (filter_passes).
   kTrueMass = 1,
 };
 
@@ -42,23 +42,23 @@ enum class Inertia : std::uint32_t {
 struct NeedleConfig {
   float length_m = 0.15F;
   float outer_radius_m = 0.635e-3F;  // 18G
-  // Sampling unit: shaft length one constraint particle stands for. Longer than a voxel's edge the
-  // shaft is 10 to 26 % too soft sideways (Stats::unit_in_voxels).
+  // Needle unit: the shaft length that one constraint particle carries. If it is longer than a
+  // voxel's edge, the shaft is 10 to 26 % too soft sideways (Stats::unit_in_voxels).
   float unit_m = 5e-3F;
   float bending_nm2 = 0;    // EI of the shaft; 0 is rigid
   std::uint32_t rods = 32;  // of the elastic chain
   float bevel_per_m = 0;    // curvature of the path a bevelled tip cuts in stiff tissue
-  float bent_length_m = 0;  // pre-bent tip: its length, and the angle it is turned by at rest
+  float bent_length_m = 0;  // pre-bent tip: its length, and its angle to the shaft at rest
   float bent_angle_rad = 0;
   float torsion_nm2 = 0;  // GJ of the shaft; 0: the tip rolls with the hand
-  // Half of the tip's included angle, between axis and surface: how fast contact widens. 15
-  // degrees.
+  // Half of the tip's included angle: from its axis to its surface. It says how fast contact
+  // widens. 15 degrees.
   float tip_half_angle_rad = 0.261799388F;
 };
 
-// Prescribed motion of all attachments together, A sin^4(pi t / T): a breath that rests at its
-// start (Lujan et al. 1999). The kernel works in the frame of the attachments and leaves out the
-// inertia of their motion, a hundredth of gravity for a breath.
+// All attachments move together in a prescribed way, A sin^4(pi t / T): a breath that rests at its
+// start (Lujan et al. 1999). The kernel works in the frame of the attachments. It leaves out the
+// inertia of their motion, which is a hundredth of gravity for a breath.
 struct BreathingConfig {
   Vec3 amplitude_m = {0, 0, 0};
   float period_s = 4;
@@ -67,7 +67,7 @@ struct BreathingConfig {
 struct Config {
   Mode mode = Mode::kPhysical;
   float period_s = 1e-3F;
-  std::uint32_t substeps = 1;  // with added mass rather 2: one adds three times as much
+  std::uint32_t substeps = 1;  // with added mass better 2: with 1 it adds three times as much
   Inertia inertia = Inertia::kTrueMass;
   float tissue_damping_s = 0.25e-3F;  // Kelvin-Voigt time constant of the tissue
   float surround_drag_per_s =
@@ -79,15 +79,15 @@ struct Config {
   BreathingConfig breathing;
 };
 
-// A body no needle enters: the convex hull of the vertices, grown by `rounding_m` on all sides. One
-// vertex makes a sphere.
+// A body that no needle enters: the convex hull of the vertices, grown by `rounding_m` on all
+// sides. One vertex makes a sphere.
 struct ObstacleConfig {
   Pose pose = {{0, 0, 0}, {1, 0, 0, 0}};  // of the body in the world
   std::uint32_t vertex_count = 0;
   Vec3 vertices_m[kMaxHullVertices] = {};
   float rounding_m = 0;
   float stiffness_n_per_m = 0;  // of a contact, normal and (sticking) tangential
-  float largest_force_n = 0;    // what the normal force approaches as the needle is pressed in
+  float largest_force_n = 0;    // limit of the normal force as the needle is pressed in
   float friction = 0;           // Coulomb coefficient
 };
 
@@ -111,7 +111,7 @@ struct Memory {
 };
 
 // Handle to the blocks; plain and copyable: a copy is the same kernel. Only the kernel's own
-// functions look inside. The blocks and the organ's bytes must outlive it, the Organ need not.
+// functions look inside. The blocks and the organ's bytes must outlive it; the Organ need not.
 struct Kernel {
   std::byte* model = nullptr;
   std::byte* state = nullptr;
@@ -120,17 +120,17 @@ struct Kernel {
   void (*step)(const Kernel&) = nullptr;  // tissue step for this processor
 };
 
-// Exact: create uses these bytes and no others. kOrganTooLarge: a block of them has no such number
-// of bytes on this machine (32 bits).
+// The sizes are exact: create uses these bytes and no others. kOrganTooLarge: this machine cannot
+// count the bytes of a block (32 bits).
 Status sizes(const Organ& organ, const Config& config, Sizes& sizes_out);
 // On kMemoryTooSmall or kMemoryNotAligned nothing was written. Ends with reset.
 Status create(const Organ& organ, const Config& config, const Memory& memory, Kernel& kernel_out);
 // Back to tick 0: tissue at rest, needles away, no track. Obstacles stay.
 void reset(Kernel& kernel);
 
-// Bodies no needle enters, fixed in the world: before the first tick since create or reset (later:
-// kObstaclesTooLate), at most kMaxObstacles; replaces those given before. On an error nothing
-// changes.
+// Bodies that no needle enters, fixed in the world: at most kMaxObstacles, replacing those given
+// before. Call it before the first tick after create or reset (later: kObstaclesTooLate). On an
+// error nothing changes.
 Status set_obstacles(Kernel& kernel, std::span<const ObstacleConfig> obstacles);
 
 // ==== One tick
@@ -179,8 +179,8 @@ struct Output {
 };
 constexpr std::uint32_t kNoLayer = 0xFFFFFFFFU;
 
-// Input i moves needle i; needles without input keep their pose (counted as missing). Writes as
-// many outputs as there are needles and room.
+// Input i moves needle i. A needle without input keeps its pose (counted as missing). Writes one
+// output for each needle, as long as `outputs` has room.
 void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outputs);
 // The same for one needle.
 Output tick(Kernel& kernel, const Input& input);
@@ -188,19 +188,19 @@ Output tick(Kernel& kernel, const Input& input);
 // ==== Helper threads
 // ================================================================================
 // Threads of the caller may take part in the tissue step. The bits depend neither on their number
-// nor on whether they come in time: tick does itself what none of them has begun. It waits for what
-// one has begun, so helpers need the priority of the thread that ticks, and its floating-point
-// mode. The kernel starts no thread, takes no lock and makes no system call.
+// nor on whether they come in time: tick does whatever no helper has begun. It waits for what a
+// helper has begun, so helpers need the priority and the floating-point mode of the thread that
+// ticks. The kernel starts no thread, takes no lock and makes no system call.
 
-// Exact, for this kernel's organ.
+// Exact number of bytes that set_team needs for this kernel's organ.
 std::size_t team_bytes(const Kernel& kernel, std::uint32_t helpers);
-// Between ticks, with no helper about: shares the step in as many parts as there are helpers and
-// one. The memory must outlive that; 0 helpers ends it. On an error nothing changes.
+// Call between ticks while no thread is in help(). Divides the step into one part more than there
+// are helpers. The memory must outlive the team; 0 helpers end it. On an error nothing changes.
 Status set_team(Kernel& kernel, std::uint32_t helpers, std::span<std::byte> memory);
 bool has_team(const Kernel& kernel);
-// What a helper's thread calls again and again, with any copy of the kernel: looks `looks` times
-// (about 40 ns each) whether a part is to be done, does one, and returns whether there was one.
-// Without a team there is none.
+// A helper's thread calls this again and again, with any copy of the kernel. It looks `looks`
+// times (about 40 ns each) for a part to be done, does one, and returns whether it found one.
+// Without a team it finds none.
 bool help(const Kernel& kernel, std::uint32_t looks);
 
 // ==== What happened
@@ -236,21 +236,21 @@ struct Pool {
 };
 struct Stats {
   std::uint64_t ticks;
-  Pool constraint_particles;  // of all needles; capacity and most are of one needle
-  Pool coupled_voxels;        // of all needles; `used` is not kept after a tick, and 0
+  Pool constraint_particles;  // of all needles; capacity and used_max are per needle
+  Pool coupled_voxels;        // of all needles; `used` is always 0: not kept after a tick
   Pool tracks;
   Pool obstacle_contacts;
   std::uint64_t input_not_finite, input_clamped, input_missing;
   std::uint64_t cp_pool_full, cp_voxel_pool_full, contact_budget, fault;
   std::uint64_t obstacle_pool_full, needle_unstable;
   float
-      coupling_shortfall;  // largest missing share of the stiffness asked of a constraint particle
+      coupling_shortfall;  // largest missing part of the stiffness asked of a constraint particle
   float unit_in_voxels;    // the longest needle unit, in voxel edges: see NeedleConfig::unit_m
 };
 Stats stats(const Kernel& kernel);
 
-// Mass added by the stability bound, per material: real mass and mass in the step, kg. With true
-// mass they are the same where kMaxFilterPasses do.
+// Mass added to keep the step stable, per material: real mass and mass in the step, kg. With true
+// mass the two are the same where kMaxFilterPasses are enough.
 struct MassReport {
   float real_kg, stepped_kg;
 };
@@ -273,8 +273,8 @@ struct ObstacleTouch {
 };
 std::uint32_t obstacle_touches(const Kernel& kernel, std::span<ObstacleTouch> out);
 
-// Shape of a needle from handle to tip: rods + 1 places, two for a rigid one. Returns the number
-// written, 0 before the first pose.
+// Shape of a needle from handle to tip: rods + 1 places, so two for a rigid needle. Returns the
+// number written; 0 before the first pose.
 std::uint32_t needle_shape(const Kernel& kernel, std::uint32_t needle, std::span<Vec3> out);
 
 // Deformed surface: one position per organ vertex. Returns the number written.
@@ -282,12 +282,12 @@ std::uint32_t surface(const Kernel& kernel, std::span<Vec3> positions_out);
 
 // The lattice's particles, for a display that deforms the surface itself (trilinear in the voxels,
 // as surface() does). Corner dx + 2 dy + 4 dz of voxel i of the organ is particle
-// corners_out[8 i + dx + 2 dy + 4 dz]; cold path. The kernel has more particles than voxels have
-// corners: those no voxel names carry nothing.
+// corners_out[8 i + dx + 2 dy + 4 dz]; cold path. Some of the kernel's particles are padding: no
+// voxel names them as a corner, and they carry nothing.
 std::uint32_t particle_count(const Kernel& kernel);
 std::uint32_t voxel_corners(const Kernel& kernel, std::span<std::uint32_t> corners_out);
-// How far each particle is from its place at rest: particle_count of them, a plain copy, so that it
-// may be called between two ticks of the loop. Returns the number written.
+// How far each particle is from its place at rest: particle_count vectors. It is a plain copy, so
+// it may be called between two ticks of the loop. Returns the number written.
 std::uint32_t particles(const Kernel& kernel, std::span<Vec3> moved_out_m);
 
 // Energies of tissue and needles, J (cold path, double precision inside).
@@ -303,12 +303,12 @@ Energy energy(const Kernel& kernel);
 // ==== Save, restore, compare
 // ========================================================================
 
-// A snapshot is the state block behind a header: it fits any kernel of the same organ, config and
-// obstacles (bytes that do not matter, such as needles beyond needle_count, may differ) made by a
-// kernel with the same layout of state. restore takes no other bytes: kSnapshotDoesNotMatch for a
-// header of something else, kSnapshotDamaged where checksum, an index, a count or a number is not
-// what a tick leaves (not finite: only with a latched fault). Then nothing changes. What is taken
-// does no harm in any number of ticks: forces are finite, or the fault latches.
+// A snapshot is the state block behind a header. It fits any kernel of the same organ, config and
+// obstacles (bytes that do not matter may differ, such as needles beyond needle_count) whose state
+// has the same layout. restore refuses all other bytes: kSnapshotDoesNotMatch for another header,
+// kSnapshotDamaged for a wrong checksum and for an index, a count or a number that no tick leaves
+// (not finite: only with a latched fault). Then nothing changes. A state that it accepts does no
+// harm in any number of ticks: forces are finite, or the fault latches.
 std::size_t snapshot_bytes(const Kernel& kernel);
 Status snapshot(const Kernel& kernel, std::span<std::byte> out);
 Status restore(Kernel& kernel, std::span<const std::byte> in);
@@ -320,8 +320,8 @@ struct Difference {
   const char* field;  // nullptr: equal
   std::uint64_t index;
 };
-// First field of the state that differs; "organ" or "config" (obstacles included) where the kernels
-// are not of the same.
+// First field of the state that differs; "organ" or "config" (obstacles included) where the two
+// kernels differ in those.
 Difference difference(const Kernel& a, const Kernel& b);
 
 }  // namespace stylet

@@ -8,21 +8,21 @@ namespace stylet {
 
 // ---- organ: checked by organ_open, which refuses the file -------------------------------------
 constexpr std::uint32_t kMaxVoxels = 4'000'000;
-// Rows (y, z) of the lattice's extent, whether they hold a voxel or not.
+// Rows (y, z) of the lattice's extent, with or without voxels.
 constexpr std::uint32_t kMaxRows = 16'000'000;
-// Memory of a kernel follows its voxels, wherever they lie: at most this much for each, beyond what
-// an organ of one voxel takes. (Lone voxels 7 cells apart in planes of their own come near it; in
-// a body each takes some 150 bytes.) sizes says how much it is; no organ is refused for it, but
-// where addresses have 32 bits and a block would not fit: kOrganTooLarge.
+// A kernel's memory grows with its number of voxels, wherever they lie: by at most this much for
+// each, on top of what an organ of one voxel takes. (Lone voxels 7 cells apart, each in its own
+// plane, come near it; in a body each takes some 150 bytes.) sizes says how much it is. No organ is
+// refused for it, except where addresses have 32 bits and a block would not fit: kOrganTooLarge.
 constexpr std::uint32_t kMaxBytesPerVoxel = 12'288;
-// Sheets of a lattice: voxels that lie in one cell of space. A place in the tissue looks at each.
+// Sheets of a lattice: voxels that may lie in one cell of space. Every look-up visits each.
 constexpr std::uint32_t kMaxSheets = 8;
 constexpr std::uint32_t kMaxMaterials = 64;
 constexpr std::uint32_t kMaxVertices = 8'000'000;
 constexpr std::uint32_t kMaxTriangles = 16'000'000;
-// Largest coordinate of the lattice's origin. A needle comes within 2.5 m of it, so every place
-// that matters lies within 8 m of the world's, where floats resolve 0.5 um: a fortieth of the skins
-// that tell contact from rounding (surface.cpp). At 100 m they resolve 8 um.
+// Largest coordinate of the lattice's origin. A needle comes within 2.5 m of that origin, so every
+// place that matters lies within 8 m of the world's. There floats resolve 0.5 um: a fortieth of the
+// skins that tell contact from rounding (surface.cpp). At 100 m they resolve 8 um.
 constexpr float kMaxOriginM = 4.0F;
 constexpr float kMinVoxelEdgeM = 1e-4F;
 constexpr float kMaxVoxelEdgeM = 0.1F;
@@ -34,9 +34,9 @@ constexpr float kMaxMembraneNPerM = 1e5F;  // 1 mm of 100 MPa
 // ---- configuration: checked by sizes and create -------------------------------------------------
 constexpr std::uint32_t kMaxSubsteps = 32;
 constexpr float kMinPeriodS = 1e-5F;
-// Passes of the filter that true mass needs, at most. A stiffer organ, or a longer substep, gets
-// mass added beyond that, where it needs it (mass_report says how much). Each pass costs a quarter
-// to a third of a sweep.
+// Most passes of the filter that true mass may use. An organ that is too stiff for them, or a
+// substep that is too long, gets mass added where it needs it (mass_report says how much). Each
+// pass costs a quarter to a third of a sweep.
 constexpr std::uint32_t kMaxFilterPasses = 7;
 constexpr float kMaxPeriodS = 1e-2F;
 constexpr float kMaxNeedleLengthM = 0.5F;
@@ -45,7 +45,7 @@ constexpr float kMaxTorsionNm2 = 1e3F;   // likewise
 constexpr float kMaxBevelPerM = 100.0F;  // a path with 10 mm of radius
 constexpr float kMaxBentAngleRad = 1.0F;
 // Half angle of the tip, 5 to 80 degrees. Beyond: create refuses the configuration. A sharper tip
-// would be as wide as the needle only 18 radii deep, a blunter one is a flat punch in all but name.
+// would be as wide as the needle only 18 radii deep; a blunter one is almost a flat punch.
 constexpr float kMinTipHalfAngleRad = 0.0872664626F;
 constexpr float kMaxTipHalfAngleRad = 1.39626340F;
 constexpr float kMaxBreathM = 0.1F;
@@ -60,13 +60,13 @@ constexpr std::uint32_t kMaxHelpers = 15;
 // Constraint particles alive at once. Full: the needle advances without a new one, so the friction
 // of that stretch of shaft is not felt; cp_pool_full is counted and flagged.
 constexpr std::uint32_t kMaxConstraintParticles = 128;
-// Voxels that hold a part of any constraint particle, for each needle; the last eight are the
-// tip's. Full: the part of a shaft particle with no room is left out and its weight goes to the
-// others, at the same force; one without any room carries nothing, neither on the needle nor on the
-// tissue, so that stretch of shaft is not felt. It takes hold again where there is room.
+// Support voxels of all constraint particles of one needle; the last eight are the tip's. Full: a
+// shaft particle loses the supports that have no room, and the others take over their weight at
+// the same force. One that loses all of them carries nothing, neither on the needle nor on the
+// tissue, so that stretch of shaft is not felt. It gets its supports back where there is room.
 // cp_voxel_pool_full is counted.
 constexpr std::uint32_t kMaxCoupledVoxels = 512;
-// Voxels one constraint particle is shared by: the eight whose centres surround it.
+// Support voxels of one constraint particle: the eight whose centres surround it.
 constexpr std::uint32_t kSupportsPerParticle = 8;
 // Constraint particles placed in one tick. Reached by a needle that jumps: the rest follow in the
 // next ticks.
@@ -77,48 +77,48 @@ constexpr std::uint32_t kMaxUnitsPerTick = 64;
 // Rods of the elastic needle. More: create refuses the configuration; longer rods bend less finely
 // (deflections err by 1 / (2 n^2)).
 constexpr std::uint32_t kMaxRods = 128;
-// Places of a needle that an obstacle is near to. Full: those that press least are left out and
+// Places where a needle is near an obstacle. Full: the places that press least are left out and
 // push nothing (obstacle_pool_full is counted).
 constexpr std::uint32_t kMaxTouches = 16;
-// Loads on the needle: every constraint particle. (The places of contacts are of no use any more.)
+// Loads on the needle: one per constraint particle. (The room for contacts is no longer used.)
 constexpr std::uint32_t kMaxRodLoads = kMaxConstraintParticles + 1 + kMaxTouches;
-// Newton steps of the needle's equilibrium in a tick. Reached: what is left is solved in the next
-// ticks: tens for a needle that snaps through, nothing that can be felt for a moving hand.
+// Newton steps of the needle's equilibrium in a tick. Reached: the rest is solved in the next
+// ticks. A needle that snaps through takes tens of them; with a moving hand nothing is felt.
 constexpr std::uint32_t kRodNewtonSteps = 2;
-// The same for each look at obstacles near it, and looks before the tissue's step; after it
-// there is one for a needle in the tissue. Reached: what is left is solved in the next ticks.
+// The same for each look at obstacles near the needle, and the number of looks before the tissue's
+// step; after it, a needle in the tissue looks once. Reached: the rest is solved in later ticks.
 constexpr std::uint32_t kRodFaceSteps = 6;
 constexpr std::uint32_t kRodFaceLooks = 2;
 // Motion of a particle of tissue in a substep along an axis, in voxel edges. Beyond: clamped.
-// Forces travel one voxel in a substep, so the step cannot follow more: tissue torn along by a
-// needle gained energy until numbers ended.
+// Forces travel one voxel in a substep, so the step cannot follow more: tissue that a needle tore
+// along gained energy until its numbers overflowed.
 constexpr float kMaxEdgesPerSubstep = 1.0F;
 // Size of one load on the needle. Beyond: forces and places are clamped by component, a stiffness
 // is scaled down by its trace.
 constexpr double kMaxRodForceN = 1e3;
 constexpr double kMaxRodStiffnessNPerM = 1e6;
 constexpr double kMaxRodPlaceM = 10;
-// How far the tip's roll lags behind the hand's; farther, the shaft slips in the tissue.
+// How far the tip's roll may lag behind the hand's. Beyond: the shaft slips in the tissue.
 constexpr float kMaxTwistRad = 3.0F;
 // Events kept for the reader. Full: the oldest is overwritten; sequence numbers show the gap.
 constexpr std::uint32_t kMaxEvents = 64;
 // Tracks remembered in the tissue. Full: the oldest is forgotten and must be punctured again.
 constexpr std::uint32_t kMaxTracks = 16;
-// Sphere-tree nodes and triangles looked at in one tick by a needle that touches nothing, nearest
+// Sphere-tree nodes and triangles visited in one tick for a needle that touches nothing, nearest
 // to its tip first. Reached before anything was found: the needle stays where it was
-// (contact_budget is counted). 2048 triangles are those of a disc of 26 mm radius with one on 1
+// (contact_budget is counted). 2048 triangles cover a disc of 26 mm radius, at one triangle per
 // mm^2.
 constexpr std::uint32_t kMaxTreeVisits = 8192;
-// How many times as far apart as at rest two vertices of one leaf of the tree may be. Beyond,
-// tissue torn like that may be passed without contact.
+// How many times farther apart than at rest two vertices of one leaf of the tree may be. Beyond:
+// a needle may pass through tissue that is torn so far without contact.
 constexpr float kMaxSurfaceStretch = 3;
 constexpr std::uint32_t kMaxTreeDepth = 64;
 constexpr std::uint32_t kMaxTriangleTests = 2048;
-// Walks over an obstacle's vertices for one distance. Reached: the nearest point found so far,
-// which is never nearer than the truth.
+// Walks over an obstacle's vertices for one distance. Reached: the nearest point found so far is
+// taken, which is never nearer than the true one.
 constexpr std::uint32_t kMaxGjkSteps = 32;
-// More of them where a needle appears inside an obstacle. Reached: it is pushed out across its
-// axis.
+// Additional walks where a needle appears inside an obstacle. Reached: it is pushed out across
+// its axis.
 constexpr std::uint32_t kMaxEscapeSupports = 64;
 // Turn of an obstacle contact's normal in one tick. Reached: the rest follows in the next ticks.
 constexpr float kMaxNormalTurnRad = 0.1F;
@@ -130,14 +130,14 @@ constexpr float kMaxHandleDistanceM = 2.0F;
 
 // ---- snapshots
 // ----------------------------------------------------------------------------------
-// Largest number in the state that restore takes, in SI units: beyond what any session reaches (the
-// stiffest material in the largest voxel has 1e10 N/m), below what ends numbers. Beyond: refused.
+// Largest number in the state that restore accepts, in SI units: above what any session reaches
+// (the stiffest material in the largest voxel has 1e10 N/m), below overflow. Beyond: refused.
 constexpr float kMaxRestored = 1e12F;
 
 // ---- the caller's thread
 // ------------------------------------------------------------------------
-// Stack of a tick, callees included: what a thread that calls it must have left. Kept by a check of
-// the call graph, not at run time.
+// Stack of a tick, callees included: a thread that calls it must have this much left. A check of
+// the call graph keeps this promise, not a check at run time.
 constexpr std::uint32_t kTickStackBytes = 32'768;
 
 }  // namespace stylet

@@ -27,10 +27,10 @@ struct OrganVertex {
 struct OrganTriangle {
   std::uint32_t a, b, c;
 };
-struct OrganMixed {  // a voxel of two tissues
+struct OrganMixed {  // a voxel with two tissues, or one and none
   std::uint32_t voxel;
   std::uint16_t material, reserved;  // kNoTissue: none
-  float nx, ny, nz, limit;           // of `material` where n . (place in the voxel, 0 to 1) > limit
+  float nx, ny, nz, limit;           // `material` is where n . (place in voxel, 0 to 1) > limit
 };
 constexpr std::uint16_t kNoTissue = 0xFFFF;
 struct OrganSphere {
@@ -87,7 +87,7 @@ struct Organ {
   std::span<const OrganTie> ties;
   std::span<const OrganPart> parts;
   // SHA-256 of all bytes of the file but these 32, or empty (format version 1). Whoever loads a
-  // file compares: the kernel has no SHA-256.
+  // file checks it: the kernel cannot compute a SHA-256.
   std::span<const std::uint8_t> content_sha256;
 };
 
@@ -106,8 +106,8 @@ Status organ_open(std::span<const std::byte> bytes, Organ& organ_out,
 // `index` < organ.material_count.
 Material organ_material(const Organ& organ, std::uint32_t index);
 
-// First crossing of the rest surface along a ray (cold path: visits every triangle). False if none.
-// `direction` has unit length; `distance_out_m` >= 0.
+// First crossing of the rest surface along a ray (cold path: visits every triangle). False if
+// there is none. `direction` has unit length; `distance_out_m` >= 0.
 bool organ_raycast(const Organ& organ, Vec3 origin_m, Vec3 direction, float& distance_out_m);
 
 }  // namespace stylet

@@ -18,7 +18,7 @@ enum class [[nodiscard]] Status : std::uint16_t{
     kOrganIndexOutOfRange = 105,
     kOrganSizesDisagree = 106,
     kOrganOrderWrong = 107,
-    kOrganTooLarge = 108,  // from sizes: a block of memory has no such number of bytes here
+    kOrganTooLarge = 108,  // from sizes: this machine cannot count a memory block's bytes
     // 200..299: the configuration.
     kConfigValueOutOfRange = 200,
     kObstaclesTooLate = 201,

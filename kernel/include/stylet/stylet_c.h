@@ -2,7 +2,7 @@
 /* The kernel for callers that are not C++: Unity, Unreal, Python, MATLAB, C. Plain C99, no
  * callbacks, no ownership: the caller gives all memory. Same promises, units (SI) and frames as
  * stylet/kernel.h, which documents every field; enumerations have the same numbers. Functions that
- * return uint16_t return a status: 0 is ok, stylet_status_name tells the rest. */
+ * return uint16_t return a status: 0 is ok, stylet_status_name names every other one. */
 #ifndef STYLET_STYLET_C_H
 #define STYLET_STYLET_C_H
 
@@ -68,8 +68,8 @@ typedef struct {
 
 /* Storage for the C++ objects; treat as opaque. Both may be moved and copied byte by byte, as
  * managed hosts do; a copy of a kernel is the same kernel. The organ's bytes must outlive organ and
- * kernel, the three blocks (aligned to 64 bytes) the kernel, and neither may move; the organ may
- * go. */
+ * kernel; the three blocks (aligned to 64 bytes) must outlive the kernel; neither may move. The
+ * kernel does not need the stylet_organ after its creation. */
 typedef struct {
   uint64_t opaque[40];
 } stylet_organ;
@@ -123,7 +123,7 @@ void stylet_kernel_tick_all(stylet_kernel* kernel, const stylet_input* inputs,
 uint16_t stylet_kernel_set_obstacles(stylet_kernel* kernel, const stylet_obstacle_config* obstacles,
                                      uint32_t count);
 
-/* Return how many were written. */
+/* Both return how many were written. */
 uint32_t stylet_kernel_events(const stylet_kernel* kernel, stylet_event* out, uint32_t capacity);
 uint32_t stylet_kernel_surface(const stylet_kernel* kernel, stylet_vec3* out, uint32_t capacity);
 

@@ -12,7 +12,7 @@ struct Vec3 {
   float x, y, z;
 };
 
-// Unit quaternion, Hamilton convention: rotates handle coordinates into world coordinates.
+// Unit quaternion, Hamilton convention: it turns handle coordinates into world coordinates.
 struct Quat {
   float w, x, y, z;
 };
