@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Registers as values: a voxel or a particle in each lane, as many lanes as the instruction set
+// Registers as values: one voxel or particle per lane, as many lanes as the instruction set
 // has.
 //
 // Internal linkage throughout: this header is compiled for several instruction sets, and the linker
@@ -15,8 +15,8 @@
 namespace stylet {
 namespace {
 
-// For loops over whole groups of lanes whose arrays do not overlap; they stay functions of their
-// own so that the compiler sees that.
+// For loops over whole groups of lanes whose arrays do not overlap. They stay separate functions so
+// that the compiler sees that.
 #if defined(__clang__)
 #define STYLET_VECTOR _Pragma("clang loop vectorize(assume_safety)")
 #else
@@ -24,7 +24,7 @@ namespace {
 #endif
 #define STYLET_KEEP_APART __attribute__((noinline))
 
-// A group of lanes as one value, for loops over short rows: as wide as the registers are.
+// A group of lanes as one value, for loops over short rows: as wide as a register.
 #if defined(__AVX512F__)
 constexpr std::uint32_t kWide = 16;
 #elif defined(__AVX2__)
@@ -34,7 +34,7 @@ constexpr std::uint32_t kWide = 4;
 #endif
 typedef float Wide __attribute__((vector_size(4 * kWide)));
 typedef std::int32_t WideBits __attribute__((vector_size(4 * kWide)));
-// The same at any address of a float.
+// The same at the address of any float.
 typedef float Loose __attribute__((vector_size(4 * kWide), aligned(4), may_alias));
 
 inline Wide load(const float* from) {
@@ -43,7 +43,7 @@ inline Wide load(const float* from) {
 inline void store(float* to, Wide value) {
   *reinterpret_cast<Loose*>(to) = value;
 }
-// Lane i is set if bit i is.
+// Sets all bits of lane i if bit i of `bits` is set.
 inline WideBits lanes_set(std::uint32_t bits) {
   WideBits bit = {};
   for (std::uint32_t i = 0; i < kWide; ++i) bit[i] = 1 << i;
@@ -55,7 +55,7 @@ inline Wide zero_unless(WideBits set, Wide value) {
 // The lanes one place earlier: the last of `before`, then all but the last of `now`.
 inline Wide lanes_behind(Wide before, Wide now) {
 #if defined(__AVX512F__)
-  // Spelt out: of a shuffle GCC makes a permutation, with a register of indices to copy each time.
+  // Spelt out: GCC turns a shuffle into a permutation and copies its register of indices each time.
   const __m512i shifted = _mm512_maskz_alignr_epi32(0xFFFF, __builtin_bit_cast(__m512i, now),
                                                     __builtin_bit_cast(__m512i, before), 15);
   return __builtin_bit_cast(Wide, shifted);
@@ -77,7 +77,7 @@ inline Wide lanes_ahead(Wide now, Wide behind) {
   return __builtin_shufflevector(now, behind, 1, 2, 3, 4);
 #endif
 }
-// Each lane of `a` followed by that of `b`.
+// Stores each lane of `a` followed by the same lane of `b`.
 inline void store_pairs(float* to, Wide a, Wide b) {
 #if defined(__AVX512F__)
   store(to, __builtin_shufflevector(a, b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23));
@@ -91,7 +91,7 @@ inline void store_pairs(float* to, Wide a, Wide b) {
   store(to + kWide, __builtin_shufflevector(a, b, 2, 6, 3, 7));
 #endif
 }
-// Within +-bound; what is not a number stays so, for the tick to see.
+// Clamps to +-bound; what is not a number stays so, for the tick to notice.
 inline Wide no_larger(Wide value, float bound) {
   const Wide most = bound - Wide{}, least = -bound - Wide{};
   value = most < value ? most : value;

@@ -2,8 +2,8 @@
 // Scalar mathematics of the kernel: vectors, rotations, exponential and logarithm.
 //
 // Promise: only + - * / and square root in a written order, so the same bits everywhere; no libm
-// function but sqrt, which IEEE 754 rounds exactly. Why not Eigen's products: their order of
-// summation is Eigen's to choose; ours is part of the result.
+// function but sqrt, which IEEE 754 rounds exactly. Eigen's products are not used because Eigen
+// chooses their order of summation; here the order is part of the result.
 #pragma once
 
 #include <bit>
@@ -72,16 +72,16 @@ constexpr float min_of(float a, float b) {
   return a < b ? a : b;
 }
 
-// The number without its fraction, for numbers within 2^31; never -0. Where a processor truncates
-// in one step, GCC 12 makes that of two bare conversions, and the sign of a zero survives.
+// The number without its fraction, for numbers within 2^31; never -0. On processors that truncate
+// in one step, GCC 12 compiles two bare conversions to that step, and the sign of a zero survives.
 template <typename Real>
 Real whole_part(Real v) {
   const auto whole = static_cast<std::int32_t>(v);
   return whole == 0 ? Real{0} : static_cast<Real>(whole);
 }
 
-// What decays must end at zero, not among denormals, which processors may flush: drops what is
-// below 2e-12.
+// Decaying values must end at zero, not among denormals, which processors may flush: sets values
+// below 2e-12 to zero.
 inline float settle(float v) {
   return (v + 1.52587890625e-05F) - 1.52587890625e-05F;
 }
@@ -89,7 +89,7 @@ inline Vec3 settle(Vec3 v) {
   return {settle(v.x), settle(v.y), settle(v.z)};
 }
 
-// Finite: the exponent is not all ones. A bit test, so that it survives any compiler setting.
+// Finite: the exponent is not all ones. A bit test, so that it works with any compiler setting.
 inline bool is_finite(float value) {
   return (std::bit_cast<std::uint32_t>(value) & 0x7F800000U) != 0x7F800000U;
 }
@@ -148,7 +148,7 @@ inline float natural_log(float x) {
   return static_cast<float>(exponent) * 0.693147181F + 2.0F * s * p;
 }
 
-// Of a positive, normal base.
+// For a positive, normal base.
 inline float power(float base, float exponent) {
   const float x = exponent * natural_log(base);
   return x < 0 ? exp_minus(-x) : 1 / exp_minus(x);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors in double precision, for what is a small difference of large numbers. As math.h: a
-// written order, the same bits everywhere.
+// Vectors in double precision, for small differences of large numbers. As in math.h: a written
+// order, so the same bits everywhere.
 #pragma once
 
 #include <cmath>

@@ -10,11 +10,11 @@
 
 namespace stylet {
 
-// Of this needle, on its hand.
+// Sums the forces of this needle on its hand.
 void sum_forces(const Model& model, const State& state, const Needle& needle, Output& out);
 
-// Work of the hand since the last tick, into the books: mean of the forces at both ends times the
-// motion from the handle's pose `before`.
+// Adds the hand's work since the last tick to the books: the mean of the forces at both ends times
+// the motion from the handle's pose `before`.
 void book_work(State& state, const Pose& before, const Output& out);
 
 }  // namespace stylet

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the hand says in a tick: checked, clamped, flagged and counted, never refused.
 //
-// Promises: whatever the bytes are, the pose that is kept is finite, its rotation of unit length,
-// and its motion in the tick within limits.h (kMaxHandleDistanceM, kMaxHandleSpeedMPerS,
+// Promises: whatever the bytes are, the pose that is kept is finite, its rotation has unit length,
+// and its motion in the tick is within limits.h (kMaxHandleDistanceM, kMaxHandleSpeedMPerS,
 // kMaxHandleSpinRadPerS). Units SI, world frame. PHYSICS 5.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace stylet {
 // Takes the sample into the state, or keeps the last pose; never an error. Returns output flags.
 std::uint32_t accept_input(const Model& model, State& state, const Input& input);
 
-// The turn from one rotation to another, a vector along its axis, for small ones.
+// The turn between two rotations as a vector along its axis; only for small turns.
 Vec3 turn_between(const Quat& a, const Quat& b);
 
 }  // namespace stylet

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The runs of an organ as its lattice is stored: planes, lines of nodes, stretches along x.
+// The runs of an organ as its lattice stores them: planes, lines of nodes, stretches along x.
 //
-// A lattice costs what it holds, not what it spans. Along x, voxels with fewer than kGap empty
-// cells between them are one stretch, and what lies between two stretches is not stored. Of empty
-// planes one behind the other, one is stored. Rows without a voxel are not.
+// A lattice needs memory for what it holds, not for what it spans. Along x, voxels with fewer than
+// kGap empty cells between them are one stretch; cells between two stretches are not stored. Of
+// several empty planes in a row, one is stored. Rows without a voxel are not stored.
 //
-// Promises: no allocation; all walks together look at each run a fixed number of times.
+// Promises: no allocation; all walks together visit each run a fixed number of times.
 #pragma once
 
 #include <cstdint>
@@ -16,20 +16,20 @@
 namespace stylet {
 
 // Lanes of the lattice sweep: the unit of padding on every instruction set, so that memory and bits
-// do not depend on it.
+// do not depend on the instruction set.
 constexpr std::uint32_t kLanes = 16;
-// Shorter holes are stored: the lanes that the ends of two stretches leave empty cost as much. With
+// Shorter holes are stored: as much is lost in the empty lanes at the ends of two stretches. With
 // 16, two kidneys side by side took 2.4 times the slots of one.
 constexpr std::uint32_t kGap = 8;
 
 using Runs = std::span<const OrganRun>;
 
-// Voxels [begin, end) of a row; of their nodes, `end` is the last.
+// Voxels [begin, end) of a row; `end` is also the last of their nodes.
 struct Extent {
   std::uint32_t begin, end;
 };
 
-// The stretches of the voxels of some rows together, one after the other.
+// The stretches that the voxels of several rows make together, one after the other.
 template <std::uint32_t kRows>
 class Stretches {
  public:
@@ -37,7 +37,7 @@ class Stretches {
     for (std::uint32_t i = 0; i < kRows; ++i) left_[i] = rows[i];
   }
 
-  // The next one; false behind the last.
+  // The next stretch; false after the last one.
   bool next(Extent& stretch_out) {
     const Runs* first = nullptr;
     for (const Runs& runs : left_) {
@@ -52,7 +52,7 @@ class Stretches {
   }
 
  private:
-  // The runs that begin less than kGap cells behind its end; whether there was one.
+  // Takes the runs that begin less than kGap cells after the stretch's end; whether there was one.
   static bool take(Runs& runs, Extent& stretch) {
     std::size_t count = 0;
     for (; count < runs.size() && runs[count].x < stretch.end + kGap; ++count) {
@@ -66,7 +66,7 @@ class Stretches {
   Runs left_[kRows];
 };
 
-// The lines of nodes along x between the voxel rows of one plane or of two, in rising y.
+// The lines of nodes along x between the voxel rows of one plane or of two, by rising y.
 template <std::uint32_t kPlanes>
 class Lines {
  public:
@@ -107,15 +107,15 @@ class Lines {
   std::uint32_t y_ = 0;
 };
 
-// The planes that are stored, from the lowest.
+// The planes that are stored, lowest first.
 class Planes {
  public:
   explicit Planes(const Organ& organ) : left_(organ.runs), end_(organ.size_z) {}
 
-  // The next one; false behind the last, and then `z_out` is that of the nodes above it.
+  // The next plane; false after the last one: then `z_out` is that of the nodes above it.
   bool next(std::uint32_t& z_out, Runs& runs_out) {
     const std::uint32_t filled = left_.empty() ? end_ : left_[0].z;
-    // After an empty plane, whatever follows is the next that is not.
+    // After an empty plane comes the next plane that is not empty.
     if (empty_) z_ = filled;
     z_out = z_;
     std::size_t count = 0;
@@ -133,9 +133,9 @@ class Planes {
   bool empty_ = false;
 };
 
-// Whether row (y, z) has a voxel among [x.begin, x.end).
+// Whether row (y, z) has a voxel in [x.begin, x.end).
 bool has_voxel(const Organ& organ, Extent x, std::uint32_t y, std::uint32_t z);
-// Whether there is a node at (x, y, z): the corner of a voxel.
+// Whether (x, y, z) is a node: the corner of a voxel.
 bool has_node(const Organ& organ, std::uint32_t x, std::uint32_t y, std::uint32_t z);
 
 }  // namespace stylet

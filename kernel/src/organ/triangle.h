@@ -7,7 +7,7 @@
 
 namespace stylet {
 
-// Rest place of a surface vertex whose voxel has these lattice coordinates.
+// Place at rest of a surface vertex; `voxel` has the lattice coordinates of its voxel.
 inline Vec3 rest_place(const Organ& organ, Vec3 voxel, const OrganVertex& v) {
   constexpr float kScale = 1.0F / 65535.0F;
   const Vec3 inside = {static_cast<float>(v.fx) * kScale, static_cast<float>(v.fy) * kScale,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds of a needle between the steps of a tick (tick.cpp), asserted in debug, sanitizer and
-// fuzzing builds (STYLET_INVARIANTS) and nowhere else.
+// What is true of a needle between the steps of a tick (tick.cpp). It is asserted in debug,
+// sanitizer and fuzzing builds (STYLET_INVARIANTS) and nowhere else.
 //
-// They guard against errors of this code: nothing that hardware or a user says can break them, a
-// restored snapshot included (snapshot.cpp refuses what would). Numbers that are not finite are no
-// error here: they become a fault at the tick's end.
+// The asserts guard against errors of this code. Nothing that hardware or a user says can break
+// them, not even a restored snapshot (snapshot.cpp refuses such bytes). Numbers that are not finite
+// are not an error here: they become a fault at the end of the tick.
 #pragma once
 
 #include "state/layout.h"

@@ -3,8 +3,8 @@
 // pointers.
 //
 // One table per block (the STYLET_..._FIELDS macros) gives the view, the size, the reset, the hash,
-// the field-by-field difference and what a snapshot is held against; nobody else computes an
-// offset. Every array starts on a cache line. Units: SI, displacements from the rest place in
+// the field-by-field difference and the checks of a snapshot; no other code computes an offset.
+// Every array starts on a cache line. Units: SI; displacements are from the place at rest, in
 // metres.
 #pragma once
 
@@ -28,42 +28,42 @@ struct Counts {
   std::uint32_t voxels;
   std::uint32_t planes;               // voxel planes; there is one more plane of particles
   std::uint32_t rows;                 // stretches of voxels along x (runs.h)
-  std::uint32_t row_grid;             // places (y, z) by 2^row_shift
-  std::uint32_t row_shift, row_bits;  // of 2^row_bits rows at most each
+  std::uint32_t row_grid;             // blocks of places (y, z), 2^row_shift in each
+  std::uint32_t row_shift, row_bits;  // each block has at most 2^row_bits rows
   std::uint32_t slots;                // padded voxels
-  std::uint32_t slots_at_once;        // whose sums are kept
+  std::uint32_t slots_at_once;        // slots whose sums are kept together
   std::uint32_t particles;            // padded particles
   std::uint32_t particles_per_plane;
   std::uint32_t windows[2];  // of 8 and of 16 lanes, lattice/plan.h
   std::uint32_t sheets, ties;
   std::uint32_t needles;
-  // Only with true mass, else zero: particles and slots, and floats of a filter's scratch.
+  // Zero without true mass: particles and slots, and floats of a filter's scratch.
   std::uint32_t filtered_particles, filtered_slots;
   std::uint32_t slots_per_plane;
   std::uint64_t filter_floats;
 };
 
-// Slots the lattice sweep matches at a time: they and what is made of them stay in the nearest
+// Slots that the lattice sweep matches at a time: few enough that they and their results stay in
 // cache. (With 128 the step takes 0.7 % more instructions, with 160 up to 2 % more time.)
 constexpr std::uint32_t kChunk = 144;
 static_assert(kChunk % kLanes == 0);
 
-// Planes of particles that each pass of the filter has at hand: three of what it starts from, and
+// Planes of particles that each pass of the filter keeps: three of the values it starts from, and
 // two of what voxels send.
 constexpr std::uint32_t kPassPlanes = 5;
 
-// A stretch of voxels x0 .. x0 + count - 1 of row y, all sheets counted, in a plane; holes are
-// slots without stiffness. The slot before the first and the one behind the last are empty, so a
-// node sees zeros beyond the ends. Rows are sorted by plane, y and x.
+// A stretch of voxels x0 .. x0 + count - 1 of row y (counted over all sheets) in a plane; holes are
+// slots without stiffness. The slots before the first and after the last are empty, so a node sees
+// zeros beyond the ends. Rows are sorted by plane, y and x.
 struct Row {
   std::uint32_t slot;
   std::uint16_t count, x0, y, plane;
   std::uint32_t node[4];    // particle at (x0, y + dy, plane + dz), index dy + 2 dz
-  std::uint32_t window[2];  // the first of the line y, of either list
+  std::uint32_t window[2];  // first window of line y, in each of the two lists
 };
 
 struct Plane {
-  std::uint32_t row_begin;                     // up to that of the next
+  std::uint32_t row_begin;                     // the next plane's row_begin is the end
   std::uint32_t z;                             // in space, of the particles at the low side
   std::uint32_t slot_begin, slot_end;          // multiples of kLanes
   std::uint32_t particle_begin, particle_end;  // of the particles at the plane's low side
@@ -76,22 +76,22 @@ struct TiedNode {
   std::uint32_t node, representative;
 };
 
-// Neighbouring nodes of one line (y) of a voxel plane, a group of lanes, and the voxel rows y - 1
-// and y that send forces to them (lattice/plan.h).
+// Neighbouring nodes of one line (y) of a voxel plane, one register's lanes, and the voxel rows
+// y - 1 and y that send forces to them (lattice/plan.h).
 struct Window {
-  // At the low side of the first node, in the plane: at least -kLanes. A row without a bit has that
-  // of the other: no sums but those of rows that reach the window are at hand.
+  // Slot at the low side of the first node, in the plane; at least -kLanes. A row without any bit
+  // gets the other row's slot: only sums of rows that reach the window are available.
   std::int32_t slot[2];
   std::uint16_t lanes[2];   // a bit for each node that belongs to the row
   std::uint32_t low, high;  // the first node, in the particle planes below and above
 };
 
-// What the tick needs of a material; derived once.
+// What the tick needs to know of a material; derived once.
 struct MaterialModel {
   float shear_pa, poisson_ratio;  // without its thin skin
-  float skin_shear_n_per_m;       // of the skin, over its thickness
+  float skin_shear_n_per_m;       // of the skin: modulus times thickness
   Film film;                      // the skin on the tissue
-  // Of a voxel, over which the skin is spread: shear modulus, and lambda over twice that.
+  // Of a voxel, with the skin spread over it: shear modulus, and lambda over twice that modulus.
   float lattice_shear_pa, lattice_volume_ratio;
   float puncture_n, cutting_n, recut_fraction;
   float puncture_exponent;
@@ -100,13 +100,13 @@ struct MaterialModel {
   float real_kg, stepped_kg;
 };
 
-// What the paper does otherwise than the physical model (PHYSICS 16), filled once from
+// Where the paper's rules differ from the physical model (PHYSICS 16). Filled once from
 // Config::mode: functions ask for the rule, not for the mode.
 struct Rules {
   bool one_support;  // one voxel holds a CP; else the eight around it, and those of two layers
   bool
       voxel_springs;  // a CP's spring is its voxel's; else what the needle lacks behind the lattice
-  bool relaxes;       // a CP's force relaxes, and gives way along the needle
+  bool relaxes;       // a CP's force relaxes, and its spring has a compliance along the needle
   bool contact_law;   // contact follows the law of cone and film; else a CP's spring
   bool unit_punctures;    // a surface breaks once a needle unit is inside; else at its force
   bool layer_punctures;   // layers inside must be punctured, too
@@ -116,7 +116,7 @@ struct Rules {
 };
 
 struct ModelHead {
-  Organ organ;      // of its own: only the file's bytes are the caller's
+  Organ organ;      // a copy: only the file's bytes are the caller's
   std::byte* team;  // see set_team; here, so that all copies of a Kernel know it
   Config config;
   Counts counts;
@@ -127,8 +127,8 @@ struct ModelHead {
   Rules rules;
   float substep_s;
   float hourglass_weight;
-  Filter filter;                     // of no use with added mass
-  float velocity_keep;               // of the slip velocity's low pass, per tick
+  Filter filter;                     // not used with added mass
+  float velocity_keep;               // factor of the slip speed's low pass, per tick
   float cone_length_m[kMaxNeedles];  // of the tips, cone.h
   std::uint32_t obstacle_count;
   std::uint32_t material_count;
@@ -140,7 +140,7 @@ struct Support {
   std::uint32_t slot, row;
   float weight;   // supports of one particle add up to 1
   Vec3 offset_m;  // rest offset from the voxel's centre
-  Vec3 goal_m;    // from the last match of the voxel, and the rotation of that match
+  Vec3 goal_m;    // by the last match of the voxel, whose rotation is the next field
   Quat turn;
 };
 
@@ -148,22 +148,22 @@ struct Particle {                // a constraint particle
   Vec3 rest_m;                   // place in the rest frame; chooses the voxels
   Vec3 position_m;               // the needle's point that holds it
   Vec3 memory_m, memory_n;       // Maxwell branch: displacement and force, both lagged
-  Vec3 give_m;                   // of the tissue along the needle, beyond that across
+  Vec3 give_m;                   // axial way of the tissue, in addition to its way across
   Vec3 slack_m;                  // residual at which the spring carries nothing
   Vec3 force_n;                  // on the tissue, from the last match
   float track_m;                 // track coordinate: length from the entry
   float arc_m;                   // arc length on the needle, from the tip
-  float stiffness_n_per_m;       // of the stretch it stands for now
-  float full_stiffness_n_per_m;  // of a whole unit
-  float tissue_compliance;       // of the lattice under the tip in contact, over that of the spring
-  float relaxing_fraction;       // relaxing part of all of the force
-  float memory_keep;             // of the difference, per tick
-  float memory_spread;           // relaxed part of how the supports lie apart
-  float axial_fraction;          // of spring and give together along the needle, the give's
+  float stiffness_n_per_m;       // for the tributary length of now
+  float full_stiffness_n_per_m;  // for a whole unit
+  float tissue_compliance;       // of the lattice under the tip in contact, over the spring's
+  float relaxing_fraction;       // part of the whole force that relaxes
+  float memory_keep;             // part of the difference that is kept, per tick
+  float memory_spread;           // relaxed part of the supports' spread
+  float axial_fraction;          // axial compliance over that of spring and it together
   float slip_m_per_s;            // low-passed
-  Friction friction;             // mean of what the tip has met on the stretch it stands for
-  float friction_length_m;       // length of that
-  Vec3 slip_m;                   // of the needle past the tissue in this tick
+  Friction friction;             // mean over the shaft length it carries, as the tip met it
+  float friction_length_m;       // the part of that length that has been sampled
+  Vec3 slip_m;                   // way of the needle past the tissue in this tick
   std::uint32_t material;
   std::uint32_t support_count;
   Support support[kSupportsPerParticle];
@@ -180,21 +180,21 @@ struct NeedleState {
   Vec3 base_m;  // of the handle, in the frame of the attachments
   std::uint32_t handle_known;
   Phase phase;
-  std::uint32_t layer;         // the material the tip is through to
-  std::uint32_t spring_layer;  // the material its spring is of: `layer`, or one that holds it
+  std::uint32_t layer;         // the material that the tip has entered last
+  std::uint32_t spring_layer;  // the material of its spring: `layer`, or one that holds it up
   std::uint32_t shaft_count, shaft_max;
   std::uint32_t tip_alive;
   std::uint32_t leaving;  // the tip has left a track but not yet the surface around it
   std::uint32_t track_current;
   float layer_track_m;  // where the tip last changed layer
   std::uint32_t layer_before;
-  float press_m_per_s;   // of the needle towards a surface that holds it, low-passed
+  float press_m_per_s;   // speed of the needle towards a surface that holds it, low-passed
   float track_end_m;     // length of the current track
-  float drop_track_m;    // where the last shaft CP was dropped, or could not be: in a gap
+  float drop_track_m;    // where the last shaft CP was added, or could not be: in a gap
   float tissue_track_m;  // the tip's track coordinate when it was last in tissue
   float twist_rad, twist_nm_per_rad;  // the hand's roll less the tip's, see roll.h
-  Vec3 moved_m;  // of the tissue it came to, by other needles; zero if there are none
-  Vec3 cut;      // where the tip cuts: the needle's direction there, but for a bevel
+  Vec3 moved_m;  // of the tissue at the contact, by other needles; zero if there are none
+  Vec3 cut;      // direction of the cut: that of the needle there, changed by a bevel
   Vec3 last_force_n, last_torque_nm;
   std::uint32_t touch_count, touch_max;
 };
@@ -228,25 +228,25 @@ struct StateHead {
 struct CoupledVoxel {
   std::uint32_t slot, row, first_member, last_member, member_count;
 };
-// kLanes of them in the order of plane_order: where they are, and what their constraint particles
-// change for their corners.
+// Up to kLanes of them in the order of plane_order: where they are, and how their constraint
+// particles change their corners.
 struct MatchGroup {
   struct Side {                       // low or high, along z
     std::uint32_t node[2][kLanes];    // particle at the voxel's (x, y + dy)
-    float change_n[2][3][kLanes][2];  // at dx = 0 and 1 of it
+    float change_n[2][3][kLanes][2];  // at dx = 0 and 1 of that row
   };
   Side side[2];
   std::uint32_t count;         // voxels
-  std::uint32_t most_members;  // constraint particles' supports in one of them
+  std::uint32_t most_members;  // most supports of constraint particles in one of them
   std::uint32_t first_member[kLanes], member_count[kLanes];
   std::uint32_t slot[kLanes];
   float cell[3][kLanes];  // centre at rest, in edges from the lattice's origin
   float k[kLanes];        // stiffness of a corner
 };
 static_assert(kMaxCoupledVoxels % kLanes == 0);
-struct Member {  // of a coupled voxel: a particle's support; a needle's last particle is its tip
+struct Member {  // in a coupled voxel: a particle's support; a needle's last particle is its tip
   std::uint16_t particle, support;
-  std::uint32_t next;  // of the same voxel
+  std::uint32_t next;  // the next member of the same voxel
 };
 constexpr std::uint32_t kNeedleParticles = kMaxConstraintParticles + 1;
 constexpr std::uint32_t kMaxMembers = kNeedleParticles * kSupportsPerParticle;
@@ -257,12 +257,12 @@ struct ScratchHead {
   std::uint32_t padding[14];
 };
 
-// F(name, type, count); `c` is Counts. Of a constraint particle's spring: how far this tick pulls
-// it (`stretch`), and where its end is in this substep (`place`).
-// Only with true mass: the bound on the stiffness of a voxel and of a particle (filter.h), what
-// constraint particles add to a particle's in this tick (`held`), its momentum over its mass (w).
-// The last two of the model only with sheets: the particle that each node is, and which quarters of
-// its cell are a voxel's own (organ.fbs).
+// F(name, type, count); `c` is Counts. For the spring of a constraint particle, `stretch` is how
+// far this tick pulls it, and `place` is where its end is in this substep.
+// Only with true mass: the bounds on the stiffness of a voxel and of a particle (filter.h), `held`
+// (what constraint particles add to the bound of a particle in this tick), momentum over mass (w).
+// The model's last two only with sheets: the particle of each node, and which quarters of its cell
+// are a voxel's own (sub-samples, organ.fbs).
 #define STYLET_MODEL_FIELDS(F)                                                           \
   /* head: configuration, counts, materials, what creation derived */                    \
   F(head, ModelHead, 1)                                                                  \
@@ -388,7 +388,7 @@ struct ScratchHead {
   /* touch: touches of this tick, before they are kept */                             \
   F(touch, Touch, kMaxTouches)
 
-// An array of a block, constant where its owner is: `const State&` can be read, not written.
+// An array of a block, constant where its owner is: a `const State&` can be read, not written.
 template <typename T>
 class Field {
  public:
@@ -417,9 +417,9 @@ class Field {
   T* first_ = nullptr;
 };
 
-// What a function may write is in its signature: `const Model&` what creation derived, constant in
-// a tick; `State&` what a tick hands to the next; `Scratch&` what it hands on within itself. Fields
-// of one needle (rod; needle, shaft, tip, rod_shape, node, touch) are those of `needle_index`.
+// A function's signature says what it may write. `const Model&`: derived at creation, constant in a
+// tick. `State&`: what a tick leaves to the next one. `Scratch&`: what it keeps within itself. The
+// fields of one needle (rod; needle, shaft, tip, rod_shape, node, touch) are `needle_index`'s.
 #define STYLET_FIELD(name, type, count) Field<type> name;
 struct Model {
   STYLET_MODEL_FIELDS(STYLET_FIELD)
@@ -438,7 +438,7 @@ struct Scratch {
 };
 #undef STYLET_FIELD
 
-// kOrganTooLarge where a block does not fit this machine.
+// kOrganTooLarge if a block does not fit into this machine's addresses.
 Status block_sizes(const Counts& counts, Sizes& sizes_out);
 const Counts& counts_of(const Kernel& kernel);
 
@@ -446,7 +446,7 @@ Model model_of(std::byte* block, const Counts& counts);
 State state_of(std::byte* block, const Counts& counts);
 Scratch scratch_of(std::byte* block, const Counts& counts);
 
-// All three of a kernel at once.
+// All three blocks of a kernel.
 struct View {
   Model model;
   State state;
@@ -455,7 +455,7 @@ struct View {
 inline bool has_true_mass(const Model& model) {
   return model.head->counts.filtered_particles != 0;
 }
-// Of the first needle; of another.
+// The view of the first needle; below, of any needle.
 View view_of(const Kernel& kernel);
 View needle_view(const View& view, std::uint32_t needle);
 Model needle_model(const Model& model, std::uint32_t needle);
