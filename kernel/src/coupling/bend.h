@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What bends a needle: the forces of its constraint particles and contacts.
 //
-// Needle and tissue answer each other in turn, which is stable because each lowers the energy they
-// share; the needle answers twice, before and after the tissue, so that the hand feels what its
-// joints store. (With one answer it bends against tissue that stands still, so too far, and the
-// difference came out at the hand: up to 10 % of its work.) With its tip in contact it answers once
-// more (meet_tissue). Obstacles are part of all answers (needle/rod.h).
+// Needle and tissue answer each other in turn, which is stable because each answer lowers the
+// energy they share. The needle answers twice, before and after the tissue, so that the hand feels
+// what the joints store. (With one answer the needle bent against tissue that stood still, so too
+// far, and the hand felt the difference: up to 10 % of its work.) With its tip in contact it
+// answers once more (meet_tissue). Obstacles are part of all answers (needle/rod.h).
 //
 // Promises: no allocation; operations bounded by limits.h. Units SI, frame of the attachments.
 // PHYSICS 6.4.
@@ -19,19 +19,19 @@ namespace stylet {
 // The needle in the state's nodes, as the last tick left it; without directions.
 Needle needle_of(const Model& model, const State& state);
 
-// Rods and their rest shape; obstacles are given by set_obstacles.
+// Makes the rods and their shape at rest; set_obstacles adds the obstacles.
 void make_needle(const NeedleConfig& config, RodModel& rod_out);
 
-// Shape of this needle at its handle's pose, and its contacts with obstacles. Those of an elastic
-// needle in tissue are what settle_needle finds. Returns output flags.
+// Shape of this needle at its handle's pose, and its contacts with obstacles. For an elastic needle
+// in tissue, settle_needle finds the contacts. Returns output flags.
 std::uint32_t place_needle(const Model& model, State& state, Scratch& scratch, Needle& needle_out);
 
-// A needle whose tip is in contact bends once more before the tissue's step, by the force that the
-// tip would press with: its place was found by what the tissue was at the depth before, or by none.
+// A needle whose tip is in contact bends once more before the tissue's step, by the force with
+// which the tip would press: until now its place came from the depth before, or from no force.
 // Returns output flags.
 std::uint32_t meet_tissue(const Model& model, State& state, Scratch& scratch, Needle& needle);
 
-// After the tissue's step: bends by the forces that came, and takes the particles along. Returns
+// After the tissue's step: bends by the new forces and moves the particles along. Returns
 // output flags.
 std::uint32_t settle_needle(const Model& model, State& state, Scratch& scratch, Needle& needle);
 

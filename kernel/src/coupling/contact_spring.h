@@ -10,14 +10,14 @@
 
 namespace stylet {
 
-// The spread of the supports about their mean is carried by the spring of the moment.
+// Energy of the contact. The present spring carries the spread of the supports.
 double contact_energy(const Model& model, const State& state, const Particle& p);
 
-// Creep of the contact, whose needle has moved by `step_m`; then its spring. Tissue that has crept
-// can let go of the tip but not pull it: what is missing is bounded by that.
+// Creep of the contact of a needle that has moved by `step_m`; then its spring. Tissue that has
+// crept can let go of the tip but not pull it: this bounds the missing force.
 void relax_contact(const Model& model, State& state, Vec3 direction, Vec3 step_m);
 
-// Pressed on by more than this in a tick, a contact's spring is the law's chord, not its tangent.
+// A contact pressed on by more than this in a tick has the law's chord as spring, not its tangent.
 constexpr float kChordM = 1e-5F;
 // Energy of the tip's spring and its Maxwell branch, in contact and in tissue.
 double tip_energy(const Model& model, const State& state, const Particle& tip);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tip in tissue: how far it cuts, into which material, along which way.
+// The tip in tissue: how far it cuts, into which material, and in which direction.
 //
-// The tip's constraint particle is held by the tissue in front of it; beyond the force it may carry
-// it moves on to other tissue (return_map.h). Where it goes is integrated in the rest frame.
+// The tissue in front of the tip holds the tip's constraint particle. Beyond the force that it may
+// carry it moves on to other tissue (return_map.h). Its path is integrated in the rest frame.
 //
 // Promises: a fixed number of operations, no allocation. Units SI, frame of the attachments.
 // Source: paper section IV.C, step 3; Mahvash and Dupont 2010 (force of a rupture by speed).
@@ -14,22 +14,22 @@
 
 namespace stylet {
 
-// Force that breaks a surface: less when pressed faster (Mahvash and Dupont 2010).
+// Force that breaks a surface: less if the needle presses faster (Mahvash and Dupont 2010).
 float puncture_force(const State& state, const MaterialModel& m);
 
-// The tip moves on to other tissue as far as it is pressed or pulled beyond its limits, along the
-// way it cuts: a bevel that is pushed aside against the tissue's force has to be paid for by the
-// hand that pushes.
+// The tip moves on to other tissue as far as it is pressed or pulled beyond its limits, in the
+// direction of the cut. A bevel is pushed aside against the tissue's force: the hand that pushes
+// the needle does that work.
 void cut_tip(const Model& model, State& state, const Needle& needle, float moved_m);
 
-// Takes the voxels where the tip now is. Supports that fade take along what their goals differ from
-// the others'; a tip that leaves, all.
+// Takes the voxels where the tip now is. Supports that fade take with them how far their goals
+// differ from the others'; when the tip leaves the tissue, everything goes.
 void rehome_tip(const Model& model, State& state);
 
-// The tissue may pull at the tip as hard as the tip may press. One that has slipped back in this
-// tick, without force, takes back as much of that as the tissue it has let go comes after it: it
-// would press at the tick's end and not while it slipped, and the hand would have that for nothing.
-// One that has just come to another material enters it with the next cut.
+// The tissue may pull at the tip as hard as the tip may press. A tip that slipped back in this
+// tick did so without force. Where the released tissue follows it, the tip takes back as much of
+// the slip: else it would press at the tick's end but not while it slipped, a force that the hand
+// had not paid for. A tip that has just reached another material enters it with the next cut.
 void let_cut(const Model& model, State& state);
 
 }  // namespace stylet

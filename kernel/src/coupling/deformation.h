@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the tissue around a constraint particle (CP) is deformed, to take steps back to the rest
-// frame.
+// How the tissue around a constraint particle (CP) is deformed: it turns steps into steps in the
+// rest frame.
 //
-// Rest places must follow the material, not the rotation alone: else a needle that leaves strained
+// Rest places must follow the material, not only the rotation: else a needle that leaves strained
 // tissue does not find its way back to its entry.
 //
 // Promises: bounded by kSupportsPerParticle, no allocation. Units SI. PHYSICS 9.3.
@@ -20,13 +20,13 @@ struct Gradient {
 
 Gradient gradient_around(const Model& model, const State& state, const Particle& p);
 
-// Rest-frame image of a step in deformed tissue. Rest places must follow the material, not the
-// rotation alone: else a needle that leaves strained tissue does not find its way back to its
+// Rest-frame image of a step in deformed tissue. Rest places must follow the material, not only
+// the rotation: else a needle that leaves strained tissue does not find its way back to its
 // entry.
 Vec3 pull_back(const Gradient& g, Vec3 step);
 
-// The same for a step of some length. A voxel's deformation says nothing about the next one: in
-// tissue pressed to a fraction of its length (the dimple of a puncture) the image ends within the
+// The same for a long step. A voxel's deformation says nothing about the next voxel: in tissue
+// pressed to a fraction of its length (the dimple of a puncture) the image ends within the
 // voxel.
 Vec3 pull_back_step(const Model& model, const Gradient& g, Vec3 step_m);
 

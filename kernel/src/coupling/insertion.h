@@ -10,12 +10,12 @@
 
 namespace stylet {
 
-// Contact -> inserted: the entry becomes the first shaft CP, the tip starts to cut.
+// Contact -> inserted: the entry becomes the first shaft CP, and the tip starts to cut.
 void begin_insertion(const Model& model, State& state, Scratch& scratch, const Needle& needle,
                      std::uint32_t track, float force_n);
 
-// The tissue has come over a tip that had left its hole, or never came clear of it: it lies in the
-// hole again, as deep as it is now, without force, and what friction there is holds the shaft.
+// Tissue has come over a tip that had left its hole or was never clear of it. The tip lies in the
+// hole again, as deep as it is now and without force; the friction there holds the shaft.
 void take_in(const Model& model, State& state, Scratch& scratch, const Needle& needle,
              std::uint32_t track, const Particle& entry);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Layers as the event log tells them: a tip that trembles at a face is told once.
+// Layers as the event log reports them: a tip that trembles at a face is reported once.
 //
 // Promises: bounded by kMaxEvents, no allocation; changes the log and nothing that is felt.
 // PHYSICS 9.2.
@@ -9,17 +9,17 @@
 
 namespace stylet {
 
-// The tip must go this far to come back to the layer it has just left, or for the log to tell it.
+// The tip must go this far to return to the layer it has just left, and for the log to report it.
 constexpr float kLayerSkinM = 5e-4F;
 
-// The needle's layer has changed, at this force: told, unless it only comes back to the layer told
-// before the last one, near where it left that.
+// The needle's layer has changed, at this force. Reported, unless the needle only returns to the
+// layer reported before the last one, near the place where it left that layer.
 void tell_layer(State& state, float force_n);
 
-// What was not told there is told from here, where it has stayed.
+// Reports a layer that was not reported there, once the needle has gone on in it.
 void tell_layer_late(State& state);
 
-// Outside the tissue there is no layer.
+// Outside the tissue the needle is in no layer.
 void leave_layers(State& state);
 
 }  // namespace stylet

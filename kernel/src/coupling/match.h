@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The matches of voxels that hold constraint particles (CPs): corners and CPs together, exactly,
-// with the paper's ghost particles eliminated in closed form (they sit on their goals and drop
+// The matches of voxels that hold constraint particles (CPs): corners and CPs together, exactly.
+// The paper's ghost particles are eliminated in closed form (they sit on their goals and drop
 // out).
 //
-// The lattice sweep makes its match of the corners alone; the matches of lattice.h add what the CPs
-// of a voxel change in it, and leave the CPs their goals.
+// The lattice sweep matches the corners alone. The matches of lattice.h add what the CPs of a voxel
+// change in it, and give the CPs their goals.
 //
 // Promises: bounded by limits.h, no allocation, a fixed order of sums: needles, their CPs, their
 // supports. Units SI, frame of the attachments. Source: paper section IV; PHYSICS 10.
@@ -15,8 +15,8 @@
 
 namespace stylet {
 
-// Where the last match put a voxel: together with its CPs, if it has any. (A CP that joins others
-// in a voxel, held by the match of the corners alone, would be moved by the next match and felt.)
+// Where the last match put a voxel: together with its CPs, if it has any. (If a CP that joins
+// others in a voxel took the match of the corners alone, the next match would move it: it is felt.)
 struct MatchFrame {
   Quat turn;
   Vec3 centre_m;
@@ -24,16 +24,16 @@ struct MatchFrame {
 MatchFrame match_frame(const Model& model, const State& state, std::uint32_t slot,
                        std::uint32_t row);
 
-// Lists the coupled voxels of this tick, plane by plane; with true mass, what their springs add to
-// the bounds on stiffness. Returns output flags.
+// Lists the coupled voxels of this tick, plane by plane; with true mass also what their springs add
+// to the bounds on stiffness. Returns output flags.
 std::uint32_t gather_coupled(const Model& model, State& state, Scratch& scratch);
 
-// Forces of all CPs from the goals of the match just made, and what their slips have cost.
+// Forces of all CPs from the goals of the last match; books what their slips have cost.
 void measure_forces(const Model& model, State& state);
 
-// Copies a CP (its number: needle, then place in the shaft, the tip last) with its goals where the
-// tissue is now: those of the last match are a substep old. Returns what the corners of its voxels
-// hold beyond their own match, each voxel with its first CP. Cold path: looks at all CPs.
+// Copies a CP (its number: needle, then place in the shaft, the tip last) with its goals for the
+// tissue of now: those of the last match are a substep old. Returns the energy of its voxels'
+// corners beyond their own match, once per voxel, with its first CP. Cold path: reads all CPs.
 double rematch(const Model& model, const State& state, std::uint32_t index, Particle& particle_out);
 
 }  // namespace stylet

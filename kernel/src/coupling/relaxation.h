@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Relaxation: what a constraint particle's (CP's) force loses with time, and how its tissue gives
-// way along the needle. Runs at the start of a tick, at the forces of the last one.
+// Relaxation: the force that a constraint particle (CP) loses with time, and the way its tissue
+// yields along the needle. Runs at the start of a tick, with the forces of the last tick.
 //
-// Promises: bounded by limits.h; energy never rises, and what falls is booked. Units SI.
+// Promises: bounded by limits.h; energy never rises, and its loss is booked. Units SI.
 // Source: Maxwell branch in parallel with a spring (standard linear solid), Fung 1993.
 // PHYSICS 11.3, 12.4.
 #pragma once
@@ -12,8 +12,8 @@
 
 namespace stylet {
 
-// The CPs creep at the last tick's forces; then those of the shaft go with the needle. As they load
-// the tissue together, one may gain energy where others lose more: those come last.
+// The CPs creep at the last tick's forces; then the shaft's CPs move with the needle. The CPs load
+// the tissue together, so one may gain energy where others lose more: those that gain come last.
 void relax_and_follow(const Model& model, State& state, const Needle& needle);
 
 }  // namespace stylet

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The return map: slip and cutting are one rule. The axial force of a constraint particle (CP) has
-// a limit; beyond it the CP moves exactly so far that the force is back on the limit (passive for
-// any step). The paper's moves whole needle units (section IV.C, step 3).
+// The return map: slip and cutting follow one rule. The axial force of a constraint particle (CP)
+// has a limit; beyond it the CP moves just so far that the force is back at the limit (passive for
+// any step). In the paper it moves by whole needle units (section IV.C, step 3).
 //
 // Promises: a fixed number of operations. Units SI.
 // Source: Simo and Hughes 1998, chapter 1 (return mapping in one dimension). PHYSICS 12.1 to 12.3.
@@ -11,25 +11,25 @@
 
 namespace stylet {
 
-// Time constant of the low pass on slip velocities: they choose friction, never force directly.
+// Time constant of the low pass on slip speeds, which choose the friction but are no force.
 constexpr float kSlipFilterS = 0.02F;
-// Sliding this far renews the tissue a CP touches, and with it the relaxed part of its force.
+// Sliding this far renews the tissue that a CP touches, and so the relaxed part of its force.
 constexpr float kRenewalLengthM = 1e-3F;
-// At a tick's end CPs may carry so many times what they may where the needle has just moved.
+// At a tick's end a CP may carry this many times its limit where the needle has just moved.
 constexpr float kEndTolerance = 2.0F;
 
-// How far the CP must move for its axial force to come back between the limits. Paper mode: whole
+// How far the CP must move for its axial force to return between the limits. Paper mode: by whole
 // needle units, once the point is more than one unit away from its goal.
 float overshoot(const Model& model, const Particle& p, float axial_n, float low_n, float high_n);
 
-// A slip brings fresh tissue to the needle, which has relaxed nothing yet. The force stays: returns
-// how much farther the CP slips for that, and books what the branch loses.
+// A slip brings fresh tissue to the needle, which has not relaxed yet. The force stays. Returns how
+// much farther the CP must slip for that, and books the energy that the branch loses.
 float renew(const Model& model, Particle& p, Vec3 direction, float slip_m, double& booked_j);
 
-// A slip of this tick into the low-passed speed, by which friction is chosen.
+// Adds a slip of this tick to the low-passed speed, which chooses the friction.
 void note_slip(const ModelHead& head, Particle& p, float slip_m);
 
-// A part of that slip was none.
+// Takes a part of that slip back out.
 void note_no_slip(const ModelHead& head, Particle& p, float slip_m);
 
 }  // namespace stylet

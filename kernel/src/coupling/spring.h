@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The spring of a constraint particle (CP): residual, force, energy, and how its goals move.
 //
-// A CP is held by up to eight voxels. Each has a goal for it, the place where the voxel's match
-// puts the CP; the needle's point less that goal is a residual. Their weighted mean, less what has
-// relaxed and what gives way along the needle (`slack_m`), times the stiffness is the force on the
-// tissue. Everything here reads and writes one CP and nothing else.
+// Up to eight voxels hold a CP. Each has a goal for it: the place where the voxel's match puts the
+// CP. The needle's point less that goal is a residual. The weighted mean of the residuals, less
+// what has relaxed and the axial way (`slack_m`), times the stiffness is the force on the tissue.
+// Everything here reads and writes one CP and nothing else.
 //
 // Promises: bounded by kSupportsPerParticle, no allocation, fixed order of sums. Units SI, frame of
 // the attachments. Source: paper section IV.A. PHYSICS 10.3, 12.4.
@@ -15,7 +15,7 @@
 
 namespace stylet {
 
-// A shaft CP keeps at least this part of its spring, so that forces can be divided by it.
+// A shaft CP keeps at least this part of its spring, so that divisions by the spring are possible.
 constexpr float kLeastPart = 0.002F;
 
 // Mean of needle point minus goal over a CP's supports.
@@ -27,7 +27,7 @@ inline Vec3 residual(const Particle& p) {
   return sum;
 }
 
-// On the tissue; `residual_m`, where it is known, is residual(p).
+// Force on the tissue; `residual_m`, if it is known, is residual(p).
 inline Vec3 force_on_tissue(const Particle& p, Vec3 residual_m) {
   if (p.support_count == 0) return {};
   return p.stiffness_n_per_m * (residual_m - p.slack_m);
@@ -36,7 +36,7 @@ inline Vec3 force_on_tissue(const Particle& p) {
   return force_on_tissue(p, residual(p));
 }
 
-// Point of the needle's axis where that force acts: the spring's end, behind the give.
+// The point of the needle's axis where that force acts: the spring's end, less the axial way.
 inline Vec3 grip(const Particle& p) {
   return p.position_m - p.give_m;
 }
@@ -51,13 +51,13 @@ inline float spread_of(const Particle& p, Vec3 mean_m) {
   return sum;
 }
 
-// Energy in the Maxwell branch; of one CP, see creep.
+// Energy in the Maxwell branch, for one CP: see creep.
 inline double memory_energy(const Particle& p) {
   const float in_branch = p.relaxing_fraction * (1 - p.relaxing_fraction);
   return 0.5 * static_cast<double>(in_branch * max_of(dot(p.memory_n, p.memory_m), 0));
 }
 
-// How the supports of a CP lie: their mean residual, and how much they differ from it.
+// How the supports of a CP lie: their mean residual, and their spread.
 struct Residuals {
   Vec3 residual_m;
   float spread_m2;
@@ -67,7 +67,7 @@ inline Residuals residuals(const Particle& p) {
   return {mean, spread_of(p, mean)};
 }
 
-// Energy in a CP's spring, Maxwell branch and give; for the tip in contact see contact_energy.
+// Energy in a CP's spring, Maxwell branch and axial way; for a tip in contact see contact_energy.
 inline double spring_energy(const Particle& p, const Residuals& d) {
   const Vec3 lasting = d.residual_m - p.slack_m;
   const float give = p.axial_fraction > 0
@@ -80,12 +80,12 @@ inline double spring_energy(const Particle& p) {
   return spring_energy(p, residuals(p));
 }
 
-// The residual is the give, the relaxed part of the spring, and what pulls.
+// Slack: the axial way and the relaxed part of the spring; the rest of the residual pulls.
 inline void set_slack(Particle& p) {
   p.slack_m = p.relaxing_fraction * p.memory_m + p.give_m;
 }
 
-// Fresh tissue, which has relaxed nothing yet.
+// For fresh tissue, which has not relaxed yet.
 inline void forget(Particle& p) {
   p.memory_m = p.memory_n = {};
   p.memory_spread = 0;
@@ -103,15 +103,15 @@ inline void shift_goals(Particle& p, Vec3 step_m) {
   for (std::uint32_t i = 0; i < p.support_count; ++i) shift_goal(p.support[i], step_m);
 }
 
-// Draws each goal a part of the way to the needle.
+// Moves each goal towards the needle by a part of the distance.
 inline void pull_goals(Particle& p, float part) {
   for (std::uint32_t i = 0; i < p.support_count; ++i) {
     shift_goal(p.support[i], part * (p.position_m - p.support[i].goal_m));
   }
 }
 
-// Draws the supports of a CP together, so that its residual is `residual_m` and their spread at
-// most `spread_m2`: new weights must neither be felt nor bring energy along.
+// Moves the supports of a CP closer together, so that its residual is `residual_m` and their
+// spread at most `spread_m2`: new weights must neither be felt nor add energy.
 inline void gather_goals(Particle& p, Vec3 residual_m, float spread_m2) {
   const auto [mean, spread] = residuals(p);
   const float part = spread > spread_m2 ? 1 - std::sqrt(spread_m2 / spread) : 0.0F;
@@ -121,7 +121,7 @@ inline void gather_goals(Particle& p, Vec3 residual_m, float spread_m2) {
   }
 }
 
-// Which support has the largest weight.
+// Index of the support with the largest weight.
 inline std::uint32_t heaviest(const Particle& p) {
   std::uint32_t best = 0;
   for (std::uint32_t i = 1; i < p.support_count; ++i) {
@@ -130,8 +130,8 @@ inline std::uint32_t heaviest(const Particle& p) {
   return best;
 }
 
-// The needle has turned: the give of a shaft CP is a way along it, and turns with it. Its spring is
-// fixed to a point of the needle (grip), which a turn moves, and whose torque pays for it.
+// The needle has turned: the axial way of a shaft CP lies along it, and turns with it. Its spring
+// is fixed to a point of the needle (grip); the turn moves it, and its torque pays for the energy.
 inline void turn_give(Particle& p, Vec3 direction) {
   if (p.axial_fraction == 0) return;
   const float size_m = norm(p.give_m);
@@ -139,8 +139,8 @@ inline void turn_give(Particle& p, Vec3 direction) {
   set_slack(p);
 }
 
-// By how much the needle's motion in this tick pulls the spring of a CP of the shaft, or of the
-// tip, the last: substep by substep (place_members).
+// By how much the needle's motion in this tick pulls the spring of CP `index`: a shaft CP or, as
+// the last index, the tip. Substep by substep (place_members).
 inline Vec3& stretch_of(const State& state, Scratch& scratch, std::uint32_t index) {
   return scratch.stretch[state.needle_index * kNeedleParticles + index];
 }

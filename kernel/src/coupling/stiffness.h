@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Springs of constraint particles (CPs): how stiff each is, so that lattice and spring together are
-// as stiff as the needle in its tissue.
+// Springs of constraint particles (CPs): how stiff each must be for lattice and spring together to
+// be as stiff as the needle in its tissue.
 //
 // A rigid body of the needle's radius in a half space or an endless body has a stiffness in closed
-// form: the tip in contact that of cone.h, or of a skin on the tissue (film.h), the tip inside that
-// of a sphere, a stretch of the shaft that of a cylinder. The lattice under a CP gives way by a
-// part of it that goes by voxel, Poisson's ratio and place (measured, below); what is left is the
-// spring's.
+// form: for a tip in contact that of cone.h, or of a skin on the tissue (film.h); for a tip inside
+// that of a sphere; for a piece of shaft that of a cylinder. The lattice under a CP provides a part
+// of that compliance, which depends on voxel, Poisson's ratio and place (measured, below). The
+// spring provides the rest.
 //
 // Promises: bounded by limits.h, no allocation, fixed order. Units SI. PHYSICS 8.4, 11.
 #pragma once
@@ -16,19 +16,19 @@
 
 namespace stylet {
 
-// Largest spring of a CP, in voxel springs k: stiffer changes nothing but the numbers' condition.
+// Largest spring of a CP, in voxel springs k: beyond it only the condition of the numbers changes.
 constexpr float kMaxCpWeight = 128.0F;
 
 enum class Role { kSurface, kTip, kShaft };
 
-// Gives a CP its spring, and what relaxes of it. Where the lattice alone is softer than what is
-// wanted, the largest spring is taken and the shortfall reported.
+// Gives a CP its spring and its relaxing part. Where the lattice alone is softer than required, it
+// gets the largest spring, and the shortfall is reported.
 void set_stiffness(const Model& model, State& state, Particle& particle, Role role);
 
-// The law of the contact of this needle's tip. Its memory is the force that is missing over the
-// spring's stiffness. The lattice gives way faster only as far as its part stays what it may be.
-// Where it is too soft for a punch as wide as the needle, contact widens as the needle's tip does
-// and ends at a width for which it is not.
+// The law of contact of this needle's tip. Its memory is the missing force over the stiffness of
+// the spring. The growth of the lattice's compliance ends where its part would become too large. If
+// the lattice is too soft for a punch as wide as the needle, contact widens like the needle's tip
+// and ends at a width for which the lattice is stiff enough.
 ContactLaw law_of(const Model& model, const State& state);
 
 }  // namespace stylet

@@ -3,10 +3,10 @@
 //
 // The sphere tree stays at rest. Every vertex is a convex combination of corner displacements, so
 // no point of the surface is farther from its rest place than the largest displacement of any
-// particle; the query is grown by that much and the tree never refitted. Only triangles of the
-// leaves reached are deformed, those nearest to the tip first. This replaces the per-voxel refit of
-// leaf spheres: it needs no per-leaf work and is exact for a tissue at rest, which is when first
-// contact mostly happens; where another needle dents it, more leaves are reached.
+// particle. The query is grown by that much, and the tree never changes. Only triangles of the
+// leaves reached are deformed, nearest to the tip first. This replaces refitting leaf spheres per
+// voxel: it needs no work per leaf and is exact for tissue at rest, the usual state at first
+// contact. Where another needle dents the tissue, more leaves are reached.
 //
 // Promises: at most kMaxTreeVisits nodes and kMaxTriangleTests triangles. Units SI, world frame.
 // PHYSICS 7.1.
@@ -17,15 +17,15 @@
 
 namespace stylet {
 
-// kSideways: on the tip's way of this tick alone. kUnknown: a bound was reached before anything was
+// kSideways: only on the tip's way of this tick. kUnknown: a bound was reached before anything was
 // found, and kFlagContactBudget is set; the tip must not go on.
 enum class Contact : std::uint32_t { kNone, kFound, kSideways, kUnknown };
 
-// Length of the front part of a needle along which a tip that comes finds the surface.
+// Length of the front part of a needle that is searched for the surface.
 float contact_reach_m(const Model& model);
 
 // Looks for the surface along the front part of the needle that ends here, `reach_m` long, then
-// along the way `came_m` of the tip in this tick. Found: with the rest and present place of the
+// along the tip's way in this tick, `came_m`. If found: gives the rest and present place of the
 // crossing nearest the tip.
 Contact find_contact(const Model& model, State& state, Vec3 tip_m, Vec3 direction, float reach_m,
                      Vec3 came_m, Vec3& rest_out_m, Vec3& place_out_m, std::uint32_t& flags_out);

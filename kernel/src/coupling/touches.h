@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What touches obstacles: the faces of bodies near the needle, and the touches that a tick keeps.
 //
-// An elastic needle bends against the faces that are found here (needle/rod.h); a rigid one goes
-// where the hand does and is pushed back.
+// An elastic needle bends against the faces that are found here (needle/rod.h). A rigid one goes
+// where the hand goes and is pushed back.
 //
 // Promises: at most kMaxTouches touches, bounded by kMaxObstacles and kMaxRods; no allocation.
 // Units SI; places of touches in the world. PHYSICS 13.
@@ -15,8 +15,8 @@
 
 namespace stylet {
 
-// Obstacles nearer than this are looked for. All steps of one look go no farther, so that a needle
-// that snaps over does not go through what it has not seen.
+// Obstacles nearer than this are looked for. No step of one look moves the needle farther, so a
+// needle that snaps over does not pass through a body that was not seen.
 constexpr double kReachM = 2e-3;
 
 // A face of a body beside a piece of the needle.
@@ -25,21 +25,21 @@ struct Near {
   ObstacleFace face;
   const Touch* last;
 };
-// Those that reach deepest, and the same for the rods.
+// The faces that reach deepest, and the same for the rods.
 struct Nearest {
-  std::uint32_t left_out;  // that touch
+  std::uint32_t left_out;  // that touch, but had no room
   Near near[kMaxTouches];
   RodFaces faces;
 };
 
-// All pieces, at the shape of the rods' result, and all bodies.
+// For all pieces, at the shape of the rods' result, and all bodies.
 void look_around(const Model& model, const State& state, const Scratch& scratch, Vec3 shift,
                  const Nearest& before, Nearest& out);
 
 std::uint32_t enter_touches(const Model& model, State& state, Scratch& scratch,
                             const Nearest& nearest);
 
-// A stiff needle goes where the hand does.
+// For a rigid needle: it goes where the hand goes.
 std::uint32_t touch_obstacles(const Model& model, State& state, Scratch& scratch,
                               const Needle& needle, Vec3 shift);
 

@@ -2,15 +2,15 @@
 // Body of the filter (filter.h): velocities from momenta, and the particles' motion; part of the
 // lattice sweep, compiled with it once per instruction set.
 //
-// A wave through the planes: pass j is a plane behind pass j - 1, so all that is kept of a pass are
-// three planes of what it starts from and two of what voxels send. They stay in a near cache. (Pass
-// after pass over whole arrays leaves it: with 20 000 voxels the passes took twice the time.) A
-// slab makes the iterates of the planes beside it that it needs once more, so that no pass waits
-// for another thread; the bits do not depend on slabs.
+// The passes run through the planes as a wave: pass j is a plane behind pass j - 1, so a pass keeps
+// only three planes of its start values and two of what voxels send. They stay in a near cache.
+// (Passes one by one over whole arrays do not fit: with 20 000 voxels they took twice the time.) A
+// slab computes the iterates that it needs of planes beside it a second time, so no pass
+// waits for another thread; the bits do not depend on slabs.
 //
-// In a pass each voxel takes the mean of its eight corners, and gives it to them: sums along x in
-// lanes as in the sweep, then through the sweep's windows; some lines of voxels at a time, and the
-// particles below them right behind.
+// In a pass each voxel takes the mean of its eight corners and gives it to them: sums along x in
+// lanes as in the sweep, then through the sweep's windows. This is done for some lines of voxels at
+// a time, and for the particles below them right after.
 //
 // Internal linkage throughout, as in lanes.h. PHYSICS 3.4.
 #pragma once
@@ -22,14 +22,14 @@
 namespace stylet {
 namespace {
 
-// Smallest steps of velocity, displacement and rotation: keeps denormals (20 times slower, and
+// Smallest steps of velocity, displacement and rotation. They keep denormals (20 times slower, and
 // rounded differently by processors that flush them) out of the state.
 constexpr float kQuantum = 1.52587890625e-05F;  // 2^-16: displacements and velocities to 2e-12
 
 struct Motion {
   float dt, tau, keep;
-  float fastest;  // also of a momentum over its mass: what is torn so fast loses it
-  // Largest displacement so far: its bits, which as integers have the order of floats.
+  float fastest;  // also limits momentum over mass: what is torn so fast loses it
+  // Largest displacement so far, as bits: as integers they have the order of floats.
   WideBits largest = {};
 };
 
@@ -38,7 +38,7 @@ inline Wide bounded(Wide velocity, const Motion& motion) {
   return no_larger(velocity, motion.fastest);
 }
 
-// Moves a group of lanes along one axis with a velocity.
+// Moves a group of lanes along one axis by a velocity.
 inline void displace_lanes(Wide velocity, float* u, float* v, float* e, Motion& motion) {
   Wide place = load(u) + motion.dt * velocity;
   place = (place + kQuantum) - kQuantum;
@@ -49,7 +49,7 @@ inline void displace_lanes(Wide velocity, float* u, float* v, float* e, Motion& 
   motion.largest = motion.largest > size ? motion.largest : size;
 }
 
-// Nodes that are one particle get what all of them have; `values`: x, y, z of a plane,
+// Nodes that are one particle get the sum of their values. `values`: x, y, z of a plane,
 // particles_per_plane apart.
 void join_tied(const Model& model, const Plane& plane, float* values) {
   const TiedNode* const first = model.tie + plane.tie_begin;
@@ -63,21 +63,21 @@ void join_tied(const Model& model, const Plane& plane, float* values) {
   }
 }
 
-// What the passes have at hand: x, y, z of a plane, particles_per_plane apart.
+// What the passes keep: x, y, z of a plane, particles_per_plane apart.
 struct Wave {
-  float* sums;  // of a plane's slots, x, y, z slots_per_plane apart
+  float* sums;  // of a plane's slots: x, y, z, slots_per_plane apart
   float* planes;
   std::ptrdiff_t axis;
 
   float* at(std::uint32_t j, std::uint32_t which) const {
     return planes + static_cast<std::ptrdiff_t>((j - 1) * kPassPlanes + which) * 3 * axis;
   }
-  // What pass j > 1 starts from, and what voxels send in any pass.
+  // What pass j > 1 starts from; below, what voxels send in any pass.
   float* iterate(std::uint32_t j, std::uint32_t z) const { return at(j, z % 3); }
   float* sent(std::uint32_t j, std::uint32_t z) const { return at(j, 3 + z % 2); }
 };
 
-// What pass j starts from, the first from w, on a plane of particles: x, y, z, `axis` apart.
+// What pass j starts from (the first from w) on a plane of particles: x, y, z, `axis` apart.
 struct Iterate {
   const float* at;
   std::ptrdiff_t axis;
@@ -90,13 +90,13 @@ Iterate iterate_of(const Model& model, const State& state, const Wave& wave, std
 
 Wave wave_in(const Model& model, float* floats) {
   const Counts& counts = model.head->counts;
-  float* const sums = floats + kLanes;  // the lanes before are read by windows, and not used
+  float* const sums = floats + kLanes;  // windows read the lanes before, but do not use them
   return {sums, sums + std::size_t{3} * counts.slots_per_plane,
           static_cast<std::ptrdiff_t>(counts.particles_per_plane)};
 }
 
-// Of voxel rows up to `end`, for the node between two slots: the sum of both slots' means of `low`
-// and `high`, the iterates below and above, each times its bound.
+// For voxel rows up to `end`, at the node between two slots: both slots' means of `low` and `high`
+// (the iterates below and above), each times its bound, added.
 STYLET_KEEP_APART void sum_voxels(const Model& model, std::uint32_t z, Iterate low, Iterate high,
                                   const Wave& wave, const Row* row, const Row* end) {
   const Plane *const plane = model.plane + z, *const above = plane + 1;
@@ -108,14 +108,14 @@ STYLET_KEEP_APART void sum_voxels(const Model& model, std::uint32_t z, Iterate l
                          high.at + (row->node[3] - above->particle_begin)};
     float* to = wave.sums + (row->slot - plane->slot_begin);
     const float* bound = model.slot_bound + row->slot;
-    // Of the four rows of nodes at a voxel row, at each x.
+    // Sum over the four rows of nodes at a voxel row, for each x.
     const auto across = [&](std::ptrdiff_t at) {
       return (load(n[0] + at) + load(n[1] + at)) + (load(n[2] + at) + load(n[3] + at));
     };
     Wide last[3] = {};
     Wide here[3] = {across(0), across(low.axis), across(2 * low.axis)};
     const auto emit = [&](std::ptrdiff_t c, Wide b, Wide now, Wide behind) {
-      // An empty slot's corners may be anything.
+      // The corners of an empty slot may have any value.
       const Wide own = zero_unless(b > 0, b * (now + lanes_ahead(now, behind)));
       store(to + c * stride, lanes_behind(last[c], own) + own);
       last[c] = own;
@@ -130,14 +130,14 @@ STYLET_KEEP_APART void sum_voxels(const Model& model, std::uint32_t z, Iterate l
         here[c] = next;
       }
     }
-    // Behind the last node is no voxel.
+    // There is no voxel behind the last node.
     const Wide b = load(bound);
     for (std::ptrdiff_t c = 0; c < 3; ++c) emit(c, b, here[c], here[c]);
   }
 }
 
-// Gives the sums of windows up to `end` to the particles below, which others have given to, and
-// above.
+// Adds the sums of windows up to `end` to the particles below, which may have sums already, and
+// sets those above.
 STYLET_KEEP_APART void spread_sums(const Model& model, const Wave& wave, const Window* w,
                                    const Window* end, float* low, float* high) {
   constexpr std::uint32_t kWindow = kWide > 8 ? 16 : 8;
@@ -171,7 +171,7 @@ inline void for_each_group(const Plane& plane, Visit visit) {
 }
 
 // Calls use(axis, lane in the plane, next iterate) for the groups [begin, end) of a plane's
-// particles after pass j; what was sent is zero afterwards, for the next plane that uses it.
+// particles after pass j. Sets what was sent to zero, for the next plane that uses the memory.
 template <typename Use>
 inline void finish_groups(const Model& model, const State& state, const Scratch& scratch,
                           const Wave& wave, std::uint32_t j, std::uint32_t z, std::ptrdiff_t begin,
@@ -179,11 +179,11 @@ inline void finish_groups(const Model& model, const State& state, const Scratch&
   const Plane& plane = model.plane[z];
   const ModelHead& head = *model.head;
   const FilterPass pass = head.filter.pass[j - 1];
-  const float slope = pass.bound_s2 / head.substep_s;  // of dt / m
+  const float slope = pass.bound_s2 / head.substep_s;  // per dt / m
   const Iterate first = iterate_of(model, state, wave, 1, z),
                 last = iterate_of(model, state, wave, j, z);
   const Iterate before =
-      j > 1 ? iterate_of(model, state, wave, j - 1, z) : first;  // in pass 1 times zero
+      j > 1 ? iterate_of(model, state, wave, j - 1, z) : first;  // in pass 1 its factor is zero
   const float* const per_mass = model.step_per_mass + plane.particle_begin;
   const float* const bound = model.bound + plane.particle_begin;
   const float* const held = scratch.coupling_bound + plane.particle_begin;
@@ -202,8 +202,8 @@ inline void finish_groups(const Model& model, const State& state, const Scratch&
   }
 }
 
-// Rows from `row` on that pass over a plane together: whole lines, as many as stay in the nearest
-// cache with all that is done with them.
+// Slots of rows, from `row` on, that pass over a plane together: whole lines, few enough that they
+// and all data that belongs to them stay in the nearest cache.
 constexpr std::uint32_t kSlotsTogether = 64;
 inline const Row* lines_together(const Row* row, const Row* end) {
   const std::uint32_t until = row->slot + kSlotsTogether;
@@ -212,15 +212,15 @@ inline const Row* lines_together(const Row* row, const Row* end) {
   return row;
 }
 
-// Pass j for a voxel plane, if there is one, and then the particles below it, which have all they
-// are sent then: `use` as finish_groups has it.
+// Pass j for a voxel plane, if there is one; then the particles below it, which by then have
+// received everything: `use` as in finish_groups.
 template <typename Use>
 void pass_plane(const Model& model, const State& state, const Scratch& scratch, const Wave& wave,
                 std::uint32_t j, std::uint32_t z, Use use) {
   constexpr std::uint32_t kList = kWide > 8 ? 1 : 0;
   const Plane& plane = model.plane[z];
   const std::ptrdiff_t count = plane.particle_end - plane.particle_begin;
-  std::ptrdiff_t done = kLanes;  // before are padding and groups that are finished
+  std::ptrdiff_t done = kLanes;  // before it are padding and groups that are finished
   const bool tied = plane.tie_begin != plane.tie_end;
   if (z != model.head->counts.planes) {
     const Window* const windows = kList == 0 ? model.window8 : model.window16;
@@ -246,7 +246,7 @@ void pass_plane(const Model& model, const State& state, const Scratch& scratch, 
   finish_groups(model, state, scratch, wave, j, z, done, count, use);
 }
 
-// Moves a plane's particles with the velocities that the last pass makes.
+// Moves a plane's particles with the velocities of the last pass.
 void move_filtered(const Model& model, State& state, const Scratch& scratch, const Wave& wave,
                    std::uint32_t z, Motion& motion_out) {
   const Plane& plane = model.plane[z];
@@ -277,7 +277,7 @@ void filter_planes(const Model& model, State& state, const Scratch& scratch, std
   const Wave wave = wave_in(model, floats);
   const std::uint32_t passes = model.head->filter.passes;
   const std::uint32_t planes = model.head->counts.planes + 1;  // of particles
-  // Pass j comes to planes from passes + 1 - j before the first to as many after the last.
+  // Pass j covers the planes from passes + 1 - j before the first to as many after the last.
   const auto first_of = [&](std::uint32_t j) {
     const std::uint32_t reach = passes + 1 - j;
     return begin > reach ? begin - reach : 0;

@@ -2,20 +2,20 @@
 // The tissue: shape matching on a voxel lattice, one explicit step of the whole organ.
 //
 // Physics (PHYSICS 2, in words of the paper's section IV): each voxel is a cluster of eight
-// particles; with spring k = G h per corner, a volume term lambda and the hourglass weight chi, the
-// force of a cluster on corner i at rest offset q_i is
+// particles. With the spring k = G h per corner, a volume term lambda and the hourglass weight chi,
+// the force of a cluster on corner i at rest offset q_i is
 //     k [ chi (t - u_i) + H q_i ],   H = (1 - p)(R - I) - p I - (1 - chi) D,
 //     p = lambda / (2 G) (tr(R^T F) - 3),   F = I + D,
 // u the displacement, t its mean over the corners, D its gradient, R the best rotation. That is
-// corotated linear elasticity with the modulus the material states, for every voxel size.
+// corotated linear elasticity with the modulus of the material, for every voxel size.
 // Damping: clusters are evaluated at e = u + tau v (Kelvin-Voigt, objective); what constraint
 // particles change in their voxels is evaluated at u, undamped.
-// Step: v += dt f / M, u += dt v, symplectic; M bounded below so that any material is stable, v
-// bounded by kMaxEdgesPerSubstep.
+// Step: v += dt f / M, u += dt v, symplectic. M has a lower bound so that any material is stable; v
+// is bounded by kMaxEdgesPerSubstep.
 //
-// Promises: no branch on data, same operations for every state; same bits for any lane width
-// because no sum is horizontal (a lane is a voxel or a particle). The source is compiled once per
-// instruction set; the choice is made at creation.
+// Promises: no branch on data, the same operations for every state; the same bits for any lane
+// width because no sum is horizontal (a lane is a voxel or a particle). The source is compiled once
+// per instruction set; the choice is made at creation.
 #pragma once
 
 #include "state/layout.h"
@@ -26,12 +26,12 @@ namespace stylet {
 using LatticeStep = void (*)(const Kernel&);
 LatticeStep lattice_step_for_this_processor();
 
-// Matches of up to kLanes voxels that hold constraint particles, a voxel in each lane. The step
-// makes them with its own registers (match_lanes.h), before the sweep; what they take from memory
-// and leave there is match.cpp's.
+// Matches of up to kLanes voxels that hold constraint particles, one voxel per lane. The step makes
+// them with its own registers (match_lanes.h), before the sweep; match.cpp reads their input from
+// memory and stores their results.
 struct Matches {
   // Sums over a voxel's constraint particles: weight; then, weighted, places from the mean of the
-  // corners, rest offsets, products of place and offset, squares of the offset.
+  // the corners, rest offsets, products of place and offset, squares of the offset.
   enum Sum : std::uint32_t {
     kWeight,
     kPlace,
@@ -50,31 +50,31 @@ struct Matches {
   alignas(64) float joint[9][kLanes];        // constraint particles, row-major
   alignas(64) float corner_turn[4][kLanes];  // their rotations w, x, y, z
   alignas(64) float joint_turn[4][kLanes];
-  alignas(64) float rotation[9][kLanes];  // of the match, row-major
+  alignas(64) float rotation[9][kLanes];  // rotation of the match, row-major
 };
-// A constraint particle's support in each of those voxels.
+// One constraint particle's support in each of those voxels.
 struct MatchMembers {
   alignas(64) float weight_n_per_m[kLanes];  // 0: no such support
   alignas(64) float place_m[3][kLanes];      // of its spring's end
   alignas(64) float offset_m[3][kLanes];     // at rest
 };
 
-// Where a group's corners are, and their rotations of the last substep.
+// Loads where a group's corners are, and their rotations of the last substep.
 void begin_matches(const State& state, const Scratch& scratch, const MatchGroup& group,
                    Matches& matches_out);
-// Pulls the constraint particles' springs as far as the needles have come in this substep: evenly,
-// by what `stretch` (layout.h) says. Pulled at once they would press on tissue that cannot give way
-// yet, and the hand would not feel the work of that in the force at the end.
+// Pulls the constraint particles' springs as far as the needles have come in this substep: in equal
+// steps, by `stretch` (layout.h). Pulled all at once they would press on tissue that cannot yield
+// yet, and the hand would not feel the work of that in the force at the end of the tick.
 void place_members(const Model& model, const State& state, Scratch& scratch);
-// Of each voxel its constraint particle `n`, the next one.
+// Takes constraint particle `n` of each voxel, the next one.
 void take_members(const State& state, const Scratch& scratch, const MatchGroup& group,
                   std::uint32_t n, Matches& matches, MatchMembers& members_out);
-// Where the matches put their constraint particles; nobody asks before the last substep.
+// Stores where the matches put their constraint particles; only needed in the last substep.
 void give_goals(State& state, const Scratch& scratch, const MatchGroup& group,
                 const Matches& matches);
 // Adds what the matches change to the forces on a plane of particles: x, y, z,
-// `particles_per_plane` apart. In an order of its own, after all that clusters send: the sum is the
-// same for sweeps from either side.
+// `particles_per_plane` apart. This has its own place, after all that clusters send: so the sum is
+// the same for sweeps from either side.
 void add_changes(const Model& model, Scratch& scratch, std::uint32_t plane, float* force);
 
 }  // namespace stylet

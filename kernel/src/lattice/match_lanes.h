@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arithmetic of matches of corners and constraint particles together (match.h), a voxel in each
-// lane. Included once per instruction set by lattice/step.h; memory is read and written by
-// match.cpp.
+// The arithmetic of matches of corners and constraint particles together (match.h), one voxel per
+// lane. lattice/step.h includes it once per instruction set; match.cpp reads and writes the
+// memory.
 //
-// With w the weights of a voxel's constraint particles (stiffness times support), r their rest
-// offsets and x their places from the mean of the corners, ghosts eliminated: the match's matrix is
+// Let w be the weights of a voxel's constraint particles (stiffness times support), r their rest
+// offsets and x their places from the mean of the corners. Without the ghosts the match's matrix is
 //     2 k h^2 F + sum w x r^T - (sum w x) (sum w r)^T / (8 k + sum w),
 // and its translation moves from the corners' mean by (sum w x - R sum w r) / (8 k + sum w).
 //
@@ -41,7 +41,7 @@ void see_corners(std::uint32_t lanes, const ModelHead& head, const MatchGroup& g
   }
 }
 
-// Adds one constraint particle of each voxel, or none, with weight 0, to those before.
+// Adds one constraint particle of each voxel to the sums of those before; weight 0 adds none.
 template <bool kFirst>
 void sum_members(std::uint32_t lanes, const MatchMembers& members, Matches& matches) {
   for (std::uint32_t i = 0; i < lanes; i += kWide) {
@@ -65,7 +65,7 @@ void sum_members(std::uint32_t lanes, const MatchMembers& members, Matches& matc
 }
 
 // Matrices whose rotations are the matches, scaled to be near the identity at rest. They must be
-// scaled by a number only: rot(A Aqq^-1) is not the minimiser when constraint particles make Aqq
+// scale them: rot(A Aqq^-1) is not the minimiser when constraint particles make Aqq
 // anisotropic.
 void join_members(std::uint32_t lanes, float edge_m, const MatchGroup& group, Matches& matches) {
   for (std::uint32_t i = 0; i < lanes; i += kWide) {
@@ -92,7 +92,7 @@ void join_members(std::uint32_t lanes, float edge_m, const MatchGroup& group, Ma
   }
 }
 
-// A refined step of the rotations of matrices `m`.
+// One refined step of the rotations of matrices `m`.
 inline void turn_lanes(std::uint32_t lanes, const float (&m)[9][kLanes],
                        const float (&from)[4][kLanes], float (&to)[4][kLanes]) {
   STYLET_VECTOR
@@ -107,11 +107,11 @@ inline void turn_lanes(std::uint32_t lanes, const float (&m)[9][kLanes],
   }
 }
 
-// A step for the corners alone, from their rotation of the last substep, and two for all together,
-// from theirs of the last tick: each lowers the energy. (From the corners' rotation, which is far
-// from that of all where a shaft has been dragged sideways by more than a voxel, they came to
-// another one in every substep, and gave 0.7 mJ. With the sweep's plain step for the corners, or
-// with two, tissue dragged to a hundredfold of its length gained 0.2 to 0.3 uJ.)
+// One step for the corners alone, from their rotation of the last substep, and two for the whole
+// match, from its rotation of the last tick: each lowers the energy. (The corners' rotation is far
+// from the whole's where a shaft has been dragged sideways by more than a voxel: begun there, the
+// steps reached another rotation in every substep and added 0.7 mJ. With the sweep's plain step for
+// the corners, or with two, tissue dragged to a hundredfold of its length gained 0.2 to 0.3 uJ.)
 STYLET_KEEP_APART void turn_matches(std::uint32_t lanes, Matches& matches) {
   turn_lanes(lanes, matches.corner, matches.corner_turn, matches.corner_turn);
   for (int pass = 0; pass < 2; ++pass) {
@@ -138,7 +138,7 @@ inline Wide turned(const WideMat3& by, std::uint32_t c, const Wide (&v)[3]) {
   return by.m[c][0] * v[0] + by.m[c][1] * v[1] + by.m[c][2] * v[2];
 }
 
-// Where the matches are now, and what they change for the corners, k ((t' - t) + (R' - R) q).
+// Places of the matches now, and their change for the corners, k ((t' - t) + (R' - R) q).
 void place_matches(std::uint32_t lanes, float edge_m, Matches& matches, MatchGroup& group) {
   for (std::uint32_t i = 0; i < lanes; i += kWide) {
     const WideMat3 r8 = rotation_matrix(matches.corner_turn, i);
@@ -167,7 +167,7 @@ std::uint32_t group_count(const Scratch& scratch) {
   return (scratch.head->coupled_count + kLanes - 1) / kLanes;
 }
 
-// Matches of a substep, before their planes are swept; needs place_members.
+// The matches of a substep, before their planes are swept; needs place_members.
 STYLET_KEEP_APART void match_groups(const Model& model, State& state, Scratch& scratch,
                                     std::uint32_t first, std::uint32_t end) {
   const ModelHead& head = *model.head;
@@ -176,7 +176,7 @@ STYLET_KEEP_APART void match_groups(const Model& model, State& state, Scratch& s
   for (std::uint32_t index = first; index < end; ++index) {
     MatchGroup& group = scratch.group[index];
     begin_matches(state, scratch, group, matches);
-    // No more lanes than the voxels need: without wide registers each is work.
+    // No more lanes than the voxels need: without wide registers each lane is work.
     const std::uint32_t lanes = (group.count + kWide - 1) / kWide * kWide;
     see_corners(lanes, head, group, matches);
     take_members(state, scratch, group, 0, matches, members);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The lattice as the sweep walks it, worked out once: where voxels and nodes lie, and which slots
-// send forces to which particles, so that the sweep walks flat lists.
+// forces to which particles, so that the sweep walks flat lists.
 //
 // A window is a group of lanes: neighbouring nodes of one line (y) of a voxel plane. It collects
-// from the two voxel rows at either side, y - 1 and y, whose ends need not agree: a bit for each
+// forces from the voxel rows on both sides, y - 1 and y, whose ends may differ: a bit for each lane
 // lane says which of them has a voxel there. Of either it reaches one stretch (runs.h), so it may
 // be cut short.
 //
-// Promises: time and memory follow the voxels there are, not what they span (kMaxBytesPerVoxel); no
+// Promises: time and memory grow with the voxels, not with what they span (kMaxBytesPerVoxel); no
 // count wraps; no allocation. At creation only.
 #pragma once
 
@@ -15,10 +15,10 @@
 
 namespace stylet {
 
-// kOrganTooLarge where a count does not fit.
+// kOrganTooLarge if a count does not fit.
 Status count_lattice(const Organ& organ, const Config& config, Counts& counts_out);
 
-// Planes, rows with the places of their particles, and windows; needs the head.
+// Fills planes, rows with the places of their particles, and windows; needs the head.
 void fill_lattice(const Organ& organ, Model& model);
 
 }  // namespace stylet

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rotation of a cluster: one step of a warm-started, always-safe eigenvector iteration.
 //
-// The best rotation of A (paper section IV, Mueller et al. 2005) is the largest eigenvector of
+// The best rotation of A (paper section IV, Mueller et al. 2005) is the eigenvector of Davenport's
 // Davenport's 4 x 4 matrix K(A). Seen from the last rotation R, with B = R^T A, K has the corner
-// rho = tr B, the side a = axial vector of B and the block S = B + B^T - rho I. For a shift lambda
-// the correction quaternion is (det M, adj(M) a), M = lambda I - S: exact for lambda = lambda_max,
-// and with any lambda above it a contraction towards the answer, never away from it.
+// the corner rho = tr B, the side a = axial vector of B and the block S = B + B^T - rho I. For a
+// shift lambda the correction quaternion is (det M, adj(M) a), M = lambda I - S. It is exact for
+// lambda = lambda_max; any lambda above it moves towards the answer, never away from it.
 //
 // The shift is the larger eigenvalue of [[rho, |a|], [|a|, mu]], mu an upper bound of the block's
-// largest eigenvalue (mean plus sqrt(2/3) of the deviator's norm). It is an upper bound of
+// largest eigenvalue (mean plus sqrt(2/3) of the deviator's norm). The shift is an upper bound of
 // lambda_max that is too large only by O(|a|^2), so the error shrinks with the third power.
 // Measured against double-precision SVD, stretches 0.2 to 2, start 0.1 rad away: one step 9e-5 rad
-// (median), two steps 1e-7 rad in float. The simpler bound sqrt(3) |A| leaves half of the error for
+// (median), two steps 1e-7 rad in float. The simpler bound sqrt(3) |A| leaves half of the error at
 // strong stretch; Newton without a bound locks 180 degrees wrong in violent motion.
 //
-// Promise: no branch, no iteration count, finite for finite A, collapsed and inverted clusters
+// Promise: no branch, no iteration count; finite for finite A, also for collapsed and inverted
 // included. A is near the identity at rest, or near the lattice's 4 h times that: a constant that
-// keeps M regular (`tiny`) goes with the scale. PHYSICS 2.2.
+// that keeps M regular (`tiny`) has that scale. PHYSICS 2.2.
 #pragma once
 
 namespace stylet {
@@ -62,7 +62,7 @@ static inline Davenport<T> davenport(T a00, T a01, T a02, T a10, T a11, T a12, T
           b22 + b22 - rho, b01 + b10, b02 + b20, b12 + b21,       rho};
 }
 
-// Upper bound of the block's largest eigenvalue, whose trace is -rho.
+// Upper bound of the largest eigenvalue of the block; the block's trace is -rho.
 template <typename T>
 static inline T block_bound(const Davenport<T>& k) {
   const T mean = k.rho * T(-1.0 / 3.0);
@@ -87,7 +87,7 @@ static inline T refined_bound(const Davenport<T>& k, T mu) {
   return mu;
 }
 
-// The shift lambda for corner, side and a bound `mu` of the block.
+// The shift lambda from corner, side and a bound `mu` of the block.
 template <typename T>
 static inline T shift_for(T rho, T ax, T ay, T az, T mu, T tiny = T(1e-5)) {
   const T half = (rho - mu) * T(0.5);
@@ -115,8 +115,8 @@ static inline Correction<T> correction(T mxx, T myy, T mzz, T sxy, T sxz, T syz,
 // q times the correction: a quaternion of any length.
 template <typename T>
 static inline Correction<T> product(const Correction<T>& by, T qw, T qx, T qy, T qz) {
-  // Never below zero but for rounding. A cluster without any direction, v = 0, turns nowhere; one
-  // under a thousandth of its size turns slowly.
+  // Below zero only by rounding. A cluster without any direction, v = 0, does not turn; one smaller
+  // than a thousandth of its size at rest turns slowly.
   const T w = by.w > T(1e-17) ? by.w : T(1e-17);
   return {
       qw * w - (qx * by.x + qy * by.y + qz * by.z), qw * by.x + qx * w + (qy * by.z - qz * by.y),
@@ -126,8 +126,8 @@ template <typename T>
 static inline T length(const Correction<T>& p) {
   return root((p.w * p.w + p.x * p.x) + (p.y * p.y + p.z * p.z));
 }
-// Of unit length. The product is normalised, not the factor: lengths of 1 + 1e-7 would pile up tick
-// by tick.
+// Of unit length. The product is normalised, not the factor: else errors of 1e-7 in length would
+// add up tick by tick.
 template <typename T>
 static inline Correction<T> unit(const Correction<T>& p, T length_of_p) {
   const T inverse = 1 / length_of_p;
@@ -137,7 +137,7 @@ static inline Correction<T> unit(const Correction<T>& p, T length_of_p) {
   return {w + e * w, x + e * x, y + e * y, z + e * z};
 }
 
-// `Refinements`: Rayleigh quotients taken to sharpen lambda before the step (0 in the lattice
+// `Refinements`: how many Rayleigh quotients sharpen lambda before the step (0 in the lattice
 // sweep, 1 where constraint particles make the match anisotropic).
 template <int Refinements, typename T>
 static inline void rotation_step(T a00, T a01, T a02, T a10, T a11, T a12, T a20, T a21, T a22,

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tip in contact: a cone that goes over into a cylinder, and what the tissue under it relaxes.
+// The tip in contact: a cone that becomes a cylinder, and the relaxation of the tissue under it.
 //
-// Contact widens as the cone sinks in, until at the depth l it is as wide as the needle; from there
-// on it is that of a flat punch (Sneddon 1965: rigid, frictionless, on a half space). With k the
-// punch's stiffness 2 a E / (1 - nu^2) and l = pi a / (2 tan(half angle)):
+// Contact widens as the cone sinks in, until at the depth l it is as wide as the needle. From there
+// on the law is that of a flat punch (Sneddon 1965: rigid, frictionless, on a half space). With the
+// punch's stiffness k = 2 a E / (1 - nu^2) and l = pi a / (2 tan(half angle)):
 //   F(d) = k d^2 / (2 l),  U(d) = k d^3 / (6 l)                          up to d = l,
 //   F(d) = k (d - l / 2),  U(d) = k (d^2 / 2 - l d / 2 + l^2 / 6)        beyond.
 //
-// The law is that of all the tissue. The lattice gives way by itself, by a part c of the punch's
-// 1 / k; what is left for the tip's own spring is y = d - c F(d) / k: the same force at a smaller
-// depth, with U(d) - c F^2 / (2 k). Giving the spring a cone of its own instead made the whole law
-// depend on the voxel.
+// This is the law of all the tissue. The lattice gives way by itself, by a part c of the punch's
+// 1 / k. The tip's own spring keeps y = d - c F(d) / k: the same force at a smaller depth, with
+// the energy U(d) - c F^2 / (2 k). A cone of its own for the spring made the whole law depend on
+// the voxel.
 //
-// Pressed harder the lattice gives way faster than that: by c / k (F + g F^2) up to a force F_end,
-// beyond with the slope it has there. To first order in g the spring then carries F + c w / (1 - c
+// Under larger forces the lattice gives way faster: by c / k (F + g F^2) up to a force F_end, and
+// beyond it with the slope at F_end. To first order in g the spring then carries F + c w / (1 - c
 // w) g F^2, with F as above and w = min(d / l, 1), and stores c / k g F^3 / 3 more.
 //
-// Relaxed, the whole law is that of a cone with (1 - phi) k. The lattice relaxes nothing, so the
+// Relaxed, the whole law is that of a cone with (1 - phi) k. The lattice does not relax, so the
 // spring's relaxed law is what the lattice leaves of that cone, with the part (1 - phi) c. Q(y) is
-// the difference of the spring's two laws. The force q that is missing follows Q in time (as in
-// Fung's quasi-linear law), and the spring carries F - q. With z the depth at which Q(z) = q, its
-// energy is U(y) - (U_Q(z) + q (y - z)), which creep can only lower. As vectors: F and Q point
+// the difference of the spring's two laws. The missing force q follows Q in time (as in Fung's
+// quasi-linear law), and the spring carries F - q. If z is the depth with Q(z) = q, the spring's
+// energy is U(y) - (U_Q(z) + q (y - z)), which creep can only lower. As vectors, F and Q point
 // along the displacement they belong to.
 //
 // Promises: no branch on hardware, no allocation. Units SI. PHYSICS 8.1.
@@ -47,14 +47,14 @@ inline float cone_length_m(const NeedleConfig& needle) {
   return 0.5F * kPi * needle.outer_radius_m * cosine / sine_of_half_turns(half_turns);
 }
 
-// Depth over the spring's own, at least 1.
+// Depth of all the tissue over the spring's own depth, at least 1.
 inline float cone_ratio(const Cone& c, float own_m) {
   const float l = c.length_m, part = c.lattice_part;
   if (own_m > (1 - 0.5F * part) * l) return (own_m - 0.5F * part * l) / ((1 - part) * own_m);
   return 2 / (1 + std::sqrt(1 - 2 * part * (own_m / l)));
 }
 
-// How wide contact is there, of the needle: the slope of F over k.
+// Width of contact at that depth, over the needle's width: the slope of F over k.
 inline float cone_width(const Cone& c, float own_m) {
   return min_of(cone_ratio(c, own_m) * own_m / c.length_m, 1);
 }
@@ -66,7 +66,7 @@ inline float cone_secant(const Cone& c, float own_m) {
   return c.stiffness_n_per_m * ratio * width * (1 - 0.5F * c.length_m / max_of(depth, c.length_m));
 }
 
-// What the spring carries there, over F: more where the lattice has given way more.
+// Force of the spring at that depth, over F: more where the lattice has given way more.
 inline float cone_growth(const Cone& c, float own_m) {
   const float part = c.lattice_part * cone_width(c, own_m);
   const float force = cone_secant(c, own_m) * own_m, most = min_of(force, c.growth_end_n);
@@ -74,7 +74,7 @@ inline float cone_growth(const Cone& c, float own_m) {
   return 1 + part / (1 - part) * c.growth_per_n * most * (2 - most / force);
 }
 
-// Change of that force with the spring's own depth.
+// Derivative of that force by the spring's own depth.
 inline float cone_tangent(const Cone& c, float own_m) {
   const float width = cone_width(c, own_m), left = 1 - c.lattice_part * width;
   const float force = cone_secant(c, own_m) * own_m, most = min_of(force, c.growth_end_n);
@@ -84,7 +84,7 @@ inline float cone_tangent(const Cone& c, float own_m) {
   return (slope + c.growth_per_n * (widening + 2 * most * slope * (1 - left) / left)) / left;
 }
 
-// Energy of the spring that carries F.
+// Energy of a spring that carries F.
 inline double cone_energy(const Cone& c, float own_m) {
   const float x = cone_ratio(c, own_m) * own_m / c.length_m, width = min_of(x, 1);
   const float whole = width * (0.5F * x * (x - width) + width * width * (1.0F / 6));
@@ -94,14 +94,14 @@ inline double cone_energy(const Cone& c, float own_m) {
          static_cast<double>(whole - 0.5F * c.lattice_part * force * force);
 }
 
-// And of what it carries beyond F.
+// Energy of what it carries beyond F.
 inline double cone_growth_energy(const Cone& c, float own_m) {
   const float force = cone_secant(c, own_m) * own_m, most = min_of(force, c.growth_end_n);
   const float sum = most * (most * most * (1.0F / 3) + force * (force - most));
   return static_cast<double>(c.lattice_part * c.growth_per_n / c.stiffness_n_per_m * sum);
 }
 
-// What a contact's force is at once, and what it relaxes to.
+// The immediate force of a contact, and the part of it that relaxes.
 struct ContactLaw {
   Cone now, relaxed;
   float fraction;  // phi
@@ -115,7 +115,7 @@ inline ContactLaw contact_law(const Cone& c, float fraction) {
   return {c, relaxed, fraction};
 }
 
-// What the spring carries when nothing is missing, over its own depth.
+// Force of the spring over its own depth, with no force missing.
 inline float contact_secant(const ContactLaw& law, float own_m) {
   return cone_secant(law.now, own_m) * cone_growth(law.now, own_m);
 }
@@ -125,8 +125,8 @@ inline float missing_secant(const ContactLaw& law, float own_m) {
   return cone_secant(law.now, own_m) - cone_secant(law.relaxed, own_m);
 }
 
-// The spring's own depth at which Q is so much: with d and e the depths of all the tissue by the
-// two laws, Q = (d - e) k / c. Up to d = l, then up to e = l, then beyond, where Q is linear.
+// The spring's own depth at which Q has this value. With d and e the depths of all the tissue by
+// the two laws, Q = (d - e) k / c. Cases: d <= l; else e <= l; else beyond, where Q is linear.
 inline float missing_depth(const ContactLaw& law, float missing_n) {
   if (!(missing_n > 0)) return 0;
   const Cone& c = law.now;
@@ -146,14 +146,14 @@ inline float missing_depth(const ContactLaw& law, float missing_n) {
   return 0.5F * l + q_m * (1 - part) * (1 - left) / law.fraction;
 }
 
-// How much faster than the whole the spring's missing force must follow: the lattice takes up what
-// the spring gives way.
+// How much faster than the whole the spring's missing force must follow: the lattice takes up the
+// spring's creep.
 inline float relaxation_pace(const ContactLaw& law, float own_m) {
   return (1 - law.now.lattice_part * cone_width(law.now, own_m)) /
          (1 - law.relaxed.lattice_part * cone_width(law.relaxed, own_m));
 }
 
-// Energy at the spring's displacement while the force q is missing.
+// Energy at the spring's displacement with the force q missing.
 inline double contact_energy(const ContactLaw& law, Vec3 displacement_m, Vec3 missing_n) {
   const float q = norm(missing_n), z = missing_depth(law, q);
   const double left = static_cast<double>(dot(missing_n, displacement_m) - q * z);

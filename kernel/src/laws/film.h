@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // A thin skin on tissue, pressed in by a needle's point: a capsule, a fascia.
 //
-// A skin that hardly bends carries a point by being stretched around it. Spread over a width L it
-// stores about M d^4 / L^2 at the depth d, and the tissue below E* d^2 L, with M the skin's modulus
-// times its thickness and E* = E / (1 - nu^2): so L^3 goes as M d^2 / E*, and
+// A skin that hardly bends carries a point by stretching around it. If the skin's deformation is L
+// wide, then at the depth d the skin stores about M d^4 / L^2 and the tissue below E* d^2 L, with M
+// the skin's modulus times its thickness and E* = E / (1 - nu^2). So L^3 goes as M d^2 / E*, and
 //   F(d) = C E*^(2/3) M^(1/3) d^(5/3),
-// whatever the needle, as long as contact is narrower than L; and a little less where the skin
-// grows steep. C and that little come from a stretched skin, bonded to a half space, solved by
+// for any needle, as long as contact is narrower than L; it is a little less where the skin becomes
+// steep. C and that reduction come from a stretched skin, bonded to a half space, solved by
 // finite elements (tests/fidelity/coupling/film.py).
 //
-// The law of contact (cone.h) has two pieces, a square and a line. It agrees with a film at the
-// depth at which the film is punctured, and changes over at kFilmChange of that or, the less the
-// film is stiffer than its tissue, nearer to where the needle's cone does. So it is too soft in
+// The law of contact (cone.h) has two pieces, a parabola and a line. It agrees with a film at the
+// depth at which the film is punctured. It changes over at kFilmChange of that depth, or nearer to
+// where the needle's cone does, the less stiff the film is beside its tissue. So it is too soft in
 // shallow dimples: an 18G on a liver's capsule, punctured at 4 to 6 mm, feels 0.7 of the film's
-// force 1 mm deep, 0.9 to 0.95 at 2 mm, 1.05 at 3 mm. Matched there it would be far off where
-// needles go through.
+// force 1 mm deep, 0.9 to 0.95 at 2 mm, 1.05 at 3 mm. A law that agreed there would be far off
+// where needles go through.
 //
 // Promises: no allocation, no branch on hardware. Units SI. PHYSICS 8.2.
 #pragma once
@@ -25,7 +25,7 @@ namespace stylet {
 
 constexpr float kFilmChange = 0.45F;
 
-// Depth and force at which the law of contact is the film's; no force without a film.
+// Depth and force at which the law of contact is the film's; force 0 without a film.
 struct Film {
   float depth_m, force_n;
 };
@@ -37,7 +37,7 @@ inline float film_force_n(float plane_pa, float membrane_n_per_m, float depth_m)
          (1 + kSteep * std::sqrt(steep));
 }
 
-// Of the depths that needles press tissue in by, that at which a film carries so much.
+// Of the depths to which needles press tissue, the depth at which a film carries this force.
 inline Film film_at(float plane_pa, float membrane_n_per_m, float force_n) {
   constexpr int kHalvings = 20;  // to 10 nm
   float low_m = 1e-4F, high_m = 1e-2F;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Friction of a shaft in tissue: the law, per metre of shaft.
 //
-// Coulomb's friction, the static one that fades over the Stribeck speed, and a viscous part:
+// Coulomb friction, static friction that fades over the Stribeck speed, and a viscous part:
 //     f(v) = f_c + (f_s - f_c) exp(-(v / v_s)^2) + c v.
-// Speeds are sizes; which way it points is the return map's. Another law with these numbers is
-// another friction_n_per_m and least_friction_n_per_m; a number more is a field of Friction, too,
+// Speeds have no sign; the return map knows the direction. Another law with these numbers changes
+// friction_n_per_m and least_friction_n_per_m. One more number is also one more field of Friction,
 // its mean in `mixed`, its source in material_model (kernel.cpp) and its bounds in snapshot.cpp.
 //
-// Promises: no branch on the outside, no allocation; same bits everywhere. Units SI.
+// Promises: no branch on hardware, no allocation; same bits everywhere. Units SI.
 // Source: Okamura, Simone, O'Leary 2004 (needle friction by the modified Karnopp model); Stribeck's
 // curve as in Armstrong-Helouvry, Dupont, Canudas de Wit 1994. PHYSICS 12.1.
 #pragma once
@@ -29,13 +29,13 @@ inline float friction_n_per_m(const Friction& f, float speed_m_per_s) {
          f.viscous_n_s_per_m2 * speed_m_per_s;
 }
 
-// What it is at least (no material's static friction is below Coulomb's): up to there a force needs
-// no look at the law.
+// Its least value (no material's static friction is below Coulomb's): a smaller force needs no look
+// at the law.
 inline float least_friction_n_per_m(const Friction& f) {
   return f.coulomb_n_per_m;
 }
 
-// The mean of a stretch, `part` of which is of `next`.
+// The mean over a length, of which `part` has the friction `next`.
 inline Friction mixed(const Friction& mean, const Friction& next, float part) {
   const auto towards = [part](float from, float to) { return from + part * (to - from); };
   return {towards(mean.coulomb_n_per_m, next.coulomb_n_per_m),

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a touch of a body costs and gives: the law of obstacle.h, for one contact.
+// Energy and force of a touch of a body: the law of obstacle.h, for one contact.
 //
 // Promises: finite for finite arguments, no negative stiffness. Units SI. Source: the law of
-// pressing is ours; friction is Coulomb's as a return map, which for a given limit has a potential
+// pressing is ours. Friction is Coulomb's as a return map, which for a given limit has a potential
 // (Huber's function), so that a needle's equilibrium is the minimum of an energy. PHYSICS 13.3.
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace stylet {
 
-// k depth at first, the largest force at last: F = k d / sqrt(1 + (k d / F_max)^2).
+// Stiffness k at small depth, the largest force in the end: F = k d / sqrt(1 + (k d / F_max)^2).
 struct Press {
   double force_n, stiffness_n_per_m, energy_j;
-  double chord_n_per_m;  // force over depth: no less than the stiffness anywhere below it
+  double chord_n_per_m;  // force over depth: at least the stiffness here or deeper
 };
 inline Press press(double k, double largest_force_n, double depth_m) {
   if (!(depth_m > 0)) return {0, 0, 0, 0};
@@ -26,7 +26,7 @@ inline Press press(double k, double largest_force_n, double depth_m) {
 // The bristle follows the needle until its tension reaches the limit.
 struct Slip {
   Vec3d bristle_m;
-  double energy_j;  // of the potential: what it stores, and what slip took from rest
+  double energy_j;  // of the potential: stored energy, and what slip took since rest
   bool slips;
 };
 inline Slip slip(double k, double limit_n, Vec3d trial_m) {

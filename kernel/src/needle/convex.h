@@ -8,10 +8,10 @@
 // refinement).
 //
 // Why libccd does not measure contacts: portal refinement answers only where shapes overlap, with
-// the face that the ray from centre to centre meets. A tip that slides over a box is reported up to
-// 26 % too deep near the edge, with a normal that jumps by 0.67 rad (tests/fidelity/obstacle).
+// the face that the ray from centre to centre hits. For a tip that slides over a box it gives up to
+// 26 % too much depth near the edge, and a normal that jumps by 0.67 rad (tests/fidelity/obstacle).
 // Contacts of a round needle are measured between the cores, which stay apart in all but the
-// hardest; the library gives the first direction when a needle appears inside. PHYSICS 13.2.
+// hardest contacts; the library gives the first direction if a needle appears inside. PHYSICS 13.2.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@
 namespace stylet {
 
 struct ConvexHull {
-  std::span<const Vec3> vertices_m;  // at least one; points inside do no harm
+  std::span<const Vec3> vertices_m;  // at least one; points inside the hull do no harm
   Vec3d centre_m;                    // any point inside
 };
 
@@ -35,18 +35,18 @@ constexpr Vec3d point_on(const Segment& segment, double place) {
   return (1 - place) * segment.a_m + place * segment.b_m;
 }
 
-// How far the hull reaches along a direction: largest dot product with a vertex.
+// How far the hull extends in a direction: largest dot product with a vertex.
 double reach(const ConvexHull& hull, Vec3d direction);
 
 struct Closest {
   double distance_m;  // 0 where the two overlap
   Vec3d normal;       // unit, from the hull to the segment; zero where they overlap
-  double place;       // of the segment's closest point, 0 at a to 1 at b
+  double place;       // parameter of the segment's closest point: 0 at a, 1 at b
 };
 Closest closest(const ConvexHull& hull, const Segment& segment);
 
-// A unit direction in which a segment that overlaps the hull can leave it, not the shortest one.
-// After `budget` looks at the vertices: square to the segment.
+// A unit direction in which a segment that overlaps the hull can leave it; not the shortest way.
+// After `budget` walks over the vertices: square to the segment.
 Vec3d way_out(const ConvexHull& hull, const Segment& segment,
               std::uint32_t budget = kMaxEscapeSupports);
 

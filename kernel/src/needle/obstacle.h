@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bone and other things a needle cannot enter: convex bodies, where a needle piece touches them,
-// and what the touch does to it.
+// Bone and other things that a needle cannot enter: convex bodies, where a piece of needle touches
+// them, and what the touch does to it.
 //
-// Promises: no allocation, a bounded number of operations, finite results for every finite piece;
-// the force never exceeds sqrt(1 + friction^2) times the largest force, and a contact turns by at
-// most kMaxNormalTurnRad a call while the needle does not pass through the body. Touch and slip
-// only take energy, as the step goes to zero. Bodies stand still. Units: SI. Frames: pieces, forces
+// Promises: no allocation, a bounded number of operations, finite results for every finite piece.
+// The force never exceeds sqrt(1 + friction^2) times the largest force. A contact turns by at most
+// kMaxNormalTurnRad a call while the needle does not pass through the body. Touch and slip only
+// take energy, as the step goes to zero. Bodies stand still. Units: SI. Frames: pieces, forces
 // and states in the world; a body's vertices in its own frame. Source: the law is ours; friction is
 // Coulomb's, as a return map (an elastic bristle that slips at its limit).
 //
-// Use: one ObstacleContact for each piece and body, kept between ticks, zero at the start. A needle
-// whose shape is given asks for obstacle_load. One that bends looks for faces (find_face) at its
-// shape, bends against all of them at once (rod.h), looks again, and keeps what it ends with.
+// Use: one ObstacleContact for each pair of piece and body, kept between ticks, zero at the start.
+// For a needle of given shape call obstacle_load. A needle that bends looks for faces (find_face)
+// at its shape, bends against all of them at once (rod.h), looks again, and keeps what it found.
 // Neighbouring pieces that share a node may both touch there: two springs side by side, which fade
-// in and out as the body passes the node. A piece that lies flat is held at its deepest point,
-// which may jump from one end to the other (the force does not): make the pieces as short as the
-// torque should be smooth. No memory smooths that jump, because a load that lags behind the tilt
-// feeds it. PHYSICS 13.
+// in and out as the body passes the node. A piece that lies flat is held at its deepest point. That
+// point may jump from one end to the other (the force does not): the shorter the pieces, the
+// smoother the torque. No memory smooths the jump, because a load that lags behind the tilt
+// increases it. PHYSICS 13.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,7 @@ struct Obstacle {
 };
 
 // kConfigValueOutOfRange: a number that is not finite, no vertex or more than kMaxHullVertices, a
-// rotation that is no rotation, a stiffness or force that is not positive, a negative friction.
+// quaternion that is no rotation, a stiffness or force that is not positive, a negative friction.
 Status obstacle_prepare(const ObstacleConfig& config, Obstacle& obstacle_out);
 
 // ---- where --------------------------------------------------------------------------------------
@@ -54,11 +54,11 @@ struct NeedlePiece {
 struct Gap {
   float separation_m;  // negative: depth along `normal`
   Vec3 normal;         // unit, out of the body
-  float place;         // of the contact on the piece's axis, 0 at a to 1 at b
+  float place;         // parameter of the contact on the piece's axis: 0 at a, 1 at b
 };
 
-// Exact as long as the piece's axis is outside the body; inside, a depth along which the piece can
-// leave, not always the smallest.
+// Exact as long as the piece's axis is outside the body. If it is inside: a depth along which the
+// piece can leave, which is not always the smallest.
 Gap obstacle_gap(const Obstacle& obstacle, const NeedlePiece& piece);
 
 // ---- what it does -------------------------------------------------------------------------------
@@ -66,36 +66,36 @@ Gap obstacle_gap(const Obstacle& obstacle, const NeedlePiece& piece);
 // What a contact remembers. All zero: no contact.
 struct ObstacleContact {
   Vec3 normal;     // zero: no contact
-  Vec3 bristle_m;  // elastic sideways give
+  Vec3 bristle_m;  // elastic sideways way
   Vec3d at_m;      // where its point of the needle was
-  float place;     // of that point on the piece
-  float limit_n;   // of friction
+  float place;     // parameter of that point on the piece
+  float limit_n;   // limit of friction
 };
 
 // What a piece may touch of a body: the plane through the body's nearest point.
 struct ObstacleFace {
   Vec3d normal;         // unit, out of the body
   Vec3d at_m;           // the needle's nearest point
-  float place;          // of it on the piece
+  float place;          // parameter of that point on the piece
   double depth_m;       // along the normal; negative: apart
   double depth_last_m;  // along the last normal, of the point that touched
-  Vec3d bristle_m;      // sideways give that this takes the last one to, were there no slip
-  bool goes_on;         // the contact of the last call, not a new one
+  Vec3d bristle_m;      // what the last bristle becomes by this sideways way, without slip
+  bool goes_on;         // continues the contact of the last call
 };
 
-// Finds a face that is nearer than `reach_m`. `last`: what the contact remembers; `now_m`: where
-// its point of the needle is now. `seen`: where the body was last seen, the zero vector if it was
-// not: the way out for a needle that is inside and has touched nothing.
+// Finds a face that is nearer than `reach_m`. `last`: what the contact remembers. `now_m`: where
+// its point of the needle is now. `seen`: the direction out of the body when it was last seen, else
+// zero: the way out for a needle that is inside and has touched nothing.
 bool find_face(const Obstacle& obstacle, const Segment& axis_m, double radius_m,
                const ObstacleContact& last, Vec3d now_m, Vec3d seen, double reach_m,
                ObstacleFace& out);
 
-// What slip, turning and release take, in J, from a contact that ends `moved_m` from where the face
-// was found: there it holds `bristle_m`.
+// Energy in J that slip, turning and release take from a contact. The contact ends `moved_m` from
+// where the face was found, with the bristle `bristle_m`.
 double face_loss(const Obstacle& obstacle, const ObstacleFace& face, const ObstacleContact& last,
                  Vec3d moved_m, Vec3d bristle_m);
 
-// How stiff a contact is: along its normal by the law, across it where it does not slip.
+// Stiffness of a contact: along its normal by the law, across it where it does not slip.
 Mat3 obstacle_stiffness(const Obstacle& obstacle, Vec3 normal, double depth_m, bool slips);
 
 // A load on the needle: f(x) = force_n - stiffness * (x - at_m) for the needle's point that is now
@@ -104,7 +104,7 @@ struct ObstacleLoad {
   Vec3 force_n;
   Vec3 at_m;
   Mat3 stiffness_n_per_m;
-  float place;    // of at_m on the piece
+  float place;    // parameter of at_m on the piece
   float depth_m;  // 0: no contact
   Vec3 normal;
   float elastic_j;     // stored in the contact

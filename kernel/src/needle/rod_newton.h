@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Newton step of the chain of rods (rod.h says what it solves and why so): frames carried along
-// the chain, loads gathered at the joints, the sweep that eliminates them and the one that hands
-// out the turns. What rod.cpp makes of it: an equilibrium, or one among faces.
+// The Newton step of the chain of rods (rod.h says what it solves, and why in this way): frames
+// carried along the chain, loads gathered at the joints, the sweep that eliminates joints and the
+// one that assigns turns. rod.cpp makes it an equilibrium, or one among faces.
 //
 // Promises, units and frame as in rod.h.
 #pragma once
@@ -10,16 +10,16 @@
 
 namespace stylet::rod {
 
-// A joint folded back further than this (163 degrees) gets no stiffer.
+// A joint folded further than this (163 degrees) gets no stiffer.
 constexpr double kLeastOpening = 0.02;
 constexpr double kMaxTurnRad = 0.5;
-// Pivots below this share of the joint's stiffness are lifted, by this slope: a small positive
-// pivot stays soft enough to buckle, and none becomes so small that the next ones explode.
+// Pivots below this part of the joint's stiffness are lifted, with this slope: a small positive
+// pivot stays soft enough to buckle, and none becomes so small that the next pivots blow up.
 struct PivotLift {
   double least, slope;
 };
 constexpr PivotLift kFirmLift = {0.01, 100};
-// Where the energy says how far to go: a soft way of the needle stays soft.
+// For steps whose length the energy decides: a soft direction of the needle stays soft.
 constexpr PivotLift kSoftLift = {1e-6, 2};
 constexpr double kLeastCompressionShare = 1.0 / 1024;
 
@@ -62,9 +62,9 @@ inline Vec3d rest_direction(const RodModel::Rest& rest, const Frame& before) {
   return rest.x * before.x + rest.y * before.y + rest.along * before.along;
 }
 
-// The frame of a rod that points along `along` and would at rest point along `rest`: the smallest
+// The frame of a rod that points along `along` and at rest would point along `rest`: the smallest
 // turn from before to rest, then the smallest from rest to along. half_out is the frame half way
-// along the second one; half_out.x and .y are the axes about which the joint bends.
+// through the second turn; half_out.x and .y are the axes about which the joint bends.
 inline Frame carried(const RodModel::Rest& kink, const Frame& before, Vec3d rest, Vec3d along,
                      Frame& half_out) {
   const Vec3d x = before.x - kink.turn * (before.along + rest);
@@ -82,8 +82,8 @@ inline Frame carried(const RodModel::Rest& kink, const Frame& before, Vec3d rest
 
 void place_rods(const RodModel& model, const Frame& handle, RodScratch& scratch, RodResult& result);
 
-// What a violent hand has left ahead of the tip is held at its own place, as needle_point says:
-// with less of a lever the hand took 0.6 uJ a tick out of a needle that was bent by it.
+// A load that a violent hand has left ahead of the tip keeps its own place, as needle_point does:
+// with a shorter lever the hand took 0.6 uJ a tick out of a needle that the load bent.
 inline OnRod on_rod(const RodModel& model, double arc_m) {
   const double last = static_cast<double>(model.rods - 1);
   const auto rod = static_cast<std::uint32_t>(max_of(0, min_of(arc_m / model.rod_m, last)));
@@ -91,7 +91,7 @@ inline OnRod on_rod(const RodModel& model, double arc_m) {
   return {rod, max_of(0, min_of(rest_m, static_cast<double>(model.rods) * model.rod_m))};
 }
 
-// A quadratic function of a place on a rod: force there and stiffness.
+// Adds a quadratic function of a place on a rod: force there and stiffness.
 inline void add_to_lump(RodScratch::Lump& lump, double from_start_m, const Sym3d& k,
                         Vec3d at_origin_n) {
   lump.start = lump.start + k;
@@ -101,8 +101,8 @@ inline void add_to_lump(RodScratch::Lump& lump, double from_start_m, const Sym3d
   lump.along_nm = lump.along_nm + from_start_m * at_origin_n;
 }
 
-// A place on a rod is linear in the rod's start and direction, so the loads of a rod add up to one
-// quadratic function, whatever their number.
+// A place on a rod is linear in the rod's start and direction. So the loads of a rod add up to one
+// quadratic function, however many they are.
 void lump_loads(const RodModel& model, const RodLoads& loads, RodScratch& scratch);
 
 // Springs that hold the nodes where they are.
@@ -111,21 +111,21 @@ void add_hold(const RodModel& model, double hold_n_per_m, const RodResult& resul
 
 void read_loads(const RodModel& model, const RodScratch& scratch, RodResult& result);
 
-// Tip to handle. Returns the least pivot over EI / l.
+// From tip to handle. Returns the least pivot over EI / l.
 double sweep_back(const RodModel& model, double compression_share, PivotLift lift,
                   const RodResult& result, RodScratch& scratch);
 
-// Handle to tip: the change of each direction. Returns the largest, a joint's kink counting double.
+// Handle to tip: the change of each direction. Returns the largest; a joint's kink counts double.
 double sweep_forth(const RodModel& model, const RodResult& result, RodScratch& scratch);
 
-// From the shape of the tick's start.
+// Newton steps from the shape at the tick's start.
 void newton_steps(const RodModel& model, const Frame& handle, RodShape& shape, RodScratch& scratch,
                   RodResult& result);
 
-// Nodes and state from the directions.
+// Sets nodes and state from the directions.
 void keep_shape(const RodModel& model, const Frame& handle, RodShape& shape, RodResult& result);
 
-// The shape as the handle carries it.
+// Starts from the shape as the handle carries it.
 void start_rods(const RodModel& model, const Frame& handle, const RodShape& shape,
                 RodScratch& scratch);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The needle of one tick as a line of straight rods: where it is and which way it points.
+// The needle of one tick as a line of straight rods: where it is and in which direction it points.
 //
 // A rigid needle is one rod from the handle; an elastic one is the chain of rod.h. Nodes run from
 // the handle to the tip; arc lengths count from the tip, as constraint particles do.
@@ -21,25 +21,25 @@ struct Needle {
   const Vec3* node;  // rods + 1 places, handle first
   std::uint32_t rods;
   float rod_m;
-  float off_m;  // of a tip in contact from the tissue it holds, before that gives way in this tick
+  float off_m;  // from a tip in contact to the tissue it holds, before that yields in this tick
 };
 
 struct NeedlePoint {
   Vec3 place_m, direction;
 };
 
-// Of unit length; straight down for one without a length.
+// Of unit length; straight down for a vector without length.
 Vec3 unit_vector(Vec3 v);
 
-// Beyond the ends: straight on.
+// Beyond the ends the needle is straight.
 NeedlePoint needle_point(const Needle& needle, float arc_from_tip_m);
-// Its place alone.
+// Only its place.
 Vec3 needle_place(const Needle& needle, float arc_from_tip_m);
 
 // Where a bevelled tip cuts after `advance_m` more: the path bends towards `side` by `bevel_per_m`,
-// and the direction of the cut falls in with the needle's own over kBevelAlignM. In stiff tissue
-// the needle follows its cut and the path is the arc of the bevel; in soft tissue the shaft lags
-// behind and the arc is wider.
+// and over kBevelAlignM the direction of the cut approaches the needle's. In stiff tissue the
+// needle follows its cut and the path is the arc of the bevel; in soft tissue the shaft lags behind
+// and the arc is wider.
 Vec3 turn_cut(Vec3 cut, const Needle& needle, float bevel_per_m, float advance_m);
 
 }  // namespace stylet

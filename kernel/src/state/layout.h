@@ -43,7 +43,7 @@ struct Counts {
   std::uint64_t filter_floats;
 };
 
-// Slots that the lattice sweep matches at a time: few enough that they and their results stay in
+// Slots that the lattice sweep matches at a time: they and their results stay in the nearest
 // cache. (With 128 the step takes 0.7 % more instructions, with 160 up to 2 % more time.)
 constexpr std::uint32_t kChunk = 144;
 static_assert(kChunk % kLanes == 0);
@@ -105,7 +105,7 @@ struct MaterialModel {
 struct Rules {
   bool one_support;  // one voxel holds a CP; else the eight around it, and those of two layers
   bool
-      voxel_springs;  // a CP's spring is its voxel's; else what the needle lacks behind the lattice
+      voxel_springs;  // a CP's spring is its voxel's; else what the lattice leaves to it
   bool relaxes;       // a CP's force relaxes, and its spring has a compliance along the needle
   bool contact_law;   // contact follows the law of cone and film; else a CP's spring
   bool unit_punctures;    // a surface breaks once a needle unit is inside; else at its force
