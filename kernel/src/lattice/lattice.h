@@ -6,8 +6,8 @@
 // the force of a cluster on corner i at rest offset q_i is
 //     k [ chi (t - u_i) + H q_i ],   H = (1 - p)(R - I) - p I - (1 - chi) D,
 //     p = lambda / (2 G) (tr(R^T F) - 3),   F = I + D,
-// u the displacement, t its mean over the corners, D its gradient, R the best rotation. That is
-// corotated linear elasticity with the modulus of the material, for every voxel size.
+// with u the displacement, t its mean over the corners, D its gradient, R the best rotation. This
+// is corotated linear elasticity with the modulus of the material, for every voxel size.
 // Damping: clusters are evaluated at e = u + tau v (Kelvin-Voigt, objective); what constraint
 // particles change in their voxels is evaluated at u, undamped.
 // Step: v += dt f / M, u += dt v, symplectic. M has a lower bound so that any material is stable; v
@@ -31,7 +31,7 @@ LatticeStep lattice_step_for_this_processor();
 // memory and stores their results.
 struct Matches {
   // Sums over a voxel's constraint particles: weight; then, weighted, places from the mean of the
-  // the corners, rest offsets, products of place and offset, squares of the offset.
+  // corners, rest offsets, products of place and offset, squares of the offset.
   enum Sum : std::uint32_t {
     kWeight,
     kPlace,

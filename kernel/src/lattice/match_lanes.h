@@ -65,7 +65,7 @@ void sum_members(std::uint32_t lanes, const MatchMembers& members, Matches& matc
 }
 
 // Matrices whose rotations are the matches, scaled to be near the identity at rest. They must be
-// scale them: rot(A Aqq^-1) is not the minimiser when constraint particles make Aqq
+// scaled by a number only: rot(A Aqq^-1) is not the minimiser when constraint particles make Aqq
 // anisotropic.
 void join_members(std::uint32_t lanes, float edge_m, const MatchGroup& group, Matches& matches) {
   for (std::uint32_t i = 0; i < lanes; i += kWide) {

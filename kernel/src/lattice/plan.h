@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lattice as the sweep walks it, worked out once: where voxels and nodes lie, and which slots
-// forces to which particles, so that the sweep walks flat lists.
+// The lattice as the sweep walks it, computed once: where voxels and nodes lie, and which slots
+// send forces to which particles. The sweep then walks flat lists.
 //
 // A window is a group of lanes: neighbouring nodes of one line (y) of a voxel plane. It collects
 // forces from the voxel rows on both sides, y - 1 and y, whose ends may differ: a bit for each lane
-// lane says which of them has a voxel there. Of either it reaches one stretch (runs.h), so it may
-// be cut short.
+// says which of the rows has a voxel there. A window reaches one stretch (runs.h) of either row, so
+// it may be cut short.
 //
 // Promises: time and memory grow with the voxels, not with what they span (kMaxBytesPerVoxel); no
 // count wraps; no allocation. At creation only.

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rotation of a cluster: one step of a warm-started, always-safe eigenvector iteration.
 //
-// The best rotation of A (paper section IV, Mueller et al. 2005) is the eigenvector of Davenport's
+// The best rotation of A (paper section IV, Mueller et al. 2005) is the largest eigenvector of
 // Davenport's 4 x 4 matrix K(A). Seen from the last rotation R, with B = R^T A, K has the corner
-// the corner rho = tr B, the side a = axial vector of B and the block S = B + B^T - rho I. For a
-// shift lambda the correction quaternion is (det M, adj(M) a), M = lambda I - S. It is exact for
+// rho = tr B, the side a = axial vector of B and the block S = B + B^T - rho I. For a shift lambda
+// the correction quaternion is (det M, adj(M) a), M = lambda I - S. It is exact for
 // lambda = lambda_max; any lambda above it moves towards the answer, never away from it.
 //
-// The shift is the larger eigenvalue of [[rho, |a|], [|a|, mu]], mu an upper bound of the block's
-// largest eigenvalue (mean plus sqrt(2/3) of the deviator's norm). The shift is an upper bound of
-// lambda_max that is too large only by O(|a|^2), so the error shrinks with the third power.
+// The shift is the larger eigenvalue of [[rho, |a|], [|a|, mu]], with mu an upper bound of the
+// block's largest eigenvalue (mean plus sqrt(2/3) of the deviator's norm). The shift exceeds
+// lambda_max, but only by O(|a|^2), so the error shrinks with the third power.
 // Measured against double-precision SVD, stretches 0.2 to 2, start 0.1 rad away: one step 9e-5 rad
 // (median), two steps 1e-7 rad in float. The simpler bound sqrt(3) |A| leaves half of the error at
 // strong stretch; Newton without a bound locks 180 degrees wrong in violent motion.
 //
 // Promise: no branch, no iteration count; finite for finite A, also for collapsed and inverted
-// included. A is near the identity at rest, or near the lattice's 4 h times that: a constant that
-// that keeps M regular (`tiny`) has that scale. PHYSICS 2.2.
+// clusters. At rest A is near the identity, or near the lattice's 4 h times that: a constant
+// that keeps M regular (`tiny`) has the same scale. PHYSICS 2.2.
 #pragma once
 
 namespace stylet {

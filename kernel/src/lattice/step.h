@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Body of the lattice sweep, included once per instruction set by lattice_<isa>.cpp with
+// Body of the lattice sweep, included once per instruction set by step_<isa>.cpp with
 // STYLET_LATTICE_STEP naming the function. See lattice.h for physics and promises.
 //
-// Per voxel plane: 1 sums and differences of the eight corners, row by row; 2 rotation of each
+// For each voxel plane: 1 sums and differences of the eight corners, row by row. 2 rotation of each
 // cluster and what a row sends to its nodes, over all slots in full lanes, as soon as some dozens
-// are summed; 3 each window of nodes collects what the voxel rows at its sides send
-// (lattice/plan.h), as soon as both are matched; then the particles of the plane's low side have
+// are summed. 3 each window of nodes collects what the voxel rows at its sides send
+// (lattice/plan.h), as soon as both are matched. Then the particles of the plane's low side have
 // all their forces and move (with true mass: get their momentum, and lattice/filter_passes.h moves
 // them). Some rows of clusters and two planes of forces stay in cache; nothing else is stored. (A
-// whole plane of clusters was: it leaves the nearest cache, 8 % more time.)
+// stored plane of clusters left the nearest cache: 8 % more time.)
 //
-// Voxels that hold constraint particles are matched before the sweep, all together: plane by plane
-// each few of them cost the time of a full group of lanes, at 5000 voxels 7 % of the step.
+// Voxels that hold constraint particles are matched before the sweep, all together. Plane by plane,
+// the few in each plane took the time of a full group of lanes: at 5000 voxels 7 % of the step.
 
 #include <algorithm>
 
@@ -25,10 +25,10 @@
 namespace stylet {
 namespace {
 
-// Stage 3 for windows up to `end`. Forces on the particles at the side the sweep comes from join
-// those from the clusters there; on the others they are set. Windows in order, so that the zeros
-// which their last lanes write beyond the end of a line are written over by the next line. `low`
-// and `high`: x, y, z, `axis` apart. The sums begin with slot `front`.
+// Stage 3 for windows up to `end`. On the side that the sweep comes from, forces are added to those
+// from the clusters there; on the other side they are set. Windows must run in order: their last
+// lanes write zeros beyond the end of a line, and the next line overwrites them. `low` and `high`:
+// x, y, z, `axis` apart. The sums begin with slot `front`.
 template <bool kUp>
 const Window* spread_windows(Sums sums, std::int32_t front, const Window* w, const Window* end,
                              float* low, float* high, std::ptrdiff_t axis) {
@@ -46,8 +46,8 @@ const Window* spread_windows(Sums sums, std::int32_t front, const Window* w, con
         const Wide on_low = zero_unless(before, load(a)) + zero_unless(behind, load(b));
         const Wide on_high =
             zero_unless(before, load(a + stride)) + zero_unless(behind, load(b + stride));
-        // What is set and not read is in a farther cache by now, and stores wait for it one by one:
-        // 5 % of the time of 20 000 voxels.
+        // These forces are set, not read: by now they are in a farther cache, and stores wait for
+        // it one by one: 5 % of the time of 20 000 voxels.
         if constexpr (kUp) {
           __builtin_prefetch(to_high + kAhead, 1);
           store(to_low, load(to_low) + on_low);
@@ -67,7 +67,7 @@ const Window* spread_windows(Sums sums, std::int32_t front, const Window* w, con
   return w;
 }
 
-// Moves what is sent by slots from `from` up to `end`, and their sums, to the front.
+// Moves the results and sums of slots from `from` up to `end` to the front.
 void keep_slots(Sums sums, std::uint32_t from, std::uint32_t end) {
   const std::ptrdiff_t stride = sums.stride;
   float* to = sums.at;
@@ -90,8 +90,8 @@ inline const Row* line_begin(const Row* first, const Row* row) {
   return row;
 }
 
-// All stages for a voxel plane. The last line of rows that is matched stays for the line of nodes
-// behind it, and rows begun with the chunk for the next.
+// All stages for a voxel plane. The last matched line of rows stays for the line of nodes behind
+// it; rows that the chunk has begun stay for the next chunk.
 template <bool kUp>
 void sweep_plane(const Model& model, State& state, Scratch& scratch, const Plane& plane, float* low,
                  float* high) {
@@ -106,8 +106,8 @@ void sweep_plane(const Model& model, State& state, Scratch& scratch, const Plane
   clear_first(sums);
   const Row* const first = model.row + plane.row_begin;
   const Row* const end = model.row + (&plane)[1].row_begin;
-  const Row* row = first;   // the first without sums
-  const Row* open = first;  // the first that is not matched to its end
+  const Row* row = first;   // the first row without sums
+  const Row* open = first;  // the first row that is not matched to its end
   const Window* const windows = kList == 0 ? model.window8 : model.window16;
   const Window* window = windows + plane.window_begin[kList];
   std::uint32_t front = 0;
@@ -139,19 +139,19 @@ inline Wide pushed(const float* force, Wide per_mass, Wide hold, const float* v,
   return keep * load(v) - per_mass * (hold * load(e) - load(force));
 }
 
-// Moves the particles of a plane. `force`: x, y, z, `particles_per_plane` apart; zero afterwards,
-// for the next plane that uses it.
+// Moves the particles of a plane. `force`: x, y, z, `particles_per_plane` apart. It is zero
+// afterwards, for the next plane that uses it.
 void move_particles(const Model& model, State& state, const Plane& plane, float* force,
                     Motion& motion_out) {
   const auto force_axis = static_cast<std::ptrdiff_t>(model.head->counts.particles_per_plane);
-  const std::ptrdiff_t axis = state.uy - state.ux;  // as from y to z, for u, v and e
+  const std::ptrdiff_t axis = state.uy - state.ux;  // the same from y to z, for u, v and e
   Motion motion = motion_out;
   float* u = state.ux + plane.particle_begin;
   float* v = state.vx + plane.particle_begin;
   float* e = state.ex + plane.particle_begin;
   const float* per_mass = model.step_per_mass + plane.particle_begin;
   const float* hold = model.hourglass_n_per_m + plane.particle_begin;
-  // The padding is not written: the slab below may read it meanwhile.
+  // The padding is not written: the slab below may be reading it.
   for_each_group(plane, [&](std::ptrdiff_t i) {
     for (std::ptrdiff_t c = 0; c < 3; ++c) {
       const std::ptrdiff_t at = i + c * axis, f = i + c * force_axis;
@@ -164,11 +164,11 @@ void move_particles(const Model& model, State& state, const Plane& plane, float*
   motion_out = motion;
 }
 
-// With true mass the particles get their momentum only, for the filter.
+// With true mass the particles only get their momentum here, for the filter.
 void push_particles(const Model& model, State& state, const Plane& plane, float* force,
                     const Motion& motion) {
   const auto force_axis = static_cast<std::ptrdiff_t>(model.head->counts.particles_per_plane);
-  const std::ptrdiff_t axis = state.wy - state.wx;  // as that of e
+  const std::ptrdiff_t axis = state.wy - state.wx;  // the same as for e
   float* w = state.wx + plane.particle_begin;
   const float* e = state.ex + plane.particle_begin;
   const float* per_mass = model.step_per_mass + plane.particle_begin;
@@ -184,7 +184,7 @@ void push_particles(const Model& model, State& state, const Plane& plane, float*
   });
 }
 
-// What all forces on the particles of a plane do to them.
+// Applies all forces on the particles of a plane.
 void finish_particles(const Model& model, State& state, Scratch& scratch, const Plane& plane,
                       float* force, Motion& motion) {
   add_changes(model, scratch, static_cast<std::uint32_t>(&plane - model.plane), force);
@@ -204,7 +204,7 @@ float largest_displacement(const Motion& motion) {
   return __builtin_bit_cast(float, largest);
 }
 
-// Forces on the particles of any plane, to zero.
+// Sets the forces on the particles of any plane to zero.
 void clear(const Model& model, float* force) {
   const auto axis = static_cast<std::ptrdiff_t>(model.head->counts.particles_per_plane);
   const float* const end = force + axis;
@@ -215,7 +215,7 @@ void clear(const Model& model, float* force) {
   }
 }
 
-// Adds forces on the particles of a plane to others, and sets them to zero.
+// Adds forces on the particles of a plane to others, and sets the added ones to zero.
 void take_forces(const Model& model, const Plane& plane, float* more, float* force) {
   const auto axis = static_cast<std::ptrdiff_t>(model.head->counts.particles_per_plane);
   const std::ptrdiff_t count = plane.particle_end - plane.particle_begin;
@@ -227,10 +227,10 @@ void take_forces(const Model& model, const Plane& plane, float* more, float* for
   }
 }
 
-// Asks early for lines that another thread's cache has and that are to be written: x, y and z of a
-// plane's particles, `axis` apart. Stores are done in order, so these would wait for one line after
-// the other (two threads at 20 000 voxels: 3 % of the step). What is only read is not asked for: at
-// the start of a step the other thread needs these lines, too, and no time was gained by it.
+// Fetches early the lines that another thread's cache has and this thread will write: x, y and z of
+// a plane's particles, `axis` apart. Stores are done in order, so they would wait for these lines
+// one after the other (two threads at 20 000 voxels: 3 % of the step). Lines that are only read are
+// not fetched: at a step's start the other thread needs them, too, and fetching gained no time.
 void fetch(const Plane& plane, const float* at, std::ptrdiff_t axis) {
   const std::ptrdiff_t count = plane.particle_end - plane.particle_begin;
   for (std::ptrdiff_t i = kLanes; i < count; i += kLanes) {
@@ -238,8 +238,8 @@ void fetch(const Plane& plane, const float* at, std::ptrdiff_t axis) {
   }
 }
 
-// Moves the particles between two parts that are swept apart, a plane after both have sent their
-// forces: by then the other thread's lines are here.
+// Moves the particles between two parts that are swept apart, once both have sent their forces and
+// gone on by a plane: by then the other thread's lines are here.
 void move_between(const Model& model, State& state, Scratch& scratch, Part& part, Motion& motion) {
   if (part.moved || part.apart == nullptr) return;
   if (part.apart->slab->begun.load(std::memory_order_acquire) == 0) return;
@@ -255,9 +255,9 @@ void move_between(const Model& model, State& state, Scratch& scratch, Part& part
   part.moved = true;
 }
 
-// Sweeps the first voxel plane of a part and as many of those that follow as it gets, and moves the
-// particles between them. Those at its ends stay, unless they are the lattice's or move_between's,
-// and the part has the forces on them.
+// Sweeps the first voxel plane of a part and as many of the following ones as it gets, and moves
+// the particles between them. Particles at the part's ends stay, unless they are the lattice's ends
+// or move_between's. The part keeps the forces on them.
 void sweep_planes(const Model& model, State& state, Scratch& scratch, Part& part, Motion& motion) {
   const Plane* const plane = model.plane;
   const std::uint32_t top = model.head->counts.planes;
@@ -296,7 +296,7 @@ Motion start_motion(const ModelHead& head) {
           kMaxEdgesPerSubstep * head.edge_m / head.substep_s};
 }
 
-// Groups of coupled voxels [begin, end) that have all their voxels in a slab.
+// Groups of coupled voxels [begin, end) whose voxels are all in one slab.
 struct Groups {
   std::uint32_t begin, end;
 };
@@ -307,7 +307,7 @@ Groups groups_within(const Scratch& scratch, const Slab& slab) {
   return {(first + kLanes - 1) / kLanes, last ? group_count(scratch) : end / kLanes};
 }
 
-// The other groups, which two slabs or more have voxels of.
+// The other groups, whose voxels are in two slabs or more.
 void match_between(const Model& model, State& state, Scratch& scratch, const Team& team) {
   std::uint32_t next = 0;
   for (std::uint32_t s = 0; s < team.slab_count; ++s) {
@@ -317,7 +317,7 @@ void match_between(const Model& model, State& state, Scratch& scratch, const Tea
   }
 }
 
-// In scratch of its own (lattice/team.h).
+// Uses the part's own scratch (lattice/team.h).
 void sweep_part(const Kernel& kernel, Part& part) {
   View view = view_of(kernel);
   view.scratch.sums = part.sums;
@@ -334,7 +334,7 @@ void sweep_part(const Kernel& kernel, Part& part) {
   part.largest_m = largest_displacement(motion);
 }
 
-// The particles of a slab: those at its low side, and the last one's also at its high side.
+// The particles of a slab: those at its low side; for the last slab also those at its high side.
 void filter_part(const Kernel& kernel, Part& part) {
   part.planes = 0;
   part.largest_m = 0;
@@ -355,7 +355,7 @@ void join(Motion& motion, const Part& part) {
 }
 
 // Joins a part, if it has any planes, to the one `below`, and moves the particles between them.
-// Returns what is below the next.
+// Returns the part that is below the next one.
 const Part* join_part(const Model& model, State& state, Scratch& scratch, const Part* below,
                       const Part& part, Motion& motion) {
   join(motion, part);

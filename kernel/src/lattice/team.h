@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tissue step shared by several threads: slabs of planes, handed out through atomics.
 //
-// There is a slab for each thread. Every two of them begin at the particles between them and are
-// swept apart, down and up, so these have all their forces early and move while the sweep goes on;
-// and a thread sees the same planes step after step, which its cache holds. (Swept towards each
-// other, slabs ended where they met, each time at another place: planes there changed caches, and a
-// thread waited while the other ended, and moved the particles between them. At 20 000 voxels that
+// There is one slab per thread. Two neighbouring slabs begin at the particles between them and are
+// swept apart, down and up. So these particles have all their forces early and move during the
+// sweep, and a thread sees the same planes in every step, which its cache holds. (Slabs swept
+// towards each other met at a different place each time: planes there changed caches, and one
+// thread waited for the other to end, then moved the particles between them. At 20 000 voxels that
 // was an eighth of the step of two threads.)
 //
-// Threads are not equally fast: another load on the same core, a late start. Who is done with its
-// slab helps with the others, plane by plane from their far ends, but for the last few.
+// Threads are not equally fast: another load on the same core, a late start. A thread that is done
+// with its slab helps with the others, plane by plane from their far ends, except for the last few.
 //
-// The caller of tick publishes a step and takes slabs like everyone else. A slab that no helper has
-// taken in time it sweeps itself, so a helper may be late or absent; it waits only for those that
-// have begun one. As forces on particles from below and above are summed apart anyway, the bits do
-// not depend on slabs.
+// The caller of tick publishes a step and takes slabs like every other thread. It also sweeps the
+// slabs that no helper has taken in time. So a helper may be late or absent: the caller waits only
+// for helpers that have begun one. Forces on particles from below and from above are summed
+// separately in any case, so the bits do not depend on slabs.
 //
 // Promises: no lock, no system call, no allocation; every loop but the wait is bounded by the
 // numbers of slabs and planes.
@@ -27,25 +27,25 @@
 namespace stylet {
 
 struct Slab {
-  // Of this step: how many planes after its first are taken, and more once all are; and that its
-  // coupled voxels are matched and its first plane is swept.
+  // `taken`: how many planes after its first are taken in this step, or more once all are. `begun`:
+  // its coupled voxels are matched and its first plane is swept.
   alignas(64) std::atomic<std::uint32_t> taken;
   std::atomic<std::uint32_t> begun;
   std::uint32_t begin, end;  // voxel planes
 };
 
-// A slab is swept in two parts: its own, and those planes that somebody helps with.
+// A slab is swept in two parts: its own, and the planes that another thread helps with.
 struct alignas(64) Part {
   Slab* slab;
-  std::uint32_t first;  // voxel plane it is swept from
+  std::uint32_t first;  // voxel plane where its sweep begins
   bool up, helping;
-  // Scratch of its own: as Scratch::sums and force, and for the forces on the particles where
+  // Its own scratch: as Scratch::sums and force, and for the forces on the particles where
   // it begins. Forces are zero between steps.
   float *sums, *force, *kept;
-  float* filter;      // as Scratch::filter, of a slab's own part
+  float* filter;      // as Scratch::filter, in a slab's own part
   const Part* apart;  // begins at the same particles, which this one moves; or null
-  // From the last sweep: its lowest voxel plane and how many, forces on the particles at both
-  // ends, whether it has asked for and moved those where it begins, largest displacement.
+  // From the last sweep: its lowest voxel plane and how many; the forces on the particles at both
+  // ends; whether it fetched and moved those where it begins; the largest displacement.
   std::uint32_t begin, planes;
   float *low, *high;
   bool fetched, moved;
@@ -60,7 +60,7 @@ struct Team {
   // Set before `work` is published.
   alignas(64) void (*sweep)(const Kernel&, Part&);
   std::uint32_t slab_count;
-  Part part[kMostParts];  // each slab's own, then each slab's other
+  Part part[kMostParts];  // first each slab's own part, then each slab's other part
   Slab slab[kMaxHelpers + 1];
 };
 
@@ -68,12 +68,12 @@ inline std::uint32_t parts_of(const Team& team) {
   return 2 * team.slab_count;
 }
 
-// Nobody helps with a slab's last planes: who sweeps it is done sooner than they are fetched from
-// its cache and joined. (With 1, two threads took 1 to 2 % more time at 20 000 voxels; 2 to 4 were
-// alike.)
+// Nobody helps with a slab's last planes: its thread sweeps them sooner than another could fetch
+// them from its cache and join them. (With 1, two threads took 1 to 2 % more time at 20 000 voxels;
+// 2 to 4 were alike.)
 constexpr std::uint32_t kLeftAlone = 3;
 
-// Another plane for a part, if it gets one.
+// Takes another plane for a part, if there is one.
 inline bool take_plane(const Part& part) {
   Slab& slab = *part.slab;
   const std::uint32_t planes = slab.end - slab.begin - 1;
@@ -84,12 +84,12 @@ inline bool take_plane(const Part& part) {
   return slab.taken.fetch_add(1, std::memory_order_relaxed) < planes;
 }
 
-// Null: nobody helps.
+// Null if nobody helps.
 inline Team* team_of(const Kernel& kernel) {
   return reinterpret_cast<Team*>(reinterpret_cast<const ModelHead*>(kernel.model)->team);
 }
 
-// All slabs swept, by whoever is there.
+// Sweeps all slabs, with every thread that is there.
 void sweep_together(const Kernel& kernel, void (*sweep)(const Kernel&, Part&));
 
 }  // namespace stylet

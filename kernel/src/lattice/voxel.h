@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One voxel of the deformed lattice: sums over its corners, its frame, and which voxels hold a
-// point.
+// One voxel of the deformed lattice: sums over its corners, its frame, and the search for voxels
+// that hold a point.
 //
 // Promises: a fixed number of operations; no allocation. Units SI, world frame. PHYSICS 2.1, 10.1.
 #pragma once
@@ -10,7 +10,7 @@
 
 namespace stylet {
 
-// Partly filled voxels count at least this much, else thin slivers have no stiffness of their own.
+// Partly filled voxels count at least this much, else thin slivers would have no stiffness.
 constexpr float kMinFill = 0.1F;
 constexpr std::uint32_t kNoRow = 0xFFFFFFFFU;
 constexpr std::uint32_t kNotMixed = 0xFFFFFFFFU;
@@ -23,8 +23,8 @@ struct Corners {
 Corners sum_corners(const Model& model, const State& state, std::uint32_t slot,
                     std::uint32_t row_index);
 
-// The row that holds a voxel, or kNoRow; y and z within the lattice. Of the rows of its place in
-// the table, the last that does not begin behind it.
+// The row that holds a voxel, or kNoRow; y and z must be within the lattice. It is the last row in
+// its place of the table that does not begin behind the voxel.
 inline std::uint32_t row_at(const Model& model, std::int32_t x, std::uint32_t y, std::uint32_t z) {
   const Counts& counts = model.head->counts;
   const auto order = [](std::int32_t of_x, std::uint32_t of_y, std::uint32_t of_z) {
@@ -54,9 +54,9 @@ inline Vec3 cell_of(const Model& model, std::uint32_t slot, const Row& row) {
 
 Vec3 rest_centre(const Model& model, std::uint32_t slot, const Row& row);
 
-// Best rotation of a matrix near `start`.
+// The best rotation of a matrix, searched near `start`.
 Quat rotation_of(const float a[9], Quat start);
-// Of a voxel's corners alone.
+// The same for a voxel's corners alone.
 Quat corner_rotation(const State& state, std::uint32_t slot, const Corners& corners);
 
 // Frame of a voxel from its corners alone: x = rotation * rest offset + centre.
@@ -68,9 +68,9 @@ struct VoxelFrame {
 VoxelFrame voxel_frame(const Model& model, const State& state, std::uint32_t slot,
                        std::uint32_t row);
 
-// Weights of the voxels around a rest point, times fill; none outside the tissue. Tent weights
-// change smoothly along a way; even ones are the same for all places between the same centres;
-// stiff ones are tent weights times the root of fill and stiffness (coupling/support.cpp says why).
+// Weights of the voxels around a rest point, times fill; no voxels outside the tissue. Tent weights
+// change smoothly along a way. Even ones are the same for all places between the same centres.
+// Stiff ones are tent weights times the root of fill and stiffness (coupling/support.cpp says why).
 enum class Weighting { kTent, kEven, kStiff };
 std::uint32_t find_supports(const Model& model, Vec3 rest_m,
                             Support supports_out[kSupportsPerParticle],
@@ -80,7 +80,7 @@ std::uint32_t find_supports(const Model& model, Vec3 rest_m,
 bool present_place(const Model& model, const State& state, Vec3 rest_m, Vec3& place_out_m);
 bool inside_lattice(const Model& model, Vec3 rest_m);
 
-// What a rest point lies in, finer than voxels (OrganMixed); kNoTissue where there is none.
+// What a rest point lies in, finer than voxels (OrganMixed); kNoTissue if in no tissue.
 std::uint32_t material_at(const Model& model, Vec3 rest_m);
 
 }  // namespace stylet

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stages 1 and 2 of the sweep (step.h): the sums over a voxel's corners, its rotation, and what it
-// sends to its nodes, over slots in full lanes. Included once per instruction set by step.h.
+// sends to its nodes, over slots in full lanes. step.h includes it once per instruction set.
 #pragma once
 
 #include "base/lanes.h"
@@ -10,10 +10,10 @@
 namespace stylet {
 namespace {
 
-// As kQuantum, of rotations.
+// Like kQuantum, for rotations.
 constexpr float kQuantumTurn = 1.953125e-3F;  // 2^-9: quaternion parts to 2e-10
 
-// Twelve arrays over some slots of a plane, `stride` apart: for each component of the displacement
+// Twelve arrays over some slots of a plane, `stride` apart. For each component of the displacement:
 // its sum over the corners, then its gradient along x, y, z. After stage 2: what is sent
 // (send_slots).
 struct Sums {
@@ -28,7 +28,7 @@ Sums sums_of(const Model& model, Scratch& scratch) {
   return {scratch.sums, static_cast<std::ptrdiff_t>(model.head->counts.slots_at_once)};
 }
 
-// Where nodes are. Read once a plane: behind every store of a float it would be read again.
+// Where nodes are. Copied once per plane: after a store of a float it would be read again.
 struct Places {
   const float* ex;
   std::ptrdiff_t next_axis;  // from ex to ey, and from there to ez
@@ -48,8 +48,8 @@ inline void sum_corners(const float* const n[4], std::ptrdiff_t offset, float* t
   store(to + 3 * stride, high - low);
 }
 
-// Stage 1 for rows up to the first that begins at slot `until` of the plane or later; returns that.
-// What the last lanes write beyond a row's end is written again by the next row.
+// Stage 1 for rows up to the first that begins at slot `until` of the plane or later; returns that
+// row. What the last lanes write beyond a row's end, the next row overwrites.
 STYLET_KEEP_APART const Row* sum_rows(Places places, Sums sums, const Row* row, const Row* end,
                                       std::uint32_t plane_slot, std::uint32_t until) {
   const float* const e = places.ex;
@@ -66,19 +66,19 @@ STYLET_KEEP_APART const Row* sum_rows(Places places, Sums sums, const Row* row, 
   return row;
 }
 
-// The first slot, before all rows, passes through stage 2 as well: gives it numbers.
+// The first slot, before all rows, passes through stage 2 as well: this sets its numbers.
 void clear_first(const Sums& sums) {
   for (std::ptrdiff_t k = 0; k < 12; ++k) sums.at[k * sums.stride] = 0;
 }
 
-// Stage 2 is five loops, for as many lanes at a time as stay in the nearest cache. As one loop it
-// takes fewer instructions, but the whole step a quarter more time: a group of lanes is a chain of
-// three roots and a division, so long that the processor sees little of the next group beside it,
-// and waits. Each of the first four therefore has one of them: all the rest of a loop is time in
-// which the slow unit that makes them is done with the group before.
+// Stage 2 is five loops, over as many lanes at a time as stay in the nearest cache. One loop would
+// take fewer instructions, but a quarter more time for the whole step: a group of lanes is a chain
+// of three roots and a division, so long that the processor sees little of the next group during it
+// and waits. So each of the first four loops has one root or division: during the rest of the loop
+// the slow unit that computes it finishes the group before.
 
-// What passes from loop to loop, in whole registers: where it lay across lines of the cache the
-// step took 4 % more time. Later numbers take the place of those that are done with: 1 % less.
+// What passes from loop to loop, in whole registers: where it lay across lines of the cache, the
+// step took 4 % more time. Later numbers overwrite those no longer needed: 1 % less time.
 struct alignas(64) Seen {
   float ax[kChunk], ay[kChunk], az[kChunk];  // K's side, then the quaternion's x, y, z
   float sx[kChunk], sy[kChunk], sz[kChunk], sxy[kChunk], sxz[kChunk], syz[kChunk];  // its block
@@ -86,7 +86,7 @@ struct alignas(64) Seen {
   float corner[kChunk];  // K's corner, then the quaternion's length
 };
 
-// What stage 2 reads and writes, from some slot of a plane on.
+// What stage 2 reads and writes, from a given slot of a plane on.
 struct Slots {
   Sums sums;
   const float *stiffness, *volume;
@@ -177,8 +177,8 @@ struct Carry {
   Wide last[3][3];
 };
 
-// One component: what a row sends to its four nodes at the low side of each slot. `hx`, `hy`, `hz`:
-// s times the column of H, but for what the gradient adds.
+// One component: what a row sends to its four nodes at the low side of each slot. `hx`, `hy`,
+// `hz`: s times the column of H, without the gradient's part.
 inline void send_component(float* at, std::ptrdiff_t stride, Wide weight, Wide sb, Wide hx, Wide hy,
                            Wide hz, Wide (&last)[3]) {
   const Wide x = hx - sb * load(at + stride);
@@ -197,13 +197,13 @@ inline void send_component(float* at, std::ptrdiff_t stride, Wide weight, Wide s
   store(at + 3 * stride, along - across);
 }
 
-// In place: sum and gradient of the displacement -> what is sent to the nodes between a row's
+// In place: sum and gradient of the displacement become what is sent to the nodes between a row's
 // slots. The corner at (+-1, +-1, +-1) gets T +- X +- Y +- Z, with T = k chi t and X, Y, Z the
-// columns of k (h / 2) H; stored is the sum for the two voxels of the row that share a node: at the
-// row's high side along y, of the particle planes below and above, then at its low side.
+// columns of k (h / 2) H. Stored is the sum for the two voxels of the row that share a node: first
+// at the row's high side along y, for the particle planes below and above, then at its low side.
 STYLET_KEEP_APART void send_slots(std::uint32_t lanes, const Slots& slots, float chi,
                                   float half_edge, float scale, Carry& carry_io) {
-  // Copied: behind every store of a float they would be read again.
+  // Copied: after every store of a float they would be read again.
   const Slots own = slots;
   Carry carry = carry_io;
   const std::ptrdiff_t stride = own.sums.stride;
@@ -211,7 +211,7 @@ STYLET_KEEP_APART void send_slots(std::uint32_t lanes, const Slots& slots, float
   for (std::uint32_t i = 0; i < lanes; i += kWide, at0 += kWide) {
     float* const at1 = at0 + 4 * stride;
     float* const at2 = at0 + 8 * stride;
-    // R - I, so that small rotations keep their digits; the diagonal with the other sign.
+    // R - I, so that small rotations keep their digits; the diagonal has the opposite sign.
     const Wide w = load(own.qw + i), x = load(own.qx + i), y = load(own.qy + i);
     const Wide z = load(own.qz + i);
     const Wide x2 = x + x, y2 = y + y, z2 = z + z;
