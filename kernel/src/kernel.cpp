@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Life of a kernel: sizes, creation (everything derived from organ and config), reset, comparison.
+// Life of a kernel: sizes, creation (derives everything from organ and config), reset, comparison.
 // What happens in a tick is in tick.cpp.
 
 #include "stylet/kernel.h"
@@ -50,8 +50,8 @@ bool config_good(const Config& c) {
          std::all_of(c.needle, c.needle + c.needle_count, needle_good);
 }
 
-// What does not matter is the same in all: a float's zeros (a word that is a sign alone can be no
-// count, they are all smaller).
+// Values that do not matter are made the same: here the sign of zero in floats. (A count cannot be
+// a word that is only a sign bit: all counts are smaller.)
 template <typename Words>
 void drop_signs_of_zero(Words& words) {
   static_assert(sizeof(Words) % sizeof(std::uint32_t) == 0);
@@ -75,7 +75,7 @@ ObstacleConfig canonical(ObstacleConfig config) {
   return config;
 }
 
-// Shear modulus of a material by its modulus in tension and lambda (Lame's first): the root of
+// Shear modulus of a material from its modulus in tension and lambda (Lame's first): the root of
 // 2 G^2 + (3 lambda - E) G - E lambda = 0, written so that no digits cancel.
 float shear_modulus_pa(float youngs_modulus_pa, float lambda_pa) {
   const float apart = youngs_modulus_pa - 3 * lambda_pa;
@@ -84,8 +84,8 @@ float shear_modulus_pa(float youngs_modulus_pa, float lambda_pa) {
   return apart < 0 ? 2 * product / (root - apart) : (apart + root) / 4;
 }
 
-// What the sweep needs of a material: in paper mode every voxel has the stiffness that the averaged
-// goals with factor alpha have at this step, and no volume term (physics: Mueller et al. 2005).
+// What the sweep needs to know of a material. In paper mode every voxel has the stiffness that the
+// averaged goals with factor alpha have at this step, and no volume term (Mueller et al. 2005).
 MaterialModel material_model(const Material& m, const Config& config, float edge_m,
                              float substep_s) {
   MaterialModel out = {};
@@ -97,10 +97,10 @@ MaterialModel material_model(const Material& m, const Config& config, float edge
     const float plane_pa = m.youngs_modulus_pa / (1 - m.poisson_ratio * m.poisson_ratio);
     out.film = film_at(plane_pa, m.membrane_n_per_m, m.puncture_force_n);
   }
-  // A thin skin is spread over its voxels: in tension it is as stiff whatever the voxel. It is free
-  // to get thinner: it adds to the voxel's modulus in tension, not to lambda. (Were it as
-  // incompressible as the tissue, its waves of pressure, which no hand feels, would be the fastest
-  // there are: of a liver's capsule five times as fast, squared.)
+  // A thin skin is spread over its voxels: its stiffness in tension does not depend on the voxel.
+  // It can become thinner: it adds to the voxel's modulus in tension, not to lambda. (If it were as
+  // incompressible as the tissue, its pressure waves, which no hand feels, would be the fastest of
+  // all: for a liver's capsule five times as fast, squared.)
   const float lambda_pa = 2 * (m.youngs_modulus_pa / per_shear) * m.poisson_ratio /
                           (1 - 2 * m.poisson_ratio);
   out.lattice_shear_pa =
@@ -160,7 +160,7 @@ void fill_head(const Organ& organ, const Config& config, const Counts& counts, M
   }
 }
 
-// Particle at a node that exists: that of any voxel row at its side.
+// Particle at an existing node: found through any voxel row beside it.
 std::uint32_t particle_at(const Model& model, std::uint32_t x, std::uint32_t y,
                           std::uint32_t z) {
   const ModelHead& head = *model.head;
@@ -195,7 +195,7 @@ void fill_sheets(const Organ& organ, Model& model, const Counts& counts) {
   }
 }
 
-// Tied nodes are one particle: each gets the sum of what they have.
+// Tied nodes are one particle: each gets the sum of their values.
 void sum_tied(Model& model, const Counts& counts, float* of_node) {
   for (std::uint32_t i = 0; i < counts.ties; ++i) {
     of_node[model.tie[i].representative] += of_node[model.tie[i].node];
@@ -205,7 +205,7 @@ void sum_tied(Model& model, const Counts& counts, float* of_node) {
   }
 }
 
-// Stiffness of the slots; sums of mass and stiffness of the particles.
+// Stiffness of the slots; mass and stiffness of the particles, as sums.
 void fill_voxels(const Organ& organ, Model& model, const Counts& counts) {
   const ModelHead& head = *model.head;
   const float corner_m3 = head.edge_m * head.edge_m * head.edge_m / 8;
@@ -245,7 +245,7 @@ void fill_voxels(const Organ& organ, Model& model, const Counts& counts) {
   for (float* of_particles : sums) sum_tied(model, counts, of_particles);
 }
 
-// Where two tissues meet.
+// Voxels in which two tissues meet.
 void fill_mixed(const Organ& organ, Model& model) {
   if (!model.head->rules.planes_in_voxels) return;
   for (std::uint32_t i = 0; i < organ.mixed.size(); ++i) {
@@ -253,8 +253,8 @@ void fill_mixed(const Organ& organ, Model& model) {
   }
 }
 
-// The passes of the filter; step_per_mass has the bounds on stiffness (filter.h), all that
-// constraint particles may add included.
+// The passes of the filter. On entry step_per_mass has the bounds on stiffness (filter.h), with all
+// that constraint particles may add.
 void fill_filter(Model& model, const Counts& counts, float limit) {
   ModelHead& head = *model.head;
   const float most = most_filtered_per_s2(limit);
@@ -265,14 +265,14 @@ void fill_filter(Model& model, const Counts& counts, float limit) {
   }
   head.filter = choose_filter(limit, fastest);
   for (std::uint32_t i = 0; i < counts.slots; ++i) {
-    // Of a mean of eight.
+    // Per corner: the mean is over eight.
     model.slot_bound[i] = 0.125F * (model.slot_k[i] * (1 + 3 * model.slot_volume[i]));
   }
 }
 
-// The mass of the step: real mass, or what keeps the explicit step stable, whichever is more; on
-// entry step_per_mass has the bounds on the tissue's stiffness. Attached particles get none of the
-// motion.
+// The mass of the step: real mass, or what keeps the explicit step stable, whichever is more. On
+// entry step_per_mass has the bounds on the tissue's stiffness. Attached particles do not
+// move.
 void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
   ModelHead& head = *model.head;
   const float dt = head.substep_s;
@@ -281,7 +281,7 @@ void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
     model.bound[i] = model.step_per_mass[i];
   }
   for (std::uint32_t i = 0; i < counts.particles; ++i) {
-    // Constraint particles.
+    // For constraint particles.
     model.step_per_mass[i] += model.hourglass_n_per_m[i] / head.hourglass_weight;
   }
   const bool filtered = counts.filtered_particles != 0;
@@ -293,7 +293,7 @@ void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
     const float kg = max_of(real_kg, least_kg);
     model.step_per_mass[i] = kg > 0 ? dt / kg : 0;
   }
-  // For the report; sums of floats would be off by a part in a hundred in a large organ.
+  // For the report; sums in float would be off by a part in a hundred in a large organ.
   double real_sum_kg[kMaxMaterials] = {}, stepped_sum_kg[kMaxMaterials] = {};
   for (std::uint32_t voxel = 0; voxel < counts.voxels; ++voxel) {
     const Row& row = model.row[model.voxel_row[voxel]];
@@ -321,7 +321,7 @@ void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
       model.step_per_mass[row.node[corner >> 1U] + slot - row.slot + (corner & 1U)] = 0;
     }
   }
-  for (std::uint32_t i = 0; i < counts.ties; ++i) {  // what holds one node holds the particle
+  for (std::uint32_t i = 0; i < counts.ties; ++i) {  // if one node is attached, the particle is
     const TiedNode& tie = model.tie[i];
     if (!(model.step_per_mass[tie.node] > 0)) model.step_per_mass[tie.representative] = 0;
   }
@@ -355,7 +355,7 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
     return Status::kMemoryNotAligned;
   }
   Counts counts;
-  (void)count_lattice(organ, config, counts);  // as sizes did
+  (void)count_lattice(organ, config, counts);  // succeeds, as it did in sizes
   std::memset(memory.model.data(), 0, need.model_bytes);
   Model model = model_of(memory.model.data(), counts);
   fill_head(organ, config, counts, *model.head);
@@ -367,7 +367,7 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   kernel_out = {memory.model.data(), memory.state.data(), memory.scratch.data(), need,
                 lattice_step_for_this_processor()};
   View view = view_of(kernel_out);
-  // Read before it is first written, and not believed (match.cpp); memory checkers would not know.
+  // Read before its first write, but not trusted (match.cpp); memory checkers cannot know that.
   for (std::uint32_t i = 0; i < counts.slots; ++i) view.scratch.slot_mark[i] = 0;
   for (std::uint32_t i = 0; i < counts.needles; ++i) {
     make_needle(config.needle[i], view.model.rod[i]);

@@ -140,7 +140,7 @@ double voxel_energy(const Model& model, const State& state, std::uint32_t row_in
   const ModelHead& head = *model.head;
   const double h = static_cast<double>(head.edge_m);
   const double k = static_cast<double>(model.slot_k[slot]);
-  // Of where the corners are now: the state's rotation is a substep old.
+  // For the present corners: the state's rotation is a substep old.
   const Mat3 r =
       rotation_matrix(corner_rotation(state, slot, sum_corners(model, state, slot, row_index)));
   const std::uint32_t along = slot - row.slot;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The C API: same bytes, other names. Every struct is checked to be the C++ one, byte for byte.
+// The C API: same bytes, other names. Every struct is checked to equal the C++ one, byte for byte.
 
 #include "stylet/stylet_c.h"
 
@@ -71,7 +71,7 @@ void stylet_default_config(stylet_config* config_out) {
 std::uint16_t stylet_organ_open(const void* bytes, std::size_t count, stylet_organ* organ_out) {
   Organ organ;
   const Status status = organ_open({static_cast<const std::byte*>(bytes), count}, organ);
-  // In the caller's storage, as with the kernel below: nothing is allocated.
+  // In the caller's storage, like the kernel below: nothing is allocated.
   if (status == Status::kOk) new (organ_out) Organ(organ);
   return number(status);
 }

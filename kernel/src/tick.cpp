@@ -20,7 +20,7 @@
 //     13 force     on the hand, by cause                                     V
 //
 // Phases: free -> contact (3) -> inserted (5) <-> retracting (6) -> free (8). A needle that finds
-// its old hole goes from contact into it (5), or from free where tissue has come over it (3).
+// its old hole enters it from contact (5), or from free if tissue has come over the needle (3).
 //
 // Promises: bounded by limits.h, no allocation, fixed order. Units SI, frame of the attachments.
 
@@ -45,7 +45,7 @@
 namespace stylet {
 namespace {
 
-// A needle of a tick, at its pose.
+// A needle in a tick, at its pose.
 struct Moved {
   Pose before;
   bool known_before;
@@ -55,15 +55,15 @@ struct Moved {
 
 // ---- step 3: contact
 
-// A tip that has just left its track lies in the mouth of the hole: it must come clear of the
-// surface, or lie deeper than the mouth, before it can touch it again. What a tip that is swept
-// aside comes forward is counted along the mean of its directions before and after the `turn`:
-// along the last one it would press without anybody pushing. False: it is not known whether it
+// A tip that has just left its track lies in the mouth of the hole: it must be clear of the
+// surface, or deeper than the mouth, before it can touch it again. For a tip that is swept aside,
+// its way forward is measured along the mean of its directions before and after the `turn`: along
+// the last direction it would press without anybody pushing. False: it is not known whether the tip
 // touches.
 struct Search {
   Vec3 turn;          // of the handle, in this tick
-  bool known_before;  // the pose
-  bool has_left;      // its hole, in this very tick: the next one still has to look around it
+  bool known_before;  // whether the pose before is known
+  bool has_left;      // its hole, in this very tick: the next tick must look around it again
 };
 bool seek_contact(const Model& model, State& state, Scratch& scratch, const Needle& needle,
                   const Search& search, std::uint32_t& flags) {
@@ -77,14 +77,14 @@ bool seek_contact(const Model& model, State& state, Scratch& scratch, const Need
                                        search.known_before ? step : Vec3{}, rest, place, flags);
   const Vec3 forward = needle.tip_direction - 0.5F * cross(search.turn, needle.tip_direction);
   float came = search.known_before ? dot(step, forward) : 0;
-  if (contact == Contact::kSideways) came = norm(step);  // it has come by no other way
+  if (contact == Contact::kSideways) came = norm(step);  // the tip has come only this way
   const bool found = contact == Contact::kFound || contact == Contact::kSideways;
   if (found) begin_contact(model, state, scratch, needle, rest, place, came);
   if (contact == Contact::kNone && !search.has_left) own.leaving = 0;
   return contact != Contact::kUnknown;
 }
 
-// A tip that may be in the tissue goes no farther than it was: a hand feels that by its coupling.
+// A tip that may be in the tissue stays where it was: the hand feels that through its coupling.
 std::uint32_t hold_needle(const Model& model, State& state, Scratch& scratch, const Pose& before,
                           Needle& shape_out) {
   ++state.head->input_clamped;
@@ -94,8 +94,8 @@ std::uint32_t hold_needle(const Model& model, State& state, Scratch& scratch, co
 
 // ---- steps 4 to 8: constraint particles
 
-// The tip goes where the needle has it; how fast it presses decides how easily a surface breaks.
-// Returns how far it has come along the needle.
+// Moves the tip to where the needle has it. How fast it presses decides how easily a surface
+// breaks. Returns how far it has come along the needle.
 float move_tip(const Model& model, State& state, const Needle& needle) {
   NeedleState& own = *state.needle;
   const float moved_m = dot(needle.tip_m - state.tip->position_m, needle.tip_direction);
@@ -148,9 +148,9 @@ std::uint32_t move_particles(const Model& model, State& state, Scratch& scratch,
   return flags | add_and_remove(model, state, scratch, needle, from_m, from_track_m);  // 8
 }
 
-// How far the needle's motion in this tick pulls the tip's spring is given to the tissue substep by
-// substep. In contact, too: with the needle moved before the first substep the tissue would be
-// pushed by more than the hand feels, which sees the forces of the last one.
+// The tissue gets the pull of the needle's motion in this tick on the tip's spring substep by
+// substep. In contact, too: if the needle moved before the first substep, the tissue would be
+// pushed harder than the hand feels, because the hand's force is that of the last substep.
 void stretch_tip_spring(const State& state, Scratch& scratch) {
   const Particle& tip = *state.tip;
   Vec3& stretch = stretch_of(state, scratch, kMaxConstraintParticles);
@@ -184,7 +184,7 @@ void move_needle(const Model& model, State& state, Scratch& scratch, const Input
   assert_needle(model, state);
   stretch_tip_spring(state, scratch);
   out.flags |= meet_tissue(model, state, scratch, out.shape);  // 9: bend
-  // One that has left its hole may have left it under other tissue, pressed or folded over it.
+  // A needle may have left its hole under other tissue that is pressed or folded over it.
   if (!was_free) {
     const Search after_leaving = {turn, out.known_before, true};
     (void)seek_contact(model, state, scratch, out.shape, after_leaving, out.flags);
@@ -194,7 +194,7 @@ void move_needle(const Model& model, State& state, Scratch& scratch, const Input
 
 // ---- steps 11 to 13: what the hand feels
 
-// In the paper a CP is moved by whole needle units, before the tissue's step alone.
+// In the paper a CP moves by whole needle units, and only before the tissue's step.
 void slip_again(const Model& model, State& state, const Needle& needle) {
   if (!model.head->rules.slips_again) return;
   let_cut(model, state);
@@ -266,8 +266,8 @@ void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outpu
       scratch.head->substeps_to_come = substeps - 1 - s;
       kernel.step(kernel);
     }
-    // Tissue dragged to a hundredfold of its length may leave the numbers there are, and a needle
-    // that has left it would not tell.
+    // Tissue dragged to a hundredfold of its length may overflow, and a needle that has left the
+    // tissue would not show it.
     if (!is_finite(state.max_displacement_m)) latch_fault(state);
     measure_forces(model, all);
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -276,7 +276,7 @@ void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outpu
       report_needle(needle_model(model, i), own, scratch, moved[i], out[i]);
     }
   }
-  // One needle's fault stops them all: they share the tissue.
+  // One needle's fault stops all needles: they share the tissue.
   for (std::uint32_t i = 0; i < count && i < outputs.size(); ++i) {
     outputs[i] = state.latched_fault == 0 ? out[i] : faulted(all);
   }

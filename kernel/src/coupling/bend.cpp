@@ -10,12 +10,12 @@
 namespace stylet {
 namespace {
 
-// No needle is quite straight: this kink at every joint decides to which side one pressed exactly
-// along its axis buckles.
+// No needle is quite straight. This kink at every joint decides to which side a needle buckles that
+// is pressed exactly along its axis.
 constexpr double kImperfectionRad = 1e-7;
-// Of what a needle is taken to be made of when it is thrown about: solid steel.
+// Material that a needle is taken to be made of when it is thrown about: solid steel.
 constexpr double kSteelKgPerM3 = 7850;
-// Where the last Newton step turns a rod farther than this, the steps have not ended: the needle
+// If the last Newton step turns a rod farther than this, the steps have not converged: the needle
 // snaps over. (At rest they end below 1e-5, with a jerk on obstacles below 1e-3.)
 constexpr double kSettledTurnRad = 1e-2;
 
@@ -37,14 +37,14 @@ Sym3d across(Vec3 direction, float stiffness) {
           k * (1 - t.y * t.y), -k * t.y * t.z, k * (1 - t.z * t.z)};
 }
 
-// Where a particle has slipped along the shaft it will slip on: its force there is on its limit.
+// A particle that has slipped along the shaft will slip on: its force there is at its limit.
 bool slides(const Particle& p) {
   return dot(p.slip_m, p.slip_m) > 0;
 }
 
-// A held particle bends the needle by its spring, where that is fixed to it: one that slips, only
-// across the shaft. (Without the spring along it, one pressed at the tip buckles under a load that
-// does not give way.)
+// A particle bends the needle by its spring, in the directions in which it is fixed to the needle:
+// one that slips, only across the shaft. (Without its spring along the shaft, a needle pressed at
+// the tip buckles under a load that does not give way.)
 void add_particle(const Model& model, const State& state, const Needle& last, const Particle& p,
                   RodLoads& loads) {
   if (p.support_count == 0) return;
@@ -57,7 +57,7 @@ void add_particle(const Model& model, const State& state, const Needle& last, co
                                -1.0 * to_double(p.force_n), across(along, p.stiffness_n_per_m)};
 }
 
-// All that the tissue pushed the needle with in the last step, as it answers to being moved.
+// All loads from the tissue: its force in the last step, and how that changes with the needle.
 void gather_loads(const Model& model, const State& state, RodLoads& loads) {
   const NeedleState& own = *state.needle;
   const Needle last = needle_of(model, state);
@@ -68,8 +68,8 @@ void gather_loads(const Model& model, const State& state, RodLoads& loads) {
   if (own.tip_alive != 0) add_particle(model, state, last, *state.tip, loads);
 }
 
-// A step near obstacles takes no node past what was looked at. What holds it, if need be, is a
-// node's mass over the square of a tick: more than that its inertia would let no needle go.
+// A step near obstacles moves no node beyond the place that was searched. The stiffness that may
+// hold a node is its mass over a tick squared: a larger one would let no needle move at all.
 RodCare care_of(const Model& model) {
   const double radius = static_cast<double>(model.needle_config().outer_radius_m);
   const double period = static_cast<double>(model.head->config.period_s);
@@ -100,7 +100,7 @@ std::uint32_t keep_bend(const Model& model, State& state, const Scratch& scratch
   return kFlagNeedleUnstable;
 }
 
-// A particle goes where the needle has gone; one that slips, only across, for how far along is
+// A particle moves with the needle. One that slips only moves across it: how far it goes along is
 // decided in the next tick.
 void carry(const Needle& needle, Particle& p) {
   if (p.support_count == 0) return;
@@ -113,7 +113,7 @@ void carry(const Needle& needle, Particle& p) {
 }
 
 // Bends the needle against tissue and bodies together: looks at the bodies, bends, and looks again
-// from there. Returns output flags.
+// from the new shape. Returns output flags.
 std::uint32_t bend(const Model& model, State& state, Scratch& scratch, Vec3 shift,
                    std::uint32_t looks, Nearest& nearest) {
   const RodModel& rod = *model.rod;
@@ -177,7 +177,7 @@ std::uint32_t place_needle(const Model& model, State& state, Scratch& scratch, N
   own.base_m = own.handle.position_m - shift;
   std::uint32_t flags = 0;
   if (is_elastic(config)) {
-    // In the tissue the touches are those of the second bend.
+    // In the tissue the second bend gives the touches.
     Nearest nearest;
     flags |= bend(model, state, scratch, shift, kRodFaceLooks, nearest);
     if (own.tip_alive == 0) flags |= enter_touches(model, state, scratch, nearest);
@@ -200,7 +200,7 @@ std::uint32_t place_needle(const Model& model, State& state, Scratch& scratch, N
 
 namespace {
 
-// Bends the needle by the forces on it, and takes its particles along. Returns output flags.
+// Bends the needle by the forces on it, and moves its particles along. Returns output flags.
 std::uint32_t bend_on(const Model& model, State& state, Scratch& scratch, Needle& needle,
                       Nearest& nearest) {
   const Vec3 before_m = state.tip->position_m;

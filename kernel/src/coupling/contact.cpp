@@ -14,16 +14,16 @@
 namespace stylet {
 namespace {
 
-// A tip in contact must come this far clear of its goal to leave it: one that only slides sideways
-// is not in and out with every rounding.
+// A tip in contact must be this far clear of its goal to leave it: so a tip that only slides
+// sideways does not leave and return with every rounding.
 constexpr float kReleaseSkinM = 2e-5F;
-// In a bend in contact, whose spring is the tangent from before it, the tip of an elastic needle
-// takes tissue aside no farther than kChordM and this part of what it is off already: the
-// tangent's force is 0.8 % below that of a law that goes with the square. A choice, no sensitivity.
+// A bend in contact uses the tangent from before it as spring. In it, the tip of an elastic needle
+// takes tissue aside by at most kChordM plus this part of its present offset. The tangent's force
+// is then 0.8 % below that of a quadratic law. A choice; nothing is sensitive to it.
 constexpr float kAsideShare = 0.1F;
 
-// The tip of a needle that lies this deep under a place of the surface: it holds the tissue it lies
-// in, without force. Where the deformation at the surface says nothing of the tissue there, it
+// The tip of a needle that lies this deep under a place of the surface. It holds the tissue it lies
+// in, without force. If the deformation at the surface says nothing about the tissue there, it
 // holds the surface.
 Particle tip_under(const Model& model, State& state, const Needle& needle, Vec3 rest_m,
                    Vec3 place_m, float buried_m, Role role) {
@@ -44,7 +44,7 @@ Particle tip_under(const Model& model, State& state, const Needle& needle, Vec3 
   return tip;
 }
 
-// A tip in contact that holds the tissue it lies in now, without force.
+// A tip in contact, held without force by the tissue it now lies in.
 Particle tip_here(const Model& model, State& state, const Needle& needle) {
   const Particle& before = *state.tip;
   const Vec3 step = pull_back_step(model, gradient_around(model, state, before), residual(before));
@@ -52,8 +52,8 @@ Particle tip_here(const Model& model, State& state, const Needle& needle) {
                       Role::kSurface);
 }
 
-// A contact the tip is drawn back from: where tissue has come over the tip from elsewhere, or it
-// has come in from the side, the tip is not clear yet, and holds what it lies in now, without
+// For a contact from which the tip is drawn back. If tissue has come over the tip from elsewhere,
+// or the tip has come in from the side, it is not clear yet: it now holds what it lies in, without
 // force. The surface may be anywhere behind it.
 bool hold_on(const Model& model, State& state, const Needle& needle, std::uint32_t& flags_out) {
   Vec3 rest = {}, place = {};
@@ -100,7 +100,7 @@ void begin_contact(const Model& model, State& state, Scratch& scratch, const Nee
     take_in(model, state, scratch, needle, track, entry);
     return;
   }
-  // update_contact presses it in, as far as it is then: see contact_spring.
+  // update_contact presses it in as far as it then is: see contact_spring.
   state.tip->position_m = needle.tip_m - residual(tip);
   own.phase = Phase::kContact;
   own.layer = tip.material;

@@ -19,9 +19,9 @@ double tip_energy(const Model& model, const State& state, const Particle& tip) {
 
 namespace {
 
-// The spring of the coming match: the law's tangent. Where the needle has just pressed on, tissue
-// gives way until the depth is about what it was, and there the tangent would lie far below the
-// law: the hand would press for less than is stored. So there it is the chord to that depth.
+// The spring of the next match: the law's tangent. Where the needle has just pressed on, tissue
+// yields until the depth is about what it was before. There the tangent would lie far below the
+// law: the hand would spend less than is stored. So there it is the chord to that depth.
 float contact_spring(const ContactLaw& law, float depth_m, float before_m) {
   const float tangent = cone_tangent(law.now, depth_m);
   if (!(depth_m - before_m > kChordM)) return tangent;

@@ -13,11 +13,11 @@
 namespace stylet {
 namespace {
 
-// The tip finds the material at its goal within this distance of travel.
+// The tip reaches the material at its goal within this length of travel.
 constexpr float kMaterialPullM = 1e-3F;
-// Speed at which the puncture force of a material is given.
+// Speed for which a material's puncture force is given.
 constexpr float kPunctureSpeedMPerS = 0.01F;
-// Speeds over kPunctureSpeedMPerS between which pressing faster makes a puncture easier.
+// Speeds over kPunctureSpeedMPerS between which faster pressing makes a puncture easier.
 constexpr float kSlowestPress = 0.01F, kFastestPress = 100.0F;
 
 }  // namespace
@@ -30,9 +30,9 @@ float puncture_force(const State& state, const MaterialModel& m) {
 
 namespace {
 
-// Moves the tissue that the tip holds forward by `move_m` along the needle. The step is integrated
-// in the rest frame; while it moves, or when they are voxels apart, the tip's rest place is drawn
-// to the material that really lies at its goal, so that errors of the integration do not pile up.
+// Moves the tissue that the tip holds forward by `move_m` along the needle, integrated in the rest
+// frame. While it moves, or when they are voxels apart, the tip's rest place is pulled to the
+// material that really lies at its goal, so that errors of the integration do not add up.
 void advance_tip(const Model& model, const State& state, Particle& tip, Vec3 direction,
                  float move_m) {
   const Gradient g = gradient_around(model, state, tip);
@@ -51,8 +51,8 @@ void advance_tip(const Model& model, const State& state, Particle& tip, Vec3 dir
   tip.track_m += dot(miss, along) / norm(along);
 }
 
-// Takes the spring the tip has against the material it has come to: a stiffer one holds at the same
-// force, and fresh tissue has relaxed nothing yet. What is lost counts as cutting.
+// Gives the tip the spring for the material that it has reached. A stiffer spring holds at the same
+// force, and fresh tissue has not relaxed yet. The energy that is lost counts as cutting.
 void enter_material(const Model& model, State& state, Particle& tip) {
   const double before = spring_energy(tip);
   const float old = tip.stiffness_n_per_m;
@@ -63,8 +63,8 @@ void enter_material(const Model& model, State& state, Particle& tip) {
   state.head->cutting_j += before - spring_energy(tip);
 }
 
-// The tip has come to another material. A layer that must be punctured holds it until it is pressed
-// on hard enough, but for one it has been through before: in a track, or on the way back.
+// The tip has reached another material. A layer that must be punctured holds the tip until it is
+// pressed hard enough, except a layer it has been through before: in a track, or on the way back.
 void enter_layer(const Model& model, State& state, Particle& tip, Vec3 direction, bool in_track) {
   NeedleState& own = *state.needle;
   const ModelHead& head = *model.head;
@@ -72,7 +72,7 @@ void enter_layer(const Model& model, State& state, Particle& tip, Vec3 direction
   const float axial = dot(force_on_tissue(tip), direction);
   if (own.spring_layer != tip.material) enter_material(model, state, tip);
   own.spring_layer = tip.material;
-  // A tip at the face between two layers is not in and out of them with every tremor.
+  // A tip at the face between two layers does not change layers with every tremor.
   const float since = tip.track_m - own.layer_track_m;
   if (tip.material == own.layer_before && since < kLayerSkinM && since > -kLayerSkinM) return;
   const MaterialModel& m = head.material[tip.material];
@@ -89,8 +89,8 @@ void enter_layer(const Model& model, State& state, Particle& tip, Vec3 direction
   }
 }
 
-// Force the tip may carry: nothing when pulled, the cutting force when pushed into new tissue, a
-// fraction of it in a track that exists, the puncture force before a layer that holds it.
+// Force that the tip may carry: nothing when pulled, the cutting force when pushed into new tissue,
+// a fraction of it in an existing track, the puncture force at a layer that holds the tip.
 float tip_limit(const Model& model, const State& state, const Particle& tip, bool in_track) {
   const MaterialModel& m = model.head->material[tip.material];
   if (in_track) return m.cutting_n * m.recut_fraction;
@@ -98,7 +98,7 @@ float tip_limit(const Model& model, const State& state, const Particle& tip, boo
   return max_of(puncture_force(state, m), m.cutting_n);
 }
 
-// Where the tip cuts after `advance_m` more; an unbevelled one cuts where it points.
+// Where the tip cuts after `advance_m` more; a tip without bevel cuts in its own direction.
 Vec3 turn_cut(const Model& model, const State& state, const Needle& needle, float advance_m) {
   const float bevel = model.needle_config().bevel_per_m;
   if (!(bevel > 0)) return needle.tip_direction;
@@ -123,7 +123,7 @@ void cut_tip(const Model& model, State& state, const Needle& needle, float moved
   }
   const Vec3 cut = turn_cut(model, state, needle, 0.5F * all);
   advance_tip(model, state, tip, cut, all);
-  own.cut = cut;  // half of the turn is behind the tip
+  own.cut = cut;  // half of the turn is done before the advance
   own.cut = turn_cut(model, state, needle, 0.5F * all);
   note_slip(head, tip, all);
   tip.slip_m = move * cut;

@@ -6,10 +6,10 @@
 namespace stylet {
 namespace {
 
-// A voxel's deformation is known this far from its centre, in voxel edges.
+// A voxel's deformation is valid this far from its centre, in voxel edges.
 constexpr float kVoxelReach = 0.5F;
-// Tissue pressed to less than this part of its volume, or turned inside out, has no direction that
-// is better than another.
+// In tissue pressed to less than this part of its volume, or turned inside out, no direction is
+// better than another.
 constexpr float kCrushed = 0.05F;
 
 }  // namespace

@@ -8,10 +8,10 @@
 namespace stylet {
 namespace {
 
-// Places at which the friction of a stretch of shaft is taken that the tip passes in a tick.
+// Number of places at which friction is sampled along the shaft that the tip passes in a tick.
 constexpr std::uint32_t kFrictionSamples = 4;
 
-// Shaft length a CP stands for.
+// Tributary length of a CP.
 float length_of(const Model& model, const State& state, const Particle& p) {
   return clamp(state.needle->tissue_track_m - p.track_m, 0, model.needle_config().unit_m);
 }
@@ -26,7 +26,7 @@ void take_tributary_spring(const Model& model, State& state, Particle& p) {
   const float stiffness = part * p.full_stiffness_n_per_m;
   if (stiffness == p.stiffness_n_per_m) return;
   const double before = spring_energy(p);
-  // What is added holds its tissue where it lies, without force.
+  // New stiffness holds its tissue where it lies, without force.
   if (stiffness > p.stiffness_n_per_m) {
     const float old = p.stiffness_n_per_m / stiffness;
     pull_goals(p, 1 - old);
@@ -42,7 +42,7 @@ void take_tributary_spring(const Model& model, State& state, Particle& p) {
 
 namespace {
 
-// None in a gap.
+// No friction in a gap.
 Friction friction_at(const Model& model, Vec3 rest_m) {
   const std::uint32_t there = material_at(model, rest_m);
   return there == kNoTissue ? Friction{} : model.head->material[there].friction;
@@ -64,7 +64,7 @@ void gather_friction(const Model& model, State& state, Vec3 from_m, float from_t
       const Friction here = friction_at(model, from_m + part * (tip.rest_m - from_m));
       p.friction = mixed(p.friction, here, step / p.friction_length_m);
     }
-    p.friction_length_m = length;  // exactly, or rounding is met again and again
+    p.friction_length_m = length;  // exactly, or rounding would bring it here again and again
   }
 }
 
@@ -77,8 +77,8 @@ void slip_shaft(const Model& model, State& state, Scratch& scratch, const Needle
   NeedleState& own = *state.needle;
   for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
     Particle& p = state.shaft[i];
-    // All that changes the spring comes before the return map, which has the last word on the
-    // force.
+    // All changes of the spring come before the return map, which must decide the force
+    // last.
     take_tributary_spring(model, state, p);
     const float limit = friction_limit_n(model, state, p);
     const Vec3 direction = needle_point(needle, p.arc_m).direction;
@@ -110,7 +110,7 @@ void let_slip(const Model& model, State& state, const Needle& needle, Particle& 
   p.arc_m += slip;
   p.position_m = needle_place(needle, p.arc_m);
   if (pushes) {
-    // It still slides (slip_m): how far is for the next tick to say.
+    // It still slides (slip_m): the next tick decides how far.
     note_no_slip(*model.head, p, slip);
   } else {
     p.slip_m = p.slip_m + slip * direction;

@@ -15,15 +15,15 @@ namespace stylet {
 
 namespace {
 
-// From the spring of contact to that of cutting, at the same force along the needle and across; the
-// difference of their energies is spent on the rupture.
+// From the spring of contact to that of cutting, at the same force along the needle and across it.
+// The difference of their energies is spent on the rupture.
 void change_spring(const Model& model, State& state, const Needle& needle, float force_n) {
   Particle& tip = *state.tip;
   const double before = contact_energy(model, state, tip);
   const Vec3 direction = needle.tip_direction, pressed = force_on_tissue(tip);
   const Vec3 across = pressed - dot(pressed, direction) * direction;
   const float old = tip.stiffness_n_per_m, spread = spread_of(tip, residual(tip));
-  tip.tissue_compliance = 0;  // of the contact only
+  tip.tissue_compliance = 0;  // only used in contact
   set_stiffness(model, state, tip, Role::kTip);
   forget(tip);
   const float k = tip.stiffness_n_per_m;
@@ -31,7 +31,7 @@ void change_spring(const Model& model, State& state, const Needle& needle, float
   state.head->cutting_j += before - spring_energy(tip);
 }
 
-// The needle is in a track, its tip `depth_m` along it and its first shaft CP at the entry.
+// The needle enters a track: its tip is `depth_m` along it, its first shaft CP at the entry.
 void enter_track(const Model& model, State& state, Scratch& scratch, const Needle& needle,
                  std::uint32_t track, float depth_m, const Particle& entry) {
   NeedleState& own = *state.needle;

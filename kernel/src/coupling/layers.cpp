@@ -7,10 +7,10 @@ namespace stylet {
 
 namespace {
 
-// What the log last told of this needle's layer. Only there: the tip's forces follow where it is.
+// What the log last reported as this needle's layer. Only the log: forces follow the tip's place.
 struct Told {
-  bool known, crossed;          // known: it is still in the log; crossed: by a layer's event
-  std::uint32_t layer, before;  // and the one told before that
+  bool known, crossed;          // known: still in the log; crossed: by an event of a layer
+  std::uint32_t layer, before;  // and the layer reported before that
   float track_m;
 };
 

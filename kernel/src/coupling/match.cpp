@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kNoVoxel = 0xFFFFFFFFU;
 
-// Voxel of a support in this tick's list, entered if new; kNoVoxel when that has no more `room`.
+// Index of a support's voxel in this tick's list, added if new; kNoVoxel if the list has no `room`.
 // The mark of a slot is trusted only if the list entry it names points back, so stale marks do no
 // harm.
 std::uint32_t coupled_index(Scratch& scratch, const Support& support, std::uint32_t room) {
@@ -26,7 +26,7 @@ std::uint32_t coupled_index(Scratch& scratch, const Support& support, std::uint3
   return index;
 }
 
-// Particle of any needle, by its place in the state; `view` is that of the first needle.
+// Particle of any needle, by its index in the state; `view` is that of the first needle.
 Particle& particle_at(State& state, std::uint32_t index) {
   return state.shaft[index];
 }
@@ -38,7 +38,7 @@ bool is_tip(std::uint32_t index) {
   return index % kNeedleParticles == kMaxConstraintParticles;
 }
 
-// Voxels that may be in the list when a particle's come to it: tips find room whatever came before.
+// How full the list may be when a particle's voxels are added: tips always find room.
 std::uint32_t room_for(const Model& model, std::uint32_t index) {
   const std::uint32_t needles = model.head->counts.needles;
   const std::uint32_t tips_before = index / kNeedleParticles + (is_tip(index) ? 1 : 0);
@@ -71,7 +71,7 @@ void sort_by_plane(const Model& model, Scratch& scratch) {
   }
 }
 
-// Where they are does not change within a tick, and is looked up once.
+// These places do not change within a tick, so they are looked up once.
 void fill_groups(const Model& model, Scratch& scratch) {
   const std::uint32_t count = scratch.head->coupled_count;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -99,10 +99,10 @@ void fill_groups(const Model& model, Scratch& scratch) {
 }
 
 // A spring at a point r from a voxel's centre, at most sqrt(3) / 2 edges, pulls at the corners by
-// supports whose squares sum to 1 / 8 + r^2 / (4 edge^2).
+// weights whose squares sum to 1 / 8 + r^2 / (4 edge^2).
 constexpr float kMostOfPull = 5.0F / 16;
 
-// Stiffness of the springs that pull at a coupled voxel.
+// Total stiffness of the springs that pull at a coupled voxel.
 float pull_n_per_m(const State& state, const Scratch& scratch, const CoupledVoxel& voxel) {
   float sum = 0;
   std::uint32_t at = voxel.first_member;
@@ -115,7 +115,7 @@ float pull_n_per_m(const State& state, const Scratch& scratch, const CoupledVoxe
   return sum;
 }
 
-// What the springs of constraint particles may add to the stiffness of a particle (filter.h).
+// What the springs of constraint particles may add to the bound of a particle (filter.h).
 void bound_held(const Model& model, const State& state, Scratch& scratch) {
   const Counts& counts = model.head->counts;
   float* const sums = scratch.coupling_bound;
@@ -198,7 +198,7 @@ std::uint32_t gather_coupled(const Model& model, State& state, Scratch& scratch)
 
 namespace {
 
-// Sums over the CPs of one voxel; positions relative to the mean of the corners.
+// Sums over the CPs of one voxel; positions are from the mean of the corners.
 struct CpSums {
   float stiffness;
   Vec3 place, offset;  // weighted sums
@@ -267,7 +267,7 @@ void begin_matches(const State& state, const Scratch& scratch, const MatchGroup&
 }
 
 void place_members(const Model& model, const State& state, Scratch& scratch) {
-  // Of the needles' motion in this tick.
+  // The part of the needles' motion in this tick.
   const float to_come = static_cast<float>(scratch.head->substeps_to_come) /
                         static_cast<float>(model.head->config.substeps);
   for_each_particle(model, state, [&](std::uint32_t index) {
@@ -323,7 +323,7 @@ void give_goals(State& state, const Scratch& scratch, const MatchGroup& group,
 
 namespace {
 
-// Voxels from `begin` up to `end` in plane_order, at one side. `force` as below.
+// Adds voxels from `begin` up to `end` in plane_order, at one side. `force` as below.
 void add_side(const Model& model, Scratch& scratch, std::uint32_t begin, std::uint32_t end,
               std::uint32_t side, std::uint32_t first_particle, float* force) {
   const std::size_t axis = model.head->counts.particles_per_plane;
@@ -352,8 +352,8 @@ void add_changes(const Model& model, Scratch& scratch, std::uint32_t plane, floa
   }
 }
 
-// A slip takes work at the mean of the forces before and after, as the hand's work is booked. A
-// force that would push it on is taken back (let_slip).
+// A slip takes work at the mean of the forces before and after, like the hand's work in the books.
+// A force that would push the slip on does not count: let_slip takes it back.
 void measure_forces(const Model& model, State& state) {
   for_each_particle(model, state, [&](std::uint32_t index) {
     Particle& p = particle_at(state, index);
@@ -377,12 +377,12 @@ double square_sum(const Mat3& r, const float gradient[9]) {
   return sum;
 }
 
-// The match of a voxel and its CPs to where all of them are now.
+// The match of a voxel and its CPs, with all of them where they are now.
 struct PresentMatch {
   Mat3 rotation;
   Vec3 centre_m;
-  double corners_j;     // what the corners hold more than by their own match
-  std::uint32_t first;  // particle in the voxel, so that each voxel is counted once
+  double corners_j;     // energy of the corners beyond their own match
+  std::uint32_t first;  // first particle in the voxel, so that each voxel is counted once
 };
 
 PresentMatch present_match(const Model& model, const State& state, const Support& own) {

@@ -7,24 +7,24 @@
 namespace stylet {
 namespace {
 
-// Part of the way to its rest that the give along the needle goes in a tick.
+// Part of its way to equilibrium that the axial way goes in a tick.
 constexpr float kGiveRate = 0.5F;
-// Where all of a tick's creep would gain energy, at least this part of it is tried: with short
-// times the spring gives way faster than the lattice follows.
+// If a whole tick's creep would gain energy, at least this part of it is tried: with short times
+// the spring yields faster than the lattice follows.
 constexpr float kLeastCreep = 1.0F / 16;
 
-// All of the force must relax, not the part that the CP's own spring has in it. With d the way of
-// the needle's point from where its tissue lies unloaded, all CPs' forces are F = K d: K is the
+// The whole force must relax, not only the part of the CP's own spring. Let d be the way of the
+// needle's point from where its tissue lies unloaded. All CPs' forces are F = K d, where K is the
 // springs and the lattice behind them, whatever that is. So each spring ends phi m behind that
-// point, m' = (d - m) / tau, and all of F relaxes by the part phi in the time tau. (d is the
-// needle's way alone: no swing of the tissue feeds back. Nor is it how far others had moved the
-// tissue that this one came to, by which it is not pulled.) That takes a Maxwell branch with the
-// energy phi (1 - phi) m n / 2 summed over all CPs, n = K m, which needs no K: n' = (F + phi n - n)
-// / tau. Where one CP's m n is below 0 it stores nothing.
+// point, with m' = (d - m) / tau, and all of F relaxes by the part phi in the time tau. (d is the
+// needle's way alone, so no swing of the tissue feeds back. Nor does d count how far others had
+// moved the tissue before this needle came: that does not pull it.) That takes a Maxwell branch
+// with the energy phi (1 - phi) m n / 2 summed over all CPs, n = K m. It needs no K: n' = (F + phi
+// n - n) / tau. Where one CP's m n is below 0 it stores nothing.
 //
 // A CP's supports hold the tissue as it was deformed when the CP took hold of it. So their d
-// differ; as these do not change, the places where they lie unloaded are drawn together by that
-// part.
+// differ. As these differences do not change, the places where they lie unloaded are moved together
+// by that part.
 //
 // The branch goes this part of its way; `residual_m` is the CP's.
 void creep(const Model& model, const State& state, Particle& p, Vec3 residual_m, float part) {
@@ -46,9 +46,9 @@ void creep(const Model& model, const State& state, Particle& p, Vec3 residual_m,
   }
 }
 
-// The Maxwell branch creeps by this part of its way; what it dissipates is booked, and may be spent
-// by others (`spare_j`). Energy must not rise by more than that: else nothing changes, and how much
-// it would have risen is returned.
+// The Maxwell branch creeps by this part of its way. What it dissipates is booked, and others may
+// use it (`spare_j`). If energy would rise by more than that, nothing changes, and the excess is
+// returned.
 double try_creep(const Model& model, State& state, Particle& p, Residuals& d, float part,
                  double& spare_j) {
   if (p.relaxing_fraction == 0 || p.support_count == 0) return 0;
@@ -67,12 +67,12 @@ double try_creep(const Model& model, State& state, Particle& p, Residuals& d, fl
   return rise_j;
 }
 
-// The Maxwell branch creeps for a tick. False: it did not, for energy would rise.
+// The Maxwell branch creeps for a tick. False: it did not, because energy would rise.
 bool relax(const Model& model, State& state, Particle& p, Residuals& d, double& spare_j) {
   return try_creep(model, state, p, d, 1 - p.memory_keep, spare_j) == 0;
 }
 
-// The same for one that has to be paid by the others: as far as they do.
+// The same for a CP whose creep the others must pay for: as far as they do.
 void relax_late(const Model& model, State& state, Particle& p, Residuals& d, double& spare_j) {
   const float all = 1 - p.memory_keep;
   const double rise_j = try_creep(model, state, p, d, all, spare_j);
@@ -81,8 +81,8 @@ void relax_late(const Model& model, State& state, Particle& p, Residuals& d, dou
   (void)try_creep(model, state, p, d, part, spare_j);
 }
 
-// The give follows the force along the needle, as over a damper. Only what lies along: to take back
-// what lies across would take work against the force there.
+// The axial way follows the force along the needle, as over a damper. Only along: taking back a
+// part that lies across would take work against the force there.
 void give_way(StateHead& state, Particle& p, const Residuals& d, Vec3 direction) {
   if (p.axial_fraction == 0) return;
   const double before_j = spring_energy(p, d);
@@ -94,7 +94,7 @@ void give_way(StateHead& state, Particle& p, const Residuals& d, Vec3 direction)
   state.relaxation_j += before_j - spring_energy(p, d);
 }
 
-// A CP of the shaft goes with the needle.
+// A shaft CP moves with the needle.
 void follow(State& state, const Needle& needle, Particle& p, const Residuals& d) {
   const NeedlePoint point = needle_point(needle, p.arc_m);
   give_way(*state.head, p, d, point.direction);

@@ -6,7 +6,7 @@
 namespace stylet {
 namespace {
 
-// Slower than this a CP sticks.
+// Below this speed a CP sticks.
 constexpr float kSlidingMPerS = 1e-4F;
 
 }  // namespace
@@ -36,7 +36,7 @@ float renew(const Model& model, Particle& p, Vec3 direction, float slip_m, doubl
   p.memory_spread = (1 - part) * p.memory_spread;
   set_slack(p);
   const double after = memory_energy(p);
-  // It would rise where what is forgotten was negative.
+  // Energy would rise if what is forgotten was negative.
   if (after > before) p.memory_n = settle(static_cast<float>(before / after) * p.memory_n);
   booked_j += before - memory_energy(p);
   return along - dot(p.slack_m, direction);

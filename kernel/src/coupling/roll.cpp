@@ -7,10 +7,10 @@
 namespace stylet {
 namespace {
 
-// Below this a particle has no grip on the shaft, N.
+// Below this force in N a particle does not hold the shaft.
 constexpr float kLeastHoldN = 1e-9F;
 
-// A violent hand may leave particles behind its own place: nothing is held nearer than this.
+// A violent hand may leave particles behind its own place: no arm is taken to be shorter than this.
 constexpr float kLeastArmM = 1e-3F;
 
 struct RollGrip {
@@ -44,13 +44,13 @@ void roll_tip(const Model& model, State& state, float rolled_rad) {
   const double before = roll_energy(state);
   const bool held = grip.torque_nm > kLeastHoldN * model.needle_config().outer_radius_m;
   const float stiffness = held ? torsion * grip.torque_nm / grip.moment_nm2 : 0;
-  // Where the grip has moved, torque or twist stays, whichever brings no energy.
+  // Where the holding particles have moved, torque or twist stays, whichever adds no energy.
   if (stiffness > own.twist_nm_per_rad) own.twist_rad *= own.twist_nm_per_rad / stiffness;
   own.twist_nm_per_rad = stiffness;
   state.head->friction_j += before - roll_energy(state);
   const float limit = held ? min_of(grip.moment_nm2 / torsion, kMaxTwistRad) : 0;
   const float wound = own.twist_rad + rolled_rad, twist = clamp(wound, -limit, limit);
-  // At the mean of the torques before and after, as the hand's work is booked.
+  // At the mean of the torques before and after, like the hand's work in the books.
   const float torque = 0.5F * stiffness * (own.twist_rad + twist);
   state.head->friction_j += static_cast<double>(torque * (wound - twist));
   own.twist_rad = settle(twist);

@@ -11,9 +11,9 @@ namespace stylet {
 namespace {
 
 // The tip must be this far behind a shaft CP to have passed it: a tip that re-enters a track starts
-// beside the first one.
+// beside the first CP.
 constexpr float kTrackSkinM = 1e-5F;
-// In a gap a place for a shaft CP is looked for in steps of this many units.
+// In a gap, steps of this many units search for a place for a shaft CP.
 constexpr float kGapStep = 0.25F;
 
 }  // namespace
@@ -33,7 +33,7 @@ std::uint32_t push_shaft(const Model& model, State& state, Scratch& scratch, Par
 
 namespace {
 
-// Where on the needle a point of the tissue near the tip is: the arc length from the tip.
+// The place on the needle of a tissue point near the tip: its arc length from the tip.
 float arc_at(const Model& model, const State& state, const Needle& needle, Vec3 rest_m,
              float otherwise_m) {
   Vec3 present = {};
@@ -47,7 +47,7 @@ std::uint32_t drop_shaft(const Model& model, State& state, Scratch& scratch, con
   NeedleState& own = *state.needle;
   const Particle& tip = *state.tip;
   const float unit = model.needle_config().unit_m;
-  if (tip.support_count == 0) return 0;  // the stretch lies outside the tissue
+  if (tip.support_count == 0) return 0;  // this shaft length lies outside the tissue
   if (own.drop_track_m > tip.track_m) {
     own.drop_track_m = state.shaft[own.shaft_count - 1].track_m;
   }

@@ -5,37 +5,37 @@ namespace stylet {
 namespace {
 
 constexpr float kPi = 3.14159265F;
-// Compliance of the lattice under the tip inside, in 1 / (G h): at Poisson ratio 0, by how much
-// less at 1, and by how much more where one voxel holds all of it (measured in a block without an
-// end: tests/fidelity/coupling/stiffness_test.cpp). The tip keeps its spring while it passes
-// through a tissue, so it has that of a mean place: what its supports' squares come to, (2/3)^3.
+// Compliance of the lattice under a tip inside, in 1 / (G h): at Poisson ratio 0, how much less at
+// 1, and how much more where one voxel holds all of it (measured in an endless block:
+// tests/fidelity/coupling/stiffness_test.cpp). The tip keeps its spring while it passes through a
+// tissue, so the spring is for a mean place: the sum of the supports' squares is (2/3)^3.
 constexpr float kInsideGive = 0.104F, kInsideGiveSlope = 0.040F, kInsideGiveSquares = 0.076F;
 constexpr float kMeanSquares = 8.0F / 27.0F;
-// The same under the tip in contact, which two layers of voxels hold: at Poisson ratio 0, by how
-// much less at 1, by how much more where one voxel holds all of it, and by how much more where it
-// acts an edge beside that voxel's middle. Then by how much more, of itself, for each G h^2 of
-// force, by how much less of that where one voxel holds all, and up to what force (all measured:
+// The same under a tip in contact, which two layers of voxels hold: at Poisson ratio 0, how much
+// less at 1, how much more where one voxel holds all of it, and how much more where it acts an edge
+// beside that voxel's middle. Then the growth: by what part of itself for each G h^2 of force, how
+// much less where one voxel holds all, and up to what force (all measured:
 // tests/fidelity/coupling/contact_test.cpp).
 constexpr float kSurfaceGive = 0.170F, kSurfaceGiveSlope = 0.101F, kSurfaceGiveSquares = 0.097F;
 constexpr float kSurfaceGiveBeside = 0.281F;
 constexpr float kGiveGrowth = 0.06F, kGiveGrowthSquares = 0.1F, kGiveGrowthEnd = 5.0F;
-// What squares and places add comes to this on average, under tissue as stiff as that below; under
-// a layer of voxels that is stiffer only a part of them is left, by the logarithm of how many times
-// (10: none). All of it falls with a power of how such a layer spreads the force, which goes by its
-// root (measured in the same test: within 6 % between a tenth and 50 times, 14 % too much at 230).
+// Mean of what squares and places add, for tissue as stiff as the tissue below. Under a stiffer
+// layer of voxels only a part of it is left, by the logarithm of the ratio of stiffness
+// (10: none). The whole falls with a power of how such a layer spreads the force, which follows the
+// root of the ratio (same test: within 6 % between a tenth and 50 times, 14 % too much at 230).
 constexpr float kPlaceMean = 0.03F, kPlaceSlope = 0.43F, kUpperPart = 2.3F, kUpperPower = 0.58F;
-// A layer with less than this part of the tip's weights is none.
+// A layer with less than this part of the tip's weights does not count.
 constexpr float kLeastLayer = 0.01F;
-// The tip's own spring gives at least this part of what the lattice does: with less, tissue dragged
-// far gained energy.
+// The tip's own spring has at least this part of the lattice's compliance: with less, tissue
+// dragged far gained energy.
 constexpr float kLeastOwnPart = 0.25F;
-// A row of CPs shared evenly moves as a cylinder of this radius would, in voxel edges: at Poisson
-// ratio 0 and by how much less at 1. Its springs count this much: they also let the voxels slip
-// across each other (measured: tests/fidelity/coupling/stiffness_test.cpp).
+// A row of CPs with even weights moves like a cylinder of this radius, in voxel edges: at Poisson
+// ratio 0, and how much less at 1. The compliance of its springs counts this many times: they also
+// let the voxels slip across each other (measured: tests/fidelity/coupling/stiffness_test.cpp).
 constexpr float kRowRadius = 0.58F, kRowRadiusSlope = 0.33F, kRowSlack = 1.2F;
-// Along its axis that row moves as a cylinder of this radius.
+// Along its axis that row moves like a cylinder of this radius.
 constexpr float kRowRadiusAlong = 0.78F;
-// Radius over which the far field of a needle dies out: half of an organ's usual thickness.
+// Radius at which the far field of a needle ends: half of an organ's usual thickness.
 constexpr float kFarFieldM = 0.025F;
 
 // Lateral stiffness per length of a rigid cylinder of radius a in an elastic annulus, over G.
@@ -46,20 +46,20 @@ float line_stiffness(float radius_m, float poisson) {
   return 8 * kPi * (1 - poisson) * n / (n * n * natural_log(ratio) - (b2 - a2) / (b2 + a2));
 }
 
-// Compliance per length of that annulus when the cylinder moves along, times G.
+// Compliance per length of that annulus, times G, when the cylinder moves along its axis.
 float line_compliance_along(float radius_m) {
   return natural_log(max_of(kFarFieldM / radius_m, 1.5F)) / (2 * kPi);
 }
 
-// Shear modulus around a needle inside. A thin skin holds it with its own thickness, which the one
-// CP that lies in the skin's voxels stands for, or more of them where units are shorter than edges.
+// Shear modulus around a needle inside. A thin skin holds the needle over its own thickness; the
+// one CP in the skin's voxels carries that, or several CPs where units are shorter than edges.
 float shear_inside_pa(const ModelHead& head, const MaterialModel& m, float unit_m) {
   return m.shear_pa + m.skin_shear_n_per_m / max_of(unit_m, head.edge_m);
 }
 
-// Tissue gives way to a needle more easily along than across, but the matches hold one spring, as
-// stiff as across. What is missing along is a second one behind it, whose way is give_m: this part
-// of both. (Two stiffnesses in one match would have no rotation in closed form.)
+// Tissue is more compliant along a needle than across, but a match holds one spring, as stiff as
+// across. A second one behind it adds the axial compliance; its way is give_m. This function gives
+// its part of both. (Two stiffnesses in one match would have no rotation in closed form.)
 float share_of_give(const ModelHead& head, const MaterialModel& m, float radius_m, float unit_m,
                     float own_compliance, float slack) {
   if (!head.rules.relaxes) return 0;
@@ -69,7 +69,7 @@ float share_of_give(const ModelHead& head, const MaterialModel& m, float radius_
   return 1 - min_of(1, own_compliance * slack * (shear_pa * unit_m) / max_of(along, 1e-6F));
 }
 
-// A CP's force relaxes as its material says: see creep.
+// A CP's force relaxes as its material does: see creep.
 void set_relaxation(const ModelHead& head, Particle& p) {
   if (!head.rules.relaxes) return;
   const MaterialModel& m = head.material[p.material];
@@ -78,10 +78,10 @@ void set_relaxation(const ModelHead& head, Particle& p) {
       exp_minus(head.config.period_s / max_of(m.relaxation_time_s, head.config.period_s));
 }
 
-// What the tip in contact stands on: the deeper of the two layers of voxels that hold it, and how
-// many times as stiff the upper one is; what the squares of the weights come to where all is one
-// tissue, and of these times how far beside the voxel's middle they act. The mean offset of the
-// supports is along the needle: the place they surround lies an edge below the tip.
+// Tissue under the tip in contact: the deeper of the two layers of voxels that hold it, and how
+// many times stiffer the upper one is; the sum of the squares of the weights if all were one
+// tissue; and that sum times how far beside the voxel's middle they act. The mean offset of the
+// supports is along the needle, because the place they surround lies an edge below the tip.
 struct Ground {
   float deep_pa, upper_ratio, squares, beside;
 };
@@ -115,9 +115,9 @@ Ground ground_under(const Model& model, const Particle& p) {
   return {deep_mean, ratio, squares / all2, beside / all2};
 }
 
-// What gives way under a small force, and how much more of it under a larger one: that of one
-// tissue like the tip's, so that layers below add what they really give; below a thin skin, whose
-// law is that of all that is under it, also what they give.
+// What yields under a small force, and how much more under a larger one: one tissue like the tip's,
+// so that layers below add what they really yield. Below a thin skin it is the layers: the skin's
+// law covers all that is under it.
 Ground ground_of(const Model& model, const Particle& p) {
   const MaterialModel& m = model.head->material[p.material];
   Ground ground = ground_under(model, p);
@@ -127,13 +127,13 @@ Ground ground_of(const Model& model, const Particle& p) {
   return ground;
 }
 
-// How much of it is felt on which voxels the tip stands: the stiffer the upper layer, the less.
+// Effect of the tip's place among voxels: the stiffer the upper layer, the less of it is felt.
 float place_part(const Ground& g) {
   return clamp(1 - kPlaceSlope * natural_log(g.upper_ratio), 0, 2);
 }
 
-// Compliance of the lattice under the tip in contact: what the deeper layer gives, less below a
-// stiffer one.
+// Compliance of the lattice under the tip in contact: that of the deeper layer, less below a
+// stiffer layer.
 float surface_compliance(const Model& model, const Ground& g, float poisson) {
   const float place = kSurfaceGiveSquares * g.squares + kSurfaceGiveBeside * g.beside;
   const float give = kSurfaceGive - kSurfaceGiveSlope * poisson + kPlaceMean +
@@ -142,8 +142,8 @@ float surface_compliance(const Model& model, const Ground& g, float poisson) {
   return give * power(spread, -kUpperPower) / (g.deep_pa * model.head->edge_m);
 }
 
-// The law of contact that is wanted (cone.h): that of the needle's point on the tissue, or of the
-// thin skin over it (film.h) where this is stiffer, and in between where it is hardly so.
+// The required law of contact (cone.h): that of the needle's point on the tissue, or that of the
+// thin skin over it (film.h) if the skin is stiffer; between the two if it is hardly stiffer.
 struct Punch {
   float stiffness_n_per_m, length_m;
 };
@@ -209,7 +209,7 @@ ContactLaw law_of(const Model& model, const State& state) {
   const ModelHead& head = *model.head;
   const Particle& tip = *state.tip;
   const MaterialModel& m = head.material[tip.material];
-  // A snapshot may bring any number.
+  // A snapshot may contain any number.
   const float tissue = min_of(tip.tissue_compliance, 1 / kLeastOwnPart);
   const float whole = 1 + tissue, part = tissue / whole;  // over the spring's own; of all
   const Ground ground = ground_of(model, tip);

@@ -48,8 +48,8 @@ Vec3 unloaded_place(const Model& model, const Particle& p) {
 
 namespace {
 
-// For a CP that keeps its voxels: each of those around it holds the needle alike, so that a row of
-// CPs is as stiff and as thick wherever it runs between voxel centres.
+// For a CP that keeps its voxels: all voxels around it hold the needle equally. So a row of CPs is
+// as stiff and as thick wherever it runs between voxel centres.
 void support_evenly(const Model& model, const State& state, Particle& p) {
   const std::uint32_t material = p.material;
   renew_supports(model, state, p, Weighting::kEven);
@@ -57,10 +57,10 @@ void support_evenly(const Model& model, const State& state, Particle& p) {
   if (p.support_count > 0) p.rest_m = unloaded_place(model, p);
 }
 
-// For the tip in contact: the voxels around the place one edge deeper hold it, at a face those of
-// two layers, each as much as it is stiff (fat does not carry what presses on skin). Held by the
-// outer layer alone it presses the lattice in by an amount that no formula of Poisson's ratio and
-// place gave.
+// For the tip in contact: the voxels around the place one edge deeper hold it. At a face these are
+// voxels of two layers, weighted by stiffness (fat does not carry what presses on skin). Held by
+// the outer layer alone, the tip presses the lattice in by an amount that no formula of Poisson's
+// ratio and place gave.
 void support_deeper(const Model& model, const State& state, Particle& p, Vec3 direction) {
   if (p.support_count == 0) return;
   const VoxelFrame frame =
@@ -90,8 +90,8 @@ Particle new_particle(const Model& model, State& state, const Needle& needle, Ve
     support_deeper(model, state, p, needle.tip_direction);
   }
   set_stiffness(model, state, p, role);
-  // No depth yet: the law's spring is soft there, and a stiff one would hold an elastic needle back
-  // until the next tick lets it go.
+  // The depth is still zero, and there the law's spring is soft: a stiff one would hold an elastic
+  // needle back until the next tick.
   if (role == Role::kSurface && rules.contact_law) {
     p.stiffness_n_per_m = kLeastPart * p.full_stiffness_n_per_m;
   }
@@ -103,7 +103,7 @@ void refill_supports(const Model& model, State& state, Particle& p) {
   const std::uint32_t material = p.material;
   const double before = spring_energy(p);
   renew_supports(model, state, p,
-                 Weighting::kEven);  // a voxel a CP, as in paper mode, fills no pool
+                 Weighting::kEven);  // one voxel per CP, as in paper mode, fills no pool
   p.material = material;
   state.head->friction_j += before - spring_energy(p);
 }

@@ -8,12 +8,12 @@
 namespace stylet {
 namespace {
 
-// Length of needle behind the tip that is searched, at least: longer than any tick's motion at
-// 1 kHz. Longer ticks search as far as the fastest handle moves in one.
+// Least length of needle behind the tip that is searched: longer than any tick's motion at
+// 1 kHz. Longer ticks search as far as the fastest handle moves in one tick.
 constexpr float kContactReachM = 0.02F;
-// The tip must be this far behind the surface: keeps a tip that just left from touching rounding.
+// The tip must be this far behind the surface, so that rounding brings back no tip that just left.
 constexpr float kContactSkinM = 2e-5F;
-// A tip that is drawn back, more than it is swept aside, is on its way out: cos 60 degrees.
+// A tip that is drawn back more than it is swept aside is on its way out: cos 60 degrees.
 constexpr float kSideways = 0.5F;
 
 struct Segment {
@@ -47,7 +47,7 @@ Vertex deformed(const Model& model, const State& state, const OrganVertex& v) {
   return out;
 }
 
-// How far along the segment it can be crossed within a sphere, at most; false: nowhere.
+// The farthest place on the segment where it can be crossed within a sphere; false: nowhere.
 bool reaches(const OrganSphere& sphere, const Segment& s, float grow_m, float& latest_out_m) {
   const Vec3 to = Vec3{sphere.x, sphere.y, sphere.z} - s.from_m;
   const float along = clamp(dot(to, s.direction), 0, s.length_m);
@@ -66,8 +66,8 @@ struct Search {
   std::uint32_t triangles_left;
 };
 
-// Where one vertex of a leaf is now tells where they all are: tissue that elsewhere is dragged far
-// makes a search reach many leaves, most of which have hardly moved.
+// One vertex of a leaf is looked at first, because it shows where all of them are: tissue dragged
+// far elsewhere makes a search reach many leaves, most of which have hardly moved.
 bool is_near(const Model& model, const State& state, const OrganSphere& leaf,
              const Segment& segment) {
   const OrganVertex& one = model.organ().vertices[model.organ().triangles[leaf.first].a];
@@ -102,7 +102,7 @@ bool search_leaf(const Model& model, const State& state, const OrganSphere& leaf
   return true;
 }
 
-// What is still to be looked at: a node, and how far along the segment it can be crossed.
+// A node still to be visited, and how far along the segment it can be crossed.
 struct Open {
   std::uint32_t node;
   float latest_m;
@@ -139,7 +139,7 @@ bool search_tree(const Model& model, const State& state, Search& search) {
   return top == 0;
 }
 
-// Along a segment, of which nothing is known yet.
+// Searches along a new segment.
 bool search_along(const Model& model, const State& state, const Segment& segment, Search& search) {
   search.segment = segment;
   search.found = false;
@@ -156,18 +156,18 @@ float contact_reach_m(const Model& model) {
 Contact find_contact(const Model& model, State& state, Vec3 tip_m, Vec3 direction, float reach_m,
                      Vec3 came_m, Vec3& rest_out_m, Vec3& place_out_m, std::uint32_t& flags_out) {
   Search search = {};
-  // sqrt(3): the displacement bound is per axis.
+  // sqrt(3), because the displacement bound is per axis.
   search.grow_m = 1.7320509F * state.head->max_displacement_m;
   search.triangles_left = kMaxTriangleTests;
   bool whole = search_along(
       model, state, {tip_m - reach_m * direction, direction, reach_m - kContactSkinM}, search);
-  // A tip that comes in sideways may have the surface farther behind it, or none.
+  // For a tip that comes in sideways, the surface may be farther behind it, or nowhere behind it.
   const float way = norm(came_m);
   const bool sideways =
       whole && !search.found && way > kContactSkinM && dot(came_m, direction) > -kSideways * way;
   if (sideways) {
-    // From the skin before the last tip to the skin before this one: nothing is left out between
-    // ticks.
+    // From the skin before the last tip to the skin before this one: nothing between the ticks is
+    // left out.
     const Vec3 along = (1 / way) * came_m;
     whole =
         search_along(model, state, {tip_m - came_m - kContactSkinM * along, along, way}, search);

@@ -6,11 +6,11 @@
 namespace stylet {
 namespace {
 
-// A touch so near to a rod's end, in rods, may go on at the next rod.
+// A touch this near to a rod's end, in rods, may continue at the next rod.
 constexpr float kNearNode = 0.1F;
 
-// The touch of the last tick that goes on at a piece: its own, or that of a piece beside it which
-// it has come from along the shaft. Null: it did not touch.
+// The touch of the last tick that continues at a piece: its own, or that of the piece beside it
+// from which it came along the shaft. Null if there was none.
 const Touch* remembered(const State& state, std::uint32_t obstacle, std::uint32_t rod) {
   const Touch* beside = nullptr;
   for (std::uint32_t i = 0; i < state.needle->touch_count; ++i) {
@@ -48,7 +48,7 @@ RodFace rod_face(const Model& model, const Near& near, Vec3d origin_m) {
           0};
 }
 
-// In a full list, the place of the face that is least deep; null: the new one is left out.
+// In a full list, the place of the least deep face; null: the new face is left out.
 Near* place_for(Nearest& out, double depth_m) {
   if (out.faces.count < kMaxTouches) return out.near + out.faces.count++;
   Near* least = out.near;
@@ -59,7 +59,7 @@ Near* place_for(Nearest& out, double depth_m) {
   return least->face.depth_m < depth_m ? least : nullptr;
 }
 
-// A face as it was in the last look and what bending made of it; null: it was not seen.
+// A face of the last look and what bending made of it; null: it was not seen.
 struct Seen {
   const Near* near;
   const RodFace* face;
@@ -103,7 +103,7 @@ void look_around(const Model& model, const State& state, const Scratch& scratch,
       *place = found;
       RodFace& face = out.faces.face[place - out.near];
       face = rod_face(model, found, origin_m);
-      // Friction goes on from the limit that it came to, not from the last tick's once more.
+      // Friction starts from the limit of the last look, not again from the last tick's.
       if (at.face != nullptr) face.limit_n = at.face->limit_n;
     }
   }
@@ -111,14 +111,14 @@ void look_around(const Model& model, const State& state, const Scratch& scratch,
 
 namespace {
 
-// What a face did, as the touch that the next tick remembers; its loss goes into the books.
+// Stores what a face did as the touch for the next tick; its loss goes into the books.
 bool enter_touch(const Model& model, State& state, const Scratch& scratch, const Nearest& nearest,
                  std::uint32_t i, Touch& out) {
   const Near& near = nearest.near[i];
   const RodFace& face = nearest.faces.face[i];
   const Obstacle& obstacle = model.obstacle[near.body];
   const RodTouch touch = touch_face(*model.rod, *scratch.rod_result, face);
-  // No friction without force, whatever the limit was on the way.
+  // Without force there is no friction, whatever the limit was before.
   const double most_n = face.friction * touch.force_n, most = most_n / face.stiffness_n_per_m;
   const double length = norm(touch.bristle_m);
   const Vec3d bristle = length > most ? (most / length) * touch.bristle_m : touch.bristle_m;

@@ -7,12 +7,12 @@
 namespace stylet {
 namespace {
 
-// Just behind the entry all of a voxel counts as tissue, this far along the track, in voxel edges.
+// Just behind the entry the whole voxel counts as tissue, this far along the track, in voxel edges.
 constexpr float kEntrySkin = 0.5F;
-// A hole's mouth, in the needle's outer radii: a contact so near an entry is at that entry, and a
-// tip that has left its hole lies no deeper in it.
+// A hole's mouth, in the needle's outer radii: a contact this near to an entry is at that entry,
+// and a tip that has left its hole lies no deeper in it.
 constexpr float kMouthInRadii = 3;
-// A needle at the mouth of a hole goes into it if it points as the hole does, within 18 degrees.
+// A needle at the mouth of a hole enters it if its direction is the hole's, within 18 degrees.
 constexpr float kSameWayCosine = 0.95F;
 
 }  // namespace
@@ -28,7 +28,7 @@ float mouth_m(const Model& model) {
 
 namespace {
 
-// The track this contact enters, if the tissue remembers one here.
+// The track that this contact enters, if the tissue remembers one here.
 std::uint32_t find_track(const Model& model, const State& state, Vec3 rest_m, Vec3 rest_direction) {
   const float reach = mouth_m(model);
   for (std::uint32_t i = 0; i < state.head->track_count; ++i) {

@@ -12,7 +12,7 @@ bool pose_finite(const Pose& pose) {
          is_finite(q.z);
 }
 
-// Unit length, on the same side as `reference`; false when there is no direction in it.
+// Unit length, on the same side as `reference`; false if it has no direction.
 bool normalize(Quat& q, const Quat& reference) {
   const float largest = max_of(max_of(max_of(q.w, -q.w), max_of(q.x, -q.x)),
                                max_of(max_of(q.y, -q.y), max_of(q.z, -q.z)));
@@ -33,7 +33,7 @@ bool clamp_distance(const Model& model, Vec3& position_m) {
   return near.x != from.x || near.y != from.y || near.z != from.z;
 }
 
-// Follows the wanted pose at most at the hand's highest speed.
+// Follows the wanted pose, at most as fast as the fastest hand.
 bool clamp_motion(const Pose& last, float period_s, Pose& wanted) {
   bool clamped = false;
   const Vec3 step = wanted.position_m - last.position_m;

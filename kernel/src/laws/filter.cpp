@@ -4,11 +4,11 @@
 namespace stylet {
 namespace {
 
-// Damping of the polynomial: p then stays above 0.011. With 0.05, which divides s by a little more,
-// the shortest waves hardly move and come to rest slowly.
+// Damping of the polynomial: with it p stays above 0.011. With 0.05, which divides s by a little
+// more, the shortest waves hardly move and come to rest slowly.
 constexpr double kDamping = 2;
 // Part of the limit that is used. With all of it a lattice in paper mode, whose waves reach the
-// bound, gained a thousandth a step in large motion, which no linear bound speaks of.
+// bound, gained a thousandth a step in large motion, to which no linear bound applies.
 constexpr double kUsed = 0.8;
 
 // Chebyshev's polynomials of the first kind and their slopes at w0 > 1, for degrees 0 .. n.
@@ -31,7 +31,7 @@ Chebyshev chebyshev(std::uint32_t degree) {
   return t;
 }
 
-// Largest x p(x) over s, for p of this degree in passes.
+// Largest x p(x) over s, for the polynomial p of so many passes.
 double share_left(std::uint32_t passes) {
   const std::uint32_t degree = passes + 1;
   const Chebyshev t = chebyshev(degree);

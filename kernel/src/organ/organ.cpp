@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only code that reads untrusted bytes: structure by FlatBuffers' verifier, meaning by us.
-// Why here and nowhere else: after organ_open returns kOk the tick may index without checks.
+// The only code that reads untrusted bytes: FlatBuffers' verifier checks structure, we check
+// meaning. Why only here: after organ_open has returned kOk the tick may index without checks.
 
 #include "stylet/organ.h"
 
@@ -27,7 +27,7 @@ static_assert(sizeof(OrganPart) == sizeof(format::Part));
 
 constexpr std::uint32_t kNewestFormat = 2;
 
-// Keeps the refusal; every check below reads as one line, and the first that fails is the last.
+// Keeps the first refusal, so that every check below reads as one line; later checks do not run.
 struct Checker {
   OrganRefusal refusal;
 
@@ -62,7 +62,7 @@ std::uint64_t fnv1a(std::span<const std::byte> bytes) {
   return hash;
 }
 
-// Runs inside the lattice, sorted, apart; their voxels as many as the per-voxel arrays say.
+// Runs are inside the lattice, sorted and apart; they have as many voxels as the per-voxel arrays.
 bool check_runs(Checker& check, const Organ& organ) {
   std::uint64_t voxels = 0;
   std::uint64_t last_row = 0;
@@ -111,7 +111,7 @@ bool check_voxels(Checker& check, const Organ& organ) {
   return true;
 }
 
-// A tick looks a voxel's entry up by an index made from these, and its material by its number.
+// A tick uses these to compute the index of a voxel's entry, and their material numbers as indices.
 bool check_mixed(Checker& check, const Organ& organ, std::uint32_t version) {
   if (!check.require(organ.mixed.empty() || version >= 2, Status::kOrganVersionUnknown, "mixed", 0,
                      version, "format version 2 where there are mixed voxels")) {
@@ -187,7 +187,7 @@ bool check_surface(Checker& check, const Organ& organ) {
 }
 
 // Walks the whole tree once with a stack of the tick's size: every node must be reached exactly
-// once and the stack must suffice.
+// once, and the stack must be large enough.
 bool check_depth(Checker& check, const Organ& organ) {
   std::uint32_t stack[kMaxTreeDepth];
   std::uint32_t top = 0;
@@ -210,7 +210,7 @@ bool check_depth(Checker& check, const Organ& organ) {
                        "every node the child of exactly one node");
 }
 
-// Children behind their parent, so a walk ends; leaves inside the triangle list.
+// Children come after their parent, so a walk ends; leaves are inside the triangle list.
 bool check_spheres(Checker& check, const Organ& organ) {
   const std::size_t count = organ.spheres.size();
   if (!check.require((count > 0) == !organ.triangles.empty(), Status::kOrganSizesDisagree,
@@ -246,7 +246,7 @@ bool is_tied(const Organ& organ, const OrganTie& node) {
       [](const OrganTie& a, const OrganTie& b) { return order_of(a) < order_of(b); });
 }
 
-// Each node is tied once at most, and to one that stands for itself, at the same place in space.
+// Each node is tied at most once, to a node that is not tied itself, at the same place in space.
 bool check_ties(Checker& check, const Organ& organ) {
   for (std::size_t i = 0; i < organ.ties.size(); ++i) {
     const OrganTie& t = organ.ties[i];
@@ -419,7 +419,7 @@ Material organ_material(const Organ& organ, std::uint32_t index) {
 
 namespace {
 
-// Lattice coordinates of a voxel, by walking the runs: only a few triangles are ever asked for.
+// Lattice coordinates of a voxel, by walking the runs: callers only ask for a few triangles.
 Vec3 voxel_low_corner(const Organ& organ, std::uint32_t voxel) {
   std::uint32_t first = 0;
   for (const OrganRun& run : organ.runs) {

@@ -3,7 +3,7 @@
 
 #ifdef STYLET_INVARIANTS
 
-#undef NDEBUG  // also where a build turns others off
+#undef NDEBUG  // also in builds that turn other asserts off
 #include <cassert>
 
 namespace stylet {

@@ -11,7 +11,7 @@ constexpr Bytes round_block(Bytes bytes) {
   return (bytes + kBlockAlignment - 1) / kBlockAlignment * kBlockAlignment;
 }
 
-// In 64 bits, where no sum of counts below 2^32 wraps; what a pointer cannot span is refused.
+// In 64 bits, where sums of counts below 2^32 cannot wrap; sizes that no pointer spans are refused.
 #define STYLET_FIELD_SIZE(name, type, count) \
   bytes += round_block(sizeof(type) * static_cast<std::uint64_t>(count));
 std::uint64_t model_bytes(const Counts& c) {

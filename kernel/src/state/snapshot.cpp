@@ -12,8 +12,8 @@ namespace {
 constexpr std::uint64_t kMagic = 0x32504E5354595453ULL;  // "STYTSNP2"
 constexpr std::uint64_t kHashStart = 0xcbf29ce484222325ULL, kHashPrime = 0x100000001b3ULL;
 
-// Of names and sizes of all fields: another one with each that comes, goes or grows. Where only the
-// meaning of a field changes, the magic number must.
+// Hash of names and sizes of all fields: it changes with every field that is added, removed or
+// resized. If only the meaning of a field changes, the magic number must change.
 constexpr std::uint64_t layout_hash() {
   std::uint64_t hash = kHashStart;
   const auto add = [&](std::string_view name, std::size_t size) {
@@ -28,7 +28,7 @@ constexpr std::uint64_t layout_hash() {
   return hash;
 }
 
-// Eight bytes at a time: a byte at a time a snapshot of 100 000 voxels took seven times as long.
+// Eight bytes at a time: one at a time, a snapshot of 100 000 voxels took seven times as long.
 // Blocks are whole lines.
 std::uint64_t checksum(const std::byte* bytes, std::size_t count) {
   static_assert(kBlockAlignment % sizeof(std::uint64_t) == 0);
@@ -42,8 +42,8 @@ std::uint64_t checksum(const std::byte* bytes, std::size_t count) {
   return sum;
 }
 
-// What the numbers of a state are held against. A kernel that has latched a fault computes nothing
-// until reset: its numbers may be anything, its indices not, for they are still reported by.
+// What the numbers of a state are checked against. A kernel that has latched a fault computes
+// nothing until reset. Its numbers may be anything, but not its indices: reports still use them.
 struct Limits {
   const Model& model;
   bool faulted;
@@ -58,7 +58,7 @@ struct Limits {
   bool number(Vec3d v) const { return number(v.x) && number(v.y) && number(v.z); }
   bool number(Quat q) const { return number(q.w) && number(Vec3{q.x, q.y, q.z}); }
   bool no_less(float v, float least) const { return number(v) && (faulted || v >= least); }
-  // Sums that should end at 0 or 1 end beside it: a spring's relaxing part at -2e-7.
+  // Sums that should end at 0 or 1 end near it: a spring's relaxing part at -2e-7.
   bool part(float v) const { return faulted || (v >= -kRounding && v <= 1 + kRounding); }
   bool part(double v) const { return faulted || (v >= 0 && v <= 1); }
   bool one(double v) const { return faulted || (v >= 1 - kLength && v <= 1 + kLength); }
@@ -66,10 +66,10 @@ struct Limits {
   bool layer(std::uint32_t v) const { return v == kNoLayer || material(v); }
 
   static constexpr float kRounding = 1e-4F;
-  static constexpr double kLength = 1e-3;  // of what a tick makes a unit
+  static constexpr double kLength = 1e-3;  // how far a tick's units differ
 };
 
-// Overloads: an element of a field, and its index there.
+// Overloads: an element of a field, and its index in the field.
 
 bool sound(const Limits& is, float v, std::size_t) {
   return is.number(v);
@@ -93,8 +93,8 @@ bool sound(const Limits& is, const Pose& handle) {
   return is.number(handle.position_m) && is.number(q) && is.one(static_cast<double>(length2));
 }
 
-// A needle is inside where it has shaft particles, and its tip holds on to tissue in every phase
-// but the free one.
+// A needle is inside exactly if it has shaft particles, and its tip holds tissue in every phase
+// except the free one.
 bool sound_phase(const NeedleState& own) {
   const bool inside = own.phase == Phase::kInserted || own.phase == Phase::kRetracting;
   return own.phase <= Phase::kRetracting && own.tip_alive <= 1 &&
@@ -117,14 +117,14 @@ bool sound(const Limits& is, const NeedleState& own, std::size_t) {
          own.touch_max >= own.touch_count;
 }
 
-// Of a voxel that exists: `slot` lies in `row`, and is no hole in it.
+// The voxel exists: `slot` lies in `row`, and is not a hole in it.
 bool sound(const Limits& is, const Support& support, bool used) {
   const Counts& counts = is.head().counts;
   if (support.slot >= counts.slots || support.row >= counts.rows) return false;
   if (used) {
     const Row& row = is.model.row[support.row];
     if (support.slot - row.slot >= row.count || !(is.model.slot_k[support.slot] > 0)) return false;
-    // The next match begins there.
+    // The next match starts from it.
     const Quat& q = support.turn;
     const float length2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
     if (!is.faulted && !is.one(static_cast<double>(length2))) return false;
@@ -150,7 +150,7 @@ bool sound_shares(const Limits& is, const Particle& p) {
   return is.one(static_cast<double>(sum)) && (p.support_count == 0 || is.faulted || springs);
 }
 
-// Of the shaft, the last one the tip.
+// Of the shaft; the last one is the tip.
 bool sound(const Limits& is, const Particle& p, std::size_t) {
   return is.number(p.rest_m) && is.number(p.position_m) && is.number(p.memory_m) &&
          is.number(p.memory_n) && is.number(p.give_m) && is.number(p.slack_m) &&
@@ -194,7 +194,7 @@ bool sound(const Limits& is, const Event& e, std::size_t) {
          is.number(e.force_n) && e.needle < is.head().counts.needles && e.reserved == 0;
 }
 
-// An element of a field at any address.
+// An element of a field, at any address.
 template <typename Type>
 Type element(const std::byte* field, std::size_t index) {
   Type out;
