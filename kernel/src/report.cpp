@@ -196,7 +196,7 @@ double kinetic_energy(const Model& model, const State& state) {
   return sum;
 }
 
-// Springs of the CPs, with their Maxwell branch, and what their voxels hold for them.
+// Springs of the CPs with their Maxwell branches, and what the corners hold beyond their own match.
 double coupling_energy(const Model& model, const State& state) {
   double sum = 0;
   Particle p = {};

@@ -71,7 +71,7 @@ bool seek_contact(const Model& model, State& state, Scratch& scratch, const Need
   if (own.phase != Phase::kFree) return true;
   Vec3 rest = {}, place = {};
   const Vec3 step = needle.tip_m - state.tip->position_m;
-  // Tissue that it had drawn along springs back over a tip that has left it, at once and far.
+  // Tissue that a needle had drawn along springs back over a tip that has left it, fast and far.
   const float reach_m = own.leaving != 0 ? model.needle_config().length_m : contact_reach_m(model);
   const Contact contact = find_contact(model, state, needle.tip_m, needle.tip_direction, reach_m,
                                        search.known_before ? step : Vec3{}, rest, place, flags);
@@ -105,8 +105,8 @@ float move_tip(const Model& model, State& state, const Needle& needle) {
   return moved_m;
 }
 
-// Behind a tip that comes back the shaft's CPs go, with the last of them the insertion ends; behind
-// one that goes on there are new ones. `from_m` (rest frame) and `from_track_m`: where the tip was.
+// Removes the shaft's CPs behind a tip that comes back; with the last one the insertion ends.
+// Adds CPs behind a tip that goes on. `from_m` (rest frame), `from_track_m`: where the tip was.
 std::uint32_t add_and_remove(const Model& model, State& state, Scratch& scratch,
                              const Needle& needle, Vec3 from_m, float from_track_m) {
   NeedleState& own = *state.needle;

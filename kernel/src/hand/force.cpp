@@ -49,7 +49,7 @@ void sum_forces(const Model& model, const State& state, const Needle& needle, Ou
     out.stiffness_n_per_m = out.stiffness_n_per_m + (k.m[0][0] + k.m[1][1] + k.m[2][2]);
     add_torque(needle, touch.at_m - shift, touch.force_n, out);
   }
-  // Of the causes, not beside them: contacts may push against each other a hundred times as hard.
+  // Sum of the causes, not of all forces: contacts may push against each other with 100 times that.
   out.force_n = ((cause.stiffness_n + cause.cutting_n) + (cause.friction_n + cause.clamping_n)) +
                 cause.obstacle_n;
   out.torque_nm = out.torque_nm + roll_torque_nm(state);

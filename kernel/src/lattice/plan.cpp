@@ -9,10 +9,10 @@
 namespace stylet {
 namespace {
 
-// Slots, particles and windows: differences of two are 32-bit numbers with a sign.
+// Bound of slots, particles and windows: differences of two of them are signed 32-bit numbers.
 constexpr std::uint64_t kMostOfACount = INT32_MAX - 64;
-// Places (y, z) for each row, at most, in the table that finds a row: 256 bytes. An organ of any
-// usual shape has fewer, and then each row a place of its own.
+// Most places (y, z) per row in the table that finds a row: 256 bytes. An organ of any usual shape
+// has fewer, and then each row has a place of its own.
 constexpr std::uint64_t kPlacesPerRow = 64;
 
 template <typename Count>
@@ -36,7 +36,7 @@ class Reached {
     more_ = left_.next(after_);
   }
 
-  // Leaves behind what ends before node `x`. Returns where the next stretch begins, or `end`.
+  // Passes stretches that end before node `x`. Returns where the next stretch begins, or `end`.
   std::uint32_t go_to(std::uint32_t x, std::uint32_t end) {
     for (; here_ && now_.end < x; ++index_) {
       now_ = after_;
@@ -46,7 +46,7 @@ class Reached {
     return more_ && after_.begin < end ? after_.begin : end;
   }
 
-  // Of nodes [x, end).
+  // For the nodes [x, end).
   Reach lanes(std::uint32_t x, std::uint32_t end) const {
     std::uint32_t bits = 0;
     for (std::uint32_t node = x; node < end && here_; ++node) {
@@ -63,9 +63,9 @@ class Reached {
 };
 
 // Calls visit(x, reach of the row before, reach of the row behind) for each window of `width` nodes
-// between two voxel rows. Where another stretch begins, a window of its own does: the lanes left
-// over write zeros there, which it writes over. Each holds a node of either row: fewer than kGap
-// of neither lie between two of them.
+// between two voxel rows. Where another stretch begins, a new window begins: the old window's
+// unused lanes write zeros there, and the new one overwrites them. Each window holds a node of
+// either row: fewer than kGap nodes of neither row lie between two such nodes.
 template <typename Visit>
 void for_each_window(Runs before, Runs behind, std::uint32_t width, Visit visit) {
   Reached one(before), other(behind);
@@ -105,7 +105,7 @@ void count_voxels(Runs plane, Totals& totals) {
   totals.slots_of_plane = std::max(totals.slots_of_plane, slots);
 }
 
-// Of the nodes between two voxel planes.
+// Counts the nodes between two voxel planes.
 void count_nodes(Runs above, Runs below, Totals& totals) {
   std::uint64_t particles = kLanes;
   std::uint32_t y = 0;
@@ -133,11 +133,11 @@ void for_each_row(const Organ& organ, Visit visit) {
   }
 }
 
-// All that the passes keep of the planes they have at hand (lattice/filter_passes.h).
+// All that the passes keep of planes (lattice/filter_passes.h).
 std::uint64_t filter_floats(const Counts& c) {
   const std::uint64_t passes =
       std::uint64_t{kMaxFilterPasses} * kPassPlanes * 3 * c.particles_per_plane;
-  // Rows are read a group of lanes beyond their end.
+  // Rows are read up to a group of lanes beyond their end.
   return kLanes + std::uint64_t{3} * c.slots_per_plane + passes + 2 * kLanes;
 }
 
@@ -184,8 +184,8 @@ void fill_rows(Runs runs, std::uint32_t plane, Model& model, std::uint32_t& row,
   slot = round_lanes(slot);
 }
 
-// Places of the particles between two voxel planes, from `particle` on. Each row gets that of its
-// first node; `rows_end`: of those made so far.
+// Places of the particles between two voxel planes, from `particle` on. Each row gets the place of
+// its first node; `rows_end` is the end of the rows made so far.
 void fill_nodes(Runs above, Runs below, std::uint32_t plane, Model& model, std::uint32_t rows_end,
                 std::uint32_t& particle) {
   const std::uint32_t begin = model.plane[plane].row_begin;
@@ -222,14 +222,14 @@ Window window_at(const Model& model, std::uint32_t plane_index, std::uint32_t x,
   const Plane& plane = model.plane[plane_index];
   const Row& row = other != 0 ? *behind : *before;
   const std::uint32_t side = other != 0 ? 0 : 1;
-  // Without a node of a row the other is read twice: that one is at hand.
+  // If one row has no node here, the other row is read twice: its sums are available.
   return {{slot_of(one != 0 ? *before : row, plane, x), slot_of(row, plane, x)},
           {one, other},
           row.node[side] + x - row.x0 - plane.particle_begin,
           row.node[side + 2] + x - row.x0 - model.plane[plane_index + 1].particle_begin};
 }
 
-// Windows of a plane, `list` of them from `next` on.
+// Windows of a plane, in list `list`, from index `next` on.
 void fill_windows(Runs runs, std::uint32_t plane, Model& model, std::uint32_t list,
                   std::uint32_t& next) {
   Window* const windows = list == 0 ? model.window8 : model.window16;
@@ -274,7 +274,7 @@ Status count_lattice(const Organ& organ, const Config& config, Counts& counts_ou
   c.slots = static_cast<std::uint32_t>(totals.slots);
   c.windows[0] = static_cast<std::uint32_t>(totals.windows[0]);
   c.windows[1] = static_cast<std::uint32_t>(totals.windows[1]);
-  // A chunk, the rest of the row it ends in, and two lines of rows kept from the chunk before.
+  // A chunk, the rest of the row where it ends, and two lines of rows kept from the chunk before.
   c.slots_at_once =
       static_cast<std::uint32_t>(round_lanes(kChunk + 3 * totals.slots_of_line + 2 * kLanes));
   // The sweep works in whole lanes, so it touches up to two groups behind the last row.
@@ -297,7 +297,7 @@ void fill_lattice(const Organ& organ, Model& model) {
   std::uint32_t z = 0, row = 0, slot = 0, particle = 0, window[2] = {};
   for (std::uint32_t i = 0; i <= counts.planes; ++i, below = here) {
     Plane& plane = model.plane[i];
-    const bool voxels = planes.next(z, here);  // but in the last
+    const bool voxels = planes.next(z, here);  // not in the last
     plane.z = z;
     plane.row_begin = row;
     plane.slot_begin = slot;

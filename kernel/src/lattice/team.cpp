@@ -18,8 +18,8 @@ void pause() {
 
 enum class Found { kNothing, kEmptyPart, kPlanes };
 
-// Sweeps one part of the present step, unless all are taken. A value of `work` that was read long
-// ago does no harm: the exchange fails, or the part it names is the next one again.
+// Sweeps one part of the present step, unless all are taken. A value of `work` read long ago does
+// no harm: the exchange fails, or the part that it names is the next one again.
 Found sweep_one(const Kernel& kernel, Team& team) {
   for (std::uint32_t attempt = 0; attempt < kMostParts; ++attempt) {
     std::uint32_t seen = team.work.load(std::memory_order_acquire);
@@ -44,18 +44,18 @@ struct TeamSizes {
 
 TeamSizes team_sizes(const Counts& counts) {
   const auto whole = [](std::uint64_t floats) { return (floats + kLanes - 1) / kLanes * kLanes; };
-  // The lanes before the sums are read by windows, and not used.
+  // Windows read the lanes before the sums, but do not use them.
   return {kLanes + whole(std::uint64_t{12} * counts.slots_at_once),
           whole(std::uint64_t{3} * kForceParts * counts.particles_per_plane),
           whole(counts.filter_floats)};
 }
 
-// One for each thread.
+// One slab per thread.
 std::uint32_t slabs_of(const Counts& counts, std::uint32_t helpers) {
   return counts.planes < helpers + 1 ? counts.planes : helpers + 1;
 }
 
-// Both parts of slab `s`, of planes [begin, end).
+// Sets both parts of slab `s`, of planes [begin, end).
 void set_slab(Team& team, std::uint32_t s, std::uint32_t begin, std::uint32_t end) {
   const bool up = s % 2 != 0;
   Slab& slab = team.slab[s];
@@ -71,7 +71,7 @@ void set_slab(Team& team, std::uint32_t s, std::uint32_t begin, std::uint32_t en
   if (!up && s + 1 < team.slab_count) own.apart = &team.part[s + 1];
 }
 
-// As many slots in each slab as there are in all by now, and a plane for each that follows.
+// Equal shares of all slots up to the end of each slab, and a plane for each slab that follows.
 void share_planes(const Model& model, Team& team) {
   const Counts& counts = model.head->counts;
   std::uint32_t plane = 0;
@@ -108,7 +108,7 @@ std::size_t team_bytes(const Kernel& kernel, std::uint32_t helpers) {
   const TeamSizes size = team_sizes(counts);
   const std::uint64_t slab = 2 * (size.sums + size.force) + size.filter;
   const std::uint64_t bytes = sizeof(Team) + slabs_of(counts, helpers) * slab * sizeof(float);
-  // More than there is on this machine: set_team refuses whatever it gets.
+  // More than this machine has: set_team refuses any memory.
   return static_cast<std::size_t>(std::min<std::uint64_t>(bytes, SIZE_MAX));
 }
 
@@ -128,7 +128,7 @@ Status set_team(Kernel& kernel, std::uint32_t helpers, std::span<std::byte> memo
   const TeamSizes size = team_sizes(counts);
   Team& team = *new (memory.data()) Team();  // in the caller's memory, between ticks
   team.slab_count = slabs_of(counts, helpers);
-  // Nothing to take until the first step.
+  // There is nothing to take until the first step.
   team.work.store(parts_of(team), std::memory_order_relaxed);
   auto* floats = reinterpret_cast<float*>(memory.data() + sizeof(Team));
   for (std::uint32_t i = 0; i < parts_of(team); ++i) {

@@ -21,7 +21,7 @@ void each_voxel(const Model& model, std::int32_t x, std::int32_t y, std::int32_t
   }
 }
 
-// Whether a place in its cell (0 to 1 along each axis) is the voxel's own. Only with sheets.
+// Whether a place in a voxel's cell (0 to 1 along each axis) is its own. Only with sheets.
 bool is_own(const Model& model, std::uint32_t slot, Vec3 f) {
   const auto quarter = [](float v) {
     return static_cast<std::uint32_t>(max_of(0, min_of(4 * v, 3)));
@@ -30,7 +30,7 @@ bool is_own(const Model& model, std::uint32_t slot, Vec3 f) {
   return ((model.quarters[slot] >> bit) & 1U) != 0;
 }
 
-// The filled voxel of a cell in space, of all sheets, for a place `f` in it: its own; else any.
+// Of the filled voxels in a cell of all sheets: the one whose own the place `f` is; else any.
 bool voxel_around(const Model& model, Vec3 cell, Vec3 f, std::uint32_t& slot_out,
                   std::uint32_t& row_out) {
   bool found = false;
@@ -44,13 +44,13 @@ bool voxel_around(const Model& model, Vec3 cell, Vec3 f, std::uint32_t& slot_out
   return found;
 }
 
-// The particle at a voxel's corner (bits x, y, z), or the one it is tied to. Only with sheets.
+// The particle at a voxel's corner (bits x, y, z), or the one that it is tied to. Only with sheets.
 std::uint32_t corner_particle(const Model& model, std::uint32_t slot, const Row& row,
                               std::uint32_t corner) {
   return model.representative[row.node[corner >> 1U] + (slot - row.slot) + (corner & 1U)];
 }
 
-// The eight cells around a place, the low one first, and where between their middles it lies.
+// The eight cells around a place, the lowest first; where the place lies between their centres.
 struct Around {
   std::int32_t x0, y0, z0;
   Vec3 f;
@@ -58,8 +58,8 @@ struct Around {
 
 Around cells_around(const ModelHead& head, Vec3 rest_m) {
   const Vec3 g = head.inverse_edge_per_m * (rest_m - head.origin_m) - Vec3{0.5F, 0.5F, 0.5F};
-  // Truncation of a shifted value: floor without libm. Points this far out have no voxel anyway,
-  // and a place that is not a number becomes one of them.
+  // Truncation of a shifted value: floor without libm. Points as far out as the bounds have no
+  // voxel, and a NaN becomes such a point.
   const auto whole = [](float v) {
     return static_cast<std::int32_t>(max_of(-2, min_of(v, 70000)) + 4.0F) - 4;
   };
@@ -83,13 +83,13 @@ void each_voxel(const Model& model, const Around& around, std::int32_t corner, V
              around.z0 + (corner >> 2), visit);
 }
 
-// The eight cells have one node in common. With sheets, which particle is there depends on the part
-// that the place lies in; parts without it do not hold the place.
+// The eight cells have one node in common. With sheets, the part in which the place lies says which
+// particle is there; parts without that particle do not hold the place.
 std::uint32_t common_particle(const Model& model, const Around& around) {
   std::uint32_t particle = 0;
   float best = 0;
   for (std::int32_t corner = 0; corner < 8; ++corner) {
-    // In its own cell, the one whose tent is highest, the place chooses among the parts.
+    // In its own cell, which has the highest tent, the place chooses among the parts.
     const auto in_cell = [&](float f, int bit) {
       return ((corner >> bit) & 1) != 0 ? f - 0.5F : f + 0.5F;
     };
@@ -156,7 +156,7 @@ Quat corner_rotation(const State& state, std::uint32_t slot, const Corners& corn
 
 namespace {
 
-// The voxel a rest point lies in, and where in it (0 to 1 along each axis); false outside them all.
+// The voxel in which a rest point lies, and where in it (0 to 1 along each axis); false if in none.
 bool find_voxel(const Model& model, Vec3 rest_m, std::uint32_t& slot_out, std::uint32_t& row_out,
                 Vec3& part_out) {
   const ModelHead& head = *model.head;
@@ -224,7 +224,7 @@ std::uint32_t find_supports(const Model& model, Vec3 rest_m,
   float sum = 0;
   for (std::int32_t corner = 0; corner < 8; ++corner) {
     const float of_corner = weighting == Weighting::kEven ? 0.125F : tent(around, corner);
-    bool taken = false;  // one voxel of a cell is enough
+    bool taken = false;  // one voxel per cell is enough
     each_voxel(model, around, corner, [&](std::uint32_t slot, std::uint32_t row_index) {
       const float fill = model.slot_fill[slot];
       const float part =

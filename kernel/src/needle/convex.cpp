@@ -8,7 +8,7 @@
 namespace stylet {
 namespace {
 
-// Relative error of the squared distance at which the search ends.
+// The search ends at this relative error of the squared distance.
 constexpr double kDistanceTolerance = 1e-13;
 // Cores nearer than this overlap.
 constexpr double kTouchM = 1e-11;
@@ -39,7 +39,7 @@ struct Simplex {
   std::uint32_t count;
 };
 
-// Nearest point of a simplex to the origin: `weight` says what of each corner.
+// Nearest point of a simplex to the origin: `weight` is the weight of each corner.
 struct Nearest {
   Vec3d p;
   double square;  // of the distance; 0 inside a tetrahedron
@@ -57,7 +57,7 @@ Nearest on_edge(const Simplex& s, std::uint32_t i, std::uint32_t j) {
   t = t < 0 ? 0 : (t > 1 ? 1 : t);
   Nearest n = {};
   n.weight[j] = t;
-  n.weight[i] = 1 - t;  // second: where i is j, the one corner has all the weight
+  n.weight[i] = 1 - t;  // second, as where i is j the one corner has all the weight
   n.p = a + t * ab;
   n.square = dot(n.p, n.p);
   return n;
@@ -107,7 +107,7 @@ bool holds(const Simplex& s, Vec3d p) {
   return false;
 }
 
-// Drops the corners the nearest point does not lie on; returns its place along the segment.
+// Drops corners on which the nearest point does not lie; returns its parameter on the segment.
 double reduce(Simplex& s, const Nearest& n) {
   std::uint32_t kept = 0;
   double place = 0;
@@ -122,8 +122,8 @@ double reduce(Simplex& s, const Nearest& n) {
 
 // ---- libccd -------------------------------------------------------------------------------------
 
-// Both shapes of one query. libccd bounds neither of its search loops; but both end when a support
-// point lies behind the origin, so once the budget is spent every point does.
+// Both shapes of one query. libccd limits neither of its search loops, but both end when a support
+// point lies behind the origin. So once the budget is spent, every support point lies there.
 struct Overlap {
   const ConvexHull* hull;
   const Segment* segment;
@@ -142,7 +142,7 @@ Vec3d from_ccd(const ccd_vec3_t& a) {
   return {a.v[0], a.v[1], a.v[2]};
 }
 
-// Against the direction, and far for its length.
+// Opposite to the direction, and far for the direction's length.
 Vec3d behind(Vec3d direction) {
   const double length = norm(direction);
   return length > 0 ? (-kBehindM / length) * direction : Vec3d{0, 0, 0};
@@ -170,7 +170,7 @@ void segment_centre(const void* object, ccd_vec3_t* centre) {
   *centre = to_ccd(point_on(*overlap_of(object).segment, 0.5));
 }
 
-// To a grid, so that a library built to fuse products gives the same bits.
+// Rounds to a grid, so that a library whose build fuses products gives the same bits.
 double coarse(double v) {
   constexpr double kGrid = 1024;
   return whole_part(v * kGrid + (v < 0 ? -0.5 : 0.5));

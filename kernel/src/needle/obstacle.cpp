@@ -6,12 +6,12 @@
 namespace stylet {
 namespace {
 
-// An axis nearer to the body than this share of the rounding is looked at from where the last
-// normal leads out: the direction of a distance needs a distance.
+// If the axis is nearer to the body than this part of the rounding, it is viewed from outside along
+// the last normal: a distance of zero has no direction.
 constexpr double kCoreShare = 0.25;
-// A normal that turns by more than 120 degrees has not turned: the needle has passed through.
+// If a normal turns by more than 120 degrees, the needle has passed through the body.
 constexpr double kThroughCosine = -0.5;
-// Normal stiffness left where the force is saturated, so that rounding cannot make it negative.
+// Least normal stiffness at a saturated force, so that rounding cannot make it negative.
 constexpr double kLeastStiffnessShare = 1e-5;
 
 constexpr float kLargestConfigM = 10;
@@ -53,8 +53,8 @@ double rounding_of(const Obstacle& obstacle, double radius_m) {
 
 // ---- where --------------------------------------------------------------------------------------
 
-// The closest points, seen with the axis moved to at least `margin` outside the body along `out`:
-// which side of the body is near a needle that is pressed into it.
+// The closest points with the axis moved to at least `margin` outside the body along `out`: they
+// tell which side of the body is near a needle that is pressed into it.
 Closest view_along(const ConvexHull& hull, const Segment& axis, Vec3d out, double margin) {
   const double depth = reach(hull, out) - min_of(dot(out, axis.a_m), dot(out, axis.b_m));
   const Vec3d shift = max_of(depth + margin, 0) * out;
@@ -72,7 +72,7 @@ double depth_along(const ConvexHull& hull, Vec3d normal, Vec3d point, double rou
   return rounding + reach(hull, normal) - dot(normal, point);
 }
 
-// Towards `target`, by at most kMaxNormalTurnRad (to third order).
+// Turns towards `target`, by at most kMaxNormalTurnRad (to third order).
 Vec3d turn(Vec3d from, Vec3d target) {
   constexpr double kMost = static_cast<double>(kMaxNormalTurnRad);
   const double along = dot(from, target);
@@ -83,7 +83,7 @@ Vec3d turn(Vec3d from, Vec3d target) {
   return (1 / norm(turned)) * turned;
 }
 
-// No point of the axis can be within the rounding of the body.
+// True: no point of the axis can be within the rounding of the body.
 bool is_far(const Obstacle& obstacle, const Segment& axis, double rounding) {
   const Vec3d centre = to_double(obstacle.centre_m);
   const Vec3d along = axis.b_m - axis.a_m, gap = centre - axis.a_m;

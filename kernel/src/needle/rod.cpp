@@ -11,24 +11,24 @@ namespace {
 
 using namespace rod;
 
-// Shares of a step that are tried. The first is Newton's; the others find the way where faces are
-// met or left on it, or the shape is not stable.
+// Tried parts of a step. The first is Newton's step; the others find the way if faces are met or
+// left on it, or if the shape is not stable.
 constexpr double kTriedShare[kRodTrials] = {1, 0.5, 0.2, 0.05};
-// Beyond this a pivot says that those before it were next to nothing, and the step is no better: it
-// is found anew with this share of the compression. (Taken all the same, with the share lowered for
-// the steps after it, every third step was lost: a needle pressed on hard bone came to its buckled
+// A pivot below this says that earlier pivots were almost zero, and the step is no better: it is
+// computed again with this part of the compression. (When it was taken, and only later steps used
+// a smaller part, every third step was lost: a needle pressed on hard bone reached its buckled
 // shape a tick late, at up to four times its load.)
 constexpr double kWildPivot = -0.1;
 constexpr double kTamedShare = 0.25;
-// A step that is rounding.
+// A step below this is rounding.
 constexpr double kRestsRad = 1e-7;
-// Slope of what friction allows over its limit from which on the contact is taken to stick.
+// If the slope of friction's allowed force over its limit reaches this, the contact is to stick.
 constexpr double kHoldsItself = 0.95;
-// A slope steeper than this is taken for one of faces that were met or left: a tenth of the way.
+// A steeper slope than this is taken to come from faces met or left: a tenth of the way is used.
 constexpr double kSteepestFall = -9;
-// Limits that differ by less than this share say nothing about how the force follows them, nor
-// does one whose last step was longer than this: its force changes for other reasons, too. (A slope
-// of 5 came of that, and a tip that slid stuck for a tick, at 2 to 4 N.)
+// Limits that differ by less than this part say nothing about how the force follows them. Nor does
+// a limit whose last step was longer than this: the force then changes for other reasons, too.
+// (That gave a slope of 5, and a tip that slid stuck for a tick, at 2 to 4 N.)
 constexpr double kLeastLimitShare = 0.01;
 constexpr double kSettledRad = 1e-4;
 
@@ -41,9 +41,9 @@ RodTouch touch_at(const RodFace& face, Vec3d x) {
   return {moved, depth, pressed.force_n, slid.bristle_m, slid.slips};
 }
 
-// What a face adds to the energy and its derivatives. Along the normal the chord of the law stands
-// for its slope: more, so that a step does not go too far. A careful step does not reckon with
-// sliding on either, which friction ends where it turns back.
+// What a face adds to the energy and its derivatives. Along the normal the law's chord replaces its
+// slope: it is larger, so that a step does not go too far. A careful step does not count on sliding
+// to go on, either: friction ends it where it turns back.
 void add_faces(const RodModel& model, const RodResult& result, const RodFaces& faces, bool careful,
                RodScratch& scratch) {
   for (std::uint32_t i = 0; i < faces.count; ++i) {
@@ -55,7 +55,7 @@ void add_faces(const RodModel& model, const RodResult& result, const RodFaces& f
     const double k = face.stiffness_n_per_m;
     const double along =
         touch.depth_m > 0 ? press(k, face.largest_force_n, touch.depth_m).chord_n_per_m : k;
-    // Across: k where it sticks; where it slips, what turning the bristle costs.
+    // Across: k if it sticks; if it slips, the stiffness against turning the bristle.
     const double length = norm(face.bristle_m + across(face.normal, touch.moved_m));
     const double side = touch.slips ? face.limit_n / max_of(length, 1e-12) : k;
     const Vec3d n = face.normal;
@@ -69,8 +69,8 @@ void add_faces(const RodModel& model, const RodResult& result, const RodFaces& f
   }
 }
 
-// Which faces touch where the step that was found would end. Whether these are others than it
-// reckoned with.
+// Finds which faces touch where the present step would end. Returns whether they are others than
+// the step assumed.
 bool expect_faces(const RodModel& model, const RodResult& result, const RodScratch& scratch,
                   RodFaces& faces) {
   bool changes = false;
@@ -87,9 +87,9 @@ bool expect_faces(const RodModel& model, const RodResult& result, const RodScrat
   return changes;
 }
 
-// What friction allows follows the force, and the force what friction allows: linearly, while the
-// faces are the same, so two limits tell the third. Where it grows faster than its limit the
-// contact holds itself, and sticks.
+// What friction allows follows the force, and the force follows what friction allows: linearly
+// while the faces stay the same, so two limits give the third. If the force grows faster than its
+// limit, the contact holds itself, and sticks.
 double next_limit(const RodFace& face, double allowed_n) {
   const double change = face.limit_n - face.limit_before_n;
   const double least = kLeastLimitShare * (face.limit_n + allowed_n);
@@ -113,7 +113,7 @@ void settle_limits(const RodModel& model, const RodResult& result, RodFaces& fac
 }
 
 double joint_energy(double stiffness, Vec3d rest, Vec3d along) {
-  // 1 - c from the difference: a stiff joint would show the rounding of c.
+  // 1 - c from the difference: with a stiff joint the rounding of c would show.
   const Vec3d apart = along - rest;
   const double d = 0.5 * dot(apart, apart);
   return (2.0 / 3) * stiffness * d * (3 - d) / max_of(2 - d, kLeastOpening);
@@ -129,7 +129,7 @@ double face_energy(const RodFace& face, Vec3d x) {
                     : pressed_j;
 }
 
-// Of a shape, without a constant.
+// Energy of a shape, without a constant.
 double energy_of(const RodModel& model, const Frame& handle, const Vec3d* direction,
                  const RodFaces& faces, const RodScratch& scratch) {
   Frame frame = handle, half;
@@ -154,7 +154,7 @@ double energy_of(const RodModel& model, const Frame& handle, const Vec3d* direct
   return sum;
 }
 
-// How far the step that was found takes a node.
+// How far the present step moves a node, at most.
 double farthest(const RodModel& model, const RodScratch& scratch) {
   Vec3d moved{0, 0, 0};
   double largest = 0;
@@ -165,9 +165,9 @@ double farthest(const RodModel& model, const RodScratch& scratch) {
   return std::sqrt(largest);
 }
 
-// How long the tried steps are, in the step that was found: no farther than a fold or a look
-// allows. A needle that buckles leaves a straight shape by next to nothing, so it tries half of all
-// that.
+// Lengths of the tried steps, as parts of the present step: at most what a fold or a look allows.
+// A needle that buckles starts from an almost straight shape with an almost zero step, so it tries
+// half of all that is allowed.
 void choose_lengths(const RodModel& model, double farthest_m, const RodScratch& scratch,
                     const RodResult& result, double (&length_out)[kRodTrials]) {
   const double far_m = farthest(model, scratch);
@@ -181,8 +181,8 @@ void choose_lengths(const RodModel& model, double farthest_m, const RodScratch& 
 
 enum class Step { kWhole, kPart, kNone };
 
-// Takes the tried step with the least energy, or none where each would raise it. At rest none
-// lowers it beyond its rounding: that counts as whole.
+// Takes the tried step with the least energy, or none if each would raise it. At rest no step
+// lowers it by more than rounding: that counts as a whole step.
 Step take_best_step(const RodModel& model, const Frame& handle, const RodFaces& faces,
                     double farthest_m, RodScratch& scratch, RodResult& result) {
   double length[kRodTrials];
@@ -206,7 +206,7 @@ Step take_best_step(const RodModel& model, const Frame& handle, const RodFaces& 
   return step;
 }
 
-// One step. After one that was none the next are careful.
+// One step. If no step was taken, the next ones are careful.
 Step bend_step(const RodModel& model, const Frame& handle, const RodCare& care, bool last,
                RodFaces& faces, RodShape& shape, RodScratch& scratch, RodResult& result) {
   for (std::uint32_t j = 0; j < model.rods; ++j) scratch.lump[j] = scratch.load_lump[j];

@@ -7,7 +7,7 @@ namespace stylet::rod {
 namespace {
 
 constexpr double kLeastStepShare = 0.1;
-// Square of a change of direction that is rounding, rad^2.
+// A squared change of direction below this is rounding, rad^2.
 constexpr double kNoTurn2 = 1e-24;
 
 }  // namespace
@@ -39,7 +39,7 @@ constexpr double share_below(double limit, double size) {
   return limit / max_of(limit, size);
 }
 
-// What is used of a load: within the limits, and nothing beyond the count.
+// The part of a load that is used: within the limits, and nothing beyond the count.
 RodLoad bounded(const RodLoads& loads, std::uint32_t i) {
   const RodLoad& load = i < loads.count ? loads.load[i] : kNoLoad;
   const Sym3d& k = load.stiffness_n_per_m;
@@ -82,8 +82,8 @@ void read_loads(const RodModel& model, const RodScratch& scratch, RodResult& res
 
 namespace {
 
-// Energy of all that lies beyond a place, to second order in the small displacement of that place
-// and turn of its rod: derivatives by displacement, displacement and turn (rows: displacement),
+// Energy of everything beyond a place, to second order in the place's small displacement and the
+// turn of its rod. Derivatives: by displacement, displacement and turn (rows: displacement),
 // turn.
 struct Energy {
   Sym3d move_move;
@@ -92,9 +92,9 @@ struct Energy {
   Vec3d move, turn;
 };
 
-// A rod's end moves by its start's displacement plus l (turn cross t): from a function of the end
-// to one of the start. The loads on the rod join. Beyond first order the end moves by
-// -l |turn|^2 t / 2, which is where an axial force gains or costs stiffness.
+// A rod's end moves by its start's displacement plus l (turn cross t): turns a function of the end
+// into one of the start, and adds the loads on the rod. To second order the end also moves by
+// -l |turn|^2 t / 2: there an axial force adds or removes stiffness.
 void move_to_start(double l, Vec3d t, Vec3d start, const RodScratch::Lump& load,
                    double compression_share, Energy& e) {
   const Vec3d by_start = load.start * start + load.mixed * t - load.start_n;
@@ -126,7 +126,7 @@ void move_to_start(double l, Vec3d t, Vec3d start, const RodScratch::Lump& load,
 
 // Inverse of a symmetric 2 x 2 pivot, lifted where it is not positive enough.
 struct Pivot {
-  double least;  // eigenvalue, before
+  double least;  // least eigenvalue, before lifting
   double i00, i01, i11;
 };
 Pivot invert(double m00, double m01, double m11, double joint_stiffness, PivotLift lift) {
@@ -143,14 +143,14 @@ Pivot invert(double m00, double m01, double m11, double joint_stiffness, PivotLi
   return {least, b * scale, -m01 * scale, a * scale};
 }
 
-// a b' + c d', symmetric by what the vectors are.
+// a b' + c d', which these vectors make symmetric.
 constexpr Sym3d product(Vec3d a, Vec3d b, Vec3d c, Vec3d d) {
   return {a.x * b.x + c.x * d.x, a.x * b.y + c.x * d.y, a.x * b.z + c.x * d.z,
           a.y * b.y + c.y * d.y, a.y * b.z + c.y * d.z, a.z * b.z + c.z * d.z};
 }
 
-// From a function of the rod after a joint to one of the rod before it: adds the joint's energy and
-// minimises over its two angles. Returns the least eigenvalue of the pivot.
+// Turns a function of the rod after a joint into one of the rod before it: adds the joint's energy
+// and minimises over its two angles. Returns the least eigenvalue of the pivot.
 double cross_joint(double stiffness, Vec3d t, PivotLift lift, RodScratch::Joint& joint, Energy& e) {
   const Vec3d u = joint.rest, v = cross(t, u), b1 = joint.axis_1, b2 = joint.axis_2;
   const double c = dot(u, t);
@@ -228,7 +228,7 @@ double sweep_forth(const RodModel& model, const RodResult& result, RodScratch& s
 
 namespace {
 
-// Takes the step, or less of it, and remembers how the next one should be bounded.
+// Takes the step, or a part of it, and stores how the next one should be bounded.
 void take_step(const RodModel& model, double least_pivot, RodShape& shape, RodScratch& scratch,
                RodResult& result) {
   const bool stable = least_pivot > 0;
@@ -239,7 +239,7 @@ void take_step(const RodModel& model, double least_pivot, RodShape& shape, RodSc
     reversal -= dot(scratch.change[j], scratch.change_before[j]);
     before += dot(scratch.change_before[j], scratch.change_before[j]);
   }
-  // A tick's first step has none before it to compare with, and leaves the share as it is.
+  // A tick's first step has no earlier one to compare with, and does not change the step length.
   const bool moved = before > kNoTurn2, oscillates = moved && reversal > 0.25 * before;
   shape.step_share *= oscillates ? 0.5 : (moved ? 2.0 : 1.0);
   shape.step_share = max_of(kLeastStepShare, min_of(shape.step_share, 1));

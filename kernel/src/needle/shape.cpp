@@ -4,18 +4,18 @@
 namespace stylet {
 namespace {
 
-// Length over which a cut falls in with the needle behind it: a bevel and the shaft's first bend.
+// Length over which a cut approaches the needle's direction: a bevel and the shaft's first bend.
 constexpr float kBevelAlignM = 0.02F;
 
 // The rod at `arc_from_tip_m`: its end towards the tip, the way back from there, and how far along.
-// Counted from the tip: there a place must be exact to the motion of a tick.
+// Counted from the tip, because there a place must be exact to the motion of a tick.
 struct RodPlace {
   Vec3 end, back;
   float along;
 };
 RodPlace rod_place(const Needle& needle, float arc_from_tip_m) {
   const float at = arc_from_tip_m / needle.rod_m;
-  // Also for what is not a number, which a broken state may bring.
+  // Also for a NaN, which a broken state may contain.
   const float within = max_of(0, min_of(at, static_cast<float>(needle.rods) - 0.5F));
   const auto rod = static_cast<std::uint32_t>(within);
   const Vec3* end = needle.node + (needle.rods - rod);

@@ -9,7 +9,7 @@
 namespace stylet {
 namespace {
 
-// Weights that supports may miss 1 by: rounding of eight sums, as snapshots are held to.
+// By how much the supports' weights may miss the sum 1: rounding, as in the check of snapshots.
 constexpr float kRounding = 1e-3F;
 
 bool is_outside(float x, float low, float high) {

@@ -97,8 +97,8 @@ View needle_view(const View& view, std::uint32_t needle) {
   return {needle_model(view.model, needle), needle_state(view.state, needle), view.scratch};
 }
 
-// Padding inside a struct is zero from reset on and never written apart from its fields, so bytes
-// are as good as fields here; a test fills the block with a pattern before create to prove it.
+// Padding inside a struct is zero from reset on and is written only together with its fields. So
+// bytes can be hashed like fields; a test fills the block with a pattern before create to prove it.
 std::uint64_t fnv1a(std::uint64_t hash, const void* data, std::size_t bytes) {
   const auto* p = static_cast<const unsigned char*>(data);
   for (std::size_t i = 0; i < bytes; ++i) hash = (hash ^ p[i]) * 0x100000001b3ULL;
