@@ -167,7 +167,7 @@ std::vector<bool> held_nodes(const Coarse& coarse, const std::vector<Voxel>& vox
   return held;
 }
 
-// Motion of particles from the motion of such nodes: their weights, trilinear in a cell.
+// Motion of the particles from that of connected nodes: their weights, trilinear in a cell.
 Sparse weights_of(const Model& model, const Coarse& coarse, const std::vector<Voxel>& voxels,
                   const std::vector<bool>& held) {
   const std::uint32_t particles = model.head->counts.particles;

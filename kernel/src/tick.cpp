@@ -10,13 +10,13 @@
 //     6  cut       the tip moves on to other tissue                          IV.C, step 3
 //     7  slip      the shaft's CPs slip back to the limit of friction        IV.C, step 3; V
 //     8  add, remove  CPs behind a tip that goes on or comes back            IV.C, step 4
-//     9  bend      a tip in contact once more, by what it presses with       IV.B, step 4;
-//                  one that has just left its hole looks for the surface again
+//     9  bend      a tip in contact once more, by its pressing force         IV.B, step 4;
+//                  a tip that has just left its hole looks for the surface again
 //   for all together
 //     10 tissue    shape matching, CPs included, substep by substep          IV.B, step 2
 //   for each needle
-//     11 slip      once more, what the tissue dragged along
-//     12 bend      by the forces that came                                   IV.B, step 4
+//     11 slip      CPs that the tissue dragged along slip once more
+//     12 bend      by the new forces                                         IV.B, step 4
 //     13 force     on the hand, by cause                                     V
 //
 // Phases: free -> contact (3) -> inserted (5) <-> retracting (6) -> free (8). A needle that finds

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast a hand may be before the inertia of the step is felt: the first resonance of an organ
-// with the mass that tissue has, and with the mass the kernel steps it with.
+// How fast a hand may move before it feels the inertia of the step: the first resonance of an organ
+// with the mass that tissue has, and with the mass that the kernel uses in the step.
 //
 // The explicit step adds mass, or slows short waves (Inertia). At rest nothing changes; the error
 // of the force on a moving hand grows as the square of its frequency. Both resonances are

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What touches obstacles: the faces of bodies near the needle, and the touches that a tick keeps.
+// Contacts with obstacles: faces of bodies near the needle, and the touches that a tick keeps.
 //
 // An elastic needle bends against the faces that are found here (needle/rod.h). A rigid one goes
 // where the hand goes and is pushed back.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the hand says in a tick: checked, clamped, flagged and counted, never refused.
+// The hand's input in a tick: checked, clamped, flagged and counted, never refused.
 //
 // Promises: whatever the bytes are, the pose that is kept is finite, its rotation has unit length,
 // and its motion in the tick is within limits.h (kMaxHandleDistanceM, kMaxHandleSpeedMPerS,

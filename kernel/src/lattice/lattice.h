@@ -22,7 +22,7 @@
 
 namespace stylet {
 
-// One substep. Compiled from lattice.cpp for several instruction sets; all give the same bits.
+// One substep. Compiled from step.h for several instruction sets; all give the same bits.
 using LatticeStep = void (*)(const Kernel&);
 LatticeStep lattice_step_for_this_processor();
 

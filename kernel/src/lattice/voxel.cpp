@@ -30,7 +30,7 @@ bool is_own(const Model& model, std::uint32_t slot, Vec3 f) {
   return ((model.quarters[slot] >> bit) & 1U) != 0;
 }
 
-// Of the filled voxels in a cell of all sheets: the one whose own the place `f` is; else any.
+// A filled voxel of a cell in space, from all sheets: the owner of the place `f`; else any of them.
 bool voxel_around(const Model& model, Vec3 cell, Vec3 f, std::uint32_t& slot_out,
                   std::uint32_t& row_out) {
   bool found = false;

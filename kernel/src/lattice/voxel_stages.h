@@ -172,7 +172,7 @@ STYLET_KEEP_APART void unit_slots(std::uint32_t lanes, const Seen& seen, const S
   }
 }
 
-// What the slots before send along their rows: for each component T + X, Y + Z, Y - Z.
+// Carried along the rows from the slots before: for each component T + X, Y + Z, Y - Z.
 struct Carry {
   Wide last[3][3];
 };

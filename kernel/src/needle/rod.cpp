@@ -22,7 +22,7 @@ constexpr double kWildPivot = -0.1;
 constexpr double kTamedShare = 0.25;
 // A step below this is rounding.
 constexpr double kRestsRad = 1e-7;
-// If the slope of friction's allowed force over its limit reaches this, the contact is to stick.
+// From this slope of friction's allowed force over its limit on, the contact is taken to stick.
 constexpr double kHoldsItself = 0.95;
 // A steeper slope than this is taken to come from faces met or left: a tenth of the way is used.
 constexpr double kSteepestFall = -9;

@@ -137,7 +137,7 @@ struct RodScratch {
     Sym3d start, mixed, along;
     Vec3d start_n, along_nm;
   } lump[kMaxRods];
-  Lump load_lump[kMaxRods];  // without what faces and inertia add
+  Lump load_lump[kMaxRods];  // without what faces and holding springs add
   Vec3d tried[kRodTrials][kMaxRods];
   RodLoad load[kMaxRodLoads];  // within the limits
   Vec3d change[kMaxRods], change_before[kMaxRods];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where everything lives: three blocks, each a list of parallel arrays; state and scratch hold no
+// Where all data lives: three blocks, each a list of parallel arrays; state and scratch hold no
 // pointers.
 //
 // One table per block (the STYLET_..._FIELDS macros) gives the view, the size, the reset, the hash,
