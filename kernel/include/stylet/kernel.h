@@ -175,7 +175,7 @@ struct Output {
   std::uint32_t constraint_particles;
   std::uint32_t flags;
   std::uint32_t events;     // number of events since reset, of all needles
-  float stiffness_n_per_m;  // no more than this is felt between two ticks
+  float stiffness_n_per_m;  // upper bound of the stiffness felt between two ticks
 };
 constexpr std::uint32_t kNoLayer = 0xFFFFFFFFU;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tip in tissue: how far it cuts, into which material, and in which direction.
 //
-// The tissue in front of the tip holds the tip's constraint particle. Beyond the force that it may
-// carry it moves on to other tissue (return_map.h). Its path is integrated in the rest frame.
+// The tissue in front of the tip holds the tip's constraint particle. Under more force than it may
+// carry, it moves on to other tissue (return_map.h). Its path is integrated in the rest frame.
 //
 // Promises: a fixed number of operations, no allocation. Units SI, frame of the attachments.
 // Source: paper section IV.C, step 3; Mahvash and Dupont 2010 (force of a rupture by speed).
