@@ -194,8 +194,8 @@ Output tick(Kernel& kernel, const Input& input);
 
 // Exact number of bytes that set_team needs for this kernel's organ.
 std::size_t team_bytes(const Kernel& kernel, std::uint32_t helpers);
-// Call between ticks while no thread is in help(). Divides the step into one part more than there
-// are helpers. The memory must outlive the team; 0 helpers end it. On an error nothing changes.
+// Call between ticks while no thread is in help(). Divides the step among the helpers and tick's
+// thread. The memory must outlive the team; 0 helpers end it. On an error nothing changes.
 Status set_team(Kernel& kernel, std::uint32_t helpers, std::span<std::byte> memory);
 bool has_team(const Kernel& kernel);
 // A helper's thread calls this again and again, with any copy of the kernel. It looks `looks`
