@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sine and cosine of angles given in turns, the same bits everywhere.
 //
-// Why not libm's: their last place is the processor's and the C library's to choose, and what comes
-// of them goes into poses, recordings and hashes.
+// Why not libm: the last digit of its results depends on processor and C library, and results of
+// these functions go into poses, recordings and hashes.
 // Promises: only + - * / and rounding, absolute error below 1e-15 up to a hundred turns.
 #pragma once
 
@@ -14,7 +14,7 @@ struct SineCosine {
   double sine, cosine;
 };
 
-// Taylor series about the nearest quarter of a turn, to the 17th power: the rest is below 1e-16.
+// Taylor series about the nearest quarter turn, up to the 17th power: the rest is below 1e-16.
 inline SineCosine sine_cosine(double turns) {
   constexpr double kTwoPi = 6.283185307179586;
   const double quarter = std::round(4 * turns);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two ways out of the real-time thread that never make it wait.
 //
-// Ring: every item, in order, for one reader; full: push says no and nothing is lost silently.
+// Ring: every item, in order, for one reader; when it is full push refuses, so no loss goes unseen.
 // Latest: only the newest item, for one reader that looks when it likes. Slots: the same for items
 // that are filled and read in place.
-// Each also over memory that two processes share, zero at first. Then either side may write
-// anything there at any time: what a side relies on it keeps for itself, and the one number that
-// it reads of the other's is held within bounds. So a reader gone mad loses items, nothing else.
+// Each also works in memory that two processes share, which is zero at first. There either side may
+// write anything at any time, so each side keeps for itself what it relies on, and holds the one
+// number that it reads from the other within bounds. A reader gone mad loses items, nothing else.
 // Promises: wait-free for both sides, no allocation after construction, one writer and one reader.
 #pragma once
 
@@ -33,9 +33,9 @@ class Ring {
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 
  public:
-  // Touches every item, so that the writer meets no page for the first time.
+  // Touches every item, so that the writer never meets a page for the first time.
   explicit Ring(std::size_t capacity) : own_(capacity), items_(own_), ends_(&own_ends_) {}
-  // Shared memory of bytes(capacity), on a cache line. One side pushes, the other pops.
+  // Takes shared memory of bytes(capacity), on a cache line. One side pushes, the other pops.
   explicit Ring(std::span<std::byte> shared)
       : items_(reinterpret_cast<T*>(shared.data() + sizeof(Ends)),
                (shared.size() - sizeof(Ends)) / sizeof(T)),
@@ -63,9 +63,9 @@ class Ring {
   }
 
   std::size_t capacity() const { return items_.size(); }
-  // By any thread. The item pushed as this one, from 0 on: the writer may be at it once more.
+  // For any thread. The item with this number, counted from 0; the writer may be overwriting it.
   const T& item(std::uint64_t number) const { return items_[number % items_.size()]; }
-  // Items ever pushed, and those the reader says it has taken.
+  // How many items were ever pushed, and how many the reader says it has taken.
   std::uint64_t pushed() const { return ends_->end.load(std::memory_order_relaxed); }
   std::uint64_t popped() const { return ends_->begin.load(std::memory_order_relaxed); }
 
@@ -74,12 +74,12 @@ class Ring {
   Ends own_ends_ = {};
   std::span<T> items_;
   Ends* ends_;
-  alignas(kCacheLine) std::uint64_t begin_ = 0;  // the reader's
-  alignas(kCacheLine) std::uint64_t end_ = 0;    // the writer's
+  alignas(kCacheLine) std::uint64_t begin_ = 0;  // written by the reader
+  alignas(kCacheLine) std::uint64_t end_ = 0;    // written by the writer
 };
 
-// Which of three slots is whose: writer and reader own one each and swap it with the one in the
-// middle.
+// Tells which of three slots belongs to whom: writer and reader own one each and swap it with the
+// one in the middle.
 class SlotIndex {
  public:
   SlotIndex() = default;
@@ -87,12 +87,12 @@ class SlotIndex {
   SlotIndex(const SlotIndex&) = delete;
   SlotIndex& operator=(const SlotIndex&) = delete;
 
-  // Writer: the slot it fills, and that it is full.
+  // Writer: the slot it fills; publish() says that it is full.
   std::uint32_t draft() const { return write_; }
   void publish() {
     write_ = slot_of(middle_->exchange(write_ | kFresh, std::memory_order_acq_rel));
   }
-  // Reader: false: nothing new. The slot it reads.
+  // Reader: take() is false if nothing is new; taken() is the slot it reads.
   bool take() {
     if ((middle_->load(std::memory_order_relaxed) & kFresh) == 0) return false;
     read_ = slot_of(middle_->exchange(read_, std::memory_order_acq_rel));
@@ -117,11 +117,11 @@ class Slots {
   Slots() = default;
   explicit Slots(const T& each) { slots_.fill(each); }
 
-  // Writer: what it fills, and that it is full. The next draft holds something older.
+  // Writer: the slot to fill; publish() says that it is full. The next draft holds older content.
   T& draft() { return slots_[index_.draft()]; }
   void publish() { index_.publish(); }
 
-  // Reader: the newest, its own until the next call; null: nothing new since the last one.
+  // Reader: the newest item, its own until the next call; null: nothing new since the last call.
   const T* take() { return index_.take() ? &slots_[index_.taken()] : nullptr; }
 
  private:
@@ -139,7 +139,7 @@ class Latest {
     slots_.publish();
   }
 
-  // False: nothing new since the last call; `item_out` is untouched.
+  // False: nothing is new since the last call, and `item_out` is untouched.
   bool take(T& item_out) {
     const T* newest = slots_.take();
     if (newest != nullptr) item_out = *newest;
@@ -150,7 +150,7 @@ class Latest {
   Slots<T> slots_;
 };
 
-// The same in shared memory.
+// The same as Latest, in shared memory.
 template <typename T>
 class SharedLatest {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -160,7 +160,7 @@ class SharedLatest {
   };
 
  public:
-  // Of bytes(), on a cache line.
+  // Takes shared memory of bytes(), aligned to a cache line.
   explicit SharedLatest(std::span<std::byte> shared)
       : memory_(reinterpret_cast<Memory*>(shared.data())), index_(memory_->middle) {}
   static constexpr std::size_t bytes() { return sizeof(Memory); }

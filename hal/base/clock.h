@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The time the loop lives in: the machine's, or one that jumps to wherever the loop wants to be.
+// The clock of the loop: the machine's, or one that jumps to whatever time the loop waits for.
 // Promise: no allocation, no lock; the only system calls are clock_gettime and clock_nanosleep.
 #pragma once
 
@@ -11,7 +11,7 @@ struct Clock {
   void* self = nullptr;
   std::int64_t (*now_ns)(void* self) = nullptr;
   void (*sleep_until_ns)(void* self,
-                         std::int64_t t_ns) = nullptr;  // returns at once if t_ns is past
+                         std::int64_t t_ns) = nullptr;  // returns at once if t_ns has passed
 };
 
 Clock monotonic_clock();
@@ -19,10 +19,10 @@ Clock monotonic_clock();
 struct VirtualTime {
   std::int64_t now_ns = 0;
 };
-// `time` must outlive the clock; whoever wants to be late moves it forward.
+// `time` must outlive the clock; to simulate lateness, move it forward.
 Clock virtual_clock(VirtualTime& time);
 
-// CLOCK_MONOTONIC, for measuring how long something took whatever the loop's clock is.
+// CLOCK_MONOTONIC, to measure how long something took, whichever clock the loop has.
 std::int64_t monotonic_now_ns();
 
 }  // namespace stylet::hal

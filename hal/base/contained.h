@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last catch of every thread: an exception that left one would end the process, with a hand on
+// The last catch of every thread: an uncaught exception would end the process while a hand is on
 // the device.
 //
-// Promises: nothing leaves contained(); what escaped `work` is one line on standard error, at most
-// kMostEscapesTold of them in a process, so that what fails in every turn fills no disk.
+// Promises: no exception leaves contained(); one that escapes `work` becomes one line on standard
+// error, at most kMostEscapesTold lines a process, so that a failure in every turn fills no disk.
 #pragma once
 
 #include <pthread.h>
@@ -15,10 +15,10 @@ namespace stylet::hal {
 
 constexpr int kMostEscapesTold = 10;
 
-// "stylet: WHO: WHAT". Neither allocates nor throws.
+// Writes "stylet: WHO: WHAT". Neither allocates nor throws.
 void tell_escape(const char* who, const char* what) noexcept;
 
-// False: something escaped.
+// False: an exception escaped from `work`.
 template <typename Work>
 bool contained(const char* who, Work&& work) noexcept {
   try {
@@ -34,7 +34,7 @@ bool contained(const char* who, Work&& work) noexcept {
   return false;
 }
 
-// As tools show it: at most 15 characters.
+// The name that tools show: at most 15 characters.
 inline void name_thread(const char* name) {
   (void)pthread_setname_np(pthread_self(), name);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who looks over the reader's shoulder: the items of a ring once more, without taking any.
+// A second reader of a ring: it sees the items too, without taking any.
 //
-// Promises: neither writer nor reader notices it; items come in order, whole or not at all. One
-// that falls more than half the ring behind misses what it did not see, and counts it.
+// Promises: neither writer nor reader notices it; items come in order, whole or not at all. If it
+// falls more than half the ring behind, it skips items and counts those it missed.
 #pragma once
 
 #include <atomic>
@@ -19,7 +19,7 @@ class Follower {
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
-  // From the next item on.
+  // Starts from the next item.
   explicit Follower(const Ring<T>& ring) : ring_(ring), next_(ring.pushed()) {}
 
   bool next(T& item_out) {
@@ -33,7 +33,7 @@ class Follower {
     }
     copy(ring_.item(next_), item_out);
     std::atomic_thread_fence(std::memory_order_acquire);
-    // Written over meanwhile: the next call starts from where the writer is.
+    // It was overwritten meanwhile: the next call starts from where the writer is.
     if (ring_.pushed() - next_ >= ring_.capacity()) return false;
     ++next_;
     return true;
@@ -41,8 +41,8 @@ class Follower {
   std::uint64_t lost() const { return lost_; }
 
  private:
-  // What the writer may be at: looked at first, believed afterwards. That is no race for a
-  // sanitizer to find.
+  // Copies what the writer may be writing just now; whether it is whole is checked afterwards.
+  // So this is no race that a sanitizer should report.
   __attribute__((no_sanitize("thread"))) static void copy(const T& from, T& to) {
     const auto* bytes = reinterpret_cast<const volatile unsigned char*>(&from);
     auto* out = reinterpret_cast<unsigned char*>(&to);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long something took, counted.
-// Promise: plain data of fixed size; adding to one takes the same few instructions always.
+// Counts of how long something took.
+// Promise: plain data of fixed size; adding a duration always takes the same few instructions.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ struct Histogram {
   std::int64_t max_ns = 0;
 };
 void histogram_add(Histogram& histogram, std::int64_t ns);
-// Upper edge of the bin that holds the share `fraction` of all entries, us; the maximum for entries
-// beyond the last bin.
+// Upper edge of the bin at which the fraction `fraction` of all entries is reached, us; the maximum
+// for entries beyond the last bin.
 double histogram_quantile_us(const Histogram& histogram, double fraction);
 
 }  // namespace stylet::hal

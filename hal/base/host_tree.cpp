@@ -23,7 +23,7 @@ std::string trimmed(std::string_view text) {
 
 }  // namespace
 
-// By read(2): a stream cannot tell an empty file from one that refuses to be read.
+// Uses read(2): a stream cannot tell an empty file from one that refuses to be read.
 std::optional<std::string> read_text(const HostTree& tree, const std::string& path) {
   const int file = open((tree.root + path).c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return std::nullopt;

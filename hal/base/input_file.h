@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What keeps a file from being read, in the same words for every kind of file.
+// Why a file cannot be read, in the same words for every kind of file.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 namespace stylet::hal {
 
 // "no such file", "is a directory", "is empty", "Permission denied" ...; empty: it can be read.
-// A pipe can.
+// Pipes can be read.
 std::string why_unreadable(const std::string& path);
 
 }  // namespace stylet::hal

@@ -13,12 +13,12 @@
 namespace stylet::hal {
 namespace {
 
-constexpr std::uintptr_t kPage = 4096;  // the smallest there is; a mapping begins at one
+constexpr std::uintptr_t kPage = 4096;  // the smallest page size; mappings begin at a page
 
 std::array<std::atomic<std::uintptr_t>, kMostLastingMaps> mapped{};
 struct sigaction before;
 
-// In the thread that has touched what is not there; only what POSIX and Linux allow in a handler.
+// Runs in the thread that touched a missing page; does only what POSIX and Linux allow a handler.
 void replace_pages(int /*signal*/, siginfo_t* info, void* /*context*/) {
   const int error = errno;
   const std::uintptr_t page = reinterpret_cast<std::uintptr_t>(info->si_addr) / kPage * kPage;
@@ -30,7 +30,7 @@ void replace_pages(int /*signal*/, siginfo_t* info, void* /*context*/) {
     errno = error;
     return;
   }
-  sigaction(SIGBUS, &before, nullptr);  // it is raised again, and goes there
+  sigaction(SIGBUS, &before, nullptr);  // the signal is raised again, and goes to that handler
   errno = error;
 }
 

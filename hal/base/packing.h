@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plain data to bytes and back, between processes of the same program on the same machine.
+// Plain data to bytes and back, between processes of the same program on one machine.
 //
-// Promise: whatever the bytes are, reading them gives values or throws PackingError; nothing is
-// allocated for more than there are bytes. Values are not judged: whoever reads them does.
+// Promise: whatever the bytes are, reading them gives values or throws PackingError, and never
+// allocates more than the bytes can fill. Values are not checked: the reader must check them.
 #pragma once
 
 #include <cstddef>
@@ -37,7 +37,7 @@ class Packer {
     put(std::uint64_t{text.size()});
     return put_all(text.data(), text.size());
   }
-  // Of what needs more than its bytes: `pack(packer, value)` of each.
+  // For values whose bytes alone are not enough: calls `pack(packer, value)` for each.
   template <typename T, typename Pack>
   Packer& put_each(const std::vector<T>& values, Pack pack) {
     put(std::uint64_t{values.size()});

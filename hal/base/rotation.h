@@ -10,7 +10,7 @@ namespace stylet::hal {
 
 Vec3 cross(Vec3 a, Vec3 b);
 Vec3 rotate(const Quat& q, Vec3 v);
-// First `b`, then `a`.
+// The rotation by `b`, then by `a`.
 Quat product(const Quat& a, const Quat& b);
 inline Quat inverse(const Quat& q) {
   return {q.w, -q.x, -q.y, -q.z};

@@ -30,11 +30,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// In the process beside: its standard error, its memory, its socket.
+// Descriptors in the side process, after its standard error: its memory and its socket.
 constexpr int kMemoryDescriptor = 3;
 constexpr int kSocketDescriptor = 4;
 constexpr int kFirstOther = 5;
-// Above those, so that none is overwritten while they are put in their places.
+// Above those, so that none is overwritten while they are moved into place.
 constexpr int kLeastDescriptor = 10;
 constexpr std::array kOutsideSignals = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXFSZ};
 constexpr std::chrono::milliseconds kLook{1};
@@ -79,7 +79,7 @@ void SideLink::close() {
   gone_ = true;
 }
 
-// A signal that comes meanwhile is no answer.
+// A signal that interrupts the wait is not an answer.
 bool SideLink::wait(short events, double patience_s) const {
   const Clock::time_point deadline = deadline_after(patience_s);
   pollfd at = {socket_, events, 0};
@@ -183,7 +183,7 @@ std::optional<Bytes> SideLink::receive(double patience_s, std::vector<int>* desc
 
 // ---- the memory
 
-// Sealed: whoever makes it smaller would end everybody who looks at it.
+// Sealed: if it were made smaller, every process that reads it would be killed.
 SharedMemory::SharedMemory(std::size_t bytes)
     : SharedMemory(memfd_create("stylet", MFD_CLOEXEC | MFD_ALLOW_SEALING), bytes) {}
 
@@ -196,7 +196,7 @@ SharedMemory::SharedMemory(int descriptor, std::size_t bytes) : descriptor_(desc
     descriptor_ = raised(descriptor);
   }
   const off_t size = lseek(descriptor_, 0, SEEK_END);
-  // Populated: the loop meets no page of it for the first time.
+  // Populated, so that the loop never meets one of its pages for the first time.
   void* at = size <= 0 ? MAP_FAILED
                        : mmap(nullptr, static_cast<std::size_t>(size), PROT_READ | PROT_WRITE,
                               MAP_SHARED | MAP_POPULATE, descriptor_, 0);
@@ -228,8 +228,8 @@ struct SpawnActions {
   SpawnActions& operator=(const SpawnActions&) = delete;
 };
 
-// Not fork: it would make every page of this process that is written once more a fault, the loop's
-// too.
+// Not fork: after it, every page of this process that is written would cause a fault, those of the
+// loop too.
 pid_t spawn(const std::string& role, int memory, int socket) {
   SpawnActions actions;
   posix_spawn_file_actions_addopen(&actions.files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -253,7 +253,7 @@ pid_t spawn(const std::string& role, int memory, int socket) {
   return errno == 0 ? pid : -1;
 }
 
-// The two ends; the second is the child's.
+// Both ends; the second is the child's.
 std::array<int, 2> socket_pair() {
   std::array<int, 2> ends = {-1, -1};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail("socket");
@@ -303,7 +303,7 @@ std::span<std::byte> SideProcess::shared() const {
   return memory_.bytes().subspan(sizeof(Status));
 }
 
-// It may have written anything there.
+// The side process may have written anything there.
 std::string SideProcess::last_words() const {
   std::string words;
   for (const char each : reinterpret_cast<const Status*>(memory_.bytes().data())->last_words) {
@@ -329,10 +329,10 @@ bool SideProcess::wait_for_end(double patience_s) {
 }
 
 void SideProcess::kill() {
-  // One that ends by itself says why.
+  // A process that ends by itself says why.
   if (wait_for_end(link_.gone() ? kSideEndS : 0)) return;
   ::kill(pid_, SIGKILL);
-  // A disk that hangs holds what waits for it; whoever ends here does not wait for it, too.
+  // A hung disk holds up a process that waits for it; this process does not wait as well.
   (void)wait_for_end(1);
 }
 
@@ -340,13 +340,13 @@ void SideProcess::kill() {
 
 namespace {
 
-// The system ends this process before the loop's; and its own leak, before it is the system's.
+// Makes the system end this process before the loop's, and a leak of its own end it even earlier.
 void bound_memory(std::size_t shared_bytes) {
   if (std::FILE* file = std::fopen("/proc/self/oom_score_adj", "we"); file != nullptr) {
     (void)std::fputs("1000", file);
     (void)std::fclose(file);
   }
-#if !defined(STYLET_SANITIZED)  // whose shadow is larger than any memory
+#if !defined(STYLET_SANITIZED)  // a sanitizer's shadow memory is larger than any limit
   rlimit limit = {};
   if (getrlimit(RLIMIT_AS, &limit) != 0) return;
   limit.rlim_cur = std::min<rlim_t>(limit.rlim_cur, kMostSideMemory + shared_bytes);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// A process beside the loop's: what may crash, leak or hang without a hand feeling it.
+// A process beside the loop's, for work that may crash, leak or hang without a hand feeling it.
 //
-// It is this program once more, with an address space of its own, started by posix_spawn, so that
-// it inherits neither locked memory, real-time rights nor descriptors. Between the two:
-//   shared memory   the way out of the loop (channel.h): it cannot shrink, and the loop trusts
+// It is this program started once more by posix_spawn, with an address space of its own, so that
+// it inherits no locked memory, real-time rights or descriptors. Between the two processes are:
+//   shared memory   carries data out of the loop (channel.h): it cannot shrink, and the loop trusts
 //                   nothing in it
-//   a socket        orders and answers, as whole messages, between threads that may wait; when the
-//                   one side has gone the other sees its end
-// Signals that end a program from outside are for the loop's process: here they are blocked, and
-// its end is the end of the socket. The system's shortage of memory takes this process first.
-// Promises: what it does never throws in the loop's process, blocks it longer than the patience
-// that was asked for, or makes it allocate more than kMaxSideMessage; the destructor waits at most
+//   a socket        carries orders and answers as whole messages between threads that may wait;
+//                   when one side ends, the other sees the end of the socket
+// Signals that end a program from outside are for the loop's process. Here they are blocked: this
+// process ends when its socket does. If the system runs short of memory it kills this one first.
+// Promises: nothing it does throws in the loop's process, blocks that process longer than the
+// patience asked for, or makes it allocate more than kMaxSideMessage; the destructor waits at most
 // kSideEndS, then kills.
 #pragma once
 
@@ -29,13 +29,13 @@
 
 namespace stylet::hal {
 
-// Longer: the link ends. Phases and events of the longest run take a tenth.
+// A longer message ends the link. Phases and events of the longest run take a tenth of it.
 constexpr std::size_t kMaxSideMessage = std::size_t{64} << 20U;
-// For its start and an answer, on a busy machine. Longer: it is killed.
+// Longest wait for its start or an answer, on a busy machine. After that it is killed.
 constexpr double kSidePatienceS = 20;
-// For its end, when it has nothing more to complete. Longer: likewise.
+// Longest wait for its end, once it has nothing more to complete. After that it is killed, too.
 constexpr double kSideEndS = 2;
-// Of its own, over what is shared. More: its allocations fail, and it ends.
+// Its own memory, beside what is shared. With more, its allocations fail and it ends.
 constexpr std::size_t kMostSideMemory = std::size_t{4} << 30U;
 
 struct SideError : std::runtime_error {
@@ -50,14 +50,14 @@ class SideLink {
   SideLink(const SideLink&) = delete;
   SideLink& operator=(const SideLink&) = delete;
 
-  // False: the other side has gone, or takes nothing. It is gone, too, where half a message went.
-  // `descriptors`: it gets its own of them.
+  // False: the other side has gone or takes nothing. If only half a message was sent, it counts as
+  // gone, too. `descriptors`: the other side gets copies of its own.
   bool send(std::span<const std::byte> message, double patience_s = kSidePatienceS,
             std::span<const int> descriptors = {});
-  // The next whole message. None: not all of it came in time, or the other side has gone.
-  // Descriptors that came with it are added to `descriptors`; null: the system closes them.
+  // The next whole message; nullopt: it did not come in time, or the other side has gone.
+  // Descriptors that came with it are added to `descriptors`; if null, the system closes them.
   std::optional<Bytes> receive(double patience_s, std::vector<int>* descriptors = nullptr);
-  // As the last call saw it. One thread may send while another receives.
+  // Whether the other side has gone, as the last call saw it. Two threads may send and receive.
   bool gone() const { return gone_; }
   void close();
 
@@ -70,11 +70,11 @@ class SideLink {
   Bytes arrived_;
 };
 
-// Memory that two processes see.
+// Memory that two processes can see.
 class SharedMemory {
  public:
   explicit SharedMemory(std::size_t bytes);  // zero; throws SideError
-  // That of a descriptor, as large as it is.
+  // The memory of a descriptor, in its full size.
   static SharedMemory of(int descriptor) { return {descriptor, 0}; }
   ~SharedMemory();
   SharedMemory(const SharedMemory&) = delete;
@@ -91,23 +91,23 @@ class SharedMemory {
 
 class SideProcess {
  public:
-  // Waits until it is ready. Throws SideError if it cannot be started, with its own words where it
-  // refuses. `role`: as in side_seat().
+  // Waits until it is ready. If it cannot be started, throws SideError, with the process's words
+  // if it refused. `role`: as in side_seat().
   SideProcess(const std::string& role, std::size_t shared_bytes,
               std::span<const std::byte> greeting);
   ~SideProcess();
   SideProcess(const SideProcess&) = delete;
   SideProcess& operator=(const SideProcess&) = delete;
 
-  // On a cache line.
+  // Aligned to a cache line.
   std::span<std::byte> shared() const;
   SideLink& link() { return link_; }
-  // What it said when it was ready.
+  // What the process said when it was ready.
   const Bytes& answer() const { return answer_; }
   pid_t pid() const { return pid_; }
-  // How it ended, in words; empty: it goes on.
+  // How it ended, in words; empty: it is still running.
   const std::string& ended();
-  // At once, where it does not end by itself because its link has gone.
+  // Ends it at once, unless it ends by itself because its link has gone.
   void kill();
 
  private:
@@ -122,21 +122,21 @@ class SideProcess {
   Bytes answer_;
 };
 
-// ---- in the process beside
+// ---- in the side process
 
-// argv[1] of such a process; its role is argv[2].
+// argv[1] of a side process; its role is argv[2].
 constexpr const char* kBesideCommand = "beside";
 
 struct SideSeat {
   SideLink& link;
   std::span<std::byte> shared;
   Bytes greeting;
-  // It can begin.
+  // Tells the loop's process that the work can begin.
   void ready(std::span<const std::byte> answer = {}) const { (void)link.send(answer); }
 };
 using SideWork = void (*)(SideSeat&);
-// The whole life of it, to its exit code: `work` returns when the link is gone, or throws.
-// `outlives`: it has something to complete when the loop's process is killed; else it ends, too.
+// The whole life of a side process; returns its exit code. `work` returns when the link is gone, or
+// throws. `outlives`: it has work to complete if the loop's process is killed; else it ends too.
 int side_seat(const char* role, SideWork work, bool outlives);
 
 }  // namespace stylet::hal

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A haptic device, as the loop sees it: four functions and a pointer.
+// A haptic device as the loop sees it: functions and a pointer.
 //
-// Promises asked of a device: read and write return at once, allocate nothing, take no lock and may
-// be called from one real-time thread; open (each device's own function) and close may do anything.
+// A device must promise: read and write return at once, allocate nothing, take no lock and may be
+// called from one real-time thread; open (each device's own function) and close may do anything.
 // Units: SI. Frame: x right, y up, z toward the operator; the scene maps it to the world.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace stylet::hal {
 
-// One measurement. `seq` grows by one with every new measurement, so that a repeat and a loss show.
+// One measurement. `seq` grows by one with each, so that repeated and lost ones are noticed.
 struct Sample {
   std::uint64_t seq;
   std::int64_t t_ns;      // when it was taken, on the loop's clock
@@ -26,34 +26,34 @@ struct Sample {
 
 struct Command {
   Vec3 force_n;             // on the operator's hand
-  Vec3 tip_m = {};          // where the needle's tip is, for a device that steers it
+  Vec3 tip_m = {};          // position of the needle's tip, for a device that steers it
   Vec3 tip_direction = {};  // unit length; zero: not known yet
   Vec3 torque_nm = {};      // on the operator's hand, for a device that renders it
-  // For a device that answers faster than it is asked: as it moves away from the place the force
-  // was computed for, that of the newest usable sample, the force on the hand falls by so much a
-  // metre, and stays this small.
+  // For a device that renders faster than commands come: place_m is the place of the newest usable
+  // sample, for which the force was computed. As the device moves away from it, the hand's force
+  // falls by stiffness_n_per_m newtons a metre, and never exceeds max_force_n.
   Vec3 place_m = {};
   float stiffness_n_per_m = 0;
   float max_force_n = 0;
   std::uint32_t arming = 0;  // grows each time the guard begins anew, see motor.h
-  bool falls = false;        // the guard lets go: what there is must not grow
-  std::int64_t end_ns = 0;   // nothing of it is left by then, CLOCK_MONOTONIC; 0: it ages only
+  bool falls = false;        // the guard is taking force away: it must not grow
+  std::int64_t end_ns = 0;   // the force must be gone by then, CLOCK_MONOTONIC; 0: it only ages
 };
 
 struct DeviceInfo {
   const char* name;
   float max_force_n;
   float max_slew_n_per_s;
-  float max_stiffness_n_per_m = 0;  // that it renders without buzzing; 0: not known
+  float max_stiffness_n_per_m = 0;  // that it renders without buzzing; 0: unknown
   float max_torque_nm = 0;          // 0: it renders none
-  float continuous_force_n = 0;     // what its motors stand for ever; 0: not known
-  float force_life_s = 0;           // a force not renewed ends of itself after this; 0: it does not
-  const char* identity = "";  // tells it apart from others of its kind; empty: it does not say
-  const DeviceModel* model = nullptr;  // what it was recognised as; null: nothing known
+  float continuous_force_n = 0;     // that its motors bear for ever; 0: unknown
+  float force_life_s = 0;           // after this a force not renewed ends by itself; 0: it does not
+  const char* identity = "";  // tells it apart from others of its kind; empty: it has none
+  const DeviceModel* model = nullptr;  // the model it was recognised as; null: unknown
 };
 
-// How long its guard may go without a sample, which is `otherwise_s` for most. A device whose
-// forces end of themselves needs no watchdog as short as others: a packet may be lost.
+// How long the guard may go without a sample: `otherwise_s` for most devices. A device whose forces
+// end by themselves can have a longer watchdog, because a packet may be lost.
 inline float watchdog_of(const DeviceInfo& info, float otherwise_s) {
   constexpr float kLifeShare = 0.75F;
   return std::max(otherwise_s, kLifeShare * info.force_life_s);
@@ -62,19 +62,19 @@ inline float watchdog_of(const DeviceInfo& info, float otherwise_s) {
 struct Device {
   void* self = nullptr;
   DeviceInfo info = {};
-  // False: no answer this time; `sample_out` is untouched. `now_ns` is the time of this tick: a
+  // False: no answer this time, and `sample_out` is untouched. `now_ns` is the time of this tick: a
   // device without a clock of its own uses it as the time of its sample.
   bool (*read)(void* self, std::int64_t now_ns, Sample& sample_out) = nullptr;
   void (*write)(void* self, const Command& command) = nullptr;
   void (*close)(void* self) = nullptr;  // leaves the device without force
-  // Any thread but the loop's, before close: why it does not answer any more; empty: no trouble.
+  // Any thread but the loop's, before close: why it no longer answers; empty: no trouble.
   std::string (*trouble)(void* self) = nullptr;
-  // Likewise: what is particular to it and worth knowing.
+  // Likewise: what is special about it and worth knowing.
   std::string (*about)(void* self) = nullptr;
-  // The loop's thread: what the motors have. False, or none: the device does not tell.
+  // The loop's thread: what force the motors have. False, or null: the device does not tell.
   bool (*motor)(void* self, MotorReport& report_out) = nullptr;
-  // Any thread but the loop's, before close: what whoever holds it should know of it now, a net
-  // that is missing or a clock that was set; empty: nothing. It goes on all the same.
+  // Any thread but the loop's, before close: what its user should know now, such as a watchdog that
+  // is missing or a clock that was set; empty: nothing. The device works all the same.
   std::string (*note)(void* self) = nullptr;
 };
 

@@ -12,7 +12,7 @@
 namespace stylet::hal {
 namespace {
 
-constexpr double kAgainPatienceS = 1;  // for calibration and first samples, each time it is tried
+constexpr double kAgainPatienceS = 1;  // for calibration and first samples, at each new try
 
 constexpr std::array kOwn = {
 #define STYLET_DRIVER(file, descriptor) &descriptor,

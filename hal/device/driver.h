@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A driver, as the rest of the program knows it: one descriptor, in the driver's own file. The list
+// A driver as the rest of the program knows it: one descriptor, in the driver's own file. The list
 // of devices, the help, the doctor, the udev rules of toolchain/rt-host and the table in README.md
-// follow it.
+// are all made from it.
 // Promise: plain data that outlives the program's last device.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace stylet::hal {
 
-// On USB: vendor, and product where the vendor makes other things too.
+// Ids on USB: the vendor, and the product if the vendor makes other things too.
 struct UsbId {
   const char* vendor;
   const char* product;  // empty: any
@@ -39,20 +39,20 @@ struct DriverRow {
 
 struct DriverDescriptor {
   const char* scheme;  // of its URIs, before the colon
-  const char* uri;     // as `stylet devices` lists it
+  const char* uri;     // the URI that `stylet devices` lists
   const char* name;
-  // `rest`: of the URI, after the colon.
+  // `rest`: the part of the URI after the colon.
   Device (*open)(const std::string& rest, double patience_s);
   // Says what is here or missing (seen), the remedy, and whether it is ready; opens nothing.
   void (*search)(const HostTree& tree, DeviceSighting& out);
-  // Whether it may be closed and opened again now, once it has failed for good; null: it comes back
+  // Whether a device that has failed for good may be closed and opened again now; null: it recovers
   // by itself.
   bool (*may_open_again)() = nullptr;
-  // What opens the same one again, where a kind can say so; null: `rest` itself.
+  // The text after the colon that opens the same device again, if the kind has one; null: `rest`.
   std::string (*same)(const std::string& rest, const std::string& identity) = nullptr;
-  bool renders = true;  // forces
+  bool renders = true;  // whether it renders forces
   std::span<const UsbId> usb = {};
-  std::span<const DeviceModel> models = {};  // that are recognised by their names
+  std::span<const DeviceModel> models = {};  // models recognised by their names
   DriverRow row;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls of a vendor's driver, which may never return.
+// Calls of a vendor's driver, which may hang for ever.
 //
-// Each runs in a thread of its own and is waited for as long as the caller likes. One that is given
-// up goes on where it hangs, for as long as the process lives: so it owns all it touches, and the
-// process must end without looking back (no destructors of what is static): driver_calls_given_up.
-// Never in the loop's thread.
+// Each call runs in its own thread, and the caller waits for it as long as it likes. A call that is
+// given up stays where it hangs until the process ends. So it must own all that it touches, and
+// the process must end without destroying what is static: see driver_calls_given_up. Never call
+// it in the loop's thread.
 #pragma once
 
 #include <atomic>
@@ -21,14 +21,14 @@
 
 namespace stylet::hal {
 
-// The end of a run, however its devices' drivers behave: their fade takes 25 ms, the vendors' own
-// goodbyes some hundred.
+// Longest time for closing at the end of a run, however the drivers behave: their fade takes 25 ms,
+// the vendors' own closing some hundred.
 constexpr std::chrono::milliseconds kClosingTime(2000);
 
 int driver_calls_given_up();
 void count_given_up();
 
-// What `call` returns, or throws what it throws; nothing: `give_up`, asked every 5 ms, had enough.
+// Returns or throws what `call` does; nullopt: `give_up`, asked every 5 ms, said so.
 template <typename Result>
 std::optional<Result> call_driver(std::function<Result()> call,
                                   const std::function<bool()>& give_up) {
@@ -59,8 +59,8 @@ std::optional<Result> call_driver(std::function<Result()> call,
   return shared->result;
 }
 
-// Closes all of them side by side; which of them hang after `longest`. No force was ordered of each
-// before (a run ends with a fade, and a relay lets nothing through once it is closed).
+// Closes all of them at the same time; returns which still hang after `longest`. Before that, none
+// has a force (a run ends with a fade, and a closed relay lets no force through).
 std::vector<std::size_t> close_devices(std::span<const Device> devices,
                                        std::chrono::milliseconds longest = kClosingTime);
 

@@ -24,26 +24,26 @@ struct Lasting {
   Reopening reopening;
   std::string name, identity;
   DeviceInfo info;
-  // The device of the moment is lent to the loop; `used` is the one it is busy with.
+  // `lent` is the device that the loop may use now; `used` is the one it is calling right now.
   std::atomic<const Device*> lent{nullptr};
   std::atomic<const Device*> used{nullptr};
-  std::atomic<std::uint32_t> opened{1};  // times
-  // The loop's own.
+  std::atomic<std::uint32_t> opened{1};  // how many times
+  // Used by the loop alone.
   std::uint32_t read_from = 1;
   std::uint64_t seq_base = 0, seq = 0;
-  // The keeper's, and who asks for the trouble.
+  // Shared by the keeper and whoever asks for the trouble.
   std::mutex mutex;
   std::condition_variable wake;
   bool stop = false;
   std::string trouble, note;
   std::unique_ptr<Device> device;
-  bool failed = false;  // though it may not have been closed yet
+  bool failed = false;  // though it may not be closed yet
   std::thread keeper;
 };
 
 // ==== The loop
 
-// Null: none, or it is being taken away.
+// Null: there is no device, or it is being taken away.
 const Device* borrow(Lasting& lasting) {
   const Device* device = lasting.lent.load();
   lasting.used.store(device);
@@ -100,7 +100,7 @@ bool renders_less(const DeviceInfo& now, const DeviceInfo& first) {
          now.continuous_force_n < first.continuous_force_n;
 }
 
-// Why what came is not taken; empty: it is the same.
+// Why the device that came is refused; empty: it is the same.
 std::string stranger(const DeviceInfo& now, const Lasting& lasting) {
   if (now.identity != lasting.identity) {
     const auto called = [](const std::string& id) {
@@ -118,7 +118,7 @@ bool may_open(const Lasting& lasting) {
   return lasting.reopening.may_open == nullptr || lasting.reopening.may_open();
 }
 
-// Empty: it is open and lent to the loop.
+// Empty: the device is open and lent to the loop.
 std::string open_again(Lasting& lasting) try {
   const Device device = lasting.reopening.open();
   if (std::string why = stranger(device.info, lasting); !why.empty()) {
@@ -140,7 +140,7 @@ void tell(Lasting& lasting, std::string& trouble, std::string& note) {
   lasting.note.swap(note);
 }
 
-// What is wrong with it; afterwards it may be open again. Sets the pause until the next look.
+// What is wrong with it; afterwards it may be open again. Sets the pause before the next look.
 std::string look_after(Lasting& lasting, Seconds& wait, Seconds& pause) {
   if (!lasting.failed) {
     const std::string trouble = trouble_of(*lasting.device);
@@ -148,12 +148,12 @@ std::string look_after(Lasting& lasting, Seconds& wait, Seconds& pause) {
     if (trouble.empty()) return trouble;
     lasting.failed = true;
     std::string now = trouble, none;
-    tell(lasting, now, none);  // first: closing one that hangs may take for ever
+    tell(lasting, now, none);  // told first: closing a device that hangs may take for ever
     if (may_open(lasting)) retire(lasting);
     wait = pause = Seconds(lasting.reopening.first_try_s);
     return trouble;
   }
-  if (!may_open(lasting)) {  // that is no try: asked often, it comes back with the others
+  if (!may_open(lasting)) {  // not counted as a try: asked often, it comes back with the others
     wait = Seconds(lasting.reopening.first_try_s);
     return "it can be opened again only when no other of its kind is in use: end the run";
   }
@@ -170,7 +170,7 @@ void keep(Lasting& lasting) {
   std::unique_lock lock(lasting.mutex);
   while (!lasting.wake.wait_for(lock, wait, [&] { return lasting.stop; })) {
     lock.unlock();
-    std::string trouble = "out of memory", note;  // short enough to need none
+    std::string trouble = "out of memory", note;  // short enough to need no memory
     (void)contained("device", [&] {
       trouble = look_after(lasting, wait, pause);
       if (lasting.device != nullptr) note = note_of(*lasting.device);
@@ -208,7 +208,7 @@ std::string note(void* self) {
 Device lasting_device(const Device& first, const Reopening& reopening) {
   auto lasting = std::make_unique<Lasting>();
   lasting->reopening = reopening;
-  lasting->name = first.info.name;  // the first device's own goes with it
+  lasting->name = first.info.name;  // the first device's own name goes with it
   lasting->info = first.info;
   lasting->info.name = lasting->name.c_str();
   lasting->identity = first.info.identity;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device that is opened again when it has failed for good: a cable that was pulled, a service
-// that was restarted.
+// A device that is opened again when it has failed for good, as when a cable was pulled or a
+// service was restarted.
 //
-// While it is away it does not answer, so the guard latches its fault; when it is back it gives
-// samples, and no force before somebody acknowledges. Another device is not taken, nor one that
-// renders less than the first one did: the guard's limits are the first one's.
+// While it is away it does not answer, so the guard latches a fault. When it is back it gives
+// samples, but no force until somebody acknowledges. Another device is refused, and so is one that
+// renders less than the first did, because the guard's limits are made for the first.
 // Promises: read and write are wait-free and allocate nothing; opening, closing and waiting happen
-// in a thread of its own, the first try kFirstTryS after the failure, then after twice as long each
-// time, at most kLongestTryS. Samples keep counting up over all of them.
+// in a thread of its own. The first try comes kFirstTryS after the failure; the wait then doubles
+// each time, up to kLongestTryS. Sample numbers keep growing through all of it.
 #pragma once
 
 #include <functional>
@@ -21,11 +21,11 @@ constexpr double kLongestTryS = 4;
 
 struct Reopening {
   std::function<Device()> open;  // throws DeviceError
-  bool (*may_open)() = nullptr;  // nor close; not now: it would disturb another device
+  bool (*may_open)() = nullptr;  // false: opening or closing now would disturb another one
   double first_try_s = kFirstTryS;
   double longest_try_s = kLongestTryS;
 };
-// Takes `first`, which is open.
+// Takes over `first`, which is open.
 Device lasting_device(const Device& first, const Reopening& reopening);
 
 }  // namespace stylet::hal

@@ -28,13 +28,13 @@ namespace {
 
 // ==== UDP
 
-// As long as a session of a peer that has gone (drivers/peer.h).
+// The same time after which the session of a silent peer is given up (drivers/peer.h).
 constexpr std::int64_t kPeerSilenceNs = 100'000'000;
 
 struct Udp {
   int socket = -1;
   sockaddr_in peer = {};
-  sockaddr_in speaker = {};   // of the packet received last
+  sockaddr_in speaker = {};   // who sent the packet received last
   std::int64_t heard_ns = 0;  // when the peer was heard last
 };
 
@@ -60,7 +60,7 @@ sockaddr_in parse_address(const std::string& where, bool needs_address) {
 void udp_send(void* self, std::span<const std::byte> packet) {
   const Udp& udp = *static_cast<const Udp*>(self);
   if (udp.peer.sin_port == 0) return;
-  // A packet that cannot be sent is a lost packet.
+  // A packet that cannot be sent counts as lost.
   (void)sendto(udp.socket, packet.data(), packet.size(), MSG_DONTWAIT | MSG_NOSIGNAL,
                reinterpret_cast<const sockaddr*>(&udp.peer), sizeof udp.peer);
 }
@@ -73,8 +73,8 @@ std::optional<std::size_t> udp_receive(void* self, std::span<std::byte> room) {
                                reinterpret_cast<sockaddr*>(&from), &size);
   const bool nothing = got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK);
   if (nothing) return std::nullopt;
-  if (got <= 0) return 0;  // empty; or an error of what was sent before, told here
-  // Whoever is served is served alone, until nothing has come from there for a while.
+  if (got <= 0) return 0;  // empty, or the error of an earlier send, reported here
+  // Only one peer is served, until nothing has come from it for a while.
   const bool peer =
       from.sin_addr.s_addr == udp.peer.sin_addr.s_addr && from.sin_port == udp.peer.sin_port;
   const std::int64_t now_ns = monotonic_now_ns();
@@ -107,8 +107,8 @@ int udp_socket() {
 
 // ==== Shared memory
 
-// A slot holds the newest packet. One that is read while it is written fails its checksum, and is
-// read again in the next tick.
+// A slot holds the newest packet. If it is read while it is being written its checksum fails, and
+// it is read again in the next tick.
 constexpr std::size_t kSlotWords = kMaxPacketBytes / sizeof(std::uint64_t);
 using Slot = std::array<std::atomic<std::uint64_t>, kSlotWords>;
 static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
@@ -123,7 +123,7 @@ struct Memory {
   Shared* shared = nullptr;
   Side side = Side::kStylet;
   std::string path;
-  int file = -1;  // Stylet's side: locked for as long as it is open
+  int file = -1;  // Stylet's side: locked for as long as the file is open
   std::array<std::byte, kMaxPacketBytes> last = {};
 };
 
@@ -168,8 +168,8 @@ std::string memory_trouble(void* self) {
                      memory.path);
 }
 
-// Below zero: errno says why. What a run that was killed has left is taken over: its lock went with
-// it. The file may be taken away between opening and locking it, by who had it.
+// Negative: errno says why. The file of a killed run is taken over, as its lock went with the run.
+// The file's owner may also remove it between our opening and locking it.
 int open_and_lock(const std::string& path, Side side) {
   const int flags = side == Side::kStylet ? O_RDWR | O_CREAT : O_RDWR;
   for (int i = 0; i < 8; ++i) {
@@ -205,7 +205,7 @@ Link udp_connect(const std::string& where) {
   auto udp = std::make_unique<Udp>();
   udp->peer = parse_address(where, true);
   udp->socket = udp_socket();
-  // From nobody else: the system drops what comes from other addresses.
+  // Receives from nobody else: the system drops what comes from other addresses.
   if (connect(udp->socket, reinterpret_cast<const sockaddr*>(&udp->peer), sizeof udp->peer) != 0) {
     const int error = errno;
     ::close(udp->socket);
@@ -237,7 +237,7 @@ Link shared_memory(const std::string& name, Side side) {
   }
   memory->file = file;
   memory->shared = static_cast<Shared*>(at);
-  if (side == Side::kStylet) {  // what an earlier run left there is not news
+  if (side == Side::kStylet) {  // what an earlier run left there is not new
     for (auto& word : memory->shared->from_device) word.store(0, std::memory_order_relaxed);
     for (auto& word : memory->shared->from_stylet) word.store(0, std::memory_order_relaxed);
   }

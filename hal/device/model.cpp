@@ -12,7 +12,7 @@
 namespace stylet::hal {
 namespace {
 
-// Without the heap: a model is also asked for where none may be used.
+// Uses no heap: a model is also asked for where no heap may be used.
 template <typename Visit>
 void for_each_model(Visit visit) {
   for (const DriverDescriptor* driver : drivers()) {
@@ -20,7 +20,7 @@ void for_each_model(Visit visit) {
   }
 }
 
-// Names of before, and families.
+// Former names, and names of families.
 struct Alias {
   const char* called;
   const char* model;
@@ -36,8 +36,8 @@ std::string letters(std::string_view text) {
   return out;
 }
 
-// Forces, stiffness, damping and room: the smallest, and nothing that the arm dissipates may be
-// assumed beyond it. Steps and delay: the largest.
+// Forces, stiffness, damping and workspace: the smallest, and no more loss in the arm may be
+// assumed than the smallest. Steps and delay: the largest.
 DeviceModel most_careful() {
   DeviceModel all = device_models().front();
   all.name = "unknown";

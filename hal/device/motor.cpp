@@ -38,8 +38,8 @@ Vec3 approached(Vec3 from, Vec3 to, double most) {
   return {from.x + part.x, from.y + part.y, from.z + part.z};
 }
 
-// Shorter by so much: what is small already is gone sooner, so that one fade after another takes no
-// longer than one.
+// Shorter by this much: what is small already is gone sooner, so that one fade after another takes
+// no longer than one.
 Vec3 faded(Vec3 v, double by) {
   const double size = length(v);
   return size > by ? scaled(v, 1 - by / size) : Vec3{};
@@ -49,12 +49,12 @@ double seconds(std::int64_t ns) {
   return static_cast<double>(ns) * 1e-9;
 }
 
-// A limit that is not a number, or none, is the smallest; an infinite one is none.
+// A limit that is NaN, infinite or not positive is replaced by `otherwise`, the smallest.
 double limit(float value, float otherwise) {
   return static_cast<double>(value > 0 && std::isfinite(value) ? value : otherwise);
 }
 
-// From no more than an order that falls: it came late, and its own fade has begun long ago.
+// Starts from no more than a falling order: it came late, and its own fade has begun long ago.
 void begin_fade(MotorState& state, const MotorOrder& order, std::int64_t since_ns) {
   if (state.fading) return;
   state.fading = true;
@@ -76,7 +76,7 @@ void take_order(MotorState& state, const MotorOrder& order, std::int64_t now_ns)
   state.report.arming = order.arming;
 }
 
-// Which way the motors are to go: after the order, or out.
+// Decides whether the motors follow the order or fade out.
 void judge(MotorState& state, const MotorOrder& order, MotorCut cut, std::int64_t now_ns) {
   take_order(state, order, now_ns);
   MotorReport& report = state.report;
@@ -92,32 +92,32 @@ void judge(MotorState& state, const MotorOrder& order, MotorCut cut, std::int64_
   }
 }
 
-// What is to be written in the end: the order, or what a fade has left of `from`.
+// What is to be reached in the end: the order, or what a fade has left of `from`.
 Vec3 goal(const MotorState& state, const MotorOrder& order, Vec3 ordered, Vec3 from, Vec3 now,
           double most) {
   if (state.fading) {
     const double gone = seconds(state.t_ns - state.fade_ns) / seconds(kMotorFadeNs);
     const Vec3 left = faded(from, std::max(gone, 0.0) * most);
-    return order.falls ? shortened(left, length(ordered)) : left;  // it came late, and still holds
+    return order.falls ? shortened(left, length(ordered)) : left;  // it came late and still holds
   }
   return shortened(ordered, order.falls ? std::min(most, length(now)) : most);
 }
 
-// How long until nothing may be left: a microsecond early, so that no rounding leaves a rest.
+// Time until no force may be left: a microsecond early, so that rounding leaves nothing.
 double left_s(const MotorOrder& order, std::int64_t now_ns) {
   constexpr std::int64_t kEarlyNs = 1000;
   if (order.end_ns == 0) return std::numeric_limits<double>::infinity();
   return std::max(seconds(order.end_ns - kEarlyNs - now_ns), 0.0);
 }
 
-// One of the two, force or torque, a step further. Of an order that ends there is never more than
-// the slew limit takes away in time; what is more is shortened, and turns no further.
+// Moves the force, or the torque, one step further. If the order has an end, never leaves more than
+// the slew limit can remove in time; what is more is shortened, and turns no further.
 Vec3 stepped(const MotorState& state, const MotorOrder& order, Vec3 now, Vec3 ordered, Vec3 from,
              double most, double slew, std::int64_t passed_ns) {
   const double endable = slew * left_s(order, state.t_ns);
   const bool ends = length(now) > endable;
   const Vec3 to = shortened(ends ? now : goal(state, order, ordered, from, now, most), endable);
-  // Down with the time that has passed, up no faster than step by step.
+  // Falls by all the time that has passed, but rises no faster than step by step.
   const bool falls = ends || state.fading || order.falls;
   const double step_s = seconds(falls ? passed_ns : std::min(passed_ns, kMotorStepNs));
   return approached(now, to, slew * step_s);
@@ -131,7 +131,7 @@ void motor_step(const MotorLimits& limits, MotorState& state, const MotorOrder& 
     return state.t_ns == 0 ? 0 : std::max<std::int64_t>(now_ns - t_ns, 0);
   };
   const std::int64_t passed_ns = passed_since(state.had_ns);
-  // Whoever writes was held up: the device may have cut the force by itself.
+  // The writing thread was held up: the device may have cut the force by itself.
   if (passed_since(state.t_ns) > kOrderLifeNs) cut = MotorCut::kNow;
   state.t_ns = state.had_ns = now_ns;
   judge(state, order, cut, now_ns);

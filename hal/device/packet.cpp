@@ -17,7 +17,7 @@ constexpr std::array kSampleMagic = {'S', 'T', 'Y', 'S'};
 constexpr std::array kForceMagic = {'S', 'T', 'Y', 'F'};
 constexpr std::size_t kCrcBytes = sizeof(std::uint32_t);
 
-// One order of fields for writing and reading.
+// One order of fields, for writing and for reading.
 template <typename Visit>
 void fields(SamplePacket& p, Visit&& visit) {
   visit(p.session);
@@ -43,8 +43,8 @@ void fields(ForcePacket& p, Visit&& visit) {
 static_assert(sizeof(Pose) == 28 && sizeof(RenderLimits) == 16 && sizeof(ForceModel) == 80,
               "no padding in a packet");
 
-// CRC-32 as zlib, gzip and PNG have it (ISO 3309), lowest bit first; written here so that the
-// loop's library needs no other for 108 bytes.
+// CRC-32 as in zlib, gzip and PNG (ISO 3309), lowest bit first; written here so that the loop's
+// library needs no other library for 108 bytes.
 std::uint32_t checksum(std::span<const std::byte> bytes) {
   constexpr std::uint32_t kPolynomial = 0xedb88320;
   std::uint32_t crc = ~0U;
@@ -102,12 +102,12 @@ Vec3 away_from(const ForceModel& model, Vec3 position_m) {
   return {position_m.x - model.at_m.x, position_m.y - model.at_m.y, position_m.z - model.at_m.z};
 }
 
-// Written so that whatever is not a number gives no force.
+// Written so that NaN gives no force.
 bool near(const ForceModel& model, Vec3 away_m) {
   return model.radius_m == 0 || length(away_m) <= model.radius_m;
 }
 
-// Of any two times, as far apart as they may be.
+// Works for any two times, however far apart.
 std::uint64_t age_ns(const ForcePacket& packet, std::int64_t now_ns) {
   return static_cast<std::uint64_t>(now_ns) - static_cast<std::uint64_t>(packet.echo_t_ns);
 }
@@ -148,9 +148,9 @@ bool obey(ObeyedForce& obeyed, const ForcePacket& packet, std::int64_t now_ns) {
   const bool first = obeyed.newest.life_ns == 0;
   const bool older = !first && (packet.seq <= obeyed.newest.seq ||
                                 is_newer_arming(obeyed.newest.arming, packet.arming));
-  // A force answers a sample that was taken, and lives no longer than forces do.
+  // A force answers a sample that was taken, and lives no longer than forces may.
   if (older || packet.life_ns > kForceLifeNs || !lives(packet, now_ns)) return false;
-  (void)obeyed_share(obeyed, now_ns);  // one that ended since has ended, whatever comes now
+  (void)obeyed_share(obeyed, now_ns);  // a force that has ended stays ended, whatever comes now
   if (first || packet.arming != obeyed.newest.arming) obeyed.stopped = false;
   obeyed.newest = packet;
   return true;

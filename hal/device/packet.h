@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What crosses the network and shared memory between Stylet and a device it does not know: a
-// sample one way, a local model of the force the other. hal/device/README.md has the layout.
+// What is sent over network or shared memory between Stylet and a device it does not know: samples
+// one way, local models of the force the other. hal/device/README.md has the layout.
 //
-// A force lives `life_ns` from the moment at which the sample it answers was taken, on the clock of
-// whoever took it: no clocks are compared, and whatever is lost, late, doubled or out of order, no
-// force outlives that time. In the second half of its life it fades; when the newest one's life is
-// over, nothing is felt before somebody acknowledged, which a newer arming number tells.
+// A force lives `life_ns` from the moment when the sample it answers was taken, on the clock of
+// whoever took that sample. So no clocks are compared, and no force outlives that time, whatever is
+// lost, late, doubled or out of order. In the second half of its life it fades. When the newest
+// force's life is over, no force is felt until an acknowledgement, seen by a newer arming number.
 // Promises: fixed size, little-endian, checked by CRC-32; no allocation; nothing is trusted.
 // Units: SI, ns. Frame: the device's.
 #pragma once
@@ -22,7 +22,7 @@ namespace stylet::hal {
 constexpr std::uint16_t kPacketVersion = 3;
 constexpr std::int64_t kForceLifeNs = 20'000'000;
 
-// What the device renders at most. 0: it does not say; of torque: it renders none.
+// The most the device renders. 0: not told; for torque: it renders none.
 struct RenderLimits {
   float max_force_n = 0;
   float max_stiffness_n_per_m = 0;
@@ -31,23 +31,23 @@ struct RenderLimits {
   bool operator==(const RenderLimits&) const = default;
 };
 
-// From the device.
+// Sent by the device.
 struct SamplePacket {
-  std::uint32_t session = 0;  // another number each time the device's side is started
+  std::uint32_t session = 0;  // a new number each time the device's side is started
   std::uint32_t buttons = 0;
   std::uint64_t seq = 0;   // grows with every sample
-  std::int64_t t_ns = 0;   // when it was taken, on any clock of the sender that grows evenly
+  std::int64_t t_ns = 0;   // when it was taken, on any clock of the sender that runs evenly
   std::uint64_t echo = 0;  // seq of the newest force received; 0: none
   Pose pose = {{}, {1, 0, 0, 0}};
-  RenderLimits limits;        // the same in every packet of a session
+  RenderLimits limits;        // stays the same for a session
   std::uint32_t arming = 0;   // of the force that is obeyed; 0: the device does not tell
-  std::uint32_t stopped = 0;  // 1: forces of that arming move nothing any more
-  Vec3 force_n = {};          // on the hand, now; where arming tells
+  std::uint32_t stopped = 0;  // 1: forces of that arming no longer move anything
+  Vec3 force_n = {};          // on the hand, now; valid if `arming` is told
 };
 
 // The force at and around the place for which it was computed: force_n - stiffness (x - at_m),
-// shortened to max_force_n; nothing further than radius_m from at_m. Radius 0: everywhere, which
-// with no stiffness is a plain wrench.
+// shortened to max_force_n; zero farther than radius_m from at_m. Radius 0: valid everywhere, which
+// without stiffness is a plain wrench.
 struct ForceModel {
   Vec3 force_n = {};  // on the hand
   Vec3 torque_nm = {};
@@ -58,30 +58,30 @@ struct ForceModel {
 };
 Vec3 force_at(const ForceModel& model, Vec3 position_m);
 
-// To the device.
+// Sent to the device.
 struct ForcePacket {
-  std::uint64_t seq = 0;       // grows with every packet, from one run of Stylet to the next, too
+  std::uint64_t seq = 0;       // grows with every packet, also from one run of Stylet to the next
   std::uint64_t echo = 0;      // seq of the sample it answers
-  std::int64_t echo_t_ns = 0;  // and its t_ns
+  std::int64_t echo_t_ns = 0;  // t_ns of that sample
   std::int64_t life_ns = 0;    // counted from echo_t_ns
   ForceModel model;
-  std::uint32_t arming = 0;  // grows when somebody acknowledged, from run to run, too; never 0
+  std::uint32_t arming = 0;  // grows with each acknowledgement, also from run to run; never 0
 };
-// Zero when the force has outlived its time. `now_ns` on the clock of the samples. The torque is
-// the same within the radius.
+// Zero when the force has outlived its time. `now_ns` is on the clock of the samples. The torque is
+// constant within the radius.
 Vec3 force_at(const ForcePacket& packet, std::int64_t now_ns, Vec3 position_m);
 Vec3 torque_at(const ForcePacket& packet, std::int64_t now_ns, Vec3 position_m);
 
-// What the device's side obeys: the newest force, while it lives. Whoever feels a force goes by
-// obey() and obeyed_share(), and changes what the motors have by a slew limit of its own, from
-// nothing to the largest force in half of kForceLifeNs or less.
+// What the device's side obeys: the newest force, while it lives. Whoever renders forces must use
+// obey() and obeyed_share(), and limit how fast the motors' force changes by a slew of its own,
+// from nothing to the largest force in half of kForceLifeNs or less.
 struct ObeyedForce {
-  ForcePacket newest;  // no life: none came yet
+  ForcePacket newest;  // without life: none came yet
   bool stopped = false;
 };
-// False: not newer, of an older arming, of a life that is over or longer than lives are.
+// False: not newer, of an older arming, or its life is over or longer than allowed.
 bool obey(ObeyedForce& obeyed, const ForcePacket& packet, std::int64_t now_ns);
-// How much of it is felt: 1, less in the second half of its life; 0 once it has stopped.
+// The fraction of it that is felt: 1, less in the second half of its life; 0 once it has stopped.
 float obeyed_share(ObeyedForce& obeyed, std::int64_t now_ns);
 
 constexpr std::size_t kSamplePacketBytes = 108;
@@ -90,10 +90,10 @@ constexpr std::size_t kMaxPacketBytes = 128;
 
 std::array<std::byte, kSamplePacketBytes> encode(const SamplePacket& packet);
 std::array<std::byte, kForcePacketBytes> encode(const ForcePacket& packet);
-// False, and `out` untouched: not such a packet, of another version, or damaged.
+// False, and `out` untouched: not such a packet, another version, or damaged.
 bool decode(std::span<const std::byte> bytes, SamplePacket& out);
 bool decode(std::span<const std::byte> bytes, ForcePacket& out);
-// The version of a packet that may be of another; 0: it is none of ours.
+// The version of a packet, which may be another than ours; 0: not one of our packets.
 std::uint16_t packet_version(std::span<const std::byte> bytes);
 
 }  // namespace stylet::hal

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long opening waits for a device: until the time is over, or somebody asked to stop.
+// How long opening waits for a device: until the time is up, or somebody has asked to stop.
 #pragma once
 
 #include <atomic>

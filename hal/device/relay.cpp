@@ -55,7 +55,7 @@ void Relay::write(const Command& command) {
 
 bool Relay::motor(MotorReport& report_out) {
   (void)reports_.take(report_);
-  report_out = report_;  // until the first: nothing
+  report_out = report_;  // empty until the first report
   return true;
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Between the loop and the thread that talks to a device, the vendor's or ours: the newest sample
-// one way, the newest force the other.
+// goes one way, the newest force the other.
 //
-// What the device's thread gets is what the motors may have: slewed, and gone when a loop has
+// The device's thread gets what the motors may have: slewed, and zero some time after the loop has
 // stopped (motor.h). fail() is for good: no sample and no force comes through any more, so that a
-// device that comes back by itself does not push. end(): what force there is fades. rest(): it
-// fades, and comes back when somebody acknowledged after the rest. A device that has shown nothing
-// new for kQuietNs does not answer. Promises: wait-free, no allocation, no system
+// device that recovers by itself does not push. end(): the present force fades. rest(): it fades,
+// and comes back when somebody has acknowledged after the rest. A device that has shown nothing new
+// for kQuietNs counts as one that does not answer. Promises: wait-free, no allocation, no system
 // call; one thread on each side. Units: SI.
 #pragma once
 
@@ -21,28 +21,28 @@
 namespace stylet::hal {
 
 constexpr std::int64_t kQuietNs = 20'000'000;
-// How long a device that is closed waits for what force there is to fade.
+// How long closing a device waits for its force to fade.
 constexpr std::chrono::milliseconds kFadeTime(25);
 
 class Relay {
  public:
-  MotorLimits limits;  // before the first order
+  MotorLimits limits;  // set before the first order
 
   // ---- the device's thread
   // Times on CLOCK_MONOTONIC.
   void publish(const Pose& pose, std::uint32_t buttons, std::int64_t t_ns);
-  // What to write to the motors now. Once a period: time is what a force changes with.
+  // What to write to the motors now. Call it once a period: the force changes with passing time.
   MotorReport order(std::int64_t now_ns);
-  void written(std::int64_t now_ns);  // once it was, see motor_written
+  void written(std::int64_t now_ns);  // call it after writing, see motor_written
 
   // ---- any thread
   void end();
   void rest(bool on);
-  // Why, a number of the device's own; the first one stays.
+  // Keeps the reason, a number of the device's own; the first reason stays.
   void fail(std::uint32_t why);
   bool failed() const { return failed_.load(std::memory_order_acquire); }
   std::uint32_t why() const { return why_.load(std::memory_order_relaxed); }
-  // A force was ordered, or somebody acknowledged, since the device was opened.
+  // A force was ordered, or somebody has acknowledged, since the device was opened.
   bool used() const { return used_.load(std::memory_order_relaxed); }
   bool measured() const { return measured_.load(std::memory_order_acquire); }
 
@@ -59,16 +59,16 @@ class Relay {
   std::atomic<bool> measured_{false};
   std::atomic<bool> ending_{false}, resting_{false}, used_{false};
   std::atomic<std::uint32_t> why_{0};
-  std::uint64_t seq_ = 0;     // the device's thread
-  MotorOrder order_ = {};     // the device's thread
-  std::uint32_t first_ = 0;   // the device's thread: arming of the first order
-  MotorState motor_ = {};     // the device's thread
-  Sample newest_ = {};        // the loop
-  MotorReport report_ = {};   // the loop
-  std::int64_t tick_ns_ = 0;  // the loop
+  std::uint64_t seq_ = 0;     // used by the device's thread
+  MotorOrder order_ = {};     // used by the device's thread
+  std::uint32_t first_ = 0;   // used by the device's thread: arming of the first order
+  MotorState motor_ = {};     // used by the device's thread
+  Sample newest_ = {};        // used by the loop
+  MotorReport report_ = {};   // used by the loop
+  std::int64_t tick_ns_ = 0;  // used by the loop
 };
 
-// The device as the loop sees it, of whatever has a member `relay`.
+// The device as the loop sees it, made from anything that has a member `relay`.
 template <typename Backend>
 Device relayed(Backend* self, const DeviceInfo& info, void (*close)(void*),
                std::string (*trouble)(void*)) {
@@ -86,7 +86,7 @@ Device relayed(Backend* self, const DeviceInfo& info, void (*close)(void*),
   return device;
 }
 
-// From what a device says of itself.
+// Limits from what a device says of itself.
 inline MotorLimits motor_limits(const DeviceInfo& info) {
   return {info.max_force_n, info.max_slew_n_per_s, info.max_torque_nm};
 }

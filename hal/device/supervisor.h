@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Looks after a thread that writes forces, and stands in a vendor's call for good: the motors keep
-// what they had, and nobody but another thread can take it out.
+// Watches a thread that writes forces, in case it hangs in a vendor's call: then the motors
+// keep the force they have, and only another thread can remove it.
 //
-// Promise: once the count of its turns has stood still for kStallNs, `cut` is called, once, at most
-// kLookEveryMs later; 25 ms with both. A thread that has not begun does not stand.
+// Promise: if the thread's count of turns does not grow for kStallNs, `cut` is called once, at most
+// kLookEveryMs later: 25 ms together. A thread that has not begun does not count as hanging.
 #pragma once
 
 #include <atomic>
@@ -22,7 +22,7 @@ constexpr int kLookEveryMs = 2;
 
 class Supervisor {
  public:
-  // `turns`: of the other thread, outlives this; `rests`: it stands in order.
+  // `turns`: counted by the other thread, must outlive this; `rests`: true if it stands on purpose.
   template <typename Rests, typename Cut>
   void start(const std::atomic<std::uint64_t>& turns, Rests rests, Cut cut) {
     thread_ = std::thread([this, &turns, rests, cut] {

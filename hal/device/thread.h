@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A thread that talks to a device: above the loop where the machine allows it, until it is told to
-// stop. Its pace is a grid of CLOCK_MONOTONIC; what it missed it leaves out.
+// A thread that talks to a device, with priority above the loop's where the machine allows it. It
+// runs on a grid of CLOCK_MONOTONIC until it is told to stop, and skips grid points it has missed.
 #pragma once
 
 #include <pthread.h>
@@ -17,20 +17,20 @@
 
 namespace stylet::hal {
 
-// The calling thread, the vendor's or ours: a sample must not wait for the loop that waits for it.
-inline std::atomic<int> g_priority_refused{0};  // errno of the newest one
+// Raises the calling thread, the vendor's or ours: a sample must not wait for the loop it is for.
+inline std::atomic<int> g_priority_refused{0};  // errno of the newest refusal
 inline void rise_above_the_loop() {
   constexpr sched_param kAboveTheLoop = {kDevicePriority};
   const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &kAboveTheLoop);
   if (error != 0) g_priority_refused.store(error);
 }
 
-// A turn that failed may have left out the waiting in it; above the loop it must not spin.
+// A turn that failed may have skipped its own waiting; above the loop's priority it must not spin.
 constexpr std::int64_t kPauseAfterEscapeNs = 1'000'000;
 
 class DeviceThread {
  public:
-  // `work` is called once a period, 0: again and again, with the thread's own waiting in it.
+  // `work` is called once a period; with period 0 over and over, and must then wait by itself.
   template <typename Work>
   void start(std::int64_t period_ns, Work work) {
     thread_ = std::thread([this, period_ns, work] {
@@ -40,14 +40,14 @@ class DeviceThread {
       run(period_ns, work);
       ended_.store(true);
     });
-    // So that whoever opens a device can tell what its thread was refused.
+    // So that whoever opens a device can tell what was refused to its thread.
     while (!risen_.load()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   void stop() {
     stop_.store(true);
     if (thread_.joinable()) thread_.join();
   }
-  // False: it hangs in its work; stop() would wait for ever.
+  // False: it hangs in its work, and stop() would wait for ever.
   bool stops_within(std::chrono::milliseconds longest) {
     stop_.store(true);
     const auto end = std::chrono::steady_clock::now() + longest;
@@ -65,7 +65,7 @@ class DeviceThread {
     const Clock clock = monotonic_clock();
     std::int64_t next_ns = clock.now_ns(clock.self);
     while (!stopping()) {
-      // What fails once may not the next time, and then there is a force to be taken back.
+      // What fails once may succeed the next time, and then there may be a force to take back.
       const bool done = contained("device", work);
       if (period_ns == 0) {
         if (!done) clock.sleep_until_ns(clock.self, clock.now_ns(clock.self) + kPauseAfterEscapeNs);

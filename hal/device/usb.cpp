@@ -24,7 +24,7 @@ bool is_one(const HostTree& tree, const string& folder, std::span<const UsbId> i
 
 }  // namespace
 
-// Terminals and raw HIDs carry their device's ids two or three folders up.
+// Terminals and raw HIDs have the ids of their device two or three folders further up.
 void add_nodes(const HostTree& tree, const string& type, std::span<const UsbId> ids,
                Attached& found) {
   for (const string& name : names_in(tree, "/sys/class/" + type)) {
@@ -57,7 +57,7 @@ bool has_rules(const HostTree& tree) {
   return exists(tree, "/etc/udev/rules.d/70-stylet-haptic.rules");
 }
 
-// True if everything is in reach; else says what is not.
+// True if everything is accessible; else says what is not.
 bool may_use(const HostTree& tree, const Attached& attached, DeviceSighting& out) {
   for (const string& node : attached.nodes) {
     if (access((tree.root + node).c_str(), R_OK | W_OK) == 0) continue;

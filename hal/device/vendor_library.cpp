@@ -21,7 +21,7 @@ VendorLibrary::VendorLibrary(const char* scheme, const char* variable,
     path_ = each;
     handle_ = dlopen(each.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     if (handle_ != nullptr) return;
-    // Of a file that is there, the loader says what it lacks: that is worth more than the rest.
+    // If a file is there, the loader says what it lacks: that is worth more than other messages.
     const char* error = dlerror();
     const std::string said = error != nullptr ? error : each;
     const bool lacks = said.find(each + ": cannot open shared object file") == std::string::npos;

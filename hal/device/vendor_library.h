@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A vendor's library, found at run time: once for a process, never unloaded.
+// A vendor's library, loaded at run time: once for a process, and never unloaded.
 // Promise: throws DeviceError with one line that names what was tried and what the loader said.
 #pragma once
 
@@ -10,10 +10,10 @@ namespace stylet::hal {
 
 class VendorLibrary {
  public:
-  // `variable` of the environment names one file to take instead of the usual names.
+  // The environment `variable` can name one file to use instead of the usual names.
   VendorLibrary(const char* scheme, const char* variable, std::initializer_list<const char*> names);
 
-  // Throws if the library has no such function; find leaves null.
+  // Throws if the library has no such function; find() leaves null instead.
   template <typename Function>
   void need(const char* name, Function*& out) const {
     out = reinterpret_cast<Function*>(symbol(name, true));

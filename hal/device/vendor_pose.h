@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rotations and axes as vendors give them, in ours. Plain arithmetic, no allocation.
+// Rotations and axes as vendors give them, converted to ours. Plain arithmetic, no allocation.
 #pragma once
 
 #include "stylet/units.h"
 
 namespace stylet::hal {
 
-// Of a rotation matrix, row by row; its largest component is the one divided by.
+// Quaternion of a rotation matrix, given row by row; divides by its largest component.
 Quat rotation_of(const double (&m)[3][3]);
 
-// Force Dimension and Haply count x toward the user, y right, z up; we count x right, y up, z
-// toward the user. A cyclic change of axes: handedness and rotations stay.
+// Force Dimension and Haply have x toward the user, y right, z up; we have x right, y up, z toward
+// the user. A cyclic change of axes keeps handedness and rotations.
 inline Vec3 from_user_first(double x, double y, double z) {
   return {static_cast<float>(y), static_cast<float>(z), static_cast<float>(x)};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loop in another program: a needle is pushed 8 mm into an organ by the simulated hand, or by
-// the device of a URI, with the guard between it and the tissue. Links stylet_hal and nothing else.
+// The loop in another program: the simulated hand, or the device of a URI, pushes a needle 8 mm
+// into an organ, with the guard between it and the tissue. Links stylet_hal and nothing else.
 #include "hal/loop/loop.h"
 
 #include <algorithm>
@@ -24,9 +24,9 @@ int main(int argc, char** argv) try {
   if (organ_open(std::as_bytes(std::span(text)), organ) != stylet::Status::kOk) {
     return std::fprintf(stderr, "usage: stylet_example_loop ORGAN [URI]\n"), 1;
   }
-  hal::KernelInstance instance(organ, stylet::Config{});  // needs the bytes as long as it lives
+  hal::KernelInstance instance(organ, stylet::Config{});  // the organ's bytes must outlive it
 
-  // From above, through the middle of the lattice: the tip starts 1 mm before the skin.
+  // Straight down through the middle of the lattice: the tip starts 1 mm above the skin.
   const float edge = organ.voxel_edge_m;
   stylet::Vec3 at = {organ.origin_m.x + edge * organ.size_x / 2,
                      organ.origin_m.y + edge * organ.size_y / 2, organ.origin_m.z + 1};
@@ -43,7 +43,7 @@ int main(int argc, char** argv) try {
   config.ticks = script_ticks(hand.script, 1e-3);
   config.hand[0].mapping.origin_m = at;
   config.hand[0].guard.max_force_n = device.info.max_force_n;
-  hal::VirtualTime time;  // monotonic_clock() for a device of this world
+  hal::VirtualTime time;  // use monotonic_clock() for a real device
   hal::Ring<hal::TickRecord> records(config.ticks);
   const auto state = std::make_unique<hal::LoopState>();
   run_loop(config, instance.kernel, std::span(&device, 1), virtual_clock(time),

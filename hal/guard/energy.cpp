@@ -9,7 +9,7 @@ namespace stylet::hal::guarding {
 
 namespace {
 
-// The force, or torque, that acted while the device made the motion it tells of now.
+// The force, or torque, that acted during the motion that the device reports now.
 Vec3 acted_then(const GuardConfig& config,
                 const std::array<Vec3, kMaxDelayTicks + 2>& newest_first) {
   const double ticks = std::clamp(of(config.device.delay_s) / of(config.period_s), 0.0,

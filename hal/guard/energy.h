@@ -10,17 +10,17 @@
 
 namespace stylet::hal::guarding {
 
-// The device is somewhere else, and what was drawn on the way is not known: it may be all that a
-// spring can hold.
+// To be called when the device may be somewhere else: the energy drawn on the way is not known, and
+// may be all that a spring can hold.
 void lose_sight(const GuardConfig& config, EnergyObserver& energy);
-// Work of the hand in this motion. A position within the resolution of the last is no motion, so
-// that a count that flickers does no work.
+// Adds the work of the hand in this motion. A position within the resolution of the last is not a
+// motion, so that a count that flickers does no work.
 void observe_motion(const GuardConfig& config, GuardState& state, Vec3 position_m);
-// Likewise of a turn of the device.
+// The same for a turn of the device.
 void observe_turn(const GuardConfig& config, EnergyObserver& energy, Quat rotation);
-// Of forces, or torques, the newest first.
+// Puts a force, or torque, in front of the earlier ones.
 void remember(std::array<Vec3, kMaxDelayTicks + 2>& newest_first, Vec3 value);
-// Takes back what was made, as far as damping can in this tick.
+// Takes back the energy that was made, as far as damping can in this tick.
 Vec3 damped(const GuardConfig& config, GuardState& state, Vec3 force_n);
 
 }  // namespace stylet::hal::guarding

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Between a loop and whoever looks after it: the fault that is latched, and the one that somebody
-// has seen.
+// Messages between a loop and whoever looks after it: which fault is latched, and which fault
+// somebody has seen.
 //
-// Any thread may write `seen` and read `latched`. The loop takes `seen` once the force has faded,
-// and rearms if it names the fault, by its number too, and the device answers; if not, it is
-// forgotten and to be asked for again, so that nothing comes back long after somebody wanted it.
-// Without the number, what was said of one fault and is late would clear the next of its kind,
+// Any thread may write `seen` and read `latched`. When the force has faded, the loop takes `seen`; it
+// rearms if `seen` names the latched fault, number included, and the device answers. If not, `seen`
+// is forgotten and must be sent again, so that no force comes back long after it was asked for.
+// Without the number, a late message about one fault would clear the next fault of the same kind,
 // which nobody has seen.
 // Promises: wait-free, no allocation, no system call.
 #pragma once
@@ -17,10 +17,10 @@
 
 namespace stylet::hal {
 
-// Aligned as the word it fills: of less, Clang asks a library that may lock.
+// Aligned as the word it fills: with less, Clang calls a library that may lock.
 struct alignas(std::uint64_t) LatchedFault {
   Fault fault = Fault::kNone;
-  std::uint32_t number = 0;  // of all that this guard has latched, from 1; 0: none
+  std::uint32_t number = 0;  // counts all faults this guard has latched, from 1; 0: no fault
 
   bool operator==(const LatchedFault&) const = default;
 };
@@ -36,7 +36,7 @@ struct FaultMailbox {
 };
 static_assert(std::atomic<LatchedFault>::is_always_lock_free);
 
-// The loop, at the end of every tick.
+// Called by the loop at the end of every tick.
 inline void exchange_mail(FaultMailbox& mailbox, GuardState& guard) {
   if (guard.mode != GuardMode::kFading) {
     const LatchedFault seen = mailbox.seen.exchange({}, std::memory_order_relaxed);

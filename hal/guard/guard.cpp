@@ -31,12 +31,12 @@ bool plausible(const Pose& pose) {
          std::fabs(axis * axis + w * w - 1.0) <= kRotationTolerance;
 }
 
-// Whether a time is over, or will be before the next tick: so a promise in seconds is kept.
+// True if a time is over, or will be before the next tick: so a promise in seconds is kept.
 bool is_over(const GuardConfig& config, std::int64_t passed_ns, float time_s) {
   return passed_ns + in_ns(config.period_s) > in_ns(time_s);
 }
 
-// Ticks may be lost; then one stands for all the time that has passed.
+// Ticks may be lost; then one tick covers all the time that has passed.
 void note_time(const GuardConfig& config, GuardState& state, std::int64_t now_ns) {
   const std::int64_t period_ns = in_ns(config.period_s);
   const std::int64_t passed_ns = state.now_ns == 0 ? period_ns : now_ns - state.now_ns;
@@ -64,7 +64,7 @@ bool jumped(const GuardConfig& config, const GuardState& state, Vec3 position_m)
   return state.have_pose != 0 && length(minus(position_m, state.pose_m)) > most;
 }
 
-// One rule a line; what is wrong with the sample is counted where it is found.
+// One rule a line; a fault of the sample is counted where it is found.
 Fault judge(const GuardConfig& config, GuardState& state, const Sample& sample,
             std::int64_t now_ns) {
   GuardCounters& count = state.counters;
@@ -91,7 +91,7 @@ Fault judge(const GuardConfig& config, GuardState& state, const Sample& sample,
   if (jumped(config, state, sample.pose.position_m)) {
     ++count.samples_jumped;
     if (!is_latched(state.mode)) return Fault::kTooFast;
-    lose_sight(config, state.energy);  // without force it may come back anywhere
+    lose_sight(config, state.energy);  // without force the hand may come back anywhere
   }
   return Fault::kNone;
 }
@@ -102,7 +102,7 @@ void note_button(const GuardConfig& config, GuardState& state, std::uint32_t but
   state.button = (buttons >> static_cast<std::uint32_t>(config.dead_man_button)) & 1U;
 }
 
-// Pressed while the fault came, it was pressed for something else.
+// A button pressed while the fault came was pressed for something else.
 void follow_acknowledge_button(const GuardConfig& config, GuardState& state,
                                std::uint32_t buttons) {
   if (config.acknowledge_button < 0 || state.mode != GuardMode::kFault) return;
@@ -114,8 +114,8 @@ void follow_acknowledge_button(const GuardConfig& config, GuardState& state,
   }
 }
 
-// Nobody has felt anything yet, and the sample that has just come shows that the cause is gone:
-// there is nothing to acknowledge. Force fades in from nothing as ever.
+// Nobody has felt anything yet, and the sample that has just come shows that the cause is gone, so
+// there is nothing to acknowledge. The force fades in from zero as always.
 void clear_before_any_force(GuardState& state) {
   const Fault fault = state.fault;
   const bool of_time = fault == Fault::kStaleSamples || fault == Fault::kDeviceSilent ||
@@ -135,8 +135,8 @@ void trip_on_motion(const GuardConfig& config, GuardState& state) {
 // ---- force
 // -----------------------------------------------------------------------------------------
 
-// The budget of the motors: full force while they are cool, the continuous one once they are warm;
-// and never one whose fall, by slew or in a fade, would take more than is left.
+// The budget of the motors: full force while they are cool, the continuous one once they are warm,
+// but never a force that, falling by slew or in a fade, would take more than what is left.
 double largest_force(const GuardConfig& config, const GuardState& state) {
   const double most = of(config.max_force_n), always = of(config.continuous_force_n);
   if (always >= most) return most;
@@ -149,8 +149,8 @@ double largest_force(const GuardConfig& config, const GuardState& state) {
   return std::max(std::min(most + (always - most) * back, falls), always);
 }
 
-// By the larger of what was sent and what the motors say: a device that follows a spring by itself
-// may feel more than was sent.
+// Uses the larger of the force sent and the force the motors report: a device that follows a spring
+// by itself may have more force than was sent.
 void note_heat(const GuardConfig& config, GuardState& state) {
   const double share = std::min(step_s(config, state) / of(config.thermal_s), 1.0);
   const double told_n2 = state.have_motor != 0 ? dot(state.motor_n, state.motor_n) : 0.0;
@@ -197,7 +197,7 @@ Vec3 limited(const GuardConfig& config, GuardState& state, Vec3 wanted) {
   return force;
 }
 
-// Towards zero; true once it is there.
+// Fades towards zero; true once it is there.
 bool faded(const GuardConfig& config, GuardState& state) {
   state.fade_ns += step_ns(config, state);
   const bool over = is_over(config, state.fade_ns, kDecayS);
@@ -210,13 +210,13 @@ bool faded(const GuardConfig& config, GuardState& state) {
 void begin_fade(GuardState& state, GuardMode mode) {
   state.mode = mode;
   state.fade_ns = 0;
-  // What was let through may not have come to the motors yet, and what they had may be old: a fade
+  // The force let through may not have reached the motors yet, and their report may be old: a fade
   // adds to neither.
   const bool less = state.have_motor != 0 && length(state.motor_n) < length(state.force_n);
   state.fade_from_n = less ? state.motor_n : state.force_n;
 }
 
-// Towards zero; true once it is there, and the mode is one without force.
+// Goes towards zero; true once it is there and the mode is one without force.
 bool ended(const GuardConfig& config, GuardState& state) {
   const bool falls = state.mode == GuardMode::kFading || state.mode == GuardMode::kRelease;
   if (!falls && dot(state.force_n, state.force_n) == 0) return true;
@@ -226,7 +226,7 @@ bool ended(const GuardConfig& config, GuardState& state) {
   return true;
 }
 
-// What the dead man's button does to the mode, before the force.
+// Changes the mode as the dead man's button demands, before the force is computed.
 void follow_button(const GuardConfig& config, GuardState& state) {
   const bool needed = config.dead_man_button >= 0;
   const bool held = !needed || state.button != 0;
@@ -240,7 +240,7 @@ void follow_button(const GuardConfig& config, GuardState& state) {
   if (is_armed(state.mode) && !held) begin_fade(state, GuardMode::kRelease);
 }
 
-// The force of this tick, in the mode that it has come to.
+// The force of this tick, in the mode that has been reached.
 void force_of_mode(const GuardConfig& config, GuardState& state, Vec3 force_n) {
   if (is_armed(state.mode)) {
     state.force_n = limited(config, state, damped(config, state, force_n));
@@ -264,7 +264,7 @@ GuardState guard_start() {
 
 void guard_resume(const GuardConfig& config, GuardState& state, std::int64_t idle_ns) {
   const double idle_s = static_cast<double>(std::max<std::int64_t>(idle_ns, 0)) * 1e-9;
-  state.heat_n2 /= 1 + idle_s / of(config.thermal_s);  // slower than an exponential: never too cool
+  state.heat_n2 /= 1 + idle_s / of(config.thermal_s);  // slower than real: never thought too cool
   lose_sight(config, state.energy);
   state.have_seq = state.have_pose = 0;
   state.now_ns = state.step_ns = 0;
@@ -284,7 +284,7 @@ void guard_motor(GuardState& state, const MotorReport& report) {
   state.have_motor = finite(report.force_n) ? 1 : 0;
   state.motor_n = report.force_n;
   if (dot(report.force_n, report.force_n) != 0) state.forced = 1;
-  // Motors that are ahead in a fade are not pushed back up.
+  // Motors whose fade is ahead of ours are not pushed back up.
   const bool falls = state.mode == GuardMode::kFading || state.mode == GuardMode::kRelease;
   if (const double ours = length(state.force_n), theirs = length(report.force_n);
       falls && theirs < ours) {
@@ -311,7 +311,7 @@ bool guard_lets_go(const GuardState& state) {
 
 bool guard_end(const GuardConfig& config, GuardState& force_state, GuardState& torque_state,
                std::int64_t now_ns) {
-  note_time(config, force_state, now_ns);  // the ticks before may have been lost in a fade
+  note_time(config, force_state, now_ns);  // earlier ticks may have been lost during a fade
   torque_state.step_ns = force_state.step_ns;
   const bool force_gone = ended(config, force_state);
   const bool torque_gone = ended(config, torque_state);
@@ -365,12 +365,12 @@ Vec3 guard_force(const GuardConfig& config, GuardState& state, Vec3 force_n) {
     ++state.counters.force_not_finite;
     guard_trip(state, Fault::kForceNotFinite);
     force_n = {};
-    state.mode = GuardMode::kFault;  // out of a fade, too
+    state.mode = GuardMode::kFault;  // also out of a fade
   }
   follow_button(config, state);
   force_of_mode(config, state, force_n);
-  // Without a full force the observer follows what the kernel asks: a spring that is switched on
-  // gives back what it has stored, and did not make that.
+  // While the force is less than full the observer uses what the kernel asks for: a spring that is
+  // switched on gives back energy that it has stored, and has not made that energy.
   const bool full = state.mode == GuardMode::kLive;
   remember(state.energy.force_n, full ? state.force_n : shortened(force_n, of(config.max_force_n)));
   note_heat(config, state);
@@ -384,7 +384,7 @@ Vec3 guard_torque(const GuardConfig& config, float max_torque_nm, GuardState& fo
   GuardConfig limits = config;
   limits.max_force_n = max_torque_nm;
   limits.max_slew_n_per_s = 2 * max_torque_nm / kDecayS;
-  // The same shares of a limit as of a force; what damps a motion does not damp a turn.
+  // The same fractions of a limit as for a force; what damps a motion does not damp a turn.
   const float share = max_torque_nm / config.max_force_n;
   limits.buzz_n = share * config.buzz_n;
   limits.continuous_force_n = share * config.continuous_force_n;

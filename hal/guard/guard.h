@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The guard between kernel and device: whatever either of them does, the hand is safe.
+// The guard between kernel and device: it keeps the hand safe whatever either of them does.
 //
 // It trusts neither side and shares no code with them. Every force it lets through is finite, at
 // most max_force_n long (shortened, never turned), at most max_slew_n_per_s away from the one
-// before, and in the long run no more than the motors stand. Forces fade in after arming. Trouble
+// before, and in the long run no more than the motors bear. Forces fade in after arming. Trouble
 // latches a fault: the force goes to zero within kDecayS, or at once if it is not a number, and
-// stays there until guard_rearm names the fault; only one of the loop's or the device's time that
-// came before any force was let through clears by itself. A hand that lets go of the dead man's
-// button has no force within kDecayS either. hal/guard/GUARD.md has the states as a table, and
-// every limit. All of its times are those that pass, also where ticks are lost: `now_ns` of
-// guard_sample. What the motors really have it learns from their report (motor.h), and goes on from
-// there. Plain functions over a plain struct: no allocation, no clock, bounded time. Units: SI.
-// Frame: the device's. Sources: Hannaford and Ryu 2002 (observer of energy and passivity
+// stays there until guard_rearm names the fault. Only a timing fault of loop or device clears by
+// itself, and only if no force was let through before it. If the hand lets go of the dead man's
+// button, the force is zero within kDecayS, too. hal/guard/GUARD.md has the states as a table, and
+// every limit. All times are times that really pass (`now_ns` of guard_sample), even if ticks are
+// lost. The guard learns what force the motors really have from their report (motor.h), and
+// continues from that. Plain functions over a plain struct: no allocation, no clock, bounded time.
+// Units: SI. Frame: the device's. Source: Hannaford and Ryu 2002 (observer of energy and passivity
 // controller).
 #pragma once
 
@@ -23,20 +23,20 @@
 
 namespace stylet::hal {
 
-// ---- limits that no scene changes
+// ---- limits that no scene can change
 // ----------------------------------------------------------------
 
 constexpr float kDecayS = 0.020F;  // from a fault to zero force
 constexpr std::int64_t kDecayNs = 20'000'000;
-constexpr std::int64_t kMaxStepNs = 100'000'000;  // between two ticks, as far as it is believed
-constexpr float kMaxDistanceM = 10.0F;            // of a sample that can be true
+constexpr std::int64_t kMaxStepNs = 100'000'000;  // longest time between two ticks that is believed
+constexpr float kMaxDistanceM = 10.0F;            // largest distance of a sample that is believed
 constexpr double kRotationTolerance = 0.1;        // of the square of a quaternion's length
-constexpr float kJumpM = 5e-3F;           // beside what the fastest hand moves between samples
-constexpr float kSpeedS = 5e-3F;          // over which speed is averaged
-constexpr float kBuzzHz = 20;             // slower is a movement of the hand
+constexpr float kJumpM = 5e-3F;           // allowed beyond the fastest hand's way between samples
+constexpr float kSpeedS = 5e-3F;          // time over which speed is averaged
+constexpr float kBuzzHz = 20;             // slower swings are movements of the hand
 constexpr std::uint32_t kBuzzTurns = 12;  // to and fro, each within half a period of kBuzzHz
-constexpr float kWarmShare = 0.8F;        // of the thermal budget, from which force is taken back
-constexpr double kLostEnergyJ = 0.05;     // made in spite of the passivity controller
+constexpr float kWarmShare = 0.8F;        // of the thermal budget: force is reduced from here on
+constexpr double kLostEnergyJ = 0.05;     // energy made in spite of the passivity controller
 
 // ---- what is latched, and why
 // --------------------------------------------------------------------
@@ -49,10 +49,10 @@ enum class Fault : std::uint32_t {
   kDeviceSilent = 3,    // the device does not answer
   kTooLate = 4,         // the loop missed too many ticks
   kKernelFault = 5,     // the kernel latched a fault of its own
-  kTooFast = 6,         // the device moved faster than a hand, or jumped and stayed there
-  kBuzz = 7,            // the force swings to and fro faster than a hand
+  kTooFast = 6,         // the device moved faster than a hand can, or jumped and stayed there
+  kBuzz = 7,            // the force swings to and fro faster than a hand can
   kEnergy = 8,          // the hand was given energy, and the passivity controller could not stop it
-  kForceExpired = 9,    // the motors got no order in time, and have stopped
+  kForceExpired = 9,    // the motors got no order in time and have stopped
 };
 constexpr Fault kLastFault = Fault::kForceExpired;
 const char* fault_name(Fault fault);
@@ -80,13 +80,13 @@ struct GuardConfig {
   float buzz_n = 0.8F;           // amplitude
   float continuous_force_n = 8;  // root mean square over thermal_s; max_force_n or more: no budget
   float thermal_s = 60;
-  std::int32_t dead_man_button = -1;     // none: armed from the start
-  std::int32_t acknowledge_button = -1;  // pressed anew, it acknowledges whatever is latched
-  // The observer of energy: what the device itself dissipates, how well it knows where it is, and
-  // what the tissue may give back of all that it was ever given.
+  std::int32_t dead_man_button = -1;     // negative: there is no such button, armed from the start
+  std::int32_t acknowledge_button = -1;  // pressing it anew acknowledges whatever is latched
+  // For the observer of energy: what the device itself dissipates, how well it knows where it is,
+  // and how much of all the energy it was given the tissue may give back.
   DeviceDynamics device = {};
   float stored_energy_j = 0.8F;
-  float passivity_damping_n_s_per_m = 0;  // the most the controller adds; 0: it only observes
+  float passivity_damping_n_s_per_m = 0;  // largest damping of the controller; 0: it only observes
 };
 
 struct GuardCounters {
@@ -96,21 +96,21 @@ struct GuardCounters {
   std::uint64_t samples_lost;      // gaps in the sequence numbers
   std::uint64_t samples_old;       // older than watchdog_s
   std::uint64_t samples_not_finite;
-  std::uint64_t samples_absurd;  // further than kMaxDistanceM away, or not a rotation
-  std::uint64_t samples_jumped;  // further from the last than any hand goes
+  std::uint64_t samples_absurd;  // farther than kMaxDistanceM away, or not a rotation
+  std::uint64_t samples_jumped;  // farther from the last one than any hand moves
   std::uint64_t force_not_finite;
   std::uint64_t force_limited;
   std::uint64_t slew_limited;
-  std::uint64_t force_warm;    // limited to less than max_force_n for the motors' sake
+  std::uint64_t force_warm;    // limited to less than max_force_n to spare the motors
   std::uint64_t force_damped;  // by the passivity controller
   std::uint64_t faults;
   std::uint64_t rearms;
 };
 
-// Work of the hand on the device, less what comes back: see GUARD.md.
+// Work of the hand on the device, less what it gets back: see GUARD.md.
 struct EnergyObserver {
   std::uint32_t have_position;
-  Vec3 position_m;        // follows the device's at the distance of its resolution
+  Vec3 position_m;        // follows the device's, at most its resolution away
   Vec3 velocity_m_per_s;  // averaged over kSpeedS
   std::array<Vec3, kMaxDelayTicks + 2> force_n;  // newest first
   std::uint32_t have_rotation;
@@ -119,7 +119,7 @@ struct EnergyObserver {
   double energy_j, least_j;
 };
 
-// The force's part above kBuzzHz, and how often it turned.
+// The part of the force above kBuzzHz, and how often it changed direction.
 struct BuzzDetector {
   Vec3 slow_n, last_n;
   std::uint32_t turns;  // in a row
@@ -129,70 +129,70 @@ struct BuzzDetector {
 struct GuardState {
   GuardMode mode;
   Fault fault;            // latched
-  std::uint32_t arming;   // grows each time it begins anew: orders of an earlier one move nothing
+  std::uint32_t arming;   // grows each time arming begins anew: older orders move nothing then
   std::int64_t now_ns;    // of the newest tick; 0: none yet
-  std::int64_t step_ns;   // between it and the one before, at least a period
+  std::int64_t step_ns;   // between it and the tick before, at least a period
   std::int64_t blind_ns;  // without a usable sample
   std::int64_t ramp_ns;   // since arming
   std::int64_t fade_ns;   // since the fault, or since the button was released
   std::uint32_t have_seq;
   std::uint64_t seq;                  // of the newest sample
-  std::uint32_t button_seen, button;  // dead man's, of the newest usable sample since arming
+  std::uint32_t button_seen, button;  // the dead man's, in the newest usable sample since arming
   std::uint32_t may_acknowledge;      // its button was seen released since the force is gone
-  std::uint32_t forced;               // a force was let through, or the motors had one, ever
+  std::uint32_t forced;               // a force was ever let through, or the motors ever had one
   std::uint32_t have_pose;
   Vec3 pose_m;   // of the newest usable sample
   Vec3 force_n;  // last one let through
   Vec3 fade_from_n;
-  std::uint32_t have_motor;  // the device tells what its motors have
-  Vec3 motor_n;              // that, as last told
+  std::uint32_t have_motor;  // the device tells what force its motors have
+  Vec3 motor_n;              // that force, as last told
   double heat_n2;            // mean square of the force over thermal_s
   EnergyObserver energy;
   BuzzDetector buzz;
   GuardCounters counters;
 };
 
-// At zero force, and armed with the first tick where there is no dead man's button.
+// Starts at zero force; without a dead man's button it is armed in the first tick.
 GuardState guard_start();
 
-// The same guard for the next run with a device that stays open: what is latched stays latched, and
-// motors are as warm as they were, less what they cooled in `idle_ns`. Else it is armed anew.
+// Prepares the guard for another run with a device that stays open: what is latched stays latched,
+// and motors are as warm as they were, less what they cooled in `idle_ns`. All else is armed anew.
 void guard_resume(const GuardConfig& config, GuardState& state, std::int64_t idle_ns);
 
-// What the motors have, where the device tells: before guard_sample. Motors that have stopped by
-// themselves latch a fault.
+// Takes what force the motors have, if the device tells; call it before guard_sample. Motors that
+// have stopped by themselves latch a fault.
 void guard_motor(GuardState& state, const MotorReport& report);
 
-// Whether its force only falls: in a fade, or without any.
+// Whether the force can only fall: it is fading, or there is none.
 bool guard_lets_go(const GuardState& state);
 
-// Towards zero, force and torque, whatever is asked: the end of a run. True once nothing is left.
+// End of a run: fades force and torque to zero whatever is asked. True once nothing is left.
 bool guard_end(const GuardConfig& config, GuardState& force_state, GuardState& torque_state,
                std::int64_t now_ns);
 
-// True if the kernel may use the sample. `answered`: the device gave one at all.
+// True if the kernel may use the sample. `answered`: the device gave a sample at all.
 bool guard_sample(const GuardConfig& config, GuardState& state, bool answered, const Sample& sample,
                   std::int64_t now_ns);
 
-// The force to send instead of `force_n`.
+// Returns the force to send instead of `force_n`.
 Vec3 guard_force(const GuardConfig& config, GuardState& state, Vec3 force_n);
 
-// The same for a torque, at most `max_torque_nm` long (0: none at all), with a guard of its own: a
-// fault of the force is one of the torque, and the other way round. What a force may do as a share
-// of its limit, buzz and warm the motors, a torque may do as a share of its own; its work is
-// observed with the force's. From nothing to its limit it takes half the time in which a fault
-// fades. After guard_force.
+// The same for a torque, at most `max_torque_nm` long (0: no torque), with a guard of its own; a
+// fault of the force is also one of the torque, and the other way round. The limits of buzz and
+// heat that are fractions of the largest force are the same fractions of the largest torque. The
+// torque's work is observed with the force's. It can go from zero to its limit in half the time in
+// which a fault fades. Call it after guard_force.
 Vec3 guard_torque(const GuardConfig& config, float max_torque_nm, GuardState& force_state,
                   GuardState& torque_state, Vec3 torque_nm);
 
-// What to write to the device: what was let through last, at the place of the newest usable sample.
+// What to write to the device: what was let through last, at the newest usable sample's position.
 Command guard_command(const GuardConfig& config, const GuardState& force_state,
                       const GuardState& torque_state);
 
 // Latches `fault` unless one is latched already.
 void guard_trip(GuardState& state, Fault fault);
 
-// Back to the start, if `seen` is the latched fault, the force has gone to zero, and the newest
+// Goes back to the start if `seen` is the latched fault, the force has gone to zero, and the newest
 // sample was usable.
 bool guard_rearm(GuardState& state, Fault seen);
 

@@ -20,7 +20,7 @@ float dot(Vec3 a, Vec3 b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-// The stiffness that the base has met lately, at most `bound`.
+// The stiffness that the base has met recently, at most `bound`.
 float met_stiffness(const CouplingConfig& config, CouplingState& state, Vec3 force_n, float bound) {
   const float share = config.period_s / (config.period_s + kCouplingStiffnessS);
   const float work = -dot(minus(force_n, state.force_n), state.moved_m);
@@ -30,7 +30,7 @@ float met_stiffness(const CouplingConfig& config, CouplingState& state, Vec3 for
   return state.work_j < bound * state.square_m2 ? state.work_j / state.square_m2 : bound;
 }
 
-// No further from the device than `most_m`.
+// The base, moved so that it is at most `most_m` from the device.
 Vec3 drawn_along(float most_m, Vec3 device_m, Vec3 base_m) {
   const Vec3 way = minus(base_m, device_m);
   const float size = std::sqrt(dot(way, way));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a display sees of a tick, and its wait-free way out of the loop, also to another process.
+// What a display shows of a tick, and its wait-free way out of the loop, also to another process.
 //
-// It lies in shared memory that the loop writes and never reads. Promises: all memory is taken by
-// the constructor; publish copies a bounded amount that depends on the organ alone, whether anybody
-// looks or not, and neither waits nor allocates. One writer (the loop's thread, or another while
-// there is none), one reader. Units: SI. Frame: world.
+// It lies in shared memory that the loop writes and never reads. Promises: the constructor takes
+// all memory; publish copies a bounded amount that depends on the organ alone, seen by anybody or
+// not, and neither waits nor allocates. One writer (the loop's thread, or another while there is no
+// loop), one reader. Units: SI. Frame: world.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ namespace stylet::hal {
 constexpr std::size_t kMaxShownParticles = kMaxNeedles * (kMaxConstraintParticles + 1);
 constexpr std::size_t kMaxShownTouches = kMaxNeedles * kMaxTouches;
 
-// Plain data of any organ.
+// Plain data that has the same size for any organ.
 struct DisplayedTick {
   std::uint32_t needles = 0;
   std::array<TickRecord, kMaxNeedles> hand = {};
@@ -38,27 +38,27 @@ struct DisplayedTick {
 };
 
 struct DisplayState : DisplayedTick {
-  std::span<const Vec3> moved_m;  // of the lattice's particles, from rest
+  std::span<const Vec3> moved_m;  // displacement of the lattice's particles from rest
 };
 
 class Display {
  public:
   explicit Display(const Kernel& kernel);
-  // That of another process, by its memory's descriptor, which it takes over: to take from.
+  // The display of another process, to be read; takes over the descriptor of its memory.
   explicit Display(int descriptor);
   int descriptor() const { return memory_.descriptor(); }
 
-  // Records: of each needle, in the present tick.
+  // `records`: one of each needle, of the present tick.
   void publish(const Kernel& kernel, std::span<const TickRecord> records,
                std::uint64_t missed_ticks, std::uint64_t lost_records);
-  // Null: nothing new since the last call. It stays until the next one.
+  // Null: nothing new since the last call. The state stays valid until the next call.
   const DisplayState* take();
 
  private:
   struct Memory {
     alignas(kCacheLine) std::atomic<std::uint32_t> middle;
     alignas(kCacheLine) std::array<DisplayedTick, 3> slot;
-    // Then moved_m of each slot.
+    // After it comes moved_m of each slot.
   };
   static_assert(std::is_trivially_copyable_v<DisplayedTick>);
   Memory& at() const { return *reinterpret_cast<Memory*>(memory_.bytes().data()); }

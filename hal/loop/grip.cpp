@@ -22,7 +22,7 @@ float dot(Vec3 a, Vec3 b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-// From the base to the point of entry: distance and direction.
+// The vector from base to point of entry, as length and direction.
 struct Lever {
   float length_m;
   Vec3 direction;
@@ -33,7 +33,7 @@ Lever lever_of(const GripConfig& config, Vec3 base_m) {
   return {length, scaled(1 / length, way)};
 }
 
-// The part of a rotation that is about z; none where there is no telling.
+// The part of a rotation that is about z; no rotation if that part is undefined.
 Quat roll_of(const Quat& q) {
   const float size = std::sqrt(q.w * q.w + q.z * q.z);
   if (!(size > 1e-3F)) return {1, 0, 0, 0};
@@ -50,8 +50,8 @@ Pose placed(const GripConfig& config, Vec3 wanted_m, const Quat& rotation) {
   return {base, product(aim, roll_of(rotation))};
 }
 
-// Virtual work of the torque when the base moves: its direction turns by d x (change of d), and the
-// shortest rotation from the start's direction to d turns about d itself besides.
+// Virtual work of the torque when the base moves: its direction d turns by d x (change of d), and
+// the shortest rotation from the start's direction to d also turns about d itself.
 Vec3 force_of_torque(const GripConfig& config, Vec3 base_m, Vec3 torque_nm) {
   const Lever lever = lever_of(config, base_m);
   const Vec3 d = lever.direction;

@@ -14,7 +14,7 @@ namespace stylet::hal {
 namespace {
 
 constexpr std::uint32_t kLooks = 200;                 // about 8 us
-constexpr std::int64_t kLeadNs = 30'000;              // awake before the loop is
+constexpr std::int64_t kLeadNs = 30'000;              // wakes this much before the loop
 constexpr std::int64_t kLongestSleepNs = 10'000'000;  // so that an ended loop is noticed
 
 std::byte* touched_block(std::size_t bytes) {
@@ -23,7 +23,7 @@ std::byte* touched_block(std::size_t bytes) {
   return block;
 }
 
-// Sleeps while the next tick is far; returns whether it did.
+// Sleeps if the next tick is far away; returns whether it did.
 bool sleep_until_tick(std::int64_t next_ns) {
   const std::int64_t now_ns = monotonic_now_ns();
   if (next_ns - kLeadNs <= now_ns) return false;
@@ -58,7 +58,7 @@ Helpers::Helpers(Kernel& kernel, const HelperConfig& config, const LoopState& lo
     end();
     throw;
   }
-  ready_.wait();  // `config` and `reports` are the caller's and this function's no longer than that
+  ready_.wait();  // `config` and `reports` belong to the caller and this function: not used later
   for (std::uint32_t i = 0; i < config.count; ++i) {
     for (const std::string& lack : reports[i].lacks) {
       report.lacks.push_back(fmt::format("helper thread {}: {}", i + 1, lack));
@@ -83,7 +83,7 @@ void Helpers::work(const HelperConfig& config, std::uint32_t index, HostReport& 
     prepare_thread(config.cpus[index], config.priority, report);
   });
   ready_.count_down();
-  // Without its rights it would hold up the loop.
+  // A thread without its rights would hold up the loop.
   while (prepared && !stop_.load(std::memory_order_relaxed)) {
     if (real_time && sleep_until_tick(loop_.next_ns.load(std::memory_order_relaxed))) continue;
     if (help(kernel_, kLooks)) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Threads that help the loop with the tissue step of a large organ (kernel.h: set_team, help).
 //
-// They have the loop's priority and a processor each. While a tick lasts they look for a part to
-// do; then they sleep until the next grid point, which the loop leaves in LoopState::next_ns.
+// They have the loop's priority and one processor each. During a tick they look for parts to do;
+// then they sleep until the next grid point, which the loop leaves in LoopState::next_ns.
 //
-// Promises: same bits with any number of them; nothing in the loop but that one store; memory is
-// allocated and touched before the loop. In virtual time they do not sleep, only yield.
+// Promises: the same bits with any number of helpers; the loop does nothing for them but that one
+// store; memory is allocated and touched before the loop. In virtual time they yield, never sleep.
 #pragma once
 
 #include <atomic>
@@ -24,21 +24,21 @@ namespace stylet::hal {
 
 struct HelperConfig {
   std::uint32_t count = 0;
-  bool real_time = false;  // else virtual time: no rights are asked for
-  std::vector<int> cpus;   // real time: a processor for each
+  bool real_time = false;  // false: virtual time, no rights are asked for
+  std::vector<int> cpus;   // in real time: one processor for each
   int priority = 80;
 };
 
 class Helpers {
  public:
-  // The kernel's team is set when this returns; rights that were refused go to `report`.
+  // Sets the kernel's team before it returns; refused rights are written to `report`.
   Helpers(Kernel& kernel, const HelperConfig& config, const LoopState& loop, HostReport& report);
-  // Ends the threads and the team. The loop must have ended.
+  // Ends the threads and the team. The loop must have ended before.
   ~Helpers();
   Helpers(const Helpers&) = delete;
   Helpers& operator=(const Helpers&) = delete;
 
-  // Parts of the step that they have done.
+  // How many parts of the step the helpers have done.
   std::uint64_t parts() const { return parts_.load(); }
 
  private:

@@ -68,7 +68,7 @@ std::vector<int> allowed_cpus() {
   return cpus;
 }
 
-// One write a page, so that the loop never meets a page of its stack for the first time.
+// Writes once in each page, so that the loop never meets a page of its stack for the first time.
 void touch_stack() {
   volatile unsigned char stack[kStackBytes];
   for (std::size_t i = 0; i < kStackBytes; i += 1024) stack[i] = 0;
@@ -87,7 +87,7 @@ void prepare_process(HostState& host) {
   stay_awake(host);
 }
 
-// An isolated processor is there for the loop, though nothing runs on it that does not ask to.
+// The loop may use an isolated processor, although only threads that ask for it run there.
 std::vector<int> loop_processors(int cpu) {
   std::vector<int> chosen;
   const auto take = [&chosen](int each) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A kernel with the memory it asked for.
-// Promise: LoadError is one line with place, value and what was expected. Before the loop only.
+// A kernel together with the memory it needs.
+// Promise: LoadError is one line with place, value and what was expected. Use before the loop only.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ struct LoadError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Blocks of exactly the predicted size, every page of them touched, and the kernel in them.
+// Memory of exactly the predicted size, with every page touched, and the kernel in it.
 class KernelInstance {
  public:
   KernelInstance(const Organ& organ, const Config& config,
@@ -36,8 +36,8 @@ class KernelInstance {
   Block model_, state_, scratch_;
 };
 
-// Same state from the same start: ticks a fresh kernel at `handles` to warm caches and pages,
-// resets it, and throws LoadError if the state's hash is not what it was.
+// Warms caches and pages, and leaves the same state: ticks a fresh kernel at `handles`, resets it,
+// and throws LoadError if the hash of its state has changed.
 void warm_up(Kernel& kernel, std::span<const Input> handles, int ticks);
 
 }  // namespace stylet::hal

@@ -22,8 +22,8 @@ Sample steady_sample(const GuardConfig& guard, HandState& state) {
   return sample;
 }
 
-// read device -> guard -> map -> coupling: the kernel's input, with the last usable pose where
-// there is none.
+// read device -> guard -> map -> coupling: gives the kernel's input, with the last usable pose if
+// there is no new one.
 Input next_input(const HandConfig& config, const Device& device, HandState& state,
                  std::int64_t now_ns, TickRecord& record) {
   MotorReport motor;
@@ -35,7 +35,7 @@ Input next_input(const HandConfig& config, const Device& device, HandState& stat
   const bool was_lost = state.guard.fault != Fault::kNone && state.guard.blind_ns != 0;
   const bool usable =
       guard_sample(config.guard, state.guard, record.answered != 0, state.sample, now_ns);
-  if (usable && was_lost) {  // it may be anywhere now: the needle stays where it is
+  if (usable && was_lost) {  // the device may be anywhere now: the needle stays where it is
     grip_take_up(state.grip);
     state.steady = {};
   }
@@ -77,8 +77,8 @@ Vec3 send_force(const HandConfig& config, const Kernel& kernel, std::uint32_t ne
   (void)guard_torque(config.guard, config.max_torque_nm, state.guard, state.torque_guard,
                      wanted.torque_nm);
   Command command = guard_command(config.guard, state.guard, state.torque_guard);
-  // The guard's share of the force is its share of the spring; while it lets a force fall slowly it
-  // sends more than is asked, and the spring is still no stiffer than it was.
+  // The spring is scaled as the guard scales the force. While the guard lets a force fall slowly it
+  // sends more than is asked, but the spring must not become stiffer than it was.
   const float asked = length(wanted.force_n), sent = length(command.force_n);
   const float share =
       asked > 0 && state.guard.fault == Fault::kNone ? std::min(sent / asked, 1.0F) : 0;
@@ -102,7 +102,7 @@ void note_guard(const HandState& hand, TickRecord& record) {
   record.energy_j = static_cast<float>(hand.guard.energy.energy_j);
 }
 
-// All devices are read before the kernel moves, and written after.
+// Reads all devices before the kernel moves, and writes all of them after.
 void tick_hands(const LoopConfig& config, Kernel& kernel, std::span<const Device> devices,
                 std::int64_t now_ns, std::span<TickRecord> records, LoopState& state) {
   std::array<Input, kMaxNeedles> inputs;
@@ -124,7 +124,7 @@ void tick_hands(const LoopConfig& config, Kernel& kernel, std::span<const Device
   }
 }
 
-// By the only thread that writes it.
+// Only the one thread that writes the counter may call this.
 void count(std::atomic<std::uint64_t>& counter, std::uint64_t more) {
   counter.store(counter.load(std::memory_order_relaxed) + more, std::memory_order_relaxed);
 }
@@ -174,7 +174,7 @@ void show(const LoopConfig& config, const Outlets& outlets, const Kernel& kernel
   outlets.display->publish(kernel, records, state.missed_ticks, state.lost_records);
 }
 
-// A paused loop: devices are read and guarded, the needles wait as with the clutch.
+// One tick of a paused loop: devices are read and guarded, needles wait as with the clutch.
 void hold_hands(const LoopConfig& config, const Kernel& kernel, std::span<const Device> devices,
                 std::int64_t now_ns, std::span<TickRecord> records, LoopState& state) {
   for (std::uint32_t i = 0; i < records.size(); ++i) {
@@ -193,7 +193,7 @@ void trip_all(LoopState& state, Fault fault) {
   for (HandState& each : state.hand) guard_trip(each.guard, fault);
 }
 
-// The next grid point after `now_ns`; grid points passed over are counted.
+// The next grid point after `now_ns`; grid points skipped are counted.
 std::int64_t next_grid_point(const LoopConfig& config, LoopState& state, std::int64_t grid_ns,
                              std::int64_t now_ns) {
   const std::int64_t next_ns = grid_ns + config.period_ns;
@@ -212,7 +212,7 @@ std::int64_t next_grid_point(const LoopConfig& config, LoopState& state, std::in
 
 namespace {
 
-// What a tick takes, and who gets to know of it.
+// Runs one tick, measures it, and hands its results on.
 void run_tick(const LoopConfig& config, Kernel& kernel, std::span<const Device> devices,
               std::int64_t grid_ns, std::int64_t late_ns, std::span<TickRecord> records,
               const Outlets& outlets, LoopState& state) {
@@ -232,7 +232,7 @@ void run_tick(const LoopConfig& config, Kernel& kernel, std::span<const Device> 
   histogram_add(state.lateness, late_ns);
 }
 
-// The end of a run: what force there is fades, on the loop's grid.
+// The end of a run: the force that is left fades, on the loop's grid.
 void let_go(const LoopConfig& config, std::span<const Device> devices, const Clock& clock,
             std::int64_t grid_ns, LoopState& state) {
   const std::int64_t end_ns = grid_ns + kDecayNs;
@@ -241,7 +241,7 @@ void let_go(const LoopConfig& config, std::span<const Device> devices, const Clo
     done = true;
     for (std::size_t i = 0; i < devices.size(); ++i) {
       HandState& hand = state.hand[i];
-      Sample unused;  // a relay learns the time by it; a script is over
+      Sample unused;  // a relay learns the time from this read; a script is over
       if (devices[i].motor != nullptr) (void)devices[i].read(devices[i].self, grid_ns, unused);
       const bool gone = guard_end(config.hand[i].guard, hand.guard, hand.torque_guard, grid_ns);
       devices[i].write(devices[i].self,
@@ -263,11 +263,11 @@ void run_loop(const LoopConfig& config, Kernel& kernel, std::span<const Device> 
     state.next_ns.store(grid_ns, std::memory_order_relaxed);
     clock.sleep_until_ns(clock.self, grid_ns);
     const std::int64_t late_ns = clock.now_ns(clock.self) - grid_ns;
-    // Before the tick: the hand has moved on, and the force that waits for it would be a kick.
+    // Before the tick: the hand has moved on, so the force due now would be a kick.
     if (late_ns >= kMaxLateNs) trip_all(state, Fault::kTooLate);
     if (state.paused.load(std::memory_order_relaxed)) {
       hold_hands(config, kernel, devices, grid_ns, records, state);
-      // Virtual time does not wait, and there is nothing to hurry for.
+      // Virtual time does not wait, and nothing is urgent.
       if (outlets.wait_for_room) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     } else {
       run_tick(config, kernel, devices, grid_ns, late_ns, records, outlets, state);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The servo loop: one tick a period, from the devices' poses to the devices' forces. One device a
-// needle, each with its own frame, guard and coupling.
+// The servo loop: one tick a period, from the devices' poses to the devices' forces. Each needle
+// has one device, with its own frame, guard and coupling.
 //
-// Promises, from the first tick to the last: no allocation, lock or log; no system call but
-// clock_gettime and clock_nanosleep and what the device itself needs. A late tick is counted and
-// the loop goes on at the next grid point; it never runs ticks back to back to catch up. The kernel
-// sees inputs only, never the clock: missed ticks change no bit of what it computes. Units: SI,
-// times in ns. Frames: the device's outside, the world inside.
+// Promises, from the first tick to the last: no allocation, lock or log; no system calls but
+// clock_gettime, clock_nanosleep and those of the device itself. A late tick is counted and the
+// loop goes on at the next grid point; it never runs ticks back to back to catch up. The kernel
+// sees only inputs, never the clock: missed ticks change no bit of what it computes. Units: SI,
+// times in ns. Frames: the device's outside, the world's inside.
 #pragma once
 
 #include <array>
@@ -30,9 +30,9 @@
 
 namespace stylet::hal {
 
-// Lost time after which the guard latches Fault::kTooLate: at once, or bit by bit where ticks in
-// time do not make up for it. One in time makes up for half a period: a loop that loses more than a
-// third of its ticks for long is none.
+// When this much time is lost the guard latches Fault::kTooLate: lost at once, or bit by bit if not
+// made up for. Each tick in time makes up for half a period: so a loop must not lose more than a
+// third of its ticks for long.
 constexpr std::int64_t kMaxLateNs = 20'000'000;
 constexpr std::int64_t kLostTicksPart = 2;
 
@@ -40,7 +40,7 @@ struct Outlets {
   Ring<TickRecord>* records = nullptr;  // may be null
   Ring<Event>* events = nullptr;
   Display* display = nullptr;
-  bool wait_for_room = false;                  // virtual time only: rather wait than lose a record
+  bool wait_for_room = false;                  // virtual time only: wait instead of losing a record
   SharedLatest<NewestTick>* newest = nullptr;  // published with the display
 };
 
@@ -50,7 +50,7 @@ struct HandConfig {
   CouplingConfig coupling;
   GripConfig grip = {};
   float max_torque_nm = 0;  // 0: the device renders none
-  bool scripted = false;    // the device plays a script: while the loop is paused, it is left alone
+  bool scripted = false;    // the device plays a script: it is left alone while the loop is paused
 };
 
 struct LoopConfig {
@@ -58,7 +58,7 @@ struct LoopConfig {
   std::uint64_t ticks = 0;
   std::uint32_t hash_every_ticks = 0;     // 0: never
   std::uint32_t display_every_ticks = 1;  // the last tick of a run is always published
-  bool lets_go = true;  // at its end what force there is fades; false: another run goes on with it
+  bool lets_go = true;  // at the end the force fades; false: another run continues with it
   std::array<HandConfig, kMaxNeedles> hand;
 };
 
@@ -67,37 +67,37 @@ struct HandState {
   GuardState torque_guard = guard_start();  // the same rules for a torque: N m instead of N
   GripState grip = {};
   Sample sample = {};
-  Pose handle = {};  // of the device, last usable one, world
+  Pose handle = {};  // of the device, the last usable one, in the world
   bool have_handle = false;
   SteadyState steady;
   CouplingState coupling;
   Output output = {};  // of the last tick
 };
 
-// Everything the loop changes beside the kernel. Large: keep it out of the stack.
+// All that the loop changes, except the kernel. It is large: keep it off the stack.
 struct LoopState {
   std::atomic<bool> stop{false};         // set by another thread or a signal: end after this tick
-  std::atomic<std::int64_t> next_ns{0};  // when the coming or present tick begins; for helpers
+  std::atomic<std::int64_t> next_ns{0};  // when the next or present tick begins; used by helpers
   // Set by another thread: devices are read and guarded, but their force fades to zero as with the
-  // clutch, and the kernel does not move. Nothing of that is recorded.
+  // clutch, and the kernel does not move. Paused ticks are not recorded.
   std::atomic<bool> paused{false};
-  // Set by another thread: nobody takes records off their ring any more, and virtual time does not
+  // Set by another thread: nobody takes records from their ring any more, so virtual time does not
   // wait for room in it.
   std::atomic<bool> unread{false};
   std::array<HandState, kMaxNeedles> hand;
-  std::array<FaultMailbox, kMaxNeedles> mailbox;  // of each hand
+  std::array<FaultMailbox, kMaxNeedles> mailbox;  // one for each hand
   std::uint32_t events_seen = 0;
-  std::int64_t lost_ns = 0;  // by missed ticks, less what was made up for
+  std::int64_t lost_ns = 0;  // time lost by missed ticks, less what was made up for
   std::uint64_t ticks = 0;
-  // Written by the loop alone; other threads may read them while it runs.
-  std::atomic<std::uint64_t> missed_ticks{0};  // grid points passed over
+  // Only the loop writes these; other threads may read them while it runs.
+  std::atomic<std::uint64_t> missed_ticks{0};  // grid points skipped
   std::atomic<std::uint64_t> lost_records{0};
   std::atomic<std::uint64_t> lost_events{0};
-  Histogram tick_time;  // from reading the device to the force being written
-  Histogram lateness;   // of the wake-up
+  Histogram tick_time;  // from reading the device to writing the force
+  Histogram lateness;   // of waking up
 };
 
-// Device i holds needle i; as many devices as the kernel has needles.
+// Device i holds needle i; there must be as many devices as the kernel has needles.
 void run_loop(const LoopConfig& config, Kernel& kernel, std::span<const Device> devices,
               const Clock& clock, const Outlets& outlets, LoopState& state);
 

@@ -23,8 +23,8 @@ Vec3 place_in_device(const Mapping& mapping, Vec3 world_place) {
 }
 
 Quat needle_rotation(Vec3 direction) {
-  // Half-way quaternion: (1 + a.b, a x b) with a = -z; next to +z it has no length, so turn about
-  // x.
+  // Half-way quaternion: (1 + a.b, a x b) with a = -z. Close to +z it has no length, so use half a
+  // turn about x.
   const float w = 1.0F - direction.z;
   if (w < 1e-6F) return {0, 1, 0, 0};
   const Vec3 axis = cross({0, 0, -1}, direction);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the device's frame to the world and back: a rotation and a shift.
+// From the device's frame to the world's and back: a rotation and a shift.
 // Promise: only + - * and sqrt, so the same bits everywhere; no allocation.
 // Units: SI. Frames: device (x right, y up, z toward the operator) and world.
 #pragma once

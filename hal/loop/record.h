@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is kept of one tick of one needle, and the one list of its columns: recorder, replay and
-// README follow it. Then the same for what a kernel was made with.
-// Promise: plain data; a column added here is written, read and compared without more code.
+// What is kept of one tick of one needle, and the one list of its columns, which recorder, replay
+// and README all use. Then the same for what a kernel was made with.
+// Promise: plain data; a new column is written, read and compared without more code.
 // Units: SI. Frames: input and output in the world, device in the device's frame.
 #pragma once
 
@@ -19,26 +19,26 @@ namespace stylet::hal {
 struct TickRecord {
   Input input;
   Output output;
-  Sample sample;               // as the device gave it; the last one if it did not answer
-  std::uint32_t answered;      // the device gave a sample
+  Sample sample;               // as the device gave it; if it did not answer, the last one
+  std::uint32_t answered;      // 1: the device gave a sample
   Vec3 command_n;              // after the guard
-  Fault fault;                 // of the guard
-  std::uint32_t fault_number;  // of all it has latched (fault_mailbox.h); 0: none
-  GuardMode mode;              // likewise
-  float energy_j;              // its observer's
-  std::uint32_t tick_ns;       // from reading the device to the force being written
-  std::uint32_t late_ns;       // wake-up after the grid point
-  std::uint64_t state_hash;    // 0: not taken in this tick
-  std::uint32_t needle;        // says which table of the recording it belongs to
+  Fault fault;                 // latched by the guard
+  std::uint32_t fault_number;  // counts the faults it has latched (fault_mailbox.h); 0: no fault
+  GuardMode mode;              // of the guard
+  float energy_j;              // of its observer of energy
+  std::uint32_t tick_ns;       // from reading the device to writing the force
+  std::uint32_t late_ns;       // from grid point to wake-up
+  std::uint64_t state_hash;    // 0: not computed in this tick
+  std::uint32_t needle;        // also says which table of the recording it belongs to
 };
 
-// All needles in one tick: what those see who want only the newest.
+// All needles in one tick, for those who only want the newest tick.
 struct NewestTick {
   std::uint32_t needles = 0;
   std::array<TickRecord, kMaxNeedles> record = {};
 };
 
-// Where a needle goes in.
+// Where a needle enters.
 struct Course {
   Vec3 entry_m;    // first contact of the tip with the organ at rest
   Vec3 direction;  // of insertion, unit length
@@ -55,7 +55,7 @@ std::size_t column_bytes(ColumnType type);
 struct Column {
   const char* name;  // path in the file
   ColumnType type;
-  std::uint32_t width;  // numbers a row
+  std::uint32_t width;  // numbers in a row
   std::size_t offset;   // in the struct
 };
 

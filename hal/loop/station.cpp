@@ -24,8 +24,8 @@ void take_models(StationState& state, const Link& link, std::int64_t now_ns) {
   }
 }
 
-// How much of the model is felt: it fades in after every time without one, and out in the second
-// half of its life: at the end nothing is left that the guard would let fall slowly.
+// How much of the model is felt: it fades in each time models come again, and fades out in the
+// second half of its life. So at its end nothing is left that the guard would let fall slowly.
 float model_share(StationState& state, std::int64_t now_ns) {
   const float out = obeyed_share(state.obeyed, now_ns);
   if (!(out > 0)) {
@@ -38,8 +38,8 @@ float model_share(StationState& state, std::int64_t now_ns) {
   return std::min(in, out);
 }
 
-// No longer than `most`, which is what the guard lets through at most, and then the share: so the
-// fade begins at what is felt.
+// Shortened to `most`, the most the guard lets through, and then scaled by the fraction: so the
+// fade begins at the force that is felt.
 Vec3 faded(float share, float most, Vec3 v) {
   const float size = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
   const float scale = size > most ? share * most / size : share;
@@ -49,7 +49,7 @@ Vec3 faded(float share, float most, Vec3 v) {
 // The newest model, through the guard.
 void render(const StationConfig& config, StationState& state, std::int64_t now_ns) {
   const float share = model_share(state, now_ns);
-  const Vec3 at_m = state.guard.pose_m;  // never that of a sample the guard refused
+  const Vec3 at_m = state.guard.pose_m;  // never the position of a sample that the guard refused
   const ForcePacket& newest = state.obeyed.newest;
   state.force_n =
       guard_force(config.guard, state.guard,
@@ -59,12 +59,12 @@ void render(const StationConfig& config, StationState& state, std::int64_t now_n
                    faded(share, config.max_torque_nm, torque_at(newest, now_ns, at_m)));
 }
 
-// The motors know when the model's life is over: whether the guard still fades, or the station is
-// held up, nothing is left then.
+// Tells the motors when the model's life is over, so that no force is left then, even if the guard
+// still fades or the station is held up.
 void write(const StationConfig& config, const StationState& state, const Device& device) {
   Command command = guard_command(config.guard, state.guard, state.torque_guard);
   const ForcePacket& newest = state.obeyed.newest;
-  command.end_ns = newest.echo_t_ns + newest.life_ns;  // none came yet: 0, which is no end
+  command.end_ns = newest.echo_t_ns + newest.life_ns;  // 0 if no model came yet, which means no end
   device.write(device.self, command);
 }
 
@@ -116,7 +116,7 @@ void station_tick(const StationConfig& config, StationState& state, const Device
 
 bool station_end(const StationConfig& config, StationState& state, const Device& device,
                  std::int64_t now_ns) {
-  (void)device.read(device.self, now_ns, state.sample);  // a relay learns the time by it
+  (void)device.read(device.self, now_ns, state.sample);  // a relay learns the time from this read
   const bool gone = guard_end(config.guard, state.guard, state.torque_guard, now_ns);
   write(config, state, device);
   return gone;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Force Dimension delta, omega, sigma, lambda and the Novint Falcon through DHD, libdhd.so.
 //
-// A thread of ours polls the device 2000 times a second: pose and buttons out, newest force in
-// (relay.h), zero included, for gravity is compensated only with a force sent. The device's own
-// watchdog ends the force 10 ms after this thread dies; where it is refused that is told, and
-// another thread of ours (supervisor.h) switches the forces off, as it does in any case. Whatever
+// A thread of ours polls the device 2000 times a second: it reads pose and buttons and writes the
+// newest force (relay.h), zero too, because gravity is compensated only while forces are sent. The
+// device's own watchdog ends the force 10 ms after this thread dies. If the watchdog is refused the
+// user is told. In any case another thread of ours (supervisor.h) switches the forces off. Whatever
 // switches the forces off (button, velocity, watchdog, cable) ends them for good. The arm is never
 // moved to calibrate it. STYLET_LIBDHD names a library elsewhere. Source: Force Dimension SDK 3.17
 // headers and manual.
@@ -17,12 +17,12 @@
 
 namespace stylet::hal {
 
-// Empty: the default device. Waits up to patience_s for one that is calibrated.
+// Empty `index`: the default device. Waits up to patience_s for a calibrated device.
 Device open_force_dimension(const std::string& index, double patience_s);
 // Empty: the library is there. Else why not, in one line.
 std::string force_dimension_missing();
-// Whether the default device takes a watchdog: opens it without forces, and closes it. False also
-// where the library cannot set one; nothing: there is no library, or no device that is free.
+// Whether the default device accepts a watchdog: opens it without forces, and closes it. False also
+// if the library cannot set one; nullopt: there is no library, or no device that is free.
 std::optional<bool> force_dimension_watchdog();
 
 }  // namespace stylet::hal

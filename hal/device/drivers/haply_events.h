@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Haply's service tells beside the exchange of samples and forces: on a WebSocket of its own,
-// that is only read. A service without it is as good, but silent about why.
+// What Haply's service tells besides samples and forces: on a WebSocket of its own that is only
+// read. A service without it works as well, but does not say why a device failed.
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
@@ -11,16 +11,16 @@
 namespace stylet::hal {
 
 struct HaplyEvent {
-  std::string name;       // as "device-disconnected"
-  std::string device_id;  // empty: of no device
-  std::string safety;     // as "ebrake_triggered", where the name says so
+  std::string name;       // such as "device-disconnected"
+  std::string device_id;  // empty: of no device in particular
+  std::string safety;     // such as "ebrake_triggered", if the name has it
   std::string message;    // for people
   bool warns = false;     // worse than a notice
 };
 
 class HaplyEvents {
  public:
-  // Connects in a thread of its own, which calls `tell` for each.
+  // Connects in a thread of its own, which calls `tell` for each event.
   HaplyEvents(const boost::asio::ip::tcp::endpoint& endpoint,
               std::function<void(const HaplyEvent&)> tell);
   ~HaplyEvents();

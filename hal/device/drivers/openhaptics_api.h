@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vendor's interface libHD.so, as far as it is used.
+// The part of the vendor's interface libHD.so that is used.
 // Promise: loading throws DeviceError with one line. Source: OpenHaptics API reference.
 #pragma once
 
@@ -12,7 +12,7 @@ using Enum = unsigned int;
 using Callback = unsigned int (*)(void*);
 using SchedulerHandle = unsigned long;
 
-// By value in two registers: a struct of another size is another calling convention.
+// Returned by value in two registers: another size would mean another calling convention.
 struct ErrorInfo {
   unsigned int code;
   int internal;
@@ -32,7 +32,7 @@ constexpr int kStyleEncoderReset = 1, kStyleAuto = 2, kStyleInkwell = 4;
 constexpr unsigned short kMaxPriority = 65535;
 constexpr unsigned int kContinue = 1;
 constexpr unsigned int kInvalidInputType = 0x0103;
-// Warm motors and exceeded limits: the vendor lowers the force itself and goes on.
+// Warm motors and exceeded limits: the vendor reduces the force itself and continues.
 constexpr unsigned int kFirstHarmless = 0x0200, kLastHarmless = 0x0204;
 
 struct Api {
@@ -56,12 +56,12 @@ struct Api {
   void (*unschedule)(SchedulerHandle);
 };
 
-// Once for a process, see vendor_library.h.
+// Loads once for a process, see vendor_library.h.
 Api load();
-// The stack of errors is one for all devices.
+// Clears the stack of errors, which is shared by all devices.
 void forget_errors(const Api& api);
 const char* remedy(unsigned int code);
-// Opens the device of this name; empty: the default one. Throws DeviceError.
+// Opens the device of this name; empty: the default device. Throws DeviceError.
 HdHandle init(const Api& api, const std::string& name);
 std::string string_of(const Api& api, Enum what);
 

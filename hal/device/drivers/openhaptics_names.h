@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of OpenHaptics devices: what a name that cannot be opened may be meant for.
+// Names of OpenHaptics devices, and which name was meant by one that cannot be opened.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,13 +11,13 @@
 
 namespace stylet::hal {
 
-// Where the vendor's set-up program keeps one file for each device it has given a name.
+// The folder in which the vendor's set-up program keeps a file for each device it has named.
 inline std::string names_folder() {
   const char* home = std::getenv("GTDD_HOME");
   return std::string(home != nullptr ? home : "/usr/share/3DSystems") + "/config";
 }
 
-// Empty: the name is configured, or none was given. Else what to do.
+// Empty: the name is configured, or no name was given. Else what to do.
 inline std::string name_fault(const std::string& name) {
   if (name.empty()) return "";
   std::string names;
