@@ -2,9 +2,9 @@
 // Messages between a loop and whoever looks after it: which fault is latched, and which fault
 // somebody has seen.
 //
-// Any thread may write `seen` and read `latched`. When the force has faded, the loop takes `seen`; it
-// rearms if `seen` names the latched fault, number included, and the device answers. If not, `seen`
-// is forgotten and must be sent again, so that no force comes back long after it was asked for.
+// Any thread may write `seen` and read `latched`. Once the force has faded the loop takes `seen`. It
+// rearms if `seen` names the latched fault, number included, and the device answers. If not, it is
+// forgotten and must be sent again, so that no force comes back long after somebody asked for it.
 // Without the number, a late message about one fault would clear the next fault of the same kind,
 // which nobody has seen.
 // Promises: wait-free, no allocation, no system call.

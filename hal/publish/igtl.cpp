@@ -25,9 +25,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// So little that a client which falls behind sees what is half a second old, not a minute.
+// So small that a client which falls behind sees data half a second old, not a minute.
 constexpr int kSendBufferBytes = 16384;
-constexpr int kStatusPauses = 50;  // every second
+constexpr int kStatusPauses = 50;  // once a second
 constexpr int kLowestPriority = 19;
 
 struct Client {
@@ -40,7 +40,7 @@ struct Client {
 
 struct News {
   std::array<TickRecord, kMaxNeedles> record = {};
-  std::uint32_t needles = 0;  // that have been heard of
+  std::uint32_t needles = 0;  // of which records have come
 };
 
 int listen_on(const IgtlConfig& config) {
@@ -71,7 +71,7 @@ std::uint16_t port_of(int socket) {
   return ntohs(address.sin_port);
 }
 
-// False: it has gone. What it says is of no interest.
+// False: the client has gone. What it sends does not matter.
 bool drain(const Client& client, std::span<char> room) {
   for (std::size_t done = 0; done < kIgtlMostRead;) {
     const ssize_t got = recv(client.socket, room.data(), room.size(), MSG_DONTWAIT);
@@ -82,7 +82,7 @@ bool drain(const Client& client, std::span<char> room) {
   return true;
 }
 
-// False: it has gone, or has not taken a byte for too long.
+// False: the client has gone, or has not taken a byte for too long.
 bool flush(Client& client) {
   while (client.sent < client.waiting.size()) {
     const ssize_t part = send(client.socket, client.waiting.data() + client.sent,
@@ -106,7 +106,7 @@ struct IgtlServer::Server {
   int pauses_since_status = kStatusPauses;
   std::vector<char> room = std::vector<char>(kIgtlMostRead);
 
-  mutable std::mutex mutex;  // of the next two
+  mutable std::mutex mutex;  // guards the next two
   News news;
   IgtlCounters counters;
   std::atomic<bool> stop{false};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Built instead of igtl.cpp where the library is not installed.
+// Built instead of igtl.cpp if the library is not installed.
 #include "hal/publish/igtl.h"
 
 namespace stylet::hal {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The OpenIGTLink server (igtl.h) in a process beside the loop's.
 //
-// The loop leaves the newest tick in shared memory and knows nothing else of it. When this process
-// has ended, the run goes on without it.
+// The loop leaves the newest tick in shared memory and knows nothing else of this process. If it
+// ends, the run goes on without it.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ constexpr const char* kIgtlRole = "igtl";
 
 class IgtlProcess {
  public:
-  // Throws SideError with the server's own words where it cannot listen.
+  // Throws SideError, with the server's own words if it cannot listen.
   explicit IgtlProcess(const IgtlConfig& config);
 
   std::uint16_t port() const { return port_; }

@@ -17,7 +17,7 @@ void add(MetricDurations& durations, std::uint32_t ns) {
   durations.sum_ns += ns;
 }
 
-// Printable ASCII, with what the format escapes: anything else might not be UTF-8.
+// Keeps printable ASCII, escaped as the format wants: other bytes might not be UTF-8.
 std::string label(const std::string& text) {
   std::string safe;
   for (const char c : text) {
@@ -52,7 +52,7 @@ std::string histogram(const char* name, const char* help, const MetricDurations&
                             static_cast<double>(durations.sum_ns) * 1e-9, below);
 }
 
-// Every fault of every needle, from the start: a series that appears late hides its first step.
+// Lists every fault of every needle from the start: a series that appears late hides its first step.
 std::string faults(const Metrics& metrics) {
   std::string total = head("stylet_guard_faults_total", "counter", "Faults latched by the guard.");
   std::string now = head("stylet_guard_faulted", "gauge", "1 while the guard holds a fault.");

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loop in numbers for Prometheus: its text format 0.0.4, from plain counters.
+// The loop in numbers for Prometheus: its text format 0.0.4, made from plain counters.
 //
-// Whoever serves them fills a MetricNumbers, most of it tick by tick with metrics_add, and gives
-// it, with the names, to metrics_text. Names end in their unit, counters in _total; times are
-// seconds. Promises: metrics_add allocates nothing; metrics_text is a pure function, and whatever a
-// label holds, its result keeps to the format. Format:
+// The server of these numbers fills a MetricNumbers, mostly tick by tick with metrics_add, and gives
+// it, with the names, to metrics_text. Names end in their unit, counters in _total; times are in
+// seconds. Promises: metrics_add allocates nothing; metrics_text is a pure function, and its result
+// obeys the format whatever a label contains. Format:
 // prometheus.io/docs/instrumenting/exposition_formats.
 #pragma once
 
@@ -19,17 +19,17 @@ namespace stylet::hal {
 
 constexpr const char* kMetricsContentType = "text/plain; version=0.0.4; charset=utf-8";
 
-// Upper edges, us: of ticks and of wake-ups; the last bucket has none.
+// Upper edges of the buckets, us, for ticks and wake-ups; the last bucket has no upper edge.
 constexpr std::array<std::uint32_t, 16> kMetricEdgesUs = {
     10, 20, 50, 75, 100, 150, 200, 300, 400, 500, 750, 1000, 2000, 5000, 10'000, 100'000};
-constexpr std::size_t kFaults = 9;  // of Fault
+constexpr std::size_t kFaults = 9;  // number of faults in Fault
 
 struct MetricDurations {
-  std::array<std::uint64_t, kMetricEdgesUs.size() + 1> count = {};  // of each bucket alone
+  std::array<std::uint64_t, kMetricEdgesUs.size() + 1> count = {};  // of each bucket alone, not cumulative
   std::uint64_t sum_ns = 0;
 };
 
-// Plain data: it goes from process to process.
+// Plain data, because it is passed between processes.
 struct MetricNumbers {
   double period_s = 0;
   bool running = false;
@@ -41,14 +41,14 @@ struct MetricNumbers {
   std::array<std::array<std::uint64_t, kFaults>, kMaxNeedles> faults = {};  // latched so far
   std::array<Fault, kMaxNeedles> fault = {};                                // latched now
   std::uint32_t connections = 0;                                            // to the console, now
-  std::uint64_t lost_frames = 0;  // that the console's pages were too slow for
+  std::uint64_t lost_frames = 0;  // that pages of the console were too slow for
 };
 
 struct Metrics : MetricNumbers {
   std::string version, scene;
 };
 
-// Ticks, their times, and faults.
+// Adds ticks, their times, and faults.
 void metrics_add(MetricNumbers& metrics, const TickRecord& record);
 std::string metrics_text(const Metrics& metrics);
 

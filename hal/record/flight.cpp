@@ -34,7 +34,7 @@ void FlightRecorder::add(const TickRecord& record) {
   Fault& last = last_fault_[record.needle];
   if (record.fault != Fault::kNone && last == Fault::kNone && records_to_come_ == 0) {
     pending_ = {"", record.fault, record.needle, record.output.tick};
-    // To the end of a tick.
+    // up to the end of a tick
     records_to_come_ = records_in(kFlightAfterS, info_) + last_fault_.size() - 1 - record.needle;
   } else if (records_to_come_ > 0 && --records_to_come_ == 0) {
     write();
@@ -58,7 +58,7 @@ void FlightRecorder::write() {
   const std::uint64_t kept = std::min<std::uint64_t>(count_, ring_.size());
   std::deque<TickRecord> records;
   for (std::uint64_t i = count_ - kept; i < count_; ++i) records.push_back(ring_[i % ring_.size()]);
-  // Ticks are kept whole: of all needles, or not at all.
+  // A tick is kept whole, with all needles, or not at all.
   while (!records.empty() && records.front().needle != 0) records.pop_front();
   while (!records.empty() && records.back().needle + 1 != last_fault_.size()) records.pop_back();
   if (records.empty()) return;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flight recorder: a recording of the last second before every fault, and what followed it.
+// The flight recorder: a recording of the last second before each fault, and of what followed it.
 //
-// It is fed by the recorder's thread, so that the loop does nothing for it. Promises: the ring is
-// allocated at the start, a file is written only after a fault, never over another one; if writing
-// fails the run goes on, and the reason is in error(). The file is a recording like any other, but
-// for the ticks before it, which are its `lost_records`: it can be read and plotted, not replayed.
+// It runs in the recorder's thread, so the loop does nothing for it. Promises: the ring is
+// allocated at the start; a file is written only after a fault, and never over another file. If
+// writing fails the run goes on, and error() gives the reason. The file is a recording like others,
+// but the ticks before it are missing and count as `lost_records`: it can be read and plotted, not
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@
 namespace stylet::hal {
 
 constexpr double kFlightBeforeS = 1.0;
-constexpr double kFlightAfterS = 0.1;  // the force has gone to zero by then
+constexpr double kFlightAfterS = 0.1;  // by then the force has gone to zero
 
 struct Flight {
   std::string path;
@@ -30,14 +30,14 @@ struct Flight {
 
 class FlightRecorder {
  public:
-  // Files are `path` with -1, -2, ... before its extension, the first names that are free. `info`
+  // Files are named `path` with -1, -2, ... before its extension, using names that are free. `info`
   // is that of the whole run.
   FlightRecorder(std::string path, RecordingInfo info);
 
-  // In order; of all needles in each tick.
+  // In order, with all needles of each tick.
   void add(std::span<const TickRecord> records, std::span<const Event> events);
-  // The run has ended: writes a flight that still waits for what follows its fault, or one of a
-  // fault that was latched after the last tick. `faults`: of each needle now; none: as recorded.
+  // The run has ended: writes a flight that still waits for the ticks after its fault, or one for a
+  // fault latched after the last tick. `faults`: of each needle now; empty: those recorded.
   void finish(std::span<const Fault> faults = {});
 
   const std::vector<Flight>& flights() const { return flights_; }
@@ -53,7 +53,7 @@ class FlightRecorder {
   std::uint64_t count_ = 0;            // records ever added
   std::deque<Event> events_;           // not older than the ring
   std::vector<Fault> last_fault_;      // of each needle
-  std::uint64_t records_to_come_ = 0;  // until the pending flight is written; 0: none is
+  std::uint64_t records_to_come_ = 0;  // until the pending flight is written; 0: no flight is pending
   Flight pending_;
   std::vector<Flight> flights_;
   std::string error_;

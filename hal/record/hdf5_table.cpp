@@ -48,8 +48,8 @@ hid_t file_type(ColumnType type) {
   return -1;
 }
 
-// We report errors ourselves: the library's own stack print is not for users, and its cleaning up
-// at exit crashes on a file that could not be completed because the disk was full.
+// We report errors ourselves: what the library prints is not for users, and its cleanup at exit
+// crashes on a file that could not be completed because the disk was full.
 void quieten() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
@@ -144,7 +144,7 @@ void Table::make_groups(const std::string& full) const {
   }
 }
 
-// Every group on the way, too: HDF5 reports a missing group as an error, not as "no".
+// Checks each group on the way: HDF5 reports a missing group as an error, not as "no".
 bool Table::exists(const std::string& full) const {
   for (std::size_t at = full.find('/'); at != std::string::npos; at = full.find('/', at + 1)) {
     if (H5Lexists(file_, full.substr(0, at).c_str(), H5P_DEFAULT) <= 0) return false;

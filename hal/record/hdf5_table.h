@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Columns of plain structs in an HDF5 file.
-// Promise: what cannot be read or written throws RecordingError: one line with file, place and
+// Columns of plain structs, in an HDF5 file.
+// Promise: what cannot be read or written throws RecordingError with one line: file, place and
 // reason. Units and frames: those of the structs. Source: HDF5 1.10 reference manual.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace stylet::hal::hdf5 {
 
-// An HDF5 identifier and how to give it back.
+// An HDF5 identifier and the function that closes it.
 struct Handle {
   hid_t id = -1;
   herr_t (*close)(hid_t) = nullptr;
@@ -38,10 +38,10 @@ hid_t file_type(ColumnType type);
 
 // The library asks each thread: its own print of errors is not for users.
 void quieten();
-// Before anything else of the library.
+// To be called before any other function of the library.
 void prepare_library();
 
-// Columns of one struct type, each a dataset that grows by rows; `prefix` goes before their names.
+// Columns of one struct type. Each is a dataset that grows by rows; `prefix` precedes their names.
 class Table {
  public:
   Table(hid_t file, const std::string& path, std::span<const Column> columns,
@@ -54,10 +54,10 @@ class Table {
 
   void create();
 
-  // Of an unfinished recording those rows count that every column has.
+  // In an unfinished recording, only rows that every column has are counted.
   void open(bool unfinished = false);
 
-  // After a failure: nothing but these rows, which every column has.
+  // After a failure: keeps only these rows, which every column has.
   void cut(std::uint64_t rows);
   void abandon() {
     for (Handle& each : sets_) each.id = -1;
@@ -89,7 +89,7 @@ class Table {
 
   bool exists(const std::string& full) const;
 
-  // How many rows it has; fails if its type is another one.
+  // How many rows the column has; fails if its type is wrong.
   std::uint64_t check(const Column& column, hid_t set) const;
 
   bool transfer(std::size_t c, std::uint64_t first, std::size_t count, bool write);

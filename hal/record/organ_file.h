@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// An organ file in memory.
-// Promise: the organ of a file that stylet-organ wrote and nobody changed, or LoadError: one line
-// with file, place, value and what was expected. Before the loop only.
+// An organ file, loaded into memory.
+// Promise: gives the organ of an unchanged file from stylet-organ, or throws LoadError with one line:
+// file, place, value and what was expected. Use before the loop only.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace stylet::hal {
 struct OrganFile {
   std::string path;
   std::vector<std::byte> bytes;
-  Organ organ;  // points into bytes
+  Organ organ;  // points into `bytes`
 };
 OrganFile load_organ(const std::string& path);
 

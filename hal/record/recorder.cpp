@@ -48,7 +48,7 @@ void Recorder::work() try {
     }
   }
 } catch (const std::bad_alloc&) {
-  error_ = "out of memory";  // short enough to need none
+  error_ = "out of memory";  // short enough to need no memory
   failed_.store(true, std::memory_order_release);
 } catch (const std::exception& error) {
   (void)contained("recorder", [&] { error_ = error.what(); });

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kLookS = 0.1;
 
-// ---- the memory that both see
+// ---- the memory that both processes see
 
 struct Kept {
   alignas(kCacheLine) std::atomic<std::uint64_t> ticks;
@@ -34,9 +34,9 @@ Kept& kept_in(std::span<std::byte> shared) {
   return *reinterpret_cast<Kept*>(shared.data());
 }
 
-// ---- what they say
+// ---- the messages between them
 
-// Way: a Packer's or an Unpacker's.
+// `Way` is a Packer's or an Unpacker's function.
 template <typename Way>
 void visit(Way way, RecorderTask& task) {
   RecordingInfo& info = task.info;
@@ -110,7 +110,7 @@ Recorded recorded_of(const Bytes& answer) {
   return recorded;
 }
 
-// Of `task`, and no number in it that would be used as an index or a name.
+// True if it fits the task, and has no number that would be unsafe as an index or a name.
 bool sane(const Recorded& recorded, std::size_t needles, std::size_t targets) {
   const auto known = [needles](std::uint32_t needle) { return needle < needles; };
   const auto of_stage = [](const PhaseRow& row) { return row.stage <= Stage::kExit; };
@@ -199,7 +199,7 @@ std::string RecorderProcess::finish(std::uint64_t state_hash, std::uint64_t lost
 
 namespace {
 
-// None: the loop's process has gone.
+// nullopt: the loop's process has gone.
 std::optional<Bytes> next_order(const SideSeat& seat, const Recorder& recorder) {
   while (!seat.link.gone()) {
     if (std::optional<Bytes> order = seat.link.receive(kLookS)) return order;
@@ -225,7 +225,7 @@ Recorded outcome(const RecorderTask& task, const Recorder& recorder, const Fligh
   return recorded;
 }
 
-// The last words of a recording; empty: it has its name.
+// The last words about a recording; empty: it has its final name.
 std::string complete(RecordingWriter& writer, const Bytes& order) {
   Unpacker unpacker(order);
   std::uint64_t state_hash = 0, lost_records = 0;
@@ -293,7 +293,7 @@ void recorder_beside(SideSeat& seat) {
   const Recorder::Tap note = [&kept, writer](std::span<const TickRecord>, std::span<const Event>) {
     if (writer != nullptr) kept.ticks.store(writer->ticks_kept(), std::memory_order_relaxed);
   };
-  // Whatever happens: what has been recorded stays.
+  // Whatever happens, what has been recorded stays.
   try {
     Recorder recorder(records, events, writer, desk.courses, &desk.flight, &desk.scorer, note);
     seat.ready();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The recorder (recorder.h) in a process beside the loop's, with the recording, the flight
-// recorder, the score and the phases.
+// The recorder (recorder.h) in a process beside the loop's, together with the recording, the flight
+// recorder, the score and the stages.
 //
-// The loop pushes records and events into rings in shared memory. If this process ends, the rings
-// are full after some seconds, and what does not fit is counted in the loop; what it wrote stays as
-// the recording's temporary file. If the loop's process is killed, this one keeps what is in the
-// rings first: nothing that the loop has pushed is lost.
-// Promises: as of SideProcess; whoever waits for an answer waits no longer than kSidePatienceS
-// after the last record was taken.
+// The loop pushes records and events into rings in shared memory. If the recorder's process ends, the
+// rings are full some seconds later, and the loop counts what does not fit; what was written stays
+// as the recording's temporary file. If the loop's process is killed, the recorder first keeps what
+// is in the rings: nothing that the loop has pushed is lost.
+// Promises: those of SideProcess; nobody waits for an answer longer than kSidePatienceS after the
+// last record was taken.
 #pragma once
 
 #include <chrono>
@@ -27,63 +27,63 @@
 namespace stylet::hal {
 
 constexpr const char* kRecorderRole = "recorder";
-// Eight seconds of all needles at 1 kHz: longer than any disk makes the recorder wait. Full:
+// Eight seconds of all needles at 1 kHz: longer than any disk holds up the recorder. When it is full
 // records are lost and counted.
 constexpr std::size_t kRecordRing = 8192 * kMaxNeedles;
 constexpr std::size_t kEventRing = 1024;
 
 struct RecorderTask {
   RecordingInfo info;
-  std::string recording;  // empty: none
+  std::string recording;  // empty: no recording
   std::string flight;
   std::vector<Target> targets;
 };
 
-// What came of a run.
+// The results of a run.
 struct Recorded {
-  std::vector<std::vector<PhaseRow>> phases;  // of each needle
+  std::vector<std::vector<PhaseRow>> phases;  // for each needle
   std::vector<Event> events;
   Score score;
   std::vector<Flight> flights;
-  std::string error, flight_error;  // of writing; empty: none
-  bool forgot = false;              // phases and events are those of the last kMaxTrackPoints
+  std::string error, flight_error;  // of writing; empty: no error
+  bool forgot = false;              // phases and events are only those of the last kMaxTrackPoints
 };
 
 class RecorderProcess {
  public:
-  // Throws SideError, with the recording's own words where it cannot be written.
+  // Throws SideError, with the recording's own words if it cannot be written.
   explicit RecorderProcess(const RecorderTask& task);
 
   Ring<TickRecord>& records() { return records_; }
   Ring<Event>& events() { return events_; }
   SideProcess& process() { return process_; }
-  // Of which the file has all.
+  // The ticks that are complete in the file.
   std::uint64_t ticks_kept() const;
-  // A ring is full, and it has taken nothing for kSidePatienceS. Asked now and then.
+  // A ring is full, and nothing was taken for kSidePatienceS. To be asked now and then.
   bool hangs();
 
-  // Once, when the loop has ended; `faults`: of each hand now. None: the process has ended, or was
-  // killed because it took nothing any more.
+  // Call once, when the loop has ended; `faults`: of each hand now. nullopt: the process has ended, or
+  // was killed because it no longer took anything.
   std::optional<Recorded> stop(std::span<const Fault> faults);
-  // After that. What went wrong; empty: the recording has its name.
+  // Call after stop(). What went wrong; empty: the recording has its final name.
   std::string finish(std::uint64_t state_hash, std::uint64_t lost_records,
                      std::span<const Mark> marks);
 
  private:
   using Clock = std::chrono::steady_clock;
   std::optional<Bytes> ask(const Packer& question);
-  // Taken nothing for kSidePatienceS, `idle` or not.
+  // Whether nothing was taken for kSidePatienceS, `idle` or not.
   bool takes_nothing(bool idle);
 
   SideProcess process_;
   Ring<TickRecord> records_;
   Ring<Event> events_;
   std::size_t needles_, targets_;
-  std::uint64_t taken_ = 0;  // when it was looked at last
+  std::uint64_t taken_ = 0;  // at the last look
   Clock::time_point took_ = Clock::now();
 };
 
-// What that process does.
+// What the recorder's process does.
 void recorder_beside(SideSeat& seat);
 
 }  // namespace stylet::hal

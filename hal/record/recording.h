@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording: the exact inputs and outputs of every tick in one HDF5 file. Layout:
+// A recording: the exact inputs and outputs of every tick, in one HDF5 file. Layout:
 // hal/record/README.md.
 //
-// Promises: the file appears under its name only when finish() succeeded. Until then it grows as
-// `NAME.PROCESS.tmp`, by what half a second brought, and can be read at any time; whoever is killed
-// leaves it so. (HDF5's single writer, multiple readers; each chunk is written once. A flush alone
-// is not enough: a process killed in one leaves a file that cannot be opened.) A file that is
-// damaged, cut short or of another kind is refused with RecordingError, one line with file, place
+// Promises: the file appears under its name only when finish() has succeeded. Until then it is
+// `NAME.PROCESS.tmp`, grows every half second, and can be read at any time; a process that is killed
+// leaves it in that state. (HDF5's single writer, multiple readers; each chunk is written once. Only
+// flushing is not enough: a process killed during a flush leaves a file that cannot be opened.) A
+// damaged, shortened or foreign file is refused with RecordingError: one line with file, place
 // and reason. Never called from the real-time thread. Units: SI. Frame: world.
 #pragma once
 
@@ -29,47 +29,47 @@ struct RecordingError : std::runtime_error {
 
 struct RecordingInfo {
   std::string stylet_version;
-  std::string began;    // ISO 8601, local time with its offset; empty: not kept
-  std::string trainee;  // whose hand; empty: not said
+  std::string began;    // ISO 8601, local time with its offset; empty: not stored
+  std::string trainee;  // name of the trainee; empty: not told
   std::string scene_file;
   std::string scene_text;
-  std::string organ_file;  // full path at the time of recording
+  std::string organ_file;  // full path at the time of the recording
   std::string organ_name;
   std::uint64_t organ_hash = 0;
   Config config;
-  std::array<Course, kMaxNeedles> course = {};  // of each needle
+  std::array<Course, kMaxNeedles> course = {};  // for each needle
   std::vector<ObstacleConfig> obstacles;
   std::uint64_t final_state_hash = 0;
   std::uint64_t lost_records = 0;
-  // Read from a file that is still being written, or whose writer was killed: it has no hash of the
-  // end and no marks.
+  // True if the file is still being written, or its writer was killed: then it has no final hash
+  // and no marks.
   bool unfinished = false;
 };
 
-// What a teacher said of a tick: one line, without control characters.
+// A teacher's remark on a tick: one line, without control characters.
 struct Mark {
   std::uint64_t tick = 0;
   std::string text;
 };
 
-// `path` with -1, -2, ... before its extension: the first name that is free.
+// The first free name of `path` with -1, -2, ... before its extension.
 std::string numbered_name(const std::string& path);
 
 class RecordingWriter {
  public:
   RecordingWriter(const std::string& path, const RecordingInfo& info);
-  ~RecordingWriter();  // without finish(): removes the temporary file
+  ~RecordingWriter();  // without finish() it removes the temporary file
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
 
-  // Each record into the table of its needle.
+  // Puts each record into the table of its needle.
   void append(std::span<const TickRecord> records);
   void append(std::span<const Event> events);
   void finish(std::uint64_t final_state_hash, std::uint64_t lost_records,
               std::span<const Mark> marks = {});
-  // Instead of it: what there is goes to the disk and stays as the temporary file.
+  // Instead of finish(): writes all to the disk and leaves it as the temporary file.
   void leave();
-  // Whose first needle is on the disk.
+  // Ticks whose first needle's record is on the disk.
   std::uint64_t ticks_kept() const;
 
  private:

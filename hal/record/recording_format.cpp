@@ -12,7 +12,7 @@ namespace stylet::hal::hdf5 {
 
 namespace {
 
-constexpr double kBlockS = 0.5;  // rows are kept for so long
+constexpr double kBlockS = 0.5;  // time for which rows are kept before they are written
 constexpr std::uint64_t kMaxBlockRows = 4096;
 constexpr const char* kMarks = "marks";
 
@@ -44,7 +44,7 @@ void AttributeWriter::optional_text(const char* name, const std::string& value) 
   if (!value.empty()) text(name, value);
 }
 
-// As a dataset: an attribute holds 64 KiB at most.
+// Stored as a dataset, because an attribute holds 64 KiB at most.
 void AttributeWriter::text(const char* name, const std::string& value) const {
   const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose);

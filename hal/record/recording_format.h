@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a recording is made of in its file: attributes, texts and tables, for the one who writes it
-// and the one who reads it. Layout: hal/record/README.md.
-// Promise: what cannot be read or written throws RecordingError: one line with file, place and
+// The parts of a recording's file: attributes, texts and tables, for both its writer and its
+// reader. Layout: hal/record/README.md.
+// Promise: what cannot be read or written throws RecordingError with one line: file, place and
 // reason. Units: SI. Frame: world.
 #pragma once
 
@@ -17,9 +17,9 @@ namespace stylet::hal::hdf5 {
 
 constexpr const char* kFormatName = "stylet-recording";
 constexpr std::uint32_t kFormatVersion = 4;
-constexpr hsize_t kEventRows = 64;  // of a chunk
+constexpr hsize_t kEventRows = 64;  // in a chunk
 
-// The named attributes of a recording, each a plain number or a text. One list for both directions.
+// The named attributes of a recording, each a plain number or text. One list for reading and writing.
 template <typename Visitor, typename Info>
 void visit_attributes(Visitor& visit, Info& info) {
   visit.text("stylet_version", info.stylet_version);
@@ -43,7 +43,7 @@ void visit_attributes(Visitor& visit, Info& info) {
                &info.config.breathing.period_s);
 }
 
-// Texts that a recording may go without: a run on a virtual clock has no date, so that its file is
+// Texts that a recording need not have: a run on a virtual clock has no date, so that its file is
 // the same each time.
 template <typename Visitor, typename Info>
 void visit_optional_texts(Visitor& visit, Info& info) {
@@ -51,7 +51,7 @@ void visit_optional_texts(Visitor& visit, Info& info) {
   visit.optional_text("trainee", info.trainee);
 }
 
-// What only the end tells.
+// What is known only at the end.
 struct Ending {
   std::uint64_t lost_records = 0, final_state_hash = 0, ticks = 0;
 };
@@ -59,7 +59,7 @@ template <typename Visitor, typename Values>
 void visit_ending(Visitor& visit, Values& ending) {
   visit.number("lost_records", ColumnType::kUint64, 1, &ending.lost_records);
   visit.number("final_state_hash", ColumnType::kUint64, 1, &ending.final_state_hash);
-  visit.number("ticks", ColumnType::kUint64, 1, &ending.ticks);  // 0 until it is whole
+  visit.number("ticks", ColumnType::kUint64, 1, &ending.ticks);  // 0 until the file is complete
 }
 
 struct AttributeWriter {
@@ -71,7 +71,7 @@ struct AttributeWriter {
   void optional_text(const char* name, const std::string& value) const;
 };
 
-// Of attributes that are there.
+// Rewrites attributes that exist.
 struct AttributeRewriter {
   hid_t file;
   const std::string& path;
@@ -88,14 +88,14 @@ struct AttributeReader {
   void optional_text(const char* name, std::string& value) const;
 };
 
-// Rows of a block that is written as a whole, and as a whole chunk: none is written twice.
+// Rows in a block, which is written at once and as a whole chunk: so no chunk is written twice.
 std::uint64_t block_rows(double period_s);
-// One table of ticks a needle; the first one's has no prefix.
+// One table of ticks for each needle; the first needle's has no prefix.
 std::vector<Table> tick_tables(hid_t file, const std::string& path, const Config& config);
-// Needles and obstacles.
+// The needles and obstacles.
 void write_bodies(hid_t file, const std::string& path, const RecordingInfo& info);
 void read_bodies(hid_t file, const std::string& path, RecordingInfo& info);
-// One text of lines "tick<tab>words". Recordings without marks have none.
+// One text of lines "tick<tab>words". A recording without marks has no such text.
 void write_marks(hid_t file, const std::string& path, std::span<const Mark> marks);
 std::vector<Mark> read_marks(hid_t file, const std::string& path);
 

@@ -19,14 +19,14 @@ struct RecordingReader::File {
   std::string path;
   Handle file;
   RecordingInfo info;
-  mutable std::vector<Table> ticks;  // of each needle
+  mutable std::vector<Table> ticks;  // for each needle
   mutable Table events;
   std::vector<Mark> marks;
 
   File(const std::string& path_in, hid_t id)
       : path(path_in), file(id, H5Fclose), events(id, path, event_columns()) {}
 
-  // Ticks of all needles, and how many are not there: they count from 1.
+  // Finds the ticks that all needles have, and how many are missing, because they count from 1.
   void take_what_is_whole() {
     const auto shortest =
         std::min_element(ticks.begin(), ticks.end(),
@@ -42,7 +42,7 @@ struct RecordingReader::File {
 
 namespace {
 
-// Whoever was killed left what it had under another name.
+// A killed process left its recording under another name.
 std::string hint_of_parts(const std::string& path) {
   namespace fs = std::filesystem;
   const fs::path wanted = path;
@@ -57,8 +57,8 @@ std::string hint_of_parts(const std::string& path) {
   return "";
 }
 
-// Somebody writes it, or was killed meanwhile. HDF5 File Format 3.0, superblock: version at 8,
-// consistency flags at 11, bit 2 for a file that may be read while it is written.
+// Whether the file is being written, or its writer was killed. HDF5 File Format 3.0, superblock:
+// version at 8, consistency flags at 11, bit 2 for a file that may be read while it is written.
 bool is_growing(const std::string& path) {
   std::array<unsigned char, 12> head = {};
   std::FILE* const file = std::fopen(path.c_str(), "rb");
@@ -102,7 +102,7 @@ RecordingReader::RecordingReader(const std::string& path) {
   file_->ticks = tick_tables(id, file_->path, file_->info.config);
   for (Table& each : file_->ticks) {
     each.open(ending.ticks == 0);
-    // Left behind: whole, but for its end.
+    // Left behind: complete except for its end.
     file_->info.unfinished = ending.ticks == 0 && (growing || file_->ticks[0].rows() > 0);
     if (each.rows() != ending.ticks && !file_->info.unfinished) {
       fail(path, "ticks", fmt::format("{} rows: expected {}", each.rows(), ending.ticks));

@@ -18,13 +18,13 @@ using namespace hdf5;
 struct RecordingWriter::File {
   std::string path, temporary;
   Handle file;
-  std::vector<Table> ticks;  // of each needle
+  std::vector<Table> ticks;  // for each needle
   Table events;
   std::size_t block_rows;
   std::array<std::uint64_t, kMaxNeedles> flushed = {};  // rows that are on the disk
   std::uint64_t flushed_events = 0;
-  // Less than a block.
-  std::array<std::vector<TickRecord>, kMaxNeedles> waiting;  // of each needle
+  // Rows that do not fill a block yet.
+  std::array<std::vector<TickRecord>, kMaxNeedles> waiting;  // for each needle
   std::vector<Event> waiting_events;
 
   File(const std::string& path_in, const std::string& temporary_in, hid_t id, const Config& config)
@@ -53,8 +53,8 @@ struct RecordingWriter::File {
     give_up(error.what());
   }
   // Nothing more can be written: what is on the disk stays, under its temporary name. Throws. The
-  // library is not asked to close the file: it would write the length it wanted, and the file
-  // would count as cut short.
+  // library is not asked to close the file, because it would write the length that it wanted, and the
+  // file would then count as cut short.
   [[noreturn]] void give_up(const char* why) {
     for (std::size_t i = 0; i < ticks.size(); ++i) ticks[i].cut(flushed[i]);
     events.cut(flushed_events);
@@ -87,8 +87,8 @@ std::string numbered_name(const std::string& path) {
 
 namespace {
 
-// In the format of which a file that is being written can be read at any time (SWMR): whoever is
-// killed leaves what was flushed. Attributes stay in their one place.
+// Uses the format in which a file can be read at any time while it is written (SWMR): a process that
+// is killed leaves what was flushed. Attributes stay in their one place.
 hid_t create_file(const std::string& path) {
   const Handle create_list(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   const Handle access_list(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
@@ -98,7 +98,7 @@ hid_t create_file(const std::string& path) {
   return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, create_list.id, access_list.id);
 }
 
-// In a copy: a file that is closed and opened again could be left half changed.
+// Works on a copy: a file that is closed and opened again could be left half changed.
 bool add_marks(const std::string& whole, const std::string& path, std::span<const Mark> marks) {
   const std::string marked = whole + "+";
   std::error_code error;
@@ -140,7 +140,7 @@ void RecordingWriter::append(std::span<const TickRecord> records) try {
     std::vector<TickRecord>& waiting = file_->waiting[record.needle];
     waiting.push_back(record);
     if (waiting.size() < file_->block_rows) continue;
-    quieten();  // the library asks each thread
+    quieten();  // each thread must do this
     file_->put_down(record.needle);
     file_->put_down_events();
     file_->flush();

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kBlock = 4096;
 
-// Value of a column as text, with its bits where they could hide behind the decimals.
+// A column's value as text, with its bits where decimals could hide a difference.
 std::string text_of(const Column& column, const TickRecord& record) {
   const auto* at = reinterpret_cast<const std::byte*>(&record) + column.offset;
   std::string text;
@@ -42,7 +42,7 @@ bool same_bits(const Column& column, const TickRecord& a, const TickRecord& b) {
                      column.width * column_bytes(column.type)) == 0;
 }
 
-// What a kernel decides: the outputs, and the state's hash where one was taken.
+// Columns that a kernel decides: the outputs, and the hash of the state where it was taken.
 bool compared(const Column& column, const TickRecord& recorded) {
   const std::string_view name = column.name;
   return name.starts_with("output/") || (name == "loop/state_hash" && recorded.state_hash != 0);
@@ -55,7 +55,7 @@ const Column* first_difference(const TickRecord& recorded, const TickRecord& rep
   return nullptr;
 }
 
-// One tick of all needles; false, and where, if any output differs.
+// Replays one tick of all needles. False if any output differs; then `result` says where.
 bool replay_tick(const std::vector<std::vector<TickRecord>>& recorded, std::uint64_t row,
                  Kernel& kernel, ReplayResult& result) {
   std::array<Input, kMaxNeedles> inputs;
@@ -99,7 +99,7 @@ ReplayResult replay(const RecordingReader& recording, Kernel& kernel,
     if (progress) progress(result.ticks);
   }
   result.state_hash = hash(kernel);
-  result.same = recording.info().unfinished ||  // the hash of the end is not there
+  result.same = recording.info().unfinished ||  // the final hash is missing
                 result.state_hash == recording.info().final_state_hash;
   if (!result.same) {
     result.tick = result.ticks;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device that says again what another one said: the samples of a recording, bit for bit, silent
-// where it was silent and after the end. It feels no force.
+// A device that repeats what another one sent: the samples of a recording, bit for bit. It is silent
+// where that one was silent, and after the end. It feels no force.
 // Promise: the samples are in memory before the loop starts.
 #pragma once
 
@@ -24,7 +24,7 @@ struct ReplayDevice {
 
 std::vector<ReplayedSample> read_samples(const RecordingReader& recording,
                                          std::uint32_t needle = 0);
-// `replay` must outlive the device. Samples carry the time of the tick they are played in.
+// `replay` must outlive the device. Each sample has the time of the tick in which it is played.
 Device replay_device(ReplayDevice& replay, const DeviceInfo& info);
 
 }  // namespace stylet::hal

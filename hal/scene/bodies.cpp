@@ -35,11 +35,11 @@ double in_mm(float metres) {
   return std::round(static_cast<double>(metres) * 1e3);
 }
 
-// A gauge by name, or the scene's own diameters.
+// A gauge by its name, or the scene's own diameters.
 Gauge read_gauge(Section& needle) {
   std::vector<const char*> names;
   for (const Gauge& each : kGauges) names.push_back(each.name);
-  const char* key = needle.has("preset") ? "preset" : "gauge";  // preset: its older name
+  const char* key = needle.has("preset") ? "preset" : "gauge";  // preset: the older name of gauge
   if (needle.has("gauge") && needle.has("preset")) needle.fail("preset", "either gauge or preset");
   (void)needle.get("gauge");
   (void)needle.get("preset");
@@ -71,7 +71,7 @@ double bending_nm2(const Gauge& gauge) {
          (outer_m2 * outer_m2 - inner_m2 * inner_m2);
 }
 
-// Keys of one kind of tip are refused with another: they would do nothing.
+// Keys for one kind of tip are refused with another kind, as they would do nothing.
 void read_tip(Section& needle, NeedleConfig& config) {
   config.tip_half_angle_rad =
       si(needle.number("half_angle_deg", 15, 5, 80), std::numbers::pi / 180);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a scene that are things: the needle, what it cannot enter, and what it shall reach.
+// The things in a scene: the needle, what it cannot enter, and the targets that it shall reach.
 //
 // Needles by gauge: outer and inner diameter of regular-wall tubes from the usual gauge table; E of
-// 304/316 steel 200 GPa (193 to 200 in data sheets) and of austenitic nitinol 75 GPa (40 to 83
-// quoted); lengths as these needles are sold. EI = E pi (OD^4 - ID^4) / 64.
+// 304/316 steel 200 GPa (data sheets: 193 to 200) and of austenitic nitinol 75 GPa (quoted: 40 to
+// 83); lengths as these needles are sold. EI = E pi (OD^4 - ID^4) / 64.
 #pragma once
 
 #include <array>
@@ -14,11 +14,11 @@
 
 namespace stylet::hal {
 
-// The caller ends with needle.finish(): other tables may lie in this one.
+// The caller must end with needle.finish(), because other tables may lie in this one.
 NeedleConfig read_needle(Section& needle);
-// By angles about the world's x, then y, then z.
+// A rotation by angles about the world's x, then y, then z.
 Quat turned(const std::array<double, 3>& degrees);
-// `scene_file`: hull files are named relative to its folder. Adds those read.
+// `scene_file`: hull file names are relative to its folder. Adds the files read to `hulls_out`.
 std::vector<ObstacleConfig> read_obstacles(std::vector<Section> sections,
                                            const std::string& scene_file,
                                            std::vector<std::string>& hulls_out);

@@ -7,7 +7,7 @@
 namespace stylet::hal {
 namespace {
 
-// Shares of what the device renders: damping, and buzzing that is not worth its force.
+// Fractions of what the device renders: the controller's damping, and the amplitude that is buzzing.
 constexpr double kPassivityShare = 0.5, kBuzzShare = 0.1;
 
 double of(float value) {
@@ -41,7 +41,7 @@ void read_dynamics(Section& device, float period_s, DeviceDynamics& motion) {
   }
 }
 
-// A fault must be able to fade in time.
+// Checks that a fault can fade in time.
 void check_slew(const Section& guard, const Section& device, const GuardConfig& config) {
   const double needed = of(config.max_force_n) / of(kDecayS);
   if (of(config.max_slew_n_per_s) >= needed * 0.99999) return;
@@ -122,13 +122,13 @@ CouplingConfig read_coupling(Section coupling, const DeviceModel& model, const G
 
 namespace {
 
-// Of two limits the stricter one, and whose it is.
+// The stricter of two limits; `whose` says where it comes from.
 float stricter(float scenes, float devices, const char*& whose) {
   whose = scenes < devices ? "scene" : "device";
   return std::min(scenes, devices);
 }
 
-// What the scene says counts only where it is stricter; where it says nothing it is zero.
+// The scene's value counts only where it is stricter; where the scene says nothing it is zero.
 float assumed(float scenes, float devices) {
   return scenes > 0 ? std::min(scenes, devices) : devices;
 }
@@ -167,7 +167,7 @@ void fit_heat_and_stiffness(const DeviceInfo& info, Hand& hand, std::string& tol
   }
 }
 
-// The observer of energy: what the device itself takes, not what the scene's would.
+// For the observer of energy: what the device itself dissipates, not what the scene's device would.
 void fit_energy(const DeviceInfo& info, Hand& hand, std::string& told) {
   const DeviceModel& model = *info.model;
   GuardConfig& guard = hand.guard;

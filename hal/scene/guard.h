@@ -6,14 +6,14 @@
 
 namespace stylet::hal {
 
-// The keys of [device] that say what it can do and how it moves; those of `model` where a key is
-// missing. The caller ends with device.finish().
+// The keys of [device] that say what it can do and how it moves; for missing keys those of `model`.
+// The caller must end with device.finish().
 DeviceModel read_device_model(Section& device, float period_s);
-// `device` is for messages: whose keys make a limit impossible.
+// `device` is for messages: its keys may make a limit impossible.
 GuardConfig read_guard(Section guard, const Section& device, const DeviceModel& model,
                        float period_s);
-// The stiffest coupling for a device that renders `limit_n_per_m`: it is felt through the scales of
-// the grip.
+// The stiffest coupling for a device that renders `limit_n_per_m`, which feels the coupling through
+// the scales of the grip.
 float most_coupling(float limit_n_per_m, const GripConfig& grip);
 CouplingConfig read_coupling(Section coupling, const DeviceModel& model, const GuardConfig& guard,
                              const GripConfig& grip);

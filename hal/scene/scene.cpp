@@ -22,7 +22,7 @@ void read_loop(Section loop, Scene& scene) {
   scene.config.period_s = si(loop.number("period_us", 1000, low_us, high_us), 1e-6);
   const std::string inertia = loop.choice("inertia", "true_mass", {"added_mass", "true_mass"});
   scene.config.inertia = inertia == "true_mass" ? Inertia::kTrueMass : Inertia::kAddedMass;
-  // Added mass goes with dt (dt + 2 tau) of the substep: with one, three times as much.
+  // Added mass grows with dt (dt + 2 tau) of the substep: with one substep it is three times that.
   const std::uint32_t substeps = scene.config.inertia == Inertia::kTrueMass ? Config{}.substeps : 2;
   scene.config.substeps =
       static_cast<std::uint32_t>(loop.integer("substeps", substeps, 1, kMaxSubsteps));
@@ -52,7 +52,7 @@ void read_approach(Section section, Approach& approach) {
   section.finish();
 }
 
-// Who holds the needle: one of our own kinds, or a device by its URI.
+// The needle's holder: one of our own kinds, or a device given by its URI.
 void read_device_kind(Section& device, Hand& out) {
   if (device.has("uri") && device.has("kind")) device.fail("kind", "either kind or uri");
   out.device = device.choice("kind", "simulated", {"simulated", "steered", "replay"});
@@ -75,7 +75,7 @@ void read_device(Section& device, const Config& config, Hand& out) {
   out.hand.device = out.model.motion;
 }
 
-// The roll on the way to `w`, whose place and pace are known.
+// The roll during the motion to `w`, whose position and speed are known.
 void read_spin(Section& section, const Waypoint& last, Waypoint& w) {
   w.turns = static_cast<float>(section.number("turns", 0, -10000, 10000));
   w.duty = static_cast<float>(section.number("duty", 1, 0.05, 1));
@@ -132,7 +132,7 @@ void read_hand(Section section, bool held, Hand& out) {
   section.finish();
 }
 
-// Only with device "steered", which cannot do without.
+// Read only for device "steered", which needs it.
 void read_steering(Section section, const NeedleConfig& needle, Hand& out) {
   SteeringConfig& steering = out.steering;
   const bool steered = out.device == "steered";
@@ -185,7 +185,7 @@ void read_grip(Section section, const Config& config, const NeedleConfig& needle
   section.finish();
 }
 
-// All tables but the needle's own, from the top of the file or from one of [[needles]].
+// All tables except the needle's own, from the top of the file or from one of [[needles]].
 Hand read_hand_of(Section& owner, const Config& config, const NeedleConfig& needle, bool held) {
   Hand hand;
   read_approach(owner.table("approach"), hand.approach);
@@ -201,7 +201,7 @@ Hand read_hand_of(Section& owner, const Config& config, const NeedleConfig& need
   return hand;
 }
 
-// One needle, with everything about it at the top, or [[needles]], each with its own.
+// Either one needle, with all its tables at the top, or [[needles]], each with its own tables.
 void read_needles(Section& root, std::size_t held, Scene& scene) {
   if (!root.has("needles")) {
     Section needle = root.table("needle");
@@ -296,7 +296,7 @@ Placement place_needle(const Scene& scene, const Organ& organ, std::uint32_t nee
   const Approach& approach = scene.hands[needle].approach;
   const Vec3 through = approach.through_m.value_or(voxel_centroid(organ));
   const Vec3 direction = approach.direction;
-  // Far enough out to be outside whatever the direction: further than the lattice is wide.
+  // Far enough to be outside in every direction: farther than the lattice is wide.
   const float cells = static_cast<float>(organ.size_x) + static_cast<float>(organ.size_y) +
                       static_cast<float>(organ.size_z);
   const float away = cells * organ.voxel_edge_m + std::fabs(through.x - organ.origin_m.x) +

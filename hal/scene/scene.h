@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene: one TOML file that says what is run and how. Every key is listed in hal/scene/README.md.
 //
-// Promise: an unknown key, a wrong type, a missing or an impossible value throws SceneError with
-// one line "file:line: key: value: what is allowed". May allocate; never called from the loop.
-// Units: the file's are in its keys, the struct's are SI.
+// Promise: an unknown key, a wrong type, a missing or impossible value throws SceneError with one
+// line "file:line: key: value: what is allowed". May allocate; never called from the loop.
+// Units: those of the file are in its keys, those of the struct are SI.
 #pragma once
 
 #include <cstdint>
@@ -29,27 +29,27 @@ struct SceneError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Where the needle starts and where it goes: along `direction`, through a point of the organ.
+// Where the needle starts and where it goes: along `direction`, through a point in the organ.
 struct Approach {
   Vec3 direction = {1, 0, 0};     // unit length
-  std::optional<Vec3> through_m;  // none: the centroid of the organ's voxels
-  float start_m = 0.01F;          // tip outside the surface
+  std::optional<Vec3> through_m;  // nullopt: the centroid of the organ's voxels
+  float start_m = 0.01F;          // distance of the tip from the surface
 };
 
 // Who holds a needle, where it starts, and what keeps the hand safe.
 struct Hand {
   Approach approach;
   std::string device = "simulated";  // or "steered", "replay", "attached"
-  std::string replay_path;           // device "replay"
-  std::string uri;                   // device "attached": see devices.h
-  DeviceModel model;                 // its numbers, or those of the scene's own keys
+  std::string replay_path;           // for device "replay"
+  std::string uri;                   // for device "attached": see devices.h
+  DeviceModel model;                 // with the scene's own numbers where it has any
   DeviceInfo limits = {"simulated hand", 8, 2000, 0};
   GuardConfig guard;
   CouplingConfig coupling;
   GripConfig grip;
   SimulatedHandConfig hand;
   std::vector<Waypoint> waypoints;
-  SteeringConfig steering;  // device "steered"; targets in the world
+  SteeringConfig steering;  // for device "steered"; targets in the world
 };
 
 struct Scene {
@@ -59,32 +59,32 @@ struct Scene {
   Config config;
   std::vector<ObstacleConfig> obstacles;
   std::vector<std::string> hulls;  // files of obstacles
-  std::vector<Target> targets;     // for the score alone
+  std::vector<Target> targets;     // only for the score
   int rt_priority = 80;
-  int cpu = -1;               // -1: the last isolated one, else the last the process may use
-  std::uint32_t threads = 1;  // of the tissue step: the loop's, and the rest help it
+  int cpu = -1;               // -1: the last isolated one, else the last that the process may use
+  std::uint32_t threads = 1;  // of the tissue step: the loop's thread and its helpers
   std::uint32_t hash_every_ticks = 1000;
-  std::vector<Hand> hands = {Hand{}};  // of each needle
+  std::vector<Hand> hands = {Hand{}};  // one for each needle
 };
 
-// The needle is held by the device of this URI, whatever the scene says.
+// Makes the device of this URI hold the needle, whatever the scene says.
 void attach(Hand& hand, const std::string& uri);
-// What an open device cannot do, the hand does not ask of it; and the guard's thresholds are those
-// of the device that is there: the scene's count where they are stricter. What was taken from
-// where, in words.
+// Reduces what the hand asks of an open device to what the device can do. The guard's thresholds
+// become those of that device, or the scene's where they are stricter. Returns in words what was
+// taken from where.
 std::string fit_to_device(const DeviceInfo& info, Hand& hand);
 
-// The first `held` needles will be held by devices (attach), whatever the scene says: their hands
-// need no script.
+// The first `held` needles will be held by devices (attach), whatever the scene says, so their
+// hands need no script.
 Scene read_scene(const std::string& path, std::size_t held = 0);
 // `file` is only for messages.
 Scene parse_scene(std::string_view text, const std::string& file, std::size_t held = 0);
-// Nothing but the targets of a scene, such as that of a recording, whose other files may be gone.
+// Only the targets of a scene, such as that of a recording, whose other files may be gone.
 std::vector<Target> parse_targets(std::string_view text, const std::string& file);
 
-// Start pose of a needle for an organ. Throws SceneError if the line misses the organ.
+// Start pose of a needle in an organ. Placing throws SceneError if the line misses the organ.
 struct Placement {
-  Course course;    // from the first point of the surface along the line
+  Course course;    // from where the line first meets the surface
   Mapping mapping;  // device at rest = needle's base at the start; device -z = direction
 };
 Placement place_needle(const Scene& scene, const Organ& organ, std::uint32_t needle = 0);

@@ -10,8 +10,8 @@
 namespace stylet::hal {
 namespace {
 
-// Lists are put together here: toml++ 3.3 writes them too, but first takes the logarithm of each
-// number for its width, which no integer holds for numbers below 1.
+// Lists are written here: toml++ 3.3 can write them too, but for the width it first converts the
+// logarithm of each number to an integer, which cannot hold it for numbers below 1.
 std::string value_text(const toml::node& node) {
   if (node.is_table()) return "a table";
   if (const toml::array* list = node.as_array()) {
@@ -24,7 +24,7 @@ std::string value_text(const toml::node& node) {
   return out.str();
 }
 
-// What is quoted from a scene may hold line ends and other control characters.
+// Text quoted from a scene may contain line ends and other control characters.
 std::string one_line(std::string text) {
   const auto control = [](unsigned char c) { return c < ' '; };
   std::replace_if(text.begin(), text.end(), control, '?');

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // One table of a TOML file, read key by key and checked.
 //
-// Promise: whatever is wrong throws SceneError with one line "file:line: key: value: what is
+// Promise: every error throws SceneError with one line "file:line: key: value: what is
 // allowed"; finish() refuses keys that nobody asked for. Units: the file's.
 #pragma once
 
 #include <fmt/format.h>
-// The library asserts what it then reports as an error, for a header such as "[(]".
+// The library asserts what it then reports as an error, for example with a header such as "[(]".
 #define TOML_ASSERT(expression) static_cast<void>(0)
 #include <toml++/toml.h>
 
@@ -21,14 +21,14 @@
 
 namespace stylet::hal {
 
-// Throws SceneError where the text is not TOML.
+// Throws SceneError if the text is not TOML.
 toml::table parse_toml(std::string_view text, const std::string& file);
-// Whole file as text; `kind` is for the message where it cannot be read.
+// The whole file as text; `kind` is for the message if it cannot be read.
 std::string read_text(const std::string& path, const char* kind);
 
 class Section {
  public:
-  // `file` and `table` must outlive the section; no table: every key is missing.
+  // `file` and `table` must outlive the section. Without a table every key is missing.
   Section(const std::string& file, const toml::table* table, std::string name)
       : file_(file), table_(table), name_(std::move(name)) {}
 
@@ -53,7 +53,7 @@ class Section {
     return node == nullptr ? fallback : list<N>(key, *node, low, high);
   }
 
-  // A list of `least` to `most` points; none if the key is missing.
+  // A list of `least` to `most` points; empty if the key is missing.
   std::vector<std::array<double, 3>> points(const std::string& key, std::size_t least,
                                             std::size_t most, double low, double high);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene's targets, and what an attempt at them came to, on their way to another process.
+// Writes a scene's targets and the score of an attempt for another process, and reads them back.
 #pragma once
 
 #include "hal/base/packing.h"
@@ -18,7 +18,7 @@ inline void unpack_target(Unpacker& unpacker, Target& target) {
   unpacker.get(target.forbidden);
 }
 
-// Way: a Packer's or an Unpacker's.
+// `Way` is a Packer's or an Unpacker's function.
 template <typename Way>
 void visit_score(Way way, Score& score) {
   way(score.duration_s);

@@ -8,23 +8,23 @@
 namespace stylet::hal {
 namespace {
 
-constexpr double kSpeedWindowS = 0.025;    // over which the tip's speed is taken
-constexpr double kSlowShare = 0.1;         // of the fastest: the hand has stopped
-constexpr double kRestingShare = 0.03;     // of the fastest: and has not begun to move
-constexpr double kCreepShare = 0.003;      // of the fastest: it does not move
+constexpr double kSpeedWindowS = 0.025;    // over which the tip's speed is averaged
+constexpr double kSlowShare = 0.1;         // of the fastest: below it the hand has stopped
+constexpr double kRestingShare = 0.03;     // of the fastest: below it the hand has not started
+constexpr double kCreepShare = 0.003;      // of the fastest: below it the hand does not move
 constexpr double kPunctureWindowS = 0.05;  // in which the force falls after the puncture
-constexpr double kShortestStageS = 0.1;    // of those told apart by speed
-constexpr double kSlopeRangeM = 1e-3;      // less change of depth gives no slope
-constexpr double kSteadyShare = 0.9;       // of the median speed: the tip keeps its pace
+constexpr double kShortestStageS = 0.1;    // of stages told apart by speed
+constexpr double kSlopeRangeM = 1e-3;      // a smaller change of depth gives no slope
+constexpr double kSteadyShare = 0.9;       // of the median speed: above it the tip keeps its pace
 constexpr double kSettleS = 0.3;           // in which the tissue takes up a new pace
-// Of a shaft that slides, the tip's way through the tissue, of its way, over so much of it: a voxel
-// or more, within which depth is uneven. Where tissue is soft the turn of the friction takes it
-// along for many mm, a part of the shaft after the other.
+// For a sliding shaft: the tip's way through the tissue over the tip's own way, taken over this
+// length, which is a voxel or more because depth is uneven within one. In soft tissue a change of
+// direction carries tissue along for many mm, because the shaft begins to slide part after part.
 constexpr float kSlideWindowM = 5e-3F;
-constexpr double kSlideShare = 0.9;   // of what the phase reaches
-constexpr double kLeastSlide = 0.75;  // less of it is no sliding: tissue is still taken along
-constexpr double kMostSlide = 1.5;    // more: tissue comes back, as after a puncture
-constexpr double kFeltN = 0.02;       // less is not felt (GUARD.md), and a share of it nothing
+constexpr double kSlideShare = 0.9;   // of what the stage reaches
+constexpr double kLeastSlide = 0.75;  // below it nothing slides: tissue is still carried along
+constexpr double kMostSlide = 1.5;    // above it tissue comes back, as after a puncture
+constexpr double kFeltN = 0.02;       // less is not felt (GUARD.md), nor is a fraction of it
 
 bool inside(Phase phase) {
   return phase == Phase::kInserted || phase == Phase::kRetracting;
@@ -40,7 +40,7 @@ double speed(std::span<const TrackPoint> track, std::size_t from, std::size_t to
   return to > from ? way / (static_cast<double>(to - from) * period_s) : 0.0;
 }
 
-// Motion of the tip, looked at over a window of ticks.
+// Motion of the tip over a window of ticks.
 struct Motion {
   std::span<const TrackPoint> track;
   std::size_t window;
@@ -57,9 +57,9 @@ Motion motion_of(std::span<const TrackPoint> track, double period_s) {
   return motion;
 }
 
-// Still if the tip will be slow a moment after, or was all but resting a moment before: so a hold
-// begins where the hand stops, though it creeps while the force relaxes, and ends with the last
-// resting tick: no force of retraction counts as hold.
+// Still if the tip will be slow a moment later, or was almost at rest a moment before. So a hold
+// begins where the hand stops, though the tip creeps while the force relaxes, and ends at the last
+// tick at rest: no force of retraction counts as hold.
 Stage stage_inside(const Motion& motion, std::size_t i) {
   const std::size_t low = i > motion.window ? i - motion.window : 0;
   const std::size_t high = std::min(i + motion.window, motion.track.size() - 1);
@@ -71,7 +71,7 @@ Stage stage_inside(const Motion& motion, std::size_t i) {
   return (high > i ? after : before) > 0 ? Stage::kInsertion : Stage::kRetraction;
 }
 
-// The stage of every tick on its own, the puncture as the fall of the force after the entry.
+// The stage of each tick by itself; the puncture is where the force falls after the entry.
 std::vector<Stage> classify(std::span<const TrackPoint> track, double period_s) {
   std::vector<Stage> stages(track.size(), Stage::kApproach);
   const Motion motion = motion_of(track, period_s);
@@ -93,7 +93,7 @@ std::vector<Stage> classify(std::span<const TrackPoint> track, double period_s) 
       }
       stages[i] = stage_inside(motion, i);
     } else if (phase == Phase::kContact) {
-      // A tip that grazes the surface on its way out is leaving, not arriving.
+      // a tip that grazes the surface on its way out is leaving, not arriving
       const bool leaving = was_inside && stage_inside(motion, i) == Stage::kRetraction;
       stages[i] = leaving ? Stage::kExit : Stage::kContact;
     } else {
@@ -108,8 +108,8 @@ bool opposite(Stage a, Stage b) {
          (a == Stage::kRetraction && b == Stage::kInsertion);
 }
 
-// A hand behind a soft spring draws at the tip long before friction lets it go. So a hold between
-// two ways ends where the tip begins to creep along the second one, not where it is quick.
+// A hand behind a soft spring pulls at the tip long before friction lets it go. So a hold between
+// two motions ends where the tip begins to creep along the second one, not where it becomes fast.
 void end_holds_at_the_turn(std::span<const TrackPoint> track, double period_s,
                            std::vector<Stage>& stages) {
   const Motion motion = motion_of(track, period_s);
@@ -129,7 +129,7 @@ void end_holds_at_the_turn(std::span<const TrackPoint> track, double period_s,
   }
 }
 
-// A stage told by speed that is shorter than a person would call one joins the one before it.
+// A stage found by speed that is too short for a person to call it one joins the one before it.
 void merge_short(std::vector<Stage>& stages, double period_s) {
   const auto shortest = static_cast<std::size_t>(kShortestStageS / period_s);
   std::size_t begin = 0;
@@ -145,9 +145,9 @@ void merge_short(std::vector<Stage>& stages, double period_s) {
   }
 }
 
-// The part in which force follows depth alone: the tip keeps its pace and the tissue has taken it
-// up. Without it the recoil after the puncture, the turn of the friction at the start of a
-// retraction and the slowing hand at the end each tilt the line by percents.
+// The part in which force depends on depth alone: the tip keeps its pace and the tissue has taken
+// it up. Other parts would tilt the line by percents: the recoil after the puncture, the reversal
+// of friction when a retraction starts and the slowing hand at the end.
 std::span<const TrackPoint> steady_part(std::span<const TrackPoint> part, double period_s) {
   const auto half = static_cast<std::size_t>(0.5 * kSpeedWindowS / period_s) + 1;
   if (part.size() <= 2 * half) return {};
@@ -167,11 +167,11 @@ std::span<const TrackPoint> steady_part(std::span<const TrackPoint> part, double
                       length - settle);
 }
 
-// The first point from which on the shaft slides to the end; the size of the part if it does not.
+// The first point from which the shaft slides to the end; the size of the part if there is none.
 std::size_t sliding_from(std::span<const TrackPoint> part) {
   struct Window {
     std::size_t end;
-    double share;  // of the tip's way
+    double share;  // of the tip's own way
   };
   std::vector<Window> windows;
   std::vector<double> shares;

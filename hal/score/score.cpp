@@ -25,7 +25,7 @@ double distance(Vec3 a, Vec3 b) {
   return size(minus(a, b));
 }
 
-// Of a point to the way between two ticks: a fast tip does not leap over a small target.
+// Distance of a point to the way between two ticks: so a fast tip cannot skip a small target.
 double distance_to_way(Vec3 point, Vec3 from, Vec3 to) {
   const Wide way = minus(to, from), off = minus(point, from);
   const double length2 = dot(way, way);
@@ -90,7 +90,7 @@ Score Scorer::score() const {
 }
 
 void Scorer::measure(Tip& tip, Vec3 tip_m, bool in_tissue) {
-  if (in_tissue != tip.in_tissue) {  // what was begun on the other side ends at the surface
+  if (in_tissue != tip.in_tissue) {  // what began on the other side ends at the surface
     const double rest_m = distance(tip.ruler_m, tip.last_m);
     score_.path_m += rest_m;
     if (tip.in_tissue) score_.depth_path_m += rest_m;
@@ -107,7 +107,7 @@ void Scorer::measure(Tip& tip, Vec3 tip_m, bool in_tissue) {
 void Scorer::watch_turns(Tip& tip, double travel_m, bool in_tissue) {
   tip.furthest_m = std::max(tip.furthest_m, travel_m);
   tip.nearest_m = std::min(tip.nearest_m, travel_m);
-  if (!in_tissue) tip.furthest_m = travel_m;  // a way back outside is no withdrawal
+  if (!in_tissue) tip.furthest_m = travel_m;  // a way back outside is not a withdrawal
   if (!tip.withdrawn && travel_m <= tip.furthest_m - kWithdrawalM) {
     ++score_.withdrawals;
     tip.withdrawn = true;

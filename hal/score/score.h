@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an attempt came to: how long, which way, how deep into what, how near to the targets, with
-// what force. Of all needles together.
+// Scores an attempt, over all needles together: how long it took, the way, how deep into what, how
+// near to the targets, and with what force.
 //
-// Targets are places in the organ at rest: they are no physics, never reach the kernel and do not
-// move with the tissue. Promises: add() allocates nothing and takes bounded time; the same records
-// and events in any order of needles give the same score. Units: SI. Frame: world.
+// Targets are positions in the organ at rest: they are not physics, never reach the kernel and do
+// not move with the tissue. Promises: add() allocates nothing and takes bounded time; the same
+// records and events, in any order of needles, give the same score. Units: SI. Frame: world.
 #pragma once
 
 #include <array>
@@ -19,64 +19,64 @@
 
 namespace stylet::hal {
 
-constexpr std::size_t kMaxTargets = 32;          // of a scene; more: it is refused
+constexpr std::size_t kMaxTargets = 32;          // in a scene; more are refused
 constexpr std::size_t kMaxScoredPunctures = 64;  // kept of an attempt; more are only counted
-// Ruler that the tip's way is measured with: noise of a device below it is no way. A sharp turn
-// loses at most two of it.
+// Step in which the tip's way is measured: smaller motions count as noise of the device. A sharp
+// turn loses at most two of these steps.
 constexpr double kRulerM = 1e-4;
-// Way back that makes a withdrawal, and way in again before the next one counts.
+// Way back that counts as a withdrawal, and way in again that must come before the next one.
 constexpr double kWithdrawalM = 1e-3;
 
 struct Target {
   std::string name;
   Vec3 position_m = {};
   float radius_m = 0;
-  bool forbidden = false;  // a zone to keep out of
+  bool forbidden = false;  // a zone that must not be entered
 };
 
 struct PunctureScore {
   std::uint64_t tick;
   std::uint32_t needle;
-  std::uint32_t layer;  // material of the organ
+  std::uint32_t layer;  // index of the organ's material
   float force_n;        // along the shaft
 };
 
 struct TargetScore {
-  // Of a tip to its centre, ever; to a forbidden zone's also of the shaft, straight from the hand
-  // to the tip: a bent needle's is its chord.
+  // Least distance ever between a tip and its centre. For a forbidden zone also of the shaft, taken
+  // as straight from hand to tip: for a bent needle this is its chord.
   float closest_m = std::numeric_limits<float>::infinity();
-  bool reached = false;  // a tip was inside; of a forbidden zone, that it was touched
+  bool reached = false;  // a tip was inside; for a forbidden zone: it was touched
 };
 
 struct Score {
   double duration_s = 0;
-  double path_m = 0;        // way of the tips
-  double depth_path_m = 0;  // the part of it in tissue
+  double path_m = 0;        // way of all tips
+  double depth_path_m = 0;  // the part of the way that was in tissue
   std::uint64_t puncture_count = 0;
   std::vector<PunctureScore> punctures;  // the first kMaxScoredPunctures
-  std::uint32_t withdrawals = 0;         // turns from in to out along the course, in tissue
-  std::vector<TargetScore> targets;      // as in the scene
+  std::uint32_t withdrawals = 0;         // turns from in to out, along the course, in tissue
+  std::vector<TargetScore> targets;      // in the order of the scene
   float peak_force_n = 0;                // on the hand
-  float peak_lateral_n = 0;              // the part of it across the course
+  float peak_lateral_n = 0;              // the part of the force across the course
   double mean_force_n = 0;               // while in tissue
   std::uint32_t faults = 0;              // latched by a guard
 };
 
 class Scorer {
  public:
-  // `courses`: of each needle.
+  // `courses`: one for each needle.
   Scorer(std::span<const Target> targets, std::span<const Course> courses, double period_s);
   void add(const TickRecord& record);
   void add(const Event& event);
   Score score() const;
 
  private:
-  // A needle's tip on its way.
+  // Follows the motion of one needle's tip.
   struct Tip {
     Course course = {};
     bool seen = false;
     Vec3 last_m = {};
-    Vec3 ruler_m = {};  // its last whole place
+    Vec3 ruler_m = {};  // where the last whole step ended
     bool in_tissue = false;
     double furthest_m = 0, nearest_m = 0;  // along the course, since the last turn
     bool withdrawn = false;
@@ -91,9 +91,9 @@ class Scorer {
   std::vector<Target> targets_;
   std::array<Tip, kMaxNeedles> tips_;
   double period_s_;
-  Score score_;  // without what only the end tells
+  Score score_;  // without what is known only at the end
   std::uint64_t ticks_ = 0, tissue_ticks_ = 0;
-  double tissue_force_n_ = 0;  // sum
+  double tissue_force_n_ = 0;  // a sum
 };
 
 }  // namespace stylet::hal

@@ -26,9 +26,9 @@
 namespace stylet::hal {
 namespace {
 
-// ==== The vendor's interface, as far as it is used: below zero is an error, above is none
+// ==== The part of the vendor's interface that is used: negative values are errors, others are not
 
-constexpr int kTimeGuard = 1;  // what was read a moment ago, without asking the device
+constexpr int kTimeGuard = 1;  // uses what was read a moment ago, without asking the device
 constexpr int kStatusReset = 3, kStatusForce = 5, kStatusForceOffCause = 14;
 constexpr std::size_t kStatusRoom = 64;  // the array has grown over the years
 constexpr unsigned char kWatchdog = 80;  // times 125 us
@@ -58,7 +58,7 @@ struct Api {
   int (*serial)(unsigned short*, char);
 };
 
-// Of the rest, every version has another choice.
+// Of the other functions, each version has a different selection.
 Api load() {
   const VendorLibrary library("dhd", "STYLET_LIBDHD", {"libdhd.so.3", "libdhd.so", "libdrd.so.3"});
   Api api = {};
@@ -92,8 +92,8 @@ const Api& dhd() {
   return *the_only;
 }
 
-// Which of ours the vendor's numbers mean; of left-handed ones likewise. Beyond sigma.7 the numbers
-// are those of newer arms, none of which is weaker.
+// Which of our models the vendor's numbers mean, left-handed ones too. Beyond sigma.7 the numbers
+// belong to newer arms, none of which is weaker.
 struct Kind {
   int lowest_type, highest_type;
   const char* model;
@@ -103,13 +103,13 @@ constexpr std::array kKinds = {Kind{33, 33, "omega.3"}, Kind{34, 34, "omega.6"},
                                Kind{37, 37, "omega.7"}, Kind{60, 60, "falcon"},
                                Kind{63, 64, "delta.6"}, Kind{104, 206, "sigma.7"}};
 constexpr float kShare = 0.9F;
-constexpr float kTorqueNm = 0.1F;  // a careful guess
+constexpr float kTorqueNm = 0.1F;  // a cautious guess
 
-// Why the relay failed: causes of the device as they are counted there, and our own.
+// Why the relay failed: the device's own causes as numbered there, and ours.
 constexpr std::uint32_t kNoAnswer = 100, kStalled = 101;
 constexpr int kMostErrorsInARow = 5;
 constexpr std::int64_t kPollNs = 500'000;
-constexpr std::chrono::milliseconds kThreadTime(200);  // a poll takes less, unless it hangs
+constexpr std::chrono::milliseconds kThreadTime(200);  // a poll takes less time, unless it hangs
 constexpr std::uint64_t kPollsBetweenStatus = 20;
 
 struct DhdDevice {
@@ -117,7 +117,7 @@ struct DhdDevice {
   DeviceThread thread;
   Supervisor supervisor;
   char id = -1;
-  bool watchdog = false;  // its firmware ends the force of a thread that is late
+  bool watchdog = false;  // its firmware ends the force if our thread is late
   bool has_frame = false;
   std::string name, serial;
   DeviceInfo info = {};
@@ -158,7 +158,7 @@ int apply(const Api& api, const DhdDevice& device, const MotorReport& order) {
   return api.set_all(f.x, f.y, f.z, t.x, t.y, t.z, 0, device.id);
 }
 
-// Forces that were on and are off now have a cause; they must not come back by themselves.
+// If forces were on and now are off there is a cause; they must not come back by themselves.
 void look_at_status(const Api& api, DhdDevice& device) {
   std::array<int, kStatusRoom> status = {};
   if (api.status(status.data(), device.id) < 0) return;
@@ -182,7 +182,7 @@ void poll(DhdDevice& device) {
   device.errors_in_a_row = read < 0 || written < 0 ? device.errors_in_a_row + 1 : 0;
   if (device.errors_in_a_row >= kMostErrorsInARow) {
     device.relay.fail(kNoAnswer);
-    (void)api.enable_force(0, device.id);  // one of its calls may come through
+    (void)api.enable_force(0, device.id);  // one of its calls may succeed
   }
   const std::uint64_t polls = 1 + device.polls.fetch_add(1, std::memory_order_relaxed);
   if (polls % kPollsBetweenStatus == 0) look_at_status(api, device);
@@ -239,8 +239,8 @@ void wait_for_sample(const DhdDevice& device, double patience_s) {
   }
 }
 
-// Enabled by us, they still are off until its own button is pressed: a run without them looks like
-// one in air.
+// After we enable forces they stay off until the device's button is pressed: a run without forces
+// would look like one in air.
 void wait_for_forces(const DhdDevice& device, const std::string& index, double patience_s) {
   const Patience patience(patience_s);
   while (!device.force_was_on.load()) {
@@ -259,7 +259,7 @@ void close(void* self) {
   const std::unique_ptr<DhdDevice> device(static_cast<DhdDevice*>(self));
   device->relay.end();
   std::this_thread::sleep_for(kFadeTime);
-  // Where it hangs, the motors are cut from here, before we hang with it.
+  // If it hangs, the motors are cut from here, before we hang as well.
   if (!device->thread.stops_within(kThreadTime)) (void)dhd().enable_force(0, device->id);
   device->supervisor.stop();
   device->thread.stop();
@@ -294,7 +294,7 @@ bool set_watchdog(const Api& api, char id, unsigned char periods) {
   return expert && api.set_watchdog != nullptr && api.set_watchdog(periods, id) >= 0;
 }
 
-// It is thread-safe, by the vendor's manual: the one call that reaches motors whose thread hangs.
+// Thread-safe, says the vendor's manual: the one call that reaches motors whose thread hangs.
 void supervise(DhdDevice& device) {
   device.supervisor.start(
       device.polls, [] { return false; },
@@ -340,7 +340,7 @@ Device open_force_dimension(const std::string& index, double patience_s) {
     device->relay.limits = motor_limits(device->info);
     wait_for_calibration(api, device->id, patience_s);
     if (api.set_gravity != nullptr) (void)api.set_gravity(1, device->id);
-    // The seventh axis: a gripper that is closed is button 0. Refused where there is none.
+    // The seventh axis: a closed gripper counts as button 0. Refused if there is no gripper.
     if (api.emulate_button != nullptr) (void)api.emulate_button(1, device->id);
     device->watchdog = set_watchdog(api, device->id, kWatchdog);
     if (api.enable_force(1, device->id) < 0) {

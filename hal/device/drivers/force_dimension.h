@@ -19,7 +19,7 @@ namespace stylet::hal {
 
 // Empty `index`: the default device. Waits up to patience_s for a calibrated device.
 Device open_force_dimension(const std::string& index, double patience_s);
-// Empty: the library is there. Else why not, in one line.
+// Empty: the library is there. Else one line that says why not.
 std::string force_dimension_missing();
 // Whether the default device accepts a watchdog: opens it without forces, and closes it. False also
 // if the library cannot set one; nullopt: there is no library, or no device that is free.

@@ -38,17 +38,17 @@ constexpr std::uint32_t kNoAnswer = 1, kDeviceGone = 2, kBrake = 3;
 constexpr const char* kExpected =
     "expected nothing, ID, or ID@ADDRESS:PORT, and then ,grip=ID ,gate=0.3 ,damping=0 or "
     ",events=10020";
-// After the commas of a URI. What the service makes of a force: the gate takes some of it where it
-// sees oscillation, damping resists motion. Damping is the kernel's business, so it is none unless
-// asked for; the gate is a net of the service's own and stays as it is.
+// Options after the commas of a URI: what the service does to a force. The gate removes some of it
+// when it sees oscillation, damping resists motion. Damping is the kernel's business, so there is
+// none unless asked for; the gate is a safety net of the service and stays as it is.
 struct Wishes {
-  double gate = -1;  // below zero: as the service has it
+  double gate = -1;  // negative: as the service has it
   double damping = 0;
   unsigned short events = 10020;
   std::string grip;  // an id, or "none"; empty: the only one
 };
 
-// Devices and grips that this program holds: no two needles share one, so that a button held for
+// Devices and grips that this program holds: no two needles share one, so that a button pressed for
 // one hand never arms the other.
 class Claim {
  public:
@@ -59,7 +59,7 @@ class Claim {
   }
   Claim(const Claim&) = delete;
   Claim& operator=(const Claim&) = delete;
-  // False: somebody else has it.
+  // False: somebody else holds it.
   bool take(const std::string& key) {
     const std::lock_guard lock(mutex());
     if (!held().insert(key).second) return false;
@@ -72,7 +72,7 @@ class Claim {
   }
 
  private:
-  // Never destroyed: a device may outlive what is static.
+  // Never destroyed: a device may outlive static objects.
   static std::mutex& mutex() {
     static auto* const the_only = new std::mutex;
     return *the_only;
@@ -89,8 +89,8 @@ struct Haply {
   DeviceThread thread;
   HaplyConnection link;
   Wishes wishes;
-  std::string service;  // where
-  HaplyIds ids;         // for as long as it is open
+  std::string service;  // its address
+  HaplyIds ids;         // fixed for as long as it is open
   Claim device_claim, grip_claim;
   std::string identity;
   HaplyState state;
@@ -108,8 +108,8 @@ void exchange_once(Haply& haply) {
   const bool answered = tell(haply.link, force_message(haply.ids, force_n), message);
   haply.relay.written(monotonic_now_ns());
   if (!answered) haply.relay.fail(kNoAnswer);
-  if (haply.relay.failed()) return hang_up(haply.link);  // an event may have said so, too
-  if (message.is_discarded()) return;                    // not a message: the next one may be
+  if (haply.relay.failed()) return hang_up(haply.link);  // an event may have reported it, too
+  if (message.is_discarded()) return;                    // not a message: the next may be one
   if (take_state(message, haply.ids, haply.state)) {
     haply.rendered_n = static_cast<float>(haply.state.rendered_n);
     haply.relay.publish(haply.state.pose, haply.state.buttons, monotonic_now_ns());
@@ -119,16 +119,16 @@ void exchange_once(Haply& haply) {
   }
 }
 
-// Nothing leaves the thread: what cannot be handled is a device that does not answer.
+// No exception leaves the thread: what cannot be handled counts as a device that does not answer.
 void exchange(Haply& haply) try { exchange_once(haply); } catch (const std::exception&) {
   haply.relay.fail(kNoAnswer);
 }
 
-// In the thread of the events. What ends the device for the hand ends it for us, at once and by its
-// name; the rest is told when somebody asks.
+// Runs in the thread of the events. What ends the device for the hand ends it for us, at once, with
+// the event's name; other events are told when somebody asks.
 void hear(Haply& haply, const HaplyEvent& event) {
   if (!event.device_id.empty() && event.device_id != haply.ids.device) return;
-  if (event.warns) {  // first: who learns that it has failed asks why
+  if (event.warns) {  // first, because whoever sees the failure asks for its reason
     const std::lock_guard lock(haply.mutex);
     haply.warning = event.name + (event.message.empty() ? "" : ": " + event.message);
   }
@@ -179,7 +179,7 @@ std::string about(void* self) {
       haply.warning.empty() ? "" : ": " + haply.warning);
 }
 
-// Takes what is behind the commas off the URI's end.
+// Removes the options after the commas from the URI, and returns them.
 Wishes wishes_of(std::string& rest) {
   Wishes wishes;
   const std::string whole = rest;
@@ -226,7 +226,7 @@ std::string listed(const std::vector<std::string>& ids) {
   return all.empty() ? "none" : all;
 }
 
-// The one that is asked for, or the first that nobody here holds; from now on it and no other.
+// Takes the wanted device, or the first that nobody here holds; from now on no other.
 bool choose_device(Haply& haply, const json& message, const std::string& wanted) {
   for (const std::string& each : listed_devices(message)) {
     if (!wanted.empty() && each != wanted) continue;
@@ -237,7 +237,7 @@ bool choose_device(Haply& haply, const json& message, const std::string& wanted)
   return false;
 }
 
-// The one that is asked for, or the only one. Which of several is in which hand nobody can know.
+// Takes the wanted grip, or the only one. With several, nobody can know which is in which hand.
 void choose_grip(Haply& haply, const json& message, const std::string& rest) {
   const std::string& wanted = haply.wishes.grip;
   const std::string prefix = haply.service + "/grip/";
@@ -278,8 +278,8 @@ const char* no_answer(const Haply& haply, const json& newest) {
   return "the service answers no ping: expected a pong to each, as RFC 6455 (5.5.2) asks of it";
 }
 
-// The first message is the inventory; then one for each of ours, all with no force. What is listed
-// is what the last one lists that came whole.
+// The first message is the inventory; then one answer comes for each of ours, which have no force.
+// The list that counts is that of the last whole message.
 void wait_until_ready(Haply& haply, const std::string& wanted, const std::string& rest,
                       double patience_s) {
   const Patience patience(patience_s);
@@ -332,8 +332,8 @@ Device open_haply(const std::string& rest, double patience_s) try {
       [at = haply.get()](const HaplyEvent& event) { hear(*at, event); });
   haply->identity = fmt::format("{},grip={}", haply->ids.device,
                                 haply->ids.grip.empty() ? "none" : haply->ids.grip);
-  // Limits from the vendor's pages, kept low: the service does not tell. The rest is of a device
-  // that nothing is known of.
+  // Limits from the vendor's pages, chosen low, because the service does not tell them. All else is
+  // that of an unknown device.
   const DeviceInfo info = {.name = "Haply Inverse3",
                            .max_force_n = 5,
                            .max_slew_n_per_s = 1000,
@@ -347,7 +347,7 @@ Device open_haply(const std::string& rest, double patience_s) try {
   return device;
 } catch (const DeviceError&) {
   throw;
-} catch (const std::exception& error) {  // of a message that nobody thought of
+} catch (const std::exception& error) {  // caused by a message that nobody foresaw
   throw DeviceError(fmt::format("haply:{}: {}", rest, error.what()));
 }
 
@@ -369,7 +369,7 @@ std::string same_haply(const std::string& rest, const std::string& identity) {
 
 namespace {
 
-// Somebody listens on this port of this machine.
+// Whether somebody listens on this port of this machine.
 bool listens(std::uint16_t port) {
   const int probe = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   sockaddr_in address = {};

@@ -27,10 +27,10 @@ TimePoint within(Milliseconds longest) {
 
 namespace {
 
-constexpr int kMostUnasked = 16;  // messages besides an answer; more is a flood
+constexpr int kMostUnasked = 16;  // messages besides the answer; more count as a flood
 
-// Runs what was started; false: not done in time, or broken. Then the connection is closed, so that
-// what was started ends here, while what it writes to is still there.
+// Runs what was started. False: not done in time, or broken. Then the connection is closed, so that
+// what was started ends here, while the variables it writes to still exist.
 template <typename Done>
 bool finish(HaplyConnection& at, TimePoint end, Done done) {
   at.io.restart();
@@ -41,7 +41,7 @@ bool finish(HaplyConnection& at, TimePoint end, Done done) {
   return in_time;
 }
 
-// The next message into the buffer, whenever it comes.
+// Starts to read the next message into the buffer, whenever it comes.
 void listen(HaplyConnection& at) {
   if (at.reading || at.heard) return;
   at.reading = true;
@@ -65,7 +65,7 @@ bool send(HaplyConnection& at, const std::string& text, TimePoint end) {
   return finish(at, end, [&] { return done; });
 }
 
-// Each has a number of its own: a pong that nobody asked for is allowed, and says nothing.
+// Each ping has its own number: an unrequested pong is allowed, and says nothing.
 bool send_ping(HaplyConnection& at, TimePoint end) {
   bool done = false;
   const std::string number = std::to_string(++at.pings);
@@ -75,8 +75,8 @@ bool send_ping(HaplyConnection& at, TimePoint end) {
   return finish(at, end, [&] { return done; });
 }
 
-// Everything until the pong, and what is there already behind it: the newest counts. A service that
-// does not end to talk is none.
+// Reads everything up to the pong, and what is already there after it: the newest counts. A service
+// that never stops talking counts as none.
 bool hear_out(HaplyConnection& at, json& newest, TimePoint end) {
   for (int i = 0; i < kMostUnasked; ++i) {
     listen(at);

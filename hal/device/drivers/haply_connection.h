@@ -38,8 +38,8 @@ bool receive(HaplyConnection& at, nlohmann::json& message, TimePoint end);
 // Sends a message and then a ping. The service answers each message once, but may also speak
 // unasked, and an answer does not say which message it belongs to. A client that sent a new message
 // for each one received would get ahead of a slow service by one for each unasked message, and its
-// forces would grow old in the queue. The pong shows that the service has read all that was sent, so
-// at most one of our messages is ever on its way. `newest` is null if no message came.
+// forces would grow old in the queue. The pong shows that the service has read all we sent, so that
+// no more than one of our messages is ever on its way. `newest` is null if no message came.
 bool tell(HaplyConnection& at, const std::string& text, nlohmann::json& newest,
           Milliseconds longest = kAnswerTime);
 // Throws DeviceError; its text names `rest`, a part of the URI.

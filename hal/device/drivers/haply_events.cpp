@@ -21,7 +21,7 @@ namespace websocket = boost::beast::websocket;
 
 namespace {
 
-constexpr int kMostTries = 8;  // more than has been started
+constexpr int kMostTries = 8;  // more than the number of operations started
 
 std::string text(const json& object, const char* key) {
   const auto found = object.find(key);
@@ -80,7 +80,7 @@ struct HaplyEvents::Reader {
     boost::beast::error_code ignored;
     socket.next_layer().close(ignored);
     io.restart();
-    // Whatever had been started ends while what it points to is still there.
+    // All that has been started ends while what it points to still exists.
     for (int i = 0; i < kMostTries && !contained("haply", [this] { io.run(); }); ++i) {
     }
   }

@@ -72,7 +72,7 @@ bool vector(const json* object, UserFirst& out) {
   return number(object, "x", out.x) && number(object, "y", out.y) && number(object, "z", out.z);
 }
 
-// One that sleeps or has gone holds no button: a dead man's must not stay pressed.
+// A grip that sleeps or has gone presses no button: a dead man's button must not stay pressed.
 void take_grip(const json* grip, HaplyState& state) {
   state.buttons = 0;
   const json* status = part(grip, "status");

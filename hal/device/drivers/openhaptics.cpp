@@ -34,18 +34,18 @@ using namespace openhaptics;
 
 // ==== One library, one scheduler, several devices
 
-constexpr std::uint32_t kStalled = 1;  // beside the vendor's numbers
+constexpr std::uint32_t kStalled = 1;  // besides the vendor's numbers
 constexpr std::uint64_t kTicksBetweenCalibrations = 100;
-constexpr int kLastTurns = 20;  // of one that has failed, with zero force
-// What failed together comes back together: the first waits until the others have been tried, too.
-// Their next try is at most kLongestTryS away; the second more is for opening.
+constexpr int kLastTurns = 20;  // of a device that has failed, with zero force
+// Devices that failed together come back together: the first waits until the others were tried as
+// well. Their next try is at most kLongestTryS away; one more second is for opening.
 constexpr double kTogetherS = kLongestTryS + 1;
 constexpr auto kTogetherNs = static_cast<std::int64_t>(kTogetherS * 1e9);
 
 struct HdDevice {
   Relay relay;
-  std::string called;  // as it was opened
-  bool again = false;  // it had failed
+  std::string called;  // the name it was opened with
+  bool again = false;  // it is opened again after a failure
   std::atomic<bool> ready{false};
   int last_turns = kLastTurns;
   HdHandle handle = kInvalidHandle;
@@ -59,7 +59,7 @@ struct HdDevice {
 };
 
 struct Away {
-  std::int64_t last_ns = 0;  // try to open it again, or until the first the closing
+  std::int64_t last_ns = 0;  // last try to open it again; before the first, its closing
   bool tried = false;
 };
 
@@ -67,10 +67,10 @@ constexpr std::size_t kMaxDevices = 4;
 
 struct Hd {
   Api api = load();
-  std::mutex mutex;                 // opening and closing; never the servo
+  std::mutex mutex;                 // for opening and closing; never the servo
   std::atomic<bool> paused{false};  // the scheduler stands by our own order
   std::array<std::atomic<HdDevice*>, kMaxDevices> open{};
-  std::map<std::string, Away> away;  // closed after they had failed
+  std::map<std::string, Away> away;  // devices closed after they had failed
 };
 
 Hd& hd() {
@@ -85,9 +85,9 @@ void for_each_open(const Hd& all, Do act) {
   }
 }
 
-// The scheduler serves all devices, and takes no new one while it runs. What force there is fades
-// before it stands, in whichever hand, and comes back when somebody has acknowledged: the vendor's
-// manual does not say what standing motors do. The guard of another hand latches the silence, too.
+// The scheduler serves all devices, and accepts no new one while it runs. Before it stops, forces
+// fade, in every hand, and come back when somebody has acknowledged, because the vendor's manual
+// does not say what stopped motors do. The guard of another hand latches this silence as well.
 void pause(Hd& all) {
   bool any = false;
   for_each_open(all, [&any](HdDevice& each) {
@@ -108,7 +108,7 @@ bool any_open(const Hd& all) {
                      [](const auto& slot) { return slot.load() != nullptr; });
 }
 
-// The stack of errors is one for all devices; what names none of them is meant for `mine`.
+// All devices share one stack of errors; an error that names none of them is taken for `mine`.
 void drain_errors(HdDevice& mine) {
   Hd& all = hd();
   for (int i = 0; i < 16; ++i) {
@@ -123,8 +123,8 @@ void drain_errors(HdDevice& mine) {
   }
 }
 
-// Auto styles settle by themselves, an inkwell wants the stylus in it. In the vendor's thread:
-// nowhere else may the device be asked.
+// Auto styles settle by themselves; an inkwell needs the stylus in it. Runs in the vendor's thread:
+// the device may be asked nowhere else.
 void calibrate(const Api& api, HdDevice& device) {
   api.make_current(device.handle);
   const Enum state = api.check_calibration();
@@ -132,11 +132,11 @@ void calibrate(const Api& api, HdDevice& device) {
   device.calibration.store(state);
 }
 
-// In the vendor's thread, once a tick.
+// Runs in the vendor's thread, once a tick.
 unsigned int servo(void* self) {
   HdDevice& device = *static_cast<HdDevice*>(self);
   const Api& api = hd().api;
-  // One that has failed is left alone: its errors may take the time of another hand.
+  // A failed device is left alone: handling its errors may take time from another hand.
   if (device.relay.failed() && (device.relay.why() == kStalled || --device.last_turns < 0)) {
     device.last_turns = 0;
     device.ticks.fetch_add(1, std::memory_order_relaxed);
@@ -155,7 +155,7 @@ unsigned int servo(void* self) {
   api.end_frame(device.handle);
   device.relay.written(monotonic_now_ns());
   const std::uint64_t tick = device.ticks.fetch_add(1, std::memory_order_relaxed);
-  if (tick == 0) rise_above_the_loop();  // the vendor chose its thread's priority without ours
+  if (tick == 0) rise_above_the_loop();  // the vendor did not set its thread's priority by ours
   if (device.calibration.load() != kCalibrationOk && tick % kTicksBetweenCalibrations == 0) {
     calibrate(api, device);
   }
@@ -171,7 +171,7 @@ unsigned int servo(void* self) {
 
 // ==== Opening
 
-// The vendor reads numbers with a point, whatever the user's language writes.
+// The vendor parses numbers with a decimal point, but would follow the user's language.
 struct PointForNumbers {
   PointForNumbers() { std::setlocale(LC_NUMERIC, "C"); }
   ~PointForNumbers() { std::setlocale(LC_NUMERIC, before.c_str()); }
@@ -189,8 +189,8 @@ void read_capability(const Api& api, HdDevice& device) {
   device.serial = string_of(api, kSerialNumber);
   const DeviceModel* known = recognise_device_model(device.model);
   if (device.model.empty()) device.model = "OpenHaptics device";
-  // What cannot be read, or is more than its kind can, is that of its kind; of an unknown kind the
-  // most careful of all we know.
+  // A value that cannot be read, or exceeds what its model can do, is replaced by the model's; for
+  // an unknown model by the most careful of all known ones.
   const DeviceModel& model = known != nullptr ? *known : unknown_device_model();
   const auto read = [known](double value, double possible, float models) {
     const double most = known != nullptr ? static_cast<double>(models) : possible;
@@ -200,7 +200,7 @@ void read_capability(const Api& api, HdDevice& device) {
   force = read(force, 40, model.max_force_n);
   stiffness = read(stiffness, 10, 1e-3F * model.max_stiffness_n_per_m);
   continuous = std::min(force, read(continuous, 40, model.continuous_force_n));
-  constexpr double kShare = 0.9;  // of what it can do at most
+  constexpr double kShare = 0.9;  // of the most it can do
   device.info = {.name = device.model.c_str(),
                  .max_force_n = static_cast<float>(kShare * force),
                  .max_slew_n_per_s = 1000,
@@ -211,8 +211,8 @@ void read_capability(const Api& api, HdDevice& device) {
   forget_errors(api);
 }
 
-// The vendor's thread may stop for good with a force in the motors: then nothing but disabling the
-// device takes it out.
+// The vendor's thread may hang for good with a force in the motors; then only disabling the device
+// removes it.
 void supervise(HdDevice& device) {
   device.supervisor.start(
       device.ticks, [] { return hd().paused.load(); },
@@ -244,8 +244,8 @@ void wait_until_ready(const HdDevice& device, const std::string& name, double pa
   }
 }
 
-// Nobody can acknowledge this one before the others have been tried: once it is in use, they could
-// not be opened any more. One that fails meanwhile waits no longer: the others wait for it.
+// Nobody can acknowledge this device before the others were tried: once it is in use, the others
+// cannot be opened any more. A device that fails meanwhile waits no longer: the others wait for it.
 void wait_for_the_others(Hd& all, const HdDevice& mine) {
   const auto some_come = [&all, back_ns = monotonic_now_ns()] {
     const std::lock_guard lock(all.mutex);
@@ -294,7 +294,7 @@ std::string trouble(void* self) {
                      remedy(relay.why()));
 }
 
-// The scheduler comes last: with it the forces are live.
+// The scheduler starts last: with it the forces become live.
 void start(Hd& all, HdDevice& device, int style) {
   const Api& api = all.api;
   api.make_current(device.handle);
@@ -446,7 +446,7 @@ bool modem_manager_runs(const HostTree& tree) {
 
 void search(const HostTree& tree, DeviceSighting& out) {
   Attached touch = find_usb(tree, kUsb);
-  touch.nodes.clear();  // the driver talks to a terminal or a raw HID
+  touch.nodes.clear();  // the driver talks to a terminal or a raw HID instead
   add_nodes(tree, "tty", kUsb, touch);
   add_nodes(tree, "hidraw", kUsb, touch);
   if (const std::string missing = openhaptics_missing(); !missing.empty()) {

@@ -58,7 +58,7 @@ const char* remedy(unsigned int code) {
 HdHandle init(const Api& api, const std::string& name) {
   std::vector<const char*> names = {nullptr, "Default Device", "Default PHANToM"};
   if (!name.empty()) names = {name.c_str()};
-  ErrorInfo error = {};  // the first: the other names are guesses
+  ErrorInfo error = {};  // of the first name: the other names are guesses
   for (const char* each : names) {
     forget_errors(api);
     const HdHandle handle = api.init_device(each);

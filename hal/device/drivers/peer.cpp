@@ -17,15 +17,15 @@
 namespace stylet::hal {
 namespace {
 
-constexpr std::int64_t kMostTimeNs = std::int64_t{1} << 60;  // 36 years, on any clock
+constexpr std::int64_t kMostTimeNs = std::int64_t{1} << 60;  // 36 years, the most on any clock
 constexpr std::uint64_t kMicrosecondsAnArming = 1'000'000 / 16;
 
-// Nothing of it is trusted: what makes no sense is not said.
+// A limit is not trusted: a value that makes no sense counts as not told.
 float told(float value, float most, float otherwise) {
   return value > 0 && value <= most ? value : otherwise;
 }
 
-// The limits of whom the first sample comes from.
+// The limits told by the sender of the first sample.
 DeviceInfo told_info(const SamplePacket& first, const DeviceInfo& otherwise) {
   const RenderLimits& limits = first.limits;
   DeviceInfo info = otherwise;
@@ -36,15 +36,15 @@ DeviceInfo told_info(const SamplePacket& first, const DeviceInfo& otherwise) {
   return info;
 }
 
-// When the force that a sample has seen was sent, or before; 0: that is not known.
+// When the force that a sample has seen was sent, or a time before; 0: unknown.
 std::int64_t echo_sent_ns(const PeerDevice& peer, const SamplePacket& packet) {
   const bool known = packet.echo > peer.first_sent && packet.echo <= peer.sent &&
                      peer.sent - packet.echo < kSentKept;
   return known ? peer.sent_ns[packet.echo % kSentKept] : 0;
 }
 
-// A newer sample was taken later, and after the force it has seen was sent, whatever the network
-// did: a time that says otherwise is one of a clock that was set.
+// Whatever the network does, a newer sample is taken later, and after the force it has seen was
+// sent: if its time says otherwise, the sender's clock was set.
 void follow_clock(PeerDevice& peer, const SamplePacket& packet, std::int64_t now_ns) {
   const std::int64_t offset_ns = now_ns - packet.t_ns;
   peer.offset_ns = std::min(peer.offset_ns, offset_ns);
@@ -64,7 +64,7 @@ void follow_clock(PeerDevice& peer, const SamplePacket& packet, std::int64_t now
   peer.clock_sets.fetch_add(1, std::memory_order_relaxed);
 }
 
-// True if it is the newest of the session that counts.
+// True if it is the newest sample of the session that counts.
 bool accept(PeerDevice& peer, const SamplePacket& packet, std::int64_t now_ns) {
   if (packet.t_ns < -kMostTimeNs || packet.t_ns > kMostTimeNs) return false;
   const bool another = packet.session != peer.newest.session;
@@ -88,7 +88,7 @@ bool accept(PeerDevice& peer, const SamplePacket& packet, std::int64_t now_ns) {
   return true;
 }
 
-// When the newest sample was taken, on our clock.
+// When the newest sample was taken, in time of our clock.
 std::int64_t taken_ns(const PeerDevice& peer) {
   return peer.newest.t_ns + peer.offset_ns;
 }
@@ -118,7 +118,7 @@ bool read(void* self, std::int64_t /*tick_ns*/, Sample& sample_out) {
   return true;
 }
 
-// What the hand has there. Nothing of it is trusted: more than it renders is not said.
+// The force that the hand has there. It is not trusted: more than the device renders is ignored.
 Vec3 felt_force(const PeerDevice& peer) {
   const Vec3 told = peer.newest.force_n;
   const float square = told.x * told.x + told.y * told.y + told.z * told.z;
@@ -127,8 +127,8 @@ Vec3 felt_force(const PeerDevice& peer) {
   return tells ? told : force_at(peer.model, peer.newest.pose.position_m);
 }
 
-// A force ends of itself when the sample it answers is too old, and when none comes through: the
-// other side's newest echo tells which came. One that never echoes does not tell.
+// A force ends by itself if the sample it answers is too old, or if no packet of ours arrives: the
+// newest echo tells which have arrived. A device that never echoes does not tell.
 bool motor(void* self, MotorReport& report_out) {
   const PeerDevice& peer = *static_cast<const PeerDevice*>(self);
   if (!peer.heard || peer.sent == peer.first_sent) return false;
@@ -145,8 +145,8 @@ bool is_none(Vec3 v) {
   return v.x == 0 && v.y == 0 && v.z == 0;
 }
 
-// The last forces of a fade end with it, though the network end meanwhile; and none lives longer
-// than it is ordered to.
+// The last forces of a fade end with the fade, even if the network fails meanwhile; and no force
+// lives longer than ordered.
 std::int64_t life_of(PeerDevice& peer, const Command& command) {
   if (!command.falls) peer.falls_ns = 0;
   if (command.falls && peer.falls_ns == 0) peer.falls_ns = peer.looked_ns;
@@ -206,7 +206,7 @@ std::string note(void* self) {
   return fmt::format("the clock of its samples was set ({}): their times are taken anew", sets);
 }
 
-// Why nobody has come, and what to do.
+// Why no device has come, and what to do.
 std::string nobody(const PeerDevice& peer, double patience_s) {
   if (peer.other_version == 0) {
     return fmt::format("no sample came in {:g} s: start the program that sends them", patience_s);
@@ -223,7 +223,7 @@ Device wait_for_peer(const Link& link, const std::string& uri, double patience_s
   peer->sent = static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch() /
                                           std::chrono::microseconds(1));
   peer->first_sent = peer->sent;
-  // Of the time of day, too; nobody acknowledges more often.
+  // Derived from the time of day as well; nobody acknowledges more often than this.
   peer->arming_base = static_cast<std::uint32_t>(peer->sent / kMicrosecondsAnArming);
   const Patience patience(patience_s);
   for (Sample sample; !read(peer.get(), 0, sample);) {

@@ -38,7 +38,7 @@ constexpr std::int64_t kDriftPart = 1000;
 // it looks for forces without its clock being doubted.
 constexpr std::int64_t kClockDoubtNs = 100'000'000;
 constexpr std::int64_t kClockSlackNs = 2'000'000;
-constexpr std::size_t kSentKept = 64;  // forces whose sending time is kept; an echo of older ones tells nothing
+constexpr std::size_t kSentKept = 64;  // forces whose time is kept; an echo of an older one says nothing
 
 struct PeerDevice {
   Link link;
@@ -51,7 +51,7 @@ struct PeerDevice {
   std::int64_t heard_ns = 0;               // arrival of the newest sample
   std::int64_t looked_ns = 0;              // when packets were last looked for
   std::int64_t offset_ns = 0;              // our clock less the sender's
-  std::int64_t doubt_ns = 0;               // since when that offset is impossible; 0: it is possible
+  std::int64_t doubt_ns = 0;               // since when that cannot be; 0: it can
   std::int64_t doubt_offset_ns = 0;        // the offset according to the samples since then
   std::uint64_t seq = 0;                   // of the samples passed on, over all sessions
   std::uint64_t sent = 0, first_sent = 0;  // packet numbers: newest, and the one before the first
@@ -60,7 +60,7 @@ struct PeerDevice {
   ForceModel model = {};                   // the model in the newest packet
   std::int64_t falls_ns = 0;               // since when the command only falls; 0: it does not
   std::int64_t echo_ns = 0;  // when an echo last showed a newer packet of ours; 0: never
-  std::array<std::int64_t, kSentKept> sent_ns = {};  // of the newest packets, not later than they were sent
+  std::array<std::int64_t, kSentKept> sent_ns = {};  // of the newest packets; or a time before
   SamplePacket newest;
   std::uint16_t other_version = 0;        // of packets that cannot be read
   std::atomic<bool> other_device{false};  // a session with other limits has tried to join

@@ -20,7 +20,7 @@ namespace stylet::hal {
 namespace {
 
 constexpr double kRate = 1 / kPointerFollowS;
-constexpr double kLongestStepS = 0.01;  // after a stall of the loop, as one tick of the longest
+constexpr double kLongestStepS = 0.01;  // after a stall of the loop: one tick of the longest period
 constexpr double kUnitTolerance = 0.01;
 
 using Vec = std::array<double, 3>;
@@ -32,11 +32,11 @@ struct Posted {
   std::uint32_t present;
 };
 
-// Between the page's threads and the loop.
+// Shared by the page's threads and the loop.
 struct Mailbox {
   std::mutex writers;
   std::uint32_t session = 0;
-  Posted last = {};  // present: the page is there
+  Posted last = {};  // if `present`, the page is there
   Latest<Posted> posts;
   std::atomic<bool> held{false};  // by an open device
 };
@@ -46,12 +46,12 @@ std::atomic<bool> g_served{false};
 struct Pointer {
   Mailbox* mailbox;
   Posted newest = {{{}, {1, 0, 0, 0}}, 0, 0, 0};
-  bool heard = false;  // there is a newest that counts
+  bool heard = false;  // there is a newest post that counts
   bool gone = false;
   std::int64_t heard_ns = 0, last_ns = 0;
   std::uint64_t seq = 0;
-  Vec offset_m = {};         // from the page's place to the device's
-  Quat turn = {1, 0, 0, 0};  // likewise
+  Vec offset_m = {};         // from the page's position to the device's
+  Quat turn = {1, 0, 0, 0};  // the same for the rotation
   Vec place_m = {}, velocity_m_per_s = {}, spin_rad_per_s = {};
   Quat rotation = {1, 0, 0, 0};
 };
@@ -73,7 +73,7 @@ bool usable(const Pose& pose) {
   return size(wide(pose.position_m)) <= kPointerReachM && std::fabs(norm - 1) <= kUnitTolerance;
 }
 
-// One step towards a rest at `error` from here: critically damped, at most `most` fast.
+// One step towards rest at distance `error`: critically damped, speed at most `most`.
 void pull(Vec& velocity, const Vec& error, double most, double dt_s) {
   for (std::size_t i = 0; i < 3; ++i) {
     velocity[i] += kRate * (kRate * error[i] - 2 * velocity[i]) * dt_s;
@@ -103,7 +103,7 @@ void follow(Pointer& p, double dt_s) {
   p.rotation = {q.w / norm, q.x / norm, q.y / norm, q.z / norm};
 }
 
-// The needle is taken up where it is.
+// The needle continues from where it is.
 void take_up(Pointer& p, const Posted& post) {
   const Vec told = wide(post.pose.position_m);
   for (std::size_t i = 0; i < 3; ++i) p.offset_m[i] = p.place_m[i] - told[i];
@@ -209,7 +209,7 @@ Device open_pointer(const std::string& rest, double /*patience_s*/) {
   auto pointer = std::make_unique<Pointer>();
   pointer->mailbox = &mailbox;
   Posted old;
-  (void)mailbox.posts.take(old);  // from before
+  (void)mailbox.posts.take(old);  // left over from before
   return {pointer.release(),
           {.name = "pointer on the page", .max_force_n = 0, .max_slew_n_per_s = 0},
           read,

@@ -15,7 +15,7 @@ struct Target {
   double turns;
 };
 
-// Turns since the start, `share` of the way from a to b.
+// Turns since the start, at the fraction `share` of the motion from a to b.
 double turns_at(const ScriptPoint& a, const ScriptPoint& b, double share) {
   const double due = share * (b.turns - a.turns);
   const double whole = std::trunc(due);
@@ -23,7 +23,7 @@ double turns_at(const ScriptPoint& a, const ScriptPoint& b, double share) {
   return a.turns + whole + std::clamp(part, -1.0, 1.0);
 }
 
-// Remembers the segment it was in: the script is only ever read forward.
+// Keeps the segment found last, because the script is only ever read forward.
 Target target_at(SimulatedHand& hand, double t_s) {
   const std::vector<ScriptPoint>& script = hand.script;
   while (hand.segment + 2 < script.size() && t_s >= script[hand.segment + 1].t_s) ++hand.segment;
@@ -42,7 +42,7 @@ double of(float value) {
   return static_cast<double>(value);
 }
 
-// Share of the velocity left where Coulomb friction takes up to `most`, and never more than all.
+// Fraction of the velocity left when Coulomb friction takes up to `most`, but not more than all.
 double rubbed(const double (&velocity)[3], double most) {
   const double speed =
       std::sqrt(velocity[0] * velocity[0] + velocity[1] * velocity[1] + velocity[2] * velocity[2]);
@@ -81,7 +81,7 @@ void step(SimulatedHand& hand, const Target& target, double h) {
   hand.least_received_j = std::min(hand.least_received_j, hand.received_j);
 }
 
-// What the device tells of its place: as it was `delay_s` ago, to the nearest step.
+// The position that the device tells: that of `delay_s` ago, rounded to its resolution.
 Vec3 measured_m(const SimulatedHand& hand, std::uint64_t steps) {
   const double late = of(hand.config.device.delay_s) / hand.period_s * kHandStepsPerTick;
   const auto ago = static_cast<std::uint64_t>(std::clamp(late + 0.5, 0.0, kHandHistory - 1.0));

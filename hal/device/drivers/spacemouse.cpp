@@ -26,8 +26,8 @@
 namespace stylet::hal {
 namespace {
 
-// Packets are eight numbers; the answer to the greeting is one, if the daemon is new enough to
-// give it.
+// Packets are eight numbers; the answer to the greeting is one number, if the daemon is new enough
+// to send it.
 using Packet = std::array<std::int32_t, 8>;
 constexpr std::int32_t kGreeting = 0x7faa5501;
 constexpr std::int32_t kMotion = 0, kPress = 1, kRelease = 2, kDevice = 3, kDeviceRemoved = 1;
@@ -44,7 +44,7 @@ struct SpaceMouse {
   int socket = -1;
   std::array<char, sizeof(Packet)> partial = {};
   std::size_t have = 0;
-  bool greeted = false;  // the answer has come, or something that is none
+  bool greeted = false;  // the answer has come, or something else that is not one
   Packet motion = {};
   std::int64_t moved_ns = 0, now_ns = 0;
   std::uint32_t buttons = 0;
@@ -74,7 +74,7 @@ void take(SpaceMouse& mouse, const Packet& packet) {
   }
 }
 
-// Packets may come in pieces.
+// Packets may come in fragments.
 void take_bytes(SpaceMouse& mouse, const char* bytes, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     mouse.partial[mouse.have++] = bytes[i];
@@ -104,7 +104,7 @@ void listen(SpaceMouse& mouse) {
   }
 }
 
-// The daemon counts x right, y up, z away from the operator, and rotations about these three.
+// The daemon has x right, y up, z away from the operator, and rotations about these three.
 void move(SpaceMouse& mouse, double dt_s) {
   if (mouse.now_ns - mouse.moved_ns > kHoldNs) mouse.motion = {};
   const auto share = [&](std::size_t i, double sign) {

@@ -7,8 +7,8 @@
 namespace stylet::hal {
 namespace {
 
-constexpr double kReserve = 0.5;       // share of the opposite arc's reach that is kept
-constexpr double kDeadBandM = 0.3e-3;  // a miss not worth a roll
+constexpr double kReserve = 0.5;       // fraction of the opposite arc's reach that is kept
+constexpr double kDeadBandM = 0.3e-3;  // a smaller miss is not worth a roll
 
 struct Vec {
   double x, y, z;
@@ -29,7 +29,7 @@ Vec wide(Vec3 v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-// Where the bevel faces now, and the roll one step towards the wanted side.
+// The side the bevel faces now, and rolling by one step towards the wanted side.
 Vec side_of(const Steered& s) {
   return {s.roll_w * s.roll_w - s.roll_z * s.roll_z, 2 * s.roll_w * s.roll_z, 0};
 }
@@ -38,7 +38,7 @@ void roll(Steered& s) {
   const Vec side = side_of(s);
   const double along = side.x * s.wanted_x + side.y * s.wanted_y;
   const double across = side.x * s.wanted_y - side.y * s.wanted_x;
-  // Half the angle: exactly where it is in reach, else one step of the highest rate.
+  // Half of the angle: exact if within reach, else one step at the highest rate.
   const double most = 0.5 * static_cast<double>(s.config.roll_rad_per_s) * s.period_s;
   const double half = along > 0 ? across / (1 + along) : (across < 0 ? -1.0 : 1.0);
   const double step = std::clamp(half, -most, most);
@@ -56,7 +56,7 @@ void face(Steered& s, const Vec& miss) {
   ++s.rolls;
 }
 
-// The target as seen from the tip: `ahead` along its direction, `off` across it.
+// The target seen from the tip: `ahead` along the tip's direction, `off` across it.
 void aim(Steered& s) {
   const Vec direction = wide(s.last.tip_direction), tip = wide(s.last.tip_m);
   if (!(size(direction) > 0.5)) return;  // not known yet
