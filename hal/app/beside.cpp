@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What this program does where it runs beside another one of itself.
+// What this program does when it runs beside another process of itself.
 #include <algorithm>
 #include <array>
 #include <string_view>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program's subcommands: options in, exit code out. A mistake of the user is an exception whose
-// text is the one line that main prints.
+// The program's subcommands: options in, exit code out. A user's mistake is an exception whose text
+// is the one line that main prints.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace stylet::app {
 
-// What the program's exit code means.
+// Meaning of the program's exit code.
 enum ExitCode : int {
   kExitOk = 0,
-  kExitRefused = 1,    // scene, organ, recording or host file: not what it should be
+  kExitRefused = 1,    // scene, organ, recording or host file: not as it should be
   kExitUsage = 2,      // command line
   kExitTrouble = 3,    // run: a guard fault or lost records; replay: other bits; doctor: doubts
   kExitHostUnfit = 4,  // the machine does not grant what the real-time loop needs
@@ -22,11 +22,11 @@ enum ExitCode : int {
 // Where the console listens.
 struct ServeOptions {
   bool on = false;
-  std::uint16_t port = 0;  // 0: any that is free
+  std::uint16_t port = 0;  // 0: any free port
   std::string listen;      // empty: loopback, without a token
 };
 
-// Where OpenIGTLink clients find the run.
+// Where OpenIGTLink clients can reach the run.
 struct IgtlOptions {
   bool on = false;
   std::uint16_t port = 0;
@@ -36,7 +36,7 @@ struct IgtlOptions {
 struct RunOptions {
   std::string scene;
   std::string organ;   // instead of the scene's
-  std::string record;  // empty: none
+  std::string record;  // empty: no recording
   std::string flight = "stylet-fault.h5";
   std::string mode;                  // empty: the scene's
   double duration_s = 0;             // 0: as long as the hand's script
@@ -45,13 +45,13 @@ struct RunOptions {
   bool fast = false;
   bool json = false;
   bool allow_non_rt = false;
-  bool force = false;  // over a recording that is there
+  bool force = false;  // overwrite an existing recording
   ServeOptions serve;  // the console, if `on`
   IgtlOptions igtl;
 };
 int run(const RunOptions& options);
 
-// `run` with a console: attempts one after the other, as the page asks.
+// `run` with a console: one attempt after another, as the page asks.
 int run_console(const RunOptions& options);
 
 struct PlaybackOptions {
@@ -59,7 +59,7 @@ struct PlaybackOptions {
   std::string organ;  // instead of the recorded path
   ServeOptions serve;
 };
-// A recording on the console's page.
+// Shows a recording on the console's page.
 int play_back(const PlaybackOptions& options);
 
 struct ReplayOptions {
@@ -78,32 +78,32 @@ int plot(const PlotOptions& options);
 
 struct ScoreOptions {
   std::vector<std::string> recordings;
-  std::string scene;  // whose targets count instead of the recorded ones
+  std::string scene;  // its targets are used instead of the recorded ones
   std::string organ;  // instead of the recorded path, for the names of its layers
   bool json = false;
 };
 int score(const ScoreOptions& options);
 
 struct DoctorOptions {
-  std::string root = "/";  // else a captured tree
-  int cpu = -1;            // -1: as the loop chooses
+  std::string root = "/";  // or the root of a captured tree
+  int cpu = -1;            // -1: as the loop would choose
   int priority = 80;
-  double measure_s = 0;   // 0: only look
-  std::string recording;  // whose ticks are the body
+  double measure_s = 0;   // 0: only look, do not measure
+  std::string recording;  // its ticks are the body that is measured
   std::string organ;      // instead of the recording's
   bool json = false;
 };
 int doctor(const DoctorOptions& options);
 
 struct DevicesOptions {
-  std::string root = "/";  // else a captured tree
+  std::string root = "/";  // or the root of a captured tree
   bool json = false;
 };
 int list_devices(const DevicesOptions& options);
 
 struct ProbeOptions {
   std::string uri;
-  std::string output;  // of the record; empty: none
+  std::string output;  // file for the record; empty: none
   double seconds = 5;
   bool push = false;
   bool json = false;
@@ -119,7 +119,7 @@ struct StationOptions {
 };
 int station(const StationOptions& options);
 
-// Beside another process of this program: not for users.
+// Runs beside another process of this program: not for users.
 int beside(std::string_view role);
 
 }  // namespace stylet::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The session that a console drives: attempts at a scene one after the other, and the next scene.
+// The session behind a console: one attempt at a scene after another, and the next scene.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,8 +28,8 @@
 namespace stylet::app {
 namespace {
 
-constexpr double kLookS = 0.02;     // at the attempt, between orders
-constexpr double kPageGoneS = 0.5;  // a hand on a page that hangs is nowhere
+constexpr double kLookS = 0.02;     // pause between looks at the attempt
+constexpr double kPageGoneS = 0.5;  // then it is unknown where a hand on a hanging page is
 
 // Other files may end in .toml, too: tissues, hulls.
 bool is_scene(const std::filesystem::path& path) try {
@@ -40,7 +40,7 @@ bool is_scene(const std::filesystem::path& path) try {
   return false;
 }
 
-// Names of the scenes beside this one, without folders.
+// Names of the scenes in this one's folder, without folders.
 std::vector<std::string> scenes_beside(const std::string& file) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::absolute(file).parent_path();
@@ -78,14 +78,14 @@ class Pointers {
   std::array<std::uint32_t, kMaxNeedles> number_ = {kNone, kNone, kNone, kNone};
 };
 
-// Written by onlooker and session.
+// Written by the onlooker and the session.
 class Meter {
  public:
   void add(const hal::TickRecord& record) {
     const std::lock_guard lock(mutex_);
     metrics_add(metrics_, record);
   }
-  // The loop's counters until end().
+  // Counts from the loop's counters until end().
   void begin(const hal::Scene& scene, const hal::LoopState& loop) {
     const std::lock_guard lock(mutex_);
     loop_ = &loop;
@@ -122,7 +122,7 @@ class Meter {
   const hal::LoopState* loop_ = nullptr;  // of the running attempt
 };
 
-// What the recorder gets, for the page and the meter.
+// Receives what the recorder gets, for the page and the meter.
 class Onlooker {
  public:
   Onlooker(hal::RecorderProcess& recorder, std::vector<hal::Course> courses, Meter& meter,
@@ -144,7 +144,7 @@ class Onlooker {
  private:
   void look() {
     for (hal::TickRecord each; records_.next(each);) {
-      if (each.needle >= courses_.size()) continue;  // the recorder may write there, too
+      if (each.needle >= courses_.size()) continue;  // the recorder's process can write there, too
       meter_.add(each);
       (void)server_.tell({false, console::row_of(each, courses_[each.needle]), {}});
     }
@@ -182,8 +182,8 @@ class Console {
   }
 
  private:
-  // One order, and one look at the attempt. An attempt that cannot begin or be kept is told of, and
-  // the session goes on.
+  // Handles one order, and looks once at the attempt. If an attempt cannot begin or be kept, that
+  // is told, and the session goes on.
   void go_on() try {
     if (server_->alive_within(kPageGoneS)) hal::pointer_stay();
     if (const std::optional<console::Wish> wish = next_wish(); wish) {
@@ -212,7 +212,7 @@ class Console {
     std::fflush(stdout);
   }
 
-  // None comes from a page that has gone.
+  // nullopt if the page has gone.
   std::optional<console::Wish> next_wish() {
     if (page_lost_) std::this_thread::sleep_for(std::chrono::duration<double>(kLookS));
     return page_lost_ ? std::nullopt : server_->next(kLookS);
@@ -222,7 +222,7 @@ class Console {
   void grant(const console::PointerMoved& moved) { pointers_.move(moved); }
   void grant(const console::PointerLeft&) { pointers_.leave(); }
 
-  // The attempt goes on without a page; nothing can be begun any more.
+  // The attempt goes on without a page, but nothing new can begin.
   void watch_page() {
     if (page_lost_) return;
     if (!server_->alive_within(hal::kSidePatienceS)) server_->process().kill();
@@ -235,11 +235,11 @@ class Console {
                server_->process().ended());
   }
 
-  // A scene whose files are not good leaves the present one as it is.
+  // If the files of the scene are faulty, the present scene stays as it is.
   void open(const std::string& scene) {
     RunOptions options = options_;
     options.scene = scene;
-    // --organ is for the scene it was given with: another one has targets in an organ of its own.
+    // --organ belongs to the scene it was given with: another scene's targets are in another organ.
     const bool other =
         std::filesystem::path(scene).filename() != std::filesystem::path(options_.scene).filename();
     if (other && !hal::read_scene(scene).organ_path.empty()) {
@@ -247,7 +247,7 @@ class Console {
     }
     auto session = std::make_unique<Session>(options, host_);
     load(*session);
-    session_.reset();  // its devices, before they are opened again
+    session_.reset();  // closes its devices, before they are opened again
     open_devices(*session);
     session_ = std::move(session);
     pointers_.choose(session_->scene.hands);
@@ -255,7 +255,7 @@ class Console {
     show_rest();
   }
 
-  // The organ at rest and the needles where they start.
+  // Shows the organ at rest and the needles at their starts.
   void show_rest() {
     reset(session_->instance->kernel);
     std::vector<hal::TickRecord> records(session_->stations.size());
@@ -343,11 +343,11 @@ class Console {
   void end_attempt(console::Activity then) {
     if (!attempt_->done.load()) attempt_->state.stop.store(true);
     finish(*session_, *attempt_);
-    onlooker_.reset();  // it has seen all
+    onlooker_.reset();  // it has seen everything
     meter_.end();
     host_fit_ = attempt_->host_fit;
     if (tell_of_host(*session_, host_fit_)) report();
-    session_->host.report = {};  // said once
+    session_->host.report = {};  // is told only once
     attempt_.reset();
     become(then);
   }
@@ -369,7 +369,7 @@ class Console {
     server_->show(scored_);
   }
 
-  // After an attempt, only pages keep it: its recording is complete.
+  // After an attempt only pages keep a mark, because the recording is complete.
   void mark(const console::Order& order) {
     if (running() && marks_.size() < console::kMaxMarksKept) {
       marks_.push_back({order.tick, order.text});
@@ -382,7 +382,7 @@ class Console {
     become(on ? console::Activity::Paused : console::Activity::Running);
   }
 
-  // Where no script does, a hand says that the attempt is over.
+  // Without a script, the user decides when the attempt is over.
   void end_now() {
     if (!running()) return server_->refuse("end: no attempt is running");
     end_attempt(console::Activity::Ended);
@@ -435,9 +435,9 @@ class Console {
   std::shared_ptr<hal::Display> display_;
   std::unique_ptr<console::ConsoleProcess> server_;
   std::unique_ptr<Attempt> attempt_;
-  std::unique_ptr<Onlooker> onlooker_;  // of the attempt
+  std::unique_ptr<Onlooker> onlooker_;  // of the running attempt
   std::vector<hal::Mark> marks_;        // of the present attempt
-  console::ScoredAttempt scored_;       // the present attempt, or the last
+  console::ScoredAttempt scored_;       // the present attempt, or the last one
   console::Activity activity_ = console::Activity::Ready;
   bool host_fit_ = true;
   bool trouble_ = false, page_lost_ = false;

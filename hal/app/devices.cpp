@@ -60,7 +60,7 @@ float along(Vec3 v, std::size_t way) {
 }
 
 constexpr const char* kWays[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
-constexpr float kSeenM = 0.5e-3F;  // less is a hand that trembles
+constexpr float kSeenM = 0.5e-3F;  // smaller motion is a trembling hand
 
 const char* verdict(const hal::PushSeen& push, std::size_t way) {
   const float moved_m = along(push.moved_m, way);
@@ -102,7 +102,7 @@ Json record_of(const std::string& uri, const hal::DeviceInfo& info, const hal::D
   return record;
 }
 
-// Three numbers for people.
+// Three numbers as text for people.
 std::string short_of(const Json& v) {
   return fmt::format("({:.1f}, {:.1f}, {:.1f})", v[0].get<double>(), v[1].get<double>(),
                      v[2].get<double>());
@@ -141,13 +141,13 @@ void serve(const StationOptions& options, const hal::StationConfig& config,
     if (options.seconds > 0 && run_s >= options.seconds) break;
     next_ns = std::max(next_ns, clock.now_ns(clock.self) - kPeriodNs) + kPeriodNs;
     clock.sleep_until_ns(clock.self, next_ns);
-    // The hand has moved on, and the force that waits for it would be a kick.
+    // The hand has moved on, so the force due now would be a kick.
     const bool stalled = clock.now_ns(clock.self) - next_ns >= hal::kMaxLateNs;
     if (stalled) hal::guard_trip(state.guard, hal::Fault::kTooLate);
     hal::station_tick(config, state, device, link, next_ns);
     hal::exchange_mail(mailbox, state.guard);
   }
-  for (bool gone = false; !gone; next_ns += kPeriodNs) {  // a guard's fade, 20 ms at most
+  for (bool gone = false; !gone; next_ns += kPeriodNs) {  // the guard's fade, 20 ms at most
     clock.sleep_until_ns(clock.self, next_ns);
     gone = hal::station_end(config, state, device, next_ns);
   }
@@ -231,7 +231,7 @@ int station(const StationOptions& options) {
     return loop.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready;
   };
   while (goes_on()) (void)hal::contained("station", [&] { desk.look(); });
-  loop.get();  // and throws what the loop threw
+  loop.get();  // throws what the loop threw
   link.close(link.self);
   fmt::print("{} samples sent, {} forces taken, {} refused, {} ticks without one\n", state.sent.seq,
              state.models, state.refused, state.starved);

@@ -20,11 +20,11 @@
 namespace stylet::app {
 namespace {
 
-// How late a wake-up may be, and how long a tick may take, of the period of 1 ms.
+// Allowed lateness of a wake-up and duration of a tick, within the period of 1 ms.
 constexpr std::int64_t kWakeUpBudgetNs = 100'000;
 constexpr std::int64_t kTickBudgetNs = 450'000;
 
-// A kernel that ticks through the inputs of a recording, over and over.
+// A kernel that ticks through a recording's inputs, over and over.
 class Patrol {
  public:
   Patrol(const std::string& path, const std::string& organ_path) {
@@ -116,7 +116,7 @@ void show_progress(std::uint64_t done, std::uint64_t all) {
                            static_cast<double>(all) * 1e-3));
 }
 
-// In equal shares of the time: with nothing to do, with the ticks, and while the others work.
+// In equal parts of the time: without ticks, with ticks (if there are any), and with load beside.
 void measure_all(const DoctorOptions& options, DoctorReport& report) {
   std::unique_ptr<Patrol> patrol;
   if (!options.recording.empty()) {
@@ -151,9 +151,9 @@ void measure_all(const DoctorOptions& options, DoctorReport& report) {
   }
 }
 
-// This machine, which can be asked and watched, not only looked at.
+// This machine, which can be asked and watched as well as looked at.
 void examine_here(const DoctorOptions& options, hal::Patient& patient, DoctorReport& report) {
-  hal::HostState host;  // holds what the loop would hold, to the end
+  hal::HostState host;  // holds what the loop would hold, until the end
   hal::prepare_process(host);
   patient.attempts = hal::attempt_rights(host, options.cpu, options.priority, patient.cpu);
   report.cpu = patient.cpu;

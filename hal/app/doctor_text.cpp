@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kColumns = 96;
 
-// Words in lines that all start `indent` columns in; the first line has its start already.
+// Wraps words into lines indented by `indent` columns; the first line has its indent already.
 std::string wrapped(const std::string& text, std::size_t indent) {
   std::istringstream stream(text);
   std::string all;
@@ -34,7 +34,7 @@ std::string wrapped(const std::string& text, std::size_t indent) {
   return all;
 }
 
-// "ok       swap                   none  /proc/swaps", and the remedy below.
+// Text such as "ok       swap                   none  /proc/swaps", and the remedy below.
 std::string finding_text(const hal::Finding& finding) {
   constexpr std::size_t kValue = 32;
   const std::string value = wrapped(finding.value, kValue);
@@ -58,7 +58,7 @@ std::size_t count_of(const DoctorReport& report, hal::Verdict verdict) {
 
 // ---- histograms ---------------------------------------------------------------------------------
 
-// Upper edges of the rows, us; the last row has what is longer.
+// Upper edges of the rows, us; the last row has everything longer.
 constexpr std::array<std::size_t, 13> kEdges = {1,   2,   5,   10,   20,   50,  100,
                                                 200, 450, 650, 1000, 2000, 5000};
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the doctor has to say, for people (100 columns) and for machines.
+// The doctor's findings as text, for people (100 columns) and for machines.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace stylet::app {
 
 struct Measurement {
   const char* name;
-  bool has_body;  // of a recording's ticks
+  bool has_body;  // a body of a recording's ticks was measured
   hal::Measured measured;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// stylet_driver_texts udev | table: what stands elsewhere of the drivers, as their descriptors have
-// it, for toolchain/checks/drivers.py.
+// stylet_driver_texts udev | table: texts about the drivers that also stand elsewhere, made from
+// their descriptors, for toolchain/checks/drivers.py.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -18,7 +18,7 @@ std::string ids_of(const hal::UsbId& id, const char* attribute) {
   return ids;
 }
 
-// A line for every USB id that `wanted` takes.
+// One line for each USB id that `wanted` accepts.
 template <typename Wanted>
 std::string for_ids(const char* match, const char* attribute, const char* then, Wanted wanted) {
   std::string lines;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who is at the terminal hears of a fault when it is latched, and acknowledges it with Enter.
+// Tells the user at the terminal of a fault when it is latched; Enter acknowledges it.
 //
-// Look a few times a second, on any thread but the loop's. Without a terminal to read from it only
-// tells. A program in the background is not asked: reading would stop it, with a hand on the
+// Call look a few times a second, on any thread but the loop's. Without a terminal to read from it
+// only tells. A program in the background does not read: reading would stop it, with a hand on the
 // device.
 #pragma once
 
@@ -35,7 +35,7 @@ inline bool enter_was_pressed() {
 
 class FaultDesk {
  public:
-  // One device a box, which outlives this; what it notes now has been told.
+  // One device for each box; both must outlive this. Notes that devices have now are not retold.
   FaultDesk(std::span<hal::FaultMailbox> boxes, std::vector<std::string> names,
             std::span<const hal::Device> devices)
       : boxes_(boxes),
@@ -50,7 +50,7 @@ class FaultDesk {
     const bool enter = enter_was_pressed();
     for (std::size_t i = 0; i < names_.size(); ++i) {
       const hal::LatchedFault latched = boxes_[i].latched.load(std::memory_order_relaxed);
-      // Enter that was pressed before a fault was told is not for it.
+      // Enter pressed before a fault was told does not count for it.
       const bool known = latched == told_[i];
       if (!known) tell(i, latched.fault);
       told_[i] = latched;
@@ -76,7 +76,7 @@ class FaultDesk {
                        reads_a_terminal() ? ": Enter" : ""));
   }
 
-  // What is wrong with it, when that changes, and when it is right again.
+  // Tells what is wrong with the device when that changes, and when the device is well again.
   void tell_of_device(std::size_t i) {
     std::string note = hal::note_of(devices_[i]);
     if (!note.empty() && note != noted_[i]) say(i, note);
@@ -91,7 +91,7 @@ class FaultDesk {
   std::vector<std::string> names_;
   std::span<const hal::Device> devices_;
   std::vector<hal::LatchedFault> told_;
-  std::vector<std::string> away_, noted_;  // told of the device
+  std::vector<std::string> away_, noted_;  // what was last told of each device
   bool asked_ = false;
 };
 

@@ -203,7 +203,7 @@ void add_doctor(CLI::App& program, DoctorOptions& options) {
   add_json(doctor, options.json, "One JSON object");
 }
 
-// Returns the subcommand that opens one.
+// Returns the subcommand that opens a device.
 CLI::App& add_devices(CLI::App& program, DevicesOptions& options, ProbeOptions& probed) {
   CLI::App& devices =
       *program.add_subcommand("devices", "List the devices here, and what the others lack");
@@ -258,7 +258,7 @@ void add_station(CLI::App& program, StationOptions& options) {
       ->check(cli::between(0, 31));
 }
 
-// The benchmarks are a program of their own, next to this one.
+// The benchmarks are a program of their own, in the same folder as this one.
 [[noreturn]] void bench(char** arguments) {
   const auto program =
       std::filesystem::read_symlink("/proc/self/exe").replace_filename("stylet-bench");
@@ -269,7 +269,7 @@ void add_station(CLI::App& program, StationOptions& options) {
                   program.string(), std::strerror(errno)));
 }
 
-// For the help; main hands its options on before they are read here.
+// Only for the help; main starts the benchmarks before options are read here.
 void add_bench(CLI::App& program) {
   program.add_subcommand("bench",
                          "Measure how long a tick takes here (has options: stylet bench --help)");
@@ -339,7 +339,7 @@ int dispatch(int argc, char** argv) {
   return plot(plot_options);
 }
 
-// Threads that hang in a driver are still there: nothing is destroyed under them.
+// Threads that hang in a driver still run: nothing they use may be destroyed.
 int leave(int code) {
   if (hal::driver_calls_given_up() == 0) return code;
   std::fflush(nullptr);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Devices are opened and closed here, so that neither a stop signal nor a driver that hangs is
-// held.
+// Opens and closes devices so that neither a stop signal nor a hanging driver holds up the
+// program.
 #pragma once
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ using Opener = hal::Device (*)(const std::string& uri, double patience_s);
 constexpr double kOpeningPatienceS = 10;
 constexpr double kHangsS = 60;  // opening waits 10 s for a device; no driver needs a minute
 
-// Before the first force: what is missing that should be there.
+// Called before the first force: tells what is missing that should be there.
 inline void tell_of_opened(const std::string& uri, const hal::Device& device) {
   const std::string note = hal::note_of(device);
   if (!note.empty()) fmt::print(stderr, "stylet: {}: {}\n", uri, note);
@@ -34,7 +34,7 @@ inline void tell_of_opened(const std::string& uri, const hal::Device& device) {
              uri, hal::kDevicePriority, std::strerror(error));
 }
 
-// Throws hal::DeviceError, also when a signal asks to stop: then a driver has as long as for
+// Throws hal::DeviceError, also when a signal asks to stop: the driver then has as long as for
 // closing.
 inline hal::Device open_or_stop(const std::string& uri, Opener open) {
   using Clock = std::chrono::steady_clock;
@@ -62,7 +62,7 @@ inline hal::Device open_or_stop(const std::string& uri, Opener open) {
       fmt::format("{}: its driver hangs in opening: switch the device off and on again", uri));
 }
 
-// Says which of them hang; `uri` of each.
+// Says which of them hang; `uri` gives the URI of each.
 inline void close_or_leave(std::span<const hal::Device> devices,
                            const std::function<std::string(std::size_t)>& uri) {
   for (const std::size_t i : hal::close_devices(devices)) {

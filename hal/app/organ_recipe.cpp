@@ -29,7 +29,7 @@ std::string shell_word(const std::string& word) {
   return fmt::format("'{}'", safe);
 }
 
-// Beside this program where it is there, since the folder need not be in PATH.
+// The one beside this program if it is there, since the folder need not be in PATH.
 std::string builder() {
   std::error_code error;
   const fs::path beside =
@@ -37,7 +37,7 @@ std::string builder() {
   return fs::exists(beside, error) ? beside.string() : "stylet-organ";
 }
 
-// Of the meshes: STYLET_DATA, else where it lies beside a clone, as for hal/scenes/play.py.
+// Folder of the meshes: STYLET_DATA, else where it lies beside a clone, as in hal/scenes/play.py.
 std::string data_folder(const fs::path& scenes) {
   if (const char* given = std::getenv("STYLET_DATA"); given != nullptr) return given;
   return fs::weakly_canonical(scenes / "../../../shared/data").string();

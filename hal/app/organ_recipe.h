@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command that makes the organ of a scene: the line `# organ: stylet-organ ...` of its file,
-// in which `{data}` is the folder of the meshes and `{scenes}` the scene's own.
+// The command that makes a scene's organ: the line `# organ: stylet-organ ...` of the scene's file,
+// where `{data}` is the folder of the meshes and `{scenes}` the scene's own folder.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace stylet::app {
 
-// As a shell takes it; `organ` is the file that it makes. Empty: the scene does not say.
+// The command as a shell takes it; `organ` is the file that it makes. Empty: the scene has none.
 std::string organ_command(const hal::Scene& scene, const std::string& organ);
 
 }  // namespace stylet::app

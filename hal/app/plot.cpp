@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Force curves by gnuplot. Script and data go to its standard input, the picture comes from its
-// standard output: no shell, no file name that it has to read.
+// Force curves by gnuplot. It reads script and data from standard input and writes the picture to
+// standard output: so there is no shell, and no file name that it must read.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
@@ -33,7 +33,7 @@ namespace {
 
 constexpr std::size_t kMaxPoints = 3000;  // more than a printed page can show
 
-// Colours here are those of hal/palette.csv.
+// The colours are those of hal/palette.csv.
 struct Cause {
   const char* name;
   const char* colour;
@@ -75,7 +75,7 @@ Curve read_curve(const hal::RecordingReader& recording, std::uint32_t needle) {
   return curve;
 }
 
-// Every n-th tick, and the ticks around a change of phase, where curves have their corners.
+// Every n-th tick, and the ticks around each change of stage, where curves have corners.
 std::vector<std::size_t> shown_points(const Curve& curve) {
   std::vector<std::size_t> shown;
   const std::size_t stride = curve.track.size() / kMaxPoints + 1;
@@ -104,7 +104,7 @@ const hal::PhaseRow& phase_of(const Curve& curve, std::uint64_t tick) {
   return curve.phases.back();
 }
 
-// One data block a curve: "time travel force" for the total by stage, "time force" for the causes.
+// Data blocks: "time force" of the total and of the causes, "travel force" by stage.
 std::string data_blocks(const Curve& curve) {
   std::string total = "$total << EOD\n", causes = "$causes << EOD\n";
   std::string in = "$in << EOD\n", hold = "$hold << EOD\n", out = "$out << EOD\n";
@@ -135,10 +135,10 @@ std::string data_blocks(const Curve& curve) {
   return some(total) + some(causes) + some(in) + some(hold) + some(out);
 }
 
-// Shaded, and named in the margin above with a slant; the name of a phase too short for it moves
-// on.
+// Shades the stages and names each in the margin above, slanted. The name of a stage too short for
+// it is moved on.
 std::string phase_shades(const Curve& curve, int font_size) {
-  constexpr double kLabelGap = 0.035;  // of the width: what a slanted line of text needs
+  constexpr double kLabelGap = 0.035;  // of the width: needed by a slanted line of text
   const double gap_s = kLabelGap * static_cast<double>(curve.track.back().tick) * curve.period_s;
   double label_s = -gap_s;
   constexpr std::array kTints = {"#F2F2F2", "#E4EDF6", "#FBE3D6", "#EAF3E6",
@@ -216,7 +216,7 @@ std::string script_of(const Curve& curve, const hal::RecordingInfo& info, std::u
   return script;
 }
 
-// Runs gnuplot with `script` on its input and `output_fd` as its output.
+// Runs gnuplot with `script` as its input and `output_fd` as its output.
 void run_gnuplot(const std::string& script, int output_fd) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("gnuplot: no pipe to it");
@@ -224,9 +224,9 @@ void run_gnuplot(const std::string& script, int output_fd) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, output_fd, STDOUT_FILENO);
-  std::string name = "gnuplot", plain = "--default-settings";  // not the user's own
+  std::string name = "gnuplot", plain = "--default-settings";  // ignores the user's own settings
   char* arguments[] = {name.data(), plain.data(), nullptr};
-  setenv("LC_ALL", "C.UTF-8", 1);  // else it complains of signs that it never draws
+  setenv("LC_ALL", "C.UTF-8", 1);  // else it complains about characters that it never draws
   pid_t child = 0;
   const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);
@@ -238,7 +238,7 @@ void run_gnuplot(const std::string& script, int output_fd) {
                     "gnuplot-nox",
                     std::strerror(error)));
   }
-  signal(SIGPIPE, SIG_IGN);  // a gnuplot that dies is reported by its exit status
+  signal(SIGPIPE, SIG_IGN);  // if gnuplot dies, its exit status tells
   for (std::size_t done = 0; done < script.size();) {
     const ssize_t part = write(ends[1], script.data() + done, script.size() - done);
     if (part < 0 && errno != EINTR) break;
@@ -253,7 +253,7 @@ void run_gnuplot(const std::string& script, int output_fd) {
   }
 }
 
-// By way of memory: gnuplot says nothing of what it could not write.
+// Through memory: gnuplot does not report what it could not write.
 std::string gnuplot_picture(const std::string& script, bool svg) {
   const int file = memfd_create("picture", MFD_CLOEXEC);
   if (file < 0) throw std::runtime_error("gnuplot: no memory for its picture");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a recorded attempt came to: the score that was told when it ended, from its records.
+// The score of a recorded attempt: computed from its records, the same that was told when it ended.
 #pragma once
 
 #include <span>

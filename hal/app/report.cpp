@@ -21,7 +21,7 @@ std::string hex(std::uint64_t hash) {
   return fmt::format("{:016x}", hash);
 }
 
-// Of all guards together.
+// Sum over all guards.
 hal::GuardCounters guard_counters(const RunReport& report) {
   constexpr std::size_t kCount = sizeof(hal::GuardCounters) / sizeof(std::uint64_t);
   using Numbers = std::array<std::uint64_t, kCount>;
@@ -40,7 +40,7 @@ hal::Fault first_fault(const RunReport& report) {
   return hal::Fault::kNone;
 }
 
-// Every counter once, for the table and for the object.
+// Each counter once, for the table and for the JSON object.
 Lines counters(const RunReport& report) {
   const hal::GuardCounters guard = guard_counters(report);
   const Stats& stats = report.stats;
@@ -128,7 +128,7 @@ Json json_of(std::size_t predicted, std::size_t used) {
   return {{"predicted_bytes", predicted}, {"used_bytes", used}};
 }
 
-// What the eye looks for in each phase.
+// What a reader looks for in each stage.
 std::string remark(std::span<const hal::PhaseRow> rows, std::size_t i) {
   const hal::PhaseRow& row = rows[i];
   const bool punctured = i + 1 < rows.size() && rows[i + 1].stage == hal::Stage::kPuncture;
@@ -220,8 +220,8 @@ std::string counter_table(const RunReport& report) {
          pool("obstacle contacts", report.stats.obstacle_contacts);
 }
 
-// A device that is too weak for its scene: what is felt, and where the needle goes, is not what the
-// scene says.
+// A warning if a device is too weak for its scene: then felt force and path of the needle are not
+// those of the scene.
 std::string strength_text(const RunReport& report) {
   std::string text;
   for (std::size_t i = 0; i < report.most_force_n.size(); ++i) {
@@ -241,7 +241,7 @@ std::string strength_text(const RunReport& report) {
   return text;
 }
 
-// Deepest dimple before a puncture of the surface, in voxels.
+// The deepest dimple before a puncture of the surface, in voxels.
 double dimple_voxels(const RunReport& report) {
   double most = 0;
   for (const auto& phases : report.phases) {
@@ -254,7 +254,7 @@ double dimple_voxels(const RunReport& report) {
   return most;
 }
 
-// Where a moving hand feels mass that tissue does not have.
+// A warning if a moving hand feels mass that the tissue does not have.
 std::string inertia_text(const Resonance& of) {
   if (!(of.departs_hz < kFastestHandHz)) return "";
   return fmt::format(
@@ -263,7 +263,7 @@ std::string inertia_text(const Resonance& of) {
       of.stepped_hz, of.real_hz, of.departs_hz);
 }
 
-// Where the forces are softer than the materials say, or would be in finer voxels.
+// A warning if forces are softer than the materials say, or would be with finer voxels.
 std::string resolution_text(const RunReport& report) {
   constexpr double kShallowVoxels = 1, kNoShortfall = 0.02;
   const double shortfall = static_cast<double>(report.stats.coupling_shortfall);

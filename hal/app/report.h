@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run has to say, for people and for machines.
+// The report of a run, for people and for machines.
 #pragma once
 
 #include <optional>
@@ -24,27 +24,27 @@ struct RunReport {
   bool fast = false, interrupted = false;
   double wall_s = 0;
   std::vector<NeedleConfig> needles;
-  std::vector<double> least_received_j;  // of each needle's simulated hand; NaN: it is another
-  std::vector<float> most_force_n;       // that the guard of each needle lets through
+  std::vector<double> least_received_j;  // of each needle's simulated hand; NaN: it has another
+  std::vector<float> most_force_n;       // largest that the guard of each needle lets through
   std::size_t obstacles = 0;
-  std::vector<std::vector<hal::PhaseRow>> phases;  // of each needle
+  std::vector<std::vector<hal::PhaseRow>> phases;  // for each needle
   std::vector<Event> events;
-  std::optional<ScoredAttempt> score;  // where the scene has targets
+  std::optional<ScoredAttempt> score;  // only if the scene has targets
   const hal::LoopState* loop = nullptr;
   hal::ThreadUse thread = {};
   std::uint32_t threads = 1;         // of the tissue step
-  std::uint64_t helped_parts = 0;    // of the step, done by helpers
-  std::uint32_t lost_processes = 0;  // beside the loop's
+  std::uint64_t helped_parts = 0;    // parts of the step done by helpers
+  std::uint32_t lost_processes = 0;  // processes beside the loop's
   hal::HostReport host;
   Sizes predicted = {}, used = {};
   Stats stats = {};
-  Resonance resonance = {};  // by whoever asks: takes time, so after recording and devices
+  Resonance resonance = {};  // set by whoever needs it: takes time, so after recording and devices
 };
 
 std::string json_text(const RunReport& report);
 std::string human_text(const RunReport& report);
 
-// What a replay came to; `unfinished`: the recording ends with its last whole block.
+// The result of a replay; `unfinished`: the recording ends with its last whole block.
 std::string replay_json(const std::string& recording, const hal::ReplayResult& result,
                         bool unfinished);
 

@@ -19,7 +19,7 @@
 namespace stylet::app {
 namespace {
 
-// Whom a fault is told of.
+// Names of the hands, by which faults are told.
 std::vector<std::string> hand_names(const Session& s) {
   std::vector<std::string> names;
   for (const hal::Hand& hand : s.scene.hands) {
@@ -28,7 +28,7 @@ std::vector<std::string> hand_names(const Session& s) {
   return names;
 }
 
-// In virtual time nobody could answer: the report tells of the faults.
+// In virtual time nobody could respond: the report tells of the faults.
 void show_progress(Session& s, Attempt& a) {
   const bool show = terminal_rewrites_lines() && !s.options.json;
   FaultDesk desk(a.state.mailbox, hand_names(s), s.devices);
@@ -76,7 +76,7 @@ void announce(const Session& s) {
   std::fflush(stdout);
 }
 
-// A recording cannot be made again: one that is there stays, unless told otherwise.
+// A recording cannot be made again, so an existing one stays unless the user says otherwise.
 std::string recording_name(const RunOptions& options) {
   if (options.record.empty() || options.force) return options.record;
   std::string name = hal::kept_name(options.record);
@@ -107,7 +107,7 @@ int run(const RunOptions& options) {
   show_progress(s, a);
   finish(s, a);
   RunReport report = report_of(s, a);
-  // The recording first: a driver may hang while its device is closed.
+  // Completes the recording first, because a driver may hang while its device is closed.
   const std::string record_error = finish_recording(a, report.state_hash);
   if (!record_error.empty()) report.recording.clear();
   s.close_devices();

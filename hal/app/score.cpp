@@ -42,7 +42,7 @@ hal::Score score_of(const hal::RecordingReader& recording, std::span<const hal::
 
 namespace {
 
-// Names of layers are the organ's; without it, they have numbers.
+// The organ has the names of the layers; without it, layers have numbers.
 std::vector<std::string> recorded_layers(const std::string& path, const hal::RecordingInfo& info,
                                          const std::string& organ) {
   try {

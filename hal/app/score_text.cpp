@@ -19,7 +19,7 @@ std::string layer_name(const ScoredAttempt& attempt, std::uint32_t layer) {
   return layer == kNoLayer ? "outside" : fmt::format("layer {}", layer);
 }
 
-// What every table begins with.
+// The first rows of every table.
 struct Figure {
   const char* label;
   Cell cell;

@@ -13,18 +13,18 @@
 namespace stylet::app {
 
 struct ScoredAttempt {
-  std::string name;  // of the recording, or empty
+  std::string name;  // of the recording; may be empty
   std::vector<hal::Target> targets;
-  std::vector<std::string> layers;  // names of the organ's materials; empty: not known
+  std::vector<std::string> layers;  // names of the organ's materials; empty: unknown
   hal::Score score;
 };
 
 std::vector<std::string> layer_names(const Organ& organ);
 
-// A row a figure, a column an attempt.
+// One row for each figure, one column for each attempt.
 std::string score_table(std::span<const ScoredAttempt> attempts);
 nlohmann::ordered_json score_json(const ScoredAttempt& attempt);
-// Seven digits are what a float has; not a number is null.
+// A float has seven digits; NaN and infinities become null.
 nlohmann::ordered_json json_number(float value);
 
 }  // namespace stylet::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the console listens, and under which token, from the command line.
+// Where the console listens, and with which token, from the command line.
 #pragma once
 
 #include "hal/app/commands.h"

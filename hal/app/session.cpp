@@ -31,7 +31,7 @@ std::string beside(const std::string& file, const std::string& path) {
   return (std::filesystem::path(file).parent_path() / path).string();
 }
 
-// --device: the first names the first needle's, and so on.
+// --device: the first one holds the first needle, and so on.
 void attach_devices(Session& s) {
   const std::vector<std::string>& uris = s.options.devices;
   if (uris.size() > s.scene.hands.size()) {
@@ -64,8 +64,8 @@ void attach_devices(Session& s) {
   }
 }
 
-// Threads of the tissue step wait for each other in real time: two on one processor would wait for
-// good.
+// Threads of the tissue step wait for each other in real time: two of them on one processor would
+// wait for ever.
 void choose_processors(Session& s) {
   if (s.options.threads > 0) s.scene.threads = s.options.threads;
   if (s.options.fast) return;
@@ -76,7 +76,7 @@ void choose_processors(Session& s) {
       s.scene.file, s.scene.threads, s.processors.size()));
 }
 
-// A scene's own organ need not be there yet: its file says how it is made.
+// A scene's own organ may not exist yet: the scene's file says how it is made.
 std::string organ_path(const Session& s) {
   if (!s.options.organ.empty()) return s.options.organ;
   const std::string path = beside(s.scene.file, s.scene.organ_path);
@@ -130,7 +130,7 @@ std::vector<std::string> files_of(const Session& s) {
 
 namespace {
 
-// Puts the hand of a needle at the start of its script; for how many ticks it has something to do.
+// Puts a needle's hand at the start of its script; returns how many ticks the script has.
 std::uint64_t rewind_hand(Session& s, std::uint32_t needle) {
   const hal::Hand& hand = s.scene.hands[needle];
   Station& station = s.stations[needle];
@@ -182,12 +182,12 @@ void open_igtl(Session& s) {
 
 }  // namespace
 
-// As long as the needle that takes longest.
+// The run is as long as the needle with the longest script.
 void open_devices(Session& s) {
   open_igtl(s);
   const double period_s = static_cast<double>(s.scene.config.period_s);
   s.config.period_ns = std::llround(period_s * 1e9);
-  // Hashing a large organ takes longer than a tick: in real time only once, after the loop.
+  // Hashing a large organ takes longer than a tick: in real time it is done once, after the loop.
   s.config.hash_every_ticks = s.options.fast ? s.scene.hash_every_ticks : 0;
   s.config.display_every_ticks =
       static_cast<std::uint32_t>(std::max(1.0, std::floor(kDisplayPauseS / period_s)));
@@ -205,7 +205,7 @@ void open_devices(Session& s) {
   s.open_end = s.config.ticks == 0 && s.options.duration_s <= 0;
   if (s.open_end) s.config.ticks = static_cast<std::uint64_t>(kLongestRunS / period_s);
   if (s.options.duration_s > 0) {
-    // In whole nanoseconds: as a float, 10 ms is a little less, and 3 s one tick more.
+    // In whole nanoseconds: as a float, 10 ms is a little less, so 3 s would be one tick more.
     const auto periods = s.options.duration_s * 1e9 / static_cast<double>(s.config.period_ns);
     s.config.ticks = static_cast<std::uint64_t>(std::ceil(periods - 1e-6));
   }
@@ -246,7 +246,7 @@ hal::RecordingInfo recording_info(const Session& s, const std::vector<hal::Cours
   return info;
 }
 
-// What threads of devices were refused shows once they run.
+// What was refused to the devices' threads is known only once they run.
 void note_device_threads(Session& s) {
   const int error = hal::device_priority_refused();
   if (error == 0 || s.told_of_threads) return;
@@ -284,7 +284,7 @@ void leave_guards(Session& s, const Attempt& a) {
 void prepare(Session& s, Attempt& a, hal::Display* display) {
   const std::vector<hal::Course> courses = courses_of(s);
   hal::RecordingInfo info = recording_info(s, courses);
-  // On a virtual clock there is no date: the same run gives the same file.
+  // On a virtual clock there is no date, so that the same run gives the same file.
   if (!s.options.fast) info.began = local_time();
   info.trainee = a.trainee;
   a.display = display;
@@ -306,7 +306,7 @@ std::unique_ptr<hal::Helpers> start_helpers(Session& s, Attempt& a) {
   return std::make_unique<hal::Helpers>(s.instance->kernel, config, a.state, s.host.report);
 }
 
-// The thread of the loop, from its rights to the last tick.
+// The loop's thread, from its rights to the last tick.
 void servo(Session& s, Attempt& a) try {
   hal::name_thread("stylet-loop");
   if (!s.options.fast) {
@@ -399,7 +399,7 @@ void finish(Session& s, Attempt& a) {
 
 std::string finish_recording(Attempt& a, std::uint64_t state_hash,
                              std::span<const hal::Mark> marks) {
-  if (!a.kept) return "";  // told of
+  if (!a.kept) return "";  // already told
   if (a.recording.empty() || !a.kept->error.empty()) return a.kept->error;
   return a.recorder->finish(state_hash, a.state.lost_records, marks);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene made ready to run, and one run of it: what `run` does once, and the console again and
-// again. Whoever owns them owns the control flow:
+// A scene made ready to run, and one run of it: `run` does this once, the console again and again.
+// Whoever owns the two decides what happens when:
 //
 //   load -> open_devices -> { Attempt -> start -> (pause, rearm) -> finish }... -> ~Session
 #pragma once
@@ -27,20 +27,20 @@
 
 namespace stylet::app {
 
-// One needle's start and whoever holds it.
+// One needle's start, and who holds it.
 struct Station {
   hal::Placement placement;
   hal::SimulatedHand hand;
   hal::Steered steered;
   hal::ReplayDevice replayed;
-  // Of a device, between attempts: what is latched and how warm its motors are is the device's for
-  // as long as it is open.
+  // A device's guard, between attempts: as long as the device is open, what is latched and how warm
+  // its motors are belongs to the device.
   hal::GuardState guard = hal::guard_start();
   hal::GuardState torque_guard = hal::guard_start();
-  std::int64_t left_ns = 0;  // when; 0: before the first attempt
+  std::int64_t left_ns = 0;  // when the last attempt ended; 0: before the first
 };
 
-// Everything that runs of one scene have in common, in the order in which it has to exist.
+// All that the runs of one scene have in common, in the order in which it must be created.
 struct Session {
   Session(RunOptions options_in, hal::HostState& host_in)
       : options(std::move(options_in)), host(host_in) {}
@@ -54,32 +54,32 @@ struct Session {
   hal::HostState& host;
   hal::Scene scene;
   std::shared_ptr<hal::OrganFile> organ;
-  std::vector<Station> stations;  // of each needle
+  std::vector<Station> stations;  // for each needle
   std::unique_ptr<hal::KernelInstance> instance;
   std::vector<hal::Device> devices;
-  std::vector<std::string> fits;  // what was taken from each device that is attached, in words
+  std::vector<std::string> fits;  // what was taken from each attached device, in words
   bool told_of_threads = false;
   std::unique_ptr<hal::IgtlProcess> igtl;  // null: not asked for
-  std::uint32_t lost_processes = 0;        // beside the loop's, that ended before it
+  std::uint32_t lost_processes = 0;        // processes beside the loop's that ended before it
   bool igtl_lost = false;
   hal::LoopConfig config;
-  std::vector<int> processors;  // real time: the loop's and the helpers'
-  bool open_end = false;        // nothing but the user ends a run
+  std::vector<int> processors;  // in real time: the loop's and the helpers'
+  bool open_end = false;        // only the user ends a run
   std::uint32_t runs = 0;
 };
 
-// Scene, organ, kernel; no device yet.
+// Loads scene, organ and kernel; opens no device yet.
 void load(Session& session);
-// What a loaded session reads: no output may be one of them.
+// The files that a loaded session reads: no output may be one of them.
 std::vector<std::string> files_of(const Session& session);
-// Devices, and the way to OpenIGTLink clients.
+// Opens the devices, and the server for OpenIGTLink clients.
 void open_devices(Session& session);
 std::vector<hal::Course> courses_of(const Session& session);
 const char* mode_name(const Session& session);
-// Now, ISO 8601, local time with its offset.
+// The present time, ISO 8601, local time with its offset.
 std::string local_time();
 
-// One run from the start of the scene.
+// One run, from the start of the scene.
 struct Attempt {
   Attempt() = default;
   Attempt(const Attempt&) = delete;
@@ -91,12 +91,12 @@ struct Attempt {
   }
 
   hal::LoopState state;
-  hal::Display* display = nullptr;  // null: none
-  std::string recording;            // empty: none
-  std::string trainee;              // for the recording; empty: not said
+  hal::Display* display = nullptr;  // null: no display
+  std::string recording;            // empty: no recording
+  std::string trainee;              // for the recording; empty: not told
   std::unique_ptr<hal::RecorderProcess> recorder;
-  bool recorder_lost = false;         // told of
-  std::optional<hal::Recorded> kept;  // after finish(); none: the recorder was lost
+  bool recorder_lost = false;         // the user has been told
+  std::optional<hal::Recorded> kept;  // set by finish(); nullopt: the recorder was lost
   hal::ThreadUse thread_use = {};
   std::uint64_t helped_parts = 0;
   bool host_fit = true;
@@ -110,22 +110,22 @@ struct Attempt {
 
 // Opens the recording, and puts scripted hands back to their start. `display` may be null.
 void prepare(Session& session, Attempt& attempt, hal::Display* display);
-// The loop, in a thread of its own; `done` when it has ended.
+// Runs the loop in a thread of its own; `done` is set when it has ended.
 void start(Session& session, Attempt& attempt);
-// Waits for its end, and completes what the recorder does. Throws what the loop threw.
+// Waits for the loop's end, and completes the recorder's work. Throws what the loop threw.
 void finish(Session& session, Attempt& attempt);
-// What went wrong with the recording; empty: nothing. The report is worth having all the same.
+// What went wrong with the recording; empty: nothing. The report is still worth having.
 std::string finish_recording(Attempt& attempt, std::uint64_t state_hash,
                              std::span<const hal::Mark> marks = {});
 
-// Whether the processes beside this one are still there; on standard error when one is not. A few
-// times a second, on any thread but the loop's.
+// Checks whether the processes beside this one still run; tells on standard error if one does not.
+// Call it a few times a second, on any thread but the loop's.
 void watch_processes(Session& session, Attempt* attempt);
 
-// What the machine refuses, on standard error; returns `fit`.
+// Tells on standard error what the machine refuses; returns `fit`.
 bool tell_of_host(const Session& session, bool fit);
 RunReport report_of(const Session& session, const Attempt& attempt);
-// Faults, losses and files that a user should know of, on standard error; true: there were any.
+// Tells faults, losses and files that a user should know of on standard error; true: any were told.
 bool tell_of_trouble(const Session& session, const Attempt& attempt);
 
 }  // namespace stylet::app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What ends a program from outside (Ctrl-C, SIGTERM, SIGHUP, SIGQUIT) ends what runs after a tick,
-// so that a device keeps no force and a recording is completed. Installed before the first device
-// is opened. A reader that has gone (SIGPIPE) and a file that may not grow (SIGXFSZ) end nothing.
+// Signals that end a program from outside (Ctrl-C, SIGTERM, SIGHUP, SIGQUIT) end the run after a
+// tick, so that no device keeps a force and the recording is completed. Install it before the first
+// device is opened. A vanished reader (SIGPIPE) or a file that may not grow (SIGXFSZ) ends nothing.
 #pragma once
 
 #include <signal.h>
@@ -15,7 +15,7 @@ inline std::atomic<std::atomic<bool>*> g_stop{nullptr};
 inline std::atomic<int> g_stops_asked{0};
 static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free);
 
-// Whoever asks for the third time means it: a driver that hangs does not hold the program.
+// The third signal ends the program at once, so a hanging driver cannot hold it.
 constexpr int kStopsThatEndAtOnce = 3;
 constexpr std::array kStopSignals = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 

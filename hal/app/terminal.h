@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A line of progress that rewrites itself, where somebody looks at it and the terminal can do so.
+// A progress line that rewrites itself, if somebody looks at it and the terminal can do it.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ inline bool terminal_rewrites_lines() {
   return isatty(STDERR_FILENO) != 0 && kind != nullptr && std::string_view(kind) != "dumb";
 }
 
-// An empty text takes the line away.
+// An empty text removes the line.
 inline void rewrite_line(const std::string& text) {
   fmt::print(stderr, "\r\033[K{}", text);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hal/console/assets.h"
 
-// STYLET_PAGE_DIST: the folder, from CMake; the files are dependencies of this one there.
+// STYLET_PAGE_DIST: the folder, from CMake, where the page's files are dependencies of this file.
 #define STYLET_EMBED(name, file)                 \
   asm(".section .rodata\n"                       \
       ".global stylet_" #name                    \

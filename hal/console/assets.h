@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page's files, as they were when the program was built; no file is read at run time.
+// The page's files as they were when the program was built; no file is read at run time.
 #pragma once
 
 #include <string_view>

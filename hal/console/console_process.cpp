@@ -18,9 +18,9 @@ namespace {
 using hal::Packer;
 using hal::Unpacker;
 
-constexpr double kLookS = 0.005;  // at rows, between messages
+constexpr double kLookS = 0.005;  // pause between looks at rows and messages
 
-// ---- the memory that both see
+// ---- the memory that both processes see
 
 struct Beats {
   alignas(hal::kCacheLine) std::atomic<std::uint64_t> count;
@@ -37,7 +37,7 @@ Beats& beats_in(std::span<std::byte> shared) {
   return *reinterpret_cast<Beats*>(shared.data());
 }
 
-// ---- what they say
+// ---- the messages between them
 
 enum class Word : std::uint8_t { kStage, kActivity, kScore, kRefuse, kOrder, kPointer, kLeft };
 
@@ -58,8 +58,8 @@ ServerConfig config_of(const hal::Bytes& greeting) {
   return config;
 }
 
-// Way: a Packer's or an Unpacker's, of any number of values. All but names that are shared, and the
-// display.
+// `Way` is a function of a Packer or an Unpacker for any number of values. Visits all but shared
+// names and the display.
 template <typename Way>
 void visit(Way way, Stage& stage) {
   way(stage.scene, stage.period_s, stage.recording_ticks, stage.lattice.rest_m,
@@ -115,7 +115,7 @@ std::shared_ptr<Stage> stage_of(std::span<const std::byte> bytes, int display) {
   return stage;
 }
 
-// As a page's order is when it has passed the server.
+// True if the order is one that the server would pass on from a page.
 bool sane(const Order& order) {
   const auto control = [](unsigned char c) { return c < ' ' || c == 0x7F; };
   const std::string& text = order.text;
@@ -181,7 +181,7 @@ void ConsoleProcess::send(const Packer& message, std::span<const int> descriptor
 }
 
 void ConsoleProcess::show(const Stage& stage) {
-  // Of any size, so not through the socket.
+  // The stage may have any size, so it is not sent through the socket.
   const Packer all = packed(stage);
   const hal::SharedMemory parcel(all.bytes().size());
   std::copy(all.bytes().begin(), all.bytes().end(), parcel.bytes().begin());
@@ -230,7 +230,7 @@ bool ConsoleProcess::alive_within(double seconds) {
 
 namespace {
 
-// What a page asks for. Orders that find no room in the socket are too many.
+// What a page asks for. Orders that find no room in the socket are refused as too many.
 ServerEvents events_to(hal::SideLink& link, Numbers& numbers,
                        std::shared_ptr<hal::Metrics> metrics) {
   ServerEvents events;
@@ -287,7 +287,7 @@ void console_beside(hal::SideSeat& seat) {
   std::vector<int> descriptors;
   while (!seat.link.gone()) {
     const std::optional<hal::Bytes> message = seat.link.receive(kLookS, &descriptors);
-    // Rows first: they were told before it.
+    // Rows first, because they were told before the message.
     for (Told each; told.pop(each);) (void)server.tell(each);
     if (message) obey(server, *message, descriptors);
     beats.count.fetch_add(1, std::memory_order_relaxed);

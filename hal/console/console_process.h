@@ -2,11 +2,11 @@
 // The console's server (server.h) in a process beside the loop's.
 //
 // The loop publishes into a Display, which lies in shared memory; rows and counters go the same
-// way. Stages, activities and scores go as messages, and what the page asks comes back as messages
-// that are judged here. If this process ends, hangs or says what it cannot mean, the page is gone
-// and the attempt goes on without it. Promises: as of SideProcess. Whatever it says, `next` gives
-// an order within its bounds or nothing. No function waits for it longer than kShowPatienceS. All
-// but `tell` from one thread.
+// way. Stages, activities and scores go as messages. What the page asks for comes back as messages,
+// which are checked here. If this process ends, hangs or sends nonsense, the page is gone and the
+// attempt goes on without it. Promises: those of SideProcess. Whatever this process sends, `next`
+// gives an order within its bounds or nothing. No function waits for it longer than kShowPatienceS.
+// All but `tell` are to be called from one thread.
 #pragma once
 
 #include <chrono>
@@ -24,33 +24,33 @@
 namespace stylet::console {
 
 constexpr const char* kConsoleRole = "console";
-// For room in the socket, which holds some hundred messages. Longer: it hangs, and is killed.
+// Longest wait for room in the socket, which holds some hundred messages; then it is killed.
 constexpr double kShowPatienceS = 0.5;
 
 struct PointerLeft {};
 using Wish = std::variant<Order, PointerMoved, PointerLeft>;
 hal::Bytes wish_message(const Wish& wish);
-// Judged: any bytes give an order within its bounds, or hal::PackingError.
+// Checks a message: any bytes give an order within its bounds, or hal::PackingError.
 Wish wish_of(std::span<const std::byte> message);
 
 class ConsoleProcess {
  public:
-  // Throws hal::SideError, with the server's own words where it cannot listen.
+  // Throws hal::SideError, with the server's own words if it cannot listen.
   explicit ConsoleProcess(const ServerConfig& config);
 
   const std::string& url() const { return url_; }
-  void show(const Stage& stage);  // a copy of all but its display
+  void show(const Stage& stage);  // copies all but its display
   void show(Activity activity);
   void show(const ScoredAttempt& attempt);
-  void refuse(const std::string& what);  // to the page in control
-  // The counters' page shows the newest.
+  void refuse(const std::string& what);  // told to the page in control
+  // The counters' page shows the newest numbers.
   void publish(const hal::MetricNumbers& numbers);
-  // Any one thread. False: full, and the row is lost.
+  // To be called by any one thread. False: the ring is full, and the row is lost.
   bool tell(const Told& told) { return told_.push(told); }
 
-  // What a page asked.
+  // What a page asks for.
   std::optional<Wish> next(double patience_s);
-  // It has shown a sign of life within `seconds`, as far as was looked: now and then.
+  // Whether it has given a sign of life within `seconds`, if this is called now and then.
   bool alive_within(double seconds);
   hal::SideProcess& process() { return process_; }
 
@@ -66,7 +66,7 @@ class ConsoleProcess {
   Clock::time_point beat_ = Clock::now();
 };
 
-// What that process does.
+// What the console's process does.
 void console_beside(hal::SideSeat& seat);
 
 }  // namespace stylet::console

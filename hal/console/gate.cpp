@@ -33,7 +33,7 @@ const Known* find_place(std::string_view path) {
   return nullptr;
 }
 
-// "127.0.0.1:7760" and "[::1]:7760"; without a port it is 80, which we are not.
+// Parses "127.0.0.1:7760" and "[::1]:7760"; a missing port means 80, which is never ours.
 struct HostName {
   std::string_view name, port;
 };

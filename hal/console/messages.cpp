@@ -120,7 +120,7 @@ auto touches_of(Builder& builder, const hal::DisplayState& state) {
   return builder.CreateVectorOfStructs(all);
 }
 
-// What changed since it was sent; false: all of it must be sent.
+// What has changed since it was sent; false: everything must be sent.
 bool changes(const FrameParts& parts, std::vector<std::uint32_t>& index, Places& to) {
   const Places& now = *parts.places;
   if (parts.sent == nullptr || parts.sent->size() != now.size()) return false;
@@ -134,7 +134,7 @@ bool changes(const FrameParts& parts, std::vector<std::uint32_t>& index, Places&
     index.push_back(static_cast<std::uint32_t>(at / 3));
     to.insert(to.end(), {now[at], now[at + 1], now[at + 2]});
   }
-  // An index takes four bytes beside the six of a place: beyond this a key frame is smaller.
+  // An index takes four bytes, a position six: with more of them a key frame is smaller.
   return index.size() * 10 < now.size() * 2;
 }
 

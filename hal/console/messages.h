@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console's messages (console.fbs): those of the server made from what the hal knows, those of
-// a page checked and turned into orders. Pure functions; units and frames as in the schema.
+// The console's messages (console.fbs): the server's, made from what the hal knows, and a page's,
+// checked and turned into orders. Pure functions; units and frames as in the schema.
 #pragma once
 
 #include <cstddef>
@@ -24,10 +24,10 @@ Bytes refused_message(const std::string& what);
 Bytes rows_message(std::uint64_t first, std::uint32_t stride, std::span<const Row> rows,
                    std::span<const Happened> events);
 Bytes score_message(const Stage& stage, const ScoredAttempt& attempt, std::span<const Row> rows);
-// attempt: from 1, as in a score; 0: of a recording.
+// attempt: counted from 1, as in a score; 0: a recording's.
 Bytes marked_message(std::uint64_t tick, const std::string& text, std::uint32_t attempt);
 
-// Places of the lattice's particles in kPositionUnitM from rest: x y z of each.
+// Displacements of the lattice's particles from rest, in kPositionUnitM: x y z of each.
 using Places = std::vector<std::int16_t>;
 void quantise(const Lattice& lattice, std::span<const stylet::Vec3> moved_m, Places& places_out);
 
@@ -37,18 +37,18 @@ struct TimingShown {
   std::vector<float> tick_us, late_us;  // quantiles
   std::vector<std::uint32_t> tick_bins, late_bins;
 };
-// Quantiles and bins of a curve.
+// Quantiles and bins of a curve's times.
 TimingShown timing_of(const Curve& curve);
 
 struct FrameParts {
   Activity activity;
   const hal::DisplayState* state;
   const Places* places;  // now
-  const Places* sent;    // on this connection; null or of another size: a key frame
+  const Places* sent;    // already sent on this connection; null or another size: send a key frame
   std::span<const Row> rows;
   std::span<const Happened> events;
   const TimingShown* timing;
-  std::uint32_t attempt = 0;  // from 1; 0: none yet, or a recording
+  std::uint32_t attempt = 0;  // from 1; 0: no attempt yet, or a recording
 };
 Bytes frame_message(const FrameParts& parts);
 
@@ -64,7 +64,7 @@ struct PointerMoved {
   std::uint32_t buttons;
 };
 using Asked = std::variant<Order, AskedRows, PointerMoved>;
-// None: not a message of a page, and the connection is to be closed.
+// nullopt: not a page's message, so the connection must be closed.
 std::optional<Asked> read_message(std::span<const std::byte> bytes);
 
 }  // namespace stylet::console

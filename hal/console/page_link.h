@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A page's WebSocket: what it sends is checked and handed on, what it is sent waits in a bounded
+// A page's WebSocket: what it sends is checked and passed on; what is sent to it waits in a bounded
 // queue.
-// Promise: used by the server's thread alone; a page that sends what is none of ours, or too much,
-// or takes nothing, is closed, and nobody else notices.
+// Promise: used by the server's thread alone; a page that sends unknown messages, or too many, or
+// takes nothing, is closed, and nobody else notices.
 #pragma once
 
 #include <boost/beast/core.hpp>
@@ -34,7 +34,7 @@ class PageLink : public std::enable_shared_from_this<PageLink> {
 
  private:
   void read();
-  // False: close.
+  // False: close the connection.
   bool take();
   void write();
 

@@ -14,7 +14,7 @@ namespace stylet::console {
 namespace {
 
 constexpr std::uint64_t kBlock = 1024;
-// Ticks between two looks at whether something else is wanted.
+// Ticks between two checks whether something else is wanted.
 constexpr std::uint64_t kLookTicks = 20;
 
 std::uint64_t stretch_for(std::uint64_t ticks, std::size_t bytes) {
@@ -90,7 +90,7 @@ bool Player::overtaken(std::uint64_t number) {
   return wish_.number != number;
 }
 
-// Where time has got to; at either end it stands still.
+// The tick that playing has reached; at either end it stands still.
 std::uint64_t Player::moved(double elapsed_s) {
   const double period_s = static_cast<double>(recording_.info().config.period_s);
   const double wanted = wish_.tick + wish_.speed * elapsed_s / period_s;
@@ -99,7 +99,7 @@ std::uint64_t Player::moved(double elapsed_s) {
   return static_cast<std::uint64_t>(std::llround(wish_.tick));
 }
 
-// The tick itself, or the snapshot before it where the way from there is long.
+// The tick itself, or the snapshot before it if computing from there takes long.
 std::uint64_t Player::key_before(std::uint64_t tick) const {
   const std::uint64_t way = tick % stretch_;
   const bool there = tick / stretch_ < snapshots_.size();
@@ -107,7 +107,7 @@ std::uint64_t Player::key_before(std::uint64_t tick) const {
   return !there || quick ? tick : std::max<std::uint64_t>(tick - way, 1);
 }
 
-// What is wanted now; false: the end.
+// What is wanted now; false: the player must end.
 bool Player::next_wish(std::uint64_t& goal_out, std::uint64_t& wish_out) {
   std::unique_lock lock(mutex_);
   const bool scouting = scout_tick_ < recording_.ticks();
@@ -129,7 +129,7 @@ void Player::work() {
   std::uint64_t on_display = 0, goal = 0, wish = 0;
   looked_ = Clock::now();
   while (next_wish(goal, wish)) {
-    // A recording may be cut short while it is played.
+    // The recording may be cut short while it is played.
     const bool done = hal::contained("playback", [&] {
       if (goal == on_display) {
         scout();
@@ -204,7 +204,7 @@ void Player::show(std::uint64_t tick) {
   display_->publish(shown_.kernel, std::span(records).first(block_.size()), 0, 0);
 }
 
-// A little way further with the snapshots.
+// Takes further snapshots ahead, a few ticks at a time.
 void Player::scout() {
   for (std::uint64_t i = 0; i < kLookTicks; ++i) {
     if (scout_tick_ % stretch_ == 0 && snapshots_.size() == scout_tick_ / stretch_) {

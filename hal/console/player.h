@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shows a recording at any tick and any speed, also backwards: a kernel of its own repeats the
-// recorded inputs. Snapshots of it are taken on the way and, while nothing is asked for, ahead, so
-// that no tick is farther than one stretch of ticks from a snapshot.
+// recorded inputs. Snapshots of it are taken on the way, and ahead while nothing is asked for, so
+// that no tick is farther from a snapshot than the distance of two.
 //
-// Backwards each picture is a way of its own from a snapshot. Where that takes longer than
-// `longest_way_s`, the snapshots themselves are shown, as key frames.
+// Backwards each picture is computed anew from a snapshot. If that takes longer than
+// `longest_way_s`, only the snapshots are shown, as key frames.
 //
-// Forces and needle poses are the recorded ones, to the bit; the tissue is what this program
-// computes from the same inputs, and where that is not what was recorded, it is said so. Memory of
+// Forces and needle poses are exactly the recorded ones; the tissue is what this program computes
+// from the same inputs, and if that differs from what was recorded the user is told. Memory for
 // the snapshots: kSnapshotBytes. One thread, ordinary priority. Units: SI.
 #pragma once
 
@@ -33,18 +33,18 @@ std::shared_ptr<const Curve> read_curve(const hal::RecordingReader& recording);
 
 class Player {
  public:
-  // `organ` is the recording's. Recording, organ and display must outlive it; nobody else may read
-  // the recording meanwhile.
+  // `organ` is the recording's. Recording, organ and display must outlive the player; nobody else
+  // may read the recording meanwhile.
   Player(const hal::RecordingReader& recording, const Organ& organ,
          std::shared_ptr<hal::Display> display, double longest_way_s = kLongestWayS);
   ~Player();
   Player(const Player&) = delete;
   Player& operator=(const Player&) = delete;
 
-  // From any thread.
+  // These may be called from any thread.
   void seek(std::uint64_t tick);
-  void play(float speed);  // 0 holds, 1 as recorded, negative backwards
-  // The first tick whose recorded outputs this program does not give; 0: none so far.
+  void play(float speed);  // 0 stops, 1 is the recorded speed, negative is backwards
+  // The first tick whose recorded outputs this program does not reproduce; 0: none so far.
   std::uint64_t differs_at() const { return differs_at_.load(std::memory_order_relaxed); }
 
   const Kernel& kernel() const { return shown_.kernel; }
@@ -54,7 +54,7 @@ class Player {
   struct Wish {
     double tick = 1;
     double speed = 0;
-    std::uint64_t number = 0;  // of the wish
+    std::uint64_t number = 0;  // number of the wish
   };
 
   void work();
@@ -62,7 +62,7 @@ class Player {
   std::uint64_t moved(double elapsed_s);
   std::uint64_t key_before(std::uint64_t tick) const;
   bool overtaken(std::uint64_t number);
-  // The kernel after `goal` ticks; false: another wish came first.
+  // Brings the kernel to the state after `goal` ticks; false: another wish came first.
   bool bring_to(std::uint64_t goal, std::uint64_t wish);
   void show(std::uint64_t tick);
   void scout();
@@ -72,12 +72,12 @@ class Player {
   const hal::RecordingReader& recording_;
   std::shared_ptr<hal::Display> display_;
   const double longest_way_s_;
-  double step_s_ = 0;  // what a tick took lately
+  double step_s_ = 0;  // what a tick took recently
   hal::KernelInstance shown_, scout_;
   std::uint64_t shown_tick_ = 0, scout_tick_ = 0;
   std::uint64_t stretch_;                          // ticks between snapshots
   std::vector<std::vector<std::byte>> snapshots_;  // after 0, stretch, 2 stretch ... ticks
-  std::uint64_t block_first_ = 0;                  // rows in memory
+  std::uint64_t block_first_ = 0;                  // of the rows in memory
   std::vector<std::vector<hal::TickRecord>> block_;
 
   std::mutex mutex_;

@@ -42,7 +42,7 @@ Happened happened(const stylet::Event& event) {
 std::uint32_t stride_for(std::uint64_t ticks, std::uint32_t needles, std::uint32_t most) {
   const std::uint64_t rows = ticks * needles;
   if (rows <= most) return 1;
-  // Two rows a stride: its first, and the one with the largest force.
+  // Each stride gives two rows: its first, and the one with the largest force.
   const std::uint64_t stride = (2 * rows + most - 1) / most;
   return static_cast<std::uint32_t>(
       std::min<std::uint64_t>(stride, std::numeric_limits<std::uint32_t>::max()));

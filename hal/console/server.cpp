@@ -20,7 +20,7 @@
 namespace stylet::console {
 namespace {
 
-// The lowest priority, and none of the loop's processors where there are others.
+// Takes the lowest priority, and avoids the loop's processors if there are others.
 void stand_back(const std::vector<int>& spared) {
   setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), 19);
   cpu_set_t allowed;
@@ -57,7 +57,7 @@ Server::Impl::Impl(ServerConfig config_in, ServerEvents events_in)
   thread = std::thread([this] {
     hal::name_thread("stylet-console");
     stand_back(config.spared_processors);
-    // What fails is one page's connection, not the others'.
+    // A failure ends one page's connection, not the others.
     while (!hal::contained("console", [this] { io.run(); })) {
     }
   });
@@ -93,7 +93,7 @@ void Server::Impl::take_news() {
     quantise(stage->lattice, state->moved_m, places);
     ++serial;
   }
-  // Quantiles walk all bins: a few times a second is often enough.
+  // Quantiles go through all bins, so a few times a second is enough.
   constexpr std::uint32_t kTimingRounds = 16;
   if (rounds++ % kTimingRounds == 0) timing = timing_of(curve());
   timing.connections = static_cast<std::uint32_t>(links.size());
@@ -161,7 +161,7 @@ void Server::Impl::leave(const PageLink& link) {
   if (controlled && !links.empty()) greet(*links.front());
 }
 
-// A teacher marks from a page of his own, whoever is in control.
+// A teacher marks from a page of their own, whoever is in control.
 std::string Server::Impl::take_order(const PageLink& link, Order order) {
   const bool mark = order.verb == Verb::kMark;
   if (!mark && !in_control(link)) {
@@ -178,7 +178,7 @@ std::string Server::Impl::take_order(const PageLink& link, Order order) {
   }
   const std::string refused = events.ordered(order);
   if (refused.empty() && mark) {
-    // Before the first tick, a mark is of the attempt to come.
+    // A mark before the first tick belongs to the next attempt.
     const auto attempt = static_cast<std::uint32_t>(std::max<std::uint64_t>(live.attempt(), 1));
     keep_and_send(marks, kMaxMarksKept, marked_message(order.tick, order.text, attempt));
   }
@@ -233,7 +233,7 @@ std::string Server::url() const {
 
 void Server::show(std::shared_ptr<const Stage> stage) {
   asio::post(impl_->io, [impl = impl_.get(), stage = std::move(stage)]() mutable {
-    impl->state = nullptr;  // it belongs to the display of the old stage
+    impl->state = nullptr;  // it belongs to the old stage's display
     impl->stage = std::move(stage);
     for (const auto& link : std::vector(impl->links)) impl->greet(*link);
   });

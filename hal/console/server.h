@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console's server: HTTP and WebSocket on one thread of the lowest priority.
+// The console's server: HTTP and WebSocket, on one thread of the lowest priority.
 //
-// It takes the newest state out of a Display and rows out of a Ring, and gives every page what it
-// can take: a slow or dead page loses frames and costs nobody else anything. What pages ask of the
-// session comes out as Orders. Bounds of everything: limits.h. Promise: nothing here is called from
+// It takes the newest state from a Display and rows from a Ring, and gives every page what it can
+// take: a slow or dead page loses frames and does not affect others. What pages ask of the
+// session is passed on as Orders. All bounds are in limits.h. Promise: nothing here is called from
 // the loop, and no function waits for a page.
 #pragma once
 
@@ -28,11 +28,11 @@ struct ConsoleError : std::runtime_error {
 };
 
 struct ServerConfig {
-  GateConfig gate;                     // port 0: any that is free
-  std::vector<int> spared_processors;  // the loop's, where it has one of its own
+  GateConfig gate;                     // port 0: any free port
+  std::vector<int> spared_processors;  // the loop's, if it has its own
 };
 
-// For the counters' page.
+// For the page of counters.
 struct ServerCounters {
   std::size_t connections = 0;    // open now
   std::uint64_t lost_frames = 0;  // of all pages so far
@@ -40,8 +40,8 @@ struct ServerCounters {
 };
 
 struct ServerEvents {
-  // On the server's thread; must return at once. The answer is told to the page that asked, and
-  // empty where the order was taken.
+  // Called on the server's thread; must return at once. The answer is told to the page that asked;
+  // it is empty if the order was accepted.
   std::function<std::string(const Order&)> ordered;
   std::function<void(const PointerMoved&)> pointed;
   std::function<void()> pointer_left;  // the page in control has gone
@@ -50,24 +50,24 @@ struct ServerEvents {
 
 class Server {
  public:
-  // Listens, or throws ConsoleError.
+  // Starts to listen, or throws ConsoleError.
   Server(const ServerConfig& config, ServerEvents events);
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  // The page's address, with the token.
+  // The page's address, including the token.
   std::string url() const;
 
-  // From any other thread, one at a time.
+  // To be called from any one other thread at a time.
   void show(std::shared_ptr<const Stage> stage);
   void show(Activity activity);
-  void refuse(const std::string& what);  // to the page in control
+  void refuse(const std::string& what);  // told to the page in control
   // Of the attempt whose rows were told last, or of the recording.
   void show(const ScoredAttempt& attempt);
-  // Where the recorder tells its rows; full: they are lost and counted. One writer.
+  // Here the recorder tells its rows; if full they are lost and counted. One writer.
   bool tell(const Told& told);
-  // Instead of that: the whole curve of a recording, and its marks.
+  // For a recording, instead of tell(): its whole curve and its marks.
   void show(std::shared_ptr<const Curve> curve, std::span<const hal::Mark> marks);
 
   struct Impl;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the server's thread holds, for its parts: connections (visit.h), pages (page_link.h), and
-// the server itself (server.cpp). Promise: all of it belongs to the server's thread once that has
+// What the server's thread holds for its parts: connections (visit.h), pages (page_link.h), and the
+// server itself (server.cpp). Promise: all of it belongs to the server's thread once that has
 // begun.
 #pragma once
 
@@ -30,7 +30,7 @@ inline Parcel shared(Bytes bytes) {
 
 class PageLink;
 
-// Counts the connections that are open.
+// Counts open connections.
 struct Seat {
   explicit Seat(std::size_t& count) : taken(&count) { ++count; }
   ~Seat() { --*taken; }
@@ -39,7 +39,7 @@ struct Seat {
   std::size_t* taken;
 };
 
-// What a page has got already.
+// What a page has already been sent.
 struct Got {
   Places places;  // empty: it needs a key frame
   std::uint64_t serial = 0, offered = 0;
@@ -69,18 +69,18 @@ struct Server::Impl {
 
   ServerConfig config;
   ServerEvents events;
-  std::size_t connections = 0;  // outlives those in the context
+  std::size_t connections = 0;  // must outlive those in the context
   asio::io_context io{1};
   tcp::acceptor acceptor{io};
   asio::steady_timer timer{io};
-  std::vector<std::shared_ptr<PageLink>> links;  // the oldest is in control
+  std::vector<std::shared_ptr<PageLink>> links;  // the oldest page is in control
   hal::Ring<Told> told{kRowRing};
 
   std::shared_ptr<const Stage> stage;
   Activity activity = Activity::Ready;
-  std::shared_ptr<const Curve> recorded;  // of a recording; else live is shown
+  std::shared_ptr<const Curve> recorded;  // of a recording; if null, `live` is shown
   Curve live{kMaxRowsKept};
-  const hal::DisplayState* state = nullptr;  // the newest; the display's
+  const hal::DisplayState* state = nullptr;  // the newest; belongs to the display
   Places places;
   std::uint64_t serial = 0;  // of the newest state
   TimingShown timing;
@@ -88,7 +88,7 @@ struct Server::Impl {
   std::uint64_t lost_frames = 0;  // of all pages so far
   std::deque<Parcel> marks;       // of this session
   std::deque<Parcel> scores;      // of this session
-  std::thread thread;             // last: it uses all of the above
+  std::thread thread;             // last, because it uses all of the above
 };
 
 }  // namespace stylet::console

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a console shows: one scene with its organ, needles and lattice; and what a page may ask of
-// it. Plain data between the session, which owns the control flow, and the server.
+// What a console shows: one scene with its organ, needles and lattice; and what a page may ask for.
+// Plain data between the session, which decides what runs, and the server.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@
 
 namespace stylet::console {
 
-// The particles that voxels are made of, numbered by themselves.
+// The particles that voxels consist of, with numbers of their own.
 struct Lattice {
   std::vector<stylet::Vec3> rest_m;
-  std::vector<std::uint32_t> corners;    // 8 a voxel
-  std::vector<std::uint32_t> of_kernel;  // number in the kernel, of each
+  std::vector<std::uint32_t> corners;    // 8 for each voxel
+  std::vector<std::uint32_t> of_kernel;  // number of each in the kernel
 };
 Lattice make_lattice(const Organ& organ, const Kernel& kernel);
 
@@ -34,7 +34,7 @@ struct Stage {
   std::string scene;                // its name, without folders
   std::vector<std::string> scenes;  // to choose from
   float period_s = 0;
-  std::uint64_t recording_ticks = 0;  // 0: live
+  std::uint64_t recording_ticks = 0;  // 0: live, not a recording
   std::shared_ptr<const hal::OrganFile> organ;
   Lattice lattice;
   std::vector<ShownNeedle> needles;
@@ -43,10 +43,10 @@ struct Stage {
   std::shared_ptr<hal::Display> display;
 };
 
-// What an attempt came to.
+// The results of an attempt.
 struct ScoredAttempt {
   std::uint32_t attempt = 0;
-  std::string trainee, began, recording;  // who, when (ISO 8601), file without folders
+  std::string trainee, began, recording;  // who, when (ISO 8601), file name without folders
   hal::Score score;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a check is: a look at the machine, how bad it is when that is not good, and what to do then.
+// A check: a look at the machine, how bad it is if that is not good, and what to do then.
 #pragma once
 
 #include <span>
@@ -23,10 +23,10 @@ struct Check {
   const char* name;
   Verdict severity;
   Seen (*look)(const Patient& patient, const HostTree& tree);
-  const char* remedy;  // "{cpu}" stands for the loop's processor, "{priority}" for its priority
+  const char* remedy;  // "{cpu}" is replaced by the loop's processor, "{priority}" by its priority
 };
 
-std::span<const Check> kernel_checks();     // kernel, clocks, rights, settings that add noise
+std::span<const Check> kernel_checks();     // kernel, clocks, rights, settings that disturb
 std::span<const Check> processor_checks();  // who else may use the processor, and how it sleeps
 std::span<const Check> device_checks();     // USB, and the threads that serve it
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks of haptic devices on USB, and of the interrupt threads that bring their samples.
+// Checks of haptic devices on USB, and of the interrupt threads that fetch their samples.
 #include <fmt/format.h>
 
 #include "hal/device/devices.h"
@@ -40,7 +40,7 @@ Seen usb_power(const Patient&, const HostTree& tree) {
           sleepy.empty() ? found + ", always on" : found + ", may be suspended", path};
 }
 
-// The thread that fetches the device's samples must not wait for the loop that waits for them.
+// The thread that fetches a device's samples must not wait for the loop, which waits for them.
 Seen device_thread(const Patient& patient, const HostTree& tree) {
   const string path = "/proc/*/stat (irq/*-*hci*)";
   std::size_t seen = 0, threads = 0;

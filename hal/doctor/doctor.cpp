@@ -50,7 +50,7 @@ Finding finding_of(const Check& check, const Seen& seen, const Patient& patient)
   return finding;
 }
 
-// ---- what only an attempt shows of devices ------------------------------------------------------
+// ---- what is known of devices only by trying ----------------------------------------------------
 
 Finding device_priority(const Patient& patient) {
   static constexpr Check kPriority = {
@@ -78,7 +78,7 @@ Finding device_watchdog(const Patient& patient) {
 
 // ---- disturbances -------------------------------------------------------------------------------
 
-// Intel's count of system management interrupts.
+// Intel's counter of system management interrupts.
 std::optional<std::uint64_t> read_smi_count(const Patient& patient) {
   constexpr std::streamoff kRegister = 0x34;
   std::ifstream file(fmt::format("{}/dev/cpu/{}/msr", patient.root, patient.cpu), std::ios::binary);
@@ -89,7 +89,7 @@ std::optional<std::uint64_t> read_smi_count(const Patient& patient) {
   return count;
 }
 
-// "25:", "LOC:" and the counts of each processor, then what it is.
+// Parses lines of "25:" or "LOC:", the counts of each processor, and a description.
 std::map<string, std::uint64_t> count_interrupts(const Patient& patient, const HostTree& tree) {
   std::map<string, std::uint64_t> counts;
   const std::vector<string> lines = lines_of(read_text(tree, "/proc/interrupts").value_or(""));

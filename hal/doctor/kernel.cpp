@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks of the kernel as a whole: preemption, clocks, rights, and what it does in between.
+// Checks of the kernel as a whole: preemption, clocks, rights, and what it does in the background.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -76,7 +76,7 @@ bool has_capability(const HostTree& tree, unsigned bit) {
   return set && (*set >> bit & 1U) != 0;
 }
 
-// The soft limit of a line of /proc/self/limits.
+// The soft limit in a line of /proc/self/limits.
 std::optional<string> limit_of(const HostTree& tree, const string& name) {
   for (const string& line : lines_of(read_text(tree, "/proc/self/limits").value_or(""))) {
     if (!line.starts_with(name)) continue;
@@ -118,8 +118,8 @@ Seen memory_right(const Patient& patient, const HostTree& tree) {
 
 // ---- settings -----------------------------------------------------------------------------------
 
-// One file, and the values that are good. A kernel built without the feature has neither the file
-// nor `feature`, in a folder that is there.
+// One file, and its good values. A kernel built without the feature lacks the file as well as
+// `feature`, in a folder that does exist.
 Seen setting(const HostTree& tree, const string& path, const string& feature,
              std::initializer_list<const char*> good) {
   const auto text = read_text(tree, path);
@@ -142,7 +142,7 @@ Seen swap(const Patient&, const HostTree& tree) {
   const string path = "/proc/swaps";
   const auto text = read_text(tree, path);
   if (!text) return not_read(path);
-  const std::size_t areas = lines_of(*text).size();  // below one line of headings
+  const std::size_t areas = lines_of(*text).size();  // not counting one line of headings
   if (areas <= 1) return {State::kGood, "none", path};
   return {State::kBad, fmt::format("{} areas", areas - 1), path};
 }

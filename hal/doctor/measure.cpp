@@ -48,16 +48,16 @@ void cycle(const MeasureConfig& config, const Body& body, std::atomic<std::uint6
     const std::int64_t missed = std::max<std::int64_t>(0, (end_ns - grid_ns) / config.period_ns);
     out.missed += static_cast<std::uint64_t>(missed);
     if (body.rest) body.rest();
-    // The rest may take longer than what is left of the period: no slip of the body.
+    // The rest may take longer than what is left of the period: the body is not to blame.
     const std::int64_t passed = std::max<std::int64_t>(0, monotonic_now_ns() - grid_ns);
     grid_ns += (1 + passed / config.period_ns) * config.period_ns;
   }
 }
 
-// Threads without priority that keep every other processor busy with memory and system calls.
+// Threads without priority that keep all other processors busy with memory and system calls.
 class Load {
  public:
-  // By a thread without priority, as its children have what it has.
+  // Call it in a thread without priority, because its children inherit that.
   explicit Load(int spared_cpu) {
     cpu_set_t allowed;
     CPU_ZERO(&allowed);
@@ -80,7 +80,7 @@ class Load {
     CPU_ZERO(&set);
     CPU_SET(static_cast<std::size_t>(cpu), &set);
     sched_setaffinity(0, sizeof set, &set);
-    constexpr std::size_t kBytes = 8U << 20U;  // more than the caches a processor has for itself
+    constexpr std::size_t kBytes = 8U << 20U;  // more than a processor's own caches hold
     std::vector<unsigned char> from(kBytes, 1), to(kBytes);
     while (!stop_.load(std::memory_order_relaxed)) {
       std::memcpy(to.data(), from.data(), kBytes);
@@ -93,7 +93,7 @@ class Load {
   std::vector<std::thread> threads_;
 };
 
-// A driver that hangs says nothing.
+// A driver that hangs gives nullopt.
 std::optional<bool> ask_for_watchdog() {
   const auto end = std::chrono::steady_clock::now() + kClosingTime;
   const auto told = call_driver<std::optional<bool>>(
@@ -115,7 +115,7 @@ Attempts attempt_rights(const HostState& host, int cpu, int priority, int& cpu_o
   if (clock_getres(CLOCK_MONOTONIC, &resolution) == 0) {
     attempts.clock_resolution_ns = resolution.tv_sec * 1'000'000'000 + resolution.tv_nsec;
   }
-  // A future, so that what it throws is thrown here.
+  // A future, so that exceptions of the thread are thrown again here.
   std::async(std::launch::async, [&] {
     HostReport refused;
     prepare_thread(cpu, priority, refused);

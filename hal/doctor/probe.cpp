@@ -72,7 +72,7 @@ void tick(Probing& p, Vec3 force_n, DeviceProbe& out) {
   out.fault = p.state.fault;
 }
 
-// Up and down again in a triangle; what the hand did is taken at the top.
+// A triangle of force, up and down; the hand's motion is taken at the top.
 PushSeen push(Probing& p, Vec3 direction, const std::atomic<bool>& stop, DeviceProbe& out) {
   const Vec3 from = p.last.pose.position_m;
   Vec3 top = from;
@@ -110,7 +110,7 @@ void probe_device(const Device& device, double seconds, bool pushes, const Clock
     gone = guard_end(p.guard, p.state, torque, p.next_ns);
     clock.sleep_until_ns(clock.self, p.next_ns);
     Sample unused;
-    (void)device.read(device.self, p.next_ns, unused);  // a relay learns the time by it
+    (void)device.read(device.self, p.next_ns, unused);  // a relay learns the time from this read
     device.write(device.self, guard_command(p.guard, p.state, torque));
   }
   out.seconds = static_cast<double>(clock.now_ns(clock.self) - start_ns) * 1e-9;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a device really does: rate and jitter of its samples, resolution, buttons, and, if asked,
-// whether a force pushes the way it should. For hardware nobody here has seen.
-// Promise: forces stay below a third of the device's, at most 1 N, and go through the guard.
+// Measures what a device really does: rate and jitter of its samples, resolution, buttons, and, on
+// request, whether a force pushes in the right direction. For hardware that nobody here has seen.
+// Promise: forces stay below a third of the device's largest, at most 1 N, and pass the guard.
 // Units: SI. Frame: the device's.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace stylet::hal {
 
 struct PushSeen {
   float force_n;  // largest of the ramp
-  Vec3 moved_m;   // of the hand, while it lasted
+  Vec3 moved_m;   // of the hand, during the ramp
 };
 
 struct DeviceProbe {
@@ -26,15 +26,15 @@ struct DeviceProbe {
   std::uint64_t ticks = 0, unanswered = 0, repeated = 0, samples = 0, lost = 0;
   Histogram interval;                // between the times of two samples
   Histogram age;                     // of a new sample in the tick that reads it
-  std::array<float, 3> step_m = {};  // smallest change seen of a coordinate; 0: none
+  std::array<float, 3> step_m = {};  // smallest change seen in each coordinate; 0: no change
   Vec3 low_m = {}, high_m = {};
   std::uint32_t buttons_seen = 0;     // pressed at least once
-  std::array<PushSeen, 6> push = {};  // along +x, -x, +y, ...; no force: not asked for
+  std::array<PushSeen, 6> push = {};  // along +x, -x, +y, ...; no force: not requested
   Fault fault = Fault::kNone;
 };
 
-// Ticks the device a thousand times a second: `seconds` without force, then, if `pushes`, half a
-// second along every axis. Stops early when `stop` is set.
+// Ticks the device a thousand times a second: `seconds` without force; then, if `pushes`, half a
+// second in both directions of each axis. Stops early when `stop` is set.
 void probe_device(const Device& device, double seconds, bool pushes, const Clock& clock,
                   const std::atomic<bool>& stop, DeviceProbe& out);
 

@@ -18,7 +18,7 @@ string of_cpu(const Patient& patient, const string& file) {
   return fmt::format("{}/cpu{}/{}", kProcessors, patient.cpu, file);
 }
 
-// The value of `option=value` on the boot line.
+// The value of `option=value` in the boot parameters.
 string boot_option(const HostTree& tree, const string& option) {
   for (const string& word : words_of(read_text(tree, "/proc/cmdline").value_or(""))) {
     if (word.starts_with(option + "=")) return word.substr(option.size() + 1);
@@ -62,7 +62,7 @@ Seen rcu_callbacks(const Patient& patient, const HostTree& tree) {
   return {moved ? State::kGood : State::kBad, "rcu_nocbs: " + or_none(list), path};
 }
 
-// Of the interrupts in use, those that may come to the loop's processor.
+// The interrupts in use that may be delivered to the loop's processor.
 Seen interrupt_routing(const Patient& patient, const HostTree& tree) {
   const auto table = read_text(tree, "/proc/interrupts");
   if (!table) return not_read("/proc/interrupts");
@@ -107,8 +107,8 @@ Seen smt_sibling(const Patient& patient, const HostTree& tree) {
           fmt::format("{}, {}", *siblings, idle ? "all isolated" : "not all isolated"), path};
 }
 
-// Real-time tasks that may run here before the loop does. The kernel's own migration thread, which
-// stops a processor on demand, is on every one of them.
+// Real-time tasks that may run here before the loop. The kernel's own migration thread does not
+// count: it is on every processor, which it stops on demand.
 Seen tasks_above(const Patient& patient, const HostTree& tree) {
   string above;
   std::size_t seen = 0;

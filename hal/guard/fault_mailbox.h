@@ -2,8 +2,8 @@
 // Messages between a loop and whoever looks after it: which fault is latched, and which fault
 // somebody has seen.
 //
-// Any thread may write `seen` and read `latched`. Once the force has faded the loop takes `seen`. It
-// rearms if `seen` names the latched fault, number included, and the device answers. If not, it is
+// Any thread may write `seen` and read `latched`. Once the force has faded, the loop takes `seen`
+// and rearms if it names the latched fault, number included, and the device answers. If not, it is
 // forgotten and must be sent again, so that no force comes back long after somebody asked for it.
 // Without the number, a late message about one fault would clear the next fault of the same kind,
 // which nobody has seen.

@@ -16,7 +16,7 @@
 // are here and mesh files are in 3D Slicer, so x and y change their sign.
 //
 // Promises: the loop knows nothing of it: its thread has the lowest priority, in a process of its
-// own (igtl_process.h), in which post() is called. A client that reads too slowly misses whole frames
+// own (igtl_process.h), in which post() is called. A client that reads too slowly misses frames
 // and is closed after kIgtlPatience; what a client sends is read and discarded, at a bounded rate.
 // Listens on loopback unless told otherwise. Protocol: openigtlink.org. Units: SI here.
 #pragma once

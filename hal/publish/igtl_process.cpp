@@ -7,7 +7,7 @@
 namespace stylet::hal {
 namespace {
 
-constexpr double kLookS = 0.01;  // two looks for each frame of the server
+constexpr double kLookS = 0.01;  // two looks for each pause of the server
 
 Bytes packed(const IgtlConfig& config) {
   Packer packer;

@@ -52,7 +52,7 @@ std::string histogram(const char* name, const char* help, const MetricDurations&
                             static_cast<double>(durations.sum_ns) * 1e-9, below);
 }
 
-// Lists every fault of every needle from the start: a series that appears late hides its first step.
+// Lists each fault of each needle from the start: a series that appears late hides its first step.
 std::string faults(const Metrics& metrics) {
   std::string total = head("stylet_guard_faults_total", "counter", "Faults latched by the guard.");
   std::string now = head("stylet_guard_faulted", "gauge", "1 while the guard holds a fault.");

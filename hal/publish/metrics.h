@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The loop in numbers for Prometheus: its text format 0.0.4, made from plain counters.
 //
-// The server of these numbers fills a MetricNumbers, mostly tick by tick with metrics_add, and gives
-// it, with the names, to metrics_text. Names end in their unit, counters in _total; times are in
-// seconds. Promises: metrics_add allocates nothing; metrics_text is a pure function, and its result
+// The server of these numbers fills a MetricNumbers, mostly tick by tick with metrics_add, and
+// gives it, with the names, to metrics_text. Names end in their unit, counters in _total; times are
+// in seconds. Promises: metrics_add allocates nothing; metrics_text is a pure function whose result
 // obeys the format whatever a label contains. Format:
 // prometheus.io/docs/instrumenting/exposition_formats.
 #pragma once
@@ -25,7 +25,7 @@ constexpr std::array<std::uint32_t, 16> kMetricEdgesUs = {
 constexpr std::size_t kFaults = 9;  // number of faults in Fault
 
 struct MetricDurations {
-  std::array<std::uint64_t, kMetricEdgesUs.size() + 1> count = {};  // of each bucket alone, not cumulative
+  std::array<std::uint64_t, kMetricEdgesUs.size() + 1> count = {};  // of each bucket alone
   std::uint64_t sum_ns = 0;
 };
 

@@ -2,9 +2,9 @@
 // The flight recorder: a recording of the last second before each fault, and of what followed it.
 //
 // It runs in the recorder's thread, so the loop does nothing for it. Promises: the ring is
-// allocated at the start; a file is written only after a fault, and never over another file. If
-// writing fails the run goes on, and error() gives the reason. The file is a recording like others,
-// but the ticks before it are missing and count as `lost_records`: it can be read and plotted, not
+// allocated at the start; a file is written only after a fault, never over another one. If writing
+// fails the run goes on, and error() says why. The file is a recording like others, but the earlier
+// ticks are missing (they are its `lost_records`): it can be read and plotted, not replayed.
 #pragma once
 
 #include <cstdint>
@@ -53,7 +53,7 @@ class FlightRecorder {
   std::uint64_t count_ = 0;            // records ever added
   std::deque<Event> events_;           // not older than the ring
   std::vector<Fault> last_fault_;      // of each needle
-  std::uint64_t records_to_come_ = 0;  // until the pending flight is written; 0: no flight is pending
+  std::uint64_t records_to_come_ = 0;  // until the pending flight is written; 0: none is pending
   Flight pending_;
   std::vector<Flight> flights_;
   std::string error_;

@@ -36,7 +36,7 @@ struct Handle {
 hid_t memory_type(ColumnType type);
 hid_t file_type(ColumnType type);
 
-// The library asks each thread: its own print of errors is not for users.
+// To be called in each thread: stops the library from printing errors, which are not for users.
 void quieten();
 // To be called before any other function of the library.
 void prepare_library();

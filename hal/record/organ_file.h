@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // An organ file, loaded into memory.
-// Promise: gives the organ of an unchanged file from stylet-organ, or throws LoadError with one line:
-// file, place, value and what was expected. Use before the loop only.
+// Promise: gives the organ of an unchanged file from stylet-organ, or throws LoadError with one
+// line: file, place, value and what was expected. Use before the loop only.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The reading end of the rings: a thread without priority that keeps what the loop did.
 //
-// It always keeps the curve in which the stages are found (24 bytes a tick, at most kMaxTrackPoints),
+// It always keeps the curve in which stages are found (24 bytes a tick, at most kMaxTrackPoints),
 // feeds the flight recorder and the score, and writes the full records if a recording is wanted.
 // If writing fails the run goes on, and `error` gives the reason. If anything else fails, such as
 // memory, the thread ends and `error` gives that reason. In a run the recorder is in a process of
@@ -23,8 +23,8 @@
 
 namespace stylet::hal {
 
-// For each needle: 70 minutes at 1 kHz, 100 MB. When full the older half is forgotten, and stages are
-// found in the rest; the recording has everything.
+// For each needle: 70 minutes at 1 kHz, 100 MB. When full the older half is forgotten, and stages
+// are found in the rest; the recording has everything.
 constexpr std::size_t kMaxTrackPoints = std::size_t{1} << 22U;
 // For all needles. When full the older half is forgotten.
 constexpr std::size_t kMaxEventsKept = std::size_t{1} << 16U;
@@ -52,8 +52,8 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  // Takes what is left in the rings and ends the thread. The loop must have ended; `faults` are those
-  // of its hands at that time.
+  // Takes what is left in the rings and ends the thread. The loop must have ended; `faults` are
+  // those of its hands at that time.
   void stop(std::span<const Fault> faults = {});
   // Valid after stop().
   const std::vector<TrackPoint>& track(std::size_t needle = 0) const { return tracks_[needle]; }

@@ -2,10 +2,10 @@
 // The recorder (recorder.h) in a process beside the loop's, together with the recording, the flight
 // recorder, the score and the stages.
 //
-// The loop pushes records and events into rings in shared memory. If the recorder's process ends, the
-// rings are full some seconds later, and the loop counts what does not fit; what was written stays
-// as the recording's temporary file. If the loop's process is killed, the recorder first keeps what
-// is in the rings: nothing that the loop has pushed is lost.
+// The loop pushes records and events into rings in shared memory. If the recorder's process ends,
+// the rings are full some seconds later, and the loop counts what does not fit; what was written is
+// left as the recording's temporary file. If the loop's process is killed, the recorder first keeps
+// what is in the rings: nothing that the loop has pushed is lost.
 // Promises: those of SideProcess; nobody waits for an answer longer than kSidePatienceS after the
 // last record was taken.
 #pragma once
@@ -27,8 +27,8 @@
 namespace stylet::hal {
 
 constexpr const char* kRecorderRole = "recorder";
-// Eight seconds of all needles at 1 kHz: longer than any disk holds up the recorder. When it is full
-// records are lost and counted.
+// Eight seconds of all needles at 1 kHz: longer than any disk holds up the recorder. When it is
+// full, records are lost and counted.
 constexpr std::size_t kRecordRing = 8192 * kMaxNeedles;
 constexpr std::size_t kEventRing = 1024;
 
@@ -62,8 +62,8 @@ class RecorderProcess {
   // A ring is full, and nothing was taken for kSidePatienceS. To be asked now and then.
   bool hangs();
 
-  // Call once, when the loop has ended; `faults`: of each hand now. nullopt: the process has ended, or
-  // was killed because it no longer took anything.
+  // Call once, when the loop has ended; `faults`: of each hand now. nullopt: the process has ended,
+  // or was killed because it no longer took anything.
   std::optional<Recorded> stop(std::span<const Fault> faults);
   // Call after stop(). What went wrong; empty: the recording has its final name.
   std::string finish(std::uint64_t state_hash, std::uint64_t lost_records,

@@ -19,7 +19,7 @@ constexpr const char* kFormatName = "stylet-recording";
 constexpr std::uint32_t kFormatVersion = 4;
 constexpr hsize_t kEventRows = 64;  // in a chunk
 
-// The named attributes of a recording, each a plain number or text. One list for reading and writing.
+// The named attributes of a recording, each a plain number or text. One list to read and to write.
 template <typename Visitor, typename Info>
 void visit_attributes(Visitor& visit, Info& info) {
   visit.text("stylet_version", info.stylet_version);

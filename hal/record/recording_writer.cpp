@@ -53,8 +53,8 @@ struct RecordingWriter::File {
     give_up(error.what());
   }
   // Nothing more can be written: what is on the disk stays, under its temporary name. Throws. The
-  // library is not asked to close the file, because it would write the length that it wanted, and the
-  // file would then count as cut short.
+  // library is not asked to close the file: it would write the length that it wanted, and the file
+  // would then count as cut short.
   [[noreturn]] void give_up(const char* why) {
     for (std::size_t i = 0; i < ticks.size(); ++i) ticks[i].cut(flushed[i]);
     events.cut(flushed_events);
@@ -87,8 +87,8 @@ std::string numbered_name(const std::string& path) {
 
 namespace {
 
-// Uses the format in which a file can be read at any time while it is written (SWMR): a process that
-// is killed leaves what was flushed. Attributes stay in their one place.
+// Uses the format in which a file can be read at any time while it is written (SWMR): a killed
+// process leaves what was flushed. Attributes stay in their one place.
 hid_t create_file(const std::string& path) {
   const Handle create_list(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   const Handle access_list(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Feeds a recording's inputs to a new kernel: the outputs are the same bits, or the first field that
-// differs is told. Promise: compares bits, not values (NaN equals NaN, -0 is not 0); virtual time.
+// Feeds a recording's inputs to a new kernel: gives the same bits, or tells the first field that
+// differs. Promise: compares bits, not values (NaN equals NaN, -0 differs from 0); virtual time.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct ReplayResult {
 ReplayResult replay(const RecordingReader& recording, Kernel& kernel,
                     const std::function<void(std::uint64_t)>& progress = {});
 
-// The organ file for a replay: `given`, else the recorded path, else a file of the same name next to
+// The organ file for a replay: `given`, else the recorded path, else a file of that name next to
 // the recording. Throws LoadError if there is none.
 std::string find_recorded_organ(const std::string& recording_path, const RecordingInfo& info,
                                 const std::string& given);

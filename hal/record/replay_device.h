@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device that repeats what another one sent: the samples of a recording, bit for bit. It is silent
-// where that one was silent, and after the end. It feels no force.
+// A device that repeats what another one sent: the samples of a recording, bit for bit. It is
+// silent where that one was silent, and after the end. It feels no force.
 // Promise: the samples are in memory before the loop starts.
 #pragma once
 

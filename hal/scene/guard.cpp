@@ -7,7 +7,7 @@
 namespace stylet::hal {
 namespace {
 
-// Fractions of what the device renders: the controller's damping, and the amplitude that is buzzing.
+// Fractions of what the device renders: for the controller's damping and the amplitude of buzzing.
 constexpr double kPassivityShare = 0.5, kBuzzShare = 0.1;
 
 double of(float value) {

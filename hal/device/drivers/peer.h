@@ -38,7 +38,7 @@ constexpr std::int64_t kDriftPart = 1000;
 // it looks for forces without its clock being doubted.
 constexpr std::int64_t kClockDoubtNs = 100'000'000;
 constexpr std::int64_t kClockSlackNs = 2'000'000;
-constexpr std::size_t kSentKept = 64;  // forces whose time is kept; an echo of an older one says nothing
+constexpr std::size_t kSentKept = 64;  // forces whose time is kept; older echoes tell nothing
 
 struct PeerDevice {
   Link link;
