@@ -3,7 +3,7 @@
 //
 // Sources. Largest force, stiffness and damping: what CHAI3D's device classes state. The
 // Phantoms' (Touch, Omni, Touch X, Premium) continuous force, resolution, friction, mass and
-// workspace: their data sheets; also workspace and resolution of the others. Not published, so
+// workspace: their data sheets; so, too, workspace and resolution of the others. Not published and
 // assumed on the safe side: 0.2 kg and no friction for parallel arms, and a quarter of the largest
 // force as a Falcon's continuous one. Delay: a period of 1 ms over USB, a quarter of it for devices
 // that can be polled at 4 kHz. Damping of the arm: see with_arm_damping. The models are listed in

@@ -57,7 +57,7 @@ std::vector<Finding> examine(const Patient& patient);
 
 // Disturbances of a processor, as counters that must not grow while nothing is asked of it.
 struct Disturbances {
-  std::map<std::string, std::uint64_t> interrupts;  // on the loop's processor; its own timer's left out
+  std::map<std::string, std::uint64_t> interrupts;  // on the loop's processor, without its timer's
   std::optional<std::uint64_t> system_management;   // interrupts that Linux does not see
   std::optional<std::uint64_t> throttled;           // because it was too hot
 };

@@ -3,8 +3,8 @@
 //
 // A thread of ours polls the device 2000 times a second: it reads pose and buttons and writes the
 // newest force (relay.h), zero too, because gravity is compensated only while forces are sent. The
-// device's own watchdog ends the force 10 ms after this thread dies. If the watchdog is refused the
-// user is told. In any case another thread of ours (supervisor.h) switches the forces off. Whatever
+// device's own watchdog ends the force 10 ms after this thread dies, and another thread of ours
+// (supervisor.h) switches it off, too. If the watchdog is refused the user is told. Whatever
 // switches the forces off (button, velocity, watchdog, cable) ends them for good. The arm is never
 // moved to calibrate it. STYLET_LIBDHD names a library elsewhere. Source: Force Dimension SDK 3.17
 // headers and manual.

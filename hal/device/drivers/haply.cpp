@@ -278,8 +278,8 @@ const char* no_answer(const Haply& haply, const json& newest) {
   return "the service answers no ping: expected a pong to each, as RFC 6455 (5.5.2) asks of it";
 }
 
-// The first message is the inventory; then one answer comes for each of ours, which have no force.
-// The list that counts is that of the last whole message.
+// The first message is the inventory; then one answer comes to each of our messages, all of which
+// are without force. The list that counts is that of the last whole message.
 void wait_until_ready(Haply& haply, const std::string& wanted, const std::string& rest,
                       double patience_s) {
   const Patience patience(patience_s);

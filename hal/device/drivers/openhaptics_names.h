@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of OpenHaptics devices, and which name was meant by one that cannot be opened.
+// Names of OpenHaptics devices: which of them exist when a name cannot be opened.
 #pragma once
 
 #include <fmt/format.h>

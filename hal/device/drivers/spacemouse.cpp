@@ -44,7 +44,7 @@ struct SpaceMouse {
   int socket = -1;
   std::array<char, sizeof(Packet)> partial = {};
   std::size_t have = 0;
-  bool greeted = false;  // the answer has come, or something else that is not one
+  bool greeted = false;  // the answer has come, or a packet instead of it
   Packet motion = {};
   std::int64_t moved_ns = 0, now_ns = 0;
   std::uint32_t buttons = 0;

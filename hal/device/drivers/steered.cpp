@@ -29,7 +29,7 @@ Vec wide(Vec3 v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-// The side the bevel faces now, and rolling by one step towards the wanted side.
+// The side that the bevel faces now. roll() turns it by one step towards the wanted side.
 Vec side_of(const Steered& s) {
   return {s.roll_w * s.roll_w - s.roll_z * s.roll_z, 2 * s.roll_w * s.roll_z, 0};
 }
