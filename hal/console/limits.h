@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every bound of the console, and what happens when it is reached. The loop can feel none of them.
+// Every bound of the console, and what happens when it is reached. None of them can be felt
 // by the loop.
 #pragma once
 

@@ -25,7 +25,7 @@ struct Told {
   Happened event;
 };
 
-// For each needle: every stride-th tick, and from the ticks between the one with the largest force.
+// For each needle: every stride-th tick and, of the ticks between, the one with the largest force.
 std::vector<Row> thin(std::span<const Row> rows, std::uint64_t first, std::uint32_t stride);
 // The stride with which `ticks` ticks of `needles` needles give at most `most` rows.
 std::uint32_t stride_for(std::uint64_t ticks, std::uint32_t needles, std::uint32_t most);

@@ -17,7 +17,7 @@
 
 namespace stylet::hal {
 
-// The longest loop period with a device that renders. An order is fresh for twice this time, so that
+// The longest loop period with a device that renders. An order stays fresh for two of them, so that
 // one lost tick is not felt. With a longer period the force would fade and rise in every tick.
 constexpr std::int64_t kLongestDevicePeriodNs = kOrderFreshNs / 2;
 // SCHED_FIFO priority of threads that talk to devices: above the loop's.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A connection for packets between two programs: UDP between machines, shared memory on one.
+// A link carries packets between two programs: by UDP between machines, by shared memory on one.
 //
 // Promises: send and receive return at once, allocate nothing and take no lock of ours; a packet
 // may be lost, doubled, late or out of order. Opening throws DeviceError with one line.

@@ -136,7 +136,7 @@ void trip_on_motion(const GuardConfig& config, GuardState& state) {
 // -----------------------------------------------------------------------------------------
 
 // The budget of the motors: full force while they are cool, the continuous one once they are warm,
-// but never a force that, falling by slew or in a fade, would take more than what is left.
+// but never a force that, falling by slew or in a fade, would take more than what is left of it.
 double largest_force(const GuardConfig& config, const GuardState& state) {
   const double most = of(config.max_force_n), always = of(config.continuous_force_n);
   if (always >= most) return most;

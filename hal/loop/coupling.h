@@ -26,8 +26,8 @@ struct CouplingConfig {
 
 // The coupling uses this fraction of the stiffness that a device can render.
 constexpr double kCouplingShare = 0.7;
-// Times over which are averaged the device's velocity, because it comes in steps of its resolution,
-// and the stiffness that the base meets.
+// Averaging times of the device's velocity, which comes in steps of the device's resolution, and of
+// the stiffness that the base meets.
 constexpr float kCouplingVelocityS = 20e-3F, kCouplingStiffnessS = 5e-3F;
 
 struct CouplingState {

@@ -2,8 +2,8 @@
 // What a display shows of a tick, and its wait-free way out of the loop, also to another process.
 //
 // It lies in shared memory that the loop writes and never reads. Promises: the constructor takes
-// all memory; publish copies a bounded amount that depends on the organ alone, seen by anybody or
-// not, and neither waits nor allocates. One writer (the loop's thread, or another while there is no
+// all memory; publish copies a bounded amount that depends on the organ alone, even with no reader,
+// and neither waits nor allocates. One writer (the loop's thread, or another while there is no
 // loop), one reader. Units: SI. Frame: world.
 #pragma once
 

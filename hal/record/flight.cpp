@@ -34,7 +34,7 @@ void FlightRecorder::add(const TickRecord& record) {
   Fault& last = last_fault_[record.needle];
   if (record.fault != Fault::kNone && last == Fault::kNone && records_to_come_ == 0) {
     pending_ = {"", record.fault, record.needle, record.output.tick};
-    // up to the end of a tick
+    // Up to the end of a tick.
     records_to_come_ = records_in(kFlightAfterS, info_) + last_fault_.size() - 1 - record.needle;
   } else if (records_to_come_ > 0 && --records_to_come_ == 0) {
     write();

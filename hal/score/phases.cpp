@@ -17,7 +17,7 @@ constexpr double kShortestStageS = 0.1;    // of stages told apart by speed
 constexpr double kSlopeRangeM = 1e-3;      // a smaller change of depth gives no slope
 constexpr double kSteadyShare = 0.9;       // of the median speed: above it the tip keeps its pace
 constexpr double kSettleS = 0.3;           // in which the tissue takes up a new pace
-// For a sliding shaft: the tip's way through the tissue over the tip's own way, taken over this
+// For a sliding shaft: the tip's motion through the tissue over its own motion, taken over this
 // length, which is a voxel or more because depth is uneven within one. In soft tissue a change of
 // direction carries tissue along for many mm, because the shaft begins to slide part after part.
 constexpr float kSlideWindowM = 5e-3F;

@@ -51,7 +51,7 @@ struct PhaseRow {
   // tissue has taken up and the shaft slides; NaN for stages at rest and if depth changes by less
   // than 1 mm there.
   float slope_n_per_mm;
-  // Way of the tip before the whole shaft slides: until then friction carries the tissue along, and
+  // The tip's path before the whole shaft slides: until then friction carries the tissue along and
   // the slope is that of the tissue's stiffness. NaN for stages at rest.
   float presliding_m;
 };

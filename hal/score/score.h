@@ -21,7 +21,7 @@ namespace stylet::hal {
 
 constexpr std::size_t kMaxTargets = 32;          // in a scene; more are refused
 constexpr std::size_t kMaxScoredPunctures = 64;  // kept of an attempt; more are only counted
-// Step in which the tip's way is measured: smaller motions count as noise of the device. A sharp
+// Step in which the tip's path is measured: smaller motions count as noise of the device. A sharp
 // turn loses at most two of these steps.
 constexpr double kRulerM = 1e-4;
 // Way back that counts as a withdrawal, and way in again that must come before the next one.
@@ -50,8 +50,8 @@ struct TargetScore {
 
 struct Score {
   double duration_s = 0;
-  double path_m = 0;        // way of all tips
-  double depth_path_m = 0;  // the part of the way that was in tissue
+  double path_m = 0;        // length of the tips' paths
+  double depth_path_m = 0;  // the part of it that was in tissue
   std::uint64_t puncture_count = 0;
   std::vector<PunctureScore> punctures;  // the first kMaxScoredPunctures
   std::uint32_t withdrawals = 0;         // turns from in to out, along the course, in tissue

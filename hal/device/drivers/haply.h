@@ -7,8 +7,8 @@
 // which RFC 6455 (5.5.2) obliges the service to send. So at most one of our messages is on its way
 // to the service, whatever it sends unasked. A service that first reads and then answers, in one
 // loop, has no older force to render; what one with a queue of its own keeps behind its pongs
-// is not known here. If an answer or pong does not come in 20 ms the connection is closed; as far as
-// is known, this ends the force. The service filters forces (damping, gate, scale), so what is
+// is not known here. If an answer or pong does not come in 20 ms the connection is closed: as far
+// as is known, this ends the force. The service filters forces (damping, gate, scale), so what is
 // rendered can differ from what was sent. Device and grip are bound by their ids for as long as
 // they are open: whatever the order of lists, no other is read, moved or armed, and no two needles
 // of this program share one. Source: docs.haply.co, service 3.5.

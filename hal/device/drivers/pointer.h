@@ -8,12 +8,12 @@
 // than kPointerSpeedMPerS and kPointerTurnRadPerS: the needle never leaps when the pointer does.
 // All is on the loop's clock: the same posts in the same ticks give the same bits.
 //   before the first post      at rest, and answers
-//   newest post or stay older than kPointerGoneNs, or pointer_leave   does not answer: the guard
-//   latches
+//   newest post or stay older than kPointerGoneNs, or pointer_leave
+//                              does not answer: the guard latches
 //                              "device silent" within its watchdog
 //   a post after that          answers again; the needle continues from where it is: only the
 //                              pointer's motion from then on counts
-//   the loop did not read for kPointerAnewS, as between two attempts   continues likewise
+//   the loop did not read for kPointerAnewS, as between two attempts: continues likewise
 // Half a second of silence is long for a guard, but here no force could push a hand: the needle
 // waits where it is.
 // Promises: pointer_post and the loop never wait for each other; read and write allocate
