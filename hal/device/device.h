@@ -48,7 +48,7 @@ struct DeviceInfo {
   float max_torque_nm = 0;          // 0: it renders none
   float continuous_force_n = 0;     // that its motors bear for ever; 0: unknown
   float force_life_s = 0;           // after this a force not renewed ends by itself; 0: it does not
-  const char* identity = "";  // tells it apart from others of its kind; empty: it has no name
+  const char* identity = "";  // tells it apart from others of its kind; empty: it does not say
   const DeviceModel* model = nullptr;  // the model it was recognised as; null: unknown
 };
 

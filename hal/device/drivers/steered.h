@@ -22,7 +22,7 @@ struct SteeringConfig {
   std::vector<Vec3> targets_m;  // in the order of passing
   float speed_m_per_s = 5e-3F;
   float curvature_per_m = 5;  // of the path towards the bevel
-  float lag_m = 0;            // length of path over which a roll takes full effect
+  float lag_m = 0;            // length of path over which a roll takes effect
   float roll_rad_per_s = 12;
   float hold_s = 1;  // at the end
 };
