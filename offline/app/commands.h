@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands of stylet-organ, a file each. Each adds itself to the program with its options,
-// which it owns, and runs when CLI11 calls it back. A refusal leaves as an exception
+// The commands of stylet-organ, one file each. A command adds itself to the program, owns its
+// options and runs when CLI11 calls it back. A refusal is thrown as an exception
 // (base/refusal.h).
 #pragma once
 
@@ -18,9 +18,9 @@ void add_labels(CLI::App& app);
 void add_info(CLI::App& app);
 void add_check(CLI::App& app);
 
-// ---- what several of them use -------------------------------------------------------------------
+// ---- what several commands use ------------------------------------------------------------------
 
-// Of a command that shows one file.
+// Arguments of a command that shows one file.
 struct FileArguments {
   std::string file;
   bool json = false;
@@ -29,7 +29,7 @@ struct FileArguments {
 inline const std::map<std::string, double> kMetresPerUnit{
     {"mm", 1e-3}, {"cm", 1e-2}, {"dm", 1e-1}, {"m", 1.0}};
 
-// On standard error, a line each.
+// Prints each warning on a line of standard error.
 void warn(const std::vector<std::string>& warnings);
 
 }  // namespace stylet::bake

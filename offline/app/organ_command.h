@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What build and phantom share: their common options, the choice of a capsule, and the end of both,
-// which builds the organ, writes all files together and reports.
+// What the commands build and phantom share: common options, the choice of a capsule, and their
+// last step, which builds the organ, writes all files together and reports.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -29,7 +29,7 @@ struct CommonArguments {
   std::string materials;
   std::string fit;  // rate
   std::string machine;
-  std::uint32_t substeps = 0;  // the usual ones of the inertia
+  std::uint32_t substeps = 0;  // 0: the usual number for the inertia
   Inertia inertia = Config{}.inertia;
   std::string report;  // folder
   bool sum = false;
@@ -39,21 +39,21 @@ struct CommonArguments {
 
 void add_common(CLI::App& command, CommonArguments& a);
 
-// Also sets the limit of memory. `metres_per_unit` of the meshes that hold the organ.
+// Also sets the memory limit. `metres_per_unit` is for the meshes that hold the organ in place.
 BuildOptions common_options(const CommonArguments& a, double metres_per_unit);
 
-// TISSUE:MM, each. `option` is the one that refusals name.
+// Each text is TISSUE:MM. `option` is the option that refusals name.
 std::vector<Layer> parse_layers(const std::vector<std::string>& texts, const char* option);
 
-// With a space between each.
+// The texts with a space between them.
 std::string joined(const std::vector<std::string>& texts);
 
-// Builds, writes and reports. The progress bar goes before the report comes.
+// Builds, writes and reports. The progress bar is wiped before the report is printed.
 void finish(const std::function<Built(const BuildOptions&, const Progress&)>& make,
             BuildOptions options, const CommonArguments& a, Outputs& outputs);
 
-// A liver without its capsule would be entered at a quarter of the force over three times the way:
-// whoever says only "liver" gets the organ as it is found.
+// A needle would enter a liver without capsule at a quarter of the force, over three times the
+// distance: so a user who says only "liver" gets the organ with its natural capsule.
 template <typename HaveTissue>  // inputs, or groups of labels
 void choose_capsule(const std::string& wanted, const std::vector<HaveTissue>& sources,
                     BuildOptions& options) {

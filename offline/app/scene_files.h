@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files beside an organ of a label map: hulls of its obstacles, and a scene with them and the
-// targets.
+// The files written beside an organ built from a label map: the hulls of its obstacles, and a scene
+// with these hulls and the targets.
 #pragma once
 
 #include <filesystem>
@@ -12,11 +12,11 @@
 
 namespace stylet::bake {
 
-// Adds them to `outputs` and returns what there is to say of them; null where there are none.
+// Adds these files to `outputs` and returns the facts about them; null if there are none.
 nlohmann::ordered_json add_scene(Outputs& outputs, const Built& built,
                                  const std::filesystem::path& organ);
 
-// Lines for the terminal of what add_scene returned.
+// What add_scene returned, as lines for the terminal.
 std::string scene_text(const nlohmann::ordered_json& scene);
 
 }  // namespace stylet::bake

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rest shape of a finished organ as reports and pictures need it: which cell each voxel is, the
-// embedded surface, the faces of the lattice. Units: metres, the organ's frame; cells count from
-// the lattice's low corner.
+// The rest shape of a finished organ, for reports and pictures: the cell of each voxel, the
+// embedded surface, the faces of the lattice. Units: metres, the organ's frame; cells are counted
+// from the lattice's low corner.
 #pragma once
 
 #include <array>
@@ -15,29 +15,29 @@ namespace stylet::bake {
 
 using Cell = std::array<std::uint32_t, 3>;
 
-// Of each voxel: in space, and in the lattice, where sheets lie one behind the other along y.
+// Cell of each voxel: in space; and in the lattice, where sheets follow one another along y.
 std::vector<Cell> cells_of(const Organ& organ);
 std::vector<Cell> lattice_cells_of(const Organ& organ);
 
-// Voxel by cell; kEmptyCell where there is none.
+// The voxel of each cell; kEmptyCell where a cell has no voxel.
 constexpr std::uint32_t kEmptyCell = 0xFFFFFFFF;
 struct VoxelGrid {
   std::array<std::uint32_t, 3> size{};
   std::vector<std::uint32_t> voxel;
 };
 VoxelGrid voxel_grid(const Organ& organ, const std::vector<Cell>& cells);
-// Also for places beside the grid, which are empty.
+// Places outside the grid are allowed and are empty.
 std::uint32_t voxel_at(const VoxelGrid& grid, std::int64_t x, std::int64_t y, std::int64_t z);
 
 Vec low_corner_m(const Organ& organ, const Cell& cell);
 
-// A mesh whose triangles know their voxel.
+// A mesh with the voxel of each triangle.
 struct VoxelMesh {
   Mesh mesh;
   std::vector<std::uint32_t> voxel;
 };
 VoxelMesh surface_mesh(const Organ& organ, const std::vector<Cell>& cells);
-// The faces between voxels that `shown` takes and all else, seen from outside counter-clockwise.
+// The faces between the voxels that `shown` accepts and all else; counter-clockwise from outside.
 VoxelMesh voxel_faces(const Organ& organ, const std::vector<Cell>& cells, const VoxelGrid& grid,
                       const std::function<bool(const Cell&)>& shown);
 

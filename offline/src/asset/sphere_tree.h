@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sphere tree over an embedded surface (Quinlan 1994: leaves cover triangles, halving above),
-// with leaves that never mix voxels, so that a leaf can follow its voxel's deformation.
+// The sphere tree over an embedded surface (Quinlan 1994: leaves cover triangles, inner nodes halve
+// their set). All triangles of a leaf have one voxel, so that a leaf can follow its deformation.
 //
-// Promises: each sphere holds all positions below it, and each child's sphere, at float precision;
-// children behind parents; depth at most 2 + log2(leaves). Units: metres, rest frame.
+// Promises: a sphere contains all positions below it and its children's spheres, as floats too;
+// children come after parents; depth at most 2 + log2(leaves). Units: metres, rest frame.
 #pragma once
 
 #include "base/geometry.h"
@@ -16,7 +16,7 @@ struct SphereTree {
   std::vector<std::uint32_t> order;  // triangle i of the file is triangle order[i] of the input
 };
 
-// `voxel_of[i]` is the voxel that triangle i is grouped under.
+// `voxel_of[i]` is the voxel of triangle i.
 SphereTree sphere_tree(const std::vector<Vec>& points_m, const std::vector<Triangle>& triangles,
                        const std::vector<std::uint32_t>& voxel_of);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of an organ to the bytes of an organ file (kernel/schema/organ.fbs).
+// Turns the parts of an organ into the bytes of an organ file (kernel/schema/organ.fbs).
 //
-// Promises: the bytes depend on nothing but the parts; they have passed organ_open. Units: metres.
+// Promises: the bytes depend only on the parts, and organ_open has accepted them. Units: metres.
 #pragma once
 
 #include <cstddef>
@@ -29,10 +29,10 @@ struct OrganParts {
   Vec origin_m;
   double edge_m = 0;
   std::uint32_t size_x = 0, size_z = 0;      // of the lattice, in voxels
-  std::uint32_t sheets = 1, sheet_rows = 0;  // along y one sheet lies beside the other
+  std::uint32_t sheets = 1, sheet_rows = 0;  // sheets follow one another along y
   std::vector<OrganRun> runs;
-  std::vector<OrganTie> ties;            // of several sheets
-  std::vector<OrganPart> cell_parts;     // of several sheets
+  std::vector<OrganTie> ties;            // only with several sheets
+  std::vector<OrganPart> cell_parts;     // only with several sheets
   std::vector<std::uint8_t> voxel_fill;  // 1..255
   std::vector<std::uint8_t> voxel_material;
   std::vector<OrganMixed> mixed;
@@ -48,7 +48,7 @@ struct OrganParts {
 
 std::vector<std::byte> write_organ(const OrganParts& parts);
 
-// "place[index] = value: expected ..." of a refusal by organ_open.
+// A refusal by organ_open as "place[index] = value: expected ...".
 std::string describe(const OrganRefusal& refusal);
 
 }  // namespace stylet::bake

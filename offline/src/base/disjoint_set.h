@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which things hang together: a forest in which two things are in one set when their roots are the
-// same. Start: every thing its own parent. Time: nearly constant for each call.
+// Which things are connected: a forest in which two things are in one set if they have the same
+// root. At the start every thing is its own parent. Time: nearly constant for each call.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ inline std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i
   return i;
 }
 
-// The smaller number stays root.
+// The smaller of the two roots becomes the root of both.
 inline void join(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint32_t b) {
   const std::uint32_t i = root_of(parent, a), j = root_of(parent, b);
   parent[std::max(i, j)] = std::min(i, j);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points, boxes and triangle meshes: the plain data every stage passes on.
-// Units: whatever the holder says (file units before scaling, metres or voxel edges after).
+// Points, boxes and triangle meshes: the plain data that the stages pass to each other.
+// Units: as the owner of the data says (file units before scaling, then metres or voxel edges).
 #pragma once
 
 #include <algorithm>
@@ -71,8 +71,8 @@ inline Box bounds(const Mesh& mesh) {
   return box;
 }
 
-// Positive when faces, seen from outside, run counter-clockwise. `centre` matters only where the
-// mesh is open.
+// Positive if the corners of faces, seen from outside, run counter-clockwise. `centre` matters only
+// for an open mesh.
 inline double signed_volume(const std::vector<Vec>& points, const std::vector<Triangle>& triangles,
                             Vec centre) {
   double six_volumes = 0;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The files that one command writes: all of them appear under their names, or none.
 //
-// Promises: an output that the command reads, that it writes twice, or that is a directory, a
-// device or another special file is refused; bytes lie in temporaries beside their names until
-// commit(), which gives them their names when all are complete and on the disk; without it, and
-// where it fails, every file is as it was. SIGINT, SIGTERM and SIGHUP wait until that is so (of
-// SIGKILL temporaries stay). Permissions follow the umask. What goes wrong is refused
+// Promises: an output is refused if the command also reads it, if it is written twice, or if it is
+// a directory, a device or another special file. Bytes go to temporaries beside the final names.
+// commit() renames them once all are complete and on the disk; without commit(), or if it fails,
+// every file is as it was. SIGINT, SIGTERM and SIGHUP are held back until then (SIGKILL leaves the
+// temporaries behind). Permissions follow the umask. Failures are refused
 // with one line.
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace stylet::bake {
 
-// Refuses what no output may be, so that it is known before anything takes time.
+// Refuses a path that cannot be an output, so that the user learns it before the long work begins.
 void check_output(const std::filesystem::path& path);
 void check_output_folder(const std::filesystem::path& path);
 
@@ -32,16 +32,16 @@ class Outputs {
 
   void add(const std::filesystem::path& path, std::span<const std::byte> bytes);
   void add(const std::filesystem::path& path, std::string_view text);
-  // Made at once, with those it lies in; gone again without commit().
+  // The folder and its parents are made at once, and removed again without commit().
   void add_folder(const std::filesystem::path& path);
-  // Of an older command, which would be untrue beside what this one writes.
+  // Removes a file of an older command that would contradict what this command writes.
   void remove(const std::filesystem::path& path);
   void commit();
 
  private:
   struct File {
     std::filesystem::path path;
-    std::string temporary;  // after its commit: what was there before, if anything
+    std::string temporary;  // after its commit: the file that was there before, if any
     bool named = false, replaced = false;
   };
   bool name(File& file);
@@ -51,10 +51,10 @@ class Outputs {
 
   std::vector<File> files_;
   std::vector<std::filesystem::path> folders_, removed_;
-  sigset_t held_{};  // what this blocks
+  sigset_t held_{};  // the signals that this object blocks
 };
 
-// One alone.
+// Writes a single file.
 void write_file(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace stylet::bake

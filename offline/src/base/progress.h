@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a long stage tells how far it is: its name and a fraction 0..1. Called at most a few hundred
-// times per stage, from the thread that does the work.
+// A long stage calls this to report its progress: its name and a fraction from 0 to 1. Called at
+// most a few hundred times per stage, from the thread that does the work.
 #pragma once
 
 #include <functional>

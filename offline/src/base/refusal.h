@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one way a stage says no: a single line for the user, naming file, place, value and what was
-// expected. The program prints it and ends with exit code 1.
+// The only way in which a stage refuses: one line for the user that names the file, the place, the
+// value and what was expected. The program prints it and ends with exit code 1.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,12 +16,12 @@ struct Refusal : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// A coarser voxel edge would do: what looks for an edge goes on.
+// Refused, but a coarser voxel edge would be accepted: a search for an edge continues.
 struct TooFine : Refusal {
   using Refusal::Refusal;
 };
 
-// What is quoted from a file may hold line ends and other control characters: they become '?'.
+// Text quoted from a file may contain line ends and other control characters: they become '?'.
 template <typename Kind = Refusal, typename... Args>
 [[noreturn]] void refuse(fmt::format_string<Args...> format, Args&&... args) {
   std::string text = fmt::format(format, std::forward<Args>(args)...);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TOML files of the user, refused with `file:line: reason`.
+// Reads TOML files of the user; faults are refused with `file:line: reason`.
 #pragma once
 
-// The library asserts what it then reports as an error, for a header such as "[(]".
+// Off, because for a header such as "[(]" the library asserts before it reports the error.
 #define TOML_ASSERT(expression) static_cast<void>(0)
 #include <toml++/toml.h>
 
@@ -13,7 +13,7 @@ namespace stylet::bake {
 
 toml::table read_toml(const std::filesystem::path& path);
 
-// "file:line" of something in it.
+// "file:line" of a node of the file.
 std::string place_of(const std::string& file, const toml::node& node);
 
 }  // namespace stylet::bake

@@ -8,10 +8,10 @@
 
 namespace stylet::bake {
 
-// Number of the recipe's group plus one; 0 is none.
+// For each voxel: the index of its group in the recipe plus one; 0 means no group.
 using Groups = std::vector<std::uint8_t>;
 
-// What of the map lies in the box, along its axes, around the labels and margin of the recipe.
+// The part of the map in the box (along its axes) around the recipe's crop labels with the margin.
 LabelMap cropped(const std::string& path, const LabelMap& map, const Recipe& recipe);
 
 // `path` is for messages. Refuses a recipe none of whose labels is in the map.

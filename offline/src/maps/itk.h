@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the readers by ITK share: only they include this, as it brings ITK's headers.
+// What the readers that use ITK share. Only they include this, as it brings ITK's headers.
 #pragma once
 
 #include <itkImageIOBase.h>
@@ -8,9 +8,9 @@
 
 namespace stylet::bake {
 
-// Why ITK refuses, without the names of its objects and functions.
+// Why ITK failed, without the names of its objects and functions.
 std::string reason_of(const itk::ExceptionObject& failure);
-// All pixels of an image whose header has been read. Refuses files that end early.
+// Reads all pixels of an image whose header has been read. Refuses files that end early.
 std::vector<char> read_bytes(const std::string& path, itk::ImageIOBase& reader);
 // take_labels for whatever type the pixels have.
 void take_any_labels(const std::string& path, itk::ImageIOBase::IOComponentType type,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names that a file gives its labels, and how a recipe's names are compared with them.
+// Names that a file gives to its labels, and how the names in a recipe are compared with them.
 #pragma once
 
 #include <cstdint>
@@ -12,33 +12,33 @@
 
 namespace stylet::bake {
 
-// Words of letters and digits count, not their case or order: "Right kidney" is kidney_right.
+// Compares the words of letters and digits, without case or order: "Right kidney" is kidney_right.
 bool is_same_name(std::string_view a, std::string_view b);
 
-// The labels of a name: those spelled like it where there are any, else those that are the same.
+// The labels with a name: those spelled exactly so if there are any, else those by is_same_name.
 std::vector<std::uint16_t> labels_named(const LabelNames& names, std::string_view name);
 
-// One printable line of UTF-8, whatever the file has.
+// The name as one printable line of UTF-8, whatever bytes the file has.
 std::string printable(std::string_view name);
 
-// A name that is none changes nothing; a second one that is another is refused with both.
+// An empty name changes nothing; a second, different name is refused, and both are told.
 void name_label(const std::string& path, LabelMap& map, std::uint16_t label, std::string_view name);
 
 // The XML of Caret and the Connectome Workbench: <Label Key="5"...>liver</Label> in a LabelTable.
 // What cannot be read becomes a note of the map; two names for one label are refused.
 void read_label_table(const std::string& path, std::string_view xml, LabelMap& map);
 
-// A segment of 3D Slicer: the voxels of a layer that have a value.
+// A segment of 3D Slicer: the voxels of one layer that have one value.
 struct Segment {
   std::size_t layer = 0;
   std::uint16_t value = 0;
   std::string name;
 };
-// SegmentN_Name, _LabelValue, _Layer of an NRRD with so many layers, in the order of N.
+// SegmentN_Name, _LabelValue, _Layer of an NRRD file with `layers` layers, in the order of N.
 std::vector<Segment> slicer_segments(const std::string& path, const Claim& claim,
                                      std::size_t layers);
-// Labels of one layer get their names. Of several, `map.label` has the layers of each voxel side by
-// side; afterwards the number of its segment, from 1, the higher where two claim it.
+// With one layer, its labels get their names. With several, `map.label` has the layers of a voxel
+// side by side; afterwards the number of its segment, from 1, the higher one if two claim it.
 void take_segments(const std::string& path, const std::vector<Segment>& segments,
                    std::size_t layers, LabelMap& map);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The readers behind read_label_map, one library each at most, and what they share. All refuse with
-// one line and print nothing. Units: metres. Frame: the patient's (LPS), as far as the format knows
-// it.
+// The readers behind read_label_map, and what they share. Each uses at most one library, refuses
+// with one line and prints nothing. Units: metres. Frame: the patient's (LPS), as far as the format
+// says.
 #pragma once
 
 #include <cmath>
@@ -15,23 +15,23 @@
 
 namespace stylet::bake {
 
-// Of a file with these bytes.
+// `bytes` are those of the whole file.
 LabelMap read_by_itk(const std::string& path, std::string_view bytes);  // NRRD, MetaImage
 LabelMap read_nifti(const std::string& path, std::string_view bytes);
 LabelMap read_inr(const std::string& path, std::string_view bytes);  // by CGAL
 LabelMap read_dicom_series(const std::string& folder);               // one series, by DCMTK
 LabelMap read_dicom_file(const std::string& path);                   // of several frames, by DCMTK
-// Whether a file begins as DICOM does, whatever its name.
+// Whether the content of a file begins as DICOM does, whatever its name.
 bool is_dicom(const std::string& path);
 
-// How axes are taken of which a file says nothing.
+// The note on axes that were assumed because a file says nothing of them.
 constexpr const char* kAxesTaken =
     "left and right are not known; x was taken to the left, y to the back, z to the head";
 
 constexpr std::size_t kMostMapVoxels = std::size_t{1} << 28U;
 constexpr std::size_t kMostLabels = 500;  // whole-body maps name about a hundred
 
-// Libraries talk to the terminal; what is wrong becomes one line of ours.
+// Silences libraries that print on the terminal; faults are told in one line of our own.
 class Silence {
  public:
   Silence();
@@ -43,13 +43,13 @@ class Silence {
   int out_, err_;
 };
 
-// Sizes from a header, before memory is taken for them.
+// Checks sizes from a header, before memory is allocated for them.
 void require_map_size(const std::string& path, const std::array<std::size_t, 3>& size);
-// Spacing and directions that span a volume.
+// Refuses spacing and directions that do not span a volume.
 void require_frame(const std::string& path, const LabelMap& map);
 
-// Appends the labels of `bytes`; of all that were appended to the map, no more than kMostLabels
-// may differ.
+// Appends the labels in `bytes` to the map. Refuses more than kMostLabels different labels, counted
+// over all calls for the map.
 template <typename T>
 void take_labels(const std::string& path, const std::vector<char>& bytes, LabelMap& map,
                  std::set<std::uint16_t>& different) {

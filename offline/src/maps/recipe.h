@@ -1,39 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which labels of a map become which tissue: a TOML file.
 //
-//   [names]            # optional: names of labels; else those of the map's file count
+//   [names]            # optional: names of labels; default: the names in the map's file
 //   liver = 5
 //   [tissues]          # tissue = labels, by number or name
 //   liver = ["liver"]
 //   vessel = [52, 63]
 //
-//   [crop]             # optional: what is farther from these labels, along the map's axes, is out
+//   [crop]             # optional: leave out what is farther from these labels along the map's axes
 //   around = ["liver"]
 //   margin_mm = 20
 //
 //   [surface]          # optional
 //   smoothing = 10     # rounds of Taubin's filter, 0 to 100
-//   triangles = 30000  # at most so many, 1000 or more; unless said, as many as the map has
+//   triangles = 30000  # upper limit, 1000 or more; default: as many as the map has
 //
 //   [[wall]]           # optional, from the inside out: layers around all labels of the map
 //   tissue = "fat"
 //   thickness_mm = 10
 //
 //   [contact]          # optional
-//   touching = "shared"  # organs that touch share particles; nothing slides, so there is no other
-//   gaps = "open"      # parts that do not touch get voxels of their own, see voxels/sheets.h; or
-//   "closed"
+//   touching = "shared"  # the only value: organs that touch share particles, nothing slides
+//   gaps = "open"      # parts that do not touch get voxels of their own, see voxels/sheets.h;
+//                      # or "closed"
 //
 //   [obstacles]        # optional: bodies no needle enters, each the convex hull of some labels
 //   rib = ["rib_right_9"]
 //
-//   [targets]          # optional: what is to be reached; may be tissue, too
+//   [targets]          # optional: what the needle is to reach; its labels may also be a tissue
 //   lesion = [2]
 //
-// Labels that no tissue asks for are left out of the organ. Names are compared by their words:
+// Labels that no tissue lists are left out of the organ. Names are compared by their words:
 // "Right kidney" is kidney_right.
-// Promise: a recipe is taken whole or refused with `file:line: key: ...`; so is one that gives a
-// label another name than the map's file does.
+// Promise: a recipe is accepted whole or refused with `file:line: key: ...`. A recipe is also
+// refused if it gives a label another name than the map's file does.
 #pragma once
 
 #include <cstdint>
@@ -63,18 +63,18 @@ struct WallLayer {
 
 struct Recipe {
   std::map<std::uint16_t, std::string> names;
-  std::vector<LabelGroup> groups;  // by tissue, in the alphabet's order; no label is in two of them
+  std::vector<LabelGroup> groups;  // sorted by tissue name; no label is in two of them
   std::vector<std::uint16_t> crop_around = {};  // empty: the whole map
   double crop_margin_m = 0;
   int smoothing = 10;
   std::uint32_t most_triangles = kMaxTriangles;
   std::vector<WallLayer> wall = {};
   bool open_gaps = false;
-  std::vector<NamedLabels> obstacles = {};  // no label of a tissue
+  std::vector<NamedLabels> obstacles = {};  // their labels are not in a tissue
   std::vector<NamedLabels> targets = {};
 };
 
-// Names that the file of a label map gives its labels; none where it has none.
+// Names that the file of a label map gives to its labels; may be empty.
 struct FileNames {
   std::string path = {};
   std::map<std::uint16_t, std::string> names = {};

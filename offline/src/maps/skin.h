@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surface of a label map: the faces between chosen voxels and others, and the same without
-// steps. Units: metres. Frame: the patient's (LPS).
+// The surface of a label map: the faces between chosen voxels and others, and the same surface
+// smoothed. Units: metres. Frame: the patient's (LPS).
 #pragma once
 
 #include "maps/groups.h"
@@ -16,12 +16,12 @@ struct Skin {
   std::vector<Quad> quads;
 };
 
-// Of all groups together, corners counter-clockwise from outside.
+// The surface of all groups together, corners counter-clockwise seen from outside.
 Skin label_skin(const LabelMap& map, const Groups& groups);
 
 Mesh triangles_of(const Skin& skin);
 
-// Taubin 1995: shrinks and swells in turn, so that steps go and the volume stays.
+// Taubin 1995: shrinks and swells in turn, which removes steps and keeps the volume.
 void smooth(Skin& skin, int rounds);
 
 }  // namespace stylet::bake

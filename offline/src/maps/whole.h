@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Voxels that are packed or written as text, before a library takes them: libraries take a number
-// that does not fit its type for another one, what is left of half a text from nowhere, and say
-// nothing of what is too much.
-// Promises: voxels pass that are as many as the header says, each a whole number of its type where
-// they are text; all others are refused with the place. Memory does not grow with them; time is
-// linear in the bytes and in what they unpack to, at most as many as the header says.
+// Checks voxels that are packed or written as text before a library reads them: libraries change a
+// number that does not fit its type, fill up a text that ends early with arbitrary values, and
+// ignore surplus data.
+// Promises: voxels pass if there are exactly as many as the header says and if each number written
+// as text fits its type; all others are refused with the place. Constant memory; time is
+// linear in the bytes and in what they unpack to, which is at most what the header says.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace stylet::bake {
 
-// Of a claim that can be held. `part`: the voxels of one file, in their order.
+// For a claim that require_held accepts. `part`: the voxels of one file; files come in order.
 class WholeVoxels {
  public:
   WholeVoxels(const std::string& path, const Claim& claim);
