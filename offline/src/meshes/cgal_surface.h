@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CGAL's surfaces and ours. Only for the few files that call CGAL: it takes long to compile.
+// CGAL's surfaces and their conversion. Only for the few files that call CGAL: it compiles slowly.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -13,25 +13,25 @@
 
 namespace stylet::bake {
 
-// A text file seen as lines of blank-separated tokens. `token` is empty at the end of the line.
+// A text file as lines of blank-separated tokens. A token is empty at the end of the line.
 struct Lines {
   std::string_view text;
   std::string_view file;
-  std::size_t next = 0;        // byte behind the current line
-  std::uint64_t number = 0;    // of the current line, from 1
-  std::string_view rest = {};  // what is left of the current line
-  char comment = '\0';         // begins a comment that runs to the end of the line
+  std::size_t next = 0;        // index of the byte after the current line
+  std::uint64_t number = 0;    // number of the current line, from 1
+  std::string_view rest = {};  // unread part of the current line
+  char comment = '\0';         // this character begins a comment up to the end of the line
 };
 
-// Without the byte-order mark that editors of Windows put before UTF-8.
+// `bytes` without the byte-order mark that editors on Windows put before UTF-8.
 std::string_view without_mark(std::string_view bytes);
 
 bool next_line(Lines& lines);               // false at the end of the file
 std::string_view next_token(Lines& lines);  // within the current line
-// Goes on to the following lines where the current one is used up; refuses at the end of the file.
+// The next token, from the next lines if the current one is used up; refuses the end of the file.
 std::string_view token_across_lines(Lines& lines, const char* expected);
 
-// The number a token spells, or NaN; infinite and overflowing spellings also count as NaN.
+// The number that a token spells, else NaN; also NaN for infinite and overflowing numbers.
 double parse_number(std::string_view token);
 bool parse_integer(std::string_view token, std::int64_t& value_out);
 std::int64_t require_integer(const Lines& lines, std::string_view token, std::int64_t low,
@@ -39,11 +39,11 @@ std::int64_t require_integer(const Lines& lines, std::string_view token, std::in
 
 [[noreturn]] void refuse_at(const Lines& lines, std::string_view value, std::string_view expected);
 
-// A token cut to what fits in one line of a terminal, unprintable bytes as '?'.
+// A token cut to fit into a line of a terminal, with '?' for unprintable bytes.
 std::string shown(std::string_view token);
 
-// A point that is no number is kept as NaN together with its place: it matters only if a face uses
-// it.
+// A point that is not a finite number is kept as NaN, together with its place in the file: it
+// matters only if a face uses it.
 struct Collector {
   std::string_view file;
   Mesh mesh = {};
@@ -57,10 +57,10 @@ struct Collector {
 };
 
 void add_point(Collector& collector, const std::string_view (&tokens)[3], std::uint64_t line);
-// `place` follows "file:": " byte 84" or a line number.
+// `place` is printed after "file:" and is " byte 84" or a line number.
 void add_point(Collector& collector, Vec point, std::string place);
 void add_polygon(Collector& collector, const std::vector<std::uint32_t>& corners);
-// Refuses a used point that is no number, drops unused points, counts both.
+// Refuses a used point that is not a finite number; drops and counts unused points.
 ReadMesh finish(Collector&& collector);
 
 ReadMesh read_obj(std::string_view file, std::string_view bytes);

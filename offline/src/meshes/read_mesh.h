@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files to triangles: OBJ, STL (text, binary), PLY (text, binary), OFF.
+// Reads mesh files as triangles: OBJ, STL (text, binary), PLY (text, binary), OFF.
 //
-// Promises: what cannot be read is refused with one line (`file:line: value: expected ...`, or
-// `file: byte n: ...` in binary files); what is only ill-formed geometry is read and counted.
-// Memory and time are linear in the size of the file, whatever its header claims. Every point a
-// triangle uses is finite; polygons are fanned from their first corner. Units: those of the file.
+// Promises: an unreadable file is refused with one line (`file:line: value: expected ...`, or
+// `file: byte n: ...` for binary files); geometry that is merely ill-formed is read and counted.
+// Memory and time are linear in the size of the file, whatever its header claims. Every point that
+// a triangle uses is finite. Polygons become fans around their first corner. Units: the file's.
 #pragma once
 
 #include <filesystem>
@@ -30,7 +30,7 @@ struct ReadMesh {
 
 ReadMesh read_mesh(const std::filesystem::path& path);
 
-// The mesh as an OFF file, with enough digits to read the same doubles back.
+// The mesh as text of an OFF file, with enough digits to give the same doubles when read.
 std::string off_text(const Mesh& mesh);
 
 }  // namespace stylet::bake

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A surface of fewer triangles, for display and touch: the skin of a map has one of them for each
-// half of a face of its voxels. Edges collapse where the surface changes least (CGAL; Lindstrom and
-// Turk 1998); thin tips wear off first. Where skins meet along an edge they come apart there.
+// Reduces the triangles of a surface for display and touch: the skin of a label map has two for
+// each face of a voxel. Edges collapse where the surface changes least (CGAL; Lindstrom and Turk
+// 1998); thin tips disappear first. Skins that meet along an edge are separated there.
 //
-// Promises: unchanged if it has no more than `most`; same input, same bytes.
+// Promises: a mesh with at most `most` triangles is unchanged; same input, same bytes.
 #pragma once
 
 #include "base/geometry.h"

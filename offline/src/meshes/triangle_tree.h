@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bounding-volume tree over triangles that answers "how often does the surface wind round this
-// point" (generalised winding number, Jacobson et al. 2013; clusters far away count as one dipole,
-// Barill et al. 2018) and "how often does this ray cross the surface".
+// A bounding-volume tree over triangles. It tells how often the surface winds around a point
+// (generalised winding number, Jacobson et al. 2013; a distant cluster of triangles is replaced by
+// one dipole, Barill et al. 2018), and how often a ray crosses the surface.
 //
-// Promises: exact solid angles near the point; far clusters err by a few thousandths in sum,
+// Promises: solid angles near the point are exact; the dipoles' total error is a few thousandths,
 // against a threshold of one half. Deterministic. Units: those of the points.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace stylet::bake {
 struct TriangleTree {
   struct Node {
     Box box;
-    Vec centre;               // of area
+    Vec centre;               // centroid of the area
     Vec area_normal;          // sum of triangle normals, each as long as the triangle's area
     double radius = 0;        // around centre, of everything below
     std::uint32_t first = 0;  // leaf: first corner triple; inner: left child, the right one follows

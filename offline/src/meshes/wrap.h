@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The last resort for a soup that encloses nothing: a closed skin around it (CGAL alpha wrapping,
-// Portaneri et al. 2022). It bridges gaps up to `gap`, stands off by `offset`, and so adds volume.
+// The last resort for a triangle soup that encloses nothing: a closed skin around it (CGAL alpha
+// wrapping, Portaneri et al. 2022). It bridges gaps up to `gap` and adds volume by its `offset`.
 #pragma once
 
 #include "base/geometry.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A label map and a recipe to the bytes of an organ file, in the patient's frame (LPS, metres).
+// Builds the bytes of an organ file from a label map and a recipe, in the patient's frame (LPS, m).
 //
-// A voxel of the lattice is as full as its 64 samples say, and of the tissue that most of them are.
-// The surface is that of all chosen labels together, smoothed (Taubin) off the steps of the map; it
-// serves contact and display, the volume is that of the labels.
-// Promises: as pipeline/build.h.
+// The 64 samples of a voxel decide its fill, and the tissue with most samples becomes its tissue.
+// The surface is that of all chosen labels together, with the map's steps smoothed (Taubin). It is
+// for contact and display; the volume is that of the labels.
+// Promises: those of pipeline/build.h.
 #pragma once
 
 #include "maps/label_map.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which materials an organ has, and which of them each voxel is of: its owner's tissue, the layer's
-// that replaces it, or the capsule's.
+// The materials of an organ, and the material of each voxel: that of its owner's tissue, of the
+// layer that replaces it, or of the capsule.
 #pragma once
 
 #include "asset/materials.h"
@@ -15,14 +15,14 @@ struct MaterialList {
   std::vector<Tissue> tissues;
 };
 
-// The same tissue may be there with its membrane and, in a layer, without.
+// The number of `wanted`. A tissue may be listed twice: with its membrane and, in a layer, without.
 std::uint8_t number_of(MaterialList& list, const Tissue& wanted);
 
 // Materials by owner and by layer, numbered in order of first mention.
 TissueNumbers number_tissues(const std::vector<std::string>& tissues, const BuildOptions& options,
                              double edge_m, MaterialList& list);
 
-// Of each voxel: as what it is of, and as which it was given where a capsule takes its place.
+// For each voxel: its material, and the material before a capsule replaced it.
 struct VoxelMaterials {
   std::vector<std::uint8_t> material, given;
 };

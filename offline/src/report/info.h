@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an organ file holds and what a build found, for people and for machines. One JSON object is
-// the source of both.
+// What an organ file contains and what a build found, as text for people and JSON for machines. The
+// text is made from the JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,7 +12,7 @@
 
 namespace stylet::bake {
 
-// Opens the bytes or refuses them with one line that begins with `file`.
+// Opens the bytes, or refuses them with one line that begins with `file`.
 Organ open_organ(const std::string& file, std::span<const std::byte> bytes);
 
 nlohmann::ordered_json organ_facts(const Organ& organ, std::span<const std::byte> bytes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The quality report of an organ: report.html, one page that needs nothing else, and report.json,
+// The quality report of an organ: report.html, a page that needs no other files, and report.json,
 // the same facts for machines.
 #pragma once
 
@@ -13,7 +13,7 @@
 namespace stylet::bake {
 
 // `facts` has the keys of build_facts, and `organ` and `quality` (organ_facts, quality_facts).
-// Of `built` come the input's surface, obstacles and targets.
+// `built` provides the input's surface, the obstacles and the targets.
 void add_report(Outputs& outputs, const std::filesystem::path& folder,
                 const nlohmann::ordered_json& facts, const Organ& organ, const Built& built);
 

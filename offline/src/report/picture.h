@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of an organ for people: sections (SVG), and views of surfaces from the front (PNG), with
-// what lies beside it: obstacles, targets, a scale, and which side is which.
-// Deterministic. Units: metres in, millimetres in the SVG. Frame: x to the right, z up; sections
-// across z have y downward, as a radiologist reads them.
+// obstacles, targets, a scale, and the names of the sides.
+// Deterministic. Units: metres in, millimetres in the SVG. Frame: x to the right, z up; in sections
+// across z, y points down, as radiologists are used to.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct Colour {
 };
 std::string css(Colour colour);
 
-// Told apart by people who see red and green alike: those of Okabe and Ito 2008 but for black,
+// Colours that people with red-green blindness can distinguish: Okabe and Ito 2008 without black,
 // then six of Tol's (muted, 2021). Obstacles are grey.
 Colour material_colour(std::size_t index);
 
@@ -37,22 +37,22 @@ struct Shown {
   const Mesh& surface_m;
   std::vector<Obstacle> obstacles;
   std::vector<Aim> aims;
-  bool of_patient = false;  // x to the left, y to the back, z to the head
+  bool of_patient = false;  // frame: x to the left, y to the back, z to the head
 };
 
-// One layer of voxels, paler the emptier, under the outlines of two surfaces in its middle: the
-// input's in black, the organ's own in white; obstacles hatched, targets as rings.
+// One layer of voxels, paler where they are less filled. Over it, outlines of two surfaces in its
+// middle: the input's black, the organ's white; obstacles are hatched, targets are rings.
 struct Section {
   std::size_t axis = 2;
   std::uint32_t layer = 0;
 };
-// The layer across `axis` that shows most tissues, and most of them.
+// The layer across `axis` with the most tissues; among equals, the one with the most voxels.
 Section best_section(const Organ& organ, const std::vector<Cell>& cells, std::size_t axis);
 std::string section_svg(const Shown& shown, const Section& section);
-// Where its middle lies.
+// Position of the section's middle along its axis.
 double section_at_m(const Organ& organ, const Section& section);
 
-// Bytes of a PNG, with the obstacles.
+// The bytes of a PNG that shows `mesh` and the obstacles.
 std::string view_png(const Shown& shown, const VoxelMesh& mesh);
 
 }  // namespace stylet::bake

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which corners of the lattice are held in space, and regions of space in general.
+// Which corners of the lattice are attached to space; and regions of space in general.
 //
-// A region is written in millimetres of the organ's frame, or in per cent of its extent:
+// A region is written in millimetres of the organ's frame, or in per cent of the organ's extent:
 //   x>120   z<10%   box:X0,Y0,Z0,X1,Y1,Z1   touching:MESH   none
-// touching:MESH holds all corners of the voxels that the mesh's surface passes through; the mesh is
-// in the units of the inputs. Several regions add up.
+// touching:MESH contains all corners of the voxels that the mesh's surface passes through; the mesh
+// is in the units of the inputs. Several regions are joined.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@
 
 namespace stylet::bake {
 
-// Behind and below: a needle pushed along +x presses the organ against what holds it, as an organ
-// lies against the back of the body cavity.
+// Held behind and below: a needle pushed along +x presses the organ against what holds it, as an
+// organ lies against the back of the body cavity.
 inline const std::vector<std::string> kDefaultFix{"x>90%", "z<10%"};
 
 struct Region {
@@ -27,14 +27,14 @@ struct Region {
   Mesh mesh_m;  // of kTouching
 };
 
-// An empty result is a free body. `option` is the one that refusals name.
+// An empty result means a free body. `option` is the option that refusals name.
 std::vector<Region> parse_regions(const std::vector<std::string>& texts, double metres_per_unit,
                                   const std::string& option = "--fix");
 
-// Whether a half-space or a box holds a point; its border moves outward by `slack_m`.
+// Whether a half-space or a box contains a point; its border is moved outward by `slack_m`.
 bool holds(const Region& region, const Box& extent_m, Vec point_m, double slack_m);
 
-// One byte per lattice corner, (size + 1) along each axis, x fastest: 1 where held. `extent_m` is
+// One byte per lattice corner, (size + 1) along each axis, x fastest; 1 means held. `extent_m` is
 // the organ's bounding box.
 std::vector<std::uint8_t> held_corners(const Grid& grid, const Box& extent_m,
                                        const std::vector<Region>& regions);

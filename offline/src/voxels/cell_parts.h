@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What hangs together in the cells of a lattice, by their 64 samples: the parts of each cell, which
-// of them are too small to count, and which parts of neighbouring cells hang together.
+// What is connected in the cells of a lattice, judged by their 64 samples: the parts of each cell,
+// which of them are too small to count, and which parts of neighbouring cells are connected.
 //
 // Time: linear in the cells. Units: cell edges.
 #pragma once
@@ -18,7 +18,7 @@ struct CellPlace {
   std::uint32_t x, y, z;
 };
 
-// A step to one of the 26 neighbours, or none.
+// A step to one of the 26 neighbours, or to the cell itself.
 struct CellStep {
   int x, y, z;
 
@@ -32,27 +32,27 @@ constexpr CellStep step_of(int index) {
 
 struct CellPart {
   std::uint32_t cell = 0;
-  std::uint32_t host = kNoPart;  // of one without samples: the part of a neighbour that it hangs on
+  std::uint32_t host = kNoPart;  // for a part without samples: the neighbour's part it belongs to
   std::uint32_t sheet = kNoSheet;
-  bool crowded = false;      // a neighbour is apart from it
-  std::uint64_t inside = 0;  // samples
+  bool crowded = false;      // a part of a neighbouring cell does not touch it
+  std::uint64_t inside = 0;  // its samples
   std::uint64_t quarters = kFullCell;
-  std::array<std::uint8_t, 8> group{};  // at each corner: parts with the same share the particle
+  std::array<std::uint8_t, 8> group{};  // per corner: parts of the same group share the particle
 };
 
 class CellParts {
  public:
-  // Finds the parts. All three must outlive it, and no number of a voxel of `lattice` may change
-  // while parts are asked for.
+  // Finds the parts. All three arguments must outlive the object, and the voxel numbers of
+  // `lattice` must not change as long as parts are asked for.
   CellParts(const Claims& claims, const SamplePlaces& places, const Lattice& lattice);
 
   std::vector<CellPart> parts;
-  std::vector<std::uint32_t> first;  // part of each voxel of the lattice as it came, and the end
+  std::vector<std::uint32_t> first;  // first part of each voxel of `lattice`, then the end
 
   CellPlace place_of(std::uint32_t cell) const;
   CellStep between(const CellPart& a, const CellPart& b) const;
 
-  // Calls visit(number) for the parts of the cell a step away.
+  // Calls visit(number) for each part of the cell one `step` away.
   template <typename Visit>
   void each_part(const CellPlace& from, const CellStep& step, Visit visit) const {
     const auto& size = lattice_.grid.size;
@@ -65,12 +65,12 @@ class CellParts {
     for (std::uint32_t i = first[voxel]; i < first[voxel + 1]; ++i) visit(i);
   }
 
-  // Of two parts in neighbouring cells. Where samples are few, what hangs together around does,
-  // too; parts without samples go with their hosts, and as before where these are too far apart.
+  // Whether parts of neighbouring cells are connected; with few samples, also through cells around.
+  // Parts without samples follow their hosts; if these are missing or too far apart: connected.
   bool linked(std::uint32_t i, std::uint32_t j) const;
 
  private:
-  // The parts with samples in the 27 cells around one, and which of them hang together there.
+  // The parts with samples in a cell and its 26 neighbours, and which are connected there.
   struct Block {
     std::vector<std::uint32_t> part, set;
   };

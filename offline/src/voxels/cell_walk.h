@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the 64 samples of a cell lie in, walked along the rows in which layers are counted: an
-// owner, and how deep below the layered inputs' surface, to a plane through the cell and so finer
-// than its samples. Units: in a cell, edges. Time: linear in the cells walked.
+// What the 64 samples of a cell lie in, found along the rows in which layers are counted: the
+// owner, and the depth below the layered inputs' surface, measured from a plane through the cell
+// and so finer than the samples. Units: in a cell, edges. Time: linear in the cells walked.
 #pragma once
 
 #include "voxels/layers.h"
@@ -13,17 +13,17 @@ constexpr std::uint32_t kCellSamples = 64;
 constexpr std::uint16_t kNoOwner = 0xFFFF;
 using OfSamples = std::array<std::uint16_t, kCellSamples>;  // an owner or a material of each
 
-// `side` > limit for the places beyond it.
+// A place is beyond the plane if dot(normal, place) > limit.
 struct Plane {
   Vec normal;
   double limit = 0;
 };
 
-// Between the samples in `beyond` and the others: from the middle of these towards the middle of
-// those, with as many samples on either side. None or all of them: everything lies on one side.
+// The plane between the samples in `beyond` and the others. Its normal goes from the middle of the
+// others to that of `beyond`, with as many samples on either side. Also for none or all of them.
 Plane fit_plane(const SamplePlaces& places, std::uint64_t beyond);
 
-// How deep the rows through each sample have come where layers are.
+// For the row through each sample: the depth it has reached in the layered inputs.
 using Depths = std::array<double, kCellSamples>;
 
 inline bool is_layered(const TissueNumbers& numbers, std::uint16_t owner) {
@@ -32,12 +32,12 @@ inline bool is_layered(const TissueNumbers& numbers, std::uint16_t owner) {
 
 struct CellHere {
   OfSamples owner{};
-  Depths from{}, at{}, to{};  // of each row where it enters the cell, at its sample, at its end
+  Depths from{}, at{}, to{};  // each row's depth at its start in the cell, its sample, its end
 };
 
-// How the sides of a body bound rows. A plane of samples leans a little, and rows along it would be
-// inside only in part: as thick for a layer as rows that are inside, so they are in or out where
-// volumes count.
+// How the sides of a body bound rows. A fitted plane leans a little, so rows along a side would be
+// partly inside; a layer counts them as thick as full rows. So where volumes count (kUpright), a
+// row along a side is wholly inside or outside.
 enum class Sides { kAsSampled, kUpright };
 
 // Walks cell by cell along the rows of the course.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kept voxels of all inputs together, numbered in file order, and the surface embedded in them.
-// Units: lattice coordinates for cells and places, metres where the name says so.
+// The kept voxels of all inputs, numbered as in the file, and the surface embedded in them.
+// Units: lattice coordinates for cells and places; metres where a name says so.
 #pragma once
 
 #include <optional>
@@ -15,14 +15,14 @@ namespace stylet::bake {
 
 constexpr std::uint64_t kFullCell = ~std::uint64_t{0};  // all 64 samples inside
 
-// What the inputs say about each cell, combined one input after the other.
+// What the inputs say about each cell, combined input by input.
 struct Claims {
   Grid grid;
   std::vector<std::uint64_t> inside;  // union of the samples of all inputs
   std::vector<std::uint8_t> pierced;
-  std::vector<std::uint16_t> owner;      // input that gives the tissue
+  std::vector<std::uint16_t> owner;      // input whose tissue the cell has
   std::vector<std::uint8_t> owner_fill;  // samples of the owner in the cell
-  // The samples of each input in cells that no single one fills.
+  // Each input's samples in cells with several inputs, or with one that does not fill the cell.
   struct Share {
     std::uint32_t cell;
     std::uint16_t owner;
@@ -33,57 +33,57 @@ struct Claims {
 };
 
 Claims no_claims(const Grid& grid);
-// `priorities` of all inputs; `input` is the one that `occupancy` belongs to.
+// `priorities` are those of all inputs; `occupancy` is that of `input`.
 void add_claim(Claims& claims, const Occupancy& occupancy, std::uint16_t input,
                const std::vector<int>& priorities);
 
 bool is_kept(const Claims& claims, std::size_t cell);
-// At the outer surface: pierced or bare on one face, and not in the midst of full voxels.
+// Whether a cell is at the outer surface: pierced, or bare on a face, and not amid full voxels.
 bool is_skin(const Claims& claims, std::uint32_t x, std::uint32_t y, std::uint32_t z);
 
-// A voxel that shares its cell with others (voxels/sheets.h).
+// A voxel that shares its cell with other voxels (voxels/sheets.h).
 struct SharedCell {
   std::uint32_t cell, voxel;
-  std::uint64_t quarters;  // of the cell that are the voxel's own, as in the organ file
+  std::uint64_t quarters;  // the voxel's sub-samples of the cell, as in the organ file
   std::uint64_t inside;    // its samples
 };
 
 struct Lattice {
   Grid grid;
-  std::vector<std::uint32_t> voxel_of_cell;  // kNoVoxel where there is none; of several the last
+  std::vector<std::uint32_t> voxel_of_cell;  // kNoVoxel: none; if there are several, the last
   std::vector<std::uint32_t> cell_of_voxel;
   std::vector<OrganRun> runs;
   std::vector<std::uint8_t> fill;  // 1..255
   std::uint32_t sheets = 1, sheet_rows = 0;
   std::vector<OrganTie> ties;
   std::vector<OrganPart> parts;
-  std::vector<SharedCell> shared;  // by cell and voxel
+  std::vector<SharedCell> shared;  // sorted by cell, then voxel
 };
 constexpr std::uint32_t kNoVoxel = 0xFFFFFFFF;
 
-// The voxels of a cell that share it; none where there is one voxel at most.
+// The voxels that share a cell; empty if the cell has at most one voxel.
 std::span<const SharedCell> shared_in(const Lattice& lattice, std::size_t cell);
 
-// The part of a voxel's volume that is filled, in 255ths, 1 at least.
+// The filled part of a voxel's volume in 255ths, at least 1.
 std::uint8_t fill_of(std::uint64_t inside);
 
-// The cell a point lies in, or the nearest one of the grid.
+// The cell that a point lies in, or the nearest cell of the grid.
 std::size_t cell_of(const Grid& grid, Vec point_m);
 
-// Keeps each cell that a point of the surface needs, then numbers the kept ones but for those that
-// are cut away (voxels/crop.h; empty: none).
+// Keeps also each cell that a point of the surface needs, then numbers the kept cells that are not
+// cut away (`cut` as in voxels/crop.h; empty: nothing is).
 Lattice make_lattice(Claims& claims, const std::vector<Vec>& points_m,
                      const std::vector<std::uint8_t>& cut = {});
 
-// Owner of each voxel: the cell's, or of the samples where cells are shared.
+// Owner of each voxel: that of its cell, or of its own samples if it shares the cell.
 std::vector<std::uint16_t> owners(Claims& claims, const Lattice& lattice);
 
 struct Surface {
   std::vector<OrganVertex> vertices;
-  std::vector<Vec> rest_m;              // as the file gives them back
+  std::vector<Vec> rest_m;              // positions of the vertices as read back from the file
   std::vector<std::uint32_t> voxel_of;  // per triangle: the voxel of its centroid
 };
-// Where several voxels share a cell, a place belongs to the one it is nearest to, seen from a
+// If several voxels share a cell, a point belongs to the nearest of them, measured from a place a
 // little below the surface.
 Surface embed(const Lattice& lattice, const std::vector<Vec>& points_m,
               const std::vector<Triangle>& triangles);

@@ -10,25 +10,25 @@
 namespace stylet::bake {
 
 // Layers lie one below the other along an axis of space and override the inputs' tissues. A voxel
-// takes the layer at its middle, as deep as what is filled above it in its row, down from where the
-// row enters the inputs they replace; the last layer has no end.
+// gets the layer at its middle. Its depth is the filled length above it in its row, from where the
+// row enters the inputs that layers replace; the last layer has no end.
 struct Layer {
   double thickness_m = 0;
   std::string tissue;
 };
 struct LayerCourse {
   std::size_t axis = 0;
-  bool backwards = false;  // from the high end of the axis
-  std::string of;          // tissue of the inputs that are replaced; empty: all
+  bool backwards = false;  // depth is counted from the high end of the axis
+  std::string of;          // tissue that the layers replace; empty: all tissues
 };
 
-// What the tissues of owners and layers are in the organ file.
+// The material numbers, in the organ file, of the tissues of owners and layers.
 struct TissueNumbers {
   struct Numbered {
     double thickness_m;
     std::uint8_t material;
   };
-  std::vector<std::uint8_t> of_owner;    // 0 where layers replace it
+  std::vector<std::uint8_t> of_owner;    // 0 if layers replace it
   std::vector<std::uint8_t> is_layered;  // of each owner
   std::vector<Numbered> layers;
   LayerCourse course;
@@ -39,11 +39,11 @@ constexpr std::uint8_t kNotLayered = 255;
 // The layer at a depth.
 std::uint8_t layer_at(const TissueNumbers& numbers, double depth_m);
 
-// The layer of each cell; none where there are no layers at all.
+// The layer of each cell; empty if there are no layers at all.
 std::vector<std::uint8_t> cell_layers(const Claims& claims, const TissueNumbers& numbers);
 
-// That of a voxel, kNotLayered where none replaces its owner. Where the cell is another owner's
-// (voxels/sheets.h) the row enters: the first layer.
+// The layer of a voxel; kNotLayered if layers do not replace its owner. If the cell belongs to
+// another owner (voxels/sheets.h), the row begins here: the first layer.
 std::uint8_t voxel_layer(const TissueNumbers& numbers, const std::vector<std::uint8_t>& cell_layers,
                          std::size_t cell, std::uint16_t owner);
 

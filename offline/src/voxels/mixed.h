@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Voxels in which two tissues meet, or tissue and none, each with a plane between the two.
+// Voxels in which two tissues meet, or tissue and empty space, each with a plane between the two.
 //
-// The lattice has one material a voxel, and its faces are stairs: what a needle meets would follow
-// the voxel by half an edge. So the needle is told where in the voxel the other tissue begins, by a
-// plane that divides the samples as they are divided, as in the piecewise linear interfaces of
-// volume-of-fluid methods (Rider and Kothe 1998). Tried before: a bit for each of 4 x 4 x 4
-// quarters, whose stairs still moved friction by a tenth. A voxel keeps its own material and one
-// other, the one most of the other samples have; a third counts as its own. Of voxels that share a
-// cell, each has its own samples, and beyond its plane there is none. Time and memory: linear in
-// the cells. Units: metres; in a cell, edges.
+// The lattice has one material per voxel, and its faces are stairs: a needle would meet a tissue up
+// to half an edge from its true place. So the file tells the needle where in the voxel the other
+// tissue begins, by a plane with as many samples on each side as the tissues have, like the
+// piecewise linear interfaces of volume-of-fluid methods (Rider and Kothe 1998). Tried before: one
+// bit per sub-sample (4 x 4 x 4), whose stairs still changed friction by a tenth. A voxel keeps its
+// own material and the one that most other samples have; a third counts as its own. Voxels that
+// share a cell have their own samples each; beyond their planes is no tissue. Time and memory:
+// linear in the cells. Units: metres; in a cell, edges.
 #pragma once
 
 #include <vector>

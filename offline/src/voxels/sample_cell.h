@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which of the 64 sample points of a cell are inside a solid.
 //
-// The generalised winding number is sure but slow. Within one cell of a closed surface it changes
-// only where the way from one sample to the next crosses a triangle of that cell, so there it is
-// found once and then counted on; a crossing too close to an edge to be sure of is not counted but
-// looked up again. Units: lattice (cells of edge 1).
+// The generalised winding number is reliable but slow. For a closed surface, within a cell it
+// changes only where the way between two samples crosses a triangle. So it is computed once for a
+// cell and then changed at each crossing; where a crossing is too close to a triangle's edge to be
+// certain, the number is computed anew. Units: lattice (cells of edge 1).
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@ namespace stylet::bake {
 
 struct InsideTest {
   const TriangleTree& tree;
-  bool by_winding;  // else thirteen rays vote
+  bool by_winding;  // false: thirteen rays vote
 };
 
 // Place of a sample in its cell.
@@ -23,10 +23,10 @@ Vec sample_point(std::uint32_t i);
 
 bool is_inside(const InsideTest& test, Vec point);
 
-// Bit i is sample point i. `low_corner` is the cell's.
+// Bit i is for sample point i. `low_corner` is that of the cell.
 std::uint64_t sample_cell(const InsideTest& test, Vec low_corner);
 
-// The same for a closed, oriented surface; `near` are all its triangles that touch the cell.
+// The same for a closed, oriented surface; `near` has all its triangles that touch the cell.
 std::uint64_t sample_cell(const InsideTest& test, Vec low_corner,
                           std::span<const std::array<Vec, 3>> near);
 

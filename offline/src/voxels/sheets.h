@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Own voxels for parts that lie in one cell, or in neighbours, without touching: lobes with a gap
-// thinner than a voxel, sheets through one cell. Without them such parts share particles and stick.
+// Gives separate voxels to parts that do not touch but lie in one cell or in neighbouring cells:
+// lobes with a gap thinner than a voxel, thin walls. Else such parts share particles and stick.
 //
-// Nesme, Kry, Jerabkova, Faure 2009, on the 64 samples of each cell: what hangs together in a cell
-// is a voxel; voxels of neighbouring cells whose samples reach each other share the particles of
-// the nodes between them, others do not. Voxels that may not share a node go to different sheets of
-// the lattice (kernel/schema/organ.fbs); ties join the nodes that are one particle.
+// Nesme, Kry, Jerabkova, Faure 2009, with the 64 samples of each cell: each connected part in a
+// cell is a voxel; voxels of neighbouring cells whose samples reach each other share the particles
+// of the nodes between them, others do not. Voxels that must not share a node go to different
+// sheets of the lattice (kernel/schema/organ.fbs); ties join the nodes that are one particle.
 //
-// Promises: without such parts the lattice comes back as it was. Gaps are seen from about a third
-// of a voxel on. Time: linear in voxels. Units: cell edges.
+// Promises: without such parts the lattice is unchanged. Gaps are detected from about a third of a
+// voxel on. Time: linear in voxels. Units: cell edges.
 #pragma once
 
 #include "voxels/lattice.h"
@@ -16,7 +16,7 @@
 
 namespace stylet::bake {
 
-// `places` of the samples in `claims`. Refused where the format ends.
+// `places` are those of the samples in `claims`. Refuses what exceeds the limits of the format.
 Lattice split_parts(const Claims& claims, const SamplePlaces& places, Lattice lattice);
 
 }  // namespace stylet::bake

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much a tick of an organ sweeps over, in voxels of a full block: by the kernel's own count.
+// How much state a tick of an organ visits, counted by the kernel, in voxels of a full block.
 //
-// A step visits all that the kernel keeps of the lattice, and what an organ is like decides how
-// much that is for each voxel: holes in rows, thin walls with nodes on both sides, parts that share
-// cells. So it is the bytes of state that are counted, and two full blocks say what a voxel's are.
+// A step visits all that the kernel keeps of the lattice. How much that is per voxel depends on the
+// organ: holes in rows, thin walls with nodes on both sides, parts that share cells. So the bytes
+// of state are counted; two full blocks tell how many bytes one voxel has.
 #pragma once
 
 #include "voxels/lattice.h"

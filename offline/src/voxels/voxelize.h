@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A solid to voxels: which cubes its surface passes through, and which part of every cube is
-// inside.
+// Turns a solid into voxels: which cubes its surface passes through, and which part of every cube
+// is inside.
 //
-// Squashing-cubes order (James, Barbic, Twigg 2004): exact triangle/cube overlap marks the surface;
-// a flood from outside finds what is enclosed; the generalised winding number decides wherever the
-// flood is no proof: beside the surface, and everywhere in a mesh with holes. Where faces disagree
-// about the outside even after repair, thirteen rays vote instead.
+// Steps as in squashing cubes (James, Barbic, Twigg 2004): exact triangle/cube overlap marks the
+// surface; a flood from outside finds what is enclosed; the generalised winding number decides
+// where the flood proves nothing: beside the surface, and everywhere in a mesh with holes. If faces
+// disagree about the outside even after repair, thirteen rays vote instead.
 //
-// Promises: every point of the surface lies in a voxel marked kPierced or within kTouch of one;
+// Promises: every point of the surface lies in a voxel marked as pierced or within kTouch of one;
 // the filled part is known to 1/64. Time: linear in triangles and cells, n log n in surface cells.
 // Units: lattice (voxel edges from the low corner of voxel 0) inside, metres outside.
 #pragma once
@@ -17,14 +17,14 @@
 
 namespace stylet::bake {
 
-// Half the quantum of a vertex position in the organ file: what is nearer than this to a voxel's
-// face counts as on it, so a surface that runs along voxel faces does not add a layer of empty
-// voxels.
+// Half the quantum of a vertex position in the organ file. What is nearer than this to a voxel's
+// face counts as lying on the face, so that a surface along voxel faces does not add a layer of
+// empty voxels.
 constexpr double kTouch = 0.5 / 65535;
 
 struct Grid {
-  Vec origin_m;       // each number exactly a float
-  double edge_m = 0;  // exactly a float
+  Vec origin_m;       // each component is exactly representable as a float
+  double edge_m = 0;  // exactly representable as a float
   std::array<std::uint32_t, 3> size{};
 };
 
@@ -38,16 +38,16 @@ inline Vec to_lattice(const Grid& grid, Vec point_m) {
   return (point_m - grid.origin_m) * (1 / grid.edge_m);
 }
 
-// The smallest grid of this edge around `box`; refused where organ files or memory end.
+// The smallest grid of this edge around `box_m`; refused if too large for organ files or memory.
 Grid make_grid(const Box& box_m, double edge_m);
 
 struct Occupancy {
-  std::vector<std::uint64_t> inside;   // one bit per sample point of a cell
+  std::vector<std::uint64_t> inside;   // per cell, one bit for each sample point
   std::vector<std::uint8_t> pierced;   // 1: the surface passes through the cell
-  std::size_t decided_by_winding = 0;  // cells that the flood reached through a hole, yet inside
+  std::size_t decided_by_winding = 0;  // cells inside, though the flood came in through a hole
 };
 
-// `solid` in metres.
+// `solid` is in metres.
 Occupancy voxelize(const Grid& grid, const Solid& solid, const Progress& progress);
 
 // Cells that the surface of `mesh` (metres) passes through or touches, for attachments.
