@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// stylet-organ build: an organ of meshes, or of a label map.
+// stylet-organ build: builds an organ from meshes or from a label map.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -31,7 +31,7 @@ struct BuildArguments : CommonArguments {
   bool split_gaps = false;
 };
 
-// PATH[:TISSUE[:PRIORITY]]; a file that has colons in its name is taken as it is.
+// PATH[:TISSUE[:PRIORITY]]; if a file with the whole text as its name exists, it is the path.
 Input parse_input(const std::string& text) {
   Input input;
   input.path = text;
@@ -55,7 +55,7 @@ void choose_gaps(const BuildArguments& a, BuildOptions& options) {
   if (a.split_gaps) options.options_text += " --split-gaps";
   if (a.fill_gaps.empty()) return;
   const std::vector<Layer> gap = parse_layers({a.fill_gaps}, "--fill-gaps");
-  constexpr double kWidestGapM = 0.1;  // wider ones lie between organs, not between their meshes
+  constexpr double kWidestGapM = 0.1;  // wider gaps separate organs, not just their meshes
   if (!(gap.front().thickness_m > 0 && gap.front().thickness_m <= kWidestGapM)) {
     refuse("--fill-gaps '{}': expected a width of more than 0 and at most {:g} mm", a.fill_gaps,
            kWidestGapM * 1e3);
@@ -65,8 +65,8 @@ void choose_gaps(const BuildArguments& a, BuildOptions& options) {
   options.options_text += " --fill-gaps " + a.fill_gaps;
 }
 
-// Layers in place of one of the inputs' tissues.
-template <typename HaveTissue>  // as above
+// The layers, and the tissue of the inputs that they replace.
+template <typename HaveTissue>  // inputs, or groups of labels
 void choose_layers(const BuildArguments& a, const std::vector<HaveTissue>& sources,
                    BuildOptions& options) {
   options.layers = parse_layers(a.layers, "--layer");
@@ -85,7 +85,7 @@ void run_build_labels(const BuildArguments& a) {
   if (a.inputs.size() != 1) refuse("--recipe: {} inputs: expected one label map", a.inputs.size());
   const std::string& path = a.inputs.front();
   BuildOptions options = common_options(a, 1e-3);
-  (void)read_file(a.recipe);  // one that is not there is told before a map is read for a minute
+  (void)read_file(a.recipe);  // refuses a missing recipe before the minute that a map may take
   const LabelMap map = read_label_map(path);
   const Recipe recipe = read_recipe(a.recipe, {path, map.names});
   for (const LabelGroup& group : recipe.groups) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// stylet-organ check: whether an organ file is whole.
+// stylet-organ check: checks whether an organ file is undamaged.
 #include <fmt/format.h>
 
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// stylet-organ hull: an obstacle, as TOML, of a mesh.
+// stylet-organ hull: makes an obstacle, as TOML, from a mesh.
 #include "meshes/hull.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// stylet-organ info: what an organ file holds and needs.
+// stylet-organ info: shows what an organ file contains and needs.
 #include "report/info.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// stylet-organ labels: what a label map holds.
+// stylet-organ labels: shows what a label map contains.
 #include <fmt/format.h>
 
 #include <memory>

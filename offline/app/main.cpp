@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program stylet-organ: build, phantom, hull, labels, info, check. Exit codes: 0 done, 1 input
-// refused or file damaged, 2 wrong usage.
+// refused or file damaged, 2 wrong command line.
 
 #include <fmt/format.h>
 
@@ -69,7 +69,7 @@ int run(int argc, char** argv) {
 }  // namespace stylet::bake
 
 int main(int argc, char** argv) {
-  // A limit of file sizes is a full disk: the write says so, and nothing half written stays.
+  // A file size limit then acts like a full disk: the write fails, and no partial file is left.
   (void)std::signal(SIGXFSZ, SIG_IGN);
   return stylet::bake::run(argc, argv);
 }

@@ -31,7 +31,7 @@ using Json = nlohmann::ordered_json;
 const std::map<std::string, Inertia> kInertias{{"true_mass", Inertia::kTrueMass},
                                                {"added_mass", Inertia::kAddedMass}};
 
-// How fine the voxels are, or what decides it.
+// The options that set the voxel edge, or what determines it.
 void add_resolution(CLI::App& command, CommonArguments& a) {
   auto* edge = command.add_option("--voxel-mm", a.voxel_mm, "Edge of a voxel")
                    ->type_name("MM")
@@ -62,14 +62,14 @@ void add_resolution(CLI::App& command, CommonArguments& a) {
       ->check(cli::between(1U, kMaxSubsteps));
 }
 
-// Without folders, so that the bytes do not depend on where the files lie.
+// The region without folders, so that the organ's bytes do not depend on where files lie.
 std::string without_folder(const std::string& fix) {
   const std::string word = "touching:";
   if (!fix.starts_with(word)) return fix;
   return word + std::filesystem::path(fix.substr(word.size())).filename().string();
 }
 
-// The heap and all mappings of our own; what goes beyond fails as if memory were out.
+// Limits the heap and our private mappings; allocations beyond fail as if memory were exhausted.
 void limit_memory(std::uint64_t bytes) {
   constexpr std::uint64_t kLeast = std::uint64_t{64} << 20U;
   if (bytes == 0) return;
@@ -80,14 +80,14 @@ void limit_memory(std::uint64_t bytes) {
   }
 }
 
-// The machine that --fit reckons with.
+// The machine whose speed --fit uses.
 std::optional<Machine> chosen_machine(const CommonArguments& a) {
   if (a.fit.empty()) return std::nullopt;
-  (void)period_of(a.fit);  // before anything takes time
+  (void)period_of(a.fit);  // refuses a wrong rate before the measurement, which takes time
   return a.machine.empty() ? measure_machine(progress_bar()) : read_machine(a.machine);
 }
 
-// What would be refused after minutes of work.
+// Refuses at once what would otherwise be refused after minutes of work.
 void check_outputs(const CommonArguments& a) {
   check_output(a.output);
   if (!a.report.empty()) check_output_folder(a.report);
@@ -102,8 +102,8 @@ Stepping stepping_of(const CommonArguments& a) {
   return stepping;
 }
 
-// Of organs with more, which no tick of a millisecond has room for, a build says what a hand feels
-// of the step's inertia only when it is asked to look (--fit, --report): it takes seconds there.
+// A build tells what a hand feels of the step's inertia. For organs with more voxels than this,
+// too many for a tick of a millisecond, only with --fit or --report, because it takes seconds.
 constexpr std::uint32_t kInertiaVoxels = 100'000;
 
 }  // namespace
@@ -202,7 +202,7 @@ void finish(const std::function<Built(const BuildOptions&, const Progress&)>& ma
   outputs.add(a.output, built.bytes);
   if (a.sum) {
     outputs.add(a.output + kSumEnding, sum_line(a.output, built.bytes));
-  } else if (has_sum_line(a.output)) {  // of the organ that was there before
+  } else if (has_sum_line(a.output)) {  // the checksum of an older organ
     outputs.remove(a.output + kSumEnding);
   }
   warn(built.report.warnings);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// stylet-organ phantom: an organ of a test body.
+// stylet-organ phantom: builds the organ of a test body.
 #include "meshes/phantom.h"
 
 #include <fmt/format.h>
@@ -24,8 +24,8 @@ struct PhantomArguments : CommonArguments {
   std::string mesh_out;
 };
 
-// Facets about as large as voxels, since finer ones would move with the same voxel anyway; but no
-// more than a few thousand of them.
+// Facets about as large as voxels, since all finer facets of a voxel would move together; and at
+// most a few thousand of them.
 double facet_size(const PhantomArguments& a, double longest_m) {
   constexpr double kMostAcross = 40;
   const double edge_m = a.voxels_across > 0 ? longest_m / a.voxels_across : a.voxel_mm * 1e-3;

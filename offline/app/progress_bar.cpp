@@ -31,7 +31,7 @@ struct Bar {
   }
 };
 
-// From how long this part of the stage took; nothing while it is too early to say.
+// Estimated from the time that this fraction of the stage took; empty while it is too early.
 std::string time_left(const Bar& bar, double fraction) {
   constexpr double kEarly = 0.03;
   const std::chrono::duration<double> taken = Clock::now() - bar.stage_start;

@@ -10,13 +10,13 @@
 namespace stylet::bake {
 namespace {
 
-// One key of a tissue table: where it goes, its unit, and what is allowed (in the key's unit).
+// A key of a tissue table: its member of Tissue, its unit, and the allowed range in that unit.
 struct Key {
   const char* name;
   double Tissue::*member;
   double si_per_unit;
   double low, high;
-  bool optional = false;  // in a new tissue, which then has the 0 of Tissue
+  bool optional = false;  // a new tissue may leave it out, and then has 0
 };
 
 constexpr Key kKeys[] = {
@@ -34,7 +34,7 @@ constexpr Key kKeys[] = {
     {"static_friction_n_per_mm", &Tissue::static_friction_n_per_m, 1e3, 0, 10},
     {"stribeck_velocity_mm_per_s", &Tissue::stribeck_velocity_m_per_s, 1e-3, 1e-3, 1e4},
     {"viscous_friction_n_s_per_m2", &Tissue::viscous_friction_n_s_per_m2, 1, 0, 1e6},
-    // Most tissues have no skin of their own, and break at a force that hardly depends on speed.
+    // Most tissues have no thin skin, and their puncture force hardly depends on speed.
     {"membrane_n_per_mm", &Tissue::membrane_n_per_m, 1e3, 0, 100, true},
     {"puncture_velocity_exponent", &Tissue::puncture_velocity_exponent, 1, 0, 0.5, true},
 };
@@ -96,8 +96,8 @@ Tissue read_tissue(const std::string& file, const std::string& name, const toml:
   return tissue;
 }
 
-// Numbers in the order of Tissue, SI. A tissue that has no surface of its own to break punctures at
-// its cutting force.
+// Numbers are in the order of Tissue's members, in SI units. A tissue without a surface that must
+// be broken has its cutting force as puncture force.
 std::vector<Tissue> organ_tissues() {
   return {
       {"liver",
@@ -144,7 +144,7 @@ std::vector<Tissue> organ_tissues() {
   };
 }
 
-// Layers on the way to organs, phantoms and bone.
+// Tissues on the way to organs, materials of phantoms, and bone.
 std::vector<Tissue> other_tissues() {
   return {
       {"fat",

@@ -18,7 +18,7 @@ struct Leaf {
   std::uint32_t first, count;
 };
 
-// Rounds to float and grows by more than the rounding and the user's arithmetic can take away.
+// Rounds to float and enlarges by more than the errors of rounding and of the kernel's arithmetic.
 OrganSphere rounded(const Sphere& s, std::uint32_t first, std::uint32_t count) {
   constexpr double kFloatRounding = 4e-7;
   const double reach = std::abs(s.centre.x) + std::abs(s.centre.y) + std::abs(s.centre.z);
@@ -31,7 +31,7 @@ OrganSphere rounded(const Sphere& s, std::uint32_t first, std::uint32_t count) {
           count};
 }
 
-// Around the box of the points, shrunk to the farthest of them.
+// Centre: that of the points' box. Radius: the distance of the farthest point.
 Sphere around(const std::vector<Vec>& points, const std::vector<Triangle>& triangles,
               const std::uint32_t* first, const std::uint32_t* end) {
   Box box;
@@ -47,7 +47,7 @@ Sphere around(const std::vector<Vec>& points, const std::vector<Triangle>& trian
   return s;
 }
 
-// The smallest sphere that holds two others.
+// The smallest sphere that contains two others.
 Sphere around(const Sphere& a, const Sphere& b) {
   const Vec between = b.centre - a.centre;
   const double distance = length(between);
@@ -102,7 +102,7 @@ SphereTree sphere_tree(const std::vector<Vec>& points_m, const std::vector<Trian
   struct Span {
     std::size_t first, end;
   };
-  std::vector<Span> spans{{0, leaves.size()}};  // of node i; grows while it is walked
+  std::vector<Span> spans{{0, leaves.size()}};  // of each node; grows during the loop
   std::vector<std::uint32_t> child(1, 0);
   for (std::size_t i = 0; i < spans.size(); ++i) {
     const Span span = spans[i];
@@ -113,7 +113,7 @@ SphereTree sphere_tree(const std::vector<Vec>& points_m, const std::vector<Trian
     spans.push_back({middle, span.end});
     child.resize(spans.size(), 0);
   }
-  // Children lie behind their parent, so spheres are known from the back.
+  // Children come after their parents, so spheres are computed from the end.
   std::vector<Sphere> spheres(spans.size());
   tree.nodes.resize(spans.size());
   for (std::size_t i = spans.size(); i-- > 0;) {
@@ -122,7 +122,7 @@ SphereTree sphere_tree(const std::vector<Vec>& points_m, const std::vector<Trian
     spheres[i] = is_leaf ? leaf.sphere : around(spheres[child[i]], spheres[child[i] + 1]);
     tree.nodes[i] =
         is_leaf ? rounded(spheres[i], leaf.first, leaf.count) : rounded(spheres[i], child[i], 0);
-    // What the file holds is what parents must hold.
+    // A parent must contain the sphere as the file has it, after rounding.
     const OrganSphere& s = tree.nodes[i];
     spheres[i] = {{static_cast<double>(s.x), static_cast<double>(s.y), static_cast<double>(s.z)},
                   static_cast<double>(s.radius)};

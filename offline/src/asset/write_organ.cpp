@@ -15,7 +15,7 @@ using flatbuffers::Offset;
 
 constexpr std::uint32_t kFormatVersion = 2;
 
-// Our plain structs and the generated ones have the same bytes.
+// Our plain structs and the generated structs have the same bytes.
 template <typename Theirs, typename Mine>
 auto write_structs(FlatBufferBuilder& builder, const std::vector<Mine>& values) {
   static_assert(sizeof(Theirs) == sizeof(Mine));
@@ -94,7 +94,7 @@ void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
 
 std::vector<std::byte> write_organ(const OrganParts& parts) {
   FlatBufferBuilder builder;
-  builder.ForceDefaults(true);  // a value that happens to be zero takes its place all the same
+  builder.ForceDefaults(true);  // also stores values that happen to be zero
   write_root(builder, parts);
   const auto* first = reinterpret_cast<const std::byte*>(builder.GetBufferPointer());
   std::vector<std::byte> bytes(first, first + builder.GetSize());

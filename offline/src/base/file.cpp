@@ -17,7 +17,7 @@
 namespace stylet::bake {
 namespace {
 
-// Every file that was read, so that none of them is written over.
+// All files that were read, so that none of them is overwritten.
 std::set<std::pair<dev_t, ino_t>>& files_read() {
   static std::set<std::pair<dev_t, ino_t>> all;
   return all;

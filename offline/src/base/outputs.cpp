@@ -25,12 +25,12 @@ bool write_all(int file, std::span<const std::byte> bytes) {
   return ::fsync(file) == 0;
 }
 
-// The same for all names of a place, also where there is no file yet.
+// One path for all names of a file, also if the file does not exist yet.
 std::filesystem::path place_of(const std::filesystem::path& path) {
   return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
 }
 
-// mkstemp lets only the owner read; what others may is for the umask to say.
+// mkstemp lets only the owner read the file; the umask shall decide what others may do.
 bool follow_umask(int file) {
   constexpr mode_t kAllMayWrite = 0666;
   const mode_t mask = ::umask(0);  // can only be read by setting it
@@ -66,8 +66,8 @@ Outputs::~Outputs() {
   release_signals();
 }
 
-// Blocks what would end the command in between; refuses to go on once it has come. What was ignored
-// before, as by nohup, stays so.
+// Blocks signals that would end the command in the middle; if one has already come, refuses.
+// Signals that were ignored before, such as by nohup, remain ignored.
 void Outputs::hold_signals() {
   sigset_t pending{};
   for (const int each : {SIGINT, SIGTERM, SIGHUP}) {
@@ -83,7 +83,7 @@ void Outputs::hold_signals() {
   }
 }
 
-// One that came meanwhile ends the command here.
+// A signal that came in the meantime ends the command here.
 void Outputs::release_signals() {
   (void)::pthread_sigmask(SIG_UNBLOCK, &held_, nullptr);
   (void)::sigemptyset(&held_);
@@ -135,11 +135,11 @@ void Outputs::remove(const std::filesystem::path& path) {
   removed_.push_back(path);
 }
 
-// Changes places with an older file, so that a later failure can change them back.
+// Exchanges the new file with an older one, so that a later failure can exchange them back.
 bool Outputs::name(File& file) {
   file.replaced = ::renameat2(AT_FDCWD, file.temporary.c_str(), AT_FDCWD, file.path.c_str(),
                               RENAME_EXCHANGE) == 0;
-  // None there, or a file system that cannot exchange.
+  // No older file, or a file system that cannot exchange files.
   file.named = file.replaced || ::rename(file.temporary.c_str(), file.path.c_str()) == 0;
   return file.named;
 }

@@ -27,11 +27,11 @@ struct Sums {
   double area = 0, weighted = 0;
 };
 
-// Rows of points on the triangle, `parts` to each side, which cut it into parts^2 small ones; a
-// point weighs as many of them as it is a corner of.
+// Divides the triangle into parts^2 small ones, `parts` along each side. The samples are their
+// corners; the weight of a sample is the number of small triangles that it is a corner of.
 void visit(const Tree& tree, const Mesh& mesh, const Triangle& t, int parts, Sums& sums,
            Deviation& out) {
-  constexpr double kSmallTriangles[] = {6, 3, 1};  // inside, on a side, at a corner
+  constexpr double kSmallTriangles[] = {6, 3, 1};  // of a sample inside, on a side, at a corner
   const Vec a = mesh.points[t[0]], ab = mesh.points[t[1]] - a, ac = mesh.points[t[2]] - a;
   const double share = area_of(mesh, t) / (3.0 * parts * parts);
   for (int i = 0; i <= parts; ++i) {

@@ -17,10 +17,10 @@ using Kernel = CgalKernel;
 using Point = Kernel::Point_3;
 using Surface = CgalSurface;
 
-// CGAL's quickhull keeps the rim of what a point sees in a map in the order of the vertices'
-// addresses. Which of several points in one plane become vertices, and how its faces are cut, would
-// follow the heap: the hull of a rib was another one after other allocations. A name of our own in
-// its traits makes its vertices a type of our own, whose order is written below.
+// CGAL's quickhull keeps the rim of what a point sees in a map sorted by the vertices' addresses.
+// So the heap would decide which of several points in a plane become vertices and how its faces are
+// divided: the hull of a rib changed after other allocations. A type of our own in the traits makes
+// the vertices a type of our own, whose order is defined below.
 struct OrderedByPlace;
 using Traits = CGAL::Convex_hull_traits_3<Kernel, OrderedByPlace, CGAL::Tag_true>;
 using QuickhullVertex =
@@ -30,7 +30,7 @@ using QuickhullVertex =
 }  // namespace
 }  // namespace stylet::bake
 
-// No two vertices of a hull are at one place.
+// This is an order, since no two vertices of a hull have the same position.
 template <>
 struct std::less<stylet::bake::QuickhullVertex> {
   bool operator()(const stylet::bake::QuickhullVertex& a,
@@ -42,9 +42,9 @@ struct std::less<stylet::bake::QuickhullVertex> {
 namespace stylet::bake {
 namespace {
 
-// Thinner than this share of its length, a mesh is flat, and a hull of it no body.
+// A mesh thinner than this fraction of its length is flat, and its hull is not a body.
 constexpr double kFlat = 1e-6;
-// The kernel refuses a configuration with vertices farther out (kernel/src/needle/obstacle.cpp).
+// The kernel refuses vertices farther from the origin (kernel/src/needle/obstacle.cpp).
 constexpr double kFarthestM = 10;
 
 Vec to_vec(const Point& p) {
@@ -86,7 +86,7 @@ std::size_t largest(const std::vector<Vec>& points, Measure measure) {
   return best;
 }
 
-// Four points that span the most: a first body for the others to be far from.
+// Four points that span much volume: the first body, from which distances are measured.
 std::array<std::size_t, 4> corners_of(const std::string& name, const std::vector<Vec>& points) {
   const std::size_t a = largest(points, [](Vec p) { return -p.x; });
   const Vec from = points[a];
@@ -102,8 +102,8 @@ std::array<std::size_t, 4> corners_of(const std::string& name, const std::vector
   return {a, b, c, d};
 }
 
-// The vertices left out, the farthest from the body first, the lower of two as far. The distances
-// are bounds, kept from earlier rounds, because the body only grows.
+// A vertex that is left out; sorted so that the farthest from the body comes first, then the lower
+// number. Distances from earlier rounds are upper bounds, because the body only grows.
 struct Left {
   double distance;
   std::size_t vertex, round;
@@ -121,7 +121,7 @@ double distance_to(const std::vector<Kernel::Triangle_3>& triangles, Vec p) {
   return std::sqrt(square);
 }
 
-// The vertex farthest from the body, whose distance is measured in this round.
+// Takes the vertex farthest from the body; its distance has been measured in this round.
 Left farthest(const std::vector<Vec>& points, const Surface& body, std::size_t round,
               std::priority_queue<Left>& left) {
   const std::vector<Kernel::Triangle_3> triangles = triangles_of(body);
@@ -154,7 +154,7 @@ Hull simple_hull(const std::string& name, const std::vector<Vec>& points_m,
     refuse("{}: reaches {:.6g} m from the origin: expected at most {} m; check --units", name,
            length(far), kFarthestM);
   }
-  (void)corners_of(name, points_m);  // before CGAL, which takes flat points for a polygon
+  (void)corners_of(name, points_m);  // refuses flat points, of which CGAL would make a polygon
   const std::vector<Vec> all = sorted_vertices(hull_of(points_m));
   Hull hull;
   hull.hull_vertices = all.size();
@@ -184,7 +184,7 @@ std::vector<HullPlane> hull_planes(const Hull& hull) {
   for (const Triangle& t : mesh.triangles) {
     const Vec a = mesh.points[t[0]];
     const Vec normal = cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a);
-    planes.push_back({normal, dot(normal, a)});  // faces of the hull are outward
+    planes.push_back({normal, dot(normal, a)});  // faces of the hull point outward
   }
   return planes;
 }

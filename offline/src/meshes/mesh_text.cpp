@@ -7,10 +7,10 @@ namespace stylet::bake {
 namespace {
 
 constexpr std::string_view kBlank = " \t\r\v\f";
-// More than this many unreadable points is no mesh with a blemish but another kind of file.
+// With more unreadable points than this, the file is not a damaged mesh but another kind of file.
 constexpr std::size_t kMaxBadPoints = 10'000;
 
-// Fewer points than 32 bits count: read_file takes 4 GiB, and a point that is a place 2 bytes.
+// 32 bits can count all points: read_file accepts 4 GiB, and a point takes at least 2 bytes.
 void add_checked(Collector& collector, Vec point, std::string place, std::string value) {
   if (!finite(point)) {
     if (collector.bad_points.size() >= kMaxBadPoints) {

@@ -21,14 +21,14 @@ using Corners = std::vector<Kernel::Triangle_3>;
 using Primitive = CGAL::AABB_triangle_primitive<Kernel, Corners::const_iterator>;
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
-// Along no edge, face or diagonal that meshes like to have.
+// Not parallel to edges, faces or diagonals that are common in meshes.
 constexpr std::array<Vec, 3> kDirections{Vec{0.7931, 0.3127, 0.5227}, Vec{-0.4271, 0.8377, 0.3407},
                                          Vec{0.2903, -0.5519, 0.7817}};
 
 struct Faces {
   Corners corners;
   std::vector<std::array<Vec, 3>> corners_of;
-  std::vector<std::uint32_t> piece;  // of each
+  std::vector<std::uint32_t> piece;  // of each face
 };
 
 Faces faces_of(const std::vector<Vec>& points, const std::vector<Triangle>& triangles,
@@ -59,8 +59,8 @@ Vec farthest_along(const std::vector<Vec>& points, const std::vector<Triangle>& 
   return best;
 }
 
-// A face that a ray surely misses, or meets behind another, is left out before CGAL computes
-// exactly: thousands of pieces one in another have all their boxes in one place.
+// Skips faces that the ray certainly misses, or meets only behind another, before CGAL computes
+// exactly: the boxes of thousands of nested pieces all lie in one place.
 class Filter {
  public:
   Filter(const Faces& faces, Vec from, Vec direction, std::uint32_t piece, std::size_t& tests)
@@ -89,7 +89,7 @@ class Filter {
   }
 
  private:
-  // About a minute. Organs have some dozens for each of their pieces and directions.
+  // Takes about a minute. Organs need some dozens of tests per piece and direction.
   static constexpr std::size_t kMostTests = 100'000'000;
   static constexpr double kRounding = 1e-9;
   const Faces& faces_;
@@ -99,7 +99,7 @@ class Filter {
   double nearest_ = std::numeric_limits<double>::infinity();
 };
 
-// The faces of the piece that the ray comes from do not count.
+// The first face that a ray meets. Faces of the ray's own piece do not count.
 std::optional<std::size_t> first_face(const Tree& tree, const Faces& faces, Vec from, Vec direction,
                                       std::uint32_t piece, std::size_t& tests) {
   const Kernel::Ray_3 ray(Kernel::Point_3(from.x, from.y, from.z),
@@ -126,7 +126,7 @@ std::vector<std::uint32_t> around_along(const std::vector<Vec>& points,
   std::iota(order.begin(), order.end(), 0U);
   std::ranges::stable_sort(order, std::greater<>{},
                            [&](std::uint32_t i) { return dot(start[i], direction); });
-  // A piece that is met reaches farther, so what is around it is known by then.
+  // A piece that is met reaches farther, comes earlier in `order`, and so has its result already.
   std::vector<std::uint32_t> around(pieces.size(), kNoPiece);
   std::size_t tests = 0;
   for (const std::uint32_t i : order) {

@@ -9,7 +9,7 @@ namespace {
 
 using CgalPoint = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
-// True where `turned` runs round the points of `original` the other way.
+// Whether `turned` has the points of `original` in the opposite direction.
 bool opposite(const Triangle& original, const Triangle& turned) {
   const auto* const first = std::find(turned.begin(), turned.end(), original[0]);
   return turned[static_cast<std::size_t>(first - turned.begin() + 1) % 3] != original[1];
@@ -27,8 +27,8 @@ void orient_neighbours(const std::vector<Vec>& points, std::vector<Triangle>& tr
 
   CGAL::Polygon_mesh_processing::orient_polygon_soup(soup_points, soup);
 
-  // The soup may have been cut by doubling points, which are appended at equal coordinates; only
-  // the direction of each triangle is taken over.
+  // CGAL may have cut the soup by appending copies of points; so we take over only the direction
+  // of each triangle.
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     Triangle turned{};
     for (std::size_t corner = 0; corner < 3; ++corner) {

@@ -24,9 +24,9 @@ using Domain = CGAL::Labeled_mesh_domain_3<Kernel>;
 using Triangulation = CGAL::Mesh_triangulation_3<Domain>::type;
 using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
 
-// Where the mesher starts: points of the surface around `inside`, in directions without symmetry.
-// Not CGAL's own start, which takes sines and cosines: their last place is the C library's to
-// choose, and the whole mesh would follow it.
+// Gives the mesher its first points: on the surface around `inside`, in directions without symmetry.
+// CGAL's own start uses sines and cosines, whose last digit depends on the C library; the whole
+// mesh would change with it.
 void start_mesh(const Domain& domain, const Kernel::Point_3& inside, double reach,
                 Complex& complex) {
   constexpr int kPoints = 12;
@@ -46,9 +46,9 @@ void start_mesh(const Domain& domain, const Kernel::Point_3& inside, double reac
   }
 }
 
-// The sphere of `reach` around `inside` must hold the whole surface, `inside` be a point within it.
-// CGAL's volume mesher, of which only the boundary is kept: it orders by time of creation, where
-// the surface mesher orders by address and gives another mesh on every call.
+// `inside` must be a point within the surface; the sphere of `reach` around it must contain it all.
+// Uses CGAL's volume mesher and keeps only the boundary: it sorts by time of creation, whereas the
+// surface mesher sorts by address and gives another mesh on every call.
 Mesh mesh_implicit(const Function& function, Vec inside, double reach, double facet,
                    double tolerance) {
   namespace parameters = CGAL::parameters;
@@ -79,13 +79,13 @@ double ellipsoid(Vec p, Vec centre, Vec radii) {
   return slope > 0 ? level * (level - 1) / slope : -std::min({radii.x, radii.y, radii.z});
 }
 
-// The smaller of two distances, rounded off where they differ by less than `width`.
+// The smaller of two distances; smoothed if they differ by less than `width`.
 double blend(double a, double b, double width) {
   const double closeness = std::max(width - std::abs(a - b), 0.0) / width;
   return std::min(a, b) - closeness * closeness * width / 4;
 }
 
-// In millimetres.
+// `p` and the result are in millimetres.
 double liver_shape(Vec p) {
   const double right = ellipsoid(p, {0, -30, 0}, {58, 58, 66});
   const double left = ellipsoid(p, {-10, 40, 14}, {36, 52, 30});
@@ -140,7 +140,7 @@ Mesh ball_phantom(double diameter_m, double facet_m) {
   const Function sphere = [radius](const Kernel::Point_3& p) {
     return length(Vec{p.x(), p.y(), p.z()}) - radius;
   };
-  constexpr double kToleranceOfRadius = 0.0025;  // inscribed facets lose three times that in volume
+  constexpr double kToleranceOfRadius = 0.0025;  // flat facets lose three times that in volume
   return mesh_implicit(sphere, {}, radius * 1.2, facet_m, radius * kToleranceOfRadius);
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wavefront OBJ: v and f are read, l and p counted, everything else (vt, vn, groups, materials,
-// curves) skipped. A backslash at the end of a line continues it.
+// Wavefront OBJ: v and f are read, l and p are counted, everything else (vt, vn, groups, materials,
+// curves) is skipped. A backslash at the end of a line continues it.
 #include "meshes/mesh_text.h"
 
 namespace stylet::bake {
 namespace {
 
-// The next logical line: continued lines are joined into `joined`, which then backs the tokens.
+// The next logical line: continued lines are joined in `joined`; tokens then point into it.
 bool next_logical_line(Lines& lines, std::string& joined) {
   const auto continued = [&] {
     while (!lines.rest.empty() && lines.rest.back() == '\r') lines.rest.remove_suffix(1);
@@ -24,8 +24,8 @@ bool next_logical_line(Lines& lines, std::string& joined) {
   return true;
 }
 
-// "7", "7/1", "7//3", "-1/2/3": only the point matters. Indices count from 1, or back from the
-// last point read.
+// "7", "7/1", "7//3", "-1/2/3": only the point is used. Indices count from 1; negative indices
+// count back from the last point read.
 std::uint32_t parse_corner(const Lines& lines, std::string_view token, std::size_t points) {
   const std::string_view digits = token.substr(0, token.find('/'));
   constexpr std::int64_t kMost = 0xFFFFFFFE;
@@ -66,7 +66,7 @@ ReadMesh read_obj(std::string_view file, std::string_view bytes) {
       ++collector.counts.lines_and_points;
     }
   }
-  // Points may follow the faces that use them, so the upper end is known only here.
+  // Points may come after the faces that use them, so the upper limit is known only here.
   if (highest_line > 0 && highest >= collector.mesh.points.size()) {
     refuse("{}:{}: {}: expected a point index up to {}", file, highest_line,
            static_cast<std::uint64_t>(highest) + 1, collector.mesh.points.size());

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OFF and its coloured and normal-carrying kin (COFF, NOFF, STOFF, ...): three coordinates open
-// each point and the corner indices each face; what follows on the line is skipped. Comments start
-// with
+// OFF and its variants with colours and normals (COFF, NOFF, STOFF, ...): a point's line begins with
+// three coordinates, a face's line with its corner indices; the rest of the line is skipped.
+// Comments start with
 // '#'. The counts may follow the keyword on its line, even without a blank ("OFF8 6 12").
 #include "meshes/mesh_text.h"
 
 namespace stylet::bake {
 namespace {
 
-// A point or face takes at least two bytes, so a header cannot claim more than the file can hold.
+// A point or face takes at least two bytes; a header that claims more than fit is refused.
 std::size_t read_count(Lines& lines, std::string_view token, const char* what) {
   const auto most = static_cast<std::int64_t>(lines.text.size() / 2);
   return static_cast<std::size_t>(require_integer(lines, token, 0, most, what));
 }
 
-// Leaves the cursor before the number of points.
+// Moves the cursor to the number of points.
 void read_keyword(Lines& lines) {
   const std::string_view token = token_across_lines(lines, "the keyword OFF");
   const std::size_t at = token.find("OFF");

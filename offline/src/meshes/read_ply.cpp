@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PLY 1.0, text and binary of either byte order, with any layout of elements and properties. Of all
-// of them only x, y, z of "vertex" and the list vertex_indices (or vertex_index) of "face" are
+// PLY 1.0, text and binary in either byte order, with any layout of elements and properties. Only
+// x, y, z of "vertex" and the list vertex_indices (or vertex_index) of "face" are
 // kept.
 #include <bit>
 #include <cstring>
@@ -72,7 +72,7 @@ Encoding parse_encoding(Lines& lines) {
   refuse_at(lines, token, "ascii, binary_little_endian or binary_big_endian");
 }
 
-// Lines that begin with no keyword of the format are skipped: exporters put free text there.
+// Skips lines that do not begin with a keyword of the format: exporters put free text there.
 Header read_header(Lines& lines) {
   Header header;
   if (!next_line(lines) || next_token(lines) != "ply") refuse_at(lines, "", "the word ply");
@@ -83,7 +83,7 @@ Header read_header(Lines& lines) {
       header.encoding = parse_encoding(lines);
     } else if (keyword == "element") {
       const std::string name(next_token(lines));
-      // A row takes at least one byte, so no count can exceed the file.
+      // A row takes at least one byte, so no count may exceed the bytes of the file.
       const std::int64_t count =
           require_integer(lines, next_token(lines), 0, static_cast<std::int64_t>(lines.text.size()),
                           "a number of elements");
@@ -96,7 +96,7 @@ Header read_header(Lines& lines) {
   refuse_at(lines, "end of file", "end_header");
 }
 
-// The values behind the header, one after the other, whatever the encoding.
+// Reads the values after the header one by one, in any encoding.
 struct Values {
   Lines lines;         // text
   std::size_t at = 0;  // binary: next byte

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// STL, text and binary. Which one it is follows from the size that a binary header's count implies,
-// not from the word "solid", which many binary files begin with too.
+// STL, text and binary. A file is binary if its size agrees with the count in a binary header; the
+// word "solid" does not tell, since many binary files begin with it, too.
 #include <bit>
 #include <cctype>
 #include <cstring>
@@ -40,7 +40,7 @@ bool is_text(std::string_view bytes) {
          bytes.substr(0, kProbe).find('\0') == std::string_view::npos;
 }
 
-// Bytes behind the triangles that are claimed may fill up a block; triangles they are not.
+// Bytes after the claimed triangles may be padding; more triangles than claimed are refused.
 void require_claimed(std::string_view file, std::string_view bytes, std::size_t claimed) {
   const std::size_t room = (bytes.size() - kHeaderBytes) / kFacetBytes;
   if (claimed > room) {
@@ -78,8 +78,8 @@ ReadMesh read_binary(std::string_view file, std::string_view bytes) {
   return finish(std::move(collector));
 }
 
-// Behind "solid" comes a name of any words up to the end of the line, or, where all is one line, up
-// to the first facet.
+// After "solid" comes a name of any words, up to the end of the line, or up to the first facet if
+// the whole file is one line.
 void skip_name(Lines& lines) {
   while (true) {
     const Lines here = lines;
@@ -94,7 +94,7 @@ void skip_name(Lines& lines) {
   }
 }
 
-// Behind "endsolid": up to the end of the line or the next solid.
+// The name after "endsolid" goes up to the end of the line or the next solid.
 void skip_end_name(Lines& lines) {
   while (true) {
     const Lines here = lines;

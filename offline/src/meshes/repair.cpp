@@ -11,7 +11,7 @@
 namespace stylet::bake {
 namespace {
 
-// Renumbers points so that bit-equal ones are one, in order of first use by a triangle.
+// Merges bit-equal points and renumbers points in the order in which triangles first use them.
 void merge_points(Mesh& mesh, RepairCounts& counts) {
   std::vector<std::uint32_t> order(mesh.points.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -48,19 +48,19 @@ bool has_area(const Mesh& mesh, const Triangle& t) {
   const Vec a = mesh.points[t[1]] - mesh.points[t[0]];
   const Vec b = mesh.points[t[2]] - mesh.points[t[0]];
   const Vec normal = cross(a, b);
-  // Collinear points leave a rest of rounding; anything below it is not an area.
+  // Collinear points give a small area by rounding; an area below this counts as none.
   constexpr double kRounding = 1e-28;
   return dot(normal, normal) > kRounding * dot(a, a) * dot(b, b);
 }
 
-// +1 or -1: which way round the triangle runs through its sorted corners.
+// +1 or -1: the direction in which the triangle runs through its sorted corners.
 int direction(const Triangle& t) {
   const int turns = (t[0] > t[1] ? 1 : 0) + (t[1] > t[2] ? 1 : 0) + (t[0] > t[2] ? 1 : 0);
   return turns % 2 == 0 ? 1 : -1;
 }
 
-// Groups equal triangles. The first of each group stays in the surface. It bounds the solid only
-// where copies do not cancel: as many one way as the other enclose nothing between them.
+// Groups equal triangles. The first of each group stays in the surface. It is part of the boundary
+// only if the copies do not cancel: as many in one direction as in the other enclose nothing.
 void drop_duplicates(Mesh& mesh, std::vector<Triangle>& boundary, RepairCounts& counts) {
   std::vector<std::uint32_t> order(mesh.triangles.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -127,7 +127,7 @@ struct EdgeCounts {
   std::size_t border = 0, non_manifold = 0, inconsistent = 0, open = 0;
 };
 
-// Faces agree at an edge when as many run one way as the other, give or take an odd one.
+// Faces agree at an edge if as many run in one direction as in the other, apart from an odd one.
 EdgeCounts count_edges(const std::vector<Edge>& edges) {
   EdgeCounts counts;
   each_edge(edges, [&](std::size_t first, std::size_t count) {
@@ -143,9 +143,9 @@ EdgeCounts count_edges(const std::vector<Edge>& edges) {
 
 struct Piece {
   std::vector<std::uint32_t> triangles;
-  double volume = 0;  // of a closed piece
+  double volume = 0;  // only of a closed piece
   bool open = false;
-  bool says_sides = true;  // by the way its faces were turned in the file
+  bool says_sides = true;  // its faces in the file tell which side is outside
 };
 
 std::vector<Triangle> select(const std::vector<Triangle>& triangles, const Piece& piece) {
@@ -154,7 +154,7 @@ std::vector<Triangle> select(const std::vector<Triangle>& triangles, const Piece
   return own;
 }
 
-// Pieces hang together through edges of exactly two faces.
+// A piece is connected through edges of exactly two faces.
 std::vector<Piece> find_pieces(const std::vector<Vec>& points,
                                const std::vector<Triangle>& triangles,
                                const std::vector<Edge>& edges) {
@@ -190,16 +190,16 @@ void turn(std::vector<Triangle>& triangles, const Piece& piece) {
   for (const std::uint32_t i : piece.triangles) std::swap(triangles[i][1], triangles[i][2]);
 }
 
-// An open surface has no volume to tell its sides by, but it winds round the points it half
-// encloses: positively when it faces outward. `sum` over points spread through its box; `enclosed`
-// counts those that it winds round more than half.
+// An open surface has no volume that tells its sides apart. But it winds around points that it half
+// encloses, positively if it faces outward. `sum` is over points spread through its box; `enclosed`
+// counts points with more than half a winding.
 struct Evidence {
   double sum = 0;
   int enclosed = 0;
 };
 
-// A small piece is looked at from fewer points, so that the time follows the triangles: a soup has
-// as many pieces.
+// Fewer points for a small piece, so that time stays linear in the triangles: a triangle soup may
+// have as many pieces as triangles.
 int points_per_axis(std::size_t triangles) {
   constexpr double kPointsEach = 16;
   constexpr int kLeast = 2, kMost = 12;
@@ -229,9 +229,9 @@ Evidence look_around(const std::vector<Vec>& points, const std::vector<Triangle>
   return evidence;
 }
 
-// Open pieces that enclose something by themselves, or whose faces had to be reoriented, are judged
-// alone; the others all together, because in a file whose faces agreed their relative sides mean
-// something.
+// Open pieces that enclose something by themselves are judged alone, as are all if faces had to be
+// reoriented. The others are judged together, because their relative sides in a file whose faces
+// agreed have a meaning.
 void turn_open(const std::vector<Vec>& points, std::vector<Triangle>& triangles,
                const std::vector<Piece>& pieces, bool faces_agreed) {
   std::vector<Triangle> rest;
@@ -251,7 +251,7 @@ void turn_open(const std::vector<Vec>& points, std::vector<Triangle>& triangles,
   for (const Piece* piece : rest_pieces) turn(triangles, *piece);
 }
 
-// How often the open pieces wind round a closed one, by which they may hold it: -1, 0 or 1.
+// How often the open pieces wind around a closed one, which they may contain: -1, 0 or 1.
 int side_of_open(const TriangleTree& open, Vec point) {
   const double winding = winding_number(open, point);
   return winding > 0.5 ? 1 : winding < -0.5 ? -1 : 0;
@@ -276,10 +276,10 @@ std::vector<std::uint32_t> largest_first(const std::vector<ClosedPiece>& pieces)
   return order;
 }
 
-// From the outside in: an outer piece faces outward, and whoever had turned it had turned what is
-// in it, too. A piece in tissue that faces the other way is a cavity, of any number; one that faces
-// the same way is tissue in tissue. In a cavity there can only be tissue. `open` is of the file's
-// open pieces as they were, before they were turned.
+// Works from the outside in. An outer piece must face outward; if it is turned in the file, so are
+// the pieces in it. A piece in tissue that faces the other way is a cavity (any number of them); one
+// that faces the same way is tissue in tissue. In a cavity there can only be tissue. `open` has the
+// file's open pieces before they were turned.
 void turn_closed(const std::vector<Vec>& points, std::vector<Triangle>& triangles,
                  const std::vector<Piece>& pieces, const TriangleTree& open) {
   std::vector<ClosedPiece> closed;
@@ -309,8 +309,8 @@ void turn_closed(const std::vector<Vec>& points, std::vector<Triangle>& triangle
   }
 }
 
-// Where faces disagreed, the greater part of them says which side is out; where it is not much
-// greater than the rest, none does. `before` are the triangles as they were read.
+// If faces disagreed, the majority says which side is outside; without a clear majority the faces
+// say nothing. `before` are the triangles as they were read.
 void ask_faces(const std::vector<Triangle>& before, std::vector<Triangle>& triangles,
                std::vector<Piece>& pieces) {
   constexpr double kClearPart = 0.75;

@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::uint32_t kLeafTriangles = 8;
 constexpr double kPi = 3.14159265358979323846;
-// A cluster is far when the point is this many of its radii away.
+// A cluster is far if its distance from the point is at least this many of its radii.
 constexpr double kFar = 2.3;
-// Halving from 2^32 triangles goes 32 deep; both children wait on the stack.
+// Halving 2^32 triangles gives a depth of 32, with both children of a node on the stack.
 constexpr std::size_t kStack = 80;
 
 using Corners = std::array<Vec, 3>;
@@ -37,7 +37,7 @@ void summarise(TriangleTree& tree, TriangleTree::Node& node, std::uint32_t first
   }
 }
 
-// Sorts [first, end) by the middle of the triangles along the longest side and halves it.
+// Halves [first, end) by the triangles' middles along the box's longest side.
 std::uint32_t split(TriangleTree& tree, const Box& box, std::uint32_t first, std::uint32_t end) {
   const Vec size = box.high - box.low;
   const std::size_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -67,7 +67,7 @@ bool ray_meets_box(const Box& box, Vec point, Vec inverse) {
   return near <= far;
 }
 
-// Moeller and Trumbore 1997.
+// Whether a ray meets a triangle: Moeller and Trumbore 1997.
 bool ray_meets_triangle(const Corners& c, Vec point, Vec ray) {
   const Vec edge_1 = c[1] - c[0], edge_2 = c[2] - c[0];
   const Vec p = cross(ray, edge_2);

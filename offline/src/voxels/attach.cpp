@@ -14,7 +14,7 @@ constexpr double kMetresPerMm = 1e-3;
 constexpr std::string_view kBoxWord = "box:";
 constexpr std::string_view kTouchingWord = "touching:";
 
-// What follows which option.
+// A region's text and the option it was given for, for messages.
 struct Spelled {
   const std::string& option;
   const std::string& text;

@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<CellStep, 6> kFaces{CellStep{-1, 0, 0}, CellStep{1, 0, 0},  CellStep{0, -1, 0},
                                          CellStep{0, 1, 0},  CellStep{0, 0, -1}, CellStep{0, 0, 1}};
 
-// Bits of the quarters of a cell for which choose(centre) is each of `count` numbers.
+// For each number below `count`: bits of the cell's sub-samples for which choose(centre) is it.
 template <typename Choose>
 std::vector<std::uint64_t> divide(std::size_t count, Choose choose) {
   std::vector<std::uint64_t> quarters(count, 0);
@@ -74,7 +74,7 @@ void CellParts::find_parts() {
   first.push_back(static_cast<std::uint32_t>(parts.size()));
 }
 
-// Specks that hang together with a larger part of their cell, or with nothing, go to one.
+// Joins specks to a larger part of their cell: to the connected one, or if alone to the nearest.
 std::vector<CellPart> CellParts::settled(std::size_t voxel) const {
   std::vector<CellPart> own(parts.begin() + first[voxel], parts.begin() + first[voxel + 1]);
   if (own.size() == 1) return own;
@@ -122,7 +122,7 @@ void CellParts::settle_specks() {
   first = std::move(first_of_all);
 }
 
-// A cell that holds surface but no sample: a part for each of what its neighbours hold apart.
+// A cell with surface but no samples gets one part for each unconnected part of its neighbours.
 void CellParts::find_empty_parts() {
   std::vector<CellPart> all;
   std::vector<std::uint32_t> first_of_all, renumbered(parts.size(), kNoPart);
@@ -155,8 +155,8 @@ std::vector<CellPart> CellParts::empty_parts(const CellPart& empty) const {
   }
   if (around.empty()) return {empty};
   const Block block = block_around(empty.cell);
-  std::vector<std::uint32_t> sets, hosts;  // and the fullest part of each
-  std::vector<std::size_t> number;         // of the set of each part around
+  std::vector<std::uint32_t> sets, hosts;  // hosts: the fullest part of each set
+  std::vector<std::size_t> number;         // for each part around: the number of its set
   for (const std::uint32_t i : around) {
     const std::uint32_t set = set_of(block, i);
     const auto known = std::find(sets.begin(), sets.end(), set);
@@ -185,7 +185,7 @@ std::vector<CellPart> CellParts::empty_parts(const CellPart& empty) const {
   return own;
 }
 
-// Parts of neighbouring cells, with samples.
+// Whether two parts of neighbouring cells touch; both have samples.
 bool CellParts::touch(const CellPart& a, const CellPart& b) const {
   if (a.inside == kFullCell && b.inside == kFullCell) return true;
   return (reached(a.inside, near_[between(a, b).index()]) & b.inside) != 0;
@@ -226,7 +226,7 @@ bool CellParts::linked(std::uint32_t i, std::uint32_t j) const {
   if (k == kNoPart || l == kNoPart || k == l) return true;
   const Block block = block_around(a.inside == 0 || b.inside != 0 ? a.cell : b.cell);
   const std::uint32_t one = set_of(block, k), other = set_of(block, l);
-  return one == other || other == kNoPart;  // only a host of the other cell may lie beyond
+  return one == other || other == kNoPart;  // only the other cell's host can be out of the block
 }
 
 }  // namespace stylet::bake

@@ -12,7 +12,7 @@ double side(const Plane& plane, Vec place) {
   return dot(plane.normal, place);
 }
 
-// As many samples on either side as there are in `beyond` and not; some of both, or it stays.
+// Sets the limit so that each side has as many samples as `beyond` says; if one has none, nothing.
 void set_limit(const SamplePlaces& places, std::uint64_t beyond, Plane& plane) {
   const auto first = static_cast<std::size_t>(std::popcount(~beyond));
   if (first == 0 || first == kCellSamples) return;
@@ -22,7 +22,7 @@ void set_limit(const SamplePlaces& places, std::uint64_t beyond, Plane& plane) {
   plane.limit = 0.5 * (along[first - 1] + along[first]);
 }
 
-// How much of the way from `from` to `to` lies on this side of a plane.
+// Length of the way from `from` to `to` that is not beyond the plane.
 double length_before(const Plane& plane, Vec from, Vec to) {
   const double a = side(plane, from) - plane.limit, b = side(plane, to) - plane.limit;
   const double whole = length(to - from);
@@ -47,7 +47,7 @@ Plane fit_plane(const SamplePlaces& places, std::uint64_t beyond) {
     sum = sum + places[s];
   }
   const Vec way = there * (1.0 / count) - here * (1.0 / (static_cast<int>(kCellSamples) - count));
-  constexpr double kTooNear = 1e-3;  // one lies in the midst of the other: any direction is as good
+  constexpr double kTooNear = 1e-3;  // nearer, one surrounds the other: any direction will do
   const double distance = length(way);
   Plane plane = {distance > kTooNear ? way * (1 / distance) : Vec{0, 0, 1}, 0};
   set_limit(places, beyond, plane);
@@ -57,14 +57,14 @@ Plane fit_plane(const SamplePlaces& places, std::uint64_t beyond) {
 CellWalk::CellWalk(const Claims& claims, const SamplePlaces& places, const TissueNumbers& numbers,
                    Sides sides)
     : claims_(claims), places_(places), numbers_(numbers), sides_(sides), shares_(claims.shares) {
-  // Of equal ones the first input is the strongest, as in add_claim.
+  // Among equal shares the first input is the strongest, as in add_claim.
   std::stable_sort(shares_.begin(), shares_.end(), [](const auto& a, const auto& b) {
     return std::make_tuple(a.cell, a.priority, std::popcount(a.inside), b.owner) <
            std::make_tuple(b.cell, b.priority, std::popcount(b.inside), a.owner);
   });
 }
 
-// The strongest owner has the last word.
+// The strongest owner is put last, over the others.
 OfSamples CellWalk::owners_of(std::size_t cell) const {
   OfSamples owner{};
   owner.fill(kNoOwner);
@@ -74,7 +74,7 @@ OfSamples CellWalk::owners_of(std::size_t cell) const {
       if ((samples >> s & 1U) != 0) owner[s] = of;
     }
   };
-  take(inside, claims_.owner[cell]);  // also what was filled in later, by no input
+  take(inside, claims_.owner[cell]);  // also samples that no input filled (fill_gaps)
   auto share =
       std::lower_bound(shares_.begin(), shares_.end(), cell,
                        [](const auto& each, std::size_t wanted) { return each.cell < wanted; });
@@ -93,7 +93,7 @@ CellHere CellWalk::enter(std::size_t cell, Depths& depths) const {
     layered |= std::uint64_t{is_layered(numbers_, here.owner[s])} << s;
   }
   Plane plane = fit_plane(places_, ~layered);
-  constexpr double kSteep = 0.25;  // what a plane of samples may lean without a slope
+  constexpr double kSteep = 0.25;  // how far a fitted plane may lean if the true side is upright
   if (sides_ == Sides::kUpright && std::abs(plane.normal[numbers_.course.axis]) < kSteep) {
     plane.normal = with(plane.normal, numbers_.course.axis, 0);
     set_limit(places_, ~layered, plane);

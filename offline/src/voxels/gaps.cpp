@@ -4,7 +4,7 @@
 namespace stylet::bake {
 namespace {
 
-// A bit for each cell of a grid with a rim of empty ones.
+// A flag for each cell of a grid that is enlarged by a rim of empty cells.
 struct Mask {
   std::array<std::size_t, 3> size{};
   std::vector<std::uint8_t> set;
@@ -14,8 +14,8 @@ std::array<std::size_t, 3> steps_of(const Mask& mask) {
   return {1, mask.size[0], mask.size[0] * mask.size[1]};
 }
 
-// Every cell takes `value` where its neighbour before or behind has it, one axis after the other:
-// steps to one side, so that a gap of any number of cells is met exactly.
+// Gives a cell `value` if its neighbour on one side (see `forward`) has it, axis by axis. Steps to
+// one side only, so that gaps of any number of cells, odd or even, are met exactly.
 void spread(Mask& mask, std::uint8_t value, bool forward) {
   const auto steps = steps_of(mask);
   for (std::size_t axis = 0; axis < 3; ++axis) {

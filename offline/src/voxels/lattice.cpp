@@ -10,7 +10,7 @@
 namespace stylet::bake {
 namespace {
 
-constexpr int kSamples = 64;  // of a cell
+constexpr int kSamples = 64;  // per cell
 
 struct CellPlace {
   std::uint32_t x, y, z;
@@ -20,8 +20,8 @@ std::uint32_t nearest_cell(double at, std::uint32_t size) {
   return static_cast<std::uint32_t>(std::clamp(std::floor(at), 0.0, size - 1.0));
 }
 
-// The cells a place may be said to lie in along one axis: its own, and a neighbour it nearly
-// touches.
+// The cells that count as containing a place along one axis: its own, and a neighbour that it
+// nearly touches.
 std::size_t cells_along(double at, std::uint32_t size, std::uint32_t (&cells)[2]) {
   const std::uint32_t own = nearest_cell(at, size);
   cells[0] = own;
@@ -42,7 +42,7 @@ CellPlace own_cell(const Grid& grid, Vec at) {
           nearest_cell(at.z, grid.size[2])};
 }
 
-// The first cell around `at` for which `keeps` holds; its own first.
+// The first cell at `at` for which `keeps` is true; its own cell is tried first.
 template <typename Keeps>
 std::optional<CellPlace> find_cell(const Grid& grid, Vec at, Keeps keeps) {
   std::uint32_t xs[2], ys[2], zs[2];
@@ -69,13 +69,13 @@ Vec rest_position(const Grid& grid, CellPlace cell, const OrganVertex& v) {
          Vec{cell.x + v.fx * kStep, cell.y + v.fy * kStep, cell.z + v.fz * kStep} * grid.edge_m;
 }
 
-// Owner of the fullest cell beside one that holds a little surface and no samples; else its own.
+// For a cell with some surface but no samples: owner of the fullest cell beside it, else its own.
 std::uint16_t owner_beside(const Claims& claims, CellPlace at) {
   const Grid& grid = claims.grid;
   std::uint16_t owner = claims.owner[cell_index(grid, at.x, at.y, at.z)];
   int most = 0;
   for (std::uint32_t n = 0; n < 27; ++n) {
-    // One ahead of the neighbour, so that none is negative.
+    // Indices are one too high, so that none is negative.
     const std::uint32_t x = at.x + n % 3, y = at.y + n / 3 % 3, z = at.z + n / 9;
     if (x < 1 || y < 1 || z < 1 || x > grid.size[0] || y > grid.size[1] || z > grid.size[2])
       continue;
@@ -87,7 +87,7 @@ std::uint16_t owner_beside(const Claims& claims, CellPlace at) {
   return owner;
 }
 
-// One input that fills a cell alone needs no share: with a second one, it gets its own after all.
+// An input that fills a cell alone needs no share; it gets one as soon as a second input comes.
 void keep_share(Claims& claims, std::size_t cell, Claims::Share share, int owner_priority) {
   share.cell = static_cast<std::uint32_t>(cell);
   const bool is_first = claims.inside[cell] == 0;
@@ -98,7 +98,7 @@ void keep_share(Claims& claims, std::size_t cell, Claims::Share share, int owner
   claims.shares.push_back(share);
 }
 
-// A direction for each point: the sum of its triangles' normals, turned inward, of length 1.
+// A unit vector for each point that points inward: the negative sum of its triangles' normals.
 std::vector<Vec> inward(const std::vector<Vec>& points, const std::vector<Triangle>& triangles) {
   std::vector<Vec> sum(points.size());
   for (const Triangle& t : triangles) {
@@ -112,7 +112,7 @@ std::vector<Vec> inward(const std::vector<Vec>& points, const std::vector<Triang
   return sum;
 }
 
-// The voxel of a cell that a place belongs to; `below` points inward from there.
+// The voxel of a cell that a place belongs to; `below` points inward from the place.
 std::uint32_t voxel_for(const Lattice& lattice, CellPlace at, Vec place, Vec below) {
   constexpr double kDepth = 0.15;
   const std::size_t cell = cell_index(lattice.grid, at.x, at.y, at.z);
@@ -204,7 +204,7 @@ bool is_skin(const Claims& claims, std::uint32_t x, std::uint32_t y, std::uint32
   for (std::uint32_t dz = 0; dz < 3; ++dz) {
     for (std::uint32_t dy = 0; dy < 3; ++dy) {
       for (std::uint32_t dx = 0; dx < 3; ++dx) {
-        const std::uint32_t nx = x + dx, ny = y + dy, nz = z + dz;  // one ahead of the neighbour
+        const std::uint32_t nx = x + dx, ny = y + dy, nz = z + dz;  // neighbour's index plus one
         const bool in_grid = nx >= 1 && ny >= 1 && nz >= 1 && nx <= grid.size[0] &&
                              ny <= grid.size[1] && nz <= grid.size[2];
         const std::size_t cell = in_grid ? cell_index(grid, nx - 1, ny - 1, nz - 1) : 0;

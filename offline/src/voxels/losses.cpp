@@ -12,7 +12,7 @@
 namespace stylet::bake {
 namespace {
 
-// The length that each layer has of the rows through a cell.
+// Adds the volume of each layer in a cell, from the lengths of the rows in it.
 void add_layers(const CellHere& here, const TissueNumbers& numbers, double edge_m, double row_m3,
                 std::vector<double>& given_m3) {
   for (std::uint32_t s = 0; s < kCellSamples; ++s) {
@@ -39,7 +39,7 @@ std::vector<double> given_volumes(const Claims& claims, const SamplePlaces& plac
                                   const std::vector<std::uint8_t>& cut,
                                   const std::vector<double>& sample_m3) {
   std::vector<double> given_m3(kMaxMaterials, 0), layers_m3(kMaxMaterials, 0);
-  double all_m3 = 0;  // of layers
+  double all_m3 = 0;  // volume of all layers, by samples
   CellWalk(claims, places, numbers, Sides::kUpright)
       .each_cell([&](std::size_t cell, const CellHere& here) {
         if (!cut.empty() && cut[cell] != 0) return;
@@ -59,7 +59,7 @@ std::vector<double> given_volumes(const Claims& claims, const SamplePlaces& plac
         }
         all_m3 += layered_m3;
       });
-  // Rows end at planes through cells; all layers together are what the samples hold.
+  // Rows end at planes through cells, samples do not: scale all layers to the samples' volume.
   const double rows_m3 = std::accumulate(layers_m3.begin(), layers_m3.end(), 0.0);
   for (std::size_t i = 0; i < given_m3.size() && rows_m3 > 0; ++i) {
     given_m3[i] += layers_m3[i] * all_m3 / rows_m3;
@@ -91,10 +91,10 @@ std::vector<Held> held_volumes(const Lattice& lattice, const std::vector<OrganMi
 }
 
 double volume_before(Vec normal, double limit) {
-  constexpr double kNone = 1e-6;  // a part of the normal that tilts the plane by no more than this
+  constexpr double kNone = 1e-6;  // a smaller component of the normal is taken as 0
   std::array<double, 3> m = {normal.x, normal.y, normal.z};
   for (double& each : m) {
-    limit -= std::min(each, 0.0);  // the cube mirrored: all parts point up
+    limit -= std::min(each, 0.0);  // mirrors the cube, so that no component is negative
     each = std::abs(each);
   }
   const double sum = m[0] + m[1] + m[2];

@@ -8,14 +8,14 @@
 namespace stylet::bake {
 namespace {
 
-// A voxel, and which of its cell's samples it has.
+// A voxel, and those of its cell's samples that are inside it.
 struct VoxelHere {
   std::uint64_t inside;
   std::uint16_t owner;
   std::uint8_t material, layer;
 };
 
-// From owners to materials.
+// The material of each sample, from the owners.
 OfSamples materials_of(const TissueNumbers& numbers, double edge_m, const CellHere& here,
                        const VoxelHere& voxel) {
   OfSamples material{};
@@ -33,7 +33,7 @@ OfSamples materials_of(const TissueNumbers& numbers, double edge_m, const CellHe
   return material;
 }
 
-// The material that most samples have which are not the voxel's own, and the plane before it.
+// Finds the material of most of the samples that do not have the voxel's own, and its plane.
 bool find_other(const SamplePlaces& places, const OfSamples& material, std::uint8_t own,
                 OrganMixed& mixed_out) {
   OfSamples others{};

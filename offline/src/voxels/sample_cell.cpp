@@ -6,8 +6,8 @@ namespace {
 
 constexpr std::uint32_t kSamples = 64;
 
-// The axes, the face diagonals and the space diagonals of a cube, each turned a little so that rays
-// do not run along the faces that meshes like to have.
+// The axes, face diagonals and space diagonals of a cube, each turned a little, so that rays do not
+// run along faces with these directions, which are common in meshes.
 constexpr std::array<Vec, 13> kRays{
     Vec{1, 0.0131, 0.0173},  Vec{0.0151, 1, 0.0127},  Vec{0.0119, 0.0163, 1},
     Vec{1, 1.0137, 0.0149},  Vec{1, -1.0113, 0.0171}, Vec{1, 0.0141, 1.0157},
@@ -15,8 +15,8 @@ constexpr std::array<Vec, 13> kRays{
     Vec{1, 1.0143, 1.0161},  Vec{1, 1.0123, -1.0159}, Vec{1, -1.0139, 1.0117},
     Vec{-1, 1.0109, 1.0169}};
 
-// How the winding number changes on the way from `from` to `to` through one triangle; `sure` turns
-// false where rounding could decide.
+// Change of the winding number on the way from `from` to `to` due to one triangle; `sure` becomes
+// false if rounding could decide.
 int winding_step(const std::array<Vec, 3>& c, Vec from, Vec to, bool& sure) {
   const Vec way = to - from;
   const Vec edge_1 = c[1] - c[0], edge_2 = c[2] - c[0];
@@ -26,7 +26,7 @@ int winding_step(const std::array<Vec, 3>& c, Vec from, Vec to, bool& sure) {
   const double start = dot(c[0] - from, normal);
   constexpr double kRounding = 1e-9;
   const double slack = kRounding * size;
-  // Wholly on one side of the triangle's plane.
+  // The way lies wholly on one side of the triangle's plane.
   if ((start > slack && start - along > slack) || (start < -slack && start - along < -slack)) {
     return 0;
   }
@@ -38,13 +38,13 @@ int winding_step(const std::array<Vec, 3>& c, Vec from, Vec to, bool& sure) {
   const double u = -dot(from - c[0], p) / along, v = -dot(way, q) / along;
   const double inner = std::min({u, v, 1 - u - v});
   if (std::abs(inner) <= kRounding) sure = false;
-  return inner < 0 ? 0 : along > 0 ? -1 : 1;  // along the outward normal is out
+  return inner < 0 ? 0 : along > 0 ? -1 : 1;  // a way along the outward normal leads out
 }
 
 }  // namespace
 
-// 64 points of a rank-1 lattice: along each axis they have 64 different, evenly spread coordinates,
-// so a face parallel to the grid is measured to 1/64 too, where a 4 x 4 x 4 grid would see 1/4.
+// 64 points of a rank-1 lattice: along each axis they have 64 different, evenly spread coordinates.
+// So a face parallel to the grid is located to 1/64, too; a 4 x 4 x 4 grid would give only 1/4.
 Vec sample_point(std::uint32_t i) {
   constexpr std::uint32_t kStepY = 5, kStepZ = 19, kCount = 64;
   return Vec{i + 0.5, (i * kStepY) % kCount + 0.5, (i * kStepZ) % kCount + 0.5} * (1.0 / kCount);

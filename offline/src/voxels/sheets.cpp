@@ -23,7 +23,7 @@ class Splitter {
     merge_parts();
     choose_sheets();
     tie_nodes();
-    number_voxels();  // last: the voxels found so far lose their numbers
+    number_voxels();  // last, because it renumbers the voxels
     return std::move(lattice_);
   }
 
@@ -45,7 +45,7 @@ class Splitter {
 
   struct AtNode {
     std::uint32_t part;
-    std::uint32_t corner;  // of the part's cell: bits x, y, z
+    std::uint32_t corner;  // which corner of the part's cell the node is: bits x, y, z
   };
 
   std::vector<AtNode> around_node(const CellPlace& node) const {
@@ -59,8 +59,8 @@ class Splitter {
     return around;
   }
 
-  // Calls visit(node) once for each corner of the parts that `wanted` takes, in the order of z, y,
-  // x.
+  // Calls visit(node) once for each corner of the parts that `wanted` accepts, sorted by z, then y,
+  // then x.
   template <typename Wanted, typename Visit>
   void each_node(Wanted wanted, Visit visit) const {
     std::vector<std::uint64_t> nodes;
@@ -99,7 +99,7 @@ class Splitter {
     });
   }
 
-  // Parts of a cell that share all their particles are one voxel after all.
+  // Merges parts of a cell that share all their particles into one voxel.
   void merge_parts() {
     std::vector<CellPart> merged;
     std::vector<std::uint32_t> first_merged;
@@ -124,7 +124,7 @@ class Splitter {
 
   // ---- sheets -----------------------------------------------------------------------------------
 
-  // In one sheet, parts would share all their nodes.
+  // Whether two parts may be in one sheet, where parts share all nodes between them.
   bool may_share_sheet(const CellPart& a, const CellPart& b) const {
     const CellStep step = cells_.between(a, b);
     if (a.cell == b.cell) return false;
@@ -139,14 +139,14 @@ class Splitter {
     return true;
   }
 
-  // Each to the sheet where most of its neighbours are, of those where it may be.
+  // Puts each part into the sheet with most of its neighbours, among the sheets allowed for it.
   void choose_sheets() {
     for (CellPart& part : cells_.parts) part.sheet = part.crowded ? kNoSheet : 0;
     std::uint32_t sheets = 1;
     for (CellPart& part : cells_.parts) {
       if (part.sheet != kNoSheet) continue;
       std::vector<int> votes(sheets + 1, 0);
-      votes[sheets] = -1;  // a new one only where it must be
+      votes[sheets] = -1;  // a new sheet only if no other is allowed
       for (int n = 0; n < 27; ++n) {
         cells_.each_part(cells_.place_of(part.cell), step_of(n), [&](std::uint32_t j) {
           const CellPart& other = cells_.parts[j];

@@ -15,10 +15,10 @@ double state_bytes(const Organ& organ) {
   return static_cast<double>(bytes.state_bytes);
 }
 
-// No more of an organ than sizes() looks at.
+// An organ with only what sizes() reads.
 Organ bare_organ(const std::array<std::uint32_t, 3>& size, std::span<const OrganRun> runs) {
   Organ organ;
-  organ.root = runs.data();  // "opened": sizes() asks for no more of it
+  organ.root = runs.data();  // not null means opened; sizes() does not follow the pointer
   organ.size_x = static_cast<std::uint16_t>(size[0]);
   organ.size_y = organ.sheet_rows = static_cast<std::uint16_t>(size[1]);
   organ.size_z = static_cast<std::uint16_t>(size[2]);

@@ -10,11 +10,11 @@ namespace stylet::bake {
 namespace {
 
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
-constexpr std::size_t kMaxCells = std::size_t{1} << 26U;  // about 2 GiB in all stages
+constexpr std::size_t kMaxCells = std::size_t{1} << 26U;  // about 2 GiB over all stages
 
 // ---- triangle and cube --------------------------------------------------------------------------
 
-// The thirteen separating axes of a triangle and a cube, each with the triangle's extent along it.
+// The thirteen separating axes of a triangle and a cube, with the triangle's extent along each.
 struct SeparatingAxes {
   struct Axis {
     Vec direction;
@@ -23,13 +23,13 @@ struct SeparatingAxes {
   };
   std::array<Axis, 13> axes;
   std::size_t count = 0;
-  Vec base;  // coordinates are taken from here, which keeps rounding small
+  Vec base;  // coordinates are relative to this point, which keeps rounding small
 };
 
 void add_axis(SeparatingAxes& s, Vec direction, const std::array<Vec, 3>& corners,
               double smallest) {
   const double reach = std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z);
-  if (reach <= smallest) return;  // direction is rounding; leaving an axis out is conservative
+  if (reach <= smallest) return;  // only rounding error; leaving out an axis is conservative
   const double a = dot(direction, corners[0]), b = dot(direction, corners[1]);
   const double c = dot(direction, corners[2]);
   s.axes[s.count++] = {direction, std::min({a, b, c}), std::max({a, b, c}), 1 / reach};
@@ -50,7 +50,7 @@ SeparatingAxes separating_axes(const std::array<Vec, 3>& triangle) {
   return s;
 }
 
-// Half the edge that a cube around `centre` needs to reach the triangle.
+// Half the edge of the smallest cube around `centre` that reaches the triangle.
 double half_edge_to_reach(const SeparatingAxes& s, Vec centre) {
   const Vec from_base = centre - s.base;
   double half_edge = 0;
@@ -66,14 +66,14 @@ Vec centre_of(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   return {x + 0.5, y + 0.5, z + 0.5};
 }
 
-// Cells from the one that holds `low` to the one that holds `high`, within the grid.
+// First and last cell from that of `low` to that of `high`, within the grid.
 std::pair<std::uint32_t, std::uint32_t> cell_range(double low, double high, std::uint32_t size) {
   const double last = size - 1.0;
   return {static_cast<std::uint32_t>(std::clamp(std::floor(low - 2 * kTouch), 0.0, last)),
           static_cast<std::uint32_t>(std::clamp(std::floor(high + 2 * kTouch), 0.0, last))};
 }
 
-// Calls visit(cell, half_edge) for the cells near a triangle whose cube it touches at least.
+// Calls visit(cell, half_edge) for all cells whose cube the triangle meets or touches.
 template <typename Visit>
 void each_touched_cell(const Grid& grid, const std::array<Vec, 3>& triangle, Visit visit) {
   const SeparatingAxes axes = separating_axes(triangle);
@@ -108,7 +108,7 @@ struct Place {
   std::uint32_t x, y, z;
 };
 
-// Gives every cell that hangs together with `seed` through faces the value `value`.
+// Gives `value` to every unknown cell that is connected with `seed` through faces.
 void fill_region(const Grid& grid, std::vector<Cell>& cells, Place seed, Cell value,
                  std::vector<Place>& stack) {
   const auto visit = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
@@ -139,9 +139,9 @@ void each_cell(const Grid& grid, Visit visit) {
   }
 }
 
-// The outside first, from the grid's faces; then each enclosed region by itself. Enclosed means
-// inside, but for cavities, which only a closed surface (and so an oriented one) can tell from
-// flesh.
+// Floods the outside first, from the grid's faces; then each enclosed region. Enclosed regions are
+// inside, except cavities; only a closed (and so oriented) surface can tell a cavity from
+// tissue.
 void flood(const Grid& grid, std::vector<Cell>& cells, const Solid& solid, const InsideTest& test) {
   std::vector<Place> stack;
   each_cell(grid, [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
@@ -156,7 +156,7 @@ void flood(const Grid& grid, std::vector<Cell>& cells, const Solid& solid, const
   });
 }
 
-// The boundary's triangles by the cells they touch: those of cell i are listed in
+// The boundary's triangles sorted by the cells they touch: those of cell i are at
 // [first[i], first[i + 1]).
 struct NearTriangles {
   std::vector<std::uint32_t> first;
@@ -189,7 +189,7 @@ std::vector<std::array<Vec, 3>> corners_near(const NearTriangles& near, std::siz
   return corners;
 }
 
-// Bounds the time (and the lists above): a soup of large triangles in a fine grid is refused.
+// Bounds the time and the lists above: refuses many large triangles in a fine grid.
 void require_bounded_work(const Grid& grid, const Solid& solid) {
   constexpr double kMostVisits = 4e9;
   double visits = 0;
