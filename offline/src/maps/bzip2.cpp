@@ -11,7 +11,7 @@
 namespace stylet::bake {
 namespace {
 
-// Of the streams that follow each other in a file; a block at a time.
+// Unpacks the successive streams of a file, one block at a time.
 class Unpacker {
  public:
   Unpacker(const std::string& path, std::string_view packed) : path_(path), packed_(packed) {}
@@ -19,12 +19,12 @@ class Unpacker {
   Unpacker& operator=(const Unpacker&) = delete;
   ~Unpacker() { (void)BZ2_bzDecompressEnd(&stream_); }
 
-  // Fills `block` as far as there is something; how much that is.
+  // Fills `block` as far as there are bytes; returns how many it filled.
   std::size_t fill(std::vector<char>& block) {
     std::size_t filled = 0;
     while (filled < block.size() && !(packed_.empty() && state_ == BZ_STREAM_END)) {
       if (state_ == BZ_STREAM_END) open();
-      // The library counts in unsigned int, files may be larger.
+      // The library counts in unsigned int; files may be larger.
       const auto offered = static_cast<unsigned>(std::min<std::size_t>(packed_.size(), kOffered));
       stream_.next_in = const_cast<char*>(packed_.data());
       stream_.avail_in = offered;
@@ -60,7 +60,7 @@ class Unpacker {
   std::uint64_t unpacked_ = 0;
 };
 
-// What has been taken of the voxels.
+// How many voxels have been read.
 struct Voxels {
   const std::string& path;
   const Claim& claim;
@@ -98,7 +98,7 @@ void take_numbers(Voxels& voxels, std::vector<char>& bytes, LabelMap& map) {
 }
 
 void unpack(const std::string& name, std::string_view packed, Voxels& voxels, LabelMap& map) {
-  constexpr std::size_t kBlock = std::size_t{1} << 20U;  // whole numbers of every type
+  constexpr std::size_t kBlock = std::size_t{1} << 20U;  // a multiple of every type's size
   Unpacker unpacker(name, packed);
   std::vector<char> block;
   for (std::size_t filled = 1; filled > 0;) {
@@ -113,8 +113,8 @@ void unpack(const std::string& name, std::string_view packed, Voxels& voxels, La
   }
 }
 
-// Layers times voxels. bzip2 holds up to a million times its own bytes, so that files do not bound
-// what comes of them.
+// Layers times voxels. bzip2 data may unpack to a million times its size, so a file's size does not
+// limit what it unpacks to.
 std::size_t values_of(const std::string& path, const Claim& claim) {
   std::size_t values = 1;
   for (const std::uint64_t size : claim.sizes) {

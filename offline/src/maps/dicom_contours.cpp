@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Structure sets of radiotherapy (RTSTRUCT): closed contours in planes, inside by the even-odd rule
-// over all contours that a structure has in a plane: holes, whether contours of their own or
-// reached through a keyhole, stay open; each structure as thick as it was drawn (maps/slabs.h). Of
-// structures that share a voxel the smaller one has it, as an outline of the whole body holds all
-// others. Source: DICOM PS3.3, C.8.8.5 and C.8.8.6.
+// Structure sets of radiotherapy (RTSTRUCT): closed contours in planes. The even-odd rule over all
+// contours of a structure in a plane decides what is inside, so holes stay open, whether they are
+// own contours or keyholes. Each structure is as thick as it was drawn (maps/slabs.h). The smallest
+// structure gets a shared voxel, because an outline of the whole body contains all others.
+// Source: DICOM PS3.3, C.8.8.5 and C.8.8.6.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,9 +18,9 @@
 namespace stylet::bake {
 namespace {
 
-constexpr double kFlatM = 1e-4;       // what points may be off their plane
+constexpr double kFlatM = 1e-4;       // how far points may be off their plane
 constexpr double kPixelM = 0.5e-3;    // of the raster without a series: a tenth of a lattice voxel
-constexpr double kMostAcross = 1024;  // pixels of it
+constexpr double kMostAcross = 1024;  // pixels of that raster
 constexpr double kMostAcrossSeries = 4096;
 
 struct Contour {
@@ -35,14 +35,14 @@ struct Structure {
   std::vector<Contour> contours;
 };
 
-// Directions, the size of pixels and where one is; the distance of planes, 0 where it is not known.
+// Directions and size of pixels, the position of one, and the distance of planes; 0: not known.
 struct Raster {
   PixelGrid grid;
   Vec anchor_m;
   double step_m = 0;
 };
 
-// Pixels of a row that are inside.
+// Successive pixels of a row that are inside.
 struct Run {
   std::size_t plane = 0;
   std::uint32_t row = 0, first = 0, end = 0;
@@ -91,8 +91,8 @@ void take_contours(const DicomFile& file, DcmItem& roi, Structure& structure,
   }
 }
 
-// Takes out what is there a second time, which as a contour inside of itself would be a hole. How
-// many those are.
+// Removes repeated contours, because a contour inside itself would be a hole. Returns how many were
+// removed.
 std::size_t drop_repeated(std::vector<Contour>& contours) {
   std::vector<std::size_t> order(contours.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -118,7 +118,7 @@ std::size_t drop_repeated(std::vector<Contour>& contours) {
   return dropped;
 }
 
-// In the order of the file; by ROINumber, where all of them are labels, else by their order.
+// In the order of the file. Labels are the ROINumbers if all are valid labels, else the order.
 std::vector<Structure> structures_of(const DicomFile& file, std::vector<std::string>& notes) {
   std::vector<Structure> structures;
   std::vector<double> numbers;
@@ -163,7 +163,7 @@ std::vector<Structure> structures_of(const DicomFile& file, std::vector<std::str
   return structures;
 }
 
-// Twice the area, as long as the normal (Newell).
+// A vector along the normal with twice the area as its length (Newell).
 Vec area_of(const Contour& contour) {
   Vec area;
   for (std::size_t i = 0; i < contour.points_m.size(); ++i) {
@@ -174,7 +174,7 @@ Vec area_of(const Contour& contour) {
   return area;
 }
 
-template <typename Visit>  // Structure&, Contour&, its number
+template <typename Visit>  // visit(Structure&, Contour&, number of the contour)
 void each_contour(std::vector<Structure>& structures, Visit visit) {
   for (Structure& structure : structures) {
     for (std::size_t i = 0; i < structure.contours.size(); ++i) {
@@ -183,7 +183,7 @@ void each_contour(std::vector<Structure>& structures, Visit visit) {
   }
 }
 
-// Square to the largest contour, rows along the patient's axis that lies best in its plane.
+// In the plane of the largest contour; rows follow the patient's axis that fits this plane best.
 Raster own_raster(const DicomFile& file, std::vector<Structure>& structures) {
   Vec normal;
   each_contour(structures, [&](const Structure&, const Contour& contour, std::size_t) {
@@ -210,7 +210,7 @@ Vec normal_of(const PixelGrid& grid) {
   return across * (1 / length(across));
 }
 
-// Places along the normal of all planes that have a contour.
+// Positions, along the normal, of all planes with a contour.
 std::vector<double> find_planes(const DicomFile& file, const Raster& raster,
                                 std::vector<Structure>& structures) {
   const Vec normal = normal_of(raster.grid);
@@ -249,8 +249,8 @@ std::vector<std::size_t> planes_of(const Structure& structure) {
   return {planes.begin(), planes.end()};
 }
 
-// How far apart planes are where a structure does not tell: as its series says, else as the one
-// that was drawn closest.
+// The distance of planes to assume if a structure does not tell it: that of the series, else that
+// of the structure that was drawn with the smallest distance.
 double distance_m(const DicomFile& file, const Raster& raster, const std::vector<double>& along,
                   const std::vector<Structure>& structures) {
   if (raster.step_m > 0) return raster.step_m;
@@ -268,7 +268,7 @@ double distance_m(const DicomFile& file, const Raster& raster, const std::vector
       file.path, along.size());
 }
 
-// Makes the grid as large as the contours; places of the first pixel, in columns and rows.
+// Makes the grid as large as the contours; returns the first pixel's place in columns and rows.
 std::array<double, 2> fit(const DicomFile& file, Raster& raster,
                           std::vector<Structure>& structures) {
   std::array<double, 2> low = {HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL};
@@ -303,7 +303,7 @@ std::array<double, 2> fit(const DicomFile& file, Raster& raster,
   return low;
 }
 
-// Even-odd over the contours of a structure in one plane; a pixel is inside where its centre is.
+// Even-odd rule over the contours of a structure in a plane; a pixel is inside if its centre is.
 void take_runs(const Raster& raster, std::array<double, 2> low, std::size_t plane,
                const std::vector<const Contour*>& contours, std::vector<Run>& runs) {
   std::vector<std::vector<double>> crossings(raster.grid.rows);
@@ -376,7 +376,7 @@ void put_runs(Stack& stack, const Layers& layers, const Slabs& slabs, std::uint1
   }
 }
 
-// A structure that was not drawn all the way.
+// Notes a structure that has layers without a contour between its first and last, or no contour.
 void tell_holes(const DicomFile& file, const Layers& layers, const Slabs& slabs,
                 const Structure& structure, std::vector<std::string>& notes) {
   if (slabs.empty()) {
@@ -396,7 +396,7 @@ void tell_holes(const DicomFile& file, const Layers& layers, const Slabs& slabs,
       file.path, structure.name, holes, layers.step_m * 1e3));
 }
 
-// Layers of zeros, and where they lie.
+// Layers of zeros at the right position.
 Stack empty_stack(const DicomFile& file, const Raster& raster, std::array<double, 2> low,
                   const Layers& layers) {
   const PixelGrid& grid = raster.grid;

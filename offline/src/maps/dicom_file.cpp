@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kMetresPerMm = 1e-3;
 
-// DCMTK says nothing, and reads compressed pixels; once for the whole process.
+// Makes DCMTK silent and able to read compressed pixels; once for the whole process.
 void prepare_library() {
   static const bool prepared = [] {
     OFLog::configure(OFLogger::OFF_LOG_LEVEL);
@@ -33,14 +33,14 @@ void prepare_library() {
   (void)prepared;
 }
 
-// DCMTK descends into sequences by recursion: 200 000 of them in each other end the process. No
-// image has more than a handful. Items are found by their tag, wherever it stands; up to
-// kHarmlessItems of them fit the stack even if each were in the one before.
+// DCMTK reads nested sequences by recursion: 200 000 levels crash the process. No image has more
+// than a handful. Items are found by their tag, wherever its bytes stand; up to kHarmlessItems of
+// them fit the stack even if each is nested in the one before.
 void require_flat(const std::string& path) {
   constexpr std::size_t kMostNested = 64, kHarmlessItems = 2000, kHead = 8;
   constexpr std::uint32_t kUndefined = 0xFFFFFFFF;
   const std::string bytes = read_file(path);
-  std::vector<std::size_t> ends;  // of the items around this place
+  std::vector<std::size_t> ends;  // ends of the items around this byte
   std::size_t items = 0, deepest = 0;
   for (std::size_t at = 0; at + kHead <= bytes.size(); ++at) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[at + i]); };
@@ -62,7 +62,7 @@ void require_flat(const std::string& path) {
   refuse("{}: {} sequences in each other: expected at most {}", path, deepest, kMostNested);
 }
 
-// Neither is there a way to see how deep something is that is still to be inflated.
+// Refuses deflated files, since one cannot see how deep they are nested before they are inflated.
 void require_readable(const std::string& path) {
   DcmFileFormat head;
   (void)head.loadFile(path.c_str(), EXS_Unknown, EGL_noChange, DCM_MaxReadLength, ERM_metaOnly);
@@ -83,7 +83,7 @@ std::uint16_t count_of(const DicomFile& file, const DcmTagKey& tag, std::uint16_
   return dataset_of(file).findAndGetUint16(tag, value).good() ? value : otherwise;
 }
 
-// Before anything is kept for each frame or pixel that is claimed.
+// Refuses too many claimed frames or pixels before memory is allocated for each of them.
 void require_pixels_held(const DicomFile& file) {
   DcmDataset& data = dataset_of(file);
   const std::uint16_t bits = std::max<std::uint16_t>(1, count_of(file, DCM_BitsAllocated, 1));
@@ -155,7 +155,7 @@ std::string text_of(const DicomFile& file, const DcmTagKey& tag) {
 
 double number_of(DcmItem& item, const DcmTagKey& tag, unsigned long place) {
   Float64 number = 0;
-  Uint16 count = 0;  // no text
+  Uint16 count = 0;  // a binary number
   Sint32 whole = 0;  // a text, or 32 bits
   if (item.findAndGetFloat64(tag, number, place).good()) return number;
   if (item.findAndGetUint16(tag, count, place).good()) return count;
@@ -192,7 +192,7 @@ std::string frame_name(const DicomFile& file, std::size_t frame) {
 }
 
 FramePlace place_of(const DicomFile& file, std::size_t frame) {
-  constexpr double kUnit = 1e-3;  // what cosines of a few digits are off
+  constexpr double kUnit = 1e-3;  // error of cosines with a few digits
   const std::string what = frame_name(file, frame);
   const DcmTagKey turn = DCM_PlaneOrientationSequence;
   Vec along_row = vector_at(file, frame, turn, DCM_ImageOrientationPatient, 0);
@@ -223,7 +223,7 @@ FramePlace place_of(const DicomFile& file, std::size_t frame) {
   const double thick_mm = number_of(file, frame, DCM_PixelMeasuresSequence, DCM_SliceThickness, 0);
   const bool thick = thick_mm >= kLeastMm && thick_mm <= kFarthestMm;
   place.plane = {at_mm * kMetresPerMm, thick ? thick_mm * kMetresPerMm : 0, what};
-  // PixelSpacing is the distance of rows, then that of columns.
+  // PixelSpacing has the distance of rows first, then that of columns.
   along_row = along_row * (1 / length(along_row));
   along_column = along_column - along_row * dot(along_row, along_column);
   along_column = along_column * (1 / length(along_column));

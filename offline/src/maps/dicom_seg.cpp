@@ -16,7 +16,7 @@ struct Frame {
   FramePlace place;
 };
 
-// Pixels are numbers of segments; before that kind, each segment had frames of its own.
+// Whether pixels are segment numbers; in other, older kinds each segment has its own frames.
 // Source: DICOM PS3.3, C.8.20.2 (SegmentationType LABELMAP).
 bool pixels_are_segments(const DicomFile& file) {
   return text_of(file, DCM_SegmentationType) == "LABELMAP";
@@ -37,7 +37,7 @@ std::uint16_t segment_of(const DicomFile& file, std::size_t frame,
   return static_cast<std::uint16_t>(number);
 }
 
-// Along the normal.
+// The frames, sorted along the normal.
 std::vector<Frame> frames_of(const DicomFile& file, const std::set<std::uint16_t>& described) {
   require_map_size(file.path, {file.columns, file.rows, file.frames});
   std::vector<Frame> frames;
@@ -53,9 +53,9 @@ std::vector<Frame> frames_of(const DicomFile& file, const std::set<std::uint16_t
   return frames;
 }
 
-// Frames of several segments share a plane; the last digits of a place do not tell them apart.
+// Frames of several segments share a plane, even if the last digits of their positions differ.
 std::vector<Plane> planes_of(std::vector<Frame>& frames) {
-  constexpr double kSameM = 2e-5, kBeside = 0.1;  // of a pixel
+  constexpr double kSameM = 2e-5, kBeside = 0.1;  // kBeside is in pixels
   const PixelGrid& grid = frames.front().place.grid;
   const double pixel_m = std::min(length(grid.column_step_m), length(grid.row_step_m));
   const Vec across = cross(grid.column_step_m, grid.row_step_m);
@@ -76,8 +76,8 @@ std::vector<Plane> planes_of(std::vector<Frame>& frames) {
   return planes;
 }
 
-// Distance of neighbouring planes: as the file says, else between its frames where that is even,
-// else their thickness; a lesion in two slices far apart does not tell it.
+// Distance of neighbouring planes: as the file says; else that of its frames if it is even; else
+// their thickness. Two frames do not tell it: a lesion may be in two slices far apart.
 double plane_step_m(const DicomFile& file, const std::vector<Plane>& planes, Vec normal) {
   const double told_mm = number_of(file, 0, DCM_PixelMeasuresSequence, DCM_SpacingBetweenSlices);
   if (told_mm >= kLeastMm && told_mm <= kFarthestMm) return told_mm * 1e-3;
@@ -100,7 +100,7 @@ double plane_step_m(const DicomFile& file, const std::vector<Plane>& planes, Vec
   return thick_m;
 }
 
-// The sequence in which frames are put: a segment with a higher number takes the voxel.
+// The order in which frames are put into the map: the segment with the highest number comes last.
 void sort_by_segment(std::vector<Frame>& frames) {
   std::stable_sort(frames.begin(), frames.end(),
                    [](const Frame& a, const Frame& b) { return a.segment < b.segment; });
@@ -113,7 +113,7 @@ void sort_by_segment(std::vector<Frame>& frames) {
   }
 }
 
-// From which stored number on a pixel belongs to its segment.
+// The smallest stored number with which a pixel belongs to its segment.
 double threshold(const DicomFile& file, std::vector<std::string>& notes) {
   const std::string kind = text_of(file, DCM_SegmentationType);
   if (kind == "BINARY") return 1;
@@ -139,9 +139,9 @@ bool is_background(DcmItem& segment) {
   });
 }
 
-// What the pixels of a label map have where there is no segment: its PixelPaddingValue. Without one
-// every pixel belongs to a segment, but for files that describe segment 0 as background, or not at
-// all, as those of dcmqi before 1.5.5 do. Source: DICOM PS3.3, C.8.20.2; PS3.16, CID 7150.
+// The pixel value of a label map where there is no segment: its PixelPaddingValue. Without one
+// every pixel belongs to a segment, except in files that describe segment 0 as background or not at
+// all, like those of dcmqi before 1.5.5. Source: DICOM PS3.3, C.8.20.2; PS3.16, CID 7150.
 double background_of(const DicomFile& file) {
   const double told = number_of(*file.format->getDataset(), DCM_PixelPaddingValue);
   if (!std::isnan(told)) return told;
@@ -192,7 +192,7 @@ void put_segments(const DicomFile& file, const std::vector<Frame>& frames, Stack
   }
 }
 
-// The numbers of all segments, also of those without a name.
+// The numbers of all segments, including those without a name.
 std::set<std::uint16_t> read_names(const DicomFile& file, LabelMap& map) {
   std::set<std::uint16_t> numbers;
   for (DcmItem* const segment : items_of(*file.format->getDataset(), DCM_SegmentSequence)) {

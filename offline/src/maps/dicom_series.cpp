@@ -19,7 +19,7 @@ struct Slice {
   FramePlace place;
 };
 
-// What lies in a folder, as far as it is DICOM.
+// The DICOM files of a folder.
 struct Folder {
   std::vector<DicomFile> images;
   std::vector<DicomFile> structures;     // RTSTRUCT
@@ -27,7 +27,7 @@ struct Folder {
   std::vector<std::string> notes;
 };
 
-// DCMTK 3.6.7 has no name for the second, Label Map Segmentation Storage.
+// The second UID is Label Map Segmentation Storage, for which DCMTK 3.6.7 has no name.
 bool is_segmentation(const std::string& kind) {
   return kind == UID_SegmentationStorage || kind == "1.2.840.10008.5.1.4.1.1.66.7";
 }
@@ -113,14 +113,14 @@ LabelMap map_of(const std::string& path, const std::vector<DicomFile>& files) {
     }
     const DicomFile& file = files[slices[i].file];
     put_plane(stack, i, label_pixels(file, slices[i].frame, different));
-    // What has been taken is let go.
+    // Frees the file after its last frame.
     if (slices[i].frame + 1 == file.frames) file.format->clear();
   }
   stack.map.sha256 = sha256_hex(sums);
   return std::move(stack.map);
 }
 
-// Pixels of the series do not count: it says where planes and pixels are.
+// The series only says where planes and pixels are; its pixel values are not used.
 LabelMap map_of_contours(const std::string& folder, const Folder& found) {
   if (found.structures.size() != 1) {
     refuse("{}: {} structure sets: expected one", folder, found.structures.size());
@@ -143,7 +143,7 @@ LabelMap map_of_contours(const std::string& folder, const Folder& found) {
   return map;
 }
 
-// It says itself where its planes are; which of several files holds the labels is not guessed.
+// A segmentation has the positions of its planes; which of several files is meant is not guessed.
 LabelMap map_of_segmentation(const std::string& folder, const Folder& found) {
   const DicomFile& file = found.segmentations.front();
   if (found.segmentations.size() + found.images.size() + found.structures.size() > 1) {

@@ -9,7 +9,7 @@ namespace {
 
 using Index = std::array<std::uint32_t, 3>;
 
-// First and behind-last index along each axis of the box; all zero where no label is found.
+// First index and one past the last, along each axis of the box; all zero if no label is found.
 std::array<Index, 2> crop_range(const LabelMap& map, const Recipe& recipe) {
   std::vector<bool> wanted(65536, false);
   for (const std::uint16_t label : recipe.crop_around) wanted[label] = true;

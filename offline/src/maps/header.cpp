@@ -26,7 +26,7 @@ std::string sizes_of(const Claim& claim) {
 void require_held(const std::string& path, const Claim& claim, std::uint64_t held_bytes) {
   constexpr std::uint64_t kDeflateAtMost = 1032;  // zlib.net/zlib_tech.html
   const std::uint64_t most = held_bytes * (claim.packed ? kDeflateAtMost : 1) /
-                             (claim.text ? 1 : claim.bytes_each) /  // numbers of a digit at least
+                             (claim.text ? 1 : claim.bytes_each) /  // at least one digit each
                              (claim.hex ? 2 : 1);
   std::uint64_t left = most;
   for (const std::uint64_t size : claim.sizes) left = size == 0 ? 0 : left / size;

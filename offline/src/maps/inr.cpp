@@ -50,7 +50,7 @@ bool read_voxels(_image& image) {
   return whole;
 }
 
-// CGAL takes a spacing that is missing for 1 and leaves rotations to its caller.
+// Needed because CGAL takes a missing spacing for 1 and leaves rotations to its caller.
 void check_frame(const std::string& path, const HeaderFields& fields) {
   for (const char* name : {"VX", "VY", "VZ"}) {
     if (!fields.contains(name)) refuse("{}: expected {} in the header of an Inrimage", path, name);
@@ -65,8 +65,8 @@ void check_frame(const std::string& path, const HeaderFields& fields) {
   }
 }
 
-// NAME=VALUE up to an empty line or a comment, none longer than what CGAL takes for a line. Of a
-// packed file no more is unpacked here; CGAL unpacks as much as the header speaks of.
+// Checks the header: NAME=VALUE up to an empty line or a comment, no line longer than CGAL accepts.
+// Only the header of a packed file is unpacked here; CGAL unpacks as much as the header claims.
 void check_claim(const std::string& path, std::string_view bytes) {
   constexpr std::size_t kLongest = 255, kMostHeader = 64 * 1024;
   const std::string begin = inflated(path, bytes, kMostHeader);

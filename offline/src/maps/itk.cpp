@@ -35,7 +35,7 @@ itk::ImageIOBase::Pointer reader_for(const std::string& path) {
   return reader;
 }
 
-// Of header and data files together, where there are any; those are read for it.
+// Bytes of the header file, or of the data files if there are any, which are read for this.
 std::uint64_t held_bytes(const std::string& path, const Claim& claim, std::string_view bytes,
                          std::string& sha256_out) {
   if (claim.files.empty()) return bytes.size();
@@ -63,10 +63,10 @@ void require_whole(const std::string& path, const Claim& claim, std::string_view
 
 Claim checked_claim(const std::string& path, std::string_view bytes, std::string& sha256_out) {
   Claim claim = is_nrrd(path) ? nrrd_claim(path, bytes) : meta_claim(path, bytes);
-  const std::size_t at = claim.sizes.size() - 3;  // layers come first
+  const std::size_t at = claim.sizes.size() - 3;  // layers, if any, come before the three axes
   require_map_size(path, {claim.sizes[at], claim.sizes[at + 1], claim.sizes[at + 2]});
   const std::uint64_t held = held_bytes(path, claim, bytes, sha256_out);
-  if (claim.bzip2) return claim;  // its reader unpacks what is there, and counts
+  if (claim.bzip2) return claim;  // its own reader unpacks the bytes and counts them
   require_held(path, claim, held);
   require_no_more(path, claim, claim.files.empty() ? claim.behind : held);
   require_whole(path, claim, bytes);
@@ -89,7 +89,7 @@ void take_sizes(const std::string& path, const itk::ImageIOBase& reader, LabelMa
   }
 }
 
-// MetaIO leaves what a file cut short does not hold as it was: two readings differ there.
+// MetaIO does not write the pixels that a truncated file lacks: there two readings differ.
 void check_meta_length(const std::string& path, itk::ImageIOBase& reader,
                        const std::vector<char>& bytes) {
   std::vector<char> again(bytes.size(), '\x55');
@@ -103,7 +103,7 @@ void check_meta_length(const std::string& path, itk::ImageIOBase& reader,
 
 }  // namespace
 
-// The last line is the deepest reason; what comes before names objects and functions of ITK.
+// The last line is the innermost reason; the lines before name objects and functions of ITK.
 std::string reason_of(const itk::ExceptionObject& failure) {
   std::string text = failure.GetDescription();
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) {
@@ -111,7 +111,7 @@ std::string reason_of(const itk::ExceptionObject& failure) {
   }
   const std::size_t line = text.rfind('\n');
   const std::string last = line == std::string::npos ? text : text.substr(line + 1);
-  const std::size_t colon = last.find("): ");  // after an object's address
+  const std::size_t colon = last.find("): ");  // follows an object's address
   return colon == std::string::npos ? last : last.substr(colon + 3);
 }
 

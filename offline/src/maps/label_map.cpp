@@ -101,7 +101,7 @@ LabelMap read_label_map(const std::filesystem::path& file) {
   const std::string path = file.string();
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) return read_dicom_series(path);
-  constexpr Format kDicom = {"", read_dicom};  // known by its first bytes
+  constexpr Format kDicom = {"", read_dicom};  // recognised by its first bytes
   const Format* format = format_of(path);
   if (format == nullptr && is_dicom(path)) format = &kDicom;
   if (format == nullptr) {
@@ -123,7 +123,7 @@ double voxel_volume_m3(const LabelMap& map) {
 
 std::vector<LabelCount> count_labels(const LabelMap& map) {
   std::vector<std::size_t> voxels(65536, 0);
-  std::vector<Vec> indices(65536);  // their sums
+  std::vector<Vec> indices(65536);  // sums of the voxels' indices
   std::size_t i = 0;
   for (std::uint32_t z = 0; z < map.size[2]; ++z) {
     for (std::uint32_t y = 0; y < map.size[1]; ++y) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the voxels of a MetaImage lie. Source: the documentation of MetaIO, and its metaObject.cxx
-// for the names that mean the same.
+// Where the voxels of a MetaImage lie. Source: the documentation of MetaIO; its metaObject.cxx for
+// names with the same meaning.
 #include <array>
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace {
 
 using Field = HeaderFields::mapped_type;
 
-// The field under whichever of its names; the library would choose one of several.
+// The field under any of its names. Refuses several of them, of which the library would choose one.
 const Field* only_one(const std::string& path, const HeaderFields& fields,
                       std::initializer_list<const char*> names) {
   const Field* found = nullptr;
@@ -65,7 +65,7 @@ std::array<double, 3> read_spacing(const std::string& path, const HeaderFields& 
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-// Three letters for the sides that the axes come from; what is no such code says nothing.
+// Three letters for the sides that the axes come from; any other text tells nothing.
 bool is_orientation(const std::string& code) {
   return code.size() == 3 && code.find_first_not_of("RAILPS") == std::string::npos;
 }

@@ -9,8 +9,8 @@
 namespace stylet::bake {
 namespace {
 
-// Whose values MetaIO reads number by number; those of all other keys it copies as text, also
-// where it is of digits.
+// Keys whose values MetaIO reads number by number. Values of all other keys it copies as text, even
+// if they consist of digits.
 bool is_list(std::string_view key) {
   constexpr std::string_view kLists[] = {
       "DimSize",  "ElementSpacing",  "ElementSize", "Offset",      "Origin",
@@ -18,7 +18,7 @@ bool is_list(std::string_view key) {
   return std::find(std::begin(kLists), std::end(kLists), key) != std::end(kLists);
 }
 
-// KEY = VALUE up to ElementDataFile, which is the last. MetaIO takes a colon for the sign, too.
+// KEY = VALUE up to ElementDataFile, which is the last. MetaIO also accepts a colon for "=".
 HeaderFields read_fields(const std::string& path, std::string_view& rest) {
   constexpr std::size_t kLongest = 250;       // MetaIO's texts are fields of 255 characters
   constexpr std::size_t kLongestList = 4000;  // and its lists of 4096
@@ -45,7 +45,7 @@ HeaderFields read_fields(const std::string& path, std::string_view& rest) {
   refuse("{}: expected ElementDataFile in the header of a MetaImage", path);
 }
 
-// The one number of a key; `otherwise` where there is none.
+// The single number of a key; `otherwise` if the key is missing.
 std::int64_t number_of(const std::string& path, const HeaderFields& fields, const char* key,
                        std::int64_t least, std::int64_t most, std::int64_t otherwise) {
   const auto found = fields.find(key);
@@ -102,7 +102,7 @@ void read_files(const std::string& path, const HeaderFields& fields, std::string
   }
 }
 
-// What values mean is ignored by ITK; labels are what is stored.
+// ITK ignores how values are to be scaled; so only stored values that are the labels are accepted.
 void check_values(const std::string& path, const HeaderFields& fields) {
   constexpr std::array<std::pair<const char*, double>, 2> kPlain = {
       {{"ElementToIntensityFunctionSlope", 1}, {"ElementToIntensityFunctionOffset", 0}}};
@@ -119,7 +119,7 @@ void check_values(const std::string& path, const HeaderFields& fields) {
 }  // namespace
 
 Claim meta_claim(const std::string& path, std::string_view bytes) {
-  constexpr std::int64_t kMostAxes = 10;  // MetaIO's fields have so many
+  constexpr std::int64_t kMostAxes = 10;  // the size of MetaIO's arrays
   Claim claim;
   std::string_view rest = bytes;
   const HeaderFields fields = read_fields(path, rest);
@@ -151,7 +151,7 @@ Claim meta_claim(const std::string& path, std::string_view bytes) {
   claim.skips = number_of(path, fields, "HeaderSize", -1, INT32_MAX, 0) != 0;
   if (claim.files.empty()) {
     const auto packed = number_of(path, fields, "CompressedDataSize", 0, held, 0);
-    if (claim.packed && packed == 0) {  // MetaIO would read nothing
+    if (claim.packed && packed == 0) {  // else MetaIO reads nothing
       refuse("{}: expected CompressedDataSize in the header of packed voxels", path);
     }
   }

@@ -16,7 +16,7 @@
 namespace stylet::bake {
 namespace {
 
-// Its words in lower case, in the alphabet's order.
+// The words of a name in lower case, sorted.
 std::vector<std::string> essence(std::string_view name) {
   std::vector<std::string> words(1);
   for (const char each : name) {
@@ -33,7 +33,7 @@ std::vector<std::string> essence(std::string_view name) {
   return words;
 }
 
-// Bytes of the character at the front; 0 where it is none of UTF-8.
+// Number of bytes of the first character; 0 if it is not valid UTF-8.
 std::size_t character_bytes(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const std::size_t size = byte(0) < 0x80                       ? 1
@@ -45,13 +45,13 @@ std::size_t character_bytes(std::string_view text) {
   for (std::size_t i = 1; i < size; ++i) {
     if ((byte(i) & 0xC0U) != 0x80) return 0;
   }
-  // Longer than need be, halves of a pair, beyond the last character.
+  // Overlong forms, surrogates, and code points above the last one.
   const bool wrong = (byte(0) == 0xE0 && byte(1) < 0xA0) || (byte(0) == 0xED && byte(1) > 0x9F) ||
                      (byte(0) == 0xF0 && byte(1) < 0x90) || (byte(0) == 0xF4 && byte(1) > 0x8F);
   return wrong ? 0 : size;
 }
 
-// What expat is between a <Label Key="N"> and its end.
+// State of the parser: names so far, and whether it is between <Label Key="N"> and its end.
 struct LabelTable {
   std::vector<std::pair<std::uint16_t, std::string>> names;
   bool is_open = false;
@@ -82,7 +82,7 @@ void on_end(void* user, const XML_Char* /*element*/) {
   static_cast<LabelTable*>(user)->is_open = false;
 }
 
-// SegmentN_FIELD; N, or nothing where it is another remark.
+// Whether a key is SegmentN_FIELD; if so, N is put into `number`.
 bool is_segment(std::string_view key, std::string_view field, std::size_t& number) {
   constexpr std::string_view kWord = "Segment";
   if (!key.starts_with(kWord) || !key.ends_with(field)) return false;
@@ -171,7 +171,7 @@ std::vector<Segment> slicer_segments(const std::string& path, const Claim& claim
     const std::string key = fmt::format("Segment{}", number);
     const auto last = static_cast<std::int64_t>(layers) - 1;
     Segment segment;
-    // Slicer before 4.11 gave each segment a layer, and wrote neither.
+    // Slicer before 4.11 gave each segment its own layer, and wrote neither layer nor value.
     const std::int64_t own =
         std::min<std::int64_t>(static_cast<std::int64_t>(segments.size()), last);
     segment.layer = static_cast<std::size_t>(remark_number(path, claim, key + "_Layer", last, own));
@@ -202,7 +202,7 @@ void take_segments(const std::string& path, const std::vector<Segment>& segments
         "segmentation of 3D Slicer with SegmentN_Name",
         path, layers, segments.size());
   }
-  // Number of the segment of each value of a layer.
+  // For each layer: the number of the segment that each value means.
   std::vector<std::map<std::uint16_t, std::uint16_t>> number_of(layers);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const auto number = static_cast<std::uint16_t>(i + 1);

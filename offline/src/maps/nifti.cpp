@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// NIfTI-1 and NIfTI-2, also compressed, without a library: those decide silently what has to be
-// said (which of two frames that contradict each other holds, what becomes of NaN), and end the
-// process on some headers. Source: nifti1.h and nifti2.h of nifti.nimh.nih.gov.
+// NIfTI-1 and NIfTI-2, also compressed, without a library: libraries decide silently what the user
+// should be told (which of two contradicting frames holds, what becomes of NaN), and crash on some
+// headers. Source: nifti1.h and nifti2.h of nifti.nimh.nih.gov.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -13,7 +13,7 @@
 namespace stylet::bake {
 namespace {
 
-// Both headers, as far as a label map needs them.
+// The fields of either header that a label map needs.
 struct Header {
   std::array<std::int64_t, 8> dim{};
   std::array<double, 8> pixdim{};
@@ -25,7 +25,7 @@ struct Header {
   bool swapped = false;
 };
 
-// Places of the fields that differ in more than their type.
+// Offsets of the fields, where the two versions differ in more than the type.
 struct Layout {
   std::size_t bytes, dim, datatype, pixdim, voxels_at, slope, codes, quatern, srow, units;
 };
@@ -93,7 +93,7 @@ Header read_header(const std::string& path, std::string_view bytes) {
          path);
 }
 
-// Calls visit with a number of the file's type.
+// Calls visit with a value of the file's data type.
 template <typename Visit>
 auto with_type(const std::string& path, std::int64_t datatype, Visit visit) {
   switch (datatype) {
@@ -122,8 +122,8 @@ auto with_type(const std::string& path, std::int64_t datatype, Visit visit) {
   }
 }
 
-// What may lie between header and voxels. The largest in use, a CIFTI matrix' description, is a few
-// megabytes; a packed file of some kilobytes could claim as many.
+// Limit for extensions between header and voxels. The largest in use, the description of a CIFTI
+// matrix, has a few megabytes; a packed file of some kilobytes could claim as many.
 constexpr double kMostExtensionBytes = 1 << 26;
 
 std::array<std::uint32_t, 3> read_sizes(const std::string& path, const Header& h) {
@@ -150,7 +150,7 @@ std::array<std::uint32_t, 3> read_sizes(const std::string& path, const Header& h
           static_cast<std::uint32_t>(sizes[2])};
 }
 
-// From the file's begin to the end of its voxels.
+// From the beginning of the file to the end of its voxels.
 std::size_t bytes_of(const std::string& path, const Header& h,
                      const std::array<std::uint32_t, 3>& size) {
   const std::size_t each = with_type(path, h.datatype, [](auto number) { return sizeof number; });
@@ -159,7 +159,7 @@ std::size_t bytes_of(const std::string& path, const Header& h,
 
 // ---- where it lies ------------------------------------------------------------------------------
 
-// Steps and origin in the header's unit and frame, x to the right, y to the front.
+// Steps and origin in the header's unit and frame: x to the right, y to the front.
 struct Frame {
   std::array<Vec, 3> step;
   Vec origin;
@@ -223,7 +223,7 @@ void check_spacing(const std::string& path, const Header& h, const Frame& frame)
   }
 }
 
-// Two frames that both are said to hold put the corners of the volume at the same places.
+// If the header declares two frames valid, both must put the volume's corners at the same places.
 void check_same_place(const std::string& path, const Header& h, const Frame& s, const Frame& q) {
   constexpr double kOff = 0.1;  // of the smallest voxel edge
   const double edge = std::min({length(q.step[0]), length(q.step[1]), length(q.step[2])});
@@ -246,7 +246,7 @@ void check_same_place(const std::string& path, const Header& h, const Frame& s, 
 double metres_per_unit(const std::string& path, std::int64_t units) {
   constexpr std::int64_t kOfSpace = 7;
   switch (units & kOfSpace) {
-    case 0:  // not said: millimetres, as everybody takes it
+    case 0:  // not said: millimetres, as is usual
     case 2:
       return 1e-3;
     case 1:
@@ -284,7 +284,7 @@ void read_frame(const std::string& path, const Header& h, LabelMap& map) {
 
 // ---- voxels and names ---------------------------------------------------------------------------
 
-// Numbers as the header scales them; a label stays one where slope and intercept are whole.
+// Takes the voxels as the header scales them; rounding errors of the scaling are removed.
 template <typename T>
 void take(const std::string& path, const Header& h, std::string_view voxels, LabelMap& map) {
   const std::size_t count = std::size_t{map.size[0]} * map.size[1] * map.size[2];
@@ -317,10 +317,10 @@ void take(const std::string& path, const Header& h, std::string_view voxels, Lab
   take_labels<T>(path, bytes, map, different);
 }
 
-// The extensions between header and voxels; names of labels are in one of Caret's XML, which
-// TotalSegmentator writes, too.
+// Reads the extensions between header and voxels. Names of labels are in an extension with Caret's
+// XML, which TotalSegmentator also writes.
 void read_names(const std::string& path, const Header& h, std::string_view bytes, LabelMap& map) {
-  constexpr std::size_t kHead = 8;  // its size and code
+  constexpr std::size_t kHead = 8;  // size and code of an extension
   const auto end = static_cast<std::size_t>(h.voxels_at);
   if (bytes[h.bytes] == 0) return;
   if (end < h.bytes + 4 + kHead) {
@@ -341,7 +341,7 @@ void read_names(const std::string& path, const Header& h, std::string_view bytes
   }
 }
 
-// What a packed file may hold behind its voxels, that nobody reads.
+// How many bytes, which nobody reads, a packed file may have after its voxels.
 constexpr std::size_t kMostTail = std::size_t{1} << 20U;
 
 }  // namespace

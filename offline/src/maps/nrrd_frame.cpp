@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the voxels of an NRRD lie: space directions in a space of the patient, or spacings or ends
-// of the axes, which leave left and right open. Source: teem.sourceforge.net/nrrd/format.html.
+// Where the voxels of an NRRD lie: by space directions in a space of the patient; or by spacings or
+// ends of the axes, which leave left and right open. Source: teem.sourceforge.net/nrrd/format.html.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kNotSaid = std::numeric_limits<double>::quiet_NaN();
 constexpr double kMillimetre = 1e-3;
-using Axes = std::array<std::size_t, 3>;  // those that lie in space
+using Axes = std::array<std::size_t, 3>;  // numbers of the axes that lie in space
 
 const std::pair<std::string, HeaderLine>* found(const HeaderFields& fields, const char* name) {
   const auto at = fields.find(name);
@@ -37,7 +37,7 @@ std::vector<std::string> words(std::string_view text) {
   return out;
 }
 
-// The first three that are neither layers nor components, as ITK takes them.
+// The first three axes that are neither layers nor components, as in ITK.
 Axes axes_in_space(const std::string& path, const HeaderFields& fields, std::size_t count) {
   constexpr std::array<std::string_view, 6> kInSpace = {"domain", "space", "time",
                                                         "???",    "none",  "unknown"};
@@ -62,8 +62,8 @@ Axes axes_in_space(const std::string& path, const HeaderFields& fields, std::siz
 // ---- the space ----------------------------------------------------------------------------------
 
 struct Space {
-  std::array<double, 3> to_lps = {1, 1, 1};  // of each of its axes
-  std::string unknown;                       // why it is not one of the patient
+  std::array<double, 3> to_lps = {1, 1, 1};  // sign of each axis
+  std::string unknown;                       // why it is not a space of the patient
 };
 
 Space read_space(const std::string& path, const HeaderFields& fields) {
@@ -91,7 +91,7 @@ Space read_space(const std::string& path, const HeaderFields& fields) {
               "left-posterior-superior, right-anterior-superior or left-anterior-superior");
 }
 
-// So many texts in quotes.
+// Reads `count` units, which are texts in quotes.
 std::vector<double> read_units(const std::string& path, const HeaderFields& fields,
                                const char* field, std::size_t count) {
   constexpr std::array<std::pair<std::string_view, double>, 7> kUnits = {{{"mm", kMillimetre},
@@ -102,7 +102,7 @@ std::vector<double> read_units(const std::string& path, const HeaderFields& fiel
                                                                           {"", kMillimetre},
                                                                           {"???", kMillimetre}}};
   const auto* given = found(fields, field);
-  if (given == nullptr) return std::vector<double>(count, kMillimetre);  // as everybody takes it
+  if (given == nullptr) return std::vector<double>(count, kMillimetre);  // as is usual
   const std::string expected = fmt::format(R"({} of "mm", "cm", "m" or "um")", count);
   std::vector<double> units;
   for (std::string_view rest = trimmed(given->first); !rest.empty(); rest = trimmed(rest)) {
@@ -121,7 +121,7 @@ std::vector<double> read_units(const std::string& path, const HeaderFields& fiel
 
 // ---- vectors: (x,y,z) ---------------------------------------------------------------------------
 
-// Takes the next one off `rest`; none where it says so.
+// Removes the next vector from `rest`; no value if the text there is "none".
 std::optional<Vec> next_vector(const std::string& path, const HeaderLine& line,
                                std::string_view& rest) {
   rest = trimmed(rest);
@@ -146,7 +146,7 @@ std::optional<Vec> next_vector(const std::string& path, const HeaderLine& line,
   return vector;
 }
 
-// In the file's space and unit.
+// Directions in the space and unit of the file.
 std::array<Vec, 3> read_directions(const std::string& path,
                                    const std::pair<std::string, HeaderLine>& given,
                                    std::size_t count, const Axes& axes) {
@@ -168,7 +168,7 @@ std::array<Vec, 3> read_directions(const std::string& path,
 // ---- without directions -------------------------------------------------------------------------
 
 struct Along {
-  double spacing = 0, first = 0;  // of an axis, in its unit; where its first voxel lies
+  double spacing = 0, first = 0;  // of an axis, in its unit; `first`: place of the first voxel
 };
 
 Along read_axis(const std::string& path, const HeaderFields& fields, std::size_t axis,
@@ -184,7 +184,7 @@ Along read_axis(const std::string& path, const HeaderFields& fields, std::size_t
   if (centers != nullptr && kinds.size() != count) {
     refuse_line(path, centers->second, fmt::format("{} of cell or node", count));
   }
-  const bool is_node = centers != nullptr && lower(kinds[axis]) == "node";  // else cell, as in teem
+  const bool is_node = centers != nullptr && lower(kinds[axis]) == "node";  // default cell, as teem
   const double least = number("axismins"), most = number("axismaxs"), told = number("spacings");
   const double between = (most - least) / static_cast<double>(is_node ? size - 1 : size);
   const double spacing = std::isnan(told) ? between : told;

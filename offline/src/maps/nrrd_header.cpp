@@ -15,7 +15,7 @@ std::string without_blanks(std::string_view text) {
   return out;
 }
 
-// NRRD has each type under several names: int16, short, signed short int.
+// NRRD has several names for each type: int16, short, signed short int.
 std::uint64_t bytes_of_type(const std::string& path, const std::string& type) {
   constexpr std::array<std::pair<std::string_view, std::uint64_t>, 10> kParts = {{{"char", 1},
                                                                                   {"int8", 1},
@@ -34,7 +34,7 @@ std::uint64_t bytes_of_type(const std::string& path, const std::string& type) {
   refuse("{}: type: {}: expected whole or real numbers", path, type);
 }
 
-// FIELD: VALUE and KEY:=VALUE up to an empty line, the names of data files behind LIST.
+// FIELD: VALUE and KEY:=VALUE up to an empty line; after LIST, the names of the data files.
 HeaderFields read_fields(const std::string& path, std::string_view& rest, Claim& claim) {
   HeaderFields fields;
   HeaderLine line;
@@ -85,7 +85,7 @@ void read_encoding(const std::string& path, const std::string& encoding, Claim& 
   }
 }
 
-// The names of the format's table of types: a sign where it has one, and how long it is.
+// Reads the type's name in the format's table (real, signed or not) and, if needed, the byte order.
 HeaderNumber read_number(const std::string& path, const HeaderFields& fields, const Claim& claim) {
   constexpr std::array<std::string_view, 10> kWhole = {"char",        "int8", "short", "shortint",
                                                        "int16",       "int",  "int32", "longlong",
@@ -126,7 +126,7 @@ void read_files(const std::string& path, const HeaderFields& fields, Claim& clai
   }
 }
 
-// What may be left out in front of the voxels.
+// Whether the header says that something before the voxels is to be skipped.
 bool skips(const std::string& path, const HeaderFields& fields) {
   bool any = false;
   constexpr std::int64_t kMost = std::int64_t{1} << 32U;

@@ -37,7 +37,7 @@ void read_names(const std::string& file, const toml::table& table, Recipe& recip
   }
 }
 
-// What a recipe is read from, and for.
+// The file that a recipe is read from, and the names in the map that it is for.
 struct Source {
   const std::string& file;
   const FileNames& of_map;
@@ -49,7 +49,7 @@ std::string listed(const std::map<std::uint16_t, std::string>& names) {
   return list;
 }
 
-// The recipe's own name, or all labels of that name in the map's file.
+// The label with this name in the recipe's [names], else all labels so named in the map's file.
 std::vector<std::uint16_t> named_labels(const Source& source, const Recipe& recipe,
                                         const toml::node& node) {
   const std::string name = *node.value<std::string>();
@@ -70,7 +70,7 @@ std::vector<std::uint16_t> any_labels(const Source& source, const std::string& k
   return {label_of(source.file, key, node)};
 }
 
-// A label is called the same by the recipe and by the map's file, where both have a name.
+// Refuses a label for which recipe and map file have different names.
 void check_name(const Source& source, const Recipe& recipe, std::uint16_t label) {
   const auto here = recipe.names.find(label);
   const auto& there = source.of_map.names;
@@ -159,7 +159,7 @@ void read_contact(const std::string& file, const toml::table& table, Recipe& rec
   }
 }
 
-// NAME = [LABEL...], each; names become parts of file names.
+// Each entry is NAME = [LABEL...]; names become parts of file names.
 std::vector<NamedLabels> read_named(const Source& source, const toml::table& table,
                                     const Recipe& recipe) {
   const std::string& file = source.file;
@@ -186,7 +186,7 @@ std::vector<NamedLabels> read_named(const Source& source, const toml::table& tab
   return list;
 }
 
-// [[wall]], from the inside out.
+// The layers of [[wall]], from the inside out.
 std::vector<WallLayer> read_wall(const std::string& file, const toml::node& node) {
   constexpr double kMostMm = 200;
   const char* const wanted = "{}: [[wall]]: expected tissue = \"NAME\" and thickness_mm, each";
@@ -205,7 +205,7 @@ std::vector<WallLayer> read_wall(const std::string& file, const toml::node& node
   return wall;
 }
 
-// What no needle enters is no tissue.
+// Refuses labels that are both obstacle and tissue, since no needle enters an obstacle.
 void check_obstacles(const std::string& file, const Recipe& recipe) {
   if (recipe.obstacles.size() > kMaxObstacles) {
     refuse("{}: [obstacles]: {} bodies: expected at most {}", file, recipe.obstacles.size(),

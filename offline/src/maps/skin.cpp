@@ -77,12 +77,12 @@ class SkinMaker {
 
   const LabelMap& map_;
   const Groups& groups_;
-  std::vector<std::uint32_t> number_;  // of the point at each corner of the map's voxels
+  std::vector<std::uint32_t> number_;  // number of the point at each corner of the map's voxels
   bool mirrored_;                      // the map's indices are left-handed
   Skin skin_;
 };
 
-// Every point towards the mean of its neighbours by `share` of the way.
+// Moves every point towards the mean of its neighbours, by the fraction `share` of the distance.
 void relax(Skin& skin, double share) {
   std::vector<Vec> sum(skin.points.size());
   std::vector<double> count(skin.points.size(), 0);

@@ -6,11 +6,11 @@
 namespace stylet::bake {
 namespace {
 
-constexpr double kSame = 0.01;   // of a distance: what even planes may be off
-constexpr double kWidest = 1.5;  // of the usual distance; beyond, planes were left out
+constexpr double kSame = 0.01;   // of a distance: tolerance for even planes
+constexpr double kWidest = 1.5;  // of the usual distance; in wider gaps, planes were left out
 
-// Which gaps were drawn through, and not left empty: those of about the usual distance, and three
-// or more in a row that are alike.
+// Which gaps are filled and not empty: those of about the usual distance, and three or more alike
+// in a row.
 std::vector<bool> drawn_through(const std::vector<double>& gaps, double usual) {
   constexpr std::size_t kInARow = 3;
   std::vector<bool> through(gaps.size());

@@ -13,29 +13,29 @@ namespace stylet::bake {
 namespace {
 
 constexpr double kSameM = 1e-5;      // positions are written with two digits of a millimetre
-constexpr double kEven = 0.01;       // of a distance: what a plane may be off its even place
-constexpr double kWidest = 1.5;      // of the usual distance; beyond, a plane is missing
-constexpr double kNarrowest = 0.5;   // of the usual distance; below, planes overlap
-constexpr double kBeside = 0.1;      // of a pixel: what a plane may be off the line of the others
-constexpr double kUpright = 0.05;    // of a pixel: a lean that nobody sees
+constexpr double kEven = 0.01;       // of a distance: how far a plane may be off its even place
+constexpr double kWidest = 1.5;      // of the usual distance; in a wider gap, a plane is missing
+constexpr double kNarrowest = 0.5;   // of the usual distance; nearer planes overlap
+constexpr double kBeside = 0.1;      // of a pixel: how far a plane may be off the others' line
+constexpr double kUpright = 0.05;    // of a pixel: a smaller lean is invisible
 constexpr double kMostLeanDeg = 45;  // gantries tilt by 30 degrees
 constexpr std::uint32_t kFiner = 8;  // layers for the finest distance of an uneven stack
-constexpr double kFineVoxels = 1U << 26U;  // as long as the map has no more
+constexpr double kFineVoxels = 1U << 26U;  // a map has fine layers up to this number of voxels
 
 struct Placed {
-  std::size_t plane = 0;           // as given
-  double along_m = 0;              // the normal, from the first plane
+  std::size_t plane = 0;           // index in the planes as given
+  double along_m = 0;              // along the normal, from the first plane
   std::array<double, 2> beside{};  // in columns and rows
 };
 
-// Everything that is known of a stack before its layers are.
+// What is known of a stack before its layers are chosen.
 struct Frame {
   const std::string& path;
   const PixelGrid& grid;
   const std::vector<Plane>& planes;
   Vec normal;
-  std::vector<Placed> order;      // along the normal
-  std::array<double, 2> lean{};   // columns and rows for a metre along the normal
+  std::vector<Placed> order;      // planes, sorted along the normal
+  std::array<double, 2> lean{};   // columns and rows per metre along the normal
   std::array<double, 2> start{};  // of the line that planes lie on, where along_m is 0
 };
 
@@ -76,7 +76,7 @@ void check_not_twice(const Frame& f) {
   }
 }
 
-// The line that most planes lie on; refuses one beside it.
+// Finds the line that most planes lie on; refuses a plane beside it.
 void find_lean(Frame& f) {
   if (f.order.size() < 2) return;
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -102,7 +102,7 @@ void find_lean(Frame& f) {
   }
 }
 
-// Whether the lean is one; if so, it is told.
+// Whether the stack leans noticeably; if so, adds a note.
 bool leans(const Frame& f, std::vector<std::string>& notes) {
   const double height_m = f.order.back().along_m;
   if (std::hypot(f.lean[0], f.lean[1]) * height_m <= kUpright) return false;
@@ -128,7 +128,7 @@ std::vector<double> distances_m(const Frame& f) {
   return distances;
 }
 
-// How far apart planes would lie that touch each other; empty where that is not known.
+// The distances that planes would have if they touched; empty if their thickness is not known.
 std::vector<double> touching_m(const Frame& f) {
   std::vector<double> out;
   for (std::size_t i = 1; i < f.order.size(); ++i) {
@@ -140,7 +140,7 @@ std::vector<double> touching_m(const Frame& f) {
   return out;
 }
 
-// Where planes do not fill the space between them, by the widest of the gaps.
+// Notes that planes do not fill the space between them, if the widest gap shows this.
 void tell_gaps(const Frame& f, const std::vector<double>& distances,
                std::vector<std::string>& notes) {
   const std::vector<double> touching = touching_m(f);
@@ -155,7 +155,7 @@ void tell_gaps(const Frame& f, const std::vector<double>& distances,
       f.path, touching[widest] * 1e3, distances[widest] * 1e3));
 }
 
-// Planes follow each other as their thickness says, all by the same factor.
+// Refuses planes whose distances are not all about the same multiple of those of touching planes.
 void check_distances(const Frame& f, const std::vector<double>& distances) {
   const std::vector<double> touching = touching_m(f);
   const auto expected = [&](std::size_t i) { return touching.empty() ? 1.0 : touching[i]; };
@@ -171,7 +171,7 @@ void check_distances(const Frame& f, const std::vector<double>& distances) {
   }
 }
 
-// Whether all lie at multiples of the step from the first.
+// Whether all planes lie at multiples of the step from the first.
 bool is_even(const Frame& f, double step_m) {
   return std::all_of(f.order.begin(), f.order.end(), [&](const Placed& placed) {
     const double layer = placed.along_m / step_m;
@@ -179,7 +179,7 @@ bool is_even(const Frame& f, double step_m) {
   });
 }
 
-// Places along the normal, and the middle of the first layer.
+// Layers along the normal; `first_m` is the middle of the first.
 struct Layers {
   double first_m = 0, step_m = 0;
   std::uint32_t count = 0;
@@ -238,8 +238,8 @@ Stack even_stack(const Frame& f, double step_m, std::vector<std::string> notes) 
   return stack;
 }
 
-// What of the normal each plane stands for: half of the way to a neighbour, or half of `alone_m`
-// where that is farther than kWidest of it.
+// The range of each plane along the normal: to half the way to a neighbour, or to half of `alone_m`
+// if the neighbour is farther than kWidest times `alone_m`.
 std::vector<Slab> slabs_of(const Frame& f, const std::vector<double>& distances, double alone_m) {
   const auto half = [&](std::size_t gap, std::size_t otherwise) {
     const double way = gap < distances.size() ? distances[gap] : 0;

@@ -69,11 +69,11 @@ LabelMap padded(const LabelMap& map, double margin_m) {
   return larger;
 }
 
-// Squared distances along one line of places `step` apart, from those before: the lowest of the
-// parabolas that stand on them (Felzenszwalb and Huttenlocher 2012).
+// Squared distances along a line of places `step` apart, from squared distances along other axes:
+// the lower envelope of parabolas on these (Felzenszwalb and Huttenlocher 2012).
 struct LineDistance {
-  std::vector<double> start;        // from where the parabola is the lowest
-  std::vector<std::size_t> centre;  // of it
+  std::vector<double> start;        // from here on the parabola is the lowest
+  std::vector<std::size_t> centre;  // of the parabola
 
   void run(std::vector<double>& line, double step) {
     start.clear();
@@ -107,8 +107,8 @@ struct LineDistance {
   }
 };
 
-// Of each voxel's middle from the nearest one's where `distance` is 0, squared, in place; kFar
-// elsewhere before. The axes stand upright on each other, as those of scanners do.
+// In place: `distance` is 0 or kFar before, and then the squared distance of each voxel's middle
+// from the nearest middle with 0. The axes must be perpendicular, as those of scanners are.
 void square_distances(const LabelMap& map, std::vector<float>& distance) {
   LineDistance line_distance;
   std::size_t stride = 1;
@@ -127,7 +127,7 @@ void square_distances(const LabelMap& map, std::vector<float>& distance) {
   }
 }
 
-// A number that neither the map nor a layer before uses.
+// A label that neither the map nor an earlier layer uses.
 std::uint16_t free_label(const LabelMap& map, const std::vector<std::uint16_t>& taken) {
   std::vector<bool> used(65536, false);
   for (const std::uint16_t label : map.label) used[label] = true;
@@ -153,7 +153,7 @@ std::vector<float> roots(std::vector<float> squared) {
   return squared;
 }
 
-// Of layers that are not as thick as they were asked to be.
+// Warnings for layers that are not as thick as was asked for.
 std::vector<std::string> warnings_of(const LabelMap& map, const WallDistances& distances,
                                      const Recipe& recipe,
                                      const std::vector<std::uint16_t>& label_of_layer) {
@@ -184,11 +184,11 @@ std::vector<std::string> add_wall(LabelMap& map, Recipe& recipe) {
   std::vector<float> squared_m2;
   for (const std::uint16_t label : map.label) squared_m2.push_back(label != 0 ? 0 : kFar);
   square_distances(map, squared_m2);
-  // A surface lies about 0.3 voxels beyond the middle that is nearest to it, over all directions.
+  // A label's surface lies about 0.3 voxels beyond the nearest middle, averaged over directions.
   const double beyond_m = 0.3 * std::cbrt(voxel_volume_m3(map));
   const auto within = static_cast<float>((thickness_m + beyond_m) * (thickness_m + beyond_m));
   WallDistances distances{roots(squared_m2), {}, thickness_m};
-  for (float& each : squared_m2) each = each > within ? 0 : kFar;  // now from what lies outside
+  for (float& each : squared_m2) each = each > within ? 0 : kFar;  // now from outside the wall
   square_distances(map, squared_m2);
   std::vector<std::uint16_t> label_of_layer;
   for (const WallLayer& layer : recipe.wall) {

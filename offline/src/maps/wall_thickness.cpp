@@ -37,17 +37,17 @@ class Measure {
   }
 
  private:
-  // From the inside: 0 what was there before, then the layers, then the outside.
+  // Order from the inside: 0 for the map's own labels, then the layers, then the outside.
   std::size_t order(std::size_t i) const {
     if (map_.label[i] == 0) return layers_.size() + 1;
     return order_of_[map_.label[i]];
   }
 
-  // Whether what lies here goes straight from a label to the outside: in a gap both are farther.
+  // Whether the wall here goes straight from a label to the outside: in a gap the way is longer.
   bool is_straight(std::size_t i) const {
     const double both_m = static_cast<double>(distances_.from_labels_m[i]) +
                           static_cast<double>(distances_.from_outside_m[i]);
-    constexpr double kBetweenMiddles = 1.3;  // how far middles lie beyond a straight way, in voxels
+    constexpr double kBetweenMiddles = 1.3;  // excess of distances between middles, in voxels
     return both_m <= distances_.thickness_m + kBetweenMiddles * longest_m_;
   }
 
@@ -68,7 +68,7 @@ class Measure {
       const double area_m2 = step_m_[(axis + 1) % 3] * step_m_[(axis + 2) % 3];
       const auto& from_m = inner == 0 ? distances_.from_outside_m : distances_.from_labels_m;
       const double part = area_m2 * std::abs(normal_part(from_m, i, at, axis));
-      // A layer that is missing here between two others has both its sides here.
+      // A layer that is missing here between two others has both of its sides here.
       for (std::size_t k = inner; k < outer; ++k) {
         if (k > 1 || (k == 1 && of_innermost)) layers_[k - 1].outside_m2 += part;
         if (k < layers_.size()) layers_[k].inside_m2 += part;
@@ -76,7 +76,7 @@ class Measure {
     }
   }
 
-  // Along an axis, of the gradient between a voxel and the next one along it.
+  // Component along an axis of the unit gradient between a voxel and the next one along that axis.
   double normal_part(const std::vector<float>& distance, std::size_t i,
                      const std::array<std::size_t, 3>& at, std::size_t axis) const {
     double squared = 0, along = 0;
@@ -85,7 +85,7 @@ class Measure {
       const bool high = at[each] + (is_axis ? 2 : 1) < map_.size[each];
       const std::size_t first = i - (low ? stride_[each] : 0);
       const std::size_t last = i + (is_axis ? stride_[each] : 0) + (high ? stride_[each] : 0);
-      const std::size_t beside = is_axis ? 0 : stride_[axis];  // both voxels' mean
+      const std::size_t beside = is_axis ? 0 : stride_[axis];  // for the mean of both voxels
       const double steps = (low ? 1 : 0) + (high ? 1 : 0) + (is_axis ? 1 : 0);
       if (steps == 0) continue;
       const auto value = [&](std::size_t at_i) { return static_cast<double>(distance[at_i]); };
@@ -113,7 +113,7 @@ std::vector<double> layer_thickness_m(const LabelMap& map, const WallDistances& 
                                       const std::vector<std::uint16_t>& label_of_layer) {
   std::vector<double> thickness_m;
   for (const Layer& each : Measure(map, distances, label_of_layer).run()) {
-    // The mean of all areas between two balls, as of a frustum of a cone; of two planes, too.
+    // The mean of all areas between two spheres, as for a frustum of a cone; also for two planes.
     const double mean_m2 =
         (each.inside_m2 + std::sqrt(each.inside_m2 * each.outside_m2) + each.outside_m2) / 3;
     thickness_m.push_back(mean_m2 > 0 ? each.volume_m3 / mean_m2

@@ -13,7 +13,7 @@
 namespace stylet::bake {
 namespace {
 
-// Between numbers; the commas are NRRD's alone.
+// Separators of numbers; only NRRD also has commas.
 constexpr std::string_view kBlanks = " \t\r\n\v\f";
 
 double largest_of(const Claim& claim) {
@@ -94,7 +94,7 @@ void WholeVoxels::check_number(const std::string& name, std::string_view word) {
   double number = -1;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   const bool is_number = error == std::errc{} && end == word.data() + word.size();
-  // Of a whole number a library reads the digits alone.
+  // Libraries read only the digits of a whole number.
   const bool spelled =
       claim_.number.real || word.find_first_not_of("0123456789") == std::string_view::npos;
   if (is_number && spelled && number >= 0 && number <= largest_of(claim_)) return;

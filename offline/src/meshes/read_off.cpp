@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OFF and its variants with colours and normals (COFF, NOFF, STOFF, ...): a point's line begins with
-// three coordinates, a face's line with its corner indices; the rest of the line is skipped.
-// Comments start with
-// '#'. The counts may follow the keyword on its line, even without a blank ("OFF8 6 12").
+// OFF and its variants with colours and normals (COFF, NOFF, STOFF, ...): a point's line begins
+// with three coordinates, a face's line with its corner indices; the rest of the line is skipped.
+// Comments start with '#'.
+// The counts may follow the keyword on its line, even without a blank ("OFF8 6 12").
 #include "meshes/mesh_text.h"
 
 namespace stylet::bake {

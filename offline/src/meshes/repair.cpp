@@ -277,7 +277,7 @@ std::vector<std::uint32_t> largest_first(const std::vector<ClosedPiece>& pieces)
 }
 
 // Works from the outside in. An outer piece must face outward; if it is turned in the file, so are
-// the pieces in it. A piece in tissue that faces the other way is a cavity (any number of them); one
+// the pieces in it. A piece in tissue that faces the other way is a cavity (in any number); one
 // that faces the same way is tissue in tissue. In a cavity there can only be tissue. `open` has the
 // file's open pieces before they were turned.
 void turn_closed(const std::vector<Vec>& points, std::vector<Triangle>& triangles,

@@ -16,7 +16,7 @@ Vec place_m(const LabelMap& map, Vec index) {
   return map.origin_m + map.step_m[0] * index.x + map.step_m[1] * index.y + map.step_m[2] * index.z;
 }
 
-// Calls visit(index of the voxel) for the voxels of some labels.
+// Calls visit(index of the voxel) for all voxels with these labels.
 template <typename Visit>
 void each_labelled(const LabelMap& map, const std::vector<std::uint16_t>& labels, Visit visit) {
   std::vector<bool> wanted(65536, false);
@@ -31,7 +31,7 @@ void each_labelled(const LabelMap& map, const std::vector<std::uint16_t>& labels
   }
 }
 
-// Of an obstacle, by the voxels of its labels, row by row.
+// A piece of an obstacle: voxels with its labels, row by row.
 struct Piece {
   std::size_t obstacle = 0;
   std::vector<Vec> voxels;
@@ -58,7 +58,7 @@ std::vector<Vec> convex_outline(std::vector<Vec> places) {
   return outline;
 }
 
-// Of each slice the corners of its outline: the hull has no other.
+// Corners of the outline of each slice: the hull has no other corners.
 std::vector<Vec> outer_corners_m(const LabelMap& map, const std::vector<Vec>& voxels) {
   std::vector<Vec> corners_m, slice;
   for (std::size_t i = 0; i < voxels.size(); ++i) {
@@ -88,8 +88,8 @@ double label_m3(const LabelMap& map, const Piece& piece) {
   return static_cast<double>(piece.voxels.size()) * voxel_volume_m3(map);
 }
 
-// The direction in which the voxels reach farthest from their middle: of the largest variance, by
-// multiplying with their covariance again and again.
+// The direction of the largest variance of the voxels, found by repeated multiplication with their
+// covariance.
 Vec longest_axis(const LabelMap& map, const Piece& piece) {
   Vec middle;
   for (const Vec& at : piece.voxels) middle = middle + at;
@@ -109,7 +109,7 @@ Vec longest_axis(const LabelMap& map, const Piece& piece) {
   return axis;
 }
 
-// In two across the longest axis, at the one of some places where their hulls hold least together.
+// Cuts a piece across its longest axis, where the hulls of both halves have the least volume.
 std::array<Piece, 2> cut_in_two(const LabelMap& map, const Piece& piece) {
   const Vec axis = longest_axis(map, piece);
   std::vector<double> along;
@@ -133,7 +133,7 @@ std::array<Piece, 2> cut_in_two(const LabelMap& map, const Piece& piece) {
   return best;
 }
 
-// The piece whose hull holds most beside its labels is cut next.
+// The piece whose hull exceeds its labels by the largest volume is cut next.
 void cut_pieces(const LabelMap& map, std::vector<Piece>& pieces) {
   while (pieces.size() < kMaxObstacles) {
     const auto beside = [&](const Piece& piece) { return piece.hull_m3 - label_m3(map, piece); };
@@ -163,7 +163,7 @@ bool holds(const Box& box, Vec p) {
          p.y <= box.high.y && p.z <= box.high.z;
 }
 
-// How much of each tissue lies in the hull.
+// Finds the volume of each tissue in the hull.
 void find_swallowed(const LabelMap& map, const Recipe& recipe, const Groups& groups,
                     NamedHull& hull) {
   const std::vector<HullPlane> planes = hull_planes(hull.hull);
@@ -182,7 +182,7 @@ void find_swallowed(const LabelMap& map, const Recipe& recipe, const Groups& gro
   }
 }
 
-// The obstacle's own, or with a number where it has several pieces, which no other has.
+// The obstacle's name; if it has several pieces, with a number that makes the name unique.
 std::string name_of(const Piece& piece, const std::vector<Piece>& pieces, const Recipe& recipe,
                     const std::vector<NamedHull>& before) {
   const std::string& obstacle = recipe.obstacles[piece.obstacle].name;

@@ -24,13 +24,13 @@ namespace {
 constexpr double kSmallestPlausibleM = 5e-3;
 constexpr double kLargestPlausibleM = 2.0;
 
-// The limits are floats; what rounds to them is within them.
+// The limits are floats; an edge that rounds to a limit is allowed.
 bool allowed_voxel_edge(double edge_m) {
   const auto rounded = static_cast<float>(edge_m);
   return rounded >= kMinVoxelEdgeM && rounded <= kMaxVoxelEdgeM;
 }
 
-// All meshes to metres, repaired.
+// Scales all meshes to metres and repairs them.
 std::vector<Solid> make_solids(std::vector<Input>& inputs, Box& box_out, const Progress& progress) {
   for (Input& input : inputs) {
     for (Vec& p : input.read.mesh.points) p = p * input.metres_per_unit;
@@ -163,9 +163,9 @@ Claims claim_voxels(const Grid& grid, const std::vector<Input>& inputs,
   return claims;
 }
 
-// What a tick sweeps at an edge, or what leads to one that will do: an edge too fine for the format
-// counts as eight times what is allowed, and one refused for another reason, which a finer one may
-// not be, as an eighth.
+// What a tick sweeps at an edge. If the edge was refused, a value that leads the search on: an edge
+// too fine for the format counts as eight times the allowed number, one refused for another reason
+// as an eighth of it, because a finer edge may be accepted.
 struct TriedEdge {
   double swept = 0;
   std::optional<Refusal> refusal;
@@ -181,15 +181,15 @@ TriedEdge try_edge(double edge_m, double most, const SweptAtEdge& swept_at) {
   }
 }
 
-// The finest edge, in steps of 0.05 mm, at which a tick sweeps no more than `most`; the next step
-// was tried. What is swept grows about as the inverse cube of the edge.
+// The finest edge, in steps of 0.05 mm, at which a tick sweeps at most `most` voxels; the next
+// finer step has been tried. Swept voxels grow about with the inverse cube of the edge.
 double finest_edge(const Box& box, double most, const SweptAtEdge& swept_at) {
   constexpr double kStepM = 5e-5;
   constexpr double kLeastSteps = 2, kMostSteps = 2000;
-  constexpr int kMostRefusals = 3;                      // running, each at half the edge
-  double good = kMostSteps + 1, bad = kLeastSteps - 1;  // in steps; what lies beyond is not allowed
+  constexpr int kMostRefusals = 3;                      // in a row, each at half the edge
+  double good = kMostSteps + 1, bad = kLeastSteps - 1;  // in steps; at first just outside limits
   double next = std::ceil(longest_side(box) / std::cbrt(most) / kStepM);
-  TriedEdge coarse;  // what was said of `good`
+  TriedEdge coarse;  // the result at `good`
   for (int refusals = 0; good - bad > 1 && refusals < kMostRefusals;) {
     next = std::clamp(next, bad + 1, good - 1);
     const TriedEdge tried = try_edge(next * kStepM, most, swept_at);
@@ -203,9 +203,9 @@ double finest_edge(const Box& box, double most, const SweptAtEdge& swept_at) {
   return good * kStepM;
 }
 
-// How much of each mesh a sample of it stands for. Where they hold far from what its surface
-// encloses, or nobody knows what an open one would, the user is told, and they stand for
-// themselves.
+// Volume that a sample of each mesh represents, so that all together give the mesh's volume. If
+// samples are far off that volume, or an open mesh has none, the user is told, and a sample
+// represents a 64th of a cell.
 std::vector<double> sample_volumes(const Grid& grid, BuildReport& report) {
   const double sample_m3 = grid.edge_m * grid.edge_m * grid.edge_m / 64;
   std::vector<double> volumes;
@@ -340,7 +340,7 @@ void cut_away(Claimed& claimed, const BuildOptions& options) {
 
 namespace {
 
-// Gaps filled, voxels numbered, and split where that is asked for.
+// Fills gaps and numbers voxels, and splits parts if that is asked for.
 Lattice lattice_of(Claimed& claimed, const BuildOptions& options, const Progress& progress) {
   if (!options.gap_tissue.empty()) {
     progress("filling gaps", 0);
@@ -359,7 +359,7 @@ Lattice lattice_of(Claimed& claimed, const BuildOptions& options, const Progress
   return split_parts(claimed.claims, claimed.places, std::move(lattice));
 }
 
-// What the inputs give, by materials numbered without those of gaps and capsule.
+// Volumes that the inputs give, by material; materials of gaps and capsule are not numbered here.
 struct Given {
   std::vector<Tissue> tissues;
   std::vector<bool> is_layer;
@@ -386,7 +386,7 @@ void warn_of_losses(const std::vector<Held>& held, double edge_m, const Given& g
   }
 }
 
-// What the organ file says of the lattice.
+// Moves the lattice into the parts of the organ file.
 void take_lattice(Lattice lattice, OrganParts& parts) {
   parts.origin_m = lattice.grid.origin_m;
   parts.edge_m = lattice.grid.edge_m;

@@ -15,24 +15,24 @@
 namespace stylet::bake {
 namespace {
 
-// Samples of each group in one cell, counted; the cell's bits.
+// Number of samples of each group in one cell, and the bits of samples inside.
 struct CellCount {
   std::array<std::uint8_t, 256> samples{};
-  std::array<std::uint8_t, 64> group{};  // of each sample
+  std::array<std::uint8_t, 64> group{};  // group of each sample
   std::uint64_t inside = 0;
 };
 
 constexpr std::size_t kAcross = 4, kSamples = kAcross * kAcross * kAcross;
 
-// The 64th of a cell that a sample lies in.
+// The sub-cell (of 4 x 4 x 4) that a sample lies in.
 Vec sample_row(std::size_t sample) {
   return {static_cast<double>(sample % kAcross), static_cast<double>(sample / kAcross % kAcross),
           static_cast<double>(sample / kAcross / kAcross)};
 }
 
-// Where in its 64th of the cell a sample lies: on a grid the faces of a map would fall between the
-// same rows of samples everywhere, and volumes be off by a row. Roberts' R3 sequence, which spreads
-// evenly.
+// Where in its sub-cell a sample lies. On a grid, the faces of a map would lie between the same rows
+// of samples everywhere, and volumes would be wrong by a row. So Roberts' R3 sequence is used; it
+// is evenly spread.
 Vec jitter(std::size_t sample) {
   const auto part = [sample](double step) {
     const double at = static_cast<double>(sample) * step;
@@ -55,7 +55,7 @@ CellCount count_cell(const Grid& grid, std::size_t cell, Vec corner, const Label
   return count;
 }
 
-// Of a cell that no group fills alone.
+// Keeps the shares of a cell that no group fills alone.
 void keep_shares(const CellCount& count, std::size_t cell, Claims& claims) {
   std::uint64_t left = count.inside;
   while (left != 0) {
@@ -111,7 +111,7 @@ std::vector<LabelReport> label_reports(const LabelMap& map, const Groups& groups
   return reports;
 }
 
-template <typename Found>  // NamedHull, Target
+template <typename Found>  // NamedHull or Target
 void warn_of_missing(const std::vector<NamedLabels>& wanted, const std::vector<Found>& found,
                      std::string Found::*name, BuildReport& report) {
   for (const NamedLabels& each : wanted) {
@@ -145,7 +145,7 @@ SamplePlaces map_samples() {
   return places;
 }
 
-// How much of its labels a sample of each group stands for.
+// Volume of labels that a sample of each group represents.
 std::vector<double> sample_volumes(const Grid& grid, BuildReport& report) {
   const double sample_m3 = grid.edge_m * grid.edge_m * grid.edge_m / 64;
   std::vector<double> volumes;

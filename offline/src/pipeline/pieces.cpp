@@ -38,7 +38,7 @@ class MapPieces {
   }
 
  private:
-  // Empties the piece around a voxel; whether any of it lies in a voxel of the lattice of its own.
+  // Removes the piece around a map voxel; returns whether any of it is in a lattice voxel it owns.
   bool take_piece(std::size_t seed) {
     const std::uint8_t group = left_[seed];
     bool kept = false;
@@ -78,7 +78,7 @@ class MapPieces {
 
   const Claims& claims_;
   const LabelMap& map_;
-  Groups left_;  // not yet met
+  Groups left_;  // groups of voxels not yet visited
   std::vector<std::size_t> stack_;
 };
 

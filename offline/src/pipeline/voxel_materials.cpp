@@ -7,7 +7,7 @@
 namespace stylet::bake {
 namespace {
 
-// Whether the cell across a face has one of these tissues.
+// Whether a cell across one of the faces has one of the wanted tissues.
 bool touches(const Claims& claims, std::size_t cell, const std::vector<std::string>& tissues,
              const std::vector<std::string>& wanted) {
   const Grid& grid = claims.grid;

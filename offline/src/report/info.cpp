@@ -19,7 +19,7 @@ std::string text_of(const flatbuffers::String* text) {
   return text != nullptr ? text->str() : "";
 }
 
-// Shortest decimal that gives the float back, as a double: 0.1F shows as 0.1.
+// The shortest decimal that reads as the same float, as a double: 0.1F is shown as 0.1.
 double shown(float value) {
   return std::stod(fmt::format("{}", value));
 }
@@ -75,8 +75,8 @@ Json byte_facts(const Organ& organ, std::size_t total) {
   return facts;
 }
 
-// Corners are shared, so each is counted once: an inner one is the low corner of some voxel or lies
-// on the rim; a set of lattice places settles it.
+// Voxels share corners, and each is to be counted once: so all held corners are collected as places
+// in the lattice, and repeated places are dropped.
 std::size_t held_corner_count(const Organ& organ) {
   std::vector<std::uint64_t> corners;
   std::size_t voxel = 0;

@@ -205,7 +205,7 @@ constexpr const char* kScroll =
     "e.classList.toggle('on',i==r.value);if(i==r.value)t.textContent=r.dataset.at.split(' ')[i]})}"
     "</script>";
 
-// The layers to scroll through, evenly spread, the best one among them.
+// The layers to scroll through: evenly spread, including the best one.
 std::vector<std::uint32_t> layers_of(const Organ& organ, const Section& best) {
   constexpr std::uint32_t kMostLayers = 32;
   const std::uint32_t count[3] = {organ.size_x, organ.sheet_rows, organ.size_z};
@@ -239,7 +239,7 @@ std::string scrolled_sections(const Shown& shown, std::size_t axis) {
       section_at_m(shown.organ, best) * 1e3);
 }
 
-// Of label maps, whose formats know the patient's sides; Inrimage does not.
+// Whether the frame is the patient's: for label maps, except Inrimage, which has no sides.
 bool is_of_patient(const Json& facts) {
   if (facts["labels"].empty()) return false;
   const std::string path = facts["organ"]["provenance"]["sources"][0]["path"];

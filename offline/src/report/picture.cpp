@@ -10,13 +10,13 @@
 namespace stylet::bake {
 namespace {
 
-struct Place {  // in a picture
+struct Place {  // a place in a picture
   double u = 0, v = 0;
 };
 
 // ---- sections -----------------------------------------------------------------------------------
 
-// Axes of a section, to the right and downward; z is upward, so it is turned over.
+// Axes of a section, to the right and downward; z points up, so its sign is changed.
 struct Sheet {
   std::size_t across, u, v;
   double v_sign;
@@ -31,7 +31,7 @@ Place place_mm(const Sheet& sheet, Vec p_m) {
   return {p_m[sheet.u] * 1e3, p_m[sheet.v] * 1e3 * sheet.v_sign};
 }
 
-// Where the plane cuts the triangles, as a path of single strokes.
+// The lines where the plane cuts the triangles, as a path of single strokes.
 std::string outline(const Sheet& sheet, const Mesh& mesh, double at_m) {
   std::string path;
   for (const Triangle& t : mesh.triangles) {
@@ -52,7 +52,7 @@ std::string outline(const Sheet& sheet, const Mesh& mesh, double at_m) {
   return path;
 }
 
-// Neighbours of one colour and filling along a row are one rectangle.
+// Neighbours in a row with the same colour and fill become one rectangle.
 std::string rectangles(const Organ& organ, const std::vector<Cell>& cells,
                        const std::vector<Colour>& colours, const Section& section,
                        const Sheet& sheet) {
@@ -96,7 +96,7 @@ std::string rectangles(const Organ& organ, const std::vector<Cell>& cells,
   return text;
 }
 
-// What the plane cuts of a convex body, filled: its cut points in order around their middle.
+// The filled section of a convex body: the points where the plane cuts it, sorted by angle.
 std::string convex_cut(const Sheet& sheet, const Mesh& mesh, double at_m) {
   std::vector<Place> points;
   for (const Triangle& t : mesh.triangles) {
@@ -146,7 +146,7 @@ std::string beside(const Shown& shown, const Sheet& sheet, double at_m, double s
   return text;
 }
 
-// The sides of a picture: left, right, top, bottom.
+// Names of a picture's sides: left, right, top, bottom.
 std::array<const char*, 4> sides_of(const Sheet& sheet, bool of_patient) {
   if (of_patient) {
     return {sheet.u == 0 ? "R" : "A", sheet.u == 0 ? "L" : "P", sheet.v == 1 ? "A" : "S",
@@ -160,7 +160,7 @@ struct Frame {
   double u, v, width, height;
 };
 
-// The longest of 1, 2, 5, 10, ... mm that is no longer than this.
+// The longest of 1, 2, 5, 10, ... mm that is not longer than `most_mm`.
 double scale_mm(double most_mm) {
   const double tens = std::pow(10, std::floor(std::log10(most_mm)));
   return (5 * tens <= most_mm ? 5 : 2 * tens <= most_mm ? 2 : 1) * tens;
@@ -195,7 +195,7 @@ std::string marks(const Sheet& sheet, bool of_patient, const Frame& frame) {
 
 constexpr int kWidth = 960, kHeight = 720;
 
-// Looks at the body from the front, a little from its left and from above.
+// A camera that looks from the front, a little from the body's left and from above.
 struct Camera {
   Vec right{0.8660254037844386, 0.5, 0};
   Vec down{0.1710100716628344, -0.2961981327260238, -0.9396926207859084};
@@ -207,7 +207,7 @@ struct Camera {
 Camera camera_for(const Mesh& mesh) {
   constexpr double kMargin = 0.96;
   Camera camera;
-  Box box;  // in the picture
+  Box box;  // in the camera's axes
   for (const Vec& p : mesh.points) {
     grow(box, {dot(p, camera.right), dot(p, camera.down), dot(p, camera.away)});
   }
@@ -230,7 +230,7 @@ Vec on_canvas(const Camera& camera, Vec p_m) {
           dot(from, camera.away)};
 }
 
-// Fills what of the triangle is nearer than what is drawn already.
+// Draws the part of the triangle that is nearer than what is already drawn.
 void draw(const std::array<Vec, 3>& c, Colour colour, Canvas& canvas) {
   const double area = (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x);
   if (area == 0) return;
@@ -256,7 +256,7 @@ void draw(const std::array<Vec, 3>& c, Colour colour, Canvas& canvas) {
   }
 }
 
-// Bright where it faces the eye's left and above.
+// Brighter where the surface faces the upper left of the viewer.
 Colour lit(Colour colour, Vec normal) {
   const Camera camera;
   const Vec light = camera.right * -0.4 + camera.down * -0.5 + camera.away * -0.77;

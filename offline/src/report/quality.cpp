@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Half of the 26 neighbours: every pair of neighbours is met once.
+// Visits half of the 26 neighbours, so that every pair of neighbours is visited once.
 template <typename Visit>
 void each_earlier_neighbour(const Cell& at, Visit visit) {
   for (int n = 0; n < 13; ++n) {
@@ -21,7 +21,7 @@ void each_earlier_neighbour(const Cell& at, Visit visit) {
   }
 }
 
-// Any voxel at a node of the lattice.
+// Some voxel that has this node of the lattice.
 std::uint32_t voxel_at_node(const VoxelGrid& grid, std::int64_t x, std::int64_t y, std::int64_t z) {
   for (int n = 0; n < 8; ++n) {
     const std::uint32_t voxel = voxel_at(grid, x - (n & 1), y - (n >> 1 & 1), z - (n >> 2));
@@ -30,7 +30,7 @@ std::uint32_t voxel_at_node(const VoxelGrid& grid, std::int64_t x, std::int64_t 
   return kEmptyCell;
 }
 
-// Through shared nodes in a sheet, and through ties between sheets.
+// Pieces connected through shared nodes within a sheet, and through ties between sheets.
 std::vector<LatticePiece> find_pieces(const Organ& organ) {
   const std::vector<Cell> cells = lattice_cells_of(organ);
   const VoxelGrid grid = voxel_grid(organ, cells);

@@ -25,7 +25,7 @@ struct CostPoint {
   double voxel_substeps, passes, us;
 };
 
-// Least squares of the relative error, so that small organs count as much as large ones.
+// Least squares of relative errors, so that small organs count as much as large ones.
 Machine fitted(const std::string& name, const std::vector<CostPoint>& points) {
   Eigen::MatrixXd of(points.size(), 3);
   for (Eigen::Index i = 0; i < of.rows(); ++i) {
@@ -47,7 +47,7 @@ class OwnKernel {
  public:
   OwnKernel(const Organ& organ, const Config& config) {
     Sizes bytes{};
-    (void)sizes(organ, config, bytes);  // what it refuses, create refuses
+    (void)sizes(organ, config, bytes);  // create refuses whatever sizes refuses
     const auto block = [&](std::size_t size) {
       blocks_.push_back(std::vector<std::byte>(size + kBlockAlignment));
       void* start = blocks_.back().data();
@@ -90,7 +90,7 @@ std::vector<std::byte> gel_block(const std::array<int, 3>& voxels) {
   return build({input}, options, [](const char*, double) {}).bytes;
 }
 
-// Near the middle of the voxels in x and y: not on a face between them.
+// A place near the middle of the voxels in x and y, but not on a face between voxels.
 Vec3 near_middle(const Organ& organ) {
   double x = 0, y = 0;
   for (const OrganRun& run : organ.runs) {
@@ -111,8 +111,8 @@ Config config_of(const Stepping& stepping) {
   return config;
 }
 
-// With true mass at the longest period, where the stiffest gel takes all passes; what they cost
-// does not hang on it.
+// Uses true mass and the longest period, with which the stiffest gel needs all passes; the cost of
+// a pass does not depend on this.
 void time_block(const std::array<int, 3>& voxels, std::vector<CostPoint>& points) {
   const std::vector<std::byte> bytes = gel_block(voxels);
   const Organ organ = open_organ("block", bytes);
@@ -150,11 +150,11 @@ Json resonance_facts(const Organ& organ, const Stepping& stepping) {
   OwnKernel kernel(organ, config_of(stepping));
   const Resonance of = first_resonance(kernel.get());
   Json facts = {{"real_hz", of.real_hz}, {"stepped_hz", of.stepped_hz}};
-  if (of.departs_hz < kFastestHandHz) facts["departs_hz"] = of.departs_hz;  // else none feels it
+  if (of.departs_hz < kFastestHandHz) facts["departs_hz"] = of.departs_hz;  // else no hand feels it
   return facts;
 }
 
-// Time that this thread was given: what else the machine does must not make an organ coarser.
+// Processor time of this thread: other work of the machine must not make an organ coarser.
 double own_time_us() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
