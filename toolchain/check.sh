@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The tiers of checks, each with all of the one before. Exits 0 when everything passes.
+# The tiers of checks; each includes the tiers before it. Exits 0 when everything passes.
 #
 #   fast    what CI runs: test.sh
-#   full    tests with the ctest label `full`; the fast tests once more with clang under the address
-#           and undefined-behaviour sanitizers, and with gcc under that of threads
+#   full    tests with the ctest label `full`; the fast tests again, with clang under the address
+#           and undefined-behaviour sanitizers, and with gcc under the thread sanitizer
 #   night   tests with the ctest label `night`
 #
-# `full` and `night` go on after a failure, say at the end what passed and what did not, and bring
-# the README's table of promises up to date.
+# `full` and `night` continue after a failure, report at the end what passed and what failed, and
+# update the README's table of promises.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -20,7 +20,7 @@ short=(-LE '^(full|night)$')
 summary=()
 failed=0
 
-# part WHAT PRESET COMMAND...: runs it with that preset; how it went is noted for the summary.
+# part WHAT PRESET COMMAND...: runs COMMAND with that preset and notes the result for the summary.
 part() {
   local what=$1 verdict=passed tests='' start=$SECONDS begin
   use_preset "$2"
@@ -36,7 +36,7 @@ part() {
   summary+=("$what${tests:+$'\n'$tests}")
 }
 
-# again [CTEST_ARGUMENT...]: the short tests in another build.
+# again [CTEST_ARGUMENT...]: runs the short tests in the build of the current preset.
 again() {
   configure
   compile
@@ -48,12 +48,12 @@ labelled() { run_tests -L "^$1\$" --no-tests=ignore; }
 [ "$tier" != fast ] || exec "$root/toolchain/test.sh"
 part "fast tests" release "$root/toolchain/test.sh"
 part "full tests" release labelled full
-# Left out: scripts, tests that choose their compilers themselves, and the longest, of code that
-# others run too.
+# Left out: scripts, tests that choose their compilers themselves, and the longest tests, whose code
+# other tests run, too.
 scripts='check|rt_host|cross|rt\.determinism|fuzz\.short'
 part "fast tests with clang, under the address and undefined-behaviour sanitizers" \
   sanitize again -E "^($scripts|bench|bake\.cohort|coupling_energy)|ripple|calculix"
-# The others have one thread, and so have those left out.
+# Only tests with several threads: all others, and those excluded by -E, have one.
 part "fast tests under the thread sanitizer" \
   sanitize-threads again -R '^(hal|rt_team|console)|InTwoThreads' \
   -E '^hal_(coupling|steered)|NoHelperComes'

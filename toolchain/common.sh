@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-# What the scripts here share: speaking to the user, building, testing. Sourced, not run.
+# What the scripts here share: messages to the user, building, testing. Sourced, not run.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-# Objects of another checkout serve this one: for ccache, paths count from here.
+# Paths relative to this folder let ccache use objects of another checkout.
 export CCACHE_BASEDIR=$root
 
-# use_preset NAME: what the functions below configure, build and test, from here on.
+# use_preset NAME: selects what the functions below configure, build and test.
 use_preset() {
   preset=$1
   build=$root/build/$preset
@@ -22,7 +22,7 @@ die() {
   exit 1
 }
 
-# A job for each processor, but no more than one for each 2 GiB of free memory: CGAL is large.
+# One job per processor, but at most one per 2 GiB of free memory: compiling CGAL needs much.
 job_count() {
   local by_memory
   by_memory=$(awk '/^MemAvailable/ {print int($2 / 2097152)}' /proc/meminfo)
@@ -32,13 +32,13 @@ job_count() {
   echo $((jobs > 0 ? jobs : 1))
 }
 
-# Whether the preset's build folder was configured, and by this checkout where it is now.
+# Whether the preset's build folder was configured by this checkout at its present place.
 is_configured() {
   grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"
 }
 
-# configure [CMAKE_ARGUMENT...]: the preset's build folder. A cache made by a checkout that has
-# since moved is thrown away, as CMake would only refuse it.
+# configure [CMAKE_ARGUMENT...]: configures the preset's build folder. Deletes a cache made by a
+# checkout that has since moved, because CMake would only refuse it.
 configure() {
   mkdir -p "$build" 2>/dev/null && [ -w "$build" ] ||
     die "cannot write to $build" "Give this user the right to write there, or run as its owner."
@@ -55,7 +55,7 @@ configure() {
   }
 }
 
-# compile [TARGET...]: everything when no target is named.
+# compile [TARGET...]: builds the targets, or everything if none is named.
 compile() {
   local jobs
   jobs=$(job_count)
@@ -66,15 +66,15 @@ compile() {
     die "the build failed" "The first message above that says 'error' or 'FAILED' is the cause."
 }
 
-# What the address sanitizer said of any process of the tests, also of one beside a run whose end
-# a test forgives. Out of memory are those that a test starves.
+# Reports of the sanitizers on any process of the tests, also on helper processes whose failure a
+# test tolerates. Without reports of exhausted memory, which some tests cause on purpose.
 sanitizer_reports() {
   grep -lsE 'ERROR: AddressSanitizer: |runtime error: |ERROR: LeakSanitizer: detected' \
     "$build"/Testing/sanitizer.* |
     xargs -r grep -LE 'AddressSanitizer: (out-of-memory|allocator is out of memory)' || true
 }
 
-# run_tests [CTEST_ARGUMENT...]: the results stay for promises.py until the same are run again.
+# run_tests [CTEST_ARGUMENT...]: keeps the results for promises.py until the same tests run again.
 run_tests() {
   say "Testing ($preset)"
   local results=$build/Testing/results status=0 found watch=()
@@ -83,7 +83,7 @@ run_tests() {
     rm -f "$build"/Testing/sanitizer.*
     watch=({ASAN,UBSAN}_OPTIONS="log_path=$build/Testing/sanitizer")
   fi
-  # Libraries leak too; only the address sanitizer asks.
+  # Suppresses leaks of libraries; only the address sanitizer reads this variable.
   env LSAN_OPTIONS="suppressions=$root/toolchain/leaks.txt:print_suppressions=0" "${watch[@]}" \
     ctest --test-dir "$build" --output-on-failure -j 2 --output-junit "$results" \
       --test-output-size-passed 100000 "$@" || status=$?

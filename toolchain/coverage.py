@@ -1,16 +1,16 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Every line and branch of a folder is reached, but for the exceptions listed with a reason.
+"""Checks that every line and branch of a folder is reached, except those listed with a reason.
 
 usage: coverage.py EXPORT_FILE SOURCE_FOLDER EXCEPTIONS_FILE
 
-Reads what `llvm-cov export` wrote. A branch is one side of a condition, `true` being none; what is
-compiled several times (a template, one source for several instruction sets) is reached where any of
-them is. Sources no test program holds a line of are an error. An exception is a line
+Reads the output of `llvm-cov export`. A branch is one side of a condition; the constant `true` has
+no branch. Code that is compiled several times (templates, several instruction sets) is reached if
+one copy is. A source without a line in any test program is an error. An exception is a line
     FILE | CODE | REASON
-of EXCEPTIONS_FILE: CODE is the source line as it is, without its indentation; it excuses that line
-and its branches, wherever the file has it; NO CODE excuses a source that only includes others. An
-exception that excuses nothing is an error too.
+of EXCEPTIONS_FILE. CODE is the source line without its indentation; it excuses that line and its
+branches at every place in the file. NO CODE excuses a source that only includes others. An
+exception that excuses nothing is an error, too.
 """
 import collections
 import json
@@ -18,11 +18,11 @@ import pathlib
 import sys
 
 
-CHANCE = "by chance"  # an exception whose reason begins so may also be reached
+CHANCE = "by chance"  # an exception whose reason begins with this may also be reached
 
 
 def line_counts(segments):
-    """{line: largest count}: a segment is line, column, count, counted, entered, gap."""
+    """{line: largest count}; a segment is (line, column, count, counted, entered, gap)."""
     counts = {}
     for this, following in zip(segments, segments[1:] + [None]):
         line, _, count, counted, entered, gap = this
@@ -31,14 +31,14 @@ def line_counts(segments):
         last = following[0] if following is not None else line
         last -= following is not None and following[1] == 1
         for each in range(line, last + 1):
-            # A line that a region only begins in belongs to what it begins with.
+            # A line counts as what begins in it; only other lines as the region that goes on.
             if each == line or each not in counts:
                 counts[each] = max(counts.get(each, 0), count) if each == line else count
     return counts
 
 
 def branch_sides(branches):
-    """{line: {(column, end line, end column, side): count}}, instantiations added up."""
+    """{line: {(column, end line, end column, side): count}}, summed over instantiations."""
     sides = collections.defaultdict(collections.Counter)
     for line, column, end_line, end_column, true, false, *_ in branches:
         for side, count in ((True, true), (False, false)):

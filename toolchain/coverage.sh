@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Which lines and branches of kernel/src or offline/src no test reaches, but for those listed in
+# Finds lines and branches of kernel/src or offline/src that no test reaches, except those listed in
 # coverage_exceptions.txt and coverage_exceptions_offline.txt beside this script. There are none, as
-# the tests coverage.kernel and coverage.offline hold.
-# Prints the totals and what is missing, and exits 0 when nothing is.
+# the tests coverage.kernel and coverage.offline check.
+# Prints the totals and what is missing, and exits 0 if nothing is missing.
 #
-# usage: coverage.sh [kernel|offline]      (kernel unless said)
+# usage: coverage.sh [kernel|offline]      (default: kernel)
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 subject=${1:-kernel}
-# Tests that together reach all there is of a subject. Scripts run stylet-organ.
+# Tests that together reach all code of a subject. Scripts run stylet-organ.
 case $subject in
   kernel)
     programs=(
@@ -46,13 +46,13 @@ arguments_of() {
   esac
 }
 
-# watched NAME COMMAND...: its counts join those of every other run of the same program.
+# watched NAME COMMAND...: runs COMMAND; its counts are added to those of the program's other runs.
 watched() {
   LLVM_PROFILE_FILE="$build/profiles/%m.profraw" "${@:2}" >"$build/$1.log" 2>&1 ||
     die "$1 failed" "Its output: $build/$1.log"
 }
 
-# llvm-cov asks for sources by their whole paths.
+# llvm-cov needs absolute paths of sources.
 unset CCACHE_BASEDIR
 use_preset coverage
 configure
@@ -71,7 +71,7 @@ for script in "${scripts[@]}"; do
   watched "$script" /usr/bin/python3 "$root/tests/bake/${script}_test.py" $(arguments_of "$script")
 done
 llvm-profdata merge -sparse -o "$build/all.profdata" "$build"/profiles/*.profraw
-# The first object goes without the option.
+# llvm-cov takes the first object without an option.
 llvm-cov export -skip-expansions -skip-functions -instr-profile="$build/all.profdata" \
   "${objects[@]:1}" "$root/$subject/src" >"$build/$subject.json" 2>"$build/llvm-cov.log" ||
   die "llvm-cov failed" "$(head -n 3 "$build/llvm-cov.log")"

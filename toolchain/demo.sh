@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# From a fresh clone to a force curve: installs what is missing, builds a release, makes the default
-# organ and inserts a needle into it on the real-time loop, as in Fig. 9 of the paper.
+# From a fresh clone to a force curve: installs missing packages, builds a release, makes the
+# default organ, and inserts a needle into it in the real-time loop, as in Fig. 9 of the paper.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -10,8 +10,8 @@ organ=$out/liver-phantom.organ
 recording=$out/fig09.h5
 scene=$root/hal/scenes/fig09-force-curve.toml
 
-# On the real-time loop; through sudo where this user lacks the rights for it; without them where
-# nobody has them; on a virtual clock where the host then is too late.
+# Runs in the real-time loop; with sudo if this user lacks the rights for it; without the rights if
+# nobody can get them; on a virtual clock if the machine is then too late.
 run_insertion() {
   local run=("$stylet" run "$scene" --organ "$organ" --force --record "$recording")
   local unfit=4 trouble=3 status=0
@@ -37,7 +37,7 @@ run_insertion() {
 }
 
 "$root/toolchain/setup.sh" develop
-# Tests need packages of their own; where they were built before, they stay.
+# Without tests, which need more packages; but a folder that was configured keeps its tests.
 is_configured || without_tests=-DSTYLET_WITH_TESTS=OFF
 configure ${without_tests:-}
 compile stylet stylet-organ

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Every figure and table of the READMEs anew, each by its own command.
+# Makes every figure and table of the READMEs again, each with its own command.
 #
 #   figures.sh           all that this machine can make in minutes: scenes, page, offline, calculix
 #   figures.sh NAME...   only these
-#   figures.sh --list    which command makes which
-#   figures.sh --check   which pictures are not of what the scenes do now; a test does this, too
+#   figures.sh --list    lists which command makes which
+#   figures.sh --check   lists pictures that differ from what scenes do now; a test does this, too
 #
-# Beside other work, `speed` measures the other work; `constants` takes long, and `promises` runs
-# every test: by name only.
+# Only by name: `speed`, which is wrong if the machine does other work; `constants`, which takes
+# long; and `promises`, which runs every test.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 

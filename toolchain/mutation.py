@@ -4,14 +4,14 @@
 
 usage: mutation.py [SUBJECT]... [--build FOLDER] [--sample N]    (guard, organ, read_stl ...)
 
-Each mutant is one change a programmer might make by mistake: a comparison flipped, an `and` made an
-`or`, a sign, a limit by one, a clamp or a statement left out. It is compiled and the tests of its
-file run until one fails, first the one that killed the mutant before, then the quick ones; a mutant
-that no test fails on has survived. The known survivors and why each is harmless are in
-mutation_survivors.txt, and these are not run; any other is an error.
-With --sample only so many of each file, evenly spread. kernel, hal, offline: all of that folder.
-Of offline, whatever decides what anatomy or bytes come out; not its reports, pictures, timings, nor
-the rows of numbers that tissues have from their sources.
+Each mutant is one change that a programmer might make by mistake: a comparison flipped, `or` for
+`and`, a sign, a limit changed by one, a clamp or a statement left out. It is compiled, and tests of
+its file run until one fails: first the test that killed the previous mutant, then the quick ones.
+If no test fails, the mutant has survived. Known survivors are in mutation_survivors.txt with the
+reason why each is harmless; they are not run. Any other survivor is an error.
+--sample N: only N mutants of each file, evenly spread. SUBJECT kernel, hal or offline: all of that
+folder. Of offline, all that decides anatomy or bytes; not reports, pictures, timings, nor the rows
+of numbers that tissues have from their sources.
 """
 import argparse
 import os
@@ -25,7 +25,7 @@ import time
 
 SOURCE = pathlib.Path(__file__).resolve().parents[1]
 SURVIVORS = SOURCE / "toolchain" / "mutation_survivors.txt"
-# What is changed, and the programs that must notice, with their arguments: the quickest first.
+# The file that is changed, and the tests that must notice, with their arguments: quickest first.
 SUBJECTS = {
     "guard": ("hal/guard/guard.cpp", [["hal_guard"],
                                       ["device_faults", "--gtest_filter=DeviceFaults.*"],
@@ -47,7 +47,7 @@ SUBJECTS = {
                ["fuzz_organ", SOURCE / "tests/fuzz/seeds/organ"],
                ["unit_organ_open", "--gtest_filter=*Fuzz*"]]),
 }
-# All of a needle's coupling with the tissue moves it; any of these may notice.
+# All parts of the coupling of needle and tissue move the needle, so any of these tests may notice.
 COUPLING = (
     [["fuzz_tick", SOURCE / "tests/fuzz/seeds/tick"]] +
     [[f"coupling_{each}"] for each in ("friction", "pools", "relaxation", "continuity",
@@ -61,7 +61,7 @@ SUBJECTS |= {name: (f"kernel/src/coupling/{name}.cpp", COUPLING)
              for name in ("contact", "contact_spring", "cut", "deformation", "friction",
                           "insertion", "layers", "relaxation", "return_map", "shaft",
                           "stiffness", "support", "track")}
-# Tests of offline, programs and scripts; those that read every file there is come last.
+# Tests of offline, programs and scripts; those that read every available file come last.
 RANDOM_MESHES = ["fuzz_mesh", SOURCE / "tests/fuzz/seeds/mesh"]
 RANDOM_LABELS = ["fuzz_label", SOURCE / "tests/fuzz/seeds/label"]
 REAL_MESHES = [["every_file_test.py", "Meshes"], ["bake_program_test", "--gtest_filter=Broken.*"]]
@@ -130,27 +130,27 @@ OFFLINE = {
 }
 SUBJECTS |= {name: (f"offline/src/{name}.cpp", tests) for name, tests in OFFLINE.items()}
 BUILD = "build/release"
-MOST_BYTES = 8 << 30  # a mutant may well ask for all there is
+MOST_BYTES = 8 << 30  # a mutant might use all memory
 FLIPS = {" < ": [" <= ", " >= "], " <= ": [" < "], " > ": [" >= ", " <= "], " >= ": [" > "],
          " == ": [" != "], " != ": [" == "], " && ": [" || "], " || ": [" && "],
          " + ": [" - "], " - ": [" + "], " += ": [" -= "], "++": ["--"],
          "return true": ["return false"], "return false": ["return true"]}
 CALLS = re.compile(r"(?:\bstd::)?\b(clamp|max_of|min_of|settle)\(")
 NUMBER = re.compile(r"(?<![\w.\"])(\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)(F|U|UL|ULL)?(?![\w.])")
-DATA = re.compile(r"^[ \d.,eE+-]+\},$", re.M)  # a row of a table: its source stands beside it
+DATA = re.compile(r"^[ \d.,eE+-]+\},$", re.M)  # a row of a table, which names its source
 STATEMENT = re.compile(r"^ {2,}(?!return|const|constexpr|break|continue|using|case|default)"
                        r"[\w*(+].*[;]$", re.M)
 
 
 def blanked(text):
-    """The text with comments, literals and preprocessor lines blanked."""
+    """The text with comments, literals and preprocessor lines blanked out."""
     token = re.compile(r'//[^\n]*|^#[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|static_assert[^;]*;',
                        re.S | re.M)
     return token.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
 
 
 def arguments_end(code, start):
-    """Where the first argument and the whole call end that open before `start`."""
+    """The ends of the first argument and of the whole call whose bracket opens before `start`."""
     depth, first = 1, None
     for at in range(start, len(code)):
         depth += {"(": 1, "{": 1, ")": -1, "}": -1}.get(code[at], 0)
@@ -175,7 +175,7 @@ def numbers(code):
 
 
 def mutations(text):
-    """(first, behind, replacement) of every change, in the order of the file."""
+    """(begin, end, replacement) of every change, in the order of the file."""
     code = blanked(text)
     found = list(numbers(code))
     for word, replacements in FLIPS.items():
@@ -206,7 +206,7 @@ class Mutant:
 
 
 def known_survivors():
-    """{(file, before, after): reason}: blocks of three lines and a blank one."""
+    """{(file, before, after): reason}, from blocks of three lines separated by a blank line."""
     blocks = [block.splitlines() for block in SURVIVORS.read_text().split("\n\n")]
     known = {}
     for block in blocks:
@@ -227,13 +227,13 @@ def run(command, timeout=None, **options):
 
 
 def program(test):
-    """What a test needs built."""
+    """The program that must be built for a test."""
     return "stylet-organ" if test[0].endswith(".py") else test[0]
 
 
 def prepare(folder, subjects):
-    """A copy of the sources that can be changed, configured as any release build, so that ccache
-    knows its objects."""
+    """Makes a copy of the sources that can be changed, configured like any release build, so that
+    ccache has its objects."""
     copy = folder / "source"
     for each in copy.glob("*"):
         if each.name != "build":
@@ -250,14 +250,14 @@ def prepare(folder, subjects):
     if done.returncode != 0:
         sys.exit(done.stdout[-3000:] + "\nmutation.py: the unchanged sources do not configure")
     os.environ["CCACHE_BASEDIR"] = str(copy)
-    # The copy has no shared data beside it.
+    # There is no shared data beside the copy.
     os.environ.setdefault("STYLET_DATA", str(SOURCE.parent / "shared/data"))
     os.environ |= {"STYLET_BIN": str(copy / BUILD / "bin"), "STYLET_SOURCE": str(copy),
                    "GTEST_FAIL_FAST": "1"}
 
 
 def passes(folder, test, timeout=None):
-    """Whether a test does."""
+    """Whether a test passes."""
     command = [folder / "source" / BUILD / "bin" / test[0], *test[1:]]
     if test[0].endswith(".py"):
         command = ["/usr/bin/python3", SOURCE / "tests/bake" / test[0], "--failfast", *test[1:]]
@@ -267,7 +267,7 @@ def passes(folder, test, timeout=None):
 
 
 def limit_s(folder, test):
-    """What a test may take: ten times what it takes on the unchanged sources, and more."""
+    """Time limit of a test: ten times what it takes on the unchanged sources, plus 10 s."""
     done = run(["ninja", "-C", folder / "source" / BUILD, program(test)])
     if done.returncode != 0:
         sys.exit(done.stdout[-3000:] + "\nmutation.py: the unchanged sources do not build")
@@ -278,14 +278,14 @@ def limit_s(folder, test):
 
 
 def put(target, text):
-    """Writes a source where it is another one: its object is older then."""
+    """Writes a source only if the text differs, so that otherwise its object stays up to date."""
     if target.read_text() != text:
         target.write_text(text)
 
 
 def killer(folder, target, unchanged, mutant, tests, measured):
-    """The first test that fails, `compiler`, or None where all pass. That test is tried first on
-    the next mutant. `measured`: limits of the tests that any mutant has needed."""
+    """The first test that fails, or `compiler`, or None if all pass. That test is tried first on
+    the next mutant. `measured`: time limits of the tests that any mutant has needed so far."""
     for test in tests:
         if tuple(test) not in measured:
             put(target, unchanged)
@@ -301,7 +301,7 @@ def killer(folder, target, unchanged, mutant, tests, measured):
 
 
 def check(folder, subject, sample, known, measured):
-    """Survivors that nobody explained."""
+    """The survivors that are not explained in the list."""
     file, tests = SUBJECTS[subject][0], list(SUBJECTS[subject][1])
     target = folder / "source" / file
     text = target.read_text()

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The README's table of promises: what is promised, which tests hold it, what they last measured.
+"""Writes the README's table of promises: each promise, its tests, and what they last measured.
 
 Reads the results that ctest left in a build folder for the scripts here (common.sh: run_tests), the
-last one of every test, and writes the rows whose tests they have; the others keep what they had. A
-row is as old as the oldest of its results. Where some of a row's tests were not run it says so,
-unless the table has more of the same day. A test that was skipped has shown nothing. --check
-changes nothing: it refuses a table that is not made of these rows, and a row without a test in the
-build folder.
+last one of every test, and writes the rows whose tests have results; other rows stay as they are. A
+row's day is that of its oldest result. If some of a row's tests were not run, the row says so,
+unless the table has more tests of the same day. Skipped tests do not count as results. --check
+changes nothing: it refuses a table that does not consist of these rows, and a row without a test in
+the build folder.
 
 usage: promises.py REPOSITORY BUILD_FOLDER [--check]
 """
@@ -21,8 +21,8 @@ import xml.etree.ElementTree
 BEGIN, END = "<!-- promises: toolchain/promises.py -->", "<!-- end of promises -->"
 HEADER = "| promised | held by | last measured |\n| --- | --- | --- |"
 NEVER = "not yet"
-# (promise, tests as a regular expression for their names, what to take from their output: an
-# expression whose groups fill the text; none: that they passed).
+# (promise, regular expression for the names of its tests, what to take from their output: an
+# expression whose groups fill in the text; None: only how many passed).
 ROWS = [
     ("no heap, page fault or system call in a million ticks", r"rt_million_ticks\..*", None),
     ("no call that may wait", r"rt\.rtsan\..*", None),
@@ -76,11 +76,11 @@ ROWS = [
     ("a wrong line in guard, organ reader or coupling is noticed", r"mutation\.sample", None),
 ]
 RESULTS = "Testing/results"
-NOT_BUILT = "_NOT_BUILT"  # what ctest calls a program that is yet to say which cases it has
+NOT_BUILT = "_NOT_BUILT"  # ctest's name for a program whose cases are not known before it is built
 
 
 def read_results(folder):
-    """Test -> (its output, whether it passed, the day), of its last run; none of skipped ones."""
+    """Test -> (its output, whether it passed, the day) of its last run; without skipped tests."""
     results = {}
     suites = [xml.etree.ElementTree.parse(path).getroot() for path in folder.glob("*.xml")]
     for suite in sorted(suites, key=lambda suite: suite.get("timestamp")):
@@ -94,8 +94,8 @@ def read_results(folder):
 
 
 def tests_of(build):
-    """Names of the build folder's tests. Listed from another folder: ctest empties the log of the
-    one it lists, and that may be the log of the run that asks."""
+    """Names of the build folder's tests. ctest lists them in another folder, because it empties the
+    log of the folder it lists in, which may be the log of the run that calls this."""
     with tempfile.TemporaryDirectory() as top:
         entry = pathlib.Path(top) / "CTestTestfile.cmake"
         entry.write_text(f'subdirs("{pathlib.Path(build).resolve()}")\n')
@@ -105,14 +105,14 @@ def tests_of(build):
 
 
 def tests_of_row(pattern, tests):
-    """Those of the tests that hold a row; a program that is not built yet counts as one."""
+    """The tests of a row; a program that is not built yet counts as one test."""
     return [test for test in tests if re.fullmatch(pattern, test) or test.endswith(NOT_BUILT) and
             any(each.startswith(re.escape(test.removesuffix(NOT_BUILT) + "."))
                 for each in pattern.split("|"))]
 
 
 def measured(row, results, tests):
-    """What the results say of the row's tests; None where there are none of them."""
+    """The text of the row from the results of its tests; None if there are no results."""
     _, pattern, figure = row
     found = {name: results[name] for name in sorted(results) if re.fullmatch(pattern, name)}
     if not found:
@@ -132,7 +132,7 @@ def measured(row, results, tests):
 
 
 def better(old, new):
-    """The new text, but for one of a part of the tests on a day that has more of them."""
+    """The new text; but the old one if it is of the same day and from more of the tests."""
     part = re.search(r"(\d+) passed, \d+ not run$", new or "")
     if part and old[:10] == new[:10] and not old.endswith("failed"):
         had = re.search(r"(\d+) passed(?:, \d+ not run)?$", old)
@@ -141,7 +141,7 @@ def better(old, new):
 
 
 def table_of(readme):
-    """(text before, rows, text behind)"""
+    """(text before the table, rows, text after it)"""
     before, rest = readme.split(BEGIN, 1)
     table, behind = rest.split(END, 1)
     rows = [[cell.strip() for cell in line.strip("|").split(" | ")]

@@ -32,14 +32,14 @@ KINDS = ("exact", "bound", "published", "derived", "speed", "measured", "chosen"
 PLAYED = ("measured", "chosen")
 SCENES = 12  # two of each kind
 FACTORS = {"half": 0.5, "double": 2.0}
-# A promise is broken where it was kept before: energy for the hands; a force that changes at rest
-# by this share of the largest in a millisecond, and three times as fast as before; tissue that
-# still stores this share of the most once the needles are out.
+# Limits beyond which a promise that was kept before counts as broken: energy given to the hands; a
+# force that changes at rest by this fraction of the largest in a millisecond, and three times as
+# fast as before; tissue that still stores this fraction of the most once the needles are out.
 ENERGY_J, TREMBLE, LEFT = -1e-6, 0.01, 0.01
-# Rows that differ by more, in per cent of the force and as a share of themselves, are others: the
-# sines of a hand's way are those of a C library.
+# Rows that differ by more than this, in per cent of the force and as a fraction of themselves, have
+# changed. Smaller differences may come from the C library, whose sines are in a hand's path.
 ALIKE_PERCENT, ALIKE_SHARE = 1, 0.2
-# Beside the constants: what means nothing to a hand, and what no physics should depend on.
+# For comparison with the constants: a change that no hand notices, and one that should not matter.
 NOISE, TICK = "hands 1 nm deeper", "ticks of 0.5 ms, substeps as before"
 CONTROLS = {NOISE: ["--deeper", "1e-9"], TICK: ["--parts", "2"]}
 TUNED = """\
@@ -107,7 +107,7 @@ def blanked(text):
 
 
 def split_outside(text):
-    """(begin, end) of what stands between commas that are in no bracket."""
+    """(begin, end) of the parts between commas that are outside brackets."""
     depth, begin, parts = 0, 0, []
     for at, letter in enumerate(text):
         depth += {"(": 1, "{": 1, "[": 1, ")": -1, "}": -1, "]": -1}.get(letter, 0)
@@ -118,7 +118,7 @@ def split_outside(text):
 
 
 def declarations(text):
-    """Of constants with a name; names: name -> (begin, end) of its value."""
+    """The declared constants: name -> (begin, end) of its value."""
     code = blanked(text)
     name = r"k[A-Z]\w*\s*(?:\[\w*\])?\s*[={]"
     for match in re.finditer(rf"\bconstexpr ((?:const )?[\w:]+\*?) (?={name})([^;]*);", code):
@@ -130,7 +130,7 @@ def declarations(text):
 
 
 def defaults(text):
-    """Config::NAME -> (type, begin, end) of the default of a number."""
+    """Config::NAME -> (type, begin, end) of the default value, for numbers."""
     code = blanked(text)
     struct = re.search(r"^struct Config \{(.*?)^\};", code, re.S | re.M)
     if struct is None:
@@ -142,7 +142,7 @@ def defaults(text):
 
 
 def values_in(text):
-    """NAME -> its value as it is written; where there are several, all of them."""
+    """NAME -> its value as written; if there are several, all of them."""
     found = {}
     for each in declarations(text):
         for name, (begin, end) in each.names.items():
@@ -154,7 +154,7 @@ def values_in(text):
 
 
 def read_values(constants, root=SOURCE):
-    """(file, name) -> value, of the whole kernel and of other files that are listed."""
+    """(file, name) -> value, for the whole kernel and the other listed files."""
     files = {path.relative_to(root).as_posix() for each in KERNEL for path in root.glob(each)}
     files |= {each.file for each in constants if (root / each.file).exists()}
     return {(file, name): value for file in sorted(files)
@@ -166,7 +166,7 @@ def is_played(constant):
 
 
 def parts_of(constant, values):
-    """What is changed by itself: the constant, or each of its elements. Name -> value."""
+    """What is changed separately: the constant, or each of its elements. Name -> value."""
     value = values[constant[:2]]
     if not value.startswith("{"):
         return {constant.name: value}
@@ -189,7 +189,7 @@ def tuned_value(type_name, name, value):
 
 
 def patched(text, names, all_names):
-    """The text with these constants as variables, and with those made of any of `all_names`."""
+    """The text in which `names`, and constants computed from any of `all_names`, are variables."""
     changes = []
     for each in declarations(text):
         whole = text[each.begin:each.end]
@@ -230,7 +230,7 @@ def run(command, **options):
 
 
 def build(folder, constants):
-    """The program that plays the scenes, from a copy in which these are variables."""
+    """The program that plays the scenes, from a copy in which `constants` are variables."""
     shutil.rmtree(folder, ignore_errors=True)
     skip = shutil.ignore_patterns(".git", "build", "node_modules", "__pycache__")
     shutil.copytree(SOURCE, folder / "source", ignore=skip)
@@ -239,7 +239,7 @@ def build(folder, constants):
     made = folder / "source/build"
     run(["cmake", "-G", "Ninja", "-S", folder / "source", "-B", made, "-DCMAKE_BUILD_TYPE=Release",
          "-DSTYLET_WITH_OFFLINE=OFF",
-         # An integer that is a constant has a known value as a float; a variable has not.
+         # The compiler warns of an int to float conversion of a variable, but not of a constant.
          "-DCMAKE_CXX_FLAGS=-Wno-error=conversion"])
     run(["ninja", "-C", made, "stylet-sensitivity"],
         env=os.environ | {"CCACHE_BASEDIR": str(folder / "source")})
@@ -250,7 +250,7 @@ def build(folder, constants):
 
 
 def play(program, options=(), constant=None, factor=None):
-    """The scenes, with one constant changed."""
+    """Plays the scenes with one constant changed."""
     env = dict(os.environ)
     if constant is not None:
         env |= {"STYLET_CONSTANT": constant, "STYLET_FACTOR": str(factor)}
@@ -265,7 +265,7 @@ def play(program, options=(), constant=None, factor=None):
 
 
 def change_of(base, other):
-    """Largest change of a force, over the largest force of the scene."""
+    """Largest change of a force, divided by the largest force of the scene."""
     size = np.linalg.norm(base.force, axis=2).max()
     change = np.linalg.norm(other.force - base.force, axis=2).max()
     return float(change / size) if np.isfinite(change) else float("inf")
@@ -302,14 +302,14 @@ def judged(base, scenes):
 
 
 def broken_text(found):
-    """Of the counters of both factors."""
+    """The text of the broken promises, from the counters of both factors."""
     texts = [f"{which}: " + ", ".join(f"{name} {count}" for name, count in sorted(broken.items()))
              for which, broken in found.items() if broken]
     return "; ".join(texts)
 
 
 def measure(program, base, names):
-    """Name -> (half, double, broken), and of the controls; tells how far it is."""
+    """Name -> (half, double, broken), also for the controls; prints its progress."""
     jobs = {(name, "half"): (options, None, None) for name, options in CONTROLS.items()}
     jobs |= {(name, which): ((), name, factor) for name in names
              for which, factor in FACTORS.items()}
@@ -330,7 +330,7 @@ def measure(program, base, names):
 
 
 def rows_of(table):
-    """First cell -> the others."""
+    """First cell of each row -> the other cells."""
     rows = [[cell.strip() for cell in line.strip("|").split(" | ")]
             for line in table.splitlines() if line.startswith("| `") or line.startswith("| hands")
             or line.startswith("| ticks")]
@@ -342,7 +342,7 @@ def row(*cells):
 
 
 def made_table(constants, values, results, old):
-    """The whole table; rows without a result are those of the old one."""
+    """The whole table; rows without a result are taken from the old table."""
     counts = collections.Counter(each.kind for each in constants)
     text = HEAD.format(scenes=SCENES, counts="\n".join(
         f"| {kind} | {counts[kind]} |" for kind in KINDS))
@@ -385,7 +385,7 @@ def faults(constants, values, table):
 
 
 def differences(results, rows):
-    """Rows of the table that came out otherwise."""
+    """Rows of the table whose results are now different."""
     for name, felt in results.items():
         cells = rows.get(name if name in CONTROLS else f"`{name}`", [""] * 5)[2:5]
         for now, then in zip(felt, cells):
@@ -405,7 +405,7 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=SOURCE / "build/sensitivity")
     parser.add_argument("names", nargs="*")
     options = parser.parse_args()
-    options.build = options.build.resolve()  # ccache takes no other
+    options.build = options.build.resolve()  # ccache needs an absolute path
     constants = listed((SOURCE / LIST).read_text())
     values = read_values(constants)
     path = SOURCE / TABLE

@@ -1,20 +1,20 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs what is missing of Debian 12's packages: the one list of them, in three parts.
+# Installs missing packages of Debian 12. This is the only list of packages; it has three parts.
 #
-#   setup.sh run        running the programs and their scripts
-#   setup.sh develop    that, and building
-#   setup.sh test       that, and all tests; also without a word
-#   setup.sh --list run|develop|test    only says which packages those are
+#   setup.sh run        to run the programs and their scripts
+#   setup.sh develop    the same, and to build
+#   setup.sh test       the same, and for all tests; this is the default
+#   setup.sh --list run|develop|test    only lists the packages
 #
-# Asks for no right when nothing is missing.
+# Needs no rights if nothing is missing.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 to_run=(
-  # figures; the scripts beside scenes, and of offline/analysis
+  # figures; scripts beside scenes and in offline/analysis
   gnuplot-nox fonts-dejavu-core python3 python3-h5py python3-matplotlib
-  # libraries, where the programs were built elsewhere
+  # libraries for programs that were built elsewhere
   libbz2-1.0 libccd2 libdcmtk17 libexpat1 libfmt9 libgmp10 libhdf5-103-1 libinsighttoolkit5.2
   libmpfr6 libopenigtlink1.11 libpng16-16 libssl3 libstdc++6 zlib1g
 )
@@ -32,15 +32,15 @@ to_develop=(
 to_test=(
   clang groff-base libbenchmark-dev libbullet-dev libclang-rt-14-dev libclang-rt-19-dev libgmock-dev
   libgtest-dev llvm python3-prometheus-client python3-pydicom snakemake valgrind
-  # of cohorts under Slurm; it starts daemons of its own
+  # cohorts under Slurm; the test starts its own daemons
   munge slurm-client slurmctld slurmd
-  # of the console's page; building and running need neither
+  # the console's page; building and running it needs neither
   chromium nodejs
-  # on other processors
+  # other processors
   g++-aarch64-linux-gnu g++-i686-linux-gnu gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib
   qemu-system-arm qemu-system-x86 qemu-user
 )
-# A nodejs that is not Debian's brings its own npm, and excludes Debian's.
+# A nodejs that is not Debian's has its own npm and conflicts with Debian's npm.
 command -v npm >/dev/null || to_test+=(npm)
 
 list_only=
@@ -82,9 +82,9 @@ become_root() {
   as_root=(sudo)
 }
 
-# Runs apt-get with its output in the log, and one line for every tenth of the way. The progress has
-# a descriptor of its own, opened behind sudo: apt-get closes it for the packages' scripts, and with
-# standard output closed those that print something would fail.
+# Runs apt-get with its output in the log, and prints a line for every tenth of the progress. This
+# has its own descriptor, opened after sudo: apt-get closes it for the packages' scripts, and if it
+# were standard output, scripts that print would fail.
 apt() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 \
     sh -c 'exec apt-get "$@" 3>&1' apt-get -y -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 \
@@ -103,7 +103,7 @@ show_progress() {
   done
 }
 
-# Ends with the reason, taken from the log of apt-get.
+# Exits with the reason, taken from the log of apt-get.
 explain_failure() {
   local offline='Temporary failure|Could not (resolve|connect)|Connection (failed|timed out)'
   if grep -qE "$offline" "$log"; then
@@ -119,13 +119,13 @@ install_missing() {
   trap 'rm -f "$log"' EXIT
   say "Installing ${#missing[@]} missing packages"
   note "${missing[*]}"
-  # One unreachable source of many need not matter; the installation shows it.
+  # One unreachable source of several may not matter; the installation will tell.
   apt update >/dev/null || true
   apt install --no-install-recommends "${missing[@]}" || explain_failure
 }
 
-# What the tests of the console's page need of npm; without network they are skipped. Not `npm ci`:
-# it refuses a lock file that does not hold the packages for other processors.
+# Installs the npm packages for tests of the console's page, which are skipped without network. Not
+# with `npm ci`: it refuses a lock file without the packages for other processors.
 install_page_packages() {
   local page=$root/hal/console/page
   [ "$page/package-lock.json" -nt "$page/node_modules/.package-lock.json" ] || return 0

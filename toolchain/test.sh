@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs what is missing, builds everything, runs every test but the long ones (check.sh runs
-# those too). Exits 0 when all of them pass. Arguments go to ctest: toolchain/test.sh -R rt
+# Installs missing packages, builds everything, and runs all tests except the long ones, which
+# check.sh runs. Exits 0 when all pass. Arguments go to ctest: toolchain/test.sh -R rt
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""What is made from the descriptors of drivers is as they say: the udev rules and the table of
-devices in hal/device/README.md. With --write they are made anew.
+"""Checks that the udev rules and the table of devices in hal/device/README.md agree with the
+descriptors of the drivers, from which they are made. --write makes them again.
 
 usage: drivers.py PROGRAM REPOSITORY [--write]
 PROGRAM is stylet_driver_texts.
@@ -16,7 +16,7 @@ BEGIN, END = "<!-- from the drivers: toolchain/checks/drivers.py -->\n", "<!-- e
 
 
 def with_table(text, table):
-    """`text` with `table` between its two marks; ValueError where they are not there once."""
+    """`text` with `table` between its two marks; ValueError if a mark is missing."""
     before, mark, rest = text.partition(BEGIN)
     _, end, after = rest.partition(END)
     if not mark or not end:
@@ -25,7 +25,7 @@ def with_table(text, table):
 
 
 def texts_of(repository, udev, table):
-    """What stands of the drivers elsewhere, by its file."""
+    """File -> the text that it should have according to the drivers."""
     return {RULES: udev, README: with_table((repository / README).read_text(), table)}
 
 

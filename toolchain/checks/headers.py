@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The kernel's public headers include nothing but each other and a few allocation-free headers.
+"""Checks that the kernel's public headers include only each other and a few headers without heap.
 
 usage: headers.py FOLDER
 """
@@ -9,7 +9,7 @@ import re
 import sys
 
 ALLOWED = {"<cstdint>", "<cstddef>", "<span>", "<bit>", "<type_traits>"}
-ALLOWED_C = {"<stdint.h>", "<stddef.h>"}  # of the C interface
+ALLOWED_C = {"<stdint.h>", "<stddef.h>"}  # for the C interface
 INCLUDE = re.compile(r'\s*#\s*include\s*(<[^>]*>|"[^"]*")')
 
 

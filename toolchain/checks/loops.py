@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Every loop of the kernel ends: it walks a range or counts towards a bound. Any other is on a
-list, with what ends it: a constant of limits.h, or a size that organ_open has checked.
+"""Checks that every loop of the kernel ends: it walks a range or counts towards a bound. All other
+loops must be listed with what ends them: a constant of limits.h, or a size that organ_open checks.
 
-A loop counts if one variable of its head is compared with a bound and stepped towards it (up to
-<, <= or !=, down to >, >= or !=), and its body does not write that variable. `while`, `do`, goto
-and other heads may stand on the list alone.
+A loop counts towards a bound if one variable of its head is compared with it and stepped towards it
+(up for <, <= or !=, down for >, >= or !=), and its body does not write that variable. `while`,
+`do`, `goto` and other heads are allowed only on the list.
 
 usage: loops.py KERNEL_FOLDER ALLOW_LIST
 """
@@ -17,18 +17,18 @@ sys.dont_write_bytecode = True
 import tidy  # noqa: E402
 
 LOOP = re.compile(r"\b(for|while|do|goto)\b\s*(\()?")
-STEPS = {  # direction: how a variable is stepped so
+STEPS = {  # direction: how a variable is stepped in it
     1: r"\+\+ ?{0}\b|{0} ?\+\+|{0} ?\+=",
     -1: r"-- ?{0}\b|{0} ?--|{0} ?-=",
 }
-# What such a variable is compared with: before it, and behind it.
+# The comparison that a variable so stepped needs: left of it, or right of it.
 BOUNDS = {1: (r">=?", r"<=?"), -1: (r"<=?", r">=?")}
 WRITTEN = (r"\+\+ ?{0}\b|-- ?{0}\b|{0} ?(\+\+|--|[-+*/%&|^]?=(?!=)|<<=|>>=)|"
            r"(?<![&\w] )&{0}\b")
 
 
 def head_of(code, begin):
-    """The text between the bracket before `begin` and its partner, and where that ends."""
+    """The text from `begin` to the bracket that closes the one before `begin`, and its end."""
     depth, end = 1, begin
     while depth > 0 and end < len(code):
         depth += {"(": 1, ")": -1}.get(code[end], 0)
@@ -37,7 +37,7 @@ def head_of(code, begin):
 
 
 def body_of(code, begin):
-    """The statement or block that begins behind `begin`, where the head has been closed."""
+    """The statement or block after `begin`, where the loop's head ends."""
     depth = 0
     for end in range(begin, len(code)):
         depth += {"(": 1, "{": 1, ")": -1, "}": -1}.get(code[end], 0)
@@ -47,7 +47,7 @@ def body_of(code, begin):
 
 
 def counts_with(name, condition, step, body):
-    name = rf"(?<![\w.>]){name}\b"  # and no member of that name
+    name = rf"(?<![\w.>]){name}\b"  # but not a member of that name
     for direction, how in STEPS.items():
         how, (before, behind) = how.format(name), BOUNDS[direction]
         compared = (rf"(?<![<>=-])({before}|!=) ?{name}",
@@ -71,7 +71,7 @@ def counts(head, body):
 
 
 def uncounted(name, text):
-    """(file, line, word and head) of each loop that does not count by itself."""
+    """(file, line, word and head) of each loop that does not walk a range or count."""
     code = tidy.code_only(text)
     for match in LOOP.finditer(code):
         head, end = head_of(code, match.end()) if match[2] else ("", match.end())

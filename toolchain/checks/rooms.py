@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Which room may use which: includes run down the list of rooms.txt, never up or sideways.
+"""Checks which room includes which: only rooms that rooms.txt lists below it and names for it.
 
-A room is a folder of sources, or one file that stands alone beside the folders. The list names,
-from the bottom up, each room and the rooms it uses; so a circle cannot even be written down.
-Refused are: an include of a room that is not named, a room that is not listed, an include that
-does not say its room, and a listed arrow that no file needs any more.
+A room is a folder of sources, or one file that stands alone beside the folders. The list has, from
+the bottom up, each room with the rooms that it uses; so it cannot contain a circle.
+Refused are: an include of a room that is not named for the including room, a room that is not
+listed, an include that does not name its room, and a listed use that no file needs any more.
 
 usage: rooms.py REPOSITORY LIST
 """
@@ -18,7 +18,7 @@ SOURCES = {".h", ".cpp", ".c"}
 
 
 def read_list(path):
-    """[(root, prefix of its includes, {room: rooms it uses}, from the bottom up)]"""
+    """[(root, prefix of its includes, {room: rooms it uses})]; rooms from the bottom up."""
     houses = []
     for line in pathlib.Path(path).read_text().splitlines():
         if not line.strip() or line.startswith("#"):
@@ -33,13 +33,13 @@ def read_list(path):
 
 
 def room_of(rooms, file):
-    """The listed room with the longest name that `file`, a path below the root, lies in."""
+    """The listed room with the longest name that contains `file`, a path below the root."""
     found = [room for room in rooms if file == room or file.startswith(room + "/")]
     return max(found, key=len, default=None)
 
 
 def list_faults(root, rooms):
-    """Arrows of the list itself that do not run down."""
+    """Faults of the list itself: uses of a room that is not listed below."""
     below = set()
     for room, uses in rooms.items():
         for used in uses:

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The checks, checked: each refuses bad samples with the right place, and accepts good ones."""
+"""Tests the checks: each refuses bad samples and names the right place, and accepts good ones."""
 import pathlib
 import subprocess
 import sys
@@ -25,7 +25,7 @@ GPL = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
 
 
 class Sample(unittest.TestCase):
-    """A folder of its own for each case."""
+    """Gives each test case its own folder."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -59,7 +59,7 @@ class Headers(Sample):
 
 
 class TestNames(Sample):
-    """Stand-ins for programs of googletest."""
+    """With stand-ins for programs of googletest."""
 
     def faults(self, says):
         program = self.write("program", "#!/bin/sh\n" + says)
@@ -131,7 +131,7 @@ class Loops(Sample):
 
 
 class Rooms(Sample):
-    """Two folders and a file beside them: cellar, hall above it, roof.cpp on top."""
+    """With two folders and a file beside them: cellar, hall above it, roof.cpp on top."""
     LIST = "house by/\n  cellar:\n  hall: cellar\n  roof.cpp: hall\n"
 
     def setUp(self):
@@ -200,7 +200,7 @@ class Promises(Sample):
              "physical, avx512: 4608 bytes\ndeepest: 4616 bytes\n")
 
     def results(self, day, **tests):
-        """As ctest writes them: {name with _ for each dot: (status, output)}."""
+        """Writes results as ctest does; `tests`: {name with _ for each dot: (status, output)}."""
         cases = "".join(f'<testcase name="{name.replace("_", ".")}" status="{status}">'
                         f"<system-out>{output}</system-out></testcase>"
                         for name, (status, output) in tests.items())

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""setup.sh on machines that are not this one: apt-get, dpkg-query, id and sudo are stand-ins that
-come first in the path and behave as the real ones do on a fresh, an offline or a locked machine."""
+"""Tests setup.sh as on other machines: apt-get, dpkg-query, id and sudo are stand-ins that come
+first in PATH and behave as the real programs do on a fresh, an offline or a locked machine."""
 import os
 import pathlib
 import subprocess
@@ -18,7 +18,7 @@ for name in "$@"; do
 done
 """
 
-# As the real one: the descriptor of the progress is not there for the scripts of the packages.
+# Like the real program: scripts of the packages do not get the descriptor for the progress.
 APT_GET = """#!/usr/bin/env python3
 import os, pathlib, subprocess, sys
 top = pathlib.Path(os.environ["STAND_IN"])
@@ -52,7 +52,7 @@ class Setup(unittest.TestCase):
         self.program("dpkg-query", DPKG_QUERY)
         self.program("apt-get", APT_GET)
         self.program("id", "#!/bin/sh\necho 0\n")
-        self.program("npm", "#!/bin/sh\nexit 1\n")  # no network; the rest is installed all the same
+        self.program("npm", "#!/bin/sh\nexit 1\n")  # no network; all else must still be installed
 
     def program(self, name, text):
         path = self.top / name

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The stack of a tick has a bound: the longest path of the call graph, times the frames on it.
+"""Checks the bound of a tick's stack: the largest sum of frames along a path of the call graph.
 
 Compiles the kernel's sources as the build does, with -fcallgraph-info (GCC), adds up frames from
 the roots down and refuses recursion, frames of variable size, and calls through pointers that are
-not listed here. The bound must be within kTickStackBytes of limits.h, and no less than what the
-program given used of a painted stack.
+not listed here. The bound must not exceed kTickStackBytes of limits.h, and must not be less than
+what PROGRAM used of a painted stack.
 
 usage: stack.py REPOSITORY BUILD_FOLDER PROGRAM
 """
@@ -17,18 +17,18 @@ import sys
 import tempfile
 
 ROOT = "stylet::tick("
-# What a call through a pointer may reach, by the caller's name: every target counts.
+# Functions that a call through a pointer may reach, by the caller's name: all are taken as callees.
 POINTERS = {
     "stylet::tick(": r"stylet::lattice_step_\w+\(const Kernel&",
     "sweep_one(": r"\{anonymous\}::sweep_part\(",  # inlined or not
     "sweep_together(": r"\{anonymous\}::sweep_part\(",
     "ccdMPRPenetration": r"\{anonymous\}::(hull|segment)_(support|centre)\(",
 }
-# Frames outside the kernel, with what they call themselves. libccd: at most 1528 bytes on the
+# Bytes of functions outside the kernel, including what they call. libccd: at most 1528 bytes on the
 # longest path of Debian's library (disassembled), rounded up; the others need a few words.
 OUTSIDE = {"ccdMPRPenetration": 2048, "memcpy": 256, "memmove": 256, "memset": 256, "memcmp": 256,
            "sqrt": 64, "sqrtf": 64, "__assert_fail": 0}
-ALIGNMENT = 64  # what a realigned frame may lose
+ALIGNMENT = 64  # bytes that a realigned frame may lose
 RED_ZONE = 128  # what a function that calls nothing may use below its frame (x86-64 ABI, 3.2.2)
 NODE = re.compile(r'node: \{ title: "([^"]*)" label: "([^"]*)"')
 EDGE = re.compile(r'edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"')
@@ -36,7 +36,7 @@ FRAME = re.compile(r"\\n(\d+) bytes \(([a-z,]+)\)")
 
 
 class Graph:
-    """Functions by their linker names: `label` is what a person calls them."""
+    """Functions by their linker names; `label` has their readable names."""
 
     def __init__(self):
         self.label, self.frame, self.calls, self.faults = {}, {}, {}, []
@@ -71,7 +71,7 @@ class Graph:
         yield from targets
 
     def deepest(self, function, path=(), known=None):
-        """(bytes, functions) of the longest path from `function` down."""
+        """(bytes, functions) of the path from `function` down that needs most bytes."""
         known = {} if known is None else known
         if function in path:
             self.faults.append(f"{self.label.get(function, function)}: calls itself, through "
@@ -89,13 +89,13 @@ class Graph:
 
 
 def compile_graph(build, folder):
-    """The call graph of the kernel, compiled as in the build folder; no object is kept."""
+    """The call graph of the kernel, compiled as in the build folder; objects are not kept."""
     graph = Graph()
     for entry in json.loads((build / "compile_commands.json").read_text()):
         words = entry["command"].split()
         if "/kernel/src/" not in entry["file"] or "-o" not in words:
             continue
-        if pathlib.PurePath(words[0]).name == "ccache":  # it would keep the object alone
+        if pathlib.PurePath(words[0]).name == "ccache":  # would keep the object but not its graph
             words = words[1:]
         out = folder / pathlib.PurePath(entry["file"]).with_suffix(".o").name
         words[words.index("-o") + 1] = str(out)

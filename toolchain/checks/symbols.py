@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""What the kernel's libraries need from outside is on a list, so nothing else can be called.
+"""Checks that all symbols which the kernel's libraries need from outside are on a list.
 
-No heap, no exceptions, no streams, no threads: a symbol that is not on the list is a defect, or a
-new line on the list with its reason.
+No heap, no exceptions, no streams, no threads: a symbol that is not on the list is either a defect,
+or is added to the list with its reason.
 
 usage: symbols.py ALLOW_LIST LIBRARY...
 """
@@ -18,7 +18,7 @@ def read_list(path):
 
 
 def undefined(libraries):
-    """Symbol -> objects that need it and none of the libraries defines."""
+    """Symbol that no library defines -> objects that need it."""
     wanted, defined = {}, set()
     for library in libraries:
         listing = subprocess.run(["nm", "--format=posix", "--print-file-name", library],

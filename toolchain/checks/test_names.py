@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Names of tests are the same in every run, and every value of a parameter is a text.
+"""Checks that test names are the same in every run, and that parameters have a text in them.
 
 usage: test_names.py PROGRAM...    programs of googletest
 """

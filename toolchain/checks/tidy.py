@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""House style as a test: what CONTRIBUTING.md says and a machine can see.
+"""Tests house style: the rules of CONTRIBUTING.md that a machine can check.
 
 usage: tidy.py REPOSITORY
 """
@@ -13,13 +13,13 @@ SOURCE = {".h", ".cpp", ".py", ".sh", ".cmake", ".ts", ".mjs", ".css"}
 NOT_WRITTEN_HERE = {"__pycache__", "node_modules", "generated", "dist"}
 COLUMNS = 100
 FUNCTION_LINES = 60
-TEST_LINES = 70  # of a test's function: its table of cases stands in it
-FILE_LINES = 500  # of what is built; tests may have long tables of cases
-PYTHON = "#!/usr/bin/python3"  # Debian's, whatever comes first in the PATH
+TEST_LINES = 70  # for a test's function, which may contain its table of cases
+FILE_LINES = 500  # for what is built; tests may have long tables of cases
+PYTHON = "#!/usr/bin/python3"  # Debian's, whichever comes first in PATH
 LEFT_OVER = re.compile(r"\b(TO" r"DO|FIX" r"ME|XX" r"X|HA" r"CK)\b")
 MACHINE_PATH = re.compile(r"(^|[^A-Za-z0-9_.}])/(work|root|home|farm)/")
 
-# The real-time path: the kernel, and the part of hal between the first tick and the last.
+# The real-time path: the kernel, and the part of hal that runs between first and last tick.
 REAL_TIME = ["kernel/src/*", "kernel/src/*/*", "hal/loop/loop.cpp", "hal/guard/*.cpp"]
 BANNED = {
     r"\bnew\b(?!\s*\((?!std::nothrow))": "new (the caller owns all memory; placement is fine)",
@@ -36,16 +36,16 @@ BANNED = {
 
 
 def code_only(text):
-    """The text with comments, literals and includes blanked: words in them do not count."""
+    """The text with comments, literals and includes blanked out, as their words do not count."""
     token = re.compile(r'//[^\n]*|#include[^\n]*|/\*.*?\*/|'
                        r'"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)
     return token.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
 
 
 def functions(code):
-    """(first line, last line) of each function at namespace level, as clang-format lays it out.
+    """(first line, last line) of each function at namespace level, as clang-format formats it.
 
-    A line with the template's parameters is not counted.
+    A line with only the template's parameters is not counted.
     """
     start, body = None, False
     for number, line in enumerate(code.splitlines(), 1):
@@ -86,7 +86,7 @@ LINK = re.compile(r"\]\(([^)#:\s]+)(#[^)\s]*)?\)")
 
 
 def check_links(path, name, text):
-    """Links of a page to other files of the repository."""
+    """Faults of a page's links to other files of the repository."""
     for number, line in enumerate(text.splitlines(), 1):
         for link in LINK.finditer(line):
             if not (path.parent / link[1]).exists():
@@ -97,7 +97,7 @@ CITED = re.compile(r"\bPHYSICS ((?:\d+(?:\.\d+)?(?:, | to | and )?)+)")
 
 
 def check_cited(name, text, sections):
-    """Sections of kernel/PHYSICS.md that are cited, against those it has."""
+    """Faults: cited sections that kernel/PHYSICS.md does not have."""
     for number, line in enumerate(text.splitlines(), 1):
         for cited in CITED.finditer(line):
             for section in re.findall(r"\d+(?:\.\d+)?", cited[1]):

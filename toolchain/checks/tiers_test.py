@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""check.sh runs the tests of its tier and no others: cmake, ctest and python3 are stand-ins that
-say how they were called."""
+"""Tests that check.sh runs the tests of its tier and no others: cmake, ctest and python3 are
+stand-ins that record how they were called."""
 import os
 import pathlib
 import re
@@ -17,8 +17,8 @@ for name in "$@"; do
   case $name in -*) ;; *) echo "$name installed" ;; esac
 done
 """
-# Says where and with what it was called; fails where a file of that name asks for it. ctest then
-# leaves that file as its list of failed tests.
+# Records under which name and with which arguments it was called; fails if a file "NAME fails"
+# exists, which ctest then also copies as its list of failed tests.
 RECORDER = """#!/bin/sh
 echo "$(basename "$0") $*" >> "$STAND_IN/calls"
 fails="$STAND_IN/$(basename "$0") fails"
@@ -38,7 +38,7 @@ class Tiers(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.top = pathlib.Path(folder.name)
-        # Other checks may be writing what Python compiles beside them.
+        # Without __pycache__, to which other checks may be writing now.
         shutil.copytree(TOOLCHAIN, self.top / "toolchain",
                         ignore=shutil.ignore_patterns("__pycache__"))
         for name, text in (("dpkg-query", ALL_INSTALLED), ("cmake", RECORDER),
@@ -48,7 +48,7 @@ class Tiers(unittest.TestCase):
             path.chmod(0o755)
 
     def check(self, *arguments):
-        """Exit code, and (preset, what was asked for) of each call of ctest."""
+        """Exit code, and for each call of ctest its preset and which tests it was to run."""
         done = subprocess.run([self.top / "toolchain/check.sh", *arguments], capture_output=True,
                               env={"PATH": f"{self.top}:{os.environ['PATH']}",
                                    "STAND_IN": str(self.top)})

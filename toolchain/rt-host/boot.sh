@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Boots Debian's real-time kernel in software emulation (qemu, no KVM) on a machine that rt-host.sh
-# has set up, and shows that there stylet doctor sees it and the loop runs with SCHED_FIFO. Timing
-# is not judged: every instruction is emulated.
+# has set up. Shows that stylet doctor recognises the kernel and that the loop runs with SCHED_FIFO.
+# Timing is not judged, because every instruction is emulated.
 #
-#   boot.sh [FOLDER]     FOLDER: of the programs stylet and stylet-organ; else build/release/bin
+#   boot.sh [FOLDER]     where stylet and stylet-organ are; default: build/release/bin
 #
 # Needs qemu-system-x86; kernel and busybox are downloaded once, to build/rt-host, not installed.
-# Exit code 77: something of that is not to be had here.
+# Exit code 77: some of these are not available on this machine.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
 
@@ -21,7 +21,7 @@ not_here() {
   exit 77
 }
 
-# fetch PACKAGE: its files, in $store/PACKAGE.
+# fetch PACKAGE: downloads a package and unpacks its files into $store/PACKAGE.
 fetch() {
   [ ! -d "$store/$1" ] || return 0
   mkdir -p "$store"
@@ -30,7 +30,7 @@ fetch() {
   mv "$store/$1.part" "$store/$1"
 }
 
-# The scene is as slow as scenes may be: 10 ms a tick.
+# The scene has the longest allowed period: 10 ms a tick.
 write_scene() {
   cat <<'SCENE'
 [organ]
@@ -48,7 +48,7 @@ hold_s = 20
 SCENE
 }
 
-# What the machine does between its start and its end. Each part ends with its exit code.
+# What the machine does from its start to its end. Each part prints its exit code at its end.
 write_init() {
   cat <<'INIT'
 #!/bin/sh
@@ -91,7 +91,7 @@ build_image() {
   write_scene >"$image/block.toml"
   write_init >"$image/init"
   chmod +x "$image/init"
-  # As on a machine with two processors; its boot line is what qemu gets.
+  # As on a machine with two processors; qemu gets the boot line made for it.
   mkdir -p "$image/sys/devices/system/cpu"
   echo 0-1 >"$image/sys/devices/system/cpu/online"
   "$root/toolchain/rt-host/rt-host.sh" --root "$image" --cpu 1 --apply >/dev/null
@@ -108,7 +108,7 @@ boot() {
     tr -d '\r\033' | tee "$work/console"
 }
 
-# expect WHAT PATTERN: in what the machine said.
+# expect WHAT PATTERN: checks that the machine's output contains PATTERN.
 expect() {
   if grep -qE "$2" "$work/console"; then
     note "ok: $1"

@@ -37,7 +37,7 @@ state=$target/var/lib/stylet-rt-host
 
 # ---- processors ---------------------------------------------------------------------------------
 
-# "0-2,5" as "0 1 2 5".
+# Turns "0-2,5" into "0 1 2 5".
 expand() {
   local part
   for part in ${1//,/ }; do seq "${part%-*}" "${part#*-}"; done | paste -sd ' '
@@ -71,7 +71,7 @@ choose_processors() {
 files_in() { (cd "$1" && find . ! -type d | sed 's|^\./||' | LC_ALL=C sort); }
 paths() { files_in "$tree" && printf '%s\n' "${links[@]%% *}"; }
 
-# make PATH FILE: FILE becomes what PATH shall be.
+# make PATH FILE: writes into FILE what PATH is to contain.
 make() {
   local each
   for each in "${links[@]}"; do
@@ -86,7 +86,7 @@ make() {
 
 exists() { [ -e "$1" ] || [ -L "$1" ]; }
 
-# Same kind, content and mode; links by where they point.
+# Whether two files have the same kind, content and mode; links are compared by their targets.
 same() {
   exists "$1" && exists "$2" || return 1
   if [ -L "$1" ] || [ -L "$2" ]; then
@@ -96,7 +96,7 @@ same() {
   fi
 }
 
-# Folders that are not there yet are noted, the outermost first, so that --undo can take them away.
+# Makes missing folders and records them, the outermost first, so that --undo can remove them.
 make_folder() {
   local folder=$1 missing=()
   while [ ! -d "$folder" ]; do
@@ -108,7 +108,7 @@ make_folder() {
   printf '%s\n' "${missing[@]}" >>"$state/folders"
 }
 
-# What is there goes to before/ the first time, what is put there to after/.
+# Puts a new file at a path. Keeps the original in before/ (first time only), the new one in after/.
 put() {
   local path=$1
   make_folder "$(dirname "$target/$path")"

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""rt-host.sh on the files of a machine that is not this one: nothing without --apply, twice is
-once, --undo gives back every byte."""
+"""Tests rt-host.sh on the files of another machine: without --apply it changes nothing, a second
+--apply changes nothing more, --undo restores every byte."""
 import os
 import pathlib
 import re
@@ -17,7 +17,7 @@ BOOT_LINE = "etc/default/grub.d/70-stylet-rt.cfg"
 
 
 def picture(top):
-    """Every file, folder and link below: kind, mode and content."""
+    """Kind, mode and content of every file, folder and link below `top`."""
     all_of_it = {}
     for path in sorted(top.rglob("*")):
         name, mode = path.relative_to(top).as_posix(), path.lstat().st_mode
@@ -134,8 +134,8 @@ class RtHost(unittest.TestCase):
         self.assertIn("no processor is left", self.run_script("--apply", expect=1).stderr)
 
 
-# A chroot whose files are this machine's, below a layer that takes every change. The programs that
-# would change a running machine are stand-ins that say how they were called.
+# A chroot with this machine's files, under a layer that receives every change. The programs that
+# would change a running machine are stand-ins that record how they were called.
 LAYER = """
 set -e
 mount -t tmpfs none "$1"

@@ -18,7 +18,7 @@
 namespace stylet::bake {
 namespace {
 
-constexpr double kFlatM = 1e-4;       // how far points may be off their plane
+constexpr double kFlatM = 1e-4;       // what points may be off their plane
 constexpr double kPixelM = 0.5e-3;    // of the raster without a series: a tenth of a lattice voxel
 constexpr double kMostAcross = 1024;  // pixels of that raster
 constexpr double kMostAcrossSeries = 4096;

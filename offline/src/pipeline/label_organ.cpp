@@ -30,9 +30,9 @@ Vec sample_row(std::size_t sample) {
           static_cast<double>(sample / kAcross / kAcross)};
 }
 
-// Where in its sub-cell a sample lies. On a grid, the faces of a map would lie between the same rows
-// of samples everywhere, and volumes would be wrong by a row. So Roberts' R3 sequence is used; it
-// is evenly spread.
+// Where in its sub-cell a sample lies. On a grid, the faces of a map would lie between the same
+// rows of samples everywhere, and volumes would be wrong by a row. So Roberts' R3 sequence is used,
+// which is evenly spread.
 Vec jitter(std::size_t sample) {
   const auto part = [sample](double step) {
     const double at = static_cast<double>(sample) * step;
