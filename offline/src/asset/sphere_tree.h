@@ -2,8 +2,8 @@
 // The sphere tree over an embedded surface (Quinlan 1994: leaves cover triangles, inner nodes halve
 // their set). All triangles of a leaf have one voxel, so that a leaf can follow its deformation.
 //
-// Promises: a sphere contains all positions below it and its children's spheres, as floats too;
-// children come after parents; depth at most 2 + log2(leaves). Units: metres, rest frame.
+// Promises: a sphere, as rounded to floats, contains all positions below it and its children's
+// spheres; children come after parents; depth at most 2 + log2(leaves). Units: metres, rest frame.
 #pragma once
 
 #include "base/geometry.h"

@@ -24,7 +24,7 @@ using Domain = CGAL::Labeled_mesh_domain_3<Kernel>;
 using Triangulation = CGAL::Mesh_triangulation_3<Domain>::type;
 using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
 
-// Gives the mesher its first points: on the surface around `inside`, in directions without symmetry
+// Gives the mesher its first points, on the surface around `inside`, in asymmetric directions.
 // CGAL's own start uses sines and cosines, whose last digit depends on the C library; the whole
 // mesh would change with it.
 void start_mesh(const Domain& domain, const Kernel::Point_3& inside, double reach,
