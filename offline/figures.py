@@ -19,7 +19,7 @@ import tempfile
 README = pathlib.Path(__file__).parent / "README.md"
 RECIPES = pathlib.Path(__file__).parent / "recipes"
 BEGIN, END = "<!-- measured: offline/figures.py -->\n", "<!-- end of measured -->\n"
-# Units as the data's README gives them; where it knows none, what makes the organ life size.
+# Units from the data's README; if it has none, those that give the organ its natural size.
 MESHES = {"openhelp_Liver.stl": ("mm", 1), "openhelp_Abdominal_wall.stl": ("mm", 1),
           "openhelp_Kidney_left.stl": ("mm", 1), "openhelp_Pancreas.stl": ("mm", 1),
           "openhelp_Spleen.stl": ("mm", 1), "openhelp_Stomach.stl": ("mm", 1),
@@ -36,7 +36,7 @@ MAP = "ts_example_seg.nii.gz"
 
 
 def built(tool, arguments):
-    """What the build reports, seconds of processor time, MiB."""
+    """The report of the build, its processor time in seconds, and its memory in MiB."""
     with tempfile.TemporaryDirectory() as folder:
         command = [tool, "build", *arguments, "-o", f"{folder}/a.organ", "--json"]
         with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as work:

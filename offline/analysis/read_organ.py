@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An organ file as numpy arrays: read_organ(path). As a program it prints what it found."""
+"""Reads an organ file as numpy arrays: read_organ(path). As a program it prints what it found."""
 import hashlib
 import pathlib
 import struct

@@ -35,7 +35,7 @@ EVENTS = ["contact", "release", "puncture", "reentry", "exit", "layer", "obstacl
 
 # %%
 def opened(path):
-    """The file, also of a run that is going on or was killed (`NAME.PROCESS.tmp`)."""
+    """Opens the file; also that of a running or killed run (`NAME.PROCESS.tmp`)."""
     try:
         return h5py.File(path, "r")
     except OSError:

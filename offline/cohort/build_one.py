@@ -60,7 +60,7 @@ def main():
     for folder in (organ.parent, report, outcome.parent):
         folder.mkdir(parents=True, exist_ok=True)
     organ.unlink(missing_ok=True)
-    # What a build that was killed left half written.
+    # Partly written files of a build that was killed.
     parts = [*organ.parent.glob(f"{patient}.*part-*"), *report.glob("*.part-*"),
              *outcome.parent.glob(f"{patient}.part-*")]
     for part in parts:

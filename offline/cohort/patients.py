@@ -21,7 +21,7 @@ SEPARATORS = ",;\t"
 
 
 class BadRow(Exception):
-    """Why a row is no patient that can be built."""
+    """Why the patient of a row cannot be built."""
 
 
 @dataclasses.dataclass
@@ -57,7 +57,7 @@ def read_row(table, row):
     if not inputs:
         raise BadRow("input: expected a label map or meshes")
     recipe = str(folder / row["recipe"]) if row["recipe"] else ""
-    # A file that is not there is for stylet-organ to refuse: one bad patient stops no other.
+    # stylet-organ refuses missing files later, so that a bad patient does not stop the others.
     present = [file for file in files + [recipe] if file and pathlib.Path(file).exists()]
     return Patient(row["patient"], inputs, present, recipe, words(row["options"], "options"),
                    int(memory))
@@ -75,7 +75,7 @@ def text_of(data):
 
 
 def cells_of(text):
-    """Rows of (line, cells): by the separator that makes columns of the first row."""
+    """Rows of (line, cells), with the separator that divides the first row into columns."""
     told = re.match(r"sep=(.)\r?\n", text)  # a first line that some spreadsheets write and hide
     skipped = 1 if told else 0
     text = text[told.end():] if told else text
@@ -88,7 +88,7 @@ def cells_of(text):
 
 
 def rows_of(table):
-    """Rows by column, with the line each ends in; under None what has no column."""
+    """Rows by column, with the line that each ends in; cells without a column are under None."""
     try:
         rows = cells_of(text_of(pathlib.Path(table).read_bytes()))
     except OSError as error:

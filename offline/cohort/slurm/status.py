@@ -13,7 +13,7 @@ WAITING = {"PENDING", "RUNNING", "COMPLETING", "CONFIGURING", "SUSPENDED", "REQU
 
 
 def state_of(job):
-    """As the controller remembers it; from the accounting, where there is one, once it forgot."""
+    """The job's state from the controller; once that has forgotten it, from accounting, if any."""
     known = subprocess.run(["scontrol", "-o", "show", "job", job], capture_output=True, text=True)
     if known.returncode == 0:
         return re.search(r"JobState=(\w+)", known.stdout)[1]
