@@ -9,8 +9,6 @@
 namespace stylet {
 namespace {
 
-using namespace rod;
-
 // Tried parts of a step. The first is Newton's step; the others find the way if faces are met or
 // left on it, or if the shape is not stable.
 constexpr double kTriedShare[kRodTrials] = {1, 0.5, 0.2, 0.05};
