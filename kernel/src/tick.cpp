@@ -249,12 +249,12 @@ Output faulted(const State& state) {
 
 void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outputs) {
   auto [model, all, scratch] = view_of(kernel);  // `all`: the first needle's, and the tissue's
-  StateHead& state = *all.head;
+  StateHead& head = *all.head;
   const std::uint32_t count = model.head->counts.needles;
-  ++state.tick;
+  ++head.tick;
   Moved moved[kMaxNeedles] = {};
   Output out[kMaxNeedles] = {};
-  if (state.latched_fault == 0) {
+  if (head.latched_fault == 0) {
     for (std::uint32_t i = 0; i < count; ++i) {
       State own = needle_state(all, i);
       const Input input = i < inputs.size() ? inputs[i] : Input{};
@@ -268,7 +268,7 @@ void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outpu
     }
     // Tissue dragged to a hundredfold of its length may overflow, and a needle that has left the
     // tissue would not show it.
-    if (!is_finite(state.max_displacement_m)) latch_fault(state);
+    if (!is_finite(head.max_displacement_m)) latch_fault(head);
     measure_forces(model, all);
     for (std::uint32_t i = 0; i < count; ++i) {
       out[i].flags = flags;
@@ -278,7 +278,7 @@ void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outpu
   }
   // One needle's fault stops all needles: they share the tissue.
   for (std::uint32_t i = 0; i < count && i < outputs.size(); ++i) {
-    outputs[i] = state.latched_fault == 0 ? out[i] : faulted(all);
+    outputs[i] = head.latched_fault == 0 ? out[i] : faulted(all);
   }
 }
 

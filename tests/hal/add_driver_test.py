@@ -21,8 +21,10 @@ DRIVER = """// SPDX-License-Identifier: Apache-2.0
 namespace stylet::hal {
 namespace {
 
+std::uint64_t samples = 0;
+
 bool read(void*, std::int64_t now_ns, Sample& sample_out) {
-  sample_out.seq += 1;
+  sample_out.seq = ++samples;
   sample_out.t_ns = now_ns;
   sample_out.pose = {{}, {1, 0, 0, 0}};
   return true;
@@ -31,7 +33,7 @@ void write(void*, const Command&) {}
 void close(void*) {}
 
 Device open(const std::string&, double) {
-  return {nullptr, {.name = "a stylus at rest", .max_force_n = 1, .max_slew_n_per_s = 2000},
+  return {nullptr, {.name = "a stylus at rest", .max_force_n = 0, .max_slew_n_per_s = 0},
           read, write, close};
 }
 void search(const HostTree&, DeviceSighting& out) {
@@ -43,7 +45,8 @@ void search(const HostTree&, DeviceSighting& out) {
 
 constinit const DriverDescriptor still_driver = {
     .scheme = "still", .uri = "still:", .name = "a stylus at rest", .open = open,
-    .search = search, .row = {"`still:`", "a stylus at rest", "6 / 0", "a table"}};
+    .search = search, .renders = false,
+    .row = {"`still:`", "a stylus at rest", "6 / 0", "a table"}};
 
 }  // namespace stylet::hal
 """

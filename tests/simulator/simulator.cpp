@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "gap.h"
 #include "hal/loop/loop.h"
 #include "lattice/voxel.h"
 #include "laws/touch.h"
@@ -347,7 +348,7 @@ double stored_energy(const Kernel& kernel) {
 
 float depth_m(const View& view, std::uint32_t body, Vec3 a_m, Vec3 b_m) {
   const NeedlePiece piece = {a_m, b_m, view.model.needle_config().outer_radius_m};
-  return std::max(-obstacle_gap(view.model.obstacle[body], piece).separation_m, 0.0F);
+  return std::max(-gap_of(view.model.obstacle[body], piece).separation_m, 0.0F);
 }
 
 // How deep a piece was in a body on its straight way, in so many steps, where that is deeper than

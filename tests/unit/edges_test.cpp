@@ -9,9 +9,10 @@
 #include <limits>
 #include <vector>
 
-#include "state/layout.h"
+#include "gap.h"
 #include "needle/obstacle.h"
 #include "session.h"
+#include "state/layout.h"
 
 namespace stylet::test {
 namespace {
@@ -275,7 +276,7 @@ TEST(Edges, MoreContactsThanRoom) {
 }
 
 // Of all rods of a needle that leans on a wall, those that press most are kept, wherever they are
-// in the order they are looked at; depths as obstacle_gap sees them.
+// in the order they are looked at; depths as gap_of sees them.
 TEST(Edges, TheContactsThatPressLeastAreLeftOut) {
   const auto organ = block_organ(2, 2, 2);
   Config config = config_of(Setup::kElastic);
@@ -306,7 +307,7 @@ TEST(Edges, TheContactsThatPressLeastAreLeftOut) {
     std::vector<float> depth_m;
     for (std::size_t i = 0; i + 1 < node.size(); ++i) {
       const float radius_m = config.needle[0].outer_radius_m;
-      depth_m.push_back(-obstacle_gap(body, {node[i], node[i + 1], radius_m}).separation_m);
+      depth_m.push_back(-gap_of(body, {node[i], node[i + 1], radius_m}).separation_m);
     }
     std::sort(depth_m.begin(), depth_m.end(), std::greater<>());
     ASSERT_GT(depth_m[kMaxTouches], 0);

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "session.h"
 #include "state/events.h"
+#include "state/invariants.h"
 #include "state/layout.h"
 
 namespace stylet::test {
@@ -108,6 +110,37 @@ TEST(Difference, NamesEveryFieldAndElement) {
   STYLET_STATE_FIELDS(STYLET_TRY_FIELD)
 #undef STYLET_TRY_FIELD
   expect_equal(p.a.kernel, p.b.kernel);
+}
+
+// Each broken in a state in the middle of an insertion; builds without the assertions skip.
+TEST(InvariantsDeathTest, WhatMustHoldBetweenStepsIsAsserted) {
+#ifdef STYLET_INVARIANTS
+  Pair p;
+  run(p.a.kernel, p.script, 0, 1200);
+  const View good = view_of(p.a.kernel);
+  ASSERT_GT(good.state.needle->shaft_count, 0U);
+  assert_needle(good.model, good.state);
+  const std::function<void(State&)> broken[] = {
+      [](State& s) { s.needle->tip_alive = 0; },
+      [](State& s) { s.needle->phase = Phase::kContact; },
+      [](State& s) { s.needle->shaft_count = kMaxConstraintParticles + 1; },
+      [](State& s) { s.needle->track_current = s.head->track_count; },
+      [](State& s) { s.shaft->support[0].weight += 0.01F; },
+      [](State& s) { ++s.shaft->support[0].row; },
+      [](State& s) { s.tip->stiffness_n_per_m = -1; },
+  };
+  for (const auto& change : broken) {
+    EXPECT_DEATH(
+        {
+          View view = view_of(p.a.kernel);
+          change(view.state);
+          assert_needle(view.model, view.state);
+        },
+        "assert_needle|assert_particle");
+  }
+#else
+  GTEST_SKIP() << "the assertions are in debug, sanitizer and fuzzing builds";
+#endif
 }
 
 TEST(Events, OldestIsOverwrittenAndOrderIsKept) {

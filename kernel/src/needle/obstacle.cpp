@@ -170,17 +170,6 @@ Status obstacle_prepare(const ObstacleConfig& config, Obstacle& obstacle_out) {
   return Status::kOk;
 }
 
-Gap obstacle_gap(const Obstacle& obstacle, const NeedlePiece& piece) {
-  const double rounding = rounding_of(obstacle, static_cast<double>(piece.radius_m));
-  const ConvexHull hull = hull_of(obstacle);
-  const Segment axis = in_body(obstacle, axis_of(piece));
-  const Closest seen = view(hull, axis, kCoreShare * rounding, {0, 0, 0});
-  const Vec3d point = point_on(axis, seen.place);
-  const Vec3d normal = seen.normal;
-  return {static_cast<float>(-depth_along(hull, normal, point, rounding)),
-          to_float(to_world(obstacle.rotation, normal)), static_cast<float>(seen.place)};
-}
-
 Mat3 obstacle_stiffness(const Obstacle& obstacle, Vec3 normal, double depth_m, bool slips) {
   const float k = obstacle.config.stiffness_n_per_m;
   const double least = kLeastStiffnessShare * static_cast<double>(k);

@@ -51,16 +51,6 @@ struct NeedlePiece {
   float radius_m;
 };
 
-struct Gap {
-  float separation_m;  // negative: depth along `normal`
-  Vec3 normal;         // unit, out of the body
-  float place;         // parameter of the contact on the piece's axis: 0 at a, 1 at b
-};
-
-// Exact as long as the piece's axis is outside the body. If it is inside: a depth along which the
-// piece can leave, which is not always the smallest.
-Gap obstacle_gap(const Obstacle& obstacle, const NeedlePiece& piece);
-
 // ---- what it does -------------------------------------------------------------------------------
 
 // What a contact remembers. All zero: no contact.

@@ -3,7 +3,7 @@
 // carried along the chain, loads gathered at the joints, the sweep that eliminates joints and the
 // one that assigns turns. rod.cpp makes it an equilibrium, or one among faces.
 //
-// Included by rod.cpp alone: in one unit a tick with an elastic needle takes 3 % less.
+// Included by rod.cpp alone: in one unit the dearest tick of fig02 takes 2 to 3 % less.
 // Promises, units and frame as in rod.h.
 #pragma once
 

@@ -44,7 +44,7 @@ TEST(Gap, OfASphereAndABoxIsTheClosedFormAtFacesEdgesAndCorners) {
     const Vec3d at = p.axis.a_m;
     const double expected = box_distance(half, at);
     if (expected < 1e-6) continue;
-    const Gap gap = obstacle_gap(p.obstacle, p.piece);
+    const Gap gap = gap_of(p.obstacle, p.piece);
     worst = std::max(worst, std::fabs(static_cast<double>(gap.separation_m) -
                                       (expected - static_cast<double>(kNeedleRadiusM))));
     const Vec3d nearest = {std::clamp(at.x, -half.x, half.x), std::clamp(at.y, -half.y, half.y),
@@ -73,7 +73,7 @@ TEST(Gap, OfACapsuleAndABoxIsTheLeastOverTheAxis) {
     const double expected = box_distance(half, p.axis);
     if (expected < 1e-6) continue;
     ++outside;
-    const Gap gap = obstacle_gap(p.obstacle, p.piece);
+    const Gap gap = gap_of(p.obstacle, p.piece);
     const double at_place = box_distance(half, point_on(p.axis, static_cast<double>(gap.place)));
     worst = std::max(worst,
                      std::fabs(static_cast<double>(gap.separation_m + kNeedleRadiusM) - expected));
@@ -93,7 +93,7 @@ TEST(Gap, InsideABoxIsADepthAlongWhichThePieceCanLeave) {
     const Vec3d half = to_double(kHalf);
     if (box_distance(half, p.axis) > -1e-6) continue;
     ++inside;
-    const Gap gap = obstacle_gap(p.obstacle, p.piece);
+    const Gap gap = gap_of(p.obstacle, p.piece);
     ASSERT_LT(gap.separation_m, -kNeedleRadiusM);
     const Vec3 out = -(gap.separation_m - 1e-6F) * gap.normal;
     const NeedlePiece moved = {p.piece.a_m + out, p.piece.b_m + out, kNeedleRadiusM};
@@ -121,7 +121,7 @@ TEST(Gap, OfASphereIsTheClosedForm) {
     const double length2 = dot(along, along);
     const double t = length2 > 0 ? std::clamp(-dot(p.axis.a_m, along) / length2, 0.0, 1.0) : 0;
     const Vec3d nearest = point_on(p.axis, t);
-    const Gap gap = obstacle_gap(p.obstacle, p.piece);
+    const Gap gap = gap_of(p.obstacle, p.piece);
     const double expected =
         norm(nearest) - static_cast<double>(kRadius) - static_cast<double>(kNeedleRadiusM);
     worst = std::max(worst, std::fabs(static_cast<double>(gap.separation_m) - expected));
@@ -145,7 +145,7 @@ TEST(Gap, PointsInsideAndOnAHullDoNotMatter) {
     const Posed p = draw_pose(draw, filled, draw.uniform(0, 20e-3));
     const double expected = box_distance(to_double(kHalf), p.axis);
     if (expected < 1e-6) continue;
-    const Gap gap = obstacle_gap(p.obstacle, p.piece);
+    const Gap gap = gap_of(p.obstacle, p.piece);
     worst = std::max(worst,
                      std::fabs(static_cast<double>(gap.separation_m + kNeedleRadiusM) - expected));
   }
@@ -174,7 +174,7 @@ TEST(Gap, OfAHullOfASphereIsNearTheSphere) {
     const Vec3 at = draw.vector(20e-3);
     const double from_sphere = norm(to_double(at)) - kRadius;
     const double from_hull =
-        static_cast<double>(obstacle_gap(hull, {at, at, kNeedleRadiusM}).separation_m) +
+        static_cast<double>(gap_of(hull, {at, at, kNeedleRadiusM}).separation_m) +
         static_cast<double>(kNeedleRadiusM);
     if (from_sphere < 1e-6) continue;
     ASSERT_GT(from_hull, from_sphere - kPositionM);
@@ -203,7 +203,7 @@ TEST(Gap, FlatCollinearAndPointHullsAreBodiesToo) {
       const Posed p = draw_pose(draw, bodies[body], i % 4 == 0 ? 0 : 5e-3);
       const double expected = box_distance(half[body], p.axis);
       if (expected < 1e-6) continue;
-      const Gap gap = obstacle_gap(p.obstacle, p.piece);
+      const Gap gap = gap_of(p.obstacle, p.piece);
       ASSERT_NEAR(static_cast<double>(gap.separation_m + kNeedleRadiusM), expected, kPositionM);
       ASSERT_NEAR(static_cast<double>(norm(gap.normal)), 1, 1e-5);
     }
@@ -229,7 +229,7 @@ TEST(Gap, AxesThroughOrInTouchWithDegenerateBodiesHaveANormal) {
       for (const Vec3 half : {Vec3{0, 0, 0}, Vec3{0, 0, 5e-3F}, Vec3{5e-3F, 0, 0},
                               Vec3{1e-3F, 2e-3F, 0}, Vec3{1e-20F, 0, 0}}) {
         const Vec3 at = config.vertices_m[i];
-        const Gap gap = obstacle_gap(body, {at - half, at + half, kNeedleRadiusM});
+        const Gap gap = gap_of(body, {at - half, at + half, kNeedleRadiusM});
         ASSERT_NEAR(static_cast<double>(norm(gap.normal)), 1, 1e-5);
         ASSERT_TRUE(is_finite(gap.separation_m));
         ASSERT_LE(gap.separation_m, 0);
@@ -337,7 +337,7 @@ TEST(PortalRefinement, TakesTheWrongFaceNearAnEdge) {
     turn = std::max(turn, angle_between(last, normal));
     last = normal;
     const NeedlePiece piece = {to_float(axis.a_m), to_float(axis.b_m), kNeedleRadiusM};
-    EXPECT_NEAR(static_cast<double>(obstacle_gap(box, piece).separation_m), -depth, 1e-9);
+    EXPECT_NEAR(static_cast<double>(gap_of(box, piece).separation_m), -depth, 1e-9);
   }
   EXPECT_GT(largest, 1.1);
   EXPECT_GT(turn, 0.1);

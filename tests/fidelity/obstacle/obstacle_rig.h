@@ -10,6 +10,7 @@
 #include <cmath>
 #include <random>
 
+#include "gap.h"
 #include "needle/convex.h"
 #include "needle/obstacle.h"
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far a piece of needle is from a body, as a tick sees a piece that has touched nothing yet.
+// Units: SI. Frame: world.
+#pragma once
+
+#include "needle/obstacle.h"
+
+namespace stylet::test {
+
+struct Gap {
+  float separation_m;  // negative: depth along `normal`
+  Vec3 normal;         // unit, out of the body
+  float place;         // parameter of the contact on the piece's axis: 0 at a, 1 at b
+};
+
+// Exact as long as the piece's axis is outside the body. If it is inside: a depth along which the
+// piece can leave, which is not always the smallest.
+inline Gap gap_of(const Obstacle& obstacle, const NeedlePiece& piece) {
+  constexpr double kAnyM = 1e3;  // far beyond what a body or a needle may be
+  ObstacleFace face = {};
+  (void)find_face(obstacle, {to_double(piece.a_m), to_double(piece.b_m)},
+                  static_cast<double>(piece.radius_m), {}, {}, {}, kAnyM, face);
+  return {static_cast<float>(-face.depth_m), to_float(face.normal), face.place};
+}
+
+}  // namespace stylet::test
