@@ -52,7 +52,7 @@ part "full tests" release labelled full
 # other tests run, too.
 scripts='check|rt_host|cross|rt\.determinism|fuzz\.short'
 part "fast tests with clang, under the address and undefined-behaviour sanitizers" \
-  sanitize again -E "^($scripts|bench|bake\.cohort|coupling_energy)|ripple|calculix"
+  sanitize again -E "^($scripts|bench|offline\.cohort|coupling_energy)|ripple|calculix"
 # Only tests with several threads: all others, and those excluded by -E, have one.
 part "fast tests under the thread sanitizer" \
   sanitize-threads again -R '^(hal|rt_team|console)|InTwoThreads' \

@@ -25,9 +25,10 @@ case $subject in
     ;;
   offline)
     programs=(
-      stylet-organ fuzz_label fuzz_mesh fuzz_recipe fuzz_tissues bake_reader_test bake_solid_test
-      bake_nesting_test bake_organ_test bake_damage_test bake_hull_test bake_label_format_test
-      bake_label_test bake_losses_test bake_program_test bake_quality_test
+      stylet-organ fuzz_label fuzz_mesh fuzz_recipe fuzz_tissues
+      offline_reader_test offline_solid_test offline_nesting_test offline_organ_test
+      offline_damage_test offline_hull_test offline_label_format_test offline_label_test
+      offline_losses_test offline_program_test offline_quality_test
     )
     scripts=(dicom dicom_conformance dicom_objects label_frame outputs every_file)
     exceptions=$root/toolchain/coverage_exceptions_offline.txt
@@ -38,8 +39,8 @@ arguments_of() {
   case $1 in
     fuzz_*) echo "$root/tests/fuzz/seeds/${1#fuzz_}" ;;
     insertion_felt) echo --gtest_filter=Felt.* ;;
-    bake_hull_test) echo --gtest_filter=-HullTimed.* ;;
-    bake_quality_test) echo --gtest_filter=-FitTimed.* ;;
+    offline_hull_test) echo --gtest_filter=-HullTimed.* ;;
+    offline_quality_test) echo --gtest_filter=-FitTimed.* ;;
     every_file) echo LabelMaps Meshes OrganFiles ;;
     stylet-simulator) echo --seed 2 --sessions 6 ;;
     stylet-organ) echo --help ;;
@@ -68,7 +69,8 @@ done
 export STYLET_BIN=$build/bin STYLET_SOURCE=$root
 for script in "${scripts[@]}"; do
   # shellcheck disable=SC2046
-  watched "$script" /usr/bin/python3 "$root/tests/bake/${script}_test.py" $(arguments_of "$script")
+  watched "$script" \
+    /usr/bin/python3 "$root/tests/offline/${script}_test.py" $(arguments_of "$script")
 done
 llvm-profdata merge -sparse -o "$build/all.profdata" "$build"/profiles/*.profraw
 # llvm-cov takes the first object without an option.

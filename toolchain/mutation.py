@@ -64,28 +64,30 @@ SUBJECTS |= {name: (f"kernel/src/coupling/{name}.cpp", COUPLING)
 # Tests of offline, programs and scripts; those that read every available file come last.
 RANDOM_MESHES = ["fuzz_mesh", SOURCE / "tests/fuzz/seeds/mesh"]
 RANDOM_LABELS = ["fuzz_label", SOURCE / "tests/fuzz/seeds/label"]
-REAL_MESHES = [["every_file_test.py", "Meshes"], ["bake_program_test", "--gtest_filter=Broken.*"]]
-REAL_MAPS = [["bake_label_test", "--gtest_filter=RealMaps.*"], ["every_file_test.py", "LabelMaps"]]
-MESHES = [["bake_reader_test"], RANDOM_MESHES, *REAL_MESHES]
-HEADERS = [["bake_label_format_test"], ["bake_label_test", "--gtest_filter=LabelMap.*"],
+REAL_MESHES = [["every_file_test.py", "Meshes"],
+               ["offline_program_test", "--gtest_filter=Broken.*"]]
+REAL_MAPS = [["offline_label_test", "--gtest_filter=RealMaps.*"],
+             ["every_file_test.py", "LabelMaps"]]
+MESHES = [["offline_reader_test"], RANDOM_MESHES, *REAL_MESHES]
+HEADERS = [["offline_label_format_test"], ["offline_label_test", "--gtest_filter=LabelMap.*"],
            RANDOM_LABELS]
 FRAMES = [*HEADERS, ["label_frame_test.py"], *REAL_MAPS]
 DICOM = {each: [f"dicom_{each[0]}_test.py", each[1]] for each in (
     ("conformance", "RegularSeries"), ("conformance", "IrregularSeries"),
     ("objects", "Segmentations"), ("objects", "StructureSets"))}
 DICOM = {each[1]: test for each, test in DICOM.items()} | {"All": ["dicom_test.py"]}
-ORGANS = ["bake_organ_test", "--gtest_filter=-*Real*"]
-MAPS = ["bake_label_test", "--gtest_filter=LabelOrgan.*:Wall.*-*WholeBody*"]
-LOSSES = ["bake_losses_test", "--gtest_filter=Losses.*"]
-SHEETS = ["bake_quality_test", "--gtest_filter=Sheets.*:Gaps.*"]
-QUALITY = ["bake_quality_test", "--gtest_filter=Distance.*:Quality.*"]
-REAL_ORGANS = ["bake_organ_test", "--gtest_filter=*Real*"]
-REAL_BODY = ["bake_label_test", "--gtest_filter=Recipe.OfTotal*"]
-VOXELS = [["bake_solid_test"], ORGANS, SHEETS, MAPS, LOSSES, QUALITY,
-          ["bake_nesting_test"], REAL_ORGANS]
-LABELS = [MAPS, ["bake_solid_test", "--gtest_filter=Mixed.*"],
-          ["bake_label_test", "--gtest_filter=Recipe.*"], LOSSES,
-          ["bake_losses_test", "--gtest_filter=Obstacles.*"], SHEETS]
+ORGANS = ["offline_organ_test", "--gtest_filter=-*Real*"]
+MAPS = ["offline_label_test", "--gtest_filter=LabelOrgan.*:Wall.*-*WholeBody*"]
+LOSSES = ["offline_losses_test", "--gtest_filter=Losses.*"]
+SHEETS = ["offline_quality_test", "--gtest_filter=Sheets.*:Gaps.*"]
+QUALITY = ["offline_quality_test", "--gtest_filter=Distance.*:Quality.*"]
+REAL_ORGANS = ["offline_organ_test", "--gtest_filter=*Real*"]
+REAL_BODY = ["offline_label_test", "--gtest_filter=Recipe.OfTotal*"]
+VOXELS = [["offline_solid_test"], ORGANS, SHEETS, MAPS, LOSSES, QUALITY,
+          ["offline_nesting_test"], REAL_ORGANS]
+LABELS = [MAPS, ["offline_solid_test", "--gtest_filter=Mixed.*"],
+          ["offline_label_test", "--gtest_filter=Recipe.*"], LOSSES,
+          ["offline_losses_test", "--gtest_filter=Obstacles.*"], SHEETS]
 OFFLINE = {
     **dict.fromkeys(("meshes/read_mesh", "meshes/read_stl", "meshes/read_obj", "meshes/read_off",
                      "meshes/read_ply", "meshes/mesh_text"),
@@ -103,18 +105,18 @@ OFFLINE = {
                     DICOM["IrregularSeries"], DICOM["Segmentations"]],
     "maps/dicom_seg": [DICOM["All"], DICOM["Segmentations"]],
     "maps/dicom_contours": [DICOM["StructureSets"], RANDOM_LABELS],
-    "maps/slabs": [["bake_label_test", "--gtest_filter=Slabs.*"], DICOM["StructureSets"],
+    "maps/slabs": [["offline_label_test", "--gtest_filter=Slabs.*"], DICOM["StructureSets"],
                     RANDOM_LABELS],
     "maps/recipe": [["fuzz_recipe", SOURCE / "tests/fuzz/seeds/recipe"],
-                     ["bake_label_test", "--gtest_filter=Recipe.*"], *LABELS],
+                     ["offline_label_test", "--gtest_filter=Recipe.*"], *LABELS],
     "asset/materials": [["fuzz_tissues", SOURCE / "tests/fuzz/seeds/tissues"], ORGANS,
-                  ["bake_program_test", "--gtest_filter=Program.Own*"], MAPS, REAL_BODY],
+                  ["offline_program_test", "--gtest_filter=Program.Own*"], MAPS, REAL_BODY],
     **dict.fromkeys(("pipeline/label_organ", "maps/groups", "pipeline/bodies", "maps/skin",
                      "maps/wall", "maps/wall_thickness"),
                     LABELS),
-    **dict.fromkeys(("meshes/hull",), [["bake_hull_test", "--gtest_filter=Hull.*"], *LABELS]),
+    **dict.fromkeys(("meshes/hull",), [["offline_hull_test", "--gtest_filter=Hull.*"], *LABELS]),
     **dict.fromkeys(("meshes/repair", "meshes/orient", "meshes/nesting"),
-                    [["bake_solid_test"], ["bake_nesting_test", "--gtest_filter=Nesting.*"],
+                    [["offline_solid_test"], ["offline_nesting_test", "--gtest_filter=Nesting.*"],
                      ORGANS, REAL_ORGANS, QUALITY]),
     **dict.fromkeys(("voxels/voxelize", "voxels/sample_cell", "voxels/sample_parts",
                      "meshes/triangle_tree", "voxels/lattice", "voxels/layers", "voxels/mixed",
@@ -122,10 +124,10 @@ OFFLINE = {
                      "pipeline/voxel_materials", "asset/organ_shape", "voxels/attach",
                      "voxels/crop", "asset/write_organ", "pipeline/build"), VOXELS),
     **dict.fromkeys(("voxels/cell_walk", "voxels/losses"),
-                    [LOSSES, ["bake_losses_test", "--gtest_filter=Obstacles.*"]]),
-    "meshes/phantom": [ORGANS, ["bake_solid_test"],
-                ["bake_program_test", "--gtest_filter=Program.Phantoms*"]],
-    "base/outputs": [["bake_program_test", "--gtest_filter=Outputs.*:Program.Outputs*"],
+                    [LOSSES, ["offline_losses_test", "--gtest_filter=Obstacles.*"]]),
+    "meshes/phantom": [ORGANS, ["offline_solid_test"],
+                ["offline_program_test", "--gtest_filter=Program.Phantoms*"]],
+    "base/outputs": [["offline_program_test", "--gtest_filter=Outputs.*:Program.Outputs*"],
                 ["outputs_test.py"]],
 }
 SUBJECTS |= {name: (f"offline/src/{name}.cpp", tests) for name, tests in OFFLINE.items()}
@@ -260,7 +262,7 @@ def passes(folder, test, timeout=None):
     """Whether a test passes."""
     command = [folder / "source" / BUILD / "bin" / test[0], *test[1:]]
     if test[0].endswith(".py"):
-        command = ["/usr/bin/python3", SOURCE / "tests/bake" / test[0], "--failfast", *test[1:]]
+        command = ["/usr/bin/python3", SOURCE / "tests/offline" / test[0], "--failfast", *test[1:]]
     done = run(command, timeout, preexec_fn=lambda: resource.setrlimit(
         resource.RLIMIT_AS, (MOST_BYTES, MOST_BYTES)))
     return done is not None and done.returncode == 0

@@ -15,7 +15,7 @@
 #include "organ_command.h"
 #include "pipeline/label_organ.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 struct BuildArguments : CommonArguments {
@@ -198,4 +198,4 @@ void add_build(CLI::App& app) {
   command->callback([arguments] { run_build(*arguments); });
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

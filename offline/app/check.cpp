@@ -13,7 +13,7 @@
 #include "report/info.h"
 #include "stylet/kernel.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -61,4 +61,4 @@ void add_check(CLI::App& app) {
   command->callback([arguments] { run_check(*arguments); });
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 void add_build(CLI::App& app);
 void add_phantom(CLI::App& app);
@@ -32,4 +32,4 @@ inline const std::map<std::string, double> kMetresPerUnit{
 // Prints each warning on a line of standard error.
 void warn(const std::vector<std::string>& warnings);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -14,7 +14,7 @@
 #include "stylet/command_texts.h"
 #include "stylet/limits.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -82,4 +82,4 @@ void add_hull(CLI::App& app) {
   command->callback([arguments] { run_hull(*arguments); });
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

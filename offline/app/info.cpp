@@ -11,7 +11,7 @@
 #include "base/file.h"
 #include "commands.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -35,4 +35,4 @@ void add_info(CLI::App& app) {
   command->callback([arguments] { run_info(*arguments); });
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -8,7 +8,7 @@
 #include "commands.h"
 #include "maps/label_map.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -60,4 +60,4 @@ void add_labels(CLI::App& app) {
   command->callback([arguments] { run_labels(*arguments); });
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

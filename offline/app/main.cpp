@@ -14,7 +14,7 @@
 #include "organ_command.h"
 #include "stylet/command_texts.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 void warn(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) {
@@ -66,10 +66,10 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace stylet::bake
+}  // namespace stylet::offline
 
 int main(int argc, char** argv) {
   // A file size limit then acts like a full disk: the write fails, and no partial file is left.
   (void)std::signal(SIGXFSZ, SIG_IGN);
-  return stylet::bake::run(argc, argv);
+  return stylet::offline::run(argc, argv);
 }

@@ -23,7 +23,7 @@
 #include "stylet/limits.h"
 #include "voxels/crop.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -233,4 +233,4 @@ void finish(const std::function<Built(const BuildOptions&, const Progress&)>& ma
   }
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -14,7 +14,7 @@
 #include "pipeline/build.h"
 #include "stylet/kernel.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 constexpr const char* kToolVersion = "stylet-organ " STYLET_VERSION;
 
@@ -70,4 +70,4 @@ void choose_capsule(const std::string& wanted, const std::vector<HaveTissue>& so
   options.options_text += " --capsule " + (options.capsule.empty() ? "none" : options.capsule);
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -11,7 +11,7 @@
 #include "commands.h"
 #include "organ_command.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 struct PhantomArguments : CommonArguments {
@@ -121,4 +121,4 @@ void add_phantom(CLI::App& app) {
   });
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

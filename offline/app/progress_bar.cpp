@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -63,4 +63,4 @@ Progress progress_bar() {
   };
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -5,9 +5,9 @@
 
 #include "base/progress.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // The bar is wiped when the last copy of the returned function is destroyed.
 Progress progress_bar();
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

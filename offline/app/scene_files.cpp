@@ -5,7 +5,7 @@
 
 #include <tuple>
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 using Json = nlohmann::ordered_json;
 
@@ -54,4 +54,4 @@ std::string scene_text(const Json& scene) {
   return text + fmt::format("scene         {}\n", scene["file"].get<std::string>());
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -10,7 +10,7 @@
 #include "base/outputs.h"
 #include "pipeline/build.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // Adds these files to `outputs` and returns the facts about them; null if there are none.
 nlohmann::ordered_json add_scene(Outputs& outputs, const Built& built,
@@ -19,4 +19,4 @@ nlohmann::ordered_json add_scene(Outputs& outputs, const Built& built,
 // What add_scene returned, as lines for the terminal.
 std::string scene_text(const nlohmann::ordered_json& scene);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -39,7 +39,7 @@ NOT_RUN = {
     r".*tests/e2e/limit_cycles\.py": "runs all scenes twice; e2e.limit_cycles.all does it",
     r"tests/fidelity/calculix/solve\.py": "needs CalculiX and twenty minutes",
     r".*stylet-simulator --ticks \d+ *": "takes hours; tier night",
-    r"snakemake .*slurm.*": "needs a cluster; bake.cohort.UnderSlurm makes one",
+    r"snakemake .*slurm.*": "needs a cluster; offline.cohort.UnderSlurm makes one",
 }
 # Takes minutes, so in the tier full.
 SLOW = r"hal/scenes/play\.py --out scenes|stylet doctor --measure 60.*"

@@ -49,14 +49,14 @@ fs::path write_series(const Folder& folder, std::string_view bytes) {
   return folder.path;
 }
 
-void promise_usable(const bake::LabelMap& map) {
+void promise_usable(const offline::LabelMap& map) {
   promise(std::all_of(map.size.begin(), map.size.end(), [](auto n) { return n > 0; }),
           "a map without a size");
   promise(std::size_t{map.size[0]} * map.size[1] * map.size[2] == map.label.size(),
           "not as many voxels as the size says");
-  promise(map.label.size() <= bake::kMostMapVoxels, "a map that is too large");
-  promise(bake::finite(map.origin_m) && std::isfinite(bake::voxel_volume_m3(map)) &&
-              bake::voxel_volume_m3(map) > 0,
+  promise(map.label.size() <= offline::kMostMapVoxels, "a map that is too large");
+  promise(offline::finite(map.origin_m) && std::isfinite(offline::voxel_volume_m3(map)) &&
+              offline::voxel_volume_m3(map) > 0,
           "a map that is nowhere");
   for (const auto& [label, name] : map.names) {
     promise(std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < ' '; }),
@@ -89,8 +89,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                          ? test::write_series(folder, bytes)
                                          : folder.write("map" + ending, bytes, ending == ".dcm");
   try {
-    test::promise_usable(bake::read_label_map(path));
-  } catch (const bake::Refusal& refused) {
+    test::promise_usable(offline::read_label_map(path));
+  } catch (const offline::Refusal& refused) {
     test::promise_one_line(refused.what());
   }
   return 0;

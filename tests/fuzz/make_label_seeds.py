@@ -13,7 +13,7 @@ import tempfile
 
 import numpy
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "bake"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "offline"))
 import dicom_files as dicom
 
 NRRD, NIFTI, NIFTI_GZ, META, INR, INR_GZ, DICOM, SERIES = range(8)

@@ -8,21 +8,22 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace stylet;
-  using Reader = bake::ReadMesh (*)(std::string_view, std::string_view);
+  using Reader = offline::ReadMesh (*)(std::string_view, std::string_view);
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  for (const Reader read : {&bake::read_obj, &bake::read_stl, &bake::read_ply, &bake::read_off}) {
+  for (const Reader read :
+       {&offline::read_obj, &offline::read_stl, &offline::read_ply, &offline::read_off}) {
     try {
-      const bake::Mesh mesh = read("mesh", bytes).mesh;
+      const offline::Mesh mesh = read("mesh", bytes).mesh;
       // Every point and corner costs at least a byte of the file.
       test::promise(mesh.points.size() <= size && mesh.triangles.size() <= size,
                     "a mesh larger than its file");
-      for (const bake::Triangle& triangle : mesh.triangles) {
+      for (const offline::Triangle& triangle : mesh.triangles) {
         for (const std::uint32_t corner : triangle) {
           test::promise(corner < mesh.points.size(), "a corner that is no point");
-          test::promise(bake::finite(mesh.points[corner]), "a corner that is not finite");
+          test::promise(offline::finite(mesh.points[corner]), "a corner that is not finite");
         }
       }
-    } catch (const bake::Refusal& refused) {
+    } catch (const offline::Refusal& refused) {
       test::promise_one_line(refused.what());
       test::promise(std::string_view(refused.what()).starts_with("mesh"),
                     "a refusal that does not name the file");

@@ -11,12 +11,12 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace stylet;
   const test::InputFile file({data, size}, ".toml");
-  const bake::FileNames names = {"map", {{1, "liver"}, {5, "Portal vein"}, {52, "aorta"}}};
+  const offline::FileNames names = {"map", {{1, "liver"}, {5, "Portal vein"}, {52, "aorta"}}};
   try {
-    const bake::Recipe recipe = bake::read_recipe(file.path(), names);
+    const offline::Recipe recipe = offline::read_recipe(file.path(), names);
     test::promise(!recipe.groups.empty(), "a recipe without a tissue");
     std::set<std::uint16_t> taken;
-    for (const bake::LabelGroup& group : recipe.groups) {
+    for (const offline::LabelGroup& group : recipe.groups) {
       test::promise(!group.labels.empty(), "a tissue without labels");
       for (const std::uint16_t label : group.labels) {
         test::promise(label > 0 && taken.insert(label).second, "a label in two tissues");
@@ -25,11 +25,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     test::promise(
         std::isfinite(recipe.crop_margin_m) && recipe.crop_margin_m >= 0 && recipe.smoothing >= 0,
         "a recipe with a number that is none");
-    for (const bake::WallLayer& layer : recipe.wall) {
+    for (const offline::WallLayer& layer : recipe.wall) {
       test::promise(std::isfinite(layer.thickness_m) && layer.thickness_m >= 0,
                     "a wall of no thickness");
     }
-  } catch (const bake::Refusal& refused) {
+  } catch (const offline::Refusal& refused) {
     test::promise_one_line(refused.what());
     test::promise(std::string_view(refused.what()).find(file.path()) == 0,
                   "a refusal that does not name the file");

@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace stylet;
   const test::InputFile file({data, size}, ".toml");
   try {
-    for (const bake::Tissue& tissue : bake::read_tissues(file.path())) {
+    for (const offline::Tissue& tissue : offline::read_tissues(file.path())) {
       test::promise(!tissue.name.empty(), "a tissue without a name");
       for (const double value :
            {tissue.density_kg_per_m3, tissue.youngs_modulus_pa, tissue.poisson_ratio,
@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         test::promise(std::isfinite(value), "a tissue with a number that is not finite");
       }
     }
-  } catch (const bake::Refusal& refused) {
+  } catch (const offline::Refusal& refused) {
     test::promise_one_line(refused.what());
     test::promise(std::string_view(refused.what()).find(file.path()) == 0,
                   "a refusal that does not name the file");

@@ -62,7 +62,7 @@ class Tiers(unittest.TestCase):
     FAST = [("release", SHORT)]
     FULL = FAST + [("release", "-L ^full$ --no-tests=ignore"),
                    ("sanitize", SHORT + r" -E ^(check|rt_host|cross|rt\.determinism|fuzz\.short|"
-                    r"bench|bake\.cohort|coupling_energy)|ripple|calculix"),
+                    r"bench|offline\.cohort|coupling_energy)|ripple|calculix"),
                    ("sanitize-threads", SHORT + " -R ^(hal|rt_team|console)|InTwoThreads"
                     " -E ^hal_(coupling|steered)|NoHelperComes")]
     NIGHT = FULL + [("release", "-L ^night$ --no-tests=ignore")]

@@ -7,7 +7,7 @@
 #include "base/toml_file.h"
 #include "stylet/limits.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 // A key of a tissue table: its member of Tissue, its unit, and the allowed range in that unit.
@@ -228,4 +228,4 @@ Tissue in_layer(Tissue tissue, double thickness_m, double edge_m) {
   return tissue;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 struct Tissue {
   std::string name;
@@ -47,4 +47,4 @@ const Tissue& find_tissue(const std::vector<Tissue>& own, const std::string& nam
 // voxels became finer.)
 Tissue in_layer(Tissue tissue, double thickness_m, double edge_m);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "asset/organ_shape.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 std::vector<Cell> lattice_cells_of(const Organ& organ) {
   std::vector<Cell> cells;
@@ -97,4 +97,4 @@ VoxelMesh voxel_faces(const Organ& organ, const std::vector<Cell>& cells, const 
   return out;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

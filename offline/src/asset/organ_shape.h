@@ -11,7 +11,7 @@
 #include "base/geometry.h"
 #include "stylet/organ.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 using Cell = std::array<std::uint32_t, 3>;
 
@@ -41,4 +41,4 @@ VoxelMesh surface_mesh(const Organ& organ, const std::vector<Cell>& cells);
 VoxelMesh voxel_faces(const Organ& organ, const std::vector<Cell>& cells, const VoxelGrid& grid,
                       const std::function<bool(const Cell&)>& shown);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

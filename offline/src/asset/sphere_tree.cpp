@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 constexpr std::uint32_t kLeafTriangles = 8;
@@ -130,4 +130,4 @@ SphereTree sphere_tree(const std::vector<Vec>& points_m, const std::vector<Trian
   return tree;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

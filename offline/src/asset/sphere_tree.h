@@ -9,7 +9,7 @@
 #include "base/geometry.h"
 #include "stylet/organ.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 struct SphereTree {
   std::vector<OrganSphere> nodes;    // root first, children side by side
@@ -20,4 +20,4 @@ struct SphereTree {
 SphereTree sphere_tree(const std::vector<Vec>& points_m, const std::vector<Triangle>& triangles,
                        const std::vector<std::uint32_t>& voxel_of);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -7,7 +7,7 @@
 #include "organ_generated.h"
 #include "stylet/content_sum.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 using flatbuffers::FlatBufferBuilder;
@@ -114,4 +114,4 @@ std::string describe(const OrganRefusal& refusal) {
                      refusal.index, refusal.value, refusal.expected);
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -13,7 +13,7 @@
 #include "base/geometry.h"
 #include "stylet/organ.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 struct SourceRecord {
   std::string path;  // file name without folders
@@ -51,4 +51,4 @@ std::vector<std::byte> write_organ(const OrganParts& parts);
 // A refusal by organ_open as "place[index] = value: expected ...".
 std::string describe(const OrganRefusal& refusal);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

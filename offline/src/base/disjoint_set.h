@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 inline std::vector<std::uint32_t> each_by_itself(std::size_t count) {
   std::vector<std::uint32_t> parent(count);
@@ -27,4 +27,4 @@ inline void join(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint3
   parent[std::max(i, j)] = std::min(i, j);
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

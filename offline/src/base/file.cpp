@@ -14,7 +14,7 @@
 
 #include "base/refusal.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 // All files that were read, so that none of them is overwritten.
@@ -98,4 +98,4 @@ SumCheck check_sum(const std::filesystem::path& path, std::string_view bytes) {
                                                                 : SumCheck::kDiffers;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

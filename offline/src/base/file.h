@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 std::string read_file(const std::filesystem::path& path);
 // Whether this program has read the file, under any name; then no output may replace it.
@@ -26,4 +26,4 @@ bool has_sum_line(const std::filesystem::path& path);
 enum class SumCheck { kNone, kSame, kDiffers };
 SumCheck check_sum(const std::filesystem::path& path, std::string_view bytes);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 struct Vec {
   double x = 0, y = 0, z = 0;
@@ -82,4 +82,4 @@ inline double signed_volume(const std::vector<Vec>& points, const std::vector<Tr
   return six_volumes / 6;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -12,7 +12,7 @@
 #include "base/file.h"
 #include "base/refusal.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 bool write_all(int file, std::span<const std::byte> bytes) {
@@ -174,4 +174,4 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
   one.commit();
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // Refuses a path that cannot be an output, so that the user learns it before the long work begins.
 void check_output(const std::filesystem::path& path);
@@ -57,4 +57,4 @@ class Outputs {
 // Writes a single file.
 void write_file(const std::filesystem::path& path, std::string_view text);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

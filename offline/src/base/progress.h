@@ -5,8 +5,8 @@
 
 #include <functional>
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 using Progress = std::function<void(const char* stage, double fraction)>;
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

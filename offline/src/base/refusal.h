@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 struct Refusal : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -30,4 +30,4 @@ template <typename Kind = Refusal, typename... Args>
   throw Kind(text);
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -4,7 +4,7 @@
 #include "base/file.h"
 #include "base/refusal.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 toml::table read_toml(const std::filesystem::path& path) {
   const std::string file = path.string();
@@ -19,4 +19,4 @@ std::string place_of(const std::string& file, const toml::node& node) {
   return fmt::format("{}:{}", file, node.source().begin.line);
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -9,11 +9,11 @@
 #include <filesystem>
 #include <string>
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 toml::table read_toml(const std::filesystem::path& path);
 
 // "file:line" of a node of the file.
 std::string place_of(const std::string& file, const toml::node& node);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -8,7 +8,7 @@
 #include "base/file.h"
 #include "maps/readers.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 // Unpacks the successive streams of a file, one block at a time.
@@ -146,4 +146,4 @@ std::size_t read_bzip2(const std::string& path, std::string_view bytes, const Cl
   return values / (std::size_t{map.size[0]} * map.size[1] * map.size[2]);
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

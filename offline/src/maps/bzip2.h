@@ -12,10 +12,10 @@
 #include "maps/header.h"
 #include "maps/label_map.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // Fills size and labels of the map, the layers of a voxel side by side; returns how many layers.
 std::size_t read_bzip2(const std::string& path, std::string_view bytes, const Claim& claim,
                        LabelMap& map);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -15,7 +15,7 @@
 #include "maps/readers.h"
 #include "maps/slabs.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 constexpr double kFlatM = 1e-4;       // what points may be off their plane
@@ -473,4 +473,4 @@ LabelMap read_dicom_contours(const DicomFile& file, const std::vector<FramePlace
   return map;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

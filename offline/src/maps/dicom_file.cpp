@@ -14,7 +14,7 @@
 #include "maps/header.h"
 #include "maps/readers.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 constexpr double kMetresPerMm = 1e-3;
@@ -340,4 +340,4 @@ std::vector<std::uint16_t> label_pixels(const DicomFile& file, std::size_t frame
   return std::move(map.label);
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -19,7 +19,7 @@
 
 #include "maps/stack.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 struct DicomFile {
   std::string path;
@@ -70,4 +70,4 @@ LabelMap read_dicom_seg(const DicomFile& file);  // segments, see sparse_stack
 // on a raster of half a millimetre.
 LabelMap read_dicom_contours(const DicomFile& file, const std::vector<FramePlace>& series);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

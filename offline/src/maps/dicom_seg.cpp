@@ -7,7 +7,7 @@
 #include "maps/names.h"
 #include "maps/readers.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 struct Frame {
@@ -240,4 +240,4 @@ LabelMap read_dicom_seg(const DicomFile& file) {
   return map;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -9,7 +9,7 @@
 #include "maps/dicom_file.h"
 #include "maps/readers.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 namespace fs = std::filesystem;
@@ -195,4 +195,4 @@ LabelMap read_dicom_file(const std::string& path) {
   return map_of(path, {file});
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -3,7 +3,7 @@
 
 #include "base/refusal.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 namespace {
 
@@ -87,4 +87,4 @@ std::uint8_t group_at(const LabelMap& map, const Groups& groups, const ToIndex& 
   return groups[index];
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

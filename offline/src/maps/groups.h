@@ -6,7 +6,7 @@
 #include "maps/label_map.h"
 #include "maps/recipe.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // For each voxel: the index of its group in the recipe plus one; 0 means no group.
 using Groups = std::vector<std::uint8_t>;
@@ -34,4 +34,4 @@ struct ToIndex {
 std::uint8_t group_at(const LabelMap& map, const Groups& groups, const ToIndex& to_index,
                       Vec point_m);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

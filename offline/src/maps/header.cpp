@@ -9,7 +9,7 @@
 
 #include "maps/readers.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 namespace {
 
@@ -170,4 +170,4 @@ std::vector<std::filesystem::path> numbered_files(const std::string& path, const
   return files;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -17,7 +17,7 @@
 
 #include "base/geometry.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // Position of the voxels in the patient's frame (LPS).
 struct HeaderFrame {
@@ -96,4 +96,4 @@ std::vector<double> real_numbers(const std::string& path, const HeaderLine& line
 std::vector<std::filesystem::path> numbered_files(const std::string& path, const HeaderLine& line,
                                                   std::string_view text);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

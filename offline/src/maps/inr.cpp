@@ -7,7 +7,7 @@
 #include "maps/header.h"
 #include "maps/readers.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 void take_words(const std::string& path, const _image& image, LabelMap& map) {
@@ -142,4 +142,4 @@ LabelMap read_inr(const std::string& path, std::string_view bytes) {
   return map;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

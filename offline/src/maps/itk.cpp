@@ -15,7 +15,7 @@
 #include "maps/readers.h"
 #include "maps/whole.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 bool is_nrrd(const std::string& path) {
@@ -190,4 +190,4 @@ LabelMap read_by_itk(const std::string& path, std::string_view bytes) {
   return map;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -6,7 +6,7 @@
 
 #include "maps/readers.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // Why ITK failed, without the names of its objects and functions.
 std::string reason_of(const itk::ExceptionObject& failure);
@@ -17,4 +17,4 @@ void take_any_labels(const std::string& path, itk::ImageIOBase::IOComponentType 
                      const std::vector<char>& bytes, LabelMap& map,
                      std::set<std::uint16_t>& different);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

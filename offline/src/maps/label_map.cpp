@@ -13,7 +13,7 @@
 #include "maps/names.h"
 #include "maps/readers.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 struct Format {
@@ -146,4 +146,4 @@ std::vector<LabelCount> count_labels(const LabelMap& map) {
   return counts;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -22,7 +22,7 @@
 
 #include "base/geometry.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 using LabelNames = std::map<std::uint16_t, std::string>;
 
@@ -51,4 +51,4 @@ struct LabelCount {
 // Sorted by label, without label 0.
 std::vector<LabelCount> count_labels(const LabelMap& map);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -7,7 +7,7 @@
 #include "maps/header.h"
 #include "maps/readers.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 using Field = HeaderFields::mapped_type;
@@ -121,4 +121,4 @@ HeaderFrame meta_frame(const std::string& path, const HeaderFields& fields, std:
   return frame;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -6,7 +6,7 @@
 #include "maps/header.h"
 #include "maps/readers.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 // Keys whose values MetaIO reads number by number. Values of all other keys it copies as text, even
@@ -160,4 +160,4 @@ Claim meta_claim(const std::string& path, std::string_view bytes) {
   return claim;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

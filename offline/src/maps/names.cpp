@@ -13,7 +13,7 @@
 
 #include "maps/readers.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 // The words of a name in lower case, sorted.
@@ -229,4 +229,4 @@ void take_segments(const std::string& path, const std::vector<Segment>& segments
   }
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -10,7 +10,7 @@
 #include "maps/header.h"
 #include "maps/label_map.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // Compares the words of letters and digits, without case or order: "Right kidney" is kidney_right.
 bool is_same_name(std::string_view a, std::string_view b);
@@ -42,4 +42,4 @@ std::vector<Segment> slicer_segments(const std::string& path, const Claim& claim
 void take_segments(const std::string& path, const std::vector<Segment>& segments,
                    std::size_t layers, LabelMap& map);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

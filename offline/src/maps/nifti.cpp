@@ -10,7 +10,7 @@
 #include "maps/names.h"
 #include "maps/readers.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 // The fields of either header that a label map needs.
@@ -370,4 +370,4 @@ LabelMap read_nifti(const std::string& path, std::string_view stored) {
   return map;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

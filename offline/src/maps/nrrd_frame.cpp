@@ -10,7 +10,7 @@
 #include "maps/header.h"
 #include "maps/readers.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 constexpr double kNotSaid = std::numeric_limits<double>::quiet_NaN();
@@ -245,4 +245,4 @@ HeaderFrame nrrd_frame(const std::string& path, const HeaderFields& fields,
   return frame;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -6,7 +6,7 @@
 #include "maps/header.h"
 #include "maps/readers.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 std::string without_blanks(std::string_view text) {
@@ -166,4 +166,4 @@ Claim nrrd_claim(const std::string& path, std::string_view bytes) {
   return claim;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

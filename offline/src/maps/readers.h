@@ -13,7 +13,7 @@
 #include "base/refusal.h"
 #include "maps/label_map.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // `bytes` are those of the whole file.
 LabelMap read_by_itk(const std::string& path, std::string_view bytes);  // NRRD, MetaImage
@@ -73,4 +73,4 @@ void take_labels(const std::string& path, const std::vector<char>& bytes, LabelM
   }
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

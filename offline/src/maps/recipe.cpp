@@ -9,7 +9,7 @@
 #include "base/toml_file.h"
 #include "maps/names.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 const toml::table& table_of(const std::string& file, const toml::table& root, const char* key) {
@@ -283,4 +283,4 @@ Recipe read_recipe(const std::filesystem::path& toml_file, const FileNames& of_m
   return recipe;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -44,7 +44,7 @@
 
 #include "stylet/limits.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 struct LabelGroup {
   std::string tissue;
@@ -63,7 +63,7 @@ struct WallLayer {
 
 struct Recipe {
   std::map<std::uint16_t, std::string> names;
-  std::vector<LabelGroup> groups;  // sorted by tissue name; no label is in two of them
+  std::vector<LabelGroup> groups;               // sorted by tissue name; no label is in two of them
   std::vector<std::uint16_t> crop_around = {};  // empty: the whole map
   double crop_margin_m = 0;
   int smoothing = 10;
@@ -82,4 +82,4 @@ struct FileNames {
 
 Recipe read_recipe(const std::filesystem::path& toml_file, const FileNames& of_map = {});
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "maps/skin.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 // The faces between chosen voxels and others, their corners counter-clockwise from outside.
@@ -126,4 +126,4 @@ Mesh triangles_of(const Skin& skin) {
   return mesh;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

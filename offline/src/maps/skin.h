@@ -5,7 +5,7 @@
 
 #include "maps/groups.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 struct Quad {
   std::array<std::uint32_t, 4> corner;
@@ -24,4 +24,4 @@ Mesh triangles_of(const Skin& skin);
 // Taubin 1995: shrinks and swells in turn, which removes steps and keeps the volume.
 void smooth(Skin& skin, int rounds);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 constexpr double kSame = 0.01;   // of a distance: tolerance for even planes
@@ -86,4 +86,4 @@ Span span_of(const Layers& layers, Slab slab) {
   return {at(slab.low_m), at(slab.high_m)};
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

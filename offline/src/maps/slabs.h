@@ -12,7 +12,7 @@
 
 #include "maps/stack.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 constexpr double kSamePlaneM = 2e-5;  // rounding error of a position in a file
 
@@ -33,4 +33,4 @@ Slabs slabs_of(const std::vector<std::size_t>& own, const std::vector<double>& a
 Layers layers_of(const PixelGrid& grid, const std::vector<Slabs>& slabs);
 Span span_of(const Layers& layers, Slab slab);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -9,7 +9,7 @@
 
 #include "maps/readers.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 constexpr double kSameM = 1e-5;      // positions are written with two digits of a millimetre
@@ -381,4 +381,4 @@ void put_plane(Stack& stack, std::size_t plane, const std::vector<std::uint16_t>
   put_layers(stack, stack.spans[plane], pixels);
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

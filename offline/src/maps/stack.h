@@ -16,7 +16,7 @@
 
 #include "maps/label_map.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 struct Plane {
   Vec origin_m;            // centre of the first pixel
@@ -70,4 +70,4 @@ void require_filled(const std::string& path, const PixelGrid& grid, std::size_t 
 void put_layers(Stack& stack, Span layers, const std::vector<std::uint16_t>& pixels);
 void put_plane(Stack& stack, std::size_t plane, const std::vector<std::uint16_t>& pixels);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -9,7 +9,7 @@
 #include "maps/readers.h"
 #include "maps/wall_thickness.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
@@ -208,4 +208,4 @@ std::vector<std::string> add_wall(LabelMap& map, Recipe& recipe) {
   return warnings_of(map, distances, recipe, label_of_layer);
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

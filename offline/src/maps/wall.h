@@ -9,7 +9,7 @@
 #include "maps/label_map.h"
 #include "maps/recipe.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // Adds the wall to the map as new labels, and their tissues to the recipe. The map grows by the
 // wall at the sides that no label reaches (at others the scan cuts off the patient: no wall there).
@@ -17,4 +17,4 @@ namespace stylet::bake {
 // thinner or thicker than asked by more than kMostOff (base/most_off.h).
 std::vector<std::string> add_wall(LabelMap& map, Recipe& recipe);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 constexpr std::size_t kLayers = 65536;  // by label
@@ -122,4 +122,4 @@ std::vector<double> layer_thickness_m(const LabelMap& map, const WallDistances& 
   return thickness_m;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -13,7 +13,7 @@
 
 #include "maps/label_map.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // Distances of each voxel's middle.
 struct WallDistances {
@@ -26,4 +26,4 @@ struct WallDistances {
 std::vector<double> layer_thickness_m(const LabelMap& map, const WallDistances& distances,
                                       const std::vector<std::uint16_t>& label_of_layer);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -10,7 +10,7 @@
 
 #include "base/refusal.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 // Separators of numbers; only NRRD also has commas.
@@ -113,4 +113,4 @@ void WholeVoxels::add_hex(const std::string& name, std::string_view part) {
   }
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -13,7 +13,7 @@
 
 #include "maps/header.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // For a claim that require_held accepts. `part`: the voxels of one file; files come in order.
 class WholeVoxels {
@@ -36,4 +36,4 @@ class WholeVoxels {
   std::uint64_t claimed_ = 1, found_ = 0;  // bytes; numbers of text; digits of hex
 };
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

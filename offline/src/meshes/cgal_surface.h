@@ -7,7 +7,7 @@
 
 #include "base/geometry.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CgalSurface = CGAL::Surface_mesh<CgalKernel::Point_3>;
@@ -37,4 +37,4 @@ inline Mesh mesh_of(const CgalSurface& surface) {
   return mesh;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

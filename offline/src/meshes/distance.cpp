@@ -6,7 +6,7 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -76,4 +76,4 @@ Deviation deviation(const Mesh& from, const Mesh& to) {
   return out;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

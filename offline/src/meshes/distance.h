@@ -5,7 +5,7 @@
 
 #include "base/geometry.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 struct Deviation {
   double mean_m = 0;
@@ -19,4 +19,4 @@ struct Deviation {
 constexpr std::size_t kMostSamples = 100'000;
 Deviation deviation(const Mesh& from, const Mesh& to);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

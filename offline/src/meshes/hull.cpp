@@ -10,7 +10,7 @@
 #include "base/refusal.h"
 #include "meshes/cgal_surface.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 using Kernel = CgalKernel;
@@ -28,18 +28,18 @@ using QuickhullVertex =
                                          CGAL::Convex_hull_face_base_2<Traits>>::Vertex_handle;
 
 }  // namespace
-}  // namespace stylet::bake
+}  // namespace stylet::offline
 
 // This is an order, since no two vertices of a hull have the same position.
 template <>
-struct std::less<stylet::bake::QuickhullVertex> {
-  bool operator()(const stylet::bake::QuickhullVertex& a,
-                  const stylet::bake::QuickhullVertex& b) const {
+struct std::less<stylet::offline::QuickhullVertex> {
+  bool operator()(const stylet::offline::QuickhullVertex& a,
+                  const stylet::offline::QuickhullVertex& b) const {
     return a->point() < b->point();
   }
 };
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 // A mesh thinner than this fraction of its length is flat, and its hull is not a body.
@@ -205,4 +205,4 @@ std::string hull_toml(const Hull& hull, const std::string& source, const std::st
   return text + "]\n";
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -13,7 +13,7 @@
 
 #include "base/geometry.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 constexpr std::size_t kLeastHullVertices = 4;
 
@@ -43,4 +43,4 @@ Mesh hull_mesh(const Hull& hull);
 
 std::string hull_toml(const Hull& hull, const std::string& source, const std::string& sha256);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -3,7 +3,7 @@
 
 #include <charconv>
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 constexpr std::string_view kBlank = " \t\r\v\f";
@@ -151,4 +151,4 @@ ReadMesh finish(Collector&& collector) {
   return {std::move(mesh), collector.counts, {}};
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

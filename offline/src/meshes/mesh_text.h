@@ -11,7 +11,7 @@
 #include "base/refusal.h"
 #include "meshes/read_mesh.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // A text file as lines of blank-separated tokens. A token is empty at the end of the line.
 struct Lines {
@@ -68,4 +68,4 @@ ReadMesh read_stl(std::string_view file, std::string_view bytes);
 ReadMesh read_ply(std::string_view file, std::string_view bytes);
 ReadMesh read_off(std::string_view file, std::string_view bytes);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

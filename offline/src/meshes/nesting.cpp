@@ -13,7 +13,7 @@
 
 #include "base/refusal.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -162,4 +162,4 @@ std::vector<std::uint32_t> pieces_around(const std::vector<Vec>& points,
   return around;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

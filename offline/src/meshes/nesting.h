@@ -13,7 +13,7 @@
 
 #include "base/geometry.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 constexpr std::uint32_t kNoPiece = 0xFFFFFFFF;
 
@@ -28,4 +28,4 @@ std::vector<std::uint32_t> pieces_around(const std::vector<Vec>& points,
                                          const std::vector<Triangle>& triangles,
                                          const std::vector<ClosedPiece>& pieces);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

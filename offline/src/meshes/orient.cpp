@@ -4,7 +4,7 @@
 
 #include "meshes/repair.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 using CgalPoint = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
@@ -41,4 +41,4 @@ void orient_neighbours(const std::vector<Vec>& points, std::vector<Triangle>& tr
   }
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -15,7 +15,7 @@
 
 #include "meshes/cgal_surface.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 using Kernel = CgalKernel;
@@ -155,4 +155,4 @@ Mesh liver_phantom(double facet_m) {
   return mesh;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

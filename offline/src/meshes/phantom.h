@@ -6,7 +6,7 @@
 
 #include "base/geometry.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // A box that begins at x = 0 and is centred in y and z; its faces are squares of about `facet_m`.
 Mesh block_phantom(Vec size_m, double facet_m);
@@ -19,4 +19,4 @@ Mesh ball_phantom(double diameter_m, double facet_m);
 constexpr double kLiverPhantomLengthM = 0.18;
 Mesh liver_phantom(double facet_m);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -6,7 +6,7 @@
 #include "base/file.h"
 #include "meshes/mesh_text.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 ReadMesh read_mesh(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -33,4 +33,4 @@ std::string off_text(const Mesh& mesh) {
   return text;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

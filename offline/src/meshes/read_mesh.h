@@ -13,7 +13,7 @@
 
 #include "base/geometry.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 struct ReadCounts {
   std::size_t polygons = 0;          // faces with more than three corners, fanned
@@ -33,4 +33,4 @@ ReadMesh read_mesh(const std::filesystem::path& path);
 // The mesh as text of an OFF file, with enough digits to give the same doubles when read.
 std::string off_text(const Mesh& mesh);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -3,7 +3,7 @@
 // curves) is skipped. A backslash at the end of a line continues it.
 #include "meshes/mesh_text.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 // The next logical line: continued lines are joined in `joined`; tokens then point into it.
@@ -74,4 +74,4 @@ ReadMesh read_obj(std::string_view file, std::string_view bytes) {
   return finish(std::move(collector));
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -5,7 +5,7 @@
 // The counts may follow the keyword on its line, even without a blank ("OFF8 6 12").
 #include "meshes/mesh_text.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 // A point or face takes at least two bytes; a header that claims more than fit is refused.
@@ -60,4 +60,4 @@ ReadMesh read_off(std::string_view file, std::string_view bytes) {
   return finish(std::move(collector));
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -7,7 +7,7 @@
 
 #include "meshes/mesh_text.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 enum class Kind { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64 };
@@ -244,4 +244,4 @@ ReadMesh read_ply(std::string_view file, std::string_view bytes) {
   return finish(std::move(collector));
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

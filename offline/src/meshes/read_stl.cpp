@@ -7,7 +7,7 @@
 
 #include "meshes/mesh_text.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 84;
@@ -145,4 +145,4 @@ ReadMesh read_stl(std::string_view file, std::string_view bytes) {
   return is_text(bytes) ? read_text(file, without_mark(bytes)) : read_binary(file, bytes);
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -8,7 +8,7 @@
 #include "meshes/nesting.h"
 #include "meshes/triangle_tree.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 // Merges bit-equal points and renumbers points in the order in which triangles first use them.
@@ -363,4 +363,4 @@ Solid repair(Mesh mesh) {
   return solid;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

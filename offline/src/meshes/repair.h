@@ -8,7 +8,7 @@
 
 #include "base/geometry.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // What repair found, in the words of the report.
 struct RepairCounts {
@@ -37,4 +37,4 @@ Solid repair(Mesh mesh);
 // Turns triangles so that neighbours agree as far as possible (CGAL). In meshes/orient.cpp.
 void orient_neighbours(const std::vector<Vec>& points, std::vector<Triangle>& triangles);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

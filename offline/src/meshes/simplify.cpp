@@ -8,7 +8,7 @@
 
 #include "meshes/cgal_surface.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 Mesh with_fewer_triangles(const Mesh& mesh, std::size_t most) {
   if (mesh.triangles.size() <= most) return mesh;
@@ -24,4 +24,4 @@ Mesh with_fewer_triangles(const Mesh& mesh, std::size_t most) {
   return mesh_of(surface);
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -8,8 +8,8 @@
 
 #include "base/geometry.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 Mesh with_fewer_triangles(const Mesh& mesh, std::size_t most);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 constexpr std::uint32_t kLeafTriangles = 8;
@@ -161,4 +161,4 @@ int crossings(const TriangleTree& tree, Vec point, Vec ray) {
   return count;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

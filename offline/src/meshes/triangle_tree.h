@@ -9,7 +9,7 @@
 
 #include "base/geometry.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 struct TriangleTree {
   struct Node {
@@ -32,4 +32,4 @@ double winding_number(const TriangleTree& tree, Vec point);
 // Number of triangles that the ray from `point` crosses.
 int crossings(const TriangleTree& tree, Vec point, Vec ray);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -5,7 +5,7 @@
 
 #include "meshes/cgal_surface.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 Mesh alpha_wrap(const Mesh& mesh, double gap, double offset) {
   CgalSurface wrapped;
@@ -13,4 +13,4 @@ Mesh alpha_wrap(const Mesh& mesh, double gap, double offset) {
   return mesh_of(wrapped);
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

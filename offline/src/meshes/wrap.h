@@ -5,8 +5,8 @@
 
 #include "base/geometry.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 Mesh alpha_wrap(const Mesh& mesh, double gap, double offset);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

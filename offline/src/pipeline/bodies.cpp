@@ -9,7 +9,7 @@
 #include "base/most_off.h"
 #include "stylet/limits.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 Vec place_m(const LabelMap& map, Vec index) {
@@ -288,4 +288,4 @@ std::string scene_toml(const std::string& organ, const std::vector<std::string>&
   return text;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

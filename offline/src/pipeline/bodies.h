@@ -11,7 +11,7 @@
 #include "maps/recipe.h"
 #include "meshes/hull.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // A convex piece of an obstacle. The hull of a hollow or bent obstacle would hold tissue that the
 // needle then cannot enter. So it is cut across its longest axis, where that saves most volume, as
@@ -47,4 +47,4 @@ std::vector<Target> find_targets(const LabelMap& map, const Recipe& recipe);
 std::string scene_toml(const std::string& organ, const std::vector<std::string>& hull_files,
                        const std::vector<Target>& targets);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

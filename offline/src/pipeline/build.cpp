@@ -18,7 +18,7 @@
 #include "voxels/sheets.h"
 #include "voxels/sweep.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 constexpr double kSmallestPlausibleM = 5e-3;
@@ -436,4 +436,4 @@ std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
   return write_organ(parts);
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

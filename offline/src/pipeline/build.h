@@ -22,7 +22,7 @@
 #include "voxels/layers.h"
 #include "voxels/sample_parts.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 struct Input {
   std::string path;  // for messages; only the file name is kept in the organ
@@ -36,13 +36,13 @@ struct BuildOptions {
   std::string name;
   double voxel_edge_m = 5e-3;
   std::uint32_t voxels_across = 0;  // along the longest side; replaces voxel_edge_m unless 0
-  std::uint32_t most_voxels = 0;  // unless 0: choose the finest edge that sweeps no more voxels
-  std::string capsule;            // tissue of the voxels at the outer surface; empty: none
-  std::string capsule_of;         // only where the input has this tissue; empty: everywhere
-  std::vector<std::string> wall;  // a voxel that touches these tissues has a capsule as well
-  bool split = false;             // parts that do not touch get voxels of their own
-  bool wrap = false;              // replace each input by a closed skin around it
-  std::string gap_tissue;         // fills gaps between inputs up to gap_m wide; empty: gaps stay
+  std::uint32_t most_voxels = 0;    // unless 0: choose the finest edge that sweeps no more voxels
+  std::string capsule;              // tissue of the voxels at the outer surface; empty: none
+  std::string capsule_of;           // only where the input has this tissue; empty: everywhere
+  std::vector<std::string> wall;    // a voxel that touches these tissues has a capsule as well
+  bool split = false;               // parts that do not touch get voxels of their own
+  bool wrap = false;                // replace each input by a closed skin around it
+  std::string gap_tissue;           // fills gaps between inputs up to gap_m wide; empty: gaps stay
   double gap_m = 0;
   std::vector<Region> held;
   std::vector<Region> crop;  // keep only what lies in all of these
@@ -133,4 +133,4 @@ double swept_voxels(Claimed claimed, const BuildOptions& options, const Progress
 std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
                                 std::vector<std::string>& warnings, const Progress& progress);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

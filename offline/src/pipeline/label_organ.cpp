@@ -12,7 +12,7 @@
 #include "pipeline/pieces.h"
 #include "voxels/losses.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 // Number of samples of each group in one cell, and the bits of samples inside.
@@ -226,4 +226,4 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   return built;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

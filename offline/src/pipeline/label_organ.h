@@ -11,10 +11,10 @@
 #include "maps/recipe.h"
 #include "pipeline/build.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // `path` is for messages and provenance. Refuses a recipe none of whose labels is in the map.
 Built build_labels(const std::string& path, const LabelMap& map, const Recipe& recipe,
                    const BuildOptions& options, const Progress& progress);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -5,7 +5,7 @@
 
 #include "base/disjoint_set.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 bool owns(const Claims& claims, std::uint16_t owner, Vec point_m) {
@@ -148,4 +148,4 @@ std::size_t closed_gaps(const Claims& claims, const SamplePlaces& places) {
   return gaps;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

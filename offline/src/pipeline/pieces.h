@@ -7,7 +7,7 @@
 #include "voxels/lattice.h"
 #include "voxels/sample_parts.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 struct PieceCount {
   std::size_t pieces = 0;
@@ -23,4 +23,4 @@ std::vector<PieceCount> label_pieces(const Claims& claims, const LabelMap& map,
 // such parts stick together because they share particles.
 std::size_t closed_gaps(const Claims& claims, const SamplePlaces& places);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

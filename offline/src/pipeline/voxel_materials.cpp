@@ -4,7 +4,7 @@
 #include "base/refusal.h"
 #include "stylet/limits.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 // Whether a cell across one of the faces has one of the wanted tissues.
@@ -86,4 +86,4 @@ VoxelMaterials voxel_materials(const Claims& claims, const Lattice& lattice,
   return of_voxel;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

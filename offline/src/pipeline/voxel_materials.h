@@ -7,7 +7,7 @@
 #include "pipeline/build.h"
 #include "voxels/layers.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // Material numbers by tissue name, in order of first mention.
 struct MaterialList {
@@ -33,4 +33,4 @@ VoxelMaterials voxel_materials(const Claims& claims, const Lattice& lattice,
                                const std::vector<std::uint8_t>& layers, const BuildOptions& options,
                                MaterialList& list);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -10,7 +10,7 @@
 #include "stylet/content_sum.h"
 #include "stylet/kernel.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -293,4 +293,4 @@ std::string build_text(const nlohmann::ordered_json& facts) {
   return text;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -10,7 +10,7 @@
 #include "pipeline/build.h"
 #include "stylet/organ.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // Opens the bytes, or refuses them with one line that begins with `file`.
 Organ open_organ(const std::string& file, std::span<const std::byte> bytes);
@@ -21,4 +21,4 @@ std::string organ_text(const nlohmann::ordered_json& facts);
 nlohmann::ordered_json build_facts(const BuildReport& report);
 std::string build_text(const nlohmann::ordered_json& facts);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -9,7 +9,7 @@
 #include "report/picture.h"
 #include "report/speed.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -320,4 +320,4 @@ void add_report(Outputs& outputs, const std::filesystem::path& folder,
   outputs.add(folder / "report.html", html);
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

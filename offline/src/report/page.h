@@ -10,11 +10,11 @@
 #include "base/outputs.h"
 #include "pipeline/build.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // `facts` has the keys of build_facts, and `organ` and `quality` (organ_facts, quality_facts).
 // `built` provides the input's surface, the obstacles and the targets.
 void add_report(Outputs& outputs, const std::filesystem::path& folder,
                 const nlohmann::ordered_json& facts, const Organ& organ, const Built& built);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -7,7 +7,7 @@
 #include <bit>
 #include <stdexcept>
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 struct Place {  // a place in a picture
@@ -366,4 +366,4 @@ std::string view_png(const Shown& shown, const VoxelMesh& mesh) {
   return png_bytes(canvas);
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -9,7 +9,7 @@
 
 #include "asset/organ_shape.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 struct Colour {
   std::uint8_t red = 0, green = 0, blue = 0;
@@ -55,4 +55,4 @@ double section_at_m(const Organ& organ, const Section& section);
 // The bytes of a PNG that shows `mesh` and the obstacles.
 std::string view_png(const Shown& shown, const VoxelMesh& mesh);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

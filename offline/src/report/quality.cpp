@@ -7,7 +7,7 @@
 
 #include "base/disjoint_set.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -177,4 +177,4 @@ nlohmann::ordered_json quality_facts(const Quality& quality, const BuildReport& 
           {"closed_gaps", report.closed_gaps}};
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

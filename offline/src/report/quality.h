@@ -13,7 +13,7 @@
 #include "meshes/distance.h"
 #include "pipeline/build.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // Voxels connected through shared corners. A piece without a held corner floats.
 struct LatticePiece {
@@ -35,4 +35,4 @@ Quality measure_quality(const Organ& organ, const Mesh& input_m, const Progress&
 // `findings`, sentences on what a user should look at.
 nlohmann::ordered_json quality_facts(const Quality& quality, const BuildReport& report);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

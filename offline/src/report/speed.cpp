@@ -16,7 +16,7 @@
 #include "stylet/resonance.h"
 #include "voxels/sweep.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -342,4 +342,4 @@ std::string speed_text(const nlohmann::ordered_json& facts) {
   return text;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

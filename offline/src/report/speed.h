@@ -16,7 +16,7 @@
 #include "base/progress.h"
 #include "stylet/kernel.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 struct Machine {
   std::string name;
@@ -68,4 +68,4 @@ std::string stepping_text(const nlohmann::ordered_json& facts);
 std::string inertia_text(const nlohmann::ordered_json& facts);
 std::string speed_text(const nlohmann::ordered_json& facts);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -7,7 +7,7 @@
 #include "base/refusal.h"
 #include "meshes/read_mesh.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 constexpr double kMetresPerMm = 1e-3;
@@ -158,4 +158,4 @@ std::vector<std::uint8_t> held_corners(const Grid& grid, const Box& extent_m,
   return held;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -12,7 +12,7 @@
 
 #include "voxels/voxelize.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // Held behind and below: a needle pushed along +x presses the organ against what holds it, as an
 // organ lies against the back of the body cavity.
@@ -44,4 +44,4 @@ inline std::size_t corner_index(const Grid& grid, std::uint32_t x, std::uint32_t
   return (std::size_t{z} * (grid.size[1] + 1) + y) * (grid.size[0] + 1) + x;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -6,7 +6,7 @@
 
 #include "base/disjoint_set.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 constexpr std::array<CellStep, 6> kFaces{CellStep{-1, 0, 0}, CellStep{1, 0, 0},  CellStep{0, -1, 0},
@@ -229,4 +229,4 @@ bool CellParts::linked(std::uint32_t i, std::uint32_t j) const {
   return one == other || other == kNoPart;  // only the other cell's host can be out of the block
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

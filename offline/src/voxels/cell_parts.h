@@ -10,7 +10,7 @@
 #include "voxels/lattice.h"
 #include "voxels/sample_parts.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 constexpr std::uint32_t kNoPart = 0xFFFFFFFF, kNoSheet = 0xFFFFFFFF;
 
@@ -91,4 +91,4 @@ class CellParts {
   std::array<Near, 27> near_{};
 };
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

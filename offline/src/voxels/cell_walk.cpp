@@ -5,7 +5,7 @@
 #include <bit>
 #include <tuple>
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 double side(const Plane& plane, Vec place) {
@@ -110,4 +110,4 @@ CellHere CellWalk::enter(std::size_t cell, Depths& depths) const {
   return here;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

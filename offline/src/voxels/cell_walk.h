@@ -7,7 +7,7 @@
 #include "voxels/layers.h"
 #include "voxels/sample_parts.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 constexpr std::uint32_t kCellSamples = 64;
 constexpr std::uint16_t kNoOwner = 0xFFFF;
@@ -79,4 +79,4 @@ class CellWalk {
   std::vector<Claims::Share> shares_;  // by cell, weakest first
 };
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -5,7 +5,7 @@
 
 #include "base/refusal.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 std::vector<Region> parse_crop(const std::vector<std::string>& texts) {
   for (const std::string& text : texts) {
@@ -75,4 +75,4 @@ void hold_cut(const Claims& claims, const std::vector<std::uint8_t>& cut,
   }
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

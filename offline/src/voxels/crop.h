@@ -8,7 +8,7 @@
 #include "voxels/attach.h"
 #include "voxels/lattice.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // Regions of "--crop": half-spaces and boxes; refuses "touching:MESH" and "none".
 std::vector<Region> parse_crop(const std::vector<std::string>& texts);
@@ -25,4 +25,4 @@ Mesh crop_surface(Mesh surface_m, const Grid& grid, const std::vector<std::uint8
 void hold_cut(const Claims& claims, const std::vector<std::uint8_t>& cut,
               std::vector<std::uint8_t>& held);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

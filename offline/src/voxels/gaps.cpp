@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "voxels/gaps.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 // A flag for each cell of a grid that is enlarged by a rim of empty cells.
@@ -80,4 +80,4 @@ std::size_t fill_gaps(Claims& claims, double width_m, std::uint16_t owner) {
   return added;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -6,11 +6,11 @@
 
 #include "voxels/lattice.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // Gaps up to `width_m`, in whole cells, become full cells of `owner`. Partly filled cells of organs
 // that are then enclosed are filled up.
 // Returns how many cells were added.
 std::size_t fill_gaps(Claims& claims, double width_m, std::uint16_t owner);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

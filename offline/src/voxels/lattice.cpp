@@ -7,7 +7,7 @@
 #include "base/refusal.h"
 #include "stylet/limits.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 constexpr int kSamples = 64;  // per cell
@@ -293,4 +293,4 @@ Surface embed(const Lattice& lattice, const std::vector<Vec>& points_m,
   return surface;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -11,7 +11,7 @@
 #include "stylet/organ.h"
 #include "voxels/voxelize.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 constexpr std::uint64_t kFullCell = ~std::uint64_t{0};  // all 64 samples inside
 
@@ -88,4 +88,4 @@ struct Surface {
 Surface embed(const Lattice& lattice, const std::vector<Vec>& points_m,
               const std::vector<Triangle>& triangles);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

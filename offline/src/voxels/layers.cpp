@@ -3,7 +3,7 @@
 
 #include <bit>
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 std::uint8_t layer_at(const TissueNumbers& numbers, double depth_m) {
   std::uint8_t i = 0;
@@ -46,4 +46,4 @@ std::uint8_t voxel_layer(const TissueNumbers& numbers, const std::vector<std::ui
   return cell_layers[cell] != kNotLayered ? cell_layers[cell] : std::uint8_t{0};
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -7,7 +7,7 @@
 
 #include "voxels/lattice.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // Layers lie one below the other along an axis of space and override the inputs' tissues. A voxel
 // gets the layer at its middle. Its depth is the filled length above it in its row, from where the
@@ -47,4 +47,4 @@ std::vector<std::uint8_t> cell_layers(const Claims& claims, const TissueNumbers&
 std::uint8_t voxel_layer(const TissueNumbers& numbers, const std::vector<std::uint8_t>& cell_layers,
                          std::size_t cell, std::uint16_t owner);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -9,7 +9,7 @@
 #include "base/most_off.h"
 #include "stylet/limits.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 // Adds the volume of each layer in a cell, from the lengths of the rows in it.
@@ -136,4 +136,4 @@ std::string loss(const std::string& what, double given_m3, const Held& held, dou
                      with_percent(held.met_m3, given_m3), with_percent(held.voxel_m3, given_m3));
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

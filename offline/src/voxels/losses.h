@@ -12,7 +12,7 @@
 
 #include "voxels/cell_walk.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // Volume of each material of `numbers` in the cells that are not cut away (`cut` empty: none is). A
 // sample of an owner represents a volume of `sample_m3`.
@@ -36,4 +36,4 @@ double volume_before(Vec normal, double limit);
 // The sentence for the user; empty if the deviation is small.
 std::string loss(const std::string& what, double given_m3, const Held& held, double edge_m);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

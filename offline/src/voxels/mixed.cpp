@@ -5,7 +5,7 @@
 
 #include "voxels/cell_walk.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 // A voxel, and those of its cell's samples that are inside it.
@@ -90,4 +90,4 @@ std::vector<OrganMixed> mixed_voxels(const Claims& claims, const SamplePlaces& p
   return mixed;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

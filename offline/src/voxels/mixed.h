@@ -16,7 +16,7 @@
 #include "voxels/layers.h"
 #include "voxels/sample_parts.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 struct VoxelTissues {
   const std::vector<std::uint16_t>& owner;    // of each voxel
@@ -29,4 +29,4 @@ std::vector<OrganMixed> mixed_voxels(const Claims& claims, const SamplePlaces& p
                                      const Lattice& lattice, const VoxelTissues& tissues,
                                      const TissueNumbers& numbers);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

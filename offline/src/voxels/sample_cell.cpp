@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "voxels/sample_cell.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 constexpr std::uint32_t kSamples = 64;
@@ -83,4 +83,4 @@ std::uint64_t sample_cell(const InsideTest& test, Vec low_corner,
   return bits;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -11,7 +11,7 @@
 
 #include "meshes/triangle_tree.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 struct InsideTest {
   const TriangleTree& tree;
@@ -30,4 +30,4 @@ std::uint64_t sample_cell(const InsideTest& test, Vec low_corner);
 std::uint64_t sample_cell(const InsideTest& test, Vec low_corner,
                           std::span<const std::array<Vec, 3>> near);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

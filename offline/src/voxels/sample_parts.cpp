@@ -4,7 +4,7 @@
 #include <bit>
 #include <limits>
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 Near near_samples(const SamplePlaces& places, Vec offset, double reach) {
   Near near{};
@@ -46,4 +46,4 @@ double distance_to(std::uint64_t bits, const SamplePlaces& places, Vec offset, V
   return least;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -8,7 +8,7 @@
 
 #include "base/geometry.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // Places of a cell's samples, within the cell.
 using SamplePlaces = std::array<Vec, 64>;
@@ -31,4 +31,4 @@ std::vector<std::uint64_t> connected_parts(std::uint64_t bits, const Near& near)
 // Distance from a place to the nearest of the samples `bits` of the cell at `offset`.
 double distance_to(std::uint64_t bits, const SamplePlaces& places, Vec offset, Vec place);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -9,7 +9,7 @@
 #include "stylet/limits.h"
 #include "voxels/cell_parts.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 class Splitter {
@@ -264,4 +264,4 @@ Lattice split_parts(const Claims& claims, const SamplePlaces& places, Lattice la
   return Splitter(claims, places, std::move(lattice)).split();
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -14,9 +14,9 @@
 #include "voxels/lattice.h"
 #include "voxels/sample_parts.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // `places` are those of the samples in `claims`. Refuses what exceeds the limits of the format.
 Lattice split_parts(const Claims& claims, const SamplePlaces& places, Lattice lattice);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

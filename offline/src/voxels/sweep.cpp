@@ -4,7 +4,7 @@
 #include "base/refusal.h"
 #include "stylet/kernel.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 double state_bytes(const Organ& organ) {
@@ -64,4 +64,4 @@ double swept_voxels(const Lattice& lattice) {
   return voxels_of(state_bytes(organ));
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

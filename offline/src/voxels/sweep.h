@@ -8,9 +8,9 @@
 
 #include "voxels/lattice.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 double swept_voxels(const Organ& organ);
 double swept_voxels(const Lattice& lattice);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

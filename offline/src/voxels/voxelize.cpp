@@ -6,7 +6,7 @@
 #include "base/refusal.h"
 #include "voxels/sample_cell.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 namespace {
 
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
@@ -295,4 +295,4 @@ std::vector<std::uint8_t> touched_cells(const Grid& grid, const Mesh& mesh) {
   return touched;
 }
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

@@ -15,7 +15,7 @@
 #include "base/progress.h"
 #include "meshes/repair.h"
 
-namespace stylet::bake {
+namespace stylet::offline {
 
 // Half the quantum of a vertex position in the organ file. What is nearer than this to a voxel's
 // face counts as lying on the face, so that a surface along voxel faces does not add a layer of
@@ -53,4 +53,4 @@ Occupancy voxelize(const Grid& grid, const Solid& solid, const Progress& progres
 // Cells that the surface of `mesh` (metres) passes through or touches, for attachments.
 std::vector<std::uint8_t> touched_cells(const Grid& grid, const Mesh& mesh);
 
-}  // namespace stylet::bake
+}  // namespace stylet::offline

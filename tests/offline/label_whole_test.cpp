@@ -7,10 +7,10 @@
 
 #include <functional>
 
-#include "bake_support.h"
 #include "base/refusal.h"
 #include "label_support.h"
 #include "maps/label_map.h"
+#include "offline_support.h"
 #include "random_bodies.h"
 
 namespace stylet::test {
@@ -68,7 +68,7 @@ TEST(WholeVoxels, AreReadAndOthersRefused) {
       const auto written = [&](const std::string& voxels) {
         return scratch.write(how.name, file_of(how, bytes.size(), voxels));
       };
-      const bake::LabelMap map = bake::read_label_map(written(how.voxels(bytes)));
+      const offline::LabelMap map = offline::read_label_map(written(how.voxels(bytes)));
       ASSERT_EQ(map.label.size(), bytes.size());
       for (std::size_t i = 0; i < bytes.size(); ++i) {
         ASSERT_EQ(map.label[i], static_cast<unsigned char>(bytes[i])) << how.encoding;

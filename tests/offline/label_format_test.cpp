@@ -12,19 +12,19 @@
 #include <map>
 #include <random>
 
-#include "bake_support.h"
 #include "base/refusal.h"
 #include "label_support.h"
 #include "maps/header.h"
 #include "maps/label_map.h"
 #include "maps/names.h"
+#include "offline_support.h"
 #include "random_bodies.h"
 
 namespace stylet::test {
 namespace {
 
-using bake::LabelMap;
-using bake::Vec;
+using offline::LabelMap;
+using offline::Vec;
 using testing::HasSubstr;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -59,10 +59,10 @@ TEST(LabelMap, CountsEachLabelAndSaysWhereItsMiddleIs) {
         }
       }
     }
-    const std::vector<bake::LabelCount> counts = bake::count_labels(map);
+    const std::vector<offline::LabelCount> counts = offline::count_labels(map);
     ASSERT_EQ(counts.size(), expected.size());
     auto next = expected.begin();
-    for (const bake::LabelCount& each : counts) {
+    for (const offline::LabelCount& each : counts) {
       EXPECT_EQ(std::pair(each.label, each.voxels), std::pair(next->first, next->second.voxels));
       const Vec middle_m = next->second.sum_m * (1.0 / static_cast<double>(each.voxels));
       EXPECT_LT(length(each.centroid_m - middle_m), 1e-12);
@@ -113,7 +113,7 @@ TEST(LabelHeader, SpeaksOfTheVoxelsThatAreThere) {
     };
     const Sizes right = {std::to_string(size[0]), std::to_string(size[1]), std::to_string(size[2])};
     for (const auto& path : files(right)) {
-      const LabelMap map = bake::read_label_map(path);
+      const LabelMap map = offline::read_label_map(path);
       EXPECT_EQ(std::string(map.label.begin(), map.label.end()), voxels) << path;
     }
     // Far more than there are, negative, or so many that products of them wrap.
@@ -192,7 +192,7 @@ TEST(LabelHeader, SpeaksOfNoMoreThanItsBytesCanHold) {
   std::mt19937_64 engine(3);
   for (int round = 0; round < 200; ++round) {
     const std::uint64_t held = 1 + engine() % 1000;
-    bake::Claim claim;
+    offline::Claim claim;
     claim.packed = engine() % 2 == 0;
     claim.text = engine() % 4 == 0;
     claim.bytes_each = std::uint64_t{1} << engine() % 4;
@@ -201,9 +201,9 @@ TEST(LabelHeader, SpeaksOfNoMoreThanItsBytesCanHold) {
     if (most == 0) continue;
     claim.sizes = {1, 1, 1};
     claim.sizes[engine() % 3] = most;
-    EXPECT_NO_THROW(bake::require_held("a", claim, held));
+    EXPECT_NO_THROW(offline::require_held("a", claim, held));
     claim.sizes[engine() % 3] *= most + 1;
-    EXPECT_THROW(bake::require_held("a", claim, held), bake::Refusal) << most;
+    EXPECT_THROW(offline::require_held("a", claim, held), offline::Refusal) << most;
   }
 }
 
@@ -228,7 +228,7 @@ TEST(LabelHeader, TextsAreNoLongerThanTheirReadersTake) {
   }
   const std::string zeros(400, '0');
   const auto offset = "TransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = 1." + zeros + " 2 3\n";
-  const LabelMap map = bake::read_label_map(scratch.write("a.mha", meta(n, offset, "abcdefgh")));
+  const LabelMap map = offline::read_label_map(scratch.write("a.mha", meta(n, offset, "abcdefgh")));
   EXPECT_EQ(map.origin_m, (Vec{1, 2, 3} * 1e-3));
   const auto header = [&](std::size_t count) {
     std::string text = inr(n, "abcdefgh");
@@ -263,7 +263,7 @@ TEST(LabelNames, OfBytesThatAreNoCharacterShowAQuestionMarkForEach) {
       {"\xf4\x90\x80\x80", "????"},
       {"\xc3", "?"},
       {"a\tb\x7f", "a?b?"}};
-  for (const auto& [name, expected] : shown) EXPECT_EQ(bake::printable(name), expected);
+  for (const auto& [name, expected] : shown) EXPECT_EQ(offline::printable(name), expected);
 }
 
 // As MetaIO and teem have them: names of types, whether their numbers are real, bytes of each.
@@ -318,7 +318,7 @@ TEST(LabelHeader, KnowsTheBytesOfEveryTypeOfNumber) {
                                            "endian: little\nencoding: raw\n\n" +
                                            data);
       };
-      const LabelMap map = bake::read_label_map(file(voxels.size()));
+      const LabelMap map = offline::read_label_map(file(voxels.size()));
       for (std::size_t i = 0; i < 512; ++i) ASSERT_EQ(map.label[i], i % 8) << name;
       EXPECT_EQ(map.step_m, (std::array{Vec{1e-3, 0, 0}, Vec{0, 1e-3, 0}, Vec{0, 0, 1e-3}}));
       // The half: with the header there are more bytes than half-size numbers would need.
@@ -337,7 +337,7 @@ TEST(LabelHeader, OfSeveralFilesHasTheSumOfAll) {
       "data file: v.raw\n");
   const auto sum_with = [&](const std::string& voxels) {
     scratch.write("v.raw", voxels);
-    return bake::read_label_map(header).sha256;
+    return offline::read_label_map(header).sha256;
   };
   EXPECT_EQ(sum_with("\1\1\1\1\1\1\1\1"), sum_with("\1\1\1\1\1\1\1\1"));
   EXPECT_NE(sum_with("\1\1\1\1\1\1\1\1"), sum_with("\1\1\1\1\1\1\1\2"));
@@ -463,7 +463,7 @@ TEST(Nifti, LiesWhereEitherFormSaysInEitherVersionByteOrderAndUnit) {
     const bool zipped = random() % 2 == 0;
     const auto path =
         scratch.write(zipped ? "a.nii.gz" : "a.nii", zipped ? deflated(bytes) : bytes);
-    const LabelMap map = bake::read_label_map(path);
+    const LabelMap map = offline::read_label_map(path);
     EXPECT_EQ(map.size, (std::array<std::uint32_t, 3>{2, 3, 4}));
     EXPECT_EQ(std::string(map.label.begin(), map.label.end()), n.voxels);
     EXPECT_TRUE(map.notes.empty());
@@ -568,7 +568,8 @@ void expect_labels_as(std::mt19937& random, int datatype) {
       if (n.swapped) std::reverse(raw.begin(), raw.end());
       n.voxels.append(raw.data(), sizeof(T));
     }
-    EXPECT_EQ(bake::read_label_map(scratch.write("a.nii", bytes_of(n))).label, labels) << datatype;
+    EXPECT_EQ(offline::read_label_map(scratch.write("a.nii", bytes_of(n))).label, labels)
+        << datatype;
   }
 }
 
@@ -641,7 +642,7 @@ TEST(Gzip, MembersFollowEachOther) {
   const Scratch scratch;
   const std::string whole = bytes_of(Nifti{});
   const auto two = deflated(whole.substr(0, 200)) + deflated(whole.substr(200));
-  EXPECT_EQ(bake::read_label_map(scratch.write("a.nii.gz", two)).label,
+  EXPECT_EQ(offline::read_label_map(scratch.write("a.nii.gz", two)).label,
             std::vector<std::uint16_t>(24, 1));
 }
 
@@ -673,25 +674,25 @@ TEST(Nifti, SlopesThatGiveWholeNumbersAreTaken) {
   n.qform_code = 1;
   n.slope = 3;
   n.inter = 2;
-  EXPECT_EQ(bake::read_label_map(scratch.write("a.nii", bytes_of(n))).label.front(), 5);
+  EXPECT_EQ(offline::read_label_map(scratch.write("a.nii", bytes_of(n))).label.front(), 5);
   n.slope = 0.1;  // in single precision
   n.inter = 0;
   n.voxels.assign(24, '\x64');
-  EXPECT_EQ(bake::read_label_map(scratch.write("a.nii", bytes_of(n))).label.front(), 10);
+  EXPECT_EQ(offline::read_label_map(scratch.write("a.nii", bytes_of(n))).label.front(), 10);
   n.slope = 0;  // not scaled
-  EXPECT_EQ(bake::read_label_map(scratch.write("a.nii", bytes_of(n))).label.front(), 100);
+  EXPECT_EQ(offline::read_label_map(scratch.write("a.nii", bytes_of(n))).label.front(), 100);
 }
 
 TEST(Nifti, WithoutAFrameSaysThatLeftAndRightAreUnknown) {
   const Scratch scratch;
-  const LabelMap map = bake::read_label_map(scratch.write("a.nii", bytes_of(Nifti{})));
+  const LabelMap map = offline::read_label_map(scratch.write("a.nii", bytes_of(Nifti{})));
   EXPECT_THAT(map.notes, testing::ElementsAre(HasSubstr("left and right are not known")));
 }
 
 // ---- names --------------------------------------------------------------------------------------
 
 // As TotalSegmentator and the Connectome Workbench write them.
-std::string label_table(const bake::LabelNames& names) {
+std::string label_table(const offline::LabelNames& names) {
   std::string xml = "<?xml version=\"1.0\"?><CaretExtension><VolumeInformation><LabelTable>";
   for (const auto& [label, name] : names) {
     xml +=
@@ -716,7 +717,7 @@ TEST(Nifti, NamesItsLabels) {
   const Scratch scratch;
   std::mt19937 random(8);
   for (int round = 0; round < 20; ++round) {
-    bake::LabelNames names;
+    offline::LabelNames names;
     for (int i = 0; i < 4; ++i) {
       names[static_cast<std::uint16_t>(1 + random() % 65535)] =
           "Vène <" + std::to_string(random() % 100) + "> & more";
@@ -727,9 +728,9 @@ TEST(Nifti, NamesItsLabels) {
     place_at_random(random, n);
     n.qform_code = 1;
     n.extension = extension(label_table(names) + std::string(random() % 9, '\0'), n.swapped);
-    EXPECT_EQ(bake::read_label_map(scratch.write("a.nii", bytes_of(n))).names, names);
+    EXPECT_EQ(offline::read_label_map(scratch.write("a.nii", bytes_of(n))).names, names);
     n.extension = extension("<LabelTable><Label Key='1'>liver", n.swapped);
-    const LabelMap damaged = bake::read_label_map(scratch.write("a.nii", bytes_of(n)));
+    const LabelMap damaged = offline::read_label_map(scratch.write("a.nii", bytes_of(n)));
     EXPECT_TRUE(damaged.names.empty());
     EXPECT_THAT(damaged.notes, testing::ElementsAre(HasSubstr("names of its labels")));
   }
@@ -746,8 +747,8 @@ TEST(Nifti, TakesOnlyNamesOfLabels) {
       "<Label Key='70000'>far</Label><Label Key='-1'>minus</Label><Note>text</Note>"
       "<Label Red='1' Key='7'>  vena <i>cava</i> inferior</Label></LabelTable>",
       false);
-  EXPECT_EQ(bake::read_label_map(scratch.write("a.nii", bytes_of(n))).names,
-            (bake::LabelNames{{7, "vena"}}));
+  EXPECT_EQ(offline::read_label_map(scratch.write("a.nii", bytes_of(n))).names,
+            (offline::LabelNames{{7, "vena"}}));
 }
 
 // In one table or two, whatever stands between: a value has one name, or the file is refused.
@@ -814,7 +815,8 @@ TEST(Nrrd, SegmentsInLayersAreAllRead) {
       }
     }
     if (listed.empty()) continue;
-    const LabelMap map = bake::read_label_map(scratch.write("a.seg.nrrd", header + "\n" + stacked));
+    const LabelMap map =
+        offline::read_label_map(scratch.write("a.seg.nrrd", header + "\n" + stacked));
     std::size_t shared = 0;
     for (std::size_t i = 0; i < voxels; ++i) {
       std::size_t expected = layers > 1 ? 0 : static_cast<std::size_t>(stacked[i]), claims = 0;
@@ -860,7 +862,7 @@ TEST(LabelHeader, MoreVoxelsThanItSpeaksOfAreRefused) {
       scratch.write("v.raw", bytes);
       return scratch.write(each.name, attached ? each.header + bytes : each.header);
     };
-    EXPECT_EQ(bake::read_label_map(with(voxels)).size, (std::array<std::uint32_t, 3>{3, 2, 2}));
+    EXPECT_EQ(offline::read_label_map(with(voxels)).size, (std::array<std::uint32_t, 3>{3, 2, 2}));
     EXPECT_THAT(refusal_of(with(more)), HasSubstr("3 x 2 x 2 voxels of 2 bytes: 26 bytes of voxels "
                                                   "are there, expected 24"))
         << each.name;
@@ -870,15 +872,16 @@ TEST(LabelHeader, MoreVoxelsThanItSpeaksOfAreRefused) {
   const std::string text =
       "NRRD0004\ntype: uchar\ndimension: 3\nspacings: 1 1 1\nsizes: 3 2 2\n"
       "encoding: ascii\n\n";
-  EXPECT_EQ(bake::read_label_map(scratch.write("d.nrrd", text + "1 1 1 1 1 1 1 1 1 1 1 1\n")).size,
-            (std::array<std::uint32_t, 3>{3, 2, 2}));
+  EXPECT_EQ(
+      offline::read_label_map(scratch.write("d.nrrd", text + "1 1 1 1 1 1 1 1 1 1 1 1\n")).size,
+      (std::array<std::uint32_t, 3>{3, 2, 2}));
   Nifti tail;
   tail.voxels = std::string(24 + 5, '\1');
-  EXPECT_THAT(bake::read_label_map(scratch.write("a.nii", bytes_of(tail))).notes,
+  EXPECT_THAT(offline::read_label_map(scratch.write("a.nii", bytes_of(tail))).notes,
               testing::Contains(HasSubstr("5 bytes behind its voxels: not read")));
   scratch.write("v.raw", more);  // said to be in front
-  (void)bake::read_label_map(scratch.write("b.nhdr", nrrd + "byteskip: 2\ndata file: v.raw\n"));
-  (void)bake::read_label_map(
+  (void)offline::read_label_map(scratch.write("b.nhdr", nrrd + "byteskip: 2\ndata file: v.raw\n"));
+  (void)offline::read_label_map(
       scratch.write("b.mhd", meta + "HeaderSize = -1\nElementDataFile = v.raw\n"));
 }
 

@@ -11,9 +11,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "bake_support.h"
 #include "base/outputs.h"
 #include "base/refusal.h"
+#include "offline_support.h"
 
 namespace stylet::test {
 namespace {
@@ -219,7 +219,7 @@ TEST(Program, WrongUsageIsTwoRefusalIsOne) {
   const Scratch scratch;
   const std::string organ = (scratch.folder / "a.organ").string();
   EXPECT_EQ(run({}).exit_code, 2);
-  EXPECT_EQ(run({"bake"}).exit_code, 2);
+  EXPECT_EQ(run({"offline"}).exit_code, 2);
   EXPECT_EQ(run({"phantom", "cone", "-o", organ}).exit_code, 2);
   EXPECT_EQ(run({"phantom", "ball"}).exit_code, 2);
   EXPECT_EQ(run({"--help"}).exit_code, 0);
@@ -342,7 +342,7 @@ TEST(Outputs, SignalsWaitUntilFilesAreAsTheyWereOrComplete) {
       const auto before = all_files(scratch.folder);
       const auto write = [&](void (*handler)(int)) {
         (void)std::signal(signal, handler);  // under nohup it is ignored from before
-        bake::Outputs outputs;
+        offline::Outputs outputs;
         outputs.add_folder(scratch.folder / "page");
         if (after == 1) (void)::raise(signal);
         outputs.add(scratch.folder / "a", std::string_view("new"));
@@ -370,19 +370,19 @@ TEST(Outputs, WhatFailsLateIsTakenBack) {
   const auto at = [&](const char* name) { return scratch.folder / name; };
   scratch.write("old", "as it was");
   const auto before = all_files(scratch.folder);
-  const auto refusal = [&](const std::function<void(bake::Outputs&)>& fill) {
+  const auto refusal = [&](const std::function<void(offline::Outputs&)>& fill) {
     std::string said;
     try {
-      bake::Outputs outputs;
+      offline::Outputs outputs;
       fill(outputs);
       outputs.commit();
-    } catch (const bake::Refusal& refused) {
+    } catch (const offline::Refusal& refused) {
       said = refused.what();
     }
     return said;
   };
   // Somebody takes the folder of the last one away in between.
-  const std::string late = refusal([&](bake::Outputs& outputs) {
+  const std::string late = refusal([&](offline::Outputs& outputs) {
     outputs.add(at("old"), std::string_view("new"));
     outputs.add(at("fresh"), std::string_view("new"));
     outputs.add_folder(at("deep/page/"));
@@ -397,7 +397,7 @@ TEST(Outputs, WhatFailsLateIsTakenBack) {
   const rlimit small{1000, most.rlim_max};
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-  const std::string said = refusal([&](bake::Outputs& outputs) {
+  const std::string said = refusal([&](offline::Outputs& outputs) {
     outputs.add(at("old"), std::string_view("new"));
     outputs.add(at("large"), std::string_view(std::string(5000, 'x')));
   });
@@ -407,7 +407,7 @@ TEST(Outputs, WhatFailsLateIsTakenBack) {
   EXPECT_EQ(all_files(scratch.folder), before);
   // A signal that is held back, as in a build that takes long.
   (void)std::signal(SIGHUP, [](int) {});
-  EXPECT_EQ(refusal([&](bake::Outputs& outputs) {
+  EXPECT_EQ(refusal([&](offline::Outputs& outputs) {
               outputs.add(at("old"), std::string_view("new"));
               (void)::raise(SIGHUP);
             }),

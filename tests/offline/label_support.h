@@ -16,8 +16,8 @@ namespace stylet::test {
 // In one line; empty: it is read.
 inline std::string refusal_of(const std::filesystem::path& path) {
   try {
-    (void)bake::read_label_map(path);
-  } catch (const bake::Refusal& refused) {
+    (void)offline::read_label_map(path);
+  } catch (const offline::Refusal& refused) {
     EXPECT_EQ(std::string(refused.what()).find('\n'), std::string::npos) << refused.what();
     return refused.what();
   }

@@ -10,7 +10,7 @@
 #include <functional>
 #include <set>
 
-#include "bake_support.h"
+#include "offline_support.h"
 #include "pipeline/label_organ.h"
 #include "random_bodies.h"
 #include "voxels/attach.h"
@@ -21,9 +21,9 @@
 namespace stylet::test {
 namespace {
 
-using bake::Claims;
-using bake::Grid;
-using bake::Vec;
+using offline::Claims;
+using offline::Grid;
+using offline::Vec;
 
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
 
@@ -55,7 +55,7 @@ std::uint64_t inside_at(const Claims& claims, At at) {
   const auto x = static_cast<std::uint32_t>(at.x), y = static_cast<std::uint32_t>(at.y),
              z = static_cast<std::uint32_t>(at.z);
   if (x >= size[0] || y >= size[1] || z >= size[2]) return 0;  // also below 0
-  return claims.inside[bake::cell_index(claims.grid, x, y, z)];
+  return claims.inside[offline::cell_index(claims.grid, x, y, z)];
 }
 
 // By the definition of closing: empty stays what a cube one cell wider than the gap holds, and no
@@ -73,7 +73,7 @@ bool is_closed(const Claims& claims, At at, int gap) {
 
 Claims drawn_claims(Draw& draw) {
   const auto side = [&] { return static_cast<std::uint32_t>(3 + draw.below(6)); };
-  Claims claims = bake::no_claims({{}, draw.between(0.001, 0.01), {side(), side(), side()}});
+  Claims claims = offline::no_claims({{}, draw.between(0.001, 0.01), {side(), side(), side()}});
   const std::size_t empty = 1 + draw.below(4);
   for (std::uint64_t& inside : claims.inside) {
     if (draw.below(empty + 1) == 0) inside = draw.coin() ? kAll : 1 + draw.below(1U << 30U);
@@ -90,7 +90,7 @@ TEST(Gaps, AreWhereNoWiderCubeFitsBetweenOrgans) {
     // In whole cells; a width that is one but for rounding is.
     const double width = gap + (draw.coin() ? draw.between(0, 0.99) : draw.between(-1e-6, 1e-6));
     Claims claims = before;
-    const std::size_t added = bake::fill_gaps(claims, width * claims.grid.edge_m, 7);
+    const std::size_t added = offline::fill_gaps(claims, width * claims.grid.edge_m, 7);
     std::size_t expected_added = 0;
     std::size_t cell = 0;
     each_of(claims.grid, 0, [&](At at) {
@@ -127,11 +127,11 @@ TEST(Layers, CountWhatIsFilledFromWhereTheRowEnters) {
       claims.pierced[i] = draw.below(4) == 0 ? 1 : 0;
     }
     const double edge = claims.grid.edge_m;
-    bake::TissueNumbers numbers;
+    offline::TissueNumbers numbers;
     numbers.is_layered = {0, 1};
     numbers.course = {draw.below(3), draw.coin(), ""};
     for (std::uint8_t i = 0; i < 3; ++i) numbers.layers.push_back({draw.between(0, 2) * edge, i});
-    const std::vector<std::uint8_t> layers = bake::cell_layers(claims, numbers);
+    const std::vector<std::uint8_t> layers = offline::cell_layers(claims, numbers);
     const std::size_t axis = numbers.course.axis;
     std::size_t cell = 0;
     const auto& size = claims.grid.size;
@@ -155,10 +155,10 @@ TEST(Layers, CountWhatIsFilledFromWhereTheRowEnters) {
       const double first = numbers.layers[0].thickness_m;
       const double second = first + numbers.layers[1].thickness_m;
       const int layer = depth < first ? 0 : depth < second ? 1 : 2;
-      const int expected = is_layered(cell) ? layer : bake::kNotLayered;
+      const int expected = is_layered(cell) ? layer : offline::kNotLayered;
       EXPECT_EQ(layers[cell], expected) << round;
-      EXPECT_EQ(bake::voxel_layer(numbers, layers, cell, 0), bake::kNotLayered);
-      EXPECT_EQ(bake::voxel_layer(numbers, layers, cell, 1), is_layered(cell) ? layer : 0);
+      EXPECT_EQ(offline::voxel_layer(numbers, layers, cell, 0), offline::kNotLayered);
+      EXPECT_EQ(offline::voxel_layer(numbers, layers, cell, 1), is_layered(cell) ? layer : 0);
       ++seen[is_layered(cell) ? static_cast<std::size_t>(layer) : 3];
       ++cell;
     });
@@ -169,19 +169,19 @@ TEST(Layers, CountWhatIsFilledFromWhereTheRowEnters) {
 TEST(Layers, AreNotWhereThereAreNone) {
   Draw draw(53);
   const Claims claims = drawn_claims(draw);
-  bake::TissueNumbers numbers;
+  offline::TissueNumbers numbers;
   numbers.is_layered = {1};
-  EXPECT_TRUE(bake::cell_layers(claims, numbers).empty());
-  EXPECT_EQ(bake::voxel_layer(numbers, {}, 0, 0), bake::kNotLayered);
+  EXPECT_TRUE(offline::cell_layers(claims, numbers).empty());
+  EXPECT_EQ(offline::voxel_layer(numbers, {}, 0, 0), offline::kNotLayered);
 }
 
 // In a layer thicker than a voxel the membrane's stiffness is part of the modulus.
 TEST(Layers, CarryTheirMembraneOnceWhereTheyAreThickerThanAVoxel) {
-  bake::Tissue skin;
+  offline::Tissue skin;
   skin.youngs_modulus_pa = 1e5;
   skin.membrane_n_per_m = 2e3;
   for (const double thickness : {0.004, 0.005, 0.006}) {
-    const bake::Tissue in_it = bake::in_layer(skin, thickness, 0.005);
+    const offline::Tissue in_it = offline::in_layer(skin, thickness, 0.005);
     const bool spread = thickness > 0.005;
     EXPECT_EQ(in_it.membrane_n_per_m, spread ? 0 : 2e3);
     EXPECT_NEAR(in_it.youngs_modulus_pa, spread ? 1e5 + 2e3 / 0.006 : 1e5, 1e-6);
@@ -226,7 +226,7 @@ DrawnRegion drawn_box(Draw& draw, const Grid& grid) {
           }};
 }
 
-DrawnRegion drawn_region(Draw& draw, const Grid& grid, const bake::Box& extent) {
+DrawnRegion drawn_region(Draw& draw, const Grid& grid, const offline::Box& extent) {
   if (draw.below(3) == 0) return drawn_box(draw, grid);
   const std::size_t axis = draw.below(3);
   const bool above = draw.coin(), in_percent = draw.coin();
@@ -242,7 +242,7 @@ DrawnRegion drawn_region(Draw& draw, const Grid& grid, const bake::Box& extent) 
 // A grid with drawn regions.
 struct DrawnRegions {
   Claims claims;
-  bake::Box extent;
+  offline::Box extent;
   std::vector<DrawnRegion> regions;
   std::vector<std::string> texts;
 };
@@ -252,9 +252,9 @@ DrawnRegions drawn_regions(Draw& draw) {
   Grid& grid = drawn.claims.grid;
   grid.origin_m = {draw.between(-1, 1), draw.between(-1, 1), draw.between(-1, 1)};
   for (const double part : {draw.between(0, 0.3), draw.between(0.7, 1)}) {
-    bake::grow(drawn.extent,
-               grid.origin_m + Vec{part * grid.size[0], part * grid.size[1], part * grid.size[2]} *
-                                   grid.edge_m);
+    offline::grow(drawn.extent, grid.origin_m + Vec{part * grid.size[0], part * grid.size[1],
+                                                    part * grid.size[2]} *
+                                                    grid.edge_m);
   }
   for (std::size_t i = 1 + draw.below(3); i > 0; --i) {
     drawn.regions.push_back(drawn_region(draw, grid, drawn.extent));
@@ -275,7 +275,7 @@ TEST(Regions, HoldTheCornersInAnyOfThem) {
     const DrawnRegions drawn = drawn_regions(draw);
     const Grid& grid = drawn.claims.grid;
     const std::vector<std::uint8_t> held =
-        bake::held_corners(grid, drawn.extent, bake::parse_regions(drawn.texts, 1));
+        offline::held_corners(grid, drawn.extent, offline::parse_regions(drawn.texts, 1));
     std::size_t corner = 0;
     each_of(grid, 1, [&](At at) {
       bool expected = false;
@@ -299,11 +299,11 @@ TEST(Regions, CutAwayTheCellsNotInAllOfThem) {
     const DrawnRegions drawn = drawn_regions(draw);
     const Grid& grid = drawn.claims.grid;
     const std::vector<std::uint8_t> cut =
-        bake::cut_cells(grid, drawn.extent, bake::parse_crop(drawn.texts));
+        offline::cut_cells(grid, drawn.extent, offline::parse_crop(drawn.texts));
     std::vector<std::uint8_t> held(
         std::size_t{grid.size[0] + 1} * (grid.size[1] + 1) * (grid.size[2] + 1), 0);
     std::vector<std::uint8_t> expected_held = held;
-    bake::hold_cut(drawn.claims, cut, held);
+    offline::hold_cut(drawn.claims, cut, held);
     std::size_t cell = 0;
     each_of(grid, 0, [&](At at) {
       bool stays = true;
@@ -334,7 +334,7 @@ TEST(Regions, LeaveTheTrianglesThatLieInWhatStays) {
   for (int round = 0; round < 50; ++round) {
     const DrawnRegions drawn = drawn_regions(draw);
     const Grid& grid = drawn.claims.grid;
-    bake::Mesh mesh;
+    offline::Mesh mesh;
     const auto coordinate = [&](std::size_t axis) { return draw.between(0, grid.size[axis]); };
     for (int i = 0; i < 40; ++i) {
       mesh.points.push_back(grid.origin_m +
@@ -343,20 +343,20 @@ TEST(Regions, LeaveTheTrianglesThatLieInWhatStays) {
     const auto corner = [&] { return static_cast<std::uint32_t>(draw.below(40)); };
     for (int i = 0; i < 100; ++i) mesh.triangles.push_back({corner(), corner(), corner()});
     const std::vector<std::uint8_t> cut =
-        bake::cut_cells(grid, drawn.extent, bake::parse_crop(drawn.texts));
-    const bake::Mesh part = bake::crop_surface(mesh, grid, cut);
+        offline::cut_cells(grid, drawn.extent, offline::parse_crop(drawn.texts));
+    const offline::Mesh part = offline::crop_surface(mesh, grid, cut);
     std::set<std::uint32_t> used;
     std::size_t triangle = 0;
-    for (const bake::Triangle& t : mesh.triangles) {
+    for (const offline::Triangle& t : mesh.triangles) {
       const auto is_cut = [&](std::uint32_t i) {
-        return cut[bake::cell_of(grid, mesh.points[i])] != 0;
+        return cut[offline::cell_of(grid, mesh.points[i])] != 0;
       };
       if (is_cut(t[0]) || is_cut(t[1]) || is_cut(t[2])) continue;
       ASSERT_LT(triangle, part.triangles.size());
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t point = part.triangles[triangle][i];
         ASSERT_LT(point, part.points.size());
-        EXPECT_EQ(bake::length(part.points[point] - mesh.points[t[i]]), 0);
+        EXPECT_EQ(offline::length(part.points[point] - mesh.points[t[i]]), 0);
         used.insert(t[i]);
       }
       ++triangle;
@@ -374,7 +374,7 @@ TEST(Mixed, TissuesOfAMapMeetAtItsFaces) {
   Draw draw(57);
   constexpr double kStep = 0x1p-9;  // of the map; exactly a float, as is the cells' edge
   for (int round = 0; round < 12; ++round) {
-    bake::LabelMap map;
+    offline::LabelMap map;
     const auto size = [&] { return static_cast<std::uint32_t>(8 + 4 * draw.below(3)); };
     map.size = {size(), size(), size()};
     map.step_m = {Vec{kStep, 0, 0}, Vec{0, kStep, 0}, Vec{0, 0, kStep}};
@@ -389,13 +389,13 @@ TEST(Mixed, TissuesOfAMapMeetAtItsFaces) {
         }
       }
     }
-    bake::Recipe recipe;
+    offline::Recipe recipe;
     recipe.groups = {{"liver", {1}}, {"kidney", {2}}};
     recipe.smoothing = 0;
-    bake::BuildOptions options;
+    offline::BuildOptions options;
     options.voxel_edge_m = 4 * kStep;
-    const bake::Built built =
-        bake::build_labels("map.nrrd", map, recipe, options, [](const char*, double) {});
+    const offline::Built built =
+        offline::build_labels("map.nrrd", map, recipe, options, [](const char*, double) {});
     const Organ organ = opened(built.bytes);
     std::size_t found = 0;
     for (const OrganMixed& mixed : organ.mixed) {

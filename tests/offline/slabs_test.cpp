@@ -61,7 +61,7 @@ TEST(Slabs, ReachHalfOfTheWayToTheNextPlaneThatIsDrawn) {
     double usual = otherwise;
     if (gaps.size() > 1) usual = sorted[(gaps.size() - 1) / 2];
     if (gaps.size() == 1 && gaps[0] <= 1.5 * otherwise) usual = gaps[0];
-    const bake::Slabs slabs = bake::slabs_of(drawn.own, drawn.along_m, otherwise);
+    const offline::Slabs slabs = offline::slabs_of(drawn.own, drawn.along_m, otherwise);
     ASSERT_EQ(slabs.size(), drawn.own.size());
     for (std::size_t i = 0; i < drawn.own.size(); ++i) {
       const auto through = [&](std::size_t gap) {
@@ -72,7 +72,7 @@ TEST(Slabs, ReachHalfOfTheWayToTheNextPlaneThatIsDrawn) {
       const bool below = through(i - 1), above = through(i);
       const double low = below ? gaps[i - 1] : above ? gaps[i] : usual;
       const double high = above ? gaps[i] : below ? gaps[i - 1] : usual;
-      const bake::Slab& slab = slabs.at(drawn.own[i]);
+      const offline::Slab& slab = slabs.at(drawn.own[i]);
       EXPECT_NEAR(slab.low_m, drawn.along_m[drawn.own[i]] - low / 2, 1e-12) << round << " " << i;
       EXPECT_NEAR(slab.high_m, drawn.along_m[drawn.own[i]] + high / 2, 1e-12) << round << " " << i;
     }
@@ -90,7 +90,7 @@ TEST(Slabs, AreEmptyWhereOneWayIsWideAndFilledWhereThreeAre) {
       along_m.push_back(at * 1e-3);
     }
     std::vector<double> ends;
-    for (const auto& [plane, slab] : bake::slabs_of(own, along_m, 0.003)) {
+    for (const auto& [plane, slab] : offline::slabs_of(own, along_m, 0.003)) {
       for (const double end : {slab.low_m, slab.high_m})
         ends.push_back(std::round(end * 1e6) / 1e3);
     }
@@ -114,8 +114,8 @@ TEST(Slabs, MakeLayersAsThickAsTheyAreWhereTheyAreEven) {
     const double step = draw.between(0.0005, 0.005), low = draw.between(-1, 1);
     const bool even = draw.coin();
     const double off = even ? 0.95 * (2e-5 + 0.01 * step) : 1.05 * (2e-5 + 0.01 * step);
-    std::vector<bake::Slabs> slabs(1 + draw.below(3));
-    std::vector<std::vector<bake::Span>> spans(slabs.size());
+    std::vector<offline::Slabs> slabs(1 + draw.below(3));
+    std::vector<std::vector<offline::Span>> spans(slabs.size());
     slabs[0][0] = {low, low + step};  // the thinnest and the lowest, exactly
     spans[0].push_back({0, 1});
     std::uint32_t top = 1;
@@ -129,9 +129,9 @@ TEST(Slabs, MakeLayersAsThickAsTheyAreWhereTheyAreEven) {
         top = std::max(top, behind);
       }
     }
-    bake::PixelGrid grid{};
+    offline::PixelGrid grid{};
     grid.columns = grid.rows = 16;
-    const bake::Layers layers = bake::layers_of(grid, slabs);
+    const offline::Layers layers = offline::layers_of(grid, slabs);
     EXPECT_NEAR(layers.low_m, low, 1e-12);
     EXPECT_NEAR(layers.high_m, low + top * step, 1e-12);
     EXPECT_NEAR(layers.step_m, even ? step : step / 8, 1e-12) << round;
@@ -139,7 +139,7 @@ TEST(Slabs, MakeLayersAsThickAsTheyAreWhereTheyAreEven) {
     for (std::size_t s = 0; s < slabs.size(); ++s) {
       std::size_t i = 0;
       for (const auto& [plane, slab] : slabs[s]) {
-        const bake::Span span = bake::span_of(layers, slab), expected = spans[s][i++];
+        const offline::Span span = offline::span_of(layers, slab), expected = spans[s][i++];
         EXPECT_NEAR(span.first, expected.first * finer, even ? 0 : 1);
         EXPECT_EQ(span.end, expected.end * finer);
       }

@@ -8,9 +8,9 @@
 #include <map>
 #include <numeric>
 
-#include "bake_support.h"
 #include "base/refusal.h"
 #include "maps/wall.h"
+#include "offline_support.h"
 #include "organ_places.h"
 #include "pipeline/label_organ.h"
 #include "random_bodies.h"
@@ -18,9 +18,9 @@
 namespace stylet::test {
 namespace {
 
-using bake::LabelMap;
-using bake::Recipe;
-using bake::Vec;
+using offline::LabelMap;
+using offline::Recipe;
+using offline::Vec;
 
 constexpr double kStepM = 1e-3;
 
@@ -44,9 +44,9 @@ void fill(LabelMap& map, std::uint16_t label, Inside inside) {
   }
 }
 
-bake::Built build_quietly(const LabelMap& map, const Recipe& recipe,
-                          const bake::BuildOptions& options) {
-  return bake::build_labels("map.nrrd", map, recipe, options, [](const char*, double) {});
+offline::Built build_quietly(const LabelMap& map, const Recipe& recipe,
+                             const offline::BuildOptions& options) {
+  return offline::build_labels("map.nrrd", map, recipe, options, [](const char*, double) {});
 }
 
 // A box that reaches some sides of its map: the map grows at the others alone, and a wall of whole
@@ -73,7 +73,7 @@ TEST(Wall, EndsWhereTheScanDoes) {
     Recipe recipe = {{}, {{"gel", {7}}, {"fat", {9}}}};
     recipe.wall = {{"fat", kThick * kStepM}};
     const LabelMap before = map;
-    bake::add_wall(map, recipe);
+    offline::add_wall(map, recipe);
     ASSERT_EQ(recipe.groups.size(), 2U) << "fat is there already";
     ASSERT_EQ(recipe.groups[1].labels.size(), 2U);
     const std::uint16_t wall = recipe.groups[1].labels[1];
@@ -107,9 +107,9 @@ TEST(Wall, NeedsALabelThatIsFree) {
   Recipe recipe = {{}, {{"gel", {1}}}};
   recipe.wall = {{"fat", 1e-3}};
   try {
-    bake::add_wall(map, recipe);
+    offline::add_wall(map, recipe);
     ADD_FAILURE() << "accepted";
-  } catch (const bake::Refusal& refused) {
+  } catch (const offline::Refusal& refused) {
     EXPECT_THAT(refused.what(), testing::HasSubstr("uses every label from 1 to 65535"));
   }
 }
@@ -131,7 +131,7 @@ Recipe walled() {
 
 // The capsule of an organ in a wall lies where the wall begins, as if the organ were bare.
 TEST(Wall, BeginsAtTheCapsule) {
-  bake::BuildOptions options;
+  offline::BuildOptions options;
   options.voxel_edge_m = 3e-3;
   options.capsule = "liver_capsule";
   options.capsule_of = "gel";
@@ -167,7 +167,7 @@ TEST(Wall, IsCroppedAsTheMapIs) {
   Recipe recipe = walled();
   recipe.crop_around = {5};
   recipe.crop_margin_m = 2e-3;
-  const bake::Built built = build_quietly(ball(), recipe, {});
+  const offline::Built built = build_quietly(ball(), recipe, {});
   // 32 voxels of the ball, and 2 at either side; the wall alone is 6 thick.
   constexpr double kAcrossM = 36e-3;
   const Organ organ = opened(built.bytes);
@@ -183,10 +183,10 @@ TEST(Wall, IsCroppedAsTheMapIs) {
 
 // As many voxels as asked for, and no gap between what was split; both measured.
 TEST(LabelOrgan, IsAsFineAsItMayBeAndSplitWhereAskedFor) {
-  bake::BuildOptions options;
+  offline::BuildOptions options;
   options.most_voxels = 4000;
   options.measured = true;
-  const bake::Built fine = build_quietly(ball(), {{}, {{"gel", {5}}}}, options);
+  const offline::Built fine = build_quietly(ball(), {{}, {{"gel", {5}}}}, options);
   const auto swept = opened(fine.bytes).voxel_count;
   EXPECT_LE(swept, 4000U);
   EXPECT_GT(swept, 1500U);
@@ -207,7 +207,7 @@ TEST(LabelOrgan, HasAtMostAsManyTissuesAsABytesNumbers) {
   try {
     (void)build_quietly(ball(), recipe, {});
     ADD_FAILURE() << "accepted";
-  } catch (const bake::Refusal& refused) {
+  } catch (const offline::Refusal& refused) {
     EXPECT_STREQ(refused.what(), "256 tissues: expected at most 255");
   }
 }
@@ -279,7 +279,7 @@ LabelMap drawn(Draw& draw, const std::function<double(Vec)>& distance_mm, double
 // A map draws a body a little larger or smaller than it is: the wall lies around what was drawn.
 double drawn_larger_mm(const LabelMap& map, const Convex& body) {
   const auto voxels = std::count(map.label.begin(), map.label.end(), 5);
-  const double drawn_mm3 = static_cast<double>(voxels) * bake::voxel_volume_m3(map) * 1e9;
+  const double drawn_mm3 = static_cast<double>(voxels) * offline::voxel_volume_m3(map) * 1e9;
   double low = -2, high = 2;
   for (int i = 0; i < 50; ++i) {
     const double middle = (low + high) / 2;
@@ -302,14 +302,14 @@ TEST(Wall, LayersThatVoxelsMakeThinnerOrThickerAreTold) {
     recipe.wall = {{"muscle", draw.between(2, 9) * 1e-3},
                    {"fat", draw.between(2, 9) * 1e-3},
                    {"skin", draw.between(1.2, 5) * 1e-3}};
-    const std::vector<std::string> warnings = bake::add_wall(map, recipe);
+    const std::vector<std::string> warnings = offline::add_wall(map, recipe);
     double below = drawn_larger_mm(map, body);
     for (std::size_t i = 0; i < recipe.wall.size(); ++i) {
       const std::string& tissue = recipe.wall[i].tissue;
       const double above = below + recipe.wall[i].thickness_m * 1e3;
       const auto voxels =
           std::count(map.label.begin(), map.label.end(), recipe.groups[i + 1].labels[0]);
-      const double drawn_mm3 = static_cast<double>(voxels) * bake::voxel_volume_m3(map) * 1e9;
+      const double drawn_mm3 = static_cast<double>(voxels) * offline::voxel_volume_m3(map) * 1e9;
       const double off = drawn_mm3 / (body.volume_within(above) - body.volume_within(below)) - 1;
       const bool told = std::any_of(warnings.begin(), warnings.end(), [&](const auto& each) {
         return each.starts_with("layer " + tissue + ": ");
@@ -339,7 +339,7 @@ TEST(Wall, AGapThatTheInnermostLayerFillsIsNoThickness) {
     LabelMap map = drawn(draw, two_balls, 40, {0.5, 0.5, 0.5});
     Recipe recipe = {{}, {{"gel", {5}}}};
     recipe.wall = {{"muscle", 9.2e-3}, {"skin", 4.8e-3}};
-    EXPECT_THAT(bake::add_wall(map, recipe), testing::IsEmpty()) << seed;
+    EXPECT_THAT(offline::add_wall(map, recipe), testing::IsEmpty()) << seed;
   }
 }
 

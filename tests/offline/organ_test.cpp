@@ -3,9 +3,9 @@
 // the same bytes every time; on phantoms and on every real organ.
 #include <numbers>
 
-#include "bake_support.h"
 #include "base/refusal.h"
 #include "meshes/phantom.h"
+#include "offline_support.h"
 #include "organ_places.h"
 #include "pipeline/voxel_materials.h"
 #include "stylet/limits.h"
@@ -15,9 +15,9 @@
 namespace stylet::test {
 namespace {
 
-using bake::BuildOptions;
-using bake::Built;
-using bake::Vec;
+using offline::BuildOptions;
+using offline::Built;
+using offline::Vec;
 
 std::vector<Vec> positions_of(const Organ& organ) {
   const std::vector<Cell> cells = cells_of(organ);
@@ -50,13 +50,13 @@ void expect_tree_holds(const Organ& organ) {
       ++covered[t];
       const OrganTriangle& triangle = organ.triangles[t];
       for (const std::uint32_t corner : {triangle.a, triangle.b, triangle.c}) {
-        ASSERT_LE(bake::length(positions[corner] - centre_of(s)), static_cast<double>(s.radius));
+        ASSERT_LE(offline::length(positions[corner] - centre_of(s)), static_cast<double>(s.radius));
       }
     }
     for (std::uint32_t child = s.first; s.count == 0 && child < s.first + 2; ++child) {
       depth[child] = depth[i] + 1;
       const OrganSphere& c = organ.spheres[child];
-      ASSERT_LE(bake::length(centre_of(c) - centre_of(s)) + static_cast<double>(c.radius),
+      ASSERT_LE(offline::length(centre_of(c) - centre_of(s)) + static_cast<double>(c.radius),
                 static_cast<double>(s.radius) * (1 + 1e-6) + 1e-7);
     }
   }
@@ -76,14 +76,14 @@ bool has_point(const std::vector<Vec>& sorted, const Vec& at, double off_m) {
 // Embedded positions are those of the mesh to half a quantum along each axis, however far they are
 // from it, and no corner of a triangle is missing. The mesh is as it was read from the file: what
 // merges its points and drops its triangles has no say here.
-void expect_surface_fits(const Organ& organ, const bake::Mesh& mesh, double metres_per_unit) {
+void expect_surface_fits(const Organ& organ, const offline::Mesh& mesh, double metres_per_unit) {
   const double rounding = 1e-12;
   const double off_m = static_cast<double>(organ.voxel_edge_m) * 0.5 / 65535 + rounding;
   std::vector<Vec> corners;
   for (const auto& triangle : mesh.triangles) {
     const Vec a = mesh.points[triangle[0]], b = mesh.points[triangle[1]];
     const Vec c = mesh.points[triangle[2]];
-    if (!(bake::length(bake::cross(b - a, c - a)) > 0)) continue;
+    if (!(offline::length(offline::cross(b - a, c - a)) > 0)) continue;
     for (const Vec& corner : {a, b, c}) corners.push_back(corner * metres_per_unit);
   }
   std::vector<Vec> positions = positions_of(organ);
@@ -120,17 +120,17 @@ class RealOrganTest : public testing::TestWithParam<RealOrgan> {};
 TEST_P(RealOrganTest, BecomesAnOrgan) {
   const auto path = data_folder() / "organs" / GetParam().file;
   SKIP_WITHOUT(path);
-  bake::Input input;
+  offline::Input input;
   input.path = path.string();
   input.tissue = "liver";
   input.metres_per_unit = GetParam().metres_per_unit;
-  input.read = bake::read_mesh(path);
-  const bake::Mesh mesh = input.read.mesh;
+  input.read = offline::read_mesh(path);
+  const offline::Mesh mesh = input.read.mesh;
   BuildOptions options;
-  options.held = bake::parse_regions(bake::kDefaultFix, 1);
+  options.held = offline::parse_regions(offline::kDefaultFix, 1);
   const Built built = build_quietly({input}, options);
   const Organ organ = opened(built.bytes);
-  const bake::InputReport& report = built.report.inputs[0];
+  const offline::InputReport& report = built.report.inputs[0];
   EXPECT_EQ(report.closed, GetParam().closed);
   const auto told_open = [](const std::string& warning) {
     return warning.find("its surface is open") != std::string::npos;
@@ -138,8 +138,8 @@ TEST_P(RealOrganTest, BecomesAnOrgan) {
   EXPECT_EQ(std::any_of(built.report.warnings.begin(), built.report.warnings.end(), told_open),
             !GetParam().closed);
   if (GetParam().closed) {
-    const bake::Box box = bake::bounds(mesh);
-    const double exact = bake::signed_volume(mesh.points, mesh.triangles, box.low) *
+    const offline::Box box = offline::bounds(mesh);
+    const double exact = offline::signed_volume(mesh.points, mesh.triangles, box.low) *
                          std::pow(GetParam().metres_per_unit, 3);
     EXPECT_NEAR(volume_m3(organ), exact, 0.02 * exact);
   }
@@ -178,8 +178,8 @@ INSTANTIATE_TEST_SUITE_P(All, RealOrganTest,
 // ---- phantoms and choices -----------------------------------------------------------------------
 
 TEST(Phantom, LiverHasCapsuleAndParenchymaAndItsSize) {
-  const bake::Mesh mesh = bake::liver_phantom(5e-3);
-  const bake::Box box = bake::bounds(mesh);
+  const offline::Mesh mesh = offline::liver_phantom(5e-3);
+  const offline::Box box = offline::bounds(mesh);
   // As far as its two ellipsoids reach, by the mesher's tolerance.
   const std::array<std::pair<double, double>, 6> ends = {{{box.low.x, -58},
                                                           {box.low.y, -30 - 58},
@@ -205,7 +205,7 @@ TEST(Phantom, LayersLieAlongX) {
   BuildOptions options;
   options.layers = {{0.005, "skin"}, {0.010, "fat"}, {0.001, "liver"}};
   const Built built =
-      build_quietly({input_of(bake::block_phantom({0.04, 0.02, 0.02}, 0.005), 1)}, options);
+      build_quietly({input_of(offline::block_phantom({0.04, 0.02, 0.02}, 0.005), 1)}, options);
   const Organ organ = opened(built.bytes);
   const std::vector<Cell> cells = cells_of(organ);
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -217,7 +217,8 @@ TEST(Phantom, LayersLieAlongX) {
 // Along y, of one of two inputs; a layer of skin that is thicker than a voxel holds its membrane of
 // 2 N/mm as modulus, skin that is an input does not.
 TEST(Layers, OfOneTissueMayBeTwoMaterials) {
-  bake::Mesh layered = box_mesh({0, 0, 0}, {20, 40, 20}), skin = box_mesh({20, 0, 0}, {40, 40, 20});
+  offline::Mesh layered = box_mesh({0, 0, 0}, {20, 40, 20}),
+                skin = box_mesh({20, 0, 0}, {40, 40, 20});
   BuildOptions options;
   options.voxel_edge_m = 5e-3;
   options.layers = {{0.010, "skin"}, {0.001, "muscle"}};
@@ -237,24 +238,24 @@ TEST(Layers, OfOneTissueMayBeTwoMaterials) {
 }
 
 TEST(Layers, OfMoreMaterialsThanThereAreNumbersAreRefused) {
-  const std::vector<bake::Tissue> own;
-  bake::MaterialList list{own, {}};
+  const std::vector<offline::Tissue> own;
+  offline::MaterialList list{own, {}};
   for (std::uint32_t i = 0; i < kMaxMaterials; ++i) {
-    bake::Tissue tissue;
+    offline::Tissue tissue;
     tissue.name = std::to_string(i);
-    EXPECT_EQ(bake::number_of(list, tissue), i);
+    EXPECT_EQ(offline::number_of(list, tissue), i);
   }
-  bake::Tissue one_more;
+  offline::Tissue one_more;
   one_more.name = "one more";
-  EXPECT_THROW((void)bake::number_of(list, one_more), bake::Refusal);
+  EXPECT_THROW((void)offline::number_of(list, one_more), offline::Refusal);
 }
 
 // From above through a slab of 20 mm and a step of 7.5 mm: depth is counted from where each row
 // enters, by what is filled, and only in the input that is named.
 TEST(Layers, TakeThePlaceOfOneInputFromItsSurfaceOn) {
-  bake::Mesh high = bake::block_phantom({0.02, 0.02, 0.02}, 0.005);
-  bake::Mesh low = bake::block_phantom({0.02, 0.02, 0.0075}, 0.005);
-  bake::Mesh below = bake::block_phantom({0.04, 0.02, 0.01}, 0.005);
+  offline::Mesh high = offline::block_phantom({0.02, 0.02, 0.02}, 0.005);
+  offline::Mesh low = offline::block_phantom({0.02, 0.02, 0.0075}, 0.005);
+  offline::Mesh below = offline::block_phantom({0.04, 0.02, 0.01}, 0.005);
   for (Vec& p : high.points) p = p + Vec{0, 0, 0.01};
   for (Vec& p : low.points) p = p + Vec{0.02, 0, 0.00375};
   for (Vec& p : below.points) p = p + Vec{0, 0, -0.005};
@@ -277,13 +278,13 @@ TEST(Layers, TakeThePlaceOfOneInputFromItsSurfaceOn) {
 }
 
 // A block around the origin.
-bake::Mesh centred_block(Vec size_m, double facet_m) {
-  bake::Mesh mesh = bake::block_phantom(size_m, facet_m);
+offline::Mesh centred_block(Vec size_m, double facet_m) {
+  offline::Mesh mesh = offline::block_phantom(size_m, facet_m);
   for (Vec& p : mesh.points) p = p - Vec{0.5 * size_m.x, 0, 0};
   return mesh;
 }
 
-bake::Mesh turned(bake::Mesh mesh, double angle_rad) {
+offline::Mesh turned(offline::Mesh mesh, double angle_rad) {
   const double c = std::cos(angle_rad), s = std::sin(angle_rad);
   for (Vec& p : mesh.points) p = {c * p.x + s * p.z, p.y, c * p.z - s * p.x};
   return mesh;
@@ -294,7 +295,7 @@ bake::Mesh turned(bake::Mesh mesh, double angle_rad) {
 // alone lengths are off by up to one.
 TEST(Mixed, LayersAreAsThickAsTheyAreOnASlope) {
   const double angle = 23 * std::numbers::pi / 180, thickness_m = 0.014;
-  const bake::Mesh plate = turned(centred_block({0.08, 0.02, thickness_m}, 0.002), angle);
+  const offline::Mesh plate = turned(centred_block({0.08, 0.02, thickness_m}, 0.002), angle);
   const Vec across = {std::sin(angle), 0, std::cos(angle)}, along = {across.z, 0, -across.x};
   for (const double edge_m : {0.005, 0.0025}) {
     BuildOptions options;
@@ -324,9 +325,9 @@ TEST(Mixed, LayersAreAsThickAsTheyAreOnASlope) {
 // A ball in a block, of another tissue: its surface is where it is, to a tenth of a voxel.
 TEST(Mixed, AnInnerSurfaceIsWhereItIs) {
   const double radius_m = 0.012;
-  bake::Mesh ball = centred_block({2, 2, 2}, 0.25);  // its points go to the ball below
+  offline::Mesh ball = centred_block({2, 2, 2}, 0.25);  // its points go to the ball below
   for (Vec& p : ball.points) p = p * (radius_m / length(p));
-  const bake::Mesh block = centred_block({0.04, 0.04, 0.04}, 0.005);
+  const offline::Mesh block = centred_block({0.04, 0.04, 0.04}, 0.005);
   const auto built =
       build_quietly({input_of(block, 1, "liver"), input_of(ball, 1, "tumour", 1)}, {});
   const Organ organ = opened(built.bytes);
@@ -347,7 +348,7 @@ TEST(Mixed, AnInnerSurfaceIsWhereItIs) {
 TEST(Mixed, AMembraneIsSpreadOverItsLayer) {
   BuildOptions options;
   options.layers = {{0.010, "skin"}, {0.010, "liver"}};
-  const bake::Mesh block = bake::block_phantom({0.04, 0.02, 0.02}, 0.005);
+  const offline::Mesh block = offline::block_phantom({0.04, 0.02, 0.02}, 0.005);
   for (const double edge_m : {0.010, 0.005, 0.0025}) {
     options.voxel_edge_m = edge_m;
     const auto built = build_quietly({input_of(block, 1)}, options);
@@ -359,8 +360,8 @@ TEST(Mixed, AMembraneIsSpreadOverItsLayer) {
 }
 
 TEST(Inputs, HigherPriorityWinsAVoxelAndVolumesDoNotAddTwice) {
-  const bake::Mesh outer = bake::block_phantom({0.04, 0.04, 0.04}, 0.005);
-  bake::Mesh inner = bake::block_phantom({0.01, 0.01, 0.01}, 0.005);
+  const offline::Mesh outer = offline::block_phantom({0.04, 0.04, 0.04}, 0.005);
+  offline::Mesh inner = offline::block_phantom({0.01, 0.01, 0.01}, 0.005);
   for (Vec& p : inner.points) p = p + Vec{0.01, 0, 0};
   for (const int priority : {-1, 1}) {
     const Built built =
@@ -374,9 +375,9 @@ TEST(Inputs, HigherPriorityWinsAVoxelAndVolumesDoNotAddTwice) {
 }
 
 TEST(Attachments, HoldExactlyTheCornersOfTheRegion) {
-  const bake::Mesh block = bake::block_phantom({0.02, 0.02, 0.02}, 0.005);
-  const bake::Mesh plate = bake::block_phantom({0.001, 0.02, 0.02}, 0.005);
-  const auto held = [&](const std::vector<bake::Region>& regions) {
+  const offline::Mesh block = offline::block_phantom({0.02, 0.02, 0.02}, 0.005);
+  const offline::Mesh plate = offline::block_phantom({0.001, 0.02, 0.02}, 0.005);
+  const auto held = [&](const std::vector<offline::Region>& regions) {
     BuildOptions options;
     options.held = regions;
     const Built built = build_quietly({input_of(block, 1)}, options);
@@ -392,29 +393,30 @@ TEST(Attachments, HoldExactlyTheCornersOfTheRegion) {
     return std::pair{at_low_x, others};
   };
   const std::pair<std::size_t, std::size_t> low_face{16 * 4, 0}, none{0, 0};
-  EXPECT_EQ(held(bake::parse_regions({"x<0"}, 1)), low_face);
-  EXPECT_EQ(held(bake::parse_regions({"x<3%"}, 1)), low_face);
-  EXPECT_EQ(held(bake::parse_regions({"box:-1,-99,-99,1,99,99"}, 1)), low_face);
-  EXPECT_EQ(held(bake::parse_regions({"none"}, 1)), none);
-  EXPECT_EQ(held(bake::parse_regions({"x>15", "y>99%"}, 1)).first, 8U);
-  bake::Region touching;
-  touching.kind = bake::Region::Kind::kTouching;
+  EXPECT_EQ(held(offline::parse_regions({"x<0"}, 1)), low_face);
+  EXPECT_EQ(held(offline::parse_regions({"x<3%"}, 1)), low_face);
+  EXPECT_EQ(held(offline::parse_regions({"box:-1,-99,-99,1,99,99"}, 1)), low_face);
+  EXPECT_EQ(held(offline::parse_regions({"none"}, 1)), none);
+  EXPECT_EQ(held(offline::parse_regions({"x>15", "y>99%"}, 1)).first, 8U);
+  offline::Region touching;
+  touching.kind = offline::Region::Kind::kTouching;
   touching.mesh_m = plate;
   EXPECT_EQ(held({touching}).first, 16U * 4);
   for (const char* bad : {"", "x", "w>3", "x>", "x>3mm", "box:1,2,3", "box:2,0,0,1,1,1", "x>nan"}) {
-    EXPECT_THROW((void)bake::parse_regions({bad}, 1), bake::Refusal) << bad;
+    EXPECT_THROW((void)offline::parse_regions({bad}, 1), offline::Refusal) << bad;
   }
 }
 
 // A block of 60 x 40 x 20 mm in voxels of 5 mm, cut to x < 30 mm: half of the voxels, the same
 // material in each as in the whole (its capsule does not close over the cut), held at the cut only.
 TEST(Build, CropsToRegionsAndHoldsTheCut) {
-  const bake::Mesh block = bake::block_phantom({0.06, 0.04, 0.02}, 0.005);
+  const offline::Mesh block = offline::block_phantom({0.06, 0.04, 0.02}, 0.005);
   BuildOptions options;
   options.capsule = "liver_capsule";
   const Built whole_built = build_quietly({input_of(block, 1)}, options);
-  const double middle_mm = 1e3 * 0.5 * (bake::bounds(block).low.x + bake::bounds(block).high.x);
-  options.crop = bake::parse_crop({fmt::format("x<{}", middle_mm)});
+  const double middle_mm =
+      1e3 * 0.5 * (offline::bounds(block).low.x + offline::bounds(block).high.x);
+  options.crop = offline::parse_crop({fmt::format("x<{}", middle_mm)});
   const Built part_built = build_quietly({input_of(block, 1)}, options);
   const Organ whole = opened(whole_built.bytes), part = opened(part_built.bytes);
   EXPECT_EQ(2 * part.voxel_count, whole.voxel_count);
@@ -433,27 +435,27 @@ TEST(Build, CropsToRegionsAndHoldsTheCut) {
   EXPECT_EQ(held, 8U * 4U * 4U);
   EXPECT_LT(part.triangles.size(), whole.triangles.size());
   for (const char* bad : {"none", "touching:a.off", "w>3", ""}) {
-    EXPECT_THROW((void)bake::parse_crop({bad}), bake::Refusal) << bad;
+    EXPECT_THROW((void)offline::parse_crop({bad}), offline::Refusal) << bad;
   }
-  options.crop = bake::parse_crop({"x>30", "x<-30000"});
-  EXPECT_THROW((void)build_quietly({input_of(block, 1)}, options), bake::Refusal);
+  options.crop = offline::parse_crop({"x>30", "x<-30000"});
+  EXPECT_THROW((void)build_quietly({input_of(block, 1)}, options), offline::Refusal);
 }
 
 TEST(Build, TakesOneToAThousandInputsOfAPlausibleSize) {
-  const auto said = [](std::vector<bake::Input> inputs, const BuildOptions& options) {
+  const auto said = [](std::vector<offline::Input> inputs, const BuildOptions& options) {
     try {
       const Built built = build_quietly(std::move(inputs), options);
       return built.report.warnings.empty() ? std::string() : built.report.warnings[0];
-    } catch (const bake::Refusal& refused) {
+    } catch (const offline::Refusal& refused) {
       return std::string(refused.what());
     }
   };
-  const bake::Input block = input_of(bake::block_phantom({0.04, 0.02, 0.02}, 0.01), 1);
+  const offline::Input block = input_of(offline::block_phantom({0.04, 0.02, 0.02}, 0.01), 1);
   BuildOptions options;
   EXPECT_EQ(said({block}, options), "");
   EXPECT_EQ(said({}, options), "0 inputs: expected 1 to 1000");
   EXPECT_EQ(said(std::vector(1001, block), options), "1001 inputs: expected 1 to 1000");
-  const bake::Input large = input_of(bake::block_phantom({2.1, 0.5, 0.5}, 0.1), 1);
+  const offline::Input large = input_of(offline::block_phantom({2.1, 0.5, 0.5}, 0.1), 1);
   options.voxel_edge_m = 0.05;
   EXPECT_EQ(said({large}, options).find("the longest side is 2100 mm"), 0U);
   for (const double side_m : {4.9e-3, 5.1e-3, 1.99, 2.01}) {
@@ -461,7 +463,7 @@ TEST(Build, TakesOneToAThousandInputsOfAPlausibleSize) {
     coarse.voxel_edge_m = std::min(side_m / 5, 0.1);
     const Vec size = {side_m / 2, side_m, side_m / 3};
     const bool is_plausible = side_m > 5e-3 && side_m < 2;
-    EXPECT_EQ(said({input_of(bake::block_phantom(size, side_m / 5), 1)}, coarse)
+    EXPECT_EQ(said({input_of(offline::block_phantom(size, side_m / 5), 1)}, coarse)
                   .starts_with("the longest side is "),
               !is_plausible)
         << side_m;
@@ -476,9 +478,9 @@ TEST(Build, TakesOneToAThousandInputsOfAPlausibleSize) {
 TEST(Build, SameInputSameBytes) {
   BuildOptions options;
   options.capsule = "liver_capsule";
-  options.held = bake::parse_regions(bake::kDefaultFix, 1);
-  const auto once = build_quietly({input_of(bake::liver_phantom(8e-3), 1)}, options);
-  const auto again = build_quietly({input_of(bake::liver_phantom(8e-3), 1)}, options);
+  options.held = offline::parse_regions(offline::kDefaultFix, 1);
+  const auto once = build_quietly({input_of(offline::liver_phantom(8e-3), 1)}, options);
+  const auto again = build_quietly({input_of(offline::liver_phantom(8e-3), 1)}, options);
   EXPECT_EQ(once.bytes, again.bytes);
 }
 
@@ -488,11 +490,11 @@ TEST(Build, SameBytesFromEveryCompiler) {
   BuildOptions options;
   options.capsule = "liver_capsule";
   const auto block =
-      build_quietly({input_of(bake::block_phantom({0.061, 0.042, 0.024}, 0.005), 1)}, options);
+      build_quietly({input_of(offline::block_phantom({0.061, 0.042, 0.024}, 0.005), 1)}, options);
   EXPECT_EQ(opened(block.bytes).hash, 0xbe02680e2337795bU);
   const auto path = data_folder() / "organs" / "openhelp_Liver.stl";
   SKIP_WITHOUT(path);
-  const auto liver = build_quietly({input_of(bake::read_mesh(path).mesh, 1e-3)}, options);
+  const auto liver = build_quietly({input_of(offline::read_mesh(path).mesh, 1e-3)}, options);
   EXPECT_EQ(opened(liver.bytes).hash, 0x83f31562ef587001U);
 }
 

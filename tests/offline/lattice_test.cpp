@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "asset/sphere_tree.h"
-#include "bake_support.h"
+#include "offline_support.h"
 #include "organ_places.h"
 #include "random_bodies.h"
 #include "voxels/sample_cell.h"
@@ -17,9 +17,9 @@
 namespace stylet::test {
 namespace {
 
-using bake::Claims;
-using bake::Grid;
-using bake::Vec;
+using offline::Claims;
+using offline::Grid;
+using offline::Vec;
 
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
 
@@ -54,8 +54,8 @@ std::uint64_t drawn_samples(Draw& draw) {
   return bits;
 }
 
-bake::Occupancy drawn_occupancy(Draw& draw, const Grid& grid) {
-  bake::Occupancy drawn;
+offline::Occupancy drawn_occupancy(Draw& draw, const Grid& grid) {
+  offline::Occupancy drawn;
   each_cell(grid, [&](At) {
     drawn.inside.push_back(drawn_samples(draw));
     drawn.pierced.push_back(draw.below(4) == 0 ? 1 : 0);
@@ -76,11 +76,11 @@ TEST(Lattice, ACellBelongsToTheHighestPriorityThatHasSamplesThere) {
     const Grid grid = drawn_grid(draw);
     std::vector<int> priorities;
     for (int i = 0; i < 4; ++i) priorities.push_back(static_cast<int>(draw.below(3)) - 1);
-    Claims claims = bake::no_claims(grid);
-    std::vector<bake::Occupancy> inputs;
+    Claims claims = offline::no_claims(grid);
+    std::vector<offline::Occupancy> inputs;
     for (std::uint16_t i = 0; i < 4; ++i) {
       inputs.push_back(drawn_occupancy(draw, grid));
-      bake::add_claim(claims, inputs.back(), i, priorities);
+      offline::add_claim(claims, inputs.back(), i, priorities);
     }
     each_cell(grid, [&](At at) {
       const std::size_t cell = index_of(grid, at);
@@ -101,7 +101,7 @@ TEST(Lattice, ACellBelongsToTheHighestPriorityThatHasSamplesThere) {
       }
       EXPECT_EQ(claims.inside[cell], inside);
       EXPECT_EQ(claims.pierced[cell] != 0, pierced);
-      EXPECT_EQ(bake::is_kept(claims, cell), best >= 0);
+      EXPECT_EQ(offline::is_kept(claims, cell), best >= 0);
       if (best < 0) return;
       EXPECT_EQ(claims.owner[cell], best) << round;
       EXPECT_EQ(claims.owner_fill[cell],
@@ -130,13 +130,13 @@ TEST(Lattice, NumbersWhatIsKeptRowByRow) {
   Draw draw(42);
   for (int round = 0; round < 60; ++round) {
     const Grid grid = drawn_grid(draw);
-    Claims claims = bake::no_claims(grid);
-    bake::add_claim(claims, drawn_occupancy(draw, grid), 0, {0});
+    Claims claims = offline::no_claims(grid);
+    offline::add_claim(claims, drawn_occupancy(draw, grid), 0, {0});
     std::vector<std::uint8_t> cut;
     for (std::size_t i = 0; i < claims.inside.size() && round % 2 == 0; ++i) {
       cut.push_back(draw.below(4) == 0 ? 1 : 0);
     }
-    const bake::Lattice lattice = bake::make_lattice(claims, {}, cut);
+    const offline::Lattice lattice = offline::make_lattice(claims, {}, cut);
     std::vector<At> listed;
     for (const OrganRun& run : lattice.runs) {
       for (std::uint32_t i = 0; i < run.count; ++i) listed.push_back({run.x + i, run.y, run.z});
@@ -145,11 +145,11 @@ TEST(Lattice, NumbersWhatIsKeptRowByRow) {
     bool goes_on = false;
     each_cell(grid, [&](At at) {
       const std::size_t cell = index_of(grid, at);
-      const bool kept = bake::is_kept(claims, cell) && (cut.empty() || cut[cell] == 0);
+      const bool kept = offline::is_kept(claims, cell) && (cut.empty() || cut[cell] == 0);
       if (at.x == 0) goes_on = false;
       if (kept && !goes_on) ++runs;
       goes_on = kept;
-      ASSERT_EQ(lattice.voxel_of_cell[cell], kept ? voxel : bake::kNoVoxel);
+      ASSERT_EQ(lattice.voxel_of_cell[cell], kept ? voxel : offline::kNoVoxel);
       if (!kept) return;
       ASSERT_LT(voxel, listed.size());
       EXPECT_EQ(index_of(grid, listed[voxel]), cell);
@@ -169,11 +169,11 @@ TEST(Lattice, SkinIsWhatIsBareOrPiercedAndNotAmongFullOnes) {
   int skin = 0, none = 0;
   for (int round = 0; round < 60; ++round) {
     const Grid grid = drawn_grid(draw);
-    Claims claims = bake::no_claims(grid);
-    bake::Occupancy drawn = drawn_occupancy(draw, grid);
+    Claims claims = offline::no_claims(grid);
+    offline::Occupancy drawn = drawn_occupancy(draw, grid);
     // Mostly full, so that some are in the midst of full ones.
     for (std::uint64_t& inside : drawn.inside) inside = draw.below(30) == 0 ? inside : kAll;
-    bake::add_claim(claims, drawn, 0, {0});
+    offline::add_claim(claims, drawn, 0, {0});
     each_cell(grid, [&](At at) {
       bool midst = true, bare = false;
       each_cell({{}, 1, {3, 3, 3}}, [&](At by) {
@@ -185,10 +185,10 @@ TEST(Lattice, SkinIsWhatIsBareOrPiercedAndNotAmongFullOnes) {
         const int apart = std::abs(static_cast<int>(by.x) - 1) +
                           std::abs(static_cast<int>(by.y) - 1) +
                           std::abs(static_cast<int>(by.z) - 1);
-        bare = bare || (apart == 1 && !(there && bake::is_kept(claims, cell)));
+        bare = bare || (apart == 1 && !(there && offline::is_kept(claims, cell)));
       });
       const bool expected = !midst && (bare || claims.pierced[index_of(grid, at)] != 0);
-      EXPECT_EQ(bake::is_skin(claims, at.x, at.y, at.z), expected);
+      EXPECT_EQ(offline::is_skin(claims, at.x, at.y, at.z), expected);
       (expected ? skin : none) += 1;
     });
   }
@@ -201,7 +201,7 @@ TEST(Lattice, SkinIsWhatIsBareOrPiercedAndNotAmongFullOnes) {
 TEST(Lattice, WhatTwoInputsFillIsOfOneTissueAlsoForTheNeedle) {
   Draw draw(46);
   for (int round = 0; round < 6; ++round) {
-    std::vector<bake::Input> inputs;
+    std::vector<offline::Input> inputs;
     for (const char* tissue : {"liver", "kidney", "muscle"}) {
       const Vec low{draw.between(0, 0.01), draw.between(0, 0.01), draw.between(0, 0.01)};
       const Vec high{draw.between(0.03, 0.05), draw.between(0.03, 0.05), draw.between(0.03, 0.05)};
@@ -209,7 +209,7 @@ TEST(Lattice, WhatTwoInputsFillIsOfOneTissueAlsoForTheNeedle) {
     }
     draw.shuffle(inputs);
     if (round % 2 == 0) inputs.pop_back();
-    const bake::Built built = build_quietly(inputs, {});
+    const offline::Built built = build_quietly(inputs, {});
     const Organ organ = opened(built.bytes);
     const Places places(organ);
     const double edge = static_cast<double>(organ.voxel_edge_m);
@@ -235,13 +235,13 @@ TEST(Lattice, HoldsEveryPointToHalfAQuantum) {
   Draw draw(44);
   for (int round = 0; round < 60; ++round) {
     const Grid grid = drawn_grid(draw);
-    Claims claims = bake::no_claims(grid);
+    Claims claims = offline::no_claims(grid);
     for (std::uint16_t i = 0; i < 3; ++i) {
-      bake::Occupancy drawn = drawn_occupancy(draw, grid);
+      offline::Occupancy drawn = drawn_occupancy(draw, grid);
       for (std::size_t c = 0; c < drawn.inside.size(); ++c) {
         if (draw.below(3) != 0) drawn.inside[c] = drawn.pierced[c] = 0;
       }
-      bake::add_claim(claims, drawn, i, {0, 0, 0});
+      offline::add_claim(claims, drawn, i, {0, 0, 0});
     }
     const Claims before = claims;
     std::vector<Vec> points;
@@ -250,10 +250,10 @@ TEST(Lattice, HoldsEveryPointToHalfAQuantum) {
                    draw.between(0, grid.size[2])};
       points.push_back(grid.origin_m + at * grid.edge_m);
     }
-    const bake::Lattice lattice = bake::make_lattice(claims, points);
-    std::vector<bake::Triangle> triangles;
+    const offline::Lattice lattice = offline::make_lattice(claims, points);
+    std::vector<offline::Triangle> triangles;
     for (std::uint32_t i = 0; i + 2 < points.size(); i += 3) triangles.push_back({i, i + 1, i + 2});
-    const bake::Surface surface = bake::embed(lattice, points, triangles);
+    const offline::Surface surface = offline::embed(lattice, points, triangles);
     ASSERT_EQ(surface.vertices.size(), points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       const OrganVertex& v = surface.vertices[i];
@@ -267,8 +267,8 @@ TEST(Lattice, HoldsEveryPointToHalfAQuantum) {
         EXPECT_LE(std::abs(place[axis] - points[i][axis]), grid.edge_m * (0.5 / 65535 + 1e-12));
         EXPECT_NEAR(surface.rest_m[i][axis], place[axis], 1e-12);
       }
-      EXPECT_EQ(bake::cell_of(grid, points[i]), cell);
-      if (bake::is_kept(before, cell)) continue;
+      EXPECT_EQ(offline::cell_of(grid, points[i]), cell);
+      if (offline::is_kept(before, cell)) continue;
       int most = 0;
       each_cell(grid, [&](At at) {
         if (std::abs(at.x - low.x) > 1 || std::abs(at.y - low.y) > 1 || std::abs(at.z - low.z) > 1)
@@ -296,7 +296,7 @@ TEST(Lattice, AVertexOfASharedCellHangsOnTheVoxelBelowIt) {
   for (int round = 0; round < 200; ++round) {
     const std::size_t axis = draw.below(3);
     const bool faces_up = draw.coin();
-    bake::Lattice lattice;
+    offline::Lattice lattice;
     lattice.grid = {{draw.between(-1, 1), draw.between(-1, 1), draw.between(-1, 1)},
                     draw.between(0.002, 0.01),
                     {1, 1, 1}};
@@ -316,7 +316,7 @@ TEST(Lattice, AVertexOfASharedCellHangsOnTheVoxelBelowIt) {
       const Vec in_cell{across[(3 - axis) % 3], across[(4 - axis) % 3], across[(5 - axis) % 3]};
       points.push_back(lattice.grid.origin_m + in_cell * lattice.grid.edge_m);
     }
-    const bake::Surface surface = bake::embed(lattice, points, {{0, 1, 2}});
+    const offline::Surface surface = offline::embed(lattice, points, {{0, 1, 2}});
     const std::uint32_t below = faces_up ? 0 : 1;
     for (const OrganVertex& v : surface.vertices) EXPECT_EQ(v.voxel, below) << round;
     EXPECT_EQ(surface.voxel_of[0], below) << round;
@@ -327,29 +327,30 @@ TEST(Lattice, AVertexOfASharedCellHangsOnTheVoxelBelowIt) {
 // cell that voxels share is that of the voxel whose samples are nearest to its middle.
 TEST(Lattice, QuartersOfASharedCellGoToTheNearestSamples) {
   Draw draw(48);
-  bake::SamplePlaces places;
-  for (std::uint32_t i = 0; i < 64; ++i) places[i] = bake::sample_point(i);
+  offline::SamplePlaces places;
+  for (std::uint32_t i = 0; i < 64; ++i) places[i] = offline::sample_point(i);
   int three = 0;
   for (int round = 0; round < 6; ++round) {
     const std::array<Vec, 3> frame = random_frame(draw);
-    bake::Mesh plates;
+    offline::Mesh plates;
     for (int i = 0; i < 4; ++i) {
       const Vec low{-5 + draw.between(0, 1), -5 + draw.between(0, 1), 1.3 * i};
       append(plates, box_mesh(low, {5, 5, low.z + draw.between(0.6, 0.75)}));
     }
     plates = turned(plates, frame);
-    const Grid grid = bake::make_grid(bake::bounds(plates), 1.5);
-    Claims claims = bake::no_claims(grid);
-    bake::add_claim(claims, bake::voxelize(grid, bake::repair(plates), [](const char*, double) {}),
-                    0, {0});
-    const bake::Lattice lattice =
-        bake::split_parts(claims, places, bake::make_lattice(claims, plates.points));
-    std::map<std::size_t, std::vector<bake::SharedCell>> cells;
-    for (const bake::SharedCell& each : lattice.shared) cells[each.cell].push_back(each);
+    const Grid grid = offline::make_grid(offline::bounds(plates), 1.5);
+    Claims claims = offline::no_claims(grid);
+    offline::add_claim(claims,
+                       offline::voxelize(grid, offline::repair(plates), [](const char*, double) {}),
+                       0, {0});
+    const offline::Lattice lattice =
+        offline::split_parts(claims, places, offline::make_lattice(claims, plates.points));
+    std::map<std::size_t, std::vector<offline::SharedCell>> cells;
+    for (const offline::SharedCell& each : lattice.shared) cells[each.cell].push_back(each);
     for (const auto& [cell, parts] : cells) {
       std::uint64_t all = 0;
       bool known = true;
-      for (const bake::SharedCell& part : parts) {
+      for (const offline::SharedCell& part : parts) {
         EXPECT_EQ(all & part.quarters, 0U);
         all |= part.quarters;
         known = known && part.inside != 0;
@@ -359,10 +360,10 @@ TEST(Lattice, QuartersOfASharedCellGoToTheNearestSamples) {
       for (unsigned q = 0; q < 64 && known; ++q) {
         const Vec middle = Vec{q % 4 + 0.5, q / 4 % 4 + 0.5, q / 16 + 0.5} * 0.25;
         double nearest = 9, own = 9;
-        for (const bake::SharedCell& part : parts) {
+        for (const offline::SharedCell& part : parts) {
           for (unsigned s = 0; s < 64; ++s) {
             if ((part.inside >> s & 1U) == 0) continue;
-            const double away = bake::length(places[s] - middle);
+            const double away = offline::length(places[s] - middle);
             nearest = std::min(nearest, away);
             if ((part.quarters >> q & 1U) != 0) own = std::min(own, away);
           }
@@ -378,7 +379,7 @@ TEST(Lattice, QuartersOfASharedCellGoToTheNearestSamples) {
 
 struct DrawnTriangles {
   std::vector<Vec> points;
-  std::vector<bake::Triangle> triangles;
+  std::vector<offline::Triangle> triangles;
   std::vector<std::uint32_t> voxel_of;
 };
 
@@ -404,18 +405,19 @@ Vec centre_of(const OrganSphere& s) {
 constexpr double kRounding = 2e-6;
 
 // Of the triangles of a leaf: around the middle of their box, as far as the farthest corner.
-void expect_leaf(const DrawnTriangles& drawn, const bake::SphereTree& tree, const OrganSphere& s) {
-  bake::Box box;
+void expect_leaf(const DrawnTriangles& drawn, const offline::SphereTree& tree,
+                 const OrganSphere& s) {
+  offline::Box box;
   double farthest = 0;
   const auto each_corner = [&](auto visit) {
     for (std::uint32_t i = s.first; i < s.first + s.count; ++i) {
       for (const std::uint32_t corner : drawn.triangles[tree.order[i]]) visit(drawn.points[corner]);
     }
   };
-  each_corner([&](Vec p) { bake::grow(box, p); });
+  each_corner([&](Vec p) { offline::grow(box, p); });
   const Vec middle = (box.low + box.high) * 0.5;
-  each_corner([&](Vec p) { farthest = std::max(farthest, bake::length(p - middle)); });
-  EXPECT_LT(bake::length(centre_of(s) - middle), kRounding);
+  each_corner([&](Vec p) { farthest = std::max(farthest, offline::length(p - middle)); });
+  EXPECT_LT(offline::length(centre_of(s) - middle), kRounding);
   EXPECT_GE(static_cast<double>(s.radius), farthest);
   EXPECT_LT(static_cast<double>(s.radius), farthest + kRounding);
 }
@@ -423,19 +425,20 @@ void expect_leaf(const DrawnTriangles& drawn, const bake::SphereTree& tree, cons
 // Of two spheres: the larger where it holds the other, else as wide as both with what is between.
 void expect_parent(const OrganSphere& s, const OrganSphere& a, const OrganSphere& b) {
   const double ra = static_cast<double>(a.radius), rb = static_cast<double>(b.radius);
-  const double apart = bake::length(centre_of(b) - centre_of(a));
+  const double apart = offline::length(centre_of(b) - centre_of(a));
   const double smallest = std::max({ra, rb, (apart + ra + rb) / 2});
   const double radius = static_cast<double>(s.radius);
   EXPECT_LT(radius, smallest + kRounding);
-  EXPECT_LE(bake::length(centre_of(a) - centre_of(s)) + ra, radius + 1e-9);
-  EXPECT_LE(bake::length(centre_of(b) - centre_of(s)) + rb, radius + 1e-9);
+  EXPECT_LE(offline::length(centre_of(a) - centre_of(s)) + ra, radius + 1e-9);
+  EXPECT_LE(offline::length(centre_of(b) - centre_of(s)) + rb, radius + 1e-9);
 }
 
 TEST(SphereTree, LeavesAndParentsAreAsTightAsTheyCanBe) {
   Draw draw(45);
   for (int round = 0; round < 100; ++round) {
     const DrawnTriangles drawn = drawn_triangles(draw);
-    const bake::SphereTree tree = bake::sphere_tree(drawn.points, drawn.triangles, drawn.voxel_of);
+    const offline::SphereTree tree =
+        offline::sphere_tree(drawn.points, drawn.triangles, drawn.voxel_of);
     std::vector<std::uint32_t> order = tree.order;
     std::sort(order.begin(), order.end());
     for (std::uint32_t i = 0; i < order.size(); ++i) ASSERT_EQ(order[i], i);

@@ -9,16 +9,16 @@
 #include <chrono>
 #include <cstring>
 
-#include "bake_support.h"
 #include "base/refusal.h"
 #include "label_support.h"
 #include "maps/label_map.h"
+#include "offline_support.h"
 #include "random_bodies.h"
 
 namespace stylet::test {
 namespace {
 
-using bake::LabelMap;
+using offline::LabelMap;
 using testing::HasSubstr;
 
 std::string packed(const std::string& bytes) {
@@ -74,9 +74,9 @@ void expect_labels_as(const char* type) {
          {scratch.write("one.nrrd", head + "\n" + packed(voxels)),
           scratch.write("parts.nrrd", head + "byte skip: 0\n\n" + packed_in_parts(draw, voxels)),
           scratch.write("files.nhdr", head + "data file: LIST\na.bz2\nb.bz2\n")}) {
-      const LabelMap map = bake::read_label_map(path);
+      const LabelMap map = offline::read_label_map(path);
       EXPECT_EQ(map.label, labels) << path << type << seed;
-      EXPECT_EQ(map.step_m[2], (bake::Vec{0, 0, 3e-3}));
+      EXPECT_EQ(map.step_m[2], (offline::Vec{0, 0, 3e-3}));
     }
   }
 }
@@ -104,9 +104,9 @@ TEST(Bzip2, LayersOfSlicerAreRead) {
       "Segment0_LabelValue:=1\nSegment0_Layer:=0\nSegment1_ID:=b\nSegment1_Name:=Vein\n"
       "Segment1_LabelValue:=1\nSegment1_Layer:=1\n\n" +
           packed(std::string("\1\0\0\1", 4)));
-  const LabelMap map = bake::read_label_map(path);
+  const LabelMap map = offline::read_label_map(path);
   EXPECT_EQ(map.label, (std::vector<std::uint16_t>{1, 2}));
-  EXPECT_EQ(map.names, (bake::LabelNames{{1, "Liver"}, {2, "Vein"}}));
+  EXPECT_EQ(map.names, (offline::LabelNames{{1, "Liver"}, {2, "Vein"}}));
 }
 
 // Every place a stream may end at, and bytes of it that are others: none is taken for whole.

@@ -4,20 +4,20 @@
 #include <numbers>
 #include <random>
 
-#include "bake_support.h"
 #include "base/refusal.h"
 #include "meshes/phantom.h"
 #include "meshes/triangle_tree.h"
 #include "meshes/wrap.h"
+#include "offline_support.h"
 #include "voxels/sample_cell.h"
 #include "voxels/voxelize.h"
 
 namespace stylet::test {
 namespace {
 
-using bake::BuildOptions;
-using bake::Mesh;
-using bake::Vec;
+using offline::BuildOptions;
+using offline::Mesh;
+using offline::Vec;
 
 constexpr double kMm = 1e-3;
 // The voxel edge is a float in the file, so a volume is right to three of its roundings.
@@ -27,12 +27,12 @@ double built_volume_ml(const Mesh& mesh_m, double voxel_mm, bool wrap = false) {
   BuildOptions options;
   options.voxel_edge_m = voxel_mm * kMm;
   options.wrap = wrap;
-  const bake::Built built = build_quietly({input_of(mesh_m, 1)}, options);
+  const offline::Built built = build_quietly({input_of(mesh_m, 1)}, options);
   return volume_m3(opened(built.bytes)) * 1e6;
 }
 
 Mesh block_mm(double x, double y, double z) {
-  return bake::block_phantom(Vec{x, y, z} * kMm, 5 * kMm);
+  return offline::block_phantom(Vec{x, y, z} * kMm, 5 * kMm);
 }
 
 void move(Mesh& mesh, Vec by) {
@@ -42,7 +42,7 @@ void move(Mesh& mesh, Vec by) {
 void append(Mesh& mesh, const Mesh& other, bool turned) {
   const auto base = static_cast<std::uint32_t>(mesh.points.size());
   mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
-  for (bake::Triangle t : other.triangles) {
+  for (offline::Triangle t : other.triangles) {
     if (turned) std::swap(t[1], t[2]);
     mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
   }
@@ -69,7 +69,7 @@ TEST(Volume, BlockOutOfStepIsWithinTheSampling) {
 // The mesher's facets lie inside the sphere by at most 0.25 % of the radius: 0.75 % of the volume.
 TEST(Volume, BallIsFourThirdsPiRCubed) {
   const double exact_ml = 4.0 / 3.0 * std::numbers::pi * 27;
-  EXPECT_NEAR(built_volume_ml(bake::ball_phantom(60 * kMm, 5 * kMm), 5), exact_ml,
+  EXPECT_NEAR(built_volume_ml(offline::ball_phantom(60 * kMm, 5 * kMm), 5), exact_ml,
               exact_ml * 0.0075);
 }
 
@@ -108,7 +108,7 @@ TEST(Volume, DoubledSheetsCountOnce) {
 // the inside. It may cut a dent below the window, of about the window's size cubed.
 TEST(Volume, HoleWiderThanAVoxelIsBridged) {
   Mesh mesh = block_mm(60, 60, 60);
-  std::erase_if(mesh.triangles, [&](const bake::Triangle& t) {
+  std::erase_if(mesh.triangles, [&](const offline::Triangle& t) {
     const Vec c = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) * (1.0 / 3);
     return c.x < 1e-9 && std::abs(c.y) < 10 * kMm && std::abs(c.z) < 10 * kMm;
   });
@@ -120,7 +120,7 @@ TEST(Volume, HoleWiderThanAVoxelIsBridged) {
 
 TEST(Volume, NoneIsRefusedUnlessWrapped) {
   const Mesh triangle{{{0, 0, 0}, {0.03, 0, 0}, {0, 0.03, 0}}, {{0, 1, 2}}};
-  EXPECT_THROW((void)built_volume_ml(triangle, 5), bake::Refusal);
+  EXPECT_THROW((void)built_volume_ml(triangle, 5), offline::Refusal);
   // The skin stands off by half a millimetre on both sides of 4.5 cm^2 and around a rim of 10.2 cm;
   // its facets, a voxel long, cut the rim and its corners short.
   const double slab_ml = 0.45, rim_ml = 10.2 * std::numbers::pi / 2 * 0.05 * 0.05;
@@ -130,13 +130,13 @@ TEST(Volume, NoneIsRefusedUnlessWrapped) {
 }
 
 TEST(Winding, IsOneInsideZeroOutside) {
-  const Mesh ball = bake::ball_phantom(60 * kMm, 5 * kMm);
-  const bake::TriangleTree tree = bake::triangle_tree(ball.points, ball.triangles);
+  const Mesh ball = offline::ball_phantom(60 * kMm, 5 * kMm);
+  const offline::TriangleTree tree = offline::triangle_tree(ball.points, ball.triangles);
   for (int i = -20; i <= 20; ++i) {
     const double x = i * 2.1 * kMm;  // never nearer than 0.6 mm to the surface
     const double expected = std::abs(x) < 30 * kMm ? 1 : 0;
-    EXPECT_NEAR(bake::winding_number(tree, {x, 0.3 * kMm, 0.2 * kMm}), expected, 0.05) << x;
-    EXPECT_EQ(bake::crossings(tree, {x, 0.3 * kMm, 0.2 * kMm}, {0.1, 1, 0.2}) % 2,
+    EXPECT_NEAR(offline::winding_number(tree, {x, 0.3 * kMm, 0.2 * kMm}), expected, 0.05) << x;
+    EXPECT_EQ(offline::crossings(tree, {x, 0.3 * kMm, 0.2 * kMm}, {0.1, 1, 0.2}) % 2,
               static_cast<int>(expected));
   }
 }
@@ -170,7 +170,7 @@ TEST(Volume, OpenBodiesThatEncloseSomethingAreTurnedEachByItself) {
 // A face three times, first the wrong way and then twice the right one.
 TEST(Volume, OfFacesThatContradictEachOtherTheMostCount) {
   Mesh mesh = block_mm(40, 40, 40);
-  const bake::Triangle right = mesh.triangles.front();
+  const offline::Triangle right = mesh.triangles.front();
   mesh.triangles.front() = {right[0], right[2], right[1]};
   mesh.triangles.push_back(right);
   mesh.triangles.push_back(right);
@@ -180,12 +180,12 @@ TEST(Volume, OfFacesThatContradictEachOtherTheMostCount) {
 // Of a closed surface every ray from inside meets one face before it and one behind.
 TEST(Rays, GoOneWayAndMeetNothingWhereThereIsNothing) {
   const Mesh block = box_mesh({0, 0, 0}, {3, 2, 1});
-  const bake::TriangleTree tree = bake::triangle_tree(block.points, block.triangles);
+  const offline::TriangleTree tree = offline::triangle_tree(block.points, block.triangles);
   for (int i = 0; i < 100; ++i) {
     const Vec ray{std::cos(0.9 * i), std::sin(0.9 * i), 0.31 * std::cos(2.3 * i + 1)};
-    EXPECT_EQ(bake::crossings(tree, {1.1, 0.7, 0.4}, ray), 1) << i;
+    EXPECT_EQ(offline::crossings(tree, {1.1, 0.7, 0.4}, ray), 1) << i;
   }
-  EXPECT_EQ(bake::crossings(bake::triangle_tree({}, {}), {0, 0, 0}, {0.1, 1, 0.2}), 0);
+  EXPECT_EQ(offline::crossings(offline::triangle_tree({}, {}), {0, 0, 0}, {0.1, 1, 0.2}), 0);
 }
 
 // Faces turned at random, which no winding number can make sense of: rays do not look at sides.
@@ -194,25 +194,25 @@ TEST(Rays, VoteWhereFacesDisagree) {
   for (std::size_t i = 0; i < block.triangles.size(); i += 2 + i % 3) {
     std::swap(block.triangles[i][1], block.triangles[i][2]);
   }
-  const bake::TriangleTree tree = bake::triangle_tree(block.points, block.triangles);
+  const offline::TriangleTree tree = offline::triangle_tree(block.points, block.triangles);
   for (int i = -10; i < 30; ++i) {
     const Vec at = Vec{i * 2.0 + 0.7, i - 9.6, 0.4 * i - 3.3} * kMm;
     const bool inside = at.x > 0 && at.x < 0.04 && std::abs(at.y) < 0.02 && std::abs(at.z) < 0.02;
-    EXPECT_EQ(bake::is_inside({tree, false}, at), inside) << i;
+    EXPECT_EQ(offline::is_inside({tree, false}, at), inside) << i;
   }
 }
 
 // Counting crossings from sample to sample gives what 64 winding numbers give.
 TEST(SampleCell, ShortWayAgreesWithTheLongOne) {
-  Mesh ball = bake::ball_phantom(60 * kMm, 5 * kMm);
+  Mesh ball = offline::ball_phantom(60 * kMm, 5 * kMm);
   for (Vec& p : ball.points) p = p * 200;  // cells of 5 mm
-  const bake::TriangleTree tree = bake::triangle_tree(ball.points, ball.triangles);
+  const offline::TriangleTree tree = offline::triangle_tree(ball.points, ball.triangles);
   int partly = 0;
   for (int x = -7; x < 7; ++x) {
     for (int y = -7; y < 7; ++y) {
       const Vec low{static_cast<double>(x), static_cast<double>(y), 1};
-      const std::uint64_t bits = bake::sample_cell({tree, true}, low);
-      EXPECT_EQ(bake::sample_cell({tree, true}, low, tree.corners), bits) << x << " " << y;
+      const std::uint64_t bits = offline::sample_cell({tree, true}, low);
+      EXPECT_EQ(offline::sample_cell({tree, true}, low, tree.corners), bits) << x << " " << y;
       partly += bits != 0 && std::popcount(bits) < 64 ? 1 : 0;
     }
   }
@@ -231,27 +231,27 @@ TEST(SampleCell, ShortWayAgreesWhereSamplesLieOnFaces) {
       high.*axis += 0.25;
     }
     const Mesh box = box_mesh(low, high);
-    const bake::TriangleTree tree = bake::triangle_tree(box.points, box.triangles);
-    const std::uint64_t bits = bake::sample_cell({tree, true}, {0, 0, 0});
-    EXPECT_EQ(bake::sample_cell({tree, true}, {0, 0, 0}, tree.corners), bits) << n;
+    const offline::TriangleTree tree = offline::triangle_tree(box.points, box.triangles);
+    const std::uint64_t bits = offline::sample_cell({tree, true}, {0, 0, 0});
+    EXPECT_EQ(offline::sample_cell({tree, true}, {0, 0, 0}, tree.corners), bits) << n;
   }
 }
 
 TEST(Grid, RefusesWhatMemoryCannotHold) {
-  EXPECT_THROW((void)bake::make_grid({{0, 0, 0}, {1, 1, 1}}, 1e-4), bake::Refusal);
-  EXPECT_THROW((void)bake::make_grid({{0, 0, 0}, {7, 1e-4, 1e-4}}, 1e-4), bake::Refusal);
+  EXPECT_THROW((void)offline::make_grid({{0, 0, 0}, {1, 1, 1}}, 1e-4), offline::Refusal);
+  EXPECT_THROW((void)offline::make_grid({{0, 0, 0}, {7, 1e-4, 1e-4}}, 1e-4), offline::Refusal);
   // A thousand triangles across as many cells as 160 along each side are 4 096 million visits.
-  const bake::Grid grid = bake::make_grid({{0, 0, 0}, {0.16, 0.16, 0.16}}, 1e-3);
-  bake::Solid solid;
+  const offline::Grid grid = offline::make_grid({{0, 0, 0}, {0.16, 0.16, 0.16}}, 1e-3);
+  offline::Solid solid;
   solid.surface.points = {{0, 0, 0}, {0.16, 0.16, 0}, {0, 0.16, 0.16}};
   solid.surface.triangles.assign(1000, {0, 1, 2});
-  EXPECT_THROW((void)bake::voxelize(grid, solid, [](const char*, double) {}), bake::Refusal);
+  EXPECT_THROW((void)offline::voxelize(grid, solid, [](const char*, double) {}), offline::Refusal);
 }
 
 // The overlap test against its definition: a cube is pierced when a dense set of the triangle's
 // points has one inside it; and no point of the triangle lies in a cube that is not marked.
 TEST(Overlap, NoPointOfATriangleIsMissed) {
-  const bake::Grid grid = bake::make_grid({{0, 0, 0}, {0.05, 0.05, 0.05}}, 5 * kMm);
+  const offline::Grid grid = offline::make_grid({{0, 0, 0}, {0.05, 0.05, 0.05}}, 5 * kMm);
   std::uint32_t seed = 7;
   const auto draw = [&] {
     seed = seed * 1664525U + 1013904223U;
@@ -263,16 +263,16 @@ TEST(Overlap, NoPointOfATriangleIsMissed) {
     if (round % 4 == 0)
       mesh.points[2] =
           mesh.points[0] + (mesh.points[1] - mesh.points[0]) * 0.5 + Vec{1e-9, 0, 0};  // a sliver
-    const std::vector<std::uint8_t> touched = bake::touched_cells(grid, mesh);
+    const std::vector<std::uint8_t> touched = offline::touched_cells(grid, mesh);
     std::vector<std::uint8_t> met(touched.size(), 0);
     for (int i = 0; i <= 200; ++i) {
       for (int j = 0; i + j <= 200; ++j) {
         const Vec p = mesh.points[0] + (mesh.points[1] - mesh.points[0]) * (i / 200.0) +
                       (mesh.points[2] - mesh.points[0]) * (j / 200.0);
-        const Vec at = bake::to_lattice(grid, p);
-        met[bake::cell_index(grid, static_cast<std::uint32_t>(at.x),
-                             static_cast<std::uint32_t>(at.y), static_cast<std::uint32_t>(at.z))] =
-            1;
+        const Vec at = offline::to_lattice(grid, p);
+        met[offline::cell_index(grid, static_cast<std::uint32_t>(at.x),
+                                static_cast<std::uint32_t>(at.y),
+                                static_cast<std::uint32_t>(at.z))] = 1;
       }
     }
     for (std::size_t cell = 0; cell < met.size(); ++cell) ASSERT_LE(met[cell], touched[cell]);

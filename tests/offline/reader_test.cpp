@@ -9,29 +9,29 @@
 #include <initializer_list>
 #include <random>
 
-#include "bake_support.h"
 #include "base/file.h"
 #include "base/refusal.h"
 #include "meshes/mesh_text.h"
 #include "meshes/read_mesh.h"
+#include "offline_support.h"
 
 namespace stylet::test {
 namespace {
 
-using bake::Mesh;
-using bake::ReadMesh;
-using bake::Vec;
+using offline::Mesh;
+using offline::ReadMesh;
+using offline::Vec;
 using testing::HasSubstr;
 
 ReadMesh read(const std::string& name, const std::string& bytes) {
   const Scratch scratch;
-  return bake::read_mesh(scratch.write(name, bytes));
+  return offline::read_mesh(scratch.write(name, bytes));
 }
 
 std::string refusal(const std::string& name, const std::string& bytes) {
   try {
     (void)read(name, bytes);
-  } catch (const bake::Refusal& refused) {
+  } catch (const offline::Refusal& refused) {
     const std::string what = refused.what();
     EXPECT_EQ(what.find('\n'), std::string::npos) << what;
     return what;
@@ -46,8 +46,8 @@ TEST(Obj, FansPolygonsAndCountsBackwards) {
                           "v 0 0 0\nv 1 0 0\nv 1 1 0 # comment\nv 0 1 0\n"
                           "vt 0 0\nvn 0 0 1\nf 1/1/1 2//1 3/1 4\nf -4 -3 -2\n");
   ASSERT_EQ(m.mesh.triangles.size(), 3U);
-  EXPECT_EQ(m.mesh.triangles[1], (bake::Triangle{0, 2, 3}));
-  EXPECT_EQ(m.mesh.triangles[2], (bake::Triangle{0, 1, 2}));
+  EXPECT_EQ(m.mesh.triangles[1], (offline::Triangle{0, 2, 3}));
+  EXPECT_EQ(m.mesh.triangles[2], (offline::Triangle{0, 1, 2}));
   EXPECT_EQ(m.counts.polygons, 1U);
 }
 
@@ -88,7 +88,7 @@ TEST(Obj, NumbersOfPointsAreWholeAndInRange) {
               HasSubstr("a.obj:4: '" + std::string(40, '?') + "...': expected"));
   EXPECT_THAT(refusal("a.obj", three + "f 1 2 " + std::string(40, 'x') + "\n"),
               HasSubstr("a.obj:4: '" + std::string(40, 'x') + "': expected"));
-  EXPECT_EQ(read("a.obj", three + "f +1 +2 +3\n").mesh.triangles[0], (bake::Triangle{0, 1, 2}));
+  EXPECT_EQ(read("a.obj", three + "f +1 +2 +3\n").mesh.triangles[0], (offline::Triangle{0, 1, 2}));
 }
 
 TEST(Obj, JoinsAsManyLinesAsAreContinued) {
@@ -100,7 +100,8 @@ TEST(Obj, JoinsAsManyLinesAsAreContinued) {
       text += std::string(" ") + corner;
     }
     if (engine() % 2 == 0) text += "\\";  // and nothing behind
-    EXPECT_EQ(read("a.obj", text).mesh.triangles, (std::vector{bake::Triangle{0, 1, 2}})) << text;
+    EXPECT_EQ(read("a.obj", text).mesh.triangles, (std::vector{offline::Triangle{0, 1, 2}}))
+        << text;
   }
 }
 
@@ -307,7 +308,8 @@ TEST(Ply, ReadsEveryTypeOfNumber) {
     put(types[1], 0);
     const ReadMesh m = read("a.ply", bytes);
     EXPECT_EQ(m.mesh.points, places) << bytes;
-    EXPECT_EQ(m.mesh.triangles[0], (bake::Triangle{corners[0], corners[1], corners[2]})) << bytes;
+    EXPECT_EQ(m.mesh.triangles[0], (offline::Triangle{corners[0], corners[1], corners[2]}))
+        << bytes;
   }
 }
 
@@ -365,7 +367,7 @@ TEST(Off, ClaimsNoMoreThanTheFileHolds) {
 
 TEST(Off, WrittenMeshReadsBackToTheBit) {
   const Mesh mesh{{{0.1, 1.0 / 3, -1e-300}, {1e22, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-  EXPECT_EQ(read("a.off", bake::off_text(mesh)).mesh.points, mesh.points);
+  EXPECT_EQ(read("a.off", offline::off_text(mesh)).mesh.points, mesh.points);
 }
 
 // The kernel's own files say a page as their size and end much before it.
@@ -375,9 +377,9 @@ TEST(ReadFile, SaysWhereAFileEndsThatIsShorterThanItSays) {
   const std::string size = std::to_string(std::filesystem::file_size(file));
   const std::string bytes = std::to_string(slurp(file).size());
   try {
-    (void)bake::read_file(file);
+    (void)offline::read_file(file);
     ADD_FAILURE() << "read";
-  } catch (const bake::Refusal& refused) {
+  } catch (const offline::Refusal& refused) {
     EXPECT_THAT(refused.what(), HasSubstr(" after " + bytes + " of " + size + " bytes: expected"));
   }
 }
@@ -395,8 +397,8 @@ TEST(ReadFile, NamesAFileThatOnlyOthersMayRead) {
   }
   std::string said;
   try {
-    (void)bake::read_file(file);
-  } catch (const bake::Refusal& refused) {
+    (void)offline::read_file(file);
+  } catch (const offline::Refusal& refused) {
     said = refused.what();
   }
   if (tester == 0) {
@@ -422,19 +424,19 @@ TEST(ReadMesh, TakesTextWithAByteOrderMark) {
 
 TEST(ReadMesh, RefusesOtherFilesByName) {
   EXPECT_THAT(refusal("a.nii.gz", "x"), HasSubstr("expected a mesh file ending in"));
-  EXPECT_THROW((void)bake::read_mesh("/no/such/file.obj"), bake::Refusal);
+  EXPECT_THROW((void)offline::read_mesh("/no/such/file.obj"), offline::Refusal);
 }
 
 // No cut of a good file may crash a reader or be taken for something else than a mesh or a refusal.
 TEST(ReadMesh, SurvivesEveryCut) {
   for (const std::string& whole : {binary_ply(false), binary_stl(2, 2)}) {
     const std::string name = whole.starts_with("ply") ? "a.ply" : "a.stl";
-    const auto reader = whole.starts_with("ply") ? bake::read_ply : bake::read_stl;
+    const auto reader = whole.starts_with("ply") ? offline::read_ply : offline::read_stl;
     for (std::size_t size = 0; size < whole.size(); ++size) {
       try {
         (void)reader(name, whole.substr(0, size));
         ADD_FAILURE() << name << " cut to " << size << " bytes was accepted";
-      } catch (const bake::Refusal&) {
+      } catch (const offline::Refusal&) {
       }
     }
   }

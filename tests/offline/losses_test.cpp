@@ -8,8 +8,8 @@
 
 #include <numeric>
 
-#include "bake_support.h"
 #include "base/refusal.h"
+#include "offline_support.h"
 #include "pipeline/label_organ.h"
 #include "random_bodies.h"
 #include "voxels/crop.h"
@@ -17,8 +17,8 @@
 namespace stylet::test {
 namespace {
 
-using bake::Mesh;
-using bake::Vec;
+using offline::Mesh;
+using offline::Vec;
 
 // ---- from outside -------------------------------------------------------------------------------
 
@@ -39,13 +39,13 @@ double integrated_before(std::array<double, 3> n, double limit, int across = 24)
 }
 
 // Of a material in an organ file: where a needle meets it, and its voxels.
-bake::Held held_in(const Organ& organ, const std::string& name) {
+offline::Held held_in(const Organ& organ, const std::string& name) {
   std::vector<const OrganMixed*> plane(organ.voxel_count, nullptr);
   for (const OrganMixed& each : organ.mixed) plane[each.voxel] = &each;
   const auto is = [&](std::uint32_t material) {
     return material != kNoTissue && organ_material(organ, material).name == name;
   };
-  bake::Held cells;
+  offline::Held cells;
   for (std::uint32_t voxel = 0; voxel < organ.voxel_count; ++voxel) {
     const bool own = is(organ.voxel_material[voxel]);
     const double filled = own ? organ.voxel_fill[voxel] / 255.0 : 0;
@@ -69,9 +69,9 @@ struct Counts {
 };
 
 // Nothing is off by more than 5 % without a warning, and none warns of what is off by 1 % at most.
-void expect_told(const bake::Built& built, const std::string& what, const std::string& material,
+void expect_told(const offline::Built& built, const std::string& what, const std::string& material,
                  double given_m3, unsigned seed, Counts& counts) {
-  const bake::Held held = held_in(opened(built.bytes), material);
+  const offline::Held held = held_in(opened(built.bytes), material);
   const double off =
       std::max(std::abs(held.met_m3 / given_m3 - 1), std::abs(held.voxel_m3 / given_m3 - 1));
   const std::vector<std::string>& warnings = built.report.warnings;
@@ -94,11 +94,12 @@ TEST(Losses, AreMeasuredExactly) {
     if (i % 4 == 0) n.x = 0;
     if (i % 8 == 0) n.y = i % 16 == 0 ? 0 : 1e-7;
     const double limit = draw.between(-1.2, 1.2);
-    EXPECT_NEAR(bake::volume_before(n, limit), integrated_before({n.x, n.y, n.z}, limit, 200), 2e-4)
+    EXPECT_NEAR(offline::volume_before(n, limit), integrated_before({n.x, n.y, n.z}, limit, 200),
+                2e-4)
         << n.x << " " << n.y << " " << n.z << " " << limit;
   }
-  EXPECT_EQ(bake::volume_before({0, 0, 0}, 1), 1);
-  EXPECT_EQ(bake::volume_before({0, 0, 0}, -1), 0);
+  EXPECT_EQ(offline::volume_before({0, 0, 0}, 1), 1);
+  EXPECT_EQ(offline::volume_before({0, 0, 0}, -1), 0);
 }
 
 // ---- layers -------------------------------------------------------------------------------------
@@ -114,8 +115,8 @@ Mesh sloping_block(Vec size_mm, double turn, double slope_x, double slope_y) {
   return mesh;
 }
 
-bake::BuildOptions layered(double fat_mm, double fascia_mm, double voxel_mm) {
-  bake::BuildOptions options;
+offline::BuildOptions layered(double fat_mm, double fascia_mm, double voxel_mm) {
+  offline::BuildOptions options;
   options.voxel_edge_m = voxel_mm * 1e-3;
   options.layers = {{fat_mm * 1e-3, "fat"}, {fascia_mm * 1e-3, "fascia"}, {1, "gel"}};
   options.layer_course = {2, true, ""};
@@ -158,10 +159,10 @@ TEST(Losses, WhatLayersAreGivenIsCountedInEveryRow) {
     Draw draw(seed);
     const std::size_t axis = draw.below(3), across = (axis + 1) % 3;
     const std::uint32_t deep = 3;
-    bake::Grid grid{{0, 0, 0}, draw.between(1, 5) * 1e-3, {1, 1, 1}};
+    offline::Grid grid{{0, 0, 0}, draw.between(1, 5) * 1e-3, {1, 1, 1}};
     grid.size[axis] = deep;
     grid.size[across] = 2;
-    bake::SamplePlaces places;
+    offline::SamplePlaces places;
     for (std::size_t s = 0; s < 64; ++s) {
       const auto at = [&](std::size_t i) {
         return (0.5 + static_cast<double>(i % 4) + draw.between(-0.1, 0.1)) / 4;
@@ -175,9 +176,9 @@ TEST(Losses, WhatLayersAreGivenIsCountedInEveryRow) {
       std::array<std::uint32_t, 3> at{};
       at[axis] = backwards ? deep - 1 - step : step;
       at[across] = beside;
-      return bake::cell_index(grid, at[0], at[1], at[2]);
+      return offline::cell_index(grid, at[0], at[1], at[2]);
     };
-    bake::Claims claims = bake::no_claims(grid);
+    offline::Claims claims = offline::no_claims(grid);
     double others = 0;
     for (std::uint32_t step = 0; step < deep; ++step) {
       for (std::size_t s = 0; s < 64; ++s) {
@@ -191,9 +192,9 @@ TEST(Losses, WhatLayersAreGivenIsCountedInEveryRow) {
     }
     const double layer = draw.between(0.1, deep - 1.1), wall_m3 = draw.between(1, 2) * 1e-9;
     const double filled = low_side ? 16 * quarters : 64 - 16 * quarters;
-    const bake::TissueNumbers numbers = {
+    const offline::TissueNumbers numbers = {
         {0, 4}, {1, 0}, {{layer * grid.edge_m, 2}, {1, 3}}, {axis, backwards, ""}};
-    const auto given_m3 = bake::given_volumes(claims, places, numbers, {}, {wall_m3, 3e-9});
+    const auto given_m3 = offline::given_volumes(claims, places, numbers, {}, {wall_m3, 3e-9});
     EXPECT_NEAR(given_m3[2] / wall_m3, 64 * layer, 1e-9) << seed;
     EXPECT_NEAR(given_m3[3] / wall_m3, 64 * (deep - 1 - layer) + filled, 1e-9) << seed;
     EXPECT_NEAR(given_m3[4] / 3e-9, others, 1e-9) << seed;
@@ -204,8 +205,8 @@ TEST(Losses, WhatLayersAreGivenIsCountedInEveryRow) {
 
 // ---- labels -------------------------------------------------------------------------------------
 
-bake::LabelMap random_map(Draw& draw) {
-  bake::LabelMap map;
+offline::LabelMap random_map(Draw& draw) {
+  offline::LabelMap map;
   map.size = {60, 56, 40};
   const std::array<Vec, 3> frame = random_frame(draw);
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -231,16 +232,17 @@ TEST(Losses, OfLabelsAreTold) {
   const std::array<std::string, 3> tissues = {"liver", "kidney", "gel"};
   for (unsigned seed = 1; seed <= 60; ++seed) {
     Draw draw(seed);
-    const bake::LabelMap map = random_map(draw);
-    bake::Recipe recipe = {{}, {{"liver", {1}}, {"kidney", {2}}, {"gel", {3}}}};
-    bake::BuildOptions options;
+    const offline::LabelMap map = random_map(draw);
+    offline::Recipe recipe = {{}, {{"liver", {1}}, {"kidney", {2}}, {"gel", {3}}}};
+    offline::BuildOptions options;
     options.voxel_edge_m = draw.between(1, 4) * 1e-3;
-    const auto built = bake::build_labels("map", map, recipe, options, [](const char*, double) {});
+    const auto built =
+        offline::build_labels("map", map, recipe, options, [](const char*, double) {});
     const double voxel_m3 = std::abs(dot(map.step_m[0], cross(map.step_m[1], map.step_m[2])));
     for (std::uint16_t label = 1; label <= 3; ++label) {
       const auto count = std::count(map.label.begin(), map.label.end(), label);
       if (count == 0) continue;  // the next lies over it
-      const bake::Held held = held_in(opened(built.bytes), tissues[label - 1U]);
+      const offline::Held held = held_in(opened(built.bytes), tissues[label - 1U]);
       const bool lost = held.met_m3 == 0;
       expect_told(built, lost ? "labels of" : "tissue", tissues[label - 1U],
                   static_cast<double>(count) * voxel_m3, seed, counts);
@@ -253,13 +255,13 @@ TEST(Losses, OfLabelsAreTold) {
 // Fat and skin of a wall around labels, of which skin falls between the map's voxels.
 TEST(Losses, AWallTooThinForTheMapIsTold) {
   Draw draw(7);
-  bake::LabelMap map = random_map(draw);
+  offline::LabelMap map = random_map(draw);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     map.step_m[axis] = map.step_m[axis] * (2e-3 / length(map.step_m[axis]));
   }
-  bake::Recipe recipe = {{}, {{"gel", {1, 2, 3}}}};
+  offline::Recipe recipe = {{}, {{"gel", {1, 2, 3}}}};
   recipe.wall = {{"fat", 5e-3}, {"skin", 0.01e-3}};
-  const auto built = bake::build_labels("map", map, recipe, {}, [](const char*, double) {});
+  const auto built = offline::build_labels("map", map, recipe, {}, [](const char*, double) {});
   EXPECT_THAT(built.report.warnings,
               testing::Contains(testing::StartsWith("layer skin: 0.01 mm lie between")));
 }
@@ -275,12 +277,12 @@ TEST(Losses, OfMeshesInEachOtherAreTold) {
     const auto frame = random_frame(draw), inner_frame = random_frame(draw);
     const Mesh body = turned(box_mesh(outer * -0.5, outer * 0.5), frame);
     const Mesh lesion = turned(box_mesh(inner * -0.25, inner * 0.25), inner_frame);
-    bake::BuildOptions options;
+    offline::BuildOptions options;
     options.voxel_edge_m = draw.between(1, 4) * 1e-3;
-    bake::Built built;
+    offline::Built built;
     try {
       built = build_quietly({input_of(body, 1e-3), input_of(lesion, 1e-3, "kidney", 1)}, options);
-    } catch (const bake::Refusal&) {
+    } catch (const offline::Refusal&) {
       continue;  // between all samples
     }
     const double lesion_m3 = inner.x * inner.y * inner.z * 0.125e-9;
@@ -300,10 +302,10 @@ TEST(Losses, ACropIsNone) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     Draw draw(seed);
     const Mesh body = turned(box_mesh({0, 0, 0}, {50, 40, 60}), random_frame(draw));
-    bake::BuildOptions options;
+    offline::BuildOptions options;
     options.voxel_edge_m = draw.between(2, 3) * 1e-3;
-    options.crop = bake::parse_crop({fmt::format("x>{:.0f}%", draw.between(20, 60)),
-                                     fmt::format("z<{:.0f}%", draw.between(40, 80))});
+    options.crop = offline::parse_crop({fmt::format("x>{:.0f}%", draw.between(20, 60)),
+                                        fmt::format("z<{:.0f}%", draw.between(40, 80))});
     EXPECT_THAT(build_quietly({input_of(body, 1e-3)}, options).report.warnings, testing::IsEmpty());
   }
 }

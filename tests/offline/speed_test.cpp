@@ -8,9 +8,9 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
-#include "bake_support.h"
 #include "base/refusal.h"
 #include "meshes/phantom.h"
+#include "offline_support.h"
 #include "random_bodies.h"
 #include "session.h"
 #include "voxels/sweep.h"
@@ -21,7 +21,7 @@ namespace {
 std::string refusal_of(const std::function<void()>& action) {
   try {
     action();
-  } catch (const bake::Refusal& refused) {
+  } catch (const offline::Refusal& refused) {
     return refused.what();
   }
   return "";
@@ -39,15 +39,15 @@ TEST(Machine, IsThePlaneThroughTheMeasuredTicks) {
                             "tissue,a,1000,1,0,1,0.5\ntick_elastic_added,a,1000,2,0,70,35\n"
                             "tick_elastic_added,b,20000,2,0,830,20.75\n"
                             "tick_elastic,a,1000,1,5,65,65\ntick_elastic,b,20000,1,7,850,42\n");
-  const bake::Machine machine = bake::read_machine(csv);
+  const offline::Machine machine = offline::read_machine(csv);
   EXPECT_EQ(machine.name, "box");
   EXPECT_NEAR(machine.start_us, 30, 1e-9);
   EXPECT_NEAR(machine.us_per_voxel_substep, 0.020, 1e-9);
   EXPECT_NEAR(machine.us_per_voxel_pass, 0.003, 1e-9);
-  EXPECT_NEAR(bake::tick_us(machine, 5000, 4, 0), 430, 1e-6);
-  EXPECT_NEAR(bake::tick_us(machine, 5000, 2, 6), 410, 1e-6);
+  EXPECT_NEAR(offline::tick_us(machine, 5000, 4, 0), 430, 1e-6);
+  EXPECT_NEAR(offline::tick_us(machine, 5000, 2, 6), 410, 1e-6);
   const auto most = [&](std::uint32_t substeps, Inertia inertia) {
-    return bake::most_voxels(machine, {1e-3, substeps, inertia});
+    return offline::most_voxels(machine, {1e-3, substeps, inertia});
   };
   EXPECT_NEAR(most(2, Inertia::kAddedMass), 11750, 1);  // (500 - 30) / 0.04
   EXPECT_NEAR(most(1, Inertia::kTrueMass), 11463, 1);   // (500 - 30) / 0.041: of seven passes
@@ -55,35 +55,35 @@ TEST(Machine, IsThePlaneThroughTheMeasuredTicks) {
 
 TEST(Machine, RefusesWhatStyletBenchDidNotWrite) {
   const Scratch scratch;
-  EXPECT_THAT(refusal_of([&] { bake::read_machine(bench_of(scratch, "")); }),
+  EXPECT_THAT(refusal_of([&] { offline::read_machine(bench_of(scratch, "")); }),
               testing::HasSubstr("0 lines of tick_elastic"));
   const std::string good = "tick_elastic,a,1000,1,7,70,70\n";
-  EXPECT_THAT(refusal_of([&] { bake::read_machine(bench_of(scratch, good + "x\n")); }),
+  EXPECT_THAT(refusal_of([&] { offline::read_machine(bench_of(scratch, good + "x\n")); }),
               testing::HasSubstr("1 lines of tick_elastic"));
-  EXPECT_THAT(refusal_of([&] { bake::read_machine(bench_of(scratch, good + good + good)); }),
+  EXPECT_THAT(refusal_of([&] { offline::read_machine(bench_of(scratch, good + good + good)); }),
               testing::HasSubstr("two organs at least, with added and with true mass"));
   // As it wrote them before it told passes.
   EXPECT_THAT(
-      refusal_of([&] { bake::read_machine(bench_of(scratch, "tick_elastic,a,1,70,35\n")); }),
+      refusal_of([&] { offline::read_machine(bench_of(scratch, "tick_elastic,a,1,70,35\n")); }),
       testing::HasSubstr("box.csv:2: expected measure"));
-  EXPECT_THAT(refusal_of([&] { bake::read_machine(bench_of(scratch, "tick_elastic,a,b\n")); }),
+  EXPECT_THAT(refusal_of([&] { offline::read_machine(bench_of(scratch, "tick_elastic,a,b\n")); }),
               testing::HasSubstr("box.csv:2: expected measure"));
   for (const char* none : {"0,1,7,70,35", "9,0,7,70,35", "9,1,-1,70,35", "9,1,7,0,35"}) {
     const std::string row = std::string("tick_elastic,a,") + none + "\n";
-    EXPECT_THAT(refusal_of([&] { bake::read_machine(bench_of(scratch, row)); }),
+    EXPECT_THAT(refusal_of([&] { offline::read_machine(bench_of(scratch, row)); }),
                 testing::HasSubstr("box.csv:2: expected measure"));
   }
-  const bake::Machine slow = {"slow", 600, 1, 0};
-  EXPECT_THAT(refusal_of([&] { (void)bake::most_voxels(slow, {}); }),
+  const offline::Machine slow = {"slow", 600, 1, 0};
+  EXPECT_THAT(refusal_of([&] { (void)offline::most_voxels(slow, {}); }),
               testing::HasSubstr("room for 0 voxels on slow"));
 }
 
 TEST(Rate, HasAUnitAndALimit) {
-  EXPECT_DOUBLE_EQ(bake::period_of("1kHz"), 1e-3);
-  EXPECT_DOUBLE_EQ(bake::period_of("500 Hz"), 2e-3);
-  EXPECT_DOUBLE_EQ(bake::period_of("2.5kHz"), 0.4e-3);
+  EXPECT_DOUBLE_EQ(offline::period_of("1kHz"), 1e-3);
+  EXPECT_DOUBLE_EQ(offline::period_of("500 Hz"), 2e-3);
+  EXPECT_DOUBLE_EQ(offline::period_of("2.5kHz"), 0.4e-3);
   for (const char* bad : {"", "1", "kHz", "1MHz", "99Hz", "101kHz", "nan Hz", "-1kHz"}) {
-    EXPECT_THAT(refusal_of([&] { (void)bake::period_of(bad); }),
+    EXPECT_THAT(refusal_of([&] { (void)offline::period_of(bad); }),
                 testing::HasSubstr("expected a rate from 100 Hz to 100 kHz"))
         << bad;
   }
@@ -91,27 +91,27 @@ TEST(Rate, HasAUnitAndALimit) {
 
 // Edges below 2.03 mm are too fine for the format, whatever they would cost.
 TEST(Fit, EdgesThatTheFormatDoesNotHoldAreNotTaken) {
-  bake::BuildOptions options;
+  offline::BuildOptions options;
   options.most_voxels = 1000;
   const auto swept = [](double edge_m) {
-    if (edge_m < 2.03e-3) throw bake::TooFine("too fine");
+    if (edge_m < 2.03e-3) throw offline::TooFine("too fine");
     return 5.0;
   };
-  EXPECT_DOUBLE_EQ(bake::choose_edge({{0, 0, 0}, {0.1, 0.1, 0.1}}, options, swept), 2.05e-3);
+  EXPECT_DOUBLE_EQ(offline::choose_edge({{0, 0, 0}, {0.1, 0.1, 0.1}}, options, swept), 2.05e-3);
 }
 
 // The finest step of 0.05 mm that keeps within the number, and the next finer one does not.
 TEST(Fit, TakesTheFinestEdgeWithinTheVoxels) {
-  const bake::Mesh ball = bake::ball_phantom(0.06, 0.003);
+  const offline::Mesh ball = offline::ball_phantom(0.06, 0.003);
   for (const std::uint32_t most : {100U, 3000U, 20000U}) {
-    bake::BuildOptions options;
+    offline::BuildOptions options;
     options.most_voxels = most;
-    const bake::Built fitted = build_quietly({input_of(ball, 1)}, options);
-    EXPECT_LE(bake::swept_voxels(opened(fitted.bytes)), most);
+    const offline::Built fitted = build_quietly({input_of(ball, 1)}, options);
+    EXPECT_LE(offline::swept_voxels(opened(fitted.bytes)), most);
     options.most_voxels = 0;
     options.voxel_edge_m = static_cast<double>(opened(fitted.bytes).voxel_edge_m) - 5e-5;
-    const bake::Built finer = build_quietly({input_of(ball, 1)}, options);
-    EXPECT_GT(bake::swept_voxels(opened(finer.bytes)), most);
+    const offline::Built finer = build_quietly({input_of(ball, 1)}, options);
+    EXPECT_GT(offline::swept_voxels(opened(finer.bytes)), most);
   }
 }
 
@@ -119,12 +119,12 @@ TEST(Fit, TakesTheFinestEdgeWithinTheVoxels) {
 // wave, squared frequency 8 k (2 + 1.5 lambda / G) / (rho h^3) with the springs of constraint
 // particles, stays below 0.8 of 4 / (dt (dt + 2 tau)).
 TEST(Mass, FactorIsThatOfTheStabilityBound) {
-  bake::BuildOptions options;
+  offline::BuildOptions options;
   options.voxel_edge_m = 2e-3;
-  const bake::Mesh block = box_mesh({0, 0, 0}, {60, 60, 60});
+  const offline::Mesh block = box_mesh({0, 0, 0}, {60, 60, 60});
   const auto bytes = build_quietly({input_of(block, 1e-3, "kidney")}, options).bytes;
   const Organ organ = opened(bytes);
-  const auto facts = bake::speed_facts(organ, {}, nullptr);
+  const auto facts = offline::speed_facts(organ, {}, nullptr);
   const double shear = 30000 / (2 * 1.45), lambda = 2 * shear * 0.45 / 0.1, tau = 0.25e-3;
   const double fastest = 8 * shear * 2e-3 * (2 + 1.5 * lambda / shear) / (1050 * 8e-9);
   const auto limit = [&](double dt) { return 0.8 * 4 / (dt * (dt + 2 * tau)); };
@@ -141,31 +141,31 @@ TEST(Mass, FactorIsThatOfTheStabilityBound) {
         << dt;
     EXPECT_EQ(row["true_mass"]["passes"] > 0, bound > 1) << dt;
   }
-  const std::string text = bake::speed_text(facts);
+  const std::string text = offline::speed_text(facts);
   EXPECT_THAT(text, testing::ContainsRegex("true mass      1 substeps, 7 passes  kidney x2.9"));
   EXPECT_THAT(text, testing::ContainsRegex("added mass     1 substeps  kidney x[1-9]"));
-  EXPECT_EQ(bake::inertia_text(facts), "");  // nothing holds it
+  EXPECT_EQ(offline::inertia_text(facts), "");  // nothing holds it
 }
 
 // A block held below: with two substeps of added mass a slow hand feels it, and it is said; with
 // true mass only a fast one does.
 TEST(Mass, TellsFromWhichFrequencyOnAHandFeelsTheStep) {
-  bake::BuildOptions options;
+  offline::BuildOptions options;
   options.voxel_edge_m = 5e-3;
-  options.held = bake::parse_regions({"z<5%"}, 1);
-  const bake::Mesh block = box_mesh({0, 0, 0}, {40, 60, 80});
+  options.held = offline::parse_regions({"z<5%"}, 1);
+  const offline::Mesh block = box_mesh({0, 0, 0}, {40, 60, 80});
   const auto bytes = build_quietly({input_of(block, 1e-3, "liver")}, options).bytes;
   const Organ organ = opened(bytes);
-  const auto of_added = bake::speed_facts(organ, {1e-3, 2, Inertia::kAddedMass}, nullptr);
-  const auto of_real = bake::speed_facts(organ, {}, nullptr);
+  const auto of_added = offline::speed_facts(organ, {1e-3, 2, Inertia::kAddedMass}, nullptr);
+  const auto of_real = offline::speed_facts(organ, {}, nullptr);
   const auto &added = of_added["resonance"], &real = of_real["resonance"];
   EXPECT_LT(added["stepped_hz"].get<double>(), 0.9 * added["real_hz"].get<double>());
   EXPECT_GT(real["stepped_hz"].get<double>(), 0.95 * real["real_hz"].get<double>());
   EXPECT_LT(added["departs_hz"].get<double>(), added["stepped_hz"].get<double>());
   EXPECT_GT(real.value("departs_hz", 1e3), 5 * added["departs_hz"].get<double>());
-  EXPECT_THAT(bake::inertia_text(of_added),
+  EXPECT_THAT(offline::inertia_text(of_added),
               testing::ContainsRegex("2 substeps of added mass: first resonance .* a tenth off"));
-  EXPECT_THAT(bake::inertia_text(of_real),
+  EXPECT_THAT(offline::inertia_text(of_real),
               testing::HasSubstr("1 substep of true mass: first resonance "));
 }
 
@@ -173,10 +173,10 @@ TEST(Mass, TellsFromWhichFrequencyOnAHandFeelsTheStep) {
 // take by this test's clock; a factor of two is left for what else a machine does, and for the
 // needle.
 TEST(FitTimed, ForetellsTheTicksOfThisMachine) {
-  const bake::Machine here = bake::measure_machine([](const char*, double) {});
-  bake::BuildOptions options;
+  const offline::Machine here = offline::measure_machine([](const char*, double) {});
+  offline::BuildOptions options;
   options.voxel_edge_m = 5e-3;
-  const bake::Mesh block = box_mesh({0, 0, 0}, {105, 95, 110});
+  const offline::Mesh block = box_mesh({0, 0, 0}, {105, 95, 110});
   const auto bytes = build_quietly({input_of(block, 1e-3, "liver")}, options).bytes;
   const Organ organ = opened(bytes);
   Session session = make_session(organ, Config{});
@@ -191,32 +191,33 @@ TEST(FitTimed, ForetellsTheTicksOfThisMachine) {
   }
   std::nth_element(us.begin(), us.begin() + 100, us.end());
   const double foretold_us =
-      bake::tick_us(here, organ.voxel_count, 1, filter_passes(session.kernel));
+      offline::tick_us(here, organ.voxel_count, 1, filter_passes(session.kernel));
   EXPECT_GT(us[100], 0.5 * foretold_us);
   EXPECT_LT(us[100], 2 * foretold_us);
 }
 
 // An organ is timed itself, beside the line through two blocks.
 TEST(Fit, TimesTheOrganOnThisMachine) {
-  const bake::Machine here = {"here", 30, 0.02, 0.005, true};
-  bake::BuildOptions options;
+  const offline::Machine here = {"here", 30, 0.02, 0.005, true};
+  offline::BuildOptions options;
   double us[2] = {};
   for (const int fine : {0, 1}) {
     options.voxel_edge_m = fine == 1 ? 3e-3 : 8e-3;
-    const auto bytes = build_quietly({input_of(bake::ball_phantom(0.12, 0.004), 1)}, options).bytes;
-    const auto facts = bake::speed_facts(opened(bytes), {}, &here);
+    const auto bytes =
+        build_quietly({input_of(offline::ball_phantom(0.12, 0.004), 1)}, options).bytes;
+    const auto facts = offline::speed_facts(opened(bytes), {}, &here);
     us[fine] = facts["timed_us"].get<double>();
-    EXPECT_THAT(bake::speed_text(facts), testing::HasSubstr("; timed on this organ "));
+    EXPECT_THAT(offline::speed_text(facts), testing::HasSubstr("; timed on this organ "));
   }
   EXPECT_GT(us[1], 3 * us[0]);  // 19 times as many voxels
-  const bake::Machine elsewhere = {"elsewhere", 30, 0.02, 0.005};
+  const offline::Machine elsewhere = {"elsewhere", 30, 0.02, 0.005};
   const auto bytes = build_quietly({input_of(box_mesh({0, 0, 0}, {40, 40, 40}), 1e-3)}, {}).bytes;
-  EXPECT_FALSE(bake::speed_facts(opened(bytes), {}, &elsewhere).contains("timed_us"));
+  EXPECT_FALSE(offline::speed_facts(opened(bytes), {}, &elsewhere).contains("timed_us"));
   // Between two blocks there is nothing to insert a needle into.
-  const bake::Mesh apart =
+  const offline::Mesh apart =
       both(box_mesh({0, 0, 0}, {20, 20, 20}), box_mesh({60, 0, 0}, {80, 20, 20}));
   const auto two = build_quietly({input_of(apart, 1e-3)}, {}).bytes;
-  EXPECT_FALSE(bake::time_tick(opened(two), {}).has_value());
+  EXPECT_FALSE(offline::time_tick(opened(two), {}).has_value());
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ struct Scratch {
   std::filesystem::path folder;
 
   Scratch() {
-    std::string name = (std::filesystem::temp_directory_path() / "stylet-bake-XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "stylet-offline-XXXXXX").string();
     folder = ::mkdtemp(name.data());
   }
   Scratch(const Scratch&) = delete;
@@ -46,8 +46,8 @@ inline std::string slurp(const std::filesystem::path& path) {
 }
 
 // Closed box, faces outward.
-inline bake::Mesh box_mesh(bake::Vec low, bake::Vec high) {
-  bake::Mesh mesh;
+inline offline::Mesh box_mesh(offline::Vec low, offline::Vec high) {
+  offline::Mesh mesh;
   for (unsigned i = 0; i < 8; ++i) {
     mesh.points.push_back({(i & 1U) != 0 ? high.x : low.x, (i & 2U) != 0 ? high.y : low.y,
                            (i & 4U) != 0 ? high.z : low.z});
@@ -57,9 +57,9 @@ inline bake::Mesh box_mesh(bake::Vec low, bake::Vec high) {
   return mesh;
 }
 
-inline bake::Input input_of(const bake::Mesh& mesh, double metres_per_unit,
-                            const std::string& tissue = "liver", int priority = 0) {
-  bake::Input input;
+inline offline::Input input_of(const offline::Mesh& mesh, double metres_per_unit,
+                               const std::string& tissue = "liver", int priority = 0) {
+  offline::Input input;
   input.path = "test.off";
   input.tissue = tissue;
   input.priority = priority;
@@ -68,9 +68,9 @@ inline bake::Input input_of(const bake::Mesh& mesh, double metres_per_unit,
   return input;
 }
 
-inline bake::Built build_quietly(std::vector<bake::Input> inputs,
-                                 const bake::BuildOptions& options) {
-  return bake::build(std::move(inputs), options, [](const char*, double) {});
+inline offline::Built build_quietly(std::vector<offline::Input> inputs,
+                                    const offline::BuildOptions& options) {
+  return offline::build(std::move(inputs), options, [](const char*, double) {});
 }
 
 inline Organ opened(const std::vector<std::byte>& bytes) {

@@ -12,8 +12,8 @@
 #include <numbers>
 #include <set>
 
-#include "bake_support.h"
 #include "base/refusal.h"
+#include "offline_support.h"
 #include "organ_places.h"
 #include "pipeline/label_organ.h"
 #include "random_bodies.h"
@@ -25,11 +25,11 @@
 namespace stylet::test {
 namespace {
 
-using bake::Mesh;
-using bake::Vec;
+using offline::Mesh;
+using offline::Vec;
 
-bake::BuildOptions split_at(double voxel_mm, bool split) {
-  bake::BuildOptions options;
+offline::BuildOptions split_at(double voxel_mm, bool split) {
+  offline::BuildOptions options;
   options.voxel_edge_m = voxel_mm * 1e-3;
   options.split = split;
   return options;
@@ -103,8 +103,9 @@ Mesh two_lobes(double gap) {
   return mesh;
 }
 
-std::size_t pieces_of(const bake::Built& built) {
-  return bake::measure_quality(opened(built.bytes), {}, [](const char*, double) {}).pieces.size();
+std::size_t pieces_of(const offline::Built& built) {
+  return offline::measure_quality(opened(built.bytes), {}, [](const char*, double) {})
+      .pieces.size();
 }
 
 TEST(Sheets, BodiesWithoutGapsComeOutAsTheyDid) {
@@ -121,8 +122,8 @@ TEST(Sheets, BodiesWithoutGapsComeOutAsTheyDid) {
 TEST(Sheets, SlabsInOneVoxelAreApart) {
   const Mesh low = turned(box_mesh({0, 0, 0}, {60, 60, 12}), 0.3);
   const Mesh high = turned(box_mesh({0, 0, 14.5}, {60, 60, 26}), 0.3);
-  const std::vector<bake::Input> inputs = {input_of(low, 1e-3, "liver"),
-                                           input_of(high, 1e-3, "kidney")};
+  const std::vector<offline::Input> inputs = {input_of(low, 1e-3, "liver"),
+                                              input_of(high, 1e-3, "kidney")};
   const auto plain = build_quietly(inputs, split_at(5, false));
   const auto split = build_quietly(inputs, split_at(5, true));
   EXPECT_EQ(pieces_of(plain), 1U);
@@ -131,10 +132,10 @@ TEST(Sheets, SlabsInOneVoxelAreApart) {
   EXPECT_NEAR(volume_m3(organ), volume_m3(opened(plain.bytes)), 0.005 * volume_m3(organ));
   EXPECT_GT(organ.voxel_count, opened(plain.bytes).voxel_count);
   EXPECT_FALSE(organ.parts.empty());
-  EXPECT_THAT(bake::organ_text(bake::organ_facts(organ, split.bytes)),
+  EXPECT_THAT(offline::organ_text(offline::organ_facts(organ, split.bytes)),
               testing::HasSubstr("gaps          " + std::to_string(organ.parts.size()) +
                                  " voxels share cells"));
-  bake::BuildOptions measured = split_at(5, true);
+  offline::BuildOptions measured = split_at(5, true);
   measured.measured = true;
   const auto with = build_quietly(inputs, measured);
   EXPECT_EQ(with.bytes, split.bytes);
@@ -145,7 +146,7 @@ TEST(Sheets, SlabsInOneVoxelAreApart) {
 // them, whichever voxel of a shared cell it is in.
 TEST(Sheets, BothPartsOfACellAndTheGapAreAsThickAsTheyAre) {
   const double low_m = 12e-3, high_m = 11.5e-3;
-  const std::vector<bake::Input> inputs = {
+  const std::vector<offline::Input> inputs = {
       input_of(turned(box_mesh({0, 0, 0}, {60, 60, 12}), 0.3), 1e-3, "liver"),
       input_of(turned(box_mesh({0, 0, 14.5}, {60, 60, 26}), 0.3), 1e-3, "kidney")};
   const auto built = build_quietly(inputs, split_at(5, true));
@@ -164,13 +165,13 @@ TEST(Sheets, BothPartsOfACellAndTheGapAreAsThickAsTheyAre) {
 }
 
 Mesh inside_out(Mesh mesh) {
-  for (bake::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  for (offline::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
   return mesh;
 }
 
 double volume(const Mesh& mesh) {
   double sum = 0;
-  for (const bake::Triangle& t : mesh.triangles) {
+  for (const offline::Triangle& t : mesh.triangles) {
     sum += dot(mesh.points[t[0]], cross(mesh.points[t[1]], mesh.points[t[2]])) / 6;
   }
   return sum;
@@ -195,8 +196,8 @@ TEST(Sheets, ABallInAHollowOneIsApartAllAround) {
 }
 
 // Two organs of a map of 1 mm, `gap` voxels apart.
-bake::LabelMap two_slabs(std::uint32_t gap) {
-  bake::LabelMap map;
+offline::LabelMap two_slabs(std::uint32_t gap) {
+  offline::LabelMap map;
   map.size = {44, 44, 30};
   map.step_m = {Vec{1e-3, 0, 0}, Vec{0, 1e-3, 0}, Vec{0, 0, 1e-3}};
   for (std::uint32_t z = 0; z < map.size[2]; ++z) {
@@ -212,11 +213,11 @@ bake::LabelMap two_slabs(std::uint32_t gap) {
 }
 
 TEST(Sheets, OrgansOfAMapAreApartWhereItSaysSoAndShareWhereTheyTouch) {
-  bake::Recipe recipe;
+  offline::Recipe recipe;
   recipe.groups = {{"kidney", {2}}, {"liver", {1}}};
   const auto pieces = [&](std::uint32_t gap, bool split) {
-    return pieces_of(bake::build_labels("map.nrrd", two_slabs(gap), recipe, split_at(5, split),
-                                        [](const char*, double) {}));
+    return pieces_of(offline::build_labels("map.nrrd", two_slabs(gap), recipe, split_at(5, split),
+                                           [](const char*, double) {}));
   };
   EXPECT_EQ(pieces(0, true), 1U);
   EXPECT_EQ(pieces(3, false), 1U);
@@ -236,11 +237,11 @@ TEST(Sheets, LobesHangTogetherWhereTheyDo) {
 
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
 
-bake::Lattice split_of(bake::Claims claims) {
-  bake::SamplePlaces places;
-  for (std::uint32_t i = 0; i < 64; ++i) places[i] = bake::sample_point(i);
-  const bake::Lattice whole = bake::make_lattice(claims, {});
-  return bake::split_parts(claims, places, whole);
+offline::Lattice split_of(offline::Claims claims) {
+  offline::SamplePlaces places;
+  for (std::uint32_t i = 0; i < 64; ++i) places[i] = offline::sample_point(i);
+  const offline::Lattice whole = offline::make_lattice(claims, {});
+  return offline::split_parts(claims, places, whole);
 }
 
 // Full cells touch wherever they meet, be it in an edge or a corner.
@@ -248,19 +249,19 @@ TEST(Sheets, FullCellsHangTogetherHoweverTheyMeet) {
   Draw draw(49);
   for (int round = 0; round < 40; ++round) {
     const auto side = [&] { return static_cast<std::uint32_t>(2 + draw.below(6)); };
-    bake::Claims claims = bake::no_claims({{}, 0.005, {side(), side(), side()}});
+    offline::Claims claims = offline::no_claims({{}, 0.005, {side(), side(), side()}});
     const std::size_t most = 2 + draw.below(4);
     for (std::uint64_t& inside : claims.inside) inside = draw.below(most) == 0 ? kAll : 0;
-    const bake::Lattice split = split_of(claims);
+    const offline::Lattice split = split_of(claims);
     EXPECT_EQ(split.sheets, 1U);
-    EXPECT_EQ(split.cell_of_voxel, bake::make_lattice(claims, {}).cell_of_voxel);
+    EXPECT_EQ(split.cell_of_voxel, offline::make_lattice(claims, {}).cell_of_voxel);
     EXPECT_TRUE(split.parts.empty());
     EXPECT_TRUE(split.ties.empty());
   }
 }
 
 // The particles at the corners of a cell's voxels.
-std::set<std::array<std::uint32_t, 3>> particles_of(const bake::Lattice& lattice,
+std::set<std::array<std::uint32_t, 3>> particles_of(const offline::Lattice& lattice,
                                                     std::size_t cell) {
   std::set<std::array<std::uint32_t, 3>> particles;
   std::size_t voxel = 0;
@@ -293,10 +294,10 @@ TEST(Sheets, ACellOfSurfaceAloneGoesWithTheBodyOnItsFace) {
       const std::size_t plane = face % 2 == 0 ? middle + up : middle - up;
       const std::size_t in_row = (across & 1U) != 0 ? plane + u : plane - u;
       const std::size_t corner = (across & 2U) != 0 ? in_row + v : in_row - v;
-      bake::Claims claims = bake::no_claims({{}, 0.005, {3, 3, 3}});
+      offline::Claims claims = offline::no_claims({{}, 0.005, {3, 3, 3}});
       claims.inside[beside] = claims.inside[corner] = kAll;
       claims.pierced[middle] = 1;
-      const bake::Lattice split = split_of(claims);
+      const offline::Lattice split = split_of(claims);
       const auto of_middle = particles_of(split, middle), of_beside = particles_of(split, beside),
                  of_corner = particles_of(split, corner);
       ASSERT_EQ(of_middle.size() + of_beside.size() + of_corner.size(), 24U);
@@ -315,14 +316,15 @@ TEST(Sheets, ACellOfSurfaceAloneGoesWithTheBodyOnItsFace) {
 std::uint64_t samples_where(const std::function<bool(Vec)>& is) {
   std::uint64_t inside = 0;
   for (std::uint32_t i = 0; i < 64; ++i) {
-    if (is(bake::sample_point(i))) inside |= std::uint64_t{1} << i;
+    if (is(offline::sample_point(i))) inside |= std::uint64_t{1} << i;
   }
   return inside;
 }
 
-std::multiset<std::uint64_t> parts_in(const bake::Lattice& lattice, std::size_t cell) {
+std::multiset<std::uint64_t> parts_in(const offline::Lattice& lattice, std::size_t cell) {
   std::multiset<std::uint64_t> parts;
-  for (const bake::SharedCell& each : bake::shared_in(lattice, cell)) parts.insert(each.inside);
+  for (const offline::SharedCell& each : offline::shared_in(lattice, cell))
+    parts.insert(each.inside);
   return parts;
 }
 
@@ -333,14 +335,14 @@ std::multiset<std::uint64_t> parts_in(const bake::Lattice& lattice, std::size_t 
 TEST(Sheets, ASpeckGoesWithWhatItHangsWithOrWithTheNearest) {
   const std::uint64_t left = samples_where([](Vec at) { return at.x < 0.25 && at.y < 0.5; });
   const std::uint64_t right = samples_where([](Vec at) { return at.x > 0.75 && at.y < 0.5; });
-  ASSERT_GE(std::min(std::popcount(left), std::popcount(right)), bake::kLeastPart);
+  ASSERT_GE(std::min(std::popcount(left), std::popcount(right)), offline::kLeastPart);
   int specks = 0;
   for (std::uint32_t i = 0; i < 64; ++i) {
-    const Vec place = bake::sample_point(i);
+    const Vec place = offline::sample_point(i);
     if (place.y < 0.85 || (place.x > 0.35 && place.x < 0.65)) continue;
     ++specks;
     const std::uint64_t speck = std::uint64_t{1} << i;
-    bake::Claims claims = bake::no_claims({{}, 0.005, {3, 3, 3}});
+    offline::Claims claims = offline::no_claims({{}, 0.005, {3, 3, 3}});
     const std::size_t middle = 13, behind = middle + 3;
     claims.inside[middle] = left | right | speck;
     const std::uint64_t beside = place.x < 0.5 ? left : right, across = (left | right) & ~beside;
@@ -362,13 +364,13 @@ TEST(Sheets, ASpeckGoesWithWhatItHangsWithOrWithTheNearest) {
 
 // 33 000 voxels along y take as many rows in each sheet, and two sheets more than an organ has.
 TEST(Sheets, RowsOfAllSheetsAreBounded) {
-  const std::vector<bake::Input> inputs = {
+  const std::vector<offline::Input> inputs = {
       input_of(box_mesh({0, 0, 0}, {0.1, 3300, 0.13}), 1e-3),
       input_of(box_mesh({0, 0, 0.17}, {0.1, 3300, 0.3}), 1e-3)};
   try {
     (void)build_quietly(inputs, split_at(0.1, true));
     ADD_FAILURE() << "built";
-  } catch (const bake::Refusal& refusal) {
+  } catch (const offline::Refusal& refusal) {
     EXPECT_THAT(refusal.what(), testing::HasSubstr("--split-gaps: 2 sheets of 3300"));
   }
 }

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bake_support.h"
+#include "offline_support.h"
 
 namespace stylet::test {
 
@@ -47,14 +47,14 @@ struct Places {
   explicit Places(const Organ& of) : organ(of), cells(cells_of(of)), quarters(quarters_of(of)) {}
 
   // The material at a place; kNoTissue outside the lattice, too.
-  int material_at(bake::Vec place) const {
+  int material_at(offline::Vec place) const {
     const double edge = static_cast<double>(organ.voxel_edge_m);
-    const bake::Vec origin = {static_cast<double>(organ.origin_m.x),
-                              static_cast<double>(organ.origin_m.y),
-                              static_cast<double>(organ.origin_m.z)};
-    const bake::Vec at = (place - origin) * (1 / edge);
-    const bake::Vec low = {std::floor(at.x), std::floor(at.y), std::floor(at.z)};
-    const bake::Vec part = at - low;
+    const offline::Vec origin = {static_cast<double>(organ.origin_m.x),
+                                 static_cast<double>(organ.origin_m.y),
+                                 static_cast<double>(organ.origin_m.z)};
+    const offline::Vec at = (place - origin) * (1 / edge);
+    const offline::Vec low = {std::floor(at.x), std::floor(at.y), std::floor(at.z)};
+    const offline::Vec part = at - low;
     const auto quarter = [](double f) { return static_cast<unsigned>(4 * f); };
     const unsigned bit = quarter(part.x) + 4 * quarter(part.y) + 16 * quarter(part.z);
     for (std::uint32_t i = 0; i < cells.size(); ++i) {
@@ -73,7 +73,7 @@ struct Places {
 };
 
 // Along `way` from `from`: how far each material reaches, in steps of 1/100 of a voxel.
-inline std::vector<double> lengths_along(const Organ& organ, bake::Vec from, bake::Vec way,
+inline std::vector<double> lengths_along(const Organ& organ, offline::Vec from, offline::Vec way,
                                          double length_m) {
   const Places places(organ);
   const double step = static_cast<double>(organ.voxel_edge_m) / 100;

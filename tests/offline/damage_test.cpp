@@ -4,27 +4,27 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "bake_support.h"
 #include "base/refusal.h"
 #include "meshes/phantom.h"
+#include "offline_support.h"
 #include "report/info.h"
 
 namespace stylet::test {
 namespace {
 
 std::vector<std::byte> small_organ() {
-  bake::BuildOptions options;
-  options.held = bake::parse_regions(bake::kDefaultFix, 1);
-  return build_quietly({input_of(bake::block_phantom({0.02, 0.015, 0.01}, 0.005), 1)}, options)
+  offline::BuildOptions options;
+  options.held = offline::parse_regions(offline::kDefaultFix, 1);
+  return build_quietly({input_of(offline::block_phantom({0.02, 0.015, 0.01}, 0.005), 1)}, options)
       .bytes;
 }
 
 // True if refused; the refusal must be one line with a place.
 bool refused(std::span<const std::byte> bytes) {
   try {
-    (void)bake::open_organ("a.organ", bytes);
+    (void)offline::open_organ("a.organ", bytes);
     return false;
-  } catch (const bake::Refusal& refusal) {
+  } catch (const offline::Refusal& refusal) {
     const std::string what = refusal.what();
     EXPECT_TRUE(what.starts_with("a.organ: ")) << what;
     EXPECT_NE(what.find("expected"), std::string::npos) << what;
@@ -71,7 +71,7 @@ TEST(Damage, EveryFlippedByteIsRefused) {
       if (organ_open(bytes, organ) == Status::kOk) {
         ++by_the_sum;
         walk(organ);
-        (void)bake::organ_text(bake::organ_facts(organ, bytes));
+        (void)offline::organ_text(offline::organ_facts(organ, bytes));
       }
       bytes[i] ^= mask;
     }

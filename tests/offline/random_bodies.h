@@ -18,7 +18,7 @@ class Draw {
   }
   std::size_t below(std::size_t count) { return engine_() % count; }
   bool coin() { return engine_() % 2 == 0; }
-  bake::Vec direction() {
+  offline::Vec direction() {
     const double z = between(-1, 1), angle = between(0, 2 * std::numbers::pi);
     const double r = std::sqrt(1 - z * z);
     return {r * std::cos(angle), r * std::sin(angle), z};
@@ -32,28 +32,28 @@ class Draw {
   std::mt19937_64 engine_;
 };
 
-inline void append(bake::Mesh& mesh, const bake::Mesh& other) {
+inline void append(offline::Mesh& mesh, const offline::Mesh& other) {
   const auto base = static_cast<std::uint32_t>(mesh.points.size());
   mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
-  for (const bake::Triangle& t : other.triangles) {
+  for (const offline::Triangle& t : other.triangles) {
     mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
   }
 }
 
-inline bake::Mesh both(bake::Mesh mesh, const bake::Mesh& other) {
+inline offline::Mesh both(offline::Mesh mesh, const offline::Mesh& other) {
   append(mesh, other);
   return mesh;
 }
 
 // A right-handed frame in any direction.
-inline std::array<bake::Vec, 3> random_frame(Draw& draw) {
-  const bake::Vec x = draw.direction(), across = cross(x, draw.direction());
-  const bake::Vec y = across * (1 / length(across));
+inline std::array<offline::Vec, 3> random_frame(Draw& draw) {
+  const offline::Vec x = draw.direction(), across = cross(x, draw.direction());
+  const offline::Vec y = across * (1 / length(across));
   return {x, y, cross(x, y)};
 }
 
-inline bake::Mesh turned(bake::Mesh mesh, const std::array<bake::Vec, 3>& frame) {
-  for (bake::Vec& p : mesh.points) p = frame[0] * p.x + frame[1] * p.y + frame[2] * p.z;
+inline offline::Mesh turned(offline::Mesh mesh, const std::array<offline::Vec, 3>& frame) {
+  for (offline::Vec& p : mesh.points) p = frame[0] * p.x + frame[1] * p.y + frame[2] * p.z;
   return mesh;
 }
 

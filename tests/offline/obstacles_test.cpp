@@ -8,7 +8,7 @@
 #include <regex>
 #include <set>
 
-#include "bake_support.h"
+#include "offline_support.h"
 #include "pipeline/label_organ.h"
 #include "random_bodies.h"
 #include "stylet/limits.h"
@@ -16,7 +16,7 @@
 namespace stylet::test {
 namespace {
 
-using bake::Vec;
+using offline::Vec;
 
 std::string warning_of(const std::vector<std::string>& warnings, const std::string& of) {
   for (const std::string& each : warnings) {
@@ -26,8 +26,8 @@ std::string warning_of(const std::vector<std::string>& warnings, const std::stri
 }
 
 // A ring around a ball of liver, both tilted: one hull would hold the ball.
-bake::LabelMap ring_map(Draw& draw) {
-  bake::LabelMap map;
+offline::LabelMap ring_map(Draw& draw) {
+  offline::LabelMap map;
   map.size = {90, 90, 90};
   map.step_m = {Vec{1e-3, 0, 0}, {0, 1e-3, 0}, {0, 0, 1e-3}};
   map.origin_m = {-45e-3, -45e-3, -45e-3};
@@ -46,26 +46,26 @@ bake::LabelMap ring_map(Draw& draw) {
 TEST(Obstacles, ARingLeavesWhatItGoesAroundFree) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     Draw draw(seed);
-    const bake::LabelMap map = ring_map(draw);
-    bake::Recipe recipe = {{}, {{"liver", {1}}}};
+    const offline::LabelMap map = ring_map(draw);
+    offline::Recipe recipe = {{}, {{"liver", {1}}}};
     recipe.obstacles = {{"rib", {2}}};
-    const bake::Built built =
-        bake::build_labels("ring", map, recipe, {}, [](const char*, double) {});
+    const offline::Built built =
+        offline::build_labels("ring", map, recipe, {}, [](const char*, double) {});
     double hulls_m3 = 0, labels_m3 = 0;
-    for (const bake::NamedHull& each : built.obstacles) {
+    for (const offline::NamedHull& each : built.obstacles) {
       hulls_m3 += each.hull.volume_m3;
       labels_m3 += each.label_m3;
       EXPECT_EQ(each.obstacle, "rib");
       EXPECT_TRUE(each.swallowed_m3.empty()) << each.name;
       // No voxel of liver is on the inner side of all of the hull's faces.
-      const auto planes = bake::hull_planes(each.hull);
+      const auto planes = offline::hull_planes(each.hull);
       for (std::size_t i = 0; i < map.label.size(); i += 37) {
         if (map.label[i] != 1) continue;
         const Vec at = Vec{static_cast<double>(i % 90), static_cast<double>(i / 90 % 90),
                            static_cast<double>(i / 8100)} *
                            1e-3 +
                        map.origin_m;
-        EXPECT_TRUE(std::any_of(planes.begin(), planes.end(), [&](const bake::HullPlane& plane) {
+        EXPECT_TRUE(std::any_of(planes.begin(), planes.end(), [&](const offline::HullPlane& plane) {
           return dot(plane.normal, at) > plane.limit;
         }));
       }
@@ -75,7 +75,7 @@ TEST(Obstacles, ARingLeavesWhatItGoesAroundFree) {
     EXPECT_GT(built.obstacles.size(), 3U);
     EXPECT_LE(built.obstacles.size(), kMaxObstacles);
     EXPECT_LT(hulls_m3 / labels_m3, 1.5);  // one hull: 3 to 6 times
-    for (const bake::NamedHull& each : built.obstacles) {
+    for (const offline::NamedHull& each : built.obstacles) {
       const double off = std::abs(each.hull.volume_m3 / each.label_m3 - 1);
       const bool told = !warning_of(built.report.warnings, "obstacle " + each.name + ":").empty();
       EXPECT_TRUE(off > 0.05 ? told : off > 0.01 || !told) << each.name << ": " << off;
@@ -129,7 +129,7 @@ TEST(Obstacles, HullsThatAreOffTheirLabelsAreTold) {
   int told_count = 0, silent = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     Draw draw(seed);
-    bake::LabelMap map;
+    offline::LabelMap map;
     map.size = {60, 60, 60};
     map.sha256 = std::string(64, '0');
     const std::array<Vec, 3> frame = random_frame(draw), bend = random_frame(draw);
@@ -152,10 +152,10 @@ TEST(Obstacles, HullsThatAreOffTheirLabelsAreTold) {
       map.label.push_back(is_rod ? 2 : i / 3600 < 3 ? 1 : 0);
       voxels += is_rod ? 1 : 0;
     }
-    bake::Recipe recipe = {{}, {{"liver", {1}}}};
+    offline::Recipe recipe = {{}, {{"liver", {1}}}};
     recipe.obstacles = {{"rod", {2}}};
-    const bake::Built built =
-        bake::build_labels("rod", map, recipe, {}, [](const char*, double) {});
+    const offline::Built built =
+        offline::build_labels("rod", map, recipe, {}, [](const char*, double) {});
     if (built.obstacles.size() != 1) continue;
     const double label_mm3 = static_cast<double>(voxels) * step_mm.x * step_mm.y * step_mm.z;
     const double off = hull_mm3(draw, built.obstacles[0].hull.vertices_m) / label_mm3 - 1;
@@ -170,21 +170,21 @@ TEST(Obstacles, HullsThatAreOffTheirLabelsAreTold) {
 // With as many obstacles as the kernel takes there is no room to cut: what they hold is told.
 TEST(Obstacles, WhatAHullSwallowsIsTold) {
   Draw draw(9);
-  const bake::LabelMap map = ring_map(draw);
-  bake::LabelMap many = map;
+  const offline::LabelMap map = ring_map(draw);
+  offline::LabelMap many = map;
   std::uint16_t next = 3;
   constexpr std::uint16_t kTumour = 40;  // the half of the ball toward the head
   for (std::size_t i = many.label.size() / 2; i < many.label.size(); ++i) {
     if (many.label[i] == 1) many.label[i] = kTumour;
   }
-  bake::Recipe recipe = {{}, {{"liver", {1}}, {"tumour", {kTumour}}}};
+  offline::Recipe recipe = {{}, {{"liver", {1}}, {"tumour", {kTumour}}}};
   recipe.obstacles = {{"rib", {2}}};
   for (; next < 3 + kMaxObstacles - 1; ++next) {
     many.label[next * std::size_t{4}] = next;
     recipe.obstacles.push_back({fmt::format("bone{}", next), {next}});
   }
-  const bake::Built built =
-      bake::build_labels("ring", many, recipe, {}, [](const char*, double) {});
+  const offline::Built built =
+      offline::build_labels("ring", many, recipe, {}, [](const char*, double) {});
   const std::string said = warning_of(built.report.warnings, "obstacle rib: ");
   const double liver_ml =
       static_cast<double>(std::count(map.label.begin(), map.label.end(), 1)) * 1e-3;
@@ -200,16 +200,17 @@ TEST(Obstacles, WhatAHullSwallowsIsTold) {
 // map is told, and is not in the scene.
 TEST(Obstacles, NamesAreTheirOwnAndWhatIsMissingIsTold) {
   Draw draw(5);
-  bake::LabelMap map = ring_map(draw);
+  offline::LabelMap map = ring_map(draw);
   for (const std::size_t corner : {0U, 1U, 90U, 91U, 8100U, 8101U, 8190U, 8191U}) {
     map.label[corner] = 3;
   }
-  bake::Recipe recipe = {{}, {{"liver", {1}}}};
+  offline::Recipe recipe = {{}, {{"liver", {1}}}};
   recipe.obstacles = {{"rib", {2}}, {"rib-1", {3}}, {"spine", {8}}};
   recipe.targets = {{"lesion", {9}}};
-  const bake::Built built = bake::build_labels("ring", map, recipe, {}, [](const char*, double) {});
+  const offline::Built built =
+      offline::build_labels("ring", map, recipe, {}, [](const char*, double) {});
   std::set<std::string> names;
-  for (const bake::NamedHull& each : built.obstacles) {
+  for (const offline::NamedHull& each : built.obstacles) {
     EXPECT_TRUE(names.insert(each.name).second) << each.name;
     EXPECT_EQ(each.name == "rib-1", each.obstacle == "rib-1");
   }
@@ -219,7 +220,7 @@ TEST(Obstacles, NamesAreTheirOwnAndWhatIsMissingIsTold) {
     EXPECT_EQ(warning_of(built.report.warnings, std::string("none of the labels of ") + missing),
               std::string("none of the labels of ") + missing + " is in the map");
   }
-  EXPECT_THAT(bake::scene_toml("a.organ", {}, built.targets),
+  EXPECT_THAT(offline::scene_toml("a.organ", {}, built.targets),
               testing::Not(testing::HasSubstr("point_mm")));
 }
 

@@ -11,27 +11,27 @@
 #include <numbers>
 #include <set>
 
-#include "bake_support.h"
 #include "base/refusal.h"
 #include "maps/names.h"
+#include "offline_support.h"
 #include "pipeline/label_organ.h"
 
 namespace stylet::test {
 namespace {
 
-using bake::LabelMap;
-using bake::Recipe;
-using bake::Vec;
+using offline::LabelMap;
+using offline::Recipe;
+using offline::Vec;
 
-bake::Built build_quietly(const LabelMap& map, const Recipe& recipe,
-                          const bake::BuildOptions& options) {
-  return bake::build_labels("map.nrrd", map, recipe, options, [](const char*, double) {});
+offline::Built build_quietly(const LabelMap& map, const Recipe& recipe,
+                             const offline::BuildOptions& options) {
+  return offline::build_labels("map.nrrd", map, recipe, options, [](const char*, double) {});
 }
 
 std::string refusal_of(const std::function<void()>& action) {
   try {
     action();
-  } catch (const bake::Refusal& refused) {
+  } catch (const offline::Refusal& refused) {
     return refused.what();
   }
   return "";
@@ -58,21 +58,21 @@ TEST(LabelMap, PermutedAndMirroredAxesAreThoseOfTheHeader) {
   voxels[1] = 7;
   const auto path = scratch.write(
       "a.nrrd", nrrd("left-posterior-superior", "(0,0.75,0) (0,0,-0.5) (2,0,0)", voxels));
-  const LabelMap map = bake::read_label_map(path);
+  const LabelMap map = offline::read_label_map(path);
   EXPECT_EQ(map.size, (std::array<std::uint32_t, 3>{2, 3, 4}));
   EXPECT_EQ(map.label[1], 7);
   expect_near(map.origin_m, {0.010, 0.020, 0.030});
   expect_near(map.step_m[0], {0, 0.75e-3, 0});
   expect_near(map.step_m[1], {0, 0, -0.5e-3});
   expect_near(map.step_m[2], {2e-3, 0, 0});
-  EXPECT_NEAR(bake::voxel_volume_m3(map), 0.75e-9, 1e-18);
+  EXPECT_NEAR(offline::voxel_volume_m3(map), 0.75e-9, 1e-18);
 }
 
 TEST(LabelMap, RightAnteriorSuperiorBecomesLeftPosteriorSuperior) {
   const Scratch scratch;
   const auto path = scratch.write(
       "a.nrrd", nrrd("right-anterior-superior", "(1,0,0) (0,2,0) (0,0,3)", std::string(24, 1)));
-  const LabelMap map = bake::read_label_map(path);
+  const LabelMap map = offline::read_label_map(path);
   expect_near(map.origin_m, {-0.010, -0.020, 0.030});
   expect_near(map.step_m[0], {-1e-3, 0, 0});
   expect_near(map.step_m[1], {0, -2e-3, 0});
@@ -87,7 +87,7 @@ TEST(LabelMap, MetaImageWithARotation) {
       "Offset = 1 2 3\nElementSpacing = 2 1 4\nDimSize = 2 2 2\nElementType = MET_SHORT\n"
       "BinaryData = True\nBinaryDataByteOrderMSB = False\nElementDataFile = LOCAL\n" +
           std::string("\1\0\2\0\3\0\0\0\0\0\0\0\0\0\1\1", 16));
-  const LabelMap map = bake::read_label_map(path);
+  const LabelMap map = offline::read_label_map(path);
   expect_near(map.step_m[0], {1.2e-3, 1.6e-3, 0});
   expect_near(map.step_m[1], {-0.8e-3, 0.6e-3, 0});
   expect_near(map.step_m[2], {0, 0, 4e-3});
@@ -120,10 +120,11 @@ TEST(RealMaps, HaveTheirCountsAndKeepTheirVolumes) {
     const auto path = data_folder() / "labelmaps" / real.file;
     SKIP_WITHOUT(path);
     SCOPED_TRACE(real.file);
-    const LabelMap map = bake::read_label_map(path);
-    EXPECT_NEAR(bake::voxel_volume_m3(map) * 1e9, real.voxel_mm3, 1e-4 * real.voxel_mm3);
+    const LabelMap map = offline::read_label_map(path);
+    EXPECT_NEAR(offline::voxel_volume_m3(map) * 1e9, real.voxel_mm3, 1e-4 * real.voxel_mm3);
     std::map<int, std::size_t> counts;
-    for (const bake::LabelCount& each : bake::count_labels(map)) counts[each.label] = each.voxels;
+    for (const offline::LabelCount& each : offline::count_labels(map))
+      counts[each.label] = each.voxels;
     Recipe recipe;
     for (const auto& [label, voxels] : real.some_labels) {
       EXPECT_EQ(counts[label], voxels) << label;
@@ -132,10 +133,10 @@ TEST(RealMaps, HaveTheirCountsAndKeepTheirVolumes) {
           {recipe.groups.empty() ? "liver" : "bone", {static_cast<std::uint16_t>(label)}});
     }
     if (recipe.groups.empty()) continue;
-    bake::BuildOptions options;
+    offline::BuildOptions options;
     options.voxel_edge_m = counts.size() == 1 && counts.begin()->second < 5000 ? 2e-3 : 4e-3;
-    const bake::Built built = build_quietly(map, recipe, options);
-    for (const bake::LabelReport& each : built.report.labels) {
+    const offline::Built built = build_quietly(map, recipe, options);
+    for (const offline::LabelReport& each : built.report.labels) {
       EXPECT_NEAR(each.filled_volume_m3 / each.map_volume_m3, 1, 0.01) << each.tissue;
     }
     EXPECT_GT(opened(built.bytes).voxel_count, 0U);
@@ -146,10 +147,10 @@ TEST(RealMaps, HaveTheirCountsAndKeepTheirVolumes) {
 TEST(RealMaps, CornerOfThreeMaterialsIsFiveCubes) {
   const auto path = data_folder() / "labelmaps" / "cgal_12323.inr";
   SKIP_WITHOUT(path);
-  bake::BuildOptions options;
+  offline::BuildOptions options;
   options.voxel_edge_m = 25e-3;
   const Recipe recipe = {{}, {{"gel", {1}}, {"liver", {2}}, {"muscle", {3}}}};
-  const bake::Built built = build_quietly(bake::read_label_map(path), recipe, options);
+  const offline::Built built = build_quietly(offline::read_label_map(path), recipe, options);
   const double litres[] = {1, 2, 2};
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(built.report.labels[i].filled_volume_m3 * 1e3, litres[i], 0.01 * litres[i]);
@@ -164,7 +165,7 @@ TEST(RealMaps, ThatAreNoneAreRefusedForTheirReason) {
   for (const auto& [file, reason] : traps) {
     const auto path = data_folder() / "labelmaps" / file;
     SKIP_WITHOUT(path);
-    const std::string said = refusal_of([&path = path] { (void)bake::read_label_map(path); });
+    const std::string said = refusal_of([&path = path] { (void)offline::read_label_map(path); });
     EXPECT_THAT(said, testing::HasSubstr(reason));
     EXPECT_EQ(said.find('\n'), std::string::npos) << said;
   }
@@ -181,7 +182,7 @@ TEST(RealMaps, CutShortAreRefusedInOneLine) {
                                    whole.size() / 2, whole.size() * 9 / 10}) {
       if (size >= whole.size()) continue;
       const auto cut = scratch.write(file, whole.substr(0, size));
-      const std::string said = refusal_of([&] { (void)bake::read_label_map(cut); });
+      const std::string said = refusal_of([&] { (void)offline::read_label_map(cut); });
       EXPECT_NE(said, "") << file << " " << size;
       EXPECT_EQ(said.find('\n'), std::string::npos) << said;
     }
@@ -209,7 +210,7 @@ TEST(LabelMap, CutShortWithoutCompressionIsRefusedToo) {
          {scratch.write("a.mha", header + data), scratch.write("a.nii", nifti + data),
           scratch.write("a.nrrd",
                         nrrd("left-posterior-superior", "(1,0,0) (0,1,0) (0,0,1)", data))}) {
-      const std::string said = refusal_of([&path] { (void)bake::read_label_map(path); });
+      const std::string said = refusal_of([&path] { (void)offline::read_label_map(path); });
       EXPECT_EQ(said.empty(), voxels == 24) << path << said;
     }
   }
@@ -219,7 +220,7 @@ TEST(LabelMap, WhatIsNoVolumeOfLabelsIsRefused) {
   const Scratch scratch;
   const auto refusal = [&](const std::string& name, const std::string& text) {
     const auto path = scratch.write(name, text);
-    return refusal_of([&] { (void)bake::read_label_map(path); });
+    return refusal_of([&] { (void)offline::read_label_map(path); });
   };
   const std::string axes = "(1,0,0) (0,1,0) (0,0,1)";
   std::string many;
@@ -243,7 +244,7 @@ TEST(LabelMap, WhatIsNoVolumeOfLabelsIsRefused) {
   EXPECT_THAT(refusal("a.dcm", "x"), testing::HasSubstr("expected a whole DICOM file"));
   EXPECT_THAT(refusal("a.inr", "x"), testing::HasSubstr("expected the header of an Inrimage"));
   EXPECT_THAT(refusal("a.txt", "x"), testing::HasSubstr("expected a label map"));
-  EXPECT_THAT(refusal_of([] { (void)bake::read_label_map("nowhere.nrrd"); }),
+  EXPECT_THAT(refusal_of([] { (void)offline::read_label_map("nowhere.nrrd"); }),
               testing::HasSubstr("no such file"));
 }
 
@@ -260,7 +261,7 @@ TEST(LabelMap, ManyValuesAreGreyNotLabels) {
                                     "NRRD0004\ntype: ushort\ndimension: 3\nspacings: 1 1 1\nsizes: "
                                     "10 10 10\nendian: little\nencoding: raw\n\n" +
                                         voxels);
-    const std::string said = refusal_of([&] { (void)bake::read_label_map(path); });
+    const std::string said = refusal_of([&] { (void)offline::read_label_map(path); });
     EXPECT_EQ(said.find("expected a label map, not grey values") != std::string::npos,
               different == 501)
         << said;
@@ -316,9 +317,9 @@ TEST(LabelOrgan, LiesWhereTheMapIsWhateverItsAxes) {
   const Vec centre = {0.1, -0.2, 0.3};
   const double volume = 4.0 / 3 * 3.14159265358979 * 0.02 * 0.02 * 0.02;
   for (const auto& step : axes) {
-    bake::BuildOptions options;
+    offline::BuildOptions options;
     options.voxel_edge_m = 2.5e-3;
-    const bake::Built built = build_quietly(ball_map(step, centre), kHalves, options);
+    const offline::Built built = build_quietly(ball_map(step, centre), kHalves, options);
     const Organ organ = opened(built.bytes);
     std::array<double, 2> filled{};
     Vec sum;
@@ -344,7 +345,7 @@ TEST(LabelOrgan, LiesWhereTheMapIsWhateverItsAxes) {
     EXPECT_NEAR(length(sum * (1 / total) - centre), 0, 0.3e-3);
     EXPECT_NEAR((filled[0] + filled[1]) / volume, 1, 0.02);
     EXPECT_NEAR(filled[0] / filled[1], 1, 0.1);
-    for (const bake::LabelReport& each : built.report.labels) {
+    for (const offline::LabelReport& each : built.report.labels) {
       EXPECT_NEAR(each.filled_volume_m3 / each.map_volume_m3, 1, 0.01) << each.tissue;
     }
   }
@@ -355,9 +356,9 @@ TEST(LabelOrgan, SurfaceIsThatOfTheLabelsWithoutTheirSteps) {
   const double u = 1e-3;
   for (const double side : {1.0, -1.0}) {
     const std::array<Vec, 3> step = {Vec{side * u, 0, 0}, {0, u, 0}, {0, 0, u}};
-    bake::BuildOptions options;
+    offline::BuildOptions options;
     options.voxel_edge_m = 2.5e-3;
-    const bake::Built built = build_quietly(ball_map(step, {}), kHalves, options);
+    const offline::Built built = build_quietly(ball_map(step, {}), kHalves, options);
     const Organ organ = opened(built.bytes);
     const std::vector<Vec> points = surface_of(organ);
     double least = 1, most = 0;
@@ -380,9 +381,9 @@ TEST(LabelOrgan, SurfaceIsThatOfTheLabelsWithoutTheirSteps) {
 // beside them, not of the recipe's first.
 TEST(LabelOrgan, ThinVoxelsAreOfTheTissueBesideThem) {
   const double u = 1e-3;
-  bake::BuildOptions options;
+  offline::BuildOptions options;
   options.voxel_edge_m = 1.7e-3;
-  const bake::Built built =
+  const offline::Built built =
       build_quietly(ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {}), kHalves, options);
   const Organ organ = opened(built.bytes);
   std::size_t thin = 0, voxel = 0;
@@ -404,9 +405,9 @@ TEST(LabelOrgan, CropKeepsALabelAndItsMargin) {
   Recipe recipe = kHalves;
   recipe.crop_around = {2};
   recipe.crop_margin_m = 5e-3;
-  bake::BuildOptions options;
+  offline::BuildOptions options;
   options.voxel_edge_m = 2.5e-3;
-  const bake::Built built = build_quietly(map, recipe, options);
+  const offline::Built built = build_quietly(map, recipe, options);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < map.label.size(); ++i) {
     const double x = static_cast<double>(i % 64) * u - 31.7e-3;
@@ -428,7 +429,7 @@ TEST(LabelOrgan, ObstaclesAndTargetsLieWhereTheirLabelsDo) {
   Recipe recipe = {{}, {{"gel", {1}}}};
   recipe.obstacles = {{"stone", {2}}, {"nothing", {9}}};
   recipe.targets = {{"lesion", {1}}};
-  const bake::Built built = build_quietly(map, recipe, {});
+  const offline::Built built = build_quietly(map, recipe, {});
   ASSERT_EQ(built.obstacles.size(), 1U);
   ASSERT_EQ(built.targets.size(), 1U);
   const auto voxels = [&](int label) {
@@ -443,8 +444,8 @@ TEST(LabelOrgan, ObstaclesAndTargetsLieWhereTheirLabelsDo) {
   EXPECT_LT(length(built.targets[0].middle_m - Vec{-7.5e-3, 0, 0}), 1.5e-3);
   EXPECT_THAT(built.report.warnings,
               testing::Contains("none of the labels of nothing is in the map"));
-  const std::string scene =
-      bake::scene_toml("a.organ", {"a.stone.toml"}, {{"lesion", {0.001, -0.02, 0.3}, 1e-6, 6e-3}});
+  const std::string scene = offline::scene_toml("a.organ", {"a.stone.toml"},
+                                                {{"lesion", {0.001, -0.02, 0.3}, 1e-6, 6e-3}});
   EXPECT_THAT(scene, testing::HasSubstr("point_mm = [1.00, -20.00, 300.00]"));
   EXPECT_THAT(scene, testing::HasSubstr("hull = \"a.stone.toml\""));
 }
@@ -455,9 +456,9 @@ TEST(LabelOrgan, WallLiesAroundInLayers) {
   const LabelMap map = ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {});
   Recipe recipe = {{}, {{"gel", {1, 2}}}};
   recipe.wall = {{"fat", 5e-3}, {"skin", 3e-3}};
-  bake::BuildOptions options;
+  offline::BuildOptions options;
   options.voxel_edge_m = 2e-3;
-  const bake::Built built = build_quietly(map, recipe, options);
+  const offline::Built built = build_quietly(map, recipe, options);
   ASSERT_EQ(built.report.labels.size(), 3U);
   const auto ball = [](double mm) { return 4 * std::numbers::pi / 3 * mm * mm * mm * 1e-9; };
   EXPECT_NEAR(built.report.labels[0].map_volume_m3 / ball(20), 1, 0.01);
@@ -469,7 +470,7 @@ TEST(LabelOrgan, WallLiesAroundInLayers) {
 TEST(LabelOrgan, SameMapSameBytes) {
   const double u = 1e-3;
   const LabelMap map = ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {});
-  const bake::BuildOptions options;
+  const offline::BuildOptions options;
   EXPECT_EQ(build_quietly(map, kHalves, options).bytes, build_quietly(map, kHalves, options).bytes);
 }
 
@@ -535,14 +536,14 @@ TEST(LabelOrgan, OfAWholeBodyTakesLessThanAMinuteAndThreeGibibytes) {
     recipe.groups[label % 6].labels.push_back(label);
   }
   const auto start = std::chrono::steady_clock::now();
-  bake::BuildOptions options;
+  offline::BuildOptions options;
   options.voxel_edge_m = 4e-3;
-  const bake::Built built = build_quietly(whole_body_map(), recipe, options);
+  const offline::Built built = build_quietly(whole_body_map(), recipe, options);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
   rusage use{};
   getrusage(RUSAGE_SELF, &use);
   EXPECT_LT(use.ru_maxrss, 3L << 20U);  // KiB
-  for (const bake::LabelReport& each : built.report.labels) {
+  for (const offline::LabelReport& each : built.report.labels) {
     EXPECT_NEAR(each.filled_volume_m3 / each.map_volume_m3, 1, 0.01) << each.tissue;
   }
 }
@@ -550,7 +551,7 @@ TEST(LabelOrgan, OfAWholeBodyTakesLessThanAMinuteAndThreeGibibytes) {
 TEST(LabelOrgan, LabelsThatAreNotThereAreSaid) {
   const double u = 1e-3;
   const LabelMap map = ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {});
-  const bake::BuildOptions options;
+  const offline::BuildOptions options;
   const auto built = build_quietly(map, {{}, {{"gel", {1}}, {"bone", {9}}}}, options);
   EXPECT_THAT(built.report.warnings,
               testing::ElementsAre("none of the labels of bone is in the map"));
@@ -564,7 +565,7 @@ TEST(LabelOrgan, LabelsThatAreNotThereAreSaid) {
 
 TEST(Recipe, TakesNumbersAndNames) {
   const Scratch scratch;
-  const Recipe recipe = bake::read_recipe(scratch.write(
+  const Recipe recipe = offline::read_recipe(scratch.write(
       "r.toml",
       "[names]\nliver = 5\naorta = 52\n[tissues]\nvessel = [\"aorta\", 64]\nliver = [5]\n"));
   ASSERT_EQ(recipe.groups.size(), 2U);
@@ -578,7 +579,7 @@ TEST(Recipe, TakesNumbersAndNames) {
 TEST(Recipe, TakesNumbersFromTheLeastToTheMostInMillimetres) {
   const Scratch scratch;
   const auto with = [&](int margin_mm, int smoothing, int triangles, int wall_mm) {
-    return bake::read_recipe(scratch.write(
+    return offline::read_recipe(scratch.write(
         "r.toml", fmt::format("[tissues]\nliver = [5]\n[crop]\naround = [5]\nmargin_mm = {}\n"
                               "[surface]\nsmoothing = {}\ntriangles = {}\n"
                               "[[wall]]\ntissue = \"fat\"\nthickness_mm = {}\n",
@@ -597,10 +598,10 @@ TEST(Recipe, TakesNumbersFromTheLeastToTheMostInMillimetres) {
 TEST(Recipe, SaysWhetherGapsStayOpen) {
   const Scratch scratch;
   const auto open_gaps = [&](const std::string& gaps) {
-    return bake::read_recipe(scratch.write("r.toml",
-                                           "[tissues]\nliver = [1]\n[contact]\n"
-                                           "touching = \"shared\"\ngaps = " +
-                                               gaps + "\n"))
+    return offline::read_recipe(scratch.write("r.toml",
+                                              "[tissues]\nliver = [1]\n[contact]\n"
+                                              "touching = \"shared\"\ngaps = " +
+                                                  gaps + "\n"))
         .open_gaps;
   };
   EXPECT_TRUE(open_gaps("\"open\""));
@@ -651,7 +652,7 @@ TEST(Recipe, RefusesWithFileAndLine) {
       {"[[wall]]\ntissue = 3\nthickness_mm = 2\n", "[[wall]]: expected tissue"}};
   for (const auto& [text, reason] : bad) {
     const auto path = scratch.write("r.toml", text);
-    EXPECT_THAT(refusal_of([&] { (void)bake::read_recipe(path); }), testing::HasSubstr(reason));
+    EXPECT_THAT(refusal_of([&] { (void)offline::read_recipe(path); }), testing::HasSubstr(reason));
   }
 }
 
@@ -662,13 +663,13 @@ TEST(Recipe, NamesAsManyObstaclesAsAnOrganHas) {
     for (std::uint32_t i = 0; i < count; ++i) text += fmt::format("rib_{0}-a = [{1}]\n", i, i + 6);
     return scratch.write("r.toml", text);
   };
-  const auto read = bake::read_recipe(with(kMaxObstacles));
+  const auto read = offline::read_recipe(with(kMaxObstacles));
   ASSERT_EQ(read.obstacles.size(), kMaxObstacles);
   std::set<std::string> names;
   for (const auto& each : read.obstacles) names.insert(each.name);
   EXPECT_EQ(names.size(), kMaxObstacles);
   EXPECT_TRUE(names.contains("rib_0-a"));
-  EXPECT_THAT(refusal_of([&] { (void)bake::read_recipe(with(kMaxObstacles + 1)); }),
+  EXPECT_THAT(refusal_of([&] { (void)offline::read_recipe(with(kMaxObstacles + 1)); }),
               testing::HasSubstr(fmt::format("[obstacles]: {} bodies: expected at most {}",
                                              kMaxObstacles + 1, kMaxObstacles)));
 }
@@ -678,37 +679,37 @@ TEST(Recipe, NamesAreTheSameInAnyOrderOfWordsAndSpelling) {
                                                       {"left--kidney ", "  Kidney (LEFT)"},
                                                       {"Größe 2", "2 größe"},
                                                       {"", "--"}};
-  for (const auto& [a, b] : same) EXPECT_TRUE(bake::is_same_name(a, b)) << a;
+  for (const auto& [a, b] : same) EXPECT_TRUE(offline::is_same_name(a, b)) << a;
   const std::pair<const char*, const char*> other[] = {
       {"kidney", "left kidney"}, {"left left", "left"}, {"Gr\xc3\xb6", "Gro"}, {"a1", "a 1"}};
-  for (const auto& [a, b] : other) EXPECT_FALSE(bake::is_same_name(a, b)) << a;
+  for (const auto& [a, b] : other) EXPECT_FALSE(offline::is_same_name(a, b)) << a;
 }
 
 // By the names of the map's file: in any order of words, all labels of that name.
 TEST(Recipe, GoesByTheNamesOfTheMap) {
   const Scratch scratch;
-  const bake::FileNames names = {"seg.nrrd",
-                                 {{2, "Right kidney"}, {7, "portal vein"}, {9, "Portal Vein"}}};
-  const Recipe recipe =
-      bake::read_recipe(scratch.write("r.toml",
-                                      "[names]\nliver = 5\n[tissues]\nkidney = [\"kidney_right\"]\n"
-                                      "liver = [\"liver\"]\nvessel = [\"Portal_vein\"]\n"
-                                      "[targets]\nside = [\"right kidney\"]\n"),
-                        names);
+  const offline::FileNames names = {"seg.nrrd",
+                                    {{2, "Right kidney"}, {7, "portal vein"}, {9, "Portal Vein"}}};
+  const Recipe recipe = offline::read_recipe(
+      scratch.write("r.toml",
+                    "[names]\nliver = 5\n[tissues]\nkidney = [\"kidney_right\"]\n"
+                    "liver = [\"liver\"]\nvessel = [\"Portal_vein\"]\n"
+                    "[targets]\nside = [\"right kidney\"]\n"),
+      names);
   EXPECT_THAT(recipe.groups.at(0).labels, testing::ElementsAre(2));
   EXPECT_THAT(recipe.groups.at(1).labels, testing::ElementsAre(5));
   EXPECT_THAT(recipe.groups.at(2).labels, testing::ElementsAre(7, 9));
   EXPECT_THAT(recipe.targets.at(0).labels, testing::ElementsAre(2));
   const auto exact = scratch.write("r.toml", "[tissues]\nvessel = [\"portal vein\"]\n");
-  EXPECT_THAT(bake::read_recipe(exact, names).groups.at(0).labels, testing::ElementsAre(7));
+  EXPECT_THAT(offline::read_recipe(exact, names).groups.at(0).labels, testing::ElementsAre(7));
 }
 
 TEST(Recipe, AndTheMapCallALabelTheSame) {
   const Scratch scratch;
-  const bake::FileNames names = {"mr.nii", {{52, "portal vein"}, {3, "liver"}}};
+  const offline::FileNames names = {"mr.nii", {{52, "portal vein"}, {3, "liver"}}};
   const auto refused = [&](const std::string& text) {
     const auto path = scratch.write("r.toml", text);
-    return refusal_of([&] { (void)bake::read_recipe(path, names); });
+    return refusal_of([&] { (void)offline::read_recipe(path, names); });
   };
   EXPECT_THAT(refused("[names]\naorta = 52\n[tissues]\nvessel = [\"aorta\"]\n"),
               testing::HasSubstr("aorta = 52: in mr.nii label 52 is called portal vein"));
@@ -731,12 +732,12 @@ TEST(Recipe, AndTheMapCallALabelTheSame) {
 TEST(Recipe, OfTotalSegmentatorMakesAnAbdomen) {
   const auto path = data_folder() / "labelmaps" / "ts_example_seg_fast_force_split.nii.gz";
   SKIP_WITHOUT(path);
-  const Recipe recipe = bake::read_recipe(STYLET_RECIPES "/totalsegmentator.toml");
-  const LabelMap map = bake::read_label_map(path);
-  const bake::Built built = build_quietly(map, recipe, {});
+  const Recipe recipe = offline::read_recipe(STYLET_RECIPES "/totalsegmentator.toml");
+  const LabelMap map = offline::read_label_map(path);
+  const offline::Built built = build_quietly(map, recipe, {});
   EXPECT_TRUE(built.report.warnings.empty());
   std::map<std::string, double> ml;
-  for (const bake::LabelReport& each : built.report.labels) {
+  for (const offline::LabelReport& each : built.report.labels) {
     ml[each.tissue] = each.filled_volume_m3 * 1e6;
     EXPECT_NEAR(each.filled_volume_m3 / each.map_volume_m3, 1, 0.01) << each.tissue;
   }

@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bake_support.h"
 #include "meshes/phantom.h"
+#include "offline_support.h"
 #include "pipeline/label_organ.h"
 #include "random_bodies.h"
 #include "report/page.h"
@@ -16,18 +16,18 @@
 namespace stylet::test {
 namespace {
 
-using bake::Mesh;
-using bake::Vec;
+using offline::Mesh;
+using offline::Vec;
 
-bake::BuildOptions measured_at(double voxel_mm) {
-  bake::BuildOptions options;
+offline::BuildOptions measured_at(double voxel_mm) {
+  offline::BuildOptions options;
   options.voxel_edge_m = voxel_mm * 1e-3;
   options.measured = true;
   return options;
 }
 
-bake::Quality quality_of(const bake::Built& built) {
-  return bake::measure_quality(opened(built.bytes), built.input_m, [](const char*, double) {});
+offline::Quality quality_of(const offline::Built& built) {
+  return offline::measure_quality(opened(built.bytes), built.input_m, [](const char*, double) {});
 }
 
 // ---- distances ----------------------------------------------------------------------------------
@@ -35,8 +35,8 @@ bake::Quality quality_of(const bake::Built& built) {
 TEST(Distance, OfParallelBoxesIsTheGapAndAtTheCornersItsDiagonal) {
   const Mesh inner = box_mesh({0, 0, 0}, {10, 10, 10});
   const Mesh outer = box_mesh({-1, -1, -1}, {11, 11, 11});
-  const bake::Deviation out = bake::deviation(outer, inner);
-  const bake::Deviation in = bake::deviation(inner, outer);
+  const offline::Deviation out = offline::deviation(outer, inner);
+  const offline::Deviation in = offline::deviation(inner, outer);
   EXPECT_NEAR(out.most_m, std::sqrt(3.0), 1e-12);
   EXPECT_NEAR(in.most_m, 1, 1e-12);
   EXPECT_NEAR(in.mean_m, 1, 1e-12);
@@ -48,15 +48,15 @@ TEST(Distance, OfParallelBoxesIsTheGapAndAtTheCornersItsDiagonal) {
 
 TEST(Distance, OfAMeshFromItselfIsNothing) {
   const Mesh mesh = box_mesh({0, 0, 0}, {1, 2, 3});
-  EXPECT_LT(bake::deviation(mesh, mesh).most_m, 1e-12);
+  EXPECT_LT(offline::deviation(mesh, mesh).most_m, 1e-12);
 }
 
 // ---- what is kept, lost and glued ---------------------------------------------------------------
 
 TEST(Quality, OfABoxOnTheGridFindsNothing) {
-  const bake::Built built =
+  const offline::Built built =
       build_quietly({input_of(box_mesh({0, 0, 0}, {40, 30, 20}), 1e-3)}, measured_at(5));
-  const bake::Quality quality = quality_of(built);
+  const offline::Quality quality = quality_of(built);
   ASSERT_EQ(quality.pieces.size(), 1U);
   EXPECT_EQ(quality.pieces[0].voxels, 8U * 6 * 4);
   EXPECT_NEAR(quality.pieces[0].volume_m3 / 24e-6, 1, 1e-6);  // the edge is a float
@@ -67,19 +67,19 @@ TEST(Quality, OfABoxOnTheGridFindsNothing) {
   ASSERT_EQ(built.report.shares.size(), 1U);
   EXPECT_NEAR(built.report.shares[0].given_m3, 24e-6, 1e-10);
   EXPECT_EQ(built.report.shares[0].pieces_lost, 0U);
-  EXPECT_TRUE(bake::quality_facts(quality, built.report)["findings"].empty());
+  EXPECT_TRUE(offline::quality_facts(quality, built.report)["findings"].empty());
 }
 
 // Two slabs 2 mm apart within voxels of 5 mm: one piece of tissue, 12 x 12 gaps. At 1 mm they are
 // two, and nothing is glued.
 TEST(Quality, GapNarrowerThanAVoxelIsSaidToBeClosed) {
   const Mesh slabs = both(box_mesh({0, 0, 0}, {60, 60, 16}), box_mesh({0, 0, 18}, {60, 60, 35}));
-  const bake::Built coarse = build_quietly({input_of(slabs, 1e-3)}, measured_at(5));
+  const offline::Built coarse = build_quietly({input_of(slabs, 1e-3)}, measured_at(5));
   EXPECT_EQ(coarse.report.closed_gaps, 144U);
   EXPECT_EQ(quality_of(coarse).pieces.size(), 1U);
-  const auto facts = bake::quality_facts(quality_of(coarse), coarse.report);
+  const auto facts = offline::quality_facts(quality_of(coarse), coarse.report);
   EXPECT_THAT(facts["findings"].dump(), testing::HasSubstr("closed at 144 places"));
-  const bake::Built fine = build_quietly({input_of(slabs, 1e-3)}, measured_at(1));
+  const offline::Built fine = build_quietly({input_of(slabs, 1e-3)}, measured_at(1));
   EXPECT_EQ(fine.report.closed_gaps, 0U);
   EXPECT_EQ(quality_of(fine).pieces.size(), 2U);
 }
@@ -87,43 +87,43 @@ TEST(Quality, GapNarrowerThanAVoxelIsSaidToBeClosed) {
 // A rod of 1 mm through voxels of 5 mm of liver, and a bead in it: no voxel is theirs.
 TEST(Quality, ThinPartsWithoutAVoxelAreCounted) {
   const Mesh thin = both(box_mesh({2, 21, 21}, {38, 22, 22}), box_mesh({31, 31, 31}, {32, 32, 32}));
-  const bake::Built built = build_quietly(
+  const offline::Built built = build_quietly(
       {input_of(box_mesh({0, 0, 0}, {40, 40, 40}), 1e-3), input_of(thin, 1e-3, "vessel")},
       measured_at(5));
   ASSERT_EQ(built.report.shares.size(), 2U);
-  const bake::ShareReport& vessel = built.report.shares[1];
+  const offline::ShareReport& vessel = built.report.shares[1];
   EXPECT_EQ(vessel.pieces, 2U);
   EXPECT_EQ(vessel.pieces_lost, 2U);
   EXPECT_NEAR(vessel.input_m3, 37e-9, 1e-15);
   EXPECT_EQ(vessel.given_m3, 0);
-  const auto facts = bake::quality_facts(quality_of(built), built.report);
+  const auto facts = offline::quality_facts(quality_of(built), built.report);
   EXPECT_THAT(facts["findings"].dump(), testing::HasSubstr("2 of 2 pieces have no voxel"));
 }
 
 TEST(Quality, PieceThatNothingHoldsIsSaidToDrift) {
   const Mesh apart = both(box_mesh({0, 0, 0}, {20, 20, 20}), box_mesh({40, 0, 0}, {60, 20, 20}));
-  bake::BuildOptions options = measured_at(5);
-  options.held = bake::parse_regions({"x<5%"}, 1e-3);
-  const bake::Built built = build_quietly({input_of(apart, 1e-3)}, options);
-  const bake::Quality quality = quality_of(built);
+  offline::BuildOptions options = measured_at(5);
+  options.held = offline::parse_regions({"x<5%"}, 1e-3);
+  const offline::Built built = build_quietly({input_of(apart, 1e-3)}, options);
+  const offline::Quality quality = quality_of(built);
   ASSERT_EQ(quality.pieces.size(), 2U);
   EXPECT_NE(quality.pieces[0].held, quality.pieces[1].held);
-  EXPECT_THAT(bake::quality_facts(quality, built.report)["findings"].dump(),
+  EXPECT_THAT(offline::quality_facts(quality, built.report)["findings"].dump(),
               testing::HasSubstr("1 of 2 separate pieces"));
 }
 
 // A map of 2 mm that one tissue fills up to its edges, but for one voxel of a lesion in it, which
 // no sample of voxels of 15 mm meets; and a triangle that has no area is no piece of a mesh.
 TEST(Quality, PiecesThatNoVoxelHasAreCounted) {
-  bake::LabelMap map;
+  offline::LabelMap map;
   map.size = {30, 22, 22};
   map.step_m = {Vec{2e-3, 0, 0}, Vec{0, 2e-3, 0}, Vec{0, 0, 2e-3}};
   map.label.assign(30 * 22 * 22, 1);
   map.label[30 * 22 * 10 + 30 * 10 + 8] = 2;
-  bake::Recipe recipe;
+  offline::Recipe recipe;
   recipe.groups = {{"liver", {1}}, {"tumour", {2}}};
-  const bake::Built built =
-      bake::build_labels("map.nrrd", map, recipe, measured_at(15), [](const char*, double) {});
+  const offline::Built built =
+      offline::build_labels("map.nrrd", map, recipe, measured_at(15), [](const char*, double) {});
   ASSERT_EQ(built.report.shares.size(), 2U);
   EXPECT_EQ(built.report.shares[0].pieces, 1U);
   EXPECT_EQ(built.report.shares[0].pieces_lost, 0U);
@@ -141,8 +141,8 @@ TEST(Quality, PiecesThatNoVoxelHasAreCounted) {
 // What is measured does not change what is built.
 TEST(Quality, MeasuringLeavesTheBytesAlone) {
   const Mesh mesh = box_mesh({0, 0, 0}, {43, 30, 21});
-  bake::BuildOptions options = measured_at(5);
-  const bake::Built with = build_quietly({input_of(mesh, 1e-3)}, options);
+  offline::BuildOptions options = measured_at(5);
+  const offline::Built with = build_quietly({input_of(mesh, 1e-3)}, options);
   options.measured = false;
   EXPECT_EQ(with.bytes, build_quietly({input_of(mesh, 1e-3)}, options).bytes);
 }
@@ -154,10 +154,10 @@ TEST(Quality, MeasuringLeavesTheBytesAlone) {
 TEST(Gaps, NarrowOnesBecomeTheTissueAskedFor) {
   for (const double gap_mm : {6.0, 8.0}) {
     const double above = 10 + gap_mm;
-    std::vector<bake::Input> inputs = {
+    std::vector<offline::Input> inputs = {
         input_of(box_mesh({0, 0, 0}, {40, 40, 10}), 1e-3),
         input_of(box_mesh({0, 0, above}, {40, 40, above + 10}), 1e-3, "kidney", 1)};
-    bake::BuildOptions options;
+    offline::BuildOptions options;
     options.voxel_edge_m = 2e-3;
     options.gap_tissue = "fat";
     options.gap_m = 6e-3;
@@ -166,7 +166,7 @@ TEST(Gaps, NarrowOnesBecomeTheTissueAskedFor) {
     const bool filled = gap_mm < 7;
     EXPECT_EQ(organ.voxel_count, 2U * 20 * 20 * 5 + (filled ? 3U * 20 * 20 : 0));
     EXPECT_EQ(organ.material_count, filled ? 3U : 2U);
-    const auto pieces = bake::measure_quality(organ, {}, [](const char*, double) {}).pieces;
+    const auto pieces = offline::measure_quality(organ, {}, [](const char*, double) {}).pieces;
     EXPECT_EQ(pieces.size(), filled ? 1U : 2U);
   }
 }
@@ -175,7 +175,7 @@ TEST(Gaps, NarrowOnesBecomeTheTissueAskedFor) {
 TEST(MeshSet, OfAnAbdomenIsOneLattice) {
   const std::filesystem::path organs = data_folder() / "organs";
   SKIP_WITHOUT(organs / "openhelp_Liver.stl");
-  std::vector<bake::Input> inputs;
+  std::vector<offline::Input> inputs;
   const std::pair<const char*, const char*> set[] = {
       {"Abdominal_wall", "muscle"}, {"Liver", "liver"},
       {"Kidney_left", "kidney"},    {"Spleen", "gel"},
@@ -184,10 +184,10 @@ TEST(MeshSet, OfAnAbdomenIsOneLattice) {
   for (const auto& [name, tissue] : set) {
     const auto path = organs / (std::string("openhelp_") + name + ".stl");
     inputs.push_back(
-        {path.string(), tissue, static_cast<int>(inputs.size()), 1e-3, bake::read_mesh(path)});
+        {path.string(), tissue, static_cast<int>(inputs.size()), 1e-3, offline::read_mesh(path)});
   }
-  const bake::Built built = build_quietly(std::move(inputs), measured_at(5));
-  for (const bake::ShareReport& each : built.report.shares) {
+  const offline::Built built = build_quietly(std::move(inputs), measured_at(5));
+  for (const offline::ShareReport& each : built.report.shares) {
     EXPECT_NEAR(each.sampled_m3 / each.input_m3, 1, 0.01) << each.from;
     EXPECT_EQ(each.pieces_lost, 0U) << each.from;
     most_m3 += each.input_m3;
@@ -304,9 +304,9 @@ TEST(Page, SaysWhoseSidesItShowsWhatLiesBesideAndWhatATickTakes) {
 // A part from inside a block has no surface of the input to be compared with or to be seen.
 TEST(Page, OfAPartWithoutSurfaceLeavesItOut) {
   const Scratch scratch;
-  bake::Mesh block = box_mesh({0, 0, 0}, {60, 60, 60});
-  scratch.write("a.off", bake::off_text(block));
-  scratch.write("b.off", bake::off_text(box_mesh({60, 0, 0}, {80, 60, 60})));
+  offline::Mesh block = box_mesh({0, 0, 0}, {60, 60, 60});
+  scratch.write("a.off", offline::off_text(block));
+  scratch.write("b.off", offline::off_text(box_mesh({60, 0, 0}, {80, 60, 60})));
   const std::string command = "cd " + scratch.folder.string() +
                               " && " STYLET_ORGAN
                               " build a.off b.off:kidney --crop box:20,20,20,40,40,40 --fix none"

@@ -5,13 +5,13 @@
 #include <gmock/gmock.h>
 
 #include "asset/materials.h"
-#include "bake_support.h"
 #include "base/refusal.h"
+#include "offline_support.h"
 
 namespace stylet::test {
 namespace {
 
-using bake::Tissue;
+using offline::Tissue;
 using testing::HasSubstr;
 
 struct Number {
@@ -50,8 +50,8 @@ std::string tissue_text(const Number& number, double value) {
 
 std::string refusal_of(const std::filesystem::path& file) {
   try {
-    (void)bake::read_tissues(file);
-  } catch (const bake::Refusal& refused) {
+    (void)offline::read_tissues(file);
+  } catch (const offline::Refusal& refused) {
     return refused.what();
   }
   return "";
@@ -62,11 +62,11 @@ TEST(Tissues, TakeWhatTheKernelTakes) {
   for (const Number& number : kNumbers) {
     for (const double wanted :
          {number.least, number.most, 0.3 * number.least + 0.7 * number.most}) {
-      const auto tissues =
-          bake::read_tissues(scratch.write("own.toml", tissue_text(number, wanted / number.unit)));
+      const auto tissues = offline::read_tissues(
+          scratch.write("own.toml", tissue_text(number, wanted / number.unit)));
       ASSERT_EQ(tissues.size(), 1U);
       EXPECT_DOUBLE_EQ(tissues[0].*number.member, wanted) << number.key;
-      bake::BuildOptions options;
+      offline::BuildOptions options;
       options.voxel_edge_m = 0.01;
       options.own_tissues = tissues;
       const auto built =

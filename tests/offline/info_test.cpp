@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "asset/write_organ.h"
-#include "bake_support.h"
 #include "base/refusal.h"
+#include "offline_support.h"
 #include "organ_objects.h"
 
 namespace stylet::test {
@@ -28,7 +28,7 @@ std::vector<std::byte> bytes_of(const format::OrganT& organ) {
 // A box of 6 x 4 x 2 voxels of 5 mm, as the format allows it to be written: nothing that a file may
 // leave out is there, and it is of version 1, which has no sum.
 format::OrganT barest() {
-  bake::BuildOptions options;
+  offline::BuildOptions options;
   options.voxel_edge_m = 5e-3;
   const auto bytes =
       build_quietly({input_of(box_mesh({0, 0, 0}, {30, 20, 10}), 1e-3, "gel")}, options).bytes;
@@ -48,8 +48,8 @@ format::OrganT barest() {
 
 TEST(Info, OfTheBarestFileSaysWhatThereIs) {
   const auto bytes = bytes_of(barest());
-  const Organ organ = bake::open_organ("bare.organ", bytes);
-  const auto facts = bake::organ_facts(organ, bytes);
+  const Organ organ = offline::open_organ("bare.organ", bytes);
+  const auto facts = offline::organ_facts(organ, bytes);
   EXPECT_EQ(facts["name"], "");
   EXPECT_EQ(facts["content_sha256"], "");
   EXPECT_EQ(facts["voxels"], 6 * 4 * 2);
@@ -60,7 +60,7 @@ TEST(Info, OfTheBarestFileSaysWhatThereIs) {
   }
   EXPECT_EQ(facts["bytes"]["per_vertex"], 0);
   EXPECT_TRUE(facts["provenance"].is_null());
-  const std::string text = bake::organ_text(facts);
+  const std::string text = offline::organ_text(facts);
   EXPECT_THAT(text, HasSubstr("48 voxels of 5 mm in 6 x 4 x 2, 6 ml"));
   EXPECT_THAT(text, Not(HasSubstr("made by")));
 }
@@ -69,17 +69,18 @@ TEST(Info, OriginsThatSayNothingAreShownEmpty) {
   format::OrganT organ = barest();
   organ.provenance = std::make_unique<format::ProvenanceT>();
   const auto unsaid = bytes_of(organ);
-  const auto facts = bake::organ_facts(bake::open_organ("a.organ", unsaid), unsaid)["provenance"];
+  const auto facts =
+      offline::organ_facts(offline::open_organ("a.organ", unsaid), unsaid)["provenance"];
   EXPECT_EQ(facts["tool_version"], "");
   EXPECT_EQ(facts["options"], "");
   EXPECT_TRUE(facts["sources"].empty());
   organ.provenance->sources.push_back(std::make_unique<format::SourceT>());
   organ.provenance->sources.back()->priority = -7;
   const auto one = bytes_of(organ);
-  const auto all = bake::organ_facts(bake::open_organ("a.organ", one), one);
+  const auto all = offline::organ_facts(offline::open_organ("a.organ", one), one);
   const auto& source = all["provenance"]["sources"][0];
   for (const char* empty : {"path", "tissue", "sha256"}) EXPECT_EQ(source[empty], "") << empty;
-  EXPECT_THAT(bake::organ_text(all), HasSubstr("priority -7) as , sha256 \n"));
+  EXPECT_THAT(offline::organ_text(all), HasSubstr("priority -7) as , sha256 \n"));
 }
 
 TEST(Info, AFileOfVersionTwoHasTheSumOfItsBytes) {
@@ -87,25 +88,25 @@ TEST(Info, AFileOfVersionTwoHasTheSumOfItsBytes) {
   organ.format_version = 2;
   const auto bytes = bytes_of(organ);
   try {
-    (void)bake::open_organ("a.organ", bytes);
+    (void)offline::open_organ("a.organ", bytes);
     ADD_FAILURE() << "opened";
-  } catch (const bake::Refusal& refusal) {
+  } catch (const offline::Refusal& refusal) {
     EXPECT_THAT(refusal.what(), HasSubstr("a.organ: content_sha256: none: expected "));
   }
 }
 
 TEST(Info, WhatTheKernelWouldNotOpenIsNotWritten) {
   try {
-    (void)bake::write_organ({});
+    (void)offline::write_organ({});
     ADD_FAILURE() << "written";
-  } catch (const bake::Refusal& refusal) {
+  } catch (const offline::Refusal& refusal) {
     EXPECT_THAT(refusal.what(), HasSubstr("the organ does not pass the kernel's check: "));
   }
 }
 
 // A box, and beside it a band that is joined to itself the wrong way round (Moebius).
 TEST(Info, OfASurfaceWithOneSideSaysThatRaysVote) {
-  bake::Mesh mesh = box_mesh({0, 0, 0}, {40, 40, 40});
+  offline::Mesh mesh = box_mesh({0, 0, 0}, {40, 40, 40});
   constexpr std::uint32_t kParts = 24;
   const auto first = static_cast<std::uint32_t>(mesh.points.size());
   for (std::uint32_t i = 0; i < kParts; ++i) {
@@ -123,8 +124,8 @@ TEST(Info, OfASurfaceWithOneSideSaysThatRaysVote) {
     mesh.triangles.push_back({a, c, b});
     mesh.triangles.push_back({b, c, d});
   }
-  const bake::Built built = build_quietly({input_of(mesh, 1e-3)}, {});
-  EXPECT_THAT(bake::build_text(bake::build_facts(built.report)),
+  const offline::Built built = build_quietly({input_of(mesh, 1e-3)}, {});
+  EXPECT_THAT(offline::build_text(offline::build_facts(built.report)),
               HasSubstr("2 pieces, open, not orientable (rays vote)"));
   EXPECT_NEAR(volume_m3(opened(built.bytes)) * 1e6, 64, 0.02 * 64);
 }

@@ -7,15 +7,15 @@
 #include <ctime>
 #include <random>
 
-#include "bake_support.h"
 #include "base/refusal.h"
 #include "meshes/phantom.h"
+#include "offline_support.h"
 #include "stylet/limits.h"
 
 namespace stylet::test {
 namespace {
 
-using bake::Vec;
+using offline::Vec;
 
 // Largest distance by which `points` lie outside the hull, over many directions: a lower bound of
 // the deviation that needs no hull.
@@ -25,8 +25,8 @@ double sampled_deviation(const std::vector<Vec>& points, const std::vector<Vec>&
   double worst = 0;
   for (int i = 0; i < 2000; ++i) {
     Vec direction = {draw(), draw(), draw()};
-    if (bake::length(direction) < 0.1) continue;
-    direction = direction * (1 / bake::length(direction));
+    if (offline::length(direction) < 0.1) continue;
+    direction = direction * (1 / offline::length(direction));
     const auto reach = [&](const std::vector<Vec>& of) {
       double most = -1e9;
       for (const Vec& p : of) most = std::max(most, dot(p, direction));
@@ -40,8 +40,8 @@ double sampled_deviation(const std::vector<Vec>& points, const std::vector<Vec>&
 }
 
 TEST(Hull, OfABlockIsItsEightCorners) {
-  const bake::Mesh block = bake::block_phantom({0.04, 0.03, 0.02}, 0.005);
-  const bake::Hull hull = bake::simple_hull("block", block.points, kMaxHullVertices);
+  const offline::Mesh block = offline::block_phantom({0.04, 0.03, 0.02}, 0.005);
+  const offline::Hull hull = offline::simple_hull("block", block.points, kMaxHullVertices);
   EXPECT_EQ(hull.vertices_m.size(), 8U);
   EXPECT_EQ(hull.deviation_m, 0);
   EXPECT_NEAR(hull.volume_m3, 0.04 * 0.03 * 0.02, 1e-12);
@@ -69,24 +69,24 @@ TEST(Hull, IsTheSameWhateverLiesInTheHeap) {
       }
     }
   }
-  const bake::Hull first = bake::simple_hull("voxels", corners, 24);
-  const double volume_m3 = bake::hull_volume_m3(corners);
+  const offline::Hull first = offline::simple_hull("voxels", corners, 24);
+  const double volume_m3 = offline::hull_volume_m3(corners);
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const std::vector<std::vector<char>> blocks = litter(seed);
-    const bake::Hull hull = bake::simple_hull("voxels", corners, 24);
+    const offline::Hull hull = offline::simple_hull("voxels", corners, 24);
     EXPECT_EQ(hull.vertices_m, first.vertices_m);
     EXPECT_EQ(hull.hull_vertices, first.hull_vertices);
     EXPECT_EQ(hull.volume_m3, first.volume_m3);
     EXPECT_EQ(hull.deviation_m, first.deviation_m);
-    EXPECT_EQ(bake::hull_volume_m3(corners), volume_m3);
+    EXPECT_EQ(offline::hull_volume_m3(corners), volume_m3);
   }
 }
 
 TEST(Hull, OfABallIsAsCloseAsItSays) {
-  const bake::Mesh ball = bake::ball_phantom(0.06, 0.004);
+  const offline::Mesh ball = offline::ball_phantom(0.06, 0.004);
   double last = 1;
   for (const std::size_t most : {4U, 8U, 16U, 32U, 64U}) {
-    const bake::Hull hull = bake::simple_hull("ball", ball.points, most);
+    const offline::Hull hull = offline::simple_hull("ball", ball.points, most);
     EXPECT_EQ(hull.vertices_m.size(), most);
     EXPECT_LT(hull.deviation_m, last);
     last = hull.deviation_m;
@@ -112,7 +112,7 @@ TEST(Hull, OfFourPointsIsTheirTetrahedronWhereverItIs) {
     const double determinant =
         dot(points[1] - points[0], cross(points[2] - points[0], points[3] - points[0]));
     if (std::abs(determinant) < 1e-7) continue;  // nearly flat
-    const bake::Hull hull = bake::simple_hull("four", points, kMaxHullVertices);
+    const offline::Hull hull = offline::simple_hull("four", points, kMaxHullVertices);
     EXPECT_NEAR(hull.volume_m3, std::abs(determinant) / 6, 1e-12) << i;
   }
 }
@@ -122,8 +122,8 @@ TEST(Hull, OfRealBonesIsWithinTwoMillimetres) {
     const auto path = data_folder() / "organs" / name;
     SKIP_WITHOUT(path);
     std::vector<Vec> points;
-    for (const Vec& p : bake::read_mesh(path).mesh.points) points.push_back(p * 0.1);
-    const bake::Hull hull = bake::simple_hull(name, points, kMaxHullVertices);
+    for (const Vec& p : offline::read_mesh(path).mesh.points) points.push_back(p * 0.1);
+    const offline::Hull hull = offline::simple_hull(name, points, kMaxHullVertices);
     std::printf("%s: %zu of %zu vertices, %.3f mm\n", name, hull.vertices_m.size(),
                 hull.hull_vertices, hull.deviation_m * 1e3);
     EXPECT_LT(hull.deviation_m, 2e-3);
@@ -138,12 +138,12 @@ double seconds_for_ball(std::size_t count) {
   std::vector<Vec> points;
   while (points.size() < count) {
     const Vec p = {draw(engine), draw(engine), draw(engine)};
-    points.push_back(p * (0.1 / bake::length(p)));
+    points.push_back(p * (0.1 / offline::length(p)));
   }
   double least = 1e9;
   for (int round = 0; round < 5; ++round) {
     const std::clock_t start = std::clock();
-    EXPECT_EQ(bake::simple_hull("ball", points, 32).hull_vertices, count);
+    EXPECT_EQ(offline::simple_hull("ball", points, 32).hull_vertices, count);
     least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
   }
   return least;
@@ -158,11 +158,11 @@ TEST(HullTimed, TakesAsMuchLongerAsThereAreMorePoints) {
 }
 
 TEST(Hull, RefusesWhatHasNoInside) {
-  EXPECT_EQ(bake::hull_volume_m3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), 0);
+  EXPECT_EQ(offline::hull_volume_m3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), 0);
   const auto refusal = [](const std::vector<Vec>& points) -> std::string {
     try {
-      (void)bake::simple_hull("bone.stl", points, 64);
-    } catch (const bake::Refusal& refused) {
+      (void)offline::simple_hull("bone.stl", points, 64);
+    } catch (const offline::Refusal& refused) {
       return refused.what();
     }
     return "";
@@ -189,7 +189,8 @@ int run(const Scratch& scratch, const std::string& arguments) {
 
 TEST(Hull, ProgramWritesTheSameTomlTwice) {
   const Scratch scratch;
-  const auto mesh = scratch.write("ball \"1\".off", bake::off_text(bake::ball_phantom(60, 4)));
+  const auto mesh =
+      scratch.write("ball \"1\".off", offline::off_text(offline::ball_phantom(60, 4)));
   const auto one = scratch.folder / "one.toml", two = scratch.folder / "two.toml";
   const std::string input = fmt::format("'{}' --units mm --max-vertices 20 -o ", mesh.string());
   ASSERT_EQ(run(scratch, input + one.string()), 0) << slurp(scratch.folder / "err");

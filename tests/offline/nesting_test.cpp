@@ -5,16 +5,16 @@
 
 #include <numbers>
 
-#include "bake_support.h"
 #include "meshes/repair.h"
+#include "offline_support.h"
 #include "random_bodies.h"
 
 namespace stylet::test {
 namespace {
 
-using bake::Mesh;
-using bake::Triangle;
-using bake::Vec;
+using offline::Mesh;
+using offline::Triangle;
+using offline::Vec;
 
 double six_volumes(const Mesh& mesh) {
   double sum = 0;
@@ -113,7 +113,7 @@ Nested nested(Draw& draw, std::size_t count, bool only_cavities) {
   return out;
 }
 
-double boundary_ml(const bake::Solid& solid) {
+double boundary_ml(const offline::Solid& solid) {
   Mesh mesh = {solid.surface.points, solid.boundary};
   return six_volumes(mesh) / 6000;
 }
@@ -123,7 +123,7 @@ TEST(Nesting, CavitiesOfAnyNumberStayAlsoInsideOut) {
     Draw draw(seed);
     const std::size_t count = 1 + draw.below(300);
     const Nested body = nested(draw, count, false);
-    const bake::Solid solid = bake::repair(body.mesh);
+    const offline::Solid solid = offline::repair(body.mesh);
     EXPECT_NEAR(boundary_ml(solid) / body.signed_ml, 1, 1e-9) << seed << ": " << count;
   }
 }
@@ -136,7 +136,7 @@ TEST(Nesting, AFewTurnedFacesLoseNoCavity) {
     for (Triangle& t : body.mesh.triangles) {
       if (draw.below(20) == 0) std::swap(t[1], t[2]);
     }
-    EXPECT_NEAR(boundary_ml(bake::repair(body.mesh)) / body.signed_ml, 1, 1e-9) << seed;
+    EXPECT_NEAR(boundary_ml(offline::repair(body.mesh)) / body.signed_ml, 1, 1e-9) << seed;
   }
 }
 
@@ -148,7 +148,7 @@ TEST(Nesting, FacesTurnedAtRandomLeaveCavities) {
     for (Triangle& t : body.mesh.triangles) {
       if (draw.coin()) std::swap(t[1], t[2]);
     }
-    EXPECT_NEAR(boundary_ml(bake::repair(body.mesh)) / body.signed_ml, 1, 1e-9) << seed;
+    EXPECT_NEAR(boundary_ml(offline::repair(body.mesh)) / body.signed_ml, 1, 1e-9) << seed;
   }
 }
 
@@ -158,7 +158,7 @@ TEST(Nesting, VolumeOfTheOrganIsThatOfItsTissue) {
   for (unsigned seed = 101; seed <= 104; ++seed) {
     Draw draw(seed);
     const Nested body = nested(draw, 100 + draw.below(200), false);
-    bake::BuildOptions options;
+    offline::BuildOptions options;
     options.voxel_edge_m = draw.between(1.5, 2.5) * 1e-3;
     const auto bytes = build_quietly({input_of(body.mesh, 1e-3)}, options).bytes;
     EXPECT_NEAR(volume_m3(opened(bytes)) * 1e6 / body.tissue_ml, 1, 2e-3) << seed;
@@ -216,9 +216,9 @@ template <typename Make>
 void expect_near_linear(const char* what, Make make) {
   const Mesh small = make(1), large = make(4);
   const double start = own_time_s();
-  (void)bake::repair(small);
+  (void)offline::repair(small);
   const double middle = own_time_s();
-  (void)bake::repair(large);
+  (void)offline::repair(large);
   const double small_s = middle - start, large_s = own_time_s() - middle;
   constexpr double kClockS = 0.2;
   EXPECT_LT(large_s, 8 * small_s + kClockS) << what << ": " << small_s << " s, " << large_s << " s";
@@ -246,7 +246,7 @@ TEST(Time, OfShellsInShellsIsBounded) {
   Draw draw(8);
   const Mesh mesh = onion(draw, 500);
   const double start = own_time_s();
-  (void)bake::repair(mesh);
+  (void)offline::repair(mesh);
   EXPECT_LT(own_time_s() - start, 10);
 }
 
