@@ -258,9 +258,9 @@ class Console {
   // Shows the organ at rest and the needles at their starts.
   void show_rest() {
     reset(session_->instance->kernel);
-    std::vector<hal::TickRecord> records(session_->stations.size());
+    std::vector<hal::TickRecord> records(session_->sources.size());
     for (std::uint32_t i = 0; i < records.size(); ++i) {
-      const hal::Mapping& mapping = session_->stations[i].placement.mapping;
+      const hal::Mapping& mapping = session_->sources[i].placement.mapping;
       records[i].input.handle = hal::to_world(mapping, {{}, {1, 0, 0, 0}});
       records[i].output.layer = kNoLayer;
       records[i].needle = i;
@@ -269,18 +269,18 @@ class Console {
   }
 
   void show_stage() {
-    auto stage = std::make_shared<console::Stage>();
+    auto stage = std::make_shared<console::SceneView>();
     const hal::Scene& scene = session_->scene;
     stage->scene = std::filesystem::path(scene.file).filename().string();
     stage->scenes = scenes_;
     stage->period_s = scene.config.period_s;
     stage->organ = session_->organ;
     stage->lattice = console::make_lattice(session_->organ->organ, session_->instance->kernel);
-    for (std::uint32_t i = 0; i < session_->stations.size(); ++i) {
+    for (std::uint32_t i = 0; i < session_->sources.size(); ++i) {
       const hal::Hand& hand = scene.hands[i];
       const NeedleConfig& needle = scene.config.needle[i];
       stage->needles.push_back({hand.uri.empty() ? hand.device : hand.uri, needle.length_m,
-                                needle.outer_radius_m, session_->stations[i].placement.course,
+                                needle.outer_radius_m, session_->sources[i].placement.course,
                                 hand.guard.max_force_n});
     }
     stage->obstacles = scene.obstacles;
@@ -409,7 +409,7 @@ class Console {
   }
 
   void acknowledge(const console::Order& order) {
-    if (!running() || order.needle >= session_->stations.size()) {
+    if (!running() || order.needle >= session_->sources.size()) {
       return server_->refuse("acknowledge: no such needle is running");
     }
     hal::FaultMailbox& mailbox = attempt_->state.mailbox[order.needle];

@@ -155,7 +155,7 @@ void measure_all(const DoctorOptions& options, DoctorReport& report) {
 void examine_here(const DoctorOptions& options, hal::Patient& patient, DoctorReport& report) {
   hal::HostState host;  // holds what the loop would hold, until the end
   hal::prepare_process(host);
-  patient.attempts = hal::attempt_rights(host, options.cpu, options.priority, patient.cpu);
+  patient.trials = hal::try_rights(host, options.cpu, options.priority, patient.cpu);
   report.cpu = patient.cpu;
   report.findings = hal::examine(patient);
   constexpr double kWatchedS = 1;

@@ -26,13 +26,13 @@ std::vector<hal::Hand> recorded_hands(const hal::RecordingInfo& info) try {
   return {};
 }
 
-std::shared_ptr<console::Stage> stage_of(const hal::RecordingReader& recording,
-                                         std::shared_ptr<const hal::OrganFile> organ,
-                                         std::shared_ptr<hal::Display> display,
-                                         const Kernel& kernel) {
+std::shared_ptr<console::SceneView> stage_of(const hal::RecordingReader& recording,
+                                             std::shared_ptr<const hal::OrganFile> organ,
+                                             std::shared_ptr<hal::Display> display,
+                                             const Kernel& kernel) {
   const hal::RecordingInfo& info = recording.info();
   const std::vector<hal::Hand> hands = recorded_hands(info);
-  auto stage = std::make_shared<console::Stage>();
+  auto stage = std::make_shared<console::SceneView>();
   stage->scene = std::filesystem::path(info.scene_file).filename().string();
   stage->period_s = info.config.period_s;
   stage->recording_ticks = recording.ticks();

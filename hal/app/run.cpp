@@ -37,7 +37,7 @@ void show_progress(Session& s, Attempt& a) {
     if (!s.options.fast) desk.look();
     watch_processes(s, &a);
     if (!show) continue;
-    const double ticks = static_cast<double>(a.recorder->records().pushed() / s.stations.size());
+    const double ticks = static_cast<double>(a.recorder->records().pushed() / s.sources.size());
     const double all = static_cast<double>(s.config.ticks);
     const double period_s = static_cast<double>(s.scene.config.period_s);
     rewrite_line(s.open_end ? fmt::format("{:6.2f} s, Ctrl-C ends it", ticks * period_s)

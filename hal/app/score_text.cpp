@@ -12,7 +12,7 @@ namespace stylet::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Cell = std::function<std::string(const ScoredAttempt&)>;
+using CellText = std::function<std::string(const ScoredAttempt&)>;
 
 std::string layer_name(const ScoredAttempt& attempt, std::uint32_t layer) {
   if (layer < attempt.layers.size()) return attempt.layers[layer];
@@ -22,7 +22,7 @@ std::string layer_name(const ScoredAttempt& attempt, std::uint32_t layer) {
 // The first rows of every table.
 struct Figure {
   const char* label;
-  Cell cell;
+  CellText cell;
 };
 std::vector<Figure> figures() {
   const auto one = [](const char* format, double value) {
@@ -53,7 +53,7 @@ std::vector<Figure> figures() {
   };
 }
 
-Cell puncture_cell(std::size_t index) {
+CellText puncture_cell(std::size_t index) {
   return [index](const ScoredAttempt& attempt) -> std::string {
     if (index >= attempt.score.punctures.size()) return "";
     const hal::PunctureScore& puncture = attempt.score.punctures[index];
@@ -67,7 +67,7 @@ const char* verdict(const hal::Target& target, const hal::TargetScore& score) {
   return score.reached ? "reached" : "missed";
 }
 
-Cell target_cell(const std::string& name) {
+CellText target_cell(const std::string& name) {
   return [name](const ScoredAttempt& attempt) -> std::string {
     for (std::size_t i = 0; i < attempt.targets.size(); ++i) {
       if (attempt.targets[i].name != name) continue;
@@ -80,7 +80,8 @@ Cell target_cell(const std::string& name) {
 }
 
 using Row = std::vector<std::string>;
-Row row_of(const std::string& label, const Cell& cell, std::span<const ScoredAttempt> attempts) {
+Row row_of(const std::string& label, const CellText& cell,
+           std::span<const ScoredAttempt> attempts) {
   Row row = {label};
   for (const ScoredAttempt& each : attempts) row.push_back(cell(each));
   return row;

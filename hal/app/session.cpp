@@ -111,9 +111,9 @@ void load(Session& s) {
         fmt::format("{}: organ.path: missing: an organ file, here or by --organ", s.scene.file));
   }
   s.organ = std::make_shared<hal::OrganFile>(hal::load_organ(organ_path(s)));
-  s.stations.resize(s.scene.hands.size());
-  for (std::uint32_t i = 0; i < s.stations.size(); ++i) {
-    s.stations[i].placement = hal::place_needle(s.scene, s.organ->organ, i);
+  s.sources.resize(s.scene.hands.size());
+  for (std::uint32_t i = 0; i < s.sources.size(); ++i) {
+    s.sources[i].placement = hal::place_needle(s.scene, s.organ->organ, i);
   }
   s.instance =
       std::make_unique<hal::KernelInstance>(s.organ->organ, s.scene.config, s.scene.obstacles);
@@ -133,24 +133,24 @@ namespace {
 // Puts a needle's hand at the start of its script; returns how many ticks the script has.
 std::uint64_t rewind_hand(Session& s, std::uint32_t needle) {
   const hal::Hand& hand = s.scene.hands[needle];
-  Station& station = s.stations[needle];
+  NeedleSource& source = s.sources[needle];
   const double period_s = static_cast<double>(s.config.period_ns) * 1e-9;
   if (hand.device == "attached") return 0;
   if (hand.device == "replay") {
     const hal::RecordingReader recording(beside(s.scene.file, hand.replay_path));
     const std::uint32_t recorded = recording.info().config.needle_count;
-    station.replayed = {};
-    station.replayed.samples = hal::read_samples(recording, std::min(needle, recorded - 1));
-    return station.replayed.samples.size();
+    source.replayed = {};
+    source.replayed.samples = hal::read_samples(recording, std::min(needle, recorded - 1));
+    return source.replayed.samples.size();
   }
   if (hand.device == "steered") {
-    station.steered = {};
-    station.steered.config = hand.steering;
-    station.steered.period_s = period_s;
-    for (Vec3& each : station.steered.config.targets_m) {
-      each = hal::place_in_device(station.placement.mapping, each);
+    source.steered = {};
+    source.steered.config = hand.steering;
+    source.steered.period_s = period_s;
+    for (Vec3& each : source.steered.config.targets_m) {
+      each = hal::place_in_device(source.placement.mapping, each);
     }
-    return hal::steered_ticks(station.steered.config, s.scene.config.needle[needle].length_m,
+    return hal::steered_ticks(source.steered.config, s.scene.config.needle[needle].length_m,
                               period_s);
   }
   station.hand = {};
@@ -162,9 +162,9 @@ std::uint64_t rewind_hand(Session& s, std::uint32_t needle) {
 
 hal::Device open_device(Session& s, std::uint32_t needle) {
   hal::Hand& hand = s.scene.hands[needle];
-  Station& station = s.stations[needle];
-  if (hand.device == "replay") return hal::replay_device(station.replayed, hand.limits);
-  if (hand.device == "steered") return hal::steered_device(station.steered, hand.limits);
+  NeedleSource& source = s.sources[needle];
+  if (hand.device == "replay") return hal::replay_device(source.replayed, hand.limits);
+  if (hand.device == "steered") return hal::steered_device(source.steered, hand.limits);
   if (hand.device != "attached") return hal::simulated_hand_device(station.hand, hand.limits);
   fmt::print(stderr, "stylet: waiting for {}\n", hand.uri);
   const hal::Device device = open_or_stop(hand.uri, hal::open_lasting_device);
@@ -191,11 +191,11 @@ void open_devices(Session& s) {
   s.config.hash_every_ticks = s.options.fast ? s.scene.hash_every_ticks : 0;
   s.config.display_every_ticks =
       static_cast<std::uint32_t>(std::max(1.0, std::floor(kDisplayPauseS / period_s)));
-  for (std::uint32_t i = 0; i < s.stations.size(); ++i) {
+  for (std::uint32_t i = 0; i < s.sources.size(); ++i) {
     s.config.ticks = std::max(s.config.ticks, rewind_hand(s, i));
     s.devices.push_back(open_device(s, i));
     const hal::Hand& hand = s.scene.hands[i];
-    s.config.hand[i] = {s.stations[i].placement.mapping,
+    s.config.hand[i] = {s.sources[i].placement.mapping,
                         hand.guard,
                         hand.coupling,
                         hand.grip,
@@ -213,7 +213,7 @@ void open_devices(Session& s) {
 
 std::vector<hal::Course> courses_of(const Session& s) {
   std::vector<hal::Course> courses;
-  for (const Station& each : s.stations) courses.push_back(each.placement.course);
+  for (const NeedleSource& each : s.sources) courses.push_back(each.placement.course);
   return courses;
 }
 
@@ -259,23 +259,23 @@ void note_device_threads(Session& s) {
 }
 
 void take_guards(const Session& s, Attempt& a) {
-  for (std::size_t i = 0; i < s.stations.size(); ++i) {
-    const Station& station = s.stations[i];
-    if (s.config.hand[i].scripted || station.left_ns == 0) continue;
+  for (std::size_t i = 0; i < s.sources.size(); ++i) {
+    const NeedleSource& source = s.sources[i];
+    if (s.config.hand[i].scripted || source.left_ns == 0) continue;
     hal::HandState& hand = a.state.hand[i];
-    const std::int64_t idle_ns = hal::monotonic_now_ns() - station.left_ns;
-    hand.guard = station.guard;
-    hand.torque_guard = station.torque_guard;
+    const std::int64_t idle_ns = hal::monotonic_now_ns() - source.left_ns;
+    hand.guard = source.guard;
+    hand.torque_guard = source.torque_guard;
     hal::guard_resume(s.config.hand[i].guard, hand.guard, idle_ns);
     hal::guard_resume(s.config.hand[i].guard, hand.torque_guard, idle_ns);
   }
 }
 
 void leave_guards(Session& s, const Attempt& a) {
-  for (std::size_t i = 0; i < s.stations.size(); ++i) {
-    s.stations[i].guard = a.state.hand[i].guard;
-    s.stations[i].torque_guard = a.state.hand[i].torque_guard;
-    s.stations[i].left_ns = hal::monotonic_now_ns();
+  for (std::size_t i = 0; i < s.sources.size(); ++i) {
+    s.sources[i].guard = a.state.hand[i].guard;
+    s.sources[i].torque_guard = a.state.hand[i].torque_guard;
+    s.sources[i].left_ns = hal::monotonic_now_ns();
   }
 }
 
@@ -290,7 +290,7 @@ void prepare(Session& s, Attempt& a, hal::Display* display) {
   a.display = display;
   if (s.runs++ > 0) {
     reset(s.instance->kernel);
-    for (std::uint32_t i = 0; i < s.stations.size(); ++i) rewind_hand(s, i);
+    for (std::uint32_t i = 0; i < s.sources.size(); ++i) rewind_hand(s, i);
   }
   take_guards(s, a);
   a.recorder = std::make_unique<hal::RecorderProcess>(
@@ -316,7 +316,7 @@ void servo(Session& s, Attempt& a) try {
   a.host_fit = s.options.fast || s.host.report.lacks.empty() || s.options.allow_non_rt;
   if (!a.host_fit) return;
   std::vector<Input> starts;
-  for (const Station& each : s.stations) {
+  for (const NeedleSource& each : s.sources) {
     starts.push_back({hal::to_world(each.placement.mapping, {{}, {1, 0, 0, 0}}), 1});
   }
   hal::warm_up(s.instance->kernel, starts, kWarmUpTicks);
@@ -382,7 +382,7 @@ void finish(Session& s, Attempt& a) {
     if (!trouble.empty()) a.troubles.push_back(s.scene.hands[i].uri + ": " + trouble);
   }
   std::vector<hal::Fault> faults;
-  for (std::size_t i = 0; i < s.stations.size(); ++i) {
+  for (std::size_t i = 0; i < s.sources.size(); ++i) {
     faults.push_back(a.state.hand[i].guard.fault);
   }
   a.kept = a.recorder->stop(faults);
@@ -390,7 +390,7 @@ void finish(Session& s, Attempt& a) {
     tell_of_recorder(s, a);
     const std::uint64_t kept = a.recording.empty() ? 0 : a.recorder->ticks_kept();
     const std::uint64_t ticks = std::max(a.state.ticks, kept) - kept;
-    a.state.lost_records.store(ticks * s.stations.size());
+    a.state.lost_records.store(ticks * s.sources.size());
   }
   note_device_threads(s);
   a.wall_s = static_cast<double>(hal::monotonic_now_ns() - a.start_ns) * 1e-9;
@@ -423,7 +423,7 @@ RunReport report_of(const Session& s, const Attempt& a) {
     report.phases.push_back(a.kept ? a.kept->phases[i] : std::vector<hal::PhaseRow>{});
     const bool simulated = s.scene.hands[i].device == "simulated";
     report.most_force_n.push_back(s.config.hand[i].guard.max_force_n);
-    report.least_received_j.push_back(simulated ? s.stations[i].hand.least_received_j
+    report.least_received_j.push_back(simulated ? s.sources[i].hand.least_received_j
                                                 : std::numeric_limits<double>::quiet_NaN());
   }
   report.needles.assign(config.needle, config.needle + config.needle_count);

@@ -27,8 +27,9 @@
 
 namespace stylet::app {
 
-// One needle's start, and who holds it.
-struct Station {
+// Where one needle starts, and whence its motion comes: a script, a steering, a recording, a
+// device.
+struct NeedleSource {
   hal::Placement placement;
   hal::SimulatedHand hand;
   hal::Steered steered;
@@ -54,7 +55,7 @@ struct Session {
   hal::HostState& host;
   hal::Scene scene;
   std::shared_ptr<hal::OrganFile> organ;
-  std::vector<Station> stations;  // for each needle
+  std::vector<NeedleSource> sources;  // for each needle
   std::unique_ptr<hal::KernelInstance> instance;
   std::vector<hal::Device> devices;
   std::vector<std::string> fits;  // what was taken from each attached device, in words

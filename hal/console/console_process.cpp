@@ -61,7 +61,7 @@ ServerConfig config_of(const hal::Bytes& greeting) {
 // `Way` is a function of a Packer or an Unpacker for any number of values. Visits all but shared
 // names and the display.
 template <typename Way>
-void visit(Way way, Stage& stage) {
+void visit(Way way, SceneView& stage) {
   way(stage.scene, stage.period_s, stage.recording_ticks, stage.lattice.rest_m,
       stage.lattice.corners, stage.lattice.of_kernel, stage.obstacles);
 }
@@ -83,9 +83,9 @@ void visit(Way way, Order& order) {
       order.seen_ns);
 }
 
-Packer packed(const Stage& given) {
+Packer packed(const SceneView& given) {
   Packer packer;
-  Stage stage = given;
+  SceneView stage = given;
   visit([&packer](const auto&... each) { (packer.put(each), ...); }, stage);
   packer.put_each(stage.scenes, [](Packer& to, const std::string& name) { to.put(name); });
   packer.put_each(stage.needles, [](Packer& to, const ShownNeedle& each) {
@@ -97,9 +97,9 @@ Packer packed(const Stage& given) {
   return packer;
 }
 
-std::shared_ptr<Stage> stage_of(std::span<const std::byte> bytes, int display) {
+std::shared_ptr<SceneView> stage_of(std::span<const std::byte> bytes, int display) {
   Unpacker from(bytes);
-  auto stage = std::make_shared<Stage>();
+  auto stage = std::make_shared<SceneView>();
   auto organ = std::make_shared<hal::OrganFile>();
   visit([&from](auto&... each) { (from.get(each), ...); }, *stage);
   from.get_each(stage->scenes, [](Unpacker& part, std::string& name) { part.get(name); });
@@ -180,7 +180,7 @@ void ConsoleProcess::send(const Packer& message, std::span<const int> descriptor
   if (!link.gone() && !link.send(message.bytes(), kShowPatienceS, descriptors)) process_.kill();
 }
 
-void ConsoleProcess::show(const Stage& stage) {
+void ConsoleProcess::show(const SceneView& stage) {
   // The stage may have any size, so it is not sent through the socket.
   const Packer all = packed(stage);
   const hal::SharedMemory parcel(all.bytes().size());

@@ -32,7 +32,7 @@ auto packed_all(Builder& builder, std::span<const stylet::Vec3> all) {
   return builder.CreateVectorOfStructs(out);
 }
 
-auto obstacles_of(Builder& builder, const Stage& stage) {
+auto obstacles_of(Builder& builder, const SceneView& stage) {
   std::vector<flatbuffers::Offset<Obstacle>> all;
   for (const ObstacleConfig& each : stage.obstacles) {
     const auto vertices = packed_all(builder, std::span(each.vertices_m).first(each.vertex_count));
@@ -43,7 +43,7 @@ auto obstacles_of(Builder& builder, const Stage& stage) {
   return builder.CreateVector(all);
 }
 
-auto needles_of(Builder& builder, const Stage& stage) {
+auto needles_of(Builder& builder, const SceneView& stage) {
   std::vector<flatbuffers::Offset<NeedleInfo>> all;
   for (const ShownNeedle& each : stage.needles) {
     const Vec3 entry = packed(each.course.entry_m), direction = packed(each.course.direction);
@@ -53,7 +53,7 @@ auto needles_of(Builder& builder, const Stage& stage) {
   return builder.CreateVector(all);
 }
 
-auto targets_of(Builder& builder, const Stage& stage) {
+auto targets_of(Builder& builder, const SceneView& stage) {
   std::vector<flatbuffers::Offset<Target>> all;
   for (const hal::Target& each : stage.targets) {
     const Vec3 position = packed(each.position_m);
@@ -73,7 +73,7 @@ auto puncture_scores(Builder& builder, const Organ& organ, const hal::Score& sco
   return builder.CreateVector(all);
 }
 
-auto target_scores(Builder& builder, const Stage& stage, const hal::Score& score) {
+auto target_scores(Builder& builder, const SceneView& stage, const hal::Score& score) {
   std::vector<flatbuffers::Offset<TargetScore>> all;
   for (std::size_t i = 0; i < std::min(stage.targets.size(), score.targets.size()); ++i) {
     const auto name = builder.CreateString(stage.targets[i].name);
@@ -176,7 +176,7 @@ stylet::Vec3 unpacked(const Vec3& v) {
 
 }  // namespace
 
-Bytes hello_message(const Stage& stage, bool may_control) {
+Bytes hello_message(const SceneView& stage, bool may_control) {
   const std::size_t lattice = stage.lattice.rest_m.size() * sizeof(Vec3) +
                               stage.lattice.corners.size() * sizeof(std::uint32_t);
   Builder builder(lattice + 65536);
@@ -209,7 +209,8 @@ Bytes rows_message(std::uint64_t first, std::uint32_t stride, std::span<const Ro
                   CreateRows(builder, first, stride, row_vector, event_vector));
 }
 
-Bytes score_message(const Stage& stage, const ScoredAttempt& attempt, std::span<const Row> rows) {
+Bytes score_message(const SceneView& stage, const ScoredAttempt& attempt,
+                    std::span<const Row> rows) {
   Builder builder(rows.size_bytes() + 4096);
   const hal::Score& score = attempt.score;
   const auto scene = builder.CreateString(stage.scene);

@@ -231,7 +231,7 @@ std::string Server::url() const {
                      gate.port, gate.token.empty() ? "" : "?token=", gate.token);
 }
 
-void Server::show(std::shared_ptr<const Stage> stage) {
+void Server::show(std::shared_ptr<const SceneView> stage) {
   asio::post(impl_->io, [impl = impl_.get(), stage = std::move(stage)]() mutable {
     impl->state = nullptr;  // it belongs to the old stage's display
     impl->stage = std::move(stage);

@@ -60,7 +60,7 @@ class Server {
   std::string url() const;
 
   // To be called from any one other thread at a time.
-  void show(std::shared_ptr<const Stage> stage);
+  void show(std::shared_ptr<const SceneView> stage);
   void show(Activity activity);
   void refuse(const std::string& what);  // told to the page in control
   // Of the attempt whose rows were told last, or of the recording.

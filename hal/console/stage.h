@@ -30,7 +30,7 @@ struct ShownNeedle {
   float max_force_n = 0;
 };
 
-struct Stage {
+struct SceneView {
   std::string scene;                // its name, without folders
   std::vector<std::string> scenes;  // to choose from
   float period_s = 0;

@@ -57,11 +57,11 @@ Finding device_priority(const Patient& patient) {
       "device priority", Verdict::kWarn, nullptr,
       "put \"@realtime - rtprio 90\" into /etc/security/limits.conf: threads that talk to "
       "devices run above the loop, or samples and forces wait for whatever else runs"};
-  const Attempt& attempt = patient.attempts->device_fifo;
-  const string value =
-      attempt.granted ? fmt::format("SCHED_FIFO {} granted", kDevicePriority)
-                      : fmt::format("SCHED_FIFO {} refused ({})", kDevicePriority, attempt.why);
-  const State state = attempt.granted ? State::kGood : State::kBad;
+  const Trial& trial = patient.trials->device_fifo;
+  const string value = trial.granted
+                           ? fmt::format("SCHED_FIFO {} granted", kDevicePriority)
+                           : fmt::format("SCHED_FIFO {} refused ({})", kDevicePriority, trial.why);
+  const State state = trial.granted ? State::kGood : State::kBad;
   return finding_of(kPriority, {state, value, "sched_setscheduler"}, patient);
 }
 
@@ -70,7 +70,7 @@ Finding device_watchdog(const Patient& patient) {
       "device watchdog", Verdict::kWarn, nullptr,
       "take the newest SDK and firmware: without it a driver that hangs keeps its force until this "
       "program switches it off, and for good if that hangs, too"};
-  const bool taken = *patient.attempts->watchdog;
+  const bool taken = *patient.trials->watchdog;
   const Seen seen = {taken ? State::kGood : State::kBad, taken ? "taken" : "refused",
                      "dhdSetWatchdog"};
   return finding_of(kWatchdog, seen, patient);
@@ -166,8 +166,8 @@ std::vector<Finding> examine(const Patient& patient) {
       findings.push_back(finding_of(check, check.look(patient, tree), patient));
     }
   }
-  if (patient.attempts) findings.push_back(device_priority(patient));
-  if (patient.attempts && patient.attempts->watchdog) findings.push_back(device_watchdog(patient));
+  if (patient.trials) findings.push_back(device_priority(patient));
+  if (patient.trials && patient.trials->watchdog) findings.push_back(device_watchdog(patient));
   return findings;
 }
 

@@ -35,14 +35,14 @@ const char* fitness_name(Fitness fitness);
 Fitness fitness(std::span<const Finding> findings);
 
 // What is known only by trying. `why`: the reason of a refusal.
-struct Attempt {
+struct Trial {
   bool granted = false;
   std::string why;
 };
-struct Attempts {
-  Attempt fifo, lock, awake;  // priority, mlockall, /dev/cpu_dma_latency
+struct Trials {
+  Trial fifo, lock, awake;  // priority, mlockall, /dev/cpu_dma_latency
   std::int64_t clock_resolution_ns = 0;
-  Attempt device_fifo;           // priority of threads that talk to devices
+  Trial device_fifo;             // priority of threads that talk to devices
   std::optional<bool> watchdog;  // of a Force Dimension device; nullopt: no device could be asked
 };
 
@@ -50,7 +50,7 @@ struct Patient {
   std::string root = "/";
   int cpu = 0;  // on which the loop runs
   int priority = 80;
-  std::optional<Attempts> attempts;  // nullopt: a captured tree, where only limits can be read
+  std::optional<Trials> trials;  // nullopt: a captured tree, where only limits can be read
 };
 
 std::vector<Finding> examine(const Patient& patient);

@@ -44,8 +44,8 @@ Seen virtual_machine(const Patient&, const HostTree& tree) {
 }
 
 Seen clock_resolution(const Patient& patient, const HostTree& tree) {
-  if (patient.attempts) {
-    const std::int64_t ns = patient.attempts->clock_resolution_ns;
+  if (patient.trials) {
+    const std::int64_t ns = patient.trials->clock_resolution_ns;
     return {ns == 1 ? State::kGood : State::kBad, fmt::format("{} ns", ns),
             "clock_getres(CLOCK_MONOTONIC)"};
   }
@@ -86,14 +86,14 @@ std::optional<string> limit_of(const HostTree& tree, const string& name) {
   return std::nullopt;
 }
 
-Seen from_attempt(const Attempt& attempt, const string& what, const char* source) {
-  if (attempt.granted) return {State::kGood, what + " granted", source};
-  return {State::kBad, fmt::format("{} refused ({})", what, attempt.why), source};
+Seen from_trial(const Trial& trial, const string& what, const char* source) {
+  if (trial.granted) return {State::kGood, what + " granted", source};
+  return {State::kBad, fmt::format("{} refused ({})", what, trial.why), source};
 }
 
 Seen priority_right(const Patient& patient, const HostTree& tree) {
   const string what = fmt::format("SCHED_FIFO {}", patient.priority);
-  if (patient.attempts) return from_attempt(patient.attempts->fifo, what, "sched_setscheduler");
+  if (patient.trials) return from_trial(patient.trials->fifo, what, "sched_setscheduler");
   if (has_capability(tree, kCapSysNice)) {
     return {State::kGood, "CAP_SYS_NICE", "/proc/self/status (CapEff)"};
   }
@@ -106,7 +106,7 @@ Seen priority_right(const Patient& patient, const HostTree& tree) {
 }
 
 Seen memory_right(const Patient& patient, const HostTree& tree) {
-  if (patient.attempts) return from_attempt(patient.attempts->lock, "locking memory", "mlockall");
+  if (patient.trials) return from_trial(patient.trials->lock, "locking memory", "mlockall");
   if (has_capability(tree, kCapIpcLock)) {
     return {State::kGood, "CAP_IPC_LOCK", "/proc/self/status (CapEff)"};
   }

@@ -103,17 +103,17 @@ std::optional<bool> ask_for_watchdog() {
 
 }  // namespace
 
-Attempts attempt_rights(const HostState& host, int cpu, int priority, int& cpu_out) {
-  const auto attempt = [](bool granted, int error) {
-    return Attempt{granted, granted ? "" : std::strerror(error)};
+Trials try_rights(const HostState& host, int cpu, int priority, int& cpu_out) {
+  const auto trial = [](bool granted, int error) {
+    return Trial{granted, granted ? "" : std::strerror(error)};
   };
-  Attempts attempts;
+  Trials trials;
   const bool locked = mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
-  attempts.lock = attempt(locked, errno);
-  attempts.awake = attempt(host.latency_fd >= 0, EACCES);
+  trials.lock = trial(locked, errno);
+  trials.awake = trial(host.latency_fd >= 0, EACCES);
   timespec resolution{};
   if (clock_getres(CLOCK_MONOTONIC, &resolution) == 0) {
-    attempts.clock_resolution_ns = resolution.tv_sec * 1'000'000'000 + resolution.tv_nsec;
+    trials.clock_resolution_ns = resolution.tv_sec * 1'000'000'000 + resolution.tv_nsec;
   }
   // A future, so that exceptions of the thread are thrown again here.
   std::async(std::launch::async, [&] {
@@ -123,13 +123,13 @@ Attempts attempt_rights(const HostState& host, int cpu, int priority, int& cpu_o
     sched_param parameters{};
     parameters.sched_priority = priority;
     const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
-    attempts.fifo = attempt(error == 0, error);
+    trials.fifo = trial(error == 0, error);
     parameters.sched_priority = kDevicePriority;
     const int refused_above = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
-    attempts.device_fifo = attempt(refused_above == 0, refused_above);
+    trials.device_fifo = trial(refused_above == 0, refused_above);
   }).get();
-  attempts.watchdog = ask_for_watchdog();
-  return attempts;
+  trials.watchdog = ask_for_watchdog();
+  return trials;
 }
 
 void measure(const MeasureConfig& config, const Body& body, std::atomic<std::uint64_t>* progress,

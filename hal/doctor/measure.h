@@ -19,7 +19,7 @@ namespace stylet::hal {
 
 // Asks for what the loop needs, in a thread of its own. `host` must come from prepare_process, and
 // keeps what it was granted. `cpu_out`: where the loop would run; `cpu` is as for prepare_thread.
-Attempts attempt_rights(const HostState& host, int cpu, int priority, int& cpu_out);
+Trials try_rights(const HostState& host, int cpu, int priority, int& cpu_out);
 
 // `run` is done in each period; `rest` as well, but is not timed. Both may be empty.
 struct Body {

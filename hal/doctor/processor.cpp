@@ -156,7 +156,7 @@ Seen turbo(const Patient&, const HostTree& tree) {
 }
 
 Seen idle_states(const Patient& patient, const HostTree& tree) {
-  if (patient.attempts && patient.attempts->awake.granted) {
+  if (patient.trials && patient.trials->awake.granted) {
     return {State::kGood, "kept awake while the loop runs", "/dev/cpu_dma_latency"};
   }
   const string folder = of_cpu(patient, "cpuidle");

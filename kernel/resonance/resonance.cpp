@@ -21,14 +21,14 @@ using Sparse = Eigen::SparseMatrix<double>;
 using Element = Eigen::Matrix<double, 24, 24>;
 using Shapes = Eigen::Matrix<double, Eigen::Dynamic, 3>;  // three shapes at a time
 
-struct Cell {
+struct CoarseCell {
   std::int32_t x, y, z;
-  auto operator<=>(const Cell&) const = default;
+  auto operator<=>(const CoarseCell&) const = default;
 };
 
 // A voxel of the kernel's lattice.
 struct Voxel {
-  Cell at;
+  CoarseCell at;
   double k_n_per_m, volume_ratio;
   std::array<std::uint32_t, 8> corner;  // particles, at x + bit 0, y + bit 1, z + bit 2
 };
@@ -95,11 +95,11 @@ struct Coarse {
     std::array<std::uint32_t, 8> node = {};
   };
   std::int32_t size;
-  std::map<Cell, Sum> cells;
+  std::map<CoarseCell, Sum> cells;
   std::uint32_t nodes = 0;
 };
 
-Cell cell_of(const Coarse& coarse, const Voxel& voxel) {
+CoarseCell cell_of(const Coarse& coarse, const Voxel& voxel) {
   return {voxel.at.x / coarse.size, voxel.at.y / coarse.size, voxel.at.z / coarse.size};
 }
 
@@ -111,10 +111,10 @@ Coarse coarse_of(const std::vector<Voxel>& voxels, std::int32_t size) {
     sum.k += voxel.k_n_per_m / (size * size);
     sum.volume += voxel.k_n_per_m * voxel.volume_ratio / (size * size);
   }
-  std::map<Cell, std::uint32_t> nodes;
+  std::map<CoarseCell, std::uint32_t> nodes;
   for (auto& [cell, sum] : out.cells) {
     for (std::int32_t c = 0; c < 8; ++c) {
-      const Cell at = {cell.x + (c & 1), cell.y + ((c >> 1) & 1), cell.z + (c >> 2)};
+      const CoarseCell at = {cell.x + (c & 1), cell.y + ((c >> 1) & 1), cell.z + (c >> 2)};
       sum.node[static_cast<std::size_t>(c)] = nodes.emplace(at, out.nodes).first->second;
       out.nodes = static_cast<std::uint32_t>(nodes.size());
     }
@@ -174,7 +174,7 @@ Sparse weights_of(const Model& model, const Coarse& coarse, const std::vector<Vo
   std::vector<bool> placed(particles);
   std::vector<Eigen::Triplet<double>> all;
   for (const Voxel& voxel : voxels) {
-    const Cell cell = cell_of(coarse, voxel);
+    const CoarseCell cell = cell_of(coarse, voxel);
     const Coarse::Sum& of = coarse.cells.at(cell);
     for (std::uint32_t c = 0; c < 8 && held[of.node[0]]; ++c) {
       const std::uint32_t particle = voxel.corner[c];
@@ -231,7 +231,7 @@ Sparse stiffness_of(const Coarse& coarse, const std::vector<bool>& held, const S
 // The smallest cells, in voxels along an edge, that are few enough.
 std::int32_t cell_size(const std::vector<Voxel>& voxels) {
   for (std::int32_t size = 1;; ++size) {
-    std::map<Cell, bool> cells;
+    std::map<CoarseCell, bool> cells;
     for (const Voxel& v : voxels) cells[{v.at.x / size, v.at.y / size, v.at.z / size}] = true;
     if (cells.size() <= kMostResonanceCells) return size;
   }

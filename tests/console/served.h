@@ -39,7 +39,7 @@ struct Served : hal::Rig {
 
   void show_stage(const std::shared_ptr<const hal::OrganFile>& file) {
     course = hal::place_needle(scene, organ).course;
-    auto stage = std::make_shared<Stage>();
+    auto stage = std::make_shared<SceneView>();
     stage->scene = "rig.toml";
     stage->scenes = {"rig.toml"};
     stage->period_s = 1e-3F;

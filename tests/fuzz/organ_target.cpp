@@ -6,12 +6,12 @@
 #include <cmath>
 #include <vector>
 
+#include "lattice/voxel.h"
 #include "promises.h"
 #include "session.h"
 #include "sparse_organ.h"
 #include "stylet/limits.h"
 #include "target.h"
-#include "lattice/voxel.h"
 
 namespace stylet::test {
 namespace {
@@ -101,7 +101,7 @@ void run_sparse(Bytes in) {
   if (runs.empty()) return;
   const std::uint32_t top = pick * voxels_of(runs) / 256;
   const auto opened = open_organ(organ_of_runs(runs, top));
-  const Cell cell = cell_of_voxel(runs, top);
+  const SparseCell cell = cell_of_voxel(runs, top);
   const float edge_m = opened->organ.voxel_edge_m;
   run_in(opened->organ,
          edge_m * Vec3{static_cast<float>(cell.x) + 0.4F, static_cast<float>(cell.y) + 0.6F,

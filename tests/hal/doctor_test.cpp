@@ -311,16 +311,16 @@ TEST(Doctor, ATaskAboveTheLoopIsNamedOnlyWhereItMayRun) {
   EXPECT_EQ(machine.verdicts(3)["tasks above the loop"], kOk);
 }
 
-// ---- what only an attempt shows -----------------------------------------------------------------
+// ---- what only a trial shows --------------------------------------------------------------------
 
-TEST(Doctor, AnAttemptCountsMoreThanALimit) {
+TEST(Doctor, ATrialCountsMoreThanALimit) {
   const Machine machine("ready.tree");
   Patient patient = machine.patient(3);
-  patient.attempts = Attempts{{true, ""}, {true, ""}, {true, ""}, 1, {true, ""}, std::nullopt};
+  patient.trials = Trials{{true, ""}, {true, ""}, {true, ""}, 1, {true, ""}, std::nullopt};
   EXPECT_EQ(fitness(examine(patient)), Fitness::kReady);
   EXPECT_EQ(find(examine(patient), "device priority").verdict, kOk);
-  patient.attempts =
-      Attempts{{false, "not you"}, {false, "full"}, {false, ""}, 4'000'000, {false, "no"}, false};
+  patient.trials =
+      Trials{{false, "not you"}, {false, "full"}, {false, ""}, 4'000'000, {false, "no"}, false};
   const std::vector<Finding> findings = examine(patient);
   EXPECT_EQ(find(findings, "real-time priority").verdict, kFail);
   EXPECT_EQ(find(findings, "real-time priority").value, "SCHED_FIFO 80 refused (not you)");

@@ -17,8 +17,8 @@ constexpr double kPeriodS = 1e-3;
 constexpr Course kCourse = {{0.1F, 0, 0}, {1, 0, 0}};  // the surface is at x = 100 mm
 
 // One needle's tip, in mm from the surface; in tissue where it is beyond it.
-struct Attempt {
-  explicit Attempt(std::vector<Target> targets = {})
+struct DrawnAttempt {
+  explicit DrawnAttempt(std::vector<Target> targets = {})
       : scorer(targets, std::vector<Course>{kCourse, kCourse}, kPeriodS) {}
 
   void at(double x_mm, double y_mm = 0, Vec3 force_n = {}, std::uint32_t needle = 0) {
@@ -43,7 +43,7 @@ struct Attempt {
 };
 
 TEST(Score, WayInAirAndInTissue) {
-  Attempt attempt;
+  DrawnAttempt attempt;
   attempt.go(-10, 20, 60);  // half a millimetre a tick
   attempt.go(20, -5, 50);
   const Score score = attempt.scorer.score();
@@ -55,7 +55,7 @@ TEST(Score, WayInAirAndInTissue) {
 }
 
 TEST(Score, AWayInStepsBelowTheRulerIsAsLong) {
-  Attempt attempt;
+  DrawnAttempt attempt;
   attempt.go(0, 20, 20000);
   EXPECT_NEAR(attempt.scorer.score().path_m, 20e-3, 1e-6);
   attempt.go(20, 0, 20000);  // a turn loses at most two rulers
@@ -63,20 +63,20 @@ TEST(Score, AWayInStepsBelowTheRulerIsAsLong) {
 }
 
 TEST(Score, NoiseBelowTheRulerIsNoWay) {
-  Attempt attempt;
+  DrawnAttempt attempt;
   for (int i = 0; i < 10000; ++i) attempt.at(5, i % 2 == 0 ? 0.02 : -0.02);
   EXPECT_LT(attempt.scorer.score().path_m, 0.05e-3);
 }
 
 TEST(Score, TheLastPieceOfTheWayCounts) {
-  Attempt attempt;
+  DrawnAttempt attempt;
   attempt.go(1, 1.05, 1);
   EXPECT_NEAR(attempt.scorer.score().path_m, 0.05e-3, 1e-7);
   EXPECT_NEAR(attempt.scorer.score().depth_path_m, 0.05e-3, 1e-7);
 }
 
 TEST(Score, WithdrawalsAreTurnsOfAMillimetreInTissue) {
-  Attempt attempt;
+  DrawnAttempt attempt;
   attempt.go(-20, -5, 10);
   attempt.go(-5, -15, 10);  // back in air
   attempt.go(-15, 20, 100);
@@ -92,9 +92,9 @@ TEST(Score, WithdrawalsAreTurnsOfAMillimetreInTissue) {
 
 TEST(Score, ClosestToTargets) {
   const Vec3 along = {0.120F, 0.003F, 0}, aside = {0.110F, 0.010F, 0};
-  Attempt attempt({{"tumour", along, 0.0035F, false},
-                   {"missed", along, 0.0029F, false},
-                   {"vessel", aside, 0.005F, true}});
+  DrawnAttempt attempt({{"tumour", along, 0.0035F, false},
+                        {"missed", along, 0.0029F, false},
+                        {"vessel", aside, 0.005F, true}});
   // 25 mm a tick: no tick is nearer than 5 mm to x = 20, but the way passes it by 3 mm.
   attempt.go(-10, 40, 2);
   const Score score = attempt.scorer.score();
@@ -111,7 +111,7 @@ TEST(Score, ClosestToTargets) {
 // The tip goes past a zone that the shaft then leans on, and stops short of a target beside it.
 TEST(Score, TheShaftTouchesAZoneButReachesNoTarget) {
   const Vec3 beside = {0.105F, 0.004F, 0};
-  Attempt attempt({{"vessel", beside, 0.003F, true}, {"tumour", beside, 0.003F, false}});
+  DrawnAttempt attempt({{"vessel", beside, 0.003F, true}, {"tumour", beside, 0.003F, false}});
   attempt.go(-10, 40, 500);
   EXPECT_FALSE(attempt.scorer.score().targets[0].reached);
   attempt.at(40, 4);  // from the hand at 0: the shaft rises by 3 mm on the way to x = 105
@@ -123,7 +123,7 @@ TEST(Score, TheShaftTouchesAZoneButReachesNoTarget) {
 }
 
 TEST(Score, TheTargetNearestToEitherNeedleCounts) {
-  Attempt attempt({{"tumour", {0.1F, 0.02F, 0}, 0.001F, false}});
+  DrawnAttempt attempt({{"tumour", {0.1F, 0.02F, 0}, 0.001F, false}});
   attempt.at(0, 0, {}, 0);
   attempt.at(0, 17, {}, 1);
   EXPECT_NEAR(attempt.scorer.score().targets[0].closest_m, 3e-3F, 1e-7F);
@@ -131,7 +131,7 @@ TEST(Score, TheTargetNearestToEitherNeedleCounts) {
 }
 
 TEST(Score, Forces) {
-  Attempt attempt;
+  DrawnAttempt attempt;
   attempt.at(-1, 0, {0, 0, 4});  // in air: a peak, but not of the mean
   attempt.at(1, 0, {-3, 4, 0});  // 5 N, 4 of them across
   attempt.at(2, 0, {-1, 0, 0});
@@ -143,7 +143,7 @@ TEST(Score, Forces) {
 }
 
 TEST(Score, FaultsAreCountedWhenTheyLatch) {
-  Attempt attempt;
+  DrawnAttempt attempt;
   attempt.at(0);
   attempt.fault = Fault::kTooFast;
   attempt.go(0, 1, 5);
@@ -155,7 +155,7 @@ TEST(Score, FaultsAreCountedWhenTheyLatch) {
 }
 
 TEST(Score, PuncturesAreKeptUpToALimitAndCounted) {
-  Attempt attempt;
+  DrawnAttempt attempt;
   attempt.scorer.add(Event{5, EventKind::kLayer, 1, 0, 0, 0, 0});
   attempt.scorer.add(Event{7, EventKind::kPuncture, 2, 0.01F, 1.5F, 1, 0});
   Score score = attempt.scorer.score();
@@ -171,7 +171,7 @@ TEST(Score, PuncturesAreKeptUpToALimitAndCounted) {
 }
 
 TEST(Score, OfNothingIsNothing) {
-  const Score score = Attempt({{"tumour", {}, 1, false}}).scorer.score();
+  const Score score = DrawnAttempt({{"tumour", {}, 1, false}}).scorer.score();
   EXPECT_EQ(score.duration_s, 0);
   EXPECT_EQ(score.mean_force_n, 0);
   EXPECT_EQ(score.targets[0].closest_m, std::numeric_limits<float>::infinity());

@@ -215,7 +215,7 @@ TEST(Lattice, WhatTwoInputsFillIsOfOneTissueAlsoForTheNeedle) {
     const double edge = static_cast<double>(organ.voxel_edge_m);
     int inside = 0;
     for (std::size_t i = 0; i < places.cells.size(); ++i) {
-      const Cell& c = places.cells[i];
+      const VoxelPlace& c = places.cells[i];
       const Vec middle =
           Vec{static_cast<double>(organ.origin_m.x), static_cast<double>(organ.origin_m.y),
               static_cast<double>(organ.origin_m.z)} +

@@ -11,13 +11,13 @@
 
 namespace stylet::test {
 
-struct Cell {
+struct VoxelPlace {
   std::uint32_t x, y, z;
 };
 
 // Of each voxel, in space.
-inline std::vector<Cell> cells_of(const Organ& organ) {
-  std::vector<Cell> cells;
+inline std::vector<VoxelPlace> cells_of(const Organ& organ) {
+  std::vector<VoxelPlace> cells;
   for (const OrganRun& run : organ.runs) {
     const std::uint32_t y = std::uint32_t{run.y} % organ.sheet_rows;
     for (std::uint32_t i = 0; i < run.count; ++i) cells.push_back({run.x + i, y, run.z});
@@ -41,7 +41,7 @@ inline std::vector<std::uint64_t> quarters_of(const Organ& organ) {
 
 struct Places {
   const Organ& organ;
-  std::vector<Cell> cells;
+  std::vector<VoxelPlace> cells;
   std::vector<std::uint64_t> quarters;
 
   explicit Places(const Organ& of) : organ(of), cells(cells_of(of)), quarters(quarters_of(of)) {}

@@ -20,11 +20,11 @@ using offline::Built;
 using offline::Vec;
 
 std::vector<Vec> positions_of(const Organ& organ) {
-  const std::vector<Cell> cells = cells_of(organ);
+  const std::vector<VoxelPlace> cells = cells_of(organ);
   const double edge = static_cast<double>(organ.voxel_edge_m);
   std::vector<Vec> positions;
   for (const OrganVertex& v : organ.vertices) {
-    const Cell& c = cells[v.voxel];
+    const VoxelPlace& c = cells[v.voxel];
     positions.push_back(
         Vec{static_cast<double>(organ.origin_m.x), static_cast<double>(organ.origin_m.y),
             static_cast<double>(organ.origin_m.z)} +
@@ -207,7 +207,7 @@ TEST(Phantom, LayersLieAlongX) {
   const Built built =
       build_quietly({input_of(offline::block_phantom({0.04, 0.02, 0.02}, 0.005), 1)}, options);
   const Organ organ = opened(built.bytes);
-  const std::vector<Cell> cells = cells_of(organ);
+  const std::vector<VoxelPlace> cells = cells_of(organ);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const int expected = cells[i].x < 1 ? 0 : cells[i].x < 3 ? 1 : 2;
     ASSERT_EQ(organ.voxel_material[i], expected);
@@ -226,7 +226,7 @@ TEST(Layers, OfOneTissueMayBeTwoMaterials) {
   const Built built =
       build_quietly({input_of(layered, 1e-3, "fat"), input_of(skin, 1e-3, "skin")}, options);
   const Organ organ = opened(built.bytes);
-  const std::vector<Cell> cells = cells_of(organ);
+  const std::vector<VoxelPlace> cells = cells_of(organ);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const stylet::Material material = organ_material(organ, organ.voxel_material[i]);
     const bool is_layer = cells[i].x < 4 && cells[i].y < 2;
@@ -266,7 +266,7 @@ TEST(Layers, TakeThePlaceOfOneInputFromItsSurfaceOn) {
       {input_of(high, 1, "fascia"), input_of(low, 1, "fascia"), input_of(below, 1, "kidney")},
       options);
   const Organ organ = opened(built.bytes);
-  const std::vector<Cell> cells = cells_of(organ);
+  const std::vector<VoxelPlace> cells = cells_of(organ);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const bool in_high = cells[i].x < 4;
     const char* of_row[] = {
@@ -382,7 +382,7 @@ TEST(Attachments, HoldExactlyTheCornersOfTheRegion) {
     options.held = regions;
     const Built built = build_quietly({input_of(block, 1)}, options);
     const Organ organ = opened(built.bytes);
-    const std::vector<Cell> cells = cells_of(organ);
+    const std::vector<VoxelPlace> cells = cells_of(organ);
     std::size_t at_low_x = 0, others = 0;
     for (std::size_t i = 0; i < organ.voxel_fixed.size(); ++i) {
       for (std::uint32_t c = 0; c < 8; ++c) {
@@ -420,7 +420,7 @@ TEST(Build, CropsToRegionsAndHoldsTheCut) {
   const Built part_built = build_quietly({input_of(block, 1)}, options);
   const Organ whole = opened(whole_built.bytes), part = opened(part_built.bytes);
   EXPECT_EQ(2 * part.voxel_count, whole.voxel_count);
-  const std::vector<Cell> cells = cells_of(part), all = cells_of(whole);
+  const std::vector<VoxelPlace> cells = cells_of(part), all = cells_of(whole);
   std::size_t held = 0;
   for (std::size_t i = 0, w = 0; i < cells.size(); ++i, ++w) {
     while (all[w].x != cells[i].x || all[w].y != cells[i].y || all[w].z != cells[i].z) ++w;

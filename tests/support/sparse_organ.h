@@ -19,10 +19,10 @@ inline std::uint32_t voxels_of(const std::vector<format::Run>& runs) {
 }
 
 // The place of a voxel, of those of the runs in order, in edges.
-struct Cell {
+struct SparseCell {
   std::uint32_t x, y, z;
 };
-inline Cell cell_of_voxel(const std::vector<format::Run>& runs, std::uint32_t voxel) {
+inline SparseCell cell_of_voxel(const std::vector<format::Run>& runs, std::uint32_t voxel) {
   for (const format::Run& run : runs) {
     if (voxel < run.count()) return {run.x() + voxel, run.y(), run.z()};
     voxel -= run.count();
@@ -50,7 +50,7 @@ inline std::vector<std::byte> organ_of_runs(const std::vector<format::Run>& runs
                                                 {top, 0, kEnd, kEnd, 0}};
   const std::vector<format::Triangle> triangles = {{0, 1, 2}, {0, 2, 3}};
   const float edge_m = TinyOrgan{}.voxel_edge_m;
-  const Cell cell = cell_of_voxel(runs, top);
+  const SparseCell cell = cell_of_voxel(runs, top);
   const std::vector<format::SphereNode> spheres = {
       {edge_m * (static_cast<float>(cell.x) + 0.5F), edge_m * (static_cast<float>(cell.y) + 0.5F),
        edge_m * static_cast<float>(cell.z + 1), edge_m, 0, 2}};

@@ -102,18 +102,18 @@ std::array<Vec, 3> corners_of(const std::vector<Vec>& points, const Triangle& t)
 
 // ---- flood --------------------------------------------------------------------------------------
 
-enum class Cell : std::uint8_t { kUnknown, kSurface, kOutside, kInside };
+enum class FloodState : std::uint8_t { kUnknown, kSurface, kOutside, kInside };
 
 struct Place {
   std::uint32_t x, y, z;
 };
 
 // Gives `value` to every unknown cell that is connected with `seed` through faces.
-void fill_region(const Grid& grid, std::vector<Cell>& cells, Place seed, Cell value,
+void fill_region(const Grid& grid, std::vector<FloodState>& cells, Place seed, FloodState value,
                  std::vector<Place>& stack) {
   const auto visit = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-    Cell& cell = cells[cell_index(grid, x, y, z)];
-    if (cell != Cell::kUnknown) return;
+    FloodState& cell = cells[cell_index(grid, x, y, z)];
+    if (cell != FloodState::kUnknown) return;
     cell = value;
     stack.push_back({x, y, z});
   };
@@ -142,17 +142,18 @@ void each_cell(const Grid& grid, Visit visit) {
 // Floods the outside first, from the grid's faces; then each enclosed region. Enclosed regions are
 // inside, except cavities; only a closed (and so oriented) surface can tell a cavity from
 // tissue.
-void flood(const Grid& grid, std::vector<Cell>& cells, const Solid& solid, const InsideTest& test) {
+void flood(const Grid& grid, std::vector<FloodState>& cells, const Solid& solid,
+           const InsideTest& test) {
   std::vector<Place> stack;
   each_cell(grid, [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     const bool at_edge = x == 0 || y == 0 || z == 0 || x + 1 == grid.size[0] ||
                          y + 1 == grid.size[1] || z + 1 == grid.size[2];
-    if (at_edge) fill_region(grid, cells, {x, y, z}, Cell::kOutside, stack);
+    if (at_edge) fill_region(grid, cells, {x, y, z}, FloodState::kOutside, stack);
   });
   each_cell(grid, [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-    if (cells[cell_index(grid, x, y, z)] != Cell::kUnknown) return;
+    if (cells[cell_index(grid, x, y, z)] != FloodState::kUnknown) return;
     const bool inside = !solid.closed || is_inside(test, centre_of(x, y, z));
-    fill_region(grid, cells, {x, y, z}, inside ? Cell::kInside : Cell::kOutside, stack);
+    fill_region(grid, cells, {x, y, z}, inside ? FloodState::kInside : FloodState::kOutside, stack);
   });
 }
 
@@ -252,12 +253,12 @@ Occupancy voxelize(const Grid& grid, const Solid& solid_m, const Progress& progr
   Occupancy occupancy;
   occupancy.inside.assign(cell_count(grid), 0);
   occupancy.pierced.assign(cell_count(grid), 0);
-  std::vector<Cell> cells(cell_count(grid), Cell::kUnknown);
+  std::vector<FloodState> cells(cell_count(grid), FloodState::kUnknown);
   require_bounded_work(grid, solid);
   progress("marking surface", 0);
   for (const Triangle& t : solid.surface.triangles) {
     each_touched_cell(grid, corners_of(points, t), [&](std::size_t cell, double half_edge) {
-      cells[cell] = Cell::kSurface;
+      cells[cell] = FloodState::kSurface;
       if (is_pierced(half_edge)) occupancy.pierced[cell] = 1;
     });
   }
@@ -270,12 +271,12 @@ Occupancy voxelize(const Grid& grid, const Solid& solid_m, const Progress& progr
   each_cell(grid, [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     const std::size_t i = cell_index(grid, x, y, z);
     if (x == 0 && y == 0) progress("sampling", static_cast<double>(z) / grid.size[2]);
-    if (cells[i] == Cell::kSurface) {
+    if (cells[i] == FloodState::kSurface) {
       const Vec low_corner{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
       occupancy.inside[i] = flood_is_proof
                                 ? sample_cell(test, low_corner, corners_near(near, i, solid))
                                 : sample_cell(test, low_corner);
-    } else if (cells[i] == Cell::kInside) {
+    } else if (cells[i] == FloodState::kInside) {
       occupancy.inside[i] = kAll;
     } else if (!flood_is_proof && is_inside(test, centre_of(x, y, z))) {
       occupancy.inside[i] = kAll;

@@ -47,7 +47,7 @@ inline Matrix3 polar_rotation(Matrix3 a) {
   return a;
 }
 
-struct Cell {
+struct ReferenceCell {
   std::uint32_t slot;
   double k, volume;  // G h, nu / (1 - 2 nu)
   Vector3 rest_centre;
@@ -67,7 +67,7 @@ class ClusterReference {
     for (std::uint32_t r = 0; r < view.model.head->counts.rows; ++r) {
       const Row& row = view.model.row[r];
       for (std::uint32_t i = 0; i < row.count; ++i) {
-        Cell cell = {row.slot + i, 0, 0, {}, {}};
+        ReferenceCell cell = {row.slot + i, 0, 0, {}, {}};
         const TinyMaterial& m = materials[view.model.slot_material[cell.slot]];
         const double nu = static_cast<double>(m.poisson_ratio);
         cell.k = static_cast<double>(m.youngs_modulus_pa) / (2 * (1 + nu)) * h_;
@@ -84,7 +84,7 @@ class ClusterReference {
   double energy(const View& view) const {
     const auto members = members_of(view);
     double sum = 0;
-    for (const Cell& cell : cells_) {
+    for (const ReferenceCell& cell : cells_) {
       const State& s = view.state;
       const Corner8 c = corners(cell, &s.ux[0], &s.uy[0], &s.uz[0]);
       const auto found = members.find(cell.slot);
@@ -117,7 +117,7 @@ class ClusterReference {
       }
     }
     double loss = 0;
-    for (const Cell& cell : cells_) {
+    for (const ReferenceCell& cell : cells_) {
       bool moving = false;
       for (const std::uint32_t p : cell.particle) {
         moving |= v[0][p] != 0 || v[1][p] != 0 || v[2][p] != 0;
@@ -246,7 +246,7 @@ class ClusterReference {
   std::map<std::uint32_t, std::vector<Member>> members_of(const View& view) const {
     std::map<std::uint32_t, std::vector<Member>> members;
     std::map<std::uint32_t, Vector3> centre;
-    for (const Cell& cell : cells_) centre[cell.slot] = cell.rest_centre;
+    for (const ReferenceCell& cell : cells_) centre[cell.slot] = cell.rest_centre;
     for_each_particle(view, [&](const Particle& p) {
       const float place[3] = {p.position_m.x, p.position_m.y, p.position_m.z};
       const float slack[3] = {p.slack_m.x, p.slack_m.y, p.slack_m.z};
@@ -267,7 +267,7 @@ class ClusterReference {
   }
 
   template <typename T>
-  Corner8 corners(const Cell& cell, const T* ux, const T* uy, const T* uz) const {
+  Corner8 corners(const ReferenceCell& cell, const T* ux, const T* uy, const T* uz) const {
     Corner8 c = {};
     const T* u[3] = {ux, uy, uz};
     for (std::size_t i = 0; i < 8; ++i) {
@@ -303,7 +303,8 @@ class ClusterReference {
     return sum;
   }
 
-  double cell_energy(const Cell& cell, const Corner8& c, const std::vector<Member>& members) const {
+  double cell_energy(const ReferenceCell& cell, const Corner8& c,
+                     const std::vector<Member>& members) const {
     const Matrix3 corner_rotation = polar_rotation(c.gradient);
     double whole = 8 * cell.k;
     Vector3 place = {}, offset = {};
@@ -349,7 +350,7 @@ class ClusterReference {
            cell.k * h_ * h_ * cell.volume * swell * swell;
   }
 
-  std::array<Vector3, 8> forces(const Cell& cell, const Corner8& c) const {
+  std::array<Vector3, 8> forces(const ReferenceCell& cell, const Corner8& c) const {
     const Matrix3 r = polar_rotation(c.gradient);
     const double swell = cell.volume * (trace_product(r, c.gradient) - 3);
     std::array<Vector3, 8> out = {};
@@ -364,7 +365,7 @@ class ClusterReference {
   }
 
   double h_, chi_;
-  std::vector<Cell> cells_;
+  std::vector<ReferenceCell> cells_;
 };
 
 }  // namespace stylet::test

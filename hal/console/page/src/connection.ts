@@ -5,14 +5,14 @@
 // The token of the page's address goes along with everything asked of the server.
 import {decode, kProtocol, type FromServer} from './protocol';
 
-export type LinkState = 'connecting'|'open'|'waiting'|'closed';
+export type ConnectionState = 'connecting'|'open'|'waiting'|'closed';
 const kFirstWaitMs = 500;
 const kLongestWaitMs = 10000;
 // A page whose pointer outruns the network drops positions instead of queueing them.
 const kMostQueuedBytes = 65536;
 
-export interface Link {
-  state: LinkState;
+export interface ConnectionStatus {
+  state: ConnectionState;
   retryAt: number;  // performance.now() of the next try, while waiting
   theirs: number;   // protocol of the server, while closed
 }
@@ -31,7 +31,7 @@ export function waitMs(failures: number, chance: number): number {
 }
 
 export class Connection {
-  readonly link: Link = {state: 'connecting', retryAt: 0, theirs: 0};
+  readonly link: ConnectionStatus = {state: 'connecting', retryAt: 0, theirs: 0};
   private socket: WebSocket|null = null;
   private failures = 0;
   private timer = 0;
@@ -96,7 +96,7 @@ export class Connection {
     this.enter('waiting');
   }
 
-  private enter(state: LinkState): void {
+  private enter(state: ConnectionState): void {
     this.link.state = state;
     this.changed();
   }
