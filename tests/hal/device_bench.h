@@ -35,8 +35,9 @@ class Bench {
   virtual void trouble(test::Trouble trouble) = 0;
   virtual void refuse_watchdog(bool /*refused*/) {}
   virtual void hang(test::Hang /*call*/) {}
-  bool places = true;  // measures its place; else how fast it is to move
-  bool feels = true;
+  // Each of these holds for all three axes, or is false.
+  bool places = true;   // measures its position; else it says how fast it is to move
+  bool feels = true;    // renders force
   bool turns = true;    // measures its rotation
   bool latches = true;  // what came back by itself has no force until it is opened again
 };
