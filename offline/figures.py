@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The table in README.md, measured: builds every mesh of the shared data at 5 mm, and a label map.
+"""The table in docs/quality.md, measured: builds every mesh of the shared data at 5 mm, and a map.
 
 usage: figures.py [--check] STYLET_ORGAN DATA
 
-Writes the table between the marks of the README. --check writes nothing and fails,
+Writes the table between the marks of that page. --check writes nothing and fails,
 naming each, where a figure that does not depend on the machine is another one: voxels, volumes,
 deviation, bytes, triangles. Times and memory are those of the last run without --check.
 """
@@ -16,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 
-README = pathlib.Path(__file__).parent / "README.md"
+PAGE = pathlib.Path(__file__).parent / "docs/quality.md"
 RECIPES = pathlib.Path(__file__).parent / "recipes"
 BEGIN, END = "<!-- measured: offline/figures.py -->\n", "<!-- end of measured -->\n"
 # Units from the data's README; if it has none, those that give the organ its natural size.
@@ -99,7 +99,7 @@ def main():
     if not data.exists():
         print(f"{data} is not there (set STYLET_DATA)")
         sys.exit(77)  # a test that is skipped
-    before, rest = README.read_text(encoding="utf-8").split(BEGIN)
+    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
     written, after = rest.split(END)
     rows = [*mesh_rows(tool, data), *map_rows(tool, data)]
     if check:
@@ -107,10 +107,10 @@ def main():
         stale = [f"{row[0]}: {there.get(row[0], ['nothing'])[1:FIXED]} are {row[1:FIXED]} now"
                  for row in rows if there.get(row[0], [])[:FIXED] != row[:FIXED]]
         stale += [f"{name}: is not measured" for name in there.keys() - {row[0] for row in rows}]
-        sys.exit("\n".join([f"{README}: stale; run offline/figures.py {tool} {data}", *stale])
+        sys.exit("\n".join([f"{PAGE}: stale; run offline/figures.py {tool} {data}", *stale])
                  if stale else 0)
     table = line(HEAD) + line(["---"] * len(HEAD)) + "".join(map(line, rows))
-    README.write_text(before + BEGIN + table + END + after, encoding="utf-8")
+    PAGE.write_text(before + BEGIN + table + END + after, encoding="utf-8")
 
 
 if __name__ == "__main__":
