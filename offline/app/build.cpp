@@ -73,7 +73,8 @@ void choose_layers(const BuildArguments& a, const std::vector<HaveTissue>& sourc
   if (a.layers.empty() && a.layers_of.empty()) return;
   const auto is_replaced = [&](const HaveTissue& source) { return source.tissue == a.layers_of; };
   if (a.layers.empty() || std::none_of(sources.begin(), sources.end(), is_replaced)) {
-    refuse("--layers-of '{}': expected the tissue of an input, and --layer with it", a.layers_of);
+    refuse("--layers-of '{}': expected the tissue of one of the inputs, together with --layer",
+           a.layers_of);
   }
   options.layer_course = {static_cast<std::size_t>(a.layers_along[1] - 'x'),
                           a.layers_along[0] == '-', a.layers_of};
@@ -112,7 +113,7 @@ void run_build_labels(const BuildArguments& a) {
 void run_build(const BuildArguments& a) {
   if (!a.recipe.empty()) return run_build_labels(a);
   for (const std::string& input : a.inputs) {
-    if (is_label_map(input)) refuse("{}: expected --recipe, as this is a label map", input);
+    if (is_label_map(input)) refuse("{}: this is a label map: expected --recipe with it", input);
   }
   constexpr double kLeastScale = 1e-9, kMostScale = 1e9;
   if (!(a.scale >= kLeastScale && a.scale <= kMostScale)) {
@@ -146,7 +147,8 @@ void run_build(const BuildArguments& a) {
 void add_build(CLI::App& app) {
   const auto arguments = std::make_shared<BuildArguments>();
   BuildArguments& a = *arguments;
-  CLI::App* command = app.add_subcommand("build", "Make an organ file from meshes");
+  CLI::App* command =
+      app.add_subcommand("build", "Make an organ file from meshes or from a label map");
   command->footer(
       "Examples:\n"
       "  stylet-organ build Liver.stl --units mm --voxel-mm 5 -o liver.organ\n"
@@ -155,42 +157,46 @@ void add_build(CLI::App& app) {
       "  stylet-organ build scan.ply --voxels-across 60 --fix 'x>95%' --wrap -o scan.organ\n"
       "  stylet-organ build seg.nii.gz --recipe totalsegmentator.toml -o patient.organ");
   command
-      ->add_option(
-          "inputs", a.inputs,
-          "Meshes (.obj .stl .ply .off), each PATH[:TISSUE[:PRIORITY]]; tissue liver and "
-          "priority 0 unless given; the higher priority wins a voxel; with --recipe one label map")
+      ->add_option("inputs", a.inputs,
+                   "Meshes (.obj .stl .ply .off), each as PATH[:TISSUE[:PRIORITY]] (default: "
+                   "liver, 0); where they overlap, the one with the higher priority has the voxel. "
+                   "With --recipe: one label map")
       ->type_name("FILE")
       ->required();
   command->add_option("--units", a.units, "Unit of the meshes")
       ->type_name("UNIT")
       ->check(CLI::IsMember(kMetresPerUnit))
       ->capture_default_str();
-  command->add_option("--scale", a.scale, "Factor on top of the unit")
+  command->add_option("--scale", a.scale, "Factor for all coordinates, besides the unit")
       ->type_name("NUMBER")
       ->capture_default_str();
-  auto* wrap = command->add_flag(
-      "--wrap", a.wrap, "Last resort: replace each mesh by a closed skin around it (adds volume)");
+  auto* wrap = command->add_flag("--wrap", a.wrap,
+                                 "Last resort for a mesh that is not closed: replace each by a "
+                                 "closed skin around it (adds volume)");
   command
       ->add_option("--recipe", a.recipe,
-                   "The input is a label map (see labels --help); this TOML file "
-                   "says which labels are which tissue")
+                   "TOML file that says which labels are which tissue; the input is then a label "
+                   "map (see labels --help)")
       ->type_name("FILE")
       ->excludes(wrap);
   command
       ->add_option("--layer", a.layers,
-                   "TISSUE:THICKNESS_MM, repeatable, from the outside; the last fills the rest")
+                   "A layer as TISSUE:THICKNESS_MM; given once for each layer, from the outside "
+                   "inwards; the last one fills the rest")
       ->type_name("LAYER")
       ->allow_extra_args(false);
   command
-      ->add_option("--fill-gaps", a.fill_gaps,
-                   "TISSUE:MM: gaps between inputs up to so wide become this tissue")
+      ->add_option(
+          "--fill-gaps", a.fill_gaps,
+          "TISSUE:MM: gaps between inputs that are at most so wide are filled with this tissue")
       ->type_name("GAP");
   command->add_flag("--split-gaps", a.split_gaps,
-                    "Parts that lie in one voxel without touching get a voxel each, so that gaps "
-                    "from a third of a voxel on do not glue");
-  command->add_option("--layers-of", a.layers_of, "Tissue that the layers take the place of")
+                    "Keep gaps open from a third of a voxel on: parts that lie in one voxel "
+                    "without touching get a voxel each");
+  command->add_option("--layers-of", a.layers_of, "Tissue of the inputs that --layer divides")
       ->type_name("TISSUE");
-  command->add_option("--layers-along", a.layers_along, "The way in through the layers")
+  command
+      ->add_option("--layers-along", a.layers_along, "Direction from the outermost layer inwards")
       ->type_name("AXIS")
       ->check(CLI::IsMember({"+x", "-x", "+y", "-y", "+z", "-z"}))
       ->capture_default_str();

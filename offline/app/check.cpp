@@ -23,8 +23,9 @@ void run_check(const FileArguments& a) {
   const SumCheck sum = check_sum(a.file, bytes);
   const Organ organ = open_organ(a.file, std::as_bytes(std::span(bytes)));
   if (sum == SumCheck::kDiffers) {
-    refuse("{}: the bytes are whole, but not those of {}{}: expected the file that lay beside it",
-           a.file, a.file, kSumEnding);
+    refuse(
+        "{}: the file is undamaged, but not the one that {}{} was written for: expected that one",
+        a.file, a.file, kSumEnding);
   }
   Sizes need{};
   if (const Status status = sizes(organ, Config{}, need); status != Status::kOk) {
@@ -40,10 +41,10 @@ void run_check(const FileArguments& a) {
     fmt::print("{}\n", facts.dump(2));
     return;
   }
-  fmt::print(
-      "{}: ok: {} voxels, hash {:016x}, {}{}\n", a.file, organ.voxel_count, organ.hash,
-      organ.content_sha256.empty() ? "without a sum of its bytes" : "the bytes that were built",
-      sum == SumCheck::kSame ? ", those of the sum beside it" : "");
+  fmt::print("{}: ok: {} voxels, hash {:016x}, {}{}\n", a.file, organ.voxel_count, organ.hash,
+             organ.content_sha256.empty() ? "holds no SHA-256 of its bytes"
+                                          : "its bytes are those that were built",
+             sum == SumCheck::kSame ? " and those of the .sha256 file beside it" : "");
 }
 
 }  // namespace
@@ -53,11 +54,11 @@ void add_check(CLI::App& app) {
   FileArguments& a = *arguments;
   CLI::App* command = app.add_subcommand("check", "Check that an organ file is whole");
   command->add_option("file", a.file, "Organ file")->type_name("FILE")->required();
-  command->add_flag("--json", a.json, "As one JSON object");
+  command->add_flag("--json", a.json, "Print one JSON object");
   command->footer(
-      "Example:\n  stylet-organ check liver.organ\n"
-      "Every value is checked as the kernel does, then every byte by the SHA-256 in the file; with "
-      "FILE.sha256 beside it (build --sum), whether it is that file.");
+      "Example:\n  stylet-organ check liver.organ\nChecks every value as the kernel does, then "
+      "every byte against the SHA-256 in the file. If FILE.sha256\n(of build --sum) lies beside "
+      "the file, also checks that this is the file it was written for.");
   command->callback([arguments] { run_check(*arguments); });
 }
 

@@ -61,7 +61,7 @@ void run_hull(const HullArguments& a) {
 void add_hull(CLI::App& app) {
   const auto arguments = std::make_shared<HullArguments>();
   HullArguments& a = *arguments;
-  CLI::App* command = app.add_subcommand("hull", "Make an obstacle, as TOML, of a mesh");
+  CLI::App* command = app.add_subcommand("hull", "Make an obstacle for a scene (TOML) from a mesh");
   command->footer(
       "Example:\n"
       "  stylet-organ hull rib.stl --units mm --max-vertices 64 -o rib.toml\n"
@@ -73,7 +73,7 @@ void add_hull(CLI::App& app) {
       ->type_name("UNIT")
       ->check(CLI::IsMember(kMetresPerUnit))
       ->capture_default_str();
-  command->add_option("--max-vertices", a.most_vertices, "Vertices to keep")
+  command->add_option("--max-vertices", a.most_vertices, "Vertices that the hull may have")
       ->type_name("NUMBER")
       ->check(cli::between(kLeastHullVertices, std::size_t{kMaxHullVertices}))
       ->capture_default_str();

@@ -28,9 +28,10 @@ void run_info(const FileArguments& a) {
 void add_info(CLI::App& app) {
   const auto arguments = std::make_shared<FileArguments>();
   FileArguments& a = *arguments;
-  CLI::App* command = app.add_subcommand("info", "Show what an organ file holds and needs");
+  CLI::App* command =
+      app.add_subcommand("info", "Show what an organ file holds, and the memory it needs");
   command->add_option("file", a.file, "Organ file")->type_name("FILE")->required();
-  command->add_flag("--json", a.json, "As one JSON object");
+  command->add_flag("--json", a.json, "Print one JSON object");
   command->footer("Example:\n  stylet-organ info liver.organ --json");
   command->callback([arguments] { run_info(*arguments); });
 }

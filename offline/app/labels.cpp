@@ -55,7 +55,7 @@ void add_labels(CLI::App& app) {
                    "segmentation (.dcm), or the folder of a DICOM series")
       ->type_name("FILE")
       ->required();
-  command->add_flag("--json", a.json, "As one JSON object");
+  command->add_flag("--json", a.json, "Print one JSON object");
   command->footer("Example:\n  stylet-organ labels seg.nii.gz");
   command->callback([arguments] { run_labels(*arguments); });
 }

@@ -28,7 +28,7 @@ constexpr int kExitRefused = 1;
 constexpr int kExitUsage = 2;
 
 int run(int argc, char** argv) {
-  CLI::App app{"Makes and checks organ files, the anatomy that stylet runs on", "stylet-organ"};
+  CLI::App app{"Makes and checks organ files: the anatomy that stylet simulates", "stylet-organ"};
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", kToolVersion);
   cli::add_text_options(app, kToolVersion);
@@ -55,7 +55,7 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : kExitUsage;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr,
-               "stylet-organ: out of memory: expected a coarser voxel edge, a smaller input or a "
+               "stylet-organ: out of memory: expected a larger voxel edge, a smaller input or a "
                "larger --memory-limit\n");
     return kExitRefused;
   } catch (const std::exception& error) {

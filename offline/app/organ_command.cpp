@@ -36,28 +36,33 @@ void add_resolution(CLI::App& command, CommonArguments& a) {
   auto* edge = command.add_option("--voxel-mm", a.voxel_mm, "Edge of a voxel")
                    ->type_name("MM")
                    ->capture_default_str();
-  auto* across =
-      command
-          .add_option("--voxels-across", a.voxels_across, "Instead: voxels along the longest side")
-          ->type_name("NUMBER")
-          ->check(cli::between(1U, 65535U))
-          ->excludes(edge);
+  auto* across = command
+                     .add_option("--voxels-across", a.voxels_across,
+                                 "Number of voxels along the longest side, instead of their edge")
+                     ->type_name("NUMBER")
+                     ->check(cli::between(1U, 65535U))
+                     ->excludes(edge);
   auto* fit = command.add_option("--fit", a.fit,
-                                 "Rate, such as 1kHz: the finest voxel edge whose tick takes half "
-                                 "the period at most");
+                                 "Rate of the loop, such as 1kHz: choose the finest voxel edge at "
+                                 "which a tick takes at most half of the period");
   fit->type_name("RATE")->excludes(edge)->excludes(across);
   command
       .add_option("--machine", a.machine,
-                  "CSV of stylet-bench on the machine to fit to (default: measured here)")
+                  "CSV that stylet-bench wrote on the machine that is to run the organ (default: "
+                  "this machine is measured)")
       ->type_name("FILE")
       ->needs(fit);
-  command.add_option("--inertia", a.inertia, "loop.inertia of the scene, to reckon with")
+  command
+      .add_option("--inertia", a.inertia,
+                  "loop.inertia of the scene that is to run the organ, for --fit and for what is "
+                  "said of speed and mass")
       ->type_name("true_mass|added_mass")
       ->transform(CLI::CheckedTransformer(kInertias))
       ->default_str("true_mass");
   command
       .add_option("--substeps", a.substeps,
-                  "loop.substeps of the scene, to reckon with (default: 1, with added mass 2)")
+                  "loop.substeps of the scene that is to run the organ, likewise (default: 1; with "
+                  "added_mass 2)")
       ->type_name("NUMBER")
       ->check(cli::between(1U, kMaxSubsteps));
 }
@@ -76,7 +81,7 @@ void limit_memory(std::uint64_t bytes) {
   if (bytes < kLeast) refuse("--memory-limit {} bytes: expected at least 64MiB", bytes);
   const rlimit limit = {bytes, bytes};
   if (::setrlimit(RLIMIT_DATA, &limit) != 0) {
-    refuse("--memory-limit: the system does not take it: {}", std::strerror(errno));
+    refuse("--memory-limit: the system refuses this limit: {}", std::strerror(errno));
   }
 }
 
@@ -113,22 +118,25 @@ void add_common(CLI::App& command, CommonArguments& a) {
   command.add_option("--name", a.name, "Name of the organ (default: that of the first input)");
   add_resolution(command, a);
   command
-      .add_option(
-          "--capsule", a.capsule,
-          "Tissue of the voxels at the outer surface; auto: liver_capsule on liver; or none")
+      .add_option("--capsule", a.capsule,
+                  "Tissue of the voxels at the outer surface, or none; auto: liver_capsule on "
+                  "liver, none on other tissues")
       ->type_name("TISSUE")
       ->capture_default_str();
   command
       .add_option("--fix", a.fix,
-                  "What is held in space, repeatable: x>MM, x<MM (or y, z; MM may be N%), "
-                  "box:X0,Y0,Z0,X1,Y1,Z1, touching:MESH, or none")
+                  "Region that is held in space, or none: x>MM or x<MM, also with y and z, where "
+                  "MM may be a percentage of the extent such as 90%; box:X0,Y0,Z0,X1,Y1,Z1; "
+                  "touching:MESH. Can be given several times: all of them are held")
       ->type_name("REGION")
       ->allow_extra_args(false)
       ->capture_default_str();
   command
-      .add_option("--crop", a.crop,
-                  "Only the part of the organ that lies in x>MM, x<MM (or y, z; MM may be N%) or "
-                  "box:X0,Y0,Z0,X1,Y1,Z1, repeatable: in all of them; held where it is cut")
+      .add_option(
+          "--crop", a.crop,
+          "Region to which the organ is cut: x>MM or x<MM, also with y and z, where MM may be a "
+          "percentage of the extent such as 90%; box:X0,Y0,Z0,X1,Y1,Z1. Can be given several "
+          "times: what lies in all of them stays. The organ is held where it is cut")
       ->type_name("REGION")
       ->allow_extra_args(false);
   command.add_option("--materials", a.materials, "TOML file with tissues of your own")
@@ -139,11 +147,13 @@ void add_common(CLI::App& command, CommonArguments& a) {
       ->type_name("FOLDER");
   command
       .add_option("--memory-limit", a.memory_limit_bytes,
-                  "Refuse instead of taking more memory, such as 2GiB (default: no limit)")
+                  "Memory that may be used, such as 2GiB; a build that needs more is refused "
+                  "(default: no limit)")
       ->type_name("SIZE")
       ->transform(CLI::AsSizeValue(false));
   command.add_flag("--sum", a.sum,
-                   "Also write OUTPUT.sha256, which check and sha256sum -c compare with");
+                   "Also write the file's SHA-256 to OUTPUT.sha256, for stylet-organ check and for "
+                   "sha256sum -c");
   command.add_flag("--json", a.json, "Report as one JSON object on standard output");
 }
 

@@ -104,11 +104,14 @@ void add_phantom(CLI::App& app) {
   command->add_option("--diameter-mm", a.diameter_mm, "Ball: its diameter")
       ->type_name("MM")
       ->capture_default_str();
-  command->add_option("--tissue", a.tissue, "What it is made of (default: gel; of liver: liver)")
+  command
+      ->add_option("--tissue", a.tissue,
+                   "Tissue that it is made of (default: gel; for liver: liver)")
       ->type_name("TISSUE");
   command
       ->add_option("--layer", a.layers,
-                   "Layered: TISSUE:THICKNESS_MM along +x, repeatable; the last fills the rest")
+                   "Layered: a layer as TISSUE:THICKNESS_MM; given once for each layer, along +x; "
+                   "the last one fills the rest")
       ->type_name("LAYER")
       ->allow_extra_args(false);
   command->add_option("--mesh-out", a.mesh_out, "Also write the surface, in metres, as OFF")

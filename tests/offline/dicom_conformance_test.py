@@ -101,7 +101,7 @@ class RegularSeries(Conformance):
         def apart(folder, random):  # thin slices with nothing between them
             slices = stack(random, thickness=[0.5] * 12, distances=[1.7] * 11)
             self.check(write_slices(folder, slices, random), held(slices),
-                       said=["what is between them"])
+                       said=["what lies between them"])
 
         def thick_without_end(folder, random):
             slices = stack(random)
@@ -247,7 +247,7 @@ class IrregularSeries(Conformance):
             slices = [dicom.Slice(numpy.array([400.0 * i, 0, 1000 * i]), numpy.eye(3)[0],
                                   numpy.eye(3)[1], (1e-6, 1e-6), 1000, numpy.ones((4, 4), int))
                       for i in range(4)]
-            self.refused(write_slices(folder, slices, random), "pixels aside: expected a smaller")
+            self.refused(write_slices(folder, slices, random), "pixels: expected a smaller")
 
         self.cases(4, tilted)
         self.cases(2, tilted_and_uneven)
@@ -272,7 +272,7 @@ class IrregularSeries(Conformance):
             slices = stack(random, thickness=[1.0] * 12, distances=distances)
             self.check(write_slices(folder, slices, random), held(slices), NEAR, within=1,
                        said=["mm apart: brought into layers",
-                             "slices of 1 mm lie 2 mm apart: what is between them"])
+                             "slices of 1 mm lie 2 mm apart: what lies between them"])
 
         def some_without_thickness(folder, random):  # any but the first
             slices = stack(random, distances=random.uniform(1.5, 2.6, 26))
@@ -445,7 +445,7 @@ class IrregularSeries(Conformance):
                      ("bytes_elsewhere", bytes_elsewhere, "0 bytes of pixels: expected"),
                      ("odd_bits", setter(BitsAllocated=12), "of 12 bits a pixel"),
                      ("lossy", lossy, "loses values"),
-                     ("deflated", deflated, "deflated as a whole"),
+                     ("deflated", deflated, "the whole file is deflated"),
                      ("jpeg_2000", jpeg_2000, "JPEG 2000", "cannot be decompressed")):
             changed(*case)
 

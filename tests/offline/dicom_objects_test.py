@@ -81,7 +81,7 @@ class Segmentations(Conformance):
             path = write_seg(folder / "seg.dcm", frames, self.NAMES, kind="FRACTIONAL")
             for each in frames:
                 each.pixels = 3 * (each.pixels >= 127.5)
-            self.check(path, held(frames, **self.rule(slices)), said=["from half on"])
+            self.check(path, held(frames, **self.rule(slices)), said=["a fraction of one half"])
 
         self.cases(2, apart)
         self.cases(1, overlapping, named_by_type, fractional)
@@ -256,7 +256,7 @@ class Segmentations(Conformance):
                 file.PerFrameFunctionalGroupsSequence[5].SegmentIdentificationSequence[
                     0].ReferencedSegmentNumber = 6
             written(folder, random, lambda frames: None,
-                    "frame 5: ReferencedSegmentNumber 6: expected that of a segment",
+                    "frame 5: ReferencedSegmentNumber 6: expected the number of a segment",
                     change=change)
 
         def named_twice(folder, random):
@@ -490,7 +490,7 @@ class StructureSets(Conformance):
             path = dicom.write_structures(folder / "rt.dcm", [
                 (1, "Liver", shuffled(random, contours + contours[2:5] + contours[3:4]))])
             self.check(path, {1: drawn.held(liver)}, NEAR,
-                       said=["Liver: 4 contours are there a second time: taken once"])
+                       said=["Liver: 4 contours are there twice: each was taken once"])
 
         def keyholes(folder, random):
             drawn = Drawn(random)
@@ -506,7 +506,7 @@ class StructureSets(Conformance):
             structures = [(1, "Liver", drawn.contours(liver)), (2, "Body", drawn.contours(body))]
             path = dicom.write_structures(folder / "rt.dcm", structures)
             self.check(path, {1: drawn.held(liver), 2: drawn.held(body, [liver])}, NEAR,
-                       said=["the smallest of them has each"])
+                       said=["each was given to the smallest of them"])
 
         self.cases(3, oblique)
         self.cases(1, axial, of_many_points, holes, repeated, keyholes, inside,
@@ -658,13 +658,13 @@ class StructureSets(Conformance):
             structures = [(0, "a", drawn.contours(liver)), (1, "b", drawn.contours(other))]
             path = dicom.write_structures(folder / "rt.dcm", structures)
             self.check(path, {1: drawn.held(liver), 2: drawn.held(other)}, NEAR,
-                       said=["numbered by their order"])
+                       said=["numbered in their order"])
 
         def numbered_too_high(folder, random):
             drawn = Drawn(random)
             liver = drawn.outlines(24, (0, 0))
             path = dicom.write_structures(folder / "rt.dcm", [(70000, "a", drawn.contours(liver))])
-            self.check(path, {1: drawn.held(liver)}, NEAR, said=["numbered by their order"])
+            self.check(path, {1: drawn.held(liver)}, NEAR, said=["numbered in their order"])
 
         def without_contour(folder, random):
             drawn = Drawn(random)
@@ -736,7 +736,7 @@ class StructureSets(Conformance):
         def twice(folder, random):
             def change(file):
                 file.StructureSetROISequence[1].ROINumber = 1
-            written(folder, random, lambda good: good, "ROINumber 1: expected it once",
+            written(folder, random, lambda good: good, "ROINumber 1 is there several times",
                     change=change)
 
         def none(folder, random):

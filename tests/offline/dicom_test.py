@@ -316,7 +316,7 @@ class Dicom(unittest.TestCase):
         self.check_same(bare)
         done = self.tool("build", bare, "-o", self.folder / "y.organ")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("segmentation: expected --recipe, as this is a label map", done.stderr)
+        self.assertIn("segmentation: this is a label map: expected --recipe with it", done.stderr)
         file = pydicom.dcmread(str(bare))
         frames = file.PerFrameFunctionalGroupsSequence
         # A ten-thousandth of a millimetre does not decide which segment has a voxel.

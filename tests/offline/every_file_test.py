@@ -161,7 +161,7 @@ class OrganFiles(Case):
         sys.path.insert(0, str(SOURCE / "offline/analysis"))
         from read_organ import read_organ
         path = self.build()
-        self.assertIn("the bytes that were built", self.tool("check", path).stdout)
+        self.assertIn("its bytes are those that were built", self.tool("check", path).stdout)
         whole, by_the_sum = path.read_bytes(), 0
         for at in range(0, len(whole), len(whole) // 97):
             path.write_bytes(whole[:at] + bytes([whole[at] ^ 1]) + whole[at + 1:])
@@ -176,13 +176,13 @@ class OrganFiles(Case):
 
     def test_the_sum_beside_a_file_says_whether_it_is_that_file(self):
         path = self.build()
-        self.assertIn("those of the sum beside it", self.tool("check", path).stdout)
+        self.assertIn("those of the .sha256 file beside it", self.tool("check", path).stdout)
         subprocess.run(["sha256sum", "--status", "-c", f"{path.name}.sha256"], cwd=self.folder,
                        check=True)
         other = self.folder / "other.organ"
         self.tool("phantom", "layered", "--voxel-mm", 6, "-o", other)
         path.write_bytes(other.read_bytes())
-        self.check_refused(self.tool("check", path), "expected the file that lay beside it")
+        self.check_refused(self.tool("check", path), "the file is undamaged, but not the one")
         # A new organ without a sum leaves none of the old one's.
         self.tool("phantom", "layered", "--voxel-mm", 6, "-o", path)
         self.assertFalse((self.folder / "a.organ.sha256").exists())

@@ -131,7 +131,7 @@ TEST(Bzip2, WhatEndsOrIsDamagedIsRefusedWithThePlace) {
     EXPECT_THAT(refusal_of(scratch.write("a.nrrd", head + damaged)), HasSubstr("expected "));
   }
   EXPECT_THAT(refusal_of(scratch.write("a.nrrd", head + whole + "tail")),
-              HasSubstr("damaged after 4096 bytes of what it holds"));
+              HasSubstr("damaged after 4096 unpacked bytes"));
 }
 
 TEST(Bzip2, OtherVoxelsThanTheHeaderSpeaksOfAreRefused) {

@@ -604,8 +604,8 @@ TEST(Nifti, HeadersOfNoVolumeAreRefused) {
   for (const int version : {1, 2}) {
     EXPECT_EQ(dim(version, 0, 3), "");
     EXPECT_EQ(dim(version, 0, 7), "") << "seven dimensions, four of them 1";
-    EXPECT_THAT(dim(version, 0, 2), HasSubstr("2 dimensions of 1 values: expected 3 of 1"));
-    EXPECT_THAT(dim(version, 0, 8), HasSubstr("8 dimensions of 1 values: expected 3 of 1"));
+    EXPECT_THAT(dim(version, 0, 2), HasSubstr("2 dimensions: expected 3, with one value a voxel"));
+    EXPECT_THAT(dim(version, 0, 8), HasSubstr("8 dimensions: expected 3, with one value a voxel"));
     EXPECT_THAT(dim(version, 2, 0), HasSubstr("0 values along axis 1: expected a volume"));
     const std::size_t magic = version == 1 ? 344 : 4;
     EXPECT_THAT(with(version, magic, 'x'), HasSubstr("expected the header of a NIfTI-1 or"));
@@ -660,7 +660,7 @@ TEST(Gzip, NoMoreIsUnpackedThanTheHeaderSpeaksOf) {
   const long before_kb = most_kb();
   const std::string image = deflated(bytes_of(Nifti{}));
   EXPECT_THAT(refusal_of(scratch.write("a.nii.gz", image + tail)),
-              HasSubstr("bytes and more behind its voxels: expected none"));
+              HasSubstr("bytes follow the voxels: expected none"));
   const std::string little = deflated(std::string(1000, '\0'));
   EXPECT_EQ(refusal_of(scratch.write("a.nii.gz", image + little)), "");
   const std::string inrimage = deflated(inr({"2", "3", "4"}, std::string(24, '\1')));

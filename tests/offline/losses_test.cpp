@@ -263,7 +263,7 @@ TEST(Losses, AWallTooThinForTheMapIsTold) {
   recipe.wall = {{"fat", 5e-3}, {"skin", 0.01e-3}};
   const auto built = offline::build_labels("map", map, recipe, {}, [](const char*, double) {});
   EXPECT_THAT(built.report.warnings,
-              testing::Contains(testing::StartsWith("layer skin: 0.01 mm lie between")));
+              testing::Contains(testing::StartsWith("layer skin: its 0.01 mm fall between")));
 }
 
 // ---- meshes -------------------------------------------------------------------------------------

@@ -469,7 +469,8 @@ TEST(Build, TakesOneToAThousandInputsOfAPlausibleSize) {
         << side_m;
   }
   options.most_voxels = 10;
-  EXPECT_EQ(said({large}, options), "--fit: no voxel edge up to 100 mm needs 10 voxels or less");
+  EXPECT_EQ(said({large}, options),
+            "--fit: even with a voxel edge of 100 mm the organ needs more than 10 voxels");
   options.most_voxels = 3000;
   options.wrap = true;
   EXPECT_EQ(said({block}, options), "");

@@ -113,7 +113,7 @@ class Case(unittest.TestCase):
             output = self.alias(draw, draw.choice(reads))
             before = self.state()
             done = self.run_tool(*[output if word == "OUT" else word for word in command])
-            self.refused(before, done, "is read by this command")
+            self.refused(before, done, "this command reads this file")
 
     def test_outputs_beside_the_organ_are_no_inputs_either(self):
         """Hulls and the scene get their names from the organ's."""
@@ -121,7 +121,7 @@ class Case(unittest.TestCase):
             os.rename(self.folder / "r.toml", self.folder / name)
             before = self.state()
             done = self.run_tool("build", "map.nrrd", "--recipe", name, "--sum", "-o", "a.organ")
-            self.refused(before, done, "is read by this command")
+            self.refused(before, done, "this command reads this file")
             os.rename(self.folder / name, self.folder / "r.toml")
 
     def test_two_outputs_are_not_one(self):

@@ -56,12 +56,12 @@ TEST(Machine, IsThePlaneThroughTheMeasuredTicks) {
 TEST(Machine, RefusesWhatStyletBenchDidNotWrite) {
   const Scratch scratch;
   EXPECT_THAT(refusal_of([&] { offline::read_machine(bench_of(scratch, "")); }),
-              testing::HasSubstr("0 lines of tick_elastic"));
+              testing::HasSubstr("0 rows of tick_elastic"));
   const std::string good = "tick_elastic,a,1000,1,7,70,70\n";
   EXPECT_THAT(refusal_of([&] { offline::read_machine(bench_of(scratch, good + "x\n")); }),
-              testing::HasSubstr("1 lines of tick_elastic"));
+              testing::HasSubstr("1 rows of tick_elastic"));
   EXPECT_THAT(refusal_of([&] { offline::read_machine(bench_of(scratch, good + good + good)); }),
-              testing::HasSubstr("two organs at least, with added and with true mass"));
+              testing::HasSubstr("at least two organs, with added and with true mass"));
   // As it wrote them before it told passes.
   EXPECT_THAT(
       refusal_of([&] { offline::read_machine(bench_of(scratch, "tick_elastic,a,1,70,35\n")); }),

@@ -50,7 +50,8 @@ void check_output(const std::filesystem::path& path) {
     refuse("{}: is a device or another special file: expected the name of a file", path.string());
   }
   if (was_read(path)) {
-    refuse("{}: is read by this command, too: expected another name", path.string());
+    refuse("{}: this command reads this file, too: expected another name for what it writes",
+           path.string());
   }
 }
 

@@ -38,8 +38,8 @@ class Unpacker {
       unpacked_ += made;
       const bool stuck = state_ == BZ_OK && made == 0 && taken == 0;
       if (stuck || (state_ != BZ_OK && state_ != BZ_STREAM_END)) {
-        refuse("{}: ends or is damaged after {} bytes of what it holds: expected whole bzip2 data",
-               path_, unpacked_);
+        refuse("{}: ends or is damaged after {} unpacked bytes: expected whole bzip2 data", path_,
+               unpacked_);
       }
     }
     return filled;
@@ -70,7 +70,8 @@ struct Voxels {
 
 [[noreturn]] void refuse_bytes(const Voxels& voxels) {
   refuse(
-      "{}: the header speaks of {} bytes of voxels: {} {} were unpacked, expected all and no more",
+      "{}: the header promises {} bytes of voxels: {} {} were unpacked, expected as many as "
+      "promised",
       voxels.path, voxels.wanted, voxels.taken, voxels.taken > voxels.wanted ? "or more" : "bytes");
 }
 
@@ -119,8 +120,8 @@ std::size_t values_of(const std::string& path, const Claim& claim) {
   std::size_t values = 1;
   for (const std::uint64_t size : claim.sizes) {
     if (size > kMostMapVoxels || (values *= size) > kMostMapVoxels) {
-      refuse("{}: encoding bzip2, more than {} values: expected fewer, or gzip", path,
-             kMostMapVoxels);
+      refuse("{}: encoding bzip2 with more than {} values: expected fewer values, or encoding gzip",
+             path, kMostMapVoxels);
     }
   }
   return values;

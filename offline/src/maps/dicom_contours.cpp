@@ -59,8 +59,8 @@ Contour contour_of(const std::string& where, DcmItem& item) {
   OFVector<Float64> numbers;
   if (text == nullptr || text->getFloat64Vector(numbers).bad() || numbers.size() % 3 != 0 ||
       numbers.size() < 9) {
-    refuse("{}: {} numbers in ContourData: expected three for each of three points or more", where,
-           numbers.size());
+    refuse("{}: {} numbers in ContourData: expected three points or more, with three numbers each",
+           where, numbers.size());
   }
   const double told = number_of(item, DCM_NumberOfContourPoints);
   if (!std::isnan(told) && told != static_cast<double>(numbers.size() / 3)) {
@@ -136,16 +136,18 @@ std::vector<Structure> structures_of(const DicomFile& file, std::vector<std::str
         by_number ? static_cast<std::uint16_t>(numbers[i]) : static_cast<std::uint16_t>(i + 1);
     if (std::find(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(i), numbers[i]) !=
         numbers.begin() + static_cast<std::ptrdiff_t>(i)) {
-      refuse("{}: ROINumber {}: expected it once", file.path, numbers[i]);
+      refuse("{}: ROINumber {} is there several times: expected it once", file.path, numbers[i]);
     }
   }
-  if (!by_number) notes.push_back(file.path + ": ROINumber 0 is no label: numbered by their order");
+  if (!by_number)
+    notes.push_back(file.path +
+                    ": ROINumber 0 cannot be a label: its structures are numbered in their order");
   std::size_t left_out = 0;
   for (DcmItem* const roi : items_of(root_of(file), DCM_ROIContourSequence)) {
     const double number = number_of(*roi, DCM_ReferencedROINumber);
     const auto found = std::find(numbers.begin(), numbers.end(), number);
     if (found == numbers.end()) {
-      refuse("{}: ReferencedROINumber {}: expected that of a structure", file.path, number);
+      refuse("{}: ReferencedROINumber {}: expected the number of a structure", file.path, number);
     }
     take_contours(file, *roi, structures[static_cast<std::size_t>(found - numbers.begin())],
                   left_out);
@@ -157,7 +159,7 @@ std::vector<Structure> structures_of(const DicomFile& file, std::vector<std::str
   for (Structure& each : structures) {
     const std::size_t repeated = drop_repeated(each.contours);
     if (repeated == 0) continue;
-    notes.push_back(fmt::format("{}: {}: {} contours are there a second time: taken once",
+    notes.push_back(fmt::format("{}: {}: {} contours are there twice: each was taken once",
                                 file.path, each.name, repeated));
   }
   return structures;
@@ -223,8 +225,8 @@ std::vector<double> find_planes(const DicomFile& file, const Raster& raster,
     }
     if (high - low > 2 * kFlatM) {
       refuse(
-          "{}: {}: contour {} spans {:.4g} mm across the planes of the others: expected all in "
-          "parallel planes",
+          "{}: {}: contour {} reaches through {:.4g} mm across the planes of the others: expected "
+          "all contours in parallel planes",
           file.path, structure.name, i, (high - low) * 1e3);
     }
     contour.along_m = (low + high) / 2;
@@ -263,8 +265,8 @@ double distance_m(const DicomFile& file, const Raster& raster, const std::vector
   if (several < HUGE_VAL) return several;
   if (any < HUGE_VAL) return any;
   refuse(
-      "{}: contours in {} plane: expected several, or the folder with the series they were "
-      "drawn on, which tells how thick it is",
+      "{}: contours in {} plane only, whose thickness is not known: expected several planes, or "
+      "the folder with the series they were drawn on",
       file.path, along.size());
 }
 
@@ -391,9 +393,10 @@ void tell_holes(const DicomFile& file, const Layers& layers, const Slabs& slabs,
     end = span.end;
   }
   if (holes == 0) return;
-  notes.push_back(fmt::format(
-      "{}: {} has no contour in {} layers of {:.4g} mm between its first and its last: empty there",
-      file.path, structure.name, holes, layers.step_m * 1e3));
+  notes.push_back(
+      fmt::format("{}: {} has no contour in {} layers of {:.4g} mm between its first and its last: "
+                  "taken as empty there",
+                  file.path, structure.name, holes, layers.step_m * 1e3));
 }
 
 // Layers of zeros at the right position.
@@ -466,9 +469,9 @@ LabelMap read_dicom_contours(const DicomFile& file, const std::vector<FramePlace
   LabelMap map = std::move(stack.map);
   map.notes.insert(map.notes.end(), notes.begin(), notes.end());
   if (stack.claimed_twice > 0) {
-    map.notes.push_back(
-        fmt::format("{}: {} voxels lie in several structures: the smallest of them has each",
-                    file.path, stack.claimed_twice));
+    map.notes.push_back(fmt::format(
+        "{}: {} voxels lie in several structures: each was given to the smallest of them",
+        file.path, stack.claimed_twice));
   }
   return map;
 }

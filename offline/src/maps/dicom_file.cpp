@@ -59,7 +59,7 @@ void require_flat(const std::string& path) {
     ++items;
   }
   if (items <= kHarmlessItems || deepest <= kMostNested) return;
-  refuse("{}: {} sequences in each other: expected at most {}", path, deepest, kMostNested);
+  refuse("{}: sequences nested {} deep: expected at most {}", path, deepest, kMostNested);
 }
 
 // Refuses deflated files, since one cannot see how deep they are nested before they are inflated.
@@ -69,7 +69,7 @@ void require_readable(const std::string& path) {
   OFString syntax;
   (void)head.getMetaInfo()->findAndGetOFString(DCM_TransferSyntaxUID, syntax);
   if (syntax == UID_DeflatedExplicitVRLittleEndianTransferSyntax) {
-    refuse("{}: deflated as a whole: expected another transfer syntax", path);
+    refuse("{}: the whole file is deflated: expected another transfer syntax", path);
   }
   require_flat(path);
 }
@@ -106,8 +106,8 @@ void read_groups(DicomFile& file) {
   const std::vector<DcmItem*> shared = items_of(data, DCM_SharedFunctionalGroupsSequence);
   if (!shared.empty()) file.shared = shared.front();
   if (!file.groups.empty() && file.groups.size() != file.frames) {
-    refuse("{}: {} frames and functional groups of {}: expected as many", file.path, file.frames,
-           file.groups.size());
+    refuse("{}: {} frames, but functional groups of {}: expected one group for each frame",
+           file.path, file.frames, file.groups.size());
   }
   if (file.frames > 1 && file.columns > 0 && file.rows > 0) require_pixels_held(file);
 }
@@ -202,8 +202,8 @@ FramePlace place_of(const DicomFile& file, std::size_t frame) {
                       std::fabs(dot(along_row, along_column)) <= kUnit;
   if (!square) {
     refuse(
-        "{}: ImageOrientationPatient {} {} {} {} {} {}: expected two directions of length 1, "
-        "square to each other",
+        "{}: ImageOrientationPatient {} {} {} {} {} {}: expected two directions of length 1 at "
+        "right angles",
         what, along_row.x, along_row.y, along_row.z, along_column.x, along_column.y,
         along_column.z);
   }
@@ -249,7 +249,7 @@ void require_same_grid(const FramePlace& first, const FramePlace& frame) {
     }
     const Vec there = other * (1e3 / other_mm);
     if (!is_turned(one * (1e3 / one_mm), there)) continue;
-    refuse("{}: {} along {:.5g} {:.5g} {:.5g}: differs in direction; expected that of {}",
+    refuse("{}: {} along {:.5g} {:.5g} {:.5g}: expected the same direction as in {}",
            frame.plane.what, is_row ? "columns" : "rows", there.x, there.y, there.z,
            first.plane.what);
   }
@@ -259,19 +259,22 @@ void load_pixels(const DicomFile& file) {
   DcmDataset& data = dataset_of(file);
   const std::uint16_t samples = count_of(file, DCM_SamplesPerPixel, 1);
   if (samples != 1) {
-    refuse("{}: {} values a pixel: expected labels, which are one", file.path, samples);
+    refuse("{}: {} values a pixel: expected labels, which have one value a pixel", file.path,
+           samples);
   }
   const std::uint16_t bits = count_of(file, DCM_BitsAllocated, 0);
   const std::uint16_t used = count_of(file, DCM_BitsStored, bits);
   if ((bits != 1 && bits != 8 && bits != 16) || used < 1 || used > bits) {
-    refuse("{}: {} of {} bits a pixel: expected some of 1, 8 or 16", file.path, used, bits);
+    refuse("{}: {} of {} bits a pixel are used: expected at least one of 1, 8 or 16 bits",
+           file.path, used, bits);
   }
   require_pixels_held(file);
   const std::uint64_t pixels = std::uint64_t{file.columns} * file.rows * file.frames;
   const std::uint64_t wanted = (pixels * bits + 7) / 8;
   const DcmXfer stored(data.getOriginalXfer());
   if (stored.isEncapsulated() && stored.isLossy()) {
-    refuse("{}: {}: loses values: expected labels as they were", file.path, stored.getXferName());
+    refuse("{}: {}: this compression changes values: expected one without loss", file.path,
+           stored.getXferName());
   }
   OFCondition condition = data.loadAllDataIntoMemory();
   if (condition.bad()) {

@@ -31,7 +31,7 @@ std::uint16_t segment_of(const DicomFile& file, std::size_t frame,
     refuse("{}: ReferencedSegmentNumber {}: expected 1 to 65535", frame_name(file, frame), number);
   }
   if (!described.contains(static_cast<std::uint16_t>(number))) {
-    refuse("{}: ReferencedSegmentNumber {}: expected that of a segment in SegmentSequence",
+    refuse("{}: ReferencedSegmentNumber {}: expected the number of a segment in SegmentSequence",
            frame_name(file, frame), number);
   }
   return static_cast<std::uint16_t>(number);
@@ -93,8 +93,8 @@ double plane_step_m(const DicomFile& file, const std::vector<Plane>& planes, Vec
   if (even && (thick_m == 0 || least_m <= kNext * thick_m)) return least_m;
   if (thick_m == 0) {
     refuse(
-        "{}: neither SpacingBetweenSlices nor SliceThickness, and frames that do not tell it: "
-        "expected one of them",
+        "{}: neither SpacingBetweenSlices nor SliceThickness nor the places of the frames tell the "
+        "distance of planes: expected one of them",
         file.path);
   }
   return thick_m;
@@ -107,7 +107,7 @@ void sort_by_segment(std::vector<Frame>& frames) {
   for (std::size_t i = 1; i < frames.size(); ++i) {
     const Frame &before = frames[i - 1], &each = frames[i];  // planes ascend in a segment
     if (before.segment != each.segment || before.plane < each.plane) continue;
-    refuse("{}: {} this plane in frame {} already: expected it once", each.place.plane.what,
+    refuse("{}: {} this plane in frame {} already: expected each plane once", each.place.plane.what,
            each.segment > 0 ? fmt::format("segment {} has", each.segment) : "there is",
            before.frame);
   }
@@ -125,8 +125,8 @@ double threshold(const DicomFile& file, std::vector<std::string>& notes) {
         file.path, kind, most);
   }
   notes.push_back(
-      fmt::format("{}: a fractional segmentation ({}): a voxel is a segment's from "
-                  "half on",
+      fmt::format("{}: a fractional segmentation ({}): a voxel belongs to a segment from a "
+                  "fraction of one half on",
                   file.path, text_of(file, DCM_SegmentationFractionalType)));
   return most / 2;
 }
@@ -233,8 +233,8 @@ LabelMap read_dicom_seg(const DicomFile& file) {
   map.notes.insert(map.notes.end(), notes.begin(), notes.end());
   if (stack.claimed_twice > 0) {
     map.notes.push_back(fmt::format(
-        "{}: {} voxels lie in several segments: the one with the higher number has them", file.path,
-        stack.claimed_twice));
+        "{}: {} voxels lie in several segments: each was given to the one with the higher number",
+        file.path, stack.claimed_twice));
   }
   map.names = std::move(named.names);
   return map;

@@ -188,8 +188,8 @@ LabelMap read_dicom_file(const std::string& path) {
   if (kind == UID_RTStructureSetStorage) return read_dicom_contours(file, {});
   if (file.frames < 2) {
     refuse(
-        "{}: expected a DICOM segmentation, a structure set or an image of several frames; of "
-        "a series of slices give the folder",
+        "{}: expected a DICOM segmentation, a structure set or an image of several frames; for a "
+        "series of slices give its folder",
         path);
   }
   return map_of(path, {file});

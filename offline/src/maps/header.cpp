@@ -32,7 +32,7 @@ void require_held(const std::string& path, const Claim& claim, std::uint64_t hel
   for (const std::uint64_t size : claim.sizes) left = size == 0 ? 0 : left / size;
   if (left > 0) return;
   refuse(
-      "{}: the header speaks of {} voxels of {} bytes: {} bytes are there, expected more, or "
+      "{}: the header promises {} voxels of {} bytes: {} bytes are there, expected more bytes or "
       "smaller sizes",
       path, sizes_of(claim), claim.bytes_each, held_bytes);
 }
@@ -43,8 +43,8 @@ void require_no_more(const std::string& path, const Claim& claim, std::uint64_t 
   for (const std::uint64_t size : claim.sizes) claimed *= size;
   if (voxel_bytes <= claimed) return;
   refuse(
-      "{}: the header speaks of {} voxels of {} bytes: {} bytes of voxels are there, expected {}, "
-      "or larger sizes",
+      "{}: the header promises {} voxels of {} bytes: {} bytes of voxels are there, expected {} "
+      "bytes, or larger sizes",
       path, sizes_of(claim), claim.bytes_each, voxel_bytes, claimed);
 }
 
@@ -72,8 +72,8 @@ std::string inflated(const std::string& path, std::string_view bytes, std::size_
   }
   (void)inflateEnd(&stream);
   if (state != Z_STREAM_END && out.size() < most) {
-    refuse("{}: ends or is damaged after {} bytes of what it holds: expected a whole gzip file",
-           path, out.size());
+    refuse("{}: ends or is damaged after {} unpacked bytes: expected a whole gzip file", path,
+           out.size());
   }
   return out;
 }

@@ -60,8 +60,10 @@ void check_frame(const std::string& path, const HeaderFields& fields) {
     if (found == fields.end()) continue;
     const auto& [value, line] = found->second;
     if (real_numbers(path, line, value, 1).front() == 0) continue;
-    refuse("{}: header line {}: {}: expected 0: what it turns is not defined; resample it first",
-           path, line.number, line.text);
+    refuse(
+        "{}: header line {}: {}: expected 0, as the format does not define what is rotated; "
+        "resample the image first",
+        path, line.number, line.text);
   }
 }
 

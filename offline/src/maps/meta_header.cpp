@@ -137,7 +137,7 @@ Claim meta_claim(const std::string& path, std::string_view bytes) {
            sizes->second.second.number, claim.sizes.size(), axes);
   }
   if (number_of(path, fields, "ElementNumberOfChannels", 1, INT32_MAX, 1) != 1) {
-    refuse("{}: several values a voxel: expected labels, which are one", path);
+    refuse("{}: several values a voxel: expected labels, which have one value a voxel", path);
   }
   claim.bytes_each = bytes_of_type(path, fields);
   const std::string& type = fields.at("ElementType").first;

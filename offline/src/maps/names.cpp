@@ -198,8 +198,8 @@ void take_segments(const std::string& path, const std::vector<Segment>& segments
   }
   if (segments.empty() || segments.size() > kMostLabels) {
     refuse(
-        "{}: {} values a voxel and {} segments: expected labels, which are one, or the layers of a "
-        "segmentation of 3D Slicer with SegmentN_Name",
+        "{}: {} values a voxel and {} segments: expected labels, which have one value a voxel, or "
+        "the layers of a segmentation of 3D Slicer with SegmentN_Name",
         path, layers, segments.size());
   }
   // For each layer: the number of the segment that each value means.
@@ -224,8 +224,9 @@ void take_segments(const std::string& path, const std::vector<Segment>& segments
     shared += claims > 1 ? 1 : 0;
   }
   if (shared > 0) {
-    map.notes.push_back(fmt::format(
-        "{}: {} voxels lie in several segments: the one listed last has them", path, shared));
+    map.notes.push_back(
+        fmt::format("{}: {} voxels lie in several segments: each was given to the one listed last",
+                    path, shared));
   }
 }
 

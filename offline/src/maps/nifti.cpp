@@ -129,7 +129,7 @@ constexpr double kMostExtensionBytes = 1 << 26;
 std::array<std::uint32_t, 3> read_sizes(const std::string& path, const Header& h) {
   const std::int64_t axes = h.dim[0];
   if (axes < 3 || axes > 7) {
-    refuse("{}: {} dimensions of 1 values: expected 3 of 1", path, axes);
+    refuse("{}: {} dimensions: expected 3, with one value a voxel", path, axes);
   }
   std::array<std::size_t, 3> sizes{};
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(axes); ++axis) {
@@ -204,8 +204,10 @@ Frame frame_of_sform(const std::string& path, const Header& h) {
     }
     const double cosine = dot(u, v) / (length(u) * length(v));
     if (std::fabs(cosine) > kSquare) {
-      refuse("{}: sform: axes {} and {} stand at {:.4g} degrees: expected 90; resample it first",
-             path, axis, (axis + 1) % 3, std::acos(cosine) * 180 / M_PI);
+      refuse(
+          "{}: sform: axes {} and {} are {:.4g} degrees apart: expected 90; resample the image "
+          "first",
+          path, axis, (axis + 1) % 3, std::acos(cosine) * 180 / M_PI);
     }
   }
   return frame;
@@ -356,7 +358,7 @@ LabelMap read_nifti(const std::string& path, std::string_view stored) {
     refuse("{}: ends after {} bytes: expected {}", path, bytes.size(), wanted);
   }
   if (is_gzip(stored) && bytes.size() == most) {
-    refuse("{}: {} bytes and more behind its voxels: expected none", path, kMostTail);
+    refuse("{}: more than {} bytes follow the voxels: expected none", path, kMostTail);
   }
   read_frame(path, header, map);
   if (bytes.size() > wanted) {

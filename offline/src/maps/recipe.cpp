@@ -80,8 +80,8 @@ void check_name(const Source& source, const Recipe& recipe, std::uint16_t label)
   const std::vector<std::uint16_t> others = labels_named(there, here->second);
   if (called == there.end() && others.empty()) return;
   refuse(
-      "{}: [names]: {} = {}: in {} {}: expected the same; to go by the map's names, take this "
-      "one out of [names]",
+      "{}: [names]: {} = {}: in {} {}: expected the same in both; to go by the map's names, take "
+      "this one out of [names]",
       source.file, here->second, label, source.of_map.path,
       called != there.end() ? fmt::format("label {} is called {}", label, called->second)
                             : fmt::format("{} is label {}", here->second, others.front()));

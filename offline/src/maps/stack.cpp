@@ -71,8 +71,8 @@ void check_not_twice(const Frame& f) {
   for (std::size_t i = 1; i < f.order.size(); ++i) {
     const double gap_m = f.order[i].along_m - f.order[i - 1].along_m;
     if (gap_m > kSameM) continue;
-    refuse("{}: {:.6g} mm from {}: expected no slice missing or twice", name_of(f, i), gap_m * 1e3,
-           name_of(f, i - 1));
+    refuse("{}: lies {:.6g} mm from {}: expected no slice missing or twice", name_of(f, i),
+           gap_m * 1e3, name_of(f, i - 1));
   }
 }
 
@@ -96,8 +96,8 @@ void find_lean(Frame& f) {
     }
     if (std::hypot(off[0], off[1]) <= kBeside) continue;
     refuse(
-        "{}: lies {:.4g} mm to the side of where the others would have it: expected all on one "
-        "line; resample the series first",
+        "{}: lies {:.4g} mm beside the line of the other slices: expected all on one line; "
+        "resample the series first",
         name_of(f, i), std::hypot(off[0] * pixel_m(f, 0), off[1] * pixel_m(f, 1)) * 1e3);
   }
 }
@@ -113,10 +113,10 @@ bool leans(const Frame& f, std::vector<std::string>& notes) {
     refuse("{}: its planes lean by {:.3g} degrees: expected at most {}, as of a tilted gantry",
            f.path, degrees, kMostLeanDeg);
   }
-  notes.push_back(fmt::format(
-      "{}: its planes lean by {:.3g} degrees (tilted gantry): put upright by whole pixels, right "
-      "to half of one",
-      f.path, degrees));
+  notes.push_back(
+      fmt::format("{}: its planes lean by {:.3g} degrees (tilted gantry): put upright by whole "
+                  "pixels, to within half a pixel",
+                  f.path, degrees));
   return true;
 }
 
@@ -149,10 +149,10 @@ void tell_gaps(const Frame& f, const std::vector<double>& distances,
     if (distances[i] * touching[widest] > distances[widest] * touching[i]) widest = i;
   }
   if (touching.empty() || !(distances[widest] > kWidest * touching[widest])) return;
-  notes.push_back(fmt::format(
-      "{}: slices of {:.4g} mm lie {:.4g} mm apart: what is between them is taken to be as in the "
-      "nearest",
-      f.path, touching[widest] * 1e3, distances[widest] * 1e3));
+  notes.push_back(
+      fmt::format("{}: slices of {:.4g} mm lie {:.4g} mm apart: what lies between them is taken "
+                  "from the nearest one",
+                  f.path, touching[widest] * 1e3, distances[widest] * 1e3));
 }
 
 // Refuses planes whose distances are not all about the same multiple of those of touching planes.
@@ -165,8 +165,8 @@ void check_distances(const Frame& f, const std::vector<double>& distances) {
   for (std::size_t i = 0; i < distances.size(); ++i) {
     if (factors[i] >= kNarrowest * usual && factors[i] <= kWidest * usual) continue;
     refuse(
-        "{}: {:.6g} mm from the slice before, where the others let expect {:.6g} mm: expected "
-        "no slice missing or twice",
+        "{}: lies {:.6g} mm from the slice before, but by the others it should be {:.6g} mm: "
+        "expected no slice missing or twice",
         name_of(f, i + 1), distances[i] * 1e3, usual * expected(i) * 1e3);
   }
 }
@@ -204,7 +204,7 @@ Stack with_layers(const Frame& f, const Layers& layers, bool is_leaning,
       const double at_m = layers.first_m + layer * layers.step_m;
       const double shift = std::round(f.start[axis] + f.lean[axis] * at_m);
       if (!(std::fabs(shift) < static_cast<double>(kMostMapVoxels))) {
-        refuse("{}: planes {} pixels aside: expected a smaller image", f.path, shift);
+        refuse("{}: planes are shifted by {} pixels: expected a smaller image", f.path, shift);
       }
       const auto whole = static_cast<std::int32_t>(shift);
       stack.shift[layer][axis] = whole;
@@ -322,7 +322,7 @@ Stack whole_stack(const std::string& path, const PixelGrid& grid,
   if (planes.size() == 1) {
     const double thick_m = planes.front().thickness_m;
     if (!(thick_m > 0)) {
-      refuse("{}: a single slice without SliceThickness: expected it, or more slices",
+      refuse("{}: a single slice without SliceThickness: expected SliceThickness, or more slices",
              planes.front().what);
     }
     return even_stack(f, thick_m, {});
@@ -344,15 +344,18 @@ Stack sparse_stack(const std::string& path, const PixelGrid& grid, const std::ve
   std::vector<std::string> notes;
   for (std::size_t i = 0; i < distances.size(); ++i) {
     if (distances[i] >= kNarrowest * step_m) continue;
-    refuse("{}: {:.6g} mm from the plane before: expected {:.6g} mm, as planes are thick or apart",
-           name_of(f, i + 1), distances[i] * 1e3, step_m * 1e3);
+    refuse(
+        "{}: lies {:.6g} mm from the plane before: expected {:.6g} mm, the distance or thickness "
+        "of planes",
+        name_of(f, i + 1), distances[i] * 1e3, step_m * 1e3);
   }
   if (!is_even(f, step_m)) return uneven_stack(f, distances, step_m, {});
   const double empty =
       std::round(f.order.back().along_m / step_m) + 1 - static_cast<double>(planes.size());
   if (empty > 0) {
     notes.push_back(fmt::format(
-        "{}: {:.0f} planes between its first and last have nothing: taken as empty", path, empty));
+        "{}: {:.0f} planes between its first and last are not in the file: taken as empty", path,
+        empty));
   }
   return even_stack(f, step_m, std::move(notes));
 }

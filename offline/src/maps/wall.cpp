@@ -163,13 +163,13 @@ std::vector<std::string> warnings_of(const LabelMap& map, const WallDistances& d
     const WallLayer& layer = recipe.wall[i];
     const double off = thickness_m[i] / layer.thickness_m - 1;
     if (!(std::abs(off) > kMostOff)) continue;
-    warnings.push_back(fmt::format(
-        "layer {}: {:.3g} mm thick on average on the map's voxels of {:.3g} x {:.3g} x {:.3g} mm, "
-        "of "
-        "{:.3g} mm given ({:+} %): expected a finer map, or a thickness of whole voxels",
-        layer.tissue, thickness_m[i] * 1e3, length(map.step_m[0]) * 1e3,
-        length(map.step_m[1]) * 1e3, length(map.step_m[2]) * 1e3, layer.thickness_m * 1e3,
-        std::lround(100 * off)));
+    warnings.push_back(
+        fmt::format("layer {}: on the map's voxels of {:.3g} x {:.3g} x {:.3g} mm it is {:.3g} mm "
+                    "thick on average instead of {:.3g} mm ({:+} %): expected a finer map, or a "
+                    "thickness of whole voxels",
+                    layer.tissue, length(map.step_m[0]) * 1e3, length(map.step_m[1]) * 1e3,
+                    length(map.step_m[2]) * 1e3, thickness_m[i] * 1e3, layer.thickness_m * 1e3,
+                    std::lround(100 * off)));
   }
   return warnings;
 }

@@ -25,7 +25,10 @@ double largest_of(const Claim& claim) {
 
 WholeVoxels::WholeVoxels(const std::string& path, const Claim& claim) : path_(path), claim_(claim) {
   if (claim.skips && !claim.packed) {
-    refuse("{}: voxels as text, and something to skip before them: expected nothing to skip", path);
+    refuse(
+        "{}: voxels as text, but the header says to skip something before them: expected nothing "
+        "to skip",
+        path);
   }
   for (const std::uint64_t size : claim.sizes) claimed_ *= size;
   if (claim.packed) claimed_ *= claim.bytes_each;
@@ -47,7 +50,7 @@ void WholeVoxels::finish() const {
 }
 
 void WholeVoxels::refuse_count(const char* there) const {
-  refuse("{}: the header speaks of {} {} of voxels: {}{} are there, expected all and no more",
+  refuse("{}: the header promises {} {} of voxels: {}{} are there, expected as many as promised",
          path_, claimed_,
          claim_.packed ? "bytes"
          : claim_.hex  ? "digits"
@@ -75,8 +78,8 @@ void WholeVoxels::add_packed(const std::string& name, std::string_view part) {
   (void)inflateEnd(&stream);
   if (found_ > claimed_) refuse_count(" or more");
   if (state == Z_STREAM_END) return;
-  refuse("{}: ends or is damaged after {} bytes of what it holds: expected whole packed voxels",
-         name, found_);
+  refuse("{}: ends or is damaged after {} unpacked bytes: expected whole packed voxels", name,
+         found_);
 }
 
 void WholeVoxels::add_text(const std::string& name, std::string_view part) {

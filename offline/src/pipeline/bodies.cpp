@@ -233,11 +233,11 @@ void warn_of_obstacles(const std::vector<NamedHull>& hulls, std::vector<std::str
       tissues +=
           fmt::format("{} {:.3g} ml of {}", tissues.empty() ? ", in it" : ",", m3 * 1e6, tissue);
     }
-    warnings.push_back(fmt::format(
-        "obstacle {}: its hull of {:.3g} ml is {:+} % off its labels of {:.3g} ml{}: a needle is "
-        "kept out of the hull",
-        each.name, each.hull.volume_m3 * 1e6, std::lround(100 * off), each.label_m3 * 1e6,
-        tissues));
+    warnings.push_back(
+        fmt::format("obstacle {}: its hull holds {:.3g} ml, {:+} % against the {:.3g} ml of "
+                    "its labels{}: a needle is kept out of all of the hull",
+                    each.name, each.hull.volume_m3 * 1e6, std::lround(100 * off),
+                    each.label_m3 * 1e6, tissues));
   }
 }
 

@@ -104,7 +104,9 @@ std::vector<std::uint8_t> fixed_corners(const Lattice& lattice, const Claimed& c
     fixed.push_back(static_cast<std::uint8_t>(bits));
   }
   if (!any)
-    refuse("--fix: no corner of the organ lies in these regions: expected at least one, or none");
+    refuse(
+        "--fix: no corner of the organ lies in these regions: expected at least one corner, or "
+        "--fix none");
   return fixed;
 }
 
@@ -199,7 +201,8 @@ double finest_edge(const Box& box, double most, const SweptAtEdge& swept_at) {
     next = std::round(next * std::cbrt(tried.swept / most));
   }
   if (coarse.refusal) throw Refusal(*coarse.refusal);
-  if (good > kMostSteps) refuse("--fit: no voxel edge up to 100 mm needs {} voxels or less", most);
+  if (good > kMostSteps)
+    refuse("--fit: even with a voxel edge of 100 mm the organ needs more than {} voxels", most);
   return good * kStepM;
 }
 
@@ -214,8 +217,8 @@ std::vector<double> sample_volumes(const Grid& grid, BuildReport& report) {
     const double ratio = input.mesh_volume_m3 / input.filled_volume_m3;
     if (!input.closed) {
       report.warnings.push_back(fmt::format(
-          "{}: its surface is open ({} edges with one triangle), {:.3g} ml are taken for its "
-          "inside: expected a closed surface, or look at what became of it",
+          "{}: its surface is open ({} edges belong to one triangle only); {:.3g} ml are taken as "
+          "its inside: expected a closed surface; look at the result before use",
           input.path, input.repair.border_edges, input.filled_volume_m3 * 1e6));
       continue;
     }

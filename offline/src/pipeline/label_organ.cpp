@@ -131,8 +131,9 @@ void warn_of_absent(const Recipe& recipe, BuildReport& report) {
     report.warnings.push_back(
         layer == recipe.wall.end()
             ? fmt::format("none of the labels of {} is in the map", tissue)
-            : fmt::format("layer {}: {:.3g} mm lie between the map's voxels, no voxel has any and "
-                          "no needle feels it: expected a finer map, or a thicker layer",
+            : fmt::format("layer {}: its {:.3g} mm fall between the voxels of the map, so that no "
+                          "voxel holds any of it and no needle feels it: expected a finer map, or "
+                          "a thicker layer",
                           tissue, layer->thickness_m * 1e3));
   }
 }

@@ -146,9 +146,11 @@ Organ open_organ(const std::string& file, std::span<const std::byte> bytes) {
     refuse("{}: {}", file, describe(refusal));
   }
   if (!has_its_bytes(bytes, organ)) {
-    refuse("{}: content_sha256: {}: expected {}, that of its bytes: they are not those written",
-           file, organ.content_sha256.empty() ? "none" : hex_of(organ.content_sha256),
-           hex_of(content_sha256(bytes, organ)));
+    refuse(
+        "{}: content_sha256: {}: expected {}, the sum of its bytes: a byte has changed since the "
+        "file was written",
+        file, organ.content_sha256.empty() ? "none" : hex_of(organ.content_sha256),
+        hex_of(content_sha256(bytes, organ)));
   }
   return organ;
 }

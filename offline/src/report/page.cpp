@@ -97,7 +97,7 @@ std::string tissues(const Json& quality) {
          "kept</th></tr>" +
          rows +
          "</table><p class='small'>A voxel behaves as the tissue that fills most of it (or has the "
-         "highest priority); what other tissues own of a volume feels as they do.</p>";
+         "highest priority), also in the part of it that another tissue fills.</p>";
 }
 
 std::string distance_row(const char* what, const Json& d, const char* most) {
@@ -138,12 +138,13 @@ std::string repairs(const Json& facts) {
 std::string inertia(const Json& speed) {
   const Json& of = speed["resonance"];
   if (!(of["real_hz"].get<double>() > 0)) return "";
-  return fmt::format("<p>With {} the organ's first resonance is at {} Hz, really at {} Hz{}.</p>",
-                     stepping_text(speed), number(of["stepped_hz"], 1), number(of["real_hz"], 1),
-                     of.contains("departs_hz")
-                         ? ": the force on a moving hand may be a tenth off from " +
-                               number(of["departs_hz"], 1) + " Hz on"
-                         : "");
+  return fmt::format(
+      "<p>With {} the organ's first resonance is at {} Hz; that of the tissue itself is at {} "
+      "Hz{}.</p>",
+      stepping_text(speed), number(of["stepped_hz"], 1), number(of["real_hz"], 1),
+      of.contains("departs_hz") ? ": the force on a moving hand may be a tenth off from " +
+                                      number(of["departs_hz"], 1) + " Hz on"
+                                : "");
 }
 
 std::string speed(const Json& facts) {
@@ -177,12 +178,12 @@ std::string speed(const Json& facts) {
   return fmt::format("<h2>Speed and inertia</h2><p>Period {} us, {}{}.</p>{}<table>",
                      number(speed["period_us"], 0), stepping_text(speed), on, inertia(speed)) +
          head + "</tr>" + rows +
-         "</table><p class='small'>Tissue too stiff or voxels too small for the step: with true "
-         "mass its short waves, which no hand feels, are slowed in passes, and mass is added only "
-         "where these do not do; with added mass, which may take half the time, the tissue gets "
-         "more "
-         "mass than it has (factor of the whole material). Forces at rest are exact either way; "
-         "fast motion becomes sluggish with the mass. More substeps give it back.</p>";
+         "</table><p class='small'>Where tissue is too stiff, or voxels are too small, for the "
+         "step: with true mass a filter slows its short waves, which no hand feels, in several "
+         "passes, and mass is added only where these are not enough. With added mass, which may "
+         "take half the time, the tissue gets more mass than it has; the table has the factor for "
+         "each whole material. Forces at rest are exact either way, but added mass makes fast "
+         "motion sluggish. With more substeps less of it is needed.</p>";
 }
 
 std::string provenance(const Json& organ) {

@@ -130,8 +130,8 @@ std::vector<std::string> findings_of(const Quality& quality, const BuildReport& 
   }
   if (report.closed_gaps > 0) {
     findings.push_back(fmt::format(
-        "gaps of the input are closed at {} places, where one voxel or two neighbours hold "
-        "parts that do not touch: they stick there; a finer voxel edge opens them",
+        "gaps of the input are closed at {} places, where one voxel or two neighbours hold parts "
+        "that do not touch: the parts stick together there; a finer voxel edge opens the gaps",
         report.closed_gaps));
   }
   return findings;

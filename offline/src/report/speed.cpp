@@ -34,8 +34,9 @@ Machine fitted(const std::string& name, const std::vector<CostPoint>& points) {
   }
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factored(of);
   if (factored.rank() < 3) {
-    refuse("{}: expected elastic ticks of two organs at least, with added and with true mass",
-           name);
+    refuse(
+        "{}: expected rows of tick_elastic for at least two organs, with added and with true mass",
+        name);
   }
   const Eigen::Vector3d line = factored.solve(Eigen::VectorXd::Ones(of.rows()));
   return {name, line[0], line[1], line[2]};
@@ -180,7 +181,7 @@ Machine read_machine(const std::filesystem::path& bench_csv) {
     points.push_back({voxels * substeps, passes, us});
   }
   if (points.size() < 3) {
-    refuse("{}: {} lines of tick_elastic: expected three at least, as stylet-bench writes them",
+    refuse("{}: {} rows of tick_elastic: expected at least three, as stylet-bench writes them",
            file, points.size());
   }
   return fitted(bench_csv.stem().string(), points);
@@ -307,13 +308,13 @@ std::string stepping_text(const nlohmann::ordered_json& facts) {
 std::string inertia_text(const nlohmann::ordered_json& facts) {
   const Json& of = facts["resonance"];
   if (!(of["real_hz"].get<double>() > 0)) return "";
-  return fmt::format("inertia       {}: first resonance {:.3g} Hz, really {:.3g}; {}\n",
-                     stepping_text(facts), of["stepped_hz"].get<double>(),
-                     of["real_hz"].get<double>(),
-                     of.contains("departs_hz")
-                         ? fmt::format("the force on a hand may be a tenth off from {:.2g} Hz on",
-                                       of["departs_hz"].get<double>())
-                         : "no hand feels the difference");
+  return fmt::format(
+      "inertia       {}: first resonance {:.3g} Hz, of the tissue itself {:.3g} Hz; {}\n",
+      stepping_text(facts), of["stepped_hz"].get<double>(), of["real_hz"].get<double>(),
+      of.contains("departs_hz")
+          ? fmt::format("the force on a hand may be a tenth off from {:.2g} Hz on",
+                        of["departs_hz"].get<double>())
+          : "no hand feels the difference");
 }
 
 std::string speed_text(const nlohmann::ordered_json& facts) {

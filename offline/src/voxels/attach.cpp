@@ -113,7 +113,7 @@ std::vector<Region> parse_regions(const std::vector<std::string>& texts, double 
   std::vector<Region> regions;
   for (const std::string& text : texts) {
     if (text == "none") {
-      if (texts.size() > 1) refuse("{0} none: expected no other {0} beside it", option);
+      if (texts.size() > 1) refuse("{0} none: expected no other {0} with it", option);
     } else if (text.starts_with(kBoxWord)) {
       regions.push_back(parse_box({option, text}));
     } else if (text.starts_with(kTouchingWord)) {

@@ -10,7 +10,7 @@ namespace {
 double state_bytes(const Organ& organ) {
   Sizes bytes{};
   if (sizes(organ, Config{}, bytes) != Status::kOk) {
-    throw TooFine("the kernel does not take so large a lattice: expected a larger voxel edge");
+    throw TooFine("the lattice is too large for the kernel: expected a larger voxel edge");
   }
   return static_cast<double>(bytes.state_bytes);
 }
