@@ -173,7 +173,9 @@ int list_devices(const DevicesOptions& options) {
     fmt::print("{:<13}{:<8}{}: {}\n", each.uri, each.ready ? "ready" : "no", each.name, each.seen);
     if (!each.remedy.empty()) fmt::print("{:>24}{}\n", "-> ", each.remedy);
   }
-  fmt::print("\nWhat only opening shows, such as calibration: stylet devices probe URI\n");
+  fmt::print(
+      "\nSome things show only when a device is opened, such as its calibration: stylet devices "
+      "probe URI\n");
   return kExitOk;
 }
 
@@ -186,9 +188,10 @@ int probe(const ProbeOptions& options) {
   const hal::Device& device = opened.device;
   const bool pushes = options.push && device.info.max_force_n > 0;
   if (!options.json) {
-    fmt::print(stderr, "{:g} s without force: move it about and press its buttons{}\n",
-               options.seconds,
-               pushes ? "; then 3 s of pushes along its axes, at most 1 N: hold it loosely" : "");
+    fmt::print(
+        stderr, "{:g} s without force: move the device about and press its buttons{}\n",
+        options.seconds,
+        pushes ? "; then it pushes along its axes for 3 s, with at most 1 N: hold it loosely" : "");
   }
   hal::HostReport host;
   hal::prepare_thread(-1, 80, host);

@@ -85,8 +85,8 @@ hal::Finding judged(const Measurement& each, const char* what, const hal::Spread
   finding.source = fmt::format(
       "measured {}", m.host.lacks.empty() ? "as the loop runs" : "without the loop's rights");
   if (finding.verdict != hal::Verdict::kOk) {
-    finding.remedy = fmt::format("expected at most {} us and no period missed: mend what is above",
-                                 budget_ns / 1000);
+    finding.remedy = fmt::format(
+        "expected at most {} us and no period missed: do what is advised above", budget_ns / 1000);
   }
   return finding;
 }
@@ -98,13 +98,15 @@ hal::Finding judged(const Resonance& of, Inertia inertia) {
   finding.severity = hal::Verdict::kWarn;
   const bool departs = of.departs_hz < kFastestHandHz;
   finding.verdict = departs ? hal::Verdict::kWarn : hal::Verdict::kOk;
-  finding.value = of.real_hz > 0 ? fmt::format("first resonance {:.3g} Hz, really {:.3g}",
-                                               of.stepped_hz, of.real_hz)
-                                 : "nothing holds the organ";
+  finding.value = of.real_hz > 0
+                      ? fmt::format("first resonance {:.3g} Hz, of the tissue itself {:.3g} Hz",
+                                    of.stepped_hz, of.real_hz)
+                      : "nothing holds the organ";
   finding.source = "the recording's organ, step and mass";
   if (departs) {
     finding.remedy = fmt::format(
-        "the force on a hand may be a tenth off from {:.2g} Hz on: {}more loop.substeps",
+        "above {:.2g} Hz the force on a moving hand may be off by a tenth: expected {}more "
+        "loop.substeps",
         of.departs_hz, inertia == Inertia::kTrueMass ? "" : "loop.inertia = \"true_mass\", or ");
   }
   return finding;

@@ -26,11 +26,12 @@ namespace stylet::app {
 namespace {
 
 CLI::Option* add_json(CLI::App& command, bool& json, const char* what) {
-  return command.add_flag("--json", json, fmt::format("{} on standard output, nothing else", what));
+  return command.add_flag("--json", json,
+                          fmt::format("Print {} on standard output, and nothing else there", what));
 }
 
 CLI::Option* add_organ(CLI::App& command, std::string& organ, const char* instead_of) {
-  return command.add_option("--organ", organ, fmt::format("Organ, instead of {}", instead_of))
+  return command.add_option("--organ", organ, fmt::format("Organ file, instead of {}", instead_of))
       ->type_name("FILE");
 }
 
@@ -43,8 +44,8 @@ CLI::Option* add_recording(CLI::App& command, std::string& recording) {
 CLI::Option* add_serving(CLI::App& command, ServeOptions& options) {
   return command
       .add_option("--listen", options.listen,
-                  "Address of this machine where others reach the page, with a token that is "
-                  "printed; without it, only this machine does")
+                  "Address of this machine at which others reach the page too, with a token that "
+                  "is printed (default: only this machine reaches it)")
       ->type_name("ADDRESS")
       ->check(CLI::ValidIPV4);
 }
@@ -53,12 +54,13 @@ void add_igtl(CLI::App& run, IgtlOptions& options) {
   options.port = hal::kIgtlPort;
   CLI::Option* igtl =
       run.add_flag(fmt::format("--igtl{{{}}}", hal::kIgtlPort), options.port,
-                   fmt::format("Let OpenIGTLink clients such as 3D Slicer follow, on port {} of "
-                               "this machine or --igtl=PORT; 0: any that is free",
+                   fmt::format("Let OpenIGTLink clients such as 3D Slicer follow the run, on port "
+                               "{} of this machine; --igtl=PORT takes another, 0 any that is free",
                                hal::kIgtlPort))
           ->check(cli::between(0, 65535));
   run.add_option("--igtl-listen", options.listen,
-                 "Address of this machine where clients on others reach it")
+                 "Address of this machine at which clients on others reach it (default: only those "
+                 "here do)")
       ->type_name("ADDRESS")
       ->check(CLI::ValidIPV4)
       ->needs(igtl);
@@ -67,26 +69,26 @@ void add_igtl(CLI::App& run, IgtlOptions& options) {
 void add_run(CLI::App& program, RunOptions& options) {
   CLI::App& run = *program.add_subcommand("run", "Run a scene on the real-time loop");
   run.footer(
-      "Examples:\n"
-      "  stylet run fig09-force-curve.toml --organ liver.organ --record out.h5\n"
-      "  stylet run fig09-force-curve.toml --organ liver.organ --console\n"
-      "With --console: attempts as the page asks, also of other scenes beside this one; --record\n"
-      "out.h5 keeps each as out-1.h5, out-2.h5 ...");
+      "Examples:\n  stylet run fig09-force-curve.toml --organ liver.organ --record out.h5\n  "
+      "stylet run fig09-force-curve.toml --organ liver.organ --console\nWith --console the page "
+      "starts each attempt, also of other scenes in the same folder;\n--record out.h5 writes them "
+      "to out-1.h5, out-2.h5 ...");
   run.add_option("scene", options.scene, "Scene (TOML)")->type_name("FILE")->required();
   add_organ(run, options.organ, "the scene's");
   run.add_option("--record", options.record,
-                 "Recording to write (HDF5); if it is there, NAME-2.h5 and so on")
+                 "Recording to write (HDF5); if the file exists, NAME-2.h5 and so on")
       ->type_name("FILE");
-  run.add_flag("--force", options.force, "Let --record write over a recording that is there");
+  run.add_flag("--force", options.force, "Let --record overwrite a file that exists");
   run.add_option("--flight", options.flight,
-                 "Where the second before a fault is kept, as NAME-1.h5, NAME-2.h5 ...")
+                 "Recording of the second before a fault: NAME-1.h5 of the first fault, NAME-2.h5 "
+                 "of the next ...")
       ->type_name("FILE")
       ->capture_default_str();
   run.add_option("--mode", options.mode, "Rules of the needle, instead of the scene's")
       ->type_name("MODE")
       ->check(CLI::IsMember({"physical", "paper"}));
   run.add_option("--duration-s", options.duration_s,
-                 "Simulated time, instead of as long as the hand moves")
+                 "Simulated time (default: until the hand's script ends)")
       ->type_name("SECONDS")
       ->check(cli::between(1e-3, 86400.0));
   run.add_option("--device", options.devices,
@@ -95,18 +97,21 @@ void add_run(CLI::App& program, RunOptions& options) {
       ->type_name("URI")
       ->allow_extra_args(false);
   run.add_option("--threads", options.threads,
-                 "Threads of the tissue step, instead of the scene's: same bits with any number")
+                 "Threads of the tissue step, instead of the scene's; results are the same, bit "
+                 "for bit, with any number")
       ->type_name("NUMBER")
       ->check(cli::between(1U, kMaxHelpers + 1));
-  run.add_flag("--fast", options.fast, "Virtual clock: same bits, as fast as the machine goes");
-  add_json(run, options.json, "One JSON object");
+  run.add_flag(
+      "--fast", options.fast,
+      "Do not wait for the clock: the same results, bit for bit, as fast as the machine can");
+  add_json(run, options.json, "one JSON object");
   run.add_flag("--allow-non-rt", options.allow_non_rt,
                "Go on with a warning where the machine refuses real-time rights");
   options.serve.port = console::kDefaultPort;
   CLI::Option* console =
       run.add_flag(fmt::format("--console{{{}}}", console::kDefaultPort), options.serve.port,
-                   fmt::format("Serve a page that shows and steers the run, on port {} of this "
-                               "machine or --console=PORT; 0: any that is free",
+                   fmt::format("Serve a page that shows and controls the run, on port {} of this "
+                               "machine; --console=PORT takes another, 0 any that is free",
                                console::kDefaultPort))
           ->check(cli::between(0, 65535))
           ->excludes("--json");
@@ -118,31 +123,32 @@ void add_playback(CLI::App& program, PlaybackOptions& options) {
   CLI::App& play = *program.add_subcommand("console", "Play a recording on a page in a browser");
   play.footer("Example: stylet console out.h5");
   add_recording(play, options.recording);
-  add_organ(play, options.organ, "the recorded path");
+  add_organ(play, options.organ, "the one that the recording names");
   options.serve.port = console::kDefaultPort;
-  play.add_option("--port", options.serve.port, "Of the page; 0: any that is free")
+  play.add_option("--port", options.serve.port, "Port of the page; 0: any that is free")
       ->type_name("PORT")
       ->capture_default_str();
   add_serving(play, options.serve);
 }
 
 void add_replay(CLI::App& program, ReplayOptions& options) {
-  CLI::App& replay =
-      *program.add_subcommand("replay", "Repeat a recording: same inputs, same bits?");
-  replay.footer("Example: stylet replay out.h5\nExit codes: 0 the same bits, 3 other bits");
+  CLI::App& replay = *program.add_subcommand(
+      "replay", "Repeat a recording from its inputs: are the results the same, bit for bit?");
+  replay.footer(
+      "Example: stylet replay out.h5\nExit codes: 0 the same results, bit for bit; 3 others");
   add_recording(replay, options.recording);
-  add_organ(replay, options.organ, "the recorded path");
-  add_json(replay, options.json, "One JSON object");
+  add_organ(replay, options.organ, "the one that the recording names");
+  add_json(replay, options.json, "one JSON object");
 }
 
 void add_plot(CLI::App& program, PlotOptions& options) {
   CLI::App& plot = *program.add_subcommand("plot", "Draw the force curves of a recording");
   plot.footer("Example: stylet plot out.h5 -o force.svg");
   add_recording(plot, options.recording);
-  plot.add_option("-o,--output", options.output, "Picture to write, .svg or .png")
+  plot.add_option("-o,--output", options.output, "Picture to write (.svg or .png)")
       ->type_name("FILE")
       ->required();
-  plot.add_option("--needle", options.needle, "Which of several needles, from 0")
+  plot.add_option("--needle", options.needle, "Which of several needles, counted from 0")
       ->type_name("NUMBER")
       ->capture_default_str();
 }
@@ -158,35 +164,34 @@ void add_score(CLI::App& program, ScoreOptions& options) {
       ->type_name("FILE")
       ->required();
   score
-      .add_option("--scene", options.scene,
-                  "Scene whose targets count, instead of the recorded one")
+      .add_option("--scene", options.scene, "Scene whose targets count, instead of the recording's")
       ->type_name("FILE");
-  add_organ(score, options.organ, "the recorded path");
-  add_json(score, options.json, "One JSON array");
+  add_organ(score, options.organ, "the one that the recording names");
+  add_json(score, options.json, "one JSON array");
 }
 
 void add_doctor(CLI::App& program, DoctorOptions& options) {
   CLI::App& doctor =
       *program.add_subcommand("doctor", "Check whether this machine is fit for the loop");
   doctor.footer(
-      "Examples:\n"
-      "  stylet doctor\n"
-      "  stylet doctor --measure 60 --replay out.h5\n"
-      "Exit codes: 0 ready, 3 degraded (warnings, or what could not be read), 4 not suitable");
+      "Examples:\n  stylet doctor\n  stylet doctor --measure 60 --replay out.h5\nExit codes: 0 "
+      "ready, 3 degraded (warnings, or something could not be read), 4 not suitable");
   auto* measure = doctor
                       .add_option("--measure", options.measure_s,
-                                  "Measure for so long, in all, how late a thread wakes up")
+                                  "Measure how late a thread wakes up, for so long in all")
                       ->type_name("SECONDS")
                       ->check(cli::between(0.1, 86400.0));
-  auto* replay = doctor
-                     .add_option("--replay", options.recording,
-                                 "And how long the ticks of this recording take meanwhile")
-                     ->type_name("FILE")
-                     ->needs(measure);
-  add_organ(doctor, options.organ, "the recorded path")->needs(replay);
+  auto* replay =
+      doctor
+          .add_option("--replay", options.recording,
+                      "Recording whose ticks run meanwhile, to measure how long they take")
+          ->type_name("FILE")
+          ->needs(measure);
+  add_organ(doctor, options.organ, "the one that the recording names")->needs(replay);
   doctor
       .add_option("--cpu", options.cpu,
-                  "Processor to look at, as loop.cpu of a scene (default: as the loop chooses)")
+                  "Processor to look at, as loop.cpu of a scene (default: the one that the loop "
+                  "would choose)")
       ->type_name("NUMBER")
       ->check(cli::between(0, 1023));
   doctor
@@ -196,22 +201,24 @@ void add_doctor(CLI::App& program, DoctorOptions& options) {
       ->check(cli::between(1, 99))
       ->capture_default_str();
   doctor
-      .add_option("--root", options.root, "A copy of another machine's /proc and /sys to look at")
+      .add_option("--root", options.root,
+                  "Folder with a copy of another machine's /proc and /sys, to look at instead")
       ->type_name("FOLDER")
       ->check(CLI::ExistingDirectory)
       ->excludes(measure);
-  add_json(doctor, options.json, "One JSON object");
+  add_json(doctor, options.json, "one JSON object");
 }
 
 // Returns the subcommand that opens a device.
 CLI::App& add_devices(CLI::App& program, DevicesOptions& options, ProbeOptions& probed) {
-  CLI::App& devices =
-      *program.add_subcommand("devices", "List the devices here, and what the others lack");
+  CLI::App& devices = *program.add_subcommand(
+      "devices", "List which devices are ready here, and what is missing for the others");
   devices.footer("Examples:\n  stylet devices\n  stylet devices probe hd: --push -o touch.json");
-  add_json(devices, options.json, "One JSON array");
+  add_json(devices, options.json, "one JSON array");
   devices
-      .add_option("--root", options.root,
-                  "A copy of another machine's /proc, /sys and /dev to look at")
+      .add_option(
+          "--root", options.root,
+          "Folder with a copy of another machine's /proc, /sys and /dev, to look at instead")
       ->type_name("FOLDER")
       ->check(CLI::ExistingDirectory);
   CLI::App& probe =
@@ -220,40 +227,43 @@ CLI::App& add_devices(CLI::App& program, DevicesOptions& options, ProbeOptions& 
   probe.add_option("uri", probed.uri, "Device as in a scene: hd:, dhd:0, udp:7755 ...")
       ->type_name("URI")
       ->required();
-  probe.add_option("-o,--output", probed.output, "What was measured, to write (JSON)")
+  probe.add_option("-o,--output", probed.output, "File to write what was measured to (JSON)")
       ->type_name("FILE");
-  probe.add_option("--seconds", probed.seconds, "Watch it for so long, without force")
+  probe.add_option("--seconds", probed.seconds, "Watch the device for so long, without force")
       ->type_name("SECONDS")
       ->check(cli::between(0.1, 3600.0))
       ->capture_default_str();
-  probe.add_flag("--push", probed.push, "Then push along its axes, with at most 1 N");
-  add_json(probe, probed.json, "What was measured as one JSON object");
+  probe.add_flag("--push", probed.push, "After that, push along its axes, with at most 1 N");
+  add_json(probe, probed.json, "what was measured as one JSON object");
   return probe;
 }
 
 void add_station(CLI::App& program, StationOptions& options) {
-  CLI::App& station =
-      *program.add_subcommand("station", "Hold a needle in the tissue of another machine");
+  CLI::App& station = *program.add_subcommand(
+      "station", "Hold, with a device here, a needle that another machine simulates");
   station.footer(
-      "Example: stylet station hd: 192.168.0.5:7755, where stylet run SCENE --device\n"
-      "udp:0.0.0.0:7755 runs on 192.168.0.5");
+      "Example: stylet station hd: 192.168.0.5:7755\nThe other machine, here 192.168.0.5, runs: "
+      "stylet run SCENE --device udp:0.0.0.0:7755");
   station.add_option("uri", options.uri, "Device of this machine: hd:, dhd:0 ...")
       ->type_name("URI")
       ->required();
-  station.add_option("to", options.to, "The machine with the tissue")
+  station.add_option("to", options.to, "The machine that simulates the tissue")
       ->type_name("ADDRESS:PORT")
       ->required();
-  station.add_option("--duration-s", options.seconds, "End after so long (default: at Ctrl-C)")
+  station
+      .add_option("--duration-s", options.seconds,
+                  "End after so long (default: when Ctrl-C is pressed)")
       ->type_name("SECONDS")
       ->check(cli::between(1e-3, 86400.0));
   station
       .add_option("--acknowledge-button", options.acknowledge_button,
-                  "Button, from 0, that acknowledges a latched fault, as Enter does here")
+                  "Button, counted from 0, that acknowledges a latched fault, as Enter on this "
+                  "keyboard does")
       ->type_name("NUMBER")
       ->check(cli::between(0, 31));
   station
       .add_option("--dead-man-button", options.dead_man_button,
-                  "Button, from 0, that must be held for any force")
+                  "Button, counted from 0, without which there is no force: it must be held down")
       ->type_name("NUMBER")
       ->check(cli::between(0, 31));
 }
@@ -271,27 +281,22 @@ void add_station(CLI::App& program, StationOptions& options) {
 
 // Only for the help; main starts the benchmarks before options are read here.
 void add_bench(CLI::App& program) {
-  program.add_subcommand("bench",
-                         "Measure how long a tick takes here (has options: stylet bench --help)");
+  program.add_subcommand(
+      "bench", "Measure how long a tick takes on this machine (options: stylet bench --help)");
 }
 
 constexpr const char* kFooter =
-    "Examples:\n"
-    "  stylet run fig09-force-curve.toml --organ liver.organ --record out.h5\n"
-    "  stylet plot out.h5 -o force.svg\n"
-    "  stylet run fig09-force-curve.toml --organ liver.organ --console\n"
-    "  stylet console out.h5\n"
-    "  stylet replay out.h5\n"
-    "  stylet score out.h5\n"
-    "  stylet bench liver.organ\n"
-    "  stylet doctor --measure 60\n"
-    "  stylet devices\n"
-    "  stylet station hd: 192.168.0.5:7755\n"
-    "Exit codes: 0 ok, 1 a file was refused, 2 wrong usage, 3 a device's fault, other bits or a\n"
-    "doubtful machine, 4 a machine not fit for real time";
+    "Examples:\n  stylet run fig09-force-curve.toml --organ liver.organ --record out.h5\n  stylet "
+    "plot out.h5 -o force.svg\n  stylet run fig09-force-curve.toml --organ liver.organ --console\n "
+    " stylet console out.h5\n  stylet replay out.h5\n  stylet score out.h5\n  stylet bench "
+    "liver.organ\n  stylet doctor --measure 60\n  stylet devices\n  stylet station hd: "
+    "192.168.0.5:7755\nExit codes: 0 done, 1 a file or device was refused, 2 wrong usage, 3 a "
+    "fault during the run, a\nreplay with other results or a doubtful machine, 4 a machine not fit "
+    "for real time";
 
 int dispatch(int argc, char** argv) {
-  CLI::App program("Haptic needle insertion: runs scenes, repeats and draws recordings", "stylet");
+  CLI::App program("Haptic needle insertion: runs scenes, repeats and draws their recordings",
+                   "stylet");
   program.set_version_flag("--version", STYLET_VERSION);
   cli::add_text_options(program, "stylet " STYLET_VERSION);
   program.require_subcommand(0, 1);
@@ -364,7 +369,7 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     (void)std::fprintf(stderr, "stylet: %s\n", error.what());
   } catch (...) {
-    (void)std::fputs("stylet: something was thrown that is no error\n", stderr);
+    (void)std::fputs("stylet: an exception of unknown type was thrown\n", stderr);
   }
   return stylet::app::leave(stylet::app::kExitRefused);
 }

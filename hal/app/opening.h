@@ -29,8 +29,8 @@ inline void tell_of_opened(const std::string& uri, const hal::Device& device) {
   const int error = hal::device_priority_refused();
   if (error == 0) return;
   fmt::print(stderr,
-             "stylet: {}: SCHED_FIFO priority {} of its thread refused ({}): samples and forces "
-             "wait for whatever else runs; stylet doctor has the remedy\n",
+             "stylet: {}: SCHED_FIFO priority {} of its thread was refused ({}): its samples and "
+             "forces may come late; stylet doctor says what to do\n",
              uri, hal::kDevicePriority, std::strerror(error));
 }
 

@@ -74,8 +74,8 @@ int play_back(const PlaybackOptions& options) {
       hal::load_recorded_organ(options.recording, info, options.organ));
   if (info.lost_records > 0 || recording.ticks() == 0) {
     throw hal::RecordingError(
-        fmt::format("{}: lost_records: {}, ticks: {}: a recording with gaps, or with nothing in "
-                    "it, cannot be played",
+        fmt::format("{}: lost_records: {}, ticks: {}: expected a recording without gaps and with "
+                    "at least one tick",
                     options.recording, info.lost_records, recording.ticks()));
   }
   const auto curve = console::read_curve(recording);

@@ -232,10 +232,10 @@ std::string strength_text(const RunReport& report) {
       asked_n = std::max(asked_n, std::fabs(static_cast<double>(row.peak_force_n)));
     }
     text += fmt::format(
-        "too weak    needle {}: in {} of {} ticks more was asked than the {:g} N it may give; the "
-        "tissue's force on the needle was up to {:.2f} N along it. The hand goes further than the "
-        "scene's would, and the needle lags behind it: a stronger device, or mapping.force_scale "
-        "below 1\n",
+        "too weak    needle {}: in {} of {} ticks the force was cut to the {:g} N that the device "
+        "may give; along the needle the tissue's force was up to {:.2f} N. The hand goes further "
+        "than with a stronger device, and the needle lags behind it: expected a stronger device, "
+        "or mapping.force_scale below 1\n",
         i, limited, report.loop->ticks, static_cast<double>(report.most_force_n[i]), asked_n);
   }
   return text;
@@ -258,8 +258,8 @@ double dimple_voxels(const RunReport& report) {
 std::string inertia_text(const Resonance& of) {
   if (!(of.departs_hz < kFastestHandHz)) return "";
   return fmt::format(
-      "inertia     first resonance {:.3g} Hz, really {:.3g}: the force on a hand may be a tenth "
-      "off from {:.2g} Hz on\n",
+      "inertia     first resonance {:.3g} Hz, of the tissue itself {:.3g} Hz: above {:.2g} Hz the "
+      "force on a moving hand may be off by a tenth\n",
       of.stepped_hz, of.real_hz, of.departs_hz);
 }
 
@@ -271,21 +271,21 @@ std::string resolution_text(const RunReport& report) {
   std::string text;
   if (shortfall > kNoShortfall) {
     text += fmt::format(
-        "softer      a particle held its tissue {:.0f} % softer than the material: finer voxels\n",
+        "softer      the lattice held a particle of the needle {:.0f} % more softly than the "
+        "material would: expected finer voxels\n",
         100 * shortfall);
   }
   const double unit = static_cast<double>(report.stats.unit_in_voxels);
   if (unit > 1) {
     text += fmt::format(
-        "unit        {:.2g} voxels long: the shaft is 10 to 26 % too soft sideways, at most {:.3g} "
-        "mm "
-        "is right\n",
+        "unit        the needle's unit is {:.2g} voxels long, so that the shaft is 10 to 26 % too "
+        "soft sideways: expected a unit of at most {:.3g} mm\n",
         unit, 1e3 * static_cast<double>(report.voxel_edge_m));
   }
   if (dimple > kShallowVoxels) {
     text += fmt::format(
-        "dimple      {:.1f} voxels deep: the tissue below it is softer in finer voxels, forces by "
-        "some per cent\n",
+        "dimple      {:.1f} voxels deep: with finer voxels the tissue below it, and by some per "
+        "cent the force, would be softer\n",
         dimple);
   }
   return text;

@@ -81,7 +81,7 @@ std::string recording_name(const RunOptions& options) {
   if (options.record.empty() || options.force) return options.record;
   std::string name = hal::kept_name(options.record);
   if (name != options.record) {
-    fmt::print(stderr, "stylet: {} is there already and stays: this one is {} (--force: over it)\n",
+    fmt::print(stderr, "stylet: {} exists and is kept: this recording is {} (--force overwrites)\n",
                options.record, name);
   }
   return name;
@@ -123,10 +123,8 @@ int replay_recording(const ReplayOptions& options) {
   const hal::RecordingInfo& info = recording.info();
   const hal::OrganFile organ = hal::load_recorded_organ(options.recording, info, options.organ);
   if (info.lost_records > 0) {
-    throw hal::RecordingError(
-        fmt::format("{}: lost_records: {}: a recording with gaps cannot be "
-                    "replayed",
-                    options.recording, info.lost_records));
+    throw hal::RecordingError(fmt::format("{}: lost_records: {}: expected a recording without gaps",
+                                          options.recording, info.lost_records));
   }
   hal::KernelInstance instance(organ.organ, info.config, info.obstacles);
   const bool show = terminal_rewrites_lines();
@@ -141,7 +139,9 @@ int replay_recording(const ReplayOptions& options) {
   }
   if (result.same) {
     fmt::print("same bits: {} ticks, state hash {:016x}{}\n", result.ticks, result.state_hash,
-               info.unfinished ? " (the recording was not finished: to its last whole block)" : "");
+               info.unfinished
+                   ? " (the recording was not finished: compared up to its last whole block)"
+                   : "");
     return kExitOk;
   }
   fmt::print("differs: tick {}, {}: recorded {}, replayed {}\n", result.tick, result.field,

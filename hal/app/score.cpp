@@ -49,7 +49,7 @@ std::vector<std::string> recorded_layers(const std::string& path, const hal::Rec
     return layer_names(hal::load_recorded_organ(path, info, organ).organ);
   } catch (const hal::LoadError& error) {
     if (!organ.empty()) throw;
-    fmt::print(stderr, "stylet: note: layers have no names: {}\n", error.what());
+    fmt::print(stderr, "stylet: note: layers have numbers instead of names: {}\n", error.what());
     return {};
   }
 }
@@ -64,7 +64,8 @@ ScoredAttempt attempt_of(const std::string& path, const ScoreOptions& options) {
   attempt.layers = recorded_layers(path, info, options.organ);
   attempt.score = score_of(recording, attempt.targets);
   if (info.lost_records > 0) {
-    fmt::print(stderr, "stylet: note: {}: {} ticks are not in it, and not in its score\n", path,
+    fmt::print(stderr,
+               "stylet: note: {}: {} ticks were not recorded and do not count in the score\n", path,
                info.lost_records);
   }
   return attempt;

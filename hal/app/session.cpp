@@ -35,8 +35,9 @@ std::string beside(const std::string& file, const std::string& path) {
 void attach_devices(Session& s) {
   const std::vector<std::string>& uris = s.options.devices;
   if (uris.size() > s.scene.hands.size()) {
-    throw hal::SceneError(fmt::format("--device: {}: expected at most {}, one a needle of {}",
-                                      uris.back(), s.scene.hands.size(), s.scene.file));
+    throw hal::SceneError(
+        fmt::format("--device: {}: expected at most {}, one for each needle of {}", uris.back(),
+                    s.scene.hands.size(), s.scene.file));
   }
   for (std::size_t i = 0; i < uris.size(); ++i) {
     if (const std::string expected = hal::device_uri_fault(uris[i]); !expected.empty()) {
@@ -54,12 +55,12 @@ void attach_devices(Session& s) {
     const std::int64_t period_ns = std::llround(static_cast<double>(s.scene.config.period_s) * 1e9);
     const bool renders = hand.device == "attached" && hal::device_renders(hand.uri);
     if (renders && period_ns > hal::kLongestDevicePeriodNs) {
-      throw hal::SceneError(fmt::format(
-          "{}: loop.period_us: {:g}: expected at most {:g} with {}: its motors take an order for "
-          "fresh for {:g} us, and one lost tick must not be felt",
-          s.scene.file, static_cast<double>(period_ns) * 1e-3,
-          static_cast<double>(hal::kLongestDevicePeriodNs) * 1e-3, hand.uri,
-          static_cast<double>(hal::kOrderFreshNs) * 1e-3));
+      throw hal::SceneError(
+          fmt::format("{}: loop.period_us: {:g}: expected at most {:g} with {}: its motors drop an "
+                      "order after {:g} us, and one lost tick must not be felt",
+                      s.scene.file, static_cast<double>(period_ns) * 1e-3,
+                      static_cast<double>(hal::kLongestDevicePeriodNs) * 1e-3, hand.uri,
+                      static_cast<double>(hal::kOrderFreshNs) * 1e-3));
     }
   }
 }
@@ -71,9 +72,10 @@ void choose_processors(Session& s) {
   if (s.options.fast) return;
   s.processors = hal::loop_processors(s.scene.cpu);
   if (s.scene.threads <= s.processors.size()) return;
-  throw hal::SceneError(fmt::format(
-      "{}: loop.threads: {}: at most {}, a processor of this machine for each; --fast takes any",
-      s.scene.file, s.scene.threads, s.processors.size()));
+  throw hal::SceneError(
+      fmt::format("{}: loop.threads: {}: expected at most {}, so that each has a processor of this "
+                  "machine; --fast takes any number",
+                  s.scene.file, s.scene.threads, s.processors.size()));
 }
 
 // A scene's own organ may not exist yet: the scene's file says how it is made.
@@ -107,8 +109,8 @@ void load(Session& s) {
   }
   attach_devices(s);
   if (s.options.organ.empty() && s.scene.organ_path.empty()) {
-    throw hal::SceneError(
-        fmt::format("{}: organ.path: missing: an organ file, here or by --organ", s.scene.file));
+    throw hal::SceneError(fmt::format(
+        "{}: organ.path: missing: expected an organ file, here or by --organ", s.scene.file));
   }
   s.organ = std::make_shared<hal::OrganFile>(hal::load_organ(organ_path(s)));
   s.sources.resize(s.scene.hands.size());
@@ -251,11 +253,11 @@ void note_device_threads(Session& s) {
   const int error = hal::device_priority_refused();
   if (error == 0 || s.told_of_threads) return;
   s.told_of_threads = true;
-  s.host.report.notes.push_back(fmt::format(
-      "SCHED_FIFO priority {} of a device's thread refused ({}): its samples and forces wait for "
-      "whatever else runs; put \"@realtime - rtprio {}\" into /etc/security/limits.conf and your "
-      "user into the group realtime",
-      hal::kDevicePriority, std::strerror(error), hal::kDevicePriority));
+  s.host.report.notes.push_back(
+      fmt::format("SCHED_FIFO priority {} of a device's thread was refused ({}): its samples and "
+                  "forces may come late; put \"@realtime - rtprio {}\" into "
+                  "/etc/security/limits.conf and your user into the group realtime",
+                  hal::kDevicePriority, std::strerror(error), hal::kDevicePriority));
 }
 
 void take_guards(const Session& s, Attempt& a) {

@@ -29,7 +29,7 @@ bool contained(const char* who, Work&& work) noexcept {
   } catch (const std::exception& error) {
     tell_escape(who, error.what());
   } catch (...) {
-    tell_escape(who, "something was thrown that is no error");
+    tell_escape(who, "an exception of unknown type was thrown");
   }
   return false;
 }

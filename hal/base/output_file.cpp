@@ -40,8 +40,8 @@ void check_output(const std::string& path, std::span<const std::string> inputs) 
   }
   for (const std::string& input : inputs) {
     if (!input.empty() && fs::equivalent(path, input, error) && !error) {
-      throw std::runtime_error(
-          fmt::format("{}: is read by this command, too: expected another name", path));
+      throw std::runtime_error(fmt::format(
+          "{}: this command reads this file, too: expected another name for what it writes", path));
     }
   }
 }

@@ -19,7 +19,7 @@ namespace stylet::hal {
 using Bytes = std::vector<std::byte>;
 
 struct PackingError : std::runtime_error {
-  PackingError() : std::runtime_error("a message of another process that is none") {}
+  PackingError() : std::runtime_error("a damaged message from another process") {}
 };
 
 class Packer {

@@ -380,7 +380,7 @@ int side_seat(const char* role, SideWork work, bool outlives) {
   } catch (const std::exception& error) {
     say_last(memory.bytes(), error.what());
   } catch (...) {
-    say_last(memory.bytes(), "something was thrown that is no error");
+    say_last(memory.bytes(), "an exception of unknown type was thrown");
   }
   return 1;
 }

@@ -92,7 +92,7 @@ bool same_secret(std::string_view a, std::string_view b) {
 std::string new_token() {
   std::array<unsigned char, 16> bytes;
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    throw std::runtime_error("no random numbers from the system for a token");
+    throw std::runtime_error("the system gave no random numbers for a token");
   }
   std::string text;
   for (const unsigned char each : bytes) {

@@ -169,7 +169,7 @@ std::string Server::Impl::take_order(const PageLink& link, Order order) {
   }
   const std::size_t most = mark ? kMaxMarkBytes : kMaxNameBytes;
   if (order.verb != Verb::kChoose && order.text.size() > most) {
-    return fmt::format("a text of {} bytes: at most {}", order.text.size(), most);
+    return fmt::format("a text of {} bytes: expected at most {}", order.text.size(), most);
   }
   if (mark) {
     order.tick = present_tick();

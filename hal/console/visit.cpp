@@ -67,7 +67,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
         return reply(200, "text/plain; version=0.0.4; charset=utf-8", text_);
       case Place::kSocket:
         if (!beast::websocket::is_upgrade(request))
-          return reply(400, "text/plain", "only a WebSocket");
+          return reply(400, "text/plain", "expected a WebSocket connection");
         std::make_shared<PageLink>(std::move(stream_), server_, seat_)->start(request);
     }
   }

@@ -55,8 +55,8 @@ Finding finding_of(const Check& check, const Seen& seen, const Patient& patient)
 Finding device_priority(const Patient& patient) {
   static constexpr Check kPriority = {
       "device priority", Verdict::kWarn, nullptr,
-      "put \"@realtime - rtprio 90\" into /etc/security/limits.conf: threads that talk to "
-      "devices run above the loop, or samples and forces wait for whatever else runs"};
+      "put \"@realtime - rtprio 90\" into /etc/security/limits.conf: threads that talk to devices "
+      "must run above the loop, or samples and forces come late"};
   const Trial& trial = patient.trials->device_fifo;
   const string value = trial.granted
                            ? fmt::format("SCHED_FIFO {} granted", kDevicePriority)
@@ -68,8 +68,8 @@ Finding device_priority(const Patient& patient) {
 Finding device_watchdog(const Patient& patient) {
   static constexpr Check kWatchdog = {
       "device watchdog", Verdict::kWarn, nullptr,
-      "take the newest SDK and firmware: without it a driver that hangs keeps its force until this "
-      "program switches it off, and for good if that hangs, too"};
+      "install the newest SDK and firmware: without a watchdog the force of a driver that hangs "
+      "stays until this program switches it off, and for good if this program hangs, too"};
   const bool taken = *patient.trials->watchdog;
   const Seen seen = {taken ? State::kGood : State::kBad, taken ? "taken" : "refused",
                      "dhdSetWatchdog"};
@@ -181,8 +181,8 @@ std::vector<Finding> compare_disturbances(const Patient& patient, const Disturba
                                           const Disturbances& after, double seconds) {
   static constexpr Check kInterrupts = {
       "interrupts", Verdict::kWarn, nullptr,
-      "see isolation and interrupt routing; TLB and CAL come from other threads of this program's "
-      "memory, RES from the scheduler"};
+      "see isolation and interrupt routing; TLB and CAL come from other threads that share this "
+      "program's memory, RES from the scheduler"};
   static constexpr Check kFirmware = {
       "firmware interrupts", Verdict::kWarn, nullptr,
       "modprobe msr and run as root to count them; switch off power management and legacy USB in "

@@ -220,7 +220,8 @@ Seen pcie_sleep(const Patient&, const HostTree& tree) {
 constexpr Check kChecks[] = {
     {"RT kernel", Verdict::kFail, preempt_rt, "install linux-image-rt-amd64 and boot it"},
     {"virtual machine", Verdict::kWarn, virtual_machine,
-     "use the machine itself: its timing here is up to the host, and says nothing"},
+     "run without a virtual machine: here timing is up to the host, and says nothing of the "
+     "machine"},
     {"clock resolution", Verdict::kFail, clock_resolution,
      "boot a kernel with CONFIG_HIGH_RES_TIMERS, without highres=off"},
     {"clock source", Verdict::kFail, clock_source,
@@ -236,7 +237,8 @@ constexpr Check kChecks[] = {
      "never gets there"},
     {"swap", Verdict::kWarn, swap, "swapoff -a, and take swap out of /etc/fstab"},
     {"huge pages", Verdict::kWarn, huge_pages,
-     "boot with transparent_hugepage=madvise: merging pages stops who uses them"},
+     "boot with transparent_hugepage=madvise: while pages are merged, whoever uses them has to "
+     "wait"},
     {"page merging", Verdict::kWarn, same_page_merging, "echo 0 > /sys/kernel/mm/ksm/run"},
     {"compaction", Verdict::kWarn, compaction, "sysctl vm.compaction_proactiveness=0"},
     {"lockup detectors", Verdict::kWarn, lockup_detectors,
@@ -249,7 +251,7 @@ constexpr Check kChecks[] = {
      "boot with efi=noruntime: a call of the firmware stops every processor"},
     {"mitigations", Verdict::kInfo, mitigations, ""},
     {"PCIe sleep", Verdict::kInfo, pcie_sleep,
-     "boot with pcie_aspm.policy=performance: a sleeping link answers late"},
+     "boot with pcie_aspm.policy=performance: a link that sleeps answers late"},
 };
 
 }  // namespace

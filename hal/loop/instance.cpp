@@ -30,9 +30,9 @@ KernelInstance::KernelInstance(const Organ& organ, const Config& config,
       const double bytes = static_cast<double>(predicted.model_bytes) +
                            static_cast<double>(predicted.state_bytes) +
                            static_cast<double>(predicted.scratch_bytes);
-      throw LoadError(
-          fmt::format("organ \"{}\": {} voxels need {:.0f} MB: expected as much memory here",
-                      organ.name, organ.voxel_count, 1e-6 * bytes));
+      throw LoadError(fmt::format(
+          "organ \"{}\": {} voxels need {:.0f} MB: expected so much free memory on this machine",
+          organ.name, organ.voxel_count, 1e-6 * bytes));
     }
     status = create(organ, config,
                     {{model_.get(), predicted.model_bytes},
@@ -42,8 +42,8 @@ KernelInstance::KernelInstance(const Organ& organ, const Config& config,
   }
   if (status == Status::kOk) status = set_obstacles(kernel, obstacles);
   if (status != Status::kOk) {
-    throw LoadError(fmt::format("organ \"{}\": {} voxels: kernel cannot be made: {}", organ.name,
-                                organ.voxel_count, status_name(status)));
+    throw LoadError(fmt::format("organ \"{}\": {} voxels: the kernel cannot be created: {}",
+                                organ.name, organ.voxel_count, status_name(status)));
   }
 }
 

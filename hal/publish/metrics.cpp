@@ -83,18 +83,17 @@ void metrics_add(MetricNumbers& metrics, const TickRecord& record) {
 }
 
 std::string metrics_text(const Metrics& m) {
-  std::string text = head("stylet_info", "gauge", "What runs.") +
+  std::string text = head("stylet_info", "gauge", "What is running.") +
                      fmt::format("stylet_info{{version=\"{}\",scene=\"{}\"}} 1\n", label(m.version),
                                  label(m.scene));
   text += gauge("stylet_running", "1 while the loop ticks.", m.running ? 1 : 0);
   text += gauge("stylet_period_seconds", "Time from tick to tick.", m.period_s);
   text += counter("stylet_attempts_total", "Runs begun.", m.attempts);
   text += counter("stylet_ticks_total", "Ticks done.", m.ticks);
-  text += counter("stylet_missed_ticks_total", "Grid points passed over.", m.missed_ticks);
+  text += counter("stylet_missed_ticks_total", "Periods that the loop missed.", m.missed_ticks);
   text += histogram("stylet_tick_duration_seconds",
-                    "From reading the device to the force being written.", m.tick_time);
-  text += histogram("stylet_wakeup_lateness_seconds", "Wake-up of the loop after the grid point.",
-                    m.lateness);
+                    "Time from reading the device until its force is written.", m.tick_time);
+  text += histogram("stylet_wakeup_lateness_seconds", "How late the loop wakes up.", m.lateness);
   text += faults(m);
   text += counter("stylet_lost_records_total", "Ticks that did not fit into the recorder's queue.",
                   m.lost_records);

@@ -35,9 +35,10 @@ OrganFile load_organ(const std::string& path) {
                                 refusal.expected));
   }
   if (!has_its_bytes(file.bytes, file.organ)) {
-    throw LoadError(fmt::format(
-        "{}: content_sha256: not that of its bytes: expected the file as stylet-organ wrote it",
-        path));
+    throw LoadError(
+        fmt::format("{}: content_sha256: not the sum of its bytes, some byte has changed: expected "
+                    "the file as stylet-organ wrote it",
+                    path));
   }
   return file;
 }

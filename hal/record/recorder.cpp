@@ -54,7 +54,7 @@ void Recorder::work() try {
   (void)contained("recorder", [&] { error_ = error.what(); });
   failed_.store(true, std::memory_order_release);
 } catch (...) {
-  error_ = "not an error";  // as above
+  error_ = "unknown error";  // as above
   failed_.store(true, std::memory_order_release);
 }
 

@@ -186,8 +186,7 @@ std::string RecorderProcess::finish(std::uint64_t state_hash, std::uint64_t lost
                     [](Packer& to, const Mark& mark) { to.put(mark.tick).put(mark.text); });
   const std::optional<Bytes> answer = ask(question);
   if (!answer) return "the recording was not completed: its recorder has ended";
-  std::string error =
-      "the recording was not completed: its recorder gave no answer that can be read";
+  std::string error = "the recording was not completed: the answer of its recorder cannot be read";
   try {
     Unpacker(*answer).get(error);
   } catch (const PackingError&) {

@@ -88,9 +88,9 @@ RecordingReader::RecordingReader(const std::string& path) {
   std::uint32_t version = 0;
   reader.number("format_version", ColumnType::kUint32, 1, &version);
   if (version != kFormatVersion) {
-    fail(
-        path, "format_version",
-        fmt::format("{}: expected {}; record it again with this program", version, kFormatVersion));
+    fail(path, "format_version",
+         fmt::format("{}: expected {}: make the recording again with this program", version,
+                     kFormatVersion));
   }
   visit_attributes(reader, file_->info);
   visit_optional_texts(reader, file_->info);

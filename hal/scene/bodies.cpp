@@ -45,7 +45,7 @@ Gauge read_gauge(Section& needle) {
   (void)needle.get("preset");
   if (needle.has("od_mm") && needle.has(key)) needle.fail(key, "either gauge or od_mm");
   if (!needle.has("od_mm") && needle.has("id_mm")) {
-    needle.fail("id_mm", "only with od_mm: a gauge has its own");
+    needle.fail("id_mm", "this key only with od_mm, as a gauge has its own");
   }
   const std::string name = needle.choice(key, "18G", names);
   Gauge gauge = {};
@@ -77,10 +77,10 @@ void read_tip(Section& needle, NeedleConfig& config) {
       si(needle.number("half_angle_deg", 15, 5, 80), std::numbers::pi / 180);
   const std::string tip = needle.choice("tip", "conical", {"conical", "diamond", "bevel", "bent"});
   if (tip != "bevel" && needle.has("curvature_per_m")) {
-    needle.fail("curvature_per_m", "only with tip = \"bevel\"");
+    needle.fail("curvature_per_m", "this key only with tip = \"bevel\"");
   }
   for (const char* key : {"bent_length_mm", "bent_angle_deg"}) {
-    if (tip != "bent" && needle.has(key)) needle.fail(key, "only with tip = \"bent\"");
+    if (tip != "bent" && needle.has(key)) needle.fail(key, "this key only with tip = \"bent\"");
     (void)needle.get(key);
   }
   const double curvature =
@@ -113,10 +113,10 @@ void read_shape(Section& section, const std::string& scene_file, ObstacleConfig&
       {{"box", "size_mm"}, {"sphere", "radius_mm"}, {"hull", "hull"}}};
   for (const auto& [of, key] : sizes) {
     if (shape != of && section.has(key)) {
-      section.fail(key, fmt::format("only with shape = \"{}\"", of));
+      section.fail(key, fmt::format("this key only with shape = \"{}\"", of));
     }
     if (shape == of && !section.has(key)) {
-      section.fail(key, fmt::format("needed with shape = \"{}\"", of));
+      section.fail(key, fmt::format("this key, as shape is \"{}\"", of));
     }
     (void)section.get(key);
   }
@@ -133,7 +133,7 @@ ObstacleConfig read_obstacle(Section section, const std::string& scene_file,
                              std::vector<std::string>& hulls_out) {
   ObstacleConfig config;
   read_shape(section, scene_file, config, hulls_out);
-  if (!section.has("at_mm")) section.fail("at_mm", "where the body is: a list of 3 numbers");
+  if (!section.has("at_mm")) section.fail("at_mm", "a list of 3 numbers: where the body is");
   config.pose.position_m = si(section.numbers<3>("at_mm", {}, -1000, 1000), 1e-3);
   config.pose.rotation = turned(section.numbers<3>("turn_deg", {}, -360, 360));
   config.stiffness_n_per_m = si(section.number("stiffness_n_per_mm", 20, 1e-3, 1000), 1e3);
@@ -152,7 +152,7 @@ Target read_target(Section section) {
       std::any_of(target.name.begin(), target.name.end(), control)) {
     section.fail("name", fmt::format("a text of 1 to {} bytes in one line", kLongestName));
   }
-  if (!section.has("at_mm")) section.fail("at_mm", "where its middle is: a list of 3 numbers");
+  if (!section.has("at_mm")) section.fail("at_mm", "a list of 3 numbers: where its middle is");
   target.position_m = si(section.numbers<3>("at_mm", {}, -2000, 2000), 1e-3);
   target.radius_m = si(section.needed_number("radius_mm", 0.1, 1000), 1e-3);
   target.forbidden = section.flag("forbidden", false);
@@ -225,12 +225,12 @@ BreathingConfig read_breathing(Section breathing) {
   const double most = in_mm(kMaxBreathM);
   const auto a = breathing.numbers<3>("amplitude_mm", {}, -most, most);
   if (a[0] * a[0] + a[1] * a[1] + a[2] * a[2] > most * most) {
-    breathing.fail("amplitude_mm", fmt::format("at most {} mm long", most));
+    breathing.fail("amplitude_mm", fmt::format("a way of at most {} mm", most));
   }
   config.amplitude_m = si(a, 1e-3);
   config.period_s = static_cast<float>(breathing.number("period_s", 4, 0.1, 1000));
   if (breathing.has("period_s") && !breathing.has("amplitude_mm")) {
-    breathing.fail("amplitude_mm", "how far the attachments move: a list of 3 numbers");
+    breathing.fail("amplitude_mm", "a list of 3 numbers: how far the attachments move");
   }
   breathing.finish();
   return config;

@@ -36,8 +36,8 @@ void read_dynamics(Section& device, float period_s, DeviceDynamics& motion) {
   motion.delay_s = si(device.number("delay_ms", of(motion.delay_s) * 1e3, 0, 100), 1e-3);
   const double most_ms = kMaxDelayTicks * of(period_s) * 1e3;
   if (of(motion.delay_s) * 1e3 > most_ms * 1.0001) {
-    device.fail("delay_ms", fmt::format("at most {} periods, {:g}; it is {:g}", kMaxDelayTicks,
-                                        most_ms, of(motion.delay_s) * 1e3));
+    device.fail("delay_ms", fmt::format("at most {} periods of the loop, {:g} ms; it is {:g} ms",
+                                        kMaxDelayTicks, most_ms, of(motion.delay_s) * 1e3));
   }
 }
 

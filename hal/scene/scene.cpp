@@ -58,7 +58,7 @@ void read_device_kind(Section& device, Hand& out) {
   out.device = device.choice("kind", "simulated", {"simulated", "steered", "replay"});
   out.replay_path = device.text("recording", "");
   if ((out.device == "replay") == out.replay_path.empty()) {
-    device.fail("recording", "a recording to play, with kind = \"replay\" and only there");
+    device.fail("recording", "a recording to play if kind is \"replay\", and none otherwise");
   }
   const std::string uri = device.text("uri", "");
   if (!device.has("uri")) return;
@@ -79,16 +79,19 @@ void read_device(Section& device, const Config& config, Hand& out) {
 void read_spin(Section& section, const Waypoint& last, Waypoint& w) {
   w.turns = static_cast<float>(section.number("turns", 0, -10000, 10000));
   w.duty = static_cast<float>(section.number("duty", 1, 0.05, 1));
-  if (section.has("duty") && !section.has("turns")) section.fail("duty", "only with turns");
+  if (section.has("duty") && !section.has("turns"))
+    section.fail("duty", "this key only with turns");
   const double turns = std::fabs(static_cast<double>(w.turns));
   if (w.duty < 1 && turns != std::floor(turns)) {
     section.fail("turns", "a whole number where duty is below 1");
   }
   const double most = static_cast<double>(kMaxHandleSpinRadPerS) / (2 * std::numbers::pi);
   if (turns > most * static_cast<double>(w.duty) * seconds_between(last, w)) {
-    section.fail("turns", fmt::format("at most {:.2f} in a second of rolling, which is duty times "
-                                      "the time of the way",
-                                      most));
+    section.fail(
+        "turns",
+        fmt::format(
+            "at most {:.2f} for each second of rolling, which lasts duty times the time of the way",
+            most));
   }
 }
 
@@ -107,9 +110,10 @@ Waypoint read_waypoint(Section section, const Waypoint& last) {
   const bool moves = section.has("travel_mm") || section.has("lateral_mm") || section.has("turns");
   const int paces = (section.has("speed_mm_s") ? 1 : 0) + (section.has("time_s") ? 1 : 0);
   if (moves && paces != 1) {
-    section.fail("speed_mm_s", "a waypoint that moves has either speed_mm_s or time_s");
+    section.fail("speed_mm_s", "either speed_mm_s or time_s, as this waypoint moves");
   }
-  if (!moves && paces != 0) section.fail("travel_mm", "a waypoint with a pace needs a place to go");
+  if (!moves && paces != 0)
+    section.fail("travel_mm", "a place to go to, as this waypoint has speed_mm_s or time_s");
   read_spin(section, last, w);
   section.finish();
   return w;
@@ -138,8 +142,7 @@ void read_steering(Section section, const NeedleConfig& needle, Hand& out) {
   const bool steered = out.device == "steered";
   if (steered != section.has("target_mm")) {
     section.fail("target_mm",
-                 "a point [x, y, z] to reach, with device.kind = \"steered\" and only "
-                 "there");
+                 "a point [x, y, z] to reach if device.kind is \"steered\", and none otherwise");
   }
   for (const auto& via : section.points("via_mm", 1, 16, -2000, 2000)) {
     steering.targets_m.push_back(si(via, 1e-3));
@@ -148,7 +151,8 @@ void read_steering(Section section, const NeedleConfig& needle, Hand& out) {
   steering.speed_m_per_s = si(section.number("speed_mm_per_s", 5, 0.01, 1000), 1e-3);
   const float bevel_per_m = needle.bevel_per_m;
   if (steered && !(bevel_per_m > 0) && !section.has("curvature_per_m")) {
-    section.fail("curvature_per_m", "of the path towards the bevel: the needle's tip has none");
+    section.fail("curvature_per_m",
+                 "a curvature of the path, as the needle's tip has no bevel that tells it");
   }
   steering.curvature_per_m = static_cast<float>(
       section.number("curvature_per_m", static_cast<double>(bevel_per_m), 0.01, 100));
@@ -306,7 +310,8 @@ Placement place_needle(const Scene& scene, const Organ& organ, std::uint32_t nee
   float distance = 0;
   if (!organ_raycast(organ, outside, direction, distance)) {
     throw SceneError(fmt::format(
-        "{}: approach: ({:g}, {:g}, {:g}) mm: a line along direction that meets the organ \"{}\"",
+        "{}: approach: ({:g}, {:g}, {:g}) mm: expected a line along direction that meets the organ "
+        "\"{}\"",
         scene.file, static_cast<double>(through.x) * 1e3, static_cast<double>(through.y) * 1e3,
         static_cast<double>(through.z) * 1e3, organ.name));
   }

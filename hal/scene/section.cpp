@@ -59,7 +59,7 @@ void Section::fail(const std::string& key, const std::string& allowed) const {
   const auto line = node != nullptr     ? node->source().begin.line
                     : table_ != nullptr ? table_->source().begin.line
                                         : 1U;
-  throw SceneError(one_line(fmt::format("{}:{}: {}: {}: {}", file_, line, full(key),
+  throw SceneError(one_line(fmt::format("{}:{}: {}: {}: expected {}", file_, line, full(key),
                                         node != nullptr ? value_text(*node) : "missing", allowed)));
 }
 
@@ -153,7 +153,7 @@ void Section::finish() const {
     if (known_.count(std::string(key.str())) == 0) {
       std::string all;
       for (const std::string& each : known_) all += (all.empty() ? "" : ", ") + each;
-      fail(std::string(key.str()), "unknown key; allowed here: " + all);
+      fail(std::string(key.str()), "one of the known keys " + all);
     }
   }
 }

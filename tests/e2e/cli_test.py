@@ -164,8 +164,8 @@ class Recording(Folder):
                  kept]
         done = call("stylet", *words, "--json")
         self.assertEqual(json.loads(done.stdout)["recording"], str(second))
-        self.assertEqual(done.stderr, f"stylet: {kept} is there already and stays: this one is "
-                                      f"{second} (--force: over it)\n")
+        self.assertEqual(done.stderr, f"stylet: {kept} exists and is kept: this recording is "
+                                      f"{second} (--force overwrites)\n")
         self.assertEqual(kept.read_bytes(), b"what cannot be had again")
         call("stylet", "replay", second)
         done = call("stylet", *words, "--json", "--force")
@@ -754,7 +754,7 @@ class Refusals(Folder):
         if len(os.sched_getaffinity(0)) >= 16:
             self.skipTest("this machine has a processor for each")
         done = call("stylet", "run", SCENE, "--organ", "none.organ", "--threads", "16", expect=1)
-        self.assertRegex(done.stderr, r"loop\.threads: 16: at most \d+, a processor")
+        self.assertRegex(done.stderr, r"loop\.threads: 16: expected at most \d+, so that each has")
         done = call("stylet", "run", SCENE, "--threads", "17", expect=1)
         self.assertIn("--threads: Value 17 not in range 1 to 16", done.stderr + done.stdout)
 

@@ -113,7 +113,7 @@ class Score(Attempts):
         done = call("stylet", "score", moved / "one.h5", "--scene", other)
         self.assertRegex(done.stdout, r"target seed +1\.0 mm reached")
         self.assertIn("layer 0", done.stdout)
-        self.assertRegex(done.stderr, r"^stylet: note: layers have no names: .*\n$")
+        self.assertRegex(done.stderr, r"^stylet: note: layers have numbers instead of names: .*\n$")
 
     def test_refusals_are_one_line(self):
         done = call("stylet", "score", self.top / "none.h5", expect=1)

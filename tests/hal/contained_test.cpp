@@ -22,7 +22,7 @@ TEST(Contained, LetsNothingOut) {
   testing::internal::CaptureStderr();
   EXPECT_FALSE(contained("test", [] { throw 28; }));
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
-            "stylet: test: something was thrown that is no error\n");
+            "stylet: test: an exception of unknown type was thrown\n");
   testing::internal::CaptureStderr();
   for (int i = 0; i < 100; ++i) (void)contained("test", [] { throw 28; });
   const std::string told = testing::internal::GetCapturedStderr();

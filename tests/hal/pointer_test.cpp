@@ -292,7 +292,7 @@ TEST_F(PointerTest, IsOpenedOnceAndOnlyWhereThereIsAPage) {
     }
     return "";
   };
-  EXPECT_EQ(refusal("pointer:0"), "pointer:0: it holds another needle already");
+  EXPECT_EQ(refusal("pointer:0"), "pointer:0: this pointer holds another needle already");
   EXPECT_EQ(refusal("pointer:3"), "");
   EXPECT_EQ(refusal("pointer:3"), "");
   EXPECT_EQ(refusal("pointer:4"), "pointer:4: expected a number from 0 to 3, or nothing");

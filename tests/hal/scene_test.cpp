@@ -156,7 +156,7 @@ TEST(Scene, WrongDevicesAndMappingsAreRefused) {
     const std::string error = error_of(text);
     EXPECT_NE(error.find(says), std::string::npos) << error;
   };
-  refused(attached("uri = \"phantom:\"\n", ""), "device.uri: 'phantom:': a device's URI");
+  refused(attached("uri = \"phantom:\"\n", ""), "device.uri: 'phantom:': expected a device's URI");
   refused(attached("uri = \"hd:\"\nkind = \"steered\"\n", ""), "either kind or uri");
   refused(attached("", "motion_scale = 0\n"), "mapping.motion_scale");
   refused(attached("", "clutch_button = 32\n"), "mapping.clutch_button");
@@ -186,20 +186,25 @@ void expect_refusals(std::initializer_list<Mistake> mistakes) {
 TEST(Scene, MistakesOfTheFileAndTheLoop) {
   expect_refusals({
       {"substeps = 2", "substep = 2",
-       "substep =", "loop.substep: 2: unknown key; allowed here: cpu"},
-      {"[tissue]", "[tisue]", "[tisue]", "unknown key; allowed here: approach"},
-      {"substeps = 2", "substeps = 2.5", "2.5", "loop.substeps: 2.5: a whole number from 1 to 32"},
+       "substep =", "loop.substep: 2: expected one of the known keys cpu"},
+      {"[tissue]", "[tisue]", "[tisue]", "expected one of the known keys approach"},
+      {"substeps = 2", "substeps = 2.5", "2.5",
+       "loop.substeps: 2.5: expected a whole number from 1 to 32"},
       {"substeps = 2", "inertia = \"none\"", "inertia", "added_mass"},
-      {"substeps = 2", "substeps = 0", "substeps", "0: a whole number from 1 to 32"},
-      {"cpu = 1", "threads = 0", "threads", "loop.threads: 0: a whole number from 1 to 16"},
-      {"cpu = 1", "threads = 17", "threads", "loop.threads: 17: a whole number from 1 to 16"},
+      {"substeps = 2", "substeps = 0", "substeps", "0: expected a whole number from 1 to 32"},
+      {"cpu = 1", "threads = 0", "threads",
+       "loop.threads: 0: expected a whole number from 1 to 16"},
+      {"cpu = 1", "threads = 17", "threads",
+       "loop.threads: 17: expected a whole number from 1 to 16"},
       {"cpu = 1", "threads = \"all\"", "threads", "a whole number from 1 to 16"},
       {"period_us = 500", "period_us = \"fast\"", "period_us", "a number from 10 to 10000"},
-      {"period_us = 500", "period_us = nan", "period_us", "nan: a number from 10 to 10000"},
+      {"period_us = 500", "period_us = nan", "period_us",
+       "nan: expected a number from 10 to 10000"},
       {"period_us = 500", "period_us = inf", "period_us", "a number from 10 to 10000"},
-      {"alpha = 0.25", "alpha = 1.25", "alpha", "paper.alpha: 1.25: a number from 0.001 to 1"},
+      {"alpha = 0.25", "alpha = 1.25", "alpha",
+       "paper.alpha: 1.25: expected a number from 0.001 to 1"},
       {"mode = \"paper\"", "mode = \"fast\"", "mode", "\"physical\" or \"paper\""},
-      {"mode = \"paper\"", "mode = 1", "mode", "mode: 1: a text in quotes"},
+      {"mode = \"paper\"", "mode = 1", "mode", "mode: 1: expected a text in quotes"},
       {"[hand]", "[hand", "[hand", "not TOML"},
   });
   EXPECT_THAT(error_of("loop = 3\n"), testing::StartsWith("s.toml:1: loop: 3: a table"));
@@ -213,7 +218,7 @@ TEST(Scene, MistakesOfNeedles) {
       {"unit_mm = 4", "unit_mm = 60", "unit_mm", "a number from 0.1 to 50"},
       {"unit_mm = 4", "id_mm = 0.3", "id_mm", "only with od_mm"},
       {"gauge = \"22G\"", "od_mm = 1\nid_mm = 1", "id_mm", "a number from 0 to 0.99"},
-      {"unit_mm = 4", "flexible = 1", "flexible", "needle.flexible: 1: true or false"},
+      {"unit_mm = 4", "flexible = 1", "flexible", "needle.flexible: 1: expected true or false"},
       {"unit_mm = 4", "rods = 129", "rods", "a whole number from 1 to 128"},
       {"unit_mm = 4", "half_angle_deg = 4.9", "half_angle_deg", "a number from 5 to 80"},
       {"unit_mm = 4", "tip = \"sharp\"", "tip", "\"bevel\" or \"bent\""},
@@ -230,17 +235,19 @@ TEST(Scene, MistakesOfObstaclesAndBreathing) {
       {"[guard]", "[breathing]\namplitude_mm = [80, 80, 0]\n[guard]", "amplitude_mm",
        "at most 100 mm long"},
       {"[guard]", "[[obstacles]]\nshape = \"cone\"\n[guard]", "cone", "\"box\" or \"sphere\""},
-      {"[guard]", "[[obstacles]]\nshape = \"box\"\n[guard]", "[[obst", "size_mm: missing: needed"},
+      {"[guard]", "[[obstacles]]\nshape = \"box\"\n[guard]", "[[obst",
+       "size_mm: missing: expected"},
       {"[guard]", "[[obstacles]]\nshape = \"sphere\"\nsize_mm = [1, 1, 1]\n[guard]", "size_mm",
        "only with shape = \"box\""},
       {"[guard]", "[[obstacles]]\nshape = \"sphere\"\nradius_mm = 3\n[guard]", "[[obst",
-       "at_mm: missing: where the body is"},
+       "at_mm: missing: expected a list of 3 numbers"},
   });
 }
 
 TEST(Scene, MistakesOfApproachDeviceAndGuard) {
   expect_refusals({
-      {"[0, 0, -2]", "[0, 0]", "direction", "approach.direction: [ 0, 0 ]: a list of 3 numbers"},
+      {"[0, 0, -2]", "[0, 0]", "direction",
+       "approach.direction: [ 0, 0 ]: expected a list of 3 numbers"},
       {"[0, 0, -2]", "[0.02, {a = 0.5}, []]", "direction",
        "approach.direction: [ 0.02, a table, [] ]: "},
       {"[0, 0, -2]", "[0, 0, 0]", "direction", "a direction that is not zero"},
@@ -252,7 +259,7 @@ TEST(Scene, MistakesOfApproachDeviceAndGuard) {
        "100: at least 200"},
       {"max_force_n = 4", "kind = \"omni\"", "omni", "\"steered\" or \"replay\""},
       {"max_force_n = 4", "kind = \"replay\"", "[device]", "device.recording: missing"},
-      {"[guard]", "[steering]\ntarget_mm = [1, 2, 3]\n[guard]", "target_mm", "only there"},
+      {"[guard]", "[steering]\ntarget_mm = [1, 2, 3]\n[guard]", "target_mm", "none otherwise"},
       {"[guard]", "[steering]\nvia_mm = [1, 2, 3]\n[guard]", "via_mm", "a list of 3 numbers"},
       {"max_force_n = 4", "max_stiffness_n_per_m = 1000\n[coupling]\nstiffness_n_per_m = 701",
        "stiffness_n_per_m = 701", "a number from 0 to 700"},
@@ -263,9 +270,9 @@ TEST(Scene, MistakesOfApproachDeviceAndGuard) {
 TEST(Scene, MistakesOfDeviceModelsAndGuardLimits) {
   expect_refusals({
       {"max_force_n = 4", "model = \"Touch\"", "Touch", "one of \"touch\", \"omni\""},
-      {"max_force_n = 4", "model = 3", "model", "model: 3: a text in quotes"},
+      {"max_force_n = 4", "model = 3", "model", "model: 3: expected a text in quotes"},
       {"max_force_n = 4", "continuous_force_n = 0", "continuous", "a number from 0.01 to 100"},
-      {"max_force_n = 4", "delay_ms = 9", "delay_ms", "at most 16 periods, 8; it is 9"},
+      {"max_force_n = 4", "delay_ms = 9", "delay_ms", "at most 16 periods of the loop, 8 ms"},
       {"max_force_n = 4", "resolution_mm = 2", "resolution", "a number from 0 to 1"},
       {"max_force_n = 4", "mass_g = -1", "mass_g", "a number from 0 to 10000"},
       {"max_force_n = 4", "friction_n = 11", "friction_n", "a number from 0 to 10"},
@@ -391,10 +398,11 @@ TEST(Scene, MistakesOfWaypoints) {
       {"time_s = 0.5", "", "lateral_mm", "either speed_mm_s or time_s", 1},
       {"time_s = 0.5", "time_s = 0.5\nspeed_mm_s = 3", "speed_mm_s = 3",
        "either speed_mm_s or time_s"},
-      {"lateral_mm = [2, -1]", "", "time_s", "needs a place to go", 2},
+      {"lateral_mm = [2, -1]", "", "time_s", "a place to go to", 2},
       {"time_s = 0.5", "time_s = 0.5\nduty = 0.5", "duty", "only with turns"},
       {"time_s = 0.5", "time_s = 0.5\nturns = 1.5\nduty = 0.5", "turns", "a whole number where"},
-      {"time_s = 0.5", "time_s = 0.5\nturns = -3\nduty = 0.5", "turns", "at most 9.55 in a second"},
+      {"time_s = 0.5", "time_s = 0.5\nturns = -3\nduty = 0.5", "turns",
+       "at most 9.55 for each second"},
   });
 }
 
@@ -520,7 +528,7 @@ TEST(Scene, WaypointsThatRoll) {
 
 TEST(Scene, SteeredHandNeedsATarget) {
   EXPECT_THAT(error_of(changed("max_force_n = 4", "kind = \"steered\"")),
-              testing::HasSubstr("steering.target_mm: missing: a point"));
+              testing::HasSubstr("steering.target_mm: missing: expected a point"));
   EXPECT_THAT(
       error_of(changed("max_force_n = 4", "kind = \"steered\"\n[steering]\ntarget_mm = [1, 2, 3]")),
       testing::HasSubstr("s.toml:22: steering.curvature_per_m: missing"));
@@ -591,7 +599,7 @@ TEST(Scene, SeveralNeedlesRefuse) {
 
 TEST(Scene, SimulatedHandNeedsAScript) {
   EXPECT_THAT(error_of("[hand]\nmass_g = 100\n"),
-              testing::HasSubstr("hand.waypoint: missing: at least one"));
+              testing::HasSubstr("hand.waypoint: missing: expected at least one"));
 }
 
 TEST(Scene, MissingFileIsNamed) {

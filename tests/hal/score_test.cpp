@@ -204,17 +204,20 @@ TEST(Targets, AreReadInMillimetres) {
 TEST(Targets, MistakesNameTheirLine) {
   const std::string good = "[[targets]]\nname = \"a\"\nat_mm = [0, 0, 0]\nradius_mm = 1\n";
   EXPECT_EQ(refusal(good), "");
-  EXPECT_EQ(refusal(good + good), "s.toml:6: targets.name: 'a': another name than those before");
+  EXPECT_EQ(refusal(good + good),
+            "s.toml:6: targets.name: 'a': expected another name than those before");
   EXPECT_EQ(refusal("[[targets]]\nname = \"a\"\nradius_mm = 1\n"),
-            "s.toml:1: targets.at_mm: missing: where its middle is: a list of 3 numbers");
+            "s.toml:1: targets.at_mm: missing: expected a list of 3 numbers: where its middle is");
   EXPECT_EQ(refusal("[[targets]]\nname = \"a\"\nat_mm = [0, 0, 0]\n"),
-            "s.toml:1: targets.radius_mm: missing: a number from 0.1 to 1000");
+            "s.toml:1: targets.radius_mm: missing: expected a number from 0.1 to 1000");
   EXPECT_EQ(refusal("[[targets]]\nname = \"\"\nat_mm = [0, 0, 0]\nradius_mm = 1\n"),
             "s.toml:2: targets.name: '': a text of 1 to 40 bytes in one line");
-  EXPECT_EQ(refusal(good + "colour = \"red\"\n"),
-            "s.toml:5: targets.colour: 'red': unknown key; allowed here: at_mm, forbidden, name, "
-            "radius_mm");
-  EXPECT_EQ(refusal(good + "forbidden = 1\n"), "s.toml:5: targets.forbidden: 1: true or false");
+  EXPECT_EQ(
+      refusal(good + "colour = \"red\"\n"),
+      "s.toml:5: targets.colour: 'red': expected one of the known keys at_mm, forbidden, name, "
+      "radius_mm");
+  EXPECT_EQ(refusal(good + "forbidden = 1\n"),
+            "s.toml:5: targets.forbidden: 1: expected true or false");
   std::string many;
   for (std::size_t i = 0; i <= kMaxTargets; ++i) {
     many += "[[targets]]\nname = \"" + std::to_string(i) + "\"\nat_mm = [0, 0, 0]\nradius_mm = 1\n";

@@ -393,7 +393,7 @@ TEST(Haply, ServiceThatAnswersNoPingIsRefused) {
     if (++said == 2) service.trouble(test::Trouble::kSilent);
   };
   const std::string refused = refusal(service.uri());
-  EXPECT_TRUE(says(refused, "answers no ping: expected a pong")) << refused;
+  EXPECT_TRUE(says(refused, "does not answer pings: expected a pong")) << refused;
 }
 
 double of(float value) {

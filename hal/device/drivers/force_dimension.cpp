@@ -233,7 +233,8 @@ void wait_for_sample(const DhdDevice& device, double patience_s) {
   const Patience patience(patience_s);
   while (!device.relay.measured()) {
     if (device.relay.failed() || patience.over()) {
-      throw DeviceError("dhd: it was opened, but gives no sample: check cable and power");
+      throw DeviceError(
+          "dhd: the device was opened, but gives no sample: check its cable and power");
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -246,9 +247,8 @@ void wait_for_forces(const DhdDevice& device, const std::string& index, double p
   while (!device.force_was_on.load()) {
     if (device.relay.failed() || patience.over()) {
       throw DeviceError(
-          fmt::format("dhd:{}: its forces are off, or it does not tell: press the force button on "
-                      "its base (its "
-                      "light shows them) and start again",
+          fmt::format("dhd:{}: its forces are off, or it does not say: press the force button on "
+                      "its base (its light shows whether forces are on) and start again",
                       index));
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -285,8 +285,8 @@ std::string trouble(void* self) {
 
 std::string note(void* self) {
   if (static_cast<DhdDevice*>(self)->watchdog) return "";
-  return "its firmware refuses the watchdog: when a call of the driver hangs, this program alone "
-         "switches its forces off; keep a hand at the force button on its base";
+  return "its firmware refuses the watchdog: if a call of the driver hangs, only this program can "
+         "switch the forces off; keep a hand at the force button on its base";
 }
 
 bool set_watchdog(const Api& api, char id, unsigned char periods) {

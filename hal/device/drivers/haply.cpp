@@ -252,10 +252,10 @@ void choose_grip(Haply& haply, const json& message, const std::string& rest) {
     haply.ids.grip = there[0];
     return;
   }
-  throw DeviceError(fmt::format(
-      "haply:{}: grip: {}: expected ,grip=ID of one that no other needle holds, or ,grip=none; the "
-      "service lists {}",
-      rest, wanted.empty() ? "several" : wanted, listed(listed_grips(message))));
+  throw DeviceError(
+      fmt::format("haply:{}: grip: {}: expected ,grip=ID with a grip that no other needle holds, "
+                  "or ,grip=none; the service lists {}",
+                  rest, wanted.empty() ? "several" : wanted, listed(listed_grips(message))));
 }
 
 std::string not_ready(const Haply& haply, const json& last, const std::string& wanted) {
@@ -275,7 +275,7 @@ const char* no_answer(const Haply& haply, const json& newest) {
   if (newest.is_null() || haply.link.ponged) {
     return "the service does not answer: systemctl restart haply-inverse-service";
   }
-  return "the service answers no ping: expected a pong to each, as RFC 6455 (5.5.2) asks of it";
+  return "the service does not answer pings: expected a pong to each, as RFC 6455 (5.5.2) demands";
 }
 
 // The first message is the inventory; then one answer comes to each of our messages, all of which
@@ -312,7 +312,7 @@ void configure(Haply& haply, const std::string& rest) {
   if (tell(haply.link, wanted, answer, kOpeningTime)) return;
   throw DeviceError(fmt::format(
       "haply:{}: {}", rest,
-      answer.is_null() ? "the service takes no configuration: expected version 3.1 or newer"
+      answer.is_null() ? "the service accepts no configuration: expected its version 3.1 or newer"
                        : no_answer(haply, answer)));
 }
 

@@ -228,8 +228,8 @@ void wait_until_ready(const HdDevice& device, const std::string& name, double pa
     const bool late = patience.over();
     if (device.relay.failed() || (late && !device.relay.measured())) {
       throw DeviceError(
-          fmt::format("hd:{}: it was opened, but gives no sample (error 0x{:04x}): "
-                      "check cable and power",
+          fmt::format("hd:{}: the device was opened, but gives no sample (error 0x{:04x}): check "
+                      "its cable and power",
                       name, device.relay.why()));
     }
     if (late) {

@@ -203,7 +203,8 @@ std::string note(void* self) {
   const std::uint32_t sets =
       static_cast<const PeerDevice*>(self)->clock_sets.load(std::memory_order_relaxed);
   if (sets == 0) return "";
-  return fmt::format("the clock of its samples was set ({}): their times are taken anew", sets);
+  return fmt::format(
+      "the clock that its samples go by was set ({}): their times are related to ours anew", sets);
 }
 
 // Why no device has come, and what to do.

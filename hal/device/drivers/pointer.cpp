@@ -204,7 +204,7 @@ Device open_pointer(const std::string& rest, double /*patience_s*/) {
   }
   Mailbox& mailbox = g_mailboxes[*number];
   if (mailbox.held.exchange(true)) {
-    throw DeviceError(fmt::format("pointer:{}: it holds another needle already", rest));
+    throw DeviceError(fmt::format("pointer:{}: this pointer holds another needle already", rest));
   }
   auto pointer = std::make_unique<Pointer>();
   pointer->mailbox = &mailbox;

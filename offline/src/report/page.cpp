@@ -142,8 +142,8 @@ std::string inertia(const Json& speed) {
       "<p>With {} the organ's first resonance is at {} Hz; that of the tissue itself is at {} "
       "Hz{}.</p>",
       stepping_text(speed), number(of["stepped_hz"], 1), number(of["real_hz"], 1),
-      of.contains("departs_hz") ? ": the force on a moving hand may be a tenth off from " +
-                                      number(of["departs_hz"], 1) + " Hz on"
+      of.contains("departs_hz") ? "; the force on a moving hand may be off by a tenth above " +
+                                      number(of["departs_hz"], 1) + " Hz"
                                 : "");
 }
 

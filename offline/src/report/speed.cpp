@@ -312,7 +312,7 @@ std::string inertia_text(const nlohmann::ordered_json& facts) {
       "inertia       {}: first resonance {:.3g} Hz, of the tissue itself {:.3g} Hz; {}\n",
       stepping_text(facts), of["stepped_hz"].get<double>(), of["real_hz"].get<double>(),
       of.contains("departs_hz")
-          ? fmt::format("the force on a hand may be a tenth off from {:.2g} Hz on",
+          ? fmt::format("above {:.2g} Hz the force on a moving hand may be off by a tenth",
                         of["departs_hz"].get<double>())
           : "no hand feels the difference");
 }
