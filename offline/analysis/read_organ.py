@@ -44,7 +44,7 @@ def read_organ(path):
         raise ValueError(f"{path}: format version {version}: expected 1 or 2")
     known = organ.get("content_sha256", np.empty(0)).tobytes()
     if (version > 1 or known) and hashlib.sha256(data.replace(known, b"", 1)).digest() != known:
-        raise ValueError(f"{path}: content_sha256: expected that of its bytes: they have changed")
+        raise ValueError(f"{path}: content_sha256: not the sum of its bytes: some byte has changed")
     return organ
 
 

@@ -411,8 +411,8 @@ class IrregularSeries(Conformance):
             del file.PixelData
 
         for case in (("aside", aside, "lies 4 mm to the side"),
-                     ("turned_more", turned_more, "differs in direction"),
-                     ("leaning_columns", leaning_columns, "differs in direction"),
+                     ("turned_more", turned_more, "the same direction as in"),
+                     ("leaning_columns", leaning_columns, "the same direction as in"),
                      ("larger", larger, "pixels of", "expected"),
                      ("fewer_columns", fewer_columns, "pixels: expected"),
                      ("no_frames", setter(NumberOfFrames=0), "NumberOfFrames 0: expected 1"),
@@ -444,7 +444,7 @@ class IrregularSeries(Conformance):
                      ("without_pixels", without("PixelData"), "bytes are there"),
                      ("bytes_elsewhere", bytes_elsewhere, "0 bytes of pixels: expected"),
                      ("odd_bits", setter(BitsAllocated=12), "of 12 bits a pixel"),
-                     ("lossy", lossy, "loses values"),
+                     ("lossy", lossy, "changes values"),
                      ("deflated", deflated, "the whole file is deflated"),
                      ("jpeg_2000", jpeg_2000, "JPEG 2000", "cannot be decompressed")):
             changed(*case)

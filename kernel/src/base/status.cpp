@@ -22,13 +22,13 @@ const char* status_name(Status status) {
     case Status::kOrganSizesDisagree:
       return "organ array sizes disagree";
     case Status::kOrganOrderWrong:
-      return "organ order wrong";
+      return "organ entries in wrong order";
     case Status::kOrganTooLarge:
       return "organ too large for this machine's addresses";
     case Status::kConfigValueOutOfRange:
       return "configuration value out of range";
     case Status::kObstaclesTooLate:
-      return "obstacles after the first tick";
+      return "obstacles set after the first tick";
     case Status::kMemoryTooSmall:
       return "memory too small";
     case Status::kMemoryNotAligned:

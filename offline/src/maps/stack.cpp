@@ -96,7 +96,7 @@ void find_lean(Frame& f) {
     }
     if (std::hypot(off[0], off[1]) <= kBeside) continue;
     refuse(
-        "{}: lies {:.4g} mm beside the line of the other slices: expected all on one line; "
+        "{}: lies {:.4g} mm to the side of the line of the others: expected all on one line; "
         "resample the series first",
         name_of(f, i), std::hypot(off[0] * pixel_m(f, 0), off[1] * pixel_m(f, 1)) * 1e3);
   }
