@@ -446,7 +446,7 @@ constexpr const char* kHelp =
     "Measures the tissue step and the tick with every instruction set this processor has, on the\n"
     "organ files given. Without any it takes six minutes, on liver-like lattices of 1000 to\n"
     "100 000 voxels, and also measures Bullet's soft body, the textbook's method with Eigen, and\n"
-    "ticks at a real period. Ends with a table of medians and ratios; --results writes the rows as\n"
+    "ticks at a real period. Ends with a table of medians and ratios; --results writes them as\n"
     "CSV, a file for each instruction set. Measure while nothing else runs.\n"
     "\n"
     "  tissue    a step of the tissue, everything physical on, needle inserted\n"
