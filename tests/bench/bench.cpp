@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long a step of the tissue and a tick take: on liver-like lattices, and on organ files named
-// as arguments; for every instruction set this processor has, beside what others make of the same
+// How long a step of the tissue and a tick take, on liver-like lattices and on organ files named as
+// arguments: for every instruction set this processor has, and beside what others make of the same
 // lattices.
 //
-// tissue: the lattice step with everything physical on and a needle inserted. threads: the same of
-// one thread `alone`; `shared` with one helper thread; and `beside`, two threads that each do steps
-// of their own, each on a processor of its own: the time that passes for each of all these steps,
-// the least that shared can take here, and no figure without it (summary.h). tick:
-// the whole kernel, needle inserted and pulled sideways; tick_elastic with an elastic needle in
-// breathing tissue. cadence: kernel and guard at a real period, the processor spinning in between.
-// bullet, eigen: peers.h.
-// The repetitions of all are shuffled; what counts is the median of single runs in a repetition,
-// and of these the median. Of threads those repetitions count in which beside took least
-// (summary.h).
+// tissue: the lattice step with everything physical on and a needle inserted. tick: the whole
+// kernel, needle inserted and pulled sideways; tick_elastic: with an elastic needle in breathing
+// tissue. cadence: kernel and guard at a real period, the processor spinning in between. bullet,
+// eigen: peers.h.
+// threads: that step by one thread (`alone`) and with one helper thread (`shared`); and by two
+// threads that each do steps of their own, each on a processor of its own (`beside`). The time of
+// `beside` over the number of all its steps is the least that `shared` can take here; without it
+// there is no figure (summary.h).
+// The repetitions of all are shuffled. What counts is the median of single runs in a repetition,
+// and of these the median; of threads, only of the repetitions in which `beside` took least.
 #include <benchmark/benchmark.h>
 
 #if defined(__x86_64__)
@@ -127,7 +127,7 @@ class Stopwatch {
   std::vector<double> us_;
 };
 
-// Enough runs to read a clock of a microsecond's cost by.
+// So many runs at a time that what reading the clock costs, a microsecond, does not count.
 int runs_for(const Subject& subject) {
   return subject.organ().voxel_count < 10000 ? 8 : 1;
 }
@@ -149,8 +149,8 @@ void bench_tissue(benchmark::State& state, Subject& subject, const Config& confi
   describe(state, subject, 1, filter_passes(session.kernel));
 }
 
-// Steps of a turn: for 2 ms, so that a step more or less of the other thread's matters little, and
-// at least 16.
+// Steps of a turn: as many as take 2 ms, and at least 16, so that one step more or less of the
+// other thread matters little.
 int turn_steps(const Kernel& kernel) {
   const double start = now_us(Time::kPassing);
   kernel.step(kernel);
@@ -184,7 +184,7 @@ class Other {
   Other(const Other&) = delete;
   Other& operator=(const Other&) = delete;
 
-  // Returns once it does so.
+  // Returns once the thread does so.
   void ask(Does what) {
     asked_.store(what);
     while (does_.load() != what) {
@@ -209,10 +209,11 @@ class Other {
   std::thread thread_;
 };
 
-// A step of one thread alone, of two threads with nothing in common, and of one that is helped, in
-// turn within milliseconds, so that all of them meet the machine in the same state. Of alone and
-// shared the median of the turns; beside is all the time that passed over all the steps that both
-// did in it: medians of single steps do not see that two threads take turns on one processor.
+// Steps of one thread alone, of two threads with nothing in common, and of one that is helped, in
+// turn within milliseconds, so that all of them meet the machine in the same state. For alone and
+// shared: the median of the turns. For beside: all the time that passed over all the steps that
+// both did in it, since medians of single steps do not show that two threads take turns on one
+// processor.
 void bench_threads(benchmark::State& state, Subject& subject, const Variant& variant) {
   const std::vector<int> allowed = allowed_processors();
   const auto two = two_processors(allowed);
@@ -318,7 +319,8 @@ void bench_peer(benchmark::State& state, Subject& subject, const std::string& na
   [[maybe_unused]] const FlushDenormals flush;
   std::function<void()>& step = subject.peer[name];
   if (!step) {
-    // Until what drags at one end is felt at the other: an SVD of a voxel at rest costs a third.
+    // Until what drags at one end is felt at the other. Before, voxels are at rest, whose SVD costs
+    // only a third.
     const Organ& organ = subject.organ();
     step = make(organ);
     for (std::uint32_t i = 0; i < 0U + organ.size_x + organ.size_y + organ.size_z; ++i) step();
@@ -330,7 +332,7 @@ void bench_peer(benchmark::State& state, Subject& subject, const std::string& na
   describe(state, subject, 1, 0);
 }
 
-// All together take minutes: on a terminal, what is measured now.
+// All together take minutes: on a terminal, show what is being measured.
 void tell(const std::string& name) {
   static const bool terminal = isatty(STDERR_FILENO) == 1;
   static const double start_us = now_us(Time::kPassing);

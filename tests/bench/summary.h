@@ -47,11 +47,11 @@ class Summary : public benchmark::BenchmarkReporter {
   std::vector<std::string> refused_;
 
   void add_row(const Run& run, const std::string& measure, double median_us);
-  // Two threads tell what the kernel does only where nobody else uses their processors, which on a
-  // machine shared with others is now and then. What two threads with nothing in common take tells
-  // when: of the repetitions in which it was least, a quarter of all, come the medians. Those of
-  // all repetitions are rows too, *_any. Where these two are not about twice as fast as one, they
-  // did not run at the same time, and nothing is told.
+  // Two threads tell what the kernel does only while nobody else uses their processors, which on a
+  // shared machine is now and then. The time of two threads with nothing in common tells when: the
+  // medians are of those repetitions, a quarter of all, in which it was least. Those of all
+  // repetitions are rows too, *_any. Where these two threads are not about twice as fast as one,
+  // they did not run at the same time, and no figure is given.
   void add_threads(std::vector<const Run*> each);
 
   // Of the benchmark `measure` on the same organ (and variant, if it has any), over this one; 0 if

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One step of the tissue or one tick, in a state the arguments choose, for callgrind to count: it
-// counts what lies between the two marks and nothing else. With an instruction set named it counts
-// the step itself, one instruction after the other, for callgrind knows no AVX-512. Prints what the
-// counts are to be set against. growth.py calls it.
+// One step of the tissue or one tick, in a state that the arguments choose, for callgrind, which
+// counts what lies between the two marks and nothing else. If an instruction set is named, the
+// program counts the step itself, one instruction after the other, since callgrind does not know
+// AVX-512. Prints the numbers that the counts are set against. growth.py calls it.
 #include <sys/ptrace.h>
 #include <sys/wait.h>
 #include <unistd.h>

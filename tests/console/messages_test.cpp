@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frames: deltas rebuild what a key frame says, and the places in them deform the surface as the
-// kernel does. What a page sends: anything else than a message is refused.
+// kernel does. Of what a page sends, anything but a message is refused.
 #include "hal/console/messages.h"
 
 #include <gtest/gtest.h>
@@ -218,8 +218,8 @@ TEST(Messages, OfTheServerAreNoneOfThePage) {
   EXPECT_FALSE(read_message({}).has_value());
 }
 
-// Whatever the bytes are, reading them ends, and in nothing but a message or a refusal. A sanitizer
-// sees that it stays within them: they end where the heap's block does.
+// Whatever the bytes are, reading them ends, and gives a message or a refusal. The bytes end where
+// the heap's block does, so that a sanitizer sees any read beyond them.
 TEST(Messages, MutatedOnesAreReadOrRefused) {
   std::mt19937 random(20261121);
   const auto below = [&random](std::size_t n) { return random() % std::max<std::size_t>(n, 1); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording on the console: the recorded force at the tick that was sought, to the bit, and the
+// A recording on the console: at the tick that was sought, the recorded force to the bit, and the
 // tissue as the kernel has it there, whatever was sought before.
 #include "hal/console/player.h"
 

@@ -203,9 +203,9 @@ TEST(Program, AttemptsGiveTheBitsOfARunWithoutConsole) {
   EXPECT_EQ(final_hash(program.at("out-2.h5")), expected);
 }
 
-// Without end, but for --duration-s: some seconds of a clock on the wall. Less than
-// hal::kSidePatienceS of them, after which a page that is stopped is ended; the thread sanitizer
-// takes longer for each.
+// A run without end, but for --duration-s: some seconds by the clock on the wall, fewer than
+// hal::kSidePatienceS, after which a page that is stopped is ended. The thread sanitizer takes
+// longer for each.
 #if defined(__SANITIZE_THREAD__)
 constexpr const char* kLongRunS = "4";
 #else
@@ -247,8 +247,8 @@ TEST(Program, ThePageMayEndInAnyWay) {
     for (int i = 0; i < 3000 && !fs::exists(recording); ++i) usleep(20'000);
     EXPECT_EQ(final_hash(recording), expected) << way;
     const bool lost = way == SIGKILL || way == SIGABRT;
-    // What it says of a console that was lost it has said when it ends, not when its recording is
-    // there; of one that is ended with the run it may say anything.
+    // All that it says of a lost console it has said when it ends, not yet when its recording is
+    // there. Of a console that is ended with the run it may say anything.
     std::string told = program.output();
     const int code = lost ? program.wait() : program.end();
     if (lost) told = program.output();
@@ -410,8 +410,9 @@ Told next_fault(Client& client, float place_m, std::uint32_t last) {
   return {};
 }
 
-// For one fault, the one that was seen, and for a second after it was: what is held up on its way
-// brings no force back for the next one. A busy machine adds faults of its own.
+// An acknowledgement is for one fault, the one that was seen, and holds for a second after that:
+// one that is held up on its way brings no force back after the next fault. A busy machine adds
+// faults of its own.
 TEST(Program, AnAcknowledgementIsForTheFaultThatWasSeen) {
   Program program;
   const std::uint16_t port = run_with_pointer(program);

@@ -124,7 +124,7 @@ TEST(Server, TheFirstPageIsInControlUntilItLeaves) {
   ASSERT_NE(hello, nullptr);
   EXPECT_TRUE(hello->may_control());
   second.say_message(start);
-  // What the session refuses is told, too; by then the order before it was taken.
+  // What the session refuses is told, too; by then it has taken the order before.
   second.say_message(page_message(Body::Reset, [](auto& b) { return CreateReset(b); }));
   const Refused* refused = second.next_of<Refused>(Body::Refused);
   ASSERT_NE(refused, nullptr);
@@ -303,7 +303,7 @@ TEST(Server, FramesThatAPageWasTooSlowForAreCounted) {
   publish(served, 1);
   Client slow(served.port, 65536);
   ASSERT_EQ(slow.join(), 101U);
-  // More than sockets hold: frames pass it by meanwhile.
+  // More answers than sockets hold: meanwhile frames are left out for this page.
   constexpr int kAnswers = 12;
   for (int i = 0; i < kAnswers; ++i) ASSERT_TRUE(slow.say_message(all_rows()));
   std::this_thread::sleep_for(500ms);
@@ -322,8 +322,8 @@ TEST(Server, FramesThatAPageWasTooSlowForAreCounted) {
   EXPECT_EQ(body, "lost_frames " + std::to_string(frame->timing()->lost_frames()) + "\n");
 }
 
-// Once by the number of answers that wait for it, once by their size. What it says keeps it from
-// being idle, and is too little to be too much.
+// Closed once for the number of answers that wait for it, once for their size. What it says
+// meanwhile keeps it from being idle, and is not so much that it is closed for that.
 TEST(Server, APageThatAsksButNeverReadsIsClosed) {
   for (const bool large : {false, true}) {
     Served served;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The first field that differs between two snapshots of a recorded insertion, by the kernel's own
-// table of fields. Snapshots are the hexadecimal text `replay CASE state TICK` prints, on any
-// target. Exits 0 when they are equal, 1 when they differ, 2 when they cannot be compared.
+// table of fields. A snapshot is the hexadecimal text that `replay CASE state TICK` prints, on any
+// target. Exits with 0 if they are equal, 1 if they differ, 2 if they cannot be compared.
 //
 // usage: stylet_field ORGAN_FILE CASE_FILE SNAPSHOT SNAPSHOT
 #include <cstdio>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What sizes says of lattices whose bytes need more than 32 bits, and of some far apart that do
-// not: a line each, with the status and the bytes of the three blocks, of the model those behind
-// its head. The latter are also made and ticked.
+// What `sizes` says of lattices whose bytes need more than 32 bits, and of some with voxels far
+// apart that do not. Prints a line for each, with the status and the bytes of the three blocks; of
+// the model, those behind its head. The latter lattices are also made and ticked.
 #include <cstdio>
 #include <random>
 #include <vector>
@@ -17,7 +17,8 @@ using namespace stylet::test;
 
 using Runs = std::vector<format::Run>;
 
-// As many runs of one voxel, `gap` empty ones between them, in rows of 65535 that lie two apart.
+// So many runs of one voxel with `gap` empty ones between them, in rows of 65535 that lie two
+// apart.
 Runs comb(std::uint32_t voxels, std::uint32_t gap) {
   Runs runs;
   std::uint32_t x = 0, y = 0;
@@ -43,7 +44,7 @@ Runs rows_of_two(std::uint16_t rows, std::uint16_t planes) {
   return runs;
 }
 
-// Of the model without its head, which holds addresses and is smaller where those are.
+// Bytes of the model without its head, which holds addresses and so is smaller on 32-bit targets.
 std::size_t rest_of_model(std::size_t model_bytes) {
   constexpr std::size_t kHead =
       (sizeof(ModelHead) + kBlockAlignment - 1) / kBlockAlignment * kBlockAlignment;

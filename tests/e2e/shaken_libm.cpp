@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mathematical library that is wrong in the seventh digit, to be preloaded: programs whose
-// results must not depend on the machine's library give the same with it. Real ones differ in the
-// last place, which the step from double to float would hide from a test, but not for ever. Square
-// root, rounding and the like are left alone: IEEE 754 fixes them.
+// A mathematical library that is wrong in the seventh digit, to be preloaded. Programs whose
+// results must not depend on the machine's library give the same results with it. Real libraries
+// differ in the last place, which rounding from double to float hides from a test most of the time,
+// but not always. Square root, rounding and the like are left alone: IEEE 754 fixes them.
 #include <dlfcn.h>
 
 namespace {

@@ -71,8 +71,8 @@ Json shape_of(const Kernel& kernel, const Organ& organ, const Config& config, st
           {"surface_m", places}};
 }
 
-// What was seen in all ticks: by how much force and torque at a handle missed their sums at most,
-// as shares of what was summed (for a torque, times the needle's length), and the first broken
+// What was seen in all ticks: the most by which force and torque at a handle missed their sums, as
+// fractions of what was summed (for a torque, times the needle's length), and the first broken
 // promise.
 struct Checks {
   double force_share = 0, torque_share = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Preloaded into a program: in threads of the name STYLET_STARVE_THREAD every allocation by `new`
-// fails, from the one numbered STYLET_STARVE_AFTER on.
+// To be preloaded: in threads of the name STYLET_STARVE_THREAD every allocation by `new` fails,
+// from the one with the number STYLET_STARVE_AFTER on.
 #include <pthread.h>
 
 #include <atomic>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bodies of bodies.json in the kernel's lattice, at rest under their load.
 //
-// A case is a quarter of a layered block on a fixed bottom. The box that is acted on is moved as
+// A case is a quarter of a layered block on a fixed bottom. A box in it is acted on: it is moved as
 // one (nodes held along one axis), pulled by a force spread evenly over its voxels, or, where the
 // box is a line, pulled by constraint particles as a needle's are. Values are named as in
 // calculix.csv. Units: SI. Frame: rest frame, the block's low corner at 0.
@@ -118,7 +118,7 @@ inline bool inside(Node node, Node low, Node high) {
          node.z >= low.z && node.z <= high.z;
 }
 
-// Mirrors at x = 0 and y = 0: what is moved along `axis` looks the same in both, so on a mirror
+// Mirrors at x = 0 and y = 0. What is moved along `axis` looks the same in both. So on a mirror
 // across that axis nothing moves sideways, and on any other nothing moves through it.
 inline void hold_mirrors(Rig& rig, std::size_t axis) {
   View view = rig.view();
@@ -154,8 +154,8 @@ inline NodeForces even_load(const View& view, Node low, Node high, double force_
   return forces;
 }
 
-// Constraint particles in the voxels along a line on the z axis, half an edge off it: their mirror
-// images make the line.
+// Constraint particles in the voxels along a line beside the z axis, half an edge off it: with
+// their mirror images they make the line.
 inline void hold_line(Rig& rig, Node low, Node high) {
   View view = rig.view();
   const float spring = 8 * view.model.slot_k[view.model.voxel_slot[0]];

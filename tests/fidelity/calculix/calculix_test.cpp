@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lattice against an independent solver: CalculiX's values of the same bodies, calculix.csv.
+// The lattice against an independent solver: CalculiX's values of the same bodies (calculix.csv).
 //
 // Both must have converged: halving CalculiX's bricks changes a value by less than 2 %, halving the
-// voxels by less than 5 %; then they must agree within 5 %. And finer voxels must come closer.
+// voxels by less than 5 %. Then they must agree within 5 %, and finer voxels must come closer.
 
 #include <gtest/gtest.h>
 
@@ -102,8 +102,8 @@ INSTANTIATE_TEST_SUITE_P(Bodies, FidelityCalculix, testing::ValuesIn(all_bodies(
                                   std::to_string(std::lround(row.param.poisson * 100));
                          });
 
-// The comparison is sharp enough to tell materials apart: the punch of one Poisson ratio does not
-// pass for that of the other.
+// The comparison is sharp enough to tell materials apart: the punch with one Poisson ratio does not
+// pass for that with the other.
 TEST(FidelityCalculixSharpness, OtherPoissonRatioIsRefused) {
   const BodyCase& body = body_named("punch");
   const double wanted = reference("punch", 0.45).back().at("force_n");

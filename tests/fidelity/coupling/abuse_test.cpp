@@ -229,9 +229,9 @@ TEST_P(V25Abuse, HugeLateralDrag) {
   expect_back_at_rest(rig, "lateral drag");
 }
 
-// Numbers that a snapshot may bring, but that leave what floats hold when they are added: a fault,
-// no force, and on the way to it no number that a conversion does not know (what the sanitizers
-// see). In the paper's mode slips are whole units.
+// Numbers that a snapshot may hold, but whose sums leave the range of floats: they give a fault and
+// no force, and on the way to it no number that a conversion does not define (which the sanitizers
+// would see). In paper mode slips are whole units.
 TEST(V25AbuseState, NumbersWithoutAnEndAreAFault) {
   for (const Mode mode : {Mode::kPhysical, Mode::kPaper}) {
     Config config;
@@ -262,7 +262,7 @@ INSTANTIATE_TEST_SUITE_P(AllPhases, V25Abuse,
                          [](const auto& each) { return name_of(each.param); });
 
 // 1e5 ticks of a needle shaken in every direction, with every kind of bad sample among them; seed
-// 25. What was sent is counted outside and must be what the kernel counted.
+// 25. What was sent is counted outside, and must be what the kernel counted.
 TEST(V25AbuseLong, ShakenHundredThousandTicks) {
   Rig rig = make_rig(soft_block(), Config{});
   std::mt19937 random(25);

@@ -2,11 +2,11 @@
 // The tissue's energy and internal friction, by the textbook, in double precision: an independent
 // check of what the kernel books. Slow: every voxel, every time.
 //
-// Per voxel of edge h (PHYSICS 2.3, 2.4), k = G h fill:
-//   U = k/2 sum |x_i - R q_i - t|^2 + (chi - 1) k/2 sum |e_i|^2 + k h^2 nu/(1 - 2 nu) (tr R^T F -
-//   3)^2
-// with the CPs of the voxel inside the fit of R and t in the first term, and R of the corners alone
-// in the last. Units: SI.
+// For each voxel of edge h (PHYSICS 2.3, 2.4), k = G h fill:
+// U = k/2 sum |x_i - R q_i - t|^2 + (chi - 1) k/2 sum |e_i|^2 + k h^2 nu/(1 - 2 nu) (tr R^T F -
+// 3)^2
+// The CPs of the voxel take part in the fit of R and t in the first term; R in the last is that of
+// the corners alone. Units: SI.
 #pragma once
 
 #include <array>
@@ -149,11 +149,11 @@ class ClusterReference {
     if (head.tip_alive != 0) visit(*view.state.tip);
   }
 
-  // The tip in contact is a cone of radius a that goes over into a cylinder at the depth
-  // l = a pi / (2 tan 15 degrees): F = k d^2 / (2 l), then k (d - l / 2). The lattice's part of the
-  // depth, L F, is not the spring's. Where the lattice gives way faster, by L g F^2, the spring
-  // carries more: in all, what stores L g F^3 / 3. Of the force, q is missing; all that may be
-  // missing is the difference to a cone with (1 - phi) k.
+  // The tip in contact is a cone of radius a that goes over into a cylinder at the depth l = a pi /
+  // (2 tan 15 degrees): F = k d^2 / (2 l), then k (d - l / 2). The lattice's part of the depth, L
+  // F, is not the spring's. Where the lattice gives way faster, by L g F^2, the spring carries
+  // more, so that in all it stores L g F^3 / 3. Of the force, q is missing; at most the difference
+  // to a cone with (1 - phi) k may be missing.
   struct ContactReference {
     double l, lattice, growth, most;  // growth up to the force `most`
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tip in contact is the rigid cone that goes over into a cylinder of Sneddon 1965, for any
-// needle, tissue and voxel, and all of it relaxes as the material says.
+// The tip in contact is Sneddon's rigid cone that goes over into a cylinder (1965), for any needle,
+// tissue and voxel, and all of it relaxes as the material says.
 //
 // With E* = E / (1 - nu^2), radius R and half angle a: F = (2 / pi) E* tan(a) d^2 until contact is
-// as wide as the needle, at l = pi R / (2 tan a), then 2 R E* more for each metre. The half space
-// is a block of 24 voxels a side, held at its far face. With a thin skin it is a film's, computed
-// by film.py.
+// as wide as the needle, at l = pi R / (2 tan a); from there on 2 R E* more for each metre. The
+// half space is a block of 24 voxels a side, held at its far face. With a thin skin the expected
+// force is a film's, computed by film.py.
 
 #include <gtest/gtest.h>
 
@@ -39,11 +39,11 @@ struct Press {
     return 2 / kPi * plane * std::tan(half_angle_rad) * cone * cone +
            2 * radius_m * plane * (depth - cone);
   }
-  // Forces that press a voxel to a fraction of its height are some of these.
+  // A few times this force presses a voxel to a fraction of its height.
   double crush_n() const { return shear_pa() * edge_m * edge_m; }
 };
 
-// The uppermost voxels, `thick` of them, have the skin and are `upper` times as stiff.
+// The uppermost `thick` layers of voxels have the skin and are `upper` times as stiff.
 Rig rig_of(const Press& p, std::uint16_t voxels, TinyMaterial m = {}, double upper = 1,
            std::uint16_t thick = 1) {
   TinyOrgan tiny;
@@ -75,7 +75,8 @@ Vec3 start_of(const Press& p, std::uint16_t voxels) {
 // At rest, pressed in slowly.
 double force_at_rest(Rig& rig, Vec3 start_m, double depth_m) {
   const auto depth = static_cast<float>(depth_m);
-  // 50 um in a tick are pressed in to the first; of less, up to 20 um are not noticed.
+  // A way of 50 um in one tick is pressed in from its beginning; of a shorter one up to 20 um are
+  // not noticed.
   constexpr float kFirstM = 50e-6F;
   drive(rig, start_m, kFirstM, 0.05F);
   drive(rig, {kFirstM, start_m.y, start_m.z}, depth, 0.05F);
@@ -172,8 +173,8 @@ TEST(Contact, ThinSkinIsPuncturedAtTheDepthOfAFilmWhateverTheVoxelItIsSpreadOver
   EXPECT_GT(seen, 40);
 }
 
-// A layer of 10 mm over tissue that is softer or stiffer, from one voxel thick to four: what is
-// below adds what it gives.
+// A layer of 10 mm over tissue that is softer or stiffer, from one voxel thick to four: the tissue
+// below adds its own compliance.
 TEST(Contact, ALayerIsFeltAlikeWhateverTheVoxel) {
   Draw draw = {std::mt19937_64(5)};
   for (int i = 0; i < 12; ++i) {
@@ -193,11 +194,11 @@ TEST(Contact, ALayerIsFeltAlikeWhateverTheVoxel) {
   }
 }
 
-// Along a line of nodes, of edge midpoints, of voxel centres and between; in voxel edges.
+// On lines of nodes, of edge midpoints, of voxel centres, and between them; in voxel edges.
 constexpr Vec3 kPlaces[] = {
     {0, 0, 0}, {0, 0, 0.5F}, {0, 0.25F, 0.25F}, {0, 0.5F, 0.25F}, {0, 0.5F, 0.5F}};
 
-// The usual needle; the same depth in voxels twice and four times as fine.
+// The usual needle, pressed to the same depth in voxels that are twice and four times as fine.
 TEST(Contact, NeitherVoxelNorPlaceIsFelt) {
   for (const double edge_m : {10e-3, 5e-3, 2.5e-3}) {
     for (const Vec3 place : kPlaces) {
@@ -226,7 +227,7 @@ TEST(Contact, ShallowOneGoesAsTheTangentOfTheHalfAngle) {
 }
 
 // How far a force presses the lattice in, over the force, in 1 / (G h); the force in G h^2; the
-// sums of the squared weights, and of these times how far beside the voxel's middle they act.
+// sums of the squared weights, and of these times how far from the voxel's middle they act.
 struct Give {
   double per_force, force, squares, beside;
 };
@@ -252,8 +253,9 @@ Give give_of(double poisson, Vec3 place, double depth_in_edges, std::uint16_t vo
   return give;
 }
 
-// The constants kSurfaceGive and those behind it (PHYSICS 8.4): what the lattice itself gives
-// under a small force, in a block of 16 and of 32 voxels, and from both in one without an end.
+// The constants kSurfaceGive and those after it (PHYSICS 8.4): what the lattice itself gives under
+// a small force, in blocks of 16 and of 32 voxels, and, extrapolated from both, in one without an
+// end.
 TEST(Contact, LatticeGivesWayAsTheFormulaSays) {
   for (const double poisson : {0.3, 0.39, 0.48}) {
     for (const Vec3 place : kPlaces) {
@@ -274,8 +276,8 @@ TEST(Contact, LatticeGivesWayAsTheFormulaSays) {
   }
 }
 
-// And what it gives below a layer of voxels that is stiffer or softer, kPlaceMean and those behind
-// it: the squares and places are those of one tissue.
+// And what it gives below a layer of voxels that is stiffer or softer (kPlaceMean and the constants
+// after it); the squares and places are those of one tissue.
 TEST(Contact, LatticeGivesWayBelowAnotherLayerAsTheFormulaSays) {
   Draw draw = {std::mt19937_64(4)};
   for (int i = 0; i < 24; ++i) {
@@ -296,7 +298,7 @@ TEST(Contact, LatticeGivesWayBelowAnotherLayerAsTheFormulaSays) {
   }
 }
 
-// A ramp, then held: the missing force follows phi F by the written time.
+// A ramp, then a hold: the force that is missing follows phi F with the time that is written.
 TEST(Contact, AllOfItRelaxesAsWritten) {
   constexpr std::uint16_t kVoxels = 12;
   TinyMaterial relaxing;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Events must not be felt: where a CP is added or removed, the force changes by no more than the
-// needle's own motion explains, K v dt, with K the springs of all CPs. And a track is remembered.
+// needle's own motion explains, K v dt, with K the springs of all CPs. And tracks are remembered.
 
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ struct Jumps {
 };
 
 // Watches the ticks in which the number of CPs changes while the needle stays in the tissue. A jump
-// is what the force changes by then, against the mean of the ticks before and after: the recoil of
+// is by how much the force then differs from the mean of the ticks before and after: the recoil of
 // a puncture swings on through all three.
 class Watch {
  public:
@@ -111,7 +111,8 @@ TEST(Continuity, AddingAndRemovingParticlesIsNotFelt) {
 }
 
 // The spring of the inserted tip is stiffer than that of contact, and takes over its force. (Tissue
-// that recoils in the same tick changes some of it; the spring alone had tripled it.)
+// that recoils in the same tick changes some of it. Without taking over, the spring alone tripled
+// the force.)
 TEST(Continuity, PunctureKeepsTheForceAcross) {
   Rig rig = make_rig(gel(), Config{});
   Vec3 tip = {4e-3F, kStart.y, kStart.z};
@@ -139,7 +140,7 @@ TEST(Continuity, FirstTouchStartsFromZero) {
   bool touched = false;
   drive(rig, kStart, 2e-3F, 10e-3F, [&](const Output& out) {
     if (out.phase != Phase::kContact) return;
-    // Contact is sought up to one step late: two steps of the needle, one spring.
+    // Contact is sought up to one step late: the needle's way of two steps, with one spring.
     const double allowed = 2 * 10e-6 * static_cast<double>(rig.view().state.tip->stiffness_n_per_m);
     ASSERT_LT(norm_of(out.force_n - last), allowed);
     last = out.force_n;
@@ -148,8 +149,8 @@ TEST(Continuity, FirstTouchStartsFromZero) {
   EXPECT_TRUE(touched);
 }
 
-// Where nothing relaxes there is no memory that could take the force away: what is left of it
-// within the skin in which a contact ends is a pull, as large as the skin allows.
+// Where nothing relaxes there is no memory that could take the force away. What is left of it when
+// a contact ends, within its skin, is a pull, at most as large as the skin allows.
 TEST(Continuity, AContactThatDoesNotRelaxIsLetGoWithoutAPull) {
   constexpr double kSkinM = 2e-5;
   TinyOrgan tiny = gel();
@@ -169,8 +170,8 @@ TEST(Continuity, AContactThatDoesNotRelaxIsLetGoWithoutAPull) {
   EXPECT_LE(pull_n, allowed_n);
 }
 
-// By depth, not by time: the puncture's recoil makes the first insertion run through some depths
-// faster than others.
+// Insertions are compared by depth, not by time: the puncture's recoil makes the first one run
+// through some depths faster than others.
 struct Insertion {
   double entry_peak;                       // largest before 6 mm of depth
   std::array<std::vector<double>, 11> at;  // forces, by millimetre of depth from 14 mm on
@@ -203,7 +204,8 @@ TEST(Continuity, ASecondInsertionFollowsTheTrack) {
   EXPECT_EQ(count_of(rig.kernel(), EventKind::kReentry), 1U);
   EXPECT_NEAR(first.entry_peak, 0.4, 0.02);
   EXPECT_LT(second.entry_peak, 0.2);
-  // At the same depth the friction is the same and the tip carries a quarter: 0.15 N less.
+  // At the same depth the friction is the same and the tip carries a quarter: the force is 0.15 N
+  // less.
   for (std::size_t i = 0; i < first.at.size(); ++i) {
     EXPECT_NEAR(mean_of(first.at[i]) - mean_of(second.at[i]), 0.15, 0.01) << 14 + i << " mm";
   }
@@ -218,8 +220,8 @@ TEST(Continuity, ATrackElsewhereIsPuncturedAgain) {
   EXPECT_EQ(count_of(rig.kernel(), EventKind::kReentry), 0U);
 }
 
-// Two voxels hold the tip differently. Where it cuts towards the plane between them, and both weigh
-// more alike, it must not be forgotten what each holds.
+// Two voxels hold the tip with different forces. As it cuts towards the plane between them, and
+// their weights become more alike, it must not be forgotten what each of them holds.
 TEST(Continuity, VoxelsThatHoldTheTipDifferentlyGoOnDoingSo) {
   TinyOrgan tiny;
   tiny.nx = 2;

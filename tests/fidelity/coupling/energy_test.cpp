@@ -52,7 +52,8 @@ void step_with_losses(const Kernel& kernel) {
   }
 }
 
-// On a needle that moves on by `way_m` under a force with this sum at both ends, on the hand.
+// Work of the hand on a needle that moves on by `way_m`, where the forces at both ends have this
+// sum.
 double hand_work(Vec3 way_m, Vec3 sum_n) {
   return -0.5 * (static_cast<double>(sum_n.x) * static_cast<double>(way_m.x) +
                  static_cast<double>(sum_n.y) * static_cast<double>(way_m.y) +
@@ -149,8 +150,9 @@ std::vector<Books> insert_hold_retract() {
   return audit.books();
 }
 
-// Contact alone has no books in the kernel: all work goes to damping and drag, or comes back. Fast
-// strokes, in short ticks: the hand's work is known only as well as the force between two poses.
+// Contact alone has no books in the kernel: all work goes to damping and drag, or comes back.
+// Strokes are fast, so ticks are short: the hand's work is known only as well as the force between
+// two poses.
 TEST(V24EnergyOfContact, WorkIsWhatTheTissuesDampingAndDragTook) {
   TinyOrgan tiny = liver_block();
   for (TinyMaterial& m : tiny.materials) {
@@ -197,7 +199,7 @@ TEST_F(V24Energy, HandWorkIsWhatWasDissipated) {
       << " relaxation " << end.relaxation << " damping " << end.damping << " drag " << end.drag;
 }
 
-// At every tick, not only at the end.
+// Holds at every tick, not only at the end.
 TEST_F(V24Energy, HandWorkIsStoredOrDissipatedAtEveryTick) {
   const double whole = books_->back().work;
   double worst = 0;
@@ -229,7 +231,7 @@ TEST_F(V24Energy, KernelsStoredEnergyIsTheTextbooks) {
   EXPECT_LT(worst, 1e-5 * most) << "at tick " << at << " of " << most << " J";
 }
 
-// But for the last place of a float: springs hold up to 3e-4 J here.
+// None of the losses falls, but for the last place of a float: springs hold up to 3e-4 J here.
 TEST_F(V24Energy, NothingIsEverUndissipated) {
   constexpr double kRoundingJ = 1e-11;
   for (std::size_t i = 1; i < books_->size(); ++i) {
@@ -240,8 +242,8 @@ TEST_F(V24Energy, NothingIsEverUndissipated) {
   }
 }
 
-// What is left for damping and drag is not given back either. Forces are known at ticks only: the
-// books of a tick in which they change by some per cent are right to that squared.
+// What is left for damping and drag does not fall either. Forces are known at ticks only, so the
+// books of a tick in which they change by some per cent are right up to the square of that.
 TEST_F(V24Energy, TheRemainderIsNotGivenBack) {
   double returned = 0;
   for (std::size_t i = 1; i < books_->size(); ++i) {
@@ -255,7 +257,7 @@ TEST_F(V24Energy, KernelsWorkOfTheHandIsTheWorkSeenOutside) {
   EXPECT_NEAR(books_->back().kernels_work / books_->back().work, 1, 1e-4);
 }
 
-// The audit can fail: with any one of the kernel's books forgotten the gap is over its bound. (That
+// The audit can fail: with any one of the kernel's books left out, the gap is over its bound. (That
 // damping and drag count is shown by contact alone, where they are everything.)
 TEST_F(V24Energy, AuditNoticesAForgottenPart) {
   const Books& end = books_->back();
@@ -268,7 +270,7 @@ TEST_F(V24Energy, AuditNoticesAForgottenPart) {
 // ---- energy from nowhere
 // -------------------------------------------------------------------------
 
-// Work of the hand less what is stored: what was dissipated. How far it ever fell.
+// What was dissipated: the hand's work less what is stored; and the most by which that ever fell.
 struct Observer {
   double work_j = 0, most_j = 0, fall_j = 0;
   Vec3 tip_m = {}, force_n = {};
@@ -295,7 +297,8 @@ void go(Rig& rig, Observer& observer, Vec3 from_m, Vec3 to_m) {
   }
 }
 
-// A tip that slides in over an edge has not been pressed there: it holds what it lies in.
+// A tip that slides in over an edge has not been pressed to its depth there: its contact begins
+// with the tissue that it lies in, and without force.
 TEST(EnergyFromNowhere, ContactThatBeginsDeepBeginsWithoutForce) {
   Rig rig = make_rig(liver_block(), Config{});
   Observer observer;
@@ -310,7 +313,7 @@ TEST(EnergyFromNowhere, ContactThatBeginsDeepBeginsWithoutForce) {
   EXPECT_LT(observer.fall_j, 1e-8);
 }
 
-// Residuals back it comes out, without a contact a tick.
+// Drawn back, it comes out, and does not begin a contact in every tick.
 TEST(EnergyFromNowhere, TipThatSlidInComesOut) {
   Rig rig = make_rig(liver_block(), Config{});
   Observer observer;
@@ -322,7 +325,7 @@ TEST(EnergyFromNowhere, TipThatSlidInComesOut) {
   EXPECT_LT(observer.fall_j, 1e-8);
 }
 
-// The entry is held where the fit of its voxel has it, which the loaded tip has a part in.
+// The entry is held where the fit of its voxel has it, and the loaded tip has a part in that fit.
 TEST(EnergyFromNowhere, PunctureAddsNoneInEitherMode) {
   for (const Mode mode : {Mode::kPhysical, Mode::kPaper}) {
     Config config;
@@ -355,8 +358,8 @@ TEST(EnergyFromNowhere, BevelCutsAgainstALoadForWork) {
   }
 }
 
-// How the tissue is stepped, and ticks for a millisecond: with true mass tissue is quick, and what
-// a fast hand does to it is known only as well as the force between two poses.
+// How the tissue is stepped, and how many ticks are taken for a millisecond. With true mass tissue
+// is quick, and what a fast hand does to it is known only as well as the force between two poses.
 struct Stepped {
   Inertia inertia;
   std::uint32_t substeps;
@@ -392,8 +395,8 @@ void expect_no_gain_when_shaken(const Stepped& stepped, float relaxation_time_s,
       << hertz << " Hz, tau " << relaxation_time_s << " s, " << stepped.substeps << " substeps";
 }
 
-// The branch that relaxes is lagged by the needle's way alone, while the tissue swings as it likes:
-// at its resonances, above them, and far below.
+// The branch that relaxes follows the needle's way alone, while the tissue swings as it likes: at
+// its resonances, above them, and far below.
 TEST(EnergyFromNowhere, ANeedleShakenInRelaxingTissueGainsNone) {
   for (const Stepped& stepped : kStepped) {
     for (const float relaxation_time_s : {0.01F, 0.2F}) {
@@ -404,10 +407,10 @@ TEST(EnergyFromNowhere, ANeedleShakenInRelaxingTissueGainsNone) {
   }
 }
 
-// A tip that sticks in a layer is let go by the hand that pressed it, and tissue comes back with
-// it, by more in a tick than the shaft's friction holds. That friction must not push the needle on:
-// it did, and the hand had 22 uJ for nothing. (The jerk at which the hand turns back costs 0.2 uJ:
-// its work is known only as well as the force between two poses.)
+// A tip that sticks in a layer is let go by the hand that pressed it, and the tissue comes back
+// with it, in a tick by more than the shaft's friction holds. That friction must not push the
+// needle on: it once did, and the hand had 22 uJ for nothing. (The jerk at which the hand turns
+// back costs 0.2 uJ: its work is known only as well as the force between two poses.)
 TEST(EnergyFromNowhere, FrictionOfAShaftDrawnBackDoesNotPushIt) {
   TinyOrgan tiny = liver_block();
   tiny.material_at = [](std::uint16_t x, std::uint16_t, std::uint16_t) {
@@ -434,9 +437,9 @@ TEST(EnergyFromNowhere, FrictionOfAShaftDrawnBackDoesNotPushIt) {
   EXPECT_LT(observer.fall_j, 1e-6);
 }
 
-// A thin needle leans on tissue while its handle swings across: what its joints and the tissue
-// store is no more than the hand gave. (With one bend a tick, before the tissue gives way, they
-// store some per cent more.)
+// A thin needle leans on tissue while its handle swings across: its joints and the tissue store no
+// more than the hand gave. (Bent only once a tick, before the tissue gives way, they store some per
+// cent more.)
 TEST(EnergyFromNowhere, ElasticNeedleSwungOnTissueStoresWhatTheHandGave) {
   Config config;
   config.needle[0].length_m = 0.1F;
@@ -461,9 +464,9 @@ TEST(EnergyFromNowhere, ElasticNeedleSwungOnTissueStoresWhatTheHandGave) {
   EXPECT_LT(fall_j, 1e-8);
 }
 
-// Voxels of an eighth of a millimetre that a tip pushes to a hundredfold of their length, at half a
-// metre a second: farther in a substep than forces travel. (Followed, they gained 57 uJ here, and
-// in a find of the fuzzer kilojoules, until they were no numbers.)
+// Voxels of an eighth of a millimetre are pushed by a tip to a hundred times their length, at half
+// a metre a second: farther in a substep than forces travel. (If the tissue followed, it gained 57
+// uJ here; in a case that the fuzzer found, kilojoules, until there were no numbers any more.)
 TEST(EnergyFromNowhere, TissueDraggedFarHoldsNoMoreThanTheHandGave) {
   TinyOrgan thread;
   thread.nx = 6;
@@ -475,7 +478,7 @@ TEST(EnergyFromNowhere, TissueDraggedFarHoldsNoMoreThanTheHandGave) {
     Observer observer;
     const auto see = [&](const Output& out) { observer.see(rig, out); };
     drive(rig, {-1e-3F, 0.06e-3F, 0.06e-3F}, 49e-3F, 0.5F, see);
-    // True mass is dragged less far; 3 mm are still 24 edges.
+    // With true mass they are dragged less far; 3 mm are still 24 edges.
     const float far_m = stepped.inertia == Inertia::kAddedMass ? 5e-3F : 3e-3F;
     EXPECT_GT(rig.view().state.head->max_displacement_m, far_m);
     EXPECT_GT(observer.work_j, 1e-5);
@@ -484,8 +487,8 @@ TEST(EnergyFromNowhere, TissueDraggedFarHoldsNoMoreThanTheHandGave) {
 }
 
 // A thin needle whose tip sticks in tissue is pressed beyond its critical load and bows. The tip
-// yields to the bow as much as the tissue does: under a load that did not, the needle swung from
-// tick to tick, 71 mN at most, until it sprang out of the tissue.
+// yields to the bow as much as the tissue does. Under a load that did not, the needle swung from
+// tick to tick, by up to 71 mN, until it sprang out of the tissue.
 TEST(EnergyFromNowhere, ElasticNeedlePressedUntilItBowsCarriesItsCriticalLoad) {
   Config config;
   config.needle[0].length_m = 0.1F;

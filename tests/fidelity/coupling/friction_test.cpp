@@ -179,8 +179,8 @@ TEST(V22Friction, NeedleThroughTheOrganIsHeldByTheLengthInTissue) {
   EXPECT_NEAR(-static_cast<double>(out.force_n.x) / expected, 1, kTolerance);
 }
 
-// The same rule when the needle rests and the tissue moves. Attached particles that are given a
-// velocity keep it (no force, no drag): the organ is then carried past the needle.
+// The same rule when the needle rests and the tissue moves. Attached particles keep a velocity that
+// they are given (no force and no drag acts on them): the organ is then carried past the needle.
 TEST(V22Friction, TissueThatMovesOverARestingNeedleSlidesByTheSameRule) {
   for (const float speed : {10e-3F, -10e-3F}) {
     OneParticle one = one_particle(rubbing(10, 14, 20));
@@ -193,9 +193,9 @@ TEST(V22Friction, TissueThatMovesOverARestingNeedleSlidesByTheSameRule) {
   }
 }
 
-// Tissue that another part of the needle has dragged along within a tick, beyond what friction
-// holds: the fit that finds it there pulls with twice the friction of a unit at most, and the rest
-// is spent on a slip; the next ticks pull with the friction.
+// Tissue may be dragged within a tick, by another part of the needle, farther than friction holds.
+// The fit that finds it there pulls with at most twice the friction of a unit, and the rest is lost
+// in a slip; in the next ticks it pulls with the friction.
 TEST(V22Friction, TissueDraggedPastARestingNeedleSlipsBeyondTwiceItsFriction) {
   constexpr double kFrictionN = 2 * kUnit;
   for (const double way : {0.2e-3, -0.4e-3, 1e-3, -1.5e-3}) {
@@ -217,7 +217,8 @@ TEST(V22Friction, TissueDraggedPastARestingNeedleSlipsBeyondTwiceItsFriction) {
   }
 }
 
-// The same of a tip at rest: twice what it takes to cut, on it or off it.
+// The same of a tip at rest: it pulls with at most twice its cutting force, whichever way the
+// tissue is dragged.
 TEST(V22Friction, TissueDraggedAtARestingTipPullsWithTwiceItsCutAtMost) {
   constexpr double kCutN = 5e-3;
   for (const double way : {0.2e-3, -0.2e-3, 1e-3, -1e-3}) {
@@ -268,8 +269,8 @@ TEST(V22Friction, HandsStepPullsEvenlyOverTheSubsteps) {
   }
 }
 
-// Voxels may be larger than the radius over which a needle's field dies out; the springs of its
-// particles are finite and positive for all that, and its friction is what is written.
+// Voxels may be larger than the radius over which a needle's field dies out. The springs of its
+// particles are finite and positive all the same, and its friction is the one that is written.
 TEST(V22Friction, VoxelsLargerThanTheFarFieldHoldTheNeedle) {
   TinyOrgan tiny;
   tiny.nx = 3;
@@ -278,8 +279,8 @@ TEST(V22Friction, VoxelsLargerThanTheFarFieldHoldTheNeedle) {
   tiny.materials = {rubbing(10, 10, 0)};
   tiny.materials[0].puncture_force_n = 0.1F;
   Rig rig = make_rig(tiny, Config{}, Tissue::kFixed);
-  // A cylinder in an annulus of 25 mm, over a unit: with the lattice's compliance in series it is
-  // the particle's spring that must be stiffer.
+  // Stiffness of a unit of a cylinder in an annulus of 25 mm. With the lattice's compliance in
+  // series, the particle's spring must be stiffer than that.
   const double n = 3, b = 25e-3, a = 0.635e-3, b2 = b * b, a2 = a * a;
   const double cylinder = 2500 * static_cast<double>(rig.view().model.needle_config().unit_m) * 8 *
                           std::numbers::pi * n / (n * n * std::log(b / a) - (b2 - a2) / (b2 + a2));

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// A needle in the tissue that is held after its insertion, and after a step to the side, relaxes as
+// A needle in the tissue that is held, after its insertion and after a step to the side, relaxes as
 // the material says, for any tissue, voxel, needle, way and speed.
 //
 // Expected is the quasi-linear law (Fung): the force of a displacement d is that of the elastic
-// tissue at d - phi m, m' = (d - m) / tau. Held, all of it goes exponentially with tau; how far
-// depends on what has relaxed before:
-//   a ramp of the duration T:  m = d (1 - g), g = tau / T (1 - exp(-T / tau));
-//   a needle that slides at the speed v, where each length L of slip renews the tissue it touches
-//   (kRenewalLengthM), under a friction and a cutting force that stay as they are: m' = (d - m) /
-//   tau - v / L m = 0, and d - phi m is what carries the force.
-// Of the force at the end of the ramp the part phi g / (1 - phi + phi g) relaxes, of that of the
-// insertion phi x / (1 - phi + x), x = v tau / L.
+// tissue at d - phi m, m' = (d - m) / tau. While it is held all of this decays exponentially with
+// tau; how far depends on what has relaxed before. After a ramp of the duration T:
+//   m = d (1 - g), g = tau / T (1 - exp(-T / tau)).
+// For a needle that slides at the speed v, each length L of slip renews the tissue it touches
+// (kRenewalLengthM), under a friction and a cutting force that stay as they are:
+//   m' = (d - m) / tau - v / L m = 0, and d - phi m is what carries the force.
+// Of the force at the end of the ramp the fraction phi g / (1 - phi + phi g) relaxes, of that of
+// the insertion phi x / (1 - phi + x), with x = v tau / L.
 
 #include <gtest/gtest.h>
 
@@ -151,8 +151,8 @@ Decay decay_of(const std::vector<double>& force_n) {
   return {b / (a + b), low};
 }
 
-// Moves the tip straight on by `way_m`; then holds it for five times tau. Returns the force along
-// the way while held, on the tissue, less what it was before.
+// Moves the tip straight on by `way_m`, then holds it for five times tau. Returns the force on the
+// tissue along the way while it is held, less `before_n`.
 std::vector<double> move_and_hold(Rig& rig, const Scene& s, Vec3& tip_m, Vec3 way, double way_m,
                                   double m_per_s, double before_n) {
   const Vec3 from = tip_m;
@@ -170,7 +170,7 @@ std::vector<double> move_and_hold(Rig& rig, const Scene& s, Vec3& tip_m, Vec3 wa
   return force;
 }
 
-// Fractions and times, over what is expected.
+// Fractions and times, divided by what is expected.
 struct Held {
   Scene scene;
   bool inserted;
@@ -203,8 +203,8 @@ std::vector<Held> drawn_holds(std::uint64_t seed, int count, bool layered) {
   return all;
 }
 
-// Slower, the tissue relaxes while the needle's way in still loads it, and the force of an endless
-// slide is only nearly that.
+// Slower than this, the tissue already relaxes while the needle's way in loads it, and the force of
+// an endless slide is only approximately the expected one.
 constexpr double kSlow = 5, kSlowTolerance = 0.2;
 
 void expect_as_written(const std::vector<Held>& all, double tolerance) {
@@ -224,13 +224,13 @@ TEST(Hold, RelaxesAsWrittenAfterInsertionAndStepAside) {
   expect_as_written(drawn_holds(1, 16, false), 0.02);
 }
 
-// Layers of two voxels, every other one five times as soft and as smooth: stiff tissue drags soft
-// tissue along.
+// Layers of two voxels, every other one five times as soft and as smooth as its neighbours, so that
+// stiff tissue drags soft tissue along.
 TEST(Hold, RelaxesAsWrittenAcrossLayers) {
   expect_as_written(drawn_holds(1, 8, true), 0.03);
 }
 
-// One draw in twenty is 2 to 3 % off in one of the four.
+// In one draw in twenty, one of the four figures is 2 to 3 % off.
 TEST(HoldExhaustive, RelaxesAsWritten) {
   expect_as_written(drawn_holds(2, 100, false), 0.03);
   expect_as_written(drawn_holds(3, 50, true), 0.03);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Action and reaction: what the hand feels is what the tissue gets, force and torque, and both are
-// the sums over the CPs.
+// Action and reaction: the tissue gets the force and torque that the hand feels, and both are the
+// sums over the CPs.
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,8 @@ struct Momentum {
   Vec3d linear, angular;  // about the world's origin
 };
 
-// Over the particles of all voxel rows; those shared by rows counted once by marking them.
+// Over the particles of all voxel rows; a particle that rows share is marked, so that it counts
+// once.
 Momentum momentum(const View& view) {
   Momentum sum = {};
   const ModelHead& head = *view.model.head;

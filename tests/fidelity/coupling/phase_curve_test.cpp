@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// V23: the six phases of a needle's force curve (PHYSICS 17.7), on a liver-like block
-// with a stiff layer one voxel thick, the needle moved by position: 10 mm/s in, 3 s rest, 10 mm/s
-// out. Bands are those named there; the slope and ripple bounds of the insertion are tighter.
+// V23: the six phases of a needle's force curve (PHYSICS 17.7), on a liver-like block with a stiff
+// layer one voxel thick. The needle is moved by position: 10 mm/s in, 3 s of rest, 10 mm/s out.
+// Bands are those given there; the bounds on the slope and ripple of the insertion are tighter.
 
 #include <gtest/gtest.h>
 
@@ -113,8 +113,8 @@ TEST_F(V23PhaseCurve, RisesMonotonouslyToThePunctureForce) {
   EXPECT_LE(slope, 200);
 }
 
-// Convex or linear: in quarters of the way no slope is smaller than the one before it by more than
-// a tenth of the mean.
+// Convex or linear: over the quarters of the way, no slope is less than the one before it by more
+// than a tenth of the mean.
 TEST_F(V23PhaseCurve, RiseIsConvexOrLinear) {
   const Curve& c = *curve_;
   const std::size_t quarter = (c.puncture - 1 - c.contact) / 4;
@@ -139,7 +139,8 @@ TEST_F(V23PhaseCurve, DropsAtThePuncture) {
 TEST_F(V23PhaseCurve, InsertionGrowsWithDepthByTheFrictionWritten) {
   const Curve& c = *curve_;
   std::vector<double> depth, force;
-  // The tissue's recoil from the last puncture belongs to the phase before: 0.2 s are left to it.
+  // The tissue's recoil from the last puncture belongs to the phase before, which therefore gets
+  // 0.2 s more.
   for (std::size_t i = c.through + 200; i < c.hold_begin; ++i) {
     if (c.out[i].depth_m < 10e-3F) continue;
     depth.push_back(static_cast<double>(c.out[i].depth_m));
@@ -164,7 +165,7 @@ TEST_F(V23PhaseCurve, RelaxesOnHoldToAPlateau) {
   EXPECT_GE(1 - end / begin, 0.2);
   EXPECT_LE(1 - end / begin, 0.6);
   EXPECT_GT(end, 0.05);
-  // Time constant: when 1 - 1/e of the decay seen is done.
+  // Time constant: when 1 - 1/e of the decay that is seen has passed.
   std::size_t at = c.hold_begin;
   while (c.force[at] > end + (begin - end) * std::exp(-1.0)) ++at;
   const double time_s = 1e-3 * static_cast<double>(at - c.hold_begin);
@@ -183,8 +184,9 @@ TEST_F(V23PhaseCurve, RetractionReversesTheSignWithinPresliding) {
   const Curve& c = *curve_;
   std::size_t at = c.hold_end;
   while (at < c.exit && c.force[at] > 0) ++at;
-  // Bristle mode: the way the stuck needle must go back to unload, (f at hold + friction) / K with
-  // K = 2 pi G / ln(b / a) per metre of shaft (sticking, notes section 10); G = 8 kPa, b 25 mm.
+  // Bristle mode: the way that the stuck needle must go back to unload, (f at hold + friction) / K,
+  // with K = 2 pi G / ln(b / a) per metre of shaft (sticking, notes section 10); G = 8 kPa, b = 25
+  // mm.
   const double stiffness = 2 * 3.14159 * 8000 / std::log(25 / 0.635) * 60e-3;
   EXPECT_LT(c.x[c.hold_end - 1] - c.x[at], c.force[c.hold_begin - 1] / stiffness);
 }

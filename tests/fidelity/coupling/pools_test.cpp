@@ -49,7 +49,7 @@ TEST(Pools, FullShaftPoolIsCountedAndItsStretchNotFelt) {
   EXPECT_GT(flagged, 100U);
   EXPECT_EQ(s.cp_pool_full, flagged);
   EXPECT_GT(out.depth_m, 25e-3F) << "the needle advances";
-  // 128 units of 0.1 mm at 10 N/m, whatever the depth.
+  // Friction of 128 units of 0.1 mm at 10 N/m, whatever the depth.
   EXPECT_NEAR(-static_cast<double>(out.cause.friction_n.x) / (128 * 1e-4 * 10), 1, 0.02);
   drive(rig, {30e-3F, kStart.y, kStart.z}, -20e-3F, 20e-3F);
   const Output left = hold(rig, {-20e-3F, kStart.y, kStart.z}, 100);
@@ -73,8 +73,8 @@ TEST(Pools, NeedleThatJumpsGetsItsParticlesInTheNextTicks) {
   EXPECT_GE(last, before + 20) << "the rest follow";
 }
 
-// A needle that jumps by more units than a CP slips in a tick: as many then, the others in the
-// next.
+// A needle jumps by more units than a CP may slip in a tick: the CP slips by that many, and by the
+// others in the next ticks.
 TEST(Pools, NeedleThatJumpsInPaperModeSlipsByMostUnitsATick) {
   Config config = tiny_unit();
   config.mode = Mode::kPaper;
@@ -94,7 +94,8 @@ TEST(Pools, NeedleThatJumpsInPaperModeSlipsByMostUnitsATick) {
   EXPECT_EQ(slipped_by(), 0);
 }
 
-// Long thin block of small voxels; needles between their centres, so that every CP has eight.
+// A long thin block of small voxels. The needles run between the voxels' centres, so that every CP
+// has eight of them.
 TinyOrgan fine_block() {
   TinyOrgan tiny;
   tiny.nx = 250;
@@ -116,8 +117,8 @@ Config long_needles(std::uint32_t count) {
   return config;
 }
 
-// The shaft CPs that have room, with weights that add up to 1; those without any have none at all,
-// and push nothing: nothing is pushed by them. (A force without weights was felt by the needle
+// Shaft CPs with room in the pool have weights that add up to 1. Those without have no weights at
+// all, push nothing, and nothing pushes them. (A force without weights was once felt by the needle
 // alone.)
 int complete_particles(const View& view) {
   int complete = 0;
@@ -163,8 +164,8 @@ TEST(Pools, FullVoxelPoolGivesTheWeightToTheOthers) {
   EXPECT_GT(rig.view().state.tip->track_m, 0.195F);
 }
 
-// The first needle's CPs are served first: it takes the room of the second's deep ones, and then
-// comes to the voxels these were in.
+// The first needle's CPs are served first: it takes the room of the second's deep CPs, and later
+// comes to the voxels that these were in.
 TEST(Pools, FullVoxelPoolServesTheFirstNeedleWhereTheSecondWas) {
   Rig rig = make_rig(fine_block(), long_needles(2));
   std::array<Vec3, 2> tip_m = {Vec3{-5e-3F, 2e-3F, 2e-3F}, {-5e-3F, 3e-3F, 2e-3F}};
@@ -187,7 +188,7 @@ TEST(Pools, FullVoxelPoolServesTheFirstNeedleWhereTheSecondWas) {
   EXPECT_LE(all - first, 1) << "but for the entry, at the edge of the tissue";
   EXPECT_LT(second, first - 20) << "the second has half of its voxels with the first";
   (void)complete_particles(needle_view(rig.view(), 1));
-  // The first goes: what the second had lost it holds again, all of it.
+  // The first needle goes: the second holds all that it had lost again.
   for (int i = 0; i < 1300; ++i) {
     tip_m[0].x -= 0.2e-3F;
     const std::array<Input, 2> in = {along_x(tip_m[0], rig.length_m),

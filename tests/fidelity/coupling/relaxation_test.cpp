@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // V28: a CP is displaced in one step and held; its force decays as the material says,
-//   F(t) = F_0 (1 - phi + phi exp(-t / tau)),
-// however soft the voxels are that it is in series with: with attached corners a CP of spring s,
-// with the corner springs 8 k.
+// F(t) = F_0 (1 - phi + phi exp(-t / tau)),
+// however soft the voxels are with which it is in series: with attached corners, a CP of spring s
+// with corner springs 8 k.
 
 #include <gtest/gtest.h>
 
@@ -29,10 +29,10 @@ TinyMaterial relaxing() {
 }
 
 struct Decay {
-  double fraction, time_s, worst;  // worst: off the exponential, of the first force
+  double fraction, time_s, worst;  // worst deviation from the exponential, over the first force
 };
 
-// Matches F = F_inf + (F_0 - F_inf) exp(-t / T) by the force at 0, T0 and 10 T0.
+// Fits F = F_inf + (F_0 - F_inf) exp(-t / T) to the beginning and the end of the force.
 Decay decay_of(const std::vector<double>& force, double period_s) {
   const double first = force.front(), last = force.back();
   Decay decay = {1 - last / first, 0, 0};
@@ -67,8 +67,8 @@ std::vector<double> press_and_hold(Rig& rig, int ticks) {
   return forces_held(rig, {2e-3F, centre.y, centre.z}, ticks);
 }
 
-// A needle so thin that the lattice's compliance is nothing beside its own: what is left is the
-// material's fraction and time.
+// A needle so thin that the lattice's compliance is negligible beside its own, so that the
+// material's fraction and time are all that is seen.
 TEST(V28Relaxation, DecaysByTheFractionAndTimeWritten) {
   TinyOrgan tiny;
   tiny.nx = 4;
@@ -83,8 +83,9 @@ TEST(V28Relaxation, DecaysByTheFractionAndTimeWritten) {
   EXPECT_LT(decay.worst, kTolerance);
 }
 
-// Any spring and Maxwell branch, one CP in the middle of one voxel. Of the series of 100 N/m with
-// eight corners of 28 N/m each, and of 100 times as much, that gives way mostly at the corners.
+// Any spring and Maxwell branch, one CP in the middle of one voxel. With 100 N/m in series with
+// eight corners of 28 N/m each, the spring gives way too; with 100 times as much, mostly the
+// corners do.
 TEST(V28Relaxation, StepOfOneShaftParticleRelaxesAllOfItsForce) {
   for (const double spring : {100.0, 10000.0}) {
     for (const double share : {0.2, 0.5, 0.8}) {
@@ -112,7 +113,7 @@ TEST(V28Relaxation, StepOfOneShaftParticleRelaxesAllOfItsForce) {
   }
 }
 
-// An 18G needle pressed on tissue that gives: CP and lattice together must relax as written.
+// An 18G needle is pressed on tissue that gives way: CP and lattice together must relax as written.
 TEST(V28Relaxation, WholeContactRelaxesAsWritten) {
   TinyOrgan tiny;
   tiny.nx = tiny.ny = tiny.nz = 9;
@@ -147,9 +148,9 @@ TEST(V28Relaxation, InsertedNeedleRelaxesAsWritten) {
   EXPECT_NEAR(decay.time_s / static_cast<double>(kTimeS), 1, 0.1);
 }
 
-// Tissue that another needle holds aside relaxes there, and pulls at none that came to it then: a
-// twentieth of what the other holds is allowed, an anchor that took the tissue's place for the
-// needle's way pulled with an eighth.
+// Tissue that another needle holds aside relaxes there, and does not pull at a needle that comes to
+// it then. A twentieth of what the other one holds is allowed; an anchor that took the tissue's
+// place for the needle's way pulled with an eighth.
 TEST(Relaxation, NeedleInTissueThatAnotherHoldsAsideIsNotPulled) {
   TinyOrgan tiny;
   tiny.nx = 14;
@@ -188,7 +189,7 @@ TEST(Relaxation, NeedleInTissueThatAnotherHoldsAsideIsNotPulled) {
 }
 
 // Nothing that fades ends among denormal numbers, which processors may flush: a needle goes in a
-// little askew, and is then turned along x, across which nothing pulls any more.
+// little askew, and is then turned along x, so that nothing pulls across x any more.
 TEST(Relaxation, WhatFadesEndsAtZero) {
   TinyOrgan tiny;
   tiny.nx = 8;

@@ -42,7 +42,7 @@ struct Rig {
 
 enum class Tissue { kMoves, kFixed };
 
-// With Tissue::kFixed every particle is attached: what is measured is the coupling alone.
+// With Tissue::kFixed every particle is attached, so that the coupling alone is measured.
 inline Rig make_rig(const TinyOrgan& tiny, const Config& config, Tissue tissue = Tissue::kMoves) {
   TinyOrgan wanted = tiny;
   if (tissue == Tissue::kFixed) wanted.fixed_faces |= kLowX;  // so that the array is there
@@ -122,8 +122,8 @@ inline void hold_tissue(const View& view, Particle& p, Vec3 rest_m, float stiffn
 
 constexpr float kTipBeyondM = 0.03F;
 
-// Puts one shaft CP with spring `stiffness_n_per_m` at a rest place, held by a needle whose tip is
-// far behind the tissue: friction of one unit of shaft, and nothing else.
+// Puts one shaft CP with spring `stiffness_n_per_m` at a rest place. The tip of the needle that
+// holds it is far behind the tissue: there is the friction of one unit of shaft, and nothing else.
 inline Vec3 hold_one_shaft_particle(Rig& rig, Vec3 rest_m, float stiffness_n_per_m) {
   const Vec3 tip_m = rest_m + Vec3{kTipBeyondM, 0, 0};
   move_tip(rig, tip_m);
@@ -146,7 +146,7 @@ inline Vec3 hold_one_shaft_particle(Rig& rig, Vec3 rest_m, float stiffness_n_per
   return tip_m;
 }
 
-// The same of the tip, which holds the tissue at `rest_m`; the shaft CP behind it holds none.
+// The same for the tip, which holds the tissue at `rest_m`; the shaft CP behind it holds none.
 inline Vec3 hold_tip(Rig& rig, Vec3 rest_m, float stiffness_n_per_m) {
   const Vec3 tip_m = hold_one_shaft_particle(rig, rest_m - Vec3{kTipBeyondM, 0, 0}, 1);
   View view = rig.view();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The friction that a report reads off a curve is that of the material, in soft tissue too, where
+// The friction that a report reads off a curve is that of the material, also in soft tissue, where
 // the needle takes the tissue along for many millimetres before it slides.
 
 #include <cmath>
@@ -12,8 +12,8 @@
 namespace stylet::test {
 namespace {
 
-// Residuals tissues of 6 to 30 kPa, held at the far end: 60 mm in, a rest, and out. Where a needle
-// takes the tissue along to its end there is no slope.
+// Drawn tissues of 6 to 30 kPa, held at the far end: 60 mm in, a rest, and out. Where a needle
+// takes the tissue along to its end, there is no slope.
 TEST(Slope, IsTheFrictionOfTheMaterialOnceTheShaftSlides) {
   std::mt19937 random(1000);
   const auto between = [&](double low, double high) {

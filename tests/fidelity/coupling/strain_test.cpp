@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// In tissue held in a homogeneous strain that turns, shears and stretches, each part differently,
-// the inverse of its deformation gradient says which tissue lies at the tip.
+// Tissue is held in a homogeneous strain that turns, shears and stretches, to a different degree in
+// each part. The inverse of its deformation gradient then says which tissue lies at the tip.
 
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ void strain(View view, const Mat& f) {
   }
 }
 
-// The way in is long enough for the rest place to be where it belongs after the dimple's.
+// The way in is so long that the rest place has come to where it belongs after the dimple.
 constexpr float kSettledM = 14e-3F;
 
 // Needle along +x or, a quarter turn about it instead, +y.
@@ -89,9 +89,9 @@ TEST_P(Strained, RestPlaceOfTheTipIsThatOfTheMaterialItHolds) {
     ++seen;
   }
   EXPECT_GT(seen, 500);
-  // Along the needle voxels come and go: 0.08 mm on the way along x, 0.18 mm along y; across it is
-  // 5 um off. Each of six wrong entries of the inverse gave 11 um across x or 0.12 mm along it, and
-  // one wrong entry of the gradient 22 um across y.
+  // Along the needle, where voxels come and go, the place is 0.08 mm off on the way along x and
+  // 0.18 mm along y; across it is 5 um off. Each of six wrong entries of the inverse gave 11 um
+  // across x or 0.12 mm along it, and one wrong entry of the gradient 22 um across y.
   const double most_m = axis == 0 ? 0.1e-3 : 0.2e-3;
   for (int i = 0; i < 3; ++i) EXPECT_LT(worst_m[i], i == axis ? most_m : 8e-6) << i;
 }

@@ -66,8 +66,8 @@ TEST(Bone, StopsARigidNeedle) {
   EXPECT_NEAR(static_cast<double>(touch[0].normal.x), -1, 1e-3);
 }
 
-// With the tip or the side of the shaft, whichever way the face looks: the bound adds up the
-// contact's stiffness across the face and both ways along it, where it sticks.
+// Touched with the tip or with the side of the shaft, whichever way the face looks. The bound that
+// is told adds up the contact's stiffness across the face and, where it sticks, both ways along it.
 TEST(Bone, SaysHowStiffItIs) {
   const Vec3 tip = {15e-3F, 17e-3F, 18e-3F};
   const Vec3 half = {10e-3F, 30e-3F, 30e-3F};
@@ -84,8 +84,8 @@ TEST(Bone, SaysHowStiffItIs) {
   }
 }
 
-// Pressed on bone that holds its tip, a needle buckles at the clamped-pinned load 20.19 EI / L^2
-// (PHYSICS 6.2) and feels no more than a little above it however far it is pushed.
+// A needle pressed on bone that holds its tip buckles at the clamped-pinned load 20.19 EI / L^2
+// (PHYSICS 6.2). However far it is pushed, the hand feels no more than a little above that.
 TEST(Bone, AThinNeedleBucklesOnItAtEulersLoad) {
   Rig rig = make_bone(needle_22g(), bone(5.0F));  // the tip sticks
   double most = 0;
@@ -107,8 +107,8 @@ TEST(Bone, AThinNeedleBucklesOnItAtEulersLoad) {
 }
 
 // Pushed on at hard bone beyond buckling, the tip slides along it and off its edges, and the needle
-// snaps over. Without limits to how it bends in a tick it passed in and out of the bone with every
-// tick, at up to 227 N.
+// snaps over. When nothing limited how far it bends in a tick, it passed in and out of the bone
+// with every tick, at up to 227 N.
 TEST(Bone, AThinNeedleSlidesAndSnapsWithoutChatter) {
   for (const float friction : {0.0F, 0.1F, 0.3F, 0.5F}) {
     for (const float tilt_rad : {0.02F, 0.1F, 0.3F, 0.5F}) {
@@ -135,7 +135,7 @@ TEST(Bone, AThinNeedleSlidesAndSnapsWithoutChatter) {
   }
 }
 
-// Residuals along a face the needle is pulled back by friction times the normal force.
+// Drawn along a face, the needle is pulled back by friction times the normal force.
 TEST(Bone, SlidesAlongAFace) {
   const float friction = 0.2F;
   Rig rig = make_bone(NeedleConfig{}, bone(friction));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tissue that moves by itself over a resting needle: friction and retraction by the same rule as
-// for a needle that moves in resting tissue.
+// Tissue that moves by itself over a resting needle: friction and retraction follow the same rule
+// as for a needle that moves in resting tissue.
 
 #include <gtest/gtest.h>
 
@@ -66,7 +66,7 @@ TEST(Breathing, ARestingNeedleFeelsFrictionBothWays) {
   EXPECT_NEAR(pulled, -10 * shallow, 0.08);
   EXPECT_GT(pushed, 10 * shallow);
   EXPECT_LT(pushed, 10 * deep + 0.25);
-  // The tissue slides past by what it does not carry along.
+  // The tissue slides past by the part of its way on which the needle does not hold it.
   EXPECT_GT(deep - shallow, 0.6 * static_cast<double>(kAmplitudeM));
   EXPECT_LT(deep - shallow, static_cast<double>(kAmplitudeM));
 }

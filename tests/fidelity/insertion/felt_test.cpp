@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A needle is felt wherever it goes in: what the rest of the organ does hides none of it.
+// A needle is felt wherever it goes in: whatever the rest of the organ does, it hides none.
 //
-// Judged by brute force: whether a tip is inside the deformed surface, by the number of triangles
-// that rays from it cross. The search of the kernel is not asked.
+// Judged by brute force: whether a tip is inside the deformed surface is told by the number of
+// triangles that rays from it cross. The search of the kernel is not asked.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -15,7 +15,7 @@
 namespace stylet::test {
 namespace {
 
-// Numbers that are the same everywhere: the standard's distributions are not.
+// Numbers that are the same everywhere; those of the standard's distributions are not.
 struct Draw {
   std::mt19937_64 engine;
   float between(float low, float high) {
@@ -70,7 +70,8 @@ double square_to(const Point& a, const Point& b) {
   return with(foot, foot);
 }
 
-// From the origin to a triangle, squared: to its plane where it is over it, else to its sides.
+// Squared distance from the origin to a triangle: to its plane where that is within it, else to its
+// sides.
 double square_to(const Point& a, const Point& b, const Point& c) {
   const Point n = times(minus(b, a), minus(c, a));
   const double n2 = with(n, n);
@@ -110,7 +111,7 @@ struct Judge {
     return std::sqrt(square);
   }
 
-  // Inside by three rays of three, and farther than this from the surface.
+  // Inside if all three rays say so, and farther than this from the surface.
   bool inside(Vec3 tip_m, double skin_m) const {
     for (const Vec3 way :
          {Vec3{0.91F, 0.31F, 0.27F}, {-0.43F, 0.83F, 0.36F}, {0.22F, -0.3F, 0.93F}}) {
@@ -265,9 +266,9 @@ Scene drawn_out(std::uint64_t seed) {
   return scene;
 }
 
-// Ticks in which a needle was inside and felt nothing. Held against the surface that the tick
-// decided by, the one at its start: within a tick tissue may move farther over a tip than that may
-// be deep (by more than 0.1 mm in 3 of 800 scenes), and is found in the next.
+// Ticks in which a needle was inside and felt nothing. Judged against the surface by which the tick
+// decided, the one at its start: within a tick tissue may move farther over a tip than the tip may
+// be deep (by more than 0.1 mm in 3 of 800 scenes); the next tick then finds it.
 void expect_felt(std::uint64_t seed, Scene scene) {
   Rig rig = make_rig(scene.tiny, scene.config);
   const std::uint32_t needles = scene.config.needle_count;
@@ -289,8 +290,8 @@ void expect_felt(std::uint64_t seed, Scene scene) {
         met[i] = true;
         continue;
       }
-      // One that was in and out again may lie in the mouth of its own hole; beside that 0.1 mm are
-      // rounding and skin.
+      // One that was in and came out again may lie in the mouth of its own hole. For others 0.1 mm
+      // are allowed for rounding and skin.
       const double mouth_m = 3 * static_cast<double>(scene.config.needle[i].outer_radius_m);
       const double skin_m = met[i] ? mouth_m + 1e-4 : 1e-4;
       ASSERT_FALSE(judge.inside(outputs[i].tip_m, skin_m))
@@ -345,7 +346,7 @@ TEST(FeltExhaustive, NoTipIsInTissueInPhaseFreeWhenItHasJustLeft) {
 }
 
 // As an outside check found it: fat under skin, voxels of 3 mm, a dent of 8 mm, and a second needle
-// 15 to 45 mm away that went 45 mm deep without a force.
+// that went in 15 to 45 mm away, 45 mm deep, without a force.
 TEST(Felt, ASecondNeedleBesideADent) {
   for (const float apart_m : {15e-3F, 30e-3F, 45e-3F}) {
     TinyOrgan tiny;

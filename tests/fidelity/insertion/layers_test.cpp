@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Layers in one lattice: each is punctured on its own on the way in, none in a track, again
-// elsewhere; and the loss of resistance behind a ligament is felt within a tick.
+// Layers in one lattice: each is punctured on its own on the way in, not again in a track, and
+// again elsewhere; and the loss of resistance behind a ligament is felt within a tick.
 
 #include <gtest/gtest.h>
 
@@ -73,8 +73,8 @@ TEST(Layers, EachIsPuncturedOnTheWayIn) {
   EXPECT_EQ(entered[1].layer, kEpidural);
 }
 
-// Against a stiff layer the tip has that layer's spring, not the one of the soft tissue it lies in:
-// fat of 3 kPa under the tip must not hide a ligament of 1 MPa.
+// Against a stiff layer the tip has that layer's spring, not that of the soft tissue in which it
+// lies: fat of 3 kPa under the tip must not hide a ligament of 1 MPa.
 TEST(Layers, AStiffLayerBehindASoftOneIsReached) {
   TinyOrgan tiny = back();
   tiny.materials[kFat].youngs_modulus_pa = 3000;
@@ -109,7 +109,8 @@ TEST(Layers, TheTipHasTheSpringOfTheLayerItIsIn) {
   EXPECT_EQ(behind_fat, alone);
 }
 
-// Voxels that hold the needle one by one: two in the air, with nothing beside or between them.
+// Looks one by one at the voxels that hold the needle: two lie in the air, with nothing beside or
+// between them.
 TEST(Layers, ASingleVoxelSaysWhichTissueItIs) {
   TinyOrgan tiny = back();
   tiny.nx = 3;
@@ -146,7 +147,7 @@ TEST(Layers, TheSameTissueBehindAnotherIsALayerAgain) {
   ASSERT_EQ(soft.size(), 2U);
   EXPECT_EQ(soft[0].layer, kFat);
   EXPECT_EQ(soft[1].layer, kFat);
-  // On the way back each is passed once more, and none of them pushes.
+  // On the way back each layer is passed once more, and none of them pushes.
   drive(rig, {72e-3F, kStart.y, kStart.z}, 15e-3F, 20e-3F);
   const Output still = hold(rig, {15e-3F, kStart.y, kStart.z}, 500);
   EXPECT_EQ(still.phase, Phase::kRetracting) << "a hand that rests does not insert";
@@ -157,7 +158,8 @@ TEST(Layers, TheSameTissueBehindAnotherIsALayerAgain) {
   for (const Event& each : soft) EXPECT_GE(each.force_n, 0) << each.depth_m;
 }
 
-// However the units of the shaft fall on the layers, its friction is that of the stretches in each.
+// However the units of the shaft fall on the layers, its friction is that of its stretches in each
+// layer.
 TEST(Layers, FrictionIsThatOfTheStretchInEach) {
   for (const float unit_m : {2.5e-3F, 5e-3F, 7e-3F, 11e-3F}) {
     Config config;
@@ -182,8 +184,8 @@ int held_between(const Rig& rig, float low_m, float high_m) {
   return count;
 }
 
-// Two organs with a gap of three units between them: the needle is held by both, and by nothing on
-// the way between; once more after it has been drawn back into the first.
+// Two organs with a gap of three units between them: both hold the needle, and nothing holds it on
+// the way between. The same once more after it has been drawn back into the first.
 TEST(Layers, WhatLiesBehindAGapHoldsTheNeedle) {
   TinyOrgan tiny = back();
   tiny.materials = {tiny.materials[kFat]};
@@ -202,10 +204,9 @@ TEST(Layers, WhatLiesBehindAGapHoldsTheNeedle) {
   }
 }
 
-// A needle that has come out at the far face and is drawn back through it, fast and slow: the
-// tissue it drags along lets it go and is met again from tick to tick. The log tells of no layer
-// twice within half a millimetre, keeps what happened before, and ends with the layer the tip is
-// in.
+// A needle has come out at the far face and is drawn back through it, fast and slow: the tissue
+// that it drags along lets go and is met again from tick to tick. The log names no layer twice
+// within half a millimetre, keeps what happened before, and ends with the layer that the tip is in.
 TEST(Layers, ATipDrawnBackThroughTheFarFaceTellsOfItOnce) {
   std::mt19937 random(3);
   for (int time = 0; time < 6; ++time) {
@@ -249,8 +250,8 @@ std::vector<format::Mixed> mixed_planes(const TinyOrgan& tiny, std::uint16_t x,
   return mixed;
 }
 
-// Where two tissues meet within a voxel, the needle meets the second there, not at the voxel's
-// face.
+// Where two tissues meet within a voxel, the needle meets the second one at that place, not at the
+// voxel's face.
 TEST(Layers, AFaceWithinAVoxelIsMetWhereItIs) {
   for (const float fat_in_voxel : {0.1F, 0.4F, 0.9F}) {
     TinyOrgan tiny = back();
@@ -268,7 +269,7 @@ TEST(Layers, AFaceWithinAVoxelIsMetWhereItIs) {
   }
 }
 
-// Tissue that ends within a voxel holds the needle as far as it goes.
+// Tissue that ends within a voxel holds the needle as far as the tissue goes.
 TEST(Layers, TissueEndsWithinAVoxel) {
   TinyOrgan tiny = back();
   tiny.materials = {tiny.materials[kFat]};

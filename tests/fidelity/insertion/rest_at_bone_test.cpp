@@ -81,7 +81,8 @@ ObstacleConfig ball(double radius_m, double off_m, double way_rad) {
   return body;
 }
 
-// A box whose face has its middle at `face_m`, turned from across the needle by `tilt_rad`.
+// A box whose face has its middle at `face_m`. The face is tilted by `tilt_rad` from square to the
+// needle.
 ObstacleConfig tilted_box(Vec3 face_m, double tilt_rad, double roll_rad) {
   ObstacleConfig body;
   make_box(body, {10e-3F, 30e-3F, 30e-3F});
@@ -134,7 +135,7 @@ class Hand {
   bool known_ = false;
 };
 
-// Forward along x, 100 ms to come to rest, 100 ms of rest, and back.
+// Goes forward along x, comes to rest for 100 ms, rests for 100 ms, and goes back.
 Felt press_and_rest(Rig& rig, double from_m, double to_m, double speed_m_per_s) {
   Hand hand(rig);
   const double step = speed_m_per_s * 1e-3;
@@ -147,8 +148,8 @@ Felt press_and_rest(Rig& rig, double from_m, double to_m, double speed_m_per_s) 
   return hand.felt;
 }
 
-// No load is more than 1.2 times that at which a resting needle buckles, but for what one tick's
-// way builds up before the needle can give way.
+// No load is more than 1.2 times that at which a resting needle buckles, apart from what builds up
+// on the way of one tick, before the needle can give way.
 void expect_rest(const Felt& felt, const Gauge& gauge, const ObstacleConfig& body,
                  double speed_m_per_s, const std::string& which) {
   const double in_a_tick_n = static_cast<double>(body.stiffness_n_per_m) * speed_m_per_s * 1e-3;
@@ -187,8 +188,8 @@ TEST(RestAtBone, OnFacesOfAnyTilt) {
   }
 }
 
-// The tip slides off a smooth ball and the shaft leans on its side: a cantilever that is pushed
-// aside by `aside` at the arc `arc` of the contact, F = 3 EI aside / arc^3.
+// The tip slides off a smooth ball and the shaft leans on the ball's side: a cantilever that is
+// pushed aside by `aside` at the arc `arc` of the contact, F = 3 EI aside / arc^3.
 TEST(RestAtBone, AShaftLeansOnABallAsABeam) {
   Draw draw{std::mt19937_64{37}};
   for (int i = 0; i < 8; ++i) {
@@ -210,7 +211,7 @@ TEST(RestAtBone, AShaftLeansOnABallAsABeam) {
   }
 }
 
-// Where the tip sticks, just beyond buckling, at any stiffness of the bone.
+// Where the tip sticks, and is pressed just beyond buckling, at any stiffness of the bone.
 TEST(RestAtBone, ATipThatSticksBucklesTheNeedleAtEulersLoad) {
   for (const double stiffness : {20e3, 200e3, 1e6}) {
     for (const Gauge& gauge : {k18G, k22G}) {
@@ -228,9 +229,9 @@ TEST(RestAtBone, ATipThatSticksBucklesTheNeedleAtEulersLoad) {
   }
 }
 
-// On hard bone, where a tick's way alone is several times the load at which the needle buckles: the
-// most that is felt, over what a hand as slow as 5 um a tick feels. Not all are below the bar
-// of 1.2 (PHYSICS 18.6); those that are not are told by how many there are.
+// On hard bone, where the way of one tick is several times the load at which the needle buckles:
+// the largest force that is felt, over that which a hand as slow as 5 um a tick feels. Not all are
+// below the bar of 1.2 (PHYSICS 18.6); the test bounds how many are not.
 TEST(RestAtBone, PressedFastOnHardBoneTheLoadIsThatOfASlowHand) {
   constexpr int kDraws = 48;
   Draw draw = {std::mt19937_64(5)};
@@ -279,8 +280,8 @@ TEST(RestAtBone, ToAndFroAcrossABallGivesNothing) {
   }
 }
 
-// In tissue, on a box that is turned: what the tissue answers is in the same equilibrium. It takes
-// a second and a half until the tissue has come to rest.
+// In tissue, on a box that is turned: the tissue's answer is in the same equilibrium. It takes a
+// second and a half until the tissue has come to rest.
 TEST(RestAtBone, InTissueOnATurnedBox) {
   Draw draw{std::mt19937_64{41}};
   for (int i = 0; i < 6; ++i) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tip's roll behind the hand's, against the torsion bar that is held by friction: with f the
-// friction per length, r the radius, d the depth and L the needle's length the tip lags by
-//   f r (d (L - d) + d^2 / 2) / GJ
+// The roll of the tip lags behind that of the hand as in a torsion bar that is held by friction.
+// With f the friction per length, r the radius, d the depth and L the needle's length, the tip lags
+// by
+// f r (d (L - d) + d^2 / 2) / GJ
 // when the shaft slips all along, and the hand then feels the torque f r d.
 #include "coupling/roll.h"
 
@@ -41,7 +42,7 @@ class Rolled : public testing::Test {
     const Vec3 start = {-1e-3F, 17e-3F, 16e-3F};
     drive(rig_, start, kDepthM + 4e-3F, 20e-3F);
     tip_m_ = {kDepthM + 4e-3F, start.y, start.z};
-    // Back by as much as the shaft's springs let it, so that nothing pulls along it.
+    // Draws it back until the shaft's springs pull no more along it.
     for (int i = 0; i < 20000 && out_.force_n.x <= 0; ++i) {
       tip_m_.x -= 1e-6F;
       out_ = hold(rig_, tip_m_, 1);
@@ -74,7 +75,7 @@ class Rolled : public testing::Test {
   double torque_nm() const { return -static_cast<double>(roll_torque_nm(rig_.view().state).x); }
   double lag_rad() const { return static_cast<double>(rig_.view().state.needle->twist_rad); }
 
-  // The shaft as its particles stand for it: f r and the sums over stretches of it.
+  // The shaft as its particles represent it: f r, and the sums over their stretches.
   double slipping_nm() const {
     return sum([](double, double hold) { return hold; });
   }
@@ -114,7 +115,7 @@ TEST_F(Rolled, LagsByTheTorsionBarsClosedForm) {
   EXPECT_GT(lag_rad(), 0.5);
   EXPECT_NEAR(lag_rad() / slipping_rad(), 1, 1e-3) << "what the axial forces leave of friction";
   EXPECT_NEAR(torque_nm() / -slipping_nm(), 1, 1e-3) << "against the roll";
-  // At rest the shaft still carries a part of its friction along itself.
+  // At rest the shaft still carries a part of its friction along its axis.
   EXPECT_LT(lag_rad(), 1.02 * whole_rad);
   EXPECT_GT(lag_rad(), 0.6 * whole_rad);
 }
@@ -132,7 +133,7 @@ TEST_F(Rolled, TurnsBackOnlyAfterTwiceTheLag) {
   EXPECT_NEAR(lag_rad(), -lag, 0.01 * lag);
 }
 
-// A closed loop of rolling takes the loop's area from the hand, and all of it is booked.
+// A closed loop of rolling takes its area from the hand as work, and all of that is booked.
 TEST_F(Rolled, LoopTakesItsAreaFromTheHand) {
   roll(2.0);
   const Energy before = energy(rig_.kernel());
@@ -145,7 +146,7 @@ TEST_F(Rolled, LoopTakesItsAreaFromTheHand) {
   EXPECT_NEAR((after.friction - before.friction) / area, 1, 0.01);
 }
 
-// Moving on, friction points along the shaft, and the tip follows the hand.
+// When the needle moves on, friction points along the shaft, and the tip follows the hand's roll.
 TEST_F(Rolled, UnwindsAsTheNeedleMovesOn) {
   roll(2.0);
   const double lag = lag_rad();

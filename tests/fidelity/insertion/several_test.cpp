@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two needles in one tissue: forces, limits and particles are their own; the tissue is shared.
+// Two needles in one tissue: each has forces, limits and particles of its own; they share the
+// tissue.
 
 #include <gtest/gtest.h>
 
@@ -47,7 +48,8 @@ TEST(TwoNeedles, FarApartEachFeelsWhatItFeelsAlone) {
     const auto out = move_both(both, x, x - 2e-3F);
     const Output one = move_tip(alone, {x, 17e-3F, kNearZ});
     largest = std::max(largest, norm_of(one.force_n));
-    // A puncture may come some ticks earlier; the recoil of the tissue takes its time.
+    // With the second needle a puncture may come some ticks earlier, and the tissue's recoil takes
+    // its time.
     apart += out[0].constraint_particles != one.constraint_particles ? 1 : 0;
     if (i > 1500 && i < 2500) continue;
     worst = std::max(worst, norm_of(out[0].force_n - one.force_n));

@@ -17,7 +17,7 @@ struct Path {
   Vec3 place = {}, cut = {1, 0, 0};
 };
 
-// A tip in stiff tissue: the needle follows its cut, rolled about it by `roll_rad(length)`.
+// A tip in stiff tissue: the needle follows its cut, and is rolled by `roll_rad(length)`.
 template <typename Roll>
 Path follow(double curvature, double length_m, double unit_m, Roll roll_rad) {
   Path path;
@@ -139,12 +139,12 @@ TEST(Steering, BevelSteersToItsSideAndTheMoreTheStifferTheTissue) {
   EXPECT_GT(soft, 0.5e-3F);
   EXPECT_GT(middle, 1.3F * soft);
   EXPECT_GT(stiff, 1.3F * middle);
-  // Never more than the arc of the bevel in tissue that does not give.
+  // In tissue that gives way never more than the arc of the bevel.
   EXPECT_LT(stiff, (1 - std::cos(5 * 0.08F)) / 5);
   // A tenth of the bevel turns a tenth as much.
   const float weak = steer(160000, 0.5F, false).tip.z - straight;
   EXPECT_NEAR(static_cast<double>(weak / stiff), 0.1, 0.01);
-  // The other way round, mirrored.
+  // Rolled half way round, mirrored.
   EXPECT_LT(steer(40000, 5, true).tip.z, 0.7F * middle);
 }
 

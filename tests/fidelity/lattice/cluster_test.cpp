@@ -154,7 +154,7 @@ TEST(FidelityV3, RigidMotionOfABlockMakesNoForceInTheKernel) {
       hold_constraint_particle(rig, {1, 1, 2}, to_float(rest - kEdgeD * Vec(1.5, 1.5, 2.5)),
                                to_float(turned * rest + moved - rest), 8 * kShear * kEdge);
       let_rotations_follow(rig);
-      // How far a particle is from the mean of its clusters' goals: force over sum of springs.
+      // How far a particle is from the mean of its clusters' goals: force over the sum of springs.
       const std::vector<Vec> forces = node_forces(rig);
       double worst = 0;
       for_each_node(view, [&](Node node) {
@@ -332,7 +332,8 @@ Vec spin(const Vec& place, const Vec& centre) {
   return Vec(3, -2, 4).cross(place - centre);
 }
 
-// A free block, crumpled at random by a part of an edge, at rest or turning about its middle.
+// A free block, at rest or turning about its middle. Its particles are displaced at random, by up
+// to a fraction of an edge.
 Rig free_block(float damping_s, bool turning, double crumple = 0.1) {
   Config config = sweep_config();
   config.tissue_damping_s = damping_s;
@@ -412,8 +413,8 @@ TEST(FidelityV6, TurningBlockKeepsItsMomentaInTheKernel) {
   EXPECT_LT(drift.angular, 1e-4);
 }
 
-// Damping evaluates the clusters at u + tau v. Their forces carry no torque about those places, so
-// about the particles it is -tau sum(v x f): small, and known.
+// Damping evaluates the clusters at u + tau v. Their forces carry no torque about those places;
+// about the particles it is therefore -tau sum(v x f), which is small and known.
 TEST(FidelityV6, DampingKeepsLinearMomentumAndHasNoTorqueAboutWhereItActs) {
   for (const bool turning : {false, true}) {
     Rig rig = free_block(Config{}.tissue_damping_s, turning);
@@ -486,8 +487,8 @@ TEST(FidelityV7, NeutralInsertionChangesNothingInDouble) {
 }
 
 // The kernel's own insertion: a needle that takes hold of strained tissue is not felt, and the
-// tissue does not feel it, though the new particle is shared by eight voxels, around the place an
-// edge deeper.
+// tissue does not feel it, although eight voxels share the new particle, around a place an edge
+// deeper.
 TEST(FidelityV7, NeutralInsertionChangesNoForceInTheKernel) {
   Draw draw;
   for (int i = 0; i < 20; ++i) {

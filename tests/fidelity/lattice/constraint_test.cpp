@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // V13, V14: how stiff the tissue feels to one constraint particle, and to a line of them.
 //
-// Infinite bodies are balls whose outside is fixed, of two radii R: the compliance at the middle is
-// extrapolated linearly in 1 / R. Stiffness is in units of G h.
+// Infinite bodies are balls whose outside is fixed, with two radii R; the compliance at the middle
+// is extrapolated linearly in 1 / R. Stiffness is in units of G h.
 
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@ constexpr float kPush = 0.01F * kEdge;
 // Goals are rounded to 1e-7 of an edge, 1e-5 of the push, and tissue moves by a quarter of it.
 constexpr double kStill = 4e-5;
 
-// Origin that puts a place, in voxel edges, at 0. The needle's places are world coordinates in
-// float: near 0 their rounding does not show in these small pushes.
+// The origin for which a place, in voxel edges, lies at 0. The needle's places are world
+// coordinates as floats: near 0 their rounding does not show in these small pushes.
 Vec3 middle_at(const Vec& centre) {
   return -kEdge * Vec3{static_cast<float>(centre.x()), static_cast<float>(centre.y()),
                        static_cast<float>(centre.z())};
@@ -144,8 +144,8 @@ double annulus_stiffness(double a, double b, double poisson) {
          (n * n * std::log(b / a) - (b * b - a * a) / (b * b + a * a));
 }
 
-// One constraint particle in every voxel of a line: by symmetry one slice of one voxel, which
-// cannot move along the line. The line is along z, the push along x.
+// One constraint particle in every voxel of a line: by symmetry one slice of one voxel is enough,
+// which cannot move along the line. The line is along z, the push along x.
 double line_stiffness(std::uint32_t radius, float poisson, float weight) {
   const auto across = static_cast<std::uint16_t>(2 * radius + 1);
   const Vec centre = Vec::Constant(radius + 0.5);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// True mass: the filter against the polynomial it stands for (closed form, in double precision, on
-// the eigenvectors of a dense matrix), what it conserves, that it is stable, and that a moving hand
-// feels what it feels with 32 substeps.
+// True mass: the filter against the polynomial that it stands for (in closed form and double
+// precision, on the eigenvectors of a dense matrix), what it conserves, that it is stable, and that
+// a moving hand feels what it feels with 32 substeps.
 
 #include "laws/filter.h"
 
@@ -71,7 +71,8 @@ Config random_config(Random& random) {
   return config;
 }
 
-// Mass and L of filter.h from the body's description, and which node each row is; not held ones.
+// Mass and L of filter.h from the body's description, and the node of each row; held nodes have
+// none.
 struct Lattice {
   std::vector<std::uint32_t> node;
   Column mass_kg;
@@ -141,7 +142,7 @@ double polynomial(int passes, double z) {
   return (1 - chebyshev(n, x) / top) / (z * (1 + w0) * chebyshev_slope(n, w0) / top);
 }
 
-// Mass of the step: that of the tissue, or more where seven passes do not do.
+// Mass in the step: that of the tissue, or more where seven passes are not enough.
 double kg_of_step(const View& view, std::uint32_t node) {
   return static_cast<double>(view.model.head->substep_s) /
          static_cast<double>(view.model.step_per_mass[node]);
@@ -185,7 +186,7 @@ TEST(Filter, IsThePolynomialOnEveryWave) {
         ASSERT_NEAR(mass[a] / lattice.mass_kg[a], 1, 1e-5);
       }
     }
-    // With all that springs of needles may add, and of held nodes, too.
+    // With all stiffness that springs of needles may add, and with that of held nodes.
     double fastest = 0;
     for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) {
       const double all = static_cast<double>(view.model.bound[i]) +
@@ -229,14 +230,14 @@ TEST(Filter, IsThePolynomialOnEveryWave) {
       }
     }
   }
-  // The sample is of use only if it has few passes and many.
+  // The sample is only of use if it has bodies with few passes and with many.
   EXPECT_GT(seen[0] + seen[1] + seen[2], 3);
   EXPECT_GT(seen[kMaxFilterPasses - 2] + seen[kMaxFilterPasses - 1], 0);
   EXPECT_GT(seen[kMaxFilterPasses], 3);
 }
 
-// Shared out to helpers (none come: one thread does all parts) a step has the same bits, in bodies
-// with holes and overhangs at any plane.
+// A step that is divided into parts for helpers has the same bits (here none come: one thread does
+// all parts), in bodies with holes and overhangs at any plane.
 TEST(Filter, HasTheBitsOfOneThreadWhateverPartsThePlanesAreIn) {
   for (std::uint32_t round = 0; round < 60; ++round) {
     const auto moved = [&](std::uint32_t helpers) {
@@ -358,8 +359,8 @@ TEST(Filter, NoWaveGrows) {
       most = std::max(most, now.elastic + now.kinetic);
     }
     EXPECT_TRUE(std::isfinite(early) && early > 0);
-    // What is kept is not this sum, which sways about it; a wave that grows by a thousandth a step
-    // would be seven times as large.
+    // What the step conserves is not this sum, which sways about it. A wave that grew by a
+    // thousandth a step would be seven times as large.
     EXPECT_LE(late, 1.1 * early) << "round " << round;
   }
 }
@@ -388,7 +389,7 @@ TinyOrgan liver_block(double edge_m, double lean) {
   capsule.membrane_n_per_m = 1000;  // 0.1 mm of 10 MPa
   tiny.materials = {liver, capsule};
   const std::uint16_t nx = tiny.nx, ny = tiny.ny, nz = tiny.nz;
-  // Leans, so that no face of it is a plane of the lattice.
+  // Leans, so that none of its faces is a plane of the lattice.
   const auto in = [=](int x, int y, int z) {
     const double shift = lean * z;
     return x >= std::lround(shift) && x < nx - 2 + std::lround(shift) && x < nx && y >= 0 &&
@@ -403,8 +404,8 @@ TinyOrgan liver_block(double edge_m, double lean) {
   return tiny;
 }
 
-// A needle 55 mm deep, 1 s of rest, then a hand that moves 1 mm to and fro: greatest force along
-// its way less the least, in the last period, N.
+// A needle 55 mm deep, 1 s of rest, then a hand that moves 1 mm to and fro. Returns the largest
+// force along its way less the smallest, in the last period, in N.
 std::vector<double> swings(const Organ& organ, const Config& config, Vec3 entry_m,
                            const std::vector<std::pair<Vec3, double>>& hands) {
   Session session = make_session(organ, config);
@@ -445,9 +446,9 @@ std::vector<double> swings(const Organ& organ, const Config& config, Vec3 entry_
   return out;
 }
 
-// Directions and places drawn. With one substep up to 4 Hz: at 8 Hz, near the block's resonance of
-// 10 Hz, the filter's hundredths of mass are a tenth of the force. (With two substeps of added mass
-// the swing at 4 Hz is 0.62 of this, at 8 Hz 14 times as large.)
+// Directions and places are drawn. With one substep only up to 4 Hz: at 8 Hz, near the block's
+// resonance of 10 Hz, the hundredths of mass that the filter adds are a tenth of the force. (With
+// two substeps of added mass the swing is 0.62 of this one at 4 Hz, and 14 times as large at 8 Hz.)
 TEST(TrueMass, MovingHandFeelsWhatItFeelsWithThirtyTwoSubsteps) {
   Random random(53);
   for (const double edge_m : {5e-3, 3.3e-3}) {
@@ -479,7 +480,7 @@ TEST(TrueMass, MovingHandFeelsWhatItFeelsWithThirtyTwoSubsteps) {
   }
 }
 
-// From the frequency that is told on (resonance.h), a hand that moves a stiff needle sideways feels
+// From the frequency on that is told (resonance.h), a hand that moves a stiff needle sideways feels
 // about a tenth more or less with added mass: somewhere between a twentieth and a fifth.
 TEST(AddedMass, DepartsFromTheFrequencyThatIsTold) {
   Random random(61);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // V12: indentation of a half-space by a punch, a point load and a sphere.
 //
-// The half-space is a half ball: nodes beyond its radius R are fixed. A load F at the middle is
-// felt there as a point load, so the boundary takes F beta / R off the indentation, with one beta
+// The half-space is a half ball: nodes beyond its radius R are fixed. To them, a load F at the
+// middle is a point load, so that the boundary takes F beta / R off the indentation, with one beta
 // for every load: results are extrapolated linearly in 1 / R.
 
 #include <gtest/gtest.h>
@@ -68,7 +68,8 @@ double punch_compliance(std::uint32_t radius, double half, float poisson, float 
   return depth / pushed_with(rig);
 }
 
-// What the half-space has beyond the ball: c(R) = c - beta / R, R in voxel edges.
+// beta in c(R) = c - beta / R, the compliance that the half-space has beyond the ball's; R in voxel
+// edges.
 double boundary_of(double near, double far) {
   return (far - near) / (1.0 / kNear - 1.0 / kFar);
 }
@@ -151,8 +152,8 @@ struct Indent {
   double depth_m, force_n, contact_radius;
 };
 
-// Presses a frictionless rigid sphere in: no surface node may be above it. Depth for the
-// half-space.
+// Presses a frictionless rigid sphere in; no surface node may be inside it. Returns the depth,
+// extrapolated to the half-space.
 Indent press_sphere(double sphere_radius_m, double depth_m, float poisson, double beta) {
   Rig rig = half_ball(kFar, poisson, kWeighted);
   View view = rig.view();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first resonance that set-up and reports speak of: that of beams in closed form, and that of
-// the kernel's own lattice let go, with added and with true mass.
+// The first resonance that the set-up and reports name: against beams in closed form, and against
+// the kernel's own lattice after a push, with added and with true mass.
 
 #include "stylet/resonance.h"
 
@@ -86,8 +86,8 @@ double swaying_hz(Rig& rig, Vec3 push, double expected_hz) {
   return best_hz;
 }
 
-// Beams of two tissues, drawn; pushed along the axis in which they are thin. The last is of so many
-// voxels that a cell of the estimate holds eight.
+// Beams of two tissues, drawn, and pushed along the axis in which they are thin. The last one has
+// so many voxels that a cell of the estimate holds eight of them.
 TEST(Resonance, IsWhatTheLatticeSwaysAtWhenItIsLetGo) {
   std::mt19937 random(17);
   for (int round = 0; round < 9; ++round) {
@@ -126,7 +126,7 @@ TEST(Resonance, OfWhatNothingHoldsIsNone) {
   EXPECT_FALSE(of.departs_hz < kFastestHandHz);
 }
 
-// A piece that nothing holds beside one that is held changes nothing.
+// A piece that nothing holds changes nothing beside one that is held.
 TEST(Resonance, LeavesOutWhatNothingHolds) {
   TinyOrgan tiny = beam(3, 3, 9, elastic(1e4F, 0.3F), 5e-3);
   const double alone_hz = first_resonance(make_rig(tiny, Config{}).session.kernel).real_hz;

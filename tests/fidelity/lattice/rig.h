@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A block of tissue on a test bench: nodes held or loaded by hand, forces read, motion damped out.
+// A block of tissue on a test bench: nodes are held or loaded by hand, forces read, motion damped
+// out.
 //
-// The kernel's own step does all the work. A held component is put back after every step, so the
-// velocity the step gave it is the force on it times its step per mass: that is how reactions are
-// read. Units: SI. Frame: rest frame; nodes and voxels are counted in voxel edges from the block's
-// low corner.
+// The kernel's own step does all the work. A held component is put back after every step, so that
+// the velocity which the step gave it, divided by the step per mass, is the force on it: reactions
+// are read in this way. Units: SI. Frame: rest frame; nodes and voxels are counted in voxel edges
+// from the block's low corner.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -70,8 +71,8 @@ inline Rig make_rig(const TinyOrgan& tiny, const Config& config) {
   return rig;
 }
 
-// The sweep alone, from forces straight to velocities, which the tests here read and hold; the
-// filter that comes between them with true mass has tests of its own (filter_test.cpp).
+// The sweep alone, from forces straight to velocities: the tests here read these and hold them. The
+// filter that comes between the two with true mass has tests of its own (filter_test.cpp).
 inline Config sweep_config() {
   Config config;
   config.inertia = Inertia::kAddedMass;
@@ -79,14 +80,14 @@ inline Config sweep_config() {
   return config;
 }
 
-// Softly damped step that ends at rest in few steps: the time step is so long that every mass is
+// A softly damped step that ends at rest in few steps: the time step is so long that every mass is
 // the least stable one, and the drag is critical for a wave as long as twice `cells`.
 inline Config resting_config(float hourglass_weight, float poisson, std::uint32_t cells) {
   Config config = sweep_config();
   config.period_s = kMaxPeriodS;
   config.tissue_damping_s = 0;
   config.hourglass_weight = hourglass_weight;
-  // The bound on stiffness with that of constraint particles, of 0.8 of the limit (filter.h).
+  // The bound on stiffness, with that of constraint particles, is 0.8 of the limit (filter.h).
   const float slowness = std::sqrt((2 + 3 * poisson / (1 - 2 * poisson)) / 1.6F);
   const float turn = 3.14F / (2 * static_cast<float>(cells) * slowness);  // angle per step
   config.surround_drag_per_s = std::min(2 * turn, 0.9F) / config.period_s;
@@ -139,7 +140,7 @@ inline Vec in_edges(Node node) {
   return {static_cast<double>(node.x), static_cast<double>(node.y), static_cast<double>(node.z)};
 }
 
-struct Motion {  // arrays of one axis
+struct Motion {  // the arrays for one axis
   float *u, *v, *e;
 };
 
@@ -207,8 +208,8 @@ inline double largest_speed(const View& view) {
   return static_cast<double>(largest);
 }
 
-// Steps until nothing moves by more than `still` of the largest displacement in a step; after each
-// step `constrain` may put nodes back. A body that does not come to rest fails the test.
+// Steps until no node moves by more than `still` times the largest displacement in a step. After
+// each step `constrain` may put nodes back. A body that does not come to rest fails the test.
 template <typename Constrain>
 int settle(Rig& rig, double still, Constrain constrain) {
   View view = rig.view();
@@ -263,8 +264,8 @@ inline void let_rotations_follow(Rig& rig, int steps = 30) {
   std::copy(step_per_mass.begin(), step_per_mass.end(), of_step);
 }
 
-// A constraint particle by hand: one share of weight 1 in `voxel`, at `offset_m` from its centre,
-// held `displacement_m` away from where it was at rest.
+// A constraint particle made by hand: one support of weight 1 in `voxel`, at `offset_m` from its
+// centre, held `displacement_m` away from where it was at rest.
 inline Particle& hold_constraint_particle(Rig& rig, Node voxel, Vec3 offset_m, Vec3 displacement_m,
                                           float stiffness_n_per_m) {
   View view = rig.view();

@@ -43,7 +43,7 @@ double angle_to(const Turn<T>& q, const Mat& rotation) {
   return 2 * std::atan2(gap.vec().norm(), std::abs(gap.w()));
 }
 
-// Random clusters: A = R0 S, the iteration started `start_rad` away from R0.
+// Random clusters A = R0 S; the iteration starts `start_rad` away from R0.
 struct Draw {
   std::mt19937_64 random{20140911};
 
@@ -92,8 +92,8 @@ Vec ordinary(Draw& draw) {
 Vec flat(Draw& draw) {
   return {draw.between(0.2, 2), draw.between(0.2, 2), 1e-6};
 }
-// Inverted along one axis, by clearly less than the other two stretches: else there is no best
-// rotation.
+// Inverted along one axis, by clearly less than it is stretched along the other two: else there is
+// no best rotation.
 Vec inverted(Draw& draw) {
   return {draw.between(0.7, 1.4), draw.between(0.7, 1.4), draw.between(-0.5, -0.05)};
 }
@@ -153,7 +153,7 @@ TEST(FidelityV2, InvertedClustersAreAsAccurateAsOrdinaryOnes) {
 }
 
 // Largest deviation from orthonormal on the way through flat, line, point, inverted and exploded
-// clusters; not a number counts as infinite, a reflection as 2.
+// clusters. What is not a number counts as infinite, a reflection as 2.
 template <typename T>
 double worst_of_degenerate() {
   Draw draw;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// V4 for a whole lattice: rows of any length, longer and shorter than what the sweep fits at a
-// time, with holes and ends that do not agree, against one voxel after the other in double
-// precision.
+// V4 for a whole lattice against one voxel after the other in double precision: rows of any length,
+// longer and shorter than what the sweep fits at a time, with holes, and with ends at different
+// places.
 
 #include <gtest/gtest.h>
 
@@ -119,9 +119,9 @@ Expected load(Rig& rig, const Lattice& lattice, std::mt19937_64& random) {
 }
 
 TEST(FidelityV4, SweepAddsUpWhatEveryVoxelSends) {
-  // A node adds up eight voxels, each as near the reference as one alone (cluster_test.cpp).
+  // A node adds up eight voxels, each as near the reference as a single one (cluster_test.cpp).
   constexpr double kTolerance = 8 * 3e-6 * 3 * kSpring * kEdgeD;
-  // The place of a constraint particle is a float, two metres from the origin at most.
+  // The place of a constraint particle is a float, at most two metres from the origin.
   constexpr double kHeldTolerance = kTolerance + 3 * kSpring * Lattice::kNx * kEdgeD * 1.2e-7;
   std::mt19937_64 random(2011);
   for (int draw = 0; draw < 6; ++draw) {
@@ -150,8 +150,9 @@ TEST(FidelityV4, SweepAddsUpWhatEveryVoxelSends) {
   }
 }
 
-// The sweep holds the sums of some rows at a time: a window that one row reaches must not read
-// where another would be. (It read before the sums, masked, and beyond the memory in large organs.)
+// The sweep keeps the sums of some rows at a time. A window that only one row reaches must not read
+// where another row's would be. (It once read before the sums, masked, and in large organs beyond
+// the memory.)
 TEST(FidelityV4, WindowsOfOneRowReadNoOther) {
   std::mt19937_64 random(2012);
   const Rig rig = rig_of(draw_lattice(random));

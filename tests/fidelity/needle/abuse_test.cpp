@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever the loads and the hand do: finite, of the right length, and at rest soon after.
+// Whatever the loads and the hand do, a needle is finite, has the right length, and is at rest soon
+// after.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -129,8 +130,8 @@ TEST(Abuse, ThinNeedleUnderThirtyNewtonsBucklesOnceAndComesBack) {
   EXPECT_LT(norm(n->tip() - Vec3d{0, 0, -0.12}), 1e-10);
 }
 
-// A tip that is held fast while the handle comes nearer: the needle bows to one side and stays
-// there; its energy falls until it rests, and nothing flips afterwards.
+// A tip is held fast while the handle comes nearer: the needle bows to one side and stays there.
+// Its energy falls until it rests, and nothing flips afterwards.
 TEST(Abuse, SnapThroughEndsAndNeverFlipsBack) {
   const auto n = needle(64, 0.15, 2.318e-3);
   n->hold(0.15, {0, 0, -0.15}, 1e4 * kIsotropic);

@@ -49,8 +49,9 @@ TEST(Cantilever, LargeDeflectionIsTheElastica) {
   }
 }
 
-// A moment at the tip, as a pair of forces across the last rod that follows it. (A pair that keeps
-// its direction lets a needle turned by more than a right angle slip out of the plane.)
+// A moment at the tip, as a pair of forces across the last rod that turns with it. (A pair that
+// keeps its direction lets a needle that is turned by more than a right angle slip out of the
+// plane.)
 TEST(Cantilever, EndMomentBendsItToACircle) {
   constexpr std::uint32_t kRods = 40;
   const double turn_rad = 1.5, moment = turn_rad * kBending / kLength;
@@ -100,8 +101,8 @@ TEST(Buckling, ClampedFreeIsHenckysChain) {
   EXPECT_NEAR(buckling_n(40, 0) / euler_n, 1, 1e-3);
 }
 
-// A chain pinned at both ends is two clamped-free ones, back to back: the clamp's half rod is the
-// half of its middle. Ratios to Euler's load of 10, 20 and 40 rods.
+// A chain pinned at both ends is two clamped-free ones, back to back: the clamp's half rod is half
+// of its middle one. Ratios to Euler's load with 10, 20 and 40 rods.
 TEST(Buckling, PinnedPinnedIsTwoOfThem) {
   const double euler_n = kPi * kPi * kBending / (4 * kLength * kLength);
   EXPECT_NEAR(buckling_n(5, 0) / euler_n, 0.99180, 1e-5);

@@ -12,8 +12,8 @@ namespace {
 constexpr double kFoundation = 9400;  // N/m per m of needle
 constexpr double k18G = 2.07e-2, k22G = 2.318e-3;
 
-// Springs in the middle of the rods beyond free_m, at rest on the straight line below the handle,
-// which has itself moved sideways.
+// Springs in the middle of the rods beyond free_m, at rest on the straight line below the handle.
+// The handle itself has moved sideways.
 void embed(Needle& n, double free_m, double handle_x_m) {
   for (std::uint32_t j = 0; j < n.model.rods; ++j) {
     const double arc = (j + 0.5) * n.model.rod_m;

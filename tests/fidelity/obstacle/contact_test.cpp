@@ -23,7 +23,7 @@ NeedlePiece tip_at(double x, double y, double z) {
   return {at, at, kNeedleRadiusM};
 }
 
-// A contact with what it was last.
+// A contact, together with what it was in the last step.
 struct Touching {
   Obstacle body;
   ObstacleContact state = {};
@@ -118,7 +118,7 @@ TEST(Law, RefusesWhatIsNoBody) {
 
 // ---- continuity ---------------------------------------------------------------------------------
 
-// Largest change of force and place from one step to the next along a path t in 0..1.
+// Largest change of force and place from one step to the next along a path, with t from 0 to 1.
 struct Jumps {
   double force_n = 0, place = 0;
   double largest_force_n = 0;
@@ -141,7 +141,7 @@ Jumps largest_jumps(const Obstacle& body, int steps,
   return jumps;
 }
 
-// A continuous force changes half as much in half the step; a jump stays what it is.
+// With half the step a continuous force changes half as much; a jump stays what it is.
 void expect_continuous(const char* name, const Obstacle& body,
                        const std::function<NeedlePiece(double)>& path, int steps = 1000) {
   const Jumps coarse = largest_jumps(body, steps, path);
@@ -172,7 +172,8 @@ TEST(Continuity, OverAnEdgeWithTheTip) {
 }
 
 TEST(Continuity, OverAnEdgeWithTheShaft) {
-  // Leans over the edge x = 5 mm, z = 5 mm; along itself the push stays, its place runs.
+  // The piece leans over the edge x = 5 mm, z = 5 mm. Moved along itself, its push stays the same
+  // and the place of the push runs along.
   const Jumps along_itself = largest_jumps(box(), 1000, [](double t) {
     const Vec3d along = {0.8, 0, -0.6};
     const Vec3d over =
@@ -205,7 +206,8 @@ TEST(Continuity, FromATouchToDeepInside) {
 }
 
 TEST(Continuity, DeepInsideThePushTurnsSlowlyWhereverTheNeedleLeaves) {
-  // 2 mm below the top, out through the side at 50 mm/s: the push may not flip from up to sideways.
+  // 2 mm below the top, out through the side at 50 mm/s: the push must not flip from up to
+  // sideways.
   const Jumps jumps = largest_jumps(box(), 100, [](double t) {
     const double down = std::min(1.0, 3 * t), side = std::max(0.0, 3 * t - 1);
     return tip_at(3e-3 + 2.5e-3 * side, 0, kTopM - 2e-3 * down);
@@ -218,8 +220,8 @@ TEST(Continuity, DeepInsideThePushTurnsSlowlyWhereverTheNeedleLeaves) {
   EXPECT_LT(jumps.force_n, allowed);
 }
 
-// A shaft of ten pieces rocks on a face: the sum of their forces has no jump, that of their torques
-// none beyond one piece's length.
+// A shaft of ten pieces rocks on a face: the sum of their forces has no jump, and that of their
+// torques none beyond one piece's length.
 TEST(Continuity, AFlatShaftOfShortPieces) {
   constexpr int kPieces = 10, kSteps = 4000;
   constexpr double kPieceM = 0.8e-3;

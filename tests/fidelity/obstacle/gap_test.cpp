@@ -313,7 +313,7 @@ void shape_centre(const void* object, ccd_vec3_t* centre) {
 
 // A needle tip lies 0.1 mm deep on a box's top and slides towards its edge. Portal refinement takes
 // the face that the ray from the box's centre meets: it must answer with the side long before the
-// tip is there. When this test fails, the library has become good enough to be used alone.
+// tip is there. If this test fails, the library has become good enough to be used alone.
 TEST(PortalRefinement, TakesTheWrongFaceNearAnEdge) {
   const Obstacle box = prepared(bone_box({5e-3F, 5e-3F, 5e-3F}));
   const ConvexHull hull = {{box.config.vertices_m, 8}, to_double(box.centre_m)};

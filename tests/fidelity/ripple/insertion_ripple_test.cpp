@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The needle must not feel the grid: 200 straight insertions with drawn entry points and
-// directions, a third of them along voxel faces and a sixth along voxel edges, give a force that
-// grows with depth by the friction written in the material and ripples less than 2 % about it.
+// directions, a third of them along voxel faces and a sixth along voxel edges. Their force grows
+// with depth by the friction written in the material, and ripples less than 2 % about that.
 //
 // Sample: 200 insertions (seed below), 45 mm deep, 10 mm/s, 5 mm voxels, 5 mm needle units. Ripple
-// is the standard deviation about the straight line of force against depth, from 10 mm of depth
-// and 0.3 s after the puncture on, over the mean force there. The closed form is f_c + b v per
-// metre.
+// is the standard deviation about the straight line of force against depth, over the mean force,
+// from 10 mm of depth and 0.3 s after the puncture on. The closed form is f_c + b v per metre.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +24,7 @@ namespace stylet {
 namespace {
 
 constexpr int kInsertions = 200;
-// The tissue that the puncture lets go swings back over the needle: not the grid's doing.
+// The tissue that the puncture lets go swings back over the needle; that is not due to the grid.
 constexpr int kRecoilTicks = 300;
 constexpr float kSpeedMPerS = 0.01F;
 constexpr float kEdgeM = 0.005F;
