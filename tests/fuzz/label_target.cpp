@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a label map: the first byte chooses the format. Refused with one line, or a map
-// whose voxels are all there, in a place that is finite, with names that can be shown.
+// Any bytes as a label map; the first byte chooses the format. They are refused with one line, or
+// give a map whose voxels are all there, at a place that is finite, with names that can be shown.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -38,7 +38,7 @@ struct Folder {
   }
 };
 
-// A series of two files: the size of the first in two bytes, both.
+// A series of two files: the size of the first in two bytes, then the bytes of both.
 fs::path write_series(const Folder& folder, std::string_view bytes) {
   if (bytes.size() < 2) return folder.path;
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
@@ -75,7 +75,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::size_t format = data[0] % kEndings.size();
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
-  // Voxels in a file of their own would be read from wherever the input says.
+  // With voxels in a file of their own, a reader would read whatever file the input names.
   std::string lower(bytes);
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The seeds that are not text: organs, and inputs of whole insertions. Run after a change of a
-// format. usage: fuzz_make_seeds tests/fuzz/seeds
+// Makes the seeds that are not text: organs, and inputs of whole insertions. Run it after a change
+// of a format. usage: fuzz_make_seeds tests/fuzz/seeds
 #include <fstream>
 #include <memory>
 
@@ -20,7 +20,7 @@ void write_organ(const std::string& path, const TinyOrgan& tiny) {
   write(path, bytes.data(), bytes.size());
 }
 
-// What a file of version 2 may have: two sheets with a tie, a cell that both have a part of, a
+// What only a file of version 2 may have: two sheets with a tie, a cell that both have a part of, a
 // plane between two tissues, and a sum.
 void write_sheets(const std::string& path) {
   constexpr std::uint16_t kRows = 3;
@@ -162,8 +162,8 @@ void write_changes(const std::string& folder) {
   write(folder + "missing-column.bin", deleted, sizeof deleted);
 }
 
-// Steps as packet_target.cpp reads them, after who listens: a good packet with its changes and a
-// tick with its force, time that passes, bytes as they are.
+// Steps as packet_target.cpp reads them, after the byte that says who listens: a good packet with
+// its changes and a tick with its force; time that passes; bytes as they are.
 void write_packets(const std::string& folder) {
   const std::vector<std::uint8_t> steady = {4, 0, 10, 20, 0, 0, 0x80, 0x3F};
   const std::vector<std::uint8_t> gap = {1, 30}, none = {0, 9, 'S', 'T', 'Y', 'S', 3, 0, 108, 0, 1},

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as an organ file: refused with a reason, or a hundred ticks of a needle going in keep
-// every promise, in memory that follows the voxels. Bytes that begin with "sparse" draw runs of
-// voxels far apart, which damaged files hardly ever hold.
+// Any bytes as an organ file. They are refused with a reason, or a hundred ticks of a needle that
+// goes in keep every promise, with memory that follows the number of voxels. Bytes that begin with
+// "sparse" draw runs of voxels far apart, which damaged files hardly ever hold.
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "lattice/voxel.h"
 #include "promises.h"
 #include "session.h"
 #include "sparse_organ.h"
 #include "stylet/limits.h"
 #include "target.h"
+#include "lattice/voxel.h"
 
 namespace stylet::test {
 namespace {
@@ -69,8 +69,8 @@ void run_in(const Organ& organ, Vec3 tip) {
 constexpr std::string_view kSparse = "sparse";
 constexpr std::uint32_t kMostVoxels = 4000;
 
-// One byte says where the next run lies (in the row, the next one, another plane), how far and how
-// long it is; another how far, or two.
+// One byte says where the next run lies (in the same row, the next row or another plane), how many
+// bytes its distance takes, and its length; one or two more bytes are the distance.
 std::vector<format::Run> draw_runs(Bytes in) {
   std::vector<format::Run> runs;
   std::uint32_t x = 0, y = 0, z = 0, most_y = 0, voxels = 0;
@@ -118,7 +118,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     test::run_sparse({{data + test::kSparse.size(), size - test::kSparse.size()}});
     return 0;
   }
-  // A copy of exactly these bytes, aligned: the sanitizer sees one byte too far.
+  // A copy of exactly these bytes, aligned, so that the sanitizer sees a read of one byte too many.
   const std::vector<std::byte> bytes(first, first + size);
   Organ organ;
   OrganRefusal refusal;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording in which anything may be wrong: refused with one line, or every row can be read and
-// what it was made with is something a kernel can be asked for.
+// A recording in which anything may be wrong. It is refused with one line, or every row can be read
+// and what it was made with is something that a kernel can be asked for.
 //
 // HDF5 itself is not under test: a file of raw noise exercises its parser, whose defects are not
-// ours to mend. So a good recording is taken, and the input says what to change through the
+// ours to mend. So a good recording is taken, and the input says what to change in it through the
 // library: attributes, and types and shapes of columns.
 #include <hdf5.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any text as a scene: refused with one line that names the file, or everything the scene says is
-// something the kernel, the guard and the hand take.
+// Any text as a scene. It is refused with one line that names the file, or all that the scene says
+// is something that the kernel, the guard and the hand take.
 #include <cmath>
 
 #include "hal/device/drivers/simulated_hand.h"

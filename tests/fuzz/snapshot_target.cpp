@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a snapshot, with the right header and checksum: refused, and nothing changes, or a
-// hundred ticks of hands that move are finite, or end in a fault without force.
+// Any bytes as a snapshot, with the right header and checksum. They are refused and nothing
+// changes, or a hundred ticks of hands that move are finite, or end in a fault without force.
 //
-// The first byte chooses kernel and moment; then each change is a field, an element, where in it,
+// The first byte chooses kernel and moment. Then each change is a field, an element, a word in it,
 // and what to write there: a number that may be wrong, or one that is nearly right. The last bytes
-// move the hands. Whole states as bytes would be refused for a wrong number long before a wrong
-// index is met.
+// move the hands. (Whole states as bytes would be refused for a wrong number long before a wrong
+// index is met.)
 #include <vector>
 
 #include "base/math.h"
@@ -75,7 +75,8 @@ std::vector<Span> fields_of(const Kernel& kernel) {
   return fields;
 }
 
-// One word of one element: any, or a little more or less than it was, or as large as may be.
+// Changes one word of one element: to anything, to a little more or less than it was, or to the
+// largest number there is.
 void change(Bytes& bytes, const std::vector<Span>& fields, std::byte* state) {
   const Span& field = fields[bytes.byte() % fields.size()];
   const std::size_t element = (bytes.byte() + 256U * bytes.byte()) % field.count;
@@ -127,7 +128,7 @@ void run_on(Kept& kept, Bytes& bytes) {
   }
 }
 
-// What is asked between ticks indexes, too.
+// What may be asked between ticks uses indices, too.
 void report(const Kept& kept) {
   std::vector<Vec3> places(block().vertices.size());
   (void)surface(kept.session.kernel, places);

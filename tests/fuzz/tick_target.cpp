@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any sequence of poses for one to four needles, rigid or not, with obstacles and breathing: every
-// promise holds after every tick, none may cost more than the worst case of tests/rt, and the same
+// promise holds after every tick, no tick costs more than the worst case of tests/rt, and the same
 // inputs on other scratch give the same state.
 //
-// The first bytes choose what is simulated, then each operation is a byte (needle, kind, repeats)
+// The first bytes choose what is simulated. Then each operation is a byte (needle, kind, repeats)
 // and its numbers. Small moves reach the tissue and its rules; raw floats are what a broken device
 // sends.
 #include <vector>

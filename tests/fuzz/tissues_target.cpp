@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any text as a file of tissues: refused with one line that names the file, or tissues whose
-// numbers are finite.
+// Any text as a file of tissues. It is refused with one line that names the file, or gives tissues
+// whose numbers are finite.
 #include <cmath>
 
 #include "asset/materials.h"

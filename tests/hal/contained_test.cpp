@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What no thread lets out, and a recorder without memory.
+// Exceptions that must not leave a thread, and a recorder without memory.
 #include "hal/base/contained.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ TEST(Contained, LetsNothingOut) {
   EXPECT_LE(std::count(told.begin(), told.end(), '\n'), kMostEscapesTold);
 }
 
-// Whoever waits for room in the ring looks there.
+// Whoever waits for room in the ring looks at this flag.
 TEST(Recorder, SaysWhyItsThreadEnded) {
   Ring<TickRecord> records(8);
   Ring<Event> events(8);

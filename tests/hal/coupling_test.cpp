@@ -17,7 +17,7 @@ double of(float value) {
   return static_cast<double>(value);
 }
 
-// A spring of `k` that says it has at most `bound`.
+// A spring of `k` that tells `bound` as its bound on stiffness.
 Output spring(double k, double bound, Vec3 base_m) {
   Output out = {};
   out.force_n.x = static_cast<float>(-k * of(base_m.x));
@@ -62,12 +62,12 @@ TEST(Coupling, IsNotThereWithoutStiffnessAroundOrWithoutOne) {
     EXPECT_EQ(coupled_base({0}, state, {x, 0, 0}, spring(1e4, 1e4, {x, 0, 0})).x, x);
     EXPECT_EQ(coupled_force({0}, state, {x, 0, 0}, {5, 0, 0}).x, 5);
   }
-  // Far below: 1 % of the coupling's stiffness is felt to 1 %.
+  // Far below the coupling's stiffness: 1 % of it is felt to within 1 %.
   EXPECT_NEAR(push({700}, 7, 7).rest_n_per_m, 7, 0.07);
 }
 
-// A device that is told in steps goes in at constant speed, and the needle slides at `friction`
-// however fast; what is felt at the end, and how far it swings meanwhile.
+// A device that tells its place in steps goes in at constant speed, and the needle slides with the
+// same `friction` at any speed. What is felt at the end, and how far it swings meanwhile.
 struct Slid {
   double felt_n, swing_n, behind_m;
 };
@@ -108,8 +108,9 @@ TEST(Coupling, DrawsTheBaseAlongWhereTheHandCannotBeShownMore) {
   EXPECT_NEAR(slide({280, 0.5F}, 0.02, 2, 15e3).felt_n, 0.5, 1e-3);
 }
 
-// While the device moves in and out at constant speed, on a spring all around that says it is
-// stiffer than it is: the largest difference of what is felt from both springs in series.
+// The device moves in and out at constant speed, on a spring in all directions that tells a larger
+// stiffness than it has. Returns the largest difference between what is felt and both springs in
+// series.
 double lag_n(const CouplingConfig& config, double k, double bound) {
   CouplingState state;
   Output out = {};
@@ -156,9 +157,9 @@ TEST(Coupling, AForceThatFallsNeitherTurnsTheBaseBackNorThrowsItAhead) {
   EXPECT_GT(last, 28e-3F);
 }
 
-// V26: mass 0.1 kg and damper 0.5 N s/m of the device, a hand that shakes it at random, 1 ms ticks;
-// the force is held between them. Energy into device and what it touches, exactly: the device's own
-// damping and the work against the held force.
+// V26: a device of 0.1 kg with a damper of 0.5 N s/m, shaken at random by a hand, with ticks of 1
+// ms between which the force is held. The energy that goes into the device and what it touches is
+// exact: it is the device's own damping and the work against the force that is held.
 struct Shaken {
   double least_j, pressed_n;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device under test and the hand on it: what the contract suite needs of every backend.
-// Everything here is in the device frame of the hal: x right, y up, z toward the operator, SI.
+// A device under test and the hand on it: what the contract suite needs of every backend. All of it
+// is in the device frame of the hal: x right, y up, z toward the operator, SI.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ class Bench {
   virtual void press(std::uint32_t mask) = 0;
   virtual Vec3 felt() = 0;
   virtual Vec3 felt_torque() { return {}; }
-  // How often its driver has written to it, so far as it tells.
+  // How often its driver has written to it, as far as it tells.
   virtual int writes() { return 0; }
   virtual void trouble(test::Trouble trouble) = 0;
   virtual void refuse_watchdog(bool /*refused*/) {}
@@ -43,7 +43,7 @@ class Bench {
 };
 using MakeBench = std::unique_ptr<Bench> (*)();
 
-// Of this process, as tests run side by side.
+// A port of this process's own, since tests run side by side.
 inline std::string test_port() {
   return std::to_string(20000 + getpid() % 12000);
 }
@@ -99,7 +99,7 @@ class Ticker {
     device.write(device.self, guard_command(guard, state, torque_state));
   }
 
-  // Until `done`, at most a second; a fault of this busy machine is acknowledged.
+  // Ticks until `done`, at most a second; a fault due to this busy machine is acknowledged.
   bool tick_until(Vec3 force_n, const std::function<bool()>& done) {
     for (int i = 0; i < 1000; ++i) {
       tick(force_n);
@@ -109,7 +109,7 @@ class Ticker {
     return false;
   }
 
-  // What it says when it has failed for good; at most a second.
+  // What it says when it has failed for good; waits at most a second.
   std::string trouble_under(Vec3 force_n) {
     (void)tick_until(force_n, [this] { return !trouble_of(device).empty(); });
     return trouble_of(device);

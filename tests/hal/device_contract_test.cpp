@@ -144,7 +144,7 @@ struct Felt {
   double force_n;
 };
 
-// Whatever loops do, a hand feels no kick: looked at from where the force is felt.
+// Whatever the loop does, a hand feels no kick. The force is looked at where it is felt.
 TEST_P(DeviceContract, StallsOfTheLoopAreNoKicks) {
   if (!bench->feels || !bench->latches) GTEST_SKIP() << "a peer's own program renders the force";
   Ticker ticker(bench->uri());
@@ -174,7 +174,8 @@ TEST_P(DeviceContract, StallsOfTheLoopAreNoKicks) {
       const double passed_s = static_cast<double>(seen[i].to_ns - seen[i - 1].from_ns) * 1e-9;
       const double change = seen[i].force_n - seen[i - 1].force_n;
       ASSERT_LE(change, slew * (passed_s + 2e-3)) << stall_ms << " ms, look " << i;
-      // After a stall too short for a fault, it is of a later tick: force had come back until then.
+      // After a stall too short for a fault, the look is of a later tick: until then the force had
+      // come back.
       if (!expired || stall_ms < 12) continue;
       const bool rising = seen[i].from_ns - seen[0].from_ns < 5'000'000;  // the last order's
       ASSERT_TRUE(rising || change <= 1e-6) << stall_ms << " ms, look " << i;
@@ -183,7 +184,7 @@ TEST_P(DeviceContract, StallsOfTheLoopAreNoKicks) {
 }
 
 TEST_P(DeviceContract, ClosedDeviceHasNoForceAndOpensAgain) {
-  int at_once = 0;  // in the others, this machine had something else to do
+  int at_once = 0;  // in the other tries this machine had something else to do
   for (int i = 0; i < 3; ++i) {
     Ticker ticker(bench->uri());
     if (bench->feels) {
@@ -198,7 +199,7 @@ TEST_P(DeviceContract, ClosedDeviceHasNoForceAndOpensAgain) {
   EXPECT_GT(at_once, 0);
 }
 
-// Best of five: in the others, this machine had something else to do.
+// The best of five tries: in the others this machine had something else to do.
 double best_ms_to_zero(Bench& bench, test::Trouble trouble) {
   double best = 1e9;
   for (int i = 0; i < 5 && best > 25; ++i) {
@@ -229,7 +230,8 @@ TEST_P(DeviceContract, BrokenDeviceHasNoForceAfter25Milliseconds) {
   EXPECT_LE(best_ms_to_zero(*bench, test::Trouble::kNoAnswer), 25);
 }
 
-// Back from trouble the device must not push, whatever the loop asks, until it is opened anew.
+// When it is back from trouble the device must not push, whatever the loop asks, until it is opened
+// anew.
 TEST_P(DeviceContract, TroubleIsLatched) {
   if (!bench->feels || !bench->latches) GTEST_SKIP() << "it is the guard that latches here";
   {

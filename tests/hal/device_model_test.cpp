@@ -45,7 +45,7 @@ TEST(DeviceModel, EachIsPossible) {
     EXPECT_LE(of(each.motion.delay_s), kMaxDelayTicks * 1e-3) << each.name;
     EXPECT_GT(each.max_stiffness_n_per_m, 0) << each.name;
     EXPECT_GT(each.motion.mass_kg, 0) << each.name;
-    // Abbott and Okamura 2005: friction must eat what a step of the encoder gives.
+    // Abbott and Okamura 2005: friction must take up the energy that a step of the encoder gives.
     const bool eaten = each.motion.friction_n == 0 ||
                        of(each.max_stiffness_n_per_m) <
                            2 * of(each.motion.friction_n) / of(each.motion.resolution_m);
@@ -53,7 +53,7 @@ TEST(DeviceModel, EachIsPossible) {
   }
 }
 
-// As drivers call them, and as people would not; by data sheets' names.
+// Names as drivers give them, and names that people would give otherwise; both as in data sheets.
 TEST(DeviceModel, DevicesAreRecognisedByWhatTheyCallThemselves) {
   const auto model = [](const char* called) {
     const DeviceModel* found = recognise_device_model(called);
@@ -149,7 +149,7 @@ TEST(SimulatedDevice, TellsItsPlaceInStepsAndLate) {
       const double counts = x / 1e-4;
       ASSERT_NEAR(counts, std::round(counts), 1e-3);
     }
-    // Same motion: what is told changes nothing.
+    // The same motion with and without: what the device tells changes nothing.
     EXPECT_EQ(exact.hand.position_m[0], told.hand.position_m[0]);
   }
 }
@@ -157,7 +157,7 @@ TEST(SimulatedDevice, TellsItsPlaceInStepsAndLate) {
 TEST(SimulatedDevice, EnergyReceivedIsWorkAgainstForceAndWhatTheArmTakes) {
   Pushed pushed({.mass_kg = 0.1F, .damping_n_s_per_m = 1, .friction_n = 0.1F});
   for (int i = 0; i < 500; ++i) (void)pushed.tick({i < 250 ? 1.0F : -0.7F, 0.3F, 0});
-  // All that the hand does not carry: its spring is nothing, so that it gave what it lost.
+  // The hand's spring is so soft that it carries nothing: what it gave is what the device lost.
   const double* v = pushed.hand.velocity_m_per_s;
   const double kinetic = 0.5 * 0.15 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
   EXPECT_NEAR(pushed.hand.received_j, -kinetic, 1e-6 + 1e-5 * kinetic);

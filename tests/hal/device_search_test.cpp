@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `stylet devices`: what is here, why something is not, and the remedy; on trees of /sys, /proc and
-// /dev made for the purpose, with the vendors' libraries there.
+// `stylet devices`: what is here, why something is not, and the remedy. On trees of /sys, /proc and
+// /dev made for the purpose, with the vendors' libraries in place.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -95,7 +95,7 @@ TEST_F(DeviceSearch, ModemManagerTakesATouchForAModemUnlessARuleSaysNo) {
   EXPECT_TRUE(seen("hd:").ready);
 }
 
-// As a user who may not: for root every file is open.
+// As a user who may not open it: for root every file is open.
 TEST_F(DeviceSearch, PermissionIsNamedWithItsNodeAndARemedy) {
   plug_touch();
   GTEST_FLAG_SET(death_test_style, "fast");

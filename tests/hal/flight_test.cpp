@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flight recorder: the second before a fault and what followed, and nothing without one.
+// The flight recorder keeps the second before a fault and what followed, and keeps nothing without
+// a fault.
 #include "hal/record/flight.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +40,8 @@ class FlightTest : public testing::Test {
   fs::path folder_;
 };
 
-// Tick `tick` of `needles`, where needle `faulty` has latched from `from` to before `to`.
+// Tick `tick` of `needles`; needle `faulty` has a latched fault from tick `from` to the one before
+// `to`.
 std::vector<TickRecord> tick_of(std::uint64_t tick, std::uint32_t needles, std::uint32_t faulty,
                                 std::uint64_t from, std::uint64_t to = ~0ULL) {
   std::vector<TickRecord> records(needles);
@@ -166,7 +168,7 @@ TEST_F(FlightTest, WhatCannotBeWrittenIsSaid) {
   EXPECT_NE(flight.error().find("nowhere"), std::string::npos) << flight.error();
 }
 
-// The machine stalls in the last tick: the loop notices when no tick is left to say so.
+// The machine stalls in the last tick: the loop notices it when there is no tick left to tell it.
 TEST_F(FlightTest, AStallInTheLastTickLeavesItsLastSecond) {
   Rig rig;
   rig.config.ticks = 100;

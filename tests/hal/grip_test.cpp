@@ -81,7 +81,7 @@ TEST(Grip, NeedleIsTakenUpWhereItIsWhenTheDeviceComesBackElsewhere) {
   EXPECT_NEAR(back.rotation.w, 1, 1e-6F);
 }
 
-// Turned by half a turn across its own axis there is no telling how it is rolled.
+// Turned half way round an axis across its own, a needle does not tell how it is rolled.
 TEST(Grip, HandThatIsUpsideDownDoesNotRollThePivotingShaft) {
   GripState state;
   (void)grip_pose(pivoting(), state, sample_at({}));
@@ -168,8 +168,8 @@ double dot(Vec3 a, const std::array<double, 3>& b) {
          static_cast<double>(a.z) * b[2];
 }
 
-// One small motion of the device, with its rotation fixed if the needle pivots: the work it does
-// against the force it renders is the work at the needle times force_scale / motion_scale.
+// One small motion of the device, whose rotation is fixed if the needle pivots. Its work against
+// the force that it renders is the work at the needle times force_scale / motion_scale.
 void expect_same_work(GripConfig config, std::mt19937& random, bool turns) {
   std::uniform_real_distribution<float> uniform(-1, 1);
   const auto vector = [&](float size) {

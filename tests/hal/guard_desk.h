@@ -15,7 +15,7 @@ inline double size(Vec3 v) {
   return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
 }
 
-// With a dead man's button, and a force of 2 N let through in a tick.
+// With a dead man's button, and a slew limit that lets 2 N through in a tick.
 inline GuardConfig with_button() {
   GuardConfig config;
   config.ramp_s = 0.1F;

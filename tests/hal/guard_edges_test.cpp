@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The guard at its limits, and its guard of torques: what a wrong line in guard.cpp would change
-// and nobody else would notice.
+// The guard at its limits, and its guard of torques: wrong lines in guard.cpp that no other test
+// would notice.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -44,7 +44,7 @@ TEST(GuardButtons, NumberZeroIsOne) {
   EXPECT_EQ(desk.state.fault, Fault::kNone);
 }
 
-// The release that counts is one that was seen after the fault was acknowledged.
+// Only a release that was seen after the fault was acknowledged counts.
 TEST(GuardButtons, WhatWasSeenBeforeTheRearmSaysNothing) {
   Desk desk;
   desk.tick(5, true);
@@ -179,7 +179,7 @@ TEST(GuardHeat, ContinuousForceAboveTheLargestIsNoLicence) {
   EXPECT_EQ(size(desk.state.force_n), 8);
 }
 
-// A fall from F in 20 ms takes F^2 (20 ms / 3), and a tick goes by before it begins.
+// A fall from F in 20 ms takes F^2 (20 ms / 3) of the budget, and a tick passes before it begins.
 TEST(GuardHeat, ForceLeavesRoomForItsOwnFall) {
   Desk desk = plain_desk();
   desk.config.continuous_force_n = 0.3F;
@@ -192,7 +192,7 @@ TEST(GuardHeat, ForceLeavesRoomForItsOwnFall) {
 
 // ==== Buzzing
 
-// Turns of a force that is thrown to and fro every so many ticks.
+// How often a force turns that is thrown to and fro every so many ticks.
 bool buzzes(int half_period_ticks) {
   Desk desk = plain_desk();
   for (int i = 0; i < 40 * half_period_ticks && desk.state.fault == Fault::kNone; ++i) {
@@ -217,8 +217,8 @@ TEST(GuardBuzz, WhatSwungBeforeTheButtonWasPressedIsForgotten) {
   EXPECT_EQ(desk.state.fault, Fault::kNone);
 }
 
-// Forces thrown to and fro about others, in all directions: the tick in which the fault is latched
-// has one step, not also that of a fade.
+// Forces thrown to and fro about other forces, in all directions. In the tick in which the fault is
+// latched there is one step, not also that of a fade.
 TEST(GuardBuzz, FaultItselfIsNoFasterThanTheSlewLimit) {
   std::mt19937_64 engine(33);
   const auto draw = [&engine] { return static_cast<float>(engine() >> 40U) * 0x1p-23F - 1; };
@@ -295,7 +295,8 @@ TEST(GuardTorque, ThatIsNoNumberEndsBothAtOnce) {
   EXPECT_EQ(size(desk.force.tick(false)), 0);
 }
 
-// What a force may do as a share of its limit: 0.8 of 8 N buzz, and 0.06 of 0.1 N m do.
+// A torque may do the same fraction of its limit as a force: with 0.8 of 8 N it buzzes, and with
+// 0.06 of 0.1 N m.
 TEST(GuardTorque, BuzzesAsAForceDoes) {
   for (const float share : {0.6F, 0.05F}) {
     TorqueDesk desk;
@@ -318,8 +319,8 @@ TEST(GuardTorque, WarmsTheMotorsAsAForceDoes) {
   EXPECT_LE(desk.torque.heat_n2, 0.025 * 0.025 * (1 + 1e-3));
 }
 
-// Turned by 0.2 rad about y with 0.05 N m along it, the hand was given 10 mJ; against it, it gave
-// them.
+// Turned by 0.2 rad about y with 0.05 N m along it, the hand was given 10 mJ. Turned against it,
+// the hand gave them.
 TEST(GuardTorque, WorkIsThatOfTheTurn) {
   for (const float way : {1.0F, -1.0F}) {
     TorqueDesk desk;

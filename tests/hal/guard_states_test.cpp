@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The guard's states: every cell of the table in hal/guard/GUARD.md, and what each of the new nets
-// does.
+// The guard's states: every cell of the table in hal/guard/GUARD.md, and what each of the further
+// limits does.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -196,7 +196,7 @@ TEST(DeadMansButton, OfADeviceThatIsLostIsNoButtonHeld) {
   EXPECT_EQ(size(desk.state.force_n), 0);
 }
 
-// What the loop's or the device's time did before anybody felt anything; in any order, however
+// Faults by the loop's or the device's timing before anybody felt anything, in any order, however
 // often.
 TEST(BeforeAnyForce, FaultsOfTimeClearWithTheNextUsableSampleAndNoOthers) {
   std::mt19937 random(20);
@@ -243,7 +243,7 @@ TEST(BeforeAnyForce, FaultsOfTimeClearWithTheNextUsableSampleAndNoOthers) {
   }
 }
 
-// A force of motors that are not ours to know, and a torque, are felt, too.
+// A force of motors that we cannot know, and a torque, count as felt, too.
 TEST(BeforeAnyForce, AMotorsForceAndATorqueCountAsOne) {
   Desk desk;
   desk.config.dead_man_button = -1;
@@ -263,7 +263,7 @@ TEST(BeforeAnyForce, AMotorsForceAndATorqueCountAsOne) {
   EXPECT_EQ(turned.state.fault, Fault::kTooLate);
 }
 
-// Held while the fault came and after, it was pressed for something else.
+// A button that was held when the fault came, and since, was pressed for something else.
 TEST(AcknowledgeButton, CountsOnlyWhenPressedAnewAtZeroForce) {
   Desk desk = desk_in(GuardMode::kLive);
   desk.acknowledges = true;
@@ -284,7 +284,7 @@ TEST(AcknowledgeButton, CountsOnlyWhenPressedAnewAtZeroForce) {
   EXPECT_EQ(desk.state.mode, GuardMode::kLetGo);
   desk.tick(100, true);  // and the dead man's button is to be let go before it is pressed
   EXPECT_EQ(size(desk.state.force_n), 0);
-  // What was seen released before another fault says nothing after it.
+  // That it was seen released before another fault does not count after that fault.
   guard_trip(desk.state, Fault::kTooLate);
   desk.tick(100, true);
   EXPECT_EQ(desk.state.fault, Fault::kTooLate);
@@ -316,7 +316,8 @@ TEST(ThermalBudget, PeakForceIsForSecondsAndTheMeanSquareIsKept) {
   EXPECT_NEAR(size(desk.state.force_n), 3.3, 1e-4);
 }
 
-// However short the time and small the continuous force, whatever is asked, and whenever it ends.
+// Whatever is asked and whenever it ends, however short the time and however small the continuous
+// force.
 TEST(ThermalBudget, IsKeptAtItsEdges) {
   for (const float thermal_s : {1.0F, 5.0F, 60.0F}) {
     for (const float always : {0.05F, 0.3F, 2.0F}) {
@@ -407,7 +408,7 @@ TEST(BuzzDetector, SeesBuzzingAndNotHandsOrSteps) {
   EXPECT_EQ(desk.state.fault, Fault::kNone);
 }
 
-// A hand that is drawn to and fro against a force which is stronger on the way back.
+// A hand that is moved to and fro against a force that is stronger on the way back.
 double least_energy(const GuardConfig& config, int cycles, GuardState& state_out) {
   Desk desk;
   desk.config = config;
@@ -453,8 +454,8 @@ TEST(EnergyObserver, ControllerTakesBackWhatDampingCan) {
   EXPECT_GT(state.counters.force_damped, 0U);
 }
 
-// Energy that a spring of 1000 N/m makes because its force is held for a tick, as the observer sees
-// it in a position told 2.5 ticks late; as a share of what it is.
+// A spring of 1000 N/m makes energy because its force is held for a tick. What the observer sees of
+// it in a position that is told 2.5 ticks late, as a fraction of the real amount.
 double held_spring(float known_delay_s) {
   constexpr double kStiffness = 1000;
   Desk desk;
@@ -478,7 +479,7 @@ double held_spring(float known_delay_s) {
 
 TEST(EnergyObserver, KnowsTheDelayOfTheDevice) {
   EXPECT_NEAR(held_spring(2.5e-3F), 1, 0.05);
-  // Without, it sees the force lead the motion, which looks like damping.
+  // Without knowing the delay, it sees the force lead the motion, which looks like damping.
   EXPECT_EQ(held_spring(0), 0);
 }
 
@@ -505,8 +506,8 @@ TEST(EnergyObserver, KnowsNoMotionBelowTheResolution) {
 }
 
 TEST(EnergyObserver, ASpringSwitchedOnGivesBackWhatItHolds) {
-  // Pressed by 3 mm without force; armed, and let back over the ramp: 4.5 mJ come back, and
-  // 1/2 K (v T)^2 in each tick, for the force is held.
+  // Pressed in by 3 mm without force, then armed and let back during the ramp: 4.5 mJ come back,
+  // and 1/2 K (v T)^2 more in each tick, because the force is held.
   Desk desk;
   desk.config.passivity_damping_n_s_per_m = 0;
   const auto at = [&desk](double x_m, bool pressed) {

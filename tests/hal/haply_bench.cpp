@@ -32,8 +32,8 @@ bool readable(int socket, int wait_ms) {
   return ::poll(&wanted, 1, wait_ms) > 0;
 }
 
-// All that has come so far, whoever has looked at it. The C library's tcp_info ends before this
-// field of the kernel's (linux/tcp.h, Linux 4.1), and its header excludes that one.
+// All bytes that have come so far, whoever has looked at them. The C library's tcp_info ends before
+// this field of the kernel's (linux/tcp.h, Linux 4.1), and its header excludes the kernel's.
 std::uint64_t bytes_received(int socket) {
   struct {
     tcp_info first;
@@ -44,7 +44,7 @@ std::uint64_t bytes_received(int socket) {
   return info.bytes_received;
 }
 
-// Of a client's frame in one piece: two bytes, a mask of four, and two for a longer size.
+// Bytes of a client's frame in one piece: two, four for its mask, and two for a longer size.
 std::uint64_t frame_bytes(std::size_t payload) {
   return payload + (payload < 126 ? 6 : 8);
 }
@@ -52,7 +52,7 @@ std::uint64_t frame_bytes(std::size_t payload) {
 
 struct HaplyService::Connection {
   explicit Connection(Listener& listener);
-  // The next message, with pongs to the pings before it; false: none in 2 ms.
+  // Takes the next message and answers the pings before it; false: none came in 2 ms.
   bool read();
 
   boost::asio::io_context io;
@@ -65,7 +65,7 @@ struct HaplyService::Connection {
 };
 
 struct HaplyService::Listener {
-  // Shared by several threads: what one of them has taken holds none of the others.
+  // Shared by several threads: a connection that one of them has taken must not hold up the others.
   explicit Listener(bool shared = false) { acceptor.non_blocking(shared); }
   boost::asio::io_context io;
   tcp::acceptor acceptor{io, {boost::asio::ip::make_address("127.0.0.1"), 0}};
@@ -232,7 +232,7 @@ void HaplyService::talk(Connection& connection) {
   socket.write(boost::asio::buffer(state(true)));
   while (!stop_ && trouble_ != test::Trouble::kNoAnswer) {
     if (trouble_ == test::Trouble::kSilent) {
-      // It does not look at its messages either; the end of the connection it does notice.
+      // Nor does it look at its messages; it does notice the end of the connection.
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       char room[65536];
       const ssize_t got = recv(handle, room, sizeof room, MSG_DONTWAIT);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Helper threads beside the loop: same bits, in virtual and in real time; asleep between ticks.
+// Helper threads beside the loop: the same bits, in virtual and in real time; and they sleep
+// between ticks.
 #include "hal/loop/helpers.h"
 
 #include <gtest/gtest.h>

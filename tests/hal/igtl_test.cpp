@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The server as the library's own client sees it, and as clients see it that mean no good.
+// The server as the library's own client sees it, and as hostile clients do.
 #include "hal/publish/igtl.h"
 
 #include <arpa/inet.h>
@@ -62,7 +62,7 @@ class Client {
     socket_->SetReceiveTimeout(5000);
   }
 
-  // One message more; false: the connection has ended.
+  // Takes one more message; false: the connection has ended.
   bool receive() {
     const igtl::MessageHeader::Pointer header = igtl::MessageHeader::New();
     header->InitPack();
@@ -290,7 +290,7 @@ TEST(Igtl, AddressesThatAreNoneAndPortsThatAreTaken) {
                 ": Address already in use: expected a free port, and an address of this machine");
 }
 
-// Only who asks for it is reached from elsewhere.
+// Other machines reach it only if that is asked for.
 TEST(Igtl, ListensOnLoopbackAlone) {
   const IgtlServer server(any_port());
   sockaddr_in address = {};

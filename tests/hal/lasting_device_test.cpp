@@ -19,7 +19,7 @@
 namespace stylet::hal {
 namespace {
 
-// All that were ever made; whoever touches one that is closed is seen.
+// All devices that were ever made; a call of one that is closed is noticed.
 struct Factory;
 struct Fake {
   Factory* factory = nullptr;
@@ -85,7 +85,7 @@ struct Factory {
   }
 };
 
-// Ticks without a pause; at most a minute, on a machine that is very busy.
+// Ticks without a pause, for at most a minute: this machine may be very busy.
 bool ticks_until(const Device& device, const std::function<bool()>& done, std::uint64_t& seq) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
   while (!done()) {
@@ -101,7 +101,7 @@ bool ticks_until(const Device& device, const std::function<bool()>& done, std::u
   return true;
 }
 
-// A driver that hangs in closing must not hide what was wrong before.
+// A driver that hangs in closing must not hide the trouble before.
 TEST(LastingDevice, TroubleIsToldBeforeTheDeviceIsClosed) {
   Factory factory;
   factory.closes_slowly = true;
@@ -174,7 +174,7 @@ TEST(LastingDevice, WaitsLongerEachTimeAndSaysWhy) {
   ASSERT_TRUE(ticks_until(
       device, [&] { return factory.count() == 2; }, seq));
   device.close(device.self);
-  // The first is the opening itself; a busy machine waits longer, never shorter.
+  // The first is the opening itself. On a busy machine pauses are longer, never shorter.
   const auto pause_ms = [&](std::size_t i) {
     return std::chrono::duration<double, std::milli>(factory.tries[i + 1] - factory.tries[i])
         .count();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The slots of shared memory: who may come first, what is news, what is left behind.
+// The slots of shared memory: who may come first, what is new, and what is left behind.
 #include "hal/device/link.h"
 
 #include <gtest/gtest.h>
@@ -93,7 +93,7 @@ TEST_F(SharedMemory, TwoStyletsDoNotShareOne) {
   EXPECT_EQ(receive(first), kSamplePacketBytes);
 }
 
-// A run that is killed leaves its file: the next one takes it over, and nothing of it is news.
+// A run that is killed leaves its file. The next run takes it over, and nothing in it is news.
 TEST_F(SharedMemory, WhatAKilledRunLeftIsTakenOver) {
   const pid_t child = fork();
   if (child == 0) {
@@ -136,8 +136,8 @@ TEST_F(SharedMemory, ClosedLeavesNothingMapped) {
   EXPECT_FALSE(is_mapped());
 }
 
-// As `open(path, "wb")` does in a peer's program: nothing comes through, on neither side, and that
-// is all.
+// As `open(path, "wb")` in a peer's program does: nothing comes through on either side, and nothing
+// worse happens.
 TEST_F(SharedMemory, AFileThatIsShortenedIsSilenceAndTold) {
   Link& stylet = open(Side::kStylet);
   Link& device = open(Side::kDevice);
@@ -162,7 +162,8 @@ TEST_F(SharedMemory, AFileThatIsShortenedIsSilenceAndTold) {
   EXPECT_EQ(receive(next), kSamplePacketBytes) << "the next run has a file of its own";
 }
 
-// What is not ours ends as it did. A sanitizer takes the signal when the program starts.
+// A fault in memory that is not ours still ends the program. A sanitizer takes over the signal when
+// the program starts.
 TEST_F(SharedMemory, PagesOfSomebodyElseAreNotMended) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(
@@ -189,7 +190,7 @@ struct Speaker {
   }
 };
 
-// Whoever is served is served alone; another may come when nothing has come for a while.
+// Whoever is served is served alone; another may come once nothing has come for a while.
 TEST(Udp, AnotherSpeakerIsNotHeardWhileTheFirstSpeaks) {
   const auto port = static_cast<std::uint16_t>(20000 + getpid() % 12000);
   const Link link = udp_listen(std::to_string(port));
@@ -209,8 +210,8 @@ TEST(Udp, AnotherSpeakerIsNotHeardWhileTheFirstSpeaks) {
   link.close(link.self);
 }
 
-// Of a thousand datagrams of others and empty ones, in any order, none hides those of who is
-// served.
+// Among a thousand datagrams, empty ones or from others, in any order, none hides one of the peer
+// that is served.
 TEST(Udp, WhatOthersSendIsNotTheEndOfWhatIsThere) {
   const auto port = static_cast<std::uint16_t>(20000 + getpid() % 12000);
   const Link link = udp_listen(std::to_string(port));

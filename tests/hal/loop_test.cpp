@@ -82,7 +82,7 @@ TEST(Loop, ForcePushesTheHandBack) {
   double peak = 0;
   for (const TickRecord& record : felt) peak = std::max(peak, size(record.command_n));
   EXPECT_GT(peak, 0.15);
-  // The tissue's push leaves the hand short of its target by force over stiffness.
+  // The tissue's push keeps the hand short of its target by force over stiffness.
   const double lag = static_cast<double>(felt.back().sample.pose.position_m.z) -
                      static_cast<double>(unfelt.back().sample.pose.position_m.z);
   EXPECT_NEAR(lag, size(felt.back().command_n) / 2000, 1e-7);
@@ -124,7 +124,8 @@ TEST(Loop, StopEndsItAfterTheTickWithZeroForce) {
 // ---- late ticks
 // ------------------------------------------------------------------------------------
 
-// The mailbox: the fault by its name, while it is the one, and the device answers.
+// The mailbox: a fault is acknowledged by its name, as long as it is the present one, and while the
+// device answers.
 TEST(Acknowledged, ByItsNameWhileTheDeviceAnswersAndNotLater) {
   Rig rig;
   rig.config.ticks = 600;
@@ -143,7 +144,7 @@ TEST(Acknowledged, ByItsNameWhileTheDeviceAnswersAndNotLater) {
     if (tick == 320) mailbox.seen = {Fault::kBuzz, 1};          // not that one
     if (tick == 330) mailbox.seen = {Fault::kDeviceSilent, 2};  // nor one that is to come
     if (tick == 340) mailbox.seen = {Fault::kDeviceSilent, 1};
-    // The next one of its kind, and what was said of the first comes late.
+    // The next fault of the same kind; an acknowledgement of the first one comes too late.
     if (tick == 450 || tick == 560) guard_trip(rig.state.hand[0].guard, Fault::kDeviceSilent);
     if (tick == 500) mailbox.seen = {Fault::kDeviceSilent, 1};
     if (tick == 520) mailbox.seen = {Fault::kDeviceSilent, 2};
@@ -182,7 +183,7 @@ TEST(Acknowledged, DeviceThatComesBackElsewhereDoesNotMoveTheNeedle) {
   expect_safe(records, rig.config.hand[0].guard);
 }
 
-// Somebody quick: the force still fades. It is kept until then.
+// Somebody quick acknowledges while the force still fades: that is kept until the fade is over.
 TEST(Acknowledged, DuringTheFadeItWaitsForItsEnd) {
   Rig rig;
   rig.config.ticks = 400;
@@ -237,8 +238,8 @@ TEST(LateTicks, TwentyInARowLatch) {
   }
 }
 
-// As an outside check loaded a machine: 17 ms busy and 1.5 free, or 8.5 of 11, for seconds. 20 ms
-// are lost within three rounds, less what the ticks between made up for.
+// As an outside check loaded a machine: for seconds 17 ms busy and 1.5 free, or 8.5 busy of 11. 20
+// ms are lost within three rounds, less what the ticks between made up for.
 TEST(LateTicks, AgainAndAgainTheyAddUpToAFault) {
   struct Load {
     double busy_ms, free_ms;
@@ -459,7 +460,7 @@ TEST_F(ReplayTest, RecordedDeviceGivesTheSameRun) {
 
 TEST_F(ReplayTest, MissingOrganIsNamed) {
   RecordingInfo info;
-  // Looked for beside the recording as well, where others may have theirs.
+  // Looked for beside the recording as well, where other users may have theirs.
   info.organ_file = "/nowhere/" + std::to_string(getpid()) + ".organ";
   EXPECT_THROW((void)find_recorded_organ(path_, info, ""), LoadError);
   EXPECT_EQ(find_recorded_organ(path_, info, "given.organ"), "given.organ");

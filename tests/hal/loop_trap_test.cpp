@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loop on the real clock: no call of the heap, no page fault, no system call but sleeping.
-// Each trap is also shown to fire.
+// The loop on the real clock calls no heap, has no page fault and makes no system call but
+// sleeping. Each trap is also shown to fire.
 #include <gtest/gtest.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -98,7 +98,7 @@ bool allow_only_sleep() {
          prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
-// How a child ended that ran the loop and might only sleep, look at the clock and exit.
+// How a child ended that ran the loop and was only allowed to sleep, look at the clock and exit.
 int status_of_confined_run(void (*sin)()) {
   Rig rig;
   Sinner sinner{rig.device(), sin};

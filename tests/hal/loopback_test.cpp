@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two stations through real sockets of this machine, with a relay between them that loses, doubles,
-// delays and reorders by a seed, and stalls when it is told to.
+// Two stations through real sockets of this machine. A relay between them loses, doubles, delays
+// and reorders packets by a seed, and stalls when it is told to.
 #include <arpa/inet.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -184,7 +184,7 @@ TEST(Loopback, NothingStaleIsFeltThroughRealSocketsAndAStallIsLatched) {
   {
     Ticker first("udp:127.0.0.1:" + test_port());
     EXPECT_EQ(first.device.info.max_force_n, 3);
-    // Both fade in, and on a busy machine both latch what it is late with.
+    // Both fade in; on a busy machine both latch a fault when it makes them late.
     const auto comes_to_feel = [&second](Ticker& ticker) {
       for (int i = 0; i < 60; ++i) {
         if (ticker.tick_until({1, 0, 0}, [&] { return second.felt_n > 0.5; })) return true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers of the metrics. That their text is of the format is for metrics_test.py, which reads what
-// Metrics.Sample prints with Prometheus' own parser.
+// The numbers in the metrics. That the text has the right format is checked by metrics_test.py,
+// which reads what Metrics.Sample prints with Prometheus' own parser.
 #include "hal/publish/metrics.h"
 
 #include <gtest/gtest.h>

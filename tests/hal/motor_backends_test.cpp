@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a hand gets from the whole chain, in a process in virtual time: the real loop with kernel,
-// coupling, grip and guard; every backend that renders force with its threads and its stand-in,
-// opened again when it fails; `udp:` and `shm:` with a program that keeps the README's rules; a
-// station with a device of its own. Random sessions, judged where the force is felt, by rules that
-// know nothing of the code.
+// The force that a hand gets from the whole chain, in a process in virtual time: the real loop with
+// kernel, coupling, grip and guard; every backend that renders force, with its threads and its
+// stand-in, opened again when it fails; `udp:` and `shm:` with a program that keeps the README's
+// rules; a station with a device of its own. Random sessions are judged where the force is felt, by
+// rules that know nothing of the code.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -126,7 +126,8 @@ struct Session {
     if (kind != Kind::kHd && kind != Kind::kDhd) judge.lag_ms = kZeroMs;
     judge.drops = kind == Kind::kHaply;
     if (judge.drops) judge.held_ms = 21;
-    // A socket of this process is looked at so often; what leaves our thread is slewed there.
+    // A socket of this process is looked at only so often. Behind it, what leaves our thread is
+    // slewed.
     if (kind == Kind::kHaply) judge.way_ms = ms(test::kLookNs);
     if (peer != nullptr) judge.slew_n_per_s = static_cast<double>(PeerHand::kSlewNPerS);
     if (station != nullptr) judge.slew_n_per_s = 1000;
@@ -143,8 +144,8 @@ struct Session {
   static bool read(void* self, std::int64_t tick_ns, Sample& out) {
     Session& s = *static_cast<Session*>(self);
     if (s.draw.chance(s.trouble * 0.2)) s.stall(s.draw.ms(0.5, 40));
-    // Motors of this process go by the tick. A peer's go by the sample that is answered, which may
-    // have been taken after a stall in the tick.
+    // Motors of this process go by the tick. A peer's motors go by the sample that is answered,
+    // which may have been taken after a stall in the tick.
     s.order_ns = s.goes_by_samples() ? test::virtual_now_ns() : tick_ns;
     return s.device.read(s.device.self, tick_ns, out);
   }
@@ -155,7 +156,7 @@ struct Session {
     const float stiffest = hand.coupling.stiffness_n_per_m * hand.grip.force_scale;
     if (!(command.stiffness_n_per_m <= stiffest * 1.0001F)) s.judge.fail("too stiff a model");
     s.device.write(s.device.self, command);
-    // Before there was any force, what is over needs nobody.
+    // Before there was any force, nobody has to acknowledge what is over.
     if (command.arming != s.arming && s.judge.strongest_n == 0) s.judge.acknowledged();
     s.arming = command.arming;
     s.judge.ordered(s.order_ns);
@@ -243,8 +244,8 @@ struct Session {
     stall(draw.ms(20, 60));
   }
 
-  // Reset and Start, as the console does it: tissue, coupling and grip from their beginning, the
-  // guards of a device that stayed open go on. What is latched stays so; one that let go in order
+  // Reset and Start, as the console does it: tissue, coupling and grip begin anew, while the guards
+  // of a device that stayed open go on. A latched fault stays latched; a guard that let go in order
   // is armed anew.
   void resume() {
     judge.fault();

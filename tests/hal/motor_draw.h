@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the random sessions of motors are drawn from: numbers that are the same everywhere, and
-// somebody who is away for a while.
+// What the random sessions of motors are drawn from: numbers that are the same everywhere, and a
+// thread or machine that does nothing for a while.
 #pragma once
 
 #include <cmath>
@@ -35,7 +35,7 @@ inline int number_from(const char* variable, int otherwise) {
   return wanted != nullptr ? std::atoi(wanted) : otherwise;
 }
 
-// Somebody who does nothing until a time: now and then, or again and again.
+// Something that does nothing until a time: now and then, or again and again.
 struct Stalls {
   double share = 0;           // of wake-ups that begin one
   std::int64_t every_ns = 0;  // 0: at random only

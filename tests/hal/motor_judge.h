@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who judges the force that a hand feels, in virtual time and from outside: by rules that know
-// nothing of the code.
+// Judges the force that a hand feels, in virtual time and from outside, by rules that know nothing
+// of the code.
 #pragma once
 
 #include <algorithm>
@@ -22,14 +22,14 @@ inline double ms(std::int64_t ns) {
   return static_cast<double>(ns) * 1e-6;
 }
 
-// What is seen from outside, looked at whenever a thread comes to wait.
+// What is seen from outside; looked at whenever a thread begins to wait.
 struct Judge {
   std::function<Vec3()> felt;
   std::function<int()> writes;
   double most_n = 0, slew_n_per_s = 0;
   double lag_ms = 2;           // from the guard to the hand
-  double way_ms = 0;           // by so much two writes come closer together than they left
-  double held_ms = 0;          // an order may be under way for so long when a service stands still
+  double way_ms = 0;           // by so much closer together two writes arrive than they left
+  double held_ms = 0;          // how long an order may be under way when a service stands still
   bool drops = false;          // a service drops the force of a client that gives it up
   bool orders_expire = false;  // after 10 ms
   bool writes_hang = false;    // what the call that hangs was about to write may come late, once
@@ -79,7 +79,7 @@ struct Judge {
     strongest_n = std::max(strongest_n, size);
     if (!std::isfinite(size)) fail("not finite");
     if (size > most_n * (1 + 1e-4)) fail("over the limit: " + std::to_string(size) + " N");
-    // A vendor's own cut: of a device in trouble, or whose writer was held up.
+    // A vendor's own cut: its device is in trouble, or its writer was held up.
     const bool dropped = drops && !wrote && size == 0 && change > 0;
     const bool cut = dropped || (size == 0 && (now < trouble_ns || passed_ms > 9.9));
     const double most = slew_n_per_s * 1e-3 * (passed_ms + way_ms) * (1 + 1e-4) + 1e-5;
@@ -102,7 +102,7 @@ struct Judge {
     last_n = force;
   }
 
-  // Zero in time, and then until somebody acknowledged.
+  // The force is zero in time, and then stays so until somebody has acknowledged.
   void judge_end(double size, std::int64_t now) {
     const std::int64_t stopped_ns = loop_ns + static_cast<std::int64_t>(kZeroMs * 1e6);
     std::int64_t end_ns = std::numeric_limits<std::int64_t>::max();

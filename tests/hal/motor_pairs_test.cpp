@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two hands at once, in a process in virtual time: two `hd:` devices, which share one servo of
-// their library, two `dhd:` ones, and one of each, on their stand-ins, each opened again when it
-// fails. Random sessions, each hand judged by itself as in motor_backends_test.cpp; what it feels
-// is its own device's, and after a stall of everything both are back once they were acknowledged.
+// their library, two `dhd:` devices, and one of each, on their stand-ins, each opened again when it
+// fails. In random sessions each hand is judged by itself as in motor_backends_test.cpp. It feels
+// its own device's force, and after a stall of everything both are back once they were
+// acknowledged.
 #include <array>
 #include <deque>
 #include <ostream>
@@ -25,11 +26,11 @@ void PrintTo(Pair pair, std::ostream* out) {
 }
 
 constexpr std::size_t kHands = 2;
-// What the motors have is within what was asked of them in this time, or nothing.
+// The motors have a force within what was asked of them in this time, or none.
 constexpr std::int64_t kAskedNs = 60 * kMs;
 
-// What failed together is back by then: a try every 4 s (kLongestTryS) at the least, one of them
-// for each hand, and the acknowledgement.
+// By then whatever failed together is back: one try every 4 s (kLongestTryS) at the least for each
+// hand, and the acknowledgement.
 constexpr std::uint64_t kBackTicks = 9000;
 
 struct Asked {
@@ -81,7 +82,7 @@ struct OneHand {
     return true;
   }
 
-  // Of each axis: between the least and the most that was asked of it.
+  // For each axis between the smallest and the largest force that was asked.
   void look() {
     judge.look();
     const std::int64_t now_ns = test::virtual_now_ns();
@@ -168,7 +169,7 @@ struct Session {
 
   // ---- what goes wrong
 
-  // One servo of two devices: what holds up the one holds up the other.
+  // Two devices with one servo: what holds up one holds up the other.
   void in_trouble(OneHand& one, std::int64_t until_ns) {
     for (OneHand& each : hand) {
       if (&each != &one && pair != Pair::kTwoHd) continue;
@@ -219,7 +220,8 @@ struct Session {
     run_loop(rig.config, rig.instance->kernel, devices, clock, {}, rig.state);
   }
 
-  // Nothing more goes wrong, but once all stands at once: in the end both hands are back.
+  // Nothing more goes wrong, except that everything stands still once: in the end both hands are
+  // back.
   void recover() {
     calm = true;
     run_ticks(400);
@@ -243,7 +245,7 @@ struct Session {
   }
 };
 
-// How many hands had a force after both were back.
+// How many hands had a force after both devices were back.
 int run_session(std::uint64_t seed, Pair pair) {
   test::VirtualProcess& process = test::enter_virtual_time();
   process = {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the motors get, whatever loop, device and hand do: random sessions of guard, relay and motor
-// in virtual time, looked at where the force is written, by rules that know nothing of the code.
+// The force that motors get, whatever loop, device and hand do: random sessions of guard, relay and
+// motor in virtual time, looked at where the force is written, by rules that know nothing of the
+// code.
 #include "hal/device/motor.h"
 
 #include <gtest/gtest.h>
@@ -91,14 +92,14 @@ struct Session {
     needed_ns = now_ns;
   }
 
-  // Every rule of the motor at once, with the time that has really passed.
+  // Checks every rule of the motor, with the time that has really passed.
   void judge(Vec3 force_n) {
     const double passed_s = static_cast<double>(now_ns - written_ns) * 1e-9;
     const double most = static_cast<double>(guard.max_slew_n_per_s) * passed_s;
     const double force = size(force_n);
     if (!std::isfinite(force)) return fail("not finite");
     if (force > static_cast<double>(guard.max_force_n) * (1 + 1e-6)) return fail("over the limit");
-    // A driver that gives its device up, or was held up and cannot know what the device did.
+    // By a driver that gives its device up, or was held up and cannot know what the device did.
     const bool cut = force == 0 && (failed_ns != 0 || now_ns - written_ns > 10 * kMs);
     if (written_ns != 0 && !cut && apart(force_n, written_n) > most * (1 + 1e-5) + 1e-6) {
       return fail("changes faster than the slew limit");
@@ -106,12 +107,12 @@ struct Session {
     const auto since_ms = [this](std::int64_t ns) {
       return static_cast<double>(now_ns - ns) * 1e-6;
     };
-    // Whoever writes once a period notices one later.
+    // A driver that writes once a period notices it up to one period later.
     const double slack_ms = static_cast<double>(device_period_ns) * 1e-6;
     if (force > 0 && loop_ns != 0 && since_ms(loop_ns) > kZeroMs + slack_ms) {
       return fail("force 25 ms after the loop stopped");
     }
-    // The guard sees its faults when the loop runs, and the loop's own stall is judged above.
+    // The guard sees faults only while the loop runs; a stall of the loop itself is judged above.
     if (force > 0 && fault_ns != 0 && since_ms(fault_ns) > kZeroMs + slack_ms) {
       return fail("force 25 ms after a fault");
     }
@@ -152,7 +153,7 @@ struct Session {
     return {most, most * 0.2F, 0};
   }
 
-  // The sample that is answered was under way, and some answers are lost.
+  // The order ends earlier by the time for which its sample was under way; some answers are lost.
   std::int64_t next_end_ns() {
     if (!ends) return 0;
     if (draw.chance(0.7)) orders_end_ns = std::max(orders_end_ns, now_ns + draw.ms(8, 20));
@@ -197,7 +198,7 @@ struct Session {
     if (state.fault != Fault::kNone && draw.chance(0.02) && guard_rearm(state, state.fault)) {
       accept();
     }
-    // Not sooner than it really is, a quarter of a second later: the guard has let go.
+    // Not sooner than in reality, a quarter of a second later, when the guard has let go.
     if (relay->failed() && state.mode == GuardMode::kFault && draw.chance(0.02)) {
       relay = std::make_unique<Relay>();
       relay->limits = motor_limits(info);
@@ -207,8 +208,8 @@ struct Session {
     if (draw.chance(0.0005)) reset();
   }
 
-  // Reset, and Start after a while: what is latched stays so. One that let go in order is armed
-  // anew.
+  // Reset, and Start after a while. A latched fault stays latched; a guard that let go in order is
+  // armed anew.
   void reset() {
     const bool had = state.fault != Fault::kNone;
     GuardState torque = guard_start();
@@ -316,7 +317,7 @@ TEST(Motor, FollowsTheOrderWithinItsLimits) {
   }
 }
 
-// Calls of one length each, some held up, at whose end the motors get their force.
+// Calls of the same length, some of them held up; the motors get their force at the end of each.
 TEST(Motor, ACallThatIsHeldUpIsNotFollowedByAStep) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     Draw draw{std::mt19937_64(seed)};
@@ -384,7 +385,8 @@ TEST(Motor, StallsAreADipOrAnEndAndNeverAKick) {
   }
 }
 
-// The guard lets go, and both threads are held up: the fade is the guard's, not one from the start.
+// The guard lets go, and both threads are held up: the fade goes on from where the guard's was, it
+// does not begin anew.
 TEST(Motor, AnOrderThatFallsAndComesLateIsWhereTheFadeBegins) {
   Desk desk;
   for (int i = 0; i < 10; ++i) desk.push({2.9F, 0, 0});
@@ -394,7 +396,8 @@ TEST(Motor, AnOrderThatFallsAndComesLateIsWhereTheFadeBegins) {
   EXPECT_NEAR(size(desk.state.report.force_n), 0, 1e-6) << "10 ms of 3 N in 20 ms";
 }
 
-// Whoever orders is held up from some tick on: the order itself says when nothing may be left.
+// Whoever gives orders is held up from some tick on. The order itself says when no force may be
+// left.
 TEST(Motor, AnOrderThatEndsIsGoneByThenWithinTheSlewLimit) {
   for (int held_ms = 0; held_ms <= 20; ++held_ms) {
     for (const float slew_n_per_s : {150.0F, 300.0F, 1000.0F}) {
@@ -503,7 +506,7 @@ TEST(Guard, LearnsThatTheMotorsHaveStoppedAndStaysThere) {
   EXPECT_EQ(state.mode, GuardMode::kFault);
 }
 
-// A run ends after its last ticks were lost, in the fade of a fault: that is as late as it is.
+// A run ends in the fade of a fault, and its last ticks were lost: the fade counts them.
 TEST(Guard, TheEndOfARunCountsTheTimeThatWasLost) {
   for (int lost_ms = 1; lost_ms < 30; ++lost_ms) {
     GuardConfig config;
@@ -527,7 +530,7 @@ TEST(Guard, TheEndOfARunCountsTheTimeThatWasLost) {
   }
 }
 
-// The report of a peer is as old as its way is long.
+// The report of a peer is as old as the time that it was under way.
 TEST(Guard, FadesFromTheSmallerOfWhatWasSentAndWhatIsHad) {
   for (const float had_n : {0.0F, 0.5F, 2.5F}) {
     GuardConfig config;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a hand gets from the whole chain on the clock on the wall: the sessions of
+// The force that a hand gets from the whole chain, by the clock on the wall: the sessions of
 // motor_backends_test.cpp with the threads, sleeps and preemptions of this machine, which virtual
 // time cannot have. Stalls of the loop, calls of the vendor that do not return, failures and
-// reopenings are drawn; somebody beside looks ten thousand times a second at what the motors do.
+// reopenings are drawn. A thread beside looks at the motors ten thousand times a second.
 //
-// No machine keeps time for its tests. Whoever waits for a processor is seen by the kernel
-// (schedstat): a promise of time that is broken while one of our threads waited says nothing, and
-// is named, not counted.
+// No machine keeps time for its tests. The kernel knows who waits for a processor (schedstat): a
+// promise of time that is broken while one of our threads waited says nothing, and is named, not
+// counted.
 #include <gmock/gmock.h>
 #include <unistd.h>
 
@@ -101,8 +101,8 @@ struct Complaint {
   std::string what;
 };
 
-// Looks at the motors from outside. What the loop's thread says comes before what it stands for:
-// somebody who sees the force sees it, too.
+// Looks at the motors from outside. The loop's thread announces a force before it gives it, so that
+// whoever sees the force also sees the announcement.
 struct Judge {
   explicit Judge(Bench& of) : bench(of) {}
   Bench& bench;
@@ -156,8 +156,8 @@ struct Judge {
     last_n = force;
   }
 
-  // A write came after the look before it was seen: it may be as large as the slew limit allows for
-  // the time since the look before the last one.
+  // A write may have come just after the look before the one that sees it: it may be as large as
+  // the slew limit allows for the time since the look before that.
   void judge_step(double change, double size, bool wrote) {
     const std::int64_t now_ns = monotonic_now_ns();
     const double passed_ms = before_write_ns == 0 ? 1e9 : ms(now_ns - before_write_ns);
@@ -234,7 +234,7 @@ struct Session {
   }
   static void write(void* self, const Command& command) {
     Session& s = *static_cast<Session*>(self);
-    // Before there was any force, what is over needs nobody.
+    // Before there was any force, nobody has to acknowledge what is over.
     if (command.arming != s.arming && !s.judge.forced.load()) s.acknowledged();
     s.arming = command.arming;
     // With the next order forces may come again.
@@ -354,7 +354,8 @@ TEST_P(MotorWall, GivesTheHandNothingThatHurts) {
       stalled_ms += ms(each.to_ns - each.from_ns);
       longest_ms = std::max(longest_ms, ms(each.to_ns - each.from_ns));
     }
-    // Within the time that a promise spans, a stall of the machine has to do with it.
+    // A stall of the machine excuses a broken promise if it lies within the time that the promise
+    // spans.
     constexpr std::int64_t kSpanNs = static_cast<std::int64_t>((kZeroMs + kSlackMs) * 1e6);
     for (const Complaint& each : session.judge.complaints) {
       const bool machines = std::any_of(stalls.begin(), stalls.end(), [&](const Span& span) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An output never destroys what it is made from, nor what is no file.
+// Writing an output never destroys what it is made from, nor what is not a file.
 #include "hal/base/output_file.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST(OutputFile, KeptNamesAreFree) {
   fs::remove_all(folder);
 }
 
-// What the full disk of a user leaves: the limit on the size of a file stands for it.
+// What a full disk leaves; a limit on the size of a file stands for it.
 TEST(OutputFile, IsWholeOrNotThereAndFollowsTheUmask) {
   const fs::path folder = fs::temp_directory_path() / ("stylet-whole-" + std::to_string(getpid()));
   fs::create_directories(folder);

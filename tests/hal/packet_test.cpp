@@ -174,7 +174,7 @@ TEST(Packet, AnObeyedForceFadesInTheSecondHalfOfItsLifeAndStaysAway) {
   packet.seq = 8;
   packet.life_ns = kForceLifeNs + 1;
   EXPECT_FALSE(obey(obeyed, packet, then)) << "lives too long";
-  // The newest is over when the next one comes, though nobody looked meanwhile.
+  // The newest force is over when the next one comes, although nobody looked meanwhile.
   packet.life_ns = life;
   packet.echo_t_ns = then + 2 * life;
   EXPECT_TRUE(obey(obeyed, packet, then + 2 * life));

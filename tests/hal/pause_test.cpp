@@ -81,7 +81,7 @@ TEST(Pause, AHandFeelsTheForceFadeAndTheNeedleWaits) {
   Listening hand = {rig.device(), {}, {}};
   const auto records = run(rig, hand.as_device(), 150, 300);
   ASSERT_EQ(records.size(), rig.config.ticks);  // nothing of the pause is in it
-  // And what force there is at the end fades.
+  // The force that there is at the end fades, too.
   ASSERT_GT(hand.written.size(), rig.config.ticks + 150);
   ASSERT_LE(hand.written.size(), rig.config.ticks + 150 + 21);
   EXPECT_EQ(size(hand.written.back()), 0);
@@ -107,7 +107,8 @@ TEST(Pause, TheGuardLatchesAndIsRearmedMeanwhile) {
   for (std::size_t i = 200; i < 210; ++i) hand.answers[i] = false;
   Pauses pauses = {{}, &rig.state, 150, 400};
   const Device device = hand.as_device();
-  // Somebody has seen it: asked for again and again, taken while it is latched.
+  // Somebody has seen the fault: the acknowledgement is repeated, and counts once the fault is
+  // latched.
   struct Asks {
     Pauses* pauses;
     static std::int64_t now(void* self) { return Pauses::now(static_cast<Asks*>(self)->pauses); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Another program as a device, over UDP and shared memory: a thread that sends a sample every
-// millisecond and feels what the newest force packet says.
+// millisecond and feels the force of the newest packet.
 #include <sys/stat.h>
 
 #include <atomic>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is particular to a peer: on a real socket, what it says of itself, and who it is not; in
-// virtual time, what becomes of its clock and its packets.
+// What is particular to a peer. On a real socket: what it says of itself, and which senders are not
+// it. In virtual time: what becomes of its clock and its packets.
 #include "hal/device/drivers/peer.h"
 
 #include <deque>
@@ -110,7 +110,7 @@ TEST(Peer, ZeroIsNoPort) {
   }
 }
 
-// A link whose packets the test puts there, and a clock that it turns.
+// A link whose packets are put there by the test, and a clock that the test sets.
 struct Wire {
   std::deque<std::vector<std::byte>> to_us;
   std::vector<ForcePacket> from_us;
@@ -152,9 +152,9 @@ struct Wire {
   }
 };
 
-// Ten minutes of a sender whose clock began elsewhere and goes so much faster or slower;
-// every eighth packet takes 0.2 ms, the others up to 7 ms more. The time of a sample is that of its
-// taking, but for the shortest way and what the clocks may drift apart until the next short one.
+// Ten minutes of a sender whose clock began elsewhere and runs faster or slower by so much. Every
+// eighth packet takes 0.2 ms, the others up to 7 ms more. The time of a sample is right but for the
+// shortest way and for what the clocks may drift apart until the next short one.
 TEST(Peer, TimeOfASampleIsThatOfItsTakingWhateverTheWay) {
   for (const double drift : {-800e-6, -50e-6, 50e-6, 800e-6}) {
     Wire wire;
@@ -234,11 +234,11 @@ struct Walk {
 };
 
 constexpr double kWayS = 2.7e-3;  // the longest of these, until the next look
-// An error that no packet can show: one there and back, and what peers are forgiven.
+// An error that no packet can show: one way there and back, and the slack that peers are allowed.
 constexpr double kHiddenS = 2 * kWayS + 1e-9 * static_cast<double>(kClockSlackNs);
 
-// Set by a millisecond to a day, to and fro; with an echo and without. Nothing is ever younger than
-// it says, and after the named time nothing is older.
+// Clocks are set by a millisecond to a day, to and fro, with an echo and without. Nothing is ever
+// taken as younger than it is, and after the time that is named nothing as older.
 TEST(Peer, AClockThatIsSetIsRecognisedInItsTime) {
   std::mt19937_64 random(4);
   for (int round = 0; round < 60; ++round) {
@@ -280,7 +280,7 @@ TEST(Peer, OneTimeThatLiesAheadEndsNothing) {
   }
 }
 
-// A network that holds everything up, for seconds, with whatever order: old stays old.
+// A network holds everything up for seconds, in any order: what is old stays old.
 TEST(Peer, WhatTheNetworkHoldsUpIsNeverFresh) {
   std::mt19937_64 random(5);
   for (int round = 0; round < 40; ++round) {
@@ -328,7 +328,7 @@ TEST(Peer, LooksAtNoMorePacketsThanItSays) {
   EXPECT_EQ(wire.received, 2 + kMostPerRead);
 }
 
-// What is empty or of somebody else is not the end of what there is.
+// A packet that is empty or of somebody else does not end the reading of what there is.
 TEST(Peer, WhatIsOfNoUseDoesNotHideTheRest) {
   Wire wire;
   Sample sample;
@@ -362,7 +362,7 @@ TEST(Peer, AForceHasItsStiffnessInAllDirectionsAndGoesToNobodyBeforeASample) {
   }
 }
 
-// A fade takes 20 ms; then the network ends. Nothing may be felt 25 ms after it began.
+// A fade takes 20 ms, and then the network fails. 25 ms after it began no force may be felt.
 TEST(Peer, LastForcesOfAFadeEndWithIt) {
   Wire wire;
   Sample sample;
@@ -390,7 +390,7 @@ TEST(Peer, LastForcesOfAFadeEndWithIt) {
   }
 }
 
-// A station's order ends by a time, and a device of the station's own may be a peer, too.
+// A station's order ends at a time, also where the station's own device is a peer.
 TEST(Peer, NoForceOutlivesTheEndOfItsOrder) {
   constexpr std::int64_t kMs = 1'000'000;
   Wire wire;
@@ -408,7 +408,8 @@ TEST(Peer, NoForceOutlivesTheEndOfItsOrder) {
   }
 }
 
-// The guard hears from the hand what it has; where that cannot be, from the model.
+// The guard hears from the hand which force it has; where the hand does not tell, the model says
+// it.
 TEST(Peer, TellsWhatTheHandHasAndThatItEnded) {
   Wire wire;
   Sample sample;

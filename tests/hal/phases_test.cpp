@@ -99,7 +99,7 @@ TEST(Phases, NumbersAreThoseOfTheFormula) {
 }
 
 // A hand that slows down over half a second, friction that depends on its speed, and a tissue that
-// springs back for a moment after the puncture: the slope is that of the steady way between.
+// springs back for a moment after the puncture: the slope is that of the steady part between.
 TEST(Phases, SlopeIsThatOfTheSteadyPart) {
   constexpr double kSlow = 6500, kTicksToSlow = 150;
   std::vector<TrackPoint> track = curve(0, kRetract);
@@ -132,8 +132,8 @@ TEST(Phases, SlopeOfAQuickInsertionIsThere) {
   EXPECT_NEAR(static_cast<double>(rows[0].slope_n_per_mm), 0.01, 1e-5);
 }
 
-// As above, but the hand draws at a spring from 10 s on, and friction lets the tip go bit by
-// bit: 1.5 mm in 0.7 s.
+// As above, but from 10 s on the hand pulls at a spring, and friction lets the tip go bit by bit:
+// 1.5 mm in 0.7 s.
 TEST(Phases, HoldEndsWhereTheHandTurns) {
   std::vector<TrackPoint> track = curve();
   for (int tick = kRetract; tick < kOut; ++tick) {
@@ -146,7 +146,7 @@ TEST(Phases, HoldEndsWhereTheHandTurns) {
   const auto rows = find_phases(track, kPeriodS, kUnitM);
   ASSERT_EQ(rows[4].stage, Stage::kHold);
   EXPECT_EQ(rows[5].stage, Stage::kRetraction);
-  // By when it has crept by 0.7 um: the window at 0.03 mm/s.
+  // The hold ends when the tip has crept by 0.7 um: the window at 0.03 mm/s.
   EXPECT_NEAR(static_cast<double>(rows[4].end_tick) - 1, kRetract, 80);
   EXPECT_GT(rows[4].end_force_n, 0.45F);
 }
@@ -217,7 +217,7 @@ TEST(Phases, AForceThatFallsHasAShareAndNoOther) {
   EXPECT_EQ(fallen_share(from_to(1, NAN)), std::nullopt);
 }
 
-// Recordings of hands that do anything: rows without gaps, and no share beyond 0 to 1.
+// Recordings of hands that do anything: rows without gaps, and no fraction outside 0 to 1.
 TEST(Phases, RandomRecordingsHaveWholeRowsAndSharesWithinTheirBounds) {
   std::mt19937 random(31);
   const auto between = [&random](double low, double high) {

@@ -89,7 +89,7 @@ TEST_F(PointerTest, FollowsAnUnevenPageEvenly) {
     if (i > 200) slowest = std::min(slowest, step_m * 1e3);
     if (i > 200) fastest = std::max(fastest, step_m * 1e3);
   }
-  // The mean pause is 20 ms: a hand in steps of 2 mm becomes one that keeps its pace.
+  // The mean pause is 20 ms. A hand that moves in steps of 2 mm becomes one that keeps its pace.
   EXPECT_GT(slowest, 0.06);
   EXPECT_LT(fastest, 0.14);
   EXPECT_NEAR(depth_mm(), 100 - 0.1e3 * (2 * kPointerFollowS + 0.01), 2.5);
@@ -159,7 +159,8 @@ TEST_F(PointerTest, SilenceEndsTheAnswerAndTheGuardSeesIt) {
   EXPECT_EQ(state.fault, Fault::kDeviceSilent);
   for (int i = 0; i < 1000; ++i) EXPECT_FALSE(guarded());
 
-  // Back, somewhere else: taken up where it is, once somebody has acknowledged.
+  // The hand comes back somewhere else: the needle is taken up where it is, once somebody has
+  // acknowledged.
   ASSERT_TRUE(pointer_post(0, inward(-300), 0));
   ASSERT_TRUE(guarded());
   EXPECT_TRUE(guard_rearm(state, Fault::kDeviceSilent));
@@ -269,7 +270,7 @@ TEST_F(PointerTest, ManyThreadsMayPost) {
   for (int page = 0; page < 4; ++page) {
     pages.emplace_back([page, &begun] {
       for (int i = 0; i < 20000; ++i) {
-        // Whole posts only: the rotation says which place belongs to it.
+        // Only whole posts are taken: the rotation says which place belongs to it.
         const bool up = (page + i) % 2 == 0;
         EXPECT_TRUE(pointer_post(0, up ? Pose{{1, 1, 1}, kUpright} : Pose{{}, {0, 1, 0, 0}},
                                  up ? 0xffffffffU : 0U));

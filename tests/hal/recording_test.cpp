@@ -187,7 +187,7 @@ TEST_F(RecordingTest, MarksComeBackAndNoneIsNone) {
   }
 }
 
-// A line break in a mark makes the next line one without a tick.
+// A line break in a mark would make the next line one without a tick.
 TEST_F(RecordingTest, MarksThatAreNoneAreRefused) {
   const std::vector<Mark> marks = {{7, "good"}, {8, "two\nlines"}};
   RecordingWriter writer(path(), {});
@@ -225,8 +225,8 @@ TEST_F(RecordingTest, UnwritableFolderIsNamed) {
   EXPECT_THROW(RecordingWriter("/nowhere/at/all.h5", some_info()), RecordingError);
 }
 
-// A process of its own that writes what it is told and is killed, whatever it is busy with; told by
-// shared memory how far it got.
+// A process of its own that writes what it is told and is killed, whatever it is doing. Shared
+// memory tells how far it got.
 class Killed {
  public:
   explicit Killed(std::span<const TickRecord> records) : records_(records) {
@@ -238,7 +238,8 @@ class Killed {
   Killed(const Killed&) = delete;
   Killed& operator=(const Killed&) = delete;
 
-  // Records that were handed over when it was killed: `wait_us` after it had handed over so many.
+  // Returns how many records had been handed over when it was killed: `wait_us` after `after` of
+  // them had been.
   std::size_t write(const std::string& path, const RecordingInfo& info, std::size_t each,
                     std::size_t after, unsigned wait_us) {
     given_->store(0);
@@ -302,7 +303,7 @@ TEST_F(RecordingTest, AFullDiskIsAnErrorAndKeepsWhatWasWhole) {
     } catch (const RecordingError& error) {
       refused = error.what();
     }
-    // Not even begun: nothing is left; else it is said where it lies.
+    // If it could not even begin, nothing is left; else the message says where the rest lies.
     const bool told = files() == 0 || (files() == 1 && refused.find(".tmp") != std::string::npos);
     std::exit(!refused.empty() && told ? 3 : 4);
   };
@@ -384,7 +385,7 @@ TEST_F(RecordingTest, WhatIsLeftHasAllButItsEnd) {
   expect_rows(reader, records);
 }
 
-// What a run of any length keeps is bounded, and the newest of it.
+// What a run keeps is bounded, whatever its length, and is the newest part.
 TEST(Kept, TheNewestStay) {
   std::vector<int> kept;
   bool all = true;

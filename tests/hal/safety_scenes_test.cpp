@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four scenes with a device's own dynamics, each with a bar: force as the dead man's button is
-// pressed in the tissue, buzzing against bone, loss of the cable, a loop that stalls.
+// Four scenes with a device's own dynamics, each with a bar: the force when the dead man's button
+// is pressed in the tissue, buzzing against bone, loss of the cable, a loop that stalls.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -90,7 +90,7 @@ struct Bench {
   }
 };
 
-// Half of the way of the force about its mean over 50 ms, in the last 0.5 s.
+// Half of the range of the force about its mean over 50 ms, in the last 0.5 s.
 double ripple_n(const std::vector<TickRecord>& records) {
   constexpr std::size_t kWide = 50;
   double low = 0, high = 0;
@@ -128,14 +128,15 @@ TEST(SafetyScenes, BoneWithoutACouplingBuzzesAndTheGuardEndsIt) {
                                       [](const TickRecord& r) { return r.fault != Fault::kNone; });
     for (auto each = latched + 25; each < records.end(); ++each)
       ASSERT_EQ(size(each->command_n), 0);
-    // Not longer than it takes to see that it lasts.
+    // It is latched as soon as it is seen to last.
     const auto touched = std::find_if(records.begin(), records.end(),
                                       [](const TickRecord& r) { return size(r.command_n) > 0; });
     EXPECT_LT(latched - touched, 700) << name;
   }
 }
 
-// Presses on bone with the button up, then presses the button; the fastest that moves the hand.
+// Presses on bone with the button up, then presses the button. Returns the largest speed at which
+// that moves the hand.
 double speed_after_arming(float ramp_s, std::vector<TickRecord>& records) {
   Bench bench("touch");
   GuardConfig& guard = bench.rig.config.hand[0].guard;
@@ -161,7 +162,7 @@ TEST(SafetyScenes, ForceAtEngagementIsNoKick) {
     if (i < 999) {
       ASSERT_EQ(size(b), 0) << i;
     }
-    // The largest force in the time of the ramp, and what the hand's own motion makes of it.
+    // What the ramp adds in a tick at the largest force, and what the hand's own motion adds.
     ASSERT_LT(size({b.x - a.x, b.y - a.y, b.z - a.z}), 3.3 / 500 + 400 * 0.055e-3) << i;
   }
   EXPECT_LT(speed, 0.03);

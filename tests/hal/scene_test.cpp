@@ -319,7 +319,7 @@ TEST(Scene, AModelBringsItsLimitsAndOwnKeysWin) {
   EXPECT_EQ(changed_hand.hand.held_buttons, 2U);
   EXPECT_EQ(changed_hand.guard.thermal_s, 30);
   EXPECT_NEAR(of(changed_hand.guard.max_speed_m_per_s), 0.5, 1e-7);
-  // None: no budget, nothing but the forces as they are.
+  // No device: no budget, only the forces as they are.
   const Hand none = parse_scene(kGood, "s.toml").hands[0];
   EXPECT_EQ(none.guard.continuous_force_n, none.guard.max_force_n);
   EXPECT_EQ(none.guard.passivity_damping_n_s_per_m, 0);
@@ -339,7 +339,7 @@ TEST(Scene, AnAttachedDeviceLowersItsLimits) {
   EXPECT_EQ(hand.guard.continuous_force_n, 0.88F);
 }
 
-// Thresholds are those of the device that is there; a scene's own make them stricter, never looser.
+// Thresholds are those of the device that was found; a scene's own can only make them stricter.
 TEST(Scene, TheGuardsThresholdsAreThoseOfTheOpenedDevice) {
   const DeviceModel& touch = *find_device_model("touch");
   const DeviceInfo info = {.name = "Touch",

@@ -48,7 +48,7 @@ TEST(Score, WayInAirAndInTissue) {
   attempt.go(20, -5, 50);
   const Score score = attempt.scorer.score();
   EXPECT_NEAR(score.path_m, 55e-3, 1e-6);
-  // A step across the surface counts where it ends: 20 in, 19.5 out.
+  // A step across the surface counts on the side on which it ends: 20 in, 19.5 out.
   EXPECT_NEAR(score.depth_path_m, 39.5e-3, 1e-6);
   EXPECT_DOUBLE_EQ(score.duration_s, 0.112);
   EXPECT_EQ(score.withdrawals, 1U);

@@ -14,10 +14,10 @@
 
 namespace stylet::hal {
 
-// As the vendor's: an inventory at first, then one state for each message. Frames come in pieces,
-// pings between them, every fiftieth answer is cut short, and buttons have either of their names.
-// A silent service holds the last force until the connection ends. It comes with force gate 0.3 and
-// damping 0.5, and renders 0.8 of a force while its gate is below 1.
+// As the vendor's service: an inventory at first, then one state for each message. Frames come in
+// pieces with pings between them, every fiftieth answer is cut short, and buttons have either of
+// their names. A silent service keeps the last force until the connection ends. It starts with
+// force gate 0.3 and damping 0.5, and renders 0.8 of a force while its gate is below 1.
 class HaplyService : public Bench {
  public:
   explicit HaplyService(int clients = 1);  // at a time
@@ -25,7 +25,7 @@ class HaplyService : public Bench {
   std::string uri() const override { return uri_with(""); }
   std::string uri_with(const std::string& wishes) const;
   std::string address(const std::string& id = "049D") const;
-  // On the channel of events, to whoever listens or else to the next one who will.
+  // Sends on the channel of events, to whoever listens, or else to the next one who will.
   void tell(const std::string& event);
   void move(const Pose& pose) override;
   void press(std::uint32_t mask) override;
@@ -68,7 +68,7 @@ class HaplyService : public Bench {
 
 class Spacenavd : public Bench {
  public:
-  // Old ones do not answer the greeting.
+  // Old services do not answer the greeting.
   explicit Spacenavd(bool old_version = false);
   ~Spacenavd() override;
   std::string uri() const override { return "spacemouse:"; }
@@ -76,8 +76,8 @@ class Spacenavd : public Bench {
   void press(std::uint32_t mask) override;
   Vec3 felt() override { return {}; }
   void trouble(test::Trouble trouble) override { trouble_ = trouble; }
-  // Deflections as the daemon gives them; sent every 8 ms, in two pieces, until the next ones. All
-  // zero: silence.
+  // Deflections as the daemon tells them; sent every 8 ms, in two pieces, until others are set. All
+  // zero: nothing is sent.
   void deflect(const std::array<int, 6>& deflection);
   void unplug();
 

@@ -161,7 +161,8 @@ TEST(Haply, ReopensWithTheIdsThatWereOpened) {
   EXPECT_EQ(same_haply(",gate=1,grip=7", "049D,grip=none"), "049D,grip=none,gate=1");
 }
 
-// Whose is whose nobody can know: so it is asked for, and the other one's buttons arm nothing.
+// Nobody can know which grip belongs to whom. So the user is asked, and the other grip's buttons
+// arm nothing.
 TEST(Haply, OfSeveralGripsOneMustBeNamed) {
   HaplyService service;
   service.other_grip = true;
@@ -183,7 +184,7 @@ TEST(Haply, OfSeveralGripsOneMustBeNamed) {
   {
     Ticker ticker(service.uri_with(",grip=2"));
     EXPECT_TRUE(ticker.tick_until({}, [&] { return ticker.sample.buttons == 7; }));
-    // It disappears: nothing is held any more, least of all the other grip's buttons.
+    // The grip disappears: nothing counts as held any more, least of all the other grip's buttons.
     service.press(3);
     service.other_grip = false;
     EXPECT_TRUE(ticker.tick_until({}, [&] { return ticker.sample.buttons == 0; }));
@@ -200,7 +201,7 @@ TEST(Haply, OfSeveralGripsOneMustBeNamed) {
   }
 }
 
-// Both are of this program: what one needle holds no other gets.
+// Both belong to this program: what one needle holds no other needle gets.
 TEST(Haply, TwoNeedlesShareNeitherDeviceNorGrip) {
   HaplyService service(2);
   service.press(1);
@@ -248,7 +249,7 @@ Json random_value(std::mt19937& random, int depth) {
   }
 }
 
-// Something of it, at any depth, is another thing.
+// Replaces a part of the message, at any depth, by something else.
 void change_a_part(std::mt19937& random, Json& json) {
   Json* at = &json;
   while (at->is_structured() && !at->empty() && random() % 5 != 0) {
@@ -288,7 +289,7 @@ TEST(Haply, AnyMessageIsTakenAndNoneIsOfAnother) {
     HaplyState state;
     take_filters(message, ids, state);
     taken += take_state(message, ids, state) ? 1 : 0;
-    // Of the other device is nothing unless it now calls itself ours.
+    // Nothing is taken from the other device, unless it now calls itself ours.
     const bool still_there = message.dump().find("AAAA") != std::string::npos;
     EXPECT_FALSE(still_there && state.pose.position_m.x == 77);
     for (const std::string& id : listed_devices(message)) {
@@ -357,9 +358,9 @@ TEST(Haply, MoreAnswersThanMessagesMakeNoSampleOld) {
 }
 
 // The worst for a client that takes any message for its answer: a service that is slower than the
-// exchange (0.5 ms) and speaks unasked gives it no pause in which it could learn how far it is
-// ahead. Counted in messages, which a busy machine makes no more of; a device that it ends (20 ms
-// without an answer) is opened again.
+// exchange (0.5 ms) and speaks unasked leaves it no pause in which it could notice how far ahead it
+// is. Counted in messages, which a busy machine does not make more of. A device that is given up
+// (20 ms without an answer) is opened again.
 TEST(Haply, SlowServiceThatSpeaksUnaskedGetsOneForceAtATime) {
   constexpr double kStepM = 1e-6;
   HaplyService service;
@@ -379,9 +380,9 @@ TEST(Haply, SlowServiceThatSpeaksUnaskedGetsOneForceAtATime) {
     oldest = std::max(oldest, now - then);
   }
   EXPECT_GT(service.messages, 500);
-  // The one before has its answer when this one comes; every fiftieth answer is cut short.
+  // The message before has its answer when this one comes; but every fiftieth answer is cut short.
   EXPECT_LT(oldest, 2.5);
-  // Its ping at most, which the service reads later; a force has more than a hundred.
+  // At most a ping waits, which the service reads later; a force has more than a hundred bytes.
   EXPECT_LT(service.most_waiting_bytes, 100U);
 }
 

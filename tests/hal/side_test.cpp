@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What two processes share when one of them has gone mad.
+// What two processes share, when one of them writes nonsense into it.
 #include <gtest/gtest.h>
 
 #include <algorithm>

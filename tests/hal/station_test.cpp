@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One station by itself, tick by tick: what it takes, how it fades, what it counts and what it
-// sends.
+// One station by itself, tick by tick: what it takes, how its force fades, what it counts and what
+// it sends.
 #include "hal/loop/station.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ struct Desk {
     const auto bytes = encode(packet);
     coming.push_back({bytes.begin(), bytes.end()});
   }
-  // A model of a force without a slope, that answers a sample of now.
+  // A model of a force without a slope, which answers a sample of this moment.
   ForcePacket model(Vec3 force_n, Vec3 torque_nm = {}) {
     ForcePacket packet;
     packet.seq = ++models;
@@ -102,7 +102,8 @@ TEST(Station, ModelFadesInOverATenthOfASecondAndOutInTheSecondHalfOfItsLife) {
   }
 }
 
-// Also in a fade of its own guard, and at its end: whoever renders knows when nothing may be left.
+// Also in a fade of the station's own guard, and at its end: the device that renders knows when no
+// force may be left.
 TEST(Station, WhatItOrdersEndsWithTheModelsLife) {
   Desk desk;
   for (int tick = 1; tick <= 120; ++tick) {
@@ -192,7 +193,8 @@ TEST(Station, KeepsToWeakDevicesAndToTheFadeOfAModel) {
             GuardConfig{}.max_force_n);
 }
 
-// What the guard refuses is no place: the force is that at the newest one that counts.
+// What the guard refuses is not taken as a place: the force is that at the newest place that
+// counts.
 TEST(Station, ASampleThatIsRefusedDoesNotCutTheForce) {
   Desk desk;
   const auto tick_in = [&desk](float x_m) {
@@ -215,7 +217,7 @@ TEST(Station, ASampleThatIsRefusedDoesNotCutTheForce) {
   }
 }
 
-// A loop that was late before there was any force: nobody has to come.
+// A loop that was late before there was any force: nobody has to acknowledge it.
 TEST(Station, WhatWasLateBeforeAnyForceSendsItsSamplesAgain) {
   Desk desk;
   for (int i = 0; i < 5; ++i) desk.tick();
@@ -228,7 +230,8 @@ TEST(Station, WhatWasLateBeforeAnyForceSendsItsSamplesAgain) {
   EXPECT_EQ(desk.sent.size(), sent + 5);
 }
 
-// Somebody must have acknowledged, on the other machine: until then the samples say that it ended.
+// Somebody must have acknowledged on the other machine. Until then the samples say that the force
+// ended.
 TEST(Station, AForceWhoseLifeIsOverComesBackWithANewerArmingOnly) {
   Desk desk;
   desk.arming = 8;
@@ -254,7 +257,8 @@ TEST(Station, AForceWhoseLifeIsOverComesBackWithANewerArmingOnly) {
   EXPECT_EQ(felt_after(8), 0) << "an older arming is not obeyed, and the newer one's life ends";
 }
 
-// As an outside check forged it: a life of years held the force long past its master's death.
+// As an outside check forged it: with a life of years, a force was held long after its master had
+// ended.
 TEST(Station, ForcesThatClaimToLiveLongAreRefused) {
   Desk desk;
   for (int i = 0; i < 200; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The steering hand: on a needle that follows its bevel exactly (arcs of Webster et al. 2006), and
+// The steering hand, on a needle that follows its bevel exactly (arcs of Webster et al. 2006) and
 // in the loop with the kernel.
 #include "hal/device/drivers/steered.h"
 
@@ -78,7 +78,7 @@ TEST(Steered, ReachesTargetsAllAroundThatAnUnrolledNeedleMisses) {
   }
 }
 
-// Soft tissue bends the path less, other needles more, than the hand believes.
+// Soft tissue bends the path less than the hand believes, and other needles bend it more.
 TEST(Steered, ForgivesACurvatureThatIsNotWhatItBelieves) {
   for (const double curvature : {5.0, 6.5, 11.0}) {
     const Vec3 target = {0.008F, 0.003F, -kLengthM - 0.1F};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two machines, one tissue: the second hand joins over a network that loses, doubles, reorders and
-// stalls packets. Virtual time, everything by a seed, no socket.
+// stalls packets. In virtual time, all by a seed, without a socket.
 #include <deque>
 #include <random>
 
@@ -155,7 +155,7 @@ TEST(TwoStations, HandFeelsTheTissueOfTheOtherMachine) {
   EXPECT_GT(both.rig.state.events_seen, 0U);
 }
 
-// By hand, as the rig's needle asks for no torque that would be worth the name.
+// Set by hand, as the rig's needle asks for hardly any torque.
 TEST(TwoStations, TorqueOfTheOtherMachineIsRenderedGuardedAndEndsWithTheForce) {
   TwoStations both({.delay_ns = 300'000}, 1);
   const Device device = peer_device(both.peer);
@@ -177,7 +177,7 @@ TEST(TwoStations, TorqueOfTheOtherMachineIsRenderedGuardedAndEndsWithTheForce) {
   EXPECT_EQ(of(both.station.torque_nm), 0);
 }
 
-// Whatever a program of another make asks: what the guard cuts off must not outlive the model.
+// Whatever a program of another maker asks for: what the guard cuts off must not outlive its model.
 TEST(TwoStations, ForceBeyondTheDevicesLimitEndsWithItsModelToo) {
   TwoStations both({.delay_ns = 300'000}, 1);
   both.config = station_config({"a Touch", 3, 100});
@@ -198,7 +198,7 @@ TEST(TwoStations, ForceBeyondTheDevicesLimitEndsWithItsModelToo) {
   }
 }
 
-// A fault of the station is told by silence; acknowledged there, and then at the first machine, the
+// A fault of the station shows as silence. Acknowledged there, and then at the first machine, the
 // hand feels again.
 TEST(TwoStations, AcknowledgedFaultOfTheStationLetsItSendAgain) {
   TwoStations both({.delay_ns = 300'000}, 3);
@@ -262,7 +262,7 @@ TEST(TwoStations, LossReorderAndDuplicatesAreNotFelt) {
     EXPECT_GT(rough.station.refused, 100U) << seed;
     expect_nothing_stale(rough.ticks);
     EXPECT_NEAR(mean_force(rough.ticks, 600), mean_force(calm.ticks, 600), 0.03) << seed;
-    // Between two ticks the force changes by what the tissue and the spring do, not by a jump.
+    // Between two ticks the force changes as tissue and spring change it, without a jump.
     for (std::size_t i = 101; i < rough.ticks.size(); ++i) {
       const Vec3 &a = rough.ticks[i - 1].force_n, &b = rough.ticks[i].force_n;
       EXPECT_LT(of({b.x - a.x, b.y - a.y, b.z - a.z}), 0.2) << seed << " tick " << i;
@@ -270,8 +270,8 @@ TEST(TwoStations, LossReorderAndDuplicatesAreNotFelt) {
   }
 }
 
-// Everything sent in 50 ms comes at once, at their end. At whatever moment: the force is gone when
-// the life of the last one is over, and does not come back before somebody acknowledges.
+// All that is sent in 50 ms comes at once, at their end. Whenever that is, the force is gone when
+// the life of the last packet is over, and does not come back before somebody acknowledges.
 TEST(TwoStations, StallEndsTheForceAndIsLatched) {
   for (int from = 400; from < 900; from += 7) {
     TwoStations both({.loss = 0.05,
@@ -299,7 +299,7 @@ TEST(TwoStations, AcknowledgedStallFadesBackIn) {
   EXPECT_EQ(both.rig.state.hand[0].guard.fault, Fault::kNone);
 }
 
-// The peer's clock is another one, and drifts: the guard sees how old a sample is, not that.
+// The peer's clock is another one and drifts: the guard sees how old a sample is, not the drift.
 TEST(TwoStations, SampleHeldUpOnTheWayIsOld) {
   TwoStations both({.delay_ns = kMs}, 1);
   both.run(100);
@@ -328,8 +328,8 @@ TEST(TwoStations, NewSessionIsTakenUpWhenTheOldOneIsSilent) {
   EXPECT_GT(both.peer.seq, before);
 }
 
-// The station's program dies with a force on its way: the hand is free when its life is over. And
-// the first machine dies: likewise.
+// The station's program dies with a force under way: the hand is free when the life of that force
+// is over. The same if the first machine dies.
 TEST(TwoStations, EitherMachineMayDie) {
   TwoStations both({.delay_ns = 300'000}, 2);
   both.run(800);

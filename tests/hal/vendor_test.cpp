@@ -30,7 +30,7 @@ StandInOf standin_of(const char* library) {
   return reinterpret_cast<StandInOf>(dlsym(loaded, "standin"));
 }
 
-// One line that opening throws.
+// The one line with which opening is refused.
 std::string refusal(const std::string& uri) {
   try {
     const Device device = open_device(uri, 0.2);
@@ -87,7 +87,7 @@ TEST_F(OpenHaptics, CapabilityIsTheDevicesOwn) {
   EXPECT_STREQ(ticker.device.info.name, "Stand-in Touch");
 }
 
-// What it does not tell is taken as the smallest of the vendor's devices has it, never as no limit.
+// What it does not tell is taken from the smallest of the vendor's devices, never as without limit.
 TEST_F(OpenHaptics, CapabilityThatCannotBeReadIsThatOfTheSmallestDevice) {
   standin(0)->mute = true;
   {
@@ -120,8 +120,8 @@ TEST_F(OpenHaptics, NothingForbiddenIsCalled) {
   EXPECT_EQ(standin(0)->forbidden.load(), 0);
 }
 
-// A tick that is a little late is nobody's fault; the force of one that is very late has ended when
-// it comes, and the device goes on when somebody has acknowledged.
+// A tick that is a little late is no fault. If one is very late, its force has ended when it comes,
+// and the device goes on when somebody has acknowledged.
 TEST_F(OpenHaptics, LateTicksOfTheVendorsThread) {
   Ticker ticker("hd:", 3e-3F);
   const auto feels = [&] { return size(bench->felt()) > 0.9; };
@@ -144,8 +144,8 @@ TEST_F(OpenHaptics, LateTicksOfTheVendorsThread) {
   EXPECT_TRUE(ticker.tick_until({0, 0, 1}, feels));
 }
 
-// What `stylet devices probe --push` sees of a hand of 200 g: it goes where it is pushed. The least
-// way it went along a push.
+// What `stylet devices probe --push` sees of a hand of 200 g: it goes where it is pushed. Returns
+// the shortest way that it went in a push.
 double least_push_m(const std::string& uri) {
   const Device device = open_device(uri);
   const std::atomic<bool> stop{false};
@@ -174,7 +174,8 @@ TEST_F(OpenHaptics, AHandGoesWhereItIsPushed) {
   expect_pushed_along("hd:");
 }
 
-// The scheduler stands while one is opened: the other's supervisor must not take that for a stall.
+// The scheduler stands still while a device is opened: the other device's supervisor must not take
+// that for a stall.
 TEST_F(OpenHaptics, OpeningTheSecondLeavesTheFirstItsDevice) {
   Ticker left("hd:Left");
   ASSERT_TRUE(left.tick_until({}, [&] { return left.usable; }));
@@ -189,7 +190,7 @@ TEST_F(OpenHaptics, OpeningTheSecondLeavesTheFirstItsDevice) {
   EXPECT_EQ(trouble_of(left.device), "");
 }
 
-// Peers give both devices the same force, or refuse the second.
+// Either both peers get the same force, or the second one is refused.
 TEST_F(OpenHaptics, TwoDevicesHaveTheirOwnPlacesAndForces) {
   Ticker left("hd:Left"), right("hd:Right");
   standin(0)->position[0] = 10;
@@ -262,8 +263,8 @@ TEST_F(OpenHaptics, AnotherDeviceDoesNotTakeThePlaceOfTheFirst) {
   standin(0)->serial = nullptr;
 }
 
-// A guard that fits the opened device, in virtual time: what it latches under this motion and
-// force.
+// A guard that is fitted to the opened device, in virtual time. Returns what it latches under this
+// motion and force.
 Fault fault_under(const DeviceInfo& info, double hz, double way_m, double force_n) {
   const char* strong = "[device]\nmax_force_n = 30\n[guard]\nramp_ms = 0\n";
   Hand hand = parse_scene(strong, "s", 1).hands[0];
@@ -287,8 +288,8 @@ struct Told {
   double expected_most_n, expected_always_n;
 };
 
-// Data sheets' numbers. A buzz that is a tenth of what the device can do is a fault; one that is
-// less is none.
+// Numbers of data sheets. A buzz of a tenth of what the device can do is a fault; a smaller one is
+// none.
 TEST_F(OpenHaptics, EveryModelHasItsOwnThresholds) {
   const Told all[] = {{"Touch", 3.3, 0.4, 0.88, "touch", 3.3, 0.88},
                       {"PHANTOM Omni", 3.3, 0.5, 0.88, "omni", 3.3, 0.88},
@@ -313,7 +314,7 @@ TEST_F(OpenHaptics, EveryModelHasItsOwnThresholds) {
     const double buzz_n = 0.1 * 0.9 * each.expected_most_n;
     EXPECT_EQ(fault_under(info, 40, 0, 1.4 * buzz_n), Fault::kBuzz) << each.calls_itself;
     EXPECT_EQ(fault_under(info, 40, 0, 0.8 * buzz_n), Fault::kNone) << each.calls_itself;
-    // In step with the hand's velocity: some mJ are made in each turn, whatever the arm takes.
+    // In step with the hand's velocity: each turn makes some mJ, whatever the arm takes up.
     const double made_n = 0.9 * 0.9 * each.expected_most_n;
     EXPECT_EQ(fault_under(info, 8, 5e-3, made_n), Fault::kEnergy) << each.calls_itself;
     device.close(device.self);
@@ -334,7 +335,7 @@ TEST_F(OpenHaptics, WhatWasSeenOnATouchIsAFault) {
 
 using test::Hang;
 
-// The end is bounded, names what hangs, and the motors are still.
+// The end comes in bounded time, names what hangs, and the motors are without force.
 void expect_bounded_end(const std::string& uri, Bench& bench, StandIn& unit, Hang call) {
   const Device device = open_device(uri);
   {
@@ -423,7 +424,7 @@ TEST_F(ForceDimension, ADriverThatHangsDoesNotHoldTheEnd) {
   }
 }
 
-// Nobody in the firmware cuts the force, so another thread of ours does, while the call still
+// The firmware does not cut the force, so another thread of ours does it while the call still
 // hangs.
 TEST_F(ForceDimension, ACallThatHangsWithoutAWatchdogIsCutAndTold) {
   for (const Hang call : {Hang::kRead, Hang::kWrite}) {
@@ -447,7 +448,7 @@ TEST_F(ForceDimension, AWatchdogThatIsTakenIsNoNote) {
   EXPECT_EQ(force_dimension_watchdog(), std::nullopt) << "it is in use";
 }
 
-// Without its button pressed a whole run would be felt as air.
+// If its button were not pressed, a whole run would feel like air.
 TEST_F(ForceDimension, ForcesThatNeverCameOnAreRefused) {
   bench->trouble(Trouble::kForcesOff);
   EXPECT_TRUE(says(refusal("dhd:0"), "press the force button"));
@@ -491,7 +492,7 @@ TEST_F(ForceDimension, BrakeIsTroubleThatIsNamed) {
   EXPECT_EQ(size(bench->felt()), 0);
 }
 
-// The arm is carried by the commands, zero ones, too: also when the loop has stopped.
+// Force commands carry the arm, also those of zero force, and also when the loop has stopped.
 TEST_F(ForceDimension, ArmDoesNotSagWhileTheLoopStands) {
   Ticker ticker("dhd:0");
   for (int i = 0; i < 20; ++i) ticker.tick({});
@@ -525,7 +526,7 @@ TEST_F(ForceDimension, TorqueTurnsAsTheForceDoes) {
 }
 
 TEST(VendorLibrary, MissingOneIsNamedWithWhatWasTried) {
-  // In a process of its own: a library that was found once stays.
+  // In a process of its own: a library that was found once stays loaded.
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(
       {

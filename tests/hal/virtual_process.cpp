@@ -34,7 +34,7 @@ struct Thread {
   void* argument = nullptr;
 };
 
-// Changed by the thread whose turn it is.
+// Changed only by the thread whose turn it is.
 struct Process {
   bool on = false;
   std::int64_t now_ns = 1'000 * kNsPerS;
@@ -65,7 +65,7 @@ void enqueue(Thread* thread, std::int64_t wake_ns) {
   process.waiting.push_back(thread);
 }
 
-// To whoever wakes up first; comes back when it is this thread's turn again.
+// Passes the turn to the thread that wakes up first; returns when it is this thread's turn again.
 void hand_over(Thread* from) {
   const auto next = std::min_element(
       process.waiting.begin(), process.waiting.end(), [](const Thread* a, const Thread* b) {
@@ -203,7 +203,7 @@ ssize_t recvmsg(int file, msghdr* message, int flags) {
   return real_recv(file, message, flags);
 }
 
-// Wakes up too early now and then, as it may.
+// Wakes up too early now and then, as the real one may.
 int pthread_cond_clockwait(pthread_cond_t* cond, pthread_mutex_t* mutex, clockid_t clock,
                            const timespec* until) {
   static const auto real_wait =

@@ -2,11 +2,11 @@
 // A process in virtual time: drivers, their threads, vendors' stand-ins and sockets run as they
 // are, but the clock jumps to the next wake-up, and one thread runs at a time.
 //
-// In place of the C library's, for the whole program: clock_gettime, sleeps, waits for files with
-// or without a time limit, for mutexes, for condition variables with a limit, for the ends of
-// threads, and sched_yield. A thread that waits for anything else holds up all others. The order of
-// threads is that of their wake-ups: the same calls give the same run, as far as sockets do.
-// Units: ns.
+// These functions stand in place of the C library's in the whole program: clock_gettime, sleeps,
+// waits for files with or without a time limit, for mutexes, for condition variables with a limit,
+// for the ends of threads, and sched_yield. A thread that waits for anything else holds up all
+// others. The order of threads is that of their wake-ups: the same calls give the same run, as far
+// as sockets do. Units: ns.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,14 @@ namespace stylet::test {
 constexpr std::int64_t kLookNs = 100'000;  // how often a thread looks for what it waits for
 
 struct VirtualProcess {
-  // In a thread that comes to wait, before it does.
+  // Called in a thread that begins to wait, before it does.
   std::function<void()> look;
-  // When a thread that is to wake up at `wake_ns` does: no sooner.
+  // When a thread that is to wake up at `wake_ns` really wakes up: no sooner.
   std::function<std::int64_t(int thread, std::int64_t wake_ns)> wakes;
 };
 
-// The calling thread, number 0, and those that come from it, from now on and for good.
+// From now on and for good: the calling thread, with the number 0, and all threads that come from
+// it.
 VirtualProcess& enter_virtual_time();
 std::int64_t virtual_now_ns();
 void sleep_until_virtual(std::int64_t t_ns);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a test sees of a vendor's library that is not there: where its hand is, what its motors do,
-// and what goes wrong with it. Units and frame are the vendor's. A stand-in exports its functions
-// under the vendor's names, and standin(i) for its i-th device.
+// What a test sees of a vendor's library for which there is a stand-in: where its hand is, what its
+// motors do, and what goes wrong with it. Units and frame are the vendor's. A stand-in exports its
+// functions under the vendor's names, and standin(i) for its i-th device.
 #pragma once
 
 #include <atomic>
@@ -22,7 +22,7 @@ enum class Trouble : int {
   kStopsSending,  // for a service: connected, but silent
 };
 
-// One of the vendor's calls that never returns, until it is told otherwise.
+// The vendor's call that never returns, until it is told otherwise.
 enum class Hang : int { kNone, kOpen, kRead, kWrite, kClose };
 
 struct StandIn {
@@ -49,8 +49,8 @@ struct StandIn {
   std::atomic<double> most_force_n, most_stiffness_n_per_mm, always_n;
 };
 
-// The mass under the motors' force, a share of its weight and the hand's damping, for so long.
-// `metre`: in the vendor's unit; `up`: the vendor's vertical axis.
+// Moves the mass for so long under the motors' force, the part of its weight that is not carried,
+// and the hand's damping. `metre`: in the vendor's unit; `up`: the vendor's vertical axis.
 inline void move_hand(StandIn& unit, double seconds, double metre, int up, double weight_share) {
   const double mass = unit.hand_kg.load();
   for (int i = 0; mass > 0 && i < 3; ++i) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// libdhd.so that is none, in three ages: as it is now; STYLET_DHD_BARE without the newer calls;
-// STYLET_DHD_OLD with the names of version 3.2. As the vendor's: results above zero are no errors;
-// a watchdog ends the force; saturation and time guard are told; x toward the user, y right, z up.
-// A hand of one mass may be on it: moved faster than kBrakeMPerS it brakes, and it weighs as much
-// as gravity compensation, which lives in the force commands, does not carry.
+// A stand-in for libdhd.so, of three ages: as it is now; STYLET_DHD_BARE without the newer calls;
+// STYLET_DHD_OLD with the names of version 3.2. As in the vendor's library, results above zero are
+// no errors, a watchdog ends the force, saturation and the time guard are told, and the frame is x
+// toward the user, y right, z up. A hand of one mass may hold the device. Moved faster than
+// kBrakeMPerS the device brakes, and it weighs as much as gravity compensation, which lives in the
+// force commands, does not carry.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -65,7 +66,8 @@ void off(Unit& u, int cause) {
   stop_motors(u);
 }
 
-// Up to now. By whoever calls first: a moment counted twice or left out does not matter here.
+// Up to the present, by whichever thread calls first: a moment that is counted twice or left out
+// does not matter here.
 void live(Unit& u) {
   const Clock::rep before = u.moved.exchange(now());
   const double seconds = before == 0 ? 0 : 1e-6 * static_cast<double>(microseconds_since(before));
@@ -112,7 +114,7 @@ bool guarded(Unit& u) {
 
 extern "C" {
 
-// What the motors do is asked for here, so the watchdog is looked at here.
+// Asking what the motors do has to look at the watchdog first.
 StandIn* standin(int index) {
   Unit& u = units[index];
   const long limit = u.watchdog_us.load();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// libHD.so that is none: two devices ("Left", "Right"; the default is the first), one scheduler
-// thread, one stack of errors. As the vendor's: force is zeroed when a frame begins and reaches the
-// motors when it ends; one frame a tick; state calls only in the scheduler's thread while it runs;
-// motors keep their force when the thread dies or is late; numbers are read in the process's
-// locale. A hand of one mass may be on it.
+// A stand-in for libHD.so: two devices ("Left", "Right"; the default is the first), one scheduler
+// thread, one stack of errors. As in the vendor's library, force is zeroed when a frame begins and
+// reaches the motors when it ends; there is one frame a tick; state calls are allowed only in the
+// scheduler's thread while it runs; motors keep their force when the thread dies or is late;
+// numbers are read in the process's locale. A hand of one mass may hold the device.
 #include <pthread.h>
 
 #include <algorithm>
@@ -68,7 +68,7 @@ Unit* unit(unsigned handle) {
   return handle < kDevices && units[handle].open ? &units[handle] : nullptr;
 }
 
-// State may be asked before the scheduler runs, and in its thread.
+// State may be asked for before the scheduler runs, and in its thread.
 Unit* asked() {
   if (running.load() && std::this_thread::get_id() != servo_thread.load()) {
     for (Unit& each : units) ++each.seen.forbidden;
@@ -282,7 +282,8 @@ void hdUnschedule(unsigned long handle) {
 
 }  // extern "C"
 
-// For a program of its own: opening hangs at once, the rest when the device has lived for a while.
+// For a program of its own: opening hangs at once, the other calls when the device has lived for a
+// while.
 namespace {
 void hang_later(std::string_view call) {
   constexpr int kTicks = 500;
