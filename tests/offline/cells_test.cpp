@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is decided cell by cell, on drawn cells, against its definition: which gaps are filled,
-// which layer a cell lies in, what is cut away and which corners are held; where tissues of a map
+// What is decided cell by cell, on drawn cells, against its definition: which gaps are filled, in
+// which layer a cell lies, what is cut away and which corners are held, and where tissues of a map
 // meet.
 
 #include <fmt/format.h>
@@ -58,8 +58,8 @@ std::uint64_t inside_at(const Claims& claims, At at) {
   return claims.inside[offline::cell_index(claims.grid, x, y, z)];
 }
 
-// By the definition of closing: empty stays what a cube one cell wider than the gap holds, and no
-// organ.
+// By the definition of closing: a cell stays empty if some cube, one cell wider than the gap, holds
+// it and no organ.
 bool is_closed(const Claims& claims, At at, int gap) {
   bool closed = true;
   each_in({at.x - gap, at.y - gap, at.z - gap}, {at.x + 1, at.y + 1, at.z + 1}, [&](At low) {
@@ -114,8 +114,8 @@ TEST(Gaps, AreWhereNoWiderCubeFitsBetweenOrgans) {
   EXPECT_GT(enclosed, 100U);
 }
 
-// As deep as half of itself and all that is filled before it in its row, back to where the row last
-// entered what layers replace.
+// A cell is as deep as half of itself and all that is filled before it in its row, back to where
+// the row last entered the tissue that layers replace.
 TEST(Layers, CountWhatIsFilledFromWhereTheRowEnters) {
   Draw draw(52);
   std::array<std::size_t, 4> seen{};
@@ -194,7 +194,7 @@ struct DrawnRegion {
   std::function<bool(Vec, double slack_m)> holds;
 };
 
-// Where the border is along an axis: anywhere, or through corners of the grid but for rounding.
+// Where the border is along an axis: anywhere, or through corners of the grid up to rounding.
 double drawn_bound(Draw& draw, const Grid& grid, std::size_t axis) {
   const auto cells = static_cast<double>(grid.size[axis]);
   const double at = draw.coin()
@@ -267,7 +267,8 @@ Vec place_of(const Grid& grid, At at, double offset) {
   return grid.origin_m + Vec{at.x + offset, at.y + offset, at.z + offset} * grid.edge_m;
 }
 
-// What touches a border but for rounding is held, and with it all of several regions.
+// Corners that touch a border up to rounding are held, and so are those of every one of several
+// regions.
 TEST(Regions, HoldTheCornersInAnyOfThem) {
   Draw draw(54);
   std::array<std::size_t, 2> seen{};
@@ -290,8 +291,8 @@ TEST(Regions, HoldTheCornersInAnyOfThem) {
   EXPECT_GT(std::min(seen[0], seen[1]), 1000U);
 }
 
-// What is cut away has its middle outside of one of the regions; the corners of what was kept there
-// are held.
+// Cut away is a cell whose middle lies outside of one of the regions; corners of what was kept are
+// held there.
 TEST(Regions, CutAwayTheCellsNotInAllOfThem) {
   Draw draw(55);
   std::array<std::size_t, 2> seen{};
@@ -368,8 +369,8 @@ TEST(Regions, LeaveTheTrianglesThatLieInWhatStays) {
   EXPECT_GT(left, 100U);
 }
 
-// A map of two labels, four of its voxels to a cell each way: where they meet within cells, the
-// plane between their tissues is the faces of the map's voxels.
+// A map of two labels, with four of its voxels along each edge of a cell. Where the labels meet
+// within cells, the plane between their tissues is the faces of the map's voxels.
 TEST(Mixed, TissuesOfAMapMeetAtItsFaces) {
   Draw draw(57);
   constexpr double kStep = 0x1p-9;  // of the map; exactly a float, as is the cells' edge

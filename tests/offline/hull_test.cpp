@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// stylet-organ hull: obstacles of meshes, as close as they say, and one line for what is none.
+// stylet-organ hull: obstacles from meshes, as close as they say, and one line where there is none.
 #include "meshes/hull.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ TEST(Hull, OfABlockIsItsEightCorners) {
   EXPECT_NEAR(hull.volume_m3, 0.04 * 0.03 * 0.02, 1e-12);
 }
 
-// Leaves holes of many sizes in the heap, other ones for each seed.
+// Leaves holes of many sizes in the heap, different ones for each seed.
 std::vector<std::vector<char>> litter(std::uint64_t seed) {
   std::mt19937_64 engine(seed);
   std::vector<std::vector<char>> blocks(4000);
@@ -57,8 +57,8 @@ std::vector<std::vector<char>> litter(std::uint64_t seed) {
   return blocks;
 }
 
-// Of voxels many corners lie in one plane and equally far from a body: where the hull's order would
-// follow addresses, another of them would be chosen.
+// Of voxels many corners lie in one plane, equally far from a body. If the hull's order followed
+// addresses, it would choose different ones each time.
 TEST(Hull, IsTheSameWhateverLiesInTheHeap) {
   std::vector<Vec> corners;
   for (int z = -9; z <= 9; ++z) {
@@ -153,7 +153,8 @@ double seconds_for_ball(std::size_t count) {
 TEST(HullTimed, TakesAsMuchLongerAsThereAreMorePoints) {
   const double few = seconds_for_ball(8000), many = seconds_for_ball(32000);
   std::printf("8000 points: %.3f s; 32 000: %.3f s\n", few, many);
-  // n log n: 4.6 times, a square: 16; the bound lies half-way between 4 and 16, in powers.
+  // n log n would be 4.6 times as long, a square 16 times; the bound lies half-way between 4 and
+  // 16, in powers.
   EXPECT_LT(many, 8 * few);
 }
 

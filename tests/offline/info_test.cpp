@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said of an organ file, whoever wrote it: against what the file was made of.
+// What is said of an organ file, whoever wrote it, against what the file was made of.
 #include "report/info.h"
 
 #include <gmock/gmock.h>
@@ -25,8 +25,8 @@ std::vector<std::byte> bytes_of(const format::OrganT& organ) {
   return {bytes, bytes + builder.GetSize()};
 }
 
-// A box of 6 x 4 x 2 voxels of 5 mm, as the format allows it to be written: nothing that a file may
-// leave out is there, and it is of version 1, which has no sum.
+// A box of 6 x 4 x 2 voxels of 5 mm, as the format also allows it: without anything that a file may
+// leave out, and of version 1, which has no sum.
 format::OrganT barest() {
   offline::BuildOptions options;
   options.voxel_edge_m = 5e-3;

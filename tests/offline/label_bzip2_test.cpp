@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // NRRD packed by bzip2: drawn labels, in every type of number and byte order, in one stream or
-// several, attached or in files of their own; and streams that are none, end early or hold other
-// than the header says.
+// several, attached or in files of their own. And streams that are not bzip2, end early, or hold
+// something else than the header says.
 #include <bzlib.h>
 #include <gmock/gmock.h>
 #include <sys/resource.h>
@@ -109,7 +109,7 @@ TEST(Bzip2, LayersOfSlicerAreRead) {
   EXPECT_EQ(map.names, (offline::LabelNames{{1, "Liver"}, {2, "Vein"}}));
 }
 
-// Every place a stream may end at, and bytes of it that are others: none is taken for whole.
+// Streams cut at every place, and with bytes changed: none is taken for whole.
 TEST(Bzip2, WhatEndsOrIsDamagedIsRefusedWithThePlace) {
   const Scratch scratch;
   Draw draw(5);
@@ -121,7 +121,7 @@ TEST(Bzip2, WhatEndsOrIsDamagedIsRefusedWithThePlace) {
                 HasSubstr("bytes of "))
         << size;
   }
-  // But for the digit that says how large blocks may be, and bits that fill up the last byte.
+  // Except for the digit that says how large blocks may be, and bits that fill up the last byte.
   constexpr std::size_t kDigit = 3;
   for (int round = 0; round < 200; ++round) {
     std::string damaged = whole;
@@ -159,8 +159,8 @@ TEST(Bzip2, OtherVoxelsThanTheHeaderSpeaksOfAreRefused) {
               HasSubstr("more than 268435456 values"));
 }
 
-// Headers that speak of a quarter of a milliard voxels, over a few bytes; and half a gigabyte of
-// nothing in 500 bytes, over a header that speaks of 64.
+// Headers that claim 250 million voxels, over a few bytes; and half a gigabyte of zeros in 500
+// bytes, over a header that claims 64 voxels.
 TEST(Bzip2, CostsWhatIsThereNotWhatIsClaimed) {
   const Scratch scratch;
   const auto start = std::chrono::steady_clock::now();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What headers of label maps claim: held against the bytes there are, and against themselves. Maps
-// and frames are drawn at random; expected places come from rotations written as axis and angle.
+// What headers of label maps claim is compared with the bytes there are, and with itself. Maps and
+// frames are drawn at random; expected places come from rotations written as axis and angle.
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 #include <zlib.h>
@@ -30,7 +30,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // ---- what is counted ---------------------------------------------------------------------------
 
-// Voxel by voxel, each where it lies in space.
+// Each voxel, where it lies in space.
 TEST(LabelMap, CountsEachLabelAndSaysWhereItsMiddleIs) {
   for (unsigned seed = 1; seed <= 50; ++seed) {
     Draw draw(seed);
@@ -92,7 +92,7 @@ std::string inr(const Sizes& n, const std::string& voxels) {
   return head + "##}\n" + voxels;
 }
 
-// The same voxels in every spelling, right and then with a header that speaks of more.
+// The same voxels in every spelling, first right and then with a header that claims more.
 TEST(LabelHeader, SpeaksOfTheVoxelsThatAreThere) {
   const Scratch scratch;
   std::mt19937 random(11);
@@ -116,7 +116,7 @@ TEST(LabelHeader, SpeaksOfTheVoxelsThatAreThere) {
       const LabelMap map = offline::read_label_map(path);
       EXPECT_EQ(std::string(map.label.begin(), map.label.end()), voxels) << path;
     }
-    // Far more than there are, negative, or so many that products of them wrap.
+    // Sizes far larger than there are voxels, negative, or so large that their products wrap.
     const char* const wrong[] = {
         "40000", "-1",  "0", "4294967296", "65536", "-40000", "99999999999999999999", "x",
         "2.5",   "1e3", ""};
@@ -128,7 +128,7 @@ TEST(LabelHeader, SpeaksOfTheVoxelsThatAreThere) {
   }
 }
 
-// A library would take memory for these: gigabytes for a file of 200 bytes, or never come back.
+// With these a library would take gigabytes of memory for a file of 200 bytes, or never come back.
 TEST(LabelHeader, CostsWhatIsThereNotWhatIsClaimed) {
   const Scratch scratch;
   const Sizes large = {"16384", "16384", "1"}, small = {"2", "2", "2"};
@@ -239,14 +239,15 @@ TEST(LabelHeader, TextsAreNoLongerThanTheirReadersTake) {
   EXPECT_THAT(header(256), HasSubstr("header line 9: expected at most 255 characters"));
 }
 
-// The library's last words say why; those before name its own functions.
+// The end of what the library says tells why; what comes before names its own functions.
 TEST(LabelHeader, OfAFileThatALibraryCannotReadSaysItsReason) {
   const Scratch scratch;
   EXPECT_THAT(refusal_of(scratch.write("a.nrrd", nrrd({"2", "2", "2"}, "raw", "abcdefg"))),
               testing::ContainsRegex("a.nrrd: cannot be read: .*fread got only 7 .*, not 8"));
 }
 
-// First and last characters of each length, and what table 3-7 of the Unicode Standard leaves out.
+// The first and last characters of each length, and those that table 3-7 of the Unicode Standard
+// leaves out.
 TEST(LabelNames, OfBytesThatAreNoCharacterShowAQuestionMarkForEach) {
   const std::pair<std::string, std::string> shown[] = {
       {"Gr\xc3\xb6\xc3\x9f"
@@ -321,7 +322,8 @@ TEST(LabelHeader, KnowsTheBytesOfEveryTypeOfNumber) {
       const LabelMap map = offline::read_label_map(file(voxels.size()));
       for (std::size_t i = 0; i < 512; ++i) ASSERT_EQ(map.label[i], i % 8) << name;
       EXPECT_EQ(map.step_m, (std::array{Vec{1e-3, 0, 0}, Vec{0, 1e-3, 0}, Vec{0, 0, 1e-3}}));
-      // The half: with the header there are more bytes than half-size numbers would need.
+      // Half the size: with the header there are more bytes than numbers of half the size would
+      // need.
       EXPECT_THAT(refusal_of(file(voxels.size() / 2)),
                   HasSubstr(fmt::format("8 x 8 x 8 voxels of {} bytes: ", type.bytes)))
           << name;
@@ -646,7 +648,7 @@ TEST(Gzip, MembersFollowEachOther) {
             std::vector<std::uint16_t>(24, 1));
 }
 
-// Half a gigabyte of nothing in half a megabyte, behind an image of 24 voxels: no more memory is
+// Half a gigabyte of zeros in half a megabyte, behind an image of 24 voxels: no more memory is
 // taken than the image needs.
 TEST(Gzip, NoMoreIsUnpackedThanTheHeaderSpeaksOf) {
   const Scratch scratch;
@@ -736,7 +738,8 @@ TEST(Nifti, NamesItsLabels) {
   }
 }
 
-// A key that is no label and elements that are none name nothing; text in another one is no name.
+// A key that is not a label, and elements that are not labels, name nothing; text in other elements
+// is no name.
 TEST(Nifti, TakesOnlyNamesOfLabels) {
   const Scratch scratch;
   Nifti n;
@@ -751,7 +754,7 @@ TEST(Nifti, TakesOnlyNamesOfLabels) {
             (offline::LabelNames{{7, "vena"}}));
 }
 
-// In one table or two, whatever stands between: a value has one name, or the file is refused.
+// In one table or two, with anything between them: a value has one name, or the file is refused.
 TEST(Nifti, TwoNamesForOneLabelAreRefusedWithBoth) {
   const Scratch scratch;
   std::mt19937 random(12);
@@ -784,7 +787,8 @@ TEST(Nifti, TwoNamesForOneLabelAreRefusedWithBoth) {
   }
 }
 
-// A segmentation of 3D Slicer: segments lie in layers, where they may have the same value.
+// A segmentation of 3D Slicer: segments lie in layers; in different layers they may have the same
+// value.
 TEST(Nrrd, SegmentsInLayersAreAllRead) {
   const Scratch scratch;
   std::mt19937 random(9);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests of label readers: what a file is refused with, and bytes packed as files pack them.
+// For tests of label readers: the line with which a file is refused, and bytes packed as files pack
+// them.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Label maps: where their headers say they are, refused where they are none, and organs of them.
+// Label maps: they are where their headers say, files that are none are refused, and organs are
+// made of them.
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 
@@ -270,8 +271,8 @@ TEST(LabelMap, ManyValuesAreGreyNotLabels) {
 
 // ---- organs of maps -----------------------------------------------------------------------------
 
-// A ball of 20 mm radius around `centre_m` in a map whose axes are `step_m`, its half towards +x
-// label 2, the other label 1.
+// A ball of 20 mm radius around `centre_m`, in a map whose axes are `step_m`. Its half towards +x
+// is label 2, the other label 1.
 LabelMap ball_map(std::array<Vec, 3> step_m, Vec centre_m) {
   LabelMap map;
   map.size = {64, 64, 64};
@@ -336,7 +337,7 @@ TEST(LabelOrgan, LiesWhereTheMapIsWhateverItsAxes) {
         total += fill;
         filled.at(organ.voxel_material[voxel]) += fill * edge * edge * edge;
         if (fill < 0.99) continue;
-        // Material 0 is gel, at low x; voxels across the middle may be either.
+        // Material 0 is gel, at low x; voxels that lie across the middle may be either.
         if (std::fabs(at.x - centre.x) > edge) {
           EXPECT_EQ(organ.voxel_material[voxel], at.x > centre.x ? 1 : 0);
         }
@@ -366,7 +367,7 @@ TEST(LabelOrgan, SurfaceIsThatOfTheLabelsWithoutTheirSteps) {
       least = std::min(least, length(point));
       most = std::max(most, length(point));
     }
-    // Steps of 1 mm would leave corners up to 0.9 mm off the ball.
+    // The map's steps of 1 mm would leave corners up to 0.9 mm off the ball.
     EXPECT_GT(least, 0.0194);
     EXPECT_LT(most, 0.0206);
     double six_volumes = 0;
@@ -377,8 +378,8 @@ TEST(LabelOrgan, SurfaceIsThatOfTheLabelsWithoutTheirSteps) {
   }
 }
 
-// Voxels that hold a little of the smoothed surface and none of the samples are of the tissue
-// beside them, not of the recipe's first.
+// Voxels that hold a little of the smoothed surface but none of the samples have the tissue beside
+// them, not the recipe's first.
 TEST(LabelOrgan, ThinVoxelsAreOfTheTissueBesideThem) {
   const double u = 1e-3;
   offline::BuildOptions options;
@@ -721,7 +722,8 @@ TEST(Recipe, AndTheMapCallALabelTheSame) {
               testing::HasSubstr("liver = 5: in mr.nii liver is label 3"));
   EXPECT_THAT(refused("[tissues]\nliver = [\"spleen\"]\n"),
               testing::HasSubstr("or of mr.nii: liver, portal vein"));
-  // What is not used, called the same or not called anything is no contradiction.
+  // A label that is not used, has the same name, or has no name in one of the two is no
+  // contradiction.
   for (const char* const text : {"[names]\naorta = 52\n[tissues]\nliver = [3]\n",
                                  "[names]\nPortal_Vein = 52\n[tissues]\nvessel = [52]\n",
                                  "[names]\nspleen = 60\n[tissues]\nliver = [60]\n"}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Walls around label maps where the scan cuts the patient off, and what else may be asked of an
-// organ that has one. Boxes are drawn; expected voxels are counted.
+// organ with a wall. Boxes are drawn; expected voxels are counted.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -49,8 +49,8 @@ offline::Built build_quietly(const LabelMap& map, const Recipe& recipe,
   return offline::build_labels("map.nrrd", map, recipe, options, [](const char*, double) {});
 }
 
-// A box that reaches some sides of its map: the map grows at the others alone, and a wall of whole
-// voxels lies over the faces there, nothing at the cut.
+// A box that reaches some sides of its map. The map grows only at the others; a wall of whole
+// voxels lies over the faces there, and none where the box is cut.
 TEST(Wall, EndsWhereTheScanDoes) {
   Draw draw(4);
   for (int round = 0; round < 20; ++round) {
@@ -81,7 +81,7 @@ TEST(Wall, EndsWhereTheScanDoes) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double moved = before.origin_m[axis] - map.origin_m[axis];
       EXPECT_EQ(moved > 0, !cut[axis][0]) << axis;
-      // From the middle of a face straight out, either way.
+      // From the middle of a face straight outward, in both directions.
       for (const bool up : {false, true}) {
         std::array<std::int64_t, 3> at{};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -162,13 +162,13 @@ TEST(Wall, BeginsAtTheCapsule) {
   EXPECT_GT(capsules, 200U);
 }
 
-// Cut to a box around the organ, a wall stays where the box has it.
+// The organ is cut to a box; the wall stays where the box leaves it.
 TEST(Wall, IsCroppedAsTheMapIs) {
   Recipe recipe = walled();
   recipe.crop_around = {5};
   recipe.crop_margin_m = 2e-3;
   const offline::Built built = build_quietly(ball(), recipe, {});
-  // 32 voxels of the ball, and 2 at either side; the wall alone is 6 thick.
+  // The ball is 32 voxels wide, and 2 are left at either side; the wall by itself is 6 thick.
   constexpr double kAcrossM = 36e-3;
   const Organ organ = opened(built.bytes);
   const auto edge_m = static_cast<double>(organ.voxel_edge_m);
@@ -181,7 +181,7 @@ TEST(Wall, IsCroppedAsTheMapIs) {
   EXPECT_GT(built.report.labels[1].voxels, 1000U);
 }
 
-// As many voxels as asked for, and no gap between what was split; both measured.
+// As many voxels as asked for, and gaps that were to be split stay open; both are measured.
 TEST(LabelOrgan, IsAsFineAsItMayBeAndSplitWhereAskedFor) {
   offline::BuildOptions options;
   options.most_voxels = 4000;
@@ -214,7 +214,7 @@ TEST(LabelOrgan, HasAtMostAsManyTissuesAsABytesNumbers) {
 
 // ---- how thick layers become --------------------------------------------------------------------
 
-// A body that is convex, and the volume of all that is nearer to it than so much (Steiner).
+// A convex body, and the volume of all that is nearer to it than a distance (Steiner).
 struct Convex {
   std::function<double(Vec)> distance;  // 0 and less inside
   std::function<double(double)> volume_within;
@@ -276,7 +276,7 @@ LabelMap drawn(Draw& draw, const std::function<double(Vec)>& distance_mm, double
   return map;
 }
 
-// A map draws a body a little larger or smaller than it is: the wall lies around what was drawn.
+// A map draws a body a little larger or smaller than it is: the wall lies around the body as drawn.
 double drawn_larger_mm(const LabelMap& map, const Convex& body) {
   const auto voxels = std::count(map.label.begin(), map.label.end(), 5);
   const double drawn_mm3 = static_cast<double>(voxels) * offline::voxel_volume_m3(map) * 1e9;
@@ -288,8 +288,8 @@ double drawn_larger_mm(const LabelMap& map, const Convex& body) {
   return low;
 }
 
-// Nothing is off by more than 5 % of its volume in closed form without a warning, and none warns of
-// what is off by half a percent at most.
+// Every layer that is off by more than 5 % of its volume in closed form has a warning, and none
+// that is off by at most half a percent has one.
 TEST(Wall, LayersThatVoxelsMakeThinnerOrThickerAreTold) {
   int told_count = 0, silent = 0;
   for (unsigned seed = 1; seed <= 60; ++seed) {
@@ -328,7 +328,7 @@ TEST(Wall, LayersThatVoxelsMakeThinnerOrThickerAreTold) {
   EXPECT_GT(silent, 20);
 }
 
-// The innermost layer fills a gap between two bodies: that makes it neither thinner nor thicker.
+// The innermost layer fills a gap between two bodies, which makes it neither thinner nor thicker.
 TEST(Wall, AGapThatTheInnermostLayerFillsIsNoThickness) {
   for (unsigned seed = 1; seed <= 2; ++seed) {
     Draw draw(seed);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Voxels of NRRD and MetaImage that are packed, text or hexadecimal: drawn labels are read as they
-// are; too many, too few, cut off, damaged, or of another type than the header says are refused.
+// are. Voxels that are too many, too few, cut off, damaged, or of another type than the header says
+// are refused.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <zlib.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lattice and sphere tree on drawn numbers, against their definitions: which input has a cell,
-// which cells are kept, numbered and skin, where vertices lie, and what each sphere holds.
+// Lattice and sphere tree on drawn numbers, against their definitions: which input has a cell;
+// which cells are kept, numbered and skin; where vertices lie; and what each sphere holds.
 #include "voxels/lattice.h"
 
 #include <algorithm>
@@ -69,7 +69,8 @@ int count_of(std::uint64_t bits) {
   return count;
 }
 
-// Samples before priority before size; of equal ones the first.
+// Having samples counts before priority, and priority before size; of equal inputs the first has
+// the cell.
 TEST(Lattice, ACellBelongsToTheHighestPriorityThatHasSamplesThere) {
   Draw draw(41);
   for (int round = 0; round < 40; ++round) {
@@ -171,7 +172,7 @@ TEST(Lattice, SkinIsWhatIsBareOrPiercedAndNotAmongFullOnes) {
     const Grid grid = drawn_grid(draw);
     Claims claims = offline::no_claims(grid);
     offline::Occupancy drawn = drawn_occupancy(draw, grid);
-    // Mostly full, so that some are in the midst of full ones.
+    // Most cells are full, so that some of them are surrounded by full ones.
     for (std::uint64_t& inside : drawn.inside) inside = draw.below(30) == 0 ? inside : kAll;
     offline::add_claim(claims, drawn, 0, {0});
     each_cell(grid, [&](At at) {
@@ -196,8 +197,8 @@ TEST(Lattice, SkinIsWhatIsBareOrPiercedAndNotAmongFullOnes) {
   EXPECT_GT(none, 500);
 }
 
-// Of inputs of one priority that both fill a cell, lattice and needle have the same tissue, in any
-// order of the inputs.
+// Where inputs of one priority both fill a cell, lattice and needle have the same tissue there,
+// whatever the order of the inputs.
 TEST(Lattice, WhatTwoInputsFillIsOfOneTissueAlsoForTheNeedle) {
   Draw draw(46);
   for (int round = 0; round < 6; ++round) {
@@ -230,7 +231,8 @@ TEST(Lattice, WhatTwoInputsFillIsOfOneTissueAlsoForTheNeedle) {
   }
 }
 
-// A vertex in a cell that is not kept makes it one, of the input that has most of a cell around it.
+// A vertex in a cell that is not kept makes that cell a voxel, of the input that has most of one of
+// the cells around it.
 TEST(Lattice, HoldsEveryPointToHalfAQuantum) {
   Draw draw(44);
   for (int round = 0; round < 60; ++round) {
@@ -289,8 +291,8 @@ TEST(Lattice, HoldsEveryPointToHalfAQuantum) {
 }
 
 // A cell that two voxels share, halved along a drawn axis, and a triangle that runs along the
-// middle, a little to either side: its corners and itself hang on the voxel below it, where its
-// body is.
+// middle, a little to either side. Its corners, and the triangle itself, belong to the voxel below,
+// where its body is.
 TEST(Lattice, AVertexOfASharedCellHangsOnTheVoxelBelowIt) {
   Draw draw(47);
   for (int round = 0; round < 200; ++round) {
@@ -323,8 +325,8 @@ TEST(Lattice, AVertexOfASharedCellHangsOnTheVoxelBelowIt) {
   }
 }
 
-// Plates thinner than their distance, several through one cell, drawn and turned: each quarter of a
-// cell that voxels share is that of the voxel whose samples are nearest to its middle.
+// Plates thinner than the distance between them, several through one cell, drawn and turned. Each
+// quarter of a cell that voxels share belongs to the voxel whose samples are nearest to its middle.
 TEST(Lattice, QuartersOfASharedCellGoToTheNearestSamples) {
   Draw draw(48);
   offline::SamplePlaces places;
@@ -401,10 +403,10 @@ Vec centre_of(const OrganSphere& s) {
   return {static_cast<double>(s.x), static_cast<double>(s.y), static_cast<double>(s.z)};
 }
 
-// What a float of this size and the sums around it may be off, with the tree's own margin.
+// How far a float of this size and the sums around it may be off, with the tree's own margin.
 constexpr double kRounding = 2e-6;
 
-// Of the triangles of a leaf: around the middle of their box, as far as the farthest corner.
+// The sphere of a leaf: around the middle of its triangles' box, as far as the farthest corner.
 void expect_leaf(const DrawnTriangles& drawn, const offline::SphereTree& tree,
                  const OrganSphere& s) {
   offline::Box box;
@@ -422,7 +424,8 @@ void expect_leaf(const DrawnTriangles& drawn, const offline::SphereTree& tree,
   EXPECT_LT(static_cast<double>(s.radius), farthest + kRounding);
 }
 
-// Of two spheres: the larger where it holds the other, else as wide as both with what is between.
+// The sphere of two: the larger one if it holds the other, else as wide as both and what is
+// between.
 void expect_parent(const OrganSphere& s, const OrganSphere& a, const OrganSphere& b) {
   const double ra = static_cast<double>(a.radius), rb = static_cast<double>(b.radius);
   const double apart = offline::length(centre_of(b) - centre_of(a));

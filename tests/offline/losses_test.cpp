@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is off by more than 5 % is told: layers, labels and meshes drawn at random, against volumes
-// in closed form or voxels counted, and against what the file's voxels and planes hold.
+// in closed form or counted voxels, and against what the file's voxels and planes hold.
 #include "voxels/losses.h"
 
 #include <fmt/format.h>
@@ -22,8 +22,8 @@ using offline::Vec;
 
 // ---- from outside -------------------------------------------------------------------------------
 
-// The part of the unit cube where n . place <= limit: exact along the axis that the plane leans to
-// most, by midpoints across.
+// The part of the unit cube where n . place <= limit: exact along the axis to which the plane leans
+// most, by midpoints across it.
 double integrated_before(std::array<double, 3> n, double limit, int across = 24) {
   std::size_t axis = 0;
   for (std::size_t i = 1; i < 3; ++i) axis = std::abs(n[i]) > std::abs(n[axis]) ? i : axis;
@@ -38,7 +38,7 @@ double integrated_before(std::array<double, 3> n, double limit, int across = 24)
   return sum / (across * across);
 }
 
-// Of a material in an organ file: where a needle meets it, and its voxels.
+// Of a material in an organ file: the volume in which a needle meets it, and that of its voxels.
 offline::Held held_in(const Organ& organ, const std::string& name) {
   std::vector<const OrganMixed*> plane(organ.voxel_count, nullptr);
   for (const OrganMixed& each : organ.mixed) plane[each.voxel] = &each;
@@ -68,7 +68,7 @@ struct Counts {
   int told = 0, silent = 0;
 };
 
-// Nothing is off by more than 5 % without a warning, and none warns of what is off by 1 % at most.
+// All that is off by more than 5 % has a warning, and nothing that is off by at most 1 % has one.
 void expect_told(const offline::Built& built, const std::string& what, const std::string& material,
                  double given_m3, unsigned seed, Counts& counts) {
   const offline::Held held = held_in(opened(built.bytes), material);
@@ -104,7 +104,8 @@ TEST(Losses, AreMeasuredExactly) {
 
 // ---- layers -------------------------------------------------------------------------------------
 
-// A block with a footprint in any direction and a slope: as deep everywhere along z.
+// A block whose footprint lies in any direction, with a slope: along z it is equally deep
+// everywhere.
 Mesh sloping_block(Vec size_mm, double turn, double slope_x, double slope_y) {
   Mesh mesh = box_mesh({0, 0, -size_mm.z}, {size_mm.x, size_mm.y, 0});
   for (Vec& p : mesh.points) {
@@ -151,9 +152,9 @@ TEST(Losses, OfLayersAreTold) {
   EXPECT_GT(counts.silent, 2);
 }
 
-// A wall of cells along any axis, the first of which is filled in some of its rows only, beside
-// cells of another tissue. Counted by hand: a layer of t edges takes t of each of the 64 rows, what
-// lies below it the rest of the rows.
+// A wall of cells along any axis, the first of which is filled in only some of its rows, beside
+// cells of another tissue. Counted by hand: a layer of t edges takes t of each of the 64 rows, and
+// what lies below it the rest of the rows.
 TEST(Losses, WhatLayersAreGivenIsCountedInEveryRow) {
   for (unsigned seed = 1; seed <= 50; ++seed) {
     Draw draw(seed);
@@ -252,7 +253,7 @@ TEST(Losses, OfLabelsAreTold) {
   EXPECT_GT(counts.silent, 10);
 }
 
-// Fat and skin of a wall around labels, of which skin falls between the map's voxels.
+// Fat and skin of a wall around labels; the skin falls between the map's voxels.
 TEST(Losses, AWallTooThinForTheMapIsTold) {
   Draw draw(7);
   offline::LabelMap map = random_map(draw);

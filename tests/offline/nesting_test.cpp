@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which side of a surface is out, where bodies lie in bodies: blobs of random shape, place and
-// number, whose volumes are those they were made with; and files that mean harm end in time.
+// Which side of a surface is outside, where bodies lie in bodies: blobs of random shape, place and
+// number, whose volumes are those with which they were made. And files made to do harm end in time.
 #include <sys/resource.h>
 
 #include <numbers>
@@ -65,7 +65,7 @@ void turn(Mesh& mesh) {
   for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
 }
 
-// Middles in a ball of radius 44, 5.5 apart at least, so that blobs of radius 2.6 are.
+// Middles in a ball of radius 44, at least 5.5 apart, so that blobs of radius 2.6 are apart.
 std::vector<Vec> places_apart(Draw& draw, std::size_t count) {
   std::vector<Vec> places;
   while (places.size() < count) {
@@ -79,11 +79,12 @@ std::vector<Vec> places_apart(Draw& draw, std::size_t count) {
 
 struct Nested {
   Mesh mesh;
-  double signed_ml = 0;  // outer one and islands less cavities, tissue in tissue counted twice
+  double signed_ml = 0;  // outer body and islands less cavities; tissue in tissue counts twice
   double tissue_ml = 0;
 };
 
-// A body of 60 with blobs in it: cavities, of which some hold an island, and tissue in tissue.
+// A body of radius 60 with blobs in it: cavities, some of which hold an island, and tissue in
+// tissue.
 Nested nested(Draw& draw, std::size_t count, bool only_cavities) {
   std::vector<Mesh> shells = {blob(draw, {}, 60, 24)};
   Nested out;
@@ -128,7 +129,7 @@ TEST(Nesting, CavitiesOfAnyNumberStayAlsoInsideOut) {
   }
 }
 
-// Faces that someone turned by chance say less than the others.
+// Faces that were turned at random say less than the others do.
 TEST(Nesting, AFewTurnedFacesLoseNoCavity) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     Draw draw(seed);
@@ -140,7 +141,7 @@ TEST(Nesting, AFewTurnedFacesLoseNoCavity) {
   }
 }
 
-// Without any sense in the faces what lies in tissue is a cavity.
+// If the faces have no sense at all, what lies in tissue is a cavity.
 TEST(Nesting, FacesTurnedAtRandomLeaveCavities) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     Draw draw(seed);
@@ -152,8 +153,9 @@ TEST(Nesting, FacesTurnedAtRandomLeaveCavities) {
   }
 }
 
-// The organ: by its samples, which know 1/64 of a voxel. A cavity of a voxel or two is off by some
-// of its own volume, 200 of them together by 1 % of theirs, a thousandth of the whole.
+// Volume of the organ by its samples, each of which is 1/64 of a voxel. A cavity of a voxel or two
+// is off by a part of its own volume; 200 of them together by 1 % of theirs, which is a thousandth
+// of the whole.
 TEST(Nesting, VolumeOfTheOrganIsThatOfItsTissue) {
   for (unsigned seed = 101; seed <= 104; ++seed) {
     Draw draw(seed);
@@ -174,7 +176,7 @@ double own_time_s() {
          1e-6 * static_cast<double>(used.ru_utime.tv_usec);
 }
 
-// Every triangle by itself, as text with too few digits leaves them.
+// Every triangle by itself, with points of its own, as text with too few digits leaves them.
 Mesh jittered(Draw& draw, int rings) {
   const Mesh whole = blob(draw, {}, 50, rings);
   Mesh mesh;
@@ -241,7 +243,7 @@ TEST(Time, OfARepairFollowsTheTriangles) {
   });
 }
 
-// Shells one in another, every one in the box of every other: a second or two.
+// Shells one in another, each in the boxes of all others: a second or two.
 TEST(Time, OfShellsInShellsIsBounded) {
   Draw draw(8);
   const Mesh mesh = onion(draw, 500);

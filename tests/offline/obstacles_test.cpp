@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Obstacles of label maps: convex pieces that leave what they go around free, and a warning where
+// Obstacles from label maps: convex pieces that leave free what they go around, and a warning where
 // they do not.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -83,7 +83,7 @@ TEST(Obstacles, ARingLeavesWhatItGoesAroundFree) {
   }
 }
 
-// Of the convex hull of some places: the share of a box that lies on the inner side of every plane
+// The part of a box that lies in the convex hull of some places: on the inner side of every plane
 // through three of them that has all others on one side.
 double hull_mm3(Draw& draw, const std::vector<Vec>& vertices_m) {
   std::vector<Vec> places;
@@ -122,8 +122,8 @@ double hull_mm3(Draw& draw, const std::vector<Vec>& vertices_m) {
   return (high.x - low.x) * (high.y - low.y) * (high.z - low.z) * inside / kPlaces;
 }
 
-// Bent rods of any thickness on voxels of any shape, some nearly balls, and blocks of whole voxels:
-// what is more than 5 % off is told, what is 1 % off at most is not. The volume is known to half a
+// Bent rods of any thickness on voxels of any shape, some nearly balls, and blocks of whole voxels.
+// What is more than 5 % off is told, what is at most 1 % off is not. The volume is known to half a
 // percent.
 TEST(Obstacles, HullsThatAreOffTheirLabelsAreTold) {
   int told_count = 0, silent = 0;
@@ -167,7 +167,8 @@ TEST(Obstacles, HullsThatAreOffTheirLabelsAreTold) {
   EXPECT_GT(silent, 5);
 }
 
-// With as many obstacles as the kernel takes there is no room to cut: what they hold is told.
+// With as many obstacles as the kernel takes, none can be cut further: what they hold besides is
+// told.
 TEST(Obstacles, WhatAHullSwallowsIsTold) {
   Draw draw(9);
   const offline::LabelMap map = ring_map(draw);
@@ -196,8 +197,8 @@ TEST(Obstacles, WhatAHullSwallowsIsTold) {
   EXPECT_LE(std::stod(found[1]) + std::stod(found[2]), 1.01 * liver_ml);
 }
 
-// A piece of an obstacle does not get the name that another obstacle has; what is nowhere in the
-// map is told, and is not in the scene.
+// A piece of an obstacle does not get the name of another obstacle. An obstacle whose labels are
+// nowhere in the map is told, and is not in the scene.
 TEST(Obstacles, NamesAreTheirOwnAndWhatIsMissingIsTold) {
   Draw draw(5);
   offline::LabelMap map = ring_map(draw);

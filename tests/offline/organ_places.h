@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What lies where, as an organ file says it: read once more, apart from the kernel.
+// What lies where, as an organ file says it: read once more, independently of the kernel.
 #pragma once
 
 #include <algorithm>
@@ -72,7 +72,7 @@ struct Places {
   }
 };
 
-// Along `way` from `from`: how far each material reaches, in steps of 1/100 of a voxel.
+// From `from` on along `way`: how far each material reaches, in steps of 1/100 of a voxel.
 inline std::vector<double> lengths_along(const Organ& organ, offline::Vec from, offline::Vec way,
                                          double length_m) {
   const Places places(organ);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an organ file promises: the volume of the mesh, surface and sphere tree that fit, few bytes,
-// the same bytes every time; on phantoms and on every real organ.
+// What an organ file promises: the mesh's volume, a surface and sphere tree that fit, few bytes,
+// and the same bytes every time. On phantoms and on every real organ.
 #include <numbers>
 
 #include "base/refusal.h"
@@ -74,8 +74,8 @@ bool has_point(const std::vector<Vec>& sorted, const Vec& at, double off_m) {
 }
 
 // Embedded positions are those of the mesh to half a quantum along each axis, however far they are
-// from it, and no corner of a triangle is missing. The mesh is as it was read from the file: what
-// merges its points and drops its triangles has no say here.
+// from it, and no corner of a triangle is missing. The mesh is as it was read from the file, not as
+// points were merged and triangles dropped.
 void expect_surface_fits(const Organ& organ, const offline::Mesh& mesh, double metres_per_unit) {
   const double rounding = 1e-12;
   const double off_m = static_cast<double>(organ.voxel_edge_m) * 0.5 / 65535 + rounding;
@@ -149,7 +149,7 @@ TEST_P(RealOrganTest, BecomesAnOrgan) {
   EXPECT_FALSE(organ.voxel_fixed.empty());
 }
 
-// Units as the data's README gives them; where it knows none, a factor that makes the organ life
+// Units as the data's README gives them. Where it gives none, a factor that makes the organ life
 // size.
 INSTANTIATE_TEST_SUITE_P(All, RealOrganTest,
                          testing::Values(RealOrgan{"openhelp_Liver.stl", 1e-3, true},
@@ -214,8 +214,8 @@ TEST(Phantom, LayersLieAlongX) {
   }
 }
 
-// Along y, of one of two inputs; a layer of skin that is thicker than a voxel holds its membrane of
-// 2 N/mm as modulus, skin that is an input does not.
+// Layers along y, in one of two inputs. A layer of skin that is thicker than a voxel holds its
+// membrane of 2 N/mm as modulus; skin that is an input of its own does not.
 TEST(Layers, OfOneTissueMayBeTwoMaterials) {
   offline::Mesh layered = box_mesh({0, 0, 0}, {20, 40, 20}),
                 skin = box_mesh({20, 0, 0}, {40, 40, 20});
@@ -250,8 +250,8 @@ TEST(Layers, OfMoreMaterialsThanThereAreNumbersAreRefused) {
   EXPECT_THROW((void)offline::number_of(list, one_more), offline::Refusal);
 }
 
-// From above through a slab of 20 mm and a step of 7.5 mm: depth is counted from where each row
-// enters, by what is filled, and only in the input that is named.
+// From above through a slab of 20 mm and a step of 7.5 mm: depth counts from where each row enters,
+// by what is filled, and only in the input that is named.
 TEST(Layers, TakeThePlaceOfOneInputFromItsSurfaceOn) {
   offline::Mesh high = offline::block_phantom({0.02, 0.02, 0.02}, 0.005);
   offline::Mesh low = offline::block_phantom({0.02, 0.02, 0.0075}, 0.005);
@@ -290,9 +290,9 @@ offline::Mesh turned(offline::Mesh mesh, double angle_rad) {
   return mesh;
 }
 
-// A plate of 14 mm, turned by 23 degrees, divided into layers along z: a needle straight through it
-// meets each for as long as it is thick there, whatever the voxel, and none of the air. By voxels
-// alone lengths are off by up to one.
+// A plate of 14 mm, turned by 23 degrees and divided into layers along z. A needle straight through
+// it meets each layer for as long as it is thick there, whatever the voxel, and meets no air. By
+// voxels alone, lengths would be off by up to one voxel.
 TEST(Mixed, LayersAreAsThickAsTheyAreOnASlope) {
   const double angle = 23 * std::numbers::pi / 180, thickness_m = 0.014;
   const offline::Mesh plate = turned(centred_block({0.08, 0.02, thickness_m}, 0.002), angle);
@@ -322,7 +322,7 @@ TEST(Mixed, LayersAreAsThickAsTheyAreOnASlope) {
   }
 }
 
-// A ball in a block, of another tissue: its surface is where it is, to a tenth of a voxel.
+// A ball in a block of another tissue: its surface is where it should be, to a tenth of a voxel.
 TEST(Mixed, AnInnerSurfaceIsWhereItIs) {
   const double radius_m = 0.012;
   offline::Mesh ball = centred_block({2, 2, 2}, 0.25);  // its points go to the ball below
@@ -407,8 +407,8 @@ TEST(Attachments, HoldExactlyTheCornersOfTheRegion) {
   }
 }
 
-// A block of 60 x 40 x 20 mm in voxels of 5 mm, cut to x < 30 mm: half of the voxels, the same
-// material in each as in the whole (its capsule does not close over the cut), held at the cut only.
+// A block of 60 x 40 x 20 mm in voxels of 5 mm, cut to x < 30 mm: half of the voxels; the same
+// material in each as in the whole (its capsule does not close over the cut); held only at the cut.
 TEST(Build, CropsToRegionsAndHoldsTheCut) {
   const offline::Mesh block = offline::block_phantom({0.06, 0.04, 0.02}, 0.005);
   BuildOptions options;
@@ -485,8 +485,8 @@ TEST(Build, SameInputSameBytes) {
   EXPECT_EQ(once.bytes, again.bytes);
 }
 
-// The hash was written down once and is the same from gcc and clang; a change to any byte that
-// these inputs give is meant to be noticed here, and the number replaced on purpose.
+// The hash was written down once, and is the same from gcc and clang. Any change of the bytes that
+// these inputs give is meant to be noticed here, and the number to be replaced on purpose.
 TEST(Build, SameBytesFromEveryCompiler) {
   BuildOptions options;
   options.capsule = "liver_capsule";

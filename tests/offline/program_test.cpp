@@ -73,8 +73,8 @@ void expect_one_line(const std::string& text, const std::string& word) {
 
 // ---- ill-formed input ---------------------------------------------------------------------------
 
-// Files with a closed or nearly closed surface must become organs; these have none, or are damaged,
-// and must be refused. Any other file may end either way.
+// Files whose surface is closed or nearly closed must become organs. The files named here have no
+// such surface, or are damaged, and must be refused. Any other file may end either way.
 const std::vector<std::string> kMustBuild{"cgal_elephant-with-holes.off",
                                           "cgal_pig.stl",
                                           "cgal_head.off",
@@ -294,7 +294,8 @@ std::map<std::string, std::string> all_files(const std::filesystem::path& folder
   return files;
 }
 
-// Whatever one of a command's outputs meets: all of them appear, or every file is as it was.
+// Whatever obstacle one of a command's outputs meets: all outputs appear, or every file is as it
+// was.
 TEST(Program, OutputsAppearTogetherOrNotAtAll) {
   const Scratch scratch;
   const auto at = [&](const char* name) { return (scratch.folder / name).string(); };
@@ -332,8 +333,8 @@ TEST(Program, OutputsAppearTogetherOrNotAtAll) {
   EXPECT_FALSE(std::filesystem::exists(at("b.organ")));
 }
 
-// A signal between the first folder or temporary and the last name ends the command, and every file
-// is as it was; one that is ignored does not.
+// A signal between the first folder or temporary file and the last name ends the command, and every
+// file is as it was; a signal that is ignored does not end it.
 TEST(Outputs, SignalsWaitUntilFilesAreAsTheyWereOrComplete) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     for (const int after : {1, 2, 3}) {
@@ -364,7 +365,7 @@ TEST(Outputs, SignalsWaitUntilFilesAreAsTheyWereOrComplete) {
   }
 }
 
-// What is written in one go, and what meets an obstacle only then: all as it was.
+// Written in one go, and meeting an obstacle only then: every file is as it was.
 TEST(Outputs, WhatFailsLateIsTakenBack) {
   const Scratch scratch;
   const auto at = [&](const char* name) { return scratch.folder / name; };
@@ -416,8 +417,8 @@ TEST(Outputs, WhatFailsLateIsTakenBack) {
   EXPECT_EQ(all_files(scratch.folder), before);
 }
 
-// 64 voxels of a ten-thousandth of a millimetre, and a wall of centimetres around them: the product
-// of the sizes once wrapped.
+// 64 voxels of a ten-thousandth of a millimetre, with a wall of centimetres around them: the
+// product of the sizes once wrapped.
 TEST(Program, WallsAroundTinyVoxelsAreRefusedBeforeMemoryIsTaken) {
   const Scratch scratch;
   const std::string map = (scratch.folder / "map.nrrd").string();
@@ -554,7 +555,8 @@ TEST(Program, FilesThatCannotBeReadAreNamed) {
   }
 }
 
-// Whatever a report says of an open mesh with faces twice, under a name that HTML would read.
+// All that a report says of an open mesh with faces that are there twice, under a name that HTML
+// would interpret.
 TEST(Program, ReportsSayWhatWasRepaired) {
   const Scratch scratch;
   const auto mesh = scratch.write(

@@ -41,8 +41,9 @@ TEST(Distance, OfParallelBoxesIsTheGapAndAtTheCornersItsDiagonal) {
   EXPECT_NEAR(in.most_m, 1, 1e-12);
   EXPECT_NEAR(in.mean_m, 1, 1e-12);
   EXPECT_GT(in.samples, 50'000U);
-  // Mean over a face of 12 x 12 with a rim of 1: 100 at 1; 4 * 10 of rims at the mean of
-  // sqrt(1 + s^2) over 0..1, 1.1478; 4 corners at the mean over the unit square, 1.2808.
+  // Mean over a face of 12 x 12 around which lies a rim of 1. In the middle 100 at 1; on the four
+  // rims 4 * 10 at the mean of sqrt(1 + s^2) over 0..1, 1.1478; 4 corners at the mean over the unit
+  // square, 1.2808.
   EXPECT_NEAR(out.mean_m, (100 + 40 * 1.1478 + 4 * 1.2808) / 144, 2e-3);
 }
 
@@ -70,8 +71,8 @@ TEST(Quality, OfABoxOnTheGridFindsNothing) {
   EXPECT_TRUE(offline::quality_facts(quality, built.report)["findings"].empty());
 }
 
-// Two slabs 2 mm apart within voxels of 5 mm: one piece of tissue, 12 x 12 gaps. At 1 mm they are
-// two, and nothing is glued.
+// Two slabs, 2 mm apart in voxels of 5 mm: one piece of tissue, and 12 x 12 gaps that are closed.
+// In voxels of 1 mm there are two pieces, and no gap is closed.
 TEST(Quality, GapNarrowerThanAVoxelIsSaidToBeClosed) {
   const Mesh slabs = both(box_mesh({0, 0, 0}, {60, 60, 16}), box_mesh({0, 0, 18}, {60, 60, 35}));
   const offline::Built coarse = build_quietly({input_of(slabs, 1e-3)}, measured_at(5));
@@ -84,7 +85,8 @@ TEST(Quality, GapNarrowerThanAVoxelIsSaidToBeClosed) {
   EXPECT_EQ(quality_of(fine).pieces.size(), 2U);
 }
 
-// A rod of 1 mm through voxels of 5 mm of liver, and a bead in it: no voxel is theirs.
+// A rod of 1 mm through voxels of 5 mm of liver, and a bead in the liver: they have no voxel of
+// their own.
 TEST(Quality, ThinPartsWithoutAVoxelAreCounted) {
   const Mesh thin = both(box_mesh({2, 21, 21}, {38, 22, 22}), box_mesh({31, 31, 31}, {32, 32, 32}));
   const offline::Built built = build_quietly(
@@ -112,8 +114,9 @@ TEST(Quality, PieceThatNothingHoldsIsSaidToDrift) {
               testing::HasSubstr("1 of 2 separate pieces"));
 }
 
-// A map of 2 mm that one tissue fills up to its edges, but for one voxel of a lesion in it, which
-// no sample of voxels of 15 mm meets; and a triangle that has no area is no piece of a mesh.
+// A map of 2 mm that one tissue fills up to its edges, except for one voxel of a lesion in it,
+// which no sample of voxels of 15 mm meets; and a triangle without area, which is not a piece of a
+// mesh.
 TEST(Quality, PiecesThatNoVoxelHasAreCounted) {
   offline::LabelMap map;
   map.size = {30, 22, 22};
@@ -149,8 +152,8 @@ TEST(Quality, MeasuringLeavesTheBytesAlone) {
 
 // ---- gaps ---------------------------------------------------------------------------------------
 
-// Two slabs 6 mm apart in voxels of 2 mm: three layers of 20 x 20 voxels between them, and none
-// beyond; a gap of 8 mm stays.
+// Two slabs, 6 mm apart in voxels of 2 mm: three layers of 20 x 20 voxels fill the gap, and none
+// lies beyond it; a gap of 8 mm stays open.
 TEST(Gaps, NarrowOnesBecomeTheTissueAskedFor) {
   for (const double gap_mm : {6.0, 8.0}) {
     const double above = 10 + gap_mm;
@@ -301,7 +304,8 @@ TEST(Page, SaysWhoseSidesItShowsWhatLiesBesideAndWhatATickTakes) {
   }
 }
 
-// A part from inside a block has no surface of the input to be compared with or to be seen.
+// A part cut from inside a block has no surface of the input that it could be compared with or that
+// could be seen.
 TEST(Page, OfAPartWithoutSurfaceLeavesItOut) {
   const Scratch scratch;
   offline::Mesh block = box_mesh({0, 0, 0}, {60, 60, 60});

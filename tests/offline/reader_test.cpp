@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each reader on the spellings of its format, on what it must refuse, and on the words it does it
-// in.
+// Each reader on the spellings of its format, on what it must refuse, and on the words with which
+// it refuses.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -138,8 +138,8 @@ TEST(Stl, ReadsText) {
   EXPECT_EQ(m.mesh.triangles.size(), 1U);
 }
 
-// The facets of a tetrahedron with a random choice of what lies between the words: a line, a blank,
-// a name, capitals.
+// The facets of a tetrahedron; between the words there is a random choice of new line, blank, name
+// and capitals.
 TEST(Stl, TextMayBeOneLine) {
   std::mt19937 engine(5);
   const auto pick = [&](std::initializer_list<const char*> of) {
@@ -357,7 +357,8 @@ TEST(Off, RefusesWithPlace) {
               HasSubstr("expected"));
 }
 
-// Of two bytes at least, a digit and the end of its line: 17 bytes cannot hold nine.
+// A point or face takes at least two bytes, a digit and the end of its line: 17 bytes cannot hold
+// nine.
 TEST(Off, ClaimsNoMoreThanTheFileHolds) {
   EXPECT_THAT(refusal("a.off", "OFF\n9 1 0\n0 0 0\n\n"),
               HasSubstr("a.off:2: '9': expected a number of points from 0 to 8"));
@@ -370,7 +371,7 @@ TEST(Off, WrittenMeshReadsBackToTheBit) {
   EXPECT_EQ(read("a.off", offline::off_text(mesh)).mesh.points, mesh.points);
 }
 
-// The kernel's own files say a page as their size and end much before it.
+// The size of the kernel's own files is said to be a page, and they end much before it.
 TEST(ReadFile, SaysWhereAFileEndsThatIsShorterThanItSays) {
   const std::filesystem::path file = "/sys/devices/system/cpu/online";
   SKIP_WITHOUT(file);
@@ -384,7 +385,8 @@ TEST(ReadFile, SaysWhereAFileEndsThatIsShorterThanItSays) {
   }
 }
 
-// Root may read every file: what others may not is read as somebody else, if it is root who tests.
+// Root may read every file: if the tests run as root, they read as somebody else what others may
+// not read.
 TEST(ReadFile, NamesAFileThatOnlyOthersMayRead) {
   constexpr uid_t kNobody = 65534;
   const Scratch scratch;
@@ -427,7 +429,7 @@ TEST(ReadMesh, RefusesOtherFilesByName) {
   EXPECT_THROW((void)offline::read_mesh("/no/such/file.obj"), offline::Refusal);
 }
 
-// No cut of a good file may crash a reader or be taken for something else than a mesh or a refusal.
+// A good file that is cut anywhere must not crash a reader, and must give a mesh or a refusal.
 TEST(ReadMesh, SurvivesEveryCut) {
   for (const std::string& whole : {binary_ply(false), binary_stl(2, 2)}) {
     const std::string name = whole.starts_with("ply") ? "a.ply" : "a.stl";

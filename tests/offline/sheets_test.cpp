@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts that do not touch get voxels of their own: what is apart in the input is apart in the
-// kernel, what hangs together stays so, and bodies without gaps come out as they did.
+// kernel, what hangs together stays together, and bodies without gaps come out as without this
+// option.
 #include "voxels/sheets.h"
 
 #include <gmock/gmock.h>
@@ -142,8 +143,8 @@ TEST(Sheets, SlabsInOneVoxelAreApart) {
   EXPECT_EQ(with.report.closed_gaps, 0U);  // none was
 }
 
-// A needle straight through both slabs meets each for as long as it is thick, and the gap between
-// them, whichever voxel of a shared cell it is in.
+// A needle straight through both slabs meets each for as long as it is thick, and meets the gap
+// between them, whichever of the voxels of a shared cell it is in.
 TEST(Sheets, BothPartsOfACellAndTheGapAreAsThickAsTheyAre) {
   const double low_m = 12e-3, high_m = 11.5e-3;
   const std::vector<offline::Input> inputs = {
@@ -177,8 +178,8 @@ double volume(const Mesh& mesh) {
   return sum;
 }
 
-// The gap runs in every direction, through cells that hold a little of either, of both or only
-// their surfaces.
+// The gap runs in every direction, through cells that hold a little of either body, of both, or
+// only their surfaces.
 TEST(Sheets, ABallInAHollowOneIsApartAllAround) {
   Draw draw(3);
   for (int i = 0; i < 6; ++i) {
@@ -281,8 +282,9 @@ std::set<std::array<std::uint32_t, 3>> particles_of(const offline::Lattice& latt
   return particles;
 }
 
-// Three cells a side: one on a face of the middle and one on a corner across from it, of two
-// bodies, and in the middle no sample but surface, which goes with the body on the face.
+// Three cells along each side. The body in one cell touches the middle cell on a face, another body
+// touches it at a corner across from there. In the middle there is no sample, only surface, which
+// goes with the body on the face.
 TEST(Sheets, ACellOfSurfaceAloneGoesWithTheBodyOnItsFace) {
   for (std::size_t face = 0; face < 6; ++face) {
     for (unsigned across = 0; across < 4; ++across) {
@@ -328,10 +330,11 @@ std::multiset<std::uint64_t> parts_in(const offline::Lattice& lattice, std::size
   return parts;
 }
 
-// Two bodies side by side in a cell, of eight samples each, and a speck of one sample beyond a gap.
-// It gets no voxel of its own: it goes with the nearest body where it hangs with nothing, and with
-// the body that it hangs together with around the cell, be it the farther one; it has its own voxel
-// where it hangs with something else.
+// Two bodies side by side in a cell, of eight samples each, and beyond a gap a speck of one sample.
+// The speck gets no voxel of its own where it hangs together with nothing: it then goes with the
+// nearest body. Where it hangs together with one of the bodies around the cell, it goes with that
+// one, even if it is the farther. Where it hangs together with something else, it has its own
+// voxel.
 TEST(Sheets, ASpeckGoesWithWhatItHangsWithOrWithTheNearest) {
   const std::uint64_t left = samples_where([](Vec at) { return at.x < 0.25 && at.y < 0.5; });
   const std::uint64_t right = samples_where([](Vec at) { return at.x > 0.75 && at.y < 0.5; });
@@ -362,7 +365,8 @@ TEST(Sheets, ASpeckGoesWithWhatItHangsWithOrWithTheNearest) {
   EXPECT_GT(specks, 4);
 }
 
-// 33 000 voxels along y take as many rows in each sheet, and two sheets more than an organ has.
+// 33 000 voxels along y need as many rows in each sheet, and with two sheets that is more than an
+// organ has.
 TEST(Sheets, RowsOfAllSheetsAreBounded) {
   const std::vector<offline::Input> inputs = {
       input_of(box_mesh({0, 0, 0}, {0.1, 3300, 0.13}), 1e-3),

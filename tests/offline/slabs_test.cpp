@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How thick structures are at the planes that they were drawn in, on drawn distances and by hand.
+// How thick structures are at the planes in which they were drawn; on drawn distances and on
+// distances chosen by hand.
 #include "maps/slabs.h"
 
 #include <gmock/gmock.h>
@@ -11,7 +12,7 @@
 namespace stylet::test {
 namespace {
 
-// Some of many planes, the distances between its own about as given.
+// Some of many planes, with distances between them about as given.
 struct Drawn {
   std::vector<double> along_m;
   std::vector<std::size_t> own;
@@ -34,8 +35,8 @@ Drawn drawn_planes(Draw& draw, const std::vector<double>& gaps_m) {
   return drawn;
 }
 
-// Whether a structure was drawn through a gap: it is hardly wider than usual, or one of three in a
-// row that are alike.
+// Whether a structure was drawn across a gap: the gap is hardly wider than usual, or one of three
+// alike in a row.
 bool is_through(const std::vector<double>& gaps, std::size_t i, double usual) {
   const auto alike = [&](std::size_t a, std::size_t b) {
     return a < gaps.size() && b < gaps.size() && gaps[a] <= 1.5 * gaps[b] &&
@@ -80,7 +81,7 @@ TEST(Slabs, ReachHalfOfTheWayToTheNextPlaneThatIsDrawn) {
   EXPECT_GT(std::min(seen[0], seen[1]), 500);
 }
 
-// Planes of 3 mm, then a gap; and three gaps of 9 mm, as a structure drawn on every third plane.
+// Planes of 3 mm, then a gap; and three gaps of 9 mm, as of a structure drawn on every third plane.
 TEST(Slabs, AreEmptyWhereOneWayIsWideAndFilledWhereThreeAre) {
   const auto ends_mm = [](const std::vector<double>& along_mm) {
     std::vector<double> along_m;

@@ -20,7 +20,7 @@ using offline::Mesh;
 using offline::Vec;
 
 constexpr double kMm = 1e-3;
-// The voxel edge is a float in the file, so a volume is right to three of its roundings.
+// The voxel edge is a float in the file, so that a volume is right up to three of its roundings.
 constexpr double kEdgeRounding = 3 * 6e-8;
 
 double built_volume_ml(const Mesh& mesh_m, double voxel_mm, bool wrap = false) {
@@ -104,8 +104,8 @@ TEST(Volume, DoubledSheetsCountOnce) {
   EXPECT_NEAR(built_volume_ml(mesh, 5), 64, 64 * kEdgeRounding);
 }
 
-// A window of 20 x 20 mm in a wall, four voxels wide: the flood comes in, the winding number keeps
-// the inside. It may cut a dent below the window, of about the window's size cubed.
+// A window of 20 x 20 mm in a wall, four voxels wide. The flood comes in, and the winding number
+// keeps the inside. It may cut a dent below the window, about as large as the window's size cubed.
 TEST(Volume, HoleWiderThanAVoxelIsBridged) {
   Mesh mesh = block_mm(60, 60, 60);
   std::erase_if(mesh.triangles, [&](const offline::Triangle& t) {
@@ -121,8 +121,8 @@ TEST(Volume, HoleWiderThanAVoxelIsBridged) {
 TEST(Volume, NoneIsRefusedUnlessWrapped) {
   const Mesh triangle{{{0, 0, 0}, {0.03, 0, 0}, {0, 0.03, 0}}, {{0, 1, 2}}};
   EXPECT_THROW((void)built_volume_ml(triangle, 5), offline::Refusal);
-  // The skin stands off by half a millimetre on both sides of 4.5 cm^2 and around a rim of 10.2 cm;
-  // its facets, a voxel long, cut the rim and its corners short.
+  // The skin stands off by half a millimetre on both sides of 4.5 cm^2 and around a rim of 10.2 cm.
+  // Its facets, a voxel long, cut the rim and its corners short.
   const double slab_ml = 0.45, rim_ml = 10.2 * std::numbers::pi / 2 * 0.05 * 0.05;
   const double skin_ml = built_volume_ml(triangle, 5, true);
   EXPECT_GT(skin_ml, slab_ml * 2 / 3);
@@ -141,8 +141,8 @@ TEST(Winding, IsOneInsideZeroOutside) {
   }
 }
 
-// A box that lacks a triangle, turned either way, and a box in it that is turned as it is: tissue
-// in tissue.
+// A box that lacks a triangle, turned either way, and in it a box with its faces outward: tissue in
+// tissue.
 TEST(Volume, WhatAnOpenSurfaceHoldsIsInIt) {
   for (const bool inside_out : {false, true}) {
     Mesh mesh, outer = box_mesh({-0.03, -0.03, -0.03}, {0.03, 0.03, 0.03});
@@ -154,7 +154,8 @@ TEST(Volume, WhatAnOpenSurfaceHoldsIsInIt) {
 }
 
 // Two boxes that lack a triangle each, one of them inside out: each tells its own sides. Just under
-// a missing triangle the winding number is one half, and a sum of clusters: a voxel may be lost.
+// a missing triangle the winding number is one half, and is a sum over clusters, so that a voxel
+// may be lost.
 TEST(Volume, OpenBodiesThatEncloseSomethingAreTurnedEachByItself) {
   for (const bool small_one : {false, true}) {
     Mesh mesh, large = box_mesh({0, 0, 0}, {0.06, 0.06, 0.06});
@@ -188,7 +189,7 @@ TEST(Rays, GoOneWayAndMeetNothingWhereThereIsNothing) {
   EXPECT_EQ(offline::crossings(offline::triangle_tree({}, {}), {0, 0, 0}, {0.1, 1, 0.2}), 0);
 }
 
-// Faces turned at random, which no winding number can make sense of: rays do not look at sides.
+// Faces turned at random, for which no winding number makes sense: rays do not look at sides.
 TEST(Rays, VoteWhereFacesDisagree) {
   Mesh block = block_mm(40, 40, 40);
   for (std::size_t i = 0; i < block.triangles.size(); i += 2 + i % 3) {
@@ -202,7 +203,7 @@ TEST(Rays, VoteWhereFacesDisagree) {
   }
 }
 
-// Counting crossings from sample to sample gives what 64 winding numbers give.
+// Counting crossings from sample to sample gives the same as 64 winding numbers.
 TEST(SampleCell, ShortWayAgreesWithTheLongOne) {
   Mesh ball = offline::ball_phantom(60 * kMm, 5 * kMm);
   for (Vec& p : ball.points) p = p * 200;  // cells of 5 mm
@@ -219,7 +220,8 @@ TEST(SampleCell, ShortWayAgreesWithTheLongOne) {
   EXPECT_GT(partly, 20);
 }
 
-// Faces exactly through samples, where a ray from sample to sample begins or ends on one.
+// Faces that pass exactly through samples, so that a ray from sample to sample begins or ends on
+// one.
 TEST(SampleCell, ShortWayAgreesWhereSamplesLieOnFaces) {
   std::mt19937 random(1);
   std::uniform_int_distribution<int> any(0, 63);
@@ -240,7 +242,7 @@ TEST(SampleCell, ShortWayAgreesWhereSamplesLieOnFaces) {
 TEST(Grid, RefusesWhatMemoryCannotHold) {
   EXPECT_THROW((void)offline::make_grid({{0, 0, 0}, {1, 1, 1}}, 1e-4), offline::Refusal);
   EXPECT_THROW((void)offline::make_grid({{0, 0, 0}, {7, 1e-4, 1e-4}}, 1e-4), offline::Refusal);
-  // A thousand triangles across as many cells as 160 along each side are 4 096 million visits.
+  // A thousand triangles across 160 cells along each side are at most 4 096 million visits.
   const offline::Grid grid = offline::make_grid({{0, 0, 0}, {0.16, 0.16, 0.16}}, 1e-3);
   offline::Solid solid;
   solid.surface.points = {{0, 0, 0}, {0.16, 0.16, 0}, {0, 0.16, 0.16}};

@@ -62,7 +62,7 @@ TEST(Machine, RefusesWhatStyletBenchDidNotWrite) {
               testing::HasSubstr("1 rows of tick_elastic"));
   EXPECT_THAT(refusal_of([&] { offline::read_machine(bench_of(scratch, good + good + good)); }),
               testing::HasSubstr("at least two organs, with added and with true mass"));
-  // As it wrote them before it told passes.
+  // The CSV as it was written before it told passes.
   EXPECT_THAT(
       refusal_of([&] { offline::read_machine(bench_of(scratch, "tick_elastic,a,1,70,35\n")); }),
       testing::HasSubstr("box.csv:2: expected measure"));
@@ -100,7 +100,8 @@ TEST(Fit, EdgesThatTheFormatDoesNotHoldAreNotTaken) {
   EXPECT_DOUBLE_EQ(offline::choose_edge({{0, 0, 0}, {0.1, 0.1, 0.1}}, options, swept), 2.05e-3);
 }
 
-// The finest step of 0.05 mm that keeps within the number, and the next finer one does not.
+// The finest multiple of 0.05 mm stays within the number of voxels, and the next finer one does
+// not.
 TEST(Fit, TakesTheFinestEdgeWithinTheVoxels) {
   const offline::Mesh ball = offline::ball_phantom(0.06, 0.003);
   for (const std::uint32_t most : {100U, 3000U, 20000U}) {
@@ -115,8 +116,8 @@ TEST(Fit, TakesTheFinestEdgeWithinTheVoxels) {
   }
 }
 
-// For full voxels the mass in the step is that of the bound for stability (filter.h): its fastest
-// wave, squared frequency 8 k (2 + 1.5 lambda / G) / (rho h^3) with the springs of constraint
+// For full voxels the mass in the step is that of the bound for stability (filter.h): the fastest
+// wave, of squared frequency 8 k (2 + 1.5 lambda / G) / (rho h^3) with the springs of constraint
 // particles, stays below 0.8 of 4 / (dt (dt + 2 tau)).
 TEST(Mass, FactorIsThatOfTheStabilityBound) {
   offline::BuildOptions options;
@@ -134,7 +135,7 @@ TEST(Mass, FactorIsThatOfTheStabilityBound) {
                 1e-3)
         << dt;
     EXPECT_EQ(row["added_mass"]["passes"], 0);
-    // With true mass, what seven passes leave to add: they divide by (1 + T_8(w0)) / ((1 + w0)
+    // With true mass: what seven passes leave to add. They divide by (1 + T_8(w0)) / ((1 + w0) /
     // T_8'(w0)) = 1 / 49.0 at w0 = 1 + 2 / 64.
     EXPECT_NEAR(row["true_mass"]["mass_factor"]["kidney"].get<double>(),
                 std::max(1.0, bound / 49.0), 0.01)
@@ -147,8 +148,8 @@ TEST(Mass, FactorIsThatOfTheStabilityBound) {
   EXPECT_EQ(offline::inertia_text(facts), "");  // nothing holds it
 }
 
-// A block held below: with two substeps of added mass a slow hand feels it, and it is said; with
-// true mass only a fast one does.
+// A block held from below. With two substeps of added mass a slow hand feels the mass, which is
+// said; with true mass only a fast hand does.
 TEST(Mass, TellsFromWhichFrequencyOnAHandFeelsTheStep) {
   offline::BuildOptions options;
   options.voxel_edge_m = 5e-3;
@@ -169,9 +170,8 @@ TEST(Mass, TellsFromWhichFrequencyOnAHandFeelsTheStep) {
               testing::HasSubstr("1 substep of true mass: first resonance "));
 }
 
-// What the two timed blocks say of a third one, whose size lies between theirs, is what its ticks
-// take by this test's clock; a factor of two is left for what else a machine does, and for the
-// needle.
+// The two timed blocks predict what the ticks of a third one, whose size lies between theirs, take
+// by this test's clock. A factor of two is left for what else the machine does, and for the needle.
 TEST(FitTimed, ForetellsTheTicksOfThisMachine) {
   const offline::Machine here = offline::measure_machine([](const char*, double) {});
   offline::BuildOptions options;
@@ -196,7 +196,7 @@ TEST(FitTimed, ForetellsTheTicksOfThisMachine) {
   EXPECT_LT(us[100], 2 * foretold_us);
 }
 
-// An organ is timed itself, beside the line through two blocks.
+// An organ is timed itself, too, beside the line through two blocks.
 TEST(Fit, TimesTheOrganOnThisMachine) {
   const offline::Machine here = {"here", 30, 0.02, 0.005, true};
   offline::BuildOptions options;

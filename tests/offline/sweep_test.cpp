@@ -52,9 +52,9 @@ TEST(Fit, SaysWhyItRefuses) {
   }
 }
 
-// Timed by the thread's own clock on an organ with holes, against the line through full blocks:
-// twice as much before what is swept was counted. What else the machine does only adds: the least
-// of several counts, of the machine and of the organ, in turns.
+// The thread's own clock times an organ with holes, against the line through full blocks; it was
+// twice that line before the voxels swept were counted. What else the machine does only adds: so
+// the least of several times is taken, of the machine and of the organ in turn.
 TEST(FitTimed, KnowsWhatAnOrganWithHolesCosts) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     Draw draw(seed);

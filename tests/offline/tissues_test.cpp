@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tissues of a user's file: every number from the least to the most that the kernel takes in an
-// organ (kernel/src/organ/organ.cpp, in SI), in the unit that its key names.
+// Tissues from a user's file: every number from the least to the largest that the kernel takes in
+// an organ (kernel/src/organ/organ.cpp, in SI), in the unit that its key names.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -37,7 +37,7 @@ constexpr Number kNumbers[] = {
     {"membrane_n_per_mm", &Tissue::membrane_n_per_m, 1000, 0, 1e5},
     {"puncture_velocity_exponent", &Tissue::puncture_velocity_exponent, 1, 0, 0.5}};
 
-// The other friction where any value of this one is taken.
+// The other kind of friction, with a value beside which any value of this kind is taken.
 std::string beside(const std::string& key) {
   if (key == "coulomb_friction_n_per_mm") return "static_friction_n_per_mm = 10\n";
   if (key == "static_friction_n_per_mm") return "coulomb_friction_n_per_mm = 0\n";
@@ -88,7 +88,8 @@ TEST(Tissues, RefuseWhatTheKernelRefuses) {
   }
 }
 
-// Of a tissue that no preset knows every number must be there, but for two that most have not.
+// If no preset has the tissue's name, every number must be there, except for two that most tissues
+// do not have.
 TEST(Tissues, OfTheirOwnNeedEveryNumber) {
   const Scratch scratch;
   const auto without = [&](const std::string& key) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts what this thread asks of the heap while the trap is armed. The whole malloc family of the
-// program is replaced (operator new goes through it), so nothing gets past.
+// Counts the calls of the heap by this thread while the trap is armed. The whole malloc family of
+// the program is replaced (operator new goes through it), so that nothing gets past it.
 #pragma once
 
 #include <cstdint>

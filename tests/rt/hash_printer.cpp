@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prints the state's hash after every hundred ticks of the script, in both modes, for the lattice
-// step of each instruction set this processor has; with helper threads, of the widest.
-// determinism.py compares what different compilers make of it.
+// step of each instruction set that this processor has; with helper threads, only of the widest.
+// determinism.py compares the hashes of different compilers.
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>

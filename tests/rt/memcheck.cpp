@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program that embeds the kernel, in memory nobody has written to: for valgrind's memcheck, which
-// must find nothing that depends on it. Each setup from create to the middle of an insertion, with
-// a snapshot taken back on the way.
+// A program that embeds the kernel, in memory that nobody has written to, for valgrind's memcheck,
+// which must find nothing that depends on such memory. Each setup runs from create to the middle of
+// an insertion, with a snapshot restored on the way.
 #include <cstdio>
 #include <vector>
 
@@ -14,7 +14,7 @@ using namespace stylet::test;
 
 constexpr std::uint64_t kTicks = 1300;  // contact, puncture, the first particles
 
-// As make_block, but what is in it is not defined.
+// As make_block, but its content is not defined.
 Block raw_block(std::size_t size) {
   Block block;
   block.bytes.reset(static_cast<std::byte*>(std::aligned_alloc(kBlockAlignment, size)));

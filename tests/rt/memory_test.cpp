@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel lives in the bytes it asked for: all of them, none beside them, and what it leaves in
-// scratch never matters.
+// The kernel lives in the bytes it asked for: it uses all of them, none beside them, and what it
+// leaves in scratch never matters.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ class Blocks : public testing::TestWithParam<Setup> {
 INSTANTIATE_TEST_SUITE_P(Modes, Blocks, testing::ValuesIn(kSetups),
                          [](const auto& instance) { return setup_name(instance.param); });
 
-// A block between two guards of the same size as its alignment, everything filled with one byte.
+// A block between two guards as large as its alignment, all filled with one byte.
 struct Guarded {
   Block whole;
   std::size_t size;
@@ -76,7 +76,7 @@ GuardedMemory make_guarded_memory(const Sizes& bytes, std::byte fill) {
           make_guarded(bytes.scratch_bytes, fill)};
 }
 
-// The last byte that two runs over different fillings agree on was written by both.
+// The last byte in which two runs over different fillings agree was written by both.
 std::size_t written_size(std::span<const std::byte> a, std::span<const std::byte> b) {
   std::size_t size = a.size();
   while (size > 0 && a[size - 1] != b[size - 1]) --size;
@@ -96,8 +96,8 @@ TEST_P(Blocks, UsedAreWhatWasPredicted) {
     EXPECT_TRUE(used[i].state.guards_hold(kFills[i]));
     EXPECT_TRUE(used[i].scratch.guards_hold(kFills[i]));
   }
-  // Nothing asked for in vain: the last written byte is in the last line of each block. Scratch is
-  // as large as its pools, which a run need not fill.
+  // Nothing was asked for in vain: the last written byte is in the last line of each block. Scratch
+  // is as large as its pools, which a run need not fill.
   const auto expect_filled = [](const char* name, const Guarded& a, const Guarded& b) {
     EXPECT_GT(written_size(a.inner(), b.inner()) + kBlockAlignment, a.size) << name;
   };
@@ -126,7 +126,7 @@ std::vector<Committed> committed_rows() {
   return rows;
 }
 
-// As the row, with what is predicted now: what belongs into the file if it is meant.
+// The row as predicted now: what belongs into the file if the change is meant.
 std::string line_of(const Committed& row, const Sizes& now, std::size_t team) {
   std::ostringstream text;
   text << row.nx << ' ' << row.ny << ' ' << row.nz << ' ' << row.needles << ' ' << row.helpers

@@ -74,7 +74,8 @@ long page_faults() {
 }
 
 TEST_P(MillionTicks, CallNoHeapAndCauseNoPageFault) {
-  // As the loop does: everything locked where that is allowed, and once through the script.
+  // As the loop does it: all memory locked where that is allowed, and once through the script
+  // before.
   mlockall(MCL_CURRENT);
   run(session_.kernel, script_, 0, kCycleTicks);
   const long before = page_faults();

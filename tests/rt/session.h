@@ -96,9 +96,9 @@ inline Session make_session(const Organ& organ, const Config& config) {
   return session;
 }
 
-// The hand: again and again 12 mm above the surface, 27 mm into the tissue at 26 mm/s, a pause that
-// ends with a sideways pull, and out; each time at another place, tilted a little. Now and then a
-// sample is missing or not a number.
+// The hand goes again and again from 12 mm above the surface 27 mm into the tissue at 26 mm/s,
+// pauses, is pulled sideways at the end of the pause, and goes out; each time at another place,
+// tilted a little. Now and then a sample is missing or not a number.
 constexpr std::uint64_t kCycleTicks = 4000;
 constexpr std::uint64_t kPauseBegin = 1500, kPauseEnd = 2500;  // needle at its deepest
 
@@ -150,8 +150,9 @@ inline void run(Kernel& kernel, const Script& script, std::uint64_t first_tick,
   }
 }
 
-// What the real-time tests run: both modes with a rigid needle, and everything the needle can be:
-// elastic, bevelled, in tissue that breathes, with bone in its way; that with added mass, too.
+// What the real-time tests run: both modes with a rigid needle; and all that a needle can be:
+// elastic, bevelled, in tissue that breathes, with bone in its way. The latter with added mass,
+// too.
 enum class Setup { kPhysical, kPaper, kElastic, kAddedMass };
 constexpr Setup kSetups[] = {Setup::kPhysical, Setup::kPaper, Setup::kElastic, Setup::kAddedMass};
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much stack a tick really uses: a stack filled with one byte, and how deep that byte is gone
-// after whole insertions. Prints one line for each setup and instruction set; exits 1 if the
-// measurement does not find a frame of known size. toolchain/checks/stack.py compares it with the
-// bound.
+// How much stack a tick really uses: a stack is filled with one byte, and after whole insertions it
+// is seen how deep that byte is gone. Prints one line for each setup and instruction set; exits
+// with 1 if the measurement does not find a frame of known size. toolchain/checks/stack.py compares
+// it with the bound.
 #include <ucontext.h>
 
 #include <algorithm>
@@ -67,8 +67,7 @@ void insert(void* argument) {
   run(insertion.session.kernel, insertion.script, 0, kCycleTicks);
 }
 
-// A needle that is first seen with its tip in the middle of the bone: the way out of it is looked
-// for with libccd.
+// A needle that first appears with its tip in the middle of the bone: libccd looks for the way out.
 void appear_in_bone(void* argument) {
   auto& insertion = *static_cast<Insertion*>(argument);
   Input input = {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tissue step shared with helper threads: same bits for any number of them, on time, late or
-// absent; memory predicted to the byte.
+// The tissue step shared with helper threads: the same bits with any number of them, whether on
+// time, late or absent; memory predicted to the byte.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -165,9 +165,9 @@ TEST(Team, HelpsOnlyWithWhatIsBegunAndFarFromDone) {
   EXPECT_EQ(1 + helped + left, slab.end - slab.begin);
 }
 
-// Takes all parts but the caller's slab at once, and sweeps of its own slab a few planes only, as a
-// thread does that is held up; then helps with the others, as another would. Which threads do what
-// in which order is so the same each time.
+// Takes all parts but the caller's slab at once, and sweeps only a few planes of its own slab, as a
+// thread does that is held up; then it helps with the others, as another thread would. So it is the
+// same each time which thread does what, in which order.
 class HeldUp {
  public:
   explicit HeldUp(const Kernel& kernel)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts the instructions of chosen ticks of a recording, or of the worst case (worst_case.h). Run
-// twice with the same arguments: alone it plays and saves the state before each window; under
-// callgrind it starts from those states and leaves a dump of costs for each tick, nothing but the
-// tick collected, with what tick_work.h says the tick may cost. costs.py does both.
+// Counts the instructions of chosen ticks of a recording, or of the worst case (worst_case.h). It
+// is run twice with the same arguments. By itself it plays and saves the state before each window.
+// Under callgrind it starts from those states and leaves, for each tick, a dump of costs of nothing
+// but the tick, and what the tick may cost by tick_work.h. costs.py does both.
 //
 // usage: stylet_tick_costs RECORDING|worst FOLDER FIRST:LAST...   ticks FIRST to LAST - 1, rising
 #include <valgrind/callgrind.h>

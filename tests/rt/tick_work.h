@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a tick has to do, counted from outside, and the most instructions that may take with AVX2.
+// What a tick has to do, counted from outside, and the most instructions that this may take with
+// AVX2.
 //
-// The bound is a sum of amounts times prices. Amounts are what the kernel's limits bound, so the
+// The bound is a sum of amounts times prices. The kernel's limits bound the amounts, so that the
 // bound has a largest value for any organ. Prices are what callgrind counted, rounded up;
-// rt.costs.* hold ticks of every scene, of the worst case and of random sessions against their
-// bounds (tests/rt/README.md). Promise: no allocation. Amounts as after the tick, but for what it
-// added.
+// rt.costs.* compare ticks of every scene, of the worst case and of random sessions with their
+// bounds (tests/rt/README.md). Promise: no allocation. Amounts are counted after the tick; what it
+// added, by comparison with what there was before.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +25,9 @@ struct Price {
   const char* of;
   std::uint64_t instructions;
 };
-// Those of the filter are the least in the mean that bound the passes of 120 bodies drawn at random
-// (solid, with holes, round, in slices; 0 to 7 passes), rounded up; that of its ties is a guess.
+// The prices of the filter are the least, in the mean, that bound the passes of 120 bodies drawn at
+// random (solid, with holes, round, in slices; 0 to 7 passes), rounded up; that of its ties is a
+// guess.
 constexpr Price kPrices[] = {
     {"tick", 4000},
     {"padded voxel and substep", 71},
@@ -85,7 +87,7 @@ static_assert(std::size(kPrices) == kAmounts);
 using Amounts = std::array<std::uint64_t, kAmounts>;
 
 // What the worst case (worst_case.h) takes: costs.txt. No other tick may have a bound beyond it.
-// (Its tissue is of added mass: with true mass the filter's passes would come on top.)
+// (Its tissue has added mass: with true mass the passes of the filter would be added.)
 constexpr std::uint64_t kDearestTick = 945'833'612;
 
 inline std::uint64_t bound_of(const Amounts& amount) {
@@ -104,7 +106,7 @@ inline bool bends(const NeedleConfig& config) {
   return config.bending_nm2 > 0 || config.bent_angle_rad > 0;
 }
 
-// As the kernel's own first look: the piece's axis within the body's bounding sphere, grown.
+// As in the kernel's own first look: the piece's axis within the body's bounding sphere, enlarged.
 inline bool is_near(const Obstacle& body, Vec3 a, Vec3 b, float radius_m) {
   const Vec3 centre =
       body.config.pose.position_m + rotation_matrix(body.config.pose.rotation) * body.centre_m;
@@ -116,8 +118,8 @@ inline bool is_near(const Obstacle& body, Vec3 a, Vec3 b, float radius_m) {
   return dot(left, left) <= limit * limit;
 }
 
-// An elastic needle looks for obstacles from where the hand has carried it to where it ends, not
-// far from there, and again each time that it answers the tissue.
+// An elastic needle looks for obstacles between where the hand has carried it and where it ends,
+// not far from there, and once more each time that it answers the tissue.
 inline void add_obstacles(const View& view, std::uint32_t rods, Vec3 shift, std::uint32_t answers,
                           Amounts& amount) {
   constexpr float kReachM = 2e-3F, kBendM = 5e-3F;
@@ -139,8 +141,8 @@ inline void add_obstacles(const View& view, std::uint32_t rods, Vec3 shift, std:
   }
 }
 
-// Bends of an elastic needle against the tissue, beyond that by which it is placed. One that has
-// let go in this tick may have done so in the first of two.
+// How often an elastic needle bends against the tissue, besides the bend by which it is placed. A
+// needle that has let go in this tick may have done so in the first of two bends.
 inline std::uint32_t answers_of(const NeedleState& own, bool was_held) {
   if (own.tip_alive == 0) return was_held ? 1 : 0;
   return own.phase == Phase::kContact ? 2 : 1;
@@ -155,7 +157,8 @@ inline void add_needle(const View& view, Vec3 shift, TickWork& work) {
   amount[kAdded] += particles > before ? particles - before : 0;
   amount[kParticles] += particles;
   before = particles;
-  // A tip that is free looks for tissue, one that leaves its contact for what it lies in now.
+  // A free tip looks for tissue, and a tip that leaves its contact for the tissue in which it then
+  // lies.
   const bool looks = own.phase == Phase::kFree || own.phase == Phase::kContact;
   const bool looked = std::exchange(work.looked_before[view.state.needle_index], looks);
   if (own.handle_known == 0) return;
@@ -164,8 +167,8 @@ inline void add_needle(const View& view, Vec3 shift, TickWork& work) {
   if (looks || looked || own.tip_alive == 0) ++amount[kSearches];
   const std::uint32_t rods = view.model.rod->rods;
   if (bends(view.model.needle_config())) {
-    // Beside bodies each look is three times the Newton steps, and as much as two solves for
-    // the lengths tried.
+    // Beside bodies each look takes three times the Newton steps, and as much as two solves for the
+    // lengths that are tried.
     const bool bodies = view.model.head->obstacle_count > 0;
     const std::uint32_t first = bodies ? 5 * kRodFaceLooks : 1, second = bodies ? 5 : 1;
     const std::uint32_t bends = first + answers * second;
@@ -184,7 +187,7 @@ inline std::uint32_t passes_of(const View& view) {
   return passes;
 }
 
-// What the motion of particles takes counts as a pass, and what springs add to their masses.
+// The motion of particles counts as a pass, and so does what springs add to their masses.
 inline void add_filter(const View& view, Amounts& amount) {
   const ModelHead& head = *view.model.head;
   if (!has_true_mass(view.model)) return;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The dearest tick there can be, but for the number of voxels: every pool of limits.h full at once.
+// The most expensive tick there can be, apart from the number of voxels: every pool of limits.h is
+// full at once.
 //
 // Four elastic needles of kMaxRods rods go down as fast as a hand may, with kMaxDropsPerTick new
 // constraint particles a tick and needle, until each has kMaxConstraintParticles of them and as
-// many voxels of its own as the lattice can give; all their rods are inside all kMaxObstacles
-// obstacles, hulls of kMaxHullVertices vertices, too soft to push anything away; kMaxSubsteps
-// substeps. The hand is a function of the tick alone. Units: SI. Frame: world, the needles come
-// from +z.
+// many voxels of its own as the lattice can give. All their rods are inside all kMaxObstacles
+// obstacles, hulls of kMaxHullVertices vertices that are too soft to push anything away;
+// kMaxSubsteps substeps. The hand is a function of the tick alone. Units: SI. Frame: world, the
+// needles come from +z.
 #pragma once
 
 #include <cmath>
@@ -18,7 +19,7 @@
 
 namespace stylet::test {
 
-// Voxels and needle units are as long as the way of an eighth of a tick.
+// Voxels and needle units are as long as an eighth of the way of a tick.
 constexpr float kWorstEdgeM = 0.6e-3F;
 constexpr std::uint64_t kWorstTicks = 24;
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kOutsideM = 3e-3;  // where a tip begins and ends
 
-// Force of a flat punch as wide as the needle on this material, so deep: Sneddon 1965.
+// Force of a flat punch as wide as the needle, pressed so deep into this material: Sneddon 1965.
 float punch_n(const TinyMaterial& m, float radius_m, float depth_m) {
   return 2 * radius_m * m.youngs_modulus_pa / (1 - m.poisson_ratio * m.poisson_ratio) * depth_m;
 }
@@ -35,7 +35,7 @@ TinyMaterial draw_material(Draw& draw, float radius_m) {
   return m;
 }
 
-// Faces between layers do not lie between voxels: each voxel below one has a plane in it.
+// Faces between layers do not lie between voxels: each voxel just below one has a plane in it.
 void tilt_faces(Draw& draw, std::uint32_t layers, TinyOrgan& tiny) {
   const float tilt = draw.between(-0.3, 0.3);
   std::uint32_t voxel = 0;
@@ -69,7 +69,7 @@ std::unique_ptr<OpenOrgan> draw_organ(Draw& draw, Kind kind, float radius_m) {
     return static_cast<std::uint8_t>(std::uint32_t{z} * layers / nz);
   };
   if (kind == Kind::kLayers) {
-    // The second of two organs, a gap of a voxel below the first.
+    // The second of two organs, below the first with a gap of a voxel.
     const auto gap = static_cast<std::uint16_t>(tiny.nz / 2);
     if (draw.chance(0.5)) {
       tiny.inside = [gap](std::uint16_t, std::uint16_t, std::uint16_t z) { return z != gap; };
@@ -107,7 +107,7 @@ class Way {
  public:
   Way(Draw& draw, double start_s) : draw_(draw) { moves_.push_back({place_, start_s, {}, false}); }
 
-  // By as far as that, at a speed that is drawn.
+  // Moves on by as far as that, at a speed that is drawn.
   void go(Vec3 to_m) {
     const Vec3 step = to_m - place_;
     const double speed = static_cast<double>(draw_.magnitude(15e-3, 60e-3));
@@ -135,7 +135,7 @@ class Way {
   std::vector<Move> moves_;
 };
 
-// `deep_m` is where it stays for most of the time, `deeper_m` as far as it goes.
+// `deep_m` is the depth at which it stays for most of the time, `deeper_m` the largest depth.
 std::vector<Move> draw_moves(Draw& draw, double start_s, float deep_m, float deeper_m) {
   constexpr float kSwingM = 1e-3F;
   Way way(draw, start_s);

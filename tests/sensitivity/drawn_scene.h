@@ -18,13 +18,13 @@
 
 namespace stylet::test {
 
-// What a scene is about; each has all the motions.
+// What a scene is about; every kind has all the motions.
 enum class Kind : std::uint32_t { kRigid, kElastic, kBone, kTwo, kSurface, kLayers };
 constexpr std::uint32_t kKinds = 6;
 const char* kind_name(Kind kind);
 
-// A part of a hand's way: it comes to a place of the tip, evenly begun and ended, and then swings
-// about it. Places are from the entry: to the right, up, and deep along the needle.
+// A part of a hand's way: the tip comes to a place, with an even beginning and end, and then swings
+// about it. Places count from the entry: to the right, up, and along the needle.
 struct Move {
   Vec3 to_m;
   double duration_s = 0;
@@ -51,7 +51,8 @@ struct DrawnScene {
 
 DrawnScene draw_scene(std::uint64_t seed, Kind kind);
 
-// Where the hand is at a time, its tip `deeper_m` deeper than drawn; and whether it rests there.
+// Where the hand is at a time, with its tip `deeper_m` deeper than drawn; and whether it rests
+// there.
 struct HandPlace {
   Pose pose;
   bool at_rest;  // in the last kJudgedS of a rest

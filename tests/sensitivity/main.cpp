@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plays scenes that are drawn and says what the hands feel: for toolchain/sensitivity.py, which
-// plays them with one constant of the kernel changed.
+// Plays drawn scenes and says what the hands feel, for toolchain/sensitivity.py, which plays them
+// with one constant of the kernel changed.
 //
-//   stylet-sensitivity [--first N] [--scenes N] [--deeper METRES] [--parts N]
+// stylet-sensitivity [--first N] [--scenes N] [--deeper METRES] [--parts N]
 //
-// Scene i is of kind i mod 6 and of its own seed, from --first on. For each a line of numbers with
-// their names, then one with the three components of each hand's force averaged over 50 ms, again
-// and again. --deeper: all hands, all the time. --parts: each tick of 1 ms is so many, with the
-// same substeps. The sines of a hand's way are those of the C library: not the same bits
-// everywhere.
+// Scene i is of kind i mod 6 and has its own seed, counted from --first. For each scene there is a
+// line of numbers with their names, then one with the three components of each hand's force
+// averaged over 50 ms, again and again. --deeper applies to all hands, all the time. --parts
+// divides each tick of 1 ms into so many, with the same substeps. The sines of a hand's way are
+// those of the C library, so that bits are not the same everywhere.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The device fails for good, in every way it can, at every tick of an insertion: the force is zero
-// 25 ms of virtual time later, falls all the way there, and the fault has its name.
+// The device fails for good, in every way it can, at every tick of an insertion: 25 ms of virtual
+// time later the force is zero, it falls all the way there, and the fault has its name.
 //
-// One good session is advanced tick by tick; before each tick everything is copied, the copy meets
+// One good session is advanced tick by tick. Before each tick everything is copied, the copy meets
 // the fault, and the session goes on from where it was.
 #include <gtest/gtest.h>
 
@@ -22,7 +22,8 @@ double size(Vec3 v) {
   return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
 }
 
-// What the loop sees from the tick of the fault on. `good` is what the device would have said.
+// What the loop sees from the tick of the fault on. `good` is the sample that the device would have
+// given.
 struct Failure {
   const char* name;
   Fault latched;
@@ -79,7 +80,7 @@ std::vector<Failure> failures() {
                    good.pose.position_m.z += 6e-9F * static_cast<float>(good.t_ns - last.t_ns);
                    return true;
                  }});
-  // No fault, but as soon: the hand lets go of the dead man's button.
+  // Not a fault, but to be answered as soon: the hand lets go of the dead man's button.
   all.push_back({"button released", Fault::kNone, [](const Sample&, Sample& good) {
                    good.buttons = 0;
                    return true;
@@ -170,7 +171,7 @@ void expect_zero_in_time(Stepper& stepper, HandState hand, const Failure& failur
 }
 
 // The slowest watchdog that a scene may ask for, a button, motors that get warm, and a device whose
-// energy is watched.
+// energy is observed.
 GuardConfig all_nets(GuardConfig guard, float period_s) {
   guard.period_s = period_s;
   guard.watchdog_s = 5e-3F;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random sessions until enough ticks are done, or the one session of a seed.
-// usage: stylet-simulator [--seed FIRST] [--sessions COUNT | --ticks TICKS] [--each] [--added-mass]
-//        [--procedures]
+// Plays random sessions until there are enough ticks, or the one session of a seed. usage:
+// stylet-simulator [--seed FIRST] [--sessions COUNT | --ticks TICKS] [--each] [--added-mass]
+// [--procedures]
 #include <algorithm>
 #include <charconv>
 #include <cstdio>

@@ -9,7 +9,7 @@
 namespace stylet::test {
 namespace {
 
-// So that procedures are other sessions than those of the same seed.
+// So that procedures are other sessions than random ones of the same seed.
 constexpr std::uint64_t kProcedures = 1ULL << 48U;
 
 TinyMaterial draw_material(Draw& draw) {
@@ -152,7 +152,7 @@ HandPlan draw_hand(Draw& draw, const Organ& organ, const Config& config, float l
   return plan;
 }
 
-// The guard's other nets, from a seed of their own.
+// The further limits of the guard, from a seed of their own.
 void draw_nets(Draw draw, bool gentle, HandPlan& plan) {
   hal::GuardConfig& guard = plan.guard;
   guard.continuous_force_n = guard.max_force_n * draw.magnitude(0.2, 1);
@@ -165,8 +165,8 @@ void draw_nets(Draw draw, bool gentle, HandPlan& plan) {
   plan.release_share = static_cast<double>(draw.magnitude(1e-4, 1e-2));
 }
 
-// In, and rest; sideways and back; deeper, as far as bone may be; some way back, and out. Each rest
-// is a time in which what relaxes and creeps is seen.
+// In, and rest; sideways and back; deeper, as far as where bone may be; some way back, and out.
+// During each rest it is seen what relaxes and creeps.
 std::vector<hal::Waypoint> draw_steps(Draw& draw, float thickness_m, double fastest) {
   std::vector<hal::Waypoint> points;
   float deep_m = thickness_m * draw.between(0.3, 0.7), right_m = 0, up_m = 0;
@@ -197,7 +197,8 @@ std::vector<hal::Waypoint> draw_steps(Draw& draw, float thickness_m, double fast
   return points;
 }
 
-// A sphere or a turned box on the needle's way, seldom with its middle; the way may miss the box.
+// A sphere or a turned box on the needle's way, seldom with its middle on it; the way may also miss
+// it.
 ObstacleConfig draw_bone(Draw& draw, const HandPlan& plan, float length_m, float thickness_m) {
   ObstacleConfig bone;
   const float size_m = draw.magnitude(1.5e-3, 8e-3);
@@ -247,7 +248,7 @@ Scenario draw_scenario(std::uint64_t seed) {
                                        scenario.config.needle[i].length_m, scenario.gentle));
     draw_nets(Draw(~(seed * kMaxNeedles + i)), scenario.gentle, scenario.hands.back());
   }
-  // A slow script is cut at the longest session that is still a session.
+  // A script so slow that it lasts longer is cut at the longest session.
   scenario.ticks = ticks_of(scenario, 3);
   return scenario;
 }

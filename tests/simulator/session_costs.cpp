@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts the instructions of some ticks of random sessions, the one that may cost most among them.
-// Run twice with the same arguments: alone it plays the sessions and saves the state before each of
-// those ticks; under callgrind it starts from those states and leaves a dump of costs for each
-// tick, with what tick_work.h says the tick may cost. costs.py here does both.
+// Counts the instructions of some ticks of random sessions, among them the one that may cost most.
+// It is run twice with the same arguments. By itself it plays the sessions and saves the state
+// before each of those ticks. Under callgrind it starts from those states and leaves a dump of
+// costs for each tick, with what the tick may cost by tick_work.h. costs.py here does both.
 //
 // usage: stylet_session_costs FOLDER SEED COUNT
 #include <valgrind/callgrind.h>

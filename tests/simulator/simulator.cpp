@@ -30,13 +30,13 @@ constexpr double kLeaveM = 0.12;
 constexpr double kLongestRestS = 60;
 constexpr double kAtRestM = 1e-6;
 constexpr double kZeroForceS = 25e-3;
-// After a tick whose energy is not known it is observed again when so many have passed without
-// another: for bent needles to swing back, and voxels that were inside out to turn back. A choice,
-// not measured.
+// After a tick whose energy is not known, the observer begins again once so many ticks have passed
+// without another such one: bent needles swing back meanwhile, and voxels that were inside out turn
+// back. A choice, not measured.
 constexpr std::uint64_t kLostTicks = 100;
-// No needle that moves less in a tick passes a body unseen: the kernel looks so far for bodies
-// (coupling/touches.h). On a longer way it is looked at in steps of half the radius of the smallest
-// body that is drawn (scenario.cpp).
+// A needle that moves less than this in a tick passes no body unseen: the kernel looks so far for
+// bodies (coupling/touches.h). On a longer way it is looked at in steps of half the radius of the
+// smallest body that is drawn (scenario.cpp).
 constexpr double kLookedAtM = 2e-3, kWayStepM = 0.5e-3;
 
 double square_sum(Vec3 a, Vec3 b) {
@@ -114,7 +114,7 @@ void turn(Player& player, hal::Sample& sample) {
                           static_cast<float>(player.turn[2] / size)};
 }
 
-// Of the dead man's button, where there is one: soon pressed again.
+// A dead man's button, where there is one, is let go and soon pressed again.
 void press(Player& player, hal::Sample& sample) {
   const std::int32_t number = player.plan->guard.dead_man_button;
   if (number < 0) return;
@@ -263,7 +263,8 @@ const char* broken_force(Simulation& s, std::uint32_t needle, const TickRecord& 
   const double force = std::sqrt(square_sum(record.command_n, {}));
   const double change = std::sqrt(square_sum(record.command_n, s.command_n[needle]));
   const double period_s = static_cast<double>(guard.period_s);
-  // Ticks may be lost: a fade goes on with the time that passes, all else by no more than a period.
+  // Ticks may be lost. A fade goes on with the time that passes; all other changes go on by no more
+  // than a period.
   const double passed_s = std::max(static_cast<double>(s.passed_ns) * 1e-9, period_s);
   const bool ramps = record.mode == hal::GuardMode::kRamp || record.mode == hal::GuardMode::kLive;
   const double most_s = ramps ? period_s : passed_s;
@@ -303,8 +304,8 @@ void note_use(Simulation& s, std::span<const Output> outputs) {
   s.verdict.busiest_tick = outputs[0].tick;
 }
 
-// Whether the corners of a voxel are turned inside out. It then has no nearest rotation to follow:
-// from there its energy is that of another one in every substep.
+// Whether the corners of a voxel are turned inside out. Such a voxel has no nearest rotation to
+// follow: from then on its energy is a different one in every substep.
 bool turned_over(const Corners& corners) {
   const float* g = corners.gradient;
   const Vec3 x = {1 + g[0], g[3], g[6]}, y = {g[1], 1 + g[4], g[7]}, z = {g[2], g[5], 1 + g[8]};
@@ -323,7 +324,7 @@ bool inside_out(const Kernel& kernel) {
   return false;
 }
 
-// What the touches of a needle with obstacles hold: where it presses, and where it sticks.
+// Energy in the touches of a needle with obstacles: where it presses, and where it sticks.
 double touch_energy(const View& view) {
   double sum = 0;
   for (std::uint32_t i = 0; i < view.state.needle->touch_count; ++i) {
@@ -351,8 +352,8 @@ float depth_m(const View& view, std::uint32_t body, Vec3 a_m, Vec3 b_m) {
   return std::max(-gap_of(view.model.obstacle[body], piece).separation_m, 0.0F);
 }
 
-// How deep a piece was in a body on its straight way, in so many steps, where that is deeper than
-// at both ends; else nothing.
+// How deep a piece was in a body on its straight way, looked at in so many steps, if it was deeper
+// there than at both ends; else nothing.
 double passed_depth_m(const View& view, std::uint32_t body, const Vec3* before_m, const Vec3* now_m,
                       std::uint32_t steps) {
   const float ends_m = std::max(depth_m(view, body, before_m[0], before_m[1]),
@@ -367,8 +368,8 @@ double passed_depth_m(const View& view, std::uint32_t body, const Vec3* before_m
   return deepest_m > ends_m ? static_cast<double>(deepest_m) : 0;
 }
 
-// Most that a body's force on a piece, so deep on the way, and its force at the ends, where the
-// piece is less deep, may differ by, times the way.
+// The most by which a body's force on a piece that is so deep on the way may differ from its force
+// at the ends, where the piece is less deep; times the way.
 double passed_slack_j(const ObstacleConfig& body, double depth_m, double way_m) {
   const double pressed_n = stylet::press(static_cast<double>(body.stiffness_n_per_m),
                                          static_cast<double>(body.largest_force_n), depth_m)
@@ -396,8 +397,9 @@ double passed_slack_j(const View& view, std::span<const Vec3> before_m,
   return sum_j;
 }
 
-// For needles that a hand has thrown through a body in a tick, or deeper into it than they are at
-// either end: what pushed them on the way is not between the wrenches at the ends.
+// For needles that a hand has thrown through a body in a tick, or on the way deeper into it than
+// they are at either end: what pushed them on the way does not lie between the wrenches at the
+// ends.
 double passed_slack_j(Simulation& s) {
   View view = view_of(s.session.kernel);
   const Vec3 shift_m = attachment_shift(view.model, view.state);
@@ -414,7 +416,7 @@ double passed_slack_j(Simulation& s) {
   return sum_j;
 }
 
-// A needle that found no stable shape (it says so by a flag) moves by more than a step of its
+// A needle that found no stable shape (a flag says so) moves by more than a step of its
 // equilibrium.
 bool loses_count(Simulation& s, std::span<const Output> outputs) {
   if (!s.scenario.gentle && inside_out(s.session.kernel)) return true;
@@ -439,7 +441,7 @@ const char* broken_energy(Simulation& s, std::span<const Output> outputs) {
   s.observer.least_j = std::min(s.observer.least_j, observed);
   double allowed = kObserverJ;
   if (!s.scenario.gentle) allowed += s.observer.slack_j + passed_j;
-  // From such a tick on anew: its slack would hide what comes.
+  // The observer begins anew after such a tick: its slack would hide what follows.
   if (passed_j > 0) begin_anew(observer, stored_j);
   return observed > -allowed ? nullptr : "more energy comes out of the tissue than went in";
 }
@@ -573,7 +575,8 @@ double longest_needle_m(const Config& config) {
 void come_to_rest(Simulation& s) {
   const double period_s = static_cast<double>(s.scenario.config.period_s);
   leave(s, kLeaveM);
-  // A violent hand may have pushed one through the organ up to its hub, and swept the tip aside.
+  // A violent hand may have pushed a needle through the organ up to its hub, and swept the tip
+  // aside.
   if (!all_outside(s.session.kernel)) leave(s, kLeaveM + longest_needle_m(s.scenario.config));
   while (s.verdict.broken == nullptr && s.verdict.rest_s < kLongestRestS) {
     if (all_outside(s.session.kernel) && largest_displacement(s.session.kernel) < kAtRestM) return;

@@ -7,22 +7,23 @@
 // tissue is back at rest.
 //
 // The observer. Of all needles together, from the start of the session,
-//   E(t) = work of the hands on the needles' bases - energy stored in the tissue, in the springs of
-//          the constraint particles, in bent needles and in what they press of obstacles.
+// E(t) = work of the hands on the needles' bases - energy stored in the tissue, in the springs of
+// the constraint particles, in bent needles and in what they press of obstacles.
 // The work is the integral of the wrench felt over the motion of the bases in the frame of the
-// attachments (breathing moves that frame, and does no work in it), each tick by the mean of the
-// wrenches at its two ends. Of the tissue it is the energy that the step keeps (tissue_energy in
-// step_energy.h). What the kernel dissipates makes E grow: a kernel that makes no energy keeps E
-// above zero. In a gentle session E stays above -kObserverJ. In the others a hand may move by
-// millimetres in a tick, and what the force did on the way is not known better than by half its
-// change: the check is E > -(kObserverJ + slack), slack the sum of half the change of the wrench
-// times the motion; there the observer also stops once a voxel is turned inside out. Where a hand
-// throws a needle through an obstacle in a tick, what pushed it on the way is not between the
-// wrenches at the ends: twice the force at its deepest on a straight way, times the way, is the
-// slack of that tick, and the observer goes on from what is stored then. It stops where an elastic
-// needle has found no stable shape (kFlagNeedleUnstable), and begins again a while after the last
-// such tick: with what is stored then. Obstacles move in the frame of the attachments, and do work
-// on a needle that touches them.
+// attachments (breathing moves that frame, and does no work in it); for each tick the wrench is the
+// mean of those at its two ends. The energy of the tissue is the one that the step keeps
+// (tissue_energy in step_energy.h). What the kernel dissipates makes E grow: a kernel that makes no
+// energy keeps E above zero.
+// In a gentle session E stays above -kObserverJ. In the others a hand may move by millimetres in a
+// tick, and the force on the way is known only up to half of its change: the check is E >
+// -(kObserverJ + slack), where slack is the sum of half the change of the wrench times the motion.
+// There the observer also stops once a voxel is turned inside out. Where a hand throws a needle
+// through an obstacle in a tick, what pushed it on the way does not lie between the wrenches at the
+// ends: the slack of that tick is twice the force at its deepest on a straight way, times the way,
+// and the observer goes on from what is stored then. It stops where an elastic needle has found no
+// stable shape (kFlagNeedleUnstable), and begins again a while after the last such tick, from what
+// is stored then. Obstacles move in the frame of the attachments, and do work on a needle that
+// touches them.
 #pragma once
 
 #include <cstdint>
@@ -46,15 +47,15 @@ struct Verdict {
   // The tick with the most to do, by particles and contacts.
   std::uint64_t busiest_tick = 0;
   std::uint32_t busiest_load = 0;
-  // The tick that may cost most (tick_work.h), and how many instructions that is.
+  // The tick that may cost most (tick_work.h), and how many instructions it may take.
   std::uint64_t dearest_tick = 0, dearest_bound = 0;
   double rest_s = 0;  // how long the tissue took to come back
 };
 
-// `tamper` is called after every tick: how the tests of the simulator break a promise.
+// `tamper` is called after every tick: with it the tests of the simulator break a promise.
 using Tamper = std::function<void(Kernel&, std::uint64_t tick)>;
-// For ticks that are `wanted`, `count` gets a copy of the kernel as it was before, and the tick's
-// inputs: to do it once more and count its instructions.
+// For ticks that are `wanted`, `count` gets a copy of the kernel as it was before the tick, and the
+// tick's inputs: to repeat the tick and count its instructions.
 struct Meter {
   std::function<bool(std::uint64_t tick)> wanted;
   std::function<void(Kernel& before, std::span<const Input> inputs)> count;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulator sees what it is there to see: each promise is broken once, from inside.
+// The simulator notices what it is there for: each promise is broken once, from inside.
 #include "simulator.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one source that is compiled with a path in it: ccache finds the others for any checkout.
+// The only source that is compiled with a path in it, so that ccache finds all others whatever the
+// checkout.
 #include "data_folder.h"
 
 #include <cstdlib>

@@ -13,7 +13,7 @@ struct Gap {
   float place;         // parameter of the contact on the piece's axis: 0 at a, 1 at b
 };
 
-// Exact as long as the piece's axis is outside the body. If it is inside: a depth along which the
+// Exact as long as the piece's axis is outside the body. If it is inside: a depth by which the
 // piece can leave, which is not always the smallest.
 inline Gap gap_of(const Obstacle& obstacle, const NeedlePiece& piece) {
   constexpr double kAnyM = 1e3;  // far beyond what a body or a needle may be

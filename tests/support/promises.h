@@ -22,7 +22,7 @@ namespace stylet::test {
 // sum of magnitudes, or to this many newtons.
 constexpr double kSumTolerance = 1e-6;
 // A place in the world is rounded twice on its way out of the attachments' frame: moments agree to
-// this part of it times the force.
+// this fraction of the place times the force.
 constexpr double kPlaceRounding = 1.2e-7;
 
 struct Sum3 {
@@ -64,7 +64,7 @@ inline bool all_finite(const Output& out) {
          std::isfinite(out.stiffness_n_per_m);
 }
 
-// What a needle's constraint particles and contacts do to it, about its handle.
+// Force and moment of a needle's constraint particles and contacts on it, about its handle.
 struct Wrench {
   Sum3 force, torque;
 };
@@ -91,7 +91,7 @@ inline Wrench wrench_on(const Kernel& kernel, std::uint32_t needle) {
   return sum;
 }
 
-// The hand's wrench is that on the needle, and the sum of its causes.
+// The wrench on the hand is that on the needle, and the sum of its causes.
 inline const char* broken_sum(const Kernel& kernel, std::uint32_t needle, const Output& out) {
   const Wrench sum = wrench_on(kernel, needle);
   Sum3 causes;

@@ -152,8 +152,8 @@ inline VoxelForces voxel_forces(const ReferenceVoxel& voxel) {
 }
 
 // The fit with ghosts as real particles. Each constraint particle brings one ghost at its mirror
-// place (it keeps the centroid) and four across (they keep the moment isotropic); a ghost is moved
-// to its goal after every fit, from its rest place on, until nothing moves any more.
+// place (which keeps the centroid) and four across (which keep the moment isotropic). After every
+// fit each ghost is moved to its goal, beginning from its rest place, until nothing moves any more.
 inline Fit fit_with_ghosts(const ReferenceVoxel& voxel, const Vec& rest_centre_m) {
   std::vector<FitPoint> points = points_of(voxel);
   const std::size_t real = points.size();

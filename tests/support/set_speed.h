@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A speed for a particle, whichever field of the state has it: with true mass the filter makes
-// velocities of the momenta, and what stands in the velocities before a step is not read.
+// Sets a particle's speed, whichever field of the state holds it: with true mass the filter makes
+// velocities of the momenta, and does not read the velocities that stand there before a step.
 // Units: m/s, world.
 #pragma once
 

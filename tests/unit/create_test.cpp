@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// sizes and create: exact memory, alignment, every bound of the configuration.
+// `sizes` and `create`: exact memory, alignment, and every bound of the configuration.
 
 #include <gtest/gtest.h>
 
@@ -154,7 +154,8 @@ TEST(Config, RefusesOtherModesInertiasAndSubsteps) {
   EXPECT_EQ(status_of(most), Status::kOk);
 }
 
-// Each corner of the configuration runs: no combination of bounds gives a force that is not finite.
+// Every corner of the configuration runs: no combination of bounds gives a force that is not
+// finite.
 TEST(Config, EveryCornerRuns) {
   const auto opened = organ();
   const std::vector<Field> all = fields();

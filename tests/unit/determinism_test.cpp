@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Same bits whatever the processor's mode, the instruction set, the scratch's content, the bytes
-// the blocks had before, and the place of the blocks in memory.
+// The same bits whatever the processor's mode, the instruction set, the content of scratch, the
+// bytes that were in the blocks before, and the place of the blocks in memory.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ struct Result {
   std::vector<float> force;
 };
 
-// `before_tick(kernel, tick)` may do what must not matter.
+// `before_tick(kernel, tick)` may do anything that must not matter.
 template <typename Before>
 Result run_with(Session& session, const Organ& organ, const Config& config, Before before_tick) {
   const Script script = block_script(organ, config);

@@ -188,7 +188,7 @@ TEST(Edges, TooFarAwayIsClampedOnEachAxis) {
 }
 
 // However long a tick is and however short the needle: the fastest hand that goes straight in is in
-// contact with the tick that takes its tip through the surface.
+// contact in the tick that takes its tip through the surface.
 TEST(Edges, TheFastestHandIsFeltAtEveryPeriod) {
   const auto organ = block_organ(3, 3, 14);
   for (const float period_s : {kMinPeriodS, 1e-3F, 3.7e-3F, kMaxPeriodS}) {
@@ -246,7 +246,7 @@ TEST(Edges, AnswersIntoTooLittleRoom) {
   EXPECT_EQ(mass_report(session.kernel, 99).real_kg, 0);
 }
 
-// An elastic needle of many rods beside a wall, too stiff to bend away: more pieces touch than
+// An elastic needle of many rods beside a wall, too stiff to bend away: more pieces touch it than
 // there is room for.
 TEST(Edges, MoreContactsThanRoom) {
   const auto organ = block_organ(2, 2, 2);
@@ -275,8 +275,8 @@ TEST(Edges, MoreContactsThanRoom) {
   EXPECT_LE(stats(session.kernel).obstacle_pool_full, full_ticks * kMaxTouches);
 }
 
-// Of all rods of a needle that leans on a wall, those that press most are kept, wherever they are
-// in the order they are looked at; depths as gap_of sees them.
+// Of all rods of a needle that leans on a wall, those that press most are kept, wherever they come
+// in the order in which they are looked at; depths are those of gap_of.
 TEST(Edges, TheContactsThatPressLeastAreLeftOut) {
   const auto organ = block_organ(2, 2, 2);
   Config config = config_of(Setup::kElastic);
@@ -319,8 +319,8 @@ TEST(Edges, TheContactsThatPressLeastAreLeftOut) {
   }
 }
 
-// A needle between two walls, all of whose contacts with the one are lost in the tick in which it
-// meets the other: those make room, and nothing is left out.
+// A needle between two walls loses all contacts with one of them in the tick in which it meets the
+// other: the lost ones make room, and none is left out.
 TEST(Edges, ContactsThatAreLostMakeRoom) {
   const auto organ = block_organ(2, 2, 2);
   Config config = config_of(Setup::kElastic);
@@ -436,7 +436,7 @@ TEST(Edges, NeedlesWithoutInputOrOutput) {
   EXPECT_EQ(outputs[1].tick, 1U);
 }
 
-// Memory that somebody else wrote into: the force must not follow.
+// Memory into which somebody else wrote: the force must not follow it.
 TEST(Edges, ABrokenStateLatchesAFaultUntilReset) {
   const auto organ = block_organ(4, 4, 4);
   Session session = make_session(organ->organ, Config{});
@@ -459,7 +459,7 @@ TEST(Edges, ABrokenStateLatchesAFaultUntilReset) {
   EXPECT_EQ(tick(session.kernel, scripted_input(script, 0)).flags, 0U);
 }
 
-// Found by the fuzzer: tissue torn apart after the needle had left it, so that no force told.
+// Found by the fuzzer: tissue torn apart after the needle had left it, so that no force told of it.
 TEST(Edges, TissueThatIsNotFiniteLatchesAFaultThoughTheNeedleIsOutside) {
   for (const float odd : {kNan, std::numeric_limits<float>::infinity()}) {
     const auto organ = block_organ(4, 4, 4);

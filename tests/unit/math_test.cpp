@@ -58,8 +58,8 @@ TEST(ExpMinus, NeverLeavesZeroToOne) {
   }
 }
 
-// Away from 1 the bound is relative; near 1, where the logarithm vanishes, in units of the value of
-// its own scale (log 2 = 0.69).
+// Away from 1 the bound is relative. Near 1, where the logarithm vanishes, it is in units of log 2
+// = 0.69, the value of its own scale.
 TEST(NaturalLog, IsWithinItsBoundOverAllNormalNumbers) {
   std::mt19937 random(2);
   double worst = 0;

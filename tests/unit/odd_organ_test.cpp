@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Organs that are no plain block: without a surface, with holes, with rows that are shorter than
-// others or missing. Needles go through all of it and every promise holds.
+// others or missing. Needles go through all of them, and every promise holds.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,7 +37,7 @@ bool gone(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   return z == 3 && y == 3 && x > 1 && x < 5;  // a hole in the middle
 }
 
-// A surface vertex whose voxel is gone goes to the next one that is there.
+// A surface vertex whose voxel was taken away goes to the next voxel that is there.
 std::unique_ptr<OpenOrgan> ragged() {
   const std::unique_ptr<Owner> owner = block();
   std::vector<std::uint32_t> now;
@@ -147,9 +147,9 @@ std::unique_ptr<OpenOrgan> bridged() {
   return packed(*owner);
 }
 
-// A surface that goes on over a gap, as other tools may write it: there is nothing under it to hold
-// on to. A needle that begins there is free, however deep; one that is moved anywhere, in and out
-// of both blocks and the gap, keeps every promise.
+// A surface that goes on over a gap, as other tools may write it: there is nothing under it that
+// could hold a needle. A needle that begins there is free, however deep. One that is moved
+// anywhere, in and out of both blocks and the gap, keeps every promise.
 TEST(OddOrgan, ASurfaceOverNothingIsNotFelt) {
   const auto opened = bridged();
   const float length_m = Config{}.needle[0].length_m;
@@ -240,8 +240,8 @@ TEST(OddOrgan, TooManyVoxelsAreRefused) {
   EXPECT_STREQ(refusal.expected, "1 to 4000000 voxels");
 }
 
-// Rows of one plane that begin and end at other voxels: a place beside a row is outside, though
-// other rows reach as far.
+// Rows of one plane that begin and end at other voxels than their neighbours: a place beside a row
+// is outside, although other rows reach as far.
 TEST(OddOrgan, PlacesBesideAShortRowAreOutside) {
   TinyOrgan tiny;
   tiny.nx = 6;

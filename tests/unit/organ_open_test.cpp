@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// organ_open: every reason for refusal with its place, index, value and expectation; truncations of
+// organ_open: every reason for refusal with its place, index, value and expectation; files cut at
 // every length; every byte flipped.
 
 #include <gtest/gtest.h>
@@ -270,7 +270,7 @@ TEST(OrganOpen, RefusesSurfacesWithTheirPlace) {
   for (const Case& c : surface_cases()) expect_refused(c);
 }
 
-// A tree is checked last.
+// The tree is checked last.
 TEST(OrganOpen, OfTwoFaultsNamesTheFirst) {
   for (const std::vector<Case>& cases : {material_cases(), lattice_cases(), mixed_cases()}) {
     for (Case c : cases) {
@@ -315,7 +315,7 @@ TEST(OrganOpen, RefusesNumbersThatAreNotFinite) {
   }
 }
 
-// What is refused beyond a limit is accepted at it.
+// What is refused beyond a limit is accepted at the limit.
 TEST(OrganOpen, AcceptsEveryLimitItself) {
   const auto at = [](bool high) {
     return changed(
@@ -395,7 +395,7 @@ TEST(OrganOpen, RefusesJustBeyondEveryLimit) {
   }
 }
 
-// Rows are ordered by z before y however long a row of rows is.
+// Rows are ordered by z before y, however many rows a plane has.
 TEST(OrganOpen, RowsBeyondFifteenBitsAreInOrder) {
   const auto wide = [](Owner& o) {
     o.size_x = 1;
@@ -481,7 +481,8 @@ TEST(OrganOpen, RefusesEveryTruncation) {
   }
 }
 
-// A lattice far larger than its voxels would cost memory and time that the file does not show.
+// A lattice far larger than its voxels would cost memory and time of which the file's size shows
+// nothing.
 TEST(OrganOpen, RefusesALatticeMuchLargerThanItsVoxels) {
   const auto vast = [](Owner& o) { o.size_y = o.size_z = 65535; };
   Organ organ;
@@ -489,8 +490,8 @@ TEST(OrganOpen, RefusesALatticeMuchLargerThanItsVoxels) {
       << "12 voxels, and create would walk and store 4e9 rows";
 }
 
-// Whatever opens must also run: sizes, create and a few ticks at the surface. (Vast lattices have
-// their own test.)
+// What can be opened must also run: sizes, create and a few ticks at the surface. (Vast lattices
+// have their own test.)
 void run_opened(const Organ& organ) {
   if (std::uint32_t{organ.size_y} * organ.size_z > 4096) return;
   Sizes need = {};

@@ -39,7 +39,7 @@ TinyOrgan block() {
   return tiny;
 }
 
-// The voxels up to kCut along x in one sheet, those from there on in the others.
+// The voxels up to kCut along x are in one sheet, those from there on in the others.
 std::unique_ptr<Owner> halves(bool tied, std::uint16_t sheets = 2) {
   TinyOrgan tiny = block();
   tiny.ny = static_cast<std::uint16_t>(sheets * kRows);
@@ -58,7 +58,7 @@ std::unique_ptr<Owner> halves(bool tied, std::uint16_t sheets = 2) {
   return owner;
 }
 
-// The same with the surface of the whole, which a needle enters.
+// The same with the surface of the whole, through which a needle enters.
 std::unique_ptr<Owner> halves_with_surface() {
   std::unique_ptr<Owner> owner = halves(true);
   const std::unique_ptr<Owner> whole(format::GetOrgan(tiny_organ(block()).data())->UnPack());
@@ -77,7 +77,7 @@ std::unique_ptr<Owner> halves_with_surface() {
   return owner;
 }
 
-// Two sheets with a voxel each in every cell, half filled, left and right.
+// Two sheets with a voxel each in every cell, half filled: the left half and the right half.
 std::unique_ptr<Owner> shared_cells() {
   TinyOrgan tiny = block();
   tiny.ny = 2 * kRows;
@@ -118,7 +118,7 @@ void each_node(const View& view,
   }
 }
 
-// A push that is not the same anywhere, where `pushed` says.
+// A push that differs from place to place, at the nodes for which `pushed` is true.
 void push(const View& view, const std::function<bool(const Vec3&)>& pushed) {
   each_node(view, [&](std::uint32_t, const Vec3& at, std::uint32_t particle) {
     if (!pushed(at) || !(view.model.step_per_mass[particle] > 0)) return;
@@ -174,9 +174,9 @@ double squared(Vec3 v) {
   return length * length;
 }
 
-// What a hand feels of two bodies that differ: the difference of their forces, low-passed at 20 Hz,
-// up to which a hand follows a force (Brooks 1990). An event a tick later thus counts by the
-// impulse it moves, what lasts counts whole.
+// What a hand feels of the difference of two bodies: the difference of their forces, low-passed at
+// 20 Hz, up to which a hand follows a force (Brooks 1990). So an event that comes a tick later
+// counts by the impulse that it moves, and what lasts counts whole.
 struct FeltDifference {
   Vec3 felt_n = {};
   double sum = 0;       // of squares, over ticks
@@ -189,12 +189,13 @@ void add_tick(Vec3 off_n, FeltDifference& difference) {
   difference.each_sum += squared(off_n);
 }
 
-// Along a cut, a needle feels what it would in the whole: the forces of the two bodies differ no
-// more, in the mean, than those of one body under two hands 0.1 um apart, the worst of twenty
-// drawn. (Sums in another order are magnified where the needle stops and where it punctures; so is
-// the hand's place. Of the worst of four the halves, one draw more of the same, would be the worst
-// by chance on every fifth change of the bits. In the very middle of the block, a place of
-// symmetry, any hand aside goes in at another moment, so the place is drawn, too.)
+// Along a cut, a needle feels what it would in the whole. In the mean the forces of the two bodies
+// differ no more than those of one body under two hands 0.1 um apart, the worst of twenty that are
+// drawn. (Sums in another order are magnified where the needle stops and where it punctures, and so
+// is the hand's place. If the bar were the worst of four draws, the halves, which are one more such
+// draw, would be over it by chance at every fifth change of the bits. In the very middle of the
+// block, a place of symmetry, any hand to the side goes in at another moment, so the place is
+// drawn, too.)
 TEST(Sheets, NeedleInTiedHalvesFeelsTheWhole) {
   std::mt19937 random(3);
   std::vector<Vec3> aside_m(20);
@@ -292,8 +293,8 @@ TEST(Sheets, APlaceIsHeldByThePartItLiesIn) {
   EXPECT_FALSE(inside_lattice(view.model, edge_m * Vec3{1, kEdge + 1.5F, 1}));  // the second sheet
 }
 
-// Two voxels of one cell, each with a plane before the gap between them: what lies at a place goes
-// by the voxel that the place is in.
+// Two voxels of one cell, each with a plane before the gap between them: at any place the voxel
+// counts in which that place is.
 TEST(Sheets, EachPartOfACellHasAPlaneOfItsOwn) {
   const std::unique_ptr<Owner> owner = shared_cells();
   const auto& runs = owner->runs;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes as a snapshot: refused, or a state of this organ and configuration that does no harm; and
-// what may differ between two kernels that exchange them.
+// Bytes as a snapshot: they are refused, or are a state of this organ and configuration that does
+// no harm. And what may differ between two kernels that exchange snapshots.
 #include "state/snapshot.h"
 
 #include <gtest/gtest.h>
@@ -21,8 +21,8 @@
 namespace stylet::test {
 namespace {
 
-// Word of a float, of the upper half of a double, and of a count: a number that is none, and more
-// than any array holds.
+// What is written over a word: of a float or the upper half of a double, one that is not a number;
+// of a count, one that is more than any array holds.
 constexpr std::uint32_t kNoNumber = 0x7FF80001U;
 
 std::vector<std::byte> saved_of(const Kernel& kernel) {
@@ -64,7 +64,7 @@ struct Taken {
   }
 };
 
-// Words that may be anything: counters, and the lower halves of doubles.
+// Words that may have any value: counters, and the lower halves of doubles.
 bool free_word(const std::string& field, std::size_t offset) {
   if (field == "event") return offset < offsetof(Event, kind);
   if (field == "rod_shape") return offset % 8 == 0;
@@ -111,7 +111,7 @@ TEST(Snapshot, EveryWordOfEveryFieldIsLookedAt) {
   EXPECT_GT(words, 1000U);
 }
 
-// A change of what is used as an index or a count, to the first number that is too large.
+// Changes what is used as an index or a count to the first number that is too large.
 struct Wrong {
   const char* what;
   std::function<void(State&)> change;
@@ -179,7 +179,7 @@ TEST(Snapshot, IndicesAndCountsAreHeldAgainstTheModel) {
   }
 }
 
-// A row stores short holes; no particle holds on to one.
+// A row also stores short holes; no particle may hold on to one.
 TEST(Snapshot, NoParticleHoldsOnToAHole) {
   TinyOrgan tiny;
   tiny.fixed_faces = kLowZ;
@@ -206,7 +206,7 @@ TEST(Snapshot, NoParticleHoldsOnToAHole) {
   EXPECT_EQ(refused, 1U);
 }
 
-// One of each phase goes on with the same bits; one in contact with nothing is damaged.
+// A snapshot from each phase goes on with the same bits; one in contact with nothing is damaged.
 TEST(Snapshot, IsTakenInEveryPhase) {
   const auto organ = block_organ(6, 5, 8);
   const Script script = block_script(organ->organ, Config{});
@@ -314,7 +314,7 @@ TEST(Obstacles, AreTakenBeforeTheFirstTickOnly) {
   EXPECT_EQ(set_obstacles(session.kernel, {}), Status::kOk);
 }
 
-// As managed hosts do: the Organ is moved, and its old place used for something else.
+// As managed hosts do it: the Organ is moved, and its old place is used for something else.
 TEST(Kernel, NeedsTheBytesOfItsOrganAlone) {
   const auto opened = block_organ(6, 5, 8);
   const Script script = block_script(opened->organ, Config{});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Voxels far apart cost what they are, not what lies between them, and no count wraps.
+// Voxels far apart cost what they are themselves, not what lies between them, and no count wraps.
 #include "sparse_organ.h"
 
 #include <gtest/gtest.h>
@@ -66,8 +66,8 @@ std::vector<format::Run> rows_of_two(std::uint16_t rows, std::uint16_t planes,
   return runs;
 }
 
-// From first to last voxel these are 64 G, 4.3 G and 66 M long, and the plates, 2 m apart in voxels
-// of 1 mm, 0.5 G.
+// If all from the first voxel to the last were stored, these would be 64 G, 4.3 G and 66 M long,
+// and the plates, 2 m apart in voxels of 1 mm, 0.5 G.
 TEST(SparseOrgan, WhatIsClaimedCostsNothing) {
   expect_bounded(open_organ(organ_of_runs(rows_of_two(1024, 960, 65534)))->organ, "983040 rows");
   expect_bounded(open_organ(organ_of_runs(rows_of_two(1024, 64, 65534)))->organ, "65536 rows");
@@ -125,8 +125,8 @@ std::vector<format::Run> draw(std::mt19937_64& random, const Shape& shape) {
   return runs_of(cells);
 }
 
-// Far rows and near ones, combs as dense as they may be without being cut or just cut, sheets of
-// single voxels, single planes and lines.
+// Far rows and near ones, combs as dense as they may be without being cut and just dense enough to
+// be cut, sheets of single voxels, single planes and lines.
 constexpr Shape kShapes[] = {
     {400, {65000, 240, 240}, 40, 1}, {400, {65000, 4000, 4000}, 3, 1}, {3000, {900, 1, 1}, 2, 1},
     {2000, {16000, 1, 1}, 1, 8},     {2000, {18000, 1, 1}, 1, 9},      {2000, {16000, 9, 9}, 1, 8},
@@ -264,8 +264,8 @@ TEST(SparseOrgan, EveryVoxelAndNodeOfTheFileIsFound) {
   }
 }
 
-// In rising order, each window's nodes in line, and each node of a row gets what the row sends
-// once.
+// Windows are in rising order, the nodes of each are in line, and each node of a row gets what the
+// row sends exactly once.
 TEST(SparseOrgan, WindowsReachEveryNodeOnce) {
   std::mt19937_64 random(8);
   for (const Shape& shape : kShapes) {
@@ -280,8 +280,8 @@ TEST(SparseOrgan, WindowsReachEveryNodeOnce) {
   }
 }
 
-// Runs that share nothing with each other: a slot for each voxel and one behind it, four rows of
-// nodes, windows on the lines at either side.
+// Runs that share nothing with each other: for each a slot per voxel and one behind them, four rows
+// of nodes, and windows on the lines at either side.
 TEST(SparseOrgan, CountsOfRunsApart) {
   std::mt19937_64 random(5);
   for (int draws = 0; draws < 20; ++draws) {
@@ -361,7 +361,7 @@ Offset draw_offset(std::mt19937_64& random) {
           (axes & 4U) != 0 ? far(36) : static_cast<std::uint16_t>(below(random, 9))};
 }
 
-// What a step walks, each times its price in instructions.
+// The parts that a step walks through, each times its price in instructions.
 std::uint64_t step_of(const Counts& c) {
   return c.slots * kPrices[kSlots].instructions + c.particles * kPrices[kNodes].instructions +
          c.rows * kPrices[kRows].instructions;
@@ -390,7 +390,7 @@ Input into_the_first(const Config& config, int tick) {
   return {{{tip.x, tip.y, tip.z + config.needle[0].length_m}, {1, 0, 0, 0}}, 1};
 }
 
-// The first body feels the same, bit for bit, whatever lies far from it.
+// The first body feels the same, bit for bit, whatever lies far away from it.
 TEST(SparseOrgan, WhatIsFarAwayIsNotFelt) {
   std::mt19937_64 random(42);
   const auto alone = open_organ(tiny_organ(beans(nullptr)));

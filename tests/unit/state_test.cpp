@@ -112,7 +112,8 @@ TEST(Difference, NamesEveryFieldAndElement) {
   expect_equal(p.a.kernel, p.b.kernel);
 }
 
-// Each broken in a state in the middle of an insertion; builds without the assertions skip.
+// Each invariant is broken in a state in the middle of an insertion; builds without assertions skip
+// this.
 TEST(InvariantsDeathTest, WhatMustHoldBetweenStepsIsAsserted) {
 #ifdef STYLET_INVARIANTS
   Pair p;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sphere tree against brute force: ray casts on the rest surface, first contact on a deformed
-// one.
+// The sphere tree against brute force: ray casts on the rest surface, and first contact on a
+// deformed one.
 
 #include "coupling/surface.h"
 
@@ -121,7 +121,7 @@ Vec3 moved_by_particles(const Organ& organ, std::span<const std::uint32_t> corne
   return sum;
 }
 
-// A breath moves every particle with the attachments, a needle some of them on its own.
+// A breath moves every particle with the attachments, and a needle moves some of them besides.
 TEST(Particles, CarryTheSurface) {
   const auto organ = open_organ(tiny_organ(block()));
   Config config;
@@ -221,7 +221,7 @@ TEST(FindContact, FindsWhatBruteForceFindsOnADeformedSurface) {
       if (!found) continue;
       const Vector off = minus(wide(place), wide(tip - 0.02F * way));
       ASSERT_NEAR(std::sqrt(dot_of(off, off)), wanted.at, 2e-6);
-      // The rest place belongs to the crossing: not farther from it than tissue has moved.
+      // The rest place belongs to the crossing: it is no farther from it than tissue has moved.
       ASSERT_LE(norm(rest - place), 1.75F * largest + 1e-7F);
     }
   }
@@ -239,8 +239,8 @@ TinyOrgan fine_plate() {
   return tiny;
 }
 
-// A needle that lies in a fine surface meets more triangles than a tick may test: counted and
-// flagged, and it goes no farther.
+// A needle that lies in a fine surface meets more triangles than a tick may test: this is counted
+// and flagged, and the needle goes no farther.
 TEST(FindContact, CountsWhenItsBudgetIsSpent) {
   const auto organ = open_organ(tiny_organ(fine_plate()));
   Session session = make_session(organ->organ, Config{});
@@ -262,8 +262,9 @@ TEST(FindContact, CountsWhenItsBudgetIsSpent) {
   EXPECT_EQ(out.flags & kFlagContactBudget, 0U);
 }
 
-// One that lies nearly in it and goes through it a drawn way behind its tip: it has met the
-// surface, or it is not known whether it has, and no third.
+// A needle that lies nearly in the surface and goes through it, at a drawn distance behind its tip:
+// either it has met the surface, or it is flagged that this is not known; there is no third
+// outcome.
 TEST(FindContact, TakesWhatItFoundWithinItsBudget) {
   const auto organ = open_organ(tiny_organ(fine_plate()));
   Session session = make_session(organ->organ, Config{});
