@@ -36,8 +36,8 @@ def sum_of(text):
 
 
 def one_bit_wrong(lines):
-    """The snapshot with the lowest bit of the state's first number, the tick, turned over, as
-    whoever computes otherwise would write it: with the sum of what it has."""
+    """The snapshot with the lowest bit of the state's first number, the tick, flipped, and with
+    the sum of these bytes: as a target that computes otherwise would write it."""
     text = "".join(lines)
     header, state = text[:2 * HEADER_BYTES - 16], text[2 * HEADER_BYTES:]
     state = state[:7] + format(int(state[7], 16) ^ 1, "x") + state[8:]

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""What DICOM has in store: regular and irregular series of drawn geometry, each with what it holds
-computed by numpy (dicom_files.py), or with why it is refused. Segmentations and structure sets:
+"""Regular and irregular DICOM series of drawn geometry, each with its content as numpy computes it
+(dicom_files.py), or with the reason for which it is refused. Segmentations and structure sets:
 dicom_objects_test.py.
 
 usage: dicom_conformance_test.py   (STYLET_BIN)
