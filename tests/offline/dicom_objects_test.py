@@ -688,7 +688,7 @@ class StructureSets(Conformance):
                 points = good[0].copy()
                 points[5] += 3
                 return [points]
-            written(folder, random, contours, "Bad: contour 0 spans", "parallel planes")
+            written(folder, random, contours, "Bad: contour 0 reaches", "parallel planes")
 
         def two_points(folder, random):
             written(folder, random, lambda good: [good[0][:2]], "6 numbers in ContourData")

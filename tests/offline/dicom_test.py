@@ -260,7 +260,7 @@ class Dicom(unittest.TestCase):
         cases = ((aside, "lies 4 mm to the side"),
                  (finer, "pixels of 1.35 mm"), (no_size, "PixelSpacing 0"),
                  (unsized, "PixelSpacing nan"), (coloured, "3 values a pixel"),
-                 (several, "frame 1: 0 mm from"))
+                 (several, "frame 1: lies 0 mm from"))
         for change, said in cases:
             with self.subTest(change.__name__):
                 folder = self.folder / change.__name__
@@ -337,7 +337,7 @@ class Dicom(unittest.TestCase):
         write_seg(path, shift=0.7)
         self.check_refused(path, "from the plane before: expected 3 mm")
         write_series(self.folder / "series")
-        self.check_refused(next((self.folder / "series").iterdir()), "give the folder")
+        self.check_refused(next((self.folder / "series").iterdir()), "give its folder")
         write_seg(path)
         whole = path.read_bytes()
         for size in (0, 100, 200, len(whole) // 2, len(whole) - 400):
