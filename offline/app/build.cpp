@@ -158,9 +158,10 @@ void add_build(CLI::App& app) {
       "  stylet-organ build seg.nii.gz --recipe totalsegmentator.toml -o patient.organ");
   command
       ->add_option("inputs", a.inputs,
-                   "Meshes (.obj .stl .ply .off), each as PATH[:TISSUE[:PRIORITY]] (default: "
-                   "liver, 0); where they overlap, the one with the higher priority has the voxel. "
-                   "With --recipe: one label map")
+                   "Meshes (" + mesh_endings() +
+                       "), each as PATH[:TISSUE[:PRIORITY]] (default: liver, 0); where they "
+                       "overlap, the one with the higher priority has the voxel. With --recipe: "
+                       "one label map")
       ->type_name("FILE")
       ->required();
   command->add_option("--units", a.units, "Unit of the meshes")

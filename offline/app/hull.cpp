@@ -66,7 +66,7 @@ void add_hull(CLI::App& app) {
       "Example:\n"
       "  stylet-organ hull rib.stl --units mm --max-vertices 64 -o rib.toml\n"
       "The body is convex: hollows of the mesh are filled. Coordinates stay those of the mesh.");
-  command->add_option("input", a.input, "Mesh (.obj .stl .ply .off)")
+  command->add_option("input", a.input, "Mesh (" + mesh_endings() + ")")
       ->type_name("FILE")
       ->required();
   command->add_option("--units", a.units, "Unit of the mesh")

@@ -8,12 +8,10 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace stylet;
-  using Reader = offline::ReadMesh (*)(std::string_view, std::string_view);
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  for (const Reader read :
-       {&offline::read_obj, &offline::read_stl, &offline::read_ply, &offline::read_off}) {
+  for (const offline::MeshFormat& format : offline::kMeshFormats) {
     try {
-      const offline::Mesh mesh = read("mesh", bytes).mesh;
+      const offline::Mesh mesh = format.read("mesh", bytes).mesh;
       // Every point and corner costs at least a byte of the file.
       test::promise(mesh.points.size() <= size && mesh.triangles.size() <= size,
                     "a mesh larger than its file");

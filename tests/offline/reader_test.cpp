@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <functional>
 #include <initializer_list>
@@ -22,6 +23,7 @@ using offline::Mesh;
 using offline::ReadMesh;
 using offline::Vec;
 using testing::HasSubstr;
+using testing::Not;
 
 ReadMesh read(const std::string& name, const std::string& bytes) {
   const Scratch scratch;
@@ -427,6 +429,27 @@ TEST(ReadMesh, TakesTextWithAByteOrderMark) {
 TEST(ReadMesh, RefusesOtherFilesByName) {
   EXPECT_THAT(refusal("a.nii.gz", "x"), HasSubstr("expected a mesh file ending in"));
   EXPECT_THROW((void)offline::read_mesh("/no/such/file.obj"), offline::Refusal);
+}
+
+// Of every format that there is or will be: the name decides in letters of either case, and what is
+// no mesh is refused with the file's name.
+TEST(ReadMesh, KnowsEveryFormatOfTheListByItsEnding) {
+  std::string endings;
+  for (const offline::MeshFormat& format : offline::kMeshFormats) {
+    endings += (endings.empty() ? "" : " ") + std::string(format.ending);
+    std::string upper(format.ending);
+    for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    for (const std::string& name : {"a" + std::string(format.ending), "a" + upper}) {
+      for (const char* bytes : {"", "\n", "hello\n1 2\n"}) {
+        const std::string said = refusal(name, bytes);
+        EXPECT_THAT(said, HasSubstr(name)) << bytes;
+        EXPECT_THAT(said, Not(HasSubstr("expected a mesh file"))) << bytes;
+      }
+    }
+    EXPECT_THAT(refusal("a.nii", ""), HasSubstr(format.ending));
+  }
+  EXPECT_EQ(offline::mesh_endings(), endings);
+  EXPECT_THAT(endings, testing::StartsWith(".obj .stl .ply .off"));
 }
 
 // A good file that is cut anywhere must not crash a reader, and must give a mesh or a refusal.

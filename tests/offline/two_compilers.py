@@ -10,6 +10,7 @@ shared data (those are left out, and that is said, where the data is missing).
 """
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -38,9 +39,11 @@ def cases(source):
     if not data.is_dir():
         print(f"{data}: missing (set STYLET_DATA); its meshes are left out")
         return
+    readers = (source / "offline" / "src" / "meshes" / "readers.inc").read_text()
+    endings = ["." + each for each in re.findall(r"^STYLET_MESH_READER\((\w+),", readers, re.M)]
     for folder in ("organs", "broken"):
         for mesh in sorted((data / folder).iterdir()):
-            if mesh.suffix in (".obj", ".stl", ".ply", ".off"):
+            if mesh.suffix in endings:
                 yield mesh.name, ["build", mesh, "--voxels-across", "40"]
     liver = data / "organs" / "sofa_liver.obj"
     yield "two meshes", ["build", f"{liver}:liver", f"{tumour}:tumour:1", "--voxels-across", "50"]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the four mesh readers share: a cursor over a file's bytes, numbers, and the polygons read so
-// far. Private to the readers.
+// What the mesh readers share: a cursor over a file's bytes, numbers, the polygons read so far, and
+// the list of the readers. Private to them and to what calls one by itself.
 #pragma once
 
 #include <cstdint>
@@ -63,9 +63,20 @@ void add_polygon(Collector& collector, const std::vector<std::uint32_t>& corners
 // Refuses a used point that is not a finite number; drops and counts unused points.
 ReadMesh finish(Collector&& collector);
 
-ReadMesh read_obj(std::string_view file, std::string_view bytes);
-ReadMesh read_stl(std::string_view file, std::string_view bytes);
-ReadMesh read_ply(std::string_view file, std::string_view bytes);
-ReadMesh read_off(std::string_view file, std::string_view bytes);
+#define STYLET_MESH_READER(ending, reader) \
+  ReadMesh reader(std::string_view file, std::string_view bytes);
+#include "meshes/readers.inc"
+#undef STYLET_MESH_READER
+
+struct MeshFormat {
+  std::string_view ending;  // of the file's name, with its dot
+  ReadMesh (*read)(std::string_view file, std::string_view bytes);
+};
+
+inline constexpr MeshFormat kMeshFormats[] = {
+#define STYLET_MESH_READER(ending, reader) {"." #ending, reader},
+#include "meshes/readers.inc"
+#undef STYLET_MESH_READER
+};
 
 }  // namespace stylet::offline

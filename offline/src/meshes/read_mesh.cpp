@@ -1,27 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshes/read_mesh.h"
 
+#include <algorithm>
 #include <cctype>
+#include <iterator>
 
 #include "base/file.h"
 #include "meshes/mesh_text.h"
 
 namespace stylet::offline {
+namespace {
+
+// The endings with `between` between two of them, but `last` before the last.
+std::string listed_endings(std::string_view between, std::string_view last) {
+  std::string text;
+  for (const MeshFormat& format : kMeshFormats) {
+    const auto left = std::end(kMeshFormats) - &format;
+    text += fmt::format("{}{}", format.ending, left == 1 ? "" : left == 2 ? last : between);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string mesh_endings() {
+  return listed_endings(" ", " ");
+}
 
 ReadMesh read_mesh(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const auto reader = extension == ".obj"   ? read_obj
-                      : extension == ".stl" ? read_stl
-                      : extension == ".ply" ? read_ply
-                      : extension == ".off" ? read_off
-                                            : nullptr;
-  if (reader == nullptr) {
-    refuse("{}: '{}': expected a mesh file ending in .obj, .stl, .ply or .off", path.string(),
-           extension);
+  const auto* const format =
+      std::find_if(std::begin(kMeshFormats), std::end(kMeshFormats),
+                   [&](const MeshFormat& each) { return each.ending == extension; });
+  if (format == std::end(kMeshFormats)) {
+    refuse("{}: '{}': expected a mesh file ending in {}", path.string(), extension,
+           listed_endings(", ", " or "));
   }
   const std::string bytes = read_file(path);
-  ReadMesh result = reader(path.string(), bytes);
+  ReadMesh result = format->read(path.string(), bytes);
   result.sha256 = sha256_hex(bytes);
   return result;
 }

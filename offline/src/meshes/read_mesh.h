@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads mesh files as triangles: OBJ, STL (text, binary), PLY (text, binary), OFF.
+// Reads mesh files as triangles, in every format that readers.inc lists.
 //
 // Promises: an unreadable file is refused with one line (`file:line: value: expected ...`, or
 // `file: byte n: ...` for binary files); geometry that is merely ill-formed is read and counted.
@@ -29,6 +29,9 @@ struct ReadMesh {
 };
 
 ReadMesh read_mesh(const std::filesystem::path& path);
+
+// What the name of a mesh may end in, as a help says it: ".obj .stl" and so on.
+std::string mesh_endings();
 
 // The mesh as text of an OFF file, with enough digits to give the same doubles when read.
 std::string off_text(const Mesh& mesh);
