@@ -11,9 +11,9 @@
 #include <random>
 #include <string>
 
-#include "state/layout.h"
 #include "organ_objects.h"  // before organ_generated.h, which it replaces
 #include "session.h"
+#include "state/layout.h"
 #include "stylet/organ.h"
 #include "tiny_organ.h"
 
@@ -392,6 +392,49 @@ TEST(OrganOpen, RefusesJustBeyondEveryLimit) {
   for (std::size_t i = 0; i < changes.size(); ++i) {
     Organ organ;
     EXPECT_EQ(organ_open(changed(changes[i], small()), organ), Status::kOrganValueOutOfRange) << i;
+  }
+}
+
+// The list (stylet/material.h) and the schema: the same fields, in the same order.
+TEST(OrganOpen, ListsTheNumbersOfAMaterialAsTheSchemaDoes) {
+  const flatbuffers::TypeTable& schema = *format::MaterialTypeTable();
+  constexpr std::size_t kTexts = 2;  // name and source, before all numbers
+  ASSERT_EQ(schema.num_elems, kTexts + std::size(kMaterialNumbers));
+  for (std::size_t i = 0; i < std::size(kMaterialNumbers); ++i) {
+    EXPECT_STREQ(kMaterialNumbers[i].name, schema.names[kTexts + i]);
+  }
+}
+
+// Of every number there is or will be: a value just beyond is refused with the name, the value and
+// words that say the limits as they are; one at a limit is read as it was written.
+TEST(OrganOpen, KeepsEveryMaterialNumberWithinTheLimitsItSays) {
+#define STYLET_WRITTEN(field, ...) &format::MaterialT::field,
+  float format::MaterialT::*const written[] = {STYLET_MATERIAL_NUMBERS(STYLET_WRITTEN)};
+#undef STYLET_WRITTEN
+  for (std::size_t i = 0; i < std::size(kMaterialNumbers); ++i) {
+    const MaterialNumber& number = kMaterialNumbers[i];
+    const bool at_rest = number.field == &Material::static_friction_n_per_m;
+    const float least = at_rest ? TinyMaterial{}.coulomb_friction_n_per_m : number.least;
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    for (const float end : {least, number.most}) {
+      const float value = std::nextafter(end, end == least ? -kInfinity : kInfinity);
+      expect_refused({number.name, material([&](auto& m) { m.*written[i] = value; }),
+                      Status::kOrganValueOutOfRange, number.name, 0, static_cast<double>(value),
+                      number.expected});
+      Organ organ;
+      const auto bytes = changed(material([&](auto& m) {
+                                   m.static_friction_n_per_m = 1e4F;
+                                   m.*written[i] = end;
+                                 }),
+                                 small());
+      ASSERT_EQ(organ_open(bytes, organ), Status::kOk) << number.name;
+      EXPECT_EQ(organ_material(organ, 0).*number.field, end) << number.name;
+    }
+    const std::string words = number.expected;
+    const std::size_t to = words.find(" to ");
+    ASSERT_NE(to, std::string::npos) << words;
+    EXPECT_EQ(std::stof(words.substr(to + 4)), number.most) << number.name;
+    EXPECT_TRUE(at_rest || std::stof(words) == number.least) << number.name;
   }
 }
 

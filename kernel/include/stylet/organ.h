@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <span>
 
+#include "stylet/material.h"
 #include "stylet/status.h"
 #include "stylet/units.h"
 
@@ -44,25 +45,6 @@ struct OrganTie {
 struct OrganPart {
   std::uint16_t x, y, z, reserved;
   std::uint64_t quarters;
-};
-
-struct Material {
-  const char* name;
-  const char* source;
-  float density_kg_per_m3;
-  float youngs_modulus_pa;
-  float poisson_ratio;
-  float relaxing_fraction;
-  float relaxation_time_s;
-  float puncture_force_n;
-  float cutting_force_n;
-  float recut_fraction;
-  float coulomb_friction_n_per_m;
-  float static_friction_n_per_m;
-  float stribeck_velocity_m_per_s;
-  float viscous_friction_n_s_per_m2;
-  float puncture_velocity_exponent;
-  float membrane_n_per_m;
 };
 
 struct Organ {

@@ -136,32 +136,22 @@ bool check_mixed(Checker& check, const Organ& organ, std::uint32_t version) {
   return true;
 }
 
+// Static friction has no limit of its own from below: it is at least Coulomb's.
+bool check_material(Checker& check, const Material& material, std::uint32_t index) {
+  for (const MaterialNumber& number : kMaterialNumbers) {
+    const bool at_rest = number.field == &Material::static_friction_n_per_m;
+    const float least = at_rest ? material.coulomb_friction_n_per_m : number.least;
+    if (!check.in_range(material.*number.field, least, number.most, number.name, index,
+                        number.expected)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool check_materials(Checker& check, const Organ& organ) {
   for (std::uint32_t i = 0; i < organ.material_count; ++i) {
-    const Material m = organ_material(organ, i);
-    const float static_min = m.coulomb_friction_n_per_m;
-    const bool good =
-        check.in_range(m.density_kg_per_m3, 1, 20000, "density_kg_per_m3", i, "1 to 20000") &&
-        check.in_range(m.youngs_modulus_pa, kMinYoungsModulusPa, kMaxYoungsModulusPa,
-                       "youngs_modulus_pa", i, "1 to 1e9") &&
-        check.in_range(m.poisson_ratio, 0, kMaxPoissonRatio, "poisson_ratio", i, "0 to 0.49") &&
-        check.in_range(m.relaxing_fraction, 0, 0.95F, "relaxing_fraction", i, "0 to 0.95") &&
-        check.in_range(m.relaxation_time_s, 1e-3F, 1e5F, "relaxation_time_s", i, "0.001 to 1e5") &&
-        check.in_range(m.puncture_force_n, 0, 1000, "puncture_force_n", i, "0 to 1000") &&
-        check.in_range(m.cutting_force_n, 0, 1000, "cutting_force_n", i, "0 to 1000") &&
-        check.in_range(m.recut_fraction, 0, 1, "recut_fraction", i, "0 to 1") &&
-        check.in_range(m.coulomb_friction_n_per_m, 0, 1e4F, "coulomb_friction_n_per_m", i,
-                       "0 to 1e4") &&
-        check.in_range(m.static_friction_n_per_m, static_min, 1e4F, "static_friction_n_per_m", i,
-                       "coulomb_friction_n_per_m to 1e4") &&
-        check.in_range(m.stribeck_velocity_m_per_s, 1e-6F, 10, "stribeck_velocity_m_per_s", i,
-                       "1e-6 to 10") &&
-        check.in_range(m.viscous_friction_n_s_per_m2, 0, 1e6F, "viscous_friction_n_s_per_m2", i,
-                       "0 to 1e6") &&
-        check.in_range(m.puncture_velocity_exponent, 0, 0.5F, "puncture_velocity_exponent", i,
-                       "0 to 0.5") &&
-        check.in_range(m.membrane_n_per_m, 0, kMaxMembraneNPerM, "membrane_n_per_m", i, "0 to 1e5");
-    if (!good) return false;
+    if (!check_material(check, organ_material(organ, i), i)) return false;
   }
   return true;
 }
@@ -396,26 +386,14 @@ Status organ_open(std::span<const std::byte> bytes, Organ& organ_out, OrganRefus
   return check.refusal.status;
 }
 
+#define STYLET_STORED(field, ...) m.field(),
 Material organ_material(const Organ& organ, std::uint32_t index) {
   const auto& root = *static_cast<const format::Organ*>(organ.root);
   const format::Material& m = *root.materials()->Get(index);
-  return {m.name()->c_str(),
-          m.source() != nullptr ? m.source()->c_str() : "",
-          m.density_kg_per_m3(),
-          m.youngs_modulus_pa(),
-          m.poisson_ratio(),
-          m.relaxing_fraction(),
-          m.relaxation_time_s(),
-          m.puncture_force_n(),
-          m.cutting_force_n(),
-          m.recut_fraction(),
-          m.coulomb_friction_n_per_m(),
-          m.static_friction_n_per_m(),
-          m.stribeck_velocity_m_per_s(),
-          m.viscous_friction_n_s_per_m2(),
-          m.puncture_velocity_exponent(),
-          m.membrane_n_per_m()};
+  return {m.name()->c_str(), m.source() != nullptr ? m.source()->c_str() : "",
+          STYLET_MATERIAL_NUMBERS(STYLET_STORED)};
 }
+#undef STYLET_STORED
 
 namespace {
 

@@ -5,57 +5,27 @@
 
 #include "base/refusal.h"
 #include "base/toml_file.h"
-#include "stylet/limits.h"
 
 namespace stylet::offline {
 namespace {
 
-// A key of a tissue table: its member of Tissue, its unit, and the allowed range in that unit.
-struct Key {
-  const char* name;
-  double Tissue::*member;
-  double si_per_unit;
-  double low, high;
-  bool optional = false;  // a new tissue may leave it out, and then has 0
-};
-
-constexpr Key kKeys[] = {
-    {"density_kg_per_m3", &Tissue::density_kg_per_m3, 1, 1, 20000},
-    {"youngs_modulus_kpa", &Tissue::youngs_modulus_pa, 1e3,
-     static_cast<double>(kMinYoungsModulusPa) * 1e-3,
-     static_cast<double>(kMaxYoungsModulusPa) * 1e-3},
-    {"poisson_ratio", &Tissue::poisson_ratio, 1, 0, 0.49},
-    {"relaxing_fraction", &Tissue::relaxing_fraction, 1, 0, 0.95},
-    {"relaxation_time_s", &Tissue::relaxation_time_s, 1, 1e-3, 1e5},
-    {"puncture_force_n", &Tissue::puncture_force_n, 1, 0, 1000},
-    {"cutting_force_n", &Tissue::cutting_force_n, 1, 0, 1000},
-    {"recut_fraction", &Tissue::recut_fraction, 1, 0, 1},
-    {"coulomb_friction_n_per_mm", &Tissue::coulomb_friction_n_per_m, 1e3, 0, 10},
-    {"static_friction_n_per_mm", &Tissue::static_friction_n_per_m, 1e3, 0, 10},
-    {"stribeck_velocity_mm_per_s", &Tissue::stribeck_velocity_m_per_s, 1e-3, 1e-3, 1e4},
-    {"viscous_friction_n_s_per_m2", &Tissue::viscous_friction_n_s_per_m2, 1, 0, 1e6},
-    // Most tissues have no thin skin, and their puncture force hardly depends on speed.
-    {"membrane_n_per_mm", &Tissue::membrane_n_per_m, 1e3, 0, 100, true},
-    {"puncture_velocity_exponent", &Tissue::puncture_velocity_exponent, 1, 0, 0.5, true},
-};
-
 std::string known_keys() {
   std::string text;
-  for (const Key& key : kKeys) text += fmt::format("{}, ", key.name);
+  for (const TissueNumber& number : tissue_numbers()) text += fmt::format("{}, ", number.key);
   return text + "source";
 }
 
-double read_number(const std::string& file, const Key& key, const toml::node& node) {
+double read_number(const std::string& file, const TissueNumber& number, const toml::node& node) {
   const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
   if (!value) {
-    refuse("{}: {}: expected a number from {} to {}", place_of(file, node), key.name, key.low,
-           key.high);
+    refuse("{}: {}: expected a number from {} to {}", place_of(file, node), number.key,
+           number.least, number.most);
   }
-  if (!(*value >= key.low && *value <= key.high)) {
-    refuse("{}: {} = {}: expected {} to {}", place_of(file, node), key.name, *value, key.low,
-           key.high);
+  if (!(*value >= number.least && *value <= number.most)) {
+    refuse("{}: {} = {}: expected {} to {}", place_of(file, node), number.key, *value, number.least,
+           number.most);
   }
-  return *value * key.si_per_unit;
+  return *value * number.si_per_unit;
 }
 
 Tissue read_tissue(const std::string& file, const std::string& name, const toml::table& table) {
@@ -73,18 +43,19 @@ Tissue read_tissue(const std::string& file, const std::string& name, const toml:
       tissue.source = *node.value<std::string>();
       continue;
     }
-    const auto* key = std::find_if(std::begin(kKeys), std::end(kKeys),
-                                   [&](const Key& k) { return key_name == k.name; });
-    if (key == std::end(kKeys)) {
+    const auto number =
+        std::find_if(tissue_numbers().begin(), tissue_numbers().end(),
+                     [&](const TissueNumber& each) { return key_name == each.key; });
+    if (number == tissue_numbers().end()) {
       refuse("{}: {}: unknown key: expected one of {}", place_of(file, node), key_name,
              known_keys());
     }
-    tissue.*(key->member) = read_number(file, *key, node);
+    tissue.*(number->field) = read_number(file, *number, node);
   }
-  for (const Key& key : kKeys) {
-    if (!has_base && !key.optional && !table.contains(key.name)) {
+  for (const TissueNumber& number : tissue_numbers()) {
+    if (!has_base && number.must_be_given && !table.contains(number.key)) {
       refuse("{}: {}: {} is missing: expected a number from {} to {}", place_of(file, table), name,
-             key.name, key.low, key.high);
+             number.key, number.least, number.most);
     }
   }
   if (tissue.static_friction_n_per_m < tissue.coulomb_friction_n_per_m) {
@@ -108,7 +79,7 @@ std::vector<Tissue> organ_tissues() {
       {"liver_capsule",
        "liver under its capsule: 10 MPa times 0.1 mm of membrane spread over the voxel; puncture "
        "by 18G takes 0.5 to 3 N",
-       1060, 23200, 0.45, 0.4, 1.0, 0.7, 0.3, 0.1, 10, 12, 1e-3, 20, 1000},
+       1060, 23200, 0.45, 0.4, 1.0, 0.7, 0.3, 0.1, 10, 12, 1e-3, 20, 0, 1000},
       {"tumour",
        "hepatocellular carcinoma: G = 23.4 kPa (PMC6925591), within E 40 to 240 kPa of prostate "
        "cancer (Krouskop 1998); forces above those of liver by judgement",
@@ -140,7 +111,7 @@ std::vector<Tissue> organ_tissues() {
        1027, 40000, 0.45, 0.4, 1.0, 1.0, 1.0, 0.1, 50, 60, 1e-3, 30},
       {"prostate_capsule",
        "prostate under its capsule, a membrane and a puncture of it by judgement", 1027, 40000,
-       0.45, 0.4, 1.0, 2.0, 1.0, 0.1, 50, 60, 1e-3, 30, 2000},
+       0.45, 0.4, 1.0, 2.0, 1.0, 0.1, 50, 60, 1e-3, 30, 0, 2000},
   };
 }
 
@@ -160,7 +131,7 @@ std::vector<Tissue> other_tissues() {
        1047, 40000, 0.45, 0.4, 1.0, 0.6, 0.6, 0.1, 40, 50, 1e-3, 30},
       {"fascia",
        "muscle under its fascia, a membrane of 2 N/mm, and the puncture of it, by judgement", 1047,
-       40000, 0.45, 0.4, 1.0, 1.2, 0.6, 0.1, 40, 50, 1e-3, 30, 2000},
+       40000, 0.45, 0.4, 1.0, 1.2, 0.6, 0.1, 40, 50, 1e-3, 30, 0, 2000},
       {"ligament",
        "supraspinous and interspinous: 9.1 and 7.6 to 8 N on a Tuohy needle (layer table of "
        "epidural simulators after Brett); modulus across the fibres and friction by judgement",
@@ -173,7 +144,7 @@ std::vector<Tissue> other_tissues() {
        "E 50 to 200 kPa in vivo by indentation, up to 20 MPa in tension, of which 1 MPa times 2 mm "
        "as membrane; density 1150 (Kaye and Laby); puncture by 21G to 27G 0.3 to 2 N, 18G at the "
        "upper end",
-       1150, 100000, 0.45, 0.3, 1.0, 2.0, 0.8, 0.1, 40, 50, 1e-3, 30, 2000},
+       1150, 100000, 0.45, 0.3, 1.0, 2.0, 0.8, 0.1, 40, 50, 1e-3, 30, 0, 2000},
       {"gel",
        "gelatin and PVC phantoms E 5 to 100 kPa; needle in agarose: mu 0.255, radial stress 248 Pa "
        "at 1.8 mm/s, so 0.25 N/m for 18G",
@@ -185,6 +156,27 @@ std::vector<Tissue> other_tissues() {
 }
 
 }  // namespace
+
+double shown(float value) {
+  return std::stod(fmt::format("{}", value));
+}
+
+#define STYLET_FIELD_OF_TISSUE(field, ...) &Tissue::field,
+const std::vector<TissueNumber>& tissue_numbers() {
+  static const std::vector<TissueNumber> kNumbers = [] {
+    constexpr double Tissue::*kFields[] = {STYLET_MATERIAL_NUMBERS(STYLET_FIELD_OF_TISSUE)};
+    std::vector<TissueNumber> all;
+    for (const MaterialNumber& number : kMaterialNumbers) {
+      const double units_per_si = 1 / number.si_per_unit;
+      all.push_back({number.key, kFields[all.size()], number.si_per_unit,
+                     shown(number.least) * units_per_si, shown(number.most) * units_per_si,
+                     number.must_be_given});
+    }
+    return all;
+  }();
+  return kNumbers;
+}
+#undef STYLET_FIELD_OF_TISSUE
 
 const std::vector<Tissue>& preset_tissues() {
   static const std::vector<Tissue> kPresets = [] {

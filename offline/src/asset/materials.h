@@ -2,35 +2,38 @@
 // Tissues by name: the presets, and those of the user's TOML file, which take precedence.
 //
 // Promises: a file is accepted whole, or refused with `file:line: key: ...` and what is allowed.
-// Units: SI here; the keys of the TOML file name their own units.
+// Units: SI here; the keys of the TOML file name their own units. The numbers, their keys and
+// limits are those of stylet/material.h.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "stylet/material.h"
+
 namespace stylet::offline {
 
+#define STYLET_TISSUE_NUMBER(field, ...) double field = 0;
 struct Tissue {
   std::string name;
   std::string source;  // where the numbers come from
-  double density_kg_per_m3 = 0;
-  double youngs_modulus_pa = 0;
-  double poisson_ratio = 0;
-  double relaxing_fraction = 0;
-  double relaxation_time_s = 0;
-  double puncture_force_n = 0;
-  double cutting_force_n = 0;
-  double recut_fraction = 0;
-  double coulomb_friction_n_per_m = 0;
-  double static_friction_n_per_m = 0;
-  double stribeck_velocity_m_per_s = 0;
-  double viscous_friction_n_s_per_m2 = 0;
-  // Tension stiffness of a thin skin (modulus times thickness), carried by a surface voxel besides
-  // its own stiffness; it adds membrane_n_per_m / (voxel edge) to the voxel's modulus.
-  double membrane_n_per_m = 0;
-  double puncture_velocity_exponent = 0;  // force falls with speed as (v / 10 mm/s)^-m
+  STYLET_MATERIAL_NUMBERS(STYLET_TISSUE_NUMBER)
 };
+#undef STYLET_TISSUE_NUMBER
+
+// A number of a tissue: its key in a table, its unit, and its limits in that unit.
+struct TissueNumber {
+  const char* key;
+  double Tissue::*field;
+  double si_per_unit;
+  double least, most;
+  bool must_be_given;  // of a new tissue, which else has 0
+};
+const std::vector<TissueNumber>& tissue_numbers();
+
+// The shortest decimal that reads as the same float, as a double: 0.1F is shown as 0.1.
+double shown(float value);
 
 const std::vector<Tissue>& preset_tissues();
 

@@ -23,17 +23,13 @@ auto write_structs(FlatBufferBuilder& builder, const std::vector<Mine>& values) 
                                        values.size());
 }
 
+#define STYLET_AND_STORE(field, ...) , static_cast<float>(t.field)
 Offset<format::Material> write_material(FlatBufferBuilder& builder, const Tissue& t) {
   const auto name = builder.CreateString(t.name);
   const auto source = builder.CreateString(t.source);
-  const auto f = [](double value) { return static_cast<float>(value); };
-  return format::CreateMaterial(
-      builder, name, source, f(t.density_kg_per_m3), f(t.youngs_modulus_pa), f(t.poisson_ratio),
-      f(t.relaxing_fraction), f(t.relaxation_time_s), f(t.puncture_force_n), f(t.cutting_force_n),
-      f(t.recut_fraction), f(t.coulomb_friction_n_per_m), f(t.static_friction_n_per_m),
-      f(t.stribeck_velocity_m_per_s), f(t.viscous_friction_n_s_per_m2),
-      f(t.puncture_velocity_exponent), f(t.membrane_n_per_m));
+  return format::CreateMaterial(builder, name, source STYLET_MATERIAL_NUMBERS(STYLET_AND_STORE));
 }
+#undef STYLET_AND_STORE
 
 Offset<format::Provenance> write_provenance(FlatBufferBuilder& builder, const OrganParts& parts) {
   std::vector<Offset<format::Source>> sources;

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "asset/materials.h"
 #include "asset/write_organ.h"
 #include "base/file.h"
 #include "base/refusal.h"
@@ -19,11 +20,6 @@ std::string text_of(const flatbuffers::String* text) {
   return text != nullptr ? text->str() : "";
 }
 
-// The shortest decimal that reads as the same float, as a double: 0.1F is shown as 0.1.
-double shown(float value) {
-  return std::stod(fmt::format("{}", value));
-}
-
 Json material_facts(const Organ& organ) {
   std::vector<std::size_t> voxels(organ.material_count, 0);
   std::vector<double> fill(organ.material_count, 0);
@@ -35,24 +31,14 @@ Json material_facts(const Organ& organ) {
   Json list = Json::array();
   for (std::uint32_t i = 0; i < organ.material_count; ++i) {
     const Material m = organ_material(organ, i);
-    list.push_back({{"name", m.name},
-                    {"voxels", voxels[i]},
-                    {"volume_ml", fill[i] * edge_mm * edge_mm * edge_mm * 1e-3},
-                    {"density_kg_per_m3", shown(m.density_kg_per_m3)},
-                    {"youngs_modulus_kpa", shown(m.youngs_modulus_pa) * 1e-3},
-                    {"poisson_ratio", shown(m.poisson_ratio)},
-                    {"relaxing_fraction", shown(m.relaxing_fraction)},
-                    {"relaxation_time_s", shown(m.relaxation_time_s)},
-                    {"puncture_force_n", shown(m.puncture_force_n)},
-                    {"cutting_force_n", shown(m.cutting_force_n)},
-                    {"recut_fraction", shown(m.recut_fraction)},
-                    {"coulomb_friction_n_per_mm", shown(m.coulomb_friction_n_per_m) * 1e-3},
-                    {"static_friction_n_per_mm", shown(m.static_friction_n_per_m) * 1e-3},
-                    {"stribeck_velocity_mm_per_s", shown(m.stribeck_velocity_m_per_s) * 1e3},
-                    {"viscous_friction_n_s_per_m2", shown(m.viscous_friction_n_s_per_m2)},
-                    {"puncture_velocity_exponent", shown(m.puncture_velocity_exponent)},
-                    {"membrane_n_per_mm", shown(m.membrane_n_per_m) * 1e-3},
-                    {"source", m.source}});
+    Json facts{{"name", m.name},
+               {"voxels", voxels[i]},
+               {"volume_ml", fill[i] * edge_mm * edge_mm * edge_mm * 1e-3}};
+    for (const MaterialNumber& number : kMaterialNumbers) {
+      facts[number.key] = shown(m.*number.field) * (1 / number.si_per_unit);
+    }
+    facts["source"] = m.source;
+    list.push_back(std::move(facts));
   }
   return list;
 }
