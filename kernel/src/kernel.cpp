@@ -117,8 +117,7 @@ MaterialModel material_model(const Material& m, const Config& config, float edge
   out.cutting_n = m.cutting_force_n;
   out.recut_fraction = m.recut_fraction;
   out.puncture_exponent = m.puncture_velocity_exponent;
-  out.friction = {m.coulomb_friction_n_per_m, m.static_friction_n_per_m,
-                  1 / m.stribeck_velocity_m_per_s, m.viscous_friction_n_s_per_m2};
+  out.friction = friction_of(m);
   out.relaxing_fraction = m.relaxing_fraction;
   out.relaxation_time_s = m.relaxation_time_s;
   return out;

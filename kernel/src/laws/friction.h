@@ -4,8 +4,8 @@
 // Coulomb friction, static friction that fades over the Stribeck speed, and a viscous part:
 //     f(v) = f_c + (f_s - f_c) exp(-(v / v_s)^2) + c v.
 // Speeds have no sign; the return map knows the direction. Another law with these numbers changes
-// friction_n_per_m and least_friction_n_per_m. One more number is also one more field of Friction,
-// its mean in `mixed`, its source in material_model (kernel.cpp) and its bounds in snapshot.cpp.
+// friction_n_per_m and least_friction_n_per_m. One more number is also a line of the list below,
+// and where no material has it yet, one in stylet/material.h (tests/unit/add_law_test.py).
 //
 // Promises: no branch on hardware, no allocation; same bits everywhere. Units SI.
 // Source: Okamura, Simone, O'Leary 2004 (needle friction by the modified Karnopp model); Stribeck's
@@ -13,13 +13,34 @@
 #pragma once
 
 #include "base/math.h"
+#include "stylet/material.h"
 
 namespace stylet {
 
-// Friction of a shaft, per metre of it.
+// F(number, of): a number of a shaft's friction, per metre of it, and what it is of the material m.
+// None is below 0. Along a shaft in several tissues each is the mean over the length.
+#define STYLET_FRICTION_NUMBERS(F)                             \
+  F(coulomb_n_per_m, m.coulomb_friction_n_per_m)               \
+  F(static_n_per_m, m.static_friction_n_per_m)                 \
+  F(inverse_stribeck_s_per_m, 1 / m.stribeck_velocity_m_per_s) \
+  F(viscous_n_s_per_m2, m.viscous_friction_n_s_per_m2)
+
+#define STYLET_FRICTION_FIELD(number, of) float number;
 struct Friction {
-  float coulomb_n_per_m, static_n_per_m, inverse_stribeck_s_per_m, viscous_n_s_per_m2;
+  STYLET_FRICTION_NUMBERS(STYLET_FRICTION_FIELD)
 };
+#undef STYLET_FRICTION_FIELD
+
+#define STYLET_FRICTION_PLACE(number, of) &Friction::number,
+inline constexpr float Friction::*kFrictionNumbers[] = {
+    STYLET_FRICTION_NUMBERS(STYLET_FRICTION_PLACE)};
+#undef STYLET_FRICTION_PLACE
+
+#define STYLET_FRICTION_OF(number, of) of,
+inline Friction friction_of(const Material& m) {
+  return {STYLET_FRICTION_NUMBERS(STYLET_FRICTION_OF)};
+}
+#undef STYLET_FRICTION_OF
 
 // Friction per metre of shaft at a slip speed: Coulomb, static (Stribeck), viscous.
 inline float friction_n_per_m(const Friction& f, float speed_m_per_s) {
@@ -36,12 +57,10 @@ inline float least_friction_n_per_m(const Friction& f) {
 }
 
 // The mean over a length, of which `part` has the friction `next`.
+#define STYLET_FRICTION_MEAN(number, of) mean.number + part*(next.number - mean.number),
 inline Friction mixed(const Friction& mean, const Friction& next, float part) {
-  const auto towards = [part](float from, float to) { return from + part * (to - from); };
-  return {towards(mean.coulomb_n_per_m, next.coulomb_n_per_m),
-          towards(mean.static_n_per_m, next.static_n_per_m),
-          towards(mean.inverse_stribeck_s_per_m, next.inverse_stribeck_s_per_m),
-          towards(mean.viscous_n_s_per_m2, next.viscous_n_s_per_m2)};
+  return {STYLET_FRICTION_NUMBERS(STYLET_FRICTION_MEAN)};
 }
+#undef STYLET_FRICTION_MEAN
 
 }  // namespace stylet

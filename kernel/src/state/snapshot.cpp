@@ -134,8 +134,10 @@ bool sound(const Limits& is, const Support& support, bool used) {
 }
 
 bool sound(const Limits& is, const Friction& f) {
-  return is.no_less(f.coulomb_n_per_m, 0) && is.no_less(f.static_n_per_m, 0) &&
-         is.no_less(f.inverse_stribeck_s_per_m, 0) && is.no_less(f.viscous_n_s_per_m2, 0);
+  for (const auto number : kFrictionNumbers) {
+    if (!is.no_less(f.*number, 0)) return false;
+  }
+  return true;
 }
 
 bool sound_shares(const Limits& is, const Particle& p) {

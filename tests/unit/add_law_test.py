@@ -1,0 +1,101 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""A parameter of a material and the law of friction that uses it are three lines and the law: in a
+copy of the source they are added so. Kernel and offline compile, old files and tables of tissues
+have 0 for it, the key is known, and the shaft's friction follows it.
+
+usage: add_law_test.py SOURCE COMPILER FLATC
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCE, COMPILER, FLATC = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
+
+# FILE, what is there, what is there instead.
+CHANGES = [
+    ("kernel/include/stylet/material.h", '"membrane_n_per_mm", 1e3, false)',
+     '"membrane_n_per_mm", 1e3, false) \\\n'
+     '  F(wet_friction_n_per_m, 0, 10, "0 to 10", "wet_friction_n_per_mm", 1e3, false)'),
+    ("kernel/schema/organ.fbs", "  membrane_n_per_m:float32;",
+     "  membrane_n_per_m:float32;\n  wet_friction_n_per_m:float32;"),
+    ("kernel/src/laws/friction.h", "  F(viscous_n_s_per_m2, m.viscous_friction_n_s_per_m2)",
+     "  F(viscous_n_s_per_m2, m.viscous_friction_n_s_per_m2) \\\n"
+     "  F(wet_n_per_m, m.wet_friction_n_per_m)"),
+    ("kernel/src/laws/friction.h", "  return f.coulomb_n_per_m +",
+     "  return f.wet_n_per_m * speed_m_per_s / (speed_m_per_s + 1) + f.coulomb_n_per_m +"),
+]
+
+KERNEL = ["kernel.cpp", "state/snapshot.cpp", "state/layout.cpp", "coupling/friction.cpp"]
+
+PROGRAM = """#include <cstdio>
+#include "asset/materials.h"
+#include "laws/friction.h"
+#include "stylet/organ.h"
+#include "tiny_organ.h"
+
+int main(int, char** arguments) {
+  using namespace stylet;
+  const std::vector<std::byte> bytes = test::tiny_organ({});
+  Organ organ;
+  if (organ_open(bytes, organ) != Status::kOk) return 1;
+  Material material = organ_material(organ, 0);
+  std::printf("%g", double(material.wet_friction_n_per_m));
+  material.wet_friction_n_per_m = 4;
+  const Friction friction = friction_of(material), mean = mixed({}, friction, 0.5F);
+  std::printf(" %g %g", double(friction_n_per_m(friction, 1)), double(mean.wet_n_per_m));
+  for (const offline::Tissue& tissue : offline::read_tissues(arguments[1])) {
+    std::printf(" %g", tissue.wet_friction_n_per_m);
+  }
+}
+"""
+
+
+def run(*command):
+    done = subprocess.run([str(each) for each in command], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True)
+    if done.returncode != 0:
+        raise AssertionError(f"{command}\n{done.stdout}")
+    return done.stdout
+
+
+class AddLaw(unittest.TestCase):
+    def copied(self, folder):
+        for name in "kernel/include", "kernel/schema", "kernel/src", "offline/src", "tests/support":
+            shutil.copytree(SOURCE / name, folder / name)
+        for name, old, new in CHANGES:
+            text = (folder / name).read_text()
+            self.assertEqual(text.count(old), 1, f"{name}: {old}")
+            (folder / name).write_text(text.replace(old, new))
+        run(FLATC, "--cpp", "--scoped-enums", "-o", folder, folder / "kernel/schema/organ.fbs")
+
+    def test_three_lines_and_the_law(self):
+        with tempfile.TemporaryDirectory(prefix="stylet-law-") as name:
+            folder = pathlib.Path(name)
+            self.copied(folder)
+            compiler = [COMPILER, "-std=c++20", "-I", folder, "-I", folder / "kernel/include",
+                        "-iquote", folder / "kernel/src", "-iquote", folder / "offline/src",
+                        "-iquote", folder / "tests/support"]
+            kernel, offline = folder / "kernel/src", folder / "offline/src"
+            run(*compiler, "-fsyntax-only", *(kernel / each for each in KERNEL),
+                offline / "asset/write_organ.cpp", "-I", SOURCE / "kernel/content")
+            (folder / "main.cpp").write_text(PROGRAM)
+            program = folder / "program"
+            run(*compiler, "-o", program, folder / "main.cpp", kernel / "organ/organ.cpp",
+                kernel / "organ/runs.cpp", kernel / "base/status.cpp",
+                offline / "asset/materials.cpp", offline / "base/toml_file.cpp",
+                offline / "base/file.cpp", "-lfmt", "-lcrypto")
+            tissues = folder / "tissues.toml"
+            tissues.write_text("[gel]\n[liver]\nwet_friction_n_per_mm = 0.002\n")
+            # 10 N/m of Coulomb's, and 4 / 2 at 1 m/s.
+            self.assertEqual(run(program, tissues), "0 12 2 0 2")
+            tissues.write_text("[liver]\nwet_friction_n_per_mm = 0.02\n")
+            done = subprocess.run([program, tissues], capture_output=True, text=True)
+            self.assertIn("wet_friction_n_per_mm = 0.02: expected 0 to 0.01", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
