@@ -9,6 +9,7 @@ import unittest
 
 sys.dont_write_bytecode = True
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+import compile_times  # noqa: E402
 import drivers  # noqa: E402
 import headers  # noqa: E402
 import loops  # noqa: E402
@@ -43,6 +44,27 @@ class Sample(unittest.TestCase):
         self.assertEqual(len(found), 1, found)
         for part in parts:
             self.assertIn(part, found[0])
+
+
+class CompileTimes(Sample):
+    def log(self, *rows):
+        self.write("slow.py", "import time\nwhile time.process_time() < 0.5: pass\n")
+        self.write("build.ninja", "rule run\n  command = python3 slow.py -o $out\n"
+                                  "build a.cpp.o: run\nbuild wrap.cpp.o: run\n")
+        self.write(".ninja_log", "# ninja log v5\n" + "".join(
+            f"0\t{ms}\t0\t{output}\t0\n" for output, ms in rows))
+
+    def test_refuses_what_takes_long_once_more(self):
+        self.log(("a.cpp.o", 1000))
+        self.expect_one(compile_times.faults(self.top, 0.3), "a.cpp.o", "allowed are 0.3")
+
+    def test_accepts_what_took_long_only_in_the_log(self):
+        self.log(("a.cpp.o", 9000))
+        self.assertEqual(list(compile_times.faults(self.top, 8)), [])
+
+    def test_looks_only_at_what_the_log_says_and_the_build_has(self):
+        self.log(("a.cpp.o", 1000), ("a.cpp.o", 200), ("wrap.cpp.o", 1000), ("gone.cpp.o", 1000))
+        self.assertEqual(list(compile_times.faults(self.top, 0.3)), [])
 
 
 class Headers(Sample):

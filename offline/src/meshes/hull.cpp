@@ -4,7 +4,6 @@
 #include <CGAL/convex_hull_3.h>
 #include <CGAL/squared_distance_3.h>
 
-#include <nlohmann/json.hpp>
 #include <queue>
 
 #include "base/refusal.h"
@@ -191,18 +190,6 @@ std::vector<HullPlane> hull_planes(const Hull& hull) {
 
 Mesh hull_mesh(const Hull& hull) {
   return mesh_of(hull_of(hull.vertices_m));
-}
-
-std::string hull_toml(const Hull& hull, const std::string& source, const std::string& sha256) {
-  std::string text = fmt::format(
-      "# Made by stylet-organ hull: {} of the {} vertices of a convex hull.\n"
-      "source = {}\nsha256 = \"{}\"\ndeviation_mm = {:.4f}\nvertices_m = [\n",
-      hull.vertices_m.size(), hull.hull_vertices, nlohmann::json(source).dump(), sha256,
-      hull.deviation_m * 1e3);
-  for (const Vec& v : hull.vertices_m) {
-    text += fmt::format("  [{:.7f}, {:.7f}, {:.7f}],\n", v.x, v.y, v.z);
-  }
-  return text + "]\n";
 }
 
 }  // namespace stylet::offline

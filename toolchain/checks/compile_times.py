@@ -1,0 +1,72 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""No file takes more than 20 s to compile: those that took longer in the last build by ninja's log
+are compiled once more without the cache, one after the other, and judged by their processor time,
+which other programs change less than time: on a busy machine by up to a half.
+
+usage: compile_times.py BUILD_FOLDER [SECONDS]
+"""
+import os
+import pathlib
+import resource
+import shlex
+import subprocess
+import sys
+
+# Files that take longer, and why nothing here changes that.
+SLOW = {
+    "phantom.cpp": "CGAL's volume mesher: reading its headers and making its templates is half of "
+                   "it, without any optimization",
+    "wrap.cpp": "CGAL's alpha wrap, one function: the same",
+}
+
+
+def logged(build):
+    """Seconds that each object file took when it was last made."""
+    took = {}
+    for line in (build / ".ninja_log").read_text().splitlines():
+        if not line.startswith("#"):
+            begin, end, _, output, _ = line.split("\t")
+            took[output] = (int(end) - int(begin)) / 1000
+    return {output: seconds for output, seconds in took.items() if output.endswith(".o")}
+
+
+def command_of(build, output):
+    """The compiler's words, without a launcher and with the object thrown away; [] if there are
+    none: a file that is no longer part of the build."""
+    done = subprocess.run(["ninja", "-C", build, "-t", "commands", "-s", output],
+                          capture_output=True, text=True, check=False)
+    words = shlex.split(done.stdout.splitlines()[-1]) if done.returncode == 0 else []
+    if words and pathlib.Path(words[0]).name == "ccache":
+        words = words[1:]
+    if "-o" in words:
+        words[words.index("-o") + 1] = os.devnull
+    if "-MF" in words:
+        words[words.index("-MF") + 1] = os.devnull
+    return words
+
+
+def processor_s(build, command):
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    subprocess.run(command, cwd=build, check=True)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def faults(build, bar_s):
+    for output, seconds in sorted(logged(build).items()):
+        source = pathlib.Path(output).stem  # name.cpp of name.cpp.o
+        command = command_of(build, output) if seconds > bar_s and source not in SLOW else []
+        if command:
+            taken = processor_s(build, command)
+            print(f"{output}: {taken:.1f} s", flush=True)
+            if taken > bar_s:
+                yield f"{output}: {taken:.1f} s to compile, allowed are {bar_s:g}"
+
+
+if __name__ == "__main__":
+    if len(sys.argv) not in (2, 3):
+        sys.exit("usage: compile_times.py BUILD_FOLDER [SECONDS]")
+    found = list(faults(pathlib.Path(sys.argv[1]), float((sys.argv[2:] or ["20"])[0])))
+    print("\n".join(found))
+    sys.exit(1 if found else 0)
