@@ -31,6 +31,8 @@ SUBJECTS = {
                                       ["device_faults", "--gtest_filter=DeviceFaults.*"],
                                       ["hal_loop"]]),
     "guard_arithmetic": ("hal/guard/arithmetic.h", [["hal_guard"], ["hal_loop"]]),
+    "vector": ("hal/base/vector.h", [["hal_guard"], ["hal_grip"], ["hal_coupling"], ["hal_loop"]]),
+    "wide": ("hal/base/wide.h", [["hal_guard"], ["hal_loop"]]),
     "energy": ("hal/guard/energy.cpp", [["hal_guard"], ["hal_loop"]]),
     "grip": ("hal/loop/grip.cpp", [["hal_grip"], ["hal_loop"]]),
     "spring": ("hal/loop/coupling.cpp", [["hal_coupling"]]),

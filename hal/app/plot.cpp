@@ -23,6 +23,7 @@
 
 #include "hal/app/commands.h"
 #include "hal/base/output_file.h"
+#include "hal/base/vector.h"
 #include "hal/record/recording.h"
 #include "hal/score/phases.h"
 
@@ -66,8 +67,7 @@ Curve read_curve(const hal::RecordingReader& recording, std::uint32_t needle) {
       curve.track.push_back(hal::track_point(record, course));
       auto& causes = curve.causes.emplace_back();
       for (std::size_t c = 0; c < kCauses.size(); ++c) {
-        const Vec3 f = record.output.cause.*kCauses[c].force;
-        causes[c] = -(f.x * d.x + f.y * d.y + f.z * d.z);
+        causes[c] = -hal::dot(record.output.cause.*kCauses[c].force, d);
       }
     }
   }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hal/base/rotation.h"
 
-namespace stylet::hal {
+#include <cmath>
 
-Vec3 cross(Vec3 a, Vec3 b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+#include "hal/base/vector.h"
+
+namespace stylet::hal {
 
 Quat product(const Quat& a, const Quat& b) {
   return {
@@ -15,10 +15,13 @@ Quat product(const Quat& a, const Quat& b) {
 
 Vec3 rotate(const Quat& q, Vec3 v) {
   const Vec3 axis = {q.x, q.y, q.z};
-  const Vec3 twice = cross(axis, v);
-  const Vec3 t = {2 * twice.x, 2 * twice.y, 2 * twice.z};
-  const Vec3 u = cross(axis, t);
-  return {v.x + q.w * t.x + u.x, v.y + q.w * t.y + u.y, v.z + q.w * t.z + u.z};
+  const Vec3 twice = 2 * cross(axis, v);
+  return v + q.w * twice + cross(axis, twice);
+}
+
+Quat unit(const Quat& q) {
+  const float size = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  return {q.w / size, q.x / size, q.y / size, q.z / size};
 }
 
 }  // namespace stylet::hal

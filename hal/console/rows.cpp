@@ -7,12 +7,13 @@
 #include <limits>
 #include <utility>
 
+#include "hal/base/vector.h"
+
 namespace stylet::console {
 namespace {
 
-float dot(stylet::Vec3 a, stylet::Vec3 b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
+using hal::dot;
+using hal::operator-;
 
 std::uint64_t bucket_of(const Row& row, std::uint64_t first, std::uint32_t stride) {
   return (row.tick() - first) / stride;
@@ -23,15 +24,14 @@ std::uint64_t bucket_of(const Row& row, std::uint64_t first, std::uint32_t strid
 Row row_of(const hal::TickRecord& record, const hal::Course& course) {
   const stylet::Output& out = record.output;
   const stylet::Vec3& d = course.direction;
-  const stylet::Vec3 way = {out.tip_m.x - course.entry_m.x, out.tip_m.y - course.entry_m.y,
-                            out.tip_m.z - course.entry_m.z};
   const float axial = -dot(out.force_n, d);
   const float square = dot(out.force_n, out.force_n) - axial * axial;
-  return Row(out.tick, out.depth_m, dot(way, d), axial, std::sqrt(std::max(square, 0.0F)),
-             -dot(out.cause.stiffness_n, d), -dot(out.cause.cutting_n, d),
-             -dot(out.cause.friction_n, d), -dot(out.cause.clamping_n, d),
-             -dot(out.cause.obstacle_n, d), static_cast<float>(record.tick_ns) * 1e-3F,
-             static_cast<float>(record.late_ns) * 1e-3F, record.needle);
+  return Row(out.tick, out.depth_m, dot(out.tip_m - course.entry_m, d), axial,
+             std::sqrt(std::max(square, 0.0F)), -dot(out.cause.stiffness_n, d),
+             -dot(out.cause.cutting_n, d), -dot(out.cause.friction_n, d),
+             -dot(out.cause.clamping_n, d), -dot(out.cause.obstacle_n, d),
+             static_cast<float>(record.tick_ns) * 1e-3F, static_cast<float>(record.late_ns) * 1e-3F,
+             record.needle);
 }
 
 Happened happened(const stylet::Event& event) {

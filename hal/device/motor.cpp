@@ -5,43 +5,22 @@
 #include <cmath>
 #include <limits>
 
+#include "hal/base/vector.h"
+#include "hal/base/wide.h"
+
 namespace stylet::hal {
 namespace {
 
-// Double: the square of any finite float stays finite.
-double length(Vec3 v) {
-  const double x = static_cast<double>(v.x), y = static_cast<double>(v.y),
-               z = static_cast<double>(v.z);
-  return std::sqrt(x * x + y * y + z * z);
-}
-
-Vec3 scaled(Vec3 v, double s) {
-  return {static_cast<float>(static_cast<double>(v.x) * s),
-          static_cast<float>(static_cast<double>(v.y) * s),
-          static_cast<float>(static_cast<double>(v.z) * s)};
-}
-
-bool finite(Vec3 v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-Vec3 shortened(Vec3 v, double most) {
-  const double size = length(v);
-  return size > most ? scaled(v, most / size) : v;
-}
-
 Vec3 approached(Vec3 from, Vec3 to, double most) {
-  const Vec3 way = {to.x - from.x, to.y - from.y, to.z - from.z};
-  const double size = length(way);
-  if (!(size > most)) return to;
-  const Vec3 part = scaled(way, most / size);
-  return {from.x + part.x, from.y + part.y, from.z + part.z};
+  const Vec3 way = to - from;
+  const double size = wide_length(way);
+  return size > most ? from + scaled(way, most / size) : to;
 }
 
 // Shorter by this much: what is small already is gone sooner, so that one fade after another takes
 // no longer than one.
 Vec3 faded(Vec3 v, double by) {
-  const double size = length(v);
+  const double size = wide_length(v);
   return size > by ? scaled(v, 1 - by / size) : Vec3{};
 }
 
@@ -61,9 +40,9 @@ void begin_fade(MotorState& state, const MotorOrder& order, std::int64_t since_n
   state.fade_ns = since_ns;
   const MotorReport& report = state.report;
   state.fade_force_n =
-      order.falls ? shortened(report.force_n, length(order.force_n)) : report.force_n;
+      order.falls ? shortened(report.force_n, wide_length(order.force_n)) : report.force_n;
   state.fade_torque_nm =
-      order.falls ? shortened(report.torque_nm, length(order.torque_nm)) : report.torque_nm;
+      order.falls ? shortened(report.torque_nm, wide_length(order.torque_nm)) : report.torque_nm;
 }
 
 void take_order(MotorState& state, const MotorOrder& order, std::int64_t now_ns) {
@@ -98,9 +77,10 @@ Vec3 goal(const MotorState& state, const MotorOrder& order, Vec3 ordered, Vec3 f
   if (state.fading) {
     const double gone = seconds(state.t_ns - state.fade_ns) / seconds(kMotorFadeNs);
     const Vec3 left = faded(from, std::max(gone, 0.0) * most);
-    return order.falls ? shortened(left, length(ordered)) : left;  // it came late and still holds
+    return order.falls ? shortened(left, wide_length(ordered))
+                       : left;  // it came late and still holds
   }
-  return shortened(ordered, order.falls ? std::min(most, length(now)) : most);
+  return shortened(ordered, order.falls ? std::min(most, wide_length(now)) : most);
 }
 
 // Time until no force may be left: a microsecond early, so that rounding leaves nothing.
@@ -115,7 +95,7 @@ double left_s(const MotorOrder& order, std::int64_t now_ns) {
 Vec3 stepped(const MotorState& state, const MotorOrder& order, Vec3 now, Vec3 ordered, Vec3 from,
              double most, double slew, std::int64_t passed_ns) {
   const double endable = slew * left_s(order, state.t_ns);
-  const bool ends = length(now) > endable;
+  const bool ends = wide_length(now) > endable;
   const Vec3 to = shortened(ends ? now : goal(state, order, ordered, from, now, most), endable);
   // Falls by all the time that has passed, but rises no faster than step by step.
   const bool falls = ends || state.fading || order.falls;

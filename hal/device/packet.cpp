@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "hal/base/vector.h"
 #include "hal/device/motor.h"
 
 namespace stylet::hal {
@@ -94,14 +95,6 @@ bool decoded(std::span<const std::byte> bytes, const std::array<char, 4>& magic,
   return true;
 }
 
-float length(Vec3 v) {
-  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-}
-
-Vec3 away_from(const ForceModel& model, Vec3 position_m) {
-  return {position_m.x - model.at_m.x, position_m.y - model.at_m.y, position_m.z - model.at_m.z};
-}
-
 // Written so that NaN gives no force.
 bool near(const ForceModel& model, Vec3 away_m) {
   return model.radius_m == 0 || length(away_m) <= model.radius_m;
@@ -120,17 +113,16 @@ bool lives(const ForcePacket& packet, std::int64_t now_ns) {
 }  // namespace
 
 Vec3 force_at(const ForceModel& model, Vec3 position_m) {
-  const Vec3 away = away_from(model, position_m);
+  const Vec3 away = position_m - model.at_m;
   if (!near(model, away)) return {};
   const auto& k = model.stiffness_n_per_m;
-  const Vec3 force = {model.force_n.x - (k[0] * away.x + k[1] * away.y + k[2] * away.z),
-                      model.force_n.y - (k[3] * away.x + k[4] * away.y + k[5] * away.z),
-                      model.force_n.z - (k[6] * away.x + k[7] * away.y + k[8] * away.z)};
+  const Vec3 spring = {dot({k[0], k[1], k[2]}, away), dot({k[3], k[4], k[5]}, away),
+                       dot({k[6], k[7], k[8]}, away)};
+  const Vec3 force = model.force_n - spring;
   const float size = length(force);
   if (size <= model.max_force_n) return force;
   if (!(std::isfinite(size) && model.max_force_n > 0)) return {};
-  const float share = model.max_force_n / size;
-  return {share * force.x, share * force.y, share * force.z};
+  return model.max_force_n / size * force;
 }
 
 Vec3 force_at(const ForcePacket& packet, std::int64_t now_ns, Vec3 position_m) {
@@ -139,7 +131,7 @@ Vec3 force_at(const ForcePacket& packet, std::int64_t now_ns, Vec3 position_m) {
 
 Vec3 torque_at(const ForcePacket& packet, std::int64_t now_ns, Vec3 position_m) {
   const ForceModel& model = packet.model;
-  const bool felt = lives(packet, now_ns) && near(model, away_from(model, position_m)) &&
+  const bool felt = lives(packet, now_ns) && near(model, position_m - model.at_m) &&
                     std::isfinite(length(model.torque_nm));
   return felt ? model.torque_nm : Vec3{};
 }

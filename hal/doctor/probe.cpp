@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hal/base/vector.h"
+
 namespace stylet::hal {
 namespace {
 
@@ -80,10 +82,10 @@ PushSeen push(Probing& p, Vec3 direction, const std::atomic<bool>& stop, DeviceP
     const int from_top = std::abs(i - kPushTicks / 2);
     const float share = 1 - static_cast<float>(from_top) / (kPushTicks / 2);
     const float f = share * p.guard.max_force_n;
-    tick(p, {f * direction.x, f * direction.y, f * direction.z}, out);
+    tick(p, f * direction, out);
     if (i <= kPushTicks / 2) top = p.last.pose.position_m;
   }
-  return {p.guard.max_force_n, {top.x - from.x, top.y - from.y, top.z - from.z}};
+  return {p.guard.max_force_n, top - from};
 }
 
 }  // namespace

@@ -15,32 +15,6 @@ inline double of(float value) {
   return static_cast<double>(value);
 }
 
-inline double dot(Vec3 a, Vec3 b) {
-  return of(a.x) * of(b.x) + of(a.y) * of(b.y) + of(a.z) * of(b.z);
-}
-
-inline double length(Vec3 v) {
-  return std::sqrt(dot(v, v));
-}
-
-inline Vec3 scaled(Vec3 v, double s) {
-  return {static_cast<float>(of(v.x) * s), static_cast<float>(of(v.y) * s),
-          static_cast<float>(of(v.z) * s)};
-}
-
-inline Vec3 minus(Vec3 a, Vec3 b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-inline Vec3 plus(Vec3 a, Vec3 b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
-inline Vec3 shortened(Vec3 v, double most) {
-  const double size = length(v);
-  return size > most ? scaled(v, most / size) : v;
-}
-
 // Part of its way that a value following another with time constant `slow_s` goes in `step_s`.
 inline double share_of(double step_s, double slow_s) {
   return step_s / (step_s + slow_s);

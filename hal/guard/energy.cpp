@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "hal/base/vector.h"
+#include "hal/base/wide.h"
 #include "hal/guard/arithmetic.h"
 
 namespace stylet::hal::guarding {
@@ -16,7 +18,7 @@ Vec3 acted_then(const GuardConfig& config,
                                   static_cast<double>(kMaxDelayTicks));
   const auto whole = static_cast<std::size_t>(ticks);
   const double part = ticks - static_cast<double>(whole);
-  return plus(scaled(newest_first[whole], 1 - part), scaled(newest_first[whole + 1], part));
+  return scaled(newest_first[whole], 1 - part) + scaled(newest_first[whole + 1], part);
 }
 
 // The small turn from one rotation to the next, as a vector along its axis, rad.
@@ -44,19 +46,18 @@ void observe_motion(const GuardConfig& config, GuardState& state, Vec3 position_
   EnergyObserver& energy = state.energy;
   if (energy.have_position == 0) energy.position_m = position_m;
   energy.have_position = 1;
-  const Vec3 way = minus(position_m, energy.position_m);
-  const double size = length(way), slack = of(config.device.resolution_m);
+  const Vec3 way = position_m - energy.position_m;
+  const double size = wide_length(way), slack = of(config.device.resolution_m);
   const Vec3 before = energy.position_m;
-  if (size > slack) energy.position_m = plus(before, scaled(way, 1 - slack / size));
-  const Vec3 moved = minus(energy.position_m, before);
+  if (size > slack) energy.position_m = before + scaled(way, 1 - slack / size);
+  const Vec3 moved = energy.position_m - before;
   const double time_s = since_last_s(config, state);
-  const Vec3 slower = minus(scaled(moved, 1 / time_s), energy.velocity_m_per_s);
-  energy.velocity_m_per_s =
-      plus(energy.velocity_m_per_s, scaled(slower, share_of(time_s, of(kSpeedS))));
+  const Vec3 slower = scaled(moved, 1 / time_s) - energy.velocity_m_per_s;
+  energy.velocity_m_per_s = energy.velocity_m_per_s + scaled(slower, share_of(time_s, of(kSpeedS)));
   const double damped =
-      of(config.device.damping_n_s_per_m) * std::max(dot(energy.velocity_m_per_s, moved), 0.0);
-  energy.energy_j += damped + of(config.device.friction_n) * length(moved) -
-                     dot(acted_then(config, energy.force_n), moved);
+      of(config.device.damping_n_s_per_m) * std::max(wide_dot(energy.velocity_m_per_s, moved), 0.0);
+  energy.energy_j += damped + of(config.device.friction_n) * wide_length(moved) -
+                     wide_dot(acted_then(config, energy.force_n), moved);
   energy.energy_j = std::min(energy.energy_j, of(config.stored_energy_j));
   energy.least_j = std::min(energy.least_j, energy.energy_j);
 }
@@ -64,7 +65,7 @@ void observe_motion(const GuardConfig& config, GuardState& state, Vec3 position_
 void observe_turn(const GuardConfig& config, EnergyObserver& energy, Quat rotation) {
   if (energy.have_rotation != 0) {
     const Vec3 turned = turn_between(energy.rotation, rotation);
-    energy.energy_j -= dot(acted_then(config, energy.torque_nm), turned);
+    energy.energy_j -= wide_dot(acted_then(config, energy.torque_nm), turned);
   }
   energy.have_rotation = 1;
   energy.rotation = rotation;
@@ -77,12 +78,12 @@ void remember(std::array<Vec3, kMaxDelayTicks + 2>& newest_first, Vec3 value) {
 
 Vec3 damped(const GuardConfig& config, GuardState& state, Vec3 force_n) {
   const EnergyObserver& energy = state.energy;
-  const double square = dot(energy.velocity_m_per_s, energy.velocity_m_per_s);
+  const double square = wide_dot(energy.velocity_m_per_s, energy.velocity_m_per_s);
   const double most = of(config.passivity_damping_n_s_per_m);
   if (!(most > 0 && energy.energy_j < 0 && square > 0)) return force_n;
   ++state.counters.force_damped;
   const double damping = std::min(most, -energy.energy_j / (step_s(config, state) * square));
-  return minus(force_n, scaled(energy.velocity_m_per_s, damping));
+  return force_n - scaled(energy.velocity_m_per_s, damping);
 }
 
 }  // namespace stylet::hal::guarding

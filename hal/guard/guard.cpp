@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hal/base/vector.h"
+#include "hal/base/wide.h"
 #include "hal/guard/arithmetic.h"
 #include "hal/guard/energy.h"
 
@@ -14,11 +16,7 @@ using namespace guarding;
 
 constexpr std::int64_t kBlindForEverNs = 1'000'000'000'000;
 
-bool finite(Vec3 v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-bool finite(const Pose& pose) {
+bool is_finite(const Pose& pose) {
   const Quat& q = pose.rotation;
   return finite(pose.position_m) && std::isfinite(q.w) && std::isfinite(q.x) &&
          std::isfinite(q.y) && std::isfinite(q.z);
@@ -26,8 +24,8 @@ bool finite(const Pose& pose) {
 
 bool plausible(const Pose& pose) {
   const Quat& q = pose.rotation;
-  const double axis = length({q.x, q.y, q.z}), w = of(q.w);
-  return length(pose.position_m) <= of(kMaxDistanceM) &&
+  const double axis = wide_length({q.x, q.y, q.z}), w = of(q.w);
+  return wide_length(pose.position_m) <= of(kMaxDistanceM) &&
          std::fabs(axis * axis + w * w - 1.0) <= kRotationTolerance;
 }
 
@@ -61,7 +59,7 @@ bool is_armed(GuardMode mode) {
 
 bool jumped(const GuardConfig& config, const GuardState& state, Vec3 position_m) {
   const double most = of(kJumpM) + of(config.max_speed_m_per_s) * since_last_s(config, state);
-  return state.have_pose != 0 && length(minus(position_m, state.pose_m)) > most;
+  return state.have_pose != 0 && wide_length(position_m - state.pose_m) > most;
 }
 
 // One rule a line; a fault of the sample is counted where it is found.
@@ -80,7 +78,7 @@ Fault judge(const GuardConfig& config, GuardState& state, const Sample& sample,
     ++count.samples_old;
     return Fault::kStaleSamples;
   }
-  if (!finite(sample.pose)) {
+  if (!is_finite(sample.pose)) {
     ++count.samples_not_finite;
     return Fault::kStaleSamples;
   }
@@ -125,7 +123,7 @@ void clear_before_any_force(GuardState& state) {
 
 void trip_on_motion(const GuardConfig& config, GuardState& state) {
   const EnergyObserver& energy = state.energy;
-  if (length(energy.velocity_m_per_s) > of(config.max_speed_m_per_s)) {
+  if (wide_length(energy.velocity_m_per_s) > of(config.max_speed_m_per_s)) {
     guard_trip(state, Fault::kTooFast);
   }
   const bool controlled = config.passivity_damping_n_s_per_m > 0 && is_armed(state.mode);
@@ -153,8 +151,8 @@ double largest_force(const GuardConfig& config, const GuardState& state) {
 // by itself may have more force than was sent.
 void note_heat(const GuardConfig& config, GuardState& state) {
   const double share = std::min(step_s(config, state) / of(config.thermal_s), 1.0);
-  const double told_n2 = state.have_motor != 0 ? dot(state.motor_n, state.motor_n) : 0.0;
-  const double felt_n2 = std::max(dot(state.force_n, state.force_n), told_n2);
+  const double told_n2 = state.have_motor != 0 ? wide_dot(state.motor_n, state.motor_n) : 0.0;
+  const double felt_n2 = std::max(wide_dot(state.force_n, state.force_n), told_n2);
   state.heat_n2 += share * (felt_n2 - state.heat_n2);
 }
 
@@ -162,12 +160,12 @@ void watch_for_buzz(const GuardConfig& config, GuardState& state) {
   BuzzDetector& buzz = state.buzz;
   constexpr double kPi = 3.14159265358979324;
   const double share = share_of(step_s(config, state), 1 / (2 * kPi * of(kBuzzHz)));
-  buzz.slow_n = plus(buzz.slow_n, scaled(minus(state.force_n, buzz.slow_n), share));
-  const Vec3 quick = minus(state.force_n, buzz.slow_n);
+  buzz.slow_n = buzz.slow_n + scaled(state.force_n - buzz.slow_n, share);
+  const Vec3 quick = state.force_n - buzz.slow_n;
   buzz.ns += step_ns(config, state);
   if (buzz.ns > in_ns(0.5F / kBuzzHz)) buzz.turns = 0;
-  if (length(quick) < of(config.buzz_n)) return;
-  if (buzz.turns != 0 && dot(quick, buzz.last_n) >= 0) return;
+  if (wide_length(quick) < of(config.buzz_n)) return;
+  if (buzz.turns != 0 && wide_dot(quick, buzz.last_n) >= 0) return;
   ++buzz.turns;
   buzz.ns = 0;
   buzz.last_n = quick;
@@ -182,17 +180,17 @@ Vec3 limited(const GuardConfig& config, GuardState& state, Vec3 wanted) {
       full ? 1.0 : static_cast<double>(state.ramp_ns) / static_cast<double>(in_ns(config.ramp_s));
   const double max_force = largest_force(config, state);
   Vec3 force = scaled(wanted, gain);
-  if (const double size = length(force); size > max_force) {
+  if (const double size = wide_length(force); size > max_force) {
     ++state.counters.force_limited;
     if (max_force < of(config.max_force_n)) ++state.counters.force_warm;
     force = scaled(force, max_force / size);
   }
   const Vec3 last = state.force_n;
-  const Vec3 change = minus(force, last);
+  const Vec3 change = force - last;
   const double max_change = of(config.max_slew_n_per_s) * of(config.period_s);
-  if (const double size = length(change); size > max_change) {
+  if (const double size = wide_length(change); size > max_change) {
     ++state.counters.slew_limited;
-    force = plus(last, scaled(change, max_change / size));
+    force = last + scaled(change, max_change / size);
   }
   return force;
 }
@@ -212,14 +210,15 @@ void begin_fade(GuardState& state, GuardMode mode) {
   state.fade_ns = 0;
   // The force let through may not have reached the motors yet, and their report may be old: a fade
   // adds to neither.
-  const bool less = state.have_motor != 0 && length(state.motor_n) < length(state.force_n);
+  const bool less =
+      state.have_motor != 0 && wide_length(state.motor_n) < wide_length(state.force_n);
   state.fade_from_n = less ? state.motor_n : state.force_n;
 }
 
 // Goes towards zero; true once it is there and the mode is one without force.
 bool ended(const GuardConfig& config, GuardState& state) {
   const bool falls = state.mode == GuardMode::kFading || state.mode == GuardMode::kRelease;
-  if (!falls && dot(state.force_n, state.force_n) == 0) return true;
+  if (!falls && wide_dot(state.force_n, state.force_n) == 0) return true;
   if (!falls) begin_fade(state, GuardMode::kRelease);
   if (!faded(config, state)) return false;
   state.mode = state.mode == GuardMode::kFading ? GuardMode::kFault : GuardMode::kUnarmed;
@@ -283,19 +282,19 @@ void guard_resume(const GuardConfig& config, GuardState& state, std::int64_t idl
 void guard_motor(GuardState& state, const MotorReport& report) {
   state.have_motor = finite(report.force_n) ? 1 : 0;
   state.motor_n = report.force_n;
-  if (dot(report.force_n, report.force_n) != 0) state.forced = 1;
+  if (wide_dot(report.force_n, report.force_n) != 0) state.forced = 1;
   // Motors whose fade is ahead of ours are not pushed back up.
   const bool falls = state.mode == GuardMode::kFading || state.mode == GuardMode::kRelease;
-  if (const double ours = length(state.force_n), theirs = length(report.force_n);
+  if (const double ours = wide_length(state.force_n), theirs = wide_length(report.force_n);
       falls && theirs < ours) {
     state.fade_from_n = scaled(state.fade_from_n, theirs / ours);
     state.force_n = scaled(state.force_n, theirs / ours);
   }
   if (!report.stopped || report.arming != state.arming) return;
-  if (!finite(report.force_n) || length(report.force_n) < length(state.force_n)) {
+  if (!finite(report.force_n) || wide_length(report.force_n) < wide_length(state.force_n)) {
     state.force_n = finite(report.force_n) ? report.force_n : Vec3{};
   }
-  const bool nothing_left = dot(state.force_n, state.force_n) == 0;
+  const bool nothing_left = wide_dot(state.force_n, state.force_n) == 0;
   if (!is_latched(state.mode)) {
     guard_trip(state, Fault::kForceExpired);
   } else if (state.mode == GuardMode::kFading && nothing_left) {
@@ -324,7 +323,7 @@ void guard_trip(GuardState& state, Fault fault) {
   state.may_acknowledge = 0;
   ++state.counters.faults;
   if (fault == Fault::kForceNotFinite) state.force_n = {};
-  const bool nothing_left = dot(state.force_n, state.force_n) == 0;
+  const bool nothing_left = wide_dot(state.force_n, state.force_n) == 0;
   if (nothing_left) {
     state.mode = GuardMode::kFault;
   } else if (state.mode == GuardMode::kRelease) {
@@ -374,7 +373,7 @@ Vec3 guard_force(const GuardConfig& config, GuardState& state, Vec3 force_n) {
   const bool full = state.mode == GuardMode::kLive;
   remember(state.energy.force_n, full ? state.force_n : shortened(force_n, of(config.max_force_n)));
   note_heat(config, state);
-  if (dot(state.force_n, state.force_n) != 0) state.forced = 1;
+  if (wide_dot(state.force_n, state.force_n) != 0) state.forced = 1;
   return state.force_n;
 }
 

@@ -2,28 +2,16 @@
 #include "hal/loop/coupling.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "hal/base/vector.h"
 
 namespace stylet::hal {
 namespace {
 
-Vec3 minus(Vec3 a, Vec3 b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-// a + s b
-Vec3 further(Vec3 a, float s, Vec3 b) {
-  return {a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
-}
-
-float dot(Vec3 a, Vec3 b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
 // The stiffness that the base has met recently, at most `bound`.
 float met_stiffness(const CouplingConfig& config, CouplingState& state, Vec3 force_n, float bound) {
   const float share = config.period_s / (config.period_s + kCouplingStiffnessS);
-  const float work = -dot(minus(force_n, state.force_n), state.moved_m);
+  const float work = -dot(force_n - state.force_n, state.moved_m);
   state.work_j += share * (work - state.work_j);
   state.square_m2 += share * (dot(state.moved_m, state.moved_m) - state.square_m2);
   if (!(state.work_j > 0)) return 0;
@@ -32,9 +20,9 @@ float met_stiffness(const CouplingConfig& config, CouplingState& state, Vec3 for
 
 // The base, moved so that it is at most `most_m` from the device.
 Vec3 drawn_along(float most_m, Vec3 device_m, Vec3 base_m) {
-  const Vec3 way = minus(base_m, device_m);
-  const float size = std::sqrt(dot(way, way));
-  return size > most_m ? further(device_m, most_m / size, way) : base_m;
+  const Vec3 way = base_m - device_m;
+  const float size = length(way);
+  return size > most_m ? device_m + most_m / size * way : base_m;
 }
 
 }  // namespace
@@ -50,12 +38,12 @@ Vec3 coupled_base(const CouplingConfig& config, CouplingState& state, Vec3 devic
   const float bound = std::max(last.stiffness_n_per_m, 0.0F);
   const float met = met_stiffness(config, state, last.force_n, bound);
   const float quick = config.period_s / (config.period_s + kCouplingVelocityS);
-  state.step_m = further(state.step_m, quick, minus(minus(device_m, state.device_m), state.step_m));
-  const Vec3 ahead = further(state.base_m, k / (k + met), state.step_m);
-  const Vec3 balance = further(device_m, 1 / k, last.force_n);
-  Vec3 base = bound > 0 ? further(ahead, k / (k + bound), minus(balance, ahead)) : balance;
+  state.step_m = state.step_m + quick * (device_m - state.device_m - state.step_m);
+  const Vec3 ahead = state.base_m + k / (k + met) * state.step_m;
+  const Vec3 balance = device_m + 1 / k * last.force_n;
+  Vec3 base = bound > 0 ? ahead + k / (k + bound) * (balance - ahead) : balance;
   if (config.max_force_n > 0) base = drawn_along(config.max_force_n / k, device_m, base);
-  state.moved_m = minus(base, state.base_m);
+  state.moved_m = base - state.base_m;
   state.base_m = base;
   state.device_m = device_m;
   state.force_n = last.force_n;
@@ -66,8 +54,7 @@ Vec3 coupled_force(const CouplingConfig& config, const CouplingState& state, Vec
                    Vec3 kernel_n) {
   const float k = config.stiffness_n_per_m;
   if (!(k > 0)) return kernel_n;
-  const Vec3 stretch = minus(state.base_m, device_m);
-  return {k * stretch.x, k * stretch.y, k * stretch.z};
+  return k * (state.base_m - device_m);
 }
 
 }  // namespace stylet::hal

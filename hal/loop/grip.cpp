@@ -5,22 +5,13 @@
 #include <cmath>
 
 #include "hal/base/rotation.h"
+#include "hal/base/vector.h"
 #include "hal/loop/mapping.h"
 
 namespace stylet::hal {
 namespace {
 
 constexpr Vec3 kInwards = {0, 0, -1};
-
-Vec3 sum(Vec3 a, Vec3 b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-Vec3 scaled(float s, Vec3 v) {
-  return {s * v.x, s * v.y, s * v.z};
-}
-float dot(Vec3 a, Vec3 b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
 
 // The vector from base to point of entry, as length and direction.
 struct Lever {
@@ -29,8 +20,8 @@ struct Lever {
 };
 Lever lever_of(const GripConfig& config, Vec3 base_m) {
   const Vec3 way = {-base_m.x, -base_m.y, -config.pivot_depth_m - base_m.z};
-  const float length = std::sqrt(dot(way, way));
-  return {length, scaled(1 / length, way)};
+  const float size = length(way);
+  return {size, 1 / size * way};
 }
 
 // The part of a rotation that is about z; no rotation if that part is undefined.
@@ -57,8 +48,8 @@ Vec3 force_of_torque(const GripConfig& config, Vec3 base_m, Vec3 torque_nm) {
   const Vec3 d = lever.direction;
   const float share = dot(torque_nm, d) / (1 + dot(d, kInwards));
   const Vec3 swing = cross(d, torque_nm);
-  const Vec3 spin = scaled(share, cross(kInwards, d));
-  return scaled(1 / lever.length_m, sum(swing, spin));
+  const Vec3 spin = share * cross(kInwards, d);
+  return 1 / lever.length_m * (swing + spin);
 }
 
 }  // namespace
@@ -72,15 +63,15 @@ Pose grip_pose(const GripConfig& config, GripState& state, const Sample& sample)
   const bool takes_up = !pressed && (state.held || !state.started);
   state.held = pressed;
   if (pressed) return state.needle;
-  const Vec3 place = scaled(config.motion_scale, rotate(config.turn, sample.pose.position_m));
+  const Vec3 place = config.motion_scale * rotate(config.turn, sample.pose.position_m);
   const Quat turned = product(product(config.turn, sample.pose.rotation), inverse(config.turn));
   if (takes_up) {
     state.started = true;
-    state.offset_m = sum(state.needle.position_m, scaled(-1, place));
+    state.offset_m = state.needle.position_m - place;
     state.offset_rotation = product(state.rotation, inverse(turned));
   }
   state.rotation = product(state.offset_rotation, turned);
-  state.needle = placed(config, sum(place, state.offset_m), state.rotation);
+  state.needle = placed(config, place + state.offset_m, state.rotation);
   return state.needle;
 }
 
@@ -95,13 +86,13 @@ Wrench grip_wrench(const GripConfig& config, GripState& state, const Wrench& nee
   Wrench felt = needle;
   if (config.pivots) {
     felt.force_n =
-        sum(felt.force_n, force_of_torque(config, state.needle.position_m, needle.torque_nm));
+        felt.force_n + force_of_torque(config, state.needle.position_m, needle.torque_nm);
     felt.torque_nm = {};
   }
   const float force_scale = state.gain * config.force_scale;
   const Quat back = inverse(config.turn);
-  return {scaled(force_scale, rotate(back, felt.force_n)),
-          scaled(force_scale / config.motion_scale, rotate(back, felt.torque_nm))};
+  return {force_scale * rotate(back, felt.force_n),
+          force_scale / config.motion_scale * rotate(back, felt.torque_nm)};
 }
 
 float grip_stiffness(const GripConfig& config, const GripState& state) {

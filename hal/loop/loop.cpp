@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <limits>
 #include <thread>
+
+#include "hal/base/vector.h"
 
 namespace stylet::hal {
 namespace {
@@ -53,12 +54,8 @@ Input next_input(const HandConfig& config, const Device& device, HandState& stat
   return {base, usable ? 1U : 0U};
 }
 
-float length(Vec3 v) {
-  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-}
-
 Vec3 unit_between(Vec3 from, Vec3 to) {
-  const Vec3 way = {to.x - from.x, to.y - from.y, to.z - from.z};
+  const Vec3 way = to - from;
   const float size = length(way);
   if (!(size > 0)) return {};
   return {way.x / size, way.y / size, way.z / size};

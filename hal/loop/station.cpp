@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
+
+#include "hal/base/vector.h"
 
 namespace stylet::hal {
 namespace {
@@ -41,9 +42,8 @@ float model_share(StationState& state, std::int64_t now_ns) {
 // Shortened to `most`, the most the guard lets through, and then scaled by the fraction: so the
 // fade begins at the force that is felt.
 Vec3 faded(float share, float most, Vec3 v) {
-  const float size = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-  const float scale = size > most ? share * most / size : share;
-  return {scale * v.x, scale * v.y, scale * v.z};
+  const float size = length(v);
+  return (size > most ? share * most / size : share) * v;
 }
 
 // The newest model, through the guard.

@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "hal/base/rotation.h"
+#include "hal/base/vector.h"
 #include "hal/guard/guard.h"
 
 namespace stylet::hal {
@@ -24,10 +25,6 @@ Vec3 in_ras(Vec3 v) {
 }
 Vec3 in_ras_mm(Vec3 metres) {
   return {-1e3F * metres.x, -1e3F * metres.y, 1e3F * metres.z};
-}
-
-float dot(Vec3 a, Vec3 b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 std::string name_of(const char* what, std::uint32_t needle) {
@@ -91,15 +88,13 @@ void add_force(const std::string& name, const Output& output, const Course& cour
   const Vec3 force = in_ras(output.force_n);
   const auto along = [&course](Vec3 v) { return dot(v, course.direction); };
   const float axial = along(output.force_n);
-  const Vec3 across = {output.force_n.x - axial * course.direction.x,
-                       output.force_n.y - axial * course.direction.y,
-                       output.force_n.z - axial * course.direction.z};
+  const Vec3 across = output.force_n - axial * course.direction;
   const ForceByCause& cause = output.cause;
   const std::array<float, 10> values = {force.x,
                                         force.y,
                                         force.z,
                                         axial,
-                                        std::sqrt(dot(across, across)),
+                                        length(across),
                                         along(cause.stiffness_n),
                                         along(cause.cutting_n),
                                         along(cause.friction_n),

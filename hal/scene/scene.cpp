@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "hal/base/vector.h"
 #include "hal/device/devices.h"
 #include "hal/scene/bodies.h"
 #include "hal/scene/guard.h"
@@ -246,11 +247,6 @@ Vec3 voxel_centroid(const Organ& organ) {
           organ.origin_m.z + si(sum[2], edge)};
 }
 
-Vec3 along(Vec3 start, Vec3 direction, float distance) {
-  return {start.x + distance * direction.x, start.y + distance * direction.y,
-          start.z + distance * direction.z};
-}
-
 }  // namespace
 
 void attach(Hand& hand, const std::string& uri) {
@@ -306,7 +302,7 @@ Placement place_needle(const Scene& scene, const Organ& organ, std::uint32_t nee
   const float away = cells * organ.voxel_edge_m + std::fabs(through.x - organ.origin_m.x) +
                      std::fabs(through.y - organ.origin_m.y) +
                      std::fabs(through.z - organ.origin_m.z);
-  const Vec3 outside = along(through, direction, -away);
+  const Vec3 outside = through - away * direction;
   float distance = 0;
   if (!organ_raycast(organ, outside, direction, distance)) {
     throw SceneError(fmt::format(
@@ -316,10 +312,10 @@ Placement place_needle(const Scene& scene, const Organ& organ, std::uint32_t nee
         static_cast<double>(through.z) * 1e3, organ.name));
   }
   Placement placement;
-  placement.course = {along(outside, direction, distance), direction};
+  placement.course = {outside + distance * direction, direction};
   placement.mapping.rotation = needle_rotation(direction);
-  placement.mapping.origin_m = along(placement.course.entry_m, direction,
-                                     -(approach.start_m + scene.config.needle[needle].length_m));
+  const float back_m = approach.start_m + scene.config.needle[needle].length_m;
+  placement.mapping.origin_m = placement.course.entry_m - back_m * direction;
   return placement;
 }
 

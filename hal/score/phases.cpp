@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "hal/base/vector.h"
+
 namespace stylet::hal {
 namespace {
 
@@ -268,10 +270,9 @@ const char* stage_name(Stage stage) {
 
 TrackPoint track_point(const TickRecord& record, const Course& course) {
   const Output& out = record.output;
-  const Vec3& from = course.entry_m;
-  const Vec3 way = {out.tip_m.x - from.x, out.tip_m.y - from.y, out.tip_m.z - from.z};
-  const auto dot = [&d = course.direction](Vec3 v) { return v.x * d.x + v.y * d.y + v.z * d.z; };
-  return {out.tick, -dot(out.force_n), out.depth_m, dot(way), out.phase};
+  const Vec3 d = course.direction;
+  return {out.tick, -dot(out.force_n, d), out.depth_m, dot(out.tip_m - course.entry_m, d),
+          out.phase};
 }
 
 std::optional<double> fallen_share(const PhaseRow& row) {

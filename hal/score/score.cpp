@@ -2,35 +2,22 @@
 #include "hal/score/score.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "hal/base/wide.h"
 
 namespace stylet::hal {
 namespace {
 
-struct Wide {
-  double x, y, z;
-};
-Wide minus(Vec3 a, Vec3 b) {
-  return {static_cast<double>(a.x) - static_cast<double>(b.x),
-          static_cast<double>(a.y) - static_cast<double>(b.y),
-          static_cast<double>(a.z) - static_cast<double>(b.z)};
-}
-double dot(const Wide& a, const Wide& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-double size(const Wide& v) {
-  return std::sqrt(dot(v, v));
-}
 double distance(Vec3 a, Vec3 b) {
-  return size(minus(a, b));
+  return length(wide(a) - wide(b));
 }
 
 // Distance of a point to the way between two ticks: so a fast tip cannot skip a small target.
 double distance_to_way(Vec3 point, Vec3 from, Vec3 to) {
-  const Wide way = minus(to, from), off = minus(point, from);
+  const Eigen::Vector3d way = wide(to) - wide(from), off = wide(point) - wide(from);
   const double length2 = dot(way, way);
   const double share = length2 > 0 ? std::clamp(dot(off, way) / length2, 0.0, 1.0) : 0;
-  return size({off.x - share * way.x, off.y - share * way.y, off.z - share * way.z});
+  return length(off - share * way);
 }
 
 }  // namespace
@@ -50,7 +37,7 @@ void Scorer::add(const TickRecord& record) {
   const Output& out = record.output;
   const bool in_tissue = out.depth_m > 0;
   const double travel_m =
-      dot(minus(out.tip_m, tip.course.entry_m), minus(tip.course.direction, {}));
+      dot(wide(out.tip_m) - wide(tip.course.entry_m), wide(tip.course.direction));
   if (!tip.seen) {
     tip.last_m = tip.ruler_m = out.tip_m;
     tip.furthest_m = tip.nearest_m = travel_m;
@@ -129,10 +116,9 @@ void Scorer::approach_targets(Vec3 hand_m, Vec3 from_m, Vec3 to_m) {
 }
 
 void Scorer::weigh(const Tip& tip, const Output& output) {
-  const Wide force = minus(output.force_n, {}), course = minus(tip.course.direction, {});
-  const double along_n = dot(force, course), force_n = size(force);
-  const double lateral_n = size(
-      {force.x - along_n * course.x, force.y - along_n * course.y, force.z - along_n * course.z});
+  const Eigen::Vector3d force = wide(output.force_n), course = wide(tip.course.direction);
+  const double along_n = dot(force, course), force_n = length(force);
+  const double lateral_n = length(force - along_n * course);
   score_.peak_force_n = std::max(score_.peak_force_n, static_cast<float>(force_n));
   score_.peak_lateral_n = std::max(score_.peak_lateral_n, static_cast<float>(lateral_n));
   if (!(output.depth_m > 0)) return;

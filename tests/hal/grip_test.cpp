@@ -7,6 +7,7 @@
 #include <random>
 
 #include "hal/base/rotation.h"
+#include "hal/base/vector.h"
 
 namespace stylet::hal {
 namespace {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <thread>
 
+#include "hal/base/vector.h"
 #include "hal/device/devices.h"
 #include "hal/device/driver.h"
 #include "hal/device/patience.h"
@@ -121,9 +122,8 @@ bool read(void* self, std::int64_t /*tick_ns*/, Sample& sample_out) {
 // The force that the hand has there. It is not trusted: more than the device renders is ignored.
 Vec3 felt_force(const PeerDevice& peer) {
   const Vec3 told = peer.newest.force_n;
-  const float square = told.x * told.x + told.y * told.y + told.z * told.z;
   const bool tells =
-      peer.newest.arming != 0 && square <= peer.info.max_force_n * peer.info.max_force_n;
+      peer.newest.arming != 0 && dot(told, told) <= peer.info.max_force_n * peer.info.max_force_n;
   return tells ? told : force_at(peer.model, peer.newest.pose.position_m);
 }
 

@@ -12,6 +12,7 @@
 
 #include "hal/base/channel.h"
 #include "hal/base/rotation.h"
+#include "hal/base/wide.h"
 #include "hal/device/devices.h"
 #include "hal/device/driver.h"
 #include "stylet/limits.h"
@@ -19,11 +20,11 @@
 namespace stylet::hal {
 namespace {
 
+using Eigen::Vector3d;
+
 constexpr double kRate = 1 / kPointerFollowS;
 constexpr double kLongestStepS = 0.01;  // after a stall of the loop: one tick of the longest period
 constexpr double kUnitTolerance = 0.01;
-
-using Vec = std::array<double, 3>;
 
 struct Posted {
   Pose pose;
@@ -50,65 +51,45 @@ struct Pointer {
   bool gone = false;
   std::int64_t heard_ns = 0, last_ns = 0;
   std::uint64_t seq = 0;
-  Vec offset_m = {};         // from the page's position to the device's
-  Quat turn = {1, 0, 0, 0};  // the same for the rotation
-  Vec place_m = {}, velocity_m_per_s = {}, spin_rad_per_s = {};
+  Vector3d offset_m = Vector3d::Zero();  // from the page's position to the device's
+  Quat turn = {1, 0, 0, 0};              // the same for the rotation
+  Vector3d place_m = Vector3d::Zero(), velocity_m_per_s = Vector3d::Zero();
+  Vector3d spin_rad_per_s = Vector3d::Zero();
   Quat rotation = {1, 0, 0, 0};
 };
 
-double size(const Vec& v) {
-  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-Vec wide(Vec3 v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-}
-Vec3 narrow(const Vec& v) {
-  return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
-}
-
 bool usable(const Pose& pose) {
   const Quat& q = pose.rotation;
-  const double imaginary = size(wide({q.x, q.y, q.z}));
+  const double imaginary = wide_length({q.x, q.y, q.z});
   const double norm = std::hypot(static_cast<double>(q.w), imaginary);
-  return size(wide(pose.position_m)) <= kPointerReachM && std::fabs(norm - 1) <= kUnitTolerance;
+  return wide_length(pose.position_m) <= kPointerReachM && std::fabs(norm - 1) <= kUnitTolerance;
 }
 
 // One step towards rest at distance `error`: critically damped, speed at most `most`.
-void pull(Vec& velocity, const Vec& error, double most, double dt_s) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    velocity[i] += kRate * (kRate * error[i] - 2 * velocity[i]) * dt_s;
-  }
-  const double speed = size(velocity);
-  if (!(speed > most)) return;
-  for (double& each : velocity) each *= most / speed;
+void pull(Vector3d& velocity, const Vector3d& error, double most, double dt_s) {
+  velocity += kRate * (kRate * error - 2 * velocity) * dt_s;
+  const double speed = length(velocity);
+  if (speed > most) velocity *= most / speed;
 }
 
 void follow(Pointer& p, double dt_s) {
-  const Vec told = wide(p.newest.pose.position_m);
-  Vec error;
-  for (std::size_t i = 0; i < 3; ++i) error[i] = told[i] + p.offset_m[i] - p.place_m[i];
-  pull(p.velocity_m_per_s, error, kPointerSpeedMPerS, dt_s);
-  for (std::size_t i = 0; i < 3; ++i) p.place_m[i] += p.velocity_m_per_s[i] * dt_s;
+  const Vector3d told = wide(p.newest.pose.position_m);
+  pull(p.velocity_m_per_s, told + p.offset_m - p.place_m, kPointerSpeedMPerS, dt_s);
+  p.place_m += p.velocity_m_per_s * dt_s;
 
   const Quat& now = p.rotation;
   const Quat way = product(product(p.turn, p.newest.pose.rotation), inverse(now));
-  Vec turn = wide({way.x, way.y, way.z});
-  for (double& each : turn) each *= way.w < 0 ? -2 : 2;  // the shorter way round
-  pull(p.spin_rad_per_s, turn, kPointerTurnRadPerS, dt_s);
-  Vec half = p.spin_rad_per_s;
-  for (double& each : half) each *= 0.5 * dt_s;
-  const Vec3 step = narrow(half);
-  const Quat q = product({1, step.x, step.y, step.z}, now);
-  const float norm = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-  p.rotation = {q.w / norm, q.x / norm, q.y / norm, q.z / norm};
+  const double twice = way.w < 0 ? -2 : 2;  // the shorter way round
+  pull(p.spin_rad_per_s, twice * wide({way.x, way.y, way.z}), kPointerTurnRadPerS, dt_s);
+  const Vec3 step = narrow(0.5 * dt_s * p.spin_rad_per_s);
+  p.rotation = unit(product({1, step.x, step.y, step.z}, now));
 }
 
 // The needle continues from where it is.
 void take_up(Pointer& p, const Posted& post) {
-  const Vec told = wide(post.pose.position_m);
-  for (std::size_t i = 0; i < 3; ++i) p.offset_m[i] = p.place_m[i] - told[i];
+  p.offset_m = p.place_m - wide(post.pose.position_m);
   p.turn = product(p.rotation, inverse(post.pose.rotation));
-  p.velocity_m_per_s = p.spin_rad_per_s = {};
+  p.velocity_m_per_s = p.spin_rad_per_s = Vector3d::Zero();
 }
 
 void listen(Pointer& p, std::int64_t now_ns) {

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -117,9 +116,7 @@ void move(SpaceMouse& mouse, double dt_s) {
     mouse.position_m[i] += kSpeedMPerS * share(i + 1, sign[i]);
     half[i] = static_cast<float>(0.5 * kTurnRadPerS * share(i + 4, sign[i]));
   }
-  Quat q = product({1, half[0], half[1], half[2]}, mouse.rotation);
-  const float size = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-  mouse.rotation = {q.w / size, q.x / size, q.y / size, q.z / size};
+  mouse.rotation = unit(product({1, half[0], half[1], half[2]}, mouse.rotation));
 }
 
 void work(SpaceMouse& mouse) {
