@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "maps/groups.h"
 
+#include <Eigen/LU>
+
+#include "base/matrix.h"
 #include "base/refusal.h"
 
 namespace stylet::offline {
@@ -75,6 +78,9 @@ Groups groups_of(const std::string& path, const LabelMap& map, const Recipe& rec
   if (!any) refuse("{}: holds none of the recipe's labels: expected one at least", path);
   return groups;
 }
+
+ToIndex::ToIndex(const LabelMap& map)
+    : origin_m(map.origin_m), row(rows_of(columns_of(map.step_m).inverse())) {}
 
 std::uint8_t group_at(const LabelMap& map, const Groups& groups, const ToIndex& to_index,
                       Vec point_m) {

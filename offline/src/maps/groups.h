@@ -22,12 +22,7 @@ struct ToIndex {
   Vec origin_m;
   std::array<Vec, 3> row;
 
-  explicit ToIndex(const LabelMap& map) : origin_m(map.origin_m) {
-    const auto& s = map.step_m;
-    const double volume = dot(s[0], cross(s[1], s[2]));
-    row = {cross(s[1], s[2]) * (1 / volume), cross(s[2], s[0]) * (1 / volume),
-           cross(s[0], s[1]) * (1 / volume)};
-  }
+  explicit ToIndex(const LabelMap& map);
 };
 
 // Group of the voxel around a place; 0 outside the map.

@@ -2,10 +2,12 @@
 // NIfTI-1 and NIfTI-2, also compressed, without a library: libraries decide silently what the user
 // should be told (which of two contradicting frames holds, what becomes of NaN), and crash on some
 // headers. Source: nifti1.h and nifti2.h of nifti.nimh.nih.gov.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <bit>
 
+#include "base/matrix.h"
 #include "maps/header.h"
 #include "maps/names.h"
 #include "maps/readers.h"
@@ -175,13 +177,10 @@ Frame frame_of_qform(const std::string& path, const Header& h) {
   }
   const double a = std::sqrt(std::max(0.0, rest));
   const double flip = h.pixdim[0] < 0 ? -1 : 1;
+  const Eigen::Matrix3d turn = Eigen::Quaterniond(a, b, c, d).toRotationMatrix();
   Frame frame;
-  frame.step[0] =
-      Vec{a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)} * h.pixdim[1];
-  frame.step[1] =
-      Vec{2 * (b * c - a * d), a * a + c * c - b * b - d * d, 2 * (c * d + a * b)} * h.pixdim[2];
-  frame.step[2] = Vec{2 * (b * d + a * c), 2 * (c * d - a * b), a * a + d * d - c * c - b * b} *
-                  (flip * h.pixdim[3]);
+  frame.step = {from_eigen(turn.col(0)) * h.pixdim[1], from_eigen(turn.col(1)) * h.pixdim[2],
+                from_eigen(turn.col(2)) * (flip * h.pixdim[3])};
   frame.origin = {h.qoffset[0], h.qoffset[1], h.qoffset[2]};
   return frame;
 }

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <numbers>
 
+#include "base/matrix.h"
 #include "base/most_off.h"
 #include "stylet/limits.h"
 
@@ -88,25 +90,20 @@ double label_m3(const LabelMap& map, const Piece& piece) {
   return static_cast<double>(piece.voxels.size()) * voxel_volume_m3(map);
 }
 
-// The direction of the largest variance of the voxels, found by repeated multiplication with their
-// covariance.
+// The direction of the largest variance of the voxels. Of its two senses the one whose components
+// have a positive sum, so that the halves of a piece have an order.
 Vec longest_axis(const LabelMap& map, const Piece& piece) {
   Vec middle;
   for (const Vec& at : piece.voxels) middle = middle + at;
   middle = place_m(map, middle * (1.0 / static_cast<double>(piece.voxels.size())));
-  std::array<Vec, 3> covariance{};
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (const Vec& at : piece.voxels) {
-    const Vec from = place_m(map, at) - middle;
-    for (std::size_t row = 0; row < 3; ++row) covariance[row] = covariance[row] + from * from[row];
+    const Eigen::Vector3d from = to_eigen(place_m(map, at) - middle);
+    covariance += from * from.transpose();
   }
-  constexpr int kRounds = 50;
-  Vec axis{0.5, 0.6, 0.62};
-  for (int round = 0; round < kRounds; ++round) {
-    axis = {dot(covariance[0], axis), dot(covariance[1], axis), dot(covariance[2], axis)};
-    const double size = length(axis);
-    axis = size > 0 ? axis * (1 / size) : Vec{1, 0, 0};
-  }
-  return axis;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> variances(covariance);
+  const Vec axis = from_eigen(variances.eigenvectors().col(2));  // they are sorted
+  return axis * (axis.x + axis.y + axis.z < 0 ? -1 : 1);
 }
 
 // Cuts a piece across its longest axis, where the hulls of both halves have the least volume.
