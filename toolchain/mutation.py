@@ -131,7 +131,17 @@ OFFLINE = {
                 ["offline_program_test", "--gtest_filter=Program.Phantoms*"]],
     "base/outputs": [["offline_program_test", "--gtest_filter=Outputs.*:Program.Outputs*"],
                 ["outputs_test.py"]],
+    "base/file": [["offline_program_test", "--gtest_filter=Program.*"], *HEADERS,
+                  ["outputs_test.py"]],
+    "base/toml_file": [["fuzz_tissues", SOURCE / "tests/fuzz/seeds/tissues"],
+                       ["offline_label_test", "--gtest_filter=Recipe.*"]],
+    "meshes/wrap": [["offline_solid_test", "--gtest_filter=Volume.*"], ORGANS],
+    "meshes/simplify": [MAPS, REAL_BODY],
+    "voxels/sweep": [["offline_quality_test", "--gtest_filter=Fit.*"]],
 }
+# Reports, which nothing is built from.
+REPORTS = ("meshes/distance", "pipeline/pieces", "report/info", "report/page", "report/picture",
+           "report/quality", "report/speed")
 SUBJECTS |= {name: (f"offline/src/{name}.cpp", tests) for name, tests in OFFLINE.items()}
 BUILD = "build/release"
 MOST_BYTES = 8 << 30  # a mutant might use all memory
@@ -228,6 +238,14 @@ def run(command, timeout=None, **options):
                               errors="replace", timeout=timeout, **options)
     except subprocess.TimeoutExpired:
         return None
+
+
+def forgotten():
+    """Files of offline that are neither changed here nor reports."""
+    folder = SOURCE / "offline/src"
+    names = [path.relative_to(folder).with_suffix("").as_posix()
+             for path in sorted(folder.rglob("*.cpp"))]
+    return [name for name in names if name not in OFFLINE and name not in REPORTS]
 
 
 def program(test):
@@ -340,6 +358,8 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=SOURCE / "build" / "mutation")
     parser.add_argument("--sample", type=int, default=0)
     options = parser.parse_args()
+    if forgotten():
+        sys.exit(f"mutation.py: {', '.join(forgotten())}: expected in OFFLINE or REPORTS")
     subjects = []
     for each in options.subjects or ("kernel", "hal", "offline"):
         of_folder = [name for name, (file, _) in SUBJECTS.items() if file.startswith(each + "/")]

@@ -396,7 +396,7 @@ class MetaImage(Case):
             with self.subTest(name):
                 voxels = self.map.astype(kind).tobytes("F")
                 self.held(self.write(kind=f"MET_{name}", voxels=voxels), self.steps, self.origin)
-        self.refused(self.write("CompressedData = True"), "expected CompressedDataSize")
+        self.refused(self.write("CompressedData = True"), "expected CompressedDataSize = ")
 
     def test_voxels_in_files_of_their_own(self):
         planes = [self.map[:, :, z].tobytes("F") for z in range(self.map.shape[2])]
@@ -406,13 +406,18 @@ class MetaImage(Case):
             names = [name % (i + 1) for i in range(last)]
             for each, plane in zip(names, planes):
                 (self.folder / each).write_bytes(plane)
-            for data in (f"{name} 1 {last} 1", "\n".join(["LIST", *names, "", ""])):
+            for data in (f"{name} 1 {last} 1", "\n".join(["LIST", *names, "", ""]),
+                         "\n".join(["LIST 2", *names])):
                 header.write_bytes(head + f"ElementDataFile = {data}\n".encode())
                 with self.subTest(data):
                     self.held(header, self.steps, self.origin)
         for wrong in ("LIST", "", "s%d 1 2 0", "s%x 1 2 1"):
             header.write_bytes(head + f"ElementDataFile = {wrong}\n".encode())
             self.refused(header, "expected")
+        (self.folder / "all.raw").write_bytes(b"".join(planes))
+        for wrong in ("LIST 3", "LIST 2 2", "LIST two"):  # MetaIO reads nothing of the first
+            header.write_bytes(head + f"ElementDataFile = {wrong}\nall.raw\n".encode())
+            self.refused(header, f"ElementDataFile = {wrong}: expected")
 
     def test_headers_that_say_too_little_or_too_much(self):
         for old, new, *said in (

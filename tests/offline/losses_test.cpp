@@ -152,6 +152,70 @@ TEST(Losses, OfLayersAreTold) {
   EXPECT_GT(counts.silent, 2);
 }
 
+// Share of their thickness that layers lack across the surface, in percent, as the user is told;
+// 0 if the user is not.
+double told_thinner(const offline::Built& built) {
+  for (const std::string& each : built.report.warnings) {
+    const std::size_t at = each.find("layers are ");
+    if (!each.starts_with("--layers-along -z: ") || at == std::string::npos) continue;
+    return std::stod(each.substr(at + std::string("layers are ").size()));
+  }
+  return 0;
+}
+
+// A plane z = x sx + y sy meets rows along z under an angle of cosine 1 / sqrt(1 + sx^2 + sy^2).
+TEST(Losses, LayersUnderASlopeAreToldToBeThinnerAcrossIt) {
+  int told = 0, silent = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    Draw draw(seed);
+    const double slope_x = draw.between(-0.6, 0.6), slope_y = draw.between(-0.6, 0.6);
+    const Mesh block = sloping_block({draw.between(30, 50), draw.between(30, 50), 30},
+                                     draw.between(0, 3), slope_x, slope_y);
+    const auto built = build_quietly({input_of(block, 1e-3, "gel")}, layered(4, 5, 2));
+    const double thinner = 1 - 1 / std::sqrt(1 + slope_x * slope_x + slope_y * slope_y);
+    if (thinner > 0.05) EXPECT_NEAR(told_thinner(built), 100 * thinner, 0.51) << seed;
+    if (thinner < 0.01) EXPECT_EQ(told_thinner(built), 0) << seed;
+    told += thinner > 0.05 ? 1 : 0;
+    silent += thinner < 0.01 ? 1 : 0;
+  }
+  EXPECT_GT(told, 10);
+  EXPECT_GT(silent, 2);
+}
+
+// Of a roof whose two sides have their own slopes, each side counts with the rows that enter it.
+TEST(Losses, EachSlopeCountsWithTheRowsThatEnterIt) {
+  const double along_mm = 40, left_mm = 30, right_mm = 15, high_mm = 12;
+  const Mesh roof = {
+      {{-left_mm, 0, 0},
+       {right_mm, 0, 0},
+       {0, 0, high_mm},
+       {-left_mm, along_mm, 0},
+       {right_mm, along_mm, 0},
+       {0, along_mm, high_mm}},
+      {{0, 1, 2}, {3, 5, 4}, {0, 3, 4}, {0, 4, 1}, {0, 2, 5}, {0, 5, 3}, {1, 4, 5}, {1, 5, 2}}};
+  const auto built = build_quietly({input_of(roof, 1e-3, "gel")}, layered(2, 2, 1));
+  const auto cosine = [&](double wide_mm) { return wide_mm / std::hypot(wide_mm, high_mm); };
+  const double mean =
+      (left_mm * cosine(left_mm) + right_mm * cosine(right_mm)) / (left_mm + right_mm);
+  EXPECT_NEAR(told_thinner(built), 100 * (1 - mean), 0.51);
+}
+
+// Layers begin where rows enter what they replace: at the flat top of two bodies of it, whatever
+// lies between these; under a body that they do not replace, at the slope below it.
+TEST(Losses, OnlyTheSurfaceWhereLayersBeginCounts) {
+  const double slope = 0.5;
+  const Mesh below = sloping_block({40, 40, 30}, 0, slope, 0);
+  Mesh above = box_mesh({0, 0, 0}, {40, 40, 40});
+  for (Vec& p : above.points) p.z = p.z > 0 ? p.z : slope * p.x;
+  for (const bool both : {true, false}) {
+    offline::BuildOptions options = layered(4, 5, 2);
+    options.layer_course.of = "gel";
+    const auto built = build_quietly(
+        {input_of(below, 1e-3, "gel"), input_of(above, 1e-3, both ? "gel" : "fat")}, options);
+    EXPECT_NEAR(told_thinner(built), both ? 0 : 100 * (1 - 1 / std::hypot(1, slope)), 0.51);
+  }
+}
+
 // A wall of cells along any axis, the first of which is filled in only some of its rows, beside
 // cells of another tissue. Counted by hand: a layer of t edges takes t of each of the 64 rows, and
 // what lies below it the rest of the rows.

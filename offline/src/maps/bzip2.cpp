@@ -4,6 +4,7 @@
 #include <bzlib.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/file.h"
 #include "maps/readers.h"
@@ -98,10 +99,31 @@ void take_numbers(Voxels& voxels, std::vector<char>& bytes, LabelMap& map) {
   take<std::int64_t, std::uint64_t>(voxels, bytes, map);
 }
 
-void unpack(const std::string& name, std::string_view packed, Voxels& voxels, LabelMap& map) {
+// What is left of a file without the lines before its packed bytes.
+std::string_view behind_lines(const std::string& name, std::int64_t lines, std::string_view bytes) {
+  for (std::int64_t i = 0; i < lines; ++i) {
+    const std::size_t end = bytes.find('\n');
+    if (end == std::string_view::npos) {
+      refuse("{}: {} lines before the voxels: expected {}, the header's line skip", name, i, lines);
+    }
+    bytes.remove_prefix(end + 1);
+  }
+  return bytes;
+}
+
+void unpack(const std::string& name, std::string_view bytes, Voxels& voxels, LabelMap& map) {
   constexpr std::size_t kBlock = std::size_t{1} << 20U;  // a multiple of every type's size
-  Unpacker unpacker(name, packed);
+  Unpacker unpacker(name, behind_lines(name, voxels.claim.line_skip, bytes));
   std::vector<char> block;
+  // Lines are skipped in the file, bytes in what it unpacks to, as in teem.
+  for (auto left = static_cast<std::size_t>(voxels.claim.byte_skip); left > 0;) {
+    block.resize(std::min(kBlock, left));
+    if (unpacker.fill(block) < block.size()) {
+      refuse("{}: fewer than {} bytes were unpacked: expected more than the header's byte skip",
+             name, voxels.claim.byte_skip);
+    }
+    left -= block.size();
+  }
   for (std::size_t filled = 1; filled > 0;) {
     block.resize(std::min(kBlock, voxels.wanted - voxels.taken + 1));
     filled = unpacker.fill(block);
@@ -127,16 +149,43 @@ std::size_t values_of(const std::string& path, const Claim& claim) {
   return values;
 }
 
+// Puts the layers of each voxel side by side, wherever their axes are among the file's.
+void put_layers_first(const Claim& claim, std::size_t layers, std::vector<std::uint16_t>& label) {
+  const std::array<std::size_t, 3>& in_space = claim.frame.axes;
+  if (in_space[0] + in_space.size() == claim.sizes.size()) return;
+  std::vector<std::size_t> apart;  // neighbours along each axis, afterwards
+  std::size_t of_layers = 1, of_voxels = layers;
+  for (std::size_t axis = 0; axis < claim.sizes.size(); ++axis) {
+    const bool is_layer = std::find(in_space.begin(), in_space.end(), axis) == in_space.end();
+    std::size_t& next = is_layer ? of_layers : of_voxels;
+    apart.push_back(next);
+    next *= claim.sizes[axis];
+  }
+  std::vector<std::uint16_t> moved(label.size());
+  for (std::size_t i = 0; i < label.size(); ++i) {
+    std::size_t rest = i, to = 0;
+    for (std::size_t axis = 0; axis < apart.size(); ++axis) {
+      to += rest % claim.sizes[axis] * apart[axis];
+      rest /= claim.sizes[axis];
+    }
+    moved[to] = label[i];
+  }
+  label = std::move(moved);
+}
+
 }  // namespace
 
 std::size_t read_bzip2(const std::string& path, std::string_view bytes, const Claim& claim,
                        LabelMap& map) {
-  if (claim.skips || !claim.frame.space_last) {
-    refuse("{}: encoding bzip2: expected no line skip, no byte skip, and the axes in space last",
-           path);
+  constexpr auto kMostSkipped = static_cast<std::int64_t>(kMostMapVoxels);
+  if (std::min(claim.line_skip, claim.byte_skip) < 0 || claim.byte_skip > kMostSkipped) {
+    refuse("{}: encoding bzip2: expected a line skip from 0 and a byte skip from 0 to {}", path,
+           kMostSkipped);
   }
-  const std::size_t values = values_of(path, claim), at = claim.sizes.size() - 3;
-  for (std::size_t i = 0; i < 3; ++i) map.size[i] = static_cast<std::uint32_t>(claim.sizes[at + i]);
+  const std::size_t values = values_of(path, claim);
+  for (std::size_t i = 0; i < 3; ++i) {
+    map.size[i] = static_cast<std::uint32_t>(claim.sizes[claim.frame.axes[i]]);
+  }
   Voxels voxels{path, claim, values * claim.bytes_each, 0, {}};
   if (claim.files.empty()) unpack(path, bytes.substr(bytes.size() - claim.behind), voxels, map);
   for (const std::filesystem::path& file : claim.files) {
@@ -144,7 +193,9 @@ std::size_t read_bzip2(const std::string& path, std::string_view bytes, const Cl
     unpack(beside.string(), read_file(beside), voxels, map);
   }
   if (voxels.taken < voxels.wanted) refuse_bytes(voxels);
-  return values / (std::size_t{map.size[0]} * map.size[1] * map.size[2]);
+  const std::size_t layers = values / (std::size_t{map.size[0]} * map.size[1] * map.size[2]);
+  put_layers_first(claim, layers, map.label);
+  return layers;
 }
 
 }  // namespace stylet::offline

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unpacks the voxels of an NRRD file packed by bzip2, with libbz2: ITK's NRRD reader was built
 // without it.
-// Promises: memory grows with what the streams really hold, two bytes a value, at most to what the
-// header claims; there unpacking stops. Data that is damaged, cut short or longer than the header
-// says is refused with the place. Source: teem.sourceforge.net/nrrd/format.html (encoding: bzip2).
+// Promises: memory grows with what the streams really hold, two bytes a value (four where layers
+// are not the file's first axis), at most to what the header claims; there unpacking stops. Data
+// that is damaged, cut short or longer than the header says is refused with the place.
+// Source: teem.sourceforge.net/nrrd/format.html (encoding: bzip2).
 #pragma once
 
 #include <string>

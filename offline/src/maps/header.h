@@ -24,7 +24,7 @@ struct HeaderFrame {
   Vec origin_m;                    // centre of the first voxel
   std::array<Vec, 3> step_m;       // from a voxel to the next one along each index
   std::vector<std::string> notes;  // what the header leaves open, one sentence for each
-  bool space_last = true;          // layers and components come before the axes in space
+  std::array<std::size_t, 3> axes = {0, 1, 2};  // which of the file's lie in space
 };
 
 // How the number of a voxel is stored.
@@ -43,7 +43,8 @@ struct Claim {
   bool hex = false;                            // two digits a byte
   std::vector<std::filesystem::path> files;    // with the voxels; empty: they follow the header
   std::uint64_t behind = 0;                    // bytes after the header
-  bool skips = false;                          // other bytes precede the voxels
+  bool skips = false;                          // other bytes precede the voxels:
+  std::int64_t line_skip = 0, byte_skip = 0;   // so many of an NRRD; -1: all but the voxels
   std::map<std::string, std::string> remarks;  // NRRD's KEY:=VALUE
   HeaderNumber number;                         // of voxels packed by bzip2, or of text
   HeaderFrame frame;

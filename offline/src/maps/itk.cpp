@@ -63,8 +63,8 @@ void require_whole(const std::string& path, const Claim& claim, std::string_view
 
 Claim checked_claim(const std::string& path, std::string_view bytes, std::string& sha256_out) {
   Claim claim = is_nrrd(path) ? nrrd_claim(path, bytes) : meta_claim(path, bytes);
-  const std::size_t at = claim.sizes.size() - 3;  // layers, if any, come before the three axes
-  require_map_size(path, {claim.sizes[at], claim.sizes[at + 1], claim.sizes[at + 2]});
+  const std::array<std::size_t, 3>& axes = claim.frame.axes;
+  require_map_size(path, {claim.sizes[axes[0]], claim.sizes[axes[1]], claim.sizes[axes[2]]});
   const std::uint64_t held = held_bytes(path, claim, bytes, sha256_out);
   if (claim.bzip2) return claim;  // its own reader unpacks the bytes and counts them
   require_held(path, claim, held);

@@ -89,6 +89,12 @@ void read_files(const std::string& path, const HeaderFields& fields, std::string
   auto [value, line] = fields.at("ElementDataFile");
   if (lower(value) == "local") return;
   if (value.starts_with("LIST")) {
+    const auto axes = whole_numbers(path, line, value.substr(4), 1, INT32_MAX);
+    if (axes.size() > 1 || (!axes.empty() && axes.front() >= std::ssize(claim.sizes))) {
+      // MetaIO reads nothing of a file that holds all axes.
+      refuse("{}: header line {}: {}: expected LIST and a file for each slice, or one file's name",
+             path, line.number, line.text);
+    }
     while (next_line(path, rest, line)) {
       if (!trimmed(line.text).empty()) claim.files.emplace_back(trimmed(line.text));
     }
@@ -152,7 +158,8 @@ Claim meta_claim(const std::string& path, std::string_view bytes) {
   if (claim.files.empty()) {
     const auto packed = number_of(path, fields, "CompressedDataSize", 0, held, 0);
     if (claim.packed && packed == 0) {  // else MetaIO reads nothing
-      refuse("{}: expected CompressedDataSize in the header of packed voxels", path);
+      refuse("{}: packed voxels: expected CompressedDataSize = {}, the bytes after the header",
+             path, rest.size());
     }
   }
   check_values(path, fields);

@@ -213,7 +213,7 @@ HeaderFrame nrrd_frame(const std::string& path, const HeaderFields& fields,
                v.z * space.to_lps[2] * space_unit_m[2]};
   };
   HeaderFrame frame;
-  frame.space_last = axes[0] + axes.size() == sizes.size();
+  frame.axes = axes;
   const auto* directions = found(fields, "spacedirections");
   if (directions != nullptr) {
     const auto steps = read_directions(path, *directions, sizes.size(), axes);

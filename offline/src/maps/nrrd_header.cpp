@@ -126,17 +126,15 @@ void read_files(const std::string& path, const HeaderFields& fields, Claim& clai
   }
 }
 
-// Whether the header says that something before the voxels is to be skipped.
-bool skips(const std::string& path, const HeaderFields& fields) {
-  bool any = false;
+// How much before the voxels is to be skipped.
+std::int64_t skip_of(const std::string& path, const HeaderFields& fields, const char* name) {
   constexpr std::int64_t kMost = std::int64_t{1} << 32U;
-  for (const char* name : {"lineskip", "byteskip"}) {
-    const auto given = fields.find(name);
-    if (given == fields.end()) continue;
-    const auto skip = whole_numbers(path, given->second.second, given->second.first, -1, kMost);
-    any = any || skip != std::vector<std::int64_t>{0};
-  }
-  return any;
+  const auto given = fields.find(name);
+  if (given == fields.end()) return 0;
+  const auto& [value, line] = given->second;
+  const auto skip = whole_numbers(path, line, value, -1, kMost);
+  if (skip.size() != 1) refuse("{}: header line {}: expected one number", path, line.number);
+  return skip.front();
 }
 
 }  // namespace
@@ -160,7 +158,9 @@ Claim nrrd_claim(const std::string& path, std::string_view bytes) {
   read_encoding(path, field_of(path, fields, "encoding").first, claim);
   read_files(path, fields, claim);
   claim.behind = rest.size();
-  claim.skips = skips(path, fields);
+  claim.line_skip = skip_of(path, fields, "lineskip");
+  claim.byte_skip = skip_of(path, fields, "byteskip");
+  claim.skips = claim.line_skip != 0 || claim.byte_skip != 0;
   claim.frame = nrrd_frame(path, fields, claim.sizes);
   if (claim.bzip2 || claim.text) claim.number = read_number(path, fields, claim);
   return claim;

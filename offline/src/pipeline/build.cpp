@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <filesystem>
+#include <numbers>
 
 #include "base/most_off.h"
 #include "base/refusal.h"
@@ -389,6 +390,20 @@ void warn_of_losses(const std::vector<Held>& held, double edge_m, const Given& g
   }
 }
 
+void warn_of_slopes(const Claimed& claimed, const TissueNumbers& numbers,
+                    std::vector<std::string>& warnings) {
+  if (numbers.layers.empty()) return;
+  const double left = thickness_across(claimed.claims, numbers, claimed.mesh);
+  if (1 - left <= kMostOff) return;
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  warnings.push_back(fmt::format(
+      "--layers-along {}{}: the surface that this way enters slopes like a plane at {:.0f} "
+      "degrees: across it, layers are {:.0f} % thinner on average than asked for: expected a way "
+      "straight in, or thicker layers",
+      numbers.course.backwards ? '-' : '+', "xyz"[numbers.course.axis], std::acos(left) * kDegrees,
+      100 * (1 - left)));
+}
+
 // Moves the lattice into the parts of the organ file.
 void take_lattice(Lattice lattice, OrganParts& parts) {
   parts.origin_m = lattice.grid.origin_m;
@@ -419,6 +434,7 @@ std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
   const double edge_m = lattice.grid.edge_m;
   MaterialList materials{options.own_tissues, {}};
   const TissueNumbers numbers = number_tissues(claimed.tissues, options, edge_m, materials);
+  warn_of_slopes(claimed, numbers, warnings);
   const std::vector<std::uint8_t> layers = cell_layers(claimed.claims, numbers);
   const std::vector<std::uint16_t> owner_of_voxel = owners(claimed.claims, lattice);
   VoxelMaterials of_voxel = voxel_materials(claimed.claims, lattice, owner_of_voxel,

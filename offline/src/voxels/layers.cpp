@@ -14,6 +14,45 @@ std::uint8_t layer_at(const TissueNumbers& numbers, double depth_m) {
   return i;
 }
 
+namespace {
+
+// Whether layers replace the tissue at a place, in lattice coordinates.
+bool is_layered_at(const Claims& claims, const TissueNumbers& numbers, Vec place) {
+  std::array<std::uint32_t, 3> at{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!(place[axis] >= 0 && place[axis] < claims.grid.size[axis])) return false;
+    at[axis] = static_cast<std::uint32_t>(place[axis]);
+  }
+  const std::size_t cell = cell_index(claims.grid, at[0], at[1], at[2]);
+  return is_kept(claims, cell) && numbers.is_layered[claims.owner[cell]] != 0;
+}
+
+}  // namespace
+
+double thickness_across(const Claims& claims, const TissueNumbers& numbers, const Mesh& mesh_m) {
+  const std::size_t axis = numbers.course.axis;
+  const double sign = numbers.course.backwards ? -1 : 1;
+  const Vec way_in = {axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0};
+  double rows = 0, weighted = 0;
+  for (const Triangle& t : mesh_m.triangles) {
+    const Vec a = to_lattice(claims.grid, mesh_m.points[t[0]]);
+    const Vec b = to_lattice(claims.grid, mesh_m.points[t[1]]);
+    const Vec c = to_lattice(claims.grid, mesh_m.points[t[2]]);
+    const Vec normal = cross(b - a, c - a), middle = (a + b + c) * (1.0 / 3);
+    // A voxel farther out there is none, and half a voxel farther in there is: rows enter here,
+    // whichever way the triangle is turned.
+    if (is_layered_at(claims, numbers, middle - way_in) ||
+        !is_layered_at(claims, numbers, middle + way_in * 0.5)) {
+      continue;
+    }
+    const double across = std::abs(dot(normal, way_in));
+    if (!(across > 0)) continue;
+    rows += across;
+    weighted += across * across / length(normal);
+  }
+  return rows > 0 ? weighted / rows : 1;
+}
+
 std::vector<std::uint8_t> cell_layers(const Claims& claims, const TissueNumbers& numbers) {
   if (numbers.layers.empty()) return {};
   constexpr double kSamples = 64;

@@ -39,6 +39,11 @@ constexpr std::uint8_t kNotLayered = 255;
 // The layer at a depth.
 std::uint8_t layer_at(const TissueNumbers& numbers, double depth_m);
 
+// How much of a layer's thickness is left across the surface that rows enter, on average over the
+// rows: a row that meets the surface under an angle goes through 1 / cosine of the thickness there.
+// `mesh_m` holds that surface; its other triangles do not count. 1 if no row enters.
+double thickness_across(const Claims& claims, const TissueNumbers& numbers, const Mesh& mesh_m);
+
 // The layer of each cell; empty if there are no layers at all.
 std::vector<std::uint8_t> cell_layers(const Claims& claims, const TissueNumbers& numbers);
 
