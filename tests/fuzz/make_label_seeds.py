@@ -10,6 +10,7 @@ import pathlib
 import struct
 import sys
 import tempfile
+import zlib
 
 import numpy
 
@@ -29,12 +30,23 @@ def nrrd(text="", layers=1, encoding="raw"):
     sizes = " ".join(map(str, SIZE))
     layered = f"{layers} " if layers > 1 else ""
     data = numpy.repeat(voxels().astype(numpy.uint8).ravel(), layers).tobytes()
-    pack = {"raw": bytes, "gzip": gzip.compress, "bzip2": bz2.compress}[encoding]
+    pack = {"raw": bytes, "gzip": gzip.compress, "bzip2": bz2.compress,
+            "hex": lambda raw: raw.hex().encode(),
+            "ascii": lambda raw: " ".join(map(str, raw)).encode()}[encoding]
     return (f"NRRD0004\ntype: uchar\ndimension: {3 + (layers > 1)}\nspace: "
             f"left-posterior-superior\nsizes: {layered}{sizes}\nspace directions: "
             f"{'none ' if layers > 1 else ''}(0.8,0.6,0) (-1.2,1.6,0) (0,0,3)\n"
             f"{'kinds: list domain domain domain' + chr(10) if layers > 1 else ''}"
             f"space origin: (-4,2,11)\nencoding: {encoding}\n{text}\n").encode() + pack(data)
+
+
+def layers_last():
+    """Layers on the last axis, a line and a byte to skip."""
+    data = numpy.repeat(voxels().astype(numpy.uint8)[None], 2, axis=0).tobytes()
+    return (f"NRRD0004\ntype: uchar\ndimension: 4\nsizes: {' '.join(map(str, SIZE))} 2\n"
+            f"spacings: 1 2 3 nan\nkinds: domain domain domain list\nencoding: bzip2\n"
+            f"line skip: 1\nbyte skip: 1\n{SEGMENTS}\na line\n").encode() + \
+        bz2.compress(b"x" + data)
 
 
 SEGMENTS = ("Segment0_ID:=a\nSegment0_Name:=Liver\nSegment0_LabelValue:=1\nSegment0_Layer:=0\n"
@@ -73,11 +85,15 @@ def nifti(two=False):
     return bytes(head) + extension + voxels().astype(numpy.uint8).tobytes()
 
 
-def meta():
-    return (f"ObjectType = Image\nNDims = 3\nBinaryData = True\nCompressedData = False\n"
+def meta(packed=False):
+    data = voxels().astype("<u2").tobytes()
+    if packed:
+        data = zlib.compress(data)
+    return (f"ObjectType = Image\nNDims = 3\nBinaryData = True\nCompressedData = {packed}\n"
+            + (f"CompressedDataSize = {len(data)}\n" if packed else "") +
             f"TransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = -4 2 11\nElementSpacing = 1.5 2 3\n"
             f"DimSize = {' '.join(map(str, SIZE))}\nElementType = MET_USHORT\n"
-            f"ElementDataFile = LOCAL\n").encode() + voxels().astype("<u2").tobytes()
+            f"ElementDataFile = LOCAL\n").encode() + data
 
 
 def inr():
@@ -121,9 +137,12 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         seeds = [("plain.nrrd", NRRD, nrrd(SEGMENTS)), ("layers.nrrd", NRRD, nrrd(SEGMENTS, 2)),
                  ("gzip.nrrd", NRRD, nrrd(encoding="gzip")),
-                 ("bzip2.nrrd", NRRD, nrrd(SEGMENTS, 2, "bzip2")), ("one.nii", NIFTI, nifti()),
+                 ("bzip2.nrrd", NRRD, nrrd(SEGMENTS, 2, "bzip2")),
+                 ("skips.nrrd", NRRD, layers_last()), ("hex.nrrd", NRRD, nrrd(encoding="hex")),
+                 ("text.nrrd", NRRD, nrrd(encoding="ascii")), ("one.nii", NIFTI, nifti()),
                  ("two.nii", NIFTI, nifti(True)), ("gz.nii", NIFTI_GZ, gzip.compress(nifti())),
-                 ("plain.mha", META, meta()), ("plain.inr", INR, inr()),
+                 ("plain.mha", META, meta()), ("packed.mha", META, meta(True)),
+                 ("plain.inr", INR, inr()),
                  ("gz.inr", INR_GZ, gzip.compress(inr())), *dicom_seeds(pathlib.Path(folder))]
     for name, kind, data in seeds:
         (out / f"{name}.bin").write_bytes(bytes([kind]) + data)

@@ -167,9 +167,9 @@ TEST(Bzip2, WhatIsToBeSkippedIs) {
     labels.push_back(static_cast<std::uint16_t>(draw.below(100)));
     voxels += static_cast<char>(labels.back());
   }
-  const std::string skips = "line skip: 2\nbyte skip: 5\n";
+  const std::string skips = "line skip: 2\nbyte skip: 1\n";
   const auto file_of = [&](std::size_t from, std::size_t size) {
-    return "one\r\n\n" + packed("12345" + voxels.substr(from, size));
+    return "one\r\n\n" + packed("1" + voxels.substr(from, size));
   };
   scratch.write("a.bz2", file_of(0, 40));
   scratch.write("b.bz2", file_of(40, 24));
@@ -184,6 +184,7 @@ TEST(Bzip2, WhatIsToBeSkippedIs) {
   };
   EXPECT_THAT(said("line skip: 2\n", "one\n"), HasSubstr("1 lines before the voxels: expected 2"));
   EXPECT_THAT(said("byte skip: 70\n", packed(voxels)), HasSubstr("fewer than 70 bytes"));
+  EXPECT_EQ(said("byte skip: 64\n", packed(voxels + voxels)), "");
   EXPECT_EQ(said("byte skip: 2000000\n", packed(std::string(2000064, '\0'))), "");
   EXPECT_THAT(said("byte skip: 64\n", packed(voxels)), HasSubstr("0 bytes were unpacked"));
   EXPECT_THAT(said("byte skip: -1\n", packed(voxels)), HasSubstr("a byte skip from 0"));
@@ -214,6 +215,10 @@ TEST(Bzip2, WhatEndsOrIsDamagedIsRefusedWithThePlace) {
     EXPECT_THAT(refusal_of(scratch.write("a.nrrd", head + damaged)), HasSubstr("expected "));
   }
   EXPECT_THAT(refusal_of(scratch.write("a.nrrd", head + whole + "tail")),
+              HasSubstr("damaged after 4096 bytes of what it holds"));
+  EXPECT_THAT(
+      refusal_of(scratch.write("a.nrrd", header("uchar", "1 1 1", "\n") + packed("1") + "tail")),
+      HasSubstr("damaged after 1 bytes of what it holds"));
               HasSubstr("damaged after 4096 unpacked bytes"));
 }
 
@@ -247,6 +252,8 @@ TEST(Bzip2, CostsWhatIsThereNotWhatIsClaimed) {
   const auto start = std::chrono::steady_clock::now();
   const std::string some = packed(std::string(1000, '\0'));
   EXPECT_THAT(refusal_of(scratch.write("a.nrrd", header("uchar", "16384 16384 1", "\n") + some)),
+              HasSubstr("1000 bytes were unpacked"));
+  EXPECT_THAT(refusal_of(scratch.write("a.nrrd", header("uchar", "268435456 1 1", "\n") + some)),
               HasSubstr("1000 bytes were unpacked"));
   std::string bomb;
   const std::string nothing = packed(std::string(std::size_t{1} << 26U, '\0'));

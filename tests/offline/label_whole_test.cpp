@@ -125,6 +125,14 @@ TEST(WholeVoxels, OfTextAreNumbersOfTheirType) {
   }
 }
 
+// What is no number may be a page of text: its first 40 characters are told.
+TEST(WholeVoxels, AreToldByTheirFirstCharacters) {
+  const Scratch scratch;
+  const std::string begin = "0123456789abcdefghijklmnopqrstuvwxyzABCD";
+  EXPECT_THAT(refusal_of(scratch.write("a.nrrd", file_of(kWritten[1], 3, "1 " + begin + "EF 3"))),
+              HasSubstr("voxel 1: " + begin + ": expected a number from 0 to 255"));
+}
+
 // NRRD takes commas between numbers, MetaImage does not; digits may have blanks between them.
 TEST(WholeVoxels, MayHaveBetweenThemWhatTheFormatAllows) {
   const Scratch scratch;

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "base/refusal.h"
+#include "meshes/phantom.h"
 #include "offline_support.h"
 #include "pipeline/label_organ.h"
 #include "random_bodies.h"
@@ -154,32 +155,66 @@ TEST(Losses, OfLayersAreTold) {
 
 // Share of their thickness that layers lack across the surface, in percent, as the user is told;
 // 0 if the user is not.
-double told_thinner(const offline::Built& built) {
+double told_thinner(const offline::Built& built, const std::string& along = "-z") {
   for (const std::string& each : built.report.warnings) {
     const std::size_t at = each.find("layers are ");
-    if (!each.starts_with("--layers-along -z: ") || at == std::string::npos) continue;
+    if (!each.starts_with("--layers-along " + along + ": ") || at == std::string::npos) continue;
     return std::stod(each.substr(at + std::string("layers are ").size()));
   }
   return 0;
 }
 
-// A plane z = x sx + y sy meets rows along z under an angle of cosine 1 / sqrt(1 + sx^2 + sy^2).
+// A plane z = x sx + y sy meets rows along z under an angle of cosine 1 / sqrt(1 + sx^2 + sy^2);
+// then z becomes any axis, either way along it.
 TEST(Losses, LayersUnderASlopeAreToldToBeThinnerAcrossIt) {
   int told = 0, silent = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     Draw draw(seed);
-    const double slope_x = draw.between(-0.6, 0.6), slope_y = draw.between(-0.6, 0.6);
-    const Mesh block = sloping_block({draw.between(30, 50), draw.between(30, 50), 30},
-                                     draw.between(0, 3), slope_x, slope_y);
-    const auto built = build_quietly({input_of(block, 1e-3, "gel")}, layered(4, 5, 2));
+    const double steep = draw.coin() ? 0.6 : 0.1;
+    const double slope_x = draw.between(-steep, steep), slope_y = draw.between(-steep, steep);
+    Mesh block = sloping_block({draw.between(30, 50), draw.between(30, 50), 30}, draw.between(0, 3),
+                               slope_x, slope_y);
+    const std::size_t axis = draw.below(3);
+    const bool backwards = draw.coin();
+    for (Vec& p : block.points) {
+      const double height = backwards ? p.z : -p.z;
+      p = axis == 0   ? Vec{height, p.x, p.y}
+          : axis == 1 ? Vec{p.y, height, p.x}
+                      : Vec{p.x, p.y, height};
+    }
+    offline::BuildOptions options = layered(4, 5, 2);
+    options.layer_course = {axis, backwards, ""};
+    const auto built = build_quietly({input_of(block, 1e-3, "gel")}, options);
     const double thinner = 1 - 1 / std::sqrt(1 + slope_x * slope_x + slope_y * slope_y);
-    if (thinner > 0.05) EXPECT_NEAR(told_thinner(built), 100 * thinner, 0.51) << seed;
-    if (thinner < 0.01) EXPECT_EQ(told_thinner(built), 0) << seed;
+    const double said =
+        told_thinner(built, fmt::format("{}{}", backwards ? '-' : '+', std::string("xyz")[axis]));
+    if (thinner > 0.05) EXPECT_NEAR(said, 100 * thinner, 0.51) << seed;
+    if (thinner < 0.01) EXPECT_EQ(said, 0) << seed;
     told += thinner > 0.05 ? 1 : 0;
     silent += thinner < 0.01 ? 1 : 0;
   }
   EXPECT_GT(told, 10);
   EXPECT_GT(silent, 2);
+}
+
+// Over the rows that enter a ball, r^2 = 1 - cosine^2 is spread evenly: the mean cosine is 2/3.
+TEST(Losses, LayersOfABallAreAThirdThinnerAcrossIt) {
+  const auto built =
+      build_quietly({input_of(offline::ball_phantom(60, 1.5), 1e-3, "gel")}, layered(2, 2, 3));
+  EXPECT_NEAR(told_thinner(built), 100.0 / 3, 0.75);
+}
+
+// Sides along the rows are no slope, of a plate that is all surface neither; nor is there one where
+// the part of a body that is kept has no surface.
+TEST(Losses, SidesAndCutsAreNoSlopes) {
+  const auto plate =
+      build_quietly({input_of(box_mesh({0, 0, 0}, {40, 40, 3}), 1e-3, "gel")}, layered(1, 1, 2));
+  EXPECT_EQ(told_thinner(plate), 0);
+  offline::BuildOptions options = layered(4, 5, 2);
+  options.crop = offline::parse_crop({"x>10", "x<30", "y>10", "y<30", "z>10", "z<30"});
+  const auto inner =
+      build_quietly({input_of(box_mesh({0, 0, 0}, {40, 40, 40}), 1e-3, "gel")}, options);
+  EXPECT_EQ(told_thinner(inner), 0);
 }
 
 // Of a roof whose two sides have their own slopes, each side counts with the rows that enter it.

@@ -30,25 +30,25 @@ bool is_layered_at(const Claims& claims, const TissueNumbers& numbers, Vec place
 }  // namespace
 
 double thickness_across(const Claims& claims, const TissueNumbers& numbers, const Mesh& mesh_m) {
-  const std::size_t axis = numbers.course.axis;
-  const double sign = numbers.course.backwards ? -1 : 1;
-  const Vec way_in = {axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0};
+  // Voxel edges from the surface. Half of a voxel's diagonal is 0.87: a plane does not reach into
+  // voxels so far from it, which therefore tell what lies on either side.
+  constexpr double kOut = 1.5, kIn = 1;
   double rows = 0, weighted = 0;
   for (const Triangle& t : mesh_m.triangles) {
     const Vec a = to_lattice(claims.grid, mesh_m.points[t[0]]);
     const Vec b = to_lattice(claims.grid, mesh_m.points[t[1]]);
     const Vec c = to_lattice(claims.grid, mesh_m.points[t[2]]);
     const Vec normal = cross(b - a, c - a), middle = (a + b + c) * (1.0 / 3);
-    // A voxel farther out there is none, and half a voxel farther in there is: rows enter here,
-    // whichever way the triangle is turned.
-    if (is_layered_at(claims, numbers, middle - way_in) ||
-        !is_layered_at(claims, numbers, middle + way_in * 0.5)) {
+    const double along = normal[numbers.course.axis], size = length(normal);
+    if (along == 0) continue;  // rows pass it by
+    // Inwards, if rows enter here, whichever way the triangle is turned.
+    const Vec in = normal * (((along < 0) == numbers.course.backwards ? 1 : -1) / size);
+    if (is_layered_at(claims, numbers, middle - in * kOut) ||
+        !is_layered_at(claims, numbers, middle + in * kIn)) {
       continue;
     }
-    const double across = std::abs(dot(normal, way_in));
-    if (!(across > 0)) continue;
-    rows += across;
-    weighted += across * across / length(normal);
+    rows += std::abs(along);
+    weighted += along * along / size;
   }
   return rows > 0 ? weighted / rows : 1;
 }
