@@ -243,6 +243,11 @@ TEST(Bzip2, OtherVoxelsThanTheHeaderSpeaksOfAreRefused) {
                   "\nspacings: nan 1 1 1\nsizes: 4611686018427387904 2 2 2\n"
                   "encoding: bzip2\n\nBZh9")),
               HasSubstr("more than 268435456 values"));
+  EXPECT_THAT(refusal_of(scratch.write(
+                  "a.nrrd",
+                  "NRRD0004\ntype: uchar\ndimension: 4\nkinds: list domain domain domain"
+                  "\nspacings: nan 1 1 1\nsizes: 2 16384 16384 1\nencoding: bzip2\n\nBZh9")),
+              HasSubstr("more than 268435456 values"));
 }
 
 // Headers that claim 250 million voxels, over a few bytes; and half a gigabyte of zeros in 500

@@ -250,7 +250,8 @@ class Nrrd(Case):
 
     def test_keys_that_are_like_those_of_segments_name_nothing(self):
         path = self.changed(self.write(), b"\n\n", b"\nSegmentX_ID:=a\nSegment1x_ID:=b"
-                            b"\nOther1_ID:=c\nSegment_ID:=d\n\n")
+                            b"\nOther1_ID:=c\nSegment_ID:=d\nSegment00_Name:=e"
+                            b"\nSegment01_ID:=f\n\n")
         facts = json.loads(self.run_labels(path).stdout)
         self.assertTrue(facts["labels"])
         self.assertEqual({each["name"] for each in facts["labels"]}, {""})
@@ -270,6 +271,10 @@ class Nrrd(Case):
                 (b"space origin: (", b"space origin: 1 (", "expected vectors")):
             with self.subTest(new):
                 self.refused(self.changed(self.write(), old, new), *said)
+        path = self.changed(self.write(), b"dimension: 3", b"# a note: 3\ndimension: 3")
+        self.held(path, self.steps, self.origin)
+        kinds = b"dimension: 3\nkinds: domain list domain"
+        self.refused(self.changed(self.write(), b"dimension: 3", kinds), "2 dimensions: expected 3")
         ends = "axis mins: 1 2 3", "axis maxs: 9 9 9"
         self.refused(self.write(*ends, "centers: cell cell", space=None), "3 of cell or node")
         self.refused(self.write("axis mins: nan 2 3", ends[1], space=None), "expected")
@@ -415,6 +420,8 @@ class MetaImage(Case):
             header.write_bytes(head + f"ElementDataFile = {wrong}\n".encode())
             self.refused(header, "expected")
         (self.folder / "all.raw").write_bytes(b"".join(planes))
+        header.write_bytes(head + b"ElementDataFile = LIST\nall.raw\n")  # the first plane, no other
+        self.refused(header, "the voxels end or are damaged after")
         for wrong in ("LIST 3", "LIST 2 2", "LIST two"):  # MetaIO reads nothing of the first
             header.write_bytes(head + f"ElementDataFile = {wrong}\nall.raw\n".encode())
             self.refused(header, f"ElementDataFile = {wrong}: expected")
@@ -482,6 +489,11 @@ class Inrimage(Case):
         for said_too in (b"no field\nCPU=", b"NOTE = a = b\nCPU="):
             self.held(self.changed(self.write(), b"CPU=", said_too),
                       numpy.diag(self.spacing), numpy.zeros(3), UNKNOWN)
+        path = self.write()
+        whole = path.read_bytes()
+        text = whole[:252].rstrip(b"\n") + b"\nNOTE="  # no empty line before the end of the header
+        path.write_bytes(text.ljust(251, b"x") + b"\n" + whole[252:])
+        self.held(path, numpy.diag(self.spacing), numpy.zeros(3), UNKNOWN)
         path = self.write()
         path.write_bytes(path.read_bytes()[:-5])  # no more than what the header itself makes up for
         self.refused(path, "the voxels end early")

@@ -151,6 +151,38 @@ TEST(WholeVoxels, MayHaveBetweenThemWhatTheFormatAllows) {
               HasSubstr("expected nothing to skip"));
 }
 
+// Of what is skipped in packed voxels ITK's reader knows; that they end early, too.
+TEST(WholeVoxels, MayHaveOtherBytesBeforeThem) {
+  const Scratch scratch;
+  const auto file = [&](const std::string& bytes) {
+    return scratch.write("a.nrrd",
+                         "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 3 1 1\nspacings: 1 1 1\n"
+                         "encoding: gzip\nline skip: 1\nbyte skip: 2\n\nnote\n" +
+                             deflated(bytes, 16 + MAX_WBITS));
+  };
+  EXPECT_EQ(offline::read_label_map(file("ab\1\2\3")).label, (std::vector<std::uint16_t>{1, 2, 3}));
+  EXPECT_THAT(refusal_of(file("ab\1\2")), HasSubstr("expected 3 bytes but received 2"));
+}
+
+// A gzip file that is cut anywhere, or whose sum is another.
+TEST(WholeVoxels, OfPackedFilesAreWholeToo) {
+  const Scratch scratch;
+  std::string header =
+      "#INRIMAGE-4#{\nXDIM=3\nYDIM=1\nZDIM=1\nVDIM=1\nTYPE=unsigned fixed\n"
+      "PIXSIZE=8 bits\nCPU=decm\nVX=1\nVY=1\nVZ=1\n";
+  header.resize(252, '\n');
+  const std::string whole = deflated(header + "##}\n\1\2\3");
+  EXPECT_EQ(refusal_of(scratch.write("a.inr.gz", whole)), "");
+  for (std::size_t size = 2; size < whole.size(); ++size) {
+    EXPECT_THAT(refusal_of(scratch.write("a.inr.gz", whole.substr(0, size))),
+                HasSubstr("expected a whole gzip file"))
+        << size;
+  }
+  std::string damaged = whole;
+  damaged[damaged.size() - 5] ^= 1;
+  EXPECT_THAT(refusal_of(scratch.write("a.inr.gz", damaged)), HasSubstr("a whole gzip file"));
+}
+
 // In files of their own, one after the other.
 TEST(WholeVoxels, OfSeveralFilesAreCountedTogether) {
   const Scratch scratch;

@@ -76,6 +76,8 @@ TEST(Obj, NamesPlaceAndValueOfWhatItRefuses) {
   EXPECT_THAT(refusal("a.obj", three + "f 1 2 -4\n"), HasSubstr("'-4'"));
   EXPECT_THAT(refusal("a.obj", "v 0 0 0\nv 1 0 1e999\nv 1 1 0\nf 1 2 3\n"),
               HasSubstr("a.obj:2: '1e999': expected finite"));
+  EXPECT_THAT(refusal("a.obj", "v 0 0 0\nv 1 2mm 0\nv 1 1 0\nf 1 2 3\n"),
+              HasSubstr("a.obj:2: '2mm': expected finite"));
   EXPECT_THAT(refusal("a.obj", "v 0 0 0\n"), HasSubstr("no usable face"));
 }
 
@@ -331,6 +333,10 @@ TEST(Ply, RefusesHeadersAndIndicesThatMeanNothing) {
   for (const auto& [text, reason] : bad) {
     EXPECT_THAT(refusal("a.ply", head + text), HasSubstr(reason)) << text;
   }
+  // A list of points is no coordinate, whatever it is called.
+  EXPECT_THAT(refusal("a.ply", head + points + "property list uchar float z\n" + faces +
+                                   "0 0 1 9\n0 1 1 9\n1 1 1 9\n3 0 1 2\n"),
+              HasSubstr("expected finite"));
   std::string binary = binary_ply(false);
   binary[binary.size() - 1] = '\1';  // of the last index
   EXPECT_THAT(refusal("a.ply", binary), HasSubstr("a.ply: byte "));

@@ -88,6 +88,7 @@ bool is_segment(std::string_view key, std::string_view field, std::size_t& numbe
   if (!key.starts_with(kWord) || !key.ends_with(field)) return false;
   key.remove_prefix(kWord.size());
   key.remove_suffix(std::min(key.size(), field.size()));
+  if (key.starts_with('0') && key != "0") return false;  // its fields are looked for by the number
   const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), number);
   return error == std::errc{} && end == key.data() + key.size();
 }
