@@ -25,8 +25,6 @@ double largest_of(const Claim& claim) {
 
 WholeVoxels::WholeVoxels(const std::string& path, const Claim& claim) : path_(path), claim_(claim) {
   if (claim.skips) {
-    refuse("{}: voxels as text, and something to skip before them: expected nothing to skip", path);
-  if (claim.skips && !claim.packed) {
     refuse(
         "{}: voxels as text, but the header says to skip something before them: expected nothing "
         "to skip",
