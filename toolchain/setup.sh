@@ -16,12 +16,12 @@ to_run=(
   gnuplot-nox fonts-dejavu-core python3 python3-h5py python3-matplotlib
   # libraries for programs that were built elsewhere
   libbz2-1.0 libccd2 libdcmtk17 libexpat1 libfmt9 libgmp10 libhdf5-103-1 libinsighttoolkit5.2
-  libmpfr6 libopenigtlink1.11 libpng16-16 libssl3 libstdc++6 zlib1g
+  libmd0 libmpfr6 libopenigtlink1.11 libpng16-16 libssl3 libstdc++6 zlib1g
 )
 to_develop=(
   build-essential ccache cmake ninja-build pkg-config
   # kernel
-  flatbuffers-compiler libccd-dev libflatbuffers-dev
+  flatbuffers-compiler libccd-dev libflatbuffers-dev libmd-dev
   # hal
   libboost-dev libcli11-dev libfmt-dev libhdf5-dev libopenigtlink-dev libtomlplusplus-dev
   nlohmann-json3-dev

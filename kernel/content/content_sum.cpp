@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stylet/content_sum.h"
 
-#include <openssl/evp.h>
+#include <sha2.h>
 
 #include <algorithm>
-#include <memory>
-#include <stdexcept>
 
 namespace stylet {
 
@@ -15,15 +13,12 @@ std::array<std::uint8_t, 32> content_sha256(std::span<const std::byte> file, con
                           ? file.size()
                           : static_cast<std::size_t>(organ.content_sha256.data() - all);
   const std::size_t behind = before + organ.content_sha256.size();
-  std::array<std::uint8_t, 32> sum{};
-  const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> digest(EVP_MD_CTX_new(),
-                                                                       &EVP_MD_CTX_free);
-  if (EVP_DigestInit_ex(digest.get(), EVP_sha256(), nullptr) != 1 ||
-      EVP_DigestUpdate(digest.get(), all, before) != 1 ||
-      EVP_DigestUpdate(digest.get(), all + behind, file.size() - behind) != 1 ||
-      EVP_DigestFinal_ex(digest.get(), sum.data(), nullptr) != 1) {
-    throw std::runtime_error("SHA-256 is not available in libcrypto");
-  }
+  std::array<std::uint8_t, SHA256_DIGEST_LENGTH> sum{};
+  SHA2_CTX digest;
+  SHA256Init(&digest);
+  SHA256Update(&digest, all, before);
+  SHA256Update(&digest, all + behind, file.size() - behind);
+  SHA256Final(sum.data(), &digest);
   return sum;
 }
 

@@ -4,76 +4,23 @@
 
 #include "stylet/kernel.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 
 #include "laws/cone.h"
+#include "config.h"
 #include "coupling/bend.h"
 #include "coupling/return_map.h"
 #include "lattice/lattice.h"
 #include "lattice/plan.h"
 #include "state/layout.h"
+#include "base/first_outside.h"
 #include "base/math.h"
 #include "state/snapshot.h"
 #include "lattice/voxel.h"
 
 namespace stylet {
 namespace {
-
-bool within(float v, float low, float high) {
-  return v >= low && v <= high;
-}
-
-bool needle_good(const NeedleConfig& n) {
-  return within(n.length_m, 1e-3F, kMaxNeedleLengthM) && within(n.outer_radius_m, 1e-5F, 0.01F) &&
-         within(n.unit_m, 1e-4F, 0.05F) && within(n.bending_nm2, 0, kMaxBendingNm2) &&
-         n.rods >= 1 && n.rods <= kMaxRods && within(n.bevel_per_m, 0, kMaxBevelPerM) &&
-         within(n.bent_length_m, 0, n.length_m) && within(n.bent_angle_rad, 0, kMaxBentAngleRad) &&
-         within(n.torsion_nm2, 0, kMaxTorsionNm2) &&
-         within(n.tip_half_angle_rad, kMinTipHalfAngleRad, kMaxTipHalfAngleRad);
-}
-
-bool breathing_good(const BreathingConfig& b) {
-  return within(b.period_s, 0.1F, 1000) && within(norm(b.amplitude_m), 0, kMaxBreathM);
-}
-
-bool config_good(const Config& c) {
-  return (c.mode == Mode::kPhysical || c.mode == Mode::kPaper) &&
-         within(c.period_s, kMinPeriodS, kMaxPeriodS) && c.substeps >= 1 &&
-         c.substeps <= kMaxSubsteps &&
-         (c.inertia == Inertia::kAddedMass || c.inertia == Inertia::kTrueMass) &&
-         within(c.tissue_damping_s, 0, 1) &&
-         within(c.surround_drag_per_s, 0, 100) && within(c.hourglass_weight, 0.05F, 1) &&
-         within(c.paper_alpha, 1e-3F, 1) && breathing_good(c.breathing) && c.needle_count >= 1 &&
-         c.needle_count <= kMaxNeedles &&
-         std::all_of(c.needle, c.needle + c.needle_count, needle_good);
-}
-
-// Values that do not matter are made the same: here the sign of zero in floats. (A count cannot be
-// a word that is only a sign bit: all counts are smaller.)
-template <typename Words>
-void drop_signs_of_zero(Words& words) {
-  static_assert(sizeof(Words) % sizeof(std::uint32_t) == 0);
-  for (std::size_t i = 0; i < sizeof(Words); i += sizeof(std::uint32_t)) {
-    std::byte* const at = reinterpret_cast<std::byte*>(&words) + i;
-    std::uint32_t word = 0;
-    std::memcpy(&word, at, sizeof word);
-    if (word == 0x80000000U) std::memset(at, 0, sizeof word);
-  }
-}
-
-Config canonical(Config config) {
-  for (std::uint32_t i = config.needle_count; i < kMaxNeedles; ++i) config.needle[i] = {};
-  drop_signs_of_zero(config);
-  return config;
-}
-
-ObstacleConfig canonical(ObstacleConfig config) {
-  for (std::uint32_t i = config.vertex_count; i < kMaxHullVertices; ++i) config.vertices_m[i] = {};
-  drop_signs_of_zero(config);
-  return config;
-}
 
 // Shear modulus of a material from its modulus in tension and lambda (Lame's first): the root of
 // 2 G^2 + (3 lambda - E) G - E lambda = 0, written so that no digits cancel.
@@ -335,16 +282,21 @@ bool aligned(std::span<const std::byte> block) {
 
 }  // namespace
 
-Status sizes(const Organ& organ, const Config& config, Sizes& sizes_out) {
-  if (organ.root == nullptr || !config_good(config)) return Status::kConfigValueOutOfRange;
+Status sizes(const Organ& organ, const Config& config, Sizes& sizes_out,
+             ConfigRefusal* refusal_out) {
+  if (refusal_out != nullptr) *refusal_out = {"organ", 0, 0, 1, 1};
+  if (organ.root == nullptr) return Status::kConfigValueOutOfRange;
+  if (refusal_out != nullptr) *refusal_out = {};
+  Status status = check_config(config, refusal_out);
   Counts counts;
-  const Status status = count_lattice(organ, config, counts);
+  if (status == Status::kOk) status = count_lattice(organ, config, counts);
   return status == Status::kOk ? block_sizes(counts, sizes_out) : status;
 }
 
-Status create(const Organ& organ, const Config& config, const Memory& memory, Kernel& kernel_out) {
+Status create(const Organ& organ, const Config& config, const Memory& memory, Kernel& kernel_out,
+              ConfigRefusal* refusal_out) {
   Sizes need = {};
-  const Status status = sizes(organ, config, need);
+  const Status status = sizes(organ, config, need, refusal_out);
   if (status != Status::kOk) return status;
   if (memory.model.size() < need.model_bytes || memory.state.size() < need.state_bytes ||
       memory.scratch.size() < need.scratch_bytes) {
@@ -375,13 +327,17 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   return Status::kOk;
 }
 
-Status set_obstacles(Kernel& kernel, std::span<const ObstacleConfig> obstacles) {
+Status set_obstacles(Kernel& kernel, std::span<const ObstacleConfig> obstacles,
+                     ConfigRefusal* refusal_out) {
   View view = view_of(kernel);
+  if (refusal_out != nullptr) *refusal_out = {};
   if (view.state.head->tick != 0) return Status::kObstaclesTooLate;
-  if (obstacles.size() > kMaxObstacles) return Status::kConfigValueOutOfRange;
-  for (const ObstacleConfig& config : obstacles) {
-    Obstacle checked;
-    if (obstacle_prepare(config, checked) != Status::kOk) return Status::kConfigValueOutOfRange;
+  FirstOutside count(0);
+  count.check("obstacles", static_cast<double>(obstacles.size()), 0, kMaxObstacles);
+  if (!count.good()) return count.status(refusal_out);
+  for (std::uint32_t i = 0; i < obstacles.size(); ++i) {
+    const Status status = check_obstacle(obstacles[i], i, refusal_out);
+    if (status != Status::kOk) return status;
   }
   std::memset(static_cast<void*>(view.model.obstacle), 0, sizeof(Obstacle) * kMaxObstacles);
   for (std::size_t i = 0; i < obstacles.size(); ++i) {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Compiler settings shared by all targets. stylet_flags is for everything; stylet_rt_flags adds the
 # rules of the real-time path (same bits everywhere, no exceptions, no RTTI).
+include_guard(GLOBAL)
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -20,10 +21,19 @@ if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()
 
+# Warnings are for those who work on Stylet, not for those who use it.
+set(warnings)
+cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH root)
+cmake_path(GET root PARENT_PATH root)
+if(CMAKE_SOURCE_DIR STREQUAL root)
+  set(warnings -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Wvla -Wnon-virtual-dtor
+    -Werror)
+endif()
+
 add_library(stylet_flags INTERFACE)
-target_compile_options(stylet_flags INTERFACE
-  -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Wvla
-  -Wnon-virtual-dtor -Werror)
+target_compile_options(stylet_flags INTERFACE -ffp-contract=off ${warnings})
+# Resolves symbols at program start, not at the first call, which would be in a tick.
+target_link_options(stylet_flags INTERFACE $<$<PLATFORM_ID:Linux>:LINKER:-z,now>)
 
 add_library(stylet_rt_flags INTERFACE)
 target_link_libraries(stylet_rt_flags INTERFACE stylet_flags)

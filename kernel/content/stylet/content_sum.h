@@ -2,7 +2,7 @@
 // The SHA-256 that an organ file holds of its own bytes (organ.fbs). It is a separate library,
 // stylet_content_sum, for programs that write and load files; the kernel does not need it.
 //
-// Promises: only libcrypto allocates. `organ` is what organ_open found in `file`.
+// Promise: no allocation. `organ` is what organ_open found in `file`.
 #pragma once
 
 #include <array>
@@ -14,8 +14,7 @@
 
 namespace stylet {
 
-// SHA-256 of all bytes except those of Organ::content_sha256, if there are any. Throws if libcrypto
-// has no SHA-256.
+// SHA-256 of all bytes except those of Organ::content_sha256, if there are any.
 std::array<std::uint8_t, 32> content_sha256(std::span<const std::byte> file, const Organ& organ);
 
 // Whether the bytes match the file's sum; true for files of format version 1 that hold no sum.

@@ -91,6 +91,17 @@ struct ObstacleConfig {
   float friction = 0;           // Coulomb coefficient
 };
 
+// Why a configuration was refused: the first field outside its limits. Vectors and quaternions are
+// told by their length (a quaternion's squared). `field` is static text, written as in the structs
+// above: "needle.length_m", "obstacle.friction"; `index` says which needle or obstacle. An empty
+// field: it was not the configuration.
+struct ConfigRefusal {
+  const char* field = "";
+  std::uint32_t index = 0;
+  double value = 0;
+  double least = 0, most = 0;  // that is accepted
+};
+
 void make_box(ObstacleConfig& config, Vec3 half_m);
 void make_sphere(ObstacleConfig& config, float radius_m);
 
@@ -122,16 +133,19 @@ struct Kernel {
 
 // The sizes are exact: create uses these bytes and no others. kOrganTooLarge: this machine cannot
 // count the bytes of a block (32 bits).
-Status sizes(const Organ& organ, const Config& config, Sizes& sizes_out);
+Status sizes(const Organ& organ, const Config& config, Sizes& sizes_out,
+             ConfigRefusal* refusal_out = nullptr);
 // On kMemoryTooSmall or kMemoryNotAligned nothing was written. Ends with reset.
-Status create(const Organ& organ, const Config& config, const Memory& memory, Kernel& kernel_out);
+Status create(const Organ& organ, const Config& config, const Memory& memory, Kernel& kernel_out,
+              ConfigRefusal* refusal_out = nullptr);
 // Back to tick 0: tissue at rest, needles away, no track. Obstacles stay.
 void reset(Kernel& kernel);
 
 // Bodies that no needle enters, fixed in the world: at most kMaxObstacles, replacing those given
 // before. Call it before the first tick after create or reset (later: kObstaclesTooLate). On an
 // error nothing changes.
-Status set_obstacles(Kernel& kernel, std::span<const ObstacleConfig> obstacles);
+Status set_obstacles(Kernel& kernel, std::span<const ObstacleConfig> obstacles,
+                     ConfigRefusal* refusal_out = nullptr);
 
 // ==== One tick
 // ======================================================================================
@@ -255,6 +269,9 @@ struct MassReport {
   float real_kg, stepped_kg;
 };
 MassReport mass_report(const Kernel& kernel, std::uint32_t material);
+// The instructions that the tissue step uses on this processor: "avx512", "avx2" or "baseline". The
+// bits do not depend on it.
+const char* instruction_set();
 // Passes of the filter in a substep, 0 to kMaxFilterPasses; 0 with added mass.
 std::uint32_t filter_passes(const Kernel& kernel);
 
@@ -310,6 +327,9 @@ Energy energy(const Kernel& kernel);
 // (not finite: only with a latched fault). Then nothing changes. A state that it accepts does no
 // harm in any number of ticks: forces are finite, or the fault latches.
 std::size_t snapshot_bytes(const Kernel& kernel);
+// A number that is another one for every layout of the state: snapshots pass between programs with
+// the same number.
+std::uint64_t state_layout();
 Status snapshot(const Kernel& kernel, std::span<std::byte> out);
 Status restore(Kernel& kernel, std::span<const std::byte> in);
 

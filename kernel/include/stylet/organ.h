@@ -88,6 +88,11 @@ Status organ_open(std::span<const std::byte> bytes, Organ& organ_out,
 // `index` < organ.material_count.
 Material organ_material(const Organ& organ, std::uint32_t index);
 
+// Place at rest of a vertex whose voxel is number `voxel_x`, `voxel_y`, `voxel_z` of the lattice;
+// of a lattice with sheets, voxel_y is its run's y modulo sheet_rows.
+Vec3 organ_vertex_place(const Organ& organ, std::uint32_t voxel_x, std::uint32_t voxel_y,
+                        std::uint32_t voxel_z, const OrganVertex& vertex);
+
 // First crossing of the rest surface along a ray (cold path: visits every triangle). False if
 // there is none. `direction` has unit length; `distance_out_m` >= 0.
 bool organ_raycast(const Organ& organ, Vec3 origin_m, Vec3 direction, float& distance_out_m);

@@ -21,4 +21,14 @@ LatticeStep lattice_step_for_this_processor() {
   return lattice_step_baseline;
 }
 
+const char* instruction_set() {
+  const LatticeStep step = lattice_step_for_this_processor();
+#if defined(__x86_64__)
+  if (step == lattice_step_avx512) return "avx512";
+  if (step == lattice_step_avx2) return "avx2";
+#endif
+  (void)step;
+  return "baseline";
+}
+
 }  // namespace stylet

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "needle/obstacle.h"
 
+#include <limits>
+
+#include "base/first_outside.h"
 #include "laws/touch.h"
 
 namespace stylet {
@@ -108,28 +111,6 @@ Mat3 stiffness_matrix(Vec3 n, float normal, float across) {
            {d * n.x * n.z, d * n.y * n.z, across + d * n.z * n.z}}};
 }
 
-bool all_finite(const ObstacleConfig& c) {
-  bool finite = is_finite(c.pose.position_m) && is_finite(c.rounding_m) &&
-                is_finite(c.stiffness_n_per_m) && is_finite(c.largest_force_n) &&
-                is_finite(c.friction);
-  const Quat q = c.pose.rotation;
-  finite = finite && is_finite(q.w) && is_finite(Vec3{q.x, q.y, q.z});
-  for (std::uint32_t i = 0; i < c.vertex_count; ++i) finite = finite && is_finite(c.vertices_m[i]);
-  return finite;
-}
-
-bool in_range(const ObstacleConfig& c) {
-  if (c.vertex_count == 0 || c.vertex_count > kMaxHullVertices || !all_finite(c)) return false;
-  for (std::uint32_t i = 0; i < c.vertex_count; ++i) {
-    if (!(norm(c.vertices_m[i]) <= kLargestConfigM)) return false;
-  }
-  const Quat q = c.pose.rotation;
-  const float length2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-  return norm(c.pose.position_m) <= kLargestConfigM && length2 > 1 - kRotationTolerance &&
-         length2 < 1 + kRotationTolerance && c.rounding_m >= 0 && c.rounding_m <= kLargestConfigM &&
-         c.stiffness_n_per_m > 0 && c.largest_force_n > 0 && c.friction >= 0;
-}
-
 }  // namespace
 
 void make_box(ObstacleConfig& config, Vec3 half_m) {
@@ -148,8 +129,30 @@ void make_sphere(ObstacleConfig& config, float radius_m) {
   config.rounding_m = radius_m;
 }
 
+Status check_obstacle(const ObstacleConfig& c, std::uint32_t index, ConfigRefusal* refusal_out) {
+  constexpr double kLeast = static_cast<double>(std::numeric_limits<float>::denorm_min());
+  constexpr double kMost = static_cast<double>(std::numeric_limits<float>::max());
+  const auto wide = [](float value) { return static_cast<double>(value); };
+  FirstOutside first(index);
+  first.check("obstacle.vertex_count", c.vertex_count, 1, kMaxHullVertices);
+  for (std::uint32_t i = 0; first.good() && i < c.vertex_count; ++i) {
+    first.check("obstacle.vertices_m", wide(norm(c.vertices_m[i])), 0, wide(kLargestConfigM));
+  }
+  first.check("obstacle.pose.position_m", wide(norm(c.pose.position_m)), 0, wide(kLargestConfigM));
+  const Quat q = c.pose.rotation;
+  const float length2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+  first.check("obstacle.pose.rotation", wide(length2), 1 - wide(kRotationTolerance),
+              1 + wide(kRotationTolerance));
+  first.check("obstacle.rounding_m", wide(c.rounding_m), 0, wide(kLargestConfigM));
+  first.check("obstacle.stiffness_n_per_m", wide(c.stiffness_n_per_m), kLeast, kMost);
+  first.check("obstacle.largest_force_n", wide(c.largest_force_n), kLeast, kMost);
+  first.check("obstacle.friction", wide(c.friction), 0, kMost);
+  return first.status(refusal_out);
+}
+
 Status obstacle_prepare(const ObstacleConfig& config, Obstacle& obstacle_out) {
-  if (!in_range(config)) return Status::kConfigValueOutOfRange;
+  const Status status = check_obstacle(config, 0, nullptr);
+  if (status != Status::kOk) return status;
   obstacle_out = {};
   obstacle_out.config = config;
   Quat& q = obstacle_out.config.pose.rotation;

@@ -41,6 +41,10 @@ struct Obstacle {
 
 // kConfigValueOutOfRange: a number that is not finite, no vertex or more than kMaxHullVertices, a
 // quaternion that is no rotation, a stiffness or force that is not positive, a negative friction.
+// The first such field is told, with `index` as the obstacle's number.
+Status check_obstacle(const ObstacleConfig& config, std::uint32_t index,
+                      ConfigRefusal* refusal_out);
+// Of a configuration that check_obstacle accepts; else its status.
 Status obstacle_prepare(const ObstacleConfig& config, Obstacle& obstacle_out);
 
 // ---- where --------------------------------------------------------------------------------------

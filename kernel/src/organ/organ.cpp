@@ -424,6 +424,13 @@ bool near_ray(const OrganSphere& sphere, Vec3 origin_m, Vec3 direction) {
 
 }  // namespace
 
+Vec3 organ_vertex_place(const Organ& organ, std::uint32_t voxel_x, std::uint32_t voxel_y,
+                        std::uint32_t voxel_z, const OrganVertex& vertex) {
+  const Vec3 voxel = {static_cast<float>(voxel_x), static_cast<float>(voxel_y),
+                      static_cast<float>(voxel_z)};
+  return rest_place(organ, voxel, vertex);
+}
+
 bool organ_raycast(const Organ& organ, Vec3 origin_m, Vec3 direction, float& distance_out_m) {
   bool found = false;
   std::uint32_t stack[kMaxTreeDepth];

@@ -253,6 +253,10 @@ bool state_sound(const Kernel& kernel, const std::byte* state) {
   return true;
 }
 
+std::uint64_t state_layout() {
+  return layout_hash();
+}
+
 std::size_t snapshot_bytes(const Kernel& kernel) {
   return sizeof(SnapshotHeader) + kernel.sizes.state_bytes;
 }

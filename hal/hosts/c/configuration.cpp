@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hal/hosts/c/configuration.h"
+
+#include "hal/hosts/c/refusal.h"
+#include "hal/hosts/c/sized.h"
+
+namespace stylet::c {
+namespace {
+
+Vec3 vec(stylet_vec3 v) {
+  return {v.x, v.y, v.z};
+}
+stylet_vec3 plain(Vec3 v) {
+  return {v.x, v.y, v.z};
+}
+
+stylet_config plain(const Config& c) {
+  return {sizeof(stylet_config),
+          static_cast<std::uint32_t>(c.mode),
+          c.period_s,
+          c.substeps,
+          static_cast<std::uint32_t>(c.inertia),
+          c.tissue_damping_s,
+          c.surround_drag_per_s,
+          c.hourglass_weight,
+          c.paper_alpha,
+          plain(c.breathing.amplitude_m),
+          c.breathing.period_s};
+}
+
+stylet_needle plain(const NeedleConfig& n) {
+  return {sizeof(stylet_needle), n.length_m,    n.outer_radius_m,    n.unit_m,
+          n.bending_nm2,         n.rods,        n.bevel_per_m,       n.bent_length_m,
+          n.bent_angle_rad,      n.torsion_nm2, n.tip_half_angle_rad};
+}
+
+// Bone of a vertebra under a needle: 20 N/mm, and steel that slides on it.
+ObstacleConfig default_obstacle() {
+  ObstacleConfig out;
+  make_sphere(out, 0.01F);
+  out.stiffness_n_per_m = 20'000;
+  out.largest_force_n = 100;
+  out.friction = 0.2F;
+  return out;
+}
+
+stylet_obstacle plain(const ObstacleConfig& o) {
+  stylet_obstacle out = {};
+  out.struct_bytes = sizeof out;
+  out.vertex_count = o.vertex_count;
+  out.pose.position_m = plain(o.pose.position_m);
+  out.pose.rotation = {o.pose.rotation.w, o.pose.rotation.x, o.pose.rotation.y, o.pose.rotation.z};
+  for (std::uint32_t i = 0; i < kMaxHullVertices; ++i) out.vertices_m[i] = plain(o.vertices_m[i]);
+  out.rounding_m = o.rounding_m;
+  out.stiffness_n_per_m = o.stiffness_n_per_m;
+  out.largest_force_n = o.largest_force_n;
+  out.friction = o.friction;
+  return out;
+}
+
+ObstacleConfig obstacle(const stylet_obstacle& o) {
+  ObstacleConfig out;
+  out.pose.position_m = vec(o.pose.position_m);
+  out.pose.rotation = {o.pose.rotation.w, o.pose.rotation.x, o.pose.rotation.y, o.pose.rotation.z};
+  out.vertex_count = o.vertex_count;
+  for (std::uint32_t i = 0; i < kMaxHullVertices; ++i) out.vertices_m[i] = vec(o.vertices_m[i]);
+  out.rounding_m = o.rounding_m;
+  out.stiffness_n_per_m = o.stiffness_n_per_m;
+  out.largest_force_n = o.largest_force_n;
+  out.friction = o.friction;
+  return out;
+}
+
+void put_config(const stylet_config& c, Config& out) {
+  out.mode = static_cast<Mode>(c.mode);
+  out.period_s = c.period_s;
+  out.substeps = c.substeps;
+  out.inertia = static_cast<Inertia>(c.inertia);
+  out.tissue_damping_s = c.tissue_damping_s;
+  out.surround_drag_per_s = c.surround_drag_per_s;
+  out.hourglass_weight = c.hourglass_weight;
+  out.paper_alpha = c.paper_alpha;
+  out.breathing = {vec(c.breathing_amplitude_m), c.breathing_period_s};
+}
+
+NeedleConfig needle(const stylet_needle& n) {
+  return {n.length_m,    n.outer_radius_m, n.unit_m,         n.bending_nm2, n.rods,
+          n.bevel_per_m, n.bent_length_m,  n.bent_angle_rad, n.torsion_nm2, n.tip_half_angle_rad};
+}
+
+}  // namespace
+
+stylet_status read_config(const stylet_config* config, const stylet_needle* needles,
+                          std::uint32_t needle_count, Config& out, stylet_refusal* refusal_out) {
+  out = {};
+  stylet_config own = plain(out);
+  if (config != nullptr && !take(config, own)) {
+    return refuse(refusal_out, STYLET_STRUCT_SIZE_UNKNOWN);
+  }
+  put_config(own, out);
+  out.needle_count = needle_count == 0 ? 1 : needle_count;
+  if (out.needle_count > kMaxNeedles) {
+    const ConfigRefusal many = {"needle_count", 0, static_cast<double>(needle_count), 1,
+                                kMaxNeedles};
+    return refuse_config(refusal_out, Status::kConfigValueOutOfRange, many);
+  }
+  if (needles == nullptr) {
+    return needle_count <= 1 ? stylet_status{STYLET_OK}
+                             : refuse(refusal_out, STYLET_ARGUMENT_MISSING);
+  }
+  const std::uint32_t stride = stride_of(needles);
+  for (std::uint32_t i = 0; i < needle_count; ++i) {
+    stylet_needle each = plain(NeedleConfig{});
+    if (!take(element(needles, stride, i), stride, each)) {
+      return refuse(refusal_out, STYLET_STRUCT_SIZE_UNKNOWN);
+    }
+    out.needle[i] = needle(each);
+  }
+  return STYLET_OK;
+}
+
+stylet_status read_obstacles(const stylet_obstacle* obstacles, std::span<ObstacleConfig> out,
+                             stylet_refusal* refusal_out) {
+  if (obstacles == nullptr && !out.empty()) return refuse(refusal_out, STYLET_ARGUMENT_MISSING);
+  const std::uint32_t stride = out.empty() ? 0 : stride_of(obstacles);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    stylet_obstacle each = plain(default_obstacle());
+    if (!take(element(obstacles, stride, i), stride, each)) {
+      return refuse(refusal_out, STYLET_STRUCT_SIZE_UNKNOWN);
+    }
+    out[i] = obstacle(each);
+  }
+  return STYLET_OK;
+}
+
+}  // namespace stylet::c
+
+using namespace stylet;
+
+stylet_status stylet_config_init(stylet_config* config, size_t struct_bytes) {
+  return c::init(c::plain(Config{}), config, struct_bytes);
+}
+
+stylet_status stylet_needle_init(stylet_needle* needle, size_t struct_bytes) {
+  return c::init(c::plain(NeedleConfig{}), needle, struct_bytes);
+}
+
+stylet_status stylet_obstacle_init(stylet_obstacle* obstacle, size_t struct_bytes) {
+  return c::init(c::plain(c::default_obstacle()), obstacle, struct_bytes);
+}
+
+namespace {
+
+// Gives another shape to an obstacle; the rest stays.
+template <typename Make>
+stylet_status reshape(stylet_obstacle* obstacle, const Make& make) {
+  if (obstacle == nullptr) return STYLET_ARGUMENT_MISSING;
+  stylet_obstacle own = c::plain(c::default_obstacle());
+  if (!c::take(obstacle, own)) return STYLET_STRUCT_SIZE_UNKNOWN;
+  ObstacleConfig config = c::obstacle(own);
+  make(config);
+  (void)c::give(c::plain(config), obstacle);
+  return STYLET_OK;
+}
+
+}  // namespace
+
+stylet_status stylet_obstacle_box(stylet_obstacle* obstacle, stylet_vec3 half_m) {
+  return reshape(obstacle, [&](ObstacleConfig& config) { make_box(config, c::vec(half_m)); });
+}
+
+stylet_status stylet_obstacle_sphere(stylet_obstacle* obstacle, float radius_m) {
+  return reshape(obstacle, [&](ObstacleConfig& config) { make_sphere(config, radius_m); });
+}

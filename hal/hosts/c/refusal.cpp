@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hal/hosts/c/refusal.h"
+
+#include <cstdio>
+
+#include "hal/hosts/c/sized.h"
+
+namespace stylet::c {
+namespace {
+
+template <std::size_t kBytes>
+void copy_text(const char* text, char (&out)[kBytes]) {
+  std::snprintf(out, kBytes, "%s", text);
+}
+
+stylet_status tell(stylet_refusal* refusal_out, const stylet_refusal& why) {
+  if (refusal_out != nullptr) (void)give(why, refusal_out);
+  return why.status;
+}
+
+}  // namespace
+
+stylet_status refuse(stylet_refusal* refusal_out, stylet_status status) {
+  stylet_refusal why = {};
+  why.status = status;
+  if (status != STYLET_OK) copy_text(stylet_status_name(status), why.text);
+  return tell(refusal_out, why);
+}
+
+stylet_status refuse_file(stylet_refusal* refusal_out, stylet_status status, const char* path,
+                          const char* reason) {
+  stylet_refusal why = {};
+  why.status = status;
+  copy_text("file", why.place);
+  copy_text(reason, why.expected);
+  std::snprintf(why.text, sizeof why.text, "%s: %s", path, reason);
+  return tell(refusal_out, why);
+}
+
+stylet_status refuse_organ(stylet_refusal* refusal_out, const OrganRefusal& of) {
+  stylet_refusal why = {};
+  why.status = static_cast<stylet_status>(of.status);
+  copy_text(of.place, why.place);
+  why.index = of.index;
+  why.value = of.value;
+  copy_text(of.expected, why.expected);
+  std::snprintf(why.text, sizeof why.text, "%s %llu: %g: expected %s (%s)", of.place,
+                static_cast<unsigned long long>(of.index), of.value, of.expected,
+                status_name(of.status));
+  return tell(refusal_out, why);
+}
+
+stylet_status refuse_config(stylet_refusal* refusal_out, Status status, const ConfigRefusal& of) {
+  if (of.field[0] == '\0') return refuse(refusal_out, static_cast<stylet_status>(status));
+  stylet_refusal why = {};
+  why.status = static_cast<stylet_status>(status);
+  copy_text(of.field, why.place);
+  why.index = of.index;
+  why.value = of.value;
+  why.least = of.least;
+  why.most = of.most;
+  std::snprintf(why.text, sizeof why.text, "%s [%u]: %g: expected %g to %g", of.field, of.index,
+                of.value, of.least, of.most);
+  return tell(refusal_out, why);
+}
+
+}  // namespace stylet::c

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Structs that may grow: each begins with the size its caller knew (stylet.h). Here an older
+// caller's struct is filled up with defaults, a newer one's is cut where we know no more.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+#include "stylet/stylet.h"
+
+namespace stylet::c {
+
+// A struct smaller than this holds nothing but its size.
+constexpr std::uint32_t kLeastStruct = 8;
+
+// How far apart the elements of an array are: the size its caller knew, which its first element
+// says. 0: it does not say.
+template <typename T>
+std::uint32_t stride_of(const T* array) {
+  return array->struct_bytes >= kLeastStruct ? array->struct_bytes : 0;
+}
+
+template <typename T>
+const T* element(const T* array, std::uint32_t stride, std::size_t index) {
+  const auto* bytes = reinterpret_cast<const unsigned char*>(array);
+  return reinterpret_cast<const T*>(bytes + index * stride);
+}
+template <typename T>
+T* element(T* array, std::uint32_t stride, std::size_t index) {
+  return const_cast<T*>(element(static_cast<const T*>(array), stride, index));
+}
+
+// Whether a struct has something where we know no field.
+template <typename T>
+bool has_unknown(const T* from, std::uint32_t bytes) {
+  const auto* const all = reinterpret_cast<const unsigned char*>(from);
+  return std::any_of(all + std::min<std::size_t>(bytes, sizeof(T)), all + bytes,
+                     [](unsigned char byte) { return byte != 0; });
+}
+
+// Takes what the caller's struct holds; `value` has defaults for the rest. False: it did not say
+// its size, or holds something where we know no field.
+template <typename T>
+bool take(const T* from, std::uint32_t bytes, T& value) {
+  if (bytes == 0 || has_unknown(from, bytes)) return false;
+  std::memcpy(&value, from, std::min<std::size_t>(bytes, sizeof(T)));
+  value.struct_bytes = sizeof(T);
+  return true;
+}
+template <typename T>
+bool take(const T* from, T& value) {
+  return take(from, stride_of(from), value);
+}
+
+// Gives the caller what its struct has room for; what we do not know is zero.
+template <typename T>
+bool give(const T& value, T* to, std::uint32_t bytes) {
+  if (bytes == 0) return false;
+  std::memcpy(to, &value, std::min<std::size_t>(bytes, sizeof(T)));
+  to->struct_bytes = bytes;
+  auto* const all = reinterpret_cast<unsigned char*>(to);
+  if (bytes > sizeof(T)) std::memset(all + sizeof(T), 0, bytes - sizeof(T));
+  return true;
+}
+template <typename T>
+bool give(const T& value, T* to) {
+  return give(value, to, stride_of(to));
+}
+
+// The same with the size beside the struct: for structs that are given their defaults.
+template <typename T>
+stylet_status init(const T& value, T* to, std::size_t bytes) {
+  if (to == nullptr) return STYLET_ARGUMENT_MISSING;
+  if (bytes < kLeastStruct || bytes > UINT32_MAX) return STYLET_STRUCT_SIZE_UNKNOWN;
+  (void)give(value, to, static_cast<std::uint32_t>(bytes));
+  return STYLET_OK;
+}
+
+}  // namespace stylet::c

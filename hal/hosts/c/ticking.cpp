@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hal/hosts/c/ticking.h"
+
+#include "hal/hosts/c/sized.h"
+
+namespace stylet::c {
+
+Arrays Arrays::from(std::size_t element) const {
+  Arrays out = *this;
+  if (inputs != nullptr) out.inputs = c::element(inputs, input_stride, element);
+  if (outputs != nullptr) out.outputs = c::element(outputs, output_stride, element);
+  return out;
+}
+
+Arrays arrays(const stylet_input* inputs, stylet_output* outputs) {
+  return {inputs, outputs, inputs == nullptr ? 0 : stride_of(inputs),
+          outputs == nullptr ? 0 : stride_of(outputs)};
+}
+
+bool sizes_known(const Arrays& arrays, std::size_t input_count) {
+  if (arrays.outputs != nullptr && arrays.output_stride == 0) return false;
+  if (arrays.inputs == nullptr || arrays.input_stride == sizeof(stylet_input)) return true;
+  if (arrays.input_stride < sizeof(stylet_input)) return false;
+  for (std::size_t i = 0; i < input_count; ++i) {
+    if (has_unknown(arrays.from(i).inputs, arrays.input_stride)) return false;
+  }
+  return true;
+}
+
+stylet_status ready(const stylet_simulation* simulation) {
+  if (simulation == nullptr) return STYLET_ARGUMENT_MISSING;
+  return simulation->in_loop.load(std::memory_order_acquire) ? STYLET_LOOP_RUNS : STYLET_OK;
+}
+
+Input to_input(const stylet_input& in) {
+  return {
+      {{in.handle.position_m.x, in.handle.position_m.y, in.handle.position_m.z},
+       {in.handle.rotation.w, in.handle.rotation.x, in.handle.rotation.y, in.handle.rotation.z}},
+      in.valid};
+}
+
+stylet_output to_output(const Output& out) {
+  const auto vec = [](Vec3 v) { return stylet_vec3{v.x, v.y, v.z}; };
+  return {sizeof(stylet_output),
+          out.flags,
+          out.tick,
+          vec(out.force_n),
+          vec(out.torque_nm),
+          vec(out.cause.stiffness_n),
+          vec(out.cause.cutting_n),
+          vec(out.cause.friction_n),
+          vec(out.cause.clamping_n),
+          vec(out.cause.obstacle_n),
+          vec(out.tip_m),
+          out.depth_m,
+          static_cast<std::uint32_t>(out.phase),
+          out.layer,
+          out.constraint_particles,
+          out.events,
+          out.stiffness_n_per_m};
+}
+
+void tick_plain(stylet_simulation& simulation, const Arrays& arrays, std::size_t input_count,
+                std::size_t output_count) {
+  Input in[kMaxNeedles];
+  Output out[kMaxNeedles];
+  for (std::size_t i = 0; i < input_count; ++i) in[i] = to_input(*arrays.from(i).inputs);
+  tick(simulation.kernel, {in, input_count}, {out, output_count});
+  for (std::size_t i = 0; i < output_count; ++i) {
+    (void)give(to_output(out[i]), arrays.from(i).outputs, arrays.output_stride);
+  }
+}
+
+void run_plain(stylet_simulation& simulation, Arrays arrays, std::uint32_t ticks) {
+  const std::size_t needles = simulation.config.needle_count;
+  const std::size_t shown = arrays.outputs == nullptr ? 0 : needles;
+  for (std::uint32_t i = 0; i < ticks; ++i) {
+    tick_plain(simulation, arrays, needles, shown);
+    arrays = arrays.from(needles);
+  }
+}
+
+}  // namespace stylet::c

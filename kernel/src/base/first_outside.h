@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Holds a configuration's values against their limits, and keeps the first one outside, so that a
+// refusal can name it. Not in a tick.
+#pragma once
+
+#include "stylet/kernel.h"
+
+namespace stylet {
+
+class FirstOutside {
+ public:
+  explicit FirstOutside(std::uint32_t index) : refusal_{"", index, 0, 0, 0} {}
+
+  // NaN is outside.
+  void check(const char* field, double value, double least, double most) {
+    if (!good_ || (value >= least && value <= most)) return;
+    good_ = false;
+    refusal_ = {field, refusal_.index, value, least, most};
+  }
+
+  bool good() const { return good_; }
+  Status status(ConfigRefusal* refusal_out) const {
+    if (good_) return Status::kOk;
+    if (refusal_out != nullptr) *refusal_out = refusal_;
+    return Status::kConfigValueOutOfRange;
+  }
+
+ private:
+  ConfigRefusal refusal_;
+  bool good_ = true;
+};
+
+}  // namespace stylet
