@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <string>
 
+#include "hal/loop/fit.h"
+
 namespace stylet::hal {
 namespace {
-
-// Fractions of what the device renders: for the controller's damping and the amplitude of buzzing.
-constexpr double kPassivityShare = 0.5, kBuzzShare = 0.1;
 
 double of(float value) {
   return static_cast<double>(value);
@@ -102,11 +101,6 @@ GuardConfig read_guard(Section guard, const Section& device, const DeviceModel& 
   return config;
 }
 
-float most_coupling(float limit_n_per_m, const GripConfig& grip) {
-  return static_cast<float>(kCouplingShare) * limit_n_per_m /
-         (grip.motion_scale * grip.force_scale);
-}
-
 CouplingConfig read_coupling(Section coupling, const DeviceModel& model, const GuardConfig& guard,
                              const GripConfig& grip) {
   const bool known = model.max_stiffness_n_per_m > 0;
@@ -122,67 +116,39 @@ CouplingConfig read_coupling(Section coupling, const DeviceModel& model, const G
 
 namespace {
 
-// The stricter of two limits; `whose` says where it comes from.
-float stricter(float scenes, float devices, const char*& whose) {
-  whose = scenes < devices ? "scene" : "device";
-  return std::min(scenes, devices);
+// Whose limit counts: of two, the stricter.
+const char* whose(float scenes, float used) {
+  return scenes <= used ? "scene" : "device";
 }
 
-// The scene's value counts only where it is stricter; where the scene says nothing it is zero.
-float assumed(float scenes, float devices) {
-  return scenes > 0 ? std::min(scenes, devices) : devices;
+std::string told_of_force(const Hand& scenes, const Hand& used) {
+  return fmt::format("at most {:.3g} N ({}), buzz {:.3g} N ({})", of(used.guard.max_force_n),
+                     whose(scenes.guard.max_force_n, used.guard.max_force_n),
+                     of(used.guard.buzz_n), whose(scenes.guard.buzz_n, used.guard.buzz_n));
 }
 
-void fit_force(const DeviceInfo& info, Hand& hand, std::string& told) {
-  GuardConfig& guard = hand.guard;
-  const char* whose = "";
-  guard.max_force_n = stricter(guard.max_force_n, info.max_force_n, whose);
-  told += fmt::format("at most {:.3g} N ({})", of(guard.max_force_n), whose);
-  const float slew = std::min(guard.max_slew_n_per_s, info.max_slew_n_per_s);
-  guard.max_slew_n_per_s = std::max(slew, guard.max_force_n / kDecayS);
-  hand.coupling.max_force_n = guard.max_force_n / hand.grip.force_scale;
-  const float buzz_n = static_cast<float>(kBuzzShare) * guard.max_force_n;
-  guard.buzz_n = stricter(guard.buzz_n, buzz_n, whose);
-  told += fmt::format(", buzz {:.3g} N ({})", of(guard.buzz_n), whose);
-}
-
-void fit_heat_and_stiffness(const DeviceInfo& info, Hand& hand, std::string& told) {
-  const DeviceModel* model = info.model;
-  const auto known = [model](float read, float DeviceModel::*of_model) {
-    return read > 0 ? read : model != nullptr ? model->*of_model : 0;
-  };
-  const float always_n = known(info.continuous_force_n, &DeviceModel::continuous_force_n);
-  const char* whose = "";
-  if (always_n > 0) {
-    float& continuous_n = hand.guard.continuous_force_n;
-    continuous_n = stricter(continuous_n, always_n, whose);
-    told += fmt::format(", for ever {:.3g} N ({})", of(continuous_n), whose);
+std::string told_of_heat_and_stiffness(const DeviceInfo& info, const Hand& scenes,
+                                       const Hand& used) {
+  std::string told;
+  const bool heats = info.continuous_force_n > 0 ||
+                     (info.model != nullptr && info.model->continuous_force_n > 0);
+  const float always_n = used.guard.continuous_force_n;
+  if (heats) {
+    told += fmt::format(", for ever {:.3g} N ({})", of(always_n),
+                        whose(scenes.guard.continuous_force_n, always_n));
   }
-  const float stiffness = known(info.max_stiffness_n_per_m, &DeviceModel::max_stiffness_n_per_m);
-  if (stiffness > 0) {
-    const float most = most_coupling(stiffness, hand.grip);
-    float& coupling = hand.coupling.stiffness_n_per_m;
-    coupling = stricter(coupling > 0 ? coupling : most, most, whose);
-    told += fmt::format(", coupling {:.3g} N/m ({})", of(coupling), whose);
+  const bool known = info.max_stiffness_n_per_m > 0 ||
+                     (info.model != nullptr && info.model->max_stiffness_n_per_m > 0);
+  const float asked = scenes.coupling.stiffness_n_per_m, got = used.coupling.stiffness_n_per_m;
+  if (known) {
+    told += fmt::format(", coupling {:.3g} N/m ({})", of(got),
+                        asked > 0 ? whose(asked, got) : "device");
   }
+  return told;
 }
 
-// For the observer of energy: what the device itself dissipates, not what the scene's device would.
-void fit_energy(const DeviceInfo& info, Hand& hand, std::string& told) {
-  const DeviceModel& model = *info.model;
-  GuardConfig& guard = hand.guard;
-  const DeviceDynamics scenes = guard.device;
-  guard.device = model.motion;
-  guard.device.damping_n_s_per_m =
-      assumed(scenes.damping_n_s_per_m, model.motion.damping_n_s_per_m);
-  guard.device.friction_n = assumed(scenes.friction_n, model.motion.friction_n);
-  const Vec3 reach = model.workspace_m;
-  guard.stored_energy_j =
-      0.5F * std::min(info.max_force_n, model.max_force_n) * std::max({reach.x, reach.y, reach.z});
-  guard.passivity_damping_n_s_per_m =
-      assumed(guard.passivity_damping_n_s_per_m,
-              static_cast<float>(kPassivityShare) * model.max_damping_n_s_per_m);
-  told += fmt::format(
+std::string told_of_energy(const DeviceModel& model, const GuardConfig& guard) {
+  return fmt::format(
       ", energy: damping {:.3g} N s/m, friction {:.3g} N, steps of {:.3g} mm, delay {:.3g} ms, at "
       "most {:.3g} N s/m added, {:.3g} J stored ({})",
       of(guard.device.damping_n_s_per_m), of(guard.device.friction_n),
@@ -193,19 +159,15 @@ void fit_energy(const DeviceInfo& info, Hand& hand, std::string& told) {
 }  // namespace
 
 std::string fit_to_device(const DeviceInfo& info, Hand& hand) {
+  const Hand scenes = hand;
+  fit_to_device(info, hand.grip, hand.guard, hand.coupling);
+  hand.limits = info;
   std::string told = info.name;
   if (info.identity[0] != 0) told += fmt::format(" {}", info.identity);
   if (info.model != nullptr) told += fmt::format(", taken for \"{}\"", info.model->name);
-  told += ": ";
-  if (info.max_force_n > 0) {
-    fit_force(info, hand, told);
-    fit_heat_and_stiffness(info, hand, told);
-    if (info.model != nullptr) fit_energy(info, hand, told);
-  } else {
-    told += "no force";
-  }
-  hand.guard.watchdog_s = watchdog_of(info, hand.guard.watchdog_s);
-  hand.limits = info;
+  if (!(info.max_force_n > 0)) return told + ": no force";
+  told += ": " + told_of_force(scenes, hand) + told_of_heat_and_stiffness(info, scenes, hand);
+  if (info.model != nullptr) told += told_of_energy(*info.model, hand.guard);
   return told;
 }
 

@@ -12,9 +12,6 @@ DeviceModel read_device_model(Section& device, float period_s);
 // `device` is for messages: its keys may make a limit impossible.
 GuardConfig read_guard(Section guard, const Section& device, const DeviceModel& model,
                        float period_s);
-// The stiffest coupling for a device that renders `limit_n_per_m`, which feels the coupling through
-// the scales of the grip.
-float most_coupling(float limit_n_per_m, const GripConfig& grip);
 CouplingConfig read_coupling(Section coupling, const DeviceModel& model, const GuardConfig& guard,
                              const GripConfig& grip);
 

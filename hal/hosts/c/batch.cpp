@@ -41,6 +41,7 @@ struct stylet_batch {
     }
     begun.notify_all();
     for (std::thread& each : threads) each.join();
+    for (const Part& part : parts) stylet_simulation_free(part.simulation);
   }
 
   // Simulations, until all are taken.
@@ -91,12 +92,13 @@ stylet_status stylet_batch_create(stylet_simulation* const* simulations, uint32_
   for (std::uint32_t i = 0; i < count; ++i) {
     const stylet_status status = stylet::c::ready(simulations[i]);
     if (status != STYLET_OK) return status;
-    made->parts.push_back({simulations[i], made->needles});
-    made->needles += simulations[i]->config.needle_count;
     // Twice in one batch, two threads would tick it at once.
     for (std::uint32_t j = 0; j < i; ++j) {
       if (simulations[j] == simulations[i]) return STYLET_ARGUMENT_OUT_OF_RANGE;
     }
+    made->parts.push_back({simulations[i], made->needles});
+    (void)stylet::c::keep(simulations[i]);
+    made->needles += simulations[i]->config.needle_count;
   }
   if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
   threads = std::min(threads, std::max(count, 1U));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the handles of stylet.h are. A handle holds what it needs: a simulation its organ, by a
-// count of its users.
+// What the handles of stylet.h are. A handle holds what it needs: a simulation its organ, a loop
+// and a batch their simulations, each by a count of its users.
 #pragma once
 
 #include <array>
@@ -26,6 +26,7 @@ struct stylet_organ {
 };
 
 struct stylet_simulation {
+  std::atomic<std::uint32_t> users{1};
   stylet_organ* organ = nullptr;
   stylet::Kernel kernel;
   stylet::Config config;
@@ -41,5 +42,6 @@ namespace stylet::c {
 // Null if there is not as much memory.
 stylet_organ::Block make_block(std::size_t bytes);
 stylet_organ* keep(const stylet_organ* organ);
+stylet_simulation* keep(stylet_simulation* simulation);
 
 }  // namespace stylet::c

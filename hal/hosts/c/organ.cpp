@@ -168,7 +168,7 @@ stylet_status stylet_organ_get_info(const stylet_organ* organ, stylet_organ_info
   info.materials = o.material_count;
   info.low_m = c::plain(low);
   info.high_m = c::plain(high);
-  return c::give(info, info_out) ? STYLET_OK : STYLET_STRUCT_SIZE_UNKNOWN;
+  return c::answer(info, info_out);
 }
 
 stylet_status stylet_organ_get_material(const stylet_organ* organ, uint32_t index,
@@ -197,7 +197,7 @@ stylet_status stylet_organ_get_material(const stylet_organ* organ, uint32_t inde
          m.viscous_friction_n_s_per_m2,
          m.puncture_velocity_exponent,
          m.membrane_n_per_m};
-  return c::give(out, material_out) ? STYLET_OK : STYLET_STRUCT_SIZE_UNKNOWN;
+  return c::answer(out, material_out);
 }
 
 uint32_t stylet_organ_voxels(const stylet_organ* organ, stylet_voxel* out, uint32_t capacity) {

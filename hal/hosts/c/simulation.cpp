@@ -69,6 +69,11 @@ stylet_status make(const stylet_organ* organ, const Config& config,
 
 }  // namespace
 
+stylet_simulation* keep(stylet_simulation* simulation) {
+  simulation->users.fetch_add(1, std::memory_order_relaxed);
+  return simulation;
+}
+
 }  // namespace stylet::c
 
 using namespace stylet;
@@ -123,6 +128,7 @@ stylet_status stylet_simulation_create_in(const stylet_organ* organ, const style
 
 void stylet_simulation_free(stylet_simulation* simulation) {
   if (simulation == nullptr) return;
+  if (simulation->users.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
   void* const memory = simulation->own_memory;
   stylet_organ* const organ = simulation->organ;
   simulation->~stylet_simulation();

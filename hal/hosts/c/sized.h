@@ -68,7 +68,13 @@ bool give(const T& value, T* to) {
   return give(value, to, stride_of(to));
 }
 
-// The same with the size beside the struct: for structs that are given their defaults.
+// The end of a call that fills a struct.
+template <typename T>
+stylet_status answer(const T& value, T* to) {
+  return give(value, to) ? stylet_status{STYLET_OK} : stylet_status{STYLET_STRUCT_SIZE_UNKNOWN};
+}
+
+// For structs that are given their defaults: the size stands beside the struct.
 template <typename T>
 stylet_status init(const T& value, T* to, std::size_t bytes) {
   if (to == nullptr) return STYLET_ARGUMENT_MISSING;

@@ -8,8 +8,8 @@
  * Structs that may grow begin with `struct_bytes`, which the caller sets to sizeof of the struct
  * it was compiled with (for those with defaults stylet_..._init does). A library that knows more
  * takes its defaults for what the caller's struct does not have; one that knows less refuses a
- * value it does not know. In an array the first element's struct_bytes is that of all. A program that
- * was compiled with a header of any version 0.2 or later runs with every later library.
+ * value it does not know. In an array the first element's struct_bytes is that of all. A program
+ * that was compiled with a header of any version 0.2 or later runs with every later library.
  *
  * Functions that return stylet_status return STYLET_OK or what was wrong. A call that fails leaves
  * simulations, guards and loops as they were; handles it was to give are null; structs it was to

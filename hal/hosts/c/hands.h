@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The hand's side of the interface, as hal has it: guards, devices, what is checked of them.
+#pragma once
+
+#include "hal/device/device.h"
+#include "hal/guard/guard.h"
+#include "stylet/stylet_loop.h"
+
+struct stylet_guard {
+  stylet::hal::GuardConfig config;
+  float max_torque_nm = 0;
+  stylet::hal::GuardState force = stylet::hal::guard_start();
+  stylet::hal::GuardState torque = stylet::hal::guard_start();
+};
+
+struct stylet_device {
+  stylet::hal::Device device;
+  bool opened = false;    // by URI: in real time
+  bool scripted = false;  // computed
+};
+
+namespace stylet::c {
+
+struct CheckedGuard {
+  hal::GuardConfig config;
+  float max_torque_nm = 0;
+};
+stylet_guard_config plain(const hal::GuardConfig& config, float max_torque_nm);
+stylet_status read_guard(const stylet_guard_config* config, std::uint32_t bytes,
+                         std::uint32_t index, CheckedGuard& out, stylet_refusal* refusal_out);
+
+inline Vec3 vec(stylet_vec3 v) {
+  return {v.x, v.y, v.z};
+}
+inline stylet_vec3 plain(Vec3 v) {
+  return {v.x, v.y, v.z};
+}
+inline Pose pose(const stylet_pose& p) {
+  return {vec(p.position_m), {p.rotation.w, p.rotation.x, p.rotation.y, p.rotation.z}};
+}
+
+}  // namespace stylet::c
