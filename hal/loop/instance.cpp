@@ -20,7 +20,8 @@ KernelInstance::Block KernelInstance::touched_block(std::size_t bytes) {
 
 KernelInstance::KernelInstance(const Organ& organ, const Config& config,
                                std::span<const ObstacleConfig> obstacles) {
-  Status status = sizes(organ, config, predicted);
+  ConfigRefusal why;
+  Status status = sizes(organ, config, predicted, &why);
   if (status == Status::kOk) {
     try {
       model_ = touched_block(predicted.model_bytes);
@@ -40,11 +41,14 @@ KernelInstance::KernelInstance(const Organ& organ, const Config& config,
                      {scratch_.get(), predicted.scratch_bytes}},
                     kernel);
   }
-  if (status == Status::kOk) status = set_obstacles(kernel, obstacles);
-  if (status != Status::kOk) {
-    throw LoadError(fmt::format("organ \"{}\": {} voxels: the kernel cannot be created: {}",
-                                organ.name, organ.voxel_count, status_name(status)));
+  if (status == Status::kOk) status = set_obstacles(kernel, obstacles, &why);
+  if (status == Status::kOk) return;
+  if (why.field[0] != '\0') {
+    throw LoadError(fmt::format("{} [{}]: {:g}: expected {:g} to {:g}", why.field, why.index,
+                                why.value, why.least, why.most));
   }
+  throw LoadError(fmt::format("organ \"{}\": {} voxels: the kernel cannot be created: {}",
+                              organ.name, organ.voxel_count, status_name(status)));
 }
 
 void warm_up(Kernel& kernel, std::span<const Input> handles, int ticks) {

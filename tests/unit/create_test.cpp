@@ -109,10 +109,10 @@ std::vector<Field> fields() {
   };
 }
 
-Status status_of(const Config& config) {
+Status status_of(const Config& config, ConfigRefusal* why = nullptr) {
   static const auto opened = organ();
   Sizes need = {};
-  return sizes(opened->organ, config, need);
+  return sizes(opened->organ, config, need, why);
 }
 
 TEST(Config, AcceptsItsBoundsAndRefusesTheNextFloat) {
@@ -128,7 +128,14 @@ TEST(Config, AcceptsItsBoundsAndRefusesTheNextFloat) {
           kInfinity, -kInfinity, std::numeric_limits<float>::quiet_NaN()}) {
       Config config;
       field.set(config, bad);
-      EXPECT_EQ(status_of(config), Status::kConfigValueOutOfRange) << field.name << " = " << bad;
+      ConfigRefusal why;
+      EXPECT_EQ(status_of(config, &why), Status::kConfigValueOutOfRange)
+          << field.name << " = " << bad;
+      EXPECT_TRUE(std::string(why.field).ends_with(field.name)) << why.field;
+      EXPECT_EQ(std::isnan(bad) ? std::isnan(why.value) : why.value == static_cast<double>(bad),
+                true);
+      EXPECT_EQ(why.least, static_cast<double>(field.low)) << field.name;
+      EXPECT_EQ(why.most, static_cast<double>(field.high)) << field.name;
     }
   }
 }

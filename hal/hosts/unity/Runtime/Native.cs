@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+// The functions and structs of stylet.h and stylet_loop.h that the classes of this package use, as
+// they are there: plain data, the same order, nothing is copied or converted on the way.
+using System;
+using System.Runtime.InteropServices;
+
+namespace Stylet {
+
+[StructLayout(LayoutKind.Sequential)]
+public struct Vec3 {
+  public float x, y, z;
+  public Vec3(float x, float y, float z) { this.x = x; this.y = y; this.z = z; }
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct Quat {
+  public float w, x, y, z;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct Pose {
+  public Vec3 position_m;
+  public Quat rotation;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct Config {
+  public uint struct_bytes;
+  public uint mode;
+  public float period_s;
+  public uint substeps, inertia;
+  public float tissue_damping_s, surround_drag_per_s, hourglass_weight, paper_alpha;
+  public Vec3 breathing_amplitude_m;
+  public float breathing_period_s;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct Needle {
+  public uint struct_bytes;
+  public float length_m, outer_radius_m, unit_m, bending_nm2;
+  public uint rods;
+  public float bevel_per_m, bent_length_m, bent_angle_rad, torsion_nm2, tip_half_angle_rad;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct Input {
+  public uint struct_bytes, valid;
+  public Pose handle;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct Output {
+  public uint struct_bytes, flags;
+  public ulong tick;
+  public Vec3 force_n, torque_nm;
+  public Vec3 stiffness_n, cutting_n, friction_n, clamping_n, obstacle_n;
+  public Vec3 tip_m;
+  public float depth_m;
+  public uint phase, layer, constraint_particles, events;
+  public float stiffness_n_per_m;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct Happened {
+  public ulong tick;
+  public uint kind, layer;
+  public float depth_m, force_n;
+  public uint needle, reserved;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct OrganInfo {
+  public uint struct_bytes, format_version;
+  public ulong hash;
+  public IntPtr name;
+  public float voxel_edge_m;
+  public Vec3 origin_m;
+  public uint size_x, size_y, size_z, voxels, vertices, triangles, materials;
+  public Vec3 low_m, high_m;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct Obstacle {
+  public uint struct_bytes, vertex_count;
+  public Pose pose;
+  public fixed float vertices_m[3 * 64];
+  public float rounding_m, stiffness_n_per_m, largest_force_n, friction;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct LoopConfig {
+  public uint struct_bytes;
+  public int processor, priority;
+  public uint helpers;
+  public ulong ticks;
+  public uint virtual_time, lock_memory, show_every_ticks;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct Hand {
+  public uint struct_bytes;
+  public int clutch_button;
+  public Pose start;
+  public float motion_scale, force_scale, coupling_stiffness_n_per_m;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct HandReport {
+  public uint struct_bytes, mode, fault, fault_number;
+  public Vec3 sent_force_n;
+  public uint answered, reserved;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct LoopReport {
+  public uint struct_bytes, runs;
+  public ulong ticks, missed_ticks, lost_events;
+  public ulong tick_p50_ns, tick_p999_ns, tick_max_ns, late_p50_ns, late_p999_ns, late_max_ns;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct Refusal {
+  public uint struct_bytes;
+  public ushort status, reserved;
+  public fixed byte place[64];
+  public ulong index;
+  public double value, least, most;
+  public fixed byte expected[96];
+  public fixed byte text[256];
+}
+
+internal static unsafe class Native {
+  const string kLibrary = "stylet";  // libstylet.so, stylet.dll
+
+  [DllImport(kLibrary)] internal static extern IntPtr stylet_version_text();
+  [DllImport(kLibrary)] internal static extern IntPtr stylet_status_name(ushort status);
+  [DllImport(kLibrary)] internal static extern IntPtr stylet_event_name(uint kind);
+  [DllImport(kLibrary)] internal static extern IntPtr stylet_fault_name(uint fault);
+
+  [DllImport(kLibrary)] internal static extern ushort stylet_organ_read(
+      [MarshalAs(UnmanagedType.LPStr)] string path, out IntPtr organ, ref Refusal refusal);
+  [DllImport(kLibrary)] internal static extern ushort stylet_organ_from_bytes(
+      byte* bytes, UIntPtr count, out IntPtr organ, ref Refusal refusal);
+  [DllImport(kLibrary)] internal static extern void stylet_organ_free(IntPtr organ);
+  [DllImport(kLibrary)] internal static extern ushort stylet_organ_get_info(
+      IntPtr organ, ref OrganInfo info);
+  [DllImport(kLibrary)] internal static extern uint stylet_organ_triangles(
+      IntPtr organ, int* corners, uint capacity);
+  [DllImport(kLibrary)] internal static extern uint stylet_organ_vertices(
+      IntPtr organ, Vec3* places, uint capacity);
+  [DllImport(kLibrary)] internal static extern uint stylet_organ_vertex_materials(
+      IntPtr organ, byte* materials, uint capacity);
+  [DllImport(kLibrary)] internal static extern int stylet_organ_raycast(
+      IntPtr organ, Vec3 origin_m, Vec3 direction, out float distance_m);
+
+  [DllImport(kLibrary)] internal static extern ushort stylet_config_init(
+      ref Config config, UIntPtr bytes);
+  [DllImport(kLibrary)] internal static extern ushort stylet_needle_init(
+      ref Needle needle, UIntPtr bytes);
+  [DllImport(kLibrary)] internal static extern ushort stylet_obstacle_init(
+      ref Obstacle obstacle, UIntPtr bytes);
+  [DllImport(kLibrary)] internal static extern ushort stylet_obstacle_box(
+      ref Obstacle obstacle, Vec3 half_m);
+  [DllImport(kLibrary)] internal static extern ushort stylet_obstacle_sphere(
+      ref Obstacle obstacle, float radius_m);
+
+  [DllImport(kLibrary)] internal static extern ushort stylet_simulation_create(
+      IntPtr organ, ref Config config, Needle* needles, uint needle_count,
+      out IntPtr simulation, ref Refusal refusal);
+  [DllImport(kLibrary)] internal static extern void stylet_simulation_free(IntPtr simulation);
+  [DllImport(kLibrary)] internal static extern ushort stylet_simulation_set_obstacles(
+      IntPtr simulation, Obstacle* obstacles, uint count, ref Refusal refusal);
+  [DllImport(kLibrary)] internal static extern ushort stylet_simulation_reset(IntPtr simulation);
+  [DllImport(kLibrary)] internal static extern ushort stylet_simulation_tick(
+      IntPtr simulation, Input* inputs, uint input_count, Output* outputs, uint output_count);
+  [DllImport(kLibrary)] internal static extern Pose stylet_pose_of_tip(
+      Vec3 tip_m, Vec3 direction, float length_m);
+  [DllImport(kLibrary)] internal static extern uint stylet_simulation_surface(
+      IntPtr simulation, Vec3* places, uint capacity);
+  [DllImport(kLibrary)] internal static extern uint stylet_simulation_needle_shape(
+      IntPtr simulation, uint needle, Vec3* places, uint capacity);
+  [DllImport(kLibrary)] internal static extern uint stylet_simulation_events(
+      IntPtr simulation, Happened* events, uint capacity);
+  [DllImport(kLibrary)] internal static extern ulong stylet_simulation_hash(IntPtr simulation);
+  [DllImport(kLibrary)] internal static extern UIntPtr stylet_simulation_snapshot_bytes(
+      IntPtr simulation);
+  [DllImport(kLibrary)] internal static extern ushort stylet_simulation_snapshot(
+      IntPtr simulation, byte* bytes, UIntPtr count);
+  [DllImport(kLibrary)] internal static extern ushort stylet_simulation_restore(
+      IntPtr simulation, byte* bytes, UIntPtr count);
+
+  [DllImport(kLibrary)] internal static extern ushort stylet_device_open(
+      [MarshalAs(UnmanagedType.LPStr)] string uri, double patience_s, out IntPtr device,
+      ref Refusal refusal);
+  [DllImport(kLibrary)] internal static extern ushort stylet_device_simulated(
+      float travel_m, float speed_m_per_s, float hold_s, out IntPtr device);
+  [DllImport(kLibrary)] internal static extern void stylet_device_close(IntPtr device);
+  [DllImport(kLibrary)] internal static extern ushort stylet_loop_config_init(
+      ref LoopConfig config, UIntPtr bytes);
+  [DllImport(kLibrary)] internal static extern ushort stylet_hand_init(
+      ref Hand hand, UIntPtr bytes);
+  [DllImport(kLibrary)] internal static extern ushort stylet_loop_create(
+      IntPtr simulation, ref LoopConfig config, IntPtr* devices, Hand* hands, IntPtr guards,
+      out IntPtr loop, ref Refusal refusal);
+  [DllImport(kLibrary)] internal static extern ushort stylet_loop_start(IntPtr loop);
+  [DllImport(kLibrary)] internal static extern void stylet_loop_ask_to_stop(IntPtr loop);
+  [DllImport(kLibrary)] internal static extern ushort stylet_loop_wait(IntPtr loop);
+  [DllImport(kLibrary)] internal static extern void stylet_loop_free(IntPtr loop);
+  [DllImport(kLibrary)] internal static extern void stylet_loop_pause(IntPtr loop, int paused);
+  [DllImport(kLibrary)] internal static extern int stylet_loop_take(IntPtr loop);
+  [DllImport(kLibrary)] internal static extern ushort stylet_loop_get_output(
+      IntPtr loop, uint needle, ref Output output);
+  [DllImport(kLibrary)] internal static extern ushort stylet_loop_get_hand(
+      IntPtr loop, uint needle, ref HandReport report);
+  [DllImport(kLibrary)] internal static extern uint stylet_loop_surface(
+      IntPtr loop, Vec3* places, uint capacity);
+  [DllImport(kLibrary)] internal static extern uint stylet_loop_needle_shape(
+      IntPtr loop, uint needle, Vec3* places, uint capacity);
+  [DllImport(kLibrary)] internal static extern uint stylet_loop_events(
+      IntPtr loop, Happened* events, uint capacity);
+  [DllImport(kLibrary)] internal static extern ushort stylet_loop_acknowledge(
+      IntPtr loop, uint needle, uint fault, uint fault_number);
+  [DllImport(kLibrary)] internal static extern ushort stylet_loop_get_report(
+      IntPtr loop, ref LoopReport report);
+  [DllImport(kLibrary)] internal static extern IntPtr stylet_loop_lacks(IntPtr loop);
+}
+
+}  // namespace Stylet

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// What csharp_test.py asks of the C# package, one question a name. Prints what it found.
+using System;
+using Stylet;
+
+public static class Frames {
+  public static int Main(string[] arguments) {
+    using (var organ = new Organ(arguments[1])) {
+      switch (arguments[0]) {
+        case "allocation": Allocation(organ); break;
+        case "refusal": Refusal(organ); break;
+        case "snapshot": Snapshot(organ); break;
+        case "loop": LoopOfTheLibrary(organ); break;
+        case "life": Life(organ, System.IO.File.ReadAllBytes(arguments[1])); break;
+        default: return 2;
+      }
+    }
+    return 0;
+  }
+
+  // On a slanted way through the middle of the skin, which the tip meets 1 mm from its start.
+  static Pose At(Organ organ, int tick) {
+    Vec3 low = organ.Info.low_m, high = organ.Info.high_m;
+    var way = new Vec3(0.0995037F, 0, -0.9950372F);
+    var from = new Vec3((low.x + high.x) / 2, (low.y + high.y) / 2, high.z + 0.01F);
+    float to_skin_m;
+    organ.Raycast(from, way, out to_skin_m);
+    float gone_m = to_skin_m - 1e-3F + 2e-5F * (float)tick;
+    var tip = new Vec3(from.x + gone_m * way.x, from.y, from.z + gone_m * way.z);
+    return Simulation.PoseOfTip(tip, way, 0.15F);
+  }
+
+  static void Step(Organ organ, Simulation simulation, int tick) {
+    simulation.Inputs.Values[0].valid = 1;
+    simulation.Inputs.Values[0].handle = At(organ, tick);
+    simulation.Tick();
+    simulation.Surface();
+    simulation.NeedleShape(0);
+    simulation.TakeEvents();
+  }
+
+  // Bytes that 1000 frames ask of the collector, after some that warm up.
+  static void Allocation(Organ organ) {
+    using (var simulation = new Simulation(organ, Simulation.DefaultConfig())) {
+      for (int i = 0; i < 100; ++i) Step(organ, simulation, i);
+      int collections = GC.CollectionCount(0);
+      long before = GC.GetTotalMemory(false);
+      for (int i = 100; i < 1100; ++i) Step(organ, simulation, i);
+      Console.WriteLine("{0} {1}", GC.GetTotalMemory(false) - before,
+                        GC.CollectionCount(0) - collections);
+    }
+  }
+
+  static void Refusal(Organ organ) {
+    Needle needle = Simulation.DefaultNeedle();
+    needle.length_m = 0.7F;
+    try {
+      new Simulation(organ, Simulation.DefaultConfig(), Simulation.DefaultNeedle(), needle);
+    } catch (StyletException e) {
+      Console.WriteLine("{0} {1} {2:F3} {3:F3} {4:F3}", e.Place, e.Index, e.Value, e.Least,
+                        e.Most);
+    }
+    try {
+      new Organ(new byte[100]);
+    } catch (StyletException e) {
+      Console.WriteLine("{0} {1}", e.Status, e.Place);
+    }
+  }
+
+  static void Snapshot(Organ organ) {
+    using (var simulation = new Simulation(organ, Simulation.DefaultConfig())) {
+      for (int i = 0; i < 400; ++i) Step(organ, simulation, i);
+      byte[] saved = simulation.Snapshot();
+      ulong then = simulation.Hash();
+      for (int i = 400; i < 500; ++i) Step(organ, simulation, i);
+      bool moved = simulation.Hash() != then;
+      simulation.Restore(saved);
+      Console.WriteLine("{0} {1}", moved, simulation.Hash() == then);
+    }
+  }
+
+  // Organs that nobody holds any more, while the collector runs and moves what it can.
+  static void Life(Organ organ, byte[] bytes) {
+    ulong first = 0;
+    bool same = true;
+    for (int round = 0; round < 10; ++round) {
+      Simulation simulation;
+      using (var own = new Organ(bytes)) {
+        simulation = new Simulation(own, Simulation.DefaultConfig());
+      }
+      for (int i = 0; i < 200; ++i) {
+        Step(organ, simulation, i);
+        if (i % 20 == 0) GC.Collect();
+      }
+      if (round == 0) first = simulation.Hash();
+      same = same && simulation.Hash() == first;
+      if (round % 2 == 0) simulation.Dispose();  // else the collector does
+    }
+    GC.Collect();
+    GC.WaitForPendingFinalizers();
+    Console.WriteLine(same);
+  }
+
+  static void LoopOfTheLibrary(Organ organ) {
+    using (var simulation = new Simulation(organ, Simulation.DefaultConfig())) {
+      LoopConfig config = Loop.DefaultConfig();
+      config.virtual_time = 1;
+      config.ticks = 1500;
+      Hand hand = Loop.DefaultHand();
+      hand.start = At(organ, 0);
+      using (var loop = new Loop(simulation, config, new[] { Device.Simulated(0.02F, 0.02F, 1) },
+                                 new[] { hand })) {
+        loop.Start();
+        loop.Wait();
+        bool refused = false;
+        try {
+          simulation.Tick();
+        } catch (StyletException) {
+          refused = true;
+        }
+        Console.WriteLine("{0} {1} {2} {3}", loop.Take(), loop.Outputs[0].tick,
+                          Loop.FaultName(loop.Hands[0].fault), refused);
+        Console.WriteLine("{0} {1:F4} {2}", loop.TakeEvents() > 1, loop.Outputs[0].depth_m,
+                          loop.NeedleShape(0));
+      }
+      Console.WriteLine("{0:x16}", simulation.Hash());
+    }
+  }
+}

@@ -1,0 +1,92 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""The C# package under mono: the same bits as from C, no allocation a frame, refusals with fields,
+organs and simulations in any order of life, the library's own loop.
+
+usage: csharp_test.py LIBRARY_FOLDER EXAMPLE_IN_C STYLET_ORGAN
+"""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+LIBRARY, EXAMPLE_IN_C, STYLET_ORGAN = sys.argv[1:4]
+HERE = pathlib.Path(__file__).resolve().parent
+PACKAGE = HERE.parents[2] / "hal/hosts/unity"
+
+
+@unittest.skipUnless(shutil.which("mcs") and shutil.which("mono"),
+                     "mono is missing (Debian: mono-mcs mono-runtime)")
+class CSharp(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        folder = pathlib.Path(cls.folder.name)
+        cls.organ = folder / "liver.organ"
+        subprocess.run([STYLET_ORGAN, "phantom", "liver", "--voxel-mm", "7", "-o", cls.organ],
+                       check=True, capture_output=True)
+        runtime = sorted(map(str, (PACKAGE / "Runtime").glob("*.cs")))
+        cls.program = {}
+        for source in (PACKAGE / "Examples~/Insert.cs", HERE / "Frames.cs"):
+            made = folder / f"{source.stem}.exe"
+            subprocess.run(["mcs", "-unsafe", "-warnaserror", f"-out:{made}", str(source), *runtime],
+                           check=True)
+            cls.program[source.stem] = made
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def run_program(self, name, *arguments):
+        done = subprocess.run(["mono", self.program[name], *arguments], text=True,
+                              capture_output=True, timeout=300,
+                              env={**os.environ, "LD_LIBRARY_PATH": LIBRARY})
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done.stdout.split("\n")[:-1]
+
+    def ask(self, question):
+        return self.run_program("Frames", question, self.organ)
+
+    def test_inserts_as_the_example_in_c(self):
+        in_c = subprocess.run([EXAMPLE_IN_C, self.organ], check=True, capture_output=True,
+                              text=True).stdout
+        self.assertEqual(self.run_program("Insert", self.organ), in_c.split("\n")[:-1])
+        self.assertIn("state ", in_c)
+
+    def test_example_is_short(self):
+        lines = (PACKAGE / "Examples~/Insert.cs").read_text().splitlines()
+        self.assertLessEqual(len(lines), 60)
+
+    def test_a_frame_allocates_nothing(self):
+        # Mono counts in blocks that it hands to a thread: one block may be what the console took.
+        grown, collections = map(int, self.ask("allocation")[0].split())
+        self.assertEqual(collections, 0)
+        self.assertLessEqual(grown, 8192)
+
+    def test_refusals_name_the_field(self):
+        needle, organ = self.ask("refusal")
+        self.assertEqual(needle, "needle.length_m 1 0.700 0.001 0.500")
+        self.assertEqual(organ, "101 identifier")
+
+    def test_snapshots(self):
+        self.assertEqual(self.ask("snapshot"), ["True True"])
+
+    def test_lives_end_in_any_order(self):
+        self.assertEqual(self.ask("life"), ["True"])
+
+    def test_the_librarys_loop(self):
+        first, second, state = self.ask("loop")
+        self.assertEqual(first, "True 1500 none True")
+        happened, depth_m, nodes = second.split()
+        self.assertEqual((happened, nodes), ("True", "2"))
+        # 20 mm of travel, 1 mm of it in the air; the hand is a spring of 2000 N/m.
+        self.assertGreater(float(depth_m), 0.012)
+        self.assertLess(float(depth_m), 0.019)
+        self.assertEqual(len(state), 16)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
