@@ -32,8 +32,8 @@ class CSharp(unittest.TestCase):
         cls.program = {}
         for source in (PACKAGE / "Examples~/Insert.cs", HERE / "Frames.cs"):
             made = folder / f"{source.stem}.exe"
-            subprocess.run(["mcs", "-unsafe", "-warnaserror", f"-out:{made}", str(source), *runtime],
-                           check=True)
+            subprocess.run(["mcs", "-unsafe", "-warnaserror", f"-out:{made}", str(source),
+                            *runtime], check=True)
             cls.program[source.stem] = made
 
     @classmethod
