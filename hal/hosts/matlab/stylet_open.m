@@ -1,0 +1,24 @@
+% SPDX-License-Identifier: Apache-2.0
+% s = stylet_open (organ_file)
+% s = stylet_open (organ_file, needle, config)
+%
+% Opens an organ and makes a simulation with one needle in it. needle and config are structs with
+% the fields of stylet_needle and stylet_config (stylet.h) that are not to have their defaults, for
+% example struct ("bending_nm2", 0.02). SI units.
+%
+% s.organ has name, voxel_edge_m, low_m, high_m, vertices (3 x n, m), triangles (3 x n, from 1).
+% stylet_close (s) frees both.
+function s = stylet_open (organ_file, needle, config)
+  if (nargin < 2) needle = struct (); end
+  if (nargin < 3) config = struct (); end
+  s.organ_handle = stylet_mex ("organ", organ_file);
+  try
+    s.organ = stylet_mex ("info", s.organ_handle);
+    s.handle = stylet_mex ("simulation", s.organ_handle, needle, config);
+  catch refused
+    stylet_mex ("free", s.organ_handle);
+    rethrow (refused);
+  end
+  s.length_m = 0.15;
+  if (isfield (needle, "length_m")) s.length_m = needle.length_m; end
+end

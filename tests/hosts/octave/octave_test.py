@@ -1,0 +1,115 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""The MEX function under Octave: the same bits as from C; wrong arguments and freed handles are
+errors with what was expected.
+
+usage: octave_test.py LIBRARY_FOLDER EXAMPLE_IN_C STYLET_ORGAN
+"""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+LIBRARY, EXAMPLE_IN_C, STYLET_ORGAN = sys.argv[1:4]
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+HERE = ROOT / "hal/hosts/matlab"
+
+
+@unittest.skipUnless(shutil.which("octave-cli") and shutil.which("mkoctfile"),
+                     "Octave is missing (Debian: octave octave-dev)")
+class Octave(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.kept = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.kept.name)
+        cls.organ = cls.folder / "liver.organ"
+        subprocess.run([STYLET_ORGAN, "phantom", "liver", "--voxel-mm", "7", "-o", cls.organ],
+                       check=True, capture_output=True)
+        for file in HERE.rglob("*.[mc]"):
+            target = cls.folder / file.relative_to(HERE)
+            target.parent.mkdir(exist_ok=True)
+            shutil.copy(file, target)
+        subprocess.run(["mkoctfile", "--mex", "-Wall", "-Wextra", "-Werror", "stylet_mex.c",
+                        f"-I{ROOT / 'hal/hosts/c/include'}", f"-L{LIBRARY}", "-lstylet"],
+                       check=True, cwd=cls.folder)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.kept.cleanup()
+
+    def octave(self, text):
+        done = subprocess.run(["octave-cli", "--no-init-file", "--quiet", "--eval", text],
+                              cwd=self.folder, text=True, capture_output=True, timeout=300,
+                              env={**os.environ, "LD_LIBRARY_PATH": LIBRARY})
+        return done.returncode, done.stdout, done.stderr
+
+    def refused(self, text):
+        code, _, error = self.octave(text)
+        self.assertEqual(code, 1, error)
+        return error
+
+    def test_inserts_as_the_example_in_c(self):
+        in_c = subprocess.run([EXAMPLE_IN_C, self.organ], check=True, capture_output=True,
+                              text=True).stdout.split("\n")
+        code, said, error = self.octave(f"cd examples; insert ('{self.organ}', 'no')")
+        self.assertEqual(code, 0, error)
+        self.assertEqual(said.split("\n")[:22], in_c[:22])
+        self.assertIn("puncture", said)
+
+    def test_state_is_that_of_the_example_in_c(self):
+        # Places as floats, as the example in C has them: products of doubles round otherwise.
+        in_c = subprocess.run([EXAMPLE_IN_C, self.organ], check=True, capture_output=True,
+                              text=True).stdout
+        code, said, error = self.octave(f"""
+          s = stylet_open ('{self.organ}', struct ('bending_nm2', 0.02));
+          low = single (s.organ.low_m); high = single (s.organ.high_m);
+          at = [(low(1) + high(1)) / 2; (low(2) + high(2)) / 2; high(3) + single (0.01)];
+          far = single (stylet_mex ('raycast', s.organ_handle, double (at), [0; 0; -1]));
+          z = at(3) - (far - single (1e-3));
+          step = single (10e-3) * single (1e-3);
+          tips = zeros (3, 2101);
+          for tick = 0:2100
+            tips(:, tick + 1) = [at(1); at(2); z - step * single (tick)];
+          end
+          out = stylet_run (s, double (tips), [0; 0; -1]);
+          printf ('state %016x\\n', stylet_hash (s));
+          [surface, needle, events] = stylet_look (s);
+          printf ('%d %d %d %d\\n', columns (surface) == columns (s.organ.vertices), ...
+                  columns (needle), numel (events) > 1, max (s.organ.triangles(:)));
+          stylet_close (s);""")
+        self.assertEqual(code, 0, error)
+        state, looked = said.split("\n")[:2]
+        self.assertIn(state, in_c)
+        same, nodes, happened, last = map(int, looked.split())
+        self.assertEqual((same, nodes, happened), (1, 33, 1))  # 32 rods
+        self.assertGreater(last, 100)
+
+    def test_what_is_wrong_is_said(self):
+        organ = f"'{self.organ}'"
+        for text, said in (
+                ("stylet_open ('/nowhere.organ')", "/nowhere.organ: No such file"),
+                (f"stylet_open ({organ}, struct ('lenght_m', 1))", "no field is called lenght_m"),
+                (f"stylet_open ({organ}, struct ('length_m', 0.7))",
+                 "needle.length_m [0]: 0.7: expected 0.001 to 0.5"),
+                (f"stylet_open ({organ}, struct ('rods', 1.5))", "needle.rods: 1.5: expected a whole"),
+                (f"s = stylet_open ({organ}); stylet_run (s, zeros (6, 2))", "with 7 rows"),
+                (f"s = stylet_open ({organ}); stylet_close (s); stylet_hash (s)",
+                 "expected a simulation that is open"),
+                (f"s = stylet_open ({organ}); stylet_mex ('hash', s.organ_handle)",
+                 "expected a simulation that is open"),
+                ("stylet_mex ('hash', 1e9)", "expected a simulation that is open"),
+                ("stylet_mex ('hash', -3)", "expected a simulation that is open"),
+                ("stylet_mex ('hash', NaN)", "expected a simulation that is open"),
+                ("stylet_mex ('dance')", "no command is called so"),
+                ("stylet_mex ('hash')", "expected 1 arguments")):
+            self.assertIn(said, self.refused(text), text)
+
+    def test_example_is_short(self):
+        self.assertLessEqual(len((HERE / "examples/insert.m").read_text().splitlines()), 60)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
