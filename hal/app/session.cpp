@@ -155,11 +155,11 @@ std::uint64_t rewind_hand(Session& s, std::uint32_t needle) {
     return hal::steered_ticks(source.steered.config, s.scene.config.needle[needle].length_m,
                               period_s);
   }
-  station.hand = {};
-  station.hand.config = hand.hand;
-  station.hand.period_s = period_s;
-  station.hand.script = hal::make_script(hand.waypoints, hand.approach.start_m);
-  return hal::script_ticks(station.hand.script, period_s);
+  source.hand = {};
+  source.hand.config = hand.hand;
+  source.hand.period_s = period_s;
+  source.hand.script = hal::make_script(hand.waypoints, hand.approach.start_m);
+  return hal::script_ticks(source.hand.script, period_s);
 }
 
 hal::Device open_device(Session& s, std::uint32_t needle) {
@@ -167,7 +167,7 @@ hal::Device open_device(Session& s, std::uint32_t needle) {
   NeedleSource& source = s.sources[needle];
   if (hand.device == "replay") return hal::replay_device(source.replayed, hand.limits);
   if (hand.device == "steered") return hal::steered_device(source.steered, hand.limits);
-  if (hand.device != "attached") return hal::simulated_hand_device(station.hand, hand.limits);
+  if (hand.device != "attached") return hal::simulated_hand_device(source.hand, hand.limits);
   fmt::print(stderr, "stylet: waiting for {}\n", hand.uri);
   const hal::Device device = open_or_stop(hand.uri, hal::open_lasting_device);
   s.fits.push_back(hand.uri + ": " + hal::fit_to_device(device.info, hand));
