@@ -190,7 +190,7 @@ class Segmentations(Conformance):
                     del file.SegmentSequence[0]
                     if described is not None:
                         file.SegmentSequence.insert(0, described)
-                return dicom.write_label_map(folder / "map", kept, {}, change=change)
+                return dicom.write_label_map(folder / "map", kept, names, change=change)
 
             def segment_0(label, scheme, value):
                 return dicom.item(
@@ -199,6 +199,7 @@ class Segmentations(Conformance):
                         CodeValue=value, CodingSchemeDesignator=scheme, CodeMeaning=label))
             kept = [s for s in stack(random) if s.pixels.any()]
             empty = sum(int((s.pixels == 0).sum()) for s in kept)
+            names = {int(n): f"tissue {n}" for s in kept for n in numpy.unique(s.pixels) if n > 0}
             for described in (None, segment_0("Nothing", "DCM", "125040")):
                 self.check(written(described), held(kept, **self.rule(kept)),
                            said=[f"no PixelPaddingValue: its {empty} pixels of 0 were taken as"])
