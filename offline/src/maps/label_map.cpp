@@ -114,6 +114,7 @@ LabelMap read_label_map(const std::filesystem::path& file) {
   LabelMap map = format->read(path, bytes);
   if (map.sha256.empty()) map.sha256 = sha256_hex(bytes);
   for (auto& [label, name] : map.names) name = printable(name);
+  for (std::string& note : map.notes) note = printable(note);  // they quote the file
   return map;
 }
 
