@@ -34,6 +34,8 @@ to_test=(
   libgtest-dev llvm python3-prometheus-client python3-pydicom snakemake valgrind
   # cohorts under Slurm; the test starts its own daemons
   munge slurm-client slurmctld slurmd
+  # the interface in C from other languages
+  mono-mcs mono-runtime octave octave-dev
   # the console's page; building and running it needs neither
   chromium nodejs
   # other processors

@@ -66,13 +66,13 @@ class Octave(unittest.TestCase):
         code, said, error = self.octave(f"""
           s = stylet_open ('{self.organ}', struct ('bending_nm2', 0.02));
           low = single (s.organ.low_m); high = single (s.organ.high_m);
-          at = [(low(1) + high(1)) / 2; (low(2) + high(2)) / 2; high(3) + single (0.01)];
+          at = [(low(1) + high(1)) / 2; (low(2) + high(2)) / 2; high(3) + single(0.01)];
           far = single (stylet_mex ('raycast', s.organ_handle, double (at), [0; 0; -1]));
           z = at(3) - (far - single (1e-3));
           step = single (10e-3) * single (1e-3);
           tips = zeros (3, 2101);
           for tick = 0:2100
-            tips(:, tick + 1) = [at(1); at(2); z - step * single (tick)];
+            tips(:, tick + 1) = [at(1); at(2); z - step * single(tick)];
           end
           out = stylet_run (s, double (tips), [0; 0; -1]);
           printf ('state %016x\\n', stylet_hash (s));
@@ -94,7 +94,8 @@ class Octave(unittest.TestCase):
                 (f"stylet_open ({organ}, struct ('lenght_m', 1))", "no field is called lenght_m"),
                 (f"stylet_open ({organ}, struct ('length_m', 0.7))",
                  "needle.length_m [0]: 0.7: expected 0.001 to 0.5"),
-                (f"stylet_open ({organ}, struct ('rods', 1.5))", "needle.rods: 1.5: expected a whole"),
+                (f"stylet_open ({organ}, struct ('rods', 1.5))",
+                 "needle.rods: 1.5: expected a whole"),
                 (f"s = stylet_open ({organ}); stylet_run (s, zeros (6, 2))", "with 7 rows"),
                 (f"s = stylet_open ({organ}); stylet_close (s); stylet_hash (s)",
                  "expected a simulation that is open"),
