@@ -13,7 +13,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 to_run=(
   # figures; scripts beside scenes and in offline/analysis
-  gnuplot-nox fonts-dejavu-core python3 python3-h5py python3-matplotlib
+  gnuplot-nox fonts-dejavu-core python3 python3-h5py python3-matplotlib python3-numpy
   # libraries for programs that were built elsewhere
   libbz2-1.0 libccd2 libdcmtk17 libexpat1 libfmt9 libgmp10 libhdf5-103-1 libinsighttoolkit5.2
   libmd0 libmpfr6 libopenigtlink1.11 libpng16-16 libssl3 libstdc++6 zlib1g
@@ -24,14 +24,14 @@ to_develop=(
   flatbuffers-compiler libccd-dev libflatbuffers-dev libmd-dev
   # hal
   libboost-dev libcli11-dev libfmt-dev libhdf5-dev libopenigtlink-dev libtomlplusplus-dev
-  nlohmann-json3-dev
+  nlohmann-json3-dev pybind11-dev python3-dev python3-pip python3-setuptools python3-wheel
   # offline
   libbz2-dev libcgal-dev libdcmtk-dev libeigen3-dev libexpat1-dev libinsighttoolkit5-dev libpng-dev
   libssl-dev zlib1g-dev
 )
 to_test=(
   clang groff-base libbenchmark-dev libbullet-dev libclang-rt-14-dev libclang-rt-19-dev libgmock-dev
-  libgtest-dev llvm python3-prometheus-client python3-pydicom snakemake valgrind
+  libgtest-dev llvm python3-distributed python3-prometheus-client python3-pydicom snakemake valgrind
   # cohorts under Slurm; the test starts its own daemons
   munge slurm-client slurmctld slurmd
   # the interface in C from other languages

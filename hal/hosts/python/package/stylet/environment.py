@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Needle insertion for learning, shaped as Gymnasium's environments: one, or many at once.
+
+An episode begins with the tip outside the organ on a line to a target, and ends when the tip is in
+the target (`terminated`, reward +1), when the shaft touches a zone to keep out of or the kernel
+latches a fault (`terminated`, -1), or after `most_steps` (`truncated`). Each step's reward is
+besides that the way that the tip came nearer, as a share of the whole way at the start: so an
+episode that ends in the target is worth 1 and the share of the way that it came.
+"""
+import math
+
+import numpy as np
+
+from stylet import _stylet
+from stylet.motion import moved
+from stylet.names import Flag
+from stylet.render import picture
+from stylet.simulation import Simulation, VectorSimulation
+from stylet.spaces import Box, stacked
+from stylet.structs import Config, Needle
+from stylet.targets import Target, distance_to_segment_m, read_targets
+
+OBSERVATION = {"way_to_target_m": 3, "rotation_wxyz": 4, "force_n": 3, "torque_nm": 3,
+               "depth_m": 1, "phase": 1}
+
+
+class NeedleEnv:
+    """One needle, held by a learner.
+
+    An action is six numbers from -1 to 1: velocity of the handle along its own axes, in shares of
+    `speed_m_per_s`, and about them, in shares of `turning_rad_per_s`. The needle points along the
+    handle's -z, so that action[2] < 0 goes in. An observation is OBSERVATION in a row.
+    """
+    metadata = {"render_modes": ["rgb_array"], "render_fps": 50}
+
+    def __init__(self, organ, targets, needle=None, config=None, direction=(0, 0, -1),
+                 start_m=0.01, scatter_m=0.0, ticks_of_step=20, most_steps=1000,
+                 speed_m_per_s=0.02, turning_rad_per_s=1.0, obstacles=(), render_mode=None):
+        """`targets`: Targets, or a scene's file. The line to the target has `direction`, and the
+        tip starts `start_m` before the surface, or before the target if the line misses the organ;
+        `scatter_m`: how far the line may pass the target's middle. The defaults are a hand's: 20
+        mm/s, 1 rad/s, a decision every 20 ticks."""
+        self.organ, self.needle = organ, needle or Needle()
+        self.targets = targets if isinstance(targets, (list, tuple)) else read_targets(targets)
+        self._goals = [target for target in self.targets if not target.forbidden]
+        if not self._goals:
+            raise ValueError("targets: all are forbidden")
+        self.direction = np.asarray(direction, float) / np.linalg.norm(direction)
+        self.start_m, self.scatter_m = start_m, scatter_m
+        self.ticks_of_step, self.most_steps = ticks_of_step, most_steps
+        self.speed_m_per_s, self.turning_rad_per_s = speed_m_per_s, turning_rad_per_s
+        config = config or Config()
+        self.period_s = config.period_s
+        self.simulation = Simulation(organ, self.needle, config, obstacles)
+        self.action_space = Box(-1.0, 1.0, (6,))
+        self.observation_space = Box(-np.inf, np.inf, (sum(OBSERVATION.values()),))
+        self.render_mode = render_mode
+        self.np_random = np.random.default_rng()
+        self._pose = None
+        self._output = None
+
+    def reset(self, *, seed=None, options=None):
+        """A new episode. With a seed, it and those that follow are the same each time. Options:
+        "target", the name of the one to reach instead of one that is drawn."""
+        if seed is not None:
+            self.np_random = np.random.default_rng(seed)
+        self.target = self._drawn_target((options or {}).get("target"))
+        tip_m = self._start(self.target)
+        self._pose = np.asarray(
+            _stylet.pose_of_tip(tip_m, self.direction, self.needle.length_m), float)
+        self.simulation.reset()
+        self._output = self.simulation.tick(self._pose).copy()
+        self._steps = 0
+        self._whole_way_m = self._distance_m = self._distance(self._output)
+        return self._observation(), self._info()
+
+    def step(self, action):
+        """Moves the handle for `ticks_of_step` ticks."""
+        return self._answer(self.simulation.run(self._poses(action)))
+
+    def render(self):
+        """The organ, the needle and the targets from the side, as an array (height, width, 3)."""
+        return picture(self.simulation, self.targets, self.direction)
+
+    def close(self):
+        pass
+
+    # ---- halves of a step, between which the vector form runs all simulations at once
+
+    def _poses(self, action):
+        if self._pose is None:
+            raise RuntimeError("reset before the first step")
+        action = np.clip(np.asarray(action, float), -1, 1)
+        poses = moved(self._pose, self.speed_m_per_s * action[:3],
+                      self.turning_rad_per_s * action[3:], self.period_s, self.ticks_of_step)
+        self._pose = poses[-1]
+        return poses
+
+    def _answer(self, outputs):
+        self._output = outputs[-1].copy()
+        self._steps += 1
+        before_m, self._distance_m = self._distance_m, self._distance(self._output)
+        reward = (before_m - self._distance_m) / self._whole_way_m
+        reached = min(map(self._distance, outputs)) <= self.target.radius_m
+        failed = bool(np.bitwise_or.reduce(outputs["flags"]) & Flag.FAULT) or self._touches()
+        reward += 1.0 * (reached and not failed) - 1.0 * failed
+        terminated = bool(reached or failed)
+        truncated = not terminated and self._steps >= self.most_steps
+        return self._observation(), float(reward), terminated, truncated, self._info()
+
+    # ---- what an episode is made of
+
+    def _drawn_target(self, name):
+        if name is None:
+            return self._goals[int(self.np_random.integers(len(self._goals)))]
+        for target in self._goals:
+            if target.name == name:
+                return target
+        raise ValueError(f"target {name!r}: expected one of {[t.name for t in self._goals]}")
+
+    def _start(self, target):
+        """Where the tip begins: before the first surface on the line from far outside."""
+        info = self.organ.info
+        size_m = float(np.linalg.norm(np.subtract(info.high_m, info.low_m)))
+        through = np.asarray(target.at_m) + self._scattered()
+        far = through - 2 * size_m * self.direction
+        meets_m = self.organ.raycast(far, self.direction)
+        meets_m = 2 * size_m if meets_m is None else meets_m
+        return far + (meets_m - self.start_m) * self.direction
+
+    def _scattered(self):
+        """Uniform on a disc across the line; drawn also without scatter, so that the draws that
+        follow are the same."""
+        radius = self.scatter_m * math.sqrt(self.np_random.random())
+        angle = 2 * math.pi * self.np_random.random()
+        right = np.cross(self.direction, np.eye(3)[np.argmin(np.abs(self.direction))])
+        right /= np.linalg.norm(right)
+        up = np.cross(right, self.direction)
+        return radius * (math.cos(angle) * right + math.sin(angle) * up)
+
+    def _distance(self, output):
+        return float(np.linalg.norm(output["tip_m"] - np.asarray(self.target.at_m)))
+
+    def _touches(self):
+        return any(distance_to_segment_m(zone.at_m, self._pose[:3], self._output["tip_m"])
+                   <= zone.radius_m for zone in self.targets if zone.forbidden)
+
+    def _observation(self):
+        out = self._output
+        return np.concatenate([self.target.at_m - out["tip_m"], self._pose[3:], out["force_n"],
+                               out["torque_nm"], [out["depth_m"], out["phase"]]]).astype(np.float32)
+
+    def _info(self):
+        return {"target": self.target.name, "distance_m": self._distance_m,
+                "force_n": float(np.linalg.norm(self._output["force_n"])),
+                "flags": int(self._output["flags"]), "tick": int(self._output["tick"])}
+
+
+class VectorNeedleEnv:
+    """Environments of the same kind, whose simulations run at once.
+
+    An environment whose episode has ended ignores the next action and begins a new one, with
+    reward 0, as Gymnasium's vector environments do ("NextStep")."""
+
+    def __init__(self, environments, threads=0):
+        self.envs = list(environments)
+        self.num_envs = len(self.envs)
+        if len({env.ticks_of_step for env in self.envs}) != 1:
+            raise ValueError("environments of one vector have the same ticks_of_step, and one is"
+                             " needed at least")
+        self._batch = VectorSimulation([env.simulation for env in self.envs], threads)
+        self.metadata = {**NeedleEnv.metadata, "autoreset_mode": "NextStep"}
+        self.single_action_space = self.envs[0].action_space
+        self.single_observation_space = self.envs[0].observation_space
+        self.action_space = stacked(self.single_action_space, self.num_envs)
+        self.observation_space = stacked(self.single_observation_space, self.num_envs)
+        self._ended = np.zeros(self.num_envs, bool)
+
+    def reset(self, *, seed=None, options=None):
+        """Environment i gets seed + i, or the i-th of a list."""
+        seeds = [None] * self.num_envs if seed is None else seed
+        if isinstance(seed, (int, np.integer)):
+            seeds = [int(seed) + i for i in range(self.num_envs)]
+        self._ended[:] = False
+        answers = [env.reset(seed=each, options=options) for env, each in zip(self.envs, seeds)]
+        return np.stack([observation for observation, _ in answers]), columns(
+            [info for _, info in answers])
+
+    def step(self, actions):
+        # A new episode begins at tick 0, whatever ticks the batch makes of the old one before.
+        actions = np.where(self._ended[:, None], 0, np.asarray(actions, float))
+        poses = np.stack([env._poses(action) for env, action in zip(self.envs, actions)])
+        outputs = self._batch.run(poses)
+        answers = []
+        for i, env in enumerate(self.envs):
+            if self._ended[i]:
+                observation, info = env.reset()
+                answers.append((observation, 0.0, False, False, info))
+            else:
+                answers.append(env._answer(outputs[i]))
+        observations, rewards, terminated, truncated, infos = zip(*answers)
+        terminated, truncated = np.array(terminated), np.array(truncated)
+        self._ended = terminated | truncated
+        return np.stack(observations), np.array(rewards), terminated, truncated, columns(infos)
+
+    def render(self):
+        return tuple(env.render() for env in self.envs)
+
+    def close(self):
+        pass
+
+
+def columns(infos):
+    return {name: np.array([info[name] for info in infos]) for name in infos[0]}

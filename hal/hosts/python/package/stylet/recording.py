@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What `stylet run --record` wrote: every tick of a run, as arrays, curves, or a run once more."""
+import h5py
+import numpy as np
+
+from stylet import _stylet
+from stylet.names import Event
+from stylet.simulation import Simulation
+from stylet.structs import Config, Needle, Obstacle
+
+FORMAT = "stylet-recording"
+FORMAT_VERSION = 4  # hal/record/recording_format.h
+TICKS_OF_PART = 100_000  # of a replay at a time: 3.6 MB of inputs a needle
+
+CAUSES = ["stiffness", "cutting", "friction", "clamping", "obstacle"]
+# Of each cause, as in every other figure (hal/palette.csv).
+COLOURS = ["#0072b2", "#c24e00", "#009e73", "#a8478a", "#5c3d00"]
+TOTAL = "#1d2733"
+
+
+class Recording:
+    """One file. `recording["output/force_n"]` is a column of the first needle; hal/record/README.md
+    lists them. An unfinished recording (NAME.PROCESS.tmp) can be read, not replayed."""
+
+    def __init__(self, path):
+        self.path = str(path)
+        self._columns = {}
+        with self._file() as file:
+            self._check(file)
+            for name in ("scene_text", "scene_file", "organ_file", "organ_name", "stylet_version"):
+                setattr(self, name, text_of(file, name))
+            self.organ_hash = int(file.attrs["organ_hash"])
+            self.final_state_hash = int(file.attrs["final_state_hash"])
+            self.lost_records = int(file.attrs["lost_records"])
+            self.config = Config(**{key[len("config_"):]: value.tolist()
+                                    for key, value in file.attrs.items()
+                                    if key.startswith("config_")})
+            self.needles = bodies(file["needles"], Needle, _stylet.needle_dtype)
+            self.obstacles = bodies(file["obstacles"], Obstacle, _stylet.obstacle_dtype)
+            self.directions = file["needles/direction"][:]
+            self.entries_m = file["needles/entry_m"][:]
+            # Columns of a file that grows differ by some rows.
+            self.ticks = min(len(column) for column in file["output"].values())
+            self.events = table(file["events"], _stylet.event_dtype)
+            lines = text_of(file, "marks").splitlines() if "marks" in file else []
+            self.marks = [(int(tick), words) for tick, words in
+                          (line.split("\t", 1) for line in lines)]
+
+    def _file(self):
+        try:
+            return h5py.File(self.path, "r")
+        except FileNotFoundError:
+            raise
+        except OSError:
+            return h5py.File(self.path, "r", swmr=True)  # that of a running or killed run
+
+    def _check(self, file):
+        kind = text_of(file, "format") if "format" in file else ""
+        version = int(file.attrs.get("format_version", 0))
+        if kind != FORMAT or version != FORMAT_VERSION:
+            raise ValueError(f"{self.path}: {kind or 'no recording'} {version}: expected {FORMAT} "
+                             f"{FORMAT_VERSION}; record again")
+
+    @property
+    def period_s(self):
+        return self.config.period_s
+
+    @property
+    def time_s(self):
+        """Since the start, at the end of each tick."""
+        return self.period_s * np.arange(1, self.ticks + 1)
+
+    def column(self, name, needle=0):
+        """A column of one needle, a row a tick; read once."""
+        if not 0 <= needle < len(self.needles):
+            raise IndexError(f"{self.path}: needle {needle}: expected 0 to {len(self.needles) - 1}")
+        place = name if needle == 0 else f"needle{needle}/{name}"
+        if place not in self._columns:
+            with self._file() as file:
+                self._columns[place] = file[place][:self.ticks]
+        return self._columns[place]
+
+    def __getitem__(self, name):
+        return self.column(name)
+
+    def outputs(self, needle=0):
+        """The answers of all ticks, as `Simulation.run` returns them."""
+        rows = np.zeros(self.ticks, _stylet.output_dtype)
+        for name in rows.dtype.names:
+            rows[name] = self.column(f"output/{name}", needle)
+        return rows.view(np.recarray)
+
+    def inputs(self):
+        """What the kernel got, as `Simulation.run` takes it: (ticks, needles)."""
+        rows = np.empty((self.ticks, len(self.needles)), _stylet.input_dtype)
+        rows["struct_bytes"] = _stylet.input_dtype.itemsize
+        for i in range(len(self.needles)):
+            for name in ("valid", "position_m", "rotation_wxyz"):
+                rows[name][:, i] = self.column(f"input/{name}", i)
+        return rows
+
+    def force_n(self, cause=None, needle=0):
+        """Force along the needle's course; positive resists the way in. `cause`: a part of it."""
+        column = "output/force_n" if cause is None else f"output/{cause}_n"
+        return -self.column(column, needle) @ self.directions[needle]
+
+    def replay(self, organ, check=True):
+        """Runs all ticks once more, and returns the simulation as it is at the end.
+
+        Raises ValueError if this is another organ, the recording is not whole, or the state at
+        the end has other bits."""
+        if organ.info.hash != self.organ_hash:
+            raise ValueError(f"{self.path}: recorded in organ {self.organ_hash:016x}, and this is "
+                             f"{organ.info.hash:016x}")
+        if self.lost_records or not self.final_state_hash:
+            raise ValueError(f"{self.path}: not whole, so it cannot be replayed")
+        simulation = Simulation(organ, self.needles, self.config, self.obstacles)
+        inputs = self.inputs()
+        for first in range(0, self.ticks, TICKS_OF_PART):
+            simulation.run(inputs[first:first + TICKS_OF_PART])
+        if check and simulation.hash() != self.final_state_hash:
+            raise ValueError(f"{self.path}: state {simulation.hash():016x} after {self.ticks} ticks"
+                             f", recorded was {self.final_state_hash:016x}")
+        return simulation
+
+    def plot(self, needle=0, figure=None):
+        """Force by cause over time and over depth, in a figure of matplotlib, which it returns."""
+        if figure is None:
+            import matplotlib.pyplot  # only who plots needs it
+            figure = matplotlib.pyplot.figure(figsize=(7.5, 7), constrained_layout=True)
+        over_time, over_depth = figure.subplots(2, 1)
+        depth_mm = 1e3 * self.column("output/depth_m", needle)
+        total = self.force_n(None, needle)
+        for cause, colour in zip(CAUSES, COLOURS):
+            force = self.force_n(cause, needle)
+            if force.any():
+                over_time.plot(self.time_s, force, color=colour, label=cause, linewidth=1)
+        over_time.plot(self.time_s, total, color=TOTAL, label="total", linewidth=1.2)
+        for event in self.events[self.events["needle"] == needle]:
+            if event["kind"] in (Event.PUNCTURE, Event.EXIT):
+                over_time.axvline(event["tick"] * self.period_s, color="0.7", linewidth=0.8)
+        over_time.set(xlabel="time (s)", ylabel="axial force (N)", title=self.organ_name)
+        over_time.legend(loc="best")
+        over_depth.plot(depth_mm, total, color=TOTAL, linewidth=1)
+        over_depth.set(xlabel="depth of the tip (mm)", ylabel="axial force (N)")
+        return figure
+
+
+def text_of(file, name):
+    return file[name][()].decode("utf-8").rstrip("\0")
+
+
+def table(group, dtype):
+    """Columns of a group as the fields of a dtype; columns that it does not have are left out."""
+    rows = np.zeros(min(len(column) for column in group.values()), dtype)
+    for name in dtype.names:
+        rows[name] = group[name][:len(rows)].reshape(rows[name].shape)
+    return rows
+
+
+def bodies(group, kind, dtype):
+    return [kind(**{name: row[name].tolist() for name in dtype.names})
+            for row in table(group, dtype)]

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Simulations of needles in an organ: one, or many at once."""
+import numpy as np
+
+from stylet import _stylet
+from stylet.structs import Config, Needle, Obstacle
+
+
+def rows_of(structs, kind):
+    """The rows of one struct or several."""
+    structs = [structs] if isinstance(structs, kind) else list(structs)
+    for each in structs:
+        if not isinstance(each, kind):
+            raise TypeError(f"{each!r}: expected a stylet.{kind.__name__}")
+    return [each._row for each in structs]
+
+
+class Simulation(_stylet.Simulation):
+    """Needles in an organ.
+
+    What it shows (what `tick` returns, `surface`, `particles`) is its own memory, for reading, and
+    is written anew by the next such call: copy what must stay. What `run` returns is the caller's.
+    One thread at a time; the interpreter is free for others while ticks are computed.
+    """
+
+    def __init__(self, organ, needles=None, config=None, obstacles=()):
+        needles = Needle() if needles is None else needles
+        config = Config() if config is None else config
+        super().__init__(organ, rows_of(needles, Needle), *rows_of(config, Config),
+                         rows_of(obstacles, Obstacle))
+        self.organ = organ
+
+    def clone(self):
+        """A second simulation in the same state, which shares the organ."""
+        other = type(self).__new__(type(self))
+        _stylet.Simulation.__init__(other, self)
+        other.organ = self.organ
+        return other
+
+    def set_obstacles(self, obstacles):
+        """Bodies fixed in the world, instead of those given before. Before the first tick only."""
+        self._set_obstacles(rows_of(obstacles, Obstacle))
+
+
+class VectorSimulation:
+    """Many simulations, which the library's own threads run at once.
+
+    `threads` is 0 for one on each processor. The results do not depend on it.
+    """
+
+    def __init__(self, simulations, threads=0):
+        self.simulations = list(simulations)
+        self._batch = _stylet.Batch(self.simulations, threads)
+
+    def __len__(self):
+        return len(self.simulations)
+
+    def run(self, poses, valid=None, out=None):
+        """Poses (simulations, ticks, needles, 7) give outputs (simulations, ticks, needles).
+
+        Where there is one needle its axis may be left out. `out` is filled and returned."""
+        outputs = self._batch.run(poses, valid, out)
+        return outputs.view(np.recarray) if out is None else outputs
+
+
+def inputs(poses, valid=True):
+    """Poses (..., 7) as an array of `input_dtype`, which simulations read where it lies."""
+    poses = np.asarray(poses, np.float32)
+    rows = np.empty(poses.shape[:-1], _stylet.input_dtype)
+    rows["struct_bytes"] = _stylet.input_dtype.itemsize
+    rows["valid"] = valid
+    rows["position_m"] = poses[..., :3]
+    rows["rotation_wxyz"] = poses[..., 3:]
+    return rows
+
+
+def poses_of_tips(tips_m, direction, length_m):
+    """Poses (ticks, 7) whose unbent needle has its tip at each place and points in a direction."""
+    tips_m = np.asarray(tips_m, np.float32)
+    poses = np.empty((len(tips_m), 7), np.float32)
+    poses[:] = _stylet.pose_of_tip((0, 0, 0), direction, length_m)
+    poses[:, :3] += tips_m
+    return poses

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a simulation is made with: needles, obstacles, configuration.
+
+Fields have the names and defaults of stylet.h; another name is refused. Which values are accepted
+is known to the library alone, which refuses others when a simulation is made.
+"""
+import operator
+
+import numpy as np
+
+from stylet import _stylet
+
+# Words that scenes use for numbers.
+WORDS = {"mode": ("physical", "paper"), "inertia": ("added_mass", "true_mass")}
+
+
+class Struct:
+    """One row of a dtype, whose fields are attributes."""
+    _defaults = None
+
+    def __init__(self, **fields):
+        object.__setattr__(self, "_row", type(self)._defaults())
+        for name, value in fields.items():
+            setattr(self, name, value)
+
+    def _checked(self, name):
+        if name not in self._row.dtype.names:
+            raise AttributeError(f"{type(self).__name__} has no field {name}; it has "
+                                 + ", ".join(self._row.dtype.names))
+
+    def __getattr__(self, name):
+        if name.startswith("_"):
+            raise AttributeError(name)
+        self._checked(name)
+        value = self._row[name][0]
+        return value.copy() if value.ndim else value.item()
+
+    def __setattr__(self, name, value):
+        self._checked(name)
+        if self._row.dtype[name].kind == "u":
+            value = whole(name, value)
+        self._row[name][0] = value
+
+    def __eq__(self, other):
+        return type(other) is type(self) and bool((self._row == other._row).all())
+
+    def __repr__(self):
+        values = [f"{name}={getattr(self, name)!r}" for name in self._row.dtype.names]
+        return f"{type(self).__name__}({', '.join(values)})"
+
+    def __reduce__(self):
+        return restored, (type(self), self._row)
+
+    def replace(self, **fields):
+        """The same with other values in these fields."""
+        made = restored(type(self), self._row)
+        for name, value in fields.items():
+            setattr(made, name, value)
+        return made
+
+
+def restored(kind, row):
+    made = kind.__new__(kind)
+    object.__setattr__(made, "_row", row.copy())
+    return made
+
+
+def whole(name, value):
+    """The value as a number without sign that 32 bits hold; numpy would take it modulo that."""
+    if isinstance(value, str):
+        words = WORDS.get(name, ())
+        if value not in words:
+            raise ValueError(f"{name}: {value!r}: expected a number"
+                             + "".join(f' or "{word}"' for word in words))
+        return words.index(value)
+    value = operator.index(value)
+    if not 0 <= value < 2 ** 32:
+        raise ValueError(f"{name}: {value}: expected 0 to {2 ** 32 - 1}")
+    return value
+
+
+class Config(Struct):
+    """How the tissue is computed."""
+    _defaults = _stylet.default_config
+    mode: int  # or "physical", "paper"
+    period_s: float
+    substeps: int
+    inertia: int  # or "added_mass", "true_mass"
+    tissue_damping_s: float
+    surround_drag_per_s: float
+    hourglass_weight: float
+    paper_alpha: float
+    breathing_amplitude_m: np.ndarray
+    breathing_period_s: float
+
+
+class Needle(Struct):
+    """A needle; bevel and bend face the handle's +x."""
+    _defaults = _stylet.default_needle
+    length_m: float
+    outer_radius_m: float
+    unit_m: float
+    bending_nm2: float
+    rods: int
+    bevel_per_m: float
+    bent_length_m: float
+    bent_angle_rad: float
+    torsion_nm2: float
+    tip_half_angle_rad: float
+
+
+class Obstacle(Struct):
+    """A body that no needle enters: the convex hull of its vertices, grown by rounding_m."""
+    _defaults = _stylet.default_obstacle
+    vertex_count: int
+    position_m: np.ndarray
+    rotation_wxyz: np.ndarray
+    vertices_m: np.ndarray  # (64, 3), of which vertex_count are meant
+    rounding_m: float
+    stiffness_n_per_m: float
+    largest_force_n: float
+    friction: float
+
+    @classmethod
+    def box(cls, half_m, **fields):
+        """A box from -half_m to half_m, about its own position."""
+        return restored(cls, _stylet.box_obstacle(*map(float, half_m))).replace(**fields)
+
+    @classmethod
+    def sphere(cls, radius_m, **fields):
+        return restored(cls, _stylet.sphere_obstacle(radius_m)).replace(**fields)
+
+    @classmethod
+    def hull(cls, vertices_m, **fields):
+        """The convex hull of at most 64 places."""
+        places = np.zeros((64, 3), np.float32)
+        places[:len(vertices_m)] = vertices_m
+        return cls(vertex_count=len(vertices_m), vertices_m=places, rounding_m=0).replace(**fields)

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "organ.h"
+
+#include <pybind11/stl.h>
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace stylet::python {
+namespace {
+
+py::tuple tuple_of(stylet_vec3 v) {
+  return py::make_tuple(v.x, v.y, v.z);
+}
+
+py::object info_of(const stylet_organ* organ) {
+  stylet_organ_info info = {};
+  info.struct_bytes = sizeof info;
+  check(stylet_organ_get_info(organ, &info));
+  using namespace py::literals;
+  return names(py::dict(
+      "format_version"_a = info.format_version, "hash"_a = info.hash, "name"_a = info.name,
+      "voxel_edge_m"_a = info.voxel_edge_m, "origin_m"_a = tuple_of(info.origin_m),
+      "size"_a = py::make_tuple(info.size_x, info.size_y, info.size_z), "voxels"_a = info.voxels,
+      "vertices"_a = info.vertices, "triangles"_a = info.triangles,
+      "materials"_a = info.materials, "low_m"_a = tuple_of(info.low_m),
+      "high_m"_a = tuple_of(info.high_m)));
+}
+
+py::object material_of(const stylet_organ* organ, std::uint32_t index) {
+  stylet_material m = {};
+  m.struct_bytes = sizeof m;
+  check(stylet_organ_get_material(organ, index, &m));
+  using namespace py::literals;
+  return names(py::dict(
+      "name"_a = m.name, "source"_a = m.source, "density_kg_per_m3"_a = m.density_kg_per_m3,
+      "youngs_modulus_pa"_a = m.youngs_modulus_pa, "poisson_ratio"_a = m.poisson_ratio,
+      "relaxing_fraction"_a = m.relaxing_fraction, "relaxation_time_s"_a = m.relaxation_time_s,
+      "puncture_force_n"_a = m.puncture_force_n, "cutting_force_n"_a = m.cutting_force_n,
+      "recut_fraction"_a = m.recut_fraction,
+      "coulomb_friction_n_per_m"_a = m.coulomb_friction_n_per_m,
+      "static_friction_n_per_m"_a = m.static_friction_n_per_m,
+      "stribeck_velocity_m_per_s"_a = m.stribeck_velocity_m_per_s,
+      "viscous_friction_n_s_per_m2"_a = m.viscous_friction_n_s_per_m2,
+      "puncture_velocity_exponent"_a = m.puncture_velocity_exponent,
+      "membrane_n_per_m"_a = m.membrane_n_per_m));
+}
+
+Organ looked_at(stylet_organ* given) {
+  Organ out;
+  out.handle = std::shared_ptr<stylet_organ>(given, stylet_organ_free);
+  out.info = info_of(given);
+  py::list materials;
+  for (std::uint32_t i = 0; i < out.info.attr("materials").cast<std::uint32_t>(); ++i) {
+    materials.append(material_of(given, i));
+  }
+  out.materials = py::tuple(materials);
+  return out;
+}
+
+// Fills the array at its first use. `columns` numbers are one element for the library.
+template <typename T, typename Copy>
+py::object kept(const Organ& organ, py::object& array, const py::dtype& dtype, py::ssize_t columns,
+                const Copy& copy) {
+  if (!array) {
+    const std::uint32_t count = copy(organ.handle.get(), nullptr, 0);
+    std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(count)};
+    if (columns > 1) shape.push_back(columns);
+    py::array all(dtype, shape);
+    copy(organ.handle.get(), static_cast<T*>(all.mutable_data()), count);
+    array = read_only(all);
+  }
+  return array;
+}
+
+}  // namespace
+
+Organ read_organ(const std::string& path) {
+  stylet_organ* handle = nullptr;
+  stylet_refusal why = empty_refusal();
+  stylet_status status = STYLET_OK;
+  {
+    const py::gil_scoped_release others_run;
+    status = stylet_organ_read(path.c_str(), &handle, &why);
+  }
+  check(status, why);
+  return looked_at(handle);
+}
+
+Organ organ_from_bytes(const py::bytes& bytes) {
+  stylet_organ* handle = nullptr;
+  stylet_refusal why = empty_refusal();
+  const std::string_view all = bytes;
+  check(stylet_organ_from_bytes(all.data(), all.size(), &handle, &why), why);
+  return looked_at(handle);
+}
+
+void add_organ(py::module_& module) {
+  py::class_<Organ>(module, "Organ")
+      .def_static(
+          "read",
+          [](const py::object& path) {
+            const py::object text = py::module_::import("os").attr("fsdecode")(path);
+            return read_organ(text.cast<std::string>());
+          },
+          py::arg("path"), "The organ in this file.")
+      .def_static("from_bytes", organ_from_bytes, py::arg("content"), "The same of bytes.")
+      .def_readonly("info", &Organ::info)
+      .def_readonly("materials", &Organ::materials)
+      .def_property_readonly("voxels",
+                             [](Organ& o) {
+                               return kept<stylet_voxel>(o, o.voxels, voxel_dtype(), 1,
+                                                         stylet_organ_voxels);
+                             })
+      .def_property_readonly("vertices",
+                             [](Organ& o) {
+                               return kept<stylet_vec3>(o, o.vertices, vec3_dtype(), 3,
+                                                        stylet_organ_vertices);
+                             })
+      .def_property_readonly("vertex_materials",
+                             [](Organ& o) {
+                               return kept<std::uint8_t>(o, o.vertex_materials,
+                                                         py::dtype::of<std::uint8_t>(), 1,
+                                                         stylet_organ_vertex_materials);
+                             })
+      .def_property_readonly("triangles",
+                             [](Organ& o) {
+                               return kept<std::uint32_t>(o, o.triangles,
+                                                          py::dtype::of<std::uint32_t>(), 3,
+                                                          stylet_organ_triangles);
+                             })
+      .def(
+          "raycast",
+          [](const Organ& organ, std::array<float, 3> origin_m,
+             std::array<float, 3> direction) -> py::object {
+            float distance_m = 0;
+            const int meets = stylet_organ_raycast(
+                organ.handle.get(), {origin_m[0], origin_m[1], origin_m[2]},
+                {direction[0], direction[1], direction[2]}, &distance_m);
+            return meets == 1 ? py::object(py::float_(static_cast<double>(distance_m)))
+                              : py::object(py::none());
+          },
+          py::arg("origin_m"), py::arg("direction"),
+          "How far the surface at rest is from here, that way; None: it is not there.");
+}
+
+}  // namespace stylet::python
