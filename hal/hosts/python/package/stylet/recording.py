@@ -16,6 +16,7 @@ CAUSES = ["stiffness", "cutting", "friction", "clamping", "obstacle"]
 # Of each cause, as in every other figure (hal/palette.csv).
 COLOURS = ["#0072b2", "#c24e00", "#009e73", "#a8478a", "#5c3d00"]
 TOTAL = "#1d2733"
+SEEN = 1e-3  # of the largest force: less than a line is wide
 
 
 class Recording:
@@ -133,7 +134,7 @@ class Recording:
         total = self.force_n(None, needle)
         for cause, colour in zip(CAUSES, COLOURS):
             force = self.force_n(cause, needle)
-            if force.any():
+            if np.abs(force).max(initial=0) > SEEN * np.abs(total).max(initial=0):
                 over_time.plot(self.time_s, force, color=colour, label=cause, linewidth=1)
         over_time.plot(self.time_s, total, color=TOTAL, label="total", linewidth=1.2)
         for event in self.events[self.events["needle"] == needle]:
