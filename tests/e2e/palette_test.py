@@ -70,8 +70,12 @@ class Palette(unittest.TestCase):
         self.assertIn(f"kTotal: Stroke = {{\n  colour: '{PALETTE['total']}'", code)
 
     def test_scripts_of_python_and_matlab(self):
+        colours = f"COLOURS = {[PALETTE[c] for c in CAUSES]}".replace("'", '"')
+        code = text("hal/hosts/python/package/stylet/recording.py")
+        self.assertIn(colours, code)
+        self.assertIn('TOTAL = "' + PALETTE["total"], code)
         code = text("offline/analysis/recording.py")
-        self.assertIn(f"COLOURS = {[PALETTE[c] for c in CAUSES]}".replace("'", '"'), code)
+        self.assertIn(colours, code)
         ends = [PALETTE[name] for name in ("total", "way in", "way out")]
         self.assertIn("TOTAL, WAY_IN, WAY_OUT = " + ", ".join(f'"{c}"' for c in ends), code)
         code = text("offline/analysis/recording.m")

@@ -64,6 +64,6 @@ setup(
     ext_modules=[Extension(
         "stylet._stylet", sorted(str(path.relative_to(HERE))
                                  for path in (HERE / "src").glob("*.cpp")),
-        include_dirs=["src", *includes, *pybind11_include()], library_dirs=libraries,
+        include_dirs=[str(HERE.parents[2]), *includes, *pybind11_include()], library_dirs=libraries,
         libraries=["stylet"], runtime_library_dirs=libraries, language="c++",
         extra_compile_args=["-std=c++20", "-fvisibility=hidden", "-ffp-contract=off"])])

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <memory>
-
 #include <pybind11/stl.h>
 
-#include "poses.h"
-#include "simulation.h"
+#include <memory>
+
+#include "hal/hosts/python/src/poses.h"
+#include "hal/hosts/python/src/simulation.h"
 
 namespace stylet::python {
 namespace {

@@ -2,7 +2,7 @@
 // The module stylet._stylet: stylet.h for Python, and nothing else of Stylet.
 #include <pybind11/stl.h>
 
-#include "simulation.h"
+#include "hal/hosts/python/src/simulation.h"
 
 namespace stylet::python {
 namespace {

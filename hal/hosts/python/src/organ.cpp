@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "organ.h"
+#include "hal/hosts/python/src/organ.h"
 
 #include <pybind11/stl.h>
 
@@ -23,9 +23,8 @@ py::object info_of(const stylet_organ* organ) {
       "format_version"_a = info.format_version, "hash"_a = info.hash, "name"_a = info.name,
       "voxel_edge_m"_a = info.voxel_edge_m, "origin_m"_a = tuple_of(info.origin_m),
       "size"_a = py::make_tuple(info.size_x, info.size_y, info.size_z), "voxels"_a = info.voxels,
-      "vertices"_a = info.vertices, "triangles"_a = info.triangles,
-      "materials"_a = info.materials, "low_m"_a = tuple_of(info.low_m),
-      "high_m"_a = tuple_of(info.high_m)));
+      "vertices"_a = info.vertices, "triangles"_a = info.triangles, "materials"_a = info.materials,
+      "low_m"_a = tuple_of(info.low_m), "high_m"_a = tuple_of(info.high_m)));
 }
 
 py::object material_of(const stylet_organ* organ, std::uint32_t index) {
@@ -135,9 +134,9 @@ void add_organ(py::module_& module) {
           [](const Organ& organ, std::array<float, 3> origin_m,
              std::array<float, 3> direction) -> py::object {
             float distance_m = 0;
-            const int meets = stylet_organ_raycast(
-                organ.handle.get(), {origin_m[0], origin_m[1], origin_m[2]},
-                {direction[0], direction[1], direction[2]}, &distance_m);
+            const int meets =
+                stylet_organ_raycast(organ.handle.get(), {origin_m[0], origin_m[1], origin_m[2]},
+                                     {direction[0], direction[1], direction[2]}, &distance_m);
             return meets == 1 ? py::object(py::float_(static_cast<double>(distance_m)))
                               : py::object(py::none());
           },

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation.h"
-
-#include <algorithm>
+#include "hal/hosts/python/src/simulation.h"
 
 #include <pybind11/stl.h>
 
-#include "poses.h"
+#include <algorithm>
+
+#include "hal/hosts/python/src/poses.h"
 
 namespace stylet::python {
 namespace {
@@ -101,17 +101,16 @@ py::array output_array(const py::object& out, const std::vector<py::ssize_t>& sh
     array = py::array(output_dtype(), shape);
   } else {
     array = py::reinterpret_borrow<py::array>(out);
-    const bool fits = py::isinstance<py::array>(out) && array.dtype().equal(output_dtype()) &&
-                      (array.flags() & py::array::c_style) != 0 && array.writeable() &&
-                      std::equal(shape.begin(), shape.end(), array.shape(),
-                                 array.shape() + array.ndim());
+    const bool fits =
+        py::isinstance<py::array>(out) && array.dtype().equal(output_dtype()) &&
+        (array.flags() & py::array::c_style) != 0 && array.writeable() &&
+        std::equal(shape.begin(), shape.end(), array.shape(), array.shape() + array.ndim());
     if (!fits) throw py::value_error("out: expected an array of output_dtype with a row a pose");
   }
   return array;
 }
 
-py::array Simulation::run(const py::object& poses, const py::object& valid,
-                          const py::object& out) {
+py::array Simulation::run(const py::object& poses, const py::object& valid, const py::object& out) {
   const Use use(*this);
   const Inputs inputs(poses, valid);
   const auto& shape = inputs.shape();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "types.h"
+#include "hal/hosts/python/src/types.h"
 
 #include <cstddef>
 #include <initializer_list>
@@ -62,7 +62,9 @@ py::array defaults(const py::dtype& dtype, const Init& init) {
 }  // namespace
 
 #define STYLET_FIELD(type, name, format) \
-  Field { #name, format, offsetof(type, name) }
+  Field {                                \
+#name, format, offsetof(type, name)  \
+  }
 
 py::dtype vec3_dtype() {
   return py::dtype::of<float>();
@@ -96,17 +98,17 @@ py::dtype output_dtype() {
 }
 
 py::dtype config_dtype() {
-  return dtype_of({STYLET_FIELD(stylet_config, mode, kUint32),
-                   STYLET_FIELD(stylet_config, period_s, kFloat),
-                   STYLET_FIELD(stylet_config, substeps, kUint32),
-                   STYLET_FIELD(stylet_config, inertia, kUint32),
-                   STYLET_FIELD(stylet_config, tissue_damping_s, kFloat),
-                   STYLET_FIELD(stylet_config, surround_drag_per_s, kFloat),
-                   STYLET_FIELD(stylet_config, hourglass_weight, kFloat),
-                   STYLET_FIELD(stylet_config, paper_alpha, kFloat),
-                   STYLET_FIELD(stylet_config, breathing_amplitude_m, kVec3),
-                   STYLET_FIELD(stylet_config, breathing_period_s, kFloat)},
-                  sizeof(stylet_config));
+  return dtype_of(
+      {STYLET_FIELD(stylet_config, mode, kUint32), STYLET_FIELD(stylet_config, period_s, kFloat),
+       STYLET_FIELD(stylet_config, substeps, kUint32),
+       STYLET_FIELD(stylet_config, inertia, kUint32),
+       STYLET_FIELD(stylet_config, tissue_damping_s, kFloat),
+       STYLET_FIELD(stylet_config, surround_drag_per_s, kFloat),
+       STYLET_FIELD(stylet_config, hourglass_weight, kFloat),
+       STYLET_FIELD(stylet_config, paper_alpha, kFloat),
+       STYLET_FIELD(stylet_config, breathing_amplitude_m, kVec3),
+       STYLET_FIELD(stylet_config, breathing_period_s, kFloat)},
+      sizeof(stylet_config));
 }
 
 py::dtype needle_dtype() {
@@ -137,11 +139,11 @@ py::dtype obstacle_dtype() {
 }
 
 py::dtype voxel_dtype() {
-  return dtype_of({STYLET_FIELD(stylet_voxel, x, "<u2"), STYLET_FIELD(stylet_voxel, y, "<u2"),
-                   STYLET_FIELD(stylet_voxel, z, "<u2"), STYLET_FIELD(stylet_voxel, material, "u1"),
-                   STYLET_FIELD(stylet_voxel, fixed, "u1"),
-                   STYLET_FIELD(stylet_voxel, fill, kFloat)},
-                  sizeof(stylet_voxel));
+  return dtype_of(
+      {STYLET_FIELD(stylet_voxel, x, "<u2"), STYLET_FIELD(stylet_voxel, y, "<u2"),
+       STYLET_FIELD(stylet_voxel, z, "<u2"), STYLET_FIELD(stylet_voxel, material, "u1"),
+       STYLET_FIELD(stylet_voxel, fixed, "u1"), STYLET_FIELD(stylet_voxel, fill, kFloat)},
+      sizeof(stylet_voxel));
 }
 
 py::dtype constraint_particle_dtype() {

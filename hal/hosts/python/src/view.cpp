@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is seen of a simulation between two ticks, and how it is.
-#include "simulation.h"
+#include "hal/hosts/python/src/simulation.h"
 
 namespace stylet::python {
 namespace {
@@ -60,11 +60,11 @@ py::array Simulation::voxel_corners() {
 
 py::array Simulation::constraint_particles() {
   const std::uint32_t most = needles_ * (STYLET_MAX_CONSTRAINT_PARTICLES + 1);
-  return show<stylet_constraint_particle>(
-      constraint_particles_, constraint_particle_dtype(), 1, most,
-      [&](auto* out, std::uint32_t room) {
-        return stylet_simulation_constraint_particles(handle(), out, room);
-      });
+  return show<stylet_constraint_particle>(constraint_particles_, constraint_particle_dtype(), 1,
+                                          most, [&](auto* out, std::uint32_t room) {
+                                            return stylet_simulation_constraint_particles(
+                                                handle(), out, room);
+                                          });
 }
 
 py::array Simulation::obstacle_touches() {
@@ -76,10 +76,9 @@ py::array Simulation::obstacle_touches() {
 }
 
 py::array Simulation::events() {
-  return show<stylet_event>(events_, event_dtype(), 1, STYLET_MAX_EVENTS,
-                            [&](auto* out, std::uint32_t room) {
-                              return stylet_simulation_events(handle(), out, room);
-                            });
+  return show<stylet_event>(
+      events_, event_dtype(), 1, STYLET_MAX_EVENTS,
+      [&](auto* out, std::uint32_t room) { return stylet_simulation_events(handle(), out, room); });
 }
 
 py::object Simulation::stats() {
@@ -92,12 +91,13 @@ py::object Simulation::stats() {
       "filter_passes"_a = s.filter_passes, "ticks"_a = s.ticks,
       "constraint_particles"_a = pool_names(s.constraint_particles),
       "coupled_voxels"_a = pool_names(s.coupled_voxels), "tracks"_a = pool_names(s.tracks),
-      "obstacle_contacts"_a = pool_names(s.obstacle_contacts), "input_not_finite"_a = s.input_not_finite,
-      "input_clamped"_a = s.input_clamped, "input_missing"_a = s.input_missing,
-      "cp_pool_full"_a = s.cp_pool_full, "cp_voxel_pool_full"_a = s.cp_voxel_pool_full,
-      "contact_budget"_a = s.contact_budget, "fault"_a = s.fault,
-      "obstacle_pool_full"_a = s.obstacle_pool_full, "needle_unstable"_a = s.needle_unstable,
-      "coupling_shortfall"_a = s.coupling_shortfall, "unit_in_voxels"_a = s.unit_in_voxels));
+      "obstacle_contacts"_a = pool_names(s.obstacle_contacts),
+      "input_not_finite"_a = s.input_not_finite, "input_clamped"_a = s.input_clamped,
+      "input_missing"_a = s.input_missing, "cp_pool_full"_a = s.cp_pool_full,
+      "cp_voxel_pool_full"_a = s.cp_voxel_pool_full, "contact_budget"_a = s.contact_budget,
+      "fault"_a = s.fault, "obstacle_pool_full"_a = s.obstacle_pool_full,
+      "needle_unstable"_a = s.needle_unstable, "coupling_shortfall"_a = s.coupling_shortfall,
+      "unit_in_voxels"_a = s.unit_in_voxels));
 }
 
 py::object Simulation::energy() {

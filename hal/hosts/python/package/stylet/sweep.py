@@ -96,14 +96,20 @@ class Table:
                 raise ValueError(f"result {name} has the name of another column")
             if name not in self.results:
                 self.results[name] = empty_column(self.rows, value)
-            column = self.results[name]
-            if column.dtype != object:  # a first row of whole numbers must not round the others
-                column = column.astype(np.result_type(column, value), copy=False)
-            column[index] = value
-            self.results[name] = column
+            column = self.results[name] = self.with_room_for(self.results[name], value)
+            column[index] = value.item() if column.dtype == object and not value.ndim else value
         self.done[index], self.error[index] = True, error
         if time.monotonic() - self.saved_at > SAVE_EVERY_S:
             self.save()
+
+    def with_room_for(self, column, value):
+        """A first row of whole numbers must not round the others."""
+        if column.dtype == object or np.can_cast(value.dtype, column.dtype):
+            return column
+        wider = column.astype(np.result_type(column, value))
+        if wider.dtype.kind in "fc" and column.dtype.kind not in "fc":
+            wider[~self.done | (self.error != "")] = np.nan
+        return wider
 
     def columns(self):
         return {**self.parameters, **{name: column.astype(str) if column.dtype == object else column

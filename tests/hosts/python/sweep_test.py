@@ -1,0 +1,132 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Sweeps: every row once, in one table, wherever it ran; killed, and resumed.
+
+Expected values: closed forms of the rows' own parameters; insertions that are run here one by one.
+"""
+import os
+import pathlib
+import subprocess
+import sys
+import textwrap
+import unittest
+
+import h5py
+import numpy as np
+import stylet
+from support import folder, insertion, organ_file, simulation
+
+
+def squared(x, name):
+    return {"square": x * x, "label": name.upper(), "pair": np.array([x, -x])}
+
+
+def half_of_odd(i):
+    if i == 3:
+        raise ValueError("three")
+    return {"half": i / 2 if i % 2 else i // 2}
+
+
+def counted(i, folder):
+    """Leaves a mark each time that it runs."""
+    with open(os.path.join(folder, f"{i}"), "a") as file:
+        file.write("x")
+    return {"twice": 2 * i}
+
+
+def insertion_of(deepest_m, path):
+    import stylet as own
+    from support import FAST
+    run = own.Simulation(own.Organ.read(path), config=own.Config(**FAST))
+    outputs = run.run(insertion(300, deepest_m=deepest_m))
+    return {"peak_n": float(outputs["force_n"][:, 2].max()), "hash": run.hash()}
+
+
+PARAMETERS = {"x": [1.5, -2.0, 3.0], "name": ["a", "b", "c"]}
+
+
+class Sweep(unittest.TestCase):
+    def path(self):
+        return str(folder() / f"{self.id()}.h5")
+
+    def test_columns(self):
+        rows = [{"x": x, "name": name} for x, name in zip(*PARAMETERS.values())]
+        for parameters, workers in ((PARAMETERS, 0), (rows, 0), (PARAMETERS, 2)):
+            table = stylet.sweep(squared, parameters, workers)
+            self.assertEqual(list(table), ["x", "name", "square", "label", "pair", "error"])
+            np.testing.assert_array_equal(table["square"], [2.25, 4, 9])
+            np.testing.assert_array_equal(table["pair"], [[1.5, -1.5], [-2, 2], [3, -3]])
+            self.assertEqual(list(table["label"]), ["A", "B", "C"])
+            self.assertEqual(list(table["error"]), ["", "", ""])
+
+    def test_insertions_have_the_bits_of_each_alone(self):
+        depths = [0.005, 0.01, 0.02]
+        parameters = {"deepest_m": depths, "path": [str(organ_file())] * 3}
+        table = stylet.sweep(insertion_of, parameters, 2)
+        for depth, state in zip(depths, table["hash"]):
+            run = simulation()
+            run.run(insertion(300, deepest_m=depth))
+            self.assertEqual(int(state), run.hash())
+
+    def test_failure_is_kept_and_run_again(self):
+        table = stylet.sweep(half_of_odd, {"i": range(5)}, 0, path=self.path())
+        self.assertEqual(table["error"][3], "ValueError: three")
+        np.testing.assert_array_equal(table["half"], [0, 0.5, 1, np.nan, 2])
+        again = stylet.sweep(lambda i: {"half": -1.0}, {"i": range(5)}, 0, path=self.path())
+        np.testing.assert_array_equal(again["half"], [0, 0.5, 1, -1, 2])
+        self.assertEqual(set(again["error"]), {""})
+
+    def test_file_has_the_table(self):
+        stylet.sweep(squared, PARAMETERS, 0, path=self.path())
+        with h5py.File(self.path()) as file:
+            np.testing.assert_array_equal(file["parameters/x"], PARAMETERS["x"])
+            np.testing.assert_array_equal(file["results/square"], [2.25, 4, 9])
+        calls = []
+        kept = stylet.sweep(lambda **row: calls.append(row), PARAMETERS, 0, path=self.path())
+        self.assertEqual(calls, [])
+        self.assertEqual(list(kept["label"]), ["A", "B", "C"])
+        with self.assertRaisesRegex(ValueError, "other parameters"):
+            stylet.sweep(squared, {**PARAMETERS, "x": [1, 2, 3]}, 0, path=self.path())
+
+    def test_killed_worker_and_resumed(self):
+        marks = folder() / "marks"
+        marks.mkdir()
+        script = folder() / "killed.py"
+        script.write_text(textwrap.dedent(f"""
+            import os, signal, sys
+            import stylet
+            def function(i):
+                if i == 30:
+                    os.kill(os.getpid(), signal.SIGKILL)
+                open({str(marks)!r} + f"/{{i}}", "a").write("x")
+                return {{"twice": 2 * i}}
+            if __name__ == "__main__":
+                stylet.sweep(function, {{"i": range(40)}}, 1, path={self.path()!r})
+            """))
+        ended = subprocess.run([sys.executable, script], capture_output=True, text=True)
+        self.assertNotEqual(ended.returncode, 0)
+        self.assertIn("BrokenProcessPool", ended.stderr)
+        with h5py.File(self.path()) as file:
+            done = file["rows/done"][:]
+        self.assertFalse(done[30])
+        self.assertTrue(done[:20].all())
+        table = stylet.sweep(lambda i: counted(i, marks), {"i": range(40)}, 0, path=self.path())
+        np.testing.assert_array_equal(table["twice"], 2 * np.arange(40))
+        for i in np.flatnonzero(done):
+            self.assertEqual((marks / f"{i}").read_text(), "x")
+
+    def test_cluster_of_dask(self):
+        try:
+            from dask.distributed import Client, LocalCluster
+        except ImportError:
+            self.skipTest("python3-distributed is not installed")
+        path = os.pathsep.join([str(pathlib.Path(__file__).parent), os.environ["PYTHONPATH"]])
+        os.environ["PYTHONPATH"] = path
+        with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None,
+                          local_directory=str(folder())) as cluster, Client(cluster) as client:
+            table = stylet.sweep(squared, PARAMETERS, client=client)
+        np.testing.assert_array_equal(table["square"], [2.25, 4, 9])
+
+
+if __name__ == "__main__":
+    unittest.main()
