@@ -1,0 +1,39 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""The Python of hal/hosts/python/README.md runs as it is written, and draws what it says."""
+import os
+import re
+import subprocess
+import unittest
+
+import matplotlib
+import numpy
+import stylet
+from support import SOURCE, folder, program
+
+matplotlib.use("Agg")
+from matplotlib import pyplot  # noqa: E402
+
+
+class Readme(unittest.TestCase):
+    def test_blocks_of_python(self):
+        text = (SOURCE / "hal/hosts/python/README.md").read_text()
+        blocks = re.findall(r"```python\n(.*?)```", text, re.S)
+        self.assertEqual(len(blocks), 1)
+        self.assertLessEqual(len([line for line in blocks[0].splitlines() if line]), 10)
+        subprocess.run([program("stylet-organ"), "phantom", "liver", "--voxel-mm", "10", "-o",
+                        "liver.organ"], cwd=folder(), check=True, capture_output=True)
+        before = os.getcwd()
+        os.chdir(folder())
+        self.addCleanup(os.chdir, before)
+        names = {"numpy": numpy, "stylet": stylet, "pyplot": pyplot}
+        exec(blocks[0], names)
+        self.assertTrue((folder() / "force.png").exists())
+        self.assertIn(stylet.Event.PUNCTURE, names["simulation"].events()["kind"])
+        last = names["outputs"][-1]
+        self.assertEqual(last.phase, stylet.Phase.INSERTED)
+        self.assertTrue(0 < last.depth_m < 0.03)  # it went 30 mm below the top, and tissue gave way
+
+
+if __name__ == "__main__":
+    unittest.main()
