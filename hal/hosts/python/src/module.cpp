@@ -33,4 +33,5 @@ PYBIND11_MODULE(_stylet, module) {
   add_organ(module);
   add_simulation(module);
   add_batch(module);
+  add_hand(module);
 }

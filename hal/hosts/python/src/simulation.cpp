@@ -13,14 +13,6 @@ namespace {
 // Ticks between two looks for Ctrl-C: a second at the usual period.
 constexpr py::ssize_t kTicksOfPart = 1000;
 
-// Rows of Python as structs in a row.
-template <typename T>
-std::vector<T> structs_of(const std::vector<py::array>& rows) {
-  std::vector<T> out;
-  for (const py::array& row : rows) out.push_back(struct_of<T>(row));
-  return out;
-}
-
 py::object recarray_of(const py::array& array) {
   return array.attr("view")(py::module_::import("numpy").attr("recarray"));
 }

@@ -87,7 +87,16 @@ class Use {
 // The array that outputs go to: `out` if it fits, or a new one.
 py::array output_array(const py::object& out, const std::vector<py::ssize_t>& shape);
 
+// Rows of Python as structs in a row.
+template <typename T>
+std::vector<T> structs_of(const std::vector<py::array>& rows) {
+  std::vector<T> out;
+  for (const py::array& row : rows) out.push_back(struct_of<T>(row));
+  return out;
+}
+
 void add_simulation(py::module_& module);
 void add_batch(py::module_& module);
+void add_hand(py::module_& module);
 
 }  // namespace stylet::python

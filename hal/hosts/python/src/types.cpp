@@ -1,24 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hal/hosts/python/src/types.h"
 
-#include <cstddef>
-#include <initializer_list>
 #include <string>
 
 namespace stylet::python {
-namespace {
-
-struct Field {
-  const char* name;
-  const char* format;
-  std::size_t offset;
-};
-
-constexpr const char* kFloat = "<f4";
-constexpr const char* kVec3 = "(3,)<f4";
-constexpr const char* kQuat = "(4,)<f4";
-constexpr const char* kUint32 = "<u4";
-constexpr const char* kUint64 = "<u8";
 
 py::dtype dtype_of(std::initializer_list<Field> fields, std::size_t bytes) {
   py::list names, formats, offsets;
@@ -29,6 +14,8 @@ py::dtype dtype_of(std::initializer_list<Field> fields, std::size_t bytes) {
   }
   return {names, formats, offsets, static_cast<py::ssize_t>(bytes)};
 }
+
+namespace {
 
 py::object& error_type() {
   static py::object& type = *new py::object;  // outlives the interpreter, whose end frees nothing
@@ -51,20 +38,7 @@ py::object& error_type() {
   throw py::error_already_set();
 }
 
-// One struct with the library's defaults, as an array of one row.
-template <typename T, typename Init>
-py::array defaults(const py::dtype& dtype, const Init& init) {
-  py::array row(dtype, 1);
-  check(init(static_cast<T*>(row.mutable_data()), sizeof(T)));
-  return row;
-}
-
 }  // namespace
-
-#define STYLET_FIELD(type, name, format) \
-  Field {                                \
-#name, format, offsetof(type, name)  \
-  }
 
 py::dtype vec3_dtype() {
   return py::dtype::of<float>();
@@ -172,8 +146,6 @@ py::dtype event_dtype() {
        STYLET_FIELD(stylet_event, force_n, kFloat), STYLET_FIELD(stylet_event, needle, kUint32)},
       sizeof(stylet_event));
 }
-
-#undef STYLET_FIELD
 
 void add_types(py::module_& module) {
   error_type() = py::reinterpret_steal<py::object>(

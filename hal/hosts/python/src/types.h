@@ -9,11 +9,32 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <cstddef>
+#include <initializer_list>
+
 #include "stylet/stylet.h"
 
 namespace stylet::python {
 
 namespace py = pybind11;
+
+// A field of a struct: its name, numpy's word for its type, its place.
+struct Field {
+  const char* name;
+  const char* format;
+  std::size_t offset;
+};
+constexpr const char* kFloat = "<f4";
+constexpr const char* kVec3 = "(3,)<f4";
+constexpr const char* kQuat = "(4,)<f4";
+constexpr const char* kInt32 = "<i4";
+constexpr const char* kUint32 = "<u4";
+constexpr const char* kUint64 = "<u8";
+#define STYLET_FIELD(type, name, format) \
+  ::stylet::python::Field {              \
+#name, format, offsetof(type, name)  \
+  }
+py::dtype dtype_of(std::initializer_list<Field> fields, std::size_t bytes);
 
 // Of Python's objects none is changed here: what these return is for reading.
 py::dtype vec3_dtype();  // three numbers of 32 bits
@@ -42,6 +63,14 @@ py::array read_only(const py::array& array);
 
 // A plain object with these attributes.
 py::object names(const py::dict& values);
+
+// One struct with the library's defaults, as an array of one row.
+template <typename T, typename Init>
+py::array defaults(const py::dtype& dtype, const Init& init) {
+  py::array row(dtype, 1);
+  check(init(static_cast<T*>(row.mutable_data()), sizeof(T)));
+  return row;
+}
 
 // A row of the dtype as the struct, which says its size.
 template <typename T>

@@ -16,6 +16,7 @@ from stylet._stylet import (
     Organ, StyletError, build, constraint_particle_dtype, event_dtype, event_name, input_dtype,
     obstacle_touch_dtype, output_dtype, pose_of_tip, state_layout, status_name, version,
     voxel_dtype)
+from stylet.device import Device, Fault, Guard, GuardConfig, GuardMode, Hand, Loop, LoopConfig
 from stylet.environment import NeedleEnv, VectorNeedleEnv
 from stylet.names import Event, Flag, NO_LAYER, Phase, Status
 from stylet.recording import Recording
@@ -27,7 +28,8 @@ from stylet.targets import Target, read_targets
 
 __version__ = _stylet.version()
 __all__ = [
-    "Box", "Config", "Event", "Flag", "NO_LAYER", "Needle", "NeedleEnv", "Obstacle", "Organ",
+    "Box", "Config", "Device", "Event", "Fault", "Flag", "Guard", "GuardConfig", "GuardMode",
+    "Hand", "Loop", "LoopConfig", "NO_LAYER", "Needle", "NeedleEnv", "Obstacle", "Organ",
     "Phase", "Recording", "Simulation", "Status", "StyletError", "Target", "VectorNeedleEnv",
     "VectorSimulation", "build", "constraint_particle_dtype", "event_dtype", "event_name",
     "input_dtype", "inputs", "obstacle_touch_dtype", "output_dtype", "pose_of_tip",

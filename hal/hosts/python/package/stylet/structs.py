@@ -39,6 +39,8 @@ class Struct:
         self._checked(name)
         if self._row.dtype[name].kind == "u":
             value = whole(name, value)
+        elif self._row.dtype[name].kind == "i":
+            value = operator.index(value)
         self._row[name][0] = value
 
     def __eq__(self, other):
