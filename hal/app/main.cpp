@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "hal/app/commands.h"
+#include "hal/app/scene_name.h"
 #include "hal/base/side_process.h"
 #include "hal/console/limits.h"
 #include "hal/device/devices.h"
@@ -69,11 +70,15 @@ void add_igtl(CLI::App& run, IgtlOptions& options) {
 void add_run(CLI::App& program, RunOptions& options) {
   CLI::App& run = *program.add_subcommand("run", "Run a scene on the real-time loop");
   run.footer(
-      "Examples:\n  stylet run fig09-force-curve.toml --organ liver.organ --record out.h5\n  "
-      "stylet run fig09-force-curve.toml --organ liver.organ --console\nWith --console the page "
-      "starts each attempt, also of other scenes in the same folder;\n--record out.h5 writes them "
-      "to out-1.h5, out-2.h5 ...");
-  run.add_option("scene", options.scene, "Scene (TOML)")->type_name("FILE")->required();
+      "Examples:\n"
+      "  stylet run lumbar-puncture\n"
+      "  stylet run fig09-force-curve.toml --organ liver.organ --record out.h5\n"
+      "  stylet run fig09-force-curve.toml --organ liver.organ --console\n"
+      "With --console the page starts each attempt, also of other scenes in the same folder;\n"
+      "--record out.h5 writes them to out-1.h5, out-2.h5 ...");
+  run.add_option("scene", options.scene, "Scene: a file (TOML), or a name of stylet scenes")
+      ->type_name("SCENE")
+      ->required();
   add_organ(run, options.organ, "the scene's");
   run.add_option("--record", options.record,
                  "Recording to write (HDF5); if the file exists, NAME-2.h5 and so on")
@@ -165,7 +170,7 @@ void add_score(CLI::App& program, ScoreOptions& options) {
       ->required();
   score
       .add_option("--scene", options.scene, "Scene whose targets count, instead of the recording's")
-      ->type_name("FILE");
+      ->type_name("SCENE");
   add_organ(score, options.organ, "the one that the recording names");
   add_json(score, options.json, "one JSON array");
 }
@@ -286,13 +291,21 @@ void add_bench(CLI::App& program) {
 }
 
 constexpr const char* kFooter =
-    "Examples:\n  stylet run fig09-force-curve.toml --organ liver.organ --record out.h5\n  stylet "
-    "plot out.h5 -o force.svg\n  stylet run fig09-force-curve.toml --organ liver.organ --console\n "
-    " stylet console out.h5\n  stylet replay out.h5\n  stylet score out.h5\n  stylet bench "
-    "liver.organ\n  stylet doctor --measure 60\n  stylet devices\n  stylet station hd: "
-    "192.168.0.5:7755\nExit codes: 0 done, 1 a file or device was refused, 2 wrong usage, 3 a "
-    "fault during the run, a\nreplay with other results or a doubtful machine, 4 a machine not fit "
-    "for real time";
+    "Examples:\n"
+    "  stylet scenes\n"
+    "  stylet run lumbar-puncture\n"
+    "  stylet run fig09-force-curve.toml --organ liver.organ --record out.h5\n"
+    "  stylet plot out.h5 -o force.svg\n"
+    "  stylet run fig09-force-curve.toml --organ liver.organ --console\n"
+    "  stylet console out.h5\n"
+    "  stylet replay out.h5\n"
+    "  stylet score out.h5\n"
+    "  stylet bench liver.organ\n"
+    "  stylet doctor --measure 60\n"
+    "  stylet devices\n"
+    "  stylet station hd: 192.168.0.5:7755\n"
+    "Exit codes: 0 done, 1 a file or device was refused, 2 wrong usage, 3 a fault during the run, a\n"
+    "replay with other results or a doubtful machine, 4 a machine not fit for real time";
 
 int dispatch(int argc, char** argv) {
   CLI::App program("Haptic needle insertion: runs scenes, repeats and draws their recordings",
@@ -307,6 +320,7 @@ int dispatch(int argc, char** argv) {
   PlotOptions plot_options;
   DoctorOptions doctor_options;
   add_run(program, run_options);
+  program.add_subcommand("scenes", "List the scenes that come with Stylet, to run by their name");
   add_playback(program, playback_options);
   add_replay(program, replay_options);
   add_plot(program, plot_options);
@@ -324,19 +338,25 @@ int dispatch(int argc, char** argv) {
     program.parse(argc, argv);
     if (program.get_subcommands().empty()) {
       throw CLI::RequiredError(
-          "A command (run, console, replay, plot, score, devices, station, doctor or bench)");
+          "A command (run, scenes, console, replay, plot, score, devices, station, doctor or "
+          "bench)");
     }
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? kExitOk : kExitUsage;
   }
+  if (program.got_subcommand("scenes")) return list_scenes();
   if (program.got_subcommand("run")) {
+    run_options.scene = scene_file(run_options.scene);
     run_options.igtl.on = program.get_subcommand("run")->count("--igtl") > 0;
     run_options.serve.on = program.get_subcommand("run")->count("--console") > 0;
     return run_options.serve.on ? run_console(run_options) : run(run_options);
   }
   if (program.got_subcommand("console")) return play_back(playback_options);
   if (program.got_subcommand("replay")) return replay_recording(replay_options);
-  if (program.got_subcommand("score")) return score(score_options);
+  if (program.got_subcommand("score")) {
+    if (!score_options.scene.empty()) score_options.scene = scene_file(score_options.scene);
+    return score(score_options);
+  }
   if (probing.parsed()) return probe(probe_options);
   if (program.got_subcommand("devices")) return list_devices(devices_options);
   if (program.got_subcommand("station")) return station(station_options);

@@ -2,16 +2,28 @@
 #include "hal/app/organ_recipe.h"
 
 #include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <functional>
 #include <sstream>
 #include <string_view>
+#include <vector>
+
+#include "hal/app/scene_name.h"
+#include "hal/base/input_file.h"
 
 namespace stylet::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::string_view kRecipe = "# organ: stylet-organ ";
 
 void replace_all(std::string& text, std::string_view what, const std::string& by) {
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at)) {
@@ -43,22 +55,111 @@ std::string data_folder(const fs::path& scenes) {
   return fs::weakly_canonical(scenes / "../../../shared/data").string();
 }
 
-}  // namespace
+// What stands behind the recipe's mark; empty: there is no recipe.
+std::string recipe_of(const std::string& scene_text) {
+  std::istringstream lines(scene_text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(kRecipe)) return line.substr(kRecipe.size());
+  }
+  return "";
+}
 
-std::string organ_command(const hal::Scene& scene, const std::string& organ) {
-  constexpr std::string_view kRecipe = "# organ: stylet-organ ";
-  const std::size_t at = ("\n" + scene.text).find("\n" + std::string(kRecipe));
-  if (at == std::string::npos) return "";
-  const std::size_t start = at + kRecipe.size();
-  std::istringstream recipe(scene.text.substr(start, scene.text.find('\n', start) - start));
+// Program and arguments; `organ` is the file that they make.
+std::vector<std::string> words_of(const hal::Scene& scene, const std::string& organ) {
   const fs::path scenes = fs::absolute(scene.file).parent_path();
-  std::string command = shell_word(builder());
+  std::vector<std::string> words = {builder()};
+  std::istringstream recipe(recipe_of(scene.text));
   for (std::string word; recipe >> word;) {
     replace_all(word, "{data}", data_folder(scenes));
     replace_all(word, "{scenes}", scenes.string());
-    command += fmt::format(" {}", shell_word(word));
+    words.push_back(word);
   }
-  return fmt::format("{} -o {}", command, shell_word(organ));
+  words.insert(words.end(), {"-o", organ});
+  return words;
+}
+
+// As a shell takes it.
+std::string command_of(const std::vector<std::string>& words) {
+  std::string command;
+  for (const std::string& word : words) {
+    if (!command.empty()) command += ' ';
+    command += shell_word(word);
+  }
+  return command;
+}
+
+// By its recipe and the version that follows it, so that a changed one makes another organ.
+fs::path kept_organ(const hal::Scene& scene) {
+  const char* const caches = std::getenv("XDG_CACHE_HOME");
+  const char* const home = std::getenv("HOME");
+  fs::path top;
+  if (caches != nullptr && fs::path(caches).is_absolute()) {
+    top = caches;
+  } else if (home != nullptr && fs::path(home).is_absolute()) {
+    top = fs::path(home) / ".cache";
+  } else {
+    throw hal::SceneError(fmt::format(
+        "{}: HOME and XDG_CACHE_HOME are not set: expected a folder where its organ is kept, or "
+        "one by --organ",
+        scene.file));
+  }
+  const std::string made_by = fmt::format("{} {}", STYLET_VERSION, recipe_of(scene.text));
+  const std::size_t key = std::hash<std::string>()(made_by);
+  return top / "stylet/organs" /
+         fmt::format("{}-{:016x}.organ", fs::path(scene.file).stem().string(), key);
+}
+
+// Runs a program whose output is for who waits, on the standard error. Returns what went wrong.
+std::string run_program(const std::vector<std::string>& words) {
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_adddup2(&files, STDERR_FILENO, STDOUT_FILENO);
+  pid_t pid = 0;
+  const int error = posix_spawnp(&pid, arguments[0], &files, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (error != 0) return std::strerror(error);
+  int status = 0;
+  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFSIGNALED(status)) return fmt::format("ended by signal {}", WTERMSIG(status));
+  return WEXITSTATUS(status) == 0 ? "" : fmt::format("exit code {}", WEXITSTATUS(status));
+}
+
+// An organ of stylet-organ appears whole or not at all, so two runs may make the same one at once.
+std::string make_organ(const hal::Scene& scene) {
+  const fs::path organ = kept_organ(scene);
+  if (hal::why_unreadable(organ) != "no such file") return organ;
+  std::error_code error;
+  fs::create_directories(organ.parent_path(), error);
+  if (error) {
+    throw hal::SceneError(fmt::format("{}: {}", organ.parent_path().string(), error.message()));
+  }
+  fmt::print(stderr, "stylet: the organ of {} is made once, as {}\n", scene.file, organ.string());
+  const std::vector<std::string> words = words_of(scene, organ);
+  if (const std::string why = run_program(words); !why.empty()) {
+    throw hal::SceneError(fmt::format(
+        "{}: no such file; stylet-organ (Debian: package stylet-organ): {}; the organ of this "
+        "scene is made by: {}",
+        organ.string(), why, command_of(words)));
+  }
+  return organ;
+}
+
+}  // namespace
+
+bool has_recipe(const std::string& scene_text) {
+  return !recipe_of(scene_text).empty();
+}
+
+std::string organ_of_scene(const hal::Scene& scene) {
+  const fs::path path = fs::path(scene.file).parent_path() / scene.organ_path;
+  if (!has_recipe(scene.text) || hal::why_unreadable(path) != "no such file") return path;
+  if (comes_with_stylet(scene.file)) return make_organ(scene);
+  throw hal::SceneError(fmt::format("{}: no such file: the organ of this scene is made by: {}",
+                                    path.string(), command_of(words_of(scene, path))));
 }
 
 }  // namespace stylet::app

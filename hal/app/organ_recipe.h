@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command that makes a scene's organ: the line `# organ: stylet-organ ...` of the scene's file,
-// where `{data}` is the folder of the meshes and `{scenes}` the scene's own folder.
+// The organ of a scene, and the command that makes it: the line `# organ: stylet-organ ...` of the
+// scene's file, where `{data}` is the folder of the meshes and `{scenes}` the scene's own folder.
+//
+// The organs of Stylet's own scenes are made on first use. They are kept where the XDG Base
+// Directory Specification puts what can be made again, since the scenes' folder belongs to the
+// system: $XDG_CACHE_HOME/stylet/organs, else ~/.cache/stylet/organs.
 #pragma once
 
 #include <string>
@@ -9,7 +13,11 @@
 
 namespace stylet::app {
 
-// The command as a shell takes it; `organ` is the file that it makes. Empty: the scene has none.
-std::string organ_command(const hal::Scene& scene, const std::string& organ);
+// Whether a scene's text says how its organ is made.
+bool has_recipe(const std::string& scene_text);
+
+// The file of the organ that the scene names. Makes it if it is not there and the scene comes with
+// Stylet; else, and where stylet-organ is missing, throws SceneError with the command that does.
+std::string organ_of_scene(const hal::Scene& scene);
 
 }  // namespace stylet::app

@@ -15,7 +15,6 @@
 #include "hal/app/opening.h"
 #include "hal/app/organ_recipe.h"
 #include "hal/base/contained.h"
-#include "hal/base/input_file.h"
 #include "hal/device/devices.h"
 #include "hal/loop/helpers.h"
 #include "hal/record/recorder.h"
@@ -78,18 +77,6 @@ void choose_processors(Session& s) {
                   s.scene.file, s.scene.threads, s.processors.size()));
 }
 
-// A scene's own organ may not exist yet: the scene's file says how it is made.
-std::string organ_path(const Session& s) {
-  if (!s.options.organ.empty()) return s.options.organ;
-  const std::string path = beside(s.scene.file, s.scene.organ_path);
-  const std::string command = organ_command(s.scene, path);
-  if (!command.empty() && hal::why_unreadable(path) == "no such file") {
-    throw hal::SceneError(
-        fmt::format("{}: no such file: the organ of this scene is made by: {}", path, command));
-  }
-  return path;
-}
-
 }  // namespace
 
 Session::~Session() {
@@ -112,7 +99,8 @@ void load(Session& s) {
     throw hal::SceneError(fmt::format(
         "{}: organ.path: missing: expected an organ file, here or by --organ", s.scene.file));
   }
-  s.organ = std::make_shared<hal::OrganFile>(hal::load_organ(organ_path(s)));
+  s.organ = std::make_shared<hal::OrganFile>(
+      hal::load_organ(s.options.organ.empty() ? organ_of_scene(s.scene) : s.options.organ));
   s.sources.resize(s.scene.hands.size());
   for (std::uint32_t i = 0; i < s.sources.size(); ++i) {
     s.sources[i].placement = hal::place_needle(s.scene, s.organ->organ, i);

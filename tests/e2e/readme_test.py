@@ -134,6 +134,7 @@ class Tree:
             (self.top.parent / "shared/data").symlink_to(DATA)
         self.env = {key: value for key, value in os.environ.items()
                     if key not in ("STYLET_BIN", "STYLET_SOURCE", "STYLET_BUILD", "PYTHONPATH")}
+        self.env["XDG_CACHE_HOME"] = str(top / "caches")  # organs of scenes run by name
         self.env["PATH"] = f"{other}:{self.bin}:{os.environ['PATH']}"
         self.bring_inputs()
 

@@ -1,0 +1,159 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""The installed program: all that it reads is there, its scenes are run by name from anywhere, and
+their organs are made on first use.
+
+usage: installed_test.py    with STYLET_BUILD and STYLET_SOURCE in the environment
+"""
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+BUILD = pathlib.Path(os.environ["STYLET_BUILD"])
+SOURCE = pathlib.Path(os.environ["STYLET_SOURCE"])
+SEED = SOURCE / "tests/fuzz/seeds/organ/two-materials.organ"
+SCENES = sorted(path.stem for path in (SOURCE / "hal/scenes").glob("*.toml")
+                if "# organ: stylet-organ " in path.read_text())
+RUN = ("run", "fig09-force-curve", "--fast", "--duration-s", "0.05", "--json")
+# In place of stylet-organ where a test is not about organs: notes its words and gives a small one.
+STAND_IN = """#!/bin/sh
+echo "making an organ"
+echo "$@" >> "$STAND_IN_CALLS"
+for last; do :; done
+cp "$STAND_IN_ORGAN" "$last"
+"""
+
+
+def install(prefix, *components):
+    for component in components:
+        subprocess.run(["cmake", "--install", BUILD, "--component", component, "--prefix", prefix],
+                       check=True, capture_output=True)
+
+
+class Installed(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.prefix = pathlib.Path(folder.name) / "a prefix"
+        install(cls.prefix, "program", "doc")
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.home = pathlib.Path(folder.name)
+        self.tools = self.home / "tools"
+        self.tools.mkdir()
+        self.env = {"HOME": str(self.home), "PATH": f"{self.tools}:/usr/bin:/bin",
+                    "STAND_IN_CALLS": str(self.home / "calls"), "STAND_IN_ORGAN": str(SEED)}
+
+    def stand_in(self):
+        (self.tools / "stylet-organ").write_text(STAND_IN)
+        (self.tools / "stylet-organ").chmod(0o755)
+
+    def call(self, *words, expect=0, **env):
+        done = subprocess.run([self.prefix / "bin/stylet", *words], cwd=self.home, text=True,
+                              capture_output=True, env={**self.env, **env})
+        self.assertEqual(done.returncode, expect, done.stderr)
+        return done
+
+    def organs(self, top=".cache"):
+        return sorted((self.home / top / "stylet/organs").glob("*"))
+
+    def test_has_all_that_it_reads(self):
+        share = self.prefix / "share"
+        for place in ("stylet/hal/palette.csv", "stylet/hal/device/example_client.py",
+                      "stylet/LICENSE", "stylet/README.md", "stylet/hal/hosts/c/README.md",
+                      "stylet/hal/hosts/c/examples/insert.c", "man/man1/stylet.1",
+                      "bash-completion/completions/stylet", "zsh/site-functions/_stylet",
+                      "fish/vendor_completions.d/stylet.fish",
+                      *(f"stylet/hal/scenes/{name}.toml" for name in SCENES)):
+            self.assertTrue((share / place).is_file(), place)
+        rules = self.prefix / "lib/udev/rules.d/70-stylet-haptic.rules"
+        made = subprocess.run([BUILD / "bin/stylet_driver_texts", "udev"], capture_output=True,
+                              text=True).stdout if (
+                                  BUILD / "bin/stylet_driver_texts").exists() else None
+        self.assertEqual(made or rules.read_text(), rules.read_text())
+
+    def test_lists_scenes(self):
+        lines = self.call("scenes").stdout.splitlines()
+        self.assertEqual([line.split()[0] for line in lines], SCENES)
+        for line in lines:
+            self.assertRegex(line, r"^[a-z0-9-]+ {2,}[A-Z].*[.:]$")
+            self.assertNotIn("stylet-organ", line)
+
+    def test_makes_an_organ_on_first_use(self):
+        self.stand_in()
+        done = self.call(*RUN)
+        json.loads(done.stdout)  # what the maker of the organ says is not among it
+        self.assertIn("making an organ", done.stderr)
+        organ, = self.organs()
+        self.assertRegex(organ.name, r"^fig09-force-curve-[0-9a-f]{16}\.organ$")
+        self.assertNotIn("making", self.call(*RUN).stderr)
+        self.assertEqual(len((self.home / "calls").read_text().splitlines()), 1)
+        self.assertEqual(self.call("run", self.prefix / "share/stylet/hal/scenes/"
+                                   "fig09-force-curve.toml", *RUN[2:]).returncode, 0)
+
+    def test_keeps_organs_where_it_is_told(self):
+        self.stand_in()
+        self.call(*RUN, XDG_CACHE_HOME=str(self.home / "caches"))
+        self.assertEqual((len(self.organs("caches")), self.organs()), (1, []))
+        self.call(*RUN, XDG_CACHE_HOME="relative")  # which the specification has ignored
+        self.assertEqual(len(self.organs()), 1)
+        del self.env["HOME"]
+        self.assertIn("XDG_CACHE_HOME", self.call(*RUN, expect=1).stderr)
+
+    def test_an_organ_of_another_recipe_is_another(self):
+        self.stand_in()
+        self.call(*RUN)
+        scene = self.prefix / "share/stylet/hal/scenes/fig09-force-curve.toml"
+        text = scene.read_text()
+        self.addCleanup(scene.write_text, text)
+        scene.write_text(text.replace("--voxel-mm 5", "--voxel-mm 6"))
+        self.call(*RUN)
+        self.assertEqual(len(self.organs()), 2)
+
+    def test_says_what_is_missing(self):
+        said = self.call(*RUN, expect=1).stderr
+        self.assertIn("Debian: package stylet-organ", said)
+        self.assertRegex(said, r"is made by: stylet-organ phantom liver .* -o \S+\.organ\n$")
+        (self.tools / "stylet-organ").write_text("#!/bin/sh\nexit 7\n")
+        (self.tools / "stylet-organ").chmod(0o755)
+        self.assertIn("exit code 7", self.call(*RUN, expect=1).stderr)
+
+    def test_another_scene_runs_nothing(self):
+        self.stand_in()
+        own = self.home / "fig09-force-curve.toml"
+        shutil.copy(self.prefix / "share/stylet/hal/scenes/fig09-force-curve.toml", own)
+        self.assertIn("is made by: ", self.call("run", own, *RUN[2:], expect=1).stderr)
+        self.assertFalse((self.home / "calls").exists())
+
+    def test_an_unknown_name_is_told_with_the_known(self):
+        said = self.call("run", "lumbar", expect=1).stderr
+        self.assertIn("lumbar: no such file, and no scene of this name", said)
+        self.assertIn("lumbar-puncture", said)
+
+    def test_finds_its_benchmarks(self):
+        if not (BUILD / "bin/stylet-bench").exists():
+            self.skipTest("stylet-bench was not built")
+        self.assertIn("benchmark", self.call("bench", "--help").stdout)
+
+    def test_makes_real_organs(self):
+        if not (BUILD / "bin/stylet-organ").exists():
+            self.skipTest("stylet-organ was not built")
+        install(self.home / "whole", "program", "organ")
+        self.prefix = self.home / "whole"
+        recipes = self.prefix / "share/stylet/offline/recipes"
+        self.assertTrue((recipes / "totalsegmentator.toml").exists())
+        report = json.loads(self.call("run", "lumbar-puncture", "--fast", "--duration-s", "0.5",
+                                      "--json").stdout)
+        self.assertTrue(re.fullmatch(r"[0-9a-f]{16}", report["state_hash"]))
+
+
+if __name__ == "__main__":
+    unittest.main()
