@@ -21,13 +21,19 @@ if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()
 
-# Warnings are for those who work on Stylet, not for those who use it.
+# Warnings are for those who work on Stylet, not for those who use it: inside another project its
+# CMAKE_CXX_FLAGS reach these folders, and its warnings as errors and its -ffast-math, which would
+# change the bits, end here. What is set so is for these folders, not for who links the libraries.
 set(warnings)
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH root)
 cmake_path(GET root PARENT_PATH root)
 if(CMAKE_SOURCE_DIR STREQUAL root)
   set(warnings -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Wvla -Wnon-virtual-dtor
     -Werror)
+else()
+  add_compile_options(-w -fno-fast-math)
+  # Linked with -ffast-math, a library makes every program that loads it flush subnormal numbers.
+  add_link_options(-fno-fast-math)
 endif()
 
 add_library(stylet_flags INTERFACE)

@@ -1,26 +1,30 @@
 # SPDX-License-Identifier: Apache-2.0
-# What other programs find once Stylet is installed: find_package(stylet), pkg-config stylet, the
-# headers and the libraries.
+# What is installed, in components (cmake --install BUILD --component NAME): `libraries` is
+# libstylet.so alone, `development` what other programs are built with (find_package(stylet),
+# pkg-config, headers, static libraries); both need only the targets stylet_shared and stylet_hal
+# built. `program` and `organ` are the two programs with what they read, `doc` what is read by
+# people. The folder may be moved after the installation.
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/stylet)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 
 install(DIRECTORY kernel/include/stylet DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(FILES ${CMAKE_BINARY_DIR}/kernel/organ_generated.h
+# Made here, so that who uses it needs no flatc.
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/kernel/organ_generated.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/stylet)
-set(libraries stylet_organ stylet_kernel)
+set_target_properties(stylet_organ PROPERTIES EXPORT_NAME organ)
+set_target_properties(stylet_kernel PROPERTIES EXPORT_NAME kernel)
+install(TARGETS stylet_organ stylet_kernel EXPORT stylet)
 if(TARGET stylet_hal)
   install(DIRECTORY hal/hosts/c/include/stylet DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   install(DIRECTORY hal/base hal/device hal/guard hal/loop
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/stylet-hal/hal
     FILES_MATCHING PATTERN "*.h" PATTERN "*.inc")
-  list(APPEND libraries stylet_hal stylet_shared)
-endif()
-set_target_properties(stylet_organ PROPERTIES EXPORT_NAME organ)
-set_target_properties(stylet_kernel PROPERTIES EXPORT_NAME kernel)
-if(TARGET stylet_hal)
   set_target_properties(stylet_hal PROPERTIES EXPORT_NAME hal)
+  install(TARGETS stylet_hal EXPORT stylet)
+  install(TARGETS stylet_shared EXPORT stylet
+    LIBRARY COMPONENT libraries NAMELINK_COMPONENT development)
 endif()
-install(TARGETS ${libraries} EXPORT stylet)
 install(EXPORT stylet NAMESPACE stylet:: DESTINATION ${package})
 configure_package_config_file(toolchain/cmake/stylet-config.cmake.in
   ${PROJECT_BINARY_DIR}/stylet-config.cmake INSTALL_DESTINATION ${package})
@@ -29,5 +33,12 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/stylet-config-version.cma
 install(FILES ${PROJECT_BINARY_DIR}/stylet-config.cmake
   ${PROJECT_BINARY_DIR}/stylet-config-version.cmake DESTINATION ${package})
 
+# The prefix from where stylet.pc lies.
+set(pc_folder /${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+file(RELATIVE_PATH prefix_of_pc ${pc_folder} /)
+string(REGEX REPLACE "/$" "" prefix_of_pc "${prefix_of_pc}")
 configure_file(toolchain/cmake/stylet.pc.in ${PROJECT_BINARY_DIR}/stylet.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/stylet.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+install(FILES README.md CHANGELOG.md LICENSE
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/stylet COMPONENT doc)

@@ -1,0 +1,87 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""libstylet.so exports the functions of its header and nothing else, needs what every Debian has,
+and runs the programs of earlier versions.
+
+usage: exports_test.py LIBRARY SOURCE ORGAN
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+LIBRARY, SOURCE, ORGAN = (pathlib.Path(word) for word in sys.argv[1:4])
+INCLUDE = SOURCE / "hal/hosts/c/include"
+ABI = SOURCE / "tests/hosts/abi"
+# libccd finds where convex bodies touch, libmd sums files.
+NEEDED = {"libc", "libm", "ld-linux-x86-64", "ld-linux-aarch64", "libccd", "libmd"}
+
+
+def output(*command, **more):
+    return subprocess.run(command, check=True, capture_output=True, text=True, **more).stdout
+
+
+def listed(name="symbols.txt"):
+    lines = (SOURCE / "hal/hosts/c" / name).read_text().splitlines()
+    return [line for line in lines if line and not line.startswith("#")]
+
+
+def declared(header):
+    text = re.sub(r"/\*.*?\*/", "", header.read_text(), flags=re.S)
+    return set(re.findall(r"STYLET_API\s[^;(]*?\b(stylet_\w+)\s*\(", text))
+
+
+class Exports(unittest.TestCase):
+    def test_are_those_of_the_list(self):
+        """By node, so that an old function that moves into another is noticed."""
+        rows = output("nm", "-D", "--defined-only", LIBRARY).splitlines()
+        symbols = [row.split()[2] for row in rows]
+        versions = [name for name in symbols if re.fullmatch(r"STYLET_[\d.]+", name)]
+        functions = sorted(name.replace("@@", " ") for name in symbols if name not in versions)
+        self.assertEqual(functions, listed())
+        self.assertTrue({row.split()[1] for row in rows} <= {"T", "A"}, rows)  # no data
+
+    def test_are_those_of_the_header(self):
+        names = {line.split()[0] for line in listed()}
+        headers = sorted((INCLUDE / "stylet").glob("*.h"))
+        self.assertEqual(set().union(*map(declared, headers)), names)
+
+    def test_needs_what_every_system_has(self):
+        needed = re.findall(r"\(NEEDED\).*\[(\S+?)\.so", output("readelf", "-d", LIBRARY))
+        self.assertIn("libc", needed)
+        self.assertLessEqual(set(needed), NEEDED)
+
+    def test_has_the_version_of_its_header(self):
+        header = (INCLUDE / "stylet/stylet.h").read_text()
+        numbers = re.findall(r"#define STYLET_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", header)
+        self.assertEqual(".".join(numbers), LIBRARY.resolve().name.removeprefix("libstylet.so."))
+
+    def test_is_found_by_its_number(self):
+        self.assertRegex(output("readelf", "-d", LIBRARY), r"\(SONAME\).*\[libstylet\.so\.0\]")
+
+
+class Programs(unittest.TestCase):
+    def test_of_earlier_versions_run(self):
+        programs = sorted(ABI.glob("*/*.c"))
+        self.assertTrue(programs)
+        for source in programs:
+            with self.subTest(source.parent.name), tempfile.TemporaryDirectory() as top:
+                program = f"{top}/program"
+                folder = LIBRARY.parent
+                output("cc", "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", source,
+                       f"-I{source.parent}", f"-L{folder}", "-lstylet", f"-Wl,-rpath,{folder}",
+                       "-o", program)
+                self.assertEqual(output(program, ORGAN), "needle.length_m\nok\n")
+
+    def test_find_what_their_header_declared(self):
+        names = {line.split()[0] for line in listed()}
+        headers = sorted(ABI.glob("*/stylet/*.h"))
+        self.assertTrue(headers)
+        for header in headers:
+            self.assertLessEqual(declared(header), names, header)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+// Callers whose structs are shorter than ours (compiled with an older header) or longer (a newer
+// one): the shorter keep working and nothing is written behind them, the longer work if what we do
+// not know is zero and are refused if not. Each struct is cut at every size from its first field.
+#include <gtest/gtest.h>
+#include <stylet/stylet.h>
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace {
+
+constexpr std::size_t kLeast = 8;  // the size, and what stands beside it
+constexpr std::size_t kStep = 4;   // of the smallest field that ends a struct
+// The input of 0.2.0: size, valid, pose. There was no shorter one, and none has a default pose.
+constexpr std::size_t kFirstInput = 36;
+constexpr std::size_t kBehind = 64;
+constexpr unsigned char kCanary = 0xA5;
+
+stylet_organ* organ() {
+  stylet_organ* made = nullptr;
+  stylet_refusal why = {};
+  why.struct_bytes = sizeof why;
+  const std::string path = STYLET_SEED_ORGAN;
+  EXPECT_EQ(stylet_organ_read(path.c_str(), &made, &why), STYLET_OK) << why.text;
+  return made;
+}
+
+// Memory of the caller's struct, with bytes behind it that must stay.
+struct Room {
+  explicit Room(std::size_t bytes) : size(bytes), block(bytes + kBehind, kCanary) {
+    const auto said = static_cast<std::uint32_t>(bytes);
+    std::memcpy(block.data(), &said, sizeof said);
+  }
+  template <typename T>
+  T* as() {
+    return reinterpret_cast<T*>(block.data());
+  }
+  bool behind_is_untouched() const {
+    for (std::size_t i = size; i < block.size(); ++i) {
+      if (block[i] != kCanary) return false;
+    }
+    return true;
+  }
+  std::size_t size;
+  std::vector<unsigned char> block;
+};
+
+// What a call fills, by callers with every size of the struct.
+template <typename T>
+void expect_any_size_is_filled(const std::function<stylet_status(T*)>& fill) {
+  Room whole(sizeof(T));
+  ASSERT_EQ(fill(whole.as<T>()), STYLET_OK);
+  for (std::size_t bytes = kLeast; bytes <= sizeof(T) + 3 * kStep; bytes += kStep) {
+    Room room(bytes);
+    ASSERT_EQ(fill(room.as<T>()), STYLET_OK) << bytes;
+    EXPECT_TRUE(room.behind_is_untouched()) << bytes;
+    std::uint32_t said = 0;
+    std::memcpy(&said, room.block.data(), sizeof said);
+    EXPECT_EQ(said, bytes);
+    const std::size_t known = std::min(bytes, sizeof(T));
+    EXPECT_EQ(std::memcmp(room.block.data() + 4, whole.block.data() + 4, known - 4), 0) << bytes;
+    for (std::size_t i = known; i < bytes; ++i) EXPECT_EQ(room.block[i], 0) << bytes;
+  }
+  Room unset(0);
+  EXPECT_EQ(fill(unset.as<T>()), STYLET_STRUCT_SIZE_UNKNOWN);
+}
+
+// What a call takes: `init` gives the defaults, `use` answers with a hash of what came of it.
+template <typename T>
+void expect_any_size_is_taken(const std::function<stylet_status(T*, std::size_t)>& init,
+                              const std::function<stylet_status(const T*, std::uint64_t&)>& use,
+                              std::size_t least = kLeast) {
+  std::uint64_t expected = 0;
+  Room whole(sizeof(T));
+  ASSERT_EQ(init(whole.as<T>(), sizeof(T)), STYLET_OK);
+  ASSERT_EQ(use(whole.as<T>(), expected), STYLET_OK);
+  for (std::size_t bytes = least; bytes <= sizeof(T) + 3 * kStep; bytes += kStep) {
+    Room room(bytes);
+    ASSERT_EQ(init(room.as<T>(), bytes), STYLET_OK) << bytes;
+    EXPECT_TRUE(room.behind_is_untouched()) << bytes;
+    std::uint64_t got = 0;
+    EXPECT_EQ(use(room.as<T>(), got), STYLET_OK) << bytes;
+    EXPECT_EQ(got, expected) << bytes;
+    EXPECT_TRUE(room.behind_is_untouched()) << bytes;
+    if (bytes <= sizeof(T)) continue;
+    room.block[bytes - 1] = 1;
+    EXPECT_EQ(use(room.as<T>(), got), STYLET_STRUCT_SIZE_UNKNOWN) << bytes;
+  }
+  Room unset(0);
+  EXPECT_EQ(use(unset.as<T>(), expected), STYLET_STRUCT_SIZE_UNKNOWN);
+}
+
+// An organ and a simulation with a needle in contact, so that what is filled is not all zero.
+class Structs : public testing::Test {
+ protected:
+  Structs() : organ_(organ()) {
+    EXPECT_EQ(stylet_simulation_create(organ_, nullptr, nullptr, 0, &simulation_, nullptr),
+              STYLET_OK);
+    push(200);
+  }
+  ~Structs() override {
+    stylet_simulation_free(simulation_);
+    stylet_organ_free(organ_);
+  }
+  Structs(const Structs&) = delete;
+  Structs& operator=(const Structs&) = delete;
+
+  static stylet_pose above(const stylet_organ* organ, float down_m) {
+    stylet_organ_info info = {};
+    info.struct_bytes = sizeof info;
+    (void)stylet_organ_get_info(organ, &info);
+    const stylet_vec3 tip = {(info.low_m.x + info.high_m.x) / 2, (info.low_m.y + info.high_m.y) / 2,
+                             info.high_m.z - down_m};
+    return stylet_pose_of_tip(tip, {0, 0, -1}, 0.15F);
+  }
+  void push(int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      const stylet_input in = {sizeof in, 1, above(organ_, 1e-5F * static_cast<float>(i))};
+      ASSERT_EQ(stylet_simulation_tick(simulation_, &in, 1, nullptr, 0), STYLET_OK);
+    }
+  }
+
+  stylet_organ* organ_;
+  stylet_simulation* simulation_ = nullptr;
+};
+
+TEST_F(Structs, FilledForAnyCaller) {
+  expect_any_size_is_filled<stylet_organ_info>(
+      [this](stylet_organ_info* out) { return stylet_organ_get_info(organ_, out); });
+  expect_any_size_is_filled<stylet_material>(
+      [this](stylet_material* out) { return stylet_organ_get_material(organ_, 1, out); });
+  expect_any_size_is_filled<stylet_stats>(
+      [this](stylet_stats* out) { return stylet_simulation_get_stats(simulation_, out); });
+  expect_any_size_is_filled<stylet_energy>(
+      [this](stylet_energy* out) { return stylet_simulation_get_energy(simulation_, out); });
+  expect_any_size_is_filled<stylet_output>([this](stylet_output* out) {
+    stylet_simulation* same = nullptr;
+    (void)stylet_simulation_clone(simulation_, &same);
+    const stylet_input in = {sizeof in, 1, above(organ_, 3e-3F)};
+    const stylet_status status = stylet_simulation_tick(same, &in, 1, out, 1);
+    stylet_simulation_free(same);
+    return status;
+  });
+}
+
+TEST_F(Structs, ConfigurationTakenFromAnyCaller) {
+  expect_any_size_is_taken<stylet_config>(
+      stylet_config_init, [this](const stylet_config* config, std::uint64_t& hash_out) {
+        stylet_simulation* made = nullptr;
+        const stylet_status status =
+            stylet_simulation_create(organ_, config, nullptr, 0, &made, nullptr);
+        hash_out = stylet_simulation_hash(made);
+        stylet_simulation_free(made);
+        return status;
+      });
+  expect_any_size_is_taken<stylet_needle>(
+      stylet_needle_init, [this](const stylet_needle* needle, std::uint64_t& hash_out) {
+        stylet_simulation* made = nullptr;
+        const stylet_status status =
+            stylet_simulation_create(organ_, nullptr, needle, 1, &made, nullptr);
+        hash_out = stylet_simulation_hash(made);
+        stylet_simulation_free(made);
+        return status;
+      });
+}
+
+TEST_F(Structs, InputTakenFromAnyCaller) {
+  const auto init = [this](stylet_input* in, std::size_t bytes) -> stylet_status {
+    const stylet_input whole = {static_cast<std::uint32_t>(bytes), 0, above(organ_, 0)};
+    std::memset(static_cast<void*>(in), 0, bytes);
+    std::memcpy(static_cast<void*>(in), &whole, std::min(bytes, sizeof whole));
+    return STYLET_OK;
+  };
+  expect_any_size_is_taken<stylet_input>(
+      init,
+      [this](const stylet_input* in, std::uint64_t& hash_out) {
+        stylet_simulation* same = nullptr;
+        (void)stylet_simulation_clone(simulation_, &same);
+        const stylet_status status = stylet_simulation_tick(same, in, 1, nullptr, 0);
+        hash_out = stylet_simulation_hash(same);
+        stylet_simulation_free(same);
+        return status;
+      },
+      kFirstInput);
+  Room shorter(kFirstInput - kStep);
+  ASSERT_EQ(init(shorter.as<stylet_input>(), shorter.size), STYLET_OK);
+  EXPECT_EQ(stylet_simulation_tick(simulation_, shorter.as<stylet_input>(), 1, nullptr, 0),
+            STYLET_STRUCT_SIZE_UNKNOWN);
+}
+
+// The refusal is the caller's, too.
+TEST_F(Structs, RefusalToldToAnyCaller) {
+  stylet_needle needle;
+  ASSERT_EQ(stylet_needle_init(&needle, sizeof needle), STYLET_OK);
+  needle.length_m = -1;
+  for (std::size_t bytes = kLeast; bytes <= sizeof(stylet_refusal) + 8; bytes += kStep) {
+    Room room(bytes);
+    stylet_simulation* made = nullptr;
+    EXPECT_EQ(
+        stylet_simulation_create(organ_, nullptr, &needle, 1, &made, room.as<stylet_refusal>()),
+        STYLET_CONFIG_VALUE_OUT_OF_RANGE);
+    EXPECT_EQ(made, nullptr);
+    EXPECT_TRUE(room.behind_is_untouched()) << bytes;
+    stylet_status said = 0;
+    std::memcpy(&said, room.block.data() + 4, sizeof said);
+    EXPECT_EQ(said, STYLET_CONFIG_VALUE_OUT_OF_RANGE);
+  }
+}
+
+// Elements lie as far apart as the caller's struct is long, not as ours.
+TEST_F(Structs, ArraysOfAnyCaller) {
+  constexpr std::size_t kOld = 12;  // length and radius alone
+  std::vector<unsigned char> needles(2 * kOld + kBehind, kCanary);
+  for (std::size_t i = 0; i < 2; ++i) {
+    auto* const each = reinterpret_cast<stylet_needle*>(needles.data() + i * kOld);
+    ASSERT_EQ(stylet_needle_init(each, kOld), STYLET_OK);
+    const float length_m = i == 0 ? 0.1F : 0.2F;
+    std::memcpy(needles.data() + i * kOld + 4, &length_m, sizeof length_m);
+  }
+  stylet_simulation* old = nullptr;
+  ASSERT_EQ(
+      stylet_simulation_create(organ_, nullptr, reinterpret_cast<stylet_needle*>(needles.data()), 2,
+                               &old, nullptr),
+      STYLET_OK);
+  std::vector<stylet_needle> whole(2);
+  for (stylet_needle& each : whole) (void)stylet_needle_init(&each, sizeof each);
+  whole[0].length_m = 0.1F;
+  whole[1].length_m = 0.2F;
+  stylet_simulation* now = nullptr;
+  ASSERT_EQ(stylet_simulation_create(organ_, nullptr, whole.data(), 2, &now, nullptr), STYLET_OK);
+  EXPECT_EQ(stylet_simulation_difference(old, now, nullptr), nullptr);
+  stylet_simulation_free(old);
+  stylet_simulation_free(now);
+}
+
+}  // namespace
