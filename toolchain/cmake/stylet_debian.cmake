@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: Apache-2.0
+# Debian packages, one for each component, by `cpack -G DEB` in the folder of a build, or by the
+# target `packages`, which builds first what goes into them. The preset `package` is for them: /usr,
+# and no path of the machine in what is built. toolchain/RELEASE.md has the whole procedure.
+#
+# The same sources give the same bytes: all times are SOURCE_DATE_EPOCH, which if it is not set is
+# the day of the changelog's newest version.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME stylet)
+set(CPACK_PACKAGE_VENDOR Stylet)
+set(CPACK_PACKAGE_CONTACT "Stylet maintainers <maintainers@stylet.invalid>")
+set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_THREADS 1)  # xz with several threads gives other bytes on another machine
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_COMPONENTS_ALL libraries development doc)
+if(TARGET stylet)
+  list(APPEND CPACK_COMPONENTS_ALL program)
+endif()
+if(TARGET stylet-organ)
+  list(APPEND CPACK_COMPONENTS_ALL organ)
+endif()
+
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# dpkg-shlibdeps looks here for libstylet.so, which no package has yet.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/lib)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+# stylet_package(COMPONENT NAME SECTION SUMMARY TEXT [DEPENDS...])
+function(stylet_package component name section summary text)
+  string(TOUPPER ${component} upper)
+  string(JOIN ", " depends ${ARGN})
+  set(prefix CPACK_DEBIAN_${upper}_PACKAGE)
+  set(${prefix}_NAME ${name} PARENT_SCOPE)
+  set(${prefix}_SECTION ${section} PARENT_SCOPE)
+  set(${prefix}_DEPENDS "${depends}" PARENT_SCOPE)
+  set(CPACK_COMPONENT_${upper}_DESCRIPTION "${summary}\n${text}" PARENT_SCOPE)
+endfunction()
+set(about "Stylet tells the hand that holds a haptic device what a needle feels
+in an organ, a thousand times a second.")
+string(REGEX MATCH "^[0-9]+" soversion ${PROJECT_VERSION})
+stylet_package(libraries libstylet${soversion} libs "needle insertion for haptic devices, library"
+  "${about}\nThis is the library with its interface in C.")
+stylet_package(development libstylet-dev libdevel
+  "needle insertion for haptic devices, to build programs with"
+  "${about}
+This is what programs in C and C++ are built with: headers, CMake and
+pkg-config files, and the kernel and the loop as static libraries."
+  "libstylet${soversion} (= ${PROJECT_VERSION})" "libccd-dev")
+stylet_package(program stylet science "needle insertion for haptic devices, program and scenes"
+  "${about}
+This is the program that runs and records scenes, with its scenes,
+benchmarks and the rules for haptic devices."
+  "passwd")
+stylet_package(organ stylet-organ science "makes organs for stylet of meshes and segmentations"
+  "${about}
+This is the program that makes its organs of surfaces, label maps and
+DICOM segmentations, with recipes. Unlike Stylet it is under the GPL.")
+stylet_package(doc stylet-doc doc "needle insertion for haptic devices, documentation"
+  "${about}\nThese are its pages, with examples in C.")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "stylet-organ")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS
+  "stylet-doc, python3-h5py, python3-matplotlib, gnuplot-nox")
+set(CPACK_DEBIAN_ORGAN_PACKAGE_SUGGESTS "stylet, stylet-doc, snakemake, python3-pydicom")
+set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_DOC_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/toolchain/debian/postinst)
+# Not CPack's own: it has maintainer scripts call ldconfig, for which Debian has a trigger.
+set(control ${PROJECT_BINARY_DIR}/debian)
+file(WRITE ${control}/shlibs
+  "libstylet ${soversion} libstylet${soversion} (>= ${PROJECT_VERSION})\n")
+file(WRITE ${control}/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_LIBRARIES_PACKAGE_CONTROL_EXTRA ${control}/shlibs ${control}/triggers)
+
+# What Debian wants in a package that other systems do not, once all is installed.
+file(STRINGS CHANGELOG.md release REGEX "^## .*[0-9]+-[0-9]+-[0-9]+$" LIMIT_COUNT 1)
+string(REGEX MATCH "[0-9]+-[0-9]+-[0-9]+$" STYLET_RELEASED "${release}")
+if(NOT STYLET_RELEASED)
+  set(STYLET_RELEASED 2000-01-01)  # no version was released yet: some day, always the same
+endif()
+configure_file(toolchain/cmake/stylet_packing.cmake.in ${PROJECT_BINARY_DIR}/stylet_packing.cmake
+  @ONLY)
+configure_file(toolchain/cmake/stylet_packed.cmake.in ${PROJECT_BINARY_DIR}/stylet_packed.cmake
+  @ONLY)
+set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_BINARY_DIR}/stylet_packing.cmake)
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_BINARY_DIR}/stylet_packed.cmake)
+include(CPack)
+
+add_custom_target(packages COMMAND ${CMAKE_CPACK_COMMAND} -G DEB
+  WORKING_DIRECTORY ${PROJECT_BINARY_DIR} USES_TERMINAL VERBATIM)
+foreach(target stylet_shared stylet_kernel stylet_hal stylet stylet-texts stylet-organ
+    stylet-organ-texts stylet-bench stylet-snapshot)
+  if(TARGET ${target})
+    add_dependencies(packages ${target})
+  endif()
+endforeach()
