@@ -55,11 +55,12 @@ stylet_package(program stylet science "needle insertion for haptic devices, prog
   "${about}
 This is the program that runs and records scenes, with its scenes,
 benchmarks and the rules for haptic devices."
-  "passwd")
+  "passwd" "python3:any")
 stylet_package(organ stylet-organ science "makes organs for stylet of meshes and segmentations"
   "${about}
 This is the program that makes its organs of surfaces, label maps and
-DICOM segmentations, with recipes. Unlike Stylet it is under the GPL.")
+DICOM segmentations, with recipes. Unlike Stylet it is under the GPL."
+  "python3:any")
 stylet_package(doc stylet-doc doc "needle insertion for haptic devices, documentation"
   "${about}\nThese are its pages, with examples in C.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "stylet-organ")
