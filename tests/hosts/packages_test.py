@@ -23,6 +23,19 @@ SAID_OFFLINE = re.compile("Temporary failure|Could not resolve|Failed getting re
                           "Couldn't download|Connection (failed|timed out|refused)")
 
 
+# A user's first lines of Python: a needle 20 mm into the liver phantom; the largest force, in N.
+IN_TEN_LINES = """
+import numpy, stylet
+organ = stylet.Organ.read("/tmp/liver.organ")
+needle = stylet.Needle(bending_nm2=0.02)
+simulation = stylet.Simulation(organ, needle)
+top_m = numpy.array([0, 0, organ.info.high_m[2]])
+tips_m = top_m + numpy.outer(numpy.linspace(0.005, -0.02, 2500), [0, 0, 1])
+outputs = simulation.run(stylet.poses_of_tips(tips_m, (0, 0, -1), needle.length_m))
+print(outputs["force_n"][:, 2].max())
+"""
+
+
 def call(*command, **more):
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True, **more)
     if done.returncode != 0:
@@ -34,7 +47,8 @@ def call(*command, **more):
 def built():
     """Components whose programs are there; what was not built is not packed."""
     parts = {"libraries": "lib/libstylet.so", "development": "hal/libstylet_hal.a",
-             "program": "bin/stylet", "organ": "bin/stylet-organ"}
+             "program": "bin/stylet", "organ": "bin/stylet-organ",
+             "python": "python/stylet/__init__.py"}
     return ["doc", *(part for part, file in parts.items() if (BUILD / file).exists())]
 
 
@@ -81,7 +95,9 @@ class Contents(Packed):
                 (r"/completions/stylet$", "stylet"), (r"/_stylet$", "stylet"),
                 (r"/stylet\.fish$", "stylet"), (r"^\./usr/bin/stylet-organ$", "stylet-organ"),
                 (r"/recipes/totalsegmentator\.toml$", "stylet-organ"),
-                (r"/stylet/README\.md$", "stylet-doc")):
+                (r"/dist-packages/stylet/recording\.py$", "python3-stylet"),
+                (r"/dist-packages/stylet/_stylet.*\.so$", "python3-stylet"),
+                (r"/share/stylet/README\.md$", "stylet-doc")):
             if package in self.packages:
                 found = [name for name in seen if re.search(wanted, name)]
                 self.assertEqual([seen[name] for name in found], [package], wanted)
@@ -242,6 +258,10 @@ class CleanRoot(Packed):
             report = json.loads(self.inside("stylet", "run", "lumbar-puncture", "--fast",
                                             "--duration-s", "0.5", "--json"))
             self.assertRegex(report["state_hash"], r"^[0-9a-f]{16}$")
+        if {"stylet-organ", "python3-stylet"} <= set(self.packages):
+            self.inside("stylet-organ", "phantom", "liver", "-o", "/tmp/liver.organ")
+            said = self.inside("python3", "-c", IN_TEN_LINES)
+            self.assertGreater(float(said), 0.1)
         self.inside("apt-get", "install", "-y", "--no-install-recommends", "gcc", "libc6-dev",
                     "pkg-config")
         shutil.copy(SOURCE / "hal/hosts/c/examples/insert.c", self.root / "tmp")

@@ -23,6 +23,10 @@ if(TARGET stylet-organ)
   list(APPEND CPACK_COMPONENTS_ALL organ)
 endif()
 
+if(TARGET stylet_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
+
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
@@ -56,6 +60,12 @@ stylet_package(program stylet science "needle insertion for haptic devices, prog
 This is the program that runs and records scenes, with its scenes,
 benchmarks and the rules for haptic devices."
   "passwd" "python3:any")
+stylet_package(python python3-stylet python "needle insertion for haptic devices, from Python"
+  "${about}
+This is the Python package: numpy arrays, many simulations at once,
+environments for learning, recordings."
+  "libstylet${soversion} (= ${PROJECT_VERSION})" "python3 (>= 3.11)" "python3 (<< 3.12)"
+  "python3-numpy")
 stylet_package(organ stylet-organ science "makes organs for stylet of meshes and segmentations"
   "${about}
 This is the program that makes its organs of surfaces, label maps and
@@ -67,6 +77,8 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "stylet-organ")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS
   "stylet-doc, python3-h5py, python3-matplotlib, gnuplot-nox")
 set(CPACK_DEBIAN_ORGAN_PACKAGE_SUGGESTS "stylet, stylet-doc, snakemake, python3-pydicom")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-h5py, python3-matplotlib")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "stylet, stylet-organ, python3-distributed")
 set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DOC_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/toolchain/debian/postinst)
@@ -93,7 +105,7 @@ include(CPack)
 
 add_custom_target(packages COMMAND ${CMAKE_CPACK_COMMAND} -G DEB
   WORKING_DIRECTORY ${PROJECT_BINARY_DIR} USES_TERMINAL VERBATIM)
-foreach(target stylet_shared stylet_kernel stylet_hal stylet stylet-texts stylet-organ
+foreach(target stylet_shared stylet_kernel stylet_hal stylet_python stylet stylet-texts stylet-organ
     stylet-organ-texts stylet-bench stylet-snapshot)
   if(TARGET ${target})
     add_dependencies(packages ${target})

@@ -24,6 +24,7 @@ PACKAGES = {
                                               "hal/hosts/c/"]),
     "development": ("libstylet-dev", "Apache-2.0", []),
     "program": ("stylet", "Apache-2.0", ["kernel/", "hal/", "toolchain/cli/", "tests/bench/"]),
+    "python": ("python3-stylet", "Apache-2.0", ["hal/hosts/python/"]),
     "organ": ("stylet-organ", "GPL-3.0-or-later", ["kernel/", "offline/", "toolchain/cli/"]),
     "doc": ("stylet-doc", "Apache-2.0", None),
 }
