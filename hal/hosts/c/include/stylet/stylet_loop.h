@@ -216,7 +216,8 @@ STYLET_API stylet_status stylet_loop_create(stylet_simulation* simulation,
                                             stylet_loop** loop_out, stylet_refusal* refusal_out);
 /* A loop runs once. In a thread of its own: */
 STYLET_API stylet_status stylet_loop_start(stylet_loop* loop);
-/* Or in the caller's thread, until its ticks are done or another thread stops it: */
+/* Or in the caller's thread, until its ticks are done or another thread stops it; it keeps the
+ * processor and the priority that it got for it: */
 STYLET_API stylet_status stylet_loop_run(stylet_loop* loop);
 /* Asks the loop to end: forces fade in at most 20 ms. From any thread. */
 STYLET_API void stylet_loop_ask_to_stop(stylet_loop* loop);
