@@ -169,7 +169,7 @@ TEST(Bzip2, WhatIsToBeSkippedIs) {
   }
   const std::string skips = "line skip: 2\nbyte skip: 1\n";
   const auto file_of = [&](std::size_t from, std::size_t size) {
-    return "one\r\n\n" + packed("1" + voxels.substr(from, size));
+    return "one\r\n\n" + packed(fmt::format("1{}", voxels.substr(from, size)));
   };
   scratch.write("a.bz2", file_of(0, 40));
   scratch.write("b.bz2", file_of(40, 24));

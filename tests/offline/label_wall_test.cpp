@@ -138,7 +138,7 @@ TEST(Wall, BeginsAtTheCapsule) {
   options.wall = {"fat"};
   const auto bytes = build_quietly(ball(), walled(), options).bytes;
   const Organ organ = opened(bytes);
-  const std::vector<Cell> cells = cells_of(organ);
+  const std::vector<VoxelPlace> cells = cells_of(organ);
   std::map<std::array<std::uint32_t, 3>, std::string> material;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     material[{cells[i].x, cells[i].y, cells[i].z}] =

@@ -188,8 +188,12 @@ TEST(Losses, LayersUnderASlopeAreToldToBeThinnerAcrossIt) {
     const double thinner = 1 - 1 / std::sqrt(1 + slope_x * slope_x + slope_y * slope_y);
     const double said =
         told_thinner(built, fmt::format("{}{}", backwards ? '-' : '+', std::string("xyz")[axis]));
-    if (thinner > 0.05) EXPECT_NEAR(said, 100 * thinner, 0.51) << seed;
-    if (thinner < 0.01) EXPECT_EQ(said, 0) << seed;
+    if (thinner > 0.05) {
+      EXPECT_NEAR(said, 100 * thinner, 0.51) << seed;
+    }
+    if (thinner < 0.01) {
+      EXPECT_EQ(said, 0) << seed;
+    }
     told += thinner > 0.05 ? 1 : 0;
     silent += thinner < 0.01 ? 1 : 0;
   }
