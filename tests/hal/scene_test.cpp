@@ -207,7 +207,7 @@ TEST(Scene, MistakesOfTheFileAndTheLoop) {
       {"mode = \"paper\"", "mode = 1", "mode", "mode: 1: expected a text in quotes"},
       {"[hand]", "[hand", "[hand", "not TOML"},
   });
-  EXPECT_THAT(error_of("loop = 3\n"), testing::StartsWith("s.toml:1: loop: 3: a table"));
+  EXPECT_THAT(error_of("loop = 3\n"), testing::StartsWith("s.toml:1: loop: 3: expected a table"));
 }
 
 TEST(Scene, MistakesOfNeedles) {
@@ -233,7 +233,7 @@ TEST(Scene, MistakesOfObstaclesAndBreathing) {
   expect_refusals({
       {"[guard]", "[breathing]\nperiod_s = 4\n[guard]", "[breathing]", "amplitude_mm: missing"},
       {"[guard]", "[breathing]\namplitude_mm = [80, 80, 0]\n[guard]", "amplitude_mm",
-       "at most 100 mm long"},
+       "expected a way of at most 100 mm"},
       {"[guard]", "[[obstacles]]\nshape = \"cone\"\n[guard]", "cone", "\"box\" or \"sphere\""},
       {"[guard]", "[[obstacles]]\nshape = \"box\"\n[guard]", "[[obst",
        "size_mm: missing: expected"},
@@ -256,7 +256,7 @@ TEST(Scene, MistakesOfApproachDeviceAndGuard) {
        "either through or point_mm"},
       {"max_force_n = 4", "max_force_n = -4", "max_force_n = -4", "a number from 0.01 to 100"},
       {"max_force_n = 4", "max_force_n = 4\nmax_slew_n_per_s = 100", "max_slew_n_per_s",
-       "100: at least 200"},
+       "100: expected at least 200"},
       {"max_force_n = 4", "kind = \"omni\"", "omni", "\"steered\" or \"replay\""},
       {"max_force_n = 4", "kind = \"replay\"", "[device]", "device.recording: missing"},
       {"[guard]", "[steering]\ntarget_mm = [1, 2, 3]\n[guard]", "target_mm", "none otherwise"},
