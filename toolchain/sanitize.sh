@@ -8,8 +8,9 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 programs=(
-  unit_organ_open unit_odd_organ unit_sheets unit_state unit_snapshot unit_c_api unit_create
-  coupling_abuse hal_scene hal_packet hal_guard hal_motor hal_recording hal_side console
+  unit_organ_open unit_odd_organ unit_sheets unit_state unit_snapshot unit_create
+  hosts_c_simulation hosts_c_loop coupling_abuse hal_scene hal_packet hal_guard hal_motor
+  hal_recording hal_side console
 )
 # Phantoms come from a program without sanitizers, because CGAL takes long to compile with them.
 [ -x "$root/build/release/bin/stylet-organ" ] || { configure && compile stylet-organ; }
