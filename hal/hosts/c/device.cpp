@@ -155,7 +155,7 @@ stylet_status stylet_device_simulated(float travel_m, float speed_m_per_s, float
 }
 
 void stylet_device_close(stylet_device* device) {
-  if (device == nullptr) return;
+  if (device == nullptr || device->taken) return;
   if (device->device.close != nullptr) device->device.close(device->device.self);
   delete device;
 }

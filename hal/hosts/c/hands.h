@@ -17,6 +17,7 @@ struct stylet_device {
   stylet::hal::Device device;
   bool opened = false;    // by URI: in real time
   bool scripted = false;  // computed
+  bool taken = false;     // by a loop, which closes it
 };
 
 namespace stylet::c {

@@ -125,6 +125,7 @@ stylet_status take_hands(stylet_loop& loop, stylet_device* const* devices, const
   const std::uint32_t guard_bytes = guards == nullptr ? 0 : stride_of(guards);
   for (std::uint32_t i = 0; i < loop.simulation->config.needle_count; ++i) {
     if (devices[i] == nullptr) return refuse(refusal_out, STYLET_ARGUMENT_MISSING);
+    if (devices[i]->taken) return refuse(refusal_out, STYLET_ARGUMENT_OUT_OF_RANGE);
     stylet_hand hand = default_hand();
     if (hands != nullptr && !take(element(hands, hand_bytes, i), hand_bytes, hand)) {
       return refuse(refusal_out, STYLET_STRUCT_SIZE_UNKNOWN);
@@ -140,6 +141,7 @@ stylet_status take_hands(stylet_loop& loop, stylet_device* const* devices, const
         hand_config(hand, guard, loop.simulation->config.period_s, *devices[i]);
     loop.devices.push_back(devices[i]->device);
     loop.held.push_back(devices[i]);
+    devices[i]->taken = true;
   }
   return STYLET_OK;
 }
@@ -243,7 +245,10 @@ stylet_status begin(stylet_loop* loop) {
 stylet_loop::~stylet_loop() {
   state->stop.store(true);
   if (thread.joinable()) thread.join();
-  for (stylet_device* each : held) stylet_device_close(each);
+  for (stylet_device* each : held) {
+    each->taken = false;
+    stylet_device_close(each);
+  }
   if (simulation == nullptr) return;
   simulation->in_loop.store(false, std::memory_order_release);
   stylet_simulation_free(simulation);
@@ -274,6 +279,7 @@ stylet_status stylet_loop_create(stylet_simulation* simulation, const stylet_loo
   }
   made->simulation = c::keep(simulation);
   const auto give_back = [&made](stylet_status why) {
+    for (stylet_device* each : made->held) each->taken = false;
     made->held.clear();  // they stay the caller's
     return why;
   };

@@ -415,7 +415,31 @@ TEST(CLoop, RefusesWhatCannotRun) {
   EXPECT_EQ(create(), STYLET_CONFIG_VALUE_OUT_OF_RANGE);
   EXPECT_STREQ(why.place, "loop.helpers");
   EXPECT_EQ(made, nullptr);
-  // The simulation is free, the device still the caller's.
+  bench.loop_config.helpers = 0;
+  // One device in two loops, or closed under one that has it.
+  ASSERT_EQ(create(), STYLET_OK) << why.text;
+  const LoopHandle first(made);
+  Bench other;
+  EXPECT_EQ(
+      stylet_loop_create(other.simulation.get(), nullptr, &device, nullptr, nullptr, &made, &why),
+      STYLET_ARGUMENT_OUT_OF_RANGE);
+  EXPECT_EQ(made, nullptr);
+  stylet_device_close(device);
+  EXPECT_TRUE(own.sent.empty());
+  EXPECT_EQ(stylet_simulation_reset(other.simulation.get()), STYLET_OK);
+}
+
+TEST(CLoop, WhatItRefusesStaysTheCallers) {
+  Bench bench;
+  OwnHand own;
+  start_own(own);
+  stylet_device* device = own_device(own);
+  stylet_loop* made = nullptr;
+  stylet_refusal why = no_refusal();
+  bench.loop_config.helpers = 99;
+  EXPECT_EQ(stylet_loop_create(bench.simulation.get(), &bench.loop_config, &device, &bench.hand,
+                               nullptr, &made, &why),
+            STYLET_CONFIG_VALUE_OUT_OF_RANGE);
   EXPECT_EQ(stylet_simulation_reset(bench.simulation.get()), STYLET_OK);
   stylet_device_close(device);
   EXPECT_EQ(own.sent.size(), 1U);

@@ -174,7 +174,7 @@ STYLET_API stylet_status stylet_device_from_functions(const stylet_device_functi
  * and comes back. For trials without a device, and for tests. */
 STYLET_API stylet_status stylet_device_simulated(float travel_m, float speed_m_per_s, float hold_s,
                                                  stylet_device** device_out);
-/* A device that a loop has is closed when the loop is freed. */
+/* A device that a loop has is closed when the loop is freed, and by nothing else. */
 STYLET_API void stylet_device_close(stylet_device* device);
 
 /* ==== Loop =================================================================================== */
