@@ -211,7 +211,7 @@ TEST(Targets, MistakesNameTheirLine) {
   EXPECT_EQ(refusal("[[targets]]\nname = \"a\"\nat_mm = [0, 0, 0]\n"),
             "s.toml:1: targets.radius_mm: missing: expected a number from 0.1 to 1000");
   EXPECT_EQ(refusal("[[targets]]\nname = \"\"\nat_mm = [0, 0, 0]\nradius_mm = 1\n"),
-            "s.toml:2: targets.name: '': a text of 1 to 40 bytes in one line");
+            "s.toml:2: targets.name: '': expected a text of 1 to 40 bytes in one line");
   EXPECT_EQ(
       refusal(good + "colour = \"red\"\n"),
       "s.toml:5: targets.colour: 'red': expected one of the known keys at_mm, forbidden, name, "
@@ -222,7 +222,7 @@ TEST(Targets, MistakesNameTheirLine) {
   for (std::size_t i = 0; i <= kMaxTargets; ++i) {
     many += "[[targets]]\nname = \"" + std::to_string(i) + "\"\nat_mm = [0, 0, 0]\nradius_mm = 1\n";
   }
-  EXPECT_EQ(refusal(many), "s.toml:130: targets.name: '32': at most 32 targets");
+  EXPECT_EQ(refusal(many), "s.toml:130: targets.name: '32': expected at most 32 targets");
 }
 
 }  // namespace

@@ -497,7 +497,7 @@ TEST(Nifti, FormsThatContradictEachOtherAreNamed) {
     EXPECT_THAT(said(n), HasSubstr("pixdim says"));
     n = good;
     for (std::size_t row = 0; row < 3; ++row) n.srow[4 * row] += 0.5 * n.srow[4 * row + 1];
-    EXPECT_THAT(said(n), HasSubstr("sform: axes 0 and 1 stand at"));
+    EXPECT_THAT(said(n), HasSubstr("sform: axes 0 and 1 are"));
   }
 }
 

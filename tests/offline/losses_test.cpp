@@ -131,7 +131,7 @@ TEST(Losses, HalfAMillimetreOfFasciaIsMissedByName) {
   // 40 x 36 x 0.5 mm.
   EXPECT_THAT(built.report.warnings,
               testing::Contains(testing::AllOf(
-                  testing::StartsWith("layer fascia: at a voxel edge of 3.3 mm, of 0.72"),
+                  testing::StartsWith("layer fascia: at a voxel edge of 3.3 mm, of the 0.72"),
                   testing::HasSubstr("voxels hold 0 ml (-100 %)"))));
 }
 
