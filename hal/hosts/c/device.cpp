@@ -94,7 +94,7 @@ stylet_status stylet_device_open(const char* uri, double patience_s, stylet_devi
 } catch (const std::bad_alloc&) {
   return c::refuse(refusal_out, STYLET_OUT_OF_MEMORY);
 } catch (const std::exception& error) {
-  return c::refuse_file(refusal_out, STYLET_DEVICE_FAILED, uri, error.what());
+  return c::refuse_text(refusal_out, STYLET_DEVICE_FAILED, "device", error.what());
 }
 
 stylet_status stylet_device_from_functions(const stylet_device_functions* functions,

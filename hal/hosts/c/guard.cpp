@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Guards of stylet_loop.h: hal's guard of a force and of a torque, with a caller's configuration.
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <string_view>
+#include <utility>
 
 #include "hal/hosts/c/hands.h"
 #include "hal/hosts/c/limits.h"
@@ -118,6 +120,14 @@ stylet_status read_guard(const stylet_guard_config* config, std::uint32_t bytes,
 
 using namespace stylet;
 
+namespace {
+
+bool finite(stylet_vec3 v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+}  // namespace
+
 const char* stylet_fault_name(uint32_t fault) {
   return hal::fault_name(static_cast<hal::Fault>(fault));
 }
@@ -133,7 +143,10 @@ stylet_status stylet_guard_config_init(stylet_guard_config* config, size_t struc
 stylet_status stylet_guard_config_for(stylet_guard_config* config, const char* model) {
   if (config == nullptr || model == nullptr) return STYLET_ARGUMENT_MISSING;
   const hal::DeviceModel* const found = hal::find_device_model(model);
-  if (found == nullptr) return STYLET_ARGUMENT_OUT_OF_RANGE;
+  if (found == nullptr) {
+    (void)c::give(stylet_guard_config{}, config);
+    return STYLET_ARGUMENT_OUT_OF_RANGE;
+  }
   return c::answer(c::plain(c::config_for(*found), 0), config);
 }
 
@@ -172,16 +185,22 @@ int stylet_guard_sample(stylet_guard* guard, const stylet_sample* sample, int64_
   stylet_sample own = {};
   const bool answered = sample != nullptr && c::take(sample, own);
   const hal::Sample taken = {own.seq, own.t_ns, c::pose(own.pose), own.buttons};
+  guard->sampled = true;
   return hal::guard_sample(guard->config, guard->force, answered, taken, now_ns) ? 1 : 0;
 }
 
 stylet_vec3 stylet_guard_force(stylet_guard* guard, stylet_vec3 force_n) {
   if (guard == nullptr) return {0, 0, 0};
+  // Without a new look at the device no time passes: the force stays what it was.
+  if (!std::exchange(guard->sampled, false)) return c::plain(guard->force.force_n);
+  // A device that has not told where it is feels nothing; what is no number trips all the same.
+  if (guard->force.have_pose == 0 && finite(force_n)) force_n = {0, 0, 0};
   return c::plain(hal::guard_force(guard->config, guard->force, c::vec(force_n)));
 }
 
 stylet_vec3 stylet_guard_torque(stylet_guard* guard, stylet_vec3 torque_nm) {
   if (guard == nullptr) return {0, 0, 0};
+  if (guard->force.have_pose == 0 && finite(torque_nm)) torque_nm = {0, 0, 0};
   return c::plain(hal::guard_torque(guard->config, guard->max_torque_nm, guard->force,
                                     guard->torque, c::vec(torque_nm)));
 }

@@ -41,6 +41,8 @@ namespace stylet::c {
 
 // Null if there is not as much memory.
 stylet_organ::Block make_block(std::size_t bytes);
+// Of a direction of any length; -z of what has none.
+Vec3 unit(stylet_vec3 direction);
 stylet_organ* keep(const stylet_organ* organ);
 stylet_simulation* keep(stylet_simulation* simulation);
 

@@ -11,6 +11,7 @@ struct stylet_guard {
   float max_torque_nm = 0;
   stylet::hal::GuardState force = stylet::hal::guard_start();
   stylet::hal::GuardState torque = stylet::hal::guard_start();
+  bool sampled = false;  // since the last force
 };
 
 struct stylet_device {

@@ -37,6 +37,8 @@ struct stylet_loop {
   hal::HostState host;
   std::thread thread;
   std::atomic<bool> started{false}, runs{false};
+  std::atomic<std::thread::id> servo{};  // the thread that is in the loop
+  std::atomic<int> inside{0};            // threads that are in run or wait
   std::string lacks;
   std::vector<std::string> trouble;
 
@@ -106,7 +108,7 @@ hal::HandConfig hand_config(const stylet_hand& hand, const CheckedGuard& guard, 
   out.grip.motion_scale = hand.motion_scale;
   out.grip.force_scale = hand.force_scale;
   out.grip.clutch_button = hand.clutch_button;
-  out.grip.enabled = hand.clutch_button >= 0 || hand.motion_scale != 1 || hand.force_scale != 1;
+  out.grip.enabled = !device.scripted;  // a script's places are the needle's
   out.guard = guard.config;
   out.guard.period_s = out.coupling.period_s = period_s;
   out.coupling.stiffness_n_per_m = hand.coupling_stiffness_n_per_m;
@@ -199,13 +201,16 @@ void servo(stylet_loop& loop) {
 }
 
 void serve(stylet_loop& loop) noexcept {
+  loop.servo.store(std::this_thread::get_id());
   try {
     servo(loop);
   } catch (const std::exception& error) {
     tell(loop, {error.what()});
   }
   tell(loop, loop.host.report.lacks);
+  loop.servo.store({});
   loop.runs.store(false, std::memory_order_release);
+  loop.runs.notify_all();
 }
 
 // A vertex moves as the corners of its voxel do, in proportion to how near they are.
@@ -232,6 +237,15 @@ std::uint64_t ns(double us) {
   return static_cast<std::uint64_t>(1e3 * us);
 }
 
+// A thread that is in a call for the loop, which may not go away under it.
+struct Inside {
+  stylet_loop& loop;
+  explicit Inside(stylet_loop& of) : loop(of) { loop.inside.fetch_add(1); }
+  ~Inside() { loop.inside.fetch_sub(1); }
+  Inside(const Inside&) = delete;
+  Inside& operator=(const Inside&) = delete;
+};
+
 stylet_status begin(stylet_loop* loop) {
   if (loop == nullptr) return STYLET_ARGUMENT_MISSING;
   if (loop->started.exchange(true)) return STYLET_LOOP_RUNS;
@@ -244,6 +258,8 @@ stylet_status begin(stylet_loop* loop) {
 
 stylet_loop::~stylet_loop() {
   state->stop.store(true);
+  runs.wait(true);
+  while (inside.load() > 0) std::this_thread::yield();
   if (thread.joinable()) thread.join();
   for (stylet_device* each : held) {
     each->taken = false;
@@ -317,6 +333,8 @@ stylet_status stylet_loop_start(stylet_loop* loop) {
 }
 
 stylet_status stylet_loop_run(stylet_loop* loop) {
+  if (loop == nullptr) return STYLET_ARGUMENT_MISSING;
+  const c::Inside inside(*loop);
   const stylet_status status = c::begin(loop);
   if (status == STYLET_OK) c::serve(*loop);
   return status;
@@ -328,11 +346,16 @@ void stylet_loop_ask_to_stop(stylet_loop* loop) {
 
 stylet_status stylet_loop_wait(stylet_loop* loop) {
   if (loop == nullptr) return STYLET_ARGUMENT_MISSING;
-  if (loop->thread.joinable()) loop->thread.join();
+  if (loop->servo.load() == std::this_thread::get_id()) return STYLET_LOOP_RUNS;
+  const c::Inside inside(*loop);
+  loop->runs.wait(true);
   return STYLET_OK;
 }
 
 void stylet_loop_free(stylet_loop* loop) {
+  if (loop == nullptr) return;
+  // From a function of a device: the loop cannot end under itself.
+  if (loop->servo.load() == std::this_thread::get_id()) return stylet_loop_ask_to_stop(loop);
   delete loop;
 }
 

@@ -19,6 +19,16 @@ stylet_organ::Block make_block(std::size_t bytes) {
       ::operator new (bytes, std::align_val_t{kBlockAlignment}, std::nothrow)));
 }
 
+Vec3 unit(stylet_vec3 d) {
+  // In double no square of a float overflows or vanishes.
+  const double x = static_cast<double>(d.x), y = static_cast<double>(d.y),
+               z = static_cast<double>(d.z);
+  const double length = std::sqrt(x * x + y * y + z * z);
+  if (!(length > 0) || !std::isfinite(length)) return {0, 0, -1};
+  return {static_cast<float>(x / length), static_cast<float>(y / length),
+          static_cast<float>(z / length)};
+}
+
 stylet_organ* keep(const stylet_organ* organ) {
   auto* const kept = const_cast<stylet_organ*>(organ);
   kept->users.fetch_add(1, std::memory_order_relaxed);
@@ -173,8 +183,12 @@ stylet_status stylet_organ_get_info(const stylet_organ* organ, stylet_organ_info
 
 stylet_status stylet_organ_get_material(const stylet_organ* organ, uint32_t index,
                                         stylet_material* material_out) {
-  if (organ == nullptr || material_out == nullptr) return STYLET_ARGUMENT_MISSING;
+  if (material_out == nullptr) return STYLET_ARGUMENT_MISSING;
   stylet_material out = {};
+  if (organ == nullptr) {
+    (void)c::give(out, material_out);
+    return STYLET_ARGUMENT_MISSING;
+  }
   if (index >= organ->organ.material_count) {
     (void)c::give(out, material_out);
     return STYLET_ARGUMENT_OUT_OF_RANGE;
@@ -251,15 +265,13 @@ uint32_t stylet_organ_vertex_materials(const stylet_organ* organ, uint8_t* out, 
 int stylet_organ_raycast(const stylet_organ* organ, stylet_vec3 origin_m, stylet_vec3 direction,
                          float* distance_out_m) {
   float distance = 0;
-  const float length =
-      std::sqrt(direction.x * direction.x + direction.y * direction.y + direction.z * direction.z);
-  bool hit = false;
-  if (organ != nullptr && std::isfinite(length) && length > 0 && std::isfinite(origin_m.x) &&
-      std::isfinite(origin_m.y) && std::isfinite(origin_m.z)) {
-    hit =
-        organ_raycast(organ->organ, {origin_m.x, origin_m.y, origin_m.z},
-                      {direction.x / length, direction.y / length, direction.z / length}, distance);
-  }
+  const bool points = std::isfinite(direction.x) && std::isfinite(direction.y) &&
+                      std::isfinite(direction.z) &&
+                      (direction.x != 0 || direction.y != 0 || direction.z != 0);
+  const bool hit = organ != nullptr && points && std::isfinite(origin_m.x) &&
+                   std::isfinite(origin_m.y) && std::isfinite(origin_m.z) &&
+                   organ_raycast(organ->organ, {origin_m.x, origin_m.y, origin_m.z},
+                                 c::unit(direction), distance);
   if (distance_out_m != nullptr) *distance_out_m = hit ? distance : 0;
   return hit ? 1 : 0;
 }

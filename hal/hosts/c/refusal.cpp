@@ -37,6 +37,15 @@ stylet_status refuse_file(stylet_refusal* refusal_out, stylet_status status, con
   return tell(refusal_out, why);
 }
 
+stylet_status refuse_text(stylet_refusal* refusal_out, stylet_status status, const char* place,
+                          const char* text) {
+  stylet_refusal why = {};
+  why.status = status;
+  copy_text(place, why.place);
+  copy_text(text, why.text);
+  return tell(refusal_out, why);
+}
+
 stylet_status refuse_organ(stylet_refusal* refusal_out, const OrganRefusal& of) {
   stylet_refusal why = {};
   why.status = static_cast<stylet_status>(of.status);

@@ -11,6 +11,8 @@ namespace stylet::c {
 stylet_status refuse(stylet_refusal* refusal_out, stylet_status status);
 stylet_status refuse_file(stylet_refusal* refusal_out, stylet_status status, const char* path,
                           const char* why);
+stylet_status refuse_text(stylet_refusal* refusal_out, stylet_status status, const char* place,
+                          const char* text);
 stylet_status refuse_organ(stylet_refusal* refusal_out, const OrganRefusal& why);
 stylet_status refuse_config(stylet_refusal* refusal_out, Status status, const ConfigRefusal& why);
 

@@ -192,37 +192,44 @@ stylet_status stylet_simulation_reset(stylet_simulation* simulation) {
 stylet_status stylet_simulation_tick(stylet_simulation* simulation, const stylet_input* inputs,
                                      uint32_t input_count, stylet_output* outputs_out,
                                      uint32_t output_count) {
+  const auto refuse = [&](stylet_status status) {
+    const std::size_t room = std::min<std::size_t>(output_count, kMaxNeedles);
+    return c::refuse_outputs(status, outputs_out, room);
+  };
   const stylet_status status = c::ready(simulation);
-  if (status != STYLET_OK) return status;
+  if (status != STYLET_OK) return refuse(status);
   if ((inputs == nullptr && input_count > 0) || (outputs_out == nullptr && output_count > 0)) {
-    return STYLET_ARGUMENT_MISSING;
+    return refuse(STYLET_ARGUMENT_MISSING);
   }
   const std::uint32_t needles = simulation->config.needle_count;
-  if (input_count > needles || output_count > needles) return STYLET_ARGUMENT_OUT_OF_RANGE;
+  if (input_count > needles || output_count > needles) {
+    return refuse(STYLET_ARGUMENT_OUT_OF_RANGE);
+  }
   const c::Arrays arrays =
       c::arrays(input_count > 0 ? inputs : nullptr, output_count > 0 ? outputs_out : nullptr);
-  if (!c::sizes_known(arrays, input_count)) return STYLET_STRUCT_SIZE_UNKNOWN;
+  if (!c::sizes_known(arrays, input_count)) return refuse(STYLET_STRUCT_SIZE_UNKNOWN);
   c::tick_plain(*simulation, arrays, input_count, output_count);
   return STYLET_OK;
 }
 
 stylet_status stylet_simulation_run(stylet_simulation* simulation, const stylet_input* inputs,
                                     stylet_output* outputs_out, uint32_t ticks) {
+  const std::size_t all = std::size_t{stylet_simulation_needles(simulation)} * ticks;
+  const auto refuse = [&](stylet_status status) {
+    return c::refuse_outputs(status, outputs_out, all);
+  };
   const stylet_status status = c::ready(simulation);
-  if (status != STYLET_OK) return status;
-  if (inputs == nullptr && ticks > 0) return STYLET_ARGUMENT_MISSING;
+  if (status != STYLET_OK) return refuse(status);
   if (ticks == 0) return STYLET_OK;
+  if (inputs == nullptr) return refuse(STYLET_ARGUMENT_MISSING);
   const c::Arrays arrays = c::arrays(inputs, outputs_out);
-  const std::size_t all = std::size_t{simulation->config.needle_count} * ticks;
-  if (!c::sizes_known(arrays, all)) return STYLET_STRUCT_SIZE_UNKNOWN;
+  if (!c::sizes_known(arrays, all)) return refuse(STYLET_STRUCT_SIZE_UNKNOWN);
   c::run_plain(*simulation, arrays, ticks);
   return STYLET_OK;
 }
 
 stylet_pose stylet_pose_of_tip(stylet_vec3 tip_m, stylet_vec3 direction, float length_m) {
-  const float size =
-      std::sqrt(direction.x * direction.x + direction.y * direction.y + direction.z * direction.z);
-  const Vec3 way = {direction.x / size, direction.y / size, direction.z / size};
+  const Vec3 way = c::unit(direction);
   const Quat turn = hal::needle_rotation(way);
   return {{tip_m.x - length_m * way.x, tip_m.y - length_m * way.y, tip_m.z - length_m * way.z},
           {turn.w, turn.x, turn.y, turn.z}};
@@ -250,6 +257,7 @@ stylet_status stylet_simulation_restore(stylet_simulation* simulation, const voi
   const stylet_status status = c::ready(simulation);
   if (status != STYLET_OK) return status;
   if (in == nullptr) return STYLET_ARGUMENT_MISSING;
+  if (bytes != snapshot_bytes(simulation->kernel)) return STYLET_SNAPSHOT_DOES_NOT_MATCH;
   return static_cast<stylet_status>(
       restore(simulation->kernel, {static_cast<const std::byte*>(in), bytes}));
 }

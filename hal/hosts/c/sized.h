@@ -13,12 +13,15 @@ namespace stylet::c {
 
 // A struct smaller than this holds nothing but its size.
 constexpr std::uint32_t kLeastStruct = 8;
+// None will ever be larger; a size beyond was not set, and to believe it would be to write there.
+constexpr std::uint32_t kMostStruct = 65'536;
 
 // How far apart the elements of an array are: the size its caller knew, which its first element
 // says. 0: it does not say.
 template <typename T>
 std::uint32_t stride_of(const T* array) {
-  return array->struct_bytes >= kLeastStruct ? array->struct_bytes : 0;
+  const std::uint32_t bytes = array->struct_bytes;
+  return bytes >= kLeastStruct && bytes <= kMostStruct ? bytes : 0;
 }
 
 template <typename T>
@@ -78,7 +81,7 @@ stylet_status answer(const T& value, T* to) {
 template <typename T>
 stylet_status init(const T& value, T* to, std::size_t bytes) {
   if (to == nullptr) return STYLET_ARGUMENT_MISSING;
-  if (bytes < kLeastStruct || bytes > UINT32_MAX) return STYLET_STRUCT_SIZE_UNKNOWN;
+  if (bytes < kLeastStruct || bytes > kMostStruct) return STYLET_STRUCT_SIZE_UNKNOWN;
   (void)give(value, to, static_cast<std::uint32_t>(bytes));
   return STYLET_OK;
 }

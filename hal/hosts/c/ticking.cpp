@@ -32,6 +32,14 @@ stylet_status ready(const stylet_simulation* simulation) {
   return simulation->in_loop.load(std::memory_order_acquire) ? STYLET_LOOP_RUNS : STYLET_OK;
 }
 
+stylet_status refuse_outputs(stylet_status status, stylet_output* outputs, std::size_t count) {
+  const Arrays arrays = c::arrays(nullptr, outputs);
+  for (std::size_t i = 0; outputs != nullptr && arrays.output_stride != 0 && i < count; ++i) {
+    (void)give(stylet_output{}, arrays.from(i).outputs, arrays.output_stride);
+  }
+  return status;
+}
+
 Input to_input(const stylet_input& in) {
   return {
       {{in.handle.position_m.x, in.handle.position_m.y, in.handle.position_m.z},

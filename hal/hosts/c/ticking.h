@@ -26,6 +26,9 @@ void run_plain(stylet_simulation& simulation, Arrays arrays, std::uint32_t ticks
 void tick_plain(stylet_simulation& simulation, const Arrays& arrays, std::size_t input_count,
                 std::size_t output_count);
 
+// Of a call that was refused: nobody takes what lay there for a force.
+stylet_status refuse_outputs(stylet_status status, stylet_output* outputs, std::size_t count);
+
 Input to_input(const stylet_input& in);
 stylet_output to_output(const Output& out);
 

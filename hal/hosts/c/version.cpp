@@ -70,7 +70,7 @@ const char* stylet_status_name(stylet_status status) {
     case STYLET_DEVICE_FAILED:
       return "device cannot be opened or does not answer";
     case STYLET_LOOP_RUNS:
-      return "a loop runs in this simulation";
+      return "a loop has this simulation, or this loop was begun before";
     default:
       return stylet::status_name(static_cast<stylet::Status>(status));
   }

@@ -70,10 +70,14 @@ TEST(CGuard, DrawnSessionsAreThoseOfTheGuard) {
                                       {{p.x, p.y, p.z}, {1, 0, 0, 0}}};
       const bool used = guard_sample(config, force, answered, sample, now_ns);
       ASSERT_EQ(stylet_guard_sample(c.get(), answered ? &sample_c : nullptr, now_ns), used ? 1 : 0);
-      const Vec3 sent = guard_force(config, force, asked);
+      // Before the first sample that may be used, what is a number becomes zero.
+      const bool known = force.have_pose != 0;
+      const Vec3 sent =
+          guard_force(config, force, known || !std::isfinite(asked.z) ? asked : Vec3{});
       const stylet_vec3 sent_c = stylet_guard_force(c.get(), {asked.x, asked.y, asked.z});
       ASSERT_EQ(std::memcmp(&sent, &sent_c, sizeof sent), 0) << session << " " << i;
-      const Vec3 turned = guard_torque(config, 0.1F, force, torque, {0.01F, 0, asked.y});
+      const Vec3 turned =
+          guard_torque(config, 0.1F, force, torque, known ? Vec3{0.01F, 0, asked.y} : Vec3{});
       const stylet_vec3 turned_c = stylet_guard_torque(c.get(), {0.01F, 0, asked.y});
       ASSERT_EQ(std::memcmp(&turned, &turned_c, sizeof turned), 0) << session << " " << i;
       if (draw.chance(0.01)) {
@@ -229,6 +233,7 @@ std::vector<Vec3> sent_by_hal(const Bench& bench, std::uint64_t& hash_out) {
   hand.mapping = {{start.rotation.w, start.rotation.x, start.rotation.y, start.rotation.z},
                   {start.position_m.x, start.position_m.y, start.position_m.z}};
   hand.coupling.max_force_n = hand.guard.max_force_n;
+  hand.grip.enabled = true;
   fit_to_device(limits_of_own(), hand.grip, hand.guard, hand.coupling);
   Device device = own.device;
   device.self = &own;
@@ -427,6 +432,132 @@ TEST(CLoop, RefusesWhatCannotRun) {
   stylet_device_close(device);
   EXPECT_TRUE(own.sent.empty());
   EXPECT_EQ(stylet_simulation_reset(other.simulation.get()), STYLET_OK);
+}
+
+// Devices that do not answer at first, or never: the needle waits far from the hand, which must not
+// be pulled there.
+TEST(CLoop, ADeviceThatHasNotAnsweredFeelsNothing) {
+  struct Late {
+    int reads = 0, answers_from = 0;
+    float most_n = 0;
+  };
+  for (const int answers_from : {1, 2, 1'000'000}) {
+    Late self;
+    self.answers_from = answers_from;
+    stylet_device_functions functions = {};
+    functions.struct_bytes = sizeof functions;
+    functions.self = &self;
+    functions.max_force_n = 4;
+    functions.max_slew_n_per_s = 1000;
+    functions.max_stiffness_n_per_m = 500;
+    functions.read = [](void* of, std::int64_t now_ns, stylet_sample* out) {
+      auto& own = *static_cast<Late*>(of);
+      if (own.reads++ < own.answers_from) return 0;
+      out->seq = static_cast<std::uint64_t>(own.reads);
+      out->t_ns = now_ns;
+      out->pose = {{0, 0, 0}, {1, 0, 0, 0}};
+      return 1;
+    };
+    functions.write = [](void* of, const stylet_command* command) {
+      auto& own = *static_cast<Late*>(of);
+      const stylet_vec3 f = command->force_n;
+      own.most_n = std::max(own.most_n, std::sqrt(f.x * f.x + f.y * f.y + f.z * f.z));
+    };
+    stylet_device* device = nullptr;
+    ASSERT_EQ(stylet_device_from_functions(&functions, &device, nullptr), STYLET_OK);
+    Bench bench;
+    bench.hand.start.position_m.z += 0.02F;  // in the air
+    bench.loop_config.ticks = 400;
+    stylet_loop* made = nullptr;
+    ASSERT_EQ(stylet_loop_create(bench.simulation.get(), &bench.loop_config, &device, &bench.hand,
+                                 nullptr, &made, nullptr),
+              STYLET_OK);
+    const LoopHandle loop(made);
+    ASSERT_EQ(stylet_loop_run(made), STYLET_OK);
+    EXPECT_EQ(self.most_n, 0) << answers_from;
+  }
+}
+
+TEST(CGuard, LetsNothingThroughBeforeASampleNorTwiceForOne) {
+  stylet_guard_config config;
+  ASSERT_EQ(stylet_guard_config_init(&config, sizeof config), STYLET_OK);
+  const GuardHandle silent = c_guard(config);
+  for (int i = 1; i < 100; ++i) {
+    (void)stylet_guard_sample(silent.get(), nullptr, 1'000'000 * i);
+    EXPECT_EQ(stylet_guard_force(silent.get(), {0, 0, 1e9F}).z, 0);
+  }
+  const GuardHandle guard = c_guard(config);
+  for (int i = 0; i < 1000; ++i) {
+    EXPECT_EQ(stylet_guard_force(guard.get(), {0, 0, 6}).z, 0);
+  }
+  const stylet_sample sample = {sizeof sample, 0, 1, 1'000'000'000, {{0, 0, 0}, {1, 0, 0, 0}}};
+  ASSERT_EQ(stylet_guard_sample(guard.get(), &sample, sample.t_ns), 1);
+  const float once = stylet_guard_force(guard.get(), {0, 0, 6}).z;
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_EQ(stylet_guard_force(guard.get(), {0, 0, 6}).z, once);
+  }
+}
+
+// Freed while other threads run it or wait for it.
+TEST(CLoop, MayBeFreedWhileItRuns) {
+  for (const bool own_thread : {true, false}) {
+    Bench bench;
+    bench.loop_config.virtual_time = 0;
+    bench.loop_config.priority = 0;
+    bench.loop_config.ticks = 0;
+    stylet_device* device = nullptr;
+    ASSERT_EQ(stylet_device_simulated(0.01F, 0.05F, 10, &device), STYLET_OK);
+    stylet_loop* made = nullptr;
+    ASSERT_EQ(stylet_loop_create(bench.simulation.get(), &bench.loop_config, &device, &bench.hand,
+                                 nullptr, &made, nullptr),
+              STYLET_OK);
+    if (own_thread) {
+      ASSERT_EQ(stylet_loop_start(made), STYLET_OK);
+    }
+    std::thread other([made, own_thread] {
+      (void)(own_thread ? stylet_loop_wait(made) : stylet_loop_run(made));
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    stylet_loop_free(made);
+    other.join();
+    EXPECT_EQ(stylet_simulation_reset(bench.simulation.get()), STYLET_OK);
+  }
+}
+
+TEST(CLoop, PausedItsForceFades) {
+  Bench bench;
+  OwnHand own;
+  start_own(own);
+  stylet_device* device = own_device(own);
+  bench.loop_config.virtual_time = 0;
+  bench.loop_config.priority = 0;
+  bench.loop_config.ticks = 0;
+  bench.loop_config.show_every_ticks = 1;
+  stylet_loop* made = nullptr;
+  ASSERT_EQ(stylet_loop_create(bench.simulation.get(), &bench.loop_config, &device, &bench.hand,
+                               nullptr, &made, nullptr),
+            STYLET_OK);
+  const LoopHandle loop(made);
+  ASSERT_EQ(stylet_loop_start(made), STYLET_OK);
+  stylet_hand_report hand = {};
+  hand.struct_bytes = sizeof hand;
+  const auto look_until = [&](float most_n, float least_n) {
+    for (int i = 0; i < 3000; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      if (stylet_loop_take(made) != 0) (void)stylet_loop_get_hand(made, 0, &hand);
+      const float f = std::fabs(hand.sent_force_n.z);
+      if (f <= most_n && f >= least_n) return true;
+    }
+    return false;
+  };
+  ASSERT_TRUE(look_until(10, 0.1F));  // in the tissue
+  stylet_loop_pause(made, 1);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // it fades in 20 ms
+  EXPECT_TRUE(look_until(0, 0));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  (void)stylet_loop_take(made);
+  (void)stylet_loop_get_hand(made, 0, &hand);
+  EXPECT_EQ(hand.sent_force_n.z, 0);
 }
 
 TEST(CLoop, WhatItRefusesStaysTheCallers) {

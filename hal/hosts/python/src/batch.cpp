@@ -15,6 +15,7 @@ class Batch {
       : simulations_(simulations) {
     std::vector<stylet_simulation*> handles;
     for (Simulation* const each : simulations) {
+      if (each == nullptr) throw py::type_error("None: expected a stylet.Simulation");
       if (each->needles() != simulations[0]->needles()) {
         throw py::value_error("simulations of one batch have the same number of needles");
       }

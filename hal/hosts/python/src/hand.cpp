@@ -3,6 +3,9 @@
 // thread. The interpreter's lock is free while this module waits for it.
 #include <pybind11/stl.h>
 
+#include <chrono>
+#include <thread>
+
 #include "hal/hosts/python/src/simulation.h"
 #include "stylet/stylet_loop.h"
 
@@ -65,11 +68,12 @@ class Guard {
   }
 
   bool sample(const std::optional<std::array<float, 7>>& pose, std::int64_t now_ns,
-              std::uint64_t seq, std::uint32_t buttons) {
+              const std::optional<std::uint64_t>& seq, std::uint32_t buttons) {
+    seq_ = seq.value_or(seq_ + 1);
     if (!pose) return stylet_guard_sample(handle_.get(), nullptr, now_ns) != 0;
     const auto& p = *pose;
     const stylet_sample sample = {
-        sizeof sample, buttons, seq, now_ns, {{p[0], p[1], p[2]}, {p[3], p[4], p[5], p[6]}}};
+        sizeof sample, buttons, seq_, now_ns, {{p[0], p[1], p[2]}, {p[3], p[4], p[5], p[6]}}};
     return stylet_guard_sample(handle_.get(), &sample, now_ns) != 0;
   }
   Three force(const Three& force_n) {
@@ -102,6 +106,7 @@ class Guard {
 
  private:
   std::shared_ptr<stylet_guard> handle_;
+  std::uint64_t seq_ = 0;  // of the newest sample
 };
 
 // Closed when a loop that has it ends, or with this object.
@@ -153,7 +158,10 @@ class Loop {
           "expected one device, one hand and one guard, or none, for each needle");
     }
     std::vector<stylet_device*> own_devices;
-    for (const Device* each : devices) own_devices.push_back(each->get());
+    for (const Device* each : devices) {
+      if (each == nullptr) throw py::type_error("None: expected a stylet.Device");
+      own_devices.push_back(each->get());
+    }
     const auto own_hands = structs_of<stylet_hand>(hands);
     const auto own_guards = structs_of<stylet_guard_config>(guards);
     const auto own_config = struct_of<stylet_loop_config>(config);
@@ -171,24 +179,30 @@ class Loop {
 
   void start() { check(stylet_loop_start(get())); }
   void run() {
-    stylet_status status = STYLET_OK;
-    stylet_loop* const loop = get();
-    {
-      const py::gil_scoped_release others_run;
-      status = stylet_loop_run(loop);
-    }
-    check(status);
+    start();
+    wait();
   }
   void stop() { stylet_loop_ask_to_stop(get()); }
+  // In steps, so that Ctrl-C is seen: it ends the wait, not the loop.
   void wait() {
-    stylet_loop* const loop = get();
-    const py::gil_scoped_release others_run;
-    (void)stylet_loop_wait(loop);
+    while (runs()) {
+      {
+        const py::gil_scoped_release others_run;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    }
   }
   void pause(bool paused) { stylet_loop_pause(get(), paused ? 1 : 0); }
   void close() {
-    const py::gil_scoped_release others_run;
-    handle_.reset();
+    const auto going = std::move(handle_);  // freed with the lock: nobody looks at it meanwhile
+    if (going != nullptr) stylet_loop_ask_to_stop(going.get());
+  }
+  bool runs() {
+    stylet_loop_report r = {};
+    r.struct_bytes = sizeof r;
+    check(stylet_loop_get_report(get(), &r));
+    return r.runs != 0;
   }
 
   bool take() { return stylet_loop_take(get()) != 0; }
@@ -311,8 +325,8 @@ void add_hand(py::module_& module) {
   module.def("fault_name", stylet_fault_name);
   py::class_<Guard>(module, "Guard")
       .def(py::init<const py::array&>())
-      .def("sample", &Guard::sample, py::arg("pose"), py::arg("now_ns"), py::arg("seq") = 0,
-           py::arg("buttons") = 0)
+      .def("sample", &Guard::sample, py::arg("pose"), py::arg("now_ns"),
+           py::arg("seq") = py::none(), py::arg("buttons") = 0)
       .def("force", &Guard::force, py::arg("force_n"))
       .def("torque", &Guard::torque, py::arg("torque_nm"))
       .def("end", &Guard::end, py::arg("now_ns"))

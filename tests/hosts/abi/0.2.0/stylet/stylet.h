@@ -17,7 +17,8 @@
  * pointer is needed is refused; a refusal may always be null, and _free of null does nothing.
  *
  * Functions that copy arrays write at most `capacity` elements and return how many there are, so
- * a call with (NULL, 0) asks for the number.
+ * a call with (NULL, 0) asks for the number (of events they return how many they wrote). While a
+ * loop has a simulation, what copies its state out gives nothing; ask the loop.
  *
  * Handles hold what they need: a simulation keeps its organ, a loop its simulation. Memory that is
  * given need not be aligned and may be freed after the call, unless a function says otherwise.
@@ -92,7 +93,7 @@ enum {
   STYLET_CONTENT_DAMAGED = 404, /* the organ file's bytes are not those that were written */
   STYLET_ARGUMENT_OUT_OF_RANGE = 405,
   STYLET_DEVICE_FAILED = 406,
-  STYLET_LOOP_RUNS = 407 /* not while a loop runs in this simulation */
+  STYLET_LOOP_RUNS = 407 /* a loop has this simulation, or this loop was begun before */
 };
 STYLET_API const char* stylet_status_name(stylet_status status);
 
@@ -331,7 +332,8 @@ STYLET_API stylet_status stylet_simulation_run(stylet_simulation* simulation,
                                                const stylet_input* inputs,
                                                stylet_output* outputs_out, uint32_t ticks);
 
-/* The pose whose unbent needle has its tip here and points there. */
+/* The pose whose unbent needle has its tip here and points there: a direction of any length, -z for
+ * none. */
 STYLET_API stylet_pose stylet_pose_of_tip(stylet_vec3 tip_m, stylet_vec3 direction,
                                           float length_m);
 

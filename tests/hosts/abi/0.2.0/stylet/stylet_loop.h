@@ -91,7 +91,8 @@ STYLET_API stylet_status stylet_guard_create(const stylet_guard_config* config,
 STYLET_API void stylet_guard_free(stylet_guard* guard);
 
 /* Once a tick, in this order; none allocates, locks or makes a system call. All forces are in the
- * device's frame, on the hand. */
+ * device's frame, on the hand. Before the first sample that may be used the force is zero; without
+ * a call of stylet_guard_sample in between it stays what it was. */
 /* If the motors tell what force they have. */
 STYLET_API stylet_status stylet_guard_motor(stylet_guard* guard,
                                             const stylet_motor_report* report);
@@ -130,8 +131,8 @@ STYLET_API stylet_status stylet_guard_get_report(const stylet_guard* guard,
 
 typedef struct stylet_device stylet_device;
 
-/* By URI, as `stylet devices` lists them: "hd:", "forcedimension:", "haply:..." and so on. Waits up
- * to patience_s for it. A device that fails is opened again by a thread that is not the loop's. */
+/* By URI, as `stylet devices` lists them but for Haply's: "hd:", "dhd:", "udp:..." and so on. Waits
+ * up to patience_s for it. A device that fails is opened again by a thread that is not the loop's. */
 STYLET_API stylet_status stylet_device_open(const char* uri, double patience_s,
                                             stylet_device** device_out,
                                             stylet_refusal* refusal_out);
@@ -195,8 +196,9 @@ STYLET_API stylet_status stylet_loop_config_init(stylet_loop_config* config, siz
 typedef struct {
   uint32_t struct_bytes;
   int32_t clutch_button; /* while it is pressed the needle waits; -1: none */
-  /* Pose of the needle's base in the world when the device is at its origin. The device's axes are
-   * x right, y up, z toward the operator; the needle points along -z. */
+  /* Where the needle's base begins, in the world, wherever the device is; from there it follows the
+   * device. (A computed hand begins at its own origin.) The device's axes are x right, y up, z
+   * toward the operator; the needle points along -z. */
   stylet_pose start;
   float motion_scale, force_scale; /* needle's motion over device's, hand's force over needle's */
   float coupling_stiffness_n_per_m; /* spring between device and needle; 0: what the device bears */
@@ -221,9 +223,11 @@ STYLET_API stylet_status stylet_loop_start(stylet_loop* loop);
 STYLET_API stylet_status stylet_loop_run(stylet_loop* loop);
 /* Asks the loop to end: forces fade in at most 20 ms. From any thread. */
 STYLET_API void stylet_loop_ask_to_stop(stylet_loop* loop);
-/* Waits until a loop that was started has ended. */
+/* Waits until the loop has ended. */
 STYLET_API stylet_status stylet_loop_wait(stylet_loop* loop);
-/* Stops it, waits, closes its devices; the simulation can be ticked and freed again. */
+/* Stops it, waits, also for threads in run and wait, closes its devices; the simulation can be
+ * ticked again. No other call for the loop may begin meanwhile. From a function of a device it only
+ * asks to stop. */
 STYLET_API void stylet_loop_free(stylet_loop* loop);
 /* 1: needles wait and forces fade; 0: it goes on. From any thread. */
 STYLET_API void stylet_loop_pause(stylet_loop* loop, int paused);
