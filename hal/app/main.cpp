@@ -77,7 +77,7 @@ void add_run(CLI::App& program, RunOptions& options) {
       "With --console the page starts each attempt, also of other scenes in the same folder;\n"
       "--record out.h5 writes them to out-1.h5, out-2.h5 ...");
   run.add_option("scene", options.scene, "Scene: a file (TOML), or a name of stylet scenes")
-      ->type_name("SCENE")
+      ->type_name("FILE")
       ->required();
   add_organ(run, options.organ, "the scene's");
   run.add_option("--record", options.record,
@@ -170,7 +170,7 @@ void add_score(CLI::App& program, ScoreOptions& options) {
       ->required();
   score
       .add_option("--scene", options.scene, "Scene whose targets count, instead of the recording's")
-      ->type_name("SCENE");
+      ->type_name("FILE");
   add_organ(score, options.organ, "the one that the recording names");
   add_json(score, options.json, "one JSON array");
 }
@@ -320,7 +320,10 @@ int dispatch(int argc, char** argv) {
   PlotOptions plot_options;
   DoctorOptions doctor_options;
   add_run(program, run_options);
-  program.add_subcommand("scenes", "List the scenes that come with Stylet, to run by their name");
+  bool scenes_json = false;
+  CLI::App& scenes = *program.add_subcommand(
+      "scenes", "List the scenes that come with Stylet, to run by their name");
+  add_json(scenes, scenes_json, "one JSON array");
   add_playback(program, playback_options);
   add_replay(program, replay_options);
   add_plot(program, plot_options);
@@ -344,7 +347,7 @@ int dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? kExitOk : kExitUsage;
   }
-  if (program.got_subcommand("scenes")) return list_scenes();
+  if (program.got_subcommand("scenes")) return list_scenes(scenes_json);
   if (program.got_subcommand("run")) {
     run_options.scene = scene_file(run_options.scene);
     run_options.igtl.on = program.get_subcommand("run")->count("--igtl") > 0;

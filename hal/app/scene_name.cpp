@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <vector>
 
@@ -90,11 +91,16 @@ bool comes_with_stylet(const std::string& scene_file) {
   return !folder.empty() && folder == scenes_folder();
 }
 
-int list_scenes() {
+int list_scenes(bool json) {
   const fs::path folder = scenes_folder();
+  nlohmann::json all = nlohmann::json::array();
   for (const std::string& name : scene_names()) {
-    fmt::print("{:<28}{}\n", name, first_sentence(text_of(folder / (name + kEnding))));
+    const std::string file = folder / (name + kEnding);
+    const std::string shows = first_sentence(text_of(file));
+    all.push_back({{"name", name}, {"file", file}, {"shows", shows}});
+    if (!json) fmt::print("{:<28}{}\n", name, shows);
   }
+  if (json) fmt::print("{}\n", all.dump());
   return kExitOk;
 }
 

@@ -16,6 +16,6 @@ std::string scene_file(const std::string& given);
 bool comes_with_stylet(const std::string& scene_file);
 
 // Prints names, each with the first sentence of its file. Returns the exit code.
-int list_scenes();
+int list_scenes(bool json);
 
 }  // namespace stylet::app
