@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hal/hosts/c/configuration.h"
 
+#include "hal/hosts/c/plain.h"
 #include "hal/hosts/c/refusal.h"
 #include "hal/hosts/c/sized.h"
 
 namespace stylet::c {
 namespace {
 
-Vec3 vec(stylet_vec3 v) {
-  return {v.x, v.y, v.z};
-}
-stylet_vec3 plain(Vec3 v) {
-  return {v.x, v.y, v.z};
-}
-
-stylet_config plain(const Config& c) {
+stylet_config to_struct(const Config& c) {
   return {sizeof(stylet_config),
           static_cast<std::uint32_t>(c.mode),
           c.period_s,
@@ -28,7 +22,7 @@ stylet_config plain(const Config& c) {
           c.breathing.period_s};
 }
 
-stylet_needle plain(const NeedleConfig& n) {
+stylet_needle to_struct(const NeedleConfig& n) {
   return {sizeof(stylet_needle), n.length_m,    n.outer_radius_m,    n.unit_m,
           n.bending_nm2,         n.rods,        n.bevel_per_m,       n.bent_length_m,
           n.bent_angle_rad,      n.torsion_nm2, n.tip_half_angle_rad};
@@ -44,12 +38,11 @@ ObstacleConfig default_obstacle() {
   return out;
 }
 
-stylet_obstacle plain(const ObstacleConfig& o) {
+stylet_obstacle to_struct(const ObstacleConfig& o) {
   stylet_obstacle out = {};
   out.struct_bytes = sizeof out;
   out.vertex_count = o.vertex_count;
-  out.pose.position_m = plain(o.pose.position_m);
-  out.pose.rotation = {o.pose.rotation.w, o.pose.rotation.x, o.pose.rotation.y, o.pose.rotation.z};
+  out.pose = plain(o.pose);
   for (std::uint32_t i = 0; i < kMaxHullVertices; ++i) out.vertices_m[i] = plain(o.vertices_m[i]);
   out.rounding_m = o.rounding_m;
   out.stiffness_n_per_m = o.stiffness_n_per_m;
@@ -60,8 +53,7 @@ stylet_obstacle plain(const ObstacleConfig& o) {
 
 ObstacleConfig obstacle(const stylet_obstacle& o) {
   ObstacleConfig out;
-  out.pose.position_m = vec(o.pose.position_m);
-  out.pose.rotation = {o.pose.rotation.w, o.pose.rotation.x, o.pose.rotation.y, o.pose.rotation.z};
+  out.pose = pose(o.pose);
   out.vertex_count = o.vertex_count;
   for (std::uint32_t i = 0; i < kMaxHullVertices; ++i) out.vertices_m[i] = vec(o.vertices_m[i]);
   out.rounding_m = o.rounding_m;
@@ -93,7 +85,7 @@ NeedleConfig needle(const stylet_needle& n) {
 stylet_status read_config(const stylet_config* config, const stylet_needle* needles,
                           std::uint32_t needle_count, Config& out, stylet_refusal* refusal_out) {
   out = {};
-  stylet_config own = plain(out);
+  stylet_config own = to_struct(out);
   if (config != nullptr && !take(config, own)) {
     return refuse(refusal_out, STYLET_STRUCT_SIZE_UNKNOWN);
   }
@@ -110,7 +102,7 @@ stylet_status read_config(const stylet_config* config, const stylet_needle* need
   }
   const std::uint32_t stride = stride_of(needles);
   for (std::uint32_t i = 0; i < needle_count; ++i) {
-    stylet_needle each = plain(NeedleConfig{});
+    stylet_needle each = to_struct(NeedleConfig{});
     if (!take(element(needles, stride, i), stride, each)) {
       return refuse(refusal_out, STYLET_STRUCT_SIZE_UNKNOWN);
     }
@@ -124,7 +116,7 @@ stylet_status read_obstacles(const stylet_obstacle* obstacles, std::span<Obstacl
   if (obstacles == nullptr && !out.empty()) return refuse(refusal_out, STYLET_ARGUMENT_MISSING);
   const std::uint32_t stride = out.empty() ? 0 : stride_of(obstacles);
   for (std::size_t i = 0; i < out.size(); ++i) {
-    stylet_obstacle each = plain(default_obstacle());
+    stylet_obstacle each = to_struct(default_obstacle());
     if (!take(element(obstacles, stride, i), stride, each)) {
       return refuse(refusal_out, STYLET_STRUCT_SIZE_UNKNOWN);
     }
@@ -138,15 +130,15 @@ stylet_status read_obstacles(const stylet_obstacle* obstacles, std::span<Obstacl
 using namespace stylet;
 
 stylet_status stylet_config_init(stylet_config* config, size_t struct_bytes) {
-  return c::init(c::plain(Config{}), config, struct_bytes);
+  return c::init(c::to_struct(Config{}), config, struct_bytes);
 }
 
 stylet_status stylet_needle_init(stylet_needle* needle, size_t struct_bytes) {
-  return c::init(c::plain(NeedleConfig{}), needle, struct_bytes);
+  return c::init(c::to_struct(NeedleConfig{}), needle, struct_bytes);
 }
 
 stylet_status stylet_obstacle_init(stylet_obstacle* obstacle, size_t struct_bytes) {
-  return c::init(c::plain(c::default_obstacle()), obstacle, struct_bytes);
+  return c::init(c::to_struct(c::default_obstacle()), obstacle, struct_bytes);
 }
 
 namespace {
@@ -155,11 +147,11 @@ namespace {
 template <typename Make>
 stylet_status reshape(stylet_obstacle* obstacle, const Make& make) {
   if (obstacle == nullptr) return STYLET_ARGUMENT_MISSING;
-  stylet_obstacle own = c::plain(c::default_obstacle());
+  stylet_obstacle own = c::to_struct(c::default_obstacle());
   if (!c::take(obstacle, own)) return STYLET_STRUCT_SIZE_UNKNOWN;
   ObstacleConfig config = c::obstacle(own);
   make(config);
-  (void)c::give(c::plain(config), obstacle);
+  (void)c::give(c::to_struct(config), obstacle);
   return STYLET_OK;
 }
 

@@ -4,6 +4,7 @@
 
 #include "hal/device/device.h"
 #include "hal/guard/guard.h"
+#include "hal/hosts/c/plain.h"
 #include "stylet/stylet_loop.h"
 
 struct stylet_guard {
@@ -30,15 +31,5 @@ struct CheckedGuard {
 stylet_guard_config plain(const hal::GuardConfig& config, float max_torque_nm);
 stylet_status read_guard(const stylet_guard_config* config, std::uint32_t bytes,
                          std::uint32_t index, CheckedGuard& out, stylet_refusal* refusal_out);
-
-inline Vec3 vec(stylet_vec3 v) {
-  return {v.x, v.y, v.z};
-}
-inline stylet_vec3 plain(Vec3 v) {
-  return {v.x, v.y, v.z};
-}
-inline Pose pose(const stylet_pose& p) {
-  return {vec(p.position_m), {p.rotation.w, p.rotation.x, p.rotation.y, p.rotation.z}};
-}
 
 }  // namespace stylet::c

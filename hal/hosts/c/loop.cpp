@@ -56,7 +56,7 @@ namespace {
 constexpr int kWarmUpTicks = 200;
 // Between two looks at 60 Hz with a loop of 1 kHz some ten are usual.
 constexpr std::size_t kKeptEvents = 4096;
-// Ten years of ticks: until it is stopped.
+// More ticks than anybody waits for: until it is stopped.
 constexpr std::uint64_t kEndless = 1ULL << 60U;
 
 stylet_loop_config default_config() {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "hal/hosts/c/handles.h"
+#include "hal/hosts/c/plain.h"
 #include "hal/hosts/c/refusal.h"
 #include "hal/hosts/c/sized.h"
 #include "stylet/content_sum.h"
@@ -90,10 +91,6 @@ std::unique_ptr<Place[]> places(const Organ& organ) {
     out[number] = {x, y % organ.sheet_rows, z};
   });
   return out;
-}
-
-stylet_vec3 plain(Vec3 v) {
-  return {v.x, v.y, v.z};
 }
 
 template <typename Visit>
@@ -270,8 +267,7 @@ int stylet_organ_raycast(const stylet_organ* organ, stylet_vec3 origin_m, stylet
                       (direction.x != 0 || direction.y != 0 || direction.z != 0);
   const bool hit = organ != nullptr && points && std::isfinite(origin_m.x) &&
                    std::isfinite(origin_m.y) && std::isfinite(origin_m.z) &&
-                   organ_raycast(organ->organ, {origin_m.x, origin_m.y, origin_m.z},
-                                 c::unit(direction), distance);
+                   organ_raycast(organ->organ, c::vec(origin_m), c::unit(direction), distance);
   if (distance_out_m != nullptr) *distance_out_m = hit ? distance : 0;
   return hit ? 1 : 0;
 }

@@ -36,6 +36,14 @@ stylet_status size_up(const stylet_organ* organ, const Config& config, Sizes& ne
   return fits ? stylet_status{STYLET_OK} : refuse(refusal_out, STYLET_ORGAN_TOO_LARGE);
 }
 
+// The same of a caller's configuration.
+stylet_status size_up(const stylet_organ* organ, const stylet_config* config,
+                      const stylet_needle* needles, std::uint32_t needle_count, Config& own,
+                      Sizes& need, stylet_refusal* refusal_out) {
+  const stylet_status status = read_config(config, needles, needle_count, own, refusal_out);
+  return status == STYLET_OK ? size_up(organ, own, need, refusal_out) : status;
+}
+
 // `memory` has block_bytes(need); whose it is, own_memory says.
 stylet_simulation* build(const stylet_organ* organ, const Config& config, const Sizes& need,
                          void* memory) {
@@ -99,9 +107,9 @@ stylet_status stylet_simulation_bytes(const stylet_organ* organ, const stylet_co
     return c::refuse(refusal_out, STYLET_ARGUMENT_MISSING);
   }
   Config own;
-  stylet_status status = c::read_config(config, needles, needle_count, own, refusal_out);
   Sizes need = {};
-  if (status == STYLET_OK) status = c::size_up(organ, own, need, refusal_out);
+  const stylet_status status =
+      c::size_up(organ, config, needles, needle_count, own, need, refusal_out);
   if (status != STYLET_OK) return status;
   *bytes_out = c::block_bytes(need);
   return c::refuse(refusal_out, STYLET_OK);
@@ -117,9 +125,9 @@ stylet_status stylet_simulation_create_in(const stylet_organ* organ, const style
     return c::refuse(refusal_out, STYLET_ARGUMENT_MISSING);
   }
   Config own;
-  stylet_status status = c::read_config(config, needles, needle_count, own, refusal_out);
   Sizes need = {};
-  if (status == STYLET_OK) status = c::size_up(organ, own, need, refusal_out);
+  const stylet_status status =
+      c::size_up(organ, config, needles, needle_count, own, need, refusal_out);
   if (status != STYLET_OK) return status;
   if (bytes < c::block_bytes(need)) return c::refuse(refusal_out, STYLET_MEMORY_TOO_SMALL);
   *simulation_out = c::build(organ, own, need, memory);

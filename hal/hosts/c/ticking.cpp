@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hal/hosts/c/ticking.h"
 
+#include "hal/hosts/c/plain.h"
 #include "hal/hosts/c/sized.h"
 
 namespace stylet::c {
@@ -41,25 +42,21 @@ stylet_status refuse_outputs(stylet_status status, stylet_output* outputs, std::
 }
 
 Input to_input(const stylet_input& in) {
-  return {
-      {{in.handle.position_m.x, in.handle.position_m.y, in.handle.position_m.z},
-       {in.handle.rotation.w, in.handle.rotation.x, in.handle.rotation.y, in.handle.rotation.z}},
-      in.valid};
+  return {pose(in.handle), in.valid};
 }
 
 stylet_output to_output(const Output& out) {
-  const auto vec = [](Vec3 v) { return stylet_vec3{v.x, v.y, v.z}; };
   return {sizeof(stylet_output),
           out.flags,
           out.tick,
-          vec(out.force_n),
-          vec(out.torque_nm),
-          vec(out.cause.stiffness_n),
-          vec(out.cause.cutting_n),
-          vec(out.cause.friction_n),
-          vec(out.cause.clamping_n),
-          vec(out.cause.obstacle_n),
-          vec(out.tip_m),
+          plain(out.force_n),
+          plain(out.torque_nm),
+          plain(out.cause.stiffness_n),
+          plain(out.cause.cutting_n),
+          plain(out.cause.friction_n),
+          plain(out.cause.clamping_n),
+          plain(out.cause.obstacle_n),
+          plain(out.tip_m),
           out.depth_m,
           static_cast<std::uint32_t>(out.phase),
           out.layer,

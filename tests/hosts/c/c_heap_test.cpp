@@ -23,6 +23,11 @@ TEST(CSimulation, TicksDoNotAllocate) {
   out[0].struct_bytes = sizeof out[0];
   std::vector<stylet_vec3> places(opened->organ.vertices.size());
   arm_allocation_trap();
+  stylet_simulation* copy = nullptr;
+  (void)stylet_simulation_clone(simulation.get(), &copy);
+  EXPECT_GT(disarm_allocation_trap(), 0U);  // it sees what the library asks for
+  stylet_simulation_free(copy);
+  arm_allocation_trap();
   for (const auto& each : inputs) {
     (void)stylet_simulation_tick(simulation.get(), each.data(), needles, out.data(), needles);
     (void)stylet_simulation_surface(simulation.get(), places.data(),

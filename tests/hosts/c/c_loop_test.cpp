@@ -182,15 +182,20 @@ void start_own(OwnHand& own) {
   own.device = simulated_hand_device(own.hand, limits_of_own());
 }
 
-stylet_device* own_device(OwnHand& own) {
+stylet_device_functions functions_of_own() {
   stylet_device_functions functions = {};
   functions.struct_bytes = sizeof functions;
-  functions.self = &own;
   functions.read = read_own;
   functions.write = write_own;
   functions.max_force_n = limits_of_own().max_force_n;
   functions.max_slew_n_per_s = limits_of_own().max_slew_n_per_s;
   functions.max_stiffness_n_per_m = limits_of_own().max_stiffness_n_per_m;
+  return functions;
+}
+
+stylet_device* own_device(OwnHand& own) {
+  stylet_device_functions functions = functions_of_own();
+  functions.self = &own;
   stylet_device* made = nullptr;
   EXPECT_EQ(stylet_device_from_functions(&functions, &made, nullptr), STYLET_OK);
   return made;
@@ -218,6 +223,23 @@ struct Bench {
     EXPECT_EQ(stylet_loop_config_init(&loop_config, sizeof loop_config), STYLET_OK);
     loop_config.virtual_time = 1;
     loop_config.ticks = 1300;
+  }
+
+  // Runs on the machine's clock until it is stopped.
+  void in_real_time() {
+    loop_config.virtual_time = 0;
+    loop_config.priority = 0;
+    loop_config.ticks = 0;
+    loop_config.show_every_ticks = 1;
+  }
+  LoopHandle loop(stylet_device* device) {
+    stylet_loop* made = nullptr;
+    stylet_refusal why = no_refusal();
+    EXPECT_EQ(
+        stylet_loop_create(simulation.get(), &loop_config, &device, &hand, nullptr, &made, &why),
+        STYLET_OK)
+        << why.text;
+    return LoopHandle(made);
   }
 };
 
@@ -258,13 +280,8 @@ TEST(CLoop, SendsWhatHalsLoopSends) {
   OwnHand own;
   start_own(own);
   stylet_device* device = own_device(own);
-  stylet_loop* made = nullptr;
-  stylet_refusal why = no_refusal();
-  ASSERT_EQ(stylet_loop_create(bench.simulation.get(), &bench.loop_config, &device, &bench.hand,
-                               nullptr, &made, &why),
-            STYLET_OK)
-      << why.text;
-  LoopHandle loop(made);
+  LoopHandle loop = bench.loop(device);
+  stylet_loop* const made = loop.get();
   ASSERT_EQ(stylet_loop_run(made), STYLET_OK);
   EXPECT_EQ(stylet_loop_run(made), STYLET_LOOP_RUNS);  // once
   std::uint64_t expected_hash = 0;
@@ -314,16 +331,11 @@ TEST(CLoop, SendsWhatHalsLoopSends) {
 
 TEST(CLoop, RunsInItsOwnThreadUntilItIsStopped) {
   Bench bench;
-  bench.loop_config.virtual_time = 0;
-  bench.loop_config.priority = 0;
-  bench.loop_config.ticks = 0;
+  bench.in_real_time();
   stylet_device* device = nullptr;
   ASSERT_EQ(stylet_device_simulated(0.01F, 0.05F, 10, &device), STYLET_OK);
-  stylet_loop* made = nullptr;
-  ASSERT_EQ(stylet_loop_create(bench.simulation.get(), &bench.loop_config, &device, &bench.hand,
-                               nullptr, &made, nullptr),
-            STYLET_OK);
-  const LoopHandle loop(made);
+  const LoopHandle loop = bench.loop(device);
+  stylet_loop* const made = loop.get();
   ASSERT_EQ(stylet_loop_start(made), STYLET_OK);
   stylet_output out = {};
   out.struct_bytes = sizeof out;
@@ -369,15 +381,9 @@ TEST(CLoop, TellsAFaultAndTakesItsAcknowledgement) {
   stylet_device* device = nullptr;
   ASSERT_EQ(stylet_device_from_functions(&functions, &device, nullptr), STYLET_OK);
   Bench bench;
-  bench.loop_config.virtual_time = 0;
-  bench.loop_config.priority = 0;
-  bench.loop_config.ticks = 0;
-  bench.loop_config.show_every_ticks = 1;
-  stylet_loop* made = nullptr;
-  ASSERT_EQ(stylet_loop_create(bench.simulation.get(), &bench.loop_config, &device, &bench.hand,
-                               nullptr, &made, nullptr),
-            STYLET_OK);
-  LoopHandle loop(made);
+  bench.in_real_time();
+  LoopHandle loop = bench.loop(device);
+  stylet_loop* const made = loop.get();
   ASSERT_EQ(stylet_loop_start(made), STYLET_OK);
   stylet_hand_report hand = {};
   hand.struct_bytes = sizeof hand;
@@ -468,11 +474,8 @@ TEST(CLoop, ADeviceThatHasNotAnsweredFeelsNothing) {
     Bench bench;
     bench.hand.start.position_m.z += 0.02F;  // in the air
     bench.loop_config.ticks = 400;
-    stylet_loop* made = nullptr;
-    ASSERT_EQ(stylet_loop_create(bench.simulation.get(), &bench.loop_config, &device, &bench.hand,
-                                 nullptr, &made, nullptr),
-              STYLET_OK);
-    const LoopHandle loop(made);
+    const LoopHandle loop = bench.loop(device);
+    stylet_loop* const made = loop.get();
     ASSERT_EQ(stylet_loop_run(made), STYLET_OK);
     EXPECT_EQ(self.most_n, 0) << answers_from;
   }
@@ -502,15 +505,10 @@ TEST(CGuard, LetsNothingThroughBeforeASampleNorTwiceForOne) {
 TEST(CLoop, MayBeFreedWhileItRuns) {
   for (const bool own_thread : {true, false}) {
     Bench bench;
-    bench.loop_config.virtual_time = 0;
-    bench.loop_config.priority = 0;
-    bench.loop_config.ticks = 0;
+    bench.in_real_time();
     stylet_device* device = nullptr;
     ASSERT_EQ(stylet_device_simulated(0.01F, 0.05F, 10, &device), STYLET_OK);
-    stylet_loop* made = nullptr;
-    ASSERT_EQ(stylet_loop_create(bench.simulation.get(), &bench.loop_config, &device, &bench.hand,
-                                 nullptr, &made, nullptr),
-              STYLET_OK);
+    stylet_loop* const made = bench.loop(device).release();
     if (own_thread) {
       ASSERT_EQ(stylet_loop_start(made), STYLET_OK);
     }
@@ -524,40 +522,39 @@ TEST(CLoop, MayBeFreedWhileItRuns) {
   }
 }
 
+// Paused by the device itself once it feels something, so in virtual time: a millisecond a write.
 TEST(CLoop, PausedItsForceFades) {
-  Bench bench;
-  OwnHand own;
-  start_own(own);
-  stylet_device* device = own_device(own);
-  bench.loop_config.virtual_time = 0;
-  bench.loop_config.priority = 0;
-  bench.loop_config.ticks = 0;
-  bench.loop_config.show_every_ticks = 1;
-  stylet_loop* made = nullptr;
-  ASSERT_EQ(stylet_loop_create(bench.simulation.get(), &bench.loop_config, &device, &bench.hand,
-                               nullptr, &made, nullptr),
-            STYLET_OK);
-  const LoopHandle loop(made);
-  ASSERT_EQ(stylet_loop_start(made), STYLET_OK);
-  stylet_hand_report hand = {};
-  hand.struct_bytes = sizeof hand;
-  const auto look_until = [&](float most_n, float least_n) {
-    for (int i = 0; i < 3000; ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      if (stylet_loop_take(made) != 0) (void)stylet_loop_get_hand(made, 0, &hand);
-      const float f = std::fabs(hand.sent_force_n.z);
-      if (f <= most_n && f >= least_n) return true;
-    }
-    return false;
+  struct Pausing {
+    OwnHand hand;
+    stylet_loop* loop = nullptr;
+    std::vector<float> after_n;  // of the pause
+    bool paused = false;
+  } self;
+  start_own(self.hand);
+  stylet_device_functions functions = functions_of_own();
+  functions.self = &self;
+  functions.read = [](void* of, std::int64_t now_ns, stylet_sample* out) {
+    return read_own(&static_cast<Pausing*>(of)->hand, now_ns, out);
   };
-  ASSERT_TRUE(look_until(10, 0.1F));  // in the tissue
-  stylet_loop_pause(made, 1);
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // it fades in 20 ms
-  EXPECT_TRUE(look_until(0, 0));
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  (void)stylet_loop_take(made);
-  (void)stylet_loop_get_hand(made, 0, &hand);
-  EXPECT_EQ(hand.sent_force_n.z, 0);
+  functions.write = [](void* of, const stylet_command* command) {
+    auto& own = *static_cast<Pausing*>(of);
+    write_own(&own.hand, command);
+    if (own.paused) own.after_n.push_back(command->force_n.z);
+    if (command->force_n.z > 0.1F && !own.paused) {
+      own.paused = true;
+      stylet_loop_pause(own.loop, 1);
+    }
+    if (own.after_n.size() == 200) stylet_loop_ask_to_stop(own.loop);
+  };
+  stylet_device* device = nullptr;
+  ASSERT_EQ(stylet_device_from_functions(&functions, &device, nullptr), STYLET_OK);
+  Bench bench;
+  const LoopHandle loop = bench.loop(device);
+  self.loop = loop.get();
+  ASSERT_EQ(stylet_loop_run(loop.get()), STYLET_OK);
+  ASSERT_GE(self.after_n.size(), 200U);
+  EXPECT_GT(self.after_n[0], 0);
+  for (std::size_t i = 21; i < self.after_n.size(); ++i) EXPECT_EQ(self.after_n[i], 0) << i;
 }
 
 TEST(CLoop, WhatItRefusesStaysTheCallers) {

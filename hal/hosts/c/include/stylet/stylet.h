@@ -107,7 +107,6 @@ STYLET_API const char* stylet_status_name(stylet_status status);
 #define STYLET_MAX_EVENTS 64
 #define STYLET_MAX_SUBSTEPS 32
 #define STYLET_MAX_HELPERS 15
-#define STYLET_MAX_SNAPSHOT_NAME 64
 #define STYLET_NO_LAYER 0xFFFFFFFFU
 
 /* What was refused, and why. */
