@@ -78,7 +78,6 @@ std::size_t Recorder::drain() {
   }
   const std::span<const Event> fresh = fresh_;
   if (flight_ != nullptr) flight_->add(block_, fresh);
-  if (tap_ && (!block_.empty() || !fresh.empty())) tap_(block_, fresh);
   if (writer_ != nullptr && error_.empty()) {
     try {
       writer_->append(block_);
@@ -87,6 +86,7 @@ std::size_t Recorder::drain() {
       error_ = failure.what();
     }
   }
+  if (tap_ && (!block_.empty() || !fresh.empty())) tap_(block_, fresh);
   ticks_.fetch_add(taken, std::memory_order_relaxed);
   return block_.size() + fresh.size();
 }

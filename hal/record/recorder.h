@@ -41,7 +41,7 @@ bool keep_newest(std::vector<T>& kept, const T& item, std::size_t most) {
 class Recorder {
  public:
   // Receives everything, for whoever else wants to know, on the recorder's thread and in order: the
-  // records, then the events among them. Must return at once.
+  // records, then the events among them, after the writer has them. Must return at once.
   using Tap = std::function<void(std::span<const TickRecord>, std::span<const Event>)>;
   // `writer`, `flight` and `scorer` may be null, `tap` empty. They and the rings must outlive the
   // recorder.

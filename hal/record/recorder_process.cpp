@@ -289,16 +289,19 @@ void recorder_beside(SideSeat& seat) {
   Ring<Event> events(seat.shared.subspan(kEventsAt, kEventsBytes));
   RecordingWriter* writer = desk.writer.get();
   Kept& kept = kept_in(seat.shared);
-  const Recorder::Tap note = [&kept, writer](std::span<const TickRecord>, std::span<const Event>) {
-    if (writer != nullptr) kept.ticks.store(writer->ticks_kept(), std::memory_order_relaxed);
+  const auto keep = [&kept](std::uint64_t ticks) {
+    kept.ticks.store(ticks, std::memory_order_relaxed);
+  };
+  const Recorder::Tap note = [&](std::span<const TickRecord>, std::span<const Event>) {
+    if (writer != nullptr) keep(writer->ticks_kept());
   };
   // Whatever happens, what has been recorded stays.
   try {
     Recorder recorder(records, events, writer, desk.courses, &desk.flight, &desk.scorer, note);
     seat.ready();
-    if (!serve(seat, desk, recorder) && writer != nullptr) writer->leave();
+    if (!serve(seat, desk, recorder) && writer != nullptr) keep(writer->leave());
   } catch (...) {
-    if (writer != nullptr) writer->leave();
+    if (writer != nullptr) keep(writer->leave());
     throw;
   }
 }

@@ -67,8 +67,9 @@ class RecordingWriter {
   void append(std::span<const Event> events);
   void finish(std::uint64_t final_state_hash, std::uint64_t lost_records,
               std::span<const Mark> marks = {});
-  // Instead of finish(): writes all to the disk and leaves it as the temporary file.
-  void leave();
+  // Instead of finish(): writes all to the disk and leaves it as the temporary file. How many ticks
+  // that holds.
+  std::uint64_t leave();
   // Ticks whose first needle's record is on the disk.
   std::uint64_t ticks_kept() const;
 

@@ -153,14 +153,16 @@ void RecordingWriter::append(std::span<const Event> events) {
   file_->waiting_events.insert(file_->waiting_events.end(), events.begin(), events.end());
 }
 
-void RecordingWriter::leave() {
+std::uint64_t RecordingWriter::leave() {
   if (!file_->temporary.empty()) file_->put_down_all();
   file_->temporary.clear();
+  const std::uint64_t kept = ticks_kept();
   file_.reset();
+  return kept;
 }
 
 std::uint64_t RecordingWriter::ticks_kept() const {
-  return file_ == nullptr ? 0 : file_->ticks[0].rows();
+  return file_ == nullptr ? 0 : file_->flushed[0];
 }
 
 void RecordingWriter::finish(std::uint64_t final_state_hash, std::uint64_t lost_records,

@@ -223,16 +223,21 @@ class Recorder(Disturbed):
         return run, recording
 
     def what_is_left(self, recording, report, error):
-        """It ends where the user was told, and is a recording."""
+        """It holds the ticks that the user was told of, and is a recording.
+
+        It may hold one block of half a second more: its end may fall between the moment when a
+        block is on the disk and the moment when that is known.
+        """
         self.assertFalse(recording.exists())
         left, = self.top.glob(f"{recording.name}.*.tmp")
         told = re.search(r"ends at tick (\d+) and stays as (\S+)", error)
         self.assertEqual(pathlib.Path(told[2]), left)
         with h5py.File(left, "r", swmr=True) as file:
             rows = len(file["output/tick"])
-        self.assertEqual(rows, int(told[1]))
+        kept = int(told[1])
+        self.assertIn(rows, (kept, kept + 500))
         self.assertEqual(report["counters"]["lost_processes"], 1)
-        self.assertEqual(report["counters"]["lost_records"], report["timing"]["ticks"] - rows)
+        self.assertEqual(report["counters"]["lost_records"], report["timing"]["ticks"] - kept)
         return left
 
     def test_killed(self):

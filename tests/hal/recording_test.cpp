@@ -369,6 +369,27 @@ TEST_F(RecordingTest, ARecordingIsReadWhileItGrows) {
   EXPECT_EQ(RecordingReader(path()).ticks(), 3000U);
 }
 
+// Whoever asks for ticks_kept() as blocks pass is told what a reader finds in the file then: what a
+// user hears of a recorder that was killed.
+TEST_F(RecordingTest, WhatIsKeptIsKnownWhenABlockHasPassed) {
+  const auto records = any_records(3700);
+  Ring<TickRecord> ring(4096);
+  Ring<Event> events(16);
+  for (const TickRecord& each : records) ASSERT_TRUE(ring.push(each));
+  RecordingWriter writer(path(), some_info());
+  const std::string growing = fs::directory_iterator(folder_)->path().string();
+  std::uint64_t most = 0;
+  const std::array<Course, 1> courses = {};
+  Recorder recorder(ring, events, &writer, courses, nullptr, nullptr,
+                    [&](std::span<const TickRecord>, std::span<const Event>) {
+                      EXPECT_EQ(writer.ticks_kept(), RecordingReader(growing).ticks());
+                      most = std::max(most, writer.ticks_kept());
+                    });
+  recorder.stop();
+  EXPECT_EQ(recorder.error(), "");
+  EXPECT_EQ(most, 3000U);  // blocks of half a second: 1000 ticks
+}
+
 TEST_F(RecordingTest, WhatIsLeftHasAllButItsEnd) {
   RecordingInfo info = some_info();
   info.config.needle_count = 2;
@@ -377,7 +398,7 @@ TEST_F(RecordingTest, WhatIsLeftHasAllButItsEnd) {
   RecordingWriter writer(path(), info);
   writer.append(std::span(records));
   const std::string left = fs::directory_iterator(folder_)->path().string();
-  writer.leave();
+  EXPECT_EQ(writer.leave(), records.size() / 2);
   EXPECT_FALSE(fs::exists(path()));
   const RecordingReader reader(left);
   EXPECT_TRUE(reader.info().unfinished);
