@@ -118,6 +118,8 @@ TEST(Edges, EveryBoundOfAnObstacle) {
       {"negative rounding", [](O& o) { o.rounding_m = -1e-3F; }, false},
       {"huge rounding", [](O& o) { o.rounding_m = 1e4F; }, false},
       {"no stiffness", [](O& o) { o.stiffness_n_per_m = 0; }, false},
+      {"as stiff as a load may be", [](O& o) { o.stiffness_n_per_m = 1e6F; }, true},
+      {"stiffer than a load may be", [](O& o) { o.stiffness_n_per_m = 1.000001e6F; }, false},
       {"no force", [](O& o) { o.largest_force_n = 0; }, false},
       {"negative friction", [](O& o) { o.friction = -0.1F; }, false},
   };

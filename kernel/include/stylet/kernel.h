@@ -86,7 +86,7 @@ struct ObstacleConfig {
   std::uint32_t vertex_count = 0;
   Vec3 vertices_m[kMaxHullVertices] = {};
   float rounding_m = 0;
-  float stiffness_n_per_m = 0;  // of a contact, normal and (sticking) tangential
+  float stiffness_n_per_m = 0;  // of a contact both ways; at most kMaxRodStiffnessNPerM
   float largest_force_n = 0;    // limit of the normal force as the needle is pressed in
   float friction = 0;           // Coulomb coefficient
 };

@@ -94,7 +94,7 @@ constexpr std::uint32_t kRodFaceLooks = 2;
 // along gained energy until its numbers overflowed.
 constexpr float kMaxEdgesPerSubstep = 1.0F;
 // Size of one load on the needle. Beyond: forces and places are clamped by component, a stiffness
-// is scaled down by its trace.
+// is scaled down by its trace; an obstacle stiffer than this is refused.
 constexpr double kMaxRodForceN = 1e3;
 constexpr double kMaxRodStiffnessNPerM = 1e6;
 constexpr double kMaxRodPlaceM = 10;

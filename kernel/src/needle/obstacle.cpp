@@ -144,7 +144,8 @@ Status check_obstacle(const ObstacleConfig& c, std::uint32_t index, ConfigRefusa
   first.check("obstacle.pose.rotation", wide(length2), 1 - wide(kRotationTolerance),
               1 + wide(kRotationTolerance));
   first.check("obstacle.rounding_m", wide(c.rounding_m), 0, wide(kLargestConfigM));
-  first.check("obstacle.stiffness_n_per_m", wide(c.stiffness_n_per_m), kLeast, kMost);
+  first.check("obstacle.stiffness_n_per_m", wide(c.stiffness_n_per_m), kLeast,
+              kMaxRodStiffnessNPerM);
   first.check("obstacle.largest_force_n", wide(c.largest_force_n), kLeast, kMost);
   first.check("obstacle.friction", wide(c.friction), 0, kMost);
   return first.status(refusal_out);
