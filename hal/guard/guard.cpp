@@ -231,7 +231,7 @@ void follow_button(const GuardConfig& config, GuardState& state) {
   const bool held = !needed || state.button != 0;
   const bool released = !needed || (state.button_seen != 0 && state.button == 0);
   if (state.mode == GuardMode::kLetGo && released) state.mode = GuardMode::kUnarmed;
-  if (state.mode == GuardMode::kUnarmed && held) {
+  if (state.mode == GuardMode::kUnarmed && held && state.have_pose != 0) {
     state.mode = GuardMode::kRamp;
     state.ramp_ns = 0;
     state.buzz = {};
@@ -266,7 +266,7 @@ void guard_resume(const GuardConfig& config, GuardState& state, std::int64_t idl
   state.heat_n2 /= 1 + idle_s / of(config.thermal_s);  // slower than real: never thought too cool
   lose_sight(config, state.energy);
   state.have_seq = state.have_pose = 0;
-  state.now_ns = state.step_ns = 0;
+  state.now_ns = state.step_ns = state.jumped_ns = 0;
   state.button_seen = state.may_acknowledge = 0;
   state.force_n = {};
   state.have_motor = 0;
@@ -344,6 +344,7 @@ bool guard_sample(const GuardConfig& config, GuardState& state, bool answered, c
     state.have_pose = 1;
     state.pose_m = sample.pose.position_m;
     state.blind_ns = 0;
+    state.jumped_ns = std::max<std::int64_t>(state.jumped_ns - state.step_ns / 2, 0);
     ++state.counters.samples_used;
     clear_before_any_force(state);
     trip_on_motion(config, state);
@@ -351,6 +352,10 @@ bool guard_sample(const GuardConfig& config, GuardState& state, bool answered, c
     return true;
   }
   if (!answered) ++state.counters.samples_missing;
+  // Of samples that jump to and fro each second one may be usable, so that nothing is blind for
+  // long; yet nobody knows where the hand is.
+  if (wrong == Fault::kTooFast) state.jumped_ns += state.step_ns;
+  if (state.jumped_ns > kMostJumpedNs) guard_trip(state, wrong);
   state.blind_ns = std::min(state.blind_ns + state.step_ns, kBlindForEverNs);
   if (is_over(config, state.blind_ns, config.watchdog_s)) {
     guard_trip(state, wrong);
@@ -366,6 +371,7 @@ Vec3 guard_force(const GuardConfig& config, GuardState& state, Vec3 force_n) {
     force_n = {};
     state.mode = GuardMode::kFault;  // also out of a fade
   }
+  if (state.have_pose == 0) force_n = {};  // nor does the observer hold it against the hand
   follow_button(config, state);
   force_of_mode(config, state, force_n);
   // While the force is less than full the observer uses what the kernel asks for: a spring that is
@@ -392,6 +398,7 @@ Vec3 guard_torque(const GuardConfig& config, float max_torque_nm, GuardState& fo
   if (force_state.fault == Fault::kNone) (void)guard_rearm(torque_state, torque_state.fault);
   torque_state.button_seen = force_state.button_seen;
   torque_state.button = force_state.button;
+  torque_state.have_pose = force_state.have_pose;
   torque_state.step_ns = force_state.step_ns;
   const Vec3 result = guard_force(limits, torque_state, torque_nm);
   force_state.forced |= torque_state.forced;

@@ -3,7 +3,8 @@
 //
 // It trusts neither side and shares no code with them. Every force it lets through is finite, at
 // most max_force_n long (shortened, never turned), at most max_slew_n_per_s away from the one
-// before, and in the long run no more than the motors bear. Forces fade in after arming. Trouble
+// before, and in the long run no more than the motors bear. Nothing is felt before a device has
+// told where it is: the needle may wait far from the hand. Forces fade in after arming. Trouble
 // latches a fault: the force goes to zero within kDecayS, or at once if it is not a number, and
 // stays there until guard_rearm names the fault. Only a timing fault of loop or device clears by
 // itself, and only if no force was let through before it. If the hand lets go of the dead man's
@@ -37,6 +38,7 @@ constexpr float kBuzzHz = 20;             // slower swings are movements of the 
 constexpr std::uint32_t kBuzzTurns = 12;  // to and fro, each within half a period of kBuzzHz
 constexpr float kWarmShare = 0.8F;        // of the thermal budget: force is reduced from here on
 constexpr double kLostEnergyJ = 0.05;     // energy made in spite of the passivity controller
+constexpr std::int64_t kMostJumpedNs = 20'000'000;  // of jumps, less half of the time without
 
 // ---- what is latched, and why
 // --------------------------------------------------------------------
@@ -49,7 +51,7 @@ enum class Fault : std::uint32_t {
   kDeviceSilent = 3,    // the device does not answer
   kTooLate = 4,         // the loop missed too many ticks
   kKernelFault = 5,     // the kernel latched a fault of its own
-  kTooFast = 6,         // the device moved faster than a hand can, or jumped and stayed there
+  kTooFast = 6,         // the device moved faster than a hand can, or its samples jump
   kBuzz = 7,            // the force swings to and fro faster than a hand can
   kEnergy = 8,          // the hand was given energy, and the passivity controller could not stop it
   kForceExpired = 9,    // the motors got no order in time and have stopped
@@ -128,13 +130,14 @@ struct BuzzDetector {
 
 struct GuardState {
   GuardMode mode;
-  Fault fault;            // latched
-  std::uint32_t arming;   // grows each time arming begins anew: older orders move nothing then
-  std::int64_t now_ns;    // of the newest tick; 0: none yet
-  std::int64_t step_ns;   // between it and the tick before, at least a period
-  std::int64_t blind_ns;  // without a usable sample
-  std::int64_t ramp_ns;   // since arming
-  std::int64_t fade_ns;   // since the fault, or since the button was released
+  Fault fault;             // latched
+  std::uint32_t arming;    // grows each time arming begins anew: older orders move nothing then
+  std::int64_t now_ns;     // of the newest tick; 0: none yet
+  std::int64_t step_ns;    // between it and the tick before, at least a period
+  std::int64_t blind_ns;   // without a usable sample
+  std::int64_t jumped_ns;  // of samples that jumped, less half of that of usable ones
+  std::int64_t ramp_ns;    // since arming
+  std::int64_t fade_ns;    // since the fault, or since the button was released
   std::uint32_t have_seq;
   std::uint64_t seq;                  // of the newest sample
   std::uint32_t button_seen, button;  // the dead man's, in the newest usable sample since arming
@@ -152,7 +155,7 @@ struct GuardState {
   GuardCounters counters;
 };
 
-// Starts at zero force; without a dead man's button it is armed in the first tick.
+// Starts at zero force; without a dead man's button it is armed with the first usable sample.
 GuardState guard_start();
 
 // Prepares the guard for another run with a device that stays open: what is latched stays latched,

@@ -65,15 +65,11 @@ Vec3 unit_between(Vec3 from, Vec3 to) {
 Vec3 send_force(const HandConfig& config, const Kernel& kernel, std::uint32_t needle,
                 const Device& device, HandState& state) {
   if ((state.output.flags & kFlagFault) != 0) guard_trip(state.guard, Fault::kKernelFault);
-  // A device that has not told where it is feels nothing: the needle waits at its start, which may
-  // be far from the hand.
-  Wrench acting = {};
-  if (state.guard.have_pose != 0) {
-    const Vec3 felt = coupled_force(config.coupling, state.coupling, state.handle.position_m,
-                                    state.output.force_n);
-    acting = {to_device(config.mapping, felt), to_device(config.mapping, state.output.torque_nm)};
-  }
-  const Wrench wanted = grip_wrench(config.grip, state.grip, acting);
+  const Vec3 felt =
+      coupled_force(config.coupling, state.coupling, state.handle.position_m, state.output.force_n);
+  const Wrench wanted = grip_wrench(
+      config.grip, state.grip,
+      {to_device(config.mapping, felt), to_device(config.mapping, state.output.torque_nm)});
   (void)guard_force(config.guard, state.guard, wanted.force_n);
   (void)guard_torque(config.guard, config.max_torque_nm, state.guard, state.torque_guard,
                      wanted.torque_nm);

@@ -279,6 +279,7 @@ void bench_cadence(benchmark::State& state, Subject& subject, const Config& conf
   hal::GuardConfig guard;
   guard.period_s = config.period_s;
   hal::GuardState guarded = hal::guard_start();
+  (void)hal::guard_sample(guard, guarded, true, {0, 0, {{}, {1, 0, 0, 0}}, 0}, 0);
   const double period_us = 1e6 * static_cast<double>(config.period_s);
   double next_us = now_us(Time::kPassing);
   std::uint64_t at = kPauseBegin;

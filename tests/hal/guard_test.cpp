@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+#include "guard_desk.h"
+
 namespace stylet::hal {
 namespace {
 
@@ -21,10 +23,6 @@ GuardConfig plain() {
   return {1e-3F, 8, 2000, 0, 3e-3F};
 }
 
-double size(Vec3 v) {
-  return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
-}
-
 Vec3 minus(Vec3 a, Vec3 b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
@@ -34,13 +32,13 @@ Sample sample(std::uint64_t seq, std::int64_t t_ns = 0) {
 }
 
 GuardState pushed_to(const GuardConfig& config, Vec3 force) {
-  GuardState state = guard_start();
+  GuardState state = met(config);
   for (int i = 0; i < 100; ++i) (void)guard_force(config, state, force);
   return state;
 }
 
 TEST(GuardForce, SmallForcesPassUnchanged) {
-  GuardState state = guard_start();
+  GuardState state = met(plain());
   const Vec3 out = guard_force(plain(), state, {0.5F, -0.25F, 1});
   EXPECT_EQ(out.x, 0.5F);
   EXPECT_EQ(out.y, -0.25F);
@@ -61,7 +59,7 @@ TEST(GuardForce, LargeForcesKeepTheirDirection) {
 
 TEST(GuardForce, JumpsAreSpreadOverTicks) {
   const GuardConfig config = plain();
-  GuardState state = guard_start();
+  GuardState state = met(config);
   for (int tick = 1; tick <= 4; ++tick) {
     EXPECT_NEAR(size(guard_force(config, state, {0, 0, 7})), std::min(2 * tick, 7), 1e-5);
   }
@@ -71,7 +69,7 @@ TEST(GuardForce, JumpsAreSpreadOverTicks) {
 TEST(GuardForce, RampRisesToOneAndNotBefore) {
   GuardConfig config = plain();
   config.ramp_s = 0.1F;
-  GuardState state = guard_start();
+  GuardState state = met(config);
   for (int tick = 1; tick <= 100; ++tick) {
     EXPECT_NEAR(size(guard_force(config, state, {1, 0, 0})), tick / 100.0, 1e-6);
   }
@@ -120,6 +118,27 @@ TEST(GuardForce, FadeEndsInTimeForEveryPeriod) {
     for (int i = 0; i < ticks; ++i) force = guard_force(config, state, {0.1F, 0, 0});
     EXPECT_EQ(size(force), 0) << period_s;
   }
+}
+
+// R15: the needle may wait far from the hand. The fade-in begins where the device has answered.
+TEST(GuardForce, NothingIsFeltBeforeADeviceHasToldWhereItIs) {
+  GuardConfig config = plain();
+  config.ramp_s = 0.1F;
+  config.passivity_damping_n_s_per_m = 5;
+  GuardState state = guard_start(), torque = guard_start();
+  std::int64_t now_ns = kMs;
+  const auto tick = [&](bool answered, std::uint64_t seq) {
+    (void)guard_sample(config, state, answered, sample(seq, now_ns), now_ns);
+    now_ns += kMs;
+    const double force_n = size(guard_force(config, state, {0, 7, 0}));
+    return force_n + size(guard_torque(config, 0.1F, state, torque, {0, 0, 0.09F}));
+  };
+  for (int i = 0; i < 500; ++i) ASSERT_EQ(tick(false, 0), 0) << i;
+  EXPECT_EQ(state.energy.energy_j, 0);
+  for (int i = 1; i <= 100; ++i) {
+    ASSERT_NEAR(tick(true, static_cast<std::uint64_t>(i)), 7.09 * i / 100, 1e-4) << i;
+  }
+  EXPECT_EQ(state.counters.rearms, 1U) << "of the silence, which nobody felt";
 }
 
 struct SampleCase {
@@ -185,6 +204,28 @@ TEST(GuardSample, OneGoodSampleQuietsTheWatchdog) {
   EXPECT_EQ(state.fault, Fault::kNone);
 }
 
+// Nobody knows where a hand is whose samples jump, though every second one is usable.
+TEST(GuardSample, JumpsToAndFroAreSoonAFault) {
+  std::mt19937 engine(11);
+  for (int round = 0; round < 200; ++round) {
+    GuardState state = guard_start();
+    const auto run = static_cast<int>(1 + engine() % 3);  // usable ones between two that jump
+    const float way_m = 0.02F + 1e-3F * static_cast<float>(engine() % 200);
+    int tick = 0;
+    for (; tick < 1000 && state.fault == Fault::kNone; ++tick) {
+      const bool away = tick % (run + 1) == run;
+      Sample s = sample(static_cast<std::uint64_t>(tick + 1), (tick + 1) * kMs);
+      s.pose.position_m.y = away ? way_m : 0;
+      (void)guard_sample(plain(), state, true, s, (tick + 1) * kMs);
+    }
+    // A jump counts as the time of two usable samples: with as many of these nothing adds up.
+    EXPECT_EQ(state.fault, run == 1 ? Fault::kTooFast : Fault::kNone) << run;
+    if (run == 1) {
+      EXPECT_NEAR(tick, 80, 4);
+    }
+  }
+}
+
 TEST(GuardRearm, OnlyByNameAndOnlyAtZero) {
   GuardConfig config = plain();
   config.ramp_s = 0.1F;
@@ -229,13 +270,13 @@ TEST(GuardForce, WhatIsAtItsLimitIsNotCounted) {
   GuardConfig exact = plain();
   exact.period_s = 0x1p-10F;
   exact.max_slew_n_per_s = 0x1p10F;  // 1 N in a tick
-  GuardState state = guard_start();
+  GuardState state = met(exact);
   EXPECT_EQ(guard_force(exact, state, {1, 0, 0}).x, 1.0F);
   EXPECT_EQ(state.counters.slew_limited, 0U);
 }
 
 TEST(GuardRearm, TheWatchdogStartsAfresh) {
-  GuardState state = guard_start();
+  GuardState state = met(plain());
   guard_trip(state, Fault::kDeviceSilent);
   ASSERT_TRUE(guard_rearm(state, Fault::kDeviceSilent));
   for (int tick = 1; tick <= 3; ++tick) {
@@ -246,7 +287,7 @@ TEST(GuardRearm, TheWatchdogStartsAfresh) {
 }
 
 TEST(GuardRearm, NotWhileTheDeviceIsSilent) {
-  GuardState state = guard_start();
+  GuardState state = met(plain());
   (void)guard_force(plain(), state, {1, 0, 0});  // with one that was felt
   for (int tick = 0; tick < 3; ++tick) (void)guard_sample(plain(), state, false, {}, 0);
   for (int tick = 0; tick < 25; ++tick) (void)guard_force(plain(), state, {});

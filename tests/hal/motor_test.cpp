@@ -12,6 +12,7 @@
 #include <memory>
 #include <string>
 
+#include "guard_desk.h"
 #include "hal/device/relay.h"
 #include "hal/guard/guard.h"
 #include "motor_draw.h"
@@ -22,9 +23,6 @@ namespace {
 constexpr double kZeroMs = 25;  // from any fault to no force, as hal/guard/GUARD.md promises
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-double size(Vec3 v) {
-  return size_of(v);
-}
 double apart(Vec3 a, Vec3 b) {
   return size({a.x - b.x, a.y - b.y, a.z - b.z});
 }
@@ -495,7 +493,7 @@ TEST(Motor, TorqueHasItsOwnLimitAndSlew) {
 TEST(Guard, LearnsThatTheMotorsHaveStoppedAndStaysThere) {
   GuardConfig config;
   config.ramp_s = 0;
-  GuardState state = guard_start();
+  GuardState state = met(config);
   for (int i = 0; i < 20; ++i) (void)guard_force(config, state, {2, 0, 0});
   guard_motor(state, {{2, 0, 0}, {}, state.arming + 1, true});
   EXPECT_EQ(state.fault, Fault::kNone) << "a report of another arming";
@@ -535,7 +533,7 @@ TEST(Guard, FadesFromTheSmallerOfWhatWasSentAndWhatIsHad) {
   for (const float had_n : {0.0F, 0.5F, 2.5F}) {
     GuardConfig config;
     config.ramp_s = 0;
-    GuardState state = guard_start();
+    GuardState state = met(config);
     for (int i = 0; i < 20; ++i) (void)guard_force(config, state, {1, 0, 0});
     guard_motor(state, {{had_n, 0, 0}, {}, state.arming, false});
     guard_trip(state, Fault::kTooLate);
@@ -550,7 +548,7 @@ TEST(Guard, HeatIsThatOfWhatTheMotorsHaveWhereItIsMore) {
   config.continuous_force_n = 4;
   config.max_force_n = 8;
   for (const float had_n : {0.0F, 2.0F}) {
-    GuardState state = guard_start();
+    GuardState state = met(config);
     for (int i = 0; i < 60'000; ++i) {
       guard_motor(state, {{0, had_n, 0}, {}, state.arming, false});
       (void)guard_force(config, state, {1, 0, 0});

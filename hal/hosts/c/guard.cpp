@@ -120,14 +120,6 @@ stylet_status read_guard(const stylet_guard_config* config, std::uint32_t bytes,
 
 using namespace stylet;
 
-namespace {
-
-bool finite(stylet_vec3 v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-}  // namespace
-
 const char* stylet_fault_name(uint32_t fault) {
   return hal::fault_name(static_cast<hal::Fault>(fault));
 }
@@ -193,14 +185,11 @@ stylet_vec3 stylet_guard_force(stylet_guard* guard, stylet_vec3 force_n) {
   if (guard == nullptr) return {0, 0, 0};
   // Without a new look at the device no time passes: the force stays what it was.
   if (!std::exchange(guard->sampled, false)) return c::plain(guard->force.force_n);
-  // A device that has not told where it is feels nothing; what is no number trips all the same.
-  if (guard->force.have_pose == 0 && finite(force_n)) force_n = {0, 0, 0};
   return c::plain(hal::guard_force(guard->config, guard->force, c::vec(force_n)));
 }
 
 stylet_vec3 stylet_guard_torque(stylet_guard* guard, stylet_vec3 torque_nm) {
   if (guard == nullptr) return {0, 0, 0};
-  if (guard->force.have_pose == 0 && finite(torque_nm)) torque_nm = {0, 0, 0};
   return c::plain(hal::guard_torque(guard->config, guard->max_torque_nm, guard->force,
                                     guard->torque, c::vec(torque_nm)));
 }

@@ -70,14 +70,10 @@ TEST(CGuard, DrawnSessionsAreThoseOfTheGuard) {
                                       {{p.x, p.y, p.z}, {1, 0, 0, 0}}};
       const bool used = guard_sample(config, force, answered, sample, now_ns);
       ASSERT_EQ(stylet_guard_sample(c.get(), answered ? &sample_c : nullptr, now_ns), used ? 1 : 0);
-      // Before the first sample that may be used, what is a number becomes zero.
-      const bool known = force.have_pose != 0;
-      const Vec3 sent =
-          guard_force(config, force, known || !std::isfinite(asked.z) ? asked : Vec3{});
+      const Vec3 sent = guard_force(config, force, asked);
       const stylet_vec3 sent_c = stylet_guard_force(c.get(), {asked.x, asked.y, asked.z});
       ASSERT_EQ(std::memcmp(&sent, &sent_c, sizeof sent), 0) << session << " " << i;
-      const Vec3 turned =
-          guard_torque(config, 0.1F, force, torque, known ? Vec3{0.01F, 0, asked.y} : Vec3{});
+      const Vec3 turned = guard_torque(config, 0.1F, force, torque, {0.01F, 0, asked.y});
       const stylet_vec3 turned_c = stylet_guard_torque(c.get(), {0.01F, 0, asked.y});
       ASSERT_EQ(std::memcmp(&turned, &turned_c, sizeof turned), 0) << session << " " << i;
       if (draw.chance(0.01)) {
