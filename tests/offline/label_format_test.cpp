@@ -889,5 +889,40 @@ TEST(LabelHeader, MoreVoxelsThanItSpeaksOfAreRefused) {
       scratch.write("b.mhd", meta + "HeaderSize = -1\nElementDataFile = v.raw\n"));
 }
 
+// The same where something is to be skipped first: lines, then bytes, in each file.
+TEST(LabelHeader, SurplusBehindWhatIsSkippedIsRefused) {
+  const Scratch scratch;
+  std::mt19937 engine(29);
+  const std::string nrrd =
+      "NRRD0004\ntype: uchar\ndimension: 3\nspacings: 1 1 1\nsizes: 3 2 2\nencoding: raw\n";
+  for (int round = 0; round < 60; ++round) {
+    const auto lines = engine() % 3, bytes = engine() % 20, surplus = engine() % 3;
+    std::string before;
+    for (unsigned i = 0; i < lines; ++i) before += std::string(engine() % 9, 'x') + "\n";
+    before += std::string(bytes, 'y');
+    const std::string skip =
+        "line skip: " + std::to_string(lines) + "\nbyte skip: " + std::to_string(bytes) + "\n";
+    scratch.write("v0.raw", before + std::string(6, '\1'));
+    scratch.write("v1.raw", before + std::string(6 + surplus, '\1'));
+    const std::string whole = before + std::string(12 + surplus, '\1');
+    scratch.write("v.raw", whole);
+    std::vector<std::string> files = {
+        scratch.write("a.nrrd", nrrd + skip + "\n" + whole),
+        scratch.write("b.nhdr", nrrd + skip + "data file: v.raw\n"),
+        scratch.write("c.nhdr", nrrd + skip + "data file: v%d.raw 0 1 1\n")};
+    if (lines == 0) {
+      files.push_back(scratch.write(
+          "d.mhd",
+          "ObjectType = Image\nNDims = 3\nDimSize = 3 2 2\nElementSpacing = 1 1 1\nElementType = MET_UCHAR\n"
+          "HeaderSize = " +
+              std::to_string(bytes) + "\nElementDataFile = v.raw\n"));
+    }
+    for (const std::string& file : files) {
+      const std::string told = std::to_string(12 + surplus) + " bytes of voxels are there";
+      EXPECT_THAT(refusal_of(file), surplus == 0 ? testing::StrEq("") : HasSubstr(told)) << file;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace stylet::test

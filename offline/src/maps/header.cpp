@@ -37,8 +37,19 @@ void require_held(const std::string& path, const Claim& claim, std::uint64_t hel
       path, sizes_of(claim), claim.bytes_each, held_bytes);
 }
 
+std::uint64_t skipped_bytes(const Claim& claim, std::string_view voxels) {
+  std::size_t at = 0;
+  for (std::int64_t line = 0; line < claim.line_skip; ++line) {
+    at = voxels.find('\n', at);
+    if (at == std::string_view::npos) return voxels.size();
+    ++at;
+  }
+  return std::min<std::uint64_t>(at + static_cast<std::uint64_t>(claim.byte_skip), voxels.size());
+}
+
 void require_no_more(const std::string& path, const Claim& claim, std::uint64_t voxel_bytes) {
-  if (claim.packed || claim.text || claim.hex || claim.skips) return;
+  const bool at_the_end = claim.line_skip < 0 || claim.byte_skip < 0;
+  if (claim.packed || claim.text || claim.hex || at_the_end) return;
   std::uint64_t claimed = claim.bytes_each;
   for (const std::uint64_t size : claim.sizes) claimed *= size;
   if (voxel_bytes <= claimed) return;

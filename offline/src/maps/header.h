@@ -43,8 +43,8 @@ struct Claim {
   bool hex = false;                            // two digits a byte
   std::vector<std::filesystem::path> files;    // with the voxels; empty: they follow the header
   std::uint64_t behind = 0;                    // bytes after the header
-  bool skips = false;                          // other bytes precede the voxels:
-  std::int64_t line_skip = 0, byte_skip = 0;   // so many of an NRRD; -1: all but the voxels
+  bool skips = false;                          // other bytes precede the voxels of each file:
+  std::int64_t line_skip = 0, byte_skip = 0;   // so many; -1: all but the voxels
   std::map<std::string, std::string> remarks;  // NRRD's KEY:=VALUE
   HeaderNumber number;                         // of voxels packed by bzip2, or of text
   HeaderFrame frame;
@@ -53,8 +53,12 @@ struct Claim {
 // Refuses a claim that does not fit into `held_bytes`.
 void require_held(const std::string& path, const Claim& claim, std::uint64_t held_bytes);
 
+// How much of a file's `voxels` comes before them, by the skips of a claim; all of it if it has not
+// as much.
+std::uint64_t skipped_bytes(const Claim& claim, std::string_view voxels);
+
 // Refuses unpacked voxels if there are more than claimed: wrong sizes would shift all of them. Only
-// for a claim that require_held has accepted.
+// for a claim that require_held has accepted. `voxel_bytes`: without what is skipped.
 void require_no_more(const std::string& path, const Claim& claim, std::uint64_t voxel_bytes);
 
 // `bytes` are the whole file. The caller calls require_held, since it knows the files' sizes.

@@ -35,15 +35,24 @@ itk::ImageIOBase::Pointer reader_for(const std::string& path) {
   return reader;
 }
 
-// Bytes of the header file, or of the data files if there are any, which are read for this.
-std::uint64_t held_bytes(const std::string& path, const Claim& claim, std::string_view bytes,
-                         std::string& sha256_out) {
-  if (claim.files.empty()) return bytes.size();
-  std::uint64_t held = 0;
+struct Held {
+  std::uint64_t bytes;         // of the header file, or of the data files if there are any
+  std::uint64_t voxel_bytes;  // of them, behind the header and what is to be skipped
+};
+
+// Reads the data files.
+Held held_bytes(const std::string& path, const Claim& claim, std::string_view bytes,
+                std::string& sha256_out) {
+  if (claim.files.empty()) {
+    const std::string_view voxels = bytes.substr(bytes.size() - claim.behind);
+    return {bytes.size(), voxels.size() - skipped_bytes(claim, voxels)};
+  }
+  Held held = {};
   std::string sums = sha256_hex(bytes);
   for (const std::filesystem::path& file : claim.files) {
     const std::string voxels = read_file(std::filesystem::path(path).parent_path() / file);
-    held += voxels.size();
+    held.bytes += voxels.size();
+    held.voxel_bytes += voxels.size() - skipped_bytes(claim, voxels);
     sums += sha256_hex(voxels);
   }
   sha256_out = sha256_hex(sums);
@@ -65,10 +74,10 @@ Claim checked_claim(const std::string& path, std::string_view bytes, std::string
   Claim claim = is_nrrd(path) ? nrrd_claim(path, bytes) : meta_claim(path, bytes);
   const std::array<std::size_t, 3>& axes = claim.frame.axes;
   require_map_size(path, {claim.sizes[axes[0]], claim.sizes[axes[1]], claim.sizes[axes[2]]});
-  const std::uint64_t held = held_bytes(path, claim, bytes, sha256_out);
+  const Held held = held_bytes(path, claim, bytes, sha256_out);
   if (claim.bzip2) return claim;  // its own reader unpacks the bytes and counts them
-  require_held(path, claim, held);
-  require_no_more(path, claim, claim.files.empty() ? claim.behind : held);
+  require_held(path, claim, held.bytes);
+  require_no_more(path, claim, held.voxel_bytes);
   require_whole(path, claim, bytes);
   return claim;
 }

@@ -154,7 +154,8 @@ Claim meta_claim(const std::string& path, std::string_view bytes) {
   read_files(path, fields, rest, claim);
   const auto held = static_cast<std::int64_t>(bytes.size());
   claim.behind = rest.size();
-  claim.skips = number_of(path, fields, "HeaderSize", -1, INT32_MAX, 0) != 0;
+  claim.byte_skip = number_of(path, fields, "HeaderSize", -1, INT32_MAX, 0);
+  claim.skips = claim.byte_skip != 0;
   if (claim.files.empty()) {
     const auto packed = number_of(path, fields, "CompressedDataSize", 0, held, 0);
     if (claim.packed && packed == 0) {  // else MetaIO reads nothing
