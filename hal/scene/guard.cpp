@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "hal/guard/bounds.h"
 #include "hal/loop/fit.h"
 
 namespace stylet::hal {
@@ -11,6 +12,18 @@ namespace {
 
 double of(float value) {
   return static_cast<double>(value);
+}
+
+// A number of a section, between bounds in SI; `per_si`: how many of the key's unit make one.
+float within(Section& section, const char* key, double fallback, Bounds bounds, double per_si = 1) {
+  const double value =
+      section.number(key, fallback * per_si, bounds.least * per_si, bounds.most * per_si);
+  return si(value, 1 / per_si);
+}
+
+std::int32_t button(Section& guard, const char* key) {
+  return static_cast<std::int32_t>(guard.integer(key, -1, static_cast<int>(kButtonBounds.least),
+                                                 static_cast<int>(kButtonBounds.most)));
 }
 
 DeviceModel named_model(Section& device) {
@@ -26,15 +39,15 @@ DeviceModel named_model(Section& device) {
 }
 
 void read_dynamics(Section& device, float period_s, DeviceDynamics& motion) {
-  motion.mass_kg = si(device.number("mass_g", of(motion.mass_kg) * 1e3, 0, 1e4), 1e-3);
+  motion.mass_kg = within(device, "mass_g", of(motion.mass_kg), kDeviceMassBoundsKg, 1e3);
   motion.damping_n_s_per_m =
-      static_cast<float>(device.number("damping_n_s_per_m", of(motion.damping_n_s_per_m), 0, 1000));
-  motion.friction_n = static_cast<float>(device.number("friction_n", of(motion.friction_n), 0, 10));
+      within(device, "damping_n_s_per_m", of(motion.damping_n_s_per_m), kDampingBoundsNSPerM);
+  motion.friction_n = within(device, "friction_n", of(motion.friction_n), kDeviceFrictionBoundsN);
   motion.resolution_m =
-      si(device.number("resolution_mm", of(motion.resolution_m) * 1e3, 0, 1), 1e-3);
+      within(device, "resolution_mm", of(motion.resolution_m), kResolutionBoundsM, 1e3);
   motion.delay_s = si(device.number("delay_ms", of(motion.delay_s) * 1e3, 0, 100), 1e-3);
   const double most_ms = kMaxDelayTicks * of(period_s) * 1e3;
-  if (of(motion.delay_s) * 1e3 > most_ms * 1.0001) {
+  if (of(motion.delay_s) * 1e3 > most_ms * (1 + kRoundingShare)) {
     device.fail("delay_ms", fmt::format("at most {} periods of the loop, {:g} ms; it is {:g} ms",
                                         kMaxDelayTicks, most_ms, of(motion.delay_s) * 1e3));
   }
@@ -43,7 +56,7 @@ void read_dynamics(Section& device, float period_s, DeviceDynamics& motion) {
 // Checks that a fault can fade in time.
 void check_slew(const Section& guard, const Section& device, const GuardConfig& config) {
   const double needed = of(config.max_force_n) / of(kDecayS);
-  if (of(config.max_slew_n_per_s) >= needed * 0.99999) return;
+  if (of(config.max_slew_n_per_s) >= needed * (1 - kRoundingShare)) return;
   const Section& named = guard.has("max_slew_n_per_s") ? guard : device;
   named.fail("max_slew_n_per_s",
              fmt::format("at least {:g} (max_force_n / {:g} s, so that a fault can fade in time)",
@@ -54,49 +67,48 @@ void check_slew(const Section& guard, const Section& device, const GuardConfig& 
 
 DeviceModel read_device_model(Section& device, float period_s) {
   DeviceModel model = named_model(device);
-  const auto number = [&device](const char* key, float fallback, double low, double high) {
-    return static_cast<float>(device.number(key, of(fallback), low, high));
-  };
   const bool named = device.has("model");
-  model.max_force_n = number("max_force_n", model.max_force_n, 0.01, 100);
+  model.max_force_n = within(device, "max_force_n", of(model.max_force_n), kForceBoundsN);
   const float always =
       named ? std::min(model.continuous_force_n, model.max_force_n) : model.max_force_n;
-  model.continuous_force_n = number("continuous_force_n", always, 0.01, 100);
-  model.max_slew_n_per_s = number("max_slew_n_per_s", model.max_slew_n_per_s, 1, 1e6);
+  model.continuous_force_n = within(device, "continuous_force_n", of(always), kForceBoundsN);
+  model.max_slew_n_per_s =
+      within(device, "max_slew_n_per_s", of(model.max_slew_n_per_s), kSlewBoundsNPerS);
   model.max_stiffness_n_per_m =
-      number("max_stiffness_n_per_m", model.max_stiffness_n_per_m, 1, 1e6);
-  model.max_damping_n_s_per_m =
-      number("max_damping_n_s_per_m", model.max_damping_n_s_per_m, 0, 1000);
+      within(device, "max_stiffness_n_per_m", of(model.max_stiffness_n_per_m), {1, 1e6});
+  model.max_damping_n_s_per_m = within(device, "max_damping_n_s_per_m",
+                                       of(model.max_damping_n_s_per_m), kDampingBoundsNSPerM);
   read_dynamics(device, period_s, model.motion);
   return model;
 }
 
 GuardConfig read_guard(Section guard, const Section& device, const DeviceModel& model,
                        float period_s) {
-  const auto number = [&guard](const char* key, double fallback, double low, double high) {
-    return static_cast<float>(guard.number(key, fallback, low, high));
+  const auto number = [&guard](const char* key, double fallback, Bounds bounds, double per_si = 1) {
+    return within(guard, key, fallback, bounds, per_si);
   };
   GuardConfig config;
   config.period_s = period_s;
   config.max_force_n =
-      std::min(model.max_force_n, number("max_force_n", of(model.max_force_n), 0.01, 100));
-  config.max_slew_n_per_s = std::min(
-      model.max_slew_n_per_s, number("max_slew_n_per_s", of(model.max_slew_n_per_s), 1, 1e6));
+      std::min(model.max_force_n, number("max_force_n", of(model.max_force_n), kForceBoundsN));
+  config.max_slew_n_per_s =
+      std::min(model.max_slew_n_per_s,
+               number("max_slew_n_per_s", of(model.max_slew_n_per_s), kSlewBoundsNPerS));
   check_slew(guard, device, config);
-  config.ramp_s = si(guard.number("ramp_ms", 500, 0, 10000), 1e-3);
-  config.watchdog_s = si(guard.number("watchdog_ms", 3, 1, 5), 1e-3);
-  config.max_speed_m_per_s = si(guard.number("max_speed_mm_per_s", 2000, 10, 20000), 1e-3);
-  config.buzz_n = number("buzz_n", kBuzzShare * of(config.max_force_n), 0.001, 100);
+  config.ramp_s = number("ramp_ms", 0.5, kRampBoundsS, 1e3);
+  config.watchdog_s = number("watchdog_ms", 3e-3, kWatchdogBoundsS, 1e3);
+  config.max_speed_m_per_s = number("max_speed_mm_per_s", 2, kSpeedBoundsMPerS, 1e3);
+  config.buzz_n = number("buzz_n", kBuzzShare * of(config.max_force_n), kBuzzBoundsN);
   config.continuous_force_n = model.continuous_force_n;
-  config.thermal_s = number("thermal_s", of(config.thermal_s), 1, 3600);
-  config.dead_man_button = static_cast<std::int32_t>(guard.integer("dead_man_button", -1, 0, 31));
-  config.acknowledge_button =
-      static_cast<std::int32_t>(guard.integer("acknowledge_button", -1, 0, 31));
+  config.thermal_s = number("thermal_s", of(config.thermal_s), kThermalBoundsS);
+  config.dead_man_button = button(guard, "dead_man_button");
+  config.acknowledge_button = button(guard, "acknowledge_button");
   config.device = model.motion;
   const Vec3 reach = model.workspace_m;
   config.stored_energy_j = 0.5F * model.max_force_n * std::max({reach.x, reach.y, reach.z});
-  config.passivity_damping_n_s_per_m = number(
-      "passivity_damping_n_s_per_m", kPassivityShare * of(model.max_damping_n_s_per_m), 0, 1000);
+  config.passivity_damping_n_s_per_m =
+      number("passivity_damping_n_s_per_m", kPassivityShare * of(model.max_damping_n_s_per_m),
+             kDampingBoundsNSPerM);
   guard.finish();
   return config;
 }
@@ -123,15 +135,15 @@ const char* whose(float scenes, float used) {
 
 std::string told_of_force(const Hand& scenes, const Hand& used) {
   return fmt::format("at most {:.3g} N ({}), buzz {:.3g} N ({})", of(used.guard.max_force_n),
-                     whose(scenes.guard.max_force_n, used.guard.max_force_n),
-                     of(used.guard.buzz_n), whose(scenes.guard.buzz_n, used.guard.buzz_n));
+                     whose(scenes.guard.max_force_n, used.guard.max_force_n), of(used.guard.buzz_n),
+                     whose(scenes.guard.buzz_n, used.guard.buzz_n));
 }
 
 std::string told_of_heat_and_stiffness(const DeviceInfo& info, const Hand& scenes,
                                        const Hand& used) {
   std::string told;
-  const bool heats = info.continuous_force_n > 0 ||
-                     (info.model != nullptr && info.model->continuous_force_n > 0);
+  const bool heats =
+      info.continuous_force_n > 0 || (info.model != nullptr && info.model->continuous_force_n > 0);
   const float always_n = used.guard.continuous_force_n;
   if (heats) {
     told += fmt::format(", for ever {:.3g} N ({})", of(always_n),

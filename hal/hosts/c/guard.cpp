@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "hal/guard/bounds.h"
 #include "hal/hosts/c/hands.h"
 #include "hal/hosts/c/limits.h"
 #include "hal/hosts/c/sized.h"
@@ -43,31 +44,37 @@ stylet_status check(const stylet_guard_config& c, std::uint32_t index,
                     stylet_refusal* refusal_out) {
   constexpr double kDecay = static_cast<double>(hal::kDecayS);
   Limits first(index);
-  const auto within = [&](const char* field, float value, double least, double most) {
-    first.check(field, wide(value), least, most);
+  const auto within = [&](const char* field, float value, hal::Bounds bounds) {
+    first.check(field, wide(value), bounds.least, bounds.most);
   };
-  within("guard.period_s", c.period_s, wide(kMinPeriodS), wide(kMaxPeriodS));
-  within("guard.max_force_n", c.max_force_n, 0.01, 100);
-  // One part in 100 000 for the rounding of a quotient.
+  within("guard.period_s", c.period_s, {wide(kMinPeriodS), wide(kMaxPeriodS)});
+  within("guard.max_force_n", c.max_force_n, hal::kForceBoundsN);
+  const double least_slew = (1 - hal::kRoundingShare) * wide(c.max_force_n) / kDecay;
+  const hal::Bounds slew = hal::kSlewBoundsNPerS, watchdog = hal::kWatchdogBoundsS;
   within("guard.max_slew_n_per_s", c.max_slew_n_per_s,
-         std::max(1.0, 0.99999 * wide(c.max_force_n) / kDecay), 1e6);
-  within("guard.ramp_s", c.ramp_s, 0, 10);
-  within("guard.watchdog_s", c.watchdog_s, 1e-3, std::max(5e-3, 3 * wide(c.period_s)));
-  within("guard.max_speed_m_per_s", c.max_speed_m_per_s, 0.01, 20);
-  within("guard.buzz_n", c.buzz_n, 0.001, 100);
-  within("guard.continuous_force_n", c.continuous_force_n, 0.01, 100);
-  within("guard.thermal_s", c.thermal_s, 1, 3600);
-  first.check("guard.dead_man_button", c.dead_man_button, -1, 31);
-  first.check("guard.acknowledge_button", c.acknowledge_button, -1, 31);
-  within("guard.device_mass_kg", c.device_mass_kg, 0, 10);
-  within("guard.device_damping_n_s_per_m", c.device_damping_n_s_per_m, 0, 1000);
-  within("guard.device_friction_n", c.device_friction_n, 0, 10);
-  within("guard.device_resolution_m", c.device_resolution_m, 0, 1e-3);
-  within("guard.device_delay_s", c.device_delay_s, 0,
-         1.0001 * hal::kMaxDelayTicks * wide(c.period_s));
-  within("guard.stored_energy_j", c.stored_energy_j, 0, 1000);
-  within("guard.passivity_damping_n_s_per_m", c.passivity_damping_n_s_per_m, 0, 1000);
-  within("guard.max_torque_nm", c.max_torque_nm, 0, 100);
+         {std::max(slew.least, least_slew), slew.most});
+  within("guard.ramp_s", c.ramp_s, hal::kRampBoundsS);
+  within("guard.watchdog_s", c.watchdog_s,
+         {watchdog.least, std::max(watchdog.most, 3 * wide(c.period_s))});
+  within("guard.max_speed_m_per_s", c.max_speed_m_per_s, hal::kSpeedBoundsMPerS);
+  within("guard.buzz_n", c.buzz_n, hal::kBuzzBoundsN);
+  within("guard.continuous_force_n", c.continuous_force_n, hal::kForceBoundsN);
+  within("guard.thermal_s", c.thermal_s, hal::kThermalBoundsS);
+  for (const auto& [field, button] :
+       {std::pair("guard.dead_man_button", c.dead_man_button),
+        std::pair("guard.acknowledge_button", c.acknowledge_button)}) {
+    first.check(field, button, -1, hal::kButtonBounds.most);
+  }
+  within("guard.device_mass_kg", c.device_mass_kg, hal::kDeviceMassBoundsKg);
+  within("guard.device_damping_n_s_per_m", c.device_damping_n_s_per_m, hal::kDampingBoundsNSPerM);
+  within("guard.device_friction_n", c.device_friction_n, hal::kDeviceFrictionBoundsN);
+  within("guard.device_resolution_m", c.device_resolution_m, hal::kResolutionBoundsM);
+  within("guard.device_delay_s", c.device_delay_s,
+         {0, (1 + hal::kRoundingShare) * hal::kMaxDelayTicks * wide(c.period_s)});
+  within("guard.stored_energy_j", c.stored_energy_j, {0, 1000});
+  within("guard.passivity_damping_n_s_per_m", c.passivity_damping_n_s_per_m,
+         hal::kDampingBoundsNSPerM);
+  within("guard.max_torque_nm", c.max_torque_nm, {0, 100});
   return first.status(refusal_out);
 }
 
