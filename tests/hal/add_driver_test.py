@@ -12,6 +12,9 @@ import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from command import run
+
 SOURCE, ORGAN = (pathlib.Path(each) for each in sys.argv[1:3])
 
 DRIVER = """// SPDX-License-Identifier: Apache-2.0
@@ -50,14 +53,6 @@ constinit const DriverDescriptor still_driver = {
 
 }  // namespace stylet::hal
 """
-
-
-def run(*command):
-    done = subprocess.run([str(each) for each in command], stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True)
-    if done.returncode != 0:
-        raise AssertionError(f"{command}\n{done.stdout}")
-    return done.stdout
 
 
 class AddDriver(unittest.TestCase):

@@ -7,10 +7,12 @@ usage: add_reader_test.py SOURCE
 """
 import pathlib
 import shutil
-import subprocess
 import sys
 import tempfile
 import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from command import run
 
 SOURCE = pathlib.Path(sys.argv[1])
 
@@ -62,14 +64,6 @@ add_executable(read main.cpp src/base/file.cpp src/meshes/read_mesh.cpp ${mesh_r
 target_include_directories(read PRIVATE src)
 target_link_libraries(read PRIVATE fmt::fmt OpenSSL::Crypto)
 """
-
-
-def run(*command):
-    done = subprocess.run([str(each) for each in command], stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True)
-    if done.returncode != 0:
-        raise AssertionError(f"{command}\n{done.stdout}")
-    return done.stdout
 
 
 class AddReader(unittest.TestCase):

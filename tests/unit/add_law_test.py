@@ -13,6 +13,9 @@ import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from command import run
+
 SOURCE, COMPILER, FLATC = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
 
 # FILE, what is there, what is there instead.
@@ -52,14 +55,6 @@ int main(int, char** arguments) {
   }
 }
 """
-
-
-def run(*command):
-    done = subprocess.run([str(each) for each in command], stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True)
-    if done.returncode != 0:
-        raise AssertionError(f"{command}\n{done.stdout}")
-    return done.stdout
 
 
 class AddLaw(unittest.TestCase):
