@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Do the tests notice a wrong line? Changes what hands depend on, one place at a time.
 
-usage: mutation.py [SUBJECT]... [--build FOLDER] [--sample N]    (guard, organ, read_stl ...)
+usage: mutation.py [SUBJECT]... [--build FOLDER] [--sample N | --explained]    (guard, organ ...)
 
 Each mutant is one change that a programmer might make by mistake: a comparison flipped, `or` for
 `and`, a sign, a limit changed by one, a clamp or a statement left out. It is compiled, and tests of
 its file run until one fails: first the test that killed the previous mutant, then the quick ones.
 If no test fails, the mutant has survived. Known survivors are in mutation_survivors.txt with the
 reason why each is harmless; they are not run. Any other survivor is an error.
+--explained: runs the known survivors instead; one that is killed is an error: it is listed wrongly.
 --sample N: only N mutants of each file, evenly spread. SUBJECT kernel, hal or offline: all of that
 folder. Of offline, all that decides anatomy or bytes; not reports, pictures, timings, nor the rows
 of numbers that tissues have from their sources.
@@ -116,7 +117,7 @@ OFFLINE = {
     **dict.fromkeys(("pipeline/label_organ", "maps/groups", "pipeline/bodies", "maps/skin",
                      "maps/wall", "maps/wall_thickness"),
                     LABELS),
-    **dict.fromkeys(("meshes/hull",), [["offline_hull_test", "--gtest_filter=Hull.*"], *LABELS]),
+    **dict.fromkeys(("meshes/hull", "meshes/hull_text"), [["offline_hull_test", "--gtest_filter=Hull.*"], *LABELS]),
     **dict.fromkeys(("meshes/repair", "meshes/orient", "meshes/nesting"),
                     [["offline_solid_test"], ["offline_nesting_test", "--gtest_filter=Nesting.*"],
                      ORGANS, REAL_ORGANS, QUALITY]),
@@ -351,12 +352,32 @@ def check(folder, subject, sample, known, measured):
     return unexplained
 
 
+def check_explained(folder, subject, known, measured):
+    """The known survivors that do not survive."""
+    file, tests = SUBJECTS[subject][0], list(SUBJECTS[subject][1])
+    target = folder / "source" / file
+    text = target.read_text()
+    mutants = [mutant for mutant in (Mutant(text, change) for change in mutations(text))
+               if (file, mutant.before, mutant.after) in known]
+    killed = []
+    for mutant in mutants:
+        by = killer(folder, target, text, mutant, tests, measured)
+        print(f"{file}:{mutant.line}: {f'killed by {by}' if by else 'survives'}\n- {mutant.before}\n"
+              f"+ {mutant.after}\n", flush=True)
+        if by is not None:
+            killed.append(mutant)
+    put(target, text)
+    print(f"{file}: {len(mutants)} survivors explained, {len(killed)} of them killed", flush=True)
+    return killed
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("subjects", nargs="*",
                         help=f"kernel, hal, offline, or of {', '.join(SUBJECTS)}; none: all")
     parser.add_argument("--build", type=pathlib.Path, default=SOURCE / "build" / "mutation")
     parser.add_argument("--sample", type=int, default=0)
+    parser.add_argument("--explained", action="store_true")
     options = parser.parse_args()
     if forgotten():
         sys.exit(f"mutation.py: {', '.join(forgotten())}: expected in OFFLINE or REPORTS")
@@ -370,9 +391,10 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     known, measured = known_survivors(), {}
     prepare(folder, subjects)
-    survived = [mutant for each in subjects
-                for mutant in check(folder, each, options.sample, known, measured)]
-    sys.exit(1 if survived else 0)
+    wrong = [mutant for each in subjects
+             for mutant in (check_explained(folder, each, known, measured) if options.explained
+                            else check(folder, each, options.sample, known, measured))]
+    sys.exit(1 if wrong else 0)
 
 
 if __name__ == "__main__":

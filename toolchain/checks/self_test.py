@@ -13,6 +13,7 @@ import compile_times  # noqa: E402
 import drivers  # noqa: E402
 import headers  # noqa: E402
 import loops  # noqa: E402
+import mutation  # noqa: E402
 import promises  # noqa: E402
 import rooms  # noqa: E402
 import sensitivity  # noqa: E402
@@ -65,6 +66,18 @@ class CompileTimes(Sample):
     def test_looks_only_at_what_the_log_says_and_the_build_has(self):
         self.log(("a.cpp.o", 1000), ("a.cpp.o", 200), ("wrap.cpp.o", 1000), ("gone.cpp.o", 1000))
         self.assertEqual(list(compile_times.faults(self.top, 0.3)), [])
+
+
+class Mutation(unittest.TestCase):
+    def test_knows_every_file_of_offline(self):
+        self.assertEqual(mutation.forgotten(), [])
+
+    def test_finds_mistakes_and_leaves_words_alone(self):
+        code = "  if (a < b) c += 2;  // 3 < 4\n"
+        lines = [mutation.Mutant(code, change).after for change in mutation.mutations(code)]
+        self.assertIn("if (a >= b) c += 2; // 3 < 4", lines)
+        self.assertIn("if (a < b) c -= 2; // 3 < 4", lines)
+        self.assertFalse([line for line in lines if not line.endswith("3 < 4")], lines)
 
 
 class Headers(Sample):
