@@ -117,7 +117,8 @@ OFFLINE = {
     **dict.fromkeys(("pipeline/label_organ", "maps/groups", "pipeline/bodies", "maps/skin",
                      "maps/wall", "maps/wall_thickness"),
                     LABELS),
-    **dict.fromkeys(("meshes/hull", "meshes/hull_text"), [["offline_hull_test", "--gtest_filter=Hull.*"], *LABELS]),
+    **dict.fromkeys(("meshes/hull", "meshes/hull_text"),
+                    [["offline_hull_test", "--gtest_filter=Hull.*"], *LABELS]),
     **dict.fromkeys(("meshes/repair", "meshes/orient", "meshes/nesting"),
                     [["offline_solid_test"], ["offline_nesting_test", "--gtest_filter=Nesting.*"],
                      ORGANS, REAL_ORGANS, QUALITY]),
@@ -362,7 +363,8 @@ def check_explained(folder, subject, known, measured):
     killed = []
     for mutant in mutants:
         by = killer(folder, target, text, mutant, tests, measured)
-        print(f"{file}:{mutant.line}: {f'killed by {by}' if by else 'survives'}\n- {mutant.before}\n"
+        fate = f"killed by {by}" if by else "survives"
+        print(f"{file}:{mutant.line}: {fate}\n- {mutant.before}\n"
               f"+ {mutant.after}\n", flush=True)
         if by is not None:
             killed.append(mutant)

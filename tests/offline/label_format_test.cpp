@@ -911,11 +911,11 @@ TEST(LabelHeader, SurplusBehindWhatIsSkippedIsRefused) {
         scratch.write("b.nhdr", nrrd + skip + "data file: v.raw\n"),
         scratch.write("c.nhdr", nrrd + skip + "data file: v%d.raw 0 1 1\n")};
     if (lines == 0) {
-      files.push_back(scratch.write(
-          "d.mhd",
-          "ObjectType = Image\nNDims = 3\nDimSize = 3 2 2\nElementSpacing = 1 1 1\nElementType = MET_UCHAR\n"
-          "HeaderSize = " +
-              std::to_string(bytes) + "\nElementDataFile = v.raw\n"));
+      files.push_back(scratch.write("d.mhd",
+                                    "ObjectType = Image\nNDims = 3\nDimSize = 3 2 "
+                                    "2\nElementSpacing = 1 1 1\nElementType = MET_UCHAR\n"
+                                    "HeaderSize = " +
+                                        std::to_string(bytes) + "\nElementDataFile = v.raw\n"));
     }
     for (const std::string& file : files) {
       const std::string told = std::to_string(12 + surplus) + " bytes of voxels are there";
