@@ -20,15 +20,7 @@ namespace {
 
 struct BuildArguments : CommonArguments {
   std::vector<std::string> inputs;
-  std::string units = "mm";
-  double scale = 1;
-  bool wrap = false;
-  std::vector<std::string> layers;
-  std::string layers_of;
-  std::string layers_along = "+x";
   std::string recipe;
-  std::string fill_gaps;
-  bool split_gaps = false;
 };
 
 // PATH[:TISSUE[:PRIORITY]]; if a file with the whole text as its name exists, it is the path.
@@ -50,60 +42,15 @@ Input parse_input(const std::string& text) {
   return input;
 }
 
-void choose_gaps(const BuildArguments& a, BuildOptions& options) {
-  options.split = a.split_gaps;
-  if (a.split_gaps) options.options_text += " --split-gaps";
-  if (a.fill_gaps.empty()) return;
-  const std::vector<Layer> gap = parse_layers({a.fill_gaps}, "--fill-gaps");
-  constexpr double kWidestGapM = 0.1;  // wider gaps separate organs, not just their meshes
-  if (!(gap.front().thickness_m > 0 && gap.front().thickness_m <= kWidestGapM)) {
-    refuse("--fill-gaps '{}': expected a width of more than 0 and at most {:g} mm", a.fill_gaps,
-           kWidestGapM * 1e3);
-  }
-  options.gap_tissue = find_tissue(options.own_tissues, gap.front().tissue).name;
-  options.gap_m = gap.front().thickness_m;
-  options.options_text += " --fill-gaps " + a.fill_gaps;
-}
-
-// The layers, and the tissue of the inputs that they replace.
-template <typename HaveTissue>  // inputs, or groups of labels
-void choose_layers(const BuildArguments& a, const std::vector<HaveTissue>& sources,
-                   BuildOptions& options) {
-  options.layers = parse_layers(a.layers, "--layer");
-  if (a.layers.empty() && a.layers_of.empty()) return;
-  const auto is_replaced = [&](const HaveTissue& source) { return source.tissue == a.layers_of; };
-  if (a.layers.empty() || std::none_of(sources.begin(), sources.end(), is_replaced)) {
-    refuse("--layers-of '{}': expected the tissue of one of the inputs, together with --layer",
-           a.layers_of);
-  }
-  options.layer_course = {static_cast<std::size_t>(a.layers_along[1] - 'x'),
-                          a.layers_along[0] == '-', a.layers_of};
-  options.options_text += fmt::format(" --layers-of {} --layers-along {} --layer {}", a.layers_of,
-                                      a.layers_along, joined(a.layers));
-}
-
 void run_build_labels(const BuildArguments& a) {
   if (a.inputs.size() != 1) refuse("--recipe: {} inputs: expected one label map", a.inputs.size());
   const std::string& path = a.inputs.front();
-  BuildOptions options = common_options(a, 1e-3);
+  BuildOptions options = limited_options(a, 1e-3);
   (void)read_file(a.recipe);  // refuses a missing recipe before the minute that a map may take
   const LabelMap map = read_label_map(path);
   const Recipe recipe = read_recipe(a.recipe, {path, map.names});
-  for (const LabelGroup& group : recipe.groups) {
-    (void)find_tissue(options.own_tissues, group.tissue);
-  }
-  for (const WallLayer& layer : recipe.wall) {
-    options.wall.push_back(find_tissue(options.own_tissues, layer.tissue).name);
-  }
-  options.options_text += " --recipe " + std::filesystem::path(a.recipe).filename().string();
-  if (options.name.empty()) {
-    const std::string file = std::filesystem::path(path).filename().string();
-    options.name = file.substr(0, file.find('.'));
-  }
-  choose_gaps(a, options);
-  options.split = options.split || recipe.open_gaps;
-  choose_layers(a, recipe.groups, options);
-  choose_capsule(a.capsule, recipe.groups, options);
+  const std::string recipe_text = std::filesystem::path(a.recipe).filename().string();
+  choose_for_labels(a, {path, recipe_text}, recipe, options);
   Outputs outputs;
   finish([&](const BuildOptions& o,
              const Progress& p) { return build_labels(path, map, recipe, o, p); },
@@ -120,10 +67,7 @@ void run_build(const BuildArguments& a) {
     refuse("--scale {}: expected {} to {}", a.scale, kLeastScale, kMostScale);
   }
   const double metres_per_unit = kMetresPerUnit.at(a.units) * a.scale;
-  BuildOptions options = common_options(a, metres_per_unit);
-  options.wrap = a.wrap;
-  options.options_text +=
-      fmt::format(" --units {} --scale {}{}", a.units, a.scale, a.wrap ? " --wrap" : "");
+  BuildOptions options = limited_options(a, metres_per_unit);
   std::vector<Input> inputs;
   for (const std::string& text : a.inputs) {
     inputs.push_back(parse_input(text));
@@ -131,12 +75,7 @@ void run_build(const BuildArguments& a) {
     inputs.back().metres_per_unit = metres_per_unit;
     inputs.back().read = read_mesh(inputs.back().path);
   }
-  if (options.name.empty()) {
-    options.name = std::filesystem::path(inputs.front().path).stem().string();
-  }
-  choose_gaps(a, options);
-  choose_layers(a, inputs, options);
-  choose_capsule(a.capsule, inputs, options);
+  choose_for_meshes(a, inputs, options);
   Outputs outputs;
   finish([&](const BuildOptions& o, const Progress& p) { return build(std::move(inputs), o, p); },
          options, a, outputs);

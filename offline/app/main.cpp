@@ -30,8 +30,8 @@ constexpr int kExitUsage = 2;
 int run(int argc, char** argv) {
   CLI::App app{"Makes and checks organ files: the anatomy that stylet simulates", "stylet-organ"};
   app.require_subcommand(0, 1);
-  app.set_version_flag("--version", kToolVersion);
-  cli::add_text_options(app, kToolVersion);
+  app.set_version_flag("--version", tool_version());
+  cli::add_text_options(app, tool_version());
   app.footer(
       "Examples:\n"
       "  stylet-organ build Liver.stl --units mm --voxel-mm 5 -o liver.organ\n"

@@ -21,7 +21,6 @@
 #include "scene_files.h"
 #include "stylet/command_texts.h"
 #include "stylet/limits.h"
-#include "voxels/crop.h"
 
 namespace stylet::offline {
 namespace {
@@ -65,13 +64,6 @@ void add_resolution(CLI::App& command, CommonArguments& a) {
                   "added_mass 2)")
       ->type_name("NUMBER")
       ->check(cli::between(1U, kMaxSubsteps));
-}
-
-// The region without folders, so that the organ's bytes do not depend on where files lie.
-std::string without_folder(const std::string& fix) {
-  const std::string word = "touching:";
-  if (!fix.starts_with(word)) return fix;
-  return word + std::filesystem::path(fix.substr(word.size())).filename().string();
 }
 
 // Limits the heap and our private mappings; allocations beyond fail as if memory were exhausted.
@@ -157,48 +149,11 @@ void add_common(CLI::App& command, CommonArguments& a) {
   command.add_flag("--json", a.json, "Report as one JSON object on standard output");
 }
 
-BuildOptions common_options(const CommonArguments& a, double metres_per_unit) {
+BuildOptions limited_options(const CommonArguments& a, double metres_per_unit) {
   limit_memory(a.memory_limit_bytes);
-  BuildOptions options;
-  options.name = a.name;
-  options.voxel_edge_m = a.voxel_mm * 1e-3;
-  require_voxel_edge(options.voxel_edge_m);
-  options.voxels_across = a.voxels_across;
-  options.held = parse_regions(a.fix, metres_per_unit);
-  options.crop = parse_crop(a.crop);
-  if (!a.materials.empty()) options.own_tissues = read_tissues(a.materials);
+  BuildOptions options = common_options(a, metres_per_unit);
   options.measured = !a.report.empty();
-  options.tool_version = kToolVersion;
-  options.options_text = a.voxels_across > 0 ? fmt::format("--voxels-across {}", a.voxels_across)
-                         : !a.fit.empty()    ? "--fit " + a.fit
-                                             : fmt::format("--voxel-mm {}", a.voxel_mm);
-  for (const std::string& fix : a.fix) options.options_text += " --fix " + without_folder(fix);
-  for (const std::string& crop : a.crop) options.options_text += " --crop " + crop;
-  if (!a.materials.empty()) {
-    options.options_text +=
-        " --materials " + std::filesystem::path(a.materials).filename().string();
-  }
   return options;
-}
-
-std::vector<Layer> parse_layers(const std::vector<std::string>& texts, const char* option) {
-  std::vector<Layer> layers;
-  for (const std::string& text : texts) {
-    const std::size_t colon = text.find(':');
-    double mm = 0;
-    if (colon == std::string::npos || !CLI::detail::lexical_cast(text.substr(colon + 1), mm) ||
-        !(mm > 0)) {
-      refuse("{} '{}': expected TISSUE:MM", option, text);
-    }
-    layers.push_back({mm * 1e-3, text.substr(0, colon)});
-  }
-  return layers;
-}
-
-std::string joined(const std::vector<std::string>& texts) {
-  std::string text;
-  for (const std::string& t : texts) text += (text.empty() ? "" : " ") + t;
-  return text;
 }
 
 void finish(const std::function<Built(const BuildOptions&, const Progress&)>& make,

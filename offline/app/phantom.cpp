@@ -20,7 +20,6 @@ struct PhantomArguments : CommonArguments {
   double diameter_mm = 60;
   bool size_given = false, diameter_given = false;
   std::string tissue;
-  std::vector<std::string> layers;
   std::string mesh_out;
 };
 
@@ -57,7 +56,7 @@ void run_phantom(PhantomArguments a) {
     refuse("--size-mm: expected only with block and layered");
   }
   if (a.tissue.empty()) a.tissue = a.kind == "liver" ? "liver" : "gel";
-  BuildOptions options = common_options(a, 1e-3);
+  BuildOptions options = limited_options(a, 1e-3);
   options.layers = parse_layers(a.layers, "--layer");
   if (options.name.empty()) options.name = a.kind + " phantom";
   Input input;
@@ -75,7 +74,7 @@ void run_phantom(PhantomArguments a) {
   Outputs outputs;
   if (!a.mesh_out.empty()) outputs.add(a.mesh_out, off);
   std::vector<Input> inputs = {std::move(input)};
-  choose_capsule(a.capsule, inputs, options);
+  choose_capsule(a, {inputs.front().tissue}, options);
   finish([&](const BuildOptions& o, const Progress& p) { return build(std::move(inputs), o, p); },
          options, a, outputs);
 }

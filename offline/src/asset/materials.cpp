@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "asset/tissue_table.h"
 #include "base/refusal.h"
-#include "base/toml_file.h"
 
 namespace stylet::offline {
 namespace {
@@ -187,10 +187,8 @@ const std::vector<Tissue>& preset_tissues() {
   return kPresets;
 }
 
-std::vector<Tissue> read_tissues(const std::filesystem::path& toml_file) {
-  const std::string file = toml_file.string();
+std::vector<Tissue> tissues_of(const toml::table& root, const std::string& file) {
   std::vector<Tissue> tissues;
-  const toml::table root = read_toml(toml_file);
   for (const auto& [name, node] : root) {
     if (!node.is_table()) {
       refuse("{}: {}: expected a table [{}] of tissue properties", place_of(file, node), name.str(),
@@ -199,6 +197,10 @@ std::vector<Tissue> read_tissues(const std::filesystem::path& toml_file) {
     tissues.push_back(read_tissue(file, std::string(name.str()), *node.as_table()));
   }
   return tissues;
+}
+
+std::vector<Tissue> read_tissues(const std::filesystem::path& toml_file) {
+  return tissues_of(read_toml(toml_file), toml_file.string());
 }
 
 const Tissue& find_tissue(const std::vector<Tissue>& own, const std::string& name) {

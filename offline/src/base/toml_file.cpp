@@ -16,7 +16,8 @@ toml::table read_toml(const std::filesystem::path& path) {
 }
 
 std::string place_of(const std::string& file, const toml::node& node) {
-  return fmt::format("{}:{}", file, node.source().begin.line);
+  const auto line = node.source().begin.line;
+  return line == 0 ? file : fmt::format("{}:{}", file, line);
 }
 
 }  // namespace stylet::offline

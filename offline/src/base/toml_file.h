@@ -13,7 +13,7 @@ namespace stylet::offline {
 
 toml::table read_toml(const std::filesystem::path& path);
 
-// "file:line" of a node of the file.
+// "file:line" of a node of the file; of a table that was never a file, the name alone.
 std::string place_of(const std::string& file, const toml::node& node);
 
 }  // namespace stylet::offline

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "base/refusal.h"
-#include "base/toml_file.h"
 #include "maps/names.h"
+#include "maps/recipe_table.h"
 
 namespace stylet::offline {
 namespace {
@@ -250,10 +250,8 @@ void read_group(const Source& source, const std::string& tissue, const toml::nod
 
 }  // namespace
 
-Recipe read_recipe(const std::filesystem::path& toml_file, const FileNames& of_map) {
-  const std::string file = toml_file.string();
+Recipe recipe_of(const toml::table& root, const std::string& file, const FileNames& of_map) {
   const Source source = {file, of_map};
-  const toml::table root = read_toml(toml_file);
   Recipe recipe;
   for (const auto& [key, node] : root) {
     constexpr std::string_view kTables[] = {"names", "tissues", "crop",      "surface",
@@ -281,6 +279,10 @@ Recipe read_recipe(const std::filesystem::path& toml_file, const FileNames& of_m
   check_obstacles(file, recipe);
   check_names(source, recipe);
   return recipe;
+}
+
+Recipe read_recipe(const std::filesystem::path& toml_file, const FileNames& of_map) {
+  return recipe_of(read_toml(toml_file), toml_file.string(), of_map);
 }
 
 }  // namespace stylet::offline

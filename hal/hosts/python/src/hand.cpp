@@ -6,6 +6,7 @@
 #include <chrono>
 #include <thread>
 
+#include "hal/hosts/python/src/poses.h"
 #include "hal/hosts/python/src/simulation.h"
 #include "stylet/stylet_loop.h"
 
@@ -67,20 +68,21 @@ class Guard {
     handle_ = std::shared_ptr<stylet_guard>(made, stylet_guard_free);
   }
 
-  bool sample(const std::optional<std::array<float, 7>>& pose, std::int64_t now_ns,
-              const std::optional<std::uint64_t>& seq, std::uint32_t buttons) {
+  bool sample(const py::object& pose, std::int64_t now_ns, const std::optional<std::uint64_t>& seq,
+              std::uint32_t buttons) {
+    const auto p =
+        pose.is_none() ? std::array<float, kPoseNumbers>{} : vector_of<kPoseNumbers>("pose", pose);
     seq_ = seq.value_or(seq_ + 1);
-    if (!pose) return stylet_guard_sample(handle_.get(), nullptr, now_ns) != 0;
-    const auto& p = *pose;
+    if (pose.is_none()) return stylet_guard_sample(handle_.get(), nullptr, now_ns) != 0;
     const stylet_sample sample = {
         sizeof sample, buttons, seq_, now_ns, {{p[0], p[1], p[2]}, {p[3], p[4], p[5], p[6]}}};
     return stylet_guard_sample(handle_.get(), &sample, now_ns) != 0;
   }
-  Three force(const Three& force_n) {
-    return three(stylet_guard_force(handle_.get(), vec(force_n)));
+  Three force(const py::object& force_n) {
+    return three(stylet_guard_force(handle_.get(), vec(vector_of<3>("force_n", force_n))));
   }
-  Three torque(const Three& torque_nm) {
-    return three(stylet_guard_torque(handle_.get(), vec(torque_nm)));
+  Three torque(const py::object& torque_nm) {
+    return three(stylet_guard_torque(handle_.get(), vec(vector_of<3>("torque_nm", torque_nm))));
   }
   bool end(std::int64_t now_ns) { return stylet_guard_end(handle_.get(), now_ns) != 0; }
   void trip(std::uint32_t fault) { check(stylet_guard_trip(handle_.get(), fault)); }

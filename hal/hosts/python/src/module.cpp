@@ -2,16 +2,19 @@
 // The module stylet._stylet: stylet.h for Python, and nothing else of Stylet.
 #include <pybind11/stl.h>
 
+#include "hal/hosts/python/src/poses.h"
 #include "hal/hosts/python/src/simulation.h"
 
 namespace stylet::python {
 namespace {
 
 // The pose as Python has it: seven numbers.
-py::array_t<float> pose_of_tip(std::array<float, 3> tip_m, std::array<float, 3> direction,
+py::array_t<float> pose_of_tip(const py::object& tip_m, const py::object& direction,
                                float length_m) {
-  const stylet_pose pose = stylet_pose_of_tip({tip_m[0], tip_m[1], tip_m[2]},
-                                              {direction[0], direction[1], direction[2]}, length_m);
+  const auto tip = vector_of<3>("tip_m", tip_m);
+  const auto way = vector_of<3>("direction", direction);
+  const stylet_pose pose =
+      stylet_pose_of_tip({tip[0], tip[1], tip[2]}, {way[0], way[1], way[2]}, length_m);
   const auto& [at, turn] = pose;
   const std::array<float, 7> numbers = {at.x, at.y, at.z, turn.w, turn.x, turn.y, turn.z};
   return py::array_t<float>(numbers.size(), numbers.data());

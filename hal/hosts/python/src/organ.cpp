@@ -3,9 +3,10 @@
 
 #include <pybind11/stl.h>
 
-#include <array>
 #include <string_view>
 #include <vector>
+
+#include "hal/hosts/python/src/poses.h"
 
 namespace stylet::python {
 namespace {
@@ -131,12 +132,13 @@ void add_organ(py::module_& module) {
                              })
       .def(
           "raycast",
-          [](const Organ& organ, std::array<float, 3> origin_m,
-             std::array<float, 3> direction) -> py::object {
+          [](const Organ& organ, const py::object& origin_m,
+             const py::object& direction) -> py::object {
+            const auto from = vector_of<3>("origin_m", origin_m);
+            const auto way = vector_of<3>("direction", direction);
             float distance_m = 0;
-            const int meets =
-                stylet_organ_raycast(organ.handle.get(), {origin_m[0], origin_m[1], origin_m[2]},
-                                     {direction[0], direction[1], direction[2]}, &distance_m);
+            const int meets = stylet_organ_raycast(organ.handle.get(), {from[0], from[1], from[2]},
+                                                   {way[0], way[1], way[2]}, &distance_m);
             return meets == 1 ? py::object(py::float_(static_cast<double>(distance_m)))
                               : py::object(py::none());
           },

@@ -6,7 +6,6 @@
 namespace stylet::python {
 namespace {
 
-using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
 using Truths = py::array_t<bool, py::array::c_style | py::array::forcecast>;
 
 [[noreturn]] void wrong_shape(const py::array& array, const std::string& expected) {
@@ -15,12 +14,15 @@ using Truths = py::array_t<bool, py::array::c_style | py::array::forcecast>;
 }
 
 Floats floats(py::handle given) {
-  Floats out = Floats::ensure(given);
-  if (!out) throw py::error_already_set();
-  return out;
+  return real_numbers("poses", given, py::none(),
+                      "where a tick has no sample, say so in valid, or call tick(None)");
 }
 
 }  // namespace
+
+Floats real_numbers(const char* name, py::handle given, const py::object& shape, const char* none) {
+  return py::module_::import("stylet.given").attr("real")(name, given, shape, none);
+}
 
 Inputs::Inputs(const py::object& given, const py::object& valid) {
   py::ssize_t axes = 0;
@@ -43,8 +45,13 @@ Inputs::Inputs(const py::object& given, const py::object& valid) {
   for (py::ssize_t i = 0; i < axes; ++i) shape_.push_back(held_.shape(i));
   for (const py::ssize_t each : shape_) count_ *= each;
   if (valid.is_none()) return;
-  valid_ = Truths::ensure(valid);
-  if (!valid_) throw py::error_already_set();
+  const auto truths = py::module_::import("numpy").attr("asarray")(valid).cast<py::array>();
+  if (truths.dtype().kind() != 'b' && truths.dtype().kind() != 'u' &&
+      truths.dtype().kind() != 'i') {
+    throw py::type_error("valid of " + py::str(truths.dtype()).cast<std::string>() +
+                         ": expected truths");
+  }
+  valid_ = Truths::ensure(truths);
   if (valid_.size() != count_) throw py::value_error("valid: expected one truth for each pose");
   truths_ = valid_.data();
 }

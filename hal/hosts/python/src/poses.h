@@ -6,11 +6,29 @@
 // stylet.h.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "hal/hosts/python/src/types.h"
 
 namespace stylet::python {
+
+using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
+
+// What Python gave as real numbers (stylet/given.py, which refuses anything else by `name`).
+// `shape` is a tuple or None; `none` says what to do instead of giving None.
+Floats real_numbers(const char* name, py::handle given, const py::object& shape,
+                    const char* none = "expected numbers");
+
+// N numbers in a row.
+template <std::size_t N>
+std::array<float, N> vector_of(const char* name, py::handle given) {
+  const Floats numbers = real_numbers(name, given, py::make_tuple(N));
+  std::array<float, N> out;
+  std::copy_n(numbers.data(), N, out.begin());
+  return out;
+}
 
 // What a call of `run` was given: inputs ready for the library, or poses to be made inputs.
 class Inputs {

@@ -17,21 +17,25 @@ from stylet._stylet import (
     obstacle_touch_dtype, output_dtype, pose_of_tip, state_layout, status_name, version,
     voxel_dtype)
 from stylet.device import Device, Fault, Guard, GuardConfig, GuardMode, Hand, Loop, LoopConfig
+from stylet.draws import Choice, LogNormal, LogUniform, Normal, Uniform, draw
 from stylet.environment import NeedleEnv, VectorNeedleEnv
+from stylet.fit import Fit, fit
+from stylet.insertion import insertion_poses, kept_organ
 from stylet.names import Event, Flag, NO_LAYER, Phase, Status
 from stylet.recording import Recording
 from stylet.simulation import Simulation, VectorSimulation, inputs, poses_of_tips
 from stylet.spaces import Box
 from stylet.structs import Config, Needle, Obstacle
-from stylet.sweep import sweep
+from stylet.sweep import read_table, sweep
 from stylet.targets import Target, read_targets
 
 __version__ = _stylet.version()
 __all__ = [
-    "Box", "Config", "Device", "Event", "Fault", "Flag", "Guard", "GuardConfig", "GuardMode",
-    "Hand", "Loop", "LoopConfig", "NO_LAYER", "Needle", "NeedleEnv", "Obstacle", "Organ",
-    "Phase", "Recording", "Simulation", "Status", "StyletError", "Target", "VectorNeedleEnv",
-    "VectorSimulation", "build", "constraint_particle_dtype", "event_dtype", "event_name",
-    "input_dtype", "inputs", "obstacle_touch_dtype", "output_dtype", "pose_of_tip",
-    "poses_of_tips", "read_targets", "state_layout", "status_name", "sweep", "version",
-    "voxel_dtype"]
+    "Box", "Choice", "Config", "Device", "Event", "Fault", "Fit", "Flag", "Guard", "GuardConfig",
+    "GuardMode", "Hand", "LogNormal", "LogUniform", "Loop", "LoopConfig", "NO_LAYER", "Needle",
+    "NeedleEnv", "Normal", "Obstacle", "Organ", "Phase", "Recording", "Simulation", "Status",
+    "StyletError", "Target", "Uniform", "VectorNeedleEnv", "VectorSimulation", "build",
+    "constraint_particle_dtype", "draw", "event_dtype", "event_name", "fit", "input_dtype",
+    "inputs", "insertion_poses", "kept_organ", "obstacle_touch_dtype", "output_dtype",
+    "pose_of_tip", "poses_of_tips", "read_table", "read_targets", "state_layout", "status_name",
+    "sweep", "version", "voxel_dtype"]

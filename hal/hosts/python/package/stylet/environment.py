@@ -14,6 +14,7 @@ import numpy as np
 from stylet import _stylet
 from stylet.motion import moved
 from stylet.names import Flag
+from stylet.given import direction as unit, finite, real
 from stylet.render import picture
 from stylet.simulation import Simulation, VectorSimulation
 from stylet.spaces import Box, stacked
@@ -29,7 +30,9 @@ class NeedleEnv:
 
     An action is six numbers from -1 to 1: velocity of the handle along its own axes, in shares of
     `speed_m_per_s`, and about them, in shares of `turning_rad_per_s`. The needle points along the
-    handle's -z, so that action[2] < 0 goes in. An observation is OBSERVATION in a row.
+    handle's -z, so that action[2] < 0 goes in. What is beyond is clipped, and then info's "clipped"
+    is True; nan or an infinity is refused, and nothing moves. An observation is OBSERVATION in a
+    row.
     """
     metadata = {"render_modes": ["rgb_array"], "render_fps": 50}
 
@@ -45,7 +48,7 @@ class NeedleEnv:
         self._goals = [target for target in self.targets if not target.forbidden]
         if not self._goals:
             raise ValueError("targets: all are forbidden")
-        self.direction = np.asarray(direction, float) / np.linalg.norm(direction)
+        self.direction = unit("direction", direction)
         self.start_m, self.scatter_m = start_m, scatter_m
         self.ticks_of_step, self.most_steps = ticks_of_step, most_steps
         self.speed_m_per_s, self.turning_rad_per_s = speed_m_per_s, turning_rad_per_s
@@ -70,13 +73,13 @@ class NeedleEnv:
             _stylet.pose_of_tip(tip_m, self.direction, self.needle.length_m), float)
         self.simulation.reset()
         self._output = self.simulation.tick(self._pose).copy()
-        self._steps = 0
+        self._steps, self._clipped = 0, False
         self._whole_way_m = self._distance_m = self._distance(self._output)
         return self._observation(), self._info()
 
     def step(self, action):
         """Moves the handle for `ticks_of_step` ticks."""
-        return self._answer(self.simulation.run(self._poses(action)))
+        return self._answer(self.simulation.run(self._poses(finite("action", action, (6,)))))
 
     def render(self):
         """The organ, the needle and the targets from the side, as an array (height, width, 3)."""
@@ -90,7 +93,8 @@ class NeedleEnv:
     def _poses(self, action):
         if self._pose is None:
             raise RuntimeError("reset before the first step")
-        action = np.clip(np.asarray(action, float), -1, 1)
+        self._clipped = bool((np.abs(action) > 1).any())
+        action = np.clip(action, -1, 1)
         poses = moved(self._pose, self.speed_m_per_s * action[:3],
                       self.turning_rad_per_s * action[3:], self.period_s, self.ticks_of_step)
         self._pose = poses[-1]
@@ -153,7 +157,8 @@ class NeedleEnv:
     def _info(self):
         return {"target": self.target.name, "distance_m": self._distance_m,
                 "force_n": float(np.linalg.norm(self._output["force_n"])),
-                "flags": int(self._output["flags"]), "tick": int(self._output["tick"])}
+                "flags": int(self._output["flags"]), "tick": int(self._output["tick"]),
+                "clipped": self._clipped}
 
 
 class VectorNeedleEnv:
@@ -188,7 +193,8 @@ class VectorNeedleEnv:
 
     def step(self, actions):
         # A new episode begins at tick 0, whatever ticks the batch makes of the old one before.
-        actions = np.where(self._ended[:, None], 0, np.asarray(actions, float))
+        actions = np.where(self._ended[:, None], 0, real("actions", actions, (self.num_envs, 6)))
+        finite("actions", actions, actions.shape)  # all of them, before any environment moves
         poses = np.stack([env._poses(action) for env, action in zip(self.envs, actions)])
         outputs = self._batch.run(poses)
         answers = []

@@ -3,6 +3,7 @@
 import numpy as np
 
 from stylet import _stylet
+from stylet.given import real
 from stylet.structs import Config, Needle, Obstacle
 
 
@@ -65,7 +66,9 @@ class VectorSimulation:
 
 def inputs(poses, valid=True):
     """Poses (..., 7) as an array of `input_dtype`, which simulations read where it lies."""
-    poses = np.asarray(poses, np.float32)
+    poses = real("poses", poses, none="where a tick has no sample, say so in valid")
+    if poses.shape[-1:] != (7,):
+        raise ValueError(f"poses of shape {poses.shape}: expected (..., 7)")
     rows = np.empty(poses.shape[:-1], _stylet.input_dtype)
     rows["struct_bytes"] = _stylet.input_dtype.itemsize
     rows["valid"] = valid
@@ -76,7 +79,9 @@ def inputs(poses, valid=True):
 
 def poses_of_tips(tips_m, direction, length_m):
     """Poses (ticks, 7) whose unbent needle has its tip at each place and points in a direction."""
-    tips_m = np.asarray(tips_m, np.float32)
+    tips_m = real("tips_m", tips_m).astype(np.float32, copy=False)
+    if tips_m.ndim != 2 or tips_m.shape[1] != 3:
+        raise ValueError(f"tips_m of shape {tips_m.shape}: expected (ticks, 3)")
     poses = np.empty((len(tips_m), 7), np.float32)
     poses[:] = _stylet.pose_of_tip((0, 0, 0), direction, length_m)
     poses[:, :3] += tips_m

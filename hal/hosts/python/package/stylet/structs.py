@@ -9,6 +9,7 @@ import operator
 import numpy as np
 
 from stylet import _stylet
+from stylet.given import real
 
 # Words that scenes use for numbers.
 WORDS = {"mode": ("physical", "paper"), "inertia": ("added_mass", "true_mass")}
@@ -41,6 +42,8 @@ class Struct:
             value = whole(name, value)
         elif self._row.dtype[name].kind == "i":
             value = operator.index(value)
+        else:
+            value = real(name, value, self._row[name][0].shape)
         self._row[name][0] = value
 
     def __eq__(self, other):
@@ -135,6 +138,10 @@ class Obstacle(Struct):
     @classmethod
     def hull(cls, vertices_m, **fields):
         """The convex hull of at most 64 places."""
+        vertices_m = real("vertices_m", vertices_m)
         places = np.zeros((64, 3), np.float32)
+        if vertices_m.ndim != 2 or vertices_m.shape[1] != 3 or len(vertices_m) > len(places):
+            raise ValueError(f"vertices_m of shape {vertices_m.shape}: expected (n, 3), n at most"
+                             f" {len(places)}")
         places[:len(vertices_m)] = vertices_m
         return cls(vertex_count=len(vertices_m), vertices_m=places, rounding_m=0).replace(**fields)

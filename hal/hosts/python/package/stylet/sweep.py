@@ -10,10 +10,18 @@ import time
 import h5py
 import numpy as np
 
+from stylet import _stylet
+
 SAVE_EVERY_S = 1.0  # what a kill may lose
 
 
-def sweep(function, parameters, workers=None, client=None, path=None):
+# A column's unit is the end of its name (CONTRIBUTING.md).
+UNITS = {"m": "m", "mm": "mm", "m2": "m2", "m3": "m3", "s": "s", "ms": "ms", "ns": "ns", "rad": "rad",
+         "kg": "kg", "n": "N", "nm": "N m", "nm2": "N m2", "pa": "Pa", "kpa": "kPa", "j": "J",
+         "hz": "Hz"}
+
+
+def sweep(function, parameters, workers=None, client=None, path=None, attributes=None):
     """Calls function(**row) for each row, and returns a dict of columns.
 
     `parameters`: columns of one length by name, or a list of dicts. `function` returns a dict of
@@ -21,8 +29,12 @@ def sweep(function, parameters, workers=None, client=None, path=None):
     `workers` processes (None: one a processor; 0: in this one), or on a Dask `client`. The columns
     are the parameters', the results', and "error": empty, or why a row failed; a failed row's
     results are nan, 0 or empty. With `path`, all is kept in an HDF5 file, and rows that are there
-    are not run again, but for those that failed; a file of other parameters is refused."""
-    table = Table(columns_of(parameters), path)
+    are not run again, but for those that failed; a file of other parameters, of other `attributes`
+    or of another version is refused.
+
+    The file's attributes are `attributes`, such as a seed, and the library's version; a column's
+    attribute is its unit, as its name ends (force_n: N). read_table gives the columns again."""
+    table = Table(columns_of(parameters), path, attributes)
     todo = [i for i in range(table.rows) if not table.done[i]]
     try:
         for index, result, error in finished(function, table, todo, workers, client):
@@ -47,9 +59,14 @@ def finished(function, table, todo, workers, client):
             pool.shutdown(cancel_futures=True)
     else:
         from dask.distributed import as_completed
+        from distributed.scheduler import KilledWorker
         futures = {client.submit(attempt, function, table.row(i), pure=False): i for i in todo}
         for future in as_completed(futures):
-            yield futures[future], *future.result()
+            try:
+                answer = future.result()
+            except KilledWorker as error:  # by this row, again and again: not the others' fault
+                answer = None, f"KilledWorker: {error}"
+            yield futures[future], *answer
 
 
 def attempt(function, row):
@@ -76,8 +93,9 @@ def columns_of(parameters):
 class Table:
     """Parameters and what is known of their results; the file appears as a whole or not at all."""
 
-    def __init__(self, parameters, path):
+    def __init__(self, parameters, path, attributes=None):
         self.parameters, self.path = parameters, path
+        self.attributes = {**(attributes or {}), "version": _stylet.version()}
         self.rows = len(next(iter(parameters.values()), ()))
         self.done = np.zeros(self.rows, bool)
         self.error = np.full(self.rows, "", object)
@@ -121,6 +139,8 @@ class Table:
             return
         partial = f"{self.path}.{os.getpid()}.tmp"
         with h5py.File(partial, "w") as file:
+            file.attrs.update(self.attributes)
+            file.attrs["columns"] = list(self.columns())
             for group, columns in (("parameters", self.parameters), ("results", self.results),
                                    ("rows", {"done": self.done, "error": self.error})):
                 for name, column in columns.items():
@@ -130,6 +150,10 @@ class Table:
 
     def load(self):
         with h5py.File(self.path, "r") as file:
+            for name, value in self.attributes.items():
+                if not np.array_equal(file.attrs.get(name), value):
+                    raise ValueError(f"{self.path}: {name} is {file.attrs.get(name)}, and here "
+                                     f"{value}: expected the same")
             kept = {name: got(column) for name, column in file.get("parameters", {}).items()}
             same = kept.keys() == self.parameters.keys() and all(
                 np.array_equal(kept[name], self.parameters[name]) for name in kept)
@@ -157,8 +181,31 @@ def empty_column(rows, value):
 
 def put(file, place, column):
     texts = column.dtype.kind in "UO"
-    file.create_dataset(place, data=column.astype(object) if texts else column,
-                        dtype=h5py.string_dtype() if texts else None)
+    made = file.create_dataset(place, data=column.astype(object) if texts else column,
+                               dtype=h5py.string_dtype() if texts else None)
+    if not texts and unit_of(place):
+        made.attrs["unit"] = unit_of(place)
+
+
+def unit_of(name):
+    """The unit that ends a name, as in "N/m" for stiffness_n_per_m; empty if there is none."""
+    words = name.rpartition("/")[2].split("_")
+    first = len(words)
+    while first > 1 and (words[first - 1] in UNITS or words[first - 1] == "per"):
+        first -= 1
+    over, _, under = " ".join(words[first:]).partition("per")
+    above, below = (" ".join(UNITS.get(word, word) for word in part.split())
+                    for part in (over, under))
+    return f"{above or 1}/{below}" if below else above
+
+
+def read_table(path):
+    """The columns in a file of sweep, and its attributes."""
+    with h5py.File(path, "r") as file:
+        columns = {name: got(file[group][name]) for group in ("parameters", "results")
+                   for name in file.get(group, {})}
+        columns["error"] = got(file["rows/error"])
+        return {name: columns[name] for name in file.attrs["columns"]}, dict(file.attrs)
 
 
 def got(column):

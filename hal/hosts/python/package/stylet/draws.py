@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Parameters drawn from named distributions, as columns for sweep.
+
+Source of the hypercube: McKay, Beckman and Conover 1979, A comparison of three methods for
+selecting values of input variables in the analysis of output from a computer code.
+"""
+import dataclasses
+import math
+import statistics
+
+import numpy as np
+
+STANDARD_NORMAL = statistics.NormalDist()
+
+
+@dataclasses.dataclass(frozen=True)
+class Uniform:
+    """Every number from low to high alike."""
+    low: float
+    high: float
+
+    def __post_init__(self):
+        if not (math.isfinite(self.low) and math.isfinite(self.high) and self.low < self.high):
+            raise ValueError(f"{self}: expected low below high")
+
+    def at(self, share):
+        """The number below which this share of the draws is."""
+        return self.low + share * (self.high - self.low)
+
+
+@dataclasses.dataclass(frozen=True)
+class LogUniform(Uniform):
+    """Every ratio alike, from low to high, which are above 0."""
+
+    def __post_init__(self):
+        super().__post_init__()
+        if not self.low > 0:
+            raise ValueError(f"{self}: expected low above 0")
+
+    def at(self, share):
+        return self.low * (self.high / self.low) ** share
+
+
+@dataclasses.dataclass(frozen=True)
+class Normal:
+    """Normal about the mean; with low or high, only what lies between."""
+    mean: float
+    deviation: float
+    low: float = -math.inf
+    high: float = math.inf
+
+    def __post_init__(self):
+        if not (math.isfinite(self.mean) and 0 < self.deviation < math.inf
+                and self.low < self.high):
+            raise ValueError(f"{self}: expected a deviation above 0, and low below high")
+        if not self._share_of(self.low) < self._share_of(self.high):
+            raise ValueError(f"{self}: expected more between low and high than nothing")
+
+    def _share_of(self, number):
+        return STANDARD_NORMAL.cdf((number - self.mean) / self.deviation)
+
+    def at(self, share):
+        below, above = self._share_of(self.low), self._share_of(self.high)
+        shares = below + np.asarray(share) * (above - below)
+        turns = np.vectorize(STANDARD_NORMAL.inv_cdf, otypes=[float])(
+            np.clip(shares, np.finfo(float).tiny, 1 - np.finfo(float).epsneg))
+        return np.clip(self.mean + self.deviation * turns, self.low, self.high)
+
+
+@dataclasses.dataclass(frozen=True)
+class LogNormal:
+    """The logarithm is normal: two draws in three are within `ratio` times or part of the median,
+    as tissue's numbers are told."""
+    median: float
+    ratio: float
+
+    def __post_init__(self):
+        if not (0 < self.median < math.inf and 1 < self.ratio < math.inf):
+            raise ValueError(f"{self}: expected a median above 0 and a ratio above 1")
+
+    def at(self, share):
+        return self.median * self.ratio ** Normal(0, 1).at(share)
+
+
+@dataclasses.dataclass(frozen=True)
+class Choice:
+    """Each of these values alike."""
+    values: tuple
+
+    def __init__(self, *values):
+        if not values:
+            raise ValueError("Choice: expected one value at least")
+        object.__setattr__(self, "values", values)
+
+    def at(self, share):
+        index = np.minimum((np.asarray(share) * len(self.values)).astype(int),
+                           len(self.values) - 1)
+        return np.asarray(self.values)[index]
+
+
+def draw(distributions, count, seed, plain=False):
+    """Columns of `count` draws by name, the same for the same seed, on every machine.
+
+    A Latin hypercube: each distribution is divided into `count` parts of equal probability, and
+    each has one draw, so that means are surer than those of `plain` draws, each by itself. A name's
+    draws do not depend on what else is drawn."""
+    columns = {}
+    for name, distribution in distributions.items():
+        random = np.random.default_rng([seed, *name.encode()])
+        shares = random.random(count)
+        if not plain:
+            shares = (random.permutation(count) + shares) / count
+        columns[name] = distribution.at(shares)
+    return columns

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Numbers that users give, before numpy makes something else of them: it takes None for nan, drops
+imaginary parts, and names lengths where a name would help."""
+import numpy as np
+
+
+def real(name, value, shape=None, none="expected numbers"):
+    """The value as an array of real numbers: whole numbers or floats of any size are taken as they
+    are, anything else is refused by `name`. `shape`: that it must have. `none`: what to do instead
+    of giving None."""
+    if value is None:
+        raise TypeError(f"{name} is None: {none}")
+    if isinstance(value, (list, tuple)):
+        for i, each in enumerate(value):
+            if each is None:
+                raise TypeError(f"{name}[{i}] is None: {none}")
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        raise ValueError(f"{name}: rows of different lengths: expected an array") from None
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name} of {array.dtype}: expected real numbers")
+    if shape is not None and array.shape != shape:
+        wanted = "one number" if shape == () else " x ".join(map(str, shape)) + " numbers"
+        raise ValueError(f"{name} of shape {array.shape}: expected {wanted}")
+    return array
+
+
+def finite(name, value, shape):
+    """The same, where nan and infinities are refused too."""
+    array = real(name, value, shape)
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name} = {array}: expected finite numbers")
+    return array
+
+
+def direction(name, value):
+    """A direction as a vector of length 1."""
+    array = finite(name, value, (3,)).astype(float)
+    length = np.linalg.norm(array)
+    if not length > 0:
+        raise ValueError(f"{name} = {array}: expected a length above 0")
+    return array / length

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Straight insertions, as robots make them and papers report them."""
+import functools
+
+import numpy as np
+
+from stylet._stylet import Organ
+from stylet.given import direction as unit, finite
+from stylet.simulation import poses_of_tips
+
+
+@functools.lru_cache(maxsize=8)
+def kept_organ(path):
+    """The organ in a file, read once in each process: for functions that sweep calls."""
+    return Organ.read(path)
+
+
+def insertion_poses(organ, needle, through_m, direction, depth_m, speed_m_per_s, hold_s=0.0,
+                    retract=False, before_m=2e-3, period_s=1e-3):
+    """Poses (ticks, 7) of a tip that moves along a line with constant speed: from `before_m` before
+    the organ's surface to `depth_m` behind it, where it holds still, and back again.
+
+    `through_m`: a place on the line."""
+    way, through = unit("direction", direction), finite("through_m", through_m, (3,)).astype(float)
+    size_m = float(np.linalg.norm(np.subtract(organ.info.high_m, organ.info.low_m)))
+    far = through - 2 * size_m * way
+    meets_m = organ.raycast(far, way)
+    if meets_m is None:
+        raise ValueError(f"through_m = {through}: the line along {way} does not meet the organ")
+    for name, value in (("depth_m", depth_m), ("speed_m_per_s", speed_m_per_s),
+                        ("period_s", period_s)):
+        if not finite(name, value, ()) > 0:
+            raise ValueError(f"{name} = {value}: expected more than 0")
+    step_m = speed_m_per_s * period_s
+    ticks = int(np.ceil((before_m + depth_m) / step_m))
+    along_m = np.minimum(np.arange(ticks + 1) * step_m - before_m, depth_m)
+    held = np.full(round(hold_s / period_s), depth_m)
+    back = along_m[::-1] if retract else along_m[:0]
+    tips_m = far + np.outer(meets_m + np.concatenate([along_m, held, back]), way)
+    return poses_of_tips(tips_m, way, needle.length_m)

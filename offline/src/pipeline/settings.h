@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a user chooses for a build, as the options of stylet-organ spell it, and the BuildOptions
+// that follow. The program and the Python module share this: so the same choices give the same
+// bytes from both, with the same text in the organ's provenance.
+//
+// Promise: what cannot be meant is refused with the option's name. Units: those in the names.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "maps/recipe.h"
+#include "pipeline/build.h"
+
+namespace stylet::offline {
+
+struct Settings {
+  std::string name;  // of the organ; empty: that of the first input
+  double voxel_mm = 5;
+  std::uint32_t voxels_across = 0;
+  std::string fit;  // rate that the program chose the edge for; only for the text
+  std::string capsule = "auto";
+  std::vector<std::string> fix = kDefaultFix;
+  std::vector<std::string> crop;
+  std::string materials;            // file
+  std::vector<std::string> layers;  // each TISSUE:MM
+  std::string layers_of;
+  std::string layers_along = "+x";
+  std::string fill_gaps;  // TISSUE:MM
+  bool split_gaps = false;
+  // Of meshes.
+  std::string units = "mm";
+  double scale = 1;
+  bool wrap = false;
+};
+
+// The first words of the line in an organ that says what made it.
+const char* tool_version();
+
+// `metres_per_unit` is for the meshes that hold the organ in place.
+BuildOptions common_options(const Settings& settings, double metres_per_unit);
+
+// Each text is TISSUE:MM. `option` is the option that refusals name.
+std::vector<Layer> parse_layers(const std::vector<std::string>& texts, const char* option);
+
+// The texts with a space between them.
+std::string joined(const std::vector<std::string>& texts);
+
+// A needle would enter a liver without capsule at a quarter of the force, over three times the
+// distance: so a user who says only "liver" gets the organ with its natural capsule. `tissues` are
+// those of the inputs.
+void choose_capsule(const Settings& settings, const std::vector<std::string>& tissues,
+                    BuildOptions& options);
+
+// What a build of a label map needs besides common_options. `path` is the map's, `recipe_text`
+// tells the recipe in the provenance.
+struct LabelSource {
+  const std::string& path;
+  const std::string& recipe_text;
+};
+void choose_for_labels(const Settings& settings, const LabelSource& source, const Recipe& recipe,
+                       BuildOptions& options);
+
+// The same for meshes.
+void choose_for_meshes(const Settings& settings, const std::vector<Input>& inputs,
+                       BuildOptions& options);
+
+}  // namespace stylet::offline
