@@ -129,7 +129,8 @@ class Obstacle(Struct):
     @classmethod
     def box(cls, half_m, **fields):
         """A box from -half_m to half_m, about its own position."""
-        return restored(cls, _stylet.box_obstacle(*map(float, half_m))).replace(**fields)
+        half_m = map(float, real("half_m", half_m, (3,)))
+        return restored(cls, _stylet.box_obstacle(*half_m)).replace(**fields)
 
     @classmethod
     def sphere(cls, radius_m, **fields):
