@@ -15,21 +15,23 @@ namespace {
 
 toml::array array_of(const py::sequence& list, const std::string& place);
 
-// Hands `put` the value as TOML has it. numpy's numbers are numbers too.
+// Hands `put` the value as TOML has it. numpy's numbers and arrays are Python's for it.
 template <typename Put>
 void convert(py::handle value, const std::string& place, const Put& put) {
-  if (py::isinstance<py::dict>(value)) {
+  if (py::hasattr(value, "tolist")) {
+    convert(value.attr("tolist")(), place, put);
+  } else if (py::isinstance<py::dict>(value)) {
     put(table_of(value.cast<py::dict>(), place));
   } else if (py::isinstance<py::str>(value)) {
     put(value.cast<std::string>());
   } else if (py::isinstance<py::bool_>(value)) {
     put(value.cast<bool>());
-  } else if (PyIndex_Check(value.ptr()) != 0) {
-    put(py::reinterpret_steal<py::int_>(PyNumber_Index(value.ptr())).cast<std::int64_t>());
-  } else if (PyFloat_Check(value.ptr()) != 0 || py::hasattr(value, "__float__")) {
-    put(py::float_(py::reinterpret_borrow<py::object>(value)).cast<double>());
-  } else if (py::isinstance<py::sequence>(value) || py::hasattr(value, "__iter__")) {
-    put(array_of(py::list(py::reinterpret_borrow<py::object>(value)), place));
+  } else if (py::isinstance<py::int_>(value)) {
+    put(value.cast<std::int64_t>());
+  } else if (py::isinstance<py::float_>(value)) {
+    put(value.cast<double>());
+  } else if (py::isinstance<py::sequence>(value)) {
+    put(array_of(value.cast<py::sequence>(), place));
   } else {
     refuse_value(place, value, "a number, a text, a list or a dict");
   }

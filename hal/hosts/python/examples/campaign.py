@@ -14,7 +14,7 @@ DRAWN = {
     "tilt_rad": stylet.Uniform(-0.3, 0.3),             # of the line, against straight down
     "depth_m": stylet.Uniform(0.01, 0.03),
     "speed_m_per_s": stylet.LogUniform(0.01, 0.05),
-    "outer_radius_m": stylet.Choice(0.00064, 0.00036),  # 18G, 22G
+    "outer_radius_m": stylet.Choice(0.000635, 0.00036),  # 18G, 22G
     "bending_nm2": stylet.LogNormal(0.02, 1.5),
 }
 

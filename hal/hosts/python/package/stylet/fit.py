@@ -3,20 +3,27 @@
 
 Every parameter is above 0 and is found by its logarithm, in which tissue's numbers differ. Sources:
 Marquardt 1963 (the search); Seber and Wild, Nonlinear Regression, 1989, chapter 5 (intervals by the
-Jacobian and by the profile); Abramowitz and Stegun 26.7.5 (Student's t).
+Jacobian and by the profile); Abramowitz and Stegun 26.7.3 to 26.7.5 (Student's t).
 """
 import dataclasses
+import math
 import statistics
 
 import numpy as np
 
+from stylet.draws import LogUniform, draw
 from stylet.given import finite
 
 MOST_STEPS = 40
-FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-2, 1e-9, 1e9
+FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-2, 1e-9, 1e6
+TRIED_DAMPINGS = (0.1, 1, 10, 100)
+LONGEST_STEP = np.log(2)  # a parameter at most doubles
 NEAR = 0.02         # a step that is this small a part of the standard errors ends the search
-FIRST_WAY = 0.02    # of a difference, in the logarithm, before standard errors are known
-WAYS = (1e-3, 0.1)  # least and largest: below, a curve's ticks are seen; above, its bends
+# Ways of differences, in the logarithm: standard errors, but not less, as the tick in which tissue
+# gives way would be seen, nor more, where the curve bends.
+LEAST_WAY, MOST_WAY = 0.02, 0.1
+DRAWN_FOR_EACH = 16  # parameter, before the search goes down
+SEED = 1
 
 
 @dataclasses.dataclass(frozen=True)
@@ -38,25 +45,27 @@ class Fit:
         return self.search.profile(self, list(self.values).index(name))
 
 
-def fit(simulate, guess, measured, sigma=None, confidence=0.95):
+def fit(simulate, ranges, measured, sigma=None, confidence=0.95, starts=3):
     """Finds the parameters whose simulated curve is nearest to the measured one.
 
     `simulate` takes a list of dicts of parameters, and returns a curve for each, as long as
-    `measured`: so it may run them all at once. `guess`: a dict of numbers above 0 to begin with.
-    `sigma`: standard deviation of the measured points, one or one each; None: it follows from the
-    residuals, and then holds what the model cannot do as well."""
-    names = list(guess)
-    start = finite("guess", [guess[name] for name in names], (len(names),)).astype(float)
-    if not (start > 0).all():
-        raise ValueError(f"guess {guess}: expected numbers above 0")
+    `measured`: so it may run them all at once. `ranges`: for each parameter where it is expected,
+    two numbers above 0. A Latin hypercube in them is simulated, and the search goes down from the
+    best `starts` of it, beyond the ranges if need be: for where tissue gives way, curves have
+    several nearest ones. `sigma`: standard deviation of the measured points, one or one each; None:
+    it follows from the residuals, and then holds what the model cannot do as well."""
+    drawn = draw({name: LogUniform(*finite(name, ends, (2,)).tolist())
+                  for name, ends in ranges.items()}, DRAWN_FOR_EACH * len(ranges), SEED)
+    points = np.log(np.stack(list(drawn.values()), axis=1))
     measured = finite("measured", measured, np.shape(measured)).astype(float).ravel()
-    if len(measured) <= len(names):
+    if len(measured) <= len(ranges):
         raise ValueError(f"measured: {len(measured)} points: expected more than parameters")
     deviation = np.asarray(1.0 if sigma is None else sigma, float)
     if not (np.isfinite(deviation) & (deviation > 0)).all():
         raise ValueError(f"sigma = {sigma}: expected numbers above 0")
-    search = Search(simulate, names, measured, deviation)
-    return search.fit(np.log(start), sigma, confidence)
+    search = Search(simulate, list(ranges), measured, deviation)
+    order = np.argsort((search.residuals(points) ** 2).sum(axis=1))[:starts]
+    return search.fit(points[order], sigma, confidence)
 
 
 class Search:
@@ -82,30 +91,32 @@ class Search:
         return all_[0], ((ahead - behind) / (2 * np.asarray(ways)[:, None])).T
 
     def down(self, x, free):
-        """The nearest minimum over the free ones: x, residuals, Jacobian, whether it was found."""
-        x, damping, ways = np.array(x), FIRST_DAMPING, np.full(len(free), FIRST_WAY)
+        """The nearest minimum over the free ones: x, residuals, Jacobian, whether it was found.
+
+        Steps of several dampings are tried at once, as curves are best simulated together."""
+        x, damping, ways = np.array(x), FIRST_DAMPING, np.full(len(free), LEAST_WAY)
         here, jacobian = self.slopes(x, free, ways)
         for _ in range(MOST_STEPS):
             normal = jacobian.T @ jacobian
-            step = -np.linalg.lstsq(normal + damping * np.diag(np.diag(normal)), jacobian.T @ here,
-                                    rcond=None)[0]
-            step *= min(1, 1 / max(np.abs(step).max(), 1e-300))  # at most e times as much
-            ways = np.clip(errors_of(normal, here), *WAYS)
-            small = np.abs(step).max() < NEAR * ways.min()
-            there = x.copy()
-            there[free] += step
-            ahead, slopes = self.slopes(there, free, ways)
-            if ahead @ ahead <= here @ here:
-                x, here, jacobian = there, ahead, slopes
-                damping = max(damping / 10, LEAST_DAMPING)
-            else:
-                damping *= 10
+            errors = errors_of(normal, here)
+            tried = damping * np.array(TRIED_DAMPINGS)
+            points = np.tile(x, (len(tried), 1))
+            points[:, free] += [step_of(normal, jacobian.T @ here, each) for each in tried]
+            ahead = self.residuals(points)
+            best = np.argmin((ahead ** 2).sum(axis=1))
+            small = (np.abs(points[best] - x)[free] <= NEAR * errors).all()
+            better = ahead[best] @ ahead[best] < here @ here
+            damping = max(tried[best], LEAST_DAMPING) if better else damping * 1e3
+            if better:
+                x, ways = points[best], np.clip(errors, LEAST_WAY, MOST_WAY)
+                here, jacobian = self.slopes(x, free, ways)
             if small or damping > MOST_DAMPING:
                 return x, here, jacobian, True
         return x, here, jacobian, False
 
-    def fit(self, start, sigma, confidence):
-        x, residuals, jacobian, converged = self.down(start, np.arange(len(start)))
+    def fit(self, starts, sigma, confidence):
+        ends = [self.down(start, np.arange(len(start))) for start in starts]
+        x, residuals, jacobian, converged = min(ends, key=lambda end: end[1] @ end[1])
         freedom = len(residuals) - len(x)
         scale = np.sqrt(residuals @ residuals / freedom) if sigma is None else 1.0
         covariance = scale ** 2 * np.linalg.pinv(jacobian.T @ jacobian)
@@ -138,6 +149,12 @@ class Search:
         return tuple(ends)
 
 
+def step_of(normal, gradient, damping):
+    """Marquardt's step, at most LONGEST_STEP for any parameter."""
+    step = -np.linalg.lstsq(normal + damping * np.diag(np.diag(normal)), gradient, rcond=None)[0]
+    return step * min(1, LONGEST_STEP / max(np.abs(step).max(), 1e-300))
+
+
 def errors_of(normal, residuals):
     """Standard errors as the curve's residuals say them."""
     variance = residuals @ residuals / max(len(residuals) - len(normal), 1)
@@ -148,6 +165,10 @@ def quantile(confidence, freedom):
     """How many standard errors to either side hold it: Student's t."""
     if not 0 < confidence < 1:
         raise ValueError(f"confidence = {confidence}: expected 0 to 1")
+    if freedom == 1:
+        return math.tan(math.pi * confidence / 2)
+    if freedom == 2:
+        return confidence * math.sqrt(2 / (1 - confidence ** 2))
     z = statistics.NormalDist().inv_cdf((1 + confidence) / 2)
     terms = ((z ** 3 + z) / 4, (5 * z ** 5 + 16 * z ** 3 + 3 * z) / 96,
              (3 * z ** 7 + 19 * z ** 5 + 17 * z ** 3 - 15 * z) / 384)

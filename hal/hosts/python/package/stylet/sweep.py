@@ -66,7 +66,9 @@ def finished(function, table, todo, workers, client):
                 answer = future.result()
             except KilledWorker as error:  # by this row, again and again: not the others' fault
                 answer = None, f"KilledWorker: {error}"
-            yield futures[future], *answer
+            index = futures.pop(future)
+            future.release()  # else Dask would run it again when the worker that ran it dies
+            yield index, *answer
 
 
 def attempt(function, row):

@@ -1,0 +1,66 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Young's modulus, puncture force and friction of a tissue from a published force curve.
+
+usage: calibrate.py [PICTURE]
+
+The curve: Okamura, Simone and O'Leary 2004, Force modeling for needle insertion into soft tissue
+(doi 10.1109/TBME.2004.831542): an 18G bevelled needle at 3 mm/s in bovine tissue ex vivo, from the
+first contact through the first puncture. Means over each millimetre, read off to 0.01 N.
+"""
+import sys
+
+import numpy as np
+import stylet
+import stylet_organ
+
+PUBLISHED_N = np.array([0.03, 0.07, 0.11, 0.17, 0.25, 0.36, 0.46, 0.63, 0.92, 1.21, 0.50, 0.29,
+                        0.33, 0.35, 0.39, 0.47, 0.52])
+RANGES = {"youngs_modulus_pa": (3e4, 3e5), "puncture_force_n": (0.3, 3), "friction_n_per_m": (5, 50)}
+SPEED_M_PER_S, EDGE_M = 3e-3, 7.5e-3
+NEEDLE = stylet.Needle(outer_radius_m=0.635e-3)  # 18G
+BLOCK = np.ones((8, 8, 8), np.uint8)             # 60 mm
+
+
+def organ_of(youngs_modulus_pa, puncture_force_n, friction_n_per_m):
+    """The block, of liver but for these; it sticks with a fifth more than it slides, as liver."""
+    tissue = {**stylet_organ.TISSUES["liver"], "youngs_modulus_kpa": 1e-3 * youngs_modulus_pa,
+              "puncture_force_n": puncture_force_n,
+              "coulomb_friction_n_per_mm": 1e-3 * friction_n_per_m,
+              "static_friction_n_per_mm": 1.2e-3 * friction_n_per_m}
+    return stylet_organ.from_labels(BLOCK, {1: "tissue"}, spacing_m=3 * [EDGE_M], fix="z<10%",
+                                    voxel_edge_m=EDGE_M, materials={"tissue": tissue}).organ
+
+
+def curves(points, speed_m_per_s=SPEED_M_PER_S, millimetres=len(PUBLISHED_N)):
+    """Mean force over each millimetre of the way from the surface on, for each of the points."""
+    organs = [organ_of(**point) for point in points]
+    middle_m = np.add(organs[0].info.low_m, organs[0].info.high_m) / 2
+    poses = stylet.insertion_poses(organs[0], NEEDLE, middle_m, (0, 0, -1), 1e-3 * millimetres,
+                                   speed_m_per_s, before_m=1e-3)
+    run = stylet.VectorSimulation([stylet.Simulation(organ, NEEDLE) for organ in organs])
+    forces_n = run.run(np.tile(poses, (len(organs), 1, 1)))["force_n"][..., 2]
+    millimetre = np.floor((poses[0, 2] - poses[:, 2]) / 1e-3).astype(int) - 1
+    return [[force_n[millimetre == i].mean() for i in range(millimetres)] for force_n in forces_n]
+
+
+def main():
+    found = stylet.fit(curves, RANGES, PUBLISHED_N)
+    for name, value in found.values.items():
+        print(f"{name:18} {value:9.4g}, 95 %: {found.low[name]:.4g} to {found.high[name]:.4g}")
+    print(f"the model is {found.sigma:.2f} N off the curve")
+    if len(sys.argv) > 1:
+        import matplotlib
+        matplotlib.use("Agg")  # needs no screen
+        from matplotlib import pyplot
+        way_mm = np.arange(len(PUBLISHED_N)) + 0.5
+        pyplot.plot(way_mm, PUBLISHED_N, "o", label="published")
+        pyplot.plot(way_mm, PUBLISHED_N - found.residuals, label="simulated, fitted")
+        pyplot.xlabel("way from the first contact (mm)")
+        pyplot.ylabel("force on the needle (N)")
+        pyplot.legend()
+        pyplot.savefig(sys.argv[1])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,90 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""A tissue is found again from the force on a needle: the example, and curves that were simulated
+with drawn numbers and noise.
+
+The numbers are drawn where an insertion shows them all: tissue that holds a needle of its stiffness
+until it gives way before the end, with more force than the needle needs afterwards. Expected values:
+the numbers that were drawn; the binomial distribution.
+
+usage: calibrate_test.py Once|Often|Example
+"""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+import stylet
+from support import SOURCE
+
+sys.path.insert(0, str(SOURCE / "offline/python/examples"))
+import calibrate  # noqa: E402
+
+SIGMA_N = 0.02
+SPEED_M_PER_S = 0.02  # so that a curve takes a seventh of the example's time
+
+
+def curves(points):
+    return calibrate.curves(points, SPEED_M_PER_S)
+
+
+def recovered(seed):
+    """What was drawn, and the fit of its curve with noise."""
+    drawn = stylet.draw({"youngs_modulus_pa": stylet.LogUniform(8e4, 2e5),
+                         "puncture_force_n": stylet.Uniform(0.7, 1.2),
+                         "friction_n_per_m": stylet.Uniform(8, 25)}, 1, seed)
+    truth = {name: float(column[0]) for name, column in drawn.items()}
+    noise = SIGMA_N * np.random.default_rng(seed).standard_normal(len(calibrate.PUBLISHED_N))
+    return truth, stylet.fit(curves, calibrate.RANGES, curves([truth])[0] + noise, SIGMA_N)
+
+
+class Once(unittest.TestCase):
+    def test_within_four_standard_errors(self):
+        truth, found = recovered(1)
+        self.assertTrue(found.converged)
+        for i, (name, value) in enumerate(truth.items()):
+            off = np.log(found.values[name] / value)
+            self.assertLess(abs(off), 4 * np.sqrt(found.covariance[i, i]), name)
+            self.assertLess(found.high[name] / found.low[name], 1.5, name)
+        # Chi-squared of 14 degrees of freedom: above 36.1 once in a thousand times.
+        self.assertLess(np.sum((found.residuals / SIGMA_N) ** 2), 36.1)
+
+
+class Often(unittest.TestCase):
+    def test_intervals_hold_as_often_as_they_say(self):
+        """Of 20 right intervals of 95 %, 5 or more miss 3 times in a thousand; of all 60, were they
+        independent, 9 or more 3 times in a thousand."""
+        misses = dict.fromkeys(calibrate.RANGES, 0)
+        for seed in range(100, 120):
+            truth, found = recovered(seed)
+            for name, value in truth.items():
+                misses[name] += not found.low[name] <= value <= found.high[name]
+        self.assertLess(max(misses.values()), 5, misses)
+        self.assertLess(sum(misses.values()), 9, misses)
+
+
+class Example(unittest.TestCase):
+    def test_published_curve(self):
+        """Nobody knows this tissue's numbers; what the curve itself says: it breaks at its peak,
+        1.21 N on average over the last millimetre before, and rises afterwards by 0.23 N in 5 mm,
+        which is friction's at most."""
+        with tempfile.TemporaryDirectory() as top:
+            picture = os.path.join(top, "curve.png")
+            said = subprocess.run([SOURCE / "offline/python/examples/calibrate.py", picture],
+                                  check=True, capture_output=True, text=True).stdout
+            with open(picture, "rb") as file:
+                self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
+        numbers = {line.split()[0]: float(line.split()[1].strip(",")) for line in
+                   said.splitlines()[:3]}
+        self.assertEqual(list(numbers), list(calibrate.RANGES))
+        self.assertTrue(0.8 < numbers["puncture_force_n"] < 1.5, said)
+        self.assertTrue(0 < numbers["friction_n_per_m"] < 1.2 * 0.23 / 0.005, said)
+        # Two thirds of the peak in the first 9 mm.
+        self.assertTrue(5e4 < numbers["youngs_modulus_pa"] < 3e5, said)
+        self.assertLess(float(said.split("the model is ")[1].split()[0]), 0.15, said)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,113 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Parameters are found again from a curve with noise, and their intervals hold them as often as
+they say, for a curve in closed form.
+
+Expected values: the parameters that the curves were made with; the binomial distribution; Student's
+t of Fisher and Yates' table.
+"""
+import math
+import random
+import unittest
+
+import numpy as np
+import stylet
+from stylet.fit import quantile
+
+X = np.linspace(0, 6, 25)
+RANGES = {"height": (0.3, 3), "rate": (0.2, 2), "slope": (0.02, 0.2)}
+
+
+def curves(points):
+    return [p["height"] * (1 - np.exp(-p["rate"] * X)) + p["slope"] * X for p in points]
+
+
+def truth_of(number):
+    return {"height": number.uniform(0.7, 1.5), "rate": number.uniform(0.5, 1.5),
+            "slope": number.uniform(0.05, 0.15)}
+
+
+def least_and_most(count, share):
+    """Between which a binomial number lies but once in a thousand times at either end."""
+    chances = np.cumsum([math.comb(count, i) * share ** i * (1 - share) ** (count - i)
+                         for i in range(count + 1)])
+    return int(np.searchsorted(chances, 1e-3)), int(np.searchsorted(chances, 1 - 1e-3))
+
+
+class Found(unittest.TestCase):
+    def misses(self, fits, sigma, confidence, interval):
+        """How often each parameter is outside its interval."""
+        out = dict.fromkeys(RANGES, 0)
+        for seed in range(fits):
+            number = random.Random(seed)
+            truth = truth_of(number)
+            noise = [number.gauss(0, 0.03) for _ in X]
+            found = stylet.fit(curves, RANGES, curves([truth])[0] + noise, sigma, confidence, 1)
+            self.assertTrue(found.converged, seed)
+            for name, value in truth.items():
+                low, high = interval(found, name)
+                out[name] += not low <= value <= high
+        return out
+
+    def test_without_noise_it_finds_them(self):
+        for seed in range(30):
+            truth = truth_of(random.Random(seed))
+            found = stylet.fit(curves, RANGES, curves([truth])[0], 0.001)
+            for name, value in truth.items():
+                self.assertAlmostEqual(found.values[name] / value, 1, places=4)
+
+    def test_intervals_hold_as_often_as_they_say(self):
+        for sigma, confidence, fits in ((0.03, 0.95, 300), (None, 0.95, 300), (None, 0.8, 200)):
+            least, most = least_and_most(fits, 1 - confidence)
+            for name, count in self.misses(fits, sigma, confidence, lambda found, name: (
+                    found.low[name], found.high[name])).items():
+                self.assertTrue(least <= count <= most, (name, sigma, count, least, most))
+
+    def test_so_do_those_of_the_profile(self):
+        least, most = least_and_most(60, 0.2)
+        misses = self.misses(60, None, 0.8, lambda found, name: found.profile(name))
+        for name, count in misses.items():
+            self.assertTrue(least <= count <= most, (name, count, least, most))
+
+    def test_of_one_straight_parameter_both_are_the_closed_form(self):
+        """log y = log a + noise of known size: the interval of a mean."""
+        number = random.Random(4)
+        logs = np.log(2.0) + np.array([number.gauss(0, 0.1) for _ in range(40)])
+        found = stylet.fit(lambda points: [np.full(40, math.log(p["a"])) for p in points],
+                           {"a": (0.5, 5)}, logs, 0.1)
+        mean, half = logs.mean(), 1.959964 * 0.1 / math.sqrt(40)
+        self.assertAlmostEqual(math.log(found.values["a"]), mean, places=6)
+        for low, high in ((found.low["a"], found.high["a"]), found.profile("a")):
+            self.assertAlmostEqual(math.log(low), mean - half, places=3)
+            self.assertAlmostEqual(math.log(high), mean + half, places=3)
+
+    def test_sigma_is_that_of_the_noise(self):
+        number = random.Random(9)
+        truth = truth_of(number)
+        found = [stylet.fit(curves, RANGES, curves([truth])[0] + np.array(
+            [number.gauss(0, 0.05) for _ in X])).sigma for _ in range(40)]
+        # Chi-squared of 22 degrees of freedom, 40 times.
+        self.assertAlmostEqual(np.sqrt(np.mean(np.square(found))), 0.05,
+                               delta=4 * 0.05 / math.sqrt(2 * 22 * 40))
+
+    def test_students_t(self):
+        for confidence, freedom, expected in ((0.95, 1, 12.706), (0.95, 2, 4.303), (0.95, 3, 3.182),
+                                              (0.95, 5, 2.571), (0.95, 14, 2.145), (0.99, 10, 3.169),
+                                              (0.95, 30, 2.042), (0.95, math.inf, 1.960)):
+            self.assertAlmostEqual(quantile(confidence, freedom) / expected, 1, delta=8e-3)
+
+    def test_refusals(self):
+        for words, arguments in (("3 points: expected more", (curves, RANGES, [1, 2, 3])),
+                                 ("low above 0", (curves, {**RANGES, "rate": (0, 1)}, X)),
+                                 ("rate of shape", (curves, {**RANGES, "rate": (1, 2, 3)}, X)),
+                                 ("expected finite", (curves, RANGES, X * np.nan)),
+                                 ("sigma = 0", (curves, RANGES, X, 0)),
+                                 ("confidence = 2", (curves, RANGES, X, 1.0, 2)),
+                                 (r"curves of shape \(48, 5\): expected \(48, 25\)",
+                                  (lambda points: np.zeros((len(points), 5)), RANGES, X))):
+            with self.assertRaisesRegex(ValueError, words):
+                stylet.fit(*arguments)
+
+
+if __name__ == "__main__":
+    unittest.main()

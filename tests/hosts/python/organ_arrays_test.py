@@ -1,0 +1,378 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""stylet_organ: organs of arrays are those that stylet-organ makes of files, byte for byte; what the
+program refuses is refused in its words; a build leaves the interpreter free and hears Ctrl-C.
+
+Expected values: the files and messages of the program stylet-organ.
+"""
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import textwrap
+import threading
+import time
+import tomllib
+import unittest
+import warnings
+
+import numpy as np
+import stylet
+import stylet_organ
+from support import program
+
+MM = 1e-3
+RECIPE = """[tissues]
+liver = [1, "lobe"]
+tumour = [7]
+[names]
+lobe = 3
+[surface]
+smoothing = 4
+[obstacles]
+rib = [200]
+[targets]
+lesion = [7]
+"""
+AS_DICT = {"tissues": {"liver": [1, "lobe"], "tumour": (7,)}, "names": {"lobe": 3},
+           "surface": {"smoothing": np.int64(4)}, "obstacles": {"rib": [200]},
+           "targets": {"lesion": np.array([7])}}
+OWN = {"liver": {"youngs_modulus_kpa": 31.5, "source": "a test"}}
+OWN_TEXT = '[liver]\nyoungs_modulus_kpa = 31.5\nsource = "a test"\n'
+
+
+def random_labels(random):
+    """A ball of liver in two parts with a lesion, and a rib beside it: z, y, x."""
+    size = random.integers(18, 26, 3)
+    at = np.stack(np.meshgrid(*(np.arange(n) - n / 2 for n in size), indexing="ij"), axis=-1)
+    far = np.linalg.norm(at, axis=-1) + random.normal(0, 0.3, tuple(size))
+    labels = np.where(far < 8, np.where(at[..., 2] > 1, 1, 3), 0).astype(np.uint8)
+    labels[np.linalg.norm(at - [1, 1, -2], axis=-1) < 3] = 7
+    labels[1:4, :, 0:3] = 200
+    return labels
+
+
+class Frame:
+    """Where a map lies: steps in mm along the axes of voxels, in columns, and the first voxel."""
+
+    def __init__(self, random, oblique):
+        turn = np.linalg.qr(random.normal(size=(3, 3)))[0] if oblique else np.eye(3)
+        self.steps_mm = np.round(turn * random.uniform(3, 5, 3), 6)
+        self.origin_mm = np.round(random.uniform(-90, 90, 3), 6)
+
+    def affine_m(self):
+        affine = np.eye(4)
+        affine[:3, :3], affine[:3, 3] = self.steps_mm * MM, self.origin_mm * MM
+        return affine
+
+    def nrrd(self, labels):
+        kind = {"u1": "uint8", "u2": "uint16", "i4": "int32", "f8": "double"}[labels.dtype.str[1:]]
+        steps = " ".join("({!r},{!r},{!r})".format(*map(float, step)) for step in self.steps_mm.T)
+        origin = "({!r},{!r},{!r})".format(*map(float, self.origin_mm))
+        sizes = " ".join(map(str, labels.shape[::-1]))
+        return (f"NRRD0004\ntype: {kind}\ndimension: 3\nsizes: {sizes}\nendian: little\n"
+                f"space: left-posterior-superior\nspace directions: {steps}\n"
+                f"space origin: {origin}\nencoding: raw\n\n").encode() + labels.tobytes()
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        top = tempfile.TemporaryDirectory()
+        self.addCleanup(top.cleanup)
+        self.top = pathlib.Path(top.name)
+        self.map, self.recipe = self.top / "map.nrrd", self.top / "recipe.toml"
+        self.recipe.write_text(RECIPE)
+        self.materials = self.top / "own.toml"
+        self.materials.write_text(OWN_TEXT)
+        warnings.simplefilter("ignore")
+
+    def program(self, *words):
+        """The organ that the program makes, and what it prints as JSON."""
+        made = self.top / "program.organ"
+        done = subprocess.run([program("stylet-organ"), "build", *words, "-o", made, "--json"],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return made.read_bytes(), json.loads(done.stdout)
+
+
+class Labels(Case):
+    SETTINGS = (((), {}),
+                (("--voxel-mm", "4.7", "--capsule", "none", "--fix", "x<20%"),
+                 {"voxel_edge_m": 0.0047, "capsule": "none", "fix": "x<20%"}),
+                (("--voxels-across", "9", "--name", "mine", "--split-gaps", "--crop", "z>30%"),
+                 {"voxels_across": 9, "name": "mine", "split_gaps": True, "crop": ["z>30%"]}),
+                (("--layers-of", "liver", "--layers-along", "-y", "--layer", "fat:8", "--layer",
+                  "muscle:90", "--fill-gaps", "fat:3"),
+                 {"layers_of": "liver", "layers_along": "-y", "layers": ["fat:8", "muscle:90"],
+                  "fill_gaps": "fat:3"}))
+
+    def test_bytes_are_the_programs(self):
+        random = np.random.default_rng(17)
+        for i, (words, options) in enumerate(self.SETTINGS * 2):
+            labels = random_labels(random).astype(["<u1", "<u2", "<i4", "<f8"][i % 4])
+            frame = Frame(random, oblique=i % 2 == 1)
+            self.map.write_bytes(frame.nrrd(labels))
+            expected, _ = self.program(self.map, "--recipe", self.recipe, "--materials",
+                                       self.materials, *words)
+            built = stylet_organ.from_labels(
+                labels, recipe=self.recipe, affine_m=frame.affine_m(), source=self.map,
+                materials=self.materials, **options)
+            self.assertEqual(built.content, expected, words)
+            self.assertEqual(built.organ.info.hash, stylet.Organ.from_bytes(expected).info.hash)
+
+    def test_orders_types_and_places_in_memory_give_the_same(self):
+        random = np.random.default_rng(5)
+        labels = random_labels(random)
+        spread = np.zeros(tuple(2 * n for n in labels.shape), np.uint8)
+        spread[::2, ::2, ::2] = labels
+
+        def made(given, order="zyx"):
+            return stylet_organ.from_labels(given, recipe=AS_DICT, order=order,
+                                            spacing_m=(4 * MM, 3 * MM, 5 * MM)).content
+        expected = made(labels)
+        for dtype in ("u2", "i2", "u4", "i4", "u8", "i8", "f4", "f8", ">u2", ">f8"):
+            self.assertEqual(made(labels.astype(dtype)), expected, dtype)
+        self.assertEqual(made(np.asfortranarray(labels)), expected)
+        self.assertEqual(made(spread[::2, ::2, ::2]), expected)
+        self.assertEqual(made(labels.T, "xyz"), expected)
+        self.assertEqual(made(np.ascontiguousarray(labels.T), "xyz"), expected)
+        self.assertEqual(made(labels.transpose(1, 2, 0), "yxz"), expected)
+        turned = labels[::-1, ::-1, ::-1]
+        self.assertNotEqual(made(turned), expected)
+        self.assertEqual(made(turned[::-1, ::-1, ::-1]), expected)
+        self.assertEqual(stylet_organ.from_labels(
+            labels == 1, {1: "liver"}, spacing_m=3 * [4 * MM]).organ.info.materials, 2)
+
+    def test_tables_are_files(self):
+        """But for what the provenance tells of them."""
+        labels, frame = random_labels(np.random.default_rng(6)), Frame(np.random.default_rng(6), 0)
+        self.map.write_bytes(frame.nrrd(labels))
+        spacing_m, origin_m = np.diag(frame.steps_mm) * MM, frame.origin_mm * MM
+        files = stylet_organ.from_labels(labels, recipe=self.recipe, spacing_m=spacing_m,
+                                         origin_m=origin_m, materials=self.materials)
+        dicts = stylet_organ.from_labels(labels, recipe=AS_DICT, spacing_m=spacing_m,
+                                         origin_m=origin_m, materials=OWN)
+        pairs = stylet_organ.from_labels(
+            labels, {1: "liver", 3: "liver", 7: "tumour"}, spacing_m=spacing_m, origin_m=origin_m,
+            materials=OWN)
+        for name in ("voxels", "vertices", "triangles"):
+            np.testing.assert_array_equal(getattr(files.organ, name), getattr(dicts.organ, name))
+        self.assertEqual(files.organ.materials, dicts.organ.materials)
+        self.assertEqual(pairs.content, stylet_organ.from_labels(
+            labels, recipe={"tissues": {"liver": [1, 3], "tumour": [7]}}, spacing_m=spacing_m,
+            origin_m=origin_m, materials=OWN).content)
+        self.assertEqual(files.organ.materials[0].youngs_modulus_pa, 31500)
+        self.assertEqual(files.organ.materials[0].source, "a test")
+
+    def test_what_lies_beside_the_organ(self):
+        labels, frame = random_labels(np.random.default_rng(8)), Frame(np.random.default_rng(8), 1)
+        self.map.write_bytes(frame.nrrd(labels))
+        _, facts = self.program(self.map, "--recipe", self.recipe)
+        built = stylet_organ.from_labels(labels, recipe=self.recipe, affine_m=frame.affine_m())
+        self.assertEqual(list(built.warnings), facts["warnings"])
+        self.assertTrue(built.warnings)
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            stylet_organ.from_labels(labels, recipe=self.recipe, affine_m=frame.affine_m())
+        self.assertEqual([str(each.message) for each in told], list(built.warnings))
+        self.assertEqual(list(built.obstacles), ["rib"])
+        hull = tomllib.loads(pathlib.Path(facts["scene"]["obstacles"][0]["file"]).read_text())
+        np.testing.assert_allclose(hull["vertices_m"], built.obstacles["rib"], atol=1e-6)
+        self.assertEqual(stylet.Obstacle.hull(built.obstacles["rib"]).vertex_count,
+                         len(built.obstacles["rib"]))
+        name, at_m, radius_m = built.targets[0]
+        place = (labels == 7).nonzero()
+        middle = frame.affine_m() @ [*np.mean(place, axis=1)[::-1], 1]
+        self.assertEqual(name, "lesion")
+        self.assertLess(np.linalg.norm(middle[:3] - at_m), 4 * MM)  # a voxel of the map
+        volume = len(place[0]) * abs(np.linalg.det(frame.affine_m()[:3, :3]))
+        self.assertAlmostEqual(radius_m, (volume * 3 / 4 / np.pi) ** (1 / 3), places=6)
+        built.write(self.top / "again.organ")
+        self.assertEqual((self.top / "again.organ").read_bytes(), built.content)
+
+    def test_an_affine_of_nifti(self):
+        """RAS and mm: 2 mm to the right is -2 mm to the left."""
+        ras = np.array([[2, 0, 0, 10], [0, 3, 0, -20], [0, 0, 4, 30], [0, 0, 0, 1.0]])
+        np.testing.assert_allclose(stylet_organ.affine_m_of_nifti(ras),
+                                   [[-.002, 0, 0, -.01], [0, -.003, 0, .02], [0, 0, .004, .03],
+                                    [0, 0, 0, 1]], atol=1e-15)
+
+
+class Meshes(Case):
+    def off(self, name, vertices, faces):
+        path = self.top / name
+        path.write_text(f"OFF\n{len(vertices)} {len(faces)} 0\n" + "".join(
+            "{!r} {!r} {!r}\n".format(*map(float, v)) for v in vertices) + "".join(
+            "3 {} {} {}\n".format(*f) for f in faces))
+        return path
+
+    def box(self, low, high):
+        corners = np.array([[(high if i >> axis & 1 else low)[axis] for axis in range(3)]
+                            for i in range(8)])
+        faces = [(0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3),
+                 (3, 6, 7), (0, 4, 2), (2, 4, 6), (1, 3, 5), (3, 7, 5)]
+        return corners, np.array(faces, np.uint32)
+
+    def test_bytes_are_the_programs(self):
+        random = np.random.default_rng(3)
+        for words, options in (((), {}), (("--voxel-mm", "3", "--capsule", "none", "--wrap"),
+                                          {"voxel_edge_m": 0.003, "capsule": "none", "wrap": True})):
+            low = random.uniform(-0.02, 0.0, 3)
+            outer = self.box(low, low + random.uniform(0.03, 0.05, 3))
+            inner = self.box(low + 0.01, low + 0.02)
+            paths = [self.off("outer.off", *outer), self.off("inner.off", *inner)]
+            expected, _ = self.program(f"{paths[0]}:muscle", f"{paths[1]}:tumour:2", "--units", "m",
+                                       *words)
+            meshes = [stylet_organ.Mesh(*outer, "muscle", source=paths[0]),
+                      stylet_organ.Mesh(*inner, "tumour", 2, paths[1])]
+            self.assertEqual(stylet_organ.from_meshes(meshes, **options).content, expected)
+            expected, _ = self.program(paths[0], "--units", "m", *words)
+            one = stylet_organ.from_mesh(*outer, **options)
+            np.testing.assert_array_equal(one.organ.voxels,
+                                          stylet.Organ.from_bytes(expected).voxels)
+
+    def test_refusals(self):
+        vertices, faces = self.box(np.zeros(3), np.full(3, 0.03))
+        for words, kind, mesh in (
+                ("face 0: vertex 9: expected 0 to 7", ValueError, (vertices, [[0, 1, 9]])),
+                ("vertex 8: expected finite", ValueError,
+                 (np.vstack([vertices, [[np.nan, 0, 0]]]), faces)),
+                ("no faces", ValueError, (vertices, np.zeros((0, 3), int))),
+                ("vertices of shape", ValueError, (vertices[:, :2], faces)),
+                ("faces of shape", ValueError, (vertices, faces[:, :2])),
+                ("faces of float64", TypeError, (vertices, faces.astype(float))),
+                ("vertices of complex128", TypeError, (vertices.astype(complex), faces)),
+                ("tissue 'livr'", stylet_organ.Refused, (vertices, faces, "livr"))):
+            with self.assertRaisesRegex(kind, words):
+                stylet_organ.from_mesh(*mesh)
+        with self.assertRaisesRegex(ValueError, "one at least"):
+            stylet_organ.from_meshes([])
+
+
+class Refused(Case):
+    def test_in_the_programs_words(self):
+        labels, frame = random_labels(np.random.default_rng(2)), Frame(np.random.default_rng(2), 0)
+        self.map.write_bytes(frame.nrrd(labels))
+        for words, options in ((("--fix", "q>5"), {"fix": ["q>5"]}),
+                               (("--voxel-mm", "1e9"), {"voxel_edge_m": 1e6}),
+                               (("--fill-gaps", "fat:900"), {"fill_gaps": "fat:900"}),
+                               (("--capsule", "livr"), {"capsule": "livr"}),
+                               (("--layers-of", "skin", "--layer", "fat:3"),
+                                {"layers_of": "skin", "layers": "fat:3"})):
+            done = subprocess.run([program("stylet-organ"), "build", self.map, "--recipe",
+                                   self.recipe, "-o", self.top / "o.organ", *words],
+                                  capture_output=True, text=True)
+            self.assertEqual(done.returncode, 1)
+            with self.assertRaises(stylet_organ.Refused) as refused:
+                stylet_organ.from_labels(labels, recipe=self.recipe, affine_m=frame.affine_m(),
+                                         **options)
+            self.assertEqual(done.stderr.splitlines()[-1].removeprefix("stylet-organ: ")
+                             .removeprefix("error: "), str(refused.exception))
+
+    def test_arrays_and_arguments(self):
+        good = np.ones((6, 6, 6), np.uint8)
+        tissue, spacing = {"tissues": {1: "gel"}}, {"spacing_m": 3 * [5 * MM]}
+        both = {**tissue, **spacing}
+        for words, kind, labels, named in (
+                ("labels of complex128", TypeError, good.astype(complex), both),
+                ("labels of object", TypeError, good.astype(object), both),
+                ("labels of float16", TypeError, good.astype(np.float16), both),
+                (r"labels of shape \(6, 6\)", ValueError, good[0], both),
+                ("voxel 0: 1.5: expected labels", ValueError, good * 1.5, both),
+                ("voxel 0: -1: expected labels", ValueError, -good.astype(int), both),
+                ("more than 500 different", ValueError,
+                 np.arange(1000, dtype=np.uint16).reshape(10, 10, 10), both),
+                ("0 voxels along an axis", ValueError, good[:0], both),
+                ("either tissues or a recipe", TypeError, good, spacing),
+                ("either spacing_m or affine_m", TypeError, good, tissue),
+                (r"spacing_m of shape \(2,\)", ValueError, good, {**tissue, "spacing_m": (1, 2)}),
+                ("expected more than 0", ValueError, good, {**tissue, "spacing_m": (1, 2, 0)}),
+                ("affine_m: last row", ValueError, good, {**tissue, "affine_m": np.ones((4, 4))}),
+                ("order 'abc'", ValueError, good, {**both, "order": "abc"}),
+                ("voxel_size: there is no such option", TypeError, good, {**both, "voxel_size": 1}),
+                ("layers: 3: expected a list", TypeError, good, {**both, "layers": 3}),
+                ("voxels_across: 2.5: expected a whole", TypeError, good,
+                 {**both, "voxels_across": 2.5}),
+                ("recipe: 3: expected a path or a dict", TypeError, good,
+                 {**spacing, "recipe": 3}),
+                ("recipe.tissues.gel: None: expected", TypeError, good,
+                 {**spacing, "recipe": {"tissues": {"gel": None}}}),
+                ("recipe: gel: expected a label from 1", ValueError, good,
+                 {**spacing, "recipe": {"tissues": {"gel": [70000]}}}),
+                ("materials: stiff: unknown key", ValueError, good,
+                 {**both, "materials": {"gel": {"stiff": 1}}})):
+            with self.assertRaisesRegex(kind, words):
+                stylet_organ.from_labels(labels, **named)
+
+
+LONG = """
+import numpy, stylet_organ, sys
+labels = numpy.ones((160, 160, 160), numpy.uint8)
+def build(progress=None):
+    return stylet_organ.from_labels(labels, {1: "gel"}, spacing_m=3 * [1e-3], voxel_edge_m=1e-3,
+                                    progress=progress)
+"""
+
+
+class Interpreter(unittest.TestCase):
+    def run_script(self, text):
+        return subprocess.Popen([sys.executable, "-c", LONG + textwrap.dedent(text)], text=True,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+    def test_ctrl_c_ends_a_build(self):
+        work = self.run_script("""
+            print("begins", flush=True)
+            try:
+                build()
+            except KeyboardInterrupt:
+                print("interrupted")
+            """)
+        self.assertEqual(work.stdout.readline(), "begins\n")
+        time.sleep(0.3)
+        work.send_signal(signal.SIGINT)
+        said, errors = work.communicate(timeout=300)
+        self.assertEqual((said, work.returncode), ("interrupted\n", 0), errors)
+
+    def test_progress_is_told_and_may_end_it(self):
+        labels = np.ones((20, 20, 20), np.uint8)
+        told = []
+        stylet_organ.from_labels(labels, {1: "gel"}, spacing_m=3 * [2 * MM],
+                                 progress=lambda stage, share: told.append((stage, share)))
+        stages = [stage for stage, _ in told]
+        self.assertEqual(stages[0], "reading the array")
+        self.assertIn("sampling labels", stages)
+        self.assertTrue(all(0 <= share <= 1 for _, share in told))
+
+        def stop(stage, share):
+            if stage == "sampling labels":
+                raise RuntimeError("enough")
+        with self.assertRaisesRegex(RuntimeError, "enough"):
+            stylet_organ.from_labels(labels, {1: "gel"}, spacing_m=3 * [2 * MM], progress=stop)
+
+    def test_is_free_while_an_organ_is_built(self):
+        """Another thread goes on within each long stage: a build that held the interpreter would
+        let nobody count between two calls of progress."""
+        counted, stop, at = [0], threading.Event(), []
+
+        def count():
+            while not stop.is_set():
+                counted[0] += 1
+                time.sleep(0)
+        thread = threading.Thread(target=count)
+        thread.start()
+        try:
+            stylet_organ.from_labels(np.ones((60, 60, 60), np.uint8), {1: "gel"},
+                                     spacing_m=3 * [2 * MM], voxel_edge_m=2 * MM,
+                                     progress=lambda stage, share: at.append(counted[0]))
+        finally:
+            stop.set()
+            thread.join()
+        self.assertGreater(np.diff(at).max(), 100)
+
+
+if __name__ == "__main__":
+    os.environ.setdefault("PYTHONUNBUFFERED", "1")
+    unittest.main()
