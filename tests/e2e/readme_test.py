@@ -39,6 +39,8 @@ NOT_RUN = {
     r".*tests/e2e/limit_cycles\.py": "runs all scenes twice; e2e.limit_cycles.all does it",
     r"tests/fidelity/calculix/solve\.py": "needs CalculiX and twenty minutes",
     r".*stylet-simulator --ticks \d+ *": "takes hours; tier night",
+    r".*--scheduler-file scheduler\.json": "needs a cluster; hosts.python.campaign.UnderSlurm",
+    r".*examples/calibrate\.py .*": "takes a minute; hosts.python.calibrate.Example does it",
     r"snakemake .*slurm.*": "needs a cluster; offline.cohort.UnderSlurm makes one",
 }
 # Takes minutes, so in the tier full.

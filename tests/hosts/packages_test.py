@@ -34,6 +34,12 @@ tips_m = top_m + numpy.outer(numpy.linspace(0.005, -0.02, 2500), [0, 0, 1])
 outputs = simulation.run(stylet.poses_of_tips(tips_m, (0, 0, -1), needle.length_m))
 print(outputs["force_n"][:, 2].max())
 """
+OF_AN_ARRAY = """
+import numpy, stylet_organ
+labels = numpy.ones((9, 9, 9), numpy.uint8)
+built = stylet_organ.from_labels(labels, {1: "gel"}, spacing_m=3 * [0.005])
+print(built.organ.info.voxels >= 9 ** 3)
+"""
 
 
 def call(*command, **more):
@@ -48,7 +54,8 @@ def built():
     """Components whose programs are there; what was not built is not packed."""
     parts = {"libraries": "lib/libstylet.so", "development": "hal/libstylet_hal.a",
              "program": "bin/stylet", "organ": "bin/stylet-organ",
-             "python": "python/stylet/__init__.py"}
+             "python": "python/stylet/__init__.py",
+             "organ_python": "python/stylet_organ/__init__.py"}
     return ["doc", *(part for part, file in parts.items() if (BUILD / file).exists())]
 
 
@@ -97,6 +104,7 @@ class Contents(Packed):
                 (r"/recipes/totalsegmentator\.toml$", "stylet-organ"),
                 (r"/dist-packages/stylet/recording\.py$", "python3-stylet"),
                 (r"/dist-packages/stylet/_stylet.*\.so$", "python3-stylet"),
+                (r"/dist-packages/stylet_organ/_stylet_organ.*\.so$", "python3-stylet-organ"),
                 (r"/share/stylet/README\.md$", "stylet-doc")):
             if package in self.packages:
                 found = [name for name in seen if re.search(wanted, name)]
@@ -262,6 +270,8 @@ class CleanRoot(Packed):
             self.inside("stylet-organ", "phantom", "liver", "-o", "/tmp/liver.organ")
             said = self.inside("python3", "-c", IN_TEN_LINES)
             self.assertGreater(float(said), 0.1)
+        if {"python3-stylet", "python3-stylet-organ"} <= set(self.packages):
+            self.assertEqual(self.inside("python3", "-c", OF_AN_ARRAY), "True\n")
         self.inside("apt-get", "install", "-y", "--no-install-recommends", "gcc", "libc6-dev",
                     "pkg-config")
         shutil.copy(SOURCE / "hal/hosts/c/examples/insert.c", self.root / "tmp")

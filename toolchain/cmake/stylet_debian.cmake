@@ -26,6 +26,9 @@ endif()
 if(TARGET stylet_python)
   list(APPEND CPACK_COMPONENTS_ALL python)
 endif()
+if(TARGET stylet_organ_python)
+  list(APPEND CPACK_COMPONENTS_ALL organ_python)
+endif()
 
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
@@ -71,6 +74,13 @@ stylet_package(organ stylet-organ science "makes organs for stylet of meshes and
 This is the program that makes its organs of surfaces, label maps and
 DICOM segmentations, with recipes. Unlike Stylet it is under the GPL."
   "python3:any")
+stylet_package(organ_python python3-stylet-organ python
+  "makes organs for stylet of numpy arrays"
+  "${about}
+This is the Python package that makes its organs of label arrays and
+meshes in memory. Unlike Stylet it is under the GPL."
+  "python3-stylet (= ${PROJECT_VERSION})" "python3 (>= 3.11)" "python3 (<< 3.12)"
+  "python3-numpy")
 stylet_package(doc stylet-doc doc "needle insertion for haptic devices, documentation"
   "${about}\nThese are its pages, with examples in C.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "stylet-organ")
@@ -78,7 +88,9 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS
   "stylet-doc, python3-h5py, python3-matplotlib, gnuplot-nox")
 set(CPACK_DEBIAN_ORGAN_PACKAGE_SUGGESTS "stylet, stylet-doc, snakemake, python3-pydicom")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-h5py, python3-matplotlib")
-set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "stylet, stylet-organ, python3-distributed")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS
+  "stylet, stylet-organ, python3-stylet-organ, python3-distributed")
+set(CPACK_DEBIAN_ORGAN_PYTHON_PACKAGE_SUGGESTS "stylet-organ, stylet-doc")
 set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DOC_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/toolchain/debian/postinst)
@@ -105,8 +117,8 @@ include(CPack)
 
 add_custom_target(packages COMMAND ${CMAKE_CPACK_COMMAND} -G DEB
   WORKING_DIRECTORY ${PROJECT_BINARY_DIR} USES_TERMINAL VERBATIM)
-foreach(target stylet_shared stylet_kernel stylet_hal stylet_python stylet stylet-texts stylet-organ
-    stylet-organ-texts stylet-bench stylet-snapshot)
+foreach(target stylet_shared stylet_kernel stylet_hal stylet_python stylet_organ_python stylet
+    stylet-texts stylet-organ stylet-organ-texts stylet-bench stylet-snapshot)
   if(TARGET ${target})
     add_dependencies(packages ${target})
   endif()

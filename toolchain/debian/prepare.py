@@ -26,6 +26,7 @@ PACKAGES = {
     "program": ("stylet", "Apache-2.0", ["kernel/", "hal/", "toolchain/cli/", "tests/bench/"]),
     "python": ("python3-stylet", "Apache-2.0", ["hal/hosts/python/"]),
     "organ": ("stylet-organ", "GPL-3.0-or-later", ["kernel/", "offline/", "toolchain/cli/"]),
+    "organ_python": ("python3-stylet-organ", "GPL-3.0-or-later", ["kernel/", "offline/"]),
     "doc": ("stylet-doc", "Apache-2.0", None),
 }
 CHANGES = """stylet ({version}) unstable; urgency=medium
@@ -43,10 +44,10 @@ def compress(path, data):
         packed.write(data)
 
 
-def add_pages(top, package, source, version, epoch):
+def add_pages(top, package, licence, source, version, epoch):
     folder = top / "usr/share/doc" / package
     folder.mkdir(parents=True, exist_ok=True)
-    kind = "copyright.organ" if package == "stylet-organ" else "copyright"
+    kind = "copyright.organ" if licence.startswith("GPL") else "copyright"
     shutil.copyfile(source / "toolchain/debian" / kind, folder / "copyright")
     day = email.utils.formatdate(epoch)
     compress(folder / "changelog.gz", CHANGES.format(version=version, day=day).encode())
@@ -80,7 +81,7 @@ def prepare(stage, source, build, version):
         if not top.is_dir():
             continue
         put_in_place(top)
-        folder = add_pages(top, package, source, version, epoch)
+        folder = add_pages(top, package, licence, source, version, epoch)
         if objects is not None:
             parts = sbom.document(build, package, version, licence, top, objects)
             (folder / "sbom.spdx.json").write_text(json.dumps(parts, indent=1) + "\n")

@@ -16,7 +16,8 @@ import stylet_organ
 
 PUBLISHED_N = np.array([0.03, 0.07, 0.11, 0.17, 0.25, 0.36, 0.46, 0.63, 0.92, 1.21, 0.50, 0.29,
                         0.33, 0.35, 0.39, 0.47, 0.52])
-RANGES = {"youngs_modulus_pa": (3e4, 3e5), "puncture_force_n": (0.3, 3), "friction_n_per_m": (5, 50)}
+RANGES = {"youngs_modulus_pa": (3e4, 3e5), "puncture_force_n": (0.3, 3),
+          "friction_n_per_m": (5, 50)}
 SPEED_M_PER_S, EDGE_M = 3e-3, 7.5e-3
 NEEDLE = stylet.Needle(outer_radius_m=0.635e-3)  # 18G
 BLOCK = np.ones((8, 8, 8), np.uint8)             # 60 mm

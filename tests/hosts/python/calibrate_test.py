@@ -4,8 +4,8 @@
 with drawn numbers and noise.
 
 The numbers are drawn where an insertion shows them all: tissue that holds a needle of its stiffness
-until it gives way before the end, with more force than the needle needs afterwards. Expected values:
-the numbers that were drawn; the binomial distribution.
+until it gives way before the end, with more force than the needle needs afterwards. Expected
+values: the numbers that were drawn; the binomial distribution.
 
 usage: calibrate_test.py Once|Often|Example
 """

@@ -92,7 +92,8 @@ class Found(unittest.TestCase):
 
     def test_students_t(self):
         for confidence, freedom, expected in ((0.95, 1, 12.706), (0.95, 2, 4.303), (0.95, 3, 3.182),
-                                              (0.95, 5, 2.571), (0.95, 14, 2.145), (0.99, 10, 3.169),
+                                              (0.95, 5, 2.571), (0.95, 14, 2.145),
+                                              (0.99, 10, 3.169),
                                               (0.95, 30, 2.042), (0.95, math.inf, 1.960)):
             self.assertAlmostEqual(quantile(confidence, freedom) / expected, 1, delta=8e-3)
 

@@ -1,13 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""stylet_organ: organs of arrays are those that stylet-organ makes of files, byte for byte; what the
-program refuses is refused in its words; a build leaves the interpreter free and hears Ctrl-C.
+"""stylet_organ: organs of arrays are those that stylet-organ makes of files, byte for byte; what
+the program refuses is refused in its words; a build leaves the interpreter free and hears Ctrl-C.
 
 Expected values: the files and messages of the program stylet-organ.
 """
+import ast
 import json
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -22,7 +24,7 @@ import warnings
 import numpy as np
 import stylet
 import stylet_organ
-from support import program
+from support import SOURCE, program
 
 MM = 1e-3
 RECIPE = """[tissues]
@@ -218,8 +220,9 @@ class Meshes(Case):
 
     def test_bytes_are_the_programs(self):
         random = np.random.default_rng(3)
-        for words, options in (((), {}), (("--voxel-mm", "3", "--capsule", "none", "--wrap"),
-                                          {"voxel_edge_m": 0.003, "capsule": "none", "wrap": True})):
+        for words, options in (((), {}),
+                               (("--voxel-mm", "3", "--capsule", "none", "--wrap"),
+                                {"voxel_edge_m": 0.003, "capsule": "none", "wrap": True})):
             low = random.uniform(-0.02, 0.0, 3)
             outer = self.box(low, low + random.uniform(0.03, 0.05, 3))
             inner = self.box(low + 0.01, low + 0.02)
@@ -306,6 +309,47 @@ class Refused(Case):
                  {**both, "materials": {"gel": {"stiff": 1}}})):
             with self.assertRaisesRegex(kind, words):
                 stylet_organ.from_labels(labels, **named)
+
+
+class Package(unittest.TestCase):
+    def test_readme(self):
+        text = (SOURCE / "offline/python/README.md").read_text()
+        blocks = re.findall(r"```python\n(.*?)```", text, re.S)
+        self.assertEqual(len(blocks), 1)
+        names = {}
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            exec(blocks[0], names)
+        self.assertEqual([each.name for each in names["built"].organ.materials],
+                         ["liver", "tumour", "liver_capsule"])
+        self.assertEqual(names["simulation"].needles, 1)
+
+    def test_stub_has_what_the_module_has(self):
+        stub = ast.parse((SOURCE / "offline/python/package/stylet_organ/_stylet_organ.pyi")
+                         .read_text())
+        module = stylet_organ._stylet_organ
+        public = {name for name in dir(module) if not name.startswith("_")}
+        told = {node.name: node for node in stub.body if hasattr(node, "name")}
+        self.assertEqual(set(told), public)
+        for name, node in told.items():
+            if isinstance(node, ast.FunctionDef):
+                # pybind11 tells its arguments in the first line of the text.
+                line = getattr(module, name).__doc__.splitlines()[0]
+                given = re.findall(r"(\w+): ", line)
+                self.assertEqual([argument.arg for argument in node.args.args], given, name)
+
+    def test_presets_are_those_of_the_program(self):
+        """Each number as the organ has it, in the units of its key."""
+        built = stylet_organ.from_labels(np.ones((5, 5, 5), np.uint8), {1: "muscle"},
+                                         spacing_m=3 * [5 * MM])
+        muscle, preset = built.organ.materials[0], stylet_organ.TISSUES["muscle"]
+        self.assertEqual(muscle.source, preset["source"])
+        self.assertAlmostEqual(muscle.youngs_modulus_pa, 1e3 * preset["youngs_modulus_kpa"])
+        self.assertAlmostEqual(muscle.coulomb_friction_n_per_m,
+                               1e3 * preset["coulomb_friction_n_per_mm"], places=4)
+        again = stylet_organ.from_labels(np.ones((5, 5, 5), np.uint8), {1: "muscle"},
+                                         spacing_m=3 * [5 * MM], materials={"muscle": preset})
+        self.assertEqual(again.organ.materials, built.organ.materials)
 
 
 LONG = """

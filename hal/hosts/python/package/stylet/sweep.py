@@ -16,9 +16,9 @@ SAVE_EVERY_S = 1.0  # what a kill may lose
 
 
 # A column's unit is the end of its name (CONTRIBUTING.md).
-UNITS = {"m": "m", "mm": "mm", "m2": "m2", "m3": "m3", "s": "s", "ms": "ms", "ns": "ns", "rad": "rad",
-         "kg": "kg", "n": "N", "nm": "N m", "nm2": "N m2", "pa": "Pa", "kpa": "kPa", "j": "J",
-         "hz": "Hz"}
+UNITS = {"m": "m", "mm": "mm", "m2": "m2", "m3": "m3", "s": "s", "ms": "ms", "ns": "ns",
+         "rad": "rad", "kg": "kg", "n": "N", "nm": "N m", "nm2": "N m2", "pa": "Pa",
+         "kpa": "kPa", "j": "J", "hz": "Hz"}
 
 
 def sweep(function, parameters, workers=None, client=None, path=None, attributes=None):
