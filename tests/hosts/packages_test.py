@@ -158,7 +158,8 @@ class Parts(Packed):
                                    "sbom.spdx.json").read_text())
 
     def test_hold_what_is_depended_on(self):
-        for package in sorted({"libstylet0", "stylet", "stylet-organ"} & set(self.packages)):
+        for package in sorted({"libstylet0", "stylet", "stylet-organ", "python3-stylet-organ"} &
+                              set(self.packages)):
             _, made_of = self.document(package)
             names = {part["SPDXID"]: part["name"] for part in made_of["packages"]}
             linked = {names[each["relatedSpdxElement"]] for each in made_of["relationships"]
@@ -166,14 +167,15 @@ class Parts(Packed):
             needs = call("dpkg-deb", "-f", self.packages[package], "Depends").strip()
             depends = {each.split()[0] for each in needs.split(", ")}
             # What dpkg-shlibdeps found by symbols; what only scripts need is not linked.
-            scripts = {"passwd", "python3:any"}
+            scripts = {"passwd", "python3:any", "python3", "python3-numpy", "python3-stylet"}
             self.assertEqual(linked - {"libc6"}, depends - scripts - {"libc6"}, package)
 
     def test_hold_libraries_without_a_file(self):
         wanted = {"libstylet0": {"libflatbuffers-dev", "libfmt-dev", "libstdc++-12-dev"},
                   "stylet": {"libboost1.74-dev", "libcli11-dev", "libeigen3-dev",
                              "libtomlplusplus-dev", "nlohmann-json3-dev"},
-                  "stylet-organ": {"libcgal-dev", "libeigen3-dev", "libinsighttoolkit5-dev"}}
+                  "stylet-organ": {"libcgal-dev", "libeigen3-dev", "libinsighttoolkit5-dev"},
+                  "python3-stylet-organ": {"libcgal-dev", "pybind11-dev"}}
         for package in sorted(set(wanted) & set(self.packages)):
             _, made_of = self.document(package)
             self.assertLessEqual(wanted[package], {part["name"] for part in made_of["packages"]})
@@ -182,7 +184,8 @@ class Parts(Packed):
         self.assertEqual(sums(pack(BUILD, self.top / "again", built())), sums(self.packages))
 
     def test_are_spdx(self):
-        for package in sorted({"libstylet0", "stylet", "stylet-organ"} & set(self.packages)):
+        for package in sorted({"libstylet0", "stylet", "stylet-organ", "python3-stylet-organ"} &
+                              set(self.packages)):
             _, made_of = self.document(package)
             self.assertEqual((made_of["spdxVersion"], made_of["dataLicense"], made_of["SPDXID"]),
                              ("SPDX-2.3", "CC0-1.0", "SPDXRef-DOCUMENT"))
