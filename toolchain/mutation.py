@@ -129,6 +129,7 @@ OFFLINE = {
                      "voxels/crop", "asset/write_organ", "pipeline/build"), VOXELS),
     **dict.fromkeys(("voxels/cell_walk", "voxels/losses"),
                     [LOSSES, ["offline_losses_test", "--gtest_filter=Obstacles.*"]]),
+    "pipeline/settings": [["offline_organ_test", "--gtest_filter=Settings.*"]],
     "meshes/phantom": [ORGANS, ["offline_solid_test"],
                 ["offline_program_test", "--gtest_filter=Program.Phantoms*"]],
     "base/outputs": [["offline_program_test", "--gtest_filter=Outputs.*:Program.Outputs*"],

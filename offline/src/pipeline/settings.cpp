@@ -31,7 +31,7 @@ void choose_gaps(const Settings& s, BuildOptions& options) {
   if (s.fill_gaps.empty()) return;
   const std::vector<Layer> gap = parse_layers({s.fill_gaps}, "--fill-gaps");
   constexpr double kWidestGapM = 0.1;  // wider gaps separate organs, not just their meshes
-  if (!(gap.front().thickness_m > 0 && gap.front().thickness_m <= kWidestGapM)) {
+  if (gap.front().thickness_m > kWidestGapM) {
     refuse("--fill-gaps '{}': expected a width of more than 0 and at most {:g} mm", s.fill_gaps,
            kWidestGapM * 1e3);
   }
