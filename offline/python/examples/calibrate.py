@@ -54,12 +54,10 @@ def main():
         import matplotlib
         matplotlib.use("Agg")  # needs no screen
         from matplotlib import pyplot
-        way_mm = np.arange(len(PUBLISHED_N)) + 0.5
-        pyplot.plot(way_mm, PUBLISHED_N, "o", label="published")
-        pyplot.plot(way_mm, PUBLISHED_N - found.residuals, label="simulated, fitted")
-        pyplot.xlabel("way from the first contact (mm)")
-        pyplot.ylabel("force on the needle (N)")
-        pyplot.legend()
+        way_mm, fitted_n = np.arange(len(PUBLISHED_N)) + 0.5, PUBLISHED_N - found.residuals
+        pyplot.plot(way_mm, PUBLISHED_N, "o", way_mm, fitted_n)
+        pyplot.gca().set(xlabel="way from the first contact (mm)", ylabel="force on the needle (N)")
+        pyplot.legend(["published", "simulated, fitted"])
         pyplot.savefig(sys.argv[1])
 
 

@@ -6,6 +6,7 @@ Expected values: closed forms of the rows' own parameters; insertions that are r
 """
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import textwrap
@@ -31,6 +32,13 @@ def counted(i, folder):
     """Leaves a mark each time that it runs."""
     with open(os.path.join(folder, f"{i}"), "a") as file:
         file.write("x")
+    return {"twice": 2 * i}
+
+
+def deadly(i):
+    """Row 3 takes the worker with it, each time."""
+    if i == 3:
+        os.kill(os.getpid(), signal.SIGKILL)
     return {"twice": 2 * i}
 
 
@@ -115,7 +123,7 @@ class Sweep(unittest.TestCase):
         for i in np.flatnonzero(done):
             self.assertEqual((marks / f"{i}").read_text(), "x")
 
-    def test_cluster_of_dask(self):
+    def on_dask(self, *arguments, **named):
         try:
             from dask.distributed import Client, LocalCluster
         except ImportError:
@@ -124,8 +132,21 @@ class Sweep(unittest.TestCase):
         os.environ["PYTHONPATH"] = path
         with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None,
                           local_directory=str(folder())) as cluster, Client(cluster) as client:
-            table = stylet.sweep(squared, PARAMETERS, client=client)
+            return stylet.sweep(*arguments, client=client, **named)
+
+    def test_cluster_of_dask(self):
+        table = self.on_dask(squared, PARAMETERS)
         np.testing.assert_array_equal(table["square"], [2.25, 4, 9])
+
+    def test_a_row_that_kills_its_workers_is_one_that_failed(self):
+        """Dask gives it up after its fourth worker; rows that waited for those may fail with it."""
+        table = self.on_dask(deadly, {"i": range(12)}, path=self.path())
+        self.assertIn("KilledWorker", table["error"][3])
+        good = table["error"] == ""
+        np.testing.assert_array_equal(table["twice"][good], 2 * np.flatnonzero(good))
+        self.assertGreater(np.count_nonzero(good), 5)
+        again = stylet.sweep(lambda i: {"twice": 2 * i}, {"i": range(12)}, 0, path=self.path())
+        np.testing.assert_array_equal(again["twice"], 2 * np.arange(12))
 
 
 if __name__ == "__main__":
