@@ -39,7 +39,7 @@ NOT_RUN = {
     r".*tests/e2e/limit_cycles\.py": "runs all scenes twice; e2e.limit_cycles.all does it",
     r"tests/fidelity/calculix/solve\.py": "needs CalculiX and twenty minutes",
     r".*stylet-simulator --ticks \d+ *": "takes hours; tier night",
-    r".*--scheduler-file scheduler\.json": "needs a cluster; hosts.python.campaign.UnderSlurm",
+    r".*--scheduler-file scheduler\.json.*": "needs a cluster; hosts.python.campaign.UnderSlurm",
     r".*examples/calibrate\.py .*": "takes a minute; hosts.python.calibrate.Example does it",
     r"snakemake .*slurm.*": "needs a cluster; offline.cohort.UnderSlurm makes one",
 }
@@ -49,7 +49,8 @@ SLOW = r"hal/scenes/play\.py --out scenes|stylet doctor --measure 60.*"
 MACHINE = r"stylet (run|doctor)\b(?!.*--fast).*"
 OF_THE_CHECKOUT = ("tests/", "toolchain/", "./toolchain/", "build/", "hal/console/pictures.py",
                    "STYLET_BIN=build")
-PROGRAMS = {"stylet", "stylet-organ", "snakemake", "npm", "cmake", "apt-get", "ctest"}
+PROGRAMS = {"stylet", "stylet-organ", "snakemake", "npm", "cmake", "apt-get", "ctest", "sbatch",
+            "dask-scheduler"}
 
 
 def logical_lines(block):

@@ -316,7 +316,7 @@ class Package(unittest.TestCase):
         text = (SOURCE / "offline/python/README.md").read_text()
         blocks = re.findall(r"```python\n(.*?)```", text, re.S)
         self.assertEqual(len(blocks), 1)
-        names = {}
+        names = {"numpy": np, "stylet": stylet, "stylet_organ": stylet_organ}
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             exec(blocks[0], names)
