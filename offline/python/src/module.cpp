@@ -92,8 +92,13 @@ py::dict build_from_labels(const py::array& labels, const std::array<std::size_t
   BuildOptions build_options = options_of(settings, given_of(materials, materials_text), 1e-3);
   const LabelArray array = label_array(labels, axes);
   const std::string path = frame.source.empty() ? "labels" : frame.source;
-  std::optional<toml::table> table;
-  if (own_recipe.dict) table = table_of(*own_recipe.dict, "recipe");
+  // With the interpreter's lock, as which files were read is noted for the whole program.
+  const FileNames names = {path, frame.names};
+  const Recipe chosen = own_recipe.dict
+                            ? recipe_of(table_of(*own_recipe.dict, "recipe"), "recipe", names)
+                            : read_recipe(own_recipe.path, names);
+  const std::string sum = frame.source.empty() ? "" : sha256_hex(read_file(frame.source));
+  choose_for_labels(settings, {path, own_recipe.text}, chosen, build_options);
   const Progress watched = progress_of(progress);
   Built built;
   {
@@ -104,11 +109,7 @@ py::dict build_from_labels(const py::array& labels, const std::array<std::size_t
     map.names = frame.names;
     watched("reading the array", 0);
     take_array(path, array, map);
-    if (!frame.source.empty()) map.sha256 = sha256_hex(read_file(frame.source));
-    const FileNames names = {path, map.names};
-    const Recipe chosen =
-        table ? recipe_of(*table, "recipe", names) : read_recipe(own_recipe.path, names);
-    choose_for_labels(settings, {path, own_recipe.text}, chosen, build_options);
+    if (!sum.empty()) map.sha256 = sum;
     built = build_labels(path, map, chosen, build_options, watched);
   }
   return result_of(built);

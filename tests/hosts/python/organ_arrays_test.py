@@ -294,6 +294,8 @@ class Refused(Case):
                 (r"spacing_m of shape \(2,\)", ValueError, good, {**tissue, "spacing_m": (1, 2)}),
                 ("expected more than 0", ValueError, good, {**tissue, "spacing_m": (1, 2, 0)}),
                 ("affine_m: last row", ValueError, good, {**tissue, "affine_m": np.ones((4, 4))}),
+                ("names: 65536: expected a label", ValueError, good,
+                 {**both, "names": {65536: "liver"}}),
                 ("order 'abc'", ValueError, good, {**both, "order": "abc"}),
                 ("voxel_size: there is no such option", TypeError, good, {**both, "voxel_size": 1}),
                 ("layers: 3: expected a list", TypeError, good, {**both, "layers": 3}),
@@ -379,6 +381,22 @@ class Interpreter(unittest.TestCase):
         work.send_signal(signal.SIGINT)
         said, errors = work.communicate(timeout=300)
         self.assertEqual((said, work.returncode), ("interrupted\n", 0), errors)
+
+    def test_several_threads_build_at_once(self):
+        labels = np.ones((24, 24, 24), np.uint8)
+        made = [None] * 4
+
+        def build(i):
+            made[i] = stylet_organ.from_labels(labels, {1: "gel"}, spacing_m=3 * [3 * MM],
+                                               voxel_edge_m=(3 + i % 2) * MM).content
+        threads = [threading.Thread(target=build, args=(i,)) for i in range(4)]
+        for each in threads:
+            each.start()
+        for each in threads:
+            each.join()
+        self.assertEqual(made[0], made[2])
+        self.assertEqual(made[1], made[3])
+        self.assertNotEqual(made[0], made[1])
 
     def test_progress_is_told_and_may_end_it(self):
         labels = np.ones((20, 20, 20), np.uint8)

@@ -13,6 +13,7 @@ import dataclasses
 import decimal
 import functools
 import json
+import operator
 import os
 import warnings
 
@@ -95,8 +96,7 @@ def from_labels(labels, tissues=None, *, recipe=None, spacing_m=None, origin_m=(
         raise TypeError("expected either tissues or a recipe")
     if recipe is None:
         recipe = recipe_of(tissues)
-    frame = _stylet_organ.Frame(*placed(spacing_m, origin_m, affine_m),
-                                {int(label): str(name) for label, name in (names or {}).items()},
+    frame = _stylet_organ.Frame(*placed(spacing_m, origin_m, affine_m), names_of(names or {}),
                                 "" if source is None else os.fspath(source))
     recipe, recipe_text = path_or_tables("recipe", recipe)
     return finished(_stylet_organ.build_from_labels(
@@ -135,6 +135,13 @@ def recipe_of(tissues):
     for label, tissue in tissues.items():
         labels.setdefault(str(tissue), []).append(label)
     return {"tissues": labels}
+
+
+def names_of(names):
+    for label in names:
+        if not 0 < operator.index(label) < 65536:
+            raise ValueError(f"names: {label}: expected a label from 1 to 65535")
+    return {operator.index(label): str(name) for label, name in names.items()}
 
 
 def placed(spacing_m, origin_m, affine_m):
