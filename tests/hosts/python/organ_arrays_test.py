@@ -203,6 +203,38 @@ class Labels(Case):
                                     [0, 0, 0, 1]], atol=1e-15)
 
 
+    def test_takes_no_more_memory_than_the_program(self):
+        """The program has let go of the file's bytes when it builds: of 61 MB of voxels, a second
+        copy of the array would be seen."""
+        frame = Frame(np.random.default_rng(1), False)
+        labels = np.zeros((400, 400, 400), np.uint8)
+        labels[180:220, 180:220, 180:220] = 1
+        self.map.write_bytes(frame.nrrd(labels))
+        self.recipe.write_text("[tissues]\ngel = [1]\n")
+        np.save(self.top / "labels.npy", labels)
+        (self.top / "peaks.py").write_text(textwrap.dedent("""
+            import re, resource, subprocess, sys
+            subprocess.run(sys.argv[1:], check=True, capture_output=True)
+            program_kb = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+            import numpy, stylet_organ
+            def peak_kb():
+                return int(re.search(r"VmHWM:\\s+(\\d+)", open("/proc/self/status").read())[1])
+            labels = numpy.load("labels.npy")
+            def build(given):
+                stylet_organ.from_labels(given, {1: "gel"}, spacing_m=3 * [0.004])
+            build(numpy.ones((5, 5, 5), int))
+            before_kb = peak_kb()
+            build(labels)
+            print(program_kb, peak_kb() - before_kb)
+            """))
+        said = subprocess.run(
+            [sys.executable, "peaks.py", program("stylet-organ"), "build", self.map, "--recipe",
+             self.recipe, "-o", "o.organ"], cwd=self.top, check=True, capture_output=True,
+            text=True)
+        program_kb, here_kb = map(int, said.stdout.split())
+        self.assertLess(here_kb, program_kb + 20e3)
+
+
 class Meshes(Case):
     def off(self, name, vertices, faces):
         path = self.top / name
