@@ -19,15 +19,6 @@ void monotonic_sleep(void* /*self*/, std::int64_t t_ns) {
   }
 }
 
-std::int64_t virtual_now(void* self) {
-  return static_cast<VirtualTime*>(self)->now_ns;
-}
-
-void virtual_sleep(void* self, std::int64_t t_ns) {
-  VirtualTime& time = *static_cast<VirtualTime*>(self);
-  if (t_ns > time.now_ns) time.now_ns = t_ns;
-}
-
 }  // namespace
 
 std::int64_t monotonic_now_ns() {
@@ -38,10 +29,6 @@ std::int64_t monotonic_now_ns() {
 
 Clock monotonic_clock() {
   return {nullptr, monotonic_now, monotonic_sleep};
-}
-
-Clock virtual_clock(VirtualTime& time) {
-  return {&time, virtual_now, virtual_sleep};
 }
 
 }  // namespace stylet::hal

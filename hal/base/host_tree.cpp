@@ -13,6 +13,11 @@
 namespace stylet::hal {
 namespace {
 
+#ifdef _WIN32
+constexpr int kToRead = O_RDONLY | O_BINARY | O_NOINHERIT;
+#else
+constexpr int kToRead = O_RDONLY | O_CLOEXEC;
+#endif
 constexpr const char* kBlanks = " \t\r\n";
 
 std::string trimmed(std::string_view text) {
@@ -25,7 +30,7 @@ std::string trimmed(std::string_view text) {
 
 // Uses read(2): a stream cannot tell an empty file from one that refuses to be read.
 std::optional<std::string> read_text(const HostTree& tree, const std::string& path) {
-  const int file = open((tree.root + path).c_str(), O_RDONLY | O_CLOEXEC);
+  const int file = open((tree.root + path).c_str(), kToRead);
   if (file < 0) return std::nullopt;
   std::string text;
   std::array<char, 4096> block;

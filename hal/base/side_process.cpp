@@ -6,7 +6,6 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -34,8 +33,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int kMemoryDescriptor = 3;
 constexpr int kSocketDescriptor = 4;
 constexpr int kFirstOther = 5;
-// Above those, so that none is overwritten while they are moved into place.
-constexpr int kLeastDescriptor = 10;
+static_assert(kFirstOther <= kLeastDescriptor);
 constexpr std::array kOutsideSignals = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXFSZ};
 constexpr std::chrono::milliseconds kLook{1};
 constexpr const char* kOutOfMemory = "out of memory";
@@ -44,12 +42,6 @@ constexpr const char* kOutOfMemory = "out of memory";
 struct Status {
   alignas(kCacheLine) std::array<char, 512> last_words;
 };
-
-int raised(int descriptor) {
-  const int above = fcntl(descriptor, F_DUPFD_CLOEXEC, kLeastDescriptor);
-  ::close(descriptor);
-  return above;
-}
 
 [[noreturn]] void fail(const char* what) {
   throw SideError(fmt::format("a process beside the loop cannot be started: {}: {}", what,
@@ -179,34 +171,6 @@ std::optional<Bytes> SideLink::receive(double patience_s, std::vector<int>* desc
     if (got == 0 || (got < 0 && errno != EAGAIN && errno != EINTR)) gone_ = true;
     if (got < 0 && errno == EAGAIN && !wait(POLLIN, seconds_to(deadline))) return std::nullopt;
   }
-}
-
-// ---- the memory
-
-// Sealed: if it were made smaller, every process that reads it would be killed.
-SharedMemory::SharedMemory(std::size_t bytes)
-    : SharedMemory(memfd_create("stylet", MFD_CLOEXEC | MFD_ALLOW_SEALING), bytes) {}
-
-SharedMemory::SharedMemory(int descriptor, std::size_t bytes) : descriptor_(descriptor) {
-  if (bytes > 0) {
-    if (descriptor < 0 || ftruncate(descriptor, static_cast<off_t>(bytes)) != 0 ||
-        fcntl(descriptor, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) {
-      fail("memory");
-    }
-    descriptor_ = raised(descriptor);
-  }
-  const off_t size = lseek(descriptor_, 0, SEEK_END);
-  // Populated, so that the loop never meets one of its pages for the first time.
-  void* at = size <= 0 ? MAP_FAILED
-                       : mmap(nullptr, static_cast<std::size_t>(size), PROT_READ | PROT_WRITE,
-                              MAP_SHARED | MAP_POPULATE, descriptor_, 0);
-  if (at == MAP_FAILED) fail("memory");
-  bytes_ = {static_cast<std::byte*>(at), static_cast<std::size_t>(size)};
-}
-
-SharedMemory::~SharedMemory() {
-  munmap(bytes_.data(), bytes_.size());
-  ::close(descriptor_);
 }
 
 // ---- the process

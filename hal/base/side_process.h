@@ -21,11 +21,11 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "hal/base/packing.h"
+#include "hal/base/shared_memory.h"
 
 namespace stylet::hal {
 
@@ -37,10 +37,6 @@ constexpr double kSidePatienceS = 20;
 constexpr double kSideEndS = 2;
 // Its own memory, beside what is shared. With more, its allocations fail and it ends.
 constexpr std::size_t kMostSideMemory = std::size_t{4} << 30U;
-
-struct SideError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 // One end of the socket.
 class SideLink {
@@ -68,25 +64,6 @@ class SideLink {
   int socket_;
   std::atomic<bool> gone_{false};
   Bytes arrived_;
-};
-
-// Memory that two processes can see.
-class SharedMemory {
- public:
-  explicit SharedMemory(std::size_t bytes);  // zero; throws SideError
-  // The memory of a descriptor, in its full size.
-  static SharedMemory of(int descriptor) { return {descriptor, 0}; }
-  ~SharedMemory();
-  SharedMemory(const SharedMemory&) = delete;
-  SharedMemory& operator=(const SharedMemory&) = delete;
-
-  std::span<std::byte> bytes() const { return bytes_; }
-  int descriptor() const { return descriptor_; }
-
- private:
-  SharedMemory(int descriptor, std::size_t bytes);
-  int descriptor_;
-  std::span<std::byte> bytes_;
 };
 
 class SideProcess {

@@ -17,9 +17,15 @@ constexpr double kAgainPatienceS = 1;  // for calibration and first samples, at 
 constexpr std::array kOwn = {
 #define STYLET_DRIVER(file, descriptor) &descriptor,
 #define STYLET_LIBRARY_DRIVER(file, descriptor)
+#ifdef _WIN32
+#define STYLET_LINUX_DRIVER(file, descriptor)
+#else
+#define STYLET_LINUX_DRIVER STYLET_DRIVER
+#endif
 #include "hal/device/drivers.inc"
 #undef STYLET_DRIVER
 #undef STYLET_LIBRARY_DRIVER
+#undef STYLET_LINUX_DRIVER
 };
 constinit std::span<const DriverDescriptor* const> g_drivers = kOwn;
 

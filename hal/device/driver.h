@@ -62,8 +62,10 @@ inline bool may_always_open_again() {
 
 #define STYLET_DRIVER(file, descriptor) extern const DriverDescriptor descriptor;
 #define STYLET_LIBRARY_DRIVER STYLET_DRIVER
+#define STYLET_LINUX_DRIVER STYLET_DRIVER
 #include "hal/device/drivers.inc"
 #undef STYLET_DRIVER
 #undef STYLET_LIBRARY_DRIVER
+#undef STYLET_LINUX_DRIVER
 
 }  // namespace stylet::hal

@@ -3,9 +3,6 @@
 // runs on a grid of CLOCK_MONOTONIC until it is told to stop, and skips grid points it has missed.
 #pragma once
 
-#include <pthread.h>
-#include <sched.h>
-
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -13,15 +10,15 @@
 
 #include "hal/base/clock.h"
 #include "hal/base/contained.h"
+#include "hal/base/thread_rights.h"
 #include "hal/device/devices.h"
 
 namespace stylet::hal {
 
 // Raises the calling thread, the vendor's or ours: a sample must not wait for the loop it is for.
-inline std::atomic<int> g_priority_refused{0};  // errno of the newest refusal
+inline std::atomic<int> g_priority_refused{0};  // the newest refusal's error
 inline void rise_above_the_loop() {
-  constexpr sched_param kAboveTheLoop = {kDevicePriority};
-  const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &kAboveTheLoop);
+  const int error = rise_to(kDevicePriority);
   if (error != 0) g_priority_refused.store(error);
 }
 

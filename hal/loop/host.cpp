@@ -3,7 +3,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -15,22 +14,19 @@
 #include <cstring>
 
 #include "hal/base/host_tree.h"
+#include "hal/base/thread_rights.h"
 
 namespace stylet::hal {
 namespace {
 
 constexpr std::size_t kStackBytes = 256 * 1024;  // more than the loop and a device ever use
 
-std::string why(int error) {
-  return std::strerror(error);
-}
-
 void lock_memory(HostReport& report) {
   if (mlockall(MCL_CURRENT | MCL_FUTURE) == 0) return;
   report.lacks.push_back(fmt::format(
       "memory cannot be locked ({}): run as root, or put \"@realtime - memlock unlimited\" into "
       "/etc/security/limits.conf and your user into the group realtime",
-      why(errno)));
+      why_refused(errno)));
 }
 
 void stay_awake(HostState& host) {
@@ -44,7 +40,7 @@ void stay_awake(HostState& host) {
              write(host.latency_fd, &latency_us, sizeof latency_us) != sizeof latency_us) {
     host.report.lacks.push_back(fmt::format(
         "{} cannot be written ({}): run as root, or give your user the right to it by a udev rule",
-        kPath, why(errno)));
+        kPath, why_refused(errno)));
   }
 }
 
@@ -105,22 +101,16 @@ std::vector<int> loop_processors(int cpu) {
 
 void prepare_thread(int cpu, int priority, HostReport& report) {
   const int chosen = loop_processors(cpu).at(0);
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  CPU_SET(static_cast<std::size_t>(chosen), &set);
-  if (const int error = pthread_setaffinity_np(pthread_self(), sizeof set, &set); error != 0) {
+  if (const int error = stay_on(chosen); error != 0) {
     report.lacks.push_back(fmt::format(
         "thread cannot be pinned to processor {} ({}): set loop.cpu to one this process may use",
-        chosen, why(error)));
+        chosen, why_refused(error)));
   }
-  sched_param parameters{};
-  parameters.sched_priority = priority;
-  if (const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
-      error != 0) {
+  if (const int error = rise_to(priority); error != 0) {
     report.lacks.push_back(fmt::format(
         "SCHED_FIFO priority {} refused ({}): run as root, or put \"@realtime - rtprio 90\" into "
         "/etc/security/limits.conf and your user into the group realtime",
-        priority, why(error)));
+        priority, why_refused(error)));
   }
   touch_stack();
 }

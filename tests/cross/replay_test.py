@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Recorded insertions leave the same bits on another processor: every hash, and the tick of every
-contact and puncture. Where they do not: the first tick that differs, and in which field.
+contact and puncture. Where they do not: the first tick that differs, and in which field. On Windows
+each instruction set is asked for by its name, too.
 
-usage: replay_test.py REPOSITORY BUILD_FOLDER i686|aarch64|cortex_m7
+usage: replay_test.py REPOSITORY BUILD_FOLDER i686|aarch64|cortex_m7|windows
 """
 import subprocess
 import sys
@@ -42,6 +43,17 @@ def heap_symbols(program):
     return sorted(names & HEAP)
 
 
+def other_hashes(tests_build, program):
+    """Of the scripted sessions in which the step of an instruction set differs from the host's."""
+    reference = target.call([tests_build.parents[1] / "bin/stylet_hash"]).splitlines()
+    there = target.run("windows", program.with_name("hashes.exe"))
+    helped = target.run("windows", program.with_name("hashes.exe"), 1000, 3)
+    widest = [line for line in reference if line.split()[0] == reference[-1].split()[0]]
+    print(f"sets: {sorted({line.split()[0] for line in reference})}, {len(reference)} hashes")
+    pairs = [*zip(reference, there, strict=True), *zip(widest, helped, strict=True)]
+    return [f"expected {a}, found {b}" for a, b in pairs if a != b]
+
+
 def main(repository, tests_build, name):
     target.skip_without(name)
     program = target.build(repository, tests_build, name)
@@ -64,6 +76,8 @@ def main(repository, tests_build, name):
     if name == "cortex_m7":
         print(target.call(["arm-none-eabi-size", program]))
         faults += [f"the image holds {symbol}" for symbol in heap_symbols(program)]
+    if name == "windows":
+        faults += other_hashes(tests_build, program)
     print("\n".join(faults))
     return bool(faults)
 

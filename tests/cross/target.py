@@ -5,6 +5,9 @@ import shutil
 import subprocess
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import wine  # noqa: E402
+
 CASES = ("physical", "paper", "elastic", "added_mass")
 SKIPPED = 77
 # Name -> (compiler, what runs the program; the board runs it as its kernel).
@@ -14,12 +17,13 @@ TARGETS = {
     "i686": ("i686-linux-gnu-g++", []),
     "aarch64": ("aarch64-linux-gnu-g++", ["qemu-aarch64"]),
     "cortex_m7": ("arm-none-eabi-g++", BOARD),
+    "windows": (wine.COMPILER, ["wine"]),
 }
 
 
-def call(command):
+def call(command, environment=None):
     done = subprocess.run([str(part) for part in command], capture_output=True, text=True,
-                          timeout=600)
+                          timeout=600, env=environment)
     if done.returncode != 0:
         sys.exit(f"{' '.join(map(str, command))}\nexit code {done.returncode}\n"
                  f"{done.stdout[-4000:]}{done.stderr[-4000:]}")
@@ -54,12 +58,19 @@ def build(repository, tests_build, target):
           "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O2",
           f"-DSTYLET_CASES={tests_build}/cases"])
     call(["cmake", "--build", folder, "-j", "1"])
-    return folder / "bin" / "replay"
+    return program_of(target, folder, "replay")
+
+
+def program_of(target, folder, name):
+    return folder / "bin" / (f"{name}.exe" if target == "windows" else name)
 
 
 def run(target, program, *words, options=()):
     """The lines `replay` prints there."""
     runner = runner_of(target, program)
+    if target == "windows":
+        drives = program.parents[1] / "wine"
+        return call([*runner, program, *words], wine.environment(drives)).splitlines()
     if runner is not BOARD:
         return call([*runner, program, *words]).splitlines()
     semihosting = ",".join(["enable=on,target=native,chardev=out,arg=replay",

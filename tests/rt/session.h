@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <new>
 #include <ostream>
 #include <span>
 #include <utility>
@@ -26,7 +27,9 @@ namespace stylet::test {
 // Bytes at an address that is a multiple of kBlockAlignment.
 struct Block {
   struct Free {
-    void operator()(std::byte* owned) const { std::free(owned); }
+    void operator()(std::byte* owned) const {
+      ::operator delete (owned, std::align_val_t{kBlockAlignment});
+    }
   };
   std::unique_ptr<std::byte, Free> bytes;
   std::size_t size = 0;
@@ -35,9 +38,9 @@ struct Block {
 };
 
 inline Block make_block(std::size_t size, std::byte fill = std::byte{0}) {
-  const std::size_t rounded = (size + kBlockAlignment - 1) / kBlockAlignment * kBlockAlignment;
   Block block;
-  block.bytes.reset(static_cast<std::byte*>(std::aligned_alloc(kBlockAlignment, rounded)));
+  block.bytes.reset(
+      static_cast<std::byte*>(::operator new (size, std::align_val_t{kBlockAlignment})));
   block.size = size;
   std::fill_n(block.bytes.get(), size, fill);
   return block;

@@ -8,6 +8,19 @@ include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/stylet)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 
+if(WIN32)
+  # The library alone, with the terms of what is linked into it. mingw-w64's own are beside it on
+  # Debian.
+  install(DIRECTORY hal/hosts/c/include/stylet DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(TARGETS stylet_shared RUNTIME COMPONENT libraries)
+  install(FILES ${PROJECT_BINARY_DIR}/lib/stylet.def DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(FILES LICENSE DESTINATION licences COMPONENT libraries)
+  install(FILES ${STYLET_LIBCCD_SOURCE}/BSD-LICENSE DESTINATION licences RENAME libccd.txt
+    COMPONENT libraries)
+  install(FILES /usr/share/doc/mingw-w64-x86-64-dev/copyright DESTINATION licences
+    RENAME mingw-w64.txt COMPONENT libraries)
+  return()
+endif()
 install(DIRECTORY kernel/include/stylet DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 # Made here, so that who uses it needs no flatc.
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/kernel/organ_generated.h

@@ -411,9 +411,11 @@ std::span<const DriverDescriptor* const> drivers_with_haply() {
   static constexpr std::array kAll = {
 #define STYLET_DRIVER(file, descriptor) &descriptor,
 #define STYLET_LIBRARY_DRIVER STYLET_DRIVER
+#define STYLET_LINUX_DRIVER STYLET_DRIVER
 #include "hal/device/drivers.inc"
 #undef STYLET_DRIVER
 #undef STYLET_LIBRARY_DRIVER
+#undef STYLET_LINUX_DRIVER
   };
   return kAll;
 }

@@ -2,7 +2,7 @@
 // The SHA-256 that an organ file holds of its own bytes (organ.fbs). It is a separate library,
 // stylet_content_sum, for programs that write and load files; the kernel does not need it.
 //
-// Promise: no allocation. `organ` is what organ_open found in `file`.
+// Promise: no allocation of its own (Windows' sum may). `organ` is what organ_open found in `file`.
 #pragma once
 
 #include <array>

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// On Windows, which promises no time to anybody: what it grants is asked for, and that it promises
+// nothing is always told.
+#include <windows.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hal/base/thread_rights.h"
+#include "hal/loop/host.h"
+
+namespace stylet::hal {
+namespace {
+
+constexpr std::size_t kStackBytes = 256 * 1024;  // more than the loop and a device ever use
+// Windows keeps at least so much of this process in memory, and lets it be asked for without rights.
+constexpr SIZE_T kLeastPages = SIZE_T{256} << 20U;
+
+std::vector<int> allowed_cpus() {
+  DWORD_PTR own = 0, all = 0;
+  std::vector<int> cpus;
+  if (GetProcessAffinityMask(GetCurrentProcess(), &own, &all) == 0) return {0};
+  for (int cpu = 0; cpu < 64; ++cpu) {
+    if ((own >> static_cast<unsigned>(cpu) & 1U) != 0) cpus.push_back(cpu);
+  }
+  return cpus;
+}
+
+// Writes once in each page, so that the loop never meets a page of its stack for the first time.
+void touch_stack() {
+  volatile unsigned char stack[kStackBytes];
+  for (std::size_t i = 0; i < kStackBytes; i += 1024) stack[i] = 0;
+  (void)stack[0];
+}
+
+}  // namespace
+
+HostState::~HostState() = default;
+
+void prepare_process(HostState& host) {
+  if (SetProcessWorkingSetSize(GetCurrentProcess(), kLeastPages, 4 * kLeastPages) != 0) return;
+  host.report.lacks.push_back(
+      fmt::format("memory cannot be kept from being paged out ({})",
+                  why_refused(static_cast<int>(GetLastError()))));
+}
+
+std::vector<int> loop_processors(int cpu) {
+  std::vector<int> chosen, others = allowed_cpus();
+  if (cpu >= 0) chosen.push_back(cpu);
+  std::reverse(others.begin(), others.end());
+  for (const int each : others) {
+    if (each != cpu) chosen.push_back(each);
+  }
+  return chosen;
+}
+
+void prepare_thread(int cpu, int priority, HostReport& report) {
+  const int chosen = loop_processors(cpu).at(0);
+  report.lacks.emplace_back(
+      "Windows promises no time: a tick may come late at any priority; a loop that must not needs "
+      "Linux with PREEMPT_RT");
+  if (const int error = stay_on(chosen); error != 0) {
+    report.lacks.push_back(
+        fmt::format("thread cannot be pinned to processor {} ({})", chosen, why_refused(error)));
+  }
+  if (const int error = rise_to(priority); error != 0) {
+    report.lacks.push_back(
+        fmt::format("time-critical priority refused ({})", why_refused(error)));
+  }
+  touch_stack();
+}
+
+ThreadUse thread_use() {
+  return {};
+}
+
+}  // namespace stylet::hal
