@@ -11,11 +11,11 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <latch>
 #include <memory>
 #include <thread>
 #include <vector>
 
+#include "hal/base/countdown.h"
 #include "hal/loop/host.h"
 #include "hal/loop/loop.h"
 #include "stylet/kernel.h"
@@ -53,7 +53,7 @@ class Helpers {
   std::unique_ptr<std::byte, Aligned> memory_;
   std::atomic<bool> stop_{false};
   std::atomic<std::uint64_t> parts_{0};
-  std::latch ready_;
+  Countdown ready_;
   std::vector<std::thread> threads_;
 };
 

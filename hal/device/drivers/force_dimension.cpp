@@ -8,6 +8,7 @@
 #include <atomic>
 #include <charconv>
 #include <chrono>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -58,9 +59,15 @@ struct Api {
   int (*serial)(unsigned short*, char);
 };
 
+#ifdef _WIN32
+constexpr std::initializer_list<const char*> kFiles = {"dhd64.dll", "drd64.dll"};
+#else
+constexpr std::initializer_list<const char*> kFiles = {"libdhd.so.3", "libdhd.so", "libdrd.so.3"};
+#endif
+
 // Of the other functions, each version has a different selection.
 Api load() {
-  const VendorLibrary library("dhd", "STYLET_LIBDHD", {"libdhd.so.3", "libdhd.so", "libdrd.so.3"});
+  const VendorLibrary library("dhd", "STYLET_LIBDHD", kFiles);
   Api api = {};
   library.need("dhdOpen", api.open);
   library.need("dhdOpenID", api.open_id);

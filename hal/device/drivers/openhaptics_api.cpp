@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <initializer_list>
 #include <vector>
 
 #include "hal/device/devices.h"
@@ -10,10 +11,19 @@
 #include "hal/device/vendor_library.h"
 
 namespace stylet::hal::openhaptics {
+namespace {
+
+#ifdef _WIN32
+constexpr std::initializer_list<const char*> kFiles = {"hd.dll"};
+#else
+constexpr std::initializer_list<const char*> kFiles = {"libHD.so", "libHD.so.3.4", "libHD.so.3.4.0",
+                                                       "libHD.so.3.0"};
+#endif
+
+}  // namespace
 
 Api load() {
-  const VendorLibrary library("hd", "STYLET_LIBHD",
-                              {"libHD.so", "libHD.so.3.4", "libHD.so.3.4.0", "libHD.so.3.0"});
+  const VendorLibrary library("hd", "STYLET_LIBHD", kFiles);
   Api api = {};
   library.need("hdInitDevice", api.init_device);
   library.need("hdDisableDevice", api.disable_device);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hal/base/clock.h"
+#include "hal/base/countdown.h"
 #include "hal/device/devices.h"
 #include "hal/hosts/c/hands.h"
 #include "hal/hosts/c/limits.h"
@@ -37,6 +38,7 @@ struct stylet_loop {
   hal::HostState host;
   std::thread thread;
   std::atomic<bool> started{false}, runs{false};
+  hal::Countdown ended{1};  // counted once it no longer runs
   std::atomic<std::thread::id> servo{};  // the thread that is in the loop
   std::atomic<int> inside{0};            // threads that are in run or wait
   std::string lacks;
@@ -210,7 +212,7 @@ void serve(stylet_loop& loop) noexcept {
   tell(loop, loop.host.report.lacks);
   loop.servo.store({});
   loop.runs.store(false, std::memory_order_release);
-  loop.runs.notify_all();
+  loop.ended.count_down();
 }
 
 // A vertex moves as the corners of its voxel do, in proportion to how near they are.
@@ -258,7 +260,7 @@ stylet_status begin(stylet_loop* loop) {
 
 stylet_loop::~stylet_loop() {
   state->stop.store(true);
-  runs.wait(true);
+  if (runs.load()) ended.wait();
   while (inside.load() > 0) std::this_thread::yield();
   if (thread.joinable()) thread.join();
   for (stylet_device* each : held) {
@@ -327,6 +329,7 @@ stylet_status stylet_loop_start(stylet_loop* loop) {
     loop->thread = std::thread([loop] { c::serve(*loop); });
   } catch (const std::exception&) {
     loop->runs.store(false);
+    loop->ended.count_down();
     return STYLET_OUT_OF_MEMORY;
   }
   return STYLET_OK;
@@ -348,7 +351,7 @@ stylet_status stylet_loop_wait(stylet_loop* loop) {
   if (loop == nullptr) return STYLET_ARGUMENT_MISSING;
   if (loop->servo.load() == std::this_thread::get_id()) return STYLET_LOOP_RUNS;
   const c::Inside inside(*loop);
-  loop->runs.wait(true);
+  if (loop->runs.load()) loop->ended.wait();
   return STYLET_OK;
 }
 
