@@ -27,9 +27,10 @@ version=$(dpkg-query -W -f='${source:Version}\n' "$package[0-9]*" "$package" 2>/
   grep -m 1 . || true)
 log=$work/log
 apt-get "${options[@]}" update >"$log" 2>&1 &&
-  (cd "$work" && apt-get "${options[@]}" source "$package${version:+=$version}") >>"$log" 2>&1 || {
+  (cd "$work" && apt-get "${options[@]}" source --download-only "$package${version:+=$version}") \
+    >>"$log" 2>&1 || {
   grep -E '^(E|W|Err):' "$log" | tail -n 5 >&2
   die "the source of $package could not be fetched"
 }
 mkdir -p "$(dirname "$folder")"
-mv "$work/$package-"*/ "$folder"
+dpkg-source -q --no-check -x "$work"/*.dsc "$folder"  # apt-get has checked it

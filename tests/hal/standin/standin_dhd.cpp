@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 
 #include "standin.h"
@@ -30,7 +31,7 @@ struct Unit {
   StandIn seen;
   std::atomic<bool> open{false};
   std::atomic<bool> output{false};
-  std::atomic<long> watchdog_us{0};
+  std::atomic<std::int64_t> watchdog_us{0};
   std::atomic<Clock::rep> fed{0};
   std::atomic<int> cause{0};
   std::atomic<Clock::rep> read{0};
@@ -46,9 +47,9 @@ Clock::rep now() {
   return Clock::now().time_since_epoch().count();
 }
 
-long microseconds_since(Clock::rep then) {
-  return static_cast<long>(
-      std::chrono::duration_cast<std::chrono::microseconds>(Clock::duration(now() - then)).count());
+std::int64_t microseconds_since(Clock::rep then) {
+  return std::chrono::duration_cast<std::chrono::microseconds>(Clock::duration(now() - then))
+      .count();
 }
 
 int failed(int error) {
@@ -117,7 +118,7 @@ extern "C" {
 // Asking what the motors do has to look at the watchdog first.
 StandIn* standin(int index) {
   Unit& u = units[index];
-  const long limit = u.watchdog_us.load();
+  const std::int64_t limit = u.watchdog_us.load();
   if (limit != 0 && u.output && microseconds_since(u.fed.load()) > limit) off(u, 3);
   live(u);
   return &u.seen;

@@ -308,7 +308,11 @@ struct Loads {
     const char* const kMark = "STYLET_STANDIN_HD_LOADED";
     if (getenv(kMark) != nullptr)
       units[0].seen.trouble = units[1].seen.trouble = Trouble::kNoDevice;
+#ifdef _WIN32
+    (void)_putenv_s(kMark, "1");
+#else
     setenv(kMark, "1", 1);
+#endif
     if (const char* call = getenv("STYLET_STANDIN_HANGS")) hang_later(call);
   }
 } const loads;
