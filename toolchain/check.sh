@@ -46,6 +46,7 @@ again() {
 labelled() { run_tests -L "^$1\$" --no-tests=ignore; }
 
 [ "$tier" != fast ] || exec "$root/toolchain/test.sh"
+"$root/toolchain/setup.sh" full
 part "fast tests" release "$root/toolchain/test.sh"
 part "full tests" release labelled full
 # Left out: scripts, tests that choose their compilers themselves, and the longest tests, whose code

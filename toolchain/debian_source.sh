@@ -7,7 +7,8 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-[ $# -eq 2 ] || die "expected PACKAGE FOLDER" "For example: toolchain/debian_source.sh libccd /tmp/libccd"
+[ $# -eq 2 ] ||
+  die "expected PACKAGE FOLDER" "For example: toolchain/debian_source.sh libccd /tmp/libccd"
 package=$1 folder=$2
 [ ! -e "$folder" ] || die "$folder is there already"
 for program in apt-get dpkg-source; do

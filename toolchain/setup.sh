@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs missing packages of Debian 12. This is the only list of packages; it has three parts.
+# Installs missing packages of Debian 12. This is the only list of packages; it has four parts.
 #
 #   setup.sh run        to run the programs and their scripts
 #   setup.sh develop    the same, and to build
-#   setup.sh test       the same, and for all tests; this is the default
-#   setup.sh --list run|develop|test    only lists the packages
+#   setup.sh test       the same, and for the tests of the tier `fast`; this is the default
+#   setup.sh full       the same, and for those of the tiers `full` and `night`
+#   setup.sh --list run|develop|test|full    only lists the packages
 #
 # Needs no rights if nothing is missing.
 set -euo pipefail
@@ -44,17 +45,25 @@ to_test=(
   g++-aarch64-linux-gnu g++-i686-linux-gnu gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib
   qemu-system-arm qemu-system-x86 qemu-user
 )
+# 190 MB to be fetched, 1.2 GB on the disk; tests of the tier `full` are skipped without them.
+to_test_fully=(
+  # stylet.dll, and a Windows to run it in
+  g++-mingw-w64-x86-64-posix wine wine64
+  # an engine that loads the library for Godot
+  godot3-server
+)
 # A nodejs that is not Debian's has its own npm and conflicts with Debian's npm.
 command -v npm >/dev/null || to_test+=(npm)
 
 list_only=
 [ "${1:-}" != --list ] || { list_only=yes && shift; }
 purpose=${1:-test}
-[[ $# -le 1 && $purpose =~ ^(run|develop|test)$ ]] ||
-  die "expected one of run, develop, test" "For example: toolchain/setup.sh develop"
+[[ $# -le 1 && $purpose =~ ^(run|develop|test|full)$ ]] ||
+  die "expected one of run, develop, test, full" "For example: toolchain/setup.sh develop"
 packages=("${to_run[@]}")
 [ "$purpose" = run ] || packages+=("${to_develop[@]}")
-[ "$purpose" != test ] || packages+=("${to_test[@]}")
+[[ ! $purpose =~ ^(test|full)$ ]] || packages+=("${to_test[@]}")
+[ "$purpose" != full ] || packages+=("${to_test_fully[@]}")
 [ -z "$list_only" ] || { printf '%s\n' "${packages[@]}" && exit; }
 
 missing_packages() {
@@ -147,5 +156,5 @@ if [ ${#missing[@]} -gt 0 ]; then
   mapfile -t missing < <(missing_packages)
   [ ${#missing[@]} -eq 0 ] || die "still missing after the installation: ${missing[*]}"
 fi
-[ "$purpose" != test ] || install_page_packages
+[[ ! $purpose =~ ^(test|full)$ ]] || install_page_packages
 say "All ${#packages[@]} packages are there"

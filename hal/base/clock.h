@@ -23,7 +23,8 @@ struct VirtualTime {
 // `time` must outlive the clock; to simulate lateness, move it forward.
 Clock virtual_clock(VirtualTime& time);
 
-// CLOCK_MONOTONIC, on Windows its performance counter: to measure how long something took, whichever clock the loop has.
+// CLOCK_MONOTONIC, on Windows its performance counter: to measure how long something took,
+// whichever clock the loop has.
 std::int64_t monotonic_now_ns();
 
 }  // namespace stylet::hal

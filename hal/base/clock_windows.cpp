@@ -42,7 +42,8 @@ void wait(std::int64_t ns) {
   thread_local const Timer timer;
   LARGE_INTEGER due;
   due.QuadPart = -(ns / kTimerUnitNs);  // negative: from now on
-  if (timer.handle == nullptr || SetWaitableTimer(timer.handle, &due, 0, nullptr, nullptr, 0) == 0) {
+  if (timer.handle == nullptr ||
+      SetWaitableTimer(timer.handle, &due, 0, nullptr, nullptr, 0) == 0) {
     return;
   }
   WaitForSingleObject(timer.handle, INFINITE);

@@ -10,8 +10,8 @@
 
 namespace stylet::hal {
 
-// The descriptors below are a side process's own: none of ours is there, so that none is overwritten
-// while they are moved into place.
+// The descriptors below are a side process's own. None of ours is there, so that none is
+// overwritten while they are moved into place.
 constexpr int kLeastDescriptor = 10;
 // The same file under a descriptor that is not below; closes the one it was.
 int raised(int descriptor);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a thread asks of the system so that it runs in time.
 //
-// Promises: they apply to the calling thread, and neither allocate nor throw; 0 if they were granted,
-// else the error's number (errno; on Windows GetLastError).
+// Promises: they apply to the calling thread, and neither allocate nor throw; 0 if they were
+// granted, else the error's number (errno; on Windows GetLastError).
 #pragma once
 
 #include <string>

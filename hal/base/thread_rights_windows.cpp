@@ -18,8 +18,8 @@ int rise_to(int /*priority*/) {
   return error_unless(SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_TIME_CRITICAL) != 0);
 }
 
-// Of the first 64: the others are in processor groups of their own, between which a thread would have
-// to be moved.
+// Of the first 64: the others are in processor groups of their own, between which a thread would
+// have to be moved.
 int stay_on(int processor) {
   if (processor < 0 || processor >= 64) return ERROR_INVALID_PARAMETER;
   const DWORD_PTR mask = DWORD_PTR{1} << static_cast<unsigned>(processor);

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hal/device/vendor_library.h"
-
-#include <windows.h>
-// Ours are words, too.
-#undef far
-#undef near
-
 #include <fmt/format.h>
+#include <windows.h>
 
 #include <cstdlib>
 #include <system_error>
 #include <vector>
+
+#include "hal/device/vendor_library.h"
+// Ours are words, too.
+#undef far
+#undef near
 
 #include "hal/device/devices.h"
 
@@ -29,7 +28,8 @@ VendorLibrary::VendorLibrary(const char* scheme, const char* variable,
     // If a file is there, it lacks another one or is none: that is worth more than other messages.
     const DWORD error = GetLastError();
     if (reasons.empty() || error != ERROR_MOD_NOT_FOUND) {
-      reasons = fmt::format("{}: {}", each, std::system_category().message(static_cast<int>(error)));
+      reasons =
+          fmt::format("{}: {}", each, std::system_category().message(static_cast<int>(error)));
     }
   }
   throw DeviceError(fmt::format(
@@ -38,8 +38,7 @@ VendorLibrary::VendorLibrary(const char* scheme, const char* variable,
 }
 
 void* VendorLibrary::symbol(const char* name, bool needed) const {
-  void* const found =
-      reinterpret_cast<void*>(GetProcAddress(static_cast<HMODULE>(handle_), name));
+  void* const found = reinterpret_cast<void*>(GetProcAddress(static_cast<HMODULE>(handle_), name));
   if (found == nullptr && needed) {
     throw DeviceError(fmt::format("{}: {}: no function {}: expected a library of this vendor",
                                   scheme_, path_, name));

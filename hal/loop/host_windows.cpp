@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // On Windows, which promises no time to anybody: what it grants is asked for, and that it promises
 // nothing is always told.
-#include <windows.h>
-
 #include <fmt/format.h>
+#include <windows.h>
 
 #include <algorithm>
 
@@ -14,7 +13,7 @@ namespace stylet::hal {
 namespace {
 
 constexpr std::size_t kStackBytes = 256 * 1024;  // more than the loop and a device ever use
-// Windows keeps at least so much of this process in memory, and lets it be asked for without rights.
+// Windows keeps at least so much of this process in memory.
 constexpr SIZE_T kLeastPages = SIZE_T{256} << 20U;
 
 std::vector<int> allowed_cpus() {
@@ -40,9 +39,8 @@ HostState::~HostState() = default;
 
 void prepare_process(HostState& host) {
   if (SetProcessWorkingSetSize(GetCurrentProcess(), kLeastPages, 4 * kLeastPages) != 0) return;
-  host.report.lacks.push_back(
-      fmt::format("memory cannot be kept from being paged out ({})",
-                  why_refused(static_cast<int>(GetLastError()))));
+  host.report.lacks.push_back(fmt::format("memory cannot be kept from being paged out ({})",
+                                          why_refused(static_cast<int>(GetLastError()))));
 }
 
 std::vector<int> loop_processors(int cpu) {
@@ -65,8 +63,7 @@ void prepare_thread(int cpu, int priority, HostReport& report) {
         fmt::format("thread cannot be pinned to processor {} ({})", chosen, why_refused(error)));
   }
   if (const int error = rise_to(priority); error != 0) {
-    report.lacks.push_back(
-        fmt::format("time-critical priority refused ({})", why_refused(error)));
+    report.lacks.push_back(fmt::format("time-critical priority refused ({})", why_refused(error)));
   }
   touch_stack();
 }

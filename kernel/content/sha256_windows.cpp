@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+// The second needs the first.
+// clang-format off
 #include <windows.h>
-
 #include <bcrypt.h>
+// clang-format on
 
 #include <algorithm>
 #include <cstdlib>

@@ -46,7 +46,8 @@ def skip_without(target):
     compiler, runner = TARGETS[target]
     for program in (compiler, *runner[:1], *(["qemu-i386"] if target == "i686" else [])):
         if shutil.which(program) is None:
-            print(f"skipped: no {program} here; toolchain/setup.sh installs it")
+            purpose = " full" if target == "windows" else ""
+            print(f"skipped: no {program} here; toolchain/setup.sh{purpose} installs it")
             sys.exit(SKIPPED)
 
 

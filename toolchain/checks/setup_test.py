@@ -76,25 +76,31 @@ class Setup(unittest.TestCase):
         return set(self.run_setup("--list", purpose).stdout.split())
 
     def test_each_purpose_has_all_of_the_one_before_and_no_more_is_installed(self):
-        run, develop, test = (self.listed(purpose) for purpose in ("run", "develop", "test"))
+        run, develop, test, full = (self.listed(purpose)
+                                    for purpose in ("run", "develop", "test", "full"))
         self.assertLess(run, develop)
         self.assertLess(develop, test)
+        self.assertLess(test, full)
         self.assertFalse((self.top / "calls").exists())
-        for purpose, packages in ("run", run), ("develop", develop), ("test", test):
+        for purpose, packages in ("run", run), ("develop", develop), ("test", test), ("full", full):
             with self.subTest(purpose):
                 (self.top / "installed").unlink(missing_ok=True)
                 self.run_setup(purpose)
                 install = (self.top / "calls").read_text().splitlines()[-1]
                 self.assertLessEqual(packages, set(install.split()))
-                self.assertFalse((test - packages) & set(install.split()))
+                self.assertFalse((full - packages) & set(install.split()))
 
     def test_one_curve_needs_neither_browser_nor_cluster_nor_other_processors(self):
         for package in self.listed("develop"):
             self.assertNotRegex(package, "chromium|nodejs|slurm|munge|qemu|aarch64|i686|arm-none")
 
+    def test_what_ci_installs_has_neither_windows_nor_a_game_engine(self):
+        for package in self.listed("test"):
+            self.assertNotRegex(package, "wine|mingw|godot")
+
     def test_other_purposes_are_refused(self):
         for words in ("deploy",), ("run", "test"), ("--list", "all"):
-            self.assertIn("run, develop, test", self.run_setup(*words, expect=1).stderr)
+            self.assertIn("run, develop, test, full", self.run_setup(*words, expect=1).stderr)
 
     def test_nothing_missing_asks_for_nothing(self):
         (self.top / "installed").touch()

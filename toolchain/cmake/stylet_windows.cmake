@@ -24,8 +24,8 @@ if(NOT EXISTS ${STYLET_LIBCCD_SOURCE}/src/mpr.c)
   execute_process(COMMAND ${PROJECT_SOURCE_DIR}/toolchain/debian_source.sh libccd
     ${STYLET_LIBCCD_SOURCE} RESULT_VARIABLE failed ERROR_VARIABLE why OUTPUT_VARIABLE output)
   if(failed)
-    message(FATAL_ERROR "${why}\n${output}\nlibccd's source is needed for Windows: expected a network, or "
-      "its unpacked source in STYLET_LIBCCD_SOURCE")
+    message(FATAL_ERROR "${why}\n${output}\nlibccd's source is needed for Windows: "
+      "expected a network, or its unpacked source in STYLET_LIBCCD_SOURCE")
   endif()
 endif()
 # With Debian's own settings (ccd/config.h of the host), so that its numbers are the same.

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# 64-bit Windows, by Debian's mingw-w64 with POSIX threads, whose runtime is linked into what is built.
+# 64-bit Windows, by Debian's mingw-w64 with POSIX threads, whose runtime is linked into what is
+# built.
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)

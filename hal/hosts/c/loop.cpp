@@ -38,7 +38,7 @@ struct stylet_loop {
   hal::HostState host;
   std::thread thread;
   std::atomic<bool> started{false}, runs{false};
-  hal::Countdown ended{1};  // counted once it no longer runs
+  hal::Countdown ended{1};               // counted once it no longer runs
   std::atomic<std::thread::id> servo{};  // the thread that is in the loop
   std::atomic<int> inside{0};            // threads that are in run or wait
   std::string lacks;

@@ -48,8 +48,8 @@ class Godot(unittest.TestCase):
         shutil.copy(HERE / "frames.gd", cls.project)
         cls.organ = cls.project / "liver.organ"
         output(ORGAN_MAKER, "phantom", "liver", "--voxel-mm", 10, "-o", cls.organ)
-        output(*STRICT_C, "-shared", "-fPIC", f"-I{HEADERS}", GODOT / "src/stylet_godot.c", *LINK,
-               "-o", cls.project / "libstylet_godot.so")
+        output(*STRICT_C, "-shared", "-fPIC", f"-I{HEADERS}", f"-I{SOURCE}",
+               GODOT / "src/stylet_godot.c", *LINK, "-o", cls.project / "libstylet_godot.so")
         output("cc", "-std=gnu11", "-shared", "-fPIC", "-DLARGE=20000", HERE / "large_blocks.c",
                "-ldl", "-o", cls.top / "large_blocks.so")
         output(*STRICT_C, HERE / "replay.c", *LINK, "-o", cls.top / "replay")

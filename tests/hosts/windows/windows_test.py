@@ -92,7 +92,8 @@ class Library(Windows):
 
     def test_is_installed_with_the_terms_of_what_is_in_it(self):
         prefix = self.top / "prefix"
-        output("cmake", "--install", FOLDER / "build", "--component", "libraries", "--prefix", prefix)
+        output("cmake", "--install", FOLDER / "build", "--component", "libraries", "--prefix",
+               prefix)
         found = {str(path.relative_to(prefix)) for path in prefix.rglob("*") if path.is_file()}
         self.assertEqual(found, {"bin/stylet.dll", "licences/LICENSE", "licences/libccd.txt",
                                  "licences/mingw-w64.txt"})

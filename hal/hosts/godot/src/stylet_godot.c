@@ -12,7 +12,7 @@
 #include <string.h>
 #include <stylet/stylet.h>
 
-#include "values.h"
+#include "hal/hosts/godot/src/values.h"
 
 static const godot_gdnative_ext_nativescript_api_struct* g_script;
 
