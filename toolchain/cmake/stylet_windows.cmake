@@ -5,6 +5,9 @@
 #
 # find_package finds the targets made here (CMAKE_FIND_PACKAGE_REDIRECTS_DIR).
 set(STYLET_LIBCCD_SOURCE "" CACHE PATH "The unpacked source of Debian's package libccd")
+# No path of the machine in what is built.
+add_compile_options(-ffile-prefix-map=${PROJECT_BINARY_DIR}=.
+  -ffile-prefix-map=${PROJECT_SOURCE_DIR}=.)
 add_compile_definitions(NOMINMAX WIN32_LEAN_AND_MEAN _WIN32_WINNT=0x0A00)
 
 # The host's other headers must stay out of reach.

@@ -90,6 +90,19 @@ class Library(Windows):
         self.assertLessEqual(set(re.findall(r"DLL Name: (\S+)", text)),
                              {"KERNEL32.dll", "msvcrt.dll", "bcrypt.dll"})
 
+    def test_holds_no_path_of_the_build(self):
+        for place in SOURCE, BUILD:
+            self.assertNotIn(str(place).encode(), DLL.read_bytes())
+
+    def test_moves_no_vector_to_where_windows_may_not_have_aligned_it(self):
+        """GCC's bug 54412: on the stack. The steps have no other aligned moves, either."""
+        for name in "avx2", "avx512":
+            objects = list((FOLDER / "build").rglob(f"step_{name}.cpp.obj"))
+            self.assertEqual(len(objects), 1)
+            code = output("x86_64-w64-mingw32-objdump", "-d", *objects)
+            self.assertIn("%zmm" if name == "avx512" else "%ymm", code)
+            self.assertEqual(re.findall(r"vmov(?:ap[sd]|dqa\d*)\s.*\(.*", code), [])
+
     def test_is_installed_with_the_terms_of_what_is_in_it(self):
         prefix = self.top / "prefix"
         output("cmake", "--install", FOLDER / "build", "--component", "libraries", "--prefix",
