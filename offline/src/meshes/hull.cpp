@@ -1,77 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshes/hull.h"
 
-#include <CGAL/convex_hull_3.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/squared_distance_3.h>
 
 #include <queue>
 
 #include "base/refusal.h"
-#include "meshes/cgal_surface.h"
+#include "meshes/quickhull.h"
 
 namespace stylet::offline {
 namespace {
 
-using Kernel = CgalKernel;
-using Point = Kernel::Point_3;
-using Surface = CgalSurface;
-
-// CGAL's quickhull keeps the rim of what a point sees in a map sorted by the vertices' addresses.
-// So the heap would decide which of several points in a plane become vertices and how its faces are
-// divided: the hull of a rib changed after other allocations. A type of our own in the traits makes
-// the vertices a type of our own, whose order is defined below.
-struct OrderedByPlace;
-using Traits = CGAL::Convex_hull_traits_3<Kernel, OrderedByPlace, CGAL::Tag_true>;
-using QuickhullVertex =
-    CGAL::Triangulation_data_structure_2<CGAL::Convex_hull_vertex_base_2<CGAL::GT3_for_CH3<Traits>>,
-                                         CGAL::Convex_hull_face_base_2<Traits>>::Vertex_handle;
-
-}  // namespace
-}  // namespace stylet::offline
-
-// This is an order, since no two vertices of a hull have the same position.
-template <>
-struct std::less<stylet::offline::QuickhullVertex> {
-  bool operator()(const stylet::offline::QuickhullVertex& a,
-                  const stylet::offline::QuickhullVertex& b) const {
-    return a->point() < b->point();
-  }
-};
-
-namespace stylet::offline {
-namespace {
+using Kernel = CGAL::Simple_cartesian<double>;
 
 // A mesh thinner than this fraction of its length is flat, and its hull is not a body.
 constexpr double kFlat = 1e-6;
 // The kernel refuses vertices farther from the origin (kernel/src/needle/obstacle.cpp).
 constexpr double kFarthestM = 10;
 
-Vec to_vec(const Point& p) {
-  return {p.x(), p.y(), p.z()};
+// Always from the last corner on: from another the sums round otherwise, and of vertices that are
+// equally far the hulls of organs that were built before would have taken another.
+std::array<Vec, 3> corners_of(const Mesh& body, const Triangle& t) {
+  return {body.points[t[2]], body.points[t[0]], body.points[t[1]]};
 }
 
-Surface hull_of(const std::vector<Vec>& points) {
-  std::vector<Point> given;
-  for (const Vec& p : points) given.emplace_back(p.x, p.y, p.z);
-  Surface surface;
-  CGAL::convex_hull_3(given.begin(), given.end(), surface, Traits());
-  return surface;
-}
-
-std::vector<Kernel::Triangle_3> triangles_of(const Surface& surface) {
-  std::vector<Kernel::Triangle_3> triangles;
-  for (const auto face : surface.faces()) {
-    const auto edge = surface.halfedge(face);
-    triangles.emplace_back(surface.point(surface.source(edge)), surface.point(surface.target(edge)),
-                           surface.point(surface.target(surface.next(edge))));
-  }
-  return triangles;
-}
-
-double volume_of(const Surface& surface, Vec inside) {
+double volume_of(const Mesh& body, Vec inside) {
   double six_volumes = 0;
-  for (const Kernel::Triangle_3& t : triangles_of(surface)) {
-    six_volumes += dot(to_vec(t[0]) - inside, cross(to_vec(t[1]) - inside, to_vec(t[2]) - inside));
+  for (const Triangle& t : body.triangles) {
+    const auto [a, b, c] = corners_of(body, t);
+    six_volumes += dot(a - inside, cross(b - inside, c - inside));
   }
   return six_volumes / 6;
 }
@@ -86,7 +44,7 @@ std::size_t largest(const std::vector<Vec>& points, Measure measure) {
 }
 
 // Four points that span much volume: the first body, from which distances are measured.
-std::array<std::size_t, 4> corners_of(const std::string& name, const std::vector<Vec>& points) {
+std::array<std::size_t, 4> first_corners(const std::string& name, const std::vector<Vec>& points) {
   const std::size_t a = largest(points, [](Vec p) { return -p.x; });
   const Vec from = points[a];
   const std::size_t b = largest(points, [&](Vec p) { return length(p - from); });
@@ -111,8 +69,12 @@ struct Left {
   }
 };
 
+Kernel::Point_3 point_of(Vec p) {
+  return {p.x, p.y, p.z};
+}
+
 double distance_to(const std::vector<Kernel::Triangle_3>& triangles, Vec p) {
-  const Point point(p.x, p.y, p.z);
+  const Kernel::Point_3 point = point_of(p);
   double square = std::numeric_limits<double>::infinity();
   for (const Kernel::Triangle_3& t : triangles) {
     square = std::min(square, CGAL::squared_distance(point, t));
@@ -121,9 +83,14 @@ double distance_to(const std::vector<Kernel::Triangle_3>& triangles, Vec p) {
 }
 
 // Takes the vertex farthest from the body; its distance has been measured in this round.
-Left farthest(const std::vector<Vec>& points, const Surface& body, std::size_t round,
+Left farthest(const std::vector<Vec>& points, const Mesh& body, std::size_t round,
               std::priority_queue<Left>& left) {
-  const std::vector<Kernel::Triangle_3> triangles = triangles_of(body);
+  std::vector<Kernel::Triangle_3> triangles;
+  triangles.reserve(body.triangles.size());
+  for (const Triangle& t : body.triangles) {
+    const auto [a, b, c] = corners_of(body, t);
+    triangles.emplace_back(point_of(a), point_of(b), point_of(c));
+  }
   while (left.top().round != round) {
     const std::size_t vertex = left.top().vertex;
     left.pop();
@@ -132,9 +99,7 @@ Left farthest(const std::vector<Vec>& points, const Surface& body, std::size_t r
   return left.top();
 }
 
-std::vector<Vec> sorted_vertices(const Surface& surface) {
-  std::vector<Vec> points;
-  for (const auto vertex : surface.vertices()) points.push_back(to_vec(surface.point(vertex)));
+std::vector<Vec> sorted(std::vector<Vec> points) {
   std::sort(points.begin(), points.end(), [](Vec a, Vec b) {
     return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
   });
@@ -153,17 +118,17 @@ Hull simple_hull(const std::string& name, const std::vector<Vec>& points_m,
     refuse("{}: reaches {:.6g} m from the origin: expected at most {} m; check --units", name,
            length(far), kFarthestM);
   }
-  (void)corners_of(name, points_m);  // refuses flat points, of which CGAL would make a polygon
-  const std::vector<Vec> all = sorted_vertices(hull_of(points_m));
+  (void)first_corners(name, points_m);  // refuses flat points, of which CGAL would make a polygon
+  const std::vector<Vec> all = sorted(quickhull(points_m).points);
   Hull hull;
   hull.hull_vertices = all.size();
   std::priority_queue<Left> left;
   for (std::size_t i = 0; i < all.size(); ++i) {
     left.push({std::numeric_limits<double>::infinity(), i, 0});
   }
-  for (const std::size_t corner : corners_of(name, all)) hull.vertices_m.push_back(all[corner]);
+  for (const std::size_t corner : first_corners(name, all)) hull.vertices_m.push_back(all[corner]);
   for (std::size_t round = 1;; ++round) {
-    const Surface body = hull_of(hull.vertices_m);
+    const Mesh body = quickhull(hull.vertices_m);
     const Left next = farthest(all, body, round, left);
     hull.deviation_m = next.distance;
     hull.volume_m3 = std::fabs(volume_of(body, hull.vertices_m[0]));
@@ -174,7 +139,7 @@ Hull simple_hull(const std::string& name, const std::vector<Vec>& points_m,
 
 double hull_volume_m3(const std::vector<Vec>& points_m) {
   if (points_m.size() < kLeastHullVertices) return 0;
-  return std::fabs(volume_of(hull_of(points_m), points_m.front()));
+  return std::fabs(volume_of(quickhull(points_m), points_m.front()));
 }
 
 std::vector<HullPlane> hull_planes(const Hull& hull) {
@@ -189,7 +154,7 @@ std::vector<HullPlane> hull_planes(const Hull& hull) {
 }
 
 Mesh hull_mesh(const Hull& hull) {
-  return mesh_of(hull_of(hull.vertices_m));
+  return quickhull(hull.vertices_m);
 }
 
 }  // namespace stylet::offline
