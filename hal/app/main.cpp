@@ -8,11 +8,11 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
-#include <filesystem>
 #include <stdexcept>
 #include <string_view>
 
 #include "hal/app/commands.h"
+#include "hal/app/own_program.h"
 #include "hal/app/scene_name.h"
 #include "hal/base/side_process.h"
 #include "hal/console/limits.h"
@@ -275,8 +275,7 @@ void add_station(CLI::App& program, StationOptions& options) {
 
 // The benchmarks are a program of their own, in the same folder as this one.
 [[noreturn]] void bench(char** arguments) {
-  const auto program =
-      std::filesystem::read_symlink("/proc/self/exe").replace_filename("stylet-bench");
+  const auto program = own_program().replace_filename("stylet-bench");
   execv(program.c_str(), arguments);
   throw std::runtime_error(
       fmt::format("{}: {}: expected the benchmarks, which are built with the "

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/app/own_program.h"
 #include "hal/app/scene_name.h"
 #include "hal/base/input_file.h"
 
@@ -24,6 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kRecipe = "# organ: stylet-organ ";
+constexpr std::string_view kData = "{data}";
 
 void replace_all(std::string& text, std::string_view what, const std::string& by) {
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at)) {
@@ -44,8 +46,7 @@ std::string shell_word(const std::string& word) {
 // The one beside this program if it is there, since the folder need not be in PATH.
 std::string builder() {
   std::error_code error;
-  const fs::path beside =
-      fs::read_symlink("/proc/self/exe", error).replace_filename("stylet-organ");
+  const fs::path beside = own_program().replace_filename("stylet-organ");
   return fs::exists(beside, error) ? beside.string() : "stylet-organ";
 }
 
@@ -70,7 +71,7 @@ std::vector<std::string> words_of(const hal::Scene& scene, const std::string& or
   std::vector<std::string> words = {builder()};
   std::istringstream recipe(recipe_of(scene.text));
   for (std::string word; recipe >> word;) {
-    replace_all(word, "{data}", data_folder(scenes));
+    replace_all(word, kData, data_folder(scenes));
     replace_all(word, "{scenes}", scenes.string());
     words.push_back(word);
   }
@@ -128,10 +129,22 @@ std::string run_program(const std::vector<std::string>& words) {
   return WEXITSTATUS(status) == 0 ? "" : fmt::format("exit code {}", WEXITSTATUS(status));
 }
 
+void require_meshes(const hal::Scene& scene) {
+  if (recipe_of(scene.text).find(kData) == std::string::npos) return;
+  std::error_code error;
+  const std::string folder = data_folder(fs::absolute(scene.file).parent_path());
+  if (fs::is_directory(folder, error)) return;
+  throw hal::SceneError(fmt::format(
+      "{}: its organ is made of meshes that do not come with Stylet: expected STYLET_DATA to name "
+      "their folder; there is no folder {}",
+      scene.file, folder));
+}
+
 // An organ of stylet-organ appears whole or not at all, so two runs may make the same one at once.
 std::string make_organ(const hal::Scene& scene) {
   const fs::path organ = kept_organ(scene);
   if (hal::why_unreadable(organ) != "no such file") return organ;
+  require_meshes(scene);
   std::error_code error;
   fs::create_directories(organ.parent_path(), error);
   if (error) {

@@ -12,6 +12,7 @@
 
 #include "hal/app/commands.h"
 #include "hal/app/organ_recipe.h"
+#include "hal/app/own_program.h"
 #include "hal/scene/scene.h"
 
 namespace stylet::app {
@@ -24,7 +25,7 @@ constexpr const char* kEnding = ".toml";
 // Empty: this program lies alone.
 fs::path scenes_folder() {
   std::error_code error;
-  const fs::path bin = fs::read_symlink("/proc/self/exe", error).parent_path();
+  const fs::path bin = own_program().parent_path();
   for (const char* from_bin : {"../share/stylet/hal/scenes", "../../../hal/scenes"}) {
     const fs::path folder = fs::weakly_canonical(bin / from_bin, error);
     if (fs::is_directory(folder, error)) return folder;

@@ -126,6 +126,15 @@ class Installed(unittest.TestCase):
         (self.tools / "stylet-organ").chmod(0o755)
         self.assertIn("exit code 7", self.call(*RUN, expect=1).stderr)
 
+    def test_says_whose_meshes_are_missing(self):
+        self.stand_in()
+        run = ("run", "liver-biopsy", *RUN[2:])
+        self.assertRegex(self.call(*run, expect=1).stderr,
+                         r"expected STYLET_DATA to name their folder; there is no folder .+\n$")
+        self.assertFalse((self.home / "calls").exists())
+        self.call(*run, expect=1, STYLET_DATA=str(self.home))  # the small organ is elsewhere
+        self.assertIn(f" {self.home}/organs/", (self.home / "calls").read_text())
+
     def test_another_scene_runs_nothing(self):
         self.stand_in()
         own = self.home / "fig09-force-curve.toml"
