@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What `stylet run --record` wrote: every tick of a run, as arrays, curves, or a run once more."""
-import h5py
 import numpy as np
 
 from stylet import _stylet
+from stylet import hdf5 as h5py
 from stylet.names import Event
 from stylet.simulation import Simulation
 from stylet.structs import Config, Needle, Obstacle

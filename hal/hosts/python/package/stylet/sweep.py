@@ -7,10 +7,10 @@ import concurrent.futures
 import os
 import time
 
-import h5py
 import numpy as np
 
 from stylet import _stylet
+from stylet import hdf5 as h5py
 
 SAVE_EVERY_S = 1.0  # what a kill may lose
 
