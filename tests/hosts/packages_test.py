@@ -15,25 +15,11 @@ import subprocess
 import tempfile
 import unittest
 
+import clean_root
+
 BUILD = pathlib.Path(os.environ["STYLET_BUILD"])
 SOURCE = pathlib.Path(os.environ["STYLET_SOURCE"])
-MIRROR = [os.environ["STYLET_DEBIAN"]] if "STYLET_DEBIAN" in os.environ else []
 LONG_AGO = "1700000000"  # 2023-11-14: any time that is not now
-SAID_OFFLINE = re.compile("Temporary failure|Could not resolve|Failed getting release|"
-                          "Couldn't download|Connection (failed|timed out|refused)")
-
-
-# A user's first lines of Python: a needle 20 mm into the liver phantom; the largest force, in N.
-IN_TEN_LINES = """
-import numpy, stylet
-organ = stylet.Organ.read("/tmp/liver.organ")
-needle = stylet.Needle(bending_nm2=0.02)
-simulation = stylet.Simulation(organ, needle)
-top_m = numpy.array([0, 0, organ.info.high_m[2]])
-tips_m = top_m + numpy.outer(numpy.linspace(0.005, -0.02, 2500), [0, 0, 1])
-outputs = simulation.run(stylet.poses_of_tips(tips_m, (0, 0, -1), needle.length_m))
-print(outputs["force_n"][:, 2].max())
-"""
 OF_AN_ARRAY = """
 import numpy, stylet_organ
 labels = numpy.ones((9, 9, 9), numpy.uint8)
@@ -228,60 +214,106 @@ class CleanRoot(Packed):
     """A Debian of its own with nothing but what the packages ask for."""
 
     def setUp(self):
-        if os.geteuid() != 0 or shutil.which("debootstrap") is None:
-            self.skipTest("needs root and debootstrap")
-        self.root = self.top / "root"
-        done = subprocess.run(["debootstrap", "--variant=minbase", "bookworm", self.root, *MIRROR],
-                              capture_output=True, text=True)
-        if done.returncode != 0:
-            self.assertRegex(done.stdout + done.stderr, SAID_OFFLINE)
-            self.skipTest("no network: debootstrap's mirror cannot be reached")
-
-    def inside(self, *command, **more):
-        env = {"PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "HOME": "/tmp", "LC_ALL": "C.UTF-8",
-               "DEBIAN_FRONTEND": "noninteractive"}
-        return call("chroot", self.root, *command, env=env, **more)
-
-    def listing(self):
-        kept = ("/proc/", "/sys/", "/dev/", "/tmp/", "/var/log/", "/var/cache/",
-                "/var/lib/", "/etc/")
-        found = {"/" + str(path.relative_to(self.root)) for path in self.root.rglob("*")}
-        return {path for path in found if not path.startswith(kept)}
+        if not {"stylet", "stylet-organ", "python3-stylet"} <= set(self.packages):
+            self.skipTest("not all programs are built")
+        try:
+            self.root = clean_root.CleanRoot(self.top / "root")
+        except clean_root.Missing as missing:
+            self.skipTest(str(missing))
+        self.inside, self.install = self.root.inside, self.root.install
 
     def test_installed_used_and_purged(self):
         for file in self.packages.values():
-            shutil.copy(file, self.root / "tmp")
-        for name in ("Release", "resolv.conf", "hosts"):
-            if pathlib.Path("/etc", name).exists():
-                shutil.copy(f"/etc/{name}", self.root / "etc")
-        before = self.listing()
-        self.inside("apt-get", "install", "-y", "--no-install-recommends",
-                    *(f"/tmp/{file.name}" for file in self.packages.values()))
-        self.use()
+            self.root.copy(file)
+        before = self.root.listing()
+        self.install(*(f"/tmp/{file.name}" for file in self.packages.values()))
+        self.use_program()
+        self.use_python()
+        self.read_pages()
+        state = self.use_library()
+        self.assertEqual(self.state(self.inside("python3", "/tmp/insert.py", "/tmp/liver.organ")),
+                         state)
+        self.use_pip(state)
         self.inside("apt-get", "purge", "-y", *self.packages)
-        left = {path for path in self.listing() - before if "stylet" in path}
+        left = {path for path in self.root.listing() - before if "stylet" in path}
         self.assertEqual(left, set())
 
-    def use(self):
+    def state(self, text):
+        return re.search(r"^state ([0-9a-f]{16})$", text, re.M)[1]
+
+    def use_program(self):
         self.assertRegex(self.inside("getent", "group", "realtime"), r"^realtime:")
-        if {"stylet", "stylet-organ"} <= set(self.packages):
-            self.assertIn("lumbar-puncture", self.inside("stylet", "scenes"))
-            report = json.loads(self.inside("stylet", "run", "lumbar-puncture", "--fast",
-                                            "--duration-s", "0.5", "--json"))
-            self.assertRegex(report["state_hash"], r"^[0-9a-f]{16}$")
-        if {"stylet-organ", "python3-stylet"} <= set(self.packages):
-            self.inside("stylet-organ", "phantom", "liver", "-o", "/tmp/liver.organ")
-            said = self.inside("python3", "-c", IN_TEN_LINES)
-            self.assertGreater(float(said), 0.1)
-        if {"python3-stylet", "python3-stylet-organ"} <= set(self.packages):
-            self.assertEqual(self.inside("python3", "-c", OF_AN_ARRAY), "True\n")
-        self.inside("apt-get", "install", "-y", "--no-install-recommends", "gcc", "libc6-dev",
-                    "pkg-config")
-        shutil.copy(SOURCE / "hal/hosts/c/examples/insert.c", self.root / "tmp")
-        shutil.copy(SOURCE / "tests/fuzz/seeds/organ/two-materials.organ", self.root / "tmp")
-        self.inside("sh", "-c", "cc /tmp/insert.c $(pkg-config --cflags --libs stylet) "
-                                "-o /tmp/insert")
-        self.assertIn("state ", self.inside("/tmp/insert", "/tmp/two-materials.organ"))
+        self.assertIn("lumbar-puncture", self.inside("stylet", "scenes"))
+        run = ("stylet", "run", "lumbar-puncture", "--fast", "--duration-s", "0.5", "--json")
+        there = json.loads(self.inside(*run))
+        organ, = (self.root.path / "tmp/.cache/stylet/organs").iterdir()
+        here = json.loads(call(BUILD / "bin" / run[0], *run[1:], "--organ", organ))
+        self.assertEqual(there["state_hash"], here["state_hash"])
+        self.assertIn("benchmark", self.inside("stylet", "bench", "--help"))
+
+    def use_python(self):
+        """The lines of the package's own page; the picture of them."""
+        page = (SOURCE / "hal/hosts/python/README.md").read_text()
+        lines, = re.findall(r"```python\n(.*?)```", page, re.S)
+        imports = "import numpy, stylet\nfrom matplotlib import pyplot\n"
+        (self.root.path / "tmp/lines.py").write_text(imports + lines)
+        self.root.copy(SOURCE / "hal/hosts/python/examples/insert.py")
+        self.inside("stylet-organ", "phantom", "liver", "-o", "/tmp/liver.organ")
+        said = self.inside("python3", "/tmp/insert.py", "/tmp/liver.organ")
+        forces_n = [float(force) for force in re.findall(r"mm +(\S+) N", said)]
+        self.assertGreater(max(forces_n), 0.1)
+        without = ("import stylet\ntry: stylet.Recording('any.h5')\n"
+                   "except ImportError as error: print(error)")
+        self.assertIn("package python3-h5py", self.inside("python3", "-c", without))
+        self.install("python3-matplotlib")  # which the package recommends, like h5py
+        self.inside("python3", "/tmp/lines.py")
+        picture = (self.root.path / "tmp/force.png").read_bytes()
+        self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(self.inside("python3", "-c", OF_AN_ARRAY), "True\n")
+
+    def read_pages(self):
+        """Manual pages without a warning of groff; completions that bash can use."""
+        self.install("man-db")
+        for program in ("stylet", "stylet-organ"):
+            self.assertEqual(self.inside("sh", "-c", f"man --warnings -l /usr/share/man/man1/"
+                                         f"{program}.1.gz 2>&1 >/dev/null"), "")
+            self.assertIn("EXAMPLES", self.inside("man", program))
+        words = ". /usr/share/bash-completion/completions/stylet; complete -p stylet; " \
+            "COMP_WORDS=(stylet sc) COMP_CWORD=1; _stylet stylet sc stylet; echo ${COMPREPLY[@]}"
+        self.assertEqual(self.inside("bash", "-c", words).splitlines()[-1], "scenes score")
+
+    def use_library(self):
+        """By pkg-config and by CMake, in C and C++, shared and static; the state of insert.c."""
+        self.install("g++", "libc6-dev", "cmake", "make", "pkg-config")
+        self.root.copy(SOURCE / "hal/hosts/c/examples", "/tmp/checkout/hal/hosts/c")
+        self.root.copy(SOURCE / "hal/examples", "/tmp/checkout/hal")
+        self.root.copy(SOURCE / "tests/hosts/consumers", "/tmp/checkout")
+        self.inside("sh", "-c", "cc /tmp/checkout/hal/hosts/c/examples/insert.c "
+                                "$(pkg-config --cflags --libs stylet) -o /tmp/insert")
+        state = self.state(self.inside("/tmp/insert", "/tmp/liver.organ"))
+        for language, standard, program in (("C", 99, "insert_c"), ("CXX", 20, "insert_kernel")):
+            self.inside("cmake", "-S", "/tmp/checkout/consumers/installed", "-B", f"/tmp/{program}",
+                        f"-DCONSUMER_LANGUAGES={language}", f"-DCONSUMER_STANDARD={standard}",
+                        f"-DCONSUMER_STATIC={'ON' if language == 'CXX' else 'OFF'}",
+                        "-DCONSUMER_SOURCE=/tmp/checkout")
+            self.inside("cmake", "--build", f"/tmp/{program}")
+        self.assertEqual(self.state(self.inside("/tmp/insert_c/insert_c", "/tmp/liver.organ")),
+                         state)
+        self.assertIn("state ", self.inside("/tmp/insert_kernel/insert_kernel",
+                                            "/tmp/liver.organ"))
+        return state
+
+    def use_pip(self, state):
+        """pip over the installed library, as the page says, in an environment without network."""
+        self.install("python3-dev", "python3-pip", "python3-setuptools", "python3-venv",
+                     "python3-wheel", "pybind11-dev")
+        self.root.copy(SOURCE / "hal/hosts/python", "/tmp/checkout/hal/hosts")
+        self.inside("apt-get", "purge", "-y", "python3-stylet")
+        self.inside("python3", "-m", "venv", "--system-site-packages", "/tmp/own", network=False)
+        self.inside("/tmp/own/bin/pip", "install", "--no-build-isolation", "--no-index", ".",
+                    network=False, cwd="/tmp/checkout/hal/hosts/python")
+        said = self.inside("/tmp/own/bin/python", "/tmp/insert.py", "/tmp/liver.organ")
+        self.assertEqual(self.state(said), state)
 
 
 if __name__ == "__main__":

@@ -93,9 +93,20 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS
 set(CPACK_DEBIAN_ORGAN_PYTHON_PACKAGE_SUGGESTS "stylet-organ, stylet-doc")
 set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DOC_PACKAGE_SHLIBDEPS OFF)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/toolchain/debian/postinst)
-# Not CPack's own: it has maintainer scripts call ldconfig, for which Debian has a trigger.
+# Scripts of the packages with Python in them. CPack takes a script's name from its file.
 set(control ${PROJECT_BINARY_DIR}/debian)
+foreach(component program organ python)
+  string(TOUPPER ${component} upper)
+  set(package ${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
+  configure_file(toolchain/debian/prerm.in ${control}/${component}/prerm @ONLY)
+  set(scripts ${control}/${component}/prerm)
+  if(EXISTS ${PROJECT_SOURCE_DIR}/toolchain/debian/postinst.${component})
+    configure_file(toolchain/debian/postinst.${component} ${control}/${component}/postinst COPYONLY)
+    list(APPEND scripts ${control}/${component}/postinst)
+  endif()
+  set(CPACK_DEBIAN_${upper}_PACKAGE_CONTROL_EXTRA ${scripts})
+endforeach()
+# Not CPack's own: it has maintainer scripts call ldconfig, for which Debian has a trigger.
 file(WRITE ${control}/shlibs
   "libstylet ${soversion} libstylet${soversion} (>= ${PROJECT_VERSION})\n")
 file(WRITE ${control}/triggers "activate-noawait ldconfig\n")
