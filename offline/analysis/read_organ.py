@@ -1,6 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads an organ file as numpy arrays: read_organ(path). As a program it prints what it found."""
+"""Reads an organ file as numpy arrays: read_organ(path). As a program it prints what it found.
+
+usage: read_organ.py ORGAN
+"""
 import hashlib
 import pathlib
 import struct
@@ -49,5 +52,11 @@ def read_organ(path):
 
 
 if __name__ == "__main__":
-    for key, value in read_organ(sys.argv[1]).items():
+    if len(sys.argv) != 2:
+        sys.exit("usage: read_organ.py ORGAN")
+    try:
+        found = read_organ(sys.argv[1])
+    except (OSError, ValueError) as error:
+        sys.exit(f"read_organ.py: {error}")
+    for key, value in found.items():
         print(f"{key:15}", value if np.isscalar(value) else f"{len(value)} records")

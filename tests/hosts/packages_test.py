@@ -308,10 +308,11 @@ class CleanRoot(Packed):
         self.install("python3-dev", "python3-pip", "python3-setuptools", "python3-venv",
                      "python3-wheel", "pybind11-dev")
         self.root.copy(SOURCE / "hal/hosts/python", "/tmp/checkout/hal/hosts")
-        self.inside("apt-get", "purge", "-y", "python3-stylet")
         self.inside("python3", "-m", "venv", "--system-site-packages", "/tmp/own", network=False)
         self.inside("/tmp/own/bin/pip", "install", "--no-build-isolation", "--no-index", ".",
                     network=False, cwd="/tmp/checkout/hal/hosts/python")
+        self.assertIn("/tmp/own/lib", self.inside("/tmp/own/bin/python", "-c",
+                                                  "import stylet; print(stylet.__file__)"))
         said = self.inside("/tmp/own/bin/python", "/tmp/insert.py", "/tmp/liver.organ")
         self.assertEqual(self.state(said), state)
 
