@@ -60,7 +60,7 @@ class Windows(unittest.TestCase):
         session = HERE / "session.c"
         output("cc", *STRICT_C, session, f"-L{LIBRARY}", "-lstylet", f"-Wl,-rpath,{LIBRARY}",
                "-o", cls.top / "session")
-        output(C_COMPILER, *STRICT_C, session, FOLDER / "build/lib/stylet.lib",
+        output(C_COMPILER, *STRICT_C, session, FOLDER / "build/lib/stylet.lib", "-static",
                "-o", cls.top / "session.exe")
 
     def here(self, *words):
