@@ -117,7 +117,7 @@ OFFLINE = {
     **dict.fromkeys(("pipeline/label_organ", "maps/groups", "pipeline/bodies", "maps/skin",
                      "maps/wall", "maps/wall_thickness"),
                     LABELS),
-    **dict.fromkeys(("meshes/hull", "meshes/hull_text"),
+    **dict.fromkeys(("meshes/hull", "meshes/hull_text", "meshes/quickhull"),
                     [["offline_hull_test", "--gtest_filter=Hull.*"], *LABELS]),
     **dict.fromkeys(("meshes/repair", "meshes/orient", "meshes/nesting"),
                     [["offline_solid_test"], ["offline_nesting_test", "--gtest_filter=Nesting.*"],

@@ -10,8 +10,9 @@ import subprocess
 SUITE = "bookworm"
 SAID_OFFLINE = re.compile("Temporary failure|Could not resolve|Failed getting release|"
                           "Couldn't download|Connection (failed|timed out|refused)")
-# Folders of the running system, and what tests put there.
-NOT_OF_PACKAGES = ("/proc/", "/sys/", "/dev/", "/tmp/")
+# Folders of the running system, what tests put there, and the pages that man has shown, which it
+# forgets by itself.
+NOT_OF_PACKAGES = ("/proc/", "/sys/", "/dev/", "/tmp/", "/var/cache/man/")
 
 
 class Missing(Exception):
