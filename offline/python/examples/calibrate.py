@@ -6,7 +6,8 @@ usage: calibrate.py [PICTURE]
 
 The curve: Okamura, Simone and O'Leary 2004, Force modeling for needle insertion into soft tissue
 (doi 10.1109/TBME.2004.831542): an 18G bevelled needle at 3 mm/s in bovine tissue ex vivo, from the
-first contact through the first puncture. Means over each millimetre, read off to 0.01 N.
+first contact through the first puncture. Means over each millimetre, to 0.01 N, of somebody's
+trace of the paper's figure; the first contact is where we see it, at 9 mm of its way.
 """
 import sys
 
