@@ -95,7 +95,7 @@ set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DOC_PACKAGE_SHLIBDEPS OFF)
 # Scripts of the packages with Python in them. CPack takes a script's name from its file.
 set(control ${PROJECT_BINARY_DIR}/debian)
-foreach(component program organ python)
+foreach(component program organ python organ_python)
   string(TOUPPER ${component} upper)
   set(package ${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
   configure_file(toolchain/debian/prerm.in ${control}/${component}/prerm @ONLY)
