@@ -17,7 +17,8 @@ constexpr std::uint64_t kTicks = 1300;  // contact, puncture, the first particle
 // As make_block, but its content is not defined.
 Block raw_block(std::size_t size) {
   Block block;
-  block.bytes.reset(static_cast<std::byte*>(std::aligned_alloc(kBlockAlignment, size)));
+  block.bytes.reset(
+      static_cast<std::byte*>(::operator new (size, std::align_val_t{kBlockAlignment})));
   block.size = size;
   return block;
 }
