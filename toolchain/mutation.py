@@ -11,8 +11,8 @@ If no test fails, the mutant has survived. Known survivors are in mutation_survi
 reason why each is harmless; they are not run. Any other survivor is an error.
 --explained: runs the known survivors instead; one that is killed is an error: it is listed wrongly.
 --sample N: only N mutants of each file, evenly spread. SUBJECT kernel, hal or offline: all of that
-folder. Of offline, all that decides anatomy or bytes; not reports, pictures, timings, nor the rows
-of numbers that tissues have from their sources.
+folder; mesh_readers: all formats of meshes. Of offline, all that decides anatomy or bytes; not
+reports, pictures, timings, nor the rows of numbers that tissues have from their sources.
 """
 import argparse
 import os
@@ -91,10 +91,11 @@ VOXELS = [["offline_solid_test"], ORGANS, SHEETS, MAPS, LOSSES, QUALITY,
 LABELS = [MAPS, ["offline_solid_test", "--gtest_filter=Mixed.*"],
           ["offline_label_test", "--gtest_filter=Recipe.*"], LOSSES,
           ["offline_losses_test", "--gtest_filter=Obstacles.*"], SHEETS]
+MESH_READERS = [f"meshes/{reader}" for reader in re.findall(
+    r"^STYLET_MESH_READER\(\w+, (\w+)\)", (SOURCE / "offline/src/meshes/readers.inc").read_text(),
+    re.M)]
 OFFLINE = {
-    **dict.fromkeys(("meshes/read_mesh", "meshes/read_stl", "meshes/read_obj", "meshes/read_off",
-                     "meshes/read_ply", "meshes/mesh_text"),
-                    MESHES),
+    **dict.fromkeys(("meshes/read_mesh", "meshes/mesh_text", *MESH_READERS), MESHES),
     **dict.fromkeys(("maps/header", "maps/label_map", "maps/itk", "maps/bzip2", "maps/whole"),
                     FRAMES),
     **dict.fromkeys(("maps/nrrd_header", "maps/nrrd_frame", "maps/meta_header", "maps/meta_frame",
@@ -387,6 +388,7 @@ def main():
     subjects = []
     for each in options.subjects or ("kernel", "hal", "offline"):
         of_folder = [name for name, (file, _) in SUBJECTS.items() if file.startswith(each + "/")]
+        of_folder = MESH_READERS if each == "mesh_readers" else of_folder
         subjects += of_folder or [each]
         if not of_folder and each not in SUBJECTS:
             parser.error(f"{each}: expected kernel, hal, offline, or one of {', '.join(SUBJECTS)}")

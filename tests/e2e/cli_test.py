@@ -442,7 +442,7 @@ class Devices(Folder):
             (usb / name).write_text(text + "\n")
         env = dict(os.environ, STYLET_LIBDHD="/nowhere/libdhd.so")
         listed = call("stylet", "devices", "--root", self.top / "tree", "--json", env=env).stdout
-        dhd = json.loads(listed)[1]
+        dhd, = (each for each in json.loads(listed) if each["uri"] == "dhd:")
         self.assertFalse(dhd["ready"])
         self.assertIn("USB 1-2, but dhd: /nowhere/libdhd.so", dhd["seen"])
 

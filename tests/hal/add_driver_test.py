@@ -68,7 +68,8 @@ class AddDriver(unittest.TestCase):
                 drivers.write("STYLET_DRIVER(still, still_driver)\n")
             build = copy / "build"
             run("cmake", "-S", copy, "-B", build, "-DCMAKE_BUILD_TYPE=Release",
-                "-DSTYLET_WITH_OFFLINE=OFF", "-DSTYLET_WITH_TESTS=OFF")
+                "-DSTYLET_WITH_OFFLINE=OFF", "-DSTYLET_WITH_TESTS=OFF",
+                "-DSTYLET_WITH_INSTALL=OFF")
             run("cmake", "--build", build, "--target", "stylet_example_loop", "--parallel", 2)
             program = next(build.rglob("stylet_example_loop"))
             self.assertRegex(run(program, ORGAN, "still:"),

@@ -37,6 +37,8 @@ class Bench {
   virtual void hang(test::Hang /*call*/) {}
   // Each of these holds for all three axes, or is false.
   bool places = true;   // measures its position; else it says how fast it is to move
+  bool presses = true;  // has buttons
+  bool fails = true;    // may stop answering; else it is at rest when it says nothing
   bool feels = true;    // renders force
   bool turns = true;    // measures its rotation
   bool latches = true;  // what came back by itself has no force until it is opened again

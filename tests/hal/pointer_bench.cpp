@@ -12,7 +12,7 @@ namespace {
 class Page : public Bench {
  public:
   Page() {
-    places = feels = false;  // it counts the way from the first post on
+    places = feels = fails = false;  // it counts the way from the first post on
     pointer_serve(true);
     thread_ = std::thread([this] { post(); });
   }

@@ -28,6 +28,8 @@ TEST(Haply, RefusalsNameWhatIsMissing) {
   EXPECT_TRUE(says(refusal("haply:049D@here"), "expected nothing, ID, or ID@ADDRESS:PORT"));
   EXPECT_TRUE(says(refusal("haply:049D,gate=2"), "gate=2: expected nothing, ID"));
   EXPECT_TRUE(says(refusal("haply:,volume=1"), "volume=1: expected"));
+  EXPECT_TRUE(says(refusal("haply:,gate=0.3x"), "gate=0.3x: expected"));
+  EXPECT_TRUE(says(refusal("haply:,events=10020.7"), "events=10020.7: expected"));
   HaplyService service;
   service.trouble(test::Trouble::kUncalibrated);
   EXPECT_TRUE(says(refusal(service.uri()), "not calibrated"));

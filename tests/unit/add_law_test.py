@@ -28,8 +28,13 @@ CHANGES = [
     ("kernel/src/laws/friction.h", "  F(viscous_n_s_per_m2, m.viscous_friction_n_s_per_m2)",
      "  F(viscous_n_s_per_m2, m.viscous_friction_n_s_per_m2) \\\n"
      "  F(wet_n_per_m, m.wet_friction_n_per_m)"),
-    ("kernel/src/laws/friction.h", "  return f.coulomb_n_per_m +",
-     "  return f.wet_n_per_m * speed_m_per_s / (speed_m_per_s + 1) + f.coulomb_n_per_m +"),
+    ("kernel/src/laws/friction.h",
+     "inline float friction_n_per_m(const Friction& f, float speed_m_per_s) {",
+     "inline float dry_n_per_m(const Friction& f, float speed_m_per_s);\n"
+     "inline float friction_n_per_m(const Friction& f, float speed_m_per_s) {\n"
+     "  return f.wet_n_per_m * speed_m_per_s / (speed_m_per_s + 1) +\n"
+     "         dry_n_per_m(f, speed_m_per_s);\n"
+     "}\ninline float dry_n_per_m(const Friction& f, float speed_m_per_s) {"),
 ]
 
 KERNEL = ["kernel.cpp", "state/snapshot.cpp", "state/layout.cpp", "coupling/friction.cpp"]

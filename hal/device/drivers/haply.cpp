@@ -189,10 +189,12 @@ Wishes wishes_of(std::string& rest) {
     const std::string key = wish.substr(0, equals);
     double value = -1;
     if (equals != std::string::npos) {
-      std::from_chars(wish.data() + equals + 1, wish.data() + wish.size(), value);
+      const char* const end = wish.data() + wish.size();
+      if (std::from_chars(wish.data() + equals + 1, end, value).ptr != end) value = -1;
     }
     const bool share = (key == "gate" || key == "damping") && value >= 0 && value <= 1;
-    const bool port = key == "events" && value >= 1 && value <= 65535;
+    const bool whole_number = value == std::floor(value);
+    const bool port = key == "events" && whole_number && value >= 1 && value <= 65535;
     const bool grip = key == "grip" && equals + 1 < wish.size();
     if (!share && !port && !grip)
       throw DeviceError(fmt::format("haply:{}: {}: {}", whole, wish, kExpected));

@@ -197,6 +197,11 @@ TEST(COrgan, ShowsWhatTheOrganHolds) {
   ASSERT_EQ(stylet_organ_get_material(organ.get(), 1, &material), STYLET_OK);
   EXPECT_STREQ(material.name, "capsule");
   EXPECT_EQ(material.youngs_modulus_pa, 200000.0F);
+  // A number that stylet_material lacks does not compile here.
+  const Material same = organ_material(opened->organ, 1);
+#define STYLET_EXPECT_SAME(field, ...) EXPECT_EQ(material.field, same.field) << #field;
+  STYLET_MATERIAL_NUMBERS(STYLET_EXPECT_SAME)
+#undef STYLET_EXPECT_SAME
   EXPECT_EQ(stylet_organ_get_material(organ.get(), 2, &material), STYLET_ARGUMENT_OUT_OF_RANGE);
 }
 
