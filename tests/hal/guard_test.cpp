@@ -120,6 +120,19 @@ TEST(GuardForce, FadeEndsInTimeForEveryPeriod) {
   }
 }
 
+// R5 for whatever is asked: ten times too much was let in in a tenth of the time.
+TEST(GuardForce, TheRampIsThatOfTheLargestForceForAnyForceAsked) {
+  GuardConfig config = plain();
+  config.ramp_s = 0.1F;
+  for (const float asked_n : {4.0F, 10.0F, 50.0F, 1e30F}) {
+    GuardState state = met(config);
+    for (int tick = 1; tick <= 100; ++tick) {
+      const double most_n = std::min(8.0, static_cast<double>(asked_n)) * tick / 100;
+      ASSERT_NEAR(size(guard_force(config, state, {0, -asked_n, 0})), most_n, 1e-5) << asked_n;
+    }
+  }
+}
+
 // R15: the needle may wait far from the hand. The fade-in begins where the device has answered.
 TEST(GuardForce, NothingIsFeltBeforeADeviceHasToldWhereItIs) {
   GuardConfig config = plain();

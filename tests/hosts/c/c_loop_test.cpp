@@ -50,7 +50,9 @@ TEST(CGuard, DrawnSessionsAreThoseOfTheGuard) {
     std::int64_t now_ns = 1'000'000'000;
     Sample sample = {1, now_ns, {{0, 0, 0}, {1, 0, 0, 0}}, 0};
     for (int i = 0; i < 2000; ++i) {
-      now_ns += draw.chance(0.99) ? 1'000'000 : 1'000'000 * draw.below(60);
+      const std::int64_t passed_ns = 1'000'000 * (draw.chance(0.99) ? 1 : draw.below(60));
+      now_ns += passed_ns;
+      if (i > 0 && passed_ns >= 20'000'000) guard_trip(force, Fault::kTooLate);
       const bool answered = draw.chance(0.98);
       if (answered) {
         ++sample.seq;
@@ -494,6 +496,46 @@ TEST(CGuard, LetsNothingThroughBeforeASampleNorTwiceForOne) {
   const float once = stylet_guard_force(guard.get(), {0, 0, 6}).z;
   for (int i = 0; i < 50; ++i) {
     EXPECT_EQ(stylet_guard_force(guard.get(), {0, 0, 6}).z, once);
+  }
+}
+
+// A caller whose device no longer answers, and who does not ask it, is rid of the force all the
+// same.
+TEST(CGuard, WhatIsTrippedFadesWithoutASample) {
+  stylet_guard_config config;
+  ASSERT_EQ(stylet_guard_config_init(&config, sizeof config), STYLET_OK);
+  config.ramp_s = 0;
+  config.max_torque_nm = 1;
+  for (const std::string what : {"tripped", "no number", "stalled"}) {
+    const GuardHandle guard = c_guard(config);
+    stylet_sample sample = {sizeof sample, 0, 1, 1'000'000'000, {{0, 0, 0}, {1, 0, 0, 0}}};
+    const auto tick = [&](std::int64_t passed_ns) {
+      ++sample.seq;
+      sample.t_ns += passed_ns;
+      (void)stylet_guard_sample(guard.get(), &sample, sample.t_ns);
+      (void)stylet_guard_torque(guard.get(), {0, 1, 0});
+      return stylet_guard_force(guard.get(), {0, 0, 6}).z;
+    };
+    for (int i = 0; i < 50; ++i) (void)tick(1'000'000);
+    ASSERT_EQ(tick(1'000'000), 6);
+    const float torque_nm = stylet_guard_torque(guard.get(), {0, 0.1F, 0}).y;
+    EXPECT_EQ(stylet_guard_torque(guard.get(), {0, -1, 0}).y, torque_nm) << "no time has passed";
+    const float endless = std::numeric_limits<float>::infinity();
+    if (what == "tripped") {
+      ASSERT_EQ(stylet_guard_trip(guard.get(), 5), STYLET_OK);
+    }
+    if (what == "no number") {
+      ASSERT_EQ(stylet_guard_force(guard.get(), {0, 0, endless}).z, 0);
+    }
+    if (what == "stalled") {
+      ASSERT_LT(tick(20'000'000), 6);
+    }
+    for (int i = 0; i < 20; ++i) {
+      (void)stylet_guard_force(guard.get(), {0, 0, 6});
+      (void)stylet_guard_torque(guard.get(), {0, 1, 0});
+    }
+    EXPECT_EQ(stylet_guard_force(guard.get(), {0, 0, 6}).z, 0) << what;
+    EXPECT_EQ(stylet_guard_torque(guard.get(), {0, 1, 0}).y, 0) << what;
   }
 }
 

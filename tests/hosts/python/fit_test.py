@@ -97,6 +97,23 @@ class Found(unittest.TestCase):
                                               (0.95, 30, 2.042), (0.95, math.inf, 1.960)):
             self.assertAlmostEqual(quantile(confidence, freedom) / expected, 1, delta=8e-3)
 
+    def test_what_the_curve_does_not_tell_has_no_interval(self):
+        """Of no effect at all, and known as a product alone."""
+        noise = np.random.default_rng(1).normal(0, 0.02, len(X))
+        wide = {name: (0.1, 10) for name in "abc"}
+        for power in (0, 1):
+            found = stylet.fit(lambda points: [p["a"] * p["c"] ** power * np.exp(-p["b"] * X)
+                                               for p in points], wide, 2 * np.exp(-0.4 * X) + noise)
+            untold = {"c"} if power == 0 else {"a", "c"}
+            for name in "abc":
+                told = (found.low[name], found.high[name])
+                if name in untold:
+                    self.assertEqual(told, (0, np.inf), name)
+                    self.assertEqual(found.profile(name), (0, np.inf), name)
+                else:
+                    truth = {"a": 2, "b": 0.4}[name]
+                    self.assertTrue(0.9 * truth < told[0] < truth < told[1] < 1.1 * truth, told)
+
     def test_refusals(self):
         for words, arguments in (("3 points: expected more", (curves, RANGES, [1, 2, 3])),
                                  ("low above 0", (curves, {**RANGES, "rate": (0, 1)}, X)),

@@ -42,6 +42,35 @@ def deadly(i):
     return {"twice": 2 * i}
 
 
+def interrupted(i):
+    if i == 2:
+        raise KeyboardInterrupt
+    return {"y": i}
+
+
+class Silent(Exception):
+    def __str__(self):
+        raise RuntimeError
+
+
+def odd(i):
+    if i == 6:
+        sys.exit(3)
+    if i == 7:
+        raise Silent
+    if i == 8:
+        return {"error": "mine"}
+    if i == 9:
+        raise ValueError("a\0b\udc80")
+    if i == 10:
+        return {"i": 1}
+    return {"y": {2: [1, 2, 3], 3: None, 4: "text", 5: object()}.get(i, [i, i])}
+
+
+def hash_of(digits):
+    return {"hash": int(digits, 16)}
+
+
 def insertion_of(deepest_m, path):
     import stylet as own
     from support import FAST
@@ -104,7 +133,7 @@ class Sweep(unittest.TestCase):
             import os, signal, sys
             import stylet
             def function(i):
-                if i == 30:
+                if i in (11, 30):
                     os.kill(os.getpid(), signal.SIGKILL)
                 open({str(marks)!r} + f"/{{i}}", "a").write("x")
                 return {{"twice": 2 * i}}
@@ -112,16 +141,44 @@ class Sweep(unittest.TestCase):
                 stylet.sweep(function, {{"i": range(40)}}, 1, path={self.path()!r})
             """))
         ended = subprocess.run([sys.executable, script], capture_output=True, text=True)
-        self.assertNotEqual(ended.returncode, 0)
-        self.assertIn("BrokenProcessPool", ended.stderr)
-        with h5py.File(self.path()) as file:
-            done = file["rows/done"][:]
-        self.assertFalse(done[30])
-        self.assertTrue(done[:20].all())
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        columns, _ = stylet.read_table(self.path())
+        deadly_ones = {11, 30}
+        for i, error in enumerate(columns["error"]):  # each costs itself, and no other
+            self.assertEqual(error, "its process ended" if i in deadly_ones else "")
+        done = [i not in deadly_ones for i in range(40)]
         table = stylet.sweep(lambda i: counted(i, marks), {"i": range(40)}, 0, path=self.path())
         np.testing.assert_array_equal(table["twice"], 2 * np.arange(40))
         for i in np.flatnonzero(done):
             self.assertEqual((marks / f"{i}").read_text(), "x")
+
+    def test_rows_that_were_not_run_say_so(self):
+        path = self.path()
+        with self.assertRaises(KeyboardInterrupt):
+            stylet.sweep(interrupted, {"i": range(5)}, 0, path=path)
+        self.assertEqual(list(stylet.read_table(path)[0]["error"]), ["", ""] + 3 * ["not run yet"])
+
+    def test_what_no_process_can_import_is_refused_at_once(self):
+        with self.assertRaisesRegex(TypeError, "another process can import"):
+            stylet.sweep(lambda i: {"y": i}, {"i": [0, 1, 2]}, 2)
+
+    def test_an_odd_row_costs_itself_alone(self):
+        path = self.path()
+        table = stylet.sweep(odd, {"i": range(12)}, 2, path=path)
+        good = [0, 1, 11]
+        self.assertEqual([i for i in range(12) if table["error"][i] == ""], good)
+        np.testing.assert_array_equal(table["y"][good], [[0, 0], [1, 1], [11, 11]])
+        self.assertIn("result y", table["error"][2])
+        self.assertEqual(table["error"][9], "ValueError: a\\0b\\udc80")
+        np.testing.assert_array_equal(stylet.read_table(path)[0]["error"], table["error"])
+
+    def test_whole_numbers_keep_every_bit(self):
+        hashes = [5, 0x5f3bc61de0f59c9b, 0xdf3bc61de0f59c9b, 2 ** 64 - 1]
+        for order in (hashes, hashes[::-1]):
+            table = stylet.sweep(hash_of, {"digits": [hex(each) for each in order]}, 0)
+            self.assertEqual([int(each) for each in table["hash"]], order)
+        table = stylet.sweep(hash_of, {"digits": ["-0x1", hex(2 ** 63)]}, 0)
+        self.assertIn("below 0 and from 2^63", table["error"][1])
 
     def on_dask(self, *arguments, **named):
         try:

@@ -92,11 +92,12 @@ STYLET_API void stylet_guard_free(stylet_guard* guard);
 
 /* Once a tick, in this order; none allocates, locks or makes a system call. All forces are in the
  * device's frame, on the hand. Before the first sample that may be used the force is zero; without
- * a call of stylet_guard_sample in between it stays what it was. */
+ * a call of stylet_guard_sample in between it stays what it was, or goes on fading. */
 /* If the motors tell what force they have. */
 STYLET_API stylet_status stylet_guard_motor(stylet_guard* guard,
                                             const stylet_motor_report* report);
-/* 1: the simulation may use the sample. Null: the device did not answer. */
+/* 1: the simulation may use the sample. Null: the device did not answer. `now_ns` of any clock that
+ * runs on; 20 ms or more after the call before is STYLET_FAULT_TOO_LATE. */
 STYLET_API int stylet_guard_sample(stylet_guard* guard, const stylet_sample* sample,
                                    int64_t now_ns);
 /* What to send instead of `force_n`. */

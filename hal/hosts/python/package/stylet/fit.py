@@ -22,6 +22,9 @@ NEAR = 0.02         # a step that is this small a part of the standard errors en
 # Ways of differences, in the logarithm: standard errors, but not less, as the tick in which tissue
 # gives way would be seen, nor more, where the curve bends.
 LEAST_WAY, MOST_WAY = 0.02, 0.1
+# Part of the steepest way down of the curve below which a way is none: forces are of single
+# precision, so differences over LEAST_WAY know slopes to a part in 10^5 or 10^6.
+FLAT = 1e-6
 DRAWN_FOR_EACH = 16  # parameter, before the search goes down
 SEED = 1
 
@@ -119,7 +122,7 @@ class Search:
         x, residuals, jacobian, converged = min(ends, key=lambda end: end[1] @ end[1])
         freedom = len(residuals) - len(x)
         scale = np.sqrt(residuals @ residuals / freedom) if sigma is None else 1.0
-        covariance = scale ** 2 * np.linalg.pinv(jacobian.T @ jacobian)
+        covariance = scale ** 2 * covariance_of(jacobian)
         half = quantile(confidence, freedom if sigma is None else np.inf) * np.sqrt(
             np.diag(covariance))
         ends = [dict(zip(self.names, map(float, np.exp(x + side)))) for side in (0, -half, half)]
@@ -127,6 +130,8 @@ class Search:
                    residuals * self.deviation, converged, self)
 
     def profile(self, found, index):
+        if not np.isfinite(found.covariance[index, index]):
+            return 0.0, float("inf")
         x = np.log(list(found.values.values()))
         free = np.delete(np.arange(len(x)), index)
         scale = found.sigma / np.mean(self.deviation)
@@ -147,6 +152,19 @@ class Search:
                     break
             ends.append(float(np.exp(x[index] + side)))
         return tuple(ends)
+
+
+def covariance_of(jacobian):
+    """Of the parameters, for residuals of deviation 1. The curve does not determine those that it
+    follows FLAT times less than others, alone or together: their variance is infinite."""
+    _, sizes, ways = np.linalg.svd(jacobian, full_matrices=False)
+    flat = ~(sizes > FLAT * sizes.max())
+    steep = ways[~flat] / sizes[~flat, None]
+    covariance = steep.T @ steep
+    undetermined = (np.abs(ways[flat]) > FLAT).any(axis=0)
+    covariance[undetermined] = covariance[:, undetermined] = 0
+    covariance[undetermined, undetermined] = np.inf
+    return covariance
 
 
 def step_of(normal, gradient, damping):

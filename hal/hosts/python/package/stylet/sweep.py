@@ -5,6 +5,7 @@ Resumed from its file after anything that stopped it: only rows that are not don
 """
 import concurrent.futures
 import os
+import pickle
 import time
 
 import numpy as np
@@ -27,8 +28,8 @@ def sweep(function, parameters, workers=None, client=None, path=None, attributes
     `parameters`: columns of one length by name, or a list of dicts. `function` returns a dict of
     numbers, texts or arrays of one shape, and can be imported by another process. It runs in
     `workers` processes (None: one a processor; 0: in this one), or on a Dask `client`. The columns
-    are the parameters', the results', and "error": empty, or why a row failed; a failed row's
-    results are nan, 0 or empty. With `path`, all is kept in an HDF5 file, and rows that are there
+    are the parameters', the results', and "error": empty, or why a row failed: it raised, ended its
+    process, or gave what does not fit to the rows before; its results are nan, 0 or empty. With `path`, all is kept in an HDF5 file, and rows that are there
     are not run again, but for those that failed; a file of other parameters, of other `attributes`
     or of another version is refused.
 
@@ -50,13 +51,8 @@ def finished(function, table, todo, workers, client):
         for index in todo:
             yield index, *attempt(function, table.row(index))
     elif client is None:
-        pool = concurrent.futures.ProcessPoolExecutor(workers)
-        try:
-            futures = {pool.submit(attempt, function, table.row(i)): i for i in todo}
-            for future in concurrent.futures.as_completed(futures):
-                yield futures[future], *future.result()
-        finally:
-            pool.shutdown(cancel_futures=True)
+        require_importable(function)
+        yield from in_processes(function, table, todo, workers)
     else:
         from dask.distributed import as_completed
         from distributed.scheduler import KilledWorker
@@ -71,12 +67,71 @@ def finished(function, table, todo, workers, client):
             yield index, *answer
 
 
+def require_importable(function):
+    """What cannot be sent to another process is known before the processes are there: their pool
+    would wait for it for ever."""
+    try:
+        pickle.dumps(function)
+    except Exception as error:
+        raise TypeError(f"function: {error}: expected one that another process can import, at the "
+                        "top of a module; or workers=0") from None
+
+
+def in_processes(function, table, todo, workers):
+    workers = workers or os.cpu_count() or 1
+    while todo:
+        left = set(todo)
+        for index, *answer in of_pool(function, table, todo, workers):
+            left.discard(index)
+            yield index, *answer
+        todo = [index for index in todo if index in left]
+        # A process ended. The rows that were under way are the first ones that have no answer, as
+        # many as there are processes and places in their queue; each now runs in a pool of its own.
+        under_way, todo = todo[:2 * workers + 1], todo[2 * workers + 1:]
+        for index in under_way:
+            answer = None, "its process ended"
+            for _, *answer in of_pool(function, table, [index], 1):
+                pass
+            yield index, *answer
+
+
+def of_pool(function, table, todo, workers):
+    """Each row's index, result and error, of all rows, or until a process ends."""
+    pool = concurrent.futures.ProcessPoolExecutor(workers)
+    try:
+        futures = {pool.submit(attempt, function, table.row(i)): i for i in todo}
+        for future in concurrent.futures.as_completed(futures):
+            yield futures[future], *future.result()
+    except concurrent.futures.BrokenExecutor:
+        pass
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
 def attempt(function, row):
     """The row's result, or why there is none: one failure must not end thousands of others."""
     try:
-        return dict(function(**row)), ""
-    except Exception as error:
-        return None, f"{type(error).__name__}: {error}"
+        return {name: number_or_text(name, value)
+                for name, value in dict(function(**row)).items()}, ""
+    except (Exception, SystemExit) as error:
+        return None, told(error)
+
+
+def told(error):
+    """A text that every file takes, whatever the error says of itself."""
+    try:
+        text = f"{type(error).__name__}: {error}"
+    except Exception:
+        text = type(error).__name__
+    return text.encode("utf-8", "backslashreplace").decode().replace("\0", "\\0")
+
+
+def number_or_text(name, value):
+    array = np.asarray(value)
+    if not isinstance(name, str) or array.dtype.kind not in "biufcUS":
+        raise TypeError(f"result {name} = {value!r}: expected a name, and numbers or texts in an "
+                        "array")
+    return array
 
 
 def columns_of(parameters):
@@ -110,22 +165,36 @@ class Table:
         return {name: plain(column[index]) for name, column in self.parameters.items()}
 
     def add(self, index, result, error):
-        for name, value in (result or {}).items():
-            value = np.asarray(value)
-            if name in self.parameters or name == "error":
-                raise ValueError(f"result {name} has the name of another column")
-            if name not in self.results:
-                self.results[name] = empty_column(self.rows, value)
-            column = self.results[name] = self.with_room_for(self.results[name], value)
+        try:
+            columns = {name: self.with_room_for(name, value)
+                       for name, value in (result or {}).items()}
+        except ValueError as refused:
+            columns, error = {}, told(refused)
+        for name, column in columns.items():
+            value = result[name]
             column[index] = value.item() if column.dtype == object and not value.ndim else value
+        self.results.update(columns)
         self.done[index], self.error[index] = True, error
         if time.monotonic() - self.saved_at > SAVE_EVERY_S:
             self.save()
 
-    def with_room_for(self, column, value):
+    def with_room_for(self, name, value):
         """A first row of whole numbers must not round the others."""
-        if column.dtype == object or np.can_cast(value.dtype, column.dtype):
+        if name in self.parameters or name == "error":
+            raise ValueError(f"result {name} has the name of another column")
+        column = self.results.get(name)
+        if column is None:
+            return empty_column(self.rows, value)
+        texts = column.dtype == object
+        if value.shape != column.shape[1:] or (value.dtype.kind in "US") != texts:
+            raise ValueError(f"result {name}: {value.dtype} of shape {value.shape}: expected what "
+                             f"earlier rows gave, {column.dtype} of shape {column.shape[1:]}")
+        if texts or np.can_cast(value.dtype, column.dtype):
             return column
+        if {column.dtype.kind, value.dtype.kind} == {"i", "u"}:  # numpy would round both
+            if (column < 0).any() or (value < 0).any():
+                raise ValueError(f"result {name}: whole numbers below 0 and from 2^63 on")
+            return column.astype(np.uint64)
         wider = column.astype(np.result_type(column, value))
         if wider.dtype.kind in "fc" and column.dtype.kind not in "fc":
             wider[~self.done | (self.error != "")] = np.nan
@@ -202,11 +271,12 @@ def unit_of(name):
 
 
 def read_table(path):
-    """The columns in a file of sweep, and its attributes."""
+    """The columns in a file of sweep, and its attributes. The error of a row that has not been run
+    yet says so."""
     with h5py.File(path, "r") as file:
         columns = {name: got(file[group][name]) for group in ("parameters", "results")
                    for name in file.get(group, {})}
-        columns["error"] = got(file["rows/error"])
+        columns["error"] = np.where(got(file["rows/done"]), got(file["rows/error"]), "not run yet")
         return {name: columns[name] for name in file.attrs["columns"]}, dict(file.attrs)
 
 
