@@ -25,13 +25,14 @@ UNITS = {"m": "m", "mm": "mm", "m2": "m2", "m3": "m3", "s": "s", "ms": "ms", "ns
 def sweep(function, parameters, workers=None, client=None, path=None, attributes=None):
     """Calls function(**row) for each row, and returns a dict of columns.
 
-    `parameters`: columns of one length by name, or a list of dicts. `function` returns a dict of
-    numbers, texts or arrays of one shape, and can be imported by another process. It runs in
-    `workers` processes (None: one a processor; 0: in this one), or on a Dask `client`. The columns
-    are the parameters', the results', and "error": empty, or why a row failed: it raised, ended its
-    process, or gave what does not fit to the rows before; its results are nan, 0 or empty. With `path`, all is kept in an HDF5 file, and rows that are there
-    are not run again, but for those that failed; a file of other parameters, of other `attributes`
-    or of another version is refused.
+    `parameters`: columns of one length by name, or a list of dicts. `function` returns a dict
+    of numbers, texts or arrays of one shape, and can be imported by another process. It runs in
+    `workers` processes (None: one a processor; 0: in this one), or on a Dask `client`. The
+    columns are the parameters', the results', and "error": empty, or why a row failed: it
+    raised, ended its process, or gave what does not fit to the rows before; its results are
+    nan, 0 or empty. With `path`, all is kept in an HDF5 file, and rows that are there are not
+    run again, but for those that failed; a file of other parameters, of other `attributes` or
+    of another version is refused.
 
     The file's attributes are `attributes`, such as a seed, and the library's version; a column's
     attribute is its unit, as its name ends (force_n: N). read_table gives the columns again."""
