@@ -29,6 +29,8 @@ NOT_RUN = {
     r"hd:|192\.168\.0\.5": "needs a device or a second machine",
     r"\./toolchain/(demo|test)\.sh": "installs packages and builds",
     r"cmake --preset .*": "builds for half an hour",
+    r"cmake --install build/windows .*": "needs that build; hosts.windows makes it",
+    r".*phantom liver .* hal/hosts/godot/project/.*": "for Godot; hosts.godot makes it",
     r"rt-host\.sh --|rt-host/boot\.sh": "changes the machine, as root, or boots one",
     r"apt-get .*|npm .*": "network",
     r"stylet bench --results.*": "measures for minutes, where nothing else runs",
