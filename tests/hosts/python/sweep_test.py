@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 import textwrap
+import time
 import unittest
 
 import h5py
@@ -151,6 +152,26 @@ class Sweep(unittest.TestCase):
         np.testing.assert_array_equal(table["twice"], 2 * np.arange(40))
         for i in np.flatnonzero(done):
             self.assertEqual((marks / f"{i}").read_text(), "x")
+
+    def test_processes_end_with_a_parent_that_is_killed(self):
+        script = folder() / "parent.py"
+        script.write_text(textwrap.dedent("""
+            import os, time
+            import stylet
+            def function(i):
+                os.write(1, f"{os.getpid()}\\n".encode())  # in one piece
+                time.sleep(60)
+            if __name__ == "__main__":
+                stylet.sweep(function, {"i": range(2)}, 2)
+            """))
+        parent = subprocess.Popen([sys.executable, script], stdout=subprocess.PIPE, text=True)
+        self.addCleanup(parent.kill)
+        workers = [int(parent.stdout.readline()) for _ in range(2)]
+        parent.kill()
+        begin = time.monotonic()
+        parent.communicate()  # until nobody holds its output
+        self.assertLess(time.monotonic() - begin, 30)
+        self.assertEqual(len(set(workers)), 2)
 
     def test_rows_that_were_not_run_say_so(self):
         path = self.path()

@@ -4,8 +4,10 @@
 Resumed from its file after anything that stopped it: only rows that are not done are run.
 """
 import concurrent.futures
+import ctypes
 import os
 import pickle
+import signal
 import time
 
 import numpy as np
@@ -98,7 +100,8 @@ def in_processes(function, table, todo, workers):
 
 def of_pool(function, table, todo, workers):
     """Each row's index, result and error, of all rows, or until a process ends."""
-    pool = concurrent.futures.ProcessPoolExecutor(workers)
+    pool = concurrent.futures.ProcessPoolExecutor(workers, initializer=end_with_parent,
+                                                  initargs=(os.getpid(),))
     try:
         futures = {pool.submit(attempt, function, table.row(i)): i for i in todo}
         for future in concurrent.futures.as_completed(futures):
@@ -107,6 +110,15 @@ def of_pool(function, table, todo, workers):
         pass
     finally:
         pool.shutdown(cancel_futures=True)
+
+
+def end_with_parent(parent):
+    """So that nobody computes on for a sweep that was killed (Linux: prctl, PR_SET_PDEATHSIG)."""
+    prctl = getattr(ctypes.CDLL(None), "prctl", None)
+    if prctl is not None:
+        prctl(1, signal.SIGKILL)
+        if os.getppid() != parent:  # it has ended before
+            os._exit(1)
 
 
 def attempt(function, row):
