@@ -22,8 +22,8 @@ NEAR = 0.02         # a step that is this small a part of the standard errors en
 # Ways of differences, in the logarithm: standard errors, but not less, as the tick in which tissue
 # gives way would be seen, nor more, where the curve bends.
 LEAST_WAY, MOST_WAY = 0.02, 0.1
-# Part of the steepest way down of the curve below which a way is none: forces are of single
-# precision, so differences over LEAST_WAY know slopes to a part in 10^5 or 10^6.
+# Part of the steepest way down of the curve below which a way is none. Chosen, not measured: forces
+# are of single precision, so differences over LEAST_WAY cannot know slopes much better.
 FLAT = 1e-6
 DRAWN_FOR_EACH = 16  # parameter, before the search goes down
 SEED = 1
