@@ -356,32 +356,52 @@ double gain_of(const Filter& filter, double frequency_per_s2) {
   return last;
 }
 
+// Largest z p(z), where T_n is -1.
+double share_left(int degree, double damping) {
+  const double w = 1 + damping / (degree * degree);
+  return (1 + chebyshev(degree, w)) / ((1 + w) * chebyshev_slope(degree, w));
+}
+
 // p(z) = (T_n(w) - T_n(w - (1 + w) z)) / (z (1 + w) T_n'(w)), n one more than the passes and
-// w = 1 + 2 / n^2 (Carle, Hochbruck and Sturm 2020).
+// w = 1 + d / n^2 (Carle, Hochbruck and Sturm 2020); d is 2, or what leaves the limit, at least 1.
 TEST(FilterLaw, HasTheGainOfChebyshevsPolynomialAtEveryFrequency) {
   Draw draw(12);
+  int least_damped = 0, between = 0, most_damped = 0;
   for (int i = 0; i < kDraws; ++i) {
     const double limit = wide(draw.magnitude(1e4, 1e8));
-    const double fastest = limit * wide(draw.magnitude(1.01, 49));
+    const double fastest = limit * wide(draw.magnitude(1.01, 56));
     const Filter filter = choose_filter(static_cast<float>(limit), static_cast<float>(fastest));
     ASSERT_GT(filter.passes, 0U);
     const int degree = static_cast<int>(filter.passes) + 1;
-    const double w = 1 + 2.0 / (degree * degree), top = chebyshev(degree, w);
+    double damping = 1;
+    for (double step = 1; step > 1e-7; step /= 2) {
+      if (damping + step <= 2 && share_left(degree, damping + step) * fastest <= limit) {
+        damping += step;
+      }
+    }
+    ++(damping == 1 ? least_damped : damping == 2 ? most_damped : between);
+    const double w = 1 + damping / (degree * degree), top = chebyshev(degree, w);
     EXPECT_NEAR(gain_of(filter, 0), 1, 1e-5) << degree;
     for (const double z : {draw.unit(), draw.unit() * draw.unit(), 1.0}) {
       const double wanted =
           (top - chebyshev(degree, w - (1 + w) * z)) / (z * (1 + w) * chebyshev_slope(degree, w));
       const double gain = gain_of(filter, z * fastest);
       EXPECT_NEAR(gain, wanted, 1e-5) << degree << " " << z;
-      EXPECT_GT(gain, 0.011) << degree << " " << z;
-      EXPECT_LE(z * fastest * gain, limit * (1 + 1e-5)) << degree << " " << z;
+      EXPECT_GT(gain, 0.0066) << degree << " " << z;
+      // What does not fit into seven passes is left to added mass.
+      if (fastest < 55 * limit) {
+        EXPECT_LE(z * fastest * gain, limit * (1 + 1e-5)) << degree << " " << z;
+      }
     }
   }
+  EXPECT_GT(least_damped, 0);
+  EXPECT_GT(between, kDraws / 10);
+  EXPECT_GT(most_damped, kDraws / 10);
 }
 
 // By how much each number of passes divides, as filter.h says it; undamped it would be (n + 1)^2.
 TEST(FilterLaw, TakesTheFewestPassesThatSlowEnough) {
-  constexpr double kDivides[] = {1, 3.3, 7.2, 12.5, 19.3, 27.7, 37.6, 49.1};
+  constexpr double kDivides[] = {1, 3.6, 7.9, 13.9, 21.7, 31.2, 42.4, 55.3};
   constexpr float kLimit = 1e6F;
   for (std::uint32_t passes = 0; passes < kMaxFilterPasses; ++passes) {
     const double most = kDivides[passes] * wide(kLimit);
@@ -392,13 +412,13 @@ TEST(FilterLaw, TakesTheFewestPassesThatSlowEnough) {
   EXPECT_EQ(choose_filter(kLimit, 1e3F * kLimit).passes, kMaxFilterPasses);
 }
 
-// 0.8 of 4 / (dt (dt + 2 tau)), PHYSICS 3.1.
-TEST(FilterLaw, LimitsTheStepToEightTenthsOfWhatIsStable) {
+// 4 / (dt (dt + 2 tau)), PHYSICS 3.1.
+TEST(FilterLaw, LimitsTheStepToWhatIsStable) {
   Draw draw(13);
   for (int i = 0; i < kDraws; ++i) {
     const float step = draw.magnitude(1e-5, 1e-2), tau = draw.chance(0.2) ? 0 : draw.between(0, 1);
     const double stable = 4 / (wide(step) * (wide(step) + 2 * wide(tau)));
-    EXPECT_NEAR(wide(wave_limit_per_s2(step, tau)) / stable, 0.8, 1e-7);
+    EXPECT_NEAR(wide(wave_limit_per_s2(step, tau)) / stable, 1, 1e-7);
   }
 }
 

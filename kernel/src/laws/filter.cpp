@@ -4,12 +4,13 @@
 namespace stylet {
 namespace {
 
-// Damping of the polynomial: with it p stays above 0.011. With 0.05, which divides s by a little
-// more, the shortest waves hardly move and come to rest slowly.
-constexpr double kDamping = 2;
-// Part of the limit that is used. With all of it a lattice in paper mode, whose waves reach the
-// bound, gained a thousandth a step in large motion, to which no linear bound applies.
-constexpr double kUsed = 0.8;
+// Damping of the polynomial. With the least, waves whose frequency the filter bounds keep 0.6 of it
+// where they keep least, so the shortest come to rest in some 10 ms with the usual damping of the
+// tissue; with 0.05 they hardly moved. What the passes can spare goes into damping, up to the most:
+// long waves are then nearer to the true ones, too.
+constexpr double kLeastDamping = 1;
+constexpr double kMostDamping = 2;
+constexpr int kHalvings = 30;  // of the way between them: to 1e-9
 
 // Chebyshev's polynomials of the first kind and their slopes at w0 > 1, for degrees 0 .. n.
 struct Chebyshev {
@@ -18,9 +19,9 @@ struct Chebyshev {
   double slope[kMaxFilterPasses + 2];
 };
 
-Chebyshev chebyshev(std::uint32_t degree) {
+Chebyshev chebyshev(std::uint32_t degree, double damping) {
   Chebyshev t = {};
-  t.w0 = 1 + kDamping / (static_cast<double>(degree) * static_cast<double>(degree));
+  t.w0 = 1 + damping / (static_cast<double>(degree) * static_cast<double>(degree));
   t.value[0] = 1;
   t.value[1] = t.w0;
   t.slope[1] = 1;
@@ -32,21 +33,33 @@ Chebyshev chebyshev(std::uint32_t degree) {
 }
 
 // Largest x p(x) over s, for the polynomial p of so many passes.
-double share_left(std::uint32_t passes) {
+double share_left(std::uint32_t passes, double damping) {
   const std::uint32_t degree = passes + 1;
-  const Chebyshev t = chebyshev(degree);
+  const Chebyshev t = chebyshev(degree, damping);
   return (1 + t.value[degree]) / ((1 + t.w0) * t.slope[degree]);
+}
+
+// The most damping with which the passes leave no more than `share`, or the least.
+double choose_damping(std::uint32_t passes, double share) {
+  if (share_left(passes, kMostDamping) <= share) return kMostDamping;
+  double damping = kLeastDamping;
+  double step = (kMostDamping - kLeastDamping) / 2;
+  for (int i = 0; i < kHalvings; ++i, step /= 2) {
+    if (share_left(passes, damping + step) <= share) damping += step;
+  }
+  return damping;
 }
 
 }  // namespace
 
 float wave_limit_per_s2(float step_s, float tau_s) {
   const double dt = static_cast<double>(step_s);
-  return static_cast<float>(kUsed * 4 / (dt * (dt + 2 * static_cast<double>(tau_s))));
+  return static_cast<float>(4 / (dt * (dt + 2 * static_cast<double>(tau_s))));
 }
 
 float most_filtered_per_s2(float limit_per_s2) {
-  return static_cast<float>(static_cast<double>(limit_per_s2) / share_left(kMaxFilterPasses));
+  return static_cast<float>(static_cast<double>(limit_per_s2) /
+                            share_left(kMaxFilterPasses, kLeastDamping));
 }
 
 // With x = w0 - (1 + w0) z, z = S / s, and T_n(x) = T_n(w0) - z r_n, the polynomial is r_n over its
@@ -57,9 +70,9 @@ Filter choose_filter(float limit_per_s2, float fastest_per_s2) {
   const double fastest = static_cast<double>(fastest_per_s2);
   const double limit = static_cast<double>(limit_per_s2);
   for (std::uint32_t passes = 1; passes <= kMaxFilterPasses; ++passes) {
-    if (fastest * share_left(out.passes) > limit) out.passes = passes;
+    if (fastest * share_left(out.passes, kLeastDamping) > limit) out.passes = passes;
   }
-  const Chebyshev t = chebyshev(out.passes + 1);
+  const Chebyshev t = chebyshev(out.passes + 1, choose_damping(out.passes, limit / fastest));
   for (std::uint32_t j = 1; j <= out.passes; ++j) {
     const double next = t.slope[j + 1];
     out.pass[j - 1] = {static_cast<float>(2 * t.w0 * t.slope[j] / next),
