@@ -29,7 +29,7 @@ enum class Mode : std::uint32_t {
 
 // How the explicit step is kept stable for any material. Forces at rest are the same in both.
 enum class Inertia : std::uint32_t {
-  // The step adds mass where it needs it: liver in 5 mm voxels is 6 times too heavy at two
+  // The step adds mass where it needs it: liver in 5 mm voxels is 5 times too heavy at two
   // substeps; a hand at 4 Hz feels 0.6 to 1.3 of the force, near a resonance many times the force.
   kAddedMass = 0,
   // Tissue keeps its true mass. Short waves, which no hand feels, are slowed instead (filter.h):

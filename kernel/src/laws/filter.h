@@ -12,8 +12,8 @@
 // largest eigenvalue s is at most the largest sum of b_c + k over m_i, the step
 //     w += dt f / m,   v = p(S) w,   u += dt v
 // is stable if x p(x) stays below that limit for x in [0, s]. p is the polynomial of Chebyshev
-// with damping, p(0) = 1: with n passes of L it divides s by 3.3, 7.2, 12.5, 19.3,
-// 27.7, 37.6 or 49.1 (n = 1 to 7; undamped it would be (n + 1)^2). So
+// with damping, p(0) = 1: with n passes of L it divides s by up to 3.6, 7.9, 13.9, 21.7,
+// 31.2, 42.4 or 55.3 (n = 1 to 7; undamped it would be (n + 1)^2). So
 //  - at rest nothing changes: without forces there is no motion;
 //  - long waves (S w small) have the mass that tissue has;
 //  - momentum is that of m w, exactly, and so is its moment;
