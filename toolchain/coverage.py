@@ -10,7 +10,8 @@ one copy is. A source without a line in any test program is an error. An excepti
     FILE | CODE | REASON
 of EXCEPTIONS_FILE. CODE is the source line without its indentation; it excuses that line and its
 branches at every place in the file. NO CODE excuses a source that only includes others. An
-exception that excuses nothing is an error, too.
+exception that excuses nothing is an error, too; one that holds by chance only where no line of its
+file is its code any more.
 """
 import collections
 import json
@@ -44,6 +45,18 @@ def branch_sides(branches):
         for side, count in ((True, true), (False, false)):
             sides[line][column, end_line, end_column, side] += count
     return sides
+
+
+def stale(folder, exceptions):
+    """Exceptions whose code is no line of their file."""
+    lines = {}
+    for file, code in exceptions:
+        if file not in lines:
+            path = folder / file
+            text = path.read_text() if path.is_file() else ""
+            lines[file] = {"NO CODE"} | {each.strip() for each in text.splitlines()}
+        if code not in lines[file]:
+            yield file, code
 
 
 def read_exceptions(path):
@@ -103,8 +116,10 @@ def main():
               if path not in seen]
     missed = report.missed + [f"{name}: in no test program" for name in absent
                               if report.unused.pop((name, "NO CODE"), None) is None]
+    gone = set(stale(folder, report.unused))
     missed += [f"{file}: excused for nothing: {code}"
-               for (file, code), reason in report.unused.items() if not reason.startswith(CHANCE)]
+               for (file, code), reason in report.unused.items()
+               if (file, code) in gone or not reason.startswith(CHANCE)]
     print(f"{report.lines} lines, {report.excused_lines} excused; "
           f"{report.branches} branches, {report.excused_branches} excused; {len(missed)} missing")
     print("\n".join(missed))

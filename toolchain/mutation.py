@@ -8,7 +8,8 @@ Each mutant is one change that a programmer might make by mistake: a comparison 
 `and`, a sign, a limit changed by one, a clamp or a statement left out. It is compiled, and tests of
 its file run until one fails: first the test that killed the previous mutant, then the quick ones.
 If no test fails, the mutant has survived. Known survivors are in mutation_survivors.txt with the
-reason why each is harmless; they are not run. Any other survivor is an error.
+reason why each is harmless; they are not run. Any other survivor is an error, and so is a row of
+that list that is no change of any subject.
 --explained: runs the known survivors instead; one that is killed is an error: it is listed wrongly.
 --sample N: only N mutants of each file, evenly spread. SUBJECT kernel, hal or offline: all of that
 folder; mesh_readers: all formats of meshes. Of offline, all that decides anatomy or bytes; not
@@ -236,6 +237,17 @@ def known_survivors():
     return known
 
 
+def stale(known):
+    """Rows of known survivors that are no change of any subject as it reads now."""
+    possible = set()
+    for file in {file for file, _ in SUBJECTS.values()} & {row[0] for row in known}:
+        text = (SOURCE / file).read_text()
+        mutants = [Mutant(text, change) for change in mutations(text)]
+        possible |= {(file, mutant.before, mutant.after) for mutant in mutants}
+    return [f"{file}: {before}" for file, before, after in known
+            if (file, before, after) not in possible]
+
+
 def run(command, timeout=None, **options):
     try:
         return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
@@ -395,6 +407,9 @@ def main():
     folder = options.build.resolve()
     folder.mkdir(parents=True, exist_ok=True)
     known, measured = known_survivors(), {}
+    if stale(known):
+        sys.exit("\n".join(stale(known)) +
+                 f"\nmutation.py: {SURVIVORS.name}: expected rows that are changes of a subject")
     prepare(folder, subjects)
     wrong = [mutant for each in subjects
              for mutant in (check_explained(folder, each, known, measured) if options.explained

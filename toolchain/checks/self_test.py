@@ -10,6 +10,7 @@ import unittest
 sys.dont_write_bytecode = True
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 import compile_times  # noqa: E402
+import coverage  # noqa: E402
 import drivers  # noqa: E402
 import headers  # noqa: E402
 import loops  # noqa: E402
@@ -68,9 +69,30 @@ class CompileTimes(Sample):
         self.assertEqual(list(compile_times.faults(self.top, 0.3)), [])
 
 
+class Coverage(Sample):
+    def test_names_exceptions_of_lines_that_are_gone(self):
+        self.write("a.cpp", "  if (a) b();\n")
+        rows = {("a.cpp", "if (a) b();"): "by chance", ("a.cpp", "NO CODE"): "only includes",
+                ("a.cpp", "if (a) c();"): "by chance", ("gone.cpp", "b();"): "why not"}
+        self.assertEqual(list(coverage.stale(self.top, rows)),
+                         [("a.cpp", "if (a) c();"), ("gone.cpp", "b();")])
+
+    def test_lists_of_exceptions_name_lines_as_they_read_now(self):
+        for room, suffix in (("kernel", ""), ("offline", "_offline")):
+            rows = coverage.read_exceptions(
+                mutation.SOURCE / f"toolchain/coverage_exceptions{suffix}.txt")
+            self.assertEqual(list(coverage.stale(mutation.SOURCE / room / "src", rows)), [])
+
+
 class Mutation(unittest.TestCase):
     def test_knows_every_file_of_offline(self):
         self.assertEqual(mutation.forgotten(), [], "expected in OFFLINE or REPORTS of mutation.py")
+
+    def test_knows_the_lines_of_the_survivors(self):
+        known = mutation.known_survivors()
+        self.assertEqual(mutation.stale(known), [])
+        row = "hal/guard/guard.cpp", "a line that is gone;", "another line;"
+        self.assertEqual(mutation.stale(known | {row: "why not"}), [f"{row[0]}: {row[1]}"])
 
     def test_finds_mistakes_and_leaves_words_alone(self):
         code = "  if (a < b) c += 2;  // 3 < 4\n"
