@@ -5,8 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <limits>
+#include <set>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "session.h"
@@ -188,6 +192,24 @@ TEST(Sizes, RefuseAnOrganThatWasNotOpened) {
   Sizes need = {};
   EXPECT_NE(sizes(Organ{}, Config{}, need), Status::kOk);
 }
+
+#if defined(__x86_64__)
+// What Linux says of this processor.
+TEST(InstructionSet, IsTheWidestThatLinuxKnowsOfThisProcessor) {
+  std::ifstream file("/proc/cpuinfo");
+  std::set<std::string> has;
+  for (std::string line; std::getline(file, line) && has.empty();) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (word != "flags") continue;
+    while (words >> word) has.insert(word);
+  }
+  if (has.empty()) GTEST_SKIP() << "/proc/cpuinfo names no instruction sets";
+  const bool wide = has.count("avx512f") + has.count("avx512vl") + has.count("avx512dq") == 3;
+  EXPECT_STREQ(instruction_set(), wide ? "avx512" : has.count("avx2") == 1 ? "avx2" : "baseline");
+}
+#endif
 
 }  // namespace
 }  // namespace stylet::test

@@ -12,6 +12,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -312,6 +313,27 @@ TEST(Obstacles, AreTakenBeforeTheFirstTickOnly) {
   EXPECT_EQ(view_of(session.kernel).model.head->obstacle_count, 1U);
   reset(session.kernel);
   EXPECT_EQ(set_obstacles(session.kernel, {}), Status::kOk);
+}
+
+// Of two bodies the second is refused, and the one that is there stays.
+TEST(Obstacles, AreRefusedByNameNumberAndLimits) {
+  const auto organ = block_organ(3, 3, 3);
+  Session session = make_session(organ->organ, Setup::kElastic);
+  std::vector<ObstacleConfig> two(2, obstacles_of(organ->organ, Setup::kElastic)[0]);
+  two[1].friction = -0.5F;
+  ConfigRefusal why = {"what was there", 7, 1, 2, 3};
+  EXPECT_EQ(set_obstacles(session.kernel, two, &why), Status::kConfigValueOutOfRange);
+  EXPECT_STREQ(why.field, "obstacle.friction");
+  EXPECT_EQ(std::tuple(why.index, why.value, why.least), std::tuple(1U, -0.5, 0.0));
+  EXPECT_EQ(view_of(session.kernel).model.head->obstacle_count, 1U);
+  EXPECT_EQ(set_obstacles(session.kernel, std::vector(kMaxObstacles + 1, two[0]), &why),
+            Status::kConfigValueOutOfRange);
+  EXPECT_STREQ(why.field, "obstacles");
+  EXPECT_EQ(std::tuple(why.value, why.most), std::tuple(kMaxObstacles + 1.0, 1.0 * kMaxObstacles));
+  two[1].friction = 0.5F;
+  EXPECT_EQ(set_obstacles(session.kernel, two, &why), Status::kOk);
+  EXPECT_STREQ(why.field, "") << "nothing was refused";
+  EXPECT_EQ(view_of(session.kernel).model.head->obstacle_count, 2U);
 }
 
 // As managed hosts do it: the Organ is moved, and its old place is used for something else.

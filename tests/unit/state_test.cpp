@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,22 @@ TEST(Snapshot, RefusesOtherOrgansConfigsSizesAndBytes) {
   Session elsewhere = make_session(bigger->organ, Config{});
   EXPECT_EQ(restore(elsewhere.kernel, saved), Status::kSnapshotDoesNotMatch);
   EXPECT_EQ(hash(p.b.kernel), before);
+}
+
+// As a program asks that has a snapshot of another one: the number is in it, and another number
+// there is another program's.
+TEST(Snapshot, OfAnotherLayoutIsToldByItsNumber) {
+  const Pair p;
+  Kernel kernel = p.a.kernel;
+  std::vector<std::byte> bytes(snapshot_bytes(kernel));
+  ASSERT_EQ(snapshot(kernel, bytes), Status::kOk);
+  const std::uint64_t mine = state_layout();
+  constexpr std::size_t kAt = sizeof(std::uint64_t);  // behind the file's mark
+  EXPECT_EQ(std::memcmp(bytes.data() + kAt, &mine, sizeof mine), 0);
+  ASSERT_EQ(restore(kernel, bytes), Status::kOk);
+  const std::uint64_t other = mine + 1;
+  std::memcpy(bytes.data() + kAt, &other, sizeof other);
+  EXPECT_EQ(restore(kernel, bytes), Status::kSnapshotDoesNotMatch);
 }
 
 TEST(Reset, IsTheFirstState) {
@@ -168,10 +185,14 @@ TEST(Events, OldestIsOverwrittenAndOrderIsKept) {
 }
 
 TEST(Events, EveryKindHasAName) {
-  for (std::uint32_t kind = 0; kind <= static_cast<std::uint32_t>(EventKind::kLayer); ++kind) {
-    EXPECT_STRNE(event_name(static_cast<EventKind>(kind)), "unknown");
+  std::set<std::string> names;
+  for (std::uint32_t kind = 0; kind <= static_cast<std::uint32_t>(EventKind::kObstacle); ++kind) {
+    EXPECT_TRUE(names.insert(event_name(static_cast<EventKind>(kind))).second) << kind;
   }
-  EXPECT_STREQ(event_name(static_cast<EventKind>(99)), "unknown");
+  EXPECT_EQ(names.count("unknown"), 0U);
+  for (const std::uint32_t kind : {static_cast<std::uint32_t>(EventKind::kObstacle) + 1, 99U}) {
+    EXPECT_STREQ(event_name(static_cast<EventKind>(kind)), "unknown");
+  }
 }
 
 }  // namespace

@@ -121,6 +121,28 @@ Vec3 moved_by_particles(const Organ& organ, std::span<const std::uint32_t> corne
   return sum;
 }
 
+// The block is full, so voxel i is the i-th of its lattice, x first.
+TEST(Particles, VerticesOfTheOrganLieWhereTheirVoxelSays) {
+  const TinyOrgan tiny = block();
+  const auto organ = open_organ(tiny_organ(tiny));
+  Session session = make_session(organ->organ, Config{});
+  const std::vector<Vec3> rest = surface_of(session.kernel, organ->organ);
+  const Vector origin_m = wide(tiny.origin_m);
+  const double edge_m = static_cast<double>(tiny.voxel_edge_m);
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    const OrganVertex& v = organ->organ.vertices[i];
+    const std::uint32_t x = v.voxel % tiny.nx, y = v.voxel / tiny.nx % tiny.ny,
+                        z = v.voxel / tiny.nx / tiny.ny;
+    const Vector place_m = {origin_m.x + edge_m * (x + v.fx / 65535.0),
+                            origin_m.y + edge_m * (y + v.fy / 65535.0),
+                            origin_m.z + edge_m * (z + v.fz / 65535.0)};
+    for (const Vec3 found_m : {organ_vertex_place(organ->organ, x, y, z, v), rest[i]}) {
+      const Vector off = minus(wide(found_m), place_m);
+      EXPECT_LT(std::sqrt(dot_of(off, off)), 1e-8) << "vertex " << i;  // rounding of 5 cm
+    }
+  }
+}
+
 // A breath moves every particle with the attachments, and a needle moves some of them besides.
 TEST(Particles, CarryTheSurface) {
   const auto organ = open_organ(tiny_organ(block()));
