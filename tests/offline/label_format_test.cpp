@@ -648,6 +648,26 @@ TEST(Gzip, MembersFollowEachOther) {
             std::vector<std::uint16_t>(24, 1));
 }
 
+// Of members of any length, more and less than the block of a megabyte that is unpacked at a time.
+TEST(Gzip, AsManyBytesAreUnpackedAsAreWanted) {
+  std::mt19937 random(17);
+  const auto up_to = [&](std::size_t n) {
+    return std::uniform_int_distribution<std::size_t>(0, n)(random);
+  };
+  for (int round = 0; round < 10; ++round) {
+    std::string text, packed;
+    while (text.empty() || up_to(3) != 0) {
+      std::string member(up_to(3) == 0 ? up_to(5000) : up_to(3U << 19U), '\0');
+      for (std::size_t i = 0; i < member.size(); i += 97) member[i] = static_cast<char>(up_to(255));
+      packed += deflated(member);
+      text += member;
+    }
+    const std::size_t most = up_to(2) == 0 ? text.size() + up_to(1) : up_to(text.size());
+    EXPECT_TRUE(offline::inflated("a", packed, most) == text.substr(0, most))
+        << round << ": " << most << " of " << text.size();
+  }
+}
+
 // Half a gigabyte of zeros in half a megabyte, behind an image of 24 voxels: no more memory is
 // taken than the image needs.
 TEST(Gzip, NoMoreIsUnpackedThanTheHeaderSpeaksOf) {
