@@ -198,7 +198,8 @@ class Nrrd(Case):
         planes = [self.map[:, :, z].tobytes("F") for z in range(self.map.shape[2])]
         head = self.write().read_bytes().split(b"\n\n", 1)[0]
         header, last = self.folder / "a.nhdr", len(planes)
-        for name, end in (("s%03d.raw", b"\n"), ("s%3d.raw", b"\r\n"), ("s%d.raw", b"\n")):
+        for name, end in (("s%03d.raw", b"\n"), ("s%3d.raw", b"\r\n"), ("s%d.raw", b"\n"),
+                          ("s%10d.raw", b"\n"), ("s%010d.raw", b"\n")):
             names = [name % (i + 1) for i in range(last)]
             for each, plane in zip(names, planes):
                 (self.folder / each).write_bytes(plane)
@@ -215,6 +216,10 @@ class Nrrd(Case):
                       "s% 1 2 1", "s%03 1 2 1", "s%"):
             header.write_bytes(head + f"\ndata file: {wrong}\n".encode())
             self.refused(header, "expected")
+        # Up to 99 they were taken, and teem wrote behind the room it has for ten digits.
+        for digits in ("11", "011", "99", "100", "4294967297", "99999999999999999999"):
+            header.write_bytes(head + f"\ndata file: s%{digits}d.raw 1 2 1\n".encode())
+            self.refused(header, "expected a name with one %d or %0Nd, N at most 10")
 
     def test_names_of_segments_are_those_of_utf_8(self):
         def shown(name):

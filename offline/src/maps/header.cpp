@@ -163,14 +163,20 @@ std::vector<std::filesystem::path> numbered_files(const std::string& path, const
   while (width < name.size() && std::isdigit(static_cast<unsigned char>(name[width])) != 0) ++width;
   const auto range = whole_numbers(
       path, line, blank == std::string_view::npos ? "" : text.substr(blank), 0, kMostFiles);
-  const bool plain = width < name.size() && name[width] == 'd' && width - sign <= 3 &&
-                     name.find('%', width) == std::string_view::npos;
-  if (!plain || range.size() != 3 || range[2] == 0) {
-    refuse("{}: header line {}: expected a name with one %d or %0Nd, and from, to and step", path,
-           line.number);
+  const bool one =
+      width < name.size() && name[width] == 'd' && name.find('%', width) == std::string_view::npos;
+  const std::string_view digits = one ? name.substr(sign + 1, width - sign - 1) : "";
+  std::uint32_t wide = 0;
+  const auto error = std::from_chars(digits.begin(), digits.end(), wide).ec;
+  // teem has room for ten digits besides the name, and writes on behind it.
+  constexpr std::uint32_t kMostDigits = 10;
+  const bool fits = error != std::errc::result_out_of_range && wide <= kMostDigits;
+  if (!one || !fits || range.size() != 3 || range[2] == 0) {
+    refuse(
+        "{}: header line {}: expected a name with one %d or %0Nd, N at most {}, and from, to and "
+        "step",
+        path, line.number, kMostDigits);
   }
-  const std::string digits(name.substr(sign + 1, width - sign - 1));
-  const int wide = digits.empty() ? 0 : std::stoi(digits);
   std::vector<std::filesystem::path> files;
   for (std::int64_t i = range[0]; i <= range[1]; i += range[2]) {
     const std::string number =

@@ -97,7 +97,8 @@ std::vector<std::int64_t> whole_numbers(const std::string& path, const HeaderLin
 // `count` numbers with blanks between them; "nan" is allowed.
 std::vector<double> real_numbers(const std::string& path, const HeaderLine& line,
                                  std::string_view text, std::size_t count);
-// The files of a text "NAME FROM TO STEP", where NAME has %d or %0Nd; both formats allow this.
+// The files of a text "NAME FROM TO STEP", where NAME has %d or %0Nd, N up to 10; both formats
+// allow this.
 std::vector<std::filesystem::path> numbered_files(const std::string& path, const HeaderLine& line,
                                                   std::string_view text);
 
