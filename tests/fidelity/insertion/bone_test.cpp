@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "needle/obstacle.h"
@@ -104,6 +105,23 @@ TEST(Bone, AThinNeedleBucklesOnItAtEulersLoad) {
     bow = std::max(bow, std::fabs(static_cast<double>(shape[i].z - 18e-3F)));
   }
   EXPECT_GT(bow, 5e-3) << "bent out sideways";
+}
+
+// A body may be given any largest force; bending takes a kilonewton of it (limits.h).
+TEST(Bone, WithoutALimitPressesABentNeedleAsWithTheLargestThatBendingTakes) {
+  ObstacleConfig most = bone(0.3F), endless = most;
+  most.largest_force_n = static_cast<float>(kMaxRodForceN);
+  endless.largest_force_n = std::numeric_limits<float>::max();
+  Rig a = make_bone(needle_22g(), most), b = make_bone(needle_22g(), endless);
+  double felt_n = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 to_m = {18e-3F + 4e-6F * static_cast<float>(i), 17e-3F, 18e-3F};
+    const Output out_a = move_tip(a, to_m), out_b = move_tip(b, to_m);
+    ASSERT_EQ(norm_of(out_a.force_n - out_b.force_n), 0) << i;
+    ASSERT_EQ(norm_of(out_a.tip_m - out_b.tip_m), 0) << i;
+    felt_n = std::max(felt_n, norm_of(out_b.force_n));
+  }
+  EXPECT_GT(felt_n, 0.5);
 }
 
 // Pushed on at hard bone beyond buckling, the tip slides along it and off its edges, and the needle
