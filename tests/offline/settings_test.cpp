@@ -157,7 +157,7 @@ TEST(Settings, WhatCannotBeMeantIsRefused) {
   }
   for (const char* along : {"+x", "-x", "+y", "-y", "+z", "-z"}) {
     layered.layers_along = along;
-    EXPECT_EQ(for_mesh(layered, "gel").layer_course.axis, along[1] - std::size_t{'x'});
+    EXPECT_EQ(for_mesh(layered, "gel").layer_course.axis, static_cast<std::size_t>(along[1] - 'x'));
   }
   for (const char* layer : {"fat", "fat:", "fat:x", "fat:3x", "fat:0", "fat:-1", "fat:nan", ""}) {
     EXPECT_THAT(refusal_of([&] { (void)offline::parse_layers({layer}, "--layer"); }),
