@@ -14,7 +14,9 @@
 #include <vector>
 
 #include "session.h"
+#include "state/layout.h"
 #include "stylet/limits.h"
+#include "tiny_organ.h"
 
 namespace stylet::test {
 namespace {
@@ -185,6 +187,49 @@ TEST(Config, EveryCornerRuns) {
       ASSERT_EQ(out.flags & kFlagFault, 0U) << "corner " << corner << ", tick " << i;
       ASSERT_TRUE(std::isfinite(out.force_n.z)) << "corner " << corner << ", tick " << i;
     }
+  }
+}
+
+// All of a block at one speed: with added mass the mass of the step, with true mass that of the
+// materials, and then the filter has as many passes as the stiffest tissue needs.
+TEST(Inertia, KineticEnergyIsThatOfTheMassThatMoves) {
+  TinyOrgan tiny;
+  tiny.nx = 4;
+  tiny.ny = 3;
+  tiny.nz = 5;
+  const auto opened = open_organ(tiny_organ(tiny));
+  const Vec3 speed = {0.3F, -0.2F, 0.5F};  // m/s
+  for (const Inertia inertia : {Inertia::kAddedMass, Inertia::kTrueMass}) {
+    Config config;
+    config.inertia = inertia;
+    Session session = make_session(opened->organ, config);
+    State state = view_of(session.kernel).state;
+    for (std::uint32_t i = 0; i < particle_count(session.kernel); ++i) {
+      state.vx[i] = speed.x;
+      state.vy[i] = speed.y;
+      state.vz[i] = speed.z;
+      if (inertia == Inertia::kAddedMass) continue;  // its momentum is not filtered
+      state.wx[i] = speed.x;
+      state.wy[i] = speed.y;
+      state.wz[i] = speed.z;
+    }
+    double real_kg = 0, stepped_kg = 0;
+    for (std::uint32_t i = 0; i < opened->organ.material_count; ++i) {
+      const MassReport mass = mass_report(session.kernel, i);
+      real_kg += static_cast<double>(mass.real_kg);
+      stepped_kg += static_cast<double>(mass.stepped_kg);
+    }
+    const double volume_m3 = 4 * 3 * 5 * std::pow(static_cast<double>(tiny.voxel_edge_m), 3);
+    const double density = static_cast<double>(organ_material(opened->organ, 0).density_kg_per_m3);
+    EXPECT_NEAR(real_kg, volume_m3 * density, 1e-6 * real_kg);
+    const double moving_kg = inertia == Inertia::kTrueMass ? real_kg : stepped_kg;
+    const double half_square = 0.5 * static_cast<double>(dot(speed, speed));
+    EXPECT_NEAR(energy(session.kernel).kinetic, half_square * moving_kg, 1e-5 * moving_kg);
+    if (inertia == Inertia::kAddedMass) {
+      EXPECT_GT(stepped_kg, 2 * real_kg);
+    }
+    EXPECT_EQ(filter_passes(session.kernel) > 0, inertia == Inertia::kTrueMass);
+    EXPECT_LE(filter_passes(session.kernel), kMaxFilterPasses);
   }
 }
 

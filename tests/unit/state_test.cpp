@@ -195,5 +195,19 @@ TEST(Events, EveryKindHasAName) {
   }
 }
 
+// The numbers are those of status.h, which programs write down; no other has a name.
+TEST(Status, EveryOneHasAName) {
+  const std::set<std::uint32_t> all = {0,   100, 101, 102, 103, 104, 105, 106,
+                                       107, 108, 200, 201, 300, 301, 302, 303};
+  std::set<std::string> names;
+  for (std::uint32_t status = 0; status < 1000; ++status) {
+    const std::string name = status_name(static_cast<Status>(status));
+    EXPECT_EQ(name != "unknown status", all.count(status) == 1) << status;
+    if (all.count(status) == 1) {
+      EXPECT_TRUE(names.insert(name).second) << status;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace stylet::test

@@ -129,7 +129,7 @@ void update_contact(const Model& model, State& state, Scratch& scratch, const Ne
 void throw_aside(const Model& model, State& state, Scratch& scratch, const Needle& needle,
                  Vec3 moved_m) {
   Particle& tip = *state.tip;
-  if (state.needle->phase != Phase::kContact || tip.support_count == 0) return;
+  if (state.needle->phase != Phase::kContact) return;
   if (!model.head->rules.contact_law) return;
   const Vec3 aside = moved_m - dot(moved_m, needle.tip_direction) * needle.tip_direction;
   const float before_m = max_of(norm(residual(tip) - moved_m), needle.off_m);
