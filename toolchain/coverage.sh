@@ -14,11 +14,12 @@ subject=${1:-kernel}
 case $subject in
   kernel)
     programs=(
-      unit_create unit_math unit_organ_open unit_state unit_surface unit_edges
+      unit_create unit_laws unit_math unit_organ_open unit_state unit_surface unit_edges
       unit_odd_organ unit_sheets unit_snapshot unit_sparse_organ coupling_abuse coupling_continuity
-      coupling_pools fidelity_cluster fidelity_needle_shape fuzz_organ fuzz_snapshot fuzz_tick
-      insertion_bone insertion_felt insertion_layers insertion_roll insertion_several
-      obstacle_contact obstacle_gap rt_team stylet-simulator
+      coupling_pools coupling_stiffness fidelity_cluster fidelity_needle_abuse
+      fidelity_needle_shape fuzz_organ fuzz_snapshot fuzz_tick insertion_bone insertion_felt
+      insertion_layers insertion_roll insertion_several obstacle_contact obstacle_gap rt_team
+      stylet-simulator
     )
     scripts=()
     exceptions=$root/toolchain/coverage_exceptions.txt
@@ -38,6 +39,7 @@ esac
 arguments_of() {
   case $1 in
     fuzz_*) echo "$root/tests/fuzz/seeds/${1#fuzz_}" ;;
+    coupling_stiffness) echo --gtest_filter=Stiffness.ThinSkin* ;;
     insertion_felt) echo --gtest_filter=Felt.* ;;
     offline_hull_test) echo --gtest_filter=-HullTimed.* ;;
     offline_quality_test) echo --gtest_filter=-FitTimed.* ;;

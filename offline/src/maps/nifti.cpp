@@ -133,23 +133,22 @@ std::array<std::uint32_t, 3> read_sizes(const std::string& path, const Header& h
   if (axes < 3 || axes > 7) {
     refuse("{}: {} dimensions: expected 3, with one value a voxel", path, axes);
   }
-  std::array<std::size_t, 3> sizes{};
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(axes); ++axis) {
     const std::int64_t size = h.dim[axis + 1];
     if (size < 1 || (axis >= 3 && size != 1)) {
       refuse("{}: {} values along axis {}: expected a volume of three dimensions", path, size,
              axis);
     }
-    if (axis < 3) sizes[axis] = static_cast<std::size_t>(size);
   }
-  require_map_size(path, sizes);
+  const auto size_of = [&](std::size_t axis) { return static_cast<std::size_t>(h.dim[axis + 1]); };
+  require_map_size(path, {size_of(0), size_of(1), size_of(2)});
   const auto first = static_cast<double>(h.bytes + 4);
   if (!(h.voxels_at >= first && h.voxels_at <= first + kMostExtensionBytes)) {
     refuse("{}: vox_offset {}: expected from {} to {}", path, h.voxels_at, first,
            first + kMostExtensionBytes);
   }
-  return {static_cast<std::uint32_t>(sizes[0]), static_cast<std::uint32_t>(sizes[1]),
-          static_cast<std::uint32_t>(sizes[2])};
+  return {static_cast<std::uint32_t>(size_of(0)), static_cast<std::uint32_t>(size_of(1)),
+          static_cast<std::uint32_t>(size_of(2))};
 }
 
 // From the beginning of the file to the end of its voxels.
