@@ -234,6 +234,10 @@ class Dicom(unittest.TestCase):
             if i == one:
                 file.ImagePositionPatient = moved(file.ImagePositionPatient, 4.0, ROW)
 
+        def below(file, i):  # a third of a pixel along the columns, nothing along the rows
+            if i == one:
+                file.ImagePositionPatient = moved(file.ImagePositionPatient, SPACING[1] / 3, COLUMN)
+
         def finer(file, i):
             if i >= SIZE[2] // 2:
                 file.PixelSpacing = [SPACING[1] * 0.9, SPACING[0] * 0.9]
@@ -258,6 +262,7 @@ class Dicom(unittest.TestCase):
                 file.PixelData = file.PixelData * 2
 
         cases = ((aside, "lies 4 mm to the side"),
+                 (below, f"lies {SPACING[1] / 3:.4g} mm to the side"),
                  (finer, "pixels of 1.35 mm"), (no_size, "PixelSpacing 0"),
                  (unsized, "PixelSpacing nan"), (coloured, "3 values a pixel"),
                  (several, "frame 1: lies 0 mm from"))
