@@ -21,6 +21,9 @@ constexpr Bounds kDeviceMassBoundsKg = {0, 10};
 constexpr Bounds kDampingBoundsNSPerM = {0, 1000};  // of the device, or added by the guard
 constexpr Bounds kDeviceFrictionBoundsN = {0, 10};
 constexpr Bounds kResolutionBoundsM = {0, 1e-3};
+constexpr Bounds kStiffnessBoundsNPerM = {1, 1e6};  // of the device; 0: unknown
+constexpr Bounds kStoredEnergyBoundsJ = {0, 1000};
+constexpr Bounds kTorqueBoundsNm = {0, 100};
 // Share by which a limit that is a quotient or a product may be passed for its rounding.
 constexpr double kRoundingShare = 1e-5;
 

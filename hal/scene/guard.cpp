@@ -74,8 +74,8 @@ DeviceModel read_device_model(Section& device, float period_s) {
   model.continuous_force_n = within(device, "continuous_force_n", of(always), kForceBoundsN);
   model.max_slew_n_per_s =
       within(device, "max_slew_n_per_s", of(model.max_slew_n_per_s), kSlewBoundsNPerS);
-  model.max_stiffness_n_per_m =
-      within(device, "max_stiffness_n_per_m", of(model.max_stiffness_n_per_m), {1, 1e6});
+  model.max_stiffness_n_per_m = within(device, "max_stiffness_n_per_m",
+                                       of(model.max_stiffness_n_per_m), kStiffnessBoundsNPerM);
   model.max_damping_n_s_per_m = within(device, "max_damping_n_s_per_m",
                                        of(model.max_damping_n_s_per_m), kDampingBoundsNSPerM);
   read_dynamics(device, period_s, model.motion);
@@ -116,7 +116,8 @@ GuardConfig read_guard(Section guard, const Section& device, const DeviceModel& 
 CouplingConfig read_coupling(Section coupling, const DeviceModel& model, const GuardConfig& guard,
                              const GripConfig& grip) {
   const bool known = model.max_stiffness_n_per_m > 0;
-  const double most = known ? of(most_coupling(model.max_stiffness_n_per_m, grip)) : 1e6;
+  const double most =
+      known ? of(most_coupling(model.max_stiffness_n_per_m, grip)) : kStiffnessBoundsNPerM.most;
   CouplingConfig config;
   config.stiffness_n_per_m =
       static_cast<float>(coupling.number("stiffness_n_per_m", known ? most : 0, 0, most));

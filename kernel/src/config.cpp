@@ -3,8 +3,8 @@
 
 #include <cstring>
 
-#include "base/first_outside.h"
 #include "base/math.h"
+#include "stylet/first_outside.h"
 
 namespace stylet {
 namespace {

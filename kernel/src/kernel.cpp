@@ -14,7 +14,7 @@
 #include "lattice/lattice.h"
 #include "lattice/plan.h"
 #include "state/layout.h"
-#include "base/first_outside.h"
+#include "stylet/first_outside.h"
 #include "base/math.h"
 #include "state/snapshot.h"
 #include "lattice/voxel.h"

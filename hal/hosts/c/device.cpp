@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Devices of stylet_loop.h: hal's drivers by URI, a caller's own functions, and a computed hand.
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <memory>
@@ -7,8 +8,9 @@
 
 #include "hal/device/devices.h"
 #include "hal/device/drivers/simulated_hand.h"
+#include "hal/guard/bounds.h"
 #include "hal/hosts/c/hands.h"
-#include "hal/hosts/c/limits.h"
+#include "hal/hosts/c/refusal.h"
 #include "hal/hosts/c/sized.h"
 
 namespace stylet::c {
@@ -59,16 +61,19 @@ void close_own(void* self) {
 
 stylet_status check(const stylet_device_functions& f, stylet_refusal* refusal_out) {
   const auto wide = [](float value) { return static_cast<double>(value); };
-  Limits first(0);
-  first.check("device.max_force_n", wide(f.max_force_n), 0, 100);
+  FirstOutside first(0);
+  first.check("device.max_force_n", wide(f.max_force_n), 0, hal::kForceBoundsN.most);
   // At least so much that a fault can fade in time.
   first.check("device.max_slew_n_per_s", wide(f.max_slew_n_per_s),
-              f.max_force_n > 0 ? 0.99999 * wide(f.max_force_n) / wide(hal::kDecayS) : 0, 1e6);
-  first.check("device.max_stiffness_n_per_m", wide(f.max_stiffness_n_per_m), 0, 1e6);
-  first.check("device.continuous_force_n", wide(f.continuous_force_n), 0, 100);
-  first.check("device.max_torque_nm", wide(f.max_torque_nm), 0, 100);
+              (1 - hal::kRoundingShare) * std::max(wide(f.max_force_n), 0.0) / wide(hal::kDecayS),
+              hal::kSlewBoundsNPerS.most);
+  first.check("device.max_stiffness_n_per_m", wide(f.max_stiffness_n_per_m), 0,
+              hal::kStiffnessBoundsNPerM.most);
+  first.check("device.continuous_force_n", wide(f.continuous_force_n), 0, hal::kForceBoundsN.most);
+  first.check("device.max_torque_nm", wide(f.max_torque_nm), hal::kTorqueBoundsNm.least,
+              hal::kTorqueBoundsNm.most);
   first.check("device.force_life_s", wide(f.force_life_s), 0, 1);
-  return first.status(refusal_out);
+  return told(first, refusal_out);
 }
 
 void close_computed(void* self) {

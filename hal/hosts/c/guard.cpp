@@ -8,7 +8,7 @@
 
 #include "hal/guard/bounds.h"
 #include "hal/hosts/c/hands.h"
-#include "hal/hosts/c/limits.h"
+#include "hal/hosts/c/refusal.h"
 #include "hal/hosts/c/sized.h"
 #include "hal/loop/fit.h"
 #include "hal/loop/loop.h"
@@ -44,7 +44,7 @@ hal::GuardConfig config_of(const stylet_guard_config& c) {
 stylet_status check(const stylet_guard_config& c, std::uint32_t index,
                     stylet_refusal* refusal_out) {
   constexpr double kDecay = static_cast<double>(hal::kDecayS);
-  Limits first(index);
+  FirstOutside first(index);
   const auto within = [&](const char* field, float value, hal::Bounds bounds) {
     first.check(field, wide(value), bounds.least, bounds.most);
   };
@@ -72,11 +72,11 @@ stylet_status check(const stylet_guard_config& c, std::uint32_t index,
   within("guard.device_resolution_m", c.device_resolution_m, hal::kResolutionBoundsM);
   within("guard.device_delay_s", c.device_delay_s,
          {0, (1 + hal::kRoundingShare) * hal::kMaxDelayTicks * wide(c.period_s)});
-  within("guard.stored_energy_j", c.stored_energy_j, {0, 1000});
+  within("guard.stored_energy_j", c.stored_energy_j, hal::kStoredEnergyBoundsJ);
   within("guard.passivity_damping_n_s_per_m", c.passivity_damping_n_s_per_m,
          hal::kDampingBoundsNSPerM);
-  within("guard.max_torque_nm", c.max_torque_nm, {0, 100});
-  return first.status(refusal_out);
+  within("guard.max_torque_nm", c.max_torque_nm, hal::kTorqueBoundsNm);
+  return told(first, refusal_out);
 }
 
 hal::GuardConfig config_for(const hal::DeviceModel& model) {

@@ -14,8 +14,9 @@
 #include "hal/base/clock.h"
 #include "hal/base/countdown.h"
 #include "hal/device/devices.h"
+#include "hal/guard/bounds.h"
 #include "hal/hosts/c/hands.h"
-#include "hal/hosts/c/limits.h"
+#include "hal/hosts/c/refusal.h"
 #include "hal/hosts/c/sized.h"
 #include "hal/hosts/c/ticking.h"
 #include "hal/loop/display.h"
@@ -74,7 +75,7 @@ stylet_status check(const stylet_loop_config& config, const stylet_loop& loop,
   const bool real = std::ranges::any_of(loop.held, [](const auto* d) { return d->opened; });
   const bool renders =
       std::ranges::any_of(loop.devices, [](const auto& d) { return d.info.max_force_n > 0; });
-  Limits first(0);
+  FirstOutside first(0);
   first.check("loop.processor", config.processor, -1, 4095);
   first.check("loop.priority", config.priority, 0, hal::kDevicePriority - 1);
   first.check("loop.helpers", config.helpers, 0, kMaxHelpers);
@@ -84,22 +85,23 @@ stylet_status check(const stylet_loop_config& config, const stylet_loop& loop,
   if (renders && config.virtual_time == 0) {
     first.check("period_s", 1e-9 * period_ns, 0, 1e-9 * hal::kLongestDevicePeriodNs);
   }
-  return first.status(refusal_out);
+  return told(first, refusal_out);
 }
 
 stylet_status check(const stylet_hand& hand, std::uint32_t index, stylet_refusal* refusal_out) {
   const auto wide = [](float value) { return static_cast<double>(value); };
   const stylet_quat q = hand.start.rotation;
   const stylet_vec3 p = hand.start.position_m;
-  Limits first(index);
+  FirstOutside first(index);
   first.check("hand.clutch_button", hand.clutch_button, -1, 31);
   first.check("hand.start.rotation", wide(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z), 0.99,
               1.01);
   first.check("hand.start.position_m", wide(std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z)), 0, 10);
   first.check("hand.motion_scale", wide(hand.motion_scale), 0.01, 100);
   first.check("hand.force_scale", wide(hand.force_scale), 0.01, 100);
-  first.check("hand.coupling_stiffness_n_per_m", wide(hand.coupling_stiffness_n_per_m), 0, 1e6);
-  return first.status(refusal_out);
+  first.check("hand.coupling_stiffness_n_per_m", wide(hand.coupling_stiffness_n_per_m), 0,
+              hal::kStiffnessBoundsNPerM.most);
+  return told(first, refusal_out);
 }
 
 hal::HandConfig hand_config(const stylet_hand& hand, const CheckedGuard& guard, float period_s,

@@ -73,4 +73,11 @@ stylet_status refuse_config(stylet_refusal* refusal_out, Status status, const Co
   return tell(refusal_out, why);
 }
 
+stylet_status told(const FirstOutside& first, stylet_refusal* refusal_out) {
+  ConfigRefusal why = {};
+  const Status status = first.status(&why);
+  if (status == Status::kOk) return STYLET_OK;
+  return refuse_config(refusal_out, status, why);
+}
+
 }  // namespace stylet::c

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "base/first_outside.h"
+#include "stylet/first_outside.h"
 #include "laws/touch.h"
 
 namespace stylet {
