@@ -32,6 +32,7 @@ SUBJECTS = {
     "guard": ("hal/guard/guard.cpp", [["hal_guard"],
                                       ["device_faults", "--gtest_filter=DeviceFaults.*"],
                                       ["hal_loop"]]),
+    "guard_sample": ("hal/guard/sample.cpp", [["hal_guard"], ["hal_loop"]]),
     "guard_arithmetic": ("hal/guard/arithmetic.h", [["hal_guard"], ["hal_loop"]]),
     "vector": ("hal/base/vector.h", [["hal_guard"], ["hal_grip"], ["hal_coupling"], ["hal_loop"]]),
     "wide": ("hal/base/wide.h", [["hal_guard"], ["hal_loop"]]),

@@ -141,9 +141,7 @@ void serve(const StationOptions& options, const hal::StationConfig& config,
     if (options.seconds > 0 && run_s >= options.seconds) break;
     next_ns = std::max(next_ns, clock.now_ns(clock.self) - kPeriodNs) + kPeriodNs;
     clock.sleep_until_ns(clock.self, next_ns);
-    // The hand has moved on, so the force due now would be a kick.
-    const bool stalled = clock.now_ns(clock.self) - next_ns >= hal::kMaxLateNs;
-    if (stalled) hal::guard_trip(state.guard, hal::Fault::kTooLate);
+    hal::guard_late(state.guard, clock.now_ns(clock.self) - next_ns);
     hal::station_tick(config, state, device, link, next_ns);
     hal::exchange_mail(mailbox, state.guard);
   }

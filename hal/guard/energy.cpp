@@ -40,6 +40,15 @@ Vec3 turn_between(Quat from, Quat to) {
 void lose_sight(const GuardConfig& config, EnergyObserver& energy) {
   if (energy.have_position != 0) energy.energy_j = of(config.stored_energy_j);
   energy.have_position = energy.have_rotation = 0;
+  energy.path_m_per_s = 0;
+}
+
+void observe_path(const GuardConfig& config, GuardState& state, Vec3 position_m) {
+  if (state.energy.have_position == 0) return;
+  const double time_s = since_last_s(config, state);
+  const double speed = wide_length(position_m - state.pose_m) / time_s;
+  double& path = state.energy.path_m_per_s;
+  path += (speed - path) * share_of(time_s, of(kPathS));
 }
 
 void observe_motion(const GuardConfig& config, GuardState& state, Vec3 position_m) {

@@ -13,6 +13,9 @@ namespace stylet::hal::guarding {
 // To be called when the device may be somewhere else: the energy drawn on the way is not known, and
 // may be all that a spring can hold.
 void lose_sight(const GuardConfig& config, EnergyObserver& energy);
+// Averages the length of the device's way over kPathS: to and fro it adds up, where a velocity
+// cancels out. To be called before pose_m becomes the new position.
+void observe_path(const GuardConfig& config, GuardState& state, Vec3 position_m);
 // Adds the work of the hand in this motion. A position within the resolution of the last is not a
 // motion, so that a count that flickers does no work.
 void observe_motion(const GuardConfig& config, GuardState& state, Vec3 position_m);

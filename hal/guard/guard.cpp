@@ -3,135 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hal/base/vector.h"
 #include "hal/base/wide.h"
 #include "hal/guard/arithmetic.h"
+#include "hal/guard/bounds.h"
 #include "hal/guard/energy.h"
 
 namespace stylet::hal {
 namespace {
 
 using namespace guarding;
-
-constexpr std::int64_t kBlindForEverNs = 1'000'000'000'000;
-
-bool is_finite(const Pose& pose) {
-  const Quat& q = pose.rotation;
-  return finite(pose.position_m) && std::isfinite(q.w) && std::isfinite(q.x) &&
-         std::isfinite(q.y) && std::isfinite(q.z);
-}
-
-bool plausible(const Pose& pose) {
-  const Quat& q = pose.rotation;
-  const double axis = wide_length({q.x, q.y, q.z}), w = of(q.w);
-  return wide_length(pose.position_m) <= of(kMaxDistanceM) &&
-         std::fabs(axis * axis + w * w - 1.0) <= kRotationTolerance;
-}
-
-// True if a time is over, or will be before the next tick: so a promise in seconds is kept.
-bool is_over(const GuardConfig& config, std::int64_t passed_ns, float time_s) {
-  return passed_ns + in_ns(config.period_s) > in_ns(time_s);
-}
-
-// Ticks may be lost; then one tick covers all the time that has passed.
-void note_time(const GuardConfig& config, GuardState& state, std::int64_t now_ns) {
-  const std::int64_t period_ns = in_ns(config.period_s);
-  const std::int64_t passed_ns = state.now_ns == 0 ? period_ns : now_ns - state.now_ns;
-  state.now_ns = now_ns;
-  state.step_ns = std::clamp(passed_ns, period_ns, std::max(period_ns, kMaxStepNs));
-}
-
-std::int64_t step_ns(const GuardConfig& config, const GuardState& state) {
-  return state.step_ns == 0 ? in_ns(config.period_s) : state.step_ns;
-}
-
-bool is_latched(GuardMode mode) {
-  return mode == GuardMode::kFading || mode == GuardMode::kFault;
-}
-
-bool is_armed(GuardMode mode) {
-  return mode == GuardMode::kRamp || mode == GuardMode::kLive;
-}
-
-// ---- samples
-// ---------------------------------------------------------------------------------------
-
-bool jumped(const GuardConfig& config, const GuardState& state, Vec3 position_m) {
-  const double most = of(kJumpM) + of(config.max_speed_m_per_s) * since_last_s(config, state);
-  return state.have_pose != 0 && wide_length(position_m - state.pose_m) > most;
-}
-
-// One rule a line; a fault of the sample is counted where it is found.
-Fault judge(const GuardConfig& config, GuardState& state, const Sample& sample,
-            std::int64_t now_ns) {
-  GuardCounters& count = state.counters;
-  if (state.have_seq != 0 && sample.seq <= state.seq) {
-    ++count.samples_repeated;
-    return Fault::kStaleSamples;
-  }
-  if (state.have_seq != 0) count.samples_lost += sample.seq - state.seq - 1;
-  state.have_seq = 1;
-  state.seq = sample.seq;
-  if (static_cast<double>(now_ns) - static_cast<double>(sample.t_ns) >
-      of(config.watchdog_s) * 1e9) {
-    ++count.samples_old;
-    return Fault::kStaleSamples;
-  }
-  if (!is_finite(sample.pose)) {
-    ++count.samples_not_finite;
-    return Fault::kStaleSamples;
-  }
-  if (!plausible(sample.pose)) {
-    ++count.samples_absurd;
-    return Fault::kStaleSamples;
-  }
-  if (jumped(config, state, sample.pose.position_m)) {
-    ++count.samples_jumped;
-    if (!is_latched(state.mode)) return Fault::kTooFast;
-    lose_sight(config, state.energy);  // without force the hand may come back anywhere
-  }
-  return Fault::kNone;
-}
-
-void note_button(const GuardConfig& config, GuardState& state, std::uint32_t buttons) {
-  if (config.dead_man_button < 0) return;
-  state.button_seen = 1;
-  state.button = (buttons >> static_cast<std::uint32_t>(config.dead_man_button)) & 1U;
-}
-
-// A button pressed while the fault came was pressed for something else.
-void follow_acknowledge_button(const GuardConfig& config, GuardState& state,
-                               std::uint32_t buttons) {
-  if (config.acknowledge_button < 0 || state.mode != GuardMode::kFault) return;
-  const bool pressed = ((buttons >> static_cast<std::uint32_t>(config.acknowledge_button)) & 1U);
-  if (!pressed) {
-    state.may_acknowledge = 1;
-  } else if (state.may_acknowledge != 0) {
-    (void)guard_rearm(state, state.fault);
-  }
-}
-
-// Nobody has felt anything yet, and the sample that has just come shows that the cause is gone, so
-// there is nothing to acknowledge. The force fades in from zero as always.
-void clear_before_any_force(GuardState& state) {
-  const Fault fault = state.fault;
-  const bool of_time = fault == Fault::kStaleSamples || fault == Fault::kDeviceSilent ||
-                       fault == Fault::kTooLate || fault == Fault::kForceExpired;
-  if (of_time && state.forced == 0) (void)guard_rearm(state, fault);
-}
-
-void trip_on_motion(const GuardConfig& config, GuardState& state) {
-  const EnergyObserver& energy = state.energy;
-  if (wide_length(energy.velocity_m_per_s) > of(config.max_speed_m_per_s)) {
-    guard_trip(state, Fault::kTooFast);
-  }
-  const bool controlled = config.passivity_damping_n_s_per_m > 0 && is_armed(state.mode);
-  if (controlled && energy.energy_j < -kLostEnergyJ) guard_trip(state, Fault::kEnergy);
-}
-
-// ---- force
-// -----------------------------------------------------------------------------------------
 
 // The budget of the motors: full force while they are cool, the continuous one once they are warm,
 // but never a force that, falling by slew or in a fade, would take more than what is left of it.
@@ -162,7 +45,7 @@ void watch_for_buzz(const GuardConfig& config, GuardState& state) {
   const double share = share_of(step_s(config, state), 1 / (2 * kPi * of(kBuzzHz)));
   buzz.slow_n = buzz.slow_n + scaled(state.force_n - buzz.slow_n, share);
   const Vec3 quick = state.force_n - buzz.slow_n;
-  buzz.ns += step_ns(config, state);
+  buzz.ns += state.step_ns;
   if (buzz.ns > in_ns(0.5F / kBuzzHz)) buzz.turns = 0;
   if (wide_length(quick) < of(config.buzz_n)) return;
   if (buzz.turns != 0 && wide_dot(quick, buzz.last_n) >= 0) return;
@@ -173,7 +56,7 @@ void watch_for_buzz(const GuardConfig& config, GuardState& state) {
 }
 
 Vec3 limited(const GuardConfig& config, GuardState& state, Vec3 wanted) {
-  state.ramp_ns = std::min(state.ramp_ns + step_ns(config, state), in_ns(config.ramp_s));
+  state.ramp_ns = std::min(state.ramp_ns + state.step_ns, in_ns(config.ramp_s));
   const bool full = is_over(config, state.ramp_ns, config.ramp_s);
   if (full) state.mode = GuardMode::kLive;
   const double gain =
@@ -190,7 +73,9 @@ Vec3 limited(const GuardConfig& config, GuardState& state, Vec3 wanted) {
   force = scaled(force, gain);
   const Vec3 last = state.force_n;
   const Vec3 change = force - last;
-  const double max_change = of(config.max_slew_n_per_s) * of(config.period_s);
+  // After a late tick no more than after one in time: the motors may not have moved meanwhile.
+  const double change_s = std::min(step_s(config, state), of(config.period_s));
+  const double max_change = of(config.max_slew_n_per_s) * change_s;
   if (const double size = wide_length(change); size > max_change) {
     ++state.counters.slew_limited;
     force = last + scaled(change, max_change / size);
@@ -198,19 +83,28 @@ Vec3 limited(const GuardConfig& config, GuardState& state, Vec3 wanted) {
   return force;
 }
 
-// Fades towards zero; true once it is there.
+// Fades towards zero; true once it is there: with the last tick in time before kDecayNs are over.
+// After a late tick there may be fewer of them than is left to fall; then R3 has precedence.
 bool faded(const GuardConfig& config, GuardState& state) {
-  state.fade_ns += step_ns(config, state);
-  const bool over = is_over(config, state.fade_ns, kDecayS);
-  const double left =
-      over ? 0.0 : 1 - static_cast<double>(state.fade_ns) / static_cast<double>(kDecayNs);
-  state.force_n = scaled(state.fade_from_n, left);
-  return over;
+  const std::int64_t step_ns = forced_step_ns(config, state), period_ns = in_ns(config.period_s);
+  state.fade_ns += step_ns;
+  const std::int64_t ticks_left = std::max<std::int64_t>(kDecayNs - state.fade_ns, 0) / period_ns;
+  const auto now = static_cast<double>(state.fade_ns);
+  const auto end = static_cast<double>(state.fade_ns + ticks_left * period_ns);
+  const double wanted = ticks_left > 0 ? 1 - now / end : 0.0;
+  const double size = wide_length(state.fade_from_n);
+  const double fall_n =
+      (1 + kRoundingShare) * of(config.max_slew_n_per_s) * static_cast<double>(step_ns) * 1e-9;
+  const double least = size > fall_n ? state.fade_left - fall_n / size : 0.0;
+  state.fade_left = std::max({wanted, least, 0.0});
+  state.force_n = scaled(state.fade_from_n, state.fade_left);
+  return !(state.fade_left > 0);
 }
 
 void begin_fade(GuardState& state, GuardMode mode) {
   state.mode = mode;
   state.fade_ns = 0;
+  state.fade_left = 1;
   // The force let through may not have reached the motors yet, and their report may be old: a fade
   // adds to neither.
   const bool less =
@@ -220,7 +114,7 @@ void begin_fade(GuardState& state, GuardMode mode) {
 
 // Goes towards zero; true once it is there and the mode is one without force.
 bool ended(const GuardConfig& config, GuardState& state) {
-  const bool falls = state.mode == GuardMode::kFading || state.mode == GuardMode::kRelease;
+  const bool falls = guard_falls(state);
   if (!falls && wide_dot(state.force_n, state.force_n) == 0) return true;
   if (!falls) begin_fade(state, GuardMode::kRelease);
   if (!faded(config, state)) return false;
@@ -237,6 +131,8 @@ void follow_button(const GuardConfig& config, GuardState& state) {
   if (state.mode == GuardMode::kUnarmed && held && state.have_pose != 0) {
     state.mode = GuardMode::kRamp;
     state.ramp_ns = 0;
+    state.step_ns =
+        std::min(state.step_ns, in_ns(config.period_s));  // what was before is none of it
     state.buzz = {};
   }
   if (is_armed(state.mode) && !held) begin_fade(state, GuardMode::kRelease);
@@ -269,7 +165,8 @@ void guard_resume(const GuardConfig& config, GuardState& state, std::int64_t idl
   state.heat_n2 /= 1 + idle_s / of(config.thermal_s);  // slower than real: never thought too cool
   lose_sight(config, state.energy);
   state.have_seq = state.have_pose = 0;
-  state.now_ns = state.step_ns = state.jumped_ns = 0;
+  state.have_time = state.force_due = state.torque_due = 0;
+  state.step_ns = state.due_ns = state.lost_ns = state.jumped_ns = 0;
   state.button_seen = state.may_acknowledge = 0;
   state.force_n = {};
   state.have_motor = 0;
@@ -287,9 +184,8 @@ void guard_motor(GuardState& state, const MotorReport& report) {
   state.motor_n = report.force_n;
   if (wide_dot(report.force_n, report.force_n) != 0) state.forced = 1;
   // Motors whose fade is ahead of ours are not pushed back up.
-  const bool falls = state.mode == GuardMode::kFading || state.mode == GuardMode::kRelease;
   if (const double ours = wide_length(state.force_n), theirs = wide_length(report.force_n);
-      falls && theirs < ours) {
+      guard_falls(state) && theirs < ours) {
     state.fade_from_n = scaled(state.fade_from_n, theirs / ours);
     state.force_n = scaled(state.force_n, theirs / ours);
   }
@@ -309,6 +205,10 @@ void guard_motor(GuardState& state, const MotorReport& report) {
 
 bool guard_lets_go(const GuardState& state) {
   return !is_armed(state.mode);
+}
+
+bool guard_falls(const GuardState& state) {
+  return state.mode == GuardMode::kFading || state.mode == GuardMode::kRelease;
 }
 
 bool guard_end(const GuardConfig& config, GuardState& force_state, GuardState& torque_state,
@@ -336,38 +236,10 @@ void guard_trip(GuardState& state, Fault fault) {
   }
 }
 
-bool guard_sample(const GuardConfig& config, GuardState& state, bool answered, const Sample& sample,
-                  std::int64_t now_ns) {
-  note_time(config, state, now_ns);
-  const Fault wrong = answered ? judge(config, state, sample, now_ns) : Fault::kDeviceSilent;
-  if (wrong == Fault::kNone) {
-    observe_motion(config, state, sample.pose.position_m);
-    observe_turn(config, state.energy, sample.pose.rotation);
-    note_button(config, state, sample.buttons);
-    state.have_pose = 1;
-    state.pose_m = sample.pose.position_m;
-    state.blind_ns = 0;
-    state.jumped_ns = std::max<std::int64_t>(state.jumped_ns - state.step_ns / 2, 0);
-    ++state.counters.samples_used;
-    clear_before_any_force(state);
-    trip_on_motion(config, state);
-    follow_acknowledge_button(config, state, sample.buttons);
-    return true;
-  }
-  if (!answered) ++state.counters.samples_missing;
-  // Of samples that jump to and fro each second one may be usable, so that nothing is blind for
-  // long; yet nobody knows where the hand is.
-  if (wrong == Fault::kTooFast) state.jumped_ns += state.step_ns;
-  if (state.jumped_ns > kMostJumpedNs) guard_trip(state, wrong);
-  state.blind_ns = std::min(state.blind_ns + state.step_ns, kBlindForEverNs);
-  if (is_over(config, state.blind_ns, config.watchdog_s)) {
-    guard_trip(state, wrong);
-    lose_sight(config, state.energy);
-  }
-  return false;
-}
-
 Vec3 guard_force(const GuardConfig& config, GuardState& state, Vec3 force_n) {
+  const bool due = std::exchange(state.force_due, 0U) != 0;
+  if (!due && !guard_falls(state) && finite(force_n)) return state.force_n;
+  state.step_ns = std::exchange(state.due_ns, 0);  // of more than one sample, perhaps
   if (!finite(force_n)) {
     ++state.counters.force_not_finite;
     guard_trip(state, Fault::kForceNotFinite);
@@ -402,7 +274,10 @@ Vec3 guard_torque(const GuardConfig& config, float max_torque_nm, GuardState& fo
   torque_state.button_seen = force_state.button_seen;
   torque_state.button = force_state.button;
   torque_state.have_pose = force_state.have_pose;
-  torque_state.step_ns = force_state.step_ns;
+  torque_state.due_ns = force_state.step_ns;
+  const bool due = std::exchange(force_state.torque_due, 0U) != 0;
+  torque_state.force_due = due ? 1 : 0;
+  if (!due && !guard_falls(torque_state) && finite(torque_nm)) return torque_state.force_n;
   const Vec3 result = guard_force(limits, torque_state, torque_nm);
   force_state.forced |= torque_state.forced;
   if (torque_state.fault != Fault::kNone) guard_trip(force_state, torque_state.fault);

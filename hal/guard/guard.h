@@ -8,12 +8,12 @@
 // latches a fault: the force goes to zero within kDecayS, or at once if it is not a number, and
 // stays there until guard_rearm names the fault. Only a timing fault of loop or device clears by
 // itself, and only if no force was let through before it. If the hand lets go of the dead man's
-// button, the force is zero within kDecayS, too. hal/guard/GUARD.md has the states as a table, and
-// every limit. All times are times that really pass (`now_ns` of guard_sample), even if ticks are
-// lost. The guard learns what force the motors really have from their report (motor.h), and
-// continues from that. Plain functions over a plain struct: no allocation, no clock, bounded time.
-// Units: SI. Frame: the device's. Source: Hannaford and Ryu 2002 (observer of energy and passivity
-// controller).
+// button, the force is zero within kDecayS, too. hal/guard/GUARD.md has all states and limits. All
+// times are times that really pass (`now_ns` of guard_sample), even if ticks are lost or come too
+// often; a clock that stands or runs backwards is a fault. The guard learns from their report what
+// force the motors really have (motor.h), and continues from that. Plain functions over a plain
+// struct: no allocation, no clock, bounded time. Units: SI. Frame: the device's. Source: Hannaford
+// and Ryu 2002 (observer of energy and passivity controller).
 #pragma once
 
 #include <array>
@@ -38,7 +38,14 @@ constexpr float kBuzzHz = 20;             // slower swings are movements of the 
 constexpr std::uint32_t kBuzzTurns = 12;  // to and fro, each within half a period of kBuzzHz
 constexpr float kWarmShare = 0.8F;        // of the thermal budget: force is reduced from here on
 constexpr double kLostEnergyJ = 0.05;     // energy made in spite of the passivity controller
-constexpr std::int64_t kMostJumpedNs = 20'000'000;  // of jumps, less half of the time without
+constexpr float kPathS = 0.020F;          // time over which the length of the way is averaged
+constexpr std::int64_t kMostJumpedNs = 20'000'000;  // of jumps, less a part of the time without
+constexpr std::int64_t kJumpedPart = 10;            // that part
+// When this much time is lost the guard latches Fault::kTooLate: lost at once, or bit by bit if not
+// made up for. Each tick in time makes up for half a period: so a loop must not lose more than a
+// third of its ticks for long. A sample that is so far ahead of its tick is none.
+constexpr std::int64_t kMaxLateNs = 20'000'000;
+constexpr std::int64_t kLostTicksPart = 2;
 
 // ---- what is latched, and why
 // --------------------------------------------------------------------
@@ -94,9 +101,9 @@ struct GuardConfig {
 struct GuardCounters {
   std::uint64_t samples_used;
   std::uint64_t samples_missing;   // no answer
-  std::uint64_t samples_repeated;  // sequence number not newer than the last
+  std::uint64_t samples_repeated;  // sequence number not newer than the last, or no time has passed
   std::uint64_t samples_lost;      // gaps in the sequence numbers
-  std::uint64_t samples_old;       // older than watchdog_s
+  std::uint64_t samples_old;       // older than watchdog_s, or kMaxLateNs ahead
   std::uint64_t samples_not_finite;
   std::uint64_t samples_absurd;  // farther than kMaxDistanceM away, or not a rotation
   std::uint64_t samples_jumped;  // farther from the last one than any hand moves
@@ -114,6 +121,7 @@ struct EnergyObserver {
   std::uint32_t have_position;
   Vec3 position_m;        // follows the device's, at most its resolution away
   Vec3 velocity_m_per_s;  // averaged over kSpeedS
+  double path_m_per_s;    // of the way's length, averaged over kPathS
   std::array<Vec3, kMaxDelayTicks + 2> force_n;  // newest first
   std::uint32_t have_rotation;
   Quat rotation;                                   // of the newest usable sample
@@ -130,12 +138,14 @@ struct BuzzDetector {
 
 struct GuardState {
   GuardMode mode;
-  Fault fault;             // latched
-  std::uint32_t arming;    // grows each time arming begins anew: older orders move nothing then
-  std::int64_t now_ns;     // of the newest tick; 0: none yet
-  std::int64_t step_ns;    // between it and the tick before, at least a period
+  Fault fault;           // latched
+  std::uint32_t arming;  // grows each time arming begins anew: older orders move nothing then
+  std::uint32_t have_time;
+  std::int64_t now_ns;     // of the newest tick
+  std::int64_t step_ns;    // between it and the tick before; 0: the clock stands
+  std::int64_t lost_ns;    // by ticks that came too late, less what was made up for
   std::int64_t blind_ns;   // without a usable sample
-  std::int64_t jumped_ns;  // of samples that jumped, less half of that of usable ones
+  std::int64_t jumped_ns;  // of samples that jumped, less a part of that of usable ones
   std::int64_t ramp_ns;    // since arming
   std::int64_t fade_ns;    // since the fault, or since the button was released
   std::uint32_t have_seq;
@@ -147,9 +157,12 @@ struct GuardState {
   Vec3 pose_m;   // of the newest usable sample
   Vec3 force_n;  // last one let through
   Vec3 fade_from_n;
-  std::uint32_t have_motor;  // the device tells what force its motors have
-  Vec3 motor_n;              // that force, as last told
-  double heat_n2;            // mean square of the force over thermal_s
+  double fade_left;                     // of fade_from_n
+  std::uint32_t force_due, torque_due;  // for the newest tick: none was let through yet
+  std::int64_t due_ns;                  // since a force was let through last
+  std::uint32_t have_motor;             // the device tells what force its motors have
+  Vec3 motor_n;                         // that force, as last told
+  double heat_n2;                       // mean square of the force over thermal_s
   EnergyObserver energy;
   BuzzDetector buzz;
   GuardCounters counters;
@@ -169,15 +182,29 @@ void guard_motor(GuardState& state, const MotorReport& report);
 // Whether the force can only fall: it is fading, or there is none.
 bool guard_lets_go(const GuardState& state);
 
+// Whether a force is on its way to zero: after a fault, or since the button was released.
+bool guard_falls(const GuardState& state);
+
+// To be called before guard_sample, when a tick begins, or would have to, so much too late: what
+// the hand did meanwhile must not be felt. guard_sample itself knows only the times it is given,
+// which may be those of a grid.
+void guard_late(GuardState& state, std::int64_t late_ns);
+
+// Instead of guard_sample where no tick was to come: nothing was lost.
+void guard_skip(GuardState& state, std::int64_t now_ns);
+
 // End of a run: fades force and torque to zero whatever is asked. True once nothing is left.
 bool guard_end(const GuardConfig& config, GuardState& force_state, GuardState& torque_state,
                std::int64_t now_ns);
 
-// True if the kernel may use the sample. `answered`: the device gave a sample at all.
+// True if the kernel may use the sample. `answered`: the device gave a sample at all. `now_ns` is
+// that of any clock which runs on.
 bool guard_sample(const GuardConfig& config, GuardState& state, bool answered, const Sample& sample,
                   std::int64_t now_ns);
 
-// Returns the force to send instead of `force_n`.
+// Returns the force to send instead of `force_n`. Without a new guard_sample no time has passed:
+// the force stays what it was. One that falls goes on falling, by a period, and what is no number
+// ends it.
 Vec3 guard_force(const GuardConfig& config, GuardState& state, Vec3 force_n);
 
 // The same for a torque, at most `max_torque_nm` long (0: no torque), with a guard of its own; a

@@ -175,8 +175,11 @@ void show(const LoopConfig& config, const Outlets& outlets, const Kernel& kernel
 void hold_hands(const LoopConfig& config, const Kernel& kernel, std::span<const Device> devices,
                 std::int64_t now_ns, std::span<TickRecord> records, LoopState& state) {
   for (std::uint32_t i = 0; i < records.size(); ++i) {
-    if (config.hand[i].scripted) continue;
     HandState& hand = state.hand[i];
+    if (config.hand[i].scripted) {
+      guard_skip(hand.guard, now_ns);
+      continue;
+    }
     hand.grip.waits = true;
     (void)next_input(config.hand[i], devices[i], hand, now_ns, records[i]);
     records[i].command_n = send_force(config.hand[i], kernel, i, devices[i], hand);
@@ -186,22 +189,13 @@ void hold_hands(const LoopConfig& config, const Kernel& kernel, std::span<const 
   }
 }
 
-void trip_all(LoopState& state, Fault fault) {
-  for (HandState& each : state.hand) guard_trip(each.guard, fault);
-}
-
 // The next grid point after `now_ns`; grid points skipped are counted.
 std::int64_t next_grid_point(const LoopConfig& config, LoopState& state, std::int64_t grid_ns,
                              std::int64_t now_ns) {
   const std::int64_t next_ns = grid_ns + config.period_ns;
-  if (now_ns <= next_ns) {
-    state.lost_ns = std::max<std::int64_t>(state.lost_ns - config.period_ns / kLostTicksPart, 0);
-    return next_ns;
-  }
+  if (now_ns <= next_ns) return next_ns;
   const std::int64_t missed = (now_ns - next_ns + config.period_ns - 1) / config.period_ns;
   count(state.missed_ticks, static_cast<std::uint64_t>(missed));
-  state.lost_ns = std::min(state.lost_ns + missed * config.period_ns, 2 * kMaxLateNs);
-  if (state.lost_ns >= kMaxLateNs) trip_all(state, Fault::kTooLate);
   return next_ns + missed * config.period_ns;
 }
 
@@ -260,8 +254,7 @@ void run_loop(const LoopConfig& config, Kernel& kernel, std::span<const Device> 
     state.next_ns.store(grid_ns, std::memory_order_relaxed);
     clock.sleep_until_ns(clock.self, grid_ns);
     const std::int64_t late_ns = clock.now_ns(clock.self) - grid_ns;
-    // Before the tick: the hand has moved on, so the force due now would be a kick.
-    if (late_ns >= kMaxLateNs) trip_all(state, Fault::kTooLate);
+    for (HandState& each : state.hand) guard_late(each.guard, late_ns);
     if (state.paused.load(std::memory_order_relaxed)) {
       hold_hands(config, kernel, devices, grid_ns, records, state);
       // Virtual time does not wait, and nothing is urgent.

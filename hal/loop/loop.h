@@ -30,12 +30,6 @@
 
 namespace stylet::hal {
 
-// When this much time is lost the guard latches Fault::kTooLate: lost at once, or bit by bit if not
-// made up for. Each tick in time makes up for half a period: so a loop must not lose more than a
-// third of its ticks for long.
-constexpr std::int64_t kMaxLateNs = 20'000'000;
-constexpr std::int64_t kLostTicksPart = 2;
-
 struct Outlets {
   Ring<TickRecord>* records = nullptr;  // may be null
   Ring<Event>* events = nullptr;
@@ -87,7 +81,6 @@ struct LoopState {
   std::array<HandState, kMaxNeedles> hand;
   std::array<FaultMailbox, kMaxNeedles> mailbox;  // one for each hand
   std::uint32_t events_seen = 0;
-  std::int64_t lost_ns = 0;  // time lost by missed ticks, less what was made up for
   std::uint64_t ticks = 0;
   // Only the loop writes these; other threads may read them while it runs.
   std::atomic<std::uint64_t> missed_ticks{0};  // grid points skipped

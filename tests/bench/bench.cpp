@@ -279,7 +279,8 @@ void bench_cadence(benchmark::State& state, Subject& subject, const Config& conf
   hal::GuardConfig guard;
   guard.period_s = config.period_s;
   hal::GuardState guarded = hal::guard_start();
-  (void)hal::guard_sample(guard, guarded, true, {0, 0, {{}, {1, 0, 0, 0}}, 0}, 0);
+  const std::int64_t period_ns = std::llround(1e9 * static_cast<double>(config.period_s));
+  hal::Sample sample = {0, 0, {{}, {1, 0, 0, 0}}, 0};
   const double period_us = 1e6 * static_cast<double>(config.period_s);
   double next_us = now_us(Time::kPassing);
   std::uint64_t at = kPauseBegin;
@@ -290,6 +291,9 @@ void bench_cadence(benchmark::State& state, Subject& subject, const Config& conf
       while (now_us(Time::kPassing) < next_us) {
       }
       watch.time([&] {
+        ++sample.seq;
+        sample.t_ns += period_ns;
+        (void)hal::guard_sample(guard, guarded, true, sample, sample.t_ns);
         const Output output = tick(session.kernel, scripted_input(script, at));
         benchmark::DoNotOptimize(hal::guard_force(guard, guarded, output.force_n));
       });

@@ -32,6 +32,14 @@ inline GuardState met(const GuardConfig& config) {
   return state;
 }
 
+// The next tick of a device that answers and stands at the origin: the force let through.
+inline Vec3 next_force(const GuardConfig& config, GuardState& state, Vec3 asked_n) {
+  const std::int64_t now_ns =
+      state.now_ns + std::llround(static_cast<double>(config.period_s) * 1e9);
+  (void)guard_sample(config, state, true, {state.seq + 1, now_ns, {{}, {1, 0, 0, 0}}, 0}, now_ns);
+  return guard_force(config, state, asked_n);
+}
+
 // A guard and its clock, with a device that answers.
 struct Desk {
   GuardConfig config = with_button();
@@ -60,6 +68,7 @@ struct Desk {
   }
   void miss(int ticks) {
     for (int i = 0; i < ticks; ++i) {
+      now_ns += 1'000'000;
       (void)guard_sample(config, state, false, {}, now_ns);
       (void)guard_force(config, state, asked_n);
     }

@@ -28,6 +28,7 @@ TEST(GuardButtons, NumberZeroIsOne) {
   Desk desk;
   desk.config.dead_man_button = 0;
   const auto tick = [&desk](std::uint32_t buttons) {
+    desk.now_ns += 1'000'000;
     const Sample sample = {++desk.seq, desk.now_ns, {{}, {1, 0, 0, 0}}, buttons};
     (void)guard_sample(desk.config, desk.state, true, sample, desk.now_ns);
     return size(guard_force(desk.config, desk.state, desk.asked_n));

@@ -494,7 +494,7 @@ TEST(Guard, LearnsThatTheMotorsHaveStoppedAndStaysThere) {
   GuardConfig config;
   config.ramp_s = 0;
   GuardState state = met(config);
-  for (int i = 0; i < 20; ++i) (void)guard_force(config, state, {2, 0, 0});
+  for (int i = 0; i < 20; ++i) (void)next_force(config, state, {2, 0, 0});
   guard_motor(state, {{2, 0, 0}, {}, state.arming + 1, true});
   EXPECT_EQ(state.fault, Fault::kNone) << "a report of another arming";
   guard_motor(state, {{0.5F, 0, 0}, {}, state.arming, true});
@@ -534,7 +534,7 @@ TEST(Guard, FadesFromTheSmallerOfWhatWasSentAndWhatIsHad) {
     GuardConfig config;
     config.ramp_s = 0;
     GuardState state = met(config);
-    for (int i = 0; i < 20; ++i) (void)guard_force(config, state, {1, 0, 0});
+    for (int i = 0; i < 20; ++i) (void)next_force(config, state, {1, 0, 0});
     guard_motor(state, {{had_n, 0, 0}, {}, state.arming, false});
     guard_trip(state, Fault::kTooLate);
     const double first = size(guard_force(config, state, {1, 0, 0}));
@@ -551,7 +551,7 @@ TEST(Guard, HeatIsThatOfWhatTheMotorsHaveWhereItIsMore) {
     GuardState state = met(config);
     for (int i = 0; i < 60'000; ++i) {
       guard_motor(state, {{0, had_n, 0}, {}, state.arming, false});
-      (void)guard_force(config, state, {1, 0, 0});
+      (void)next_force(config, state, {1, 0, 0});
     }
     const double expected = (1 - std::exp(-1)) * std::max(1.0, std::pow(had_n, 2.0));
     EXPECT_NEAR(state.heat_n2, expected, 0.01 * expected) << had_n;

@@ -201,9 +201,7 @@ class StationHand {
       clock.sleep_until_ns(clock.self, next_ns);
       if (begun && own_.busy(weather_.draw, next_ns))
         clock.sleep_until_ns(clock.self, own_.until_ns);
-      if (clock.now_ns(clock.self) - next_ns >= kMaxLateNs) {
-        guard_trip(state.guard, Fault::kTooLate);
-      }
+      guard_late(state.guard, clock.now_ns(clock.self) - next_ns);
       station_tick(config, state, device_, weather_.link(), next_ns);
       weather_.flush();
       if (weather_.draw.chance(0.02)) (void)guard_rearm(state.guard, state.guard.fault);

@@ -102,6 +102,39 @@ TEST(Station, ModelFadesInOverATenthOfASecondAndOutInTheSecondHalfOfItsLife) {
   }
 }
 
+// A station that stood still for 20 ms does not render what the hand did meanwhile; nor one that
+// loses too many ticks for long.
+TEST(Station, TicksItLosesAreAFault) {
+  for (const int lost_ms : {19, 20}) {
+    for (const int times : {1, 4}) {
+      Desk desk;
+      const auto tick = [&desk] {
+        desk.send(desk.model({0, 1, 0}));
+        desk.tick();
+      };
+      for (int i = 0; i < 120; ++i) tick();
+      ASSERT_NEAR(desk.felt.force_n.y, 1, 1e-5F);
+      for (int i = 0; i < times; ++i) {
+        desk.now_ns += lost_ms * kMs / times;
+        tick();
+        for (int k = 1; k < times; ++k) tick();  // each makes up for half a tick
+      }
+      const bool fault = lost_ms == 20 && times == 1;
+      EXPECT_EQ(desk.state.guard.fault, fault ? Fault::kTooLate : Fault::kNone);
+      if (fault) {
+        EXPECT_NEAR(desk.felt.force_n.y, 0, 0.06F) << "of a stall as long as a fade";
+      }
+    }
+  }
+  Desk slow;
+  for (int i = 0; i < 200 && slow.state.guard.fault == Fault::kNone; ++i) {
+    if (i % 2 == 0) slow.now_ns += kMs;  // 1 ms lost, half a one made up for
+    slow.send(slow.model({0, 1, 0}));
+    slow.tick();
+  }
+  EXPECT_EQ(slow.state.guard.fault, Fault::kTooLate);
+}
+
 // Also in a fade of the station's own guard, and at its end: the device that renders knows when no
 // force may be left.
 TEST(Station, WhatItOrdersEndsWithTheModelsLife) {

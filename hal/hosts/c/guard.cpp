@@ -128,18 +128,6 @@ stylet_status read_guard(const stylet_guard_config* config, std::uint32_t bytes,
 
 using namespace stylet;
 
-namespace {
-
-bool finite(stylet_vec3 v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-bool falls(const hal::GuardState& state) {
-  return state.mode == hal::GuardMode::kFading || state.mode == hal::GuardMode::kRelease;
-}
-
-}  // namespace
-
 const char* stylet_fault_name(uint32_t fault) {
   return hal::fault_name(static_cast<hal::Fault>(fault));
 }
@@ -197,29 +185,16 @@ int stylet_guard_sample(stylet_guard* guard, const stylet_sample* sample, int64_
   stylet_sample own = {};
   const bool answered = sample != nullptr && c::take(sample, own);
   const hal::Sample taken = {own.seq, own.t_ns, c::pose(own.pose), own.buttons};
-  guard->force_due = guard->torque_due = true;
-  const std::int64_t last_ns = guard->force.now_ns;
-  const bool late = last_ns != 0 && now_ns > last_ns &&
-                    static_cast<std::uint64_t>(now_ns) - static_cast<std::uint64_t>(last_ns) >=
-                        static_cast<std::uint64_t>(hal::kMaxLateNs);
-  if (late) hal::guard_trip(guard->force, hal::Fault::kTooLate);
   return hal::guard_sample(guard->config, guard->force, answered, taken, now_ns) ? 1 : 0;
 }
 
 stylet_vec3 stylet_guard_force(stylet_guard* guard, stylet_vec3 force_n) {
   if (guard == nullptr) return {0, 0, 0};
-  // Without a new look at the device no time passes: the force stays what it was. One that falls
-  // goes on falling, and what is no number ends it.
-  const bool due = std::exchange(guard->force_due, false) || falls(guard->force);
-  if (!due && finite(force_n)) return c::plain(guard->force.force_n);
   return c::plain(hal::guard_force(guard->config, guard->force, c::vec(force_n)));
 }
 
 stylet_vec3 stylet_guard_torque(stylet_guard* guard, stylet_vec3 torque_nm) {
   if (guard == nullptr) return {0, 0, 0};
-  const bool due = std::exchange(guard->torque_due, false) || falls(guard->torque) ||
-                   guard->force.fault != hal::Fault::kNone;
-  if (!due && finite(torque_nm)) return c::plain(guard->torque.force_n);
   return c::plain(hal::guard_torque(guard->config, guard->max_torque_nm, guard->force,
                                     guard->torque, c::vec(torque_nm)));
 }

@@ -12,7 +12,6 @@ struct stylet_guard {
   float max_torque_nm = 0;
   stylet::hal::GuardState force = stylet::hal::guard_start();
   stylet::hal::GuardState torque = stylet::hal::guard_start();
-  bool force_due = false, torque_due = false;  // once for each sample
 };
 
 struct stylet_device {

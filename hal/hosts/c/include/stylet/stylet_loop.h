@@ -97,7 +97,9 @@ STYLET_API void stylet_guard_free(stylet_guard* guard);
 STYLET_API stylet_status stylet_guard_motor(stylet_guard* guard,
                                             const stylet_motor_report* report);
 /* 1: the simulation may use the sample. Null: the device did not answer. `now_ns` of any clock that
- * runs on; 20 ms or more after the call before is STYLET_FAULT_TOO_LATE. */
+ * runs on, of which a period of the guard's should pass between two calls. 20 ms that are lost, at
+ * once or bit by bit, are STYLET_FAULT_TOO_LATE, and so is a clock that runs backwards; one that
+ * stands is STYLET_FAULT_STALE_SAMPLES. */
 STYLET_API int stylet_guard_sample(stylet_guard* guard, const stylet_sample* sample,
                                    int64_t now_ns);
 /* What to send instead of `force_n`. */
