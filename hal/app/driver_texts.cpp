@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// stylet_driver_texts udev | table: texts about the drivers that also stand elsewhere, made from
-// their descriptors, for toolchain/checks/drivers.py.
+// stylet_driver_texts udev | table | windows: texts about the drivers that also stand elsewhere,
+// made from their descriptors, for toolchain/checks/drivers.py.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -64,9 +64,29 @@ std::string table() {
       "| URI | device | measures / renders | what it needs |\n| --- | --- | --- | --- |\n";
   for (const hal::DriverDescriptor* driver : hal::drivers_with_haply()) {
     const hal::DriverRow& row = driver->row;
-    rows += fmt::format("| {} | {} | {} | {} |\n", row.uris, row.device, row.renders, row.needs);
+    rows += fmt::format("| {} | {} | {} | {} |\n", row.uris, row.device, row.freedoms, row.needs);
   }
   return rows;
+}
+
+// What becomes of each kind in a library for Windows, in which nobody says use_drivers().
+std::string windows_table() {
+  std::string here, not_here;
+  const auto add = [](std::string& kinds, const hal::DriverDescriptor& driver) {
+    kinds += fmt::format("{}`{}:`", kinds.empty() ? "" : ", ", driver.scheme);
+  };
+#define STYLET_DRIVER(file, descriptor) add(here, hal::descriptor);
+#define STYLET_LIBRARY_DRIVER(file, descriptor)
+#define STYLET_LINUX_DRIVER(file, descriptor) add(not_here, hal::descriptor);
+#include "hal/device/drivers.inc"
+#undef STYLET_DRIVER
+#undef STYLET_LIBRARY_DRIVER
+#undef STYLET_LINUX_DRIVER
+  return fmt::format(
+      "| `stylet_device_open` | on Windows |\n| --- | --- |\n"
+      "| {} | as on Linux |\n"
+      "| {} | refused (`STYLET_DEVICE_FAILED`), with the kinds that are known |\n",
+      here, not_here);
 }
 
 }  // namespace
@@ -74,10 +94,13 @@ std::string table() {
 
 int main(int argc, char** argv) {
   const std::string_view wanted = argc == 2 ? argv[1] : "";
-  if (wanted != "udev" && wanted != "table") {
-    (void)std::fputs("usage: stylet_driver_texts udev | table\n", stderr);
+  std::string text;
+  if (wanted == "udev") text = stylet::app::udev_rules();
+  if (wanted == "table") text = stylet::app::table();
+  if (wanted == "windows") text = stylet::app::windows_table();
+  if (text.empty()) {
+    (void)std::fputs("usage: stylet_driver_texts udev | table | windows\n", stderr);
     return 2;
   }
-  const std::string text = wanted == "udev" ? stylet::app::udev_rules() : stylet::app::table();
   return std::fputs(text.c_str(), stdout) < 0 ? 1 : 0;
 }

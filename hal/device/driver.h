@@ -33,7 +33,7 @@ struct UsbId {
 struct DriverRow {
   const char* uris;
   const char* device;
-  const char* renders;  // degrees of freedom that are measured / rendered
+  const char* freedoms;  // that are measured / rendered
   const char* needs;
 };
 

@@ -15,11 +15,10 @@
 
 #include "hal/base/host_tree.h"
 #include "hal/base/thread_rights.h"
+#include "hal/loop/stack.h"
 
 namespace stylet::hal {
 namespace {
-
-constexpr std::size_t kStackBytes = 256 * 1024;  // more than the loop and a device ever use
 
 void lock_memory(HostReport& report) {
   if (mlockall(MCL_CURRENT | MCL_FUTURE) == 0) return;
@@ -62,13 +61,6 @@ std::vector<int> allowed_cpus() {
     if (CPU_ISSET(cpu, &allowed)) cpus.push_back(cpu);
   }
   return cpus;
-}
-
-// Writes once in each page, so that the loop never meets a page of its stack for the first time.
-void touch_stack() {
-  volatile unsigned char stack[kStackBytes];
-  for (std::size_t i = 0; i < kStackBytes; i += 1024) stack[i] = 0;
-  (void)stack[0];
 }
 
 }  // namespace

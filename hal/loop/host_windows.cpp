@@ -8,11 +8,11 @@
 
 #include "hal/base/thread_rights.h"
 #include "hal/loop/host.h"
+#include "hal/loop/stack.h"
 
 namespace stylet::hal {
 namespace {
 
-constexpr std::size_t kStackBytes = 256 * 1024;  // more than the loop and a device ever use
 // Windows keeps at least so much of this process in memory.
 constexpr SIZE_T kLeastPages = SIZE_T{256} << 20U;
 
@@ -24,13 +24,6 @@ std::vector<int> allowed_cpus() {
     if ((own >> static_cast<unsigned>(cpu) & 1U) != 0) cpus.push_back(cpu);
   }
   return cpus;
-}
-
-// Writes once in each page, so that the loop never meets a page of its stack for the first time.
-void touch_stack() {
-  volatile unsigned char stack[kStackBytes];
-  for (std::size_t i = 0; i < kStackBytes; i += 1024) stack[i] = 0;
-  (void)stack[0];
 }
 
 }  // namespace

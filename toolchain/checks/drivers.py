@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks that the udev rules and the table of devices in hal/device/README.md agree with the
-descriptors of the drivers, from which they are made. --write makes them again.
+"""Checks that the udev rules and the tables of devices in hal/device/README.md and, for Windows, in
+hal/hosts/c/README.md agree with the descriptors of the drivers, from which they are made. --write
+makes them again.
 
 usage: drivers.py PROGRAM REPOSITORY [--write]
 PROGRAM is stylet_driver_texts.
@@ -10,8 +11,12 @@ import pathlib
 import subprocess
 import sys
 
+sys.dont_write_bytecode = True
+import built  # noqa: E402
+
 RULES = "toolchain/rt-host/tree/etc/udev/rules.d/70-stylet-haptic.rules"
 README = "hal/device/README.md"
+WINDOWS = "hal/hosts/c/README.md"
 BEGIN, END = "<!-- from the drivers: toolchain/checks/drivers.py -->\n", "<!-- end -->\n"
 
 
@@ -24,22 +29,26 @@ def with_table(text, table):
     return before + BEGIN + table + END + after
 
 
-def texts_of(repository, udev, table):
+def texts_of(repository, udev, table, windows):
     """File -> the text that it should have according to the drivers."""
-    return {RULES: udev, README: with_table((repository / README).read_text(), table)}
+    return {RULES: udev, README: with_table((repository / README).read_text(), table),
+            WINDOWS: with_table((repository / WINDOWS).read_text(), windows)}
 
 
-def faults(repository, udev, table):
-    for name, text in texts_of(repository, udev, table).items():
+def faults(repository, udev, table, windows):
+    for name, text in texts_of(repository, udev, table, windows).items():
         if (repository / name).read_text() != text:
             yield f"{name}: not what the drivers say: run drivers.py PROGRAM REPOSITORY --write"
 
 
 def main(program, repository, *options):
+    built.require(program)
+
     def made(what):
         return subprocess.run([program, what], check=True, capture_output=True, text=True).stdout
 
-    repository, made_texts = pathlib.Path(repository), (made("udev"), made("table"))
+    repository = pathlib.Path(repository)
+    made_texts = [made(each) for each in ("udev", "table", "windows")]
     if "--write" in options:
         for name, text in texts_of(repository, *made_texts).items():
             (repository / name).write_text(text)

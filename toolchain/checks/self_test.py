@@ -9,6 +9,7 @@ import unittest
 
 sys.dont_write_bytecode = True
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+import built  # noqa: E402
 import compile_times  # noqa: E402
 import coverage  # noqa: E402
 import drivers  # noqa: E402
@@ -113,6 +114,30 @@ class Headers(Sample):
 
     def test_refuses_nothing_found(self):
         self.expect_one(headers.faults(self.top), "no header")
+
+
+class Built(Sample):
+    def test_says_what_to_build_first(self):
+        here = self.write("stylet", "")
+        built.require(here)
+        for missing, said in ((["bin/stylet_texts"], "--target stylet_texts first"),
+                              (["lib/liba.a", "bin/b"], "--target a b first"),
+                              (["1", "2", "3", "4"], "4 programs are not built yet")):
+            with self.assertRaises(SystemExit) as ended:
+                built.require(here, *[self.top / each for each in missing])
+            self.assertIn(said, ended.exception.code)
+            self.assertNotIn("\n", ended.exception.code)
+
+    def test_checks_of_programs_say_it(self):
+        folder = pathlib.Path(built.__file__).parent
+        none = self.top / "stylet_nothing"
+        for words in (["test_names.py", none], ["drivers.py", none, self.top],
+                      ["symbols.py", self.write("list.txt", ""), none]):
+            done = subprocess.run([sys.executable, folder / words[0], *words[1:]],
+                                  capture_output=True, text=True)
+            self.assertEqual(done.returncode, 1)
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+            self.assertIn("stylet_nothing: not built yet", done.stderr)
 
 
 class TestNames(Sample):
@@ -231,10 +256,11 @@ class Rooms(Sample):
 class Drivers(Sample):
     README = f"before\n{drivers.BEGIN}| a |\n{drivers.END}behind\n"
 
-    def faults(self, udev="rules\n", table="| a |\n", readme=README):
+    def faults(self, udev="rules\n", table="| a |\n", readme=README, windows="| a |\n"):
         self.write(drivers.RULES, "rules\n")
         self.write(drivers.README, readme)
-        return drivers.faults(self.top, udev, table)
+        self.write(drivers.WINDOWS, self.README)
+        return drivers.faults(self.top, udev, table, windows)
 
     def test_accepts_what_the_drivers_say(self):
         self.assertEqual(list(self.faults()), [])
@@ -244,6 +270,7 @@ class Drivers(Sample):
         self.expect_one(self.faults(table="| a |\n| b |\n"), drivers.README)
         self.expect_one(self.faults(readme=self.README.replace("| a |", "| by hand |")),
                         drivers.README)
+        self.expect_one(self.faults(windows="| b |\n"), drivers.WINDOWS)
 
     def test_refuses_a_page_without_the_table(self):
         with self.assertRaises(ValueError):

@@ -11,6 +11,9 @@ import pathlib
 import subprocess
 import sys
 
+sys.dont_write_bytecode = True
+import built  # noqa: E402
+
 
 def read_list(path):
     lines = pathlib.Path(path).read_text().splitlines()
@@ -44,6 +47,7 @@ def faults(allow_list, libraries):
 
 
 if __name__ == "__main__":
+    built.require(*sys.argv[2:])
     found = list(faults(sys.argv[1], sys.argv[2:]))
     print("\n".join(found))
     sys.exit(bool(found))

@@ -8,6 +8,9 @@ import pathlib
 import subprocess
 import sys
 
+sys.dont_write_bytecode = True
+import built  # noqa: E402
+
 
 def listed(program):
     done = subprocess.run([program, "--gtest_list_tests"], capture_output=True, text=True,
@@ -27,6 +30,7 @@ def faults(program):
 
 
 def main(programs):
+    built.require(*programs)
     found = [fault for program in programs for fault in faults(program)]
     print("\n".join(found))
     return bool(found) or not programs
