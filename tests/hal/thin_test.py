@@ -7,9 +7,11 @@ usage: thin_test.py EXAMPLE LINK_MAP STYLET_HAL ARCHIVE_THAT_NEEDS_MORE ORGAN
 """
 import pathlib
 import re
-import subprocess
 import sys
 import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from command import output
 
 EXAMPLE, LINK_MAP, THIN, THICK, ORGAN = sys.argv[1:6]
 
@@ -21,10 +23,6 @@ ARCHIVES = {"libstylet_hal", "libstylet_kernel", "libstylet_organ", "libc", "lib
 # By the names of functions, which also shows libraries that are headers only.
 FOREIGN = re.compile(r"\b(boost|nlohmann|toml|igtl)::|\bH5[A-Z]\w+|\b(EVP|SHA256)_\w+"
                      r"|\b(crc32|inflate|deflate)$", re.M)
-
-
-def output(*command):
-    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
 def foreign(archive):

@@ -9,9 +9,12 @@ program of insert_kernel.cpp that was built with Stylet itself) in the environme
 import os
 import pathlib
 import re
-import subprocess
+import sys
 import tempfile
 import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from command import output
 
 BUILD = pathlib.Path(os.environ["STYLET_BUILD"])
 SOURCE = pathlib.Path(os.environ["STYLET_SOURCE"])
@@ -19,14 +22,6 @@ PROJECTS = SOURCE / "tests/hosts/consumers"
 EXAMPLE = SOURCE / "hal/hosts/c/examples/insert.c"
 SEED = SOURCE / "tests/fuzz/seeds/organ/two-materials.organ"
 STRICT_C = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
-
-
-def output(*command, **more):
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, **more)
-    if done.returncode != 0:
-        raise AssertionError(f"{command}: exit code {done.returncode}\n{done.stdout[-4000:]}"
-                             f"{done.stderr[-4000:]}")
-    return done.stdout
 
 
 def environment(**more):

@@ -7,20 +7,18 @@ usage: exports_test.py LIBRARY SOURCE ORGAN
 """
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from command import output
 
 LIBRARY, SOURCE, ORGAN = (pathlib.Path(word) for word in sys.argv[1:4])
 INCLUDE = SOURCE / "hal/hosts/c/include"
 ABI = SOURCE / "tests/hosts/abi"
 # libccd finds where convex bodies touch, libmd sums files.
 NEEDED = {"libc", "libm", "ld-linux-x86-64", "ld-linux-aarch64", "libccd", "libmd"}
-
-
-def output(*command, **more):
-    return subprocess.run(command, check=True, capture_output=True, text=True, **more).stdout
 
 
 def listed(name="symbols.txt"):

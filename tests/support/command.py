@@ -1,12 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the commands of a test of another tree; what a command printed is in its failure."""
+"""Runs the commands of a test; what a command printed is in its failure."""
 import subprocess
 
 
-def run(*command):
-    """What it printed; raises AssertionError with all of that if it fails."""
-    done = subprocess.run([str(each) for each in command], stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True)
-    if done.returncode != 0:
-        raise AssertionError(f"{command}\n{done.stdout}")
+def run(*command, status=0, stderr=subprocess.STDOUT, timeout=1800, **more):
+    """What it printed, also of errors; raises AssertionError with all of that if it ends with
+    another status."""
+    done = subprocess.run([str(each) for each in command], stdout=subprocess.PIPE, stderr=stderr,
+                          text=True, timeout=timeout, **more)
+    if done.returncode != status:
+        raise AssertionError(f"{command}: exit code {done.returncode}\n{done.stdout[-4000:]}"
+                             f"{(done.stderr or '')[-4000:]}")
     return done.stdout
+
+
+def output(*command, **more):
+    """What it printed, but for errors."""
+    return run(*command, stderr=subprocess.PIPE, **more)

@@ -14,6 +14,9 @@ import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
+from command import run
+
 SOURCE, BUILD, LIBRARY, ORGAN_MAKER = (pathlib.Path(word).resolve() for word in sys.argv[1:5])
 GODOT = SOURCE / "hal/hosts/godot"
 HERE = SOURCE / "tests/hosts/godot"
@@ -21,15 +24,6 @@ HEADERS = BUILD / "headers"
 STRICT_C = ["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", f"-I{SOURCE}/hal/hosts/c/include"]
 LINK = [f"-L{LIBRARY}", "-lstylet", "-lm", f"-Wl,-rpath,{LIBRARY}"]
 SKIPPED, TICKS_OF_A_FRAME = 77, 10
-
-
-def output(*command, status=0, **more):
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True,
-                          timeout=300, **more)
-    if done.returncode != status:
-        raise AssertionError(f"{command}: exit code {done.returncode}\n{done.stdout[-4000:]}"
-                             f"{done.stderr[-4000:]}")
-    return done.stdout + done.stderr
 
 
 def skip(why):
@@ -47,16 +41,16 @@ class Godot(unittest.TestCase):
         shutil.copytree(GODOT / "project", cls.project)
         shutil.copy(HERE / "frames.gd", cls.project)
         cls.organ = cls.project / "liver.organ"
-        output(ORGAN_MAKER, "phantom", "liver", "--voxel-mm", 10, "-o", cls.organ)
-        output(*STRICT_C, "-shared", "-fPIC", f"-I{HEADERS}", f"-I{SOURCE}",
-               GODOT / "src/stylet_godot.c", *LINK, "-o", cls.project / "libstylet_godot.so")
-        output("cc", "-std=gnu11", "-shared", "-fPIC", "-DLARGE=20000", HERE / "large_blocks.c",
-               "-ldl", "-o", cls.top / "large_blocks.so")
-        output(*STRICT_C, HERE / "replay.c", *LINK, "-o", cls.top / "replay")
+        run(ORGAN_MAKER, "phantom", "liver", "--voxel-mm", 10, "-o", cls.organ)
+        run(*STRICT_C, "-shared", "-fPIC", f"-I{HEADERS}", f"-I{SOURCE}",
+            GODOT / "src/stylet_godot.c", *LINK, "-o", cls.project / "libstylet_godot.so")
+        run("cc", "-std=gnu11", "-shared", "-fPIC", "-DLARGE=20000", HERE / "large_blocks.c",
+            "-ldl", "-o", cls.top / "large_blocks.so")
+        run(*STRICT_C, HERE / "replay.c", *LINK, "-o", cls.top / "replay")
 
     def godot(self, *words, status=0, **env):
-        return output("godot3-server", "--no-window", "--path", self.project, *words,
-                      status=status, env={**os.environ, "HOME": str(self.top), **env})
+        return run("godot3-server", "--no-window", "--path", self.project, *words,
+                   status=status, timeout=300, env={**os.environ, "HOME": str(self.top), **env})
 
     def frames(self, count, **env):
         return self.godot("-s", "res://frames.gd", FRAMES=str(count), **env)
@@ -71,7 +65,7 @@ class Godot(unittest.TestCase):
     def test_every_frame_has_the_force_of_the_interface_in_c(self):
         log = self.top / "log"
         said = self.godot(STYLET_INSERT_LOG=str(log))
-        told = output(self.top / "replay", self.organ, log, TICKS_OF_A_FRAME)
+        told = run(self.top / "replay", self.organ, log, TICKS_OF_A_FRAME)
         frames, others, most_n = re.match(r"frames (\d+), other forces (\d+), at most (\S+) N",
                                           told).groups()
         self.assertEqual((frames, others), ("210", "0"))

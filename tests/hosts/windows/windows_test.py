@@ -16,6 +16,7 @@ SOURCE, BUILD, LIBRARY, ORGAN_MAKER = (pathlib.Path(word).resolve() for word in 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(SOURCE / "tests/support"))
 import wine  # noqa: E402
+from command import output  # noqa: E402
 
 SKIPPED = 77
 FOLDER = BUILD / "tests/hosts/windows"
@@ -25,15 +26,6 @@ INCLUDE = SOURCE / "hal/hosts/c/include"
 STRICT_C = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", f"-I{INCLUDE}"]
 C_COMPILER = wine.COMPILER.replace("g++", "gcc")
 SEEDS = range(1, 9)
-
-
-def output(*command, status=0, **more):
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True,
-                          timeout=1800, **more)
-    if done.returncode != status:
-        raise AssertionError(f"{command}: exit code {done.returncode}\n{done.stdout[-4000:]}"
-                             f"{done.stderr[-4000:]}")
-    return done.stdout
 
 
 def build():
