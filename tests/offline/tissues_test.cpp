@@ -21,21 +21,26 @@ struct Number {
   double least, most;
 };
 
-constexpr Number kNumbers[] = {
-    {"density_kg_per_m3", &Tissue::density_kg_per_m3, 1, 1, 20000},
-    {"youngs_modulus_kpa", &Tissue::youngs_modulus_pa, 1000, 1, 1e9},
-    {"poisson_ratio", &Tissue::poisson_ratio, 1, 0, 0.49},
-    {"relaxing_fraction", &Tissue::relaxing_fraction, 1, 0, 0.95},
-    {"relaxation_time_s", &Tissue::relaxation_time_s, 1, 1e-3, 1e5},
-    {"puncture_force_n", &Tissue::puncture_force_n, 1, 0, 1000},
-    {"cutting_force_n", &Tissue::cutting_force_n, 1, 0, 1000},
-    {"recut_fraction", &Tissue::recut_fraction, 1, 0, 1},
-    {"coulomb_friction_n_per_mm", &Tissue::coulomb_friction_n_per_m, 1000, 0, 1e4},
-    {"static_friction_n_per_mm", &Tissue::static_friction_n_per_m, 1000, 0, 1e4},
-    {"stribeck_velocity_mm_per_s", &Tissue::stribeck_velocity_m_per_s, 1e-3, 1e-6, 10},
-    {"viscous_friction_n_s_per_m2", &Tissue::viscous_friction_n_s_per_m2, 1, 0, 1e6},
-    {"membrane_n_per_mm", &Tissue::membrane_n_per_m, 1000, 0, 1e5},
-    {"puncture_velocity_exponent", &Tissue::puncture_velocity_exponent, 1, 0, 0.5}};
+// What one of a key's unit is in SI, by the unit's name.
+double unit_of(std::string_view key) {
+  if (key.ends_with("_kpa")) return 1e3;
+  if (key.ends_with("_per_mm")) return 1e3;
+  if (key.ends_with("_mm_per_s")) return 1e-3;
+  return 1;
+}
+
+double wide(float value) {
+  return std::stod(fmt::format("{}", value));  // 0.1F is a tenth, as in the file
+}
+
+std::vector<Number> numbers() {
+  std::vector<Number> all;
+#define STYLET_NUMBER(field, least, most, expected, key, ...) \
+  all.push_back({key, &Tissue::field, unit_of(key), wide(least), wide(most)});
+  STYLET_MATERIAL_NUMBERS(STYLET_NUMBER)
+#undef STYLET_NUMBER
+  return all;
+}
 
 // The other kind of friction, with a value beside which any value of this kind is taken.
 std::string beside(const std::string& key) {
@@ -59,7 +64,7 @@ std::string refusal_of(const std::filesystem::path& file) {
 
 TEST(Tissues, TakeWhatTheKernelTakes) {
   const Scratch scratch;
-  for (const Number& number : kNumbers) {
+  for (const Number& number : numbers()) {
     for (const double wanted :
          {number.least, number.most, 0.3 * number.least + 0.7 * number.most}) {
       const auto tissues = offline::read_tissues(
@@ -78,7 +83,7 @@ TEST(Tissues, TakeWhatTheKernelTakes) {
 
 TEST(Tissues, RefuseWhatTheKernelRefuses) {
   const Scratch scratch;
-  for (const Number& number : kNumbers) {
+  for (const Number& number : numbers()) {
     const double least = number.least / number.unit, most = number.most / number.unit;
     for (const double wanted : {least - 1e-3 * (least + 1), most * 1.001}) {
       EXPECT_THAT(refusal_of(scratch.write("own.toml", tissue_text(number, wanted))),
@@ -94,14 +99,14 @@ TEST(Tissues, OfTheirOwnNeedEveryNumber) {
   const Scratch scratch;
   const auto without = [&](const std::string& key) {
     std::string text = "[jelly]\n";
-    for (const Number& number : kNumbers) {
+    for (const Number& number : numbers()) {
       if (number.key != key)
         text += fmt::format("{} = {}\n", number.key, number.most / number.unit);
     }
     return scratch.write("own.toml", text);
   };
   EXPECT_EQ(refusal_of(without("")), "");
-  for (const Number& number : kNumbers) {
+  for (const Number& number : numbers()) {
     const std::string key = number.key;
     const bool may_miss = key == "membrane_n_per_mm" || key == "puncture_velocity_exponent";
     const std::string said = refusal_of(without(key));

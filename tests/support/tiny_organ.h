@@ -17,27 +17,34 @@
 #include <vector>
 
 #include "organ_generated.h"
+#include "stylet/material.h"
 #include "stylet/units.h"
 
 namespace stylet::test {
 
+// A gel. Of a number that is not named here there is as little as may be.
+inline constexpr Material kGel = [] {
+  Material m = {};
+  for (const MaterialNumber& number : kMaterialNumbers) m.*number.field = number.least;
+  m.density_kg_per_m3 = 1000;
+  m.youngs_modulus_pa = 5000;
+  m.poisson_ratio = 0.45F;
+  m.relaxation_time_s = 1;
+  m.puncture_force_n = 0.5F;
+  m.cutting_force_n = 0.2F;
+  m.recut_fraction = 0.2F;
+  m.coulomb_friction_n_per_m = 10;
+  m.static_friction_n_per_m = 10;
+  m.stribeck_velocity_m_per_s = 1e-3F;
+  return m;
+}();
+
+#define STYLET_TINY_FIELD(field, ...) float field = kGel.field;
 struct TinyMaterial {
   std::string name = "gel";
-  float density_kg_per_m3 = 1000;
-  float youngs_modulus_pa = 5000;
-  float poisson_ratio = 0.45F;
-  float relaxing_fraction = 0;
-  float relaxation_time_s = 1;
-  float puncture_force_n = 0.5F;
-  float cutting_force_n = 0.2F;
-  float recut_fraction = 0.2F;
-  float coulomb_friction_n_per_m = 10;
-  float static_friction_n_per_m = 10;
-  float stribeck_velocity_m_per_s = 1e-3F;
-  float viscous_friction_n_s_per_m2 = 0;
-  float puncture_velocity_exponent = 0;
-  float membrane_n_per_m = 0;
+  STYLET_MATERIAL_NUMBERS(STYLET_TINY_FIELD)
 };
+#undef STYLET_TINY_FIELD
 
 enum Face : std::uint32_t { kLowX = 1, kHighX = 2, kLowY = 4, kHighY = 8, kLowZ = 16, kHighZ = 32 };
 
@@ -191,12 +198,10 @@ inline std::uint8_t fixed_corners(const TinyOrgan& organ, std::uint16_t x, std::
 
 inline flatbuffers::Offset<format::Material> material_of(flatbuffers::FlatBufferBuilder& builder,
                                                          const TinyMaterial& m) {
-  return format::CreateMaterialDirect(
-      builder, m.name.c_str(), "test", m.density_kg_per_m3, m.youngs_modulus_pa, m.poisson_ratio,
-      m.relaxing_fraction, m.relaxation_time_s, m.puncture_force_n, m.cutting_force_n,
-      m.recut_fraction, m.coulomb_friction_n_per_m, m.static_friction_n_per_m,
-      m.stribeck_velocity_m_per_s, m.viscous_friction_n_s_per_m2, m.puncture_velocity_exponent,
-      m.membrane_n_per_m);
+#define STYLET_AND_WRITE(field, ...) , m.field
+  return format::CreateMaterialDirect(builder, m.name.c_str(),
+                                      "test" STYLET_MATERIAL_NUMBERS(STYLET_AND_WRITE));
+#undef STYLET_AND_WRITE
 }
 
 }  // namespace detail
