@@ -196,6 +196,8 @@ std::int64_t next_grid_point(const LoopConfig& config, LoopState& state, std::in
   if (now_ns <= next_ns) return next_ns;
   const std::int64_t missed = (now_ns - next_ns + config.period_ns - 1) / config.period_ns;
   count(state.missed_ticks, static_cast<std::uint64_t>(missed));
+  // There may be no further tick in which the guards would see it.
+  for (HandState& each : state.hand) guard_late(each.guard, missed * config.period_ns);
   return next_ns + missed * config.period_ns;
 }
 
