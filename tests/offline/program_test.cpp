@@ -8,7 +8,6 @@
 #include <chrono>
 #include <csignal>
 #include <functional>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/outputs.h"
@@ -283,15 +282,6 @@ TEST(Program, OutputsDestroyNothing) {
   std::ofstream(at("mine.organ.sha256")) << std::string(64, '0') << "  mine.organ\n";
   EXPECT_EQ(build_to(at("mine.organ")).exit_code, 0);
   EXPECT_FALSE(std::filesystem::exists(at("mine.organ.sha256")));
-}
-
-// Names and bytes of all files below a folder.
-std::map<std::string, std::string> all_files(const std::filesystem::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    files[entry.path()] = entry.is_directory() ? "a folder" : slurp(entry.path());
-  }
-  return files;
 }
 
 // Whatever obstacle one of a command's outputs meets: all outputs appear, or every file is as it

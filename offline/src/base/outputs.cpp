@@ -140,8 +140,28 @@ void Outputs::remove(const std::filesystem::path& path) {
 bool Outputs::name(File& file) {
   file.replaced = ::renameat2(AT_FDCWD, file.temporary.c_str(), AT_FDCWD, file.path.c_str(),
                               RENAME_EXCHANGE) == 0;
-  // No older file, or a file system that cannot exchange files.
+  if (!file.replaced && errno != ENOENT) return name_beside(file);
   file.named = file.replaced || ::rename(file.temporary.c_str(), file.path.c_str()) == 0;
+  return file.named;
+}
+
+// On a file system that cannot exchange files an older one gets a second name first, or another
+// one where it may have only one.
+bool Outputs::name_beside(File& file) {
+  const std::string older = file.temporary + ".old";
+  const bool kept = ::link(file.path.c_str(), older.c_str()) == 0 ||
+                    (errno != ENOENT && ::rename(file.path.c_str(), older.c_str()) == 0);
+  if (!kept && errno != ENOENT) return false;
+  file.named = ::rename(file.temporary.c_str(), file.path.c_str()) == 0;
+  const int error = errno;
+  if (kept && file.named) {
+    file.temporary = older;
+    file.replaced = true;
+  } else if (kept) {
+    ::rename(older.c_str(), file.path.c_str());  // does nothing if both are names of one file
+    ::unlink(older.c_str());
+  }
+  errno = error;
   return file.named;
 }
 

@@ -4,9 +4,9 @@
 // Promises: an output is refused if the command also reads it, if it is written twice, or if it is
 // a directory, a device or another special file. Bytes go to temporaries beside the final names.
 // commit() renames them once all are complete and on the disk; without commit(), or if it fails,
-// every file is as it was. SIGINT, SIGTERM and SIGHUP are held back until then (SIGKILL leaves the
-// temporaries behind). Permissions follow the umask. Failures are refused
-// with one line.
+// every file is as it was, also on file systems that cannot exchange two files. SIGINT, SIGTERM
+// and SIGHUP are held back until then (SIGKILL leaves the temporaries behind). Permissions follow
+// the umask. Failures are refused with one line.
 #pragma once
 
 #include <csignal>
@@ -45,6 +45,7 @@ class Outputs {
     bool named = false, replaced = false;
   };
   bool name(File& file);
+  bool name_beside(File& file);
   void take_back();
   void hold_signals();
   void release_signals();

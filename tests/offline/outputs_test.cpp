@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Outputs on file systems that can do less: without an exchange of two files (NFS, FUSE), and also
+// without second names (FAT). The system's calls are ours here, and refuse as those do.
+#include "base/outputs.h"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <random>
+
+#include "base/refusal.h"
+#include "offline_support.h"
+
+namespace {
+
+bool exchanges = true, links = true;
+int renames_left = -1;  // -1: as many as are wanted
+
+}  // namespace
+
+extern "C" int renameat2(int from_folder, const char* from, int to_folder, const char* to,
+                         unsigned flags) noexcept {
+  if (!exchanges && flags != 0) {
+    errno = EINVAL;
+    return -1;
+  }
+  return static_cast<int>(::syscall(SYS_renameat2, from_folder, from, to_folder, to, flags));
+}
+
+extern "C" int link(const char* from, const char* to) noexcept {
+  if (!links) {
+    errno = EPERM;
+    return -1;
+  }
+  return static_cast<int>(::syscall(SYS_linkat, AT_FDCWD, from, AT_FDCWD, to, 0));
+}
+
+extern "C" int rename(const char* from, const char* to) noexcept {
+  if (renames_left == 0) {
+    renames_left = -1;  // what takes back is not hindered
+    errno = EIO;
+    return -1;
+  }
+  if (renames_left > 0) --renames_left;
+  return static_cast<int>(::syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0));
+}
+
+namespace stylet::test {
+namespace {
+
+struct FileSystem {
+  FileSystem(bool exchanges_files, bool links_files) {
+    exchanges = exchanges_files;
+    links = links_files;
+  }
+  ~FileSystem() {
+    exchanges = links = true;
+    renames_left = -1;
+  }
+};
+
+// Some files are there before, some are not; whatever step fails, all are as they were, and if none
+// does, all are new. In between an older file is never gone where it may have two names.
+TEST(Outputs, AppearTogetherOrNotAtAllOnFileSystemsThatCanDoLess) {
+  std::mt19937 engine(4);
+  int failed = 0, complete = 0;
+  for (int round = 0; round < 400; ++round) {
+    const bool has_links = engine() % 2 == 0;
+    const FileSystem system(engine() % 4 == 0, has_links);
+    const Scratch scratch;
+    const int count = 1 + static_cast<int>(engine() % 4);
+    std::vector<std::filesystem::path> paths;
+    for (int i = 0; i < count; ++i) {
+      paths.push_back(scratch.folder / std::to_string(i));
+      if (engine() % 3 != 0) scratch.write(std::to_string(i), "old " + std::to_string(i));
+    }
+    const auto before = all_files(scratch.folder);
+    bool refused = false;
+    try {
+      offline::Outputs outputs;
+      for (const auto& path : paths) outputs.add(path, std::string_view("new"));
+      const bool gone = engine() % 4 == 0;  // the last one's bytes: somebody has cleaned up
+      for (const auto& each : std::filesystem::directory_iterator(scratch.folder)) {
+        const std::string name = each.path().filename().string();
+        if (gone && name.starts_with(std::to_string(count - 1) + ".part-")) {
+          std::filesystem::remove(each.path());
+        }
+      }
+      if (!gone && engine() % 2 == 0) renames_left = static_cast<int>(engine() % 6);
+      outputs.commit();
+    } catch (const offline::Refusal& refusal) {
+      refused = true;
+      EXPECT_THAT(refusal.what(), testing::HasSubstr(": cannot be written: "));
+    }
+    if (refused) {
+      ++failed;
+      ASSERT_EQ(all_files(scratch.folder), before) << round;
+    } else {
+      ++complete;
+      ASSERT_EQ(all_files(scratch.folder).size(), paths.size()) << round;
+      for (const auto& path : paths) ASSERT_EQ(slurp(path), "new") << round;
+    }
+  }
+  EXPECT_GT(failed, 100);
+  EXPECT_GT(complete, 100);
+}
+
+}  // namespace
+}  // namespace stylet::test
