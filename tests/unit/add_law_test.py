@@ -61,6 +61,35 @@ int main(int, char** arguments) {
 }
 """
 
+# What the table of a tissue has of its last number of before and of the new one, at 0 and at 4.
+WRITER = """#include <cstdio>
+#include "asset/write_organ.cpp"
+
+namespace stylet::offline {
+namespace {
+
+void tell(double wet_n_per_m) {
+  Tissue tissue;
+  tissue.wet_friction_n_per_m = wet_n_per_m;
+  FlatBufferBuilder builder;
+  builder.ForceDefaults(true);
+  builder.Finish(write_material(builder, tissue));
+  const auto& table = *flatbuffers::GetRoot<format::Material>(builder.GetBufferPointer());
+  const auto* fields = reinterpret_cast<const flatbuffers::Table*>(&table);
+  std::printf("%d %d %g;", fields->CheckField(format::Material::VT_MEMBRANE_N_PER_M),
+              fields->CheckField(format::Material::VT_WET_FRICTION_N_PER_M),
+              double(table.wet_friction_n_per_m()));
+}
+
+}  // namespace
+}  // namespace stylet::offline
+
+int main() {
+  stylet::offline::tell(0);
+  stylet::offline::tell(4);
+}
+"""
+
 
 class AddLaw(unittest.TestCase):
     def copied(self, folder):
@@ -88,6 +117,14 @@ class AddLaw(unittest.TestCase):
                 kernel / "organ/runs.cpp", kernel / "base/status.cpp",
                 offline / "asset/materials.cpp", offline / "base/toml_file.cpp",
                 offline / "base/file.cpp", "-lfmt", "-lcrypto")
+            (folder / "writer.cpp").write_text(WRITER)
+            writer = folder / "writer"
+            run(*compiler, "-I", SOURCE / "kernel/content", "-o", writer, folder / "writer.cpp",
+                kernel / "organ/organ.cpp", kernel / "organ/runs.cpp", kernel / "base/status.cpp",
+                SOURCE / "kernel/content/content_sum.cpp", SOURCE / "kernel/content/sha256.cpp",
+                "-lfmt", "-lcrypto", "-lmd")
+            # An organ without the new number has the bytes of before.
+            self.assertEqual(run(writer), "1 0 0;1 1 4;")
             tissues = folder / "tissues.toml"
             tissues.write_text("[gel]\n[liver]\nwet_friction_n_per_mm = 0.002\n")
             # 10 N/m of Coulomb's, and 4 / 2 at 1 m/s.

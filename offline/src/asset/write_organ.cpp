@@ -2,6 +2,7 @@
 #include "asset/write_organ.h"
 
 #include <cstring>
+#include <iterator>
 
 #include "base/refusal.h"
 #include "organ_generated.h"
@@ -23,13 +24,30 @@ auto write_structs(FlatBufferBuilder& builder, const std::vector<Mine>& values) 
                                        values.size());
 }
 
-#define STYLET_AND_STORE(field, ...) , static_cast<float>(t.field)
+// Numbers that every file has. Later ones are left out at 0, which is what a file without them
+// means: so a new number changes no organ that does not use it.
+constexpr std::size_t kFirstNumbers = 14;
+
+#define STYLET_STORE(field, ...) \
+  {&format::MaterialBuilder::add_##field, static_cast<float>(t.field)},
 Offset<format::Material> write_material(FlatBufferBuilder& builder, const Tissue& t) {
+  struct Number {
+    void (format::MaterialBuilder::*add)(float);
+    float value;
+  };
+  const Number numbers[] = {STYLET_MATERIAL_NUMBERS(STYLET_STORE)};
   const auto name = builder.CreateString(t.name);
   const auto source = builder.CreateString(t.source);
-  return format::CreateMaterial(builder, name, source STYLET_MATERIAL_NUMBERS(STYLET_AND_STORE));
+  format::MaterialBuilder material(builder);
+  for (std::size_t i = std::size(numbers); i-- > 0;) {  // the last first, as generated code does
+    const bool stored = i < kFirstNumbers || numbers[i].value != 0;
+    if (stored) (material.*numbers[i].add)(numbers[i].value);
+  }
+  material.add_source(source);
+  material.add_name(name);
+  return material.Finish();
 }
-#undef STYLET_AND_STORE
+#undef STYLET_STORE
 
 Offset<format::Provenance> write_provenance(FlatBufferBuilder& builder, const OrganParts& parts) {
   std::vector<Offset<format::Source>> sources;
