@@ -7,7 +7,9 @@ the definitions of the formats. What a header leaves open is a warning or a refu
 
 usage: label_frame_test.py [CASE]   (STYLET_BIN)
 """
+import bz2
 import gzip
+import itertools
 import json
 import os
 import pathlib
@@ -213,13 +215,53 @@ class Nrrd(Case):
         header.write_bytes(head + "\n".join(["\ndata file: LIST", *names, "", ""]).encode())
         self.refused(header, "cannot be read")  # teem counts the blank line, too
         for wrong in ("LIST", "s%d 1 2", "s%d 1 2 0", "s%d", "s%0012d 1 2 1", "s%d%d 1 2 1",
-                      "s% 1 2 1", "s%03 1 2 1", "s%"):
+                      "s% 1 2 1", "s%03 1 2 1", "s%", "s%d 1 2 -1", "s%d -1 2 1"):
             header.write_bytes(head + f"\ndata file: {wrong}\n".encode())
             self.refused(header, "expected")
         # Up to 99 they were taken, and teem wrote behind the room it has for ten digits.
         for digits in ("11", "011", "99", "100", "4294967297", "99999999999999999999"):
             header.write_bytes(head + f"\ndata file: s%{digits}d.raw 1 2 1\n".encode())
             self.refused(header, "expected a name with one %d or %0Nd, N at most 10")
+
+    def test_files_hold_as_many_axes_as_the_header_says(self):
+        """Lines, planes, slabs of any thickness or all, named upwards and downwards: raw ones are
+        read by teem itself, as part of ITK, those of bzip2 and of text by us."""
+        while self.map.shape[2] % 4 != 0:
+            self.draw()
+        head = self.write().read_bytes().split(b"\n\n", 1)[0]
+        header, last = self.folder / "a.nhdr", self.map.shape[2]
+        lines = [self.map[:, y, z] for z in range(last) for y in range(self.map.shape[1])]
+        slabs = {count: [self.map[:, :, z:z + last // count] for z in range(0, last, last // count)]
+                 for count in range(1, last + 1) if last % count == 0}
+        pieces = [(1, lines), (2, slabs[last])] + [(3, each) for each in slabs.values()]
+        packings = {b"raw": lambda piece: piece.tobytes("F"),
+                    b"bzip2": lambda piece: bz2.compress(piece.tobytes("F")),
+                    b"ascii": lambda piece: " ".join(map(str, piece.ravel("F"))).encode() + b"\n"}
+        self.assertIn(b"encoding: raw", head)
+        for (axes, parts), (encoding, packed) in itertools.product(pieces, packings.items()):
+            count = len(parts)
+            names = [f"p{axes}-{count}-{i}.{encoding.decode()}" for i in range(count)]
+            pattern = f"p{axes}-{count}-%d.{encoding.decode()}"
+            mine = head.replace(b"encoding: raw", b"encoding: " + encoding)
+            for way in (1, -1):
+                for name, part in zip(names, parts[::way]):
+                    (self.folder / name).write_bytes(packed(part))
+                first, final = (0, count - 1)[::way]
+                for data in (f"{pattern} {first} {final} {way} {axes}",
+                             "\n".join([f"LIST {axes}", *names[::way]])):
+                    header.write_bytes(mine + b"\ndata file: " + data.encode() + b"\n")
+                    with self.subTest(data, encoding=encoding):
+                        self.held(header, self.steps, self.origin)
+            wrongs = [f"{pattern} 0 {count - 1} 1 0", f"{pattern} 0 {count - 1} 1 4",
+                      f"{pattern} 0 {count - 1} 1 {axes} 1", "\n".join(["LIST 4", *names]),
+                      "\n".join(["LIST 1 1", *names]),
+                      "\n".join([f"LIST {axes}", *names, *[names[0]] * last])]
+            if axes < 3 or last % (count + 1) != 0:
+                wrongs.append(f"{pattern} 0 {count} 1 {axes}")
+            for wrong in wrongs:
+                header.write_bytes(mine + b"\ndata file: " + wrong.encode() + b"\n")
+                with self.subTest(wrong, encoding=encoding):
+                    self.refused(header, "expected")
 
     def test_names_of_segments_are_those_of_utf_8(self):
         def shown(name):

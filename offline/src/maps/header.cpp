@@ -153,18 +153,26 @@ std::vector<double> real_numbers(const std::string& path, const HeaderLine& line
   refuse("{}: header line {}: {}: expected {} numbers", path, line.number, line.text, count);
 }
 
-std::vector<std::filesystem::path> numbered_files(const std::string& path, const HeaderLine& line,
-                                                  std::string_view text) {
+NumberedFiles numbered_files(const std::string& path, const HeaderLine& line,
+                             std::string_view text) {
   constexpr std::int64_t kMostFiles = 65535;
-  const std::size_t blank = text.find_first_of(" \t");
-  const std::string_view name = text.substr(0, blank);
+  const auto next_word = [&text] {
+    const std::string_view word = text.substr(0, std::min(text.find_first_of(" \t"), text.size()));
+    text = trimmed(text.substr(word.size()));
+    return word;
+  };
+  const std::string_view name = next_word();
+  std::vector<std::int64_t> range;
+  for (const std::int64_t least : {std::int64_t{0}, std::int64_t{0}, -kMostFiles}) {
+    for (const std::int64_t number : whole_numbers(path, line, next_word(), least, kMostFiles)) {
+      range.push_back(number);
+    }
+  }
   const std::size_t sign = name.find('%');
   std::size_t width = sign + 1;
   while (width < name.size() && std::isdigit(static_cast<unsigned char>(name[width])) != 0) ++width;
-  const auto range = whole_numbers(
-      path, line, blank == std::string_view::npos ? "" : text.substr(blank), 0, kMostFiles);
-  const bool one =
-      width < name.size() && name[width] == 'd' && name.find('%', width) == std::string_view::npos;
+  const bool one = sign != std::string_view::npos && width < name.size() && name[width] == 'd' &&
+                   name.find('%', width) == std::string_view::npos;
   const std::string_view digits = one ? name.substr(sign + 1, width - sign - 1) : "";
   std::uint32_t wide = 0;
   const auto error = std::from_chars(digits.begin(), digits.end(), wide).ec;
@@ -177,14 +185,17 @@ std::vector<std::filesystem::path> numbered_files(const std::string& path, const
         "step",
         path, line.number, kMostDigits);
   }
-  std::vector<std::filesystem::path> files;
-  for (std::int64_t i = range[0]; i <= range[1]; i += range[2]) {
+  NumberedFiles out = {{}, range[2], text};
+  const auto is_within = [&](std::int64_t i) {
+    return range[2] > 0 ? i <= range[1] : i >= range[1];
+  };
+  for (std::int64_t i = range[0]; is_within(i); i += range[2]) {
     const std::string number =
         digits.starts_with('0') ? fmt::format("{:0{}}", i, wide) : fmt::format("{:{}}", i, wide);
-    files.emplace_back(std::string(name.substr(0, sign)) + number +
-                       std::string(name.substr(width + 1)));
+    out.files.emplace_back(std::string(name.substr(0, sign)) + number +
+                           std::string(name.substr(width + 1)));
   }
-  return files;
+  return out;
 }
 
 }  // namespace stylet::offline

@@ -99,7 +99,12 @@ std::vector<double> real_numbers(const std::string& path, const HeaderLine& line
                                  std::string_view text, std::size_t count);
 // The files of a text "NAME FROM TO STEP", where NAME has %d or %0Nd, N up to 10; both formats
 // allow this.
-std::vector<std::filesystem::path> numbered_files(const std::string& path, const HeaderLine& line,
-                                                  std::string_view text);
+struct NumberedFiles {
+  std::vector<std::filesystem::path> files;
+  std::int64_t step = 0;
+  std::string_view more;  // of the text, behind the step
+};
+NumberedFiles numbered_files(const std::string& path, const HeaderLine& line,
+                             std::string_view text);
 
 }  // namespace stylet::offline

@@ -99,7 +99,12 @@ void read_files(const std::string& path, const HeaderFields& fields, std::string
       if (!trimmed(line.text).empty()) claim.files.emplace_back(trimmed(line.text));
     }
   } else if (value.find('%') != std::string::npos) {
-    claim.files = numbered_files(path, line, value);
+    const NumberedFiles numbered = numbered_files(path, line, value);
+    if (numbered.step < 0 || !numbered.more.empty()) {
+      refuse("{}: header line {}: {}: expected from, to and a step upwards", path, line.number,
+             line.text);
+    }
+    claim.files = numbered.files;
   } else {
     claim.files.emplace_back(value);
   }

@@ -112,18 +112,49 @@ HeaderNumber read_number(const std::string& path, const HeaderFields& fields, co
   return number;
 }
 
+// Each file holds `dimension` axes, and is a slab of the slowest one if these are all.
+void check_pieces(const std::string& path, const HeaderLine& line, std::int64_t dimension,
+                  const Claim& claim) {
+  const std::size_t files = claim.files.size();
+  const auto axes = static_cast<std::size_t>(dimension);
+  if (axes == claim.sizes.size()) {
+    if (claim.sizes.back() % files == 0) return;
+    refuse(
+        "{}: header line {}: {} files of slabs: expected as many as divide the {} slices of "
+        "the last axis",
+        path, line.number, files, claim.sizes.back());
+  }
+  std::uint64_t pieces = 1;  // too many to be counted are too many files, too
+  for (std::size_t axis = axes; axis < claim.sizes.size() && pieces <= files; ++axis) {
+    pieces = claim.sizes[axis] > files ? files + 1 : pieces * claim.sizes[axis];
+  }
+  if (pieces == files) return;
+  refuse("{}: header line {}: {} files: expected one for each piece of {} axes", path, line.number,
+         files, axes);
+}
+
+// NAME FROM TO STEP [SUBDIM], LIST [SUBDIM] or one name; SUBDIM is how many axes each file holds.
 void read_files(const std::string& path, const HeaderFields& fields, Claim& claim) {
   const auto given = fields.find("datafile");
   if (given == fields.end()) return;
   const auto& [value, line] = given->second;
+  std::string_view dimension;
+  NumberedFiles numbered;
   if (value.find('%') != std::string::npos) {
-    claim.files = numbered_files(path, line, value);
-  } else if (!lower(value).starts_with("list")) {
+    numbered = numbered_files(path, line, value);
+    claim.files = numbered.files;
+    dimension = numbered.more;
+  } else if (lower(value).starts_with("list")) {
+    dimension = std::string_view(value).substr(4);
+  } else {
     claim.files.emplace_back(value);
   }
   if (claim.files.empty()) {
     refuse("{}: header line {}: expected the names of data files", path, line.number);
   }
+  const auto axes = whole_numbers(path, line, dimension, 1, std::ssize(claim.sizes));
+  if (axes.size() > 1) refuse("{}: header line {}: expected one number", path, line.number);
+  if (!axes.empty()) check_pieces(path, line, axes.front(), claim);
 }
 
 // How much before the voxels is to be skipped.
