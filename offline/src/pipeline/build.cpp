@@ -7,9 +7,9 @@
 
 #include "base/most_off.h"
 #include "base/refusal.h"
-#include "meshes/wrap.h"
 #include "pipeline/pieces.h"
 #include "pipeline/voxel_materials.h"
+#include "pipeline/wrapping.h"
 #include "stylet/limits.h"
 #include "voxels/crop.h"
 #include "voxels/gaps.h"
@@ -49,14 +49,15 @@ std::vector<Solid> make_solids(std::vector<Input>& inputs, Box& box_out, const P
   return solids;
 }
 
-void wrap(std::vector<Solid>& solids, double edge_m, Box& box_out, const Progress& progress) {
-  constexpr double kOffsetOfEdge = 0.1;
-  const double offset_m = edge_m * kOffsetOfEdge;
+// Replaces each input by a skin around it, and tells what that changed.
+void wrap_all(std::vector<Solid>& solids, const std::vector<Content>& contents,
+              const std::vector<Input>& inputs, double edge_m, Box& box_out,
+              std::vector<std::string>& warnings, const Progress& progress) {
   for (std::size_t i = 0; i < solids.size(); ++i) {
     progress("wrapping", static_cast<double>(i) / static_cast<double>(solids.size()));
-    const RepairCounts counts = solids[i].counts;
-    solids[i] = repair(alpha_wrap(solids[i].surface, edge_m, offset_m));
-    solids[i].counts = counts;
+    Wrapped wrapped = wrap(solids[i], contents[i], edge_m, inputs[i].path);
+    solids[i] = std::move(wrapped.solid);
+    std::ranges::move(wrapped.warnings, std::back_inserter(warnings));
     for (const Vec& p : solids[i].surface.points) grow(box_out, p);
   }
 }
@@ -301,11 +302,15 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
   }
   Box box;
   std::vector<Solid> solids = make_solids(inputs, box, progress);
+  std::vector<Content> contents;
+  if (options.wrap) std::ranges::transform(solids, std::back_inserter(contents), content_of);
   const double edge_m = choose_edge(box, options, [&](double each_m) {
     BuildReport unused;
     std::vector<Solid> tried = solids;
     Box tried_box = box;
-    if (options.wrap) wrap(tried, each_m, tried_box, progress);
+    if (options.wrap) {
+      wrap_all(tried, contents, inputs, each_m, tried_box, unused.warnings, progress);
+    }
     const Grid grid = make_grid(tried_box, each_m);
     return swept_voxels({claim_voxels(grid, inputs, tried, unused, progress),
                          mesh_samples(),
@@ -317,7 +322,9 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
                          {}},
                         options, progress);
   });
-  if (options.wrap) wrap(solids, edge_m, box, progress);
+  if (options.wrap) {
+    wrap_all(solids, contents, inputs, edge_m, box, built.report.warnings, progress);
+  }
   warn_of_size(box, built.report.warnings);
   const Grid grid = make_grid(box, edge_m);
   Claims claims = claim_voxels(grid, inputs, solids, built.report, progress);

@@ -57,6 +57,14 @@ bool is_inside(const InsideTest& test, Vec point) {
   return votes > kRays.size() / 2;
 }
 
+double odd_rays(const TriangleTree& tree, Vec point) {
+  int odd = 0;
+  for (const Vec& ray : kRays) {
+    odd += crossings(tree, point, ray) % 2 + crossings(tree, point, ray * -1) % 2;
+  }
+  return odd / (2.0 * kRays.size());
+}
+
 std::uint64_t sample_cell(const InsideTest& test, Vec low_corner) {
   std::uint64_t bits = 0;
   for (std::uint32_t i = 0; i < kSamples; ++i) {

@@ -23,6 +23,10 @@ Vec sample_point(std::uint32_t i);
 
 bool is_inside(const InsideTest& test, Vec point);
 
+// Of rays in 26 directions, both ways along the thirteen, the part that meets the surface an odd
+// number of times.
+double odd_rays(const TriangleTree& tree, Vec point);
+
 // Bit i is for sample point i. `low_corner` is that of the cell.
 std::uint64_t sample_cell(const InsideTest& test, Vec low_corner);
 
