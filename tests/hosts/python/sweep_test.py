@@ -4,6 +4,7 @@
 
 Expected values: closed forms of the rows' own parameters; insertions that are run here one by one.
 """
+import functools
 import os
 import pathlib
 import signal
@@ -80,6 +81,19 @@ def insertion_of(deepest_m, path):
     return {"peak_n": float(outputs["force_n"][:, 2].max()), "hash": run.hash()}
 
 
+def named(module, qualname, function):
+    """As if it were that one, changed since a table was written."""
+    function.__module__, function.__qualname__ = module, qualname
+    return function
+
+
+def slow(i, folder):
+    """Waits until the file `go` is there."""
+    while not os.path.exists(os.path.join(folder, "go")):
+        time.sleep(0.01)
+    return {"twice": 2 * i}
+
+
 PARAMETERS = {"x": [1.5, -2.0, 3.0], "name": ["a", "b", "c"]}
 
 
@@ -110,7 +124,8 @@ class Sweep(unittest.TestCase):
         table = stylet.sweep(half_of_odd, {"i": range(5)}, 0, path=self.path())
         self.assertEqual(table["error"][3], "ValueError: three")
         np.testing.assert_array_equal(table["half"], [0, 0.5, 1, np.nan, 2])
-        again = stylet.sweep(lambda i: {"half": -1.0}, {"i": range(5)}, 0, path=self.path())
+        repaired = functools.wraps(half_of_odd)(lambda i: {"half": -1.0})
+        again = stylet.sweep(repaired, {"i": range(5)}, 0, path=self.path())
         np.testing.assert_array_equal(again["half"], [0, 0.5, 1, -1, 2])
         self.assertEqual(set(again["error"]), {""})
 
@@ -120,7 +135,8 @@ class Sweep(unittest.TestCase):
             np.testing.assert_array_equal(file["parameters/x"], PARAMETERS["x"])
             np.testing.assert_array_equal(file["results/square"], [2.25, 4, 9])
         calls = []
-        kept = stylet.sweep(lambda **row: calls.append(row), PARAMETERS, 0, path=self.path())
+        kept = stylet.sweep(functools.wraps(squared)(lambda **row: calls.append(row)), PARAMETERS, 0,
+                            path=self.path())
         self.assertEqual(calls, [])
         self.assertEqual(list(kept["label"]), ["A", "B", "C"])
         with self.assertRaisesRegex(ValueError, "other parameters"):
@@ -148,7 +164,8 @@ class Sweep(unittest.TestCase):
         for i, error in enumerate(columns["error"]):  # each costs itself, and no other
             self.assertEqual(error, "its process ended" if i in deadly_ones else "")
         done = [i not in deadly_ones for i in range(40)]
-        table = stylet.sweep(lambda i: counted(i, marks), {"i": range(40)}, 0, path=self.path())
+        resumed = named("killed", "function", lambda i: counted(i, marks))
+        table = stylet.sweep(resumed, {"i": range(40)}, 0, path=self.path())
         np.testing.assert_array_equal(table["twice"], 2 * np.arange(40))
         for i in np.flatnonzero(done):
             self.assertEqual((marks / f"{i}").read_text(), "x")
@@ -201,6 +218,89 @@ class Sweep(unittest.TestCase):
         table = stylet.sweep(hash_of, {"digits": ["-0x1", hex(2 ** 63)]}, 0)
         self.assertIn("below 0 and from 2^63", table["error"][1])
 
+    def refuses(self, text, function=half_of_odd, **named_ones):
+        with self.assertRaisesRegex(ValueError, text):
+            stylet.sweep(function, {"i": range(5)}, 0, path=self.path(), **named_ones)
+
+    def test_table_of_another_function_is_refused(self):
+        stylet.sweep(half_of_odd, {"i": range(5)}, 0, path=self.path())
+        self.refuses("function is .*half_of_odd, and here .*interrupted: expected the same",
+                     interrupted)
+        self.refuses("function is .*half_of_odd, and here .*deadly", functools.partial(deadly))
+        # Of the same name, but another one: it gives nothing that the table has.
+        self.refuses("has the results half, and the function gives other: expected the function",
+                     functools.wraps(half_of_odd)(lambda i: {"other": i}))
+        table = stylet.read_table(self.path())[0]
+        np.testing.assert_array_equal(table["half"], [0, 0.5, 1, np.nan, 2])
+        self.refuses("attributes: function: sweep writes it itself", attributes={"function": "f"})
+
+    def test_a_script_and_its_module_are_one_function(self):
+        script = folder() / "campaign_of_one.py"
+        script.write_text(textwrap.dedent(f"""
+            import stylet
+            def one(i):
+                return {{"i_again": i}}
+            if __name__ == "__main__":
+                stylet.sweep(one, {{"i": [1, 2]}}, 0, path={self.path()!r})
+            """))
+        subprocess.run([sys.executable, script], check=True)
+        again = named("campaign_of_one", "one", lambda i: {})
+        table = stylet.sweep(again, {"i": [1, 2]}, 0, path=self.path())
+        np.testing.assert_array_equal(table["i_again"], [1, 2])
+
+    def test_table_that_somebody_changed_is_refused(self):
+        for change, text in (
+                (lambda file: file.__delitem__("results/half"), "column half is missing"),
+                (lambda file: file.__delitem__("parameters/i"), "column i is missing"),
+                (lambda file: file.__setitem__("results/mine", np.zeros(5)),
+                 "column mine is none of this table's"),
+                (lambda file: (file.__delitem__("results/half"),
+                               file.__setitem__("results/half", np.zeros(4))),
+                 "column half: expected 5 rows of numbers or texts"),
+                (lambda file: (file.__delitem__("results/half"), file.create_group("results/half")),
+                 "column half: expected 5 rows"),
+                (lambda file: file.__delitem__("rows/done"), "is no table of sweep"),
+                (lambda file: file.attrs.__delitem__("columns"), "is no table of sweep")):
+            stylet.sweep(half_of_odd, {"i": range(5)}, 0, path=self.path())
+            with h5py.File(self.path(), "r+") as file:
+                change(file)
+            before = pathlib.Path(self.path()).read_bytes()
+            self.refuses(text)
+            self.assertEqual(pathlib.Path(self.path()).read_bytes(), before)
+            os.unlink(self.path())
+
+    def test_only_one_writes_a_table(self):
+        rows, path = {"i": range(3), "folder": [str(folder())] * 3}, self.path()
+        script = folder() / "first.py"
+        script.write_text(textwrap.dedent(f"""
+            import sys
+            sys.path.insert(0, {str(pathlib.Path(__file__).parent)!r})
+            import stylet, sweep_test
+            if __name__ == "__main__":
+                print("begins", flush=True)
+                stylet.sweep(sweep_test.slow, {rows!r}, int(sys.argv[1]), path={path!r})
+            """))
+        here = named("sweep_test", "slow", slow)
+        for workers, killed in ((0, False), (2, True), (0, False)):
+            (folder() / "go").unlink(missing_ok=True)
+            first = subprocess.Popen([sys.executable, script, str(workers)], text=True,
+                                     stdout=subprocess.PIPE)
+            self.addCleanup(first.kill)
+            first.stdout.readline()
+            while not os.path.exists(path + ".lock"):
+                time.sleep(0.01)
+            time.sleep(0.5)  # a lock that is there may have been left by the one before
+            with self.assertRaisesRegex(RuntimeError, "another sweep is writing it"):
+                stylet.sweep(here, rows, 0, path=path)
+            if killed:
+                first.kill()  # its lock goes with it, and so do those of its processes
+            (folder() / "go").touch()
+            first.communicate()
+            table = stylet.sweep(here, rows, 0, path=path)
+            np.testing.assert_array_equal(table["twice"], [0, 2, 4])
+            self.assertEqual(os.path.exists(path + ".lock"), False)
+            os.unlink(path)
+
     def on_dask(self, *arguments, **named):
         try:
             from dask.distributed import Client, LocalCluster
@@ -223,7 +323,8 @@ class Sweep(unittest.TestCase):
         good = table["error"] == ""
         np.testing.assert_array_equal(table["twice"][good], 2 * np.flatnonzero(good))
         self.assertGreater(np.count_nonzero(good), 5)
-        again = stylet.sweep(lambda i: {"twice": 2 * i}, {"i": range(12)}, 0, path=self.path())
+        repaired = functools.wraps(deadly)(lambda i: {"twice": 2 * i})
+        again = stylet.sweep(repaired, {"i": range(12)}, 0, path=self.path())
         np.testing.assert_array_equal(again["twice"], 2 * np.arange(12))
 
 

@@ -4,11 +4,16 @@
 Resumed from its file after anything that stopped it: only rows that are not done are run.
 """
 import concurrent.futures
+import contextlib
 import ctypes
+import fcntl
+import functools
 import os
 import pickle
 import signal
+import sys
 import time
+import warnings
 
 import numpy as np
 
@@ -16,6 +21,7 @@ from stylet import _stylet
 from stylet import hdf5 as h5py
 
 SAVE_EVERY_S = 1.0  # what a kill may lose
+LEFT_OVER_S = 2.0   # processes of a sweep that was killed are gone by then
 
 
 # A column's unit is the end of its name (CONTRIBUTING.md).
@@ -33,19 +39,94 @@ def sweep(function, parameters, workers=None, client=None, path=None, attributes
     columns are the parameters', the results', and "error": empty, or why a row failed: it
     raised, ended its process, or gave what does not fit to the rows before; its results are
     nan, 0 or empty. With `path`, all is kept in an HDF5 file, and rows that are there are not
-    run again, but for those that failed; a file of other parameters, of other `attributes` or
-    of another version is refused.
+    run again, but for those that failed; a file of other parameters, of other `attributes`, of
+    another version or of a function of another name is refused, as is one that another sweep is
+    writing or that is not as sweep left it.
 
-    The file's attributes are `attributes`, such as a seed, and the library's version; a column's
-    attribute is its unit, as its name ends (force_n: N). read_table gives the columns again."""
-    table = Table(columns_of(parameters), path, attributes)
-    todo = [i for i in range(table.rows) if not table.done[i]]
-    try:
-        for index, result, error in finished(function, table, todo, workers, client):
-            table.add(index, result, error)
-    finally:
-        table.save()
+    The file's attributes are `attributes`, such as a seed, the library's version and the name of
+    the function; a column's attribute is its unit, as its name ends (force_n: N). read_table gives
+    the columns again."""
+    parameters = columns_of(parameters)
+    with alone(path):
+        table = Table(parameters, path, {**own(attributes), "version": _stylet.version(),
+                                         "function": name_of(function)})
+        todo = [i for i in range(table.rows) if not table.done[i]]
+        try:
+            for index, result, error in finished(function, table, todo, workers, client):
+                table.add(index, result, error)
+        finally:
+            table.save()
     return table.columns()
+
+
+OWN_ATTRIBUTES = ("version", "function", "columns")
+
+
+def own(attributes):
+    for name in attributes or {}:
+        if name in OWN_ATTRIBUTES:
+            raise ValueError(f"attributes: {name}: sweep writes it itself: expected another name")
+    return attributes or {}
+
+
+def name_of(function):
+    """Its name with that of its module; a script's is its file's, run or imported."""
+    while isinstance(function, functools.partial):
+        function = function.func
+    named = function if hasattr(function, "__qualname__") else type(function)
+    module = named.__module__
+    if module == "__main__":
+        file = getattr(sys.modules[module], "__file__", None)
+        module = os.path.splitext(os.path.basename(file))[0] if file else module
+    return f"{module}.{named.__qualname__}"
+
+
+@contextlib.contextmanager
+def alone(path):
+    """While this lasts, no other sweep writes that table: two would each write over the other's
+    rows. The lock is on a file beside it, as the table is replaced whenever it is saved, and ends
+    with its process, however that ends."""
+    if path is None:
+        yield
+        return
+    lock = f"{os.fspath(path)}.lock"
+    with locked(lock, path):
+        try:
+            yield
+        finally:
+            os.unlink(lock)
+
+
+@contextlib.contextmanager
+def locked(lock, path):
+    end = time.monotonic() + LEFT_OVER_S
+    while True:
+        with open(lock, "ab") as file:
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                if time.monotonic() > end:
+                    raise RuntimeError(f"{path}: another sweep is writing it: expected its end, or "
+                                       "another path") from None
+                time.sleep(0.05)
+                continue
+            except OSError as error:  # some file systems of clusters have no locks
+                warnings.warn(f"{path}: {error}: nothing keeps another sweep from writing it")
+            try:
+                # Else the one before has taken this file away since it was opened.
+                if is_still(lock, file):
+                    yield
+                    return
+            finally:
+                with contextlib.suppress(OSError):  # not only closed: forked processes have it, too
+                    fcntl.flock(file, fcntl.LOCK_UN)
+
+
+def is_still(path, file):
+    try:
+        return os.path.samestat(os.stat(path), os.fstat(file.fileno()))
+    except FileNotFoundError:
+        return False
 
 
 def finished(function, table, todo, workers, client):
@@ -163,13 +244,12 @@ def columns_of(parameters):
 class Table:
     """Parameters and what is known of their results; the file appears as a whole or not at all."""
 
-    def __init__(self, parameters, path, attributes=None):
-        self.parameters, self.path = parameters, path
-        self.attributes = {**(attributes or {}), "version": _stylet.version()}
+    def __init__(self, parameters, path, attributes):
+        self.parameters, self.path, self.attributes = parameters, path, attributes
         self.rows = len(next(iter(parameters.values()), ()))
         self.done = np.zeros(self.rows, bool)
         self.error = np.full(self.rows, "", object)
-        self.results = {}
+        self.results, self.loaded = {}, ()
         self.saved_at = time.monotonic()
         if path is not None and os.path.exists(path):
             self.load()
@@ -178,6 +258,9 @@ class Table:
         return {name: plain(column[index]) for name, column in self.parameters.items()}
 
     def add(self, index, result, error):
+        if result and self.loaded and not any(name in self.loaded for name in result):
+            raise ValueError(f"{self.path}: has the results {', '.join(self.loaded)}, and the function "
+                             f"gives {', '.join(result)}: expected the function that wrote it")
         try:
             columns = {name: self.with_room_for(name, value)
                        for name, value in (result or {}).items()}
@@ -234,6 +317,7 @@ class Table:
 
     def load(self):
         with h5py.File(self.path, "r") as file:
+            require_table(self.path, file)
             for name, value in self.attributes.items():
                 if not np.array_equal(file.attrs.get(name), value):
                     raise ValueError(f"{self.path}: {name} is {file.attrs.get(name)}, and here "
@@ -248,6 +332,29 @@ class Table:
             for name, column in file.get("results", {}).items():
                 values = got(column)
                 self.results[name] = values.astype(object) if values.dtype.kind == "U" else values
+            self.loaded = tuple(self.results)
+
+
+def require_table(path, file):
+    """A file that sweep left so, and nobody changed since: its list has all columns, each a row for
+    each."""
+    listed = file.attrs.get("columns")
+    if listed is None or "rows/done" not in file or "rows/error" not in file:
+        raise ValueError(f"{path}: is no table of sweep: expected one, or a new path")
+    columns = {name: file[group][name] for group in ("parameters", "results")
+               for name in file.get(group, {})}
+    for name in listed:
+        if name not in columns and name != "error":
+            raise ValueError(f"{path}: column {name} is missing: expected the table that sweep left")
+    rows = len(file["rows/done"])
+    for name, column in {**columns, "error": file["rows/error"]}.items():
+        if name not in listed:
+            raise ValueError(f"{path}: column {name} is none of this table's: expected the table "
+                             "that sweep left")
+        texts = isinstance(column, h5py.Dataset) and h5py.check_string_dtype(column.dtype)
+        if not isinstance(column, h5py.Dataset) or not (texts or column.dtype.kind in "biufc") or (
+                column.shape[:1] != (rows,)):
+            raise ValueError(f"{path}: column {name}: expected {rows} rows of numbers or texts")
 
 
 def plain(value):
