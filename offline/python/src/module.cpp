@@ -101,6 +101,7 @@ py::dict build_from_labels(const py::array& labels, const std::array<std::size_t
   choose_for_labels(settings, {path, own_recipe.text}, chosen, build_options);
   const Progress watched = progress_of(progress);
   Built built;
+  std::vector<std::size_t> voxels(65536, 0);  // of each label
   {
     const py::gil_scoped_release others_run;
     LabelMap map;
@@ -110,9 +111,15 @@ py::dict build_from_labels(const py::array& labels, const std::array<std::size_t
     watched("reading the array", 0);
     take_array(path, array, map);
     if (!sum.empty()) map.sha256 = sum;
+    for (const std::uint16_t label : map.label) ++voxels[label];
     built = build_labels(path, map, chosen, build_options, watched);
   }
-  return result_of(built);
+  py::dict result = result_of(built), of_labels;
+  for (std::size_t label = 1; label < voxels.size(); ++label) {
+    if (voxels[label] > 0) of_labels[py::int_(label)] = voxels[label];
+  }
+  result["voxels_of_labels"] = of_labels;
+  return result;
 }
 
 struct MeshArrays {

@@ -280,6 +280,11 @@ class Meshes(Case):
                 ("faces of shape", ValueError, (vertices, faces[:, :2])),
                 ("faces of float64", TypeError, (vertices, faces.astype(float))),
                 ("vertices of complex128", TypeError, (vertices.astype(complex), faces)),
+                ("mesh: vertices: 3 of 24 are masked", ValueError,
+                 (np.ma.masked_array(vertices, np.arange(24).reshape(8, 3) > 20), faces)),
+                ("mesh: faces: 1 of 36 are masked", ValueError,
+                 (vertices, np.ma.masked_array(faces, np.arange(36).reshape(12, 3) == 7))),
+                ("or wrap=True", stylet_organ.Refused, (vertices, faces[:1])),
                 ("tissue 'livr'", stylet_organ.Refused, (vertices, faces, "livr"))):
             with self.assertRaisesRegex(kind, words):
                 stylet_organ.from_mesh(*mesh)
@@ -291,12 +296,21 @@ class Refused(Case):
     def test_in_the_programs_words(self):
         labels, frame = random_labels(np.random.default_rng(2)), Frame(np.random.default_rng(2), 0)
         self.map.write_bytes(frame.nrrd(labels))
-        for words, options in ((("--fix", "q>5"), {"fix": ["q>5"]}),
-                               (("--voxel-mm", "1e9"), {"voxel_edge_m": 1e6}),
-                               (("--fill-gaps", "fat:900"), {"fill_gaps": "fat:900"}),
-                               (("--capsule", "livr"), {"capsule": "livr"}),
-                               (("--layers-of", "skin", "--layer", "fat:3"),
-                                {"layers_of": "skin", "layers": "fat:3"})):
+        for words, options, names in (
+                (("--fix", "q>5"), {"fix": ["q>5"]}, {"--fix": "fix"}),
+                (("--fix", "x<-999"), {"fix": "x<-999"},
+                 {"--fix none": "fix='none'", "--fix": "fix"}),
+                (("--crop", "x>999"), {"crop": "x>999"}, {"--crop": "crop"}),
+                (("--voxel-mm", "1e9"), {"voxel_edge_m": 1e6}, {}),
+                (("--voxels-across", "5000"), {"voxels_across": 5000},
+                 {"--voxels-across": "voxels_across",
+                  "check --units and --scale": "check that all lengths are in m"}),
+                (("--fill-gaps", "fat:900"), {"fill_gaps": "fat:900"},
+                 {"--fill-gaps": "fill_gaps"}),
+                (("--capsule", "livr"), {"capsule": "livr"}, {}),
+                (("--layers-of", "skin", "--layer", "fat:3"),
+                 {"layers_of": "skin", "layers": "fat:3"},
+                 {"--layers-of": "layers_of", "--layer": "layers"})):
             done = subprocess.run([program("stylet-organ"), "build", self.map, "--recipe",
                                    self.recipe, "-o", self.top / "o.organ", *words],
                                   capture_output=True, text=True)
@@ -304,8 +318,13 @@ class Refused(Case):
             with self.assertRaises(stylet_organ.Refused) as refused:
                 stylet_organ.from_labels(labels, recipe=self.recipe, affine_m=frame.affine_m(),
                                          **options)
-            self.assertEqual(done.stderr.splitlines()[-1].removeprefix("stylet-organ: ")
-                             .removeprefix("error: "), str(refused.exception))
+            said = done.stderr.splitlines()[-1].removeprefix("stylet-organ: ").removeprefix(
+                "error: ")
+            for option, argument in names.items():
+                self.assertIn(option, said)
+                said = said.replace(option, argument)
+            self.assertEqual(str(refused.exception), said)
+            self.assertNotIn("--", said)
 
     def test_arrays_and_arguments(self):
         good = np.ones((6, 6, 6), np.uint8)
@@ -325,6 +344,16 @@ class Refused(Case):
                 ("either spacing_m or affine_m", TypeError, good, tissue),
                 (r"spacing_m of shape \(2,\)", ValueError, good, {**tissue, "spacing_m": (1, 2)}),
                 ("expected more than 0", ValueError, good, {**tissue, "spacing_m": (1, 2, 0)}),
+                ("origin_m beside affine_m", TypeError, good,
+                 {**tissue, "affine_m": np.eye(4), "origin_m": (0, 0, 0)}),
+                ("labels: 1 of 216 are masked.*numpy.ma.filled", ValueError,
+                 np.ma.masked_array(good, np.arange(216).reshape(good.shape) == 5), both),
+                ("spacing_m: 1 of 3 are masked", ValueError, good,
+                 {**tissue, "spacing_m": np.ma.masked_less([5., 5, 1], 2) * MM}),
+                ("voxel_edge_m: 'a': expected a number", TypeError, good,
+                 {**both, "voxel_edge_m": "a"}),
+                ("voxel_edge_m beside voxels_across", TypeError, good,
+                 {**both, "voxel_edge_m": .005, "voxels_across": 9}),
                 ("affine_m: last row", ValueError, good, {**tissue, "affine_m": np.ones((4, 4))}),
                 ("names: 65536: expected a label", ValueError, good,
                  {**both, "names": {65536: "liver"}}),
@@ -343,6 +372,28 @@ class Refused(Case):
                  {**both, "materials": {"gel": {"stiff": 1}}})):
             with self.assertRaisesRegex(kind, words):
                 stylet_organ.from_labels(labels, **named)
+
+
+    def test_a_mask_of_nothing_is_none(self):
+        good = np.ones((6, 6, 6), np.uint8)
+        made = [stylet_organ.from_labels(labels, {1: "gel"}, spacing_m=3 * [5 * MM]).content
+                for labels in (good, np.ma.masked_array(good, False))]
+        self.assertEqual(*made)
+
+    def test_labels_that_nobody_named(self):
+        labels = np.ones((6, 6, 6), np.uint8)
+        labels[:2], labels[2, 0, 0] = 5, 9  # 72 and 1 of 216
+
+        def told(tissues, **named):
+            return [text for text in stylet_organ.from_labels(
+                labels, tissues, spacing_m=3 * [5 * MM], **named).warnings if "no tissue" in text]
+        self.assertEqual(told({1: "gel"}), [
+            "labels: 5, 9: 34 % of what is labelled is of no tissue, and becomes nothing: expected "
+            "these labels in tissues, with None if that is meant"])
+        self.assertIn("labels: 9: 0.46 %", told({1: "gel", 5: None})[0])
+        self.assertIn("labels: 9: 0.46 %", told({1: "gel", "five": "fat"}, names={5: "five"})[0])
+        self.assertEqual(told({1: "gel", np.int64(5): None, 9: "fat"}), [])
+        self.assertEqual(told(None, recipe={"tissues": {"gel": [1]}}), [])  # a recipe chooses
 
 
 class Package(unittest.TestCase):

@@ -15,6 +15,7 @@ import functools
 import json
 import operator
 import os
+import re
 import warnings
 
 import numpy as np
@@ -71,16 +72,17 @@ class Mesh:
     source: str | os.PathLike | None = None
 
 
-def from_labels(labels, tissues=None, *, recipe=None, spacing_m=None, origin_m=(0, 0, 0),
-                affine_m=None, order="zyx", names=None, source=None, materials=None, progress=None,
+def from_labels(labels, tissues=None, *, recipe=None, spacing_m=None, origin_m=None, affine_m=None,
+                order="zyx", names=None, source=None, materials=None, progress=None,
                 **options):
     """An organ of a label array, 0 where there is nothing.
 
-    `tissues` says which label is which tissue, {1: "liver", 2: "vessel"}; or `recipe` does, the
-    path of a recipe's file or a dict of its tables. `order` names the array's axes: "zyx" as
-    SimpleITK and pydicom have them, "xyz" as nibabel has. `spacing_m` and `origin_m`, the middle of
-    the first voxel, are along x, y and z; or `affine_m`, 4 x 4, leads from numbers of voxels (x, y,
-    z) to places. `names` are those of labels, for recipes that use them. `source` is the file that
+    `tissues` says which label is which tissue, {1: "liver", 2: "vessel", 7: None}; what it does not
+    name becomes nothing, with a warning unless it is None there. Or `recipe` says so, which chooses
+    among labels: the path of a recipe's file or a dict of its tables. `order` names the array's
+    axes: "zyx" as SimpleITK and pydicom have them, "xyz" as nibabel has. `spacing_m` and
+    `origin_m`, the middle of the first voxel (0, 0, 0 if not given), are along x, y and z; or
+    `affine_m`, 4 x 4, leads from numbers of voxels (x, y, z) to places. `names` are those of labels, for recipes that use them. `source` is the file that
     the array was read from: the organ then tells its name and SHA-256, otherwise those of the
     array. `materials` is the path of a file with tissues of your own, or a dict of its tables.
     `progress` is called with a stage and how much of it is done; what it raises ends the build, as
@@ -88,8 +90,8 @@ def from_labels(labels, tissues=None, *, recipe=None, spacing_m=None, origin_m=(
     fix, crop, layers, layers_of, layers_along, fill_gaps, split_gaps; texts as the program's.
 
     Returns Built. What the program would warn of is a UserWarning here, what it would refuse is
-    Refused, a ValueError."""
-    labels = np.asarray(labels)
+    Refused, a ValueError: in its words, with the names of arguments for its options."""
+    labels = unmasked("labels", labels)
     if not labels.dtype.isnative:
         labels = labels.astype(labels.dtype.newbyteorder("="))
     if (tissues is None) == (recipe is None):
@@ -99,9 +101,12 @@ def from_labels(labels, tissues=None, *, recipe=None, spacing_m=None, origin_m=(
     frame = _stylet_organ.Frame(*placed(spacing_m, origin_m, affine_m), names_of(names or {}),
                                 "" if source is None else os.fspath(source))
     recipe, recipe_text = path_or_tables("recipe", recipe)
-    return finished(_stylet_organ.build_from_labels(
-        labels, axes_of(order), frame, recipe, recipe_text,
-        *path_or_tables("materials", materials), checked(options, OPTIONS), progress))
+    result = called(_stylet_organ.build_from_labels, labels, axes_of(order), frame, recipe,
+                    recipe_text, *path_or_tables("materials", materials), checked(options, OPTIONS),
+                    progress)
+    if tissues is not None:
+        result["warnings"] += unnamed(result["voxels_of_labels"], tissues, names or {})
+    return finished(result)
 
 
 def from_mesh(vertices_m, faces, tissue="liver", **options):
@@ -111,15 +116,15 @@ def from_mesh(vertices_m, faces, tissue="liver", **options):
 
 def from_meshes(meshes, *, materials=None, progress=None, **options):
     """An organ of surfaces, each a Mesh. Options are those of from_labels, and `wrap`: a closed
-    skin around each that is not closed."""
+    skin around each, for those that are not closed; what it does to holes and volume is told."""
     meshes = list(meshes)
     if not meshes:
         raise ValueError("meshes: expected one at least")
     arrays = [arrays_of(f"mesh{i}" if len(meshes) > 1 else "mesh", each)
               for i, each in enumerate(meshes)]
-    return finished(_stylet_organ.build_from_meshes(
-        arrays, *path_or_tables("materials", materials), checked(options, (*OPTIONS, "wrap")),
-        progress))
+    return finished(called(_stylet_organ.build_from_meshes, arrays,
+                           *path_or_tables("materials", materials),
+                           checked(options, (*OPTIONS, "wrap")), progress))
 
 
 def affine_m_of_nifti(affine):
@@ -133,8 +138,20 @@ def recipe_of(tissues):
     """The tables of a recipe in which a tissue has these labels."""
     labels = {}
     for label, tissue in tissues.items():
-        labels.setdefault(str(tissue), []).append(label)
+        if tissue is not None:
+            labels.setdefault(str(tissue), []).append(label)
     return {"tissues": labels}
+
+
+def unnamed(voxels, tissues, names):
+    """The warning of labels that are there and that nobody named."""
+    others = [label for label in voxels if label not in tissues and names.get(label) not in tissues]
+    if not others:
+        return []
+    most, share = 8, sum(voxels[label] for label in others) / sum(voxels.values())
+    told = ", ".join(map(str, others[:most])) + (", ..." if len(others) > most else "")
+    return [f"labels: {told}: {100 * share:.2g} % of what is labelled is of no tissue, and becomes "
+            "nothing: expected these labels in tissues, with None if that is meant"]
 
 
 def names_of(names):
@@ -150,15 +167,27 @@ def placed(spacing_m, origin_m, affine_m):
         raise TypeError("expected either spacing_m or affine_m")
     if affine_m is None:
         steps = np.diag(numbers("spacing_m", spacing_m, (3,)))
-        return list(numbers("origin_m", origin_m, (3,))), steps.tolist()
+        origin = numbers("origin_m", (0, 0, 0) if origin_m is None else origin_m, (3,))
+        return origin.tolist(), steps.tolist()
+    if origin_m is not None:
+        raise TypeError("origin_m beside affine_m, whose last column is the origin: expected one of "
+                        "them")
     affine = numbers("affine_m", affine_m, (4, 4))
     if not np.array_equal(affine[3], [0, 0, 0, 1]):
         raise ValueError(f"affine_m: last row {affine[3]}: expected 0, 0, 0, 1")
     return affine[:3, 3].tolist(), affine[:3, :3].T.tolist()
 
 
+def unmasked(name, value):
+    """As an array, which would forget what is masked."""
+    if np.ma.is_masked(value):
+        raise ValueError(f"{name}: {np.ma.count_masked(value)} of {np.size(value)} are masked: "
+                         "expected an array without a mask, such as numpy.ma.filled(array, 0)")
+    return np.asarray(value)
+
+
 def numbers(name, value, shape):
-    value = np.asarray(value, float)
+    value = unmasked(name, value).astype(float)
     if value.shape != shape:
         raise ValueError(f"{name} of shape {value.shape}: expected {shape}")
     return value
@@ -188,10 +217,19 @@ def checked(options, known):
             raise TypeError(f"{name}: there is no such option; expected one of {', '.join(known)}")
     out = {name: texts(name, value) if name in LISTS else value for name, value in options.items()}
     if "voxel_edge_m" in out:
+        if "voxels_across" in out:
+            raise TypeError("voxel_edge_m beside voxels_across: expected one of them")
         # By its digits, not times 1000: 0.0047 m is 4.7 mm and no other number.
-        edge_m = decimal.Decimal(repr(float(out.pop("voxel_edge_m"))))
+        edge_m = decimal.Decimal(repr(number("voxel_edge_m", out.pop("voxel_edge_m"))))
         out["voxel_mm"] = float(edge_m.scaleb(3))
     return out
+
+
+def number(name, value):
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: {value!r}: expected a number") from None
 
 
 def texts(name, value):
@@ -204,13 +242,38 @@ def texts(name, value):
 
 
 def arrays_of(name, mesh):
-    vertices, faces = np.asarray(mesh.vertices_m), np.asarray(mesh.faces)
+    vertices = unmasked(f"{name}: vertices", mesh.vertices_m)
+    faces = unmasked(f"{name}: faces", mesh.faces)
     if vertices.dtype.kind not in "fiu":
         raise TypeError(f"{name}: vertices of {vertices.dtype}: expected numbers")
     if faces.dtype.kind not in "iu":
         raise TypeError(f"{name}: faces of {faces.dtype}: expected whole numbers")
     source = "" if mesh.source is None else os.fspath(mesh.source)
     return _stylet_organ.MeshArrays(name, source, vertices, faces, mesh.tissue, mesh.priority)
+
+
+# What the program says of its options, and what is said here; of others, the name is enough.
+PHRASES = {"check --units and --scale": "check that all lengths are in m",
+           "other --units": "lengths in m", "or --wrap": "or wrap=True", "--fix none": "fix='none'"}
+ARGUMENTS = {"--layer": "layers", "--voxel-mm": "voxel_edge_m"}
+
+
+def in_arguments(text):
+    """The program's words, with the names of arguments for those of its options."""
+    for phrase, ours in PHRASES.items():
+        text = text.replace(phrase, ours)
+    return re.sub(r"(?<![\w-])--[a-z]+(?:-[a-z]+)*", lambda found: ARGUMENTS.get(
+        found[0], found[0].lstrip("-").replace("-", "_")), text)
+
+
+def called(function, *arguments):
+    """The module's function, whose refusals and warnings are told in arguments."""
+    try:
+        result = function(*arguments)
+    except Refused as refused:
+        raise Refused(in_arguments(str(refused))) from None
+    result["warnings"] = [in_arguments(text) for text in result["warnings"]]
+    return result
 
 
 def finished(result):
