@@ -78,11 +78,45 @@ class Draws(unittest.TestCase):
         other = stylet.draw({"x": stylet.Uniform(0, 1)}, 50, 8)
         self.assertTrue((one["x"] != other["x"]).all())
 
+    def test_far_from_the_mean(self):
+        """Shares of a normal distribution by its complementary error function (C's, to the last
+        digits), relative to the first one: down to 1e-200."""
+        for seed in range(12):
+            number = random.Random(seed)
+            mean, deviation = number.uniform(-5, 5), number.uniform(0.1, 3)
+            near = number.uniform(3, 30)
+            far = near + number.uniform(0.1, 2)
+
+            def beyond(turns):
+                return math.erfc(turns / math.sqrt(2))
+            for side in (-1, 1):
+                low, high = sorted(mean + side * each * deviation for each in (near, far))
+                drawn = stylet.draw({"x": stylet.Normal(mean, deviation, low, high)}, COUNT, seed)
+                turns = side * (drawn["x"] - mean) / deviation
+                self.assertTrue(((drawn["x"] >= low) & (drawn["x"] <= high)).all())
+                whole = beyond(near) - beyond(far)
+                self.assertLessEqual(self.distance(
+                    turns, lambda x: (beyond(near) - beyond(x)) / whole), 1 / COUNT + 1e-6)
+                self.assertEqual(len(np.unique(turns)), COUNT)
+
+    def test_as_far_as_numbers_reach(self):
+        cube = stylet.draw({"u": stylet.Uniform(-1.5e308, 1.7e308),
+                            "l": stylet.LogUniform(1e-300, 1e308),
+                            "n": stylet.Normal(0, 1e308, -1e308, 1e308)}, COUNT, 3)
+        uneven = [(cube["u"] / 1e307 + 15) / 32, (np.log10(cube["l"]) + 300) / 608,
+                  (np.array([normal(x) for x in cube["n"] / 1e308]) - normal(-1))
+                  / (normal(1) - normal(-1))]
+        for each in uneven:
+            self.assertLessEqual(self.distance(each, float), 1 / COUNT + 1e-9)
+
     def test_what_cannot_be_drawn_is_refused(self):
         for make in (lambda: stylet.Uniform(1, 1), lambda: stylet.Uniform(0, math.inf),
                      lambda: stylet.LogUniform(0, 1), lambda: stylet.Normal(0, 0),
                      lambda: stylet.Normal(0, math.nan), lambda: stylet.Normal(0, 1, 2, 1),
                      lambda: stylet.Normal(0, 1, 50, 51), lambda: stylet.LogNormal(1, 1),
+                     lambda: stylet.Normal(0, 1e308), lambda: stylet.Normal(1.7e308, 1e307),
+                     lambda: stylet.LogNormal(1, 1e40), lambda: stylet.LogNormal(1e300, 10),
+                     lambda: stylet.LogNormal(1e-300, 10),
                      lambda: stylet.LogNormal(-1, 2), stylet.Choice):
             with self.assertRaises(ValueError):
                 make()

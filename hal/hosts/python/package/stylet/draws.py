@@ -11,6 +11,8 @@ import statistics
 import numpy as np
 
 STANDARD_NORMAL = statistics.NormalDist()
+MOST_TURNS = 9.0  # standard deviations beyond which no draw of 53 bits is
+LEAST_SHARE = 2.0 ** -54
 
 
 @dataclasses.dataclass(frozen=True)
@@ -25,7 +27,10 @@ class Uniform:
 
     def at(self, share):
         """The number below which this share of the draws is."""
-        return self.low + share * (self.high - self.low)
+        width = self.high - self.low
+        number = (self.low + share * width if math.isfinite(width)
+                  else (1 - share) * self.low + share * self.high)
+        return np.clip(number, self.low, self.high)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -38,7 +43,10 @@ class LogUniform(Uniform):
             raise ValueError(f"{self}: expected low above 0")
 
     def at(self, share):
-        return self.low * (self.high / self.low) ** share
+        ratio = self.high / self.low
+        number = (self.low * ratio ** share if math.isfinite(ratio) else
+                  np.exp((1 - share) * math.log(self.low) + share * math.log(self.high)))
+        return np.clip(number, self.low, self.high)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -53,18 +61,34 @@ class Normal:
         if not (math.isfinite(self.mean) and 0 < self.deviation < math.inf
                 and self.low < self.high):
             raise ValueError(f"{self}: expected a deviation above 0, and low below high")
-        if not self._share_of(self.low) < self._share_of(self.high):
+        ends = [min(max(self.mean + turns * self.deviation, self.low), self.high)
+                for turns in (-MOST_TURNS, MOST_TURNS)]
+        if not all(map(math.isfinite, ends)):
+            raise ValueError(f"{self}: expected draws that are finite")
+        below, above = self._shares()
+        if not below < above:
             raise ValueError(f"{self}: expected more between low and high than nothing")
 
-    def _share_of(self, number):
-        return STANDARD_NORMAL.cdf((number - self.mean) / self.deviation)
+    def _upper(self):
+        """Whether all draws are above the mean. Shares are close together there; those of the other
+        side, which are the same, have all their digits."""
+        return self.low > self.mean
+
+    def _shares(self):
+        turns = [(end / 2 - self.mean / 2) / (self.deviation / 2) for end in (self.low, self.high)]
+        if self._upper():
+            turns = [-turns[1], -turns[0]]
+        return [math.erfc(-each / math.sqrt(2)) / 2 for each in turns]
 
     def at(self, share):
-        below, above = self._share_of(self.low), self._share_of(self.high)
-        shares = below + np.asarray(share) * (above - below)
+        below, above = self._shares()
+        share = np.clip(share, LEAST_SHARE, 1 - LEAST_SHARE)
+        shares = below + (1 - share if self._upper() else share) * (above - below)
         turns = np.vectorize(STANDARD_NORMAL.inv_cdf, otypes=[float])(
             np.clip(shares, np.finfo(float).tiny, 1 - np.finfo(float).epsneg))
-        return np.clip(self.mean + self.deviation * turns, self.low, self.high)
+        turns = -turns if self._upper() else turns
+        with np.errstate(over="ignore"):  # beyond an end, to which it is cut
+            return np.clip(self.mean + self.deviation * turns, self.low, self.high)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -77,6 +101,10 @@ class LogNormal:
     def __post_init__(self):
         if not (0 < self.median < math.inf and 1 < self.ratio < math.inf):
             raise ValueError(f"{self}: expected a median above 0 and a ratio above 1")
+        most, reach = np.finfo(float), MOST_TURNS * math.log(self.ratio)
+        if not (math.log(self.median) + reach < math.log(most.max)
+                and math.log(self.median) - reach > math.log(most.tiny)):
+            raise ValueError(f"{self}: expected draws that are finite and above 0")
 
     def at(self, share):
         return self.median * self.ratio ** Normal(0, 1).at(share)

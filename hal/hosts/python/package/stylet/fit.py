@@ -4,6 +4,10 @@
 Every parameter is above 0 and is found by its logarithm, in which tissue's numbers differ. Sources:
 Marquardt 1963 (the search); Seber and Wild, Nonlinear Regression, 1989, chapter 5 (intervals by the
 Jacobian and by the profile); Abramowitz and Stegun 26.7.3 to 26.7.5 (Student's t).
+
+A place where the curve breaks is known to the distance of the points alone, and the Jacobian tells
+nothing of it. So each end of an interval is tried: where the curve differs less there than the
+Jacobian says, the end is sought at which it does differ.
 """
 import dataclasses
 import math
@@ -12,7 +16,7 @@ import statistics
 import numpy as np
 
 from stylet.draws import LogUniform, draw
-from stylet.given import finite
+from stylet.given import finite, real
 
 MOST_STEPS = 40
 FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-2, 1e-9, 1e6
@@ -27,6 +31,13 @@ LEAST_WAY, MOST_WAY = 0.02, 0.1
 FLAT = 1e-6
 DRAWN_FOR_EACH = 16  # parameter, before the search goes down
 SEED = 1
+TRUSTED = 0.5       # an end of an interval where the curve differs less than this part is sought
+EXACT = 0.02        # part of the allowed rise, and of the way to it, to which an end is sought
+MOST_LOOKS = 32     # for an end: ways are doubled, then halved
+FAR = math.log(1e9)  # an end that is farther away is none
+LOOKED_ALONG = 32   # places of a parameter in which the curve breaks
+MOST_BREAKS = 4     # as many times one leads on to another
+EXACT_FREEDOM = 300  # beyond it the series in 1 / freedom is right to 1e-8
 
 
 @dataclasses.dataclass(frozen=True)
@@ -41,6 +52,7 @@ class Fit:
     residuals: np.ndarray   # measured less simulated
     converged: bool
     search: object = dataclasses.field(repr=False)
+    allowed: float = dataclasses.field(repr=False)  # standard errors to either side
 
     def profile(self, name):
         """Low and high by the profile: where the best fit of all others is worse by as much as the
@@ -56,19 +68,32 @@ def fit(simulate, ranges, measured, sigma=None, confidence=0.95, starts=3):
     two numbers above 0. A Latin hypercube in them is simulated, and the search goes down from the
     best `starts` of it, beyond the ranges if need be: for where tissue gives way, curves have
     several nearest ones. `sigma`: standard deviation of the measured points, one or one each; None:
-    it follows from the residuals, and then holds what the model cannot do as well."""
+    it follows from the residuals, and then holds what the model cannot do as well. A curve with
+    numbers that are not finite is none: the search goes round it."""
+    if not ranges:
+        raise ValueError("ranges: expected one parameter at least")
     drawn = draw({name: LogUniform(*finite(name, ends, (2,)).tolist())
                   for name, ends in ranges.items()}, DRAWN_FOR_EACH * len(ranges), SEED)
     points = np.log(np.stack(list(drawn.values()), axis=1))
     measured = finite("measured", measured, np.shape(measured)).astype(float).ravel()
     if len(measured) <= len(ranges):
         raise ValueError(f"measured: {len(measured)} points: expected more than parameters")
-    deviation = np.asarray(1.0 if sigma is None else sigma, float)
+    deviation = real("sigma", 1.0 if sigma is None else sigma).astype(float)
+    if deviation.shape not in ((), measured.shape):
+        raise ValueError(f"sigma of shape {deviation.shape}: expected one number, or one for each "
+                         f"of {len(measured)} points")
     if not (np.isfinite(deviation) & (deviation > 0)).all():
         raise ValueError(f"sigma = {sigma}: expected numbers above 0")
+    if isinstance(starts, bool) or not isinstance(starts, (int, np.integer)) or starts < 1:
+        raise ValueError(f"starts = {starts!r}: expected a whole number from 1 on")
+    allowed = quantile(confidence, np.inf if sigma is not None else len(measured) - len(ranges))
     search = Search(simulate, list(ranges), measured, deviation)
-    order = np.argsort((search.residuals(points) ** 2).sum(axis=1))[:starts]
-    return search.fit(points[order], sigma, confidence)
+    costs = search.costs(points)
+    order = [i for i in np.argsort(costs)[:starts] if np.isfinite(costs[i])]
+    if not order:
+        raise ValueError(f"simulate: no curve of finite numbers for any of {len(points)} draws from "
+                         "the ranges: expected one at least")
+    return search.fit(points[order], sigma, confidence, allowed, np.log([*map(list, ranges.values())]))
 
 
 class Search:
@@ -86,12 +111,23 @@ class Search:
             raise ValueError(f"simulate: curves of shape {curves.shape}: expected {wanted}")
         return (self.measured - curves) / self.deviation
 
+    def costs(self, points):
+        return costs_of(self.residuals(points))
+
     def slopes(self, x, free, ways):
-        """Residuals at x, and their derivatives by differences to both sides."""
+        """Residuals at x, and their derivatives by differences to both sides, or to that on which
+        there is a curve."""
         aside = [way * np.eye(len(x))[i] for i, way in zip(free, ways)]
         all_ = self.residuals([x] + [x + each for each in aside] + [x - each for each in aside])
-        ahead, behind = all_[1:1 + len(free)], all_[1 + len(free):]
-        return all_[0], ((ahead - behind) / (2 * np.asarray(ways)[:, None])).T
+        here, ahead, behind = all_[0], all_[1:1 + len(free)], all_[1 + len(free):]
+        first = np.isfinite(ahead).all(axis=1)[:, None]
+        second = np.isfinite(behind).all(axis=1)[:, None]
+        for i, index in enumerate(free):
+            if not first[i] and not second[i]:
+                raise ValueError(f"simulate: no curve of finite numbers on either side of "
+                                 f"{self.names[index]} = {math.exp(x[index]):g}")
+        sides = np.where(first, ahead, here) - np.where(second, behind, here)
+        return here, (sides / ((first * 1.0 + second) * np.asarray(ways)[:, None])).T
 
     def down(self, x, free):
         """The nearest minimum over the free ones: x, residuals, Jacobian, whether it was found.
@@ -105,10 +141,10 @@ class Search:
             tried = damping * np.array(TRIED_DAMPINGS)
             points = np.tile(x, (len(tried), 1))
             points[:, free] += [step_of(normal, jacobian.T @ here, each) for each in tried]
-            ahead = self.residuals(points)
-            best = np.argmin((ahead ** 2).sum(axis=1))
+            costs = self.costs(points)
+            best = np.argmin(costs)
             small = (np.abs(points[best] - x)[free] <= NEAR * errors).all()
-            better = ahead[best] @ ahead[best] < here @ here
+            better = costs[best] < here @ here
             damping = max(tried[best], LEAST_DAMPING) if better else damping * 1e3
             if better:
                 x, ways = points[best], np.clip(errors, LEAST_WAY, MOST_WAY)
@@ -117,41 +153,140 @@ class Search:
                 return x, here, jacobian, True
         return x, here, jacobian, False
 
-    def fit(self, starts, sigma, confidence):
-        ends = [self.down(start, np.arange(len(start))) for start in starts]
-        x, residuals, jacobian, converged = min(ends, key=lambda end: end[1] @ end[1])
+    def past_break(self, end, index, ends):
+        """A better minimum, or the same: no slope leads past a place where the curve breaks. So such
+        a parameter is looked at all over its range, and then closely where it was best."""
+        for _ in range(2):
+            places = np.linspace(*ends, LOOKED_ALONG)
+            points = np.tile(end[0], (LOOKED_ALONG, 1))
+            points[:, index] = places
+            costs = self.costs(points)
+            best = np.argmin(costs)
+            if costs[best] < end[1] @ end[1]:
+                end = self.down(points[best], np.arange(len(points[best])))
+            ends = end[0][index] + np.array([-1, 1]) * (places[1] - places[0])
+        return end
+
+    def fit(self, starts, sigma, confidence, allowed, ranges):
+        best = min((self.down(start, np.arange(len(start))) for start in starts),
+                   key=lambda end: end[1] @ end[1])
+        told = self.told(best, sigma, allowed)
+        for _ in range(MOST_BREAKS):
+            before = best
+            for index in told.breaks:
+                best = self.past_break(best, index, ranges[index])
+            if best is before:
+                break
+            told = self.told(best, sigma, allowed)
+        x, residuals, _, converged = best
+        values, low, high = (dict(zip(self.names, map(float, np.exp(each))))
+                             for each in (x, *told.ends))
+        return Fit(values, low, high, confidence, told.covariance,
+                   float(told.scale * np.mean(self.deviation)), residuals * self.deviation,
+                   converged, self, allowed)
+
+    def told(self, best, sigma, allowed):
+        x, residuals, jacobian, _ = best
         freedom = len(residuals) - len(x)
         scale = np.sqrt(residuals @ residuals / freedom) if sigma is None else 1.0
         covariance = scale ** 2 * covariance_of(jacobian)
-        half = quantile(confidence, freedom if sigma is None else np.inf) * np.sqrt(
-            np.diag(covariance))
-        ends = [dict(zip(self.names, map(float, np.exp(x + side)))) for side in (0, -half, half)]
-        return Fit(*ends, confidence, covariance, float(scale * np.mean(self.deviation)),
-                   residuals * self.deviation, converged, self)
+        return Told(covariance, scale, *self.interval(best, covariance, scale, allowed))
+
+    def interval(self, best, covariance, scale, allowed):
+        """Low and high of each logarithm: by the Jacobian, or where the curve says otherwise; and
+        for which parameters it does."""
+        x, residuals, jacobian, _ = best
+        half = allowed * np.sqrt(np.diag(covariance))
+        ends = np.stack([x - half, x + half])
+        if not scale > 0:
+            return ends, ()
+
+        def rises(points):
+            return np.sqrt(np.maximum(self.costs(points) - residuals @ residuals, 0)) / scale
+        lone = idle(jacobian)
+        breaks = set(np.flatnonzero(lone))
+        tried = [(side, i, ways) for i in np.flatnonzero(np.isfinite(half) | lone)
+                 for ways in (ways_of(i, half, covariance, lone[i]),) for side in (-1, 1)]
+        points = [x + side * way for side, _, ways in tried for way in ways]
+        here = iter(rises(points) if points else ())
+        for side, i, ways in tried:
+            if min([next(here) for _ in ways]) < TRUSTED * allowed or lone[i]:
+                breaks.add(i)
+                ends[int(side > 0), i] = x[i] + side * max(
+                    edge(lambda by: rises([x + side * by * way])[0], 1.0, allowed, FAR / way[i])
+                    * way[i] for way in ways)
+        return ends, sorted(breaks)
 
     def profile(self, found, index):
         if not np.isfinite(found.covariance[index, index]):
-            return 0.0, float("inf")
+            name = self.names[index]
+            return found.low[name], found.high[name]
         x = np.log(list(found.values.values()))
         free = np.delete(np.arange(len(x)), index)
         scale = found.sigma / np.mean(self.deviation)
-        half = np.log(list(found.high.values()))[index] - x[index]
-        allowed = half / np.sqrt(found.covariance[index, index])
+        error = np.sqrt(found.covariance[index, index])
         best = found.residuals @ (found.residuals / self.deviation ** 2)
-        ends = []
-        for side in (-half, half):
-            for _ in range(8):
-                at = x.copy()
-                at[index] += side
-                # Where the straight line says that the others would be.
-                at[free] += found.covariance[free, index] / found.covariance[index, index] * side
-                here = self.down(at, free)[1] if len(free) else self.residuals([at])[0]
-                rise = np.sqrt(max(here @ here - best, 1e-12)) / scale
-                side *= np.clip(allowed / rise, 0.5, 2)
-                if abs(rise / allowed - 1) < 0.02:
-                    break
-            ends.append(float(np.exp(x[index] + side)))
-        return tuple(ends)
+
+        def rise(way):
+            at = x.copy()
+            at[index] += way
+            # Where the straight line says that the others would be.
+            at[free] += found.covariance[free, index] / error ** 2 * way
+            least = costs_of(self.down(at, free)[1]) if len(free) else self.costs([at])[0]
+            return np.sqrt(max(least - best, 0)) / scale
+        return tuple(float(np.exp(x[index] + side * edge(
+            lambda way: rise(side * way), found.allowed * error, found.allowed, FAR)))
+            for side in (-1, 1))
+
+
+@dataclasses.dataclass(frozen=True)
+class Told:
+    """What the best fit tells: of the logarithms, with those whose intervals the Jacobian gets
+    wrong."""
+    covariance: np.ndarray
+    scale: float
+    ends: np.ndarray
+    breaks: tuple
+
+
+def ways_of(index, half, covariance, alone):
+    """To the upper end of an interval: along the line on which the Jacobian says that the others
+    follow, and alone, since that may be wrong. Either is at most as long as the profile's."""
+    if alone:
+        return (LEAST_WAY * np.eye(len(half))[index],)
+    return (covariance[:, index] * half[index] / covariance[index, index],
+            half[index] * np.eye(len(half))[index])
+
+
+def edge(rise_at, first, allowed, most):
+    """How far from the best fit the curve differs by as much as is allowed; beyond it, where it
+    jumps. Infinite if up to `most` it does not."""
+    inner, outer, at = 0.0, np.inf, first
+    for _ in range(MOST_LOOKS):
+        if at > most:
+            break
+        rise = rise_at(at)
+        if abs(rise / allowed - 1) < EXACT:
+            return at
+        inner, outer = (at, outer) if rise < allowed else (inner, at)
+        if outer - inner < EXACT * outer:
+            break
+        at *= np.clip(allowed / max(rise, 1e-6), 0.5, 2)
+        if not inner < at < outer:
+            at = (inner + outer) / 2
+    return outer
+
+
+def costs_of(residuals):
+    """Sums of squares; that of a curve with numbers that are none is infinite."""
+    squares = (residuals ** 2).sum(axis=-1)
+    return np.where(np.isfinite(squares), squares, np.inf)
+
+
+def idle(jacobian):
+    """Which parameters have no effect on the curve by themselves."""
+    effects = np.linalg.norm(jacobian, axis=0)
+    return effects <= FLAT * effects.max()
 
 
 def covariance_of(jacobian):
@@ -183,11 +318,26 @@ def quantile(confidence, freedom):
     """How many standard errors to either side hold it: Student's t."""
     if not 0 < confidence < 1:
         raise ValueError(f"confidence = {confidence}: expected 0 to 1")
-    if freedom == 1:
-        return math.tan(math.pi * confidence / 2)
-    if freedom == 2:
-        return confidence * math.sqrt(2 / (1 - confidence ** 2))
+    if freedom <= EXACT_FREEDOM:
+        low, high = 0.0, math.pi / 2
+        for _ in range(60):  # to the last bit of an angle
+            angle = (low + high) / 2
+            low, high = (angle, high) if share_within(angle, freedom) < confidence else (low, angle)
+        return math.tan(low) * math.sqrt(freedom)
     z = statistics.NormalDist().inv_cdf((1 + confidence) / 2)
     terms = ((z ** 3 + z) / 4, (5 * z ** 5 + 16 * z ** 3 + 3 * z) / 96,
              (3 * z ** 7 + 19 * z ** 5 + 17 * z ** 3 - 15 * z) / 384)
     return z + sum(term / freedom ** (i + 1) for i, term in enumerate(terms))
+
+
+def share_within(angle, freedom):
+    """What Student's t of whole degrees of freedom has within tan(angle) sqrt(freedom)."""
+    odd, cosine = freedom % 2, math.cos(angle)
+    term = cosine if odd else 1.0
+    total = 0.0
+    for k in range(odd + 2, freedom + 1, 2):
+        total += term
+        term *= cosine ** 2 * (k - 1) / k
+    if odd:
+        return 2 / math.pi * (angle + math.sin(angle) * total)
+    return math.sin(angle) * total
