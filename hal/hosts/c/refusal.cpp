@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hal/hosts/c/refusal.h"
 
+#include <array>
 #include <cstdio>
+#include <string_view>
 
 #include "hal/hosts/c/sized.h"
 
@@ -11,6 +13,28 @@ namespace {
 template <std::size_t kBytes>
 void copy_text(const char* text, char (&out)[kBytes]) {
   std::snprintf(out, kBytes, "%s", text);
+}
+
+// Fields of the kernel that callers know by another name, and those of more than one number, which
+// are held against their limits by one.
+struct Spoken {
+  std::string_view field;
+  const char* name;
+  const char* number;
+};
+constexpr std::array<Spoken, 5> kSpoken{{
+    {"breathing.period_s", "breathing_period_s", ""},
+    {"breathing.amplitude_m", "breathing_amplitude_m", "length "},
+    {"obstacle.vertices_m", "obstacle.vertices_m", "length of a vertex "},
+    {"obstacle.pose.position_m", "obstacle.pose.position_m", "length "},
+    {"obstacle.pose.rotation", "obstacle.pose.rotation", "length squared "},
+}};
+
+Spoken spoken(const char* field) {
+  for (const Spoken& each : kSpoken) {
+    if (each.field == field) return each;
+  }
+  return {field, field, ""};
 }
 
 stylet_status tell(stylet_refusal* refusal_out, const stylet_refusal& why) {
@@ -63,13 +87,14 @@ stylet_status refuse_config(stylet_refusal* refusal_out, Status status, const Co
   if (of.field[0] == '\0') return refuse(refusal_out, static_cast<stylet_status>(status));
   stylet_refusal why = {};
   why.status = static_cast<stylet_status>(status);
-  copy_text(of.field, why.place);
+  const Spoken field = spoken(of.field);
+  copy_text(field.name, why.place);
   why.index = of.index;
   why.value = of.value;
   why.least = of.least;
   why.most = of.most;
-  std::snprintf(why.text, sizeof why.text, "%s [%u]: %g: expected %g to %g", of.field, of.index,
-                of.value, of.least, of.most);
+  std::snprintf(why.text, sizeof why.text, "%s [%u]: %s%g: expected %g to %g", field.name, of.index,
+                field.number, of.value, of.least, of.most);
   return tell(refusal_out, why);
 }
 

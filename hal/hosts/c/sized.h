@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "hal/hosts/c/fields.h"
 #include "stylet/stylet.h"
 
 namespace stylet::c {
@@ -16,12 +17,19 @@ constexpr std::uint32_t kLeastStruct = 8;
 // None will ever be larger; a size beyond was not set, and to believe it would be to write there.
 constexpr std::uint32_t kMostStruct = 65'536;
 
+// Whether a caller can have been compiled with a struct of this size.
+template <typename T>
+bool is_size_of(std::size_t bytes) {
+  return bytes >= kLeastStruct && bytes <= kMostStruct && bytes % alignof(std::uint32_t) == 0 &&
+         !cuts_a_field<T>(bytes);
+}
+
 // How far apart the elements of an array are: the size its caller knew, which its first element
 // says. 0: it does not say.
 template <typename T>
 std::uint32_t stride_of(const T* array) {
   const std::uint32_t bytes = array->struct_bytes;
-  return bytes >= kLeastStruct && bytes <= kMostStruct ? bytes : 0;
+  return is_size_of<T>(bytes) ? bytes : 0;
 }
 
 template <typename T>
@@ -81,7 +89,7 @@ stylet_status answer(const T& value, T* to) {
 template <typename T>
 stylet_status init(const T& value, T* to, std::size_t bytes) {
   if (to == nullptr) return STYLET_ARGUMENT_MISSING;
-  if (bytes < kLeastStruct || bytes > kMostStruct) return STYLET_STRUCT_SIZE_UNKNOWN;
+  if (!is_size_of<T>(bytes)) return STYLET_STRUCT_SIZE_UNKNOWN;
   (void)give(value, to, static_cast<std::uint32_t>(bytes));
   return STYLET_OK;
 }

@@ -123,6 +123,62 @@ TEST(CGuard, EveryLimitIsHeldAndTold) {
   }
 }
 
+float force_left(const stylet_guard* guard) {
+  stylet_guard_report report = {};
+  report.struct_bytes = sizeof report;
+  EXPECT_EQ(stylet_guard_get_report(guard, &report), STYLET_OK);
+  return report.force_n.z;
+}
+
+// The force at the end of a run falls straight to zero in 20 ms of the caller's clock, however
+// often it is asked; a clock that jumps, stands or goes back ends it as well.
+TEST(CGuard, EndFollowsTheClockAndComesInAnyCase) {
+  Draw draw(31);
+  stylet_guard_config config;
+  ASSERT_EQ(stylet_guard_config_init(&config, sizeof config), STYLET_OK);
+  constexpr std::int64_t kBegin = 1'000'000'000, kFadeNs = 20'000'000, kPeriodNs = 1'000'000;
+  const auto armed = [&](std::int64_t& now_ns) {
+    GuardHandle guard = c_guard(config);
+    now_ns = kBegin;
+    for (int i = 1; i <= 400; ++i, now_ns += kPeriodNs) {
+      const stylet_sample sample = {
+          sizeof sample, 0, static_cast<std::uint64_t>(i), now_ns, {{0, 0, 0}, {1, 0, 0, 0}}};
+      EXPECT_EQ(stylet_guard_sample(guard.get(), &sample, now_ns), 1);
+      (void)stylet_guard_force(guard.get(), {0, 0, 3});
+    }
+    now_ns -= kPeriodNs;  // of the last sample
+    return guard;
+  };
+  for (int n = 0; n < 20; ++n) {
+    std::int64_t now_ns = 0;
+    const GuardHandle guard = armed(now_ns);
+    const std::int64_t begin_ns = now_ns;
+    const float begin_n = force_left(guard.get());
+    ASSERT_GT(begin_n, 1);
+    const float longest_ns = draw.between(2'000, 3'000'000);
+    int ended = 0;
+    while (ended == 0) {
+      now_ns += 1 + static_cast<std::int64_t>(draw.between(0, longest_ns));
+      ended = stylet_guard_end(guard.get(), now_ns);
+      const float part = static_cast<float>(now_ns - begin_ns) / static_cast<float>(kFadeNs);
+      if (ended == 0) {
+        EXPECT_NEAR(force_left(guard.get()), begin_n * (1 - part), begin_n * 1e-4F);
+      }
+    }
+    EXPECT_EQ(force_left(guard.get()), 0);
+    EXPECT_GE(now_ns - begin_ns, kFadeNs - kPeriodNs);  // the last period is not begun
+  }
+  const std::int64_t most = std::numeric_limits<std::int64_t>::max();
+  for (const std::int64_t other : {std::int64_t{0}, kBegin, -most - 1, most}) {
+    std::int64_t now_ns = 0;
+    const GuardHandle guard = armed(now_ns);
+    int calls = 1;
+    while (stylet_guard_end(guard.get(), other) == 0) ASSERT_LE(++calls, 20) << other;
+    EXPECT_EQ(calls, other == most ? 1 : 20) << other;
+    EXPECT_EQ(force_left(guard.get()), 0);
+  }
+}
+
 // Every known model's own limits are within those that a guard accepts.
 TEST(CGuard, KnowsTheModels) {
   std::uint32_t count = 0;

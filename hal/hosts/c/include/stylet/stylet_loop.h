@@ -106,7 +106,9 @@ STYLET_API int stylet_guard_sample(stylet_guard* guard, const stylet_sample* sam
 STYLET_API stylet_vec3 stylet_guard_force(stylet_guard* guard, stylet_vec3 force_n);
 /* The same for a torque, after the force. */
 STYLET_API stylet_vec3 stylet_guard_torque(stylet_guard* guard, stylet_vec3 torque_nm);
-/* Instead of them at the end of a run, until it returns 1: the force has faded. */
+/* Instead of them at the end of a run, until it returns 1: the force has faded, 20 ms later by
+ * `now_ns`, which is the clock of stylet_guard_sample. What is still to be sent is in the report.
+ * To a clock that stands or goes back each call is a period, so that the end comes in any case. */
 STYLET_API int stylet_guard_end(stylet_guard* guard, int64_t now_ns);
 
 /* Latches a fault of the caller's own. */
