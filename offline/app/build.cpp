@@ -112,7 +112,7 @@ void add_build(CLI::App& app) {
       ->capture_default_str();
   auto* wrap = command->add_flag("--wrap", a.wrap,
                                  "Last resort for a mesh that is not closed: replace each by a "
-                                 "closed skin around it; what that does to holes and volume is told");
+                                 "closed skin around it, which tells what it changes");
   command
       ->add_option("--recipe", a.recipe,
                    "TOML file that says which labels are which tissue; the input is then a label "

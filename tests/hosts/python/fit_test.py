@@ -70,8 +70,8 @@ class Found(unittest.TestCase):
             self.assertTrue(least <= count <= most, (name, count, least, most))
 
     def test_a_break_between_points_has_the_interval_of_its_gap(self):
-        """A force that rises and falls at a place: the curve is the same for every place between two
-        points. Random places and noise, on coarse and on fine grids."""
+        """A force that rises and falls at a place: the curve is the same for every place between
+        two points. Random places and noise, on coarse and on fine grids."""
         for count, fits in ((25, 40), (121, 16)):
             x = np.linspace(0, 6, count)
 
@@ -168,7 +168,7 @@ class Found(unittest.TestCase):
                                  ("expected finite", (never, RANGES, X * np.nan)),
                                  ("sigma = 0", (never, RANGES, X, 0)),
                                  ("sigma = nan", (never, RANGES, X, np.nan)),
-                                 (r"sigma of shape \(7,\): expected one number, or one for each of 25",
+                                 (r"sigma of shape \(7,\): expected one number, or one for each",
                                   (never, RANGES, X, np.ones(7))),
                                  ("confidence = 2", (never, RANGES, X, 1.0, 2)),
                                  ("confidence = nan", (never, RANGES, X, 1.0, np.nan)),

@@ -135,8 +135,8 @@ class Sweep(unittest.TestCase):
             np.testing.assert_array_equal(file["parameters/x"], PARAMETERS["x"])
             np.testing.assert_array_equal(file["results/square"], [2.25, 4, 9])
         calls = []
-        kept = stylet.sweep(functools.wraps(squared)(lambda **row: calls.append(row)), PARAMETERS, 0,
-                            path=self.path())
+        same = functools.wraps(squared)(lambda **row: calls.append(row))
+        kept = stylet.sweep(same, PARAMETERS, 0, path=self.path())
         self.assertEqual(calls, [])
         self.assertEqual(list(kept["label"]), ["A", "B", "C"])
         with self.assertRaisesRegex(ValueError, "other parameters"):
@@ -228,7 +228,7 @@ class Sweep(unittest.TestCase):
                      interrupted)
         self.refuses("function is .*half_of_odd, and here .*deadly", functools.partial(deadly))
         # Of the same name, but another one: it gives nothing that the table has.
-        self.refuses("has the results half, and the function gives other: expected the function",
+        self.refuses("has the results half, and the function gives other: expected that which",
                      functools.wraps(half_of_odd)(lambda i: {"other": i}))
         table = stylet.read_table(self.path())[0]
         np.testing.assert_array_equal(table["half"], [0, 0.5, 1, np.nan, 2])

@@ -82,9 +82,10 @@ def from_labels(labels, tissues=None, *, recipe=None, spacing_m=None, origin_m=N
     among labels: the path of a recipe's file or a dict of its tables. `order` names the array's
     axes: "zyx" as SimpleITK and pydicom have them, "xyz" as nibabel has. `spacing_m` and
     `origin_m`, the middle of the first voxel (0, 0, 0 if not given), are along x, y and z; or
-    `affine_m`, 4 x 4, leads from numbers of voxels (x, y, z) to places. `names` are those of labels, for recipes that use them. `source` is the file that
-    the array was read from: the organ then tells its name and SHA-256, otherwise those of the
-    array. `materials` is the path of a file with tissues of your own, or a dict of its tables.
+    `affine_m`, 4 x 4, leads from numbers of voxels (x, y, z) to places. `names` are those of
+    labels, for recipes that use them. `source` is the file that the array was read from: the organ
+    then tells its name and SHA-256, otherwise those of the array. `materials` is the path of a file
+    with tissues of your own, or a dict of its tables.
     `progress` is called with a stage and how much of it is done; what it raises ends the build, as
     Ctrl-C does. Options, with the program's defaults: name, voxel_edge_m, voxels_across, capsule,
     fix, crop, layers, layers_of, layers_along, fill_gaps, split_gaps; texts as the program's.
@@ -170,8 +171,8 @@ def placed(spacing_m, origin_m, affine_m):
         origin = numbers("origin_m", (0, 0, 0) if origin_m is None else origin_m, (3,))
         return origin.tolist(), steps.tolist()
     if origin_m is not None:
-        raise TypeError("origin_m beside affine_m, whose last column is the origin: expected one of "
-                        "them")
+        raise TypeError("origin_m beside affine_m, whose last column is the origin: expected one "
+                        "of them")
     affine = numbers("affine_m", affine_m, (4, 4))
     if not np.array_equal(affine[3], [0, 0, 0, 1]):
         raise ValueError(f"affine_m: last row {affine[3]}: expected 0, 0, 0, 1")

@@ -91,9 +91,10 @@ def fit(simulate, ranges, measured, sigma=None, confidence=0.95, starts=3):
     costs = search.costs(points)
     order = [i for i in np.argsort(costs)[:starts] if np.isfinite(costs[i])]
     if not order:
-        raise ValueError(f"simulate: no curve of finite numbers for any of {len(points)} draws from "
-                         "the ranges: expected one at least")
-    return search.fit(points[order], sigma, confidence, allowed, np.log([*map(list, ranges.values())]))
+        raise ValueError(f"simulate: no curve of finite numbers for any of {len(points)} draws "
+                         "from the ranges: expected one at least")
+    ends = np.log([list(each) for each in ranges.values()])
+    return search.fit(points[order], sigma, confidence, allowed, ends)
 
 
 class Search:
@@ -154,8 +155,8 @@ class Search:
         return x, here, jacobian, False
 
     def past_break(self, end, index, ends):
-        """A better minimum, or the same: no slope leads past a place where the curve breaks. So such
-        a parameter is looked at all over its range, and then closely where it was best."""
+        """A better minimum, or the same: no slope leads past a place where the curve breaks. So
+        such a parameter is looked at all over its range, and then closely where it was best."""
         for _ in range(2):
             places = np.linspace(*ends, LOOKED_ALONG)
             points = np.tile(end[0], (LOOKED_ALONG, 1))

@@ -259,8 +259,8 @@ class Table:
 
     def add(self, index, result, error):
         if result and self.loaded and not any(name in self.loaded for name in result):
-            raise ValueError(f"{self.path}: has the results {', '.join(self.loaded)}, and the function "
-                             f"gives {', '.join(result)}: expected the function that wrote it")
+            raise ValueError(f"{self.path}: has the results {', '.join(self.loaded)}, and the "
+                             f"function gives {', '.join(result)}: expected that which wrote it")
         try:
             columns = {name: self.with_room_for(name, value)
                        for name, value in (result or {}).items()}
@@ -345,7 +345,8 @@ def require_table(path, file):
                for name in file.get(group, {})}
     for name in listed:
         if name not in columns and name != "error":
-            raise ValueError(f"{path}: column {name} is missing: expected the table that sweep left")
+            raise ValueError(f"{path}: column {name} is missing: expected the table that sweep "
+                             "left")
     rows = len(file["rows/done"])
     for name, column in {**columns, "error": file["rows/error"]}.items():
         if name not in listed:
