@@ -33,7 +33,6 @@ double enclosed(const TriangleTree& tree, bool closed, Vec point) {
 
 // Which part of the points is not in the skin.
 double missing(const Solid& skin, const std::vector<Vec>& points) {
-  if (points.empty()) return 0;
   const TriangleTree tree = triangle_tree(skin.surface.points, skin.boundary);
   const auto outside =
       std::ranges::count_if(points, [&](Vec p) { return winding_number(tree, p) <= 0.5; });
@@ -81,23 +80,24 @@ void widen(Skin& skin, const Content& content, double offset_m, const std::strin
   const Deviation gap = deviation(skin.solid.surface, skin.mesh);
   warnings.push_back(fmt::format(
       "in steps of {:.4g} mm the skin went in through gaps of up to {:.3g} mm, as at {}; in steps "
-      "of "
-      "{:.3g} mm it does not, but fills what is hollow outside: expected a surface with narrower "
-      "gaps, or a larger voxel edge; look at the result before use",
+      "of {:.3g} mm it does not, but fills what is hollow outside: expected a surface with "
+      "narrower gaps, or a larger voxel edge; look at the result before use",
       step_m * 1e3, 2e3 * gap.most_m, place_of(gap.where_m), skin.step_m * 1e3));
 }
 
-// A skin that is not hollow where the input is not. A sheet has nothing to be compared with.
+// A skin that is not hollow where the input is not. None goes into a closed surface, and a sheet
+// has nothing to be compared with.
 Skin sealed(const Solid& solid, const Content& content, double step_m, double offset_m,
             const std::string& name, std::vector<std::string>& warnings) {
   Skin skin{solid.surface, step_m, skin_around(solid.surface, step_m, offset_m)};
-  if (content.sure.empty() || missing(skin.solid, content.points) <= kMostOff) return skin;
+  if (solid.closed || !content.encloses) return skin;
+  if (missing(skin.solid, content.points) <= kMostOff) return skin;
   Patched patched = patch_holes(solid);
   skin.mesh = std::move(patched.mesh);
   skin.solid = skin_around(skin.mesh, step_m, offset_m);
   if (missing(skin.solid, content.sure) > kMostOff) {
     widen(skin, content, offset_m, name, warnings);
-  } else if (!patched.holes.empty()) {
+  } else {
     const Hole& widest = patched.holes.front();
     warnings.push_back(fmt::format(
         "in steps of {:.4g} mm the skin went in through holes; now flat patches close them, the "
@@ -111,15 +111,15 @@ Skin sealed(const Solid& solid, const Content& content, double step_m, double of
 void tell_volume(const Solid& skin, const Content& content, double offset_m,
                  std::vector<std::string>& warnings) {
   const double skin_m3 = volume_of(skin), off = skin_m3 / content.volume_m3 - 1;
-  if (content.sure.empty()) {
+  if (!content.encloses) {
     warnings.push_back(
-        fmt::format("encloses nothing; its skin, {:.3g} mm thick, is {:.3g} ml: expected "
-                    "a surface with an inside; look at the result before use",
+        fmt::format("encloses nothing; its skin, {:.3g} mm thick, is {:.3g} ml: expected a surface "
+                    "with an inside; look at the result before use",
                     2e3 * offset_m, skin_m3 * 1e6));
   } else if (std::abs(off) > kMostOff) {
     warnings.push_back(fmt::format(
-        "its skin holds {:.3g} ml, {:.2g} % {} than the {:.3g} ml that it "
-        "encloses itself: expected a closed surface without --wrap, or a finer voxel edge",
+        "its skin holds {:.3g} ml, {:.3g} % {} than the {:.3g} ml that it encloses itself: "
+        "expected a closed surface without --wrap, or a finer voxel edge",
         skin_m3 * 1e6, std::abs(off) * 100, off > 0 ? "more" : "less", content.volume_m3 * 1e6));
   }
 }
@@ -129,6 +129,7 @@ void tell_volume(const Solid& skin, const Content& content, double offset_m,
 Content content_of(const Solid& solid) {
   constexpr double kSure = 0.75, kMore = 0.5;
   constexpr std::size_t kFewest = 64;  // fewer are the neighbourhood of a sheet
+  constexpr std::size_t kFew = 1024;   // with fewer a volume is not known to 3 %
   constexpr double kSame = 0.05;       // pieces that overlap count twice in a mesh's own volume
   const TriangleTree tree = triangle_tree(solid.surface.points, solid.boundary);
   const Box box = bounds(solid.surface);
@@ -142,12 +143,11 @@ Content content_of(const Solid& solid) {
     if (all_around > kMore) content.points.push_back(point);
     if (all_around > kSure) content.sure.push_back(point);
   }
-  if (content.sure.size() < kFewest) content.sure.clear();
   content.volume_m3 = size.x * size.y * size.z * static_cast<double>(content.points.size()) / count;
   const double own_m3 = volume_of(solid);
-  if (solid.closed && std::abs(own_m3 - content.volume_m3) < kSame * own_m3) {
-    content.volume_m3 = own_m3;
-  }
+  const bool same = std::abs(own_m3 - content.volume_m3) < kSame * own_m3;
+  if (solid.closed && (same || content.points.size() < kFew)) content.volume_m3 = own_m3;
+  content.encloses = solid.closed ? own_m3 > 0 : content.sure.size() >= kFewest;
   return content;
 }
 
@@ -156,7 +156,7 @@ Wrapped wrap(const Solid& solid, const Content& content, double step_m, const st
   double offset_m = step_m * kOffsetOfStep;
   Wrapped wrapped;
   Skin skin = sealed(solid, content, step_m, offset_m, name, wrapped.warnings);
-  if (!content.sure.empty() && volume_of(skin.solid) > content.volume_m3 * (1 + kMostOff)) {
+  if (content.encloses && volume_of(skin.solid) > content.volume_m3 * (1 + kMostOff)) {
     offset_m *= kLess;
     skin.solid = skin_around(skin.mesh, skin.step_m, offset_m);
   }

@@ -23,6 +23,7 @@ struct Content {
   std::vector<Vec> points;  // that it has around them in more than half of all directions
   std::vector<Vec> sure;    // those of them with more than three quarters: not just below a hole
   double volume_m3 = 0;
+  bool encloses = false;  // else it is a sheet: what is inside is only beside it
 };
 
 Content content_of(const Solid& solid);
