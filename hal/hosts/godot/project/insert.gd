@@ -33,8 +33,11 @@ func _ready():
 	mesh.custom_aabb = box.grow(0.05)
 	$Organ.mesh = mesh
 	$Organ.material_override = material(Color(0.7, 0.35, 0.3))
-	$Needle.material_override = material(Color(0.8, 0.8, 0.85))
-	$Camera.look_at_from_position(box.end + Vector3(0.1, 0.1, 0.2), start, Vector3.UP)
+	$Needle.material_override = material(Color(1, 1, 1))
+	$Needle.material_override.flags_unshaded = true  # a line has no side that light could fall on
+	# So far that the organ and a needle of 15 cm fill the window.
+	var away = Vector3(1, 1, 2).normalized() * (0.1 + 0.6 * box.size.length())
+	$Camera.look_at_from_position(start + away, start, Vector3.UP)
 	if OS.has_environment("STYLET_INSERT_LOG"):
 		log_file = File.new()
 		if log_file.open(OS.get_environment("STYLET_INSERT_LOG"), File.WRITE) != OK:
