@@ -141,7 +141,9 @@ OFFLINE = {
                   ["outputs_test.py"]],
     "base/toml_file": [["fuzz_tissues", SOURCE / "tests/fuzz/seeds/tissues"],
                        ["offline_label_test", "--gtest_filter=Recipe.*"]],
-    "meshes/wrap": [["offline_solid_test", "--gtest_filter=Volume.*"], ORGANS],
+    **dict.fromkeys(("meshes/wrap", "meshes/holes", "pipeline/wrapping"),
+                    [["offline_wrap_test"], ["offline_solid_test", "--gtest_filter=Volume.*"],
+                     ORGANS]),
     "meshes/simplify": [MAPS, REAL_BODY],
     "voxels/sweep": [["offline_quality_test", "--gtest_filter=Fit.*"]],
 }
