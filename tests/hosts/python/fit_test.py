@@ -88,8 +88,9 @@ class Found(unittest.TestCase):
                 # The least step of force there is 0.35 N, 11 standard deviations: no doubt which
                 # gap it is. Its ends are known to the part to which an end is sought.
                 gap = np.searchsorted(x, truth["at"])
-                self.assertLess(abs(found.low["at"] / x[gap - 1] - 1), 0.03, seed)
-                self.assertLess(abs(found.high["at"] / x[gap] - 1), 0.03, seed)
+                for low, high in ((found.low["at"], found.high["at"]), found.profile("at")):
+                    self.assertLess(abs(low / x[gap - 1] - 1), 0.03, seed)
+                    self.assertLess(abs(high / x[gap] - 1), 0.03, seed)
                 held += found.low["at"] <= truth["at"] <= found.high["at"]
             self.assertGreaterEqual(held, least_and_most(fits, 0.95)[0])
 
