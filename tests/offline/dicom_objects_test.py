@@ -732,7 +732,13 @@ class StructureSets(Conformance):
             self.refused(path, "501 structures: expected 1 to 500")
 
         def far_away(folder, random):
-            written(folder, random, lambda good: [good[0] + 1e6], "Bad: contour 0: point 0")
+            one = int(random.integers(10, 80))
+
+            def contours(good):
+                points = good[0].copy()
+                points[one] += 1e6
+                return [good[1], points]
+            written(folder, random, contours, f"Bad: contour 1: point {one}:")
 
         def twice(folder, random):
             def change(file):
