@@ -638,8 +638,21 @@ class StructureSets(Conformance):
         def at_uneven_places(folder, random):
             together(folder, random, [random.uniform(2.4, 3.4, 14) for _ in range(2)])
 
+        def in_one_plane(folder, random):  # as thick as others that have several, not as one of two
+            drawn, usual = Drawn(random), random.uniform(2.5, 3.5)
+            several, expected = self.drawn_apart(drawn, numpy.full(14, usual), (0, 0))
+            two, of_two = self.drawn_apart(drawn, numpy.array([usual / 2]), (60, 0))
+            drawn.planes, place = 1, random.uniform(0, 10)
+            one = drawn.outlines(22, (120, 0))[0]
+            area, centroid = dicom.area_and_centroid(one)
+            of_one = 0, area * usual * 1e-3, drawn.placed(centroid, place)
+            path = dicom.write_structures(
+                folder / "rt.dcm", [(1, "a", several), (2, "b", two),
+                                    (3, "c", [drawn.placed(one, place)])])
+            self.check(path, {1: expected, 2: of_two, 3: of_one}, NEAR, within=0.6)
+
         self.cases(2, of_different_distances, beside_each_other, finer_in_the_middle,
-                   much_finer_in_the_middle, at_uneven_places)
+                   much_finer_in_the_middle, at_uneven_places, in_one_plane)
 
     def test_what_is_left_out_is_told(self):
         def drawn_here_and_there(folder, random):
