@@ -127,9 +127,13 @@ class Segmentations(Conformance):
             path = write_seg(folder / "seg.dcm", frames, self.NAMES, change=change)
             if numpy.ptp(numpy.diff(places)) < 0.01:
                 self.check(path, held(seen, alone=2.3, widest=3.5))
-            first = [f for f in frames if f.segment == 3][:2]
-            two = write_seg(folder / "two.dcm", first, self.NAMES, change=change)
-            self.refused(two, "neither SpacingBetweenSlices nor SliceThickness", "expected one")
+            some = [f for f in frames if f.segment == 3]
+            # Two alone; then the narrowest gap is the first, in the middle, the last.
+            for picked in ((0, 1), (0, 1, 3, 5), (0, 2, 3, 5), (0, 2, 4, 5)):
+                path = write_seg(folder / "some.dcm", [some[i] for i in picked], self.NAMES,
+                                 change=change)
+                self.refused(path, "neither SpacingBetweenSlices nor SliceThickness",
+                             "expected one")
 
         def thinner_than_apart(folder, random):  # thin slices, and nothing told
             slices = stack(random, distances=[3.0] * 20, thickness=[1.0] * 21)

@@ -31,14 +31,13 @@ Vec3d world_origin(const State& state, Vec3 shift) {
 
 RodFace rod_face(const Model& model, const Near& near, Vec3d origin_m) {
   const ObstacleConfig& config = model.obstacle[near.body].config;
-  const double most_n = static_cast<double>(config.largest_force_n);
   return {(near.rod + static_cast<double>(near.face.place)) * model.rod->rod_m,
           near.face.at_m - origin_m,
           near.face.normal,
           near.face.depth_m,
           near.face.bristle_m,
           static_cast<double>(config.stiffness_n_per_m),
-          most_n < kMaxRodForceN ? most_n : kMaxRodForceN,
+          min_of(static_cast<double>(config.largest_force_n), kMaxRodForceN),
           static_cast<double>(config.friction),
           near.face.goes_on ? static_cast<double>(near.last->contact.limit_n) : 0,
           near.face.depth_m > 0 || near.last != nullptr,
