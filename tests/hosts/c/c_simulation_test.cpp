@@ -240,7 +240,7 @@ TEST(CSimulation, AValueOutsideIsToldWithFieldAndLimits) {
       {"period_s", [](stylet_config& c, stylet_needle&) { c.period_s = 0.02F; }, 0.02, 1e-5, 1e-2},
       {"substeps", [](stylet_config& c, stylet_needle&) { c.substeps = 0; }, 0, 1, 32},
       {"inertia", [](stylet_config& c, stylet_needle&) { c.inertia = 9; }, 9, 0, 1},
-      {"breathing.amplitude_m",
+      {"breathing_amplitude_m",
        [](stylet_config& c, stylet_needle&) {
          c.breathing_amplitude_m = {0, 0.3F, 0.4F};
        },
