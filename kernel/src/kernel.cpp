@@ -7,17 +7,17 @@
 #include <cmath>
 #include <cstring>
 
-#include "laws/cone.h"
+#include "base/math.h"
 #include "config.h"
 #include "coupling/bend.h"
 #include "coupling/return_map.h"
 #include "lattice/lattice.h"
 #include "lattice/plan.h"
-#include "state/layout.h"
-#include "stylet/first_outside.h"
-#include "base/math.h"
-#include "state/snapshot.h"
 #include "lattice/voxel.h"
+#include "laws/cone.h"
+#include "state/layout.h"
+#include "state/snapshot.h"
+#include "stylet/first_outside.h"
 
 namespace stylet {
 namespace {
@@ -48,8 +48,8 @@ MaterialModel material_model(const Material& m, const Config& config, float edge
   // It can become thinner: it adds to the voxel's modulus in tension, not to lambda. (If it were as
   // incompressible as the tissue, its pressure waves, which no hand feels, would be the fastest of
   // all: for a liver's capsule five times as fast, squared.)
-  const float lambda_pa = 2 * (m.youngs_modulus_pa / per_shear) * m.poisson_ratio /
-                          (1 - 2 * m.poisson_ratio);
+  const float lambda_pa =
+      2 * (m.youngs_modulus_pa / per_shear) * m.poisson_ratio / (1 - 2 * m.poisson_ratio);
   out.lattice_shear_pa =
       shear_modulus_pa(m.youngs_modulus_pa + m.membrane_n_per_m / edge_m, lambda_pa);
   out.lattice_volume_ratio = lambda_pa / (2 * out.lattice_shear_pa);
@@ -107,8 +107,7 @@ void fill_head(const Organ& organ, const Config& config, const Counts& counts, M
 }
 
 // Particle at an existing node: found through any voxel row beside it.
-std::uint32_t particle_at(const Model& model, std::uint32_t x, std::uint32_t y,
-                          std::uint32_t z) {
+std::uint32_t particle_at(const Model& model, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   const ModelHead& head = *model.head;
   for (std::uint32_t side = 0; side < 8; ++side) {
     const std::uint32_t dx = side & 1U, dy = (side >> 1U) & 1U, dz = side >> 2U;

@@ -37,11 +37,11 @@
 #include <vector>
 
 #include "hal/guard/guard.h"
-#include "state/layout.h"
 #include "liver.h"
 #include "machine.h"
 #include "peers.h"
 #include "processors.h"
+#include "state/layout.h"
 #include "summary.h"
 #include "variants.h"
 

@@ -257,9 +257,8 @@ struct Stats {
   std::uint64_t input_not_finite, input_clamped, input_missing;
   std::uint64_t cp_pool_full, cp_voxel_pool_full, contact_budget, fault;
   std::uint64_t obstacle_pool_full, needle_unstable;
-  float
-      coupling_shortfall;  // largest missing part of the stiffness asked of a constraint particle
-  float unit_in_voxels;    // the longest needle unit, in voxel edges: see NeedleConfig::unit_m
+  float coupling_shortfall;  // largest missing part of the stiffness asked of a constraint particle
+  float unit_in_voxels;      // the longest needle unit, in voxel edges: see NeedleConfig::unit_m
 };
 Stats stats(const Kernel& kernel);
 

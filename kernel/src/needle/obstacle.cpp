@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "stylet/first_outside.h"
 #include "laws/touch.h"
+#include "stylet/first_outside.h"
 
 namespace stylet {
 namespace {

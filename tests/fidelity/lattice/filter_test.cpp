@@ -179,6 +179,21 @@ Rig random_rig(Random& random, const TinyOrgan& tiny, const Config& config) {
   return rig;
 }
 
+// With all stiffness that springs of needles may add, and with that of held nodes.
+double fastest_of(const View& view) {
+  double fastest = 0;
+  for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) {
+    const double all = static_cast<double>(view.model.bound[i]) +
+                       static_cast<double>(view.model.hourglass_n_per_m[i]) /
+                           static_cast<double>(view.model.head->hourglass_weight);
+    const double most =
+        static_cast<double>(most_filtered_per_s2(view.model.head->filter.limit_per_s2));
+    const double kg = std::max(static_cast<double>(view.model.particle_kg[i]), all / most);
+    if (kg > 0) fastest = std::max(fastest, all / kg);
+  }
+  return fastest;
+}
+
 // Forces are zero at rest, so a step's velocities are p(S) times the momenta it begins with.
 TEST(Filter, IsThePolynomialOnEveryWave) {
   Random random(11);
@@ -201,17 +216,7 @@ TEST(Filter, IsThePolynomialOnEveryWave) {
         ASSERT_NEAR(mass[a] / lattice.mass_kg[a], 1, 1e-5);
       }
     }
-    // With all stiffness that springs of needles may add, and with that of held nodes.
-    double fastest = 0;
-    for (std::uint32_t i = 0; i < view.model.head->counts.particles; ++i) {
-      const double all = static_cast<double>(view.model.bound[i]) +
-                         static_cast<double>(view.model.hourglass_n_per_m[i]) /
-                             static_cast<double>(view.model.head->hourglass_weight);
-      const double most =
-          static_cast<double>(most_filtered_per_s2(view.model.head->filter.limit_per_s2));
-      const double kg = std::max(static_cast<double>(view.model.particle_kg[i]), all / most);
-      if (kg > 0) fastest = std::max(fastest, all / kg);
-    }
+    const double fastest = fastest_of(view);
     const Column root = mass.cwiseSqrt();
     const Dense s =
         root.cwiseInverse().asDiagonal() * lattice.bound * root.cwiseInverse().asDiagonal();
