@@ -17,8 +17,8 @@ import sys
 import tempfile
 
 # Instructions a voxel, physical mode, needle inserted, 5k voxels: of a step with true mass, whose
-# filter takes four passes there, and of a sweep alone, a step with added mass.
-BUDGET = {"step": {"avx2": 260, "avx512": 148}, "sweep": {"avx2": 125, "avx512": 62}}
+# filter takes three passes there, and of a sweep alone, a step with added mass.
+BUDGET = {"step": {"avx2": 227, "avx512": 128}, "sweep": {"avx2": 125, "avx512": 62}}
 STRAIGHT = 0.10  # largest distance of a point from the line, of the largest count
 
 

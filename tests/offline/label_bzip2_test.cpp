@@ -188,7 +188,7 @@ TEST(Bzip2, WhatIsToBeSkippedIs) {
   EXPECT_EQ(said("byte skip: 2000000\n", packed(std::string(2000064, '\0'))), "");
   EXPECT_THAT(said("byte skip: 64\n", packed(voxels)), HasSubstr("0 bytes were unpacked"));
   EXPECT_THAT(said("byte skip: -1\n", packed(voxels)), HasSubstr("a byte skip from 0"));
-  EXPECT_THAT(said("line skip: -1\n", packed(voxels)), HasSubstr("a line skip from 0"));
+  EXPECT_THAT(said("line skip: -1\n", packed(voxels)), HasSubstr("expected whole numbers from 0"));
   EXPECT_THAT(said("byte skip: 268435457\n", packed(voxels)), HasSubstr("from 0 to 268435456"));
   EXPECT_THAT(said("byte skip: 1 2\n", packed(voxels)), HasSubstr("expected one number"));
 }

@@ -144,6 +144,8 @@ TEST(LabelHeader, CostsWhatIsThereNotWhatIsClaimed) {
        "bytes are there"},
       {scratch.write("far.nrrd", nrrd(small, "raw\nbyte skip: 99999999999", "abcdefgh")),
        "header line 7: byte skip: 99999999999: expected"},
+      {scratch.write("back.nrrd", nrrd(small, "raw\nline skip: -1", "abcdefgh")),
+       "header line 7: line skip: -1: expected"},
       {scratch.write("wide.nrrd",
                      "NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\n"
                      "space directions: (1e200,0,0) (0,1e200,0) (0,0,1e200)\n"

@@ -178,9 +178,8 @@ void put_layers_first(const Claim& claim, std::size_t layers, std::vector<std::u
 std::size_t read_bzip2(const std::string& path, std::string_view bytes, const Claim& claim,
                        LabelMap& map) {
   constexpr auto kMostSkipped = static_cast<std::int64_t>(kMostMapVoxels);
-  if (std::min(claim.line_skip, claim.byte_skip) < 0 || claim.byte_skip > kMostSkipped) {
-    refuse("{}: encoding bzip2: expected a line skip from 0 and a byte skip from 0 to {}", path,
-           kMostSkipped);
+  if (claim.byte_skip < 0 || claim.byte_skip > kMostSkipped) {
+    refuse("{}: encoding bzip2: expected a byte skip from 0 to {}", path, kMostSkipped);
   }
   const std::size_t values = values_of(path, claim);
   for (std::size_t i = 0; i < 3; ++i) {

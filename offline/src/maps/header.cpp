@@ -48,7 +48,7 @@ std::uint64_t skipped_bytes(const Claim& claim, std::string_view voxels) {
 }
 
 void require_no_more(const std::string& path, const Claim& claim, std::uint64_t voxel_bytes) {
-  const bool at_the_end = claim.line_skip < 0 || claim.byte_skip < 0;
+  const bool at_the_end = claim.byte_skip < 0;
   if (claim.packed || claim.text || claim.hex || at_the_end) return;
   std::uint64_t claimed = claim.bytes_each;
   for (const std::uint64_t size : claim.sizes) claimed *= size;
@@ -171,8 +171,8 @@ NumberedFiles numbered_files(const std::string& path, const HeaderLine& line,
   const std::size_t sign = name.find('%');
   std::size_t width = sign + 1;
   while (width < name.size() && std::isdigit(static_cast<unsigned char>(name[width])) != 0) ++width;
-  const bool one = sign != std::string_view::npos && width < name.size() && name[width] == 'd' &&
-                   name.find('%', width) == std::string_view::npos;
+  const bool one =
+      width < name.size() && name[width] == 'd' && name.find('%', width) == std::string_view::npos;
   const std::string_view digits = one ? name.substr(sign + 1, width - sign - 1) : "";
   std::uint32_t wide = 0;
   const auto error = std::from_chars(digits.begin(), digits.end(), wide).ec;

@@ -44,7 +44,7 @@ struct Claim {
   std::vector<std::filesystem::path> files;    // with the voxels; empty: they follow the header
   std::uint64_t behind = 0;                    // bytes after the header
   bool skips = false;                          // other bytes precede the voxels of each file:
-  std::int64_t line_skip = 0, byte_skip = 0;   // so many; -1: all but the voxels
+  std::int64_t line_skip = 0, byte_skip = 0;   // so many; bytes -1: all but the voxels
   std::map<std::string, std::string> remarks;  // NRRD's KEY:=VALUE
   HeaderNumber number;                         // of voxels packed by bzip2, or of text
   HeaderFrame frame;

@@ -157,13 +157,14 @@ void read_files(const std::string& path, const HeaderFields& fields, Claim& clai
   if (!axes.empty()) check_pieces(path, line, axes.front(), claim);
 }
 
-// How much before the voxels is to be skipped.
-std::int64_t skip_of(const std::string& path, const HeaderFields& fields, const char* name) {
+// How much before the voxels is to be skipped, from `least` on.
+std::int64_t skip_of(const std::string& path, const HeaderFields& fields, const char* name,
+                     std::int64_t least) {
   constexpr std::int64_t kMost = std::int64_t{1} << 32U;
   const auto given = fields.find(name);
   if (given == fields.end()) return 0;
   const auto& [value, line] = given->second;
-  const auto skip = whole_numbers(path, line, value, -1, kMost);
+  const auto skip = whole_numbers(path, line, value, least, kMost);
   if (skip.size() != 1) refuse("{}: header line {}: expected one number", path, line.number);
   return skip.front();
 }
@@ -189,8 +190,8 @@ Claim nrrd_claim(const std::string& path, std::string_view bytes) {
   read_encoding(path, field_of(path, fields, "encoding").first, claim);
   read_files(path, fields, claim);
   claim.behind = rest.size();
-  claim.line_skip = skip_of(path, fields, "lineskip");
-  claim.byte_skip = skip_of(path, fields, "byteskip");
+  claim.line_skip = skip_of(path, fields, "lineskip", 0);
+  claim.byte_skip = skip_of(path, fields, "byteskip", -1);
   claim.skips = claim.line_skip != 0 || claim.byte_skip != 0;
   claim.frame = nrrd_frame(path, fields, claim.sizes);
   if (claim.bzip2 || claim.text) claim.number = read_number(path, fields, claim);
