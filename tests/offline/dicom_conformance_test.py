@@ -98,6 +98,25 @@ class RegularSeries(Conformance):
             slices = stack(random, thickness=[2.7] * 9, distances=[1.0] * 8)[4:5]
             self.check(write_slices(folder, slices, random), held(slices))
 
+        def cut(slices, rows, columns):
+            for each in slices:
+                each.at = (each.at + rows.start * each.spacing[0] * each.column
+                           + columns.start * each.spacing[1] * each.row)
+                each.pixels = each.pixels[rows, columns]
+            return slices
+
+        def one_row(folder, random):
+            slices = stack(random)
+            middle = slices[0].pixels.shape[0] // 2
+            slices = cut(slices, slice(middle, middle + 1), slice(0, None))
+            self.check(write_slices(folder, slices, random), held(slices))
+
+        def one_column(folder, random):
+            slices = stack(random)
+            middle = slices[0].pixels.shape[1] // 2
+            slices = cut(slices, slice(0, None), slice(middle, middle + 1))
+            self.check(write_slices(folder, slices, random), held(slices))
+
         def apart(folder, random):  # thin slices with nothing between them
             slices = stack(random, thickness=[0.5] * 12, distances=[1.7] * 11)
             self.check(write_slices(folder, slices, random), held(slices),
@@ -112,7 +131,8 @@ class RegularSeries(Conformance):
             self.check(write_slices(folder, slices, random, change=change), held(slices))
 
         self.cases(3, any_order)
-        self.cases(1, backwards, many_labels, other_kind, one_slice, apart, thick_without_end)
+        self.cases(1, backwards, many_labels, other_kind, one_slice, one_row, one_column, apart,
+                   thick_without_end)
 
     def test_every_spelling_of_pixels(self):
         def bytes_(folder, random):
