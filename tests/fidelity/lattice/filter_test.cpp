@@ -387,6 +387,33 @@ TEST(Filter, NoWaveGrows) {
   }
 }
 
+// A free body loses its motion to the surroundings' drag, as usual, whatever spin the damping gives
+// or takes (PHYSICS 18.2).
+TEST(Filter, FreeBodiesComeToRest) {
+  Random random(41);
+  for (int round = 0; round < 300; ++round) {
+    TinyOrgan tiny = random_body(random, static_cast<double>(kMinYoungsModulusPa) * 10, 1e8,
+                                 static_cast<double>(kMaxPoissonRatio));
+    tiny.nx = static_cast<std::uint16_t>(2 + below(random, 3));
+    tiny.ny = static_cast<std::uint16_t>(2 + below(random, 3));
+    Config config;
+    config.inertia = below(random, 2) == 0 ? Inertia::kAddedMass : Inertia::kTrueMass;
+    Rig rig = make_rig(tiny, config);
+    View view = rig.view();
+    crush(random, view, between(random, 0.05, 0.3));
+    double begin = 0, kinetic[3] = {};  // largest in each half second
+    for (int i = 0; i < 1500; ++i) {
+      step(rig);
+      const Energy now = energy(rig.session.kernel);
+      begin = std::max(begin, now.elastic + now.kinetic);
+      kinetic[i / 500] = std::max(kinetic[i / 500], now.kinetic);
+    }
+    // Below a millionth are roundings.
+    EXPECT_LE(kinetic[1], std::max(kinetic[0], 1e-6 * begin)) << "round " << round;
+    EXPECT_LE(kinetic[2], std::max(kinetic[1], 1e-6 * begin)) << "round " << round;
+  }
+}
+
 // ---- the hand -----------------------------------------------------------------------------------
 
 // Liver with a capsule all around, held from below.
