@@ -116,7 +116,7 @@ TEST(OddOrgan, NeedlesThroughHolesAndShortRows) {
     std::vector<Vec3> places(opened->organ.vertices.size() + 5);
     EXPECT_EQ(surface(session.kernel, places), opened->organ.vertices.size());
   }
-  EXPECT_GT(inserted, 35U / 2);  // the others are over holes; with 32 substeps 20 of 35 are inserted
+  EXPECT_GT(inserted, 35U / 2);  // others are over holes; with 32 substeps 20 of 35 are inserted
 }
 
 // Two blocks with a gap of voxels between them, and a lid over all three.
