@@ -160,9 +160,11 @@ TEST(CGuard, EndFollowsTheClockAndComesInAnyCase) {
     while (ended == 0) {
       now_ns += 1 + static_cast<std::int64_t>(draw.between(0, longest_ns));
       ended = stylet_guard_end(guard.get(), now_ns);
-      const float part = static_cast<float>(now_ns - begin_ns) / static_cast<float>(kFadeNs);
-      if (ended == 0) {
-        EXPECT_NEAR(force_left(guard.get()), begin_n * (1 - part), begin_n * 1e-4F);
+      const auto passed_ns = static_cast<float>(now_ns - begin_ns);
+      if (ended == 0) {  // on its way to zero at the last whole period of the fade
+        const float left_n = force_left(guard.get()), close_n = begin_n * 1e-4F;
+        EXPECT_LE(left_n, begin_n * (1 - passed_ns / kFadeNs) + close_n);
+        EXPECT_GE(left_n, begin_n * (1 - passed_ns / (kFadeNs - kPeriodNs)) - close_n);
       }
     }
     EXPECT_EQ(force_left(guard.get()), 0);
