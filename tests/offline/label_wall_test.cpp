@@ -4,12 +4,14 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <numeric>
 
 #include "base/refusal.h"
 #include "maps/wall.h"
+#include "maps/wall_thickness.h"
 #include "offline_support.h"
 #include "organ_places.h"
 #include "pipeline/label_organ.h"
@@ -340,6 +342,43 @@ TEST(Wall, AGapThatTheInnermostLayerFillsIsNoThickness) {
     Recipe recipe = {{}, {{"gel", {5}}}};
     recipe.wall = {{"muscle", 9.2e-3}, {"skin", 4.8e-3}};
     EXPECT_THAT(offline::add_wall(map, recipe), testing::IsEmpty()) << seed;
+  }
+}
+
+// A row of voxels along a drawn axis, nothing beside it: label, two layers, outside.
+TEST(Wall, LayersOfARowAreAsThickAsTheirVoxels) {
+  Draw draw(77);
+  for (int n = 0; n < 30; ++n) {
+    const std::size_t counts[] = {1 + draw.below(4), 1 + draw.below(5), 1 + draw.below(5),
+                                  1 + draw.below(3)};
+    const std::uint16_t labels[] = {5, 11, 12, 0};
+    LabelMap map = empty_map({1, 1, 1});
+    const std::size_t axis = draw.below(3);
+    offline::WallDistances distances;
+    distances.thickness_m = kStepM * static_cast<double>(counts[1] + counts[2]);
+    map.label.clear();
+    for (std::size_t part = 0; part < 4; ++part) {
+      map.label.insert(map.label.end(), counts[part], labels[part]);
+    }
+    map.size[axis] = static_cast<std::uint32_t>(map.label.size());
+    const int last_label = static_cast<int>(counts[0]) - 1;
+    const int first_outside = static_cast<int>(counts[0] + counts[1] + counts[2]);
+    for (int i = 0; i < static_cast<int>(map.label.size()); ++i) {
+      distances.from_labels_m.push_back(static_cast<float>(kStepM * std::max(i - last_label, 0)));
+      distances.from_outside_m.push_back(
+          static_cast<float>(kStepM * std::max(first_outside - i, 0)));
+    }
+    const std::vector<double> thickness_m = offline::layer_thickness_m(map, distances, {11, 12});
+    ASSERT_EQ(thickness_m.size(), 2U);
+    EXPECT_NEAR(thickness_m[0], kStepM * static_cast<double>(counts[1]), 1e-9) << n;
+    EXPECT_NEAR(thickness_m[1], kStepM * static_cast<double>(counts[2]), 1e-9) << n;
+    // Where nothing rises, or no layer is, there is no area and no thickness.
+    offline::WallDistances flat = distances;
+    std::fill(flat.from_labels_m.begin(), flat.from_labels_m.end(), 0.0F);
+    std::fill(flat.from_outside_m.begin(), flat.from_outside_m.end(), 0.0F);
+    EXPECT_TRUE(std::isnan(offline::layer_thickness_m(map, flat, {11, 12})[0]));
+    std::fill(map.label.begin(), map.label.end(), std::uint16_t{0});
+    EXPECT_TRUE(std::isnan(offline::layer_thickness_m(map, distances, {11, 12})[1]));
   }
 }
 
