@@ -24,9 +24,9 @@ enum {
   STYLET_FAULT_DEVICE_SILENT = 3,
   STYLET_FAULT_TOO_LATE = 4, /* the loop missed too many ticks */
   STYLET_FAULT_KERNEL = 5,
-  STYLET_FAULT_TOO_FAST = 6, /* the device moved faster than a hand can, or jumped */
-  STYLET_FAULT_BUZZ = 7,     /* the force swings faster than a hand can */
-  STYLET_FAULT_ENERGY = 8,   /* the hand was given energy, and damping could not stop it */
+  STYLET_FAULT_TOO_FAST = 6,     /* the device moved faster than a hand can, or jumped */
+  STYLET_FAULT_BUZZ = 7,         /* the force swings faster than a hand can */
+  STYLET_FAULT_ENERGY = 8,       /* the hand was given energy, and damping could not stop it */
   STYLET_FAULT_FORCE_EXPIRED = 9 /* the motors got no order in time and have stopped */
 };
 STYLET_API const char* stylet_fault_name(uint32_t fault);
@@ -58,13 +58,12 @@ typedef struct {
   /* What the device itself dissipates, how well it knows where it is, when it answers. */
   float device_mass_kg, device_damping_n_s_per_m, device_friction_n;
   float device_resolution_m, device_delay_s;
-  float stored_energy_j;              /* how much the tissue may give back */
-  float passivity_damping_n_s_per_m;  /* largest damping that is added; 0: none */
-  float max_torque_nm;                /* 0: no torque is let through */
+  float stored_energy_j;             /* how much the tissue may give back */
+  float passivity_damping_n_s_per_m; /* largest damping that is added; 0: none */
+  float max_torque_nm;               /* 0: no torque is let through */
 } stylet_guard_config;
 /* For a device that is not known. */
-STYLET_API stylet_status stylet_guard_config_init(stylet_guard_config* config,
-                                                  size_t struct_bytes);
+STYLET_API stylet_status stylet_guard_config_init(stylet_guard_config* config, size_t struct_bytes);
 /* For a known model of device: "touch", "omega.7" and so on; others: ARGUMENT_OUT_OF_RANGE. */
 STYLET_API stylet_status stylet_guard_config_for(stylet_guard_config* config, const char* model);
 /* Name of a known model; null behind the last. */
@@ -86,16 +85,14 @@ typedef struct {
 
 typedef struct stylet_guard stylet_guard;
 STYLET_API stylet_status stylet_guard_create(const stylet_guard_config* config,
-                                             stylet_guard** guard_out,
-                                             stylet_refusal* refusal_out);
+                                             stylet_guard** guard_out, stylet_refusal* refusal_out);
 STYLET_API void stylet_guard_free(stylet_guard* guard);
 
 /* Once a tick, in this order; none allocates, locks or makes a system call. All forces are in the
  * device's frame, on the hand. Before the first sample that may be used the force is zero; without
  * a call of stylet_guard_sample in between it stays what it was, or goes on fading. */
 /* If the motors tell what force they have. */
-STYLET_API stylet_status stylet_guard_motor(stylet_guard* guard,
-                                            const stylet_motor_report* report);
+STYLET_API stylet_status stylet_guard_motor(stylet_guard* guard, const stylet_motor_report* report);
 /* 1: the simulation may use the sample. Null: the device did not answer. `now_ns` of any clock that
  * runs on, of which a period of the guard's should pass between two calls. 20 ms that are lost, at
  * once or bit by bit, are STYLET_FAULT_TOO_LATE, and so is a clock that runs backwards; one that
@@ -106,7 +103,9 @@ STYLET_API int stylet_guard_sample(stylet_guard* guard, const stylet_sample* sam
 STYLET_API stylet_vec3 stylet_guard_force(stylet_guard* guard, stylet_vec3 force_n);
 /* The same for a torque, after the force. */
 STYLET_API stylet_vec3 stylet_guard_torque(stylet_guard* guard, stylet_vec3 torque_nm);
-/* Instead of them at the end of a run, until it returns 1: the force has faded. */
+/* Instead of them at the end of a run, until it returns 1: the force has faded, 20 ms later by
+ * `now_ns`, which is the clock of stylet_guard_sample. What is still to be sent is in the report.
+ * To a clock that stands or goes back each call is a period, so that the end comes in any case. */
 STYLET_API int stylet_guard_end(stylet_guard* guard, int64_t now_ns);
 
 /* Latches a fault of the caller's own. */
@@ -117,9 +116,9 @@ STYLET_API int stylet_guard_rearm(stylet_guard* guard, uint32_t fault_seen);
 typedef struct {
   uint32_t struct_bytes;
   uint32_t mode, fault;
-  uint32_t fault_number; /* counts all faults of this guard, from 1; 0: none is latched */
-  uint32_t arming;       /* grows each time the guard begins anew */
-  uint32_t falls;        /* 1: the force is being taken away and must not grow */
+  uint32_t fault_number;          /* counts all faults of this guard, from 1; 0: none is latched */
+  uint32_t arming;                /* grows each time the guard begins anew */
+  uint32_t falls;                 /* 1: the force is being taken away and must not grow */
   stylet_vec3 force_n, torque_nm; /* let through last */
   double energy_j;                /* that the hand has put in, less what it got back */
   uint64_t samples_used, samples_missing, samples_repeated, samples_lost, samples_old;
@@ -145,11 +144,11 @@ typedef struct {
   uint32_t struct_bytes;
   uint32_t arming; /* grows each time the guard begins anew */
   stylet_vec3 force_n, torque_nm;
-  stylet_vec3 place_m;       /* of the sample for which the force was computed */
-  float stiffness_n_per_m;   /* with which the force falls as the device moves away from there */
+  stylet_vec3 place_m;     /* of the sample for which the force was computed */
+  float stiffness_n_per_m; /* with which the force falls as the device moves away from there */
   float max_force_n;
-  uint32_t falls;            /* the guard takes force away: it must not grow */
-  int64_t end_ns;            /* the force must be gone by then, CLOCK_MONOTONIC; 0: it only ages */
+  uint32_t falls; /* the guard takes force away: it must not grow */
+  int64_t end_ns; /* the force must be gone by then, CLOCK_MONOTONIC; 0: it only ages */
   stylet_vec3 tip_m, tip_direction; /* of the needle, in the device's frame */
 } stylet_command;
 
@@ -165,12 +164,12 @@ typedef struct {
   void (*write)(void* self, const stylet_command* command);
   /* 1: report_out was filled. May be null: the device does not tell. */
   int (*motor)(void* self, stylet_motor_report* report_out);
-  float max_force_n;           /* 0: it renders none */
+  float max_force_n; /* 0: it renders none */
   float max_slew_n_per_s;
   float max_stiffness_n_per_m; /* that it renders without buzzing; 0: unknown */
   float continuous_force_n;    /* that its motors bear for ever; 0: unknown */
   float max_torque_nm;
-  float force_life_s;          /* after this a force not renewed ends by itself; 0: it does not */
+  float force_life_s; /* after this a force not renewed ends by itself; 0: it does not */
 } stylet_device_functions;
 STYLET_API stylet_status stylet_device_from_functions(const stylet_device_functions* functions,
                                                       stylet_device** device_out,
@@ -186,12 +185,12 @@ STYLET_API void stylet_device_close(stylet_device* device);
 
 typedef struct {
   uint32_t struct_bytes;
-  int32_t processor;        /* -1: an isolated one if there is one, else the last */
-  int32_t priority;         /* of SCHED_FIFO; 0: none is asked for */
-  uint32_t helpers;         /* threads that take part in the tissue step */
-  uint64_t ticks;           /* 0: until it is stopped */
-  uint32_t virtual_time;    /* 1: as fast as it can, for trials; not with a real device */
-  uint32_t lock_memory;     /* 1: locks all memory of this process, so that no page is late */
+  int32_t processor;         /* -1: an isolated one if there is one, else the last */
+  int32_t priority;          /* of SCHED_FIFO; 0: none is asked for */
+  uint32_t helpers;          /* threads that take part in the tissue step */
+  uint64_t ticks;            /* 0: until it is stopped */
+  uint32_t virtual_time;     /* 1: as fast as it can, for trials; not with a real device */
+  uint32_t lock_memory;      /* 1: locks all memory of this process, so that no page is late */
   uint32_t show_every_ticks; /* how often what is seen of it is renewed */
 } stylet_loop_config;
 STYLET_API stylet_status stylet_loop_config_init(stylet_loop_config* config, size_t struct_bytes);
@@ -204,7 +203,7 @@ typedef struct {
    * device. (A computed hand begins at its own origin.) The device's axes are x right, y up, z
    * toward the operator; the needle points along -z. */
   stylet_pose start;
-  float motion_scale, force_scale; /* needle's motion over device's, hand's force over needle's */
+  float motion_scale, force_scale;  /* needle's motion over device's, hand's force over needle's */
   float coupling_stiffness_n_per_m; /* spring between device and needle; 0: what the device bears */
 } stylet_hand;
 STYLET_API stylet_status stylet_hand_init(stylet_hand* hand, size_t struct_bytes);
@@ -216,8 +215,7 @@ typedef struct stylet_loop stylet_loop;
  * the stricter of the guard's and the device's limits counts. The loop closes the devices. */
 STYLET_API stylet_status stylet_loop_create(stylet_simulation* simulation,
                                             const stylet_loop_config* config,
-                                            stylet_device* const* devices,
-                                            const stylet_hand* hands,
+                                            stylet_device* const* devices, const stylet_hand* hands,
                                             const stylet_guard_config* guards,
                                             stylet_loop** loop_out, stylet_refusal* refusal_out);
 /* A loop runs once. In a thread of its own: */
@@ -260,15 +258,15 @@ STYLET_API stylet_status stylet_loop_get_hand(const stylet_loop* loop, uint32_t 
 STYLET_API uint32_t stylet_loop_events(stylet_loop* loop, stylet_event* out, uint32_t capacity);
 
 /* Tells that somebody has seen this fault: once the force is gone the guard begins anew. */
-STYLET_API stylet_status stylet_loop_acknowledge(stylet_loop* loop, uint32_t needle,
-                                                 uint32_t fault, uint32_t fault_number);
+STYLET_API stylet_status stylet_loop_acknowledge(stylet_loop* loop, uint32_t needle, uint32_t fault,
+                                                 uint32_t fault_number);
 
 typedef struct {
   uint32_t struct_bytes;
   uint32_t runs; /* 1: it has not ended */
   uint64_t ticks, missed_ticks, lost_events;
-  uint64_t tick_p50_ns, tick_p999_ns, tick_max_ns;  /* from reading the device to writing */
-  uint64_t late_p50_ns, late_p999_ns, late_max_ns;  /* of waking up */
+  uint64_t tick_p50_ns, tick_p999_ns, tick_max_ns; /* from reading the device to writing */
+  uint64_t late_p50_ns, late_p999_ns, late_max_ns; /* of waking up */
 } stylet_loop_report;
 /* The times are of a loop that has ended; before, they are zero. */
 STYLET_API stylet_status stylet_loop_get_report(const stylet_loop* loop,
