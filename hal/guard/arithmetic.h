@@ -38,10 +38,10 @@ inline void note_time(const GuardConfig& config, GuardState& state, std::int64_t
   const std::uint64_t passed_ns =
       static_cast<std::uint64_t>(now_ns) - static_cast<std::uint64_t>(state.now_ns);
   const std::int64_t first_ns = in_ns(config.period_s);
+  const auto most_ns = static_cast<std::uint64_t>(std::max(first_ns, kMaxStepNs));
   state.step_ns = state.have_time == 0 ? first_ns
-                  : runs               ? static_cast<std::int64_t>(
-                               std::min<std::uint64_t>(passed_ns, std::max(first_ns, kMaxStepNs)))
-                         : 0;
+                  : runs               ? static_cast<std::int64_t>(std::min(passed_ns, most_ns))
+                                       : 0;
   state.have_time = 1;
   state.now_ns = now_ns;
 }

@@ -155,7 +155,7 @@ TEST(CGuard, EndFollowsTheClockAndComesInAnyCase) {
     const std::int64_t begin_ns = now_ns;
     const float begin_n = force_left(guard.get());
     ASSERT_GT(begin_n, 1);
-    const float longest_ns = draw.between(2'000, 3'000'000);
+    const auto longest_ns = static_cast<double>(draw.between(2'000, 3'000'000));
     int ended = 0;
     while (ended == 0) {
       now_ns += 1 + static_cast<std::int64_t>(draw.between(0, longest_ns));
