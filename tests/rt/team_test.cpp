@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tissue step shared with helper threads: the same bits with any number of them, whether on
 // time, late or absent; memory predicted to the byte.
+#include "lattice/team.h"
+
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -8,7 +10,6 @@
 #include <vector>
 
 #include "helper_threads.h"
-#include "lattice/team.h"
 #include "session.h"
 #include "variants.h"
 
@@ -61,12 +62,17 @@ TEST_P(TeamBits, AreThoseOfOneThreadForAnyNumberOfHelpers) {
   Session alone = session();
   const std::uint64_t expected = hash_after(alone, script_);
   for (const std::uint32_t helpers : {1U, 2U}) {
-    Session shared = session();
-    const Block memory = make_block(team_bytes(shared.kernel, helpers), std::byte{0xFF});
-    ASSERT_EQ(set_team(shared.kernel, helpers, memory.span()), Status::kOk);
-    const Helpers threads(shared.kernel, helpers);
-    EXPECT_EQ(hash_after(shared, script_), expected) << helpers << " helpers";
-    EXPECT_GT(threads.helped(), 0U) << "no helper ever came, so this proves nothing";
+    bool helped = false;
+    // On a busy machine the helpers may come too late: then once more.
+    for (int attempt = 0; attempt < 20 && !helped; ++attempt) {
+      Session shared = session();
+      const Block memory = make_block(team_bytes(shared.kernel, helpers), std::byte{0xFF});
+      ASSERT_EQ(set_team(shared.kernel, helpers, memory.span()), Status::kOk);
+      const Helpers threads(shared.kernel, helpers);
+      EXPECT_EQ(hash_after(shared, script_), expected) << helpers << " helpers";
+      helped = threads.helped() > 0;
+    }
+    EXPECT_TRUE(helped) << "no helper ever came, so this proves nothing";
   }
 }
 
