@@ -78,17 +78,16 @@ struct Voxels {
 
 template <typename WithSign, typename WithoutSign>
 void take(Voxels& voxels, const std::vector<char>& bytes, LabelMap& map) {
-  if (voxels.claim.number.without_sign) {
-    return take_labels<WithoutSign>(voxels.path, bytes, map, voxels.different);
+  const HeaderNumber& number = voxels.claim.number;
+  const std::endian order = number.big_endian ? std::endian::big : std::endian::little;
+  if (number.without_sign) {
+    return take_labels<WithoutSign>(voxels.path, bytes, map, voxels.different, order);
   }
-  take_labels<WithSign>(voxels.path, bytes, map, voxels.different);
+  take_labels<WithSign>(voxels.path, bytes, map, voxels.different, order);
 }
 
-void take_numbers(Voxels& voxels, std::vector<char>& bytes, LabelMap& map) {
+void take_numbers(Voxels& voxels, const std::vector<char>& bytes, LabelMap& map) {
   const std::size_t each = voxels.claim.bytes_each;
-  for (std::size_t at = 0; voxels.claim.number.big_endian && at < bytes.size(); at += each) {
-    std::reverse(bytes.data() + at, bytes.data() + at + each);
-  }
   if (voxels.claim.number.real) {
     return each == 4 ? take<float, float>(voxels, bytes, map)
                      : take<double, double>(voxels, bytes, map);

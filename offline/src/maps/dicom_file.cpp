@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "base/file.h"
+#include "base/numbers.h"
 #include "maps/header.h"
 #include "maps/readers.h"
 
@@ -51,9 +52,8 @@ void require_flat(const std::string& path) {
     const unsigned kind = little ? byte(2) : byte(3);
     if (kind == 0x0D && !ends.empty() && ends.back() == bytes.size()) ends.pop_back();
     if (kind != 0) continue;
-    std::uint32_t size = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-      size |= std::uint32_t{byte(4 + i)} << 8 * (little ? i : 3 - i);
+    const auto size =
+        number_at<std::uint32_t>(bytes, at + 4, little ? std::endian::little : std::endian::big);
     ends.push_back(size == kUndefined ? bytes.size() : at + kHead + size);
     deepest = std::max(deepest, ends.size());
     ++items;

@@ -8,6 +8,7 @@
 #include <bit>
 
 #include "base/matrix.h"
+#include "base/numbers.h"
 #include "maps/header.h"
 #include "maps/names.h"
 #include "maps/readers.h"
@@ -24,7 +25,7 @@ struct Header {
   std::array<double, 3> quatern{}, qoffset{};
   std::array<std::array<double, 4>, 3> srow{};
   std::size_t bytes = 0;
-  bool swapped = false;
+  std::endian order = std::endian::native;
 };
 
 // Offsets of the fields, where the two versions differ in more than the type.
@@ -34,33 +35,25 @@ struct Layout {
 constexpr Layout kNifti1 = {348, 40, 70, 76, 108, 112, 252, 256, 280, 123};
 constexpr Layout kNifti2 = {540, 16, 12, 104, 168, 176, 344, 352, 400, 500};
 
-template <typename T>
-T value_at(std::string_view bytes, std::size_t at, bool swapped) {
-  std::array<char, sizeof(T)> raw;
-  std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(at), sizeof(T), raw.begin());
-  if (swapped) std::reverse(raw.begin(), raw.end());
-  return std::bit_cast<T>(raw);
-}
-
 template <typename Whole, typename Code, typename Real>
-Header read_fields(std::string_view bytes, const Layout& at, bool swapped) {
+Header read_fields(std::string_view bytes, const Layout& at, std::endian order) {
   Header h;
   h.bytes = at.bytes;
-  h.swapped = swapped;
+  h.order = order;
   const auto whole = [&](std::size_t place) {
-    return static_cast<std::int64_t>(value_at<Whole>(bytes, place, swapped));
+    return static_cast<std::int64_t>(number_at<Whole>(bytes, place, order));
   };
   const auto code = [&](std::size_t place) {
-    return static_cast<std::int64_t>(value_at<Code>(bytes, place, swapped));
+    return static_cast<std::int64_t>(number_at<Code>(bytes, place, order));
   };
   const auto real = [&](std::size_t place) {
-    return static_cast<double>(value_at<Real>(bytes, place, swapped));
+    return static_cast<double>(number_at<Real>(bytes, place, order));
   };
   for (std::size_t i = 0; i < 8; ++i) {
     h.dim[i] = whole(at.dim + i * sizeof(Whole));
     h.pixdim[i] = real(at.pixdim + i * sizeof(Real));
   }
-  h.datatype = value_at<std::int16_t>(bytes, at.datatype, swapped);
+  h.datatype = number_at<std::int16_t>(bytes, at.datatype, order);
   h.qform_code = code(at.codes);
   h.sform_code = code(at.codes + sizeof(Code));
   h.slope = real(at.slope);
@@ -74,20 +67,20 @@ Header read_fields(std::string_view bytes, const Layout& at, bool swapped) {
 }
 
 Header read_header(const std::string& path, std::string_view bytes) {
-  for (const bool swapped : {false, true}) {
+  for (const std::endian order : {std::endian::little, std::endian::big}) {
     if (bytes.size() < kNifti1.bytes) break;
-    const auto size = value_at<std::int32_t>(bytes, 0, swapped);
+    const auto size = number_at<std::int32_t>(bytes, 0, order);
     if (size == 348 && bytes.substr(344, 4) == std::string_view("n+1\0", 4)) {
-      Header h = read_fields<std::int16_t, std::int16_t, float>(bytes, kNifti1, swapped);
-      h.voxels_at = static_cast<double>(value_at<float>(bytes, kNifti1.voxels_at, swapped));
+      Header h = read_fields<std::int16_t, std::int16_t, float>(bytes, kNifti1, order);
+      h.voxels_at = static_cast<double>(number_at<float>(bytes, kNifti1.voxels_at, order));
       h.units = static_cast<unsigned char>(bytes[kNifti1.units]);
       return h;
     }
     if (size == 540 && bytes.size() >= kNifti2.bytes &&
         bytes.substr(4, 8) == std::string_view("n+2\0\r\n\032\n", 8)) {
-      Header h = read_fields<std::int64_t, std::int32_t, double>(bytes, kNifti2, swapped);
-      h.voxels_at = static_cast<double>(value_at<std::int64_t>(bytes, kNifti2.voxels_at, swapped));
-      h.units = value_at<std::int32_t>(bytes, kNifti2.units, swapped);
+      Header h = read_fields<std::int64_t, std::int32_t, double>(bytes, kNifti2, order);
+      h.voxels_at = static_cast<double>(number_at<std::int64_t>(bytes, kNifti2.voxels_at, order));
+      h.units = number_at<std::int32_t>(bytes, kNifti2.units, order);
       return h;
     }
   }
@@ -293,13 +286,13 @@ void take(const std::string& path, const Header& h, std::string_view voxels, Lab
   if (!std::isfinite(h.slope) || !std::isfinite(h.inter)) {
     refuse("{}: scl_slope {}, scl_inter {}: expected numbers", path, h.slope, h.inter);
   }
-  std::vector<char> bytes(count * (scaled ? sizeof(double) : sizeof(T)));
+  std::set<std::uint16_t> different;
+  if (!scaled) {
+    return take_labels<T>(path, voxels.substr(0, count * sizeof(T)), map, different, h.order);
+  }
+  std::vector<char> bytes(count * sizeof(double));
   for (std::size_t i = 0; i < count; ++i) {
-    const T raw = value_at<T>(voxels, i * sizeof(T), h.swapped);
-    if (!scaled) {
-      std::memcpy(bytes.data() + i * sizeof(T), &raw, sizeof(T));
-      continue;
-    }
+    const T raw = number_at<T>(voxels, i * sizeof(T), h.order);
     const double part = static_cast<double>(raw) * h.slope;
     double value = part + h.inter;
     const double error = kRounding * (std::fabs(part) + std::fabs(h.inter));
@@ -312,9 +305,7 @@ void take(const std::string& path, const Header& h, std::string_view voxels, Lab
     }
     std::memcpy(bytes.data() + i * sizeof(double), &value, sizeof(double));
   }
-  std::set<std::uint16_t> different;
-  if (scaled) return take_labels<double>(path, bytes, map, different);
-  take_labels<T>(path, bytes, map, different);
+  take_labels<double>(path, bytes, map, different);
 }
 
 // Reads the extensions between header and voxels. Names of labels are in an extension with Caret's
@@ -328,7 +319,7 @@ void read_names(const std::string& path, const Header& h, std::string_view bytes
            h.bytes + 4 + kHead);
   }
   for (std::size_t at = h.bytes + 4; at + kHead <= end;) {
-    const auto size = value_at<std::int32_t>(bytes, at, h.swapped);
+    const auto size = number_at<std::int32_t>(bytes, at, h.order);
     if (size < static_cast<std::int32_t>(kHead) || static_cast<std::size_t>(size) > end - at) {
       refuse("{}: extension of {} bytes at byte {}: expected from {} to {}", path, size, at, kHead,
              end - at);

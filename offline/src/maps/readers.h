@@ -7,9 +7,11 @@
 #include <cmath>
 #include <cstring>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 
+#include "base/numbers.h"
 #include "base/refusal.h"
 #include "maps/label_map.h"
 
@@ -48,17 +50,15 @@ void require_map_size(const std::string& path, const std::array<std::size_t, 3>&
 // Refuses spacing and directions that do not span a volume.
 void require_frame(const std::string& path, const LabelMap& map);
 
-// Appends the labels in `bytes` to the map. Refuses more than kMostLabels different labels, counted
-// over all calls for the map.
+// Appends the labels that are numbers in `bytes` to the map. Refuses more than kMostLabels
+// different labels, counted over all calls for the map.
 template <typename T>
-void take_labels(const std::string& path, const std::vector<char>& bytes, LabelMap& map,
-                 std::set<std::uint16_t>& different) {
+void take_labels(const std::string& path, std::span<const char> bytes, LabelMap& map,
+                 std::set<std::uint16_t>& different, std::endian order = std::endian::native) {
   const std::size_t first = map.label.size(), count = bytes.size() / sizeof(T);
   map.label.resize(first + count);
   for (std::size_t i = 0; i < count; ++i) {
-    T value;
-    std::memcpy(&value, bytes.data() + i * sizeof(T), sizeof(T));
-    const auto number = static_cast<double>(value);
+    const auto number = static_cast<double>(number_at<T>(bytes, i * sizeof(T), order));
     if (!(number >= 0 && number <= 65535) || number != std::floor(number)) {
       refuse("{}: voxel {}: {}: expected labels, which are whole numbers from 0 to 65535", path,
              first + i, number);

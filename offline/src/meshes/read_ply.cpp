@@ -2,9 +2,7 @@
 // PLY 1.0, text and binary in either byte order, with any layout of elements and properties. Only
 // x, y, z of "vertex" and the list vertex_indices (or vertex_index) of "face" are
 // kept.
-#include <bit>
-#include <cstring>
-
+#include "base/numbers.h"
 #include "meshes/mesh_text.h"
 
 namespace stylet::offline {
@@ -108,42 +106,34 @@ struct Values {
   }
 };
 
-template <typename T>
-double load(const char* bytes, bool swapped) {
-  char copy[sizeof(T)];
-  std::memcpy(copy, bytes, sizeof(T));
-  if (swapped) std::reverse(copy, copy + sizeof(T));
-  T value;
-  std::memcpy(&value, copy, sizeof(T));
-  return static_cast<double>(value);
-}
-
 double next_binary(Values& values, Kind kind) {
   const std::size_t size = bytes_of(kind);
   if (values.lines.text.size() - values.at < size) {
     refuse("{}: byte {}: end of file: expected more elements, as the header says",
            values.lines.file, values.lines.text.size());
   }
-  const char* bytes = values.lines.text.data() + values.at;
-  const bool swapped = values.encoding == Encoding::kBig;
+  const auto number = [&values, at = values.at](auto of_type) {
+    const auto order = values.encoding == Encoding::kBig ? std::endian::big : std::endian::little;
+    return static_cast<double>(number_at<decltype(of_type)>(values.lines.text, at, order));
+  };
   values.at += size;
   switch (kind) {
     case Kind::kInt8:
-      return load<std::int8_t>(bytes, swapped);
+      return number(std::int8_t{});
     case Kind::kUint8:
-      return load<std::uint8_t>(bytes, swapped);
+      return number(std::uint8_t{});
     case Kind::kInt16:
-      return load<std::int16_t>(bytes, swapped);
+      return number(std::int16_t{});
     case Kind::kUint16:
-      return load<std::uint16_t>(bytes, swapped);
+      return number(std::uint16_t{});
     case Kind::kInt32:
-      return load<std::int32_t>(bytes, swapped);
+      return number(std::int32_t{});
     case Kind::kUint32:
-      return load<std::uint32_t>(bytes, swapped);
+      return number(std::uint32_t{});
     case Kind::kFloat32:
-      return load<float>(bytes, swapped);
+      return number(float{});
     case Kind::kFloat64:
-      return load<double>(bytes, swapped);
+      return number(double{});
   }
   return 0;
 }

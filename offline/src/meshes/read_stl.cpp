@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // STL, text and binary. A file is binary if its size agrees with the count in a binary header; the
 // word "solid" does not tell, since many binary files begin with it, too.
-#include <bit>
 #include <cctype>
-#include <cstring>
 
+#include "base/numbers.h"
 #include "meshes/mesh_text.h"
 
 namespace stylet::offline {
@@ -14,12 +13,8 @@ constexpr std::size_t kHeaderBytes = 84;
 constexpr std::size_t kFacetBytes = 50;
 constexpr std::size_t kNormalBytes = 12;
 
-template <typename T>
-T load(std::string_view bytes, std::size_t at) {
-  static_assert(std::endian::native == std::endian::little);
-  T value;
-  std::memcpy(&value, bytes.data() + at, sizeof value);
-  return value;
+std::uint32_t claimed_facets(std::string_view bytes) {
+  return number_at<std::uint32_t>(bytes, 80, std::endian::little);
 }
 
 std::string lower(std::string_view token) {
@@ -30,7 +25,7 @@ std::string lower(std::string_view token) {
 
 bool is_text(std::string_view bytes) {
   if (bytes.size() >= kHeaderBytes &&
-      bytes.size() == kHeaderBytes + kFacetBytes * std::size_t{load<std::uint32_t>(bytes, 80)}) {
+      bytes.size() == kHeaderBytes + kFacetBytes * std::size_t{claimed_facets(bytes)}) {
     return false;
   }
   bytes = without_mark(bytes);
@@ -59,7 +54,7 @@ ReadMesh read_binary(std::string_view file, std::string_view bytes) {
     refuse("{}: {} bytes: expected the word solid, or at least {} bytes of a binary STL", file,
            bytes.size(), kHeaderBytes);
   }
-  const std::uint32_t claimed = load<std::uint32_t>(bytes, 80);
+  const std::uint32_t claimed = claimed_facets(bytes);
   require_claimed(file, bytes, claimed);
   Collector collector{.file = file};
   collector.mesh.points.reserve(std::size_t{claimed} * 3);
@@ -67,10 +62,10 @@ ReadMesh read_binary(std::string_view file, std::string_view bytes) {
     const auto first = static_cast<std::uint32_t>(collector.mesh.points.size());
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const std::size_t at = kHeaderBytes + i * kFacetBytes + kNormalBytes + corner * 12;
-      add_point(collector,
-                Vec{static_cast<double>(load<float>(bytes, at)),
-                    static_cast<double>(load<float>(bytes, at + 4)),
-                    static_cast<double>(load<float>(bytes, at + 8))},
+      const auto coordinate = [&](std::size_t axis) {
+        return static_cast<double>(number_at<float>(bytes, at + axis * 4, std::endian::little));
+      };
+      add_point(collector, Vec{coordinate(0), coordinate(1), coordinate(2)},
                 fmt::format(" byte {}", at));
     }
     collector.mesh.triangles.push_back({first, first + 1, first + 2});
