@@ -2,10 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """A parameter of a material and the law of friction that uses it are three lines and the law: in a
 copy of the source they are added so. Kernel and offline compile, old files and tables of tissues
-have 0 for it, the key is known, and the shaft's friction follows it.
+have 0 for it, the key is known, and the shaft's friction follows it. So is a second law that a
+tissue chooses instead of the first: tissues that do not choose it keep their bits, and a shaft in
+both has each law on its part of the length.
 
 usage: add_law_test.py SOURCE COMPILER FLATC
 """
+import math
 import pathlib
 import shutil
 import subprocess
@@ -19,7 +22,7 @@ from command import run
 SOURCE, COMPILER, FLATC = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
 
 # FILE, what is there, what is there instead.
-CHANGES = [
+ONE_MORE_NUMBER = [
     ("kernel/include/stylet/material.h", '"membrane_n_per_mm", 1e3, false)',
      '"membrane_n_per_mm", 1e3, false) \\\n'
      '  F(wet_friction_n_per_m, 0, 10, "0 to 10", "wet_friction_n_per_mm", 1e3, false)'),
@@ -35,6 +38,28 @@ CHANGES = [
      "  return f.wet_n_per_m * speed_m_per_s / (speed_m_per_s + 1) +\n"
      "         dry_n_per_m(f, speed_m_per_s);\n"
      "}\ninline float dry_n_per_m(const Friction& f, float speed_m_per_s) {"),
+]
+
+# The recipe of kernel/README.md: the tissue says which part of its friction follows the second law,
+# and each law has amplitudes of its own.
+STAYS = "(1 - m.rising_friction) * "
+SECOND_LAW = [
+    ("kernel/include/stylet/material.h", '"membrane_n_per_mm", 1e3, false)',
+     '"membrane_n_per_mm", 1e3, false) \\\n'
+     '  F(rising_friction, 0, 1, "0 to 1", "rising_friction", 1, false)'),
+    ("kernel/schema/organ.fbs", "  membrane_n_per_m:float32;",
+     "  membrane_n_per_m:float32;\n  rising_friction:float32;"),
+    ("kernel/src/laws/friction.h", "m.coulomb_friction_n_per_m)",
+     STAYS + "m.coulomb_friction_n_per_m)"),
+    ("kernel/src/laws/friction.h", "m.static_friction_n_per_m)",
+     STAYS + "m.static_friction_n_per_m)"),
+    ("kernel/src/laws/friction.h", "m.viscous_friction_n_s_per_m2)",
+     STAYS + "m.viscous_friction_n_s_per_m2) \\\n"
+     "  F(rising_n_per_m, m.rising_friction * m.coulomb_friction_n_per_m)"),
+    ("kernel/src/laws/friction.h", "f.viscous_n_s_per_m2 * speed_m_per_s;",
+     "f.viscous_n_s_per_m2 * speed_m_per_s + f.rising_n_per_m * (1 + s / (1 + s));"),
+    ("kernel/src/laws/friction.h", "return f.coulomb_n_per_m;",
+     "return f.coulomb_n_per_m + f.rising_n_per_m;"),
 ]
 
 KERNEL = ["kernel.cpp", "state/snapshot.cpp", "state/layout.cpp", "coupling/friction.cpp"]
@@ -57,6 +82,53 @@ int main(int, char** arguments) {
   std::printf(" %g %g", double(friction_n_per_m(friction, 1)), double(mean.wet_n_per_m));
   for (const offline::Tissue& tissue : offline::read_tissues(arguments[1])) {
     std::printf(" %g", tissue.wet_friction_n_per_m);
+  }
+}
+"""
+
+# Numbers of the friction of random tissues; at 0 of the second law, in the two sources, the same.
+SAME = """#include <cstdio>
+#include <random>
+#include "laws/friction.h"
+
+int main() {
+  using namespace stylet;
+  std::mt19937 engine(3);
+  const auto upto = [&](float most) { return most * float(engine()) * 0x1p-32F; };
+  Friction mean{};
+  for (int i = 0; i < 1000; ++i) {
+    Material m{};
+    m.coulomb_friction_n_per_m = upto(50);
+    m.static_friction_n_per_m = m.coulomb_friction_n_per_m + upto(50);
+    m.stribeck_velocity_m_per_s = 1e-6F + upto(0.1F);
+    m.viscous_friction_n_s_per_m2 = upto(100);
+    mean = mixed(mean, friction_of(m), i == 0 ? 1 : upto(1));
+    const float speed = upto(0.2F);
+    std::printf("%a %a %a\\n", double(friction_n_per_m(friction_of(m), speed)),
+                double(friction_n_per_m(mean, speed)), double(least_friction_n_per_m(mean)));
+  }
+}
+"""
+
+# At a speed of 0.3 times the Stribeck speed: what a tissue of each law has, and a shaft of which a
+# quarter is in the one with the second law.
+BOTH = """#include <cstdio>
+#include "laws/friction.h"
+
+int main() {
+  using namespace stylet;
+  Material m{};
+  m.coulomb_friction_n_per_m = 10;
+  m.static_friction_n_per_m = 15;
+  m.stribeck_velocity_m_per_s = 0.01F;
+  m.viscous_friction_n_s_per_m2 = 100;
+  const Friction first = friction_of(m);
+  m.rising_friction = 1;
+  const Friction second = friction_of(m);
+  const Friction each[] = {first, second, mixed(first, second, 0.25F)};
+  for (const Friction& f : each) {
+    std::printf("%.9g %.9g ", double(friction_n_per_m(f, 0.003F)),
+                double(least_friction_n_per_m(f)));
   }
 }
 """
@@ -92,22 +164,27 @@ int main() {
 
 
 class AddLaw(unittest.TestCase):
-    def copied(self, folder):
+    def copied(self, folder, changes):
         for name in "kernel/include", "kernel/schema", "kernel/src", "offline/src", "tests/support":
             shutil.copytree(SOURCE / name, folder / name)
-        for name, old, new in CHANGES:
+        for name, old, new in changes:
             text = (folder / name).read_text()
             self.assertEqual(text.count(old), 1, f"{name}: {old}")
             (folder / name).write_text(text.replace(old, new))
         run(FLATC, "--cpp", "--scoped-enums", "-o", folder, folder / "kernel/schema/organ.fbs")
+        return [COMPILER, "-std=c++20", "-I", folder, "-I", folder / "kernel/include",
+                "-iquote", folder / "kernel/src", "-iquote", folder / "offline/src",
+                "-iquote", folder / "tests/support"]
+
+    def printed(self, folder, compiler, source):
+        (folder / "numbers.cpp").write_text(source)
+        run(*compiler, "-ffp-contract=off", "-o", folder / "numbers", folder / "numbers.cpp")
+        return run(folder / "numbers")
 
     def test_three_lines_and_the_law(self):
         with tempfile.TemporaryDirectory(prefix="stylet-law-") as name:
             folder = pathlib.Path(name)
-            self.copied(folder)
-            compiler = [COMPILER, "-std=c++20", "-I", folder, "-I", folder / "kernel/include",
-                        "-iquote", folder / "kernel/src", "-iquote", folder / "offline/src",
-                        "-iquote", folder / "tests/support"]
+            compiler = self.copied(folder, ONE_MORE_NUMBER)
             kernel, offline = folder / "kernel/src", folder / "offline/src"
             run(*compiler, "-fsyntax-only", *(kernel / each for each in KERNEL),
                 offline / "asset/write_organ.cpp", "-I", SOURCE / "kernel/content")
@@ -132,6 +209,21 @@ class AddLaw(unittest.TestCase):
             tissues.write_text("[liver]\nwet_friction_n_per_mm = 0.02\n")
             done = subprocess.run([program, tissues], capture_output=True, text=True)
             self.assertIn("wet_friction_n_per_mm = 0.02: expected 0 to 0.01", done.stderr)
+
+    def test_a_second_law_that_a_tissue_chooses(self):
+        with tempfile.TemporaryDirectory(prefix="stylet-law-") as name:
+            before, after = pathlib.Path(name) / "before", pathlib.Path(name) / "after"
+            old, new = self.copied(before, []), self.copied(after, SECOND_LAW)
+            run(*new, "-fsyntax-only", *(after / "kernel/src" / each for each in KERNEL))
+            lines = self.printed(before, old, SAME)
+            self.assertEqual(len(set(lines.splitlines())), 1000)
+            self.assertEqual(self.printed(after, new, SAME), lines)
+            first = 10 + 5 * math.exp(-0.09) + 100 * 0.003
+            second = 10 * (1 + 0.3 / 1.3)
+            wanted = [first, 10, second, 10, 0.75 * first + 0.25 * second, 10]
+            for found, right in zip(map(float, self.printed(after, new, BOTH).split()), wanted,
+                                    strict=True):
+                self.assertAlmostEqual(found / right, 1, delta=1e-6)
 
 
 if __name__ == "__main__":

@@ -236,9 +236,12 @@ TEST(FilmLaw, FindsTheDepthOfAForce) {
 
 // ---- friction -----------------------------------------------------------------------------------
 Friction drawn_friction(Draw& draw) {
-  const float coulomb = draw.magnitude(0.1, 100);
-  return {coulomb, coulomb * draw.between(1, 3), 1 / draw.magnitude(1e-4, 1e-1),
-          draw.chance(0.5) ? draw.magnitude(1, 100) : 0};
+  Friction f{};
+  f.coulomb_n_per_m = draw.magnitude(0.1, 100);
+  f.static_n_per_m = f.coulomb_n_per_m * draw.between(1, 3);
+  f.inverse_stribeck_s_per_m = 1 / draw.magnitude(1e-4, 1e-1);
+  if (draw.chance(0.5)) f.viscous_n_s_per_m2 = draw.magnitude(1, 100);
+  return f;
 }
 
 TEST(FrictionLaw, IsStaticAtRestCoulombsAndViscousFarBeyondTheStribeckSpeed) {

@@ -6,6 +6,9 @@
 // Speeds have no sign; the return map knows the direction. Another law with these numbers changes
 // friction_n_per_m and least_friction_n_per_m. One more number is also a line of the list below,
 // and where no material has it yet, one in stylet/material.h (tests/unit/add_law_test.py).
+// A law that a tissue chooses is added to the first: each law has lines of its own in the list,
+// whose forces are 0 in tissues of the other law. So a shaft in two tissues has each law on its
+// part of the length; a choice between two names would say nothing of a mean.
 //
 // Promises: no branch on hardware, no allocation; same bits everywhere. Units SI.
 // Source: Okamura, Simone, O'Leary 2004 (needle friction by the modified Karnopp model); Stribeck's
