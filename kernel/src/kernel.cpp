@@ -13,6 +13,7 @@
 #include "coupling/return_map.h"
 #include "lattice/lattice.h"
 #include "lattice/plan.h"
+#include "lattice/tiles.h"
 #include "lattice/voxel.h"
 #include "laws/cone.h"
 #include "state/layout.h"
@@ -311,6 +312,7 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   fill_head(organ, config, counts, *model.head);
   fill_lattice(organ, model);
   fill_sheets(organ, model, counts);
+  if (counts.filtered_particles != 0) fill_tiles(organ, model);
   fill_voxels(organ, model, counts);
   fill_mixed(organ, model);
   fill_masses(organ, model, counts);

@@ -15,14 +15,15 @@
 #include <tuple>
 #include <vector>
 
-#include "state/layout.h"
-#include "promises.h"
+#include "lattice/tiles.h"
+#include "lattice/voxel.h"
 #include "organ/runs.h"
+#include "promises.h"
 #include "session.h"
 #include "set_speed.h"
+#include "state/layout.h"
 #include "stylet/limits.h"
 #include "tick_work.h"
-#include "lattice/voxel.h"
 
 namespace stylet::test {
 namespace {
@@ -73,6 +74,21 @@ TEST(SparseOrgan, WhatIsClaimedCostsNothing) {
   expect_bounded(open_organ(organ_of_runs(rows_of_two(1024, 64, 65534)))->organ, "65536 rows");
   expect_bounded(open_organ(organ_of_runs(rows_of_two(1, 1000, 65534)))->organ, "1000 rows");
   expect_bounded(open_organ(organ_of_runs(rows_of_two(491, 491, 2000)))->organ, "two plates");
+}
+
+// Each of these voxels has corners in as many tiles as there can be (lattice/tiles.h), all in one
+// plane, whose arrays each pass keeps.
+TEST(SparseOrgan, LoneVoxelsAcrossTilesAreBounded) {
+  for (const std::uint32_t apart : {8U, 16U, 24U}) {
+    std::vector<format::Run> runs;
+    for (std::uint32_t y = 0; y < 40; y += 2) {
+      for (std::uint32_t x = 7; x < 4000; x += apart) {
+        runs.emplace_back(static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
+                          std::uint16_t{0}, std::uint16_t{1});
+      }
+    }
+    expect_bounded(open_organ(organ_of_runs(runs))->organ, "across tiles");
+  }
 }
 
 TEST(SparseOrgan, RowsFromEndToEndRun) {
@@ -185,6 +201,115 @@ Sent wanted(const View& view, std::uint32_t plane_index) {
   std::sort(all.begin(), all.end());
   return all;
 }
+
+// ---- tiles of the filter's passes ---------------------------------------------------------------
+
+// (slot, which of a row's lines of nodes, particle): a voxel takes from the first node of each line
+// and from the one behind it, which is the first of the next slot.
+using Taken = std::vector<std::array<std::uint32_t, 3>>;
+
+// What lies at each place of a plane's array: index of slot or particle in the lattice.
+std::map<std::uint32_t, std::uint32_t> placed(const View& view, std::uint32_t begin,
+                                              std::uint32_t end, std::uint32_t plane_begin) {
+  std::map<std::uint32_t, std::uint32_t> out;
+  for (std::uint32_t i = begin; i < end; ++i) {
+    const Piece& piece = view.model.piece[i];
+    for (std::uint32_t lane = 0; lane < kTile; ++lane) {
+      if (((piece.lanes >> lane) & 1U) == 0) continue;
+      const auto at = static_cast<std::int64_t>(plane_begin) + piece.at + lane;
+      EXPECT_TRUE(out.emplace(piece.place + lane, static_cast<std::uint32_t>(at)).second);
+    }
+  }
+  return out;
+}
+std::map<std::uint32_t, std::uint32_t> placed_nodes(const View& view, const Plane& plane) {
+  return placed(view, plane.tiles.node_piece, plane.tiles.voxel_piece, plane.particle_begin);
+}
+std::map<std::uint32_t, std::uint32_t> placed_slots(const View& view, const Plane& plane) {
+  return placed(view, plane.tiles.voxel_piece, plane.tiles.piece_end, plane.slot_begin);
+}
+
+Taken taken_by_voxels(const View& view) {
+  Taken all;
+  for (std::uint32_t z = 0; z < view.model.head->counts.planes; ++z) {
+    const Plane& plane = view.model.plane[z];
+    const auto slots = placed_slots(view, plane);
+    const auto low = placed_nodes(view, plane), high = placed_nodes(view, (&plane)[1]);
+    for (const auto& [place, slot] : slots) {
+      const Tile& tile = view.model.tile[plane.tiles.voxel + place / kTileFloats - 1];
+      for (std::uint32_t line = 0; line < 4; ++line) {
+        all.push_back(
+            {slot, line, (line < 2 ? low : high).at(tile.from[line] + place % kTileFloats)});
+      }
+    }
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+Taken taken_by_nodes(const View& view) {
+  Taken all;
+  for (std::uint32_t z = 0; z <= view.model.head->counts.planes; ++z) {
+    const Plane& plane = view.model.plane[z];
+    const auto nodes = placed_nodes(view, plane), above = placed_slots(view, plane);
+    const auto below = z > 0 ? placed_slots(view, (&plane)[-1]) : decltype(above){};
+    for (const auto& [place, particle] : nodes) {
+      const Tile& tile = view.model.tile[plane.tiles.node + place / kTileFloats - 1];
+      for (std::uint32_t from = 0; from < 4; ++from) {
+        const auto& slots = from < 2 ? below : above;
+        const auto slot = slots.find(tile.from[from] + place % kTileFloats);
+        if (tile.from[from] == 0 || slot == slots.end()) continue;
+        all.push_back({slot->second, 3 - from, particle});
+      }
+    }
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+Taken taken_by_rows(const View& view) {
+  Taken all;
+  for (std::uint32_t r = 0; r < view.model.head->counts.rows; ++r) {
+    const Row& row = view.model.row[r];
+    for (std::uint32_t i = 0; i <= row.count; ++i) {
+      for (std::uint32_t line = 0; line < 4; ++line) {
+        all.push_back({row.slot + i, line, row.node[line] + i});
+      }
+    }
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+// Nodes that are said to be ready take nothing from later voxels.
+void expect_ready(const View& view, const Plane& plane) {
+  for (std::uint32_t i = plane.tiles.voxel; i < plane.tiles.end; ++i) {
+    const std::uint32_t place = (i - plane.tiles.voxel + 1) * kTileFloats;
+    const std::uint32_t ready = view.model.tile[i].ready;
+    ASSERT_LE(ready, plane.tiles.voxel - plane.tiles.node);
+    for (std::uint32_t node = 0; node < ready; ++node) {
+      const Tile& tile = view.model.tile[plane.tiles.node + node];
+      ASSERT_LE(std::max(tile.from[2], tile.from[3]), place);
+    }
+  }
+}
+
+TEST(SparseOrgan, TilesTakeFromEveryNodeAndVoxelOnce) {
+  std::mt19937_64 random(99);
+  for (const Shape& shape : kShapes) {
+    const auto opened = open_organ(organ_of_runs(draw(random, shape)));
+    const Session session = make_session(opened->organ, Config{});
+    const View view = view_of(session.kernel);
+    const Taken wanted = taken_by_rows(view);
+    EXPECT_EQ(taken_by_voxels(view), wanted);
+    EXPECT_EQ(taken_by_nodes(view), wanted);
+    for (std::uint32_t z = 0; z < view.model.head->counts.planes; ++z) {
+      expect_ready(view, view.model.plane[z]);
+    }
+  }
+}
+
+// ---- what is found ------------------------------------------------------------------------------
 
 // Every voxel is found where it is, and no other.
 TEST(SparseOrgan, EveryVoxelIsFound) {

@@ -11,10 +11,11 @@ constexpr std::uint32_t kMaxVoxels = 4'000'000;
 // Rows (y, z) of the lattice's extent, with or without voxels.
 constexpr std::uint32_t kMaxRows = 16'000'000;
 // A kernel's memory grows with its number of voxels, wherever they lie: by at most this much for
-// each, on top of what an organ of one voxel takes. (Lone voxels 7 cells apart in planes of their
-// own come near it; in a body each takes some 150 bytes.) sizes says how much it is. No organ is
-// refused for it, except where addresses have 32 bits and a block would not fit: kOrganTooLarge.
-constexpr std::uint32_t kMaxBytesPerVoxel = 12'288;
+// each, on top of what an organ of one voxel takes. (Lone voxels of one plane, their corners in
+// different tiles of the filter, come near it; in a body each takes some 200 bytes.) sizes says how
+// much it is. No organ is refused for it, except where addresses have 32 bits and a block would not
+// fit: kOrganTooLarge.
+constexpr std::uint32_t kMaxBytesPerVoxel = 24'576;
 // Sheets of a lattice: voxels that may lie in one cell of space. Every look-up visits each.
 constexpr std::uint32_t kMaxSheets = 8;
 constexpr std::uint32_t kMaxMaterials = 64;

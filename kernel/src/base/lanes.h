@@ -49,8 +49,9 @@ inline WideBits lanes_set(std::uint32_t bits) {
   for (std::uint32_t i = 0; i < kWide; ++i) bit[i] = 1 << i;
   return (bit & static_cast<std::int32_t>(bits)) != 0;
 }
-inline Wide zero_unless(WideBits set, Wide value) {
-  return set ? value : Wide{};
+template <typename Bits, typename Value>
+inline Value zero_unless(Bits set, Value value) {
+  return set ? value : Value{};
 }
 // The lanes one place earlier: the last of `before`, then all but the last of `now`.
 inline Wide lanes_behind(Wide before, Wide now) {
@@ -77,6 +78,42 @@ inline Wide lanes_ahead(Wide now, Wide behind) {
   return __builtin_shufflevector(now, behind, 1, 2, 3, 4);
 #endif
 }
+// The same with at most 8 lanes, for arrays in groups of 8 whatever the instruction set.
+constexpr std::uint32_t kNarrow = kWide < 8 ? kWide : 8;
+typedef float Narrow __attribute__((vector_size(4 * kNarrow)));
+typedef std::int32_t NarrowBits __attribute__((vector_size(4 * kNarrow)));
+typedef float LooseNarrow __attribute__((vector_size(4 * kNarrow), aligned(4), may_alias));
+
+inline Narrow load_narrow(const float* from) {
+  return *reinterpret_cast<const LooseNarrow*>(from);
+}
+inline void store_narrow(float* to, Narrow value) {
+  *reinterpret_cast<LooseNarrow*>(to) = value;
+}
+inline NarrowBits narrow_set(std::uint32_t bits) {
+  NarrowBits bit = {};
+  for (std::uint32_t i = 0; i < kNarrow; ++i) bit[i] = 1 << i;
+  return (bit & static_cast<std::int32_t>(bits)) != 0;
+}
+#if defined(__AVX512F__)
+inline Narrow narrow_behind(Narrow before, Narrow now) {
+  const __m256i shifted = _mm256_maskz_alignr_epi32(0xFF, __builtin_bit_cast(__m256i, now),
+                                                    __builtin_bit_cast(__m256i, before), 7);
+  return __builtin_bit_cast(Narrow, shifted);
+}
+inline Narrow narrow_ahead(Narrow now, Narrow behind) {
+  const __m256i shifted = _mm256_maskz_alignr_epi32(0xFF, __builtin_bit_cast(__m256i, behind),
+                                                    __builtin_bit_cast(__m256i, now), 1);
+  return __builtin_bit_cast(Narrow, shifted);
+}
+#else
+inline Narrow narrow_behind(Narrow before, Narrow now) {
+  return lanes_behind(before, now);
+}
+inline Narrow narrow_ahead(Narrow now, Narrow behind) {
+  return lanes_ahead(now, behind);
+}
+#endif
 // Stores each lane of `a` followed by the same lane of `b`.
 inline void store_pairs(float* to, Wide a, Wide b) {
 #if defined(__AVX512F__)

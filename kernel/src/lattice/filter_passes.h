@@ -8,15 +8,18 @@
 // slab computes the iterates that it needs of planes beside it a second time, so no pass
 // waits for another thread; the bits do not depend on slabs.
 //
-// In a pass each voxel takes the mean of its eight corners and gives it to them: sums along x in
-// lanes as in the sweep, then through the sweep's windows. This is done for some lines of voxels at
-// a time, and for the particles below them right after.
+// In a pass each voxel takes the mean of its eight corners and gives it to them. Before the first
+// pass a plane is brought into the order of tiles (lattice/tiles.h), after the last one back.
 //
 // Internal linkage throughout, as in lanes.h. PHYSICS 3.4.
 #pragma once
 
+#include <algorithm>
+#include <bit>
+
 #include "base/lanes.h"
 #include "lattice/lattice.h"
+#include "lattice/tiles.h"
 #include "state/layout.h"
 
 namespace stylet {
@@ -49,118 +52,216 @@ inline void displace_lanes(Wide velocity, float* u, float* v, float* e, Motion& 
   motion.largest = motion.largest > size ? motion.largest : size;
 }
 
-// Nodes that are one particle get the sum of their values. `values`: x, y, z of a plane,
-// particles_per_plane apart.
-void join_tied(const Model& model, const Plane& plane, float* values) {
-  const TiedNode* const first = model.tie + plane.tie_begin;
-  const TiedNode* const end = model.tie + plane.tie_end;
-  for (int c = 0; c < 3; ++c, values += model.head->counts.particles_per_plane) {
-    const auto at = [&](std::uint32_t node) -> float& {
-      return values[node - plane.particle_begin];
-    };
+// Nodes that are one particle get the sum of their values: x, y, z, `axis` apart, from node `begin`
+// on.
+void join_tied(const TiedNode* first, const TiedNode* end, float* values, std::uint32_t begin,
+               std::ptrdiff_t axis) {
+  for (int c = 0; c < 3; ++c, values += axis) {
+    const auto at = [&](std::uint32_t node) -> float& { return values[node - begin]; };
     for (const TiedNode* tie = first; tie != end; ++tie) at(tie->representative) += at(tie->node);
     for (const TiedNode* tie = first; tie != end; ++tie) at(tie->node) = at(tie->representative);
   }
 }
 
-// What the passes keep: x, y, z of a plane, particles_per_plane apart.
-struct Wave {
-  float* sums;  // of a plane's slots: x, y, z, slots_per_plane apart
-  float* planes;
-  std::ptrdiff_t axis;
+// ---- tiles --------------------------------------------------------------------------------------
 
+// What the passes keep, all in arrays of a plane: for each tile three groups of lanes, mostly x, y
+// and z of one thing (tiles.h).
+struct Wave {
+  float *starts, *bounds;
+  float* planes;
+  float *work, *packed;   // the last: in the order of particles
+  std::ptrdiff_t floats;  // of an array
+  std::uint32_t kept;     // planes of start values and bounds
+
+  // What the first pass starts from.
+  float* start(std::uint32_t z) const { return starts + z % kept * floats; }
+  // Bound and step over mass of particles, bound of the voxels above them.
+  float* bound(std::uint32_t z) const { return bounds + z % kept * floats; }
   float* at(std::uint32_t j, std::uint32_t which) const {
-    return planes + static_cast<std::ptrdiff_t>((j - 1) * kPassPlanes + which) * 3 * axis;
+    return planes + static_cast<std::ptrdiff_t>((j - 1) * kPassPlanes + which) * floats;
   }
-  // What pass j > 1 starts from; below, what voxels send in any pass.
-  float* iterate(std::uint32_t j, std::uint32_t z) const { return at(j, z % 3); }
+  // What pass j starts from; below, what voxels send in it.
+  float* iterate(std::uint32_t j, std::uint32_t z) const { return j > 1 ? at(j, z % 3) : start(z); }
   float* sent(std::uint32_t j, std::uint32_t z) const { return at(j, 3 + z % 2); }
 };
 
-// What pass j starts from (the first from w) on a plane of particles: x, y, z, `axis` apart.
-struct Iterate {
-  const float* at;
-  std::ptrdiff_t axis;
-};
-Iterate iterate_of(const Model& model, const State& state, const Wave& wave, std::uint32_t j,
-                   std::uint32_t z) {
-  if (j > 1) return {wave.iterate(j, z), wave.axis};
-  return {state.wx + model.plane[z].particle_begin, state.wy - state.wx};
+Wave wave_in(const Model& model, float* memory) {
+  const auto floats = static_cast<std::ptrdiff_t>(model.head->counts.tile_floats);
+  const std::ptrdiff_t kept = kMaxFilterPasses + 1;
+  float* const planes = memory + 2 * kept * floats;
+  float* const work = planes + kPassPlanes * kMaxFilterPasses * floats;
+  return {memory, memory + kept * floats,       planes, work, work + floats,
+          floats, model.head->filter.passes + 1};
 }
 
-Wave wave_in(const Model& model, float* floats) {
-  const Counts& counts = model.head->counts;
-  float* const sums = floats + kLanes;  // windows read the lanes before, but do not use them
-  return {sums, sums + std::size_t{3} * counts.slots_per_plane,
-          static_cast<std::ptrdiff_t>(counts.particles_per_plane)};
-}
-
-// For voxel rows up to `end`, at the node between two slots: both slots' means of `low` and `high`
-// (the iterates below and above), each times its bound, added.
-STYLET_KEEP_APART void sum_voxels(const Model& model, std::uint32_t z, Iterate low, Iterate high,
-                                  const Wave& wave, const Row* row, const Row* end) {
-  const Plane *const plane = model.plane + z, *const above = plane + 1;
-  const std::ptrdiff_t stride = model.head->counts.slots_per_plane;
-  for (; row != end; ++row) {
-    const float* n[4] = {low.at + (row->node[0] - plane->particle_begin),
-                         low.at + (row->node[1] - plane->particle_begin),
-                         high.at + (row->node[2] - above->particle_begin),
-                         high.at + (row->node[3] - above->particle_begin)};
-    float* to = wave.sums + (row->slot - plane->slot_begin);
-    const float* bound = model.slot_bound + row->slot;
-    // Sum over the four rows of nodes at a voxel row, for each x.
-    const auto across = [&](std::ptrdiff_t at) {
-      return (load(n[0] + at) + load(n[1] + at)) + (load(n[2] + at) + load(n[3] + at));
-    };
-    Wide last[3] = {};
-    Wide here[3] = {across(0), across(low.axis), across(2 * low.axis)};
-    const auto emit = [&](std::ptrdiff_t c, Wide b, Wide now, Wide behind) {
-      // The corners of an empty slot may have any value.
-      const Wide own = zero_unless(b > 0, b * (now + lanes_ahead(now, behind)));
-      store(to + c * stride, lanes_behind(last[c], own) + own);
-      last[c] = own;
-    };
-    for (const float* const end_of = to + row->count; to + kWide <= end_of; to += kWide) {
-      const Wide b = load(bound);
-      bound += kWide;
-      for (const float*& node : n) node += kWide;
+// Brings a plane into the order of tiles. Lanes that are no place of the plane are zero.
+STYLET_KEEP_APART void start_plane(const Model& model, const State& state, const Scratch& scratch,
+                                   const Wave& wave, std::uint32_t z) {
+  const Plane& plane = model.plane[z];
+  const PlaneTiles& own = plane.tiles;
+  float *const start = wave.start(z), *const bounds = wave.bound(z);
+  const float* const w = state.wx + plane.particle_begin;
+  const std::ptrdiff_t axis = state.wy - state.wx;
+  const float* const bound = model.bound + plane.particle_begin;
+  const float* const held = scratch.coupling_bound + plane.particle_begin;
+  const float* const per_mass = model.step_per_mass + plane.particle_begin;
+  for (const Piece* p = model.piece + own.node_piece; p != model.piece + own.voxel_piece; ++p) {
+    for (std::uint32_t i = 0; i < kTile; i += kNarrow) {
+      const NarrowBits lanes = narrow_set(p->lanes >> i);
+      const std::ptrdiff_t at = p->at + static_cast<std::ptrdiff_t>(i);
+      float* const to = start + p->place + i;
+      float* const to_bounds = bounds + p->place + i;
       for (std::ptrdiff_t c = 0; c < 3; ++c) {
-        const Wide next = across(c * low.axis);
-        emit(c, b, here[c], next);
+        store_narrow(to + c * kTile, zero_unless(lanes, load_narrow(w + (at + c * axis))));
+      }
+      store_narrow(to_bounds, zero_unless(lanes, load_narrow(bound + at) + load_narrow(held + at)));
+      store_narrow(to_bounds + kTile, zero_unless(lanes, load_narrow(per_mass + at)));
+    }
+  }
+  const float* const of_voxels = model.slot_bound + plane.slot_begin;
+  for (const Piece* p = model.piece + own.voxel_piece; p != model.piece + own.piece_end; ++p) {
+    for (std::uint32_t i = 0; i < kTile; i += kNarrow) {
+      const Narrow each = load_narrow(of_voxels + (p->at + static_cast<std::ptrdiff_t>(i)));
+      store_narrow(bounds + p->place + 2 * kTile + i, zero_unless(narrow_set(p->lanes >> i), each));
+    }
+  }
+}
+
+// ---- a pass -------------------------------------------------------------------------------------
+
+// The sum of what a tile takes, two from either array.
+struct Taken {
+  const float* from[4];
+
+  Taken(const Tile& tile, const float* low, const float* high)
+      : from{low + tile.from[0], low + tile.from[1], high + tile.from[2], high + tile.from[3]} {}
+  Narrow sum(std::uint32_t at) const {
+    return (load_narrow(from[0] + at) + load_narrow(from[1] + at)) +
+           (load_narrow(from[2] + at) + load_narrow(from[3] + at));
+  }
+};
+
+// For a plane's voxels, at the node between two of them: both voxels' means of `low` and `high`
+// (the iterates below and above), each times its bound, added. A lane without a voxel has the
+// bound zero, as the last lane of a row: so nothing passes from a row to the next. `carry`: from
+// the tiles before.
+STYLET_KEEP_APART void sum_tiles(const Tile* tile, const Tile* end, const float* low,
+                                 const float* high, const float* bounds, float* to,
+                                 Narrow (&carry)[3]) {
+  Narrow last[3] = {carry[0], carry[1], carry[2]};
+  Taken taken(*tile, low, high);
+  Narrow here[3] = {taken.sum(0), taken.sum(kTile), taken.sum(2 * kTile)};
+  for (; tile != end; ++tile, bounds += kTileFloats, to += kTileFloats) {
+    const Taken ahead(tile[1], low, high);
+    for (std::uint32_t i = 0; i < kTile; i += kNarrow) {
+      const bool within = i + kNarrow < kTile;
+      const Narrow b = load_narrow(bounds + 2 * kTile + i);
+      for (std::uint32_t c = 0; c < 3; ++c) {
+        const Narrow next = within ? taken.sum(i + kNarrow + c * kTile) : ahead.sum(c * kTile);
+        const Narrow own = b * (here[c] + narrow_ahead(here[c], next));
+        store_narrow(to + i + c * kTile, narrow_behind(last[c], own) + own);
+        last[c] = own;
         here[c] = next;
       }
     }
-    // There is no voxel behind the last node.
-    const Wide b = load(bound);
-    for (std::ptrdiff_t c = 0; c < 3; ++c) emit(c, b, here[c], here[c]);
+    taken = ahead;
+  }
+  std::copy(last, last + 3, carry);
+}
+
+// What a plane's particles get from the voxels below and above.
+STYLET_KEEP_APART void gather_tiles(const Tile* tile, const Tile* end, const float* below,
+                                    const float* above, float* to) {
+  for (; tile != end; ++tile) {
+    const Taken taken(*tile, below, above);
+    for (std::uint32_t i = 0; i < kTileFloats; i += kNarrow, to += kNarrow) {
+      store_narrow(to, taken.sum(i));
+    }
   }
 }
 
-// Adds the sums of windows up to `end` to the particles below, which may have sums already, and
-// sets those above.
-STYLET_KEEP_APART void spread_sums(const Model& model, const Wave& wave, const Window* w,
-                                   const Window* end, float* low, float* high) {
-  constexpr std::uint32_t kWindow = kWide > 8 ? 16 : 8;
-  const std::ptrdiff_t stride = model.head->counts.slots_per_plane;
-  for (; w != end; ++w) {
-    for (std::uint32_t i = 0; i < kWindow; i += kWide) {
-      const WideBits before = lanes_set(std::uint32_t{w->lanes[0]} >> i);
-      const WideBits behind = lanes_set(std::uint32_t{w->lanes[1]} >> i);
-      const float* a = wave.sums + (w->slot[0] + static_cast<std::ptrdiff_t>(i));
-      const float* b = wave.sums + (w->slot[1] + static_cast<std::ptrdiff_t>(i));
-      float *to_low = low + w->low + i, *to_high = high + w->high + i;
-      for (int c = 0; c < 3; ++c) {
-        const Wide sum = zero_unless(before, load(a)) + zero_unless(behind, load(b));
-        store(to_low, load(to_low) + sum);
-        store(to_high, sum);
-        a += stride;
-        b += stride;
-        to_low += wave.axis;
-        to_high += wave.axis;
+// The arrays of a plane's particles that a pass goes on from.
+struct Iterates {
+  FilterPass pass;
+  float slope;  // of the bound, per dt / m
+  const float *bounds, *first, *before, *last;
+};
+
+// Sets the next iterates of tiles [tile, end), which begin at `at` in the plane's arrays.
+// sum(tile, at)(i): what particles got, all axes one after the other.
+template <typename Sum>
+inline void finish_tiles(const Tile* tile, const Tile* end, const Iterates& iterates,
+                         std::ptrdiff_t at, float* to, Sum sum) {
+  const Iterates by = iterates;  // copied: after a store of a float they would be read again
+  for (; tile != end; ++tile, at += kTileFloats) {
+    const auto got = sum(*tile, at);
+    for (std::uint32_t i = 0; i < kTile; i += kNarrow) {
+      const Narrow bound = load_narrow(by.bounds + (at + i));
+      const Narrow per_mass = by.slope * load_narrow(by.bounds + (at + kTile + i));
+      for (std::uint32_t c = 0; c < 3; ++c) {
+        const std::ptrdiff_t place = at + i + c * kTile;
+        const Narrow own = load_narrow(by.last + place);
+        const Narrow pull = bound * own - got(i + c * kTile);
+        const Narrow kept = by.pass.last * own + by.pass.first * load_narrow(by.first + place);
+        store_narrow(to + place,
+                     kept + (by.pass.before * load_narrow(by.before + place) - per_mass * pull));
       }
     }
   }
 }
+
+// Tiles of voxels that pass over a plane together, so that what belongs to them stays in the
+// nearest cache until the nodes below them take it.
+constexpr std::ptrdiff_t kTilesTogether = 16;
+
+// Pass j for the voxels of plane z and the particles below them, whose next iterates it writes to
+// `to`.
+STYLET_KEEP_APART void pass_plane(const Model& model, const Wave& wave, std::uint32_t j,
+                                  std::uint32_t z, float* to) {
+  const Plane& plane = model.plane[z];
+  const PlaneTiles& own = plane.tiles;
+  const Tile *const nodes = model.tile + own.node, *const voxels = model.tile + own.voxel;
+  const std::ptrdiff_t voxel_count = own.end - own.voxel;
+  const float *const last = wave.iterate(j, z), *const high = wave.iterate(j, z + 1);
+  const float* const below = wave.sent(j, z + 1);  // two planes in turn
+  float* const above = wave.sent(j, z);
+  const float* const bounds = wave.bound(z);
+  const FilterPass& pass = model.head->filter.pass[j - 1];
+  // In pass 1 the factor of `before` is zero.
+  const Iterates iterates = {pass,          pass.bound_s2 / model.head->substep_s, bounds,
+                             wave.start(z), wave.iterate(j > 1 ? j - 1 : 1, z),    last};
+  const bool tied = plane.tie_begin != plane.tie_end;
+  const Tile* node = nodes;
+  const auto finish_until = [&](const Tile* end) {
+    finish_tiles(node, end, iterates, std::ptrdiff_t{kTileFloats} * (node - nodes + 1), to,
+                 [=](const Tile& tile, std::ptrdiff_t) {
+                   return [taken = Taken(tile, below, above)](std::uint32_t i) {
+                     return taken.sum(i);
+                   };
+                 });
+    node = end;
+  };
+  Narrow carry[3] = {};
+  for (std::ptrdiff_t done = 0; done < voxel_count; done += kTilesTogether) {
+    const std::ptrdiff_t next = std::min(done + kTilesTogether, voxel_count);
+    const std::ptrdiff_t at = std::ptrdiff_t{kTileFloats} * (done + 1);
+    sum_tiles(voxels + done, voxels + next, last, high, bounds + at, above + at, carry);
+    if (!tied) finish_until(nodes + voxels[next - 1].ready);
+  }
+  if (!tied) {
+    finish_until(voxels);
+    return;
+  }
+  float* const sums = wave.work;
+  gather_tiles(nodes, voxels, below, above, sums + kTileFloats);
+  join_tied(model.tied_place + plane.tie_begin, model.tied_place + plane.tie_end, sums, 0, kTile);
+  finish_tiles(nodes, voxels, iterates, kTileFloats, to, [=](const Tile&, std::ptrdiff_t at) {
+    return [=](std::uint32_t i) { return load_narrow(sums + (at + i)); };
+  });
+}
+
+// ---- motion -------------------------------------------------------------------------------------
 
 // Calls visit(first lane in the plane) for each group of a plane's particles; the first group is
 // padding.
@@ -170,113 +271,66 @@ inline void for_each_group(const Plane& plane, Visit visit) {
   for (std::ptrdiff_t i = kLanes; i < count; i += kWide) visit(i);
 }
 
-// Calls use(axis, lane in the plane, next iterate) for the groups [begin, end) of a plane's
-// particles after pass j. Sets what was sent to zero, for the next plane that uses the memory.
-template <typename Use>
-inline void finish_groups(const Model& model, const State& state, const Scratch& scratch,
-                          const Wave& wave, std::uint32_t j, std::uint32_t z, std::ptrdiff_t begin,
-                          std::ptrdiff_t end, Use use) {
-  const Plane& plane = model.plane[z];
-  const ModelHead& head = *model.head;
-  const FilterPass pass = head.filter.pass[j - 1];
-  const float slope = pass.bound_s2 / head.substep_s;  // per dt / m
-  const Iterate first = iterate_of(model, state, wave, 1, z),
-                last = iterate_of(model, state, wave, j, z);
-  const Iterate before =
-      j > 1 ? iterate_of(model, state, wave, j - 1, z) : first;  // in pass 1 its factor is zero
-  const float* const per_mass = model.step_per_mass + plane.particle_begin;
-  const float* const bound = model.bound + plane.particle_begin;
-  const float* const held = scratch.coupling_bound + plane.particle_begin;
-  float* const sent = wave.sent(j, z);
-  for (std::ptrdiff_t i = begin; i < end; i += kWide) {
-    const Wide by = slope * load(per_mass + i);
-    const Wide d = load(bound + i) + load(held + i);
-    for (std::ptrdiff_t c = 0; c < 3; ++c) {
-      float* const from = sent + (i + c * wave.axis);
-      const Wide own = load(last.at + (i + c * last.axis));
-      const Wide pull = d * own - load(from);
-      const Wide kept = pass.last * own + pass.first * load(first.at + (i + c * first.axis));
-      use(c, i, kept + (pass.before * load(before.at + (i + c * before.axis)) - by * pull));
-      store(from, Wide{});
+// Brings x, y, z of a plane of tiles into the order of particles. What a piece's last lanes write
+// beyond it, the next piece overwrites.
+STYLET_KEEP_APART void pack_plane(const Piece* piece, const Piece* end, const float* from,
+                                  float* to, std::ptrdiff_t to_axis) {
+  std::ptrdiff_t last = kLanes;
+  for (; piece != end; ++piece) {
+    const std::ptrdiff_t first = std::countr_zero(piece->lanes);
+    last = piece->at + std::ptrdiff_t{std::bit_width(piece->lanes)};
+    for (std::ptrdiff_t i = first; i < first + kTile; i += kNarrow) {
+      for (std::ptrdiff_t c = 0; c < 3; ++c) {
+        store_narrow(to + (piece->at + i + c * to_axis),
+                     load_narrow(from + (piece->place + i + c * kTile)));
+      }
     }
   }
-}
-
-// Slots of rows, from `row` on, that pass over a plane together: whole lines, few enough that they
-// and all data that belongs to them stay in the nearest cache.
-constexpr std::uint32_t kSlotsTogether = 64;
-inline const Row* lines_together(const Row* row, const Row* end) {
-  const std::uint32_t until = row->slot + kSlotsTogether;
-  for (++row; row != end && (row->y == row[-1].y || row->slot < until); ++row) {
+  for (std::ptrdiff_t i = last; i < last + kLanes; i += kWide) {  // the padding
+    for (std::ptrdiff_t c = 0; c < 3; ++c) store(to + (i + c * to_axis), Wide{});
   }
-  return row;
 }
 
-// Pass j for a voxel plane, if there is one; then the particles below it, which by then have
-// received everything: `use` as in finish_groups.
-template <typename Use>
-void pass_plane(const Model& model, const State& state, const Scratch& scratch, const Wave& wave,
-                std::uint32_t j, std::uint32_t z, Use use) {
-  constexpr std::uint32_t kList = kWide > 8 ? 1 : 0;
-  const Plane& plane = model.plane[z];
-  const std::ptrdiff_t count = plane.particle_end - plane.particle_begin;
-  std::ptrdiff_t done = kLanes;  // before it are padding and groups that are finished
-  const bool tied = plane.tie_begin != plane.tie_end;
-  if (z != model.head->counts.planes) {
-    const Window* const windows = kList == 0 ? model.window8 : model.window16;
-    const Window* window = windows + plane.window_begin[kList];
-    const Row* const end = model.row + (&plane)[1].row_begin;
-    const Iterate low = iterate_of(model, state, wave, j, z),
-                  high = iterate_of(model, state, wave, j, z + 1);
-    const Row* next = model.row + plane.row_begin;
-    for (const Row* row = next; row != end; row = next) {
-      next = lines_together(row, end);
-      sum_voxels(model, z, low, high, wave, row, next);
-      const Window* const to =
-          windows + (next == end ? plane.window_end[kList] : next->window[kList]);
-      spread_sums(model, wave, window, to, wave.sent(j, z), wave.sent(j, z + 1));
-      window = to;
-      if (tied || next == end) continue;
-      const std::ptrdiff_t until = to->low / kWide * kWide;
-      finish_groups(model, state, scratch, wave, j, z, done, until, use);
-      done = until > done ? until : done;
-    }
-  }
-  if (tied) join_tied(model, plane, wave.sent(j, z));
-  finish_groups(model, state, scratch, wave, j, z, done, count, use);
-}
-
-// Moves a plane's particles with the velocities of the last pass.
-void move_filtered(const Model& model, State& state, const Scratch& scratch, const Wave& wave,
-                   std::uint32_t z, Motion& motion_out) {
-  const Plane& plane = model.plane[z];
-  const std::uint32_t passes = model.head->filter.passes;
-  const std::ptrdiff_t axis = state.uy - state.ux;
+// Moves a plane's particles with these velocities: x, y, z, `axis` apart.
+void move_plane(const Plane& plane, State& state, const float* velocity, std::ptrdiff_t axis,
+                Motion& motion_io) {
+  const std::ptrdiff_t own_axis = state.uy - state.ux;
   float* const u = state.ux + plane.particle_begin;
   float* const v = state.vx + plane.particle_begin;
   float* const e = state.ex + plane.particle_begin;
-  Motion motion = motion_out;
-  const auto move = [&](std::ptrdiff_t c, std::ptrdiff_t i, Wide velocity) {
-    const std::ptrdiff_t at = i + c * axis;
-    displace_lanes(bounded(velocity, motion), u + at, v + at, e + at, motion);
-  };
-  if (passes > 0) {
-    pass_plane(model, state, scratch, wave, passes, z, move);
-  } else {
-    const Iterate w = iterate_of(model, state, wave, 1, z);
-    for_each_group(plane, [&](std::ptrdiff_t i) {
-      for (std::ptrdiff_t c = 0; c < 3; ++c) move(c, i, load(w.at + (i + c * w.axis)));
-    });
-  }
-  motion_out = motion;
+  Motion motion = motion_io;
+  for_each_group(plane, [&](std::ptrdiff_t i) {
+    for (std::ptrdiff_t c = 0; c < 3; ++c) {
+      const std::ptrdiff_t at = i + c * own_axis;
+      displace_lanes(bounded(load(velocity + (i + c * axis)), motion), u + at, v + at, e + at,
+                     motion);
+    }
+  });
+  motion_io = motion;
+}
+
+void move_filtered(const Model& model, State& state, const Wave& wave, std::uint32_t z,
+                   Motion& motion_io) {
+  const Plane& plane = model.plane[z];
+  const auto axis = static_cast<std::ptrdiff_t>(model.head->counts.particles_per_plane);
+  pack_plane(model.piece + plane.tiles.node_piece, model.piece + plane.tiles.voxel_piece, wave.work,
+             wave.packed, axis);
+  move_plane(plane, state, wave.packed, axis, motion_io);
 }
 
 // Filters and moves the particles of planes [begin, end).
 void filter_planes(const Model& model, State& state, const Scratch& scratch, std::uint32_t begin,
                    std::uint32_t end, float* floats, Motion& motion) {
-  const Wave wave = wave_in(model, floats);
   const std::uint32_t passes = model.head->filter.passes;
   const std::uint32_t planes = model.head->counts.planes + 1;  // of particles
+  if (passes == 0) {
+    for (std::uint32_t z = begin; z < end; ++z) {  // the momenta are the velocities
+      const Plane& plane = model.plane[z];
+      move_plane(plane, state, state.wx + plane.particle_begin, state.wy - state.wx, motion);
+    }
+    return;
+  }
+  const Wave wave = wave_in(model, floats);
   // Pass j covers the planes from passes + 1 - j before the first to as many after the last.
   const auto first_of = [&](std::uint32_t j) {
     const std::uint32_t reach = passes + 1 - j;
@@ -286,27 +340,23 @@ void filter_planes(const Model& model, State& state, const Scratch& scratch, std
     const std::uint32_t reach = passes + 1 - j;
     return planes - end > reach ? end + reach : planes;
   };
-  for (std::uint32_t j = 1; j <= passes; ++j) {
-    for (std::ptrdiff_t i = 0; i < 6 * wave.axis; i += kWide) store(wave.sent(j, 0) + i, Wide{});
+  for (std::uint32_t k = 0; k < kFilterArrays; ++k) {  // the empty tiles
+    for (std::uint32_t i = 0; i < kTileFloats; i += kNarrow) {
+      store_narrow(floats + k * wave.floats + i, Narrow{});
+    }
   }
   for (std::uint32_t t = first_of(1); t < end + passes; ++t) {
+    if (t < end_of(1)) start_plane(model, state, scratch, wave, t);
     for (std::uint32_t j = 1; j < passes && j <= t; ++j) {
       const std::uint32_t z = t - j;
       if (z < first_of(j) || (z + 1 >= end_of(j) && z + 1 != planes)) continue;
-      float* const next = wave.iterate(j + 1, z);
-      pass_plane(model, state, scratch, wave, j, z,
-                 [&](std::ptrdiff_t c, std::ptrdiff_t i, Wide value) {
-                   store(next + i + c * wave.axis, value);
-                 });
+      pass_plane(model, wave, j, z, wave.iterate(j + 1, z));
     }
     if (t < first_of(passes) + passes) continue;
     const std::uint32_t z = t - passes;
-    if (z >= begin) {
-      move_filtered(model, state, scratch, wave, z, motion);
-    } else {  // what the plane below gives to the first
-      pass_plane(model, state, scratch, wave, passes, z,
-                 [](std::ptrdiff_t, std::ptrdiff_t, Wide) {});
-    }
+    pass_plane(model, wave, passes, z, wave.work);
+    // Before `begin`, only what its voxels give to the first plane is needed.
+    if (z >= begin) move_filtered(model, state, wave, z, motion);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "lattice/tiles.h"
 #include "lattice/voxel.h"
 
 namespace stylet {
@@ -84,7 +85,7 @@ void for_each_window(Runs before, Runs behind, std::uint32_t width, Visit visit)
 
 struct Totals {
   std::uint64_t rows, slots, particles, windows[2];
-  std::uint64_t slots_of_line, slots_of_plane, particles_of_plane;  // at most
+  std::uint64_t slots_of_line, particles_of_plane;  // at most
 };
 
 void count_voxels(Runs plane, Totals& totals) {
@@ -102,7 +103,6 @@ void count_voxels(Runs plane, Totals& totals) {
   }
   slots = round_lanes(slots);
   totals.slots += slots;
-  totals.slots_of_plane = std::max(totals.slots_of_plane, slots);
 }
 
 // Counts the nodes between two voxel planes.
@@ -131,14 +131,6 @@ void for_each_row(const Organ& organ, Visit visit) {
       for (Extent e; stretches.next(e);) visit(y, z);
     }
   }
-}
-
-// All that the passes keep of planes (lattice/filter_passes.h).
-std::uint64_t filter_floats(const Counts& c) {
-  const std::uint64_t passes =
-      std::uint64_t{kMaxFilterPasses} * kPassPlanes * 3 * c.particles_per_plane;
-  // Rows are read up to a group of lanes beyond their end.
-  return kLanes + std::uint64_t{3} * c.slots_per_plane + passes + 2 * kLanes;
 }
 
 std::uint32_t place_of(const Organ& organ, const Counts& counts, std::uint32_t y, std::uint32_t z) {
@@ -280,11 +272,10 @@ Status count_lattice(const Organ& organ, const Config& config, Counts& counts_ou
   // The sweep works in whole lanes, so it touches up to two groups behind the last row.
   c.particles = static_cast<std::uint32_t>(totals.particles) + 2 * kLanes;
   c.particles_per_plane = static_cast<std::uint32_t>(totals.particles_of_plane) + 2 * kLanes;
-  c.slots_per_plane = static_cast<std::uint32_t>(totals.slots_of_plane) + 2 * kLanes;
   if (config.inertia == Inertia::kTrueMass) {
     c.filtered_particles = c.particles;
-    c.filtered_slots = c.slots + kLanes;  // rows are read in whole lanes
-    c.filter_floats = filter_floats(c);
+    c.filtered_slots = c.slots + kLanes;  // pieces are read in whole lanes
+    count_tiles(organ, c);
   }
   count_places(organ, c);
   return Status::kOk;

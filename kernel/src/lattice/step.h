@@ -188,7 +188,8 @@ void push_particles(const Model& model, State& state, const Plane& plane, float*
 void finish_particles(const Model& model, State& state, Scratch& scratch, const Plane& plane,
                       float* force, Motion& motion) {
   add_changes(model, scratch, static_cast<std::uint32_t>(&plane - model.plane), force);
-  if (plane.tie_begin != plane.tie_end) join_tied(model, plane, force);
+  join_tied(model.tie + plane.tie_begin, model.tie + plane.tie_end, force, plane.particle_begin,
+            model.head->counts.particles_per_plane);
   if (has_true_mass(model)) {
     push_particles(model, state, plane, force, motion);
   } else {

@@ -37,9 +37,10 @@ struct Counts {
   std::uint32_t windows[2];  // of 8 and of 16 lanes, lattice/plan.h
   std::uint32_t sheets, ties;
   std::uint32_t needles;
-  // Zero without true mass: particles and slots, and floats of a filter's scratch.
-  std::uint32_t filtered_particles, filtered_slots;
-  std::uint32_t slots_per_plane;
+  // Zero without true mass: particles, slots and ties; tiles and their pieces (lattice/tiles.h);
+  // floats of a plane of tiles, and of a filter's scratch.
+  std::uint32_t filtered_particles, filtered_slots, filtered_ties;
+  std::uint32_t tiles, pieces, tile_floats;
   std::uint64_t filter_floats;
 };
 
@@ -47,10 +48,6 @@ struct Counts {
 // cache. (With 128 the step takes 0.7 % more instructions, with 160 up to 2 % more time.)
 constexpr std::uint32_t kChunk = 144;
 static_assert(kChunk % kLanes == 0);
-
-// Planes of particles that each pass of the filter keeps: three of the values it starts from, and
-// two of what voxels send.
-constexpr std::uint32_t kPassPlanes = 5;
 
 // A stretch of voxels x0 .. x0 + count - 1 of row y (counted over all sheets) in a plane; holes are
 // slots without stiffness. The slots before the first and after the last are empty, so a node sees
@@ -62,6 +59,13 @@ struct Row {
   std::uint32_t window[2];  // first window of line y, in each of the two lists
 };
 
+// A plane's tiles and pieces: of the particles at its low side, then of its voxels
+// (lattice/tiles.h).
+struct PlaneTiles {
+  std::uint32_t node, voxel, end;
+  std::uint32_t node_piece, voxel_piece, piece_end;
+};
+
 struct Plane {
   std::uint32_t row_begin;                     // the next plane's row_begin is the end
   std::uint32_t z;                             // in space, of the particles at the low side
@@ -69,6 +73,7 @@ struct Plane {
   std::uint32_t particle_begin, particle_end;  // of the particles at the plane's low side
   std::uint32_t window_begin[2], window_end[2];
   std::uint32_t tie_begin, tie_end;  // of the particles at the plane's low side
+  PlaneTiles tiles;
 };
 
 // Two nodes that are one particle, in different sheets of the lattice.
@@ -84,6 +89,20 @@ struct Window {
   std::int32_t slot[2];
   std::uint16_t lanes[2];   // a bit for each node that belongs to the row
   std::uint32_t low, high;  // the first node, in the particle planes below and above
+};
+
+// Eight places of the filter's passes (lattice/tiles.h): the four that it takes from, as places
+// in an array of a plane. Voxels take from nodes at (y, y + 1) below, then above; nodes from voxels
+// at (y - 1, y) below, then above.
+struct Tile {
+  std::uint32_t from[4];
+  std::uint32_t ready;  // of voxels: tiles of nodes below them that then have got everything
+};
+// What of a stretch lies in a tile.
+struct Piece {
+  std::int32_t at;      // the tile's first lane among a plane's slots or particles, or before them
+  std::uint32_t place;  // the tile's, in an array of a plane
+  std::uint32_t lanes;  // a bit for each that is the stretch's
 };
 
 // What the tick needs to know of a material; derived once.
@@ -276,6 +295,12 @@ struct ScratchHead {
   F(window16, Window, c.windows[1])                                                      \
   /* tie: nodes of different sheets that are one particle */                             \
   F(tie, TiedNode, c.ties)                                                               \
+  /* tile: what the filter's passes take, true mass only (lattice/tiles.h) */            \
+  F(tile, Tile, c.tiles)                                                                 \
+  /* piece: where tiles lie among slots and particles */                                 \
+  F(piece, Piece, c.pieces)                                                              \
+  /* tied_place: tied nodes by their places in tiles */                                  \
+  F(tied_place, TiedNode, c.filtered_ties)                                               \
   /* row_of: first row of a place (y, z), to find the row of a voxel */                  \
   F(row_of, std::uint32_t, c.row_grid)                                                   \
   /* voxel_slot: slot of each of the organ file's voxels */                              \
@@ -298,6 +323,8 @@ struct ScratchHead {
   F(particle_kg, float, c.particles)                                                     \
   /* hourglass_n_per_m: resistance of a particle to hourglass motion, over its voxels */ \
   F(hourglass_n_per_m, float, c.particles)                                               \
+  /* before_bound: what pieces read before the first bound and do not use */             \
+  F(before_bound, float, c.filtered_slots > 0 ? kLanes : 0)                              \
   /* slot_bound: N/m: bound on a voxel's stiffness, true mass only (laws/filter.h) */    \
   F(slot_bound, float, c.filtered_slots)                                                 \
   /* bound: N/m: the same for a particle */                                              \

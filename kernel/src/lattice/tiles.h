@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lattice in whole registers, as the filter's passes walk it (lattice/filter_passes.h).
+//
+// A tile is eight neighbouring places of a line along x, the first at a multiple of eight in the
+// whole lattice. In this order all that belongs to a tile (its nodes in the lines beside it, what
+// its voxels send) lies in tiles as well, at the same lanes: no load crosses a line of the cache,
+// and the passes walk flat lists, without a loop for each row. (With rows as the sweep stores them,
+// one behind the other without gaps, most loads crossed lines and the ends of rows were masked: a
+// tissue step took up to 14 % more time. Tiles of 16 places for AVX-512 won nothing in long rows
+// and lost 8 % in an organ's.) Only the passes' own arrays have this order; pieces say what of a
+// tile lies where among slots and particles.
+//
+// In an array of a plane each tile has three groups of lanes one after the other, mostly x, y and
+// z: all that a pass does with a tile is near. The first tile is empty: what it holds is zero. It
+// stands for lines that are not there.
+//
+// Promises as in plan.h. At creation only.
+#pragma once
+
+#include "state/layout.h"
+
+namespace stylet {
+
+constexpr std::uint32_t kTile = 8;
+constexpr std::uint32_t kTileFloats = 3 * kTile;
+static_assert(kGap >= kTile);  // so no tile has lanes of two stretches of a line
+
+// Arrays that the passes keep. Of each plane that some pass still needs: what they start from, and
+// bounds. For each pass: three planes of iterates, two of what voxels send. And the plane at work;
+// in addition, the same in the order of particles.
+constexpr std::uint32_t kPassPlanes = 5;
+constexpr std::uint32_t kFilterArrays =
+    2 * (kMaxFilterPasses + 1) + kPassPlanes * kMaxFilterPasses + 1;
+
+// Adds the numbers of tiles and pieces to `counts_io`.
+void count_tiles(const Organ& organ, Counts& counts_io);
+
+// Fills tiles, pieces and places of tied nodes; needs planes with their particles and ties.
+void fill_tiles(const Organ& organ, Model& model);
+
+}  // namespace stylet
