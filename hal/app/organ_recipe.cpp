@@ -140,8 +140,16 @@ void require_meshes(const hal::Scene& scene) {
       scene.file, folder));
 }
 
+// The installed organ, if it is what the scene's recipe makes and is there; else empty.
+fs::path phantom_of(const hal::Scene& scene) {
+  if (recipe_of(scene.text) != STYLET_PHANTOM_RECIPE) return {};
+  const fs::path organ = own_program().parent_path().parent_path() / STYLET_PHANTOM;
+  return hal::why_unreadable(organ) == "no such file" ? fs::path() : organ;
+}
+
 // An organ of stylet-organ appears whole or not at all, so two runs may make the same one at once.
-std::string make_organ(const hal::Scene& scene) {
+std::string own_organ(const hal::Scene& scene) {
+  if (const fs::path phantom = phantom_of(scene); !phantom.empty()) return phantom;
   const fs::path organ = kept_organ(scene);
   if (hal::why_unreadable(organ) != "no such file") return organ;
   require_meshes(scene);
@@ -170,7 +178,7 @@ bool has_recipe(const std::string& scene_text) {
 std::string organ_of_scene(const hal::Scene& scene) {
   const fs::path path = fs::path(scene.file).parent_path() / scene.organ_path;
   if (!has_recipe(scene.text) || hal::why_unreadable(path) != "no such file") return path;
-  if (comes_with_stylet(scene.file)) return make_organ(scene);
+  if (comes_with_stylet(scene.file)) return own_organ(scene);
   throw hal::SceneError(fmt::format("{}: no such file: the organ of this scene is made by: {}",
                                     path.string(), command_of(words_of(scene, path))));
 }

@@ -33,8 +33,6 @@ endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# dpkg-shlibdeps looks here for libstylet.so, which no package has yet.
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/lib)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 # stylet_package(COMPONENT NAME SECTION SUMMARY TEXT [DEPENDS...])
@@ -60,14 +58,14 @@ pkg-config files, and the kernel and the loop as static libraries."
   "libstylet${soversion} (= ${PROJECT_VERSION})" "libccd-dev")
 stylet_package(program stylet science "needle insertion for haptic devices, program and scenes"
   "${about}
-This is the program that runs and records scenes, with its scenes,
-benchmarks and the rules for haptic devices."
+This is the program that runs and records scenes, with its scenes, a
+phantom of a liver, benchmarks and the rules for haptic devices."
   "passwd" "python3:any")
 stylet_package(python python3-stylet python "needle insertion for haptic devices, from Python"
   "${about}
 This is the Python package: numpy arrays, many simulations at once,
-environments for learning, recordings."
-  "libstylet${soversion} (= ${PROJECT_VERSION})" "python3 (>= 3.11)" "python3 (<< 3.12)"
+environments for learning, recordings. The library is in it."
+  "python3 (>= 3.11)" "python3 (<< 3.12)"
   "python3-numpy")
 stylet_package(organ stylet-organ science "makes organs for stylet of meshes and segmentations"
   "${about}
@@ -87,9 +85,13 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "stylet-organ")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS
   "stylet-doc, python3-h5py, python3-matplotlib, gnuplot-nox")
 set(CPACK_DEBIAN_ORGAN_PACKAGE_SUGGESTS "stylet, stylet-doc, snakemake, python3-pydicom")
-set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-h5py, python3-matplotlib")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-h5py, python3-matplotlib, stylet")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS
-  "stylet, stylet-organ, python3-stylet-organ, python3-distributed")
+  "stylet-organ, python3-stylet-organ, python3-distributed")
+# It has the library inside: one of another version beside it would give other bits in another
+# language.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_BREAKS
+  "libstylet${soversion} (<< ${PROJECT_VERSION}), libstylet${soversion} (>> ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_ORGAN_PYTHON_PACKAGE_SUGGESTS "stylet-organ, stylet-doc")
 set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DOC_PACKAGE_SHLIBDEPS OFF)
@@ -129,7 +131,7 @@ include(CPack)
 add_custom_target(packages COMMAND ${CMAKE_CPACK_COMMAND} -G DEB
   WORKING_DIRECTORY ${PROJECT_BINARY_DIR} USES_TERMINAL VERBATIM)
 foreach(target stylet_shared stylet_kernel stylet_hal stylet_python stylet_organ_python stylet
-    stylet-texts stylet-organ stylet-organ-texts stylet-bench stylet-snapshot)
+    stylet-texts stylet-organ stylet-organ-texts stylet-phantom stylet-bench stylet-snapshot)
   if(TARGET ${target})
     add_dependencies(packages ${target})
   endif()

@@ -19,12 +19,12 @@ import sbom
 
 # Component: package, licence, and the folders of the build with the objects it was linked from.
 KERNEL = [f"kernel/CMakeFiles/stylet_{name}.dir/" for name in ("kernel", "organ", "content_sum")]
+LIBRARY = [*KERNEL, "hal/CMakeFiles/stylet_hal.dir/", "hal/hosts/c/"]
 PACKAGES = {
-    "libraries": ("libstylet0", "Apache-2.0", [*KERNEL, "hal/CMakeFiles/stylet_hal.dir/",
-                                              "hal/hosts/c/"]),
+    "libraries": ("libstylet0", "Apache-2.0", LIBRARY),
     "development": ("libstylet-dev", "Apache-2.0", []),
     "program": ("stylet", "Apache-2.0", ["kernel/", "hal/", "toolchain/cli/", "tests/bench/"]),
-    "python": ("python3-stylet", "Apache-2.0", ["hal/hosts/python/"]),
+    "python": ("python3-stylet", "Apache-2.0", [*LIBRARY, "hal/hosts/python/"]),
     "organ": ("stylet-organ", "GPL-3.0-or-later", ["kernel/", "offline/", "toolchain/cli/"]),
     "organ_python": ("python3-stylet-organ", "GPL-3.0-or-later", ["kernel/", "offline/"]),
     "doc": ("stylet-doc", "Apache-2.0", None),

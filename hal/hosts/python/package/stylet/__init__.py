@@ -4,7 +4,7 @@
 Units: SI. Frame: world, the organ's rest frame, right-handed. A pose is seven numbers, position
 and quaternion w, x, y, z, of the needle's handle; the needle leaves it along its -z.
 
-    organ = stylet.Organ.read("liver.organ")
+    organ = stylet.phantom("liver")  # or Organ.read("patient.organ")
     simulation = stylet.Simulation(organ, stylet.Needle(bending_nm2=0.02))
     outputs = simulation.run(poses)  # poses: (ticks, 7)
     outputs["force_n"]
@@ -22,6 +22,7 @@ from stylet.environment import NeedleEnv, VectorNeedleEnv
 from stylet.fit import Fit, fit
 from stylet.insertion import insertion_poses, kept_organ
 from stylet.names import Event, Flag, NO_LAYER, Phase, Status
+from stylet.phantom import phantom
 from stylet.recording import Recording
 from stylet.simulation import Simulation, VectorSimulation, inputs, poses_of_tips
 from stylet.spaces import Box
@@ -37,5 +38,5 @@ __all__ = [
     "StyletError", "Target", "Uniform", "VectorNeedleEnv", "VectorSimulation", "build",
     "constraint_particle_dtype", "draw", "event_dtype", "event_name", "fit", "input_dtype",
     "inputs", "insertion_poses", "kept_organ", "obstacle_touch_dtype", "output_dtype",
-    "pose_of_tip", "poses_of_tips", "read_table", "read_targets", "state_layout", "status_name",
+    "phantom", "pose_of_tip", "poses_of_tips", "read_table", "read_targets", "state_layout", "status_name",
     "sweep", "version", "voxel_dtype"]
