@@ -7,6 +7,7 @@ Expected values: closed forms of the rows' own parameters; insertions that are r
 import functools
 import os
 import pathlib
+import shlex
 import signal
 import subprocess
 import sys
@@ -233,6 +234,26 @@ class Sweep(unittest.TestCase):
         table = stylet.read_table(self.path())[0]
         np.testing.assert_array_equal(table["half"], [0, 0.5, 1, np.nan, 2])
         self.refuses("attributes: function: sweep writes it itself", attributes={"function": "f"})
+
+    def test_table_without_a_function_says_how_to_go_on(self):
+        """As versions wrote it that noted no function: refused as it is, and resumed with the
+        command that the refusal has."""
+        first = stylet.sweep(half_of_odd, {"i": range(5)}, 0, path=self.path())
+        with h5py.File(self.path(), "r+") as file:
+            del file.attrs["function"]
+        before = pathlib.Path(self.path()).read_bytes()
+        with self.assertRaisesRegex(ValueError, "expected another path; or, if it was .*half_of_odd"
+                                    ) as refused:
+            stylet.sweep(half_of_odd, {"i": range(5)}, 0, path=self.path())
+        self.assertEqual(pathlib.Path(self.path()).read_bytes(), before)
+        command = str(refused.exception).rpartition("in the file: ")[2]
+        self.assertEqual(shlex.split(command)[:2], ["python3", "-c"])
+        subprocess.run([sys.executable, *shlex.split(command)[1:]], check=True)
+        ran = []
+        again = functools.wraps(half_of_odd)(lambda i: ran.append(i) or half_of_odd(i))
+        table = stylet.sweep(again, {"i": range(5)}, 0, path=self.path())
+        np.testing.assert_array_equal(table["half"], first["half"])
+        self.assertEqual(ran, [3])  # which failed before
 
     def test_a_script_and_its_module_are_one_function(self):
         script = folder() / "campaign_of_one.py"

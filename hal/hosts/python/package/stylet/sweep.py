@@ -10,6 +10,7 @@ import fcntl
 import functools
 import os
 import pickle
+import shlex
 import signal
 import sys
 import time
@@ -318,6 +319,8 @@ class Table:
     def load(self):
         with h5py.File(self.path, "r") as file:
             require_table(self.path, file)
+            if "function" not in file.attrs:
+                raise ValueError(nameless(self.path, self.attributes["function"]))
             for name, value in self.attributes.items():
                 if not np.array_equal(file.attrs.get(name), value):
                     raise ValueError(f"{self.path}: {name} is {file.attrs.get(name)}, and here "
@@ -356,6 +359,14 @@ def require_table(path, file):
         if not isinstance(column, h5py.Dataset) or not (texts or column.dtype.kind in "biufc") or (
                 column.shape[:1] != (rows,)):
             raise ValueError(f"{path}: column {name}: expected {rows} rows of numbers or texts")
+
+
+def nameless(path, function):
+    """Tables of versions before functions had names in them: only who made it knows whose it is."""
+    name = f"h5py.File({os.fspath(path)!r}, 'r+').attrs['function'] = {function!r}"
+    return (f"{path}: does not say which function wrote it, as tables of earlier versions do not: "
+            f"expected another path; or, if it was {function}, its name in the file: "
+            f"python3 -c {shlex.quote('import h5py; ' + name)}")
 
 
 def plain(value):
