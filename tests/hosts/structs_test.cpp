@@ -319,9 +319,10 @@ TEST_F(Structs, RefusalsNameVectors) {
     ASSERT_EQ(stylet_obstacle_init(&obstacle, sizeof obstacle), STYLET_OK);
   };
   fresh();
-  obstacle.vertices_m[0] = {0, 3e8F, 4e8F};
+  ASSERT_EQ(stylet_obstacle_box(&obstacle, {0.01F, 0.01F, 0.01F}), STYLET_OK);
+  obstacle.vertices_m[5] = {0, 3e8F, 4e8F};
   expect(nullptr, &obstacle, "obstacle.vertices_m",
-         "obstacle.vertices_m [0]: length of a vertex 5e+08: expected");
+         "obstacle.vertices_m [0]: vertex 5: length 5e+08: expected");
   fresh();
   obstacle.pose.position_m = {6e8F, 0, 8e8F};
   expect(nullptr, &obstacle, "obstacle.pose.position_m",

@@ -331,6 +331,12 @@ TEST(Obstacles, AreRefusedByNameNumberAndLimits) {
   EXPECT_STREQ(why.field, "obstacles");
   EXPECT_EQ(std::tuple(why.value, why.most), std::tuple(kMaxObstacles + 1.0, 1.0 * kMaxObstacles));
   two[1].friction = 0.5F;
+  make_box(two[1], {1e-3F, 2e-3F, 3e-3F});
+  two[1].vertices_m[6] = {3e8F, 0, 4e8F};
+  EXPECT_EQ(set_obstacles(session.kernel, two, &why), Status::kConfigValueOutOfRange);
+  EXPECT_STREQ(why.field, "obstacle.vertices_m");
+  EXPECT_EQ(std::tuple(why.index, why.vertex, why.value), std::tuple(1U, 6U, 5e8));
+  make_box(two[1], {1e-3F, 2e-3F, 3e-3F});
   EXPECT_EQ(set_obstacles(session.kernel, two, &why), Status::kOk);
   EXPECT_STREQ(why.field, "") << "nothing was refused";
   EXPECT_EQ(view_of(session.kernel).model.head->obstacle_count, 2U);

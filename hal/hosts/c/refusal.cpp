@@ -22,10 +22,11 @@ struct Spoken {
   const char* name;
   const char* number;
 };
+constexpr const char* kVertices = "obstacle.vertices_m";
 constexpr std::array<Spoken, 5> kSpoken{{
     {"breathing.period_s", "breathing_period_s", ""},
     {"breathing.amplitude_m", "breathing_amplitude_m", "length "},
-    {"obstacle.vertices_m", "obstacle.vertices_m", "length of a vertex "},
+    {"obstacle.vertices_m", kVertices, "length "},
     {"obstacle.pose.position_m", "obstacle.pose.position_m", "length "},
     {"obstacle.pose.rotation", "obstacle.pose.rotation", "length squared "},
 }};
@@ -93,8 +94,10 @@ stylet_status refuse_config(stylet_refusal* refusal_out, Status status, const Co
   why.value = of.value;
   why.least = of.least;
   why.most = of.most;
-  std::snprintf(why.text, sizeof why.text, "%s [%u]: %s%g: expected %g to %g", field.name, of.index,
-                field.number, of.value, of.least, of.most);
+  char vertex[32] = "";
+  if (field.name == kVertices) std::snprintf(vertex, sizeof vertex, "vertex %u: ", of.vertex);
+  std::snprintf(why.text, sizeof why.text, "%s [%u]: %s%s%g: expected %g to %g", field.name,
+                of.index, vertex, field.number, of.value, of.least, of.most);
   return tell(refusal_out, why);
 }
 

@@ -9,13 +9,13 @@ namespace stylet {
 
 class FirstOutside {
  public:
-  explicit FirstOutside(std::uint32_t index) : refusal_{"", index, 0, 0, 0} {}
+  explicit FirstOutside(std::uint32_t index) : refusal_{"", index, 0, 0, 0, 0} {}
 
   // NaN is outside.
-  void check(const char* field, double value, double least, double most) {
+  void check(const char* field, double value, double least, double most, std::uint32_t vertex = 0) {
     if (!good_ || (value >= least && value <= most)) return;
     good_ = false;
-    refusal_ = {field, refusal_.index, value, least, most};
+    refusal_ = {field, refusal_.index, value, least, most, vertex};
   }
 
   bool good() const { return good_; }

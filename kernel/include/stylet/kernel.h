@@ -100,6 +100,7 @@ struct ConfigRefusal {
   std::uint32_t index = 0;
   double value = 0;
   double least = 0, most = 0;  // that is accepted
+  std::uint32_t vertex = 0;    // of "obstacle.vertices_m": which of them
 };
 
 void make_box(ObstacleConfig& config, Vec3 half_m);

@@ -136,7 +136,7 @@ Status check_obstacle(const ObstacleConfig& c, std::uint32_t index, ConfigRefusa
   FirstOutside first(index);
   first.check("obstacle.vertex_count", c.vertex_count, 1, kMaxHullVertices);
   for (std::uint32_t i = 0; first.good() && i < c.vertex_count; ++i) {
-    first.check("obstacle.vertices_m", wide(norm(c.vertices_m[i])), 0, wide(kLargestConfigM));
+    first.check("obstacle.vertices_m", wide(norm(c.vertices_m[i])), 0, wide(kLargestConfigM), i);
   }
   first.check("obstacle.pose.position_m", wide(norm(c.pose.position_m)), 0, wide(kLargestConfigM));
   const Quat q = c.pose.rotation;
