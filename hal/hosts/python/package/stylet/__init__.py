@@ -24,6 +24,7 @@ from stylet.insertion import insertion_poses, kept_organ
 from stylet.names import Event, Flag, NO_LAYER, Phase, Status
 from stylet.phantom import phantom
 from stylet.recording import Recording
+from stylet.scene import read_obstacles
 from stylet.simulation import Simulation, VectorSimulation, inputs, poses_of_tips
 from stylet.spaces import Box
 from stylet.structs import Config, Needle, Obstacle
@@ -37,6 +38,6 @@ __all__ = [
     "NeedleEnv", "Normal", "Obstacle", "Organ", "Phase", "Recording", "Simulation", "Status",
     "StyletError", "Target", "Uniform", "VectorNeedleEnv", "VectorSimulation", "build",
     "constraint_particle_dtype", "draw", "event_dtype", "event_name", "fit", "input_dtype",
-    "inputs", "insertion_poses", "kept_organ", "obstacle_touch_dtype", "output_dtype",
-    "phantom", "pose_of_tip", "poses_of_tips", "read_table", "read_targets", "state_layout", "status_name",
-    "sweep", "version", "voxel_dtype"]
+    "inputs", "insertion_poses", "kept_organ", "obstacle_touch_dtype", "output_dtype", "phantom",
+    "pose_of_tip", "poses_of_tips", "read_obstacles", "read_table", "read_targets", "state_layout",
+    "status_name", "sweep", "version", "voxel_dtype"]

@@ -16,6 +16,7 @@ from stylet.motion import moved
 from stylet.names import Flag
 from stylet.given import direction as unit, finite, real
 from stylet.render import picture
+from stylet.scene import read_obstacles, scene_direction, scene_organ
 from stylet.simulation import Simulation, VectorSimulation
 from stylet.spaces import Box, stacked
 from stylet.structs import Config, Needle
@@ -39,10 +40,11 @@ class NeedleEnv:
     def __init__(self, organ, targets, needle=None, config=None, direction=(0, 0, -1),
                  start_m=0.01, scatter_m=0.0, ticks_of_step=20, most_steps=1000,
                  speed_m_per_s=0.02, turning_rad_per_s=1.0, obstacles=(), render_mode=None):
-        """`targets`: Targets, or a scene's file. The line to the target has `direction`, and the
-        tip starts `start_m` before the surface, or before the target if the line misses the organ;
-        `scatter_m`: how far the line may pass the target's middle. The defaults are a hand's: 20
-        mm/s, 1 rad/s, a decision every 20 ticks."""
+        """`targets`: Targets, or a scene's file, of which they alone are taken (`of_scene` takes
+        more of it). The line to the target has `direction`, and the tip starts `start_m` before the
+        surface, or before the target if the line misses the organ; `scatter_m`: how far the line
+        may pass the target's middle. The defaults are a hand's: 20 mm/s, 1 rad/s, a decision every
+        20 ticks."""
         self.organ, self.needle = organ, needle or Needle()
         self.targets = targets if isinstance(targets, (list, tuple)) else read_targets(targets)
         self._goals = [target for target in self.targets if not target.forbidden]
@@ -61,6 +63,16 @@ class NeedleEnv:
         self.np_random = np.random.default_rng()
         self._pose = None
         self._output = None
+
+    @classmethod
+    def of_scene(cls, path, **options):
+        """In the organ of a scene's file, to its targets, along its approach, with its obstacles:
+        also such a file as stylet-organ writes for a patient's label map. Needle, configuration and
+        hand are not the scene's; `options` are those of NeedleEnv, and win."""
+        given = {"organ": scene_organ, "targets": read_targets, "obstacles": read_obstacles,
+                 "direction": scene_direction}
+        return cls(**{**{name: of(path) for name, of in given.items() if name not in options},
+                      **options})
 
     def reset(self, *, seed=None, options=None):
         """A new episode. With a seed, it and those that follow are the same each time. Options:

@@ -4,9 +4,10 @@
 They are places in the organ at rest: they do not move with the tissue.
 """
 import dataclasses
-import tomllib
 
 import numpy as np
+
+from stylet.scene import read
 
 
 @dataclasses.dataclass(frozen=True)
@@ -19,8 +20,7 @@ class Target:
 
 def read_targets(path):
     """Those of a scene's file, in its order. Keys: hal/scene/README.md."""
-    with open(path, "rb") as file:
-        rows = tomllib.load(file).get("targets", [])
+    rows = read(path).get("targets", [])
     targets = [Target(row["name"], tuple(1e-3 * float(x) for x in row["at_mm"]),
                       1e-3 * float(row["radius_mm"]), bool(row.get("forbidden", False)))
                for row in rows]
