@@ -53,7 +53,8 @@ double cut_ball_m3(double radius, double from) {
 Mesh loose(const Mesh& mesh, double apart, Draw& draw) {
   Mesh out;
   for (const offline::Triangle& t : mesh.triangles) {
-    const Vec by = draw.direction() * draw.between(0, apart);
+    const double far = draw.between(0, apart);
+    const Vec by = draw.direction() * far;
     const auto base = static_cast<std::uint32_t>(out.points.size());
     for (const std::uint32_t corner : t) out.points.push_back(mesh.points[corner] + by);
     const bool turns = draw.coin();
@@ -102,17 +103,18 @@ TEST(Wrap, HolesWiderThanAStepLeaveNoHollowShell) {
   }
 }
 
-// Nothing hangs together, so that no hole is known: the steps grow to half of its width.
+// Nothing hangs together, so that no hole is known: the steps grow to half of its width. Of the
+// second ball the skin stays out at first, but goes in when it is made again closer to the ball.
 TEST(Wrap, LooseTrianglesAroundAHoleLeaveNoHollowShell) {
-  Draw draw(12);
-  for (int n = 0; n < 2; ++n) {
+  for (const unsigned seed : {12U, 101U}) {
+    Draw draw(seed);
     const double radius = draw.between(25, 35) * kMm, from = draw.between(0.4, 0.8);
     const std::array<Vec, 3> frame = random_frame(draw);
     const Mesh ball = turned(ball_from(radius, from, 16, 24), frame);
     const double exact = cut_ball_m3(radius, from);
     const Wrapped skin = wrapped(loose(ball, 0.1 * kMm, draw), 5 * kMm);
-    EXPECT_NEAR(skin.volume, exact, exact * kMostOff) << n;
-    ASSERT_FALSE(skin.warnings.empty());
+    EXPECT_NEAR(skin.volume, exact, exact * kMostOff) << seed;
+    ASSERT_EQ(skin.warnings.size(), 1U) << testing::PrintToString(skin.warnings);
     std::array<double, 5> told{};
     ASSERT_EQ(std::sscanf(skin.warnings[0].c_str(),
                           "test.off: in steps of %lf mm the skin went in through gaps of up to %lf "

@@ -159,6 +159,11 @@ Wrapped wrap(const Solid& solid, const Content& content, double step_m, const st
   if (content.encloses && volume_of(skin.solid) > content.volume_m3 * (1 + kMostOff)) {
     offset_m *= kLess;
     skin.solid = skin_around(skin.mesh, skin.step_m, offset_m);
+    // One that lies closer may go in where the other one just did not.
+    if (!solid.closed && missing(skin.solid, content.sure) > kMostOff) {
+      wrapped.warnings.clear();
+      skin = sealed(solid, content, step_m, offset_m, name, wrapped.warnings);
+    }
   }
   tell_volume(skin.solid, content, offset_m, wrapped.warnings);
   for (std::string& each : wrapped.warnings) each = name + ": " + each;
