@@ -42,20 +42,28 @@ arguments_of() {
     fuzz_*) echo "$root/tests/fuzz/seeds/${1#fuzz_}" ;;
     coupling_stiffness) echo --gtest_filter=Stiffness.ThinSkin* ;;
     insertion_felt) echo --gtest_filter=Felt.* ;;
-    offline_hull_test) echo --gtest_filter=-HullTimed.* ;;
-    offline_quality_test) echo --gtest_filter=-FitTimed.* ;;
     every_file) echo LabelMaps Meshes OrganFiles ;;
     stylet-simulator) echo --seed 2 --sessions 6 ;;
     stylet-organ) echo --help ;;
   esac
 }
 
-# watched NAME COMMAND...: runs COMMAND; its counts are added to those of the program's other runs.
+# watched NAME: runs a program or a script; its counts are added to those of other runs.
 watched() {
-  LLVM_PROFILE_FILE="$build/profiles/%m.profraw" "${@:2}" >"$build/$1.log" 2>&1 ||
-    die "$1 failed" "Its output: $build/$1.log"
+  local command=("$build/bin/$1")
+  [ -x "${command[0]}" ] || command=(/usr/bin/python3 "$root/tests/offline/$1_test.py")
+  # shellcheck disable=SC2046
+  LLVM_PROFILE_FILE="$build/profiles/%m.profraw" "${command[@]}" $(arguments_of "$1") \
+    >"$build/$1.log" 2>&1 || die "$1 failed" "Its output: $build/$1.log"
 }
 
+one_ends() {
+  wait -n || { wait; exit 1; }
+  running=$((running - 1))
+}
+
+# A clock says nothing of a program that counts its lines (tests/CMakeLists.txt: TIMED).
+export GTEST_FILTER='-*Timed.*'
 # llvm-cov needs absolute paths of sources.
 unset CCACHE_BASEDIR
 use_preset coverage
@@ -63,18 +71,16 @@ configure
 compile "${programs[@]}"
 say "Running $((${#programs[@]} + ${#scripts[@]})) test programs"
 rm -rf "$build/profiles"
-objects=()
-for program in "${programs[@]}"; do
-  objects+=(-object "$build/bin/$program")
-  # shellcheck disable=SC2046
-  watched "$program" "$build/bin/$program" $(arguments_of "$program")
-done
 export STYLET_BIN=$build/bin STYLET_SOURCE=$root
-for script in "${scripts[@]}"; do
-  # shellcheck disable=SC2046
-  watched "$script" \
-    /usr/bin/python3 "$root/tests/offline/${script}_test.py" $(arguments_of "$script")
+objects=() running=0
+for program in "${programs[@]}"; do objects+=(-object "$build/bin/$program"); done
+# Two at a time; the first that fails ends this script, when the other one is through.
+for test in "${programs[@]}" "${scripts[@]}"; do
+  if ((running == 2)); then one_ends; fi
+  watched "$test" &
+  running=$((running + 1))
 done
+while ((running > 0)); do one_ends; done
 llvm-profdata merge -sparse -o "$build/all.profdata" "$build"/profiles/*.profraw
 # llvm-cov takes the first object without an option.
 llvm-cov export -skip-expansions -skip-functions -instr-profile="$build/all.profdata" \

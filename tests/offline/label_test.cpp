@@ -525,7 +525,7 @@ LabelMap whole_body_map() {
   return map;
 }
 
-TEST(LabelOrgan, OfAWholeBodyTakesLessThanAMinuteAndThreeGibibytes) {
+TEST(LabelTimed, AWholeBodyTakesLessThanAMinuteAndThreeGibibytes) {
 #ifdef STYLET_SANITIZED
   GTEST_SKIP() << "a sanitizer takes its own time and memory";
 #endif
