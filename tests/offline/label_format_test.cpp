@@ -232,6 +232,21 @@ TEST(LabelHeader, TextsAreNoLongerThanTheirReadersTake) {
   const auto offset = "TransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = 1." + zeros + " 2 3\n";
   const LabelMap map = offline::read_label_map(scratch.write("a.mha", meta(n, offset, "abcdefgh")));
   EXPECT_EQ(map.origin_m, (Vec{1, 2, 3} * 1e-3));
+  const auto said_of = [&](const std::string& line) {
+    return refusal_of(scratch.write("a.mha", meta(n, line + "\n", "abcdefgh")));
+  };
+  for (const std::string key : {"Offset", "DimSize2"}) {
+    const std::size_t most = key == "Offset" ? 4000 : 250;  // a list's field has 4096
+    const auto line = [&](std::size_t count) {
+      return key + " = 1." + std::string(count - 6, '0') + " 2 3";
+    };
+    EXPECT_EQ(said_of("TransformMatrix = 1 0 0 0 1 0 0 0 1\n" + line(most)), "");
+    EXPECT_THAT(said_of(line(most + 1)),
+                HasSubstr(fmt::format("{} characters: expected at most {}", most + 1, most)));
+  }
+  EXPECT_EQ(said_of(std::string(250, 'k') + "= 1"), "");
+  EXPECT_THAT(said_of(std::string(251, 'k') + "= 1"),
+              HasSubstr("header line 6: expected KEY = VALUE"));
   const auto header = [&](std::size_t count) {
     std::string text = inr(n, "abcdefgh");
     const std::string line = "NOTE=" + std::string(count - 5, 'n') + "\n";

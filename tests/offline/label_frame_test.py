@@ -401,7 +401,8 @@ class MetaImage(Case):
         self.held(self.write(offset=None), self.steps, numpy.zeros(3), "no Offset")
 
     def test_numbers_that_are_none(self):
-        for wrong in ("1 1", "1 1 1 1", "1 x 1", "1 nan 1", "1 inf 1", "1 0 1", "1 -1 1", ""):
+        for wrong in ("1 1", "1 1 1 1", "1 x 1", "1 nan 1", "1 inf 1", "0 1 1", "1 0 1", "1 1 0",
+                      "-1 1 1", "1 -1 1", "1 1 -1", ""):
             self.refused(self.write(f"ElementSpacing = {wrong}", spacing=None), "ElementSpacing",
                          "expected")
         self.refused(self.write("TransformMatrix = 1 0 0 0 1 0", matrix=None), "TransformMatrix",
@@ -449,6 +450,10 @@ class MetaImage(Case):
                 voxels = self.map.astype(kind).tobytes("F")
                 self.held(self.write(kind=f"MET_{name}", voxels=voxels), self.steps, self.origin)
         self.refused(self.write("CompressedData = True"), "expected CompressedDataSize = ")
+        for size in (-1, 4):
+            self.refused(self.write("BinaryData = False", f"HeaderSize = {size}"),
+                         "voxels as text, but the header says to skip")
+        self.refused(self.write("ElementNumberOfChannels = 0"), "expected whole numbers from 1")
 
     def test_voxels_in_files_of_their_own(self):
         planes = [self.map[:, :, z].tobytes("F") for z in range(self.map.shape[2])]

@@ -112,6 +112,23 @@ TEST(Settings, EveryChoiceIsTakenAndTold) {
   EXPECT_EQ(o.capsule_of, "");
 }
 
+TEST(Settings, ChoicesForALabelMapAreTakenAndTold) {
+  Settings s;
+  s.layers = {"fat:2.5"};
+  s.layers_of = "gel";
+  s.fill_gaps = "fat:20";
+  s.split_gaps = true;
+  const BuildOptions o = for_labels(s, recipe_with({"gel"}));
+  EXPECT_EQ(o.options_text,
+            "--voxel-mm 5 --fix x>90% --fix z<10% --recipe recipe.toml --split-gaps "
+            "--fill-gaps fat:20 --layers-of gel --layers-along +x --layer fat:2.5 --capsule none");
+  ASSERT_EQ(o.layers.size(), 1U);
+  EXPECT_EQ(o.layer_course.of, "gel");
+  EXPECT_EQ(o.gap_tissue, "fat");
+  EXPECT_DOUBLE_EQ(o.gap_m, 0.02);
+  EXPECT_TRUE(o.split);
+}
+
 TEST(Settings, ARateIsToldInsteadOfTheEdge) {
   Settings s;
   s.fit = "1kHz";
