@@ -6,7 +6,8 @@
 // box: by the winding number, and by rays where faces do not tell their sides. If points are
 // missing, holes are patched; if that does not help, because triangles do not hang together, the
 // step grows until it does. The skin's offset swells the volume: where by more than 3 %, a tenth of
-// the offset is taken. What was done, and what volume remains wrong, is told.
+// the offset is taken; if that skin goes in, it is sealed in the same way. What was done, and what
+// volume remains wrong, is told.
 //
 // Promises: deterministic; a surface that encloses something never becomes a hollow shell. A sheet
 // that encloses nothing becomes a thin slab. Units: metres.
