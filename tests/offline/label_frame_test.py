@@ -256,6 +256,8 @@ class Nrrd(Case):
                       f"{pattern} 0 {count - 1} 1 {axes} 1", "\n".join(["LIST 4", *names]),
                       "\n".join(["LIST 1 1", *names]),
                       "\n".join([f"LIST {axes}", *names, *[names[0]] * last])]
+            if axes < 3:
+                wrongs.append(f"{pattern} 0 0 1 {axes}")
             if axes < 3 or last % (count + 1) != 0:
                 wrongs.append(f"{pattern} 0 {count} 1 {axes}")
             for wrong in wrongs:
@@ -468,7 +470,7 @@ class MetaImage(Case):
                 header.write_bytes(head + f"ElementDataFile = {data}\n".encode())
                 with self.subTest(data):
                     self.held(header, self.steps, self.origin)
-        for wrong in ("LIST", "", "s%d 1 2 0", "s%x 1 2 1"):
+        for wrong in ("LIST", "", "s%d 1 2 0", "s%x 1 2 1", "s%d 2 1 -1", "s%d 1 2 1 2"):
             header.write_bytes(head + f"ElementDataFile = {wrong}\n".encode())
             self.refused(header, "expected")
         (self.folder / "all.raw").write_bytes(b"".join(planes))

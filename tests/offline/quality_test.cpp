@@ -324,5 +324,20 @@ TEST(Page, OfAPartWithoutSurfaceLeavesItOut) {
   EXPECT_TRUE(facts["quality"]["surface"].is_null());
 }
 
+// What nothing holds has no resonance; what is held has one.
+TEST(Page, TellsTheResonanceOfWhatIsHeld) {
+  const Scratch scratch;
+  scratch.write("a.off", offline::off_text(box_mesh({0, 0, 0}, {60, 60, 60})));
+  for (const std::string fix : {"none", "z<10%"}) {
+    const std::string command = "cd " + scratch.folder.string() +
+                                " && " STYLET_ORGAN
+                                " build a.off --report page -o a.organ --fix '" +
+                                fix + "' >/dev/null 2>&1";
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    const std::string page = slurp(scratch.folder / "page" / "report.html");
+    EXPECT_EQ(count_of(page, "first resonance"), fix == "none" ? 0U : 1U);
+  }
+}
+
 }  // namespace
 }  // namespace stylet::test
