@@ -171,19 +171,21 @@ TEST(Wrap, ALargeBodyHasTheUsualOffset) {
 // What it encloses itself is known exactly, though almost no point of its box lies in it.
 TEST(Wrap, AVeryThinBodyIsTold) {
   Draw draw(17);
-  const double a = draw.between(60, 90), b = draw.between(50, 70), thickness = 0.1;
-  const Mesh plate = turned(box_mesh({0, 0, 0}, Vec{a, b, thickness} * kMm), random_frame(draw));
-  const Wrapped skin = wrapped(plate, 5 * kMm);
-  ASSERT_FALSE(skin.warnings.empty());
-  std::array<double, 3> told{};
-  ASSERT_EQ(std::sscanf(skin.warnings[0].c_str(),
-                        "test.off: its skin holds %lf ml, %lf %% more than the %lf ml that it",
-                        &told[0], &told[1], &told[2]),
-            3)
-      << skin.warnings[0];
-  const double exact_ml = a * b * thickness * 1e-3;
-  EXPECT_NEAR(told[2], exact_ml, 0.006 * exact_ml);
-  EXPECT_NEAR(told[0], 2 * exact_ml, 0.05 * exact_ml);  // 0.05 mm more on both sides
+  for (const double thickness : {0.1, 0.05, 0.02}) {
+    const double a = draw.between(60, 90), b = draw.between(50, 70);
+    const Mesh plate = turned(box_mesh({0, 0, 0}, Vec{a, b, thickness} * kMm), random_frame(draw));
+    const Wrapped skin = wrapped(plate, 5 * kMm);
+    ASSERT_FALSE(skin.warnings.empty());
+    std::array<double, 3> told{};
+    ASSERT_EQ(std::sscanf(skin.warnings[0].c_str(),
+                          "test.off: its skin holds %lf ml, %lf %% more than the %lf ml that it",
+                          &told[0], &told[1], &told[2]),
+              3)
+        << skin.warnings[0];
+    const double exact_ml = a * b * thickness * 1e-3, skin_ml = a * b * (thickness + 0.1) * 1e-3;
+    EXPECT_NEAR(told[2], exact_ml, 0.006 * exact_ml);
+    EXPECT_NEAR(told[0], skin_ml, 0.05 * skin_ml);  // 0.05 mm more on both sides
+  }
 }
 
 // In a mesh's own volume what two boxes share counts twice.
