@@ -382,6 +382,13 @@ def faults(constants, values, table):
                 yield f"{TABLE}: {part} is not there, or was not played; run sensitivity.py {part}"
             elif cells[0] != value:
                 yield f"{TABLE}: {part} is {value} now, not {cells[0]}; run sensitivity.py {part}"
+    rest = {f"`{each.name}`, {each.file}": values[each[:2]].replace("|", "\\|")
+            for each in constants if not is_played(each) and each[:2] in values}
+    table_rest = {key: cells[0] for key, cells in rows.items() if "`, " in key}
+    for key in sorted(set(rest) | set(table_rest)):
+        if rest.get(key) != table_rest.get(key):
+            yield (f"{TABLE}: {key} is {rest.get(key, 'gone')}, not "
+                   f"{table_rest.get(key, 'there')}; run sensitivity.py with the name of any row")
 
 
 def differences(results, rows):

@@ -379,6 +379,10 @@ class Constants(Sample):
         self.assertEqual(len(list(sensitivity.faults(constants, values, table))), 4)
         played = table.replace("|  |  |  |", "| 0 | 0 |  |").replace("| 8 |", "| 9 |")
         self.expect_one(sensitivity.faults(constants, values, played), "rate_per_s", "9")
+        listed_only = table.replace("|  |  |  |", "| 0 | 0 |  |").replace("`kB`, ", "`kF`, ")
+        found = list(sensitivity.faults(constants, values, listed_only))
+        self.assertEqual([("kB" in each, "kF" in each) for each in found],
+                         [(True, False), (False, True)])
 
     def test_makes_variables_of_what_is_played_and_what_comes_of_it(self):
         code = sensitivity.patched(self.CODE, {"kA", "kC", "Config::rate_per_s"}, {"kA", "kC"})
