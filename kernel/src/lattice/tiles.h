@@ -6,9 +6,9 @@
 // its voxels send) lies in tiles as well, at the same lanes: no load crosses a line of the cache,
 // and the passes walk flat lists, without a loop for each row. (With rows as the sweep stores them,
 // one behind the other without gaps, most loads crossed lines and the ends of rows were masked: a
-// tissue step took up to 14 % more time. Tiles of 16 places for AVX-512 won nothing in long rows
-// and lost 8 % in an organ's.) Only the passes' own arrays have this order; pieces say what of a
-// tile lies where among slots and particles.
+// tissue step of a large organ took 12 to 22 % more time. Tiles of 16 places for AVX-512 took 3 %
+// more in long rows and 11 % more in an organ's.) Only the passes' own arrays have this order;
+// pieces say what of a tile lies where among slots and particles.
 //
 // In an array of a plane each tile has three groups of lanes one after the other, mostly x, y and
 // z: all that a pass does with a tile is near. The first tile is empty: what it holds is zero. It
