@@ -73,11 +73,14 @@ def is_command(line, top):
 
 
 def blocks(text):
-    """Lines of each block that is set off by four blanks or by a fence."""
-    block, fenced = [], False
+    """Lines of each block that is set off by four blanks or by a fence; not Python's, which
+    hosts.python.readme runs."""
+    block, fenced, python = [], False, False
     for line in text.splitlines() + [""]:
         if line.startswith("```"):
-            fenced = not fenced
+            fenced, python = not fenced, line == "```python"
+        elif fenced and python:
+            continue
         elif fenced or line.startswith("    "):
             block.append(line.removeprefix("    "))
             continue
