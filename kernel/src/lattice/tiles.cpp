@@ -13,6 +13,14 @@ struct Found {
   Piece piece;
 };
 
+// What a plane stores of the rows beside a line (runs.h): of voxels, of nodes.
+Stretches<1> stretches_of(const Runs (&rows)[2]) {
+  return Stretches<1>({rows[0]});
+}
+Stretches<4> stretches_of(const Runs (&rows)[4]) {
+  return Stretches<4>(rows);
+}
+
 // The pieces of a plane, by y and x. kPlanes 1: of its voxels and the node behind each stretch;
 // 2: of the nodes between two voxel planes, the one above first.
 template <std::uint32_t kPlanes>
@@ -42,11 +50,7 @@ class Pieces {
     while (!open_ || !stretches_.next(stretch_)) {
       Runs rows[2 * kPlanes];
       if (!lines_.next(y_, rows)) return false;
-      if constexpr (kPlanes == 1) {
-        stretches_ = Stretches<1>({rows[0]});
-      } else {
-        stretches_ = Stretches<kRows>(rows);
-      }
+      stretches_ = stretches_of(rows);
       open_ = true;
     }
     x_ = stretch_.begin / kTile;
