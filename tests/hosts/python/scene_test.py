@@ -16,7 +16,7 @@ import unittest
 import numpy as np
 import stylet
 from stylet.scene import turned
-from support import FAST, folder, program
+from support import FAST, SOURCE, folder, program
 
 IN = [0, 0, -1, 0, 0, 0]
 SPACING_MM, RADIUS = 3.0, 3         # of the map; of the lesion, in its voxels
@@ -127,15 +127,15 @@ class Patient(unittest.TestCase):
         self.assertGreater(info["distance_m"], target.radius_m)
 
     def test_of_a_real_map(self):
-        data = os.environ.get("STYLET_DATA")
-        if data is None or not pathlib.Path(data).is_dir():
-            self.skipTest("STYLET_DATA names no folder")
+        data = pathlib.Path(os.environ.get("STYLET_DATA", SOURCE.parent / "shared/data"))
+        if not data.is_dir():
+            self.skipTest(f"{data} is not there (STYLET_DATA names another place)")
         top = folder() / "real"
         top.mkdir()
         (top / "recipe.toml").write_text(
             '[tissues]\nliver = ["liver"]\nvessel = ["portal_vein_and_splenic_vein"]\n[targets]\n'
             'vein = ["portal_vein_and_splenic_vein"]\n[obstacles]\nrib = ["rib_right_9"]\n')
-        path = built(pathlib.Path(data) / "labelmaps/ts_example_seg.nii.gz", top / "recipe.toml",
+        path = built(data / "labelmaps/ts_example_seg.nii.gz", top / "recipe.toml",
                      "8")
         env = environment(path, speed_m_per_s=0.04)
         rewards, terminated, info = episode(env)
