@@ -82,7 +82,7 @@ DICOM = {each: [f"dicom_{each[0]}_test.py", each[1]] for each in (
     ("objects", "Segmentations"), ("objects", "StructureSets"))}
 DICOM = {each[1]: test for each, test in DICOM.items()} | {"All": ["dicom_test.py"]}
 ORGANS = ["offline_organ_test", "--gtest_filter=-*Real*"]
-MAPS = ["offline_label_test", "--gtest_filter=LabelOrgan.*:Wall.*"]
+MAPS = ["offline_label_test", "--gtest_filter=LabelOrgan.*:Wall.*-*WholeBody*"]
 LOSSES = ["offline_losses_test", "--gtest_filter=Losses.*"]
 SHEETS = ["offline_quality_test", "--gtest_filter=Sheets.*:Gaps.*"]
 QUALITY = ["offline_quality_test", "--gtest_filter=Distance.*:Quality.*"]

@@ -74,7 +74,7 @@ def is_command(line, top):
 
 def blocks(text):
     """Lines of each block that is set off by four blanks or by a fence; not Python's, which
-    hosts.python.readme runs."""
+    hosts.python.readme and hosts.python.organ_arrays run."""
     block, fenced, python = [], False, False
     for line in text.splitlines() + [""]:
         if line.startswith("```"):

@@ -217,16 +217,17 @@ std::map<std::uint32_t, std::uint32_t> placed(const View& view, std::uint32_t be
     for (std::uint32_t lane = 0; lane < kTile; ++lane) {
       if (((piece.lanes >> lane) & 1U) == 0) continue;
       const auto at = static_cast<std::int64_t>(plane_begin) + piece.at + lane;
-      EXPECT_TRUE(out.emplace(piece.place + lane, static_cast<std::uint32_t>(at)).second);
+      const std::uint32_t place = (i - begin + 1) * kTileFloats + lane;
+      EXPECT_TRUE(out.emplace(place, static_cast<std::uint32_t>(at)).second);
     }
   }
   return out;
 }
 std::map<std::uint32_t, std::uint32_t> placed_nodes(const View& view, const Plane& plane) {
-  return placed(view, plane.tiles.node_piece, plane.tiles.voxel_piece, plane.particle_begin);
+  return placed(view, plane.tiles.node, plane.tiles.voxel, plane.particle_begin);
 }
 std::map<std::uint32_t, std::uint32_t> placed_slots(const View& view, const Plane& plane) {
-  return placed(view, plane.tiles.voxel_piece, plane.tiles.piece_end, plane.slot_begin);
+  return placed(view, plane.tiles.voxel, plane.tiles.end, plane.slot_begin);
 }
 
 Taken taken_by_voxels(const View& view) {

@@ -106,25 +106,29 @@ STYLET_KEEP_APART void start_plane(const Model& model, const State& state, const
   const float* const bound = model.bound + plane.particle_begin;
   const float* const held = scratch.coupling_bound + plane.particle_begin;
   const float* const per_mass = model.step_per_mass + plane.particle_begin;
-  for (const Piece* p = model.piece + own.node_piece; p != model.piece + own.voxel_piece; ++p) {
+  std::ptrdiff_t place = kTileFloats;
+  for (const Piece* p = model.piece + own.node; p != model.piece + own.voxel; ++p) {
     for (std::uint32_t i = 0; i < kTile; i += kNarrow) {
       const NarrowBits lanes = narrow_set(p->lanes >> i);
       const std::ptrdiff_t at = p->at + static_cast<std::ptrdiff_t>(i);
-      float* const to = start + p->place + i;
-      float* const to_bounds = bounds + p->place + i;
+      float* const to = start + place + i;
+      float* const to_bounds = bounds + place + i;
       for (std::ptrdiff_t c = 0; c < 3; ++c) {
         store_narrow(to + c * kTile, zero_unless(lanes, load_narrow(w + (at + c * axis))));
       }
       store_narrow(to_bounds, zero_unless(lanes, load_narrow(bound + at) + load_narrow(held + at)));
       store_narrow(to_bounds + kTile, zero_unless(lanes, load_narrow(per_mass + at)));
     }
+    place += kTileFloats;
   }
   const float* const of_voxels = model.slot_bound + plane.slot_begin;
-  for (const Piece* p = model.piece + own.voxel_piece; p != model.piece + own.piece_end; ++p) {
+  place = kTileFloats;
+  for (const Piece* p = model.piece + own.voxel; p != model.piece + own.end; ++p) {
     for (std::uint32_t i = 0; i < kTile; i += kNarrow) {
       const Narrow each = load_narrow(of_voxels + (p->at + static_cast<std::ptrdiff_t>(i)));
-      store_narrow(bounds + p->place + 2 * kTile + i, zero_unless(narrow_set(p->lanes >> i), each));
+      store_narrow(bounds + place + 2 * kTile + i, zero_unless(narrow_set(p->lanes >> i), each));
     }
+    place += kTileFloats;
   }
 }
 
@@ -277,12 +281,12 @@ STYLET_KEEP_APART void pack_plane(const Piece* piece, const Piece* end, const fl
                                   float* to, std::ptrdiff_t to_axis) {
   std::ptrdiff_t last = kLanes;
   for (; piece != end; ++piece) {
+    from += kTileFloats;
     const std::ptrdiff_t first = std::countr_zero(piece->lanes);
     last = piece->at + std::ptrdiff_t{std::bit_width(piece->lanes)};
     for (std::ptrdiff_t i = first; i < first + kTile; i += kNarrow) {
       for (std::ptrdiff_t c = 0; c < 3; ++c) {
-        store_narrow(to + (piece->at + i + c * to_axis),
-                     load_narrow(from + (piece->place + i + c * kTile)));
+        store_narrow(to + (piece->at + i + c * to_axis), load_narrow(from + (i + c * kTile)));
       }
     }
   }
@@ -313,7 +317,7 @@ void move_filtered(const Model& model, State& state, const Wave& wave, std::uint
                    Motion& motion_io) {
   const Plane& plane = model.plane[z];
   const auto axis = static_cast<std::ptrdiff_t>(model.head->counts.particles_per_plane);
-  pack_plane(model.piece + plane.tiles.node_piece, model.piece + plane.tiles.voxel_piece, wave.work,
+  pack_plane(model.piece + plane.tiles.node, model.piece + plane.tiles.voxel, wave.work,
              wave.packed, axis);
   move_plane(plane, state, wave.packed, axis, motion_io);
 }

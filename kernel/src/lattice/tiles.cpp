@@ -7,9 +7,9 @@
 namespace stylet {
 namespace {
 
-// A piece, and the tile that has it: the `x`th of line `y`.
+// A tile, the `x`th of line `y`, its place in an array of its plane, and what lies in it.
 struct Found {
-  std::uint32_t y, x;
+  std::uint32_t y, x, place;
   Piece piece;
 };
 
@@ -21,12 +21,12 @@ Stretches<4> stretches_of(const Runs (&rows)[4]) {
   return Stretches<4>(rows);
 }
 
-// The pieces of a plane, by y and x. kPlanes 1: of its voxels and the node behind each stretch;
+// The tiles of a plane, by y and x. kPlanes 1: of its voxels and the node behind each stretch;
 // 2: of the nodes between two voxel planes, the one above first.
 template <std::uint32_t kPlanes>
-class Pieces {
+class PlaneWalk {
  public:
-  explicit Pieces(const Runs (&planes)[kPlanes])
+  explicit PlaneWalk(const Runs (&planes)[kPlanes])
       : lines_(planes), next_(kPlanes == 1 ? 1 : kLanes) {}
 
   bool next(Found& out) {
@@ -39,7 +39,7 @@ class Pieces {
     }
     const auto at =
         static_cast<std::int32_t>(begin_ + first) - static_cast<std::int32_t>(stretch_.begin);
-    out = {y_, x_++, {at, place_ += kTileFloats, lanes}};
+    out = {y_, x_++, place_ += kTileFloats, {at, lanes}};
     return true;
   }
 
@@ -77,11 +77,11 @@ class Places {
   // 0, the empty tile, if there is none.
   std::uint32_t of(std::int64_t y, std::uint32_t x) {
     while (more_ && (here_.y < y || (here_.y == y && here_.x < x))) more_ = left_.next(here_);
-    return more_ && here_.y == y && here_.x == x ? here_.piece.place : 0;
+    return more_ && here_.y == y && here_.x == x ? here_.place : 0;
   }
 
  private:
-  Pieces<kPlanes> left_;
+  PlaneWalk<kPlanes> left_;
   Found here_ = {};
   bool more_;
 };
@@ -102,34 +102,28 @@ void for_each_plane(const Organ& organ, std::uint32_t planes, Visit visit) {
 
 template <std::uint32_t kPlanes>
 void count_plane(const Runs (&planes)[kPlanes], Counts& counts_io) {
-  Pieces<kPlanes> left(planes);
+  PlaneWalk<kPlanes> left(planes);
   std::uint32_t tiles = 0;
   for (Found found; left.next(found);) ++tiles;
   counts_io.tiles += tiles;
   counts_io.tile_floats = std::max(counts_io.tile_floats, (1 + tiles) * kTileFloats);
 }
 
-// Where the next tile and piece are filled in.
-struct Next {
-  Tile* tile;
-  Piece* piece;
-};
-
-// Appends a plane's pieces and tiles. from(found): where what a tile takes lies.
+// Fills a plane's tiles from index `next` on. from(found): where what a tile takes lies.
 template <std::uint32_t kPlanes, typename From>
-void fill_plane(const Runs (&planes)[kPlanes], Next& next_io, From from) {
-  Pieces<kPlanes> left(planes);
-  for (Found found; left.next(found);) {
-    *next_io.piece++ = found.piece;
-    *next_io.tile++ = from(found);
+void fill_plane(const Runs (&planes)[kPlanes], Model& model, std::uint32_t& next_io, From from) {
+  PlaneWalk<kPlanes> left(planes);
+  for (Found found; left.next(found); ++next_io) {
+    model.piece[next_io] = found.piece;
+    model.tile[next_io] = from(found);
   }
 }
 
 // Nodes take from the voxels at both sides along y, of the planes below and above.
-void fill_nodes(Runs below, Runs above, Next& next_io) {
+void fill_nodes(Runs below, Runs above, Model& model, std::uint32_t& next_io) {
   Places<1> first_below({below}), second_below({below});
   Places<1> first_above({above}), second_above({above});
-  fill_plane<2>({above, below}, next_io, [&](const Found& at) -> Tile {
+  fill_plane<2>({above, below}, model, next_io, [&](const Found& at) -> Tile {
     return {{first_below.of(std::int64_t{at.y} - 1, at.x), second_below.of(at.y, at.x),
              first_above.of(std::int64_t{at.y} - 1, at.x), second_above.of(at.y, at.x)},
             0};
@@ -137,10 +131,10 @@ void fill_nodes(Runs below, Runs above, Next& next_io) {
 }
 
 // Voxels take from the nodes at both sides along y, below and above.
-void fill_voxels(Runs below, Runs here, Runs above, Next& next_io) {
+void fill_voxels(Runs below, Runs here, Runs above, Model& model, std::uint32_t& next_io) {
   Places<2> first_below({here, below}), second_below({here, below});
   Places<2> first_above({above, here}), second_above({above, here});
-  fill_plane<1>({here}, next_io, [&](const Found& at) -> Tile {
+  fill_plane<1>({here}, model, next_io, [&](const Found& at) -> Tile {
     return {{first_below.of(at.y, at.x), second_below.of(std::int64_t{at.y} + 1, at.x),
              first_above.of(at.y, at.x), second_above.of(std::int64_t{at.y} + 1, at.x)},
             0};
@@ -148,31 +142,34 @@ void fill_voxels(Runs below, Runs here, Runs above, Next& next_io) {
 }
 
 // For each tile of a plane's voxels: how many tiles of its nodes take from no later one.
-void fill_ready(const Tile* node, const Tile* nodes_end, Tile* voxel, const Tile* voxels_end) {
-  const Tile* const first = node;
-  for (std::uint32_t place = kTileFloats; voxel != voxels_end; ++voxel, place += kTileFloats) {
-    while (node != nodes_end && std::max(node->from[2], node->from[3]) <= place) ++node;
-    voxel->ready = static_cast<std::uint32_t>(node - first);
+void fill_ready(const PlaneTiles& own, Model& model) {
+  std::uint32_t node = own.node;
+  for (std::uint32_t i = own.voxel; i < own.end; ++i) {
+    const std::uint32_t place = (i - own.voxel + 1) * kTileFloats;
+    const auto is_ready = [&](const Tile& t) { return std::max(t.from[2], t.from[3]) <= place; };
+    for (; node < own.voxel && is_ready(model.tile[node]); ++node) {
+    }
+    model.tile[i].ready = node - own.node;
   }
 }
 
-// Where particle `node` of a plane lies in the plane's array.
-std::uint32_t place_of(const Piece* first, const Piece* end, std::int32_t node) {
-  const auto first_node = [](const Piece& piece) {
-    return piece.at + std::countr_zero(piece.lanes);
-  };
-  const Piece* const behind =
-      std::upper_bound(first, end, node,
-                       [&](std::int32_t at, const Piece& piece) { return at < first_node(piece); });
-  return behind[-1].place + static_cast<std::uint32_t>(node - behind[-1].at);
+// Where a plane's particle lies in the plane's array.
+std::uint32_t place_of(const Model& model, const Plane& plane, std::uint32_t particle) {
+  const auto node = static_cast<std::int32_t>(particle - plane.particle_begin);
+  const Piece* const first = model.piece + plane.tiles.node;
+  const Piece* const behind = std::upper_bound(
+      first, model.piece + plane.tiles.voxel, node, [](std::int32_t at, const Piece& piece) {
+        return at < piece.at + std::countr_zero(piece.lanes);
+      });
+  // behind[-1] has the particle. In the array an empty tile comes before it and the others.
+  return static_cast<std::uint32_t>(behind - first) * kTileFloats +
+         static_cast<std::uint32_t>(node - behind[-1].at);
 }
 
-void fill_ties(const Plane& plane, const Piece* first, const Piece* end, Model& model) {
-  const auto place = [&](std::uint32_t node) {
-    return place_of(first, end, static_cast<std::int32_t>(node - plane.particle_begin));
-  };
+void fill_ties(const Plane& plane, Model& model) {
   for (std::uint32_t i = plane.tie_begin; i < plane.tie_end; ++i) {
-    model.tied_place[i] = {place(model.tie[i].node), place(model.tie[i].representative)};
+    model.tied_place[i] = {place_of(model, plane, model.tie[i].node),
+                           place_of(model, plane, model.tie[i].representative)};
   }
 }
 
@@ -183,7 +180,6 @@ void count_tiles(const Organ& organ, Counts& counts_io) {
     count_plane<2>({here, below}, counts_io);
     if (i < counts_io.planes) count_plane<1>({here}, counts_io);
   });
-  counts_io.pieces = counts_io.tiles;
   counts_io.tiles += counts_io.planes + 1;  // an empty one behind each plane's
   counts_io.filtered_ties = counts_io.ties;
   counts_io.tile_floats = (counts_io.tile_floats + kLanes - 1) / kLanes * kLanes;
@@ -192,25 +188,17 @@ void count_tiles(const Organ& organ, Counts& counts_io) {
 }
 
 void fill_tiles(const Organ& organ, Model& model) {
-  Tile* const tiles = model.tile;
-  Piece* const pieces = model.piece;
-  Next next = {tiles, pieces};
   const std::uint32_t planes = model.head->counts.planes;
+  std::uint32_t next = 0;
   for_each_plane(organ, planes, [&](std::uint32_t i, Runs below, Runs here, Runs above) {
     Plane& plane = model.plane[i];
-    const Next nodes = next;
-    fill_nodes(below, here, next);
-    fill_ties(plane, nodes.piece, next.piece, model);
-    const Next voxels = next;
-    if (i < planes) fill_voxels(below, here, above, next);
-    fill_ready(nodes.tile, voxels.tile, voxels.tile, next.tile);
-    const auto index = [](const auto* at, const auto* first) {
-      return static_cast<std::uint32_t>(at - first);
-    };
-    plane.tiles = {index(nodes.tile, tiles),    index(voxels.tile, tiles),
-                   index(next.tile, tiles),     index(nodes.piece, pieces),
-                   index(voxels.piece, pieces), index(next.piece, pieces)};
-    ++next.tile;  // an empty one: the passes read one ahead
+    plane.tiles.node = next;
+    fill_nodes(below, here, model, next);
+    plane.tiles.voxel = next;
+    if (i < planes) fill_voxels(below, here, above, model, next);
+    plane.tiles.end = next++;  // an empty one: the passes read one ahead
+    fill_ready(plane.tiles, model);
+    fill_ties(plane, model);
   });
 }
 

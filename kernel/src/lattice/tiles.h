@@ -32,7 +32,7 @@ constexpr std::uint32_t kPassPlanes = 5;
 constexpr std::uint32_t kFilterArrays =
     2 * (kMaxFilterPasses + 1) + kPassPlanes * kMaxFilterPasses + 1;
 
-// Adds the numbers of tiles and pieces to `counts_io`.
+// Adds the numbers of tiles to `counts_io`.
 void count_tiles(const Organ& organ, Counts& counts_io);
 
 // Fills tiles, pieces and places of tied nodes; needs planes with their particles and ties.

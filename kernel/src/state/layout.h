@@ -37,10 +37,10 @@ struct Counts {
   std::uint32_t windows[2];  // of 8 and of 16 lanes, lattice/plan.h
   std::uint32_t sheets, ties;
   std::uint32_t needles;
-  // Zero without true mass: particles, slots and ties; tiles and their pieces (lattice/tiles.h);
-  // floats of a plane of tiles, and of a filter's scratch.
+  // Zero without true mass: particles, slots and ties; tiles (lattice/tiles.h); floats of a plane
+  // of tiles, and of a filter's scratch.
   std::uint32_t filtered_particles, filtered_slots, filtered_ties;
-  std::uint32_t tiles, pieces, tile_floats;
+  std::uint32_t tiles, tile_floats;
   std::uint64_t filter_floats;
 };
 
@@ -59,11 +59,10 @@ struct Row {
   std::uint32_t window[2];  // first window of line y, in each of the two lists
 };
 
-// A plane's tiles and pieces: of the particles at its low side, then of its voxels
-// (lattice/tiles.h).
+// Where a plane's tiles begin (lattice/tiles.h): of the particles at its low side, then of its
+// voxels.
 struct PlaneTiles {
   std::uint32_t node, voxel, end;
-  std::uint32_t node_piece, voxel_piece, piece_end;
 };
 
 struct Plane {
@@ -98,10 +97,9 @@ struct Tile {
   std::uint32_t from[4];
   std::uint32_t ready;  // of voxels: tiles of nodes below them that then have got everything
 };
-// What of a stretch lies in a tile.
+// What of a stretch lies in the tile of the same index.
 struct Piece {
   std::int32_t at;      // the tile's first lane among a plane's slots or particles, or before them
-  std::uint32_t place;  // the tile's, in an array of a plane
   std::uint32_t lanes;  // a bit for each that is the stretch's
 };
 
@@ -298,7 +296,7 @@ struct ScratchHead {
   /* tile: what the filter's passes take, true mass only (lattice/tiles.h) */            \
   F(tile, Tile, c.tiles)                                                                 \
   /* piece: where tiles lie among slots and particles */                                 \
-  F(piece, Piece, c.pieces)                                                              \
+  F(piece, Piece, c.tiles)                                                               \
   /* tied_place: tied nodes by their places in tiles */                                  \
   F(tied_place, TiedNode, c.filtered_ties)                                               \
   /* row_of: first row of a place (y, z), to find the row of a voxel */                  \
