@@ -3,8 +3,8 @@
 // The paper's ghost particles are eliminated in closed form (they sit on their goals and drop
 // out).
 //
-// The lattice sweep matches the corners alone. The matches of lattice.h add what the CPs of a voxel
-// change in it, and give the CPs their goals.
+// The lattice sweep matches the corners alone. The matches of lattice/matches.h add what the CPs of
+// a voxel change in it, and give the CPs their goals.
 //
 // Promises: bounded by limits.h, no allocation, a fixed order of sums: needles, their CPs, their
 // supports. Units SI, frame of the attachments. Source: paper section IV; PHYSICS 10.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arithmetic of matches of corners and constraint particles together (match.h), one voxel per
-// lane. lattice/step.h includes it once per instruction set; match.cpp reads and writes the
-// memory.
+// The arithmetic of matches of corners and constraint particles together, one voxel per lane.
+// lattice/step.h includes it once per instruction set; matches.h reads and writes the memory.
 //
 // Let w be the weights of a voxel's constraint particles (stiffness times support), r their rest
 // offsets and x their places from the mean of the corners. Without the ghosts the match's matrix is
@@ -12,7 +11,7 @@
 #pragma once
 
 #include "base/lanes.h"
-#include "lattice/lattice.h"
+#include "lattice/matches.h"
 #include "lattice/rotation.h"
 
 namespace stylet {

@@ -19,6 +19,7 @@
 #include "lattice/filter_passes.h"
 #include "lattice/lattice.h"
 #include "lattice/match_lanes.h"
+#include "lattice/matches.h"
 #include "lattice/team.h"
 #include "lattice/voxel_stages.h"
 
