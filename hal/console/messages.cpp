@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hal/console/limits.h"
+#include "hal/guard/guard.h"
 
 namespace stylet::console {
 namespace {

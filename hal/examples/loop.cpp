@@ -12,8 +12,10 @@
 #include <span>
 #include <vector>
 
+#include "hal/base/clock.h"
 #include "hal/device/devices.h"
 #include "hal/device/drivers/simulated_hand.h"
+#include "hal/guard/guard.h"
 #include "hal/loop/instance.h"
 
 namespace hal = stylet::hal;

@@ -16,6 +16,8 @@
 #include "lattice/tiles.h"
 #include "lattice/voxel.h"
 #include "laws/cone.h"
+#include "needle/obstacle.h"
+#include "needle/rod.h"
 #include "state/layout.h"
 #include "state/snapshot.h"
 #include "stylet/first_outside.h"

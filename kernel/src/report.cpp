@@ -9,6 +9,7 @@
 #include "coupling/roll.h"
 #include "coupling/spring.h"
 #include "lattice/voxel.h"
+#include "needle/rod.h"
 #include "state/attachment.h"
 #include "state/layout.h"
 

@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks which room includes which: only rooms that rooms.txt lists below it and names for it.
 
-A room is a folder of sources, or one file that stands alone beside the folders. The list has, from
-the bottom up, each room with the rooms that it uses; so it cannot contain a circle.
-Refused are: an include of a room that is not named for the including room, a room that is not
-listed, an include that does not name its room, and a listed use that no file needs any more.
+A room is a folder of sources, or one that stands alone beside the folders: NAME.cpp with its
+NAME.h. The list has, from the bottom up, each room with the rooms that it uses; so it cannot
+contain a circle. In brackets it has what a room calls without an include (links.py), which is not
+judged here. Refused are: an include of a room that is not named for the including room, a room that
+is not listed, an include that does not name its room, and a listed use that no file needs any more.
 
 usage: rooms.py REPOSITORY LIST
 """
@@ -18,23 +19,26 @@ SOURCES = {".h", ".cpp", ".c"}
 
 
 def read_list(path):
-    """[(root, prefix of its includes, {room: rooms it uses})]; rooms from the bottom up."""
+    """[(root, prefix of its includes, {room: rooms it uses}, {room: rooms in brackets})]; rooms
+    from the bottom up."""
     houses = []
     for line in pathlib.Path(path).read_text().splitlines():
         if not line.strip() or line.startswith("#"):
             continue
         if not line.startswith(" "):
             root, *prefix = line.split()
-            houses.append((root, prefix[0] if prefix else "", {}))
+            houses.append((root, prefix[0] if prefix else "", {}, {}))
         else:
             room, _, uses = line.strip().partition(":")
-            houses[-1][2][room] = uses.split()
+            houses[-1][2][room] = [each for each in uses.split() if each[0] != "("]
+            houses[-1][3][room] = [each[1:-1] for each in uses.split() if each[0] == "("]
     return houses
 
 
 def room_of(rooms, file):
     """The listed room with the longest name that contains `file`, a path below the root."""
-    found = [room for room in rooms if file == room or file.startswith(room + "/")]
+    found = [room for room in rooms
+             if file.startswith(room + "/") or file in (room + ".h", room + ".cpp")]
     return max(found, key=len, default=None)
 
 
@@ -77,7 +81,7 @@ def house_faults(repository, root, prefix, rooms):
 
 
 def faults(repository, list_path):
-    for root, prefix, rooms in read_list(list_path):
+    for root, prefix, rooms, _ in read_list(list_path):
         yield from house_faults(pathlib.Path(repository), root, prefix, rooms)
 
 

@@ -14,6 +14,7 @@ import compile_times  # noqa: E402
 import coverage  # noqa: E402
 import drivers  # noqa: E402
 import headers  # noqa: E402
+import links  # noqa: E402
 import loops  # noqa: E402
 import mutation  # noqa: E402
 import promises  # noqa: E402
@@ -214,7 +215,7 @@ class Loops(Sample):
 
 class Rooms(Sample):
     """With two folders and a file beside them: cellar, hall above it, roof.cpp on top."""
-    LIST = "house by/\n  cellar:\n  hall: cellar\n  roof.cpp: hall\n"
+    LIST = "house by/\n  cellar:\n  hall: cellar\n  roof: hall\n"
 
     def setUp(self):
         super().setUp()
@@ -234,7 +235,20 @@ class Rooms(Sample):
         self.expect_one(self.faults(), "house/cellar/coal.h:2", "cellar does not use hall")
         self.write("house/cellar/coal.h", "")
         self.write("house/roof.cpp", '#include "by/hall/table.h"\n#  include "by/cellar/wine.h"\n')
-        self.expect_one(self.faults(), "house/roof.cpp:2", "roof.cpp does not use cellar")
+        self.expect_one(self.faults(), "house/roof.cpp:2", "roof does not use cellar")
+
+    def test_a_file_that_stands_alone_is_its_header_and_its_source(self):
+        self.write("house/roof.h", "")
+        self.write("house/roof.cpp", '#include "by/roof.h"\n#include "by/hall/table.h"\n')
+        self.assertEqual(list(self.faults()), [])
+        self.write("house/roof.inc.h", "")
+        self.expect_one(self.faults(), "house/roof.inc.h: its room is not listed")
+
+    def test_does_not_judge_what_is_in_brackets(self):
+        self.assertEqual(list(self.faults(self.LIST.replace("cellar:", "cellar: (hall)"))), [])
+        self.write("house/cellar/coal.h", '#include "by/hall/table.h"\n')
+        self.expect_one(self.faults(self.LIST.replace("cellar:", "cellar: (hall)")),
+                        "cellar does not use hall")
 
     def test_refuses_names_without_a_room(self):
         self.write("house/hall/chair.h", '#include "table.h"\n')
@@ -250,7 +264,59 @@ class Rooms(Sample):
                         "cellar is to use hall")
         self.write("house/cellar/coal.h", "")
         self.write("house/roof.cpp", "")
-        self.expect_one(self.faults(), "roof.cpp is listed to use hall")
+        self.expect_one(self.faults(), "roof is listed to use hall")
+
+
+class Links(Sample):
+    """With a house that is built as CMake does: cellar, hall above it, roof.cpp on top."""
+    LIST = "house\n  cellar:\n  hall: cellar\n  roof: hall\n"
+
+    def build(self, **sources):
+        """Each of `sources`: its code, by name with _ for a slash."""
+        for name, code in sources.items():
+            source = self.write(f"house/{name.replace('_', '/')}.cpp", code)
+            made = self.write("build/house/CMakeFiles/a.dir/" +
+                              source.relative_to(self.top / "house").as_posix() + ".o", "")
+            subprocess.run(["c++", "-O0", "-c", source, "-o", made], check=True)
+
+    def faults(self, rows=LIST):
+        return links.faults(self.top, self.write("rooms.txt", rows), self.top / "build")
+
+    def test_accepts_calls_that_run_down_and_inline_functions(self):
+        self.build(cellar_wine="int wine() { return 1; } inline int own() { return 2; }\n"
+                               "int old() { return own(); }",
+                   hall_table="int wine(); inline int own() { return 2; }\n"
+                              "int table() { return wine() + own(); }",
+                   roof="int table(); int roof() { return table(); }")
+        self.assertEqual(list(self.faults()), [])
+
+    def test_refuses_what_the_own_header_declares_and_a_room_above_defines(self):
+        self.build(cellar_wine="int fetch(int n); int wine() { return fetch(1); }",
+                   hall_table="int fetch(int n) { return n; }")
+        self.expect_one(self.faults(), "house: cellar does not use hall", "fetch(int)")
+
+    def test_refuses_a_call_past_a_room_and_of_data(self):
+        self.build(cellar_wine="int bottles = 3;", roof="extern int bottles; int a = bottles;")
+        self.expect_one(self.faults(), "roof does not use cellar", "bottles")
+
+    def test_brackets_allow_a_call_and_must_be_needed(self):
+        rows = self.LIST.replace("cellar:", "cellar: (hall)")
+        self.build(cellar_wine="int fetch(int n); int wine() { return fetch(1); }",
+                   hall_table="int fetch(int n) { return n; }")
+        self.assertEqual(list(self.faults(rows)), [])
+        self.build(cellar_wine="int wine() { return 1; }")
+        self.expect_one(self.faults(rows), "cellar is listed to call hall")
+
+    def test_reads_no_object_whose_source_is_gone(self):
+        self.build(cellar_wine="int wine() { return 1; }",
+                   cellar_coal="int fetch(int n); int coal() { return fetch(1); }",
+                   hall_table="int fetch(int n) { return n; }")
+        (self.top / "house/cellar/coal.cpp").unlink()
+        self.assertEqual(list(self.faults()), [])
+
+    def test_refuses_a_house_that_is_not_built(self):
+        self.build()
+        self.expect_one(self.faults(), "house", "build it first")
 
 
 class Drivers(Sample):
