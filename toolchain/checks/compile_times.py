@@ -18,7 +18,7 @@ SLOW = {
     "implicit_mesh.cpp": "CGAL's volume mesher: 10 of 30 s read its headers, so each of several "
                          "units would take that again",
     "wrap.cpp": "CGAL's alpha wrap, one function: 8 of 30 s read its headers, likewise; in "
-                "three units the largest would still take 20 s, all together 52",
+                "three units the largest would take about 20 s, all together 52",
 }
 
 
