@@ -55,9 +55,9 @@ SUBJECTS = {
 # All parts of the coupling of needle and tissue move the needle, so any of these tests may notice.
 COUPLING = (
     [["fuzz_tick", SOURCE / "tests/fuzz/seeds/tick"]] +
-    [[f"coupling_{each}"] for each in ("friction", "pools", "relaxation", "continuity",
-                                       "strain", "energy", "phase_curve",
-                                       "momentum")] +
+    [[f"coupling_{each}"] for each in ("aside", "friction", "pools", "relaxation",
+                                       "continuity", "strain", "energy",
+                                       "phase_curve", "momentum")] +
     [[f"insertion_{each}"] for each in ("layers", "steering", "several", "bone",
                                         "breathing")] +
     [["unit_determinism", "--gtest_filter=*Flush*"], ["obstacle_contact"],
