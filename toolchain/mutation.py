@@ -76,7 +76,9 @@ REAL_MAPS = [["offline_label_test", "--gtest_filter=RealMaps.*"],
 MESHES = [["offline_reader_test"], RANDOM_MESHES, *REAL_MESHES]
 HEADERS = [["offline_label_format_test"], ["offline_label_test", "--gtest_filter=LabelMap.*"],
            RANDOM_LABELS]
-FRAMES = [*HEADERS, ["label_frame_test.py"], *REAL_MAPS]
+FRAMES = {case: [*HEADERS, ["label_frame_test.py", case], *REAL_MAPS]
+          for case in ("Nrrd", "MetaImage", "Inrimage")}
+EVERY_FRAME = [*HEADERS, ["label_frame_test.py"], *REAL_MAPS]
 DICOM = {each: [f"dicom_{each[0]}_test.py", each[1]] for each in (
     ("conformance", "RegularSeries"), ("conformance", "IrregularSeries"),
     ("objects", "Segmentations"), ("objects", "StructureSets"))}
@@ -98,10 +100,11 @@ MESH_READERS = [f"meshes/{reader}" for reader in re.findall(
     re.M)]
 OFFLINE = {
     **dict.fromkeys(("meshes/read_mesh", "meshes/mesh_text", *MESH_READERS), MESHES),
-    **dict.fromkeys(("maps/header", "maps/label_map", "maps/itk", "maps/bzip2", "maps/whole"),
-                    FRAMES),
-    **dict.fromkeys(("maps/nrrd_header", "maps/nrrd_frame", "maps/meta_header", "maps/meta_frame",
-                     "maps/inr"), FRAMES),
+    **dict.fromkeys(("maps/header", "maps/itk", "maps/bzip2", "maps/whole"), EVERY_FRAME),
+    "maps/label_map": [*EVERY_FRAME, DICOM["RegularSeries"], DICOM["Segmentations"]],
+    **dict.fromkeys(("maps/nrrd_header", "maps/nrrd_frame"), FRAMES["Nrrd"]),
+    **dict.fromkeys(("maps/meta_header", "maps/meta_frame"), FRAMES["MetaImage"]),
+    "maps/inr": FRAMES["Inrimage"],
     "maps/nifti": [*HEADERS, *REAL_MAPS],
     "maps/names": [*HEADERS, ["dicom_test.py"], *REAL_MAPS],
     "maps/dicom_file": [RANDOM_LABELS, *DICOM.values()],
@@ -143,7 +146,7 @@ OFFLINE = {
     "base/toml_file": [["fuzz_tissues", SOURCE / "tests/fuzz/seeds/tissues"],
                        ["offline_label_test", "--gtest_filter=Recipe.*"]],
     **dict.fromkeys(("meshes/wrap", "meshes/holes", "pipeline/wrapping"),
-                    [["offline_wrap_test"], ["offline_solid_test", "--gtest_filter=Volume.*"],
+                    [["offline_wrap_test", "--gtest_filter=Holes.*"], ["offline_wrap_test"], ["offline_solid_test", "--gtest_filter=Volume.*"],
                      ORGANS]),
     "meshes/simplify": [MAPS, REAL_BODY],
     "voxels/sweep": [["offline_quality_test", "--gtest_filter=Fit.*"]],

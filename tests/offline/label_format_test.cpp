@@ -6,8 +6,10 @@
 #include <zlib.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <functional>
+#include <iostream>
 #include <limits>
 #include <map>
 #include <random>
@@ -17,6 +19,7 @@
 #include "maps/header.h"
 #include "maps/label_map.h"
 #include "maps/names.h"
+#include "maps/readers.h"
 #include "offline_support.h"
 #include "random_bodies.h"
 
@@ -962,6 +965,27 @@ TEST(LabelHeader, SurplusBehindWhatIsSkippedIsRefused) {
       EXPECT_THAT(refusal, HasSubstr(surplus == 0 ? "" : told)) << file;
     }
   }
+}
+
+// What was printed before comes out, and what comes after it; of what a library prints, nothing.
+TEST(Silence, TakesNothingButWhatIsPrintedInIt) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  std::cout << "a";
+  std::printf("b");
+  std::cerr << "c";
+  {
+    const offline::Silence silence;
+    std::cout << "d";
+    std::printf("e");
+    std::cerr << "f";
+    std::fprintf(stderr, "g");
+  }
+  std::cout << "h";
+  std::printf("i");
+  std::cerr << "j";
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "abhi");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "cj");
 }
 
 }  // namespace

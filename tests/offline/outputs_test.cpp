@@ -8,6 +8,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <random>
 
@@ -18,6 +19,8 @@ namespace {
 
 bool exchanges = true, links = true;
 int renames_left = -1;  // -1: as many as are wanted
+std::mt19937 disk(5);
+bool takes_pieces = false;  // a call writes some bytes of what it is given, or a signal ends it
 
 }  // namespace
 
@@ -48,6 +51,15 @@ extern "C" int rename(const char* from, const char* to) noexcept {
   return static_cast<int>(::syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0));
 }
 
+extern "C" ssize_t write(int file, const void* bytes, std::size_t size) {
+  if (takes_pieces && disk() % 4 == 0) {
+    errno = EINTR;
+    return -1;
+  }
+  const std::size_t most = takes_pieces ? 1 + disk() % 5 : size;
+  return ::syscall(SYS_write, file, bytes, std::min(size, most));
+}
+
 namespace stylet::test {
 namespace {
 
@@ -59,6 +71,7 @@ struct FileSystem {
   ~FileSystem() {
     exchanges = links = true;
     renames_left = -1;
+    takes_pieces = false;
   }
 };
 
@@ -106,6 +119,19 @@ TEST(Outputs, AppearTogetherOrNotAtAllOnFileSystemsThatCanDoLess) {
   }
   EXPECT_GT(failed, 100);
   EXPECT_GT(complete, 100);
+}
+
+TEST(Outputs, EveryByteIsWrittenHoweverFewAreTakenAtOnce) {
+  const FileSystem system(true, true);
+  for (std::size_t size = 0; size < 200; ++size) {
+    const Scratch scratch;
+    std::string bytes(size, '\0');
+    for (char& each : bytes) each = static_cast<char>(disk());
+    takes_pieces = true;
+    offline::write_file(scratch.folder / "a", bytes);
+    takes_pieces = false;
+    ASSERT_EQ(slurp(scratch.folder / "a"), bytes);
+  }
 }
 
 }  // namespace

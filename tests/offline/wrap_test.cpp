@@ -8,6 +8,7 @@
 #include "base/refusal.h"
 #include "meshes/holes.h"
 #include "offline_support.h"
+#include "pipeline/wrapping.h"
 #include "random_bodies.h"
 
 namespace stylet::test {
@@ -185,6 +186,28 @@ TEST(Wrap, AVeryThinBodyIsTold) {
     const double exact_ml = a * b * thickness * 1e-3, skin_ml = a * b * (thickness + 0.1) * 1e-3;
     EXPECT_NEAR(told[2], exact_ml, 0.006 * exact_ml);
     EXPECT_NEAR(told[0], skin_ml, 0.05 * skin_ml);  // 0.05 mm more on both sides
+  }
+}
+
+// By how much the skin differs is told to three digits.
+TEST(Wrap, TheDifferenceIsToldAsItIs) {
+  Draw draw(19);
+  for (const double thickness : {0.6, 0.2, 0.05}) {
+    const double a = draw.between(60, 90), b = draw.between(50, 70);
+    const Mesh plate = turned(box_mesh({0, 0, 0}, Vec{a, b, thickness} * kMm), random_frame(draw));
+    const offline::Solid solid = offline::repair(plate);
+    const offline::Wrapped skin =
+        offline::wrap(solid, offline::content_of(solid), 5 * kMm, "plate");
+    const double skin_ml =
+        offline::signed_volume(skin.solid.surface.points, skin.solid.boundary, {}) * 1e6;
+    const double off = skin_ml / (a * b * thickness * 1e-3) - 1;
+    ASSERT_EQ(skin.warnings.size(), 1U);
+    double told = 0;
+    ASSERT_EQ(
+        std::sscanf(skin.warnings[0].c_str(), "plate: its skin holds %*f ml, %lf %% more", &told),
+        1)
+        << skin.warnings[0];
+    EXPECT_NEAR(told, off * 100, off * 100 * 0.00501);
   }
 }
 

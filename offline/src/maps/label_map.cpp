@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <iostream>
 
 #include "base/file.h"
 #include "maps/header.h"
@@ -53,22 +52,17 @@ void restore(int descriptor, int kept) {
   ::close(kept);
 }
 
-void flush() {
-  std::cout.flush();
-  std::cerr.flush();
-  std::fflush(nullptr);
-}
-
 }  // namespace
 
+// The streams of C++ keep nothing of their own back (sync_with_stdio).
 Silence::Silence() {
-  flush();
+  std::fflush(nullptr);
   out_ = redirected(STDOUT_FILENO);
   err_ = redirected(STDERR_FILENO);
 }
 
 Silence::~Silence() {
-  flush();
+  std::fflush(nullptr);
   restore(STDOUT_FILENO, out_);
   restore(STDERR_FILENO, err_);
 }
