@@ -146,8 +146,8 @@ OFFLINE = {
     "base/toml_file": [["fuzz_tissues", SOURCE / "tests/fuzz/seeds/tissues"],
                        ["offline_label_test", "--gtest_filter=Recipe.*"]],
     **dict.fromkeys(("meshes/wrap", "meshes/holes", "pipeline/wrapping"),
-                    [["offline_wrap_test", "--gtest_filter=Holes.*"], ["offline_wrap_test"], ["offline_solid_test", "--gtest_filter=Volume.*"],
-                     ORGANS]),
+                    [["offline_wrap_test", "--gtest_filter=Holes.*"], ["offline_wrap_test"],
+                     ["offline_solid_test", "--gtest_filter=Volume.*"], ORGANS]),
     "meshes/simplify": [MAPS, REAL_BODY],
     "voxels/sweep": [["offline_quality_test", "--gtest_filter=Fit.*"]],
 }

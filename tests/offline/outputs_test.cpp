@@ -123,7 +123,7 @@ TEST(Outputs, AppearTogetherOrNotAtAllOnFileSystemsThatCanDoLess) {
 
 TEST(Outputs, EveryByteIsWrittenHoweverFewAreTakenAtOnce) {
   const FileSystem system(true, true);
-  for (std::size_t size = 0; size < 200; ++size) {
+  for (std::size_t size = 0; size < 80; ++size) {
     const Scratch scratch;
     std::string bytes(size, '\0');
     for (char& each : bytes) each = static_cast<char>(disk());
@@ -132,6 +132,26 @@ TEST(Outputs, EveryByteIsWrittenHoweverFewAreTakenAtOnce) {
     takes_pieces = false;
     ASSERT_EQ(slurp(scratch.folder / "a"), bytes);
   }
+}
+
+// A folder that is complete stays, also an empty one; one that is not goes again.
+TEST(Outputs, FoldersStayOnceComplete) {
+  const Scratch scratch;
+  for (const bool complete : {false, true}) {
+    offline::Outputs outputs;
+    EXPECT_FALSE(std::filesystem::exists(scratch.folder / "a"));
+    outputs.add_folder(scratch.folder / "a" / "b");
+    if (complete) outputs.commit();
+    EXPECT_TRUE(std::filesystem::exists(scratch.folder / "a" / "b"));
+  }
+  EXPECT_TRUE(std::filesystem::exists(scratch.folder / "a" / "b"));
+}
+
+TEST(Outputs, AFolderThatCannotBeMadeIsNamed) {
+  offline::Outputs outputs;
+  EXPECT_THAT([&] { outputs.add_folder("/proc/stylet/folder"); },
+              testing::ThrowsMessage<offline::Refusal>(
+                  testing::StartsWith("/proc/stylet: cannot be made: ")));
 }
 
 }  // namespace
