@@ -3,6 +3,7 @@
 // would notice.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 
@@ -245,6 +246,26 @@ TEST(GuardBuzz, FaultItselfIsNoFasterThanTheSlewLimit) {
   EXPECT_GT(faults, 100);
 }
 
+// ==== Motors that have stopped by themselves
+
+TEST(GuardMotor, ThatStoppedTakesForceAwayAndNeverGivesAny) {
+  std::mt19937_64 engine(6);
+  const auto draw = [&engine] { return static_cast<float>(engine() >> 40U) * 0x1p-24F; };
+  for (int i = 0; i < 100; ++i) {
+    Desk desk = plain_desk();
+    desk.asked_n = {1 + 3 * draw(), 0, 0};
+    desk.tick(20, false);
+    const Vec3 ours_n = desk.state.force_n;
+    ASSERT_FLOAT_EQ(ours_n.x, desk.asked_n.x);
+    const float share = 2 * draw();
+    const Vec3 theirs_n = i % 5 == 0 ? Vec3{kNan, 0, 0} : Vec3{share * ours_n.x, 0, 0};
+    guard_motor(desk.state, {theirs_n, {}, desk.state.arming, true});
+    EXPECT_EQ(desk.state.fault, Fault::kForceExpired);
+    const float left_n = i % 5 == 0 ? 0 : std::min(ours_n.x, theirs_n.x);
+    EXPECT_FLOAT_EQ(desk.state.force_n.x, left_n) << share;
+  }
+}
+
 // ==== Torque
 
 struct TorqueDesk {
@@ -286,6 +307,22 @@ TEST(GuardTorque, EndsWithTheForceAndComesBackWithIt) {
   ASSERT_TRUE(guard_rearm(desk.force.state, Fault::kTooLate));
   for (int i = 0; i < 20; ++i) (void)desk.tick({0.05F, 0, 0});
   EXPECT_FLOAT_EQ(desk.tick({0.05F, 0, 0}).x, 0.05F);
+}
+
+// As for a force: without a sample no time has passed, but what falls goes on by a period.
+TEST(GuardTorque, WithoutASampleStaysOrGoesOnFalling) {
+  TorqueDesk desk;
+  for (int i = 0; i < 20; ++i) (void)desk.tick({0.05F, 0, 0});
+  const auto again = [&] {
+    (void)guard_force(desk.force.config, desk.force.state, desk.force.asked_n);
+    return guard_torque(desk.force.config, desk.most_nm, desk.force.state, desk.torque,
+                        {0.09F, 0, 0});
+  };
+  for (int call = 0; call < 5; ++call) EXPECT_FLOAT_EQ(again().x, 0.05F);
+  guard_trip(desk.force.state, Fault::kTooLate);
+  for (int call = 1; call <= 25; ++call) {
+    EXPECT_NEAR(size(again()), 0.05 * std::max(0, 20 - call) / 20, 1e-8) << call;
+  }
 }
 
 TEST(GuardTorque, ThatIsNoNumberEndsBothAtOnce) {
