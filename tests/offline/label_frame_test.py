@@ -456,6 +456,7 @@ class MetaImage(Case):
             self.refused(self.write("BinaryData = False", f"HeaderSize = {size}"),
                          "voxels as text, but the header says to skip")
         self.refused(self.write("ElementNumberOfChannels = 0"), "expected whole numbers from 1")
+        self.refused(self.write("HeaderSize = -2"), "HeaderSize", "expected whole numbers from -1")
 
     def test_voxels_in_files_of_their_own(self):
         planes = [self.map[:, :, z].tobytes("F") for z in range(self.map.shape[2])]
