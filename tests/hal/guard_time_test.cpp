@@ -207,6 +207,21 @@ TEST(GuardTime, WhatWasSkippedIsNotLost) {
   EXPECT_EQ(hand.state.fault, Fault::kNone);
 }
 
+// Its time is known, also where it is the first: what is lost behind it counts.
+TEST(GuardTime, WhatIsLostBehindASkipIsLost) {
+  for (const bool skips : {false, true}) {
+    for (const int passed_ms : {20, 21}) {
+      Hand hand;
+      hand.config.watchdog_s = 0.1F;
+      if (skips) guard_skip(hand.state, hand.now_ns);
+      hand.now_ns += passed_ms * kMs;
+      (void)guard_sample(hand.config, hand.state, false, {}, hand.now_ns);
+      EXPECT_EQ(hand.state.fault, skips && passed_ms == 21 ? Fault::kTooLate : Fault::kNone)
+          << skips << ", " << passed_ms << " ms";
+    }
+  }
+}
+
 // R3 and R6 for fades with late ticks; the last step was 0.36 N of 8 too large.
 TEST(GuardTime, AFadeWithLateTicksKeepsTheSlewLimit) {
   Draw draw{std::mt19937_64(5)};
