@@ -33,7 +33,7 @@ inline bool is_over(const GuardConfig& config, std::int64_t passed_ns, float tim
 // Ticks may be lost; then one tick covers all the time that has passed. While a clock stands, or
 // runs backwards, none has.
 inline void note_time(const GuardConfig& config, GuardState& state, std::int64_t now_ns) {
-  const bool runs = state.have_time == 0 || now_ns > state.now_ns;
+  const bool runs = now_ns > state.now_ns;
   // Of any two times, without an overflow.
   const std::uint64_t passed_ns =
       static_cast<std::uint64_t>(now_ns) - static_cast<std::uint64_t>(state.now_ns);

@@ -207,6 +207,21 @@ TEST(GuardTime, WhatWasSkippedIsNotLost) {
   EXPECT_EQ(hand.state.fault, Fault::kNone);
 }
 
+// No time passes while it does, so that what falls is no faster than in a period.
+TEST(GuardTime, AClockThatRunsBackwardsTakesNoForceAtOnce) {
+  Hand hand;
+  for (int i = 0; i < 600; ++i) (void)hand.tick(kMs);
+  double last_n = size(hand.state.force_n);
+  ASSERT_GT(last_n, 7);
+  for (int i = 0; i < 3; ++i) {
+    const double now_n = hand.tick(-5 * kMs);
+    EXPECT_LT(now_n, last_n);
+    EXPECT_LE(last_n - now_n, slew_of(hand) * 1e-3 + 1e-6) << i;
+    last_n = now_n;
+  }
+  EXPECT_EQ(hand.state.fault, Fault::kTooLate);
+}
+
 // Its time is known, also where it is the first: what is lost behind it counts.
 TEST(GuardTime, WhatIsLostBehindASkipIsLost) {
   for (const bool skips : {false, true}) {
