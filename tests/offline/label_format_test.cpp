@@ -971,15 +971,15 @@ TEST(LabelHeader, SurplusBehindWhatIsSkippedIsRefused) {
 TEST(Silence, TakesNothingButWhatIsPrintedInIt) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
+  std::cerr << "c";  // first, as it writes out what std::cout has
   std::cout << "a";
   std::printf("b");
-  std::cerr << "c";
   {
     const offline::Silence silence;
-    std::cout << "d";
-    std::printf("e");
     std::cerr << "f";
     std::fprintf(stderr, "g");
+    std::cout << "d";
+    std::printf("e");
   }
   std::cout << "h";
   std::printf("i");
