@@ -101,7 +101,7 @@ MESH_READERS = [f"meshes/{reader}" for reader in re.findall(
 OFFLINE = {
     **dict.fromkeys(("meshes/read_mesh", "meshes/mesh_text", *MESH_READERS), MESHES),
     **dict.fromkeys(("maps/header", "maps/itk", "maps/bzip2", "maps/whole"), EVERY_FRAME),
-    "maps/label_map": [*EVERY_FRAME, DICOM["RegularSeries"], DICOM["Segmentations"]],
+    "maps/label_map": [*EVERY_FRAME, DICOM["Segmentations"], DICOM["RegularSeries"]],
     **dict.fromkeys(("maps/nrrd_header", "maps/nrrd_frame"), FRAMES["Nrrd"]),
     **dict.fromkeys(("maps/meta_header", "maps/meta_frame"), FRAMES["MetaImage"]),
     "maps/inr": FRAMES["Inrimage"],
