@@ -136,9 +136,12 @@ ObstacleConfig read_obstacle(Section section, const std::string& scene_file,
   if (!section.has("at_mm")) section.fail("at_mm", "a list of 3 numbers: where the body is");
   config.pose.position_m = si(section.numbers<3>("at_mm", {}, -1000, 1000), 1e-3);
   config.pose.rotation = turned(section.numbers<3>("turn_deg", {}, -360, 360));
-  config.stiffness_n_per_m = si(section.number("stiffness_n_per_mm", 20, 1e-3, 1000), 1e3);
-  config.largest_force_n = static_cast<float>(section.number("largest_force_n", 50, 0.01, 1000));
-  config.friction = static_cast<float>(section.number("friction", 0.3, 0, 2));
+  const auto number = [&](const char* key, double unit, float& value, double low, double high) {
+    value = si(section.number(key, static_cast<double>(value) / unit, low, high), unit);
+  };
+  number("stiffness_n_per_mm", 1e3, config.stiffness_n_per_m, 1e-3, 1000);
+  number("largest_force_n", 1, config.largest_force_n, 0.01, 1000);
+  number("friction", 1, config.friction, 0, 2);
   section.finish();
   return config;
 }

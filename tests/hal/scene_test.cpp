@@ -485,6 +485,14 @@ at_mm = [0, 0, 0]
   EXPECT_NEAR(of(rotate(box.pose.rotation, {1, 0, 0}).y), 1, 1e-6);
   EXPECT_EQ(scene.obstacles[1].vertex_count, 1U);
   EXPECT_NEAR(of(scene.obstacles[1].rounding_m), 7e-3, 1e-8);
+  // What is not given is what hal/scene/README.md says, to the bit what hosts have.
+  const ObstacleConfig contact;
+  EXPECT_EQ(contact.stiffness_n_per_m, 20e3F);
+  EXPECT_EQ(contact.largest_force_n, 50);
+  EXPECT_EQ(contact.friction, 0.3F);
+  EXPECT_EQ(scene.obstacles[1].stiffness_n_per_m, contact.stiffness_n_per_m);
+  EXPECT_EQ(scene.obstacles[1].largest_force_n, contact.largest_force_n);
+  EXPECT_EQ(scene.obstacles[1].friction, contact.friction);
 }
 
 std::string written(const char* name, const std::string& text) {

@@ -28,13 +28,10 @@ stylet_needle to_struct(const NeedleConfig& n) {
           n.bent_angle_rad,      n.torsion_nm2, n.tip_half_angle_rad};
 }
 
-// Bone of a vertebra under a needle: 20 N/mm, and steel that slides on it.
+// The kernel's default contact on a body of some shape: without one it would be refused.
 ObstacleConfig default_obstacle() {
   ObstacleConfig out;
   make_sphere(out, 0.01F);
-  out.stiffness_n_per_m = 20'000;
-  out.largest_force_n = 100;
-  out.friction = 0.2F;
   return out;
 }
 

@@ -86,9 +86,12 @@ struct ObstacleConfig {
   std::uint32_t vertex_count = 0;
   Vec3 vertices_m[kMaxHullVertices] = {};
   float rounding_m = 0;
-  float stiffness_n_per_m = 0;  // of a contact both ways; at most kMaxRodStiffnessNPerM
-  float largest_force_n = 0;    // limit of the normal force as the needle is pressed in
-  float friction = 0;           // Coulomb coefficient
+  // The contact. Its defaults, which scenes and hosts take from here, are chosen, not measured:
+  // bone that stops a needle is stiffer and bears more than a device renders, so a stiffness on
+  // which the loop is tested with devices, and more force than any of them has (device/model.h).
+  float stiffness_n_per_m = 20e3F;  // both ways; at most kMaxRodStiffnessNPerM
+  float largest_force_n = 50;       // what the normal force approaches as the needle is pressed in
+  float friction = 0.3F;            // Coulomb coefficient
 };
 
 // Why a configuration was refused: the first field outside its limits. Vectors and quaternions are

@@ -164,6 +164,9 @@ class Obstacles(unittest.TestCase):
                         "--record", recording], check=True, capture_output=True)
         here, there = stylet.read_obstacles(path), stylet.Recording(recording).obstacles
         self.assertEqual(len(here), 5)  # the plate of bone is one
+        for name in ("stiffness_n_per_m", "largest_force_n", "friction"):
+            # The same defaults to the bit: of the program's scenes and of the interface in C.
+            self.assertEqual(getattr(there[1], name), getattr(stylet.Obstacle(), name), name)
         for ours, theirs in zip(here, there, strict=True):
             for name in ("vertex_count", "vertices_m", "position_m", "rotation_wxyz", "rounding_m",
                          "stiffness_n_per_m", "largest_force_n", "friction"):

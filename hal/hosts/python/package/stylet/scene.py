@@ -63,9 +63,10 @@ def obstacle(path, place, row):
         body = Obstacle.hull(read(pathlib.Path(path).parent / row["hull"])["vertices_m"])
     return body.replace(position_m=1e-3 * number("at_mm", None, (3,)),
                         rotation_wxyz=turned(number("turn_deg", [0, 0, 0], (3,))),
-                        stiffness_n_per_m=1e3 * number("stiffness_n_per_mm", 20),
-                        largest_force_n=number("largest_force_n", 50),
-                        friction=number("friction", 0.3))
+                        stiffness_n_per_m=1e3 * number("stiffness_n_per_mm",
+                                                       1e-3 * body.stiffness_n_per_m),
+                        largest_force_n=number("largest_force_n", body.largest_force_n),
+                        friction=number("friction", body.friction))
 
 
 def turned(degrees):

@@ -242,7 +242,7 @@ typedef struct {
   float largest_force_n;   /* limit of the normal force as the needle is pressed in */
   float friction;          /* Coulomb coefficient */
 } stylet_obstacle;
-/* A sphere of 10 mm that is like bone: 20 N/mm, at most 100 N, friction 0.2. */
+/* A sphere of 10 mm that is like bone: 20 N/mm, at most 50 N, friction 0.3. */
 STYLET_API stylet_status stylet_obstacle_init(stylet_obstacle* obstacle, size_t struct_bytes);
 STYLET_API stylet_status stylet_obstacle_box(stylet_obstacle* obstacle, stylet_vec3 half_m);
 STYLET_API stylet_status stylet_obstacle_sphere(stylet_obstacle* obstacle, float radius_m);
