@@ -1,18 +1,84 @@
 // SPDX-License-Identifier: Apache-2.0
 // Batches of stylet.h: a pool of threads, each of which takes one simulation after the other. They
 // wait between calls. Not for the loop: which simulation is done when, nobody knows; the bits do
-// not depend on it.
+// not depend on it. After a fork the child begins threads of its own.
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <new>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
+#include "hal/hosts/c/process.h"
 #include "hal/hosts/c/ticking.h"
+
+namespace {
+
+// Threads that do the same work as the caller's, once a call.
+class Pool {
+ public:
+  explicit Pool(std::function<void()> work) : work_(std::move(work)) {}
+  ~Pool() {
+    {
+      const std::lock_guard lock(mutex_);
+      ends_ = true;
+    }
+    begun_.notify_all();
+    for (std::thread& each : threads_) each.join();
+  }
+  Pool(const Pool&) = delete;
+  Pool& operator=(const Pool&) = delete;
+
+  void add_thread() {
+    threads_.emplace_back([this] { serve(); });
+  }
+  std::size_t threads() const { return threads_.size(); }
+  bool is_of_this_process() const { return process_ == stylet::c::this_process(); }
+
+  void run() {
+    {
+      const std::lock_guard lock(mutex_);
+      busy_ = threads_.size();
+      ++call_;
+    }
+    begun_.notify_all();
+    work_();
+    std::unique_lock lock(mutex_);
+    done_.wait(lock, [&] { return busy_ == 0; });
+  }
+
+ private:
+  void serve() {
+    std::uint64_t seen = 0;
+    for (;;) {
+      std::unique_lock lock(mutex_);
+      begun_.wait(lock, [&] { return ends_ || call_ != seen; });
+      if (ends_) return;
+      seen = call_;
+      lock.unlock();
+      work_();
+      lock.lock();
+      if (--busy_ == 0) done_.notify_one();
+    }
+  }
+
+  std::function<void()> work_;
+  std::int64_t process_ = stylet::c::this_process();
+  std::mutex mutex_;
+  std::condition_variable begun_, done_;
+  std::uint64_t call_ = 0;  // how many calls there were
+  std::size_t busy_ = 0;    // threads that have not ended the newest call
+  bool ends_ = false;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace
 
 struct stylet_batch {
   struct Part {
@@ -27,20 +93,11 @@ struct stylet_batch {
   std::uint32_t ticks = 0;
   std::atomic<std::size_t> next{0};
 
-  std::mutex mutex;
-  std::condition_variable begun, done;
-  std::uint64_t call = 0;  // how many calls there were
-  std::size_t busy = 0;    // threads that have not ended the newest call
-  bool ends = false;
-  std::vector<std::thread> threads;  // beside the caller's
+  std::unique_ptr<Pool> pool;
 
   ~stylet_batch() {
-    {
-      const std::lock_guard lock(mutex);
-      ends = true;
-    }
-    begun.notify_all();
-    for (std::thread& each : threads) each.join();
+    forget_threads_of_another_process();
+    pool.reset();
     for (const Part& part : parts) stylet_simulation_free(part.simulation);
   }
 
@@ -52,33 +109,24 @@ struct stylet_batch {
     }
   }
 
-  void serve() {
-    std::uint64_t seen = 0;
-    for (;;) {
-      std::unique_lock lock(mutex);
-      begun.wait(lock, [&] { return ends || call != seen; });
-      if (ends) return;
-      seen = call;
-      lock.unlock();
-      work();
-      lock.lock();
-      if (--busy == 0) done.notify_one();
-    }
+  void begin_threads(std::size_t count) {
+    auto made = std::make_unique<Pool>([this] { work(); });
+    forget_threads_of_another_process();
+    pool = std::move(made);
+    while (pool->threads() < count) pool->add_thread();
+  }
+
+  // The copy that a fork made: its threads are not here, and what they wait on cannot be destroyed.
+  void forget_threads_of_another_process() {
+    if (pool != nullptr && !pool->is_of_this_process()) (void)pool.release();
   }
 
   void run(const stylet::c::Arrays& of, std::uint32_t count) {
-    {
-      const std::lock_guard lock(mutex);
-      arrays = of;
-      ticks = count;
-      next = 0;
-      busy = threads.size();
-      ++call;
-    }
-    begun.notify_all();
-    work();
-    std::unique_lock lock(mutex);
-    done.wait(lock, [&] { return busy == 0; });
+    if (!pool->is_of_this_process()) begin_threads(pool->threads());
+    arrays = of;
+    ticks = count;
+    next = 0;
+    pool->run();
   }
 };
 
@@ -102,9 +150,7 @@ stylet_status stylet_batch_create(stylet_simulation* const* simulations, uint32_
   }
   if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
   threads = std::min(threads, std::max(count, 1U));
-  for (std::uint32_t i = 1; i < threads; ++i) {
-    made->threads.emplace_back([batch = made.get()] { batch->serve(); });
-  }
+  made->begin_threads(threads - 1);  // beside the caller's
   *batch_out = made.release();
   return STYLET_OK;
 } catch (const std::bad_alloc&) {
@@ -122,9 +168,10 @@ uint32_t stylet_batch_needles(const stylet_batch* batch) {
 }
 
 stylet_status stylet_batch_run(stylet_batch* batch, const stylet_input* inputs,
-                               stylet_output* outputs_out, uint32_t ticks) {
-  if (batch == nullptr || (inputs == nullptr && ticks > 0)) return STYLET_ARGUMENT_MISSING;
+                               stylet_output* outputs_out, uint32_t ticks) try {
+  if (batch == nullptr) return STYLET_ARGUMENT_MISSING;
   if (ticks == 0 || batch->parts.empty()) return STYLET_OK;
+  if (inputs == nullptr) return STYLET_ARGUMENT_MISSING;
   for (const stylet_batch::Part& part : batch->parts) {
     const stylet_status status = stylet::c::ready(part.simulation);
     if (status != STYLET_OK) return status;
@@ -133,4 +180,6 @@ stylet_status stylet_batch_run(stylet_batch* batch, const stylet_input* inputs,
   if (!stylet::c::sizes_known(arrays, batch->needles * ticks)) return STYLET_STRUCT_SIZE_UNKNOWN;
   batch->run(arrays, ticks);
   return STYLET_OK;
+} catch (const std::exception&) {
+  return STYLET_OUT_OF_MEMORY;  // no room for threads, anew after a fork
 }

@@ -161,6 +161,7 @@ stylet_status stylet_device_simulated(float travel_m, float speed_m_per_s, float
 
 void stylet_device_close(stylet_device* device) {
   if (device == nullptr || device->taken) return;
+  if (device->process != c::this_process()) return;  // after a fork it is still the parent's
   if (device->device.close != nullptr) device->device.close(device->device.self);
   delete device;
 }

@@ -5,6 +5,7 @@
 #include "hal/device/device.h"
 #include "hal/guard/guard.h"
 #include "hal/hosts/c/plain.h"
+#include "hal/hosts/c/process.h"
 #include "stylet/stylet_loop.h"
 
 struct stylet_guard {
@@ -16,9 +17,10 @@ struct stylet_guard {
 
 struct stylet_device {
   stylet::hal::Device device;
-  bool opened = false;    // by URI: in real time
-  bool scripted = false;  // computed
-  bool taken = false;     // by a loop, which closes it
+  bool opened = false;                               // by URI: in real time
+  bool scripted = false;                             // computed
+  bool taken = false;                                // by a loop, which closes it
+  std::int64_t process = stylet::c::this_process();  // that closes it: its threads are there
 };
 
 namespace stylet::c {

@@ -16,6 +16,7 @@
 #include "hal/device/devices.h"
 #include "hal/guard/bounds.h"
 #include "hal/hosts/c/hands.h"
+#include "hal/hosts/c/process.h"
 #include "hal/hosts/c/refusal.h"
 #include "hal/hosts/c/sized.h"
 #include "hal/hosts/c/ticking.h"
@@ -39,6 +40,7 @@ struct stylet_loop {
   hal::HostState host;
   std::thread thread;
   std::atomic<bool> started{false}, runs{false};
+  std::int64_t process = 0;              // that began it
   hal::Countdown ended{1};               // counted once it no longer runs
   std::atomic<std::thread::id> servo{};  // the thread that is in the loop
   std::atomic<int> inside{0};            // threads that are in run or wait
@@ -250,9 +252,15 @@ struct Inside {
   Inside& operator=(const Inside&) = delete;
 };
 
+// A fork copied it: the thread that could end it, and answer for its device, is not here.
+bool runs_elsewhere(const stylet_loop& loop) {
+  return loop.runs.load() && loop.process != this_process();
+}
+
 stylet_status begin(stylet_loop* loop) {
   if (loop == nullptr) return STYLET_ARGUMENT_MISSING;
   if (loop->started.exchange(true)) return STYLET_LOOP_RUNS;
+  loop->process = this_process();
   loop->runs.store(true);
   return STYLET_OK;
 }
@@ -263,8 +271,9 @@ stylet_status begin(stylet_loop* loop) {
 stylet_loop::~stylet_loop() {
   state->stop.store(true);
   if (runs.load()) ended.wait();
-  while (inside.load() > 0) std::this_thread::yield();
-  if (thread.joinable()) thread.join();
+  const bool elsewhere = started.load() && process != c::this_process();
+  while (!elsewhere && inside.load() > 0) std::this_thread::yield();
+  if (thread.joinable()) elsewhere ? thread.detach() : thread.join();
   for (stylet_device* each : held) {
     each->taken = false;
     stylet_device_close(each);
@@ -352,13 +361,14 @@ void stylet_loop_ask_to_stop(stylet_loop* loop) {
 stylet_status stylet_loop_wait(stylet_loop* loop) {
   if (loop == nullptr) return STYLET_ARGUMENT_MISSING;
   if (loop->servo.load() == std::this_thread::get_id()) return STYLET_LOOP_RUNS;
+  if (c::runs_elsewhere(*loop)) return STYLET_LOOP_RUNS;
   const c::Inside inside(*loop);
   if (loop->runs.load()) loop->ended.wait();
   return STYLET_OK;
 }
 
 void stylet_loop_free(stylet_loop* loop) {
-  if (loop == nullptr) return;
+  if (loop == nullptr || c::runs_elsewhere(*loop)) return;
   // From a function of a device: the loop cannot end under itself.
   if (loop->servo.load() == std::this_thread::get_id()) return stylet_loop_ask_to_stop(loop);
   delete loop;
@@ -450,6 +460,7 @@ stylet_status stylet_loop_acknowledge(stylet_loop* loop, uint32_t needle, uint32
 
 stylet_status stylet_loop_get_report(const stylet_loop* loop, stylet_loop_report* report_out) {
   if (loop == nullptr || report_out == nullptr) return STYLET_ARGUMENT_MISSING;
+  if (c::runs_elsewhere(*loop)) return STYLET_LOOP_RUNS;
   stylet_loop_report out = {};
   const hal::LoopState& state = *loop->state;
   out.runs = loop->runs.load(std::memory_order_acquire) ? 1 : 0;

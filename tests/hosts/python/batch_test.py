@@ -1,6 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Many simulations at once give, bit for bit, what each gives alone, with any number of threads."""
+import gc
+import os
+import signal
 import unittest
 
 import numpy as np
@@ -45,6 +48,25 @@ class Batch(unittest.TestCase):
             stylet.VectorSimulation([one, simulation([stylet.Needle(), stylet.Needle()])])
         with self.assertRaises(ValueError):
             stylet.VectorSimulation([one]).run(np.zeros((2, 5, 7)))
+
+    def test_forked_processes_go_on(self):
+        """Workers of multiprocessing and of data loaders are forks, without the threads."""
+        poses = np.stack([insertion(200, at) for at in offsets(4)])
+        vector = stylet.VectorSimulation([simulation() for _ in range(4)], 2)
+        vector.run(poses[:, :100])
+        child = os.fork()
+        if child == 0:
+            signal.alarm(60)  # would wait for ever
+            outputs = vector.run(poses[:, 100:])
+            same = [each.hash() for each in vector.simulations]
+            del vector
+            gc.collect()
+            expected = [simulation() for _ in range(4)]
+            for each, its in zip(expected, poses):
+                each.run(its)
+            os._exit(0 if same == [each.hash() for each in expected] and len(outputs) == 4 else 1)
+        self.assertEqual(os.waitpid(child, 0)[1], 0)
+        vector.run(poses[:, 100:])  # as if nothing had been
 
     def test_simulations_outlive_their_names(self):
         vector = stylet.VectorSimulation([simulation() for _ in range(3)])

@@ -5,8 +5,10 @@
 Expected values: the limits of GUARD.md; geometry in closed form; the header's numbers.
 """
 import math
+import os
 import random
 import re
+import signal
 import time
 import unittest
 
@@ -128,6 +130,26 @@ class Looped(unittest.TestCase):
             self.assertFalse(loop.report().runs)
         with self.assertRaises(RuntimeError):
             loop.start()
+
+    def test_forked_processes_leave_it_to_the_first(self):
+        """There the thread is that would end it, and the device."""
+        loop, _ = self.loop(simulation())
+        with loop:
+            loop.start()
+            child = os.fork()
+            if child == 0:
+                signal.alarm(60)  # would wait for ever
+                try:
+                    loop.wait()
+                except stylet.StyletError as refused:
+                    told = refused.status == stylet.Status.LOOP_RUNS
+                    loop.close()
+                    os._exit(0 if told else 1)
+                os._exit(2)
+            self.assertEqual(os.waitpid(child, 0)[1], 0)
+            self.assertTrue(loop.report().runs)
+            loop.stop()
+            loop.wait()
 
     def test_what_cannot_be_opened_is_told(self):
         with self.assertRaises(stylet.StyletError) as refused:

@@ -24,6 +24,10 @@
  * given need not be aligned and may be freed after the call, unless a function says otherwise.
  * A simulation, a batch, a guard belongs to one thread at a time; organs to any number.
  *
+ * After a fork the child's simulations and batches go on, a batch with threads of its own. A loop
+ * that runs, and devices, are the parent's: in the child waiting and reports are refused, free and
+ * close only forget.
+ *
  * After its creation a simulation does not allocate, lock, log or make a system call in: reset,
  * tick, run, set_obstacles, help, and what copies its state out. The same inputs give the same
  * bits, whatever the compiler, the processor and the number of threads. */
