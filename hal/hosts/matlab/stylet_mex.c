@@ -51,7 +51,8 @@ static mxArray* new_handle(enum kind kind, void* handle) {
 }
 
 static double number(const mxArray* value, const char* what) {
-  if (!mxIsNumeric(value) || mxIsComplex(value) || mxGetNumberOfElements(value) != 1) {
+  if (!mxIsNumeric(value) || mxIsComplex(value) || mxIsSparse(value) ||
+      mxGetNumberOfElements(value) != 1) {
     mexErrMsgIdAndTxt("stylet:refused", "%s: expected one number", what);
   }
   return mxGetScalar(value);
@@ -66,8 +67,9 @@ static void* handle_of(const mxArray* value, enum kind kind) {
 }
 
 static const double* columns(const mxArray* value, size_t rows, const char* what, size_t* count) {
-  if (!mxIsDouble(value) || mxIsComplex(value) || mxGetM(value) != rows) {
-    mexErrMsgIdAndTxt("stylet:refused", "%s: expected a matrix of doubles with %d rows", what,
+  /* A sparse matrix has fewer numbers than places: what is not there would be read. */
+  if (!mxIsDouble(value) || mxIsComplex(value) || mxIsSparse(value) || mxGetM(value) != rows) {
+    mexErrMsgIdAndTxt("stylet:refused", "%s: expected a full matrix of doubles with %d rows", what,
                       (int)rows);
   }
   *count = mxGetN(value);
@@ -84,7 +86,9 @@ struct field {
 static void take_fields(const mxArray* from, const struct field* fields, int field_count,
                         const char* what) {
   if (from == NULL || mxIsEmpty(from)) return;
-  if (!mxIsStruct(from)) mexErrMsgIdAndTxt("stylet:refused", "%s: expected a struct", what);
+  if (!mxIsStruct(from) || mxGetNumberOfElements(from) != 1) {
+    mexErrMsgIdAndTxt("stylet:refused", "%s: expected one struct", what);
+  }
   for (int i = 0; i < mxGetNumberOfFields(from); ++i) {
     const char* name = mxGetFieldNameByNumber(from, i);
     int found = 0;
@@ -163,11 +167,22 @@ static void organ_info(mxArray** out, const mxArray** in) {
   mxFree(corners);
 }
 
+/* What has no length is -z to the library: a mistake would be a needle that points down. */
+static const double* direction(const mxArray* value) {
+  size_t one;
+  const double* way = columns(value, 3, "direction", &one);
+  if (one != 1) fail("expected one direction, 3 x 1");
+  if (!mxIsFinite(way[0]) || !mxIsFinite(way[1]) || !mxIsFinite(way[2])) {
+    fail("direction: expected finite numbers");
+  }
+  return way;
+}
+
 static void raycast(mxArray** out, const mxArray** in) {
-  size_t one, two;
+  size_t one;
   const double* from = columns(in[1], 3, "origin", &one);
-  const double* way = columns(in[2], 3, "direction", &two);
-  if (one != 1 || two != 1) fail("expected one origin and one direction, 3 x 1");
+  const double* way = direction(in[2]);
+  if (one != 1) fail("expected one origin, 3 x 1");
   float distance = 0;
   const int hit = stylet_organ_raycast(
       handle_of(in[0], ORGAN), (stylet_vec3){(float)from[0], (float)from[1], (float)from[2]},
@@ -251,11 +266,10 @@ static void run(mxArray** out, const mxArray** in) {
 }
 
 static void pose_of_tip(mxArray** out, const mxArray** in) {
-  size_t count, one;
+  size_t count;
   const double* tips = columns(in[0], 3, "tips", &count);
-  const double* way = columns(in[1], 3, "direction", &one);
+  const double* way = direction(in[1]);
   const double length = number(in[2], "length_m");
-  if (one != 1) fail("expected one direction, 3 x 1");
   out[0] = mxCreateDoubleMatrix(7, count, mxREAL);
   double* to = mxGetPr(out[0]);
   for (size_t i = 0; i < count; ++i) {

@@ -104,6 +104,14 @@ class Octave(unittest.TestCase):
                 ("stylet_mex ('hash', 1e9)", "expected a simulation that is open"),
                 ("stylet_mex ('hash', -3)", "expected a simulation that is open"),
                 ("stylet_mex ('hash', NaN)", "expected a simulation that is open"),
+                (f"s = stylet_open ({organ}); stylet_run (s, sparse (7, 3000000))",
+                 "expected a full matrix"),
+                (f"s = stylet_open ({organ}); stylet_run (s, zeros (3), sparse ([0; 0; -1]))",
+                 "direction: expected a full matrix"),
+                (f"s = stylet_open ({organ}); stylet_run (s, zeros (3), [NaN; 0; -1])",
+                 "direction: expected finite"),
+                (f"stylet_open ({organ}, struct ('rods', {{8, 9}}))", "expected one struct"),
+                ("stylet_mex ('hash', sparse (0))", "expected one number"),
                 ("stylet_mex ('dance')", "no command is called so"),
                 ("stylet_mex ('hash')", "expected 1 arguments")):
             self.assertIn(said, self.refused(text), text)
