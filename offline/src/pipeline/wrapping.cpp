@@ -80,8 +80,9 @@ void widen(Skin& skin, const Content& content, double offset_m, const std::strin
   const Deviation gap = deviation(skin.solid.surface, skin.mesh);
   warnings.push_back(fmt::format(
       "in steps of {:.4g} mm the skin went in through gaps of up to {:.3g} mm, as at {}; in steps "
-      "of {:.3g} mm it does not, but fills what is hollow outside: expected a surface with "
-      "narrower gaps, or a larger voxel edge; look at the result before use",
+      "of {:.3g} mm it does not, but is coarser everywhere, and fills what is hollow outside: "
+      "expected a surface with narrower gaps, or a larger voxel edge; look at the result before "
+      "use",
       step_m * 1e3, 2e3 * gap.most_m, place_of(gap.where_m), skin.step_m * 1e3));
 }
 
