@@ -5,6 +5,7 @@ texts and wrong shapes are refused by the name of what they were given for, and 
 
 Expected values: the same numbers as 32-bit floats; the state's hash before.
 """
+import math
 import unittest
 
 import numpy as np
@@ -71,6 +72,11 @@ class Refused(unittest.TestCase):
         self.refused(TypeError, "valid of float64", run.run, good, np.ones(3))
         self.refused(TypeError, "poses of complex128", stylet.VectorSimulation([run]).run,
                      good[None].astype(complex))
+        # The size says where the next one lies: a wrong one would be read outside of the array.
+        for wrong in (0, 35, 37, 72, 2 ** 20, 2 ** 32 - 1):
+            rows = np.zeros(3, stylet.input_dtype)
+            rows["struct_bytes"][0] = wrong
+            self.refused(ValueError, f"struct_bytes {wrong}: expected 36", run.run, rows)
         self.assertEqual(run.hash(), before)
 
     def test_vectors_by_their_names(self):
@@ -99,6 +105,11 @@ class Refused(unittest.TestCase):
         self.refused(ValueError, r"pose of shape \(6,\)", guard.sample, POSE[:6], 10 ** 9)
         self.refused(ValueError, r"vertices_m of shape \(65, 3\): .*64", stylet.Obstacle.hull,
                      np.zeros((65, 3)))
+        for wrong in (math.nan, math.inf):
+            self.refused(ValueError, "direction: .*finite", stylet.pose_of_tip, (0, 0, 0),
+                         (0, wrong, 1), 0.15)
+        self.refused(TypeError, "radius_m is None", stylet.Obstacle.sphere, None)
+        self.refused(TypeError, "radius_m of <U1", stylet.Obstacle.sphere, "1")
         self.refused(ValueError, "direction = .*length above 0", stylet.NeedleEnv, organ(), [GOAL],
                      direction=(0, 0, 0))
 
@@ -108,6 +119,30 @@ class Refused(unittest.TestCase):
                                    ("long", TypeError, "length_m of <U4"),
                                    ([0.1, 0.2], ValueError, r"length_m of shape \(2,\): .*one")):
             self.refused(kind, words, stylet.Needle, length_m=value)
+
+
+class Environments(unittest.TestCase):
+    """Numbers of which rewards would be nan, or episodes of nothing."""
+
+    def test_are_refused_by_name(self):
+        at, radius_m = GOAL.at_m, GOAL.radius_m
+        for words, targets, options in (
+                ("start_m = nan", [GOAL], {"start_m": math.nan}),
+                ("start_m = 0.0: .*more than 0", [GOAL], {"start_m": 0}),
+                ("scatter_m = inf", [GOAL], {"scatter_m": math.inf}),
+                ("speed_m_per_s = nan", [GOAL], {"speed_m_per_s": math.nan}),
+                ("turning_rad_per_s = nan", [GOAL], {"turning_rad_per_s": math.nan}),
+                ("ticks_of_step = 0: .*1 or more", [GOAL], {"ticks_of_step": 0}),
+                ("ticks_of_step = 1.5: .*whole", [GOAL], {"ticks_of_step": 1.5}),
+                ("most_steps = -1", [GOAL], {"most_steps": -1}),
+                ("render_mode = 'human'", [GOAL], {"render_mode": "human"}),
+                ("needle of list", [GOAL], {"needle": [stylet.Needle()] * 2}),
+                ("target 'a': at_m", [stylet.Target("a", (math.nan, 0, 0), radius_m)], {}),
+                ("target 'a': radius_m = -1", [stylet.Target("a", at, -1)], {}),
+                ("targets: none", [stylet.Target("a", at, radius_m, forbidden=True)], {}),
+                ("targets: none", [], {})):
+            with self.assertRaisesRegex((ValueError, TypeError), words):
+                stylet.NeedleEnv(organ(), targets, **options)
 
 
 class Actions(unittest.TestCase):

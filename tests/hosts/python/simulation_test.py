@@ -5,6 +5,7 @@
 Expected values: what the example in C prints, which is compiled here; geometry in closed form; the
 limits of stylet.h and of the files' format.
 """
+import os
 import subprocess
 import threading
 import time
@@ -164,6 +165,17 @@ class Refused(unittest.TestCase):
         why = self.refusal(stylet.Organ.read, folder() / "missing.organ")
         self.assertEqual(why.status, stylet.Status.FILE_UNREADABLE)
         self.assertIn("missing.organ", str(why))
+
+    def test_paths_are_those_of_the_system(self):
+        """Also names that are no UTF-8, which Python has as surrogates; and none ends at a zero."""
+        for name in ("Leber \u809d.organ", os.fsdecode(b"Leber \xff.organ"), b"\xfe.organ"):
+            path = os.path.join(os.fsencode(folder()), os.fsencode(name))
+            with open(path, "wb") as file:
+                file.write(organ_file().read_bytes())
+            for given in (path, os.fsdecode(path)):
+                self.assertEqual(stylet.Organ.read(given).info.hash, organ().info.hash)
+        with self.assertRaisesRegex(ValueError, "path.*byte 0"):
+            stylet.Organ.read(f"{organ_file()}\0.txt")
 
     def test_snapshot_of_another(self):
         other = simulation(substeps=2).snapshot()

@@ -2,6 +2,9 @@
 // The module stylet._stylet: stylet.h for Python, and nothing else of Stylet.
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "hal/hosts/python/src/poses.h"
 #include "hal/hosts/python/src/simulation.h"
 
@@ -13,6 +16,10 @@ py::array_t<float> pose_of_tip(const py::object& tip_m, const py::object& direct
                                float length_m) {
   const auto tip = vector_of<3>("tip_m", tip_m);
   const auto way = vector_of<3>("direction", direction);
+  // The library takes what has no length for -z: a mistake would be a needle that points down.
+  if (!std::all_of(way.begin(), way.end(), [](float each) { return std::isfinite(each); })) {
+    throw py::value_error("direction: expected finite numbers");
+  }
   const stylet_pose pose =
       stylet_pose_of_tip({tip[0], tip[1], tip[2]}, {way[0], way[1], way[2]}, length_m);
   const auto& [at, turn] = pose;

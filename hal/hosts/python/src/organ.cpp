@@ -101,8 +101,11 @@ void add_organ(py::module_& module) {
       .def_static(
           "read",
           [](const py::object& path) {
-            const py::object text = py::module_::import("os").attr("fsdecode")(path);
-            return read_organ(text.cast<std::string>());
+            const auto name = py::module_::import("os").attr("fsencode")(path).cast<std::string>();
+            if (name.find('\0') != std::string::npos) {
+              throw py::value_error("path: a byte 0 in it");  // as open() says; C would end there
+            }
+            return read_organ(name);
           },
           py::arg("path"), "The organ in this file.")
       .def_static("from_bytes", organ_from_bytes, py::arg("content"), "The same of bytes.")

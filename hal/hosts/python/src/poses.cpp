@@ -34,6 +34,12 @@ Inputs::Inputs(const py::object& given, const py::object& valid) {
     }
     ready_ = static_cast<const stylet_input*>(held_.data());
     axes = held_.ndim();
+    // The library goes by the first one's size from each to the next, and so out of the array.
+    if (held_.size() > 0 && ready_->struct_bytes != sizeof(stylet_input)) {
+      throw py::value_error("inputs: struct_bytes " + std::to_string(ready_->struct_bytes) +
+                            ": expected " + std::to_string(sizeof(stylet_input)) +
+                            ", as stylet.inputs writes it");
+    }
     if (!valid.is_none()) throw py::value_error("inputs say themselves which are valid");
   } else {
     const Floats poses = floats(given);

@@ -9,6 +9,7 @@ The same organ, byte for byte, as the program stylet-organ makes of a file with 
 Units: SI, but in texts that the program's options have too, such as "z<10%" or "fat:10" (mm).
 Frame: the patient's, x to the left, y to the back, z to the head (LPS).
 """
+import collections.abc
 import dataclasses
 import decimal
 import functools
@@ -137,6 +138,8 @@ def affine_m_of_nifti(affine):
 
 def recipe_of(tissues):
     """The tables of a recipe in which a tissue has these labels."""
+    if not isinstance(tissues, collections.abc.Mapping):
+        raise TypeError(f"tissues: {tissues!r}: expected a dict, such as {{1: 'liver'}}")
     labels = {}
     for label, tissue in tissues.items():
         if tissue is not None:
@@ -167,7 +170,11 @@ def placed(spacing_m, origin_m, affine_m):
     if (spacing_m is None) == (affine_m is None):
         raise TypeError("expected either spacing_m or affine_m")
     if affine_m is None:
-        steps = np.diag(numbers("spacing_m", spacing_m, (3,)))
+        spacing = numbers("spacing_m", spacing_m, (3,))
+        if not (spacing > 0).all():
+            raise ValueError(f"spacing_m = {spacing}: expected more than 0; axes that run the "
+                             "other way are for affine_m")
+        steps = np.diag(spacing)
         origin = numbers("origin_m", (0, 0, 0) if origin_m is None else origin_m, (3,))
         return origin.tolist(), steps.tolist()
     if origin_m is not None:
@@ -191,6 +198,8 @@ def numbers(name, value, shape):
     value = unmasked(name, value).astype(float)
     if value.shape != shape:
         raise ValueError(f"{name} of shape {value.shape}: expected {shape}")
+    if not np.isfinite(value).all():
+        raise ValueError(f"{name} = {value}: expected finite numbers")
     return value
 
 

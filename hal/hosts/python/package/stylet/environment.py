@@ -14,7 +14,7 @@ import numpy as np
 from stylet import _stylet
 from stylet.motion import moved
 from stylet.names import Flag
-from stylet.given import direction as unit, finite, real
+from stylet.given import count, direction as unit, finite, positive, real
 from stylet.render import picture
 from stylet.scene import read_obstacles, scene_direction, scene_organ
 from stylet.simulation import Simulation, VectorSimulation
@@ -46,14 +46,25 @@ class NeedleEnv:
         may pass the target's middle. The defaults are a hand's: 20 mm/s, 1 rad/s, a decision every
         20 ticks."""
         self.organ, self.needle = organ, needle or Needle()
+        if not isinstance(self.needle, Needle):
+            raise TypeError(f"needle of {type(needle).__name__}: expected one stylet.Needle")
+        if render_mode not in (None, *self.metadata["render_modes"]):
+            raise ValueError(f"render_mode = {render_mode!r}: expected None or one of "
+                             f"{self.metadata['render_modes']}")
         self.targets = targets if isinstance(targets, (list, tuple)) else read_targets(targets)
         self._goals = [target for target in self.targets if not target.forbidden]
         if not self._goals:
-            raise ValueError("targets: all are forbidden")
+            raise ValueError("targets: none that is not forbidden: expected one to reach")
+        for target in self.targets:
+            finite(f"target {target.name!r}: at_m", target.at_m, (3,))
+            positive(f"target {target.name!r}: radius_m", target.radius_m)
         self.direction = unit("direction", direction)
-        self.start_m, self.scatter_m = start_m, scatter_m
-        self.ticks_of_step, self.most_steps = ticks_of_step, most_steps
-        self.speed_m_per_s, self.turning_rad_per_s = speed_m_per_s, turning_rad_per_s
+        self.start_m = positive("start_m", start_m)
+        self.scatter_m = float(finite("scatter_m", scatter_m, ()))
+        self.ticks_of_step = count("ticks_of_step", ticks_of_step)
+        self.most_steps = count("most_steps", most_steps)
+        self.speed_m_per_s = float(finite("speed_m_per_s", speed_m_per_s, ()))
+        self.turning_rad_per_s = float(finite("turning_rad_per_s", turning_rad_per_s, ()))
         config = config or Config()
         self.period_s = config.period_s
         self.simulation = Simulation(organ, self.needle, config, obstacles)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Numbers that users give, before numpy makes something else of them: it takes None for nan, drops
 imaginary parts, and names lengths where a name would help."""
+import operator
+
 import numpy as np
 
 
@@ -32,6 +34,25 @@ def finite(name, value, shape):
     if not np.isfinite(array).all():
         raise ValueError(f"{name} = {array}: expected finite numbers")
     return array
+
+
+def positive(name, value):
+    """A number above 0, as a float."""
+    value = float(finite(name, value, ()))
+    if not value > 0:
+        raise ValueError(f"{name} = {value}: expected more than 0")
+    return value
+
+
+def count(name, value):
+    """A whole number of at least 1."""
+    try:
+        value = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} = {value!r}: expected a whole number") from None
+    if value < 1:
+        raise ValueError(f"{name} = {value}: expected 1 or more")
+    return value
 
 
 def direction(name, value):

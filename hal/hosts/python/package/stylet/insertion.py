@@ -5,7 +5,7 @@ import functools
 import numpy as np
 
 from stylet._stylet import Organ
-from stylet.given import direction as unit, finite
+from stylet.given import direction as unit, finite, positive
 from stylet.simulation import poses_of_tips
 
 
@@ -29,8 +29,7 @@ def insertion_poses(organ, needle, through_m, direction, depth_m, speed_m_per_s,
         raise ValueError(f"through_m = {through}: the line along {way} does not meet the organ")
     for name, value in (("depth_m", depth_m), ("speed_m_per_s", speed_m_per_s),
                         ("period_s", period_s)):
-        if not finite(name, value, ()) > 0:
-            raise ValueError(f"{name} = {value}: expected more than 0")
+        positive(name, value)
     step_m = speed_m_per_s * period_s
     ticks = int(np.ceil((before_m + depth_m) / step_m))
     along_m = np.minimum(np.arange(ticks + 1) * step_m - before_m, depth_m)

@@ -134,6 +134,7 @@ class Obstacle(Struct):
 
     @classmethod
     def sphere(cls, radius_m, **fields):
+        radius_m = float(real("radius_m", radius_m, ()))
         return restored(cls, _stylet.sphere_obstacle(radius_m)).replace(**fields)
 
     @classmethod
