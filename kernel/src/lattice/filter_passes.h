@@ -76,7 +76,7 @@ struct Wave {
 
   // What the first pass starts from.
   float* start(std::uint32_t z) const { return starts + z % kept * floats; }
-  // Bound and step over mass of particles, bound of the voxels above them.
+  // Of particles, step over mass times bound, and step over mass; of the voxels above, the bound.
   float* bound(std::uint32_t z) const { return bounds + z % kept * floats; }
   float* at(std::uint32_t j, std::uint32_t which) const {
     return planes + static_cast<std::ptrdiff_t>((j - 1) * kPassPlanes + which) * floats;
@@ -116,8 +116,10 @@ STYLET_KEEP_APART void start_plane(const Model& model, const State& state, const
       for (std::ptrdiff_t c = 0; c < 3; ++c) {
         store_narrow(to + c * kTile, zero_unless(lanes, load_narrow(w + (at + c * axis))));
       }
-      store_narrow(to_bounds, zero_unless(lanes, load_narrow(bound + at) + load_narrow(held + at)));
-      store_narrow(to_bounds + kTile, zero_unless(lanes, load_narrow(per_mass + at)));
+      const Narrow mobility = zero_unless(lanes, load_narrow(per_mass + at));
+      const Narrow stiffness = load_narrow(bound + at) + load_narrow(held + at);
+      store_narrow(to_bounds, zero_unless(lanes, mobility * stiffness));
+      store_narrow(to_bounds + kTile, mobility);
     }
     place += kTileFloats;
   }
@@ -193,23 +195,25 @@ struct Iterates {
 };
 
 // Sets the next iterates of tiles [tile, end), which begin at `at` in the plane's arrays.
-// sum(tile, at)(i): what particles got, all axes one after the other.
-template <typename Sum>
+// sum(tile, at)(i): what particles got, all axes one after the other. kStart: of pass 1, where w is
+// the last iterate and none is before it.
+template <bool kStart, typename Sum>
 inline void finish_tiles(const Tile* tile, const Tile* end, const Iterates& iterates,
                          std::ptrdiff_t at, float* to, Sum sum) {
   const Iterates by = iterates;  // copied: after a store of a float they would be read again
   for (; tile != end; ++tile, at += kTileFloats) {
     const auto got = sum(*tile, at);
     for (std::uint32_t i = 0; i < kTile; i += kNarrow) {
-      const Narrow bound = load_narrow(by.bounds + (at + i));
+      const Narrow last = by.pass.last - by.slope * load_narrow(by.bounds + (at + i));
       const Narrow per_mass = by.slope * load_narrow(by.bounds + (at + kTile + i));
       for (std::uint32_t c = 0; c < 3; ++c) {
         const std::ptrdiff_t place = at + i + c * kTile;
-        const Narrow own = load_narrow(by.last + place);
-        const Narrow pull = bound * own - got(i + c * kTile);
-        const Narrow kept = by.pass.last * own + by.pass.first * load_narrow(by.first + place);
-        store_narrow(to + place,
-                     kept + (by.pass.before * load_narrow(by.before + place) - per_mass * pull));
+        Narrow next = last * load_narrow(by.last + place) + per_mass * got(i + c * kTile);
+        if constexpr (!kStart) {
+          next += by.pass.first * load_narrow(by.first + place) +
+                  by.pass.before * load_narrow(by.before + place);
+        }
+        store_narrow(to + place, next);
       }
     }
   }
@@ -221,6 +225,7 @@ constexpr std::ptrdiff_t kTilesTogether = 16;
 
 // Pass j for the voxels of plane z and the particles below them, whose next iterates it writes to
 // `to`.
+template <bool kStart>
 STYLET_KEEP_APART void pass_plane(const Model& model, const Wave& wave, std::uint32_t j,
                                   std::uint32_t z, float* to) {
   const Plane& plane = model.plane[z];
@@ -232,18 +237,17 @@ STYLET_KEEP_APART void pass_plane(const Model& model, const Wave& wave, std::uin
   float* const above = wave.sent(j, z);
   const float* const bounds = wave.bound(z);
   const FilterPass& pass = model.head->filter.pass[j - 1];
-  // In pass 1 the factor of `before` is zero.
   const Iterates iterates = {pass,          pass.bound_s2 / model.head->substep_s, bounds,
                              wave.start(z), wave.iterate(j > 1 ? j - 1 : 1, z),    last};
   const bool tied = plane.tie_begin != plane.tie_end;
   const Tile* node = nodes;
   const auto finish_until = [&](const Tile* end) {
-    finish_tiles(node, end, iterates, std::ptrdiff_t{kTileFloats} * (node - nodes + 1), to,
-                 [=](const Tile& tile, std::ptrdiff_t) {
-                   return [taken = Taken(tile, below, above)](std::uint32_t i) {
-                     return taken.sum(i);
-                   };
-                 });
+    finish_tiles<kStart>(node, end, iterates, std::ptrdiff_t{kTileFloats} * (node - nodes + 1), to,
+                         [=](const Tile& tile, std::ptrdiff_t) {
+                           return [taken = Taken(tile, below, above)](std::uint32_t i) {
+                             return taken.sum(i);
+                           };
+                         });
     node = end;
   };
   Narrow carry[3] = {};
@@ -260,9 +264,10 @@ STYLET_KEEP_APART void pass_plane(const Model& model, const Wave& wave, std::uin
   float* const sums = wave.work;
   gather_tiles(nodes, voxels, below, above, sums + kTileFloats);
   join_tied(model.tied_place + plane.tie_begin, model.tied_place + plane.tie_end, sums, 0, kTile);
-  finish_tiles(nodes, voxels, iterates, kTileFloats, to, [=](const Tile&, std::ptrdiff_t at) {
-    return [=](std::uint32_t i) { return load_narrow(sums + (at + i)); };
-  });
+  finish_tiles<kStart>(nodes, voxels, iterates, kTileFloats, to,
+                       [=](const Tile&, std::ptrdiff_t at) {
+                         return [=](std::uint32_t i) { return load_narrow(sums + (at + i)); };
+                       });
 }
 
 // ---- motion -------------------------------------------------------------------------------------
@@ -354,11 +359,11 @@ void filter_planes(const Model& model, State& state, const Scratch& scratch, std
     for (std::uint32_t j = 1; j < passes && j <= t; ++j) {
       const std::uint32_t z = t - j;
       if (z < first_of(j) || (z + 1 >= end_of(j) && z + 1 != planes)) continue;
-      pass_plane(model, wave, j, z, wave.iterate(j + 1, z));
+      (j == 1 ? pass_plane<true> : pass_plane<false>)(model, wave, j, z, wave.iterate(j + 1, z));
     }
     if (t < first_of(passes) + passes) continue;
     const std::uint32_t z = t - passes;
-    pass_plane(model, wave, passes, z, wave.work);
+    (passes == 1 ? pass_plane<true> : pass_plane<false>)(model, wave, passes, z, wave.work);
     // Before `begin`, only what its voxels give to the first plane is needed.
     if (z >= begin) move_filtered(model, state, wave, z, motion);
   }

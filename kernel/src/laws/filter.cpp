@@ -80,6 +80,9 @@ Filter choose_filter(float limit_per_s2, float fastest_per_s2) {
                        static_cast<float>(-t.slope[j - 1] / next),
                        static_cast<float>(2 * (1 + t.w0) * t.slope[j] / (next * fastest))};
   }
+  // In pass 1 w is also the last iterate: one factor for both.
+  out.pass[0].last += out.pass[0].first;
+  out.pass[0].first = 0;
   return out;
 }
 

@@ -33,6 +33,7 @@
 namespace stylet {
 
 // Factors of the next iterate: of the last one, of w, of the one before, and of S times the last.
+// In pass 1, `last` alone counts: w is the last one, and none is before.
 struct FilterPass {
   float last, first, before, bound_s2;
 };
