@@ -223,11 +223,9 @@ inline void finish_tiles(const Tile* tile, const Tile* end, const Iterates& iter
 // nearest cache until the nodes below them take it.
 constexpr std::ptrdiff_t kTilesTogether = 16;
 
-// Pass j for the voxels of plane z and the particles below them, whose next iterates it writes to
-// `to`.
 template <bool kStart>
-STYLET_KEEP_APART void pass_plane(const Model& model, const Wave& wave, std::uint32_t j,
-                                  std::uint32_t z, float* to) {
+STYLET_KEEP_APART void pass_plane_as(const Model& model, const Wave& wave, std::uint32_t j,
+                                     std::uint32_t z, float* to) {
   const Plane& plane = model.plane[z];
   const PlaneTiles& own = plane.tiles;
   const Tile *const nodes = model.tile + own.node, *const voxels = model.tile + own.voxel;
@@ -268,6 +266,17 @@ STYLET_KEEP_APART void pass_plane(const Model& model, const Wave& wave, std::uin
                        [=](const Tile&, std::ptrdiff_t at) {
                          return [=](std::uint32_t i) { return load_narrow(sums + (at + i)); };
                        });
+}
+
+// Pass j for the voxels of plane z and the particles below them, whose next iterates it writes to
+// `to`.
+inline void pass_plane(const Model& model, const Wave& wave, std::uint32_t j, std::uint32_t z,
+                       float* to) {
+  if (j == 1) {
+    pass_plane_as<true>(model, wave, j, z, to);
+  } else {
+    pass_plane_as<false>(model, wave, j, z, to);
+  }
 }
 
 // ---- motion -------------------------------------------------------------------------------------
@@ -359,11 +368,11 @@ void filter_planes(const Model& model, State& state, const Scratch& scratch, std
     for (std::uint32_t j = 1; j < passes && j <= t; ++j) {
       const std::uint32_t z = t - j;
       if (z < first_of(j) || (z + 1 >= end_of(j) && z + 1 != planes)) continue;
-      (j == 1 ? pass_plane<true> : pass_plane<false>)(model, wave, j, z, wave.iterate(j + 1, z));
+      pass_plane(model, wave, j, z, wave.iterate(j + 1, z));
     }
     if (t < first_of(passes) + passes) continue;
     const std::uint32_t z = t - passes;
-    (passes == 1 ? pass_plane<true> : pass_plane<false>)(model, wave, passes, z, wave.work);
+    pass_plane(model, wave, passes, z, wave.work);
     // Before `begin`, only what its voxels give to the first plane is needed.
     if (z >= begin) move_filtered(model, state, wave, z, motion);
   }
