@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <type_traits>
 
 #include "base/lanes.h"
 #include "lattice/lattice.h"
@@ -194,9 +195,19 @@ struct Iterates {
   const float *bounds, *first, *before, *last;
 };
 
+// The next iterates with their parts of w and of those before. In pass 1, where w is the last
+// iterate and none is before it, there are none. (Two functions: a branch on a constant would be
+// one that no test can take both ways.)
+inline Narrow with_earlier(Narrow next, const Iterates& by, std::ptrdiff_t place, std::false_type) {
+  return next + (by.pass.first * load_narrow(by.first + place) +
+                 by.pass.before * load_narrow(by.before + place));
+}
+inline Narrow with_earlier(Narrow next, const Iterates&, std::ptrdiff_t, std::true_type) {
+  return next;
+}
+
 // Sets the next iterates of tiles [tile, end), which begin at `at` in the plane's arrays.
-// sum(tile, at)(i): what particles got, all axes one after the other. kStart: of pass 1, where w is
-// the last iterate and none is before it.
+// sum(tile, at)(i): what particles got, all axes one after the other. kStart: in pass 1.
 template <bool kStart, typename Sum>
 inline void finish_tiles(const Tile* tile, const Tile* end, const Iterates& iterates,
                          std::ptrdiff_t at, float* to, Sum sum) {
@@ -208,12 +219,8 @@ inline void finish_tiles(const Tile* tile, const Tile* end, const Iterates& iter
       const Narrow per_mass = by.slope * load_narrow(by.bounds + (at + kTile + i));
       for (std::uint32_t c = 0; c < 3; ++c) {
         const std::ptrdiff_t place = at + i + c * kTile;
-        Narrow next = last * load_narrow(by.last + place) + per_mass * got(i + c * kTile);
-        if constexpr (!kStart) {
-          next += by.pass.first * load_narrow(by.first + place) +
-                  by.pass.before * load_narrow(by.before + place);
-        }
-        store_narrow(to + place, next);
+        const Narrow next = last * load_narrow(by.last + place) + per_mass * got(i + c * kTile);
+        store_narrow(to + place, with_earlier(next, by, place, std::bool_constant<kStart>{}));
       }
     }
   }
