@@ -284,6 +284,10 @@ TEST(LabelNames, OfBytesThatAreNoCharacterShowAQuestionMarkForEach) {
       {"\xf0\x8f\xbf\xbf", "????"},
       {"\xf4\x90\x80\x80", "????"},
       {"\xc3", "?"},
+      {"\xc3z", "?z"},
+      {"\xe2z\xa1", "?z?"},
+      {"\xe2\x82z", "??z"},
+      {"\xf0\x90\x80z", "???z"},
       {"a\tb\x7f", "a?b?"}};
   for (const auto& [name, expected] : shown) EXPECT_EQ(offline::printable(name), expected);
 }
