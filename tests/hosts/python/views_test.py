@@ -52,7 +52,7 @@ class Views(unittest.TestCase):
         np.testing.assert_array_equal(shown, organ().vertices)
 
     def test_inputs_are_read_where_they_lie(self):
-        """Nothing was converted: each row's size as the array says it is what the library checks."""
+        """Nothing was converted: what the array says of its rows after the call is what counts."""
         inputs = stylet.inputs(insertion(10))
         inputs["struct_bytes"][0] = 0
         with self.assertRaisesRegex(ValueError, "struct_bytes 0"):
