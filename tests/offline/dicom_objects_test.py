@@ -139,7 +139,17 @@ class Segmentations(Conformance):
             slices = stack(random, distances=[3.0] * 20, thickness=[1.0] * 21)
             frames, seen = segments(random, slices, self.NAMES)
             path = write_seg(folder / "seg.dcm", frames, self.NAMES, apart=2e6)
-            self.check(path, held(seen, alone=1.0, widest=1.5), said=["empty"])
+            self.check(path, held(seen, alone=3.0, widest=4.5), said=["taken from the nearest"])
+
+        def thin_and_uneven(folder, random):
+            distances = random.uniform(1.6, 2.35, 26)
+            slices = stack(random, distances=distances, thickness=[random.uniform(0.2, 0.9)] * 27)
+            frames, seen = segments(random, slices, self.NAMES)
+            path = write_seg(folder / "seg.dcm", shuffled(random, frames), self.NAMES)
+            normal = numpy.cross(slices[0].row, slices[0].column)
+            ways = numpy.sort(numpy.diff(numpy.unique([round(s.at @ normal, 6) for s in seen])))
+            self.check(path, held(seen, alone=ways[(len(ways) - 1) // 2], widest=99), NEAR,
+                       within=1.3, said=["taken from the nearest", "brought into layers"])
 
         def nameless(folder, random):
             slices = stack(random)
@@ -165,7 +175,7 @@ class Segmentations(Conformance):
                        said=["brought into layers"])
 
         self.cases(1, holes, spaced, told_by_its_frames, thinner_than_apart, nameless)
-        self.cases(2, leaning, uneven, uneven_with_a_hole)
+        self.cases(2, leaning, uneven, uneven_with_a_hole, thin_and_uneven)
 
     def test_pixels_that_are_numbers_of_segments(self):
         def with_all_planes(folder, random):

@@ -6,6 +6,7 @@
 #include "maps/dicom_file.h"
 #include "maps/names.h"
 #include "maps/readers.h"
+#include "maps/slabs.h"
 
 namespace stylet::offline {
 namespace {
@@ -77,15 +78,20 @@ std::vector<Plane> planes_of(std::vector<Frame>& frames) {
 }
 
 // Distance of neighbouring planes: as the file says; else that of its frames if it is even; else
-// their thickness. Two frames do not tell it: a lesion may be in two slices far apart.
-double plane_step_m(const DicomFile& file, const std::vector<Plane>& planes, Vec normal) {
+// their thickness, or the usual distance of three and more alike in a row if it is greater
+// (slabs.h): a slice may be thinner than the way to the next. Two frames do not tell it: a lesion
+// may be in two slices far apart.
+double plane_step_m(const DicomFile& file, const std::vector<Plane>& planes, Vec normal,
+                    std::vector<std::string>& notes) {
   const double told_mm = number_of(file, 0, DCM_PixelMeasuresSequence, DCM_SpacingBetweenSlices);
   if (told_mm >= kLeastMm && told_mm <= kFarthestMm) return told_mm * 1e-3;
   double least_m = 0, most_m = 0;
+  std::vector<double> gaps_m;
   for (std::size_t i = 1; i < planes.size(); ++i) {
     const double gap_m = dot(normal, planes[i].origin_m - planes[i - 1].origin_m);
     least_m = i == 1 ? gap_m : std::min(least_m, gap_m);
     most_m = std::max(most_m, gap_m);
+    gaps_m.push_back(gap_m);
   }
   constexpr double kSame = 1.01, kNext = 1.5;
   const double thick_m = planes.front().thickness_m;
@@ -97,7 +103,14 @@ double plane_step_m(const DicomFile& file, const std::vector<Plane>& planes, Vec
         "distance of planes: expected one of them",
         file.path);
   }
-  return thick_m;
+  const double drawn_m = drawn_gap_m(gaps_m);
+  if (drawn_m > kNext * thick_m) {
+    notes.push_back(fmt::format(
+        "{}: its planes are {:.4g} mm thick and lie {:.4g} mm apart: what lies between them is "
+        "taken from the nearest one",
+        file.path, thick_m * 1e3, drawn_m * 1e3));
+  }
+  return std::max(thick_m, drawn_m);
 }
 
 // The order in which frames are put into the map: the segment with the highest number comes last.
@@ -219,10 +232,10 @@ LabelMap read_dicom_seg(const DicomFile& file) {
   const std::vector<Plane> planes = planes_of(frames);
   const PixelGrid grid = frames.front().place.grid;
   const Vec across = cross(grid.column_step_m, grid.row_step_m);
-  const double step_m = plane_step_m(file, planes, across * (1 / length(across)));
+  std::vector<std::string> notes;
+  const double step_m = plane_step_m(file, planes, across * (1 / length(across)), notes);
   sort_by_segment(frames);
   load_pixels(file);
-  std::vector<std::string> notes;
   Stack stack = sparse_stack(file.path, grid, planes, step_m);
   if (pixels_are_segments(file)) {
     put_label_map(file, frames, stack, notes);

@@ -37,6 +37,15 @@ std::vector<double> gaps_of(const std::vector<std::size_t>& own,
   return gaps;
 }
 
+double drawn_gap_m(const std::vector<double>& gaps) {
+  const std::vector<bool> in_a_row = drawn_through(gaps, 0);
+  std::vector<double> alike;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    if (in_a_row[i]) alike.push_back(gaps[i]);
+  }
+  return alike.empty() ? 0 : median(alike);
+}
+
 Slabs slabs_of(const std::vector<std::size_t>& own, const std::vector<double>& along_m,
                double otherwise_m) {
   const std::vector<double> gaps = gaps_of(own, along_m);

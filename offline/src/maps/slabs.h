@@ -26,6 +26,8 @@ struct Layers {
 // Distances between successive planes numbered in `own`, ascending; `along_m`: of all planes.
 std::vector<double> gaps_of(const std::vector<std::size_t>& own,
                             const std::vector<double>& along_m);
+// The usual one of those that are three or more alike in a row; 0 if there are none.
+double drawn_gap_m(const std::vector<double>& gaps);
 // `otherwise_m`: the distance of planes to assume if a structure has too few planes to tell.
 Slabs slabs_of(const std::vector<std::size_t>& own, const std::vector<double>& along_m,
                double otherwise_m);

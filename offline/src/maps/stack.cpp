@@ -261,10 +261,15 @@ Stack uneven_stack(const Frame& f, const std::vector<double>& distances, double 
   const double low_m = slabs.front().low_m, height_m = slabs.back().high_m - low_m;
   const double finest_m = alone_m > 0 ? std::min(alone_m, *least) : *least;
   const double step_m = layer_step_m(f.grid, height_m, finest_m);
+  const bool has_gap = alone_m > 0 && *most > kWidest * alone_m;
   notes.push_back(fmt::format(
       "{}: its planes lie {:.4g} to {:.4g} mm apart: brought into layers of {:.4g} mm, each with "
-      "the labels of the nearest plane",
-      f.path, *least * 1e3, *most * 1e3, step_m * 1e3));
+      "the labels of the nearest plane{}",
+      f.path, *least * 1e3, *most * 1e3, step_m * 1e3,
+      has_gap ? fmt::format("; in gaps over {:.4g} mm, what is farther than {:.4g} mm from a plane "
+                            "is taken as empty",
+                            kWidest * alone_m * 1e3, alone_m / 2 * 1e3)
+              : ""));
   const bool is_leaning = leans(f, notes);
   const Layers layers =
       checked_layers(f, low_m + step_m / 2, step_m, std::max(1.0, std::round(height_m / step_m)));
