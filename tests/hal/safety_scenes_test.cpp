@@ -244,7 +244,7 @@ struct DrawnBone {
     needle.outer_radius_m = draw(0.25e-3F, 0.8e-3F);
     needle.length_m = draw(0.07F, 0.18F);
     const bool bends = engine() % 3 != 0;
-    // Steel, with a bore of half the diameter.
+    // E pi / 4 (1 - 1/16) r^4: a tube of steel with a bore of half the diameter.
     const float radius_m = needle.outer_radius_m;
     needle.bending_nm2 =
         bends ? 193e9F * 0.785F * 0.94F * radius_m * radius_m * radius_m * radius_m : 0;

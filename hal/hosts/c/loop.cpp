@@ -273,7 +273,8 @@ stylet_loop::~stylet_loop() {
   if (runs.load()) ended.wait();
   const bool elsewhere = started.load() && process != c::this_process();
   while (!elsewhere && inside.load() > 0) std::this_thread::yield();
-  if (thread.joinable()) elsewhere ? thread.detach() : thread.join();
+  if (elsewhere && thread.joinable()) thread.detach();
+  if (thread.joinable()) thread.join();
   for (stylet_device* each : held) {
     each->taken = false;
     stylet_device_close(each);

@@ -242,8 +242,9 @@ STYLET_KEEP_APART void pass_plane_as(const Model& model, const Wave& wave, std::
   float* const above = wave.sent(j, z);
   const float* const bounds = wave.bound(z);
   const FilterPass& pass = model.head->filter.pass[j - 1];
-  const Iterates iterates = {pass,          pass.bound_s2 / model.head->substep_s, bounds,
-                             wave.start(z), wave.iterate(j > 1 ? j - 1 : 1, z),    last};
+  const Iterates iterates = {
+      pass, pass.bound_s2 / model.head->substep_s, bounds, wave.start(z), wave.iterate(j - 1, z),
+      last};
   const bool tied = plane.tie_begin != plane.tie_end;
   const Tile* node = nodes;
   const auto finish_until = [&](const Tile* end) {

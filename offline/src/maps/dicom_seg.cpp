@@ -85,18 +85,17 @@ double plane_step_m(const DicomFile& file, const std::vector<Plane>& planes, Vec
                     std::vector<std::string>& notes) {
   const double told_mm = number_of(file, 0, DCM_PixelMeasuresSequence, DCM_SpacingBetweenSlices);
   if (told_mm >= kLeastMm && told_mm <= kFarthestMm) return told_mm * 1e-3;
-  double least_m = 0, most_m = 0;
   std::vector<double> gaps_m;
   for (std::size_t i = 1; i < planes.size(); ++i) {
-    const double gap_m = dot(normal, planes[i].origin_m - planes[i - 1].origin_m);
-    least_m = i == 1 ? gap_m : std::min(least_m, gap_m);
-    most_m = std::max(most_m, gap_m);
-    gaps_m.push_back(gap_m);
+    gaps_m.push_back(dot(normal, planes[i].origin_m - planes[i - 1].origin_m));
   }
   constexpr double kSame = 1.01, kNext = 1.5;
   const double thick_m = planes.front().thickness_m;
-  const bool even = planes.size() > 2 && most_m <= kSame * least_m;
-  if (even && (thick_m == 0 || least_m <= kNext * thick_m)) return least_m;
+  if (gaps_m.size() > 1) {
+    const auto [least_m, most_m] = std::ranges::minmax(gaps_m);
+    const bool is_even = most_m <= kSame * least_m;
+    if (is_even && (thick_m == 0 || least_m <= kNext * thick_m)) return least_m;
+  }
   if (thick_m == 0) {
     refuse(
         "{}: neither SpacingBetweenSlices nor SliceThickness nor the places of the frames tell the "
