@@ -58,6 +58,7 @@ void add_igtl(CLI::App& run, IgtlOptions& options) {
                    fmt::format("Let OpenIGTLink clients such as 3D Slicer follow the run, on port "
                                "{} of this machine; --igtl=PORT takes another, 0 any that is free",
                                hal::kIgtlPort))
+          ->type_name("PORT")
           ->check(cli::between(0, 65535));
   run.add_option("--igtl-listen", options.listen,
                  "Address of this machine at which clients on others reach it (default: only those "
@@ -118,6 +119,7 @@ void add_run(CLI::App& program, RunOptions& options) {
                    fmt::format("Serve a page that shows and controls the run, on port {} of this "
                                "machine; --console=PORT takes another, 0 any that is free",
                                console::kDefaultPort))
+          ->type_name("PORT")
           ->check(cli::between(0, 65535))
           ->excludes("--json");
   add_serving(run, options.serve)->needs(console);

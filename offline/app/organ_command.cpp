@@ -55,8 +55,8 @@ void add_resolution(CLI::App& command, CommonArguments& a) {
       .add_option("--inertia", a.inertia,
                   "loop.inertia of the scene that is to run the organ, for --fit and for what is "
                   "said of speed and mass")
-      ->type_name("true_mass|added_mass")
-      ->transform(CLI::CheckedTransformer(kInertias))
+      ->type_name("INERTIA")
+      ->transform(CLI::CheckedTransformer(kInertias).description("{true_mass,added_mass}"))
       ->default_str("true_mass");
   command
       .add_option("--substeps", a.substeps,

@@ -112,6 +112,17 @@ TEST(Settings, EveryChoiceIsTakenAndTold) {
   EXPECT_EQ(o.capsule_of, "");
 }
 
+TEST(Settings, LayersDivideTheOnlyTissueThereIs) {
+  Settings s;
+  s.layers = {"fat:2.5"};
+  EXPECT_EQ(for_mesh(s, "muscle").layer_course.of, "muscle");
+  EXPECT_EQ(for_labels(s, recipe_with({"gel"})).layer_course.of, "gel");
+  s.layers_of = "muscle";
+  const std::string said = for_mesh(s, "muscle").options_text;
+  s.layers_of = "";
+  EXPECT_EQ(for_mesh(s, "muscle").options_text, said);
+}
+
 TEST(Settings, ChoicesForALabelMapAreTakenAndTold) {
   Settings s;
   s.layers = {"fat:2.5"};
@@ -185,6 +196,9 @@ TEST(Settings, WhatCannotBeMeantIsRefused) {
   EXPECT_THAT(refusal_of([&] { (void)for_mesh(s, "gel"); }), HasSubstr("together with --layer"));
   s.layers = {"fat:3"};  // of another tissue
   EXPECT_THAT(refusal_of([&] { (void)for_mesh(s, "liver"); }), HasSubstr("--layers-of 'gel'"));
+  s.layers_of = "";  // whose tissues differ
+  const Recipe two = recipe_with({"gel", "liver"});
+  EXPECT_THAT(refusal_of([&] { (void)for_labels(s, two); }), HasSubstr("--layers-of ''"));
   s = {};
   for (const char* gap : {"fat:100.001", "fat:1e9"}) {
     s.fill_gaps = gap;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <set>
 
 #include "base/refusal.h"
 #include "voxels/crop.h"
@@ -40,26 +41,27 @@ void choose_gaps(const Settings& s, BuildOptions& options) {
   options.options_text += " --fill-gaps " + s.fill_gaps;
 }
 
-LayerCourse parse_course(const Settings& s) {
+LayerCourse parse_course(const Settings& s, const std::string& of) {
   const std::string& along = s.layers_along;
   if (along.size() != 2 || (along[0] != '+' && along[0] != '-') || along[1] < 'x' ||
       along[1] > 'z') {
     refuse("--layers-along '{}': expected one of +x, -x, +y, -y, +z, -z", along);
   }
-  return {static_cast<std::size_t>(along[1] - 'x'), along[0] == '-', s.layers_of};
+  return {static_cast<std::size_t>(along[1] - 'x'), along[0] == '-', of};
 }
 
-// The layers, and the tissue of the inputs that they replace.
+// The layers, and the tissue of the inputs that they replace: theirs, if all have the same.
 void choose_layers(const Settings& s, const std::vector<std::string>& tissues,
                    BuildOptions& options) {
   options.layers = parse_layers(s.layers, "--layer");
   if (s.layers.empty() && s.layers_of.empty()) return;
-  if (s.layers.empty() || std::find(tissues.begin(), tissues.end(), s.layers_of) == tissues.end()) {
-    refuse("--layers-of '{}': expected the tissue of one of the inputs, together with --layer",
-           s.layers_of);
+  const bool is_one = std::set<std::string>(tissues.begin(), tissues.end()).size() == 1;
+  const std::string of = s.layers_of.empty() && is_one ? tissues.front() : s.layers_of;
+  if (s.layers.empty() || std::find(tissues.begin(), tissues.end(), of) == tissues.end()) {
+    refuse("--layers-of '{}': expected the tissue of one of the inputs, together with --layer", of);
   }
-  options.layer_course = parse_course(s);
-  options.options_text += fmt::format(" --layers-of {} --layers-along {} --layer {}", s.layers_of,
+  options.layer_course = parse_course(s, of);
+  options.options_text += fmt::format(" --layers-of {} --layers-along {} --layer {}", of,
                                       s.layers_along, joined(s.layers));
 }
 
