@@ -71,8 +71,10 @@ bool seek_contact(const Model& model, State& state, Scratch& scratch, const Need
   if (own.phase != Phase::kFree) return true;
   Vec3 rest = {}, place = {};
   const Vec3 step = needle.tip_m - state.tip->position_m;
-  // Tissue that a needle had drawn along springs back over a tip that has left it, fast and far.
-  const float reach_m = own.leaving != 0 ? model.needle_config().length_m : contact_reach_m(model);
+  // Tissue that a needle had drawn along springs back over a tip that has left it, fast and far. A
+  // needle that was nowhere before may lie in tissue at any depth.
+  const bool anywhere = own.leaving != 0 || !search.known_before;
+  const float reach_m = anywhere ? model.needle_config().length_m : contact_reach_m(model);
   const Contact contact = find_contact(model, state, needle.tip_m, needle.tip_direction, reach_m,
                                        search.known_before ? step : Vec3{}, rest, place, flags);
   const Vec3 forward = needle.tip_direction - 0.5F * cross(search.turn, needle.tip_direction);

@@ -345,6 +345,37 @@ TEST(FeltExhaustive, NoTipIsInTissueInPhaseFreeWhenItHasJustLeft) {
   }
 }
 
+// A needle whose first pose lies in tissue, as when a program starts again with the hand still in:
+// it was felt from 20 mm below the skin on outwards, and never where it was deeper.
+TEST(Felt, AFirstPoseDeepInTissue) {
+  Draw draw{std::mt19937_64(7)};
+  for (int round = 0; round < 24; ++round) {
+    Scene scene = drawn_scene(900 + static_cast<std::uint64_t>(round));
+    scene.config.needle_count = 1;
+    const TinyOrgan& tiny = scene.tiny;
+    const float h = tiny.voxel_edge_m;
+    const Vec3 size = {h * tiny.nx, h * tiny.ny, h * tiny.nz};
+    const Vec3 tip = {size.x * draw.between(0.3F, 0.9F), size.y * draw.between(0.2F, 0.8F),
+                      size.z * draw.between(0.2F, 0.8F)};
+    const float lean_y = draw.between(-0.5F, 0.5F), lean_z = draw.between(-0.5F, 0.5F);
+    const float length = std::sqrt(1 + lean_y * lean_y + lean_z * lean_z);
+    const Vec3 direction = {1 / length, lean_y / length, lean_z / length};
+    const float speed = draw.chance(0.5F) ? draw.between(0.01F, 0.2F) : draw.between(-0.2F, -0.01F);
+    Rig rig = make_rig(tiny, scene.config);
+    float most_n = 0;
+    for (int t = 0; t < 40; ++t) {
+      const float on_m = 1e-3F * speed * static_cast<float>(t);
+      const Input input = along(direction, tip + on_m * direction, scene.config.needle[0].length_m);
+      Output out = {};
+      tick(rig.kernel(), {&input, 1}, {&out, 1});
+      ASSERT_NE(out.phase, Phase::kFree) << "round " << round << ", tick " << t;
+      most_n = std::max(most_n, norm(out.force_n));
+    }
+    EXPECT_TRUE(std::isfinite(most_n));
+    EXPECT_TRUE(speed < 0 || most_n > 0) << "round " << round << ": " << most_n;
+  }
+}
+
 // As an outside check found it: fat under skin, voxels of 3 mm, a dent of 8 mm, and a second needle
 // that went in 15 to 45 mm away, 45 mm deep, without a force.
 TEST(Felt, ASecondNeedleBesideADent) {
