@@ -39,8 +39,8 @@ to_test=(
   munge slurm-client slurmctld slurmd
   # the interface in C from other languages
   mono-mcs mono-runtime octave octave-dev
-  # the console's page; building and running it needs neither
-  chromium nodejs
+  # the console's page, which to build and run needs neither; the package for npm
+  chromium emscripten nodejs
   # other processors
   g++-aarch64-linux-gnu g++-i686-linux-gnu gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib
   qemu-system-arm qemu-system-x86 qemu-user

@@ -16,7 +16,9 @@ std::array<std::uint8_t, 32> content_sha256(std::span<const std::byte> file, con
 
 bool has_its_bytes(std::span<const std::byte> file, const Organ& organ) {
   if (organ.content_sha256.empty()) return organ.format_version == 1;
-  return std::ranges::equal(content_sha256(file, organ), organ.content_sha256);
+  const auto sum = content_sha256(file, organ);
+  const auto& said = organ.content_sha256;
+  return std::equal(sum.begin(), sum.end(), said.begin(), said.end());
 }
 
 }  // namespace stylet

@@ -133,9 +133,7 @@ void add_build(CLI::App& app) {
   command->add_flag("--split-gaps", a.split_gaps,
                     "Keep gaps open from a third of a voxel on: parts that lie in one voxel "
                     "without touching get a voxel each");
-  command
-      ->add_option("--layers-of", a.layers_of,
-                   "Tissue of the inputs that --layer divides (default: theirs, if all have one)")
+  command->add_option("--layers-of", a.layers_of, "What --layer divides (default: all, if alike)")
       ->type_name("TISSUE");
   command
       ->add_option("--layers-along", a.layers_along, "Direction from the outermost layer inwards")

@@ -4,7 +4,7 @@
 contact and puncture. Where they do not: the first tick that differs, and in which field. On Windows
 each instruction set is asked for by its name, too.
 
-usage: replay_test.py REPOSITORY BUILD_FOLDER i686|aarch64|cortex_m7|windows
+usage: replay_test.py REPOSITORY BUILD_FOLDER i686|aarch64|cortex_m7|wasm|windows
 """
 import subprocess
 import sys

@@ -18,6 +18,8 @@ TARGETS = {
     "aarch64": ("aarch64-linux-gnu-g++", ["qemu-aarch64"]),
     "cortex_m7": ("arm-none-eabi-g++", BOARD),
     "windows": (wine.COMPILER, ["wine"]),
+    "wasm": ("em++", ["node", "--no-warnings", "--experimental-wasi-unstable-preview1",
+                      pathlib.Path(__file__).with_name("run_wasm.mjs")]),
 }
 
 
@@ -63,7 +65,7 @@ def build(repository, tests_build, target):
 
 
 def program_of(target, folder, name):
-    return folder / "bin" / (f"{name}.exe" if target == "windows" else name)
+    return folder / "bin" / (name + {"windows": ".exe", "wasm": ".wasm"}.get(target, ""))
 
 
 def run(target, program, *words, options=()):

@@ -305,7 +305,7 @@ STYLET_KEEP_APART void pack_plane(const Piece* piece, const Piece* end, const fl
   for (; piece != end; ++piece) {
     from += kTileFloats;
     const std::ptrdiff_t first = std::countr_zero(piece->lanes);
-    last = piece->at + std::ptrdiff_t{std::bit_width(piece->lanes)};
+    last = piece->at + static_cast<std::ptrdiff_t>(std::bit_width(piece->lanes));
     for (std::ptrdiff_t i = first; i < first + kTile; i += kNarrow) {
       for (std::ptrdiff_t c = 0; c < 3; ++c) {
         store_narrow(to + (piece->at + i + c * to_axis), load_narrow(from + (i + c * kTile)));

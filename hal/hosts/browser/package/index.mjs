@@ -1,0 +1,653 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stylet in JavaScript: organs, needles in them, the force on the hand. The functions are those of
+// the interface in C (stylet.h), as methods; structs are objects with the same names of fields.
+//
+// Units: SI. Frame: the organ's at rest, right-handed. Arrays of places are Float32Array with x, y,
+// z one after the other. Arrays and objects that a method returns are the caller's.
+import { constants, structs } from "./layout.mjs";
+
+export { constants };
+
+const ORGAN = 0, SIMULATION = 1; // what a handle in memory is
+
+/** What the library refused, and why: the fields of stylet_refusal. */
+export class StyletError extends Error {
+  constructor(text, refusal = {}) {
+    super(text);
+    this.name = "StyletError";
+    this.refusal = refusal;
+  }
+}
+
+// ---- memory ------------------------------------------------------------------------------------
+
+const SIZES = { u8: 1, u16: 2, u32: 4, u64: 8, f32: 4, f64: 8, text: 4, char: 1 };
+const size_of = (kind) => SIZES[kind] ?? structs[kind].bytes;
+
+// The library's memory. It may grow in any call that allocates, so views are made when needed.
+class Memory {
+  constructor(exports) {
+    this.exports = exports;
+    this.decoder = new TextDecoder();
+  }
+
+  get view() {
+    return new DataView(this.exports.memory.buffer);
+  }
+
+  bytes(at, count) {
+    return new Uint8Array(this.exports.memory.buffer, at, count);
+  }
+
+  allocate(bytes) {
+    const at = this.exports.malloc(Math.max(bytes, 1));
+    if (at === 0) throw new StyletError(`no memory for ${bytes} bytes`);
+    return at;
+  }
+
+  free(at) {
+    this.exports.free(at);
+  }
+
+  // Calls use(address) with room that is zero and freed afterwards.
+  with_room(bytes, use) {
+    const at = this.allocate(bytes);
+    try {
+      this.bytes(at, bytes).fill(0);
+      return use(at);
+    } finally {
+      this.free(at);
+    }
+  }
+
+  text(at, most = 4096) {
+    if (at === 0) return "";
+    const all = this.bytes(at, Math.min(most, this.exports.memory.buffer.byteLength - at));
+    const end = all.indexOf(0);
+    return this.decoder.decode(all.slice(0, end < 0 ? all.length : end));
+  }
+
+  read_one(kind, at, name) {
+    const view = this.view;
+    switch (kind) {
+      case "u8": return view.getUint8(at);
+      case "u16": return view.getUint16(at, true);
+      case "u32": return view.getUint32(at, true);
+      case "u64": {
+        const value = view.getBigUint64(at, true);
+        return name === "hash" ? hash_text(value) : Number(value);
+      }
+      case "f32": return view.getFloat32(at, true);
+      case "f64": return view.getFloat64(at, true);
+      case "text": return this.text(view.getUint32(at, true));
+      case "stylet_vec3": return [0, 4, 8].map((i) => view.getFloat32(at + i, true));
+      default: return this.read(kind, at);
+    }
+  }
+
+  read(struct, at) {
+    const out = {};
+    for (const [name, kind, offset, count] of structs[struct].fields) {
+      if (name === "struct_bytes" || name === "reserved") continue;
+      const place = at + offset;
+      if (kind === "char") out[name] = this.text(place, count);
+      else if (count === 0) out[name] = this.read_one(kind, place, name);
+      else {
+        out[name] = Array.from({ length: count },
+          (_, i) => this.read_one(kind, place + i * size_of(kind), name));
+      }
+    }
+    return out;
+  }
+
+  write_one(kind, at, value, name) {
+    const view = this.view;
+    if (kind === "stylet_vec3") {
+      if (value?.length !== 3) throw new TypeError(`${name}: expected [x, y, z]`);
+      [...value].forEach((v, i) => view.setFloat32(at + 4 * i, number(v, name), true));
+      return;
+    }
+    if (structs[kind]) {
+      this.write(kind, at, value, name);
+      return;
+    }
+    const v = number(value, name);
+    switch (kind) {
+      case "f32": view.setFloat32(at, v, true); break;
+      case "f64": view.setFloat64(at, v, true); break;
+      default: {
+        if (!Number.isInteger(v) || v < 0 || v >= 2 ** (8 * SIZES[kind])) {
+          throw new TypeError(`${name}: ${v}: expected a whole number from 0 on`);
+        }
+        if (kind === "u8") view.setUint8(at, v);
+        else if (kind === "u16") view.setUint16(at, v, true);
+        else view.setUint32(at, v, true);
+      }
+    }
+  }
+
+  // Writes the fields that `values` has; the others stay.
+  write(struct, at, values, where = struct) {
+    const fields = structs[struct].fields;
+    for (const [name, value] of Object.entries(values)) {
+      const field = fields.find((f) => f[0] === name);
+      if (!field || name === "struct_bytes" || name === "reserved" || field[1] === "text") {
+        throw new TypeError(`${where} has no field ${name}`);
+      }
+      const [, kind, offset, count] = field;
+      if (count === 0) {
+        this.write_one(kind, at + offset, value, `${where}.${name}`);
+        continue;
+      }
+      if (!(value?.length <= count)) {
+        throw new TypeError(`${where}.${name}: expected an array of at most ${count}`);
+      }
+      [...value].forEach((one, i) =>
+        this.write_one(kind, at + offset + i * size_of(kind), one, `${where}.${name}[${i}]`));
+    }
+  }
+}
+
+function number(value, name) {
+  if (typeof value !== "number" && typeof value !== "boolean") {
+    throw new TypeError(`${name}: expected a number`);
+  }
+  return Number(value);
+}
+
+const hash_text = (value) => BigInt.asUintN(64, value).toString(16).padStart(16, "0");
+
+// Numbers that the library holds and the page must give back. What is forgotten goes with its page;
+// what the collector finds unused is freed.
+const forgotten = new FinalizationRegistry(({ exports, kind, handle }) => {
+  if (kind === ORGAN) exports.stylet_organ_free(handle);
+  else exports.stylet_simulation_free(handle);
+});
+
+class Handle {
+  #at;
+  constructor(library, kind, handle) {
+    this.library = library;
+    this.#at = handle;
+    forgotten.register(this, { exports: library.exports, kind, handle }, this);
+  }
+
+  get at() {
+    if (this.#at === 0) throw new StyletError("was freed");
+    return this.#at;
+  }
+
+  release(free) {
+    if (this.#at === 0) return;
+    forgotten.unregister(this);
+    free(this.#at);
+    this.#at = 0;
+  }
+}
+
+// ---- the library -------------------------------------------------------------------------------
+
+/** Loads the library: `source` is the bytes of stylet.wasm, a compiled module, a Response or its
+ * address; without it, the file beside this one. */
+export async function load(source = new URL("./stylet.wasm", import.meta.url)) {
+  const module = await module_of(await source);
+  const wasi = { proc_exit: (code) => { throw new StyletError(`the library ended (${code})`); } };
+  let library;
+  const texts = [];
+  wasi.fd_write = (_fd, list, count, written) => { // what an assertion says before it ends
+    const { memory } = library;
+    let sum = 0;
+    for (let i = 0; i < count; ++i) {
+      const at = memory.view.getUint32(list + 8 * i, true);
+      const bytes = memory.view.getUint32(list + 8 * i + 4, true);
+      texts.push(memory.decoder.decode(memory.bytes(at, bytes).slice()));
+      sum += bytes;
+    }
+    if (texts.join("").endsWith("\n")) console.error(texts.splice(0).join("").trimEnd());
+    memory.view.setUint32(written, sum, true);
+    return 0;
+  };
+  wasi.fd_close = wasi.fd_seek = () => 0;
+  const instance = await WebAssembly.instantiate(module, {
+    wasi_snapshot_preview1: wasi,
+    env: { emscripten_notify_memory_growth: () => {} },
+  });
+  library = new Stylet(instance.exports);
+  instance.exports._initialize();
+  return library;
+}
+
+async function module_of(source) {
+  if (source instanceof WebAssembly.Module) return source;
+  if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) {
+    return WebAssembly.compile(source);
+  }
+  if (typeof Response !== "undefined" && source instanceof Response) {
+    return WebAssembly.compile(await source.arrayBuffer());
+  }
+  const address = new URL(source, import.meta.url);
+  if (address.protocol === "file:" && typeof process !== "undefined") {
+    const { readFile } = await import("node:fs/promises");
+    return WebAssembly.compile(await readFile(address));
+  }
+  const answer = await fetch(address);
+  if (!answer.ok) throw new StyletError(`${address}: ${answer.status} ${answer.statusText}`);
+  return WebAssembly.compile(await answer.arrayBuffer());
+}
+
+export class Stylet {
+  constructor(exports) {
+    this.exports = exports;
+    this.memory = new Memory(exports);
+  }
+
+  get version() {
+    return this.memory.text(this.exports.stylet_version_text());
+  }
+
+  get build() {
+    return this.memory.text(this.exports.stylet_build_text());
+  }
+
+  status_name(status) {
+    return this.memory.text(this.exports.stylet_status_name(status));
+  }
+
+  event_name(kind) {
+    return this.memory.text(this.exports.stylet_event_name(kind));
+  }
+
+  /** The defaults, with what `values` changes. */
+  config(values = {}) {
+    return this.#defaults("stylet_config", "stylet_config_init", values);
+  }
+
+  needle(values = {}) {
+    return this.#defaults("stylet_needle", "stylet_needle_init", values);
+  }
+
+  obstacle(values = {}) {
+    return this.#defaults("stylet_obstacle", "stylet_obstacle_init", values);
+  }
+
+  obstacle_box(half_m, values = {}) {
+    return this.#shaped("stylet_obstacle_box", half_m, values);
+  }
+
+  obstacle_sphere(radius_m, values = {}) {
+    return this.#shaped("stylet_obstacle_sphere", radius_m, values);
+  }
+
+  /** An organ file's bytes; checks structure, values and the sum that the file holds of itself. */
+  organ(bytes) {
+    const data = ArrayBuffer.isView(bytes)
+      ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength) : new Uint8Array(bytes);
+    const { memory, exports } = this;
+    const at = memory.allocate(data.length);
+    try {
+      memory.bytes(at, data.length).set(data);
+      return new Organ(this, this.create((out, why) =>
+        exports.stylet_organ_from_bytes(at, data.length, out, why)));
+    } finally {
+      memory.free(at);
+    }
+  }
+
+  /** A simulation of an organ: `needles` are up to four, `obstacles` up to 16. */
+  simulation(organ, { config = {}, needles = [{}], obstacles = [] } = {}) {
+    const made = this.with_struct("stylet_config", "stylet_config_init", config, (c) =>
+      this.with_array("stylet_needle", "stylet_needle_init", needles, (n) =>
+        this.create((out, why) => this.exports.stylet_simulation_create(organ.handle.at, c, n,
+          needles.length, out, why))));
+    const simulation = new Simulation(this, organ, made);
+    if (obstacles.length > 0) {
+      try {
+        simulation.set_obstacles(obstacles);
+      } catch (why) {
+        simulation.free();
+        throw why;
+      }
+    }
+    return simulation;
+  }
+
+  /** The pose whose unbent needle has its tip here and points there; -z without a direction. */
+  pose_of_tip(tip_m, direction, length_m) {
+    const { memory } = this;
+    const part = structs.stylet_vec3.bytes;
+    return memory.with_room(structs.stylet_pose.bytes + 2 * part, (at) => {
+      const tip = at + structs.stylet_pose.bytes;
+      memory.write_one("stylet_vec3", tip, tip_m, "tip_m");
+      memory.write_one("stylet_vec3", tip + part, direction, "direction");
+      this.exports.stylet_pose_of_tip(at, tip, tip + part, number(length_m, "length_m"));
+      return memory.read("stylet_pose", at);
+    });
+  }
+
+  // ---- for Organ and Simulation
+
+  // Calls use(address) with the struct's defaults and `values`.
+  with_struct(struct, init, values, use) {
+    return this.with_array(struct, init, [values], use);
+  }
+
+  with_array(struct, init, list, use) {
+    const { memory } = this, bytes = structs[struct].bytes;
+    return memory.with_room(bytes * list.length, (at) => {
+      list.forEach((values, i) => {
+        this.check(this.exports[init](at + i * bytes, bytes));
+        memory.write(struct, at + i * bytes, values, struct.replace("stylet_", ""));
+      });
+      return use(at);
+    });
+  }
+
+  // Calls make(address of the handle, address of the refusal); returns the handle.
+  create(make) {
+    const { memory } = this;
+    return memory.with_room(8, (out) => {
+      this.asked((why) => make(out, why));
+      return memory.view.getUint32(out, true);
+    });
+  }
+
+  // Calls call(address of the refusal) and throws what it refuses.
+  asked(call) {
+    const { memory } = this, bytes = structs.stylet_refusal.bytes;
+    memory.with_room(bytes, (why) => {
+      memory.view.setUint32(why, bytes, true);
+      const status = call(why);
+      if (status === constants.OK) return;
+      const refusal = memory.read("stylet_refusal", why);
+      throw new StyletError(refusal.text || this.status_name(status), { ...refusal, status });
+    });
+  }
+
+  check(status) {
+    if (status !== constants.OK) throw new StyletError(this.status_name(status), { status });
+  }
+
+  // A struct that call(address) fills.
+  filled(struct, call) {
+    const { memory } = this, bytes = structs[struct].bytes;
+    return memory.with_room(bytes, (at) => {
+      memory.view.setUint32(at, bytes, true);
+      this.check(call(at));
+      return memory.read(struct, at);
+    });
+  }
+
+  // The numbers that call(address, capacity) copies, `each` of them an element.
+  numbers(Numbers, each, call) {
+    const count = call(0, 0);
+    const out = new Numbers(count * each);
+    this.memory.with_room(out.byteLength, (at) => {
+      call(at, count);
+      out.set(new Numbers(this.exports.memory.buffer, at, count * each));
+    });
+    return out;
+  }
+
+  // The structs that call(address, capacity) copies; `most`: how many there may be.
+  list(struct, call, most = call(0, 0)) {
+    const { memory } = this, bytes = structs[struct].bytes;
+    return memory.with_room(most * bytes, (at) => {
+      const count = call(at, most);
+      return Array.from({ length: count }, (_, i) => memory.read(struct, at + i * bytes));
+    });
+  }
+
+  #defaults(struct, init, values) {
+    return this.with_struct(struct, init, values, (at) => this.memory.read(struct, at));
+  }
+
+  #shaped(shape, size, values) {
+    return this.with_struct("stylet_obstacle", "stylet_obstacle_init", {}, (at) => {
+      const { memory, exports } = this;
+      if (shape === "stylet_obstacle_box") {
+        memory.with_room(structs.stylet_vec3.bytes, (half) => {
+          memory.write_one("stylet_vec3", half, size, "half_m");
+          this.check(exports[shape](at, half));
+        });
+      } else {
+        this.check(exports[shape](at, number(size, "radius_m")));
+      }
+      memory.write("stylet_obstacle", at, values, "obstacle");
+      return memory.read("stylet_obstacle", at);
+    });
+  }
+}
+
+/** Made by Stylet.organ. */
+export class Organ {
+  constructor(library, handle) {
+    this.library = library;
+    this.handle = new Handle(library, ORGAN, handle);
+  }
+
+  get info() {
+    const { library } = this;
+    return library.filled("stylet_organ_info",
+      (at) => library.exports.stylet_organ_get_info(this.handle.at, at));
+  }
+
+  material(index) {
+    const { library } = this;
+    return library.filled("stylet_material",
+      (at) => library.exports.stylet_organ_get_material(this.handle.at, index, at));
+  }
+
+  get triangles() {
+    return this.#numbers(Uint32Array, 3, "stylet_organ_triangles");
+  }
+
+  get vertices() {
+    return this.#numbers(Float32Array, 3, "stylet_organ_vertices");
+  }
+
+  get vertex_materials() {
+    return this.#numbers(Uint8Array, 1, "stylet_organ_vertex_materials");
+  }
+
+  get voxels() {
+    const { library } = this;
+    return library.list("stylet_voxel",
+      (at, most) => library.exports.stylet_organ_voxels(this.handle.at, at, most));
+  }
+
+  /** Distance along a ray to the surface at rest; null: it does not meet it. */
+  raycast(origin_m, direction) {
+    const { library } = this, { memory } = library, part = structs.stylet_vec3.bytes;
+    return memory.with_room(2 * part + 4, (at) => {
+      memory.write_one("stylet_vec3", at, origin_m, "origin_m");
+      memory.write_one("stylet_vec3", at + part, direction, "direction");
+      const meets = library.exports.stylet_organ_raycast(this.handle.at, at, at + part,
+        at + 2 * part);
+      return meets === 1 ? memory.view.getFloat32(at + 2 * part, true) : null;
+    });
+  }
+
+  /** Simulations that were made from it go on. */
+  free() {
+    this.handle.release((at) => this.library.exports.stylet_organ_free(at));
+  }
+
+  #numbers(Numbers, each, name) {
+    const { library } = this;
+    return library.numbers(Numbers, each,
+      (at, most) => library.exports[name](this.handle.at, at, most));
+  }
+}
+
+/** Made by Stylet.simulation. */
+export class Simulation {
+
+  constructor(library, organ, handle) {
+    this.library = library;
+    this.organ = organ;
+    this.handle = new Handle(library, SIMULATION, handle);
+    this.needles = library.exports.stylet_simulation_needles(handle);
+  }
+
+  /** One tick: poses[i] = { position_m, rotation } moves needle i, null leaves it (and counts).
+   * Returns what the hands feel, one object for each needle. */
+  tick(poses) {
+    return this.run([poses])[0];
+  }
+
+  /** Many ticks: poses[tick][needle]. Returns outputs[tick][needle]; with `{ last: true }` only
+   * those of the last tick. */
+  run(ticks, { last = false } = {}) {
+    const { library } = this, { memory, exports } = library, n = this.needles;
+    if (ticks.length === 0) return [];
+    const input = structs.stylet_input.bytes, output = structs.stylet_output.bytes;
+    return memory.with_room(ticks.length * n * (input + output) + 8, (room) => {
+      const outs = room + ticks.length * n * input + 7 - (room + ticks.length * n * input + 7) % 8;
+      ticks.forEach((poses, t) => this.#write_inputs(room + t * n * input, poses));
+      for (let i = 0; i < ticks.length * n; ++i) {
+        memory.view.setUint32(outs + i * output, output, true);
+      }
+      library.check(exports.stylet_simulation_run(this.handle.at, room, outs, ticks.length));
+      const from = last ? ticks.length - 1 : 0;
+      return Array.from({ length: ticks.length - from }, (_, t) =>
+        Array.from({ length: n }, (_, i) =>
+          memory.read("stylet_output", outs + ((from + t) * n + i) * output)));
+    });
+  }
+
+  reset() {
+    this.library.check(this.library.exports.stylet_simulation_reset(this.handle.at));
+  }
+
+  /** Bodies that no needle enters, instead of those given before; before the first tick only. */
+  set_obstacles(obstacles) {
+    const { library } = this;
+    library.with_array("stylet_obstacle", "stylet_obstacle_init", obstacles, (at) =>
+      library.asked((why) => library.exports.stylet_simulation_set_obstacles(this.handle.at, at,
+        obstacles.length, why)));
+  }
+
+  /** The deformed surface: a place for each vertex of the organ. */
+  surface() {
+    return this.#numbers("stylet_simulation_surface");
+  }
+
+  /** A needle from handle to tip. */
+  needle_shape(needle = 0) {
+    const { library } = this;
+    return library.numbers(Float32Array, 3, (at, most) =>
+      library.exports.stylet_simulation_needle_shape(this.handle.at, needle, at, most));
+  }
+
+  /** How far each particle of the lattice is from its place at rest. */
+  particles() {
+    return this.#numbers("stylet_simulation_particles");
+  }
+
+  /** Eight particles for each voxel of the organ. */
+  voxel_corners() {
+    const { library } = this;
+    return library.numbers(Uint32Array, 1, (at, most) =>
+      library.exports.stylet_simulation_voxel_corners(this.handle.at, at, most));
+  }
+
+  constraint_particles() {
+    return this.#list("stylet_constraint_particle", "stylet_simulation_constraint_particles");
+  }
+
+  obstacle_touches() {
+    return this.#list("stylet_obstacle_touch", "stylet_simulation_obstacle_touches");
+  }
+
+  /** The newest events, oldest first. */
+  events() {
+    return this.#list("stylet_event", "stylet_simulation_events", constants.MAX_EVENTS);
+  }
+
+  stats() {
+    return this.#filled("stylet_stats", "stylet_simulation_get_stats");
+  }
+
+  energy() {
+    return this.#filled("stylet_energy", "stylet_simulation_get_energy");
+  }
+
+  /** Of a material: its mass, and its mass in the step, in kg. */
+  mass(material) {
+    const { library } = this;
+    return library.memory.with_room(8, (at) => {
+      library.check(library.exports.stylet_simulation_get_mass(this.handle.at, material, at,
+        at + 4));
+      const view = library.memory.view;
+      return { real_kg: view.getFloat32(at, true), stepped_kg: view.getFloat32(at + 4, true) };
+    });
+  }
+
+  /** Of the whole state, as 16 hexadecimal digits: the same on every machine. */
+  hash() {
+    return hash_text(this.library.exports.stylet_simulation_hash(this.handle.at));
+  }
+
+  snapshot() {
+    const { library } = this, { exports } = library;
+    const bytes = exports.stylet_simulation_snapshot_bytes(this.handle.at);
+    return library.memory.with_room(bytes, (at) => {
+      library.check(exports.stylet_simulation_snapshot(this.handle.at, at, bytes));
+      return library.memory.bytes(at, bytes).slice();
+    });
+  }
+
+  /** Any bytes that are not a snapshot of this organ, configuration and obstacles are refused. */
+  restore(snapshot) {
+    const { library } = this;
+    library.memory.with_room(snapshot.length, (at) => {
+      library.memory.bytes(at, snapshot.length).set(snapshot);
+      library.check(library.exports.stylet_simulation_restore(this.handle.at, at,
+        snapshot.length));
+    });
+  }
+
+  clone() {
+    const { library } = this;
+    return new Simulation(library, this.organ, library.create((out) =>
+      library.exports.stylet_simulation_clone(this.handle.at, out)));
+  }
+
+  /** Name of the first field of the state that differs from another's; null: none does. */
+  difference(other) {
+    const { library } = this;
+    const at = library.exports.stylet_simulation_difference(this.handle.at, other.handle.at, 0);
+    return at === 0 ? null : library.memory.text(at);
+  }
+
+  free() {
+    this.handle.release((at) => this.library.exports.stylet_simulation_free(at));
+  }
+
+  #write_inputs(at, poses) {
+    const { memory } = this.library, bytes = structs.stylet_input.bytes;
+    for (let i = 0; i < this.needles; ++i) {
+      const place = at + i * bytes, pose = poses[i];
+      memory.view.setUint32(place, bytes, true);
+      memory.write("stylet_input", place,
+        pose ? { valid: 1, handle: pose } : { valid: 0 }, `input ${i}`);
+    }
+  }
+
+  #numbers(name) {
+    const { library } = this;
+    return library.numbers(Float32Array, 3,
+      (at, most) => library.exports[name](this.handle.at, at, most));
+  }
+
+  #list(struct, name, most) {
+    const { library } = this;
+    return library.list(struct, (at, room) => library.exports[name](this.handle.at, at, room),
+      most);
+  }
+
+  #filled(struct, name) {
+    const { library } = this;
+    return library.filled(struct, (at) => library.exports[name](this.handle.at, at));
+  }
+}

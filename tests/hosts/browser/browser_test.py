@@ -1,0 +1,139 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""The package for npm: built by emscripten, run by node and by Chromium. The bits of the interface
+in C, refusals with fields, any order of lives, memory that grows, types that say what there is.
+
+usage: browser_test.py SOURCE BUILD_FOLDER EXAMPLE_IN_C STYLET_ORGAN LIBSTYLET
+"""
+import ctypes
+import functools
+import http.server
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
+from command import run
+
+SOURCE, BUILD, EXAMPLE_IN_C, ORGAN_MAKER, LIBRARY = (
+    pathlib.Path(word).resolve() for word in sys.argv[1:6])
+BROWSER = SOURCE / "hal/hosts/browser"
+PACKAGE = BUILD / "browser/package"
+SKIPPED, MOST_BYTES = 77, 200_000
+PAGE = """<!doctype html><meta charset="utf-8"><script type="importmap">
+{"imports": {"stylet-wasm": "./package/index.mjs"}}</script><pre id="out"></pre>
+<script type="module">
+import { insertion } from "./session.mjs";
+const bytes = await (await fetch("./liver.organ")).arrayBuffer();
+document.getElementById("out").textContent = await insertion(bytes);
+</script>"""
+
+
+class Browser(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.top = pathlib.Path(folder.name)
+        run("cmake", "-S", BROWSER, "-B", BUILD / "browser", "-G", "Ninja", timeout=600)
+        run("cmake", "--build", BUILD / "browser", "-j", "1", timeout=900)
+        (cls.top / "node_modules").mkdir()
+        (cls.top / "node_modules/stylet-wasm").symlink_to(PACKAGE)
+        (cls.top / "package").symlink_to(PACKAGE)
+        for file in (BROWSER / "examples/insert.mjs", *SOURCE.glob("tests/hosts/browser/*.mjs")):
+            shutil.copy(file, cls.top)
+        cls.organ = cls.top / "liver.organ"
+        run(ORGAN_MAKER, "phantom", "liver", "--voxel-mm", 7, "-o", cls.organ)
+
+    def node(self, *words, **options):
+        return run("node", *words, cwd=self.top, timeout=600, **options)
+
+    @functools.cached_property
+    def in_c(self):
+        return run(EXAMPLE_IN_C, self.organ)
+
+    def test_inserts_as_the_example_in_c(self):
+        self.assertEqual(self.node("insert.mjs", self.organ), self.in_c)
+        self.assertIn("state ", self.in_c)
+
+    def test_example_is_short(self):
+        self.assertLessEqual(len((BROWSER / "examples/insert.mjs").read_text().splitlines()), 60)
+
+    def test_size(self):
+        size = (PACKAGE / "stylet.wasm").stat().st_size
+        print(f"stylet.wasm has {size} bytes", file=sys.stderr)
+        self.assertLessEqual(size, MOST_BYTES)
+
+    def test_what_a_program_relies_on(self):
+        self.node("--test", "package.test.mjs")
+
+    def test_version_is_the_library_s(self):
+        library = ctypes.CDLL(str(LIBRARY))
+        library.stylet_version_text.restype = ctypes.c_char_p
+        version = library.stylet_version_text().decode()
+        self.assertEqual(json.loads((PACKAGE / "package.json").read_text())["version"], version)
+        asked = self.node("-e", "import('stylet-wasm').then(async (m) => "
+                          "console.log((await m.load()).version))")
+        self.assertEqual(asked.strip(), version)
+
+    def test_types_name_what_there_is(self):
+        """Every method and property of the classes, and none that is not there."""
+        types = (PACKAGE / "index.d.ts").read_text()
+        for name in ("Stylet", "Organ", "Simulation"):
+            body = re.search(rf"^export class {name} \{{\n(.*?)\n\}}", types, re.S | re.M)[1]
+            said = set(re.findall(r"^  (?:readonly )?(\w+)[(:]", body, re.M))
+            found = self.node(
+                "-e", f"import('stylet-wasm').then((m) => console.log(Object.getOwnPropertyNames("
+                f"m.{name}.prototype).join(' ')))").split()
+            inner = {"constructor", "with_struct", "with_array", "create", "asked", "check",
+                     "filled", "numbers", "list"}
+            own = {"organ", "needles"} if name == "Simulation" else set()
+            self.assertEqual(said - own, set(found) - inner, name)
+
+    def test_is_packed_whole(self):
+        done = json.loads(run("npm", "pack", "--json", "--dry-run", cwd=PACKAGE))
+        packed = {each["path"] for each in done[0]["files"]}
+        self.assertEqual(packed, {path.name for path in PACKAGE.iterdir()})
+
+    def test_in_chromium(self):
+        if shutil.which("chromium") is None:
+            self.skipTest("no chromium here; toolchain/setup.sh installs it")
+        (self.top / "index.html").write_text(PAGE)
+        handler = functools.partial(Quiet, directory=self.top)
+        with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+            threading.Thread(target=server.serve_forever, daemon=True).start()
+            page = run("chromium", "--headless", "--no-sandbox", "--disable-gpu",
+                       f"--user-data-dir={self.top}/profile", "--timeout=120000",
+                       "--virtual-time-budget=600000", "--dump-dom",
+                       f"http://127.0.0.1:{server.server_port}/index.html", timeout=300)
+            server.shutdown()
+        shown = re.search(r'<pre id="out">([^<]*)</pre>', page)[1]
+        self.assertEqual(shown, self.in_c.rstrip("\n"))
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map,
+                      ".mjs": "text/javascript", ".wasm": "application/wasm"}
+
+    def log_message(self, *_):
+        pass
+
+
+def missing():
+    for program in ("em++", "node", "npm"):
+        if shutil.which(program) is None:
+            return program
+    return None
+
+
+if __name__ == "__main__":
+    if missing():
+        print(f"skipped: no {missing()} here; toolchain/setup.sh installs it")
+        sys.exit(SKIPPED)
+    unittest.main(argv=sys.argv[:1])
