@@ -29,6 +29,8 @@ NOT_RUN = {
     r"hd:|192\.168\.0\.5": "needs a device or a second machine",
     r"\./toolchain/(demo|test)\.sh": "installs packages and builds",
     r"cmake --preset .*": "builds for half an hour",
+    r"cmake -S hal/hosts/browser .*|cmake --build build/browser": "hosts.browser does it",
+    r"node hal/hosts/browser/.*|hal/hosts/browser/demo\.py": "needs that build; hosts.browser",
     r"cmake --install build/windows .*": "needs that build; hosts.windows makes it",
     r".*phantom liver .* hal/hosts/godot/project/.*": "for Godot; hosts.godot makes it",
     r"rt-host\.sh --|rt-host/boot\.sh": "changes the machine, as root, or boots one",

@@ -2,11 +2,15 @@
 // Builds the page: flatc's accessors into generated/, then dist/ (index.html, app.js, app.css).
 //
 //   node build.mjs [generate] [--out FOLDER]
+//   node build.mjs demo --package FOLDER --organs FOLDER [--out FOLDER]
 //
+// demo: the page of demo/ as one file, index.html, which needs no server. The package is
+// stylet-wasm as hal/hosts/browser builds it; the organs are liver.organ, wall.organ and gel.organ,
+// with desktop.txt, the state in which hal/hosts/c/examples/insert.c leaves the liver.
 // Names in dist/ never change and nothing in it depends on time, machine or folder, so a build of
 // the same sources gives the same bytes. Needs flatc on PATH and `npm install --no-save` done.
 import {execFileSync} from 'node:child_process';
-import {mkdirSync, readFileSync} from 'node:fs';
+import {cpSync, mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {build} from 'vite';
@@ -63,7 +67,51 @@ async function bundle(out) {
   });
 }
 
+// All of the demo in one file: what a page may load where it was opened from a folder is itself.
+async function bundleDemo(stylet, organs, out) {
+  const root = join(kPage, 'demo');
+  const kept = join(root, 'organs');  // not committed
+  rmSync(kept, {recursive: true, force: true});
+  cpSync(organs, kept, {recursive: true});
+  const built = await build({
+    root,
+    configFile: false,
+    logLevel: 'warn',
+    base: './',
+    resolve: {alias: [{find: /^stylet-wasm(?=$|\/)/, replacement: resolve(stylet)}]},
+    worker: {format: 'iife'},
+    assetsInclude: ['**/*.organ'],
+    build: {
+      write: false,
+      target: 'es2022',
+      modulePreload: false,
+      cssCodeSplit: false,
+      assetsInlineLimit: 100_000_000,
+      chunkSizeWarningLimit: 10_000,
+      rollupOptions: {output: {banner: notices(), inlineDynamicImports: true}},
+    },
+  });
+  const files = [built].flat().flatMap(({output}) => output);
+  const script = files.find(({type}) => type === 'chunk').code.replaceAll('</script', '<\\/script');
+  const style = files.find(({fileName}) => fileName.endsWith('.css')).source;
+  const page = files.find(({fileName}) => fileName.endsWith('.html')).source
+                   .replace(/<script [^>]*><\/script>/, '')
+                   .replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${style}</style>`)
+                   .replace('</body>', () => `<script type="module">${script}</script></body>`);
+  mkdirSync(out, {recursive: true});
+  writeFileSync(join(out, 'index.html'), page);
+}
+
 const words = process.argv.slice(2);
-const at = words.indexOf('--out');
+const folder = (option, other) => {
+  const at = words.indexOf(option);
+  if (at < 0 && other === undefined) throw new Error(`expected ${option} FOLDER`);
+  return at < 0 ? other : resolve(words[at + 1]);
+};
 generate();
-if (words[0] !== 'generate') await bundle(at < 0 ? join(kPage, 'dist') : resolve(words[at + 1]));
+if (words[0] === 'demo') {
+  await bundleDemo(
+      folder('--package'), folder('--organs'), folder('--out', join(kPage, 'dist-demo')));
+} else if (words[0] !== 'generate') {
+  await bundle(folder('--out', join(kPage, 'dist')));
+}

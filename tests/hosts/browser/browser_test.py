@@ -117,6 +117,22 @@ class Browser(unittest.TestCase):
         self.assertEqual(shown, self.in_c.rstrip("\n"))
 
 
+    def test_the_demo_in_chromium(self):
+        """Opened from a folder, by a visitor who pushes the needle in and wants the proof."""
+        modules = SOURCE / "hal/console/page/node_modules"
+        if shutil.which("chromium") is None or not (modules / "playwright-core").exists():
+            self.skipTest("no chromium, or no npm packages of hal/console/page")
+        run("/usr/bin/python3", BROWSER / "demo.py", "--bin", ORGAN_MAKER.parent, "--package",
+            PACKAGE, "--out", self.top / "demo", timeout=300)
+        seen = json.loads(self.node("demo.check.mjs", self.top / "demo/index.html",
+                                    modules / "playwright-core/index.mjs",
+                                    shutil.which("chromium")))
+        self.assertEqual(seen["errors"], [])
+        self.assertEqual(seen["phases"], [2, 2, 2])
+        self.assertGreater(seen["force"], 0.01)
+        self.assertEqual(seen["same"], 1)
+
+
 class Quiet(http.server.SimpleHTTPRequestHandler):
     extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map,
                       ".mjs": "text/javascript", ".wasm": "application/wasm"}

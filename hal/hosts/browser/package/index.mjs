@@ -227,7 +227,8 @@ async function module_of(source) {
   }
   const address = new URL(source, import.meta.url);
   if (address.protocol === "file:" && typeof process !== "undefined") {
-    const { readFile } = await import("node:fs/promises");
+    const { readFile } =
+      await import(/* @vite-ignore */ /* webpackIgnore: true */ "node:fs/promises");
     return WebAssembly.compile(await readFile(address));
   }
   const answer = await fetch(address);

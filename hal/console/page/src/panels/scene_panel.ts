@@ -93,6 +93,13 @@ export class ScenePanel {
     return true;
   }
 
+  // The same as by the switches.
+  setLook(look: Partial<Record<Switch, boolean>>): void {
+    for (const name of kSwitches)
+      if (look[name] !== undefined) setOn(this.switches[name], look[name]);
+    this.change(look);
+  }
+
   private change(look: Partial<Look>): void {
     Object.assign((this.looks[this.store.view] ??= {}), look);
     this.view?.setLook(look);

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+// The simulation, in a worker of its own: ticks of a millisecond as time passes, the hand's way to
+// its aim in between, and a frame for each picture.
+//
+// The hand is a spring and a damper between the aim (the pointer's) and the needle: as tissue
+// pushes back, the needle stays behind the aim, and that is what an eye takes for force. Only the
+// frames depend on time; what the kernel computes depends on the poses alone.
+// Units: SI; frame: world.
+import {
+  load,
+  type ConstraintParticle,
+  type Event,
+  type Needle,
+  type Organ,
+  type Output,
+  type Pose,
+  type Quat,
+  type Simulation,
+  type Stylet,
+  type Vec3
+} from 'stylet-wasm';
+
+export interface Aim {
+  tip: Vec3;        // of a needle that nothing holds back
+  direction: Vec3;  // of insertion, unit
+  rollRad: number;  // about it
+}
+export type ToEngine =|{
+  kind: 'open';
+  organ: ArrayBuffer;
+  needle: Partial<Needle>;
+  aim: Aim
+}
+|{
+  kind: 'aim';
+  aim: Aim
+}
+|{
+  kind: 'prove';
+  organ: ArrayBuffer
+};
+export interface Opened {
+  kind: 'opened';
+  version: string;
+  build: string;
+  edge: number;
+  period: number;
+  rest: Float32Array;  // of particles
+  corners: Uint32Array;
+  needle: Needle;
+}
+export interface Tick {
+  tick: number;
+  out: Output;
+  handle: Pose;
+  travel: number;
+  us: number;  // of a tick
+}
+export interface Snapshot extends Tick {
+  kind: 'frame';
+  rows: Tick[];
+  moved: Float32Array;
+  nodes: Float32Array;
+  particles: ConstraintParticle[];
+  events: Event[];
+  speed: number;  // simulated time over time that passed
+}
+export type FromEngine =|Opened|Snapshot|{
+  kind: 'proved';
+  hash: string
+}
+|{
+  kind: 'failed';
+  why: string
+};
+
+const kPeriodS = 1e-3;      // the default of the library
+const kSpringNPerM = 350;   // of the hand: 3 N hold the needle 9 mm behind the aim
+const kFollowS = 0.03;      // the needle comes after the aim in about this time
+const kFastestMPerS = 0.3;  // of the needle
+const kMostDueS = 0.1;      // what passed while the page was asleep is left out
+const kRowEvery = 4;        // ticks
+const kPictureMs = 15;
+const kSpeedOverS = 1;  // told of the time before
+
+let stylet: Stylet|null = null;
+let session: Session|null = null;
+
+// Calls back as soon as the messages that wait were heard.
+const channel = new MessageChannel();
+let waiting: () => void = () => undefined;
+channel.port1.onmessage = () => waiting();
+function wake(work: () => void): void {
+  waiting = work;
+  channel.port2.postMessage(null);
+}
+
+const add = (a: Vec3, b: Vec3, factor = 1):
+    Vec3 => [a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]];
+const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
+function times(a: Quat, b: Quat): Quat {
+  return {
+    w: a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z,
+    x: a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+    y: a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+    z: a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w,
+  };
+}
+
+class Session {
+  private readonly organ: Organ;
+  private readonly simulation: Simulation;
+  private readonly needle: Needle;
+  private readonly from: Vec3;
+  private aim: Aim;
+  private tip: Vec3;
+  private out: Output|null = null;
+  private pose: Pose;
+  private rows: Tick[] = [];
+  private due = 0;  // s of simulated time
+  private last = performance.now();
+  private us = 0;
+  private pictureAt = 0;
+  private speed = 1;
+  private simulated = 0;  // s since the last picture
+  private events = 0;
+  private ended = false;
+
+  constructor(
+      private readonly library: Stylet, organ: ArrayBuffer, needle: Partial<Needle>, aim: Aim) {
+    this.organ = library.organ(organ);
+    this.needle = library.needle(needle);
+    this.simulation = library.simulation(this.organ, {needles: [this.needle]});
+    this.aim = aim;
+    this.tip = this.from = aim.tip;
+    this.pose = this.poseAt();
+    post(this.opened());
+    this.run();
+  }
+
+  set target(aim: Aim) { this.aim = aim; }
+
+  end(): void {
+    this.ended = true;
+    this.simulation.free();
+    this.organ.free();
+  }
+
+  private opened(): Opened {
+    const {info, voxels} = this.organ;
+    const corners = this.simulation.voxel_corners();
+    const rest = new Float32Array(this.simulation.particles().length);
+    voxels.forEach(({x, y, z}, v) => {
+      for (let corner = 0; corner < 8; ++corner) {
+        const place = [x + (corner & 1), y + ((corner >> 1) & 1), z + (corner >> 2)];
+        for (let k = 0; k < 3; ++k) {
+          rest[3 * corners[8 * v + corner] + k] = info.origin_m[k] + place[k] * info.voxel_edge_m;
+        }
+      }
+    });
+    return {
+      kind: 'opened',
+      version: this.library.version,
+      build: this.library.build,
+      edge: info.voxel_edge_m,
+      period: kPeriodS,
+      rest,
+      corners,
+      needle: this.needle,
+    };
+  }
+
+  private poseAt(): Pose {
+    const {direction, rollRad} = this.aim;
+    const pose = this.library.pose_of_tip(this.tip, direction, this.needle.length_m);
+    const half = rollRad / 2;
+    const roll = {w: Math.cos(half), x: 0, y: 0, z: -Math.sin(half)};
+    return {...pose, rotation: times(pose.rotation, roll)};
+  }
+
+  // A step of the hand: it pulls the needle to the aim, tissue pushes back.
+  private moveHand(seconds: number): void {
+    const damper = kSpringNPerM * kFollowS;
+    const force = this.out?.force_n ?? [0, 0, 0];
+    const pull = add(this.aim.tip, this.tip, -1).map((d, k) => kSpringNPerM * d + force[k]);
+    const velocity = pull.map((f) => f / damper) as Vec3;
+    const size = Math.sqrt(dot(velocity, velocity));
+    const share = Math.min(1, kFastestMPerS / Math.max(size, 1e-9));
+    this.tip = add(this.tip, velocity, share * seconds);
+  }
+
+  private ticks(count: number, period: number): void {
+    const began = performance.now();
+    for (let i = 0; i < count; ++i) {
+      this.moveHand(period);
+      this.pose = this.poseAt();
+      [this.out] = this.simulation.tick([this.pose]);
+      if (this.out.tick % kRowEvery === 0) this.rows.push(this.now());
+    }
+    if (count === 0) return;
+    this.us += 0.2 * (1e3 * (performance.now() - began) / count - this.us);
+  }
+
+  private now(): Tick {
+    const travel = dot(add(this.out!.tip_m, this.from, -1), this.aim.direction);
+    return {tick: this.out!.tick, out: this.out!, handle: this.pose, travel, us: this.us};
+  }
+
+  private run(): void {
+    if (this.ended) return;
+    try {
+      this.step();
+    } catch (why) {
+      return post({kind: 'failed', why: String(why)});
+    }
+    // A timer waits 4 ms at least, which a machine that is behind has not.
+    if (this.due >= kPeriodS)
+      wake(() => this.run());
+    else
+      setTimeout(() => this.run(), 1);
+  }
+
+  private step(): void {
+    const period = kPeriodS;
+    const now = performance.now();
+    this.due = Math.min(kMostDueS, this.due + (now - this.last) / 1e3);
+    this.last = now;
+    // Where this machine is slower than time, the simulation is, too, and says so.
+    const most = this.us > 0 ? Math.max(1, Math.floor(1e3 * kPictureMs / this.us)) : 1;
+    const count = Math.min(most, Math.floor(this.due / period));
+    this.ticks(count, period);
+    this.due -= count * period;
+    this.simulated += count * period;
+    if (this.out === null || now - this.pictureAt < kPictureMs) return;
+    this.show(now);
+  }
+
+  private show(now: number): void {
+    const passed = (now - this.pictureAt) / 1e3;
+    const speed = this.pictureAt > 0 ? Math.min(1, this.simulated / passed) : 1;
+    this.speed += Math.min(1, passed / kSpeedOverS) * (speed - this.speed);
+    const all = this.simulation.events();
+    const fresh = this.out!.events - this.events;
+    this.events = this.out!.events;
+    const moved = this.simulation.particles();
+    const frame: Snapshot = {
+      kind: 'frame',
+      ...this.now(),
+      rows: this.rows,
+      moved,
+      nodes: this.simulation.needle_shape(),
+      particles: this.simulation.constraint_particles(),
+      events: fresh > 0 ? all.slice(-fresh) : [],
+      speed: this.speed,
+    };
+    post(frame, [moved.buffer]);
+    this.rows = [];
+    this.simulated = 0;
+    this.pictureAt = now;
+  }
+}
+
+// The insertion of the example in C (hal/hosts/c/examples/insert.c), tick by tick as there: the
+// hash of the state in the end. Math.fround: as C counts in float.
+function prove(library: Stylet, bytes: ArrayBuffer): string {
+  const organ = library.organ(bytes);
+  const {low_m: low, high_m: high} = organ.info;
+  const simulation = library.simulation(organ, {needles: [{bending_nm2: 0.02}]});
+  const {length_m: length} = library.needle();
+  const f = Math.fround;
+  const [x, y] = [0, 1].map((k) => f(f(low[k] + high[k]) / 2));
+  const above = f(high[2] + f(0.01));
+  const skin = organ.raycast([x, y, above], [0, 0, -1]) ?? 0;
+  const begin = f(above - f(skin - f(1e-3)));
+  const perTick = f(f(10e-3) * f(1e-3));
+  for (let tick = 0; tick <= 2100; ++tick) {
+    const tip = f(begin - f(perTick * tick));
+    simulation.tick([library.pose_of_tip([x, y, tip], [0, 0, -1], length)]);
+  }
+  return simulation.hash();
+}
+
+function post(message: FromEngine, transfer: Transferable[] = []): void {
+  (self as unknown as Worker).postMessage(message, transfer);
+}
+
+export function serve(wasm: Promise<ArrayBuffer>): void {
+  self.addEventListener('message', (event: MessageEvent<ToEngine>) => {
+    const message = event.data;
+    if (message.kind === 'aim') {
+      if (session) session.target = message.aim;
+      return;
+    }
+    void (async () => {
+      try {
+        stylet ??= await load(await wasm);
+        session?.end();
+        session = null;
+        if (message.kind === 'prove')
+          post({kind: 'proved', hash: prove(stylet, message.organ)});
+        else
+          session = new Session(stylet, message.organ, message.needle, message.aim);
+      } catch (why) {
+        post({kind: 'failed', why: String(why)});
+      }
+    })();
+  });
+}

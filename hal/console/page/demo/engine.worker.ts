@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: Apache-2.0
+import wasm from 'stylet-wasm/stylet.wasm?url';
+
+import {serve} from './engine';
+
+serve(fetch(wasm).then((answer) => answer.arrayBuffer()));

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// What there is to push a needle into. Organs come from the build (build.mjs --demo), where
+// stylet-organ made them.
+import type {Needle, Vec3} from 'stylet-wasm';
+
+import gel from './organs/gel.organ?url';
+import liver from './organs/liver.organ?url';
+import wall from './organs/wall.organ?url';
+
+export interface Scene {
+  name: string;
+  tells: string;
+  organ: string;  // address
+  needle: Partial<Needle>;
+  // Where it goes in, as shares of the organ's box, and the way.
+  at: Vec3;
+  direction: Vec3;
+  cut: boolean;  // open beside the needle, at first
+  roll: number;  // of the needle, rad, at first
+}
+
+// Bending stiffness of steel needles by gauge: PHYSICS 6.
+const k18G = {
+  outer_radius_m: 0.635e-3,
+  bending_nm2: 20.7e-3,
+  rods: 32
+};
+// Nitinol, 0.58 mm thick, with a bevelled tip, as in hal/scenes/fig10-steering.toml.
+const kBevelled = {
+  length_m: 0.15,
+  outer_radius_m: 0.29e-3,
+  bending_nm2: 0.417e-3,
+  rods: 48,
+  unit_m: 2.5e-3,
+  bevel_per_m: 10
+};
+
+export const kScenes: Scene[] = [
+  {
+    name: 'Liver',
+    tells: 'A liver with its capsule, 10 702 voxels, and an 18 gauge needle. The capsule dents ' +
+        'until it breaks; then cutting and friction along the shaft are what is felt.',
+    organ: liver,
+    needle: k18G,
+    at: [0, 0.5, 0.52],
+    direction: [1, 0, 0],
+    cut: false,
+    roll: 0,
+  },
+  {
+    name: 'Abdominal wall',
+    tells: 'Skin, fat and muscle over liver. Each layer gives way in its own manner: the force ' +
+        'falls in fat and rises in muscle.',
+    organ: wall,
+    needle: k18G,
+    at: [0, 0.5, 0.5],
+    direction: [1, 0, 0],
+    cut: true,
+    roll: 0,
+  },
+  {
+    name: 'Steering',
+    tells:
+        'A wire with a bevelled tip, in stiff gel. Its way bends to one side; rolled as it goes ' +
+        '(Q and E, or shift and wheel), it can be steered.',
+    organ: gel,
+    needle: kBevelled,
+    at: [0, 0.5, 0.5],
+    direction: [1, 0, 0],
+    cut: false,
+    roll: Math.PI / 2,
+  },
+];
