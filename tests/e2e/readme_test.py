@@ -76,12 +76,12 @@ def is_command(line, top):
 
 def blocks(text):
     """Lines of each block that is set off by four blanks or by a fence; not Python's, which
-    hosts.python.readme and hosts.python.organ_arrays run."""
-    block, fenced, python = [], False, False
+    hosts.python.readme and hosts.python.organ_arrays run, nor JavaScript's (hosts.browser)."""
+    block, fenced, elsewhere = [], False, False
     for line in text.splitlines() + [""]:
         if line.startswith("```"):
-            fenced, python = not fenced, line == "```python"
-        elif fenced and python:
+            fenced, elsewhere = not fenced, line in ("```python", "```js")
+        elif fenced and elsewhere:
             continue
         elif fenced or line.startswith("    "):
             block.append(line.removeprefix("    "))

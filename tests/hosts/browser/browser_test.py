@@ -26,13 +26,17 @@ SOURCE, BUILD, EXAMPLE_IN_C, ORGAN_MAKER, LIBRARY = (
 BROWSER = SOURCE / "hal/hosts/browser"
 PACKAGE = BUILD / "browser/package"
 SKIPPED, MOST_BYTES = 77, 200_000
+README = re.search(r"^```js\n(.*?)^```", (BROWSER / "package/README.md").read_text(),
+                   re.S | re.M)[1]
 PAGE = """<!doctype html><meta charset="utf-8"><script type="importmap">
 {"imports": {"stylet-wasm": "./package/index.mjs"}}</script><pre id="out"></pre>
 <script type="module">
 import { insertion } from "./session.mjs";
 const bytes = await (await fetch("./liver.organ")).arrayBuffer();
 document.getElementById("out").textContent = await insertion(bytes);
-</script>"""
+</script><pre id="said"></pre><script type="module">
+console.log = (...words) => (document.getElementById("said").textContent += words.join(" "));
+README</script>""".replace("README", README)
 
 
 class Browser(unittest.TestCase):
@@ -115,6 +119,8 @@ class Browser(unittest.TestCase):
             server.shutdown()
         shown = re.search(r'<pre id="out">([^<]*)</pre>', page)[1]
         self.assertEqual(shown, self.in_c.rstrip("\n"))
+        said = re.search(r'<pre id="said">([^<]*)</pre>', page)[1]  # the README's lines
+        self.assertRegex(said, r"^[-\d.e]+,[-\d.e]+,[-\d.e]+ [0-3] [0-9a-f]{16}$")
 
 
     def test_the_demo_in_chromium(self):
