@@ -39,6 +39,7 @@ SUBJECTS = {
     "energy": ("hal/guard/energy.cpp", [["hal_guard"], ["hal_loop"]]),
     "grip": ("hal/loop/grip.cpp", [["hal_grip"], ["hal_loop"]]),
     "spring": ("hal/loop/coupling.cpp", [["hal_coupling"]]),
+    "toml_text": ("toolchain/toml/toml_text.cpp", [["hal_scene", "--gtest_filter=TomlText.*"]]),
     "packet": ("hal/device/packet.cpp", [["hal_packet"], ["hal_loop", "--gtest_filter=TwoS*"]]),
     "station": ("hal/loop/station.cpp", [["hal_packet", "--gtest_filter=Station*"],
                                          ["hal_loop", "--gtest_filter=TwoS*"]]),

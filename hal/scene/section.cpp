@@ -35,10 +35,9 @@ std::string one_line(std::string text) {
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
   try {
-    return toml::parse(text, file);
-  } catch (const toml::parse_error& error) {
-    throw SceneError(one_line(
-        fmt::format("{}:{}: not TOML: {}", file, error.source().begin.line, error.description())));
+    return parse_toml_text(text, file);
+  } catch (const TomlFault& fault) {
+    throw SceneError(one_line(fmt::format("{}:{}: not TOML: {}", file, fault.line, fault.what())));
   }
 }
 

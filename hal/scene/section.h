@@ -6,9 +6,6 @@
 #pragma once
 
 #include <fmt/format.h>
-// The library asserts what it then reports as an error, for example with a header such as "[(]".
-#define TOML_ASSERT(expression) static_cast<void>(0)
-#include <toml++/toml.h>
 
 #include <array>
 #include <cstdint>
@@ -18,6 +15,7 @@
 #include <vector>
 
 #include "hal/scene/scene.h"
+#include "stylet/toml_text.h"
 
 namespace stylet::hal {
 

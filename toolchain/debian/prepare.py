@@ -23,10 +23,11 @@ LIBRARY = [*KERNEL, "hal/CMakeFiles/stylet_hal.dir/", "hal/hosts/c/"]
 PACKAGES = {
     "libraries": ("libstylet0", "Apache-2.0", LIBRARY),
     "development": ("libstylet-dev", "Apache-2.0", []),
-    "program": ("stylet", "Apache-2.0", ["kernel/", "hal/", "toolchain/cli/", "tests/bench/"]),
+    "program": ("stylet", "Apache-2.0", ["kernel/", "hal/", "toolchain/", "tests/bench/"]),
     "python": ("python3-stylet", "Apache-2.0", [*LIBRARY, "hal/hosts/python/"]),
-    "organ": ("stylet-organ", "GPL-3.0-or-later", ["kernel/", "offline/", "toolchain/cli/"]),
-    "organ_python": ("python3-stylet-organ", "GPL-3.0-or-later", ["kernel/", "offline/"]),
+    "organ": ("stylet-organ", "GPL-3.0-or-later", ["kernel/", "offline/", "toolchain/"]),
+    "organ_python": ("python3-stylet-organ", "GPL-3.0-or-later",
+                     ["kernel/", "offline/", "toolchain/toml/"]),
     "doc": ("stylet-doc", "Apache-2.0", None),
 }
 CHANGES = """stylet ({version}) unstable; urgency=medium

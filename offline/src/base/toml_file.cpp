@@ -9,9 +9,9 @@ namespace stylet::offline {
 toml::table read_toml(const std::filesystem::path& path) {
   const std::string file = path.string();
   try {
-    return toml::parse(read_file(path), file);
-  } catch (const toml::parse_error& error) {
-    refuse("{}:{}: {}", file, error.source().begin.line, error.description());
+    return parse_toml_text(read_file(path), file);
+  } catch (const TomlFault& fault) {
+    refuse("{}:{}: {}", file, fault.line, fault.what());
   }
 }
 

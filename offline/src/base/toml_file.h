@@ -2,12 +2,10 @@
 // Reads TOML files of the user; faults are refused with `file:line: reason`.
 #pragma once
 
-// Off, because for a header such as "[(]" the library asserts before it reports the error.
-#define TOML_ASSERT(expression) static_cast<void>(0)
-#include <toml++/toml.h>
-
 #include <filesystem>
 #include <string>
+
+#include "stylet/toml_text.h"
 
 namespace stylet::offline {
 
