@@ -23,8 +23,6 @@ std::set<std::pair<dev_t, ino_t>>& files_read() {
   return all;
 }
 
-constexpr std::uintmax_t kMaxFileBytes = 4ULL << 30U;
-
 }  // namespace
 
 std::string read_file(const std::filesystem::path& path) {

@@ -11,6 +11,7 @@
 
 namespace stylet::offline {
 
+constexpr std::uintmax_t kMaxFileBytes = 4ULL << 30U;
 std::string read_file(const std::filesystem::path& path);
 // Whether this program has read the file, under any name; then no output may replace it.
 bool was_read(const std::filesystem::path& path);

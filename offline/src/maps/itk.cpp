@@ -36,9 +36,23 @@ itk::ImageIOBase::Pointer reader_for(const std::string& path) {
 }
 
 struct Held {
-  std::uint64_t bytes;         // of the header file, or of the data files if there are any
+  std::uint64_t bytes;        // of the header file, or of the data files if there are any
   std::uint64_t voxel_bytes;  // of them, behind the header and what is to be skipped
 };
+
+// A header may name a file any number of times.
+void require_readable_sum(const std::string& path, const Claim& claim) {
+  std::uintmax_t bytes = 0;
+  for (const std::filesystem::path& file : claim.files) {
+    std::error_code error;  // told by the reading
+    const auto size =
+        std::filesystem::file_size(std::filesystem::path(path).parent_path() / file, error);
+    if (!error) bytes += size;
+  }
+  if (bytes <= kMaxFileBytes) return;
+  refuse("{}: its {} data files have {} bytes: expected at most {}", path, claim.files.size(),
+         bytes, kMaxFileBytes);
+}
 
 // Reads the data files.
 Held held_bytes(const std::string& path, const Claim& claim, std::string_view bytes,
@@ -47,6 +61,7 @@ Held held_bytes(const std::string& path, const Claim& claim, std::string_view by
     const std::string_view voxels = bytes.substr(bytes.size() - claim.behind);
     return {bytes.size(), voxels.size() - skipped_bytes(claim, voxels)};
   }
+  require_readable_sum(path, claim);
   Held held = {};
   std::string sums = sha256_hex(bytes);
   for (const std::filesystem::path& file : claim.files) {
