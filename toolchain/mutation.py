@@ -108,7 +108,7 @@ OFFLINE = {
     "maps/inr": FRAMES["Inrimage"],
     "maps/nifti": [*HEADERS, *REAL_MAPS],
     "maps/names": [*HEADERS, ["dicom_test.py"], *REAL_MAPS],
-    "maps/dicom_file": [RANDOM_LABELS, *DICOM.values()],
+    **dict.fromkeys(("maps/dicom_bounds", "maps/dicom_file"), [RANDOM_LABELS, *DICOM.values()]),
     "maps/dicom_series": [DICOM["RegularSeries"], DICOM["All"], DICOM["IrregularSeries"],
                            DICOM["StructureSets"]],
     "maps/stack": [DICOM["All"], DICOM["RegularSeries"], DICOM["StructureSets"],

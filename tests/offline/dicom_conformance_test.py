@@ -341,6 +341,31 @@ class IrregularSeries(Conformance):
                 path.write_bytes(whole + nested * count)
                 self.refused(folder, path.name)
 
+        def empty_items(folder, random):  # each takes 260 bytes of memory
+            for count in (1900, 60_000):
+                def change(file, _):
+                    file.ReferencedImageSequence = dicom.Sequence(
+                        dicom.item() for _ in range(count))
+                slices, inner = stack(random)[:1], folder / str(count)
+                write_slices(inner, slices, random, change=change)
+                if count < 2000:
+                    self.check(inner, held(slices))
+                else:
+                    self.refused(inner, f"{count} items in", "at least 16 bytes for each")
+
+        def no_order(folder, random):  # each is looked for among all
+            slices = stack(random)[:1]
+            path = next(write_slices(folder, slices, random).iterdir())
+            whole = path.read_bytes()  # up to the pixels, so what follows belongs before them
+            for count in (1000, 1001, 100_000):
+                path.write_bytes(whole + b"".join(
+                    struct.pack("<HH2sH", 0x4001 + 2 * (n // 60000), 0x1000 + n % 60000, b"LO", 0)
+                    for n in random.permutation(count)))
+                if count == 1000:
+                    self.check(folder, held(slices))
+                else:
+                    self.refused(folder, path.name, "more than 1000 elements are out of order")
+
         def two_series(folder, random):
             slices = stack(random)
             write_slices(folder, slices, random)
@@ -348,7 +373,7 @@ class IrregularSeries(Conformance):
             self.refused(folder, "2 DICOM series", f"1.2.3.9: {len(slices)} files", "expected one")
 
         self.cases(2, missing)
-        self.cases(1, twice, overlapping, cut, deep, two_series)
+        self.cases(1, twice, overlapping, cut, deep, empty_items, no_order, two_series)
 
     def test_slices_that_differ_or_lack_something_are_refused(self):
         def changed(name, change, *said, all_=False):

@@ -83,7 +83,19 @@ class Segmentations(Conformance):
                 each.pixels = 3 * (each.pixels >= 127.5)
             self.check(path, held(frames, **self.rule(slices)), said=["a fraction of one half"])
 
-        self.cases(2, apart)
+        def told_twice(folder, random):  # for all frames and for each, and alike
+            slices = stack(random)
+            frames, seen = segments(random, slices, self.NAMES)
+
+            def change(file):
+                shared = file.SharedFunctionalGroupsSequence[0]
+                for each in file.PerFrameFunctionalGroupsSequence:
+                    each.PixelMeasuresSequence = shared.PixelMeasuresSequence
+                    each.PlaneOrientationSequence = shared.PlaneOrientationSequence
+            path = write_seg(folder / "seg.dcm", frames, self.NAMES, change=change)
+            self.check(path, held(seen, **self.rule(slices)))
+
+        self.cases(2, apart, told_twice)
         self.cases(1, overlapping, named_by_type, fractional)
 
     def test_places_of_frames_decide(self):
@@ -280,6 +292,35 @@ class Segmentations(Conformance):
             written(folder, random, lambda frames: None,
                     "label 3 is called Liver and Portal vein: expected one name", change=change)
 
+        def two_places(folder, random):  # a functional group for all frames and for one of them
+            frame = int(random.integers(0, 12))
+            factor = float(random.choice([0.5, 0.999, 1.001, 2]))
+
+            def set_in(file, group, name, values):
+                groups = file.PerFrameFunctionalGroupsSequence[frame]
+                setattr(groups, group, dicom.one(**{name: values}))
+
+            def measures(file):
+                shared = file.SharedFunctionalGroupsSequence[0].PixelMeasuresSequence[0]
+                set_in(file, "PixelMeasuresSequence", "PixelSpacing",
+                       dicom.texts([shared.PixelSpacing[0], shared.PixelSpacing[1] * factor]))
+
+            def thickness(file):
+                measures = file.SharedFunctionalGroupsSequence[0].PixelMeasuresSequence[0]
+                set_in(file, "PixelMeasuresSequence", "SliceThickness",
+                       dicom.texts([measures.SliceThickness * factor])[0])
+
+            def orientation(file):
+                shared = file.SharedFunctionalGroupsSequence[0].PlaneOrientationSequence[0]
+                turned = numpy.array(shared.ImageOrientationPatient, float)
+                set_in(file, "PlaneOrientationSequence", "ImageOrientationPatient",
+                       dicom.texts(-turned))
+
+            for change, name in ((measures, "PixelSpacing"), (thickness, "SliceThickness"),
+                                 (orientation, "ImageOrientationPatient")):
+                written(folder, random, lambda frames: None, f"frame {frame}: {name} ",
+                        " for this frame, but ", "expected it in one place", change=change)
+
         def fewer(folder, random):
             def change(file):
                 file.NumberOfFrames += 1
@@ -339,6 +380,7 @@ class Segmentations(Conformance):
                 written(folder, random, lambda frames: None, f"MaximumFractionalValue {most}",
                         change=change)
 
+        self.cases(2, two_places)
         self.cases(1, aside, twice, named_twice, undescribed, far, fewer, no_segment, unknown_kind,
                    short, far_segment, segments_beyond_all_labels, no_rows, segment_0,
                    fraction_of_what)
@@ -758,6 +800,12 @@ class StructureSets(Conformance):
                                           [(i + 1, f"s{i}", []) for i in range(501)])
             self.refused(path, "501 structures: expected 1 to 500")
 
+        def a_long_name(folder, random):
+            def change(file):
+                file.StructureSetROISequence[1].add_new(0x30060026, "UT", "x" * 1025)
+            written(folder, random, lambda good: good, "has 1025 bytes: expected at most 1024",
+                    change=change)
+
         def far_away(folder, random):
             one = int(random.integers(10, 80))
 
@@ -780,7 +828,7 @@ class StructureSets(Conformance):
                     change=change)
 
         self.cases(1, bent, two_points, unknown, points, no_numbers, other_count, odd_numbers,
-                   no_number, too_many, far_away, twice, none)
+                   no_number, too_many, a_long_name, far_away, twice, none)
 
 
 if __name__ == "__main__":

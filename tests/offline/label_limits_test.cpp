@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "base/refusal.h"
 #include "label_support.h"
 #include "maps/label_map.h"
+#include "maps/names.h"
 #include "maps/readers.h"
 #include "offline_support.h"
 #include "random_bodies.h"
@@ -104,6 +106,42 @@ TEST(NrrdHeader, NamesFilesOfFourGibibytesAtMost) {
   std::filesystem::resize_file(scratch.folder / "a.raw", kMost);
   EXPECT_THAT(refusal_of(scratch.write("a.nhdr", nrrd_of(1, "data file: LIST\nb.raw\na.raw\n"))),
               HasSubstr("b.raw: no such file"));
+}
+
+// ---- names --------------------------------------------------------------------------------------
+
+constexpr std::size_t kMostNameBytes = 1024;
+
+std::string drawn_name(Draw& draw, std::size_t bytes) {
+  std::string name;
+  while (name.size() < bytes) name += static_cast<char>('a' + draw.below(26));
+  return name;
+}
+
+TEST(LabelNames, HaveAtMostAThousandBytes) {
+  const Scratch scratch;
+  Draw draw(4);
+  for (int run = 0; run < 20; ++run) {
+    const std::string name = drawn_name(draw, kMostNameBytes);
+    const auto file = [&](const std::string& own) {
+      return scratch.write("a.nrrd", nrrd_of(3, fmt::format("Segment0_{}:= {} \n"
+                                                            "Segment0_LabelValue:=2\n",
+                                                            draw.coin() ? "Name" : "ID", own)));
+    };
+    EXPECT_EQ(offline::read_label_map(file(name)).names, (offline::LabelNames{{2, name}}));
+    const std::string said = fmt::format("a label's name {}... has {} bytes: expected at most {}",
+                                         name.substr(0, 40), kMostNameBytes + 1, kMostNameBytes);
+    EXPECT_THAT(refusal_of(file(name + "x")), HasSubstr(said));
+    LabelMap map;
+    offline::name_label("a.nii", map, 7, name);
+    EXPECT_EQ(map.names, (offline::LabelNames{{7, name}}));
+    try {
+      offline::name_label("a.nii", map, 8, " " + name + "x ");
+      ADD_FAILURE() << "expected a refusal";
+    } catch (const offline::Refusal& refused) {
+      EXPECT_EQ(std::string(refused.what()), "a.nii: " + said);
+    }
+  }
 }
 
 }  // namespace

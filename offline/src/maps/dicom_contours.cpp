@@ -126,7 +126,9 @@ std::vector<Structure> structures_of(const DicomFile& file, std::vector<std::str
   for (DcmItem* const roi : items_of(root_of(file), DCM_StructureSetROISequence)) {
     numbers.push_back(number_of(*roi, DCM_ROINumber));
     by_number = by_number && numbers.back() >= 1 && numbers.back() <= 65535;
-    structures.push_back({0, printable(text_of(*roi, DCM_ROIName)), {}});
+    const std::string name = text_of(*roi, DCM_ROIName);
+    require_short(file.path, name);
+    structures.push_back({0, printable(name), {}});
   }
   if (structures.empty() || structures.size() > kMostLabels) {
     refuse("{}: {} structures: expected 1 to {}", file.path, structures.size(), kMostLabels);

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "maps/dicom_file.h"
 
-#include <dcmtk/dcmdata/dcrledrg.h>
-#include <dcmtk/dcmjpeg/djdecode.h>
-#include <dcmtk/dcmjpls/djdecode.h>
-#include <dcmtk/oflog/oflog.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "base/file.h"
-#include "base/numbers.h"
+#include "maps/dicom_bounds.h"
 #include "maps/header.h"
 #include "maps/readers.h"
 
@@ -19,60 +13,6 @@ namespace stylet::offline {
 namespace {
 
 constexpr double kMetresPerMm = 1e-3;
-
-// Makes DCMTK silent and able to read compressed pixels; once for the whole process.
-void prepare_library() {
-  static const bool prepared = [] {
-    OFLog::configure(OFLogger::OFF_LOG_LEVEL);
-    // A decimal string of 64 kB or more is written without its VR (PS3.5, 6.2.2): many points.
-    dcmEnableUnknownVRConversion.set(OFTrue);
-    DcmRLEDecoderRegistration::registerCodecs();
-    DJDecoderRegistration::registerCodecs();
-    DJLSDecoderRegistration::registerCodecs();
-    return true;
-  }();
-  (void)prepared;
-}
-
-// DCMTK reads nested sequences by recursion: 200 000 levels crash the process. No image has more
-// than a handful. Items are found by their tag, wherever its bytes stand; up to kHarmlessItems of
-// them fit the stack even if each is nested in the one before.
-void require_flat(const std::string& path) {
-  constexpr std::size_t kMostNested = 64, kHarmlessItems = 2000, kHead = 8;
-  constexpr std::uint32_t kUndefined = 0xFFFFFFFF;
-  const std::string bytes = read_file(path);
-  std::vector<std::size_t> ends;  // ends of the items around this byte
-  std::size_t items = 0, deepest = 0;
-  for (std::size_t at = 0; at + kHead <= bytes.size(); ++at) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[at + i]); };
-    const bool little = byte(0) == 0xFE && byte(1) == 0xFF && byte(3) == 0xE0;
-    const bool big = byte(0) == 0xFF && byte(1) == 0xFE && byte(2) == 0xE0;
-    if (!little && !big) continue;
-    while (!ends.empty() && ends.back() <= at) ends.pop_back();
-    const unsigned kind = little ? byte(2) : byte(3);
-    if (kind == 0x0D && !ends.empty() && ends.back() == bytes.size()) ends.pop_back();
-    if (kind != 0) continue;
-    const auto size =
-        number_at<std::uint32_t>(bytes, at + 4, little ? std::endian::little : std::endian::big);
-    ends.push_back(size == kUndefined ? bytes.size() : at + kHead + size);
-    deepest = std::max(deepest, ends.size());
-    ++items;
-  }
-  if (items <= kHarmlessItems || deepest <= kMostNested) return;
-  refuse("{}: sequences nested {} deep: expected at most {}", path, deepest, kMostNested);
-}
-
-// Refuses deflated files, since one cannot see how deep they are nested before they are inflated.
-void require_readable(const std::string& path) {
-  DcmFileFormat head;
-  (void)head.loadFile(path.c_str(), EXS_Unknown, EGL_noChange, DCM_MaxReadLength, ERM_metaOnly);
-  OFString syntax;
-  (void)head.getMetaInfo()->findAndGetOFString(DCM_TransferSyntaxUID, syntax);
-  if (syntax == UID_DeflatedExplicitVRLittleEndianTransferSyntax) {
-    refuse("{}: the whole file is deflated: expected another transfer syntax", path);
-  }
-  require_flat(path);
-}
 
 DcmDataset& dataset_of(const DicomFile& file) {
   return *file.format->getDataset();
@@ -128,15 +68,10 @@ bool is_turned(Vec a, Vec b) {
 }  // namespace
 
 DicomFile open_dicom(const std::string& path) {
-  prepare_library();
-  require_readable(path);
   DicomFile file;
   file.path = path;
   file.format = std::make_shared<DcmFileFormat>();
-  const OFCondition condition = file.format->loadFile(path.c_str());
-  if (condition.bad()) {
-    refuse("{}: expected a whole DICOM file: {}", path, condition.text());
-  }
+  load_dicom(path, *file.format);
   file.columns = count_of(file, DCM_Columns, 0);
   file.rows = count_of(file, DCM_Rows, 0);
   read_groups(file);
@@ -176,15 +111,24 @@ std::vector<DcmItem*> items_of(DcmItem& item, const DcmTagKey& sequence) {
 
 double number_of(const DicomFile& file, std::size_t frame, const DcmTagKey& group,
                  const DcmTagKey& tag, unsigned long place) {
-  DcmItem* own = frame < file.groups.size() ? file.groups[frame] : nullptr;
-  for (DcmItem* const groups : {own, file.shared}) {
-    if (groups == nullptr) continue;
+  constexpr double kSame = 1e-4;  // of numbers with a few digits
+  const auto told_by = [&](DcmItem* groups) {
+    double number = std::numeric_limits<double>::quiet_NaN();
+    if (groups == nullptr) return number;
     for (DcmItem* const item : items_of(*groups, group)) {
-      const double number = number_of(*item, tag, place);
-      if (!std::isnan(number)) return number;
+      if (std::isnan(number)) number = number_of(*item, tag, place);
     }
+    return number;
+  };
+  const double own = told_by(frame < file.groups.size() ? file.groups[frame] : nullptr);
+  const double shared = told_by(file.shared);
+  // DICOM has each functional group in one of the two only (PS3.3, C.7.6.16.1).
+  if (std::fabs(own - shared) > kSame * std::max({1.0, std::fabs(own), std::fabs(shared)})) {
+    refuse("{}: {} {} for this frame, but {} for all frames: expected it in one place",
+           frame_name(file, frame), DcmTag(tag).getTagName(), own, shared);
   }
-  return number_of(dataset_of(file), tag, place);
+  if (!std::isnan(own)) return own;
+  return std::isnan(shared) ? number_of(dataset_of(file), tag, place) : shared;
 }
 
 std::string frame_name(const DicomFile& file, std::size_t frame) {

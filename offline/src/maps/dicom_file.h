@@ -38,7 +38,8 @@ std::string text_of(const DicomFile& file, const DcmTagKey& tag);
 // NaN if the item has no such number.
 double number_of(DcmItem& item, const DcmTagKey& tag, unsigned long place = 0);
 std::vector<DcmItem*> items_of(DcmItem& item, const DcmTagKey& sequence);
-// Number of a frame, from its own functional group, else the shared one, else the file.
+// Number of a frame, from its own functional group, else the shared one, else the file. Refuses two
+// different ones in the first two.
 double number_of(const DicomFile& file, std::size_t frame, const DcmTagKey& group,
                  const DcmTagKey& tag, unsigned long place = 0);
 // "FILE" for a file with one frame, else "FILE: frame N".

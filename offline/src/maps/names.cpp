@@ -133,10 +133,18 @@ std::string printable(std::string_view name) {
   return out;
 }
 
+void require_short(const std::string& path, std::string_view name) {
+  constexpr std::size_t kMostBytes = 1024, kShown = 40;  // DICOM has room for 64 characters
+  if (name.size() <= kMostBytes) return;
+  refuse("{}: a label's name {}... has {} bytes: expected at most {}", path,
+         printable(name.substr(0, kShown)), name.size(), kMostBytes);
+}
+
 void name_label(const std::string& path, LabelMap& map, std::uint16_t label,
                 std::string_view name) {
   const std::string plain(trimmed(name));
   if (plain.empty()) return;
+  require_short(path, plain);
   const auto [named, is_new] = map.names.emplace(label, plain);
   if (is_new || named->second == plain) return;
   refuse("{}: label {} is called {} and {}: expected one name for each label", path, label,
@@ -180,6 +188,7 @@ std::vector<Segment> slicer_segments(const std::string& path, const Claim& claim
         static_cast<std::uint16_t>(remark_number(path, claim, key + "_LabelValue", kMostLabel, 1));
     const auto name = claim.remarks.find(key + "_Name"), id = claim.remarks.find(key + "_ID");
     segment.name = trimmed(name != claim.remarks.end() ? name->second : id->second);
+    require_short(path, segment.name);
     for (const Segment& other : segments) {
       if (other.layer != segment.layer || other.value != segment.value) continue;
       refuse("{}: {}: label value {} of layer {} is {} already: expected one name for each", path,

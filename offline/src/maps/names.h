@@ -21,6 +21,9 @@ std::vector<std::uint16_t> labels_named(const LabelNames& names, std::string_vie
 // The name as one printable line of UTF-8, whatever bytes the file has.
 std::string printable(std::string_view name);
 
+// Refuses a name that is longer than anybody would give, before it is compared and told.
+void require_short(const std::string& path, std::string_view name);
+
 // An empty name changes nothing; a second, different name is refused, and both are told.
 void name_label(const std::string& path, LabelMap& map, std::uint16_t label, std::string_view name);
 
