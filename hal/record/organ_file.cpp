@@ -21,7 +21,7 @@ OrganFile load_organ(const std::string& path) {
   std::ifstream in(path, std::ios::binary | std::ios::ate);
   const std::streamoff size = in ? static_cast<std::streamoff>(in.tellg()) : -1;
   if (size < 0 || size == std::numeric_limits<std::streamoff>::max()) {
-    throw LoadError(fmt::format("{}: is a pipe: {}", path, kExpected));
+    throw LoadError(fmt::format("{}: cannot be read: {}", path, kExpected));
   }
   file.bytes.resize(static_cast<std::size_t>(size));
   in.seekg(0);

@@ -2,7 +2,6 @@
 #include "hal/scene/section.h"
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 
 #include "hal/base/input_file.h"
@@ -42,15 +41,12 @@ toml::table parse_toml(std::string_view text, const std::string& file) {
 }
 
 std::string read_text(const std::string& path, const char* kind) {
-  if (const std::string why = why_unreadable(path); !why.empty()) {
+  constexpr std::size_t kMostBytes = std::size_t{16} << 20U;  // as recordings hold
+  std::string text;
+  if (const std::string why = read_whole(path, kMostBytes, text); !why.empty()) {
     throw SceneError(fmt::format("{}: {}: expected {} (TOML)", path, why, kind));
   }
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf())) {
-    throw SceneError(fmt::format("{}: cannot be read: expected {} (TOML)", path, kind));
-  }
-  return text.str();
+  return text;
 }
 
 void Section::fail(const std::string& key, const std::string& allowed) const {

@@ -36,6 +36,7 @@
 #include <thread>
 #include <vector>
 
+#include "hal/base/input_file.h"
 #include "hal/guard/guard.h"
 #include "liver.h"
 #include "machine.h"
@@ -400,6 +401,10 @@ void register_cadence(Subject& subject, const std::string& name, float period_s,
 }
 
 bool add_file(const fs::path& path, std::vector<Subject>& subjects) {
+  if (const std::string why = hal::why_unreadable(path.string()); !why.empty()) {
+    std::cerr << path.string() << ": " << why << ": expected an organ file\n";
+    return false;
+  }
   std::ifstream file(path, std::ios::binary);
   const std::vector<char> bytes((std::istreambuf_iterator<char>(file)), {});
   if (!file) {

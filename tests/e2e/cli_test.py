@@ -4,6 +4,7 @@
 
 usage: cli_test.py [CASE]   with STYLET_BIN and STYLET_SOURCE in the environment
 """
+import contextlib
 import fcntl
 import importlib.util
 import json
@@ -703,16 +704,18 @@ class Refusals(Folder):
             "nrrd": [["stylet-organ", "labels", "{}"]]}
 
     def test_every_kind_of_input_says_why_it_cannot_be_read(self):
-        """Missing, a directory, unreadable and empty read differently, whatever the file is."""
+        """Missing, a directory, a pipe, unreadable and empty read differently, whatever it is."""
         folder = self.top / "inputs"
         folder.mkdir()
-        whys = {"missing": "no such file", "folder": "is a directory", "empty": "is empty"}
+        whys = {"missing": "no such file", "folder": "is a directory", "empty": "is empty",
+                "pipe": " pipe"}  # that nobody writes to
         if os.geteuid() != 0:  # whom no permission stops
             whys["locked"] = "Permission denied"
         cases = []
         for ending, commands in self.input_readers().items():
             (folder / f"folder.{ending}").mkdir()
             (folder / f"empty.{ending}").touch()
+            os.mkfifo(folder / f"pipe.{ending}")
             (folder / f"locked.{ending}").write_text("locked")
             (folder / f"locked.{ending}").chmod(0)
             cases += [(folder / f"{name}.{ending}", why, words) for name, why in whys.items()
@@ -726,6 +729,50 @@ class Refusals(Folder):
                 self.expect_refusal([str(path), why], program, *words)
         for name in ("never.organ", "never.svg"):
             self.assertFalse((self.top / name).exists())
+
+    def test_a_scene_may_come_through_a_pipe(self):
+        """Whole, by a writer that is slow or late; none, an empty and an endless one are told."""
+        organ, chosen = self.make_phantom(), random.Random(8)
+        text = SCENE.read_text()
+        words = ["--fast", "--duration-s", 0.01, "--organ", organ]
+        command = " ".join(map(str, [BIN / "stylet", "run", *words]))
+        for script in (f"{command} <(cat {SCENE})", f"cat {SCENE} | {command} /dev/stdin",
+                       f"{command} <(sleep 6; cat {SCENE})"):
+            subprocess.run(["bash", "-c", script], check=True, timeout=60, capture_output=True)
+        path = self.top / "scene.pipe"
+        os.mkfifo(path)
+
+        def run_with(write):
+            writer = threading.Thread(target=write, daemon=True)
+            writer.start()
+            done = subprocess.run([BIN / "stylet", "run", path, *map(str, words)], timeout=60,
+                                  capture_output=True, text=True)
+            writer.join(10)
+            return done.returncode, done.stderr
+
+        def late():
+            time.sleep(1.5)
+            with path.open("w") as pipe:
+                for part in sorted(chosen.sample(range(1, len(text)), 3)) + [len(text)]:
+                    pipe.write(text[late.at:part])
+                    late.at = part
+                    pipe.flush()
+                    time.sleep(0.2)
+        late.at = 0
+
+        def endless():
+            with contextlib.suppress(BrokenPipeError), path.open("w") as pipe:
+                while True:
+                    pipe.write("# and so on\n" * 10000)
+
+        self.assertEqual(run_with(late)[0], 0)
+        self.assertEqual(late.at, len(text))
+        for write, why in ((lambda: path.open("w").close(), "is empty"),
+                           (endless, "has more than 16777216 bytes"),
+                           (lambda: None, "is a pipe that nobody writes to")):
+            code, said = run_with(write)
+            self.assertEqual(code, 1)
+            self.assertIn(f"{path}: {why}: expected a scene", said)
 
     def test_unknown_option_of_bench(self):
         self.expect_refusal(["--resuls=x", "--help"], "stylet", "bench", "--resuls=x")

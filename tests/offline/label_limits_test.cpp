@@ -3,8 +3,8 @@
 // is refused or cut before a library spends minutes on it. What is held is drawn.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -106,6 +106,17 @@ TEST(NrrdHeader, NamesFilesOfFourGibibytesAtMost) {
   std::filesystem::resize_file(scratch.folder / "a.raw", kMost);
   EXPECT_THAT(refusal_of(scratch.write("a.nhdr", nrrd_of(1, "data file: LIST\nb.raw\na.raw\n"))),
               HasSubstr("b.raw: no such file"));
+}
+
+// To open one to look inside would wait for its writer.
+TEST(LabelMap, InAPipeIsRefusedAtOnce) {
+  const Scratch scratch;
+  for (const char* name : {"a", "a.dcm", "a.nrrd", "a.nii.gz"}) {
+    const std::filesystem::path pipe = scratch.folder / name;
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_EQ(offline::is_label_map(pipe), pipe.has_extension());
+    EXPECT_THAT(refusal_of(pipe), HasSubstr("expected a "));
+  }
 }
 
 // ---- names --------------------------------------------------------------------------------------

@@ -163,6 +163,8 @@ LabelMap map_of_segmentation(const std::string& folder, const Folder& found) {
 bool is_dicom(const std::string& path) {
   constexpr std::size_t kPreamble = 128;
   std::array<char, kPreamble + 4> head{};
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return false;  // to open a pipe waits for its writer
   std::ifstream file(path, std::ios::binary);
   file.read(head.data(), head.size());
   return file && std::string_view(head.data() + kPreamble, 4) == "DICM";
