@@ -549,6 +549,29 @@ class StructureSets(Conformance):
             self.check(path, {1: drawn.held(liver)}, NEAR,
                        said=["Liver: 4 contours are there twice: each was taken once"])
 
+        def lying_on_another(folder, random):  # begun elsewhere, drawn back, rounded, closed
+            drawn = Drawn(random)
+            liver = drawn.outlines(30, (0, 0))
+            contours = drawn.contours(liver)
+            again = [numpy.roll(points, int(random.integers(1, len(points))), 0)
+                     for points in contours[2:6]]
+            again[1] = again[1][::-1]
+            again[2] = again[2] + random.uniform(-3e-3, 3e-3, again[2].shape)
+            again[3] = numpy.concatenate([again[3], again[3][:1]])
+            path = dicom.write_structures(folder / "rt.dcm", [
+                (1, "Liver", shuffled(random, contours + again))])
+            self.check(path, {1: drawn.held(liver)}, NEAR,
+                       said=["Liver: 4 contours are there twice: each was taken once"])
+
+        def two_of_the_same_kind(folder, random):  # halves of a square: they are not the same
+            drawn = Drawn(random)
+            corner = numpy.array([[-20, -20], [20, -20], [20, 20], [-20, 20]], float)
+            halves = [corner[[0, 1, 2]], corner[[0, 2, 3]]]
+            count = len(drawn.outlines(30, (0, 0)))
+            contours = [c for half in halves for c in drawn.contours([half] * count)]
+            path = dicom.write_structures(folder / "rt.dcm", [(1, "Box", contours)])
+            self.check(path, {1: drawn.held([corner] * count)}, NEAR)
+
         def keyholes(folder, random):
             drawn = Drawn(random)
             outer, inner = drawn.outlines(30, (0, 0)), drawn.outlines(14, (2, -1))
@@ -566,7 +589,8 @@ class StructureSets(Conformance):
                        said=["each was given to the smallest of them"])
 
         self.cases(3, oblique)
-        self.cases(1, axial, of_many_points, holes, repeated, keyholes, inside,
+        self.cases(1, axial, of_many_points, holes, repeated, lying_on_another,
+                   two_of_the_same_kind, keyholes, inside,
                    sagittal_and_coronal, wide, exclusive)
 
     def on_series(self, folder, random, planes=14, change=None):
@@ -728,13 +752,27 @@ class StructureSets(Conformance):
             structures = [(0, "a", drawn.contours(liver)), (1, "b", drawn.contours(other))]
             path = dicom.write_structures(folder / "rt.dcm", structures)
             self.check(path, {1: drawn.held(liver), 2: drawn.held(other)}, NEAR,
-                       said=["numbered in their order"])
+                       said=["ROINumber 0 cannot be a label", "numbered in their"])
 
         def numbered_too_high(folder, random):
             drawn = Drawn(random)
             liver = drawn.outlines(24, (0, 0))
-            path = dicom.write_structures(folder / "rt.dcm", [(70000, "a", drawn.contours(liver))])
-            self.check(path, {1: drawn.held(liver)}, NEAR, said=["numbered in their order"])
+            for number in (70000, -5):
+                path = dicom.write_structures(folder / "rt.dcm",
+                                              [(number, "a", drawn.contours(liver))])
+                self.check(path, {1: drawn.held(liver)}, NEAR,
+                           said=[f"ROINumber {number} cannot be a label"])
+
+        def to_and_fro(folder, random):  # through every row: 800 crossings for each point
+            drawn = Drawn(random)
+            contours = drawn.contours(drawn.outlines(30, (0, 0)))
+            far = drawn.contours([numpy.array([[-200, -200], [200, 200], [0, 0]], float)])[0]
+            contours.append(numpy.concatenate([far[:2]] * 50_000 + [far[2:]]))
+            path = dicom.write_structures(folder / "rt.dcm", [(1, "Liver", contours)])
+            done = subprocess.run(
+                [TOOL, "labels", path, "--json"], capture_output=True, text=True, timeout=60,
+                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (600 << 20, 600 << 20)))
+            self.assertEqual(done.returncode, 0, done.stderr)
 
         def without_contour(folder, random):
             drawn = Drawn(random)
@@ -743,6 +781,26 @@ class StructureSets(Conformance):
                 folder / "rt.dcm", [(1, "Liver", drawn.contours(liver)), (2, "Vein", [])])
             self.check(path, {1: drawn.held(liver)}, NEAR, said=["Vein has no closed contour"])
 
+        def outlined_twice(folder, random):  # within one contour, or 15 um beside: nothing is left
+            drawn = Drawn(random)
+            liver, other = drawn.outlines(24, (0, 0)), drawn.outlines(20, (60, 0))
+            contours = drawn.contours(other)
+            some = random.choice(len(contours), 3, replace=False)
+            for i in some[:2]:
+                contours[i] = numpy.concatenate([contours[i], contours[i]])
+            beside = contours[some[2]] + 0.015 * drawn.frame[2]
+            path = dicom.write_structures(folder / "rt.dcm", [
+                (1, "Liver", drawn.contours(liver)), (2, "Vein", [*contours, beside])])
+            facts = json.loads(ran(path).stdout)
+            count = len(contours)
+            self.assertEqual([n for n in facts["notes"] if "Vein" in n], [
+                f"{path}: Vein: in 3 of its {count} planes no pixel is inside of its contours: "
+                "taken as empty there"])
+            whole = drawn.held(other)[1]
+            self.assertLess(facts["labels"][1]["volume_ml"], whole * (1 - 1.5 / count))
+
+        self.cases(2, outlined_twice)
+        self.cases(1, to_and_fro)
         self.cases(1, drawn_here_and_there, numbered_from_0, numbered_too_high, without_contour)
 
     def test_what_no_plane_holds_is_refused(self):

@@ -7,9 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <compare>
-#include <numeric>
 
+#include "maps/contours.h"
 #include "maps/dicom_file.h"
 #include "maps/names.h"
 #include "maps/readers.h"
@@ -23,29 +22,10 @@ constexpr double kPixelM = 0.5e-3;    // of the raster without a series: a tenth
 constexpr double kMostAcross = 1024;  // pixels of that raster
 constexpr double kMostAcrossSeries = 4096;
 
-struct Contour {
-  std::vector<Vec> points_m;
-  double along_m = 0;
-  std::size_t plane = 0;
-};
-
 struct Structure {
   std::uint16_t label = 0;
   std::string name;
   std::vector<Contour> contours;
-};
-
-// Directions and size of pixels, the position of one, and the distance of planes; 0: not known.
-struct Raster {
-  PixelGrid grid;
-  Vec anchor_m;
-  double step_m = 0;
-};
-
-// Successive pixels of a row that are inside.
-struct Run {
-  std::size_t plane = 0;
-  std::uint32_t row = 0, first = 0, end = 0;
 };
 
 DcmItem& root_of(const DicomFile& file) {
@@ -91,33 +71,6 @@ void take_contours(const DicomFile& file, DcmItem& roi, Structure& structure,
   }
 }
 
-// Removes repeated contours, because a contour inside itself would be a hole. Returns how many were
-// removed.
-std::size_t drop_repeated(std::vector<Contour>& contours) {
-  std::vector<std::size_t> order(contours.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto compare = [&](std::size_t a, std::size_t b) {
-    const auto &p = contours[a].points_m, &q = contours[b].points_m;
-    return std::lexicographical_compare_three_way(
-        p.begin(), p.end(), q.begin(), q.end(), [](Vec u, Vec v) {
-          return std::array{u.x, u.y, u.z} <=> std::array{v.x, v.y, v.z};
-        });
-  };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return compare(a, b) < 0; });
-  std::vector<bool> repeated(contours.size(), false);
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    repeated[order[i]] = compare(order[i - 1], order[i]) == 0;
-  }
-  std::vector<Contour> kept;
-  for (std::size_t i = 0; i < contours.size(); ++i) {
-    if (!repeated[i]) kept.push_back(std::move(contours[i]));
-  }
-  const std::size_t dropped = contours.size() - kept.size();
-  contours = std::move(kept);
-  return dropped;
-}
-
 // In the order of the file. Labels are the ROINumbers if all are valid labels, else the order.
 std::vector<Structure> structures_of(const DicomFile& file, std::vector<std::string>& notes) {
   std::vector<Structure> structures;
@@ -141,9 +94,12 @@ std::vector<Structure> structures_of(const DicomFile& file, std::vector<std::str
       refuse("{}: ROINumber {} is there several times: expected it once", file.path, numbers[i]);
     }
   }
-  if (!by_number)
-    notes.push_back(file.path +
-                    ": ROINumber 0 cannot be a label: its structures are numbered in their order");
+  if (!by_number) {
+    notes.push_back(fmt::format(
+        "{}: ROINumber {} cannot be a label: its structures are numbered in their order", file.path,
+        *std::find_if(numbers.begin(), numbers.end(),
+                      [](double number) { return !(number >= 1 && number <= 65535); })));
+  }
   std::size_t left_out = 0;
   for (DcmItem* const roi : items_of(root_of(file), DCM_ROIContourSequence)) {
     const double number = number_of(*roi, DCM_ReferencedROINumber);
@@ -165,17 +121,6 @@ std::vector<Structure> structures_of(const DicomFile& file, std::vector<std::str
                                 file.path, each.name, repeated));
   }
   return structures;
-}
-
-// A vector along the normal with twice the area as its length (Newell).
-Vec area_of(const Contour& contour) {
-  Vec area;
-  for (std::size_t i = 0; i < contour.points_m.size(); ++i) {
-    const Vec first = contour.points_m[0];
-    const std::size_t next = (i + 1) % contour.points_m.size();
-    area = area + cross(contour.points_m[i] - first, contour.points_m[next] - first);
-  }
-  return area;
 }
 
 template <typename Visit>  // visit(Structure&, Contour&, number of the contour)
@@ -307,52 +252,6 @@ std::array<double, 2> fit(const DicomFile& file, Raster& raster,
   return low;
 }
 
-// Even-odd rule over the contours of a structure in a plane; a pixel is inside if its centre is.
-void take_runs(const Raster& raster, std::array<double, 2> low, std::size_t plane,
-               const std::vector<const Contour*>& contours, std::vector<Run>& runs) {
-  std::vector<std::vector<double>> crossings(raster.grid.rows);
-  const PixelGrid& grid = raster.grid;
-  const auto place = [&](Vec point, Vec step, double first) {
-    return dot(point - raster.anchor_m, step) / dot(step, step) - first;
-  };
-  for (const Contour* const contour : contours) {
-    for (std::size_t i = 0; i < contour->points_m.size(); ++i) {
-      Vec a = contour->points_m[i], b = contour->points_m[(i + 1) % contour->points_m.size()];
-      double row_a = place(a, grid.row_step_m, low[1]), row_b = place(b, grid.row_step_m, low[1]);
-      if (row_a > row_b) {
-        std::swap(a, b);
-        std::swap(row_a, row_b);
-      }
-      const double column_a = place(a, grid.column_step_m, low[0]);
-      const double column_b = place(b, grid.column_step_m, low[0]);
-      for (double row = std::max(0.0, std::ceil(row_a)); row < row_b && row < grid.rows; ++row) {
-        const double part = (row - row_a) / (row_b - row_a);
-        crossings[static_cast<std::size_t>(row)].push_back(column_a + part * (column_b - column_a));
-      }
-    }
-  }
-  for (std::uint32_t row = 0; row < grid.rows; ++row) {
-    std::vector<double>& at = crossings[row];
-    std::sort(at.begin(), at.end());
-    for (std::size_t i = 1; i < at.size(); i += 2) {
-      const auto column = [&](double place_) {
-        return static_cast<std::uint32_t>(std::clamp(std::ceil(place_), 0.0, 1.0 * grid.columns));
-      };
-      const Run run = {plane, row, column(at[i - 1]), column(at[i])};
-      if (run.first < run.end) runs.push_back(run);
-    }
-  }
-}
-
-std::vector<Run> runs_of(const Raster& raster, std::array<double, 2> low,
-                         const Structure& structure) {
-  std::map<std::size_t, std::vector<const Contour*>> planes;
-  for (const Contour& contour : structure.contours) planes[contour.plane].push_back(&contour);
-  std::vector<Run> runs;
-  for (const auto& [plane, contours] : planes) take_runs(raster, low, plane, contours, runs);
-  return runs;
-}
-
 std::size_t voxels_of(const Layers& layers, const Slabs& slabs, const std::vector<Run>& runs) {
   std::size_t voxels = 0;
   for (const Run& run : runs) {
@@ -399,6 +298,18 @@ void tell_holes(const DicomFile& file, const Layers& layers, const Slabs& slabs,
       fmt::format("{}: {} has no contour in {} layers of {:.4g} mm between its first and its last: "
                   "taken as empty there",
                   file.path, structure.name, holes, layers.step_m * 1e3));
+}
+
+// Notes planes in which all contours together hold no pixel: outlined twice, or too small.
+void tell_unheld(const DicomFile& file, const Structure& structure, const std::vector<Run>& runs,
+                 std::vector<std::string>& notes) {
+  std::set<std::size_t> held;
+  for (const Run& run : runs) held.insert(run.plane);
+  const std::size_t planes = planes_of(structure).size();
+  if (held.size() == planes) return;
+  notes.push_back(fmt::format(
+      "{}: {}: in {} of its {} planes no pixel is inside of its contours: taken as empty there",
+      file.path, structure.name, planes - held.size(), planes));
 }
 
 // Layers of zeros at the right position.
@@ -457,10 +368,11 @@ LabelMap read_dicom_contours(const DicomFile& file, const std::vector<FramePlace
   };
   std::vector<Filled> filled;
   for (std::size_t i = 0; i < structures.size(); ++i) {
-    std::vector<Run> runs = runs_of(raster, low, structures[i]);
+    std::vector<Run> runs = runs_of(raster, low, structures[i].contours);
     const std::size_t voxels = voxels_of(layers, slabs[i], runs);
-    filled.push_back({i, std::move(runs), voxels});
     tell_holes(file, layers, slabs[i], structures[i], notes);
+    tell_unheld(file, structures[i], runs, notes);
+    filled.push_back({i, std::move(runs), voxels});
     stack.map.names[structures[i].label] = structures[i].name;
   }
   std::stable_sort(filled.begin(), filled.end(),
