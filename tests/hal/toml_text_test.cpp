@@ -15,23 +15,27 @@
 namespace stylet::test {
 namespace {
 
-// Parts that a walk over the text might take for what they are not.
-constexpr const char* kQuoted[] = {R"("...[{=#'")",
-                                   R"('...]}="#')",
-                                   R"("a\"....")",
-                                   R"('\')",
-                                   R"("\\")",
-                                   R"("")",
-                                   R"("'''")",
-                                   R"('"""')",
-                                   "'''a\n''.....\n'''",
-                                   "''''.'''''",
-                                   "\"\"\"\\\"\"\"\"",
-                                   "\"\"\"\n.\\\\\"\"\"\"\"",
-                                   R"("""""")",
-                                   "''''''"};
-constexpr const char* kMeant[] = {"...[{=#'", "...]}=\"#",    "a\"....", "\\", "\\",      "", "'''",
-                                  "\"\"\"",   "a\n''.....\n", "'.''",    "\"", ".\\\"\"", "", ""};
+// What a walk over the text might take for something else.
+struct Quoted {
+  const char *written, *meant;
+};
+constexpr Quoted kQuoted[] = {{R"("...[{=#'")", "...[{=#'"},
+                              {R"('...]}="#')", "...]}=\"#"},
+                              {R"("a\"....")", "a\"...."},
+                              {R"('\')", "\\"},
+                              {R"("\\")", "\\"},
+                              {R"("")", ""},
+                              {R"("'''")", "'''"},
+                              {R"('"""')", "\"\"\""},
+                              {R"('''b'''')", "b'"},
+                              {R"(''''.''''')", "'.''"},
+                              {R"("""\"""")", "\""},
+                              {R"("""\\"""")", "\\\""},
+                              {R"("""""")", ""},
+                              {R"('''''')", ""},
+                              {"'''a\n''.....\n'''", "a\n''.....\n"},
+                              {"\"\"\"\n.\\\\\"\"\"\"\"", ".\\\"\""}};
+constexpr std::size_t kOfOneLine = 14;  // the first of them
 
 struct Text {
   std::string text;
@@ -56,7 +60,7 @@ std::string key_of(Draw& draw, std::size_t parts, std::size_t number) {
   return key;
 }
 
-// Key number N has list N of `meant`: indices of kMeant.
+// Key number N has list N of `meant`: indices of kQuoted.
 Text drawn(Draw& draw, std::vector<std::vector<std::size_t>>& meant) {
   Text out;
   for (std::size_t number = 0, count = 1 + draw.below(12); number < count; ++number) {
@@ -66,7 +70,7 @@ Text drawn(Draw& draw, std::vector<std::vector<std::size_t>>& meant) {
     meant.emplace_back();
     for (std::uint32_t i = draw.below(6); i > 0; --i) {
       meant.back().push_back(draw.below(std::size(kQuoted)));
-      list += std::string(kQuoted[meant.back().back()]) + "," + noise(draw) + "\n";
+      list += std::string(kQuoted[meant.back().back()].written) + "," + noise(draw) + "\n";
     }
     out.add(fmt::format("[[list]]{}", noise(draw)));
     out.add(fmt::format("{}= 3{}", key_of(draw, kMaxKeyParts, number), noise(draw)));
@@ -97,7 +101,7 @@ TEST(TomlText, IsTakenWhateverStandsInQuotesAndComments) {
       const toml::array& list = *lists[i].as_table()->get_as<toml::array>("v");
       ASSERT_EQ(list.size(), meant[i].size());
       for (std::size_t j = 0; j < list.size(); ++j) {
-        EXPECT_EQ(list[j].value<std::string>(), kMeant[meant[i][j]]) << kQuoted[meant[i][j]];
+        EXPECT_EQ(list[j].value<std::string>(), kQuoted[meant[i][j]].meant);
       }
     }
   }
@@ -110,7 +114,9 @@ TEST(TomlText, ADeepKeyIsRefusedInItsLine) {
     Text text = drawn(draw, meant);
     const std::string key = key_of(draw, kMaxKeyParts + 1, 99);
     const std::string lines[] = {key + "=1", "[" + key + "]", "[[" + key + "]]",
-                                 "a=[1.5, {b={" + key + "=1}}]"};
+                                 std::string("a=[1.5, {c=") +
+                                     kQuoted[draw.below(kOfOneLine)].written + ", b={" + key +
+                                     "=1}}]"};
     text.add(lines[draw.below(std::size(lines))]);
     const std::size_t line = text.lines;
     text.add("c = 1");
