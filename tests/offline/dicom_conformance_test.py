@@ -16,6 +16,7 @@ import unittest
 
 try:
     import numpy
+    import pydicom
     import dicom_files as dicom
     from dicom_files import held, stack, write_slices
 except ImportError:
@@ -366,6 +367,21 @@ class IrregularSeries(Conformance):
                 else:
                     self.refused(folder, path.name, "more than 1000 elements are out of order")
 
+        def many_elements(folder, random):  # among which each frame's numbers are looked for
+            slices = stack(random)
+            path = dicom.write_enhanced(folder / "image.dcm", slices, random)
+            file = pydicom.dcmread(path)
+            groups = file.SharedFunctionalGroupsSequence[0]
+            for item, there in ((file, len(file)), (groups, 0)):
+                for n in range(4000 - there):
+                    item.add_new(0x40011000 + n, "LO", "")
+                file.save_as(path)
+                self.check(folder, held(slices))
+                item.add_new(0x40011000 + 4000, "LO", "")
+                file.save_as(path)
+                self.refused(folder, "4001 elements beside each other: expected at most 4000")
+                del item[0x40011000 + 4000]
+
         def two_series(folder, random):
             slices = stack(random)
             write_slices(folder, slices, random)
@@ -373,7 +389,8 @@ class IrregularSeries(Conformance):
             self.refused(folder, "2 DICOM series", f"1.2.3.9: {len(slices)} files", "expected one")
 
         self.cases(2, missing)
-        self.cases(1, twice, overlapping, cut, deep, empty_items, no_order, two_series)
+        self.cases(1, twice, overlapping, cut, deep, empty_items, no_order, many_elements,
+                   two_series)
 
     def test_slices_that_differ_or_lack_something_are_refused(self):
         def changed(name, change, *said, all_=False):

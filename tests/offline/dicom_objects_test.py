@@ -321,6 +321,21 @@ class Segmentations(Conformance):
                 written(folder, random, lambda frames: None, f"frame {frame}: {name} ",
                         " for this frame, but ", "expected it in one place", change=change)
 
+        def two_items(folder, random):  # of a functional group, which has one
+            frame = int(random.integers(0, 12))
+
+            def change(file):
+                group = file.PerFrameFunctionalGroupsSequence[frame].PlanePositionSequence
+                group.append(group[0])
+            written(folder, random, lambda frames: None,
+                    f"frame {frame}: 2 items in PlanePositionSequence: expected one", change=change)
+
+        def no_item(folder, random):
+            def change(file):
+                file.PerFrameFunctionalGroupsSequence[3].PlanePositionSequence = dicom.Sequence([])
+            written(folder, random, lambda frames: None, "frame 3: ImagePositionPatient nan",
+                    change=change)
+
         def fewer(folder, random):
             def change(file):
                 file.NumberOfFrames += 1
@@ -380,7 +395,8 @@ class Segmentations(Conformance):
                 written(folder, random, lambda frames: None, f"MaximumFractionalValue {most}",
                         change=change)
 
-        self.cases(2, two_places)
+        self.cases(2, two_places, two_items)
+        self.cases(1, no_item)
         self.cases(1, aside, twice, named_twice, undescribed, far, fewer, no_segment, unknown_kind,
                    short, far_segment, segments_beyond_all_labels, no_rows, segment_0,
                    fraction_of_what)
@@ -563,7 +579,7 @@ class StructureSets(Conformance):
             self.check(path, {1: drawn.held(liver)}, NEAR,
                        said=["Liver: 4 contours are there twice: each was taken once"])
 
-        def two_of_the_same_kind(folder, random):  # halves of a square: they are not the same
+        def two_of_the_same_kind(folder, random):  # halves of a square, one in another
             drawn = Drawn(random)
             corner = numpy.array([[-20, -20], [20, -20], [20, 20], [-20, 20]], float)
             halves = [corner[[0, 1, 2]], corner[[0, 2, 3]]]
@@ -571,6 +587,10 @@ class StructureSets(Conformance):
             contours = [c for half in halves for c in drawn.contours([half] * count)]
             path = dicom.write_structures(folder / "rt.dcm", [(1, "Box", contours)])
             self.check(path, {1: drawn.held([corner] * count)}, NEAR)
+            inner = numpy.array([[0, -20], [20, 0], [0, 20], [-20, 0]], float)
+            contours = drawn.contours([corner] * count) + drawn.contours([inner] * count)
+            path = dicom.write_structures(folder / "rt.dcm", [(1, "Frame", contours)])
+            self.check(path, {1: drawn.held([corner] * count, [[inner] * count])}, NEAR)
 
         def keyholes(folder, random):
             drawn = Drawn(random)
@@ -781,14 +801,14 @@ class StructureSets(Conformance):
                 folder / "rt.dcm", [(1, "Liver", drawn.contours(liver)), (2, "Vein", [])])
             self.check(path, {1: drawn.held(liver)}, NEAR, said=["Vein has no closed contour"])
 
-        def outlined_twice(folder, random):  # within one contour, or 15 um beside: nothing is left
+        def outlined_twice(folder, random):  # within one contour, or 12 um beside: nothing is left
             drawn = Drawn(random)
             liver, other = drawn.outlines(24, (0, 0)), drawn.outlines(20, (60, 0))
             contours = drawn.contours(other)
             some = random.choice(len(contours), 3, replace=False)
             for i in some[:2]:
                 contours[i] = numpy.concatenate([contours[i], contours[i]])
-            beside = contours[some[2]] + 0.015 * drawn.frame[2]
+            beside = contours[some[2]] + 0.012 * drawn.frame[2]
             path = dicom.write_structures(folder / "rt.dcm", [
                 (1, "Liver", drawn.contours(liver)), (2, "Vein", [*contours, beside])])
             facts = json.loads(ran(path).stdout)

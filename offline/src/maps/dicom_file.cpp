@@ -45,6 +45,13 @@ void read_groups(DicomFile& file) {
   file.groups = items_of(data, DCM_PerFrameFunctionalGroupsSequence);
   const std::vector<DcmItem*> shared = items_of(data, DCM_SharedFunctionalGroupsSequence);
   if (!shared.empty()) file.shared = shared.front();
+  // Numbers of each frame are looked for among all elements of these two.
+  for (DcmItem* const item : {static_cast<DcmItem*>(&data), file.shared}) {
+    constexpr unsigned long kMost = 4000;  // private ones of scanners are hundreds
+    if (item == nullptr || item->card() <= kMost) continue;
+    refuse("{}: {} elements beside each other: expected at most {}", file.path, item->card(),
+           kMost);
+  }
   if (!file.groups.empty() && file.groups.size() != file.frames) {
     refuse("{}: {} frames, but functional groups of {}: expected one group for each frame",
            file.path, file.frames, file.groups.size());
@@ -113,12 +120,14 @@ double number_of(const DicomFile& file, std::size_t frame, const DcmTagKey& grou
                  const DcmTagKey& tag, unsigned long place) {
   constexpr double kSame = 1e-4;  // of numbers with a few digits
   const auto told_by = [&](DcmItem* groups) {
-    double number = std::numeric_limits<double>::quiet_NaN();
-    if (groups == nullptr) return number;
-    for (DcmItem* const item : items_of(*groups, group)) {
-      if (std::isnan(number)) number = number_of(*item, tag, place);
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    DcmSequenceOfItems* found = nullptr;
+    if (groups == nullptr || groups->findAndGetSequence(group, found).bad()) return kNone;
+    if (found->card() > 1) {
+      refuse("{}: {} items in {}: expected one", frame_name(file, frame), found->card(),
+             DcmTag(group).getTagName());
     }
-    return number;
+    return found->card() == 0 ? kNone : number_of(*found->getItem(0), tag, place);
   };
   const double own = told_by(frame < file.groups.size() ? file.groups[frame] : nullptr);
   const double shared = told_by(file.shared);
