@@ -5,6 +5,7 @@
 #include <pybind11/stl.h>
 
 #include <optional>
+#include <tuple>
 
 #include "arrays.h"
 #include "asset/tissue_table.h"
@@ -74,13 +75,9 @@ Vec vec(const Three& v) {
   return {v[0], v[1], v[2]};
 }
 
-// Where an array of labels lies in the patient, and what it is called.
-struct Frame {
-  Three origin_m{};
-  std::array<Three, 3> step_m{};
-  LabelNames names;
-  std::string source;  // the file that the array was read from, or empty
-};
+// Where an array of labels lies in the patient, and what it is called: origin and steps in m, names
+// of labels, the file that the array was read from or nothing.
+using Frame = std::tuple<Three, std::array<Three, 3>, LabelNames, std::string>;
 
 py::dict build_from_labels(const py::array& labels, const std::array<std::size_t, 3>& axes,
                            const Frame& frame, const py::object& recipe,
@@ -91,13 +88,14 @@ py::dict build_from_labels(const py::array& labels, const std::array<std::size_t
   const Given own_recipe = given_of(recipe, recipe_text);
   BuildOptions build_options = options_of(settings, given_of(materials, materials_text), 1e-3);
   const LabelArray array = label_array(labels, axes);
-  const std::string path = frame.source.empty() ? "labels" : frame.source;
+  const auto& [origin_m, step_m, label_names, source] = frame;
+  const std::string path = source.empty() ? "labels" : source;
   // With the interpreter's lock, as which files were read is noted for the whole program.
-  const FileNames names = {path, frame.names};
+  const FileNames names = {path, label_names};
   const Recipe chosen = own_recipe.dict
                             ? recipe_of(table_of(*own_recipe.dict, "recipe"), "recipe", names)
                             : read_recipe(own_recipe.path, names);
-  const std::string sum = frame.source.empty() ? "" : sha256_hex(read_file(frame.source));
+  const std::string sum = source.empty() ? "" : sha256_hex(read_file(source));
   choose_for_labels(settings, {path, own_recipe.text}, chosen, build_options);
   const Progress watched = progress_of(progress);
   Built built;
@@ -105,9 +103,9 @@ py::dict build_from_labels(const py::array& labels, const std::array<std::size_t
   {
     const py::gil_scoped_release others_run;
     LabelMap map;
-    map.origin_m = vec(frame.origin_m);
-    for (std::size_t i = 0; i < 3; ++i) map.step_m[i] = vec(frame.step_m[i]);
-    map.names = frame.names;
+    map.origin_m = vec(origin_m);
+    for (std::size_t i = 0; i < 3; ++i) map.step_m[i] = vec(step_m[i]);
+    map.names = label_names;
     watched("reading the array", 0);
     take_array(path, array, map);
     if (!sum.empty()) map.sha256 = sum;
@@ -122,14 +120,8 @@ py::dict build_from_labels(const py::array& labels, const std::array<std::size_t
   return result;
 }
 
-struct MeshArrays {
-  std::string name;
-  std::string source;  // the file that it was read from, or empty
-  Points vertices_m;
-  Faces faces;
-  std::string tissue;
-  int priority = 0;
-};
+// Name, the file that it was read from or nothing, vertices in m, faces, tissue, priority.
+using MeshArrays = std::tuple<std::string, std::string, Points, Faces, std::string, int>;
 
 py::dict build_from_meshes(const std::vector<MeshArrays>& meshes, const py::object& materials,
                            const std::string& materials_text, const py::dict& options,
@@ -138,12 +130,11 @@ py::dict build_from_meshes(const std::vector<MeshArrays>& meshes, const py::obje
   settings.units = "m";
   BuildOptions build_options = options_of(settings, given_of(materials, materials_text), 1);
   std::vector<Input> inputs;
-  for (const MeshArrays& each : meshes) {
-    (void)find_tissue(build_options.own_tissues, each.tissue);
-    const std::string path = each.source.empty() ? each.name : each.source;
-    inputs.push_back(
-        {path, each.tissue, each.priority, 1, mesh_of(path, each.vertices_m, each.faces)});
-    if (!each.source.empty()) inputs.back().read.sha256 = sha256_hex(read_file(each.source));
+  for (const auto& [name, source, vertices_m, faces, tissue, priority] : meshes) {
+    (void)find_tissue(build_options.own_tissues, tissue);
+    const std::string path = source.empty() ? name : source;
+    inputs.push_back({path, tissue, priority, 1, mesh_of(path, vertices_m, faces)});
+    if (!source.empty()) inputs.back().read.sha256 = sha256_hex(read_file(source));
   }
   choose_for_meshes(settings, inputs, build_options);
   const Progress watched = progress_of(progress);
@@ -174,19 +165,6 @@ py::dict presets() {
 PYBIND11_MODULE(_stylet_organ, module) {
   using namespace stylet::offline::python;
   py::register_exception<stylet::offline::Refusal>(module, "Refused", PyExc_ValueError);
-  py::class_<Frame>(module, "Frame")
-      .def(py::init([](const Three& origin_m, const std::array<Three, 3>& step_m,
-                       const stylet::offline::LabelNames& names, const std::string& source) {
-             return Frame{origin_m, step_m, names, source};
-           }),
-           py::arg("origin_m"), py::arg("step_m"), py::arg("names"), py::arg("source"));
-  py::class_<MeshArrays>(module, "MeshArrays")
-      .def(py::init([](const std::string& name, const std::string& source, const Points& vertices_m,
-                       const Faces& faces, const std::string& tissue, int priority) {
-             return MeshArrays{name, source, vertices_m, faces, tissue, priority};
-           }),
-           py::arg("name"), py::arg("source"), py::arg("vertices_m"), py::arg("faces"),
-           py::arg("tissue"), py::arg("priority"));
   module.def("build_from_labels", build_from_labels, py::arg("labels"), py::arg("axes"),
              py::arg("frame"), py::arg("recipe"), py::arg("recipe_text"), py::arg("materials"),
              py::arg("materials_text"), py::arg("options"), py::arg("progress"));

@@ -11,12 +11,16 @@ namespace {
 
 class Batch {
  public:
-  Batch(const std::vector<Simulation*>& simulations, std::uint32_t threads)
-      : simulations_(simulations) {
+  Batch(const py::tuple& simulations, std::uint32_t threads) : objects_(simulations) {
     std::vector<stylet_simulation*> handles;
-    for (Simulation* const each : simulations) {
-      if (each == nullptr) throw py::type_error("None: expected a stylet.Simulation");
-      if (each->needles() != simulations[0]->needles()) {
+    for (const py::handle object : simulations) {
+      if (!py::isinstance<Simulation>(object)) {
+        throw py::type_error(py::repr(object).cast<std::string>() +
+                             ": expected a stylet.Simulation");
+      }
+      auto* const each = object.cast<Simulation*>();
+      simulations_.push_back(each);
+      if (each->needles() != simulations_[0]->needles()) {
         throw py::value_error("simulations of one batch have the same number of needles");
       }
       handles.push_back(each->handle());
@@ -56,7 +60,8 @@ class Batch {
   }
 
  private:
-  std::vector<Simulation*> simulations_;  // Python's object of this one keeps them
+  py::tuple objects_;  // keeps them, whatever becomes of the list that they were given in
+  std::vector<Simulation*> simulations_;
   std::unique_ptr<stylet_batch, void (*)(stylet_batch*)> handle_{nullptr, stylet_batch_free};
   std::vector<stylet_input> room_;
 };
@@ -65,7 +70,7 @@ class Batch {
 
 void add_batch(py::module_& module) {
   py::class_<Batch>(module, "Batch")
-      .def(py::init<const std::vector<Simulation*>&, std::uint32_t>(), py::keep_alive<1, 2>())
+      .def(py::init<const py::tuple&, std::uint32_t>())
       .def("run", &Batch::run, py::arg("poses"), py::arg("valid") = py::none(),
            py::arg("out") = py::none());
 }

@@ -44,4 +44,5 @@ PYBIND11_MODULE(_stylet, module) {
   add_simulation(module);
   add_batch(module);
   add_hand(module);
+  refuse_objects_without_init(module);
 }

@@ -3,7 +3,6 @@
 
 #include <pybind11/stl.h>
 
-#include <string_view>
 #include <vector>
 
 #include "hal/hosts/python/src/poses.h"
@@ -88,17 +87,23 @@ Organ read_organ(const std::string& path) {
   return looked_at(handle);
 }
 
-Organ organ_from_bytes(const py::bytes& bytes) {
+Organ organ_from_bytes(const py::object& bytes) {
   stylet_organ* handle = nullptr;
   stylet_refusal why = empty_refusal();
-  const std::string_view all = bytes;
+  const Bytes all(bytes);
   check(stylet_organ_from_bytes(all.data(), all.size(), &handle, &why), why);
   return looked_at(handle);
 }
 
 void add_organ(py::module_& module) {
-  py::class_<Organ>(module, "Organ")
-      .def_static(
+  py::class_<Organ> type(module, "Organ");
+  refuse_pickle(type,
+                "an organ cannot be pickled: pass the path of its file (stylet.kept_organ reads it "
+                "once in each process)");
+  // Nothing of it changes: a copy is the same one.
+  type.def("__copy__", [](const py::object& self) { return self; })
+      .def("__deepcopy__", [](const py::object& self, const py::dict&) { return self; });
+  type.def_static(
           "read",
           [](const py::object& path) {
             const auto name = py::module_::import("os").attr("fsencode")(path).cast<std::string>();

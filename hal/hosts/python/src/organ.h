@@ -18,7 +18,7 @@ struct Organ {
 };
 
 Organ read_organ(const std::string& path);
-Organ organ_from_bytes(const py::bytes& bytes);
+Organ organ_from_bytes(const py::object& bytes);
 void add_organ(py::module_& module);
 
 }  // namespace stylet::python

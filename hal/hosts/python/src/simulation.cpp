@@ -157,9 +157,9 @@ py::bytes Simulation::snapshot() {
   return bytes;
 }
 
-void Simulation::restore(const py::bytes& bytes) {
+void Simulation::restore(const py::object& snapshot) {
   const Use use(*this);
-  const std::string_view all = bytes;
+  const Bytes all(snapshot);
   check(stylet_simulation_restore(handle(), all.data(), all.size()));
 }
 
@@ -173,8 +173,11 @@ py::object Simulation::difference(Simulation& other) {
 
 void add_simulation(py::module_& module) {
   using Rows = std::vector<py::array>;
-  py::class_<Simulation>(module, "Simulation")
-      .def(py::init<const Organ&, const Rows&, const py::array&, const Rows&>())
+  py::class_<Simulation> type(module, "Simulation");
+  refuse_pickle(type,
+                "a simulation cannot be pickled: pass its snapshot(), which restore() takes in one "
+                "of the same organ, needles and configuration");
+  type.def(py::init<const Organ&, const Rows&, const py::array&, const Rows&>())
       .def(py::init<Simulation&>())
       .def("tick", &Simulation::tick, py::arg("poses"))
       .def("run", &Simulation::run, py::arg("poses"), py::arg("valid") = py::none(),

@@ -44,7 +44,7 @@ class Simulation {
 
   std::uint64_t hash();
   py::bytes snapshot();
-  void restore(const py::bytes& bytes);
+  void restore(const py::object& snapshot);
   py::object difference(Simulation& other);
 
   std::uint32_t needles() const { return needles_; }

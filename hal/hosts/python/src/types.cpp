@@ -147,6 +147,22 @@ py::dtype event_dtype() {
       sizeof(stylet_event));
 }
 
+Bytes::Bytes(const py::object& given) {
+  if (PyObject_GetBuffer(given.ptr(), &view_, PyBUF_SIMPLE) != 0) throw py::error_already_set();
+}
+
+void refuse_objects_without_init(const py::module_& module) {
+  for (const auto& [name, object] : module.attr("__dict__").cast<py::dict>()) {
+    if (!PyType_Check(object.ptr())) continue;
+    auto* const type = py::detail::get_type_info(reinterpret_cast<PyTypeObject*>(object.ptr()));
+    if (type == nullptr) continue;  // Python's own, such as StyletError
+    // Called where a method, or a function with such an argument, finds no object of C++.
+    type->operator_new = [](std::size_t) -> void* {
+      throw py::type_error("__init__ of this object was not called, or raised");
+    };
+  }
+}
+
 void add_types(py::module_& module) {
   error_type() = py::reinterpret_steal<py::object>(
       PyErr_NewExceptionWithDoc("stylet.StyletError",

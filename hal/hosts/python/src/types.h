@@ -50,6 +50,30 @@ py::dtype event_dtype();
 
 // Makes StyletError, and what Python needs to make structs.
 void add_types(py::module_& module);
+// Of all classes of the module: an object whose `__init__` was not called, or raised, is refused
+// wherever it is used. It has no C++ object, and pybind11 would give memory that nobody filled.
+void refuse_objects_without_init(const py::module_& module);
+
+// Bytes of Python where they lie: bytes, bytearray, memoryview, an array in one piece.
+class Bytes {
+ public:
+  explicit Bytes(const py::object& given);
+  ~Bytes() { PyBuffer_Release(&view_); }
+  Bytes(const Bytes&) = delete;
+  Bytes& operator=(const Bytes&) = delete;
+
+  const void* data() const { return view_.buf; }
+  std::size_t size() const { return static_cast<std::size_t>(view_.len); }
+
+ private:
+  Py_buffer view_ = {};
+};
+
+// What pickle says of a class, instead of which class it cannot pickle.
+template <typename Class>
+void refuse_pickle(Class& type, const char* why) {
+  type.def("__reduce__", [why](const py::object&) -> py::object { throw py::type_error(why); });
+}
 
 // Nothing if all is well, or raises StyletError.
 void check(stylet_status status, const stylet_refusal& why);

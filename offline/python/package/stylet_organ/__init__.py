@@ -100,8 +100,8 @@ def from_labels(labels, tissues=None, *, recipe=None, spacing_m=None, origin_m=N
         raise TypeError("expected either tissues or a recipe")
     if recipe is None:
         recipe = recipe_of(tissues)
-    frame = _stylet_organ.Frame(*placed(spacing_m, origin_m, affine_m), names_of(names or {}),
-                                "" if source is None else os.fspath(source))
+    frame = (*placed(spacing_m, origin_m, affine_m), names_of(names or {}),
+             "" if source is None else os.fspath(source))
     recipe, recipe_text = path_or_tables("recipe", recipe)
     result = called(_stylet_organ.build_from_labels, labels, axes_of(order), frame, recipe,
                     recipe_text, *path_or_tables("materials", materials), checked(options, OPTIONS),
@@ -259,7 +259,7 @@ def arrays_of(name, mesh):
     if faces.dtype.kind not in "iu":
         raise TypeError(f"{name}: faces of {faces.dtype}: expected whole numbers")
     source = "" if mesh.source is None else os.fspath(mesh.source)
-    return _stylet_organ.MeshArrays(name, source, vertices, faces, mesh.tissue, mesh.priority)
+    return name, source, vertices, faces, mesh.tissue, mesh.priority
 
 
 # What the program says of its options, and what is said here; of others, the name is enough.

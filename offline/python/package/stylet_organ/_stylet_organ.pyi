@@ -6,13 +6,10 @@ from numpy.typing import NDArray
 
 class Refused(ValueError): ...
 
-class Frame:
-    def __init__(self, origin_m: Sequence[float], step_m: Sequence[Sequence[float]],
-                 names: dict[int, str], source: str) -> None: ...
-
-class MeshArrays:
-    def __init__(self, name: str, source: str, vertices_m: NDArray[np.float64],
-                 faces: NDArray[np.int64], tissue: str, priority: int) -> None: ...
+# Origin and steps of the axes in m, names of labels, the file that the array was read from or "".
+Frame = tuple[Sequence[float], Sequence[Sequence[float]], dict[int, str], str]
+# Name, file or "", vertices in m, faces, tissue, priority.
+MeshArrays = tuple[str, str, NDArray[np.float64], NDArray[np.int64], str, int]
 
 def build_from_labels(labels: NDArray[Any], axes: Sequence[int], frame: Frame,
                       recipe: str | dict[str, Any], recipe_text: str,

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Simulations of needles in an organ: one, or many at once."""
+import copy
+
 import numpy as np
 
 from stylet import _stylet
@@ -35,7 +37,16 @@ class Simulation(_stylet.Simulation):
         """A second simulation in the same state, which shares the organ."""
         other = type(self).__new__(type(self))
         _stylet.Simulation.__init__(other, self)
-        other.organ = self.organ
+        vars(other).update(vars(self))  # also what a class of one's own has
+        return other
+
+    def __copy__(self):
+        return self.clone()
+
+    def __deepcopy__(self, memo):
+        other = self.clone()
+        memo[id(self)] = other
+        vars(other).update(copy.deepcopy(vars(self), memo))
         return other
 
     def set_obstacles(self, obstacles):
@@ -50,11 +61,14 @@ class VectorSimulation:
     """
 
     def __init__(self, simulations, threads=0):
-        self.simulations = list(simulations)
+        self.simulations, self._threads = tuple(simulations), threads
         self._batch = _stylet.Batch(self.simulations, threads)
 
     def __len__(self):
         return len(self.simulations)
+
+    def __deepcopy__(self, memo):
+        return type(self)(copy.deepcopy(self.simulations, memo), self._threads)
 
     def run(self, poses, valid=None, out=None):
         """Poses (simulations, ticks, needles, 7) give outputs (simulations, ticks, needles).
