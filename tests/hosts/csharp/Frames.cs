@@ -11,6 +11,10 @@ public static class Frames {
         case "refusal": Refusal(organ); break;
         case "snapshot": Snapshot(organ); break;
         case "loop": LoopOfTheLibrary(organ); break;
+        case "collector": Lives.UnderTheCollector(organ); break;
+        case "disposal": Lives.DisposedInACall(organ); break;
+        case "closed": Lives.Closed(organ); break;
+        case "handles": Lives.Handles(); break;
         case "life": Life(organ, System.IO.File.ReadAllBytes(arguments[1])); break;
         default: return 2;
       }
@@ -19,7 +23,7 @@ public static class Frames {
   }
 
   // On a slanted way through the middle of the skin, which the tip meets 1 mm from its start.
-  static Pose At(Organ organ, int tick) {
+  internal static Pose At(Organ organ, int tick) {
     Vec3 low = organ.Info.low_m, high = organ.Info.high_m;
     var way = new Vec3(0.0995037F, 0, -0.9950372F);
     var from = new Vec3((low.x + high.x) / 2, (low.y + high.y) / 2, high.z + 0.01F);
@@ -31,8 +35,7 @@ public static class Frames {
   }
 
   static void Step(Organ organ, Simulation simulation, int tick) {
-    simulation.Inputs.Values[0].valid = 1;
-    simulation.Inputs.Values[0].handle = At(organ, tick);
+    simulation.Inputs[0] = new Input { valid = 1, handle = At(organ, tick) };
     simulation.Tick();
     simulation.Surface();
     simulation.NeedleShape(0);

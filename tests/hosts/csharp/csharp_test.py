@@ -30,11 +30,11 @@ class CSharp(unittest.TestCase):
                        check=True, capture_output=True)
         runtime = sorted(map(str, (PACKAGE / "Runtime").glob("*.cs")))
         cls.program = {}
-        for source in (PACKAGE / "Examples~/Insert.cs", HERE / "Frames.cs"):
-            made = folder / f"{source.stem}.exe"
-            subprocess.run(["mcs", "-unsafe", "-warnaserror", f"-out:{made}", str(source),
-                            *runtime], check=True)
-            cls.program[source.stem] = made
+        for sources in ([PACKAGE / "Examples~/Insert.cs"], [HERE / "Frames.cs", HERE / "Lives.cs"]):
+            name = sources[0].stem
+            cls.program[name] = folder / f"{name}.exe"
+            subprocess.run(["mcs", "-unsafe", "-optimize+", "-warnaserror",
+                            f"-out:{cls.program[name]}", *map(str, sources), *runtime], check=True)
 
     @classmethod
     def tearDownClass(cls):
@@ -76,6 +76,22 @@ class CSharp(unittest.TestCase):
 
     def test_lives_end_in_any_order(self):
         self.assertEqual(self.ask("life"), ["True"])
+
+    def test_the_collector_frees_nothing_that_a_call_is_in(self):
+        self.assertEqual(self.ask("collector"), ["True"])
+
+    def test_nor_does_another_thread(self):
+        same, ended = self.ask("disposal")
+        self.assertEqual(same, "True")
+        self.assertEqual(ended, "True")
+
+    def test_what_is_closed_says_so(self):
+        self.assertEqual(self.ask("closed"), 3 * ["ObjectDisposedException"])
+
+    def test_handles_are_counted_in_every_call(self):
+        """Of all functions only those that free take a bare pointer; a new one is met here."""
+        self.assertEqual(self.ask("handles"), ["stylet_device_close", "stylet_loop_free",
+                                               "stylet_organ_free", "stylet_simulation_free"])
 
     def test_the_librarys_loop(self):
         first, second, state = self.ask("loop")

@@ -32,12 +32,12 @@ public static class Insert {
       organ.Raycast(at, down, out to_skin_m);
       at.z -= to_skin_m - 1e-3F;
 
-      simulation.Inputs.Values[0].valid = 1;
+      simulation.Inputs[0].valid = 1;
       for (int tick = 0; tick <= 2100; ++tick) {
         var tip = new Vec3(at.x, at.y, at.z - 10e-3F * 1e-3F * (float)tick);
-        simulation.Inputs.Values[0].handle = Simulation.PoseOfTip(tip, down, needle.length_m);
+        simulation.Inputs[0].handle = Simulation.PoseOfTip(tip, down, needle.length_m);
         simulation.Tick();
-        Output output = simulation.Outputs.Values[0];
+        Output output = simulation.Outputs[0];
         if (tick % 100 == 0) {
           Console.WriteLine("{0,6:F2} mm  {1,6:F3} N", 1e3 * output.depth_m, output.force_n.z);
         }

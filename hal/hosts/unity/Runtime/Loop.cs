@@ -8,7 +8,7 @@ using System.Runtime.InteropServices;
 namespace Stylet {
 
 public sealed class Device : IDisposable {
-  internal IntPtr Handle;
+  internal readonly DeviceHandle Handle;
 
   // By URI, as `stylet devices` lists them.
   public Device(string uri, double patience_s = 10) {
@@ -16,30 +16,25 @@ public sealed class Device : IDisposable {
     StyletException.Check(Native.stylet_device_open(uri, patience_s, out Handle, ref why),
                           ref why);
   }
-  Device(IntPtr handle) { Handle = handle; }
+  Device(DeviceHandle handle) { Handle = handle; }
   // A computed hand that goes straight in, holds, and comes back: for trials without a device.
   public static Device Simulated(float travel_m, float speed_m_per_s, float hold_s) {
-    IntPtr handle;
+    DeviceHandle handle;
     StyletException.Check(
         Native.stylet_device_simulated(travel_m, speed_m_per_s, hold_s, out handle));
     return new Device(handle);
   }
   // A loop that has it closes it.
-  public void Dispose() {
-    if (Handle != IntPtr.Zero) Native.stylet_device_close(Handle);
-    Handle = IntPtr.Zero;
-    GC.SuppressFinalize(this);
-  }
-  ~Device() { Dispose(); }
+  public void Dispose() { Handle.Dispose(); }
 }
 
 public sealed unsafe class Loop : IDisposable {
-  IntPtr handle;
+  readonly LoopHandle handle;
   public readonly Output[] Outputs;  // of each needle, of the tick that was taken last
   public readonly HandReport[] Hands;
-  public readonly PinnedArray<Vec3> Vertices;
-  public readonly PinnedArray<Vec3> Nodes = new PinnedArray<Vec3>(129);
-  public readonly PinnedArray<Happened> Events = new PinnedArray<Happened>(64);
+  public readonly Vec3[] Vertices;
+  public readonly Vec3[] Nodes = new Vec3[129];
+  public readonly Happened[] Events = new Happened[64];
 
   public static LoopConfig DefaultConfig() {
     var config = new LoopConfig();
@@ -54,29 +49,40 @@ public sealed unsafe class Loop : IDisposable {
 
   // One device and one hand for each needle. The simulation is the loop's until it is disposed.
   public Loop(Simulation simulation, LoopConfig config, Device[] devices, Hand[] hands) {
-    int needles = simulation.Inputs.Count;
+    int needles = simulation.Inputs.Length;
     if (devices.Length != needles || hands.Length != needles) {
       throw new ArgumentException("expected " + needles + " devices and hands, one a needle");
     }
-    var handles = new IntPtr[needles];
-    for (int i = 0; i < needles; ++i) handles[i] = devices[i].Handle;
-    Refusal why = StyletException.Empty();
-    fixed (IntPtr* all = handles)
-    fixed (Hand* held = hands) {
-      StyletException.Check(
-          Native.stylet_loop_create(simulation.Handle, ref config, all, held, IntPtr.Zero,
-                                    out handle, ref why), ref why);
-    }
-    foreach (Device each in devices) {  // the loop's now
-      each.Handle = IntPtr.Zero;
-      each.Dispose();
-    }
+    handle = Create(simulation.Handle, config, devices, hands);
     Outputs = new Output[needles];
     Hands = new HandReport[needles];
-    Vertices = new PinnedArray<Vec3>(simulation.Vertices.Count);
+    Vertices = new Vec3[simulation.Vertices.Length];
     for (int i = 0; i < needles; ++i) {
       Outputs[i].struct_bytes = (uint)sizeof(Output);
       Hands[i].struct_bytes = (uint)sizeof(HandReport);
+    }
+  }
+
+  static LoopHandle Create(SimulationHandle simulation, LoopConfig config, Device[] devices,
+                           Hand[] hands) {
+    var handles = new IntPtr[devices.Length];
+    int held = 0;
+    try {
+      for (bool done = false; held < devices.Length; ++held, done = false) {
+        devices[held].Handle.DangerousAddRef(ref done);
+        handles[held] = devices[held].Handle.DangerousGetHandle();
+      }
+      Refusal why = StyletException.Empty();
+      LoopHandle loop;
+      fixed (IntPtr* all = handles)
+      fixed (Hand* hand = hands) {
+        StyletException.Check(Native.stylet_loop_create(simulation, ref config, all, hand,
+                                                        IntPtr.Zero, out loop, ref why), ref why);
+      }
+      foreach (Device each in devices) each.Handle.SetHandleAsInvalid();  // the loop's now
+      return loop;
+    } finally {
+      while (--held >= 0) devices[held].Handle.DangerousRelease();
     }
   }
 
@@ -95,16 +101,19 @@ public sealed unsafe class Loop : IDisposable {
       StyletException.Check(Native.stylet_loop_get_output(handle, (uint)i, ref Outputs[i]));
       StyletException.Check(Native.stylet_loop_get_hand(handle, (uint)i, ref Hands[i]));
     }
-    Native.stylet_loop_surface(handle, (Vec3*)Vertices.Address, (uint)Vertices.Count);
+    fixed (Vec3* at = Vertices) Native.stylet_loop_surface(handle, at, (uint)Vertices.Length);
     return true;
   }
   public int NeedleShape(int needle) {
-    return (int)Native.stylet_loop_needle_shape(handle, (uint)needle, (Vec3*)Nodes.Address,
-                                                (uint)Nodes.Count);
+    fixed (Vec3* at = Nodes) {
+      return (int)Native.stylet_loop_needle_shape(handle, (uint)needle, at, (uint)Nodes.Length);
+    }
   }
   // Events since the last call.
   public int TakeEvents() {
-    return (int)Native.stylet_loop_events(handle, (Happened*)Events.Address, (uint)Events.Count);
+    fixed (Happened* at = Events) {
+      return (int)Native.stylet_loop_events(handle, at, (uint)Events.Length);
+    }
   }
   // After somebody has seen the fault of a hand: the force may come back.
   public void Acknowledge(int needle) {
@@ -120,18 +129,24 @@ public sealed unsafe class Loop : IDisposable {
     return report;
   }
   // What this machine refused, once the loop has ended; empty: nothing.
-  public string Lacks() { return Marshal.PtrToStringAnsi(Native.stylet_loop_lacks(handle)); }
-
-  public void Dispose() {
-    if (handle == IntPtr.Zero) return;
-    Native.stylet_loop_free(handle);
-    handle = IntPtr.Zero;
-    foreach (IDisposable each in new IDisposable[] { Vertices, Nodes, Events }) {
-      if (each != null) each.Dispose();
+  public string Lacks() {
+    bool held = false;  // also while the text is read, which is the loop's
+    try {
+      handle.DangerousAddRef(ref held);
+      return Marshal.PtrToStringAnsi(Native.stylet_loop_lacks(handle));
+    } finally {
+      if (held) handle.DangerousRelease();
     }
-    GC.SuppressFinalize(this);
   }
-  ~Loop() { Dispose(); }
+
+  // Stops it first: another thread may wait for its end, and is in the library until then.
+  public void Dispose() {
+    lock (handle) {
+      if (handle.IsClosed) return;
+      Native.stylet_loop_ask_to_stop(handle);
+      handle.Dispose();
+    }
+  }
 }
 
 }  // namespace Stylet

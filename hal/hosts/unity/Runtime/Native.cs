@@ -72,7 +72,7 @@ public struct Happened {
 public struct OrganInfo {
   public uint struct_bytes, format_version;
   public ulong hash;
-  public IntPtr name;
+  internal IntPtr name;  // as long as the organ: Organ.Name is its text
   public float voxel_edge_m;
   public Vec3 origin_m;
   public uint size_x, size_y, size_z, voxels, vertices, triangles, materials;
@@ -138,20 +138,20 @@ internal static unsafe class Native {
   [DllImport(kLibrary)] internal static extern IntPtr stylet_fault_name(uint fault);
 
   [DllImport(kLibrary)] internal static extern ushort stylet_organ_read(
-      [MarshalAs(UnmanagedType.LPStr)] string path, out IntPtr organ, ref Refusal refusal);
+      [MarshalAs(UnmanagedType.LPStr)] string path, out OrganHandle organ, ref Refusal refusal);
   [DllImport(kLibrary)] internal static extern ushort stylet_organ_from_bytes(
-      byte* bytes, UIntPtr count, out IntPtr organ, ref Refusal refusal);
+      byte* bytes, UIntPtr count, out OrganHandle organ, ref Refusal refusal);
   [DllImport(kLibrary)] internal static extern void stylet_organ_free(IntPtr organ);
   [DllImport(kLibrary)] internal static extern ushort stylet_organ_get_info(
-      IntPtr organ, ref OrganInfo info);
+      OrganHandle organ, ref OrganInfo info);
   [DllImport(kLibrary)] internal static extern uint stylet_organ_triangles(
-      IntPtr organ, int* corners, uint capacity);
+      OrganHandle organ, int* corners, uint capacity);
   [DllImport(kLibrary)] internal static extern uint stylet_organ_vertices(
-      IntPtr organ, Vec3* places, uint capacity);
+      OrganHandle organ, Vec3* places, uint capacity);
   [DllImport(kLibrary)] internal static extern uint stylet_organ_vertex_materials(
-      IntPtr organ, byte* materials, uint capacity);
+      OrganHandle organ, byte* materials, uint capacity);
   [DllImport(kLibrary)] internal static extern int stylet_organ_raycast(
-      IntPtr organ, Vec3 origin_m, Vec3 direction, out float distance_m);
+      OrganHandle organ, Vec3 origin_m, Vec3 direction, out float distance_m);
 
   [DllImport(kLibrary)] internal static extern ushort stylet_config_init(
       ref Config config, UIntPtr bytes);
@@ -165,64 +165,67 @@ internal static unsafe class Native {
       ref Obstacle obstacle, float radius_m);
 
   [DllImport(kLibrary)] internal static extern ushort stylet_simulation_create(
-      IntPtr organ, ref Config config, Needle* needles, uint needle_count,
-      out IntPtr simulation, ref Refusal refusal);
+      OrganHandle organ, ref Config config, Needle* needles, uint needle_count,
+      out SimulationHandle simulation, ref Refusal refusal);
   [DllImport(kLibrary)] internal static extern void stylet_simulation_free(IntPtr simulation);
   [DllImport(kLibrary)] internal static extern ushort stylet_simulation_set_obstacles(
-      IntPtr simulation, Obstacle* obstacles, uint count, ref Refusal refusal);
-  [DllImport(kLibrary)] internal static extern ushort stylet_simulation_reset(IntPtr simulation);
+      SimulationHandle simulation, Obstacle* obstacles, uint count, ref Refusal refusal);
+  [DllImport(kLibrary)] internal static extern ushort stylet_simulation_reset(
+      SimulationHandle simulation);
   [DllImport(kLibrary)] internal static extern ushort stylet_simulation_tick(
-      IntPtr simulation, Input* inputs, uint input_count, Output* outputs, uint output_count);
+      SimulationHandle simulation, Input* inputs, uint input_count, Output* outputs,
+      uint output_count);
   [DllImport(kLibrary)] internal static extern Pose stylet_pose_of_tip(
       Vec3 tip_m, Vec3 direction, float length_m);
   [DllImport(kLibrary)] internal static extern uint stylet_simulation_surface(
-      IntPtr simulation, Vec3* places, uint capacity);
+      SimulationHandle simulation, Vec3* places, uint capacity);
   [DllImport(kLibrary)] internal static extern uint stylet_simulation_needle_shape(
-      IntPtr simulation, uint needle, Vec3* places, uint capacity);
+      SimulationHandle simulation, uint needle, Vec3* places, uint capacity);
   [DllImport(kLibrary)] internal static extern uint stylet_simulation_events(
-      IntPtr simulation, Happened* events, uint capacity);
-  [DllImport(kLibrary)] internal static extern ulong stylet_simulation_hash(IntPtr simulation);
+      SimulationHandle simulation, Happened* events, uint capacity);
+  [DllImport(kLibrary)] internal static extern ulong stylet_simulation_hash(
+      SimulationHandle simulation);
   [DllImport(kLibrary)] internal static extern UIntPtr stylet_simulation_snapshot_bytes(
-      IntPtr simulation);
+      SimulationHandle simulation);
   [DllImport(kLibrary)] internal static extern ushort stylet_simulation_snapshot(
-      IntPtr simulation, byte* bytes, UIntPtr count);
+      SimulationHandle simulation, byte* bytes, UIntPtr count);
   [DllImport(kLibrary)] internal static extern ushort stylet_simulation_restore(
-      IntPtr simulation, byte* bytes, UIntPtr count);
+      SimulationHandle simulation, byte* bytes, UIntPtr count);
 
   [DllImport(kLibrary)] internal static extern ushort stylet_device_open(
-      [MarshalAs(UnmanagedType.LPStr)] string uri, double patience_s, out IntPtr device,
+      [MarshalAs(UnmanagedType.LPStr)] string uri, double patience_s, out DeviceHandle device,
       ref Refusal refusal);
   [DllImport(kLibrary)] internal static extern ushort stylet_device_simulated(
-      float travel_m, float speed_m_per_s, float hold_s, out IntPtr device);
+      float travel_m, float speed_m_per_s, float hold_s, out DeviceHandle device);
   [DllImport(kLibrary)] internal static extern void stylet_device_close(IntPtr device);
   [DllImport(kLibrary)] internal static extern ushort stylet_loop_config_init(
       ref LoopConfig config, UIntPtr bytes);
   [DllImport(kLibrary)] internal static extern ushort stylet_hand_init(
       ref Hand hand, UIntPtr bytes);
   [DllImport(kLibrary)] internal static extern ushort stylet_loop_create(
-      IntPtr simulation, ref LoopConfig config, IntPtr* devices, Hand* hands, IntPtr guards,
-      out IntPtr loop, ref Refusal refusal);
-  [DllImport(kLibrary)] internal static extern ushort stylet_loop_start(IntPtr loop);
-  [DllImport(kLibrary)] internal static extern void stylet_loop_ask_to_stop(IntPtr loop);
-  [DllImport(kLibrary)] internal static extern ushort stylet_loop_wait(IntPtr loop);
+      SimulationHandle simulation, ref LoopConfig config, IntPtr* devices, Hand* hands,
+      IntPtr guards, out LoopHandle loop, ref Refusal refusal);
+  [DllImport(kLibrary)] internal static extern ushort stylet_loop_start(LoopHandle loop);
+  [DllImport(kLibrary)] internal static extern void stylet_loop_ask_to_stop(LoopHandle loop);
+  [DllImport(kLibrary)] internal static extern ushort stylet_loop_wait(LoopHandle loop);
   [DllImport(kLibrary)] internal static extern void stylet_loop_free(IntPtr loop);
-  [DllImport(kLibrary)] internal static extern void stylet_loop_pause(IntPtr loop, int paused);
-  [DllImport(kLibrary)] internal static extern int stylet_loop_take(IntPtr loop);
+  [DllImport(kLibrary)] internal static extern void stylet_loop_pause(LoopHandle loop, int paused);
+  [DllImport(kLibrary)] internal static extern int stylet_loop_take(LoopHandle loop);
   [DllImport(kLibrary)] internal static extern ushort stylet_loop_get_output(
-      IntPtr loop, uint needle, ref Output output);
+      LoopHandle loop, uint needle, ref Output output);
   [DllImport(kLibrary)] internal static extern ushort stylet_loop_get_hand(
-      IntPtr loop, uint needle, ref HandReport report);
+      LoopHandle loop, uint needle, ref HandReport report);
   [DllImport(kLibrary)] internal static extern uint stylet_loop_surface(
-      IntPtr loop, Vec3* places, uint capacity);
+      LoopHandle loop, Vec3* places, uint capacity);
   [DllImport(kLibrary)] internal static extern uint stylet_loop_needle_shape(
-      IntPtr loop, uint needle, Vec3* places, uint capacity);
+      LoopHandle loop, uint needle, Vec3* places, uint capacity);
   [DllImport(kLibrary)] internal static extern uint stylet_loop_events(
-      IntPtr loop, Happened* events, uint capacity);
+      LoopHandle loop, Happened* events, uint capacity);
   [DllImport(kLibrary)] internal static extern ushort stylet_loop_acknowledge(
-      IntPtr loop, uint needle, uint fault, uint fault_number);
+      LoopHandle loop, uint needle, uint fault, uint fault_number);
   [DllImport(kLibrary)] internal static extern ushort stylet_loop_get_report(
-      IntPtr loop, ref LoopReport report);
-  [DllImport(kLibrary)] internal static extern IntPtr stylet_loop_lacks(IntPtr loop);
+      LoopHandle loop, ref LoopReport report);
+  [DllImport(kLibrary)] internal static extern IntPtr stylet_loop_lacks(LoopHandle loop);
 }
 
 }  // namespace Stylet

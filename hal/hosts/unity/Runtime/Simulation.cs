@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Organs and simulations. What passes between C# and the library every frame lies in arrays that
-// the collector does not move (PinnedArray): nothing is copied, nothing allocated.
+// Organs and simulations. What passes between C# and the library every frame lies in arrays of
+// plain structs, which the collector lets lie during a call: nothing is copied, nothing allocated.
 // Units: SI. Frame: the organ's, right-handed (UnityFrame.cs turns it into Unity's).
 using System;
 using System.Runtime.InteropServices;
@@ -45,55 +45,40 @@ public sealed class StyletException : Exception {
   }
 }
 
-// An array that stays where it is until it is disposed, so that the library may write into it.
-public sealed class PinnedArray<T> : IDisposable where T : struct {
-  public readonly T[] Values;
-  GCHandle handle;
-
-  public PinnedArray(int count) {
-    Values = new T[Math.Max(count, 1)];
-    handle = GCHandle.Alloc(Values, GCHandleType.Pinned);
-    Count = count;
-  }
-  public readonly int Count;
-  internal IntPtr Address { get { return handle.AddrOfPinnedObject(); } }
-  public void Dispose() {
-    if (handle.IsAllocated) handle.Free();
-  }
-}
-
 public sealed unsafe class Organ : IDisposable {
-  internal IntPtr Handle;
+  internal readonly OrganHandle Handle;
   public readonly OrganInfo Info;
+  public readonly string Name;
 
   public Organ(string path) : this(Read(path)) {}
   // Unity: the bytes of a TextAsset or of StreamingAssets.
   public Organ(byte[] bytes) : this(FromBytes(bytes)) {}
 
-  Organ(IntPtr handle) {
+  Organ(OrganHandle handle) {
     Handle = handle;
     Info = new OrganInfo { struct_bytes = (uint)sizeof(OrganInfo) };
     StyletException.Check(Native.stylet_organ_get_info(Handle, ref Info));
+    Name = Marshal.PtrToStringAnsi(Info.name);
+    GC.KeepAlive(handle);  // whose memory the name was in
+    Info.name = IntPtr.Zero;
   }
 
-  static IntPtr Read(string path) {
+  static OrganHandle Read(string path) {
     Refusal why = StyletException.Empty();
-    IntPtr organ;
+    OrganHandle organ;
     StyletException.Check(Native.stylet_organ_read(path, out organ, ref why), ref why);
     return organ;
   }
 
-  static IntPtr FromBytes(byte[] bytes) {
+  static OrganHandle FromBytes(byte[] bytes) {
     Refusal why = StyletException.Empty();
-    IntPtr organ;
+    OrganHandle organ;
     fixed (byte* at = bytes) {
       StyletException.Check(
           Native.stylet_organ_from_bytes(at, (UIntPtr)bytes.Length, out organ, ref why), ref why);
     }
     return organ;
   }
-
-  public string Name { get { return Marshal.PtrToStringAnsi(Info.name); } }
 
   // Three corners a triangle, counter-clockwise seen from outside.
   public int[] Triangles() {
@@ -119,23 +104,18 @@ public sealed unsafe class Organ : IDisposable {
   }
 
   // Simulations that were made from it go on.
-  public void Dispose() {
-    Native.stylet_organ_free(Handle);
-    Handle = IntPtr.Zero;
-    GC.SuppressFinalize(this);
-  }
-  ~Organ() { Dispose(); }
+  public void Dispose() { Handle.Dispose(); }
 }
 
 public sealed unsafe class Simulation : IDisposable {
   // One of each for every needle. Set Inputs, call Tick, read Outputs.
-  public readonly PinnedArray<Input> Inputs;
-  public readonly PinnedArray<Output> Outputs;
+  public readonly Input[] Inputs;
+  public readonly Output[] Outputs;
   // What Surface and NeedleShape write.
-  public readonly PinnedArray<Vec3> Vertices;
-  public readonly PinnedArray<Vec3> Nodes = new PinnedArray<Vec3>(129);
-  public readonly PinnedArray<Happened> Events = new PinnedArray<Happened>(64);
-  internal IntPtr Handle;
+  public readonly Vec3[] Vertices;
+  public readonly Vec3[] Nodes = new Vec3[129];
+  public readonly Happened[] Events = new Happened[64];
+  internal readonly SimulationHandle Handle;
 
   public static Config DefaultConfig() {
     var config = new Config();
@@ -172,13 +152,9 @@ public sealed unsafe class Simulation : IDisposable {
           Native.stylet_simulation_create(organ.Handle, ref config, at, (uint)needles.Length,
                                           out Handle, ref why), ref why);
     }
-    Inputs = new PinnedArray<Input>(needles.Length);
-    Outputs = new PinnedArray<Output>(needles.Length);
-    Vertices = new PinnedArray<Vec3>((int)organ.Info.vertices);
-    for (int i = 0; i < needles.Length; ++i) {
-      Inputs.Values[i].struct_bytes = (uint)sizeof(Input);
-      Outputs.Values[i].struct_bytes = (uint)sizeof(Output);
-    }
+    Inputs = new Input[needles.Length];
+    Outputs = new Output[needles.Length];
+    Vertices = new Vec3[organ.Info.vertices];
   }
 
   // Before the first tick.
@@ -191,24 +167,35 @@ public sealed unsafe class Simulation : IDisposable {
     }
   }
 
+  // Outputs[0].struct_bytes and that of Inputs are written here: a whole struct may be assigned.
   public void Tick() {
-    StyletException.Check(Native.stylet_simulation_tick(Handle, (Input*)Inputs.Address,
-                                                        (uint)Inputs.Count, (Output*)Outputs.Address,
-                                                        (uint)Outputs.Count));
+    Inputs[0].struct_bytes = (uint)sizeof(Input);
+    Outputs[0].struct_bytes = (uint)sizeof(Output);
+    fixed (Input* given = Inputs)
+    fixed (Output* told = Outputs) {
+      StyletException.Check(Native.stylet_simulation_tick(
+          Handle, given, (uint)Inputs.Length, told, (uint)Outputs.Length));
+    }
   }
   public void Reset() { StyletException.Check(Native.stylet_simulation_reset(Handle)); }
   // Writes the deformed surface into Vertices.
   public void Surface() {
-    Native.stylet_simulation_surface(Handle, (Vec3*)Vertices.Address, (uint)Vertices.Count);
+    fixed (Vec3* at = Vertices) {
+      Native.stylet_simulation_surface(Handle, at, (uint)Vertices.Length);
+    }
   }
   // Writes a needle, from handle to tip, into Nodes; returns how many places it has.
   public int NeedleShape(int needle) {
-    return (int)Native.stylet_simulation_needle_shape(Handle, (uint)needle, (Vec3*)Nodes.Address,
-                                                      (uint)Nodes.Count);
+    fixed (Vec3* at = Nodes) {
+      return (int)Native.stylet_simulation_needle_shape(Handle, (uint)needle, at,
+                                                        (uint)Nodes.Length);
+    }
   }
   // Writes the newest events, oldest first, into Events; returns how many.
   public int TakeEvents() {
-    return (int)Native.stylet_simulation_events(Handle, (Happened*)Events.Address, (uint)Events.Count);
+    fixed (Happened* at = Events) {
+      return (int)Native.stylet_simulation_events(Handle, at, (uint)Events.Length);
+    }
   }
   public ulong Hash() { return Native.stylet_simulation_hash(Handle); }
 
@@ -226,16 +213,7 @@ public sealed unsafe class Simulation : IDisposable {
     }
   }
 
-  public void Dispose() {
-    if (Handle == IntPtr.Zero) return;
-    Native.stylet_simulation_free(Handle);
-    Handle = IntPtr.Zero;
-    foreach (IDisposable each in new IDisposable[] { Inputs, Outputs, Vertices, Nodes, Events }) {
-      if (each != null) each.Dispose();
-    }
-    GC.SuppressFinalize(this);
-  }
-  ~Simulation() { Dispose(); }
+  public void Dispose() { Handle.Dispose(); }
 }
 
 }  // namespace Stylet

@@ -47,19 +47,19 @@ public sealed class Insert : MonoBehaviour {
 
   void FixedUpdate() {  // without a device: ten ticks a fixed step, toward where the hand is
     if (loop != null) return;
-    simulation.Inputs.Values[0].valid = 1;
-    simulation.Inputs.Values[0].handle = PoseOfHand();
+    simulation.Inputs[0].valid = 1;
+    simulation.Inputs[0].handle = PoseOfHand();
     for (int i = 0; i < 10; ++i) simulation.Tick();
   }
 
   void Update() {
     if (loop != null && !loop.Take()) return;
     if (loop == null) simulation.Surface();
-    UnityFrame.ToUnity((loop != null ? loop.Vertices : simulation.Vertices).Values, places);
+    UnityFrame.ToUnity(loop != null ? loop.Vertices : simulation.Vertices, places);
     mesh.vertices = places;
     mesh.RecalculateNormals();
     int nodes = loop != null ? loop.NeedleShape(0) : simulation.NeedleShape(0);
-    Vec3[] shape = (loop != null ? loop.Nodes : simulation.Nodes).Values;
+    Vec3[] shape = loop != null ? loop.Nodes : simulation.Nodes;
     line.positionCount = nodes;
     for (int i = 0; i < nodes; ++i) line.SetPosition(i, UnityFrame.ToUnity(shape[i]));
     if (loop != null && loop.Hands[0].fault != 0) {
