@@ -45,6 +45,7 @@ NOT_RUN = {
     r".*stylet-simulator --ticks \d+ *": "takes hours; tier night",
     r".*--scheduler-file scheduler\.json.*": "needs a cluster; hosts.python.campaign.UnderSlurm",
     r".*examples/calibrate\.py .*": "takes a minute; hosts.python.calibrate.Example does it",
+    r"cc -shared .*/stylet_godot\.c .*|godot3 .*": "needs the engine; hosts.godot builds and runs it",
     r"snakemake .*slurm.*": "needs a cluster; offline.cohort.UnderSlurm makes one",
 }
 # Takes minutes, so in the tier full.
@@ -55,6 +56,8 @@ OF_THE_CHECKOUT = ("tests/", "toolchain/", "./toolchain/", "build/", "hal/consol
                    "STYLET_BIN=build")
 PROGRAMS = {"stylet", "stylet-organ", "snakemake", "npm", "cmake", "apt-get", "ctest", "sbatch",
             "dask-scheduler"}
+# Of other people's languages; where one is missing its commands are skipped.
+PROGRAMS_OF_HOSTS = {"cc", "godot3", "mcs", "mkoctfile", "mono", "octave"}
 
 
 def logical_lines(block):
@@ -69,8 +72,8 @@ def logical_lines(block):
 
 def is_command(line, top):
     words = [word for word in line.split() if not re.match(r"[A-Z_]+=", word)]
-    return bool(words) and (words[0] in PROGRAMS or words[0] == "import" or
-                            re.match(r"[\w./-]+/([\w.-]+\.(py|sh)|stylet[\w-]*)$",
+    return bool(words) and (words[0] in PROGRAMS | PROGRAMS_OF_HOSTS or words[0] == "import" or
+                            re.match(r"[\w./-]+/([\w.-]+\.(py|sh)|stylet[\w-]*)$|\./\w+$",
                                      words[0]) is not None)
 
 
@@ -123,12 +126,16 @@ class Tree:
             if done.returncode != 0:
                 raise SystemExit(done.stderr)
             self.bin, self.top = top / "prefix/bin", top / "prefix/share/stylet"
+            package = top / "prefix/lib/python3/dist-packages"
             outside = [line for line in done.stdout.splitlines() if line.startswith(
                 ("-- Installing: ", "-- Up-to-date: ")) and str(top / "prefix/") not in line]
             if outside:
                 raise SystemExit(f"outside of the prefix: {outside[:3]}")
         else:
-            self.top = top / "checkout"
+            self.top, package = top / "checkout", BUILD / "python"
+            for part in ("libraries", "development"):
+                subprocess.run(["cmake", "--install", BUILD, "--prefix", top / "prefix",
+                                "--component", part], check=True, capture_output=True)
             for name in ("hal", "offline", "tests", "toolchain", "README.md"):
                 path = SOURCE / name
                 if path.is_dir():
@@ -145,6 +152,10 @@ class Tree:
         self.env = {key: value for key, value in os.environ.items()
                     if key not in ("STYLET_BIN", "STYLET_SOURCE", "STYLET_BUILD", "PYTHONPATH")}
         self.env["XDG_CACHE_HOME"] = str(top / "caches")  # organs of scenes run by name
+        # What the system finds by itself where Stylet is installed in /usr.
+        self.env["PYTHONPATH"] = str(package)
+        self.env["LD_LIBRARY_PATH"] = str(top / "prefix/lib")
+        self.env["PKG_CONFIG_PATH"] = str(top / "prefix/lib/pkgconfig")
         self.env["PATH"] = f"{other}:{self.bin}:{os.environ['PATH']}"
         self.bring_inputs()
 
@@ -173,7 +184,9 @@ class Tree:
                               stdin=subprocess.DEVNULL, capture_output=True, timeout=1500)
 
     def lacks(self, line):
-        """What of the shared data a command needs and is not there."""
+        """What of the shared data, or which program, a command needs and is not there."""
+        if line.split()[0] in PROGRAMS_OF_HOSTS and shutil.which(line.split()[0]) is None:
+            return line.split()[0]
         names = [word for word in re.findall(r"[\w./-]+\.(?:stl|nii\.gz)", line)
                  if not (self.top / word).exists()]
         return names[0] if names else ""
@@ -247,7 +260,7 @@ def try_readme(tree, name, slow):
         elif (re.fullmatch(SLOW, line) is not None) != slow:
             continue
         elif missing:
-            fault, how = "", f"skipped: {missing} is not there; set STYLET_DATA"
+            fault, how = "", f"skipped: {missing} is not there (shared data: set STYLET_DATA)"
         else:
             begin = time.monotonic()
             fault, ran = try_command(tree, line), ran + 1

@@ -93,7 +93,13 @@ class Contents(Packed):
                 (r"/dist-packages/stylet/recording\.py$", "python3-stylet"),
                 (r"/dist-packages/stylet/_stylet.*\.so$", "python3-stylet"),
                 (r"/dist-packages/stylet_organ/_stylet_organ.*\.so$", "python3-stylet-organ"),
-                (r"/share/stylet/README\.md$", "stylet-doc")):
+                (r"/share/stylet/README\.md$", "stylet-doc"),
+                (r"/hosts/unity/package\.json$", "stylet-doc"),
+                (r"/hosts/unity/Runtime/Native\.cs$", "stylet-doc"),
+                (r"/hosts/matlab/stylet_mex\.c$", "stylet-doc"),
+                (r"/hosts/godot/project/project\.godot$", "stylet-doc"),
+                (r"/hosts/python/examples/campaign\.py$", "stylet-doc"),
+                (r"/offline/python/examples/calibrate\.py$", "stylet-doc")):
             if package in self.packages:
                 found = [name for name in seen if re.search(wanted, name)]
                 self.assertEqual([seen[name] for name in found], [package], wanted)

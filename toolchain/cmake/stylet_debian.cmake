@@ -80,7 +80,10 @@ meshes in memory. Unlike Stylet it is under the GPL."
   "python3-stylet (= ${PROJECT_VERSION})" "python3 (>= 3.11)" "python3 (<< 3.12)"
   "python3-numpy")
 stylet_package(doc stylet-doc doc "needle insertion for haptic devices, documentation"
-  "${about}\nThese are its pages, with examples in C.")
+  "${about}
+These are its pages, with examples in C and Python, and what programs in
+C#, for Unity, MATLAB, Octave and Godot take of it."
+  "python3:any")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "stylet-organ")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS
   "stylet-doc, python3-h5py, python3-matplotlib, gnuplot-nox")

@@ -6,7 +6,7 @@ usage: bench.py ORGAN [SMALL_ORGAN] [--simulations N] [--threads N]
 
     stylet-organ phantom liver --voxel-mm 5 -o liver.organ                   # 10702 voxels
     stylet-organ phantom block --size-mm 10,10,10 --voxel-mm 5 -o small.organ
-    PYTHONPATH=build/release/python hal/hosts/python/bench.py liver.organ small.organ
+    hal/hosts/python/bench.py liver.organ small.organ
 
 The overhead is that of `tick` over the same ticks in one `run`, in the small organ, where it shows.
 """
