@@ -84,11 +84,11 @@ class Installed(Consumers):
         (cls.tools / "flatc").write_text("#!/bin/sh\nexit 1\n")
         (cls.tools / "flatc").chmod(0o755)
 
-    def build(self, languages, standard, static):
+    def build(self, languages, standard, static, components=""):
         folder = pathlib.Path(tempfile.mkdtemp(dir=self.top))
         self.configure("installed", folder, f"-DCONSUMER_LANGUAGES={languages}",
                        f"-DCONSUMER_STANDARD={standard}", f"-DCONSUMER_STATIC={static}",
-                       f"-DCMAKE_PREFIX_PATH={self.prefix}",
+                       f"-DCONSUMER_COMPONENTS={components}", f"-DCMAKE_PREFIX_PATH={self.prefix}",
                        PATH=f"{self.tools}:{os.environ['PATH']}")
         return folder
 
@@ -105,6 +105,17 @@ class Installed(Consumers):
             folder = self.build("CXX", standard, "ON")
             self.assertEqual(self.state_after(folder / "insert_kernel"), self.kernel_state)
             self.assertRegex(output(folder / "loop", SEED), r"^a hand: 45[01] ticks, .*none$")
+        # In a plugin nobody sees them, also not a libstylet.so beside it.
+        plugin = folder / "libplugin.so"
+        exported = output("nm", "-DC", "--defined-only", plugin)
+        self.assertIn(" T main", exported)
+        self.assertNotIn("stylet", exported)
+        self.assertEqual(state_of(output(folder / "player", plugin, self.organ)), self.kernel_state)
+
+    def test_components(self):
+        self.build("C", 99, "OFF", "stylet;kernel;hal")
+        with self.assertRaisesRegex(AssertionError, "nonsense: expected stylet, kernel or hal"):
+            self.build("C", 99, "OFF", "stylet;nonsense")
 
     def test_c99_by_pkg_config(self):
         folder = next(self.prefix.glob("**/pkgconfig"))
@@ -128,6 +139,10 @@ class Installed(Consumers):
 class Inside(Consumers):
     """Flags that would change the bits, or stop at a warning, are the parent's own."""
     PARENTS = {"strict": "-Werror -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wuseless-cast",
+               "engine": "-O2 -flto -fno-exceptions -fno-rtti -fno-threadsafe-statics"
+                         " -fvisibility=hidden -fvisibility-inlines-hidden -ffunction-sections"
+                         " -fassociative-math -freciprocal-math -fno-signed-zeros"
+                         " -fno-trapping-math -ffinite-math-only",
                "unoptimised": "-O0",
                "fast": "-O3 -ffast-math -funroll-loops",
                "fastest": "-Ofast -ffp-contract=fast -march=haswell"}
@@ -145,6 +160,10 @@ class Inside(Consumers):
     def test_strict_parent(self):
         self.expect_same_bits("strict", "OFF")
         self.expect_same_bits("strict", "ON")
+
+    def test_parent_as_engines_are(self):
+        """Without exceptions and run-time types, and with parts of -ffast-math by their names."""
+        self.expect_same_bits("engine", "OFF")
 
     def test_parent_without_optimisation(self):
         self.expect_same_bits("unoptimised", "ON")

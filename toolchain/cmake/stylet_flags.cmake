@@ -22,8 +22,10 @@ if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 
 # Warnings are for those who work on Stylet, not for those who use it: inside another project its
-# CMAKE_CXX_FLAGS reach these folders, and its warnings as errors and its -ffast-math, which would
-# change the bits, end here. What is set so is for these folders, not for who links the libraries.
+# CMAKE_CXX_FLAGS and compile options reach these folders. Its warnings as errors end here; so do
+# -ffast-math and its parts, which would change the bits, and what engines do without: exceptions,
+# run-time types, statics that threads may make at once. What is set so is for these folders, not
+# for who links the libraries.
 set(warnings)
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH root)
 cmake_path(GET root PARENT_PATH root)
@@ -31,7 +33,12 @@ if(CMAKE_SOURCE_DIR STREQUAL root)
   set(warnings -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Wvla -Wnon-virtual-dtor
     -Werror)
 else()
-  add_compile_options(-w -fno-fast-math)
+  # Each part by itself, too: GCC's -fno-fast-math leaves one that was asked for by its own name.
+  add_compile_options(-w -fno-fast-math -fno-unsafe-math-optimizations -fno-associative-math
+    -fno-reciprocal-math -fno-finite-math-only -fsigned-zeros)
+  foreach(flag -fexceptions -frtti -fthreadsafe-statics)
+    add_compile_options($<$<COMPILE_LANGUAGE:CXX>:${flag}>)
+  endforeach()
   # Linked with -ffast-math, a library makes every program that loads it flush subnormal numbers.
   add_link_options(-fno-fast-math)
 endif()
