@@ -45,7 +45,7 @@ NOT_RUN = {
     r".*stylet-simulator --ticks \d+ *": "takes hours; tier night",
     r".*--scheduler-file scheduler\.json.*": "needs a cluster; hosts.python.campaign.UnderSlurm",
     r".*examples/calibrate\.py .*": "takes a minute; hosts.python.calibrate.Example does it",
-    r"cc -shared .*/stylet_godot\.c .*|godot3 .*": "needs the engine; hosts.godot builds and runs it",
+    r"cc -shared .*/stylet_godot\.c .*|godot3 .*": "needs the engine; hosts.godot runs it",
     r"snakemake .*slurm.*": "needs a cluster; offline.cohort.UnderSlurm makes one",
 }
 # Takes minutes, so in the tier full.

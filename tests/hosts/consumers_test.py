@@ -92,6 +92,20 @@ class Installed(Consumers):
                        PATH=f"{self.tools}:{os.environ['PATH']}")
         return folder
 
+    def test_lines_of_the_page(self):
+        """Those of hal/hosts/c/README.md, in the smallest project that they can be in."""
+        page = (SOURCE / "hal/hosts/c/README.md").read_text()
+        block = re.search(r"## Built with CMake\n+```cmake\n(.*?)```", page, re.S)[1]
+        find, link = block.strip().splitlines()
+        folder = pathlib.Path(tempfile.mkdtemp(dir=self.top))
+        (folder / "CMakeLists.txt").write_text(
+            "cmake_minimum_required(VERSION 3.16)\nproject(page LANGUAGES C)\n"
+            f"{find}\nadd_executable(trainer {EXAMPLE})\n{link}\n")
+        output("cmake", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}",
+               env=environment())
+        output("cmake", "--build", folder / "build", env=environment())
+        self.assertEqual(self.state_after(folder / "build/trainer"), self.state)
+
     def test_c99_by_find_package(self):
         self.assertEqual(self.state_after(self.build("C", 99, "OFF") / "insert_c"), self.state)
 

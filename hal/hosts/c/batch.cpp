@@ -3,7 +3,6 @@
 // wait between calls. Not for the loop: which simulation is done when, nobody knows; the bits do
 // not depend on it. After a fork the child begins threads of its own.
 #include <algorithm>
-#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
@@ -20,10 +19,11 @@
 
 namespace {
 
-// Threads that do the same work as the caller's, once a call.
+// Threads that take items of work beside the caller. A call ends when all items are done: one whose
+// thread wakes too late to take any is not waited for.
 class Pool {
  public:
-  explicit Pool(std::function<void()> work) : work_(std::move(work)) {}
+  explicit Pool(std::function<void(std::size_t)> work) : work_(std::move(work)) {}
   ~Pool() {
     {
       const std::lock_guard lock(mutex_);
@@ -41,39 +41,44 @@ class Pool {
   std::size_t threads() const { return threads_.size(); }
   bool is_of_this_process() const { return process_ == stylet::c::this_process(); }
 
-  void run() {
+  void run(std::size_t items) {
     {
       const std::lock_guard lock(mutex_);
-      busy_ = threads_.size();
-      ++call_;
+      next_ = 0;
+      items_ = undone_ = items;
     }
     begun_.notify_all();
-    work_();
     std::unique_lock lock(mutex_);
-    done_.wait(lock, [&] { return busy_ == 0; });
+    take(lock);
+    done_.wait(lock, [&] { return undone_ == 0; });
   }
 
  private:
   void serve() {
-    std::uint64_t seen = 0;
+    std::unique_lock lock(mutex_);
     for (;;) {
-      std::unique_lock lock(mutex_);
-      begun_.wait(lock, [&] { return ends_ || call_ != seen; });
+      begun_.wait(lock, [&] { return ends_ || next_ < items_; });
       if (ends_) return;
-      seen = call_;
-      lock.unlock();
-      work_();
-      lock.lock();
-      if (--busy_ == 0) done_.notify_one();
+      take(lock);
     }
   }
 
-  std::function<void()> work_;
+  // Items, until all are taken. Locked when it begins and ends, open while it works.
+  void take(std::unique_lock<std::mutex>& lock) {
+    while (next_ < items_) {
+      const std::size_t item = next_++;
+      lock.unlock();
+      work_(item);
+      lock.lock();
+      if (--undone_ == 0) done_.notify_one();
+    }
+  }
+
+  std::function<void(std::size_t)> work_;
   std::int64_t process_ = stylet::c::this_process();
   std::mutex mutex_;
   std::condition_variable begun_, done_;
-  std::uint64_t call_ = 0;  // how many calls there were
-  std::size_t busy_ = 0;    // threads that have not ended the newest call
+  std::size_t items_ = 0, next_ = 0, undone_ = 0;  // of the newest call
   bool ends_ = false;
   std::vector<std::thread> threads_;
 };
@@ -91,7 +96,6 @@ struct stylet_batch {
   // The call that is under way.
   stylet::c::Arrays arrays;
   std::uint32_t ticks = 0;
-  std::atomic<std::size_t> next{0};
 
   std::unique_ptr<Pool> pool;
 
@@ -101,16 +105,14 @@ struct stylet_batch {
     for (const Part& part : parts) stylet_simulation_free(part.simulation);
   }
 
-  // Simulations, until all are taken.
-  void work() {
-    for (std::size_t i = next++; i < parts.size(); i = next++) {
-      const stylet::c::Arrays own = arrays.from(parts[i].first_needle * ticks);
-      stylet::c::run_plain(*parts[i].simulation, own, ticks);
-    }
+  // All ticks of one simulation, which stays in the processor's cache meanwhile.
+  void work(std::size_t part) {
+    const stylet::c::Arrays own = arrays.from(parts[part].first_needle * ticks);
+    stylet::c::run_plain(*parts[part].simulation, own, ticks);
   }
 
   void begin_threads(std::size_t count) {
-    auto made = std::make_unique<Pool>([this] { work(); });
+    auto made = std::make_unique<Pool>([this](std::size_t part) { work(part); });
     forget_threads_of_another_process();
     pool = std::move(made);
     while (pool->threads() < count) pool->add_thread();
@@ -125,8 +127,7 @@ struct stylet_batch {
     if (!pool->is_of_this_process()) begin_threads(pool->threads());
     arrays = of;
     ticks = count;
-    next = 0;
-    pool->run();
+    pool->run(parts.size());
   }
 };
 

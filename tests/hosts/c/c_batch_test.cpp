@@ -52,6 +52,45 @@ TEST(CBatch, IsEachOfItsSimulations) {
   }
 }
 
+// Calls so short that threads come late to one and meet the next.
+TEST(CBatch, CallsOfOneTickAreThoseOfOneLongCall) {
+  const auto opened = block_organ(3, 3, 3);
+  const OrganHandle organ = c_organ(*opened);
+  Draw draw(12);
+  const DrawnConfig config = drawn_config(draw);
+  std::vector<stylet_input> inputs;
+  constexpr std::uint32_t kTicks = 600;
+  for (std::uint64_t t = 0; t < kTicks; ++t) {
+    for (const Input& each : inputs_at(opened->organ, config.cpp, t)) {
+      inputs.push_back(test::to_c(each));
+    }
+  }
+  const SimulationHandle alone = c_simulation(organ.get(), config);
+  ASSERT_EQ(stylet_simulation_run(alone.get(), inputs.data(), nullptr, kTicks), STYLET_OK);
+  constexpr std::size_t kSimulations = 3;
+  std::vector<SimulationHandle> owned;
+  std::vector<stylet_simulation*> all;
+  for (std::size_t i = 0; i < kSimulations; ++i) {
+    owned.push_back(c_simulation(organ.get(), config));
+    all.push_back(owned.back().get());
+  }
+  stylet_batch* made = nullptr;
+  ASSERT_EQ(stylet_batch_create(all.data(), kSimulations, 0, &made), STYLET_OK);
+  const BatchHandle batch(made);
+  const std::size_t needles = config.cpp.needle_count;
+  std::vector<stylet_input> given(kSimulations * needles);
+  std::vector<stylet_output> outputs(given.size());
+  for (std::uint32_t t = 0; t < kTicks; ++t) {
+    for (std::size_t i = 0; i < given.size(); ++i) given[i] = inputs[t * needles + i % needles];
+    outputs[0].struct_bytes = sizeof outputs[0];
+    ASSERT_EQ(stylet_batch_run(made, given.data(), outputs.data(), 1), STYLET_OK);
+    for (const stylet_output& each : outputs) ASSERT_EQ(each.tick, t + 1);  // all are done
+  }
+  for (const stylet_simulation* each : all) {
+    EXPECT_EQ(stylet_simulation_hash(each), stylet_simulation_hash(alone.get()));
+  }
+}
+
 #if !defined(_WIN32) && !defined(__SANITIZE_THREAD__)  // which lets no fork begin threads
 TEST(CBatch, GoesOnInAForkedProcess) {
   const auto opened = block_organ(4, 3, 4);
