@@ -5,6 +5,7 @@ organs and simulations in any order of life, the library's own loop.
 
 usage: csharp_test.py LIBRARY_FOLDER EXAMPLE_IN_C STYLET_ORGAN
 """
+import json
 import os
 import pathlib
 import shutil
@@ -59,6 +60,23 @@ class CSharp(unittest.TestCase):
     def test_example_is_short(self):
         lines = (PACKAGE / "Examples~/Insert.cs").read_text().splitlines()
         self.assertLessEqual(len(lines), 60)
+
+    def test_unitys_sample_compiles(self):
+        """Against a stand-in of Unity's types, in the C# and with the rights of its asmdef."""
+        runtime = PACKAGE / "Runtime"
+        self.assertTrue(json.loads((runtime / "Stylet.Needle.asmdef").read_text())
+                        ["allowUnsafeCode"])
+        library = pathlib.Path(self.folder.name) / "package.dll"
+        own = ["mcs", "-langversion:7", "-warnaserror", "-define:UNITY_2020_3_OR_NEWER",
+               "-target:library"]
+        stand_in = library.with_name("UnityEngine.dll")
+        subprocess.run([*own, HERE / "UnityStandIn.cs", f"-out:{stand_in}"], check=True)
+        subprocess.run([*own, "-unsafe", *sorted(runtime.glob("*.cs")), f"-r:{stand_in}",
+                        f"-out:{library}"], check=True)
+        # A sample is in the project's own assembly, without that right. Unity sets its fields.
+        subprocess.run([*own, "-nowarn:649", PACKAGE / "Samples~/Insert/Insert.cs",
+                        f"-r:{stand_in}", f"-r:{library}", f"-out:{library.with_name('s.dll')}"],
+                       check=True)
 
     def test_a_frame_allocates_nothing(self):
         # Mono counts in blocks that it hands to a thread: one block may be what the console took.
