@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """libstylet.so exports the functions of its header and nothing else, needs what every Debian has,
-and runs the programs of earlier versions.
+and runs the programs of earlier versions; its headers are C89 and C++98, and all that came later.
 
 usage: exports_test.py LIBRARY SOURCE ORGAN
 """
 import pathlib
 import re
+import shutil
 import sys
 import tempfile
 import unittest
@@ -58,6 +59,27 @@ class Exports(unittest.TestCase):
 
     def test_is_found_by_its_number(self):
         self.assertRegex(output("readelf", "-d", LIBRARY), r"\(SONAME\).*\[libstylet\.so\.0\]")
+
+
+class Headers(unittest.TestCase):
+    STRICT = ["-pedantic-errors", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wundef",
+              "-Werror", "-fsyntax-only", f"-I{INCLUDE}"]
+    LANGUAGES = {"c": (["c89", "c99", "c11", "c17"], ["-Wstrict-prototypes", "-Wc++-compat"]),
+                 "c++": (["c++98", "c++11", "c++17", "c++20"],
+                         ["-Wold-style-cast", "-fno-exceptions", "-fno-rtti"])}
+
+    def test_each_alone_in_each_standard(self):
+        compilers = [name for name in ("gcc", "clang") if shutil.which(name)]
+        self.assertTrue(compilers)
+        with tempfile.TemporaryDirectory() as folder:
+            source = pathlib.Path(folder) / "alone"
+            for header in sorted((INCLUDE / "stylet").glob("*.h")):
+                source.write_text(f"#include <stylet/{header.name}>\n")
+                for language, (standards, more) in self.LANGUAGES.items():
+                    for compiler in compilers:
+                        for standard in standards:
+                            output(compiler, "-x", language, f"-std={standard}", *self.STRICT,
+                                   *more, source)
 
 
 class Programs(unittest.TestCase):
