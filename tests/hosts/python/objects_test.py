@@ -16,6 +16,7 @@ import unittest
 
 import numpy as np
 import stylet
+from stylet import _stylet
 from support import insertion, organ, organ_file, simulation
 
 try:
@@ -116,6 +117,17 @@ class WithoutInit(unittest.TestCase):
         self.assertRaisesRegex(TypeError, NOT_MADE, run.hash)
         run.__init__(organ(), config=stylet.Config(inertia="added_mass", substeps=1))
         self.assertEqual(run.hash(), simulation().hash())
+
+    def test_twice(self):
+        """Else a guard would keep its old limits, and say nothing."""
+        guard, run = stylet.Guard(stylet.GuardConfig(max_force_n=2)), simulation()
+        loop = stylet.Loop(simulation(), stylet.Device.simulated(0.01, 0.01), stylet.Hand())
+        for call in (lambda: guard.__init__(stylet.GuardConfig(max_force_n=3)),
+                     lambda: run.__init__(organ()),
+                     lambda: loop.__init__(simulation(), stylet.Device.simulated(0.01, 0.01),
+                                           stylet.Hand())):
+            self.assertRaisesRegex(TypeError, "called before", call)
+        self.assertRaises(TypeError, _stylet.refuse_second_init, 7)
 
     def test_of_a_class_that_forgets_its_own(self):
         def forgets(self, *_):

@@ -39,6 +39,7 @@ PYBIND11_MODULE(_stylet, module) {
   module.def("event_name", stylet_event_name);
   module.def("pose_of_tip", pose_of_tip, py::arg("tip_m"), py::arg("direction"),
              py::arg("length_m"));
+  module.def("refuse_second_init", refuse_second_init, py::arg("object"));
   add_types(module);
   add_organ(module);
   add_simulation(module);

@@ -53,6 +53,9 @@ void add_types(py::module_& module);
 // Of all classes of the module: an object whose `__init__` was not called, or raised, is refused
 // wherever it is used. It has no C++ object, and pybind11 would give memory that nobody filled.
 void refuse_objects_without_init(const py::module_& module);
+// For `__init__` of Python's classes: raises where it was called before. pybind11 would ignore the
+// second call, and what it was given.
+void refuse_second_init(const py::object& object);
 
 // Bytes of Python where they lie: bytes, bytearray, memoryview, an array in one piece.
 class Bytes {

@@ -71,6 +71,7 @@ class Guard(_stylet.Guard):
     """For a device that is driven otherwise: each tick `sample`, then `force`, sent as it says."""
 
     def __init__(self, config=None):
+        _stylet.refuse_second_init(self)
         super().__init__(*rows_of(GuardConfig() if config is None else config, GuardConfig))
 
 
@@ -113,6 +114,7 @@ class Loop(_stylet.Loop):
     """
 
     def __init__(self, simulation, devices, hands, config=None, guards=()):
+        _stylet.refuse_second_init(self)
         devices = [devices] if isinstance(devices, Device) else list(devices)
         super().__init__(simulation, devices, rows_of(hands, Hand), rows_of(guards, GuardConfig),
                          *rows_of(LoopConfig() if config is None else config, LoopConfig))

@@ -27,6 +27,7 @@ class Simulation(_stylet.Simulation):
     """
 
     def __init__(self, organ, needles=None, config=None, obstacles=()):
+        _stylet.refuse_second_init(self)
         needles = Needle() if needles is None else needles
         config = Config() if config is None else config
         super().__init__(organ, rows_of(needles, Needle), *rows_of(config, Config),
