@@ -328,7 +328,8 @@ class Console {
     marks_.clear();
     scored_ = {scored_.attempt + 1, trainee, local_time(), "", {}};
     if (!options_.record.empty()) {
-      attempt_->recording = hal::numbered_name(options_.record);
+      attempt_->recording_name = {options_.record, hal::Naming::kNumber};
+      attempt_->recording = hal::free_name(attempt_->recording_name);
       attempt_->trainee = trainee;
       scored_.recording = std::filesystem::path(attempt_->recording).filename().string();
     }
@@ -354,12 +355,9 @@ class Console {
 
   void report() {
     RunReport report = report_of(*session_, *attempt_);
-    const std::string record_error = finish_recording(*attempt_, report.state_hash, marks_);
-    if (!record_error.empty()) {
-      fmt::print(stderr, "stylet: {}\n", record_error);
-      report.recording.clear();
-      scored_.recording.clear();
-    }
+    const std::string record_error = finish_recording(*attempt_, report, marks_);
+    if (!record_error.empty()) fmt::print(stderr, "stylet: {}\n", record_error);
+    scored_.recording = std::filesystem::path(report.recording).filename().string();
     report.resonance = first_resonance(session_->instance->kernel);
     fmt::print("\nattempt {}\n{}", scored_.attempt, human_text(report));
     std::fflush(stdout);

@@ -77,14 +77,14 @@ void announce(const Session& s) {
 }
 
 // A recording cannot be made again, so an existing one stays unless the user says otherwise.
-std::string recording_name(const RunOptions& options) {
-  if (options.record.empty() || options.force) return options.record;
-  std::string name = hal::kept_name(options.record);
-  if (name != options.record) {
+void name_recording(const RunOptions& options, Attempt& a) {
+  if (options.record.empty()) return;
+  a.recording_name = {options.record, options.force ? hal::Naming::kReplace : hal::Naming::kKeep};
+  a.recording = hal::free_name(a.recording_name);
+  if (a.recording != options.record) {
     fmt::print(stderr, "stylet: {} exists and is kept: this recording is {} (--force overwrites)\n",
-               options.record, name);
+               options.record, a.recording);
   }
-  return name;
 }
 
 }  // namespace
@@ -100,7 +100,7 @@ int run(const RunOptions& options) {
   hal::check_output(options.record, files_of(s));
   open_devices(s);
   if (!options.fast) hal::prepare_process(host);
-  a.recording = recording_name(options);
+  name_recording(options, a);
   prepare(s, a, nullptr);
   announce(s);
   start(s, a);
@@ -108,8 +108,7 @@ int run(const RunOptions& options) {
   finish(s, a);
   RunReport report = report_of(s, a);
   // Completes the recording first, because a driver may hang while its device is closed.
-  const std::string record_error = finish_recording(a, report.state_hash);
-  if (!record_error.empty()) report.recording.clear();
+  const std::string record_error = finish_recording(a, report);
   s.close_devices();
   if (!tell_of_host(s, a.host_fit)) return kExitHostUnfit;
   report.resonance = first_resonance(s.instance->kernel);

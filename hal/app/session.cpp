@@ -283,8 +283,8 @@ void prepare(Session& s, Attempt& a, hal::Display* display) {
     for (std::uint32_t i = 0; i < s.sources.size(); ++i) rewind_hand(s, i);
   }
   take_guards(s, a);
-  a.recorder = std::make_unique<hal::RecorderProcess>(
-      hal::RecorderTask{std::move(info), a.recording, s.options.flight, s.scene.targets});
+  a.recorder = std::make_unique<hal::RecorderProcess>(hal::RecorderTask{
+      std::move(info), a.recording, a.recording_name, s.options.flight, s.scene.targets});
 }
 
 namespace {
@@ -387,11 +387,18 @@ void finish(Session& s, Attempt& a) {
   if (a.failure) std::rethrow_exception(a.failure);
 }
 
-std::string finish_recording(Attempt& a, std::uint64_t state_hash,
-                             std::span<const hal::Mark> marks) {
+std::string finish_recording(Attempt& a, RunReport& report, std::span<const hal::Mark> marks) {
   if (!a.kept) return "";  // already told
-  if (a.recording.empty() || !a.kept->error.empty()) return a.kept->error;
-  return a.recorder->finish(state_hash, a.state.lost_records, marks);
+  hal::Completed completed = {"", a.kept->error};
+  if (!a.recording.empty() && a.kept->error.empty()) {
+    completed = a.recorder->finish(report.state_hash, a.state.lost_records, marks);
+    if (completed.error.empty() && completed.recording != a.recording) {
+      fmt::print(stderr, "stylet: {} has come meanwhile and is kept: this recording is {}\n",
+                 a.recording, completed.recording);
+    }
+  }
+  report.recording = a.recording = completed.recording;
+  return completed.error;
 }
 
 RunReport report_of(const Session& s, const Attempt& a) {
@@ -400,7 +407,6 @@ RunReport report_of(const Session& s, const Attempt& a) {
   report.organ_file = s.organ->path;
   report.organ_name = s.organ->organ.name;
   report.mode = mode_name(s);
-  if (a.kept) report.recording = a.recording;
   report.organ_hash = s.organ->organ.hash;
   report.voxel_edge_m = s.organ->organ.voxel_edge_m;
   report.state_hash = hash(s.instance->kernel);

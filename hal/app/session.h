@@ -93,7 +93,8 @@ struct Attempt {
 
   hal::LoopState state;
   hal::Display* display = nullptr;  // null: no display
-  std::string recording;            // empty: no recording
+  std::string recording;            // empty: no recording; finish_recording sets what came of it
+  hal::OutputName recording_name;   // if that name is taken in the end
   std::string trainee;              // for the recording; empty: not told
   std::unique_ptr<hal::RecorderProcess> recorder;
   bool recorder_lost = false;         // the user has been told
@@ -115,8 +116,9 @@ void prepare(Session& session, Attempt& attempt, hal::Display* display);
 void start(Session& session, Attempt& attempt);
 // Waits for the loop's end, and completes the recorder's work. Throws what the loop threw.
 void finish(Session& session, Attempt& attempt);
-// What went wrong with the recording; empty: nothing. The report is still worth having.
-std::string finish_recording(Attempt& attempt, std::uint64_t state_hash,
+// Completes the recording, and puts its name into the report, or none. What went wrong; empty:
+// nothing. The report is still worth having.
+std::string finish_recording(Attempt& attempt, RunReport& report,
                              std::span<const hal::Mark> marks = {});
 
 // Checks whether the processes beside this one still run; tells on standard error if one does not.

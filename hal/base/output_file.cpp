@@ -14,6 +14,8 @@
 namespace stylet::hal {
 namespace {
 
+constexpr mode_t kAllMayWrite = 0666;  // less the umask
+
 bool write_all(int file, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(file, bytes.data(), bytes.size());
@@ -22,6 +24,27 @@ bool write_all(int file, std::string_view bytes) {
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
   return ::fsync(file) == 0;
+}
+
+// Never replaces a file; EEXIST: the name is taken. Without the system's own call (NFS, FUSE) by a
+// second name, and without those (folders that a virtual machine shares) by a name that is reserved
+// first.
+bool rename_to_free(const char* from, const char* to) {
+  if (::renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE) == 0) return true;
+  if (errno != EINVAL && errno != ENOSYS) return false;
+  if (::link(from, to) == 0) {
+    ::unlink(from);
+    return true;
+  }
+  if (errno != EPERM && errno != ENOSYS && errno != EOPNOTSUPP) return false;
+  const int reserved = ::open(to, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kAllMayWrite);
+  if (reserved < 0) return false;
+  ::close(reserved);
+  if (std::rename(from, to) == 0) return true;
+  const int error = errno;
+  ::unlink(to);
+  errno = error;
+  return false;
 }
 
 }  // namespace
@@ -46,19 +69,34 @@ void check_output(const std::string& path, std::span<const std::string> inputs) 
   }
 }
 
-std::string kept_name(const std::string& path) {
+std::string free_name(const OutputName& output) {
   namespace fs = std::filesystem;
-  const fs::path wanted = path;
-  fs::path name = wanted;
-  for (int number = 2; fs::exists(fs::symlink_status(name)); ++number) {
-    name = wanted.parent_path() / wanted.stem();
-    name += fmt::format("-{}{}", number, wanted.extension().string());
+  if (output.naming == Naming::kReplace) return output.wanted;
+  const fs::path wanted = output.wanted;
+  const bool numbered = output.naming == Naming::kNumber;
+  const auto name = [&](int number) {
+    if (number == 1 && !numbered) return wanted;
+    fs::path with_number = wanted.parent_path() / wanted.stem();
+    with_number += fmt::format("-{}{}", number, wanted.extension().string());
+    return with_number;
+  };
+  int number = 1;
+  while (fs::exists(fs::symlink_status(name(number)))) ++number;
+  return name(number).string();
+}
+
+std::string take_name(const std::string& temporary, const std::string& first,
+                      const OutputName& output) {
+  if (output.naming == Naming::kReplace) {
+    return std::rename(temporary.c_str(), first.c_str()) == 0 ? first : "";
   }
-  return name.string();
+  for (std::string name = first;; name = free_name(output)) {
+    if (rename_to_free(temporary.c_str(), name.c_str())) return name;
+    if (errno != EEXIST) return "";
+  }
 }
 
 void write_output(const std::string& path, std::string_view bytes) {
-  constexpr mode_t kAllMayWrite = 0666;  // less the umask
   const std::string temporary = fmt::format("{}.{}.tmp", path, getpid());
   const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kAllMayWrite);
   bool good = file >= 0 && write_all(file, bytes);

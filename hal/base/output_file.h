@@ -3,6 +3,7 @@
 // reads, and it appears as a whole or not at all.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,8 +14,24 @@ namespace stylet::hal {
 // file, or one of `inputs`, also by another name or through a link. Empty `path`: nothing to check.
 void check_output(const std::string& path, std::span<const std::string> inputs);
 
-// `path` if that name is free, else the first free name with -2, -3, ... before its ending.
-std::string kept_name(const std::string& path);
+// What becomes of a file that has the wanted name already.
+enum class Naming : std::uint32_t {
+  kReplace,  // the new one takes its place
+  kKeep,     // it stays; the new one gets -2, -3, ... before its ending
+  kNumber,   // it stays; each new one gets -1, -2, ...
+};
+struct OutputName {
+  std::string wanted;
+  Naming naming = Naming::kReplace;
+};
+
+// The first name that is free now, or the wanted one if that replaces.
+std::string free_name(const OutputName& output);
+
+// Gives a complete file its name, in the folder it is in: `first`, or if another file has got that
+// name meanwhile and is to stay, the first free one. Returns the name; empty: errno says why not.
+std::string take_name(const std::string& temporary, const std::string& first,
+                      const OutputName& output);
 
 // The file gets its name when all of it is on the disk; permissions follow the umask. On failure
 // throws std::runtime_error with one line and leaves no file.

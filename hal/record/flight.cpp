@@ -67,11 +67,11 @@ void FlightRecorder::write() {
   std::copy_if(events_.begin(), events_.end(), std::back_inserter(events),
                [&](const Event& each) { return each.tick >= first && each.tick <= last; });
   try {
-    pending_.path = numbered_name(path_);
-    RecordingWriter writer(pending_.path, info_);
+    const OutputName name = {path_, Naming::kNumber};
+    RecordingWriter writer(free_name(name), info_, name);
     writer.append(std::vector<TickRecord>(records.begin(), records.end()));
     writer.append(events);
-    writer.finish(0, first - 1);
+    pending_.path = writer.finish(0, first - 1);
     flights_.push_back(pending_);
   } catch (const std::exception& failure) {
     error_ = failure.what();

@@ -42,9 +42,10 @@ void visit(Way way, RecorderTask& task) {
   RecordingInfo& info = task.info;
   for (std::string* each :
        {&info.stylet_version, &info.began, &info.trainee, &info.scene_file, &info.scene_text,
-        &info.organ_file, &info.organ_name, &task.recording, &task.flight}) {
+        &info.organ_file, &info.organ_name, &task.recording, &task.flight, &task.name.wanted}) {
     way(*each);
   }
+  way(task.name.naming);
   way(info.organ_hash);
   way(info.config);
   way(info.course);
@@ -178,20 +179,23 @@ std::optional<Recorded> RecorderProcess::stop(std::span<const Fault> faults) {
   return std::nullopt;
 }
 
-std::string RecorderProcess::finish(std::uint64_t state_hash, std::uint64_t lost_records,
-                                    std::span<const Mark> marks) {
+Completed RecorderProcess::finish(std::uint64_t state_hash, std::uint64_t lost_records,
+                                  std::span<const Mark> marks) {
   Packer question;
   question.put(state_hash).put(lost_records);
   question.put_each(std::vector<Mark>(marks.begin(), marks.end()),
                     [](Packer& to, const Mark& mark) { to.put(mark.tick).put(mark.text); });
   const std::optional<Bytes> answer = ask(question);
-  if (!answer) return "the recording was not completed: its recorder has ended";
-  std::string error = "the recording was not completed: the answer of its recorder cannot be read";
+  if (!answer) return {"", "the recording was not completed: its recorder has ended"};
   try {
-    Unpacker(*answer).get(error);
+    Unpacker unpacker(*answer);
+    Completed completed;
+    unpacker.get(completed.recording);
+    unpacker.get(completed.error);
+    return completed;
   } catch (const PackingError&) {
+    return {"", "the recording was not completed: the answer of its recorder cannot be read"};
   }
-  return error;
 }
 
 // ---- in the process beside
@@ -224,8 +228,8 @@ Recorded outcome(const RecorderTask& task, const Recorder& recorder, const Fligh
   return recorded;
 }
 
-// The last words about a recording; empty: it has its final name.
-std::string complete(RecordingWriter& writer, const Bytes& order) {
+// The last words about a recording.
+Completed complete(RecordingWriter& writer, const Bytes& order) {
   Unpacker unpacker(order);
   std::uint64_t state_hash = 0, lost_records = 0;
   std::vector<Mark> marks;
@@ -236,11 +240,10 @@ std::string complete(RecordingWriter& writer, const Bytes& order) {
     from.get(mark.text);
   });
   try {
-    writer.finish(state_hash, lost_records, marks);
+    return {writer.finish(state_hash, lost_records, marks), ""};
   } catch (const RecordingError& error) {
-    return error.what();
+    return {"", error.what()};
   }
-  return "";
 }
 
 struct Desk {
@@ -254,7 +257,7 @@ struct Desk {
       : task(std::move(given)),
         writer(task.recording.empty()
                    ? nullptr
-                   : std::make_unique<RecordingWriter>(task.recording, task.info)),
+                   : std::make_unique<RecordingWriter>(task.recording, task.info, task.name)),
         flight(task.flight, task.info),
         courses(std::span(task.info.course).first(task.info.config.needle_count)),
         scorer(task.targets, courses, static_cast<double>(task.info.config.period_s)) {}
@@ -276,7 +279,8 @@ bool serve(SideSeat& seat, Desk& desk, Recorder& recorder) {
   const std::optional<Bytes> order = next_order(seat, recorder);
   if (!order) return false;
   Packer said;
-  said.put(complete(*desk.writer, *order));
+  const Completed completed = complete(*desk.writer, *order);
+  said.put(completed.recording).put(completed.error);
   (void)seat.link.send(said.bytes());
   return true;
 }

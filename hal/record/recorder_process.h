@@ -35,6 +35,7 @@ constexpr std::size_t kEventRing = 1024;
 struct RecorderTask {
   RecordingInfo info;
   std::string recording;  // empty: no recording
+  OutputName name;        // if that name is taken in the end
   std::string flight;
   std::vector<Target> targets;
 };
@@ -47,6 +48,12 @@ struct Recorded {
   std::vector<Flight> flights;
   std::string error, flight_error;  // of writing; empty: no error
   bool forgot = false;              // phases and events are only those of the last kMaxTrackPoints
+};
+
+// How the recording ended.
+struct Completed {
+  std::string recording;  // its name; empty: it was not completed
+  std::string error;      // why not
 };
 
 class RecorderProcess {
@@ -65,9 +72,9 @@ class RecorderProcess {
   // Call once, when the loop has ended; `faults`: of each hand now. nullopt: the process has ended,
   // or was killed because it no longer took anything.
   std::optional<Recorded> stop(std::span<const Fault> faults);
-  // Call after stop(). What went wrong; empty: the recording has its final name.
-  std::string finish(std::uint64_t state_hash, std::uint64_t lost_records,
-                     std::span<const Mark> marks);
+  // Call after stop().
+  Completed finish(std::uint64_t state_hash, std::uint64_t lost_records,
+                   std::span<const Mark> marks);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "hal/base/output_file.h"
 #include "hal/loop/record.h"
 #include "stylet/kernel.h"
 
@@ -52,12 +53,10 @@ struct Mark {
   std::string text;
 };
 
-// The first free name of `path` with -1, -2, ... before its extension.
-std::string numbered_name(const std::string& path);
-
 class RecordingWriter {
  public:
-  RecordingWriter(const std::string& path, const RecordingInfo& info);
+  // `name`: what the file is called in the end if `path` is taken by then; empty: it replaces.
+  RecordingWriter(const std::string& path, const RecordingInfo& info, OutputName name = {});
   ~RecordingWriter();  // without finish() it removes the temporary file
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
@@ -65,8 +64,9 @@ class RecordingWriter {
   // Puts each record into the table of its needle.
   void append(std::span<const TickRecord> records);
   void append(std::span<const Event> events);
-  void finish(std::uint64_t final_state_hash, std::uint64_t lost_records,
-              std::span<const Mark> marks = {});
+  // Returns the name that the file got.
+  std::string finish(std::uint64_t final_state_hash, std::uint64_t lost_records,
+                     std::span<const Mark> marks = {});
   // Instead of finish(): writes all to the disk and leaves it as the temporary file. How many ticks
   // that holds.
   std::uint64_t leave();

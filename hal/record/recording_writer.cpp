@@ -17,6 +17,7 @@ using namespace hdf5;
 
 struct RecordingWriter::File {
   std::string path, temporary;
+  OutputName name;
   Handle file;
   std::vector<Table> ticks;  // for each needle
   Table events;
@@ -27,9 +28,11 @@ struct RecordingWriter::File {
   std::array<std::vector<TickRecord>, kMaxNeedles> waiting;  // for each needle
   std::vector<Event> waiting_events;
 
-  File(const std::string& path_in, const std::string& temporary_in, hid_t id, const Config& config)
+  File(const std::string& path_in, const std::string& temporary_in, OutputName name_in, hid_t id,
+       const Config& config)
       : path(path_in),
         temporary(temporary_in),
+        name(std::move(name_in)),
         file(id, H5Fclose),
         ticks(tick_tables(id, path, config)),
         events(id, path, event_columns(), "", kEventRows),
@@ -75,16 +78,6 @@ struct RecordingWriter::File {
   }
 };
 
-std::string numbered_name(const std::string& path) {
-  namespace fs = std::filesystem;
-  const fs::path wanted = path;
-  for (int number = 1;; ++number) {
-    fs::path name = wanted.parent_path() / wanted.stem();
-    name += fmt::format("-{}{}", number, wanted.extension().string());
-    if (!fs::exists(name)) return name.string();
-  }
-}
-
 namespace {
 
 // Uses the format in which a file can be read at any time while it is written (SWMR): a killed
@@ -111,7 +104,8 @@ bool add_marks(const std::string& whole, const std::string& path, std::span<cons
 
 }  // namespace
 
-RecordingWriter::RecordingWriter(const std::string& path, const RecordingInfo& info) {
+RecordingWriter::RecordingWriter(const std::string& path, const RecordingInfo& info,
+                                 OutputName name) {
   prepare_library();
   const std::string temporary = fmt::format("{}.{}.tmp", path, getpid());
   const hid_t id = create_file(temporary);
@@ -119,7 +113,7 @@ RecordingWriter::RecordingWriter(const std::string& path, const RecordingInfo& i
     std::remove(temporary.c_str());
     fail(path, "file", "cannot be created: expected a folder that can be written, and room there");
   }
-  file_ = std::make_unique<File>(path, temporary, id, info.config);
+  file_ = std::make_unique<File>(path, temporary, std::move(name), id, info.config);
   AttributeWriter writer{id, file_->path};
   writer.text("format", kFormatName);
   writer.number("format_version", ColumnType::kUint32, 1, &kFormatVersion);
@@ -165,24 +159,27 @@ std::uint64_t RecordingWriter::ticks_kept() const {
   return file_ == nullptr ? 0 : file_->flushed[0];
 }
 
-void RecordingWriter::finish(std::uint64_t final_state_hash, std::uint64_t lost_records,
-                             std::span<const Mark> marks) {
+std::string RecordingWriter::finish(std::uint64_t final_state_hash, std::uint64_t lost_records,
+                                    std::span<const Mark> marks) {
   file_->put_down_all();
   const Ending ending = {lost_records, final_state_hash, file_->ticks[0].rows()};
   AttributeRewriter writer{file_->file.id, file_->path};
   visit_ending(writer, ending);
   const std::string path = file_->path;
+  const OutputName name = file_->name;
   const std::string temporary = std::exchange(file_->temporary, "");
   bool whole = H5Fflush(file_->file.id, H5F_SCOPE_LOCAL) >= 0;
   file_.reset();
   if (whole && !marks.empty()) whole = add_marks(temporary, path, marks);
-  if (!whole || std::rename(temporary.c_str(), path.c_str()) != 0) {
+  std::string taken = whole ? take_name(temporary, path, name) : "";
+  if (taken.empty()) {
     std::remove((temporary + "+").c_str());
     fail(path, "file",
          fmt::format("cannot be completed (disk full, or the name is taken by a folder?); "
                      "what was recorded is {}",
                      temporary));
   }
+  return taken;
 }
 
 }  // namespace stylet::hal

@@ -44,6 +44,14 @@ def call(program, *arguments, expect=0, env=None):
     return done
 
 
+def wait_until(holds, most_s=20):
+    deadline = time.monotonic() + most_s
+    while not holds():
+        if time.monotonic() > deadline:
+            raise AssertionError(f"not within {most_s} s")
+        time.sleep(0.01)
+
+
 class Folder(unittest.TestCase):
     """A folder of its own, and what the programs make in it."""
 
@@ -173,6 +181,32 @@ class Recording(Folder):
         self.assertEqual(json.loads(done.stdout)["recording"], str(kept))
         call("stylet", "replay", kept)
         self.assertEqual(sorted(self.top.glob("kept*")), [second, kept])
+
+    def test_recordings_of_runs_at_once_are_all_kept(self):
+        """Also a file that somebody puts there while a run goes on."""
+        wanted = self.top / "busy.h5"
+        lengths = [0.6, 0.9, 1.2]
+        runs = [subprocess.Popen([BIN / "stylet", "run", SCENE, "--organ", self.organ,
+                                  "--allow-non-rt", "--duration-s", str(length), "--json",
+                                  "--record", wanted, "--flight", self.top / "late.h5"],
+                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                for length in lengths]
+        wait_until(lambda: len(list(self.top.glob("busy.h5.*.tmp"))) == len(runs))
+        wanted.write_bytes(b"precious")
+        names = set()
+        for run in runs:
+            out, error = run.communicate(timeout=120)
+            self.assertIn(run.returncode, (0, 3), error)  # on a busy machine they are late
+            report = json.loads(out)
+            name = report["recording"]
+            names.add(name)
+            self.assertIn(f"{wanted} has come meanwhile and is kept: this recording is {name}\n",
+                          error)
+            with h5py.File(name) as file:
+                self.assertEqual(len(file["output/tick"]), report["timing"]["ticks"])
+        self.assertEqual(names, {str(self.top / f"busy-{i}.h5") for i in (2, 3, 4)})
+        self.assertEqual(wanted.read_bytes(), b"precious")
+        self.assertEqual(len(list(self.top.glob("busy*"))), 4)
 
     def test_full_disk_leaves_no_picture(self):
         """A limit on sizes, under which gnuplot draws half and is content; and a full /dev/full."""

@@ -18,7 +18,7 @@ import unittest
 
 import h5py
 
-from cli_test import BIN, SCENE, Folder, call
+from cli_test import BIN, SCENE, Folder, call, wait_until
 
 
 class Run:
@@ -36,14 +36,6 @@ class Run:
         self.process.send_signal(number)
         out, error = self.process.communicate(timeout=timeout)
         return self.process.returncode, out, error
-
-
-def wait_until(holds, most_s=20):
-    deadline = time.monotonic() + most_s
-    while not holds():
-        if time.monotonic() > deadline:
-            raise AssertionError(f"not within {most_s} s")
-        time.sleep(0.01)
 
 
 def has_ended(process):

@@ -20,8 +20,8 @@ import unittest
 
 import h5py
 
-from cli_test import BIN, SCENE, SOURCE
-from process_test import Disturbed, of_session, wait_until
+from cli_test import BIN, SCENE, SOURCE, wait_until
+from process_test import Disturbed, of_session
 
 sys.path.insert(0, str(SOURCE / "hal/device"))
 from example_client import sample_packet  # noqa: E402

@@ -4,11 +4,14 @@
 #include "hal/record/flight.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <vector>
 
 #include "hal/record/recorder.h"
 #include "rig.h"
@@ -137,6 +140,31 @@ TEST_F(FlightTest, EarlierFilesStay) {
   ASSERT_EQ(flight.flights().size(), 1U);
   EXPECT_EQ(flight.flights()[0].path, file(2));
   EXPECT_EQ(fs::file_size(file(1)), 8U);
+}
+
+// Programs in one folder whose faults come together: each has its evidence, in the file it says.
+TEST_F(FlightTest, FaultsOfSeveralProgramsAtOnceAreAllKept) {
+  std::vector<pid_t> programs;
+  for (std::uint64_t i = 0; i < 6; ++i) {
+    programs.push_back(fork());
+    if (programs.back() != 0) continue;
+    FlightRecorder flight(path(), info());
+    for (std::uint64_t t = 1; t <= 20 + i; ++t) flight.add(tick_of(t, 1, 0, 5), {});
+    flight.finish();
+    const bool mine =
+        flight.flights().size() == 1 && RecordingReader(flight.flights()[0].path).ticks() == 20 + i;
+    _exit(mine ? 0 : 1);
+  }
+  for (const pid_t each : programs) {
+    int status = 1;
+    waitpid(each, &status, 0);
+    EXPECT_EQ(status, 0);
+  }
+  std::set<std::size_t> lengths;
+  for (int number = 1; number <= 6; ++number) {
+    lengths.insert(RecordingReader(file(number)).ticks());
+  }
+  EXPECT_EQ(lengths, (std::set<std::size_t>{20, 21, 22, 23, 24, 25}));
 }
 
 TEST_F(FlightTest, SeveralNeedlesKeepWholeTicksAndTheirEvents) {

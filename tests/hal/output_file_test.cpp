@@ -2,16 +2,56 @@
 // Writing an output never destroys what it is made from, nor what is not a file.
 #include "hal/base/output_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <random>
+#include <set>
 #include <string>
+#include <vector>
+
+// File systems that can do less: NFS and FUSE cannot refuse to replace, folders that a virtual
+// machine shares know no second names. The system's calls are ours here, and refuse as those do.
+namespace {
+
+bool refuses_to_replace = true, links = true;
+
+struct FileSystem {
+  FileSystem(bool refuses_to_replace_in, bool links_in) {
+    refuses_to_replace = refuses_to_replace_in;
+    links = links_in;
+  }
+  ~FileSystem() { refuses_to_replace = links = true; }
+};
+
+}  // namespace
+
+extern "C" int renameat2(int from_folder, const char* from, int to_folder, const char* to,
+                         unsigned flags) noexcept {
+  if (!refuses_to_replace && flags != 0) {
+    errno = EINVAL;
+    return -1;
+  }
+  return static_cast<int>(::syscall(SYS_renameat2, from_folder, from, to_folder, to, flags));
+}
+
+extern "C" int link(const char* from, const char* to) noexcept {
+  if (!links) {
+    errno = EPERM;
+    return -1;
+  }
+  return static_cast<int>(::syscall(SYS_linkat, AT_FDCWD, from, AT_FDCWD, to, 0));
+}
 
 namespace stylet::hal {
 namespace {
@@ -46,16 +86,84 @@ TEST(OutputFile, IsNoInputByAnyNameAndNothingButAFile) {
   fs::remove_all(folder);
 }
 
-TEST(OutputFile, KeptNamesAreFree) {
+TEST(OutputFile, NamesAreFree) {
   const fs::path folder = fs::temp_directory_path() / ("stylet-kept-" + std::to_string(getpid()));
   fs::create_directories(folder / "a.b");
   const std::string path = folder / "a.b" / "out.x.h5";
-  EXPECT_EQ(kept_name(path), path);
+  const auto kept = [](const std::string& name) { return free_name({name, Naming::kKeep}); };
+  const auto numbered = [](const std::string& name) { return free_name({name, Naming::kNumber}); };
+  EXPECT_EQ(kept(path), path);
+  EXPECT_EQ(numbered(path), folder / "a.b" / "out.x-1.h5");
   std::ofstream(path) << "older";
-  EXPECT_EQ(kept_name(path), folder / "a.b" / "out.x-2.h5");
-  fs::create_symlink("nowhere", folder / "a.b" / "out.x-2.h5");  // a name that is taken, too
-  EXPECT_EQ(kept_name(path), folder / "a.b" / "out.x-3.h5");
-  EXPECT_EQ(kept_name(folder / "a.b"), folder / "a-2.b");
+  EXPECT_EQ(free_name({path}), path);
+  EXPECT_EQ(kept(path), folder / "a.b" / "out.x-2.h5");
+  EXPECT_EQ(numbered(path), folder / "a.b" / "out.x-1.h5");
+  // Names that are taken, too.
+  for (const char* each : {"out.x-1.h5", "out.x-2.h5"}) {
+    fs::create_symlink("nowhere", folder / "a.b" / each);
+  }
+  EXPECT_EQ(kept(path), folder / "a.b" / "out.x-3.h5");
+  EXPECT_EQ(numbered(path), folder / "a.b" / "out.x-3.h5");
+  EXPECT_EQ(kept(folder / "a.b"), folder / "a-2.b");
+  fs::remove_all(folder);
+}
+
+// Of programs that all chose the same free name and then end together, each keeps its file, and
+// what somebody put there meanwhile stays; on each kind of file system.
+TEST(OutputFile, NamesThatAreTakenMeanwhileReplaceNothing) {
+  std::mt19937 random(8);
+  for (int round = 0; round < 90; ++round) {
+    const FileSystem system(round % 3 == 0, round % 3 != 2);
+    const fs::path folder =
+        fs::temp_directory_path() / ("stylet-names-" + std::to_string(getpid()));
+    fs::create_directories(folder);
+    const OutputName output = {folder / "out.h5",
+                               random() % 2 == 0 ? Naming::kKeep : Naming::kNumber};
+    const std::string first = free_name(output);
+    std::multiset<std::string> expected;
+    if (random() % 2 == 0) {
+      std::ofstream(first) << "precious";
+      expected.insert("precious");
+    }
+    const int programs = 1 + static_cast<int>(random() % 5);
+    std::vector<pid_t> children;
+    for (int i = 0; i < programs; ++i) {
+      const std::string mine = folder / ("temporary" + std::to_string(i));
+      std::ofstream(mine) << i;
+      expected.insert(std::to_string(i));
+      children.push_back(fork());
+      if (children.back() != 0) continue;
+      const std::string name = take_name(mine, first, output);
+      std::ifstream in(name);
+      const std::string text(std::istreambuf_iterator<char>(in), {});
+      _exit(text == std::to_string(i) && !fs::exists(mine) ? 0 : 1);
+    }
+    for (const pid_t each : children) {
+      int status = 1;
+      waitpid(each, &status, 0);
+      EXPECT_EQ(status, 0) << round;
+    }
+    std::multiset<std::string> found;
+    for (const auto& each : fs::directory_iterator(folder)) {
+      std::ifstream in(each.path());
+      found.emplace(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+    }
+    EXPECT_EQ(found, expected) << round;
+    fs::remove_all(folder);
+  }
+}
+
+TEST(OutputFile, ANameThatCannotBeHadLeavesTheFile) {
+  const fs::path folder = fs::temp_directory_path() / ("stylet-no-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const std::string mine = folder / "temporary";
+  std::ofstream(mine) << "bytes";
+  for (const Naming naming : {Naming::kReplace, Naming::kKeep, Naming::kNumber}) {
+    const std::string wanted = folder / "none" / "out.h5";
+    EXPECT_EQ(take_name(mine, wanted, {wanted, naming}), "");
+    EXPECT_EQ(errno, ENOENT);
+    EXPECT_EQ(fs::file_size(mine), 5U);
+  }
   fs::remove_all(folder);
 }
 

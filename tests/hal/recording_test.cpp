@@ -212,6 +212,25 @@ TEST_F(RecordingTest, AnOlderFormatIsRefusedByItsNumber) {
   EXPECT_THAT(refusal(path()), testing::HasSubstr("r.h5: format_version: 1: expected 4: make"));
 }
 
+// Whatever gets the name while it records stays; where none is to stay, it is replaced.
+TEST_F(RecordingTest, AFileThatComesMeanwhileStays) {
+  const auto records = any_records(10);
+  for (const Naming naming : {Naming::kKeep, Naming::kNumber, Naming::kReplace}) {
+    const OutputName name = {path(), naming};
+    const std::string first = free_name(name);
+    RecordingWriter writer(first, some_info(), name);
+    writer.append(records);
+    std::ofstream(first) << "precious";
+    const std::string expected = naming == Naming::kKeep     ? path("r-2.h5")
+                                 : naming == Naming::kNumber ? path("r-3.h5")
+                                                             : path();
+    EXPECT_EQ(writer.finish(1, 0), expected);
+    EXPECT_EQ(RecordingReader(expected).ticks(), records.size());
+    EXPECT_EQ(fs::file_size(first) == 8, naming != Naming::kReplace);
+  }
+  EXPECT_EQ(files(), 4U);
+}
+
 TEST_F(RecordingTest, UnfinishedLeavesNothing) {
   {
     RecordingWriter writer(path(), some_info());
