@@ -392,7 +392,9 @@ std::string finish_recording(Attempt& a, RunReport& report, std::span<const hal:
   hal::Completed completed = {"", a.kept->error};
   if (!a.recording.empty() && a.kept->error.empty()) {
     completed = a.recorder->finish(report.state_hash, a.state.lost_records, marks);
-    if (completed.error.empty() && completed.recording != a.recording) {
+    if (completed.error.empty() && completed.recording.empty()) {
+      fmt::print(stderr, "stylet: no tick was run: there is no recording {}\n", a.recording);
+    } else if (completed.error.empty() && completed.recording != a.recording) {
       fmt::print(stderr, "stylet: {} has come meanwhile and is kept: this recording is {}\n",
                  a.recording, completed.recording);
     }

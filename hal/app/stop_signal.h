@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Signals that end a program from outside (Ctrl-C, SIGTERM, SIGHUP, SIGQUIT) end the run after a
 // tick, so that no device keeps a force and the recording is completed. Install it before the first
-// device is opened. A vanished reader (SIGPIPE) or a file that may not grow (SIGXFSZ) ends nothing.
+// device is opened. A vanished reader (SIGPIPE) or a file that may not grow (SIGXFSZ) ends nothing,
+// and a reader that reads no more does not hold up the end.
 #pragma once
 
 #include <signal.h>
 
 #include <array>
 #include <atomic>
+
+#include "hal/app/standard_streams.h"
 
 namespace stylet::app {
 
@@ -32,6 +35,7 @@ inline bool stop_was_asked() {
 
 struct StopOnSignal {
   explicit StopOnSignal(std::atomic<bool>& stop) {
+    bound_standard_streams();
     g_stops_asked.store(0);
     g_stop.store(&stop);
     struct sigaction action {};

@@ -279,7 +279,9 @@ bool serve(SideSeat& seat, Desk& desk, Recorder& recorder) {
   const std::optional<Bytes> order = next_order(seat, recorder);
   if (!order) return false;
   Packer said;
-  const Completed completed = complete(*desk.writer, *order);
+  Completed completed;
+  if (recorder.ticks() > 0) completed = complete(*desk.writer, *order);
+  desk.writer.reset();
   said.put(completed.recording).put(completed.error);
   (void)seat.link.send(said.bytes());
   return true;

@@ -52,8 +52,8 @@ struct Recorded {
 
 // How the recording ended.
 struct Completed {
-  std::string recording;  // its name; empty: it was not completed
-  std::string error;      // why not
+  std::string recording;  // its name; empty: there is none
+  std::string error;      // why not; empty: it would have no tick
 };
 
 class RecorderProcess {
