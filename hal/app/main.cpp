@@ -338,6 +338,7 @@ int dispatch(int argc, char** argv) {
   add_station(program, station_options);
   add_bench(program);
   try {
+    cli::refuse_empty_values(program, argc, argv);
     cli::refuse_separate_values(program, argc, argv);
     program.parse(argc, argv);
     if (program.get_subcommands().empty()) {

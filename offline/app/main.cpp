@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
   add_info(app);
   add_check(app);
   try {
+    cli::refuse_empty_values(app, argc, argv);
     cli::refuse_separate_values(app, argc, argv);
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) {

@@ -185,6 +185,32 @@ class OptionalValues(unittest.TestCase):
         self.assertIn("nowhere.toml: no such file", done.stderr)
 
 
+class EmptyValues(unittest.TestCase):
+    """What a script's unset variable leaves is refused for every option, and writes nothing."""
+
+    def test_every_option_that_takes_a_value_refuses_an_empty_one(self):
+        seen = set()
+        with tempfile.TemporaryDirectory() as folder:
+            for program in PROGRAMS:
+                for words, options, _ in commands_of(program):
+                    for name, value in options:
+                        if not value:
+                            continue
+                        seen.add(name)
+                        for line in ([name, ""], ["a", name, "", "b"], [f"{name}="]):
+                            done = subprocess.run([BIN / program, *words, *line], text=True,
+                                                  capture_output=True, timeout=60, cwd=folder)
+                            self.assertEqual(done.returncode, SEPARATE, (words, line))
+                            self.assertRegex(done.stderr, f"^{name}.*: expected ", (words, line))
+                    done = subprocess.run([BIN / program, *words, ""], text=True,
+                                          capture_output=True, timeout=60, cwd=folder)
+                    self.assertEqual(done.returncode, SEPARATE, words)
+                    self.assertIn("an empty text follows", done.stderr)
+            self.assertEqual(list(pathlib.Path(folder).iterdir()), [])
+        self.assertLessEqual({"--record", "--organ", "--flight", "--output", "--scene", "--recipe"},
+                             seen)
+
+
 class Json(unittest.TestCase):
     """What prints a result prints it as JSON, too."""
 

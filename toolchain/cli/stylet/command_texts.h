@@ -24,6 +24,10 @@ void add_text_options(CLI::App& program, const std::string& version);
 // be taken for a file, and the error name another word. Throws a CLI::ParseError that says so.
 void refuse_separate_values(const CLI::App& program, int argc, const char* const* argv);
 
+// An empty text is never what a user means: it is a variable that a script has not set, and would
+// pass for an option that was not given. Throws a CLI::ParseError that names the option.
+void refuse_empty_values(const CLI::App& program, int argc, const char* const* argv);
+
 // CLI::Range, which --help would tell as "UINT in [1 - 16]".
 template <typename Number>
 CLI::Range between(Number low, Number high) {
