@@ -13,6 +13,9 @@ namespace stylet::hal::hdf5 {
 namespace {
 
 constexpr unsigned kDeflateLevel = 1;  // of zlib's nine: the fastest
+// A chunk is read as a whole. The largest that is written is 4096 rows of four numbers of 8 bytes;
+// 16 of them together are read too, such as other tools make when they pack a file anew.
+constexpr hsize_t kMaxChunkBytes = hsize_t{16} * 4096 * 4 * 8;
 
 }  // namespace
 
@@ -83,7 +86,13 @@ void Table::open(bool unfinished) {
     if (!exists(name(column))) fail(path_, name(column), "column missing");
     sets_.emplace_back(H5Dopen2(file_, name(column).c_str(), H5P_DEFAULT), H5Dclose);
     if (sets_.back().id < 0) fail(path_, name(column), "column damaged");
-    const std::uint64_t rows = check(column, sets_.back().id);
+    const std::uint64_t claimed = check(column, sets_.back().id);
+    const std::uint64_t stored = stored_rows(column, sets_.back().id);
+    if (stored < claimed && !unfinished) {
+      fail(path_, name(column),
+           fmt::format("{} rows, of which the file holds {}: file damaged", claimed, stored));
+    }
+    const std::uint64_t rows = std::min(claimed, stored);
     if (&column == columns_.data()) rows_ = rows;
     if (unfinished) rows_ = std::min<hsize_t>(rows, rows_);
     if (rows != rows_ && !unfinished) {
@@ -165,6 +174,25 @@ std::uint64_t Table::check(const Column& column, hid_t set) const {
                      column_bytes(column.type)));
   }
   return size[0];
+}
+
+std::uint64_t Table::stored_rows(const Column& column, hid_t set) const {
+  const Handle list(H5Dget_create_plist(set), H5Pclose);
+  const hsize_t number_bytes = column_bytes(column.type);
+  const H5D_layout_t layout = H5Pget_layout(list.id);
+  if (layout == H5D_VIRTUAL || H5Pget_external_count(list.id) != 0) return 0;  // in other files
+  if (layout != H5D_CHUNKED) return H5Dget_storage_size(set) / (number_bytes * column.width);
+  hsize_t shape[2] = {0, 1}, chunks = 0;
+  H5Pget_chunk(list.id, 2, shape);
+  if (shape[0] > kMaxChunkBytes || shape[1] > column.width ||
+      shape[0] * shape[1] * number_bytes > kMaxChunkBytes) {
+    fail(path_, name(column),
+         fmt::format("chunks of {} x {} numbers: expected at most {} bytes in a chunk", shape[0],
+                     shape[1], kMaxChunkBytes));
+  }
+  const Handle space(H5Dget_space(set), H5Sclose);
+  if (H5Dget_num_chunks(set, space.id, &chunks) < 0) fail(path_, name(column), "column damaged");
+  return chunks * shape[0] * shape[1] / column.width;
 }
 
 bool Table::transfer(std::size_t c, std::uint64_t first, std::size_t count, bool write) {

@@ -461,6 +461,90 @@ TEST_F(RecordingTest, CutShortIsRefused) {
   }
 }
 
+// Makes every column with this many rows longer, without numbers, and the count of ticks with them.
+void claim(const std::string& path, std::span<const Column> columns, hsize_t rows,
+           std::uint64_t ticks) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  for (const Column& each : columns) {
+    const hid_t set = H5Dopen2(file, each.name, H5P_DEFAULT);
+    const hsize_t size[2] = {rows, each.width};
+    ASSERT_GE(H5Dset_extent(set, size), 0);
+    H5Dclose(set);
+  }
+  const hid_t attribute = H5Aopen(file, "ticks", H5P_DEFAULT);
+  ASSERT_GE(H5Awrite(attribute, H5T_NATIVE_UINT64, &ticks), 0);
+  H5Aclose(attribute);
+  H5Fclose(file);
+}
+
+// HDF5 stores nothing for a row that was never written: a small file could claim more rows than any
+// memory holds.
+TEST_F(RecordingTest, RowsThatAreClaimedButNotStoredAreRefused) {
+  const std::vector<Event> events = {{1, EventKind::kContact, 0, 0, 0.5F, 0, 0}};
+  {
+    RecordingWriter writer(path(), some_info());
+    writer.append(any_records(2500));
+    writer.append(events);
+    writer.finish(1, 0);
+  }
+  std::mt19937_64 random(21);
+  for (int i = 0; i < 20; ++i) {
+    // Above the 3 chunks of 1000 rows of the ticks, and the one of 64 of the events.
+    const hsize_t rows = 3001 + random() % 10'000'000'000;
+    fs::copy_file(path(), path("c.h5"), fs::copy_options::overwrite_existing);
+    const bool of_events = i % 2 == 0;
+    claim(path("c.h5"), of_events ? event_columns() : tick_columns(), rows,
+          of_events ? 2500 : rows);
+    EXPECT_THAT(refusal(path("c.h5")),
+                testing::HasSubstr(std::to_string(rows) + " rows, of which the file holds " +
+                                   (of_events ? "64" : "3000")));
+  }
+  // Of an unfinished one what is there is read.
+  claim(path(), tick_columns(), 10'000'000'000, 0);
+  EXPECT_EQ(RecordingReader(path()).ticks(), 3000U);
+}
+
+// A chunk is unpacked as a whole, whatever is read of it; numbers in other files are not read.
+TEST_F(RecordingTest, ColumnsThatAreStoredInOtherWaysThanWrittenAreBounded) {
+  const auto with_column = [&](hsize_t chunk_rows, const char* outside) {
+    {
+      RecordingWriter writer(path(), some_info());
+      writer.append(any_records(100));
+      writer.finish(1, 0);
+    }
+    const hid_t file = H5Fopen(path().c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    H5Ldelete(file, "output/force_n", H5P_DEFAULT);
+    const hsize_t size[2] = {100, 3}, limit[2] = {chunk_rows == 0 ? 100 : H5S_UNLIMITED, 3};
+    const hsize_t chunk[2] = {chunk_rows, 3};
+    const hid_t space = H5Screate_simple(2, size, limit);
+    const hid_t list = H5Pcreate(H5P_DATASET_CREATE);
+    if (chunk_rows > 0) {
+      H5Pset_chunk(list, 2, chunk);
+      H5Pset_deflate(list, 9);
+    }
+    if (outside != nullptr) H5Pset_external(list, outside, 0, H5F_UNLIMITED);
+    const hid_t set =
+        H5Dcreate2(file, "output/force_n", H5T_IEEE_F32LE, space, H5P_DEFAULT, list, H5P_DEFAULT);
+    const std::vector<float> zeros(300);
+    if (outside == nullptr) {
+      EXPECT_GE(H5Dwrite(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros.data()), 0);
+    }
+    H5Dclose(set);
+    H5Pclose(list);
+    H5Sclose(space);
+    H5Fclose(file);
+    return refusal(path());
+  };
+  EXPECT_EQ(with_column(0, nullptr), "not refused");
+  EXPECT_EQ(with_column(7, nullptr), "not refused");
+  EXPECT_EQ(with_column(2 * 1024 * 1024 / 12, nullptr), "not refused");
+  EXPECT_THAT(with_column(2 * 1024 * 1024 / 12 + 1, nullptr),
+              testing::HasSubstr("output/force_n: chunks of 174763 x 3 numbers: expected at most "
+                                 "2097152 bytes in a chunk"));
+  EXPECT_THAT(with_column(0, "/dev/zero"),
+              testing::HasSubstr("output/force_n: 100 rows, of which the file holds 0"));
+}
+
 TEST_F(RecordingTest, AFlippedBitInTheDataIsRefused) {
   {
     RecordingWriter writer(path(), some_info());

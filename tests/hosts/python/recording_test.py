@@ -106,6 +106,65 @@ class Recording(unittest.TestCase):
         self.assertEqual((wrong.returncode, wrong.stdout), (1, ""))
         self.assertNotIn("Traceback", wrong.stderr)
 
+    def test_what_is_claimed_but_not_stored_is_refused(self):
+        """Rows, texts and chunks that a small file claims are not made of nothing."""
+        draw = np.random.default_rng(4)
+        whole = recorded("two", TWO)
+        changed = folder() / "claimed.h5"
+
+        def tick_columns(file):
+            return [column for place in ("", "needle1/")
+                    for group in ("input", "output", "device", "guard", "loop")
+                    for column in file[place + group].values()]
+
+        def grow_all(file):
+            rows = int(draw.integers(10**7, 10**10))
+            for column in tick_columns(file):
+                column.resize(rows, axis=0)
+            file.attrs["ticks"] = np.uint64(rows)
+            return f"{rows} rows, of which the file holds"
+
+        def grow_one(file):
+            columns = tick_columns(file)
+            column = columns[draw.integers(len(columns))]
+            column.resize(len(column) + 1, axis=0)
+            return f"claimed.h5: {column.name[1:]}: "
+
+        def grow_events(file):
+            for column in file["events"].values():
+                column.resize(10**9, axis=0)
+            return "events/.*: 1000000000 rows, of which the file holds 64"
+
+        def many_ticks(file):
+            file.attrs["ticks"] = np.uint64(2**63)
+            return f"rows: expected {2**63}"
+
+        def long_text(file):
+            del file["scene_text"]
+            file.create_dataset("scene_text", (), dtype="S2000000000")
+            return "scene_text: text of another type"
+
+        def large_chunk(file):
+            del file["output/force_n"]
+            file.create_dataset("output/force_n", (file.attrs["ticks"], 3), maxshape=(None, 3),
+                                dtype="f4", chunks=(200_000, 3), compression="gzip")[0] = 1
+            return "output/force_n: chunks of 200000 x 3 numbers"
+
+        for change in 3 * [grow_all, grow_one] + [grow_events, many_ticks, long_text, large_chunk]:
+            with self.subTest(change.__name__):
+                changed.write_bytes(whole.read_bytes())
+                with h5py.File(changed, "r+") as file:
+                    words = change(file)
+                self.assertLess(changed.stat().st_size, 2 * whole.stat().st_size)
+                with self.assertRaisesRegex(ValueError, words):
+                    stylet.Recording(changed)
+        changed.write_bytes(whole.read_bytes())
+        with h5py.File(changed, "r+") as file:
+            grow_all(file)
+            file.attrs["ticks"] = np.uint64(0)  # as of a run that was killed
+            chunks = file["output/force_n"].id.get_num_chunks() * file["output/force_n"].chunks[0]
+        self.assertEqual(stylet.Recording(changed).ticks, chunks)
+
     def test_refusals(self):
         changed = folder() / "changed.h5"
         changed.write_bytes(recorded("one", ONE).read_bytes())

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What `stylet run --record` wrote: every tick of a run, as arrays, curves, or a run once more."""
+import math
+
 import numpy as np
 
 from stylet import _stylet
@@ -10,8 +12,11 @@ from stylet.structs import Config, Needle, Obstacle
 
 FORMAT = "stylet-recording"
 FORMAT_VERSION = 4  # hal/record/recording_format.h
+MOST_TEXT_BYTES = 1 << 24  # as the programs (hal/record/recording_format.cpp)
+MOST_CHUNK_BYTES = 16 * 4096 * 4 * 8  # as the programs (hal/record/hdf5_table.cpp)
 TICKS_OF_PART = 100_000  # of a replay at a time: 3.6 MB of inputs a needle
 
+TICK_GROUPS = ["input", "output", "device", "guard", "loop"]
 CAUSES = ["stiffness", "cutting", "friction", "clamping", "obstacle"]
 # Of each cause, as in every other figure (hal/palette.csv).
 COLOURS = ["#0072b2", "#c24e00", "#009e73", "#a8478a", "#5c3d00"]
@@ -40,9 +45,9 @@ class Recording:
             self.obstacles = bodies(file["obstacles"], Obstacle, _stylet.obstacle_dtype)
             self.directions = file["needles/direction"][:]
             self.entries_m = file["needles/entry_m"][:]
-            # Columns of a file that grows differ by some rows.
-            self.ticks = min(len(column) for column in file["output"].values())
-            self.events = table(file["events"], _stylet.event_dtype)
+            self.ticks = self._whole_ticks(file)
+            self.events = table(file["events"], _stylet.event_dtype,
+                                whole=int(file.attrs["ticks"]) > 0)
             lines = text_of(file, "marks").splitlines() if "marks" in file else []
             self.marks = [(int(tick), words) for tick, words in
                           (line.split("\t", 1) for line in lines)]
@@ -61,6 +66,18 @@ class Recording:
         if kind != FORMAT or version != FORMAT_VERSION:
             raise ValueError(f"{self.path}: {kind or 'no recording'} {version}: expected {FORMAT} "
                              f"{FORMAT_VERSION}; record again")
+
+    def _whole_ticks(self, file):
+        """The ticks that all columns have: those of a file that grows differ by some rows."""
+        told = int(file.attrs["ticks"])
+        places = ["", *(f"needle{i}/" for i in range(1, len(self.needles)))]
+        columns = [column for place in places for name in TICK_GROUPS
+                   for column in file[place + name].values()]
+        rows = [stored_rows(column, whole=told > 0) for column in columns]
+        for column, count in zip(columns, rows):
+            if told > 0 and count != told:
+                raise ValueError(f"{self.path}: {column.name[1:]}: {count} rows: expected {told}")
+        return min(rows)
 
     @property
     def period_s(self):
@@ -147,13 +164,39 @@ class Recording:
         return figure
 
 
+def refuse(item, why):
+    raise ValueError(f"{item.file.filename}: {item.name[1:]}: {why}")
+
+
 def text_of(file, name):
-    return file[name][()].decode("utf-8").rstrip("\0")
+    text = file[name]
+    kind = h5py.check_string_dtype(text.dtype)
+    if text.shape != () or kind is None or not 0 < (kind.length or 0) <= MOST_TEXT_BYTES:
+        refuse(text, "text of another type: expected one string of at most 16 MiB")
+    return text[()].decode("utf-8").rstrip("\0")
 
 
-def table(group, dtype):
+def stored_rows(column, whole=True):
+    """For how many rows of a column the file holds numbers. It may claim more, which would be read
+    as zeros for as long as there is memory: of a `whole` file that is refused."""
+    row = math.prod(column.shape[1:])
+    if column.is_virtual or column.external:
+        stored = 0  # in other files
+    elif column.chunks is None:
+        stored = column.id.get_storage_size() // (row * column.dtype.itemsize)
+    elif math.prod(column.chunks) * column.dtype.itemsize > MOST_CHUNK_BYTES:
+        refuse(column, f"chunks of {' x '.join(map(str, column.chunks))} numbers: expected at most "
+                       f"{MOST_CHUNK_BYTES} bytes in a chunk")
+    else:
+        stored = column.id.get_num_chunks() * math.prod(column.chunks) // row
+    if whole and stored < len(column):
+        refuse(column, f"{len(column)} rows, of which the file holds {stored}: file damaged")
+    return min(stored, len(column))
+
+
+def table(group, dtype, whole=True):
     """Columns of a group as the fields of a dtype; columns that it does not have are left out."""
-    rows = np.zeros(min(len(column) for column in group.values()), dtype)
+    rows = np.zeros(min(stored_rows(column, whole) for column in group.values()), dtype)
     for name in dtype.names:
         rows[name] = group[name][:len(rows)].reshape(rows[name].shape)
     return rows
